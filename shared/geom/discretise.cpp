@@ -1,0 +1,138 @@
+#include "shared/geom/discretise.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace dobra::geom {
+namespace {
+
+using base::Angle;
+using base::Error;
+using base::ErrorCode;
+
+/// Beyond this many initial segments the limits, not the curve, are wrong.
+constexpr double greatest_count = 1e8;
+
+double angle_between(Vector a, Vector b) { return std::atan2(std::abs(cross(a, b)), dot(a, b)); }
+
+bool vanishes(Vector v) { return v == Vector{}; }
+
+base::Result<void> check_options(const DiscretiseOptions& options) {
+  if (!(options.max_angle.radians() > 0.0)) {
+    return Error{ErrorCode::InvalidOption,
+                 fmt::format("the greatest angle must be positive and is {} degrees", options.max_angle.degrees())};
+  }
+  if (!(options.max_length > 0.0)) {
+    return Error{ErrorCode::InvalidOption,
+                 fmt::format("the greatest length must be positive and is {}", options.max_length)};
+  }
+  if (!(options.slack >= 0.0)) {
+    return Error{ErrorCode::InvalidOption, fmt::format("the slack must not be negative and is {}", options.slack)};
+  }
+  return {};
+}
+
+/// Step i of SUR-2: n = length / max_length, rounded up.
+base::Result<std::size_t> initial_count(const CurveFunctions& curve, const DiscretiseOptions& options) {
+  const double length = curve.length(0.0, 1.0);
+  if (!std::isfinite(length)) return Error{ErrorCode::NotFinite, "the length of the curve is not a finite number"};
+  if (!(length > 0.0))
+    return Error{ErrorCode::DegenerateCurve, "the curve has no length; remove it or move its points"};
+  const double count = std::ceil(length / options.max_length * (1.0 - options.slack));
+  if (count > greatest_count) {
+    return Error{ErrorCode::InvalidOption,
+                 fmt::format("a greatest length of {} cuts a curve of length {} into more than {:g} segments; raise it",
+                             options.max_length, length, greatest_count)};
+  }
+  return std::max<std::size_t>(1, static_cast<std::size_t>(count));
+}
+
+bool fine_enough(const CurveFunctions& curve, double t0, double t1, const DiscretiseOptions& options) {
+  const double excess = 1.0 + options.slack;
+  return curve.length(t0, t1) <= excess * options.max_length &&
+         tangent_turn(curve, t0, t1) <= excess * options.max_angle;
+}
+
+/// Steps ii to v for one initial segment: appends the parameters after t0, up to t1.
+base::Result<void> bisect(const CurveFunctions& curve, double t0, double t1, const DiscretiseOptions& options,
+                          std::vector<double>& parameters) {
+  struct Piece {
+    double from, to;
+    std::size_t depth;
+  };
+  std::vector<Piece> open{{t0, t1, 0}};
+  while (!open.empty()) {
+    const Piece piece = open.back();
+    open.pop_back();
+    if (fine_enough(curve, piece.from, piece.to, options)) {
+      parameters.push_back(piece.to);
+      continue;
+    }
+    const double middle = 0.5 * (piece.from + piece.to);
+    if (piece.depth == options.max_depth || middle == piece.from || middle == piece.to) {
+      const Point p = curve.point(middle);
+      base::Place place;
+      place.x = p.x;
+      place.y = p.y;
+      return Error{
+          ErrorCode::DegenerateCurve,
+          fmt::format("after {} bisections a piece of the curve of length {:.3g} still turns by {:.3g} degrees; "
+                      "split the curve at its corner",
+                      piece.depth, curve.length(piece.from, piece.to),
+                      tangent_turn(curve, piece.from, piece.to).degrees()),
+          place};
+    }
+    open.push_back({middle, piece.to, piece.depth + 1});
+    open.push_back({piece.from, middle, piece.depth + 1});
+  }
+  return {};
+}
+
+}  // namespace
+
+Polyline Discretisation::polyline() const {
+  Polyline line{points, points.size() > 3 && points.front() == points.back()};
+  if (line.closed) line.points.pop_back();
+  return line;
+}
+
+Angle tangent_turn(const CurveFunctions& curve, double t0, double t1) {
+  const double middle = 0.5 * (t0 + t1);
+  const Vector first_chord = curve.point(middle) - curve.point(t0);
+  const Vector second_chord = curve.point(t1) - curve.point(middle);
+  const auto tangent = [&](double t, Vector instead) {
+    const Vector own = curve.tangent(t);
+    return vanishes(own) ? instead : own;
+  };
+  const Vector start = tangent(t0, first_chord);
+  const Vector end = tangent(t1, second_chord);
+  const Vector at_middle = tangent(middle, second_chord);
+  return Angle::from_radians(angle_between(start, at_middle) + angle_between(at_middle, end));
+}
+
+base::Result<Discretisation> discretise(const CurveFunctions& curve, const DiscretiseOptions& options) {
+  DOBRA_TRY_VOID(check_options(options));
+  DOBRA_TRY(const std::size_t count, initial_count(curve, options));
+  Discretisation result;
+  result.parameters.push_back(0.0);
+  for (std::size_t i = 0; i < count; ++i) {
+    // i / n rather than sums of 1 / n, so that the last parameter is exactly 1.
+    const double t0 = static_cast<double>(i) / static_cast<double>(count);
+    const double t1 = static_cast<double>(i + 1) / static_cast<double>(count);
+    DOBRA_TRY_VOID(bisect(curve, t0, t1, options, result.parameters));
+  }
+  result.points.reserve(result.parameters.size());
+  for (const double t : result.parameters) {
+    result.points.push_back(curve.point(t));
+    if (!is_finite(result.points.back())) {
+      return Error{ErrorCode::NotFinite, fmt::format("the curve has no finite point at parameter {:.10g}", t)};
+    }
+  }
+  return result;
+}
+
+}  // namespace dobra::geom
