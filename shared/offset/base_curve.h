@@ -1,0 +1,70 @@
+#pragma once
+// The base as the engine sees it: moved to a near origin without rounding, mirrored if the left side is wanted (so that the
+// engine knows only the right side), without repeated points, with directions and corners measured once.
+
+#include <cstdint>
+#include <vector>
+
+#include "shared/base/result.h"
+#include "shared/geom/polyline.h"
+#include "shared/offset/offset.h"
+#include "shared/offset/real.h"
+
+namespace dobra::offset {
+
+enum class Turn {
+  Straight,
+  Outer,  ///< Left turn: the right side has a gap to fill. An exact U-turn counts as one.
+  Inner,  ///< Right turn: the right side overlaps.
+};
+
+struct BaseCurve {
+  bool closed = false;
+  std::vector<Vec> points;
+  std::vector<std::uint32_t> source;  ///< For each segment its index in the user's curve.
+  // For each segment.
+  std::vector<Vec> along;   ///< Unit direction.
+  std::vector<Vec> normal;  ///< Unit, to the right.
+  std::vector<Real> lengths;
+  // For each point (ends of an open curve: Straight, 0).
+  std::vector<Turn> turn;      ///< Exact.
+  std::vector<Real> half_tan;  ///< tan(angle / 2) of the turn, >= 0; infinity for a U-turn.
+  Real size = 0;               ///< Greatest coordinate.
+  geom::Point origin;          ///< In the user's coordinates.
+  bool mirrored = false;
+
+  [[nodiscard]] std::size_t segment_count() const { return along.size(); }
+  [[nodiscard]] Vec from(std::size_t i) const { return points[i]; }
+  [[nodiscard]] Vec to(std::size_t i) const { return points[i + 1 == points.size() ? 0 : i + 1]; }
+  /// The point where segment i ends, as an index.
+  [[nodiscard]] std::size_t end_index(std::size_t i) const { return i + 1 == points.size() ? 0 : i + 1; }
+  /// True if a segment comes before (after) it.
+  [[nodiscard]] bool has_before(std::size_t i) const { return closed || i > 0; }
+  [[nodiscard]] bool has_after(std::size_t i) const { return closed || i + 1 < segment_count(); }
+  [[nodiscard]] std::size_t before(std::size_t i) const { return i == 0 ? segment_count() - 1 : i - 1; }
+  [[nodiscard]] std::size_t after(std::size_t i) const { return i + 1 == segment_count() ? 0 : i + 1; }
+  /// Back in the user's coordinates, rounded once.
+  [[nodiscard]] geom::Point user(Vec p) const {
+    return {static_cast<double>(p.x + origin.x), static_cast<double>((mirrored ? -p.y : p.y) + origin.y)};
+  }
+};
+
+/// @param extension  each end of an open curve is lengthened by this, m; 0 for none.
+/// @error NotFinite, DegenerateCurve with the place.
+base::Result<BaseCurve> prepare(const geom::Polyline& curve, Side side, double extension = 0.0);
+
+/// Untreated chain: one edge a base segment, cut on the bisectors; corners by `options`. Points and, for each edge, the
+/// base segment (index in `base`).
+struct RawChain {
+  std::vector<Vec> points;
+  std::vector<std::uint32_t> segment;
+};
+RawChain raw_chain(const BaseCurve& base, Real distance, const OffsetOptions& options);
+
+/// How a corner on the outer side is filled.
+enum class Fill { Mitre, Tangent, Arc };
+Fill fill_of(const BaseCurve& base, std::size_t corner, const OffsetOptions& options);
+/// tan(angle / 4) of a turn, from tan(angle / 2).
+Real quarter_tan(Real half_tan);
+
+}  // namespace dobra::offset

@@ -1,0 +1,173 @@
+// Step 3: where pieces meet. A cut too many does no harm (both sides are then valid, or both not), so whatever comes within
+// tau is cut, tangencies and ends included.
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "shared/offset/sections.h"
+
+namespace dobra::offset {
+
+geom::Box Trimmer::box_of(const RawPiece& piece) const {
+  geom::Box box;
+  box.add(rounded(piece.a));
+  box.add(rounded(piece.b));
+  if (!piece.is_line()) {
+    const Real d = distance_;
+    for (const Vec axis : {Vec{d, 0}, Vec{0, d}, Vec{-d, 0}, Vec{0, -d}}) {
+      if (on_arc(piece, piece.centre + axis)) box.add(rounded(piece.centre + axis));
+    }
+  }
+  return box.grown(1e-13 * static_cast<double>(base_.size + distance_));
+}
+
+void Trimmer::find_cuts() {
+  std::vector<geom::Box> boxes;
+  boxes.reserve(pieces_.size());
+  for (const RawPiece& piece : pieces_) boxes.push_back(box_of(piece));
+  const geom::SpatialIndex index(boxes);
+  for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
+    if (!pieces_[i].wanted) continue;
+    index.for_each_overlapping(boxes[i], [&](std::size_t found) {
+      const auto j = static_cast<std::uint32_t>(found);
+      if (j != i && (j > i || !pieces_[j].wanted)) cut_pair(i, j);
+    });
+  }
+}
+
+void Trimmer::cut_pair(std::uint32_t i, std::uint32_t j) {
+  cut_at_ends(i, j);
+  if (pieces_[j].wanted) cut_at_ends(j, i);
+  if (pieces_[i].is_line() && pieces_[j].is_line()) return cut_lines(i, j);
+  if (pieces_[i].is_line()) return cut_line_arc(i, j);
+  if (pieces_[j].is_line()) return cut_line_arc(j, i);
+  cut_arcs(i, j);
+}
+
+void Trimmer::add_cut(std::uint32_t i, std::uint32_t j, Vec p) {
+  const std::uint32_t at = node(p);
+  if (pieces_[i].wanted) cuts_.push_back({i, length(p - pieces_[i].a), at});
+  if (pieces_[j].wanted) cuts_.push_back({j, length(p - pieces_[j].a), at});
+}
+
+/// Cuts `piece` where an end of `other` lies on it.
+void Trimmer::cut_at_ends(std::uint32_t piece, std::uint32_t other) {
+  const RawPiece& cut = pieces_[piece];
+  const RawPiece& end = pieces_[other];
+  for (const bool first : {true, false}) {
+    const Vec p = first ? end.a : end.b;
+    const std::uint32_t at = first ? end.node_a : end.node_b;
+    if (at == cut.node_a || at == cut.node_b) continue;
+    const Vec to = p - cut.a;
+    if (cut.is_line()) {
+      const Vec whole = cut.b - cut.a;
+      const Real size = length(whole);
+      const Vec along = (1 / size) * whole;
+      const Real t = dot(to, along);
+      if (t < -tau_ || t > size + tau_ || std::abs(cross(along, to)) > tau_) continue;
+    } else if (std::abs(length(p - cut.centre) - distance_) > tau_ || !on_arc(cut, p)) {
+      continue;
+    }
+    cuts_.push_back({piece, length(to), at});
+  }
+}
+
+void Trimmer::cut_lines(std::uint32_t i, std::uint32_t j) {
+  const RawPiece& p = pieces_[i];
+  const RawPiece& q = pieces_[j];
+  const Vec u = p.b - p.a;
+  const Vec v = q.b - q.a;
+  const Vec w = q.a - p.a;
+  const Real area = cross(u, v);
+  if (area == 0) return;
+  const Real t = cross(w, v) / area;
+  const Real s = cross(w, u) / area;
+  const Real slack_p = tau_ / length(u);
+  const Real slack_q = tau_ / length(v);
+  if (t < -slack_p || t > 1 + slack_p || s < -slack_q || s > 1 + slack_q) return;
+  add_cut(i, j, p.a + std::clamp(t, Real(0), Real(1)) * u);
+}
+
+bool Trimmer::on_arc(const RawPiece& arc, Vec p) const {
+  const Vec out = p - arc.centre;
+  const Real slack = tau_ * distance_;
+  return cross(arc.a - arc.centre, out) >= -slack && cross(out, arc.b - arc.centre) >= -slack;
+}
+
+void Trimmer::cut_line_arc(std::uint32_t line, std::uint32_t arc) {
+  const RawPiece& p = pieces_[line];
+  const RawPiece& c = pieces_[arc];
+  const Vec whole = p.b - p.a;
+  const Real size = length(whole);
+  const Vec along = (1 / size) * whole;
+  const Vec to = c.centre - p.a;
+  const Real foot = dot(to, along);
+  const Real across = std::abs(cross(along, to));
+  if (across > distance_ + tau_) return;
+  const auto cut = [&](Real t) {
+    if (t < -tau_ || t > size + tau_) return;
+    const Vec at = p.a + std::clamp(t, Real(0), size) * along;
+    if (on_arc(c, at)) add_cut(line, arc, at);
+  };
+  if (std::abs(distance_ - across) <= tau_) cut(foot);
+  if (across >= distance_) return;
+  const Real half = std::sqrt((distance_ - across) * (distance_ + across));
+  cut(foot - half);
+  cut(foot + half);
+}
+
+void Trimmer::cut_arcs(std::uint32_t i, std::uint32_t j) {
+  const RawPiece& p = pieces_[i];
+  const RawPiece& q = pieces_[j];
+  const Vec between = q.centre - p.centre;
+  const Real half = length(between) / 2;
+  if (half <= tau_ || half > distance_ + tau_) return;  // the same circle: its ends are cuts already
+  const Vec mid = p.centre + Real(0.5) * between;
+  const auto cut = [&](Vec at) {
+    if (on_arc(p, at) && on_arc(q, at)) add_cut(i, j, at);
+  };
+  if (std::abs(distance_ - half) <= tau_) cut(mid);
+  if (half >= distance_) return;
+  const Vec across = (std::sqrt((distance_ - half) * (distance_ + half)) / (2 * half)) * left_of(between);
+  cut(mid + across);
+  cut(mid - across);
+}
+
+/// Nodes nearer than tau are one, which is the one made first.
+void Trimmer::merge_nodes() {
+  place_.resize(nodes_.size());
+  const Real cell = 4 * tau_;
+  const auto key = [](long long x, long long y) {
+    return static_cast<std::uint64_t>(x) * 0x9e3779b97f4a7c15ULL ^ static_cast<std::uint64_t>(y) * 0xc2b2ae3d27d4eb4fULL;
+  };
+  std::unordered_multimap<std::uint64_t, std::uint32_t> cells;
+  cells.reserve(nodes_.size());
+  std::vector<char> used(nodes_.size(), 0);
+  for (const RawPiece& piece : pieces_) {
+    if (piece.wanted) used[piece.node_a] = used[piece.node_b] = 1;
+  }
+  for (const Cut& cut : cuts_) used[cut.node] = 1;
+  for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
+    place_[i] = i;
+    if (!used[i]) continue;
+    const Vec p = nodes_[i];
+    // A place is near the edge of its cell in few cases, and only then has to be looked for next door as well.
+    const Real cx = std::floor(p.x / cell);
+    const Real cy = std::floor(p.y / cell);
+    const int left = p.x / cell - cx < Real(0.5) ? -1 : 1;
+    const int down = p.y / cell - cy < Real(0.5) ? -1 : 1;
+    std::uint32_t found = i;
+    for (const int dx : {0, left}) {
+      for (const int dy : {0, down}) {
+        const auto range = cells.equal_range(key(static_cast<long long>(cx) + dx, static_cast<long long>(cy) + dy));
+        for (auto it = range.first; it != range.second; ++it) {
+          if (it->second < found && length(nodes_[it->second] - p) <= tau_) found = it->second;
+        }
+      }
+    }
+    place_[i] = found;
+    if (found == i) cells.emplace(key(static_cast<long long>(cx), static_cast<long long>(cy)), i);
+  }
+}
+
+}  // namespace dobra::offset

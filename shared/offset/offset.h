@@ -1,0 +1,84 @@
+#pragma once
+// Curves parallel to open chains and closed contours of straight segments: the library of the first paper.
+//
+// What is computed. Let U be all points nearer than D to the base, plus the corners that the joins add on the chosen
+// side. The treated curve is the part of U's boundary that belongs to the chosen side, so it keeps the distance from the
+// WHOLE base (both sides and the ends of an open one), and has no spurious region. A base that crosses itself is
+// treated by the same rule. What only just touches itself counts as closed (as if D were a little greater).
+// Page: docs/algorithms/offset.md. Source: [carvalho2005offset]; validity by sections as in [held2001voronoi].
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "shared/base/progress.h"
+#include "shared/base/result.h"
+#include "shared/geom/polyline.h"
+
+namespace dobra::offset {
+
+/// Which side of travel the curve lies on. With y up, a base drawn from left to right has its right side below.
+enum class Side { RightOfTravel, LeftOfTravel };
+
+enum class Treatment {
+  Treated,    ///< Spurious regions removed.
+  Untreated,  ///< Raw normals and bisectors, one edge a base segment (figures 3 and 7a of the paper).
+};
+
+/// What fills the gap on the outer side of a corner. On the inner side curves meet on the bisector in every case.
+enum class Join {
+  Mitre,     ///< The bisector point up to `mitre_limit`, beyond it what `beyond_limit` says.
+  Bisector,  ///< The paper's: always the bisector point, however far (an exact U-turn, which has none, gets a bevel).
+  Round,     ///< An arc about the corner, given as chords.
+  Bevel,     ///< The chord of that arc; comes nearer to the corner than D.
+};
+
+enum class BeyondLimit {
+  TangentBevel,  ///< Cut across at distance D from the corner: the curve keeps its distance everywhere.
+  ChordBevel,    ///< As Join::Bevel.
+};
+
+enum class Ends {
+  Paper,     ///< Only closed regions are removed, edge by edge; tails nearer than D to the base may stay at open ends.
+  Trimmed,   ///< What is nearer than D to any part of the base is removed.
+  Extended,  ///< The base is first lengthened by `extension` D at both ends along its tangents; then as Trimmed.
+};
+
+struct OffsetOptions {
+  Side side = Side::RightOfTravel;
+  Treatment treatment = Treatment::Treated;
+  Join join = Join::Mitre;
+  double mitre_limit = 4.0;  ///< Greatest distance of a mitre from its corner, in D; at least 1.
+  BeyondLimit beyond_limit = BeyondLimit::TangentBevel;
+  Ends ends = Ends::Trimmed;
+  double extension = 1.0;       ///< For Ends::Extended, in D; above 0.
+  double arc_tolerance = 1e-3;  ///< Greatest distance of a chord from its arc, in D; above 0, at most 0.5.
+};
+
+/// One simple curve, oriented like the base.
+struct OffsetPiece {
+  geom::Polyline polyline;
+  /// For each segment of `polyline` the base segment (index into the curve given) that it is parallel to; an arc, chord or
+  /// bevel at a corner counts to the segment before the corner.
+  std::vector<std::uint32_t> base_edge;
+};
+
+struct OffsetCurve {
+  double distance = 0.0;
+  /// Open base: at most one, the longest. Closed: all, in order of the first base segment in each; those round holes
+  /// between arms of the base have the opposite orientation. A closed base that crosses itself may give open ones.
+  /// None where the whole curve is nearer to the base than D.
+  std::vector<OffsetPiece> pieces;
+  std::size_t dropped = 0;  ///< Further pieces of an open base, left out.
+};
+
+/// Curves parallel to `curve`.
+/// @param curve      segments, m; repeated points are passed over.
+/// @param distances  m, each above 0 and measured from `curve`, in any order.
+/// @return           one result a distance, in the same order; the same bytes for any number of threads.
+/// @error            NotFinite, DegenerateCurve with the place; InvalidOption; Cancelled.
+/// @cost             about O((n + s) log n) a distance, s = sections that remain after a cull by clearance.
+base::Result<std::vector<OffsetCurve>> offset(const geom::Polyline& curve, std::span<const double> distances,
+                                              const OffsetOptions& options = {}, const base::Progress& progress = {});
+
+}  // namespace dobra::offset

@@ -1,0 +1,374 @@
+#include "shared/offset/offset.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <numbers>
+
+#include "shared/base/parallel.h"
+#include "shared/offset/distances.h"
+#include "shared/offset/stepper.h"
+#include "tests/support/offset_oracle.h"
+
+namespace dobra::offset {
+namespace {
+
+using geom::Point;
+using geom::Polyline;
+using std::numbers::pi;
+
+std::vector<OffsetCurve> run(const Polyline& base, const std::vector<double>& d, const OffsetOptions& options = {}) {
+  auto result = offset(base, d, options);
+  if (!result.ok()) {
+    ADD_FAILURE() << result.error().message;
+    return std::vector<OffsetCurve>(d.size());
+  }
+  return std::move(result).value();
+}
+
+OffsetCurve run(const Polyline& base, double d, const OffsetOptions& options = {}) {
+  return run(base, std::vector<double>{d}, options).front();
+}
+
+double total_length(const OffsetCurve& curve) {
+  double sum = 0.0;
+  for (const auto& piece : curve.pieces) sum += geom::length(piece.polyline);
+  return sum;
+}
+
+double total_area(const OffsetCurve& curve) {
+  double sum = 0.0;
+  for (const auto& piece : curve.pieces) sum += std::abs(geom::signed_area(piece.polyline));
+  return sum;
+}
+
+std::size_t total_crossings(const OffsetCurve& curve) {
+  std::size_t sum = 0;
+  for (const auto& piece : curve.pieces) sum += support::crossings(piece.polyline);
+  return sum;
+}
+
+void expect_clear(const OffsetCurve& curve, const Polyline& base, double relative) {
+  EXPECT_EQ(total_crossings(curve), 0U);
+  for (const auto& piece : curve.pieces) {
+    EXPECT_GE(support::least_distance(piece.polyline, base), curve.distance * (1.0 - relative)) << "D " << curve.distance;
+    EXPECT_EQ(piece.base_edge.size(), piece.polyline.segment_count());
+    for (const std::uint32_t e : piece.base_edge) EXPECT_LT(e, base.segment_count());
+  }
+}
+
+OffsetOptions untreated() {
+  OffsetOptions options;
+  options.treatment = Treatment::Untreated;
+  return options;
+}
+
+Polyline sampled(double (*y)(double)) {
+  Polyline curve;
+  for (int i = 0; i <= 128; ++i) curve.points.push_back({4 * pi * i / 128, y(4 * pi * i / 128)});
+  return curve;
+}
+Polyline c7() { return sampled([](double x) { return -std::cos(x); }); }
+
+Polyline e9() {
+  Polyline curve{{}, true};
+  for (int i = 0; i < 128; ++i) curve.points.push_back({4 * std::cos(-2 * pi * i / 128), 2 * std::sin(-2 * pi * i / 128)});
+  return curve;
+}
+
+OffsetOptions inside(const Polyline& contour) {
+  OffsetOptions options;
+  options.side = geom::signed_area(contour) > 0 ? Side::LeftOfTravel : Side::RightOfTravel;
+  return options;
+}
+
+TEST(Offset, OFF_a_SegmentLeftToRightIsOffsetBelow) {
+  const OffsetCurve below = run({{{0, 0}, {10, 0}}, false}, 1);
+  ASSERT_EQ(below.pieces.size(), 1U);
+  EXPECT_EQ(below.pieces[0].polyline.points, (std::vector<Point>{{0, -1}, {10, -1}}));
+  EXPECT_EQ(below.pieces[0].base_edge, std::vector<std::uint32_t>{0});
+  const OffsetCurve above = run({{{10, 0}, {0, 0}}, false}, 1);
+  EXPECT_EQ(above.pieces.at(0).polyline.points, (std::vector<Point>{{10, 1}, {0, 1}}));
+  OffsetOptions left;
+  left.side = Side::LeftOfTravel;
+  EXPECT_EQ(run({{{0, 0}, {10, 0}}, false}, 1, left).pieces.at(0).polyline.points, (std::vector<Point>{{0, 1}, {10, 1}}));
+}
+
+TEST(Offset, OFF_b_CornerIsMitredOutsideAndCutOnTheBisectorInside) {
+  const Polyline corner{{{0, 0}, {4, 0}, {4, 4}}, false};
+  const OffsetCurve outer = run(corner, 1);
+  EXPECT_EQ(outer.pieces.at(0).polyline.points, (std::vector<Point>{{0, -1}, {5, -1}, {5, 4}}));
+  EXPECT_NEAR(total_length(outer), 10, 1e-12);
+  const OffsetCurve inner = run(geom::reversed(corner), 1);
+  EXPECT_EQ(inner.pieces.at(0).polyline.points, (std::vector<Point>{{3, 4}, {3, 1}, {0, 1}}));
+  EXPECT_NEAR(total_length(inner), 6, 1e-12);
+}
+
+TEST(Offset, OFF_c_FigureSevenHasNoSpuriousRegions) {
+  const Polyline base = c7();
+  const auto d = distances({13, 0.2, 1.0}).value();
+  const auto raw = run(base, d, untreated());
+  const auto curves = run(base, d);
+  for (int k = 1; k <= 13; ++k) {
+    EXPECT_EQ(total_crossings(raw[k - 1]), k <= 5 ? 0U : 2U) << k;
+    EXPECT_EQ(curves[k - 1].pieces.size(), 1U);
+    EXPECT_EQ(curves[k - 1].dropped, 0U);
+    expect_clear(curves[k - 1], base, 1e-12);
+  }
+  const std::vector<std::pair<int, double>> lengths{{1, 15.259248}, {5, 15.180771}, {6, 15.146466},
+                                                    {8, 14.946349}, {10, 14.612634}, {13, 14.050437}};
+  for (const auto& [k, length] : lengths) EXPECT_NEAR(total_length(curves[k - 1]), length, 1e-5) << k;
+}
+
+TEST(Offset, OFF_d_OpenEndsAreTrimmedByDistance) {
+  const Polyline base = sampled([](double x) { return std::sin(x); });
+  const auto d = distances({13, 0.2, 1.0}).value();
+  const auto curves = run(base, d);
+  for (const auto& curve : curves) {
+    expect_clear(curve, base, 1e-12);
+    EXPECT_EQ(curve.pieces.size(), 1U);
+  }
+  EXPECT_NEAR(total_length(curves[10]), 14.639779, 1e-5);
+  // The oracle keeps or drops whole raw edges by their middles; ours is cut where it comes within D of the base's end, which
+  // is inside the first raw edge that it keeps. With the rest of that edge the lengths are the oracle's.
+  const auto with_rest = [&](std::size_t k) {
+    const OffsetPiece& piece = curves[k].pieces.at(0);
+    const Point start = piece.polyline.points.front();
+    EXPECT_NEAR(geom::distance(start, base.points.front()), curves[k].distance, 1e-12);
+    const OffsetCurve raw = run(base, curves[k].distance, untreated());
+    return total_length(curves[k]) + geom::distance(start, raw.pieces.at(0).polyline.points[piece.base_edge.front()]);
+  };
+  EXPECT_NEAR(with_rest(11), 14.677773, 1e-5);
+  EXPECT_NEAR(with_rest(12), 14.752139, 1e-5);
+  // The paper's region rule alone leaves a tail.
+  OffsetOptions paper;
+  paper.ends = Ends::Paper;
+  const auto tails = run(base, std::vector<double>{2.2, 2.4, 2.6}, paper);
+  EXPECT_NEAR(total_length(tails[0]), 14.639779, 1e-5);
+  EXPECT_NEAR(support::least_distance(tails[1].pieces.at(0).polyline, base), 1.58, 0.01);
+  EXPECT_NEAR(support::least_distance(tails[2].pieces.at(0).polyline, base), 1.62, 0.01);
+}
+
+TEST(Offset, OFF_e_FigureEight) {
+  const Polyline w{{{0, 0}, {1.5, -1.5}, {3, 0}, {4.5, -1.5}, {6, 0}}, false};
+  const auto check = [](const std::vector<OffsetCurve>& curves, const std::vector<double>& lengths) {
+    for (std::size_t k = 0; k < lengths.size(); ++k) EXPECT_NEAR(total_length(curves[k]), lengths[k], 1e-6) << k;
+  };
+  const auto a = distances({5, 0.3, 1.0}).value();
+  check(run(w, a), {9.085281, 9.685281, 10.285281, 10.885281, 11.485281});
+  check(run(w, distances({6, 0.1, 1.3}).value()), {8.685281, 8.945281, 9.283281, 9.722681, 10.293901, 11.036487});
+  check(run(geom::reversed(w), a), {7.885281, 7.285281, 6.685281, 6.085281, 5.485281});
+}
+
+TEST(Offset, OFF_f_FigureNineA) {
+  const Polyline base = e9();
+  const auto d = distances({7, 0.18, 1.0}).value();
+  const std::vector<double> areas{21.736983, 18.554968, 15.576603, 12.801889, 10.230825, 7.863508, 5.705777};
+  const auto raw = run(base, d, untreated());
+  const auto curves = run(base, d);
+  for (std::size_t k = 0; k < 7; ++k) {
+    EXPECT_EQ(total_crossings(raw[k]), k < 5 ? 0U : 2U) << k;
+    ASSERT_EQ(curves[k].pieces.size(), 1U);
+    EXPECT_TRUE(curves[k].pieces[0].polyline.closed);
+    EXPECT_LT(geom::signed_area(curves[k].pieces[0].polyline), 0.0);  // oriented like the base
+    EXPECT_NEAR(total_area(curves[k]), areas[k], 1e-5);
+    expect_clear(curves[k], base, 1e-12);
+  }
+}
+
+TEST(Offset, OFF_g_FigureNineB) {
+  const auto curves = run(e9(), distances({8, 0.05, 1.25}).value());
+  const std::vector<double> areas{24.161759, 22.982743, 21.543500, 19.798396, 17.701311, 15.211667, 12.305410, 8.994150};
+  for (std::size_t k = 0; k < 8; ++k) EXPECT_NEAR(total_area(curves[k]), areas[k], 1e-5);
+}
+
+TEST(Offset, OFF_h_SquareInsetBeyondHalfWidthIsEmpty) {
+  const Polyline square{{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, true};
+  const auto curves = run(square, std::vector<double>{1, 2, 3, 4, 5, 6}, inside(square));
+  for (int k = 1; k <= 4; ++k) EXPECT_NEAR(total_area(curves[k - 1]), (10 - 2 * k) * (10 - 2 * k), 1e-9);
+  EXPECT_TRUE(curves[4].pieces.empty());
+  EXPECT_TRUE(curves[5].pieces.empty());
+}
+
+TEST(Offset, OFF_i_LShape) {
+  const Polyline l{{{0, 0}, {6, 0}, {6, 2}, {2, 2}, {2, 6}, {0, 6}}, true};
+  const auto curves = run(l, std::vector<double>{0.25, 0.5, 0.9}, inside(l));
+  const double areas[] = {14.25, 9, 1.64};
+  const double lengths[] = {22, 20, 16.8};
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_NEAR(total_area(curves[k]), areas[k], 1e-9);
+    EXPECT_NEAR(total_length(curves[k]), lengths[k], 1e-9);
+  }
+}
+
+TEST(Offset, OFF_j_DumbbellSplitsInTwo) {
+  const Polyline bell{{{0, 0}, {4, 0}, {4, 1}, {8, 1}, {8, 0}, {12, 0}, {12, 4}, {8, 4}, {8, 3}, {4, 3}, {4, 4}, {0, 4}}, true};
+  const auto curves = run(bell, std::vector<double>{0.5, 0.9, 1.2, 1.9, 1.0, 2.0}, inside(bell));
+  const std::size_t components[] = {1, 1, 2, 2, 2, 0};  // 1.0: the neck is exactly 2 D wide and counts as closed
+  const double areas[] = {23, 10.84, 5.12, 0.08, 8, 0};
+  for (int k = 0; k < 6; ++k) {
+    EXPECT_EQ(curves[k].pieces.size(), components[k]) << curves[k].distance;
+    EXPECT_NEAR(total_area(curves[k]), areas[k], 1e-9);
+    expect_clear(curves[k], bell, 1e-12);
+  }
+  for (const auto& piece : curves[2].pieces) {
+    EXPECT_NEAR(geom::signed_area(piece.polyline), 2.56, 1e-9);
+    EXPECT_NEAR(geom::length(piece.polyline), 6.4, 1e-9);
+  }
+}
+
+TEST(Offset, OFF_k_TrenchNarrowerThanTwoDistancesIsBridged) {
+  const Polyline trench{{{10, 0}, {6, 0}, {6, -3}, {4, -3}, {4, 0}, {0, 0}}, false};
+  EXPECT_NEAR(total_length(run(trench, 1.5, untreated())), 18, 1e-12);
+  const OffsetCurve curve = run(trench, 1.5);
+  EXPECT_NEAR(total_length(curve), 10, 1e-12);
+  ASSERT_EQ(curve.pieces.size(), 1U);
+  for (const Point p : curve.pieces[0].polyline.points) EXPECT_EQ(p.y, 1.5);
+}
+
+TEST(Offset, OFF_l_RegularPolygonGrowsByTheApothem) {
+  for (const int n : {3, 4, 7, 60, 1000}) {
+    Polyline polygon{{}, true};
+    for (int i = 0; i < n; ++i) polygon.points.push_back({3 * std::cos(2 * pi * i / n), 3 * std::sin(2 * pi * i / n)});
+    const double a = 3 * std::cos(pi / n);
+    for (const double d : {0.1, 1.0, 50.0}) {
+      EXPECT_NEAR(total_length(run(polygon, d)) / geom::length(polygon), (a + d) / a, 1e-9 * (a + d) / a);
+    }
+  }
+}
+
+TEST(Offset, OFF_m_MovedTurnedAndScaledInputMovesTheOutput) {
+  const Polyline base = e9();
+  const auto reference = run(base, std::vector<double>{0.3, 1.1});
+  for (const double scale : {1e-6, 1.0, 1e6}) {
+    for (const double turn : {0.0, 0.7, 2.9}) {
+      for (const double shift : {0.0, 1e3}) {
+        const auto moved = [&](Point p) {
+          return Point{scale * (p.x * std::cos(turn) - p.y * std::sin(turn) + shift),
+                       scale * (p.x * std::sin(turn) + p.y * std::cos(turn) - 2 * shift)};
+        };
+        Polyline other{{}, true};
+        for (const Point p : base.points) other.points.push_back(moved(p));
+        const auto curves = run(other, std::vector<double>{0.3 * scale, 1.1 * scale});
+        for (std::size_t k = 0; k < 2; ++k) {
+          const auto& expected = reference[k].pieces.at(0).polyline.points;
+          const auto& got = curves[k].pieces.at(0).polyline.points;
+          ASSERT_EQ(got.size(), expected.size());
+          for (std::size_t i = 0; i < got.size(); ++i) EXPECT_LT(geom::distance(got[i], moved(expected[i])), 1e-9 * scale * (1 + shift));
+        }
+      }
+    }
+  }
+}
+
+TEST(Offset, StartVertexAndDirectionDoNotMatter) {
+  const Polyline base = e9();
+  const double area = total_area(run(base, 1.2));
+  for (std::size_t start = 0; start < base.points.size(); start += 7) {
+    Polyline turned = base;
+    std::rotate(turned.points.begin(), turned.points.begin() + static_cast<std::ptrdiff_t>(start), turned.points.end());
+    EXPECT_NEAR(total_area(run(turned, 1.2)), area, 1e-12);
+    EXPECT_NEAR(total_area(run(geom::reversed(turned), 1.2, inside(geom::reversed(turned)))), area, 1e-12);
+  }
+}
+
+TEST(Offset, BadInputIsRefusedWithAPlace) {
+  const std::vector<double> d{1.0};
+  EXPECT_EQ(offset({{{0, 0}, {1, NAN}}, false}, d).error().code, base::ErrorCode::NotFinite);
+  const auto point = offset({{{2, 3}, {2, 3}}, false}, d);
+  EXPECT_EQ(point.error().code, base::ErrorCode::DegenerateCurve);
+  EXPECT_EQ(point.error().place->y, 3.0);
+  EXPECT_EQ(offset({{}, false}, d).error().code, base::ErrorCode::DegenerateCurve);
+  EXPECT_EQ(offset({{{0, 0}, {1, 0}}, true}, d).error().code, base::ErrorCode::DegenerateCurve);
+  for (const double bad : {0.0, -1.0, std::nan(""), double(INFINITY)}) {
+    EXPECT_EQ(offset({{{0, 0}, {1, 0}}, false}, std::vector<double>{bad}).error().code, base::ErrorCode::InvalidOption);
+  }
+  OffsetOptions options;
+  options.mitre_limit = 0.5;
+  EXPECT_EQ(offset({{{0, 0}, {1, 0}}, false}, d, options).error().code, base::ErrorCode::InvalidOption);
+  const base::CancelToken token;
+  token.cancel();
+  EXPECT_EQ(offset(e9(), d, {}, base::Progress(token, {})).error().code, base::ErrorCode::Cancelled);
+}
+
+TEST(Offset, JoinsHaveTheirClosedForms) {
+  const Polyline corner{{{-4, 0}, {0, 0}, {0, 4}}, false};
+  OffsetOptions options;
+  options.join = Join::Bevel;
+  EXPECT_NEAR(total_length(run(corner, 1, options)), 8 + std::sqrt(2.0), 1e-12);
+  options.join = Join::Round;
+  options.arc_tolerance = 1e-7;
+  EXPECT_NEAR(total_length(run(corner, 1, options)), 8 + pi / 2, 1e-6);
+  const Polyline spike{{{-4, 0}, {0, 0}, {-4, 0.1}}, false};  // turns by nearly 180 degrees
+  const double t = std::tan(0.5 * (pi - std::atan2(0.1, 4.0)));
+  options.join = Join::Bisector;
+  EXPECT_NEAR(total_length(run(spike, 1, options)), 4 + std::hypot(4, 0.1) + 2 * t, 1e-6);
+  options.join = Join::Mitre;
+  expect_clear(run(spike, 1, options), spike, 1e-12);  // cut across at distance D
+  options.beyond_limit = BeyondLimit::ChordBevel;
+  const double half = 0.5 * (pi - std::atan2(0.1, 4.0));
+  EXPECT_NEAR(total_length(run(spike, 1, options)), 4 + std::hypot(4, 0.1) + 2 * std::sin(half), 1e-9);
+}
+
+TEST(Offset, ExtendedEndsReachFurther) {
+  OffsetOptions options;
+  options.ends = Ends::Extended;
+  const OffsetCurve curve = run({{{0, 0}, {10, 0}}, false}, 2, options);
+  EXPECT_NEAR(total_length(curve), 14, 1e-12);
+  for (const std::uint32_t e : curve.pieces.at(0).base_edge) EXPECT_EQ(e, 0U);
+}
+
+TEST(Offset, RepeatedPointsAndFarOriginsChangeNothing) {
+  const Polyline base{{{0, 0}, {0, 0}, {4, 0}, {4, 0}, {4, 0}, {4, 4}, {4, 4}}, false};
+  const OffsetCurve curve = run(base, 1);
+  EXPECT_EQ(curve.pieces.at(0).polyline.points, (std::vector<Point>{{0, -1}, {5, -1}, {5, 4}}));
+  EXPECT_EQ(curve.pieces.at(0).base_edge, (std::vector<std::uint32_t>{1, 4}));
+}
+
+TEST(Offset, SameBytesWithAnyNumberOfThreads) {
+  const auto d = distances({13, 0.2, 1.0}).value();
+  base::set_thread_count(1);
+  const auto one = run(c7(), d);
+  base::set_thread_count(0);
+  const auto many = run(c7(), d);
+  for (std::size_t k = 0; k < d.size(); ++k) EXPECT_EQ(one[k].pieces.at(0).polyline, many[k].pieces.at(0).polyline);
+}
+
+TEST(Stepper, AgreesWithTheEngineOnOpenAndClosedCurves) {
+  for (const Polyline& base : {c7(), e9(), sampled([](double x) { return std::sin(x); })}) {
+    for (const double d : {0.2, 0.9, 1.2, 1.3, 2.0}) {
+      if (base.closed && d > 1.9) continue;
+      const auto stepped = run_stepper(base, d, {});
+      ASSERT_TRUE(stepped.ok()) << stepped.error().message;
+      const OffsetCurve curve = run(base, d);
+      EXPECT_EQ(stepped->pieces.size(), 1U);
+      EXPECT_NEAR(total_length(*stepped), total_length(curve), 1e-9) << d;
+      EXPECT_EQ(total_crossings(*stepped), 0U);
+    }
+  }
+}
+
+TEST(Stepper, FigureFiveInsertsUntilARegionClosesAndDeletesIt) {
+  auto stepper = Stepper::start(c7(), 2.0, {}).value();
+  std::size_t regions = 0;
+  while (!stepper.done()) {
+    const auto step = stepper.step();
+    ASSERT_TRUE(step.ok());
+    regions += step->deleted.empty() ? 0 : 1;
+    EXPECT_EQ(stepper.subdivision().face_count(), 1U);  // no region stays
+  }
+  EXPECT_EQ(regions, 2U);
+}
+
+TEST(Stepper, SplitsADumbbellInTwo) {
+  const Polyline bell{{{0, 0}, {4, 0}, {4, 1}, {8, 1}, {8, 0}, {12, 0}, {12, 4}, {8, 4}, {8, 3}, {4, 3}, {4, 4}, {0, 4}}, true};
+  const auto stepped = run_stepper(bell, 1.2, inside(bell));
+  ASSERT_TRUE(stepped.ok());
+  EXPECT_EQ(stepped->pieces.size(), 2U);
+  EXPECT_NEAR(total_area(*stepped), 5.12, 1e-9);
+}
+
+}  // namespace
+}  // namespace dobra::offset
