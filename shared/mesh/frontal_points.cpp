@@ -1,0 +1,275 @@
+#include "shared/mesh/frontal_points.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <queue>
+
+// Notation: h wanted size; R circumradius; a cell is accepted once sqrt(3) R <= accept * h, given up when no point can
+// be put for it; both let the front pass. Active: neither, but beside a marked side or a cell that lets the front pass.
+// 1. Rate all cells; queue the active ones.
+// 2. Take the worst active cell; for its active sides, shortest first, compute the ideal point, check that it keeps
+// clear
+//    of vertices and marked sides, insert it; rate the cells round it. If no side gives a point, give the cell up.
+// 3. For cells given up that are still too large, try their circumcentre.
+
+namespace dobra::mesh {
+
+using base::Error;
+using base::ErrorCode;
+using base::Progress;
+using base::Result;
+using geom::Point;
+using Kernel = DelaunayKernel;
+
+namespace {
+
+/// Centre of the circle through three points; not finite where they are collinear.
+Point circumcentre(Point a, Point b, Point c) {
+  const geom::Vector u = b - a;
+  const geom::Vector v = c - a;
+  const double twice = 2.0 * geom::cross(u, v);
+  const double uu = geom::length_squared(u);
+  const double vv = geom::length_squared(v);
+  return {a.x + (v.y * uu - u.y * vv) / twice, a.y + (u.x * vv - v.x * uu) / twice};
+}
+
+class PointPlacer {
+ public:
+  PointPlacer(Kernel& kernel, const SizeField& field, const FrontalOptions& options)
+      : kernel_(kernel), field_(field), options_(options) {}
+
+  Result<std::size_t> run(const Progress& progress);
+
+ private:
+  enum class State : std::uint8_t { Outside, Large, Accepted, GivenUp };
+  struct Entry {
+    double key;
+    Kernel::Cell cell;
+    std::uint32_t version;
+    bool operator<(const Entry& other) const { return key != other.key ? key < other.key : cell > other.cell; }
+  };
+
+  [[nodiscard]] std::array<Point, 3> corners(Kernel::Cell c) const {
+    const auto& v = kernel_.cell(c).vertex;
+    return {kernel_.point(v[0]), kernel_.point(v[1]), kernel_.point(v[2])};
+  }
+  void rate(Kernel::Cell c);
+  [[nodiscard]] bool lets_front_pass(Kernel::Half side) const;
+  [[nodiscard]] bool active(Kernel::Cell c) const;
+  void enqueue(Kernel::Cell c);
+  [[nodiscard]] Point ideal_point(Kernel::Half side) const;
+  bool advance(Kernel::Cell c);
+  bool try_point(Point p, Kernel::Cell near);
+  bool keeps_clear(Point p, Kernel::Cell start, double size);
+  void update_star(Kernel::Vertex v);
+  void give_up(Kernel::Cell c);
+  Result<void> drain(const Progress& progress);
+
+  Kernel& kernel_;
+  const SizeField& field_;
+  const FrontalOptions& options_;
+  std::vector<State> state_;
+  std::vector<double> ratio_;  ///< sqrt(3) R / h.
+  std::vector<std::uint32_t> version_;
+  std::vector<std::uint32_t> visited_;
+  std::uint32_t visit_ = 0;
+  std::vector<Kernel::Cell> cavity_;
+  std::priority_queue<Entry> queue_;
+  std::size_t inserted_ = 0;
+};
+
+void PointPlacer::rate(Kernel::Cell c) {
+  if (c >= state_.size()) {
+    const std::size_t size = std::max<std::size_t>(kernel_.cell_count(), 2 * state_.size());
+    state_.resize(size, State::Outside);
+    ratio_.resize(size, 0.0);
+    version_.resize(size, 0);
+    visited_.resize(size, 0);
+  }
+  ++version_[c];
+  if (kernel_.cell(c).region < 0) {
+    state_[c] = State::Outside;
+    return;
+  }
+  const auto [a, b, d] = corners(c);
+  const Point middle{(a.x + b.x + d.x) / 3.0, (a.y + b.y + d.y) / 3.0};
+  const double radius = geom::distance(a, circumcentre(a, b, d));
+  ratio_[c] = std::numbers::sqrt3 * radius / field_.size_at(middle);
+  state_[c] = ratio_[c] <= options_.accept ? State::Accepted : State::Large;
+}
+
+bool PointPlacer::lets_front_pass(Kernel::Half side) const {
+  if (kernel_.mark(side) != 0) return true;
+  const State other = state_[Kernel::cell_of(kernel_.twin(side))];
+  return other != State::Large;
+}
+
+bool PointPlacer::active(Kernel::Cell c) const {
+  if (state_[c] != State::Large) return false;
+  return lets_front_pass(Kernel::half(c, 0)) || lets_front_pass(Kernel::half(c, 1)) ||
+         lets_front_pass(Kernel::half(c, 2));
+}
+
+void PointPlacer::enqueue(Kernel::Cell c) {
+  if (!active(c)) return;
+  queue_.push({ratio_[c], c, version_[c]});
+}
+
+/// Beyond the middle of `side`, into its cell, so that the new triangle has the circumradius wanted there; never beyond
+/// the circumcentre of the cell, where a point would be nearer to other vertices.
+Point PointPlacer::ideal_point(Kernel::Half side) const {
+  const Point a = kernel_.point(kernel_.origin(side));
+  const Point b = kernel_.point(kernel_.target(side));
+  const Point centre = circumcentre(a, b, kernel_.point(kernel_.apex(side)));
+  const Point middle = geom::midpoint(a, b);
+  const geom::Vector inward = geom::normalised(geom::left_of(b - a));
+  const double p = 0.5 * geom::distance(a, b);
+  const double q = geom::dot(centre - middle, inward);
+  double size = field_.size_at(middle);
+  double height = 0.0;
+  for (int round = 0; round < 2; ++round) {
+    const double most = q > 0.0 ? (p * p + q * q) / (2.0 * q) : 0.0;
+    const double radius = std::min(std::max(size / std::numbers::sqrt3, p), std::max(most, p));
+    height = radius + std::sqrt(std::max(0.0, radius * radius - p * p));
+    // The size where the point would stand counts as much as the size at the side.
+    size = field_.size_at(middle + 0.67 * height * inward);
+  }
+  return middle + height * inward;
+}
+
+bool PointPlacer::keeps_clear(Point p, Kernel::Cell start, double size) {
+  const double spacing = options_.least_spacing * size;
+  ++visit_;
+  cavity_.assign(1, start);
+  visited_[start] = visit_;
+  for (std::size_t k = 0; k < cavity_.size(); ++k) {
+    const Kernel::Cell c = cavity_[k];
+    for (const Point corner : corners(c)) {
+      if (geom::length_squared(corner - p) < spacing * spacing) return false;
+    }
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const Kernel::Half e = Kernel::half(c, i);
+      if (kernel_.mark(e) != 0) {
+        const geom::Segment wall{kernel_.point(kernel_.origin(e)), kernel_.point(kernel_.target(e))};
+        if (geom::distance(wall, p) < options_.least_wall * std::min(size, wall.length())) return false;
+        continue;
+      }
+      const Kernel::Cell other = Kernel::cell_of(kernel_.twin(e));
+      if (visited_[other] == visit_ || !kernel_.in_circle(other, p)) continue;
+      visited_[other] = visit_;
+      cavity_.push_back(other);
+    }
+  }
+  return true;
+}
+
+void PointPlacer::update_star(Kernel::Vertex v) {
+  const Kernel::Half first = kernel_.half_of(v);
+  Kernel::Half e = first;
+  do {
+    rate(Kernel::cell_of(e));
+    e = kernel_.around(e);
+  } while (e != first);
+  do {
+    const Kernel::Cell c = Kernel::cell_of(e);
+    enqueue(c);
+    if (state_[c] == State::Accepted) enqueue(Kernel::cell_of(kernel_.twin(Kernel::next(e))));
+    e = kernel_.around(e);
+  } while (e != first);
+}
+
+bool PointPlacer::try_point(Point p, Kernel::Cell near) {
+  if (!geom::is_finite(p)) return false;
+  const Kernel::Location at = kernel_.locate(p, near, Kernel::Walls::Stop);
+  if (at.where != Kernel::Where::Inside && at.where != Kernel::Where::OnSide) return false;
+  if (at.where == Kernel::Where::OnSide && kernel_.mark(at.half) != 0) return false;
+  if (!keeps_clear(p, Kernel::cell_of(at.half), field_.size_at(p))) return false;
+  update_star(kernel_.insert(p, at));
+  ++inserted_;
+  return true;
+}
+
+bool PointPlacer::advance(Kernel::Cell c) {
+  struct Side {
+    double length = std::numeric_limits<double>::infinity();
+    Kernel::Half half = Kernel::none;
+  };
+  std::array<Side, 3> sides{};
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const Kernel::Half e = Kernel::half(c, i);
+    if (!lets_front_pass(e)) continue;
+    sides[i] = {geom::distance(kernel_.point(kernel_.origin(e)), kernel_.point(kernel_.target(e))), e};
+  }
+  const auto order = [&](std::size_t i, std::size_t j) {
+    if (sides[j].length < sides[i].length) std::swap(sides[i], sides[j]);
+  };
+  order(0, 1);
+  order(1, 2);
+  order(0, 1);
+  for (const Side& side : sides) {
+    if (side.half != Kernel::none && try_point(ideal_point(side.half), c)) return true;
+  }
+  return false;
+}
+
+void PointPlacer::give_up(Kernel::Cell c) {
+  state_[c] = State::GivenUp;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const Kernel::Half e = Kernel::half(c, i);
+    if (kernel_.mark(e) == 0) enqueue(Kernel::cell_of(kernel_.twin(e)));
+  }
+}
+
+Result<void> PointPlacer::drain(const Progress& progress) {
+  for (std::size_t steps = 0; !queue_.empty(); ++steps) {
+    if (steps % 4096 == 0) {
+      DOBRA_TRY_VOID(progress.check());
+      progress.report(1.0 - 1.0 / (1.0 + 1e-5 * static_cast<double>(inserted_)),
+                      fmt::format("{} points placed", inserted_));
+    }
+    const Entry entry = queue_.top();
+    queue_.pop();
+    if (entry.version != version_[entry.cell] || state_[entry.cell] != State::Large) continue;
+    if (!advance(entry.cell)) give_up(entry.cell);
+    if (kernel_.cell_count() > options_.max_triangles) {
+      return Error{
+          ErrorCode::TooManyElements,
+          fmt::format("the mesh would have more than {} triangles: use longer boundary edges, a larger growth, or "
+                      "raise the limit",
+                      options_.max_triangles)};
+    }
+  }
+  return {};
+}
+
+Result<std::size_t> PointPlacer::run(const Progress& progress) {
+  const auto initial = static_cast<Kernel::Cell>(kernel_.cell_count());
+  for (Kernel::Cell c = 0; c < initial; ++c) rate(c);
+  for (Kernel::Cell c = 0; c < initial; ++c) enqueue(c);
+  DOBRA_TRY_VOID(drain(progress.part(0.0, 0.9)));
+  constexpr int most_rounds = 8;
+  for (int round = 0; round < most_rounds; ++round) {
+    const std::size_t before = inserted_;
+    for (Kernel::Cell c = 0; c < kernel_.cell_count(); ++c) {
+      if (state_[c] != State::GivenUp) continue;
+      const auto [a, b, d] = corners(c);
+      try_point(circumcentre(a, b, d), c);
+    }
+    if (inserted_ == before) break;
+    DOBRA_TRY_VOID(drain(progress.part(0.9, 1.0)));
+  }
+  return inserted_;
+}
+
+}  // namespace
+
+Result<std::size_t> place_points(Kernel& kernel, const SizeField& field, const FrontalOptions& options,
+                                 const Progress& progress) {
+  return PointPlacer(kernel, field, options).run(progress);
+}
+
+}  // namespace dobra::mesh

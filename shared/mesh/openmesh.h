@@ -1,0 +1,28 @@
+#pragma once
+// To and from OpenMesh: for its file readers and its algorithms on surfaces. The only header that includes OpenMesh; no
+// other module needs to know of it.
+
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+
+#include "shared/base/result.h"
+#include "shared/mesh/triangle_mesh.h"
+
+namespace dobra::mesh {
+
+/// Double precision, so that nothing is lost on the way.
+struct OpenMeshTraits : OpenMesh::DefaultTraits {
+  using Point = OpenMesh::Vec3d;
+  using Normal = OpenMesh::Vec3d;
+};
+using OpenMeshTriangles = OpenMesh::TriMesh_ArrayKernelT<OpenMeshTraits>;
+
+/// Vertex i is node i (z = 0), face t is triangle t; the property "region" of the faces holds the region tags. Sets are
+/// left behind.
+/// @error CannotMesh with the place where the mesh is not manifold (a node where more than two boundary sides meet).
+base::Result<OpenMeshTriangles> to_openmesh(const TriangleMesh& mesh);
+
+/// The reverse; z is dropped. Region tags come back if the property is there, else they are 0.
+/// @error CannotMesh with the place if a face has no area or is clockwise.
+base::Result<TriangleMesh> from_openmesh(const OpenMeshTriangles& triangles);
+
+}  // namespace dobra::mesh

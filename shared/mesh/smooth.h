@@ -1,0 +1,33 @@
+#pragma once
+// Better shapes without new nodes: moving nodes (document 001, equation 18) and flipping sides.
+//   X0 <- X0 + phi * sum_i w_i (X_i - X0) / sum_i w_i,   w = 1 in the plane, i over the neighbours of the node.
+// A move is kept only if the least alpha of the triangles round the node does not drop (halved steps are tried first),
+// so that no element can be inverted. Nodes are moved one after the other, in order: the guard is true only for what it
+// has seen, which simultaneous moves would break. Page: docs/algorithms/smooth.md. Source: [miranda2009surface]
+// (SUR-8).
+
+#include <cstddef>
+#include <span>
+
+#include "shared/mesh/triangle_mesh.h"
+
+namespace dobra::mesh {
+
+struct SmoothOptions {
+  int passes = 3;     ///< Sweeps over all nodes; document 001 finds 3 enough.
+  double phi = 0.75;  ///< Step, 0 (nothing moves) to 1 (to the mean of the neighbours).
+  int halvings = 2;   ///< How often a step that the guard refuses is halved before the node stays.
+};
+
+/// Moves the nodes that are neither on the boundary nor in a set. The connectivity does not change.
+/// @return how many moves were kept.  @cost O(passes * n)
+/// @pre    0 <= phi <= 1
+std::size_t smooth(TriangleMesh& mesh, const SmoothOptions& options = {});
+/// The same with the nodes that must stay given: one flag a node. @pre every boundary node is among them.
+std::size_t smooth(TriangleMesh& mesh, std::span<const std::uint8_t> fixed, const SmoothOptions& options);
+
+/// Flips sides until every one that is neither a boundary nor in an edge set is Delaunay (exactly); regions keep apart.
+/// @return number of flips.  @cost O(n + flips)
+std::size_t flip_to_delaunay(TriangleMesh& mesh);
+
+}  // namespace dobra::mesh

@@ -1,0 +1,157 @@
+#pragma once
+// Inputs that several tests of the mesher share.
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "shared/mesh/mesh_input.h"
+
+namespace dobra::mesh::test {
+
+using geom::Point;
+
+inline std::vector<Point> random_points(std::size_t count, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double x = unit(random);
+    points.push_back({x, unit(random)});
+  }
+  return points;
+}
+
+inline MeshInput square(double side, int segments) {
+  std::vector<Point> loop;
+  const std::vector<Point> corner{{0, 0}, {side, 0}, {side, side}, {0, side}};
+  for (std::size_t k = 0; k < 4; ++k) {
+    for (int i = 0; i < segments; ++i)
+      loop.push_back(geom::interpolate(corner[k], corner[(k + 1) % 4], double(i) / segments));
+  }
+  MeshInput input;
+  add_chain(input, loop, Closure::Closed, {"outer", EdgeKind::Boundary});
+  return input;
+}
+
+/// Quarter circle about the origin from (radius, 0) to (0, radius), its ends exactly on the axes.
+inline std::vector<Point> quarter_arc(double radius, int segments) {
+  std::vector<Point> points{{radius, 0.0}};
+  for (int i = 1; i < segments; ++i) {
+    const double angle = 0.5 * std::numbers::pi * i / segments;
+    points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  points.push_back({0.0, radius});
+  return points;
+}
+
+/// Positions from `from` to `to`, spacing growing by `ratio`.
+inline std::vector<double> graded(double from, double to, int segments, double ratio) {
+  double sum = 0.0;
+  for (int i = 0; i < segments; ++i) sum += std::pow(ratio, i);
+  std::vector<double> positions{from};
+  double step = (to - from) / sum;
+  for (int i = 0; i + 1 < segments; ++i, step *= ratio) positions.push_back(positions.back() + step);
+  positions.push_back(to);
+  return positions;
+}
+
+struct Ring {
+  double radius;
+  int segments;
+};
+
+/// [0,5]^2 minus the disc of radius 1; `axis`: nodes on both axes; `outer`: segments of the two outer sides.
+inline MeshInput quarter_plate(const std::vector<double>& axis, int hole, int outer, const std::vector<Ring>& rings) {
+  std::vector<Point> bottom, left, right, top;
+  for (const double a : axis) bottom.push_back({a, 0.0});
+  for (auto a = axis.rbegin(); a != axis.rend(); ++a) left.push_back({0.0, *a});
+  for (int i = 0; i <= outer; ++i) right.push_back({5.0, 5.0 * i / outer});
+  for (int i = 0; i <= outer; ++i) top.push_back({5.0 - 5.0 * i / outer, 5.0});
+  std::vector<Point> arc = quarter_arc(1.0, hole);
+  MeshInput input;
+  add_chain(input, bottom, Closure::Open, {"bottom", EdgeKind::Boundary});
+  add_chain(input, right, Closure::Open, {"right", EdgeKind::Boundary});
+  add_chain(input, top, Closure::Open, {"top", EdgeKind::Boundary});
+  add_chain(input, left, Closure::Open, {"left", EdgeKind::Boundary});
+  add_chain(input, {arc.rbegin(), arc.rend()}, Closure::Open, {"hole", EdgeKind::Boundary});
+  for (std::size_t k = 0; k < rings.size(); ++k) {
+    add_chain(input, quarter_arc(rings[k].radius, rings[k].segments), Closure::Open,
+              {"constraint " + std::to_string(k + 1), EdgeKind::Constraint});
+  }
+  return input;
+}
+
+/// Area of quarter_plate: the hole is a polygon.
+inline double quarter_plate_area(int hole) { return 25.0 - 0.5 * hole * std::sin(0.5 * std::numbers::pi / hole); }
+
+/// QUE-d: hole arc of 24 segments, five on each outer side and on each axis.
+inline MeshInput que_d() { return quarter_plate(graded(1.0, 5.0, 5, 1.0), 24, 5, {}); }
+
+/// QUE-e: with the six constraints d0 = 0.065, f = 1.3, whose nodes stand at the local ring spacing: the mean of the
+/// gaps on both sides. Beyond the last constraint the axes have five segments.
+inline MeshInput que_e() {
+  std::vector<double> axis{1.0};
+  std::vector<Ring> rings;
+  double gap = 0.065;
+  for (int k = 0; k < 6; ++k, gap *= 1.3) {
+    axis.push_back(axis.back() + gap);
+    const double spacing = 0.5 * (gap + 1.3 * gap);
+    rings.push_back({axis.back(), static_cast<int>(std::lround(0.5 * std::numbers::pi * axis.back() / spacing))});
+  }
+  const std::vector<double> rest = graded(axis.back(), 5.0, 5, 1.35);
+  axis.insert(axis.end(), rest.begin() + 1, rest.end());
+  return quarter_plate(axis, 24, 5, rings);
+}
+
+/// Where the corpora of the project are; empty if they are not on this machine.
+inline std::filesystem::path contours_folder() {
+  const char* given = std::getenv("DOBRA_TEST_DATA");
+  const std::filesystem::path folder =
+      std::filesystem::path(given != nullptr ? given : "/work/shared/data") / "contours";
+  return std::filesystem::is_directory(folder) ? folder : std::filesystem::path();
+}
+
+/// cdt_*.txt ("points edges", points, index pairs) or a *.dat outline, as one boundary set.
+inline MeshInput read_contour(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  MeshInput input;
+  if (file.extension() == ".dat") {
+    std::vector<Point> loop;
+    for (Point p; in >> p.x >> p.y;) loop.push_back(p);
+    add_chain(input, loop, Closure::Closed, {"outline", EdgeKind::Boundary});
+    return input;
+  }
+  std::size_t points = 0;
+  std::size_t edges = 0;
+  in >> points >> edges;
+  input.points.resize(points);
+  for (Point& p : input.points) in >> p.x >> p.y;
+  input.sets.push_back({"outline", EdgeKind::Boundary});
+  for (std::size_t i = 0; i < edges; ++i) {
+    std::size_t a = 0;
+    std::size_t b = 0;
+    in >> a >> b;
+    input.edges.push_back({{NodeId(a), NodeId(b)}, 0});
+  }
+  return input;
+}
+
+/// Area enclosed by the boundary edges: sum of their moments about the middle, signed by the direction of each loop;
+/// holes must run against their outer loop.
+inline double boundary_area(const TriangleMesh& mesh) {
+  double area = 0.0;
+  const Point origin = mesh.box().centre();
+  for (const auto& [name, edges] : mesh.boundary_sets) {
+    for (const Edge& edge : edges)
+      area += 0.5 * geom::cross(mesh.point(edge[0]) - origin, mesh.point(edge[1]) - origin);
+  }
+  return area;
+}
+
+}  // namespace dobra::mesh::test

@@ -1,0 +1,72 @@
+#include "shared/mesh/size_field.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "shared/mesh/triangulate.h"
+#include "tests/shared/mesh/mesh_shapes.h"
+
+namespace dobra::mesh {
+namespace {
+
+TEST(SizeField, IsTheEdgeLengthEverywhereInAUniformSquare) {
+  const SizeField field = size_field_of(test::square(1.0, 5)).value();
+  for (const geom::Point p : test::random_points(100, 3)) EXPECT_NEAR(field.size_at(p), 0.2, 1e-12);
+}
+
+TEST(SizeField, AtTheMiddleOfEachEdgeIsNoLargerThanTheEdge) {
+  const MeshInput input = test::que_e();
+  const SizeField field = size_field_of(input).value();
+  for (const InputEdge& edge : input.edges) {
+    const geom::Point a = input.points[edge.nodes[0].index()];
+    const geom::Point b = input.points[edge.nodes[1].index()];
+    EXPECT_LE(field.size_at(geom::midpoint(a, b)), geom::distance(a, b) * (1.0 + 1e-12));
+    EXPECT_GT(field.size_at(geom::midpoint(a, b)), 0.3 * geom::distance(a, b));
+  }
+}
+
+TEST(SizeField, CornersOfALeafDifferByNoMoreThanTheGrowthAllows) {
+  for (const double growth : {1.1, 1.3, 2.0}) {
+    const SizeField field = size_field_of(test::que_d(), {.growth = growth}).value();
+    const Quadtree& tree = field.quadtree();
+    for (const QuadCellId leaf : tree.leaves()) {
+      const auto size = field.corner_sizes(leaf);
+      const double bound = (growth - 1.0) * tree.side(leaf) * (1.0 + 1e-9);
+      EXPECT_LE(std::abs(size[0] - size[1]), bound);
+      EXPECT_LE(std::abs(size[0] - size[2]), bound);
+      EXPECT_LE(std::abs(size[3] - size[1]), bound);
+      EXPECT_LE(std::abs(size[3] - size[2]), bound);
+    }
+  }
+}
+
+TEST(SizeField, ARequestIsMetWhereItIsMadeAndForgottenFarAway) {
+  MeshInput input = test::square(10.0, 10);
+  input.sizes.push_back({{5, 5}, 0.05});
+  const SizeField field = size_field_of(input).value();
+  EXPECT_LE(field.size_at({5, 5}), 0.05 * (1.0 + 1e-12));
+  EXPECT_NEAR(field.size_at({0.5, 0.5}), 1.0, 1e-12);
+}
+
+TEST(SizeField, SmallerGrowthMeansMoreTriangles) {
+  const double gentle = size_field_of(test::que_d(), {.growth = 1.1}).value().estimated_triangles();
+  const double steep = size_field_of(test::que_d(), {.growth = 1.5}).value().estimated_triangles();
+  EXPECT_GT(gentle, steep);
+}
+
+TEST(SizeField, RefusesImpossibleOptions) {
+  const auto code = [](const SizeFieldOptions& options, std::vector<SizeRequest> requests = {}) {
+    MeshInput input = test::square(1.0, 2);
+    input.sizes = std::move(requests);
+    return size_field_of(input, options).error().code;
+  };
+  EXPECT_EQ(code({.growth = 1.0}), base::ErrorCode::InvalidOption);
+  EXPECT_EQ(code({.growth = std::numeric_limits<double>::quiet_NaN()}), base::ErrorCode::InvalidOption);
+  EXPECT_EQ(code({.max_size = -1.0}), base::ErrorCode::InvalidOption);
+  EXPECT_EQ(code({}, {{{0.5, 0.5}, 0.0}}), base::ErrorCode::InvalidOption);
+}
+
+}  // namespace
+}  // namespace dobra::mesh

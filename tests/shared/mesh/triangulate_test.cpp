@@ -1,0 +1,248 @@
+#include "shared/mesh/triangulate.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "shared/mesh/mesh_check.h"
+#include "shared/mesh/quality.h"
+#include "tests/shared/mesh/mesh_shapes.h"
+
+namespace dobra::mesh {
+namespace {
+
+using base::ErrorCode;
+using geom::Point;
+
+void report(const std::string& name, const MeshQuality& q) {
+  testing::Test::RecordProperty(name + " elements", std::to_string(q.triangles));
+  testing::Test::RecordProperty(name + " alpha mean", std::to_string(q.alpha_mean));
+  testing::Test::RecordProperty(name + " alpha 90", std::to_string(q.alpha_90));
+  testing::Test::RecordProperty(name + " alpha min", std::to_string(q.alpha_min));
+  testing::Test::RecordProperty(name + " gradation p95", std::to_string(q.gradation_p95));
+}
+
+/// Every input edge is an edge of the mesh in the set of its name, and the boundary is nothing but the boundary sets.
+void expect_edges_as_given(const MeshInput& input, const TriangleMesh& mesh) {
+  std::set<std::array<Point, 2>> sides;
+  std::size_t in_sets = 0;
+  for (const auto* sets : {&mesh.boundary_sets, &mesh.constraint_sets}) {
+    for (const auto& [name, edges] : *sets) {
+      for (const Edge& edge : edges)
+        sides.insert(
+            {std::min(mesh.point(edge[0]), mesh.point(edge[1])), std::max(mesh.point(edge[0]), mesh.point(edge[1]))});
+    }
+  }
+  for (const auto& [name, edges] : mesh.boundary_sets) in_sets += edges.size();
+  for (const InputEdge& edge : input.edges) {
+    const Point a = input.points[edge.nodes[0].index()];
+    const Point b = input.points[edge.nodes[1].index()];
+    EXPECT_EQ(sides.count({std::min(a, b), std::max(a, b)}), 1U) << a << " - " << b;
+  }
+  EXPECT_EQ(boundary_edges(mesh).size(), in_sets);
+}
+
+TEST(Triangulate, QUE_d_QuarterPlateWithoutConstraintsIsAValidMesh) {
+  const MeshInput input = test::que_d();
+  const TriangleMesh mesh = triangulate(input).value();
+  ASSERT_TRUE(check(mesh));
+  expect_edges_as_given(input, mesh);
+  EXPECT_NEAR(area(mesh), test::quarter_plate_area(24), 1e-12);
+  const MeshQuality quality = quality_of(mesh);
+  report("QUE-d", quality);
+  EXPECT_GE(quality.alpha_mean, 0.90);
+  EXPECT_GT(quality.alpha_min, 0.2);
+}
+
+TEST(Triangulate, QUE_e_SixConstraintsAreObeyedAndTheGradationIsGentler) {
+  const MeshInput input = test::que_e();
+  const TriangleMesh mesh = triangulate(input).value();
+  ASSERT_TRUE(check(mesh));
+  expect_edges_as_given(input, mesh);
+  EXPECT_NEAR(area(mesh), test::quarter_plate_area(24), 1e-12);
+  const MeshQuality quality = quality_of(mesh);
+  const MeshQuality without = quality_of(triangulate(test::que_d()).value());
+  report("QUE-e", quality);
+  EXPECT_GT(quality.triangles, without.triangles);
+  EXPECT_LT(quality.gradation_p95, without.gradation_p95);
+  EXPECT_LE(quality.gradation_p95, 3.0);
+  EXPECT_GE(quality.alpha_mean, 0.93);
+  EXPECT_GE(quality.alpha_min, 0.6);
+}
+
+TEST(Triangulate, AUniformSquareComesOutNearlyEquilateral) {
+  const MeshQuality quality = quality_of(triangulate(test::square(1.0, 40)).value());
+  EXPECT_GE(quality.alpha_mean, 0.97);
+  EXPECT_GE(quality.alpha_90, 0.95);
+  // Equilateral triangles of side 1/40 fill the square with 4 / sqrt(3) * 1600.
+  EXPECT_NEAR(static_cast<double>(quality.triangles), 3695.0, 500.0);
+}
+
+TEST(Triangulate, GradedBySixtyStaysAboveTheFloorOfQuality) {
+  const MeshQuality quality =
+      quality_of(triangulate(test::quarter_plate(test::graded(1.0, 5.0, 44, 1.1), 157, 8, {})).value());
+  EXPECT_GE(quality.alpha_mean, 0.95);
+  EXPECT_GE(quality.alpha_min, 0.6);
+}
+
+TEST(Triangulate, ARequestedSizeIsReachedWithinThirtyPercent) {
+  MeshInput input = test::square(10.0, 10);
+  input.sizes.push_back({{5, 5}, 0.1});
+  const TriangleMesh mesh = triangulate(input).value();
+  double sum = 0.0;
+  int count = 0;
+  for (const Edge& edge : all_edges(mesh)) {
+    if (geom::distance(geom::midpoint(mesh.point(edge[0]), mesh.point(edge[1])), {5, 5}) > 0.12) continue;
+    sum += geom::distance(mesh.point(edge[0]), mesh.point(edge[1]));
+    ++count;
+  }
+  ASSERT_GT(count, 0);
+  EXPECT_NEAR(sum / count, 0.1, 0.03);
+}
+
+TEST(Triangulate, FreePointsStayAndAreFoundInTheirSet) {
+  MeshInput input = test::square(1.0, 8);
+  input.node_sets["probe"] = {NodeId(input.points.size())};
+  input.points.push_back({0.412, 0.377});
+  const TriangleMesh mesh = triangulate(input).value();
+  EXPECT_EQ(mesh.point(mesh.node_sets.at("probe").front()), (Point{0.412, 0.377}));
+  EXPECT_NE(std::find(mesh.points.begin(), mesh.points.end(), Point{0.412, 0.377}), mesh.points.end());
+}
+
+TEST(Triangulate, SUR_k_TheSameInputGivesTheSameMesh) {
+  EXPECT_EQ(triangulate(test::que_e()).value(), triangulate(test::que_e()).value());
+}
+
+TEST(Triangulate, AConstraintThatTouchesTheBoundaryAtAVertexIsJoinedToIt) {
+  MeshInput input = test::square(1.0, 4);
+  add_chain(input, {{0.5, 0.0}, {0.5, 0.25}, {0.5, 0.5}}, Closure::Open, {"crack", EdgeKind::Constraint});
+  // This one ends inside a boundary edge, exactly on it: the edge is cut there.
+  add_chain(input, {{0.125, 0.0}, {0.25, 0.25}}, Closure::Open, {"branch", EdgeKind::Constraint});
+  const TriangleMesh mesh = triangulate(input).value();
+  EXPECT_TRUE(check(mesh));
+  EXPECT_EQ(mesh.boundary_sets.at("outer").size(), 17U);
+  EXPECT_DOUBLE_EQ(area(mesh), 1.0);
+}
+
+TEST(Triangulate, EveryContourMeshesAtThreeSizes) {
+  if (test::contours_folder().empty()) GTEST_SKIP() << "SKIPPED: no corpus; set DOBRA_TEST_DATA to the folder of data/";
+  std::size_t files = 0;
+  for (const auto& file : std::filesystem::directory_iterator(test::contours_folder())) {
+    if (file.path().extension() != ".txt" && file.path().extension() != ".dat") continue;
+    ++files;
+    const MeshInput input = test::read_contour(file.path());
+    for (const double growth : {1.1, 1.3, 2.0}) {
+      SCOPED_TRACE(file.path().filename().string() + " growth " + std::to_string(growth));
+      MeshOptions options;
+      options.sizes.growth = growth;
+      const auto result = triangulate(input, options);
+      ASSERT_TRUE(result) << to_string(result.error());
+      const auto valid = check(*result);
+      EXPECT_TRUE(valid) << to_string(valid.error());
+      const double wanted = test::boundary_area(*result);
+      EXPECT_NEAR(area(*result), wanted, 1e-10 * wanted);
+      EXPECT_EQ(topology_of(*result).unused_nodes, 0U);
+      expect_edges_as_given(input, *result);
+    }
+  }
+  EXPECT_GE(files, 6U);
+}
+
+TEST(Triangulate, ErrorsAreNamedAndPlaced) {
+  MeshInput bow_tie;
+  add_chain(bow_tie, {{0, 0}, {2, 2}, {2, 0}, {0, 2}}, Closure::Closed, {"outer", EdgeKind::Boundary});
+  const auto crossing = triangulate(bow_tie);
+  ASSERT_FALSE(crossing);
+  EXPECT_EQ(crossing.error().code, ErrorCode::SelfIntersection);
+  EXPECT_EQ(crossing.error().place->x, 1.0);
+  EXPECT_EQ(crossing.error().place->item, "edge set 'outer'");
+
+  MeshOptions few;
+  few.points.max_triangles = 100;
+  EXPECT_EQ(triangulate(test::square(1.0, 40), few).error().code, ErrorCode::TooManyElements);
+  MeshOptions wrong;
+  wrong.smoothing.phi = 1.5;
+  EXPECT_EQ(triangulate(test::square(1.0, 4), wrong).error().code, ErrorCode::InvalidOption);
+  EXPECT_EQ(triangulate({}).error().code, ErrorCode::CannotMesh);
+  base::CancelToken token;
+  token.cancel();
+  EXPECT_EQ(triangulate(test::square(1.0, 4), {}, base::Progress(token, nullptr)).error().code, ErrorCode::Cancelled);
+}
+
+/// A mesh that passes every check (true), or an error with a message; anything else is a failure.
+bool expect_mesh_or_error(const MeshInput& input) {
+  MeshOptions options;
+  options.points.max_triangles = 12'000;
+  const auto result = triangulate(input, options);
+  if (!result) {
+    EXPECT_FALSE(result.error().message.empty());
+    return false;
+  }
+  const auto valid = check(*result);
+  EXPECT_TRUE(valid) << to_string(valid.error());
+  const double wanted = test::boundary_area(*result);
+  EXPECT_NEAR(area(*result), wanted, 1e-10 * wanted);
+  return true;
+}
+
+TEST(Triangulate, HardDomainsGiveAMeshOrANamedError) {
+  // Corner of 0.1 degree.
+  const double slope = std::tan(0.1 * std::numbers::pi / 180.0);
+  MeshInput wedge;
+  add_chain(wedge, {{0, 0}, {1, 0}, {2, 0}, {2, 2 * slope}, {1, slope}}, Closure::Closed,
+            {"wedge", EdgeKind::Boundary});
+  EXPECT_TRUE(expect_mesh_or_error(wedge));
+  // Two plates joined by a neck of 1e-9.
+  MeshInput neck;
+  add_chain(neck,
+            {{0, 0},
+             {1, 0},
+             {1, 0.5},
+             {2, 0.5},
+             {2, 0},
+             {3, 0},
+             {3, 1},
+             {2, 1},
+             {2, 0.5 + 1e-9},
+             {1, 0.5 + 1e-9},
+             {1, 1},
+             {0, 1}},
+            Closure::Closed, {"neck", EdgeKind::Boundary});
+  EXPECT_TRUE(expect_mesh_or_error(neck));
+  // Two nodes of the boundary 1e-12 apart.
+  MeshInput near;
+  add_chain(near, {{0, 0}, {0.5, 0}, {0.5 + 1e-12, 0}, {1, 0}, {1, 1}, {0, 1}}, Closure::Closed,
+            {"near", EdgeKind::Boundary});
+  EXPECT_TRUE(expect_mesh_or_error(near));
+}
+
+TEST(Triangulate, SixtyRandomDomainsGiveAMeshOrANamedError) {
+  std::size_t meshed = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    // A star-shaped outline with spikes, near-duplicate points and a few random inner chains and points.
+    std::vector<Point> loop;
+    const int count = 5 + static_cast<int>(random() % 40);
+    for (int i = 0; i < count; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / count;
+      const double radius = unit(random) < 0.1 ? 1e-3 + 0.1 * unit(random) : 0.3 + unit(random);
+      loop.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+      if (unit(random) < 0.1) loop.push_back({loop.back().x + 1e-10 * unit(random), loop.back().y});
+    }
+    MeshInput input;
+    add_chain(input, loop, Closure::Closed, {"outline", EdgeKind::Boundary});
+    for (int k = 0; k < static_cast<int>(random() % 4); ++k) {
+      const Point a{0.2 * unit(random), 0.2 * unit(random)};
+      add_chain(input, {a, {a.x + 0.05 * unit(random), a.y + 1e-6 * unit(random)}}, Closure::Open,
+                {"inner", EdgeKind::Constraint});
+    }
+    meshed += expect_mesh_or_error(input) ? 1U : 0U;
+  }
+  EXPECT_GT(meshed, 15U);
+}
+
+}  // namespace
+}  // namespace dobra::mesh
