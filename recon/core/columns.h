@@ -1,0 +1,112 @@
+#pragma once
+// The columns of a grid: the strip beside a base line cut by transversals ("rungs") along the bisectors of its corners.
+// A point is named by (column, place along the offset edge at its depth, depth); that name is what restoration keeps.
+//
+//   P = P_i + d b_i + along * (L_i + d (t_i.b_{i+1} - t_i.b_i)) t_i
+//   t_i  unit direction of base segment i;  n_i = t_i turned right;  L_i its length
+//   b_j  mitre vector of corner j: (n_{j-1} + n_j) / (1 + n_{j-1}.n_j); the normal at the two ends
+//   d    depth, m: distance from the line of segment i, positive on the right-hand side of travel
+//
+// Before the first rung and after the last one lies one outer column each, without end.
+// Source: requirements C.3 (E-10, E-11); [carvalho2005offset].
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "recon/core/segment_tree.h"
+#include "shared/base/id.h"
+#include "shared/base/result.h"
+#include "shared/geom/polyline.h"
+
+namespace recon::core {
+
+namespace base = dobra::base;
+namespace geom = dobra::geom;
+
+struct ColumnTag {
+  static constexpr const char* prefix = "column";
+};
+/// 0 is the outer column before the first rung, 1..n the columns of the n base segments, n + 1 the outer one after the
+/// last.
+using ColumnId = base::Id<ColumnTag>;
+
+struct ColumnPoint {
+  ColumnId column;
+  double along =
+      0.0;  ///< Fraction 0..1 of the offset edge at this depth; in an outer column metres from its rung, along travel.
+  double depth = 0.0;  ///< m, positive on the right-hand side of travel.
+};
+
+enum class Foot {
+  InColumn,  ///< The point lies in the column of its nearest base segment that can hold it.
+  NoColumn,  ///< No column holds it; the nearest base segment was taken.
+};
+
+struct Located {
+  ColumnPoint at;
+  double distance = 0.0;  ///< To the base segment of the column, m.
+  Foot foot = Foot::InColumn;
+};
+
+class Columns {
+ public:
+  Columns() = default;
+
+  /// One column for each segment of `line`.
+  /// @param line open, n >= 2 points, no two consecutive ones equal.
+  /// @error DegenerateCurve where the line turns back on itself (its mitre would be infinite), with the place.
+  static base::Result<Columns> along(const geom::Polyline& line);
+
+  /// Columns between the given places of `line`, which may lie beyond its ends (the end segments then go on straight).
+  /// Corners of the line that are to bend the columns must be among the places.
+  /// @param arcs   m >= 2 increasing distances from the first point of the line, m.
+  /// @error as above.
+  static base::Result<Columns> between(const geom::Polyline& line, std::span<const double> arcs);
+
+  [[nodiscard]] std::size_t inner_count() const { return tangents_.size(); }
+  [[nodiscard]] std::size_t count() const { return inner_count() + 2; }
+  [[nodiscard]] bool is_outer(ColumnId column) const {
+    return column.index() == 0 || column.index() == inner_count() + 1;
+  }
+
+  /// The column of the nearest base segment whose column holds p; the first of equally near ones. O(log n).
+  /// @param tolerance how far beyond a rung still counts as inside, m.
+  [[nodiscard]] Located locate(geom::Point p, double tolerance) const;
+
+  /// The name of p in the given column, wherever p lies.
+  [[nodiscard]] ColumnPoint name_in(ColumnId column, geom::Point p) const;
+  /// The point of that name.
+  [[nodiscard]] geom::Point point(const ColumnPoint& at) const;
+
+  /// Distance of p beyond the rungs of the column, m: first before the left one, second after the right one; negative
+  /// inside, -infinity where an outer column has no rung. Both are linear along any straight line.
+  struct Beyond {
+    double left;
+    double right;
+  };
+  [[nodiscard]] Beyond beyond(ColumnId column, geom::Point p) const;
+  /// Distance of p to the base segment of a column (an outer one: of the end segment), m.
+  [[nodiscard]] double distance_to_base(ColumnId column, geom::Point p) const;
+
+  [[nodiscard]] std::size_t rung_count() const { return feet_.size(); }
+  [[nodiscard]] geom::Point foot(std::size_t rung) const { return feet_[rung]; }
+  /// Displacement along the rung for one metre of depth.
+  [[nodiscard]] geom::Vector rung_vector(std::size_t rung) const { return rungs_[rung]; }
+  /// The base line with a vertex at every rung.
+  [[nodiscard]] geom::Polyline base_line() const { return {feet_, false}; }
+
+ private:
+  static base::Result<Columns> assemble(std::vector<geom::Point> feet, std::vector<geom::Vector> tangents,
+                                        std::vector<double> lengths);
+  [[nodiscard]] std::size_t frame_of(ColumnId column) const;
+  [[nodiscard]] bool holds(ColumnId column, geom::Point p, double tolerance) const;
+
+  std::vector<geom::Point> feet_;       ///< n + 1 feet of rungs on the base line.
+  std::vector<geom::Vector> rungs_;     ///< n + 1 mitre vectors.
+  std::vector<geom::Vector> tangents_;  ///< n unit vectors.
+  std::vector<double> lengths_;         ///< n base lengths, m.
+  SegmentTree tree_;                    ///< Of the n base segments.
+};
+
+}  // namespace recon::core

@@ -1,0 +1,47 @@
+#pragma once
+// Where digitised lines cross themselves and each other, decided exactly, and small loops cut out on request.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "recon/core/section.h"
+#include "shared/base/result.h"
+
+namespace recon::core {
+
+/// Segments `first` < `second` of a line meet at `place`; neighbours only where one folds back onto the other.
+struct SelfCrossing {
+  std::size_t first = 0;
+  std::size_t second = 0;
+  geom::Point place;
+};
+
+/// All of them, ordered by (first, second). O(n log n + pairs of near segments).
+std::vector<SelfCrossing> self_crossings(const geom::Polyline& line);
+
+struct LoopOptions {
+  double longest_loop = 0.02;  ///< A loop longer than this part of its line is no slip of the pen: it is not cut.
+};
+
+struct WithoutLoops {
+  geom::Polyline line;
+  std::vector<geom::Point> places;  ///< Where loops were cut.
+};
+
+/// The line without its loops: at each crossing it takes the short way.
+/// @error BadSection with the place of a loop that is too long.
+base::Result<WithoutLoops> without_loops(geom::Polyline line, const LoopOptions& options = {});
+
+/// Two horizons that meet.
+struct HorizonCrossing {
+  HorizonId first;
+  HorizonId second;
+  std::size_t count = 0;  ///< Pairs of segments that meet.
+  geom::Point place;      ///< Of the first of them along `first`.
+};
+
+/// Pairs of horizons that meet, in the order of the section.
+std::vector<HorizonCrossing> crossings_between(const Section& section);
+
+}  // namespace recon::core

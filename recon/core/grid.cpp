@@ -1,0 +1,207 @@
+#include "recon/core/grid.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "shared/base/parallel.h"
+#include "shared/base/text.h"
+#include "shared/geom/simplify.h"
+#include "shared/offset/distances.h"
+#include "shared/offset/offset.h"
+
+namespace recon::core {
+
+namespace {
+
+/// Relative to the base line's box: how much farther than the nearest segment still counts as nearest.
+constexpr double nearest_tolerance = 1e-12;
+
+/// Depth down to which the rung belongs to its own corner: where no other part of the base is nearer.
+double rung_end(const Columns& columns, std::size_t rung, double deepest, double tolerance, int most_halvings) {
+  const geom::Point foot = columns.foot(rung);
+  const geom::Vector along = columns.rung_vector(rung);
+  const ColumnId before(rung);
+  const ColumnId after(rung + 1);
+  const auto own = [&](double depth) {
+    const geom::Point p = foot + depth * along;
+    const Located nearest = columns.locate(p, tolerance);
+    const double distance = std::min(columns.distance_to_base(before, p), columns.distance_to_base(after, p));
+    return nearest.foot == Foot::InColumn && distance <= nearest.distance + tolerance;
+  };
+  if (own(deepest)) return deepest;
+  double low = 0.0;
+  double high = deepest;
+  for (int i = 0; i < most_halvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (own(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+std::vector<geom::Polyline> rungs_of(const Columns& columns, const GridOptions& options) {
+  const double deepest = options.distances.back();
+  const double tolerance = nearest_tolerance * (columns.base_line().box().diagonal() + deepest);
+  return base::parallel_map<geom::Polyline>(
+      columns.rung_count(),
+      [&](std::size_t i) {
+        const double end = options.treatment == Treatment::Untreated
+                               ? deepest
+                               : rung_end(columns, i, deepest, tolerance, options.most_halvings);
+        return geom::Polyline{{columns.foot(i), columns.foot(i) + end * columns.rung_vector(i)}, false};
+      },
+      64);
+}
+
+}  // namespace
+
+namespace {
+
+dobra::offset::Join offset_join(CornerJoin join) {
+  switch (join) {
+    case CornerJoin::Bisector:
+      return dobra::offset::Join::Bisector;
+    case CornerJoin::Round:
+      return dobra::offset::Join::Round;
+    case CornerJoin::Bevel:
+      return dobra::offset::Join::Bevel;
+    case CornerJoin::Mitre:
+      break;
+  }
+  return dobra::offset::Join::Mitre;
+}
+
+}  // namespace
+
+base::Result<Grid> make_grid(const geom::Polyline& line, const Columns& columns, const GridOptions& options,
+                             const base::Progress& progress) {
+  dobra::offset::OffsetOptions how;
+  how.treatment =
+      options.treatment == Treatment::Treated ? dobra::offset::Treatment::Treated : dobra::offset::Treatment::Untreated;
+  how.join = offset_join(options.join);
+  DOBRA_TRY(auto curves, dobra::offset::offset(line, options.distances, how, progress));
+  Grid grid;
+  for (auto& curve : curves) {
+    GridCurve made{curve.distance, {}};
+    for (auto& piece : curve.pieces) made.pieces.push_back(std::move(piece.polyline));
+    if (made.pieces.empty()) ++grid.vanished;
+    grid.left_out += curve.dropped;
+    grid.curves.push_back(std::move(made));
+  }
+  DOBRA_TRY_VOID(progress.check());
+  grid.rungs = rungs_of(columns, options);
+  return grid;
+}
+
+namespace {
+
+/// Depths of all points of the other horizons below the top in its given direction.
+std::vector<double> depths_of(const Section& section, const Horizon& top, const Columns& columns) {
+  std::vector<geom::Point> points;
+  for (const Horizon& horizon : section.horizons) {
+    if (horizon.id != top.id) points.insert(points.end(), horizon.line.points.begin(), horizon.line.points.end());
+  }
+  const double tolerance = nearest_tolerance * columns.base_line().box().diagonal();
+  return base::parallel_map<double>(
+      points.size(), [&](std::size_t i) { return columns.locate(points[i], tolerance).at.depth; }, 256);
+}
+
+LayerSide side_of(const std::vector<double>& depths, LayerSide wish) {
+  if (wish != LayerSide::Auto) return wish;
+  std::ptrdiff_t below = 0;
+  for (const double depth : depths) below += depth > 0.0 ? 1 : depth < 0.0 ? -1 : 0;
+  return below < 0 ? LayerSide::Above : LayerSide::Below;
+}
+
+/// First distance d such that `count` curves with the given factor end at `deepest`: D_count = d (1 + f + ... +
+/// f^(count-1)).
+double distance_to_reach(double deepest, double factor, int count) {
+  double sum = 0.0;
+  for (int k = 0; k < count; ++k) sum = factor * sum + 1.0;
+  return deepest / sum;
+}
+
+constexpr int most_curves = 10000;
+
+/// How many curves it takes to reach `deepest`.
+base::Result<int> count_to_reach(double deepest, double distance, double factor) {
+  double reached = 0.0;
+  for (int count = 1; count <= most_curves; ++count) {
+    reached = factor * reached + distance;
+    if (reached >= deepest * (1.0 - 1e-12)) return count;
+  }
+  return base::Error{base::ErrorCode::InvalidOption,
+                     fmt::format("{} curves from {:.6g} m with factor {:.6g} only reach {:.6g} m of {:.6g} m; take a "
+                                 "larger distance or factor",
+                                 most_curves, distance, factor, reached, deepest)};
+}
+
+base::Result<std::vector<double>> distances_for(const GridParams& params, double deepest) {
+  int count = params.count;
+  if (!params.distance && deepest <= 0.0) {
+    return base::Error{
+        base::ErrorCode::InvalidOption,
+        "no point of the section lies on that side of the top, so there is no depth to share out; give a distance"};
+  }
+  const double distance = params.distance.value_or(distance_to_reach(deepest, params.factor, count));
+  if (params.distance && params.extent == GridExtent::Base) {
+    if (deepest <= 0.0) {
+      return base::Error{base::ErrorCode::InvalidOption,
+                         "no point of the section lies on that side of the top; set extent = \"count\""};
+    }
+    DOBRA_TRY(count, count_to_reach(deepest, distance, params.factor));
+  }
+  return dobra::offset::distances({static_cast<std::size_t>(count), distance, params.factor});
+}
+
+}  // namespace
+
+base::Result<SourceGrid> make_source_grid(const Section& section, const GridParams& params,
+                                          const base::Progress& progress) {
+  SourceGrid source;
+  const Horizon* top = params.top.empty() ? &section.horizons.front() : find_horizon(section, params.top);
+  if (top == nullptr) {
+    return base::Error{base::ErrorCode::BadSection,
+                       fmt::format("there is no horizon '{}' to be the top{}", params.top,
+                                   base::did_you_mean(params.top, horizon_names(section)))};
+  }
+  base::Place item;
+  item.item = fmt::format("horizon '{}'", top->name);
+  source.base = top->line;
+  if (params.simplify > 0.0) {
+    auto simpler = geom::simplify(top->line, {.tolerance = params.simplify});
+    if (!simpler) return base::located(simpler.error(), item);
+    source.base = std::move(*simpler);
+    source.remarks.push_back(fmt::format("the grid stands on {} of the {} points of the top, within {:.4g} m of it",
+                                         source.base.points.size(), top->line.points.size(), params.simplify));
+  }
+  auto columns = Columns::along(source.base);
+  if (!columns) return base::located(columns.error(), item);
+  std::vector<double> depths = depths_of(section, *top, *columns);
+  source.top = top->id;
+  source.side = side_of(depths, params.side);
+  if (source.side == LayerSide::Above) {
+    source.base = geom::reversed(std::move(source.base));
+    for (double& depth : depths) depth = -depth;
+    DOBRA_TRY(*columns, Columns::along(source.base));
+  }
+  for (const double depth : depths) source.deepest = std::max(source.deepest, depth);
+  DOBRA_TRY(source.options.distances, distances_for(params, source.deepest));
+  source.options.treatment = params.treatment;
+  source.options.join = params.join;
+  auto grid = make_grid(source.base, *columns, source.options, progress);
+  if (!grid) return base::located(grid.error(), item);
+  source.grid = std::move(*grid);
+  if (source.grid.vanished > 0) {
+    source.remarks.push_back(fmt::format("{} offset curves vanished: nothing of them is as far from the top as asked",
+                                         source.grid.vanished));
+  }
+  if (source.grid.left_out > 0) {
+    source.remarks.push_back(fmt::format("{} short pieces of offset curves were left out", source.grid.left_out));
+  }
+  return source;
+}
+
+}  // namespace recon::core

@@ -1,0 +1,183 @@
+#include "recon/core/input.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "recon/core/crossings.h"
+#include "shared/base/text.h"
+#include "shared/io/geojson.h"
+#include "shared/io/text_points.h"
+
+namespace recon::core {
+
+namespace {
+
+base::Error bad(base::ErrorCode code, std::string message, std::string item) {
+  base::Place place;
+  place.item = std::move(item);
+  return {code, std::move(message), place};
+}
+
+bool is_geojson(const std::string& file) { return file.ends_with(".geojson") || file.ends_with(".json"); }
+
+base::Result<std::size_t> column(const HorizonInput& input, std::size_t which) {
+  const double number = input.columns.size() == 2 ? input.columns[which] : 0.0;
+  if (number < 1.0 || number > 1e6 || number != std::floor(number)) {
+    return base::Error{base::ErrorCode::BadValue, "columns needs two whole numbers from 1 on, such as [1, 2]"};
+  }
+  return static_cast<std::size_t>(number);
+}
+
+base::Result<ReadLine> read_text_line(const HorizonInput& input, const std::string& path) {
+  dobra::io::TextPointsOptions options;
+  options.separator = static_cast<dobra::io::Separator>(input.separator);
+  DOBRA_TRY(options.x_column, column(input, 0));
+  DOBRA_TRY(options.y_column, column(input, 1));
+  DOBRA_TRY(dobra::io::TextPoints read, dobra::io::read_text_points(path, options));
+  return ReadLine{std::move(read.lines.front()), std::move(read.remarks)};
+}
+
+base::Result<ReadLine> read_geojson_line(const HorizonInput& input, const std::string& path) {
+  DOBRA_TRY(dobra::io::Features read, dobra::io::read_geojson(path));
+  std::vector<const dobra::io::Feature*> lines;
+  std::vector<std::string> names;
+  for (const dobra::io::Feature& feature : read.features) {
+    if (feature.type != dobra::io::FeatureType::Lines) continue;
+    names.push_back(feature.name);
+    if (input.feature.empty() || feature.name == input.feature) lines.push_back(&feature);
+  }
+  if (lines.empty() && !input.feature.empty()) {
+    return base::Error{base::ErrorCode::BadSection, fmt::format("the file has no line named '{}'{}", input.feature,
+                                                                base::did_you_mean(input.feature, names))};
+  }
+  if (lines.empty()) return base::Error{base::ErrorCode::BadSection, "the file has no line"};
+  if (lines.size() > 1) {
+    return base::Error{
+        base::ErrorCode::BadSection,
+        fmt::format("the file has {} lines to choose from; name one with feature = \"...\"", lines.size())};
+  }
+  if (lines.front()->parts.size() != 1) {
+    return base::Error{base::ErrorCode::BadSection,
+                       fmt::format("the line is in {} parts; join them into one", lines.front()->parts.size())};
+  }
+  return ReadLine{lines.front()->parts.front(), std::move(read.remarks)};
+}
+
+base::Result<ReadLine> given_line(const HorizonInput& input) {
+  ReadLine read;
+  read.line.points = input.points;
+  const std::size_t before = read.line.points.size();
+  read.line = geom::without_repeated_points(std::move(read.line));
+  if (read.line.points.size() < before) {
+    read.remarks.push_back(fmt::format("{} repeated points dropped", before - read.line.points.size()));
+  }
+  return read;
+}
+
+base::Result<ReadLine> read_any(const HorizonInput& input, const dobra::scenario::Context& context) {
+  if (input.file.empty() == input.points.empty()) {
+    return base::Error{base::ErrorCode::MissingKey, input.file.empty()
+                                                        ? "a line needs file = \"...\" or points = [...]"
+                                                        : "a line has both file and points; keep one of them"};
+  }
+  if (input.file.empty()) return given_line(input);
+  const std::string path = (context.folder / input.file).string();
+  base::Place place;
+  place.file = path;
+  auto read = is_geojson(input.file) ? read_geojson_line(input, path) : read_text_line(input, path);
+  if (!read) return base::located(read.error(), place);
+  return read;
+}
+
+}  // namespace
+
+base::Result<ReadLine> read_line(const HorizonInput& input, const Convention& convention,
+                                 const dobra::scenario::Context& context) {
+  base::Place item;
+  item.item = fmt::format("horizon '{}'", input.name);
+  auto read = read_any(input, context);
+  if (!read) return base::located(read.error(), item);
+  for (geom::Point& p : read->line.points) p = to_section(p, convention);
+  read->line.closed = false;
+  if (auto valid = geom::validate(read->line); !valid) return base::located(valid.error(), item);
+  return read;
+}
+
+namespace {
+
+base::Result<void> check_names(const SectionInput& input) {
+  if (input.horizons.empty()) {
+    return bad(base::ErrorCode::BadSection, "the section has no horizon; add an [[input.horizon]]", "input");
+  }
+  for (std::size_t i = 0; i < input.horizons.size(); ++i) {
+    const std::string& name = input.horizons[i].name;
+    const auto same = [&](const HorizonInput& other) { return other.name == name; };
+    if (name.empty())
+      return bad(base::ErrorCode::BadSection, "a horizon needs a name", fmt::format("horizon {}", i + 1));
+    if (std::any_of(input.horizons.begin(), input.horizons.begin() + static_cast<std::ptrdiff_t>(i), same)) {
+      return bad(base::ErrorCode::BadSection, "two horizons have this name; change one of them",
+                 fmt::format("horizon '{}'", name));
+    }
+  }
+  return {};
+}
+
+/// Takes out the loops of a line, or refuses them.
+base::Result<void> treat_self_crossings(Horizon& horizon, SelfCrossings wish, std::vector<std::string>& remarks) {
+  const std::string item = fmt::format("horizon '{}'", horizon.name);
+  base::Place source = horizon.source;
+  source.item = item;
+  if (wish == SelfCrossings::Refuse) {
+    const std::vector<SelfCrossing> crossings = self_crossings(horizon.line);
+    if (crossings.empty()) return {};
+    const base::Error error{
+        base::ErrorCode::BadSection,
+        fmt::format("the line crosses itself ({} places); correct it, or set self_crossings = \"cut_loops\"",
+                    crossings.size()),
+        place_at(crossings.front().place, item)};
+    return base::located(error, source);
+  }
+  auto cut = without_loops(horizon.line);
+  if (!cut) return base::located(cut.error(), source);
+  if (!cut->places.empty()) {
+    remarks.push_back(fmt::format("{}: {} small loops cut out, the first at ({:.6g}, {:.6g})", item, cut->places.size(),
+                                  cut->places.front().x, cut->places.front().y));
+  }
+  horizon.line = std::move(cut->line);
+  return {};
+}
+
+}  // namespace
+
+base::Result<ReadSection> read_section(const SectionInput& input, const dobra::scenario::Context& context,
+                                       const base::Progress& progress) {
+  DOBRA_TRY_VOID(check_names(input));
+  ReadSection result;
+  result.section.convention = {input.y_axis, input.reference, input.unit};
+  for (std::size_t i = 0; i < input.horizons.size(); ++i) {
+    DOBRA_TRY_VOID(progress.check());
+    const HorizonInput& wanted = input.horizons[i];
+    DOBRA_TRY(ReadLine read, read_line(wanted, result.section.convention, context));
+    for (const std::string& remark : read.remarks) {
+      result.remarks.push_back(fmt::format("horizon '{}': {}", wanted.name, remark));
+    }
+    Horizon horizon{HorizonId(i), wanted.name, std::move(read.line), {}};
+    horizon.source.file = wanted.file;
+    if (horizon.line.points.front().x > horizon.line.points.back().x)
+      horizon.line = geom::reversed(std::move(horizon.line));
+    DOBRA_TRY_VOID(treat_self_crossings(horizon, input.self_crossings, result.remarks));
+    result.section.horizons.push_back(std::move(horizon));
+    progress.report(static_cast<double>(i + 1) / static_cast<double>(input.horizons.size()), wanted.name);
+  }
+  for (const HorizonCrossing& crossing : crossings_between(result.section)) {
+    result.remarks.push_back(fmt::format("horizons '{}' and '{}' meet at {} places, the first at ({:.6g}, {:.6g})",
+                                         find_horizon(result.section, crossing.first)->name,
+                                         find_horizon(result.section, crossing.second)->name, crossing.count,
+                                         crossing.place.x, crossing.place.y));
+  }
+  return result;
+}
+
+}  // namespace recon::core

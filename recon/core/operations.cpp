@@ -1,0 +1,88 @@
+#include "recon/core/operations.h"
+
+#include "recon/core/input.h"
+#include "recon/core/layers.h"
+#include "recon/core/report.h"
+
+namespace recon::core {
+
+namespace scenario = dobra::scenario;
+
+base::Result<Model> run_grid(const Model& model, const GridParams& params, const scenario::Context&,
+                             const base::Progress& progress) {
+  Model next = model;
+  next.target.reset();
+  next.restoration.reset();
+  DOBRA_TRY(next.source, make_source_grid(model.section, params, progress));
+  return next;
+}
+
+base::Result<Model> run_target(const Model& model, const TargetParams& params, const scenario::Context& context,
+                               const base::Progress& progress) {
+  if (!model.source) {
+    return base::Error{base::ErrorCode::CannotRestore,
+                       "a target needs a source grid first; put a step 'grid' before it"};
+  }
+  Model next = model;
+  next.restoration.reset();
+  DOBRA_TRY(next.target, make_target(model.section, *model.source, params, context, progress));
+  return next;
+}
+
+base::Result<Model> run_restore(const Model& model, const RestoreParams& params, const scenario::Context&,
+                                const base::Progress& progress) {
+  if (!model.source || !model.target) {
+    const char* missing =
+        model.source ? "restore needs a target first; put a step 'target' before it"
+                     : "restore needs a source grid and a target first; put the steps 'grid' and 'target' before it";
+    return base::Error{base::ErrorCode::CannotRestore, missing};
+  }
+  Model next = model;
+  DOBRA_TRY(next.restoration, restore(model.section, model.target->map, params, progress));
+  return next;
+}
+
+namespace {
+
+base::Result<scenario::State> read_input(const scenario::Table& table, const scenario::Context& context,
+                                         const base::Progress& progress) {
+  DOBRA_TRY(ReadSection read, read_section(scenario::from_table<SectionInput>(table), context, progress));
+  Model model;
+  model.section = std::move(read.section);
+  model.remarks = std::move(read.remarks);
+  return scenario::make_state(std::move(model));
+}
+
+scenario::Program make_program() {
+  scenario::Program recon;
+  recon.name = "recon";
+  recon.title = "RECON";
+  recon.input_fields = scenario::fields_of<SectionInput>();
+  recon.read_input = read_input;
+  recon.operations = {scenario::make_operation<Model, GridParams>(
+                          "grid", "Source grid",
+                          "Offset curves of the top of the section and the transversals between them.", run_grid),
+                      scenario::make_operation<Model, TargetParams>(
+                          "target", "Target",
+                          "The geometry to which the top is restored, a datum or a line, held at a pin.", run_target),
+                      scenario::make_operation<Model, RestoreParams>(
+                          "restore", "Restore",
+                          "Carries every point of the section from the source grid to the target grid.", run_restore)};
+  recon.picture_of = [](const scenario::State& state) { return picture_of(scenario::model_of<Model>(state)); };
+  recon.quantities_of = [](const scenario::State& state) { return quantities_of(scenario::model_of<Model>(state)); };
+  recon.remarks_of = [](const scenario::State& state) { return remarks_of(scenario::model_of<Model>(state)); };
+  recon.tables_of = [](const scenario::State& state) { return tables_of(scenario::model_of<Model>(state)); };
+  recon.outputs_of = [](const scenario::State& state) {
+    return outputs_of(std::static_pointer_cast<const Model>(state));
+  };
+  return recon;
+}
+
+}  // namespace
+
+const scenario::Program& program() {
+  static const scenario::Program recon = make_program();
+  return recon;
+}
+
+}  // namespace recon::core

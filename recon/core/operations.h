@@ -1,0 +1,26 @@
+#pragma once
+// Everything that a user can do to a section, listed once: the window, the command line, scenarios and tests call these
+// entries.
+
+#include "recon/core/grid.h"
+#include "recon/core/model.h"
+#include "recon/core/restore.h"
+#include "recon/core/target.h"
+#include "shared/scenario/program.h"
+
+namespace recon::core {
+
+/// Source grid on the top of the section. Forgets the target and the restoration that stood on an earlier grid.
+base::Result<Model> run_grid(const Model& model, const GridParams& params, const dobra::scenario::Context& context,
+                             const base::Progress& progress);
+/// Target geometry and target grid. @error CannotRestore without a grid.
+base::Result<Model> run_target(const Model& model, const TargetParams& params, const dobra::scenario::Context& context,
+                               const base::Progress& progress);
+/// Restored section and line-length table. @error CannotRestore without grid and target.
+base::Result<Model> run_restore(const Model& model, const RestoreParams& params,
+                                const dobra::scenario::Context& context, const base::Progress& progress);
+
+/// RECON, as the shared machinery sees it.
+const dobra::scenario::Program& program();
+
+}  // namespace recon::core

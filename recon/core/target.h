@@ -1,0 +1,65 @@
+#pragma once
+// The geometry that a section is restored to, matched to the top by arc length from a pin, and its grid.
+// Requirements REC-4, E-12. Page: docs/algorithms/unfold.md
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "recon/core/grid.h"
+#include "recon/core/input.h"
+#include "recon/core/map.h"
+
+namespace recon::core {
+
+enum class TargetShape { Flat, Line };
+enum class TargetDirection { LeftToRight, AsGiven };
+
+/// Parameters of the step `target`.
+struct TargetParams {
+  TargetShape shape = TargetShape::Flat;
+  std::optional<double> elevation;
+  std::optional<double> pin;
+  std::optional<geom::Point> target_pin;
+  std::vector<geom::Point> points;
+  std::string file;
+  std::string feature;
+  TargetDirection direction = TargetDirection::LeftToRight;
+  template <class D>
+  static void describe(D& d) {
+    d.choice("shape", &TargetParams::shape, {"flat", "line"},
+             {.title = "Shape", .help = "flat: a horizontal datum; line: the points or the file."});
+    d.field("elevation", &TargetParams::elevation,
+            {.title = "Elevation of the datum", .help = "By default that of the top at the pin.", .unit = "m"});
+    d.field("pin", &TargetParams::pin,
+            {.title = "x of the pin", .help = "Where the top is held; by default its left end.", .unit = "m"});
+    d.field("target_pin", &TargetParams::target_pin,
+            {.title = "Pin on the target",
+             .help = "The point to which the pin goes; by default the one with the same x.",
+             .unit = "m"});
+    d.field("points", &TargetParams::points, {.title = "Points of the line", .unit = "m"});
+    d.file("file", &TargetParams::file,
+           {.title = "File of the line", .help = "Two-column text, CSV or GeoJSON, like a horizon's."});
+    d.field("feature", &TargetParams::feature,
+            {.title = "Feature", .help = "Name of the line in a GeoJSON file with several."});
+    d.choice(
+        "direction", &TargetParams::direction, {"left_to_right", "as_given"},
+        {.title = "Direction of the line", .help = "as_given: its first point goes with the left end of the top."});
+  }
+};
+
+struct Target {
+  geom::Point source_pin;  ///< On the top.
+  geom::Point target_pin;  ///< On the target.
+  ColumnMap map;           ///< From the section to the target.
+  Grid grid;               ///< On the target; its base is map.target().base_line().
+  double extended = 0.0;   ///< How much of the target was added straight at its ends, m.
+  std::vector<std::string> remarks;
+};
+
+/// @error CannotRestore (pin beside the top or the target), BadValue (parameters that contradict each other), those of
+/// read_line and make_grid.
+base::Result<Target> make_target(const Section& section, const SourceGrid& source, const TargetParams& params,
+                                 const dobra::scenario::Context& context, const base::Progress& progress);
+
+}  // namespace recon::core

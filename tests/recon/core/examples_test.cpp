@@ -1,0 +1,103 @@
+// The bundled examples and, where the test data are there, the real sections: run as the command line runs them, and
+// judged by their own expectations.
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "recon/core/operations.h"
+#include "shared/scenario/runner.h"
+
+namespace recon::core {
+namespace {
+
+namespace scenario = dobra::scenario;
+
+/// Runs the document and expects every expectation to be met; returns the run.
+scenario::Run expect_met(const scenario::Document& document) {
+  const auto checked = scenario::check(document, program());
+  EXPECT_TRUE(checked) << to_string(checked.error());
+  scenario::Run run = scenario::Runner(program()).run(document);
+  EXPECT_TRUE(run.complete()) << to_string(*run.error);
+  if (!run.complete()) return run;
+  EXPECT_FALSE(document.expects.empty());
+  for (const scenario::Verdict& verdict : scenario::judge(document, program(), run))
+    EXPECT_TRUE(verdict.met) << verdict.message;
+  return run;
+}
+
+double quantity(const scenario::Run& run, const std::string& name) {
+  for (const scenario::Quantity& q : program().quantities_of(run.states.back())) {
+    if (q.name == name) return q.value;
+  }
+  ADD_FAILURE() << "no quantity " << name;
+  return std::nan("");
+}
+
+scenario::Document bundled(const std::string& name) {
+  auto document = scenario::read_document(std::filesystem::path(DOBRA_SOURCE_DIR) / "resources/examples/recon" / name);
+  EXPECT_TRUE(document) << to_string(document.error());
+  return std::move(*document);
+}
+
+TEST(Examples, FoldMeetsItsExpectations) { expect_met(bundled("fold.toml")); }
+
+TEST(Examples, REC_c_CosineMeetsItsExpectations) { expect_met(bundled("cosine.toml")); }
+
+TEST(Examples, TheSameRunGivesTheSameReport) {
+  const scenario::Document document = bundled("fold.toml");
+  const std::string first = scenario::report_json(document, program(), scenario::Runner(program()).run(document));
+  EXPECT_EQ(first, scenario::report_json(document, program(), scenario::Runner(program()).run(document)));
+}
+
+/// A scenario of tests/scenarios whose file names are relative to a folder of the test data; nothing if there are no
+/// test data.
+std::optional<scenario::Document> real_section(const std::string& name, const std::string& folder) {
+  const char* data = std::getenv("DOBRA_TEST_DATA");
+  if (data == nullptr) return std::nullopt;
+  auto document = scenario::read_document(std::filesystem::path(DOBRA_SOURCE_DIR) / "tests/scenarios" / name);
+  EXPECT_TRUE(document) << to_string(document.error());
+  document->file = std::filesystem::path(data) / "sections" / folder / name;
+  return std::move(*document);
+}
+
+TEST(RealSections, RaganIsogonFoldIsRestoredToADatum) {
+  const auto document = real_section("ragan.toml", "ragan_isogon_fold");
+  if (!document) GTEST_SKIP() << "DOBRA_TEST_DATA is not set";
+  const scenario::Run run = expect_met(*document);
+  ASSERT_TRUE(run.complete());
+  const auto& model = scenario::model_of<Model>(run.states.back());
+  for (const MappedLine& line : model.restoration->lines) {
+    for (std::size_t i = 0; i < line.names.size(); ++i) {
+      EXPECT_NEAR(model.target->target_pin.y - line.after.points[i].y, line.names[i].depth, 1e-9);
+    }
+  }
+}
+
+TEST(RealSections, CatskillFoldIsRestoredToADatum) {
+  const auto document = real_section("catskill.toml", "catskill_fpf");
+  if (!document) GTEST_SKIP() << "DOBRA_TEST_DATA is not set";
+  const scenario::Run run = expect_met(*document);
+  ASSERT_TRUE(run.complete());
+  EXPECT_EQ(quantity(run, "points_outside"), 0.0);
+  const auto remarks = program().remarks_of(run.states.front());
+  ASSERT_FALSE(remarks.empty());
+  EXPECT_NE(remarks.front().find("horizon 'bed1'"), std::string::npos) << remarks.front();
+}
+
+TEST(RealSections, ASimplifiedTopTearsTheCatskillBedsLess) {
+  const auto document = real_section("catskill.toml", "catskill_fpf");
+  if (!document) GTEST_SKIP() << "DOBRA_TEST_DATA is not set";
+  const auto simplified = scenario::with_value(*document, program(), "steps.1.simplify=3.0");
+  ASSERT_TRUE(simplified) << to_string(simplified.error());
+  const scenario::Run traced = scenario::Runner(program()).run(*document);
+  const scenario::Run smooth = scenario::Runner(program()).run(*simplified);
+  ASSERT_TRUE(traced.complete() && smooth.complete());
+  EXPECT_LT(quantity(smooth, "tears"), 0.5 * quantity(traced, "tears"));
+  EXPECT_LE(quantity(smooth, "top.depth_max"), 3.0);
+  EXPECT_GE(quantity(smooth, "top.depth_min"), -3.0);
+}
+
+}  // namespace
+}  // namespace recon::core

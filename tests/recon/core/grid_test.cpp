@@ -1,0 +1,125 @@
+#include "recon/core/grid.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/recon/core/shapes.h"
+
+namespace recon::core {
+namespace {
+
+GridParams params_of(int count, double distance, double factor = 1.0) {
+  GridParams params;
+  params.top = "top";
+  params.count = count;
+  params.distance = distance;
+  params.factor = factor;
+  return params;
+}
+
+TEST(Grid, REC_f_ThirteenCurvesAndARungForEveryCornerOfTheTop) {
+  const auto source = make_source_grid(test::section_of({test::cosine()}), params_of(13, 0.2), {});
+  ASSERT_TRUE(source) << to_string(source.error());
+  ASSERT_EQ(source->grid.curves.size(), 13u);
+  for (std::size_t k = 0; k < 13; ++k) {
+    EXPECT_NEAR(source->grid.curves[k].distance, 0.2 * static_cast<double>(k + 1), 1e-12);
+    EXPECT_EQ(source->grid.curves[k].pieces.size(), 1u);
+  }
+  EXPECT_EQ(source->grid.rungs.size(), 129u);
+  EXPECT_EQ(source->side, LayerSide::Below);
+}
+
+TEST(Grid, REC_f_TreatedRungsEndAtTheMedialAxisAndDoNotCross) {
+  const auto source = make_source_grid(test::section_of({test::cosine()}), params_of(13, 0.2), {});
+  ASSERT_TRUE(source) << to_string(source.error());
+  const auto& rungs = source->grid.rungs;
+  for (std::size_t i = 0; i + 1 < rungs.size(); ++i) {
+    // Neighbouring rungs and what joins their ends: positive area, the layers being on the right of travel.
+    const geom::Polyline cell{{rungs[i].points[0], rungs[i].points[1], rungs[i + 1].points[1], rungs[i + 1].points[0]},
+                              true};
+    EXPECT_GT(geom::signed_area(cell), 0.0) << i;
+  }
+  // Under the crests at pi and 3 pi, radius of curvature 1, the rungs of the limbs stop before depth 2.6.
+  EXPECT_LT(geom::length(rungs[28]), 2.6);
+  const geom::Vector in_trough = Columns::along(test::cosine())->rung_vector(64);  // at 2 pi they reach it
+  EXPECT_NEAR(geom::length(rungs[64]), 2.6 * geom::length(in_trough), 1e-12);
+}
+
+TEST(Grid, TheLayersDecideTheSideUnlessTheUserDoes) {
+  const geom::Polyline line{{{0, 0}, {5, 1}, {10, 0}}, false};
+  const geom::Polyline above{{{1, 3}, {9, 3}}, false};
+  const auto automatic = make_source_grid(test::section_of({line, above}), params_of(2, 0.5), {});
+  ASSERT_TRUE(automatic);
+  EXPECT_EQ(automatic->side, LayerSide::Above);
+  EXPECT_EQ(automatic->base, geom::reversed(line));
+  EXPECT_GT(automatic->deepest, 2.0);
+  EXPECT_GT(automatic->grid.rungs[1].points[1].y, 1.0);
+  GridParams below = params_of(2, 0.5);
+  below.side = LayerSide::Below;
+  const auto forced = make_source_grid(test::section_of({line, above}), below, {});
+  ASSERT_TRUE(forced);
+  EXPECT_EQ(forced->base, line);
+  EXPECT_EQ(forced->deepest, 0.0);
+}
+
+TEST(Grid, ToTheBaseTakesAsManyCurvesAsReachTheDeepestPoint) {
+  const Section section = test::section_of({{{{0, 0}, {10, 0}}, false}, {{{0, -3}, {10, -4.2}}, false}});
+  GridParams params = params_of(1, 0.5);
+  params.extent = GridExtent::Base;
+  const auto equal = make_source_grid(section, params, {});
+  ASSERT_TRUE(equal);
+  EXPECT_EQ(equal->options.distances.size(), 9u);
+  EXPECT_NEAR(equal->deepest, 4.2, 1e-12);
+  params.factor = 2.0;  // 0.5 1.5 3.5 7.5
+  const auto growing = make_source_grid(section, params, {});
+  ASSERT_TRUE(growing);
+  EXPECT_EQ(growing->options.distances.size(), 4u);
+  params.factor = 0.5;  // never beyond 1
+  const auto never = make_source_grid(section, params, {});
+  ASSERT_FALSE(never);
+  EXPECT_EQ(never.error().code, base::ErrorCode::InvalidOption);
+}
+
+TEST(Grid, WithoutADistanceTheCurvesShareTheDepth) {
+  const Section section = test::section_of({{{{0, 0}, {10, 0}}, false}, {{{0, -3}, {10, -7}}, false}});
+  GridParams params;
+  params.count = 3;
+  params.factor = 2.0;  // gaps 1, 2, 4
+  const auto source = make_source_grid(section, params, {});
+  ASSERT_TRUE(source);
+  ASSERT_EQ(source->options.distances.size(), 3u);
+  EXPECT_NEAR(source->options.distances[0], 1.0, 1e-12);
+  EXPECT_NEAR(source->options.distances[2], 7.0, 1e-12);
+  const auto nothing = make_source_grid(test::section_of({{{{0, 0}, {10, 0}}, false}}), params, {});
+  ASSERT_FALSE(nothing);
+  EXPECT_EQ(nothing.error().code, base::ErrorCode::InvalidOption);
+}
+
+TEST(Grid, AnUnknownTopIsRefusedWithASuggestion) {
+  GridParams params = params_of(2, 0.5);
+  params.top = "tip";
+  const auto source = make_source_grid(test::section_of({test::cosine()}), params, {});
+  ASSERT_FALSE(source);
+  EXPECT_EQ(source.error().code, base::ErrorCode::BadSection);
+  EXPECT_NE(source.error().message.find("did you mean 'top'?"), std::string::npos);
+}
+
+TEST(Grid, ASimplifiedTopHasFewerRungsAndStaysWithinItsTolerance) {
+  GridParams params = params_of(2, 0.1);
+  params.simplify = 0.02;
+  const auto source = make_source_grid(test::section_of({test::cosine()}), params, {});
+  ASSERT_TRUE(source) << to_string(source.error());
+  EXPECT_LT(source->grid.rungs.size(), 60u);
+  EXPECT_EQ(source->remarks.size(), 1u);
+  for (const geom::Point p : test::cosine().points) EXPECT_LE(geom::distance(source->base, p), 0.02 + 1e-12);
+}
+
+TEST(Grid, UntreatedRungsHaveTheirFullLength) {
+  GridParams params = params_of(13, 0.2);
+  params.treatment = Treatment::Untreated;
+  const auto source = make_source_grid(test::section_of({test::cosine()}), params, {});
+  ASSERT_TRUE(source);
+  for (const geom::Polyline& rung : source->grid.rungs) EXPECT_GE(geom::length(rung), 2.6 - 1e-12);
+}
+
+}  // namespace
+}  // namespace recon::core

@@ -1,0 +1,167 @@
+#include "recon/core/input.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace recon::core {
+namespace {
+
+using base::ErrorCode;
+
+/// A folder of its own for each test, removed afterwards.
+class Input : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::temp_directory_path() /
+              (std::string("recon_input_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
+  [[nodiscard]] base::Result<ReadSection> read(const SectionInput& input) const {
+    return read_section(input, {folder_}, {});
+  }
+
+  static HorizonInput from_file(std::string name, std::string file) {
+    HorizonInput horizon;
+    horizon.name = std::move(name);
+    horizon.file = std::move(file);
+    return horizon;
+  }
+  static HorizonInput from_points(std::string name, std::vector<geom::Point> points) {
+    HorizonInput horizon;
+    horizon.name = std::move(name);
+    horizon.points = std::move(points);
+    return horizon;
+  }
+  void expect_error(const SectionInput& input, ErrorCode code, const std::string& part) const {
+    const auto result = read(input);
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, code) << to_string(result.error());
+    EXPECT_NE(to_string(result.error()).find(part), std::string::npos) << to_string(result.error());
+    EXPECT_EQ(to_string(result.error()).find('\n'), std::string::npos);
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(Input, HorizonsComeFromTextCsvGeoJsonAndPoints) {
+  write("a.txt", "# x z\n0 5\n10 6\n");
+  write("b.csv", "id;depth;x\n1;4;0\n2;4.5;10\n");
+  write("c.geojson", R"({"type":"FeatureCollection","features":[
+    {"type":"Feature","properties":{"name":"other"},"geometry":{"type":"LineString","coordinates":[[0,9],[1,9]]}},
+    {"type":"Feature","properties":{"name":"bed"},"geometry":{"type":"LineString","coordinates":[[0,3],[10,2]]}}]})");
+  SectionInput input;
+  input.horizons = {from_file("a", "a.txt"), from_file("b", "b.csv"), from_file("c", "c.geojson"),
+                    from_points("d", {{0, 1}, {10, 0}})};
+  input.horizons[1].columns = {3, 2};
+  input.horizons[1].separator = FieldSeparator::Semicolon;
+  input.horizons[2].feature = "bed";
+  const auto read_back = read(input);
+  ASSERT_TRUE(read_back) << to_string(read_back.error());
+  const auto& horizons = read_back->section.horizons;
+  ASSERT_EQ(horizons.size(), 4u);
+  EXPECT_EQ(horizons[0].line.points, (std::vector<geom::Point>{{0, 5}, {10, 6}}));
+  EXPECT_EQ(horizons[1].line.points, (std::vector<geom::Point>{{0, 4}, {10, 4.5}}));
+  EXPECT_EQ(horizons[2].line.points, (std::vector<geom::Point>{{0, 3}, {10, 2}}));
+  EXPECT_EQ(horizons[3].line.points, (std::vector<geom::Point>{{0, 1}, {10, 0}}));
+  EXPECT_EQ(horizons[3].id, HorizonId(3));
+}
+
+TEST_F(Input, YDownAndKilometresBecomeElevationsInMetres) {
+  SectionInput input;
+  input.y_axis = VerticalAxis::Down;
+  input.reference = 4.0;
+  input.unit = LengthUnit::Kilometre;
+  input.horizons = {from_points("a", {{0, 1}, {2, 5}})};
+  const auto result = read(input);
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->section.horizons[0].line.points, (std::vector<geom::Point>{{0, 3000}, {2000, -1000}}));
+}
+
+TEST_F(Input, LinesRunFromLeftToRightWhateverTheOrderInTheFile) {
+  SectionInput input;
+  input.horizons = {from_points("a", {{10, 1}, {5, 2}, {0, 3}})};
+  const auto result = read(input);
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->section.horizons[0].line.points.front(), (geom::Point{0, 3}));
+}
+
+TEST_F(Input, RepeatedPointsAreDroppedWithARemark) {
+  write("a.txt", "0 0\n0 0\n5 1\n9 0\n");
+  SectionInput input;
+  input.horizons = {from_points("p", {{0, -5}, {4, -5}, {4, -5}, {9, -5}}), from_file("f", "a.txt")};
+  const auto result = read(input);
+  ASSERT_TRUE(result) << to_string(result.error());
+  EXPECT_EQ(result->section.horizons[0].line.points.size(), 3u);
+  EXPECT_EQ(result->section.horizons[1].line.points.size(), 3u);
+  ASSERT_EQ(result->remarks.size(), 2u);
+  EXPECT_NE(result->remarks[0].find("horizon 'p'"), std::string::npos);
+  EXPECT_NE(result->remarks[1].find("horizon 'f'"), std::string::npos);
+}
+
+TEST_F(Input, HorizonsThatCrossEachOtherAreRemarked) {
+  SectionInput input;
+  input.horizons = {from_points("a", {{0, 0}, {4, 4}}), from_points("b", {{0, 4}, {4, 0}})};
+  const auto result = read(input);
+  ASSERT_TRUE(result);
+  ASSERT_EQ(result->remarks.size(), 1u);
+  EXPECT_EQ(result->remarks[0], "horizons 'a' and 'b' meet at 1 places, the first at (2, 2)");
+}
+
+TEST_F(Input, ALineThatCrossesItselfIsRefusedWithNameAndPlaceOrItsSmallLoopsAreCut) {
+  SectionInput input;
+  input.horizons = {from_points("a", {{0, 0}, {50.5, 0}, {50.5, 0.2}, {50.25, 0.2}, {50.25, -0.2}, {100, -0.2}})};
+  expect_error(input, ErrorCode::BadSection, "horizon 'a'");
+  expect_error(input, ErrorCode::BadSection, "at 50.25, 0");
+  expect_error(input, ErrorCode::BadSection, "cut_loops");
+  input.self_crossings = SelfCrossings::CutLoops;
+  const auto result = read(input);
+  ASSERT_TRUE(result);
+  ASSERT_EQ(result->remarks.size(), 1u);
+  EXPECT_NE(result->remarks[0].find("1 small loops cut out, the first at (50.25, 0)"), std::string::npos)
+      << result->remarks[0];
+}
+
+TEST_F(Input, WhatCannotBeReadIsNamedWithTheFileOrTheHorizon) {
+  SectionInput input;
+  expect_error(input, ErrorCode::BadSection, "no horizon");
+  input.horizons = {from_file("a", "missing.txt")};
+  expect_error(input, ErrorCode::FileNotFound, "missing.txt");
+  write("bad.txt", "0 0\n1 x\n");
+  input.horizons = {from_file("a", "bad.txt")};
+  expect_error(input, ErrorCode::BadFormat, "bad.txt:2");
+  write("nan.txt", "0 0\n1 nan\n");
+  input.horizons = {from_file("a", "nan.txt")};
+  expect_error(input, ErrorCode::NotFinite, "nan.txt:2");
+  write("empty.txt", "");
+  input.horizons = {from_file("a", "empty.txt")};
+  expect_error(input, ErrorCode::EmptyFile, "empty.txt");
+  input.horizons = {from_points("short", {{1, 1}, {1, 1}})};
+  expect_error(input, ErrorCode::DegenerateCurve, "horizon 'short'");
+  input.horizons = {from_points("n", {{1, 1}, {std::nan(""), 1}})};
+  expect_error(input, ErrorCode::NotFinite, "horizon 'n'");
+  input.horizons = {from_points("a", {{0, 0}, {1, 0}}), from_points("a", {{0, 1}, {1, 1}})};
+  expect_error(input, ErrorCode::BadSection, "two horizons have this name");
+  input.horizons = {from_points("a", {})};
+  expect_error(input, ErrorCode::MissingKey, "needs file");
+  input.horizons = {from_points("a", {{0, 0}, {1, 0}})};
+  input.horizons[0].file = "bad.txt";
+  expect_error(input, ErrorCode::MissingKey, "both");
+}
+
+TEST_F(Input, AGeoJsonFileWithSeveralLinesNeedsAName) {
+  write("c.geojson", R"({"type":"FeatureCollection","features":[
+    {"type":"Feature","properties":{"name":"first"},"geometry":{"type":"LineString","coordinates":[[0,9],[1,9]]}},
+    {"type":"Feature","properties":{"name":"second"},"geometry":{"type":"LineString","coordinates":[[0,3],[10,2]]}}]})");
+  SectionInput input;
+  input.horizons = {from_file("c", "c.geojson")};
+  expect_error(input, ErrorCode::BadSection, "2 lines to choose from");
+  input.horizons[0].feature = "secnd";
+  expect_error(input, ErrorCode::BadSection, "did you mean 'second'?");
+}
+
+}  // namespace
+}  // namespace recon::core

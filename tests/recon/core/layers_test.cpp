@@ -1,0 +1,99 @@
+#include "recon/core/layers.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "recon/core/operations.h"
+#include "tests/recon/core/shapes.h"
+
+namespace recon::core {
+namespace {
+
+namespace scene = dobra::scene;
+
+Model restored_model() {
+  const geom::Polyline top = test::arc(1000.0);
+  Model model;
+  model.section = test::section_of({top, test::parallel(top, 50.0), test::parallel(top, 55.0)});
+  GridParams grid;
+  grid.count = 4;
+  model = run_grid(model, grid, {}, {}).value();
+  model = run_target(model, {}, {}, {}).value();
+  return run_restore(model, {}, {}, {}).value();
+}
+
+const scene::Layer* find(const scene::Panel& panel, const std::string& key) {
+  for (const scene::Layer& layer : panel.layers) {
+    if (layer.key == key) return &layer;
+  }
+  return nullptr;
+}
+
+TEST(Layers, REC_j_TheDeformedAndTheRestoredSectionStandSideBySideWithTheirGrids) {
+  const scene::Picture picture = picture_of(restored_model());
+  ASSERT_EQ(picture.panels.size(), 2u);
+  EXPECT_EQ(picture.arrangement, scene::Arrangement::Row);
+  EXPECT_EQ(picture.panels[0].title, "Deformed section");
+  EXPECT_EQ(picture.panels[1].title, "Restored section");
+  for (const scene::Panel& panel : picture.panels) {
+    EXPECT_EQ(panel.axes.x_title, "x [m]");
+    EXPECT_EQ(panel.axes.y_title, "z [m]");
+    EXPECT_NE(find(panel, "pin"), nullptr);
+    EXPECT_EQ(panel.vertical_exaggeration, 1.0);
+  }
+  ASSERT_NE(find(picture.panels[0], "source_grid"), nullptr);
+  EXPECT_EQ(std::get<scene::Lines>(find(picture.panels[0], "source_grid")->content).lines.size(), 4u);
+  ASSERT_NE(find(picture.panels[1], "target_grid"), nullptr);
+}
+
+TEST(Layers, AHorizonHasTheSameColourAndIdInBothPanelsAndADifferentOneFromItsNeighbours) {
+  const scene::Picture picture = picture_of(restored_model());
+  for (std::size_t h = 0; h < 3; ++h) {
+    const std::string key = "horizon_" + std::to_string(h);
+    const scene::Layer* before = find(picture.panels[0], key);
+    const scene::Layer* after = find(picture.panels[1], key);
+    ASSERT_TRUE(before != nullptr && after != nullptr);
+    EXPECT_EQ(before->style.line, after->style.line);
+    EXPECT_EQ(std::get<scene::Lines>(before->content).ids, std::get<scene::Lines>(after->content).ids);
+    EXPECT_NE(before->style.line, horizon_color(HorizonId(h + 1)));
+    EXPECT_EQ(before->in_legend, scene::InLegend::Yes);
+    EXPECT_EQ(after->in_legend, scene::InLegend::No);
+  }
+}
+
+TEST(Layers, KeysAreUniqueInEachPanel) {
+  for (const scene::Panel& panel : picture_of(restored_model()).panels) {
+    std::set<std::string> keys;
+    for (const scene::Layer& layer : panel.layers) EXPECT_TRUE(keys.insert(layer.key).second) << layer.key;
+  }
+}
+
+TEST(Layers, NamesOfNearHorizonsAreMovedApart) {
+  const scene::Picture picture = picture_of(restored_model());
+  for (const scene::Panel& panel : picture.panels) {
+    std::vector<double> heights;
+    for (std::size_t h = 0; h < 3; ++h) {
+      heights.push_back(std::get<scene::Labels>(find(panel, "name_" + std::to_string(h))->content).labels[0].at.y);
+    }
+    EXPECT_GT(heights[1] - heights[2], 15.0);  // the beds are only 5 m apart
+    EXPECT_GT(heights[0] - heights[1], 15.0);
+  }
+}
+
+TEST(Layers, ALongLowSectionStandsOverItsRestoration) {
+  Model model;
+  model.section =
+      test::section_of({{{{0, 0}, {5000, 90}, {9000, 0}}, false}, {{{0, -80}, {5000, 0}, {9000, -80}}, false}});
+  model = run_target(run_grid(model, {}, {}, {}).value(), {}, {}, {}).value();
+  EXPECT_EQ(picture_of(model).arrangement, scene::Arrangement::Column);
+}
+
+TEST(Layers, BeforeTheTargetThereIsOnePanel) {
+  Model model;
+  model.section = test::section_of({test::arc()});
+  EXPECT_EQ(picture_of(model).panels.size(), 1u);
+}
+
+}  // namespace
+}  // namespace recon::core

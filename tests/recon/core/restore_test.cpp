@@ -1,0 +1,154 @@
+#include "recon/core/restore.h"
+
+#include <gtest/gtest.h>
+
+#include "recon/core/operations.h"
+#include "shared/base/parallel.h"
+#include "tests/recon/core/shapes.h"
+
+namespace recon::core {
+namespace {
+
+/// Grid, flat target at the top's left end, restoration.
+base::Result<Model> restored(const Section& section, double distance = 0.2, const TargetParams& target = {}) {
+  Model model;
+  model.section = section;
+  GridParams grid;
+  grid.count = 5;
+  grid.distance = distance;
+  DOBRA_TRY(const Model with_grid, run_grid(model, grid, {}, {}));
+  DOBRA_TRY(const Model with_target, run_target(with_grid, target, {}, {}));
+  return run_restore(with_target, {}, {}, {});
+}
+
+TEST(Restore, REC_a_TheTopAsTargetLeavesTheSectionAsItIs) {
+  const geom::Polyline top = test::cosine();
+  const Section section = test::section_of({top, test::parallel(top, 0.3), test::parallel(top, 0.8)});
+  TargetParams target;
+  target.shape = TargetShape::Line;
+  target.points = top.points;
+  const auto model = restored(section, 0.2, target);
+  ASSERT_TRUE(model) << to_string(model.error());
+  for (const MappedLine& line : model->restoration->lines) {
+    EXPECT_LT(test::greatest_distance(line.before.points, line.after.points), 1e-9);
+  }
+  EXPECT_TRUE(model->restoration->balance.balanced);
+}
+
+TEST(Restore, REC_b_AMovedTopAsTargetMovesTheSection) {
+  const geom::Polyline top = test::cosine();
+  TargetParams target;
+  target.shape = TargetShape::Line;
+  for (const geom::Point p : top.points)
+    target.points.push_back({0.8 * p.x - 0.6 * p.y + 3, 0.6 * p.x + 0.8 * p.y - 9});
+  target.target_pin = target.points.front();
+  const auto model = restored(test::section_of({top, test::parallel(top, 0.7)}), 0.2, target);
+  ASSERT_TRUE(model) << to_string(model.error());
+  for (const MappedLine& line : model->restoration->lines) {
+    for (std::size_t i = 0; i < line.before.points.size(); ++i) {
+      const geom::Point p = line.before.points[i];
+      EXPECT_LT(geom::distance(line.after.points[i], {0.8 * p.x - 0.6 * p.y + 3, 0.6 * p.x + 0.8 * p.y - 9}), 1e-9);
+    }
+  }
+}
+
+TEST(Restore, REC_c_TheFlattenedCosineHasItsLengthAndEveryPointItsDepth) {
+  const geom::Polyline top = test::cosine();
+  const auto model = restored(test::section_of({top, test::parallel(top, 0.5), test::parallel(top, 0.95)}));
+  ASSERT_TRUE(model) << to_string(model.error());
+  const LineLength& row = model->restoration->lengths[0];
+  EXPECT_NEAR(row.length_after, 15.278866948, 1e-9);
+  EXPECT_NEAR(row.shortening_percent, 17.7533, 5e-5);
+  for (std::size_t h = 0; h < 3; ++h) {
+    const double depth = std::array{0.0, 0.5, 0.95}[h];
+    for (const geom::Point p : model->restoration->section.horizons[h].line.points)
+      EXPECT_NEAR(p.y, -1.0 - depth, 1e-9);
+  }
+}
+
+TEST(Restore, REC_d_ConcentricBedsComeOutFlatAtTheirDepthAndTooLong) {
+  const geom::Polyline top = test::arc();
+  const auto model =
+      restored(test::section_of({top, test::parallel(top, 0.5), test::parallel(top, 1.0), test::parallel(top, 2.0)}));
+  ASSERT_TRUE(model) << to_string(model.error());
+  const double datum = top.points.front().y;
+  const std::array depths{0.0, 0.5, 1.0, 2.0};
+  for (std::size_t h = 0; h < 4; ++h) {
+    for (const geom::Point p : model->restoration->section.horizons[h].line.points)
+      EXPECT_NEAR(p.y - datum, -depths[h], 1e-9);
+    EXPECT_NEAR(model->restoration->lengths[h].length_after, 15.707569, 1e-6);
+    EXPECT_NEAR(model->restoration->lengths[h].depth_mean, depths[h], 1e-9);
+  }
+  EXPECT_NEAR(model->restoration->lengths[2].length_before, 14.161239, 1e-6);
+  EXPECT_NEAR(model->restoration->lengths[2].change_percent, 10.9, 0.05);
+}
+
+TEST(Restore, REC_h_TheConcentricFoldIsNotBalancedAndAFlatSectionIs) {
+  const geom::Polyline top = test::arc();
+  const auto fold = restored(test::section_of({top, test::parallel(top, 1.0)}));
+  ASSERT_TRUE(fold);
+  EXPECT_FALSE(fold->restoration->balance.balanced);
+  EXPECT_EQ(fold->restoration->balance.worst, "bed1");
+  const auto flat = restored(test::section_of({{{{0, 0}, {10, 0}}, false}, {{{0, -1}, {10, -1}}, false}}));
+  ASSERT_TRUE(flat);
+  EXPECT_TRUE(flat->restoration->balance.balanced);
+}
+
+TEST(Restore, LayersAboveTheTopAreRestoredAlike) {
+  const geom::Polyline top = test::arc();
+  const geom::Polyline above = test::parallel(top, -1.0);
+  const auto model = restored(test::section_of({top, above}));
+  ASSERT_TRUE(model) << to_string(model.error());
+  EXPECT_EQ(model->source->side, LayerSide::Above);
+  EXPECT_EQ(model->target->source_pin, top.points.front());
+  const geom::Polyline& line = model->restoration->section.horizons[1].line;
+  for (const geom::Point p : line.points) EXPECT_NEAR(p.y, top.points.front().y + 1.0, 1e-9);
+  EXPECT_NEAR(line.points.front().x, top.points.front().x, 1e-9);
+  EXPECT_NEAR(line.points.back().x, top.points.front().x + 15.707569, 1e-6);
+}
+
+TEST(Restore, PointsAboveTheTopKeepTheirHeightToo) {
+  const geom::Polyline top = test::arc();
+  const auto model =
+      restored(test::section_of({top, test::parallel(top, 1.0), test::parallel(top, 2.0), test::parallel(top, -0.5)}));
+  ASSERT_TRUE(model);
+  EXPECT_EQ(model->source->side, LayerSide::Below);
+  EXPECT_NEAR(model->restoration->lengths[3].depth_min, -0.5, 1e-9);
+  EXPECT_NEAR(model->restoration->lengths[3].depth_max, -0.5, 1e-9);
+}
+
+TEST(Restore, APinInTheMiddleStaysInPlace) {
+  TargetParams target;
+  target.pin = 5.0;
+  const geom::Polyline top = test::cosine();
+  const auto model = restored(test::section_of({top}), 0.2, target);
+  ASSERT_TRUE(model);
+  EXPECT_EQ(model->target->source_pin.x, 5.0);
+  EXPECT_LT(geom::distance(model->target->map.map(model->target->source_pin), model->target->source_pin), 1e-12);
+}
+
+TEST(Restore, TheSameBytesComeOutAtAnyNumberOfThreads) {
+  const geom::Polyline top = test::cosine();
+  const Section section = test::section_of({top, test::parallel(top, 0.3), {{{0, -3}, {12, -2.5}}, false}});
+  base::set_thread_count(1);
+  const auto one = restored(section);
+  base::set_thread_count(4);
+  const auto four = restored(section);
+  base::set_thread_count(0);
+  ASSERT_TRUE(one && four);
+  for (std::size_t h = 0; h < 3; ++h) EXPECT_EQ(one->restoration->lines[h].after, four->restoration->lines[h].after);
+}
+
+TEST(Restore, ACancelledRestorationSaysSo) {
+  const geom::Polyline top = test::cosine();
+  const auto map = match_by_length(top, 0.0, {{{0, 0}, {20, 0}}, false}, 0.0);
+  ASSERT_TRUE(map);
+  const base::CancelToken token;
+  token.cancel();
+  const auto result = restore(test::section_of({top}), *map, {}, base::Progress(token, nullptr));
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, base::ErrorCode::Cancelled);
+}
+
+}  // namespace
+}  // namespace recon::core
