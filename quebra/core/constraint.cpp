@@ -1,0 +1,354 @@
+#include "quebra/core/constraint.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+
+#include "quebra/core/domain.h"
+#include "shared/base/text.h"
+#include "shared/geom/intersect.h"
+#include "shared/geom/spatial_index.h"
+#include "shared/offset/distances.h"
+#include "shared/offset/offset.h"
+
+// Overview
+//   1 the base: the named curves as one chain, followed finely (or as they will be divided);
+//   2 each distance: the base, lengthened at open ends so that its offset reaches the boundary beside it, is offset;
+//   3 the offset is cut where it meets the boundary, and the parts outside the domain are dropped;
+//   4 lengthened parts that end inside the domain are taken back;
+//   5 what is left gets nodes at the wanted spacing, and its ends become nodes of the boundary.
+
+namespace quebra::core {
+namespace {
+
+using dobra::base::Error;
+using dobra::base::ErrorCode;
+using dobra::base::Place;
+using dobra::base::Result;
+using dobra::geom::Box;
+using dobra::geom::Point;
+using dobra::geom::Polyline;
+using dobra::geom::Segment;
+using dobra::geom::Vector;
+
+/// Vertices of an offset curve that turn by less are smooth: nodes need not stand there.
+constexpr double corner_cosine = 0.94;  // about 20 degrees
+
+// --- 1 the base -------------------------------------------------------------------------------------------------------
+
+Result<std::size_t> curve_named(const Domain& domain, const std::string& name) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < domain.curves.size(); ++i) {
+    if (domain.curves[i].name == name) return i;
+    names.push_back(domain.curves[i].name);
+  }
+  return Error{ErrorCode::BadValue, fmt::format("there is no curve '{}'{}", name, dobra::base::did_you_mean(name, names))};
+}
+
+/// The curves in the order and direction in which a loop travels them.
+Result<std::vector<Domain::Side>> sides_in_order(const Domain& domain, const std::vector<std::size_t>& wanted) {
+  if (wanted.size() == 1) return std::vector<Domain::Side>{{wanted.front(), false}};
+  const auto is_wanted = [&](const Domain::Side& side) { return std::find(wanted.begin(), wanted.end(), side.curve) != wanted.end(); };
+  for (const auto& loop : domain.loops) {
+    const std::size_t n = loop.sides.size();
+    if (static_cast<std::size_t>(std::count_if(loop.sides.begin(), loop.sides.end(), is_wanted)) != wanted.size()) continue;
+    std::size_t start = 0;
+    while (start < n && !(is_wanted(loop.sides[start]) && !is_wanted(loop.sides[(start + n - 1) % n]))) ++start;
+    std::vector<Domain::Side> sides;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      const auto& side = loop.sides[(start + i) % n];
+      if (is_wanted(side)) sides.push_back(side);
+    }
+    if (sides.size() == wanted.size()) return sides;
+  }
+  return Error{ErrorCode::BadValue, "the base curves do not follow each other round one loop; use a step for each"};
+}
+
+Polyline divided(const Curve& curve, double size) {
+  Polyline line{{}, closed(curve)};
+  for (const double s : divide(curve, {}, {.size = size})) line.points.push_back(point(curve, s));
+  if (line.closed) line.points.pop_back();
+  return line;
+}
+
+Result<Polyline> base_line(const Domain& domain, const ConstraintParams& params) {
+  std::vector<std::size_t> wanted;
+  for (const std::string& name : params.curves) {
+    DOBRA_TRY(const std::size_t curve, curve_named(domain, name));
+    wanted.push_back(curve);
+  }
+  if (wanted.empty()) return Error{ErrorCode::BadValue, "`curves` names no curve"};
+  DOBRA_TRY(const auto sides, sides_in_order(domain, wanted));
+  Polyline base;
+  const double size = domain.box().diagonal() / 20.0;
+  for (const auto& side : sides) {
+    const Curve& curve = domain.curves[side.curve];
+    Polyline line = params.spacing == Spacing::Base ? divided(curve, size) : trace(curve, trace_turn).line;
+    if (line.closed) return line;
+    if (side.backwards) line = reversed(std::move(line));
+    base.points.insert(base.points.end(), line.points.begin(), line.points.end());
+  }
+  if (base.points.size() > 2 && base.points.front() == base.points.back()) base.closed = true;
+  return without_repeated_points(std::move(base));
+}
+
+/// Turned so that the wanted side is on the right of travel, where offsets go.
+Polyline facing(Polyline base, BandSide side, const Domain& domain) {
+  if (side == BandSide::Right) return base;
+  if (side == BandSide::Left) return reversed(std::move(base));
+  const Segment middle = base.segment(base.segment_count() / 2);
+  const double step = 1e-3 * std::min(middle.length(), domain.box().diagonal());
+  const Point right = midpoint(middle.from, middle.to) + step * normalised(right_of(middle.vector()));
+  return Inside(domain)(right) ? base : reversed(std::move(base));
+}
+
+// --- 2 lengthened ends ------------------------------------------------------------------------------------------------
+
+Polyline lengthened(Polyline base, double by) {
+  if (base.closed) return base;
+  auto& points = base.points;
+  const Point before = points.front() + by * normalised(points.front() - points[1]);
+  const Point after = points.back() + by * normalised(points.back() - points[points.size() - 2]);
+  points.insert(points.begin(), before);
+  points.push_back(after);
+  return base;
+}
+
+// --- 3 cutting at the boundary ----------------------------------------------------------------------------------------
+
+/// A piece of an offset curve inside the domain.
+struct Piece {
+  Polyline line;
+  std::vector<std::uint32_t> base_edge;  ///< One a segment.
+  std::optional<Constraint::Foot> start, end;
+};
+
+class Cutter {
+ public:
+  explicit Cutter(const Domain& domain) : domain_(domain), inside_(domain) {
+    std::vector<Box> boxes;
+    for (std::size_t c = 0; c < domain.curves.size(); ++c) {
+      if (domain.curves[c].role == Role::Internal) continue;
+      const Trace along = trace(domain.curves[c], trace_turn);
+      for (std::size_t i = 0; i < along.line.segment_count(); ++i) {
+        sides_.push_back({along.line.segment(i), c, along.s[i], along.s[i + 1]});
+        boxes.push_back(along.line.segment(i).box());
+      }
+    }
+    index_ = dobra::geom::SpatialIndex(boxes);
+  }
+
+  /// The parts of `line` inside the domain, in order.
+  [[nodiscard]] std::vector<Piece> cut(const Polyline& line, const std::vector<std::uint32_t>& base_edge) const {
+    std::vector<Piece> pieces;
+    std::vector<Point> run;
+    std::vector<std::uint32_t> edges;
+    std::optional<Constraint::Foot> start;
+    bool met_boundary = false;
+    const auto finish = [&](std::optional<Constraint::Foot> end) {
+      if (run.size() > 1 && inside_(middle_of(run))) pieces.emplace_back(Polyline{run, false}, edges, start, end);
+      run.clear();
+      edges.clear();
+      start = end;
+    };
+    for (std::size_t i = 0; i < line.segment_count(); ++i) {
+      const Segment segment = line.segment(i);
+      if (run.empty()) run.push_back(segment.from);
+      for (const Cut& cut : cuts(segment)) {
+        met_boundary = true;
+        if (cut.at != run.back()) {
+          run.push_back(cut.at);
+          edges.push_back(base_edge[i]);
+        }
+        finish(cut.foot);
+        run.push_back(cut.at);
+      }
+      if (segment.to != run.back()) {
+        run.push_back(segment.to);
+        edges.push_back(base_edge[i]);
+      }
+    }
+    finish(std::nullopt);
+    if (line.closed) close(pieces, met_boundary);
+    return pieces;
+  }
+
+ private:
+  struct Side {
+    Segment segment;
+    std::size_t curve;
+    double s_from, s_to;
+  };
+  struct Cut {
+    Point at;
+    Constraint::Foot foot;
+  };
+
+  static Point middle_of(const std::vector<Point>& run) {
+    const std::size_t i = run.size() / 2;
+    return midpoint(run[i - 1], run[i]);
+  }
+
+  /// Where a segment meets the boundary, in the order of travel.
+  [[nodiscard]] std::vector<Cut> cuts(const Segment& segment) const {
+    std::vector<Cut> found;
+    index_.for_each_overlapping(segment.box(), [&](std::size_t i) {
+      const Side& side = sides_[i];
+      const auto meeting = dobra::geom::intersect(segment, side.segment);
+      const auto add = [&](Point p) {
+        const double fraction = nearest_fraction(side.segment, p);
+        found.push_back({p, {side.curve, side.s_from + fraction * (side.s_to - side.s_from)}});
+      };
+      if (meeting.kind != dobra::geom::IntersectionKind::None) add(meeting.start.point);
+      if (meeting.kind == dobra::geom::IntersectionKind::Overlap) add(meeting.end.point);
+    });
+    std::sort(found.begin(), found.end(), [&](const Cut& a, const Cut& b) {
+      if (a.at != b.at) return before_along(segment, a.at, b.at);
+      return std::pair{a.foot.curve, a.foot.s} < std::pair{b.foot.curve, b.foot.s};
+    });
+    found.erase(std::unique(found.begin(), found.end(), [](const Cut& a, const Cut& b) { return a.at == b.at; }), found.end());
+    return found;
+  }
+
+  /// A closed curve that was not cut is one closed piece; of one that was, the last part and the first are one.
+  static void close(std::vector<Piece>& pieces, bool met_boundary) {
+    if (pieces.empty()) return;
+    if (!met_boundary) {
+      pieces.front().line.closed = true;
+      pieces.front().line.points.pop_back();
+      return;
+    }
+    Piece& first = pieces.front();
+    Piece& last = pieces.back();
+    if (pieces.size() < 2 || first.start || last.end || first.line.points.front() != last.line.points.back()) return;
+    last.line.points.insert(last.line.points.end(), first.line.points.begin() + 1, first.line.points.end());
+    last.base_edge.insert(last.base_edge.end(), first.base_edge.begin(), first.base_edge.end());
+    last.end = first.end;
+    pieces.erase(pieces.begin());
+  }
+
+  const Domain& domain_;
+  Inside inside_;
+  std::vector<Side> sides_;
+  dobra::geom::SpatialIndex index_;
+};
+
+// --- 4 what was lengthened in vain ------------------------------------------------------------------------------------
+
+/// Drops the segments at an end inside the domain that come from the lengthening (base edges 0 and `last`).
+void take_back(Piece& piece, std::uint32_t last) {
+  const auto lengthening = [&](std::uint32_t edge) { return edge == 0 || edge == last; };
+  auto& points = piece.line.points;
+  auto& edges = piece.base_edge;
+  while (!piece.end && !edges.empty() && lengthening(edges.back())) {
+    edges.pop_back();
+    points.pop_back();
+  }
+  std::size_t drop = 0;
+  while (!piece.start && drop < edges.size() && lengthening(edges[drop])) ++drop;
+  edges.erase(edges.begin(), edges.begin() + static_cast<std::ptrdiff_t>(drop));
+  points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(drop));
+}
+
+// --- 5 nodes ----------------------------------------------------------------------------------------------------------
+
+/// The same line with vertices only at its ends, its corners, and evenly between them about `spacing` apart.
+Polyline respaced(const Polyline& line, double spacing) {
+  const std::size_t n = line.points.size();
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool is_end = !line.closed && (i == 0 || i + 1 == n);
+    if (!is_end) {
+      const Vector in = normalised(line.points[i] - line.points[(i + n - 1) % n]);
+      const Vector out = normalised(line.points[(i + 1) % n] - line.points[i]);
+      if (dot(in, out) > corner_cosine) continue;
+    }
+    kept.push_back(i);
+  }
+  if (kept.empty()) kept.push_back(0);
+  const std::vector<double> arc = arc_lengths(line);
+  const std::size_t runs = line.closed ? kept.size() : kept.size() - 1;
+  Polyline result{{}, line.closed};
+  for (std::size_t run = 0; run < runs; ++run) {
+    const double from = arc[kept[run]];
+    const double to = run + 1 < kept.size() ? arc[kept[run + 1]] : arc.back() + arc[kept.front()];
+    const int least = line.closed && runs == 1 ? 3 : 1;
+    const int pieces = std::max(least, static_cast<int>(std::ceil((to - from) / spacing - 0.25)));
+    for (int i = 0; i < pieces; ++i) {
+      const double s = from + (to - from) * i / pieces;
+      result.points.push_back(i == 0 ? line.points[kept[run]] : point_at(line, arc, s > arc.back() ? s - arc.back() : s));
+    }
+  }
+  if (!line.closed) result.points.push_back(line.points.back());
+  return result;
+}
+
+/// The node of the boundary where a constraint ends: the corner, where that is near.
+Point settle(const Domain& domain, Constraint::Foot& foot, double spacing) {
+  const Curve& curve = domain.curves[foot.curve];
+  for (const double corner : corners(curve)) {
+    if (std::abs(corner - foot.s) < 0.3 * spacing) foot.s = corner;
+  }
+  return point(curve, foot.s);
+}
+
+Constraint make_constraint(const Domain& domain, Piece piece, double distance, double spacing, Spacing kind) {
+  Constraint result;
+  result.distance = distance;
+  result.spacing = spacing;
+  result.line = kind == Spacing::Ring ? respaced(piece.line, spacing) : std::move(piece.line);
+  if (piece.start) {
+    result.line.points.front() = settle(domain, *piece.start, spacing);
+    result.feet.push_back(*piece.start);
+  }
+  if (piece.end) {
+    result.line.points.back() = settle(domain, *piece.end, spacing);
+    result.feet.push_back(*piece.end);
+  }
+  return result;
+}
+
+}  // namespace
+
+Result<Model> add_constraints(const Model& model, const ConstraintParams& params, const dobra::scenario::Context&,
+                              const dobra::base::Progress& progress) {
+  const Domain& domain = model.domain;
+  DOBRA_TRY(Polyline base, base_line(domain, params));
+  base = facing(std::move(base), params.side, domain);
+  DOBRA_TRY(const std::vector<double> distances, dobra::offset::distances({static_cast<std::size_t>(params.count), params.distance, params.factor}));
+  const Cutter cutter(domain);
+
+  Model result = model;
+  for (std::size_t k = 0; k < distances.size(); ++k) {
+    DOBRA_TRY_VOID(progress.check());
+    progress.report(static_cast<double>(k) / static_cast<double>(distances.size()), "offset curves");
+    const Polyline lengthened_base = lengthened(base, 2.0 * distances[k]);
+    DOBRA_TRY(const auto curves, dobra::offset::offset(lengthened_base, std::array{distances[k]}));
+    const double before = k == 0 ? 0.0 : distances[k - 1];
+    const double after = params.factor * distances[k] + params.distance;
+    const double spacing = params.spacing_factor * 0.5 * (after - before);
+    const auto last_edge = static_cast<std::uint32_t>(lengthened_base.segment_count() - 1);
+    std::size_t number = 0;
+    for (const auto& offset_piece : curves.front().pieces) {
+      for (Piece& piece : cutter.cut(offset_piece.polyline, offset_piece.base_edge)) {
+        if (!base.closed) take_back(piece, last_edge);
+        if (piece.line.segment_count() == 0) continue;
+        Constraint made = make_constraint(domain, std::move(piece), distances[k], spacing, params.spacing);
+        made.name = fmt::format("{}_{}{}", params.curves.front(), k + 1, number == 0 ? "" : fmt::format("_{}", number + 1));
+        ++number;
+        result.constraints.push_back(std::move(made));
+      }
+    }
+    if (number == 0) {
+      result.remarks.push_back(fmt::format("constraint {} of '{}' at distance {:.6g} lies wholly outside the domain and is left out",
+                                           k + 1, params.curves.front(), distances[k]));
+    }
+  }
+  return result;
+}
+
+}  // namespace quebra::core

@@ -1,0 +1,40 @@
+#pragma once
+// Domain and constraints -> mesh: curves divided, quadtree, constrained Delaunay triangulation, smoothing.
+
+#include <string>
+
+#include "quebra/core/model.h"
+#include "shared/base/progress.h"
+#include "shared/scenario/program.h"
+
+namespace quebra::core {
+
+enum class UseConstraints { Yes, No };
+
+struct MeshParams {
+  std::string label;
+  double size = 0.0;
+  dobra::base::Angle turn = dobra::base::Angle::from_degrees(15.0);
+  double growth = 1.3;
+  int smoothing = 3;
+  int max_elements = 20000000;
+  UseConstraints constraints = UseConstraints::Yes;
+
+  template <class D>
+  static void describe(D& d) {
+    d.field("label", &MeshParams::label, {.title = "Label", .help = "Stands above the picture of this mesh."});
+    d.field("size", &MeshParams::size, {.title = "Greatest size", .help = "Of element sides; 0 takes 1/20 of the domain's diagonal on the boundary and the longest side inside.", .unit = "m", .at_least = 0});
+    d.field("turn", &MeshParams::turn, {.title = "Greatest turn", .help = "That one element side on an arc may span.", .unit = "deg", .above = 0, .at_most = 90});
+    d.field("growth", &MeshParams::growth, {.title = "Growth", .help = "Most by which sizes may grow from one element to the next.", .above = 1, .at_most = 10});
+    d.field("smoothing", &MeshParams::smoothing, {.title = "Smoothing passes", .at_least = 0, .at_most = 100});
+    d.field("max_elements", &MeshParams::max_elements, {.title = "Most elements", .help = "The mesher stops with advice beyond it.", .at_least = 1});
+    d.choice("constraints", &MeshParams::constraints, {"yes", "no"}, {.title = "Obey constraints"});
+  }
+};
+
+/// Adds one mesh to the model.
+/// @error those of mesh::triangulate, with the place.
+dobra::base::Result<Model> add_mesh(const Model& model, const MeshParams& params, const dobra::scenario::Context& context,
+                                    const dobra::base::Progress& progress);
+
+}  // namespace quebra::core

@@ -1,0 +1,26 @@
+// quebra: the window without a sub-command, or with a file alone; the command line with a sub-command.
+
+#include <CLI/CLI.hpp>
+
+#include "quebra/core/operations.h"
+#include "shared/cli/cli.h"
+#ifdef DOBRA_WITH_GUI
+#include "quebra/gui/window.h"
+#endif
+
+int main(int argc, char** argv) {
+  dobra::cli::Window window;
+#ifdef DOBRA_WITH_GUI
+  std::string script;
+  dobra::gui::WindowOptions options;
+  window.add_options = [&](CLI::App& app) {
+    app.add_option("--script", script, "File of commands to execute in the window")->type_name("FILE");
+    app.add_option("--language", options.language, "Language of the window, such as pt_BR")->type_name("NAME");
+  };
+  window.open = [&](const std::optional<std::filesystem::path>& file) {
+    if (!script.empty()) options.script = script;
+    return quebra::gui::run_window(file, options);
+  };
+#endif
+  return dobra::cli::run_program(quebra::core::program(), argc, argv, window);
+}
