@@ -1,0 +1,201 @@
+#include "shared/cli/commands.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+
+#include "shared/base/text.h"
+#include "shared/cli/pictures.h"
+#include "shared/cli/staging.h"
+#include "shared/io/file.h"
+#include "shared/scenario/table_text.h"
+
+namespace dobra::cli {
+namespace {
+
+using base::Error;
+using base::ErrorCode;
+
+struct RunOptions {
+  ScenarioOptions scenario;
+  std::filesystem::path out;
+  std::optional<std::string> pictures;
+};
+
+struct RenderOptions {
+  ScenarioOptions scenario;
+  std::filesystem::path out;
+  std::string drawer = "cairo";
+  double width = 0.0;
+};
+
+/// Draws all pictures asked for. Without --pictures, VTK's is left out with a note where there is no EGL.
+base::Result<void> write_pictures(Session& session, const RunOptions& options, const scene::Picture& picture,
+                                  const Staging& staging) {
+  DOBRA_TRY(const std::set<PictureKind> kinds, picture_kinds(options.pictures.value_or("svg,pdf,png,vtk")));
+  for (const PictureKind kind : kinds) {
+    DOBRA_TRY_VOID(session.check());
+    const Drawer drawer = kind == PictureKind::Vtk ? Drawer::Vtk : Drawer::Cairo;
+    const auto drawn = draw(picture, staging.path(picture_file_name(kind)), drawer);
+    if (drawn) continue;
+    if (kind != PictureKind::Vtk || options.pictures || drawn.error().code != ErrorCode::CannotDraw)
+      return drawn.error();
+    session.note(fmt::format("{} is left out: {}", picture_file_name(kind), drawn.error().message));
+  }
+  return {};
+}
+
+base::Result<void> write_results(Session& session, const RunOptions& options, const scenario::State& state,
+                                 const std::string& report, const Staging& staging) {
+  const scenario::Program& program = session.program;
+  DOBRA_TRY_VOID(io::write_file(staging.path("report.json"), report));
+  if (program.tables_of) {
+    for (const scenario::DataTable& table : program.tables_of(state)) {
+      DOBRA_TRY_VOID(io::write_file(staging.path(table.name + ".csv"), scenario::csv_text(table)));
+    }
+  }
+  if (program.outputs_of) {
+    for (const scenario::Output& output : program.outputs_of(state)) {
+      DOBRA_TRY_VOID(session.check());
+      DOBRA_TRY_VOID(output.write(staging.path(output.file_name)));
+    }
+  }
+  if (program.picture_of) DOBRA_TRY_VOID(write_pictures(session, options, program.picture_of(state), staging));
+  return session.check();
+}
+
+int announce_failures(Session& session, const std::vector<scenario::Verdict>& verdicts) {
+  int failures = 0;
+  for (const scenario::Verdict& verdict : verdicts) {
+    if (verdict.met) continue;
+    ++failures;
+    base::Place place = verdict.expect.place;
+    place.item = "expectation failed";
+    session.error_line(base::to_string({ErrorCode::UnknownQuantity, verdict.message, place}));
+  }
+  return failures;
+}
+
+std::string summary(const scenario::Document& document, const RunOptions& options,
+                    const std::vector<std::string>& files, std::size_t expectations, int failures) {
+  std::string text = fmt::format("{}: {} {} done", options.scenario.file.string(), document.steps.size(),
+                                 document.steps.size() == 1 ? "step" : "steps");
+  if (expectations > 0)
+    text += fmt::format(", {} of {} expectations met", expectations - static_cast<std::size_t>(failures), expectations);
+  text += '\n';
+  for (const std::string& file : files) text += fmt::format("  {}\n", (options.out / file).string());
+  return text;
+}
+
+base::Result<int> run_job(Session& session, const RunOptions& options) {
+  if (options.pictures) DOBRA_TRY_VOID(picture_kinds(*options.pictures));
+  DOBRA_TRY(const scenario::Document document, load(session, options.scenario));
+  // Opened before the work, so that a folder which cannot be written is known at once.
+  DOBRA_TRY(Staging staging, Staging::open(options.out, TargetFolder::Create));
+  DOBRA_TRY(const scenario::Run run, run_steps(session, document));
+  const std::string report = scenario::report_json(document, session.program, run);
+  if (const auto written = write_results(session, options, run.states.back(), report, staging); !written) {
+    return staging.for_user(written.error());
+  }
+  DOBRA_TRY(const std::vector<std::string> files, staging.commit());
+  const auto verdicts = scenario::judge(document, session.program, run);
+  const int failures = announce_failures(session, verdicts);
+  if (session.options.format == OutputFormat::Json) {
+    DOBRA_TRY_VOID(print(report));
+  } else if (session.options.verbosity != Verbosity::Quiet) {
+    DOBRA_TRY_VOID(print(summary(document, options, files, verdicts.size(), failures)));
+  }
+  return failures > 0 ? 1 : 0;
+}
+
+base::Result<int> render_job(Session& session, const RenderOptions& options) {
+  const Drawer drawer = options.drawer == "vtk" ? Drawer::Vtk : Drawer::Cairo;
+  DOBRA_TRY_VOID(check_ending(options.out, drawer));
+  DOBRA_TRY(const scenario::Document document, load(session, options.scenario));
+  DOBRA_TRY(Staging staging, Staging::open(options.out.parent_path(), TargetFolder::MustExist));
+  DOBRA_TRY(const scenario::Run run, run_steps(session, document));
+  const std::string name = options.out.filename().string();
+  const auto width = options.width > 0.0 ? std::optional(options.width) : std::nullopt;
+  if (const auto drawn = draw(session.program.picture_of(run.states.back()), staging.path(name), drawer, width);
+      !drawn) {
+    return staging.for_user(drawn.error());
+  }
+  DOBRA_TRY_VOID(session.check());
+  DOBRA_TRY_VOID(staging.commit());
+  if (session.options.format == OutputFormat::Json) {
+    DOBRA_TRY_VOID(print(scenario::report_json(document, session.program, run)));
+  } else if (session.options.verbosity != Verbosity::Quiet) {
+    DOBRA_TRY_VOID(print(options.out.string() + '\n'));
+  }
+  return 0;
+}
+
+}  // namespace
+
+void add_scenario_options(CLI::App& app, ScenarioOptions& options) {
+  app.add_option("file", options.file, "Scenario file (TOML)")->required()->type_name("FILE");
+  app.add_option("--set", options.assignments, "Change a value, such as steps.2.distance=0.4; may be repeated")
+      ->allow_extra_args(false)
+      ->type_name("PATH=VALUE");
+}
+
+base::Result<scenario::Document> load(Session& session, const ScenarioOptions& options) {
+  DOBRA_TRY(scenario::Document document, scenario::read_document(options.file));
+  DOBRA_TRY_VOID(scenario::check_program(document, session.program));
+  for (const std::string& assignment : options.assignments) {
+    DOBRA_TRY(document, scenario::with_value(std::move(document), session.program, assignment));
+  }
+  DOBRA_TRY_VOID(scenario::check(document, session.program));
+  return document;
+}
+
+base::Result<scenario::Run> run_steps(Session& session, const scenario::Document& document) {
+  const auto start = std::chrono::steady_clock::now();
+  scenario::Runner runner(session.program);
+  scenario::Run run = runner.run(document, session.progress());
+  if (run.error) return *run.error;
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  session.detail(fmt::format("{} steps in {:.2f} s", document.steps.size(), time.count()));
+  if (session.program.quantities_of) {
+    for (const scenario::Quantity& quantity : session.program.quantities_of(run.states.back())) {
+      session.detail(
+          fmt::format("{} = {}{}{}", quantity.name, quantity.value, quantity.unit.empty() ? "" : " ", quantity.unit));
+    }
+  }
+  if (session.program.remarks_of) {
+    for (const std::string& remark : session.program.remarks_of(run.states.back())) session.note(remark);
+  }
+  return run;
+}
+
+Command run_command() {
+  return {"run", "Run a scenario and write its results", [](CLI::App& app) -> Job {
+            const auto options = std::make_shared<RunOptions>();
+            add_scenario_options(app, options->scenario);
+            app.add_option("--out", options->out, "Folder for the results; made if it is not there")
+                ->required()
+                ->type_name("DIR");
+            app.add_option("--pictures", options->pictures, "Any of svg,pdf,png,vtk, or none; all by default")
+                ->type_name("LIST");
+            return [options](Session& session) { return run_job(session, *options); };
+          }};
+}
+
+Command render_command() {
+  return {
+      "render", "Run a scenario and draw its last state", [](CLI::App& app) -> Job {
+        const auto options = std::make_shared<RenderOptions>();
+        add_scenario_options(app, options->scenario);
+        app.add_option("--out", options->out, "Picture to write: .svg, .pdf or .png")->required()->type_name("PICTURE");
+        app.add_option("--drawer", options->drawer, "cairo or vtk (PNG only)")
+            ->check(CLI::IsMember({"cairo", "vtk"}))
+            ->type_name("NAME");
+        app.add_option("--width", options->width, "Width of the page in points (1/72 inch)")
+            ->check(CLI::Range(72.0, 14400.0))
+            ->type_name("POINTS");
+        return [options](Session& session) { return render_job(session, *options); };
+      }};
+}
+
+}  // namespace dobra::cli

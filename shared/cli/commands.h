@@ -1,0 +1,34 @@
+#pragma once
+// The sub-commands that both programs have, and the parts of them that a program's own sub-commands need too.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "shared/cli/cli.h"
+#include "shared/scenario/runner.h"
+
+namespace dobra::cli {
+
+/// run FILE --out DIR: runs a scenario and writes report.json, tables, exchange files and pictures.
+Command run_command();
+/// render FILE --out PICTURE: runs a scenario and draws its last state.
+Command render_command();
+/// operations [NAME]: what a scenario can do, and with which parameters.
+Command operations_command();
+
+/// FILE and --set, as `run` has them.
+struct ScenarioOptions {
+  std::filesystem::path file;
+  std::vector<std::string> assignments;
+};
+void add_scenario_options(CLI::App& app, ScenarioOptions& options);
+
+/// Reads the document, applies the assignments and judges all of it.
+base::Result<scenario::Document> load(Session& session, const ScenarioOptions& options);
+
+/// Runs all steps, with progress; notes the remarks of the last state.
+/// @error that of the step which failed.
+base::Result<scenario::Run> run_steps(Session& session, const scenario::Document& document);
+
+}  // namespace dobra::cli

@@ -1,0 +1,72 @@
+#include "shared/cli/pictures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "shared/base/text.h"
+#include "shared/render/cairo.h"
+#include "shared/render/vtk_offscreen.h"
+
+namespace dobra::cli {
+namespace {
+
+using base::Error;
+using base::ErrorCode;
+
+const std::array<std::string, 5> kind_names = {"svg", "pdf", "png", "vtk", "none"};
+
+}  // namespace
+
+base::Result<std::set<PictureKind>> picture_kinds(const std::string& list) {
+  std::set<PictureKind> kinds;
+  if (list == "none") return kinds;
+  for (std::size_t begin = 0; begin <= list.size();) {
+    const std::size_t end = std::min(list.find(',', begin), list.size());
+    const std::string word = list.substr(begin, end - begin);
+    const auto name = std::find(kind_names.begin(), kind_names.end() - 1, word);
+    if (name == kind_names.end() - 1) {
+      std::string hint = base::did_you_mean(word, kind_names);
+      if (hint.empty()) hint = "; give any of svg,pdf,png,vtk, or none";
+      return Error{ErrorCode::BadUsage, fmt::format("--pictures: unknown kind '{}'{}", word, hint)};
+    }
+    kinds.insert(static_cast<PictureKind>(name - kind_names.begin()));
+    begin = end + 1;
+  }
+  return kinds;
+}
+
+std::string picture_file_name(PictureKind kind) {
+  switch (kind) {
+    case PictureKind::Svg:
+      return "picture.svg";
+    case PictureKind::Pdf:
+      return "picture.pdf";
+    case PictureKind::Png:
+      return "picture.png";
+    case PictureKind::Vtk:
+      return "picture_vtk.png";
+  }
+  return {};
+}
+
+base::Result<void> check_ending(const std::filesystem::path& file, Drawer drawer) {
+  const std::string ending = file.extension().string();
+  const bool known = ending == ".png" || (drawer == Drawer::Cairo && (ending == ".svg" || ending == ".pdf"));
+  if (known) return {};
+  const char* endings = drawer == Drawer::Cairo ? ".svg, .pdf or .png" : ".png";
+  return Error{ErrorCode::BadUsage, fmt::format("{}: {} writes files that end in {}", file.string(),
+                                                drawer == Drawer::Cairo ? "cairo" : "vtk", endings)};
+}
+
+base::Result<void> draw(const scene::Picture& picture, const std::filesystem::path& file, Drawer drawer,
+                        std::optional<double> width) {
+  DOBRA_TRY_VOID(check_ending(file, drawer));
+  std::optional<scene::PageSize> page;
+  if (width) page = scene::suggested_page(picture, *width, render::cairo_text_measure());
+  return drawer == Drawer::Cairo ? render::write_picture(picture, file, page)
+                                 : render::write_png_vtk(picture, file, page);
+}
+
+}  // namespace dobra::cli

@@ -1,0 +1,34 @@
+#pragma once
+// Which pictures a command writes, and with which drawer.
+
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "shared/base/result.h"
+#include "shared/scene/layer.h"
+
+namespace dobra::cli {
+
+enum class Drawer { Cairo, Vtk };
+
+enum class PictureKind { Svg, Pdf, Png, Vtk };  ///< Vtk: a PNG drawn by VTK off-screen.
+
+/// "svg,pdf,png,vtk" or "none".
+/// @error BadUsage with a suggestion.
+base::Result<std::set<PictureKind>> picture_kinds(const std::string& list);
+
+/// picture.svg, picture.pdf, picture.png, picture_vtk.png
+std::string picture_file_name(PictureKind kind);
+
+/// Draws in the format that the ending of the file says.
+/// @param width  of the page in points; the drawer's usual one by default. The height follows from the content.
+/// @error BadUsage for an ending that the drawer cannot write; CannotDraw (VTK: no EGL); CannotWrite.
+base::Result<void> draw(const scene::Picture& picture, const std::filesystem::path& file, Drawer drawer,
+                        std::optional<double> width = std::nullopt);
+
+/// @error BadUsage for an ending that the drawer cannot write.
+base::Result<void> check_ending(const std::filesystem::path& file, Drawer drawer);
+
+}  // namespace dobra::cli

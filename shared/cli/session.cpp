@@ -1,0 +1,96 @@
+#include "shared/cli/session.h"
+
+#include <fmt/format.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+
+#include "shared/io/file.h"
+
+namespace dobra::cli {
+namespace {
+
+std::atomic<const base::CancelToken*> interrupted_token{nullptr};
+
+extern "C" void on_interrupt(int) {
+  if (const base::CancelToken* token = interrupted_token.load()) token->cancel();
+}
+
+void set_handler(void (*handler)(int), int flags) {
+  struct sigaction action {};
+  action.sa_handler = handler;
+  sigemptyset(&action.sa_mask);
+  action.sa_flags = flags;
+  for (const int number : {SIGINT, SIGTERM}) sigaction(number, &action, nullptr);
+}
+
+std::string one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return text;
+}
+
+}  // namespace
+
+Session::Session(const scenario::Program& session_program, CommonOptions session_options,
+                 base::CancelToken session_cancel)
+    : program(session_program), options(session_options), cancel(std::move(session_cancel)) {}
+
+base::Progress Session::progress() {
+  if (options.verbosity == Verbosity::Quiet || ::isatty(STDERR_FILENO) == 0) return base::Progress(cancel, {});
+  using Clock = std::chrono::steady_clock;
+  return base::Progress(cancel, [this, last = Clock::time_point{}](double fraction, const std::string& what) mutable {
+    const auto now = Clock::now();
+    if (now - last < std::chrono::milliseconds(50)) return;
+    last = now;
+    progress_shown_ = true;
+    fmt::print(stderr, "\r\033[K{:3.0f}% {:.60}", 100.0 * fraction, one_line(what));
+    std::fflush(stderr);
+  });
+}
+
+void Session::clear_progress() {
+  if (progress_shown_) fmt::print(stderr, "\r\033[K");
+  progress_shown_ = false;
+}
+
+void Session::error_line(const std::string& text) {
+  clear_progress();
+  fmt::print(stderr, "{}: {}\n", program.name, one_line(text));
+}
+
+void Session::note(const std::string& text) {
+  if (options.verbosity != Verbosity::Quiet) error_line(text);
+}
+
+void Session::detail(const std::string& text) {
+  if (options.verbosity == Verbosity::Verbose) error_line(text);
+}
+
+base::Result<void> Session::check() const { return base::Progress(cancel, {}).check(); }
+
+base::Result<void> print(const std::string& text) {
+  errno = 0;
+  const std::size_t written = std::fwrite(text.data(), 1, text.size(), stdout);
+  if (written != text.size() || std::fflush(stdout) != 0) return io::cannot_write("standard output", errno);
+  return {};
+}
+
+Interruption::Interruption(const base::CancelToken& token) {
+  interrupted_token = &token;
+  // Restarting keeps interrupted writes of libraries whole; resetting lets a second Ctrl-C end work that does not
+  // listen.
+  set_handler(on_interrupt, static_cast<int>(SA_RESTART | SA_RESETHAND));
+}
+
+Interruption::~Interruption() {
+  set_handler(SIG_DFL, 0);
+  interrupted_token = nullptr;
+}
+
+}  // namespace dobra::cli

@@ -1,0 +1,123 @@
+#include "shared/cli/staging.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <system_error>
+
+#include "shared/io/file.h"
+
+namespace dobra::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Makes `folder` and its missing parents, telling which were made.
+base::Result<std::vector<fs::path>> make_folders(const fs::path& folder) {
+  std::vector<fs::path> missing;
+  std::error_code ignored;
+  for (fs::path path = fs::absolute(folder, ignored).lexically_normal();
+       !fs::exists(path, ignored) && path.has_relative_path(); path = path.parent_path()) {
+    if (path.has_filename()) missing.push_back(path);
+  }
+  std::reverse(missing.begin(), missing.end());
+  std::vector<fs::path> made;
+  for (const fs::path& path : missing) {
+    if (::mkdir(path.c_str(), 0777) != 0 && errno != EEXIST) {
+      const int failed = errno;
+      for (auto back = made.rbegin(); back != made.rend(); ++back) ::rmdir(back->c_str());
+      return io::cannot_write(folder, failed);
+    }
+    made.push_back(path);
+  }
+  return made;
+}
+
+/// How a staged file gets to its place.
+enum class Way { Rename, WriteThrough };
+
+base::Result<Way> way_to(const fs::path& place) {
+  struct stat status {};
+  if (::lstat(place.c_str(), &status) != 0) return Way::Rename;
+  if (S_ISDIR(status.st_mode)) return io::cannot_write(place, EISDIR);
+  if (!S_ISREG(status.st_mode)) return Way::WriteThrough;
+  // A rename would replace a file that its owner protected against writing.
+  if (::access(place.c_str(), W_OK) != 0) return io::cannot_write(place, errno);
+  return Way::Rename;
+}
+
+}  // namespace
+
+base::Result<Staging> Staging::open(const fs::path& target, TargetFolder mode) {
+  static std::atomic<unsigned> count{0};
+  Staging staging;
+  staging.target_ = target.empty() ? fs::path(".") : target;
+  struct stat status {};
+  const bool exists = ::stat(staging.target_.c_str(), &status) == 0;
+  if (exists && !S_ISDIR(status.st_mode)) return io::cannot_write(target, ENOTDIR);
+  if (!exists && mode == TargetFolder::MustExist) return io::cannot_write(target, errno);
+  if (!exists) {
+    DOBRA_TRY(staging.created_, make_folders(staging.target_));
+  }
+  const fs::path folder = staging.target_ / fmt::format(".staging-{}-{}", ::getpid(), count++);
+  if (::mkdir(folder.c_str(), 0777) != 0) return io::cannot_write(target, errno);
+  staging.folder_ = folder;
+  return staging;
+}
+
+Staging::Staging(Staging&& other) noexcept
+    : target_(std::move(other.target_)), folder_(std::move(other.folder_)), created_(std::move(other.created_)) {
+  other.folder_.clear();
+  other.created_.clear();
+}
+
+Staging::~Staging() {
+  std::error_code ignored;
+  if (!folder_.empty()) fs::remove_all(folder_, ignored);
+  // Folders that hold something, as after commit(), stay.
+  for (auto path = created_.rbegin(); path != created_.rend(); ++path) ::rmdir(path->c_str());
+}
+
+base::Error Staging::for_user(base::Error error) const {
+  const std::string inside = folder_.string() + '/';
+  const auto replace = [&](std::string& text) {
+    for (std::size_t at = text.find(inside); at != std::string::npos; at = text.find(inside)) {
+      text.replace(at, inside.size(), (target_ / "").string());
+    }
+  };
+  replace(error.message);
+  if (error.place) replace(error.place->file);
+  return error;
+}
+
+base::Result<std::vector<std::string>> Staging::commit() {
+  std::vector<std::string> names;
+  std::error_code failed;
+  for (fs::directory_iterator entry(folder_, failed), end; !failed && entry != end; entry.increment(failed)) {
+    names.push_back(entry->path().filename().string());
+  }
+  if (failed) return io::cannot_write(target_, failed.value());
+  std::sort(names.begin(), names.end());
+  std::vector<std::string> to_rename;
+  std::vector<std::string> to_write;
+  for (const std::string& name : names) {
+    DOBRA_TRY(const Way way, way_to(target_ / name));
+    (way == Way::Rename ? to_rename : to_write).push_back(name);
+  }
+  for (const std::string& name : to_write) {
+    DOBRA_TRY(const std::string bytes, io::read_bytes(folder_ / name));
+    DOBRA_TRY_VOID(io::write_file(target_ / name, bytes));
+  }
+  for (const std::string& name : to_rename) {
+    if (::rename((folder_ / name).c_str(), (target_ / name).c_str()) != 0)
+      return io::cannot_write(target_ / name, errno);
+  }
+  created_.clear();
+  return names;
+}
+
+}  // namespace dobra::cli

@@ -1,0 +1,44 @@
+#pragma once
+// Results are first written into a hidden folder inside their target folder and moved in when all of them are there, so
+// that a run that fails, is interrupted or fills the disk leaves the target as it was.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "shared/base/result.h"
+
+namespace dobra::cli {
+
+enum class TargetFolder { Create, MustExist };
+
+class Staging {
+ public:
+  /// @error CannotWrite naming the folder that cannot be made or written.
+  static base::Result<Staging> open(const std::filesystem::path& target, TargetFolder mode);
+
+  Staging(Staging&& other) noexcept;
+  Staging& operator=(Staging&&) = delete;
+  Staging(const Staging&) = delete;
+  Staging& operator=(const Staging&) = delete;
+  /// Removes what was not moved in, and the target folder if it was made for nothing.
+  ~Staging();
+
+  /// Where to write the file that will be `name` in the target folder.
+  [[nodiscard]] std::filesystem::path path(const std::string& name) const { return folder_ / name; }
+  /// The error of a failed write, naming the file where the user expects it.
+  [[nodiscard]] base::Error for_user(base::Error error) const;
+  /// Moves everything in, and returns the names in order. What stands in a target's place and is no regular file (a
+  /// device, a symbolic link) is written through, before anything is moved.
+  /// @error CannotWrite naming the file; nothing was moved then.
+  base::Result<std::vector<std::string>> commit();
+
+ private:
+  Staging() = default;
+  std::filesystem::path target_;
+  std::filesystem::path folder_;
+  std::vector<std::filesystem::path>
+      created_;  ///< Target and its parents, as far as they were made here; the deepest last.
+};
+
+}  // namespace dobra::cli

@@ -1,0 +1,76 @@
+#pragma once
+// A document is a scenario: an input and an ordered list of steps. Saving one writes the file that the command line
+// runs.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "shared/base/result.h"
+#include "shared/scenario/value.h"
+
+namespace dobra::scenario {
+
+struct Step {
+  std::string operation;
+  std::string name;     ///< Free, may be empty; --set and expectations may use it in place of the step's number.
+  Table params;         ///< Without `operation` and `name`.
+  std::string comment;  ///< Comment lines above the table, without "# ", joined by newlines.
+  base::Place place;
+};
+
+/// A claim about a quantity of the state after the last step (or after `step`).
+struct Expect {
+  std::string quantity;
+  std::optional<std::string> step;  ///< Name or 1-based number of the step; the last if absent.
+  std::optional<double> value;      ///< With a tolerance ...
+  double tolerance = 0.0;           ///< absolute,
+  double relative_tolerance = 0.0;  ///< or relative to `value`; the larger of the two counts.
+  std::optional<double> at_least;   ///< ... or bounds.
+  std::optional<double> at_most;
+  std::string comment;
+  base::Place place;
+};
+
+struct Document {
+  static constexpr std::int64_t current_version = 1;
+
+  std::string program;  ///< "recon" or "quebra".
+  std::string title;
+  Table input;  ///< Nested tables ([[input.horizon]]) are values of kind Tables.
+  std::vector<Step> steps;
+  std::vector<Expect> expects;
+  std::string comment;  ///< Comment lines at the top of the file.
+  std::string input_comment;
+  std::string end_comment;     ///< Comment lines after everything else.
+  std::filesystem::path file;  ///< Where it was read from or saved to; empty if neither.
+
+  /// Relative paths in the document start here.
+  [[nodiscard]] std::filesystem::path folder() const { return file.parent_path(); }
+};
+
+/// Reads TOML:  dobra = 1, program = "recon", title = "..."; [input]; [[step]] operation = "..."; [[expect]].
+/// Only the form is judged here (top-level keys, types that no parameter can have); the program judges the parameters.
+/// Comments are kept: lines above a key or table stay there, a comment behind a value moves above it, those inside
+/// lists are dropped.
+/// @error BadSyntax, UnknownKey, MissingKey, BadValue with file:line:column.
+base::Result<Document> parse_document(const std::string& text, const std::filesystem::path& file);
+
+/// @error FileNotFound, NotAFile, CannotRead, EmptyFile, BadFormat (a binary file), and those of parse_document.
+base::Result<Document> read_document(const std::filesystem::path& file);
+
+/// Canonical text: parse_document(document_text(d)) gives d, and its text again is the same bytes.
+std::string document_text(const Document& document);
+
+/// Writes aside, then renames.
+/// @error CannotWrite
+base::Result<void> write_document(const Document& document, const std::filesystem::path& file);
+
+/// "step 2 (grid)", as steps are called in messages. @param number 1-based.
+std::string step_label(const Document& document, std::size_t number);
+
+/// The 1-based number of the step that a name or a number in digits means; nothing if there is none.
+std::optional<std::size_t> find_step(const Document& document, const std::string& name_or_number);
+
+}  // namespace dobra::scenario

@@ -1,0 +1,80 @@
+#include "shared/scenario/program.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "shared/base/text.h"
+
+namespace dobra::scenario {
+namespace {
+
+using base::Error;
+using base::ErrorCode;
+
+base::Result<void> check_names(const Document& document) {
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < document.steps.size(); ++i) {
+    const Step& step = document.steps[i];
+    if (step.name.empty() || names.insert(step.name).second) continue;
+    base::Place place = step.place;
+    place.item = step_label(document, i + 1);
+    return Error{ErrorCode::BadValue,
+                 fmt::format("another step is called '{}' already; give this one another name", step.name), place};
+  }
+  for (std::size_t i = 0; i < document.expects.size(); ++i) {
+    const Expect& expect = document.expects[i];
+    if (!expect.step || find_step(document, *expect.step)) continue;
+    base::Place place = expect.place;
+    place.item = fmt::format("expectation {}", i + 1);
+    const std::vector<std::string> known(names.begin(), names.end());
+    return Error{ErrorCode::BadValue,
+                 fmt::format("there is no step '{}' among the {} steps{}", *expect.step, document.steps.size(),
+                             base::did_you_mean(*expect.step, known)),
+                 place};
+  }
+  return {};
+}
+
+}  // namespace
+
+const Operation* Program::find_operation(const std::string& operation) const {
+  const auto found = std::find_if(operations.begin(), operations.end(),
+                                  [&](const Operation& known) { return known.name == operation; });
+  return found == operations.end() ? nullptr : &*found;
+}
+
+base::Result<const Operation*> operation_of(const Document& document, std::size_t number, const Program& program) {
+  const Step& step = document.steps.at(number - 1);
+  if (const Operation* operation = program.find_operation(step.operation)) return operation;
+  std::vector<std::string> names;
+  for (const Operation& operation : program.operations) names.push_back(operation.name);
+  std::string hint = base::did_you_mean(step.operation, names);
+  if (hint.empty()) hint = fmt::format("; known operations: {}", fmt::join(names, ", "));
+  base::Place place = step.place;
+  place.item = fmt::format("step {}", number);
+  return Error{ErrorCode::UnknownOperation, fmt::format("unknown operation '{}'{}", step.operation, hint), place};
+}
+
+base::Result<void> check_program(const Document& document, const Program& program) {
+  if (document.program == program.name) return {};
+  base::Place place;
+  place.file = document.file.string();
+  return Error{ErrorCode::WrongProgram,
+               fmt::format("this scenario is for '{}', not for '{}'; run it with {}", document.program, program.name,
+                           document.program),
+               place};
+}
+
+base::Result<void> check(const Document& document, const Program& program) {
+  DOBRA_TRY_VOID(check_program(document, program));
+  DOBRA_TRY_VOID(check(document.input, program.input_fields, "input"));
+  for (std::size_t number = 1; number <= document.steps.size(); ++number) {
+    DOBRA_TRY(const Operation* operation, operation_of(document, number, program));
+    DOBRA_TRY_VOID(check(document.steps[number - 1].params, operation->fields, step_label(document, number)));
+  }
+  return check_names(document);
+}
+
+}  // namespace dobra::scenario
