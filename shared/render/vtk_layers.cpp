@@ -1,0 +1,303 @@
+#include "shared/render/vtk_layers.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkFloatArray.h>
+#include <vtkLookupTable.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkShaderProperty.h>
+#include <vtkTypeInt64Array.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "shared/scene/color_map.h"
+#include "shared/scene/fill.h"
+
+namespace dobra::render {
+namespace {
+
+using geom::Point;
+using scene::Color;
+
+constexpr int color_levels = 64;  // as in the files, so that both look alike
+
+/// Cells given by where each ends in a list of point numbers.
+struct Cells {
+  vtkNew<vtkTypeInt64Array> offsets;
+  vtkNew<vtkTypeInt64Array> points;
+  Cells() { offsets->InsertNextValue(0); }
+  void add(vtkIdType point) { points->InsertNextValue(point); }
+  void end() { offsets->InsertNextValue(points->GetNumberOfValues()); }
+  [[nodiscard]] vtkSmartPointer<vtkCellArray> array() {
+    auto cells = vtkSmartPointer<vtkCellArray>::New();
+    cells->SetData(offsets, points);
+    return cells;
+  }
+};
+
+class ActorMaker {
+ public:
+  ActorMaker(const scene::Layer& layer, Point origin, double depth)
+      : layer_(layer), style_(layer.style), origin_(origin), depth_(depth) {}
+
+  LayerActors make() && {
+    std::visit(*this, layer_.content);
+    return std::move(made_);
+  }
+
+  void operator()(const scene::Lines& content) {
+    if (style_.dash == scene::Dash::Solid) {
+      add_solid(content.lines);
+    } else {
+      std::vector<const geom::Polyline*> lines;
+      for (const geom::Polyline& line : content.lines) lines.push_back(&line);
+      add_dashed(std::move(lines));
+    }
+  }
+
+  void operator()(const scene::Markers& content) {
+    vtkNew<vtkPoints> points;
+    Cells cells;
+    for (const Point& p : content.points) {
+      cells.add(insert(*points, p, depth_));
+      cells.end();
+    }
+    vtkNew<vtkPolyData> data;
+    data->SetPoints(points);
+    data->SetVerts(cells.array());
+    vtkActor& actor = add(data, style_.line);
+    make_round(actor);
+    const double size = style_.marker_size;
+    made_.on_view.emplace_back([&actor, size](const scene::PanelLayout&, double pixels_per_point) {
+      actor.GetProperty()->SetPointSize(static_cast<float>(size * pixels_per_point));
+    });
+  }
+
+  void operator()(const scene::Regions& content) {
+    if (style_.fill) {
+      vtkNew<vtkPoints> points;
+      Cells cells;
+      for (const scene::Region& region : content.regions) {
+        const std::vector<Point> corners = scene::triangles_of(region);
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+          cells.add(insert(*points, corners[i], depth_));
+          if (i % 3 == 2) cells.end();
+        }
+      }
+      vtkNew<vtkPolyData> data;
+      data->SetPoints(points);
+      data->SetPolys(cells.array());
+      add(data, *style_.fill);
+    }
+    std::vector<geom::Polyline> outlines;
+    for (const scene::Region& region : content.regions) {
+      for (geom::Polyline contour : region.contours) {
+        contour.closed = true;
+        outlines.push_back(std::move(contour));
+      }
+    }
+    depth_ += 0.25;
+    add_solid(outlines);
+  }
+
+  void operator()(const scene::Mesh& content) {
+    vtkNew<vtkPoints> points;
+    for (const Point& p : content.points) insert(*points, p, depth_);
+    if (content.values_at != scene::ValuesAt::None || style_.fill) add_faces(content, points);
+    if (style_.line_width <= 0.0) return;
+    vtkNew<vtkPoints> raised;
+    for (const Point& p : content.points) insert(*raised, p, depth_ + 0.25);
+    Cells cells;
+    for (const std::vector<std::uint32_t>& chain : scene::edge_chains(content)) {
+      for (const std::uint32_t i : chain) cells.add(i);
+      cells.end();
+    }
+    vtkNew<vtkPolyData> data;
+    data->SetPoints(raised);
+    data->SetLines(cells.array());
+    vtkActor& actor = add(data, style_.line);
+    const double mean = scene::mean_edge_length(content);
+    made_.on_view.emplace_back(
+        [&actor, mean, style = style_](const scene::PanelLayout& place, double pixels_per_point) {
+          set_width(actor, style, scene::edge_width(mean, style, place.transform.points_per_x) * pixels_per_point);
+        });
+  }
+
+  void operator()(const scene::Labels&) {}  // the layout has placed them as marks
+
+ private:
+  vtkIdType insert(vtkPoints& points, Point p, double depth) const {
+    return points.InsertNextPoint(p.x - origin_.x, p.y - origin_.y, depth);
+  }
+
+  vtkActor& add(vtkPolyData* data, const Color& color) {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(data);
+    mapper->ScalarVisibilityOff();
+    auto actor = vtkSmartPointer<vtkActor>::New();
+    actor->SetMapper(mapper);
+    actor->GetProperty()->LightingOff();
+    actor->GetProperty()->SetColor(color.red / 255.0, color.green / 255.0, color.blue / 255.0);
+    actor->GetProperty()->SetOpacity(color.alpha / 255.0);
+    actor->PickableOff();
+    made_.actors.push_back(actor);
+    return *actor;
+  }
+
+  void add_faces(const scene::Mesh& content, vtkPoints* points) {
+    Cells cells;
+    for (const auto& triangle : content.triangles) {
+      for (const std::uint32_t i : triangle) cells.add(i);
+      cells.end();
+    }
+    vtkNew<vtkPolyData> data;
+    data->SetPoints(points);
+    data->SetPolys(cells.array());
+    vtkActor& actor = add(data, style_.fill.value_or(Color{255, 255, 255}));
+    vtkMapper& mapper = *actor.GetMapper();
+    if (content.values_at == scene::ValuesAt::None) return;
+    actor.GetProperty()->SetOpacity(1.0);
+    mapper.ScalarVisibilityOn();
+    if (content.values_at == scene::ValuesAt::Triangles) {
+      vtkNew<vtkUnsignedCharArray> colors;
+      colors->SetNumberOfComponents(3);
+      for (const double value : content.values) {
+        const Color color = scene::stepped_color(content.scale, value, color_levels);
+        const unsigned char rgb[3] = {color.red, color.green, color.blue};
+        colors->InsertNextTypedTuple(rgb);
+      }
+      data->GetCellData()->SetScalars(colors);
+      mapper.SetScalarModeToUseCellData();
+      mapper.SetColorModeToDirectScalars();
+      return;
+    }
+    vtkNew<vtkFloatArray> fractions;
+    vtkNew<vtkLookupTable> table;
+    const double width = content.scale.high - content.scale.low;
+    // Not clamped: the map's ends stay flat inside a triangle that goes beyond them.
+    for (const double value : content.values) {
+      fractions->InsertNextValue(static_cast<float>(width != 0.0 ? (value - content.scale.low) / width : 0.5));
+    }
+    table->SetNumberOfTableValues(color_levels);
+    for (int i = 0; i < color_levels; ++i) {
+      const Color c = scene::color_at(content.scale.map, (i + 0.5) / color_levels);
+      table->SetTableValue(i, c.red / 255.0, c.green / 255.0, c.blue / 255.0);
+    }
+    const Color none = scene::color_at(content.scale.map, std::nan(""));
+    table->SetNanColor(none.red / 255.0, none.green / 255.0, none.blue / 255.0, 1.0);
+    table->SetTableRange(0.0, 1.0);
+    data->GetPointData()->SetScalars(fractions);
+    mapper.SetScalarModeToUsePointData();
+    mapper.SetColorModeToMapScalars();
+    mapper.SetLookupTable(table);
+    mapper.UseLookupTableScalarRangeOn();
+    mapper.InterpolateScalarsBeforeMappingOn();
+  }
+
+  void add_solid(const std::vector<geom::Polyline>& lines) {
+    if (style_.line_width <= 0.0) return;
+    vtkNew<vtkPoints> points;
+    Cells cells;
+    for (const geom::Polyline& line : lines) {
+      if (line.points.size() < 2) continue;
+      const vtkIdType first = points->GetNumberOfPoints();
+      for (const Point& p : line.points) cells.add(insert(*points, p, depth_));
+      if (line.closed) cells.add(first);
+      cells.end();
+    }
+    vtkNew<vtkPolyData> data;
+    data->SetPoints(points);
+    data->SetLines(cells.array());
+    follow_width(add(data, style_.line));
+    // A wide line of VTK is cut off square at every point; discs make round joins of the gaps. On a translucent line
+    // they would show.
+    if (style_.line_width < 1.5 || style_.line.alpha != 255) return;
+    vtkNew<vtkPolyData> joins;
+    joins->SetPoints(points);
+    Cells verts;
+    for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i) {
+      verts.add(i);
+      verts.end();
+    }
+    joins->SetVerts(verts.array());
+    vtkActor& discs = add(joins, style_.line);
+    make_round(discs);
+    made_.on_view.emplace_back([&discs, width = style_.line_width](const scene::PanelLayout&, double pixels_per_point) {
+      discs.GetProperty()->SetPointSize(static_cast<float>(width * pixels_per_point));
+    });
+  }
+
+  /// VTK has no stipple in core OpenGL, so strokes are made for what is in sight, whenever that changes.
+  void add_dashed(std::vector<const geom::Polyline*> lines) {
+    if (style_.line_width <= 0.0) return;
+    vtkSmartPointer<vtkPolyData> data = vtkSmartPointer<vtkPolyData>::New();
+    follow_width(add(data, style_.line));
+    made_.on_view.emplace_back([data, lines = std::move(lines), style = style_, origin = origin_, depth = depth_](
+                                   const scene::PanelLayout& place, double) {
+      vtkNew<vtkPoints> points;
+      Cells cells;
+      const std::vector<double> pattern = scene::dash_lengths(style.dash, style.line_width);
+      for (const geom::Polyline* line : lines) {
+        // Dashes are measured on the page: they keep their length under zoom and exaggeration.
+        geom::Polyline on_page{{}, line->closed};
+        for (const Point& p : line->points) on_page.points.push_back(place.transform.to_page(p));
+        for (const geom::Segment& stroke : scene::strokes_of(on_page, pattern, place.plot.grown(style.line_width))) {
+          for (const Point& end : {stroke.from, stroke.to}) {
+            const Point world = place.transform.to_world(end);
+            cells.add(points->InsertNextPoint(world.x - origin.x, world.y - origin.y, depth));
+          }
+          cells.end();
+        }
+      }
+      data->SetPoints(points);
+      data->SetLines(cells.array());
+      data->Modified();
+    });
+  }
+
+  void follow_width(vtkActor& actor) {
+    made_.on_view.emplace_back([&actor, style = style_](const scene::PanelLayout&, double pixels_per_point) {
+      set_width(actor, style, style.line_width * pixels_per_point);
+    });
+  }
+
+  /// A line thinner than a pixel is a fainter one of one pixel.
+  static void set_width(vtkActor& actor, const scene::Style& style, double pixels) {
+    actor.SetVisibility(pixels > 0.0);
+    actor.GetProperty()->SetLineWidth(static_cast<float>(std::max(pixels, 1.0)));
+    actor.GetProperty()->SetOpacity(style.line.alpha / 255.0 * std::min(pixels, 1.0));
+  }
+
+  /// Points as discs with soft borders.
+  static void make_round(vtkActor& actor) {
+    actor.GetShaderProperty()->AddFragmentShaderReplacement(
+        "//VTK::Light::Impl", true,
+        "//VTK::Light::Impl\n"
+        "  float fromMiddle = 2.0 * length(gl_PointCoord - vec2(0.5));\n"
+        "  float soft = 1.5 * fwidth(gl_PointCoord.x);\n"
+        "  fragOutput0.a *= 1.0 - smoothstep(1.0 - 2.0 * soft, 1.0, fromMiddle);\n"
+        "  if (fragOutput0.a <= 0.0) { discard; }\n",
+        false);
+    actor.ForceTranslucentOn();
+  }
+
+  const scene::Layer& layer_;
+  const scene::Style& style_;
+  Point origin_;
+  double depth_;
+  LayerActors made_;
+};
+
+}  // namespace
+
+LayerActors make_actors(const scene::Layer& layer, geom::Point origin, double depth) {
+  return ActorMaker(layer, origin, depth).make();
+}
+
+}  // namespace dobra::render

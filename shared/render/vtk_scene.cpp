@@ -1,0 +1,210 @@
+#include "shared/render/vtk_scene.h"
+
+#include <vtkCamera.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "shared/base/check.h"
+#include "shared/render/vtk_layers.h"
+#include "shared/render/vtk_marks.h"
+
+namespace dobra::render {
+namespace {
+
+constexpr int background_level = 0;
+constexpr int panel_level = 1;
+constexpr int mark_level = 2;
+
+vtkSmartPointer<vtkRenderer> add_renderer(vtkRenderWindow& window, int level) {
+  auto renderer = vtkSmartPointer<vtkRenderer>::New();
+  renderer->SetLayer(level);
+  renderer->SetBackground(1.0, 1.0, 1.0);
+  renderer->SetBackgroundAlpha(1.0);
+  renderer->InteractiveOff();
+  renderer->SetAutomaticLightCreation(false);
+  window.AddRenderer(renderer);
+  return renderer;
+}
+
+}  // namespace
+
+class VtkScene::Impl {
+ public:
+  Impl(vtkRenderWindow& window, const scene::LayoutOptions& options) : window_(window), options_(options) {
+    window.SetNumberOfLayers(3);
+    window.SetMultiSamples(4);
+    window.SetAlphaBitPlanes(0);
+    window.SetDPI(72);  // so that a font's size is its height in pixels
+    background_ = add_renderer(window, background_level);
+    front_ = add_renderer(window, mark_level);
+    marks_ = std::make_unique<VtkMarks>(*front_);
+  }
+
+  void build() {
+    for (const Panel& panel : panels_) window_.RemoveRenderer(panel.renderer);
+    panels_.clear();
+    for (const scene::Panel& panel : picture_.panels) {
+      Panel made;
+      made.renderer = add_renderer(window_, panel_level);
+      const geom::Box box = scene::extent(panel);
+      made.origin = box.empty() ? geom::Point{} : box.centre();
+      made.exaggeration = panel.vertical_exaggeration;
+      double depth = 0.0;
+      for (const scene::Layer& layer : panel.layers) {
+        made.layers.push_back(make_actors(layer, made.origin, depth));
+        depth += 1.0;
+        for (const auto& actor : made.layers.back().actors) {
+          actor->SetScale(1.0, made.exaggeration, 1.0);
+          made.renderer->AddActor(actor);
+        }
+      }
+      panels_.push_back(std::move(made));
+    }
+  }
+
+  void arrange() {
+    if (width_ <= 0 || height_ <= 0) return;
+    const scene::PageSize page{width_ / ratio_, height_ / ratio_};
+    if (!measure_ || measured_ratio_ != ratio_) {
+      measure_ = vtk_text_measure(ratio_);
+      measured_ratio_ = ratio_;
+    }
+    layout_ = scene::layout(picture_, page, views_, measure_, options_);
+    for (std::size_t i = 0; i < panels_.size(); ++i) aim(panels_[i], layout_.panels[i], picture_.panels[i]);
+    marks_->show(layout_.marks, height_, ratio_);
+  }
+
+  vtkRenderWindow& window_;
+  scene::LayoutOptions options_;
+  scene::Picture picture_;
+  std::vector<std::optional<scene::View>> views_;
+  scene::Layout layout_;
+  int width_ = 0;
+  int height_ = 0;
+  double ratio_ = 1.0;
+  bool released_ = false;
+  scene::TextMeasure measure_;  ///< For measured_ratio_; keeps what it has measured.
+  double measured_ratio_ = 0.0;
+
+  void release() {
+    if (released_) return;
+    released_ = true;
+    for (const Panel& panel : panels_) window_.RemoveRenderer(panel.renderer);
+    window_.RemoveRenderer(front_);
+    window_.RemoveRenderer(background_);
+    panels_.clear();
+  }
+
+ private:
+  struct Panel {
+    vtkSmartPointer<vtkRenderer> renderer;
+    geom::Point origin;  ///< Taken off all coordinates.
+    double exaggeration = 1.0;
+    std::vector<LayerActors> layers;
+  };
+
+  /// Puts a panel's viewport on its plot, in whole pixels, and its camera so that the world stands where the layout
+  /// says.
+  void aim(Panel& panel, const scene::PanelLayout& place, const scene::Panel& described) {
+    const double left = std::round(place.plot.low.x * ratio_);
+    const double right = std::max(std::round(place.plot.high.x * ratio_), left + 1.0);
+    const double top = std::round(place.plot.low.y * ratio_);
+    const double bottom = std::max(std::round(place.plot.high.y * ratio_), top + 1.0);
+    const bool in_window = left < width_ && top < height_ && right > 0.0 && bottom > 0.0;
+    panel.renderer->SetDraw(in_window);
+    panel.renderer->SetViewport(std::max(left / width_, 0.0), std::max(1.0 - bottom / height_, 0.0),
+                                std::min(right / width_, 1.0), std::min(1.0 - top / height_, 1.0));
+    const double seen_right = std::min<double>(right, width_);
+    const double seen_bottom = std::min<double>(bottom, height_);
+    const geom::Point page_middle{0.5 * (std::max(left, 0.0) + seen_right) / ratio_,
+                                  0.5 * (std::max(top, 0.0) + seen_bottom) / ratio_};
+    const geom::Point middle = place.transform.to_world(page_middle);
+    const double x = middle.x - panel.origin.x;
+    const double y = (middle.y - panel.origin.y) * panel.exaggeration;
+    const double reach = static_cast<double>(panel.layers.size()) + 10.0;
+    vtkCamera& camera = *panel.renderer->GetActiveCamera();
+    camera.ParallelProjectionOn();
+    camera.SetFocalPoint(x, y, 0.0);
+    camera.SetPosition(x, y, reach);
+    camera.SetViewUp(0.0, 1.0, 0.0);
+    camera.SetParallelScale(0.5 * (seen_bottom - std::max(top, 0.0)) / ratio_ / place.transform.points_per_x);
+    camera.SetClippingRange(1.0, 2.0 * reach);
+    for (std::size_t i = 0; i < panel.layers.size(); ++i) {
+      const bool visible = described.layers[i].visible;
+      for (const auto& actor : panel.layers[i].actors) actor->SetVisibility(visible);
+      if (!visible) continue;
+      for (const auto& follow : panel.layers[i].on_view) follow(place, ratio_);
+    }
+  }
+
+  std::vector<Panel> panels_;
+  vtkSmartPointer<vtkRenderer> background_;
+  vtkSmartPointer<vtkRenderer> front_;
+  std::unique_ptr<VtkMarks> marks_;
+};
+
+VtkScene::VtkScene(vtkRenderWindow& window, const scene::LayoutOptions& options)
+    : impl_(std::make_unique<Impl>(window, options)) {}
+
+VtkScene::~VtkScene() { release(); }
+
+void VtkScene::set_picture(scene::Picture picture, KeepViews keep) {
+  std::vector<std::optional<scene::View>> views(picture.panels.size());
+  for (std::size_t i = 0; keep == KeepViews::Yes && i < picture.panels.size(); ++i) {
+    const auto& old = impl_->picture_.panels;
+    const auto same =
+        std::find_if(old.begin(), old.end(), [&](const scene::Panel& p) { return p.key == picture.panels[i].key; });
+    if (same != old.end()) views[i] = impl_->views_[static_cast<std::size_t>(same - old.begin())];
+  }
+  impl_->picture_ = std::move(picture);
+  impl_->views_ = std::move(views);
+  impl_->build();
+  impl_->arrange();
+}
+
+const scene::Picture& VtkScene::picture() const { return impl_->picture_; }
+
+void VtkScene::set_layer_visible(std::string_view key, bool visible) {
+  for (scene::Panel& panel : impl_->picture_.panels) {
+    for (scene::Layer& layer : panel.layers) {
+      if (layer.key == key) layer.visible = visible;
+    }
+  }
+  impl_->arrange();
+}
+
+void VtkScene::set_views(std::vector<std::optional<scene::View>> views) {
+  DOBRA_CHECK(views.size() == impl_->picture_.panels.size());
+  impl_->views_ = std::move(views);
+  impl_->arrange();
+}
+
+std::vector<scene::View> VtkScene::views() const {
+  std::vector<scene::View> views;
+  for (const scene::PanelLayout& panel : impl_->layout_.panels) views.push_back(panel.view);
+  return views;
+}
+
+void VtkScene::resize(int width, int height, double device_pixel_ratio) {
+  impl_->width_ = width;
+  impl_->height_ = height;
+  impl_->ratio_ = device_pixel_ratio;
+  impl_->window_.SetSize(width, height);
+  impl_->arrange();
+}
+
+const scene::Layout& VtkScene::layout() const { return impl_->layout_; }
+
+std::optional<std::size_t> VtkScene::panel_at(geom::Point page) const {
+  for (std::size_t i = 0; i < impl_->layout_.panels.size(); ++i) {
+    if (impl_->layout_.panels[i].plot.contains(page)) return i;
+  }
+  return std::nullopt;
+}
+
+void VtkScene::release() { impl_->release(); }
+
+}  // namespace dobra::render

@@ -1,0 +1,62 @@
+#pragma once
+// A picture in a VTK render window: one renderer a panel for its layers, one over them for the page's marks, from the
+// same layout as the files. Panning and zooming move a camera; geometry is built once a picture. The window belongs to
+// the caller, who also calls its Render(). No Qt here; VTK's headers stay in the .cpp files.
+
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "shared/scene/layout.h"
+
+class vtkRenderWindow;
+
+namespace dobra::render {
+
+/// How large VTK draws text at so many pixels a page unit (it knows only whole pixels).
+scene::TextMeasure vtk_text_measure(double pixels_per_point);
+
+enum class KeepViews { No, Yes };
+
+class VtkScene {
+ public:
+  /// Adds its renderers to `window`, which must outlive this object (or be told release() first). By default the plots
+  /// fill the window, with text of a size for screens.
+  explicit VtkScene(vtkRenderWindow& window,
+                    const scene::LayoutOptions& options = {scene::Plots::FillPage, 10.0, 11.0});
+  ~VtkScene();
+  VtkScene(const VtkScene&) = delete;
+  VtkScene& operator=(const VtkScene&) = delete;
+
+  /// @param keep  Yes: panels that were there under the same key go on looking where they did.
+  /// @cost  O(points + triangles, sorted).
+  void set_picture(scene::Picture picture, KeepViews keep = KeepViews::No);
+  [[nodiscard]] const scene::Picture& picture() const;
+
+  /// Shows or hides the layers of that key in all panels. @cost O(layout).
+  void set_layer_visible(std::string_view key, bool visible);
+
+  /// One a panel; nothing fits the whole panel. @cost O(layout + dashes in sight), not of the geometry.
+  void set_views(std::vector<std::optional<scene::View>> views);
+  /// What each panel shows now.
+  [[nodiscard]] std::vector<scene::View> views() const;
+
+  /// Size of the window in its own pixels; page units are `device_pixel_ratio` pixels each.
+  void resize(int width, int height, double device_pixel_ratio);
+
+  /// Page coordinates of a mouse event are its pixels divided by device_pixel_ratio, from the upper left corner.
+  [[nodiscard]] const scene::Layout& layout() const;
+  /// The panel whose plot is at a page point.
+  [[nodiscard]] std::optional<std::size_t> panel_at(geom::Point page) const;
+
+  /// Takes the renderers out of the window and frees what they hold on the graphics card; call it while the context is
+  /// current, before the window or its context goes.
+  void release();
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace dobra::render

@@ -1,0 +1,61 @@
+#pragma once
+// The parts of a page that stand round the plots, each made by itself at the origin and then moved to its place.
+// Internal to scene: layout.h is what callers use.
+
+#include <string>
+#include <vector>
+
+#include "shared/scene/layout.h"
+#include "shared/scene/ticks.h"
+
+namespace dobra::scene {
+
+constexpr Color ink{38, 38, 42};
+constexpr Color frame_color{96, 96, 102};
+constexpr double tick_length = 4.0;
+constexpr double tick_gap = 3.0;  ///< Between a tick and its label, and a label and an axis title.
+
+/// Marks with their upper left corner at (0, 0).
+struct Furniture {
+  std::vector<Mark> marks;
+  double width = 0.0;
+  double height = 0.0;
+};
+
+/// A text mark with its size measured.
+TextMark text_mark(const std::string& text, geom::Point middle, const Font& font, const TextMeasure& measure,
+                   TextMark::Turn turn = TextMark::Turn::None);
+
+/// Lines of text under each other, centred in their width.
+Furniture heading(const std::string& text, double width, Font font, const TextMeasure& measure);
+
+/// The same turned to read upwards, its lines from left to right, in a height of `height`.
+Furniture turned_heading(const std::string& text, double height, Font font, const TextMeasure& measure);
+
+/// Visible layers of all panels with their swatches, in columns; identical entries once. Empty if there are none.
+Furniture legend(const Picture& picture, double width, const Font& font, const TextMeasure& measure);
+
+/// The different scales of the visible meshes with values, in order of appearance.
+std::vector<Scale> scales_of(const Picture& picture);
+
+/// A vertical colour bar: its title above it, the bar `height` points high, ticks at its right.
+/// @param[out] title_height  how far below the top of the furniture the bar begins.
+Furniture color_bar(const Scale& scale, double height, const Font& font, const TextMeasure& measure,
+                    double& title_height);
+
+/// A bar of a round length, at most 100 points long, with that length beside it.
+/// @param unit  such as "m"; may be empty.
+Furniture scale_bar(double points_per_world, const std::string& unit, const Font& font, const TextMeasure& measure);
+
+/// "m" of "x [m]"; empty if there are no brackets.
+std::string unit_of(const std::string& axis_title);
+
+/// The labels of the visible layers of a panel that have room in its plot: none is cut off, none overlaps another or
+/// `taken`.
+void add_labels(const Panel& panel, const PanelLayout& place, const TextMeasure& measure, std::vector<Mark>& marks);
+
+/// Frame, ticks and tick labels of a plot. Labels stand left of it and below it.
+void add_axes(const PanelLayout& place, const std::vector<Tick>& x_ticks, const std::vector<Tick>& y_ticks,
+              const Font& font, const TextMeasure& measure, std::vector<Mark>& marks);
+
+}  // namespace dobra::scene

@@ -1,0 +1,139 @@
+#pragma once
+// The display list: what a model looks like, as plain data. VTK draws it in the window and off-screen, cairo writes it
+// as SVG, PDF and PNG, tests read it. It knows nothing of any drawer.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "shared/geom/box.h"
+#include "shared/geom/polyline.h"
+
+namespace dobra::scene {
+
+/// sRGB, 0..255 each; alpha 255 is opaque.
+struct Color {
+  std::uint8_t red = 0;
+  std::uint8_t green = 0;
+  std::uint8_t blue = 0;
+  std::uint8_t alpha = 255;
+  friend bool operator==(const Color&, const Color&) = default;
+};
+
+enum class Dash { Solid, Dashed, Dotted };
+
+/// Sizes are typographic points (1/72 inch) on paper and device-independent pixels on a screen.
+struct Style {
+  Color line{};             ///< Colour of lines, outlines, markers and text.
+  double line_width = 1.0;  ///< 0 draws no line.
+  Dash dash = Dash::Solid;
+  std::optional<Color> fill = std::nullopt;  ///< Interior of regions.
+  double marker_size = 5.0;                  ///< Diameter of markers.
+  double text_size = 9.0;
+};
+
+/// Open or closed lines. Item i of every content has the identity `ids[i]`, or i where ids is empty.
+struct Lines {
+  std::vector<geom::Polyline> lines{};
+  std::vector<std::uint32_t> ids{};
+};
+
+struct Markers {
+  std::vector<geom::Point> points{};
+  std::vector<std::uint32_t> ids{};
+};
+
+/// One filled area: contours under the even-odd rule.
+struct Region {
+  std::vector<geom::Polyline> contours{};
+};
+
+struct Regions {
+  std::vector<Region> regions{};
+  std::vector<std::uint32_t> ids{};
+};
+
+enum class ColorMapName {
+  Viridis,
+  Cividis,
+  CoolWarm,
+  Quality
+};  ///< Quality: red (bad) over yellow to blue-green (good).
+
+/// How numbers become colours; values outside the range take its ends.
+struct Scale {
+  std::string title{};  ///< Such as "alpha" or "sigma_x [MPa]"; stands above the colour bar.
+  ColorMapName map = ColorMapName::Viridis;
+  double low = 0.0;
+  double high = 1.0;
+};
+
+enum class ValuesAt { None, Triangles, Points };
+
+/// A triangle mesh, its triangles filled by value (or by style.fill) and outlined with style.line.
+struct Mesh {
+  std::vector<geom::Point> points{};
+  std::vector<std::array<std::uint32_t, 3>> triangles{};
+  ValuesAt values_at = ValuesAt::None;
+  std::vector<double> values{};
+  Scale scale{};
+};
+
+/// Where the text stands with respect to its point.
+enum class Anchor { Centre, Left, Right, Above, Below };
+
+struct Label {
+  geom::Point at;
+  std::string text{};
+  Anchor anchor = Anchor::Centre;
+};
+
+struct Labels {
+  std::vector<Label> labels{};
+};
+
+enum class InLegend { Yes, No };
+
+struct Layer {
+  std::string key{};    ///< Stable, unique in its panel: "source_grid". Visibility and picks refer to it.
+  std::string title{};  ///< As shown in the tree of layers and the legend; translated.
+  Style style{};
+  std::variant<Lines, Markers, Regions, Mesh, Labels> content;
+  bool visible = true;
+  InLegend in_legend = InLegend::Yes;
+};
+
+struct Axes {
+  std::string x_title = "x [m]";
+  std::string y_title = "y [m]";
+};
+
+/// One view on a plane, drawn to scale (no exaggeration unless stated).
+struct Panel {
+  std::string key{};
+  std::string title{};
+  Axes axes{};
+  std::vector<Layer> layers{};                     ///< Drawn in this order, the last on top.
+  double vertical_exaggeration = 1.0;              ///< Display only; stated beside the axes when not 1.
+  std::optional<geom::Box> extent = std::nullopt;  ///< What to show; by default all of the visible layers.
+};
+
+enum class Arrangement { Row, Column };
+
+/// All panels of a picture share one scale, so that lengths compare across them.
+struct Picture {
+  std::string title{};
+  std::vector<Panel> panels{};
+  Arrangement arrangement = Arrangement::Row;
+};
+
+/// Smallest box round everything in a layer, visible or not; empty if there is nothing.
+geom::Box extent(const Layer& layer);
+
+/// Smallest box round the visible layers of a panel, or its `extent` where given; empty if there is nothing.
+geom::Box extent(const Panel& panel);
+
+}  // namespace dobra::scene

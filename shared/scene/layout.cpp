@@ -1,0 +1,442 @@
+// 1. Measure what does not depend on the scale: titles, colour bars.
+// 2. Find the scale (or take it from the views) with a guess of the room round each plot; from it the ticks, from their
+// labels
+//    the room. Repeat until the room is enough; it only ever grows, so this ends.
+// 3. Put everything in its place.
+#include "shared/scene/layout.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "shared/base/check.h"
+#include "shared/base/text.h"
+#include "shared/scene/furniture.h"
+
+namespace dobra::scene {
+namespace {
+
+constexpr double panel_gap = 16.0;
+constexpr double bar_gap = 18.0;
+constexpr double least_bar = 90.0;
+constexpr double most_bar = 280.0;
+
+/// A panel on its way to the page. left, right, top, bottom: the room round its plot, points.
+struct Block {
+  geom::Box shown;  ///< World.
+  double exaggeration = 1.0;
+  double left = 0.0;
+  double right = 0.0;
+  double top = 0.0;
+  double bottom = 0.0;
+  double plot_width = 0.0;
+  double plot_height = 0.0;
+  View view;
+  Furniture title;
+  Furniture x_title;
+  Furniture y_title;
+  std::vector<Tick> x_ticks;
+  std::vector<Tick> y_ticks;
+  [[nodiscard]] double width() const { return left + plot_width + right; }
+  [[nodiscard]] double height() const { return top + plot_height + bottom; }
+};
+
+class Arranger {
+ public:
+  Arranger(const Picture& picture, const PageSize& page, std::span<const std::optional<View>> views,
+           const TextMeasure& measure, const LayoutOptions& options);
+
+  void arrange();
+  [[nodiscard]] Layout place() const;
+  /// The size of all that is drawn, with margins.
+  [[nodiscard]] PageSize content() const;
+
+ private:
+  [[nodiscard]] bool row() const { return picture_.arrangement == Arrangement::Row || blocks_.size() < 2; }
+  [[nodiscard]] double bars_width() const;
+  [[nodiscard]] double bar_height() const;
+  [[nodiscard]] double header() const { return title_.height > 0.0 ? title_.height + 8.0 : 0.0; }
+  [[nodiscard]] double footer() const;
+  [[nodiscard]] double panels_width() const;
+  [[nodiscard]] double panels_height() const;
+  void align_rooms();
+  void size_plots_to_content();
+  void size_plots_to_page();
+  [[nodiscard]] double scale_that_fits(double width, double height) const;
+  bool update_rooms();
+  bool update_room(std::size_t i);
+  void update_bottom(const PageSize& room);
+  void place_panel(std::size_t i, geom::Point corner, Layout& made) const;
+  void place_bars(double x, double y, Layout& made) const;
+  void place_footer(double y, Layout& made) const;
+  static void put(const Furniture& furniture, geom::Point corner, std::vector<Mark>& marks);
+
+  const Picture& picture_;
+  PageSize page_;
+  std::span<const std::optional<View>> views_;
+  const TextMeasure& measure_;
+  LayoutOptions options_;
+  Font axis_font_;
+  Font tick_font_;
+  std::vector<Block> blocks_;
+  std::vector<Scale> scales_;
+  Furniture title_;
+  Furniture legend_;
+  Furniture scale_bar_;
+  double bar_title_height_ = 0.0;
+};
+
+Arranger::Arranger(const Picture& picture, const PageSize& page, std::span<const std::optional<View>> views,
+                   const TextMeasure& measure, const LayoutOptions& options)
+    : picture_(picture),
+      page_(page),
+      views_(views),
+      measure_(measure),
+      options_(options),
+      axis_font_{options.text_size, Weight::Regular},
+      tick_font_{options.text_size - 1.0, Weight::Regular},
+      scales_(scales_of(picture)) {
+  title_ = heading(picture.title, page.width - 2.0 * options.margin, {options.text_size + 4.0, Weight::Bold}, measure);
+  for (std::size_t i = 0; i < picture.panels.size(); ++i) {
+    const Panel& panel = picture.panels[i];
+    Block block;
+    const bool viewed = i < views.size() && views[i].has_value();
+    if (!viewed) block.shown = panel.extent && !panel.extent->empty() ? *panel.extent : comfortable(extent(panel));
+    if (!viewed && !(block.shown.width() > 0.0 && block.shown.height() > 0.0)) block.shown = comfortable(block.shown);
+    block.exaggeration = panel.vertical_exaggeration;
+    block.left = 40.0;
+    block.bottom = 30.0;
+    block.top = block.right = 4.0;
+    blocks_.push_back(std::move(block));
+  }
+  for (const Scale& scale : scales_) {
+    double title_height = 0.0;
+    color_bar(scale, least_bar, axis_font_, measure_, title_height);
+    bar_title_height_ = std::max(bar_title_height_, title_height);
+  }
+}
+
+double Arranger::bar_height() const {
+  double height = 0.0;
+  for (const Block& block : blocks_) height = std::max(height, block.plot_height);
+  if (!row() && !blocks_.empty()) height = blocks_.front().plot_height;
+  return std::clamp(height, least_bar, most_bar);
+}
+
+double Arranger::bars_width() const {
+  double width = 0.0;
+  double title_height = 0.0;
+  for (const Scale& scale : scales_) {
+    width += bar_gap + color_bar(scale, bar_height(), axis_font_, measure_, title_height).width;
+  }
+  return width;
+}
+
+double Arranger::footer() const {
+  const double height = std::max(legend_.height, scale_bar_.height);
+  return height > 0.0 ? height + 12.0 : 0.0;
+}
+
+double Arranger::panels_width() const {
+  double width = 0.0;
+  for (const Block& block : blocks_) width = row() ? width + block.width() : std::max(width, block.width());
+  return width + (row() && !blocks_.empty() ? panel_gap * static_cast<double>(blocks_.size() - 1) : 0.0);
+}
+
+double Arranger::panels_height() const {
+  double height = 0.0;
+  for (const Block& block : blocks_) height = row() ? std::max(height, block.height()) : height + block.height();
+  if (!row()) height += panel_gap * static_cast<double>(blocks_.size() - 1);
+  if (!scales_.empty()) {
+    const double above = blocks_.empty() ? bar_title_height_ : blocks_.front().top;
+    height = std::max(height, above + bar_height() + 10.0);
+  }
+  return height;
+}
+
+/// Plots of a row begin at one height, plots of a column at one distance from the left.
+void Arranger::align_rooms() {
+  double left = 0.0;
+  double top = scales_.empty() ? 0.0 : bar_title_height_;
+  for (const Block& block : blocks_) {
+    left = std::max(left, block.left);
+    top = std::max(top, block.top);
+  }
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    if (!row()) blocks_[i].left = left;
+    if (row() || i == 0) blocks_[i].top = std::max(blocks_[i].top, row() ? top : bar_title_height_);
+  }
+}
+
+/// The largest points per world unit at which all panels fit; too little room gives the smallest sensible one.
+double Arranger::scale_that_fits(double width, double height) const {
+  double across = width - bars_width();
+  double up = height;
+  double wide = 0.0;
+  double high = 0.0;
+  double scale = std::numeric_limits<double>::infinity();
+  double largest = 0.0;
+  for (const Block& block : blocks_) {
+    const double w = block.shown.width();
+    const double h = block.shown.height() * block.exaggeration;
+    largest = std::max({largest, w, h});
+    wide += w;
+    high += h;
+    if (row()) {
+      across -= block.left + block.right;
+      scale = std::min(scale, (height - block.top - block.bottom) / h);
+    } else {
+      up -= block.top + block.bottom;
+      scale = std::min(scale, (width - bars_width() - block.left - block.right) / w);
+    }
+  }
+  const double gaps = panel_gap * static_cast<double>(blocks_.size() - 1);
+  scale = std::min(scale, row() ? (across - gaps) / wide : (up - gaps) / high);
+  return std::max(scale, options_.least_plot / largest);
+}
+
+void Arranger::size_plots_to_content() {
+  if (blocks_.empty()) return;
+  const double width = page_.width - 2.0 * options_.margin;
+  const double height = page_.height - 2.0 * options_.margin - header() - footer();
+  const double scale = scale_that_fits(width, height);
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    Block& block = blocks_[i];
+    const bool viewed = i < views_.size() && views_[i].has_value();
+    block.view = viewed ? *views_[i] : View{block.shown.centre(), 1.0 / scale};
+    block.plot_width = std::max(block.shown.width() * scale, options_.least_plot);
+    block.plot_height = std::max(block.shown.height() * block.exaggeration * scale, options_.least_plot);
+  }
+}
+
+void Arranger::size_plots_to_page() {
+  if (blocks_.empty()) return;
+  const double count = static_cast<double>(blocks_.size());
+  const double gaps = panel_gap * (count - 1.0);
+  const double width = page_.width - 2.0 * options_.margin - bars_width();
+  const double height = page_.height - 2.0 * options_.margin - header() - footer();
+  double scale = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    Block& block = blocks_[i];
+    const double cell_width = row() ? (width - gaps) / count : width;
+    const double cell_height = row() ? height : (height - gaps) / count;
+    block.plot_width = std::max(cell_width - block.left - block.right, options_.least_plot);
+    block.plot_height = std::max(cell_height - block.top - block.bottom, options_.least_plot);
+    // A window too narrow for plots and colour bars keeps the plots.
+    if (cell_width - block.left - block.right < options_.least_plot && !scales_.empty()) {
+      scales_.clear();
+      return size_plots_to_page();
+    }
+    if (block.shown.empty()) continue;
+    const View whole = fit(block.shown, block.plot_width, block.plot_height, block.exaggeration);
+    scale = std::min(scale, 1.0 / whole.world_per_point);
+  }
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    Block& block = blocks_[i];
+    const bool viewed = i < views_.size() && views_[i].has_value();
+    block.view = viewed ? *views_[i] : View{block.shown.centre(), 1.0 / scale};
+  }
+}
+
+/// Makes ticks, titles and the room that they need; true if any room had to grow.
+bool Arranger::update_room(std::size_t i) {
+  Block& block = blocks_[i];
+  const Panel& panel = picture_.panels[i];
+  const geom::Box plot{{0.0, 0.0}, {block.plot_width, block.plot_height}};
+  const Transform transform = transform_of(block.view, plot, block.exaggeration);
+  const geom::Box world = transform.to_world(plot);
+  const double line = measure_("0", tick_font_).height();
+  block.x_ticks = ticks_that_fit(world.low.x, world.high.x, block.plot_width, 8.0, 40.0,
+                                 [&](const std::string& text) { return measure_(text, tick_font_).width; });
+  block.y_ticks =
+      ticks_that_fit(world.low.y, world.high.y, block.plot_height, 6.0, 26.0, [&](const std::string&) { return line; });
+  block.y_title = turned_heading(panel.axes.y_title, block.plot_height, axis_font_, measure_);
+  double widest = 0.0;
+  for (const Tick& tick : block.y_ticks) widest = std::max(widest, measure_(tick.label, tick_font_).width);
+  // In a window the plots must not jump while the view moves: the room for labels goes in steps of four digits.
+  const double step = 4.0 * measure_("0", tick_font_).width;
+  if (options_.plots == Plots::FillPage) widest = std::ceil(widest / step) * step;
+  double left = tick_length + tick_gap + widest + (block.y_title.width > 0.0 ? tick_gap + block.y_title.width : 0.0);
+  double right = options_.plots == Plots::FillPage ? 0.5 * step : 2.0;
+  for (const Tick& tick : block.x_ticks) {
+    const double x = transform.to_page({tick.value, 0.0}).x;
+    const double half = 0.5 * measure_(tick.label, tick_font_).width;
+    left = std::max(left, half - x);
+    right = std::max(right, x + half - block.plot_width);
+  }
+  std::string x_title = panel.axes.x_title;
+  if (block.exaggeration != 1.0) {
+    x_title += fmt::format("{}({} {:g}\u00d7)", x_title.empty() ? "" : "   ", base::translated("vertical exaggeration"),
+                           block.exaggeration);
+  }
+  const double width = std::max(left + block.plot_width + right, block.width());
+  block.x_title = heading(x_title, width, axis_font_, measure_);
+  block.title = heading(panel.title, width, {options_.text_size + 1.0, Weight::Bold}, measure_);
+  const double bottom =
+      tick_length + tick_gap + line + (block.x_title.height > 0.0 ? tick_gap : 0.0) + block.x_title.height;
+  const double top = std::max(block.title.height + 6.0, 0.5 * line + 1.0);
+  right = std::max(right, std::max(block.title.width, block.x_title.width) - left - block.plot_width);
+  const Block old = block;
+  block.left = std::max(block.left, left);
+  block.right = std::max(block.right, right);
+  block.top = std::max(block.top, top);
+  block.bottom = std::max(block.bottom, bottom);
+  return block.left > old.left || block.right > old.right || block.top > old.top || block.bottom > old.bottom;
+}
+
+bool Arranger::update_rooms() {
+  bool grew = false;
+  for (std::size_t i = 0; i < blocks_.size(); ++i) grew = update_room(i) || grew;
+  align_rooms();
+  return grew;
+}
+
+/// Legend and scale bar, side by side in the page's width.
+void Arranger::update_bottom(const PageSize& room) {
+  const double width = room.width - 2.0 * options_.margin;
+  scale_bar_ = {};
+  bool common = !blocks_.empty();
+  for (const Block& block : blocks_) {
+    common = common && block.exaggeration == 1.0 && block.view.world_per_point == blocks_.front().view.world_per_point;
+  }
+  if (common) {
+    const std::string unit = unit_of(picture_.panels.front().axes.x_title);
+    scale_bar_ = scale_bar(1.0 / blocks_.front().view.world_per_point, unit, axis_font_, measure_);
+    if (scale_bar_.width > 0.4 * width) scale_bar_ = {};
+  }
+  const double beside = scale_bar_.width > 0.0 ? scale_bar_.width + 24.0 : 0.0;
+  legend_ = legend(picture_, width - beside, axis_font_, measure_);
+  const bool crowded = room.height - legend_.height < 0.6 * room.height;
+  if (options_.plots == Plots::FillPage && crowded) legend_ = {};
+}
+
+void Arranger::arrange() {
+  constexpr int at_most = 12;
+  for (int i = 0; i < at_most; ++i) {
+    if (options_.plots == Plots::FillPage) {
+      size_plots_to_page();
+    } else {
+      size_plots_to_content();
+    }
+    const double before = footer();
+    const bool grew = update_rooms();
+    update_bottom(page_);
+    // The first round only guesses rooms; start again from what the labels really need.
+    if (i == 0) {
+      for (Block& block : blocks_) block.left = block.right = block.top = block.bottom = 0.0;
+      update_rooms();
+      continue;
+    }
+    if (!grew && footer() == before) return;
+  }
+}
+
+PageSize Arranger::content() const {
+  const double body = panels_width() + bars_width();
+  const double foot =
+      legend_.width + (scale_bar_.width > 0.0 ? scale_bar_.width + (legend_.width > 0.0 ? 24.0 : 0.0) : 0.0);
+  return {std::max({body, foot, title_.width}) + 2.0 * options_.margin,
+          header() + panels_height() + footer() + 2.0 * options_.margin};
+}
+
+void Arranger::put(const Furniture& furniture, geom::Point corner, std::vector<Mark>& marks) {
+  for (const Mark& mark : furniture.marks) marks.push_back(moved(mark, corner - geom::Point{}));
+}
+
+void Arranger::place_panel(std::size_t i, geom::Point corner, Layout& made) const {
+  const Block& block = blocks_[i];
+  const Panel& panel = picture_.panels[i];
+  PanelLayout place;
+  place.plot.low = corner + geom::Vector{block.left, block.top};
+  place.plot.high = place.plot.low + geom::Vector{block.plot_width, block.plot_height};
+  place.view = block.view;
+  place.transform = transform_of(block.view, place.plot, block.exaggeration);
+  made.panels.push_back(place);
+  add_labels(panel, place, measure_, made.marks);
+  add_axes(place, block.x_ticks, block.y_ticks, tick_font_, measure_, made.marks);
+
+  // Titles stand over the middle of the plot, moved inwards where they would leave the panel.
+  const auto centred = [&](double width) {
+    const double wanted = place.plot.centre().x - 0.5 * width;
+    return std::max(corner.x, std::min(wanted, corner.x + block.width() - width));
+  };
+  put(block.title, {centred(block.title.width), place.plot.low.y - block.title.height - 5.0}, made.marks);
+  const double x_title_y = place.plot.high.y + tick_length + tick_gap + measure_("0", tick_font_).height() + tick_gap;
+  put(block.x_title, {centred(block.x_title.width), x_title_y}, made.marks);
+  double widest = 0.0;
+  for (const Tick& tick : block.y_ticks) widest = std::max(widest, measure_(tick.label, tick_font_).width);
+  const bool fixed = options_.plots == Plots::FillPage;
+  const double y_title_x =
+      fixed ? corner.x : place.plot.low.x - tick_length - 2.0 * tick_gap - widest - block.y_title.width;
+  put(block.y_title, {y_title_x, place.plot.centre().y - 0.5 * block.y_title.height}, made.marks);
+}
+
+void Arranger::place_bars(double x, double y, Layout& made) const {
+  for (const Scale& scale : scales_) {
+    double title_height = 0.0;
+    const Furniture bar = color_bar(scale, bar_height(), axis_font_, measure_, title_height);
+    put(bar, {x + bar_gap, y - title_height}, made.marks);
+    x += bar_gap + bar.width;
+  }
+}
+
+void Arranger::place_footer(double y, Layout& made) const {
+  const double between = legend_.width > 0.0 && scale_bar_.width > 0.0 ? 24.0 : 0.0;
+  double x = 0.5 * (made.page.width - legend_.width - between - scale_bar_.width);
+  put(legend_, {x, y}, made.marks);
+  x += legend_.width + between;
+  put(scale_bar_, {x, y}, made.marks);
+}
+
+Layout Arranger::place() const {
+  Layout made;
+  const PageSize needed = content();
+  const bool fill = options_.plots == Plots::FillPage;
+  made.page = fill ? page_ : PageSize{std::max(page_.width, needed.width), std::max(page_.height, needed.height)};
+  double y = options_.margin;
+  if (!fill) y += 0.5 * (made.page.height - needed.height);
+  put(title_, {0.5 * (made.page.width - title_.width), y}, made.marks);
+  y += header();
+  const double left = 0.5 * (made.page.width - panels_width() - bars_width());
+  geom::Point corner{left, y};
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    place_panel(i, corner, made);
+    if (row()) {
+      corner.x += blocks_[i].width() + panel_gap;
+    } else {
+      corner.y += blocks_[i].height() + panel_gap;
+    }
+  }
+  if (!scales_.empty() && !made.panels.empty()) place_bars(left + panels_width(), made.panels.front().plot.low.y, made);
+  place_footer(y + panels_height() + 12.0, made);
+  return made;
+}
+
+}  // namespace
+
+Layout layout(const Picture& picture, const PageSize& page, std::span<const std::optional<View>> views,
+              const TextMeasure& measure, const LayoutOptions& options) {
+  DOBRA_CHECK(views.empty() || views.size() == picture.panels.size());
+  Arranger arranger(picture, page, views, measure, options);
+  arranger.arrange();
+  return arranger.place();
+}
+
+PageSize suggested_page(const Picture& picture, double width, const TextMeasure& measure,
+                        const LayoutOptions& options) {
+  constexpr double tallest = 1.4;
+  constexpr double blank = 0.97;  // a page that would be emptier than this is made narrower
+  PageSize page{width, tallest * width};
+  PageSize needed;
+  for (int i = 0; i < 3; ++i) {
+    Arranger arranger(picture, page, {}, measure, options);
+    arranger.arrange();
+    needed = arranger.content();
+    if (needed.width >= blank * page.width) break;
+    page = {std::ceil(needed.width), std::max(page.height, std::ceil(needed.height))};
+  }
+  return {std::max(std::ceil(needed.width), page.width), std::ceil(needed.height)};
+}
+
+}  // namespace dobra::scene

@@ -1,0 +1,25 @@
+#pragma once
+// What is under the cursor.
+
+#include <optional>
+#include <string>
+
+#include "shared/scene/layer.h"
+
+namespace dobra::scene {
+
+struct Pick {
+  std::string layer;     ///< Key of the layer.
+  std::uint32_t id = 0;  ///< Identity of the item in it: its `ids` entry or index; of a mesh, the triangle's index.
+  friend bool operator==(const Pick&, const Pick&) = default;
+};
+
+/// The item nearest to `at` in the topmost visible layer that has one there: lines and markers within `tolerance`,
+/// filled regions and meshes that contain it (unfilled regions by their outline). Labels are not picked.
+/// @param at         m, world coordinates.
+/// @param tolerance  m, along x; along y it is divided by the panel's vertical exaggeration, so that it is a circle on
+/// the page.
+/// @cost  O(points and triangles of the visible layers).
+std::optional<Pick> pick(const Panel& panel, geom::Point at, double tolerance);
+
+}  // namespace dobra::scene

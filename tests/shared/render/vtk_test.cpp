@@ -1,0 +1,141 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "shared/render/cairo.h"
+#include "shared/render/vtk_offscreen.h"
+#include "shared/render/vtk_scene.h"
+#include "tests/support/example_picture.h"
+#include "tests/support/pixels.h"
+
+namespace dobra::render {
+namespace {
+
+/// Draws without any display, as the command line may have to.
+class VtkOffscreen : public testing::Test {
+ protected:
+  VtkOffscreen() {
+    unsetenv("DISPLAY");
+    unsetenv("WAYLAND_DISPLAY");
+  }
+  test::ScratchFolder folder_;
+};
+
+double largest_difference(const test::Pixels& a, const test::Pixels& b, int columns, int rows, double& mean) {
+  const auto x = test::coarse(a, columns, rows);
+  const auto y = test::coarse(b, columns, rows);
+  double largest = 0.0;
+  mean = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      largest = std::max(largest, std::abs(x[i][k] - y[i][k]));
+      mean += std::abs(x[i][k] - y[i][k]) / static_cast<double>(3 * x.size());
+    }
+  }
+  return largest;
+}
+
+TEST_F(VtkOffscreen, DrawsThePictureThatCairoDraws) {
+  for (const scene::Picture& picture : {test::example_section(), test::example_mesh()}) {
+    scene::PageSize page = scene::suggested_page(picture, 720.0, cairo_text_measure());
+    page.height += 10.0;  // VTK's text is a little larger or smaller; both must fit
+    ASSERT_TRUE(write_png(picture, folder_.path() / "cairo.png", page, 2.0));
+    const base::Result<void> drawn = write_png_vtk(picture, folder_.path() / "vtk.png", page, 2.0);
+    ASSERT_TRUE(drawn) << base::to_string(drawn.error());
+    const test::Pixels a = test::read_png(folder_.path() / "cairo.png");
+    const test::Pixels b = test::read_png(folder_.path() / "vtk.png");
+    ASSERT_EQ(a.width, b.width);
+    ASSERT_EQ(a.height, b.height);
+    double mean = 0.0;
+    EXPECT_LT(largest_difference(a, b, 30, 20, mean), 40.0);
+    EXPECT_LT(mean, 3.0);
+  }
+}
+
+TEST_F(VtkOffscreen, ThePlotHoldsTheColoursOfItsLayersAtTheirPlace) {
+  const scene::Picture picture = test::example_section();
+  ASSERT_TRUE(write_png_vtk(picture, folder_.path() / "a.png", std::nullopt, 2.0));
+  const scene::TextMeasure measure = vtk_text_measure(2.0);
+  const scene::Layout layout =
+      scene::layout(picture, scene::suggested_page(picture, usual_width, measure), {}, measure);
+  const test::Pixels pixels = test::read_png(folder_.path() / "a.png");
+  for (int bed = 0; bed < 3; ++bed) {
+    const geom::Point p = layout.panels[1].transform.to_page({500.0 + 1000.0 / 48.0, -100.0 * bed - 25.0});
+    const auto color = pixels.at(static_cast<int>(2.0 * p.x), static_cast<int>(2.0 * p.y));
+    const scene::Color wanted = *picture.panels[1].layers[static_cast<std::size_t>(bed)].style.fill;
+    EXPECT_NEAR(color[0], wanted.red, 1.0);
+    EXPECT_NEAR(color[1], wanted.green, 1.0);
+    EXPECT_NEAR(color[2], wanted.blue, 1.0);
+  }
+  EXPECT_EQ(pixels.at(2, 2), (std::array<double, 3>{255.0, 255.0, 255.0}));
+}
+
+TEST_F(VtkOffscreen, HiddenLayersAreNotDrawn) {
+  scene::Picture picture = test::example_section();
+  for (scene::Panel& panel : picture.panels) {
+    panel.extent = scene::extent(panel);
+    for (scene::Layer& layer : panel.layers) layer.visible = false;
+  }
+  ASSERT_TRUE(write_png_vtk(picture, folder_.path() / "a.png", scene::PageSize{400.0, 400.0}, 1.0));
+  const test::Pixels pixels = test::read_png(folder_.path() / "a.png");
+  for (const std::uint32_t pixel : pixels.rgb) {
+    const auto red = pixel >> 16U;
+    const auto blue = pixel & 255U;
+    ASSERT_LT(std::abs(static_cast<int>(red) - static_cast<int>(blue)), 8) << "only black, white and grey are left";
+  }
+}
+
+TEST_F(VtkOffscreen, LargeCoordinatesKeepTheirShape) {
+  scene::Picture picture = test::example_mesh(8);
+  picture.panels.resize(1);
+  scene::Picture far = picture;
+  for (scene::Layer& layer : far.panels[0].layers) {
+    if (auto* mesh = std::get_if<scene::Mesh>(&layer.content)) {
+      for (geom::Point& p : mesh->points) p = p + geom::Vector{700000.0, 7456000.0};
+    }
+    if (auto* lines = std::get_if<scene::Lines>(&layer.content)) {
+      for (geom::Polyline& line : lines->lines) {
+        for (geom::Point& p : line.points) p = p + geom::Vector{700000.0, 7456000.0};
+      }
+    }
+  }
+  picture.panels[0].axes = far.panels[0].axes = {"", ""};
+  const scene::PageSize page{500.0, 500.0};
+  ASSERT_TRUE(write_png(far, folder_.path() / "cairo.png", page, 1.0));
+  ASSERT_TRUE(write_png_vtk(far, folder_.path() / "vtk.png", page, 1.0));
+  double mean = 0.0;
+  const auto a = test::read_png(folder_.path() / "cairo.png");
+  const auto b = test::read_png(folder_.path() / "vtk.png");
+  EXPECT_LT(largest_difference(a, b, 12, 12, mean), 45.0);
+}
+
+TEST_F(VtkOffscreen, TooLargeAnImageIsAnError) {
+  const base::Result<void> result = write_png_vtk(test::example_section(), folder_.path() / "a.png", {}, 100.0);
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, base::ErrorCode::CannotDraw);
+  EXPECT_EQ(folder_.files(), 0U);
+}
+
+TEST_F(VtkOffscreen, AFullDeviceIsAnErrorThatNamesIt) {
+  const base::Result<void> result =
+      write_png_vtk(test::example_section(), "/dev/full", scene::PageSize{200.0, 200.0}, 1.0);
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, base::ErrorCode::CannotWrite);
+  EXPECT_EQ(result.error().place->file, "/dev/full");
+}
+
+TEST_F(VtkOffscreen, TextIsMeasuredNearlyAsByCairo) {
+  const scene::TextMeasure vtk = vtk_text_measure(4.0);
+  const scene::TextMeasure cairo = cairo_text_measure();
+  for (const char* text : {"x [m]", "\u22121000", "a rather long title of a layer"}) {
+    const scene::TextSize a = vtk(text, {9.0, scene::Weight::Regular});
+    const scene::TextSize b = cairo(text, {9.0, scene::Weight::Regular});
+    EXPECT_NEAR(a.width, b.width, 0.06 * b.width + 1.0) << text;
+    EXPECT_NEAR(a.height(), b.height(), 0.05 * b.height());
+  }
+}
+
+}  // namespace
+}  // namespace dobra::render

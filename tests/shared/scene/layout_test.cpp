@@ -1,0 +1,263 @@
+#include "shared/scene/layout.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "tests/support/example_picture.h"
+
+namespace dobra::scene {
+namespace {
+
+const TextMeasure measure = approximate_text_measure();
+
+Layout laid_out(const Picture& picture, double width = 720.0) {
+  return layout(picture, suggested_page(picture, width, measure), {}, measure);
+}
+
+std::vector<const TextMark*> texts_of(const Layout& made) {
+  std::vector<const TextMark*> texts;
+  for (const Mark& mark : made.marks) {
+    if (const auto* text = std::get_if<TextMark>(&mark)) texts.push_back(text);
+  }
+  return texts;
+}
+
+std::size_t count(const Layout& made, const std::string& text) {
+  std::size_t found = 0;
+  for (const TextMark* mark : texts_of(made)) found += mark->text == text ? 1 : 0;
+  return found;
+}
+
+bool apart(const geom::Box& a, const geom::Box& b) {
+  constexpr double touch = 0.01;
+  return !a.grown(-touch).overlaps(b.grown(-touch));
+}
+
+/// No text overlaps another or leaves the page; none outside a plot reaches into one.
+void expect_tidy(const Layout& made, const std::string& what) {
+  const std::vector<const TextMark*> texts = texts_of(made);
+  const geom::Box page{{0.0, 0.0}, {made.page.width, made.page.height}};
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    const geom::Box box = box_of(Mark{*texts[i]});
+    EXPECT_TRUE(page.contains(box.low) && page.contains(box.high)) << what << ": '" << texts[i]->text << "' is cut off";
+    for (std::size_t k = i + 1; k < texts.size(); ++k) {
+      EXPECT_TRUE(apart(box, box_of(Mark{*texts[k]})))
+          << what << ": '" << texts[i]->text << "' and '" << texts[k]->text << "'";
+    }
+    for (const PanelLayout& panel : made.panels) {
+      const bool inside = panel.plot.contains(box.low) && panel.plot.contains(box.high);
+      EXPECT_TRUE(inside || apart(box, panel.plot)) << what << ": '" << texts[i]->text << "' reaches into a plot";
+    }
+  }
+  for (std::size_t i = 0; i < made.panels.size(); ++i) {
+    for (std::size_t k = i + 1; k < made.panels.size(); ++k) {
+      EXPECT_TRUE(apart(made.panels[i].plot, made.panels[k].plot)) << what;
+    }
+  }
+}
+
+/// A picture with everything that is awkward: long texts, tall and flat panels, exaggeration, large coordinates.
+Picture awkward(Arrangement arrangement) {
+  Picture picture = test::example_section(arrangement);
+  picture.title =
+      "A picture whose title is so long that it can never stand in one line, not even of the widest page of all";
+  picture.panels[0].title = "The section as it was measured in the field in the year of the great flood";
+  picture.panels[0].axes.y_title = "height above the mean level of the sea [m]";
+  picture.panels[1].vertical_exaggeration = 3.0;
+  picture.panels[1].layers[0].title = "Thickly bedded sandstone with lenses of conglomerate and of shale, weathered";
+  Panel tall{"tall", "Tall", {}, {}, 1.0, geom::Box{{7456000.0, 1.0}, {7456010.0, 900.0}}};
+  tall.layers.push_back({"t", "tall thing", Style{}, Lines{{{{{7456001.0, 2.0}, {7456009.0, 800.0}}, false}}, {}}});
+  picture.panels.push_back(tall);
+  return picture;
+}
+
+TEST(Layout, NoTextIsCutOffOrOverlapsAnother) {
+  for (const double width : {300.0, 480.0, 720.0, 1400.0}) {
+    const std::string at = " at " + std::to_string(width);
+    for (const Arrangement arrangement : {Arrangement::Row, Arrangement::Column}) {
+      expect_tidy(laid_out(test::example_section(arrangement), width), "section" + at);
+      expect_tidy(laid_out(awkward(arrangement), width), "awkward" + at);
+    }
+    expect_tidy(laid_out(test::example_mesh(), width), "mesh" + at);
+  }
+}
+
+TEST(Layout, NoTextOverlapsOnAPageOfAnySize) {
+  for (const PageSize page : {PageSize{200.0, 150.0}, {300.0, 900.0}, {1600.0, 400.0}, {1920.0, 1080.0}}) {
+    for (const Plots plots : {Plots::ToContent, Plots::FillPage}) {
+      // A window smaller than a plot and its labels cannot show all; files grow.
+      if (plots == Plots::FillPage && (page.width < 300.0 || page.height < 400.0)) continue;
+      const Picture picture = test::example_mesh();
+      expect_tidy(layout(picture, page, {}, measure, {plots}), "mesh");
+      const Picture section = test::example_section(Arrangement::Row);
+      if (plots == Plots::ToContent || page.width >= 600.0)
+        expect_tidy(layout(section, page, {}, measure, {plots}), "section");
+    }
+  }
+}
+
+TEST(Layout, AllPanelsHaveOneScale) {
+  for (const Arrangement arrangement : {Arrangement::Row, Arrangement::Column}) {
+    for (const Plots plots : {Plots::ToContent, Plots::FillPage}) {
+      const Layout made = layout(test::example_section(arrangement), {900.0, 700.0}, {}, measure, {plots});
+      ASSERT_EQ(made.panels.size(), 2U);
+      EXPECT_EQ(made.panels[0].transform.points_per_x, made.panels[1].transform.points_per_x);
+      EXPECT_EQ(made.panels[0].transform.points_per_x, made.panels[0].transform.points_per_y);
+    }
+  }
+}
+
+TEST(Layout, ExaggerationStretchesOneAxisAndIsStated) {
+  Picture picture = test::example_section();
+  EXPECT_EQ(count(laid_out(picture), "x [m] (vertical exaggeration 2\u00d7)"), 0U);
+  picture.panels[1].vertical_exaggeration = 2.0;
+  const Layout made = laid_out(picture);
+  EXPECT_DOUBLE_EQ(made.panels[1].transform.points_per_y, 2.0 * made.panels[1].transform.points_per_x);
+  EXPECT_EQ(made.panels[0].transform.points_per_x, made.panels[1].transform.points_per_x);
+  EXPECT_EQ(count(made, "x [m] (vertical exaggeration 2\u00d7)"), 1U);
+}
+
+TEST(Layout, EveryPlotShowsItsWholePanel) {
+  for (const Arrangement arrangement : {Arrangement::Row, Arrangement::Column}) {
+    const Picture picture = awkward(arrangement);
+    const Layout made = laid_out(picture);
+    for (std::size_t i = 0; i < picture.panels.size(); ++i) {
+      const geom::Box shown = made.panels[i].transform.to_world(made.panels[i].plot).grown(1e-6);
+      const geom::Box all = extent(picture.panels[i]);
+      EXPECT_TRUE(shown.contains(all.low) && shown.contains(all.high)) << i;
+    }
+  }
+}
+
+TEST(Layout, TicksStandOnTheFrameAtTheirValue) {
+  const Layout made = laid_out(test::example_section());
+  const PanelLayout& panel = made.panels[0];
+  const double x = panel.transform.to_page({500.0, 0.0}).x;
+  bool found = false;
+  for (const TextMark* text : texts_of(made)) {
+    if (text->text != "500" || text->at.y > made.panels[1].plot.low.y) continue;
+    found = true;
+    EXPECT_NEAR(text->at.x, x, 1e-9);
+    EXPECT_GT(box_of(Mark{*text}).low.y, panel.plot.high.y);
+  }
+  EXPECT_TRUE(found);
+  for (const Mark& mark : made.marks) {
+    const auto* line = std::get_if<LineMark>(&mark);
+    // Tick lines are short, horizontal or vertical, and begin or end on a frame.
+    if (line == nullptr || line->width != 0.75 || geom::distance(line->from, line->to) > 4.1) continue;
+    bool on_frame = false;
+    for (const PanelLayout& p : made.panels) {
+      on_frame = on_frame || line->from.y == p.plot.high.y || line->to.x == p.plot.low.x;
+    }
+    EXPECT_TRUE(on_frame) << line->from;
+  }
+}
+
+TEST(Layout, TheLegendNamesEveryLayerOnce) {
+  const Layout made = laid_out(test::example_section());
+  for (const char* title :
+       {"sandstone", "shale", "limestone", "source grid", "target grid", "horizons", "datum", "pin point"}) {
+    EXPECT_EQ(count(made, title), 1U) << title;
+  }
+  EXPECT_EQ(count(made, "names"), 0U);  // labels need no entry
+}
+
+TEST(Layout, HiddenAndUnlistedLayersAreNotInTheLegend) {
+  Picture picture = test::example_section();
+  for (Panel& panel : picture.panels) {
+    panel.layers[0].visible = false;
+    panel.layers[1].in_legend = InLegend::No;
+  }
+  const Layout made = laid_out(picture);
+  EXPECT_EQ(count(made, "sandstone"), 0U);
+  EXPECT_EQ(count(made, "shale"), 0U);
+  EXPECT_EQ(count(made, "limestone"), 1U);
+}
+
+TEST(Layout, AColourBarStandsBesideThePlotsForEveryDifferentScale) {
+  Picture picture = test::example_mesh();
+  const auto bars = [](const Layout& made) {
+    std::vector<geom::Box> boxes;
+    for (const Mark& mark : made.marks) {
+      const auto* bar = std::get_if<GradientMark>(&mark);
+      if (bar != nullptr && bar->direction == GradientMark::Direction::Up) boxes.push_back(bar->box);
+    }
+    return boxes;
+  };
+  const Layout made = laid_out(picture);
+  ASSERT_EQ(bars(made).size(), 2U);
+  for (const geom::Box& bar : bars(made)) {
+    for (const PanelLayout& panel : made.panels) EXPECT_TRUE(apart(bar, panel.plot));
+  }
+  EXPECT_EQ(count(made, "quality \u03b1"), 1U);
+  picture.panels[1] = picture.panels[0];
+  EXPECT_EQ(bars(laid_out(picture)).size(), 1U);
+}
+
+TEST(Layout, TheSuggestedPageIsFilled) {
+  for (const Picture& picture :
+       {test::example_section(), test::example_section(Arrangement::Row), test::example_mesh()}) {
+    const PageSize page = suggested_page(picture, 720.0, measure);
+    EXPECT_LE(page.width, 720.0);
+    EXPECT_LE(page.height, 1.4 * 720.0 + 1.0);
+    const Layout made = layout(picture, page, {}, measure);
+    EXPECT_EQ(made.page.width, page.width);
+    EXPECT_EQ(made.page.height, page.height);
+    geom::Box used;
+    for (const Mark& mark : made.marks) used.add(box_of(mark));
+    EXPECT_GT(used.width() * used.height(), 0.85 * page.width * page.height);
+  }
+}
+
+TEST(Layout, AViewIsShownAsAskedAndTheTicksFollow) {
+  const Picture picture = test::example_section();
+  const std::vector<std::optional<View>> views{View{{250.0, 0.0}, 0.01}, std::nullopt};
+  const Layout made = layout(picture, {900.0, 700.0}, views, measure, {Plots::FillPage});
+  EXPECT_EQ(made.panels[0].view, *views[0]);
+  EXPECT_EQ(made.panels[0].transform.to_page({250.0, 0.0}), made.panels[0].plot.centre());
+  EXPECT_EQ(count(made, "250.0"), 1U);  // the step is below a metre now
+  expect_tidy(made, "view");
+}
+
+TEST(Layout, PlotsDoNotJumpWhileTheViewPans) {
+  const Picture picture = test::example_section();
+  std::vector<std::optional<View>> views{View{{250.0, 0.0}, 0.5}, View{{250.0, 0.0}, 0.5}};
+  const geom::Box plot = layout(picture, {900.0, 700.0}, views, measure, {Plots::FillPage}).panels[0].plot;
+  for (int i = 0; i < 20; ++i) {
+    views[0] = pan(*views[0], {7.0, -3.0});
+    EXPECT_EQ(layout(picture, {900.0, 700.0}, views, measure, {Plots::FillPage}).panels[0].plot, plot) << i;
+  }
+}
+
+TEST(Layout, PicturesWithoutContentAreLaidOutToo) {
+  const Picture none;
+  EXPECT_TRUE(laid_out(none).panels.empty());
+  Picture blank{"", {Panel{"a", "Blank"}}, Arrangement::Row};
+  expect_tidy(laid_out(blank), "blank");
+  blank.panels[0].layers.push_back({"m", "one point", Style{}, Markers{{{1e6, -1e6}}, {}}});
+  expect_tidy(laid_out(blank), "point");
+}
+
+TEST(Layout, LabelsThatHaveNoRoomAreLeftOut) {
+  Picture picture{"", {Panel{"a", "Labels"}}, Arrangement::Row};
+  Labels labels;
+  for (int i = 0; i < 2000; ++i) labels.labels.push_back({{i % 50 * 1.0, i / 50 * 1.0}, "label " + std::to_string(i)});
+  picture.panels[0].layers.push_back({"l", "labels", Style{}, labels});
+  const Layout made = laid_out(picture);
+  expect_tidy(made, "labels");
+  EXPECT_GT(texts_of(made).size(), 100U);
+  EXPECT_LT(texts_of(made).size(), 2000U);
+}
+
+TEST(Layout, ExtentIsThatOfTheVisibleLayersOrAsGiven) {
+  Panel panel = test::example_section().panels[1];
+  EXPECT_EQ(extent(panel), (geom::Box{{0.0, -300.0}, {1000.0, 0.0}}));
+  for (Layer& layer : panel.layers) layer.visible = false;
+  EXPECT_TRUE(extent(panel).empty());
+  panel.extent = geom::Box{{1.0, 2.0}, {3.0, 4.0}};
+  EXPECT_EQ(extent(panel), *panel.extent);
+}
+
+}  // namespace
+}  // namespace dobra::scene
