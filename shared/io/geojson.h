@@ -1,0 +1,29 @@
+#pragma once
+// GeoJSON lines, polygons and points with the properties name and kind; read through GDAL/OGR, written by own code so
+// that the same features give the same bytes. Coordinates are plain section or domain coordinates: no reference
+// system is read, written or applied. Source: [rfc7946], [gdal].
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "shared/base/result.h"
+#include "shared/io/feature.h"
+
+namespace dobra::io {
+
+/// The features of a FeatureCollection, a Feature or a bare geometry. Contours come out anticlockwise, holes clockwise;
+/// third coordinates, features without geometry and repeated points are dropped with a remark.
+/// @error EmptyFile; BadFormat: not JSON (line and column), not GeoJSON, an unsupported geometry; NotFinite,
+///        DegenerateCurve; the place's item is the feature: "feature 3 'top'". @cost O(file size).
+base::Result<Features> parse_geojson(std::string_view text, const std::string& file);
+/// @error FileNotFound, NotAFile, CannotRead, and those of parse_geojson.
+base::Result<Features> read_geojson(const std::string& path);
+
+/// A FeatureCollection, one feature a line, every digit kept. MULTI forms only where there is more than one part.
+/// @error NotFinite
+base::Result<std::string> geojson(std::span<const Feature> features);
+/// @error NotFinite, CannotWrite
+base::Result<void> write_geojson(const std::string& path, std::span<const Feature> features);
+
+}  // namespace dobra::io

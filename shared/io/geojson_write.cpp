@@ -1,0 +1,106 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "shared/base/text.h"
+#include "shared/io/file.h"
+#include "shared/io/geojson.h"
+#include "shared/io/scan.h"
+
+namespace dobra::io {
+
+using base::Error;
+using base::ErrorCode;
+using base::Result;
+using geom::Point;
+using geom::Polyline;
+
+namespace {
+
+std::string string_text(const std::string& text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string point_text(Point p) { return '[' + base::number_text(p.x) + ',' + base::number_text(p.y) + ']'; }
+
+std::string points_text(const Polyline& part) {
+  std::string text = "[";
+  for (const Point p : part.points) text += (text.size() > 1 ? "," : "") + point_text(p);
+  if (part.closed && !part.points.empty()) text += ',' + point_text(part.points.front());
+  return text + ']';
+}
+
+std::string parts_text(const Feature& feature, std::size_t first, std::size_t last) {
+  std::string text = "[";
+  for (std::size_t i = first; i < last; ++i) text += (i > first ? "," : "") + points_text(feature.parts[i]);
+  return text + ']';
+}
+
+std::string geometry_text(const Feature& feature) {
+  const auto object = [](std::string_view type, const std::string& coordinates) {
+    return fmt::format(R"({{"type":"{}","coordinates":{}}})", type, coordinates);
+  };
+  if (feature.parts.empty() || feature.parts[0].points.empty()) return "null";
+  const std::size_t count = feature.parts.size();
+  if (feature.type == FeatureType::Points) {
+    const Polyline& part = feature.parts[0];
+    return part.points.size() == 1 ? object("Point", point_text(part.points[0]))
+                                   : object("MultiPoint", points_text(part));
+  }
+  if (feature.type == FeatureType::Lines) {
+    return count == 1 ? object("LineString", points_text(feature.parts[0]))
+                      : object("MultiLineString", parts_text(feature, 0, count));
+  }
+  const auto polygons = polygons_of(feature);
+  if (polygons.size() == 1) return object("Polygon", parts_text(feature, 0, count));
+  std::string text;
+  for (const auto& [first, last] : polygons) text += (text.empty() ? "" : ",") + parts_text(feature, first, last);
+  return object("MultiPolygon", '[' + text + ']');
+}
+
+std::string value_text(const PropertyValue& value) {
+  if (const auto* text = std::get_if<std::string>(&value)) return string_text(*text);
+  if (const auto* number = std::get_if<double>(&value)) return base::number_text(*number);
+  if (const auto* integer = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *integer);
+  return std::get<bool>(value) ? "true" : "false";
+}
+
+Result<std::string> properties_text(const Feature& feature) {
+  std::string text = "{";
+  const auto add = [&](const std::string& key, const std::string& value) {
+    text += (text.size() > 1 ? "," : "") + string_text(key) + ':' + value;
+  };
+  if (!feature.name.empty()) add("name", string_text(feature.name));
+  if (!feature.kind.empty()) add("kind", string_text(feature.kind));
+  for (const auto& [key, value] : feature.properties) {
+    const auto* number = std::get_if<double>(&value);
+    if (number != nullptr && !std::isfinite(*number)) {
+      return Error{ErrorCode::NotFinite, fmt::format("property {} is not finite and cannot be written", shown(key))};
+    }
+    add(key, value_text(value));
+  }
+  return text + '}';
+}
+
+}  // namespace
+
+Result<std::string> geojson(std::span<const Feature> features) {
+  std::string text = "{\"type\":\"FeatureCollection\",\"features\":[";
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    const std::string item = fmt::format("feature {} {}", i + 1, shown(features[i].name));
+    for (const Polyline& part : features[i].parts) DOBRA_TRY_VOID(check_finite(part.points, item));
+    auto properties = properties_text(features[i]);
+    if (!properties) return base::located(properties.error(), base::Place{.item = item});
+    text += fmt::format("{}\n{{\"type\":\"Feature\",\"properties\":{},\"geometry\":{}}}", i > 0 ? "," : "", *properties,
+                        geometry_text(features[i]));
+  }
+  return text + "\n]}\n";
+}
+
+Result<void> write_geojson(const std::string& path, std::span<const Feature> features) {
+  DOBRA_TRY(const std::string text, geojson(features));
+  return write_file(path, text);
+}
+
+}  // namespace dobra::io

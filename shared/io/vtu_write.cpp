@@ -1,0 +1,181 @@
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <span>
+
+#include "shared/base/text.h"
+#include "shared/io/base64.h"
+#include "shared/io/file.h"
+#include "shared/io/mesh_sides.h"
+#include "shared/io/scan.h"
+#include "shared/io/vtu.h"
+
+namespace dobra::io {
+
+using base::Error;
+using base::ErrorCode;
+using base::Result;
+using mesh::TriangleMesh;
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "the binary arrays say LittleEndian");
+
+std::string attribute_text(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += static_cast<unsigned char>(c) < 0x20U ? ' ' : c;
+    }
+  }
+  return result;
+}
+
+template <class T>
+constexpr std::string_view type_name();
+template <>
+constexpr std::string_view type_name<double>() {
+  return "Float64";
+}
+template <>
+constexpr std::string_view type_name<std::int32_t>() {
+  return "Int32";
+}
+template <>
+constexpr std::string_view type_name<std::int64_t>() {
+  return "Int64";
+}
+template <>
+constexpr std::string_view type_name<std::uint8_t>() {
+  return "UInt8";
+}
+
+std::string item_text(double value) { return base::number_text(value); }
+template <class T>
+std::string item_text(T value) {
+  return fmt::format("{}", static_cast<std::int64_t>(value));
+}
+
+class Writer {
+ public:
+  explicit Writer(VtuEncoding encoding) : encoding_(encoding) {}
+
+  /// `a_line` numbers stand on a line of an ASCII array, by default one item.
+  template <class T>
+  void array(std::string_view name, std::span<const T> values, std::size_t components, std::size_t a_line = 0) {
+    const bool ascii = encoding_ == VtuEncoding::Ascii;
+    text += fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"{}\">\n", type_name<T>(),
+                        attribute_text(name), components, ascii ? "ascii" : "binary");
+    if (ascii) {
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        text += item_text(values[i]);
+        text += (i + 1) % (a_line > 0 ? a_line : components) == 0 ? '\n' : ' ';
+      }
+    } else {
+      const std::uint64_t size = values.size() * sizeof(T);
+      std::string bytes(sizeof(size) + size, '\0');
+      std::memcpy(bytes.data(), &size, sizeof(size));
+      if (size > 0) std::memcpy(bytes.data() + sizeof(size), values.data(), size);
+      text += base64(bytes) + '\n';
+    }
+    text += "</DataArray>\n";
+  }
+
+  void fields(const std::vector<MeshField>& all) {
+    for (const MeshField& field : all) array<double>(field.name, field.values, field.components);
+  }
+
+  std::string text;
+
+ private:
+  VtuEncoding encoding_;
+};
+
+Result<void> check_fields(const std::vector<MeshField>& fields, std::size_t items) {
+  for (const MeshField& field : fields) {
+    if (field.components == 0 || field.values.size() != items * field.components) {
+      return Error{ErrorCode::InvalidOption,
+                   fmt::format("field {} has {} values where {} x {} are due", shown(field.name), field.values.size(),
+                               items, field.components)};
+    }
+    for (std::size_t i = 0; i < field.values.size(); ++i) {
+      if (std::isfinite(field.values[i])) continue;
+      return Error{ErrorCode::NotFinite,
+                   fmt::format("value {} of field {} is not finite and cannot be written", i + 1, shown(field.name))};
+    }
+  }
+  return {};
+}
+
+void write_cells(const TriangleMesh& mesh, Writer& writer) {
+  std::vector<std::int64_t> connectivity;
+  std::vector<std::int64_t> offsets;
+  connectivity.reserve(3 * mesh.triangles.size());
+  offsets.reserve(mesh.triangles.size());
+  for (const mesh::Corners& corners : mesh.triangles) {
+    for (const mesh::NodeId node : corners) connectivity.push_back(static_cast<std::int64_t>(node.index()));
+    offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
+  }
+  constexpr std::uint8_t vtk_triangle = 5;
+  const std::vector<std::uint8_t> types(mesh.triangles.size(), vtk_triangle);
+  writer.text += "<Cells>\n";
+  writer.array<std::int64_t>("connectivity", connectivity, 1, 3);  // VTK takes no other number of components.
+  writer.array<std::int64_t>("offsets", offsets, 1);
+  writer.array<std::uint8_t>("types", types, 1);
+  writer.text += "</Cells>\n";
+}
+
+}  // namespace
+
+Result<std::string> vtu_text(const TriangleMesh& mesh, const MeshFields& fields, VtuEncoding encoding) {
+  DOBRA_TRY_VOID(check_finite(mesh.points, "the mesh"));
+  DOBRA_TRY_VOID(check_fields(fields.at_points, mesh.points.size()));
+  DOBRA_TRY_VOID(check_fields(fields.at_triangles, mesh.triangles.size()));
+  std::vector<double> coordinates;
+  coordinates.reserve(3 * mesh.points.size());
+  for (const geom::Point p : mesh.points) coordinates.insert(coordinates.end(), {p.x, p.y, 0.0});
+  std::vector<std::int32_t> regions;
+  regions.reserve(mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) regions.push_back(region_of(mesh, mesh::TriangleId(t)));
+
+  Writer writer(encoding);
+  writer.text =
+      "<?xml version=\"1.0\"?>\n"
+      "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
+      "<UnstructuredGrid>\n";
+  writer.text += fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<PointData>\n", mesh.points.size(),
+                             mesh.triangles.size());
+  writer.fields(fields.at_points);
+  writer.text += "</PointData>\n<CellData>\n";
+  writer.array<std::int32_t>("region", regions, 1);
+  writer.fields(fields.at_triangles);
+  writer.text += "</CellData>\n<Points>\n";
+  writer.array<double>("Points", coordinates, 3);
+  writer.text += "</Points>\n";
+  write_cells(mesh, writer);
+  writer.text += "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+  return std::move(writer.text);
+}
+
+Result<void> write_vtu(const std::string& path, const TriangleMesh& mesh, const MeshFields& fields,
+                       VtuEncoding encoding) {
+  DOBRA_TRY(const std::string text, vtu_text(mesh, fields, encoding));
+  return write_file(path, text);
+}
+
+}  // namespace dobra::io

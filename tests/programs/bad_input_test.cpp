@@ -1,0 +1,224 @@
+// What bad input gets: each fault is given to the real programs, which must answer with the exit code of docs/conventions.md
+// and one line that names the place, and leave nothing behind.
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+  int code = -1;
+  std::string said;  ///< Standard error.
+};
+
+class Programs : public testing::Test {
+ protected:
+  Programs() {
+    std::string name = (fs::temp_directory_path() / "dobra_programs_XXXXXX").string();
+    folder_ = mkdtemp(name.data());
+  }
+  ~Programs() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] fs::path path(const std::string& name) const { return folder_ / name; }
+  fs::path write(const std::string& name, const std::string& text) const {
+    std::ofstream(path(name), std::ios::binary) << text;
+    return path(name);
+  }
+  [[nodiscard]] static std::string read(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  [[nodiscard]] Outcome call(const std::string& arguments) const {
+    const std::string command = "env -u DISPLAY " DOBRA_BIN_DIR "/" + arguments + " > /dev/null 2> " + path("said").string();
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(path("said"))};
+  }
+  /// Runs a scenario text and expects one line that holds all of `wanted`, and no result.
+  void refuses(const std::string& program, const std::string& text, int code, const std::vector<std::string>& wanted) const {
+    const auto file = write("scenario.toml", text);
+    const Outcome outcome = call(program + " run " + file.string() + " --quiet --out " + path("out").string());
+    EXPECT_EQ(outcome.code, code) << outcome.said;
+    EXPECT_EQ(std::count(outcome.said.begin(), outcome.said.end(), '\n'), 1) << outcome.said;
+    for (const std::string& part : wanted) EXPECT_NE(outcome.said.find(part), std::string::npos) << part << "\n" << outcome.said;
+    EXPECT_TRUE(!fs::exists(path("out")) || fs::is_empty(path("out")));
+  }
+  void recon_refuses(const std::string& horizon, const std::string& steps, int code, const std::vector<std::string>& wanted) const {
+    refuses("recon", "dobra = 1\nprogram = \"recon\"\n[[input.horizon]]\nname = \"top\"\n" + horizon + "\n" + steps, code, wanted);
+  }
+  void quebra_refuses(const std::string& more, int code, const std::vector<std::string>& wanted) const {
+    refuses("quebra",
+            "dobra = 1\nprogram = \"quebra\"\n[[input.curve]]\nname = \"plate\"\nkind = \"polygon\"\n"
+            "points = [[0, 0], [4, 0], [4, 4], [0, 4]]\n" + more,
+            code, wanted);
+  }
+
+ private:
+  fs::path folder_;
+};
+
+const std::string good_points = "points = [[0.0, 0.0], [10.0, 1.0], [20.0, 0.0]]\n";
+
+TEST_F(Programs, GUI_c_AMissingFileIsNamed) {
+  const Outcome outcome = call("recon run " + path("none.toml").string() + " --out " + path("out").string());
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_NE(outcome.said.find("none.toml"), std::string::npos) << outcome.said;
+}
+
+TEST_F(Programs, AMissingHorizonFileIsNamed) { recon_refuses("file = \"none.csv\"", "", 3, {"none.csv"}); }
+
+TEST_F(Programs, ADirectoryIsNoFile) {
+  fs::create_directory(path("folder.csv"));
+  recon_refuses("file = \"folder.csv\"", "", 3, {"folder.csv", "folder"});
+  EXPECT_EQ(call("quebra run " + path("folder.csv").string() + " --out " + path("out").string()).code, 3);
+}
+
+TEST_F(Programs, AnEmptyFileIsNamed) {
+  write("empty.csv", "");
+  recon_refuses("file = \"empty.csv\"", "", 3, {"empty.csv", "empty"});
+  EXPECT_EQ(call("quebra run " + write("empty.toml", "").string() + " --out " + path("out").string()).code, 3);
+}
+
+TEST_F(Programs, ABinaryFileIsRefused) {
+  write("binary.csv", std::string("\x7f" "ELF\0\1\2\3\xff\xfe", 10));
+  recon_refuses("file = \"binary.csv\"", "", 3, {"binary.csv"});
+}
+
+TEST_F(Programs, NonNumericTextIsShownWithItsLine) {
+  write("text.csv", "0 0\n1 one\n2 0\n");
+  recon_refuses("file = \"text.csv\"", "", 3, {"text.csv:2", "one"});
+}
+
+TEST_F(Programs, NotANumberAndInfinityAreRefused) {
+  write("nan.csv", "0 0\n1 nan\n2 0\n");
+  recon_refuses("file = \"nan.csv\"", "", 3, {"nan.csv:2"});
+  recon_refuses("points = [[0.0, 0.0], [inf, 1.0]]", "", 3, {"scenario.toml:5"});
+  quebra_refuses("[[step]]\noperation = \"mesh\"\nsize = nan\n", 3, {"scenario.toml:9", "size"});
+}
+
+TEST_F(Programs, FewerThanTwoDistinctPointsAreRefused) {
+  write("one.csv", "3 4\n3 4\n3 4\n");
+  recon_refuses("file = \"one.csv\"", "", 3, {"one.csv"});
+  recon_refuses("points = [[1.0, 1.0]]", "", 3, {"top"});
+}
+
+TEST_F(Programs, RepeatedPointsAreDroppedWithARemark) {
+  write("repeated.csv", "0 0\n0 0\n10 1\n10 1\n20 0\n");
+  const auto file = write("scenario.toml", "dobra = 1\nprogram = \"recon\"\n[[input.horizon]]\nname = \"top\"\nfile = \"repeated.csv\"\n");
+  const Outcome outcome = call("recon run " + file.string() + " --out " + path("out").string());
+  EXPECT_EQ(outcome.code, 0) << outcome.said;
+  EXPECT_NE(read(path("out/report.json")).find("repeated"), std::string::npos);
+}
+
+TEST_F(Programs, ASelfCrossingHorizonIsRefusedWithThePlace) {
+  recon_refuses("points = [[0.0, 0.0], [10.0, 10.0], [10.0, 0.0], [0.0, 10.0]]", "", 3, {"top", "5"});
+}
+
+TEST_F(Programs, ASelfCrossingBoundaryIsRefusedWithThePlace) {
+  refuses("quebra",
+          "dobra = 1\nprogram = \"quebra\"\n[[input.curve]]\nname = \"bow\"\nkind = \"polygon\"\npoints = [[0, 0], [2, 2], [2, 0], [0, 2]]\n", 3,
+          {"scenario.toml:3", "bow", "1, 1"});
+}
+
+TEST_F(Programs, AHoleOutsideIsNamed) {
+  quebra_refuses("[[input.curve]]\nname = \"hole\"\nkind = \"circle\"\ncentre = [9, 2]\nradius = 1\nrole = \"hole\"\n", 3,
+                 {"scenario.toml:7", "hole", "outside"});
+}
+
+TEST_F(Programs, NoCurvesIsRefused) {
+  recon_refuses(good_points, "[[step]]\noperation = \"grid\"\ntop = \"top\"\ncount = 0\n", 3, {"scenario.toml:10", "count"});
+  quebra_refuses("[[step]]\noperation = \"constraints\"\ncurves = [\"plate\"]\ncount = 0\n", 3, {"scenario.toml:10", "count"});
+}
+
+TEST_F(Programs, ADistanceThatIsNotPositiveIsRefused) {
+  recon_refuses(good_points, "[[step]]\noperation = \"grid\"\ntop = \"top\"\ndistance = 0.0\n", 3, {"scenario.toml:10", "distance"});
+  quebra_refuses("[[step]]\noperation = \"constraints\"\ncurves = [\"plate\"]\ndistance = -1\n", 3, {"distance"});
+}
+
+TEST_F(Programs, AFactorThatIsNotPositiveIsRefused) {
+  recon_refuses(good_points, "[[step]]\noperation = \"grid\"\ntop = \"top\"\nfactor = -0.5\n", 3, {"factor"});
+  quebra_refuses("[[step]]\noperation = \"constraints\"\ncurves = [\"plate\"]\nfactor = 0\n", 3, {"factor"});
+}
+
+TEST_F(Programs, AnUnknownKeyGetsASuggestion) {
+  recon_refuses(good_points, "[[step]]\noperation = \"grid\"\ntop = \"top\"\ndistanse = 1.0\n", 3, {"scenario.toml:10", "distanse", "did you mean 'distance'"});
+}
+
+TEST_F(Programs, AnUnknownOperationGetsASuggestion) {
+  quebra_refuses("[[step]]\noperation = \"mash\"\n", 3, {"scenario.toml:7", "mash", "did you mean 'mesh'"});
+}
+
+TEST_F(Programs, AnUnknownCurveGetsASuggestion) {
+  quebra_refuses("[[step]]\noperation = \"constraints\"\ncurves = [\"plaet\"]\n", 3, {"plaet", "did you mean 'plate'"});
+}
+
+TEST_F(Programs, WrongUsageEndsWithTwo) {
+  EXPECT_EQ(call("recon run").code, 2);
+  EXPECT_EQ(call("quebra run a.toml --no-such-option").code, 2);
+}
+
+TEST_F(Programs, AFullDiskIsNamedAndNothingIsLeft) {
+  const auto file = write("scenario.toml", "dobra = 1\nprogram = \"recon\"\n[[input.horizon]]\nname = \"top\"\n" + good_points);
+  const Outcome outcome = call("recon render " + file.string() + " --out /dev/full");
+  EXPECT_EQ(outcome.code == 2 || outcome.code == 4, true) << outcome.said;
+  fs::create_symlink("/dev/full", path("picture.svg"));
+  const Outcome full = call("recon render " + file.string() + " --out " + path("picture.svg").string());
+  EXPECT_EQ(full.code, 4) << full.said;
+  EXPECT_NE(full.said.find("picture.svg"), std::string::npos) << full.said;
+}
+
+TEST_F(Programs, AnOutputFolderThatCannotBeMadeIsNamed) {
+  write("file", "x");
+  const auto file = write("scenario.toml", "dobra = 1\nprogram = \"recon\"\n[[input.horizon]]\nname = \"top\"\n" + good_points);
+  const Outcome outcome = call("recon run " + file.string() + " --out " + path("file/out").string());
+  EXPECT_EQ(outcome.code, 4) << outcome.said;
+}
+
+TEST_F(Programs, AnInterruptedRunEndsWith130AndLeavesNothing) {
+  const auto file = write("scenario.toml",
+                          "dobra = 1\nprogram = \"quebra\"\n[[input.curve]]\nname = \"plate\"\nkind = \"polygon\"\n"
+                          "points = [[0, 0], [4, 0], [4, 4], [0, 4]]\n[[step]]\noperation = \"mesh\"\nsize = 0.003\n");
+  const std::string program = DOBRA_BIN_DIR "/quebra";
+  const std::string out = path("out").string();
+  const pid_t child = fork();
+  if (child == 0) {
+    unsetenv("DISPLAY");
+    execl(program.c_str(), "quebra", "run", file.c_str(), "--quiet", "--out", out.c_str(), nullptr);
+    _exit(99);
+  }
+  std::this_thread::sleep_for(std::chrono::seconds(2));
+  kill(child, SIGINT);
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_TRUE(!fs::exists(out) || fs::is_empty(out));
+}
+
+TEST_F(Programs, SameInputSameBytesAtAnyNumberOfThreads) {
+  for (const std::string program : {"recon", "quebra"}) {
+    const std::string example = std::string(DOBRA_SOURCE_DIR) + "/resources/examples/" + (program == "recon" ? "recon/fold.toml" : "quebra/plate_with_hole.toml");
+    for (const std::string threads : {"1", "4"}) {
+      const Outcome outcome = call(program + " run " + example + " --quiet --threads " + threads + " --out " + path(program + threads).string());
+      ASSERT_EQ(outcome.code, 0) << outcome.said;
+    }
+    for (const auto& entry : fs::directory_iterator(path(program + "1"))) {
+      if (entry.path().filename() == "picture_vtk.png") continue;  // drawn by the OpenGL driver
+      EXPECT_EQ(read(entry.path()), read(path(program + "4") / entry.path().filename())) << entry.path();
+    }
+  }
+}
+
+}  // namespace
