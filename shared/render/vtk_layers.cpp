@@ -17,6 +17,7 @@
 #include <cmath>
 
 #include "shared/scene/color_map.h"
+#include "shared/geom/simplify.h"
 #include "shared/scene/fill.h"
 
 namespace dobra::render {
@@ -26,6 +27,8 @@ using geom::Point;
 using scene::Color;
 
 constexpr int color_levels = 64;  // as in the files, so that both look alike
+/// Details of a line smaller than this cannot be seen.
+constexpr double seen_pixels = 0.1;
 
 /// Cells given by where each ends in a list of point numbers.
 struct Cells {
@@ -200,36 +203,51 @@ class ActorMaker {
     mapper.InterpolateScalarsBeforeMappingOn();
   }
 
+  /// Segments shorter than a pixel come out faint or not at all, so what is drawn is the line as it can be seen at the
+  /// present scale.
   void add_solid(const std::vector<geom::Polyline>& lines) {
     if (style_.line_width <= 0.0) return;
-    vtkNew<vtkPoints> points;
-    Cells cells;
-    for (const geom::Polyline& line : lines) {
-      if (line.points.size() < 2) continue;
-      const vtkIdType first = points->GetNumberOfPoints();
-      for (const Point& p : line.points) cells.add(insert(*points, p, depth_));
-      if (line.closed) cells.add(first);
-      cells.end();
-    }
-    vtkNew<vtkPolyData> data;
-    data->SetPoints(points);
-    data->SetLines(cells.array());
+    vtkSmartPointer<vtkPolyData> data = vtkSmartPointer<vtkPolyData>::New();
     follow_width(add(data, style_.line));
+    vtkSmartPointer<vtkPolyData> joins;
     // A wide line of VTK is cut off square at every point; discs make round joins of the gaps. On a translucent line
     // they would show.
-    if (style_.line_width < 1.5 || style_.line.alpha != 255) return;
-    vtkNew<vtkPolyData> joins;
-    joins->SetPoints(points);
-    Cells verts;
-    for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i) {
-      verts.add(i);
-      verts.end();
+    if (style_.line_width >= 1.5 && style_.line.alpha == 255) {
+      joins = vtkSmartPointer<vtkPolyData>::New();
+      vtkActor& discs = add(joins, style_.line);
+      make_round(discs);
+      made_.on_view.emplace_back([&discs, width = style_.line_width](const scene::PanelLayout&, double pixels_per_point) {
+        discs.GetProperty()->SetPointSize(static_cast<float>(width * pixels_per_point));
+      });
     }
-    joins->SetVerts(verts.array());
-    vtkActor& discs = add(joins, style_.line);
-    make_round(discs);
-    made_.on_view.emplace_back([&discs, width = style_.line_width](const scene::PanelLayout&, double pixels_per_point) {
-      discs.GetProperty()->SetPointSize(static_cast<float>(width * pixels_per_point));
+    made_.on_view.emplace_back([data, joins, lines, origin = origin_, depth = depth_, drawn_for = 0.0](
+                                   const scene::PanelLayout& place, double pixels_per_point) mutable {
+      const double pixels_per_unit = std::max(place.transform.points_per_x, place.transform.points_per_y) * pixels_per_point;
+      if (pixels_per_unit == drawn_for) return;
+      drawn_for = pixels_per_unit;
+      vtkNew<vtkPoints> points;
+      Cells cells;
+      Cells verts;
+      for (const geom::Polyline& line : lines) {
+        const auto seen = geom::simplify(line, {seen_pixels / pixels_per_unit});
+        if (!seen) continue;  // a line of one point has nothing to draw
+        const vtkIdType first = points->GetNumberOfPoints();
+        for (const Point& p : seen->points) {
+          const vtkIdType at = points->InsertNextPoint(p.x - origin.x, p.y - origin.y, depth);
+          cells.add(at);
+          verts.add(at);
+          verts.end();
+        }
+        if (line.closed) cells.add(first);
+        cells.end();
+      }
+      data->SetPoints(points);
+      data->SetLines(cells.array());
+      data->Modified();
+      if (joins == nullptr) return;
+      joins->SetPoints(points);
+      joins->SetVerts(verts.array());
+      joins->Modified();
     });
   }
 

@@ -1,0 +1,895 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="pt_BR" sourcelanguage="en">
+<context>
+    <name>dobra</name>
+    <message>
+        <source>Show</source>
+        <translation>Mostrar</translation>
+    </message>
+    <message>
+        <source>Go to the step and the place</source>
+        <translation>Ir à etapa e ao lugar</translation>
+    </message>
+    <message>
+        <source>Close this message</source>
+        <translation>Fechar esta mensagem</translation>
+    </message>
+    <message>
+        <source>not set</source>
+        <translation>não definido</translation>
+    </message>
+    <message>
+        <source>no file</source>
+        <translation>nenhum arquivo</translation>
+    </message>
+    <message>
+        <source>Choose a file</source>
+        <translation>Escolher um arquivo</translation>
+    </message>
+    <message>
+        <source>(default)</source>
+        <translation>(padrão)</translation>
+    </message>
+    <message>
+        <source>write true or false</source>
+        <translation>escreva true ou false</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not one of the choices</source>
+        <translation>&apos;%1&apos; não é uma das opções</translation>
+    </message>
+    <message>
+        <source>x, y on each line</source>
+        <translation>x, y em cada linha</translation>
+    </message>
+    <message>
+        <source>line %1: &apos;%2&apos; is not a number</source>
+        <translation>linha %1: &apos;%2&apos; não é um número</translation>
+    </message>
+    <message>
+        <source>line %1: a point has two numbers, x and y</source>
+        <translation>linha %1: um ponto tem dois números, x e y</translation>
+    </message>
+    <message>
+        <source>Scenarios (*.toml)</source>
+        <translation>Cenários (*.toml)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos os arquivos (*)</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Etapas</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parâmetros</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Camadas</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Resultados</translation>
+    </message>
+    <message>
+        <source>Add &apos;%1&apos;</source>
+        <translation>Acrescentar &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>Remove step %1</source>
+        <translation>Remover a etapa %1</translation>
+    </message>
+    <message>
+        <source>Exchange steps %1 and %2</source>
+        <translation>Trocar as etapas %1 e %2</translation>
+    </message>
+    <message>
+        <source>Change &apos;%1&apos;</source>
+        <translation>Mudar &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Arquivo</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Editar</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>E&amp;xibir</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>E&amp;xecutar</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>Aj&amp;uda</translation>
+    </message>
+    <message>
+        <source>&amp;Open...</source>
+        <translation>&amp;Abrir...</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Salvar</translation>
+    </message>
+    <message>
+        <source>Save &amp;As...</source>
+        <translation>Salvar &amp;como...</translation>
+    </message>
+    <message>
+        <source>Save &amp;Picture...</source>
+        <translation>Salvar &amp;figura...</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>Sai&amp;r</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Desfazer</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Refazer</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>&amp;Enquadrar</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Cancelar</translation>
+    </message>
+    <message>
+        <source>&amp;About %1</source>
+        <translation>&amp;Sobre o %1</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Ferramentas</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 foi salvo</translation>
+    </message>
+    <message>
+        <source>there is no picture yet; run the scenario first</source>
+        <translation>ainda não há figura; execute antes o cenário</translation>
+    </message>
+    <message>
+        <source>the view came out blank</source>
+        <translation>a vista saiu em branco</translation>
+    </message>
+    <message>
+        <source>cannot write the picture</source>
+        <translation>não é possível gravar a figura</translation>
+    </message>
+    <message>
+        <source>Open a scenario</source>
+        <translation>Abrir um cenário</translation>
+    </message>
+    <message>
+        <source>Save the scenario</source>
+        <translation>Salvar o cenário</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Salvar a figura</translation>
+    </message>
+    <message>
+        <source>Pictures (*.svg *.pdf *.png)</source>
+        <translation>Figuras (*.svg *.pdf *.png)</translation>
+    </message>
+    <message>
+        <source>The scenario has changes that are not saved.</source>
+        <translation>O cenário tem mudanças que não foram salvas.</translation>
+    </message>
+    <message>
+        <source>Save them?</source>
+        <translation>Salvá-las?</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Salvar</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Descartar</translation>
+    </message>
+    <message>
+        <source>Restores deformed geological sections.</source>
+        <translation>Restaura seções geológicas deformadas.</translation>
+    </message>
+    <message>
+        <source>Prepares finite-element meshes of fractured plane solids.</source>
+        <translation>Prepara malhas de elementos finitos de sólidos planos fraturados.</translation>
+    </message>
+    <message>
+        <source>About %1</source>
+        <translation>Sobre o %1</translation>
+    </message>
+    <message>
+        <source>Part of Dobra. Apache License 2.0.</source>
+        <translation>Parte do Dobra. Licença Apache 2.0.</translation>
+    </message>
+    <message>
+        <source>untitled</source>
+        <translation>sem título</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Entrada</translation>
+    </message>
+    <message>
+        <source>%1 has no such operation.</source>
+        <translation>O %1 não tem essa operação.</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>executando</translation>
+    </message>
+    <message>
+        <source>Done in %1 s</source>
+        <translation>Feito em %1 s</translation>
+    </message>
+    <message>
+        <source>Interrupted. What is shown is the last step that was done.</source>
+        <translation>Interrompido. O que se vê é a última etapa que foi feita.</translation>
+    </message>
+    <message>
+        <source>greater than %1</source>
+        <translation>maior que %1</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>no mínimo %1</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>no máximo %1</translation>
+    </message>
+    <message>
+        <source>required</source>
+        <translation>obrigatório</translation>
+    </message>
+    <message>
+        <source>default %1</source>
+        <translation>padrão %1</translation>
+    </message>
+    <message>
+        <source>Nothing to set.</source>
+        <translation>Nada a definir.</translation>
+    </message>
+    <message>
+        <source>Return to the default</source>
+        <translation>Voltar ao padrão</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a parameter here</source>
+        <translation>&apos;%1&apos; não é um parâmetro aqui</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Remover</translation>
+    </message>
+    <message>
+        <source>no parameter &apos;%1&apos; here</source>
+        <translation>não há parâmetro &apos;%1&apos; aqui</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has %2 tables; write %1.NUMBER.KEY</source>
+        <translation>&apos;%1&apos; tem %2 tabelas; escreva %1.NÚMERO.CHAVE</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Grandeza</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valor</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unidade</translation>
+    </message>
+    <message>
+        <source>No remarks.</source>
+        <translation>Sem observações.</translation>
+    </message>
+    <message>
+        <source>there is nothing to undo</source>
+        <translation>não há nada a desfazer</translation>
+    </message>
+    <message>
+        <source>there is nothing to do again</source>
+        <translation>não há nada a refazer</translation>
+    </message>
+    <message>
+        <source>the document has no file yet; write save PATH</source>
+        <translation>o documento ainda não tem arquivo; escreva save CAMINHO</translation>
+    </message>
+    <message>
+        <source>no layer &apos;%1&apos;</source>
+        <translation>não há camada &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>no operation &apos;%1&apos;</source>
+        <translation>não há operação &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>the input cannot be removed; select a step</source>
+        <translation>a entrada não pode ser removida; escolha uma etapa</translation>
+    </message>
+    <message>
+        <source>the error bar says &apos;%1&apos;</source>
+        <translation>a barra de erro diz &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>no step &apos;%1&apos;; there are %2</source>
+        <translation>não há etapa &apos;%1&apos;; elas são %2</translation>
+    </message>
+    <message>
+        <source>write zoom FACTOR X Y with a factor above 0 and X, Y in 0..1</source>
+        <translation>escreva zoom FATOR X Y com um fator acima de 0 e X, Y em 0..1</translation>
+    </message>
+    <message>
+        <source>not run</source>
+        <translation>não executada</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>feita</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>falhou</translation>
+    </message>
+    <message>
+        <source>Remove the step</source>
+        <translation>Remover a etapa</translation>
+    </message>
+    <message>
+        <source>Move the step up</source>
+        <translation>Mover a etapa para cima</translation>
+    </message>
+    <message>
+        <source>Move the step down</source>
+        <translation>Mover a etapa para baixo</translation>
+    </message>
+    <message>
+        <source>Add a step behind the selected one</source>
+        <translation>Acrescentar uma etapa depois da escolhida</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Acrescentar</translation>
+    </message>
+    <message>
+        <source>Nothing here.</source>
+        <translation>Nada aqui.</translation>
+    </message>
+    <message>
+        <source>%1, item %2</source>
+        <translation>%1, item %2</translation>
+    </message>
+    <message>
+        <source>Boundary</source>
+        <translation>Contorno</translation>
+    </message>
+    <message>
+        <source>Deformed section</source>
+        <translation>Seção deformada</translation>
+    </message>
+    <message>
+        <source>Domain</source>
+        <translation>Domínio</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Malha</translation>
+    </message>
+    <message>
+        <source>Nodes</source>
+        <translation>Nós</translation>
+    </message>
+    <message>
+        <source>Offset constraints</source>
+        <translation>Restrições paralelas</translation>
+    </message>
+    <message>
+        <source>Offset curves</source>
+        <translation>Curvas paralelas</translation>
+    </message>
+    <message>
+        <source>Pin line</source>
+        <translation>Linha de fixação</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>Ponto fixo</translation>
+    </message>
+    <message>
+        <source>pin</source>
+        <translation>ponto fixo</translation>
+    </message>
+    <message>
+        <source>Restored section</source>
+        <translation>Seção restaurada</translation>
+    </message>
+    <message>
+        <source>Rungs</source>
+        <translation>Transversais</translation>
+    </message>
+    <message>
+        <source>Target grid</source>
+        <translation>Malha de destino</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Destino</translation>
+    </message>
+    <message>
+        <source>Source grid</source>
+        <translation>Malha de origem</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Restaurar</translation>
+    </message>
+    <message>
+        <source>Offset curves of the top of the section and the transversals between them.</source>
+        <translation>Curvas paralelas ao topo da seção e as transversais entre elas.</translation>
+    </message>
+    <message>
+        <source>The geometry to which the top is restored, a datum or a line, held at a pin.</source>
+        <translation>A geometria para a qual o topo é restaurado, um datum ou uma linha, presa em um ponto fixo.</translation>
+    </message>
+    <message>
+        <source>Carries every point of the section from the source grid to the target grid.</source>
+        <translation>Leva cada ponto da seção da malha de origem para a malha de destino.</translation>
+    </message>
+    <message>
+        <source>Offset curves of a boundary, as internal constraints that grade the mesh.</source>
+        <translation>Curvas paralelas a um contorno, como restrições internas que graduam a malha.</translation>
+    </message>
+    <message>
+        <source>Divides the boundary and fills the domain with triangles: quadtree for the sizes, Delaunay for the shapes.</source>
+        <translation>Divide o contorno e preenche o domínio com triângulos: quadtree para os tamanhos, Delaunay para as formas.</translation>
+    </message>
+    <message>
+        <source>mean alpha</source>
+        <translation>alfa médio</translation>
+    </message>
+    <message>
+        <source>quality alpha</source>
+        <translation>qualidade alfa</translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation>triângulos</translation>
+    </message>
+    <message>
+        <source>vertical exaggeration</source>
+        <translation>exagero vertical</translation>
+    </message>
+    <message>
+        <source>Balance tolerance</source>
+        <translation>Tolerância do balanço</translation>
+    </message>
+    <message>
+        <source>Base curves</source>
+        <translation>Curvas de base</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation>Centro</translation>
+    </message>
+    <message>
+        <source>Columns of x and y</source>
+        <translation>Colunas de x e y</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>Cantos</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Curvas</translation>
+    </message>
+    <message>
+        <source>Direction of the line</source>
+        <translation>Sentido da linha</translation>
+    </message>
+    <message>
+        <source>Elevation of the datum</source>
+        <translation>Elevação do datum</translation>
+    </message>
+    <message>
+        <source>Extent</source>
+        <translation>Extensão</translation>
+    </message>
+    <message>
+        <source>Factor</source>
+        <translation>Fator</translation>
+    </message>
+    <message>
+        <source>Feature</source>
+        <translation>Feição</translation>
+    </message>
+    <message>
+        <source>File of the line</source>
+        <translation>Arquivo da linha</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Arquivo</translation>
+    </message>
+    <message>
+        <source>First distance</source>
+        <translation>Primeira distância</translation>
+    </message>
+    <message>
+        <source>Greatest size</source>
+        <translation>Maior tamanho</translation>
+    </message>
+    <message>
+        <source>Greatest turn</source>
+        <translation>Maior giro</translation>
+    </message>
+    <message>
+        <source>Growth</source>
+        <translation>Crescimento</translation>
+    </message>
+    <message>
+        <source>Horizons</source>
+        <translation>Horizontes</translation>
+    </message>
+    <message>
+        <source>Join tolerance</source>
+        <translation>Tolerância de junção</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Rótulo</translation>
+    </message>
+    <message>
+        <source>Lines that cross themselves</source>
+        <translation>Linhas que cruzam a si mesmas</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Método</translation>
+    </message>
+    <message>
+        <source>Most elements</source>
+        <translation>Máximo de elementos</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nome</translation>
+    </message>
+    <message>
+        <source>Node spacing</source>
+        <translation>Espaçamento dos nós</translation>
+    </message>
+    <message>
+        <source>Number of curves</source>
+        <translation>Número de curvas</translation>
+    </message>
+    <message>
+        <source>Obey constraints</source>
+        <translation>Obedecer às restrições</translation>
+    </message>
+    <message>
+        <source>Pin on the target</source>
+        <translation>Ponto fixo no destino</translation>
+    </message>
+    <message>
+        <source>Points of the line</source>
+        <translation>Pontos da linha</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Pontos</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Raio</translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation>Razão</translation>
+    </message>
+    <message>
+        <source>Reference of y</source>
+        <translation>Referência de y</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Papel</translation>
+    </message>
+    <message>
+        <source>Second coordinate grows</source>
+        <translation>A segunda coordenada cresce</translation>
+    </message>
+    <message>
+        <source>Segments</source>
+        <translation>Segmentos</translation>
+    </message>
+    <message>
+        <source>Separator</source>
+        <translation>Separador</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Forma</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Lado</translation>
+    </message>
+    <message>
+        <source>Simplify the top</source>
+        <translation>Simplificar o topo</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamanho</translation>
+    </message>
+    <message>
+        <source>Smoothing passes</source>
+        <translation>Passadas de suavização</translation>
+    </message>
+    <message>
+        <source>Spurious regions</source>
+        <translation>Regiões espúrias</translation>
+    </message>
+    <message>
+        <source>Start angle</source>
+        <translation>Ângulo inicial</translation>
+    </message>
+    <message>
+        <source>Sweep angle</source>
+        <translation>Ângulo varrido</translation>
+    </message>
+    <message>
+        <source>Top horizon</source>
+        <translation>Horizonte do topo</translation>
+    </message>
+    <message>
+        <source>Turning</source>
+        <translation>Giro</translation>
+    </message>
+    <message>
+        <source>Unit of the coordinates</source>
+        <translation>Unidade das coordenadas</translation>
+    </message>
+    <message>
+        <source>x of the pin</source>
+        <translation>x do ponto fixo</translation>
+    </message>
+    <message>
+        <source>A .poly file of Triangle with the boundary, in place of curves or beside them.</source>
+        <translation>Um arquivo .poly do Triangle com o contorno, no lugar das curvas ou ao lado delas.</translation>
+    </message>
+    <message>
+        <source>Between the columns of a text file.</source>
+        <translation>Entre as colunas de um arquivo de texto.</translation>
+    </message>
+    <message>
+        <source>By default such that the curves reach the deepest point.</source>
+        <translation>Por padrão, tal que as curvas alcancem o ponto mais profundo.</translation>
+    </message>
+    <message>
+        <source>By default that of the top at the pin.</source>
+        <translation>Por padrão, a do topo no ponto fixo.</translation>
+    </message>
+    <message>
+        <source>D_k = factor D_(k-1) + first distance; 1 spaces the curves equally.</source>
+        <translation>D_k = fator D_(k-1) + primeira distância; com 1 as curvas ficam igualmente espaçadas.</translation>
+    </message>
+    <message>
+        <source>Each gap is this many times the one before.</source>
+        <translation>Cada intervalo é este número de vezes o anterior.</translation>
+    </message>
+    <message>
+        <source>Ends of curves nearer than this fraction of the domain&apos;s diagonal are one point.</source>
+        <translation>Pontas de curvas mais próximas que esta fração da diagonal do domínio são um só ponto.</translation>
+    </message>
+    <message>
+        <source>From the base to the first curve.</source>
+        <translation>Da base à primeira curva.</translation>
+    </message>
+    <message>
+        <source>Greatest change of a bed&apos;s length in a balanced section.</source>
+        <translation>Maior mudança do comprimento de uma camada em uma seção balanceada.</translation>
+    </message>
+    <message>
+        <source>In a text file, counted from 1.</source>
+        <translation>Em um arquivo de texto, contadas a partir de 1.</translation>
+    </message>
+    <message>
+        <source>Last side to first side, for `segments`.</source>
+        <translation>Do último lado ao primeiro, para `segments`.</translation>
+    </message>
+    <message>
+        <source>Length of the element sides along the curve; 0 leaves it to the mesh step.</source>
+        <translation>Comprimento dos lados dos elementos ao longo da curva; 0 deixa-o para a etapa da malha.</translation>
+    </message>
+    <message>
+        <source>Most by which sizes may grow from one element to the next.</source>
+        <translation>O máximo que os tamanhos podem crescer de um elemento para o vizinho.</translation>
+    </message>
+    <message>
+        <source>Multiplies the distance of the nodes (ring).</source>
+        <translation>Multiplica a distância dos nós (ring).</translation>
+    </message>
+    <message>
+        <source>Name of the feature in a GeoJSON file that holds several lines.</source>
+        <translation>Nome da feição em um arquivo GeoJSON com várias linhas.</translation>
+    </message>
+    <message>
+        <source>Name of the line in a GeoJSON file with several.</source>
+        <translation>Nome da linha em um arquivo GeoJSON com várias.</translation>
+    </message>
+    <message>
+        <source>Names of one curve, or of curves that follow each other.</source>
+        <translation>Nomes de uma curva, ou de curvas que se seguem.</translation>
+    </message>
+    <message>
+        <source>Number of element sides along the curve; 0 leaves it to the sizes.</source>
+        <translation>Número de lados de elementos ao longo da curva; 0 deixa-o para os tamanhos.</translation>
+    </message>
+    <message>
+        <source>Of a circle, or of an arc given by angles.</source>
+        <translation>De um círculo, ou de um arco dado por ângulos.</translation>
+    </message>
+    <message>
+        <source>Of an arc given by its two points.</source>
+        <translation>De um arco dado por seus dois pontos.</translation>
+    </message>
+    <message>
+        <source>Of an arc or circle.</source>
+        <translation>De um arco ou círculo.</translation>
+    </message>
+    <message>
+        <source>Of an arc, anticlockwise from +x.</source>
+        <translation>De um arco, no sentido anti-horário a partir de +x.</translation>
+    </message>
+    <message>
+        <source>Of an arc; negative runs clockwise.</source>
+        <translation>De um arco; negativo vai no sentido horário.</translation>
+    </message>
+    <message>
+        <source>Of element sides; 0 takes 1/20 of the domain&apos;s diagonal on the boundary and the longest side inside.</source>
+        <translation>Dos lados dos elementos; 0 toma 1/20 da diagonal do domínio no contorno e o maior lado dentro.</translation>
+    </message>
+    <message>
+        <source>Sets of the mesh take it.</source>
+        <translation>Os conjuntos da malha o tomam.</translation>
+    </message>
+    <message>
+        <source>Stands above the picture of this mesh.</source>
+        <translation>Fica acima da figura desta malha.</translation>
+    </message>
+    <message>
+        <source>That one element side on an arc may span.</source>
+        <translation>Que um lado de elemento em um arco pode abranger.</translation>
+    </message>
+    <message>
+        <source>The boundary, in any order and direction; internal lines.</source>
+        <translation>O contorno, em qualquer ordem e sentido; linhas internas.</translation>
+    </message>
+    <message>
+        <source>The horizon that the curves are parallel to; by default the first.</source>
+        <translation>O horizonte ao qual as curvas são paralelas; por padrão o primeiro.</translation>
+    </message>
+    <message>
+        <source>The line itself, [[x, y], ...]; instead of a file.</source>
+        <translation>A própria linha, [[x, y], ...]; em vez de um arquivo.</translation>
+    </message>
+    <message>
+        <source>The mesher stops with advice beyond it.</source>
+        <translation>Além dele o gerador para com um conselho.</translation>
+    </message>
+    <message>
+        <source>The point to which the pin goes; by default the one with the same x.</source>
+        <translation>O ponto para onde vai o ponto fixo; por padrão o de mesmo x.</translation>
+    </message>
+    <message>
+        <source>Two-column text, CSV or GeoJSON, like a horizon&apos;s.</source>
+        <translation>Texto de duas colunas, CSV ou GeoJSON, como o de um horizonte.</translation>
+    </message>
+    <message>
+        <source>Two-column text, CSV or GeoJSON; instead of points.</source>
+        <translation>Texto de duas colunas, CSV ou GeoJSON; em vez de pontos.</translation>
+    </message>
+    <message>
+        <source>Value of y at z = 0 where y grows downwards, in the unit of the files.</source>
+        <translation>Valor de y em z = 0 onde y cresce para baixo, na unidade dos arquivos.</translation>
+    </message>
+    <message>
+        <source>Vertices of a line or polygon; first and last point of an arc.</source>
+        <translation>Vértices de uma linha ou polígono; primeiro e último ponto de um arco.</translation>
+    </message>
+    <message>
+        <source>Where the top is held; by default its left end.</source>
+        <translation>Onde o topo é preso; por padrão sua ponta esquerda.</translation>
+    </message>
+    <message>
+        <source>as_given: its first point goes with the left end of the top.</source>
+        <translation>as_given: seu primeiro ponto vai com a ponta esquerda do topo.</translation>
+    </message>
+    <message>
+        <source>auto: the side of the other horizons, below if there are none.</source>
+        <translation>auto: o lado dos outros horizontes, abaixo se não houver.</translation>
+    </message>
+    <message>
+        <source>constant: keeps the length of the top and the depth of every point below it.</source>
+        <translation>constant: mantém o comprimento do topo e a profundidade de cada ponto abaixo dele.</translation>
+    </message>
+    <message>
+        <source>count: so many curves; base: as many as reach the deepest point of the section.</source>
+        <translation>count: tantas curvas; base: tantas quantas alcancem o ponto mais profundo da seção.</translation>
+    </message>
+    <message>
+        <source>cut_loops: small loops of the pen are cut out, with a remark.</source>
+        <translation>cut_loops: pequenos laços da pena são cortados, com uma observação.</translation>
+    </message>
+    <message>
+        <source>down: z = reference - y, as for depths and images.</source>
+        <translation>down: z = referência - y, como em profundidades e imagens.</translation>
+    </message>
+    <message>
+        <source>flat: a horizontal datum; line: the points or the file.</source>
+        <translation>flat: um datum horizontal; line: os pontos ou o arquivo.</translation>
+    </message>
+    <message>
+        <source>inside: where the domain is; left or right of the base&apos;s direction.</source>
+        <translation>inside: onde está o domínio; left ou right do sentido da base.</translation>
+    </message>
+    <message>
+        <source>line: a chain of points; polygon: closed; arc: centre and two points, or centre, radius, start, sweep; circle: centre and radius.</source>
+        <translation>line: uma cadeia de pontos; polygon: fechado; arc: centro e dois pontos, ou centro, raio, início e varrido; circle: centro e raio.</translation>
+    </message>
+    <message>
+        <source>mitre: bisector points up to four distances; bisector: however far, as the rungs go.</source>
+        <translation>mitre: pontos na bissetriz até quatro distâncias; bisector: por mais longe que vão as transversais.</translation>
+    </message>
+    <message>
+        <source>ring: as far apart as the curves are; base: as the divided base has them.</source>
+        <translation>ring: tão afastados quanto as curvas; base: como na base dividida.</translation>
+    </message>
+    <message>
+        <source>treated: loops of the offset curves are removed.</source>
+        <translation>treated: os laços das curvas paralelas são removidos.</translation>
+    </message>
+    <message>
+        <source>Loops inside loops are holes by themselves; role = &quot;hole&quot; insists on it.</source>
+        <translation>Laços dentro de laços são furos por si; role = &quot;hole&quot; insiste nisso.</translation>
+    </message>
+    <message>
+        <source>no run has ended yet; write wait before</source>
+        <translation>nenhuma execução terminou ainda; escreva wait antes</translation>
+    </message>
+    <message>
+        <source>Open a scenario (Ctrl+O), or drop one here.</source>
+        <translation>Abra um cenário (Ctrl+O), ou solte um aqui.</translation>
+    </message>
+</context>
+</TS>

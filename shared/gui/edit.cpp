@@ -1,0 +1,102 @@
+#include "shared/gui/edit.h"
+
+#include <iterator>
+
+#include "shared/base/check.h"
+
+namespace dobra::gui {
+
+using scenario::Document;
+using scenario::Field;
+using scenario::Program;
+using scenario::Table;
+using scenario::Value;
+
+const Table& table_of(const Document& document, std::size_t part) {
+  DOBRA_CHECK(part <= document.steps.size());
+  return part == 0 ? document.input : document.steps[part - 1].params;
+}
+
+std::vector<Field> fields_of(const Document& document, const Program& program, std::size_t part) {
+  if (part == 0) return program.input_fields;
+  DOBRA_CHECK(part <= document.steps.size());
+  const scenario::Operation* operation = program.find_operation(document.steps[part - 1].operation);
+  return operation != nullptr ? operation->fields : std::vector<Field>{};
+}
+
+Document with_table(Document document, std::size_t part, Table table) {
+  DOBRA_CHECK(part <= document.steps.size());
+  (part == 0 ? document.input : document.steps[part - 1].params) = std::move(table);
+  return document;
+}
+
+Document with_step(Document document, std::size_t after, const std::string& operation) {
+  DOBRA_CHECK(after <= document.steps.size());
+  scenario::Step step;
+  step.operation = operation;
+  document.steps.insert(document.steps.begin() + static_cast<std::ptrdiff_t>(after), std::move(step));
+  return document;
+}
+
+Document without_step(Document document, std::size_t step) {
+  DOBRA_CHECK(step >= 1 && step <= document.steps.size());
+  document.steps.erase(document.steps.begin() + static_cast<std::ptrdiff_t>(step - 1));
+  return document;
+}
+
+Document with_step_lowered(Document document, std::size_t step) {
+  DOBRA_CHECK(step >= 1 && step < document.steps.size());
+  std::swap(document.steps[step - 1], document.steps[step]);
+  return document;
+}
+
+namespace {
+
+using Path = std::filesystem::path;
+
+std::string moved_name(const std::string& name, const Path& from, const Path& to) {
+  const Path path(name);
+  if (name.empty() || path.is_absolute()) return name;
+  const Path target = std::filesystem::absolute(from.empty() ? path : from / path).lexically_normal();
+  const Path relative = target.lexically_relative(std::filesystem::absolute(to.empty() ? Path(".") : to).lexically_normal());
+  return (relative.empty() ? target : relative).generic_string();
+}
+
+Table moved_table(Table table, const std::vector<Field>& fields, const Path& from, const Path& to) {
+  for (const Field& field : fields) {
+    const Value* value = table.find(field.key);
+    if (value == nullptr) continue;
+    if (const auto* name = std::get_if<std::string>(value); name != nullptr && field.kind == scenario::Kind::File) {
+      table.set(field.key, moved_name(*name, from, to));
+    } else if (const auto* rows = std::get_if<std::vector<Table>>(value)) {
+      std::vector<Table> moved;
+      for (const Table& row : *rows) moved.push_back(moved_table(row, field.fields, from, to));
+      table.set(field.key, std::move(moved));
+    }
+  }
+  return table;
+}
+
+}  // namespace
+
+Document at_file(Document document, const Program& program, const Path& file) {
+  const Path from = document.folder();
+  const Path to = file.parent_path();
+  const auto same = [](const Path& a) { return std::filesystem::absolute(a.empty() ? Path(".") : a).lexically_normal(); };
+  if (same(from) != same(to)) {
+    for (std::size_t part = 0; part <= document.steps.size(); ++part) {
+      Table moved = moved_table(table_of(document, part), fields_of(document, program, part), from, to);
+      document = with_table(std::move(document), part, std::move(moved));
+    }
+  }
+  document.file = file;
+  return document;
+}
+
+Document empty_document(const Program& program) {
+  Document document;
+  document.program = program.name;
+  return document;
+}
+
+}  // namespace dobra::gui

@@ -1,0 +1,36 @@
+#pragma once
+// Edits of a document as pure functions: each takes a document and gives another. Part 0 is the input, part k is step k.
+
+#include <filesystem>
+
+#include "shared/scenario/program.h"
+
+namespace dobra::gui {
+
+/// The parameters of part 0 (input) or of step `part`. @pre part <= document.steps.size()
+const scenario::Table& table_of(const scenario::Document& document, std::size_t part);
+
+/// The fields of the same; empty for an operation that the program does not have.
+std::vector<scenario::Field> fields_of(const scenario::Document& document, const scenario::Program& program,
+                                       std::size_t part);
+
+/// With other parameters in one part.
+scenario::Document with_table(scenario::Document document, std::size_t part, scenario::Table table);
+
+/// With a new step of the operation behind part `after`, all its parameters left at their defaults.
+scenario::Document with_step(scenario::Document document, std::size_t after, const std::string& operation);
+
+/// @pre 1 <= step <= document.steps.size()
+scenario::Document without_step(scenario::Document document, std::size_t step);
+
+/// With steps `step` and `step` + 1 exchanged. @pre 1 <= step < document.steps.size()
+scenario::Document with_step_lowered(scenario::Document document, std::size_t step);
+
+/// The document as it must read to mean the same at another place: relative file names start at the new folder.
+scenario::Document at_file(scenario::Document document, const scenario::Program& program,
+                           const std::filesystem::path& file);
+
+/// A document of the program with nothing in it.
+scenario::Document empty_document(const scenario::Program& program);
+
+}  // namespace dobra::gui

@@ -1,0 +1,48 @@
+#include "shared/gui/error_bar.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+
+#include "shared/gui/icons.h"
+#include "shared/gui/text.h"
+
+namespace dobra::gui {
+
+ErrorBar::ErrorBar(QWidget* parent) : QFrame(parent), words_(new QLabel(this)), show_(new QToolButton(this)) {
+  setObjectName("error_bar");
+  setStyleSheet(
+      "#error_bar { background: #fdecea; border: 1px solid #e0a09a; }"
+      "#error_bar QLabel { color: #5f1411; }"
+      "#error_bar QToolButton { color: #5f1411; padding: 2px 8px; }");
+  auto* sign = new QLabel(this);
+  sign->setPixmap(icon(Symbol::Warning).pixmap(20, 20));
+  words_->setWordWrap(true);
+  words_->setTextFormat(Qt::PlainText);
+  words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  show_->setText(text("Show"));
+  show_->setToolTip(text("Go to the step and the place"));
+  auto* close = new QToolButton(this);
+  close->setText(QString::fromUtf8("✕"));
+  close->setAutoRaise(true);
+  close->setToolTip(text("Close this message"));
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(8, 4, 4, 4);
+  row->addWidget(sign);
+  row->addWidget(words_, 1);
+  row->addWidget(show_);
+  row->addWidget(close);
+  connect(show_, &QToolButton::clicked, this, &ErrorBar::show_asked);
+  connect(close, &QToolButton::clicked, this, &ErrorBar::clear);
+  hide();
+}
+
+void ErrorBar::say(const QString& message, CanShow can_show) {
+  words_->setText(message);
+  show_->setVisible(can_show == CanShow::Yes);
+  show();
+}
+
+QString ErrorBar::message() const { return isHidden() ? QString() : words_->text(); }
+
+}  // namespace dobra::gui

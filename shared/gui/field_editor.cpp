@@ -1,0 +1,425 @@
+#include "shared/gui/field_editor.h"
+
+#include <QAbstractSpinBox>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QFontDatabase>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QStyle>
+#include <QTimer>
+#include <QToolButton>
+#include <QWheelEvent>
+#include <cmath>
+#include <sstream>
+
+#include "shared/base/text.h"
+#include "shared/gui/text.h"
+
+namespace dobra::gui {
+
+using scenario::Field;
+using scenario::Kind;
+using scenario::Value;
+using Values = std::optional<Value>;
+
+namespace {
+
+constexpr int settle_milliseconds = 350;  ///< After the last step of a spin box, or the last key in a list of points.
+
+/// Default values are shown paler and slanted, so that one sees what the document says itself.
+void show_origin(QWidget& widget, FieldEditor::Origin origin) {
+  QFont font = widget.font();
+  font.setItalic(origin == FieldEditor::Origin::Default);
+  widget.setFont(font);
+  QPalette palette = widget.palette();
+  const QPalette standard;
+  for (const QPalette::ColorGroup group : {QPalette::Active, QPalette::Inactive}) {
+    const auto role = origin == FieldEditor::Origin::Default ? QPalette::PlaceholderText : QPalette::Text;
+    palette.setColor(group, QPalette::Text, standard.color(group, role));
+    palette.setColor(group, QPalette::ButtonText, standard.color(group, role));
+  }
+  widget.setPalette(palette);
+}
+
+/// Pale red behind what is wrong. Not through a style sheet, which would take the arrows off a spin box.
+void show_background(QWidget& widget, FieldEditor::Judgement judgement) {
+  QPalette palette = widget.palette();
+  const bool bad = judgement == FieldEditor::Judgement::Bad;
+  for (const QPalette::ColorGroup group : {QPalette::Active, QPalette::Inactive}) {
+    palette.setColor(group, QPalette::Base, bad ? QColor(0xff, 0xd9, 0xd4) : QPalette().color(group, QPalette::Base));
+  }
+  widget.setPalette(palette);
+}
+
+/// A spin box that takes any text: what is wrong is said under it instead of being silently replaced.
+class FreeSpinBox : public QAbstractSpinBox {
+  Q_OBJECT
+
+ public:
+  FreeSpinBox(const Field& field, QWidget* parent) : QAbstractSpinBox(parent), field_(field) {
+    setFocusPolicy(Qt::StrongFocus);
+    lineEdit()->setPlaceholderText(gui::text("not set"));
+    setMinimumWidth(70);
+  }
+
+  void stepBy(int steps) override {
+    const double value = base::parse_number(lineEdit()->text().trimmed().toStdString()).value_or(0.0);
+    if (field_.kind == Kind::Integer) {
+      lineEdit()->setText(QString::number(static_cast<qint64>(std::llround(within(std::round(value) + steps)))));
+    } else {
+      lineEdit()->setText(QString::fromStdString(base::number_text(within(stepped(value, steps)))));
+    }
+    emit stepped_to();
+  }
+  QValidator::State validate(QString&, int&) const override { return QValidator::Acceptable; }
+  QLineEdit* line() const { return lineEdit(); }
+
+ signals:
+  void stepped_to();
+
+ protected:
+  StepEnabled stepEnabled() const override { return StepUpEnabled | StepDownEnabled; }
+  void wheelEvent(QWheelEvent* event) override {
+    if (hasFocus()) QAbstractSpinBox::wheelEvent(event);
+    else event->ignore();
+  }
+
+ private:
+  double within(double value) const {
+    const scenario::FieldOptions& options = field_.options;
+    if (options.at_most) value = std::min(value, *options.at_most);
+    if (options.at_least) value = std::max(value, *options.at_least);
+    if (options.above && value <= *options.above) {
+      const double now = base::parse_number(lineEdit()->text().toStdString()).value_or(*options.above + 1.0);
+      value = field_.kind == Kind::Integer ? std::floor(*options.above) + 1.0 : std::max(now, *options.above);
+    }
+    return value;
+  }
+
+  Field field_;
+};
+
+/// Lets Ctrl+Z through to the document when the text itself has nothing to undo.
+class UndoPassesThrough : public QObject {
+ public:
+  explicit UndoPassesThrough(QLineEdit* line) : QObject(line), line_(line) { line->installEventFilter(this); }
+  bool eventFilter(QObject*, QEvent* event) override {
+    if (event->type() != QEvent::ShortcutOverride) return false;
+    const auto* key = static_cast<QKeyEvent*>(event);
+    const bool undo = key->matches(QKeySequence::Undo) && !line_->isUndoAvailable();
+    const bool redo = key->matches(QKeySequence::Redo) && !line_->isRedoAvailable();
+    if (undo || redo) event->ignore();
+    return undo || redo;
+  }
+
+ private:
+  QLineEdit* line_;
+};
+
+class CalmComboBox : public QComboBox {
+ public:
+  using QComboBox::QComboBox;
+
+ protected:
+  void wheelEvent(QWheelEvent* event) override {
+    if (hasFocus()) QComboBox::wheelEvent(event);
+    else event->ignore();
+  }
+};
+
+QHBoxLayout* tight_row(QWidget* widget) {
+  auto* layout = new QHBoxLayout(widget);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(4);
+  return layout;
+}
+
+/// The shared part of editors whose content is one line of text read by scenario::parse_value.
+class LineEditor : public FieldEditor {
+ public:
+  LineEditor(const Field& field, QWidget* parent) : FieldEditor(parent), field_(field) {}
+
+  void show_value(const Values& value, Origin origin) override {
+    shown_ = value ? QString::fromStdString(plain_text(*value)) : QString();
+    line_->setText(shown_);
+    show_origin(*surface_, origin);
+  }
+  void type(const QString& typed) override {
+    line_->setText(typed);
+    commit();
+  }
+  void show_judgement(Judgement judgement) override {
+    show_background(*surface_, judgement);
+  }
+
+ protected:
+  void use(QLineEdit* line, QWidget* surface) {
+    line_ = line;
+    surface_ = surface;
+    setFocusProxy(surface);
+    new UndoPassesThrough(line);
+    connect(line, &QLineEdit::editingFinished, this, &LineEditor::commit);
+    connect(line, &QLineEdit::textEdited, this, [this] { show_origin(*surface_, Origin::Document); });
+  }
+  void commit() {
+    const QString typed = line_->text();
+    if (typed == shown_) return;
+    shown_ = typed;
+    if (typed.trimmed().isEmpty()) {
+      emit emptied();
+      return;
+    }
+    const base::Result<Value> value = scenario::parse_value(field_, typed.trimmed().toStdString());
+    if (value) emit entered(*value);
+    else emit rejected(QString::fromStdString(value.error().message));
+  }
+
+  const Field field_;
+
+ private:
+  static std::string plain_text(const Value& value) {
+    if (const auto* word = std::get_if<std::string>(&value)) return *word;
+    return scenario::value_text(value);
+  }
+
+  QLineEdit* line_ = nullptr;
+  QWidget* surface_ = nullptr;
+  QString shown_;  ///< What was last shown or committed.
+};
+
+class NumberEditor : public LineEditor {
+ public:
+  NumberEditor(const Field& field, QWidget* parent) : LineEditor(field, parent) {
+    auto* spin = new FreeSpinBox(field, this);
+    tight_row(this)->addWidget(spin);
+    use(spin->line(), spin);
+    settle_.setSingleShot(true);
+    settle_.setInterval(settle_milliseconds);
+    connect(spin, &FreeSpinBox::stepped_to, &settle_, qOverload<>(&QTimer::start));
+    connect(&settle_, &QTimer::timeout, this, &NumberEditor::commit);
+  }
+
+ private:
+  QTimer settle_;
+};
+
+class TextEditor : public LineEditor {
+ public:
+  TextEditor(const Field& field, QWidget* parent) : LineEditor(field, parent) {
+    auto* line = new QLineEdit(this);
+    line->setPlaceholderText(text("not set"));
+    tight_row(this)->addWidget(line);
+    use(line, line);
+  }
+};
+
+class FileEditor : public LineEditor {
+ public:
+  FileEditor(const Field& field, std::filesystem::path folder, QWidget* parent)
+      : LineEditor(field, parent), folder_(std::move(folder)) {
+    auto* line = new QLineEdit(this);
+    line->setPlaceholderText(text("no file"));
+    auto* choose = new QToolButton(this);
+    choose->setIcon(style()->standardIcon(QStyle::SP_DirOpenIcon));
+    choose->setToolTip(text("Choose a file"));
+    QHBoxLayout* row = tight_row(this);
+    row->addWidget(line, 1);
+    row->addWidget(choose);
+    use(line, line);
+    connect(choose, &QToolButton::clicked, this, &FileEditor::choose);
+  }
+
+ private:
+  void choose() {
+    const QString chosen = QFileDialog::getOpenFileName(this, text("Choose a file"), from_path(folder_));
+    if (chosen.isEmpty()) return;
+    const std::filesystem::path file = to_path(chosen);
+    const std::filesystem::path relative =
+        file.lexically_relative(std::filesystem::absolute(folder_.empty() ? "." : folder_).lexically_normal());
+    type(from_path(relative.empty() ? file : relative));
+  }
+
+  std::filesystem::path folder_;
+};
+
+class FlagEditor : public FieldEditor {
+ public:
+  FlagEditor(const Field&, QWidget* parent) : FieldEditor(parent), box_(new QCheckBox(this)) {
+    tight_row(this)->addWidget(box_);
+    setFocusProxy(box_);
+    connect(box_, &QCheckBox::clicked, this, [this](bool on) { emit entered(Value(on)); });
+  }
+  void show_value(const Values& value, Origin origin) override {
+    box_->setChecked(value && std::get<bool>(*value));
+    box_->setText(origin == Origin::Default ? text("(default)") : QString());
+    show_origin(*box_, origin);
+  }
+  void type(const QString& typed) override {
+    if (typed != "true" && typed != "false") {
+      emit rejected(text("write true or false"));
+      return;
+    }
+    box_->setChecked(typed == "true");
+    emit entered(Value(typed == "true"));
+  }
+
+ private:
+  QCheckBox* box_;
+};
+
+class ChoiceEditor : public FieldEditor {
+ public:
+  ChoiceEditor(const Field& field, QWidget* parent) : FieldEditor(parent), box_(new CalmComboBox(this)) {
+    box_->setFocusPolicy(Qt::StrongFocus);
+    for (const std::string& choice : field.choices) box_->addItem(QString::fromStdString(choice));
+    box_->setPlaceholderText(text("not set"));
+    tight_row(this)->addWidget(box_, 1);
+    setFocusProxy(box_);
+    connect(box_, &QComboBox::textActivated, this, [this](const QString& chosen) { emit entered(Value(chosen.toStdString())); });
+  }
+  void show_value(const Values& value, Origin origin) override {
+    box_->setCurrentIndex(value ? box_->findText(QString::fromStdString(std::get<std::string>(*value))) : -1);
+    show_origin(*box_, origin);
+  }
+  void type(const QString& typed) override {
+    const int index = box_->findText(typed);
+    if (index < 0) {
+      emit rejected(text("'%1' is not one of the choices").arg(typed));
+      return;
+    }
+    box_->setCurrentIndex(index);
+    emit entered(Value(typed.toStdString()));
+  }
+
+ private:
+  QComboBox* box_;
+};
+
+class PointsEditor : public FieldEditor {
+ public:
+  PointsEditor(const Field&, QWidget* parent) : FieldEditor(parent), edit_(new QPlainTextEdit(this)) {
+    edit_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+    edit_->setPlaceholderText(text("x, y on each line"));
+    edit_->setLineWrapMode(QPlainTextEdit::NoWrap);
+    edit_->setTabChangesFocus(true);
+    edit_->setFixedHeight(7 * edit_->fontMetrics().lineSpacing());
+    tight_row(this)->addWidget(edit_);
+    setFocusProxy(edit_);
+    settle_.setSingleShot(true);
+    settle_.setInterval(2 * settle_milliseconds);
+    connect(edit_, &QPlainTextEdit::textChanged, &settle_, qOverload<>(&QTimer::start));
+    connect(&settle_, &QTimer::timeout, this, &PointsEditor::commit);
+  }
+  void show_value(const Values& value, Origin origin) override {
+    const QString words = value ? QString::fromStdString(text_of_points(std::get<std::vector<geom::Point>>(*value))) : QString();
+    // The user's own layout stays while it means the same: the document comes back after each change.
+    const base::Result<std::vector<geom::Point>> typed = points_from_text(edit_->toPlainText().toStdString());
+    if (!value || !typed || Value(*typed) != *value) {
+      const QSignalBlocker quiet(edit_);
+      edit_->setPlainText(words);
+    }
+    shown_ = edit_->toPlainText();
+    show_origin(*edit_, origin);
+  }
+  void type(const QString& typed) override {
+    edit_->setPlainText(QString(typed).replace(";", "\n"));
+    settle_.stop();
+    commit();
+  }
+  void show_judgement(Judgement judgement) override {
+    show_background(*edit_, judgement);
+  }
+
+ private:
+  void commit() {
+    if (edit_->toPlainText() == shown_) return;
+    shown_ = edit_->toPlainText();
+    if (shown_.trimmed().isEmpty()) {
+      emit emptied();
+      return;
+    }
+    base::Result<std::vector<geom::Point>> points = points_from_text(shown_.toStdString());
+    if (points) emit entered(Value(std::move(*points)));
+    else emit rejected(QString::fromStdString(points.error().message));
+  }
+
+  QPlainTextEdit* edit_;
+  QTimer settle_;
+  QString shown_;
+};
+
+}  // namespace
+
+void FieldEditor::show_judgement(Judgement) {}
+
+FieldEditor* make_field_editor(const Field& field, const std::filesystem::path& folder, QWidget* parent) {
+  switch (field.kind) {
+    case Kind::Flag: return new FlagEditor(field, parent);
+    case Kind::Integer:
+    case Kind::Number:
+    case Kind::Degrees: return new NumberEditor(field, parent);
+    case Kind::Choice: return new ChoiceEditor(field, parent);
+    case Kind::File: return new FileEditor(field, folder, parent);
+    case Kind::Points: return new PointsEditor(field, parent);
+    case Kind::Text:
+    case Kind::Point:
+    case Kind::Numbers:
+    case Kind::Texts: return new TextEditor(field, parent);
+    case Kind::Tables: break;
+  }
+  DOBRA_CHECK(field.kind != Kind::Tables);
+  return nullptr;
+}
+
+base::Result<std::vector<geom::Point>> points_from_text(const std::string& written) {
+  std::vector<geom::Point> points;
+  std::istringstream lines(written);
+  std::string line;
+  for (std::size_t number = 1; std::getline(lines, line); ++number) {
+    for (char& c : line) {
+      if (c == ',' || c == ';' || c == '\t' || c == '[' || c == ']' || c == '(' || c == ')' || c == '\r') c = ' ';
+    }
+    std::istringstream words(line);
+    std::vector<double> numbers;
+    for (std::string word; words >> word;) {
+      const std::optional<double> value = base::parse_number(word);
+      if (!value || !std::isfinite(*value)) {
+        const QString said = text("line %1: '%2' is not a number").arg(number).arg(QString::fromStdString(word));
+        return base::Error{base::ErrorCode::BadValue, said.toStdString()};
+      }
+      numbers.push_back(*value);
+    }
+    if (numbers.empty()) continue;
+    if (numbers.size() != 2) {
+      const QString said = text("line %1: a point has two numbers, x and y").arg(number);
+      return base::Error{base::ErrorCode::BadValue, said.toStdString()};
+    }
+    points.push_back({numbers[0], numbers[1]});
+  }
+  return points;
+}
+
+std::string text_of_points(const std::vector<geom::Point>& points) {
+  std::string written;
+  for (const geom::Point p : points) {
+    if (!written.empty()) written += '\n';
+    written += base::number_text(p.x) + ", " + base::number_text(p.y);
+  }
+  return written;
+}
+
+double stepped(double value, int steps) {
+  if (value == 0.0) return 0.1 * steps;
+  const double step = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 1.0);
+  // Through the count of steps, so that 0.3 + 0.01 gives 0.31 and not 0.31000000000000005.
+  const double count = std::round(value / step) + steps;
+  const double inverse = std::round(1.0 / step);
+  return step < 1.0 ? count / inverse : count * step;
+}
+
+}  // namespace dobra::gui
+
+#include "field_editor.moc"

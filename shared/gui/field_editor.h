@@ -1,0 +1,56 @@
+#pragma once
+// One editor widget for each kind of parameter: spin box with free text, check box, combo box, line, file chooser, list
+// of points. An editor knows how a value is written, not whether it is a good one: the form judges.
+
+#include <QWidget>
+#include <filesystem>
+#include <optional>
+
+#include "shared/base/result.h"
+#include "shared/scenario/field.h"
+
+namespace dobra::gui {
+
+class FieldEditor : public QWidget {
+  Q_OBJECT
+
+ public:
+  using QWidget::QWidget;
+
+  /// How a value stands: written in the document, or the field's default because the document has none.
+  enum class Origin { Document, Default };
+
+  /// Shows a value, or "not set" where there is none. Emits nothing; drops what was half typed.
+  virtual void show_value(const std::optional<scenario::Value>& value, Origin origin) = 0;
+
+  /// Does what a user does who types `text` and leaves the field; emits `entered` or `rejected`.
+  virtual void type(const QString& text) = 0;
+
+  /// Draws the editor as one whose content is wrong, or no longer.
+  enum class Judgement { Good, Bad };
+  virtual void show_judgement(Judgement judgement);
+
+ signals:
+  /// The user settled on a value.
+  void entered(const dobra::scenario::Value& value);
+  /// The user emptied the editor: no value, that is, the default.
+  void emptied();
+  /// What the user typed cannot be read.
+  void rejected(const QString& message);
+};
+
+/// @param folder  where relative file names start.
+/// @pre field.kind is not Tables.
+FieldEditor* make_field_editor(const scenario::Field& field, const std::filesystem::path& folder, QWidget* parent);
+
+/// Points from text: two numbers a line, separated by commas, semicolons, tabs or blanks, with or without brackets.
+/// @error BadValue with the number of the line.
+base::Result<std::vector<geom::Point>> points_from_text(const std::string& text);
+
+/// The text that points_from_text reads back to the same bits.
+std::string text_of_points(const std::vector<geom::Point>& points);
+
+/// The next "round" value from `value` in steps of a tenth to a hundredth of its size; 0 goes to +-0.1.
+double stepped(double value, int steps);
+
+}  // namespace dobra::gui

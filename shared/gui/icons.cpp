@@ -1,0 +1,209 @@
+#include "shared/gui/icons.h"
+
+#include <QApplication>
+#include <QIconEngine>
+#include <QPainter>
+#include <QPainterPath>
+#include <QPalette>
+
+namespace dobra::gui {
+
+namespace {
+
+const QColor green(0x2e, 0x7d, 0x32);
+const QColor red(0xc6, 0x28, 0x28);
+const QColor amber(0xe6, 0x9f, 0x00);
+const QColor blue(0x15, 0x65, 0xc0);
+
+/// Draws on a square of 24 x 24 units; the pen is set to the colour of text, 1.8 units wide.
+using Draw = void (*)(QPainter& painter);
+
+void fill(QPainter& painter, const QColor& color, const QPainterPath& path) {
+  painter.fillPath(path, color);
+}
+
+QPainterPath polygon(std::initializer_list<QPointF> points) {
+  QPainterPath path;
+  path.addPolygon(QPolygonF(QList<QPointF>(points)));
+  path.closeSubpath();
+  return path;
+}
+
+void draw_open(QPainter& p) {
+  p.drawPolyline(QPolygonF({{3, 19}, {3, 5}, {9, 5}, {11, 8}, {18, 8}, {18, 11}}));
+  p.drawPolygon(QPolygonF({{3, 19}, {7, 11}, {22, 11}, {18, 19}}));
+}
+void draw_save(QPainter& p) {
+  p.drawPolygon(QPolygonF({{4, 4}, {17, 4}, {20, 7}, {20, 20}, {4, 20}}));
+  p.drawRect(QRectF(8, 4, 7, 5));
+  p.drawRect(QRectF(7, 13, 10, 7));
+}
+void draw_save_picture(QPainter& p) {
+  p.drawRect(QRectF(3, 5, 18, 14));
+  p.drawPolyline(QPolygonF({{4, 17}, {9, 11}, {13, 15}, {16, 12}, {20, 16}}));
+  p.drawEllipse(QPointF(16, 9), 1.2, 1.2);
+}
+void draw_undo(QPainter& p) {
+  QPainterPath arc(QPointF(5, 10));
+  arc.cubicTo(12, 6, 20, 9, 19, 19);
+  p.drawPath(arc);
+  p.drawPolyline(QPolygonF({{10, 5}, {5, 10}, {11, 14}}));
+}
+void draw_redo(QPainter& p) {
+  p.translate(24, 0);
+  p.scale(-1, 1);
+  draw_undo(p);
+}
+void draw_fit(QPainter& p) {
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    p.drawPolyline(QPolygonF({{4, 9}, {4, 4}, {9, 4}}));
+    p.translate(24, 0);
+    p.rotate(90);
+  }
+  p.drawRect(QRectF(9, 9, 6, 6));
+}
+void draw_run(QPainter& p) { fill(p, green, polygon({{7, 4}, {20, 12}, {7, 20}})); }
+void draw_cancel(QPainter& p) {
+  QPainterPath square;
+  square.addRoundedRect(QRectF(6, 6, 12, 12), 1.5, 1.5);
+  fill(p, red, square);
+}
+void draw_add(QPainter& p) {
+  p.drawLine(QPointF(12, 5), QPointF(12, 19));
+  p.drawLine(QPointF(5, 12), QPointF(19, 12));
+}
+void draw_remove(QPainter& p) { p.drawLine(QPointF(5, 12), QPointF(19, 12)); }
+void draw_up(QPainter& p) {
+  p.drawLine(QPointF(12, 5), QPointF(12, 20));
+  p.drawPolyline(QPolygonF({{6, 11}, {12, 5}, {18, 11}}));
+}
+void draw_down(QPainter& p) {
+  p.translate(0, 24);
+  p.scale(1, -1);
+  draw_up(p);
+}
+
+void disc(QPainter& p, const QColor& color) {
+  p.setPen(Qt::NoPen);
+  p.setBrush(color);
+  p.drawEllipse(QPointF(12, 12), 9.5, 9.5);
+  p.setBrush(Qt::NoBrush);
+  p.setPen(QPen(Qt::white, 2.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+}
+void draw_done(QPainter& p) {
+  disc(p, green);
+  p.drawPolyline(QPolygonF({{7.5, 12.5}, {11, 16}, {17, 8.5}}));
+}
+void draw_failed(QPainter& p) {
+  disc(p, red);
+  p.drawLine(QPointF(8.5, 8.5), QPointF(15.5, 15.5));
+  p.drawLine(QPointF(15.5, 8.5), QPointF(8.5, 15.5));
+}
+void draw_running(QPainter& p) {
+  disc(p, blue);
+  p.drawPolyline(QPolygonF({{12, 7}, {12, 12.5}, {16, 14.5}}));
+}
+void draw_pending(QPainter& p) {
+  p.setPen(QPen(p.pen().color(), 1.8, Qt::DotLine));
+  p.drawEllipse(QPointF(12, 12), 8.5, 8.5);
+}
+void draw_warning(QPainter& p) {
+  fill(p, amber, polygon({{12, 3}, {22.5, 21}, {1.5, 21}}));
+  p.setPen(QPen(Qt::black, 2.2, Qt::SolidLine, Qt::RoundCap));
+  p.drawLine(QPointF(12, 9.5), QPointF(12, 14.5));
+  p.drawPoint(QPointF(12, 18));
+}
+
+Draw drawing_of(Symbol symbol) {
+  switch (symbol) {
+    case Symbol::Open: return draw_open;
+    case Symbol::Save: return draw_save;
+    case Symbol::SavePicture: return draw_save_picture;
+    case Symbol::Undo: return draw_undo;
+    case Symbol::Redo: return draw_redo;
+    case Symbol::Fit: return draw_fit;
+    case Symbol::Run: return draw_run;
+    case Symbol::Cancel: return draw_cancel;
+    case Symbol::Add: return draw_add;
+    case Symbol::Remove: return draw_remove;
+    case Symbol::Up: return draw_up;
+    case Symbol::Down: return draw_down;
+    case Symbol::Done: return draw_done;
+    case Symbol::Failed: return draw_failed;
+    case Symbol::Running: return draw_running;
+    case Symbol::Pending: return draw_pending;
+    case Symbol::Warning: return draw_warning;
+  }
+  return draw_pending;
+}
+
+class SymbolEngine : public QIconEngine {
+ public:
+  explicit SymbolEngine(Symbol symbol) : symbol_(symbol) {}
+
+  void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override {
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    const double side = std::min(rect.width(), rect.height());
+    painter->translate(rect.center().x() + 0.5 - side / 2, rect.center().y() + 0.5 - side / 2);
+    painter->scale(side / 24.0, side / 24.0);
+    if (mode == QIcon::Disabled) painter->setOpacity(0.3);
+    const QColor color = QApplication::palette().color(QPalette::WindowText);
+    painter->setPen(QPen(color, 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    drawing_of(symbol_)(*painter);
+    painter->restore();
+  }
+  QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
+    QPixmap pixmap(size);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    paint(&painter, QRect(QPoint(0, 0), size), mode, state);
+    return pixmap;
+  }
+  QIconEngine* clone() const override { return new SymbolEngine(symbol_); }
+
+ private:
+  Symbol symbol_;
+};
+
+}  // namespace
+
+QIcon icon(Symbol symbol) { return QIcon(new SymbolEngine(symbol)); }
+
+QIcon swatch(const QBrush& brush, const QColor& line) {
+  QPixmap pixmap(28, 28);
+  pixmap.fill(Qt::transparent);
+  QPainter painter(&pixmap);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(line, 3));
+  painter.setBrush(brush);
+  painter.drawRoundedRect(QRectF(3, 3, 22, 22), 3, 3);
+  return QIcon(pixmap);
+}
+
+QIcon letter_swatch(const QColor& color) {
+  QPixmap pixmap(28, 28);
+  pixmap.fill(Qt::transparent);
+  QPainter painter(&pixmap);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(color, 3.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.drawPolyline(QPolygonF({{6, 24}, {14, 4}, {22, 24}}));
+  painter.drawLine(QPointF(9, 17), QPointF(19, 17));
+  return QIcon(pixmap);
+}
+
+QIcon application_icon() {
+  QPixmap pixmap(64, 64);
+  pixmap.fill(Qt::transparent);
+  QPainter painter(&pixmap);
+  painter.setRenderHint(QPainter::Antialiasing);
+  for (const auto& [color, down] : {std::pair(QColor("#b5651d"), 14.0), {QColor("#e0b070"), 30.0}, {QColor("#3b6ea5"), 46.0}}) {
+    QPainterPath fold(QPointF(4, down));
+    fold.cubicTo(22, down - 26, 40, down + 22, 60, down - 4);
+    painter.setPen(QPen(color, 10, Qt::SolidLine, Qt::RoundCap));
+    painter.drawPath(fold);
+  }
+  return QIcon(pixmap);
+}
+
+}  // namespace dobra::gui

@@ -1,0 +1,25 @@
+#pragma once
+// Icons drawn by the program itself in the colours of the palette: sharp at every pixel ratio, no image plugin needed.
+
+#include <QBrush>
+#include <QColor>
+#include <QIcon>
+
+namespace dobra::gui {
+
+enum class Symbol {
+  Open, Save, SavePicture, Undo, Redo, Fit, Run, Cancel, Add, Remove, Up, Down, Done, Failed, Running, Pending, Warning
+};
+
+QIcon icon(Symbol symbol);
+
+/// A filled square with a thin outline: the colour of a layer. Gradients run over a square of 28 units.
+QIcon swatch(const QBrush& fill, const QColor& line);
+
+/// A letter: the colour of a layer of labels.
+QIcon letter_swatch(const QColor& color);
+
+/// What the programs show in the task bar: two folded layers.
+QIcon application_icon();
+
+}  // namespace dobra::gui

@@ -1,0 +1,104 @@
+#include "shared/gui/layer_tree.h"
+
+#include <QHeaderView>
+#include <QSignalBlocker>
+
+#include "shared/gui/icons.h"
+#include "shared/gui/text.h"
+#include "shared/scene/color_map.h"
+
+namespace dobra::gui {
+
+namespace {
+
+constexpr int key_role = Qt::UserRole;
+
+QColor to_color(const scene::Color& color) { return {color.red, color.green, color.blue, color.alpha}; }
+
+QIcon swatch_of(const scene::Layer& layer) {
+  const QColor line = to_color(layer.style.line);
+  if (std::holds_alternative<scene::Labels>(layer.content)) return letter_swatch(line);
+  if (std::holds_alternative<scene::Lines>(layer.content) || std::holds_alternative<scene::Markers>(layer.content)) {
+    return swatch(line, line);
+  }
+  const auto* mesh = std::get_if<scene::Mesh>(&layer.content);
+  if (mesh != nullptr && mesh->values_at != scene::ValuesAt::None) {
+    QLinearGradient colors(0.0, 0.0, 28.0, 0.0);
+    for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) colors.setColorAt(t, to_color(scene::color_at(mesh->scale.map, t)));
+    return swatch(colors, line);
+  }
+  return swatch(layer.style.fill ? to_color(*layer.style.fill) : QColor(Qt::transparent), line);
+}
+
+QString title_of(const std::string& title, const std::string& key) {
+  return QString::fromStdString(title.empty() ? key : title);
+}
+
+std::string key_of(const QTreeWidgetItem* item) { return item->data(0, key_role).toString().toStdString(); }
+
+}  // namespace
+
+LayerTree::LayerTree(QWidget* parent) : QTreeWidget(parent) {
+  setHeaderHidden(true);
+  setColumnCount(1);
+  setIndentation(14);
+  setSelectionMode(QAbstractItemView::NoSelection);
+  connect(this, &QTreeWidget::itemChanged, this, &LayerTree::take_change);
+}
+
+void LayerTree::show_picture(const scene::Picture& picture) {
+  const QSignalBlocker quiet(this);
+  clear();
+  const scene::Picture wanted = chosen(picture);
+  for (const scene::Panel& panel : wanted.panels) {
+    auto* branch = new QTreeWidgetItem(this, {title_of(panel.title, panel.key)});
+    branch->setData(0, key_role, QString::fromStdString(panel.key));
+    branch->setToolTip(0, branch->text(0));
+    branch->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable | Qt::ItemIsAutoTristate);
+    for (const scene::Layer& layer : panel.layers) {
+      auto* leaf = new QTreeWidgetItem(branch, {title_of(layer.title, layer.key)});
+      leaf->setData(0, key_role, QString::fromStdString(layer.key));
+      leaf->setToolTip(0, QString::fromStdString(layer.key));
+      leaf->setIcon(0, swatch_of(layer));
+      leaf->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable);
+      leaf->setCheckState(0, layer.visible ? Qt::Checked : Qt::Unchecked);
+    }
+    branch->setExpanded(true);
+  }
+}
+
+scene::Picture LayerTree::chosen(scene::Picture picture) const {
+  for (scene::Panel& panel : picture.panels) {
+    for (scene::Layer& layer : panel.layers) {
+      const auto choice = choices_.find({panel.key, layer.key});
+      if (choice != choices_.end()) layer.visible = choice->second;
+    }
+  }
+  return picture;
+}
+
+bool LayerTree::set_layer_visible(const std::string& key, bool visible) {
+  bool found = false;
+  for (int i = 0; i < topLevelItemCount(); ++i) {
+    const QTreeWidgetItem* branch = topLevelItem(i);
+    for (int j = 0; j < branch->childCount(); ++j) {
+      QTreeWidgetItem* leaf = branch->child(j);
+      if (key_of(leaf) != key && key_of(branch) + "/" + key_of(leaf) != key) continue;
+      leaf->setCheckState(0, visible ? Qt::Checked : Qt::Unchecked);
+      found = true;
+    }
+  }
+  return found;
+}
+
+void LayerTree::take_change(QTreeWidgetItem* item) {
+  if (item->parent() == nullptr) return;  // Its layers tell of themselves.
+  const bool visible = item->checkState(0) == Qt::Checked;
+  const Key key{key_of(item->parent()), key_of(item)};
+  const auto before = choices_.find(key);
+  if (before != choices_.end() && before->second == visible) return;
+  choices_[key] = visible;
+  emit visibility_changed(key.first, key.second, visible);
+}
+
+}  // namespace dobra::gui

@@ -1,0 +1,41 @@
+#pragma once
+// The panels and layers of the picture with a check box each. What the user hides or shows stays so, by key, however often
+// the picture is made anew.
+
+#include <QTreeWidget>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "shared/scene/layer.h"
+
+namespace dobra::gui {
+
+class LayerTree : public QTreeWidget {
+  Q_OBJECT
+
+ public:
+  explicit LayerTree(QWidget* parent = nullptr);
+
+  /// Lists the layers of the picture. Panels with the same key and layer keep the user's choice.
+  void show_picture(const scene::Picture& picture);
+
+  /// The picture as the user wants to see it: `visible` of each layer set by choice.
+  [[nodiscard]] scene::Picture chosen(scene::Picture picture) const;
+
+  /// Shows or hides all layers of that key, or "panel/layer" only that one. @return whether there is any.
+  bool set_layer_visible(const std::string& key, bool visible);
+
+  void forget_choices() { choices_.clear(); }
+
+ signals:
+  void visibility_changed(const std::string& panel, const std::string& layer, bool visible);
+
+ private:
+  using Key = std::pair<std::string, std::string>;
+  void take_change(QTreeWidgetItem* item);
+
+  std::map<Key, bool> choices_;
+};
+
+}  // namespace dobra::gui

@@ -1,0 +1,467 @@
+#include "shared/gui/main_window.h"
+
+#include <QAction>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QLabel>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QProgressBar>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <set>
+
+#include "shared/gui/edit.h"
+#include "shared/gui/error_bar.h"
+#include "shared/gui/icons.h"
+#include "shared/gui/layer_tree.h"
+#include "shared/gui/parameter_form.h"
+#include "shared/gui/results.h"
+#include "shared/gui/text.h"
+#include "shared/gui/vtk_widget.h"
+#include "shared/render/cairo.h"
+
+namespace dobra::gui {
+
+struct MainWindow::Actions {
+  QAction* open = nullptr;
+  QAction* save = nullptr;
+  QAction* save_as = nullptr;
+  QAction* save_picture = nullptr;
+  QAction* quit = nullptr;
+  QAction* undo = nullptr;
+  QAction* redo = nullptr;
+  QAction* fit = nullptr;
+  QAction* run = nullptr;
+  QAction* cancel = nullptr;
+  QAction* about = nullptr;
+};
+
+namespace {
+
+QString file_filter() { return text("Scenarios (*.toml)") + ";;" + text("All files (*)"); }
+
+QDockWidget* dock(QMainWindow& window, const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area) {
+  auto* made = new QDockWidget(title, &window);
+  made->setObjectName(name);
+  made->setWidget(content);
+  made->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
+  window.addDockWidget(area, made);
+  return made;
+}
+
+/// The scenario among what is dragged over the window; empty if there is none.
+QString dragged_file(const QMimeData& data) {
+  for (const QUrl& url : data.urls()) {
+    if (url.isLocalFile() && url.toLocalFile().endsWith(".toml", Qt::CaseInsensitive)) return url.toLocalFile();
+  }
+  return {};
+}
+
+}  // namespace
+
+MainWindow::MainWindow(const scenario::Program& program, std::string about)
+    : program_(program), about_(std::move(about)), session_(program), actions_(std::make_unique<Actions>()) {
+  setWindowIcon(application_icon());
+  setAcceptDrops(true);
+  resize(1280, 800);
+  make_center();
+  make_docks();
+  make_actions();
+  make_status_bar();
+  connect_session();
+  show_document();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::make_center() {
+  auto* center = new QWidget(this);
+  auto* column = new QVBoxLayout(center);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  error_bar_ = new ErrorBar(center);
+  view_ = new VtkWidget(center);
+  column->addWidget(error_bar_);
+  column->addWidget(view_, 1);
+  setCentralWidget(center);
+  hint_ = new QLabel(text("Open a scenario (Ctrl+O), or drop one here."), view_);
+  hint_->setAlignment(Qt::AlignCenter);
+  hint_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  hint_->setStyleSheet("color: #707070; font-size: 12pt;");
+  auto* middle = new QVBoxLayout(view_);
+  middle->addWidget(hint_);
+  connect(error_bar_, &ErrorBar::show_asked, this, &MainWindow::go_to_error);
+  connect(view_, &VtkWidget::cursor_moved, this, [this](const QString& where) { cursor_->setText(where); });
+  connect(view_, &VtkWidget::picked, this, [this](const QString& what) { said_->setText(what); });
+}
+
+void MainWindow::make_docks() {
+  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  steps_ = new StepList(program_, this);
+  form_ = new ParameterForm(this);
+  layers_ = new LayerTree(this);
+  results_ = new Results(this);
+  QDockWidget* steps = dock(*this, text("Steps"), "dock.steps", steps_, Qt::LeftDockWidgetArea);
+  QDockWidget* form = dock(*this, text("Parameters"), "dock.form", form_, Qt::LeftDockWidgetArea);
+  QDockWidget* layers = dock(*this, text("Layers"), "dock.layers", layers_, Qt::RightDockWidgetArea);
+  QDockWidget* results = dock(*this, text("Results"), "dock.results", results_, Qt::RightDockWidgetArea);
+  resizeDocks({steps, layers}, {300, 300}, Qt::Horizontal);
+  resizeDocks({steps, form}, {200, 460}, Qt::Vertical);
+  resizeDocks({layers, results}, {270, 390}, Qt::Vertical);
+
+  connect(steps_, &StepList::selected_changed, this, &MainWindow::show_form);
+  connect(steps_, &StepList::add_asked, this, [this](const std::string& operation) {
+    const std::size_t after = steps_->selected();
+    const scenario::Operation* made = program_.find_operation(operation);
+    const QString title = text((made != nullptr ? made->title : operation).c_str());
+    session_.edit(with_step(session_.document(), after, operation), text("Add '%1'").arg(title));
+    steps_->select(after + 1);
+  });
+  connect(steps_, &StepList::remove_asked, this, [this](std::size_t step) {
+    session_.edit(without_step(session_.document(), step), text("Remove step %1").arg(step));
+  });
+  connect(steps_, &StepList::exchange_asked, this, [this](std::size_t step, std::size_t selected) {
+    session_.edit(with_step_lowered(session_.document(), step), text("Exchange steps %1 and %2").arg(step).arg(step + 1));
+    steps_->select(selected);
+  });
+  connect(form_, &ParameterForm::edited, this, [this](const scenario::Table& table, const QString& key) {
+    session_.edit(with_table(session_.document(), steps_->selected(), table), text("Change '%1'").arg(key));
+  });
+  connect(layers_, &LayerTree::visibility_changed, view_, &VtkWidget::set_layer_visible);
+}
+
+void MainWindow::make_actions() {
+  Actions& a = *actions_;
+  QMenu* file = menuBar()->addMenu(text("&File"));
+  QMenu* edit = menuBar()->addMenu(text("&Edit"));
+  QMenu* look = menuBar()->addMenu(text("&View"));
+  QMenu* run = menuBar()->addMenu(text("&Run"));
+  QMenu* help = menuBar()->addMenu(text("&Help"));
+  const auto add = [this](QMenu* menu, const QString& words, const QKeySequence& keys, auto&& action) {
+    QAction* made = menu->addAction(words);
+    made->setShortcut(keys);
+    connect(made, &QAction::triggered, this, action);
+    return made;
+  };
+  a.open = add(file, text("&Open..."), QKeySequence::Open, [this] { ask_open(); });
+  file->addSeparator();
+  a.save = add(file, text("&Save"), QKeySequence::Save, [this] { ask_save(); });
+  a.save_as = add(file, text("Save &As..."), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), [this] { ask_save_as(); });
+  a.save_picture = add(file, text("Save &Picture..."), QKeySequence(Qt::CTRL | Qt::Key_E), [this] { ask_save_picture(); });
+  file->addSeparator();
+  a.quit = add(file, text("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), [this] { close(); });
+  a.undo = add(edit, text("&Undo"), QKeySequence::Undo, [this] { session_.undo(); });
+  a.redo = add(edit, text("&Redo"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), [this] { session_.redo(); });
+  a.redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
+  a.fit = add(look, text("&Fit"), QKeySequence(Qt::Key_F), [this] { view_->fit(); });
+  look->addSeparator();
+  for (QDockWidget* each : findChildren<QDockWidget*>()) look->addAction(each->toggleViewAction());
+  a.run = add(run, text("&Run"), QKeySequence(Qt::Key_F5), [this] { session_.run(); });
+  a.cancel = add(run, text("&Cancel"), QKeySequence(Qt::Key_Escape), [this] { session_.cancel(); });
+  a.about = add(help, text("&About %1").arg(QString::fromStdString(program_.title)), {}, [this] { about(); });
+
+  QToolBar* bar = addToolBar(text("Tools"));
+  bar->setObjectName("tool_bar");
+  bar->setMovable(false);
+  bar->setIconSize({22, 22});
+  const auto place = [bar](QAction* action, Symbol symbol) {
+    action->setIcon(icon(symbol));
+    bar->addAction(action);
+  };
+  place(a.open, Symbol::Open);
+  place(a.save, Symbol::Save);
+  place(a.save_picture, Symbol::SavePicture);
+  bar->addSeparator();
+  place(a.undo, Symbol::Undo);
+  place(a.redo, Symbol::Redo);
+  bar->addSeparator();
+  place(a.fit, Symbol::Fit);
+  bar->addSeparator();
+  place(a.run, Symbol::Run);
+  place(a.cancel, Symbol::Cancel);
+}
+
+void MainWindow::make_status_bar() {
+  said_ = new QLabel(this);
+  cursor_ = new QLabel(this);
+  cursor_->setMinimumWidth(cursor_->fontMetrics().horizontalAdvance("x = -00000.000   y = -00000.000") + 12);
+  progress_ = new QProgressBar(this);
+  progress_->setFixedWidth(220);
+  progress_->setRange(0, 1000);
+  cancel_ = new QToolButton(this);
+  cancel_->setIcon(icon(Symbol::Cancel));
+  cancel_->setText(text("Cancel"));
+  cancel_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  progress_->hide();
+  cancel_->hide();
+  statusBar()->addWidget(said_, 1);
+  statusBar()->addPermanentWidget(progress_);
+  statusBar()->addPermanentWidget(cancel_);
+  statusBar()->addPermanentWidget(cursor_);
+  connect(cancel_, &QToolButton::clicked, this, [this] { session_.cancel(); });
+}
+
+void MainWindow::connect_session() {
+  connect(&session_, &Session::document_changed, this, &MainWindow::show_document);
+  connect(&session_, &Session::run_started, this, &MainWindow::show_run_started);
+  connect(&session_, &Session::progress, this, &MainWindow::show_progress);
+  connect(&session_, &Session::run_finished, this, &MainWindow::show_outcome);
+}
+
+base::Result<void> MainWindow::open(const std::filesystem::path& file) {
+  const base::Result<void> opened = session_.open(file);
+  if (!opened) {
+    show_error(opened.error());
+    return opened.error();
+  }
+  // The run has only been asked for: its picture comes later.
+  fit_next_ = true;
+  error_.reset();
+  view_->set_picture({}, Looking::AtAll);
+  layers_->forget_choices();
+  layers_->show_picture({});
+  steps_->select(session_.document().steps.empty() ? 0 : 1);
+  return {};
+}
+
+base::Result<void> MainWindow::save(const std::filesystem::path& file) {
+  const base::Result<void> saved = session_.save(file);
+  if (!saved) {
+    show_error(saved.error());
+    return saved.error();
+  }
+  said_->setText(text("Saved %1").arg(from_path(file)));
+  return {};
+}
+
+base::Result<void> MainWindow::save_picture(const std::filesystem::path& file) {
+  if (!session_.outcome() || !session_.outcome()->picture) {
+    return base::Error{base::ErrorCode::CannotDraw, text("there is no picture yet; run the scenario first").toStdString()};
+  }
+  return render::write_picture(layers_->chosen(*session_.outcome()->picture), file);
+}
+
+base::Result<void> MainWindow::save_screenshot(const std::filesystem::path& file) {
+  const QImage image = grab().toImage();
+  const double ratio = image.devicePixelRatio();
+  const QPoint corner = view_->mapTo(this, QPoint(0, 0));
+  const QRect part(corner * ratio, view_->size() * ratio);
+  std::set<QRgb> colors;
+  for (int y = part.top(); y <= part.bottom() && colors.size() < 2; y += 2) {
+    for (int x = part.left(); x <= part.right(); x += 2) colors.insert(image.pixel(x, y));
+  }
+  const bool has_picture = session_.outcome() && session_.outcome()->picture;
+  if (has_picture && colors.size() < 2) {
+    return base::Error{base::ErrorCode::CannotDraw, text("the view came out blank").toStdString()};
+  }
+  if (!image.save(from_path(file), "PNG")) {
+    return base::Error{base::ErrorCode::CannotWrite, text("cannot write the picture").toStdString(),
+                       base::Place{file.string(), 0, 0, {}, {}, {}}};
+  }
+  return {};
+}
+
+void MainWindow::select(std::size_t part) { steps_->select(part); }
+
+void MainWindow::ask_open() {
+  if (!may_discard()) return;
+  const QString chosen =
+      QFileDialog::getOpenFileName(this, text("Open a scenario"), from_path(session_.document().folder()), file_filter());
+  if (!chosen.isEmpty()) static_cast<void>(open(to_path(chosen)));
+}
+
+bool MainWindow::ask_save() {
+  if (session_.document().file.empty()) return ask_save_as();
+  return save(session_.document().file).ok();
+}
+
+bool MainWindow::ask_save_as() {
+  QString chosen =
+      QFileDialog::getSaveFileName(this, text("Save the scenario"), from_path(session_.document().file), file_filter());
+  if (chosen.isEmpty()) return false;
+  if (!chosen.endsWith(".toml", Qt::CaseInsensitive)) chosen += ".toml";
+  return save(to_path(chosen)).ok();
+}
+
+void MainWindow::ask_save_picture() {
+  std::filesystem::path proposed = session_.document().file;
+  proposed.replace_extension(".svg");
+  const QString chosen = QFileDialog::getSaveFileName(this, text("Save the picture"), from_path(proposed),
+                                                      text("Pictures (*.svg *.pdf *.png)"));
+  if (chosen.isEmpty()) return;
+  const base::Result<void> written = save_picture(to_path(chosen));
+  if (written) said_->setText(text("Saved %1").arg(chosen));
+  else show_error(written.error());
+}
+
+bool MainWindow::may_discard() {
+  if (!session_.history().modified()) return true;
+  QMessageBox box(QMessageBox::Question, QString::fromStdString(program_.title),
+                  text("The scenario has changes that are not saved."), QMessageBox::NoButton, this);
+  box.setInformativeText(text("Save them?"));
+  const QPushButton* save = box.addButton(text("Save"), QMessageBox::AcceptRole);
+  const QPushButton* discard = box.addButton(text("Discard"), QMessageBox::DestructiveRole);
+  box.addButton(text("Cancel"), QMessageBox::RejectRole);
+  box.exec();
+  const auto* answer = static_cast<const void*>(box.clickedButton());
+  if (answer == save) return ask_save();
+  return answer == discard;
+}
+
+void MainWindow::about() {
+  const QString title = QString::fromStdString(program_.title);
+  QMessageBox::about(this, text("About %1").arg(title),
+                     QString("<h3>%1 %2</h3><p>%3</p><p>%4</p>")
+                         .arg(title, DOBRA_VERSION, text(about_.c_str()), text("Part of Dobra. Apache License 2.0.")));
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (may_discard()) event->accept();
+  else event->ignore();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (!dragged_file(*event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  const QString file = dragged_file(*event->mimeData());
+  if (file.isEmpty()) return;
+  event->acceptProposedAction();
+  if (may_discard()) static_cast<void>(open(to_path(file)));
+}
+
+void MainWindow::show_document() {
+  const scenario::Document& document = session_.document();
+  const History& history = session_.history();
+  const QString name = document.file.empty() ? text("untitled") : from_path(document.file.filename());
+  setWindowTitle(name + QString::fromUtf8("[*] — ") + QString::fromStdString(program_.title));
+  setWindowFilePath({});
+  setWindowModified(history.modified());
+
+  const auto words = [](const QString& verb, const std::string& what) {
+    return what.empty() ? verb : verb + ": " + QString::fromStdString(what);
+  };
+  actions_->undo->setEnabled(history.can_undo());
+  actions_->redo->setEnabled(history.can_redo());
+  actions_->undo->setText(words(text("&Undo"), history.can_undo() ? history.undo_text() : std::string()));
+  actions_->redo->setText(words(text("&Redo"), history.can_redo() ? history.redo_text() : std::string()));
+  actions_->save_picture->setEnabled(session_.outcome() != nullptr && session_.outcome()->picture != nullptr);
+  actions_->cancel->setEnabled(session_.busy());
+  steps_->show_document(document, part_states());
+  hint_->setVisible(document.file.empty() && document.input.empty() && document.steps.empty());
+  if (session_.outcome() == nullptr) {
+    error_bar_->clear();
+    results_->clear();
+  }
+  show_form();
+}
+
+void MainWindow::show_form() {
+  const scenario::Document& document = session_.document();
+  const std::size_t part = std::min(steps_->selected(), document.steps.size());
+  QString title = text("Input");
+  QString help;
+  QString identity = from_path(document.file) + "#input";
+  if (part > 0) {
+    const scenario::Step& step = document.steps[part - 1];
+    const scenario::Operation* operation = program_.find_operation(step.operation);
+    title = text((operation != nullptr ? operation->title : step.operation).c_str());
+    help = operation != nullptr ? text(operation->help.c_str())
+                                : text("%1 has no such operation.").arg(QString::fromStdString(program_.title));
+    identity = from_path(document.file) + "#" + QString::number(part) + QString::fromStdString(step.operation);
+  }
+  form_->show_part(identity, title, help, fields_of(document, program_, part), table_of(document, part), document.folder());
+  mark_error();
+}
+
+std::vector<PartState> MainWindow::part_states() const {
+  const scenario::Document& document = session_.document();
+  std::vector<PartState> states(document.steps.size() + 1, session_.busy() ? PartState::Running : PartState::Pending);
+  const OutcomePtr& outcome = session_.outcome();
+  if (!outcome) return states;
+  const std::size_t same = Session::common_parts(document, *outcome->document);
+  for (std::size_t part = 0; part < std::min(same, outcome->run.states.size()); ++part) states[part] = PartState::Done;
+  const std::size_t failed = outcome->run.failed_step;
+  if (outcome->run.error && failed < same && !session_.busy()) {
+    const bool stopped = outcome->run.error->code == base::ErrorCode::Cancelled;
+    states[failed] = stopped ? PartState::Pending : PartState::Failed;
+  }
+  return states;
+}
+
+void MainWindow::show_run_started() {
+  actions_->cancel->setEnabled(true);
+  progress_->setValue(0);
+  progress_->setFormat(text("running"));
+  progress_->show();
+  cancel_->show();
+  steps_->show_document(session_.document(), part_states());
+}
+
+void MainWindow::show_progress(double fraction, const QString& what) {
+  progress_->setValue(static_cast<int>(1000.0 * fraction));
+  progress_->setFormat(what.isEmpty() ? text("running") + " %p%" : what);
+}
+
+void MainWindow::show_outcome() {
+  const Outcome& outcome = *session_.outcome();
+  progress_->hide();
+  cancel_->hide();
+  actions_->cancel->setEnabled(session_.busy());
+  error_.reset();
+  error_bar_->clear();
+  view_->clear_place();
+  if (outcome.picture) {
+    layers_->show_picture(*outcome.picture);
+    view_->set_picture(layers_->chosen(*outcome.picture), fit_next_ ? Looking::AtAll : Looking::WhereItDid);
+    fit_next_ = false;
+  }
+  results_->show_outcome(outcome);
+  actions_->save_picture->setEnabled(outcome.picture != nullptr);
+  steps_->show_document(session_.document(), part_states());
+  if (outcome.run.error) {
+    show_error(*outcome.run.error);
+    mark_error();
+  } else {
+    said_->setText(text("Done in %1 s").arg(outcome.seconds, 0, 'f', outcome.seconds < 1 ? 2 : 1));
+  }
+}
+
+void MainWindow::show_error(const base::Error& error) {
+  if (error.code == base::ErrorCode::Cancelled) {
+    said_->setText(text("Interrupted. What is shown is the last step that was done."));
+    return;
+  }
+  error_ = error;
+  const bool of_run = session_.outcome() && session_.outcome()->run.error;
+  const bool has_place = error.place && error.place->x && error.place->y;
+  error_bar_->say(QString::fromStdString(base::to_string(error)),
+                  of_run || has_place ? ErrorBar::CanShow::Yes : ErrorBar::CanShow::No);
+}
+
+void MainWindow::mark_error() {
+  if (!error_ || !error_->place || !session_.outcome() || !session_.outcome()->run.error) return;
+  const Outcome& outcome = *session_.outcome();
+  if (steps_->selected() != outcome.run.failed_step || form_->form() == nullptr) return;
+  // What the user has changed since is for the next run to judge.
+  if (Session::common_parts(session_.document(), *outcome.document) <= outcome.run.failed_step) return;
+  form_->form()->mark(*error_->place, QString::fromStdString(error_->message));
+}
+
+void MainWindow::go_to_error() {
+  if (!error_) return;
+  if (session_.outcome() && session_.outcome()->run.error) {
+    steps_->select(std::min(session_.outcome()->run.failed_step, session_.document().steps.size()));
+    mark_error();
+  }
+  if (error_->place && error_->place->x && error_->place->y) view_->show_place({*error_->place->x, *error_->place->y});
+}
+
+}  // namespace dobra::gui

@@ -1,0 +1,99 @@
+#pragma once
+// The window of a program: the picture in the middle, steps and their parameters at the left, layers and results at the
+// right. It holds no algorithm: it shows a Session and passes on what the user does.
+
+#include <QMainWindow>
+#include <filesystem>
+
+#include "shared/gui/session.h"
+#include "shared/gui/step_list.h"
+
+class QLabel;
+class QProgressBar;
+class QToolButton;
+
+namespace dobra::gui {
+
+class ErrorBar;
+class LayerTree;
+class ParameterForm;
+class Results;
+class VtkWidget;
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  /// @param about  what the program is for, one sentence in English source text.
+  /// @pre `program` outlives the window.
+  explicit MainWindow(const scenario::Program& program, std::string about = {});
+  ~MainWindow() override;
+
+  /// Opens without asking about unsaved changes; what went wrong is also said in the error bar.
+  base::Result<void> open(const std::filesystem::path& file);
+  base::Result<void> save(const std::filesystem::path& file);
+  /// SVG, PDF and PNG with cairo, by the ending; layers as they are shown.
+  base::Result<void> save_picture(const std::filesystem::path& file);
+  /// The whole window as a PNG. @error CannotDraw if the view came out blank; CannotWrite.
+  base::Result<void> save_screenshot(const std::filesystem::path& file);
+  /// Selects the input (0) or a step, and shows its form.
+  void select(std::size_t part);
+
+  [[nodiscard]] Session& session() { return session_; }
+  [[nodiscard]] VtkWidget& view() { return *view_; }
+  [[nodiscard]] LayerTree& layers() { return *layers_; }
+  [[nodiscard]] StepList& steps() { return *steps_; }
+  [[nodiscard]] ParameterForm& form() { return *form_; }
+  [[nodiscard]] ErrorBar& error_bar() { return *error_bar_; }
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  struct Actions;
+  void make_center();
+  void make_docks();
+  void make_actions();
+  void make_status_bar();
+  void connect_session();
+
+  void ask_open();
+  bool ask_save();
+  bool ask_save_as();
+  void ask_save_picture();
+  /// False if the user wants to stay with the unsaved document.
+  bool may_discard();
+  void about();
+
+  void show_document();
+  void show_form();
+  void show_run_started();
+  void show_progress(double fraction, const QString& what);
+  void show_outcome();
+  void show_error(const base::Error& error);
+  void go_to_error();
+  void mark_error();
+  [[nodiscard]] std::vector<PartState> part_states() const;
+
+  const scenario::Program& program_;
+  std::string about_;
+  Session session_;
+  std::unique_ptr<Actions> actions_;
+  VtkWidget* view_ = nullptr;
+  QLabel* hint_ = nullptr;  ///< What to do where there is nothing to see yet.
+  ErrorBar* error_bar_ = nullptr;
+  StepList* steps_ = nullptr;
+  ParameterForm* form_ = nullptr;
+  LayerTree* layers_ = nullptr;
+  Results* results_ = nullptr;
+  QLabel* said_ = nullptr;
+  QLabel* cursor_ = nullptr;
+  QProgressBar* progress_ = nullptr;
+  QToolButton* cancel_ = nullptr;
+  std::optional<base::Error> error_;  ///< What the error bar says.
+  bool fit_next_ = true;              ///< The next picture is another document's: look at all of it.
+};
+
+}  // namespace dobra::gui

@@ -1,0 +1,362 @@
+#include "shared/gui/parameter_form.h"
+
+#include <QFrame>
+#include <QGridLayout>
+#include <QLabel>
+#include <QScrollArea>
+#include <QStyle>
+#include <QTimer>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "shared/base/text.h"
+#include "shared/gui/field_editor.h"
+#include "shared/gui/tables_editor.h"
+#include "shared/gui/text.h"
+
+namespace dobra::gui {
+
+using scenario::Field;
+using scenario::Kind;
+using scenario::Table;
+using scenario::Value;
+
+struct TableForm::Row {
+  Field field;
+  FieldEditor* editor = nullptr;     ///< Either this ...
+  TablesEditor* tables = nullptr;    ///< ... or this, for kind Tables.
+  QLabel* title = nullptr;
+  QToolButton* reset = nullptr;
+  QLabel* message = nullptr;
+};
+
+namespace {
+
+constexpr int title_column = 0;
+constexpr int editor_column = 1;
+constexpr int unit_column = 2;
+constexpr int reset_column = 3;
+
+QString unit_of(const Field& field) {
+  return field.kind == Kind::Degrees ? QString::fromUtf8("°") : QString::fromUtf8(field.options.unit);
+}
+
+QString number(double value) {
+  QString said = QString::fromStdString(base::number_text(value));
+  if (said.endsWith(".0")) said.chop(2);
+  return said;
+}
+
+QString tool_tip_of(const Field& field) {
+  const scenario::FieldOptions& options = field.options;
+  QStringList range;
+  if (options.above) range << text("greater than %1").arg(number(*options.above));
+  if (options.at_least) range << text("at least %1").arg(number(*options.at_least));
+  if (options.at_most) range << text("at most %1").arg(number(*options.at_most));
+  if (options.presence == scenario::Presence::Required) range << text("required");
+  if (field.default_value) {
+    const QString value = QString::fromStdString(scenario::value_text(*field.default_value));
+    if (!value.isEmpty() && value.size() < 40) range << text("default %1").arg(value);
+  }
+  QString tip = "<p style='white-space:pre-wrap'><b>" + QString::fromStdString(field.key).toHtmlEscaped() + "</b>";
+  if (options.help[0] != '\0') tip += "<br>" + text(options.help).toHtmlEscaped();
+  if (!range.isEmpty()) tip += "<br><i>" + range.join(", ").toHtmlEscaped() + "</i>";
+  return tip + "</p>";
+}
+
+/// Judges the value of one field as if the table held nothing else.
+QString judge(const Field& field, const Value* value) {
+  Table alone;
+  if (value != nullptr) alone.set(field.key, *value);
+  const base::Result<void> good = scenario::check(alone, {field}, {});
+  return good ? QString() : QString::fromStdString(good.error().message);
+}
+
+bool is_at(const base::Place& place, const base::Place& wanted) {
+  return wanted.line > 0 && place.line == wanted.line && (wanted.column == 0 || place.column == wanted.column);
+}
+
+/// "horizon.2.name" as "horizon", 2 and "name"; the index is 0 where there is none.
+struct KeyPath {
+  std::string head;
+  std::size_t index = 0;
+  std::string tail;
+};
+
+KeyPath split(const std::string& key) {
+  const std::size_t dot = key.find('.');
+  if (dot == std::string::npos) return {key, 0, {}};
+  const std::size_t second = key.find('.', dot + 1);
+  if (second == std::string::npos) return {key, 0, {}};
+  const std::optional<double> index = base::parse_number(key.substr(dot + 1, second - dot - 1));
+  return {key.substr(0, dot), index && *index >= 1 ? static_cast<std::size_t>(*index) : 0, key.substr(second + 1)};
+}
+
+}  // namespace
+
+TableForm::TableForm(std::vector<Field> fields, std::filesystem::path folder, QWidget* parent)
+    : QWidget(parent), fields_(std::move(fields)), folder_(std::move(folder)) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(4);
+  auto* grid = new QGridLayout;
+  grid->setHorizontalSpacing(6);
+  grid->setVerticalSpacing(4);
+  grid->setColumnStretch(title_column, 5);
+  grid->setColumnStretch(editor_column, 6);
+  for (const Field& field : fields_) add_row(field, *grid);
+  column->addLayout(grid);
+  strays_ = new QVBoxLayout;
+  column->addLayout(strays_);
+  if (fields_.empty()) {
+    auto* nothing = new QLabel(text("Nothing to set."), this);
+    nothing->setForegroundRole(QPalette::PlaceholderText);
+    column->addWidget(nothing);
+  }
+}
+
+TableForm::~TableForm() = default;
+
+void TableForm::add_row(const Field& field, QGridLayout& grid) {
+  auto row = std::make_unique<Row>();
+  row->field = field;
+  QString title = field.options.title[0] != '\0' ? text(field.options.title) : QString::fromStdString(field.key);
+  row->title = new QLabel(title, this);
+  row->title->setWordWrap(true);
+  row->title->setToolTip(tool_tip_of(field));
+  row->message = new QLabel(this);
+  row->message->setWordWrap(true);
+  row->message->setStyleSheet("color: #c62828;");
+  row->message->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  row->message->hide();
+
+  const int line = grid.rowCount();
+  if (field.kind == Kind::Tables) {
+    row->tables = new TablesEditor(field, folder_, this);
+    grid.addWidget(row->title, line, title_column, 1, 4);
+    grid.addWidget(row->tables, line + 1, title_column, 1, 4);
+    grid.addWidget(row->message, line + 2, title_column, 1, 4);
+  } else {
+    row->editor = make_field_editor(field, folder_, this);
+    row->editor->setToolTip(tool_tip_of(field));
+    row->editor->setObjectName("editor." + QString::fromStdString(field.key));
+    row->title->setBuddy(row->editor);
+    row->reset = new QToolButton(this);
+    row->reset->setText(QString::fromUtf8("↺"));
+    row->reset->setAutoRaise(true);
+    row->reset->setToolTip(text("Return to the default"));
+    row->reset->setObjectName("reset." + QString::fromStdString(field.key));
+    QSizePolicy policy = row->reset->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    row->reset->setSizePolicy(policy);
+    if (field.kind == Kind::Points) {
+      grid.addWidget(row->title, line, title_column, 1, 3);
+      grid.addWidget(row->reset, line, reset_column);
+      grid.addWidget(row->editor, line + 1, title_column, 1, 4);
+    } else {
+      const int width = unit_of(field).isEmpty() ? 2 : 1;
+      grid.addWidget(row->title, line, title_column);
+      grid.addWidget(row->editor, line, editor_column, 1, width);
+      if (width == 1) grid.addWidget(new QLabel(unit_of(field), this), line, unit_column);
+      grid.addWidget(row->reset, line, reset_column);
+    }
+    grid.addWidget(row->message, line + 2, title_column, 1, 4);
+  }
+  connect_row(*row);
+  rows_.push_back(std::move(row));
+}
+
+void TableForm::connect_row(Row& row) {
+  if (row.tables != nullptr) {
+    connect(row.tables, &TablesEditor::wants_to_be_seen, this, &TableForm::wants_to_be_seen);
+    connect(row.tables, &TablesEditor::entered, this, [this, &row](const std::vector<Table>& tables, const QString& key) {
+      if (tables.empty()) table_.erase(row.field.key);
+      else table_.set(row.field.key, tables);
+      const QString own = QString::fromStdString(row.field.key);
+      emit edited(table_, key.isEmpty() ? own : own + "." + key);
+    });
+    return;
+  }
+  connect(row.editor, &FieldEditor::entered, this, [this, &row](const Value& value) { enter(row, value); });
+  connect(row.editor, &FieldEditor::emptied, this, [this, &row] { reset(row); });
+  connect(row.editor, &FieldEditor::rejected, this, [&row](const QString& message) { say(row, message); });
+  connect(row.reset, &QToolButton::clicked, this, [this, &row] { reset(row); });
+}
+
+void TableForm::enter(Row& row, const Value& value) {
+  const QString wrong = judge(row.field, &value);
+  say(row, wrong);
+  if (!wrong.isEmpty()) return;
+  const Value* before = table_.find(row.field.key);
+  if (before != nullptr && *before == value) return;
+  table_.set(row.field.key, value);
+  show_row(row);
+  emit edited(table_, QString::fromStdString(row.field.key));
+}
+
+void TableForm::reset(Row& row) {
+  const bool had_value = table_.find(row.field.key) != nullptr;
+  table_.erase(row.field.key);
+  show_row(row);
+  if (had_value) emit edited(table_, QString::fromStdString(row.field.key));
+}
+
+void TableForm::show_row(Row& row) {
+  const Value* written = table_.find(row.field.key);
+  QString wrong = judge(row.field, written);
+  // In the one type of the field's kind; nothing if it is written as another kind, which `wrong` then says.
+  const std::optional<Value> value = written != nullptr ? scenario::as_kind(*written, row.field.kind) : std::nullopt;
+  if (row.tables != nullptr) {
+    row.tables->show_tables(value ? std::get<std::vector<Table>>(*value) : std::vector<Table>{});
+    // What is wrong inside a table is said inside its own form.
+    if (value) wrong.clear();
+  } else {
+    if (written != nullptr) row.editor->show_value(value, FieldEditor::Origin::Document);
+    else row.editor->show_value(row.field.default_value, FieldEditor::Origin::Default);
+    row.reset->setVisible(written != nullptr);
+  }
+  say(row, wrong);
+}
+
+void TableForm::say(Row& row, const QString& message) {
+  row.message->setText(message);
+  row.message->setVisible(!message.isEmpty());
+  if (row.editor == nullptr) return;
+  row.editor->show_judgement(message.isEmpty() ? FieldEditor::Judgement::Good : FieldEditor::Judgement::Bad);
+}
+
+void TableForm::set_table(const Table& table) {
+  table_ = table;
+  for (const std::unique_ptr<Row>& row : rows_) show_row(*row);
+  add_stray_rows();
+}
+
+void TableForm::add_stray_rows() {
+  while (QLayoutItem* item = strays_->takeAt(0)) {
+    if (item->widget() != nullptr) item->widget()->deleteLater();
+    delete item;
+  }
+  for (const Table::Entry& entry : table_.entries()) {
+    const auto has_key = [&](const Field& field) { return field.key == entry.key; };
+    if (std::any_of(fields_.begin(), fields_.end(), has_key)) continue;
+    auto* line = new QWidget(this);
+    auto* layout = new QHBoxLayout(line);
+    layout->setContentsMargins(0, 0, 0, 0);
+    auto* words = new QLabel(text("'%1' is not a parameter here").arg(QString::fromStdString(entry.key)), line);
+    words->setStyleSheet("color: #c62828;");
+    words->setWordWrap(true);
+    auto* remove = new QToolButton(line);
+    remove->setText(text("Remove"));
+    layout->addWidget(words, 1);
+    layout->addWidget(remove);
+    strays_->addWidget(line);
+    connect(remove, &QToolButton::clicked, this, [this, key = entry.key] {
+      table_.erase(key);
+      emit edited(table_, QString::fromStdString(key));
+    });
+  }
+}
+
+const TableForm::Row* TableForm::find_row(const std::string& key) const {
+  for (const std::unique_ptr<Row>& row : rows_) {
+    if (row->field.key == key) return row.get();
+  }
+  return nullptr;
+}
+
+base::Result<void> TableForm::type(const std::string& key, const QString& typed) {
+  const KeyPath path = split(key);
+  const Row* found = find_row(path.head);
+  if (found == nullptr) {
+    std::vector<std::string> keys;
+    for (const Field& field : fields_) keys.push_back(field.key);
+    return base::Error{base::ErrorCode::UnknownKey,
+                       text("no parameter '%1' here").arg(QString::fromStdString(path.head)).toStdString() +
+                           base::did_you_mean(path.head, keys)};
+  }
+  if (found->tables != nullptr) {
+    if (path.index == 0 || path.index > found->tables->count()) {
+      const QString said = text("'%1' has %2 tables; write %1.NUMBER.KEY").arg(QString::fromStdString(path.head));
+      return base::Error{base::ErrorCode::UnknownKey, said.arg(found->tables->count()).toStdString()};
+    }
+    return found->tables->open(path.index - 1).type(path.tail, typed);
+  }
+  emit wants_to_be_seen(found->editor);
+  if (typed.isEmpty()) found->reset->click();
+  else found->editor->type(typed);
+  if (found->message->text().isEmpty()) return {};
+  return base::Error{base::ErrorCode::BadValue, found->message->text().toStdString()};
+}
+
+QString TableForm::message_at(const std::string& key) const {
+  const KeyPath path = split(key);
+  const Row* row = find_row(path.head);
+  if (row == nullptr) return {};
+  if (row->tables != nullptr && path.index >= 1 && path.index <= row->tables->count()) {
+    return row->tables->form(path.index - 1).message_at(path.tail);
+  }
+  return row->message->text();
+}
+
+bool TableForm::mark(const base::Place& place, const QString& message) {
+  for (const std::unique_ptr<Row>& row : rows_) {
+    if (row->tables != nullptr) {
+      for (std::size_t i = 0; i < row->tables->count(); ++i) {
+        const std::vector<Table::Entry>& entries = row->tables->form(i).table().entries();
+        const auto here = [&](const Table::Entry& entry) { return is_at(entry.place, place); };
+        if (!std::any_of(entries.begin(), entries.end(), here)) continue;
+        return row->tables->open(i).mark(place, message);
+      }
+    } else if (table_.find(row->field.key) != nullptr && is_at(table_.place(row->field.key), place)) {
+      say(*row, message);
+      emit wants_to_be_seen(row->message);
+      return true;
+    }
+  }
+  return false;
+}
+
+ParameterForm::ParameterForm(QWidget* parent)
+    : QWidget(parent), title_(new QLabel(this)), help_(new QLabel(this)), scroll_(new QScrollArea(this)) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(8, 6, 0, 0);
+  QFont bold = title_->font();
+  bold.setBold(true);
+  title_->setFont(bold);
+  title_->setWordWrap(true);
+  help_->setWordWrap(true);
+  help_->setForegroundRole(QPalette::PlaceholderText);
+  scroll_->setFrameShape(QFrame::NoFrame);
+  scroll_->setWidgetResizable(true);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  column->addWidget(title_);
+  column->addWidget(help_);
+  column->addWidget(scroll_, 1);
+}
+
+void ParameterForm::show_part(const QString& identity, const QString& title, const QString& help,
+                              const std::vector<Field>& fields, const Table& table,
+                              const std::filesystem::path& folder) {
+  title_->setText(title);
+  help_->setText(help);
+  help_->setVisible(!help.isEmpty());
+  if (form_ == nullptr || identity != identity_) {
+    identity_ = identity;
+    auto* page = new QWidget;
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 4, 8, 8);
+    form_ = new TableForm(fields, folder, page);
+    column->addWidget(form_);
+    column->addStretch(1);
+    connect(form_, &TableForm::edited, this, &ParameterForm::edited);
+    // Once the layout has settled: a message that has just appeared has no place before.
+    connect(form_, &TableForm::wants_to_be_seen, this, [this](QWidget* widget) {
+      QTimer::singleShot(0, widget, [this, widget] { scroll_->ensureWidgetVisible(widget, 0, 24); });
+    });
+    scroll_->setWidget(page);  // Deletes the page before.
+  }
+  form_->set_table(table);
+}
+
+}  // namespace dobra::gui

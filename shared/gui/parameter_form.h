@@ -1,0 +1,98 @@
+#pragma once
+// A form made from a list of fields: one row each with title, editor, unit and a button that returns the value to its
+// default; what is wrong is said in red under the row. The form never changes a document: it tells what the user wants.
+
+#include <QWidget>
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+#include "shared/base/result.h"
+#include "shared/scenario/field.h"
+
+class QGridLayout;
+class QLabel;
+class QScrollArea;
+class QToolButton;
+class QVBoxLayout;
+
+namespace dobra::gui {
+
+class FieldEditor;
+class TablesEditor;
+
+/// The rows of one table; fields of kind Tables hold forms of their own.
+class TableForm : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// @param folder  where relative file names start.
+  TableForm(std::vector<scenario::Field> fields, std::filesystem::path folder, QWidget* parent = nullptr);
+  ~TableForm() override;
+
+  /// Shows the values, each judged against its field; drops what was half typed.
+  void set_table(const scenario::Table& table);
+  [[nodiscard]] const scenario::Table& table() const { return table_; }
+  [[nodiscard]] const std::vector<scenario::Field>& fields() const { return fields_; }
+
+  /// Does what a user does who types `text` into the editor of `key`: "count", "horizon.2.name". Empty text resets.
+  /// @error UnknownKey; BadValue, the message that the form shows.
+  base::Result<void> type(const std::string& key, const QString& text);
+
+  /// What is said under the row of `key` ("count", "horizon.2.name"); empty if it is good or there is no such row.
+  [[nodiscard]] QString message_at(const std::string& key) const;
+
+  /// Writes `message` under the row whose value stands at the line and column of `place`, and shows that row.
+  /// @return whether there is one.
+  bool mark(const base::Place& place, const QString& message);
+
+ signals:
+  /// The user set `key` to another good value, or reset it.
+  void edited(const dobra::scenario::Table& table, const QString& key);
+  void wants_to_be_seen(QWidget* widget);
+
+ private:
+  struct Row;
+  void add_row(const scenario::Field& field, QGridLayout& grid);
+  void add_stray_rows();
+  void connect_row(Row& row);
+  void enter(Row& row, const scenario::Value& value);
+  void reset(Row& row);
+  void show_row(Row& row);
+  static void say(Row& row, const QString& message);
+  [[nodiscard]] const Row* find_row(const std::string& key) const;
+
+  std::vector<scenario::Field> fields_;
+  std::filesystem::path folder_;
+  scenario::Table table_;
+  std::vector<std::unique_ptr<Row>> rows_;
+  QVBoxLayout* strays_ = nullptr;  ///< Keys of the table that no field has.
+};
+
+/// The form of a step with its title and help, in a scroll area.
+class ParameterForm : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ParameterForm(QWidget* parent = nullptr);
+
+  /// Shows a part of a document. The editors stay, with focus and cursor, if it is the same part as before.
+  /// @param identity  equal for the same part: operation and position.
+  void show_part(const QString& identity, const QString& title, const QString& help,
+                 const std::vector<scenario::Field>& fields, const scenario::Table& table,
+                 const std::filesystem::path& folder);
+
+  [[nodiscard]] TableForm* form() const { return form_; }
+
+ signals:
+  void edited(const dobra::scenario::Table& table, const QString& key);
+
+ private:
+  QString identity_;
+  QLabel* title_;
+  QLabel* help_;
+  QScrollArea* scroll_;
+  TableForm* form_ = nullptr;
+};
+
+}  // namespace dobra::gui

@@ -1,0 +1,92 @@
+#include "shared/gui/results.h"
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QScrollArea>
+#include <QSplitter>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include "shared/base/text.h"
+#include "shared/gui/text.h"
+
+namespace dobra::gui {
+
+namespace {
+
+QString list_item(const QString& color, const QString& sign, const std::string& words) {
+  return QString("<p style='margin:0 0 4px 0'><span style='color:%1'>%2</span> %3</p>")
+      .arg(color, sign, QString::fromStdString(words).toHtmlEscaped());
+}
+
+}  // namespace
+
+Results::Results(QWidget* parent) : QWidget(parent), quantities_(new QTreeWidget(this)), remarks_(new QLabel(this)) {
+  quantities_->setHeaderLabels({text("Quantity"), text("Value")});
+  quantities_->header()->setStretchLastSection(false);
+  quantities_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  quantities_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+  quantities_->setIndentation(12);
+  quantities_->setAlternatingRowColors(true);
+  quantities_->setTextElideMode(Qt::ElideMiddle);
+  quantities_->setUniformRowHeights(true);
+
+  remarks_->setWordWrap(true);
+  remarks_->setTextFormat(Qt::RichText);
+  remarks_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  remarks_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  remarks_->setContentsMargins(6, 4, 6, 4);
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidget(remarks_);
+  scroll->setWidgetResizable(true);
+
+  auto* splitter = new QSplitter(Qt::Vertical, this);
+  splitter->addWidget(quantities_);
+  splitter->addWidget(scroll);
+  splitter->setStretchFactor(0, 2);
+  splitter->setStretchFactor(1, 1);
+  splitter->setChildrenCollapsible(false);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(splitter);
+}
+
+void Results::show_outcome(const Outcome& outcome) {
+  quantities_->clear();
+  QTreeWidgetItem* group = nullptr;
+  QString group_name;
+  for (const scenario::Quantity& quantity : outcome.quantities) {
+    const QString name = QString::fromStdString(quantity.name);
+    const auto dot = name.lastIndexOf('.');
+    const QString prefix = name.left(std::max<qsizetype>(dot, 0));
+    if (prefix != group_name) {
+      group_name = prefix;
+      group = prefix.isEmpty() ? nullptr : new QTreeWidgetItem(quantities_, {prefix});
+      if (group != nullptr) group->setFirstColumnSpanned(true);
+    }
+    const QString value = (readable(quantity.value) + " " + QString::fromStdString(quantity.unit)).trimmed();
+    const QStringList cells{name.mid(dot + 1), value};
+    auto* line = group != nullptr ? new QTreeWidgetItem(group, cells) : new QTreeWidgetItem(quantities_, cells);
+    line->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+    line->setToolTip(0, name);
+    line->setToolTip(1, QString::fromStdString(base::number_text(quantity.value)));
+  }
+  quantities_->expandAll();
+  QString said;
+  for (const scenario::Verdict& verdict : outcome.verdicts) {
+    if (verdict.met) said += list_item("#2e7d32", QString::fromUtf8("✓"), verdict.message);
+    else said += list_item("#c62828", QString::fromUtf8("✗"), verdict.message);
+  }
+  for (const std::string& remark : outcome.remarks) said += list_item("#15659a", QString::fromUtf8("•"), remark);
+  if (said.isEmpty()) said = "<i>" + text("No remarks.") + "</i>";
+  remarks_->setText(said);
+}
+
+void Results::clear() {
+  quantities_->clear();
+  remarks_->clear();
+}
+
+QString readable(double value) { return QString::number(value, 'g', 6); }
+
+}  // namespace dobra::gui

@@ -1,0 +1,192 @@
+#include "shared/gui/script.h"
+
+#include <QTimer>
+#include <cstdio>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "shared/base/text.h"
+#include "shared/gui/edit.h"
+#include "shared/gui/error_bar.h"
+#include "shared/gui/layer_tree.h"
+#include "shared/gui/main_window.h"
+#include "shared/gui/parameter_form.h"
+#include "shared/gui/text.h"
+#include "shared/gui/vtk_widget.h"
+#include "shared/io/file.h"
+
+namespace dobra::gui {
+
+using base::Error;
+using base::ErrorCode;
+using base::Result;
+
+namespace {
+
+constexpr int between_commands = 30;  ///< Milliseconds: the window paints what the last command changed.
+
+/// Words that a command needs at least, its own name included.
+const std::map<std::string, std::size_t>& commands() {
+  static const std::map<std::string, std::size_t> all{
+      {"wait", 1}, {"select", 2}, {"set", 2},     {"undo", 1},         {"redo", 1},       {"save", 1},
+      {"fit", 1},  {"hide", 2},   {"show", 2},    {"save-picture", 2}, {"screenshot", 2}, {"zoom", 4},
+      {"add", 2},  {"remove", 1}, {"quit", 1},    {"report", 2},    {"expect-error", 2}};
+  return all;
+}
+
+Error failure(const QString& message) { return {ErrorCode::BadUsage, message.toStdString()}; }
+
+std::string trimmed(const std::string& words) {
+  const std::size_t begin = words.find_first_not_of(" \t\r");
+  if (begin == std::string::npos) return {};
+  return words.substr(begin, words.find_last_not_of(" \t\r") - begin + 1);
+}
+
+/// All behind the first `count` words.
+std::string behind(const std::string& line, std::size_t count) {
+  std::string rest = trimmed(line);
+  for (; count > 0; --count) {
+    const std::size_t end = rest.find_first_of(" \t");
+    if (end == std::string::npos) return {};
+    rest = trimmed(rest.substr(end));
+  }
+  return rest;
+}
+
+}  // namespace
+
+Result<std::vector<Script::Line>> Script::read(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  if (!in || std::filesystem::is_directory(file)) {
+    return Error{ErrorCode::FileNotFound, "cannot read the script; give --script a text file", base::Place{file.string(), 0, 0, {}, {}, {}}};
+  }
+  std::vector<Line> lines;
+  std::string written;
+  for (std::size_t number = 1; std::getline(in, written); ++number) {
+    written = trimmed(written);
+    if (written.empty() || written.front() == '#') continue;
+    Line line{number, {}, behind(written, 1), behind(written, 2)};
+    std::istringstream words(written);
+    for (std::string word; words >> word;) line.words.push_back(word);
+    const base::Place place{file.string(), number, 0, {}, {}, {}};
+    const auto command = commands().find(line.words[0]);
+    if (command == commands().end()) {
+      std::vector<std::string> names;
+      for (const auto& [name, count] : commands()) names.push_back(name);
+      return Error{ErrorCode::BadSyntax, "unknown command '" + line.words[0] + "'" + base::did_you_mean(line.words[0], names), place};
+    }
+    if (line.words.size() < command->second) {
+      return Error{ErrorCode::BadSyntax, "'" + line.words[0] + "' needs more words", place};
+    }
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+Script::Script(std::vector<Line> lines, std::filesystem::path file, MainWindow& window)
+    : QObject(&window), lines_(std::move(lines)), file_(std::move(file)), window_(window) {
+  QTimer::singleShot(0, this, &Script::step);
+}
+
+void Script::step() {
+  if (next_ == lines_.size()) return;
+  const Line& line = lines_[next_];
+  if (line.words[0] == "wait" && window_.session().busy()) {
+    QTimer::singleShot(between_commands, this, &Script::step);
+    return;
+  }
+  ++next_;
+  if (line.words[0] == "quit") {
+    emit ended(0);
+    return;
+  }
+  const Result<void> done = execute(line);
+  if (!done) {
+    std::fprintf(stderr, "%s:%zu: %s\n", file_.string().c_str(), line.number, base::to_string(done.error()).c_str());
+    emit ended(1);
+    return;
+  }
+  QTimer::singleShot(between_commands, this, &Script::step);
+}
+
+Result<void> Script::execute(const Line& line) {
+  const std::string& command = line.words[0];
+  Session& session = window_.session();
+  if (command == "select") return select(line.words[1]);
+  if (command == "set") {
+    // At its default already, or the same value again, is not an error: the form then has nothing to do.
+    return window_.form().form()->type(line.words[1], QString::fromStdString(line.rest2));
+  }
+  if (command == "undo") {
+    if (!session.history().can_undo()) return failure(text("there is nothing to undo"));
+    session.undo();
+  } else if (command == "redo") {
+    if (!session.history().can_redo()) return failure(text("there is nothing to do again"));
+    session.redo();
+  } else if (command == "save") {
+    const std::filesystem::path file = line.rest.empty() ? session.document().file : std::filesystem::path(line.rest);
+    if (file.empty()) return failure(text("the document has no file yet; write save PATH"));
+    return window_.save(file);
+  } else if (command == "save-picture") {
+    return window_.save_picture(line.rest);
+  } else if (command == "screenshot") {
+    return window_.save_screenshot(line.rest);
+  } else if (command == "report") {
+    return write_report(line.rest);
+  } else if (command == "hide" || command == "show") {
+    if (!window_.layers().set_layer_visible(line.rest, command == "show")) {
+      return failure(text("no layer '%1'").arg(QString::fromStdString(line.rest)));
+    }
+  } else if (command == "fit") {
+    window_.view().fit();
+  } else if (command == "zoom") {
+    return zoom(line);
+  } else if (command == "add") {
+    if (session.program().find_operation(line.words[1]) == nullptr) {
+      return failure(text("no operation '%1'").arg(QString::fromStdString(line.words[1])));
+    }
+    emit window_.steps().add_asked(line.words[1]);
+  } else if (command == "remove") {
+    if (window_.steps().selected() == 0) return failure(text("the input cannot be removed; select a step"));
+    emit window_.steps().remove_asked(window_.steps().selected());
+  } else if (command == "expect-error") {
+    const QString said = window_.error_bar().message();
+    if (!said.contains(QString::fromStdString(line.rest))) {
+      return failure(text("the error bar says '%1'").arg(said));
+    }
+  }
+  return {};
+}
+
+Result<void> Script::select(const std::string& part) {
+  const std::vector<scenario::Step>& steps = window_.session().document().steps;
+  if (part == "input" || part == "0") {
+    window_.select(0);
+    return {};
+  }
+  for (std::size_t step = 1; step <= steps.size(); ++step) {
+    if (steps[step - 1].name != part && std::to_string(step) != part) continue;
+    window_.select(step);
+    return {};
+  }
+  return failure(text("no step '%1'; there are %2").arg(QString::fromStdString(part)).arg(steps.size()));
+}
+
+Result<void> Script::zoom(const Line& line) {
+  const std::optional<double> factor = base::parse_number(line.words[1]);
+  const std::optional<double> x = base::parse_number(line.words[2]);
+  const std::optional<double> y = base::parse_number(line.words[3]);
+  if (!factor || !x || !y || !(*factor > 0)) return failure(text("write zoom FACTOR X Y with a factor above 0 and X, Y in 0..1"));
+  window_.view().zoom(*factor, {*x * window_.view().width(), *y * window_.view().height()});
+  return {};
+}
+
+Result<void> Script::write_report(const std::filesystem::path& file) {
+  const Session& session = window_.session();
+  if (session.busy() || !session.outcome()) return failure(text("no run has ended yet; write wait before"));
+  const Outcome& outcome = *session.outcome();
+  return io::write_file(file, scenario::report_json(*outcome.document, session.program(), outcome.run));
+}
+
+}  // namespace dobra::gui

@@ -1,0 +1,56 @@
+#pragma once
+// Commands executed in the real window, one a line, so that what a user does can be replayed and tested:
+//   wait                    until no run is under way        select STEP        number, name, or 0 / input
+//   set KEY VALUE           types into the selected form     undo, redo, fit
+//   expect-error WORDS      the error bar says WORDS         save [PATH], save-picture PATH, screenshot PATH
+//   hide LAYER, show LAYER  key, or panel/key                zoom FACTOR X Y    X, Y in 0..1 of the view from its top left
+//   add OPERATION           behind the selected part         remove             the selected step
+//   report PATH             report.json of the last run       quit              without asking
+// "#" begins a comment. At the end without quit the window stays open. PATH is relative to the current folder.
+
+#include <QObject>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "shared/base/result.h"
+
+namespace dobra::gui {
+
+class MainWindow;
+
+class Script : public QObject {
+  Q_OBJECT
+
+ public:
+  struct Line {
+    std::size_t number = 0;  ///< 1-based.
+    std::vector<std::string> words;
+    std::string rest;        ///< All behind the first word.
+    std::string rest2;       ///< All behind the second word.
+  };
+
+  /// @error FileNotFound; BadSyntax for an unknown command or missing words, with the line.
+  static base::Result<std::vector<Line>> read(const std::filesystem::path& file);
+
+  /// Starts as soon as the event loop runs.
+  Script(std::vector<Line> lines, std::filesystem::path file, MainWindow& window);
+
+ signals:
+  /// After quit. A command that failed has written one line to standard error; `exit_code` is then 1.
+  void ended(int exit_code);
+
+ private:
+  void step();
+  base::Result<void> execute(const Line& line);
+  base::Result<void> select(const std::string& part);
+  base::Result<void> zoom(const Line& line);
+  base::Result<void> write_report(const std::filesystem::path& file);
+
+  std::vector<Line> lines_;
+  std::filesystem::path file_;
+  MainWindow& window_;
+  std::size_t next_ = 0;
+};
+
+}  // namespace dobra::gui

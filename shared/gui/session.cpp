@@ -1,0 +1,94 @@
+#include "shared/gui/session.h"
+
+#include <algorithm>
+
+#include "shared/gui/edit.h"
+
+namespace dobra::gui {
+
+namespace {
+constexpr int pause_milliseconds = 150;
+}
+
+Session::Session(const scenario::Program& program, QObject* parent)
+    : QObject(parent),
+      program_(program),
+      history_(std::make_shared<const scenario::Document>(empty_document(program))),
+      worker_(program) {
+  pause_.setSingleShot(true);
+  pause_.setInterval(pause_milliseconds);
+  connect(&pause_, &QTimer::timeout, this, [this] { worker_.request(history_.current()); });
+  connect(&worker_, &Worker::started, this, &Session::run_started);
+  connect(&worker_, &Worker::progress, this, &Session::progress);
+  connect(&worker_, &Worker::finished, this, &Session::finish);
+}
+
+base::Result<void> Session::open(const std::filesystem::path& file) {
+  DOBRA_TRY(scenario::Document document, scenario::read_document(file));
+  // Wrong parameters can be mended in the form; a document of another program cannot.
+  DOBRA_TRY_VOID(scenario::check_program(document, program_));
+  document.file = file;
+  history_ = History(std::make_shared<const scenario::Document>(std::move(document)));
+  outcome_ = nullptr;
+  emit document_changed();
+  run();
+  return {};
+}
+
+base::Result<void> Session::save(const std::filesystem::path& file) {
+  const auto moved = [&](const scenario::Document& document) { return at_file(document, program_, file); };
+  DOBRA_TRY_VOID(scenario::write_document(moved(document()), file));
+  const bool same_place = document().file == file;
+  if (!same_place) history_.replace_all(moved);
+  history_.mark_saved();
+  emit document_changed();
+  return {};
+}
+
+void Session::edit(scenario::Document document, const QString& what) {
+  history_.push(std::make_shared<const scenario::Document>(std::move(document)), what.toStdString());
+  emit document_changed();
+  pause_.start();
+}
+
+void Session::undo() {
+  if (!history_.can_undo()) return;
+  history_.undo();
+  emit document_changed();
+  pause_.start();
+}
+
+void Session::redo() {
+  if (!history_.can_redo()) return;
+  history_.redo();
+  emit document_changed();
+  pause_.start();
+}
+
+void Session::run() {
+  pause_.stop();
+  worker_.request(history_.current());
+}
+
+void Session::cancel() {
+  pause_.stop();
+  worker_.cancel();
+}
+
+void Session::finish(const OutcomePtr& outcome) {
+  outcome_ = outcome;
+  emit run_finished();
+}
+
+std::size_t Session::common_parts(const scenario::Document& a, const scenario::Document& b) {
+  if (!(a.input == b.input)) return 0;
+  const std::size_t steps = std::min(a.steps.size(), b.steps.size());
+  std::size_t same = 0;
+  while (same < steps && a.steps[same].operation == b.steps[same].operation &&
+         a.steps[same].params == b.steps[same].params) {
+    ++same;
+  }
+  return same + 1;
+}
+
+}  // namespace dobra::gui

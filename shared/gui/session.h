@@ -1,0 +1,63 @@
+#pragma once
+// What a window works on, without the window: the history of the document, its runs, reading and writing.
+
+#include <QObject>
+#include <QTimer>
+#include <filesystem>
+
+#include "shared/gui/history.h"
+#include "shared/gui/worker.h"
+
+namespace dobra::gui {
+
+class Session : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Starts with an empty document. @pre `program` outlives the session.
+  explicit Session(const scenario::Program& program, QObject* parent = nullptr);
+
+  [[nodiscard]] const scenario::Program& program() const { return program_; }
+  [[nodiscard]] const scenario::Document& document() const { return *history_.current(); }
+  [[nodiscard]] const History& history() const { return history_; }
+  /// Of the last run that came to an end; null before.
+  [[nodiscard]] const OutcomePtr& outcome() const { return outcome_; }
+  /// A run is under way or about to start.
+  [[nodiscard]] bool busy() const { return pause_.isActive() || worker_.busy(); }
+
+  /// Replaces document and history by what a file holds, and runs it. Nothing changes on an error.
+  /// @error those of scenario::read_document; WrongProgram.
+  base::Result<void> open(const std::filesystem::path& file);
+  /// Writes the document; from then on it lives at `file`.
+  /// @error CannotWrite
+  base::Result<void> save(const std::filesystem::path& file);
+
+  /// Makes `document` the current one and runs it after a short pause, so that typing does not start a run a key.
+  /// @param what  for the Undo menu, translated.
+  void edit(scenario::Document document, const QString& what);
+  void undo();
+  void redo();
+  void run();
+  void cancel();
+
+  /// How many parts (input included) from the first on are the same in both documents.
+  static std::size_t common_parts(const scenario::Document& a, const scenario::Document& b);
+
+ signals:
+  /// Another document, or the same one saved.
+  void document_changed();
+  void run_started();
+  void progress(double fraction, const QString& what);
+  void run_finished();
+
+ private:
+  void finish(const OutcomePtr& outcome);
+
+  const scenario::Program& program_;
+  History history_;
+  Worker worker_;
+  QTimer pause_;
+  OutcomePtr outcome_;
+};
+
+}  // namespace dobra::gui

@@ -1,0 +1,120 @@
+#include "shared/gui/step_list.h"
+
+#include <QHBoxLayout>
+#include <QListWidget>
+#include <QMenu>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "shared/gui/icons.h"
+#include "shared/gui/text.h"
+
+namespace dobra::gui {
+
+namespace {
+
+Symbol symbol_of(PartState state) {
+  switch (state) {
+    case PartState::Pending: return Symbol::Pending;
+    case PartState::Running: return Symbol::Running;
+    case PartState::Done: return Symbol::Done;
+    case PartState::Failed: return Symbol::Failed;
+  }
+  return Symbol::Pending;
+}
+
+QString words_of(PartState state) {
+  switch (state) {
+    case PartState::Pending: return text("not run");
+    case PartState::Running: return text("running");
+    case PartState::Done: return text("done");
+    case PartState::Failed: return text("failed");
+  }
+  return {};
+}
+
+QToolButton* button(Symbol symbol, const QString& tip, const char* name, QWidget* parent) {
+  auto* made = new QToolButton(parent);
+  made->setIcon(icon(symbol));
+  made->setToolTip(tip);
+  made->setAutoRaise(true);
+  made->setObjectName(name);
+  return made;
+}
+
+}  // namespace
+
+StepList::StepList(const scenario::Program& program, QWidget* parent)
+    : QWidget(parent),
+      program_(program),
+      list_(new QListWidget(this)),
+      remove_(button(Symbol::Remove, text("Remove the step"), "step.remove", this)),
+      up_(button(Symbol::Up, text("Move the step up"), "step.up", this)),
+      down_(button(Symbol::Down, text("Move the step down"), "step.down", this)) {
+  QToolButton* add = button(Symbol::Add, text("Add a step behind the selected one"), "step.add", this);
+  auto* menu = new QMenu(add);
+  menu->setToolTipsVisible(true);
+  for (const scenario::Operation& operation : program_.operations) {
+    QAction* action = menu->addAction(text(operation.title.c_str()));
+    action->setToolTip(text(operation.help.c_str()));
+    connect(action, &QAction::triggered, this, [this, name = operation.name] { emit add_asked(name); });
+  }
+  add->setMenu(menu);
+  add->setPopupMode(QToolButton::InstantPopup);
+  add->setEnabled(!program_.operations.empty());
+
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(2);
+  for (QToolButton* each : {add, remove_, up_, down_}) buttons->addWidget(each);
+  buttons->addStretch(1);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(2);
+  column->addWidget(list_, 1);
+  column->addLayout(buttons);
+
+  connect(list_, &QListWidget::currentRowChanged, this, [this] {
+    show_buttons();
+    emit selected_changed(selected());
+  });
+  connect(remove_, &QToolButton::clicked, this, [this] { emit remove_asked(selected()); });
+  connect(up_, &QToolButton::clicked, this, [this] { emit exchange_asked(selected() - 1, selected() - 1); });
+  connect(down_, &QToolButton::clicked, this, [this] { emit exchange_asked(selected(), selected() + 1); });
+}
+
+void StepList::show_document(const scenario::Document& document, const std::vector<PartState>& states) {
+  const std::size_t before = selected();
+  states_ = states;
+  {
+    const QSignalBlocker quiet(list_);
+    list_->clear();
+    for (std::size_t part = 0; part <= document.steps.size(); ++part) {
+      QString title = text("Input");
+      if (part > 0) {
+        const scenario::Step& step = document.steps[part - 1];
+        const scenario::Operation* operation = program_.find_operation(step.operation);
+        title = QString::number(part) + "  " + text((operation != nullptr ? operation->title : step.operation).c_str());
+        if (!step.name.empty()) title += QString::fromUtf8(" · ") + QString::fromStdString(step.name);
+      }
+      auto* item = new QListWidgetItem(icon(symbol_of(states.at(part))), title, list_);
+      item->setToolTip(words_of(states.at(part)));
+    }
+    list_->setCurrentRow(static_cast<int>(std::min(before, document.steps.size())));
+  }
+  show_buttons();
+  if (selected() != before) emit selected_changed(selected());
+}
+
+std::size_t StepList::selected() const { return static_cast<std::size_t>(std::max(0, list_->currentRow())); }
+
+void StepList::select(std::size_t part) { list_->setCurrentRow(static_cast<int>(part)); }
+
+void StepList::show_buttons() {
+  const std::size_t steps = states_.empty() ? 0 : states_.size() - 1;
+  remove_->setEnabled(selected() >= 1);
+  up_->setEnabled(selected() >= 2);
+  down_->setEnabled(selected() >= 1 && selected() < steps);
+}
+
+}  // namespace dobra::gui

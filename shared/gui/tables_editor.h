@@ -1,0 +1,52 @@
+#pragma once
+// The editor of a field of kind Tables: a list of small forms that open and close, with Add and Remove.
+
+#include <QWidget>
+#include <filesystem>
+#include <vector>
+
+#include "shared/base/result.h"
+#include "shared/scenario/field.h"
+
+class QToolButton;
+class QVBoxLayout;
+
+namespace dobra::gui {
+
+class TableForm;
+
+class TablesEditor : public QWidget {
+  Q_OBJECT
+
+ public:
+  TablesEditor(scenario::Field field, std::filesystem::path folder, QWidget* parent = nullptr);
+
+  void show_tables(const std::vector<scenario::Table>& tables);
+  [[nodiscard]] std::size_t count() const { return items_.size(); }
+  /// The form of table `index`, opened. @pre index < count()
+  TableForm& open(std::size_t index);
+  [[nodiscard]] const TableForm& form(std::size_t index) const { return *items_[index].form; }
+
+ signals:
+  /// @param key  what changed: "2.name", or "" when a table was added or removed.
+  void entered(const std::vector<dobra::scenario::Table>& tables, const QString& key);
+  void wants_to_be_seen(QWidget* widget);
+
+ private:
+  struct Item {
+    QWidget* frame = nullptr;
+    QToolButton* header = nullptr;
+    TableForm* form = nullptr;
+  };
+  void add_item();
+  void remove_item(std::size_t index);
+  void retitle(std::size_t index);
+  [[nodiscard]] std::vector<scenario::Table> tables() const;
+
+  scenario::Field field_;
+  std::filesystem::path folder_;
+  std::vector<Item> items_;
+  QVBoxLayout* list_;
+};
+
+}  // namespace dobra::gui

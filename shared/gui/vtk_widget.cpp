@@ -1,0 +1,341 @@
+// What was tried (see docs/architecture.md, facts about the platform): Debian's VTK-Qt library is built for Qt 5, so a
+// QOpenGLWidget owns a vtkGenericOpenGLRenderWindow that draws into the widget's framebuffer. Pages of VtkScene are in
+// device-independent pixels, just as Qt's mouse positions; only the size of the render window is in device pixels.
+#include "shared/gui/vtk_widget.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
+#include <vtkOpenGLState.h>
+
+#include <QMouseEvent>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+#include <algorithm>
+#include <cmath>
+
+#include "shared/base/check.h"
+#include "shared/gui/text.h"
+#include "shared/render/vtk_scene.h"
+
+namespace dobra::gui {
+
+namespace {
+
+constexpr double pick_reach = 5.0;         ///< Pixels round the cursor.
+constexpr double zoom_a_notch = 1.2;       ///< Of the wheel: 15 degrees, 120 units.
+constexpr double place_fraction = 0.1;     ///< Of the model that is seen round a place.
+constexpr double least_fraction = 1e-9;    ///< Nearest and farthest zoom: size of a pixel over that of the model.
+constexpr double most_fraction = 1.0;
+const scene::Color marker_color{0xd0, 0x10, 0x10};
+
+/// The panel with its extent fixed to that of all its layers: hiding one does not move the others.
+void fix_extent(scene::Panel& panel) {
+  if (panel.extent) return;
+  geom::Box box;
+  for (const scene::Layer& layer : panel.layers) box.add(scene::extent(layer));
+  if (!box.empty()) panel.extent = scene::comfortable(box);
+}
+
+scene::Layer marker_layer(const std::string& key, geom::Point at, const scene::Color& color, double size) {
+  scene::Layer layer;
+  layer.key = key;
+  layer.style.line = color;
+  layer.style.marker_size = size;
+  layer.content = scene::Markers{{at}, {}};
+  layer.in_legend = scene::InLegend::No;
+  return layer;
+}
+
+/// "x" of "x [m]".
+QString axis_name(const std::string& title) { return QString::fromStdString(title.substr(0, title.find(" ["))); }
+
+geom::Point page_point(QPointF pixel) { return {pixel.x(), pixel.y()}; }
+
+}  // namespace
+
+struct VtkWidget::Scene {
+  explicit Scene(VtkWidget& owner) : widget(owner), scene(*window) {
+    observe(vtkCommand::WindowMakeCurrentEvent, [](vtkObject*, unsigned long, void* self, void*) {
+      // Only if it is not: QOpenGLWidget::makeCurrent binds the widget's framebuffer, behind VTK's back while it draws.
+      VtkWidget& own = static_cast<Scene*>(self)->widget;
+      if (QOpenGLContext::currentContext() != own.context()) own.makeCurrent();
+    });
+    observe(vtkCommand::WindowIsCurrentEvent, [](vtkObject*, unsigned long, void* self, void* answer) {
+      const QOpenGLContext* own = static_cast<Scene*>(self)->widget.context();
+      *static_cast<bool*>(answer) = own != nullptr && QOpenGLContext::currentContext() == own;
+    });
+    window->SetReadyForRendering(true);
+    window->SetOwnContext(0);
+    window->SetFrameBlitModeToBlitToCurrent();
+    window->OpenGLInitContext();
+  }
+  ~Scene() {
+    scene.release();
+    window->Finalize();
+  }
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  void observe(unsigned long event, void (*answer)(vtkObject*, unsigned long, void*, void*)) {
+    vtkNew<vtkCallbackCommand> command;
+    command->SetCallback(answer);
+    command->SetClientData(this);
+    window->AddObserver(event, command);
+  }
+
+  VtkWidget& widget;
+  vtkNew<vtkGenericOpenGLRenderWindow> window;
+  render::VtkScene scene;
+};
+
+VtkWidget::VtkWidget(QWidget* parent) : QOpenGLWidget(parent) {
+  setMouseTracking(true);
+  setFocusPolicy(Qt::ClickFocus);
+  setMinimumSize(320, 240);
+  setCursor(Qt::CrossCursor);
+}
+
+VtkWidget::~VtkWidget() {
+  // QOpenGLWidget destroys the context after this class is gone.
+  if (context() != nullptr) context()->disconnect(this);
+  release();
+}
+
+void VtkWidget::release() {
+  if (!scene_) return;
+  makeCurrent();
+  scene_.reset();
+  doneCurrent();
+}
+
+void VtkWidget::initializeGL() {
+  scene_ = std::make_unique<Scene>(*this);
+  // The context may go and come again (another top-level window); what is on the card goes with it.
+  connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &VtkWidget::release, Qt::UniqueConnection);
+  show_picture();
+}
+
+void VtkWidget::resizeGL(int, int) { relayout(); }
+
+void VtkWidget::relayout() {
+  if (!scene_) return;
+  const double ratio = devicePixelRatioF();
+  scene_->scene.resize(static_cast<int>(std::lround(width() * ratio)), static_cast<int>(std::lround(height() * ratio)), ratio);
+}
+
+void VtkWidget::paintGL() {
+  if (!scene_) return;
+  vtkGenericOpenGLRenderWindow& window = *scene_->window;
+  window.PushState();
+  window.OpenGLInitState();
+  window.SetIsCurrent(true);
+  window.SetFrameBlitModeToBlitToCurrent();
+  window.Render();
+  window.PopState();
+  // Opaque, or the desktop shows through where VTK left transparency behind.
+  QOpenGLFunctions* gl = context()->functions();
+  gl->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
+  gl->glDisable(GL_SCISSOR_TEST);
+  gl->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
+  gl->glClearColor(1.0F, 1.0F, 1.0F, 1.0F);
+  gl->glClear(GL_COLOR_BUFFER_BIT);
+  gl->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+void VtkWidget::set_picture(scene::Picture picture, Looking looking) {
+  for (scene::Panel& panel : picture.panels) fix_extent(panel);
+  std::vector<std::optional<scene::View>> views(picture.panels.size());
+  std::optional<double> scale;
+  for (std::size_t i = 0; looking == Looking::WhereItDid && i < views.size(); ++i) {
+    for (std::size_t old = 0; old < picture_.panels.size(); ++old) {
+      if (picture_.panels[old].key == picture.panels[i].key) views[i] = views_[old];
+    }
+    if (views[i]) scale = views[i]->world_per_point;
+  }
+  // A new panel beside one that the user has moved joins its scale.
+  for (std::size_t i = 0; scale && i < views.size(); ++i) {
+    const std::optional<geom::Box>& extent = picture.panels[i].extent;
+    if (!views[i]) views[i] = scene::View{extent ? extent->centre() : geom::Point{}, *scale};
+  }
+  picture_ = std::move(picture);
+  views_ = std::move(views);
+  show_picture();
+}
+
+void VtkWidget::show_picture() {
+  if (!scene_) return;
+  scene::Picture shown = picture_;
+  if (place_) {
+    const auto has_place = [&](const scene::Panel& panel) { return panel.extent && panel.extent->contains(*place_); };
+    auto panel = std::find_if(shown.panels.begin(), shown.panels.end(), has_place);
+    if (panel == shown.panels.end()) panel = shown.panels.begin();
+    if (panel != shown.panels.end()) {
+      panel->layers.push_back(marker_layer("gui.place.rim", *place_, marker_color, 18.0));
+      panel->layers.push_back(marker_layer("gui.place.ring", *place_, {255, 255, 255}, 12.0));
+      panel->layers.push_back(marker_layer("gui.place.point", *place_, marker_color, 5.0));
+    }
+  }
+  makeCurrent();
+  scene_->scene.set_picture(std::move(shown));
+  scene_->scene.set_views(views_);
+  relayout();
+  doneCurrent();
+  update();
+}
+
+void VtkWidget::set_layer_visible(const std::string& panel_key, const std::string& layer_key, bool visible) {
+  for (scene::Panel& panel : picture_.panels) {
+    if (panel.key != panel_key) continue;
+    for (scene::Layer& layer : panel.layers) {
+      if (layer.key == layer_key) layer.visible = visible;
+    }
+  }
+  show_picture();
+}
+
+void VtkWidget::fit() {
+  std::fill(views_.begin(), views_.end(), std::nullopt);
+  if (!scene_) return;
+  makeCurrent();
+  scene_->scene.set_views(views_);
+  doneCurrent();
+  update();
+}
+
+void VtkWidget::zoom(double factor, QPointF at) {
+  if (!scene_ || picture_.panels.empty()) return;
+  const std::optional<Spot> spot = spot_at(at);
+  std::vector<scene::View> views = scene_->scene.views();
+  double size = 0.0;
+  for (const scene::Panel& panel : picture_.panels) {
+    if (panel.extent) size = std::max(size, panel.extent->diagonal());
+  }
+  const double wanted = views[0].world_per_point / factor;
+  if (size > 0.0 && (wanted < least_fraction * size || wanted > most_fraction * size)) return;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const geom::Point still = spot && spot->panel == i ? spot->at : views[i].centre;
+    views_[i] = scene::zoom_at(views[i], still, factor);
+  }
+  makeCurrent();
+  scene_->scene.set_views(views_);
+  doneCurrent();
+  update();
+}
+
+void VtkWidget::pan(QPointF from, QPointF by) {
+  const std::optional<Spot> spot = spot_at(from);
+  if (!spot) return;
+  const std::vector<scene::View> views = scene_->scene.views();
+  for (std::size_t i = 0; i < views.size(); ++i) views_[i] = views[i];
+  const double exaggeration = picture_.panels[spot->panel].vertical_exaggeration;
+  views_[spot->panel] = scene::pan(views[spot->panel], {by.x(), by.y()}, exaggeration);
+  makeCurrent();
+  scene_->scene.set_views(views_);
+  doneCurrent();
+  update();
+}
+
+void VtkWidget::show_place(geom::Point place) {
+  if (!scene_ || picture_.panels.empty()) return;
+  place_ = place;
+  const auto has_place = [&](const scene::Panel& panel) { return panel.extent && panel.extent->contains(place); };
+  const auto found = std::find_if(picture_.panels.begin(), picture_.panels.end(), has_place);
+  const std::size_t panel = found == picture_.panels.end() ? 0 : static_cast<std::size_t>(found - picture_.panels.begin());
+  const double size = picture_.panels[panel].extent ? picture_.panels[panel].extent->diagonal() : 1.0;
+  const std::vector<scene::View> views = scene_->scene.views();
+  const double scale = place_fraction * size / std::max(scene_->scene.layout().panels[panel].plot.width(), 1.0);
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    views_[i] = scene::View{i == panel ? place : views[i].centre, scale > 0.0 ? scale : views[i].world_per_point};
+  }
+  show_picture();
+}
+
+void VtkWidget::clear_place() {
+  if (!place_) return;
+  place_.reset();
+  show_picture();
+}
+
+scene::View VtkWidget::view(std::size_t panel) const {
+  DOBRA_CHECK(scene_ && panel < picture_.panels.size());
+  return scene_->scene.views()[panel];
+}
+
+std::optional<VtkWidget::Spot> VtkWidget::spot_at(QPointF pixel) const {
+  if (!scene_) return std::nullopt;
+  const std::optional<std::size_t> panel = scene_->scene.panel_at(page_point(pixel));
+  if (!panel || *panel >= picture_.panels.size()) return std::nullopt;
+  return Spot{*panel, scene_->scene.layout().panels[*panel].transform.to_world(page_point(pixel))};
+}
+
+QPointF VtkWidget::pixel_of(std::size_t panel, geom::Point at) const {
+  DOBRA_CHECK(scene_ && panel < picture_.panels.size());
+  const geom::Point page = scene_->scene.layout().panels[panel].transform.to_page(at);
+  return {page.x, page.y};
+}
+
+void VtkWidget::pick(QPointF pixel) {
+  const std::optional<Spot> spot = spot_at(pixel);
+  if (!spot) return;
+  const scene::Panel& panel = picture_.panels[spot->panel];
+  const double scale = scene_->scene.views()[spot->panel].world_per_point;
+  const std::optional<scene::Pick> found = scene::pick(panel, spot->at, pick_reach * scale);
+  if (!found) {
+    emit picked(text("Nothing here."));
+    return;
+  }
+  const auto is_it = [&](const scene::Layer& layer) { return layer.key == found->layer; };
+  const auto layer = std::find_if(panel.layers.begin(), panel.layers.end(), is_it);
+  const std::string title = layer != panel.layers.end() && !layer->title.empty() ? layer->title : found->layer;
+  emit picked(text("%1, item %2").arg(QString::fromStdString(title)).arg(found->id));
+}
+
+void VtkWidget::mousePressEvent(QMouseEvent* event) {
+  if (event->button() == Qt::MiddleButton && dragging_ == Qt::NoButton) {
+    dragging_ = event->button();
+    drag_ = event->position();
+    setCursor(Qt::ClosedHandCursor);
+  } else if (event->button() == Qt::LeftButton) {
+    pick(event->position());
+  }
+}
+
+void VtkWidget::mouseMoveEvent(QMouseEvent* event) {
+  if (dragging_ != Qt::NoButton) {
+    pan(drag_, event->position() - drag_);
+    drag_ = event->position();
+  }
+  const std::optional<Spot> spot = spot_at(event->position());
+  if (!spot) {
+    emit cursor_moved({});
+    return;
+  }
+  const scene::Panel& panel = picture_.panels[spot->panel];
+  const double scale = scene_->scene.views()[spot->panel].world_per_point;
+  // As many decimals as a pixel can tell apart.
+  const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(scale))), 0, 12);
+  const auto number = [&](double value) { return QString::number(value, 'f', decimals); };
+  emit cursor_moved(QString("%1 = %2   %3 = %4")
+                        .arg(axis_name(panel.axes.x_title), number(spot->at.x), axis_name(panel.axes.y_title), number(spot->at.y)));
+}
+
+void VtkWidget::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() != dragging_) return;
+  dragging_ = Qt::NoButton;
+  setCursor(Qt::CrossCursor);
+}
+
+void VtkWidget::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() == Qt::MiddleButton) fit();
+}
+
+void VtkWidget::wheelEvent(QWheelEvent* event) {
+  const double notches = event->angleDelta().y() / 120.0;
+  if (notches != 0.0) zoom(std::pow(zoom_a_notch, notches), event->position());
+  event->accept();
+}
+
+void VtkWidget::leaveEvent(QEvent*) { emit cursor_moved({}); }
+
+}  // namespace dobra::gui

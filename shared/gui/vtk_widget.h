@@ -1,0 +1,81 @@
+#pragma once
+// The picture in the window, drawn by VTK: pan with the middle button, zoom at the cursor with the wheel, fit with F or a
+// double click of the middle button, tell what is under the cursor, mark a place.
+
+#include <QOpenGLWidget>
+#include <memory>
+#include <optional>
+
+#include "shared/scene/pick.h"
+#include "shared/scene/view.h"
+
+namespace dobra::gui {
+
+/// What a new picture does to the views.
+enum class Looking { AtAll, WhereItDid };
+
+class VtkWidget : public QOpenGLWidget {
+  Q_OBJECT
+
+ public:
+  explicit VtkWidget(QWidget* parent = nullptr);
+  ~VtkWidget() override;
+
+  void set_picture(scene::Picture picture, Looking looking);
+  void set_layer_visible(const std::string& panel, const std::string& layer, bool visible);
+
+  /// All of every panel, at the scale they share.
+  void fit();
+  /// `factor` times nearer, the point under `at` (pixels of the widget) staying where it is. The other panels keep the
+  /// common scale.
+  void zoom(double factor, QPointF at);
+  /// Moves the panel at `from` by a distance in pixels of the widget.
+  void pan(QPointF from, QPointF by);
+
+  /// Puts a marker at a point of the first panel that can show it, and zooms there.
+  void show_place(geom::Point place);
+  void clear_place();
+
+  /// What a panel shows. @pre panel < number of panels
+  [[nodiscard]] scene::View view(std::size_t panel) const;
+  [[nodiscard]] std::size_t panel_count() const { return picture_.panels.size(); }
+  /// The point of the model under a pixel, with the number of its panel; nothing outside the plots.
+  struct Spot {
+    std::size_t panel = 0;
+    geom::Point at;
+  };
+  [[nodiscard]] std::optional<Spot> spot_at(QPointF pixel) const;
+  /// Where a point of the model stands in the widget.
+  [[nodiscard]] QPointF pixel_of(std::size_t panel, geom::Point at) const;
+
+ signals:
+  void cursor_moved(const QString& where);
+  void picked(const QString& what);
+
+ protected:
+  void initializeGL() override;
+  void resizeGL(int width, int height) override;
+  void paintGL() override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+
+ private:
+  struct Scene;
+  void release();
+  void show_picture();
+  void relayout();
+  void pick(QPointF pixel);
+
+  scene::Picture picture_;                          ///< As given.
+  std::optional<geom::Point> place_;                ///< Where the marker stands.
+  std::vector<std::optional<scene::View>> views_;   ///< One a panel; nothing: all of it.
+  std::unique_ptr<Scene> scene_;                    ///< What needs the OpenGL context.
+  QPointF drag_;
+  Qt::MouseButton dragging_ = Qt::NoButton;
+};
+
+}  // namespace dobra::gui

@@ -1,0 +1,91 @@
+#include "shared/gui/worker.h"
+
+#include <chrono>
+
+namespace dobra::gui {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr auto least_time_between_reports = std::chrono::milliseconds(30);
+
+OutcomePtr outcome_of(const DocumentPtr& document, const scenario::Program& program, scenario::Runner& runner,
+                      const base::Progress& progress) {
+  const auto begin = Clock::now();
+  auto outcome = std::make_shared<Outcome>();
+  outcome->document = document;
+  outcome->run = runner.run(*document, progress);
+  if (!outcome->run.states.empty()) {
+    const scenario::State& state = outcome->run.states.back();
+    outcome->picture = std::make_shared<const scene::Picture>(program.picture_of(state));
+    if (program.quantities_of) outcome->quantities = program.quantities_of(state);
+    if (program.remarks_of) outcome->remarks = program.remarks_of(state);
+  }
+  if (outcome->run.complete()) outcome->verdicts = scenario::judge(*document, program, outcome->run);
+  outcome->seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  return outcome;
+}
+
+}  // namespace
+
+Worker::Worker(const scenario::Program& program, QObject* parent)
+    : QObject(parent),
+      program_(program),
+      runner_(std::make_shared<scenario::Runner>(program)),
+      bench_(new QObject) {
+  bench_->moveToThread(&thread_);
+  connect(&thread_, &QThread::finished, bench_, &QObject::deleteLater);
+  thread_.setObjectName("dobra worker");
+  // Meshers and subdivisions recurse; the default of a secondary thread is not the main thread's 8 MiB everywhere.
+  thread_.setStackSize(16u << 20u);
+  thread_.start();
+}
+
+Worker::~Worker() {
+  token_.cancel();
+  thread_.quit();
+  thread_.wait();
+}
+
+void Worker::request(DocumentPtr document) {
+  if (busy_) {
+    waiting_ = std::move(document);
+    token_.cancel();
+  } else {
+    start(std::move(document));
+  }
+}
+
+void Worker::cancel() {
+  waiting_.reset();
+  token_.cancel();
+}
+
+void Worker::start(DocumentPtr document) {
+  busy_ = true;
+  token_ = base::CancelToken();
+  emit started();
+  const auto last_report = std::make_shared<Clock::time_point>();
+  const base::Progress listener(token_, [this, last_report](double fraction, const std::string& what) {
+    const auto now = Clock::now();
+    if (now - *last_report < least_time_between_reports) return;
+    *last_report = now;
+    const QString said = QString::fromStdString(what);
+    QMetaObject::invokeMethod(this, [this, fraction, said] { emit progress(fraction, said); }, Qt::QueuedConnection);
+  });
+  QMetaObject::invokeMethod(bench_, [this, document = std::move(document), listener] {
+    const OutcomePtr outcome = outcome_of(document, program_, *runner_, listener);
+    QMetaObject::invokeMethod(this, [this, outcome] { done(outcome); }, Qt::QueuedConnection);
+  });
+}
+
+void Worker::done(const OutcomePtr& outcome) {
+  if (waiting_) {
+    start(std::exchange(waiting_, nullptr));
+    return;
+  }
+  busy_ = false;
+  emit finished(outcome);
+}
+
+}  // namespace dobra::gui

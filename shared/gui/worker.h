@@ -1,0 +1,61 @@
+#pragma once
+// Runs documents on a thread of its own, so that the window never waits. The latest request wins: it cancels the run in
+// progress, of which nothing more is heard.
+
+#include <QObject>
+#include <QThread>
+#include <memory>
+
+#include "shared/base/progress.h"
+#include "shared/gui/history.h"
+#include "shared/scenario/runner.h"
+
+namespace dobra::gui {
+
+/// A run with what the window shows of it, all made on the worker's thread. Where the run failed, the rest is that of
+/// the last state it reached; without any state, `picture` is null.
+struct Outcome {
+  DocumentPtr document;
+  scenario::Run run;
+  std::shared_ptr<const scene::Picture> picture;
+  std::vector<scenario::Quantity> quantities;
+  std::vector<std::string> remarks;
+  std::vector<scenario::Verdict> verdicts;  ///< Of a complete run.
+  double seconds = 0.0;
+};
+using OutcomePtr = std::shared_ptr<const Outcome>;
+
+/// Lives in the window's thread; so do its signals.
+class Worker : public QObject {
+  Q_OBJECT
+
+ public:
+  /// @pre `program` outlives the worker.
+  explicit Worker(const scenario::Program& program, QObject* parent = nullptr);
+  /// Cancels and waits for the thread.
+  ~Worker() override;
+
+  void request(DocumentPtr document);
+  /// The run ends as soon as its operation looks; `finished` then says Cancelled.
+  void cancel();
+  [[nodiscard]] bool busy() const { return busy_; }
+
+ signals:
+  void started();
+  void progress(double fraction, const QString& what);
+  void finished(const dobra::gui::OutcomePtr& outcome);
+
+ private:
+  void start(DocumentPtr document);
+  void done(const OutcomePtr& outcome);
+
+  const scenario::Program& program_;
+  std::shared_ptr<scenario::Runner> runner_;  ///< Touched by the thread only.
+  QThread thread_;
+  QObject* bench_;  ///< Lives in the thread; work is posted to it.
+  base::CancelToken token_;
+  DocumentPtr waiting_;
+  bool busy_ = false;
+};
+
+}  // namespace dobra::gui

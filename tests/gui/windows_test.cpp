@@ -1,0 +1,85 @@
+// Both programs in their real windows: a script does what a user does, the command line repeats it.
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace {
+
+class Windows : public testing::TestWithParam<const char*> {
+ protected:
+  Windows() {
+    std::string name = (std::filesystem::temp_directory_path() / "dobra_windows_XXXXXX").string();
+    folder = mkdtemp(name.data());
+  }
+  ~Windows() override { std::filesystem::remove_all(folder); }
+
+  /// Leaks of Qt and of the drivers are judged in dobra_gui_test, which knows them; here they would only hide exit codes.
+  static int run(const std::string& command) {
+    const int status = std::system(("ASAN_OPTIONS=detect_leaks=0 " + command).c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  static std::string program(const std::string& name) { return std::string(DOBRA_BIN_DIR) + "/" + name; }
+  static std::filesystem::path example(const std::string& name) {
+    const auto folder = std::filesystem::path(DOBRA_SOURCE_DIR) / "resources/examples" / name;
+    return name == "recon" ? folder / "fold.toml" : folder / "plate_with_hole.toml";
+  }
+  std::string path(const std::string& name) const { return (folder / name).string(); }
+  std::string read(const std::string& name) const {
+    std::ifstream in(path(name), std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(path(name), std::ios::binary) << text;
+    return path(name);
+  }
+
+  std::filesystem::path folder;
+};
+
+TEST_P(Windows, GUI_b_WhatWasDoneInTheWindowTheCommandLineRepeatsToTheByte) {
+  const std::string name = GetParam();
+  std::filesystem::copy(example(name).parent_path(), path("example"));
+  const std::string document = path("example/" + example(name).filename().string());
+  const std::string script = write("script.txt", "wait\nreport " + path("first.json") + "\nselect " + (name == "recon" ? "1" : "2") +
+                                                     "\nset factor 1.1\nwait\nundo\nwait\nreport " +
+                                                     path("undone.json") + "\nredo\nwait\nreport " + path("window.json") + "\nsave " +
+                                                     path("example/saved.toml") + "\nscreenshot " + path("shot.png") + "\nquit\n");
+  ASSERT_EQ(run("xvfb-run -a " + program(name) + " " + document + " --script " + script), 0);
+  EXPECT_EQ(read("undone.json"), read("first.json"));
+  EXPECT_NE(read("window.json"), read("first.json"));
+  EXPECT_GT(read("shot.png").size(), 10000u);
+  // An expectation about the unchanged example may fail now (exit code 1); the report is written all the same.
+  const int code = run("env -u DISPLAY " + program(name) + " run " + path("example/saved.toml") + " --quiet --out " + path("out"));
+  EXPECT_TRUE(code == 0 || code == 1) << code;
+  EXPECT_EQ(read("out/report.json"), read("window.json"));
+}
+
+TEST_P(Windows, GUI_d_SavedAndSavedAgainIsTheSame) {
+  const std::string name = GetParam();
+  std::filesystem::copy(example(name).parent_path(), path("example"));
+  const std::string once = write("once.txt", "wait\nsave " + path("example/a.toml") + "\nquit\n");
+  const std::string again = write("again.txt", "wait\nsave " + path("example/b.toml") + "\nquit\n");
+  ASSERT_EQ(run("xvfb-run -a " + program(name) + " " + path("example/" + example(name).filename().string()) + " --script " + once), 0);
+  ASSERT_EQ(run("xvfb-run -a " + program(name) + " " + path("example/a.toml") + " --script " + again), 0);
+  EXPECT_FALSE(read("example/a.toml").empty());
+  EXPECT_EQ(read("example/a.toml"), read("example/b.toml"));
+}
+
+TEST_P(Windows, GUI_c_MissingFileWithAScriptEndsWithThree) {
+  const std::string script = write("script.txt", "wait\nquit\n");
+  EXPECT_EQ(run("xvfb-run -a " + program(GetParam()) + " " + path("missing.toml") + " --script " + script + " 2> " + path("said")), 3);
+  EXPECT_NE(read("said").find("missing.toml"), std::string::npos) << read("said");
+}
+
+TEST_P(Windows, WithoutADisplayTheMessageSaysWhatToDo) {
+  EXPECT_EQ(run("env -u DISPLAY -u WAYLAND_DISPLAY " + program(GetParam()) + " " + example(GetParam()).string() + " 2> " + path("said")), 4);
+  EXPECT_NE(read("said").find("DISPLAY"), std::string::npos) << read("said");
+}
+
+INSTANTIATE_TEST_SUITE_P(Programs, Windows, testing::Values("recon", "quebra"));
+
+}  // namespace

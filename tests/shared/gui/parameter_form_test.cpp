@@ -1,0 +1,160 @@
+#include "shared/gui/parameter_form.h"
+
+#include <gtest/gtest.h>
+
+#include <QAbstractSpinBox>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QSignalSpy>
+#include <QTest>
+#include <QToolButton>
+
+#include "tests/shared/gui/fake_program.h"
+
+namespace dobra::gui {
+namespace {
+
+using scenario::Table;
+
+class ParameterFormTest : public testing::Test {
+ protected:
+  ParameterFormTest() {
+    QObject::connect(&form, &TableForm::edited, [this](const Table& table, const QString& key) {
+      tables.push_back(table);
+      keys << key;
+    });
+    form.set_table({});
+    form.show();
+  }
+  template <class Widget>
+  Widget* inside(const char* key) {
+    auto* editor = form.findChild<QWidget*>(QString("editor.") + key);
+    return editor != nullptr ? editor->findChild<Widget*>() : nullptr;
+  }
+  QToolButton* reset(const char* key) { return form.findChild<QToolButton*>(QString("reset.") + key); }
+
+  TableForm form{scenario::fields_of<test::StackParams>(), {}};
+  std::vector<Table> tables;
+  QStringList keys;
+};
+
+TEST_F(ParameterFormTest, ShowsDefaultsAndNoResetWhereTheTableIsEmpty) {
+  EXPECT_EQ(inside<QLineEdit>("count")->text(), "3");
+  EXPECT_TRUE(inside<QLineEdit>("distance")->text().startsWith("50"));
+  EXPECT_EQ(inside<QComboBox>("corners")->currentText(), "mitre");
+  EXPECT_TRUE(inside<QCheckBox>("filled")->isChecked());
+  EXPECT_EQ(inside<QLineEdit>("limit")->text(), "");
+  EXPECT_FALSE(reset("count")->isVisible());
+  EXPECT_TRUE(tables.empty());
+}
+
+TEST_F(ParameterFormTest, TypingAndReturnGivesATableWithTheValue) {
+  auto* line = inside<QLineEdit>("count");
+  line->selectAll();
+  QTest::keyClicks(line, "7");
+  EXPECT_TRUE(tables.empty());
+  QTest::keyClick(line, Qt::Key_Return);
+  ASSERT_EQ(tables.size(), 1u);
+  EXPECT_EQ(keys.last(), "count");
+  EXPECT_EQ(std::get<std::int64_t>(*tables[0].find("count")), 7);
+  EXPECT_TRUE(reset("count")->isVisible());
+}
+
+TEST_F(ParameterFormTest, GUI_c_BadValuesAreRefusedInPlaceAndChangeNothing) {
+  for (const auto& [key, typed] : std::vector<std::pair<std::string, const char*>>{
+           {"count", "0"}, {"count", "41"}, {"count", "2.5"}, {"count", "many"}, {"distance", "-1"}, {"distance", "0"},
+           {"distance", "nan"}, {"distance", "1e999"}, {"limit", "-3"}, {"corners", "sharp"}, {"datum", "1, 2; 3"}}) {
+    form.set_table({});
+    const base::Result<void> done = form.type(key, typed);
+    EXPECT_FALSE(done.ok()) << key << " " << typed;
+    EXPECT_FALSE(form.message_at(key).isEmpty()) << key << " " << typed;
+  }
+  EXPECT_TRUE(tables.empty());
+}
+
+TEST_F(ParameterFormTest, GoodValueClearsTheMessage) {
+  EXPECT_FALSE(form.type("distance", "-1").ok());
+  EXPECT_TRUE(form.type("distance", "0.25").ok());
+  EXPECT_EQ(form.message_at("distance"), "");
+  EXPECT_EQ(*scenario::as_kind(*tables.back().find("distance"), scenario::Kind::Number), scenario::Value(0.25));
+}
+
+TEST_F(ParameterFormTest, ResetReturnsToTheDefault) {
+  EXPECT_TRUE(form.type("count", "9").ok());
+  QTest::mouseClick(reset("count"), Qt::LeftButton);
+  ASSERT_EQ(tables.size(), 2u);
+  EXPECT_EQ(tables[1].find("count"), nullptr);
+  EXPECT_EQ(inside<QLineEdit>("count")->text(), "3");
+}
+
+TEST_F(ParameterFormTest, EmptiedEditorMeansTheDefault) {
+  EXPECT_TRUE(form.type("limit", "4").ok());
+  EXPECT_TRUE(form.type("limit", "").ok());
+  EXPECT_EQ(tables.back().find("limit"), nullptr);
+}
+
+TEST_F(ParameterFormTest, SteppingStaysInTheRangeAndIsOneEdit) {
+  EXPECT_TRUE(form.type("count", "39").ok());
+  auto* spin = inside<QAbstractSpinBox>("count");
+  for (int i = 0; i < 5; ++i) spin->stepUp();
+  EXPECT_EQ(tables.size(), 1u);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return tables.size() == 2; }, 5000));
+  EXPECT_EQ(std::get<std::int64_t>(*tables.back().find("count")), 40);
+}
+
+TEST_F(ParameterFormTest, CheckBoxAndChoiceChangeAtAClick) {
+  inside<QCheckBox>("filled")->click();
+  EXPECT_EQ(*tables.back().find("filled"), scenario::Value(false));
+  EXPECT_TRUE(form.type("corners", "round").ok());
+  EXPECT_EQ(*tables.back().find("corners"), scenario::Value(std::string("round")));
+}
+
+TEST_F(ParameterFormTest, WhatIsWrittenInTheTableIsJudgedWhenShown) {
+  Table table;
+  table.set("count", std::int64_t{0});
+  table.set("distanse", 3.0);
+  form.set_table(table);
+  EXPECT_FALSE(form.message_at("count").isEmpty());
+  EXPECT_TRUE(form.message_at("distance").isEmpty());
+  EXPECT_TRUE(tables.empty());
+}
+
+TEST_F(ParameterFormTest, ErrorWithAPlaceInTheFileMarksItsRow) {
+  Table table;
+  table.set("distance", 3.0, base::Place{"a.toml", 12, 12, {}, {}, {}});
+  form.set_table(table);
+  EXPECT_FALSE(form.mark(base::Place{"a.toml", 11, 1, {}, {}, {}}, "no"));
+  EXPECT_TRUE(form.mark(base::Place{"a.toml", 12, 12, {}, {}, {}}, "too far"));
+  EXPECT_EQ(form.message_at("distance"), "too far");
+}
+
+TEST_F(ParameterFormTest, UnknownKeyGetsASuggestion) {
+  const base::Result<void> done = form.type("distanse", "3");
+  ASSERT_FALSE(done.ok());
+  EXPECT_NE(done.error().message.find("'distance'"), std::string::npos) << done.error().message;
+}
+
+TEST(TableForm, TablesInATableAreAddedEditedAndRemoved) {
+  TableForm form(scenario::fields_of<test::WaveInput>(), {});
+  Table last;
+  QObject::connect(&form, &TableForm::edited, [&](const Table& table) { last = table; });
+  form.set_table({});
+  form.show();
+  auto* add = form.findChild<QToolButton*>("add.bump");
+  ASSERT_NE(add, nullptr);
+  add->click();
+  add->click();
+  ASSERT_TRUE(form.type("bump.2.height", "4.5").ok());
+  ASSERT_TRUE(form.type("bump.1.points", "0, 0; 1, 2").ok());
+  const std::vector<Table> bumps = scenario::detail::tables_of(*last.find("bump"));
+  ASSERT_EQ(bumps.size(), 2u);
+  EXPECT_EQ(scenario::detail::number_of(*bumps[1].find("height")), 4.5);
+  EXPECT_EQ(scenario::detail::points_of(*bumps[0].find("points")).size(), 2u);
+  EXPECT_FALSE(form.type("bump.2.height", "0").ok());
+  EXPECT_FALSE(form.message_at("bump.2.height").isEmpty());
+  EXPECT_FALSE(form.type("bump.3.height", "1").ok());
+}
+
+}  // namespace
+}  // namespace dobra::gui

@@ -1,0 +1,110 @@
+#include "shared/gui/worker.h"
+
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include "tests/shared/gui/fake_program.h"
+
+namespace dobra::gui {
+namespace {
+
+class WorkerTest : public testing::Test {
+ protected:
+  WorkerTest() {
+    QObject::connect(&worker, &Worker::finished, [this](const OutcomePtr& outcome) { outcomes.push_back(outcome); });
+  }
+  static DocumentPtr sleeping(double seconds, double amplitude) {
+    scenario::Document document;
+    document.program = "waves";
+    document.input.set("amplitude", amplitude);
+    document.steps.resize(1);
+    document.steps[0].operation = "sleep";
+    document.steps[0].params.set("seconds", seconds);
+    return std::make_shared<const scenario::Document>(std::move(document));
+  }
+  bool wait(int milliseconds = 20000) {
+    return QTest::qWaitFor([this] { return !worker.busy(); }, milliseconds);
+  }
+
+  const scenario::Program program = test::fake_program();
+  Worker worker{program};
+  std::vector<OutcomePtr> outcomes;
+};
+
+TEST_F(WorkerTest, RunGivesStatesPictureAndQuantities) {
+  worker.request(sleeping(0.0, 70.0));
+  ASSERT_TRUE(wait());
+  ASSERT_EQ(outcomes.size(), 1u);
+  EXPECT_TRUE(outcomes[0]->run.complete());
+  EXPECT_EQ(outcomes[0]->run.states.size(), 2u);
+  EXPECT_EQ(outcomes[0]->picture->panels.size(), 2u);
+  EXPECT_DOUBLE_EQ(outcomes[0]->quantities.at(0).value, 70.0);
+}
+
+TEST_F(WorkerTest, RequestReturnsAtOnceAndReportsProgress) {
+  QSignalSpy progress(&worker, &Worker::progress);
+  QElapsedTimer timer;
+  timer.start();
+  worker.request(sleeping(0.3, 1.0));
+  EXPECT_LT(timer.elapsed(), 150);
+  EXPECT_TRUE(worker.busy());
+  ASSERT_TRUE(wait());
+  EXPECT_GE(progress.count(), 2);
+  EXPECT_EQ(progress.last().at(1).toString(), "sleeping");
+}
+
+TEST_F(WorkerTest, LatestRequestWinsAndOnlyItIsHeardOf) {
+  worker.request(sleeping(30.0, 1.0));
+  worker.request(sleeping(30.0, 2.0));
+  const DocumentPtr last = sleeping(0.0, 3.0);
+  worker.request(last);
+  ASSERT_TRUE(wait());
+  ASSERT_EQ(outcomes.size(), 1u);
+  EXPECT_EQ(outcomes[0]->document, last);
+  EXPECT_TRUE(outcomes[0]->run.complete());
+  EXPECT_DOUBLE_EQ(outcomes[0]->quantities.at(0).value, 3.0);
+}
+
+TEST_F(WorkerTest, CancelledRunSaysSoAndKeepsTheStatesItReached) {
+  worker.request(sleeping(30.0, 1.0));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return worker.busy(); }));
+  QTest::qWait(50);
+  worker.cancel();
+  ASSERT_TRUE(wait());
+  ASSERT_EQ(outcomes.size(), 1u);
+  ASSERT_TRUE(outcomes[0]->run.error);
+  EXPECT_EQ(outcomes[0]->run.error->code, base::ErrorCode::Cancelled);
+  EXPECT_EQ(outcomes[0]->run.states.size(), 1u);
+  EXPECT_NE(outcomes[0]->picture, nullptr);
+}
+
+TEST_F(WorkerTest, WorkGoesOnAfterACancel) {
+  worker.request(sleeping(30.0, 1.0));
+  worker.cancel();
+  ASSERT_TRUE(wait());
+  worker.request(sleeping(0.0, 5.0));
+  ASSERT_TRUE(wait());
+  EXPECT_TRUE(outcomes.back()->run.complete());
+}
+
+TEST(Worker, DestroyedWhileRunningEndsPromptly) {
+  const scenario::Program program = test::fake_program();
+  QElapsedTimer timer;
+  {
+    Worker worker(program);
+    scenario::Document document;
+    document.program = "waves";
+    document.steps.resize(1);
+    document.steps[0].operation = "sleep";
+    document.steps[0].params.set("seconds", 60.0);
+    worker.request(std::make_shared<const scenario::Document>(std::move(document)));
+    QTest::qWait(30);
+    timer.start();
+  }
+  EXPECT_LT(timer.elapsed(), 10000);
+}
+
+}  // namespace
+}  // namespace dobra::gui
