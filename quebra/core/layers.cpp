@@ -82,10 +82,8 @@ scene::Panel domain_panel(const Model& model) {
 }
 
 scene::Panel mesh_panel(const Model& model, const Meshed& meshed, std::size_t number) {
-  const auto& quality = meshed.quality;
   scene::Panel panel{.key = fmt::format("mesh_{}", number), .title = {}, .axes = {}, .layers = {}};
-  panel.title = fmt::format("{}: {} {}, {} {:.3f}", meshed.name, quality.triangles, translated("triangles"),
-                            translated("mean alpha"), quality.alpha_mean);
+  panel.title = fmt::format("{}: {} {}", meshed.name, meshed.quality.triangles, translated("triangles"));
   panel.layers.push_back(mesh_layer(meshed.mesh));
   if (meshed.constraints > 0) {
     panel.layers.push_back(constraint_layer({model.constraints.begin(), model.constraints.begin() + static_cast<std::ptrdiff_t>(meshed.constraints)}));

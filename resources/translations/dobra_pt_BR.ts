@@ -891,5 +891,9 @@
         <source>Open a scenario (Ctrl+O), or drop one here.</source>
         <translation>Abra um cenário (Ctrl+O), ou solte um aqui.</translation>
     </message>
+    <message>
+        <source>there is no error to go to</source>
+        <translation>não há erro aonde ir</translation>
+    </message>
 </context>
 </TS>

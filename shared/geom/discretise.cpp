@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 namespace dobra::geom {
@@ -51,10 +52,22 @@ base::Result<std::size_t> initial_count(const CurveFunctions& curve, const Discr
   return std::max<std::size_t>(1, static_cast<std::size_t>(count));
 }
 
+/// What turns one way by no more than max_angle is no longer than chord / cos(max_angle / 2). A piece that is longer winds
+/// about, though its tangents at both ends and in the middle agree: two full turns of a spiral do.
+bool winds_about(const CurveFunctions& curve, double t0, double t1, const DiscretiseOptions& options) {
+  const double half = 0.5 * options.max_angle.radians();
+  if (half >= 0.5 * std::numbers::pi) return false;
+  const Point from = curve.point(t0);
+  const Point to = curve.point(t1);
+  const double size = std::max({std::abs(from.x), std::abs(from.y), std::abs(to.x), std::abs(to.y)});
+  const double rounding = 8.0 * std::numeric_limits<double>::epsilon() * size;
+  return curve.length(t0, t1) > (1.0 + options.slack) * distance(from, to) / std::cos(half) + rounding;
+}
+
 bool fine_enough(const CurveFunctions& curve, double t0, double t1, const DiscretiseOptions& options) {
   const double excess = 1.0 + options.slack;
   return curve.length(t0, t1) <= excess * options.max_length &&
-         tangent_turn(curve, t0, t1) <= excess * options.max_angle;
+         tangent_turn(curve, t0, t1) <= excess * options.max_angle && !winds_about(curve, t0, t1, options);
 }
 
 /// Steps ii to v for one initial segment: appends the parameters after t0, up to t1.

@@ -397,6 +397,13 @@ std::vector<PartState> MainWindow::part_states() const {
 }
 
 void MainWindow::show_run_started() {
+  const OutcomePtr& before = session_.outcome();
+  if (before && before->run.error && Session::common_parts(session_.document(), *before->document) <= before->run.failed_step) {
+    // What failed has been changed; whether it fails still is for this run to say.
+    error_.reset();
+    error_bar_->clear();
+    view_->clear_place();
+  }
   actions_->cancel->setEnabled(true);
   progress_->setValue(0);
   progress_->setFormat(text("running"));

@@ -31,7 +31,8 @@ const std::map<std::string, std::size_t>& commands() {
   static const std::map<std::string, std::size_t> all{
       {"wait", 1}, {"select", 2}, {"set", 2},     {"undo", 1},         {"redo", 1},       {"save", 1},
       {"fit", 1},  {"hide", 2},   {"show", 2},    {"save-picture", 2}, {"screenshot", 2}, {"zoom", 4},
-      {"add", 2},  {"remove", 1}, {"quit", 1},    {"report", 2},    {"expect-error", 2}};
+      {"add", 2},  {"remove", 1}, {"quit", 1},    {"report", 2},       {"go-to-error", 1},
+         {"expect-error", 2}};
   return all;
 }
 
@@ -150,6 +151,9 @@ Result<void> Script::execute(const Line& line) {
   } else if (command == "remove") {
     if (window_.steps().selected() == 0) return failure(text("the input cannot be removed; select a step"));
     emit window_.steps().remove_asked(window_.steps().selected());
+  } else if (command == "go-to-error") {
+    if (window_.error_bar().message().isEmpty()) return failure(text("there is no error to go to"));
+    emit window_.error_bar().show_asked();
   } else if (command == "expect-error") {
     const QString said = window_.error_bar().message();
     if (!said.contains(QString::fromStdString(line.rest))) {

@@ -3,6 +3,7 @@
 //   wait                    until no run is under way        select STEP        number, name, or 0 / input
 //   set KEY VALUE           types into the selected form     undo, redo, fit
 //   expect-error WORDS      the error bar says WORDS         save [PATH], save-picture PATH, screenshot PATH
+//   go-to-error             presses Show in the error bar
 //   hide LAYER, show LAYER  key, or panel/key                zoom FACTOR X Y    X, Y in 0..1 of the view from its top left
 //   add OPERATION           behind the selected part         remove             the selected step
 //   report PATH             report.json of the last run       quit              without asking

@@ -137,4 +137,26 @@ TEST(Discretise, OptionsThatCannotBeMetAreErrors) {
 }
 
 }  // namespace
+TEST(Discretise, FullTurnsOfASpiralAreNotTakenForAStraightPiece) {
+  for (const double turns : {1.0, 2.0, 4.0, 8.0}) {
+    const double end = 2.0 * std::numbers::pi * turns;
+    // r = 1 + t: an Archimedean spiral, with the integral of its speed in closed form.
+    const auto arc = [end](double t) {
+      const double r = 1.0 + end * t;
+      return 0.5 * (r * std::sqrt(r * r + 1.0) + std::asinh(r));
+    };
+    CurveFunctions spiral;
+    spiral.point = [end](double t) { return Point{(1.0 + end * t) * std::cos(end * t), (1.0 + end * t) * std::sin(end * t)}; };
+    spiral.tangent = [end](double t) {
+      const double a = end * t;
+      const double r = 1.0 + a;
+      return end * Vector{std::cos(a) - r * std::sin(a), std::sin(a) + r * std::cos(a)};
+    };
+    spiral.length = [arc](double t0, double t1) { return arc(t1) - arc(t0); };
+    const auto pieces = discretise(spiral, {.max_angle = base::Angle::from_degrees(10.0)});
+    ASSERT_TRUE(pieces.ok());
+    EXPECT_GE(static_cast<double>(pieces->parameters.size() - 1), 36.0 * turns);
+  }
+}
+
 }  // namespace dobra::geom

@@ -53,13 +53,13 @@ TEST_F(ScriptTest, FailingCommandEndsWithOneAndNamesTheLine) {
   const std::string said = testing::internal::GetCapturedStderr();
   EXPECT_NE(said.find("script.txt:3: "), std::string::npos) << said;
   EXPECT_NE(said.find("count"), std::string::npos) << said;
-  for (const char* bad : {"select 9\n", "hide nothing\n", "undo\n", "set nothing 3\n", "add nothing\n", "zoom 0 0 0\n"}) {
+  for (const char* bad : {"select 9\n", "hide nothing\n", "undo\n", "set nothing 3\n", "add nothing\n", "go-to-error\n", "zoom 0 0 0\n"}) {
     EXPECT_EQ(run(bad), 1) << bad;
   }
 }
 
 TEST_F(ScriptTest, ErrorOfARunCanBeExpected) {
-  EXPECT_EQ(run("wait\nadd break\nwait\nexpect-error crosses itself\nremove\nwait\nquit\n"), 0);
+  EXPECT_EQ(run("wait\nadd break\nwait\nexpect-error crosses itself\ngo-to-error\nremove\nwait\nquit\n"), 0);
   EXPECT_EQ(run("wait\nexpect-error crosses itself\nquit\n"), 1);
 }
 

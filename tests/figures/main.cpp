@@ -1,0 +1,70 @@
+// figures FOLDER [svg|png]: writes every figure of docs/algorithms, and the pictures of the two bundled examples that
+// the README shows. To be run in the top folder of the sources, where resources/examples are.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <string>
+
+#include "quebra/core/operations.h"
+#include "recon/core/operations.h"
+#include "shared/render/cairo.h"
+#include "shared/scenario/runner.h"
+#include "tests/figures/figures.h"
+
+namespace dobra::figures {
+namespace {
+
+using Folder = std::filesystem::path;
+
+base::Result<void> write_figure(const Figure& figure, const Folder& folder, const std::string& ending) {
+  DOBRA_TRY(const scene::Picture picture, figure.make());
+  const scene::PageSize page = scene::suggested_page(picture, figure.width, render::cairo_text_measure());
+  return render::write_picture(picture, folder / (figure.name + "." + ending), page);
+}
+
+/// What a program draws after the last step of a scenario.
+base::Result<void> write_example(const scenario::Program& program, const Folder& scenario, const Folder& file) {
+  DOBRA_TRY(const scenario::Document document, scenario::read_document(scenario));
+  const scenario::Run run = scenario::Runner(program).run(document);
+  if (!run.complete()) return *run.error;
+  return render::write_png(program.picture_of(run.states.back()), file, std::nullopt, 2.0);
+}
+
+/// Says what went wrong, if anything; how many times something did.
+int failures(const std::string& name, const base::Result<void>& written) {
+  if (written) return 0;
+  fmt::print(stderr, "figures: {}: {}\n", name, base::to_string(written.error()));
+  return 1;
+}
+
+int write_all(const Folder& folder, const std::string& ending) {
+  int failed = 0;
+  for (const auto& family :
+       {geom_figures(), topo_figures(), offset_figures(), recon_figures(), mesh_figures(), quality_figures()}) {
+    for (const Figure& figure : family) failed += failures(figure.name, write_figure(figure, folder, ending));
+  }
+  const Folder examples = "resources/examples";
+  failed += failures("fold", write_example(recon::core::program(), examples / "recon/fold.toml", folder / "fold.png"));
+  failed += failures("plate_with_hole", write_example(quebra::core::program(), examples / "quebra/plate_with_hole.toml",
+                                                      folder / "plate_with_hole.png"));
+  return failed;
+}
+
+}  // namespace
+}  // namespace dobra::figures
+
+int main(int argc, char** argv) {
+  const std::string ending = argc == 3 ? argv[2] : "svg";
+  if (argc < 2 || argc > 3 || (ending != "svg" && ending != "png")) {
+    fmt::print(stderr, "usage: figures FOLDER [svg|png]\n");
+    return 2;
+  }
+  std::error_code error;
+  std::filesystem::create_directories(argv[1], error);
+  if (error) {
+    fmt::print(stderr, "figures: cannot make the folder {}: {}\n", argv[1], error.message());
+    return 4;
+  }
+  return dobra::figures::write_all(argv[1], ending) == 0 ? 0 : 4;
+}
