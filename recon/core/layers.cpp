@@ -27,7 +27,7 @@ struct TextShare {
   double character;  ///< Width of one.
 };
 constexpr TextShare in_row{15.0 / 290.0, 4.8 / 290.0};
-constexpr TextShare in_column{15.0 / 620.0, 4.8 / 620.0};
+constexpr TextShare in_column{11.0 / 620.0, 4.8 / 620.0};
 
 scene::Layer lines_layer(std::string key, std::string title, scene::Style style, std::vector<geom::Polyline> lines) {
   return {std::move(key), std::move(title), style, scene::Lines{std::move(lines), {}}, true, scene::InLegend::Yes};
