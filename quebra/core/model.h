@@ -50,7 +50,6 @@ struct Meshed {
 };
 
 struct Model {
-  std::string title;
   Domain domain;
   std::vector<Constraint> constraints;
   std::vector<std::shared_ptr<const Meshed>> meshes;  ///< In the order made; each mesh step adds one.
