@@ -1,8 +1,9 @@
-// Step 5: sections become curves.
+// Step 4: sections become curves.
 
 #include <algorithm>
 #include <map>
 
+#include "shared/offset/piece_writer.h"
 #include "shared/offset/sections.h"
 
 namespace dobra::offset {
@@ -12,15 +13,13 @@ constexpr std::uint32_t none = 0xffffffffU;
 }  // namespace
 
 Vec Trimmer::leaving(const Section& section) const {
-  const RawPiece& piece = pieces_[section.piece];
-  if (piece.is_line()) return nodes_[section.to] - nodes_[section.from];
-  return left_of(nodes_[section.from] - piece.centre);
+  const Piece& piece = pieces_[section.first];
+  return piece.is_line() ? left_of(line_normal(piece.site)) : left_of(nodes_[section.from] - centre(piece.site));
 }
 
 Vec Trimmer::arriving(const Section& section) const {
-  const RawPiece& piece = pieces_[section.piece];
-  if (piece.is_line()) return nodes_[section.to] - nodes_[section.from];
-  return left_of(nodes_[section.to] - piece.centre);
+  const Piece& piece = pieces_[section.last];
+  return piece.is_line() ? left_of(line_normal(piece.site)) : left_of(nodes_[section.to] - centre(piece.site));
 }
 
 /// Where boundaries coincide: the same way, they are one; opposite ways, the free strip between them has no width.
@@ -28,6 +27,7 @@ void Trimmer::remove_doubles() {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> between;
   for (std::uint32_t i = 0; i < sections_.size(); ++i) {
     const Section& s = sections_[i];
+    if (s.first != s.last) continue;  // what coincides is cut at all ends of its pieces
     between[std::minmax(s.from, s.to)].push_back(i);
   }
   std::vector<char> gone(sections_.size(), 0);
@@ -37,14 +37,14 @@ void Trimmer::remove_doubles() {
         if (gone[group[b]] || gone[group[a]]) continue;
         const Section& s = sections_[group[a]];
         const Section& t = sections_[group[b]];
-        if (length(middle(s) - middle(t)) > 4 * tau_) continue;
+        if (length(middle(s, s.first) - middle(t, t.first)) > 4 * tau_) continue;
         if (s.from == t.from) gone[group[b]] = 1;
       }
     }
     for (std::size_t a = 0; a < group.size(); ++a) {
       for (std::size_t b = a + 1; b < group.size(); ++b) {
         if (gone[group[b]] || gone[group[a]]) continue;
-        if (length(middle(sections_[group[a]]) - middle(sections_[group[b]])) > 4 * tau_) continue;
+        if (length(middle(sections_[group[a]], sections_[group[a]].first) - middle(sections_[group[b]], sections_[group[b]].first)) > 4 * tau_) continue;
         gone[group[a]] = gone[group[b]] = 1;
       }
     }
@@ -61,6 +61,7 @@ void Trimmer::remove_doubles() {
 void Trimmer::link_at(const std::vector<std::uint32_t>& in, const std::vector<std::uint32_t>& out) {
   if (in.size() == 1 && out.size() == 1) {
     follower_[in[0]] = out[0];
+    has_leader_[out[0]] = 1;
     return;
   }
   struct Ray {
@@ -72,11 +73,11 @@ void Trimmer::link_at(const std::vector<std::uint32_t>& in, const std::vector<st
   std::vector<Ray> rays;
   for (const std::uint32_t s : in) {
     const Vec back = -arriving(sections_[s]);
-    rays.push_back({std::atan2(back.y, back.x), pieces_[sections_[s].piece].is_line() ? 0 : -1, false, s});
+    rays.push_back({std::atan2(back.y, back.x), pieces_[sections_[s].last].is_line() ? 0 : -1, false, s});
   }
   for (const std::uint32_t s : out) {
     const Vec on = leaving(sections_[s]);
-    rays.push_back({std::atan2(on.y, on.x), pieces_[sections_[s].piece].is_line() ? 0 : 1, true, s});
+    rays.push_back({std::atan2(on.y, on.x), pieces_[sections_[s].first].is_line() ? 0 : 1, true, s});
   }
   std::sort(rays.begin(), rays.end(), [](const Ray& a, const Ray& b) {
     return std::tuple{a.angle, a.bend, a.leaves, a.section} < std::tuple{b.angle, b.bend, b.leaves, b.section};
@@ -87,15 +88,15 @@ void Trimmer::link_at(const std::vector<std::uint32_t>& in, const std::vector<st
     const Ray& ray = rays[k % rays.size()];
     if (!ray.leaves && k < rays.size()) {
       waiting.push_back(ray.section);
-    } else if (ray.leaves && !waiting.empty() &&
-               std::find(follower_.begin(), follower_.end(), ray.section) == follower_.end()) {
+    } else if (ray.leaves && !waiting.empty() && !has_leader_[ray.section]) {
       follower_[waiting.back()] = ray.section;
+      has_leader_[ray.section] = 1;
       waiting.pop_back();
     }
   }
 }
 
-std::vector<Chain> Trimmer::assemble() {
+std::vector<Trimmer::Chain> Trimmer::assemble() {
   std::vector<std::vector<std::uint32_t>> in(nodes_.size());
   std::vector<std::vector<std::uint32_t>> out(nodes_.size());
   for (std::uint32_t i = 0; i < sections_.size(); ++i) {
@@ -103,12 +104,9 @@ std::vector<Chain> Trimmer::assemble() {
     in[sections_[i].to].push_back(i);
   }
   follower_.assign(sections_.size(), none);
+  has_leader_.assign(sections_.size(), 0);
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
     if (!in[n].empty() && !out[n].empty()) link_at(in[n], out[n]);
-  }
-  std::vector<char> has_leader(sections_.size(), 0);
-  for (const std::uint32_t f : follower_) {
-    if (f != none) has_leader[f] = 1;
   }
   std::vector<Chain> chains;
   std::vector<char> done(sections_.size(), 0);
@@ -124,14 +122,17 @@ std::vector<Chain> Trimmer::assemble() {
     chains.push_back(std::move(chain));
   };
   for (std::uint32_t i = 0; i < sections_.size(); ++i) {
-    if (!has_leader[i]) follow(i);
+    if (!has_leader_[i]) follow(i);
   }
   for (std::uint32_t i = 0; i < sections_.size(); ++i) {
     if (!done[i]) follow(i);
   }
+  const auto lowest_segment = [&](const Section& s) {  // segments grow along a walk
+    return std::min(segment_of(s.first), segment_of(s.last));
+  };
   const auto first_segment = [&](const Chain& chain) {
     std::uint32_t least = none;
-    for (const Section& s : chain.sections) least = std::min(least, pieces_[s.piece].segment);
+    for (const Section& s : chain.sections) least = std::min(least, lowest_segment(s));
     return least;
   };
   std::stable_sort(chains.begin(), chains.end(),
@@ -139,65 +140,45 @@ std::vector<Chain> Trimmer::assemble() {
   return chains;
 }
 
+/// A closed chain starts where its lowest base segment does.
 OffsetPiece Trimmer::output(const Chain& chain) const {
-  // A closed chain starts where its lowest base segment does.
-  std::vector<Section> sections = chain.sections;
+  std::vector<Span> spans;
+  std::size_t count = 0;
+  for (const Section& s : chain.sections) count += s.last - s.first + 1;
+  spans.reserve(count);
+  for (const Section& s : chain.sections) {
+    for (std::uint32_t k = s.first; k <= s.last; ++k) {
+      if (spans.empty() || spans.back().piece != k) spans.push_back({flat(part_start(s, k)), k});
+    }
+  }
+  const Flat end = flat(nodes_[chain.sections.back().to]);
   if (chain.closed) {
+    if (spans.size() > 1 && spans.front().piece == spans.back().piece) {  // one piece, entered at its middle
+      spans.front().a = spans.back().a;
+      spans.pop_back();
+    }
     std::size_t start = 0;
-    for (std::size_t i = 0; i < sections.size(); ++i) {
-      const std::size_t before = i == 0 ? sections.size() - 1 : i - 1;
-      if (sections[before].piece == sections[i].piece) continue;
-      if (sections[start].piece == sections[start == 0 ? sections.size() - 1 : start - 1].piece ||
-          pieces_[sections[i].piece].segment < pieces_[sections[start].piece].segment) {
-        start = i;
-      }
+    for (std::size_t i = 1; i < spans.size(); ++i) {
+      if (spans[i].piece < spans[start].piece) start = i;
     }
-    std::rotate(sections.begin(), sections.begin() + static_cast<std::ptrdiff_t>(start), sections.end());
+    std::rotate(spans.begin(), spans.begin() + static_cast<std::ptrdiff_t>(start), spans.end());
   }
-  OffsetPiece piece;
-  piece.polyline.closed = chain.closed;
-  const auto add = [&](Vec p, std::uint32_t segment) {
-    const geom::Point q = base_.user(p);
-    if (!piece.polyline.points.empty() && piece.polyline.points.back() == q) {
-      piece.base_edge.back() = base_.source[segment];
-      return;
+  const auto point = [](Flat p) { return geom::Point{p.x, p.y}; };
+  const bool chords = options_.join == Join::Round;
+  PieceWriter writer(base_, outline_.distance(), options_.arc_tolerance, chords ? ArcStyle::Chords : ArcStyle::OneChord);
+  writer.reserve(spans.size() + 1);
+  for (std::size_t i = 0; i < spans.size(); ++i) {
+    const Site site = pieces_[spans[i].piece].site;
+    const Flat b = i + 1 < spans.size() ? spans[i + 1].a : chain.closed ? spans.front().a : end;
+    const bool halves = !chords && site.role == Role::SecondArc && i > 0 &&
+                        pieces_[spans[i - 1].piece].site == Site{site.step, Role::Arc};  // one chord for both
+    if (site.role == Role::Line || site.role == Role::Bevel) {
+      writer.add(point(spans[i].a), site.step);
+    } else if (!halves) {
+      writer.add_arc(point(outline_.to<double>(site.step)), point(spans[i].a), point(b), site.step);
     }
-    piece.polyline.points.push_back(q);
-    piece.base_edge.push_back(base_.source[segment]);
-  };
-  std::uint32_t last_segment = 0;
-  for (std::size_t i = 0; i < sections.size();) {
-    std::size_t end = i + 1;
-    while (end < sections.size() && sections[end].piece == sections[i].piece) ++end;
-    const RawPiece& raw = pieces_[sections[i].piece];
-    const Vec a = nodes_[sections[i].from];
-    const Vec b = nodes_[sections[end - 1].to];
-    add(a, raw.segment);
-    if (raw.kind == RawPiece::Kind::Arc) {
-      const Vec from = a - raw.centre;
-      const Vec to = b - raw.centre;
-      Real angle = std::atan2(cross(from, to), dot(from, to));
-      if (angle < 0) angle += 2 * std::acos(Real(-1));
-      const Real step = 2 * std::acos(1 - static_cast<Real>(options_.arc_tolerance));
-      const auto parts = std::max<long>(1, std::lround(std::ceil(angle / step)));
-      for (long k = 1; k < parts; ++k) {
-        const Real t = angle * static_cast<Real>(k) / static_cast<Real>(parts);
-        add(raw.centre + (std::cos(t) * from + std::sin(t) * left_of(from)), raw.segment);
-      }
-    }
-    last_segment = raw.segment;
-    i = end;
   }
-  auto& points = piece.polyline.points;
-  if (!chain.closed) {
-    add(nodes_[sections.back().to], last_segment);
-    piece.base_edge.pop_back();
-  } else if (points.size() > 1 && points.front() == points.back()) {
-    points.pop_back();
-    piece.base_edge.pop_back();
-  }
-  if (points.size() < (chain.closed ? 3U : 2U)) return {};
-  return piece;
+  return chain.closed ? writer.finish_closed() : writer.finish_open(point(end));
 }
 
 }  // namespace dobra::offset

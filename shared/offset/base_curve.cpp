@@ -40,30 +40,33 @@ double exact_origin(const std::vector<Point>& points, double Point::*axis, doubl
 
 void measure(BaseCurve& base) {
   const std::size_t count = base.points.size() - (base.closed ? 0 : 1);
+  base.headings.reserve(count);
+  base.spans.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const Vec along = base.to(i) - base.from(i);
-    const Real length_i = length(along);
-    base.lengths.push_back(length_i);
-    base.along.push_back((1 / length_i) * along);
-    base.normal.push_back(right_of(base.along.back()));
+    const geom::Vector along = base.end(i) - base.start(i);
+    double span = std::sqrt(along.x * along.x + along.y * along.y);
+    if (!(span > 1e-150 && span < 1e150)) span = geom::length(along);  // squares out of range
+    base.spans.push_back(span);
+    base.headings.push_back({along.x / span, along.y / span});
   }
   base.turn.assign(base.points.size(), Turn::Straight);
-  base.half_tan.assign(base.points.size(), 0);
+  base.half_tans.assign(base.points.size(), 0);
   for (std::size_t i = 0; i < count; ++i) {
     if (!base.has_after(i)) continue;
     const std::size_t corner = base.end_index(i);
-    const Vec u = base.along[i];
-    const Vec v = base.along[base.after(i)];
-    const geom::Sign sign =
-        geom::orient2d(rounded(base.from(i)), rounded(base.to(i)), rounded(base.to(base.after(i))));
-    const Real cosine = dot(u, v);
-    const Real sine = std::abs(cross(u, v));
+    const geom::Vector u = base.headings[i];
+    const geom::Vector v = base.headings[base.after(i)];
+    const geom::Sign sign = geom::orient2d(base.start(i), base.end(i), base.end(base.after(i)));
+    const double cosine = geom::dot(u, v);
     if (sign == geom::Sign::Zero && cosine > 0) continue;
     base.turn[corner] = sign == geom::Sign::Negative ? Turn::Inner : Turn::Outer;
+    const double sine = std::abs(geom::cross(u, v));
     if (sign == geom::Sign::Zero) {
-      base.half_tan[corner] = std::numeric_limits<Real>::infinity();
+      base.half_tans[corner] = std::numeric_limits<double>::infinity();
+    } else if (cosine > 0) {
+      base.half_tans[corner] = sine / (1 + cosine);
     } else {
-      base.half_tan[corner] = cosine > 0 ? sine / (1 + cosine) : (1 - cosine) / sine;
+      base.half_tans[corner] = static_cast<double>(base.half_tan(corner));  // near a U-turn the sine has few digits
     }
   }
 }
@@ -78,6 +81,8 @@ Result<BaseCurve> prepare(const geom::Polyline& curve, Side side, double extensi
     }
   }
   BaseCurve base;
+  base.points.reserve(curve.points.size());
+  base.source.reserve(curve.points.size());
   base.closed = curve.closed;
   base.mirrored = side == Side::LeftOfTravel;
   const geom::Box box = curve.box();
@@ -85,15 +90,15 @@ Result<BaseCurve> prepare(const geom::Polyline& curve, Side side, double extensi
                  exact_origin(curve.points, &Point::y, box.centre().y, box.height())};
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
     const Point p{curve.points[i].x - base.origin.x, curve.points[i].y - base.origin.y};
-    const Vec q{p.x, base.mirrored ? -p.y : p.y};
-    if (!base.points.empty() && rounded(base.points.back()) == rounded(q)) {
+    const Point q{p.x, base.mirrored ? -p.y : p.y};
+    if (!base.points.empty() && base.points.back() == q) {
       base.source.back() = static_cast<std::uint32_t>(i);
       continue;
     }
     base.points.push_back(q);
     base.source.push_back(static_cast<std::uint32_t>(i));
   }
-  if (base.closed && base.points.size() > 1 && rounded(base.points.front()) == rounded(base.points.back())) {
+  if (base.closed && base.points.size() > 1 && base.points.front() == base.points.back()) {
     base.points.pop_back();
     base.source.pop_back();
   }
@@ -107,28 +112,37 @@ Result<BaseCurve> prepare(const geom::Polyline& curve, Side side, double extensi
   if (!base.closed) base.source.pop_back();
   if (!base.closed && extension > 0.0) {
     const auto lengthened = [&](Vec end, Vec inner) {
-      const Vec p = end + static_cast<Real>(extension) * unit(end - inner);
-      return Vec{static_cast<double>(p.x), static_cast<double>(p.y)};
+      return rounded(end + static_cast<Real>(extension) * unit(end - inner));
     };
     // The new ends are joined on, so that they are exactly where the exact predicates believe them to be.
-    base.points.insert(base.points.begin(), lengthened(base.points[0], base.points[1]));
-    base.points.push_back(lengthened(base.points[base.points.size() - 1], base.points[base.points.size() - 2]));
+    base.points.insert(base.points.begin(), lengthened(base.point(0), base.point(1)));
+    base.points.push_back(lengthened(base.point(base.points.size() - 1), base.point(base.points.size() - 2)));
     base.source.insert(base.source.begin(), base.source.front());
     base.source.push_back(base.source.back());
   }
-  for (const Vec p : base.points) base.size = std::max({base.size, std::abs(p.x), std::abs(p.y)});
+  for (const Point p : base.points) base.size = std::max({base.size, std::abs(p.x), std::abs(p.y)});
   measure(base);
   return base;
+}
+
+Real BaseCurve::half_tan(std::size_t corner) const {
+  if (turn[corner] == Turn::Straight) return 0;
+  if (std::isinf(half_tans[corner])) return std::numeric_limits<Real>::infinity();
+  const Vec u = along(corner == 0 ? segment_count() - 1 : corner - 1);
+  const Vec v = along(corner);
+  const Real cosine = dot(u, v);
+  const Real sine = std::abs(cross(u, v));
+  return cosine > 0 ? sine / (1 + cosine) : (1 - cosine) / sine;
 }
 
 Real quarter_tan(Real t) { return std::isinf(t) ? 1 : t / (1 + std::sqrt(1 + t * t)); }
 
 Fill fill_of(const BaseCurve& base, std::size_t corner, const OffsetOptions& options) {
-  const Real t = base.half_tan[corner];
+  const double t = base.half_tans[corner];
   if (options.join == Join::Round || options.join == Join::Bevel) return Fill::Arc;
   if (options.join == Join::Bisector) return std::isinf(t) ? Fill::Tangent : Fill::Mitre;
-  const Real limit = options.mitre_limit;
-  if (1 + t * t <= limit * limit * (1 + 1e-15L)) return Fill::Mitre;  // 1 / cos(angle / 2) <= limit
+  const double limit = options.mitre_limit;
+  if (1 + t * t <= limit * limit * (1 + 1e-14)) return Fill::Mitre;  // 1 / cos(angle / 2) <= limit
   return options.beyond_limit == BeyondLimit::TangentBevel ? Fill::Tangent : Fill::Arc;
 }
 
@@ -139,23 +153,23 @@ RawChain raw_chain(const BaseCurve& base, Real distance, const OffsetOptions& op
     chain.segment.push_back(static_cast<std::uint32_t>(segment));
   };
   const std::size_t count = base.segment_count();
-  if (!base.closed) add(base.from(0) + distance * base.normal[0], 0);
+  if (!base.closed) add(base.from(0) + distance * base.normal(0), 0);
   // The corner at the end of segment i; a closed chain starts with the corner before segment 0.
   const auto corner = [&](std::size_t i) {
     const std::size_t next = base.after(i);
     const std::size_t at = base.end_index(i);
-    const Vec p = base.points[at];
-    const Real t = base.half_tan[at];
-    const Vec first = p + distance * base.normal[i];
-    const Vec second = p + distance * base.normal[next];
+    const Vec p = base.point(at);
+    const Real t = base.half_tan(at);
+    const Vec first = p + distance * base.normal(i);
+    const Vec second = p + distance * base.normal(next);
     if (base.turn[at] == Turn::Straight) return add(second, next);
-    if (base.turn[at] == Turn::Inner) return add(first - (distance * t) * base.along[i], next);
+    if (base.turn[at] == Turn::Inner) return add(first - (distance * t) * base.along(i), next);
     const Fill fill = fill_of(base, at, options);
-    if (fill == Fill::Mitre) return add(first + (distance * t) * base.along[i], next);
+    if (fill == Fill::Mitre) return add(first + (distance * t) * base.along(i), next);
     if (fill == Fill::Tangent) {
       const Real q = distance * quarter_tan(t);
-      add(first + q * base.along[i], i);
-      return add(second - q * base.along[next], next);
+      add(first + q * base.along(i), i);
+      return add(second - q * base.along(next), next);
     }
     add(first, i);
     const bool chord = options.join != Join::Round;
@@ -164,14 +178,14 @@ RawChain raw_chain(const BaseCurve& base, Real distance, const OffsetOptions& op
     const auto parts = chord ? 1 : std::max<long>(1, std::lround(std::ceil(angle / step)));
     for (long k = 1; k < parts; ++k) {
       const Real a = angle * static_cast<Real>(k) / static_cast<Real>(parts);
-      add(p + distance * (std::cos(a) * base.normal[i] + std::sin(a) * base.along[i]), i);
+      add(p + distance * (std::cos(a) * base.normal(i) + std::sin(a) * base.along(i)), i);
     }
     add(second, next);
   };
   if (base.closed) corner(count - 1);
   for (std::size_t i = 0; i + 1 < count; ++i) corner(i);
   if (!base.closed) {
-    chain.points.push_back(base.to(count - 1) + distance * base.normal[count - 1]);
+    chain.points.push_back(base.to(count - 1) + distance * base.normal(count - 1));
   } else {
     // The corner before segment 0 may have several points; the chain starts with the one where segment 0 begins, and
     // the others come last, so that every edge label stays with its edge.

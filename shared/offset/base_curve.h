@@ -12,7 +12,7 @@
 
 namespace dobra::offset {
 
-enum class Turn {
+enum class Turn : std::uint8_t {
   Straight,
   Outer,  ///< Left turn: the right side has a gap to fill. An exact U-turn counts as one.
   Inner,  ///< Right turn: the right side overlaps.
@@ -20,22 +20,21 @@ enum class Turn {
 
 struct BaseCurve {
   bool closed = false;
-  std::vector<Vec> points;
+  std::vector<geom::Point> points;
   std::vector<std::uint32_t> source;  ///< For each segment its index in the user's curve.
-  // For each segment.
-  std::vector<Vec> along;   ///< Unit direction.
-  std::vector<Vec> normal;  ///< Unit, to the right.
-  std::vector<Real> lengths;
+  // For each segment, rounded to doubles.
+  std::vector<geom::Vector> headings;  ///< Unit directions.
+  std::vector<double> spans;           ///< Lengths.
   // For each point (ends of an open curve: Straight, 0).
-  std::vector<Turn> turn;      ///< Exact.
-  std::vector<Real> half_tan;  ///< tan(angle / 2) of the turn, >= 0; infinity for a U-turn.
-  Real size = 0;               ///< Greatest coordinate.
-  geom::Point origin;          ///< In the user's coordinates.
+  std::vector<Turn> turn;         ///< Exact.
+  std::vector<double> half_tans;  ///< tan(angle / 2) of the turn, >= 0; infinity for a U-turn.
+  double size = 0;                ///< Greatest coordinate.
+  geom::Point origin;             ///< In the user's coordinates.
   bool mirrored = false;
 
-  [[nodiscard]] std::size_t segment_count() const { return along.size(); }
-  [[nodiscard]] Vec from(std::size_t i) const { return points[i]; }
-  [[nodiscard]] Vec to(std::size_t i) const { return points[i + 1 == points.size() ? 0 : i + 1]; }
+  [[nodiscard]] std::size_t segment_count() const { return headings.size(); }
+  [[nodiscard]] geom::Point start(std::size_t i) const { return points[i]; }
+  [[nodiscard]] geom::Point end(std::size_t i) const { return points[end_index(i)]; }
   /// The point where segment i ends, as an index.
   [[nodiscard]] std::size_t end_index(std::size_t i) const { return i + 1 == points.size() ? 0 : i + 1; }
   /// True if a segment comes before (after) it.
@@ -43,10 +42,21 @@ struct BaseCurve {
   [[nodiscard]] bool has_after(std::size_t i) const { return closed || i + 1 < segment_count(); }
   [[nodiscard]] std::size_t before(std::size_t i) const { return i == 0 ? segment_count() - 1 : i - 1; }
   [[nodiscard]] std::size_t after(std::size_t i) const { return i + 1 == segment_count() ? 0 : i + 1; }
+
+  // The same with 64-bit mantissas, for the few places where topology is decided; computed anew at every call.
+  [[nodiscard]] Vec point(std::size_t i) const { return {points[i].x, points[i].y}; }
+  [[nodiscard]] Vec from(std::size_t i) const { return point(i); }
+  [[nodiscard]] Vec to(std::size_t i) const { return point(end_index(i)); }
+  [[nodiscard]] Vec along(std::size_t i) const { return unit(to(i) - from(i)); }
+  [[nodiscard]] Vec normal(std::size_t i) const { return right_of(along(i)); }  ///< Unit, to the right.
+  [[nodiscard]] Real span(std::size_t i) const { return length(to(i) - from(i)); }
+  [[nodiscard]] Real half_tan(std::size_t corner) const;
+
   /// Back in the user's coordinates, rounded once.
   [[nodiscard]] geom::Point user(Vec p) const {
     return {static_cast<double>(p.x + origin.x), static_cast<double>((mirrored ? -p.y : p.y) + origin.y)};
   }
+  [[nodiscard]] geom::Point user(geom::Point p) const { return {p.x + origin.x, (mirrored ? -p.y : p.y) + origin.y}; }
 };
 
 /// @param extension  each end of an open curve is lengthened by this, m; 0 for none.

@@ -1,4 +1,4 @@
-// Step 3: where pieces meet. A cut too many does no harm (both sides are then valid, or both not), so whatever comes within
+// Step 2: where pieces meet. A cut too many does no harm (both sides are then valid, or both not), so whatever comes within
 // tau is cut, tangencies and ends included.
 
 #include <algorithm>
@@ -8,58 +8,31 @@
 
 namespace dobra::offset {
 
-geom::Box Trimmer::box_of(const RawPiece& piece) const {
-  geom::Box box;
-  box.add(rounded(piece.a));
-  box.add(rounded(piece.b));
-  if (!piece.is_line()) {
-    const Real d = distance_;
-    for (const Vec axis : {Vec{d, 0}, Vec{0, d}, Vec{-d, 0}, Vec{0, -d}}) {
-      if (on_arc(piece, piece.centre + axis)) box.add(rounded(piece.centre + axis));
-    }
-  }
-  return box.grown(1e-13 * static_cast<double>(base_.size + distance_));
-}
-
-void Trimmer::find_cuts() {
-  std::vector<geom::Box> boxes;
-  boxes.reserve(pieces_.size());
-  for (const RawPiece& piece : pieces_) boxes.push_back(box_of(piece));
-  const geom::SpatialIndex index(boxes);
-  for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
-    if (!pieces_[i].wanted) continue;
-    index.for_each_overlapping(boxes[i], [&](std::size_t found) {
-      const auto j = static_cast<std::uint32_t>(found);
-      if (j != i && (j > i || !pieces_[j].wanted)) cut_pair(i, j);
-    });
-  }
-}
-
 void Trimmer::cut_pair(std::uint32_t i, std::uint32_t j) {
   cut_at_ends(i, j);
-  if (pieces_[j].wanted) cut_at_ends(j, i);
-  if (pieces_[i].is_line() && pieces_[j].is_line()) return cut_lines(i, j);
-  if (pieces_[i].is_line()) return cut_line_arc(i, j);
-  if (pieces_[j].is_line()) return cut_line_arc(j, i);
+  if (hot_[j].wanted) cut_at_ends(j, i);
+  if (hot_[i].line && hot_[j].line) return cut_lines(i, j);
+  if (hot_[i].line) return cut_line_arc(i, j);
+  if (hot_[j].line) return cut_line_arc(j, i);
   cut_arcs(i, j);
 }
 
 void Trimmer::add_cut(std::uint32_t i, std::uint32_t j, Vec p) {
   const std::uint32_t at = node(p);
-  if (pieces_[i].wanted) cuts_.push_back({i, length(p - pieces_[i].a), at});
-  if (pieces_[j].wanted) cuts_.push_back({j, length(p - pieces_[j].a), at});
+  if (hot_[i].wanted) cuts_.push_back({i, length(p - hot_[i].a), at});
+  if (hot_[j].wanted) cuts_.push_back({j, length(p - hot_[j].a), at});
 }
 
 /// Cuts `piece` where an end of `other` lies on it.
 void Trimmer::cut_at_ends(std::uint32_t piece, std::uint32_t other) {
-  const RawPiece& cut = pieces_[piece];
-  const RawPiece& end = pieces_[other];
+  const HotPiece& cut = hot_[piece];
+  const HotPiece& end = hot_[other];
   for (const bool first : {true, false}) {
     const Vec p = first ? end.a : end.b;
     const std::uint32_t at = first ? end.node_a : end.node_b;
     if (at == cut.node_a || at == cut.node_b) continue;
     const Vec to = p - cut.a;
-    if (cut.is_line()) {
+    if (cut.line) {
       const Vec whole = cut.b - cut.a;
       const Real size = length(whole);
       const Vec along = (1 / size) * whole;
@@ -73,8 +46,8 @@ void Trimmer::cut_at_ends(std::uint32_t piece, std::uint32_t other) {
 }
 
 void Trimmer::cut_lines(std::uint32_t i, std::uint32_t j) {
-  const RawPiece& p = pieces_[i];
-  const RawPiece& q = pieces_[j];
+  const HotPiece& p = hot_[i];
+  const HotPiece& q = hot_[j];
   const Vec u = p.b - p.a;
   const Vec v = q.b - q.a;
   const Vec w = q.a - p.a;
@@ -88,15 +61,15 @@ void Trimmer::cut_lines(std::uint32_t i, std::uint32_t j) {
   add_cut(i, j, p.a + std::clamp(t, Real(0), Real(1)) * u);
 }
 
-bool Trimmer::on_arc(const RawPiece& arc, Vec p) const {
+bool Trimmer::on_arc(const HotPiece& arc, Vec p) const {
   const Vec out = p - arc.centre;
   const Real slack = tau_ * distance_;
   return cross(arc.a - arc.centre, out) >= -slack && cross(out, arc.b - arc.centre) >= -slack;
 }
 
 void Trimmer::cut_line_arc(std::uint32_t line, std::uint32_t arc) {
-  const RawPiece& p = pieces_[line];
-  const RawPiece& c = pieces_[arc];
+  const HotPiece& p = hot_[line];
+  const HotPiece& c = hot_[arc];
   const Vec whole = p.b - p.a;
   const Real size = length(whole);
   const Vec along = (1 / size) * whole;
@@ -117,8 +90,8 @@ void Trimmer::cut_line_arc(std::uint32_t line, std::uint32_t arc) {
 }
 
 void Trimmer::cut_arcs(std::uint32_t i, std::uint32_t j) {
-  const RawPiece& p = pieces_[i];
-  const RawPiece& q = pieces_[j];
+  const HotPiece& p = hot_[i];
+  const HotPiece& q = hot_[j];
   const Vec between = q.centre - p.centre;
   const Real half = length(between) / 2;
   if (half <= tau_ || half > distance_ + tau_) return;  // the same circle: its ends are cuts already
@@ -143,10 +116,11 @@ void Trimmer::merge_nodes() {
   std::unordered_multimap<std::uint64_t, std::uint32_t> cells;
   cells.reserve(nodes_.size());
   std::vector<char> used(nodes_.size(), 0);
-  for (const RawPiece& piece : pieces_) {
+  for (const HotPiece& piece : hot_) {
     if (piece.wanted) used[piece.node_a] = used[piece.node_b] = 1;
   }
   for (const Cut& cut : cuts_) used[cut.node] = 1;
+  touched_.assign(nodes_.size(), 0);
   for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
     place_[i] = i;
     if (!used[i]) continue;
@@ -166,8 +140,10 @@ void Trimmer::merge_nodes() {
       }
     }
     place_[i] = found;
+    if (found != i) touched_[found] = 1;
     if (found == i) cells.emplace(key(static_cast<long long>(cx), static_cast<long long>(cy)), i);
   }
+  for (const Cut& cut : cuts_) touched_[place_[cut.node]] = 1;
 }
 
 }  // namespace dobra::offset

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <atomic>
+#include <memory>
 #include <mutex>
 
 #include "shared/base/parallel.h"
 #include "shared/base/text.h"
+#include "shared/geom/intersect.h"
+#include "shared/offset/chain_tree.h"
+#include "shared/offset/envelope.h"
 #include "shared/offset/sections.h"
 #include "shared/offset/stepper.h"
 
@@ -60,16 +64,71 @@ void keep_longest(OffsetCurve& curve) {
   curve.pieces.push_back(std::move(kept));
 }
 
-OffsetCurve treated(const BaseCurve& base, const Clearance& clearance, double distance, const OffsetOptions& options) {
-  Trimmer trimmer(base, clearance, distance, options);
+bool arcs_only(const OffsetOptions& options) { return options.join == Join::Round || options.join == Join::Bevel; }
+
+/// True if a closed base crosses or touches itself. @cost O(n) where it is smooth
+bool meets_itself(const BaseCurve& base) {
+  const auto item = [&](std::size_t i) {
+    const geom::Box box = geom::Segment{base.start(i), base.end(i)}.box();
+    const Flat u = flat(base.headings[i]);
+    return ChainTree::Item{flat(box.low), flat(box.high), ChainTree::directions_of(u, u), i > 0};
+  };
+  const std::size_t count = base.segment_count();
+  for (const double t : base.half_tans) {
+    if (std::isinf(t)) return true;
+  }
+  bool meets = false;
+  ChainTree(count, item, 0.0).for_each_pair([&](std::size_t i, std::size_t j) {
+    if (meets || (i == 0 && j + 1 == count)) return;
+    meets = geom::intersect({base.start(i), base.end(i)}, {base.start(j), base.end(j)}).kind != geom::IntersectionKind::None;
+  });
+  return meets;
+}
+
+/// What all distances share.
+struct Prepared {
+  BaseCurve base{};
+  std::optional<geom::Vector> forward{};  ///< See monotone_direction.
+  bool simple = false;                  ///< Closed, and does not meet itself.
+  std::unique_ptr<const Clearance> clearance{};  ///< Only where it is needed.
+};
+
+Prepared prepared(BaseCurve base, const OffsetOptions& options) {
+  Prepared made{.base = std::move(base), .forward = {}, .simple = false, .clearance = {}};
+  if (options.treatment == Treatment::Untreated) return made;
+  made.forward = monotone_direction(made.base);
+  made.simple = made.base.closed && !meets_itself(made.base);
+  return made;
+}
+
+OffsetCurve treated(const Prepared& input, double distance, const OffsetOptions& options) {
+  const BaseCurve& base = input.base;
   OffsetCurve curve;
   curve.distance = distance;
-  for (const Chain& chain : trimmer.run()) {
-    OffsetPiece piece = trimmer.output(chain);
+  if (input.forward && arcs_only(options)) {
+    OffsetPiece piece = monotone_offset(base, *input.forward, distance, options);
     if (!piece.polyline.points.empty()) curve.pieces.push_back(std::move(piece));
+    return curve;
   }
+  const Outline::Sides sides = input.simple    ? Outline::Sides::Right
+                               : input.forward ? Outline::Sides::RightAndCaps
+                                               : Outline::Sides::Both;
+  Trimmer trimmer(base, *input.clearance, sides, distance, options);
+  curve.pieces = trimmer.run();
   if (!base.closed) keep_longest(curve);
   return curve;
+}
+
+/// One distance. @pre input is ready for it
+OffsetCurve curve_at(const Prepared& input, double distance, const OffsetOptions& options) {
+  return options.treatment == Treatment::Untreated ? untreated(input.base, distance, options)
+                                                   : treated(input, distance, options);
+}
+
+void add_clearance(Prepared& input, const OffsetOptions& options) {
+  if (options.treatment == Treatment::Treated && !(input.forward && arcs_only(options))) {
+    input.clearance = std::make_unique<Clearance>(input.base, options);
+  }
 }
 
 }  // namespace
@@ -77,10 +136,14 @@ OffsetCurve treated(const BaseCurve& base, const Clearance& clearance, double di
 Result<std::vector<OffsetCurve>> offset(const geom::Polyline& curve, std::span<const double> distances,
                                         const OffsetOptions& options, const base::Progress& progress) {
   DOBRA_TRY_VOID(check(options, distances));
-  DOBRA_TRY(const BaseCurve base, prepare(curve, options.side));
-  const Clearance clearance(base);
+  DOBRA_TRY(BaseCurve base, prepare(curve, options.side));
   const bool extended = options.ends == Ends::Extended && !base.closed;
   const bool stepped = options.ends == Ends::Paper && !base.closed && options.treatment == Treatment::Treated;
+  Prepared input;
+  if (!stepped && !extended) {
+    input = prepared(std::move(base), options);
+    add_clearance(input, options);
+  }
   std::atomic<std::size_t> finished = 0;
   std::mutex report;
   const auto one = [&](std::size_t k) -> Result<OffsetCurve> {
@@ -90,11 +153,12 @@ Result<std::vector<OffsetCurve>> offset(const geom::Polyline& curve, std::span<c
     if (stepped) {
       result = run_stepper(curve, d, options);
     } else if (extended) {
-      DOBRA_TRY(const BaseCurve longer, prepare(curve, options.side, options.extension * d));
-      result = options.treatment == Treatment::Untreated ? untreated(longer, d, options)
-                                                         : treated(longer, Clearance(longer), d, options);
+      DOBRA_TRY(BaseCurve longer, prepare(curve, options.side, options.extension * d));
+      Prepared own = prepared(std::move(longer), options);
+      add_clearance(own, options);
+      result = curve_at(own, d, options);
     } else {
-      result = options.treatment == Treatment::Untreated ? untreated(base, d, options) : treated(base, clearance, d, options);
+      result = curve_at(input, d, options);
     }
     const std::scoped_lock lock(report);
     progress.report(static_cast<double>(++finished) / static_cast<double>(distances.size()), "offset curves");

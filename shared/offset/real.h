@@ -1,6 +1,7 @@
 #pragma once
-// Arithmetic of the offset engine: 64-bit mantissas (11 bits more than the input has), so that exact coincidences of the input,
-// which come out to within 1e-18, are told from near ones of input coordinates, which differ by 1e-16 or more.
+// Vectors of the offset engine in two kinds of numbers: doubles where a margin makes a decision safe, and 64-bit mantissas
+// (11 bits more than the input has) where topology is decided, so that exact coincidences of the input, which come out to
+// within 1e-18, are told from near ones of input coordinates, which differ by 1e-16 or more.
 
 #include <cmath>
 
@@ -10,21 +11,28 @@ namespace dobra::offset {
 
 using Real = long double;
 
-struct Vec {
-  Real x = 0;
-  Real y = 0;
-  friend Vec operator+(Vec a, Vec b) { return {a.x + b.x, a.y + b.y}; }
-  friend Vec operator-(Vec a, Vec b) { return {a.x - b.x, a.y - b.y}; }
-  friend Vec operator-(Vec a) { return {-a.x, -a.y}; }
-  friend Vec operator*(Real f, Vec a) { return {f * a.x, f * a.y}; }
+template <class T>
+struct VecOf {
+  T x = 0;
+  T y = 0;
+  friend VecOf operator+(VecOf a, VecOf b) { return {a.x + b.x, a.y + b.y}; }
+  friend VecOf operator-(VecOf a, VecOf b) { return {a.x - b.x, a.y - b.y}; }
+  friend VecOf operator-(VecOf a) { return {-a.x, -a.y}; }
+  friend VecOf operator*(T f, VecOf a) { return {f * a.x, f * a.y}; }
+  friend T dot(VecOf a, VecOf b) { return a.x * b.x + a.y * b.y; }
+  friend T cross(VecOf a, VecOf b) { return a.x * b.y - a.y * b.x; }
+  friend T length(VecOf a) { return std::sqrt(a.x * a.x + a.y * a.y); }
+  friend VecOf right_of(VecOf a) { return {a.y, -a.x}; }
+  friend VecOf left_of(VecOf a) { return {-a.y, a.x}; }
+  friend VecOf unit(VecOf a) { return (1 / length(a)) * a; }
 };
+using Vec = VecOf<Real>;
+using Flat = VecOf<double>;
 
-inline Real dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y; }
-inline Real cross(Vec a, Vec b) { return a.x * b.y - a.y * b.x; }
-inline Real length(Vec a) { return std::sqrt(a.x * a.x + a.y * a.y); }
-inline Vec right_of(Vec a) { return {a.y, -a.x}; }
-inline Vec left_of(Vec a) { return {-a.y, a.x}; }
-inline Vec unit(Vec a) { return (1 / length(a)) * a; }
 inline geom::Point rounded(Vec a) { return {static_cast<double>(a.x), static_cast<double>(a.y)}; }
+inline Flat flat(geom::Point p) { return {p.x, p.y}; }
+inline Flat flat(geom::Vector v) { return {v.x, v.y}; }
+inline Flat flat(Vec a) { return {static_cast<double>(a.x), static_cast<double>(a.y)}; }
+inline Vec exact(Flat a) { return {a.x, a.y}; }
 
 }  // namespace dobra::offset

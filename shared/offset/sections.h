@@ -1,107 +1,108 @@
 #pragma once
-// The treated curve at one distance.
-//  1 pieces     the boundary of every pill and corner on the right side, cut on the bisector where neighbours overlap;
-//               and, as scissors only, left side and end caps
-//  2 cull       a piece is dropped on proof that all of it is nearer to the base than D
-//  3 cuts       where pieces meet
-//  4 sections   between two cuts a section is wholly valid or wholly invalid: one clearance query decides
-//  5 assembly   valid sections are joined at their ends, at each free wedge; doubled ones count once, opposite ones cancel
+// Tier 1, second half: the treated curve at one distance, from the pieces that survive the stack pass.
+//  0 cull       fragments that the pass left behind are dropped on proof that all of them is nearer to the base than D
+//  1 pairs      that may meet, from a tree with direction masks; only the pieces in them are looked at again, in Real
+//  2 cuts       where those meet; what comes within tau is cut too, which does no harm
+//  3 sections   between two cuts a section, of however many pieces, is wholly valid or wholly invalid: one query decides
+//  4 assembly   valid sections are joined at their ends, at each free wedge; doubled ones count once, opposite ones cancel
 // Notation: D distance, U the set within D of the base with its corners, tau the length below which two places are one.
 
 #include <cstdint>
 #include <vector>
 
-#include "shared/geom/spatial_index.h"
-#include "shared/offset/base_curve.h"
 #include "shared/offset/clearance.h"
+#include "shared/offset/survivors.h"
 
 namespace dobra::offset {
 
-/// A line from `a` to `b`, or the arc of radius D that goes anticlockwise, by at most half a turn, about `centre`.
-struct RawPiece {
-  enum class Kind { Line, Arc, Chord };  ///< Chord: an arc until the topology is known, then drawn straight.
-  Kind kind = Kind::Line;
-  bool wanted = true;  ///< False for scissors.
-  Vec a, b, centre;
-  std::uint32_t segment = 0;  ///< Of the base.
-  std::uint32_t node_a = 0, node_b = 0;
-
-  [[nodiscard]] bool is_line() const { return kind == Kind::Line; }
-};
-
-/// A part of a piece between two nodes.
-struct Section {
-  std::uint32_t piece;
-  std::uint32_t from, to;  ///< Nodes.
-};
-
-/// A simple curve: sections in order.
-struct Chain {
-  std::vector<Section> sections;
-  bool closed = false;
-};
-
 class Trimmer {
  public:
-  Trimmer(const BaseCurve& base, const Clearance& clearance, Real distance, const OffsetOptions& options);
+  Trimmer(const BaseCurve& base, const Clearance& clearance, Outline::Sides sides, double distance,
+          const OffsetOptions& options);
 
-  /// Runs steps 1 to 5.
-  std::vector<Chain> run();
-
-  /// The chain as a polyline in the user's coordinates. Empty if it vanishes by rounding.
-  [[nodiscard]] OffsetPiece output(const Chain& chain) const;
+  /// All pieces of the curve, in order of their first base segment.
+  std::vector<OffsetPiece> run();
 
  private:
-  struct Cut {
+  /// A piece that may meet others, in Real.
+  struct HotPiece {
     std::uint32_t piece;
-    Real at;  ///< Distance from the piece's start, straight; grows along lines and half-turns.
+    bool line, wanted;
+    Vec a, b, centre;
+    std::uint32_t node_a, node_b;
+  };
+  struct Cut {
+    std::uint32_t hot;
+    Real at;  ///< Distance from the piece's start, straight; grows along lines and arcs up to half a turn.
     std::uint32_t node;
   };
-  /// The part of U that a mitre adds: a corner cut out between two normals and bounded by lines at distance D.
-  struct Wedge {
-    Vec corner, from, to;              ///< Unit normals at which it begins and ends.
-    std::vector<Vec> bounds;           ///< Unit normals of its outer lines.
+  struct Section {
+    std::uint32_t first, last;  ///< Pieces.
+    std::uint32_t from, to;     ///< Nodes.
   };
+  /// A simple curve: sections in order.
+  struct Chain {
+    std::vector<Section> sections;
+    bool closed = false;
+  };
+  struct Span {
+    Flat a;
+    std::uint32_t piece;
+  };
+  using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-  void make_pieces();
-  void make_corner(std::size_t segment, std::vector<std::uint32_t>& start_node, std::vector<std::uint32_t>& end_node);
-  void make_scissors();
-  void add_arc(RawPiece::Kind kind, bool wanted, std::size_t segment, Vec centre, std::uint32_t a, std::uint32_t b);
   void cull();
-  void find_cuts();
+  [[nodiscard]] bool buried(std::size_t first, std::size_t last) const;
+  [[nodiscard]] bool covered(const Piece& piece, Flat a, Flat b, int depth) const;
+  [[nodiscard]] Pairs find_pairs() const;
+  void warm(const Pairs& pairs);
+  [[nodiscard]] Vec exact_end(const Piece& piece, bool start) const;
+  [[nodiscard]] Vec meet(Site s, Site t, Flat near) const;
+  [[nodiscard]] Vec centre(Site s) const { return outline_.to<Real>(s.step); }
+  [[nodiscard]] Vec line_normal(Site s) const;
+
   void cut_pair(std::uint32_t i, std::uint32_t j);
   void cut_lines(std::uint32_t i, std::uint32_t j);
   void cut_line_arc(std::uint32_t line, std::uint32_t arc);
   void cut_arcs(std::uint32_t i, std::uint32_t j);
   void cut_at_ends(std::uint32_t piece, std::uint32_t other);
   void add_cut(std::uint32_t i, std::uint32_t j, Vec p);
+  [[nodiscard]] bool on_arc(const HotPiece& arc, Vec p) const;
   void merge_nodes();
+
   void make_sections();
+  void add_section(Section section);
+  [[nodiscard]] Vec part_start(const Section& s, std::uint32_t piece) const;
+  [[nodiscard]] Vec part_end(const Section& s, std::uint32_t piece) const;
+  [[nodiscard]] Vec middle(const Section& section, std::uint32_t piece) const;
   [[nodiscard]] bool valid(Vec p) const;
-  [[nodiscard]] bool wholly_invalid(const RawPiece& piece) const;
-  [[nodiscard]] geom::Box box_of(const RawPiece& piece) const;
-  [[nodiscard]] bool on_arc(const RawPiece& arc, Vec p) const;
-  [[nodiscard]] Vec middle(const Section& section) const;
-  [[nodiscard]] Vec leaving(const Section& section) const;
-  [[nodiscard]] Vec arriving(const Section& section) const;
+
   void remove_doubles();
   std::vector<Chain> assemble();
   void link_at(const std::vector<std::uint32_t>& in, const std::vector<std::uint32_t>& out);
+  [[nodiscard]] Vec leaving(const Section& section) const;
+  [[nodiscard]] Vec arriving(const Section& section) const;
+  [[nodiscard]] OffsetPiece output(const Chain& chain) const;
   [[nodiscard]] std::uint32_t node(Vec p);
+  [[nodiscard]] std::uint32_t segment_of(std::uint32_t piece) const { return pieces_[piece].site.step; }
 
   const BaseCurve& base_;
   const Clearance& clearance_;
-  const Real distance_;
   const OffsetOptions& options_;
+  const Outline outline_;
+  const Real distance_;
   const Real tau_;
+  std::vector<Piece> pieces_;
+  std::uint32_t wanted_ = 0;          // the pieces before this one are of the right side
+  std::vector<std::uint32_t> hot_of_;
+  std::vector<HotPiece> hot_;
   std::vector<Vec> nodes_;
   std::vector<std::uint32_t> place_;  // the node that stands for each node after merging
-  std::vector<RawPiece> pieces_;
-  std::vector<Wedge> wedges_;
-  geom::SpatialIndex wedge_index_;
+  std::vector<char> touched_;         // places where something is cut
   std::vector<Cut> cuts_;
   std::vector<Section> sections_;
   std::vector<std::uint32_t> follower_;
+  std::vector<char> has_leader_;
 };
 
 }  // namespace dobra::offset

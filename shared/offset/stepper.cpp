@@ -24,10 +24,10 @@ Result<Stepper> Stepper::start(const geom::Polyline& curve, double distance, con
   stepper.chain_.segment.resize(stepper.chain_.points.size() - (stepper.base_.closed ? 0 : 1));
   if (stepper.base_.closed) {
     geom::Polyline mirrored{{}, true};
-    for (const Vec p : stepper.base_.points) mirrored.points.push_back(rounded(p));
+    mirrored.points = stepper.base_.points;
     stepper.orientation_ = geom::signed_area(mirrored);
     // Start on a raw edge whose middle is valid: there no region can hide the start.
-    const Clearance clearance(stepper.base_);
+    const Clearance clearance(stepper.base_, options);
     const std::size_t count = stepper.chain_.points.size();
     const auto valid = [&](std::size_t i) {
       const Vec mid = Real(0.5) * (stepper.chain_.points[i] + stepper.chain_.points[(i + 1) % count]);

@@ -1,0 +1,24 @@
+#pragma once
+// Tier 0: the curve of a monotone base (all its directions within an open half-plane) with arcs at its corners.
+// Seen in that direction U is the region between two graphs, and the lower one is the lower envelope of the segments' pills
+// (all points within D of one segment). Taken in order any two pills cross there once, the later one being lower after the
+// crossing. Hence one pass with a stack gives the envelope exactly: a new pill removes what lies in it from the tail.
+// Every place on the stack is decided by one sign and computed from the same numbers, so that rounding cannot contradict it.
+// Source: offset curves of monotone chains as lower envelopes of pseudo-lines, [agarwal2000davenport].
+
+#include <optional>
+
+#include "shared/offset/base_curve.h"
+
+namespace dobra::offset {
+
+/// A direction that all segments go along, if there is one. Exact. @cost O(n), once for all distances.
+std::optional<geom::Vector> monotone_direction(const BaseCurve& base);
+
+/// @param forward  monotone_direction(base).
+/// @return the curve, or a piece without points if nothing of it is left.
+/// @pre    base open; every corner is filled by an arc (drawn as one chord for Join::Bevel).
+/// @cost   O(n): about 15 ns a segment; memory 24 bytes a segment and arc.
+OffsetPiece monotone_offset(const BaseCurve& base, geom::Vector forward, double distance, const OffsetOptions& options);
+
+}  // namespace dobra::offset

@@ -1,0 +1,251 @@
+// Speed of the offset engine against two marks in the same run: "raw", writing the untrimmed offset vertices of the same
+// base (the least that any method does), and GEOS (one-sided or polygon buffer, whichever the base calls for). One thread.
+// Arguments: size; 13 distances. Counters: raw and geos are the time ratios (ours / raw, GEOS / ours); exponent of time in n
+// is printed by Google Benchmark itself (complexity lines); peak_bytes is the heap above input and output, per base point.
+// Figures belong in docs/algorithms/offset.md.
+
+#include <benchmark/benchmark.h>
+#include <geos_c.h>
+#include <malloc.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <new>
+#include <numbers>
+#include <random>
+
+#include "shared/base/parallel.h"
+#include "shared/offset/offset.h"
+
+namespace {
+
+std::size_t in_use = 0;
+std::size_t peak = 0;
+
+}  // namespace
+
+// Counts what the engine allocates. GEOS uses the same operators, but is timed only.
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  void* const memory = std::malloc(size);
+  if (memory == nullptr) throw std::bad_alloc();
+  in_use += malloc_usable_size(memory);
+  peak = std::max(peak, in_use);
+  return memory;
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
+  in_use -= malloc_usable_size(memory);
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept { operator delete(memory); }
+
+namespace {
+
+using namespace dobra;
+using namespace dobra::offset;
+using geom::Point;
+using geom::Polyline;
+constexpr double pi = std::numbers::pi;
+
+// Families: the names are those of the table in issue 3.
+Polyline smooth(std::size_t n) {
+  Polyline c;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double x = 100.0 * static_cast<double>(i) / static_cast<double>(n - 1);
+    c.points.push_back({x, 3 * std::sin(2 * pi * x / 25) + std::sin(2 * pi * x / 9.1 + 1) + 0.3 * std::sin(2 * pi * x / 4.3 + 2)});
+  }
+  return c;
+}
+
+Polyline fractal(std::size_t n) {  // midpoint displacement, H = 0.6
+  std::size_t m = 1;
+  while (m + 1 < n) m *= 2;
+  std::vector<double> y(m + 1, 0.0);
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  double size = 6;
+  for (std::size_t step = m; step > 1; step /= 2, size *= std::pow(0.5, 0.6)) {
+    for (std::size_t i = step / 2; i < m; i += step) y[i] = 0.5 * (y[i - step / 2] + y[i + step / 2]) + size * normal(random);
+  }
+  Polyline c;
+  for (std::size_t i = 0; i < n; ++i) c.points.push_back({100.0 * static_cast<double>(i) / static_cast<double>(n - 1), y[i]});
+  return c;
+}
+
+template <class Radius>
+Polyline polar(std::size_t n, Radius&& radius) {
+  Polyline c{{}, true};
+  for (std::size_t i = 0; i < n; ++i) {
+    const double t = 2 * pi * static_cast<double>(i) / static_cast<double>(n);
+    c.points.push_back({radius(t) * std::cos(t), radius(t) * std::sin(t)});
+  }
+  return c;
+}
+Polyline gear(std::size_t n) {
+  return polar(n, [](double t) { return 20 + 2 * std::tanh(5 * std::sin(24 * t)); });
+}
+Polyline blob(std::size_t n) {
+  return polar(n, [](double t) { return 20 + 4 * std::sin(3 * t) + 2 * std::sin(7 * t + 1) + std::sin(13 * t + 2); });
+}
+Polyline circle(std::size_t n) {
+  return polar(n, [](double) { return 20.0; });
+}
+Polyline spiral(std::size_t n) {  // open, and both sides meet
+  Polyline c;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double t = 2 + 60 * static_cast<double>(i) / static_cast<double>(n - 1);
+    const double r = 0.6 * t + 0.3 * std::sin(7 * t);
+    c.points.push_back({r * std::cos(t), r * std::sin(t)});
+  }
+  return c;
+}
+Polyline coast(std::size_t n) {  // each edge gets a knee within its own thin triangle: simple, and rough at all scales
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> real(-0.2, 0.2);
+  Polyline c = polar(6, [](double) { return 40.0; });
+  while (c.points.size() < n) {
+    std::vector<Point> finer;
+    for (std::size_t i = 0; i < c.points.size(); ++i) {
+      const geom::Segment edge = c.segment(i);
+      const double shift = real(random);
+      finer.push_back(edge.from);
+      finer.push_back(geom::midpoint(edge.from, edge.to) + (shift + std::copysign(0.08, shift)) * geom::right_of(edge.vector()));
+    }
+    c.points = std::move(finer);
+  }
+  return c;
+}
+
+struct Family {
+  const char* name;
+  Polyline (*make)(std::size_t);
+  Side side;
+  Join join;
+  double step;
+  std::size_t greatest;
+  std::size_t greatest_geos = 100'000;  ///< Above it GEOS is not asked: on rough curves one call takes minutes.
+};
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// One foot point a segment: a square root, a division and 20 bytes of result.
+double raw_seconds(const Polyline& base, const std::vector<double>& distances) {
+  double best = 1e300;
+  for (int repeat = 0; repeat < 3; ++repeat) {
+    const auto start = std::chrono::steady_clock::now();
+    std::vector<OffsetPiece> curves;
+    for (const double d : distances) {
+      OffsetPiece piece;
+      piece.polyline.points.reserve(base.points.size());
+      piece.base_edge.reserve(base.points.size());
+      for (std::size_t i = 0; i < base.segment_count(); ++i) {
+        const geom::Segment s = base.segment(i);
+        const geom::Vector v = s.vector();
+        const double f = d / std::sqrt(geom::dot(v, v));
+        piece.polyline.points.push_back(s.from + f * geom::right_of(v));
+        piece.base_edge.push_back(static_cast<std::uint32_t>(i));
+      }
+      curves.push_back(std::move(piece));
+    }
+    benchmark::DoNotOptimize(curves.data());
+    best = std::min(best, seconds_since(start));
+  }
+  return best;
+}
+
+/// All distances with GEOS at the same arc tolerance; 0 if the first takes more than its share of 10 s.
+double geos_seconds(const Polyline& base, const Family& family, const std::vector<double>& distances) {
+  const GEOSContextHandle_t geos = GEOS_init_r();
+  const std::size_t count = base.points.size() + (base.closed ? 1 : 0);
+  GEOSCoordSequence* const points = GEOSCoordSeq_create_r(geos, static_cast<unsigned>(count), 2);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point p = base.points[i % base.points.size()];
+    GEOSCoordSeq_setXY_r(geos, points, static_cast<unsigned>(i), p.x, p.y);
+  }
+  GEOSGeometry* const input = base.closed
+                                  ? GEOSGeom_createPolygon_r(geos, GEOSGeom_createLinearRing_r(geos, points), nullptr, 0)
+                                  : GEOSGeom_createLineString_r(geos, points);
+  const bool outwards = family.side == Side::RightOfTravel;
+  const auto start = std::chrono::steady_clock::now();
+  double seconds = 0.0;
+  for (const double d : distances) {
+    GEOSBufferParams* const params = GEOSBufferParams_create_r(geos);
+    GEOSBufferParams_setQuadrantSegments_r(geos, params, 18);
+    GEOSBufferParams_setJoinStyle_r(geos, params, family.join == Join::Round ? GEOSBUF_JOIN_ROUND : GEOSBUF_JOIN_MITRE);
+    GEOSBufferParams_setMitreLimit_r(geos, params, 4.0);
+    GEOSBufferParams_setSingleSided_r(geos, params, base.closed ? 0 : 1);
+    GEOSGeom_destroy_r(geos, GEOSBufferWithParams_r(geos, input, params, (base.closed == outwards) ? d : -d));
+    GEOSBufferParams_destroy_r(geos, params);
+    seconds = seconds_since(start);
+    if (seconds > 10.0) break;
+  }
+  GEOSGeom_destroy_r(geos, input);
+  GEOS_finish_r(geos);
+  return seconds > 10.0 ? 0.0 : seconds;
+}
+
+void offset_family(benchmark::State& state, const Family& family) {
+  base::set_thread_count(1);
+  const auto n = static_cast<std::size_t>(state.range(0));
+  const Polyline base = family.make(n);
+  std::vector<double> distances;
+  for (int k = 1; k <= 13; ++k) distances.push_back(family.step * k);
+  OffsetOptions options;
+  options.side = family.side;
+  options.join = family.join;
+  double seconds = 1e300;
+  std::size_t pieces = 0;
+  for (auto _ : state) {
+    const auto start = std::chrono::steady_clock::now();
+    const auto curves = offset::offset(base, distances, options);
+    seconds = std::min(seconds, seconds_since(start));
+    if (!curves.ok()) return state.SkipWithError(curves.error().message.c_str());
+    pieces = 0;
+    for (const auto& curve : *curves) pieces += curve.pieces.size();
+  }
+  const std::size_t before = in_use;
+  peak = in_use;
+  const auto one = offset::offset(base, std::vector<double>{distances[6]}, options);
+  const std::size_t highest = peak - before;
+  std::size_t output = 0;
+  for (const auto& piece : one->front().pieces) output += 20 * piece.polyline.points.capacity();
+  const double points = static_cast<double>(base.points.size());
+  state.SetComplexityN(static_cast<benchmark::IterationCount>(base.points.size()));
+  state.counters["ns_point_curve"] = seconds / 13 / points * 1e9;
+  state.counters["raw"] = seconds / raw_seconds(base, distances);
+  const double geos = n <= family.greatest_geos ? geos_seconds(base, family, distances) : 0.0;
+  state.counters["geos"] = geos / seconds;  // 0: not asked, or more than 10 s
+  state.counters["peak_bytes"] = static_cast<double>(highest - std::min(highest, output)) / points;
+  state.counters["pieces"] = static_cast<double>(pieces);
+}
+
+const Family families[] = {
+    {"smooth_round", smooth, Side::RightOfTravel, Join::Round, 0.2, 1'000'000},
+    {"smooth_mitre", smooth, Side::RightOfTravel, Join::Mitre, 0.2, 1'000'000},
+    {"fractal_round", fractal, Side::RightOfTravel, Join::Round, 0.2, 1'000'000, 1000},
+    {"fractal_mitre", fractal, Side::RightOfTravel, Join::Mitre, 0.2, 10'000, 1000},  // see the limits in offset.md
+    {"spiral", spiral, Side::RightOfTravel, Join::Round, 0.1, 1'000'000},
+    {"gear_in", gear, Side::LeftOfTravel, Join::Round, 0.18, 100'000},
+    {"gear_out", gear, Side::RightOfTravel, Join::Round, 0.18, 100'000},
+    {"blob_in", blob, Side::LeftOfTravel, Join::Round, 0.18, 100'000},
+    {"blob_out", blob, Side::RightOfTravel, Join::Round, 0.18, 100'000},
+    {"circle_in", circle, Side::LeftOfTravel, Join::Round, 0.18, 100'000},
+    {"coast_in", coast, Side::LeftOfTravel, Join::Round, 0.2, 100'000, 10'000},
+    {"coast_out", coast, Side::RightOfTravel, Join::Round, 0.2, 100'000, 10'000},
+};
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  for (const Family& family : families) {
+    auto* const entry = benchmark::RegisterBenchmark(family.name, [&family](benchmark::State& state) { offset_family(state, family); });
+    for (std::size_t n = 1000; n <= family.greatest; n *= 10) entry->Arg(static_cast<std::int64_t>(n));
+    entry->Complexity()->Unit(benchmark::kMillisecond)->MinTime(0.05);
+  }
+  benchmark::Initialize(&count, arguments);
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return 0;
+}
