@@ -87,6 +87,10 @@ bool Trimmer::covered(const Piece& piece, Flat a, Flat b, int depth) const {
 /// Long connected parts are what the pass understood; queries are for the short ones.
 void Trimmer::cull() {
   constexpr std::size_t short_fragment = 64;
+  const std::size_t count = pieces_.size();
+  std::size_t seam = count;  // one past the first walk, whose last piece the very first one may be linked to
+  while (outline_.two_walks() && seam > 0 && pieces_[seam - 1].site.step >= base_.segment_count()) --seam;
+  std::size_t last_kept = count;
   std::size_t kept = 0;
   bool dropped = false;
   const auto keep = [&](std::size_t k) {
@@ -94,8 +98,8 @@ void Trimmer::cull() {
     piece.linked = piece.linked && !dropped;
     dropped = false;
     pieces_[kept++] = piece;
+    if (k < seam) last_kept = k;
   };
-  const std::size_t count = pieces_.size();
   for (std::size_t first = 0; first < count;) {
     std::size_t last = first + 1;
     while (last < count && pieces_[last].linked) ++last;
@@ -113,7 +117,7 @@ void Trimmer::cull() {
     }
     first = last;
   }
-  if (kept > 0 && dropped) pieces_[0].linked = false;
+  if (kept > 0 && last_kept + 1 != seam) pieces_[0].linked = false;
   pieces_.resize(kept);
 }
 

@@ -26,15 +26,6 @@ class Pass {
   [[nodiscard]] bool deep(Flat p, std::uint32_t step) const { return outline_.deep_inside(p, step, margin_); }
   [[nodiscard]] Flat centre(const Piece& arc) const { return outline_.to<double>(arc.site.step); }
   [[nodiscard]] std::optional<Flat> crossing(const Piece& tail, const Piece& head) const;
-  enum class End { Start, Finish };
-  struct Mark {
-    Flat at;
-    Site site;
-  };
-  void trim(Piece& piece, End end, std::uint32_t step) const;
-  [[nodiscard]] std::optional<Mark> way_in(const Piece& piece, End end, std::uint32_t step) const;
-  [[nodiscard]] std::optional<Flat> meets_line(const Piece& piece, End end, Flat foot, Flat u) const;
-  [[nodiscard]] std::optional<Flat> meets_disc(const Piece& piece, End end, Flat disc) const;
   [[nodiscard]] bool in_range(const Piece& piece, Flat p) const;
   [[nodiscard]] bool holds_end(const Piece& holder, Flat p) const;
 
@@ -204,99 +195,6 @@ void Pass::cut(Piece& tail, Piece& head) const {
   head.linked = true;
 }
 
-/// Where the piece, travelled towards `end`, gets below the line at D to the right of the line from `foot` along u.
-std::optional<Flat> Pass::meets_line(const Piece& piece, End end, Flat foot, Flat u) const {
-  const Flat n = right_of(u);
-  const double sign = end == End::Finish ? 1.0 : -1.0;
-  if (piece.is_line()) {
-    const Flat a = end == End::Finish ? piece.a : piece.b;
-    const Flat b = end == End::Finish ? piece.b : piece.a;
-    const double before = dot(a - foot, n) - d_;
-    const double after = dot(b - foot, n) - d_;
-    if (!(before > 0 && after < 0)) return std::nullopt;
-    return a + (before / (before - after)) * (b - a);
-  }
-  const Flat to = centre(piece) - foot;
-  const double gap = d_ - dot(to, n);
-  if (!(std::abs(gap) < d_)) return std::nullopt;
-  const Flat p = foot + (dot(to, u) + sign * std::sqrt((d_ - gap) * (d_ + gap))) * u + d_ * n;
-  if (!in_range(piece, p)) return std::nullopt;
-  return p;
-}
-
-/// Where it gets into a disc of radius D.
-std::optional<Flat> Pass::meets_disc(const Piece& piece, End end, Flat disc) const {
-  const double sign = end == End::Finish ? 1.0 : -1.0;
-  Flat p;
-  if (piece.is_line()) {
-    const Flat u = unit(piece.b - piece.a);
-    const Flat to = disc - piece.a;
-    const double across = cross(u, to);
-    if (!(std::abs(across) < d_)) return std::nullopt;
-    p = piece.a + (dot(u, to) - sign * std::sqrt((d_ - across) * (d_ + across))) * u;
-  } else {
-    const Flat to = disc - centre(piece);
-    const double gap = length(to);
-    if (!(gap > margin_ && gap < 2 * d_)) return std::nullopt;
-    p = centre(piece) + 0.5 * to + (sign * std::sqrt((d_ - 0.5 * gap) * (d_ + 0.5 * gap)) / gap) * right_of(to);
-  }
-  if (!in_range(piece, p)) return std::nullopt;
-  return p;
-}
-
-/// The place on the boundary of the pill of `step`, mitres included, and what site it is on.
-std::optional<Pass::Mark> Pass::way_in(const Piece& piece, End end, std::uint32_t step) const {
-  const Flat p = outline_.from<double>(step);
-  const Flat u = outline_.along<double>(step);
-  const double span = outline_.span(step);
-  const std::uint32_t before = outline_.before(step);
-  const std::uint32_t after = outline_.after(step);
-  const double ahead = outline_.corner(step) == Outline::Corner::Mitre ? d_ * outline_.half_tan(step) : 0.0;
-  const double behind = outline_.corner(before) == Outline::Corner::Mitre ? d_ * outline_.half_tan(before) : 0.0;
-  if (const auto at = meets_line(piece, end, p, u)) {
-    const double s = dot(*at - p, u);
-    if (s >= -behind && s <= span + ahead) return Mark{*at, {step, Role::Line}};
-  }
-  const Flat q = outline_.to<double>(step);
-  if (ahead > 0) {
-    const Flat v = outline_.along<double>(after);
-    if (const auto at = meets_line(piece, end, q, v)) {
-      const double s = dot(*at - q, v);
-      if (s <= 0 && s >= -ahead) return Mark{*at, {after, Role::Line}};
-    }
-  }
-  if (behind > 0) {
-    const Flat v = outline_.along<double>(before);
-    if (const auto at = meets_line(piece, end, p, v)) {
-      const double s = dot(*at - p, v);
-      if (s >= 0 && s <= behind) return Mark{*at, {before, Role::Line}};
-    }
-  }
-  if (const auto at = meets_disc(piece, end, q)) {
-    if (dot(*at - q, u) > 0 && (ahead == 0 || dot(*at - q, outline_.along<double>(after)) > 0)) return Mark{*at, {step, Role::Arc}};
-  }
-  if (const auto at = meets_disc(piece, end, p)) {
-    if (dot(*at - p, u) < 0 && (behind == 0 || dot(*at - p, outline_.along<double>(before)) < 0)) return Mark{*at, {before, Role::Arc}};
-  }
-  return std::nullopt;
-}
-
-/// Cuts off what lies in the pill of `step` at one end, which is deep in it.
-void Pass::trim(Piece& piece, End end, std::uint32_t step) const {
-  if (piece.site.role == Role::Bevel) return;
-  const std::optional<Mark> mark = way_in(piece, end, step);
-  if (!mark || mark->site == piece.site) return;
-  Flat& moved = end == End::Finish ? piece.b : piece.a;
-  if (!piece.is_line()) {
-    // An arc may leave a convex set and come back: its end tangents' crossing must be in it as well.
-    const Flat c = centre(piece);
-    const Flat sum = (mark->at - c) + (moved - c);
-    if (!outline_.deep_inside(c + (2 * d_ * d_ / dot(sum, sum)) * sum, step, 0)) return;
-  }
-  moved = mark->at;
-  (end == End::Finish ? piece.cut_b : piece.cut_a) = packed(mark->site);
-}
-
 void Pass::add(Piece piece) {
   while (pieces_.size() > bottom_ && piece.site.role == Role::Line && in_pill(pieces_.back(), piece.site.step)) {
     pieces_.pop_back();
@@ -307,18 +205,8 @@ void Pass::add(Piece piece) {
     if (previous_ != Piece::none && packed(tail.site) == previous_ && tail.cut_b == Piece::none) {
       piece.linked = true;
     } else {
-      if (buried(piece, tail)) {
-        if (piece.site.role == Role::Line && deep(tail.b, piece.site.step)) trim(tail, End::Finish, piece.site.step);
-        return;
-      }
+      if (buried(piece, tail)) return;
       cut(tail, piece);
-      if (!piece.linked) {
-        const std::uint32_t step = tail.site.step;
-        if (piece.site.role == Role::Line && deep(tail.b, piece.site.step)) trim(tail, End::Finish, piece.site.step);
-        if (deep(piece.a, step)) trim(piece, End::Start, step);
-        const std::uint32_t before = outline_.before(piece.site.step);
-        if (piece.site.role == Role::Line && deep(piece.a, before)) trim(piece, End::Start, before);
-      }
     }
   }
   pieces_.push_back(piece);

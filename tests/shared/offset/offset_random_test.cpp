@@ -133,7 +133,7 @@ std::string judge(const Case& c, Side side, Join join) {
 
 TEST(OffsetRandom, NoRandomPolylineFails) {
   const char* cases = std::getenv("DOBRA_RANDOM_CASES");
-  const std::uint32_t count = cases ? static_cast<std::uint32_t>(std::atoi(cases)) : 240;
+  const std::uint32_t count = cases ? static_cast<std::uint32_t>(std::atoi(cases)) : 1000;
   std::size_t failed = 0;
   for (std::uint32_t seed = 0; seed < count; ++seed) {
     const Case c = random_case(seed);
