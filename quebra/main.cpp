@@ -4,6 +4,7 @@
 
 #include "quebra/core/operations.h"
 #include "shared/cli/cli.h"
+#include "shared/cli/offset_command.h"
 #ifdef DOBRA_WITH_GUI
 #include "quebra/gui/window.h"
 #endif
@@ -22,5 +23,5 @@ int main(int argc, char** argv) {
     return quebra::gui::run_window(file, options);
   };
 #endif
-  return dobra::cli::run_program(quebra::core::program(), argc, argv, window);
+  return dobra::cli::run_program(quebra::core::program(), argc, argv, window, {dobra::cli::offset_command()});
 }

@@ -27,7 +27,7 @@ const std::map<std::string, std::set<std::string>>& arrows() {
       {"shared/io", {"shared/mesh", "shared/scene"}},
       {"shared/scenario", {"shared/io"}},
       {"shared/render", {"shared/scene", "shared/io"}},
-      {"shared/cli", {"shared/render", "shared/scenario"}},
+      {"shared/cli", {"shared/render", "shared/scenario", "shared/offset"}},
       {"shared/gui", {"shared/render", "shared/scenario"}},
       {"recon/core", {"shared/offset", "shared/mesh", "shared/scene", "shared/io", "shared/scenario"}},
       {"quebra/core", {"shared/offset", "shared/mesh", "shared/scene", "shared/io", "shared/scenario"}},

@@ -3,19 +3,17 @@
 // 3. Each OGR feature becomes a Feature; anything GDAL reported as a failure on the way is our error.
 
 #include <cpl_conv.h>
-#include <cpl_error.h>
-#include <cpl_vsi.h>
 #include <fmt/format.h>
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
 #include <algorithm>
-#include <atomic>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "shared/io/file.h"
+#include "shared/io/gdal.h"
 #include "shared/io/geojson.h"
 #include "shared/io/scan.h"
 
@@ -68,46 +66,6 @@ Result<void> check_syntax(std::string_view text, const std::string& file) {
                            shown(text.substr(check.offset, text.find_first_of("\r\n", check.offset) - check.offset))),
                place};
 }
-
-// What GDAL says in this thread while the object lives goes here instead of to standard error.
-class GdalMessages {
- public:
-  GdalMessages() { CPLPushErrorHandlerEx(&GdalMessages::collect, this); }
-  ~GdalMessages() { CPLPopErrorHandler(); }
-  GdalMessages(const GdalMessages&) = delete;
-  GdalMessages& operator=(const GdalMessages&) = delete;
-
-  std::optional<std::string> failure;
-  std::vector<std::string> warnings;
-
- private:
-  static void CPL_STDCALL collect(CPLErr severity, CPLErrorNum, const char* message) {
-    auto* self = static_cast<GdalMessages*>(CPLGetErrorHandlerUserData());
-    std::string line = message;
-    std::replace(line.begin(), line.end(), '\n', ' ');
-    if (severity >= CE_Failure && !self->failure) self->failure = line;
-    if (severity == CE_Warning) self->warnings.push_back(line);
-  }
-};
-
-// The text as a file of GDAL's memory file system.
-class MemoryFile {
- public:
-  explicit MemoryFile(std::string_view text) {
-    static std::atomic<unsigned> count{0};
-    name_ = fmt::format("/vsimem/dobra_{}.geojson", count++);
-    // GDAL only reads it: the data set is opened read-only and the buffer is not owned.
-    auto* data = reinterpret_cast<GByte*>(const_cast<char*>(text.data()));
-    if (VSILFILE* file = VSIFileFromMemBuffer(name_.c_str(), data, text.size(), FALSE)) VSIFCloseL(file);
-  }
-  ~MemoryFile() { VSIUnlink(name_.c_str()); }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-  [[nodiscard]] const char* name() const { return name_.c_str(); }
-
- private:
-  std::string name_;
-};
 
 Polyline polyline_of(const OGRSimpleCurve& curve) {
   Polyline part;
@@ -238,7 +196,7 @@ Result<Features> parse_geojson(std::string_view text, const std::string& file) {
   static std::once_flag registered;
   std::call_once(registered, [] { RegisterOGRGeoJSON(); });
   const GdalMessages messages;
-  const MemoryFile memory(text);
+  const GdalMemoryFile memory(text, ".geojson");
   const char* const drivers[] = {"GeoJSON", nullptr};
   const char* const options[] = {"DATE_AS_STRING=YES", nullptr};
   const GDALDatasetUniquePtr data(

@@ -1,0 +1,30 @@
+#pragma once
+// The curves of a file in any of the formats that hold curves: one entry for commands that take "a file of lines".
+
+#include <string>
+#include <vector>
+
+#include "shared/base/result.h"
+#include "shared/geom/polyline.h"
+
+namespace dobra::io {
+
+struct NamedCurve {
+  /// As in the file; a further part of the same feature has " (2)" and so on added; "curve N" (N = its 1-based number
+  /// in `Curves::curves`) where the file gives no name. Names may repeat if the file repeats them.
+  std::string name;
+  geom::Polyline line;  ///< Open in the order of the file; contours of polygons anticlockwise, their holes clockwise.
+};
+
+struct Curves {
+  std::vector<NamedCurve> curves;    ///< At least one, in file order.
+  std::vector<std::string> remarks;  ///< What was changed or left out on reading, one line each.
+};
+
+/// Reads by the ending of the name, capitals or not: .txt .csv .tsv .dat (columns of numbers; a blank line begins a new
+/// line, a last point equal to the first closes it), .wkt, .geojson .json, .dxf. Points that belong to no line are left
+/// out with a remark.
+/// @error UnknownFormat naming what is read; BadFormat if there is no line and no polygon; those of the readers.
+base::Result<Curves> read_curves(const std::string& path);
+
+}  // namespace dobra::io

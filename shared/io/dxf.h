@@ -1,0 +1,26 @@
+#pragma once
+// Lines and polylines of DXF drawings (R12 and later, text form): LINE, POLYLINE, LWPOLYLINE, and ARC, CIRCLE, ELLIPSE,
+// SPLINE and bulges as chords. An own pass over the group codes finds what is broken, with its line; GDAL/OGR then
+// reads the entities, those of inserted blocks included. Source: [gdal].
+
+#include <string>
+#include <string_view>
+
+#include "shared/base/result.h"
+#include "shared/io/feature.h"
+
+namespace dobra::io {
+
+/// The lines of a drawing, one feature an entity, in drawing units (taken as metres), x right and y up.
+/// A layer is both kind and name: the first entity of layer "TOP" is "TOP", the next "TOP 2"; layer "0", which stands
+/// for none, gives neither. Closed entities, and those whose last point repeats the first, are Polygons of one
+/// anticlockwise contour; the others are Lines in the order of drawing. A remark says what was dropped: third
+/// coordinates, repeated points, entities that are no lines (texts, points, hatches, ...).
+/// @error EmptyFile; BadFormat with the line: binary, a group code or a coordinate that is no number, the end missing
+///        (a file cut short), no section ENTITIES; NotFinite, DegenerateCurve: the place's item is the entity.
+/// @cost  O(file size).
+base::Result<Features> parse_dxf(std::string_view text, const std::string& file);
+/// @error FileNotFound, NotAFile, CannotRead, and those of parse_dxf.
+base::Result<Features> read_dxf(const std::string& path);
+
+}  // namespace dobra::io
