@@ -9,11 +9,6 @@
 #include "shared/gui/app.h"
 #include "shared/gui/text.h"
 
-// Libraries stay loaded until the process ends. Drivers that Qt and VTK unload keep memory in their globals; once they are
-// gone, LeakSanitizer finds that memory without an owner and without a name to suppress it by.
-extern "C" int dlclose(void*);
-extern "C" int dlclose(void*) { return 0; }
-
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   if (testing::GTEST_FLAG(list_tests)) return RUN_ALL_TESTS();
