@@ -13,7 +13,7 @@
 #include "shared/geom/intersect.h"
 #include "shared/geom/spatial_index.h"
 #include "shared/offset/distances.h"
-#include "shared/offset/offset.h"
+#include "shared/offset/arcs.h"
 
 // Overview
 //   1 the base: the named curves as one chain, followed finely (or as they will be divided);
@@ -334,7 +334,8 @@ Result<Model> add_constraints(const Model& model, const ConstraintParams& params
     const auto last_edge = static_cast<std::uint32_t>(lengthened_base.segment_count() - 1);
     std::size_t number = 0;
     for (const auto& offset_piece : curves.front().pieces) {
-      for (Piece& piece : cutter.cut(offset_piece.polyline, offset_piece.base_edge)) {
+      const dobra::offset::Chords drawn = dobra::offset::chords(offset_piece, lengthened_base);
+      for (Piece& piece : cutter.cut(drawn.polyline, drawn.base_edge)) {
         if (!base.closed) take_back(piece, last_edge);
         if (piece.line.segment_count() == 0) continue;
         Constraint made = make_constraint(domain, std::move(piece), distances[k], spacing, params.spacing);

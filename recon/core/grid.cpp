@@ -9,8 +9,8 @@
 #include "shared/base/parallel.h"
 #include "shared/base/text.h"
 #include "shared/geom/simplify.h"
+#include "shared/offset/arcs.h"
 #include "shared/offset/distances.h"
-#include "shared/offset/offset.h"
 
 namespace recon::core {
 
@@ -85,7 +85,7 @@ base::Result<Grid> make_grid(const geom::Polyline& line, const Columns& columns,
   Grid grid;
   for (auto& curve : curves) {
     GridCurve made{curve.distance, {}};
-    for (auto& piece : curve.pieces) made.pieces.push_back(std::move(piece.polyline));
+    for (const auto& piece : curve.pieces) made.pieces.push_back(dobra::offset::chords(piece, line).polyline);
     if (made.pieces.empty()) ++grid.vanished;
     grid.left_out += curve.dropped;
     grid.curves.push_back(std::move(made));

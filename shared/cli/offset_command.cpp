@@ -156,7 +156,6 @@ Result<offset::OffsetOptions> offset_options(const Options& options) {
     }
     result.mitre_limit = *options.mitre_limit;
   }
-  result.arc_tolerance = options.arc_tolerance.value_or(result.arc_tolerance);
   return result;
 }
 
@@ -179,8 +178,8 @@ Result<std::vector<io::NamedCurve>> chosen(std::vector<io::NamedCurve> all, cons
 }
 
 void note_empty(Session& session, const OffsetFamily& family) {
-  for (const offset::OffsetCurve& curve : family.curves) {
-    if (!curve.pieces.empty()) continue;
+  for (const DrawnOffset& curve : family.curves) {
+    if (!curve.lines.empty()) continue;
     session.note(
         fmt::format("{}: nothing remains at distance {}", family.base.name, base::number_text(curve.distance)));
   }
@@ -205,7 +204,10 @@ Result<std::vector<OffsetFamily>> families_of(Session& session, const Options& o
     auto curves =
         offset::offset(base_curve.line, distances, settings, progress.part(done / total, (done + 1.0) / total));
     if (!curves) return base::located(curves.error(), base::Place{.file = options.file, .item = base_curve.name});
-    families.push_back({std::move(base_curve), settings.treatment, std::move(*curves)});
+    OffsetFamily family{.base = std::move(base_curve), .treatment = settings.treatment, .curves = {}};
+    const double tolerance = options.arc_tolerance.value_or(offset::default_arc_tolerance);
+    for (const offset::OffsetCurve& curve : *curves) family.curves.push_back(drawn(curve, family.base.line, tolerance));
+    families.push_back(std::move(family));
     note_empty(session, families.back());
   }
   return families;

@@ -18,8 +18,6 @@ namespace dobra::cli {
 
 using base::Error;
 using base::ErrorCode;
-using offset::OffsetCurve;
-using offset::OffsetPiece;
 
 namespace {
 
@@ -41,25 +39,24 @@ std::string points_json(const geom::Polyline& line) {
   return text + ']';
 }
 
-std::string curve_json(const OffsetFamily& family, const OffsetCurve& curve, bool with_name) {
+std::string curve_json(const OffsetFamily& family, const DrawnOffset& curve, bool with_name) {
   std::string text = "{";
   if (with_name) {
     const nlohmann::json name = family.base.name;
     text += "\"curve\":" + name.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + ',';
   }
-  const std::optional<double> area = area_of(family, curve);
-  text += fmt::format("\"distance\":{},\"length\":{},\"area\":{},\"pieces\":[", base::number_text(curve.distance),
-                      base::number_text(length_of(curve)), area ? base::number_text(*area) : "null");
-  for (std::size_t i = 0; i < curve.pieces.size(); ++i) {
-    const geom::Polyline& line = curve.pieces[i].polyline;
+    text += fmt::format("\"distance\":{},\"length\":{},\"area\":{},\"pieces\":[", base::number_text(curve.distance),
+                      base::number_text(curve.length), curve.area ? base::number_text(*curve.area) : "null");
+  for (std::size_t i = 0; i < curve.lines.size(); ++i) {
+    const geom::Polyline& line = curve.lines[i];
     text += fmt::format("{}{{\"closed\":{},\"points\":{}}}", i > 0 ? "," : "", line.closed, points_json(line));
   }
   return text + "]}";
 }
 
-std::size_t point_count(const OffsetCurve& curve) {
+std::size_t point_count(const DrawnOffset& curve) {
   std::size_t count = 0;
-  for (const OffsetPiece& piece : curve.pieces) count += piece.polyline.points.size();
+  for (const geom::Polyline& line : curve.lines) count += line.points.size();
   return count;
 }
 
@@ -83,13 +80,13 @@ std::size_t contour_round(const geom::Polyline& hole, const std::vector<geom::Po
 }
 
 /// Pieces as polygons: each contour anticlockwise, followed by its holes clockwise. Nothing if they are no polygons.
-std::optional<std::vector<geom::Polyline>> polygon_parts(const OffsetFamily& family, const OffsetCurve& curve) {
-  if (family.treatment == offset::Treatment::Untreated || !area_of(family, curve)) return std::nullopt;
+std::optional<std::vector<geom::Polyline>> polygon_parts(const OffsetFamily& family, const DrawnOffset& curve) {
+  if (family.treatment == offset::Treatment::Untreated || !curve.area) return std::nullopt;
   const bool clockwise_base = geom::signed_area(family.base.line) < 0.0;
   std::vector<geom::Polyline> contours;
   std::vector<geom::Polyline> holes;
-  for (const OffsetPiece& piece : curve.pieces) {
-    geom::Polyline line = clockwise_base ? geom::reversed(piece.polyline) : piece.polyline;
+  for (const geom::Polyline& drawn_line : curve.lines) {
+    geom::Polyline line = clockwise_base ? geom::reversed(drawn_line) : drawn_line;
     (geom::signed_area(line) > 0.0 ? contours : holes).push_back(std::move(line));
   }
   std::vector<std::vector<geom::Polyline>> holes_of(contours.size());
@@ -106,18 +103,18 @@ std::optional<std::vector<geom::Polyline>> polygon_parts(const OffsetFamily& fam
   return parts;
 }
 
-io::Feature feature_of(const OffsetFamily& family, const OffsetCurve& curve) {
+io::Feature feature_of(const OffsetFamily& family, const DrawnOffset& curve) {
   io::Feature feature;
   feature.name = fmt::format("{} at {}", family.base.name, base::number_text(curve.distance));
   feature.kind = "offset";
-  feature.properties = {{"curve", family.base.name}, {"distance", curve.distance}, {"length", length_of(curve)}};
-  if (const auto area = area_of(family, curve)) feature.properties.emplace_back("area", *area);
+  feature.properties = {{"curve", family.base.name}, {"distance", curve.distance}, {"length", curve.length}};
+  if (curve.area) feature.properties.emplace_back("area", *curve.area);
   if (auto parts = polygon_parts(family, curve)) {
     feature.type = io::FeatureType::Polygons;
     feature.parts = std::move(*parts);
     return feature;
   }
-  for (const OffsetPiece& piece : curve.pieces) feature.parts.push_back(piece.polyline);
+  feature.parts = curve.lines;
   return feature;
 }
 
@@ -125,8 +122,8 @@ io::Feature feature_of(const OffsetFamily& family, const OffsetCurve& curve) {
 std::vector<io::Feature> features_of(const std::vector<OffsetFamily>& families) {
   std::vector<io::Feature> features;
   for (const OffsetFamily& family : families) {
-    for (const OffsetCurve& curve : family.curves) {
-      if (!curve.pieces.empty()) features.push_back(feature_of(family, curve));
+    for (const DrawnOffset& curve : family.curves) {
+      if (!curve.lines.empty()) features.push_back(feature_of(family, curve));
     }
   }
   return features;
@@ -141,20 +138,20 @@ bool in_legend(std::size_t i, std::size_t count) {
 
 }  // namespace
 
-double length_of(const OffsetCurve& curve) {
-  double sum = 0.0;
-  for (const OffsetPiece& piece : curve.pieces) sum += geom::length(piece.polyline);
-  return sum;
-}
-
-std::optional<double> area_of(const OffsetFamily& family, const OffsetCurve& curve) {
-  if (curve.pieces.empty()) return family.base.line.closed ? std::optional(0.0) : std::nullopt;
-  double sum = 0.0;
-  for (const OffsetPiece& piece : curve.pieces) {
-    if (!piece.polyline.closed) return std::nullopt;
-    sum += geom::signed_area(piece.polyline);
+DrawnOffset drawn(const offset::OffsetCurve& curve, const geom::Polyline& base, double tolerance) {
+  DrawnOffset made;
+  made.distance = curve.distance;
+  made.area = 0.0;
+  made.dropped = curve.dropped;
+  if (curve.pieces.empty() && !base.closed) made.area.reset();
+  for (const offset::OffsetPiece& piece : curve.pieces) {
+    made.length += offset::length(piece, base);
+    if (!piece.closed) made.area.reset();
+    if (made.area) *made.area += offset::signed_area(piece, base);
+    made.lines.push_back(offset::chords(piece, base, tolerance).polyline);
   }
-  return std::abs(sum);
+  if (made.area) made.area = std::abs(*made.area);
+  return made;
 }
 
 std::string offset_json(const std::vector<OffsetFamily>& families) {
@@ -162,7 +159,7 @@ std::string offset_json(const std::vector<OffsetFamily>& families) {
   std::size_t dropped = 0;
   bool first = true;
   for (const OffsetFamily& family : families) {
-    for (const OffsetCurve& curve : family.curves) {
+    for (const DrawnOffset& curve : family.curves) {
       if (!first) text += ',';
       first = false;
       text += curve_json(family, curve, families.size() > 1);
@@ -186,10 +183,9 @@ std::string offset_table(const std::vector<OffsetFamily>& families) {
   };
   std::string text = row("curve", "distance", "pieces", "points", "length", "area");
   for (const OffsetFamily& family : families) {
-    for (const OffsetCurve& curve : family.curves) {
-      const auto area = area_of(family, curve);
-      text += row(family.base.name, fmt::format("{:.7g}", curve.distance), curve.pieces.size(), point_count(curve),
-                  fmt::format("{:.7g}", length_of(curve)), area ? fmt::format("{:.7g}", *area) : std::string("-"));
+    for (const DrawnOffset& curve : family.curves) {
+      text += row(family.base.name, fmt::format("{:.7g}", curve.distance), curve.lines.size(), point_count(curve),
+                  fmt::format("{:.7g}", curve.length), curve.area ? fmt::format("{:.7g}", *curve.area) : std::string("-"));
     }
   }
   return text;
@@ -201,7 +197,8 @@ scene::Picture offset_picture(const std::vector<OffsetFamily>& families) {
   for (std::size_t k = 0; k < count; ++k) {
     scene::Lines lines;
     for (const OffsetFamily& family : families) {
-      for (const OffsetPiece& piece : family.curves[k].pieces) lines.lines.push_back(piece.polyline);
+      const auto& drawn_lines = family.curves[k].lines;
+      lines.lines.insert(lines.lines.end(), drawn_lines.begin(), drawn_lines.end());
     }
     // Viridis without its light yellow end, which is hard to see on white.
     const double fraction = count > 1 ? 0.85 * static_cast<double>(k) / static_cast<double>(count - 1) : 0.4;
@@ -239,8 +236,8 @@ base::Result<void> write_offset(const std::vector<OffsetFamily>& families, const
   if (ending == ".wkt") return io::write_wkt(file.string(), features_of(families));
   std::vector<geom::Polyline> lines;
   for (const OffsetFamily& family : families) {
-    for (const OffsetCurve& curve : family.curves) {
-      for (const OffsetPiece& piece : curve.pieces) lines.push_back(piece.polyline);
+    for (const DrawnOffset& curve : family.curves) {
+      lines.insert(lines.end(), curve.lines.begin(), curve.lines.end());
     }
   }
   return io::write_points_csv(file.string(), lines);

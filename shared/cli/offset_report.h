@@ -7,24 +7,31 @@
 #include <vector>
 
 #include "shared/io/curves.h"
-#include "shared/offset/offset.h"
+#include "shared/offset/arcs.h"
 #include "shared/scene/layer.h"
 
 namespace dobra::cli {
+
+/// An offset curve as it is given out. Length and area are those of the true arcs; the lines have chords instead.
+struct DrawnOffset {
+  double distance = 0.0;
+  double length = 0.0;         ///< Of all pieces, m.
+  /// What the pieces enclose, m2: outer contours minus holes. 0 where nothing remains of a closed base; nothing where a
+  /// piece (or, without pieces, the base) is open.
+  std::optional<double> area;
+  std::vector<geom::Polyline> lines;
+  std::size_t dropped = 0;
+};
 
 /// One curve of the file and the curves parallel to it, by distance.
 struct OffsetFamily {
   io::NamedCurve base;
   offset::Treatment treatment = offset::Treatment::Treated;
-  std::vector<offset::OffsetCurve> curves;
+  std::vector<DrawnOffset> curves;
 };
 
-/// Length of all pieces, m.
-double length_of(const offset::OffsetCurve& curve);
-
-/// What the pieces enclose, m2: outer contours minus holes. 0 where nothing remains of a closed base; nothing where a
-/// piece (or, without pieces, the base) is open.
-std::optional<double> area_of(const OffsetFamily& family, const offset::OffsetCurve& curve);
+/// @param tolerance  of the chords, in D; see offset::chords.
+DrawnOffset drawn(const offset::OffsetCurve& curve, const geom::Polyline& base, double tolerance);
 
 /// {"curves":[{"distance":d,"length":L,"area":A or null,"pieces":[{"closed":b,"points":[[x,y],...]}]}],"dropped":n},
 /// one line, every digit; "curve":name comes first in each where there are several families.

@@ -164,18 +164,14 @@ OffsetPiece Trimmer::output(const Chain& chain) const {
     std::rotate(spans.begin(), spans.begin() + static_cast<std::ptrdiff_t>(start), spans.end());
   }
   const auto point = [](Flat p) { return geom::Point{p.x, p.y}; };
-  const bool chords = options_.join == Join::Round;
-  PieceWriter writer(base_, outline_.distance(), options_.arc_tolerance, chords ? ArcStyle::Chords : ArcStyle::OneChord);
+  PieceWriter writer(base_, options_.join);
   writer.reserve(spans.size() + 1);
-  for (std::size_t i = 0; i < spans.size(); ++i) {
-    const Site site = pieces_[spans[i].piece].site;
-    const Flat b = i + 1 < spans.size() ? spans[i + 1].a : chain.closed ? spans.front().a : end;
-    const bool halves = !chords && site.role == Role::SecondArc && i > 0 &&
-                        pieces_[spans[i - 1].piece].site == Site{site.step, Role::Arc};  // one chord for both
-    if (site.role == Role::Line || site.role == Role::Bevel) {
-      writer.add(point(spans[i].a), site.step);
-    } else if (!halves) {
-      writer.add_arc(point(outline_.to<double>(site.step)), point(spans[i].a), point(b), site.step);
+  for (const Span& span : spans) {
+    const Site site = pieces_[span.piece].site;
+    if (pieces_[span.piece].is_line()) {
+      writer.add_line(point(span.a), site.step);
+    } else {
+      writer.add_arc(point(span.a), site.step);
     }
   }
   return chain.closed ? writer.finish_closed() : writer.finish_open(point(end));

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "shared/geom/predicates.h"
+#include "shared/offset/arcs.h"
 
 namespace dobra::offset {
 
@@ -146,11 +147,12 @@ Fill fill_of(const BaseCurve& base, std::size_t corner, const OffsetOptions& opt
   return options.beyond_limit == BeyondLimit::TangentBevel ? Fill::Tangent : Fill::Arc;
 }
 
-RawChain raw_chain(const BaseCurve& base, Real distance, const OffsetOptions& options) {
+RawChain raw_chain(const BaseCurve& base, Real distance, const OffsetOptions& options, RawArcs arcs) {
   RawChain chain;
   const auto add = [&](Vec p, std::size_t segment) {
     chain.points.push_back(p);
     chain.segment.push_back(static_cast<std::uint32_t>(segment));
+    chain.is_arc.push_back(false);
   };
   const std::size_t count = base.segment_count();
   if (!base.closed) add(base.from(0) + distance * base.normal(0), 0);
@@ -171,12 +173,15 @@ RawChain raw_chain(const BaseCurve& base, Real distance, const OffsetOptions& op
       add(first + q * base.along(i), i);
       return add(second - q * base.along(next), next);
     }
-    add(first, i);
-    const bool chord = options.join != Join::Round;
+    if (options.join != Join::Round || arcs == RawArcs::Kept) {
+      add(first, i);
+      chain.is_arc.back() = options.join == Join::Round;
+      return add(second, next);
+    }
     const Real angle = 2 * std::atan(t);
-    const Real step = 2 * std::acos(1 - static_cast<Real>(options.arc_tolerance));
-    const auto parts = chord ? 1 : std::max<long>(1, std::lround(std::ceil(angle / step)));
-    for (long k = 1; k < parts; ++k) {
+    const Real step = 2 * std::acos(1 - static_cast<Real>(default_arc_tolerance));
+    const auto parts = std::max<long>(1, std::lround(std::ceil(angle / step)));
+    for (long k = 0; k < parts; ++k) {
       const Real a = angle * static_cast<Real>(k) / static_cast<Real>(parts);
       add(p + distance * (std::cos(a) * base.normal(i) + std::sin(a) * base.along(i)), i);
     }
@@ -193,6 +198,7 @@ RawChain raw_chain(const BaseCurve& base, Real distance, const OffsetOptions& op
         std::find(chain.segment.begin(), chain.segment.end(), 0U) - chain.segment.begin());
     std::rotate(chain.points.begin(), chain.points.begin() + first, chain.points.end());
     std::rotate(chain.segment.begin(), chain.segment.begin() + first, chain.segment.end());
+    std::rotate(chain.is_arc.begin(), chain.is_arc.begin() + first, chain.is_arc.end());
   }
   return chain;
 }

@@ -68,8 +68,10 @@ base::Result<BaseCurve> prepare(const geom::Polyline& curve, Side side, double e
 struct RawChain {
   std::vector<Vec> points;
   std::vector<std::uint32_t> segment;
+  std::vector<char> is_arc;
 };
-RawChain raw_chain(const BaseCurve& base, Real distance, const OffsetOptions& options);
+enum class RawArcs { Kept, Chords };
+RawChain raw_chain(const BaseCurve& base, Real distance, const OffsetOptions& options, RawArcs arcs);
 
 /// How a corner on the outer side is filled.
 enum class Fill { Mitre, Tangent, Arc };

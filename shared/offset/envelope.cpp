@@ -164,16 +164,14 @@ Point Envelope::entry(const Part& part, Point end, Point disc) const {
 
 OffsetPiece Envelope::write(const OffsetOptions& options) const {
   if (parts_.size() < 2) return {};
-  PieceWriter writer(base_, d_, options.arc_tolerance,
-                     options.join == Join::Round ? ArcStyle::Chords : ArcStyle::OneChord);
+  PieceWriter writer(base_, options.join);
   writer.reserve(parts_.size());
   for (std::size_t k = 1; k < parts_.size(); ++k) {
     const Part& part = parts_[k];
-    const std::size_t segment = part.site / 2;
     if (part.is_arc()) {
-      writer.add_arc(base_.end(segment), part.start, k + 1 < parts_.size() ? parts_[k + 1].start : tip_, segment);
+      writer.add_arc(part.start, part.site / 2);
     } else {
-      writer.add(part.start, segment);
+      writer.add_line(part.start, part.site / 2);
     }
   }
   return writer.finish_open(tip_);

@@ -8,6 +8,7 @@
 #include "shared/base/parallel.h"
 #include "shared/base/text.h"
 #include "shared/geom/intersect.h"
+#include "shared/offset/arcs.h"
 #include "shared/offset/chain_tree.h"
 #include "shared/offset/envelope.h"
 #include "shared/offset/sections.h"
@@ -30,9 +31,6 @@ Result<void> check(const OffsetOptions& options, std::span<const double> distanc
     }
   }
   if (!(options.mitre_limit >= 1.0)) return invalid("the mitre limit must be at least 1");
-  if (!(options.arc_tolerance > 0.0 && options.arc_tolerance <= 0.5)) {
-    return invalid("the arc tolerance must be above 0 and at most 0.5 of the distance");
-  }
   if (options.ends == Ends::Extended && !(options.extension > 0.0 && std::isfinite(options.extension))) {
     return invalid("the extension of the ends must be above 0");
   }
@@ -40,11 +38,15 @@ Result<void> check(const OffsetOptions& options, std::span<const double> distanc
 }
 
 OffsetCurve untreated(const BaseCurve& base, double distance, const OffsetOptions& options) {
-  const RawChain chain = raw_chain(base, distance, options);
+  const RawChain chain = raw_chain(base, distance, options, RawArcs::Kept);
   OffsetPiece piece;
-  piece.polyline.closed = base.closed;
-  for (const Vec p : chain.points) piece.polyline.points.push_back(base.user(p));
-  for (const std::uint32_t segment : chain.segment) piece.base_edge.push_back(base.source[segment]);
+  piece.side = options.side;
+  piece.closed = base.closed;
+  for (const Vec p : chain.points) piece.points.push_back(base.user(p));
+  for (std::size_t i = 0; i < chain.segment.size(); ++i) {
+    const std::uint32_t segment = base.source[chain.segment[i]];
+    piece.edges.push_back(chain.is_arc[i] ? OffsetEdge::arc(segment) : OffsetEdge::line(segment));
+  }
   OffsetCurve curve;
   curve.distance = distance;
   curve.pieces.push_back(std::move(piece));
@@ -52,14 +54,13 @@ OffsetCurve untreated(const BaseCurve& base, double distance, const OffsetOption
 }
 
 /// An open base keeps its longest piece.
-void keep_longest(OffsetCurve& curve) {
+void keep_longest(OffsetCurve& curve, const geom::Polyline& base) {
   if (curve.pieces.size() < 2) return;
-  std::size_t best = 0;
-  for (std::size_t i = 1; i < curve.pieces.size(); ++i) {
-    if (geom::length(curve.pieces[i].polyline) > geom::length(curve.pieces[best].polyline)) best = i;
-  }
+  const auto best = std::max_element(curve.pieces.begin(), curve.pieces.end(), [&](const auto& a, const auto& b) {
+    return length(a, base) < length(b, base);
+  });
   curve.dropped = curve.pieces.size() - 1;
-  OffsetPiece kept = std::move(curve.pieces[best]);
+  OffsetPiece kept = std::move(*best);
   curve.pieces.clear();
   curve.pieces.push_back(std::move(kept));
 }
@@ -87,14 +88,15 @@ bool meets_itself(const BaseCurve& base) {
 
 /// What all distances share.
 struct Prepared {
+  const geom::Polyline* curve = nullptr;  ///< As given.
   BaseCurve base{};
   std::optional<geom::Vector> forward{};  ///< See monotone_direction.
   bool simple = false;                  ///< Closed, and does not meet itself.
   std::unique_ptr<const Clearance> clearance{};  ///< Only where it is needed.
 };
 
-Prepared prepared(BaseCurve base, const OffsetOptions& options) {
-  Prepared made{.base = std::move(base), .forward = {}, .simple = false, .clearance = {}};
+Prepared prepared(const geom::Polyline& curve, BaseCurve base, const OffsetOptions& options) {
+  Prepared made{.curve = &curve, .base = std::move(base), .forward = {}, .simple = false, .clearance = {}};
   if (options.treatment == Treatment::Untreated) return made;
   made.forward = monotone_direction(made.base);
   made.simple = made.base.closed && !meets_itself(made.base);
@@ -107,7 +109,7 @@ OffsetCurve treated(const Prepared& input, double distance, const OffsetOptions&
   curve.distance = distance;
   if (input.forward && arcs_only(options)) {
     OffsetPiece piece = monotone_offset(base, *input.forward, distance, options);
-    if (!piece.polyline.points.empty()) curve.pieces.push_back(std::move(piece));
+    if (!piece.points.empty()) curve.pieces.push_back(std::move(piece));
     return curve;
   }
   const Outline::Sides sides = input.simple    ? Outline::Sides::Right
@@ -115,7 +117,7 @@ OffsetCurve treated(const Prepared& input, double distance, const OffsetOptions&
                                                : Outline::Sides::Both;
   Trimmer trimmer(base, *input.clearance, sides, distance, options);
   curve.pieces = trimmer.run();
-  if (!base.closed) keep_longest(curve);
+  if (!base.closed) keep_longest(curve, *input.curve);
   return curve;
 }
 
@@ -141,7 +143,7 @@ Result<std::vector<OffsetCurve>> offset(const geom::Polyline& curve, std::span<c
   const bool stepped = options.ends == Ends::Paper && !base.closed && options.treatment == Treatment::Treated;
   Prepared input;
   if (!stepped && !extended) {
-    input = prepared(std::move(base), options);
+    input = prepared(curve, std::move(base), options);
     add_clearance(input, options);
   }
   std::atomic<std::size_t> finished = 0;
@@ -154,7 +156,7 @@ Result<std::vector<OffsetCurve>> offset(const geom::Polyline& curve, std::span<c
       result = run_stepper(curve, d, options);
     } else if (extended) {
       DOBRA_TRY(BaseCurve longer, prepare(curve, options.side, options.extension * d));
-      Prepared own = prepared(std::move(longer), options);
+      Prepared own = prepared(curve, std::move(longer), options);
       add_clearance(own, options);
       result = curve_at(own, d, options);
     } else {

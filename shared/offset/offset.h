@@ -29,7 +29,7 @@ enum class Treatment {
 enum class Join {
   Mitre,     ///< The bisector point up to `mitre_limit`, beyond it what `beyond_limit` says.
   Bisector,  ///< The paper's: always the bisector point, however far (an exact U-turn, which has none, gets a bevel).
-  Round,     ///< An arc about the corner, given as chords.
+  Round,     ///< An arc about the corner.
   Bevel,     ///< The chord of that arc; comes nearer to the corner than D.
 };
 
@@ -52,15 +52,30 @@ struct OffsetOptions {
   BeyondLimit beyond_limit = BeyondLimit::TangentBevel;
   Ends ends = Ends::Trimmed;
   double extension = 1.0;       ///< For Ends::Extended, in D; above 0.
-  double arc_tolerance = 1e-3;  ///< Greatest distance of a chord from its arc, in D; above 0, at most 0.5.
 };
 
-/// One simple curve, oriented like the base.
+/// An edge of a piece: straight, parallel to a base segment (or the bevel at its end); or an arc about the segment's end.
+class OffsetEdge {
+ public:
+  OffsetEdge() = default;
+  static constexpr OffsetEdge line(std::size_t base_edge) { return OffsetEdge(2 * static_cast<std::uint32_t>(base_edge)); }
+  static constexpr OffsetEdge arc(std::size_t base_edge) { return OffsetEdge(2 * static_cast<std::uint32_t>(base_edge) + 1); }
+  /// Index of the segment in the curve given.
+  [[nodiscard]] constexpr std::uint32_t base_edge() const { return code_ / 2; }
+  [[nodiscard]] constexpr bool is_arc() const { return code_ % 2 != 0; }
+  friend constexpr bool operator==(OffsetEdge, OffsetEdge) = default;
+
+ private:
+  explicit constexpr OffsetEdge(std::uint32_t code) : code_(code) {}
+  std::uint32_t code_ = 0;
+};
+
+/// One simple curve of lines and arcs, oriented like the base. arcs.h draws it with chords and measures it.
 struct OffsetPiece {
-  geom::Polyline polyline;
-  /// For each segment of `polyline` the base segment (index into the curve given) that it is parallel to; an arc, chord or
-  /// bevel at a corner counts to the segment before the corner.
-  std::vector<std::uint32_t> base_edge;
+  Side side = Side::RightOfTravel;  ///< Arcs turn to the left on the right side, to the right on the left side.
+  bool closed = false;
+  std::vector<geom::Point> points;
+  std::vector<OffsetEdge> edges;  ///< From each point to the next; as many as points if closed, else one fewer.
 };
 
 struct OffsetCurve {

@@ -1,78 +1,67 @@
 #pragma once
-// Writes a curve of lines and arcs as an OffsetPiece: arcs become chords here and nowhere earlier.
-
-#include <cmath>
+// Writes a curve of lines and arcs as an OffsetPiece, in the user's coordinates.
 
 #include "shared/offset/base_curve.h"
 
 namespace dobra::offset {
 
-/// How an arc of the finished curve is drawn.
-enum class ArcStyle { Chords, OneChord };
-
 class PieceWriter {
  public:
-  PieceWriter(const BaseCurve& base, double distance, double arc_tolerance, ArcStyle style)
-      : base_(base),
-        step_(2 * std::acos(1 - arc_tolerance)),
-        one_chord_(style == ArcStyle::OneChord ? -2 : std::cos(step_) * distance * distance) {}
+  PieceWriter(const BaseCurve& base, Join join) : base_(base), keeps_arcs_(join == Join::Round) {
+    piece_.side = base.mirrored ? Side::LeftOfTravel : Side::RightOfTravel;
+  }
 
   void reserve(std::size_t points) {
-    piece_.polyline.points.reserve(points);
-    piece_.base_edge.reserve(points);
+    piece_.points.reserve(points);
+    piece_.edges.reserve(points);
   }
-  /// A vertex, from which an edge parallel to base segment `segment` leaves.
-  void add(geom::Point p, std::size_t segment) {
-    const geom::Point q = base_.user(p);
-    auto& points = piece_.polyline.points;
-    if (!points.empty() && points.back() == q) {
-      piece_.base_edge.back() = base_.source[segment];
-      return;
-    }
-    points.push_back(q);
-    piece_.base_edge.push_back(base_.source[segment]);
-  }
-  /// The arc about `centre`, anticlockwise from a to b, without its end.
-  void add_arc(geom::Point centre, geom::Point a, geom::Point b, std::size_t segment) {
-    add(a, segment);
-    const geom::Vector from = a - centre;
-    const geom::Vector to = b - centre;
-    if (geom::dot(from, to) >= one_chord_) return;
-    double angle = std::atan2(geom::cross(from, to), geom::dot(from, to));
-    if (angle < 0) angle += 2 * std::acos(-1.0);
-    const auto parts = std::max<long>(1, std::lround(std::ceil(angle / step_)));
-    for (long k = 1; k < parts; ++k) {
-      const double t = angle * static_cast<double>(k) / static_cast<double>(parts);
-      add(centre + (std::cos(t) * from + std::sin(t) * geom::left_of(from)), segment);
-    }
+  /// A point, from which an edge parallel to base segment `segment` leaves.
+  void add_line(geom::Point from, std::size_t segment) { add(from, OffsetEdge::line(base_.source[segment])); }
+  /// A point, from which an arc about the end of base segment `segment` leaves. Arcs of one corner become one.
+  void add_arc(geom::Point from, std::size_t segment) {
+    const OffsetEdge edge = OffsetEdge::arc(base_.source[segment]);
+    if (piece_.edges.empty() || piece_.edges.back() != edge) add(from, edge);
   }
   /// Ends an open curve at p.
   OffsetPiece finish_open(geom::Point p) {
     const geom::Point q = base_.user(p);
-    if (!piece_.polyline.points.empty() && piece_.polyline.points.back() == q) {
-      piece_.base_edge.pop_back();
+    if (!piece_.points.empty() && piece_.points.back() == q) {
+      piece_.edges.pop_back();
     } else {
-      piece_.polyline.points.push_back(q);
+      piece_.points.push_back(q);
     }
-    while (piece_.base_edge.size() >= piece_.polyline.points.size()) piece_.base_edge.pop_back();
-    if (piece_.polyline.points.size() < 2) return {};
-    return std::move(piece_);
+    return piece_.points.size() < 2 ? OffsetPiece{} : finish();
   }
   OffsetPiece finish_closed() {
-    auto& points = piece_.polyline.points;
-    piece_.polyline.closed = true;
-    if (points.size() > 1 && points.front() == points.back()) {
-      points.pop_back();
-      piece_.base_edge.pop_back();
+    piece_.closed = true;
+    if (piece_.points.size() > 1 && piece_.points.front() == piece_.points.back()) {
+      piece_.points.pop_back();
+      piece_.edges.pop_back();
     }
-    if (points.size() < 3) return {};
-    return std::move(piece_);
+    // Two arcs make a lens; two lines make nothing.
+    const bool round = !piece_.edges.empty() && keeps_arcs_ && (piece_.edges.front().is_arc() || piece_.edges.back().is_arc());
+    return piece_.points.size() < (round ? 2 : 3) ? OffsetPiece{} : finish();
   }
 
  private:
+  void add(geom::Point p, OffsetEdge edge) {
+    const geom::Point q = base_.user(p);
+    if (!piece_.points.empty() && piece_.points.back() == q) {
+      piece_.edges.back() = edge;
+      return;
+    }
+    piece_.points.push_back(q);
+    piece_.edges.push_back(edge);
+  }
+  OffsetPiece finish() {
+    if (!keeps_arcs_) {
+      for (OffsetEdge& edge : piece_.edges) edge = OffsetEdge::line(edge.base_edge());
+    }
+    return std::move(piece_);
+  }
+
   const BaseCurve& base_;
-  double step_;
-  double one_chord_;  // one chord suffices where the dot product of the two radii is at least this
+  bool keeps_arcs_;  // chord bevels are the chords of what is left of their arcs
   OffsetPiece piece_;
 };
 

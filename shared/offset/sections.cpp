@@ -39,7 +39,7 @@ std::vector<OffsetPiece> Trimmer::run() {
   std::vector<OffsetPiece> result;
   for (const Chain& chain : assemble()) {
     OffsetPiece piece = output(chain);
-    if (!piece.polyline.points.empty()) result.push_back(std::move(piece));
+    if (!piece.points.empty()) result.push_back(std::move(piece));
   }
   return result;
 }

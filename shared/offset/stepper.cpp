@@ -20,7 +20,7 @@ Result<Stepper> Stepper::start(const geom::Polyline& curve, double distance, con
   Stepper stepper;
   DOBRA_TRY(stepper.base_, prepare(curve, options.side));
   stepper.distance_ = distance;
-  stepper.chain_ = raw_chain(stepper.base_, distance, options);
+  stepper.chain_ = raw_chain(stepper.base_, distance, options, RawArcs::Chords);
   stepper.chain_.segment.resize(stepper.chain_.points.size() - (stepper.base_.closed ? 0 : 1));
   if (stepper.base_.closed) {
     geom::Polyline mirrored{{}, true};
@@ -176,23 +176,24 @@ Result<Stepper::Step> Stepper::step() {
 
 OffsetPiece Stepper::piece(VertexId start, const std::vector<Link>& links, bool closed) const {
   OffsetPiece made;
-  made.polyline.closed = closed;
+  made.side = base_.mirrored ? Side::LeftOfTravel : Side::RightOfTravel;
+  made.closed = closed;
   std::vector<Point> points{subdivision_.point(start)};
-  std::vector<std::uint32_t> edges;
+  std::vector<OffsetEdge> edges;
   for (const Link& link : links) {
     const std::uint32_t source = base_.source[chain_.segment[link.raw]];
-    if (!edges.empty() && edges.back() == source && points.size() > 1 && &link != links.data() &&
+    if (!edges.empty() && edges.back() == OffsetEdge::line(source) && points.size() > 1 && &link != links.data() &&
         (&link - 1)->raw == link.raw) {
       points.back() = subdivision_.point(link.to);  // the raw edge goes straight on
       continue;
     }
     points.push_back(subdivision_.point(link.to));
-    edges.push_back(source);
+    edges.push_back(OffsetEdge::line(source));
   }
   if (closed && points.size() > 1 && points.front() == points.back()) points.pop_back();
   for (Point& p : points) p.y = base_.mirrored ? -p.y : p.y;
-  made.polyline.points = std::move(points);
-  made.base_edge = std::move(edges);
+  made.points = std::move(points);
+  made.edges = std::move(edges);
   return made;
 }
 

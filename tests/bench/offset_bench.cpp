@@ -138,14 +138,14 @@ double raw_seconds(const Polyline& base, const std::vector<double>& distances) {
     std::vector<OffsetPiece> curves;
     for (const double d : distances) {
       OffsetPiece piece;
-      piece.polyline.points.reserve(base.points.size());
-      piece.base_edge.reserve(base.points.size());
+      piece.points.reserve(base.points.size());
+      piece.edges.reserve(base.points.size());
       for (std::size_t i = 0; i < base.segment_count(); ++i) {
         const geom::Segment s = base.segment(i);
         const geom::Vector v = s.vector();
         const double f = d / std::sqrt(geom::dot(v, v));
-        piece.polyline.points.push_back(s.from + f * geom::right_of(v));
-        piece.base_edge.push_back(static_cast<std::uint32_t>(i));
+        piece.points.push_back(s.from + f * geom::right_of(v));
+        piece.edges.push_back(OffsetEdge::line(i));
       }
       curves.push_back(std::move(piece));
     }
@@ -210,7 +210,7 @@ void offset_family(benchmark::State& state, const Family& family) {
   const auto one = offset::offset(base, std::vector<double>{distances[6]}, options);
   const std::size_t highest = peak - before;
   std::size_t output = 0;
-  for (const auto& piece : one->front().pieces) output += 20 * piece.polyline.points.capacity();
+  for (const auto& piece : one->front().pieces) output += 16 * piece.points.capacity() + 4 * piece.edges.capacity();
   const double points = static_cast<double>(base.points.size());
   state.SetComplexityN(static_cast<benchmark::IterationCount>(base.points.size()));
   state.counters["ns_point_curve"] = seconds / 13 / points * 1e9;

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "shared/offset/distances.h"
-#include "shared/offset/offset.h"
+#include "shared/offset/arcs.h"
 #include "shared/offset/stepper.h"
 #include "tests/figures/figures.h"
 
@@ -24,7 +24,7 @@ base::Result<scene::Panel> family(const std::string& title, const geom::Polyline
   DOBRA_TRY(const auto curves, offset::offset(base, distances, options));
   std::vector<geom::Polyline> pieces;
   for (const offset::OffsetCurve& curve : curves) {
-    for (const offset::OffsetPiece& piece : curve.pieces) pieces.push_back(piece.polyline);
+    for (const offset::OffsetPiece& piece : curve.pieces) pieces.push_back(offset::chords(piece, base).polyline);
   }
   return panel(title, {lines("offset curves", stroke(blue, 0.8), std::move(pieces)), base_line(base)}, margin);
 }

@@ -144,7 +144,7 @@ TEST_F(OffsetCommand, JoinsEndsAndTreatmentReachTheLibrary) {
   };
   EXPECT_NEAR(length({"--join", "bisector"}), 10.0, 1e-12);
   EXPECT_NEAR(length({"--join", "bevel"}), 8.0 + std::sqrt(2.0), 1e-12);
-  EXPECT_NEAR(length({"--join", "round", "--arc-tolerance", "1e-6"}), 8.0 + std::acos(-1.0) / 2.0, 1e-4);
+  EXPECT_NEAR(length({"--join", "round", "--arc-tolerance", "1e-6"}), 8.0 + std::acos(-1.0) / 2.0, 1e-12);
   EXPECT_LT(length({"--mitre-limit", "1"}), 9.9);
   EXPECT_NEAR(length({"--ends", "extended"}), 12.0, 1e-12);
   // Check OFF-k of the requirements: the trench is 18 long untreated, a straight line of 10 treated.
@@ -287,7 +287,7 @@ TEST_F(OffsetCommand, PicturesAreWrittenAndShowBaseAndDistances) {
 TEST_F(OffsetCommand, ALongLegendShowsTheFirstAndTheLastDistance) {
   for (const std::size_t count : {12U, 13U, 24U, 25U, 400U}) {
     OffsetFamily family{{"base", {{{0, 0}, {1, 0}}, false}}, offset::Treatment::Treated, {}};
-    for (std::size_t k = 0; k < count; ++k) family.curves.push_back({static_cast<double>(k + 1), {}, 0});
+    for (std::size_t k = 0; k < count; ++k) family.curves.emplace_back().distance = static_cast<double>(k + 1);
     const scene::Picture picture = offset_picture({family});
     const auto& layers = picture.panels.at(0).layers;
     ASSERT_EQ(layers.size(), count + 1);

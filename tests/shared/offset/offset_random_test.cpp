@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-#include "shared/offset/offset.h"
+#include "shared/offset/arcs.h"
 #include "tests/support/offset_oracle.h"
 
 namespace dobra::offset {
@@ -85,15 +85,15 @@ std::string judge(const Case& c, Side side, Join join) {
   OffsetOptions options;
   options.side = side;
   options.join = join;
-  options.arc_tolerance = 1e-4;
   const auto result = offset(c.base, std::vector<double>{c.distance}, options);
   if (!result.ok()) return result.error().message;
   const OffsetCurve& curve = result->front();
   const double slack = join == Join::Round ? 1e-4 + 1e-9 : 1e-9;
   std::vector<Polyline> all;
-  for (const auto& piece : curve.pieces) {
+  for (const auto& arcs : curve.pieces) {
+    const Chords piece = chords(arcs, c.base, 1e-4);
     all.push_back(piece.polyline);
-    if (piece.base_edge.size() != piece.polyline.segment_count()) return "base_edge has the wrong size";
+    if (arcs.edges.size() + (arcs.closed ? 0 : 1) != arcs.points.size()) return "wrong number of edges";
     if (support::least_distance(piece.polyline, c.base) < c.distance * (1.0 - slack)) {
       return "too near: " + std::to_string(support::least_distance(piece.polyline, c.base) / c.distance);
     }

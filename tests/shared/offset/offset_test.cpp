@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "shared/base/parallel.h"
+#include "shared/offset/arcs.h"
 #include "shared/offset/distances.h"
 #include "shared/offset/stepper.h"
 #include "tests/support/offset_oracle.h"
@@ -32,30 +33,36 @@ OffsetCurve run(const Polyline& base, double d, const OffsetOptions& options = {
   return run(base, std::vector<double>{d}, options).front();
 }
 
+/// Of a piece that has no arcs.
+Polyline line_of(const OffsetPiece& piece) {
+  for (const OffsetEdge edge : piece.edges) EXPECT_FALSE(edge.is_arc());
+  return {piece.points, piece.closed};
+}
+
 double total_length(const OffsetCurve& curve) {
   double sum = 0.0;
-  for (const auto& piece : curve.pieces) sum += geom::length(piece.polyline);
+  for (const auto& piece : curve.pieces) sum += geom::length(line_of(piece));
   return sum;
 }
 
 double total_area(const OffsetCurve& curve) {
   double sum = 0.0;
-  for (const auto& piece : curve.pieces) sum += std::abs(geom::signed_area(piece.polyline));
+  for (const auto& piece : curve.pieces) sum += std::abs(geom::signed_area(line_of(piece)));
   return sum;
 }
 
 std::size_t total_crossings(const OffsetCurve& curve) {
   std::size_t sum = 0;
-  for (const auto& piece : curve.pieces) sum += support::crossings(piece.polyline);
+  for (const auto& piece : curve.pieces) sum += support::crossings(line_of(piece));
   return sum;
 }
 
 void expect_clear(const OffsetCurve& curve, const Polyline& base, double relative) {
   EXPECT_EQ(total_crossings(curve), 0U);
   for (const auto& piece : curve.pieces) {
-    EXPECT_GE(support::least_distance(piece.polyline, base), curve.distance * (1.0 - relative)) << "D " << curve.distance;
-    EXPECT_EQ(piece.base_edge.size(), piece.polyline.segment_count());
-    for (const std::uint32_t e : piece.base_edge) EXPECT_LT(e, base.segment_count());
+    EXPECT_GE(support::least_distance(line_of(piece), base), curve.distance * (1.0 - relative)) << "D " << curve.distance;
+    EXPECT_EQ(piece.edges.size(), line_of(piece).segment_count());
+    for (const OffsetEdge e : piece.edges) EXPECT_LT(e.base_edge(), base.segment_count());
   }
 }
 
@@ -87,22 +94,22 @@ OffsetOptions inside(const Polyline& contour) {
 TEST(Offset, OFF_a_SegmentLeftToRightIsOffsetBelow) {
   const OffsetCurve below = run({{{0, 0}, {10, 0}}, false}, 1);
   ASSERT_EQ(below.pieces.size(), 1U);
-  EXPECT_EQ(below.pieces[0].polyline.points, (std::vector<Point>{{0, -1}, {10, -1}}));
-  EXPECT_EQ(below.pieces[0].base_edge, std::vector<std::uint32_t>{0});
+  EXPECT_EQ(below.pieces[0].points, (std::vector<Point>{{0, -1}, {10, -1}}));
+  EXPECT_EQ(below.pieces[0].edges, (std::vector<OffsetEdge>{OffsetEdge::line(0)}));
   const OffsetCurve above = run({{{10, 0}, {0, 0}}, false}, 1);
-  EXPECT_EQ(above.pieces.at(0).polyline.points, (std::vector<Point>{{10, 1}, {0, 1}}));
+  EXPECT_EQ(above.pieces.at(0).points, (std::vector<Point>{{10, 1}, {0, 1}}));
   OffsetOptions left;
   left.side = Side::LeftOfTravel;
-  EXPECT_EQ(run({{{0, 0}, {10, 0}}, false}, 1, left).pieces.at(0).polyline.points, (std::vector<Point>{{0, 1}, {10, 1}}));
+  EXPECT_EQ(run({{{0, 0}, {10, 0}}, false}, 1, left).pieces.at(0).points, (std::vector<Point>{{0, 1}, {10, 1}}));
 }
 
 TEST(Offset, OFF_b_CornerIsMitredOutsideAndCutOnTheBisectorInside) {
   const Polyline corner{{{0, 0}, {4, 0}, {4, 4}}, false};
   const OffsetCurve outer = run(corner, 1);
-  EXPECT_EQ(outer.pieces.at(0).polyline.points, (std::vector<Point>{{0, -1}, {5, -1}, {5, 4}}));
+  EXPECT_EQ(outer.pieces.at(0).points, (std::vector<Point>{{0, -1}, {5, -1}, {5, 4}}));
   EXPECT_NEAR(total_length(outer), 10, 1e-12);
   const OffsetCurve inner = run(geom::reversed(corner), 1);
-  EXPECT_EQ(inner.pieces.at(0).polyline.points, (std::vector<Point>{{3, 4}, {3, 1}, {0, 1}}));
+  EXPECT_EQ(inner.pieces.at(0).points, (std::vector<Point>{{3, 4}, {3, 1}, {0, 1}}));
   EXPECT_NEAR(total_length(inner), 6, 1e-12);
 }
 
@@ -135,10 +142,10 @@ TEST(Offset, OFF_d_OpenEndsAreTrimmedByDistance) {
   // is inside the first raw edge that it keeps. With the rest of that edge the lengths are the oracle's.
   const auto with_rest = [&](std::size_t k) {
     const OffsetPiece& piece = curves[k].pieces.at(0);
-    const Point start = piece.polyline.points.front();
+    const Point start = piece.points.front();
     EXPECT_NEAR(geom::distance(start, base.points.front()), curves[k].distance, 1e-12);
     const OffsetCurve raw = run(base, curves[k].distance, untreated());
-    return total_length(curves[k]) + geom::distance(start, raw.pieces.at(0).polyline.points[piece.base_edge.front()]);
+    return total_length(curves[k]) + geom::distance(start, raw.pieces.at(0).points[piece.edges.front().base_edge()]);
   };
   EXPECT_NEAR(with_rest(11), 14.677773, 1e-5);
   EXPECT_NEAR(with_rest(12), 14.752139, 1e-5);
@@ -147,8 +154,8 @@ TEST(Offset, OFF_d_OpenEndsAreTrimmedByDistance) {
   paper.ends = Ends::Paper;
   const auto tails = run(base, std::vector<double>{2.2, 2.4, 2.6}, paper);
   EXPECT_NEAR(total_length(tails[0]), 14.639779, 1e-5);
-  EXPECT_NEAR(support::least_distance(tails[1].pieces.at(0).polyline, base), 1.58, 0.01);
-  EXPECT_NEAR(support::least_distance(tails[2].pieces.at(0).polyline, base), 1.62, 0.01);
+  EXPECT_NEAR(support::least_distance(line_of(tails[1].pieces.at(0)), base), 1.58, 0.01);
+  EXPECT_NEAR(support::least_distance(line_of(tails[2].pieces.at(0)), base), 1.62, 0.01);
 }
 
 TEST(Offset, OFF_e_FigureEight) {
@@ -171,8 +178,8 @@ TEST(Offset, OFF_f_FigureNineA) {
   for (std::size_t k = 0; k < 7; ++k) {
     EXPECT_EQ(total_crossings(raw[k]), k < 5 ? 0U : 2U) << k;
     ASSERT_EQ(curves[k].pieces.size(), 1U);
-    EXPECT_TRUE(curves[k].pieces[0].polyline.closed);
-    EXPECT_LT(geom::signed_area(curves[k].pieces[0].polyline), 0.0);  // oriented like the base
+    EXPECT_TRUE(curves[k].pieces[0].closed);
+    EXPECT_LT(geom::signed_area(line_of(curves[k].pieces[0])), 0.0);  // oriented like the base
     EXPECT_NEAR(total_area(curves[k]), areas[k], 1e-5);
     expect_clear(curves[k], base, 1e-12);
   }
@@ -214,8 +221,8 @@ TEST(Offset, OFF_j_DumbbellSplitsInTwo) {
     expect_clear(curves[k], bell, 1e-12);
   }
   for (const auto& piece : curves[2].pieces) {
-    EXPECT_NEAR(geom::signed_area(piece.polyline), 2.56, 1e-9);
-    EXPECT_NEAR(geom::length(piece.polyline), 6.4, 1e-9);
+    EXPECT_NEAR(geom::signed_area(line_of(piece)), 2.56, 1e-9);
+    EXPECT_NEAR(geom::length(line_of(piece)), 6.4, 1e-9);
   }
 }
 
@@ -225,7 +232,7 @@ TEST(Offset, OFF_k_TrenchNarrowerThanTwoDistancesIsBridged) {
   const OffsetCurve curve = run(trench, 1.5);
   EXPECT_NEAR(total_length(curve), 10, 1e-12);
   ASSERT_EQ(curve.pieces.size(), 1U);
-  for (const Point p : curve.pieces[0].polyline.points) EXPECT_EQ(p.y, 1.5);
+  for (const Point p : curve.pieces[0].points) EXPECT_EQ(p.y, 1.5);
 }
 
 TEST(Offset, OFF_l_RegularPolygonGrowsByTheApothem) {
@@ -253,8 +260,8 @@ TEST(Offset, OFF_m_MovedTurnedAndScaledInputMovesTheOutput) {
         for (const Point p : base.points) other.points.push_back(moved(p));
         const auto curves = run(other, std::vector<double>{0.3 * scale, 1.1 * scale});
         for (std::size_t k = 0; k < 2; ++k) {
-          const auto& expected = reference[k].pieces.at(0).polyline.points;
-          const auto& got = curves[k].pieces.at(0).polyline.points;
+          const auto& expected = reference[k].pieces.at(0).points;
+          const auto& got = curves[k].pieces.at(0).points;
           ASSERT_EQ(got.size(), expected.size());
           for (std::size_t i = 0; i < got.size(); ++i) EXPECT_LT(geom::distance(got[i], moved(expected[i])), 1e-9 * scale * (1 + shift));
         }
@@ -299,8 +306,11 @@ TEST(Offset, JoinsHaveTheirClosedForms) {
   options.join = Join::Bevel;
   EXPECT_NEAR(total_length(run(corner, 1, options)), 8 + std::sqrt(2.0), 1e-12);
   options.join = Join::Round;
-  options.arc_tolerance = 1e-7;
-  EXPECT_NEAR(total_length(run(corner, 1, options)), 8 + pi / 2, 1e-6);
+  const OffsetCurve round = run(corner, 1, options);
+  EXPECT_EQ(round.pieces.at(0).points, (std::vector<Point>{{-4, -1}, {0, -1}, {1, 0}, {1, 4}}));
+  EXPECT_EQ(round.pieces.at(0).edges, (std::vector<OffsetEdge>{OffsetEdge::line(0), OffsetEdge::arc(0), OffsetEdge::line(1)}));
+  EXPECT_NEAR(length(round.pieces.at(0), corner), 8 + pi / 2, 1e-14);
+  EXPECT_NEAR(geom::length(chords(round.pieces.at(0), corner, 1e-7).polyline), 8 + pi / 2, 1e-6);
   const Polyline spike{{{-4, 0}, {0, 0}, {-4, 0.1}}, false};  // turns by nearly 180 degrees
   const double t = std::tan(0.5 * (pi - std::atan2(0.1, 4.0)));
   options.join = Join::Bisector;
@@ -317,14 +327,14 @@ TEST(Offset, ExtendedEndsReachFurther) {
   options.ends = Ends::Extended;
   const OffsetCurve curve = run({{{0, 0}, {10, 0}}, false}, 2, options);
   EXPECT_NEAR(total_length(curve), 14, 1e-12);
-  for (const std::uint32_t e : curve.pieces.at(0).base_edge) EXPECT_EQ(e, 0U);
+  for (const OffsetEdge e : curve.pieces.at(0).edges) EXPECT_EQ(e.base_edge(), 0U);
 }
 
 TEST(Offset, RepeatedPointsAndFarOriginsChangeNothing) {
   const Polyline base{{{0, 0}, {0, 0}, {4, 0}, {4, 0}, {4, 0}, {4, 4}, {4, 4}}, false};
   const OffsetCurve curve = run(base, 1);
-  EXPECT_EQ(curve.pieces.at(0).polyline.points, (std::vector<Point>{{0, -1}, {5, -1}, {5, 4}}));
-  EXPECT_EQ(curve.pieces.at(0).base_edge, (std::vector<std::uint32_t>{1, 4}));
+  EXPECT_EQ(curve.pieces.at(0).points, (std::vector<Point>{{0, -1}, {5, -1}, {5, 4}}));
+  EXPECT_EQ(curve.pieces.at(0).edges, (std::vector<OffsetEdge>{OffsetEdge::line(1), OffsetEdge::line(4)}));
 }
 
 TEST(Offset, SameBytesWithAnyNumberOfThreads) {
@@ -333,7 +343,7 @@ TEST(Offset, SameBytesWithAnyNumberOfThreads) {
   const auto one = run(c7(), d);
   base::set_thread_count(0);
   const auto many = run(c7(), d);
-  for (std::size_t k = 0; k < d.size(); ++k) EXPECT_EQ(one[k].pieces.at(0).polyline, many[k].pieces.at(0).polyline);
+  for (std::size_t k = 0; k < d.size(); ++k) EXPECT_EQ(one[k].pieces.at(0).points, many[k].pieces.at(0).points);
 }
 
 TEST(Stepper, AgreesWithTheEngineOnOpenAndClosedCurves) {
