@@ -1,10 +1,12 @@
 #include "shared/base/text.h"
 
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <atomic>
 #include <charconv>
+#include <iterator>
 #include <numeric>
 #include <vector>
 
@@ -30,9 +32,15 @@ std::atomic<Translator> current_translator{nullptr};
 
 }  // namespace
 
+void append_number(std::string& text, double value) {
+  const std::size_t begin = text.size();
+  fmt::format_to(std::back_inserter(text), FMT_COMPILE("{}"), value);
+  if (text.find_first_of(".en", begin) == std::string::npos) text += ".0";
+}
+
 std::string number_text(double value) {
-  std::string text = fmt::format("{}", value);
-  if (text.find_first_of(".en") == std::string::npos) text += ".0";
+  std::string text;
+  append_number(text, value);
   return text;
 }
 

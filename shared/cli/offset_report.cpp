@@ -30,17 +30,20 @@ bool is_one_of(const std::string& ending, const Endings& endings) {
   return std::find(endings.begin(), endings.end(), ending) != endings.end();
 }
 
-std::string points_json(const geom::Polyline& line) {
-  std::string text = "[";
-  for (const geom::Point p : line.points) {
-    if (text.size() > 1) text += ',';
-    text += '[' + base::number_text(p.x) + ',' + base::number_text(p.y) + ']';
+void append_points(std::string& text, const geom::Polyline& line) {
+  text += '[';
+  for (std::size_t i = 0; i < line.points.size(); ++i) {
+    text += i > 0 ? ",[" : "[";
+    base::append_number(text, line.points[i].x);
+    text += ',';
+    base::append_number(text, line.points[i].y);
+    text += ']';
   }
-  return text + ']';
+  text += ']';
 }
 
-std::string curve_json(const OffsetFamily& family, const DrawnOffset& curve, bool with_name) {
-  std::string text = "{";
+void append_curve(std::string& text, const OffsetFamily& family, const DrawnOffset& curve, bool with_name) {
+  text += '{';
   if (with_name) {
     const nlohmann::json name = family.base.name;
     text += "\"curve\":" + name.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + ',';
@@ -49,9 +52,11 @@ std::string curve_json(const OffsetFamily& family, const DrawnOffset& curve, boo
                       base::number_text(curve.length), curve.area ? base::number_text(*curve.area) : "null");
   for (std::size_t i = 0; i < curve.lines.size(); ++i) {
     const geom::Polyline& line = curve.lines[i];
-    text += fmt::format("{}{{\"closed\":{},\"points\":{}}}", i > 0 ? "," : "", line.closed, points_json(line));
+    text += fmt::format("{}{{\"closed\":{},\"points\":", i > 0 ? "," : "", line.closed);
+    append_points(text, line);
+    text += '}';
   }
-  return text + "]}";
+  text += "]}";
 }
 
 std::size_t point_count(const DrawnOffset& curve) {
@@ -162,11 +167,12 @@ std::string offset_json(const std::vector<OffsetFamily>& families) {
     for (const DrawnOffset& curve : family.curves) {
       if (!first) text += ',';
       first = false;
-      text += curve_json(family, curve, families.size() > 1);
+      append_curve(text, family, curve, families.size() > 1);
       dropped += curve.dropped;
     }
   }
-  return text + fmt::format("],\"dropped\":{}}}\n", dropped);
+  text += fmt::format("],\"dropped\":{}}}\n", dropped);
+  return text;
 }
 
 std::string offset_table(const std::vector<OffsetFamily>& families) {
