@@ -5,6 +5,8 @@
 #include <numbers>
 #include <random>
 
+#include "shared/geom/bezier.h"
+#include "shared/geom/cubic_path.h"
 #include "shared/geom/discretise.h"
 #include "shared/geom/intersect.h"
 #include "shared/geom/predicates.h"
@@ -168,13 +170,47 @@ base::Result<scene::Picture> discretise() {
   return picture;
 }
 
+template <geom::Curve C>
+base::Result<geom::Polyline> drawn(const C& curve) {
+  DOBRA_TRY(const geom::Discretisation found, geom::discretise(curve, {.max_angle = base::Angle::from_degrees(3.0)}));
+  return found.polyline();
+}
+
+/// Uniform and chord-length knots through the same points; a closed spline; a B-spline and a Bezier of one polygon.
+base::Result<scene::Picture> curves() {
+  using geom::SplineEnds;
+  const std::vector<Point> points{{0, 0}, {1, 1.6}, {1.4, 1.5}, {1.7, 0.2}, {5, 0.4}, {6, 1.4}};
+  DOBRA_TRY(const auto uniform, geom::cubic_spline(points, geom::uniform_knots(6, SplineEnds::Natural), SplineEnds::Natural));
+  DOBRA_TRY(const auto spaced, geom::cubic_spline(points, geom::chord_length_knots(points, SplineEnds::Natural), SplineEnds::Natural));
+  DOBRA_TRY(geom::Polyline uniform_line, drawn(uniform));
+  DOBRA_TRY(geom::Polyline spaced_line, drawn(spaced));
+  const std::vector<Point> polygon{{0, 0}, {0.6, 2.2}, {2.6, 2.4}, {3.4, 0.1}, {5.2, 0.3}, {6, 2}};
+  DOBRA_TRY(const auto spline, geom::uniform_b_spline(polygon));
+  DOBRA_TRY(const auto bezier, geom::Bezier::make(polygon));
+  DOBRA_TRY(geom::Polyline spline_line, drawn(spline));
+  DOBRA_TRY(geom::Polyline bezier_line, drawn(bezier));
+  return scene::Picture{{},
+                        {panel("Natural splines",
+                               {lines("uniform knots", stroke(orange, 1.4), {uniform_line}),
+                                lines("chord-length knots", stroke(blue, 1.8), {spaced_line}),
+                                markers("points", dots(red, 4.5), points)},
+                               0.3),
+                         panel("Control polygon",
+                               {lines("polygon", stroke(grey, 1.0, scene::Dash::Dashed), {chain(polygon)}),
+                                lines("uniform B-spline", stroke(blue, 1.8), {spline_line}),
+                                lines("Bezier, degree 5", stroke(green, 1.4), {bezier_line}),
+                                markers("vertices", dots(red, 4.5), polygon)},
+                               0.3)}};
+}
+
 }  // namespace
 
 std::vector<Figure> geom_figures() {
   return {{"predicates", predicates},
           {"intersect", intersect},
           {"spatial_index", spatial_index},
-          {"discretise", discretise}};
+          {"discretise", discretise},
+          {"curves", curves}};
 }
 
 }  // namespace dobra::figures
