@@ -72,6 +72,24 @@ void measure(BaseCurve& base) {
   }
 }
 
+/// See BaseCurve::regular_below.
+void measure_blocks(BaseCurve& base) {
+  const std::size_t count = base.segment_count();
+  const double margin = 1e-13 * base.size;
+  base.regular_below.reserve(count / BaseCurve::block_size + 1);
+  const auto taken = [&](std::size_t corner) { return base.turn[corner] == Turn::Inner ? base.half_tans[corner] : 0.0; };
+  for (std::size_t first = 0; first < count; first += BaseCurve::block_size) {
+    double least = std::numeric_limits<double>::infinity();
+    double before = taken(first);
+    for (std::size_t i = first; i < std::min(count, first + BaseCurve::block_size); ++i) {
+      const double after = taken(i + 1);
+      least = std::min(least, (base.spans[i] - margin) / (before + after + 1e-300));
+      before = after;
+    }
+    base.regular_below.push_back(least);
+  }
+}
+
 }  // namespace
 
 Result<BaseCurve> prepare(const geom::Polyline& curve, Side side, double extension) {
@@ -122,7 +140,9 @@ Result<BaseCurve> prepare(const geom::Polyline& curve, Side side, double extensi
     base.source.push_back(base.source.back());
   }
   for (const Point p : base.points) base.size = std::max({base.size, std::abs(p.x), std::abs(p.y)});
+  for (std::size_t i = 0; i < base.source.size(); ++i) base.renumbered |= base.source[i] != i;
   measure(base);
+  if (!base.closed) measure_blocks(base);
   return base;
 }
 

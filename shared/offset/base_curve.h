@@ -28,9 +28,14 @@ struct BaseCurve {
   // For each point (ends of an open curve: Straight, 0).
   std::vector<Turn> turn;         ///< Exact.
   std::vector<double> half_tans;  ///< tan(angle / 2) of the turn, >= 0; infinity for a U-turn.
+  /// Open curves, for each block of `block_size` segments: below this distance each of its parallels has a length left after
+  /// the inner corners at its ends have taken theirs.
+  std::vector<double> regular_below;
+  static constexpr std::size_t block_size = 16;
   double size = 0;                ///< Greatest coordinate.
   geom::Point origin;             ///< In the user's coordinates.
   bool mirrored = false;
+  bool renumbered = false;  ///< source[i] is not i for some i.
 
   [[nodiscard]] std::size_t segment_count() const { return headings.size(); }
   [[nodiscard]] geom::Point start(std::size_t i) const { return points[i]; }

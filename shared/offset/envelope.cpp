@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "shared/geom/predicates.h"
-#include "shared/offset/piece_writer.h"
+#include "shared/offset/mitre_envelope.h"
 
 namespace dobra::offset {
 
@@ -11,7 +11,7 @@ using geom::Point;
 using geom::Vector;
 
 std::optional<Vector> monotone_direction(const BaseCurve& base) {
-  if (base.closed) return std::nullopt;
+  if (base.closed || base.segment_count() >= mitred) return std::nullopt;
   // The segments with the rightmost and the leftmost direction so far; they span less than half a turn.
   std::size_t right = 0;
   std::size_t left = 0;
@@ -40,149 +40,91 @@ std::optional<Vector> monotone_direction(const BaseCurve& base) {
 
 namespace {
 
-class Envelope {
+/// In the user's coordinates and numbers, without repeated points.
+class Finisher {
  public:
-  Envelope(const BaseCurve& base, double distance) : base_(base), d_(distance) {}
+  Finisher(const BaseCurve& base, Join join) : base_(base), keeps_arcs_(join == Join::Round) {}
 
-  void run(Vector forward);
-  [[nodiscard]] OffsetPiece write(const OffsetOptions& options) const;
+  /// @param points  one more than edges.
+  [[nodiscard]] OffsetPiece piece(std::vector<Point> points, std::vector<OffsetEdge> edges, bool repeats) const {
+    OffsetPiece made;
+    made.side = base_.mirrored ? Side::LeftOfTravel : Side::RightOfTravel;
+    if (!keeps_arcs_ || base_.renumbered) number(edges);
+    if (base_.origin != Point{} || base_.mirrored) {
+      for (Point& p : points) p = base_.user(p);
+      repeats = true;
+    }
+    if (repeats) compact(points, edges);
+    if (points.size() < 2) return {};
+    made.points = std::move(points);
+    made.edges = std::move(edges);
+    return made;
+  }
 
  private:
-  /// A part of the envelope from `start` to the next one's start: the line of segment site / 2, or the arc about its end.
-  struct Part {
-    Point start;
-    std::uint32_t site;
-    [[nodiscard]] bool is_arc() const { return site % 2 != 0; }
-  };
-  static constexpr std::uint32_t cap = 0xffffffffU;  // odd: the arc about the first point
-
-  [[nodiscard]] Point centre(const Part& part) const { return part.site == cap ? base_.points[0] : base_.end(part.site / 2); }
-  void add_segment(std::size_t i);
-  void add_under_tail(std::size_t i);
-  void push(Point start, std::size_t site) { parts_.push_back({start, static_cast<std::uint32_t>(site)}); }
-  [[nodiscard]] Point entry(const Part& part, Point end, Point disc) const;
+  void number(std::vector<OffsetEdge>& edges) const {
+    if (base_.renumbered) {
+      for (OffsetEdge& edge : edges) {
+        const std::size_t segment = base_.source[edge.base_edge() & ~mitred];
+        edge = edge.is_arc() && keeps_arcs_ ? OffsetEdge::arc(segment) : OffsetEdge::line(segment);
+      }
+    } else {
+      for (OffsetEdge& edge : edges) edge = OffsetEdge::line(edge.base_edge() & ~mitred);
+    }
+  }
+  static void compact(std::vector<Point>& points, std::vector<OffsetEdge>& edges) {
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+      if (points[k] == points[k + 1]) continue;  // an edge of no length
+      points[kept] = points[k];
+      edges[kept++] = edges[k];
+    }
+    points[kept] = points.back();
+    points.resize(kept + 1);
+    edges.resize(kept);
+  }
 
   const BaseCurve& base_;
-  const double d_;
-  std::vector<Part> parts_;
-  Point tip_;              // where the envelope so far enters the disc about the last point
-  bool on_foot_ = true;    // tip_ is the end of the last segment's own line
+  bool keeps_arcs_;  // chord bevels are the chords of what is left of their arcs
 };
 
-void Envelope::run(Vector forward) {
-  const std::size_t count = base_.segment_count();
-  parts_.reserve(count + count / 2 + 2);
-  parts_.push_back({base_.points[0] - d_ * forward, cap});
-  for (std::size_t i = 0; i < count; ++i) add_segment(i);
-}
-
-inline void Envelope::add_segment(std::size_t i) {
-  const Vector u = base_.headings[i];
-  const Vector out = d_ * geom::right_of(u);
-  const Point p = base_.points[i];
-  if (i > 0) {
-    const Turn turn = base_.turn[i];
-    if (turn == Turn::Outer && (on_foot_ || geom::dot(tip_ - p, u) <= 0)) {
-      push(tip_, 2 * i - 1);
-    } else if (turn == Turn::Inner && on_foot_) {
-      // The two lines meet on the bisector, if it is within both.
-      const double back = d_ * base_.half_tans[i];
-      const Vector before = base_.headings[i - 1];
-      const Point meet = tip_ - back * before;
-      if (back > base_.spans[i] || geom::dot(meet - parts_.back().start, before) <= 0) return add_under_tail(i);
-      push(meet, 2 * i);
-      tip_ = base_.points[i + 1] + out;
-      return;
-    } else if (!(turn == Turn::Straight && on_foot_)) {
-      return add_under_tail(i);
-    }
-  }
-  push(p + out, 2 * i);
-  tip_ = base_.points[i + 1] + out;
-  on_foot_ = true;
-}
-
-/// The new segment's own start is hidden: its pill appears at the first place where the tail enters it.
-void Envelope::add_under_tail(std::size_t i) {
-  const Vector u = base_.headings[i];
-  const Vector n = geom::right_of(u);
-  const Point p = base_.points[i];
-  const Point q = base_.points[i + 1];
-  const double span = base_.spans[i];
-  const auto beyond = [&](Point at) { return geom::dot(at - p, n) - d_; };
-  // The tail is outside the disc about p, so only line and far disc of the pill count.
-  const auto inside = [&](Point at) {
-    const double s = geom::dot(at - p, u);
-    if (s > span) return geom::length_squared(at - q) < d_ * d_;
-    return s > 0 && beyond(at) < 0;
+/// What stands between the arcs about the ends of the base: one curve as a rule.
+std::vector<OffsetPiece> between_caps(Stacked& curve, const BaseCurve& base, const Finisher& finisher) {
+  const auto is_cap = [&](OffsetEdge edge) {
+    return edge == OffsetEdge::arc(start_cap) || edge == OffsetEdge::arc(base.segment_count() - 1);
   };
-  Point end = tip_;
-  while (parts_.size() > 1 && inside(parts_.back().start)) {
-    end = parts_.back().start;
-    parts_.pop_back();
-  }
-  const Part tail = parts_.back();
-  const auto cut_at = [&](Point cut) {
-    push(cut, 2 * i);
-    tip_ = q + d_ * n;
-    on_foot_ = true;
-  };
-  if (tail.is_arc()) {
-    // Circle and pill cross twice at most; of the two places on the line this is where an anticlockwise arc enters.
-    const Vector to = centre(tail) - p;
-    const double gap = d_ - geom::dot(to, n);
-    if (gap <= d_) {
-      const double s = geom::dot(to, u) + std::sqrt((d_ - gap) * (d_ + gap));
-      if (s <= span) return cut_at(p + std::max(0.0, s) * u + d_ * n);
-    }
-  } else if (const double start_beyond = beyond(tail.start); start_beyond >= 0) {
-    const double end_beyond = std::min(0.0, beyond(end));
-    const double t = start_beyond > 0 ? start_beyond / (start_beyond - end_beyond) : 0.0;
-    const Point cut = tail.start + t * (end - tail.start);
-    if (geom::dot(cut - p, u) <= span) return cut_at(cut);
-  }
-  tip_ = entry(tail, end, q);
-  on_foot_ = false;
-}
-
-/// Where `part`, which ends inside the disc of radius D about `disc`, enters it.
-Point Envelope::entry(const Part& part, Point end, Point disc) const {
-  if (part.is_arc()) {
-    const Point c = centre(part);
-    const Vector to = disc - c;
-    const double gap = std::sqrt(geom::length_squared(to));
-    const double height = std::sqrt(std::max(0.0, (d_ - 0.5 * gap) * (d_ + 0.5 * gap)));
-    return c + 0.5 * to + (height / gap) * geom::right_of(to);
-  }
-  const Vector along = base_.headings[part.site / 2];
-  const Vector to = disc - part.start;
-  const double across = geom::cross(along, to);
-  const double foot = geom::dot(along, to);
-  const double t = foot - std::sqrt(std::max(0.0, (d_ - across) * (d_ + across)));
-  return part.start + std::clamp(t, 0.0, std::max(0.0, geom::dot(end - part.start, along))) * along;
-}
-
-OffsetPiece Envelope::write(const OffsetOptions& options) const {
-  if (parts_.size() < 2) return {};
-  PieceWriter writer(base_, options.join);
-  writer.reserve(parts_.size());
-  for (std::size_t k = 1; k < parts_.size(); ++k) {
-    const Part& part = parts_[k];
-    if (part.is_arc()) {
-      writer.add_arc(part.start, part.site / 2);
-    } else {
-      writer.add_line(part.start, part.site / 2);
+  std::vector<OffsetPiece> pieces;
+  if (std::count_if(curve.edges.begin(), curve.edges.end(), is_cap) == 1) {  // the last
+    curve.points.pop_back();
+    curve.edges.pop_back();
+    pieces.push_back(finisher.piece(std::move(curve.points), std::move(curve.edges), true));
+  } else {
+    for (auto first = curve.edges.begin(); first != curve.edges.end(); ++first) {
+      if (is_cap(*first)) continue;
+      const auto last = std::find_if(first, curve.edges.end(), is_cap);
+      const auto start = curve.points.begin() + (first - curve.edges.begin());
+      pieces.push_back(finisher.piece({start, start + (last - first) + 1}, {first, last}, true));
+      first = last - 1;
     }
   }
-  return writer.finish_open(tip_);
+  std::erase_if(pieces, [](const OffsetPiece& piece) { return piece.points.empty(); });
+  return pieces;
 }
 
 }  // namespace
 
-OffsetPiece monotone_offset(const BaseCurve& base, Vector forward, double distance, const OffsetOptions& options) {
-  Envelope envelope(base, distance);
-  envelope.run(forward);
-  return envelope.write(options);
+std::vector<OffsetPiece> monotone_offset(const BaseCurve& base, Vector forward, double distance, const OffsetOptions& options) {
+  const Filling filling(options);
+  const Finisher finisher(base, options.join);
+  Stacked curve = stack_pills(base, forward, distance, filling);
+  if (!filling.only_arcs() && add_cut_mitres(curve, base, forward, distance, filling)) {
+    return between_caps(curve, base, finisher);
+  }
+  curve.points.push_back(curve.tip);
+  OffsetPiece piece = finisher.piece(std::move(curve.points), std::move(curve.edges), curve.repeats);
+  std::vector<OffsetPiece> pieces;
+  if (!piece.points.empty()) pieces.push_back(std::move(piece));
+  return pieces;
 }
 
 }  // namespace dobra::offset

@@ -16,9 +16,9 @@ namespace dobra::offset {
 std::optional<geom::Vector> monotone_direction(const BaseCurve& base);
 
 /// @param forward  monotone_direction(base).
-/// @return the curve, or a piece without points if nothing of it is left.
-/// @pre    base open; every corner is filled by an arc (drawn as one chord for Join::Bevel).
-/// @cost   O(n): about 15 ns a segment; memory 24 bytes a segment and arc.
-OffsetPiece monotone_offset(const BaseCurve& base, geom::Vector forward, double distance, const OffsetOptions& options);
+/// @return the curve; nothing if nothing of it is left; several pieces if mitres come out below the ends.
+/// @pre    base open.
+/// @cost   O(n + k log k), k = corners whose mitres are cut but not hidden by a single pill.
+std::vector<OffsetPiece> monotone_offset(const BaseCurve& base, geom::Vector forward, double distance, const OffsetOptions& options);
 
 }  // namespace dobra::offset

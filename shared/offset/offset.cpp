@@ -65,8 +65,6 @@ void keep_longest(OffsetCurve& curve, const geom::Polyline& base) {
   curve.pieces.push_back(std::move(kept));
 }
 
-bool arcs_only(const OffsetOptions& options) { return options.join == Join::Round || options.join == Join::Bevel; }
-
 /// True if a closed base crosses or touches itself. @cost O(n) where it is smooth
 bool meets_itself(const BaseCurve& base) {
   const auto item = [&](std::size_t i) {
@@ -107,14 +105,12 @@ OffsetCurve treated(const Prepared& input, double distance, const OffsetOptions&
   const BaseCurve& base = input.base;
   OffsetCurve curve;
   curve.distance = distance;
-  if (input.forward && arcs_only(options)) {
-    OffsetPiece piece = monotone_offset(base, *input.forward, distance, options);
-    if (!piece.points.empty()) curve.pieces.push_back(std::move(piece));
+  if (input.forward) {
+    curve.pieces = monotone_offset(base, *input.forward, distance, options);
+    keep_longest(curve, *input.curve);
     return curve;
   }
-  const Outline::Sides sides = input.simple    ? Outline::Sides::Right
-                               : input.forward ? Outline::Sides::RightAndCaps
-                                               : Outline::Sides::Both;
+  const Outline::Sides sides = input.simple ? Outline::Sides::Right : Outline::Sides::Both;
   Trimmer trimmer(base, *input.clearance, sides, distance, options);
   curve.pieces = trimmer.run();
   if (!base.closed) keep_longest(curve, *input.curve);
@@ -128,7 +124,7 @@ OffsetCurve curve_at(const Prepared& input, double distance, const OffsetOptions
 }
 
 void add_clearance(Prepared& input, const OffsetOptions& options) {
-  if (options.treatment == Treatment::Treated && !(input.forward && arcs_only(options))) {
+  if (options.treatment == Treatment::Treated && !input.forward) {
     input.clearance = std::make_unique<Clearance>(input.base, options);
   }
 }

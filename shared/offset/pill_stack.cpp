@@ -1,0 +1,338 @@
+#include "shared/offset/pill_stack.h"
+
+#include <algorithm>
+
+namespace dobra::offset {
+
+using geom::Point;
+using geom::Vector;
+
+Filling::Filling(const OffsetOptions& options) {
+  if (options.join == Join::Round || options.join == Join::Bevel) return;
+  mitre_below_ = std::numeric_limits<double>::infinity();
+  if (options.join == Join::Bisector) return;
+  const double limit = options.mitre_limit;
+  if (limit < 1e150) mitre_below_ = std::sqrt(limit * limit * (1 + 1e-14) - 1);  // as fill_of says
+  if (options.beyond_limit == BeyondLimit::TangentBevel) beyond_ = Fill::Tangent;
+}
+
+namespace {
+
+class PillStack {
+ public:
+  PillStack(const BaseCurve& base, Vector forward, double distance, const Filling& filling)
+      : base_(base), d_(distance), filling_(filling), cap_(base.points[0] - distance * forward) {}
+
+  Stacked run();
+
+ private:
+  /// The last part: a line of `segment`, or the arc about `centre`.
+  struct Tail {
+    Point start;
+    std::uint32_t segment;
+    bool is_arc;
+    Point centre;
+  };
+
+  void reserve();
+  void add_segment(std::size_t i);
+  void add_outer_corner(std::size_t i);
+  void add_under_tail(std::size_t i);
+  void add_regular(std::size_t first, std::size_t last);
+  void add_regular_arcs(std::size_t first, std::size_t last);
+  template <class Inside> Tail pop_hidden(const Inside& inside, Point& end);
+  [[nodiscard]] Point entry(const Tail& tail, Point end, Point disc) const;
+
+  static constexpr std::size_t batch = 64;  // regular segments that are added at a time
+
+  void push(Point p, OffsetEdge edge) {
+    made_.repeats |= p == last_;
+    last_ = p;
+    made_.points.push_back(p);
+    made_.edges.push_back(edge);
+  }
+  void pop() {
+    made_.points.pop_back();
+    made_.edges.pop_back();
+  }
+  /// Segment i ends the envelope with its whole line.
+  void finish_line(std::size_t i) {
+    made_.tip = base_.points[i + 1] + d_ * geom::right_of(base_.headings[i]);
+    on_foot_ = true;
+  }
+  void note_cut(std::size_t corner) { made_.cut[corner / 64] |= std::uint64_t{1} << (corner % 64); }
+
+  const BaseCurve& base_;
+  const double d_;
+  const Filling& filling_;
+  const Point cap_;  // start of the arc about the first point, which is below all on the stack
+  Point last_{std::numeric_limits<double>::quiet_NaN(), 0.0};
+  Stacked made_{};
+  bool on_foot_ = true;   // the tip is the end of the last segment's own line
+  bool natural_ = false;  // that line also starts where its corner says
+};
+
+/// Nearly exact where little is hidden, so that nothing is copied; grown as needed where much is.
+void PillStack::reserve() {
+  const std::size_t count = base_.segment_count();
+  constexpr std::size_t block = BaseCurve::block_size;
+  std::size_t regular = 0;
+  for (std::size_t b = 0; b < base_.regular_below.size(); ++b) {
+    const std::size_t last = std::min(count, (b + 1) * block);
+    if (!(d_ < base_.regular_below[b])) {
+      regular += (last - b * block) / 4;
+      continue;
+    }
+    regular += last - b * block;
+    for (std::size_t i = b * block; i < last; ++i) {
+      regular += base_.turn[i] == Turn::Outer && filling_.of(base_.half_tans[i]) != Fill::Mitre;
+    }
+  }
+  made_.points.reserve(regular + 2 * batch + 1);  // the overhang of a batch, and the tip
+  made_.edges.reserve(regular + 2 * batch + 1);
+}
+
+Stacked PillStack::run() {
+  const std::size_t count = base_.segment_count();
+  constexpr std::size_t block = BaseCurve::block_size;
+  reserve();
+  if (!filling_.only_arcs()) made_.cut.assign(count / 64 + 1, 0);
+  const auto regular = [&](std::size_t b) { return d_ < base_.regular_below[b]; };
+  for (std::size_t b = 0; b * block < count;) {
+    std::size_t i = b * block;
+    if (!regular(b++)) {
+      for (; i < std::min(b * block, count); ++i) add_segment(i);
+      continue;
+    }
+    while (b * block < count && regular(b)) ++b;
+    const std::size_t last = std::min(b * block, count);
+    do add_segment(i++);
+    while (i < last && !natural_);
+    if (i == last) continue;
+    if (filling_.only_arcs()) {
+      add_regular_arcs(i, last);
+    } else {
+      add_regular(i, last);
+    }
+    finish_line(last - 1);
+  }
+  return std::move(made_);
+}
+
+/// Segments that leave each other a part of their lines: the tail needs no look.
+void PillStack::add_regular_arcs(std::size_t first, std::size_t last) {
+  bool repeats = false;
+  Point before = last_;
+  for (std::size_t i = first; i < last;) {
+    const std::size_t stop = std::min(last, i + batch);
+    const std::size_t size = made_.points.size();
+    made_.points.resize(size + 2 * (stop - i));
+    made_.edges.resize(size + 2 * (stop - i));
+    Point* point = made_.points.data() + size;
+    OffsetEdge* edge = made_.edges.data() + size;
+    for (; i < stop; ++i) {
+      // At an outer corner two points, else both in the same place: no branch, as turns are unpredictable.
+      const bool outer = base_.turn[i] == Turn::Outer;
+      const double t = outer ? 0.0 : -base_.half_tans[i];
+      const Vector u = base_.headings[i - 1];
+      const Vector v = base_.headings[i];
+      const Point p = base_.points[i];
+      const Point a = p + d_ * Vector{u.y + t * u.x, t * u.y - u.x};
+      const Point b{outer ? p.x + d_ * v.y : a.x, outer ? p.y - d_ * v.x : a.y};
+      *point = a;
+      *edge = OffsetEdge::arc(i - 1);
+      point += outer;
+      edge += outer;
+      repeats |= (a == before) | ((a == b) & outer);
+      *point++ = b;
+      *edge++ = OffsetEdge::line(i);
+      before = b;
+    }
+    made_.points.resize(static_cast<std::size_t>(point - made_.points.data()));
+    made_.edges.resize(made_.points.size());
+  }
+  last_ = before;
+  made_.repeats |= repeats;
+}
+
+void PillStack::add_regular(std::size_t first, std::size_t last) {
+  bool repeats = false;
+  Point before = last_;
+  for (std::size_t i = first; i < last;) {
+    const std::size_t stop = std::min(last, i + batch);
+    const std::size_t size = made_.points.size();
+    made_.points.resize(size + 2 * (stop - i));
+    made_.edges.resize(size + 2 * (stop - i));
+    Point* point = made_.points.data() + size;
+    OffsetEdge* edge = made_.edges.data() + size;
+    const auto add = [&](Point p, OffsetEdge e) {
+      repeats |= (p.x == before.x) & (p.y == before.y);
+      before = p;
+      *point++ = p;
+      *edge++ = e;
+    };
+    for (; i < stop; ++i) {
+      const Turn turn = base_.turn[i];
+      const double t = base_.half_tans[i];
+      if (turn == Turn::Outer && filling_.of(t) != Fill::Mitre) {
+        if (filling_.of(t) == Fill::Tangent) {
+          const double quarter = quarter_of(t);
+          add(bevel_start(base_, i, d_, quarter), OffsetEdge::arc((i - 1) | mitred));
+          add(bevel_end(base_, i, d_, quarter), OffsetEdge::line(i | mitred));
+        } else {
+          add(foot_before(base_, i, d_), OffsetEdge::arc(i - 1));
+          add(foot_after(base_, i, d_), OffsetEdge::line(i));
+        }
+        continue;
+      }
+      const bool outer = turn == Turn::Outer;
+      add(tip_at(base_, i, d_, outer ? t : -t), OffsetEdge::line(i + (outer ? mitred : 0U)));
+    }
+    made_.points.resize(static_cast<std::size_t>(point - made_.points.data()));
+    made_.edges.resize(made_.points.size());
+  }
+  last_ = before;
+  made_.repeats |= repeats;
+}
+
+/// The end of the last line is on the envelope, or the arc that follows it is.
+void PillStack::add_outer_corner(std::size_t i) {
+  const Fill fill = filling_.of(base_.half_tans[i]);
+  if (on_foot_ && fill == Fill::Mitre) {
+    push(tip_at(base_, i, d_, base_.half_tans[i]), OffsetEdge::line(i | mitred));
+  } else if (on_foot_ && fill == Fill::Tangent) {
+    const double quarter = quarter_of(base_.half_tans[i]);
+    push(bevel_start(base_, i, d_, quarter), OffsetEdge::arc((i - 1) | mitred));
+    push(bevel_end(base_, i, d_, quarter), OffsetEdge::line(i | mitred));
+  } else {
+    if (fill != Fill::Arc) note_cut(i);
+    push(made_.tip, OffsetEdge::arc(i - 1));
+    push(foot_after(base_, i, d_), OffsetEdge::line(i));
+  }
+}
+
+void PillStack::add_segment(std::size_t i) {
+  const Vector u = base_.headings[i];
+  const Point p = base_.points[i];
+  natural_ = true;
+  if (i == 0) {
+    push(p + d_ * geom::right_of(u), OffsetEdge::line(i));
+    return finish_line(i);
+  }
+  const Turn turn = base_.turn[i];
+  if (turn == Turn::Outer) {
+    if (!on_foot_ && geom::dot(made_.tip - p, u) > 0) {
+      if (filling_.of(base_.half_tans[i]) != Fill::Arc) note_cut(i);
+      return add_under_tail(i);
+    }
+    add_outer_corner(i);
+    return finish_line(i);
+  }
+  if (!on_foot_) return add_under_tail(i);
+  if (turn == Turn::Inner) {
+    // The two lines meet on the bisector, if it is within both.
+    const double back = d_ * base_.half_tans[i];
+    const Vector before = base_.headings[i - 1];
+    const Point meet = made_.tip - back * before;
+    const bool at_mitre = (made_.edges.back().base_edge() & mitred) != 0;
+    const Point start = at_mitre ? foot_after(base_, i - 1, d_) : made_.points.back();
+    if (back > base_.spans[i] || geom::dot(meet - start, before) <= 0) return add_under_tail(i);
+    push(meet, OffsetEdge::line(i));
+    return finish_line(i);
+  }
+  push(p + d_ * geom::right_of(u), OffsetEdge::line(i));
+  finish_line(i);
+}
+
+/// Takes off what starts inside; `end` becomes the end of the tail that is left.
+template <class Inside>
+PillStack::Tail PillStack::pop_hidden(const Inside& inside, Point& end) {
+  while (!made_.edges.empty()) {
+    const OffsetEdge edge = made_.edges.back();
+    const std::uint32_t segment = edge.base_edge() & ~mitred;
+    if (edge.base_edge() == segment) {
+      const Point start = made_.points.back();
+      if (!inside(start)) return {start, segment, edge.is_arc(), base_.points[segment + 1]};
+      end = start;
+      pop();
+      continue;
+    }
+    // A corner: its line starts at the second foot, its arc at the first.
+    const Point second = foot_after(base_, segment, d_);
+    if (!inside(second)) return {second, segment, false, {}};
+    end = second;
+    const Point first = foot_before(base_, segment, d_);
+    note_cut(segment);
+    pop();
+    if (filling_.of(base_.half_tans[segment]) == Fill::Tangent) pop();
+    if (!inside(first)) {
+      push(first, OffsetEdge::arc(segment - 1));
+      return {first, segment - 1, true, base_.points[segment]};
+    }
+    end = first;
+  }
+  return {cap_, 0, true, base_.points[0]};
+}
+
+/// The new segment's own start is hidden: its pill appears at the first place where the tail enters it.
+void PillStack::add_under_tail(std::size_t i) {
+  natural_ = false;
+  const Vector u = base_.headings[i];
+  const Vector n = geom::right_of(u);
+  const Point p = base_.points[i];
+  const Point q = base_.points[i + 1];
+  const double span = base_.spans[i];
+  const auto beyond = [&](Point at) { return geom::dot(at - p, n) - d_; };
+  // The tail is outside the disc about p, so only line and far disc of the pill count.
+  const auto inside = [&](Point at) {
+    const double s = geom::dot(at - p, u);
+    if (s > span) return geom::length_squared(at - q) < d_ * d_;
+    return s > 0 && beyond(at) < 0;
+  };
+  Point end = made_.tip;
+  const Tail tail = pop_hidden(inside, end);
+  const auto cut_at = [&](Point cut) {
+    push(cut, OffsetEdge::line(i));
+    finish_line(i);
+  };
+  if (tail.is_arc) {
+    // Circle and pill cross twice at most; of the two places on the line this is where an anticlockwise arc enters.
+    const Vector to = tail.centre - p;
+    const double gap = d_ - geom::dot(to, n);
+    if (gap <= d_) {
+      const double s = geom::dot(to, u) + std::sqrt(std::max(0.0, (d_ - gap) * (d_ + gap)));
+      if (s <= span) return cut_at(p + std::max(0.0, s) * u + d_ * n);
+    }
+  } else if (const double start_beyond = beyond(tail.start); start_beyond >= 0) {
+    const double end_beyond = std::min(0.0, beyond(end));
+    const double t = start_beyond > 0 ? start_beyond / (start_beyond - end_beyond) : 0.0;
+    const Point cut = tail.start + t * (end - tail.start);
+    if (geom::dot(cut - p, u) <= span) return cut_at(cut);
+  }
+  made_.tip = entry(tail, end, q);
+  on_foot_ = false;
+}
+
+/// Where the tail, which ends inside the disc of radius D about `disc`, enters it.
+Point PillStack::entry(const Tail& tail, Point end, Point disc) const {
+  if (tail.is_arc) {
+    const Vector to = disc - tail.centre;
+    const double gap = std::sqrt(geom::length_squared(to));
+    const double height = std::sqrt(std::max(0.0, (d_ - 0.5 * gap) * (d_ + 0.5 * gap)));
+    return tail.centre + 0.5 * to + (height / gap) * geom::right_of(to);
+  }
+  const Vector along = base_.headings[tail.segment];
+  const Vector to = disc - tail.start;
+  const double across = geom::cross(along, to);
+  const double foot = geom::dot(along, to);
+  const double t = foot - std::sqrt(std::max(0.0, (d_ - across) * (d_ + across)));
+  return tail.start + std::clamp(t, 0.0, std::max(0.0, geom::dot(end - tail.start, along))) * along;
+}
+
+}  // namespace
+
+Stacked stack_pills(const BaseCurve& base, Vector forward, double distance, const Filling& filling) {
+  return PillStack(base, forward, distance, filling).run();
+}
+
+}  // namespace dobra::offset

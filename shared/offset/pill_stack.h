@@ -1,0 +1,60 @@
+#pragma once
+// First step of tier 0 (envelope.h): the lower envelope of the pills of a monotone base, by one pass with a stack. The stack is
+// the output: points, and for each the edge that leaves it.
+// Corners that are to be mitred stand on it by their tips while their arcs are whole, and are noted where they are cut.
+
+#include "shared/offset/base_curve.h"
+
+namespace dobra::offset {
+
+/// How outer corners are filled.
+class Filling {
+ public:
+  explicit Filling(const OffsetOptions& options);
+  [[nodiscard]] bool only_arcs() const { return mitre_below_ < 0; }
+  [[nodiscard]] Fill of(double half_tan) const { return half_tan <= mitre_below_ ? Fill::Mitre : beyond_; }
+
+ private:
+  double mitre_below_ = -1.0;
+  Fill beyond_ = Fill::Arc;
+};
+
+/// Edges on the stack: as OffsetEdge says, and with this bit added to the segment the edges that leave a mitred corner:
+/// (tip, line of i + bit), or for a tangent bevel (its start, arc of i - 1 + bit), (its end, line of i + bit).
+inline constexpr std::uint32_t mitred = 1U << 30;
+
+struct Stacked {
+  std::vector<geom::Point> points;
+  std::vector<OffsetEdge> edges;  ///< As many as points.
+  geom::Point tip;                ///< Where the last edge ends.
+  bool repeats = false;           ///< Some consecutive points may be equal.
+  std::vector<std::uint64_t> cut;  ///< Bit i: corner i is to be mitred, but its arc is not wholly on the envelope.
+};
+
+/// @pre base open, fewer than `mitred` segments, monotone in direction `forward`.
+/// @cost O(n): 3 ns a segment where nothing is hidden, else some 30 ns.
+Stacked stack_pills(const BaseCurve& base, geom::Vector forward, double distance, const Filling& filling);
+
+// Places at corner i of a base, between segments i - 1 and i.
+inline geom::Point foot_before(const BaseCurve& base, std::size_t i, double d) {
+  return base.points[i] + d * geom::right_of(base.headings[i - 1]);
+}
+inline geom::Point foot_after(const BaseCurve& base, std::size_t i, double d) {
+  return base.points[i] + d * geom::right_of(base.headings[i]);
+}
+/// The meeting point of the two lines, given the half tangent, negative at an inner corner.
+inline geom::Point tip_at(const BaseCurve& base, std::size_t i, double d, double half_tan) {
+  const geom::Vector u = base.headings[i - 1];
+  return base.points[i] + d * geom::Vector{u.y + half_tan * u.x, half_tan * u.y - u.x};
+}
+/// Start and end of a tangent bevel.
+inline geom::Point bevel_start(const BaseCurve& base, std::size_t i, double d, double quarter) {
+  return tip_at(base, i, d, quarter);
+}
+inline geom::Point bevel_end(const BaseCurve& base, std::size_t i, double d, double quarter) {
+  const geom::Vector u = base.headings[i];
+  return base.points[i] + d * geom::Vector{u.y - quarter * u.x, -quarter * u.y - u.x};
+}
+inline double quarter_of(double half_tan) { return half_tan / (1 + std::sqrt(1 + half_tan * half_tan)); }
+
+}  // namespace dobra::offset
