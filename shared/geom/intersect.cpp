@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "shared/geom/expansion.h"
@@ -36,9 +37,42 @@ Box common_box(const Segment& first, const Segment& second) {
           {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y)}};
 }
 
-/// The one common point of two segments whose interiors cross: a + (n / d)(b - a) with n = (c - a) x (d - c) and
-/// d = (b - a) x (d - c), each coordinate as one quotient of two exact numbers.
-Point crossing(const Segment& first, const Segment& second) {
+/// Rounds `value`, known to within `error`, if both ends of that interval round to the same double.
+bool round_once(long double value, long double error, double& rounded) {
+  rounded = static_cast<double>(value - error);
+  return rounded == static_cast<double>(value + error);
+}
+
+/// The crossing with longer mantissas than doubles have, where its rounding is beyond doubt: all but one in some hundreds,
+/// and where long double is no longer than double, none.
+bool crossing_filtered(const Segment& first, const Segment& second, Point& p) {
+  using Long = long double;
+  constexpr Long epsilon = std::numeric_limits<Long>::epsilon();
+  const Long along_x = Long(first.to.x) - first.from.x;
+  const Long along_y = Long(first.to.y) - first.from.y;
+  const Long across_x = Long(second.to.x) - second.from.x;
+  const Long across_y = Long(second.to.y) - second.from.y;
+  const Long between_x = Long(second.from.x) - first.from.x;
+  const Long between_y = Long(second.from.y) - first.from.y;
+  const Long n1 = between_x * across_y;
+  const Long n2 = between_y * across_x;
+  const Long d1 = along_x * across_y;
+  const Long d2 = along_y * across_x;
+  const Long denominator = d1 - d2;
+  const Long t = (n1 - n2) / denominator;
+  // Each product carries three roundings, the difference one more; all bounds are taken twice as large as need be.
+  const Long t_error = 4 * epsilon *
+                       ((std::abs(n1) + std::abs(n2) + std::abs(d1) + std::abs(d2)) / std::abs(denominator) + 1);
+  const Long x = first.from.x + t * along_x;
+  const Long y = first.from.y + t * along_y;
+  const Long x_error = std::abs(along_x) * t_error + 2 * epsilon * (std::abs(x) + std::abs(along_x));
+  const Long y_error = std::abs(along_y) * t_error + 2 * epsilon * (std::abs(y) + std::abs(along_y));
+  return round_once(x, x_error, p.x) && round_once(y, y_error, p.y);
+}
+
+/// a + (n / d)(b - a) with n = (c - a) x (d - c) and d = (b - a) x (d - c), each coordinate as one quotient of two exact
+/// numbers.
+Point crossing_exact(const Segment& first, const Segment& second) {
   const int exponent = scaling_exponent({first.from, first.to, second.from, second.to});
   const Point a = scaled(first.from, exponent);
   const Point b = scaled(first.to, exponent);
@@ -52,11 +86,7 @@ Point crossing(const Segment& first, const Segment& second) {
   const auto numerator = difference(c.x, a.x) * second_y - difference(c.y, a.y) * second_x;
   const Point p{rounded_quotient(denominator * a.x + numerator * first_x, denominator),
                 rounded_quotient(denominator * a.y + numerator * first_y, denominator)};
-  // Rounding to nearest cannot leave the boxes, whose sides are doubles; what underflow can take in extreme ranges
-  // could.
-  const Box box = common_box(first, second);
-  const Point back = scaled(p, -exponent);
-  return {std::clamp(back.x, box.low.x, box.high.x), std::clamp(back.y, box.low.y, box.high.y)};
+  return scaled(p, -exponent);
 }
 
 /// Four collinear points: along any line the lexicographic order of points is the order along the line.
@@ -70,6 +100,15 @@ Intersection intersect_collinear(const Segment& first, const Segment& second) {
 }
 
 }  // namespace
+
+Point crossing(const Segment& first, const Segment& second) {
+  Point p;
+  if (!crossing_filtered(first, second, p)) p = crossing_exact(first, second);
+  // Rounding to nearest cannot leave the boxes, whose sides are doubles; what underflow can take in extreme ranges
+  // could.
+  const Box box = common_box(first, second);
+  return {std::clamp(p.x, box.low.x, box.high.x), std::clamp(p.y, box.low.y, box.high.y)};
+}
 
 Intersection intersect(const Segment& first, const Segment& second) {
   if (!first.box().overlaps(second.box())) return {};

@@ -38,8 +38,12 @@ struct Intersection {
 /// Segments of zero length are points. Swapping or turning the segments gives the same points, bit for bit.
 /// Each coordinate of a crossing is the double nearest to the exact value (ties to even) where all coordinates are 0 or
 /// of size 2^-200 to 2^200; beyond, it is near to it and inside both boxes.
-/// @pre finite coordinates.  @cost about 20 ns; about 0.6 us for a proper crossing.
+/// @pre finite coordinates.  @cost about 20 ns; a proper crossing about 40 ns more, one in some hundreds 0.6 us.
 Intersection intersect(const Segment& first, const Segment& second);
+
+/// The point where two segments cross, rounded as in intersect().
+/// @pre their interiors cross in one point.
+Point crossing(const Segment& first, const Segment& second);
 
 /// True if p lies on the closed segment, exactly.
 bool point_on_segment(Point p, const Segment& segment);

@@ -14,11 +14,6 @@ using geom::Sign;
 
 namespace {
 
-std::uint32_t item_of(VertexId v) { return static_cast<std::uint32_t>(2 * v.index() + 1); }
-std::uint32_t item_of(EdgeId e) { return static_cast<std::uint32_t>(2 * e.index()); }
-
-geom::Box box_at(Point p) { return {p, p}; }
-
 /// True if the segment crosses the upward ray from p; ends count half-open in x, so that chains are counted right.
 bool crosses_ray(const geom::Segment& s, Point p) {
   if ((s.from.x <= p.x) == (s.to.x <= p.x)) return false;
@@ -42,17 +37,9 @@ HalfEdgeId Subdivision::shorter(HalfEdgeId a, HalfEdgeId b) const {
 void Subdivision::label(HalfEdgeId start, LoopId l) {
   HalfEdgeId h = start;
   do {
-    loop_[h.index()] = l;
+    half_edges_[h.index()].loop = l;
     h = next(h);
   } while (h != start);
-}
-
-void Subdivision::set_lone(VertexId v, LoopId l) {
-  first_[l.index()] = {};
-  lone_vertex_[l.index()] = v;
-  lone_loop_[v.index()] = l;
-  leaving_[v.index()] = {};
-  tree_.insert(item_of(v), box_at(point(v)));
 }
 
 /// At its least point every way out of a loop turns within a half-plane, so that the far west lies in the sector of
@@ -84,24 +71,24 @@ bool Subdivision::encloses(LoopId l, Point p) const {
   return odd;
 }
 
-HalfEdgeId Subdivision::link_edge(const Corner& from, const Corner& to) {
+HalfEdgeId Subdivision::link_edge(const Corner& from, const Corner& to, Room room) {
   const HalfEdgeId from_in = from.before.valid() ? previous(from.before) : HalfEdgeId();
   const HalfEdgeId to_in = to.before.valid() ? previous(to.before) : HalfEdgeId();
-  const HalfEdgeId out = half_edge(new_edge(from.vertex, to.vertex));
+  const HalfEdgeId out = half_edge(new_edge(from.vertex, to.vertex, room));
   const HalfEdgeId back = twin(out);
   if (from_in.valid()) {
     link(from_in, out);
     link(back, from.before);
   } else {
     link(back, out);
-    leaving_[from.vertex.index()] = out;
+    vertices_[from.vertex.index()].leaving = out;
   }
   if (to_in.valid()) {
     link(to_in, back);
     link(out, to.before);
   } else {
     link(out, back);
-    leaving_[to.vertex.index()] = back;
+    vertices_[to.vertex.index()].leaving = back;
   }
   return out;
 }
@@ -112,9 +99,9 @@ void Subdivision::unlink_edge(HalfEdgeId h) {
     const HalfEdgeId after = next(twin(side));
     const VertexId v = origin(side);
     if (in == twin(side)) {
-      leaving_[v.index()] = {};
+      vertices_[v.index()].leaving = {};
     } else {
-      if (leaving(v) == side) leaving_[v.index()] = after;
+      if (leaving(v) == side) vertices_[v.index()].leaving = after;
       link(in, after);
     }
   }
@@ -122,6 +109,7 @@ void Subdivision::unlink_edge(HalfEdgeId h) {
 
 VertexId Subdivision::mvsf(FaceId f, Point p) {
   DOBRA_CHECK(contains(f));
+  tighten(p, {});
   const VertexId v = new_vertex(p);
   set_lone(v, new_loop(f));
   ++components_;
@@ -130,14 +118,22 @@ VertexId Subdivision::mvsf(FaceId f, Point p) {
 
 void Subdivision::kvsf(VertexId v) {
   DOBRA_CHECK(contains(v) && lone_loop(v).valid());
-  tree_.erase(item_of(v));
   free_loop(lone_loop(v));
+  end_lone(v);
   free_vertex(v);
   --components_;
 }
 
-HalfEdgeId Subdivision::mev(const Corner& from, Point p) {
-  return mekr(from, {mvsf(face(from), p), {}});
+HalfEdgeId Subdivision::mev(const Corner& from, Point p, Room room) {
+  const LoopId l = loop(from);
+  if (room == Room::Unknown) tighten(p, {});
+  const VertexId v = new_vertex(p);
+  if (!from.before.valid()) end_lone(from.vertex);
+  const HalfEdgeId h = link_edge(from, {v, {}}, room);
+  half_edges_[h.index()].loop = half_edges_[twin(h).index()].loop = l;
+  loops_[l.index()].first = h;
+  loops_[l.index()].lone_vertex = {};
+  return h;
 }
 
 void Subdivision::kev(HalfEdgeId h) {
@@ -147,9 +143,9 @@ void Subdivision::kev(HalfEdgeId h) {
   kvsf(end);
 }
 
-HalfEdgeId Subdivision::mekr(const Corner& from, const Corner& to) {
-  LoopId kept = loop_of(from);
-  LoopId gone = loop_of(to);
+HalfEdgeId Subdivision::mekr(const Corner& from, const Corner& to, Room room) {
+  LoopId kept = loop(from);
+  LoopId gone = loop(to);
   DOBRA_CHECK(kept != gone && face(kept) == face(gone));
   const HalfEdgeId from_side = first(kept);
   const HalfEdgeId to_side = first(gone);
@@ -160,16 +156,15 @@ HalfEdgeId Subdivision::mekr(const Corner& from, const Corner& to) {
   const bool outer = outer_loop(f) == gone || outer_loop(f) == kept;
   for (const Corner& c : {from, to}) {
     if (c.before.valid()) continue;
-    tree_.erase(item_of(c.vertex));
-    lone_loop_[c.vertex.index()] = {};
+    end_lone(c.vertex);
   }
   if (first(gone).valid()) label(first(gone), kept);
   free_loop(gone);
-  const HalfEdgeId h = link_edge(from, to);
-  loop_[h.index()] = loop_[twin(h).index()] = kept;
-  first_[kept.index()] = h;
-  lone_vertex_[kept.index()] = {};
-  if (outer) outer_[f.index()] = kept;
+  const HalfEdgeId h = link_edge(from, to, room);
+  half_edges_[h.index()].loop = half_edges_[twin(h).index()].loop = kept;
+  loops_[kept.index()].first = h;
+  loops_[kept.index()].lone_vertex = {};
+  if (outer) faces_[f.index()].outer = kept;
   --components_;
   return h;
 }
@@ -189,7 +184,7 @@ void Subdivision::kemr(HalfEdgeId h) {
   const bool b_is_new = !b_side.valid() || (a_side.valid() && shorter(b_side, a_side) == b_side);
   const auto give = [&](HalfEdgeId side, VertexId v, LoopId l) {
     if (side.valid()) {
-      first_[l.index()] = side;
+      loops_[l.index()].first = side;
       if (l == fresh) label(side, l);
     } else {
       set_lone(v, l);
@@ -197,7 +192,7 @@ void Subdivision::kemr(HalfEdgeId h) {
   };
   give(a_side, a, b_is_new ? old : fresh);
   give(b_side, b, b_is_new ? fresh : old);
-  if (outer && !runs_round_hole(fresh)) outer_[f.index()] = fresh;
+  if (outer && !runs_round_hole(fresh)) faces_[f.index()].outer = fresh;
   ++components_;
 }
 
@@ -206,21 +201,18 @@ void Subdivision::move_enclosed_loops(FaceId from, FaceId to, LoopId by, LoopId 
   geom::Box box;
   for (const HalfEdgeId h : half_edges(by)) box.add(point(origin(h)));
   std::vector<LoopId> candidates;
-  LoopId l = first_loop_[from.index()];
+  LoopId l = faces_[from.index()].first;
   for (int i = 0; i < 16 && l.valid(); ++i) {
     candidates.push_back(l);
-    l = loop_next_[l.index()];
-    if (l == first_loop_[from.index()]) l = {};
+    l = loops_[l.index()].next;
+    if (l == faces_[from.index()].first) l = {};
   }
   if (l.valid()) {
     candidates.clear();
-    tree_.visit(box, [&](std::uint32_t item) {
-      if (item % 2 == 1) {
-        candidates.push_back(lone_loop(VertexId(item / 2)));
-      } else {
-        candidates.push_back(loop(half_edge(EdgeId(item / 2))));
-        candidates.push_back(loop(twin(half_edge(EdgeId(item / 2)))));
-      }
+    lone_tree_.visit(box, [&](std::uint32_t v, const geom::Segment&) { candidates.push_back(lone_loop(VertexId(v))); });
+    edge_tree_.visit(box, [&](std::uint32_t e, const geom::Segment&) {
+      candidates.push_back(loop(half_edge(EdgeId(e))));
+      candidates.push_back(loop(twin(half_edge(EdgeId(e)))));
     });
     std::sort(candidates.begin(), candidates.end());
     candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
@@ -234,33 +226,33 @@ void Subdivision::move_enclosed_loops(FaceId from, FaceId to, LoopId by, LoopId 
   }
 }
 
-HalfEdgeId Subdivision::mef(const Corner& from, const Corner& to) {
-  const LoopId old = loop_of(from);
-  DOBRA_CHECK(from.before.valid() && to.before.valid() && from.vertex != to.vertex && old == loop_of(to));
+HalfEdgeId Subdivision::mef(const Corner& from, const Corner& to, Room room) {
+  const LoopId old = loop(from);
+  DOBRA_CHECK(from.before.valid() && to.before.valid() && from.vertex != to.vertex && old == loop(to));
   const FaceId f = face(old);
   const bool outer = outer_loop(f) == old;
-  const HalfEdgeId h = link_edge(from, to);
+  const HalfEdgeId h = link_edge(from, to, room);
   const HalfEdgeId small = shorter(h, twin(h));
   const FaceId fresh_face = new_face();
-  face_attribute_[fresh_face.index()] = face_attribute_[f.index()];
+  face_attribute_.copy(f.index(), fresh_face.index(), faces_.size());
   const LoopId fresh = new_loop(f);
   label(small, fresh);
-  first_[fresh.index()] = small;
-  first_[old.index()] = twin(small);
-  loop_[twin(small).index()] = old;
+  loops_[fresh.index()].first = small;
+  loops_[old.index()].first = twin(small);
+  half_edges_[twin(small).index()].loop = old;
   LoopId bound = fresh;  // the outer loop of the new face
   if (!outer && runs_round_hole(fresh)) bound = old;
   detach(bound);
   attach(bound, fresh_face);
-  outer_[fresh_face.index()] = bound;
+  faces_[fresh_face.index()].outer = bound;
   const LoopId rest = bound == fresh ? old : fresh;
-  if (outer) outer_[f.index()] = rest;
+  if (outer) faces_[f.index()].outer = rest;
   // `small` decides: the other loops of f were outside the component, hence are in the new face if it encloses them.
-  if (loop_next_[rest.index()] != rest) {
+  if (loops_[rest.index()].next != rest) {
     detach(rest);  // not to be moved itself
-    if (first_loop_[f.index()].valid()) move_enclosed_loops(f, fresh_face, fresh, rest);
+    if (faces_[f.index()].first.valid()) move_enclosed_loops(f, fresh_face, fresh, rest);
     attach(rest, f);
-    if (outer) outer_[f.index()] = rest;
+    if (outer) faces_[f.index()].outer = rest;
   }
   return h;
 }
@@ -285,35 +277,37 @@ FaceId Subdivision::kef(HalfEdgeId h) {
   label(relabel_kept ? h : twin(h), merged);
   unlink_edge(h);
   free_edge(edge(h));
-  first_[merged.index()] = relabel_kept ? gone_rest : kept_rest;
+  loops_[merged.index()].first = relabel_kept ? gone_rest : kept_rest;
   free_loop(relabel_kept ? kept_loop : gone_loop);
   for (const LoopId l : loops(gone)) {
     detach(l);
     attach(l, kept);
   }
   // Side by side, or a hole closed from inside: the outer loop of the kept face stays; else the other's is taken over.
-  if (kept_was_outer) outer_[kept.index()] = gone_was_outer ? merged : gone_outer;
+  if (kept_was_outer) faces_[kept.index()].outer = gone_was_outer ? merged : gone_outer;
   free_face(gone);
   return kept;
 }
 
-VertexId Subdivision::split(EdgeId e, Point p) {
+VertexId Subdivision::split(EdgeId e, Point p, Room room) {
   DOBRA_CHECK(contains(e));
   const HalfEdgeId h = half_edge(e);
   const HalfEdgeId t = twin(h);
   const VertexId end = target(h);
+  if (room == Room::Unknown) tighten(p, e);
   const VertexId middle = new_vertex(p);
-  tree_.erase(item_of(e));
   const HalfEdgeId after = next(h);
   const HalfEdgeId before = previous(t);
-  const EdgeId fresh = new_edge(middle, end);
+  const EdgeId fresh = new_edge(middle, end, Room::Clear);
+  if (room_[e.index()] != 0) --room_[e.index()];  // rounding of p may have bent it
+  room_[fresh.index()] = room_[e.index()];
   const HalfEdgeId fh = half_edge(fresh);
   const HalfEdgeId ft = twin(fh);
-  edge_attribute_[fresh.index()] = edge_attribute_[e.index()];
-  origin_[t.index()] = middle;
-  tree_.insert(item_of(e), segment(e).box());
-  loop_[fh.index()] = loop(h);
-  loop_[ft.index()] = loop(t);
+  edge_attribute_.copy(e.index(), fresh.index(), edge_live_.size());
+  half_edges_[t.index()].origin = middle;
+  move_edge(e);
+  half_edges_[fh.index()].loop = loop(h);
+  half_edges_[ft.index()].loop = loop(t);
   link(h, fh);
   link(ft, t);
   if (after == t) {
@@ -322,8 +316,8 @@ VertexId Subdivision::split(EdgeId e, Point p) {
     link(fh, after);
     link(before, ft);
   }
-  leaving_[middle.index()] = fh;
-  if (leaving(end) == t) leaving_[end.index()] = ft;
+  vertices_[middle.index()].leaving = fh;
+  if (leaving(end) == t) vertices_[end.index()].leaving = ft;
   return middle;
 }
 
@@ -339,27 +333,25 @@ EdgeId Subdivision::join(VertexId v) {
   DOBRA_CHECK(target(a) != end);
   const HalfEdgeId after = next(b);
   const HalfEdgeId before = previous(back);
-  tree_.erase(item_of(edge(a)));
-  origin_[a.index()] = end;
-  tree_.insert(item_of(edge(a)), segment(edge(a)).box());
+  half_edges_[a.index()].origin = end;
+  move_edge(edge(a));
+  room_[edge(a).index()] = 0;
   if (after == back) {
     link(in, a);
   } else {
     link(in, after);
     link(before, a);
   }
-  if (leaving(end) == back) leaving_[end.index()] = a;
-  if (first(loop(b)) == b) first_[loop(b).index()] = in;
-  if (first(loop(back)) == back) first_[loop(back).index()] = a;
+  if (leaving(end) == back) vertices_[end.index()].leaving = a;
+  if (first(loop(b)) == b) loops_[loop(b).index()].first = in;
+  if (first(loop(back)) == back) loops_[loop(back).index()].first = a;
   free_edge(edge(b));
   free_vertex(v);
   return edge(a);
 }
 
-HalfEdgeId Subdivision::connect(VertexId a, VertexId b) {
-  const Corner from = corner(a, point(b));
-  const Corner to = corner(b, point(a));
-  return loop_of(from) == loop_of(to) ? mef(from, to) : mekr(from, to);
+HalfEdgeId Subdivision::connect(const Corner& from, const Corner& to, Room room) {
+  return loop(from) == loop(to) ? mef(from, to, room) : mekr(from, to, room);
 }
 
 }  // namespace dobra::topo

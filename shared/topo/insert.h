@@ -26,8 +26,8 @@ struct Inserted {
 /// @error NotFinite.
 base::Result<VertexId> insert(Subdivision& subdivision, geom::Point p);
 
-/// @error NotFinite; DegenerateCurve for zero length; CannotInsert if rounding does not come to rest (not seen yet);
-///        the subdivision is valid after every error.
+/// All of it goes in or, on an error, none.
+/// @error NotFinite, also for coordinates beyond 3e150; DegenerateCurve for zero length.
 /// @cost  O(log n + crossings) for segments that are short against the whole.
 base::Result<Inserted> insert(Subdivision& subdivision, const geom::Segment& segment);
 

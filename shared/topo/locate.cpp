@@ -39,8 +39,8 @@ double ceiling(const Segment& s, double x) {
 Location locate(const Subdivision& sub, Point p) {
   if (const auto v = sub.vertex_at(p)) return {Where::Vertex, *v, {}, {}};
   EdgeId on;
-  sub.tree().visit(geom::Box{p, p}, [&](std::uint32_t item) {
-    if (item % 2 == 0 && geom::point_on_segment(p, sub.segment(EdgeId(item / 2)))) on = EdgeId(item / 2);
+  sub.edge_tree().visit(geom::Box{p, p}, [&](std::uint32_t item, const Segment& s) {
+    if (geom::point_on_segment(p, s)) on = EdgeId(item);
   });
   if (on.valid()) return {Where::Edge, {}, on, {}};
 
@@ -48,14 +48,12 @@ Location locate(const Subdivision& sub, Point p) {
   EdgeId best;
   Segment best_segment;
   double limit = std::numeric_limits<double>::infinity();
-  sub.tree().visit_above(p, limit, [&](std::uint32_t item) {
-    if (item % 2 == 1) return limit;
-    const Segment edge = sub.segment(EdgeId(item / 2));
+  sub.edge_tree().visit_above(p, limit, [&](std::uint32_t item, const Segment& edge) {
     if (edge.from.x == edge.to.x) return limit;
     const Segment s = rightwards(edge);
     if (!(s.from.x <= p.x && p.x < s.to.x) || geom::orient2d(s.from, s.to, p) != Sign::Negative) return limit;
     if (!best.valid() || below(s, best_segment)) {
-      best = EdgeId(item / 2);
+      best = EdgeId(item);
       best_segment = s;
       limit = ceiling(s, p.x);
     }

@@ -18,6 +18,9 @@ using geom::Sign;
 
 namespace {
 
+/// Wide enough that products of doubles are exact and areas of slivers keep their sign.
+__extension__ using Wide = __float128;
+
 int sign(Point a, Point b, Point c) { return static_cast<int>(orient2d(a, b, c)); }
 
 class Check {
@@ -159,31 +162,34 @@ class Check {
 
   /// Outer loops have positive area; every other loop lies in its face and in no smaller one.
   void nesting() {
-    double all_areas = 0.0;
+    Wide all_areas = 0;
     for (const FaceId f : s_.faces()) {
       for (const LoopId l : s_.loops(f)) {
-        const double area = twice_area(l);
-        if (l == s_.outer_loop(f) && !(area > 0.0)) fail("l{}: outer loop with area {}", l.index(), area);
-        if (l != s_.outer_loop(f) && area > slack_) fail("l{}: hole with area {}", l.index(), area);
+        const Wide area = twice_area(l);
+        if (l == s_.outer_loop(f) && !(area > 0)) fail("l{}: outer loop with area {}", l.index(), double(area));
+        if (l != s_.outer_loop(f) && area > slack_) fail("l{}: hole with area {}", l.index(), double(area));
         all_areas += area;  // the holes of the unbounded face run clockwise: the sum over all loops vanishes
         if (l != s_.outer_loop(f)) holes(f, l);
       }
     }
-    if (std::abs(all_areas) > 1e-9 * extent_) fail("areas of faces add up to {} beyond the outline", all_areas);
+    if (all_areas > slack_ || -all_areas > slack_) fail("areas of faces add up to {} beyond the outline", double(all_areas));
   }
 
-  double twice_area(LoopId l) {
-    double sum = 0.0;
+  Wide twice_area(LoopId l) {
+    Wide sum = 0;
+    Wide size = 0;
     const auto around = s_.half_edges(l);
-    if (around.empty()) return 0.0;
+    if (around.empty()) return 0;
     const Point o = s_.point(s_.origin(around[0]));
     for (const HalfEdgeId h : around) {
-      const auto a = s_.point(s_.origin(h)) - o;
-      const auto b = s_.point(s_.target(h)) - o;
-      sum += geom::cross(a, b);
-      extent_ = std::max(extent_, std::abs(geom::cross(a, b)) * static_cast<double>(around.size()));
+      const Point a = s_.point(s_.origin(h));
+      const Point b = s_.point(s_.target(h));
+      const Wide left = (Wide(a.x) - o.x) * (Wide(b.y) - o.y);
+      const Wide right = (Wide(a.y) - o.y) * (Wide(b.x) - o.x);
+      sum += left - right;
+      size += (left < 0 ? -left : left) + (right < 0 ? -right : right);
     }
-    slack_ = std::max(slack_, 1e-12 * extent_);
+    slack_ += size * 0x1p-106;
     return sum;
   }
 
@@ -220,8 +226,7 @@ class Check {
 
   const Subdivision& s_;
   std::vector<std::string> wrong_;
-  double extent_ = 0.0;
-  double slack_ = 0.0;
+  Wide slack_ = 0;  // what rounding can add to the sum of all areas
 };
 
 }  // namespace
