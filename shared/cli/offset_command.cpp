@@ -33,6 +33,7 @@ struct Options {
   std::optional<double> arc_tolerance;
   bool untreated = false;
   bool closed = false;
+  bool verify = false;
   std::optional<std::string> curve;
   std::optional<std::filesystem::path> out;
 };
@@ -185,9 +186,10 @@ void note_empty(Session& session, const OffsetFamily& family) {
   }
 }
 
+/// @param verdict  of the verifier, if the user wants it.
 Result<std::vector<OffsetFamily>> families_of(Session& session, const Options& options,
                                               const std::vector<double>& distances,
-                                              const offset::OffsetOptions& settings) {
+                                              const offset::OffsetOptions& settings, OffsetVerdict& verdict) {
   DOBRA_TRY(io::Curves read, io::read_curves(options.file));
   for (const std::string& remark : read.remarks) session.note(remark);
   DOBRA_TRY(std::vector<io::NamedCurve> bases, chosen(std::move(read.curves), options.curve));
@@ -204,6 +206,7 @@ Result<std::vector<OffsetFamily>> families_of(Session& session, const Options& o
     auto curves =
         offset::offset(base_curve.line, distances, settings, progress.part(done / total, (done + 1.0) / total));
     if (!curves) return base::located(curves.error(), base::Place{.file = options.file, .item = base_curve.name});
+    if (options.verify) DOBRA_TRY_VOID(verify_offset(base_curve, settings, *curves, verdict));
     OffsetFamily family{.base = std::move(base_curve), .treatment = settings.treatment, .curves = {}};
     const double tolerance = options.arc_tolerance.value_or(offset::default_arc_tolerance);
     for (const offset::OffsetCurve& curve : *curves) family.curves.push_back(drawn(curve, family.base.line, tolerance));
@@ -223,12 +226,21 @@ Result<void> write_out(Session& session, const std::filesystem::path& out, const
   return {};
 }
 
+/// Says what the verifier found; the exit code.
+int announce(Session& session, const OffsetVerdict& verdict) {
+  for (const std::string& finding : verdict.findings) session.error_line(finding);
+  session.note(fmt::format("verified {} edges, and {} places where the curves must be: {}", verdict.edges, verdict.samples,
+                           verdict.findings.empty() ? "nothing is wrong" : fmt::format("{} findings", verdict.findings.size())));
+  return verdict.findings.empty() ? 0 : 1;
+}
+
 Result<int> offset_job(Session& session, const Options& options) {
   // Everything about the options first: a wrong one is told before a long file is read.
   DOBRA_TRY(const std::vector<double> distances, distances_of(options));
   DOBRA_TRY(const offset::OffsetOptions settings, offset_options(options));
   if (options.out) DOBRA_TRY_VOID(check_offset_ending(*options.out));
-  DOBRA_TRY(const std::vector<OffsetFamily> families, families_of(session, options, distances, settings));
+  OffsetVerdict verdict;
+  DOBRA_TRY(const std::vector<OffsetFamily> families, families_of(session, options, distances, settings, verdict));
   if (options.out) DOBRA_TRY_VOID(write_out(session, *options.out, families));
   if (session.options.format == OutputFormat::Json) {
     DOBRA_TRY_VOID(print(offset_json(families)));
@@ -237,7 +249,7 @@ Result<int> offset_job(Session& session, const Options& options) {
   } else if (session.options.verbosity != Verbosity::Quiet) {
     DOBRA_TRY_VOID(print(options.out->string() + '\n'));
   }
-  return 0;
+  return options.verify ? announce(session, verdict) : 0;
 }
 
 }  // namespace
@@ -252,6 +264,7 @@ Command offset_command() {
         add_distance_options(app, *options);
         add_shape_options(app, *options);
         app.add_flag("--closed", options->closed, "Take every curve as a closed contour");
+        app.add_flag("--verify", options->verify, "Judge the curves independently; exit code 1 if anything is wrong");
         app.add_option("--curve", options->curve, "Only the curve of this name or number; all by default")
             ->type_name("NAME|NUMBER");
         app.add_option("--out", options->out, "File to write: .geojson .wkt .csv .svg .pdf .png")->type_name("FILE");

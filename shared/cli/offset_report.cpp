@@ -12,6 +12,7 @@
 #include "shared/io/geojson.h"
 #include "shared/io/text_points.h"
 #include "shared/io/wkt.h"
+#include "shared/offset/verify.h"
 #include "shared/scene/color_map.h"
 
 namespace dobra::cli {
@@ -157,6 +158,20 @@ DrawnOffset drawn(const offset::OffsetCurve& curve, const geom::Polyline& base, 
   }
   if (made.area) made.area = std::abs(*made.area);
   return made;
+}
+
+base::Result<void> verify_offset(const io::NamedCurve& base, const offset::OffsetOptions& options,
+                                 const std::vector<offset::OffsetCurve>& curves, OffsetVerdict& verdict) {
+  for (const offset::OffsetCurve& curve : curves) {
+    DOBRA_TRY(const offset::Verification found, offset::verify(base.line, options, curve));
+    verdict.edges += found.edges;
+    verdict.samples += found.samples;
+    for (const offset::Finding& finding : found.findings) {
+      verdict.findings.push_back(
+          fmt::format("{}: distance {}: {}", base.name, dobra::base::number_text(curve.distance), offset::to_string(finding)));
+    }
+  }
+  return {};
 }
 
 std::string offset_json(const std::vector<OffsetFamily>& families) {

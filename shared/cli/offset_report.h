@@ -33,6 +33,17 @@ struct OffsetFamily {
 /// @param tolerance  of the chords, in D; see offset::chords.
 DrawnOffset drawn(const offset::OffsetCurve& curve, const geom::Polyline& base, double tolerance);
 
+/// What the verifier has to say about offset curves.
+struct OffsetVerdict {
+  std::vector<std::string> findings;  ///< A line each, with curve, distance and place.
+  std::size_t edges = 0;              ///< Judged.
+  std::size_t samples = 0;            ///< Places where the curves had to be.
+};
+
+/// Adds to `verdict` what offset::verify finds in the curves of one base.  @error those of offset::verify.
+base::Result<void> verify_offset(const io::NamedCurve& base, const offset::OffsetOptions& options,
+                                 const std::vector<offset::OffsetCurve>& curves, OffsetVerdict& verdict);
+
 /// {"curves":[{"distance":d,"length":L,"area":A or null,"pieces":[{"closed":b,"points":[[x,y],...]}]}],"dropped":n},
 /// one line, every digit; "curve":name comes first in each where there are several families.
 std::string offset_json(const std::vector<OffsetFamily>& families);

@@ -271,6 +271,24 @@ TEST_F(OffsetCommand, AHoleBetweenArmsIsAHoleOfThePolygon) {
               curve["area"].get<double>(), 1e-9);
 }
 
+TEST_F(OffsetCommand, VerifyJudgesTheCurvesAndSaysSo) {
+  const std::string file = put("l.csv", "0,0\n6,0\n6,2\n2,2\n2,6\n0,6\n");
+  const Outcome right = call({file, "--closed", "--side", "left", "--distances", "0.25,0.9", "--verify"});
+  EXPECT_EQ(right.code, 0);
+  EXPECT_NE(right.err.find("verified 12 edges"), std::string::npos) << right.err;
+  EXPECT_NE(right.err.find("nothing is wrong"), std::string::npos) << right.err;
+  // A curve that is wrong on purpose: the library's own are not.
+  const io::NamedCurve base{"top", {{{0, 0}, {10, 0}}, false}};
+  offset::OffsetPiece piece;
+  piece.points = {{0, -1}, {10, -1.5}};
+  piece.edges = {offset::OffsetEdge::line(0)};
+  OffsetVerdict verdict;
+  ASSERT_TRUE(verify_offset(base, {}, {offset::OffsetCurve{1.0, {piece}, 0}}, verdict).ok());
+  EXPECT_EQ(verdict.edges, 1U);
+  ASSERT_GE(verdict.findings.size(), 1U);
+  EXPECT_TRUE(verdict.findings[0].starts_with("top: distance 1.0: off its parallel: 0.5 where ")) << verdict.findings[0];
+}
+
 TEST_F(OffsetCommand, PicturesAreWrittenAndShowBaseAndDistances) {
   for (const auto& [name, start] : {std::pair{"p.svg", "<?xml"}, {"p.pdf", "%PDF"}, {"p.png", "\x89PNG"}}) {
     ASSERT_EQ(call({two(), "--distances", "0.5,1", "--out", path(name)}).code, 0) << name;
