@@ -14,12 +14,12 @@ constexpr std::uint32_t none = 0xffffffffU;
 
 Vec Trimmer::leaving(const Section& section) const {
   const Piece& piece = pieces_[section.first];
-  return piece.is_line() ? left_of(line_normal(piece.site)) : left_of(nodes_[section.from] - centre(piece.site));
+  return piece.is_line() ? left_of(line_normal(piece.site())) : left_of(nodes_[section.from] - centre(piece.site()));
 }
 
 Vec Trimmer::arriving(const Section& section) const {
   const Piece& piece = pieces_[section.last];
-  return piece.is_line() ? left_of(line_normal(piece.site)) : left_of(nodes_[section.to] - centre(piece.site));
+  return piece.is_line() ? left_of(line_normal(piece.site())) : left_of(nodes_[section.to] - centre(piece.site()));
 }
 
 /// Where boundaries coincide: the same way, they are one; opposite ways, the free strip between them has no width.
@@ -142,39 +142,54 @@ std::vector<Trimmer::Chain> Trimmer::assemble() {
 
 /// A closed chain starts where its lowest base segment does.
 OffsetPiece Trimmer::output(const Chain& chain) const {
-  std::vector<Span> spans;
-  std::size_t count = 0;
-  for (const Section& s : chain.sections) count += s.last - s.first + 1;
-  spans.reserve(count);
-  for (const Section& s : chain.sections) {
-    for (std::uint32_t k = s.first; k <= s.last; ++k) {
-      if (spans.empty() || spans.back().piece != k) spans.push_back({flat(part_start(s, k)), k});
-    }
-  }
-  const Flat end = flat(nodes_[chain.sections.back().to]);
-  if (chain.closed) {
-    if (spans.size() > 1 && spans.front().piece == spans.back().piece) {  // one piece, entered at its middle
-      spans.front().a = spans.back().a;
-      spans.pop_back();
-    }
-    std::size_t start = 0;
-    for (std::size_t i = 1; i < spans.size(); ++i) {
-      if (spans[i].piece < spans[start].piece) start = i;
-    }
-    std::rotate(spans.begin(), spans.begin() + static_cast<std::ptrdiff_t>(start), spans.end());
-  }
-  const auto point = [](Flat p) { return geom::Point{p.x, p.y}; };
+  const auto& sections = chain.sections;
+  std::size_t count = 1;
+  for (const Section& s : sections) count += s.last - s.first + 1;
   PieceWriter writer(base_, options_.join);
-  writer.reserve(spans.size() + 1);
-  for (const Span& span : spans) {
-    const Site site = pieces_[span.piece].site;
-    if (pieces_[span.piece].is_line()) {
-      writer.add_line(point(span.a), site.step);
+  writer.reserve(count);
+  const auto write = [&](Flat a, std::uint32_t k) {
+    const Piece& piece = pieces_[k];
+    if (piece.is_line()) {
+      writer.add_line({a.x, a.y}, piece.step());
     } else {
-      writer.add_arc(point(span.a), site.step);
+      writer.add_arc({a.x, a.y}, piece.step());
     }
+  };
+  // A section that goes on in the piece where the one before stopped adds nothing there.
+  const auto write_section = [&](const Section& s, std::uint32_t previous, std::uint32_t first, std::uint32_t last) {
+    for (std::uint32_t k = first; k <= last; ++k) {
+      if (k == s.first && k == previous) continue;
+      write(k == s.first ? flat(nodes_[s.from]) : start(k), k);
+    }
+  };
+  if (!chain.closed) {
+    std::uint32_t previous = none;
+    for (const Section& s : sections) {
+      write_section(s, previous, s.first, s.last);
+      previous = s.last;
+    }
+    const Flat end = flat(nodes_[sections.back().to]);
+    return writer.finish_open({end.x, end.y});
   }
-  return chain.closed ? writer.finish_closed() : writer.finish_open(point(end));
+  // Where the lowest piece begins; pieces grow within a section.
+  const std::size_t size = sections.size();
+  const auto before = [&](std::size_t i) { return sections[(i + size - 1) % size].last; };
+  std::size_t best = 0;
+  std::uint32_t lowest = none;
+  for (std::size_t i = 0; i < size; ++i) {
+    const bool goes_on = sections[i].first == before(i);  // its first piece begins in another section
+    const std::uint32_t k = sections[i].first + (goes_on ? 1 : 0);
+    if (k > sections[i].last || k >= lowest) continue;
+    lowest = k;
+    best = i;
+  }
+  if (lowest == none) lowest = sections[0].first;  // one piece only
+  write_section(sections[best], none, lowest, sections[best].last);
+  for (std::size_t i = 1; i < size; ++i) {
+    const std::size_t at = (best + i) % size;
+    write_section(sections[at], before(at), sections[at].first, sections[at].last);
+  }
+  return writer.finish_closed();
 }
 
 }  // namespace dobra::offset

@@ -32,11 +32,25 @@ double exact_origin(const std::vector<Point>& points, double Point::*axis, doubl
   if (middle == 0.0 || width == 0.0) return width == 0.0 ? middle : 0.0;
   const double step = std::exp2(std::ceil(std::log2(width)));
   const double origin = std::round(middle / step) * step;
+  if (origin == 0.0) return 0.0;
   for (const Point& p : points) {
     const Real exact = static_cast<Real>(p.*axis) - static_cast<Real>(origin);
     if (static_cast<Real>(p.*axis - origin) != exact) return 0.0;
   }
   return origin;
+}
+
+/// orient2d, with the test that nearly always tells in line.
+inline geom::Sign turn_sign(Point a, Point b, Point c) {
+  const geom::Vector u = b - a;
+  const geom::Vector v = c - b;
+  const double left = u.x * v.y;
+  const double right = u.y * v.x;
+  // Twice the bound of the predicate; far from underflow.
+  const double sum = std::abs(left) + std::abs(right);
+  const double cross = left - right;
+  if (sum > 1e-250 && std::abs(cross) > 1e-15 * sum) return geom::sign_of(cross);
+  return geom::orient2d(a, b, c);
 }
 
 void measure(BaseCurve& base) {
@@ -57,7 +71,7 @@ void measure(BaseCurve& base) {
     const std::size_t corner = base.end_index(i);
     const geom::Vector u = base.headings[i];
     const geom::Vector v = base.headings[base.after(i)];
-    const geom::Sign sign = geom::orient2d(base.start(i), base.end(i), base.end(base.after(i)));
+    const geom::Sign sign = turn_sign(base.start(i), base.end(i), base.end(base.after(i)));
     const double cosine = geom::dot(u, v);
     if (sign == geom::Sign::Zero && cosine > 0) continue;
     base.turn[corner] = sign == geom::Sign::Negative ? Turn::Inner : Turn::Outer;
@@ -72,21 +86,22 @@ void measure(BaseCurve& base) {
   }
 }
 
-/// See BaseCurve::regular_below.
 void measure_blocks(BaseCurve& base) {
   const std::size_t count = base.segment_count();
   const double margin = 1e-13 * base.size;
-  base.regular_below.reserve(count / BaseCurve::block_size + 1);
-  const auto taken = [&](std::size_t corner) { return base.turn[corner] == Turn::Inner ? base.half_tans[corner] : 0.0; };
+  base.blocks.reserve(count / BaseCurve::block_size + 1);
+  base.least_outer = std::numeric_limits<double>::infinity();
   for (std::size_t first = 0; first < count; first += BaseCurve::block_size) {
-    double least = std::numeric_limits<double>::infinity();
-    double before = taken(first);
+    BaseCurve::Block block{std::numeric_limits<double>::infinity(), 0.0};
     for (std::size_t i = first; i < std::min(count, first + BaseCurve::block_size); ++i) {
-      const double after = taken(i + 1);
-      least = std::min(least, (base.spans[i] - margin) / (before + after + 1e-300));
-      before = after;
+      const double before = base.turn[i] == Turn::Inner ? base.half_tans[i] : 0.0;
+      const double after = base.turn[i + 1] == Turn::Inner ? base.half_tans[i + 1] : 0.0;
+      block.regular_below = std::min(block.regular_below, (base.spans[i] - margin) / (before + after + 1e-300));
+      if (base.turn[i] != Turn::Outer) continue;
+      block.greatest_outer = std::max(block.greatest_outer, base.half_tans[i]);
+      base.least_outer = std::min(base.least_outer, base.half_tans[i]);
     }
-    base.regular_below.push_back(least);
+    base.blocks.push_back(block);
   }
 }
 

@@ -28,10 +28,13 @@ struct BaseCurve {
   // For each point (ends of an open curve: Straight, 0).
   std::vector<Turn> turn;         ///< Exact.
   std::vector<double> half_tans;  ///< tan(angle / 2) of the turn, >= 0; infinity for a U-turn.
-  /// Open curves, for each block of `block_size` segments: below this distance each of its parallels has a length left after
-  /// the inner corners at its ends have taken theirs.
-  std::vector<double> regular_below;
+  struct Block {
+    double regular_below;   ///< Below this distance the inner corners leave a length of each of the block's parallels.
+    double greatest_outer;  ///< Half tangent of the sharpest outer corner at the start of one of the block's segments, or 0.
+  };
   static constexpr std::size_t block_size = 16;
+  std::vector<Block> blocks;  ///< Open curves: of so many segments each.
+  double least_outer = 0;     ///< Least half tangent of an outer corner; infinity if there is none.
   double size = 0;                ///< Greatest coordinate.
   geom::Point origin;             ///< In the user's coordinates.
   bool mirrored = false;

@@ -1,54 +1,132 @@
 #pragma once
-// Finds the pairs of pieces of a chain that may meet. A tree of boxes over the chain in its own order; each node also knows the
-// directions that occur in it, as 64 bits of 5.6 degrees: a connected part whose directions fit in an open half-plane cannot
-// meet itself, so that smooth curves are dismissed near the root. Source: [volino1994collision] (normal cones).
+// Finds the parts of a chain that may meet. A tree of boxes over the chain in its own order; each node also knows the directions
+// that occur in it, as 64 bits of 5.6 degrees: a connected part whose directions fit in an open half-plane cannot meet itself,
+// so that smooth curves are dismissed near the root. Source: [volino1994collision] (normal cones).
 
-#include <functional>
+#include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "shared/offset/real.h"
 
 namespace dobra::offset {
 
+/// Rounded outwards.
+struct FloatBox {
+  float low_x = std::numeric_limits<float>::infinity();
+  float low_y = std::numeric_limits<float>::infinity();
+  float high_x = -std::numeric_limits<float>::infinity();
+  float high_y = -std::numeric_limits<float>::infinity();
+
+  /// @param margin  added on all sides.
+  FloatBox() = default;
+  FloatBox(Flat low, Flat high, double margin)
+      : low_x(below(low.x - margin)), low_y(below(low.y - margin)), high_x(above(high.x + margin)), high_y(above(high.y + margin)) {}
+  void add(const FloatBox& other) {
+    low_x = std::min(low_x, other.low_x);
+    low_y = std::min(low_y, other.low_y);
+    high_x = std::max(high_x, other.high_x);
+    high_y = std::max(high_y, other.high_y);
+  }
+  [[nodiscard]] bool overlaps(const FloatBox& other) const {
+    return (low_x <= other.high_x) & (other.low_x <= high_x) & (low_y <= other.high_y) & (other.low_y <= high_y);
+  }
+  [[nodiscard]] float size() const { return (high_x - low_x) + (high_y - low_y); }
+
+ private:
+  // One step of 2^-23 is at least the rounding of a float; the least normal number stands in for what is below it.
+  static float below(double x) { return static_cast<float>(x - std::abs(x) * 1.2e-7 - 1e-37); }
+  static float above(double x) { return static_cast<float>(x + std::abs(x) * 1.2e-7 + 1e-37); }
+};
+
 class ChainTree {
  public:
-  struct Item {
-    Flat low, high;             ///< Box.
-    std::uint64_t directions;   ///< See directions_of.
-    bool linked;                ///< Starts where the item before ends.
+  /// Some items in a row.
+  struct Leaf {
+    FloatBox box;
+    std::uint64_t directions;  ///< See directions_of.
+    bool connected;            ///< Each item but the first starts where the one before ends.
+    bool linked;               ///< The first one too.
   };
   /// The bits of all directions from u anticlockwise to v, less than half a turn, with a bit to spare on both sides.
   static std::uint64_t directions_of(Flat u, Flat v);
 
-  /// @param item  the i-th item. @cost O(n).
-  ChainTree(std::size_t count, const std::function<Item(std::size_t)>& item, double margin);
+  /// In the order of the chain. @cost O(n).
+  explicit ChainTree(const std::vector<Leaf>& leaves) : count_(leaves.size()) {
+    if (count_ == 0) return;
+    nodes_.resize(2 * count_ - 1);
+    build(0, 0, count_, leaves);
+  }
 
-  /// Calls visit(i, j), i < j, for all pairs of items with boxes nearer than the margin, but for linked neighbours and for
-  /// parts that cannot meet by their directions.
-  void for_each_pair(const std::function<void(std::size_t, std::size_t)>& visit) const;
+  /// Calls visit(i, j), i <= j, for all leaves with items that may meet: boxes that overlap, and directions that do not rule
+  /// it out.
+  template <class Visit>
+  void for_each_pair(Visit&& visit) const {
+    if (count_ > 0) self({0, 0, count_}, visit);
+  }
+
+  /// Calls visit(i) for all leaves with boxes that overlap this one.
+  template <class Visit>
+  void for_each_overlap(const FloatBox& box, Visit&& visit) const {
+    if (count_ > 0) overlaps({0, 0, count_}, box, visit);
+  }
 
  private:
-  static constexpr std::size_t leaf_size = 8;
-  struct Node {
-    float low_x, low_y, high_x, high_y;
-    std::uint64_t directions = 0;
-    bool connected = true;    // all items in it but the first are linked to the one before
-    bool linked = false;      // its first item is
+  using Node = Leaf;
+  /// A node and its leaves. The left child is stored next to it, the right one after all of the left one's nodes.
+  struct Range {
+    std::size_t node, first, last;
+    [[nodiscard]] bool is_leaf() const { return last - first == 1; }
+    [[nodiscard]] Range left() const { return {node + 1, first, (first + last) / 2}; }
+    [[nodiscard]] Range right() const { return {node + 2 * ((first + last) / 2 - first), (first + last) / 2, last}; }
   };
-  struct Box {
-    float low_x, low_y, high_x, high_y;
-  };
-  void self(std::size_t node, std::size_t size, const std::function<void(std::size_t, std::size_t)>& visit) const;
-  void pair(std::size_t a, std::size_t b, const std::function<void(std::size_t, std::size_t)>& visit) const;
-  void items(std::size_t a, std::size_t b, const std::function<void(std::size_t, std::size_t)>& visit) const;
-  [[nodiscard]] bool is_leaf(std::size_t node) const { return node >= leaves_; }
-  [[nodiscard]] bool follows(std::size_t a, std::size_t b) const;
+  static bool fits_half_plane(std::uint64_t directions);
+  void build(std::size_t node, std::size_t first, std::size_t last, const std::vector<Leaf>& leaves);
+
+  template <class Visit>
+  void self(Range a, Visit& visit) const {
+    const Node& n = nodes_[a.node];
+    if (n.connected && fits_half_plane(n.directions)) return;
+    if (a.is_leaf()) {
+      visit(a.first, a.first);
+      return;
+    }
+    self(a.left(), visit);
+    self(a.right(), visit);
+    pair(a.left(), a.right(), visit);
+  }
+
+  template <class Visit>
+  void pair(Range a, Range b, Visit& visit) const {
+    const Node& m = nodes_[a.node];
+    const Node& n = nodes_[b.node];
+    if (!m.box.overlaps(n.box)) return;
+    if (a.last == b.first && n.linked && m.connected && n.connected && fits_half_plane(m.directions | n.directions)) return;
+    if (a.is_leaf() && b.is_leaf()) {
+      visit(a.first, b.first);
+    } else if (b.is_leaf() || (!a.is_leaf() && m.box.size() > n.box.size())) {
+      pair(a.left(), b, visit);
+      pair(a.right(), b, visit);
+    } else {
+      pair(a, b.left(), visit);
+      pair(a, b.right(), visit);
+    }
+  }
+
+  template <class Visit>
+  void overlaps(Range a, const FloatBox& box, Visit& visit) const {
+    if (!nodes_[a.node].box.overlaps(box)) return;
+    if (a.is_leaf()) {
+      visit(a.first);
+      return;
+    }
+    overlaps(a.left(), box, visit);
+    overlaps(a.right(), box, visit);
+  }
 
   std::size_t count_;
-  std::size_t leaves_ = 1;  // a power of two
-  std::vector<Node> nodes_;  // heap order
-  std::vector<Box> boxes_;
-  std::vector<bool> linked_;
+  std::vector<Node> nodes_;
 };
 
 }  // namespace dobra::offset

@@ -4,23 +4,92 @@
 
 namespace dobra::offset {
 
-Clearance::Clearance(const BaseCurve& base, const OffsetOptions& options) : base_(base) {
+namespace {
+
+void add(FloatBox& box, Flat p) { box.add(FloatBox(p, p, 0)); }
+
+}  // namespace
+
+Clearance::Clearance(const BaseCurve& base, const OffsetOptions& options) : base_(base), corners_(right_corners(base, options)) {
   const std::size_t count = base.segment_count();
   while (leaves_ * leaf_size < count) leaves_ *= 2;
   boxes_.resize(2 * leaves_);
   for (std::size_t i = 0; i < count; ++i) {
-    boxes_[leaves_ + i / leaf_size].add(base.start(i));
-    boxes_[leaves_ + i / leaf_size].add(base.end(i));
+    add(boxes_[leaves_ + i / leaf_size], flat(base.start(i)));
+    add(boxes_[leaves_ + i / leaf_size], flat(base.end(i)));
   }
   for (std::size_t i = leaves_ - 1; i > 0; --i) {
     boxes_[i].add(boxes_[2 * i]);
     boxes_[i].add(boxes_[2 * i + 1]);
   }
-  for (std::size_t at = 0; at < base.points.size(); ++at) {
-    if (base.turn[at] != Turn::Outer) continue;
-    const Fill fill = fill_of(base, at, options);
-    const double t = fill == Fill::Tangent ? static_cast<double>(quarter_tan(base.half_tans[at])) : base.half_tans[at];
-    if (fill != Fill::Arc) mitre_reach_ = std::max(mitre_reach_, std::sqrt(1 + t * t));
+  blocks_.reserve((count + Block::size - 1) / Block::size);
+  for (std::size_t i = 0; i < count; i += Block::size) add_block(i, std::min<std::size_t>(count, i + Block::size));
+  add_mitres(options);
+}
+
+void Clearance::add_block(std::size_t first, std::size_t last) {
+  Block block{};
+  const auto both = [&](Flat n) {
+    add(block.right, n);
+    add(block.left, -n);
+  };
+  // The corner between segments i and j: all that the raw outline has there.
+  const auto corner = [&](std::size_t i, std::size_t j, std::size_t at) {
+    const Flat u = flat(base_.headings[i]);
+    const Flat v = flat(base_.headings[j]);
+    const double t = base_.half_tans[at];
+    const Corner kind = corners_[at];
+    if (kind == Corner::Straight) return;
+    if (kind == Corner::Arc || kind == Corner::Mitre || kind == Corner::Tangent) {
+      block.directions |= std::isinf(t) ? ~std::uint64_t{0} : ChainTree::directions_of(u, v);
+    }
+    FloatBox wide;  // holds the arc on either side
+    if (t <= 1) {
+      const bool outer = kind != Corner::Meet;
+      add(outer ? block.right : block.left, (outer ? right_of(u) : left_of(u)) + t * u);
+    } else {
+      block.right.add(FloatBox({-1, -1}, {1, 1}, 0));
+      block.left.add(FloatBox({-1, -1}, {1, 1}, 0));
+    }
+    if (kind == Corner::Mitre) add(block.right, right_of(u) + t * u);
+    if (kind == Corner::Tangent) {
+      const double q = std::isinf(t) ? 1 : t / (1 + std::sqrt(1 + t * t));
+      add(block.right, right_of(u) + q * u);
+      add(block.right, right_of(v) - q * v);
+    }
+  };
+  if (base_.has_before(first)) corner(base_.before(first), first, first);
+  for (std::size_t i = first; i < last; ++i) {
+    const Flat u = flat(base_.headings[i]);
+    add(block.points, flat(base_.start(i)));
+    add(block.points, flat(base_.end(i)));
+    both(right_of(u));
+    block.directions |= ChainTree::directions_of(u, u);
+    if (!base_.has_after(i)) continue;
+    both(right_of(flat(base_.headings[base_.after(i)])));
+    corner(i, base_.after(i), base_.end_index(i));
+  }
+  blocks_.push_back(block);
+}
+
+void Clearance::add_mitres(const OffsetOptions& options) {
+  if (options.join == Join::Round || options.join == Join::Bevel) return;
+  const auto has = [](Corner c) { return c == Corner::Mitre || c == Corner::Tangent; };
+  if (std::none_of(corners_.begin(), corners_.end(), has)) return;
+  mitre_boxes_.resize(2 * leaves_);
+  for (std::size_t i = 0; i < base_.segment_count(); ++i) {
+    const std::size_t at = base_.end_index(i);
+    if (!base_.has_after(i) || !has(corners_[at])) continue;
+    FloatBox& box = mitre_boxes_[leaves_ + i / leaf_size];
+    const Flat u = flat(base_.headings[i]);
+    const Flat v = flat(base_.headings[base_.after(i)]);
+    const double t = base_.half_tans[at];
+    const double q = corners_[at] == Corner::Mitre ? t : std::isinf(t) ? 1 : t / (1 + std::sqrt(1 + t * t));
+    for (const Flat w : {Flat{0, 0}, right_of(u), right_of(v), right_of(u) + q * u, right_of(v) - q * v}) add(box, w);
+  }
+  for (std::size_t i = leaves_ - 1; i > 0; --i) {
+    mitre_boxes_[i].add(mitre_boxes_[2 * i]);
+    mitre_boxes_[i].add(mitre_boxes_[2 * i + 1]);
   }
 }
 
@@ -37,6 +106,15 @@ bool Clearance::nearer(std::size_t i, Vec q, Real squared) const {
   return across * across < squared;
 }
 
+double Clearance::squared_distance(std::size_t i, Flat p) const {
+  const Flat u = flat(base_.headings[i]);
+  const Flat to = p - flat(base_.start(i));
+  const double s = dot(to, u);
+  const double t = std::clamp(s, 0.0, base_.spans[i]);
+  const double across = cross(to, u);
+  return across * across + (s - t) * (s - t);
+}
+
 bool Clearance::nearer_in_leaf(std::size_t leaf, Vec q, Real r) const {
   const std::size_t end = std::min((leaf + 1) * leaf_size, base_.segment_count());
   const Flat p = flat(q);
@@ -44,12 +122,7 @@ bool Clearance::nearer_in_leaf(std::size_t leaf, Vec q, Real r) const {
   const double low = std::max(0.0, static_cast<double>(r) - margin);
   const double high = static_cast<double>(r) + margin;
   for (std::size_t i = leaf * leaf_size; i < end; ++i) {
-    const Flat u = flat(base_.headings[i]);
-    const Flat to = p - flat(base_.start(i));
-    const double s = dot(to, u);
-    const double t = std::clamp(s, 0.0, base_.spans[i]);
-    const double across = cross(to, u);
-    const double squared = across * across + (s - t) * (s - t);
+    const double squared = squared_distance(i, p);
     if (squared > high * high) continue;
     if (squared < low * low || nearer(i, q, r * r)) return true;
   }
@@ -57,12 +130,11 @@ bool Clearance::nearer_in_leaf(std::size_t leaf, Vec q, Real r) const {
 }
 
 template <class Visit>
-bool Clearance::any_leaf(Vec q, double reach, Visit&& visit) const {
-  const geom::Point p = rounded(q);
+bool Clearance::any_leaf(Flat p, double reach, Visit&& visit) const {
   const double limit = reach * reach;
-  const auto squared_gap = [&](const geom::Box& box) {
-    const double x = std::max({box.low.x - p.x, 0.0, p.x - box.high.x});
-    const double y = std::max({box.low.y - p.y, 0.0, p.y - box.high.y});
+  const auto squared_gap = [&](const FloatBox& box) {
+    const double x = std::max({box.low_x - p.x, 0.0, p.x - box.high_x});
+    const double y = std::max({box.low_y - p.y, 0.0, p.y - box.high_y});
     return x * x + y * y;
   };
   struct Open {
@@ -98,13 +170,28 @@ bool Clearance::any_leaf(Vec q, double reach, Visit&& visit) const {
 bool Clearance::nearer_than(Vec q, Real r) const {
   if (!(r > 0)) return false;
   const double reach = static_cast<double>(r) * (1.0 + 1e-12) + 1e-14 * (base_.size + static_cast<double>(r));
-  return any_leaf(q, reach, [&](std::size_t leaf) { return nearer_in_leaf(leaf, q, r); });
+  return any_leaf(flat(q), reach, [&](std::size_t leaf) { return nearer_in_leaf(leaf, q, r); });
+}
+
+std::uint32_t Clearance::find_nearer(Flat q, double r) const {
+  if (!(r > 0)) return none;
+  std::uint32_t found = none;
+  double least = r * r;
+  any_leaf(q, r, [&](std::size_t leaf) {
+    const std::size_t end = std::min((leaf + 1) * leaf_size, base_.segment_count());
+    for (std::size_t i = leaf * leaf_size; i < end; ++i) {
+      const double squared = squared_distance(i, q);
+      if (squared >= least) continue;
+      least = squared;
+      found = static_cast<std::uint32_t>(i);
+    }
+    return found != none;
+  });
+  return found;
 }
 
 bool Clearance::in_mitre_at(std::uint32_t step, Vec q, const Outline& outline, Real r) const {
-  if (outline.is_cap(step)) return false;
-  const Outline::Corner kind = outline.corner(step);
-  if (kind != Outline::Corner::Mitre && kind != Outline::Corner::Tangent) return false;
+  const Corner kind = outline.corner(step);
   const double margin = 1e-13 * (base_.size + outline.distance());
   const Flat near = flat(q) - outline.to<double>(step);
   const Flat u = outline.along<double>(step);
@@ -118,23 +205,58 @@ bool Clearance::in_mitre_at(std::uint32_t step, Vec q, const Outline& outline, R
   const Vec m = outline.normal<Real>(outline.after(step));
   if (cross(n, to) < 0 || cross(to, m) < 0) return false;
   Real outermost = std::max(dot(n, to), dot(m, to));
-  if (kind == Outline::Corner::Tangent) outermost = std::max(outermost, dot(outline.middle_of_turn<Real>(step), to));
+  if (kind == Corner::Tangent) outermost = std::max(outermost, dot(outline.middle_of_turn<Real>(step), to));
   return outermost < r;
 }
 
-bool Clearance::in_mitre(Vec q, const Outline& outline, Real r) const {
-  if (mitre_reach_ == 0) return false;
-  const double reach = mitre_reach_ * outline.distance() * (1 + 1e-12);
-  const Flat p = flat(q);
-  return any_leaf(q, reach, [&](std::size_t leaf) {
-    const std::size_t end = std::min((leaf + 1) * leaf_size, base_.segment_count());
-    for (std::size_t i = leaf * leaf_size; i < end; ++i) {
-      if (base_.turn[base_.end_index(i)] != Turn::Outer) continue;
-      const Flat to = p - flat(base_.end(i));
-      if (dot(to, to) <= reach * reach && in_mitre_at(static_cast<std::uint32_t>(i), q, outline, r)) return true;
+template <class Visit>
+bool Clearance::any_mitre(Flat q, double d, Visit&& visit) const {
+  if (mitre_boxes_.empty()) return false;
+  const double margin = 1e-13 * (base_.size + d);
+  const auto may_hold = [&](std::size_t node) {
+    const FloatBox& p = boxes_[node];
+    const FloatBox& w = mitre_boxes_[node];
+    return (q.x >= p.low_x + d * w.low_x - margin) & (q.x <= p.high_x + d * w.high_x + margin) &
+           (q.y >= p.low_y + d * w.low_y - margin) & (q.y <= p.high_y + d * w.high_y + margin);
+  };
+  std::size_t open[64];
+  std::size_t count = 0;
+  if (may_hold(1)) open[count++] = 1;
+  while (count > 0) {
+    const std::size_t node = open[--count];
+    if (node < leaves_) {
+      if (may_hold(2 * node + 1)) open[count++] = 2 * node + 1;
+      if (may_hold(2 * node)) open[count++] = 2 * node;
+      continue;
     }
-    return false;
+    const std::size_t first = (node - leaves_) * leaf_size;
+    const std::size_t end = std::min(first + leaf_size, base_.segment_count());
+    for (std::size_t i = first; i < end; ++i) {
+      if (!base_.has_after(i)) continue;
+      const Corner kind = corners_[base_.end_index(i)];
+      if (kind != Corner::Mitre && kind != Corner::Tangent) continue;
+      if (visit(static_cast<std::uint32_t>(i))) return true;
+    }
+  }
+  return false;
+}
+
+bool Clearance::in_mitre(Vec q, const Outline& outline, Real r) const {
+  return any_mitre(flat(q), outline.distance(), [&](std::uint32_t step) { return in_mitre_at(step, q, outline, r); });
+}
+
+std::uint32_t Clearance::find_mitre(Flat q, const Outline& outline, double r) const {
+  std::uint32_t found = none;
+  any_mitre(q, outline.distance(), [&](std::uint32_t step) {
+    const Flat near = q - flat(base_.end(step));
+    const Flat u = flat(base_.headings[step]);
+    const Flat v = flat(base_.headings[base_.after(step)]);
+    if (dot(near, u) < 0 || dot(near, v) > 0 || dot(near, right_of(u)) >= r || dot(near, right_of(v)) >= r) return false;
+    if (!outline.deep_inside(q, step, outline.distance() - r)) return false;  // cut across, perhaps
+    found = step;
+    return true;
   });
+  return found;
 }
 
 }  // namespace dobra::offset

@@ -10,8 +10,32 @@ namespace dobra::offset {
 using geom::Point;
 using geom::Vector;
 
+namespace {
+
+/// The middle of all directions if all are well forward along the chord of the base; else it takes more to tell.
+std::optional<Vector> plain_direction(const BaseCurve& base) {
+  const Vector chord = base.points.back() - base.points.front();
+  const double length = geom::length(chord);
+  if (!(length > 0)) return std::nullopt;
+  const Vector forward = chord / length;
+  Vector right = base.headings[0];
+  Vector left = base.headings[0];
+  double least = 1.0;
+  for (const Vector u : base.headings) {
+    least = std::min(least, geom::dot(u, forward));
+    if (geom::cross(right, u) < 0) right = u;
+    if (geom::cross(left, u) > 0) left = u;
+  }
+  if (!(least > 1e-3)) return std::nullopt;  // far above rounding
+  const Vector sum = right + left;
+  return sum / geom::length(sum);
+}
+
+}  // namespace
+
 std::optional<Vector> monotone_direction(const BaseCurve& base) {
   if (base.closed || base.segment_count() >= mitred) return std::nullopt;
+  if (const auto plain = plain_direction(base)) return plain;
   // The segments with the rightmost and the leftmost direction so far; they span less than half a turn.
   std::size_t right = 0;
   std::size_t left = 0;
@@ -97,13 +121,13 @@ std::vector<OffsetPiece> between_caps(Stacked& curve, const BaseCurve& base, con
   if (std::count_if(curve.edges.begin(), curve.edges.end(), is_cap) == 1) {  // the last
     curve.points.pop_back();
     curve.edges.pop_back();
-    pieces.push_back(finisher.piece(std::move(curve.points), std::move(curve.edges), true));
+    pieces.push_back(finisher.piece(std::move(curve.points), std::move(curve.edges), curve.repeats));
   } else {
     for (auto first = curve.edges.begin(); first != curve.edges.end(); ++first) {
       if (is_cap(*first)) continue;
       const auto last = std::find_if(first, curve.edges.end(), is_cap);
       const auto start = curve.points.begin() + (first - curve.edges.begin());
-      pieces.push_back(finisher.piece({start, start + (last - first) + 1}, {first, last}, true));
+      pieces.push_back(finisher.piece({start, start + (last - first) + 1}, {first, last}, curve.repeats));
       first = last - 1;
     }
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <optional>
 
 #include "shared/offset/lower_envelope.h"
 
@@ -34,8 +35,9 @@ struct Axis {
 
 /// The lower boundary of a mitre: foot, tip or both ends of a bevel, foot.
 struct Kite {
-  std::array<Point, 4> at;
-  std::size_t count;
+  std::array<Point, 4> at;  ///< Without a bevel the tip stands twice.
+  std::size_t corner;
+  double lowest;  ///< Place of the tip across the axis.
 };
 
 class MitreEnvelope {
@@ -54,11 +56,22 @@ class MitreEnvelope {
   // Kites.
   [[nodiscard]] Kite kite(std::size_t corner) const;
   [[nodiscard]] bool in_pill(const Kite& kite, std::size_t segment) const;
-  [[nodiscard]] std::vector<Span> visible_kites();
-  void add_spans(const Kite& kite, std::size_t corner, std::vector<Span>& spans) const;
+  std::vector<Span> lowest_kites();
+  std::vector<Span> other_kites();
+  [[nodiscard]] bool is_above_curve(const Kite& kite, std::size_t& hint) const;
+  [[nodiscard]] bool is_above_part(Point p, std::size_t k) const;
+  static std::uint64_t bit(std::size_t corner) { return std::uint64_t{1} << (corner % 64); }
+  template <class Use> void for_each_cut(Use&& use) const {
+    for (std::size_t word = 0; word < curve_.cut.size(); ++word) {
+      for (std::uint64_t bits = curve_.cut[word]; bits != 0; bits &= bits - 1) {
+        use(word * 64 + static_cast<std::size_t>(std::countr_zero(bits)));
+      }
+    }
+  }
+  void add_spans(const Kite& kite, std::vector<Span>& spans) const;
 
   // The curve of the pills, with caps.
-  void add_caps(double first_x);
+  void add_caps();
   [[nodiscard]] double x_of(std::size_t k) const { return axis_.x(curve_.points[k]); }
   [[nodiscard]] std::size_t part_at(double x, std::size_t hint) const;
   [[nodiscard]] std::uint32_t site(std::size_t k) const;
@@ -73,13 +86,18 @@ class MitreEnvelope {
   void compare_with_arc(const Span& w, std::size_t k, double x0, double x1);
   void take_kite(const Span& w, std::size_t k, double x, const Point* at = nullptr);
   void take_curve(std::size_t k, double x, const Point* at = nullptr);
-  [[nodiscard]] static OffsetEdge edge_of(std::uint32_t site) { return OffsetEdge::line(segment_of(site)); }
+  [[nodiscard]] static OffsetEdge edge_of(std::uint32_t site) {
+    const std::size_t segment = segment_of(site);
+    return kind_of(site) == Kind::Line ? OffsetEdge::line(segment) : OffsetEdge::arc(segment | mitred);
+  }
   void insert(Point p, OffsetEdge edge) {
     added_points_.push_back(p);
     added_edges_.push_back(edge);
   }
   void apply_edits();
-  void drop_rounding();
+  [[nodiscard]] bool is_short(Point p, Point q) const;
+  [[nodiscard]] bool has_short_step(std::size_t from, std::size_t to) const;
+  void drop_short_steps();
 
   // Where sites meet.
   struct Line {
@@ -96,6 +114,7 @@ class MitreEnvelope {
   const double d_;
   const Filling& filling_;
   std::size_t parts_;
+  double first_x_ = std::numeric_limits<double>::infinity();  // where the first kite that may be visible starts
   std::vector<Edit> edits_;
   std::vector<Point> added_points_;
   std::vector<OffsetEdge> added_edges_;
@@ -105,11 +124,17 @@ class MitreEnvelope {
 
 Kite MitreEnvelope::kite(std::size_t corner) const {
   const double t = base_.half_tans[corner];
-  const Point first = foot_before(base_, corner, d_);
-  const Point second = foot_after(base_, corner, d_);
-  if (filling_.of(t) == Fill::Mitre) return {{first, tip_at(base_, corner, d_, t), second, second}, 3};
-  const double quarter = quarter_of(t);
-  return {{first, bevel_start(base_, corner, d_, quarter), bevel_end(base_, corner, d_, quarter), second}, 4};
+  Kite made{{foot_before(base_, corner, d_), {}, {}, foot_after(base_, corner, d_)}, corner, 0};
+  if (filling_.of(t) == Fill::Mitre) {
+    made.at[1] = tip_at(base_, corner, d_, t);
+    made.at[2] = made.at[1];
+  } else {
+    const double quarter = quarter_of(t);
+    made.at[1] = bevel_start(base_, corner, d_, quarter);
+    made.at[2] = bevel_end(base_, corner, d_, quarter);
+  }
+  made.lowest = std::min(axis_.y(made.at[1]), axis_.y(made.at[2]));
+  return made;
 }
 
 /// Pills are convex, so what has its corners in one lies in it.
@@ -127,47 +152,110 @@ bool MitreEnvelope::in_pill(const Kite& kite, std::size_t segment) const {
   return true;
 }
 
-/// Envelope of the kites that no single pill hides.
-std::vector<Span> MitreEnvelope::visible_kites() {
+/// Drops the kites that a pill hides, and makes the envelope of the lowest ones, one from each stretch of the axis.
+std::vector<Span> MitreEnvelope::lowest_kites() {
   LowerEnvelope envelope;
   std::vector<Span> spans;
+  constexpr double stretch = 0.25;  // of D
+  constexpr int patience = 8;       // looking for another pill costs more than trying the last one again
   std::size_t killer = 0;
   std::size_t hint = 0;
-  for (std::size_t word = 0; word < curve_.cut.size(); ++word) {
-    for (std::uint64_t bits = curve_.cut[word]; bits != 0; bits &= bits - 1) {
-      const std::size_t corner = word * 64 + static_cast<std::size_t>(std::countr_zero(bits));
-      const Kite at = kite(corner);
-      if (in_pill(at, killer)) continue;
-      if (parts_ > 0) {
-        hint = part_at(axis_.x(at.at[1]), hint);
-        const std::size_t candidate = curve_.edges[hint].base_edge() & ~mitred;
-        if (in_pill(at, candidate)) {
-          killer = candidate;
-          continue;
-        }
-      }
-      add_spans(at, corner, spans);
-      envelope.add(spans);
+  int failures = 0;
+  double end = -std::numeric_limits<double>::infinity();
+  std::optional<Kite> lowest;
+  const auto release = [&] {
+    if (!lowest) return;
+    curve_.cut[lowest->corner / 64] &= ~bit(lowest->corner);
+    add_spans(*lowest, spans);
+    envelope.add(spans);
+  };
+  for_each_cut([&](std::size_t corner) {
+    const Kite made = kite(corner);
+    bool hidden = in_pill(made, killer);
+    if (!hidden && failures++ % patience == 0 && parts_ > 0) {
+      hint = part_at(axis_.x(made.at[1]), hint);
+      killer = curve_.edges[hint].base_edge() & ~mitred;
+      hidden = in_pill(made, killer);
     }
-  }
+    if (hidden) {
+      failures = 0;
+      curve_.cut[corner / 64] &= ~bit(corner);
+      return;
+    }
+    first_x_ = std::min(first_x_, axis_.x(made.at[0]));
+    const double x = axis_.x(base_.points[corner]);
+    if (x > end) {
+      release();
+      lowest = made;
+      end = x + stretch * d_;
+    } else if (made.lowest < lowest->lowest) {
+      lowest = made;
+    }
+  });
+  release();
+  return envelope.finish();
+}
+
+/// The envelope of those that are left and come out below the curve.
+std::vector<Span> MitreEnvelope::other_kites() {
+  LowerEnvelope envelope;
+  std::vector<Span> spans;
+  std::size_t hint = 0;
+  for_each_cut([&](std::size_t corner) {
+    const Kite made = kite(corner);
+    if (is_above_curve(made, hint)) return;
+    add_spans(made, spans);
+    envelope.add(spans);
+  });
   curve_.cut = {};
   return envelope.finish();
 }
 
-void MitreEnvelope::add_spans(const Kite& kite, std::size_t corner, std::vector<Span>& spans) const {
+/// False if it is not, or if it would take long to tell. The kite is convex, and so are the parts of the curve: their corners
+/// tell.
+bool MitreEnvelope::is_above_curve(const Kite& kite, std::size_t& hint) const {
+  constexpr std::size_t patience = 64;
+  std::size_t k = part_at(axis_.x(kite.at[0]), hint);
+  hint = k;
+  if (!is_above_part(kite.at[0], k)) return false;
+  const std::size_t last = std::min(parts_, k + patience);
+  for (std::size_t j = 1; j < 4; ++j) {
+    const Point from = kite.at[j - 1];
+    const Vector edge = kite.at[j] - from;
+    const double end = axis_.x(kite.at[j]);
+    for (; k + 1 < last && x_of(k + 1) <= end; ++k) {
+      if (geom::cross(edge, curve_.points[k + 1] - from) > 0) return false;
+    }
+    if (k + 1 >= last) return false;
+    if (!is_above_part(kite.at[j], k)) return false;
+  }
+  return true;
+}
+
+/// @pre p is between the ends of part k, along the axis.
+bool MitreEnvelope::is_above_part(Point p, std::size_t k) const {
+  const std::uint32_t of = site(k);
+  if (of == cap_site || kind_of(of) == Kind::Arc) {
+    const Vector to = p - centre(of);
+    return geom::length_squared(to) <= d_ * d_ || geom::cross(axis_.forward, to) >= 0;
+  }
+  return geom::cross(curve_.points[k + 1] - curve_.points[k], p - curve_.points[k]) >= 0;
+}
+
+void MitreEnvelope::add_spans(const Kite& kite, std::vector<Span>& spans) const {
   spans.clear();
   const auto add = [&](Point a, Point b, std::uint32_t of) {
     const Span s{axis_.x(a), axis_.y(a), axis_.x(b), axis_.y(b), of};
     if (s.x1 > s.x0 && (spans.empty() || spans.back().x1 <= s.x0)) spans.push_back(s);
   };
-  add(kite.at[0], kite.at[1], site_of(Kind::Line, corner - 1));
-  if (kite.count == 4) add(kite.at[1], kite.at[2], site_of(Kind::Bevel, corner - 1));
-  add(kite.at[kite.count - 2], kite.at[kite.count - 1], site_of(Kind::Line, corner));
+  add(kite.at[0], kite.at[1], site_of(Kind::Line, kite.corner - 1));
+  if (kite.at[1] != kite.at[2]) add(kite.at[1], kite.at[2], site_of(Kind::Bevel, kite.corner - 1));
+  add(kite.at[2], kite.at[3], site_of(Kind::Line, kite.corner));
 }
 
-void MitreEnvelope::add_caps(double first_x) {
+void MitreEnvelope::add_caps() {
   const std::size_t last = base_.segment_count() - 1;
-  if (parts_ == 0 || first_x < x_of(0)) {
+  if (parts_ == 0 || first_x_ < x_of(0)) {
     curve_.points.insert(curve_.points.begin(), base_.points[0] - d_ * axis_.forward);
     curve_.edges.insert(curve_.edges.begin(), OffsetEdge::arc(start_cap));
   }
@@ -374,16 +462,18 @@ void MitreEnvelope::overlay(const std::vector<Span>& kites) {
     }
   }
   if (on_kite_) take_curve(k, x);
+  apply_edits();
 }
 
 /// Moves what stays: to the left from left to right, then to the right from right to left, so that nothing is overwritten.
 void MitreEnvelope::apply_edits() {
+  if (edits_.empty()) return;
   struct Block {
     std::size_t first, last, to;
   };
   std::vector<Block> blocks;
   blocks.reserve(edits_.size());
-  std::size_t to = edits_.empty() ? 0 : edits_.front().first;
+  std::size_t to = edits_.front().first;
   for (std::size_t e = 0; e < edits_.size(); ++e) {
     const std::size_t last = e + 1 < edits_.size() ? edits_[e + 1].first : parts_;
     to += edits_[e].to - edits_[e].from;
@@ -420,22 +510,39 @@ void MitreEnvelope::apply_edits() {
       curve_.edges[at + k - edits_[e].from] = added_edges_[k];
     }
   }
-  if (!edits_.empty()) {
-    curve_.points.resize(to);
-    curve_.edges.resize(to);
-  }
+  curve_.points.resize(to);
+  curve_.edges.resize(to);
   curve_.points.push_back(end);
+  for (std::size_t e = 0; e < edits_.size(); ++e) {
+    if (!has_short_step(blocks[e].to - (edits_[e].to - edits_[e].from), blocks[e].to)) continue;
+    drop_short_steps();
+    break;
+  }
+  parts_ = curve_.edges.size();
+  edits_.clear();
+  added_points_.clear();
+  added_edges_.clear();
+}
+
+/// True if a step within the added points `from` .. `to`, or to the ones next to them, is within rounding.
+bool MitreEnvelope::has_short_step(std::size_t from, std::size_t to) const {
+  for (std::size_t k = from == 0 ? 0 : from - 1; k < to && k + 1 < curve_.points.size(); ++k) {
+    if (is_short(curve_.points[k], curve_.points[k + 1])) return true;
+  }
+  return false;
+}
+
+bool MitreEnvelope::is_short(Point p, Point q) const {
+  const double rounding = 1e-15 * std::max({base_.size, d_, std::abs(q.x), std::abs(q.y)});
+  return std::abs(q.x - p.x) <= rounding && std::abs(q.y - p.y) <= rounding;
 }
 
 /// Where lines coincide, rounding alone says where one goes over into the other: its steps are taken out.
-void MitreEnvelope::drop_rounding() {
+void MitreEnvelope::drop_short_steps() {
   std::size_t kept = 0;
   for (std::size_t k = 1; k < curve_.points.size(); ++k) {
     const Point p = curve_.points[k];
-    const Vector step = p - curve_.points[kept];
-    const double rounding = 1e-15 * std::max({base_.size, d_, std::abs(p.x), std::abs(p.y)});
-    const bool dropped = std::abs(step.x) <= rounding && std::abs(step.y) <= rounding;
-    if (!dropped) curve_.points[++kept] = p;
+    if (!is_short(curve_.points[kept], p)) curve_.points[++kept] = p;
     if (k < curve_.edges.size()) curve_.edges[kept] = curve_.edges[k];
   }
   curve_.points.resize(kept + 1);
@@ -443,12 +550,11 @@ void MitreEnvelope::drop_rounding() {
 }
 
 bool MitreEnvelope::run() {
-  const std::vector<Span> kites = visible_kites();
-  if (kites.empty()) return false;
-  add_caps(kites.front().x0);
-  overlay(kites);
-  apply_edits();
-  drop_rounding();
+  const std::vector<Span> lowest = lowest_kites();
+  if (lowest.empty()) return false;
+  add_caps();
+  overlay(lowest);
+  overlay(other_kites());
   return true;
 }
 

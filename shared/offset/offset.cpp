@@ -1,9 +1,10 @@
 #include "shared/offset/offset.h"
 
 #include <algorithm>
-#include <atomic>
 #include <memory>
 #include <mutex>
+#include <numeric>
+#include <optional>
 
 #include "shared/base/parallel.h"
 #include "shared/base/text.h"
@@ -67,19 +68,34 @@ void keep_longest(OffsetCurve& curve, const geom::Polyline& base) {
 
 /// True if a closed base crosses or touches itself. @cost O(n) where it is smooth
 bool meets_itself(const BaseCurve& base) {
-  const auto item = [&](std::size_t i) {
-    const geom::Box box = geom::Segment{base.start(i), base.end(i)}.box();
-    const Flat u = flat(base.headings[i]);
-    return ChainTree::Item{flat(box.low), flat(box.high), ChainTree::directions_of(u, u), i > 0};
-  };
+  constexpr std::size_t leaf = 16;
   const std::size_t count = base.segment_count();
   for (const double t : base.half_tans) {
     if (std::isinf(t)) return true;
   }
+  const auto box = [&](std::size_t i) {
+    const geom::Box b = geom::Segment{base.start(i), base.end(i)}.box();
+    return FloatBox(flat(b.low), flat(b.high), 0.0);
+  };
+  std::vector<ChainTree::Leaf> leaves;
+  leaves.reserve(count / leaf + 1);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Flat u = flat(base.headings[i]);
+    if (i % leaf == 0) leaves.push_back({box(i), 0, true, i > 0});
+    leaves.back().box.add(box(i));
+    leaves.back().directions |= ChainTree::directions_of(u, u);
+  }
   bool meets = false;
-  ChainTree(count, item, 0.0).for_each_pair([&](std::size_t i, std::size_t j) {
-    if (meets || (i == 0 && j + 1 == count)) return;
-    meets = geom::intersect({base.start(i), base.end(i)}, {base.start(j), base.end(j)}).kind != geom::IntersectionKind::None;
+  ChainTree(leaves).for_each_pair([&](std::size_t a, std::size_t b) {
+    if (meets) return;
+    for (std::size_t i = leaf * a; i < std::min(leaf * (a + 1), count); ++i) {
+      const FloatBox own = box(i);
+      for (std::size_t j = std::max(i + 2, leaf * b); j < std::min(leaf * (b + 1), count); ++j) {
+        if ((i == 0 && j + 1 == count) || !own.overlaps(box(j))) continue;
+        meets = meets || geom::intersect({base.start(i), base.end(i)}, {base.start(j), base.end(j)}).kind !=
+                             geom::IntersectionKind::None;
+      }
+    }
   });
   return meets;
 }
@@ -101,26 +117,56 @@ Prepared prepared(const geom::Polyline& curve, BaseCurve base, const OffsetOptio
   return made;
 }
 
-OffsetCurve treated(const Prepared& input, double distance, const OffsetOptions& options) {
+/// What the engine finds out about buried pieces at one distance, for greater ones. Null where nobody needs it.
+struct Memory {
+  const Buried* known = nullptr;
+  Buried* found = nullptr;
+};
+
+OffsetCurve treated(const Prepared& input, double distance, const OffsetOptions& options, const base::Progress& progress,
+                    Memory memory) {
   const BaseCurve& base = input.base;
   OffsetCurve curve;
   curve.distance = distance;
-  if (input.forward) {
+  if (!input.clearance) {
     curve.pieces = monotone_offset(base, *input.forward, distance, options);
     keep_longest(curve, *input.curve);
     return curve;
   }
   const Outline::Sides sides = input.simple ? Outline::Sides::Right : Outline::Sides::Both;
-  Trimmer trimmer(base, *input.clearance, sides, distance, options);
-  curve.pieces = trimmer.run();
+  Trimmer trimmer(base, *input.clearance, sides, distance, options, progress);
+  curve.pieces = memory.known ? trimmer.run(*memory.known, memory.found) : trimmer.run();
   if (!base.closed) keep_longest(curve, *input.curve);
   return curve;
 }
 
 /// One distance. @pre input is ready for it
-OffsetCurve curve_at(const Prepared& input, double distance, const OffsetOptions& options) {
+OffsetCurve curve_at(const Prepared& input, double distance, const OffsetOptions& options, const base::Progress& progress,
+                     Memory memory = {}) {
   return options.treatment == Treatment::Untreated ? untreated(input.base, distance, options)
-                                                   : treated(input, distance, options);
+                                                   : treated(input, distance, options, progress, memory);
+}
+
+/// Runs body(k, found) for all distances, ascending in rounds of 1, 2, 4, ...: what the first of a round finds buried, those of the
+/// later rounds need not look at again. On bases where that is little, there are only two rounds.
+template <class Body>
+void ascending(std::span<const double> distances, std::size_t segments, Buried& known, const Body& body) {
+  std::vector<std::size_t> order(distances.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return distances[a] < distances[b]; });
+  std::size_t width = 1;
+  for (std::size_t first = 0; first < order.size(); first += width, width *= 2) {
+    const bool rest = first > 0 && known.count() < segments / 4;
+    const std::size_t last = rest ? order.size() : std::min(order.size(), first + width);
+    const bool more = last < order.size();
+    std::optional<Buried> found;
+    if (more) found.emplace(known);
+    base::parallel_for(last - first, [&](std::size_t i) {
+      body(order[first + i], Memory{&known, more && i == 0 ? &*found : nullptr});
+    });
+    if (!more) return;
+    known = std::move(*found);
+  }
 }
 
 void add_clearance(Prepared& input, const OffsetOptions& options) {
@@ -142,9 +188,9 @@ Result<std::vector<OffsetCurve>> offset(const geom::Polyline& curve, std::span<c
     input = prepared(curve, std::move(base), options);
     add_clearance(input, options);
   }
-  std::atomic<std::size_t> finished = 0;
+  std::size_t finished = 0;
   std::mutex report;
-  const auto one = [&](std::size_t k) -> Result<OffsetCurve> {
+  const auto one = [&](std::size_t k, Memory memory) -> Result<OffsetCurve> {
     DOBRA_TRY_VOID(progress.check());
     const double d = distances[k];
     Result<OffsetCurve> result = OffsetCurve{};
@@ -154,16 +200,23 @@ Result<std::vector<OffsetCurve>> offset(const geom::Polyline& curve, std::span<c
       DOBRA_TRY(BaseCurve longer, prepare(curve, options.side, options.extension * d));
       Prepared own = prepared(curve, std::move(longer), options);
       add_clearance(own, options);
-      result = curve_at(own, d, options);
+      result = curve_at(own, d, options, progress);
     } else {
-      result = curve_at(input, d, options);
+      result = curve_at(input, d, options, progress, memory);
     }
+    DOBRA_TRY_VOID(progress.check());
     const std::scoped_lock lock(report);
     progress.report(static_cast<double>(++finished) / static_cast<double>(distances.size()), "offset curves");
     return result;
   };
   std::vector<Result<OffsetCurve>> results(distances.size(), Result<OffsetCurve>(OffsetCurve{}));
-  base::parallel_for(distances.size(), [&](std::size_t k) { results[k] = one(k); });
+  const auto keep = [&](std::size_t k, Memory memory) { results[k] = one(k, memory); };
+  if (input.clearance) {
+    Buried known(input.base, *input.clearance);
+    ascending(distances, input.base.segment_count(), known, keep);
+  } else {
+    base::parallel_for(distances.size(), [&](std::size_t k) { keep(k, {}); });
+  }
   std::vector<OffsetCurve> curves;
   for (auto& result : results) {
     DOBRA_TRY(OffsetCurve done, std::move(result));

@@ -2,24 +2,16 @@
 
 namespace dobra::offset {
 
-Outline::Corner Outline::corner(std::uint32_t step) const {
-  if (is_cap(step)) return Corner::Arc;
-  const std::size_t at = corner_point(step);
-  Turn turn = base_.turn[at];
-  if (turn == Turn::Straight) return Corner::Straight;
-  const double t = base_.half_tans[at];
-  if (step >= n_ && !std::isinf(t)) turn = turn == Turn::Outer ? Turn::Inner : Turn::Outer;
-  if (turn == Turn::Inner) {
-    // Beyond the bisector each line is nearer than D to the other segment, provided that this reaches so far.
-    return d_ * t <= span(step) && d_ * t <= span(after(step)) ? Corner::Meet : Corner::Apart;
+std::vector<Corner> right_corners(const BaseCurve& base, const OffsetOptions& options) {
+  std::vector<Corner> corners(base.points.size(), Corner::Straight);
+  for (std::size_t at = 0; at < corners.size(); ++at) {
+    if (base.turn[at] == Turn::Straight) continue;
+    corners[at] = Corner::Meet;
+    if (base.turn[at] == Turn::Inner) continue;
+    const Fill fill = fill_of(base, at, options);
+    corners[at] = fill == Fill::Mitre ? Corner::Mitre : fill == Fill::Tangent ? Corner::Tangent : Corner::Arc;
   }
-  if (step >= n_) return Corner::Arc;
-  switch (fill_of(base_, at, options_)) {
-    case Fill::Mitre: return Corner::Mitre;
-    case Fill::Tangent: return Corner::Tangent;
-    case Fill::Arc: break;
-  }
-  return Corner::Arc;
+  return corners;
 }
 
 template <> double Outline::half_tan_as<double>(std::uint32_t step) const { return half_tan(step); }
@@ -81,30 +73,21 @@ template <class T> VecOf<T> Outline::natural_end(Site s) const {
       return is_cap(s.step) ? to<T>(s.step) - d * normal<T>(s.step) : to<T>(s.step) + d * normal<T>(after(s.step));
   }
 }
-template VecOf<double> Outline::natural_start<double>(Site) const;
-template VecOf<double> Outline::natural_end<double>(Site) const;
 template VecOf<Real> Outline::natural_start<Real>(Site) const;
 template VecOf<Real> Outline::natural_end<Real>(Site) const;
+template VecOf<double> Outline::middle_of_turn<double>(std::uint32_t) const;
 template VecOf<Real> Outline::middle_of_turn<Real>(std::uint32_t) const;
 
-Outline::Junction Outline::junction(std::uint32_t step) const {
-  const Flat p = to<double>(step);
-  const Flat u = along<double>(step);
-  const Flat v = along<double>(after(step));
-  const Flat foot = p + d_ * right_of(u);
-  const Flat next = p + d_ * right_of(v);
-  const Corner kind = corner(step);
-  const double reach = d_ * half_tan(step);
-  switch (kind) {
-    case Corner::Straight: return {kind, next, next};
-    case Corner::Meet: return {kind, foot - reach * u, foot - reach * u};
-    case Corner::Mitre: return {kind, foot + reach * u, foot + reach * u};
-    case Corner::Tangent: {
-      const double q = d_ * static_cast<double>(quarter_tan(half_tan(step)));
-      return {kind, foot + q * u, next - q * v};
-    }
-    default: return {kind, foot, next};
-  }
+Flat Outline::start_of(Site s) const {
+  if (s.role == Role::Line) return junction(before(s.step)).start;
+  if (s.role == Role::SecondArc) return centre(s) + d_ * middle_of_turn<double>(s.step);
+  return junction(s.step).end;
+}
+
+Flat Outline::end_of(Site s) const {
+  if (s.role == Role::Line) return junction(s.step).end;
+  if (s.role == Role::Arc && splits_arc(s.step)) return centre(s) + d_ * middle_of_turn<double>(s.step);
+  return junction(s.step).start;
 }
 
 bool Outline::deep_in_mitre(Flat q, std::uint32_t step, bool at_end, double margin) const {

@@ -4,8 +4,10 @@
 // parallel to, and an end knows whether it is the natural one or a crossing with another site, so that its place can be had
 // in doubles or in Real.
 
+#include <cmath>
 #include <limits>
 #include <type_traits>
+#include <vector>
 
 #include "shared/offset/base_curve.h"
 
@@ -26,42 +28,64 @@ struct Site {
 };
 inline constexpr Site no_site{std::numeric_limits<std::uint32_t>::max(), Role::Line};
 
-struct Piece {
-  Flat a, b;
-  Site site = no_site;
-  std::uint32_t cut_a = none;  ///< Piece site that the start was cut by, packed; none for the natural start.
-  std::uint32_t cut_b = none;
-  bool linked = false;         ///< Starts where the piece before it ends (the very first: where the last of its walk ends).
-  static constexpr std::uint32_t none = 0xffffffffU;
-  [[nodiscard]] bool is_line() const { return site.role == Role::Line || site.role == Role::Bevel; }
-};
 inline std::uint32_t packed(Site s) { return s.step * 4 + static_cast<std::uint32_t>(s.role); }
 inline Site unpacked(std::uint32_t s) { return {s / 4, static_cast<Role>(s % 4)}; }
+
+/// A piece of the raw outline, or what is left of it. Only its site and its trims are kept; natural ends are had from the site.
+class Piece {
+ public:
+  static constexpr std::uint32_t none = 0xffffffffU;
+  explicit Piece(Site s) : code_(packed(s) * 4) {}
+
+  std::uint32_t trim_a = none;  ///< Index of the trim at the start; none for the natural start.
+  std::uint32_t trim_b = none;
+  [[nodiscard]] Site site() const { return unpacked(code_ / 4); }
+  [[nodiscard]] std::uint32_t step() const { return code_ / 16; }
+  [[nodiscard]] bool is_line() const { return (code_ / 4) % 4 == 0 || (code_ / 4) % 4 == 3; }
+  /// Starts where the piece before it ends (the very first: where the last one ends).
+  [[nodiscard]] bool linked() const { return code_ % 2 != 0; }
+  void link(bool on) { code_ = (code_ & ~1U) | (on ? 1U : 0U); }
+  /// That it does not lie in U as a whole is known.
+  [[nodiscard]] bool examined() const { return (code_ & 2U) != 0; }
+  void mark_examined() { code_ |= 2U; }
+
+ private:
+  std::uint32_t code_;
+};
+
+/// What happens at a corner.
+enum class Corner : std::uint8_t {
+  Straight,
+  Meet,   ///< Inner; the two lines meet on the bisector.
+  Apart,  ///< Inner; one of the two segments is too short for that.
+  Mitre,
+  Tangent,
+  Arc,
+};
+/// On the right side, at each base point, whatever the distance: inner ones are Meet.
+std::vector<Corner> right_corners(const BaseCurve& base, const OffsetOptions& options);
 
 /// The base as a closed walk (or two).
 class Outline {
  public:
   enum class Sides {
-    Right,         ///< The right side only: closed bases that do not cross themselves.
-    RightAndCaps,  ///< Open monotone bases.
-    Both,          ///< Open: right side, cap, left side, cap. Closed: two walks.
+    Right,  ///< The right side only: closed bases that do not cross themselves.
+    Both,   ///< Open: right side, cap, left side, cap. Closed: two walks.
   };
-  enum class Corner { Straight, Meet, Apart, Mitre, Tangent, Arc };
-
-  Outline(const BaseCurve& base, Sides sides, double distance, const OffsetOptions& options)
-      : base_(base), sides_(sides), d_(distance), options_(options), n_(static_cast<std::uint32_t>(base.segment_count())) {}
+  /// @param corners  see right_corners; must outlive this.
+  Outline(const BaseCurve& base, const std::vector<Corner>& corners, Sides sides, double distance)
+      : base_(base), corners_(corners), sides_(sides), d_(distance), n_(static_cast<std::uint32_t>(base.segment_count())) {}
 
   [[nodiscard]] double distance() const { return d_; }
   [[nodiscard]] const BaseCurve& base() const { return base_; }
+  [[nodiscard]] Sides sides() const { return sides_; }
   [[nodiscard]] std::uint32_t step_count() const { return sides_ == Sides::Both ? 2 * n_ : n_; }
-  [[nodiscard]] bool wanted(Site s) const { return s.step < n_ && !(is_cap(s.step) && s.role != Role::Line); }
   [[nodiscard]] std::uint32_t segment(std::uint32_t step) const { return step < n_ ? step : 2 * n_ - 1 - step; }
   [[nodiscard]] bool two_walks() const { return base_.closed && sides_ == Sides::Both; }
-  /// True if a corner follows the step: only Sides::RightAndCaps has an end, and that has its cap.
+  /// True if an end of the base follows the step.
   [[nodiscard]] bool is_cap(std::uint32_t step) const { return !base_.closed && (step == n_ - 1 || step == 2 * n_ - 1); }
   [[nodiscard]] std::uint32_t after(std::uint32_t step) const {
     if (two_walks()) return step == n_ - 1 ? 0 : step == 2 * n_ - 1 ? n_ : step + 1;
-    if (sides_ == Sides::RightAndCaps && step == n_ - 1) return n_;  // the last segment backwards, for the cap only
     return step + 1 == 2 * n_ || step + 1 == step_count() ? 0 : step + 1;
   }
   [[nodiscard]] std::uint32_t before(std::uint32_t step) const {
@@ -114,6 +138,10 @@ class Outline {
     Flat end, start;
   };
   [[nodiscard]] Junction junction(std::uint32_t step) const;
+  /// Natural ends in doubles.
+  [[nodiscard]] Flat start_of(Site s) const;
+  [[nodiscard]] Flat end_of(Site s) const;
+  [[nodiscard]] Flat centre(Site s) const { return to<double>(s.step); }
 
   /// True if p lies nearer than D - margin to the segment, or as deep in a mitre at one of its ends.
   [[nodiscard]] bool deep_inside(Flat p, std::uint32_t step, double margin) const {
@@ -133,10 +161,41 @@ class Outline {
   [[nodiscard]] bool deep_in_mitre(Flat q, std::uint32_t step, bool at_end, double margin) const;
 
   const BaseCurve& base_;
+  const std::vector<Corner>& corners_;
   Sides sides_;
   double d_;
-  const OffsetOptions& options_;
   std::uint32_t n_;
 };
+
+inline Corner Outline::corner(std::uint32_t step) const {
+  if (is_cap(step)) return Corner::Arc;
+  const std::size_t at = corner_point(step);
+  Corner kind = corners_[at];
+  if (kind == Corner::Straight) return kind;
+  const double t = base_.half_tans[at];
+  if (step >= n_) kind = kind == Corner::Meet || std::isinf(t) ? Corner::Arc : Corner::Meet;
+  if (kind != Corner::Meet) return kind;
+  // Beyond the bisector each line is nearer than D to the other segment, provided that this reaches so far.
+  return d_ * t <= span(step) && d_ * t <= span(after(step)) ? Corner::Meet : Corner::Apart;
+}
+
+inline Outline::Junction Outline::junction(std::uint32_t step) const {
+  const Corner kind = corner(step);
+  const Flat p = to<double>(step);
+  const Flat u = along<double>(step);
+  const Flat foot = p + d_ * right_of(u);
+  if (kind == Corner::Meet || kind == Corner::Mitre) {
+    const double reach = d_ * half_tan(step);
+    const Flat meet = foot + (kind == Corner::Meet ? -reach : reach) * u;
+    return {kind, meet, meet};
+  }
+  const Flat v = along<double>(after(step));
+  const Flat next = p + d_ * right_of(v);
+  if (kind == Corner::Straight) return {kind, next, next};
+  if (kind != Corner::Tangent) return {kind, foot, next};
+  const double t = half_tan(step);
+  const double q = d_ * (std::isinf(t) ? 1 : t / (1 + std::sqrt(1 + t * t)));
+  return {kind, foot + q * u, next - q * v};
+}
 
 }  // namespace dobra::offset

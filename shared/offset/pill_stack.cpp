@@ -39,7 +39,18 @@ class PillStack {
   void add_outer_corner(std::size_t i);
   void add_under_tail(std::size_t i);
   void add_regular(std::size_t first, std::size_t last);
-  void add_regular_arcs(std::size_t first, std::size_t last);
+  void add_mitres(std::size_t first, std::size_t last);
+  void add_arcs(std::size_t first, std::size_t last);
+  void add_any(std::size_t first, std::size_t last);
+  [[nodiscard]] bool regular(std::size_t block) const { return d_ < base_.blocks[block].regular_below; }
+  [[nodiscard]] bool all_mitres(std::size_t block) const {
+    return !filling_.only_arcs() && filling_.of(base_.blocks[block].greatest_outer) == Fill::Mitre;
+  }
+  [[nodiscard]] std::size_t outer_count(std::size_t first, std::size_t last) const {
+    std::size_t found = 0;
+    for (std::size_t i = first; i < last; ++i) found += base_.turn[i] == Turn::Outer;
+    return found;
+  }
   template <class Inside> Tail pop_hidden(const Inside& inside, Point& end);
   [[nodiscard]] Point entry(const Tail& tail, Point end, Point disc) const;
 
@@ -74,125 +85,110 @@ class PillStack {
 
 /// Nearly exact where little is hidden, so that nothing is copied; grown as needed where much is.
 void PillStack::reserve() {
+  constexpr std::size_t size = BaseCurve::block_size;
   const std::size_t count = base_.segment_count();
-  constexpr std::size_t block = BaseCurve::block_size;
-  std::size_t regular = 0;
-  for (std::size_t b = 0; b < base_.regular_below.size(); ++b) {
-    const std::size_t last = std::min(count, (b + 1) * block);
-    if (!(d_ < base_.regular_below[b])) {
-      regular += (last - b * block) / 4;
-      continue;
-    }
-    regular += last - b * block;
-    for (std::size_t i = b * block; i < last; ++i) {
-      regular += base_.turn[i] == Turn::Outer && filling_.of(base_.half_tans[i]) != Fill::Mitre;
+  std::size_t points = 0;
+  for (std::size_t b = 0; b < base_.blocks.size(); ++b) {
+    const std::size_t last = std::min(count, (b + 1) * size);
+    if (!regular(b)) {
+      points += size / 4;
+    } else {
+      points += last - b * size;
+      if (!all_mitres(b)) points += outer_count(b * size, last);
     }
   }
-  made_.points.reserve(regular + 2 * batch + 1);  // the overhang of a batch, and the tip
-  made_.edges.reserve(regular + 2 * batch + 1);
+  made_.points.reserve(points + 2 * batch + 1);  // the overhang of a batch, and the tip
+  made_.edges.reserve(points + 2 * batch + 1);
 }
 
 Stacked PillStack::run() {
+  constexpr std::size_t size = BaseCurve::block_size;
   const std::size_t count = base_.segment_count();
-  constexpr std::size_t block = BaseCurve::block_size;
   reserve();
   if (!filling_.only_arcs()) made_.cut.assign(count / 64 + 1, 0);
-  const auto regular = [&](std::size_t b) { return d_ < base_.regular_below[b]; };
-  for (std::size_t b = 0; b * block < count;) {
-    std::size_t i = b * block;
+  // What regular parts leave is above rounding (see measure_blocks), and so are their arcs, with few exceptions.
+  made_.repeats = d_ > 100 * base_.size || d_ * base_.least_outer < 1e-13 * (base_.size + d_);
+  for (std::size_t b = 0; b * size < count;) {
+    std::size_t i = b * size;
     if (!regular(b++)) {
-      for (; i < std::min(b * block, count); ++i) add_segment(i);
+      for (const std::size_t last = std::min(b * size, count); i < last; ++i) add_segment(i);
       continue;
     }
-    while (b * block < count && regular(b)) ++b;
-    const std::size_t last = std::min(b * block, count);
+    while (b * size < count && regular(b)) ++b;
+    const std::size_t last = std::min(b * size, count);
     do add_segment(i++);
     while (i < last && !natural_);
-    if (i == last) continue;
-    if (filling_.only_arcs()) {
-      add_regular_arcs(i, last);
-    } else {
-      add_regular(i, last);
-    }
-    finish_line(last - 1);
+    if (i < last) add_regular(i, last);
   }
   return std::move(made_);
 }
 
 /// Segments that leave each other a part of their lines: the tail needs no look.
-void PillStack::add_regular_arcs(std::size_t first, std::size_t last) {
-  bool repeats = false;
-  Point before = last_;
-  for (std::size_t i = first; i < last;) {
-    const std::size_t stop = std::min(last, i + batch);
-    const std::size_t size = made_.points.size();
-    made_.points.resize(size + 2 * (stop - i));
-    made_.edges.resize(size + 2 * (stop - i));
-    Point* point = made_.points.data() + size;
-    OffsetEdge* edge = made_.edges.data() + size;
-    for (; i < stop; ++i) {
-      // At an outer corner two points, else both in the same place: no branch, as turns are unpredictable.
-      const bool outer = base_.turn[i] == Turn::Outer;
-      const double t = outer ? 0.0 : -base_.half_tans[i];
-      const Vector u = base_.headings[i - 1];
-      const Vector v = base_.headings[i];
-      const Point p = base_.points[i];
-      const Point a = p + d_ * Vector{u.y + t * u.x, t * u.y - u.x};
-      const Point b{outer ? p.x + d_ * v.y : a.x, outer ? p.y - d_ * v.x : a.y};
-      *point = a;
-      *edge = OffsetEdge::arc(i - 1);
-      point += outer;
-      edge += outer;
-      repeats |= (a == before) | ((a == b) & outer);
-      *point++ = b;
-      *edge++ = OffsetEdge::line(i);
-      before = b;
+void PillStack::add_regular(std::size_t first, std::size_t last) {
+  while (first < last) {
+    const std::size_t stop = std::min(last, (first / batch + 1) * batch);
+    bool plain = true;
+    for (std::size_t b = first / BaseCurve::block_size; b * BaseCurve::block_size < stop; ++b) plain = plain && all_mitres(b);
+    if (plain) {
+      add_mitres(first, stop);
+    } else if (filling_.only_arcs()) {
+      add_arcs(first, stop);
+    } else {
+      add_any(first, stop);
     }
-    made_.points.resize(static_cast<std::size_t>(point - made_.points.data()));
-    made_.edges.resize(made_.points.size());
+    first = stop;
   }
-  last_ = before;
-  made_.repeats |= repeats;
+  last_ = made_.points.back();
+  finish_line(last - 1);
 }
 
-void PillStack::add_regular(std::size_t first, std::size_t last) {
-  bool repeats = false;
-  Point before = last_;
-  for (std::size_t i = first; i < last;) {
-    const std::size_t stop = std::min(last, i + batch);
-    const std::size_t size = made_.points.size();
-    made_.points.resize(size + 2 * (stop - i));
-    made_.edges.resize(size + 2 * (stop - i));
-    Point* point = made_.points.data() + size;
-    OffsetEdge* edge = made_.edges.data() + size;
-    const auto add = [&](Point p, OffsetEdge e) {
-      repeats |= (p.x == before.x) & (p.y == before.y);
-      before = p;
-      *point++ = p;
-      *edge++ = e;
-    };
-    for (; i < stop; ++i) {
-      const Turn turn = base_.turn[i];
-      const double t = base_.half_tans[i];
-      if (turn == Turn::Outer && filling_.of(t) != Fill::Mitre) {
-        if (filling_.of(t) == Fill::Tangent) {
-          const double quarter = quarter_of(t);
-          add(bevel_start(base_, i, d_, quarter), OffsetEdge::arc((i - 1) | mitred));
-          add(bevel_end(base_, i, d_, quarter), OffsetEdge::line(i | mitred));
-        } else {
-          add(foot_before(base_, i, d_), OffsetEdge::arc(i - 1));
-          add(foot_after(base_, i, d_), OffsetEdge::line(i));
-        }
-        continue;
-      }
-      const bool outer = turn == Turn::Outer;
-      add(tip_at(base_, i, d_, outer ? t : -t), OffsetEdge::line(i + (outer ? mitred : 0U)));
-    }
-    made_.points.resize(static_cast<std::size_t>(point - made_.points.data()));
-    made_.edges.resize(made_.points.size());
+void PillStack::add_mitres(std::size_t first, std::size_t last) {
+  static constexpr double sign[] = {0.0, 1.0, -1.0};  // of a Turn
+  static constexpr std::uint32_t mark[] = {0U, mitred, 0U};
+  const std::size_t size = made_.points.size();
+  made_.points.resize(size + last - first);
+  made_.edges.resize(size + last - first);
+  Point* const point = made_.points.data() + size - first;
+  OffsetEdge* const edge = made_.edges.data() + size - first;
+  for (std::size_t i = first; i < last; ++i) {
+    const auto turn = static_cast<std::size_t>(base_.turn[i]);
+    point[i] = tip_at(base_, i, d_, sign[turn] * base_.half_tans[i]);
+    edge[i] = OffsetEdge::line(static_cast<std::uint32_t>(i) | mark[turn]);
   }
-  last_ = before;
-  made_.repeats |= repeats;
+}
+
+void PillStack::add_arcs(std::size_t first, std::size_t last) {
+  static constexpr double sign[] = {0.0, 0.0, -1.0};  // of a Turn; an outer corner starts at its foot
+  const std::size_t size = made_.points.size();
+  const std::size_t end = size + (last - first) + outer_count(first, last);
+  made_.points.resize(end + 1);
+  made_.edges.resize(end + 1);
+  Point* point = made_.points.data() + size;
+  OffsetEdge* edge = made_.edges.data() + size;
+  for (std::size_t i = first; i < last; ++i) {
+    // The second foot is overwritten if there is none: no branch, as turns cannot be foretold.
+    const bool outer = base_.turn[i] == Turn::Outer;
+    point[0] = tip_at(base_, i, d_, sign[static_cast<std::size_t>(base_.turn[i])] * base_.half_tans[i]);
+    edge[0] = outer ? OffsetEdge::arc(i - 1) : OffsetEdge::line(i);
+    point[1] = foot_after(base_, i, d_);
+    edge[1] = OffsetEdge::line(i);
+    point += 1 + outer;
+    edge += 1 + outer;
+  }
+  made_.points.resize(end);
+  made_.edges.resize(end);
+}
+
+void PillStack::add_any(std::size_t first, std::size_t last) {
+  for (std::size_t i = first; i < last; ++i) {
+    const double t = base_.half_tans[i];
+    if (base_.turn[i] != Turn::Outer) {
+      push(tip_at(base_, i, d_, -t), OffsetEdge::line(i));
+    } else {
+      made_.tip = foot_before(base_, i, d_);
+      add_outer_corner(i);
+    }
+  }
 }
 
 /// The end of the last line is on the envelope, or the arc that follows it is.

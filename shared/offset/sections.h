@@ -1,7 +1,7 @@
 #pragma once
 // Tier 1, second half: the treated curve at one distance, from the pieces that survive the stack pass.
-//  0 cull       fragments that the pass left behind are dropped on proof that all of them is nearer to the base than D
-//  1 pairs      that may meet, from a tree with direction masks; only the pieces in them are looked at again, in Real
+//  1 pairs      that may meet, from a tree with direction masks; only the pieces in them are looked at again, in Real. What lies on
+//               the other side of the base only serves to cut: its pieces are made where a block of them comes near the curve
 //  2 cuts       where those meet; what comes within tau is cut too, which does no harm
 //  3 sections   between two cuts a section, of however many pieces, is wholly valid or wholly invalid: one query decides
 //  4 assembly   valid sections are joined at their ends, at each free wedge; doubled ones count once, opposite ones cancel
@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "shared/offset/chain_tree.h"
 #include "shared/offset/clearance.h"
 #include "shared/offset/survivors.h"
 
@@ -18,10 +19,12 @@ namespace dobra::offset {
 class Trimmer {
  public:
   Trimmer(const BaseCurve& base, const Clearance& clearance, Outline::Sides sides, double distance,
-          const OffsetOptions& options);
+          const OffsetOptions& options, const base::Progress& progress = {});
 
-  /// All pieces of the curve, in order of their first base segment.
+  /// All pieces of the curve, in order of their first base segment; none if progress was cancelled.
   std::vector<OffsetPiece> run();
+  /// The same, given what is known to lie in U. @param found  see survivors().
+  std::vector<OffsetPiece> run(const Buried& known, Buried* found);
 
  private:
   /// A piece that may meet others, in Real.
@@ -45,17 +48,25 @@ class Trimmer {
     std::vector<Section> sections;
     bool closed = false;
   };
-  struct Span {
-    Flat a;
+  /// Pieces of one block of 16 steps.
+  struct Group {
+    std::uint32_t first, last;
+  };
+  struct Item {
+    FloatBox box;
     std::uint32_t piece;
   };
   using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-  void cull();
-  [[nodiscard]] bool buried(std::size_t first, std::size_t last) const;
-  [[nodiscard]] bool covered(const Piece& piece, Flat a, Flat b, int depth) const;
-  [[nodiscard]] Pairs find_pairs() const;
-  void warm(const Pairs& pairs);
+  void find_pairs(const Buried& known, Buried* found);
+  [[nodiscard]] std::vector<ChainTree::Leaf> make_groups();
+  [[nodiscard]] FloatBox box(Site s, Flat a, Flat b) const;
+  void add_items(const Group& group, std::vector<Item>& items) const;
+  void pair_own(const ChainTree& tree);
+  void pair_scissors(const ChainTree& tree, const Buried& known, Buried* found);
+  template <class Add>
+  void each_scissor(std::uint32_t step, const Add& add) const;
+  void warm();
   [[nodiscard]] Vec exact_end(const Piece& piece, bool start) const;
   [[nodiscard]] Vec meet(Site s, Site t, Flat near) const;
   [[nodiscard]] Vec centre(Site s) const { return outline_.to<Real>(s.step); }
@@ -84,7 +95,9 @@ class Trimmer {
   [[nodiscard]] Vec arriving(const Section& section) const;
   [[nodiscard]] OffsetPiece output(const Chain& chain) const;
   [[nodiscard]] std::uint32_t node(Vec p);
-  [[nodiscard]] std::uint32_t segment_of(std::uint32_t piece) const { return pieces_[piece].site.step; }
+  [[nodiscard]] std::uint32_t segment_of(std::uint32_t piece) const { return pieces_[piece].step(); }
+  [[nodiscard]] Flat start(std::uint32_t k) const { return chain_.start(outline_, pieces_[k]); }
+  [[nodiscard]] Flat end(std::uint32_t k) const { return chain_.end(outline_, pieces_[k]); }
 
   const BaseCurve& base_;
   const Clearance& clearance_;
@@ -92,8 +105,12 @@ class Trimmer {
   const Outline outline_;
   const Real distance_;
   const Real tau_;
-  std::vector<Piece> pieces_;
-  std::uint32_t wanted_ = 0;          // the pieces before this one are of the right side
+  const base::Progress& progress_;
+  Survivors chain_;
+  std::vector<Piece>& pieces_ = chain_.pieces;
+  std::uint32_t wanted_ = 0;          // the pieces before this one are of the right side, the others are scissors
+  std::vector<Group> groups_;
+  Pairs pairs_;
   std::vector<std::uint32_t> hot_of_;
   std::vector<HotPiece> hot_;
   std::vector<Vec> nodes_;

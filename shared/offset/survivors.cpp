@@ -1,249 +1,389 @@
 #include "shared/offset/survivors.h"
 
 #include <algorithm>
+#include <bit>
 #include <optional>
 
 namespace dobra::offset {
+
+bool is_overcut(const Outline& outline, std::uint32_t step, double size, double margin) {
+  if (size > margin) return false;
+  if (size < -margin) return true;
+  const Site line{step, Role::Line};
+  return !(dot(outline.natural_end<Real>(line) - outline.natural_start<Real>(line), outline.along<Real>(step)) >
+           Real(3.5e-18L) * (outline.base().size + outline.distance()));
+}
 
 namespace {
 
 class Pass {
  public:
-  explicit Pass(const Outline& outline)
-      : outline_(outline), d_(outline.distance()), margin_(1e-14 * (outline.base().size + outline.distance())) {}
+  Pass(const Outline& outline, const Clearance& clearance, const Buried& known, Buried* found, const base::Progress& progress)
+      : outline_(outline),
+        d_(outline.distance()),
+        cover_(outline, clearance),
+        margin_(cover_.margin()),
+        known_(known),
+        found_(found),
+        progress_(progress) {}
 
-  std::vector<Piece> run();
+  Survivors run();
 
  private:
-  void walk(std::uint32_t first, std::uint32_t last);
-  void add_corner(std::uint32_t step, const Outline::Junction& junction);
+  static constexpr int rough = 12;  // of 16 raw pieces that do not simply go on
+  [[nodiscard]] std::size_t alive_count() const;
+  void walk();
   void add_line(std::uint32_t step, const Outline::Junction& before, const Outline::Junction& after);
-  void add(Piece piece);
-  void close(std::size_t bottom);
-  void cut(Piece& tail, Piece& head) const;
-  [[nodiscard]] bool in_pill(const Piece& piece, std::uint32_t step) const;
-  [[nodiscard]] bool buried(const Piece& piece, const Piece& other) const;
-  [[nodiscard]] bool deep(Flat p, std::uint32_t step) const { return outline_.deep_inside(p, step, margin_); }
-  [[nodiscard]] Flat centre(const Piece& arc) const { return outline_.to<double>(arc.site.step); }
-  [[nodiscard]] std::optional<Flat> crossing(const Piece& tail, const Piece& head) const;
-  [[nodiscard]] bool in_range(const Piece& piece, Flat p) const;
-  [[nodiscard]] bool holds_end(const Piece& holder, Flat p) const;
+  void add_corner(std::uint32_t step, const Outline::Junction& junction, std::uint64_t dead);
+  void add(Site site, Flat a, Flat b);
+  void push(Site site, Flat a, Flat b, bool linked);
+  void pop();
+  void close();
+  void cull();
+  void cut_tail(Site head, Flat& a, Flat b);
+  void bury(Site site) const {
+    if (found_ != nullptr) found_->add(site, cover_.killer());
+  }
+  [[nodiscard]] bool kills(std::uint32_t step, Site site, Flat a, Flat b);
+  [[nodiscard]] bool is_dead_line(Site site, Flat a, Flat b, Corner before, Corner after);
+  [[nodiscard]] bool buried_by_tail(Site site, Flat a, Flat b);
+  [[nodiscard]] std::optional<Flat> cut(Site tail, Flat tail_a, Flat tail_b, Site head, Flat head_a, Flat head_b) const;
+  [[nodiscard]] std::optional<Flat> crossing(Site tail, Flat tail_a, Flat tail_b, Site head, Flat head_a, Flat head_b) const;
+  [[nodiscard]] bool in_range(Site site, Flat a, Flat b, Flat p) const;
+  [[nodiscard]] bool holds(Site holder, Flat p, double margin) const;
+  [[nodiscard]] Flat start(const Piece& p) const { return made_.start(outline_, p); }
+  [[nodiscard]] Flat end(const Piece& p) const { return made_.end(outline_, p); }
+  static bool is_line(Site s) { return s.role == Role::Line || s.role == Role::Bevel; }
 
   const Outline& outline_;
   const double d_;
+  Cover cover_;
   const double margin_;
-  std::vector<Piece> pieces_;
-  std::size_t bottom_ = 0;                    // of the walk under way
+  const Buried& known_;
+  Buried* const found_;
+  const base::Progress& progress_;
+  Survivors made_;
+  Flat tail_a_, tail_b_;                      // of the last piece
   std::uint32_t previous_ = Piece::none;      // the raw piece before, packed, if it ends where the next one starts
+  int heat_ = 0;                              // how rough it was lately, 0 .. 16
 };
 
-std::vector<Piece> Pass::run() {
-  const std::uint32_t steps = outline_.step_count();
-  pieces_.reserve(std::min<std::size_t>(steps, 4096));
-  if (outline_.two_walks()) {
-    walk(0, steps / 2);
-    walk(steps / 2, steps);
-  } else {
-    walk(0, steps);
+std::size_t Pass::alive_count() const {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i * 16 < outline_.base().segment_count(); ++i) {
+    count += 64 - static_cast<std::size_t>(std::popcount(known_.word(i)));
   }
-  return std::move(pieces_);
+  return count;
 }
 
-void Pass::walk(std::uint32_t first, std::uint32_t last) {
-  bottom_ = pieces_.size();
-  previous_ = Piece::none;
-  Outline::Junction before = outline_.junction(outline_.before(first));
-  for (std::uint32_t step = first; step < last; ++step) {
+Survivors Pass::run() {
+  made_.pieces.reserve(alive_count());
+  walk();
+  if (progress_.cancelled()) return {};
+  if (!made_.pieces.empty()) close();
+  cull();
+  if (progress_.cancelled()) return {};
+  return std::move(made_);
+}
+
+void Pass::walk() {
+  const auto count = static_cast<std::uint32_t>(outline_.base().segment_count());
+  Outline::Junction before{};
+  bool stale = true;
+  std::uint64_t dead = 0;
+  for (std::uint32_t step = 0; step < count; ++step, dead >>= 4) {
+    if (step % 16 == 0) {
+      if (step % 4096 == 0 && progress_.cancelled()) return;
+      dead = known_.word(step / 16);
+      if (dead == ~std::uint64_t{0}) {
+        step += 15;
+        previous_ = Piece::none;
+        stale = true;
+        continue;
+      }
+    }
+    if ((dead & 15) == 15) {
+      previous_ = Piece::none;
+      stale = true;
+      continue;
+    }
+    if (stale) before = outline_.junction(outline_.before(step));
+    stale = false;
     const Outline::Junction after = outline_.junction(step);
-    add_line(step, before, after);
-    add_corner(step, after);
+    if ((dead & 1) == 0) {
+      add_line(step, before, after);
+    } else {
+      previous_ = Piece::none;
+    }
+    if (after.kind >= Corner::Tangent && !outline_.is_cap(step)) add_corner(step, after, dead);
     before = after;
   }
-  const bool open_ended = !outline_.base().closed && last == outline_.base().segment_count();
-  if (open_ended) {  // without the left side the other cap is still due
-    previous_ = Piece::none;
-    const auto cap = static_cast<std::uint32_t>(2 * last - 1);
-    add_corner(cap, outline_.junction(cap));
-  }
-  if (pieces_.size() > bottom_) close(bottom_);
 }
 
-void Pass::add_line(std::uint32_t step, const Outline::Junction& before, const Outline::Junction& after) {
-  Piece line;
-  line.site = {step, Role::Line};
-  line.a = before.start;
-  line.b = after.end;
-  bool dead = false;
-  const Flat u = outline_.along<double>(step);
-  const double size = dot(line.b - line.a, u);
-  if (size <= margin_) {
-    // Cut from both sides beyond its middle: every point of it is nearer than D to one neighbour or the other.
-    dead = size < -margin_ || !(dot(outline_.natural_end<Real>(line.site) - outline_.natural_start<Real>(line.site),
-                                    outline_.along<Real>(step)) > Real(3.5e-18L) * (outline_.base().size + d_));
-  }
-  dead = dead || (before.kind == Outline::Corner::Apart && in_pill(line, outline_.before(step))) ||
-         (after.kind == Outline::Corner::Apart && in_pill(line, outline_.after(step)));
-  if (!dead) add(line);
-  previous_ = after.kind == Outline::Corner::Apart ? Piece::none : packed(line.site);
+/// One step's set buries it.
+bool Pass::kills(std::uint32_t step, Site site, Flat a, Flat b) {
+  if (!cover_.in_set(site, a, b, step)) return false;
+  cover_.remember(step);
+  return true;
 }
 
-void Pass::add_corner(std::uint32_t step, const Outline::Junction& junction) {
+bool Pass::is_dead_line(Site site, Flat a, Flat b, Corner before, Corner after) {
+  const std::uint32_t step = site.step;
+  const double size = dot(b - a, outline_.along<double>(step));
+  if (is_overcut(outline_, step, size, margin_)) {
+    if (found_ != nullptr) found_->add(site, outline_.before(step));
+    return true;
+  }
+  const std::uint32_t hint = known_.hint(step);
+  const bool dead = (before == Corner::Apart && kills(outline_.before(step), site, a, b)) ||
+                    (after == Corner::Apart && kills(outline_.after(step), site, a, b)) ||
+                    (hint != Buried::none && kills(hint, site, a, b)) || (heat_ >= rough && cover_.by_recent(site, a, b));
+  if (dead) bury(site);
+  return dead;
+}
+
+inline void Pass::add_line(std::uint32_t step, const Outline::Junction& before, const Outline::Junction& after) {
+  const Site line{step, Role::Line};
+  const Flat a = before.start;
+  const Flat b = after.end;
+  const bool goes_on = previous_ != Piece::none && !made_.pieces.empty() && packed(made_.pieces.back().site()) == previous_ &&
+                       made_.pieces.back().trim_b == Piece::none;
+  // Up to the bisector a line is outside the next segment's pill, so that there is nothing to look for.
+  if (goes_on && after.kind != Corner::Apart && dot(b - a, outline_.along<double>(step)) > margin_) {
+    push(line, a, b, true);
+    heat_ -= heat_ > 0;
+  } else {
+    heat_ += heat_ < 16;
+    if (!is_dead_line(line, a, b, before.kind, after.kind)) add(line, a, b);
+  }
+  previous_ = after.kind == Corner::Apart ? Piece::none : packed(line);
+}
+
+void Pass::add_corner(std::uint32_t step, const Outline::Junction& junction, std::uint64_t dead) {
   const auto add_role = [&](Role role, Flat a, Flat b) {
-    Piece piece;
-    piece.site = {step, role};
-    piece.a = a;
-    piece.b = b;
-    add(piece);
-    previous_ = packed(piece.site);
-  };
-  if (junction.kind == Outline::Corner::Tangent) {
-    add_role(Role::Bevel, junction.end, junction.start);
-  } else if (junction.kind == Outline::Corner::Arc) {
-    if (outline_.splits_arc(step)) {
-      const Flat middle = outline_.natural_end<double>({step, Role::Arc});
-      add_role(Role::Arc, junction.end, middle);
-      add_role(Role::SecondArc, middle, junction.start);
-    } else {
-      add_role(Role::Arc, junction.end, junction.start);
+    const Site site{step, role};
+    if ((dead >> static_cast<std::uint32_t>(role)) & 1U) {
+      previous_ = Piece::none;
+      return;
     }
+    const bool goes_on = previous_ != Piece::none && !made_.pieces.empty() && packed(made_.pieces.back().site()) == previous_ &&
+                         made_.pieces.back().trim_b == Piece::none;
+    if (goes_on) {
+      push(site, a, b, true);
+      heat_ -= heat_ > 0;
+    } else {
+      heat_ += heat_ < 16;
+      if (heat_ >= rough && cover_.by_recent(site, a, b)) {
+        bury(site);
+      } else {
+        add(site, a, b);
+      }
+    }
+    previous_ = packed(site);
+  };
+  if (junction.kind == Corner::Tangent) {
+    add_role(Role::Bevel, junction.end, junction.start);
+  } else if (outline_.splits_arc(step)) {
+    const Flat middle = outline_.end_of({step, Role::Arc});
+    add_role(Role::Arc, junction.end, middle);
+    add_role(Role::SecondArc, middle, junction.start);
+  } else {
+    add_role(Role::Arc, junction.end, junction.start);
   }
 }
 
-/// Both ends deep in the pill, and for an arc the crossing of its end tangents too.
-bool Pass::in_pill(const Piece& piece, std::uint32_t step) const {
-  if (!deep(piece.a, step) || !deep(piece.b, step)) return false;
-  if (piece.is_line()) return true;
-  const Flat c = centre(piece);
-  const Flat sum = (piece.a - c) + (piece.b - c);
-  return deep(c + (2 * d_ * d_ / dot(sum, sum)) * sum, step);
+/// True if p lies nearer than D - margin to the line's segment, or in the disc of the arc.
+bool Pass::holds(Site holder, Flat p, double margin) const {
+  if (is_line(holder)) return outline_.deep_inside(p, holder.step, margin);
+  const Flat q = p - outline_.centre(holder);
+  return dot(q, q) < (d_ - margin) * (d_ - margin);
 }
 
-bool Pass::buried(const Piece& piece, const Piece& other) const {
-  // The disc of a corner lies in the pills beside it.
-  return in_pill(piece, other.site.step) ||
-         (other.site.role != Role::Line && !outline_.is_cap(other.site.step) && in_pill(piece, outline_.after(other.site.step)));
-}
-
-/// True if p lies deep in the pill of the line, or the disc of the arc.
-bool Pass::holds_end(const Piece& holder, Flat p) const {
-  if (holder.is_line()) return deep(p, holder.site.step);
-  const Flat q = p - centre(holder);
-  return dot(q, q) < (d_ - margin_) * (d_ - margin_);
-}
-
-bool Pass::in_range(const Piece& piece, Flat p) const {
-  if (piece.is_line()) {
-    const Flat whole = piece.b - piece.a;
-    const double t = dot(p - piece.a, whole);
+bool Pass::in_range(Site site, Flat a, Flat b, Flat p) const {
+  if (is_line(site)) {
+    const Flat whole = b - a;
+    const double t = dot(p - a, whole);
     return t > 0 && t < dot(whole, whole);
   }
-  const Flat c = centre(piece);
-  return cross(piece.a - c, p - c) > 0 && cross(p - c, piece.b - c) > 0;
+  const Flat c = outline_.centre(site);
+  return cross(a - c, p - c) > 0 && cross(p - c, b - c) > 0;
 }
 
 /// Where the tail, going on, enters the pill (disc) of the head, if that is on the head itself.
-std::optional<Flat> Pass::crossing(const Piece& tail, const Piece& head) const {
+std::optional<Flat> Pass::crossing(Site tail, Flat tail_a, Flat tail_b, Site head, Flat head_a, Flat head_b) const {
   Flat p;
-  if (tail.is_line() && head.is_line()) {
-    const Flat u = head.b - head.a;
-    const double before = cross(u, tail.a - head.a);
-    const double after = cross(u, tail.b - head.a);
+  if (is_line(tail) && is_line(head)) {
+    const Flat u = head_b - head_a;
+    const double before = cross(u, tail_a - head_a);
+    const double after = cross(u, tail_b - head_a);
     if (!(before < 0 && after > 0)) return std::nullopt;
-    p = tail.a + (before / (before - after)) * (tail.b - tail.a);
-  } else if (tail.is_line()) {
-    const Flat u = unit(tail.b - tail.a);
-    const Flat to = centre(head) - tail.a;
+    p = tail_a + (before / (before - after)) * (tail_b - tail_a);
+  } else if (is_line(tail)) {
+    const Flat u = unit(tail_b - tail_a);
+    const Flat to = outline_.centre(head) - tail_a;
     const double across = cross(u, to);
     if (!(std::abs(across) < d_)) return std::nullopt;
-    p = tail.a + (dot(u, to) - std::sqrt((d_ - across) * (d_ + across))) * u;
-  } else if (head.is_line()) {
-    const Flat u = unit(head.b - head.a);
-    const Flat to = centre(tail) - head.a;
+    p = tail_a + (dot(u, to) - std::sqrt((d_ - across) * (d_ + across))) * u;
+  } else if (is_line(head)) {
+    const Flat u = unit(head_b - head_a);
+    const Flat to = outline_.centre(tail) - head_a;
     const double across = cross(u, to);
     if (!(std::abs(across) < d_)) return std::nullopt;
-    p = head.a + (dot(u, to) + std::sqrt((d_ - across) * (d_ + across))) * u;
+    p = head_a + (dot(u, to) + std::sqrt((d_ - across) * (d_ + across))) * u;
   } else {
-    const Flat c = centre(tail);
-    const Flat to = centre(head) - c;
+    const Flat c = outline_.centre(tail);
+    const Flat to = outline_.centre(head) - c;
     const double gap = length(to);
     if (!(gap > margin_ && gap < 2 * d_)) return std::nullopt;
     p = c + 0.5 * to + (std::sqrt((d_ - 0.5 * gap) * (d_ + 0.5 * gap)) / gap) * right_of(to);
   }
-  if (!in_range(tail, p) || !in_range(head, p)) return std::nullopt;
+  if (!in_range(tail, tail_a, tail_b, p) || !in_range(head, head_a, head_b, p)) return std::nullopt;
   return p;
 }
 
-/// Cuts both where they cross, if what that removes lies in the other's pill.
-void Pass::cut(Piece& tail, Piece& head) const {
-  if (tail.site.role == Role::Bevel || head.site.role == Role::Bevel) return;
-  if (!holds_end(head, tail.b) || !holds_end(tail, head.a)) return;
-  const std::optional<Flat> p = crossing(tail, head);
-  if (!p) return;
+/// Where both are cut, if what that removes lies in the other's pill.
+std::optional<Flat> Pass::cut(Site tail, Flat tail_a, Flat tail_b, Site head, Flat head_a, Flat head_b) const {
+  if (tail.role == Role::Bevel || head.role == Role::Bevel) return std::nullopt;
+  if (!holds(head, tail_b, margin_) || !holds(tail, head_a, margin_)) return std::nullopt;
+  const std::optional<Flat> p = crossing(tail, tail_a, tail_b, head, head_a, head_b);
+  if (!p) return std::nullopt;
   // An arc may leave a convex set and come back: its middle must be in it as well.
-  const auto middle_held = [&](const Piece& arc, Flat a, Flat b, const Piece& holder) {
-    if (arc.is_line()) return true;
-    const Flat c = centre(arc);
+  const auto middle_held = [&](Site arc, Flat a, Flat b, Site holder) {
+    if (is_line(arc)) return true;
+    const Flat c = outline_.centre(arc);
     const Flat sum = (a - c) + (b - c);
-    const Flat m = c + (d_ / length(sum)) * sum;
-    return holder.is_line() ? outline_.deep_inside(m, holder.site.step, 0) : dot(m - centre(holder), m - centre(holder)) <= d_ * d_;
+    return holds(holder, c + (d_ / length(sum)) * sum, 0);
   };
-  if (!middle_held(tail, *p, tail.b, head) || !middle_held(head, head.a, *p, tail)) return;
-  tail.b = *p;
-  tail.cut_b = packed(head.site);
-  head.a = *p;
-  head.cut_a = packed(tail.site);
-  head.linked = true;
+  if (!middle_held(tail, *p, tail_b, head) || !middle_held(head, head_a, *p, tail)) return std::nullopt;
+  return p;
 }
 
-void Pass::add(Piece piece) {
-  while (pieces_.size() > bottom_ && piece.site.role == Role::Line && in_pill(pieces_.back(), piece.site.step)) {
-    pieces_.pop_back();
+void Pass::push(Site site, Flat a, Flat b, bool linked) {
+  made_.pieces.push_back(Piece(site));
+  made_.pieces.back().link(linked);
+  tail_a_ = a;
+  tail_b_ = b;
+}
+
+void Pass::pop() {
+  made_.pieces.pop_back();
+  if (made_.pieces.empty()) return;
+  tail_a_ = start(made_.pieces.back());
+  tail_b_ = end(made_.pieces.back());
+}
+
+/// The disc of a corner lies in the pills beside it.
+bool Pass::buried_by_tail(Site site, Flat a, Flat b) {
+  const Site tail = made_.pieces.back().site();
+  return kills(tail.step, site, a, b) || (tail.role != Role::Line && kills(outline_.after(tail.step), site, a, b));
+}
+
+void Pass::add(Site site, Flat a, Flat b) {
+  auto& pieces = made_.pieces;
+  while (site.role == Role::Line && !pieces.empty() && kills(site.step, pieces.back().site(), tail_a_, tail_b_)) {
+    bury(pieces.back().site());
+    pop();
   }
-  piece.linked = false;
-  if (pieces_.size() > bottom_) {
-    Piece& tail = pieces_.back();
-    if (previous_ != Piece::none && packed(tail.site) == previous_ && tail.cut_b == Piece::none) {
-      piece.linked = true;
-    } else {
-      if (buried(piece, tail)) return;
-      cut(tail, piece);
+  bool linked = false;
+  if (!pieces.empty()) {
+    linked = previous_ != Piece::none && packed(pieces.back().site()) == previous_ && pieces.back().trim_b == Piece::none;
+    if (!linked && buried_by_tail(site, a, b)) return bury(site);
+  }
+  bool examined = false;
+  if (!linked && heat_ >= rough) {
+    if (cover_.covers(site, a, b)) return bury(site);
+    examined = true;
+  }
+  std::uint32_t trim = Piece::none;
+  if (!linked && !pieces.empty()) {
+    if (const std::optional<Flat> p = cut(pieces.back().site(), tail_a_, tail_b_, site, a, b)) {
+      pieces.back().trim_b = static_cast<std::uint32_t>(made_.trims.size());
+      made_.trims.push_back({*p, packed(site)});
+      trim = static_cast<std::uint32_t>(made_.trims.size());
+      made_.trims.push_back({*p, packed(pieces.back().site())});
+      a = *p;
+      linked = true;
     }
   }
-  pieces_.push_back(piece);
+  push(site, a, b, linked);
+  pieces.back().trim_a = trim;
+  if (examined) pieces.back().mark_examined();
 }
 
 /// The seam of the walk: its last pieces and its first ones.
-void Pass::close(std::size_t bottom) {
-  std::size_t first = bottom;
+void Pass::close() {
+  auto& pieces = made_.pieces;
+  std::size_t first = 0;
   bool popped = true;
-  while (popped && pieces_.size() - first > 1) {
+  while (popped && pieces.size() - first > 1) {
     popped = false;
-    Piece& head = pieces_[first];
-    Piece& tail = pieces_.back();
-    if (head.site.role == Role::Line && in_pill(tail, head.site.step)) {
-      pieces_.pop_back();
+    const Piece head = pieces[first];
+    const Piece tail = pieces.back();
+    if (head.site().role == Role::Line && kills(head.step(), tail.site(), start(tail), end(tail))) {
+      pieces.pop_back();
       popped = true;
-    } else if (tail.site.role == Role::Line && in_pill(head, tail.site.step)) {
+    } else if (tail.site().role == Role::Line && kills(tail.step(), head.site(), start(head), end(head))) {
       ++first;
       popped = true;
     }
   }
-  pieces_.erase(pieces_.begin() + static_cast<std::ptrdiff_t>(bottom), pieces_.begin() + static_cast<std::ptrdiff_t>(first));
-  Piece& head = pieces_[bottom];
-  Piece& tail = pieces_.back();
-  head.linked = false;
-  if (pieces_.size() - bottom < 2) return;
-  if (previous_ != Piece::none && packed(tail.site) == previous_ && tail.cut_b == Piece::none &&
-      head.cut_a == Piece::none && head.site == Site{outline_.after(unpacked(previous_).step), Role::Line}) {
-    head.linked = true;
-  } else if (head.cut_a == Piece::none && tail.cut_b == Piece::none) {
-    cut(tail, head);
+  pieces.erase(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(first));
+  Piece& head = pieces.front();
+  Piece& tail = pieces.back();
+  head.link(false);
+  if (pieces.size() < 2) return;
+  const bool whole = head.trim_a == Piece::none && tail.trim_b == Piece::none;
+  if (previous_ != Piece::none && packed(tail.site()) == previous_ && whole &&
+      head.site() == Site{outline_.after(unpacked(previous_).step), Role::Line}) {
+    head.link(true);
+  } else if (whole) {
+    if (const std::optional<Flat> p = cut(tail.site(), start(tail), end(tail), head.site(), start(head), end(head))) {
+      tail.trim_b = static_cast<std::uint32_t>(made_.trims.size());
+      made_.trims.push_back({*p, packed(head.site())});
+      head.trim_a = static_cast<std::uint32_t>(made_.trims.size());
+      made_.trims.push_back({*p, packed(tail.site())});
+      head.link(true);
+    }
   }
-  if (bottom > 0) head.linked = false;  // only scissors, whose seam nobody asks for
+}
+
+/// Long connected parts are what the pass understood; queries are for the short ones.
+void Pass::cull() {
+  constexpr std::size_t short_fragment = 64;
+  auto& pieces = made_.pieces;
+  const std::size_t count = pieces.size();
+  std::size_t last_kept = count;
+  std::size_t kept = 0;
+  bool dropped = false;
+  std::size_t asked = 0;
+  for (std::size_t first = 0; first < count;) {
+    std::size_t last = first + 1;
+    while (last < count && pieces[last].linked()) ++last;
+    const bool is_short = last - first < short_fragment && last - first < count;
+    for (std::size_t k = first; k < last; ++k) {
+      Piece piece = pieces[k];
+      if (is_short && ++asked % 1024 == 0 && progress_.cancelled()) return;
+      if (is_short && !piece.examined() && cover_.covers(piece.site(), start(piece), end(piece))) {
+        bury(piece.site());
+        dropped = true;
+        continue;
+      }
+      piece.link(piece.linked() && !dropped);
+      dropped = false;
+      pieces[kept++] = piece;
+      last_kept = k;
+    }
+    first = last;
+  }
+  if (kept > 0 && last_kept + 1 != count) pieces[0].link(false);
+  pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(kept), pieces.end());
 }
 
 }  // namespace
 
-std::vector<Piece> survivors(const Outline& outline) { return Pass(outline).run(); }
+Survivors survivors(const Outline& outline, const Clearance& clearance, const Buried& known, Buried* found,
+                    const base::Progress& progress) {
+  return Pass(outline, clearance, known, found, progress).run();
+}
 
 }  // namespace dobra::offset

@@ -116,6 +116,22 @@ Polyline coast(std::size_t n) {  // each edge gets a knee within its own thin tr
   return c;
 }
 
+Polyline random_walk(std::size_t n) {  // open, crosses itself everywhere
+  std::mt19937 random(3);
+  std::normal_distribution<double> normal;
+  Polyline c;
+  Point p{0, 0};
+  const double step = 30.0 / std::sqrt(static_cast<double>(n));
+  for (std::size_t i = 0; i < n; ++i) c.points.push_back(p = p + geom::Vector{step * normal(random), step * normal(random)});
+  return c;
+}
+Polyline rough_arc(std::size_t n) {  // half of the coast: open, rough, and not monotone
+  Polyline c = coast(n);
+  c.closed = false;
+  c.points.resize(c.points.size() / 2 + c.points.size() / 6);
+  return c;
+}
+
 struct Family {
   const char* name;
   Polyline (*make)(std::size_t);
@@ -227,6 +243,11 @@ const Family families[] = {
     {"fractal_round", fractal, Side::RightOfTravel, Join::Round, 0.2, 1'000'000, 1000},
     {"fractal_mitre", fractal, Side::RightOfTravel, Join::Mitre, 0.2, 10'000, 1000},  // see the limits in offset.md
     {"spiral", spiral, Side::RightOfTravel, Join::Round, 0.1, 1'000'000},
+    {"spiral_mitre", spiral, Side::RightOfTravel, Join::Mitre, 0.1, 1'000'000},
+    {"walk_round", random_walk, Side::RightOfTravel, Join::Round, 0.1, 100'000, 1000},
+    {"walk_mitre", random_walk, Side::RightOfTravel, Join::Mitre, 0.1, 100'000, 1000},
+    {"rough_arc_round", rough_arc, Side::RightOfTravel, Join::Round, 0.2, 100'000, 1000},
+    {"rough_arc_mitre", rough_arc, Side::RightOfTravel, Join::Mitre, 0.2, 100'000, 1000},
     {"gear_in", gear, Side::LeftOfTravel, Join::Round, 0.18, 100'000},
     {"gear_out", gear, Side::RightOfTravel, Join::Round, 0.18, 100'000},
     {"blob_in", blob, Side::LeftOfTravel, Join::Round, 0.18, 100'000},
@@ -234,6 +255,12 @@ const Family families[] = {
     {"circle_in", circle, Side::LeftOfTravel, Join::Round, 0.18, 100'000},
     {"coast_in", coast, Side::LeftOfTravel, Join::Round, 0.2, 100'000, 10'000},
     {"coast_out", coast, Side::RightOfTravel, Join::Round, 0.2, 100'000, 10'000},
+    {"gear_in_mitre", gear, Side::LeftOfTravel, Join::Mitre, 0.18, 100'000},
+    {"gear_out_mitre", gear, Side::RightOfTravel, Join::Mitre, 0.18, 100'000},
+    {"blob_in_mitre", blob, Side::LeftOfTravel, Join::Mitre, 0.18, 100'000},
+    {"blob_out_mitre", blob, Side::RightOfTravel, Join::Mitre, 0.18, 100'000},
+    {"coast_in_mitre", coast, Side::LeftOfTravel, Join::Mitre, 0.2, 100'000, 10'000},
+    {"coast_out_mitre", coast, Side::RightOfTravel, Join::Mitre, 0.2, 100'000, 10'000},
 };
 
 }  // namespace

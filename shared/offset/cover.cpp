@@ -1,0 +1,104 @@
+#include "shared/offset/cover.h"
+
+namespace dobra::offset {
+
+Buried::Buried(const BaseCurve& base, const Clearance& clearance)
+    : base_(&base),
+      corners_(&clearance.corners()),
+      n_(static_cast<std::uint32_t>(base.segment_count())),
+      words_((n_ + 15) / 16),
+      bits_(2 * words_, 0) {
+  if (clearance.has_mitres()) hints_.assign(n_, none);
+  for (std::size_t i = 0; i < words_; ++i) bits_[i] = ~std::uint64_t{0};
+  for (std::size_t i = 0; i < n_; ++i) {
+    std::uint64_t there = base.has_after(i) ? 1 : 7;  // the cap
+    if (base.has_after(i)) {
+      const std::size_t at = base.end_index(i);
+      if ((*corners_)[at] == Corner::Tangent) there |= 8;
+      if ((*corners_)[at] == Corner::Arc) there |= base.half_tans[at] > 1 ? 6 : 2;
+    }
+    bits_[i / 16] &= ~(there << (4 * (i % 16)));
+  }
+}
+
+bool Buried::for_ever(Site s) const {
+  if (s.role == Role::Bevel) return false;
+  if (s.role != Role::Line || s.step >= n_) return true;
+  const auto long_end = [&](std::size_t at) { return (*corners_)[at] == Corner::Mitre || (*corners_)[at] == Corner::Tangent; };
+  return !(base_->has_before(s.step) && long_end(s.step)) && !(base_->has_after(s.step) && long_end(base_->end_index(s.step)));
+}
+
+void Buried::add(Site s, std::uint32_t killer) {
+  ++count_;
+  if (for_ever(s)) {
+    bits_[place(s)] |= std::uint64_t{1} << shift(s);
+  } else if (s.role == Role::Line) {
+    hints_[s.step] = killer;
+  }
+}
+
+void Cover::remember(std::uint32_t step) {
+  std::uint32_t moved = step;
+  for (std::uint32_t& r : recent_) {
+    std::swap(r, moved);
+    if (moved == step) return;
+  }
+}
+
+bool Cover::by_recent(Site s, Flat a, Flat b) {
+  for (const std::uint32_t step : recent_) {
+    if (step == Clearance::none) return false;
+    if (!in_set(s, a, b, step)) continue;
+    remember(step);
+    return true;
+  }
+  return false;
+}
+
+/// A step whose set holds p deep inside; none if there is none.
+std::uint32_t Cover::find(Flat p) {
+  for (const std::uint32_t step : recent_) {
+    if (step != Clearance::none && deep(p, step)) return step;
+  }
+  const double r = d_ - 4 * margin_;
+  std::uint32_t found = clearance_.find_nearer(p, r);
+  if (found == Clearance::none) found = clearance_.find_mitre(p, outline_, r);
+  return found;
+}
+
+Flat Cover::middle(Site s, Flat a, Flat b) const {
+  const Flat half = 0.5 * (a + b);
+  if (s.role == Role::Line || s.role == Role::Bevel) return half;
+  const Flat c = outline_.centre(s);
+  return c + (d_ / length(half - c)) * (half - c);
+}
+
+bool Cover::covers(Site s, Flat a, Flat b) {
+  if (by_recent(s, a, b)) return true;
+  const Flat m = middle(s, a, b);
+  for (const Flat p : {m, a, b}) {
+    const std::uint32_t step = find(p);
+    if (step == Clearance::none) return false;
+    if (!in_set(s, a, b, step)) continue;
+    remember(step);
+    return true;
+  }
+  return halves(s, a, m, b, 5);
+}
+
+bool Cover::halves(Site s, Flat a, Flat m, Flat b, int depth) {
+  const auto half = [&](Flat p, Flat q) {
+    if (by_recent(s, p, q)) return true;
+    const Flat k = middle(s, p, q);
+    const std::uint32_t step = find(k);
+    if (step == Clearance::none) return false;
+    if (in_set(s, p, q, step)) {
+      remember(step);
+      return true;
+    }
+    return depth > 0 && halves(s, p, k, q, depth - 1);
+  };
+  return half(a, m) && half(m, b);
+}
+
+}  // namespace dobra::offset

@@ -1,0 +1,83 @@
+#pragma once
+// Proofs that a piece of the raw outline lies in U. The proof of one segment: pill and mitres at its ends make a convex set, so
+// both ends of a line in it (for an arc, the crossing of its end tangents too) prove the whole. What buried one piece most likely
+// buries the next: the last few such segments are tried before the tree is asked. All proofs keep a margin above rounding.
+
+#include <array>
+#include <vector>
+
+#include "shared/offset/clearance.h"
+
+namespace dobra::offset {
+
+/// Pieces that lie in U at some distance and so at all greater ones: p + D n nearer than D to some q means n . (q - p) >
+/// |q - p|^2 / 2D. Not so for the far ends of mitres; for their lines the segment that buried them is remembered, to be tried first.
+class Buried {
+ public:
+  static constexpr std::uint32_t none = 0xffffffffU;
+  Buried(const BaseCurve& base, const Clearance& clearance);
+
+  /// All four roles of 16 steps of the right side; those that no piece has count as buried.
+  [[nodiscard]] std::uint64_t word(std::size_t block) const { return bits_[block]; }
+  [[nodiscard]] bool holds(Site s) const { return (bits_[place(s)] >> shift(s)) & 1U; }
+  /// Once a piece is known to lie in U.
+  void add(Site s, std::uint32_t killer);
+  [[nodiscard]] std::uint32_t hint(std::uint32_t step) const { return hints_.empty() ? none : hints_[step]; }
+  /// How many were added.
+  [[nodiscard]] std::size_t count() const { return count_; }
+
+ private:
+  [[nodiscard]] std::size_t place(Site s) const { return s.step < n_ ? s.step / 16 : words_ + (s.step - n_) / 16; }
+  [[nodiscard]] std::uint32_t shift(Site s) const {
+    return 4 * ((s.step < n_ ? s.step : s.step - n_) % 16) + static_cast<std::uint32_t>(s.role);
+  }
+  [[nodiscard]] bool for_ever(Site s) const;
+
+  const BaseCurve* base_;
+  const std::vector<Corner>* corners_;
+  std::uint32_t n_;
+  std::size_t words_;
+  std::size_t count_ = 0;
+  std::vector<std::uint64_t> bits_;
+  std::vector<std::uint32_t> hints_;
+};
+
+class Cover {
+ public:
+  Cover(const Outline& outline, const Clearance& clearance)
+      : outline_(outline), clearance_(clearance), d_(outline.distance()), margin_(1e-14 * (outline.base().size + outline.distance())) {
+    recent_.fill(Clearance::none);
+  }
+  [[nodiscard]] double margin() const { return margin_; }
+  [[nodiscard]] bool deep(Flat p, std::uint32_t step) const { return outline_.deep_inside(p, step, margin_); }
+  /// The part of a piece from a to b lies in the set of one step.
+  [[nodiscard]] bool in_set(Site s, Flat a, Flat b, std::uint32_t step) const {
+    if (!deep(a, step) || !deep(b, step)) return false;
+    return s.role == Role::Line || s.role == Role::Bevel || deep(tangent_corner(s, a, b), step);
+  }
+  /// The same for one of the last segments that buried something.
+  bool by_recent(Site s, Flat a, Flat b);
+  /// The same for any number of segments.
+  bool covers(Site s, Flat a, Flat b);
+  void remember(std::uint32_t step);
+  /// The last one.
+  [[nodiscard]] std::uint32_t killer() const { return recent_[0]; }
+  /// Where the tangents at the ends of an arc, of at most a right angle, cross.
+  [[nodiscard]] Flat tangent_corner(Site s, Flat a, Flat b) const {
+    const Flat c = outline_.centre(s);
+    const Flat sum = (a - c) + (b - c);
+    return c + (2 * d_ * d_ / dot(sum, sum)) * sum;
+  }
+
+ private:
+  [[nodiscard]] std::uint32_t find(Flat p);
+  bool halves(Site s, Flat a, Flat middle, Flat b, int depth);
+  [[nodiscard]] Flat middle(Site s, Flat a, Flat b) const;
+
+  const Outline& outline_;
+  const Clearance& clearance_;
+  double d_, margin_;
+  std::array<std::uint32_t, 4> recent_;
+};
+
+}  // namespace dobra::offset
