@@ -149,8 +149,7 @@ HalfEdgeId Subdivision::mekr(const Corner& from, const Corner& to, Room room) {
   DOBRA_CHECK(kept != gone && face(kept) == face(gone));
   const HalfEdgeId from_side = first(kept);
   const HalfEdgeId to_side = first(gone);
-  const bool from_is_shorter =
-      !from_side.valid() || (to_side.valid() && shorter(from_side, to_side) == from_side);
+  const bool from_is_shorter = !from_side.valid() || (to_side.valid() && shorter(from_side, to_side) == from_side);
   if (from_is_shorter && to_side.valid()) std::swap(kept, gone);
   const FaceId f = face(kept);
   const bool outer = outer_loop(f) == gone || outer_loop(f) == kept;
@@ -181,7 +180,7 @@ void Subdivision::kemr(HalfEdgeId h) {
   unlink_edge(h);
   free_edge(edge(h));
   const LoopId fresh = new_loop(f);
-  const bool b_is_new = !b_side.valid() || (a_side.valid() && shorter(b_side, a_side) == b_side);
+  const bool b_is_new = !b_side.valid() || (a_side.valid() && shorter(a_side, b_side) != a_side);  // as mekr chose
   const auto give = [&](HalfEdgeId side, VertexId v, LoopId l) {
     if (side.valid()) {
       loops_[l.index()].first = side;
@@ -272,7 +271,7 @@ FaceId Subdivision::kef(HalfEdgeId h) {
   const LoopId gone_outer = outer_loop(gone);
   const HalfEdgeId kept_rest = next(h);
   const HalfEdgeId gone_rest = next(twin(h));
-  const bool relabel_kept = shorter(h, twin(h)) == h;
+  const bool relabel_kept = shorter(half_edge(edge(h)), twin(half_edge(edge(h)))) == h;  // as mef chose
   const LoopId merged = relabel_kept ? gone_loop : kept_loop;
   label(relabel_kept ? h : twin(h), merged);
   unlink_edge(h);
@@ -321,11 +320,12 @@ VertexId Subdivision::split(EdgeId e, Point p, Room room) {
   return middle;
 }
 
-EdgeId Subdivision::join(VertexId v) {
+EdgeId Subdivision::join(VertexId v, EdgeId kept) {
   DOBRA_CHECK(degree(v) == 2);
   HalfEdgeId a = leaving(v);
   HalfEdgeId b = turned(a);
-  if (edge(b) < edge(a)) std::swap(a, b);
+  if (kept.valid() ? edge(b) == kept : edge(b) < edge(a)) std::swap(a, b);
+  DOBRA_CHECK(!kept.valid() || edge(a) == kept);
   // Now edge(a) stays: x <-a- v -b-> y becomes x - y.
   const HalfEdgeId in = twin(a);
   const HalfEdgeId back = twin(b);

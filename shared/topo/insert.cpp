@@ -48,7 +48,8 @@ Result<Inserted> insert(Subdivision& sub, const Segment& segment) {
 
 Result<Inserted> insert(Subdivision& sub, const geom::Polyline& curve) {
   for (const Point p : curve.points) DOBRA_TRY_VOID(check_finite(p));
-  const bool moves = std::any_of(curve.points.begin(), curve.points.end(), [&](Point p) { return p != curve.points[0]; });
+  const bool moves =
+      std::any_of(curve.points.begin(), curve.points.end(), [&](Point p) { return p != curve.points[0]; });
   if (!moves) {
     Error error{ErrorCode::DegenerateCurve, "a curve of zero length cannot be inserted; give it two distinct points"};
     if (!curve.points.empty()) error.place = place_of(curve.points.front());

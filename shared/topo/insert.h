@@ -1,8 +1,8 @@
 #pragma once
-// The geometric layer of the subdivision: curves of any position in, consistent subdivision out. Finds all crossings, splits
-// edges there, merges what coincides, and recognises the regions that form. The subdivision stays exact: where the rounded
-// crossing lies beside an edge, that edge is bent through it, and a bent piece that would meet something else is
-// taken out and inserted again through a queue. So no two edges ever cross or overlap, by exact predicates.
+// The geometric layer of the subdivision: curves of any position in, consistent subdivision out. Finds all crossings,
+// splits edges there, merges what coincides, and recognises the regions that form. The subdivision stays exact: where
+// the rounded crossing lies beside an edge, that edge is bent through it, and a bent piece that would meet something
+// else is taken out and inserted again through a queue. So no two edges ever cross or overlap, by exact predicates.
 // Page: docs/algorithms/subdivision.md. Source: [cavalcante1991hed]; the queue is ours.
 
 #include <vector>

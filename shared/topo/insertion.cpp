@@ -65,7 +65,8 @@ Inserted Insertion::finish() {
   for (const Piece& piece : pieces_) {
     if (piece.fresh && piece.half_edge.valid()) inserted.edges.push_back(Subdivision::edge(piece.half_edge));
   }
-  if (!std::is_sorted(inserted.edges.begin(), inserted.edges.end())) std::sort(inserted.edges.begin(), inserted.edges.end());
+  if (!std::is_sorted(inserted.edges.begin(), inserted.edges.end()))
+    std::sort(inserted.edges.begin(), inserted.edges.end());
   std::set<FaceId> seen;
   for (const FaceId f : faces_) {
     if (sub_.contains(f) && seen.insert(f).second) inserted.faces.push_back(f);
@@ -220,7 +221,8 @@ std::optional<VertexId> Insertion::vertex_near(EdgeId e, Point p) const {
   return near.valid() ? std::optional(near) : std::nullopt;
 }
 
-/// False if work on an earlier crossing has split or moved the edge; the parts of the piece will find what crosses them.
+/// False if work on an earlier crossing has split or moved the edge; the parts of the piece will find what crosses
+/// them.
 bool Insertion::still_there(const Crossing& c, const Segment& segment) const {
   if (!sub_.contains(c.edge)) return false;
   const geom::Intersection meet = geom::intersect(segment, sub_.segment(c.edge));
@@ -254,8 +256,8 @@ VertexId Insertion::bend(const Crossing& c) {
   return middle;
 }
 
-/// How near a vertex draws pieces to itself: a few units in the last place of the greatest coordinate, and more where bent
-/// edges keep crossing each other.
+/// How near a vertex draws pieces to itself: a few units in the last place of the greatest coordinate, and more where
+/// bent edges keep crossing each other.
 double Insertion::snap(Point p) const {
   const double margin = sub_.margin(p);
   const double step = std::isfinite(margin) ? 0x1p-8 * margin : 0x1p-51 * std::max(std::abs(p.x), std::abs(p.y));

@@ -1,14 +1,15 @@
 #pragma once
-// The work behind insert.h: one curve on its way into a subdivision. Two ways lead there. `quick.cpp` takes a segment that has
-// room (nothing else within margin() of it but what it crosses squarely) in a single look at the tree, in doubles. Everything
-// else goes the careful way of `insertion.cpp`, by exact predicates:
-// 1 A segment becomes a piece of work between two vertices; pieces wait on a stack.
-// 2 A piece that passes vertices is cut there (exact; nothing moves).
-// 3 A piece that crosses edges is cut at the rounded crossings. Each crossed edge is bent through its crossing: in place
+// The work behind insert.h: one curve on its way into a subdivision. Two ways lead there. `quick.cpp` takes a segment
+// that has room (nothing else within margin() of it but what it crosses squarely) in a single look at the tree, in
+// doubles. Everything else goes the careful way of `insertion.cpp`, by exact predicates: 1 A segment becomes a piece of
+// work between two vertices; pieces wait on a stack. 2 A piece that passes vertices is cut there (exact; nothing
+// moves). 3 A piece that crosses edges is cut at the rounded crossings. Each crossed edge is bent through its crossing:
+// in place
 //   if the triangle so swept holds nothing else, otherwise it is removed and its two parts become work.
 // 4 A piece that meets nothing is connected by an Euler operator.
 // Every piece remembers what became of it, so that the path of the curve can be read off in the end.
-// It ends: a piece and an edge are only ever replaced by parts whose boxes lie within its own and are smaller (docs page).
+// It ends: a piece and an edge are only ever replaced by parts whose boxes lie within its own and are smaller (docs
+// page).
 
 #include <vector>
 
@@ -36,10 +37,10 @@ class Insertion {
   };
   struct Piece {
     VertexId from, to;
-    HalfEdgeId half_edge;           // if it is an edge now
-    std::uint32_t first_part = 0;   // otherwise what it fell into, in order
+    HalfEdgeId half_edge;          // if it is an edge now
+    std::uint32_t first_part = 0;  // otherwise what it fell into, in order
     std::uint32_t part_count = 0;
-    std::uint32_t attribute = none; // of an edge that is on its way in again
+    std::uint32_t attribute = none;  // of an edge that is on its way in again
     Sides sides;
     bool fresh = false;
   };
@@ -51,9 +52,9 @@ class Insertion {
   struct Square {
     EdgeId edge;
     geom::Segment segment;
-    double along;      // distance from the start
-    double sine;       // of the angle at which it is crossed
-    bool from_left;    // the segment comes from the left of the edge
+    double along;    // distance from the start
+    double sine;     // of the angle at which it is crossed
+    bool from_left;  // the segment comes from the left of the edge
   };
   struct View {
     double crowd_from = 1.0;  // least sine between the segment and an edge that leaves its start the same way

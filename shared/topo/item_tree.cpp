@@ -16,9 +16,12 @@ double extent(const Box& box) { return std::max(box.high.x - box.low.x, box.high
 
 ItemTree::Strip::Strip(const geom::Segment& s, double margin)
     : box_(s.box().grown(margin)), from_(s.from), along_(s.vector()) {
-  // Far above the rounding of the products, so that nothing that meets is left out.
+  const double size = std::max(std::abs(along_.x), std::abs(along_.y));
+  if (size > 0.0 && size < 0x1p-200)
+    along_ = {std::scalbn(along_.x, -std::ilogb(size)), std::scalbn(along_.y, -std::ilogb(size))};
+  // Far above the rounding of the products and their underflow, so that nothing that meets is left out.
   slack_ = 1.5 * margin * (std::abs(along_.x) + std::abs(along_.y)) +
-           1e-12 * (std::abs(along_.x * from_.y) + std::abs(along_.y * from_.x));
+           1e-12 * (std::abs(along_.x * from_.y) + std::abs(along_.y * from_.x)) + 0x1p-1060;
 }
 
 void ItemTree::grow(const Box& box) {

@@ -1,8 +1,8 @@
 #pragma once
-// Where segments are, while they come and go: a loose quadtree over numbered segments (points are segments of length 0) that
-// grows and splits as needed. A segment sits in the cell that holds its centre, at a level whose cells are at least as
-// large as its box. Unlike a grid it needs no cell size, hence works at any scale and mixture of sizes. Every cell also
-// knows the box of what it holds, which on curves is far smaller than the cell. Source: [ulrich2000loose].
+// Where segments are, while they come and go: a loose quadtree over numbered segments (points are segments of length 0)
+// that grows and splits as needed. A segment sits in the cell that holds its centre, at a level whose cells are at
+// least as large as its box. Unlike a grid it needs no cell size, hence works at any scale and mixture of sizes. Every
+// cell also knows the box of what it holds, which on curves is far smaller than the cell. Source: [ulrich2000loose].
 
 #include <cmath>
 #include <cstdint>
@@ -22,15 +22,20 @@ class ItemTree {
   /// Calls visit(item, segment) for every item whose box overlaps `box`. The tree must not change meanwhile.
   template <class Visit>
   void visit(const geom::Box& box, Visit&& visit) const {
-    if (root_ != none) walk(root_, [&](const geom::Box& other) { return other.overlaps(box); }, visit);
+    if (root_ != none)
+      walk(
+          root_, [&](const geom::Box& other) { return other.overlaps(box); }, visit);
   }
   /// The same for every item whose box comes within `margin` of `near` (a few that are a little farther are given too).
   template <class Visit>
   void visit(const geom::Segment& near, double margin, Visit&& visit) const {
     const Strip strip(near, margin);
-    if (root_ != none) walk(root_, [&](const geom::Box& other) { return strip.meets(other); }, visit);
+    if (root_ != none)
+      walk(
+          root_, [&](const geom::Box& other) { return strip.meets(other); }, visit);
   }
-  /// Calls limit = visit(item, segment) for items whose box meets the upward ray from p below height `limit`, lower cells first.
+  /// Calls limit = visit(item, segment) for items whose box meets the upward ray from p below height `limit`, lower
+  /// cells first.
   template <class Visit>
   void visit_above(geom::Point p, double limit, Visit&& visit) const {
     if (root_ != none) climb(root_, p, limit, visit);
@@ -39,9 +44,9 @@ class ItemTree {
  private:
   static constexpr std::uint32_t none = 0xffffffffU;
   struct Node {
-    geom::Box bounds;             ///< Of all items kept here and below, and perhaps of some that are gone.
-    std::uint32_t child = none;   ///< The first of four in a row: lower left, lower right, upper left, upper right.
-    std::uint32_t first = none;   ///< Head of the list of items kept here.
+    geom::Box bounds;            ///< Of all items kept here and below, and perhaps of some that are gone.
+    std::uint32_t child = none;  ///< The first of four in a row: lower left, lower right, upper left, upper right.
+    std::uint32_t first = none;  ///< Head of the list of items kept here.
     std::uint32_t kept = 0;
   };
   struct Item {
@@ -68,8 +73,8 @@ class ItemTree {
     [[nodiscard]] bool meets(const geom::Box& other) const {
       if (!other.overlaps(box_)) return false;
       const geom::Vector to = other.centre() - from_;
-      const double reach = 0.5 * (std::abs(along_.x) * (other.high.y - other.low.y) +
-                                  std::abs(along_.y) * (other.high.x - other.low.x));
+      const double reach =
+          0.5 * (std::abs(along_.x) * (other.high.y - other.low.y) + std::abs(along_.y) * (other.high.x - other.low.x));
       const double left = along_.x * to.y;
       const double right = along_.y * to.x;
       return !(std::abs(left - right) > reach + slack_ + 1e-12 * (std::abs(left) + std::abs(right) + reach));

@@ -30,7 +30,7 @@ bool below(const Segment& a, const Segment& b) {
 /// A height not below that of the segment at x; used only to leave out what lies higher.
 double ceiling(const Segment& s, double x) {
   const double t = (x - s.from.x) / (s.to.x - s.from.x);
-  const double slack = 1e-10 * (std::abs(s.from.y) + std::abs(s.to.y));
+  const double slack = 1e-10 * (std::abs(s.from.y) + std::abs(s.to.y)) + 0x1p-1060;
   return std::min(std::max(s.from.y, s.to.y), geom::interpolate(s.from, s.to, t).y + slack);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
-// Which attribute a face is to have when an edge between two faces was taken out and its parts came in again by another way.
-// While the edge is out its faces are one; every half-edge that was there before remembers whose border it is, and in the
-// end the borders tell. Costs nothing unless faces have attributes and an edge is taken out.
+// Which attribute a face is to have when an edge between two faces was taken out and its parts came in again by another
+// way. While the edge is out its faces are one; every half-edge that was there before remembers whose border it is, and
+// in the end the borders tell. Costs nothing unless faces have attributes and an edge is taken out.
 
 #include <map>
 #include <set>

@@ -1,5 +1,5 @@
-// The quick way of insertion. A single look at the tree finds what comes within margin() of the segment. If that is only
-// edges that it crosses, far from all ends and from each other, then neither the rounding of the crossings nor the
+// The quick way of insertion. A single look at the tree finds what comes within margin() of the segment. If that is
+// only edges that it crosses, far from all ends and from each other, then neither the rounding of the crossings nor the
 // bending of the crossed edges can make anything meet (margin() is 2^10 times what rounding moves), and the signs of
 // all determinants are known from doubles. In every other case the careful way takes over, from where this one came to.
 
@@ -36,6 +36,7 @@ bool Insertion::judge(const Segment& s, double length, double margin, EdgeId e, 
   if (std::max(p_along, q_along) < -margin || std::min(p_along, q_along) > length + margin) return true;
   const Vector v = other.vector();
   const double other_length = size(v);
+  if (!(other_length > margin)) return false;  // 0 also where its square vanishes
   const bool leaves_start = other.from == s.from || other.to == s.from;
   const bool leaves_end = other.from == s.to || other.to == s.to;
   if (leaves_start || leaves_end) {
@@ -145,7 +146,8 @@ bool Insertion::quick(VertexId& at, Point to) {
   }
   if (squares_.empty()) from = sub_.corner(at, to);
   const FaceId in = sub_.face(from);
-  record(end ? sub_.connect(from, sub_.corner(*end, sub_.point(at)), Room::Clear) : sub_.mev(from, to, Room::Clear), in);
+  record(end ? sub_.connect(from, sub_.corner(*end, sub_.point(at)), Room::Clear) : sub_.mev(from, to, Room::Clear),
+         in);
   return true;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// What a planar subdivision consists of and how it hangs together, for reading: subdivision -> face -> loop -> half-edge ->
-// edge -> vertex. subdivision.h changes it.
+// What a planar subdivision consists of and how it hangs together, for reading: subdivision -> face -> loop ->
+// half-edge -> edge -> vertex. subdivision.h changes it.
 //
 // A face lies to the left of its half-edges: outer loops run anticlockwise, loops round holes clockwise; an isolated
 // vertex is a loop without half-edges. Records lie in arrays; freed slots are kept in lists and used again, the last

@@ -1,9 +1,9 @@
 #pragma once
-// A planar subdivision as half-edges (structure.h says of what it consists). Every edge is a straight segment between two
-// vertices and no two edges meet except at common vertices. Dangling edges, isolated vertices and faces with several loops
-// are allowed; exactly one face is unbounded. Changed only by Euler operators, each with its inverse, so that
-// V - E + F = 1 + C always holds. To add curves use topo/insert.h, which finds the crossings.
-// Source: [mantyla1988solid], [cavalcante1991hed]. Page: docs/algorithms/subdivision.md.
+// A planar subdivision as half-edges (structure.h says of what it consists). Every edge is a straight segment between
+// two vertices and no two edges meet except at common vertices. Dangling edges, isolated vertices and faces with
+// several loops are allowed; exactly one face is unbounded. Changed only by Euler operators, each with its inverse, so
+// that V - E + F = 1 + C always holds. To add curves use topo/insert.h, which finds the crossings. Source:
+// [mantyla1988solid], [cavalcante1991hed]. Page: docs/algorithms/subdivision.md.
 //
 // Attributes. Split: both parts carry a copy. Merge: the survivor keeps its own.
 
@@ -45,8 +45,8 @@ class Subdivision : public Structure {
   void kemr(HalfEdgeId h);
   /// A vertex p on edge e. V+1 E+1. The half-edge 2e keeps its origin; returns the vertex. Inverse: join.
   VertexId split(EdgeId e, geom::Point p, Room room = Room::Unknown);
-  /// Removes a vertex of degree two; the later edge is merged into the earlier. Returns the edge that stays.
-  EdgeId join(VertexId v);
+  /// Removes a vertex of degree two. Of its two edges `kept` stays, or the one with the lower id; returned.
+  EdgeId join(VertexId v, EdgeId kept = {});
   /// mef or mekr, whichever applies.
   HalfEdgeId connect(const Corner& from, const Corner& to, Room room = Room::Unknown);
   /// The same between the corners of a and b that look at each other.
@@ -68,8 +68,8 @@ class Subdivision : public Structure {
   /// Where edges are (item: number of the edge) and isolated vertices (number of the vertex).
   [[nodiscard]] const ItemTree& edge_tree() const { return edge_tree_; }
   [[nodiscard]] const ItemTree& lone_tree() const { return lone_tree_; }
-  /// What is farther apart than this can be bent through rounded points without meeting: 2^-43 of the greatest coordinate
-  /// so far (`with` counted in). Infinite where numbers are so large or small that doubles cannot tell.
+  /// What is farther apart than this can be bent through rounded points without meeting: 2^-43 of the greatest
+  /// coordinate so far (`with` counted in). Infinite where numbers are so large or small that doubles cannot tell.
   [[nodiscard]] double margin(geom::Point with) const;
   /// How often e may still be bent by half an ulp before a vertex could lie in its way; 0: not known.
   [[nodiscard]] int room(EdgeId e) const { return room_[e.index()]; }

@@ -214,7 +214,9 @@ TEST(Subdivision, HED_j_NineAdjacencyQueriesOfACube) {
   Subdivision s;  // the cube's graph in the plane: the outer square is a face of the cube too
   put(s, square(0, 0, 3));
   put(s, square(1, 1, 1));
-  for (const auto& [a, b] : {std::pair<Point, Point>{{0, 0}, {1, 1}}, {{3, 0}, {2, 1}}, {{3, 3}, {2, 2}}, {{0, 3}, {1, 2}}}) put(s, a, b);
+  for (const auto& [a, b] :
+       {std::pair<Point, Point>{{0, 0}, {1, 1}}, {{3, 0}, {2, 1}}, {{3, 3}, {2, 2}}, {{0, 3}, {1, 2}}})
+    put(s, a, b);
   ASSERT_EQ(counts(s), (Counts{8, 12, 6, 1}));
   for (const VertexId v : s.vertices()) {
     EXPECT_EQ(vertices_of_vertex(s, v).size(), 3U);
