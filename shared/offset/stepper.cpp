@@ -1,17 +1,51 @@
 #include "shared/offset/stepper.h"
 
 #include <algorithm>
-#include <set>
+#include <cmath>
+#include <span>
+#include <unordered_map>
+#include <unordered_set>
 
-#include "shared/offset/clearance.h"
+#include "shared/base/check.h"
 
 namespace dobra::offset {
 
 using base::Result;
 using geom::Point;
+using topo::EdgeId;
 using topo::HalfEdgeId;
 using topo::Subdivision;
 using topo::VertexId;
+
+namespace {
+
+/// The raw chain of a contour. Where a segment at an inner corner is too short for its parallel to reach the bisector,
+/// cutting there would take away what belongs to the result, so both parallels go on to the corner's normals and are
+/// joined by a chord, all nearer than D.
+RawChain whole_chain(const BaseCurve& base, double distance, const OffsetOptions& options) {
+  const RawChain cut = raw_chain(base, distance, options, RawArcs::Chords);
+  RawChain chain;
+  const auto add = [&](Vec p, std::size_t segment) {
+    chain.points.push_back(p);
+    chain.segment.push_back(static_cast<std::uint32_t>(segment));
+  };
+  const std::size_t count = cut.points.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::uint32_t segment = cut.segment[k];
+    const std::uint32_t before = cut.segment[k == 0 ? count - 1 : k - 1];
+    const Real reach = Real(distance) * base.half_tan_as<Real>(segment);
+    const bool cut_there = segment != before && base.turn[segment] == Turn::Inner;
+    if (!cut_there || reach <= std::min(base.span(before), base.span(segment))) {
+      add(cut.points[k], segment);
+      continue;
+    }
+    add(base.point(segment) + Real(distance) * base.normal(before), before);
+    add(base.point(segment) + Real(distance) * base.normal(segment), segment);
+  }
+  return chain;
+}
+
+}  // namespace
 
 Result<Stepper> Stepper::start(const geom::Polyline& curve, double distance, const OffsetOptions& options) {
   if (!(distance > 0.0) || !std::isfinite(distance)) {
@@ -20,188 +54,212 @@ Result<Stepper> Stepper::start(const geom::Polyline& curve, double distance, con
   Stepper stepper;
   DOBRA_TRY(stepper.base_, prepare(curve, options.side));
   stepper.distance_ = distance;
-  stepper.chain_ = raw_chain(stepper.base_, distance, options, RawArcs::Chords);
+  stepper.chain_ = stepper.base_.closed ? whole_chain(stepper.base_, distance, options)
+                                        : raw_chain(stepper.base_, distance, options, RawArcs::Chords);
   stepper.chain_.segment.resize(stepper.chain_.points.size() - (stepper.base_.closed ? 0 : 1));
-  if (stepper.base_.closed) {
-    geom::Polyline mirrored{{}, true};
-    mirrored.points = stepper.base_.points;
-    stepper.orientation_ = geom::signed_area(mirrored);
-    // Start on a raw edge whose middle is valid: there no region can hide the start.
-    const Clearance clearance(stepper.base_, options);
-    const std::size_t count = stepper.chain_.points.size();
-    const auto valid = [&](std::size_t i) {
-      const Vec mid = Real(0.5) * (stepper.chain_.points[i] + stepper.chain_.points[(i + 1) % count]);
-      return !clearance.nearer_than(mid, static_cast<Real>(distance) * (1 - 1e-9L));
-    };
-    std::size_t first = 0;
-    while (first < count && !valid(first)) ++first;
-    if (first == count) {
-      stepper.chain_.segment.clear();  // nothing of it is far enough: the curve has collapsed
-      return stepper;
-    }
-    // Cut that edge at its middle, so that the curve starts and ends there.
-    const Vec mid = Real(0.5) * (stepper.chain_.points[first] + stepper.chain_.points[(first + 1) % count]);
-    auto& points = stepper.chain_.points;
-    auto& segments = stepper.chain_.segment;
-    std::rotate(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(first + 1) % static_cast<std::ptrdiff_t>(count), points.end());
-    std::rotate(segments.begin(), segments.begin() + static_cast<std::ptrdiff_t>(first), segments.end());
-    points.insert(points.begin(), mid);
-    points.push_back(mid);
-    segments.push_back(segments.front());
-  }
+  if (stepper.base_.closed) stepper.judge_ = StepperJudge(stepper.base_, distance, options);
   DOBRA_TRY(stepper.start_, topo::insert(stepper.subdivision_, stepper.raw_point(0)));
+  stepper.end_ = stepper.start_;
   return stepper;
 }
 
-Point Stepper::raw_point(std::size_t i) const {
-  const Point p = base_.user(chain_.points[i]);
-  return {p.x, base_.mirrored ? -p.y : p.y};
+Stepper::Mark Stepper::mark(EdgeId e) const {
+  const auto* const held = std::any_cast<Mark>(&subdivision_.attribute(e));
+  return held == nullptr ? Mark{} : *held;
 }
 
-/// Number of links before v on the curve so far, or -1. A vertex inside a link is put on the curve's record by the caller.
-std::ptrdiff_t Stepper::position(VertexId v) const {
-  if (v == start_) return 0;
-  for (std::size_t i = 0; i < links_.size(); ++i) {
-    if (links_[i].to == v) return static_cast<std::ptrdiff_t>(i + 1);
-  }
-  // Inside a link: one of the edges at v is a part of that link's raw edge.
-  std::set<std::uint32_t> raws;
-  for (const HalfEdgeId h : subdivision_.round(v)) {
-    const std::any& mark = subdivision_.attribute(Subdivision::edge(h));
-    if (mark.has_value()) raws.insert(std::any_cast<std::uint32_t>(mark));
-  }
-  VertexId from = start_;
-  for (std::size_t i = 0; i < links_.size(); ++i) {
-    if (raws.contains(links_[i].raw)) {
-      for (const HalfEdgeId h : way(from, links_[i].to)) {
-        if (subdivision_.target(h) == v) return static_cast<std::ptrdiff_t>(i);
-      }
+bool Stepper::on_trail(VertexId v) const {
+  if (v == start_) return true;
+  const HalfEdgeId first = subdivision_.leaving(v);
+  if (!first.valid()) return false;
+  HalfEdgeId h = first;
+  do {
+    if (mark(Subdivision::edge(h)).trail != none) return true;
+    h = subdivision_.turned(h);
+  } while (h != first);
+  return false;
+}
+
+/// The curve so far from one of its vertices to a later one. Walked backwards, so that what is walked is what a region
+/// is made of.
+std::vector<HalfEdgeId> Stepper::trail(VertexId from, VertexId to) const {
+  std::unordered_map<VertexId, HalfEdgeId> onward{{to, HalfEdgeId()}};
+  std::vector<VertexId> reached{to};
+  for (std::size_t i = 0; i < reached.size() && !onward.contains(from); ++i) {
+    for (const HalfEdgeId h : subdivision_.round(reached[i])) {
+      const VertexId before = subdivision_.target(h);
+      if (mark(Subdivision::edge(h)).trail == none || !onward.try_emplace(before, Subdivision::twin(h)).second)
+        continue;
+      reached.push_back(before);
     }
-    from = links_[i].to;
   }
-  return -1;
-}
-
-/// The edges of a link, which later insertions may have split: at each vertex the one straight on.
-std::vector<HalfEdgeId> Stepper::way(VertexId from, VertexId to) const {
-  std::vector<HalfEdgeId> path;
-  const Point end = subdivision_.point(to);
-  VertexId at = from;
-  while (at != to && path.size() <= subdivision_.edge_count()) {
-    const Point p = subdivision_.point(at);
-    HalfEdgeId best;
-    double straightest = 0.0;
-    for (const HalfEdgeId h : subdivision_.round(at)) {
-      const geom::Vector along = subdivision_.point(subdivision_.target(h)) - p;
-      const double cosine = geom::dot(along, end - p) / (geom::length(along) * geom::distance(end, p));
-      if (cosine > straightest) {
-        straightest = cosine;
-        best = h;
-      }
-    }
-    if (!best.valid()) return {};
-    path.push_back(best);
-    at = subdivision_.target(best);
+  std::vector<HalfEdgeId> way;
+  for (auto at = onward.find(from); at != onward.end() && at->second.valid();
+       at = onward.find(subdivision_.target(at->second))) {
+    way.push_back(at->second);
   }
-  return path;
-}
-
-/// The curve has come back to v, `at` links from its start: all that lies after is a region's border.
-void Stepper::close_loop(std::ptrdiff_t at, VertexId v, Step& step) {
-  const auto keep = static_cast<std::size_t>(at);
-  const VertexId before = keep == 0 ? start_ : links_[keep - 1].to;
-  std::vector<Link> loop;
-  std::uint32_t cut_raw = 0;
-  bool inside_link = false;
-  if (before != v) {  // v lies inside link `keep`: its first part stays
-    cut_raw = links_[keep].raw;
-    inside_link = true;
-  }
-  for (std::size_t i = keep; i < links_.size(); ++i) loop.push_back(links_[i]);
-  geom::Polyline outline{{subdivision_.point(v)}, true};
-  for (const Link& link : loop) outline.points.push_back(subdivision_.point(link.to));
-  if (outline.points.back() == outline.points.front()) outline.points.pop_back();
-  // On a closed contour a region of the base's own orientation is a valid component; all others are spurious.
-  const double area = geom::signed_area(outline);
-  const double noise = 1e-12 * distance_ * distance_;
-  if (orientation_ != 0.0 && area * orientation_ > 0.0 && std::abs(area) > noise && outline.points.size() >= 3) {
-    finished_.push_back(piece(v, loop, true));
-  }
-  VertexId from = v;
-  std::set<topo::EdgeId> edges;
-  for (const Link& link : loop) {
-    for (const HalfEdgeId h : way(from, link.to)) edges.insert(Subdivision::edge(h));
-    from = link.to;
-  }
-  links_.resize(keep);
-  if (inside_link) links_.push_back({v, cut_raw});
-  for (const topo::EdgeId e : edges) {
-    step.deleted.push_back(e);
-    step.deleted_edges.push_back(subdivision_.segment(e));
-    const Result<void> removed = topo::remove(subdivision_, e, topo::Bare::Keep);
-    DOBRA_CHECK(removed.ok());
-  }
+  return way;
 }
 
 Result<Stepper::Step> Stepper::step() {
   DOBRA_CHECK(!done());
   const auto raw = static_cast<std::uint32_t>(next_);
+  const std::size_t last = (next_ + 1) % chain_.points.size();
   Step step;
-  step.base_segment = base_.source[chain_.segment[next_]];
-  const geom::Segment edge{raw_point(next_), raw_point(next_ + 1)};
-  step.edge = {base_.user(chain_.points[next_]), base_.user(chain_.points[next_ + 1])};
+  step.base_segment = base_.source[base_segment(raw)];
+  step.edge = {base_.user(chain_.points[next_]), base_.user(chain_.points[last])};
+  const geom::Segment edge{raw_point(next_), raw_point(last)};
   ++next_;
-  if (edge.from == edge.to) return step;
-  DOBRA_TRY(const topo::Inserted inserted, topo::insert(subdivision_, edge));
-  step.inserted = inserted.edges;
-  step.formed = inserted.faces;
-  for (const topo::EdgeId e : inserted.edges) {
-    if (!subdivision_.attribute(e).has_value()) subdivision_.attribute(e) = raw;
+  if (edge.from != edge.to) {
+    DOBRA_TRY(const topo::Inserted inserted, topo::insert(subdivision_, edge));
+    step.inserted = inserted.edges;
+    step.formed = inserted.faces;
+    const std::span<const HalfEdgeId> path = inserted.path;
+    for (std::size_t k = 0; k < path.size(); ++k) advance(path[k], raw, path.subspan(k + 1), step);
   }
-  std::vector<VertexId> visits;
-  for (const HalfEdgeId h : inserted.path) visits.push_back(subdivision_.target(h));
-  for (std::size_t k = 0; k < visits.size(); ++k) {
-    const VertexId v = visits[k];
-    const std::ptrdiff_t at = position(v);
-    links_.push_back({v, raw});
-    if (at < 0) continue;
-    if (base_.closed && done() && k + 1 == visits.size() && v == start_) {
-      closed_up_ = true;
-      continue;
-    }
-    close_loop(at, v, step);
-  }
+  if (done() && base_.closed) erase_what_is_near(step);
   return step;
 }
 
-OffsetPiece Stepper::piece(VertexId start, const std::vector<Link>& links, bool closed) const {
+/// The curve goes on along h. Where it has been there before, a region closes: the trail from there to here, and h,
+/// which may be a part of that trail where the curve turns straight back.
+void Stepper::advance(HalfEdgeId h, std::uint32_t raw, std::span<const HalfEdgeId> ahead, Step& step) {
+  const EdgeId e = Subdivision::edge(h);
+  const VertexId v = subdivision_.target(h);
+  const bool returns = on_trail(v);
+  std::vector<HalfEdgeId> region;
+  if (returns) region = trail(v, end_);
+  Mark marked = mark(e);
+  const bool straight_back = marked.trail != none;
+  if (!straight_back) {
+    marked.trail = raw;
+    subdivision_.attribute(e) = marked;
+    region.push_back(h);
+  }
+  end_ = v;
+  if (!returns) return;
+  const bool stands = base_.closed && !straight_back && !spurious(region);
+  for (const HalfEdgeId side : region) {
+    const EdgeId part = Subdivision::edge(side);
+    Mark m = mark(part);
+    if (stands && m.kept == none) {
+      m.kept = m.trail;
+    } else if (stands && !kept_way(side)) {
+      m.kept = none;  // there and back again is nothing
+    }
+    m.trail = none;
+    subdivision_.attribute(part) = m;
+    const bool needed =
+        std::any_of(ahead.begin(), ahead.end(), [&](HalfEdgeId a) { return Subdivision::edge(a) == part; });
+    if (m.kept == none && !needed) erase(part, step);
+  }
+}
+
+bool Stepper::spurious(std::span<const HalfEdgeId> region) const {
+  return std::all_of(region.begin(), region.end(), [&](HalfEdgeId h) {
+    return judge_.buried(subdivision_.segment(h), base_segment(mark(Subdivision::edge(h)).trail));
+  });
+}
+
+void Stepper::erase(EdgeId e, Step& step) {
+  step.deleted.push_back(e);
+  step.deleted_edges.push_back(subdivision_.segment(e));
+  const HalfEdgeId h = Subdivision::half_edge(e);
+  const VertexId ends[2] = {subdivision_.origin(h), subdivision_.target(h)};
+  const Result<void> removed = topo::remove(subdivision_, e, topo::Bare::Keep);
+  DOBRA_CHECK(removed.ok());
+  for (const VertexId v : ends) {
+    if (v != start_ && v != end_ && subdivision_.lone_loop(v).valid()) subdivision_.kvsf(v);
+  }
+}
+
+/// The last pass on closed contours: now that all crossings are there, each edge is near as a whole or not at all.
+void Stepper::erase_what_is_near(Step& step) {
+  for (const EdgeId e : subdivision_.edges()) {
+    const Mark m = mark(e);
+    if (m.kept == none || judge_.middle_is_near(subdivision_.segment(e), base_segment(m.kept))) erase(e, step);
+  }
+  // Tips of long joins that stick out on the far side of the base bound nothing.
+  std::vector<VertexId> ends = subdivision_.vertices();
+  while (!ends.empty()) {
+    const VertexId v = ends.back();
+    ends.pop_back();
+    if (!subdivision_.contains(v) || subdivision_.degree(v) != 1) continue;
+    ends.push_back(subdivision_.target(subdivision_.leaving(v)));
+    erase(Subdivision::edge(subdivision_.leaving(v)), step);
+  }
+}
+
+/// True if a region that stands runs along h this way.
+bool Stepper::kept_way(HalfEdgeId h) const {
+  const std::uint32_t raw = mark(Subdivision::edge(h)).kept;
+  if (raw == none) return false;
+  return geom::dot(subdivision_.segment(h).vector(), raw_point(raw + 1) - raw_point(raw)) > 0.0;
+}
+
+/// The way on: the first that leaves anticlockwise from the way back, so that contours that touch stay apart.
+HalfEdgeId Stepper::next_kept(HalfEdgeId h) const {
+  const HalfEdgeId back = Subdivision::twin(h);
+  for (HalfEdgeId out = subdivision_.turned(back); out != back; out = subdivision_.turned(out)) {
+    if (kept_way(out)) return out;
+  }
+  return {};
+}
+
+void Stepper::add_contours(OffsetCurve& curve) const {
+  std::unordered_set<EdgeId> used;
+  std::vector<HalfEdgeId> starts;
+  for (const EdgeId e : subdivision_.edges()) {
+    for (const HalfEdgeId h : {Subdivision::half_edge(e), Subdivision::twin(Subdivision::half_edge(e))}) {
+      if (kept_way(h)) starts.push_back(h);
+    }
+  }
+  std::stable_sort(starts.begin(), starts.end(), [&](HalfEdgeId a, HalfEdgeId b) {
+    return mark(Subdivision::edge(a)).kept < mark(Subdivision::edge(b)).kept;
+  });
+  for (const HalfEdgeId first : starts) {
+    if (used.contains(Subdivision::edge(first))) continue;
+    std::vector<HalfEdgeId> way;
+    HalfEdgeId h = first;
+    while (h.valid() && used.insert(Subdivision::edge(h)).second) {
+      way.push_back(h);
+      h = next_kept(h);
+    }
+    curve.pieces.push_back(piece(way, true, h == first));
+  }
+}
+
+OffsetPiece Stepper::piece(const std::vector<HalfEdgeId>& way, bool kept, bool closed) const {
   OffsetPiece made;
   made.side = base_.mirrored ? Side::LeftOfTravel : Side::RightOfTravel;
   made.closed = closed;
-  std::vector<Point> points{subdivision_.point(start)};
-  std::vector<OffsetEdge> edges;
-  for (const Link& link : links) {
-    const std::uint32_t source = base_.source[chain_.segment[link.raw]];
-    if (!edges.empty() && edges.back() == OffsetEdge::line(source) && points.size() > 1 && &link != links.data() &&
-        (&link - 1)->raw == link.raw) {
-      points.back() = subdivision_.point(link.to);  // the raw edge goes straight on
-      continue;
-    }
-    points.push_back(subdivision_.point(link.to));
-    edges.push_back(OffsetEdge::line(source));
+  const auto raw = [&](std::size_t i) {
+    const Mark m = mark(Subdivision::edge(way[i]));
+    return kept ? m.kept : m.trail;
+  };
+  const auto add = [&](VertexId v) {
+    const Point p = subdivision_.point(v);
+    made.points.push_back({p.x, base_.mirrored ? -p.y : p.y});
+  };
+  for (std::size_t i = 0; i < way.size(); ++i) {
+    // Where the raw edge just goes on, nothing is left of what crossed it.
+    const bool goes_on = i > 0 ? raw(i - 1) == raw(i) : closed && way.size() > 1 && raw(way.size() - 1) == raw(0);
+    if (goes_on) continue;
+    add(subdivision_.origin(way[i]));
+    made.edges.push_back(OffsetEdge::line(base_.source[base_segment(raw(i))]));
   }
-  if (closed && points.size() > 1 && points.front() == points.back()) points.pop_back();
-  for (Point& p : points) p.y = base_.mirrored ? -p.y : p.y;
-  made.points = std::move(points);
-  made.edges = std::move(edges);
+  if (!closed && !way.empty()) add(subdivision_.target(way.back()));
   return made;
 }
 
 OffsetCurve Stepper::result() const {
   OffsetCurve curve;
   curve.distance = distance_;
-  curve.pieces = finished_;
-  if (!links_.empty()) curve.pieces.insert(curve.pieces.begin(), piece(start_, links_, closed_up_));
+  if (base_.closed) add_contours(curve);
+  const bool all = base_.closed && done();
+  if (const auto way = all ? std::vector<HalfEdgeId>() : trail(start_, end_); !way.empty()) {
+    curve.pieces.insert(curve.pieces.begin(), piece(way, false, false));
+  }
   return curve;
 }
 

@@ -1,15 +1,21 @@
 #pragma once
-// The paper's construction of one offset curve, edge by edge, on the half-edge subdivision: the reference, and what the window
-// shows (figure 5). Each step inserts the raw offset edge of one base segment; where it meets the curve so far, a region has
-// closed, and the edges from the earlier visit of that vertex to the later one are deleted, nearest crossing first.
-// Limits, which are the paper's: at open ends no region closes, so tails nearer than D to the base may stay; a region is judged
-// by its orientation only. The engine (offset.h) has neither limit.
-// Source: [carvalho2005offset], requirements E-3 to E-5.
+// The paper's construction of one offset curve, edge by edge, on the half-edge subdivision: the reference, and what the
+// window shows (figure 5). Each step inserts the raw offset edge of one base segment; where it meets the curve so far a
+// region has closed, and the edges from the earlier visit of that vertex to the later one are deleted, nearest crossing
+// first.
+//
+// Open curves follow the paper to the letter: at open ends no region closes, so tails nearer than D to the base may
+// stay. On closed contours the region's edges are deleted only if all of it is nearer than D to the base; otherwise
+// they stand as part of the result, whichever way they turn (a second component, or a pocket), and the last step
+// deletes what of them is too near (E-4, E-5). So the result does not depend on the start. Cost: O(log n) an edge and
+// O(1) an edge deleted; closed contours one more search of the base an edge. Source: [carvalho2005offset], requirements
+// E-3 to E-7.
 
+#include <span>
 #include <vector>
 
-#include "shared/offset/base_curve.h"
 #include "shared/offset/offset.h"
+#include "shared/offset/stepper_judge.h"
 #include "shared/topo/insert.h"
 
 namespace dobra::offset {
@@ -18,12 +24,12 @@ class Stepper {
  public:
   /// What one step did. Entities that the same step deleted again are listed, but exist no longer.
   struct Step {
-    std::uint32_t base_segment = 0;           ///< In the user's curve.
-    geom::Segment edge;                       ///< The raw edge, in the user's coordinates.
+    std::uint32_t base_segment = 0;  ///< In the user's curve.
+    geom::Segment edge;              ///< The raw edge, in the user's coordinates.
     std::vector<topo::EdgeId> inserted;
-    std::vector<topo::FaceId> formed;         ///< Regions that the insertion closed.
+    std::vector<topo::FaceId> formed;  ///< Regions that the insertion closed.
     std::vector<topo::EdgeId> deleted;
-    std::vector<geom::Segment> deleted_edges; ///< Where those were.
+    std::vector<geom::Segment> deleted_edges;  ///< Where those were.
   };
 
   /// @error as offset().
@@ -38,28 +44,36 @@ class Stepper {
   [[nodiscard]] const topo::Subdivision& subdivision() const { return subdivision_; }
 
  private:
-  struct Link {
-    topo::VertexId to;
-    std::uint32_t raw;  ///< Raw edge that it is a part of.
+  static constexpr std::uint32_t none = 0xffffffffU;
+  /// Of what an edge of the subdivision is a part; its attribute, so that parts know it too.
+  struct Mark {
+    std::uint32_t trail = none;  ///< Of the curve so far: this raw edge.
+    std::uint32_t kept = none;   ///< Of a region that stands (closed contours).
   };
   Stepper() = default;
-  [[nodiscard]] geom::Point raw_point(std::size_t i) const;
-  [[nodiscard]] std::ptrdiff_t position(topo::VertexId v) const;
-  [[nodiscard]] std::vector<topo::HalfEdgeId> way(topo::VertexId from, topo::VertexId to) const;
-  void close_loop(std::ptrdiff_t at, topo::VertexId v, Step& step);
-  [[nodiscard]] OffsetPiece piece(topo::VertexId start, const std::vector<Link>& links, bool closed) const;
+  [[nodiscard]] geom::Point raw_point(std::size_t i) const {
+    return stepper_point(base_, chain_.points[i % chain_.points.size()]);
+  }
+  [[nodiscard]] std::uint32_t base_segment(std::uint32_t raw) const { return chain_.segment[raw]; }
+  [[nodiscard]] Mark mark(topo::EdgeId e) const;
+  [[nodiscard]] bool on_trail(topo::VertexId v) const;
+  [[nodiscard]] std::vector<topo::HalfEdgeId> trail(topo::VertexId from, topo::VertexId to) const;
+  void advance(topo::HalfEdgeId h, std::uint32_t raw, std::span<const topo::HalfEdgeId> ahead, Step& step);
+  [[nodiscard]] bool spurious(std::span<const topo::HalfEdgeId> region) const;
+  void erase(topo::EdgeId e, Step& step);
+  void erase_what_is_near(Step& step);
+  [[nodiscard]] bool kept_way(topo::HalfEdgeId h) const;
+  [[nodiscard]] topo::HalfEdgeId next_kept(topo::HalfEdgeId h) const;
+  void add_contours(OffsetCurve& curve) const;
+  [[nodiscard]] OffsetPiece piece(const std::vector<topo::HalfEdgeId>& way, bool kept, bool closed) const;
 
   BaseCurve base_;
   RawChain chain_;
+  StepperJudge judge_;
   double distance_ = 0.0;
-  double orientation_ = 0.0;  ///< Signed area of a closed base, as mirrored; 0 for an open one.
-  std::size_t first_ = 0;     ///< Raw edge that a closed curve starts with.
   std::size_t next_ = 0;
   topo::Subdivision subdivision_;
-  topo::VertexId start_;
-  std::vector<Link> links_;
-  std::vector<OffsetPiece> finished_;
-  bool closed_up_ = false;
+  topo::VertexId start_, end_;  ///< Of the curve so far.
 };
 
 /// All steps. @error as Stepper::start and step.
