@@ -1,53 +1,53 @@
 // Step 4: sections become curves.
 
 #include <algorithm>
-#include <map>
+#include <tuple>
 
 #include "shared/offset/piece_writer.h"
 #include "shared/offset/sections.h"
 
 namespace dobra::offset {
 
-namespace {
-constexpr std::uint32_t none = 0xffffffffU;
-}  // namespace
+/// Of travel along a line.
+Vec Trimmer::direction(Site s) const {
+  return s.role == Role::Line ? outline_.along<Real>(s.step) : left_of(outline_.middle_of_turn<Real>(s.step));
+}
 
 Vec Trimmer::leaving(const Section& section) const {
   const Piece& piece = pieces_[section.first];
-  return piece.is_line() ? left_of(line_normal(piece.site())) : left_of(nodes_[section.from] - centre(piece.site()));
+  return piece.is_line() ? direction(piece.site()) : left_of(nodes_[section.from].at - centre(piece.site()));
 }
 
 Vec Trimmer::arriving(const Section& section) const {
   const Piece& piece = pieces_[section.last];
-  return piece.is_line() ? left_of(line_normal(piece.site())) : left_of(nodes_[section.to] - centre(piece.site()));
+  return piece.is_line() ? direction(piece.site()) : left_of(nodes_[section.to].at - centre(piece.site()));
 }
 
-/// Where boundaries coincide: the same way, they are one; opposite ways, the free strip between them has no width.
+/// Where parts of the base coincide, so do parts of the curve, cut at the ends of both: they are one.
 void Trimmer::remove_doubles() {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> between;
-  for (std::uint32_t i = 0; i < sections_.size(); ++i) {
+  const auto key = [&](std::uint32_t i) {
     const Section& s = sections_[i];
-    if (s.first != s.last) continue;  // what coincides is cut at all ends of its pieces
-    between[std::minmax(s.from, s.to)].push_back(i);
+    const Site site = pieces_[s.first].site();
+    const Vec pole = pieces_[s.first].is_line() ? Vec{} : centre(site);
+    return std::tuple{s.from, s.to, pieces_[s.first].is_line(), pole.x, pole.y, i};
+  };
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t i = 0; i < sections_.size(); ++i) {
+    if (sections_[i].first == sections_[i].last) order.push_back(i);
   }
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const std::pair from_a{sections_[a].from, sections_[a].to};
+    const std::pair from_b{sections_[b].from, sections_[b].to};
+    return from_a != from_b ? from_a < from_b : key(a) < key(b);
+  });
   std::vector<char> gone(sections_.size(), 0);
-  for (const auto& [ends, group] : between) {
-    for (std::size_t a = 0; a < group.size(); ++a) {
-      for (std::size_t b = a + 1; b < group.size(); ++b) {
-        if (gone[group[b]] || gone[group[a]]) continue;
-        const Section& s = sections_[group[a]];
-        const Section& t = sections_[group[b]];
-        if (length(middle(s, s.first) - middle(t, t.first)) > 4 * tau_) continue;
-        if (s.from == t.from) gone[group[b]] = 1;
-      }
-    }
-    for (std::size_t a = 0; a < group.size(); ++a) {
-      for (std::size_t b = a + 1; b < group.size(); ++b) {
-        if (gone[group[b]] || gone[group[a]]) continue;
-        if (length(middle(sections_[group[a]], sections_[group[a]].first) - middle(sections_[group[b]], sections_[group[b]].first)) > 4 * tau_) continue;
-        gone[group[a]] = gone[group[b]] = 1;
-      }
-    }
+  for (std::size_t k = 1; k < order.size(); ++k) {
+    const Section& s = sections_[order[k - 1]];
+    const Section& t = sections_[order[k]];
+    if (s.from != t.from || s.to != t.to) continue;
+    const auto a = key(order[k - 1]);
+    const auto b = key(order[k]);
+    gone[order[k]] = std::get<2>(a) == std::get<2>(b) && std::get<3>(a) == std::get<3>(b) && std::get<4>(a) == std::get<4>(b);
   }
   std::size_t kept = 0;
   for (std::size_t i = 0; i < sections_.size(); ++i) {
@@ -159,7 +159,7 @@ OffsetPiece Trimmer::output(const Chain& chain) const {
   const auto write_section = [&](const Section& s, std::uint32_t previous, std::uint32_t first, std::uint32_t last) {
     for (std::uint32_t k = first; k <= last; ++k) {
       if (k == s.first && k == previous) continue;
-      write(k == s.first ? flat(nodes_[s.from]) : start(k), k);
+      write(k == s.first ? flat(nodes_[s.from].at) : start(k), k);
     }
   };
   if (!chain.closed) {
@@ -168,7 +168,7 @@ OffsetPiece Trimmer::output(const Chain& chain) const {
       write_section(s, previous, s.first, s.last);
       previous = s.last;
     }
-    const Flat end = flat(nodes_[sections.back().to]);
+    const Flat end = flat(nodes_[sections.back().to].at);
     return writer.finish_open({end.x, end.y});
   }
   // Where the lowest piece begins; pieces grow within a section.

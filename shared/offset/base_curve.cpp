@@ -7,6 +7,7 @@
 
 #include "shared/geom/predicates.h"
 #include "shared/offset/arcs.h"
+#include "shared/offset/high.h"
 
 namespace dobra::offset {
 
@@ -81,7 +82,7 @@ void measure(BaseCurve& base) {
     } else if (cosine > 0) {
       base.half_tans[corner] = sine / (1 + cosine);
     } else {
-      base.half_tans[corner] = static_cast<double>(base.half_tan(corner));  // near a U-turn the sine has few digits
+      base.half_tans[corner] = static_cast<double>(base.half_tan_as<Real>(corner));  // near a U-turn the sine has few digits
     }
   }
 }
@@ -157,21 +158,32 @@ Result<BaseCurve> prepare(const geom::Polyline& curve, Side side, double extensi
   for (const Point p : base.points) base.size = std::max({base.size, std::abs(p.x), std::abs(p.y)});
   for (std::size_t i = 0; i < base.source.size(); ++i) base.renumbered |= base.source[i] != i;
   measure(base);
+  if (!base.closed && extension > 0.0) {
+    // What is lengthened goes straight on, though the new ends are rounded.
+    for (const std::size_t corner : {std::size_t{1}, base.points.size() - 2}) {
+      base.turn[corner] = Turn::Straight;
+      base.half_tans[corner] = 0;
+    }
+  }
   if (!base.closed) measure_blocks(base);
   return base;
 }
 
-Real BaseCurve::half_tan(std::size_t corner) const {
+template <class T> T BaseCurve::half_tan_as(std::size_t corner) const {
+  using std::abs;
+  using std::sqrt;
   if (turn[corner] == Turn::Straight) return 0;
-  if (std::isinf(half_tans[corner])) return std::numeric_limits<Real>::infinity();
-  const Vec u = along(corner == 0 ? segment_count() - 1 : corner - 1);
-  const Vec v = along(corner);
-  const Real cosine = dot(u, v);
-  const Real sine = std::abs(cross(u, v));
-  return cosine > 0 ? sine / (1 + cosine) : (1 - cosine) / sine;
+  if (std::isinf(half_tans[corner])) return std::numeric_limits<T>::infinity();
+  const auto at = [&](std::size_t i) { return VecOf<T>{points[i].x, points[i].y}; };
+  const VecOf<T> u = at(corner) - at(corner == 0 ? points.size() - 1 : corner - 1);
+  const VecOf<T> v = at(corner + 1 == points.size() ? 0 : corner + 1) - at(corner);
+  const T cosine = dot(u, v);  // times the product of the lengths
+  const T sine = abs(cross(u, v));
+  const T unit = sqrt(T(dot(u, u) * dot(v, v)));
+  return cosine > 0 ? T(sine / (unit + cosine)) : T((unit - cosine) / sine);
 }
-
-Real quarter_tan(Real t) { return std::isinf(t) ? 1 : t / (1 + std::sqrt(1 + t * t)); }
+template Real BaseCurve::half_tan_as<Real>(std::size_t) const;
+template High BaseCurve::half_tan_as<High>(std::size_t) const;
 
 Fill fill_of(const BaseCurve& base, std::size_t corner, const OffsetOptions& options) {
   const double t = base.half_tans[corner];
@@ -196,7 +208,7 @@ RawChain raw_chain(const BaseCurve& base, Real distance, const OffsetOptions& op
     const std::size_t next = base.after(i);
     const std::size_t at = base.end_index(i);
     const Vec p = base.point(at);
-    const Real t = base.half_tan(at);
+    const Real t = base.half_tan_as<Real>(at);
     const Vec first = p + distance * base.normal(i);
     const Vec second = p + distance * base.normal(next);
     if (base.turn[at] == Turn::Straight) return add(second, next);

@@ -58,7 +58,8 @@ struct BaseCurve {
   [[nodiscard]] Vec along(std::size_t i) const { return unit(to(i) - from(i)); }
   [[nodiscard]] Vec normal(std::size_t i) const { return right_of(along(i)); }  ///< Unit, to the right.
   [[nodiscard]] Real span(std::size_t i) const { return length(to(i) - from(i)); }
-  [[nodiscard]] Real half_tan(std::size_t corner) const;
+  /// T is Real or High; its relative error is that of T times (1 + half_tan) in Real, none in High.
+  template <class T> [[nodiscard]] T half_tan_as(std::size_t corner) const;
 
   /// Back in the user's coordinates, rounded once.
   [[nodiscard]] geom::Point user(Vec p) const {
@@ -85,6 +86,10 @@ RawChain raw_chain(const BaseCurve& base, Real distance, const OffsetOptions& op
 enum class Fill { Mitre, Tangent, Arc };
 Fill fill_of(const BaseCurve& base, std::size_t corner, const OffsetOptions& options);
 /// tan(angle / 4) of a turn, from tan(angle / 2).
-Real quarter_tan(Real half_tan);
+template <class T> T quarter_tan(const T& half_tan) {
+  using std::sqrt;
+  if (std::isinf(static_cast<double>(half_tan))) return T(1);
+  return half_tan / (1 + sqrt(T(1 + half_tan * half_tan)));
+}
 
 }  // namespace dobra::offset

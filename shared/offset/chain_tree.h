@@ -72,6 +72,12 @@ class ChainTree {
     if (count_ > 0) overlaps({0, 0, count_}, box, visit);
   }
 
+  /// The same for all pairs of a leaf here and one of another tree: visit(i, j).
+  template <class Visit>
+  void for_each_overlap(const ChainTree& other, Visit&& visit) const {
+    if (count_ > 0 && other.count_ > 0) across({0, 0, count_}, other, {0, 0, other.count_}, visit);
+  }
+
  private:
   using Node = Leaf;
   /// A node and its leaves. The left child is stored next to it, the right one after all of the left one's nodes.
@@ -123,6 +129,22 @@ class ChainTree {
     }
     overlaps(a.left(), box, visit);
     overlaps(a.right(), box, visit);
+  }
+
+  template <class Visit>
+  void across(Range a, const ChainTree& other, Range b, Visit& visit) const {
+    const FloatBox& m = nodes_[a.node].box;
+    const FloatBox& n = other.nodes_[b.node].box;
+    if (!m.overlaps(n)) return;
+    if (a.is_leaf() && b.is_leaf()) {
+      visit(a.first, b.first);
+    } else if (b.is_leaf() || (!a.is_leaf() && m.size() > n.size())) {
+      across(a.left(), other, b, visit);
+      across(a.right(), other, b, visit);
+    } else {
+      across(a, other, b.left(), visit);
+      across(a, other, b.right(), visit);
+    }
   }
 
   std::size_t count_;

@@ -84,6 +84,7 @@ void Clearance::add_mitres(const OffsetOptions& options) {
     const Flat u = flat(base_.headings[i]);
     const Flat v = flat(base_.headings[base_.after(i)]);
     const double t = base_.half_tans[at];
+    if (corners_[at] == Corner::Mitre) greatest_mitre_ = std::max(greatest_mitre_, t);
     const double q = corners_[at] == Corner::Mitre ? t : std::isinf(t) ? 1 : t / (1 + std::sqrt(1 + t * t));
     for (const Flat w : {Flat{0, 0}, right_of(u), right_of(v), right_of(u) + q * u, right_of(v) - q * v}) add(box, w);
   }
@@ -93,19 +94,6 @@ void Clearance::add_mitres(const OffsetOptions& options) {
   }
 }
 
-bool Clearance::nearer(std::size_t i, Vec q, Real squared) const {
-  const Vec to = q - base_.from(i);
-  const Vec along = base_.along(i);
-  const Real t = dot(to, along);
-  if (t <= 0) return dot(to, to) < squared;
-  if (t >= base_.span(i)) {
-    const Vec back = q - base_.to(i);
-    return dot(back, back) < squared;
-  }
-  const Real across = cross(to, along);
-  return across * across < squared;
-}
-
 double Clearance::squared_distance(std::size_t i, Flat p) const {
   const Flat u = flat(base_.headings[i]);
   const Flat to = p - flat(base_.start(i));
@@ -113,64 +101,6 @@ double Clearance::squared_distance(std::size_t i, Flat p) const {
   const double t = std::clamp(s, 0.0, base_.spans[i]);
   const double across = cross(to, u);
   return across * across + (s - t) * (s - t);
-}
-
-bool Clearance::nearer_in_leaf(std::size_t leaf, Vec q, Real r) const {
-  const std::size_t end = std::min((leaf + 1) * leaf_size, base_.segment_count());
-  const Flat p = flat(q);
-  const double margin = 1e-14 * (base_.size + static_cast<double>(r));
-  const double low = std::max(0.0, static_cast<double>(r) - margin);
-  const double high = static_cast<double>(r) + margin;
-  for (std::size_t i = leaf * leaf_size; i < end; ++i) {
-    const double squared = squared_distance(i, p);
-    if (squared > high * high) continue;
-    if (squared < low * low || nearer(i, q, r * r)) return true;
-  }
-  return false;
-}
-
-template <class Visit>
-bool Clearance::any_leaf(Flat p, double reach, Visit&& visit) const {
-  const double limit = reach * reach;
-  const auto squared_gap = [&](const FloatBox& box) {
-    const double x = std::max({box.low_x - p.x, 0.0, p.x - box.high_x});
-    const double y = std::max({box.low_y - p.y, 0.0, p.y - box.high_y});
-    return x * x + y * y;
-  };
-  struct Open {
-    std::size_t node;
-    double gap;
-  };
-  Open open[128];
-  std::size_t count = 0;
-  const auto push = [&](std::size_t node, double gap) {
-    if (gap <= limit) open[count++] = {node, gap};
-  };
-  push(1, squared_gap(boxes_[1]));
-  while (count > 0) {
-    const std::size_t node = open[--count].node;
-    if (node >= leaves_) {
-      if (visit(node - leaves_)) return true;
-      continue;
-    }
-    // The nearer child first: if there is something near, it is found soon.
-    const double left = squared_gap(boxes_[2 * node]);
-    const double right = squared_gap(boxes_[2 * node + 1]);
-    if (left <= right) {
-      push(2 * node + 1, right);
-      push(2 * node, left);
-    } else {
-      push(2 * node, left);
-      push(2 * node + 1, right);
-    }
-  }
-  return false;
-}
-
-bool Clearance::nearer_than(Vec q, Real r) const {
-  if (!(r > 0)) return false;
-  const double reach = static_cast<double>(r) * (1.0 + 1e-12) + 1e-14 * (base_.size + static_cast<double>(r));
-  return any_leaf(flat(q), reach, [&](std::size_t leaf) { return nearer_in_leaf(leaf, q, r); });
 }
 
 std::uint32_t Clearance::find_nearer(Flat q, double r) const {
@@ -188,61 +118,6 @@ std::uint32_t Clearance::find_nearer(Flat q, double r) const {
     return found != none;
   });
   return found;
-}
-
-bool Clearance::in_mitre_at(std::uint32_t step, Vec q, const Outline& outline, Real r) const {
-  const Corner kind = outline.corner(step);
-  const double margin = 1e-13 * (base_.size + outline.distance());
-  const Flat near = flat(q) - outline.to<double>(step);
-  const Flat u = outline.along<double>(step);
-  const Flat v = outline.along<double>(outline.after(step));
-  const double limit = static_cast<double>(r) + margin;
-  if (dot(near, u) < -margin || dot(near, v) > margin || dot(near, right_of(u)) > limit || dot(near, right_of(v)) > limit) {
-    return false;
-  }
-  const Vec to = q - outline.to<Real>(step);
-  const Vec n = outline.normal<Real>(step);
-  const Vec m = outline.normal<Real>(outline.after(step));
-  if (cross(n, to) < 0 || cross(to, m) < 0) return false;
-  Real outermost = std::max(dot(n, to), dot(m, to));
-  if (kind == Corner::Tangent) outermost = std::max(outermost, dot(outline.middle_of_turn<Real>(step), to));
-  return outermost < r;
-}
-
-template <class Visit>
-bool Clearance::any_mitre(Flat q, double d, Visit&& visit) const {
-  if (mitre_boxes_.empty()) return false;
-  const double margin = 1e-13 * (base_.size + d);
-  const auto may_hold = [&](std::size_t node) {
-    const FloatBox& p = boxes_[node];
-    const FloatBox& w = mitre_boxes_[node];
-    return (q.x >= p.low_x + d * w.low_x - margin) & (q.x <= p.high_x + d * w.high_x + margin) &
-           (q.y >= p.low_y + d * w.low_y - margin) & (q.y <= p.high_y + d * w.high_y + margin);
-  };
-  std::size_t open[64];
-  std::size_t count = 0;
-  if (may_hold(1)) open[count++] = 1;
-  while (count > 0) {
-    const std::size_t node = open[--count];
-    if (node < leaves_) {
-      if (may_hold(2 * node + 1)) open[count++] = 2 * node + 1;
-      if (may_hold(2 * node)) open[count++] = 2 * node;
-      continue;
-    }
-    const std::size_t first = (node - leaves_) * leaf_size;
-    const std::size_t end = std::min(first + leaf_size, base_.segment_count());
-    for (std::size_t i = first; i < end; ++i) {
-      if (!base_.has_after(i)) continue;
-      const Corner kind = corners_[base_.end_index(i)];
-      if (kind != Corner::Mitre && kind != Corner::Tangent) continue;
-      if (visit(static_cast<std::uint32_t>(i))) return true;
-    }
-  }
-  return false;
-}
-
-bool Clearance::in_mitre(Vec q, const Outline& outline, Real r) const {
-  return any_mitre(flat(q), outline.distance(), [&](std::uint32_t step) { return in_mitre_at(step, q, outline, r); });
 }
 
 std::uint32_t Clearance::find_mitre(Flat q, const Outline& outline, double r) const {

@@ -4,6 +4,7 @@
 // boxes that tells what of the base is nearer to a point than r. Neighbours in a chain are neighbours in space, so nothing needs
 // sorting. Boxes prune in float, rounded outwards; decisions are taken in Real.
 
+#include <algorithm>
 #include <vector>
 
 #include "shared/offset/chain_tree.h"
@@ -35,31 +36,34 @@ class Clearance {
   [[nodiscard]] const std::vector<Block>& blocks() const { return blocks_; }
   /// True if some corner has a mitre on the right side.
   [[nodiscard]] bool has_mitres() const { return !mitre_boxes_.empty(); }
+  /// Above what places of the outline at distance d, in doubles, are wrong by: the tips of mitres grow with their half tangents.
+  [[nodiscard]] double margin(double d) const { return 1e-14 * (base_.size + d * (1 + greatest_mitre_)); }
 
-  /// True if some point of the base is nearer to q than r.
-  [[nodiscard]] bool nearer_than(Vec q, Real r) const;
+  /// Some mitres reach so far that what is cut in doubles of their lines is not at its place.
+  [[nodiscard]] bool has_far_mitres() const { return greatest_mitre_ > 16; }
+
   /// A segment nearer to q than r, by doubles; none if there is none.
   [[nodiscard]] std::uint32_t find_nearer(Flat q, double r) const;
 
-  /// True if q lies in a mitre of the outline, nearer than r to all its outer lines' own side.
-  [[nodiscard]] bool in_mitre(Vec q, const Outline& outline, Real r) const;
-  /// The step before such a mitre, by doubles; none if there is none.
+  /// The step before a mitre of the outline that holds q, nearer than r to all its outer lines' own side, by doubles; none if there
+  /// is none.
   [[nodiscard]] std::uint32_t find_mitre(Flat q, const Outline& outline, double r) const;
+
+  /// Segments that may be nearer to q than `reach`, until visit(segment) returns true.
+  template <class Visit>
+  bool any_near(Flat q, double reach, Visit&& visit) const;
+  /// Ends of segments whose mitre may hold q at distance d, until visit(segment) returns true.
+  template <class Visit>
+  bool any_mitre(Flat q, double d, Visit&& visit) const;
 
  private:
   static constexpr std::size_t leaf_size = 8;
   void add_block(std::size_t first, std::size_t last);
   void add_mitres(const OffsetOptions& options);
-  [[nodiscard]] bool nearer_in_leaf(std::size_t leaf, Vec q, Real r) const;
-  [[nodiscard]] bool nearer(std::size_t segment, Vec q, Real squared) const;
   [[nodiscard]] double squared_distance(std::size_t segment, Flat p) const;
-  [[nodiscard]] bool in_mitre_at(std::uint32_t step, Vec q, const Outline& outline, Real r) const;
   /// Leaves whose box comes within `reach` of q, until visit returns true; the nearer child first.
   template <class Visit>
   bool any_leaf(Flat q, double reach, Visit&& visit) const;
-  /// Ends of segments whose mitre may hold q, until visit returns true.
-  template <class Visit>
-  bool any_mitre(Flat q, double d, Visit&& visit) const;
 
   const BaseCurve& base_;
   std::vector<Corner> corners_;
@@ -67,6 +71,88 @@ class Clearance {
   std::size_t leaves_ = 1;               // a power of two
   std::vector<FloatBox> boxes_;          // heap order: children of i are 2i and 2i + 1; root is 1
   std::vector<FloatBox> mitre_boxes_;    // of (mitre - corner) / D; empty if there is none
+  double greatest_mitre_ = 0;            // half tangent
 };
+
+template <class Visit>
+bool Clearance::any_leaf(Flat p, double reach, Visit&& visit) const {
+  const double limit = reach * reach;
+  const auto squared_gap = [&](const FloatBox& box) {
+    const double x = std::max({box.low_x - p.x, 0.0, p.x - box.high_x});
+    const double y = std::max({box.low_y - p.y, 0.0, p.y - box.high_y});
+    return x * x + y * y;
+  };
+  struct Open {
+    std::size_t node;
+    double gap;
+  };
+  Open open[128];
+  std::size_t count = 0;
+  const auto push = [&](std::size_t node, double gap) {
+    if (gap <= limit) open[count++] = {node, gap};
+  };
+  push(1, squared_gap(boxes_[1]));
+  while (count > 0) {
+    const std::size_t node = open[--count].node;
+    if (node >= leaves_) {
+      if (visit(node - leaves_)) return true;
+      continue;
+    }
+    // The nearer child first: if there is something near, it is found soon.
+    const double left = squared_gap(boxes_[2 * node]);
+    const double right = squared_gap(boxes_[2 * node + 1]);
+    if (left <= right) {
+      push(2 * node + 1, right);
+      push(2 * node, left);
+    } else {
+      push(2 * node, left);
+      push(2 * node + 1, right);
+    }
+  }
+  return false;
+}
+
+template <class Visit>
+bool Clearance::any_near(Flat q, double reach, Visit&& visit) const {
+  return any_leaf(q, reach, [&](std::size_t leaf) {
+    const std::size_t end = std::min((leaf + 1) * leaf_size, base_.segment_count());
+    for (std::size_t i = leaf * leaf_size; i < end; ++i) {
+      if (visit(i)) return true;
+    }
+    return false;
+  });
+}
+
+template <class Visit>
+bool Clearance::any_mitre(Flat q, double d, Visit&& visit) const {
+  if (mitre_boxes_.empty()) return false;
+  const double margin = 1e-13 * (base_.size + d);
+  const auto may_hold = [&](std::size_t node) {
+    const FloatBox& p = boxes_[node];
+    const FloatBox& w = mitre_boxes_[node];
+    return (q.x >= p.low_x + d * w.low_x - margin) & (q.x <= p.high_x + d * w.high_x + margin) &
+           (q.y >= p.low_y + d * w.low_y - margin) & (q.y <= p.high_y + d * w.high_y + margin);
+  };
+  std::size_t open[64];
+  std::size_t count = 0;
+  if (may_hold(1)) open[count++] = 1;
+  while (count > 0) {
+    const std::size_t node = open[--count];
+    if (node < leaves_) {
+      if (may_hold(2 * node + 1)) open[count++] = 2 * node + 1;
+      if (may_hold(2 * node)) open[count++] = 2 * node;
+      continue;
+    }
+    const std::size_t first = (node - leaves_) * leaf_size;
+    const std::size_t end = std::min(first + leaf_size, base_.segment_count());
+    for (std::size_t i = first; i < end; ++i) {
+      if (!base_.has_after(i)) continue;
+      const Corner kind = corners_[base_.end_index(i)];
+      if (kind != Corner::Mitre && kind != Corner::Tangent) continue;
+      if (visit(static_cast<std::uint32_t>(i))) return true;
+    }
+  }
+  return false;
+}
 
 }  // namespace dobra::offset

@@ -1,5 +1,7 @@
 #include "shared/offset/cover.h"
 
+#include <algorithm>
+
 namespace dobra::offset {
 
 Buried::Buried(const BaseCurve& base, const Clearance& clearance)
@@ -37,6 +39,30 @@ void Buried::add(Site s, std::uint32_t killer) {
   }
 }
 
+void Buried::set_reach(Site s, double d) {
+  if (!has_reach(s)) return;
+  if (reaches_.empty()) reaches_.assign(2 * std::size_t{n_}, 0);
+  reaches_[reach_place(s)] = static_cast<std::uint16_t>(std::bit_cast<std::uint32_t>(static_cast<float>(d)) >> 16);
+}
+
+/// The disc that touches the base there shrinks until it holds nothing else.
+double Cover::free_until(Site s) const {
+  const bool line = s.role == Role::Line || s.role == Role::Bevel;
+  const Flat n = line ? right_of(outline_.along<double>(s.step)) : (1 / d_) * (free_ - outline_.centre(s));
+  const Flat foot = free_ - d_ * n;
+  double r = 4 * d_;
+  for (int k = 0; k < 8 && r > d_; ++k) {
+    const Flat c = foot + r * n;
+    const std::uint32_t step = clearance_.find_nearer(c, 0.97 * r);
+    if (step == Clearance::none) return 0.97 * r;
+    const Flat u = outline_.along<double>(step);
+    const Flat from = outline_.from<double>(step);
+    const Flat x = from + std::clamp(dot(c - from, u), 0.0, outline_.span(step)) * u - foot;
+    r = std::min(0.97 * r, dot(x, x) / (2 * dot(x, n)));
+  }
+  return r;
+}
+
 void Cover::remember(std::uint32_t step) {
   std::uint32_t moved = step;
   for (std::uint32_t& r : recent_) {
@@ -57,12 +83,10 @@ bool Cover::by_recent(Site s, Flat a, Flat b) {
 
 /// A step whose set holds p deep inside; none if there is none.
 std::uint32_t Cover::find(Flat p) {
-  for (const std::uint32_t step : recent_) {
-    if (step != Clearance::none && deep(p, step)) return step;
-  }
   const double r = d_ - 4 * margin_;
   std::uint32_t found = clearance_.find_nearer(p, r);
   if (found == Clearance::none) found = clearance_.find_mitre(p, outline_, r);
+  if (found == Clearance::none) free_ = p;
   return found;
 }
 

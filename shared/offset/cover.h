@@ -4,6 +4,7 @@
 // buries the next: the last few such segments are tried before the tree is asked. All proofs keep a margin above rounding.
 
 #include <array>
+#include <bit>
 #include <vector>
 
 #include "shared/offset/clearance.h"
@@ -23,6 +24,12 @@ class Buried {
   /// Once a piece is known to lie in U.
   void add(Site s, std::uint32_t killer);
   [[nodiscard]] std::uint32_t hint(std::uint32_t step) const { return hints_.empty() ? none : hints_[step]; }
+  /// True if some place of a piece is likely to be free at d: then there is no use in looking for a proof that it is buried.
+  [[nodiscard]] bool likely_free(Site s, double d) const {
+    return has_reach(s) && !reaches_.empty() && d < std::bit_cast<float>(std::uint32_t{reaches_[reach_place(s)]} << 16);
+  }
+  /// Once some place of it is known to be free up to d.
+  void set_reach(Site s, double d);
   /// How many were added.
   [[nodiscard]] std::size_t count() const { return count_; }
 
@@ -32,6 +39,8 @@ class Buried {
     return 4 * ((s.step < n_ ? s.step : s.step - n_) % 16) + static_cast<std::uint32_t>(s.role);
   }
   [[nodiscard]] bool for_ever(Site s) const;
+  [[nodiscard]] bool has_reach(Site s) const { return s.step < n_ && (s.role == Role::Line || s.role == Role::Arc); }
+  static std::size_t reach_place(Site s) { return 2 * std::size_t{s.step} + static_cast<std::size_t>(s.role); }
 
   const BaseCurve* base_;
   const std::vector<Corner>* corners_;
@@ -40,16 +49,17 @@ class Buried {
   std::size_t count_ = 0;
   std::vector<std::uint64_t> bits_;
   std::vector<std::uint32_t> hints_;
+  std::vector<std::uint16_t> reaches_;  // upper halves of floats; of the lines and arcs of the right side; empty where nothing was looked for
 };
 
 class Cover {
  public:
   Cover(const Outline& outline, const Clearance& clearance)
-      : outline_(outline), clearance_(clearance), d_(outline.distance()), margin_(1e-14 * (outline.base().size + outline.distance())) {
+      : outline_(outline), clearance_(clearance), d_(outline.distance()), margin_(clearance.margin(outline.distance())) {
     recent_.fill(Clearance::none);
   }
   [[nodiscard]] double margin() const { return margin_; }
-  [[nodiscard]] bool deep(Flat p, std::uint32_t step) const { return outline_.deep_inside(p, step, margin_); }
+  [[nodiscard]] bool deep(Flat p, std::uint32_t step) const { return margin_ < d_ && outline_.deep_inside(p, step, margin_); }
   /// The part of a piece from a to b lies in the set of one step.
   [[nodiscard]] bool in_set(Site s, Flat a, Flat b, std::uint32_t step) const {
     if (!deep(a, step) || !deep(b, step)) return false;
@@ -59,6 +69,8 @@ class Cover {
   bool by_recent(Site s, Flat a, Flat b);
   /// The same for any number of segments.
   bool covers(Site s, Flat a, Flat b);
+  /// Of the piece asked for last, not covered: up to which distance some place of it stays free; by doubles. Mitres do not count.
+  [[nodiscard]] double free_until(Site s) const;
   void remember(std::uint32_t step);
   /// The last one.
   [[nodiscard]] std::uint32_t killer() const { return recent_[0]; }
@@ -78,6 +90,7 @@ class Cover {
   const Clearance& clearance_;
   double d_, margin_;
   std::array<std::uint32_t, 4> recent_;
+  Flat free_;  // the last place found free
 };
 
 }  // namespace dobra::offset

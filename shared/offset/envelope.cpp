@@ -1,6 +1,7 @@
 #include "shared/offset/envelope.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "shared/geom/predicates.h"
 #include "shared/offset/mitre_envelope.h"
@@ -112,6 +113,36 @@ class Finisher {
   bool keeps_arcs_;  // chord bevels are the chords of what is left of their arcs
 };
 
+/// A mitre is below the arc about its corner. What is left of such an arc touches something, and is there by rounding only:
+/// the edge that it touches takes its place.
+/// @param curve  with one point more than edges.
+void drop_covered_arcs(Stacked& curve, const BaseCurve& base, const Filling& filling) {
+  auto& points = curve.points;
+  auto& edges = curve.edges;
+  const auto covered = [&](OffsetEdge edge) {
+    const std::size_t segment = edge.base_edge();
+    return edge.is_arc() && segment + 1 < base.segment_count() && filling.of(base.half_tans[segment + 1]) != Fill::Arc;
+  };
+  std::size_t kept = static_cast<std::size_t>(std::find_if(edges.begin(), edges.end(), covered) - edges.begin());
+  if (kept == edges.size()) return;
+  for (std::size_t k = kept; k < edges.size(); ++k) {
+    if (!covered(edges[k])) {
+      points[kept] = points[k];
+      edges[kept++] = edges[k];
+      continue;
+    }
+    const auto aside = [&](std::size_t neighbour) {  // how far it leads away from the neighbour
+      if (neighbour >= edges.size()) return std::numeric_limits<double>::infinity();
+      const Vector along = points[neighbour + 1] - points[neighbour];
+      return std::abs(geom::cross(along, points[k + 1] - points[k])) / geom::length(along);
+    };
+    if (aside(k + 1) < aside(k - 1)) points[k + 1] = points[k];
+  }
+  points[kept] = points.back();
+  points.resize(kept + 1);
+  edges.resize(kept);
+}
+
 /// What stands between the arcs about the ends of the base: one curve as a rule.
 std::vector<OffsetPiece> between_caps(Stacked& curve, const BaseCurve& base, const Finisher& finisher) {
   const auto is_cap = [&](OffsetEdge edge) {
@@ -142,9 +173,11 @@ std::vector<OffsetPiece> monotone_offset(const BaseCurve& base, Vector forward, 
   const Finisher finisher(base, options.join);
   Stacked curve = stack_pills(base, forward, distance, filling);
   if (!filling.only_arcs() && add_cut_mitres(curve, base, forward, distance, filling)) {
+    drop_covered_arcs(curve, base, filling);
     return between_caps(curve, base, finisher);
   }
   curve.points.push_back(curve.tip);
+  if (!filling.only_arcs()) drop_covered_arcs(curve, base, filling);
   OffsetPiece piece = finisher.piece(std::move(curve.points), std::move(curve.edges), curve.repeats);
   std::vector<OffsetPiece> pieces;
   if (!piece.points.empty()) pieces.push_back(std::move(piece));

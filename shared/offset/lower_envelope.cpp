@@ -9,7 +9,7 @@ namespace {
 
 class Merger {
  public:
-  explicit Merger(std::vector<Span>& out) : out_(out) {}
+  Merger(std::vector<Span>& out, double touching) : out_(out), touching_(touching) {}
 
   void merge(const Span* a, const Span* a_end, const Span* b, const Span* b_end) {
     double x = -std::numeric_limits<double>::infinity();
@@ -47,14 +47,15 @@ class Merger {
   void emit_lower(const Span& a, const Span& b, double x0, double x1) {
     const double before = a.at(x0) - b.at(x0);
     const double after = a.at(x1) - b.at(x1);
-    if (before <= 0 && after <= 0) return emit(a, x0, x1);
-    if (before >= 0 && after >= 0) return emit(b, x0, x1);
+    if (before <= touching_ && after <= touching_) return emit(a, x0, x1);
+    if (before >= -touching_ && after >= -touching_) return emit(b, x0, x1);
     const double x = std::clamp(x0 + (x1 - x0) * (before / (before - after)), x0, x1);
     emit(before < 0 ? a : b, x0, x);
     emit(before < 0 ? b : a, x, x1);
   }
 
   std::vector<Span>& out_;
+  double touching_;
 };
 
 }  // namespace
@@ -83,7 +84,7 @@ void LowerEnvelope::merge_last_two() {
   const auto to = std::partition_point(b, spans_.end(), [&](const Span& s) { return s.x0 < high; });
   if (from == b || to == b) return;
   merged_.clear();
-  Merger(merged_).merge(&*from, &*b, &*b, &*b + (to - b));
+  Merger(merged_, touching_).merge(&*from, &*b, &*b, &*b + (to - b));
   const std::ptrdiff_t room = to - from;
   const auto size = static_cast<std::ptrdiff_t>(merged_.size());
   if (size <= room) {

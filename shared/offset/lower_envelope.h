@@ -21,6 +21,8 @@ struct Span {
 /// few merges, and only where it overlaps its neighbours.
 class LowerEnvelope {
  public:
+  /// @param touching  of two spans that are nowhere further apart the first stays.
+  explicit LowerEnvelope(double touching) : touching_(touching) {}
   /// @param graph  spans in order of x, disjoint.
   void add(const std::vector<Span>& graph);
   /// Spans in order of x, disjoint.
@@ -33,6 +35,7 @@ class LowerEnvelope {
     std::size_t first;  ///< Index of its first span.
     int order;
   };
+  double touching_;
   std::vector<Span> spans_;  // of all levels, one after another
   std::vector<Level> levels_;
   std::vector<Span> merged_;

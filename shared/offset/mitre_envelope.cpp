@@ -36,6 +36,7 @@ struct Axis {
 /// The lower boundary of a mitre: foot, tip or both ends of a bevel, foot.
 struct Kite {
   std::array<Point, 4> at;  ///< Without a bevel the tip stands twice.
+  bool bevelled;
   std::size_t corner;
   double lowest;  ///< Place of the tip across the axis.
 };
@@ -43,7 +44,7 @@ struct Kite {
 class MitreEnvelope {
  public:
   MitreEnvelope(Stacked& stacked, const BaseCurve& base, Vector forward, double distance, const Filling& filling)
-      : curve_(stacked), base_(base), axis_{forward}, d_(distance), filling_(filling), parts_(stacked.edges.size()) {}
+      : curve_(stacked), base_(base), axis_{forward}, d_(distance), filling_(filling), touching_(touching(base, distance)), parts_(stacked.edges.size()) {}
 
   bool run();
 
@@ -113,6 +114,7 @@ class MitreEnvelope {
   const Axis axis_;
   const double d_;
   const Filling& filling_;
+  const double touching_;
   std::size_t parts_;
   double first_x_ = std::numeric_limits<double>::infinity();  // where the first kite that may be visible starts
   std::vector<Edit> edits_;
@@ -124,17 +126,11 @@ class MitreEnvelope {
 
 Kite MitreEnvelope::kite(std::size_t corner) const {
   const double t = base_.half_tans[corner];
-  Kite made{{foot_before(base_, corner, d_), {}, {}, foot_after(base_, corner, d_)}, corner, 0};
-  if (filling_.of(t) == Fill::Mitre) {
-    made.at[1] = tip_at(base_, corner, d_, t);
-    made.at[2] = made.at[1];
-  } else {
-    const double quarter = quarter_of(t);
-    made.at[1] = bevel_start(base_, corner, d_, quarter);
-    made.at[2] = bevel_end(base_, corner, d_, quarter);
-  }
-  made.lowest = std::min(axis_.y(made.at[1]), axis_.y(made.at[2]));
-  return made;
+  const bool bevelled = filling_.of(t) != Fill::Mitre;
+  const double beyond = bevelled ? quarter_of(t) : t;  // of the feet, in D
+  const Point tip = tip_at(base_, corner, d_, beyond);
+  const Point end = bevelled ? bevel_end(base_, corner, d_, beyond) : tip;
+  return {{foot_before(base_, corner, d_), tip, end, foot_after(base_, corner, d_)}, bevelled, corner, std::min(axis_.y(tip), axis_.y(end))};
 }
 
 /// Pills are convex, so what has its corners in one lies in it.
@@ -142,8 +138,8 @@ bool MitreEnvelope::in_pill(const Kite& kite, std::size_t segment) const {
   const Vector u = base_.headings[segment];
   const Point p = base_.points[segment];
   const double span = base_.spans[segment];
-  for (const Point at : kite.at) {
-    const Vector to = at - p;
+  for (const std::size_t k : {1, 2, 0, 3}) {  // the tip is what comes out as a rule
+    const Vector to = kite.at[k] - p;
     const double h = geom::cross(u, to);
     const double s = geom::dot(u, to);
     const double beyond = s < 0 ? s : std::max(0.0, s - span);
@@ -152,15 +148,18 @@ bool MitreEnvelope::in_pill(const Kite& kite, std::size_t segment) const {
   return true;
 }
 
-/// Drops the kites that a pill hides, and makes the envelope of the lowest ones, one from each stretch of the axis.
+/// Drops the kites that a pill hides, and makes the envelope of the lowest ones, one from each stretch of the axis and each
+/// few kites.
 std::vector<Span> MitreEnvelope::lowest_kites() {
-  LowerEnvelope envelope;
+  LowerEnvelope envelope(touching_);
   std::vector<Span> spans;
   constexpr double stretch = 0.25;  // of D
-  constexpr int patience = 8;       // looking for another pill costs more than trying the last one again
+  constexpr int few = 8;
+  constexpr int patience = 8;  // looking for another pill costs more than trying the last one again
   std::size_t killer = 0;
   std::size_t hint = 0;
   int failures = 0;
+  int seen = few;
   double end = -std::numeric_limits<double>::infinity();
   std::optional<Kite> lowest;
   const auto release = [&] {
@@ -184,9 +183,10 @@ std::vector<Span> MitreEnvelope::lowest_kites() {
     }
     first_x_ = std::min(first_x_, axis_.x(made.at[0]));
     const double x = axis_.x(base_.points[corner]);
-    if (x > end) {
+    if (x > end && ++seen > few) {
       release();
       lowest = made;
+      seen = 1;
       end = x + stretch * d_;
     } else if (made.lowest < lowest->lowest) {
       lowest = made;
@@ -198,7 +198,7 @@ std::vector<Span> MitreEnvelope::lowest_kites() {
 
 /// The envelope of those that are left and come out below the curve.
 std::vector<Span> MitreEnvelope::other_kites() {
-  LowerEnvelope envelope;
+  LowerEnvelope envelope(touching_);
   std::vector<Span> spans;
   std::size_t hint = 0;
   for_each_cut([&](std::size_t corner) {
@@ -212,22 +212,27 @@ std::vector<Span> MitreEnvelope::other_kites() {
 }
 
 /// False if it is not, or if it would take long to tell. The kite is convex, and so are the parts of the curve: their corners
-/// tell.
+/// tell; and its feet are on pills.
 bool MitreEnvelope::is_above_curve(const Kite& kite, std::size_t& hint) const {
   constexpr std::size_t patience = 64;
-  std::size_t k = part_at(axis_.x(kite.at[0]), hint);
-  hint = k;
-  if (!is_above_part(kite.at[0], k)) return false;
-  const std::size_t last = std::min(parts_, k + patience);
-  for (std::size_t j = 1; j < 4; ++j) {
-    const Point from = kite.at[j - 1];
-    const Vector edge = kite.at[j] - from;
-    const double end = axis_.x(kite.at[j]);
-    for (; k + 1 < last && x_of(k + 1) <= end; ++k) {
-      if (geom::cross(edge, curve_.points[k + 1] - from) > 0) return false;
+  hint = part_at(axis_.x(kite.at[1]), hint);
+  if (!is_above_part(kite.at[1], hint)) return false;
+  const auto below = [&](std::size_t k, std::size_t arm) {
+    return geom::cross(kite.at[arm + 1] - kite.at[arm], curve_.points[k] - kite.at[arm]) <= 0;
+  };
+  const double start = axis_.x(kite.at[0]);
+  for (std::size_t k = hint; x_of(k) >= start; --k) {
+    if (!below(k, 0)) return false;
+    if (k == 0 || k + patience < hint) return false;
+  }
+  std::size_t k = hint + 1;
+  for (std::size_t arm = kite.bevelled ? 1 : 2; arm < 3; ++arm) {
+    const double end = axis_.x(kite.at[arm + 1]);
+    for (; k <= parts_ && x_of(k) <= end; ++k) {
+      if (!below(k, arm)) return false;
     }
-    if (k + 1 >= last) return false;
-    if (!is_above_part(kite.at[j], k)) return false;
+    if (k > parts_ || k > hint + patience) return false;
+    if (arm == 1 && !is_above_part(kite.at[2], k - 1)) return false;
   }
   return true;
 }
@@ -249,7 +254,7 @@ void MitreEnvelope::add_spans(const Kite& kite, std::vector<Span>& spans) const 
     if (s.x1 > s.x0 && (spans.empty() || spans.back().x1 <= s.x0)) spans.push_back(s);
   };
   add(kite.at[0], kite.at[1], site_of(Kind::Line, kite.corner - 1));
-  if (kite.at[1] != kite.at[2]) add(kite.at[1], kite.at[2], site_of(Kind::Bevel, kite.corner - 1));
+  if (kite.bevelled) add(kite.at[1], kite.at[2], site_of(Kind::Bevel, kite.corner - 1));
   add(kite.at[2], kite.at[3], site_of(Kind::Line, kite.corner));
 }
 
@@ -361,8 +366,8 @@ void MitreEnvelope::compare_with_line(const Span& w, std::size_t k, double x0, d
   const Span own{x_of(k), axis_.y(curve_.points[k]), x_of(k + 1), axis_.y(curve_.points[k + 1]), 0};
   const double before = w.at(x0) - own.at(x0);
   const double after = w.at(x1) - own.at(x1);
-  if (before >= 0 && after >= 0) return take_curve(k, x0);
-  if (before <= 0 && after <= 0) return take_kite(w, k, x0);
+  if (before >= -touching_ && after >= -touching_) return take_curve(k, x0);
+  if (before <= touching_ && after <= touching_) return take_kite(w, k, x0);
   const double x = std::clamp(x0 + (x1 - x0) * (before / (before - after)), x0, x1);
   const double y = w.at(x);
   if (before < 0) {
@@ -376,36 +381,28 @@ void MitreEnvelope::compare_with_line(const Span& w, std::size_t k, double x0, d
   }
 }
 
+/// The arc is lower between the places where the line enters its disc and leaves it.
 void MitreEnvelope::compare_with_arc(const Span& w, std::size_t k, double x0, double x1) {
   const Point c = centre(site(k));
-  const double cx = axis_.x(c);
-  const double cy = axis_.y(c);
-  const auto arc_at = [&](double x) { return cy - std::sqrt(std::max(0.0, (d_ - (x - cx)) * (d_ + (x - cx)))); };
-  const double before = w.at(x0) - arc_at(x0);
-  const double after = w.at(x1) - arc_at(x1);
-  // The arc is convex: above a straight line at both ends ...
-  if (before >= 0 && after >= 0) return take_curve(k, x0);
   const Line own = line(w.site);
   const double off = geom::cross(own.along, c - own.on);
+  if (off >= d_ - touching_) return take_kite(w, k, x0);
   const double half = std::sqrt(std::max(0.0, (d_ - off) * (d_ + off)));
   const Point middle = c - off * geom::left_of(own.along);
   const Point in = middle - half * own.along;
   const Point out = middle + half * own.along;
-  const double in_x = std::clamp(axis_.x(in), x0, x1);
-  const double out_x = std::clamp(axis_.x(out), x0, x1);
-  if (before < 0 && after < 0) {
-    // ... and below it at both, it may come through in between.
+  const double margin = touching_ * std::min(d_ / half, 1e9);  // the nearer to touching, the less certain are these places
+  // Through the upper half of the circle lines come from above, or leave upwards.
+  const bool comes = geom::cross(axis_.forward, in - c) > 0 || axis_.x(in) <= x0 + margin;
+  const bool leaves = geom::cross(axis_.forward, out - c) > 0 || axis_.x(out) >= x1 - margin;
+  if ((!comes && axis_.x(in) >= x1 - margin) || (!leaves && axis_.x(out) <= x0 + margin)) return take_kite(w, k, x0);
+  if (comes) {
+    take_curve(k, x0);
+  } else {
     take_kite(w, k, x0);
-    if (!(std::abs(off) < d_ && axis_.x(in) > x0 && axis_.x(out) < x1 && in_x < out_x)) return;
-    take_curve(k, in_x, &in);
-    return take_kite(w, k, out_x, &out);
+    take_curve(k, axis_.x(in), &in);
   }
-  if (before < 0) {
-    take_kite(w, k, x0);
-    return take_curve(k, in_x, &in);
-  }
-  take_curve(k, x0);
-  take_kite(w, k, out_x, &out);
+  if (!leaves) take_kite(w, k, axis_.x(out), &out);
 }
 
 /// From x on, within part k, the kite is lower. `at`: where it crosses that part, if it does so there.
@@ -551,7 +548,7 @@ void MitreEnvelope::drop_short_steps() {
 
 bool MitreEnvelope::run() {
   const std::vector<Span> lowest = lowest_kites();
-  if (lowest.empty()) return false;
+  if (std::isinf(first_x_)) return false;  // all are hidden
   add_caps();
   overlay(lowest);
   overlay(other_kites());

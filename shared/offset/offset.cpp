@@ -147,22 +147,22 @@ OffsetCurve curve_at(const Prepared& input, double distance, const OffsetOptions
                                                    : treated(input, distance, options, progress, memory);
 }
 
-/// Runs body(k, found) for all distances, ascending in rounds of 1, 2, 4, ...: what the first of a round finds buried, those of the
-/// later rounds need not look at again. On bases where that is little, there are only two rounds.
+/// Runs body(k, found) for all distances, ascending in rounds of 1, 1, 1, 2, 2, 3, 3, ...: what the last of a round finds buried, those of
+/// the later rounds need not look at again.
 template <class Body>
-void ascending(std::span<const double> distances, std::size_t segments, Buried& known, const Body& body) {
+void ascending(std::span<const double> distances, Buried& known, const Body& body) {
   std::vector<std::size_t> order(distances.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return distances[a] < distances[b]; });
   std::size_t width = 1;
-  for (std::size_t first = 0; first < order.size(); first += width, width *= 2) {
-    const bool rest = first > 0 && known.count() < segments / 4;
-    const std::size_t last = rest ? order.size() : std::min(order.size(), first + width);
+  std::size_t round = 0;
+  for (std::size_t first = 0; first < order.size(); first += width, width = 1 + ++round / 2) {
+    const std::size_t last = std::min(order.size(), first + width);
     const bool more = last < order.size();
     std::optional<Buried> found;
     if (more) found.emplace(known);
     base::parallel_for(last - first, [&](std::size_t i) {
-      body(order[first + i], Memory{&known, more && i == 0 ? &*found : nullptr});
+      body(order[first + i], Memory{&known, more && first + i + 1 == last ? &*found : nullptr});
     });
     if (!more) return;
     known = std::move(*found);
@@ -213,7 +213,7 @@ Result<std::vector<OffsetCurve>> offset(const geom::Polyline& curve, std::span<c
   const auto keep = [&](std::size_t k, Memory memory) { results[k] = one(k, memory); };
   if (input.clearance) {
     Buried known(input.base, *input.clearance);
-    ascending(distances, input.base.segment_count(), known, keep);
+    ascending(distances, known, keep);
   } else {
     base::parallel_for(distances.size(), [&](std::size_t k) { keep(k, {}); });
   }

@@ -1,5 +1,7 @@
 #include "shared/offset/outline.h"
 
+#include "shared/offset/high.h"
+
 namespace dobra::offset {
 
 std::vector<Corner> right_corners(const BaseCurve& base, const OffsetOptions& options) {
@@ -14,33 +16,36 @@ std::vector<Corner> right_corners(const BaseCurve& base, const OffsetOptions& op
   return corners;
 }
 
-template <> double Outline::half_tan_as<double>(std::uint32_t step) const { return half_tan(step); }
-template <> Real Outline::half_tan_as<Real>(std::uint32_t step) const {
-  return is_cap(step) ? std::numeric_limits<Real>::infinity() : base_.half_tan(corner_point(step));
+template <class T> T Outline::half_tan_as(std::uint32_t step) const {
+  if constexpr (std::is_same_v<T, double>) {
+    return half_tan(step);
+  } else {
+    return is_cap(step) ? std::numeric_limits<T>::infinity() : base_.half_tan_as<T>(corner_point(step));
+  }
 }
 
 template <class T> VecOf<T> Outline::line_end(std::uint32_t step) const {
-  const T d = d_;
+  const T d = distance_as<T>(d_);
   const VecOf<T> p = to<T>(step);
   const VecOf<T> u = along<T>(step);
   const VecOf<T> foot = p + d * right_of(u);
   switch (corner(step)) {
     case Corner::Straight: return p + d * normal<T>(after(step));
-    case Corner::Meet: return foot - (d * half_tan_as<T>(step)) * u;
-    case Corner::Mitre: return foot + (d * half_tan_as<T>(step)) * u;
-    case Corner::Tangent: return foot + (d * static_cast<T>(quarter_tan(half_tan_as<T>(step)))) * u;
+    case Corner::Meet: return foot - T(d * half_tan_as<T>(step)) * u;
+    case Corner::Mitre: return foot + T(d * half_tan_as<T>(step)) * u;
+    case Corner::Tangent: return foot + T(d * quarter_tan(half_tan_as<T>(step))) * u;
     default: return foot;
   }
 }
 template <class T> VecOf<T> Outline::line_start(std::uint32_t step) const {
   const std::uint32_t previous = before(step);
-  const T d = d_;
+  const T d = distance_as<T>(d_);
   const VecOf<T> u = along<T>(step);
   const VecOf<T> foot = from<T>(step) + d * right_of(u);
   switch (corner(previous)) {
     case Corner::Meet:
     case Corner::Mitre: return line_end<T>(previous);
-    case Corner::Tangent: return foot - (d * static_cast<T>(quarter_tan(half_tan_as<T>(previous)))) * u;
+    case Corner::Tangent: return foot - T(d * quarter_tan(half_tan_as<T>(previous))) * u;
     default: return foot;
   }
 }
@@ -48,12 +53,13 @@ template <class T> VecOf<T> Outline::middle_of_turn(std::uint32_t step) const {
   const VecOf<T> u = along<T>(step);
   if (std::isinf(half_tan(step))) return u;
   // Turned by a left turn's half: exact enough near a U-turn too, where the two normals cancel.
+  using std::sqrt;
   const T t = half_tan_as<T>(step);
-  const T c = 1 / std::sqrt(1 + t * t);
-  return c * right_of(u) + (t * c) * u;
+  const T c = 1 / sqrt(T(1 + t * t));
+  return c * right_of(u) + T(t * c) * u;
 }
 template <class T> VecOf<T> Outline::natural_start(Site s) const {
-  const T d = d_;
+  const T d = distance_as<T>(d_);
   switch (s.role) {
     case Role::Line: return line_start<T>(s.step);
     case Role::Bevel: return line_end<T>(s.step);
@@ -62,7 +68,7 @@ template <class T> VecOf<T> Outline::natural_start(Site s) const {
   }
 }
 template <class T> VecOf<T> Outline::natural_end(Site s) const {
-  const T d = d_;
+  const T d = distance_as<T>(d_);
   switch (s.role) {
     case Role::Line: return line_end<T>(s.step);
     case Role::Bevel: return line_start<T>(after(s.step));
@@ -75,8 +81,12 @@ template <class T> VecOf<T> Outline::natural_end(Site s) const {
 }
 template VecOf<Real> Outline::natural_start<Real>(Site) const;
 template VecOf<Real> Outline::natural_end<Real>(Site) const;
+template VecOf<High> Outline::natural_start<High>(Site) const;
+template VecOf<High> Outline::natural_end<High>(Site) const;
+template VecOf<Real> Outline::line_end<Real>(std::uint32_t) const;
 template VecOf<double> Outline::middle_of_turn<double>(std::uint32_t) const;
 template VecOf<Real> Outline::middle_of_turn<Real>(std::uint32_t) const;
+template VecOf<High> Outline::middle_of_turn<High>(std::uint32_t) const;
 
 Flat Outline::start_of(Site s) const {
   if (s.role == Role::Line) return junction(before(s.step)).start;

@@ -100,7 +100,7 @@ class Outline {
     return is_cap(step) ? std::numeric_limits<double>::infinity() : base_.half_tans[corner_point(step)];
   }
   [[nodiscard]] double span(std::uint32_t step) const { return base_.spans[segment(step)]; }
-  /// What happens at the end of a step. Decided in doubles once; any answer near a limit is a right one.
+  /// What happens at the end of a step. Decided in doubles once, so that all agree.
   [[nodiscard]] Corner corner(std::uint32_t step) const;
 
   // Places, in doubles or in Real.
@@ -175,8 +175,10 @@ inline Corner Outline::corner(std::uint32_t step) const {
   const double t = base_.half_tans[at];
   if (step >= n_) kind = kind == Corner::Meet || std::isinf(t) ? Corner::Arc : Corner::Meet;
   if (kind != Corner::Meet) return kind;
-  // Beyond the bisector each line is nearer than D to the other segment, provided that this reaches so far.
-  return d_ * t <= span(step) && d_ * t <= span(after(step)) ? Corner::Meet : Corner::Apart;
+  // Beyond the bisector each line is nearer than D to the other segment, provided that this reaches so far. Where it only just does,
+  // Apart is the safe answer: it leaves it to the cuts.
+  const double reach = d_ * t * (1 + 1e-12);
+  return reach < span(step) && reach < span(after(step)) ? Corner::Meet : Corner::Apart;
 }
 
 inline Outline::Junction Outline::junction(std::uint32_t step) const {
@@ -185,7 +187,12 @@ inline Outline::Junction Outline::junction(std::uint32_t step) const {
   const Flat u = along<double>(step);
   const Flat foot = p + d_ * right_of(u);
   if (kind == Corner::Meet || kind == Corner::Mitre) {
-    const double reach = d_ * half_tan(step);
+    const double t = half_tan(step);
+    if (kind == Corner::Mitre && t > 16) {  // so far that a rounded direction misses
+      const Flat tip = flat(line_end<Real>(step));
+      return {kind, tip, tip};
+    }
+    const double reach = d_ * t;
     const Flat meet = foot + (kind == Corner::Meet ? -reach : reach) * u;
     return {kind, meet, meet};
   }

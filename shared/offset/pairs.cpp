@@ -1,52 +1,78 @@
-// Step 1: which pieces may meet. Pieces of the right side are grouped by the 16 steps that they belong to; where a group is nearly
-// complete its box follows from its block (clearance.h) without looking at any piece.
+#include "shared/offset/pairs.h"
 
 #include <algorithm>
 
-#include "shared/offset/sections.h"
 
 namespace dobra::offset {
 
 namespace {
-constexpr std::uint32_t none = 0xffffffffU;
-constexpr std::uint32_t few = 8;  // pieces of a group whose own boxes are looked at
+constexpr std::uint32_t few = 8;               // pieces of a group whose own boxes are looked at
+constexpr std::uint32_t buried = 0xfffffffeU;  // scissors that need not be made
 }  // namespace
 
-FloatBox Trimmer::box(Site s, Flat a, Flat b) const {
-  const double d = outline_.distance();
-  const double margin = 1e-13 * (base_.size + d);
+Pairing::Pairing(const Outline& outline, const Clearance& clearance, Survivors& chain, const base::Progress& progress)
+    : outline_(outline),
+      clearance_(clearance),
+      base_(outline.base()),
+      chain_(chain),
+      progress_(progress),
+      wanted_(static_cast<std::uint32_t>(chain.pieces.size())),
+      margin_(10 * clearance.margin(outline.distance())) {}
+
+Pairing::Pairs Pairing::run(const Buried& known, Buried* found) {
+  const ChainTree tree(make_groups());
+  pair_own(tree);
+  if (!progress_.cancelled()) pair_scissors(tree, known, found);
+  return std::move(pairs_);
+}
+
+Pairing::Shape Pairing::shape(Site site, std::uint32_t piece, Flat a, Flat b) const {
+  Shape made{{}, site, piece, a, b, a};
   Flat low{std::min(a.x, b.x), std::min(a.y, b.y)};
   Flat high{std::max(a.x, b.x), std::max(a.y, b.y)};
-  if (s.role == Role::Arc || s.role == Role::SecondArc) {
+  if (made.is_arc()) {
     // The end tangents meet outside the arc: arcs are at most a right angle.
-    const Flat c = outline_.centre(s);
+    const double d = outline_.distance();
+    const Flat c = outline_.centre(site);
     const Flat sum = (a - c) + (b - c);
     const Flat m = c + (2 * d * d / dot(sum, sum)) * sum;
     low = {std::min(low.x, m.x), std::min(low.y, m.y)};
     high = {std::max(high.x, m.x), std::max(high.y, m.y)};
+    made.m = m;
   }
-  return {low, high, margin};
+  made.box = FloatBox(low, high, margin_);
+  return made;
 }
 
-void Trimmer::add_items(const Group& group, std::vector<Item>& items) const {
-  for (std::uint32_t k = group.first; k < group.last; ++k) items.push_back({box(pieces_[k].site(), start(k), end(k)), k});
+/// A linked piece starts where the one before it ends.
+template <class Visit>
+void Pairing::each_shape(const Group& group, const Visit& visit) const {
+  Flat end{};
+  for (std::uint32_t k = group.first; k < group.last; ++k) {
+    const Piece& p = chain_.pieces[k];
+    const Flat start = k > group.first && p.linked() ? end : chain_.start(outline_, p);
+    end = chain_.end(outline_, p);
+    visit(shape(p.site(), k, start, end));
+  }
 }
 
-std::vector<ChainTree::Leaf> Trimmer::make_groups() {
+std::vector<ChainTree::Leaf> Pairing::make_groups() {
   const auto& blocks = clearance_.blocks();
+  const auto& pieces = chain_.pieces;
   const double d = outline_.distance();
-  const double margin = 1e-13 * (base_.size + d);
   groups_.clear();
   std::vector<ChainTree::Leaf> leaves;
   for (std::uint32_t first = 0; first < wanted_;) {
-    const std::uint32_t block = pieces_[first].step() / Block::size;
+    const std::uint32_t block = pieces[first].step() / Block::size;
     std::uint32_t last = first + 1;
     bool connected = true;
-    for (; last < wanted_ && pieces_[last].step() / Block::size == block; ++last) connected = connected && pieces_[last].linked();
-    ChainTree::Leaf leaf{blocks[block].box(false, d, margin), blocks[block].directions, connected, pieces_[first].linked() && first > 0};
+    for (; last < wanted_ && pieces[last].step() / Block::size == block; ++last)
+      connected = connected && pieces[last].linked();
+    ChainTree::Leaf leaf{blocks[block].box(false, d, margin_), blocks[block].directions, connected,
+                         pieces[first].linked() && first > 0};
     if (last - first < few) {
       leaf.box = {};
-      for (std::uint32_t k = first; k < last; ++k) leaf.box.add(box(pieces_[k].site(), start(k), end(k)));
+      each_shape({first, last}, [&](const Shape& p) { leaf.box.add(p.box); });
     }
     leaves.push_back(leaf);
     groups_.push_back({first, last});
@@ -55,103 +81,228 @@ std::vector<ChainTree::Leaf> Trimmer::make_groups() {
   return leaves;
 }
 
-void Trimmer::find_pairs(const Buried& known, Buried* found) {
-  const ChainTree tree(make_groups());
-  pair_own(tree);
-  if (progress_.cancelled()) return;
-  pair_scissors(tree, known, found);
+void Pairing::add_runs(Bunch& bunch) {
+  bunch.runs.clear();
+  bunch.box = {};
+  for (std::size_t k = 0; k < bunch.shapes.size(); ++k) {
+    if (k % run_size == 0) bunch.runs.emplace_back();
+    bunch.runs.back().add(bunch.shapes[k].box);
+  }
+  for (const FloatBox& box : bunch.runs) bunch.box.add(box);
 }
 
-void Trimmer::pair_own(const ChainTree& tree) {
-  std::vector<Item> first;
-  std::vector<Item> second;
-  std::size_t loaded = groups_.size();
-  tree.for_each_pair([&](std::size_t a, std::size_t b) {
-    if (loaded != a) {
-      first.clear();
-      add_items(groups_[a], first);
-      loaded = a;
+void Pairing::load(std::size_t group, Bunch& bunch) const {
+  if (bunch.group == group) return;
+  bunch.group = group;
+  bunch.shapes.clear();
+  each_shape(groups_[group], [&](const Shape& p) { bunch.shapes.push_back(p); });
+  add_runs(bunch);
+}
+
+const Pairing::Bunch& Pairing::cached(std::size_t group) {
+  Bunch* bunch = &cache_[group % cache_.size()];
+  if (bunch == latest_ && bunch->group != group) bunch = &spare_;
+  load(group, *bunch);
+  latest_ = bunch;
+  return *bunch;
+}
+
+template <class Visit>
+void Pairing::each_overlap(const Bunch& p, const Bunch& q, const Visit& visit) {
+  for (std::size_t i = 0; i < p.runs.size(); ++i) {
+    if (!p.runs[i].overlaps(q.box)) continue;
+    for (std::size_t j = &p == &q ? i : 0; j < q.runs.size(); ++j) {
+      if (!p.runs[i].overlaps(q.runs[j])) continue;
+      visit(run_size * i, std::min(run_size * (i + 1), p.shapes.size()), run_size * j,
+            std::min(run_size * (j + 1), q.shapes.size()));
     }
-    second.clear();
-    if (a != b) add_items(groups_[b], second);
-    for (const Item& p : first) {
-      for (const Item& q : a == b ? first : second) {
-        if (!p.box.overlaps(q.box) || q.piece <= p.piece) continue;
-        if (q.piece == p.piece + 1 && pieces_[q.piece].linked()) continue;
-        pairs_.emplace_back(p.piece, q.piece);
+  }
+}
+
+/// All of q lies beyond the line of one of p's edges, where p is not.
+bool Pairing::beyond_an_edge(const Shape& p, const Shape& q) const {
+  const auto separates = [&](Flat from, Flat to, Flat third) {
+    const Flat along = to - from;
+    const double limit = margin_ * (std::abs(along.x) + std::abs(along.y));
+    const double own = cross(along, third - from);
+    const double low = std::min(own, 0.0) - limit;
+    const double high = std::max(own, 0.0) + limit;
+    const double at_a = cross(along, q.a - from);
+    const double at_b = cross(along, q.b - from);
+    const double at_m = q.is_arc() ? cross(along, q.m - from) : at_a;
+    return (at_a < low && at_b < low && at_m < low) || (at_a > high && at_b > high && at_m > high);
+  };
+  if (separates(p.a, p.b, p.m)) return true;
+  return p.is_arc() && (separates(p.a, p.m, p.b) || separates(p.m, p.b, p.a));
+}
+
+/// All of q lies within the arc's circle.
+bool Pairing::in_disc(const Shape& arc, const Shape& q) const {
+  const Flat c = outline_.centre(arc.site);
+  const double limit = outline_.distance() - margin_;
+  const auto inside = [&](Flat p) { return dot(p - c, p - c) < limit * limit; };
+  return limit > 0 && inside(q.a) && inside(q.b) && (!q.is_arc() || inside(q.m));
+}
+
+bool Pairing::apart(const Shape& p, const Shape& q) const {
+  return beyond_an_edge(p, q) || beyond_an_edge(q, p) || (p.is_arc() && in_disc(p, q)) || (q.is_arc() && in_disc(q, p));
+}
+
+void Pairing::pair_own(const ChainTree& tree) {
+  std::size_t asked = 0;
+  bool stop = false;
+  tree.for_each_pair([&](std::size_t a, std::size_t b) {
+    if (++asked % 1024 == 0) stop = stop || progress_.cancelled();
+    if (stop) return;
+    const Bunch& first = cached(a);
+    const Bunch& second = a == b ? first : cached(b);
+    each_overlap(first, second, [&](std::size_t i0, std::size_t i1, std::size_t j0, std::size_t j1) {
+      for (std::size_t i = i0; i < i1; ++i) {
+        const Shape& p = first.shapes[i];
+        for (std::size_t j = j0; j < j1; ++j) {
+          const Shape& q = second.shapes[j];
+          if (!p.box.overlaps(q.box) || q.piece <= p.piece) continue;
+          if (q.piece == p.piece + 1 && chain_.pieces[q.piece].linked()) continue;
+          if (!apart(p, q)) pairs_.emplace_back(p.piece, q.piece);
+        }
+      }
+    });
+  });
+}
+
+/// The pieces of a step of the other side, line and what is at its end.
+void Pairing::add_scissors(std::uint32_t step, const Outline::Junction& before, const Outline::Junction& after,
+                           const Buried& known) {
+  const auto add = [&](Role role, Flat a, Flat b) {
+    const Site site{step, role};
+    if (!known.holds(site)) scissors_.shapes.push_back(shape(site, none, a, b));
+  };
+  if (step >= base_.segment_count()) {
+    const double size = dot(after.end - before.start, outline_.along<double>(step));
+    if (!known.holds({step, Role::Line}) && !is_overcut(outline_, step, size, 0.1 * margin_))
+      add(Role::Line, before.start, after.end);
+  }
+  if (after.kind != Corner::Arc) return;
+  if (outline_.splits_arc(step)) {
+    const Flat middle = outline_.end_of({step, Role::Arc});
+    add(Role::Arc, after.end, middle);
+    add(Role::SecondArc, middle, after.start);
+  } else {
+    add(Role::Arc, after.end, after.start);
+  }
+}
+
+/// But for the caps.
+void Pairing::make_scissors(std::uint32_t block, const Buried& known) {
+  const auto n = static_cast<std::uint32_t>(base_.segment_count());
+  scissors_.shapes.clear();
+  const std::uint32_t low = 2 * n - std::min(n, (block + 1) * Block::size);
+  const std::uint32_t high = 2 * n - block * Block::size;
+  Outline::Junction before = outline_.junction(outline_.before(low));
+  for (std::uint32_t step = low; step < high; ++step) {
+    const Outline::Junction after = outline_.junction(step);
+    add_scissors(step, before, after, known);
+    before = after;
+    if (!outline_.is_cap(step)) continue;
+    std::erase_if(scissors_.shapes, [&](const Shape& p) { return p.site.step == step && p.site.role != Role::Line; });
+  }
+  add_runs(scissors_);
+}
+
+void Pairing::cut_with(const Bunch& near, Cover& cover, Buried* found) {
+  each_overlap(scissors_, near, [&](std::size_t i0, std::size_t i1, std::size_t j0, std::size_t j1) {
+    for (std::size_t i = i0; i < i1; ++i) {
+      Shape& p = scissors_.shapes[i];
+      for (std::size_t j = j0; j < j1 && p.piece != buried; ++j) {
+        const Shape& q = near.shapes[j];
+        if (!p.box.overlaps(q.box) || apart(p, q)) continue;
+        if (p.piece == none && cover.covers(p.site, p.a, p.b)) {
+          if (found != nullptr) found->add(p.site, cover.killer());
+          p.piece = buried;
+          continue;
+        }
+        if (p.piece == none) {
+          p.piece = static_cast<std::uint32_t>(chain_.pieces.size());
+          chain_.pieces.push_back(Piece(p.site));
+        }
+        pairs_.emplace_back(q.piece, p.piece);
       }
     }
   });
 }
 
-/// The pieces of a step of the other side, line and what is at its end: add(site, a, b).
-template <class Add>
-void Trimmer::each_scissor(std::uint32_t step, const Add& add) const {
-  const double margin = 1e-14 * (base_.size + outline_.distance());
-  const Outline::Junction after = outline_.junction(step);
-  if (step >= base_.segment_count()) {
-    const Outline::Junction before = outline_.junction(outline_.before(step));
-    const double size = dot(after.end - before.start, outline_.along<double>(step));
-    if (!is_overcut(outline_, step, size, margin)) add(Site{step, Role::Line}, before.start, after.end);
+/// Around a block, if it bends little, its two sides lie on two sides of a strip: what is to the right (left) of the
+/// base at distance D lies as far across the chord as some base point and D times the cosine of the greatest turn from
+/// it, or further.
+bool Pairing::sides_apart(std::uint32_t block) const {
+  const auto n = static_cast<std::uint32_t>(base_.segment_count());
+  const std::uint32_t first = block > 0 ? (block - 1) * Block::size : 0;
+  const std::uint32_t last = std::min(n, (block + 2) * Block::size);
+  const Flat chord = flat(base_.end(last - 1)) - flat(base_.start(first));
+  if (!(dot(chord, chord) > 0)) return false;
+  const Flat across = right_of(unit(chord));
+  const Flat origin = flat(base_.start(first));
+  double low = 0;
+  double high = 0;
+  double cosine = 1;
+  for (std::uint32_t i = first; i < last; ++i) {
+    const double at = dot(flat(base_.end(i)) - origin, across);
+    low = std::min(low, at);
+    high = std::max(high, at);
+    cosine = std::min(cosine, dot(right_of(flat(base_.headings[i])), across));
   }
-  if (after.kind != Corner::Arc) return;
-  if (outline_.splits_arc(step)) {
-    const Flat middle = outline_.end_of({step, Role::Arc});
-    add(Site{step, Role::Arc}, after.end, middle);
-    add(Site{step, Role::SecondArc}, middle, after.start);
-  } else {
-    add(Site{step, Role::Arc}, after.end, after.start);
+  for (const bool before : {true, false}) {
+    if (before ? !base_.has_before(first) : !base_.has_after(last - 1)) continue;
+    const Flat beyond = flat(base_.headings[before ? base_.before(first) : base_.after(last - 1)]);
+    cosine = std::min(cosine, dot(right_of(beyond), across));
   }
+  return high - low + margin_ < 2 * outline_.distance() * cosine;
 }
 
-void Trimmer::pair_scissors(const ChainTree& tree, const Buried& known, Buried* found) {
+/// Blocks whose other side comes near a group: block, group; in order.
+Pairing::Pairs Pairing::near_blocks(const ChainTree& tree) const {
+  const auto& blocks = clearance_.blocks();
+  const double d = outline_.distance();
+  std::vector<ChainTree::Leaf> leaves;
+  leaves.reserve(blocks.size());
+  for (const Block& block : blocks) leaves.push_back({block.box(true, d, margin_), 0, false, false});
+  Pairs near;
+  ChainTree(leaves).for_each_overlap(tree, [&](std::size_t block, std::size_t group) {
+    near.emplace_back(static_cast<std::uint32_t>(block), static_cast<std::uint32_t>(group));
+  });
+  std::sort(near.begin(), near.end());
+  return near;
+}
+
+void Pairing::pair_scissors(const ChainTree& tree, const Buried& known, Buried* found) {
   if (outline_.sides() == Outline::Sides::Right) return;
   Cover cover(outline_, clearance_);
-  const double d = outline_.distance();
   const auto n = static_cast<std::uint32_t>(base_.segment_count());
-  std::vector<Item> near;  // of the curve
-  const auto load = [&](const FloatBox& box) {
-    near.clear();
-    tree.for_each_overlap(box, [&](std::size_t i) { add_items(groups_[i], near); });
-    return !near.empty();
-  };
-  const auto try_piece = [&](Site site, Flat a, Flat b) {
-    if (known.holds(site)) return;
-    const FloatBox own = box(site, a, b);
-    std::uint32_t made = none;
-    for (const Item& item : near) {
-      if (!item.box.overlaps(own)) continue;
-      if (made == none) {
-        if (cover.covers(site, a, b)) {
-          if (found != nullptr) found->add(site, cover.killer());
-          return;
-        }
-        made = static_cast<std::uint32_t>(pieces_.size());
-        pieces_.push_back(Piece(site));
-      }
-      pairs_.emplace_back(item.piece, made);
-    }
-  };
   if (!base_.closed) {
     for (const std::uint32_t step : {n - 1, 2 * n - 1}) {
-      const Flat c = outline_.to<double>(step);
-      if (!load(FloatBox(c, c, d * (1 + 1e-12)))) continue;
-      each_scissor(step, [&](Site site, Flat a, Flat b) {
-        if (site.role != Role::Line) try_piece(site, a, b);
-      });
+      scissors_.shapes.clear();
+      add_scissors(step, outline_.junction(outline_.before(step)), outline_.junction(step), known);
+      std::erase_if(scissors_.shapes, [](const Shape& p) { return p.site.role == Role::Line; });
+      add_runs(scissors_);
+      tree.for_each_overlap(scissors_.box, [&](std::size_t i) { cut_with(cached(i), cover, found); });
     }
   }
-  const auto& blocks = clearance_.blocks();
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    if (b % 256 == 0 && progress_.cancelled()) return;
-    if (!load(blocks[b].box(true, d, 1e-13 * (base_.size + d)))) continue;
-    const auto last = std::min<std::uint32_t>(n, static_cast<std::uint32_t>(b + 1) * Block::size);
-    for (auto s = static_cast<std::uint32_t>(b) * Block::size; s < last; ++s) {
-      const std::uint32_t step = 2 * n - 1 - s;
-      each_scissor(step, [&](Site site, Flat p, Flat q) {
-        if (site.role == Role::Line || !outline_.is_cap(step)) try_piece(site, p, q);
-      });
+  const Pairs near = near_blocks(tree);
+  std::uint32_t made = none;
+  std::uint32_t judged = none;
+  bool parted = false;
+  for (std::size_t k = 0; k < near.size(); ++k) {
+    if (k % 256 == 0 && progress_.cancelled()) return;
+    const auto [block, group] = near[k];
+    const std::uint32_t other = chain_.pieces[groups_[group].first].step() / Block::size;
+    if (other + 1 >= block && other <= block + 1) {
+      if (judged != block) parted = sides_apart(block);
+      judged = block;
+      if (parted) continue;
     }
+    if (made != block) make_scissors(block, known);
+    made = block;
+    cut_with(cached(group), cover, found);
   }
 }
 

@@ -21,7 +21,7 @@ namespace {
 class PillStack {
  public:
   PillStack(const BaseCurve& base, Vector forward, double distance, const Filling& filling)
-      : base_(base), d_(distance), filling_(filling), cap_(base.points[0] - distance * forward) {}
+      : base_(base), d_(distance), filling_(filling), touching_(touching(base, distance)), cap_(base.points[0] - distance * forward) {}
 
   Stacked run();
 
@@ -57,8 +57,7 @@ class PillStack {
   static constexpr std::size_t batch = 64;  // regular segments that are added at a time
 
   void push(Point p, OffsetEdge edge) {
-    made_.repeats |= p == last_;
-    last_ = p;
+    made_.repeats |= !made_.points.empty() && p == made_.points.back();
     made_.points.push_back(p);
     made_.edges.push_back(edge);
   }
@@ -76,8 +75,8 @@ class PillStack {
   const BaseCurve& base_;
   const double d_;
   const Filling& filling_;
+  const double touching_;
   const Point cap_;  // start of the arc about the first point, which is below all on the stack
-  Point last_{std::numeric_limits<double>::quiet_NaN(), 0.0};
   Stacked made_{};
   bool on_foot_ = true;   // the tip is the end of the last segment's own line
   bool natural_ = false;  // that line also starts where its corner says
@@ -120,6 +119,7 @@ Stacked PillStack::run() {
     while (i < last && !natural_);
     if (i < last) add_regular(i, last);
   }
+  made_.repeats |= !made_.points.empty() && made_.tip == made_.points.back();
   return std::move(made_);
 }
 
@@ -138,7 +138,6 @@ void PillStack::add_regular(std::size_t first, std::size_t last) {
     }
     first = stop;
   }
-  last_ = made_.points.back();
   finish_line(last - 1);
 }
 
@@ -217,7 +216,7 @@ void PillStack::add_segment(std::size_t i) {
   }
   const Turn turn = base_.turn[i];
   if (turn == Turn::Outer) {
-    if (!on_foot_ && geom::dot(made_.tip - p, u) > 0) {
+    if (!on_foot_ && geom::dot(made_.tip - p, u) > -touching_) {
       if (filling_.of(base_.half_tans[i]) != Fill::Arc) note_cut(i);
       return add_under_tail(i);
     }
@@ -232,7 +231,7 @@ void PillStack::add_segment(std::size_t i) {
     const Point meet = made_.tip - back * before;
     const bool at_mitre = (made_.edges.back().base_edge() & mitred) != 0;
     const Point start = at_mitre ? foot_after(base_, i - 1, d_) : made_.points.back();
-    if (back > base_.spans[i] || geom::dot(meet - start, before) <= 0) return add_under_tail(i);
+    if (back > base_.spans[i] - touching_ || geom::dot(meet - start, before) <= touching_) return add_under_tail(i);
     push(meet, OffsetEdge::line(i));
     return finish_line(i);
   }
@@ -282,8 +281,8 @@ void PillStack::add_under_tail(std::size_t i) {
   // The tail is outside the disc about p, so only line and far disc of the pill count.
   const auto inside = [&](Point at) {
     const double s = geom::dot(at - p, u);
-    if (s > span) return geom::length_squared(at - q) < d_ * d_;
-    return s > 0 && beyond(at) < 0;
+    if (s > span) return geom::length_squared(at - q) < d_ * (d_ + 2 * touching_);
+    return s > 0 && beyond(at) < touching_;
   };
   Point end = made_.tip;
   const Tail tail = pop_hidden(inside, end);
@@ -297,13 +296,13 @@ void PillStack::add_under_tail(std::size_t i) {
     const double gap = d_ - geom::dot(to, n);
     if (gap <= d_) {
       const double s = geom::dot(to, u) + std::sqrt(std::max(0.0, (d_ - gap) * (d_ + gap)));
-      if (s <= span) return cut_at(p + std::max(0.0, s) * u + d_ * n);
+      if (s <= span - touching_) return cut_at(p + std::max(0.0, s) * u + d_ * n);
     }
   } else if (const double start_beyond = beyond(tail.start); start_beyond >= 0) {
     const double end_beyond = std::min(0.0, beyond(end));
     const double t = start_beyond > 0 ? start_beyond / (start_beyond - end_beyond) : 0.0;
     const Point cut = tail.start + t * (end - tail.start);
-    if (geom::dot(cut - p, u) <= span) return cut_at(cut);
+    if (geom::dot(cut - p, u) <= span - touching_) return cut_at(cut);
   }
   made_.tip = entry(tail, end, q);
   on_foot_ = false;

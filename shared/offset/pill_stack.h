@@ -35,6 +35,10 @@ struct Stacked {
 /// @cost O(n): 3 ns a segment where nothing is hidden, else some 30 ns.
 Stacked stack_pills(const BaseCurve& base, geom::Vector forward, double distance, const Filling& filling);
 
+/// What is nearer than this to touching counts as touching, and what touches as hidden: a little above what rounding does to
+/// the places compared, so that exact coincidences leave no edges that only rounding made.
+inline double touching(const BaseCurve& base, double distance) { return 2e-15 * (base.size + distance); }
+
 // Places at corner i of a base, between segments i - 1 and i.
 inline geom::Point foot_before(const BaseCurve& base, std::size_t i, double d) {
   return base.points[i] + d * geom::right_of(base.headings[i - 1]);

@@ -1,7 +1,6 @@
 #pragma once
-// Vectors of the offset engine in two kinds of numbers: doubles where a margin makes a decision safe, and 64-bit mantissas
-// (11 bits more than the input has) where topology is decided, so that exact coincidences of the input, which come out to
-// within 1e-18, are told from near ones of input coordinates, which differ by 1e-16 or more.
+// Vectors of the offset engine in three kinds of numbers: doubles where a margin makes a decision safe; 64-bit mantissas (11 bits
+// more than the input has) with a bound of their error where topology is decided; and High (high.h) for what they leave in doubt.
 
 #include <cmath>
 
@@ -21,10 +20,13 @@ struct VecOf {
   friend VecOf operator*(T f, VecOf a) { return {f * a.x, f * a.y}; }
   friend T dot(VecOf a, VecOf b) { return a.x * b.x + a.y * b.y; }
   friend T cross(VecOf a, VecOf b) { return a.x * b.y - a.y * b.x; }
-  friend T length(VecOf a) { return std::sqrt(a.x * a.x + a.y * a.y); }
+  friend T length(VecOf a) {
+    using std::sqrt;
+    return sqrt(a.x * a.x + a.y * a.y);
+  }
   friend VecOf right_of(VecOf a) { return {a.y, -a.x}; }
   friend VecOf left_of(VecOf a) { return {-a.y, a.x}; }
-  friend VecOf unit(VecOf a) { return (1 / length(a)) * a; }
+  friend VecOf unit(VecOf a) { return T(T(1) / length(a)) * a; }
 };
 using Vec = VecOf<Real>;
 using Flat = VecOf<double>;

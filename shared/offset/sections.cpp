@@ -3,14 +3,9 @@
 #include "shared/offset/sections.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace dobra::offset {
-
-namespace {
-constexpr std::uint32_t none = 0xffffffffU;
-// 2^-58: some 30 roundings of Real, a thirtieth of one rounding of the input.
-constexpr Real resolution = 3.5e-18L;
-}  // namespace
 
 Trimmer::Trimmer(const BaseCurve& base, const Clearance& clearance, Outline::Sides sides, double distance,
                  const OffsetOptions& options, const base::Progress& progress)
@@ -18,8 +13,7 @@ Trimmer::Trimmer(const BaseCurve& base, const Clearance& clearance, Outline::Sid
       clearance_(clearance),
       options_(options),
       outline_(base, clearance.corners(), sides, distance),
-      distance_(distance),
-      tau_(resolution * (base.size + distance_)),
+      validity_(outline_, clearance),
       progress_(progress) {}
 
 std::vector<OffsetPiece> Trimmer::run() { return run(Buried(base_, clearance_), nullptr); }
@@ -28,14 +22,15 @@ std::vector<OffsetPiece> Trimmer::run(const Buried& known, Buried* found) {
   chain_ = survivors(outline_, clearance_, known, found, progress_);
   wanted_ = static_cast<std::uint32_t>(pieces_.size());
   if (wanted_ == 0) return {};
-  find_pairs(known, found);
+  pairs_ = Pairing(outline_, clearance_, chain_, progress_).run(known, found);
+  if (progress_.cancelled()) return {};
   warm();
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
     if (k % 1024 == 0 && progress_.cancelled()) return {};
     cut_pair(hot_of_[pairs_[k].first], hot_of_[pairs_[k].second]);
   }
   pairs_ = {};
-  merge_nodes();
+  order_cuts();
   make_sections();
   if (progress_.cancelled()) return {};
   remove_doubles();
@@ -47,82 +42,12 @@ std::vector<OffsetPiece> Trimmer::run(const Buried& known, Buried* found) {
   return result;
 }
 
-std::uint32_t Trimmer::node(Vec p) {
-  nodes_.push_back(p);
+std::uint32_t Trimmer::node(Vec p, std::uint32_t i, std::uint32_t j) {
+  nodes_.push_back({p, i, j});
   return static_cast<std::uint32_t>(nodes_.size() - 1);
 }
 
-Vec Trimmer::line_normal(Site s) const {
-  return s.role == Role::Line ? outline_.normal<Real>(s.step) : outline_.middle_of_turn<Real>(s.step);
-}
-
-/// Where the lines or circles of two sites cross, nearest to a place known in doubles.
-Vec Trimmer::meet(Site s, Site t, Flat near) const {
-  const auto is_line = [](Site x) { return x.role == Role::Line || x.role == Role::Bevel; };
-  if (!is_line(s) && is_line(t)) std::swap(s, t);
-  const Vec start = exact(near);
-  Vec found = start;
-  const auto choose = [&](Vec middle, Vec half) {
-    found = length(middle + half - start) < length(middle - half - start) ? middle + half : middle - half;
-  };
-  const Vec p = s.role == Role::Bevel ? centre(s) : outline_.from<Real>(s.step);
-  if (is_line(s)) {
-    const Vec n = line_normal(s);
-    if (is_line(t)) {
-      const Vec q = t.role == Role::Bevel ? centre(t) : outline_.from<Real>(t.step);
-      const Vec m = line_normal(t);
-      const Real area = cross(n, m);
-      if (area == 0) return start;
-      // n.x = D + n.p, m.x = D + m.q
-      const Real f = distance_ - dot(n, start - p);
-      const Real g = distance_ - dot(m, start - q);
-      found = start + Vec{(f * m.y - g * n.y) / area, (g * n.x - f * m.x) / area};
-    } else {
-      const Vec c = centre(t);
-      const Real gap = distance_ - dot(n, c - p);
-      choose(c + gap * n, std::sqrt(std::max(Real(0), (distance_ - gap) * (distance_ + gap))) * left_of(n));
-    }
-  } else {
-    const Vec c = centre(s);
-    const Vec to = centre(t) - c;
-    const Real gap = length(to);
-    if (gap == 0) return start;
-    choose(c + Real(0.5) * to, (std::sqrt(std::max(Real(0), (distance_ - gap / 2) * (distance_ + gap / 2))) / gap) * left_of(to));
-  }
-  return length(found - start) < distance_ * Real(1e-3) ? found : start;
-}
-
-Vec Trimmer::exact_end(const Piece& piece, bool start) const {
-  const std::uint32_t trim = start ? piece.trim_a : piece.trim_b;
-  if (trim != none) return meet(piece.site(), unpacked(chain_.trims[trim].other), chain_.trims[trim].at);
-  return start ? outline_.natural_start<Real>(piece.site()) : outline_.natural_end<Real>(piece.site());
-}
-
-/// The pieces of all pairs in Real; linked ones share their node.
-void Trimmer::warm() {
-  hot_of_.assign(pieces_.size(), none);
-  for (const auto& [i, j] : pairs_) hot_of_[i] = hot_of_[j] = 0;
-  for (std::uint32_t k = 0; k < pieces_.size(); ++k) {
-    if (hot_of_[k] == none) continue;
-    const Piece& piece = pieces_[k];
-    HotPiece hot{k, piece.is_line(), k < wanted_, {}, {}, centre(piece.site()), none, none};
-    if (k > 0 && piece.linked() && hot_of_[k - 1] != none && !hot_.empty() && hot_.back().piece == k - 1) {
-      hot.node_a = hot_.back().node_b;
-    } else {
-      hot.node_a = node(exact_end(piece, true));
-    }
-    hot.node_b = node(exact_end(piece, false));
-    hot.a = nodes_[hot.node_a];
-    hot.b = nodes_[hot.node_b];
-    hot_of_[k] = static_cast<std::uint32_t>(hot_.size());
-    hot_.push_back(hot);
-  }
-}
-
 void Trimmer::make_sections() {
-  std::sort(cuts_.begin(), cuts_.end(), [](const Cut& a, const Cut& b) {
-    return std::pair{a.hot, a.at} < std::pair{b.hot, b.at};
-  });
   const auto start_node = [&](std::uint32_t k) {
     return hot_of_[k] != none ? place_[hot_[hot_of_[k]].node_a] : none;
   };
@@ -146,7 +71,7 @@ void Trimmer::make_sections() {
     const std::uint32_t hot = hot_of_[k];
     if (k == 0 || !pieces_[k].linked()) {
       std::uint32_t from = start_node(k);
-      if (from == none) from = new_node(exact_end(pieces_[k], true));
+      if (from == none) from = new_node(end_of<Real>(pieces_[k], true).at);
       if (k == 0) seam = from;
       open = {k, k, from, none};
     } else if (hot != none && touched_[place_[hot_[hot].node_a]]) {
@@ -173,7 +98,7 @@ void Trimmer::make_sections() {
     std::uint32_t to = hot != none ? place_[hot_[hot].node_b] : none;
     if (last && joined) to = seam;
     if (to == none && !last && joined) to = start_node(k + 1);
-    if (to == none) to = new_node(exact_end(pieces_[k], false));
+    if (to == none) to = new_node(end_of<Real>(pieces_[k], false).at);
     if (!(open.first == k && open.from == to && open.first != 0)) {
       open.last = k;
       open.to = to;
@@ -183,52 +108,51 @@ void Trimmer::make_sections() {
   }
 }
 
-Vec Trimmer::part_start(const Section& s, std::uint32_t piece) const {
-  return piece == s.first ? nodes_[s.from] : exact(start(piece));
-}
-Vec Trimmer::part_end(const Section& s, std::uint32_t piece) const {
-  return piece == s.last ? nodes_[s.to] : exact(end(piece));
+template <class T>
+VecOf<T> Trimmer::place(std::uint32_t node) const {
+  if constexpr (std::is_same_v<T, High>) {
+    // What was never in doubt is far enough from all else on its piece.
+    if (const auto found = fine_.find(node); found != fine_.end()) return found->second;
+  }
+  return as<T>(nodes_[node].at);
 }
 
-/// One place decides; but where boundaries nearly coincide the decision is within tau at some places and clear at others, so
-/// that the first, the last and a long part are asked.
-void Trimmer::add_section(Section section) {
+/// The middle of a part, on its site to the precision of T.
+template <class T>
+VecOf<T> Trimmer::middle(const Section& section, std::uint32_t piece) const {
+  const std::uint32_t hot = hot_of_[piece];
+  const VecOf<T> a = piece == section.first ? place<T>(section.from) : hot != none ? place<T>(hot_[hot].node_a) : as<T>(start(piece));
+  const VecOf<T> b = piece == section.last ? place<T>(section.to) : hot != none ? place<T>(hot_[hot].node_b) : as<T>(end(piece));
+  const Shape<T> carrier = whole<T>(pieces_[piece].site());
+  if (!carrier.line) return carrier.pole + distance_as<T>(outline_.distance()) * unit((a - carrier.pole) + (b - carrier.pole));
+  return carrier.a + T(dot(carrier.pole, T(0.5) * (a + b) - carrier.a)) * carrier.pole;
+}
+
+bool Trimmer::valid(const Section& section, std::uint32_t piece) const {
+  const Site site = pieces_[piece].site();
+  const double error = error_of(site);
+  Place found = validity_.of(middle<Real>(section, piece), site, resolution<Real> * error);
+  if (found == Place::Doubtful) found = validity_.of(middle<High>(section, piece), site, resolution<High> * error);
+  return found == Place::Free;
+}
+
+/// One place decides for all of it: the middle of the longest of a few parts, where the least is in doubt.
+void Trimmer::add_section(const Section& section) {
   if (section.first == section.last && section.from == section.to) return;
   std::uint32_t longest = section.first;
   double size = -1;
-  // The longest of a few is long enough.
   const std::uint32_t stride = 1 + (section.last - section.first) / 8;
   for (std::uint32_t k = section.first; k <= section.last; k += std::min(stride, std::max(1U, section.last - k))) {
-    const Flat part = flat(part_end(section, k)) - flat(part_start(section, k));
-    if (dot(part, part) > size) {
-      size = dot(part, part);
+    const Flat a = k == section.first ? flat(nodes_[section.from].at) : start(k);
+    const Flat b = k == section.last ? flat(nodes_[section.to].at) : end(k);
+    if (dot(b - a, b - a) > size) {
+      size = dot(b - a, b - a);
       longest = k;
     }
   }
-  if (!valid(middle(section, longest))) return;
-  for (const std::uint32_t other : {section.first, section.last}) {
-    if (other != longest && !valid(middle(section, other))) return;
-  }
-  sections_.push_back(section);
-}
-
-/// The middle of a part, on its site to the precision of Real.
-Vec Trimmer::middle(const Section& section, std::uint32_t piece) const {
-  const Vec a = part_start(section, piece);
-  const Vec b = part_end(section, piece);
-  const Site site = pieces_[piece].site();
-  if (!pieces_[piece].is_line()) {
-    const Vec c = centre(site);
-    return c + distance_ * unit((a - c) + (b - c));
-  }
-  const Vec n = line_normal(site);
-  const Vec p = site.role == Role::Bevel ? centre(site) : outline_.from<Real>(site.step);
-  const Vec mid = Real(0.5) * (a + b);
-  return mid + (distance_ - dot(n, mid - p)) * n;
-}
-
-bool Trimmer::valid(Vec p) const {
-  return !clearance_.nearer_than(p, distance_ - 2 * tau_) && !clearance_.in_mitre(p, outline_, distance_ - 2 * tau_);
+  const bool free = valid(section, longest);
+  assert(valid(section, section.first) == free && valid(section, section.last) == free);
+  if (free) sections_.push_back(section);
 }
 
 }  // namespace dobra::offset

@@ -1,18 +1,20 @@
 #pragma once
 // Tier 1, second half: the treated curve at one distance, from the pieces that survive the stack pass.
-//  1 pairs      that may meet, from a tree with direction masks; only the pieces in them are looked at again, in Real. What lies on
-//               the other side of the base only serves to cut: its pieces are made where a block of them comes near the curve
-//  2 cuts       where those meet; what comes within tau is cut too, which does no harm
+//  1 pairs      that may meet, from a tree with direction masks; only the pieces in them are looked at again. What lies on the other
+//               side of the base only serves to cut: its pieces are made where a block of them comes near the curve
+//  2 cuts       where those meet, and their order on each piece: in Real, and in High where Real leaves a doubt (contact.h)
 //  3 sections   between two cuts a section, of however many pieces, is wholly valid or wholly invalid: one query decides
-//  4 assembly   valid sections are joined at their ends, at each free wedge; doubled ones count once, opposite ones cancel
-// Notation: D distance, U the set within D of the base with its corners, tau the length below which two places are one.
+//  4 assembly   valid sections are joined at their ends; doubled ones count once
+// A cut is symbolic: the pair that it comes from. Its place is rounded, decisions are not.
 
 #include <cstdint>
+#include <unordered_map>
 #include <vector>
 
-#include "shared/offset/chain_tree.h"
-#include "shared/offset/clearance.h"
+#include "shared/offset/contact.h"
+#include "shared/offset/pairs.h"
 #include "shared/offset/survivors.h"
+#include "shared/offset/validity.h"
 
 namespace dobra::offset {
 
@@ -27,16 +29,25 @@ class Trimmer {
   std::vector<OffsetPiece> run(const Buried& known, Buried* found);
 
  private:
-  /// A piece that may meet others, in Real.
+  static constexpr std::uint32_t none = 0xffffffffU;
+  static constexpr std::uint32_t start_of = none - 1;
+  static constexpr std::uint32_t end_of_piece = none - 2;
+  /// A piece that may meet others.
   struct HotPiece {
+    Shape<Real> shape;
     std::uint32_t piece;
-    bool line, wanted;
-    Vec a, b, centre;
     std::uint32_t node_a, node_b;
+    bool wanted;
+  };
+  /// A place; symbolic if it is an end of a hot piece (j = start_of, end_of) or the crossing of two.
+  struct Node {
+    Vec at;
+    std::uint32_t i, j;
   };
   struct Cut {
+    Real at;       ///< Distance from the piece's start, straight; grows along lines and arcs up to half a turn.
+    double error;  ///< Its bound.
     std::uint32_t hot;
-    Real at;  ///< Distance from the piece's start, straight; grows along lines and arcs up to half a turn.
     std::uint32_t node;
   };
   struct Section {
@@ -48,45 +59,36 @@ class Trimmer {
     std::vector<Section> sections;
     bool closed = false;
   };
-  /// Pieces of one block of 16 steps.
-  struct Group {
-    std::uint32_t first, last;
-  };
-  struct Item {
-    FloatBox box;
-    std::uint32_t piece;
-  };
-  using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
-
-  void find_pairs(const Buried& known, Buried* found);
-  [[nodiscard]] std::vector<ChainTree::Leaf> make_groups();
-  [[nodiscard]] FloatBox box(Site s, Flat a, Flat b) const;
-  void add_items(const Group& group, std::vector<Item>& items) const;
-  void pair_own(const ChainTree& tree);
-  void pair_scissors(const ChainTree& tree, const Buried& known, Buried* found);
-  template <class Add>
-  void each_scissor(std::uint32_t step, const Add& add) const;
   void warm();
-  [[nodiscard]] Vec exact_end(const Piece& piece, bool start) const;
-  [[nodiscard]] Vec meet(Site s, Site t, Flat near) const;
-  [[nodiscard]] Vec centre(Site s) const { return outline_.to<Real>(s.step); }
-  [[nodiscard]] Vec line_normal(Site s) const;
+  template <class T>
+  [[nodiscard]] Shape<T> whole(Site s) const;
+  template <class T>
+  [[nodiscard]] Shape<T> shape(const Piece& piece) const;
+  template <class T>
+  [[nodiscard]] Contact<T> end_of(const Piece& piece, bool start) const;
+  [[nodiscard]] double error_of(Site s) const;
 
   void cut_pair(std::uint32_t i, std::uint32_t j);
-  void cut_lines(std::uint32_t i, std::uint32_t j);
-  void cut_line_arc(std::uint32_t line, std::uint32_t arc);
-  void cut_arcs(std::uint32_t i, std::uint32_t j);
-  void cut_at_ends(std::uint32_t piece, std::uint32_t other);
-  void add_cut(std::uint32_t i, std::uint32_t j, Vec p);
-  [[nodiscard]] bool on_arc(const HotPiece& arc, Vec p) const;
-  void merge_nodes();
+  template <class T>
+  void add_cuts(std::uint32_t i, std::uint32_t j, const Contacts<T>& contacts);
+  void add_end(std::uint32_t hot, std::uint32_t node, double slide);
+  void add_cut(std::uint32_t hot, std::uint32_t node, double slide);
+  void merge_twins();
+  void order_cuts();
+  void order_piece(std::vector<Cut>& cuts);
+  void order_in_doubt(Cut* first, Cut* last);
+  void merge(std::uint32_t a, std::uint32_t b);
+  [[nodiscard]] std::uint32_t representative(std::uint32_t node);
+  const Shape<High>& fine_shape(std::uint32_t hot);
+  const VecOf<High>& fine(std::uint32_t node);
 
   void make_sections();
-  void add_section(Section section);
-  [[nodiscard]] Vec part_start(const Section& s, std::uint32_t piece) const;
-  [[nodiscard]] Vec part_end(const Section& s, std::uint32_t piece) const;
-  [[nodiscard]] Vec middle(const Section& section, std::uint32_t piece) const;
-  [[nodiscard]] bool valid(Vec p) const;
+  void add_section(const Section& section);
+  template <class T>
+  [[nodiscard]] VecOf<T> place(std::uint32_t node) const;
+  template <class T>
+  [[nodiscard]] VecOf<T> middle(const Section& section, std::uint32_t piece) const;
+  [[nodiscard]] bool valid(const Section& section, std::uint32_t piece) const;
 
   void remove_doubles();
   std::vector<Chain> assemble();
@@ -94,29 +96,38 @@ class Trimmer {
   [[nodiscard]] Vec leaving(const Section& section) const;
   [[nodiscard]] Vec arriving(const Section& section) const;
   [[nodiscard]] OffsetPiece output(const Chain& chain) const;
-  [[nodiscard]] std::uint32_t node(Vec p);
+  [[nodiscard]] std::uint32_t node(Vec p, std::uint32_t i = none, std::uint32_t j = none);
+  [[nodiscard]] Vec centre(Site s) const { return outline_.to<Real>(s.step); }
+  [[nodiscard]] Vec direction(Site s) const;
   [[nodiscard]] std::uint32_t segment_of(std::uint32_t piece) const { return pieces_[piece].step(); }
-  [[nodiscard]] Flat start(std::uint32_t k) const { return chain_.start(outline_, pieces_[k]); }
-  [[nodiscard]] Flat end(std::uint32_t k) const { return chain_.end(outline_, pieces_[k]); }
+  [[nodiscard]] Flat start(std::uint32_t k) const { return place_of(pieces_[k], true); }
+  [[nodiscard]] Flat end(std::uint32_t k) const { return place_of(pieces_[k], false); }
+  [[nodiscard]] Flat place_of(const Piece& piece, bool start) const {
+    const std::uint32_t trim = start ? piece.trim_a : piece.trim_b;
+    if (trim != Piece::none && clearance_.has_far_mitres()) return flat(end_of<Real>(piece, start).at);
+    return start ? chain_.start(outline_, piece) : chain_.end(outline_, piece);
+  }
 
   const BaseCurve& base_;
   const Clearance& clearance_;
   const OffsetOptions& options_;
   const Outline outline_;
-  const Real distance_;
-  const Real tau_;
+  const Validity validity_;
   const base::Progress& progress_;
   Survivors chain_;
   std::vector<Piece>& pieces_ = chain_.pieces;
   std::uint32_t wanted_ = 0;          // the pieces before this one are of the right side, the others are scissors
-  std::vector<Group> groups_;
-  Pairs pairs_;
+  Pairing::Pairs pairs_;
   std::vector<std::uint32_t> hot_of_;
   std::vector<HotPiece> hot_;
-  std::vector<Vec> nodes_;
+  std::vector<Node> nodes_;
+  std::unordered_map<std::uint32_t, Shape<High>> fine_shapes_;
+  std::unordered_map<std::uint32_t, VecOf<High>> fine_;
   std::vector<std::uint32_t> place_;  // the node that stands for each node after merging
   std::vector<char> touched_;         // places where something is cut
   std::vector<Cut> cuts_;
+  std::vector<std::uint32_t> twins_;  // hot pieces that coincide with others in part
+  std::vector<std::uint32_t> ends_;   // nodes of ends that lie on other pieces
   std::vector<Section> sections_;
   std::vector<std::uint32_t> follower_;
   std::vector<char> has_leader_;

@@ -4,14 +4,15 @@
 #include <bit>
 #include <optional>
 
+#include "shared/offset/high.h"
+
 namespace dobra::offset {
 
 bool is_overcut(const Outline& outline, std::uint32_t step, double size, double margin) {
   if (size > margin) return false;
   if (size < -margin) return true;
   const Site line{step, Role::Line};
-  return !(dot(outline.natural_end<Real>(line) - outline.natural_start<Real>(line), outline.along<Real>(step)) >
-           Real(3.5e-18L) * (outline.base().size + outline.distance()));
+  return !(dot(outline.natural_end<High>(line) - outline.natural_start<High>(line), outline.along<High>(step)) > 0);
 }
 
 namespace {
@@ -43,6 +44,10 @@ class Pass {
   void cut_tail(Site head, Flat& a, Flat b);
   void bury(Site site) const {
     if (found_ != nullptr) found_->add(site, cover_.killer());
+  }
+  [[nodiscard]] bool is_covered(Site site, Flat a, Flat b);
+  [[nodiscard]] bool likely_by_recent(Site site, Flat a, Flat b) {
+    return heat_ >= rough && !known_.likely_free(site, d_) && cover_.by_recent(site, a, b);
   }
   [[nodiscard]] bool kills(std::uint32_t step, Site site, Flat a, Flat b);
   [[nodiscard]] bool is_dead_line(Site site, Flat a, Flat b, Corner before, Corner after);
@@ -127,6 +132,17 @@ bool Pass::kills(std::uint32_t step, Site site, Flat a, Flat b) {
   return true;
 }
 
+/// Any number of steps' sets do.
+bool Pass::is_covered(Site site, Flat a, Flat b) {
+  if (known_.likely_free(site, d_)) return false;
+  if (cover_.covers(site, a, b)) {
+    bury(site);
+    return true;
+  }
+  if (found_ != nullptr) found_->set_reach(site, cover_.free_until(site));
+  return false;
+}
+
 bool Pass::is_dead_line(Site site, Flat a, Flat b, Corner before, Corner after) {
   const std::uint32_t step = site.step;
   const double size = dot(b - a, outline_.along<double>(step));
@@ -137,7 +153,7 @@ bool Pass::is_dead_line(Site site, Flat a, Flat b, Corner before, Corner after) 
   const std::uint32_t hint = known_.hint(step);
   const bool dead = (before == Corner::Apart && kills(outline_.before(step), site, a, b)) ||
                     (after == Corner::Apart && kills(outline_.after(step), site, a, b)) ||
-                    (hint != Buried::none && kills(hint, site, a, b)) || (heat_ >= rough && cover_.by_recent(site, a, b));
+                    (hint != Buried::none && kills(hint, site, a, b)) || likely_by_recent(site, a, b);
   if (dead) bury(site);
   return dead;
 }
@@ -173,7 +189,7 @@ void Pass::add_corner(std::uint32_t step, const Outline::Junction& junction, std
       heat_ -= heat_ > 0;
     } else {
       heat_ += heat_ < 16;
-      if (heat_ >= rough && cover_.by_recent(site, a, b)) {
+      if (likely_by_recent(site, a, b)) {
         bury(site);
       } else {
         add(site, a, b);
@@ -194,6 +210,7 @@ void Pass::add_corner(std::uint32_t step, const Outline::Junction& junction, std
 
 /// True if p lies nearer than D - margin to the line's segment, or in the disc of the arc.
 bool Pass::holds(Site holder, Flat p, double margin) const {
+  if (!(margin < d_)) return false;
   if (is_line(holder)) return outline_.deep_inside(p, holder.step, margin);
   const Flat q = p - outline_.centre(holder);
   return dot(q, q) < (d_ - margin) * (d_ - margin);
@@ -291,7 +308,7 @@ void Pass::add(Site site, Flat a, Flat b) {
   }
   bool examined = false;
   if (!linked && heat_ >= rough) {
-    if (cover_.covers(site, a, b)) return bury(site);
+    if (is_covered(site, a, b)) return;
     examined = true;
   }
   std::uint32_t trim = Piece::none;
@@ -363,8 +380,7 @@ void Pass::cull() {
     for (std::size_t k = first; k < last; ++k) {
       Piece piece = pieces[k];
       if (is_short && ++asked % 1024 == 0 && progress_.cancelled()) return;
-      if (is_short && !piece.examined() && cover_.covers(piece.site(), start(piece), end(piece))) {
-        bury(piece.site());
+      if (is_short && !piece.examined() && is_covered(piece.site(), start(piece), end(piece))) {
         dropped = true;
         continue;
       }

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "shared/base/text.h"
+#include "shared/offset/verify_exact.h"
 #include "shared/offset/verify_model.h"
 
 namespace dobra::offset {
@@ -121,7 +122,9 @@ bool well_formed(const OffsetPiece& piece, std::size_t index, const OffsetOption
   for (std::size_t i = 0; i < piece.points.size(); ++i) {
     if (!geom::is_finite(piece.points[i])) return wrong(i, first);
     if (i + 1 == piece.points.size() && !piece.closed) break;
-    if (piece.points[i] == piece.points[i + 1 == piece.points.size() ? 0 : i + 1]) return wrong(i, piece.points[i]);
+    // Untreated curves have one edge a base segment, if need be of no length.
+    const bool repeated = piece.points[i] == piece.points[i + 1 == piece.points.size() ? 0 : i + 1];
+    if (repeated && options.treatment == Treatment::Treated) return wrong(i, piece.points[i]);
   }
   return true;
 }
@@ -224,9 +227,32 @@ class ClearanceCheck {
     }
     if (least < limit_) report(FindingKind::TooNear, edge, least, limit_);
     in_mitres(edge);
+    if (edge.line) in_slits(edge);
   }
 
  private:
+  /// Is part of a parallel where the base leaves no room, as in a slit exactly 2 D wide?
+  void in_slits(const SeenEdge& edge) {
+    const Wide step = edge.b - edge.a;
+    const long double whole = size(step);
+    if (dot(edge.outward, model_.normal(edge.segment)) < 0.999999L) return;  // a bevel
+    const auto place = [&](std::size_t k) { return model_.places[k]; };
+    model_.tree.each([&](const geom::Box& box) { return gap(box, edge.a, edge.b) <= model_.d + slack_; },
+                     [&](std::size_t j) {
+                       // On the far side, as long as the edge goes along it.
+                       const long double off = dot(edge.outward, model_.from(j) - edge.a);
+                       if (std::abs(off - model_.d) > slack_ || whole == 0) return false;
+                       const long double s = dot(model_.from(j) - edge.a, step) / whole;
+                       const long double t = dot(model_.to(j) - edge.a, step) / whole;
+                       const long double both = std::min(whole, std::max(s, t)) - std::max(0.0L, std::min(s, t));
+                       if (both <= 4 * slack_) return false;
+                       const geom::Point a = place(edge.segment);
+                       const geom::Point b = place(model_.end_index(edge.segment));
+                       if (!parallel(a, b, place(j), place(model_.end_index(j)))) return false;
+                       if (beside_line(a, b, place(j), static_cast<double>(model_.d)) == Room::None) report(FindingKind::Touching, edge, both, 4 * slack_);
+                       return false;
+                     });
+  }
   long double line(Wide a, Wide b) {
     long double least = limit_;
     model_.tree.each([&](const geom::Box& box) { return gap(box, a, b) < least; },

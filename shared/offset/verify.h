@@ -1,6 +1,7 @@
 #pragma once
 // Judges offset curves, whoever made them: proves that a result keeps the rule of offset.h, or names each place where it does
-// not. Shares no code with the engine: places in 64-bit mantissas, a box tree of its own, exact predicates from geom.
+// not. Shares no code with the engine: places in 64-bit mantissas, a box tree of its own, exact predicates from geom, and exact sums
+// where two parallels may have no room between them.
 //
 //  a  vertices    each lies on the parallels (or bevels, or arcs) of both its edges, at D within `vertex_tolerance` D
 //     edges       none comes nearer to the base than D, nor into a mitre of another corner; in closed form, as a whole
@@ -32,7 +33,7 @@ enum class FindingKind {
   TooNear,      ///< An edge comes nearer to the base than D.
   InMitre,      ///< An edge runs through the mitre of another corner.
   Crossing,     ///< Two edges cross.
-  Touching,     ///< Two edges touch where the base leaves no room between them.
+  Touching,     ///< Two edges touch, or one runs, where the base leaves no room: in a slit exactly 2 D wide, for one.
   OpenEnd,      ///< A piece ends where the curve goes on.
   Missing,      ///< A free point of a raw parallel is not on the curve.
   Winding,      ///< The raw outline does not part inside and outside at an edge.

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "shared/geom/intersect.h"
+#include "shared/offset/verify_exact.h"
 #include "shared/offset/verify_model.h"
 
 namespace dobra::offset::judge {
@@ -145,16 +146,29 @@ class CrossingCheck {
   void overlap(const SeenEdge& e, const SeenEdge& f, Wide from, Wide to) {
     const long double long_by = size(to - from);
     if (long_by <= allowed_) return;
-    if (!neighbours(e, f) && dot(e.b - e.a, f.b - f.a) < 0 && apart(e, f) > 2 * model_.d) return;
+    if (dot(e.b - e.a, f.b - f.a) < 0 && room_between(e, f)) return;
     report(FindingKind::Touching, e, from, long_by);
   }
-  /// Of the two base segments.
-  [[nodiscard]] long double apart(const SeenEdge& e, const SeenEdge& f) const {
-    if (e.segment == Model::none || f.segment == Model::none) return 0;
-    const auto least = [&](std::size_t i, std::size_t j) {
-      return std::min(size(model_.nearest(i, model_.from(j)) - model_.from(j)), size(model_.nearest(i, model_.to(j)) - model_.to(j)));
-    };
-    return std::min(least(e.segment, f.segment), least(f.segment, e.segment));
+  /// Of their two base segments; or true if that cannot be told.
+  [[nodiscard]] bool room_between(const SeenEdge& e, const SeenEdge& f) const {
+    if (e.segment == Model::none || f.segment == Model::none) return false;
+    return room_beside(e.segment, f.segment) && room_beside(f.segment, e.segment);
+  }
+  /// True if both ends of j are more than 2 D from segment i.
+  [[nodiscard]] bool room_beside(std::size_t i, std::size_t j) const {
+    const auto place = [&](std::size_t k) { return model_.places[k]; };
+    for (const std::size_t end : {j, model_.end_index(j)}) {
+      const Wide p = wide(place(end));
+      const Wide q = model_.nearest(i, p);
+      const long double more = size(q - p) - 2 * model_.d;
+      if (more < -1e-15L * model_.d) return false;
+      if (more > 1e-15L * model_.d) continue;
+      const double d = static_cast<double>(model_.d);
+      const bool at_end = size(q - model_.from(i)) == 0 || size(q - model_.to(i)) == 0;
+      const Room room = at_end ? between_points(narrow(q), place(end), d) : beside_line(place(i), place(model_.end_index(i)), place(end), d);
+      if (room == Room::None) return false;
+    }
+    return true;
   }
   void one_circle(const SeenEdge& e, const SeenEdge& f) {
     const Path p(e, model_.d);

@@ -115,7 +115,7 @@ class MissingCheck {
   void ask(Wide p, Wide foot, Wide out, std::size_t segment, const std::array<std::size_t, 2>& corners) {
     if (view_.of(p, foot, out, corners) != Sight::Free || pokes_through(p)) return;
     ++found_.samples;
-    const long double allowed = 100 * ambiguity_;
+    const long double allowed = 100 * ambiguity_ + 0x1p-60L * size(p);  // far mitres
     long double least = 1e300L;
     tree_.each([&](const geom::Box& box) { return gap(box, p) <= allowed; },
                [&](std::size_t k) {

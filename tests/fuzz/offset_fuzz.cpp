@@ -92,6 +92,14 @@ bool grave(offset::FindingKind kind) {
   return kind == Kind::Malformed || kind == Kind::TooNear || kind == Kind::Crossing;
 }
 
+/// What a test of the finding needs.
+void print(const Case& c) {
+  std::fprintf(stderr, "closed %d, D %.17g, side %d, join %d, ends %d, treatment %d, mitre limit %g, beyond %d:", int(c.base.closed), c.distance,
+               int(c.options.side), int(c.options.join), int(c.options.ends), int(c.options.treatment), c.options.mitre_limit, int(c.options.beyond_limit));
+  for (const geom::Point p : c.base.points) std::fprintf(stderr, " {%.17g, %.17g}", p.x, p.y);
+  std::fprintf(stderr, "\n");
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -107,6 +115,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const offset::Finding& finding : verified->findings) {
     if (!strict && !grave(finding.kind)) continue;
     std::fprintf(stderr, "%s\n", offset::to_string(finding).c_str());
+    print(c);
     std::abort();
   }
   return 0;

@@ -7,9 +7,11 @@
 #include <numbers>
 #include <optional>
 #include <random>
+#include <string>
 
 #include "shared/offset/arcs.h"
 #include "shared/offset/sections.h"
+#include "shared/offset/verify.h"
 #include "tests/support/offset_oracle.h"
 
 #ifndef DOBRA_RANDOM_GRAPHS
@@ -294,6 +296,89 @@ TEST(Envelope, IsTheLowerBoundaryOfPillsAndMitresOnRandomGraphs) {
     }
   }
   EXPECT_GT(judged, 5U * DOBRA_RANDOM_GRAPHS);
+}
+
+/// A graph and a distance that make pills touch exactly, in many places: few slopes, whole lengths, half distances.
+struct Ties {
+  Polyline graph{};
+  double distance = 1;
+};
+Ties random_ties(std::uint32_t seed) {
+  std::mt19937 random(seed);
+  const auto whole = [&](int from, int to) { return from + static_cast<int>(random() % static_cast<std::uint32_t>(to - from + 1)); };
+  Ties made;
+  Point at{0, 0};
+  const auto step = [&](double x, double y) { made.graph.points.push_back(at = at + geom::Vector{x, y}); };
+  const int count = whole(4, 40);
+  const double width = 0.25 * whole(1, 8);
+  const double height = 0.5 * whole(1, 10);
+  made.distance = 0.5 * whole(1, 12);
+  for (int i = 0; i < count; ++i) {
+    switch (seed % 6) {
+      case 0: i % 2 == 0 ? step(whole(0, 3), 0) : step(0, whole(0, 3)); break;  // stairs, with repeated places
+      case 1: step(1, whole(0, 4) - at.y); break;
+      case 2: step(0.5 * whole(1, 3), whole(-2, 2)), step(0.5 * whole(1, 6), 0); break;  // plateaus
+      case 3: step(width, height), step(width, -height); break;                        // teeth
+      case 4: step(whole(0, 1) == 0 ? 3 : 4, 4), step(whole(1, 3), 0), step(3, -4); break;
+      default: step(whole(0, 8) == 0 ? 1 : 0.125 * whole(1, 2), whole(-6, 6)); break;  // sharp
+    }
+  }
+  return made;
+}
+
+std::string faults(const Polyline& graph, const OffsetOptions& options, const OffsetCurve& curve) {
+  std::string found;
+  const auto verified = verify(graph, options, curve);
+  for (const Finding& finding : verified.value().findings) found += to_string(finding) + "; ";
+  return found;
+}
+
+TEST(Envelope, LeavesNoEdgesThatOnlyRoundingMadeWherePillsTouch) {
+  std::size_t judged = 0;
+  for (std::uint32_t seed = 0; seed < DOBRA_RANDOM_GRAPHS / 6 && !HasFailure(); ++seed) {
+    const Ties ties = random_ties(seed);
+    const auto base = prepare(ties.graph, Side::RightOfTravel);
+    if (!base.ok() || !monotone_direction(*base)) continue;
+    for (const Filled& fill : all_joins) {
+      OffsetOptions options = options_of(fill);
+      options.side = seed % 4 < 2 ? Side::RightOfTravel : Side::LeftOfTravel;
+      SCOPED_TRACE(testing::Message() << "seed " << seed << ' ' << fill.name << " D " << ties.distance);
+      const auto curve = offset(ties.graph, std::vector<double>{ties.distance}, options).value().front();
+      for (const OffsetPiece& piece : curve.pieces) {
+        for (std::size_t k = 0; k < piece.edges.size(); ++k) {
+          EXPECT_GT(geom::distance(piece.points[k], piece.points[k + 1]), 1e-6 * ties.distance) << "at " << piece.points[k];
+        }
+      }
+      EXPECT_EQ(faults(ties.graph, options, curve), "");
+      ++judged;
+    }
+  }
+  EXPECT_GT(judged, DOBRA_RANDOM_GRAPHS / 2U);
+}
+
+TEST(Envelope, BasesThatAreLengthenedGoStraightOn) {
+  for (std::uint32_t seed = 0; seed < 60; ++seed) {
+    const Polyline graph = random_graph(seed);
+    if (!geom::validate(graph).ok()) continue;
+    OffsetOptions options;
+    options.join = Join::Round;
+    options.ends = Ends::Extended;
+    const auto curve = offset(graph, std::vector<double>{0.3}, options).value().front();
+    EXPECT_EQ(faults(graph, options, curve), "") << "seed " << seed;
+  }
+}
+
+/// A mitre too flat to be seen stands lowest in its stretch of the curve: those beside it are still looked at.
+TEST(Envelope, MitresBesideOnesWithoutWidthAreKept) {
+  // The corner at 27.8 is of rounding only.
+  const Polyline graph{{{15, 8.8817841970012523e-16}, {25, 0}, {23.6, 4.8000000000000007}, {28.6, 4.8000000000000007},
+                        {32.200000000000003, 9.6000000000000014}, {28, 24}, {26.599999999999998, 28.800000000000004},
+                        {27.799999999999997, 30.400000000000006}, {31.4, 35.2}, {32.6, 36.800000000000004},
+                        {31.2, 41.6}, {27, 56}}, false};
+  OffsetOptions options;
+  options.side = Side::LeftOfTravel;
+  const auto curve = offset(graph, std::vector<double>{4.5}, options).value().front();
+  EXPECT_EQ(faults(graph, options, curve), "");
 }
 
 }  // namespace

@@ -1,11 +1,14 @@
-// The same curve whatever the start vertex, the direction, the frame and the unit. Curves are compared as cyclic sequences
-// of points, each against its tolerance.
+// The same curve whatever the start vertex, the direction, the frame and the unit: of made curves, and of the contours of the
+// shared data. Curves are compared as cyclic sequences of points, each within a tolerance; where the frame rounds nothing, bit by bit.
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 #include "shared/offset/offset.h"
+#include "tests/support/corpus.h"
+#include "tests/support/offset_oracle.h"
 #include "tests/support/random_curves.h"
 
 namespace dobra::offset {
@@ -14,21 +17,45 @@ namespace {
 using geom::Point;
 using geom::Polyline;
 
-/// A point set down on a grid, so that moving it far away rounds nothing.
-Point snapped(Point p) { return {std::round(p.x * 0x1p20) / 0x1p20, std::round(p.y * 0x1p20) / 0x1p20}; }
+struct Case {
+  std::string name;
+  Polyline base;
+  std::vector<double> distances;
+};
 
-std::vector<Polyline> bases() {
-  std::vector<Polyline> made;
+/// Set down on a grid of about a millionth of its size, so that moving it far away rounds nothing.
+Polyline snapped(Polyline base) {
+  const double unit = std::exp2(std::ceil(std::log2(base.box().diagonal())) - 20);
+  for (Point& p : base.points) p = {std::round(p.x / unit) * unit, std::round(p.y / unit) * unit};
+  return geom::without_repeated_points(std::move(base));
+}
+
+std::vector<Case> made_cases() {
+  const std::vector<double> distances{0.11, 0.43, 0.87};
+  std::vector<Case> made;
   // Of random_curves.h: stars, closed ones that cross themselves, blobs, walks, spirals.
   for (const std::uint32_t seed : {2U, 19U, 36U, 5U, 22U, 15U, 0U, 17U, 9U}) {
-    Polyline base = support::random_case(seed).base;
-    if (base.points.size() > 150) continue;
-    for (Point& p : base.points) p = snapped(p);
-    made.push_back(base);
+    const Polyline base = support::random_case(seed).base;
+    if (base.points.size() <= 150) made.push_back({"seed " + std::to_string(seed), snapped(base), distances});
   }
-  made.push_back({{{0, 0}, {4, 0}, {4, 1}, {8, 1}, {8, 0}, {12, 0}, {12, 4}, {8, 4}, {8, 3}, {4, 3}, {4, 4}, {0, 4}}, true});
-  made.push_back({{{0, 0}, {6, 0}, {6, 2}, {2, 2}, {2, 6}, {0, 6}}, true});
+  made.push_back({"dumbbell", {{{0, 0}, {4, 0}, {4, 1}, {8, 1}, {8, 0}, {12, 0}, {12, 4}, {8, 4}, {8, 3}, {4, 3}, {4, 4}, {0, 4}}, true}, distances});
+  made.push_back({"L", {{{0, 0}, {6, 0}, {6, 2}, {2, 2}, {2, 6}, {0, 6}}, true}, distances});
   return made;
+}
+
+/// Every contour of the shared data up to 200 points; none where the data are not there.
+std::vector<Case> data_cases() {
+  std::vector<Case> read;
+  const auto folder = test::data_folder();
+  if (!folder) return read;
+  for (const char* name : {"poly2tri_dude.dat", "poly2tri_tank.dat", "poly2tri_bird.dat", "cdt_kidney.txt", "cdt_island.txt", "cdt_guitar_no_box.txt"}) {
+    for (const Polyline& contour : support::read_contours((*folder / "contours" / name).string())) {
+      if (contour.points.size() > 200) continue;
+      const double size = contour.box().diagonal();
+      read.push_back({name, snapped(contour), {0.011 * size, 0.043 * size}});
+    }
+  }
+  return read;
 }
 
 OffsetCurve run(const Polyline& base, double distance, Side side, Join join) {
@@ -45,7 +72,7 @@ OffsetCurve run(const Polyline& base, double distance, Side side, Join join) {
 double apart(const std::vector<Point>& a, const std::vector<Point>& b, bool closed) {
   double best = std::numeric_limits<double>::infinity();
   if (a.size() != b.size()) return best;
-  for (std::size_t shift = 0; shift < (closed ? a.size() : 1); ++shift) {
+  for (std::size_t shift = 0; shift < (closed ? a.size() : 1) && best > 0; ++shift) {
     double worst = 0;
     for (std::size_t i = 0; i < a.size() && worst < best; ++i) worst = std::max(worst, geom::distance(a[i], b[(i + shift) % a.size()]));
     best = std::min(best, worst);
@@ -72,94 +99,133 @@ testing::AssertionResult same(const OffsetCurve& expected, const OffsetCurve& go
       if (d < least) best = k;
       least = std::min(least, d);
     }
-    if (!(least <= tolerance)) return testing::AssertionFailure() << "a piece of " << points.size() << " points is off by " << least;
+    if (!(least <= tolerance)) return testing::AssertionFailure() << "a piece of " << points.size() << " points is off by " << least << ", allowed " << tolerance;
     used[best] = 1;
   }
   return testing::AssertionSuccess();
 }
 Point identity(Point p) { return p; }
 
-template <class Visit>
-void each_case(Visit&& visit) {
-  const auto all = bases();
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    for (const double distance : {0.11, 0.43, 0.87}) {
+/// One base with its curve: what each check is given.
+struct Given {
+  const Polyline& base;
+  double distance;
+  Side side;
+  Join join;
+  OffsetCurve expected;
+  double size;  ///< Of base, distance and curve together, m: tolerances are in it.
+
+  [[nodiscard]] Side other_side() const { return side == Side::RightOfTravel ? Side::LeftOfTravel : Side::RightOfTravel; }
+};
+using Check = std::function<void(const Given&)>;
+
+void each(const std::vector<Case>& cases, const std::vector<Join>& joins, const Check& check) {
+  for (const Case& c : cases) {
+    for (const double distance : c.distances) {
       for (const Side side : {Side::RightOfTravel, Side::LeftOfTravel}) {
-        for (const Join join : {Join::Mitre, Join::Round}) {
-          SCOPED_TRACE(testing::Message() << "base " << k << " D " << distance << " side " << int(side) << " join " << int(join));
-          visit(all[k], distance, side, join, run(all[k], distance, side, join));
+        for (const Join join : joins) {
+          SCOPED_TRACE(testing::Message() << c.name << " D " << distance << " side " << int(side) << " join " << int(join));
+          const OffsetCurve curve = run(c.base, distance, side, join);
+          geom::Box all = c.base.box();
+          for (const OffsetPiece& piece : curve.pieces) {
+            for (const Point p : piece.points) all.add(p);
+          }
+          check({c.base, distance, side, join, curve, distance + all.diagonal()});
         }
       }
     }
   }
 }
+const std::vector<Join> all_joins{Join::Mitre, Join::Bisector, Join::Round, Join::Bevel};
 
-/// Of the places of one curve computed twice in one frame: crossings at small angles lose digits.
-constexpr double same_frame = 1e-11;
+/// A check of made curves with all joins, and one of the contours of the data with mitres and arcs.
+#define INVARIANCE_TEST(name, check)                                                            \
+  TEST(OffsetInvariance, name) { each(made_cases(), all_joins, check); }                        \
+  TEST(OffsetInvarianceOfData, name) {                                                          \
+    const auto cases = data_cases();                                                            \
+    if (cases.empty()) GTEST_SKIP() << "DOBRA_TEST_DATA does not name the folder of the data";  \
+    EXPECT_GE(cases.size(), 4U);                                                                \
+    each(cases, {Join::Mitre, Join::Round}, check);                                             \
+  }
 
-TEST(OffsetInvariance, EveryStartVertexGivesTheSameCurve) {
-  each_case([](const Polyline& base, double d, Side side, Join join, const OffsetCurve& expected) {
-    if (!base.closed) return;
-    for (std::size_t start = 1; start < base.points.size(); ++start) {
-      Polyline turned = base;
-      std::rotate(turned.points.begin(), turned.points.begin() + static_cast<std::ptrdiff_t>(start), turned.points.end());
-      ASSERT_TRUE(same(expected, run(turned, d, side, join), same_frame, false, identity)) << "start " << start;
-    }
-  });
+// Tolerances in the size of base, distance and curve: of one frame; of one in which the base is rounded anew (crossings at small
+// angles lose digits then).
+constexpr double same_frame = 1e-15;
+constexpr double rounded_anew = 1e-12;
+
+void every_start(const Given& given) {
+  if (!given.base.closed) return;
+  const std::size_t step = given.base.points.size() > 80 ? 7 : 1;  // every one of the shorter ones
+  for (std::size_t start = 1; start < given.base.points.size(); start += step) {
+    Polyline turned = given.base;
+    std::rotate(turned.points.begin(), turned.points.begin() + static_cast<std::ptrdiff_t>(start), turned.points.end());
+    ASSERT_TRUE(same(given.expected, run(turned, given.distance, given.side, given.join), same_frame * given.size, false, identity)) << "start " << start;
+  }
 }
+INVARIANCE_TEST(EveryStartVertexGivesTheSameCurve, every_start)
 
-TEST(OffsetInvariance, TheOtherDirectionWithTheOtherSideGivesTheSameCurveBackwards) {
-  each_case([](const Polyline& base, double d, Side side, Join join, const OffsetCurve& expected) {
-    const Side other = side == Side::RightOfTravel ? Side::LeftOfTravel : Side::RightOfTravel;
-    EXPECT_TRUE(same(expected, run(geom::reversed(base), d, other, join), same_frame, true, identity));
-  });
+void other_direction(const Given& given) {
+  const OffsetCurve got = run(geom::reversed(given.base), given.distance, given.other_side(), given.join);
+  EXPECT_TRUE(same(given.expected, got, same_frame * given.size, true, identity));
 }
+INVARIANCE_TEST(TheOtherDirectionWithTheOtherSideGivesTheSameCurveBackwards, other_direction)
 
-TEST(OffsetInvariance, TurnedInputTurnsTheOutput) {
-  each_case([](const Polyline& base, double d, Side side, Join join, const OffsetCurve& expected) {
-    for (const double angle : {0.5, 1.0, 2.0, 3.0}) {
-      const auto turned = [&](Point p) {
-        return Point{std::cos(angle) * p.x - std::sin(angle) * p.y, std::sin(angle) * p.x + std::cos(angle) * p.y};
-      };
-      // Exact widths of 2 D do not stay exact; the bases have none at these distances.
-      Polyline other = base;
-      for (Point& p : other.points) p = turned(p);
-      EXPECT_TRUE(same(expected, run(other, d, side, join), 1e-10, false, turned)) << "angle " << angle;
-    }
-  });
+void turned_by_any_angle(const Given& given) {
+  for (int k = 1; k <= 12; ++k) {
+    const double angle = 0.517 * k;  // all round
+    const auto turned = [&](Point p) {
+      return Point{std::cos(angle) * p.x - std::sin(angle) * p.y, std::sin(angle) * p.x + std::cos(angle) * p.y};
+    };
+    // Exact widths of 2 D do not stay exact; the bases have none at these distances.
+    Polyline other = given.base;
+    for (Point& p : other.points) p = turned(p);
+    EXPECT_TRUE(same(given.expected, run(other, given.distance, given.side, given.join), rounded_anew * given.size, false, turned)) << "angle " << angle;
+  }
 }
+INVARIANCE_TEST(TurnedInputTurnsTheOutput, turned_by_any_angle)
 
-TEST(OffsetInvariance, MirroredInputWithTheOtherSideMirrorsTheOutput) {
-  each_case([](const Polyline& base, double d, Side side, Join join, const OffsetCurve& expected) {
-    const auto mirrored = [](Point p) { return Point{-p.x, p.y}; };
-    Polyline other = base;
-    for (Point& p : other.points) p = mirrored(p);
-    const Side opposite = side == Side::RightOfTravel ? Side::LeftOfTravel : Side::RightOfTravel;
-    EXPECT_TRUE(same(expected, run(other, d, opposite, join), same_frame, false, mirrored));
-  });
+void turned_by_quarters(const Given& given) {
+  const auto quarter = [](Point p) { return Point{-p.y, p.x}; };
+  Polyline other = given.base;
+  for (Point& p : other.points) p = quarter(p);
+  EXPECT_TRUE(same(given.expected, run(other, given.distance, given.side, given.join), same_frame * given.size, false, quarter));
 }
+INVARIANCE_TEST(InputTurnedByAQuarterTurnsTheOutput, turned_by_quarters)
 
-TEST(OffsetInvariance, InputMovedByAMillionExtentsMovesTheOutput) {
-  each_case([](const Polyline& base, double d, Side side, Join join, const OffsetCurve& expected) {
-    // Exact: the points lie on a grid of 2^-20 and extents are below 2^7.
-    const double far = std::round(1e6 * base.box().diagonal());
-    const auto moved = [far](Point p) { return Point{p.x + far, p.y - 2 * far}; };
-    Polyline other = base;
-    for (Point& p : other.points) p = moved(p);
-    EXPECT_TRUE(same(expected, run(other, d, side, join), 1e-15 * far, false, moved));  // coordinates are rounded there
-  });
+void mirrored(const Given& given) {
+  const auto mirror = [](Point p) { return Point{-p.x, p.y}; };
+  Polyline other = given.base;
+  for (Point& p : other.points) p = mirror(p);
+  EXPECT_TRUE(same(given.expected, run(other, given.distance, given.other_side(), given.join), same_frame * given.size, false, mirror));
+  // The left side is the mirror image of the right one, to the last bit.
+  const auto upside_down = [](Point p) { return Point{p.x, -p.y}; };
+  other = given.base;
+  for (Point& p : other.points) p = upside_down(p);
+  EXPECT_TRUE(same(given.expected, run(other, given.distance, given.other_side(), given.join), 0, false, upside_down));
 }
+INVARIANCE_TEST(MirroredInputWithTheOtherSideMirrorsTheOutput, mirrored)
 
-TEST(OffsetInvariance, ScaledInputScalesTheOutput) {
-  each_case([](const Polyline& base, double d, Side side, Join join, const OffsetCurve& expected) {
-    for (const double scale : {1e-6, 1e-3, 1e3, 1e6}) {
-      const auto scaled = [scale](Point p) { return Point{scale * p.x, scale * p.y}; };
-      Polyline other = base;
-      for (Point& p : other.points) p = scaled(p);
-      EXPECT_TRUE(same(expected, run(other, scale * d, side, join), 1e-10 * scale, false, scaled)) << "scale " << scale;
-    }
-  });
+void moved_far_away(const Given& given) {
+  // By a million extents, exactly: the points lie on a grid of a millionth of their size.
+  const double unit = std::exp2(std::ceil(std::log2(given.base.box().diagonal())) - 20);
+  const double far = std::round(1e6 * given.base.box().diagonal() / unit) * unit;
+  const auto moved = [far](Point p) { return Point{p.x + far, p.y - 2 * far}; };
+  Polyline other = given.base;
+  for (Point& p : other.points) p = moved(p);
+  EXPECT_TRUE(same(given.expected, run(other, given.distance, given.side, given.join), 5e-16 * far, false, moved));
 }
+INVARIANCE_TEST(InputMovedByAMillionExtentsMovesTheOutput, moved_far_away)
+
+void scaled(const Given& given) {
+  for (const double scale : {1e-6, 1e-3, 1e3, 1e6, 0x1p-20, 0x1p20}) {
+    const auto larger = [scale](Point p) { return Point{scale * p.x, scale * p.y}; };
+    Polyline other = given.base;
+    for (Point& p : other.points) p = larger(p);
+    const double tolerance = std::abs(std::log2(scale)) == 20 ? 0 : rounded_anew * scale * given.size;  // powers of two round nothing
+    EXPECT_TRUE(same(given.expected, run(other, scale * given.distance, given.side, given.join), tolerance, false, larger)) << "scale " << scale;
+  }
+}
+INVARIANCE_TEST(ScaledInputScalesTheOutput, scaled)
 
 }  // namespace
 }  // namespace dobra::offset

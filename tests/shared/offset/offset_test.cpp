@@ -206,10 +206,23 @@ TEST(Offset, OFF_d_OpenEndsAreTrimmedByDistance) {
   // The paper's region rule alone leaves a tail.
   OffsetOptions paper;
   paper.ends = Ends::Paper;
-  const auto tails = run(base, std::vector<double>{2.2, 2.4, 2.6}, paper);
-  EXPECT_NEAR(total_length(tails[0]), 14.639779, 1e-5);
-  EXPECT_NEAR(support::least_distance(line_of(tails[1].pieces.at(0)), base), 1.58, 0.01);
-  EXPECT_NEAR(support::least_distance(line_of(tails[2].pieces.at(0)), base), 1.62, 0.01);
+  const auto tails = run(base, d, paper);
+  for (std::size_t k = 0; k < 11; ++k) {  // up to there both rules agree
+    ASSERT_EQ(tails[k].pieces.size(), 1U);
+    EXPECT_NEAR(total_length(tails[k]), total_length(curves[k]), 1e-9) << k + 1;
+    expect_clear(tails[k], base, 1e-12);
+  }
+  // Beyond, a tail survives; the listed distances are those of the middles of its edges.
+  const double tail_distances[] = {1.58, 1.62};
+  for (const std::size_t k : {11U, 12U}) {
+    const Polyline tail = line_of(tails[k].pieces.at(0));
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < tail.segment_count(); ++i) {
+      least = std::min(least, geom::distance(base, geom::interpolate(tail.segment(i).from, tail.segment(i).to, 0.5)));
+    }
+    EXPECT_NEAR(least, tail_distances[k - 11], 0.005);
+    EXPECT_LE(support::least_distance(tail, base), least);
+  }
 }
 
 TEST(Offset, OFF_e_FigureEight) {
@@ -220,7 +233,11 @@ TEST(Offset, OFF_e_FigureEight) {
   const auto a = distances({5, 0.3, 1.0}).value();
   check(run(w, a), {9.085281, 9.685281, 10.285281, 10.885281, 11.485281});
   check(run(w, distances({6, 0.1, 1.3}).value()), {8.685281, 8.945281, 9.283281, 9.722681, 10.293901, 11.036487});
-  check(run(geom::reversed(w), a), {7.885281, 7.285281, 6.685281, 6.085281, 5.485281});
+  const std::vector<double> left{7.885281, 7.285281, 6.685281, 6.085281, 5.485281};
+  check(run(geom::reversed(w), a), left);
+  OffsetOptions other_side;
+  other_side.side = Side::LeftOfTravel;
+  check(run(w, a, other_side), left);
 }
 
 TEST(Offset, OFF_f_FigureNineA) {
@@ -234,7 +251,7 @@ TEST(Offset, OFF_f_FigureNineA) {
     ASSERT_EQ(curves[k].pieces.size(), 1U);
     EXPECT_TRUE(curves[k].pieces[0].closed);
     EXPECT_LT(geom::signed_area(line_of(curves[k].pieces[0])), 0.0);  // oriented like the base
-    EXPECT_NEAR(total_area(curves[k]), areas[k], 1e-5);
+    EXPECT_NEAR(total_area(curves[k]), areas[k], 1e-6);
     expect_clear(curves[k], base, 1e-12);
   }
 }
@@ -242,7 +259,10 @@ TEST(Offset, OFF_f_FigureNineA) {
 TEST(Offset, OFF_g_FigureNineB) {
   const auto curves = run(e9(), distances({8, 0.05, 1.25}).value());
   const std::vector<double> areas{24.161759, 22.982743, 21.543500, 19.798396, 17.701311, 15.211667, 12.305410, 8.994150};
-  for (std::size_t k = 0; k < 8; ++k) EXPECT_NEAR(total_area(curves[k]), areas[k], 1e-5);
+  for (std::size_t k = 0; k < 8; ++k) {
+    EXPECT_NEAR(total_area(curves[k]), areas[k], 1e-6);
+    expect_clear(curves[k], e9(), 1e-12);
+  }
 }
 
 TEST(Offset, OFF_h_SquareInsetBeyondHalfWidthIsEmpty) {
@@ -278,6 +298,7 @@ TEST(Offset, OFF_j_DumbbellSplitsInTwo) {
     EXPECT_NEAR(geom::signed_area(line_of(piece)), 2.56, 1e-9);
     EXPECT_NEAR(geom::length(line_of(piece)), 6.4, 1e-9);
   }
+  for (const auto& piece : curves[3].pieces) EXPECT_NEAR(geom::signed_area(line_of(piece)), 0.04, 1e-9);
 }
 
 TEST(Offset, OFF_k_TrenchNarrowerThanTwoDistancesIsBridged) {
@@ -287,6 +308,8 @@ TEST(Offset, OFF_k_TrenchNarrowerThanTwoDistancesIsBridged) {
   EXPECT_NEAR(total_length(curve), 10, 1e-12);
   ASSERT_EQ(curve.pieces.size(), 1U);
   for (const Point p : curve.pieces[0].points) EXPECT_EQ(p.y, 1.5);
+  EXPECT_EQ(curve.pieces[0].points.front().x, 10);  // with the length: straight, nothing twice
+  EXPECT_EQ(curve.pieces[0].points.back().x, 0);
 }
 
 TEST(Offset, OFF_l_RegularPolygonGrowsByTheApothem) {
@@ -301,23 +324,25 @@ TEST(Offset, OFF_l_RegularPolygonGrowsByTheApothem) {
 }
 
 TEST(Offset, OFF_m_MovedTurnedAndScaledInputMovesTheOutput) {
-  const Polyline base = e9();
-  const auto reference = run(base, std::vector<double>{0.3, 1.1});
-  for (const double scale : {1e-6, 1.0, 1e6}) {
-    for (const double turn : {0.0, 0.7, 2.9}) {
-      for (const double shift : {0.0, 1e3}) {
-        const auto moved = [&](Point p) {
-          return Point{scale * (p.x * std::cos(turn) - p.y * std::sin(turn) + shift),
-                       scale * (p.x * std::sin(turn) + p.y * std::cos(turn) - 2 * shift)};
-        };
-        Polyline other{{}, true};
-        for (const Point p : base.points) other.points.push_back(moved(p));
-        const auto curves = run(other, std::vector<double>{0.3 * scale, 1.1 * scale});
-        for (std::size_t k = 0; k < 2; ++k) {
-          const auto& expected = reference[k].pieces.at(0).points;
-          const auto& got = curves[k].pieces.at(0).points;
-          ASSERT_EQ(got.size(), expected.size());
-          for (std::size_t i = 0; i < got.size(); ++i) EXPECT_LT(geom::distance(got[i], moved(expected[i])), 1e-9 * scale * (1 + shift));
+  for (const Polyline& base : {e9(), c7()}) {
+    const auto reference = run(base, std::vector<double>{0.3, 1.1});
+    for (const double scale : {1e-6, 1.0, 1e6}) {
+      for (const double turn : {0.0, 0.7, 2.9}) {
+        for (const double shift : {0.0, 1e3}) {
+          const auto moved = [&](Point p) {
+            return Point{scale * (p.x * std::cos(turn) - p.y * std::sin(turn) + shift),
+                         scale * (p.x * std::sin(turn) + p.y * std::cos(turn) - 2 * shift)};
+          };
+          Polyline other{{}, base.closed};
+          for (const Point p : base.points) other.points.push_back(moved(p));
+          const auto curves = run(other, std::vector<double>{0.3 * scale, 1.1 * scale});
+          for (std::size_t k = 0; k < 2; ++k) {
+            ASSERT_EQ(curves[k].pieces.size(), 1U);
+            const auto& expected = reference[k].pieces.at(0).points;
+            const auto& got = curves[k].pieces.at(0).points;
+            ASSERT_EQ(got.size(), expected.size());
+            for (std::size_t i = 0; i < got.size(); ++i) EXPECT_LT(geom::distance(got[i], moved(expected[i])), 1e-9 * scale);
+          }
         }
       }
     }
@@ -327,7 +352,7 @@ TEST(Offset, OFF_m_MovedTurnedAndScaledInputMovesTheOutput) {
 TEST(Offset, StartVertexAndDirectionDoNotMatter) {
   const Polyline base = e9();
   const double area = total_area(run(base, 1.2));
-  for (std::size_t start = 0; start < base.points.size(); start += 7) {
+  for (std::size_t start = 0; start < base.points.size(); ++start) {
     Polyline turned = base;
     std::rotate(turned.points.begin(), turned.points.begin() + static_cast<std::ptrdiff_t>(start), turned.points.end());
     EXPECT_NEAR(total_area(run(turned, 1.2)), area, 1e-12);

@@ -208,6 +208,22 @@ TEST(Verify, SlitExactlyTwoDistancesWideMustBeClosed) {
   EXPECT_TRUE(clean(judged(bell, closed_neck, left())));
 }
 
+TEST(Verify, OneSideOfAClosedSlitIsFoundAndAnUlpMoreIsRoom) {
+  // Both walls of the slit go up, so only one has its parallel in it.
+  const double widths[] = {1.0, std::nextafter(1.0, 2.0), std::nextafter(1.0, 0.0)};
+  for (const double width : widths) {
+    const Polyline walls{{{0, 0}, {0, 8}, {-9, 8}, {-9, -9}, {width, -9}, {width, 8}}, false};
+    const OffsetCurve curve{0.5, {piece(false, {{0.5, 0}, {0.5, 8}}, {line(0)})}, 1};
+    EXPECT_EQ(count(judged(walls, curve), FindingKind::Touching), width <= 1.0 ? 1U : 0U) << width - 1.0;
+  }
+  // The same not along an axis, with numbers that are exact: the slit is 5 wide, and an ulp more.
+  for (const double more : {0.0, 0x1p-48}) {
+    const Polyline slanted{{{0, 0}, {40, 30}, {-90, 90}, {-90, -90}, {3, -4 - more}, {43, 26 - more}}, false};
+    const OffsetCurve curve{2.5, {piece(false, {{1.5, -2}, {41.5, 28}}, {line(0)})}, 1};
+    EXPECT_EQ(count(judged(slanted, curve), FindingKind::Touching), more > 0 ? 0U : 1U) << more;
+  }
+}
+
 TEST(Verify, PieceThatStopsShortEndsWhereItShouldGoOn) {
   const OffsetCurve half{1, {piece(false, {{0, -1}, {5, -1}, {5, 2}}, {line(0), line(1)})}, 0};
   const Verification v = judged(corner, half);
@@ -273,6 +289,10 @@ TEST(Verify, UntreatedCurvesAreJudgedByTheirParallelsOnly) {
   EXPECT_FALSE(judged(narrow, raw, left()).ok());
   raw.pieces[0].points[1].x += 1e-6;
   EXPECT_EQ(count(judged(narrow, raw, options), FindingKind::OffParallel), 1U);
+  // The raw parallel of the middle segment has no length: not malformed there, but in a treated curve.
+  const OffsetCurve nothing{0.5, {piece(false, {{0, 0.5}, {3.5, 0.5}, {3.5, 0.5}, {0, 0.5}}, {line(0), line(1), line(2)}, Side::LeftOfTravel)}, 0};
+  EXPECT_TRUE(clean(judged(narrow, nothing, options)));
+  EXPECT_EQ(count(judged(narrow, nothing, left()), FindingKind::Malformed), 1U);
 }
 
 TEST(Verify, BadBasesAndDistancesAreRefused) {

@@ -1,0 +1,91 @@
+#pragma once
+// Which pieces may meet. Pieces of the right side are grouped by the 16 steps that they belong to; where a group is
+// nearly complete its box follows from its block (clearance.h) without looking at any piece. Where boxes of groups
+// overlap, those of runs of four pieces and of pieces are looked at, and then the pieces' convex hulls: what a margin
+// far above rounding separates does not meet. What lies on the other side of the base only serves to cut (scissors):
+// its pieces are made where a block comes near the curve.
+
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "shared/base/progress.h"
+#include "shared/offset/chain_tree.h"
+#include "shared/offset/cover.h"
+#include "shared/offset/survivors.h"
+
+namespace dobra::offset {
+
+class Pairing {
+ public:
+  using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+  /// @param chain  the survivors of the right side; gets the scissors.
+  Pairing(const Outline& outline, const Clearance& clearance, Survivors& chain, const base::Progress& progress);
+
+  /// Indices of pieces, the first one of the right side; linked neighbours are no pair. Incomplete if progress was
+  /// cancelled.
+  /// @param known, found  see survivors().
+  /// @cost  O(n) where the curve does not come near itself, some 10 ns a segment.
+  Pairs run(const Buried& known, Buried* found);
+
+ private:
+  static constexpr std::uint32_t none = 0xffffffffU;
+  static constexpr std::size_t run_size = 4;
+  /// A piece: the hull of its ends and, of an arc, the crossing of its end tangents.
+  struct Shape {
+    FloatBox box;
+    Site site;
+    std::uint32_t piece;
+    Flat a, b, m;
+    [[nodiscard]] bool is_arc() const { return site.role == Role::Arc || site.role == Role::SecondArc; }
+  };
+  /// The pieces of one group, or of a block of the other side.
+  struct Bunch {
+    std::size_t group = none;
+    FloatBox box;
+    std::vector<Shape> shapes;
+    std::vector<FloatBox> runs;  ///< Of so many shapes each.
+  };
+  struct Group {
+    std::uint32_t first, last;  ///< Pieces.
+  };
+
+  [[nodiscard]] std::vector<ChainTree::Leaf> make_groups();
+  [[nodiscard]] Shape shape(Site site, std::uint32_t piece, Flat a, Flat b) const;
+  template <class Visit>
+  void each_shape(const Group& group, const Visit& visit) const;
+  void load(std::size_t group, Bunch& bunch) const;
+  static void add_runs(Bunch& bunch);
+  /// A bunch that stays valid until the next call but one.
+  [[nodiscard]] const Bunch& cached(std::size_t group);
+  /// Pairs of runs whose boxes overlap: visit(first shape, its last, first, last).
+  template <class Visit>
+  static void each_overlap(const Bunch& p, const Bunch& q, const Visit& visit);
+  [[nodiscard]] bool apart(const Shape& p, const Shape& q) const;
+  [[nodiscard]] bool beyond_an_edge(const Shape& p, const Shape& q) const;
+  [[nodiscard]] bool in_disc(const Shape& arc, const Shape& q) const;
+  void pair_own(const ChainTree& tree);
+  [[nodiscard]] Pairs near_blocks(const ChainTree& tree) const;
+  [[nodiscard]] bool sides_apart(std::uint32_t block) const;
+  void pair_scissors(const ChainTree& tree, const Buried& known, Buried* found);
+  void make_scissors(std::uint32_t block, const Buried& known);
+  void add_scissors(std::uint32_t step, const Outline::Junction& before, const Outline::Junction& after,
+                    const Buried& known);
+  void cut_with(const Bunch& near, Cover& cover, Buried* found);
+
+  const Outline& outline_;
+  const Clearance& clearance_;
+  const BaseCurve& base_;
+  Survivors& chain_;
+  const base::Progress& progress_;
+  const std::uint32_t wanted_;  // the pieces before this one are of the right side, the others are scissors
+  const double margin_;
+  std::vector<Group> groups_;
+  std::array<Bunch, 128> cache_;
+  Bunch spare_;
+  const Bunch* latest_ = nullptr;
+  Bunch scissors_;
+  Pairs pairs_;
+};
+
+}  // namespace dobra::offset

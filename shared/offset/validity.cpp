@@ -1,0 +1,96 @@
+#include "shared/offset/validity.h"
+
+#include <algorithm>
+#include <type_traits>
+
+namespace dobra::offset {
+
+namespace {
+
+/// Of a place that is this far outside.
+template <class T> Place place_of(const T& outside, double error) {
+  if (outside < -error) return Place::Inside;
+  return outside > error || std::is_same_v<T, High> ? Place::Free : Place::Doubtful;
+}
+
+/// The squared distance from the segment 0 v to q.
+template <class T> T squared_distance(const VecOf<T>& v, const VecOf<T>& q) {
+  const T along = dot(q, v);
+  if (!(along > 0)) return dot(q, q);
+  const T whole = dot(v, v);
+  if (along >= whole) return dot(q - v, q - v);
+  const T across = cross(v, q);
+  return across * across / whole;
+}
+
+}  // namespace
+
+Validity::Validity(const Outline& outline, const Clearance& clearance)
+    : outline_(outline), clearance_(clearance), margin_(clearance.margin(outline.distance())) {}
+
+template <class T>
+Place Validity::near_segment(std::size_t segment, const VecOf<T>& q, const T& d, double error) const {
+  const BaseCurve& base = outline_.base();
+  const auto squared = [&]<class S>(const VecOf<S>& p) {
+    const VecOf<S> from{base.start(segment).x, base.start(segment).y};
+    const VecOf<S> to{base.end(segment).x, base.end(segment).y};
+    return squared_distance(to - from, p - from);
+  };
+  const double rough = squared(Flat{static_cast<double>(q.x), static_cast<double>(q.y)});
+  const double reach = outline_.distance();
+  const double margin = margin_ + error;
+  if (rough > (reach + margin) * (reach + margin)) return Place::Free;
+  if (reach > margin && rough < (reach - margin) * (reach - margin)) return Place::Inside;
+  return place_of(T(squared(q) - d * d), error * (2 * reach + error));
+}
+
+template <class T>
+Place Validity::in_mitre(std::uint32_t step, const VecOf<T>& q, const T& d, double error) const {
+  const Flat near = Flat{static_cast<double>(q.x), static_cast<double>(q.y)} - outline_.to<double>(step);
+  const Flat u = outline_.along<double>(step);
+  const Flat v = outline_.along<double>(outline_.after(step));
+  const double margin = 10 * margin_ + error;
+  const double limit = outline_.distance() + margin;
+  if (dot(near, u) < -margin || dot(near, v) > margin || dot(near, right_of(u)) > limit || dot(near, right_of(v)) > limit) {
+    return Place::Free;
+  }
+  const VecOf<T> to = q - outline_.to<T>(step);
+  const VecOf<T> n = outline_.normal<T>(step);
+  const VecOf<T> m = outline_.normal<T>(outline_.after(step));
+  // Below its outer lines and between the two normals; beyond those the pills begin.
+  T outside = std::max(dot(n, to), dot(m, to));
+  if (outline_.corner(step) == Corner::Tangent) outside = std::max(outside, dot(outline_.middle_of_turn<T>(step), to));
+  outside = std::max({T(outside - d), T(-cross(n, to)), T(-cross(to, m))});
+  return place_of(outside, error);
+}
+
+template <class T>
+Place Validity::of(const VecOf<T>& q, Site own, double error) const {
+  const T d = distance_as<T>(outline_.distance());
+  const Flat p{static_cast<double>(q.x), static_cast<double>(q.y)};
+  const std::uint32_t behind = own.role == Role::Line ? outline_.before(own.step) : own.step;
+  const bool caps = own.role != Role::Line && outline_.is_cap(own.step);
+  const std::size_t first = outline_.segment(own.step);
+  const std::size_t second = own.role == Role::Line || caps ? first : outline_.segment(outline_.after(own.step));
+  Place worst = Place::Free;
+  const auto settles = [&](Place place) {
+    if (place != Place::Free) worst = place;
+    return place == Place::Inside;
+  };
+  if (clearance_.any_near(p, outline_.distance() + margin_ + error, [&](std::size_t segment) {
+        return segment != first && segment != second && settles(near_segment(segment, q, d, error));
+      })) {
+    return Place::Inside;
+  }
+  if (clearance_.any_mitre(p, outline_.distance(), [&](std::uint32_t step) {
+        return step != behind && step != own.step && settles(in_mitre(step, q, d, error));
+      })) {
+    return Place::Inside;
+  }
+  return worst;
+}
+
+template Place Validity::of<Real>(const Vec&, Site, double) const;
+template Place Validity::of<High>(const VecOf<High>&, Site, double) const;
+
+}  // namespace dobra::offset

@@ -1,0 +1,178 @@
+// Whatever crosses must be paired: judged by looking at all pieces of the raw outline that survive, two by two. And
+// what is kept from smaller distances must not change the curves.
+
+#include "shared/offset/pairs.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "shared/offset/arcs.h"
+#include "tests/support/random_curves.h"
+
+namespace dobra::offset {
+namespace {
+
+/// A piece as a chain of chords that lie on it.
+struct Drawn {
+  std::uint32_t piece;
+  Site site;
+  std::vector<Flat> points;
+  FloatBox box;
+};
+
+Drawn drawn(const Outline& outline, Site site, std::uint32_t piece, Flat a, Flat b) {
+  Drawn made{piece, site, {a}, {}};
+  if (site.role == Role::Arc || site.role == Role::SecondArc) {
+    const Flat c = outline.centre(site);
+    const double turn = std::atan2(cross(a - c, b - c), dot(a - c, b - c));
+    for (int k = 1; k < 24; ++k) {
+      const double t = turn * k / 24;
+      made.points.push_back(c + std::cos(t) * (a - c) + std::sin(t) * left_of(a - c));
+    }
+  }
+  made.points.push_back(b);
+  for (const Flat p : made.points) made.box.add(FloatBox(p, p, 0));
+  return made;
+}
+
+/// True if chords cross, and not only just.
+bool cross_each_other(const Drawn& p, const Drawn& q, double slack) {
+  if (!p.box.overlaps(q.box)) return false;
+  for (std::size_t i = 0; i + 1 < p.points.size(); ++i) {
+    for (std::size_t j = 0; j + 1 < q.points.size(); ++j) {
+      const Flat u = p.points[i + 1] - p.points[i];
+      const Flat v = q.points[j + 1] - q.points[j];
+      const double a = cross(u, q.points[j] - p.points[i]) / length(u);
+      const double b = cross(u, q.points[j + 1] - p.points[i]) / length(u);
+      const double c = cross(v, p.points[i] - q.points[j]) / length(v);
+      const double d = cross(v, p.points[i + 1] - q.points[j]) / length(v);
+      if (std::min(a, b) < -slack && std::max(a, b) > slack && std::min(c, d) < -slack && std::max(c, d) > slack)
+        return true;
+    }
+  }
+  return false;
+}
+
+/// True if every place of a piece lies in U, as far as sampling tells: then it need not be paired.
+bool is_buried(const Outline& outline, const Drawn& p) {
+  const auto n = static_cast<std::uint32_t>(outline.base().segment_count());
+  const auto in_a_set = [&](Flat at) {
+    for (std::uint32_t step = 0; step < n; ++step) {
+      if (outline.deep_inside(at, step, 1e-13 * outline.distance())) return true;
+    }
+    return false;
+  };
+  for (std::size_t i = 0; i + 1 < p.points.size(); ++i) {
+    for (int k = 0; k <= 50; ++k) {
+      if (!in_a_set(p.points[i] + (0.02 * k) * (p.points[i + 1] - p.points[i]))) return false;
+    }
+  }
+  return true;
+}
+
+/// Left pieces that are not overcut, in whole.
+std::vector<Drawn> other_side(const Outline& outline) {
+  std::vector<Drawn> made;
+  const auto n = static_cast<std::uint32_t>(outline.base().segment_count());
+  for (std::uint32_t step = n; step < 2 * n; ++step) {
+    const Flat a = outline.start_of({step, Role::Line});
+    const Flat b = outline.end_of({step, Role::Line});
+    if (dot(b - a, outline.along<double>(step)) > 1e-9) made.push_back(drawn(outline, {step, Role::Line}, 0, a, b));
+    if (outline.junction(step).kind != Corner::Arc || outline.is_cap(step)) continue;
+    for (const Role role : {Role::Arc, Role::SecondArc}) {
+      if (role == Role::SecondArc && !outline.splits_arc(step)) continue;
+      made.push_back(drawn(outline, {step, role}, 0, outline.start_of({step, role}), outline.end_of({step, role})));
+    }
+  }
+  return made;
+}
+
+/// Counts the crossings that are there and those that no pair holds.
+void compare(const geom::Polyline& curve, double distance, const OffsetOptions& options, std::size_t& there,
+             std::size_t& missed) {
+  const auto base = prepare(curve, options.side);
+  ASSERT_TRUE(base.ok());
+  const Clearance clearance(*base, options);
+  const Outline outline(*base, clearance.corners(), Outline::Sides::Both, distance);
+  const Buried known(*base, clearance);
+  const base::Progress progress;
+  Survivors chain = survivors(outline, clearance, known, nullptr, progress);
+  const auto wanted = static_cast<std::uint32_t>(chain.pieces.size());
+  const Pairing::Pairs pairs = Pairing(outline, clearance, chain, progress).run(known, nullptr);
+  const std::set<std::pair<std::uint32_t, std::uint32_t>> paired(pairs.begin(), pairs.end());
+  std::set<std::pair<std::uint32_t, std::uint32_t>> sites;  // piece of the curve, site of the other side
+  for (const auto& [i, j] : pairs) {
+    if (j >= wanted) sites.emplace(i, packed(chain.pieces[j].site()));
+  }
+  std::vector<Drawn> own;
+  for (std::uint32_t k = 0; k < wanted; ++k) {
+    const Piece& p = chain.pieces[k];
+    own.push_back(drawn(outline, p.site(), k, chain.start(outline, p), chain.end(outline, p)));
+  }
+  const double slack = 1e-3 * distance;
+  const std::vector<Drawn> others = other_side(outline);
+  for (const Drawn& p : own) {
+    for (const Drawn& q : own) {
+      if (q.piece <= p.piece || (q.piece == p.piece + 1 && chain.pieces[q.piece].linked())) continue;
+      if (!cross_each_other(p, q, slack)) continue;
+      ++there;
+      if (!paired.contains({p.piece, q.piece})) ++missed;
+    }
+    for (const Drawn& q : others) {
+      if (!cross_each_other(p, q, slack) || is_buried(outline, q)) continue;
+      ++there;
+      if (!sites.contains({p.piece, packed(q.site)})) ++missed;
+    }
+  }
+}
+
+TEST(Pairs, EveryCrossingOfSurvivingPiecesIsPaired) {
+  std::size_t there = 0;
+  std::size_t missed = 0;
+  for (std::uint32_t seed = 0; seed < 4 * support::random_kinds; ++seed) {
+    const support::RandomCase c = support::random_case(seed);
+    if (!geom::validate(c.base).ok() || c.kind == "near U-turns") continue;
+    for (const Join join : {Join::Round, Join::Mitre}) {
+      for (const double factor : {0.5, 1.0, 3.0}) {
+        OffsetOptions options;
+        options.join = join;
+        options.side = seed % 2 != 0 ? Side::LeftOfTravel : Side::RightOfTravel;
+        const std::size_t before = missed;
+        compare(c.base, factor * c.distance, options, there, missed);
+        EXPECT_EQ(missed, before) << "seed " << seed << " (" << c.kind << ") join " << int(join) << " D "
+                                  << factor * c.distance;
+      }
+    }
+  }
+  EXPECT_GT(there, 1000U);
+  RecordProperty("crossings", static_cast<int>(there));
+}
+
+TEST(Pairs, DistancesTogetherGiveTheCurvesThatEachGivesAlone) {
+  for (std::uint32_t seed = 0; seed < 4 * support::random_kinds; ++seed) {
+    const support::RandomCase c = support::random_case(seed);
+    if (!geom::validate(c.base).ok() || c.kind == "near U-turns") continue;
+    std::vector<double> distances;
+    for (int k = 1; k <= 8; ++k) distances.push_back(0.3 * k * c.distance);
+    for (const Join join : {Join::Round, Join::Mitre}) {
+      OffsetOptions options;
+      options.join = join;
+      const auto together = offset(c.base, distances, options);
+      ASSERT_TRUE(together.ok());
+      for (std::size_t k = 0; k < distances.size(); ++k) {
+        const auto alone = offset(c.base, std::vector<double>{distances[k]}, options);
+        ASSERT_TRUE(alone.ok());
+        const auto& pieces = alone->front().pieces;
+        ASSERT_EQ((*together)[k].pieces.size(), pieces.size()) << "seed " << seed << " D " << distances[k];
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+          EXPECT_EQ((*together)[k].pieces[i].edges, pieces[i].edges) << "seed " << seed << " D " << distances[k];
+          EXPECT_NEAR(length((*together)[k].pieces[i], c.base), length(pieces[i], c.base), 1e-9 * distances[k]);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace dobra::offset
