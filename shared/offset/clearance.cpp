@@ -58,7 +58,10 @@ void Clearance::add_block(std::size_t first, std::size_t last) {
       add(block.right, right_of(v) - q * v);
     }
   };
-  if (base_.has_before(first)) corner(base_.before(first), first, first);
+  if (base_.has_before(first)) {  // on the left side its arc belongs to the block, from one normal to the other
+    both(right_of(flat(base_.headings[base_.before(first)])));
+    corner(base_.before(first), first, first);
+  }
   for (std::size_t i = first; i < last; ++i) {
     const Flat u = flat(base_.headings[i]);
     add(block.points, flat(base_.start(i)));

@@ -136,7 +136,7 @@ class CrossingCheck {
     if (dot(p.direction(), step) < 0.999999L * size(step)) return false;
     const long double from = std::max(0.0L, p.at(f.a));
     const long double to = std::min(p.whole(), p.at(f.b));
-    if (to - from < 1000 * allowed_) return false;
+    if (to - from < 1000 * allowed_ || allowed_ > 1e-6L * model_.d) return false;  // so far out that rounding hides it
     const Path q(f, model_.d);
     if (std::max(q.off(p.point(from)), q.off(p.point(to))) > allowed_) return false;
     report(FindingKind::Touching, e, p.point(from), to - from);
@@ -149,26 +149,28 @@ class CrossingCheck {
     if (dot(e.b - e.a, f.b - f.a) < 0 && room_between(e, f)) return;
     report(FindingKind::Touching, e, from, long_by);
   }
-  /// Of their two base segments; or true if that cannot be told.
+  /// Between their two base segments, at one end of the slit at least: where it narrows by less than a rounding, the end of the free
+  /// part cannot be told from the rounded edges. True if it cannot be told at all.
   [[nodiscard]] bool room_between(const SeenEdge& e, const SeenEdge& f) const {
     if (e.segment == Model::none || f.segment == Model::none) return false;
-    return room_beside(e.segment, f.segment) && room_beside(f.segment, e.segment);
+    return room_beside(e.segment, f.segment) || room_beside(f.segment, e.segment);
   }
-  /// True if both ends of j are more than 2 D from segment i.
+  /// True if an end of j is more than 2 D from segment i, and none less by more than a rounding.
   [[nodiscard]] bool room_beside(std::size_t i, std::size_t j) const {
     const auto place = [&](std::size_t k) { return model_.places[k]; };
+    bool some = false;
     for (const std::size_t end : {j, model_.end_index(j)}) {
       const Wide p = wide(place(end));
       const Wide q = model_.nearest(i, p);
       const long double more = size(q - p) - 2 * model_.d;
-      if (more < -1e-15L * model_.d) return false;
-      if (more > 1e-15L * model_.d) continue;
+      if (more < -1e-15L * model_.d - 4 * allowed_) return false;
+      if (some) continue;
       const double d = static_cast<double>(model_.d);
       const bool at_end = size(q - model_.from(i)) == 0 || size(q - model_.to(i)) == 0;
-      const Room room = at_end ? between_points(narrow(q), place(end), d) : beside_line(place(i), place(model_.end_index(i)), place(end), d);
-      if (room == Room::None) return false;
+      some = more > 1e-15L * model_.d ||
+             (at_end ? between_points(narrow(q), place(end), d) : beside_line(place(i), place(model_.end_index(i)), place(end), d)) != Room::None;
     }
-    return true;
+    return some;
   }
   void one_circle(const SeenEdge& e, const SeenEdge& f) {
     const Path p(e, model_.d);
