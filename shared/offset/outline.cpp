@@ -110,9 +110,7 @@ bool Outline::deep_in_mitre(Flat q, std::uint32_t step, bool at_end, double marg
   // Between the two normals and below the other line.
   if ((at_end ? dot(q, v) >= -margin : dot(q, v) <= margin) || dot(q, right_of(v)) >= limit) return false;
   if (kind == Corner::Mitre) return true;
-  const double t = half_tan(at);
-  const Flat w = std::isinf(t) ? along<double>(at) : unit(right_of(along<double>(step)) + right_of(v));
-  return dot(q, w) < limit;
+  return dot(q, middle_of_turn<double>(at)) < limit;
 }
 
 }  // namespace dobra::offset

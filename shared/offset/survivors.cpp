@@ -216,14 +216,17 @@ bool Pass::holds(Site holder, Flat p, double margin) const {
   return dot(q, q) < (d_ - margin) * (d_ - margin);
 }
 
+/// True if p is between the ends, and so far from both that they keep their order.
 bool Pass::in_range(Site site, Flat a, Flat b, Flat p) const {
+  const double slack = 16 * margin_;
   if (is_line(site)) {
     const Flat whole = b - a;
     const double t = dot(p - a, whole);
-    return t > 0 && t < dot(whole, whole);
+    const double least = slack * (std::abs(whole.x) + std::abs(whole.y));
+    return t > least && t < dot(whole, whole) - least;
   }
   const Flat c = outline_.centre(site);
-  return cross(a - c, p - c) > 0 && cross(p - c, b - c) > 0;
+  return cross(a - c, p - c) > slack * d_ && cross(p - c, b - c) > slack * d_;
 }
 
 /// Where the tail, going on, enters the pill (disc) of the head, if that is on the head itself.
