@@ -149,11 +149,12 @@ Result<BaseCurve> prepare(const geom::Polyline& curve, Side side, double extensi
     const auto lengthened = [&](Vec end, Vec inner) {
       return rounded(end + static_cast<Real>(extension) * unit(end - inner));
     };
-    // The ends are moved, not joined on: rounded, a new end would turn the base at the old one.
-    const std::size_t last = base.points.size() - 1;
-    const Point front = lengthened(base.point(0), base.point(1));
-    base.points[last] = lengthened(base.point(last), base.point(last - 1));
-    base.points[0] = front;
+    // The new ends are joined on, so that the old ones stay where they are; rounded, they turn the base there by 1e-16, which the
+    // curve does not show (piece_writer.h).
+    base.points.insert(base.points.begin(), lengthened(base.point(0), base.point(1)));
+    base.points.push_back(lengthened(base.point(base.points.size() - 1), base.point(base.points.size() - 2)));
+    base.source.insert(base.source.begin(), base.source.front());
+    base.source.push_back(base.source.back());
   }
   for (const Point p : base.points) base.size = std::max({base.size, std::abs(p.x), std::abs(p.y)});
   for (std::size_t i = 0; i < base.source.size(); ++i) base.renumbered |= base.source[i] != i;

@@ -90,8 +90,11 @@ class Finisher {
   void number(std::vector<OffsetEdge>& edges) const {
     if (base_.renumbered) {
       for (OffsetEdge& edge : edges) {
-        const std::size_t segment = base_.source[edge.base_edge() & ~mitred];
-        edge = edge.is_arc() && keeps_arcs_ ? OffsetEdge::arc(segment) : OffsetEdge::line(segment);
+        const std::size_t own = edge.base_edge() & ~mitred;
+        const std::size_t segment = base_.source[own];
+        // Where an end was lengthened the base does not turn but by rounding.
+        const bool turns = own + 1 >= base_.segment_count() || base_.source[own + 1] != segment;
+        edge = edge.is_arc() && keeps_arcs_ && turns ? OffsetEdge::arc(segment) : OffsetEdge::line(segment);
       }
     } else {
       for (OffsetEdge& edge : edges) edge = OffsetEdge::line(edge.base_edge() & ~mitred);

@@ -17,8 +17,12 @@ class PieceWriter {
   }
   /// A point, from which an edge parallel to base segment `segment` leaves.
   void add_line(geom::Point from, std::size_t segment) { add(from, OffsetEdge::line(base_.source[segment])); }
-  /// A point, from which an arc about the end of base segment `segment` leaves. Arcs of one corner become one.
+  /// A point, from which an arc about the end of base segment `segment` leaves. Arcs of one corner become one. Where an end was
+  /// lengthened (base_curve.cpp) the base does not turn but by rounding, and there is no arc.
   void add_arc(geom::Point from, std::size_t segment) {
+    if (!base_.closed && segment + 1 < base_.source.size() && base_.source[segment] == base_.source[segment + 1]) {
+      return add_line(from, segment);
+    }
     const OffsetEdge edge = OffsetEdge::arc(base_.source[segment]);
     if (piece_.edges.empty() || piece_.edges.back() != edge) add(from, edge);
   }

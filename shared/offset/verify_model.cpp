@@ -144,10 +144,10 @@ Result<Model> Model::make(const geom::Polyline& base, const OffsetOptions& optio
     const auto lengthened = [&](Point end, Point inner) {
       return narrow(wide(end) + (static_cast<long double>(options.extension) * made.d) * unit(wide(end) - wide(inner)));
     };
-    const std::size_t last = made.places.size() - 1;
-    const Point front = lengthened(made.places[0], made.places[1]);
-    made.places[last] = lengthened(made.places[last], made.places[last - 1]);
-    made.places[0] = front;
+    made.places.insert(made.places.begin(), lengthened(made.places[0], made.places[1]));
+    made.places.push_back(lengthened(made.places.back(), made.places[made.places.size() - 2]));
+    made.source.insert(made.source.begin(), made.source.front());
+    made.source.push_back(made.source.back());
     greatest *= 4;  // new ends are rounded, wherever their maker rounds them
   }
   greatest = std::max(greatest, distance);
