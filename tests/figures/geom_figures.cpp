@@ -192,14 +192,14 @@ base::Result<scene::Picture> curves() {
   return scene::Picture{{},
                         {panel("Natural splines",
                                {lines("uniform knots", stroke(orange, 1.4), {uniform_line}),
-                                lines("chord-length knots", stroke(blue, 1.8), {spaced_line}),
-                                markers("points", dots(red, 4.5), points)},
+                                lines("chord-length knots", stroke(ink, 1.8), {spaced_line}),
+                                markers("points, vertices", dots(red, 4.5), points)},
                                0.3),
                          panel("Control polygon",
                                {lines("polygon", stroke(grey, 1.0, scene::Dash::Dashed), {chain(polygon)}),
                                 lines("uniform B-spline", stroke(blue, 1.8), {spline_line}),
                                 lines("Bezier, degree 5", stroke(green, 1.4), {bezier_line}),
-                                markers("vertices", dots(red, 4.5), polygon)},
+                                markers({}, dots(red, 4.5), polygon)},
                                0.3)}};
 }
 

@@ -35,7 +35,7 @@ base::Result<scene::Panel> grid_panel(const std::string& title, core::Treatment 
   for (const core::GridCurve& curve : source.grid.curves)
     curves.insert(curves.end(), curve.pieces.begin(), curve.pieces.end());
   return panel(title,
-               {lines("rungs", stroke(grey, 0.35), source.grid.rungs),
+               {lines("rungs", stroke(grey, 0.6), source.grid.rungs),
                 lines("offset curves", stroke(blue, 0.8), curves), lines("top", stroke(red, 2.0), {source.base})},
                0.2, section_axes);
 }

@@ -14,7 +14,7 @@ using topo::Subdivision;
 /// A contour cut by a line that ends inside, a hole, a dangling edge in it, and an isolated vertex.
 std::vector<geom::Polyline> curves() {
   return {contour({{0, 0}, {9, 0}, {9, 6}, {0, 6}}), chain({{-1, 3.4}, {2.5, 2.6}, {4.0, 4.0}, {4.6, 7}}),
-          contour({{5.2, 1.2}, {7.6, 1.2}, {7.6, 3.4}, {5.2, 3.4}}), chain({{9, 6}, {7.2, 4.6}}),
+          contour({{5.2, 1.2}, {7.6, 1.2}, {7.6, 3.4}, {5.2, 3.4}}), chain({{9, 6}, {7.2, 4.2}}),
           chain({{4.2, -0.9}, {3.4, 1.4}})};
 }
 constexpr Point isolated{1.3, 1.2};
@@ -34,8 +34,8 @@ geom::Polyline arrow(const geom::Segment& edge) {
   constexpr double gap = 0.11;
   const geom::Vector along = geom::normalised(edge.to - edge.from);
   const geom::Vector left = geom::left_of(along);
-  const Point from = edge.from + 2.2 * gap * along + gap * left;
-  const Point to = edge.to - 2.2 * gap * along + gap * left;
+  const Point from = edge.from + 3.2 * gap * along + gap * left;
+  const Point to = edge.to - 3.2 * gap * along + gap * left;
   return chain({from, to, to - 1.6 * gap * along + 0.9 * gap * left});
 }
 
@@ -81,7 +81,7 @@ base::Result<scene::Picture> subdivision() {
 
   std::vector<scene::Layer> layers = faces(s);
   layers.push_back(lines("edges", stroke(ink, 1.6), edges));
-  layers.push_back(lines("half-edges, their face on the left", stroke(blue, 0.8), arrows(s)));
+  layers.push_back(lines("half-edges, their face on the left", stroke(blue, 1.0), arrows(s)));
   layers.push_back(markers("vertices", dots(red, 5.5), vertices));
   layers.push_back(labels(ink, face_names(s), 9.0));
   const std::string title = fmt::format("V \u2212 E + F = {} \u2212 {} + {} = 1 + {} components", s.vertex_count(),
