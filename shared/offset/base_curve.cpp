@@ -165,7 +165,6 @@ Result<BaseCurve> prepare(const geom::Polyline& curve, Side side, double extensi
 
 template <class T> T BaseCurve::half_tan_as(std::size_t corner) const {
   using std::abs;
-  using std::sqrt;
   if (turn[corner] == Turn::Straight) return 0;
   if (std::isinf(half_tans[corner])) return std::numeric_limits<T>::infinity();
   const auto at = [&](std::size_t i) { return VecOf<T>{points[i].x, points[i].y}; };
@@ -173,7 +172,7 @@ template <class T> T BaseCurve::half_tan_as(std::size_t corner) const {
   const VecOf<T> v = at(corner + 1 == points.size() ? 0 : corner + 1) - at(corner);
   const T cosine = dot(u, v);  // times the product of the lengths
   const T sine = abs(cross(u, v));
-  const T unit = sqrt(T(dot(u, u) * dot(v, v)));
+  const T unit = root(T(dot(u, u) * dot(v, v)));
   return cosine > 0 ? T(sine / (unit + cosine)) : T((unit - cosine) / sine);
 }
 template Real BaseCurve::half_tan_as<Real>(std::size_t) const;

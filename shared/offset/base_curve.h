@@ -87,9 +87,8 @@ enum class Fill { Mitre, Tangent, Arc };
 Fill fill_of(const BaseCurve& base, std::size_t corner, const OffsetOptions& options);
 /// tan(angle / 4) of a turn, from tan(angle / 2).
 template <class T> T quarter_tan(const T& half_tan) {
-  using std::sqrt;
   if (std::isinf(static_cast<double>(half_tan))) return T(1);
-  return half_tan / (1 + sqrt(T(1 + half_tan * half_tan)));
+  return half_tan / (1 + root(T(1 + half_tan * half_tan)));
 }
 
 }  // namespace dobra::offset

@@ -12,11 +12,6 @@ template <class T> int sign(const T& x, double error) { return x > error ? 1 : x
 
 template <class T> double narrow(const T& x) { return static_cast<double>(x); }
 
-template <class T> T root(const T& x) {
-  using std::sqrt;
-  return sqrt(x);
-}
-
 /// Half the chord of a circle of radius d at `away` from its centre.
 template <class T> T half_chord(const T& d, const T& away) { return away < d ? root(T((d - away) * (d + away))) : T(0); }
 

@@ -80,7 +80,7 @@ Shape<T> Trimmer::shape(const Piece& piece) const {
   made.a = a.at;
   made.b = b.at;
   made.slide = std::max({made.slide, a.slide, b.slide});
-  made.size = length(b.at - a.at);
+  made.size = made.line ? dot(b.at - a.at, made.pole) : length(b.at - a.at);
   return made;
 }
 
@@ -223,8 +223,11 @@ void Trimmer::order_in_doubt(Cut* first, Cut* last) {
     Cut cut;
   };
   std::vector<Exact> exact;
-  const VecOf<High> start = fine_shape(first->hot).a;
-  for (const Cut* c = first; c != last; ++c) exact.push_back({length(fine(c->node) - start), *c});
+  const Shape<High>& own = fine_shape(first->hot);
+  for (const Cut* c = first; c != last; ++c) {
+    const VecOf<High> off = fine(c->node) - own.a;
+    exact.push_back({own.line ? dot(off, own.pole) : length(off), *c});
+  }
   std::sort(exact.begin(), exact.end(), [](const Exact& a, const Exact& b) {
     return a.at != b.at ? a.at < b.at : a.cut.node < b.cut.node;
   });

@@ -12,6 +12,17 @@ namespace dobra::offset {
 using High = boost::multiprecision::number<
     boost::multiprecision::cpp_bin_float<256, boost::multiprecision::digit_base_2>, boost::multiprecision::et_off>;
 
+/// By Newton's method from 64 bits, several times as fast as the library's, which finds bit after bit.
+template <> inline High root<High>(const High& x) {
+  if (!(x > 0)) return 0;
+  const int half = ilogb(x) / 2;
+  const High scaled = ldexp(x, -2 * half);
+  High inverse = 1 / std::sqrt(static_cast<long double>(scaled));
+  for (int k = 0; k < 2; ++k) inverse = ldexp(High(inverse * (3 - scaled * inverse * inverse)), -1);  // 126, 250 bits
+  const High found = scaled * inverse;
+  return ldexp(High(found + ldexp(High((scaled - found * found) * inverse), -1)), half);
+}
+
 /// What one rounding and its company may do, of the greatest coordinate.
 template <class T> inline constexpr double resolution = 0;
 template <> inline constexpr double resolution<Real> = 0x1p-60;

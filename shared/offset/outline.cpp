@@ -53,9 +53,8 @@ template <class T> VecOf<T> Outline::middle_of_turn(std::uint32_t step) const {
   const VecOf<T> u = along<T>(step);
   if (std::isinf(half_tan(step))) return u;
   // Turned by a left turn's half: exact enough near a U-turn too, where the two normals cancel.
-  using std::sqrt;
   const T t = half_tan_as<T>(step);
-  const T c = 1 / sqrt(T(1 + t * t));
+  const T c = 1 / root(T(1 + t * t));
   return c * right_of(u) + T(t * c) * u;
 }
 template <class T> VecOf<T> Outline::natural_start(Site s) const {

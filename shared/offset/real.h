@@ -10,6 +10,8 @@ namespace dobra::offset {
 
 using Real = long double;
 
+template <class T> T root(const T& x) { return std::sqrt(x); }
+
 template <class T>
 struct VecOf {
   T x = 0;
@@ -20,10 +22,7 @@ struct VecOf {
   friend VecOf operator*(T f, VecOf a) { return {f * a.x, f * a.y}; }
   friend T dot(VecOf a, VecOf b) { return a.x * b.x + a.y * b.y; }
   friend T cross(VecOf a, VecOf b) { return a.x * b.y - a.y * b.x; }
-  friend T length(VecOf a) {
-    using std::sqrt;
-    return sqrt(a.x * a.x + a.y * a.y);
-  }
+  friend T length(VecOf a) { return root<T>(a.x * a.x + a.y * a.y); }
   friend VecOf right_of(VecOf a) { return {a.y, -a.x}; }
   friend VecOf left_of(VecOf a) { return {-a.y, a.x}; }
   friend VecOf unit(VecOf a) { return T(T(1) / length(a)) * a; }
