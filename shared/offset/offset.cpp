@@ -109,10 +109,12 @@ struct Prepared {
   std::unique_ptr<const Clearance> clearance{};  ///< Only where it is needed.
 };
 
-Prepared prepared(const geom::Polyline& curve, BaseCurve base, const OffsetOptions& options) {
+/// @param greatest  distance. Where it is far above the size of the base, roundings of doubles add up over nearly straight parts: then the
+/// general engine, which decides exactly, takes monotone bases too.
+Prepared prepared(const geom::Polyline& curve, BaseCurve base, const OffsetOptions& options, double greatest) {
   Prepared made{.curve = &curve, .base = std::move(base), .forward = {}, .simple = false, .clearance = {}};
   if (options.treatment == Treatment::Untreated) return made;
-  made.forward = monotone_direction(made.base);
+  if (greatest <= 1e3 * made.base.size) made.forward = monotone_direction(made.base);
   made.simple = made.base.closed && !meets_itself(made.base);
   return made;
 }
@@ -188,7 +190,7 @@ Result<std::vector<OffsetCurve>> offset(const geom::Polyline& curve, std::span<c
   const bool stepped = options.ends == Ends::Paper && !base.closed && options.treatment == Treatment::Treated;
   Prepared input;
   if (!stepped && !extended) {
-    input = prepared(curve, std::move(base), options);
+    input = prepared(curve, std::move(base), options, distances.empty() ? 0.0 : std::ranges::max(distances));
     add_clearance(input, options);
   }
   std::size_t finished = 0;
@@ -201,7 +203,7 @@ Result<std::vector<OffsetCurve>> offset(const geom::Polyline& curve, std::span<c
       result = run_stepper(curve, d, options);
     } else if (extended) {
       DOBRA_TRY(BaseCurve longer, prepare(curve, options.side, options.extension * d));
-      Prepared own = prepared(curve, std::move(longer), options);
+      Prepared own = prepared(curve, std::move(longer), options, d);
       add_clearance(own, options);
       result = curve_at(own, d, options, progress);
     } else {

@@ -12,6 +12,7 @@ class Filling {
  public:
   explicit Filling(const OffsetOptions& options);
   [[nodiscard]] bool only_arcs() const { return mitre_below_ < 0; }
+  [[nodiscard]] double mitre_below() const { return mitre_below_; }  ///< Greatest half tangent of a mitre; below 0 if none is.
   [[nodiscard]] Fill of(double half_tan) const { return half_tan <= mitre_below_ ? Fill::Mitre : beyond_; }
 
  private:
@@ -22,6 +23,8 @@ class Filling {
 /// Edges on the stack: as OffsetEdge says, and with this bit added to the segment the edges that leave a mitred corner:
 /// (tip, line of i + bit), or for a tangent bevel (its start, arc of i - 1 + bit), (its end, line of i + bit).
 inline constexpr std::uint32_t mitred = 1U << 30;
+/// The segment that the arc about the first point of the base stands for, as its last does for the arc about the last point.
+inline constexpr std::uint32_t start_cap = (1U << 31) - 1;
 
 struct Stacked {
   std::vector<geom::Point> points;

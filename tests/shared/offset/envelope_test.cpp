@@ -381,5 +381,48 @@ TEST(Envelope, MitresBesideOnesWithoutWidthAreKept) {
   EXPECT_EQ(faults(graph, options, curve), "");
 }
 
+/// Rough at all scales, as by midpoint displacement: most mitres are hidden by others.
+Polyline rough_graph(std::uint32_t seed, std::size_t halvings) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  const double falls = std::exp2(-0.2 - 0.1 * static_cast<double>(seed % 9));
+  std::vector<double> y(2, 0.0);
+  double size = 6;
+  for (std::size_t k = 0; k < halvings; ++k, size *= falls) {
+    std::vector<double> finer;
+    for (std::size_t i = 0; i + 1 < y.size(); ++i) {
+      finer.push_back(y[i]);
+      finer.push_back(0.5 * (y[i] + y[i + 1]) + size * normal(random));
+    }
+    finer.push_back(y.back());
+    y = std::move(finer);
+  }
+  Polyline graph;
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    graph.points.push_back({100.0 * static_cast<double>(i) / static_cast<double>(y.size() - 1), y[i]});
+  }
+  return graph;
+}
+
+TEST(Envelope, OfRoughGraphsLeavesOutOnlyMitresThatOthersHide) {
+  for (std::uint32_t seed = 0; seed < 9; ++seed) {
+    const Polyline graph = rough_graph(seed, 8);
+    for (const Filled& fill : all_joins) {
+      if (fill.join == Join::Round || fill.join == Join::Bevel) continue;
+      const OffsetOptions options = options_of(fill);
+      const std::vector<double> distances{0.1, 0.7, 4.0, 150.0};
+      const auto curves = offset(graph, distances, options);
+      ASSERT_TRUE(curves.ok());
+      for (const OffsetCurve& curve : *curves) {
+        const auto verified = verify(graph, options, curve);
+        ASSERT_TRUE(verified.ok());
+        for (const auto& finding : verified->findings) {
+          ADD_FAILURE() << "seed " << seed << ", " << fill.name << ", D " << curve.distance << ": " << to_string(finding);
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace dobra::offset

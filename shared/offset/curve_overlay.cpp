@@ -1,0 +1,315 @@
+#include "shared/offset/curve_overlay.h"
+
+#include <algorithm>
+
+namespace dobra::offset {
+
+using geom::Point;
+using geom::Vector;
+
+CurveOverlay::CurveOverlay(Stacked& stacked, const BaseCurve& base, Vector forward, double distance, const Filling& filling)
+    : curve_(stacked), base_(base), axis_{forward}, d_(distance), filling_(filling), touching_(touching(base, distance)) {
+  const std::size_t last = base_.segment_count() - 1;
+  curve_.points.push_back(curve_.tip);
+  curve_.edges.push_back(OffsetEdge::arc(last));
+  curve_.points.push_back(base_.points[last + 1] + d_ * axis_.forward);
+  parts_ = curve_.edges.size();
+}
+
+void CurveOverlay::take_off_caps() {
+  curve_.points.resize(parts_ - 1);
+  curve_.edges.pop_back();
+  --parts_;
+}
+
+std::size_t CurveOverlay::part_at(double x, std::size_t hint) const {
+  std::size_t low = hint;
+  std::size_t high = hint + 1;
+  std::size_t step = 1;
+  if (x_of(low) <= x) {
+    while (high < parts_ && x_of(high) <= x) {
+      low = high;
+      high = std::min(parts_, high + step);
+      step *= 2;
+    }
+  } else {
+    while (low > 0 && x_of(low) > x) {
+      high = low;
+      low -= std::min(low, step);
+      step *= 2;
+    }
+  }
+  while (high - low > 1) {
+    const std::size_t middle = low + (high - low) / 2;
+    (x_of(middle) <= x ? low : high) = middle;
+  }
+  return low;
+}
+
+std::uint32_t CurveOverlay::site(std::size_t k) const {
+  const OffsetEdge edge = curve_.edges[k];
+  if (edge == OffsetEdge::arc(start_cap)) return cap_site;
+  const std::uint32_t segment = edge.base_edge() & ~mitred;
+  if (!edge.is_arc()) return site_of(SiteKind::Line, segment);
+  return site_of(edge.base_edge() == segment ? SiteKind::Arc : SiteKind::Bevel, segment);
+}
+
+CurveOverlay::Line CurveOverlay::line(std::uint32_t site) const {
+  const std::size_t segment = segment_of(site);
+  const Vector u = base_.headings[segment];
+  if (kind_of(site) == SiteKind::Line) return {base_.points[segment] + d_ * geom::right_of(u), u};
+  // Turned by half the angle: the sum of both directions would lose digits near a U-turn.
+  const double t = base_.half_tans[segment + 1];
+  const double cosine = 1 / std::sqrt(1 + t * t);
+  const Vector along = cosine * u + (t * cosine) * geom::left_of(u);
+  return {base_.points[segment + 1] + d_ * geom::right_of(along), along};
+}
+
+/// The places where one kite's own sites meet have formulas of their own, however small the turn.
+bool CurveOverlay::natural_meet(std::uint32_t a, std::uint32_t b, Point& at) const {
+  const std::size_t i = segment_of(a) + 1;
+  const bool next = segment_of(b) == i;
+  if (kind_of(a) == SiteKind::Line && kind_of(b) == SiteKind::Line && next && base_.turn[i] == Turn::Outer &&
+      filling_.of(base_.half_tans[i]) == Fill::Mitre) {
+    at = tip_at(base_, i, d_, base_.half_tans[i]);
+    return true;
+  }
+  if (kind_of(a) == SiteKind::Line && kind_of(b) == SiteKind::Bevel && segment_of(b) + 1 == i) {
+    at = bevel_start(base_, i, d_, quarter_of(base_.half_tans[i]));
+    return true;
+  }
+  if (kind_of(a) == SiteKind::Bevel && kind_of(b) == SiteKind::Line && next) {
+    at = bevel_end(base_, i, d_, quarter_of(base_.half_tans[i]));
+    return true;
+  }
+  return false;
+}
+
+/// Where two lines meet, known to be near (x, y) along and across the axis.
+Point CurveOverlay::meet(std::uint32_t a, std::uint32_t b, double x, double y) const {
+  Point at;
+  if (natural_meet(a, b, at)) return at;
+  const Line first = line(a);
+  const Line second = line(b);
+  const double sine = geom::cross(first.along, second.along);
+  const Point near = axis_.point(x, y);
+  if (!(std::abs(sine) > 1e-9)) return near;
+  // From the near place, so that little is left to round.
+  const double off_first = geom::cross(first.along, near - first.on);
+  const double off_second = geom::cross(second.along, near - second.on);
+  return near - (off_first / sine) * second.along + (off_second / sine) * first.along;
+}
+
+namespace {
+
+OffsetEdge edge_of(std::uint32_t site) {
+  const std::size_t segment = segment_of(site);
+  return kind_of(site) == SiteKind::Line ? OffsetEdge::line(segment) : OffsetEdge::arc(segment | mitred);
+}
+
+}  // namespace
+
+void CurveOverlay::compare(const Span& w, std::size_t k, double x0, double x1) {
+  const std::uint32_t own = site(k);
+  if (own == w.site) return take_curve(k, x0);
+  if (own != cap_site && kind_of(own) == SiteKind::Arc) {
+    const std::size_t i = segment_of(own);
+    const std::size_t j = segment_of(w.site);
+    const bool touches = i == j || (kind_of(w.site) == SiteKind::Line && j == i + 1);
+    if (touches && i + 1 < base_.segment_count()) return take_kite(w, k, x0);  // a mitre is below its own arc
+  }
+  if (kind_of(own) == SiteKind::Line || kind_of(own) == SiteKind::Bevel) return compare_with_line(w, k, x0, x1);
+  compare_with_arc(w, k, x0, x1);
+}
+
+void CurveOverlay::compare_with_line(const Span& w, std::size_t k, double x0, double x1) {
+  const Span own{x_of(k), axis_.y(curve_.points[k]), x_of(k + 1), axis_.y(curve_.points[k + 1]), 0};
+  const double before = w.at(x0) - own.at(x0);
+  const double after = w.at(x1) - own.at(x1);
+  if (before >= -touching_ && after >= -touching_) return take_curve(k, x0);
+  if (before <= touching_ && after <= touching_) return take_kite(w, k, x0);
+  const double x = std::clamp(x0 + (x1 - x0) * (before / (before - after)), x0, x1);
+  const double y = w.at(x);
+  if (before < 0) {
+    const Point at = meet(w.site, site(k), x, y);
+    take_kite(w, k, x0);
+    take_curve(k, x, &at);
+  } else {
+    const Point at = meet(site(k), w.site, x, y);
+    take_curve(k, x0);
+    take_kite(w, k, x, &at);
+  }
+}
+
+/// The arc is lower between the places where the line enters its disc and leaves it.
+void CurveOverlay::compare_with_arc(const Span& w, std::size_t k, double x0, double x1) {
+  const Point c = centre(site(k));
+  const Line own = line(w.site);
+  const double off = geom::cross(own.along, c - own.on);
+  if (off >= d_ - touching_) return take_kite(w, k, x0);
+  const double half = std::sqrt(std::max(0.0, (d_ - off) * (d_ + off)));
+  const Point middle = c - off * geom::left_of(own.along);
+  const Point in = middle - half * own.along;
+  const Point out = middle + half * own.along;
+  const double margin = touching_ * std::min(d_ / half, 1e9);  // the nearer to touching, the less certain are these places
+  // Through the upper half of the circle lines come from above, or leave upwards.
+  const bool comes = geom::cross(axis_.forward, in - c) > 0 || axis_.x(in) <= x0 + margin;
+  const bool leaves = geom::cross(axis_.forward, out - c) > 0 || axis_.x(out) >= x1 - margin;
+  if ((!comes && axis_.x(in) >= x1 - margin) || (!leaves && axis_.x(out) <= x0 + margin)) return take_kite(w, k, x0);
+  if (comes) {
+    take_curve(k, x0);
+  } else {
+    take_kite(w, k, x0);
+    take_curve(k, axis_.x(in), &in);
+  }
+  if (!leaves) take_kite(w, k, axis_.x(out), &out);
+}
+
+/// From x on, within part k, the kite is lower. `at`: where it crosses that part, if it does so there.
+void CurveOverlay::take_kite(const Span& w, std::size_t k, double x, const Point* at) {
+  if (on_kite_) {
+    if (last_.site != w.site) insert(meet(last_.site, w.site, x, w.at(x)), edge_of(w.site));
+    last_ = w;
+    return;
+  }
+  on_kite_ = true;
+  last_ = w;
+  const std::size_t start = added_points_.size();
+  if (at != nullptr) {
+    edits_.push_back({k + 1, k + 1, start, start});
+    return insert(*at, edge_of(w.site));
+  }
+  if (x <= x_of(k)) {
+    edits_.push_back({k, k, start, start});
+    if (k == 0 || site(k - 1) != w.site) insert(curve_.points[k], edge_of(w.site));
+    return;
+  }
+  edits_.push_back({k + 1, k + 1, start, start});
+  insert(axis_.point(x, w.at(x)), edge_of(w.site));
+}
+
+/// From x on part k of the curve is lower, or nothing else is there.
+void CurveOverlay::take_curve(std::size_t k, double x, const Point* at) {
+  if (!on_kite_) return;
+  on_kite_ = false;
+  Edit& edit = edits_.back();
+  edit.last = k + 1;
+  if (at != nullptr) {
+    insert(*at, curve_.edges[k]);
+  } else if (x <= x_of(k)) {
+    if (site(k) != last_.site) edit.last = k;
+  } else {
+    insert(axis_.point(x, last_.at(x)), curve_.edges[k]);
+  }
+  edit.to = added_points_.size();
+}
+
+void CurveOverlay::lay(const std::vector<Span>& pieces) {
+  if (pieces.empty()) return;
+  if (pieces.front().x0 < x_of(0)) {
+    curve_.points.insert(curve_.points.begin(), base_.points[0] - d_ * axis_.forward);
+    curve_.edges.insert(curve_.edges.begin(), OffsetEdge::arc(start_cap));
+    ++parts_;
+  }
+  std::size_t k = 0;
+  double x = 0;
+  for (const Span& w : pieces) {
+    if (on_kite_ && w.x0 > x) take_curve(k, x);
+    x = w.x0;
+    k = part_at(x, k);
+    while (x < w.x1) {
+      const double end = k + 1 < parts_ ? std::min(w.x1, x_of(k + 1)) : w.x1;
+      if (end > x) compare(w, k, x, end);
+      x = std::max(x, end);
+      if (k + 1 < parts_ && x_of(k + 1) <= x) ++k;
+    }
+  }
+  if (on_kite_) take_curve(k, x);
+  apply_edits();
+}
+
+/// Moves what stays: to the left from left to right, then to the right from right to left, so that nothing is overwritten.
+void CurveOverlay::apply_edits() {
+  if (edits_.empty()) return;
+  struct Block {
+    std::size_t first, last, to;
+  };
+  std::vector<Block> blocks;
+  blocks.reserve(edits_.size());
+  std::size_t to = edits_.front().first;
+  for (std::size_t e = 0; e < edits_.size(); ++e) {
+    const std::size_t last = e + 1 < edits_.size() ? edits_[e + 1].first : parts_;
+    to += edits_[e].to - edits_[e].from;
+    blocks.push_back({edits_[e].last, last, to});
+    to += last - edits_[e].last;
+  }
+  const Point end = curve_.points.back();
+  curve_.points.pop_back();
+  if (to > parts_) {
+    curve_.points.resize(to);
+    curve_.edges.resize(to);
+  }
+  const auto move = [&](const Block& block) {
+    const auto first = static_cast<std::ptrdiff_t>(block.first);
+    const auto last = static_cast<std::ptrdiff_t>(block.last);
+    const auto target = static_cast<std::ptrdiff_t>(block.to);
+    const auto shift = [&](auto& in) {
+      if (target < first) std::move(in.begin() + first, in.begin() + last, in.begin() + target);
+      if (target > first) std::move_backward(in.begin() + first, in.begin() + last, in.begin() + target + (last - first));
+    };
+    shift(curve_.points);
+    shift(curve_.edges);
+  };
+  for (const Block& block : blocks) {
+    if (block.to < block.first) move(block);
+  }
+  for (std::size_t b = blocks.size(); b-- > 0;) {
+    if (blocks[b].to > blocks[b].first) move(blocks[b]);
+  }
+  for (std::size_t e = 0; e < edits_.size(); ++e) {
+    const std::size_t at = blocks[e].to - (edits_[e].to - edits_[e].from);
+    for (std::size_t k = edits_[e].from; k < edits_[e].to; ++k) {
+      curve_.points[at + k - edits_[e].from] = added_points_[k];
+      curve_.edges[at + k - edits_[e].from] = added_edges_[k];
+    }
+  }
+  curve_.points.resize(to);
+  curve_.edges.resize(to);
+  curve_.points.push_back(end);
+  for (std::size_t e = 0; e < edits_.size(); ++e) {
+    if (!has_short_step(blocks[e].to - (edits_[e].to - edits_[e].from), blocks[e].to)) continue;
+    drop_short_steps();
+    break;
+  }
+  parts_ = curve_.edges.size();
+  edits_.clear();
+  added_points_.clear();
+  added_edges_.clear();
+}
+
+/// True if a step within the added points `from` .. `to`, or to the ones next to them, is within rounding.
+bool CurveOverlay::has_short_step(std::size_t from, std::size_t to) const {
+  for (std::size_t k = from == 0 ? 0 : from - 1; k < to && k + 1 < curve_.points.size(); ++k) {
+    if (is_short(curve_.points[k], curve_.points[k + 1])) return true;
+  }
+  return false;
+}
+
+bool CurveOverlay::is_short(Point p, Point q) const {
+  const double rounding = 1e-15 * std::max({base_.size, d_, std::abs(q.x), std::abs(q.y)});
+  return std::abs(q.x - p.x) <= rounding && std::abs(q.y - p.y) <= rounding;
+}
+
+/// Where lines coincide, rounding alone says where one goes over into the other: its steps are taken out.
+void CurveOverlay::drop_short_steps() {
+  std::size_t kept = 0;
+  for (std::size_t k = 1; k < curve_.points.size(); ++k) {
+    const Point p = curve_.points[k];
+    if (!is_short(curve_.points[kept], p)) curve_.points[++kept] = p;
+    if (k < curve_.edges.size()) curve_.edges[kept] = curve_.edges[k];
+  }
+  curve_.points.resize(kept + 1);
+  curve_.edges.resize(kept);
+}
+
+}  // namespace dobra::offset
