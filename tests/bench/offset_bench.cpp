@@ -251,7 +251,7 @@ const Family families[] = {
     {"smooth_round", smooth, Side::RightOfTravel, Join::Round, 0.2, 1'000'000},
     {"smooth_mitre", smooth, Side::RightOfTravel, Join::Mitre, 0.2, 1'000'000},
     {"fractal_round", fractal, Side::RightOfTravel, Join::Round, 0.2, 1'000'000, 1000},
-    {"fractal_mitre", fractal, Side::RightOfTravel, Join::Mitre, 0.2, 10'000, 1000},  // see the limits in offset.md
+    {"fractal_mitre", fractal, Side::RightOfTravel, Join::Mitre, 0.2, 1'000'000, 1000},
     {"spiral", spiral, Side::RightOfTravel, Join::Round, 0.1, 1'000'000},
     {"spiral_mitre", spiral, Side::RightOfTravel, Join::Mitre, 0.1, 1'000'000},
     {"walk_round", random_walk, Side::RightOfTravel, Join::Round, 0.1, 100'000, 1000},
