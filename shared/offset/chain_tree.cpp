@@ -24,8 +24,11 @@ bool ChainTree::fits_half_plane(std::uint64_t directions) {
 }
 
 std::uint64_t ChainTree::directions_of(Flat u, Flat v) {
-  const auto first = static_cast<int>(diamond_angle(u) * 16) - 1;
-  auto last = static_cast<int>(diamond_angle(v) * 16) + 1;
+  const double from = diamond_angle(u);
+  const double to = diamond_angle(v);
+  if (!(from >= 0 && to >= 0)) return ~std::uint64_t{0};  // no number: a segment at the end of the range of doubles
+  const auto first = static_cast<int>(from * 16) - 1;
+  auto last = static_cast<int>(to * 16) + 1;
   if (last < first) last += 64;
   const int width = std::min(64, last - first + 1);
   const std::uint64_t bits = width >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << width) - 1;
