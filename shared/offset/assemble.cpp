@@ -25,30 +25,18 @@ Vec Trimmer::arriving(const Section& section) const {
 
 /// Where parts of the base coincide, so do parts of the curve, cut at the ends of both: they are one.
 void Trimmer::remove_doubles() {
-  const auto key = [&](std::uint32_t i) {
-    const Section& s = sections_[i];
-    const Site site = pieces_[s.first].site();
-    const Vec pole = pieces_[s.first].is_line() ? Vec{} : centre(site);
-    return std::tuple{s.from, s.to, pieces_[s.first].is_line(), pole.x, pole.y, i};
-  };
-  std::vector<std::uint32_t> order;
+  using What = std::tuple<std::uint32_t, std::uint32_t, bool, Real, Real>;  // ends, kind, centre of an arc
+  std::vector<std::pair<What, std::uint32_t>> parts;
   for (std::uint32_t i = 0; i < sections_.size(); ++i) {
-    if (sections_[i].first == sections_[i].last) order.push_back(i);
+    const Section& s = sections_[i];
+    if (s.first != s.last) continue;
+    const Piece& piece = pieces_[s.first];
+    const Vec pole = piece.is_line() ? Vec{} : centre(piece.site());
+    parts.push_back({{s.from, s.to, piece.is_line(), pole.x, pole.y}, i});
   }
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const std::pair from_a{sections_[a].from, sections_[a].to};
-    const std::pair from_b{sections_[b].from, sections_[b].to};
-    return from_a != from_b ? from_a < from_b : key(a) < key(b);
-  });
+  std::sort(parts.begin(), parts.end());
   std::vector<char> gone(sections_.size(), 0);
-  for (std::size_t k = 1; k < order.size(); ++k) {
-    const Section& s = sections_[order[k - 1]];
-    const Section& t = sections_[order[k]];
-    if (s.from != t.from || s.to != t.to) continue;
-    const auto a = key(order[k - 1]);
-    const auto b = key(order[k]);
-    gone[order[k]] = std::get<2>(a) == std::get<2>(b) && std::get<3>(a) == std::get<3>(b) && std::get<4>(a) == std::get<4>(b);
-  }
+  for (std::size_t k = 1; k < parts.size(); ++k) gone[parts[k].second] = parts[k].first == parts[k - 1].first;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < sections_.size(); ++i) {
     if (!gone[i]) sections_[kept++] = sections_[i];

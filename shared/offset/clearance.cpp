@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "shared/offset/chain_tree.h"
+
 namespace dobra::offset {
 
 namespace {

@@ -2,28 +2,15 @@
 // What all distances share about a base, besides its segments: what its corners are on the right side, boxes of blocks of 16
 // segments and of their offset directions (from which the box of a block's offset pieces at any D follows at once), and a tree of
 // boxes that tells what of the base is nearer to a point than r. Neighbours in a chain are neighbours in space, so nothing needs
-// sorting. Boxes prune in float, rounded outwards; decisions are taken in Real.
+// sorting. Decisions are not taken here (validity.h).
 
 #include <algorithm>
 #include <vector>
 
-#include "shared/offset/chain_tree.h"
+#include "shared/offset/block.h"
 #include "shared/offset/outline.h"
 
 namespace dobra::offset {
-
-/// 16 segments in a row, with the corners at both ends of each.
-struct Block {
-  static constexpr std::uint32_t size = 16;
-  FloatBox points;
-  FloatBox right, left;       ///< Of (raw outline - base) / D on either side.
-  std::uint64_t directions;   ///< Of the right side; see ChainTree.
-  /// Box of all pieces of the raw outline on one side.
-  [[nodiscard]] FloatBox box(bool on_left, double d, double margin) const {
-    const FloatBox& w = on_left ? left : right;
-    return {{points.low_x + d * w.low_x, points.low_y + d * w.low_y}, {points.high_x + d * w.high_x, points.high_y + d * w.high_y}, margin};
-  }
-};
 
 class Clearance {
  public:

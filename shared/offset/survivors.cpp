@@ -41,7 +41,6 @@ class Pass {
   void pop();
   void close();
   void cull();
-  void cut_tail(Site head, Flat& a, Flat b);
   void bury(Site site) const {
     if (found_ != nullptr) found_->add(site, cover_.killer());
   }

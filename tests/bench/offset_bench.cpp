@@ -1,43 +1,21 @@
 // Speed of the offset engine against two marks in the same run: "raw", writing the untrimmed offset vertices of the same
 // base (the least that any method does), and GEOS (one-sided or polygon buffer, whichever the base calls for). One thread.
-// Arguments: size; 13 distances. Counters: raw and geos are the time ratios (ours / raw, GEOS / ours); exponent of time in n
-// is printed by Google Benchmark itself (complexity lines); peak_bytes is the heap above input and output, per base point.
+// Arguments: size; 13 distances. Counters: raw and geos are the time ratios (ours / raw, GEOS / ours); peak_bytes
+// is the heap above input and output, per base point. tests/bench/offset_table.py makes a table of a run, with the exponents of time in n.
 // Figures belong in docs/algorithms/offset.md.
 
 #include <benchmark/benchmark.h>
 #include <geos_c.h>
-#include <malloc.h>
 
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
-#include <new>
 #include <numbers>
 #include <random>
 
 #include "shared/base/parallel.h"
 #include "shared/offset/offset.h"
-
-namespace {
-
-std::size_t in_use = 0;
-std::size_t peak = 0;
-
-}  // namespace
-
-// Counts what the engine allocates. GEOS uses the same operators, but is timed only.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  void* const memory = std::malloc(size);
-  if (memory == nullptr) throw std::bad_alloc();
-  in_use += malloc_usable_size(memory);
-  peak = std::max(peak, in_use);
-  return memory;
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept {
-  in_use -= malloc_usable_size(memory);
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept { operator delete(memory); }
+#include "tests/bench/heap.h"
 
 namespace {
 
@@ -231,14 +209,13 @@ void offset_family(benchmark::State& state, const Family& family) {
     pieces = 0;
     for (const auto& curve : *curves) pieces += curve.pieces.size();
   }
-  const std::size_t before = in_use;
-  peak = in_use;
+  const std::size_t before = heap::in_use;
+  heap::peak = heap::in_use;
   const auto one = offset::offset(base, std::vector<double>{distances[6]}, options);
-  const std::size_t highest = peak - before;
+  const std::size_t highest = heap::peak - before;
   std::size_t output = 0;
   for (const auto& piece : one->front().pieces) output += 16 * piece.points.capacity() + 4 * piece.edges.capacity();
   const double points = static_cast<double>(base.points.size());
-  state.SetComplexityN(static_cast<benchmark::IterationCount>(base.points.size()));
   state.counters["ns_point_curve"] = seconds / 13 / points * 1e9;
   state.counters["raw"] = seconds / raw_seconds(base, distances);
   const double geos = n <= family.greatest_geos ? geos_seconds(base, family, distances) : 0.0;
@@ -279,7 +256,7 @@ int main(int count, char** arguments) {
   for (const Family& family : families) {
     auto* const entry = benchmark::RegisterBenchmark(family.name, [&family](benchmark::State& state) { offset_family(state, family); });
     for (std::size_t n = 1000; n <= family.greatest; n *= 10) entry->Arg(static_cast<std::int64_t>(n));
-    entry->Complexity()->Unit(benchmark::kMillisecond)->MinTime(0.05);
+    entry->Unit(benchmark::kMillisecond)->MinTime(0.05);
   }
   benchmark::Initialize(&count, arguments);
   benchmark::RunSpecifiedBenchmarks();

@@ -7,34 +7,16 @@
 
 #include <benchmark/benchmark.h>
 #include <geos_c.h>
-#include <malloc.h>
 
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
 #include <map>
-#include <new>
 #include <random>
 
 #include "shared/topo/insert.h"
 #include "shared/topo/locate.h"
-
-namespace {
-std::size_t in_use = 0;
-}  // namespace
-
-// Counts what the subdivision holds. GEOS uses the same operators, but is timed only.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  void* const memory = std::malloc(size);
-  if (memory == nullptr) throw std::bad_alloc();
-  in_use += malloc_usable_size(memory);
-  return memory;
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept {
-  in_use -= malloc_usable_size(memory);
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept { operator delete(memory); }
+#include "tests/bench/heap.h"
 
 namespace {
 
@@ -149,11 +131,11 @@ void insertion(benchmark::State& state, Curves (*family)(std::size_t)) {
   double bytes = 0.0;
   for (auto _ : state) {
     const double start = seconds();
-    const std::size_t before = in_use;
+    const std::size_t before = heap::in_use;
     const Subdivision s = build(curves);
     ours += seconds() - start;
     edges = static_cast<double>(s.edge_count());
-    bytes = static_cast<double>(in_use - before);
+    bytes = static_cast<double>(heap::in_use - before);
   }
   ours /= static_cast<double>(state.iterations());
   const double theirs = std::min(geos_time(curves), n > 50000 ? 1e300 : geos_time(curves));

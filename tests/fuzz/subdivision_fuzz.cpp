@@ -10,43 +10,22 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 
 #include "shared/topo/insert.h"
 #include "shared/topo/validate.h"
+#include "tests/fuzz/bytes.h"
 
 namespace {
 
 using namespace dobra;
+using fuzz::Bytes;
 using geom::Point;
-
-class Bytes {
- public:
-  Bytes(const std::uint8_t* data, std::size_t size) : at_(data), left_(size) {}
-  [[nodiscard]] bool more() const { return left_ > 0; }
-  std::uint8_t byte() {
-    if (left_ == 0) return 0;
-    --left_;
-    return *at_++;
-  }
-  double raw() {
-    unsigned char bits[sizeof(double)];
-    for (unsigned char& b : bits) b = byte();
-    double value = 0;
-    std::memcpy(&value, bits, sizeof value);
-    return value;
-  }
-
- private:
-  const std::uint8_t* at_;
-  std::size_t left_;
-};
 
 constexpr int most_operations = 40;
 
 double coordinate(Bytes& bytes, int mode) {
   if (mode == 3) return bytes.raw();
-  const int step = static_cast<std::int8_t>(bytes.byte());
+  const int step = bytes.whole();
   switch (mode) {
     case 0:
       return step % 8;
@@ -94,7 +73,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Bytes bytes(data, size);
   const int mode = bytes.byte() & 3;
   topo::Subdivision s;
-  for (int i = 0; i < most_operations && bytes.more(); ++i) {
+  for (int i = 0; i < most_operations && bytes.left() > 0; ++i) {
     const int operation = bytes.byte();
     if ((operation & 7) == 0) {
       (void)topo::insert(s, point(bytes, mode)).ok();

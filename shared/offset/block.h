@@ -1,0 +1,23 @@
+#pragma once
+// Boxes of 16 segments of the base at a time, for any distance.
+
+#include <cstdint>
+
+#include "shared/offset/float_box.h"
+
+namespace dobra::offset {
+
+/// 16 segments in a row, with the corners at both ends of each.
+struct Block {
+  static constexpr std::uint32_t size = 16;
+  FloatBox points;
+  FloatBox right, left;       ///< Of (raw outline - base) / D on either side.
+  std::uint64_t directions;   ///< Of the right side; see ChainTree.
+  /// Box of all pieces of the raw outline on one side.
+  [[nodiscard]] FloatBox box(bool on_left, double d, double margin) const {
+    const FloatBox& w = on_left ? left : right;
+    return {{points.low_x + d * w.low_x, points.low_y + d * w.low_y}, {points.high_x + d * w.high_x, points.high_y + d * w.high_y}, margin};
+  }
+};
+
+}  // namespace dobra::offset

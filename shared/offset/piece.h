@@ -1,0 +1,49 @@
+#pragma once
+// Pieces of the raw outline by name: the site (segment or corner) that each is parallel to, and what cuts its ends.
+
+#include <cstdint>
+#include <limits>
+
+namespace dobra::offset {
+
+enum class Role : std::uint32_t {
+  Line,
+  Arc,        ///< About the end of the segment; its first half if the turn is more than a right angle.
+  SecondArc,  ///< The other half.
+  Bevel,      ///< The line that cuts a mitre across at distance D.
+};
+
+/// A step is a segment travelled forwards (0 .. n-1) or, after those, backwards from the last one (n .. 2n-1).
+struct Site {
+  std::uint32_t step;
+  Role role;
+  friend bool operator==(Site, Site) = default;
+};
+inline constexpr Site no_site{std::numeric_limits<std::uint32_t>::max(), Role::Line};
+
+inline std::uint32_t packed(Site s) { return s.step * 4 + static_cast<std::uint32_t>(s.role); }
+inline Site unpacked(std::uint32_t s) { return {s / 4, static_cast<Role>(s % 4)}; }
+
+/// A piece of the raw outline, or what is left of it. Only its site and its trims are kept; natural ends are had from the site.
+class Piece {
+ public:
+  static constexpr std::uint32_t none = 0xffffffffU;
+  explicit Piece(Site s) : code_(packed(s) * 4) {}
+
+  std::uint32_t trim_a = none;  ///< Index of the trim at the start; none for the natural start.
+  std::uint32_t trim_b = none;
+  [[nodiscard]] Site site() const { return unpacked(code_ / 4); }
+  [[nodiscard]] std::uint32_t step() const { return code_ / 16; }
+  [[nodiscard]] bool is_line() const { return (code_ / 4) % 4 == 0 || (code_ / 4) % 4 == 3; }
+  /// Starts where the piece before it ends (the very first: where the last one ends).
+  [[nodiscard]] bool linked() const { return code_ % 2 != 0; }
+  void link(bool on) { code_ = (code_ & ~1U) | (on ? 1U : 0U); }
+  /// That it does not lie in U as a whole is known.
+  [[nodiscard]] bool examined() const { return (code_ & 2U) != 0; }
+  void mark_examined() { code_ |= 2U; }
+
+ private:
+  std::uint32_t code_;
+};
+
+}  // namespace dobra::offset
