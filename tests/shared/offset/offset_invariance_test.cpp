@@ -31,15 +31,15 @@ Polyline snapped(Polyline base) {
 }
 
 std::vector<Case> made_cases() {
-  const std::vector<double> distances{0.11, 0.43, 0.87};
   std::vector<Case> made;
+  const auto add = [&made](std::string name, Polyline base) { made.push_back({std::move(name), std::move(base), {0.11, 0.43, 0.87}}); };
   // Of random_curves.h: stars, closed ones that cross themselves, blobs, walks, spirals.
   for (const std::uint32_t seed : {2U, 19U, 36U, 5U, 22U, 15U, 0U, 17U, 9U}) {
     const Polyline base = support::random_case(seed).base;
-    if (base.points.size() <= 150) made.push_back({"seed " + std::to_string(seed), snapped(base), distances});
+    if (base.points.size() <= 150) add("seed " + std::to_string(seed), snapped(base));
   }
-  made.push_back({"dumbbell", {{{0, 0}, {4, 0}, {4, 1}, {8, 1}, {8, 0}, {12, 0}, {12, 4}, {8, 4}, {8, 3}, {4, 3}, {4, 4}, {0, 4}}, true}, distances});
-  made.push_back({"L", {{{0, 0}, {6, 0}, {6, 2}, {2, 2}, {2, 6}, {0, 6}}, true}, distances});
+  add("dumbbell", {{{0, 0}, {4, 0}, {4, 1}, {8, 1}, {8, 0}, {12, 0}, {12, 4}, {8, 4}, {8, 3}, {4, 3}, {4, 4}, {0, 4}}, true});
+  add("L", {{{0, 0}, {6, 0}, {6, 2}, {2, 2}, {2, 6}, {0, 6}}, true});
   return made;
 }
 
