@@ -12,10 +12,10 @@
 
 #include "shared/base/check.h"
 #include "shared/mesh/delaunay_kernel.h"
+#include "shared/mesh/filtered_predicates.h"
 
 namespace dobra::mesh {
 
-using geom::orient2d;
 using geom::Point;
 using geom::Sign;
 
@@ -61,10 +61,10 @@ std::optional<DelaunayKernel::Crossing> DelaunayKernel::insert_constraint(Vertex
       if (right == b) {
         along = e;
       } else if (right != at_infinity) {
-        const Sign sign = orient2d(points_[a], points_[b], points_[right]);
+        const Sign sign = filtered_orientation(points_[a], points_[b], points_[right]);
         if (sign == Sign::Zero && ahead(points_[a], points_[b], points_[right])) along = e;
         if (sign == Sign::Negative && left != at_infinity &&
-            orient2d(points_[a], points_[b], points_[left]) == Sign::Positive)
+            filtered_orientation(points_[a], points_[b], points_[left]) == Sign::Positive)
           crossed = next(e);
       }
       e = around(e);
@@ -108,7 +108,7 @@ std::optional<DelaunayKernel::Crossing> DelaunayKernel::cut_cavity(Half first_cr
     const Half g = twin(crossed);
     const Vertex w = apex(g);
     DOBRA_CHECK(w != at_infinity);
-    const Sign sign = w == b ? Sign::Zero : orient2d(points_[a], points_[b], points_[w]);
+    const Sign sign = w == b ? Sign::Zero : filtered_orientation(points_[a], points_[b], points_[w]);
     if (sign != Sign::Negative) add(left, previous(g), w);
     if (sign != Sign::Positive) add(right, next(g), w);
     if (sign == Sign::Zero) {
@@ -151,13 +151,13 @@ DelaunayKernel::Half DelaunayKernel::fill(Chain& chain, std::span<const Cell> sp
   const auto choose = [&](std::size_t i, std::size_t j) {
     std::size_t best = 0;
     for (std::size_t k = i + 1; k < j; ++k) {
-      if (best != 0 && geom::incircle(at(i), at(j), at(best), at(k)) != Sign::Positive) continue;
-      if (orient2d(at(i), at(j), at(k)) == Sign::Positive) best = k;
+      if (best != 0 && filtered_incircle(at(i), at(j), at(best), at(k)) != Sign::Positive) continue;
+      if (filtered_orientation(at(i), at(j), at(k)) == Sign::Positive) best = k;
     }
     DOBRA_CHECK(best != 0);
     for (std::size_t k = best + 1; k < j; ++k) {
       if (chain.vertex[k] != chain.vertex[best]) continue;
-      if (orient2d(at(i), at(best), at(best + 1)) != Sign::Positive) break;
+      if (filtered_orientation(at(i), at(best), at(best + 1)) != Sign::Positive) break;
       best = k;
     }
     return best;

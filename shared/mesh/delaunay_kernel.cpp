@@ -3,13 +3,13 @@
 #include <algorithm>
 
 #include "shared/base/check.h"
+#include "shared/mesh/filtered_predicates.h"
 
 // Key: a half-edge e runs from origin(e) to target(e) with its cell on the left; apex(e) is the third vertex of that
 // cell.
 
 namespace dobra::mesh {
 
-using geom::orient2d;
 using geom::Point;
 using geom::Sign;
 
@@ -29,6 +29,39 @@ void DelaunayKernel::link(Half e, Half f, Mark mark) {
   if (f == none) return;
   cells_[cell_of(f)].twin[f & 3U] = e;
   cells_[cell_of(f)].mark[f & 3U] = mark;
+}
+
+DelaunayKernel::Vertex DelaunayKernel::add_vertex(Point p) {
+  points_.push_back(p);
+  half_of_.push_back(none);
+  return static_cast<Vertex>(points_.size() - 1);
+}
+
+DelaunayKernel::Cell DelaunayKernel::add_triangle(Vertex a, Vertex b, Vertex c, std::int32_t region) {
+  const Cell cell = add_cell(region);
+  cells_[cell].vertex = {a, b, c};
+  half_of_[a] = half(cell, 0);
+  half_of_[b] = half(cell, 1);
+  half_of_[c] = half(cell, 2);
+  return cell;
+}
+
+void DelaunayKernel::remove_cells(std::int32_t region) {
+  Cell last = static_cast<Cell>(cells_.size());
+  for (Cell c = 0; c < last; ++c) {
+    if (cells_[c].region != region) continue;
+    do {
+      --last;
+    } while (last > c && cells_[last].region == region);
+    if (last == c) break;
+    cells_[c] = cells_[last];
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const Half other = cells_[c].twin[i];
+      if (other != none) cells_[cell_of(other)].twin[other & 3U] = half(c, i);
+      if (cells_[c].vertex[i] != at_infinity) half_of_[cells_[c].vertex[i]] = half(c, i);
+    }
+  }
+  cells_.resize(last);
 }
 
 DelaunayKernel::Cell DelaunayKernel::add_cell(std::int32_t region) {
@@ -52,7 +85,7 @@ std::uint32_t DelaunayKernel::random() {
 }
 
 void DelaunayKernel::start(Point a, Point b, Point c) {
-  DOBRA_CHECK(points_.empty() && orient2d(a, b, c) == Sign::Positive);
+  DOBRA_CHECK(points_.empty() && filtered_orientation(a, b, c) == Sign::Positive);
   points_ = {a, b, c};
   half_of_.assign(3, none);
   const Cell real = add_cell(0);
@@ -107,9 +140,9 @@ bool DelaunayKernel::in_circle(Cell c, Point p) const {
   const auto& v = cells_[c].vertex;
   for (std::uint32_t i = 0; i < 3; ++i) {
     if (v[i] != at_infinity) continue;
-    return orient2d(points_[v[(i + 1) % 3]], points_[v[(i + 2) % 3]], p) == Sign::Positive;
+    return filtered_orientation(points_[v[(i + 1) % 3]], points_[v[(i + 2) % 3]], p) == Sign::Positive;
   }
-  return geom::incircle(points_[v[0]], points_[v[1]], points_[v[2]], p) == Sign::Positive;
+  return filtered_incircle(points_[v[0]], points_[v[1]], points_[v[2]], p) == Sign::Positive;
 }
 
 // ---- location ----
@@ -121,7 +154,7 @@ DelaunayKernel::Location DelaunayKernel::brute_force(Point p) const {
     Half zero = none;
     bool outside = false;
     for (std::uint32_t i = 0; i < 3 && !outside; ++i) {
-      const Sign sign = orient2d(points_[origin(half(c, i))], points_[target(half(c, i))], p);
+      const Sign sign = filtered_orientation(points_[origin(half(c, i))], points_[target(half(c, i))], p);
       outside = sign == Sign::Negative;
       if (sign != Sign::Zero) continue;
       zero = on == 1 && next(half(c, i)) == zero ? zero : half(c, i);
@@ -156,7 +189,7 @@ DelaunayKernel::Location DelaunayKernel::locate(Point p, Cell start, Walls walls
     for (std::uint32_t k = 0; k < 3 && out == none; ++k) {
       const Half e = half(c, (first + k) % 3);
       if (e == entered) continue;
-      const Sign sign = orient2d(points_[origin(e)], points_[target(e)], p);
+      const Sign sign = filtered_orientation(points_[origin(e)], points_[target(e)], p);
       if (sign == Sign::Negative) out = e;
       if (sign != Sign::Zero) continue;
       zero = zeros == 1 && next(e) == zero ? zero : e;
@@ -211,9 +244,9 @@ bool DelaunayKernel::must_flip(Half e) const {
   const Vertex c = apex(e);
   const Vertex d = apex(f);
   if (c == at_infinity || d == at_infinity) return false;
-  if (b == at_infinity) return orient2d(points_[c], points_[a], points_[d]) == Sign::Positive;
-  if (a == at_infinity) return orient2d(points_[d], points_[b], points_[c]) == Sign::Positive;
-  return geom::incircle(points_[a], points_[b], points_[c], points_[d]) == Sign::Positive;
+  if (b == at_infinity) return filtered_orientation(points_[c], points_[a], points_[d]) == Sign::Positive;
+  if (a == at_infinity) return filtered_orientation(points_[d], points_[b], points_[c]) == Sign::Positive;
+  return filtered_incircle(points_[a], points_[b], points_[c], points_[d]) == Sign::Positive;
 }
 
 /// Empties the stack, whose half-edges all have `p` as apex.
@@ -276,9 +309,7 @@ void DelaunayKernel::split_side(Half e, Vertex p) {
 
 DelaunayKernel::Vertex DelaunayKernel::insert(Point p, Location at) {
   DOBRA_CHECK(at.where != Where::OnVertex && at.where != Where::Blocked && points_.size() < at_infinity - 1);
-  const auto v = static_cast<Vertex>(points_.size());
-  points_.push_back(p);
-  half_of_.push_back(none);
+  const Vertex v = add_vertex(p);
   if (at.where == Where::OnSide) {
     split_side(at.half, v);
   } else {
@@ -289,19 +320,21 @@ DelaunayKernel::Vertex DelaunayKernel::insert(Point p, Location at) {
 }
 
 std::size_t DelaunayKernel::legalise_all() {
-  std::vector<Half> todo;
-  for (Cell c = 0; c < cells_.size(); ++c) {
-    for (std::uint32_t i = 0; i < 3; ++i) todo.push_back(half(c, i));
-  }
   std::size_t flips = 0;
-  while (!todo.empty()) {
-    const Half e = todo.back();
-    todo.pop_back();
-    if (!must_flip(e)) continue;
-    const Half f = twin(e);
-    flip(e);
-    ++flips;
-    for (const Half side : {next(e), previous(e), next(f), previous(f)}) todo.push_back(side);
+  for (Cell c = 0; c < cells_.size(); ++c) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      // A side is looked at from one of its cells; none is the greatest half-edge.
+      if (half(c, i) < twin(half(c, i))) stack_.push_back(half(c, i));
+      while (!stack_.empty()) {
+        const Half e = stack_.back();
+        stack_.pop_back();
+        if (!must_flip(e)) continue;
+        const Half f = twin(e);
+        flip(e);
+        ++flips;
+        for (const Half side : {next(e), previous(e), next(f), previous(f)}) stack_.push_back(side);
+      }
+    }
   }
   return flips;
 }

@@ -70,6 +70,14 @@ class DelaunayKernel {
   /// Moves a vertex. @pre its triangles stay anticlockwise; call legalise_all afterwards.
   void move(Vertex v, geom::Point to) { points_[v] = to; }
 
+  /// For meshers that build triangles by themselves; the triangulation is whole again when every side has its twin.
+  Vertex add_vertex(geom::Point p);
+  Cell add_triangle(Vertex a, Vertex b, Vertex c, std::int32_t region);
+  /// Makes `e` and `f` the two halves of one side.
+  void link(Half e, Half f, Mark mark);
+  /// Removes the cells of `region`, to which no side of another cell leads; others take their places.
+  void remove_cells(std::int32_t region);
+
   [[nodiscard]] std::size_t cell_count() const { return cells_.size(); }
   [[nodiscard]] std::size_t vertex_count() const { return points_.size(); }
   [[nodiscard]] const Triangle& cell(Cell c) const { return cells_[c]; }
@@ -99,7 +107,6 @@ class DelaunayKernel {
  private:
   struct Chain;
   void set_vertex(Half e, Vertex v);
-  void link(Half e, Half f, Mark mark);
   void flip(Half e);
   [[nodiscard]] bool must_flip(Half e) const;
   void legalise(Vertex apex);

@@ -235,13 +235,7 @@ Result<void> PointPlacer::drain(const Progress& progress) {
     queue_.pop();
     if (entry.version != version_[entry.cell] || state_[entry.cell] != State::Large) continue;
     if (!advance(entry.cell)) give_up(entry.cell);
-    if (kernel_.cell_count() > options_.max_triangles) {
-      return Error{
-          ErrorCode::TooManyElements,
-          fmt::format("the mesh would have more than {} triangles: use longer boundary edges, a larger growth, or "
-                      "raise the limit",
-                      options_.max_triangles)};
-    }
+    DOBRA_TRY_VOID(check_limit(kernel_.cell_count(), options_));
   }
   return {};
 }
@@ -266,6 +260,14 @@ Result<std::size_t> PointPlacer::run(const Progress& progress) {
 }
 
 }  // namespace
+
+Result<void> check_limit(std::size_t triangles, const FrontalOptions& options) {
+  if (triangles <= options.max_triangles) return {};
+  return Error{ErrorCode::TooManyElements,
+               fmt::format("the mesh would have more than {} triangles: use longer boundary edges, a larger growth, or "
+                           "raise the limit",
+                           options.max_triangles)};
+}
 
 Result<std::size_t> place_points(Kernel& kernel, const SizeField& field, const FrontalOptions& options,
                                  const Progress& progress) {

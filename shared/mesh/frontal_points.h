@@ -20,6 +20,9 @@ struct FrontalOptions {
   std::size_t max_triangles = 20'000'000;  ///< More end in TooManyElements.
 };
 
+/// @error TooManyElements with advice if `triangles` are more than the options allow.
+base::Result<void> check_limit(std::size_t triangles, const FrontalOptions& options);
+
 /// Inserts points into the cells with region >= 0 of `kernel`.
 /// @return number of points inserted.
 /// @error  TooManyElements with advice; Cancelled.

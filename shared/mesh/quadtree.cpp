@@ -51,6 +51,7 @@ Result<Quadtree> Quadtree::build(std::span<const SizedEdge> edges, const Quadtre
     if (tree.cells_.size() > options.max_cells) return too_many;
   }
   // A coarse cell of an early edge may have been split by a later one: that only makes rule 3 stricter than asked.
+  if (options.interior == InteriorCells::Free) coarsest = 0;
   if (coarsest < max_level && !tree.refine_to_level(coarsest, options.max_cells)) return too_many;
   tree.balance();
   if (tree.cells_.size() > options.max_cells) return too_many;

@@ -25,8 +25,12 @@ struct QuadCellTag {
 };
 using QuadCellId = base::Id<QuadCellTag>;
 
+/// Whether rule 3 is applied. Without it interior cells are as large as rule 4 lets them be.
+enum class InteriorCells : std::uint8_t { AsBoundary, Free };
+
 struct QuadtreeOptions {
   double refinement_factor = 1.0;      ///< f of rule 2: larger makes smaller cells.
+  InteriorCells interior = InteriorCells::AsBoundary;
   std::size_t max_cells = 20'000'000;  ///< More end in TooManyElements.
 };
 

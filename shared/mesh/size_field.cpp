@@ -36,9 +36,15 @@ Result<void> validate(std::span<const SizeRequest> requests, const SizeFieldOpti
 Result<SizeField> SizeField::build(std::span<const SizedEdge> edges, std::span<const SizeRequest> requests,
                                    const SizeFieldOptions& options) {
   DOBRA_TRY_VOID(validate(requests, options));
-  DOBRA_TRY(Quadtree tree, Quadtree::build(edges, options.quadtree));
+  // A size moved by the side of a cell changes by slope * side: a tenth of it is not noticed.
+  constexpr double unnoticed = 0.1;
+  constexpr double most = 16.0;
+  const double coarser = std::clamp(unnoticed / (options.growth - 1.0), 1.0, most);
+  QuadtreeOptions tree_options = options.quadtree;
+  tree_options.refinement_factor /= coarser;
+  DOBRA_TRY(Quadtree tree, Quadtree::build(edges, tree_options));
   for (const SizeRequest& request : requests) {
-    tree.refine_at(request.at, request.size, options.quadtree.refinement_factor);
+    tree.refine_at(request.at, request.size, tree_options.refinement_factor);
   }
   if (!requests.empty()) tree.balance();
   double largest = options.max_size;
@@ -134,14 +140,14 @@ std::array<double, 4> SizeField::corner_sizes(QuadCellId leaf) const {
   return sizes;
 }
 
-double SizeField::size_at(Point p) const {
-  const QuadCellId leaf = tree_.leaf_at(p);
-  const std::array<double, 4> size = corner_sizes(leaf);
-  const Point low = corner_points_[corners_[leaf.index()][0]];
-  const double side = tree_.side(leaf);
-  const double u = std::clamp((p.x - low.x) / side, 0.0, 1.0);
-  const double v = std::clamp((p.y - low.y) / side, 0.0, 1.0);
-  return (1.0 - v) * ((1.0 - u) * size[0] + u * size[1]) + v * ((1.0 - u) * size[2] + u * size[3]);
+double SizeField::size_at(Point p) const { return SizeSampler(*this).at(p); }
+
+void SizeSampler::enter(Point p) {
+  leaf_ = field_.quadtree().leaf_at(p);
+  const geom::Box box = field_.quadtree().box(leaf_);
+  low_ = box.low;
+  scale_ = 1.0 / field_.quadtree().side(leaf_);
+  size_ = field_.corner_sizes(leaf_);
 }
 
 double SizeField::estimated_triangles() const {

@@ -5,7 +5,9 @@
 // largest size. So h(x) = min over everything asked of (size + (growth - 1) * distance), to the accuracy of the tree.
 // Page: docs/algorithms/size_field.md. Source: [borouchaki1998] for the growth bound, [miranda1999mesh] for the tree.
 
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -18,7 +20,9 @@ namespace dobra::mesh {
 struct SizeFieldOptions {
   double growth = 1.3;    ///< Greatest ratio of the sizes of neighbouring elements, > 1.
   double max_size = 0.0;  ///< Upper bound, m; 0 takes the longest input edge.
-  QuadtreeOptions quadtree = {};
+  /// Of the tree that carries the sizes: interior cells are not bounded, sizes are; and where growth is slow the cells
+  /// may be larger than the edges, see `build`.
+  QuadtreeOptions quadtree = {.interior = InteriorCells::Free};
 };
 
 class SizeField {
@@ -32,6 +36,9 @@ class SizeField {
   [[nodiscard]] const Quadtree& quadtree() const { return tree_; }
   /// Sizes at the corners of a leaf: lower left, lower right, upper left, upper right.
   [[nodiscard]] std::array<double, 4> corner_sizes(QuadCellId leaf) const;
+  /// The number of corners, and those of a leaf in the same order.
+  [[nodiscard]] std::size_t corner_count() const { return sizes_.size(); }
+  [[nodiscard]] const std::array<std::uint32_t, 4>& corners(QuadCellId leaf) const { return corners_[leaf.index()]; }
   /// About how many triangles fill the tree's square at these sizes: to refuse an impossible request in time.
   [[nodiscard]] double estimated_triangles() const;
 
@@ -44,6 +51,36 @@ class SizeField {
   std::vector<std::array<std::uint32_t, 4>> corners_;  ///< One a cell; meaningful for leaves.
   std::vector<geom::Point> corner_points_;
   std::vector<double> sizes_;  ///< One a corner.
+};
+
+/// Reads sizes one after the other at points near each other: remembers the last leaf.
+class SizeSampler {
+ public:
+  explicit SizeSampler(const SizeField& field) : field_(field) {}
+  /// As SizeField::size_at.
+  double at(geom::Point p) {
+    double u = (p.x - low_.x) * scale_;
+    double v = (p.y - low_.y) * scale_;
+    if (!(u >= 0.0 && u <= 1.0 && v >= 0.0 && v <= 1.0)) {
+      enter(p);
+      u = std::clamp((p.x - low_.x) * scale_, 0.0, 1.0);
+      v = std::clamp((p.y - low_.y) * scale_, 0.0, 1.0);
+    }
+    return (1.0 - v) * ((1.0 - u) * size_[0] + u * size_[1]) + v * ((1.0 - u) * size_[2] + u * size_[3]);
+  }
+  /// The leaf of the last point, its lower left corner, and 1 / its side.
+  [[nodiscard]] QuadCellId leaf() const { return leaf_; }
+  [[nodiscard]] geom::Point low() const { return low_; }
+  [[nodiscard]] double scale() const { return scale_; }
+
+ private:
+  void enter(geom::Point p);
+
+  const SizeField& field_;
+  QuadCellId leaf_;
+  geom::Point low_;
+  double scale_ = std::numeric_limits<double>::quiet_NaN();  ///< Of no leaf: no point is inside.
+  std::array<double, 4> size_{};
 };
 
 }  // namespace dobra::mesh

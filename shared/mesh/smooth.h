@@ -9,14 +9,16 @@
 #include <cstddef>
 #include <span>
 
+#include "shared/mesh/delaunay_kernel.h"
 #include "shared/mesh/triangle_mesh.h"
 
 namespace dobra::mesh {
 
 struct SmoothOptions {
-  int passes = 3;     ///< Sweeps over all nodes; document 001 finds 3 enough.
-  double phi = 0.75;  ///< Step, 0 (nothing moves) to 1 (to the mean of the neighbours).
-  int halvings = 2;   ///< How often a step that the guard refuses is halved before the node stays.
+  int passes = 3;       ///< Sweeps over all nodes; document 001 finds 3 enough.
+  double phi = 0.75;    ///< Step, 0 (nothing moves) to 1 (to the mean of the neighbours).
+  double enough = 2.0;  ///< Nodes whose triangles all have at least this alpha stay; above 1 none does for that reason.
+  int halvings = 2;     ///< How often a step that the guard refuses is halved before the node stays.
 };
 
 /// Moves the nodes that are neither on the boundary nor in a set. The connectivity does not change.
@@ -25,6 +27,9 @@ struct SmoothOptions {
 std::size_t smooth(TriangleMesh& mesh, const SmoothOptions& options = {});
 /// The same with the nodes that must stay given: one flag a node. @pre every boundary node is among them.
 std::size_t smooth(TriangleMesh& mesh, std::span<const std::uint8_t> fixed, const SmoothOptions& options);
+
+/// The same in a kernel, where `triangulate` works.
+std::size_t smooth(DelaunayKernel& kernel, std::span<const std::uint8_t> fixed, const SmoothOptions& options);
 
 /// Flips sides until every one that is neither a boundary nor in an edge set is Delaunay (exactly); regions keep apart.
 /// @return number of flips.  @cost O(n + flips)

@@ -1,7 +1,8 @@
 #include "shared/mesh/triangulate.h"
 
-#include <cmath>
+#include <algorithm>
 
+#include "shared/mesh/front_gaps.h"
 #include "shared/mesh/planar_domain.h"
 
 // 1. Constrained Delaunay triangulation of the input; outside and holes told apart.
@@ -40,6 +41,21 @@ std::vector<SizedEdge> sized_edges(const PlanarDomain& domain, const MeshInput& 
   return edges;
 }
 
+/// The front, and between what it leaves standing points placed one by one; should sides of the front cross, points are
+/// placed everywhere.
+Result<void> fill(DelaunayKernel& kernel, const SizeField& field, const FrontalOptions& options,
+                  const Progress& progress) {
+  const DelaunayKernel given = kernel;
+  const auto filled = [&]() -> Result<void> {
+    DOBRA_TRY(Front front, advance_front(kernel, field, options, progress.part(0.0, 0.7)));
+    return fill_gaps(kernel, front, field, options, progress.part(0.7, 1.0));
+  }();
+  if (filled || filled.error().code != ErrorCode::SelfIntersection) return filled;
+  kernel = given;
+  DOBRA_TRY_VOID(place_points(kernel, field, options, progress));
+  return {};
+}
+
 }  // namespace
 
 Result<SizeField> size_field_of(const MeshInput& input, const SizeFieldOptions& options) {
@@ -52,21 +68,18 @@ Result<TriangleMesh> triangulate(const MeshInput& input, const MeshOptions& opti
   DOBRA_TRY(PlanarDomain domain, build_domain(input, Outside::Remove, progress.part(0.0, 0.1)));
   DOBRA_TRY(const SizeField field, SizeField::build(sized_edges(domain, input), input.sizes, options.sizes));
   DOBRA_TRY_VOID(progress.check());
-  DOBRA_TRY_VOID(place_points(domain.kernel, field, options.points, progress.part(0.1, 0.8)));
-  ExtractedMesh extracted = extract(domain, input);
-  TriangleMesh& mesh = extracted.mesh;
-  // Free input points are wanted where they are: they stay, as boundary and constraint nodes do.
-  std::vector<std::uint8_t> fixed = fixed_nodes(mesh);
-  for (const NodeId node : extracted.node_of_point) {
-    if (node.valid()) fixed[node.index()] = 1;
-  }
+  const std::size_t given = domain.kernel.vertex_count();
+  DOBRA_TRY_VOID(fill(domain.kernel, field, options.points, progress.part(0.1, 0.8)));
+  // Input points are wanted where they are: they stay, as nodes of the boundary and of constraints do.
+  std::vector<std::uint8_t> fixed(domain.kernel.vertex_count(), 0);
+  std::fill(fixed.begin(), fixed.begin() + static_cast<std::ptrdiff_t>(given), std::uint8_t{1});
   for (int round = 0; round < options.rounds; ++round) {
     DOBRA_TRY_VOID(progress.check());
     progress.report(0.8 + 0.2 * round / options.rounds, "smoothing");
-    smooth(mesh, fixed, options.smoothing);
-    flip_to_delaunay(mesh);
+    smooth(domain.kernel, fixed, options.smoothing);
+    domain.kernel.legalise_all();
   }
-  return std::move(extracted.mesh);
+  return std::move(extract(domain, input).mesh);
 }
 
 }  // namespace dobra::mesh

@@ -109,6 +109,70 @@ inline MeshInput que_e() {
   return quarter_plate(axis, 24, 5, rings);
 }
 
+/// [0,10]^2 minus the disc of radius 1, with sides as long as `size(distance from the hole)` asks: one boundary set,
+/// anticlockwise. For benchmarks: linear in the number of points.
+template <class Size>
+MeshInput large_plate(const Size& size) {
+  MeshInput input;
+  input.sets.push_back({"outline", EdgeKind::Boundary});
+  // Points from `from` up to, but without, `to`, spaced by the size there, stretched to end exactly.
+  const auto line = [&](Point from, Point to) {
+    const double length = geom::distance(from, to);
+    const auto size_at = [&](double s) {
+      const Point p = geom::interpolate(from, to, s / length);
+      return size(std::hypot(p.x, p.y) - 1.0);
+    };
+    std::vector<double> positions{0.0};
+    while (positions.back() < length) {
+      const double middle = positions.back() + 0.5 * size_at(positions.back());
+      positions.push_back(positions.back() + size_at(std::min(middle, length)));
+    }
+    if (positions.size() > 2 && positions.back() - length > 0.5 * (positions.back() - positions[positions.size() - 2]))
+      positions.pop_back();
+    const double stretch = length / positions.back();
+    positions.pop_back();
+    for (const double s : positions) input.points.push_back(geom::interpolate(from, to, stretch * s / length));
+  };
+  line({1, 0}, {10, 0});
+  line({10, 0}, {10, 10});
+  line({10, 10}, {0, 10});
+  line({0, 10}, {0, 1});
+  const int arc = static_cast<int>(std::lround(0.5 * std::numbers::pi / size(0.0)));
+  std::vector<Point> hole = quarter_arc(1.0, arc);
+  input.points.insert(input.points.end(), hole.rbegin(), hole.rend() - 1);
+  const std::size_t count = input.points.size();
+  for (std::size_t i = 0; i < count; ++i) input.edges.push_back({{NodeId(i), NodeId((i + 1) % count)}, 0});
+  return input;
+}
+
+/// About `triangles` of one size.
+inline MeshInput uniform_plate(double triangles) {
+  const double size = std::sqrt((100.0 - 0.25 * std::numbers::pi) * 4.0 / std::numbers::sqrt3 / triangles);
+  return large_plate([size](double) { return size; });
+}
+
+/// A thousand times as large in the far corner as on the hole, linear in between; and the growth that makes it so.
+struct GradedPlate {
+  MeshInput input;
+  double growth = 0.0;
+};
+inline GradedPlate graded_plate(double triangles) {
+  const double far = std::sqrt(200.0) - 1.0;
+  // Between the hole and the circle of radius 10: integral of 4 / sqrt(3) * pi / 2 * r / size^2.
+  double smallest = 1e-3;
+  for (int k = 0; k < 50; ++k) {
+    const double slope = 999.0 * smallest / far;
+    const auto integral = [&](double r) {
+      const double size = smallest + slope * (r - 1.0);
+      return (std::log(size) + (smallest - slope) / size) / (slope * slope);
+    };
+    const double count = 2.0 * std::numbers::pi / std::numbers::sqrt3 * (integral(10.0) - integral(1.0));
+    smallest *= std::sqrt(count / triangles);
+  }
+  const double slope = 999.0 * smallest / far;
+  return {large_plate([=](double d) { return smallest + slope * d; }), 1.0 + slope};
+}
+
 /// Where the corpora of the project are; empty if they are not on this machine.
 inline std::filesystem::path contours_folder() {
   const char* given = std::getenv("DOBRA_TEST_DATA");
