@@ -42,16 +42,11 @@ LineLength line_length(const Horizon& horizon, const MappedLine& mapped) {
   return row;
 }
 
-Balance judge_balance(const std::vector<LineLength>& lengths, double tolerance_percent) {
-  Balance balance;
-  for (const LineLength& row : lengths) {
-    if (balance.worst.empty() || std::abs(row.change_percent) > balance.greatest_change_percent) {
-      balance.greatest_change_percent = std::abs(row.change_percent);
-      balance.worst = row.name;
-    }
-  }
-  balance.balanced = balance.greatest_change_percent <= tolerance_percent;
-  return balance;
+double inconsistency_percent(const std::vector<LineLength>& lengths) {
+  if (lengths.empty()) return 0.0;
+  const auto shorter = [](const LineLength& a, const LineLength& b) { return a.length_after < b.length_after; };
+  const auto [least, greatest] = std::minmax_element(lengths.begin(), lengths.end(), shorter);
+  return percent(greatest->length_after - least->length_after, greatest->length_after);
 }
 
 }  // namespace recon::core

@@ -1,12 +1,12 @@
 #pragma once
-// What restoration tells about balance: bed lengths before and after, shortening, depth to the top. Source:
-// restoration.md 2.11.
+// What restoration tells about beds: lengths before and after, shortening, depth to the top, and whether they balance.
+// Source: restoration.md 2.11. Page: docs/algorithms/ledger.md
 
 #include <string>
 #include <vector>
 
-#include "recon/core/map.h"
 #include "recon/core/section.h"
+#include "recon/core/trace.h"
 
 namespace recon::core {
 
@@ -29,12 +29,17 @@ struct LineLength {
 
 LineLength line_length(const Horizon& horizon, const MappedLine& mapped);
 
-/// Beds that a section was restored with must come out as long as they are, within `tolerance_percent`.
+/// The criteria of balance, each in percent, and the verdict: all of them within the tolerance.
 struct Balance {
   bool balanced = false;
-  double greatest_change_percent = 0.0;  ///< The largest |change_percent|.
-  std::string worst;                     ///< The horizon that has it.
+  double greatest_change_percent = 0.0;       ///< The largest |change_percent| of a bed's length.
+  std::string worst;                          ///< The horizon that has it.
+  double greatest_area_change_percent = 0.0;  ///< Likewise of a unit's area.
+  std::string worst_unit;
+  double inconsistency_percent = 0.0;  ///< Difference of the longest and the shortest restored bed, of the longest.
 };
-Balance judge_balance(const std::vector<LineLength>& lengths, double tolerance_percent);
+
+/// How far the restored lengths of the beds differ, in percent of the longest.
+double inconsistency_percent(const std::vector<LineLength>& lengths);
 
 }  // namespace recon::core

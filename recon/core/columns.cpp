@@ -1,6 +1,7 @@
 #include "recon/core/columns.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "recon/core/section.h"
@@ -63,27 +64,35 @@ base::Result<Columns> Columns::assemble(std::vector<geom::Point> feet, std::vect
   }
   std::vector<geom::Segment> segments;
   segments.reserve(tangents.size());
-  for (std::size_t i = 0; i < tangents.size(); ++i) segments.push_back({feet[i], feet[i + 1]});
+  columns.frames_.reserve(tangents.size());
+  columns.open_depths_ = {-infinity, infinity};
+  double arc = 0.0;
+  double bend = 0.0;
+  for (std::size_t i = 0; i < tangents.size(); ++i) {
+    segments.push_back({feet[i], feet[i + 1]});
+    const geom::Vector t = tangents[i];
+    const Frame frame{feet[i], t,   lengths[i], geom::dot(t, columns.rungs_[i]), geom::dot(t, columns.rungs_[i + 1]),
+                      arc,     bend};
+    const double widening = frame.widening();
+    if (widening < 0.0) columns.open_depths_.greatest = std::min(columns.open_depths_.greatest, -lengths[i] / widening);
+    if (widening > 0.0) columns.open_depths_.least = std::max(columns.open_depths_.least, -lengths[i] / widening);
+    arc += lengths[i];
+    bend += widening;
+    columns.frames_.push_back(frame);
+  }
   columns.tree_ = SegmentTree(std::move(segments));
   columns.feet_ = std::move(feet);
-  columns.tangents_ = std::move(tangents);
-  columns.lengths_ = std::move(lengths);
   return columns;
 }
 
-std::size_t Columns::frame_of(ColumnId column) const {
-  return std::clamp<std::size_t>(column.index(), 1, inner_count()) - 1;
-}
-
 Columns::Beyond Columns::beyond(ColumnId column, geom::Point p) const {
-  const std::size_t i = frame_of(column);
-  const geom::Vector t = tangents_[i];
-  const geom::Vector from_foot = p - feet_[i];
-  const double x = geom::dot(from_foot, t);
-  const double depth = geom::dot(from_foot, geom::right_of(t));
+  const Frame& f = frame(column);
+  const geom::Vector from_foot = p - f.foot;
+  const double x = geom::dot(from_foot, f.tangent);
+  const double depth = geom::dot(from_foot, geom::right_of(f.tangent));
   if (column.index() == 0) return {-infinity, x};
-  if (column.index() == inner_count() + 1) return {lengths_[i] - x, -infinity};
-  return {depth * geom::dot(rungs_[i], t) - x, x - lengths_[i] - depth * geom::dot(rungs_[i + 1], t)};
+  if (column.index() == inner_count() + 1) return {f.length - x, -infinity};
+  return {depth * f.left - x, x - f.length - depth * f.right};
 }
 
 bool Columns::holds(ColumnId column, geom::Point p, double tolerance) const {
@@ -93,49 +102,64 @@ bool Columns::holds(ColumnId column, geom::Point p, double tolerance) const {
 }
 
 double Columns::distance_to_base(ColumnId column, geom::Point p) const {
-  return geom::distance(tree_.segment(frame_of(column)), p);
+  return std::sqrt(tree_.squared_distance(frame_of(column), p));
 }
 
 ColumnPoint Columns::name_in(ColumnId column, geom::Point p) const {
-  const std::size_t i = frame_of(column);
-  const double depth = geom::dot(p - feet_[i], geom::right_of(tangents_[i]));
+  const Frame& f = frame(column);
+  const double depth = geom::dot(p - f.foot, geom::right_of(f.tangent));
   const Beyond out = beyond(column, p);
   if (column.index() == 0) return {column, out.right, depth};
   if (is_outer(column)) return {column, -out.left, depth};
   const double edge = -(out.left + out.right);
-  const double along = edge > 0.0 ? -out.left / edge : geom::nearest_fraction(tree_.segment(i), p);
-  return {column, std::clamp(along, 0.0, 1.0), depth};
+  const double along = edge > 0.0 ? -out.left / edge : geom::nearest_fraction(tree_.segment(frame_of(column)), p);
+  // A little room beyond the rungs, so that the formula of the column can be differentiated at them.
+  return {column, std::clamp(along, -0.1, 1.1), depth};
 }
 
 geom::Point Columns::point(const ColumnPoint& at) const {
-  const std::size_t i = frame_of(at.column);
-  const geom::Vector t = tangents_[i];
-  const geom::Vector down = at.depth * geom::right_of(t);
-  if (at.column.index() == 0) return feet_[i] + down + at.along * t;
-  if (is_outer(at.column)) return feet_[i] + down + (lengths_[i] + at.along) * t;
-  const double left = at.depth * geom::dot(rungs_[i], t);
-  const double right = lengths_[i] + at.depth * geom::dot(rungs_[i + 1], t);
-  return feet_[i] + down + ((1.0 - at.along) * left + at.along * right) * t;
+  const Frame& f = frame(at.column);
+  const geom::Vector down = at.depth * geom::right_of(f.tangent);
+  if (at.column.index() == 0) return f.foot + down + at.along * f.tangent;
+  if (is_outer(at.column)) return f.foot + down + (f.length + at.along) * f.tangent;
+  const double left = at.depth * f.left;
+  const double right = f.length + at.depth * f.right;
+  return f.foot + down + ((1.0 - at.along) * left + at.along * right) * f.tangent;
 }
 
-Located Columns::locate(geom::Point p, double tolerance) const {
-  ColumnId found;
-  const auto accept = [&](std::size_t segment) {
-    const ColumnId inner(segment + 1);
-    if (holds(inner, p, tolerance)) {
-      found = inner;
-    } else if (segment == 0 && holds(ColumnId(0), p, tolerance)) {
-      found = ColumnId(0);
-    } else if (segment + 1 == inner_count() && holds(ColumnId(inner_count() + 1), p, tolerance)) {
-      found = ColumnId(inner_count() + 1);
-    } else {
-      return false;
-    }
-    return true;
+ColumnId Columns::holder(std::size_t segment, geom::Point p, double tolerance) const {
+  if (holds(ColumnId(segment + 1), p, tolerance)) return ColumnId(segment + 1);
+  if (segment == 0 && holds(ColumnId(0), p, tolerance)) return ColumnId(0);
+  if (segment + 1 == inner_count() && holds(ColumnId(inner_count() + 1), p, tolerance))
+    return ColumnId(inner_count() + 1);
+  return {};
+}
+
+Columns::Found Columns::find(geom::Point p, double tolerance, ColumnId hint) const {
+  const auto accept = [&](std::size_t segment) { return holder(segment, p, tolerance).valid(); };
+  const auto found = [&](const SegmentTree::Nearest& best) {
+    return Found{holder(best.index, p, tolerance), best.distance(), Foot::InColumn};
   };
-  if (const auto best = tree_.nearest(p, accept)) return {name_in(found, p), best->distance, Foot::InColumn};
+  if (hint.valid()) {
+    // A few steps beside the hint; then the tree only confirms that no segment is nearer.
+    constexpr int most_steps = 8;
+    std::size_t segment = frame_of(hint);
+    for (int step = 0; step < most_steps; ++step) {
+      if (accept(segment)) return found(tree_.nearest_from(segment, p, accept));
+      const Beyond out = beyond(ColumnId(segment + 1), p);
+      const bool to_right = out.right > out.left;
+      if (to_right ? segment + 1 == inner_count() : segment == 0) break;
+      segment = to_right ? segment + 1 : segment - 1;
+    }
+  }
+  if (const auto best = tree_.nearest(p, accept)) return found(*best);
   const auto nearest = tree_.nearest(p, [](std::size_t) { return true; });
-  return {name_in(ColumnId(nearest->index + 1), p), nearest->distance, Foot::NoColumn};
+  return {ColumnId(nearest->index + 1), nearest->distance(), Foot::NoColumn};
+}
+
+Located Columns::locate(geom::Point p, double tolerance, ColumnId hint) const {
+  const Found at = find(p, tolerance, hint);
+  return {name_in(at.column, p), at.distance, at.foot};
 }
 
 }  // namespace recon::core

@@ -10,6 +10,7 @@
 // Before the first rung and after the last one lies one outer column each, without end.
 // Source: requirements C.3 (E-10, E-11); [carvalho2005offset].
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <vector>
@@ -64,7 +65,7 @@ class Columns {
   /// @error as above.
   static base::Result<Columns> between(const geom::Polyline& line, std::span<const double> arcs);
 
-  [[nodiscard]] std::size_t inner_count() const { return tangents_.size(); }
+  [[nodiscard]] std::size_t inner_count() const { return frames_.size(); }
   [[nodiscard]] std::size_t count() const { return inner_count() + 2; }
   [[nodiscard]] bool is_outer(ColumnId column) const {
     return column.index() == 0 || column.index() == inner_count() + 1;
@@ -72,7 +73,15 @@ class Columns {
 
   /// The column of the nearest base segment whose column holds p; the first of equally near ones. O(log n).
   /// @param tolerance how far beyond a rung still counts as inside, m.
-  [[nodiscard]] Located locate(geom::Point p, double tolerance) const;
+  /// @param hint      a column near p, such as that of the point before: the same result, sooner.
+  [[nodiscard]] Located locate(geom::Point p, double tolerance, ColumnId hint = {}) const;
+  /// That column, without the name of the point in it.
+  struct Found {
+    ColumnId column;
+    double distance = 0.0;  ///< To the base segment of the column, m.
+    Foot foot = Foot::InColumn;
+  };
+  [[nodiscard]] Found find(geom::Point p, double tolerance, ColumnId hint = {}) const;
 
   /// The name of p in the given column, wherever p lies.
   [[nodiscard]] ColumnPoint name_in(ColumnId column, geom::Point p) const;
@@ -89,6 +98,28 @@ class Columns {
   /// Distance of p to the base segment of a column (an outer one: of the end segment), m.
   [[nodiscard]] double distance_to_base(ColumnId column, geom::Point p) const;
 
+  /// The segment a column stands on, its turn, and what sums over the columns before it: all that maps need of it.
+  struct Frame {
+    geom::Point foot;      ///< Left end of the base segment.
+    geom::Vector tangent;  ///< Unit.
+    double length = 0.0;   ///< L, m.
+    double left = 0.0;     ///< t.b of the left rung: how far it leans along the segment a metre of depth.
+    double right = 0.0;    ///< t.b of the right rung.
+    double arc = 0.0;      ///< Base length from the first rung to this segment, m.
+    double bend =
+        0.0;  ///< Sum of (right - left) of the columns before: their offset edges at depth d have arc + d bend.
+    /// Change of length of the offset edge a metre of depth.
+    [[nodiscard]] double widening() const { return right - left; }
+  };
+  /// Of an outer column: that of the end segment.
+  [[nodiscard]] const Frame& frame(ColumnId column) const { return frames_[frame_of(column)]; }
+  /// Depths (least, greatest) between which every offset edge has a length; infinite where nothing limits them.
+  struct DepthRange {
+    double least;
+    double greatest;
+  };
+  [[nodiscard]] DepthRange open_depths() const { return open_depths_; }
+
   [[nodiscard]] std::size_t rung_count() const { return feet_.size(); }
   [[nodiscard]] geom::Point foot(std::size_t rung) const { return feet_[rung]; }
   /// Displacement along the rung for one metre of depth.
@@ -99,14 +130,18 @@ class Columns {
  private:
   static base::Result<Columns> assemble(std::vector<geom::Point> feet, std::vector<geom::Vector> tangents,
                                         std::vector<double> lengths);
-  [[nodiscard]] std::size_t frame_of(ColumnId column) const;
+  [[nodiscard]] std::size_t frame_of(ColumnId column) const {
+    return std::clamp<std::size_t>(column.index(), 1, inner_count()) - 1;
+  }
+  /// The column of base segment `segment`, or the outer one beside it, that holds p; none if neither does.
+  [[nodiscard]] ColumnId holder(std::size_t segment, geom::Point p, double tolerance) const;
   [[nodiscard]] bool holds(ColumnId column, geom::Point p, double tolerance) const;
 
-  std::vector<geom::Point> feet_;       ///< n + 1 feet of rungs on the base line.
-  std::vector<geom::Vector> rungs_;     ///< n + 1 mitre vectors.
-  std::vector<geom::Vector> tangents_;  ///< n unit vectors.
-  std::vector<double> lengths_;         ///< n base lengths, m.
-  SegmentTree tree_;                    ///< Of the n base segments.
+  std::vector<geom::Point> feet_;    ///< n + 1 feet of rungs on the base line.
+  std::vector<geom::Vector> rungs_;  ///< n + 1 mitre vectors.
+  std::vector<Frame> frames_;        ///< n, one a base segment.
+  DepthRange open_depths_{};
+  SegmentTree tree_;  ///< Of the n base segments.
 };
 
 }  // namespace recon::core

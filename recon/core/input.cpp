@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "recon/core/crossings.h"
+#include "recon/core/items.h"
 #include "shared/base/text.h"
 #include "shared/io/geojson.h"
 #include "shared/io/text_points.h"
@@ -171,6 +172,7 @@ base::Result<ReadSection> read_section(const SectionInput& input, const dobra::s
     result.section.horizons.push_back(std::move(horizon));
     progress.report(static_cast<double>(i + 1) / static_cast<double>(input.horizons.size()), wanted.name);
   }
+  DOBRA_TRY_VOID(read_items(input, context, result));
   for (const HorizonCrossing& crossing : crossings_between(result.section)) {
     result.remarks.push_back(fmt::format("horizons '{}' and '{}' meet at {} places, the first at ({:.6g}, {:.6g})",
                                          find_horizon(result.section, crossing.first)->name,

@@ -46,6 +46,11 @@ struct SectionInput {
   LengthUnit unit = LengthUnit::Metre;
   SelfCrossings self_crossings = SelfCrossings::Refuse;
   std::vector<HorizonInput> horizons;
+  std::vector<HorizonInput> faults;
+  std::vector<HorizonInput> pins;
+  std::vector<HorizonInput> loose_lines;
+  std::vector<HorizonInput> units;
+  std::vector<HorizonInput> markers;
   template <class D>
   static void describe(D& d) {
     d.choice("y_axis", &SectionInput::y_axis, {"up", "down"},
@@ -58,6 +63,11 @@ struct SectionInput {
              {.title = "Lines that cross themselves",
               .help = "cut_loops: small loops of the pen are cut out, with a remark."});
     d.tables("horizon", &SectionInput::horizons, {.title = "Horizons"});
+    d.tables("fault", &SectionInput::faults, {.title = "Faults"});
+    d.tables("pin", &SectionInput::pins, {.title = "Pin lines"});
+    d.tables("loose", &SectionInput::loose_lines, {.title = "Loose lines"});
+    d.tables("polygon", &SectionInput::units, {.title = "Unit polygons"});
+    d.tables("marker", &SectionInput::markers, {.title = "Markers"});
   }
 };
 

@@ -1,165 +1,235 @@
 #include "recon/core/map.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace recon::core {
 
-ColumnMap::ColumnMap(Columns source, Columns target, const MapOptions& options)
-    : source_(std::move(source)), target_(std::move(target)), options_(options) {
-  DOBRA_CHECK(source_.count() == target_.count());
-  geom::Box box = source_.base_line().box();
-  box.add(target_.base_line().box());
-  const double size = std::max(source_.base_line().box().diagonal(), target_.base_line().box().diagonal());
-  // Rounding grows with the coordinates, not only with the size: far from the origin the tolerance must follow.
-  const double reach = std::max({std::abs(box.low.x), std::abs(box.high.x), std::abs(box.low.y), std::abs(box.high.y)});
-  rung_tolerance_ = options.rung_tolerance * size + 1e-15 * reach;
-  tear_tolerance_ = options.tear_tolerance * size + 1e-12 * reach;
-  chord_tolerance_ = options.chord_tolerance * size;
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+ColumnId column_of(std::uint32_t index) { return ColumnId(index); }
+std::uint32_t index_of(ColumnId column) { return static_cast<std::uint32_t>(column.index()); }
+
+/// The depth d of which d + rate d^2 / 2 is `area`; beyond the depth at which the columns close, that depth.
+double depth_of_area(double area, double rate) {
+  const double root = 1.0 + 2.0 * rate * area;
+  return 2.0 * area / (1.0 + std::sqrt(std::max(0.0, root)));
 }
 
-/// Walks along a straight piece of a line from column to column. Places on it are u in [0, 1].
-///   1. From u, in column c, find where the piece leaves c (an intersection of straight lines).
-///   2. If c is still nearest there, the piece goes on in the neighbour. Otherwise it has crossed the medial axis on
-///   the way:
-///      bisect for the place.
-///   3. Emit that place in the old column, and again in the new one if the two images differ (a tear).
-class ColumnMap::Tracer {
- public:
-  explicit Tracer(const ColumnMap& map) : map_(map), source_(map.source_) {}
+}  // namespace
 
-  MappedLine run(const geom::Polyline& line) {
-    start(line.points.front());
-    for (std::size_t i = 1; i < line.points.size(); ++i) piece(line.points[i - 1], line.points[i]);
-    return std::move(result_);
+TraceTolerances tolerances_for(const geom::Box& source, const geom::Box& target, const MapOptions& options) {
+  geom::Box box = source;
+  box.add(target);
+  const double size = std::max(source.diagonal(), target.diagonal());
+  // Rounding grows with the coordinates, not only with the size: far from the origin the tolerance must follow.
+  const double reach = std::max({std::abs(box.low.x), std::abs(box.high.x), std::abs(box.low.y), std::abs(box.high.y)});
+  return {options.rung_tolerance * size + 1e-15 * reach, options.tear_tolerance * size + 1e-12 * reach,
+          options.chord_tolerance * size, options.most_halvings};
+}
+
+ColumnMap::ColumnMap(Columns source, Columns target, const MapOptions& options, ColumnLaw law)
+    : source_(std::move(source)), target_(std::move(target)), law_(law) {
+  DOBRA_CHECK(law == ColumnLaw::Slip || source_.count() == target_.count());
+  tolerances_ = tolerances_for(source_.base_line().box(), target_.base_line().box(), options);
+  if (law == ColumnLaw::Area) {
+    source_rates_ = area_rates(source_);
+    target_rates_ = area_rates(target_);
   }
+}
 
- private:
-  /// Steps smaller than this part of a piece are not resolved.
-  static constexpr double smallest_step = 1e-9;
+ColumnMap ColumnMap::slip(Columns source, double source_pin, Columns target, double target_pin,
+                          const MapOptions& options) {
+  ColumnMap map(std::move(source), std::move(target), options, ColumnLaw::Slip);
+  map.source_pin_ = pin_line(map.source_, source_pin);
+  map.target_pin_ = pin_line(map.target_, target_pin);
+  return map;
+}
 
-  void start(geom::Point p) {
-    const Located located = map_.locate(p);
-    count(p, located);
-    result_.given.push_back(0);
-    emit(p, located.at);
-    column_ = located.at.column;
-    foot_ = located.foot;
+ColumnMap ColumnMap::swapped() const {
+  ColumnMap back = *this;
+  std::swap(back.source_, back.target_);
+  std::swap(back.source_pin_, back.target_pin_);
+  std::swap(back.source_rates_, back.target_rates_);
+  return back;
+}
+
+// Slip. Along the bed at depth d, column i begins at arc_i + d bend_i; a point at x along its segment stands at
+// arc_i + x + d (bend_i - left_i).
+
+ColumnMap::BedLine ColumnMap::rung_line(const Columns& columns, std::size_t rung) {
+  if (rung < columns.inner_count()) {
+    const Columns::Frame& frame = columns.frame(ColumnId(rung + 1));
+    return {frame.arc, frame.bend};
   }
+  const Columns::Frame& frame = columns.frame(ColumnId(rung));
+  return {frame.arc + frame.length, frame.bend + frame.widening()};
+}
 
-  void count(geom::Point p, const Located& located) {
-    if (located.foot == Foot::NoColumn) ++result_.without_column;
-    if (source_.is_outer(located.at.column)) ++result_.beyond_ends;
-    const geom::Point image = map_.image(located.at);
-    const Located back = map_.target_.locate(image, map_.rung_tolerance_);
-    if (geom::distance(source_.point(back.at), p) > map_.tear_tolerance_) ++result_.not_reversible;
+ColumnMap::BedLine ColumnMap::pin_line(const Columns& columns, double arc) {
+  const std::size_t count = columns.inner_count();
+  const double total = rung_line(columns, count).arc;
+  std::size_t low = 0;
+  std::size_t high = count;
+  while (low < high) {
+    const std::size_t middle = (low + high) / 2;
+    (rung_line(columns, middle).arc < arc ? low : high) = middle + (rung_line(columns, middle).arc < arc ? 1 : 0);
   }
-
-  void emit(geom::Point p, const ColumnPoint& name) {
-    result_.before.points.push_back(p);
-    result_.after.points.push_back(map_.image(name));
-    result_.names.push_back(name);
+  for (const std::size_t rung : {low == 0 ? 0 : low - 1, low}) {
+    if (std::abs(rung_line(columns, rung).arc - arc) <= 1e-12 * total) return rung_line(columns, rung);
   }
+  const Columns::Frame& frame = columns.frame(ColumnId(std::clamp<std::size_t>(low, 1, count)));
+  return {arc, frame.bend - frame.left};
+}
 
-  /// The place p in `column`; before it the halvings that its curved image needs.
-  void go(geom::Point p, ColumnId column) {
-    const ColumnPoint name = source_.name_in(column, p);
-    refine(result_.before.points.back(), result_.after.points.back(), p, map_.image(name), column,
-           map_.options_.most_halvings);
-    emit(p, name);
-  }
+double ColumnMap::along_bed(const Columns::Frame& frame, geom::Point p, double& depth) {
+  const geom::Vector from_foot = p - frame.foot;
+  depth = geom::dot(from_foot, geom::right_of(frame.tangent));
+  return frame.arc + geom::dot(from_foot, frame.tangent) + depth * (frame.bend - frame.left);
+}
 
-  void refine(geom::Point from, geom::Point from_image, geom::Point to, geom::Point to_image, ColumnId column,
-              int halvings) {
-    if (halvings == 0) return;
-    const geom::Point middle = geom::midpoint(from, to);
-    const ColumnPoint name = source_.name_in(column, middle);
-    const geom::Point image = map_.image(name);
-    if (geom::distance(geom::Segment{from_image, to_image}, image) <= map_.chord_tolerance_) return;
-    refine(from, from_image, middle, image, column, halvings - 1);
-    emit(middle, name);
-    refine(middle, image, to, to_image, column, halvings - 1);
-  }
+double ColumnMap::target_bed(const Columns::Frame& frame, geom::Point p, double& depth) const {
+  const double bed = along_bed(frame, p, depth);
+  return bed - source_pin_.at(depth) + target_pin_.at(depth);
+}
 
-  /// Passes at p (already emitted in the old column) into the column `to`.
-  void enter(geom::Point p, ColumnId to) {
-    const ColumnPoint name = source_.name_in(to, p);
-    const double gap = geom::distance(result_.after.points.back(), map_.image(name));
-    if (gap > map_.tear_tolerance_) {
-      result_.tears.push_back({result_.before.points.size() - 1, p, gap});
-      emit(p, name);
+geom::Point ColumnMap::point_on_bed(const Columns::Frame& frame, double bed, double depth) {
+  const double x = bed - frame.arc - depth * (frame.bend - frame.left);
+  return frame.foot + x * frame.tangent + depth * geom::right_of(frame.tangent);
+}
+
+ColumnId ColumnMap::column_at(const Columns& columns, double bed, double depth, ColumnId hint) {
+  const std::size_t count = columns.inner_count();
+  const auto starts_after = [&](std::size_t rung) { return bed < rung_line(columns, rung).at(depth); };
+  // Where some column has closed, the beds turn back, and only the search below does not depend on the hint.
+  const Columns::DepthRange open = columns.open_depths();
+  if (hint.valid() && depth > open.least && depth < open.greatest) {
+    std::size_t column = std::min<std::size_t>(hint.index(), count + 1);  // between rungs column - 1 and column
+    for (int step = 0; step < 8; ++step) {
+      if (column <= count && !starts_after(column)) {
+        ++column;
+      } else if (column > 0 && starts_after(column - 1)) {
+        --column;
+      } else {
+        return ColumnId(column);
+      }
     }
-    column_ = to;
   }
-
-  /// Does `column` still hold p as the nearest one does?
-  [[nodiscard]] bool keeps(ColumnId column, geom::Point p, const Located& nearest) const {
-    if (nearest.foot == Foot::NoColumn || foot_ == Foot::NoColumn) return nearest.at.column == column;
-    return source_.distance_to_base(column, p) <= nearest.distance + map_.rung_tolerance_;
-  }
-
-  /// Where, at least `step` after `from`, the piece leaves the column; 1 if it does not.
-  [[nodiscard]] double exit_after(double from, double step, geom::Point a, geom::Point b) const {
-    const Columns::Beyond at_a = source_.beyond(column_, a);
-    const Columns::Beyond at_b = source_.beyond(column_, b);
-    double out = 1.0;
-    for (const auto& [start, end] : {std::pair{at_a.left, at_b.left}, std::pair{at_a.right, at_b.right}}) {
-      const double tolerance = map_.rung_tolerance_;
-      if (end > tolerance && end > start) out = std::min(out, (tolerance - start) / (end - start));
+  std::size_t low = 0;
+  std::size_t high = count + 1;  // the first rung that starts after `bed` is in [low, high]
+  while (low < high) {
+    const std::size_t middle = (low + high) / 2;
+    if (starts_after(middle)) {
+      high = middle;
+    } else {
+      low = middle + 1;
     }
-    return std::clamp(out, std::min(1.0, from + step), 1.0);
   }
+  return ColumnId(low);
+}
 
-  /// The last place in [from, to] that `column_` keeps, to rounding.
-  [[nodiscard]] double bisect(double from, double to, geom::Point a, geom::Point b) const {
-    for (int i = 0; i < 60 && to - from > 1e-16; ++i) {
-      const double middle = 0.5 * (from + to);
-      const geom::Point p = geom::interpolate(a, b, middle);
-      (keeps(column_, p, map_.locate(p)) ? from : to) = middle;
+geom::Point ColumnMap::target_point(double from_pin, double depth) const {
+  const double bed = from_pin + target_pin_.at(depth);
+  return point_on_bed(target_.frame(column_at(target_, bed, depth, ColumnId{})), bed, depth);
+}
+
+std::vector<double> ColumnMap::target_corners(double depth) const {
+  std::vector<double> corners;
+  for (std::size_t rung = 0; rung < target_.rung_count(); ++rung)
+    corners.push_back(rung_line(target_, rung).at(depth) - target_pin_.at(depth));
+  return corners;
+}
+
+// Area.
+
+std::vector<double> ColumnMap::area_rates(const Columns& columns) {
+  const std::size_t count = columns.inner_count();
+  std::vector<double> rates(count + 1);
+  for (std::size_t rung = 0; rung <= count; ++rung) {
+    double widening = 0.0;
+    double length = 0.0;
+    for (const std::size_t column : {rung, rung + 1}) {
+      if (column == 0 || column > count) continue;
+      widening += columns.frame(ColumnId(column)).widening();
+      length += columns.frame(ColumnId(column)).length;
     }
-    return from;
+    rates[rung] = widening / length;
   }
+  return rates;
+}
 
-  /// Passes at u, already emitted, into the column that holds the piece a little later; returns how much later.
-  double pass(double u, double step, geom::Point a, geom::Point b) {
-    const double later = std::min(1.0, u + step);
-    const Located next = map_.locate(later == 1.0 ? b : geom::interpolate(a, b, later));
-    foot_ = next.foot;
-    enter(u == 0.0 ? a : geom::interpolate(a, b, u), next.at.column);
-    return later;
+double ColumnMap::area_rate(const std::vector<double>& rates, const ColumnPoint& at) {
+  if (at.column.index() == 0) return rates.front();
+  if (at.column.index() >= rates.size()) return rates.back();
+  return (1.0 - at.along) * rates[at.column.index() - 1] + at.along * rates[at.column.index()];
+}
+
+geom::Point ColumnMap::carry_name(const ColumnPoint& name) const {
+  DOBRA_CHECK(law_ != ColumnLaw::Slip);
+  if (law_ == ColumnLaw::Thickness) return target_.point(name);
+  ColumnPoint goal = name;
+  const double area = name.depth * (1.0 + 0.5 * area_rate(source_rates_, name) * name.depth);
+  goal.depth = depth_of_area(area, area_rate(target_rates_, name));
+  return target_.point(goal);
+}
+
+// What Tracer asks.
+
+Spot ColumnMap::locate(geom::Point p, Cell hint) const {
+  const Columns::Found found = source_.find(p, tolerances_.side, column_of(hint.first));
+  Spot spot{{index_of(found.column), 0}, found.distance, found.foot};
+  if (law_ == ColumnLaw::Slip) {
+    double depth = 0.0;
+    const double bed = target_bed(source_.frame(found.column), p, depth);
+    spot.cell.second = index_of(column_at(target_, bed, depth, column_of(hint.second)));
   }
+  return spot;
+}
 
-  void piece(geom::Point a, geom::Point b) {
-    double step = smallest_step;
-    double u = pass(0.0, step, a, b);
-    while (u < 1.0) {
-      double out = exit_after(u, step, a, b);
-      const geom::Point p = out == 1.0 ? b : geom::interpolate(a, b, out);
-      const bool kept = keeps(column_, p, map_.locate(p));
-      if (kept && out == 1.0) break;
-      if (!kept) out = bisect(u, out, a, b);
-      go(geom::interpolate(a, b, out), column_);
-      const ColumnId old = column_;
-      u = pass(out, step, a, b);
-      // A piece that runs along a rung within rounding would otherwise be cut without end.
-      step = column_ == old ? 2.0 * step : smallest_step;
+std::array<double, 4> ColumnMap::beyond(Cell cell, geom::Point p) const {
+  const Columns::Beyond out = source_.beyond(column_of(cell.first), p);
+  if (law_ != ColumnLaw::Slip) return {out.left, out.right, -infinity, -infinity};
+  double depth = 0.0;
+  const double bed = target_bed(source_.frame(column_of(cell.first)), p, depth);
+  const bool first = cell.second == 0;
+  const bool last = cell.second == target_.inner_count() + 1;
+  return {out.left, out.right, first ? -infinity : rung_line(target_, cell.second - 1).at(depth) - bed,
+          last ? -infinity : bed - rung_line(target_, cell.second).at(depth)};
+}
+
+Carried ColumnMap::carry(Cell cell, geom::Point p) const {
+  const ColumnPoint name = source_.name_in(column_of(cell.first), p);
+  if (law_ != ColumnLaw::Slip) return {name, carry_name(name)};
+  double depth = 0.0;
+  const double bed = target_bed(source_.frame(column_of(cell.first)), p, depth);
+  return {name, point_on_bed(target_.frame(column_of(cell.second)), bed, depth)};
+}
+
+bool ColumnMap::keeps(const Spot& spot, geom::Point p, const Spot& nearest) const {
+  if (nearest.foot == Foot::NoColumn || spot.foot == Foot::NoColumn) return nearest.cell.first == spot.cell.first;
+  return source_.distance_to_base(column_of(spot.cell.first), p) <= nearest.distance + tolerances_.side;
+}
+
+geom::Point ColumnMap::back(geom::Point image, Cell& hint) const {
+  const Columns::Found found = target_.find(image, tolerances_.side, column_of(hint.second));
+  hint.second = index_of(found.column);
+  if (law_ != ColumnLaw::Slip) {
+    ColumnPoint name = target_.name_in(found.column, image);
+    if (law_ == ColumnLaw::Area) {
+      const double area = name.depth * (1.0 + 0.5 * area_rate(target_rates_, name) * name.depth);
+      name.depth = depth_of_area(area, area_rate(source_rates_, name));
     }
-    go(b, column_);
-    result_.given.push_back(result_.before.points.size() - 1);
-    const Located located = map_.locate(b);
-    foot_ = located.foot;
-    count(b, located);
+    return source_.point(name);
   }
-
-  const ColumnMap& map_;
-  const Columns& source_;
-  MappedLine result_;
-  ColumnId column_;  ///< Where the walk is.
-  Foot foot_ = Foot::InColumn;
-};
-
-MappedLine ColumnMap::map(const geom::Polyline& line) const {
-  DOBRA_CHECK(!line.points.empty());
-  return Tracer(*this).run(line);
+  double depth = 0.0;
+  const double on_target = along_bed(target_.frame(found.column), image, depth);
+  const double bed = on_target - target_pin_.at(depth) + source_pin_.at(depth);
+  const ColumnId column = column_at(source_, bed, depth, column_of(hint.first));
+  hint.first = index_of(column);
+  return point_on_bed(source_.frame(column), bed, depth);
 }
 
 namespace {
@@ -198,11 +268,16 @@ Cuts common_cuts(const std::vector<double>& source, double source_pin, const std
 }  // namespace
 
 base::Result<ColumnMap> match_by_length(const geom::Polyline& source, double source_pin, const geom::Polyline& target,
-                                        double target_pin, const MapOptions& options) {
+                                        double target_pin, const MapOptions& options, ColumnLaw law) {
+  if (law == ColumnLaw::Slip) {
+    DOBRA_TRY(Columns from, Columns::along(source));
+    DOBRA_TRY(Columns to, Columns::along(target));
+    return ColumnMap::slip(std::move(from), source_pin, std::move(to), target_pin, options);
+  }
   const Cuts cuts = common_cuts(geom::arc_lengths(source), source_pin, geom::arc_lengths(target), target_pin);
   DOBRA_TRY(Columns from, Columns::between(source, cuts.on_source));
   DOBRA_TRY(Columns to, Columns::between(target, cuts.on_target));
-  return ColumnMap(std::move(from), std::move(to), options);
+  return ColumnMap(std::move(from), std::move(to), options, law);
 }
 
 }  // namespace recon::core

@@ -1,16 +1,27 @@
 #pragma once
-// The map of constant-thickness restoration: the columns of the source grid onto those of the target grid, column by
-// column. It keeps the arc length of the base line and the depth of every point, and swapped it is its own inverse. It
-// does not keep area nor the length of deeper beds: det F = (1 - k' d) / (1 - k d) with the curvatures k, k' of the two
-// bases. Method: requirements C.3 (E-10, E-11, E-12), restoration.md 2.2.  Page: docs/algorithms/unfold.md
+// Maps between the columns of two base lines, each its own law for the depth and for the place along the bed:
+//   Thickness  the same column, the same fraction of the offset edge, the same depth. Keeps the length of the top and
+//   the
+//              depth of every point; det F = (1 - k' d) / (1 - k d) with the curvatures k, k' of the two bases.
+//   Area       the same column and fraction; the depth such that as much area lies above: d + c d^2/2 is kept, where
+//              c = (widening of the two columns at a rung) / (their length), linear between the rungs of a column.
+//   Slip       flexural slip: the same depth, and the same distance from the pin line along the bed at that depth.
+//   Affine
+//              in every column with det F = 1, so that every bed keeps its length and every unit its area.
+// Method: requirements C.3 (E-10, E-11, E-12), restoration.md 2.2 to 2.4.  Pages: docs/algorithms/unfold.md,
+// thickness.md, flexural_slip.md
 
+#include <array>
 #include <vector>
 
 #include "recon/core/columns.h"
+#include "recon/core/trace.h"
 #include "shared/base/result.h"
 #include "shared/geom/polyline.h"
 
 namespace recon::core {
+
+enum class ColumnLaw { Thickness, Area, Slip };
 
 struct MapOptions {
   double rung_tolerance =
@@ -18,64 +29,85 @@ struct MapOptions {
   double tear_tolerance = 1e-9;   ///< Images farther apart than this are a tear, relative to the base line's box.
   double chord_tolerance = 1e-6;  ///< Straight pieces whose image is curved are halved until the chord is this near,
                                   ///< relative to the base line's box.
-  int most_halvings = 12;  ///< But no more often than this.
+  int most_halvings = 12;         ///< But no more often than this.
 };
 
-/// A place where a line passes from one column into another that is not its neighbour: it crosses the medial axis of
-/// the base, and its image jumps. Nothing is lost: the image is joined across the jump.
-struct Tear {
-  std::size_t index = 0;  ///< `before[index]` and `before[index + 1]` are the same point; their images are not.
-  geom::Point place;      ///< On the line before.
-  double gap = 0.0;       ///< Between the two images, m.
-};
+/// Tolerances in metres for a map between things in these boxes.
+TraceTolerances tolerances_for(const geom::Box& source, const geom::Box& target, const MapOptions& options);
 
-/// A line and its image, vertex by vertex.
-struct MappedLine {
-  geom::Polyline before;           ///< The given line with a vertex wherever it crosses a rung.
-  geom::Polyline after;            ///< Its image, the same number of vertices.
-  std::vector<ColumnPoint> names;  ///< The same number: column, along, depth.
-  std::vector<std::size_t> given;  ///< Where the vertices of the given line stand in `before`.
-  std::vector<Tear> tears;
-  std::size_t without_column = 0;  ///< Given vertices that no column holds; mapped by the nearest base segment.
-  std::size_t beyond_ends = 0;     ///< Given vertices in an outer column.
-  std::size_t not_reversible = 0;  ///< Given vertices whose image belongs to another column of the target.
-};
-
-/// Source and target columns; column i goes to column i.
+/// Source and target columns with a law between them. A value, cheap to map with from many threads at once.
 class ColumnMap {
  public:
   ColumnMap() = default;
-  /// @pre source.count() == target.count().
-  ColumnMap(Columns source, Columns target, const MapOptions& options = {});
+  /// Column i goes to column i.  @pre source.count() == target.count(), law is not Slip.
+  ColumnMap(Columns source, Columns target, const MapOptions& options = {}, ColumnLaw law = ColumnLaw::Thickness);
+  /// Flexural slip; the columns of the two lines are independent of each other.
+  /// @param source_pin  arc length on the source, m; the pin line is the normal there (at a corner its rung).
+  static ColumnMap slip(Columns source, double source_pin, Columns target, double target_pin,
+                        const MapOptions& options = {});
 
   [[nodiscard]] const Columns& source() const { return source_; }
   [[nodiscard]] const Columns& target() const { return target_; }
+  [[nodiscard]] ColumnLaw law() const { return law_; }
   /// The map back.
-  [[nodiscard]] ColumnMap swapped() const { return {target_, source_, options_}; }
+  [[nodiscard]] ColumnMap swapped() const;
+
+  /// Slip: the point of the target at a distance along its bed from the pin line, at that depth; and the distances at
+  /// which the beds of that depth have their corners. Metres.
+  [[nodiscard]] geom::Point target_point(double from_pin, double depth) const;
+  [[nodiscard]] std::vector<double> target_corners(double depth) const;
 
   /// The name of a point. O(log n).
-  [[nodiscard]] Located locate(geom::Point p) const { return source_.locate(p, rung_tolerance_); }
+  [[nodiscard]] Located locate(geom::Point p) const { return source_.locate(p, tolerances_.side); }
   /// The point of that name on the target.
-  [[nodiscard]] geom::Point image(const ColumnPoint& name) const { return target_.point(name); }
+  [[nodiscard]] geom::Point image(const ColumnPoint& name) const { return carry_name(name); }
   /// Where a single point goes. O(log n).
-  [[nodiscard]] geom::Point map(geom::Point p) const { return image(locate(p).at); }
-
+  [[nodiscard]] geom::Point map(geom::Point p) const { return carry(locate(p, Cell{}).cell, p).image; }
   /// Where a line goes, exact up to the chord tolerance. O((n + x) log m) for n vertices, x rung crossings, m columns.
   /// @param line open, n >= 1 points.
-  [[nodiscard]] MappedLine map(const geom::Polyline& line) const;
+  [[nodiscard]] MappedLine map(const geom::Polyline& line) const { return Tracer(*this).run(line); }
+
+  // What Tracer asks (trace.h). Cell: source column; for Slip also the target column.
+  [[nodiscard]] Spot locate(geom::Point p, Cell hint) const;
+  [[nodiscard]] std::array<double, 4> beyond(Cell cell, geom::Point p) const;
+  [[nodiscard]] Carried carry(Cell cell, geom::Point p) const;
+  [[nodiscard]] bool keeps(const Spot& spot, geom::Point p, const Spot& nearest) const;
+  [[nodiscard]] geom::Point back(geom::Point image, Cell& hint) const;
+  [[nodiscard]] bool is_outer(Cell cell) const { return source_.is_outer(ColumnId(cell.first)); }
+  [[nodiscard]] bool bends() const { return law_ != ColumnLaw::Slip; }
+  [[nodiscard]] const TraceTolerances& tolerances() const { return tolerances_; }
 
  private:
-  class Tracer;
+  /// Distance along the bed at a depth, m: arc + lean * depth, 0 at the first rung.
+  struct BedLine {
+    double arc = 0.0;
+    double lean = 0.0;
+    [[nodiscard]] double at(double depth) const { return arc + lean * depth; }
+  };
+  static BedLine pin_line(const Columns& columns, double arc);
+  static BedLine rung_line(const Columns& columns, std::size_t rung);
+  /// Where point p of a column lies along the bed at its depth, from the first rung, m.
+  static double along_bed(const Columns::Frame& frame, geom::Point p, double& depth);
+  [[nodiscard]] double target_bed(const Columns::Frame& frame, geom::Point p, double& depth) const;
+  /// The column in which the bed at this depth has that place.
+  static ColumnId column_at(const Columns& columns, double bed, double depth, ColumnId hint);
+  static geom::Point point_on_bed(const Columns::Frame& frame, double bed, double depth);
+  [[nodiscard]] geom::Point carry_name(const ColumnPoint& name) const;
+  static double area_rate(const std::vector<double>& rates, const ColumnPoint& at);
+  static std::vector<double> area_rates(const Columns& columns);
 
   Columns source_;
   Columns target_;
-  MapOptions options_;
-  double rung_tolerance_ = 0.0;  ///< m
-  double tear_tolerance_ = 0.0;
-  double chord_tolerance_ = 0.0;
+  ColumnLaw law_ = ColumnLaw::Thickness;
+  BedLine source_pin_;  ///< Slip only.
+  BedLine target_pin_;
+  std::vector<double> source_rates_;  ///< Area only: c at each rung, 1/m.
+  std::vector<double> target_rates_;
+  TraceTolerances tolerances_;
 };
 
-/// Cuts both lines at the union of their corners, matched by arc length from the two pins, and maps one onto the other.
+/// Cuts both lines at the union of their corners, matched by arc length from the two pins, and maps one onto the other
+/// (Slip: without cuts, the two pins on each other).
 /// The target is not stretched: where it is too short it goes on straight, where it is longer it is cut off.
 /// @param source      top of the section; its right-hand side of travel is the side of the layers.
 /// @param source_pin  arc length of the pin on the source, m.
@@ -83,6 +115,7 @@ class ColumnMap {
 /// @param target_pin  arc length on the target, m, to which the pin goes (may lie beyond its ends).
 /// @error DegenerateCurve where a line turns back on itself, with the place.
 base::Result<ColumnMap> match_by_length(const geom::Polyline& source, double source_pin, const geom::Polyline& target,
-                                        double target_pin, const MapOptions& options = {});
+                                        double target_pin, const MapOptions& options = {},
+                                        ColumnLaw law = ColumnLaw::Thickness);
 
 }  // namespace recon::core

@@ -38,7 +38,7 @@ base::Result<Model> run_restore(const Model& model, const RestoreParams& params,
     return base::Error{base::ErrorCode::CannotRestore, missing};
   }
   Model next = model;
-  DOBRA_TRY(next.restoration, restore(model.section, model.target->map, params, progress));
+  DOBRA_TRY(next.restoration, restore(model.section, *model.source, *model.target, params, progress));
   return next;
 }
 

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "shared/base/parallel.h"
 
 namespace recon::core {
@@ -42,17 +45,119 @@ void remark_on(const std::string& name, const MappedLine& mapped, std::vector<st
   }
 }
 
+/// Depths below the top for maps whose cells are not its columns.
+void name_by_columns(MappedLine& mapped, const ColumnMap& grid) {
+  ColumnId hint;
+  for (std::size_t i = 0; i < mapped.names.size(); ++i) {
+    mapped.names[i] = grid.source().locate(mapped.before.points[i], grid.tolerances().side, hint).at;
+    hint = mapped.names[i].column;
+  }
+}
+
+/// Everything but horizons and unit polygons, which the ledger maps.
+void carry_the_rest(const SectionMap& map, Section& section) {
+  base::parallel_for(section.lines.size(),
+                     [&](std::size_t i) { section.lines[i].line = map.forward(section.lines[i].line).after; });
+  for (Marker& marker : section.markers) {
+    for (geom::Point& p : marker.points) p = map.forward(p).at;
+  }
+}
+
+/// The first place where the map of a horizon is not single-valued.
+base::Result<void> refuse_doubt(const Section& section, const std::vector<MappedLine>& lines) {
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (!lines[i].doubtful) continue;
+    return base::Error{
+        base::ErrorCode::CannotRestore,
+        "the grid is not single-valued here (beyond the medial axis of the top); simplify the top, choose "
+        "another method, or set outside = \"nearest\"",
+        place_at(*lines[i].doubtful, fmt::format("horizon '{}'", section.horizons[i].name))};
+  }
+  return {};
+}
+
+Balance judge(const Restoration& restoration) {
+  Balance balance;
+  for (const LineLength& row : restoration.lengths) {
+    if (!balance.worst.empty() && std::abs(row.change_percent) <= balance.greatest_change_percent) continue;
+    balance.greatest_change_percent = std::abs(row.change_percent);
+    balance.worst = row.name;
+  }
+  for (const UnitRow& row : restoration.ledger.units) {
+    if (!balance.worst_unit.empty() && std::abs(row.change_percent) <= balance.greatest_area_change_percent) continue;
+    balance.greatest_area_change_percent = std::abs(row.change_percent);
+    balance.worst_unit = row.name;
+  }
+  balance.inconsistency_percent = inconsistency_percent(restoration.lengths);
+  // Methods that keep the length of every bed cannot fail by it: there the beds must agree with each other.
+  const bool keeps_lengths =
+      restoration.method == RestoreMethod::Flexural || restoration.method == RestoreMethod::LineLength;
+  const double tolerance = restoration.tolerance_percent;
+  balance.balanced = balance.greatest_change_percent <= tolerance &&
+                     balance.greatest_area_change_percent <= tolerance &&
+                     (!keeps_lengths || balance.inconsistency_percent <= tolerance);
+  return balance;
+}
+
+std::string verdict_text(const Restoration& restoration) {
+  const Balance& balance = restoration.balance;
+  std::string text =
+      fmt::format("{}: the greatest change of a bed's length is {:.4g} % (horizon '{}')",
+                  balance.balanced ? "balanced" : "not balanced", balance.greatest_change_percent, balance.worst);
+  if (!balance.worst_unit.empty()) {
+    text += fmt::format(", of a unit's area {:.4g} % ('{}')", balance.greatest_area_change_percent, balance.worst_unit);
+  }
+  return text + fmt::format("; restored beds differ by {:.4g} %; the tolerance is {:.4g} %",
+                            balance.inconsistency_percent, restoration.tolerance_percent);
+}
+
+/// tan of the lean of the line through the ends of the top and the farthest bed, outwards positive.
+void measure_lean(const Section& section, const std::vector<HorizonId>& order, Restoration& restoration) {
+  if (order.size() < 2) return;
+  const auto line_of = [&](HorizonId id) -> const geom::Polyline& {
+    for (std::size_t i = 0; i < section.horizons.size(); ++i) {
+      if (section.horizons[i].id == id) return restoration.lines[i].after;
+    }
+    return restoration.lines.front().after;
+  };
+  const geom::Polyline& top = line_of(order.front());
+  const geom::Polyline& base = line_of(order.back());
+  const auto lean = [](geom::Point from, geom::Point to, geom::Point inner) {
+    const geom::Vector outwards = geom::normalised(from - inner);
+    const geom::Vector down = to - from;
+    const double depth = std::abs(geom::cross(outwards, down));
+    return depth > 0.0 ? geom::dot(down, outwards) / depth : 0.0;
+  };
+  restoration.lean_left = lean(top.points.front(), base.points.front(), top.points[1]);
+  restoration.lean_right = lean(top.points.back(), base.points.back(), top.points[top.points.size() - 2]);
+}
+
+MethodParams method_params(const RestoreParams& params) {
+  return {params.method, params.angle, params.base, params.thickness, params.percent, params.outside};
+}
+
 }  // namespace
 
-base::Result<Restoration> restore(const Section& section, const ColumnMap& map, const RestoreParams& params,
-                                  const base::Progress& progress) {
+base::Result<Restoration> restore(const Section& section, const SourceGrid& source, const Target& target,
+                                  const RestoreParams& params, const base::Progress& progress) {
   DOBRA_TRY_VOID(progress.check());
+  DOBRA_TRY(MethodMap made, make_method_map(section, source, target, method_params(params)));
   Restoration restoration;
+  restoration.method = params.method;
+  restoration.percent = params.percent;
   restoration.tolerance_percent = params.tolerance;
+  restoration.remarks = std::move(made.remarks);
+  restoration.map = std::move(made.map);
+  const SectionMap& map = restoration.map;
   restoration.lines = base::parallel_map<MappedLine>(section.horizons.size(), [&](std::size_t i) {
-    return progress.cancelled() ? MappedLine{} : map.map(section.horizons[i].line);
+    if (progress.cancelled()) return MappedLine{};
+    MappedLine mapped = map.forward(section.horizons[i].line);
+    if (map.columns() == nullptr) name_by_columns(mapped, target.map);
+    return mapped;
   });
   DOBRA_TRY_VOID(progress.check());
+  progress.report(0.6, "lines restored");
+  if (params.outside == Doubt::Refuse) DOBRA_TRY_VOID(refuse_doubt(section, restoration.lines));
   restoration.section = section;
   for (std::size_t i = 0; i < section.horizons.size(); ++i) {
     const Horizon& horizon = section.horizons[i];
@@ -60,14 +165,15 @@ base::Result<Restoration> restore(const Section& section, const ColumnMap& map, 
     restoration.lengths.push_back(line_length(horizon, restoration.lines[i]));
     remark_on(horizon.name, restoration.lines[i], restoration.remarks);
   }
-  restoration.balance = judge_balance(restoration.lengths, params.tolerance);
-  restoration.remarks.push_back(
-      "constant thickness keeps the length of the top and the depth of every point; area and the length of deeper beds "
-      "change");
-  restoration.remarks.push_back(
-      fmt::format("{}: the greatest change of a bed's length is {:.4g} % (horizon '{}'), the tolerance {:.4g} %",
-                  restoration.balance.balanced ? "balanced" : "not balanced",
-                  restoration.balance.greatest_change_percent, restoration.balance.worst, params.tolerance));
+  carry_the_rest(map, restoration.section);
+  const std::vector<HorizonId> order = horizons_in_order(section, source, target);
+  DOBRA_TRY(restoration.ledger, draw_up(section, ledger_units(section, order), restoration.lines, map, {}, progress));
+  for (std::size_t i = 0; i < section.units.size(); ++i)
+    restoration.section.units[i].contour = restoration.ledger.units[i].contour_after;
+  measure_lean(section, order, restoration);
+  restoration.balance = judge(restoration);
+  restoration.remarks.push_back(what_it_keeps(params.method));
+  restoration.remarks.push_back(verdict_text(restoration));
   progress.report(1.0, "restored");
   return restoration;
 }

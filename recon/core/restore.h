@@ -1,49 +1,85 @@
 #pragma once
-// Restoration: every line of the section carried from the source columns to the target columns. Requirements REC-2..5.
-// Page: docs/algorithms/unfold.md
+// Restoration: everything in the section carried from the source grid to the target by a method, and the ledger of what
+// that kept. Requirements REC-2..5. Page: docs/algorithms/unfold.md
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "recon/core/balance.h"
-#include "recon/core/map.h"
+#include "recon/core/ledger.h"
+#include "recon/core/methods.h"
 #include "recon/core/section.h"
-#include "recon/core/target.h"
 #include "shared/base/progress.h"
 
 namespace recon::core {
 
-/// What restoration keeps. Further methods join here.
-enum class RestoreMethod { ConstantThickness };
-
 /// Parameters of the step `restore`.
 struct RestoreParams {
-  RestoreMethod method = RestoreMethod::ConstantThickness;
+  RestoreMethod method = RestoreMethod::Constant;
+  base::Angle angle;
+  std::string base;
+  std::optional<double> thickness;
+  double percent = 100.0;
+  Doubt outside = Doubt::Nearest;
   double tolerance = 2.0;
   template <class D>
   static void describe(D& d) {
-    d.choice(
-        "method", &RestoreParams::method, {"constant"},
-        {.title = "Method", .help = "constant: keeps the length of the top and the depth of every point below it."});
+    d.choice("method", &RestoreParams::method,
+             {"constant", "variable", "proportional", "flexural", "shear", "line_length"},
+             {.title = "Method",
+              .help = "What is kept: constant thickness; variable thickness with its area; the part of the thickness; "
+                      "flexural slip, every bed its length; simple shear; the length of every horizon."});
+    d.field("angle", &RestoreParams::angle,
+            {.title = "Direction of shear",
+             .help = "From the vertical, positive towards +x upwards; 0 is vertical shear.",
+             .unit = "deg",
+             .above = -90.0,
+             .at_most = 89.999});
+    d.field("base", &RestoreParams::base,
+            {.title = "Base horizon", .help = "Of proportional thickness; by default the farthest from the top."});
+    d.field("thickness", &RestoreParams::thickness,
+            {.title = "Restored thickness",
+             .help = "Of proportional thickness; by default such that the area stays.",
+             .unit = "m",
+             .above = 0.0});
+    d.field("percent", &RestoreParams::percent,
+            {.title = "State",
+             .help = "0: deformed, 100: restored; between: on the way.",
+             .unit = "%",
+             .at_least = 0.0,
+             .at_most = 100.0});
+    d.choice("outside", &RestoreParams::outside, {"nearest", "refuse"},
+             {.title = "Where the map is not single-valued",
+              .help = "nearest: the nearest segment of the top, with a remark; refuse: an error with the place."});
     d.field("tolerance", &RestoreParams::tolerance,
             {.title = "Balance tolerance",
-             .help = "Greatest change of a bed's length in a balanced section.",
+             .help = "Greatest change of a bed's length or a unit's area in a balanced section.",
              .unit = "%",
              .at_least = 0.0});
   }
 };
 
 struct Restoration {
-  Section section;                  ///< The restored horizons, with the ids and names of the section's.
+  RestoreMethod method = RestoreMethod::Constant;
+  double percent = 100.0;
+  SectionMap map;
+  Section section;                  ///< Everything restored, with the ids and names of the section's.
   std::vector<MappedLine> lines;    ///< One for each horizon, in the same order.
   std::vector<LineLength> lengths;  ///< Likewise.
+  Ledger ledger;
   Balance balance;
+  /// How far the ends of the beds lean outwards from the top to the farthest horizon: tan of the angle from the normal
+  /// of the target, to the left and to the right end.
+  double lean_left = 0.0;
+  double lean_right = 0.0;
   double tolerance_percent = 0.0;
   std::vector<std::string> remarks;
 };
 
-/// @error Cancelled
-base::Result<Restoration> restore(const Section& section, const ColumnMap& map, const RestoreParams& params,
-                                  const base::Progress& progress);
+/// @error CannotRestore with the place (see make_method_map; or where the map is not single-valued, Doubt::Refuse),
+///        BadSection, Cancelled.
+base::Result<Restoration> restore(const Section& section, const SourceGrid& source, const Target& target,
+                                  const RestoreParams& params, const base::Progress& progress);
 
 }  // namespace recon::core

@@ -34,7 +34,30 @@ base::Place place_at(geom::Point p, std::string item) {
 geom::Box box_of(const Section& section) {
   geom::Box box;
   for (const Horizon& horizon : section.horizons) box.add(horizon.line.box());
+  for (const SectionLine& line : section.lines) box.add(line.line.box());
+  for (const Unit& unit : section.units) box.add(unit.contour.box());
+  for (const Marker& marker : section.markers) box.add(geom::box_of(marker.points));
   return box;
+}
+
+const char* kind_name(LineKind kind) {
+  switch (kind) {
+    case LineKind::Pin:
+      return "pin";
+    case LineKind::Loose:
+      return "loose";
+    case LineKind::Fault:
+      break;
+  }
+  return "fault";
+}
+
+geom::Polyline contour_between(const geom::Polyline& upper, const geom::Polyline& lower) {
+  geom::Polyline contour = upper;
+  contour.points.insert(contour.points.end(), lower.points.rbegin(), lower.points.rend());
+  contour.closed = true;
+  contour = geom::without_repeated_points(std::move(contour));
+  return geom::signed_area(contour) < 0.0 ? geom::reversed(std::move(contour)) : contour;
 }
 
 double metres_per_unit(LengthUnit unit) {

@@ -1,6 +1,7 @@
 #pragma once
-// A geological section as values: horizons now; faults, unit polygons, markers, pin and loose lines join as further
-// lists of the same kind (an id, a name, geometry, where it came from). x runs along the section, z is up, metres.
+// A geological section as values: horizons, faults, unit polygons, markers, pin and loose lines, each with an id that
+// stays with it through all steps, a name that is free to change, geometry, and where it came from. x runs along the
+// section, z is up, metres.
 
 #include <string>
 #include <vector>
@@ -28,6 +29,46 @@ struct Horizon {
   base::Place source;   ///< The file, or the place in the scenario, that it came from.
 };
 
+struct LineTag {
+  static constexpr const char* prefix = "line";
+};
+struct UnitTag {
+  static constexpr const char* prefix = "unit";
+};
+struct MarkerTag {
+  static constexpr const char* prefix = "marker";
+};
+using LineId = base::Id<LineTag>;
+using UnitId = base::Id<UnitTag>;
+using MarkerId = base::Id<MarkerTag>;
+
+enum class LineKind { Fault, Pin, Loose };
+
+/// A line that is no bed: it is carried with the section, but not part of the balance.
+struct SectionLine {
+  LineId id;
+  LineKind kind = LineKind::Fault;
+  std::string name;
+  geom::Polyline line;  ///< Open, in the order in which it was given.
+  base::Place source;
+};
+
+/// The area of a rock unit.
+struct Unit {
+  UnitId id;
+  std::string name;
+  geom::Polyline contour;  ///< Closed, simple, anticlockwise.
+  base::Place source;
+};
+
+/// Points that belong together: picks of a well, a fossil, a growth line.
+struct Marker {
+  MarkerId id;
+  std::string name;
+  std::vector<geom::Point> points;
+  base::Place source;
+};
+
 enum class VerticalAxis { Up, Down };
 enum class LengthUnit { Metre, Kilometre, Foot };
 
@@ -41,6 +82,9 @@ struct Convention {
 
 struct Section {
   std::vector<Horizon> horizons;
+  std::vector<SectionLine> lines;
+  std::vector<Unit> units;
+  std::vector<Marker> markers;
   Convention convention;  ///< Of the files it was read from; further files of the scenario follow it.
 };
 
@@ -54,7 +98,13 @@ std::vector<std::string> horizon_names(const Section& section);
 /// A place to zoom to.
 base::Place place_at(geom::Point p, std::string item = {});
 
-/// Box round all horizons.
+/// "fault", "pin", "loose".
+const char* kind_name(LineKind kind);
+
+/// The polygon between two lines that run the same way: along the first, back along the second, anticlockwise.
+geom::Polyline contour_between(const geom::Polyline& upper, const geom::Polyline& lower);
+
+/// Box round everything in the section.
 geom::Box box_of(const Section& section);
 
 double metres_per_unit(LengthUnit unit);

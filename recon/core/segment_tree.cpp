@@ -5,6 +5,16 @@
 
 namespace recon::core {
 
+SegmentTree::Node SegmentTree::node_of(dobra::geom::Point from, dobra::geom::Point to) {
+  Node node;
+  node.from = from;
+  node.along = to - from;
+  const double squared = dobra::geom::length_squared(node.along);
+  node.inverse = squared > 0.0 ? 1.0 / squared : 0.0;
+  node.reach = 0.0;
+  return node;
+}
+
 SegmentTree::SegmentTree(std::vector<dobra::geom::Segment> segments)
     : segments_(std::move(segments)), leaves_(std::bit_ceil(segments_.size())) {
   if (segments_.empty()) return;
@@ -13,19 +23,14 @@ SegmentTree::SegmentTree(std::vector<dobra::geom::Segment> segments)
     for (std::size_t first = 0; first < leaves_; first += width, ++node) {
       const std::size_t end = std::min(first + width, segments_.size());
       if (first >= end) continue;
-      nodes_[node] = {{segments_[first].from, segments_[end - 1].to}, 0.0};
+      nodes_[node] = node_of(segments_[first].from, segments_[end - 1].to);
       // The distance to a chord is convex along a segment, so its ends are the farthest points.
-      for (std::size_t i = first; i + 1 < end; ++i) {
-        nodes_[node].reach = std::max(nodes_[node].reach, dobra::geom::distance(nodes_[node].chord, segments_[i].to));
-      }
+      double squared = 0.0;
+      for (std::size_t i = first; i + 1 < end; ++i)
+        squared = std::max(squared, squared_distance(nodes_[node], segments_[i].to));
+      nodes_[node].reach = std::sqrt(squared);
     }
   }
-}
-
-double SegmentTree::gap(const Node& node, dobra::geom::Point p) {
-  if (node.reach < 0.0) return std::numeric_limits<double>::infinity();
-  // Rounded down a little, so that a part is never passed over that holds a segment at exactly the limit.
-  return dobra::geom::distance(node.chord, p) * (1.0 - 1e-13) - node.reach * (1.0 + 1e-13);
 }
 
 }  // namespace recon::core

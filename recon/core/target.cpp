@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "shared/base/text.h"
 
 namespace recon::core {
 
@@ -99,12 +102,47 @@ base::Result<double> pin_on_line(const geom::Polyline& line, geom::Point source_
   return at;
 }
 
-base::Result<Pinned> line_target(const Section& section, const SourceGrid& source, geom::Point pin,
-                                 const TargetParams& params, const dobra::scenario::Context& context,
-                                 std::vector<std::string>& remarks) {
-  if (params.elevation) {
-    return base::Error{base::ErrorCode::BadValue,
-                       "elevation belongs to a flat target; use target_pin with shape = \"line\""};
+/// The straight line that fits a horizon best (least squares of z over x), over its range of x.
+geom::Polyline regional_of(const geom::Polyline& line) {
+  double sum_x = 0.0, sum_z = 0.0;
+  const auto count = static_cast<double>(line.points.size());
+  for (const geom::Point p : line.points) {
+    sum_x += p.x;
+    sum_z += p.y;
+  }
+  const geom::Point centre{sum_x / count, sum_z / count};
+  double xx = 0.0, xz = 0.0;
+  for (const geom::Point p : line.points) {
+    xx += (p.x - centre.x) * (p.x - centre.x);
+    xz += (p.x - centre.x) * (p.y - centre.y);
+  }
+  const double slope = xx > 0.0 ? xz / xx : 0.0;
+  const geom::Box box = line.box();
+  return {{{box.low.x, centre.y + slope * (box.low.x - centre.x)},
+           {box.high.x, centre.y + slope * (box.high.x - centre.x)}},
+          false};
+}
+
+base::Result<geom::Polyline> horizon_line(const Section& section, const SourceGrid& source,
+                                          const TargetParams& params) {
+  if (params.horizon.empty() && params.shape == TargetShape::Horizon) {
+    return base::Error{base::ErrorCode::MissingKey, "a target of shape \"horizon\" needs horizon = \"...\""};
+  }
+  const Horizon* horizon =
+      params.horizon.empty() ? find_horizon(section, source.top) : find_horizon(section, params.horizon);
+  if (horizon == nullptr) {
+    return base::Error{base::ErrorCode::BadSection,
+                       fmt::format("there is no horizon '{}' to be the target{}", params.horizon,
+                                   base::did_you_mean(params.horizon, horizon_names(section)))};
+  }
+  return params.shape == TargetShape::Regional ? regional_of(horizon->line) : horizon->line;
+}
+
+base::Result<ReadLine> given_line(const Section& section, const SourceGrid& source, const TargetParams& params,
+                                  const dobra::scenario::Context& context) {
+  if (params.shape != TargetShape::Line) {
+    DOBRA_TRY(geom::Polyline line, horizon_line(section, source, params));
+    return ReadLine{std::move(line), {}};
   }
   HorizonInput input;
   input.name = "target";
@@ -112,8 +150,17 @@ base::Result<Pinned> line_target(const Section& section, const SourceGrid& sourc
   input.points = params.points;
   input.feature = params.feature;
   // Points in a step are section coordinates already; a file follows the convention of the section's files.
-  const Convention convention = params.file.empty() ? Convention{} : section.convention;
-  auto read = read_line(input, convention, context);
+  return read_line(input, params.file.empty() ? Convention{} : section.convention, context);
+}
+
+base::Result<Pinned> line_target(const Section& section, const SourceGrid& source, geom::Point pin,
+                                 const TargetParams& params, const dobra::scenario::Context& context,
+                                 std::vector<std::string>& remarks) {
+  if (params.elevation) {
+    return base::Error{base::ErrorCode::BadValue,
+                       "elevation belongs to a flat target; use target_pin with other shapes"};
+  }
+  auto read = given_line(section, source, params, context);
   if (!read) {
     base::Place place;
     place.item = "target";
@@ -145,6 +192,9 @@ base::Result<Target> make_target(const Section& section, const SourceGrid& sourc
                                     : line_target(section, source, target.source_pin, params, context, target.remarks));
   const std::vector<double> goal_arc = geom::arc_lengths(goal.line);
   target.target_pin = geom::point_at(goal.line, goal_arc, goal.pin);
+  target.source_arc = top.pin;
+  target.line = goal.line;
+  target.target_arc = goal.pin;
 
   const double missing_before = std::max(0.0, top.pin - goal.pin);
   const double missing_after = std::max(0.0, (top_arc.back() - top.pin) - (goal_arc.back() - goal.pin));

@@ -12,7 +12,7 @@
 
 namespace recon::core {
 
-enum class TargetShape { Flat, Line };
+enum class TargetShape { Flat, Line, Horizon, Regional };
 enum class TargetDirection { LeftToRight, AsGiven };
 
 /// Parameters of the step `target`.
@@ -24,11 +24,15 @@ struct TargetParams {
   std::vector<geom::Point> points;
   std::string file;
   std::string feature;
+  std::string horizon;
   TargetDirection direction = TargetDirection::LeftToRight;
   template <class D>
   static void describe(D& d) {
-    d.choice("shape", &TargetParams::shape, {"flat", "line"},
-             {.title = "Shape", .help = "flat: a horizontal datum; line: the points or the file."});
+    d.choice(
+        "shape", &TargetParams::shape, {"flat", "line", "horizon", "regional"},
+        {.title = "Shape",
+         .help = "flat: a horizontal datum; line: the points or the file; horizon: another horizon's line; regional: "
+                 "the straight line that fits a horizon best."});
     d.field("elevation", &TargetParams::elevation,
             {.title = "Elevation of the datum", .help = "By default that of the top at the pin.", .unit = "m"});
     d.field("pin", &TargetParams::pin,
@@ -42,6 +46,8 @@ struct TargetParams {
            {.title = "File of the line", .help = "Two-column text, CSV or GeoJSON, like a horizon's."});
     d.field("feature", &TargetParams::feature,
             {.title = "Feature", .help = "Name of the line in a GeoJSON file with several."});
+    d.field("horizon", &TargetParams::horizon,
+            {.title = "Horizon of the target", .help = "For horizon and regional; regional: by default the top."});
     d.choice(
         "direction", &TargetParams::direction, {"left_to_right", "as_given"},
         {.title = "Direction of the line", .help = "as_given: its first point goes with the left end of the top."});
@@ -49,16 +55,19 @@ struct TargetParams {
 };
 
 struct Target {
-  geom::Point source_pin;  ///< On the top.
-  geom::Point target_pin;  ///< On the target.
-  ColumnMap map;           ///< From the section to the target.
-  Grid grid;               ///< On the target; its base is map.target().base_line().
-  double extended = 0.0;   ///< How much of the target was added straight at its ends, m.
+  geom::Point source_pin;   ///< On the top.
+  geom::Point target_pin;   ///< On the target.
+  double source_arc = 0.0;  ///< Of the pin on the grid's base, m.
+  geom::Polyline line;      ///< The target as given, travelling like the grid's base.
+  double target_arc = 0.0;  ///< Of the pin on it, m; may lie beyond its ends.
+  ColumnMap map;            ///< Constant thickness, from the section to the target: the columns of both grids.
+  Grid grid;                ///< On the target; its base is map.target().base_line().
+  double extended = 0.0;    ///< How much of the target was added straight at its ends, m.
   std::vector<std::string> remarks;
 };
 
 /// @error CannotRestore (pin beside the top or the target), BadValue (parameters that contradict each other), those of
-/// read_line and make_grid.
+/// read_line and make_grid; BadSection (no such horizon).
 base::Result<Target> make_target(const Section& section, const SourceGrid& source, const TargetParams& params,
                                  const dobra::scenario::Context& context, const base::Progress& progress);
 

@@ -141,11 +141,11 @@ TEST(Restore, TheSameBytesComeOutAtAnyNumberOfThreads) {
 
 TEST(Restore, ACancelledRestorationSaysSo) {
   const geom::Polyline top = test::cosine();
-  const auto map = match_by_length(top, 0.0, {{{0, 0}, {20, 0}}, false}, 0.0);
-  ASSERT_TRUE(map);
+  const auto model = restored(test::section_of({top, test::parallel(top, 0.3)}));
+  ASSERT_TRUE(model) << to_string(model.error());
   const base::CancelToken token;
   token.cancel();
-  const auto result = restore(test::section_of({top}), *map, {}, base::Progress(token, nullptr));
+  const auto result = run_restore(*model, {}, {}, base::Progress(token, nullptr));
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, base::ErrorCode::Cancelled);
 }

@@ -1,0 +1,130 @@
+#include "recon/core/items.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "shared/geom/intersect.h"
+#include "shared/geom/spatial_index.h"
+
+namespace recon::core {
+
+namespace {
+
+base::Result<void> check_names(const std::vector<HorizonInput>& inputs, const char* kind) {
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    base::Place place;
+    place.item = fmt::format("{} '{}'", kind, inputs[i].name);
+    for (std::size_t j = 0; j < i; ++j) {
+      if (inputs[j].name != inputs[i].name) continue;
+      return base::Error{base::ErrorCode::BadSection, "two of them have this name; change one of them", place};
+    }
+  }
+  return {};
+}
+
+/// As `read_line`, with the kind of thing in the place of errors.
+base::Result<ReadLine> read_item(const HorizonInput& input, const char* kind, const Convention& convention,
+                                 const dobra::scenario::Context& context, std::vector<std::string>& remarks) {
+  auto read = read_line(input, convention, context);
+  const std::string item = fmt::format("{} '{}'", kind, input.name);
+  if (!read) {
+    base::Error error = read.error();
+    if (error.place) error.place->item = item;
+    return error;
+  }
+  for (const std::string& remark : read->remarks) remarks.push_back(item + ": " + remark);
+  return read;
+}
+
+base::Place source_of(const HorizonInput& input) {
+  base::Place place;
+  place.file = input.file;
+  return place;
+}
+
+/// Where a closed contour crosses or touches itself.
+std::optional<geom::Point> self_contact(const geom::Polyline& contour) {
+  std::vector<geom::Box> boxes;
+  for (std::size_t i = 0; i < contour.segment_count(); ++i) boxes.push_back(contour.segment(i).box());
+  for (const auto& [i, j] : geom::SpatialIndex(boxes).overlapping_pairs()) {
+    const geom::Intersection meeting = geom::intersect(contour.segment(i), contour.segment(j));
+    const bool neighbours = j == i + 1 || (i == 0 && j + 1 == contour.segment_count());
+    if (meeting.kind == geom::IntersectionKind::Overlap ||
+        (meeting.kind == geom::IntersectionKind::Point && !neighbours))
+      return meeting.start.point;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+base::Result<geom::Polyline> closed_contour(geom::Polyline line) {
+  const geom::Point first = line.points.front();
+  const geom::Point last = line.points.back();
+  double longest = 0.0;
+  for (std::size_t i = 0; i + 1 < line.points.size(); ++i)
+    longest = std::max(longest, geom::distance(line.points[i], line.points[i + 1]));
+  if (const double gap = geom::distance(first, last); gap > longest) {
+    return base::Error{
+        base::ErrorCode::BadSection,
+        fmt::format("the polygon does not close: its last point is {:.6g} m from its first, farther than any "
+                    "other side is long; add the missing points, or repeat the first point at the end",
+                    gap),
+        place_at(last)};
+  }
+  line.closed = true;
+  line = geom::without_repeated_points(std::move(line));
+  if (line.points.size() < 3) {
+    return base::Error{base::ErrorCode::BadSection, "a polygon needs three different points", place_at(first)};
+  }
+  if (const auto contact = self_contact(line)) {
+    return base::Error{base::ErrorCode::BadSection, "the polygon crosses or touches itself here; correct it",
+                       place_at(*contact)};
+  }
+  return geom::signed_area(line) < 0.0 ? geom::reversed(std::move(line)) : line;
+}
+
+base::Result<void> read_items(const SectionInput& input, const dobra::scenario::Context& context, ReadSection& read) {
+  Section& section = read.section;
+  struct Lines {
+    const std::vector<HorizonInput>& inputs;
+    LineKind kind;
+  };
+  for (const Lines& lines : {Lines{input.faults, LineKind::Fault}, Lines{input.pins, LineKind::Pin},
+                             Lines{input.loose_lines, LineKind::Loose}}) {
+    const char* kind = kind_name(lines.kind);
+    DOBRA_TRY_VOID(check_names(lines.inputs, kind));
+    for (const HorizonInput& wanted : lines.inputs) {
+      DOBRA_TRY(ReadLine line, read_item(wanted, kind, section.convention, context, read.remarks));
+      section.lines.push_back(
+          {LineId(section.lines.size()), lines.kind, wanted.name, std::move(line.line), source_of(wanted)});
+    }
+  }
+  DOBRA_TRY_VOID(check_names(input.units, "unit"));
+  for (const HorizonInput& wanted : input.units) {
+    DOBRA_TRY(ReadLine line, read_item(wanted, "unit", section.convention, context, read.remarks));
+    auto contour = closed_contour(std::move(line.line));
+    if (!contour) {
+      base::Error error = contour.error();
+      error.place->file = wanted.file;
+      error.place->item = fmt::format("unit '{}'", wanted.name);
+      return error;
+    }
+    section.units.push_back({UnitId(section.units.size()), wanted.name, std::move(*contour), source_of(wanted)});
+  }
+  DOBRA_TRY_VOID(check_names(input.markers, "marker"));
+  for (const HorizonInput& wanted : input.markers) {
+    std::vector<geom::Point> points;
+    if (wanted.file.empty() && wanted.points.size() == 1) {  // a single pick is no line
+      points.push_back(to_section(wanted.points.front(), section.convention));
+    } else {
+      DOBRA_TRY(ReadLine line, read_item(wanted, "marker", section.convention, context, read.remarks));
+      points = std::move(line.line.points);
+    }
+    section.markers.push_back({MarkerId(section.markers.size()), wanted.name, std::move(points), source_of(wanted)});
+  }
+  return {};
+}
+
+}  // namespace recon::core

@@ -1,0 +1,231 @@
+#include "recon/core/ledger.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "recon/core/segment_tree.h"
+#include "shared/base/parallel.h"
+#include "shared/mesh/triangulate.h"
+
+namespace recon::core {
+
+namespace {
+
+namespace mesh = dobra::mesh;
+
+/// Collects a Range.
+class RangeSum {
+ public:
+  void add(double value, double weight) {
+    range_.least = weight_ > 0.0 ? std::min(range_.least, value) : value;
+    range_.greatest = weight_ > 0.0 ? std::max(range_.greatest, value) : value;
+    sum_ += weight * value;
+    weight_ += weight;
+  }
+  [[nodiscard]] std::optional<Range> range() const {
+    if (!(weight_ > 0.0)) return std::nullopt;
+    return Range{range_.least, sum_ / weight_, range_.greatest};
+  }
+
+ private:
+  Range range_;
+  double sum_ = 0.0;
+  double weight_ = 0.0;
+};
+
+double percent(double part, double whole) { return whole == 0.0 ? 0.0 : 100.0 * part / whole; }
+
+/// What one unit adds to the ledger; made in parallel, joined in order.
+struct Part {
+  UnitRow row;
+  DilatationField field;
+  std::vector<Strain> strains;
+  std::optional<base::Error> error;
+};
+
+double triangle_area(geom::Point a, geom::Point b, geom::Point c) { return 0.5 * std::abs(geom::cross(b - a, c - a)); }
+
+/// det F - 1 at the middle of each triangle of `field`; triangles that no cell holds are dropped.
+void evaluate(DilatationField& field, const SectionMap& map, RangeSum& sum) {
+  std::vector<std::array<std::uint32_t, 3>> kept;
+  for (const auto& t : field.triangles) {
+    const geom::Point a = field.points[t[0]];
+    const geom::Point b = field.points[t[1]];
+    const geom::Point c = field.points[t[2]];
+    const geom::Point middle{(a.x + b.x + c.x) / 3.0, (a.y + b.y + c.y) / 3.0};
+    if (map.forward(middle).foot == Foot::NoColumn) continue;
+    const double dilatation = map.gradient(middle).determinant() - 1.0;
+    if (!std::isfinite(dilatation)) continue;
+    kept.push_back(t);
+    field.values.push_back(dilatation);
+    sum.add(dilatation, triangle_area(a, b, c));
+  }
+  field.triangles = std::move(kept);
+}
+
+/// The band between two lines cut into triangles, `places` along and `levels` across.
+DilatationField band_between(const geom::Polyline& upper, const geom::Polyline& lower, const LedgerOptions& options) {
+  const std::vector<double> upper_arc = geom::arc_lengths(upper);
+  const std::vector<double> lower_arc = geom::arc_lengths(lower);
+  DilatationField field;
+  const auto width = static_cast<std::uint32_t>(options.levels + 1);
+  for (int i = 0; i <= options.places; ++i) {
+    const double part = static_cast<double>(i) / options.places;
+    const geom::Point top = geom::point_at(upper, upper_arc, part * upper_arc.back());
+    const geom::Point bottom = geom::point_at(lower, lower_arc, part * lower_arc.back());
+    for (int k = 0; k <= options.levels; ++k)
+      field.points.push_back(geom::interpolate(top, bottom, static_cast<double>(k) / options.levels));
+    if (i == 0) continue;
+    const auto first = static_cast<std::uint32_t>(i - 1) * width;
+    for (std::uint32_t k = 0; k + 1 < width; ++k) {
+      const std::uint32_t a = first + k, b = first + k + 1, c = first + width + k, d = first + width + k + 1;
+      field.triangles.push_back({a, b, c});
+      field.triangles.push_back({c, b, d});
+    }
+  }
+  return field;
+}
+
+void add_strains(const DilatationField& field, const SectionMap& map, const LedgerOptions& options,
+                 std::vector<Strain>& strains) {
+  const std::size_t count = field.triangles.size();
+  const auto wanted = static_cast<std::size_t>(options.ellipses);
+  for (std::size_t i = 0; i < wanted && count > 0; ++i) {
+    const auto& t = field.triangles[(2 * i + 1) * count / (2 * wanted)];
+    const geom::Point middle{(field.points[t[0]].x + field.points[t[1]].x + field.points[t[2]].x) / 3.0,
+                             (field.points[t[0]].y + field.points[t[1]].y + field.points[t[2]].y) / 3.0};
+    const Gradient f = map.gradient(middle);
+    if (f.determinant() != 0.0) strains.push_back(strain_of(middle, f));
+  }
+}
+
+Part part_between(const MappedLine& upper, const MappedLine& lower, const std::string& name, const SectionMap& map,
+                  const LedgerOptions& options) {
+  Part part;
+  UnitRow& row = part.row;
+  row.name = name;
+  row.area_before = std::abs(geom::signed_area(contour_between(upper.before, lower.before)));
+  // Only the two ends are lines that are not mapped yet.
+  const auto image_of = [&](geom::Point from, geom::Point to) {
+    return map.forward(geom::Polyline{{from, to}, false}).after.points;
+  };
+  geom::Polyline after = upper.after;
+  const std::vector<geom::Point> right = image_of(upper.before.points.back(), lower.before.points.back());
+  const std::vector<geom::Point> left = image_of(lower.before.points.front(), upper.before.points.front());
+  after.points.insert(after.points.end(), right.begin(), right.end());
+  after.points.insert(after.points.end(), lower.after.points.rbegin(), lower.after.points.rend());
+  after.points.insert(after.points.end(), left.begin(), left.end());
+  after.closed = true;
+  row.area_after = std::abs(geom::signed_area(after));
+  row.thickness_before = thickness_between(upper.before, lower.before, options.places);
+  row.thickness_after = thickness_between(upper.after, lower.after, options.places);
+  part.field = band_between(upper.before, lower.before, options);
+  return part;
+}
+
+Part part_of_polygon(const Unit& unit, const SectionMap& map, const LedgerOptions& options) {
+  Part part;
+  part.row.name = unit.name;
+  part.row.area_before = std::abs(geom::signed_area(unit.contour));
+  part.row.contour_after = map.forward(unit.contour).after;
+  part.row.area_after = std::abs(geom::signed_area(part.row.contour_after));
+  mesh::MeshInput input;
+  mesh::add_chain(input, unit.contour.points, mesh::Closure::Closed, {unit.name, mesh::EdgeKind::Boundary});
+  mesh::MeshOptions how;
+  how.sizes.max_size = std::sqrt(4.0 * part.row.area_before / (options.places * options.levels));
+  auto made = mesh::triangulate(input, how);
+  if (!made) {
+    part.error = base::located(made.error(), base::Place{.item = fmt::format("unit '{}'", unit.name)});
+    return part;
+  }
+  part.field.points = made->points;
+  for (const mesh::Corners& t : made->triangles) {
+    part.field.triangles.push_back({static_cast<std::uint32_t>(t[0].index()), static_cast<std::uint32_t>(t[1].index()),
+                                    static_cast<std::uint32_t>(t[2].index())});
+  }
+  return part;
+}
+
+void join(Part part, Ledger& ledger) {
+  ledger.units.push_back(std::move(part.row));
+  const auto first = static_cast<std::uint32_t>(ledger.field.points.size());
+  ledger.field.points.insert(ledger.field.points.end(), part.field.points.begin(), part.field.points.end());
+  for (const auto& t : part.field.triangles)
+    ledger.field.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  ledger.field.values.insert(ledger.field.values.end(), part.field.values.begin(), part.field.values.end());
+  ledger.strains.insert(ledger.strains.end(), part.strains.begin(), part.strains.end());
+}
+
+}  // namespace
+
+std::vector<LedgerUnit> ledger_units(const Section& section, const std::vector<HorizonId>& order) {
+  std::vector<LedgerUnit> units;
+  for (const Unit& unit : section.units) units.push_back({unit.name, unit.id, {}, {}});
+  if (!units.empty()) return units;
+  const auto index_of = [&](HorizonId id) {
+    const auto is = [&](const Horizon& horizon) { return horizon.id == id; };
+    return static_cast<std::size_t>(std::find_if(section.horizons.begin(), section.horizons.end(), is) -
+                                    section.horizons.begin());
+  };
+  for (std::size_t i = 0; i + 1 < order.size(); ++i) {
+    const std::size_t upper = index_of(order[i]);
+    const std::size_t lower = index_of(order[i + 1]);
+    units.push_back(
+        {fmt::format("{} - {}", section.horizons[upper].name, section.horizons[lower].name), {}, upper, lower});
+  }
+  return units;
+}
+
+std::optional<Range> thickness_between(const geom::Polyline& upper, const geom::Polyline& lower, int samples) {
+  std::vector<geom::Segment> segments;
+  for (std::size_t i = 0; i < lower.segment_count(); ++i) segments.push_back(lower.segment(i));
+  const SegmentTree tree(std::move(segments));
+  const std::vector<double> arc = geom::arc_lengths(upper);
+  RangeSum sum;
+  std::optional<SegmentTree::Nearest> nearest;
+  for (int i = 0; i <= samples; ++i) {
+    const geom::Point p = geom::point_at(upper, arc, arc.back() * i / samples);
+    const auto any = [](std::size_t) { return true; };
+    nearest = nearest ? tree.nearest_from(nearest->index, p, any) : tree.nearest(p, any);
+    if (!nearest) return std::nullopt;
+    const geom::Segment& segment = tree.segment(nearest->index);
+    const double t = geom::nearest_fraction(segment, p);
+    // Beyond an end of the lower line the nearest point is that end: no thickness.
+    const bool at_end = (nearest->index == 0 && t == 0.0) || (nearest->index + 1 == tree.size() && t == 1.0);
+    const geom::Vector along = geom::normalised(segment.vector());
+    const bool square =
+        std::abs(geom::dot(p - geom::interpolate(segment.from, segment.to, t), along)) <= 1e-6 * nearest->distance();
+    if (!at_end || square) sum.add(nearest->distance(), 1.0);
+  }
+  return sum.range();
+}
+
+base::Result<Ledger> draw_up(const Section& section, const std::vector<LedgerUnit>& units,
+                             const std::vector<MappedLine>& lines, const SectionMap& map, const LedgerOptions& options,
+                             const base::Progress& progress) {
+  std::vector<Part> parts(units.size());
+  base::parallel_for(units.size(), [&](std::size_t i) {
+    if (progress.cancelled()) return;
+    const LedgerUnit& unit = units[i];
+    parts[i] = unit.unit ? part_of_polygon(section.units[unit.unit->index()], map, options)
+                         : part_between(lines[*unit.upper], lines[*unit.lower], unit.name, map, options);
+    if (parts[i].error) return;
+    UnitRow& row = parts[i].row;
+    row.change_percent = percent(row.area_after - row.area_before, row.area_before);
+    RangeSum dilatation;
+    evaluate(parts[i].field, map, dilatation);
+    row.dilatation = dilatation.range();
+    add_strains(parts[i].field, map, options, parts[i].strains);
+  });
+  DOBRA_TRY_VOID(progress.check());
+  Ledger ledger;
+  for (Part& part : parts) {
+    if (part.error) return *part.error;
+    join(std::move(part), ledger);
+  }
+  return ledger;
+}
+
+}  // namespace recon::core

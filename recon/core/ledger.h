@@ -1,0 +1,79 @@
+#pragma once
+// The balance ledger of a restoration: what became of the length of every bed, of the area and thickness of every unit,
+// and of every piece of area (det F - 1), with a verdict. Source: restoration.md 2.11, 2.14.
+// Page: docs/algorithms/ledger.md
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "recon/core/balance.h"
+#include "recon/core/section.h"
+#include "recon/core/section_map.h"
+#include "recon/core/strain.h"
+#include "shared/base/progress.h"
+
+namespace recon::core {
+
+/// Least, mean (by length or area) and greatest of something; nothing if nothing could be measured.
+struct Range {
+  double least = 0.0;
+  double mean = 0.0;
+  double greatest = 0.0;
+};
+
+/// A unit whose balance is drawn up: a polygon of the section, or what lies between two neighbouring horizons.
+struct LedgerUnit {
+  std::string name;
+  std::optional<UnitId> unit;        ///< Of the section's polygon.
+  std::optional<std::size_t> upper;  ///< Indices of the two horizons.
+  std::optional<std::size_t> lower;
+};
+
+/// The polygons of the section, or, if it has none, one unit between each two neighbours of `order`.
+std::vector<LedgerUnit> ledger_units(const Section& section, const std::vector<HorizonId>& order);
+
+/// One unit. Areas in m2, thicknesses in metres, across the beds: from points of the upper horizon to the nearest point
+/// of the lower one (not to its ends).
+struct UnitRow {
+  std::string name;
+  double area_before = 0.0;
+  double area_after = 0.0;
+  double change_percent = 0.0;            ///< (after - before) / before.
+  std::optional<Range> thickness_before;  ///< Nothing for polygons.
+  std::optional<Range> thickness_after;
+  std::optional<Range> dilatation;  ///< det F - 1, by area.
+  geom::Polyline contour_after;     ///< Of a polygon of the section: its image.
+};
+
+/// det F - 1 on small triangles of the deformed section.
+struct DilatationField {
+  std::vector<geom::Point> points;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<double> values;  ///< One a triangle.
+};
+
+struct LedgerOptions {
+  int places = 96;    ///< Samples along a unit ...
+  int levels = 4;     ///< ... and across it.
+  int ellipses = 12;  ///< Strain ellipses along a unit.
+};
+
+struct Ledger {
+  std::vector<UnitRow> units;
+  DilatationField field;
+  std::vector<Strain> strains;
+};
+
+/// @param lines  the mapped horizons, in the order of the section.
+/// @error Cancelled; errors of the mesher for a polygon.
+base::Result<Ledger> draw_up(const Section& section, const std::vector<LedgerUnit>& units,
+                             const std::vector<MappedLine>& lines, const SectionMap& map, const LedgerOptions& options,
+                             const base::Progress& progress);
+
+/// Thickness from one line to another, across the beds.
+/// @param samples  places on `upper`, evenly by length.
+std::optional<Range> thickness_between(const geom::Polyline& upper, const geom::Polyline& lower, int samples);
+
+}  // namespace recon::core

@@ -1,0 +1,56 @@
+#pragma once
+// From a method and its parameters to the map of a section. Restoration.md 2.1 to 2.5.
+// Pages: docs/algorithms/unfold.md (constant), thickness.md (variable, proportional, line length), flexural_slip.md,
+// shear.md
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "recon/core/grid.h"
+#include "recon/core/section_map.h"
+#include "recon/core/target.h"
+#include "shared/base/angle.h"
+
+namespace recon::core {
+
+/// What restoration keeps.
+enum class RestoreMethod { Constant, Variable, Proportional, Flexural, Shear, LineLength };
+
+/// "constant", "variable", ... as in scenarios.
+const char* method_name(RestoreMethod method);
+/// One sentence on what the method keeps and what it does not.
+std::string what_it_keeps(RestoreMethod method);
+
+struct MethodParams {
+  RestoreMethod method = RestoreMethod::Constant;
+  base::Angle shear_angle;  ///< Of the direction of shear from the vertical.
+  std::string base;         ///< Proportional: the horizon that bounds the layers below; the farthest by default.
+  std::optional<double> thickness;  ///< Proportional: of the restored layers, m; by default such that area is kept.
+  double percent = 100.0;           ///< 0: as it is; 100: restored; between: the map's own state between the two.
+  Doubt doubt = Doubt::Nearest;
+};
+
+struct MethodMap {
+  SectionMap map;
+  std::vector<std::string> remarks;
+};
+
+/// The map of a section by the method, from the grid's base to the target.
+/// States between 0 and 100 % turn every piece of the base by its part of the angle between the two lines, so that the
+/// lengths that the method keeps are kept in all of them; a shear takes its part of the displacement.
+/// @error CannotRestore with the place: an overturned top under shear, a stack that is folded over (Doubt::Refuse), a
+/// pin
+///        line that misses a horizon; BadSection: no such base, no second horizon.
+base::Result<MethodMap> make_method_map(const Section& section, const SourceGrid& source, const Target& target,
+                                        const MethodParams& params);
+
+/// Horizons from the grid's base down (away from it on the side of the layers), by mean depth; those above it first.
+std::vector<HorizonId> horizons_in_order(const Section& section, const SourceGrid& source, const Target& target);
+
+/// Points `part` of the way from one line to another with as many points: lengths and directions of the segments are
+/// interpolated, turned about the point `fixed`, which moves straight.  @pre sizes equal, >= 2.
+std::vector<geom::Point> bent_between(const std::vector<geom::Point>& from, const std::vector<geom::Point>& to,
+                                      std::size_t fixed, double part);
+
+}  // namespace recon::core

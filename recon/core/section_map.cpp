@@ -1,0 +1,108 @@
+#include "recon/core/section_map.h"
+
+#include <algorithm>
+#include <atomic>
+
+#include "shared/base/parallel.h"
+
+namespace recon::core {
+
+namespace {
+
+/// Points that one task maps, each starting from the cell of the one before.
+constexpr std::size_t chunk = 4096;
+
+template <class One>
+base::Result<void> in_chunks(std::span<const geom::Point> points, std::span<geom::Point> images,
+                             const base::Progress& progress, const One& one) {
+  DOBRA_CHECK(points.size() == images.size());
+  const std::size_t chunks = (points.size() + chunk - 1) / chunk;
+  base::parallel_for(chunks, [&](std::size_t c) {
+    if (progress.cancelled()) return;
+    Cell hint;
+    const std::size_t end = std::min(points.size(), (c + 1) * chunk);
+    for (std::size_t i = c * chunk; i < end; ++i) images[i] = one(points[i], hint);
+  });
+  DOBRA_TRY_VOID(progress.check());
+  progress.report(1.0);
+  return {};
+}
+
+}  // namespace
+
+MappedPoint SectionMap::forward(geom::Point p) const {
+  return std::visit(
+      [&](const auto& map) {
+        const Spot spot = map.locate(p, Cell{});
+        return MappedPoint{map.carry(spot.cell, p).image, spot.foot};
+      },
+      map_);
+}
+
+geom::Point SectionMap::inverse(geom::Point p) const {
+  Cell hint;
+  return std::visit([&](const auto& map) { return map.back(p, hint); }, map_);
+}
+
+base::Result<void> SectionMap::forward(std::span<const geom::Point> points, std::span<geom::Point> images,
+                                       const base::Progress& progress) const {
+  return std::visit(
+      [&](const auto& map) {
+        return in_chunks(points, images, progress, [&](geom::Point p, Cell& hint) {
+          hint = map.locate(p, hint).cell;
+          return map.carry(hint, p).image;
+        });
+      },
+      map_);
+}
+
+base::Result<void> SectionMap::inverse(std::span<const geom::Point> points, std::span<geom::Point> images,
+                                       const base::Progress& progress) const {
+  return std::visit(
+      [&](const auto& map) {
+        return in_chunks(points, images, progress, [&](geom::Point p, Cell& hint) { return map.back(p, hint); });
+      },
+      map_);
+}
+
+MappedLine SectionMap::forward(const geom::Polyline& line) const {
+  DOBRA_CHECK(!line.points.empty());
+  geom::Polyline open = line;
+  open.closed = false;
+  if (line.closed) open.points.push_back(line.points.front());
+  MappedLine mapped = std::visit([&](const auto& map) { return Tracer(map).run(open); }, map_);
+  if (line.closed) {
+    for (geom::Polyline* side : {&mapped.before, &mapped.after}) {
+      side->points.pop_back();
+      side->closed = true;
+    }
+    mapped.names.pop_back();
+    mapped.given.pop_back();
+  }
+  return mapped;
+}
+
+Gradient SectionMap::gradient(geom::Point p) const {
+  // Wide enough that rounding is small against it, narrow against any curvature: tolerances().chord is 1e-6 of the
+  // size.
+  const double h = tolerances().chord;
+  return std::visit(
+      [&](const auto& map) {
+        const Cell cell = map.locate(p, Cell{}).cell;
+        const auto image = [&](double x, double y) { return map.carry(cell, {p.x + x, p.y + y}).image; };
+        const geom::Vector along_x = (image(h, 0.0) - image(-h, 0.0)) / (2.0 * h);
+        const geom::Vector along_y = (image(0.0, h) - image(0.0, -h)) / (2.0 * h);
+        return Gradient{along_x.x, along_y.x, along_x.y, along_y.y};
+      },
+      map_);
+}
+
+SectionMap SectionMap::swapped() const {
+  return std::visit([](const auto& map) { return SectionMap(map.swapped()); }, map_);
+}
+
+const TraceTolerances& SectionMap::tolerances() const {
+  return std::visit([](const auto& map) -> const TraceTolerances& { return map.tolerances(); }, map_);
+}
+
+}  // namespace recon::core

@@ -1,0 +1,73 @@
+#pragma once
+// Simple shear along one direction, vertical or inclined: every point slides along it by as much as the top does there.
+//   q = x cos a - z sin a,  w = x sin a + z cos a      (a: the direction of shear, from the vertical, towards +x
+//   upwards) q' = q,  w' = w + w_target(q) - w_top(q)
+// Affine in the strips between the corners of both lines, det F = 1: areas are kept, and thickness along the direction;
+// bed lengths are not. Source: restoration.md 2.5.  Page: docs/algorithms/shear.md
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "recon/core/map.h"
+#include "recon/core/trace.h"
+#include "shared/base/angle.h"
+#include "shared/base/result.h"
+
+namespace recon::core {
+
+/// What a map does where it is not single-valued.
+enum class Doubt {
+  Nearest,  ///< The nearest base segment (a shear: the first pass of the line along its travel), with a remark.
+  Refuse,   ///< An error with the place.
+};
+
+class ShearMap {
+ public:
+  ShearMap() = default;
+
+  /// @param top     open line; its ends go on straight. @param target likewise.
+  /// @param angle   of the direction of shear from the vertical, within (-90, 90) degrees.
+  /// @param remarks what was done about overturned parts.
+  /// @error CannotRestore with the place where a line is passed more than once along the direction (Doubt::Refuse), or
+  /// is
+  ///        parallel to it throughout.
+  static base::Result<ShearMap> make(const geom::Polyline& top, const geom::Polyline& target, base::Angle angle,
+                                     Doubt doubt, std::vector<std::string>& remarks, const MapOptions& options = {});
+
+  [[nodiscard]] ShearMap swapped() const;
+  /// The map on the way: `part` (0 .. 1) of every displacement.
+  [[nodiscard]] ShearMap part(double part) const;
+
+  // What Tracer asks (trace.h). Cell: strip 0 .. n + 1 between the n + 1 corners of both lines.
+  [[nodiscard]] Spot locate(geom::Point p, Cell hint) const;
+  [[nodiscard]] std::array<double, 2> beyond(Cell cell, geom::Point p) const;
+  [[nodiscard]] Carried carry(Cell cell, geom::Point p) const;
+  [[nodiscard]] static bool keeps(const Spot&, geom::Point, const Spot&) { return true; }
+  [[nodiscard]] geom::Point back(geom::Point image, Cell& hint) const;
+  [[nodiscard]] bool is_outer(Cell cell) const;
+  [[nodiscard]] static bool bends() { return false; }
+  [[nodiscard]] const TraceTolerances& tolerances() const { return tolerances_; }
+
+ private:
+  struct Strip {
+    double begin = 0.0;      ///< q of its left side; of strip 0 that of its right side.
+    double top = 0.0;        ///< w of the top there.
+    double top_slope = 0.0;  ///< dw/dq
+    double goal = 0.0;       ///< w of the target there.
+    double goal_slope = 0.0;
+  };
+  [[nodiscard]] double q_of(geom::Point p) const { return cosine_ * p.x - sine_ * p.y; }
+  [[nodiscard]] geom::Point shifted(geom::Point p, double along) const {
+    return {p.x + along * sine_, p.y + along * cosine_};
+  }
+
+  double cosine_ = 1.0;
+  double sine_ = 0.0;
+  std::vector<Strip> strips_;  ///< Strip 0 lies before the first corner.
+  double first_ = 0.0;         ///< q of the two ends of the top.
+  double last_ = 0.0;
+  TraceTolerances tolerances_;
+};
+
+}  // namespace recon::core
