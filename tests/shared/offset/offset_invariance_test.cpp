@@ -38,8 +38,10 @@ std::vector<Case> made_cases() {
     const Polyline base = support::random_case(seed).base;
     if (base.points.size() <= 150) made.push_back({"seed " + std::to_string(seed), snapped(base), distances});
   }
-  made.push_back({"dumbbell", {{{0, 0}, {4, 0}, {4, 1}, {8, 1}, {8, 0}, {12, 0}, {12, 4}, {8, 4}, {8, 3}, {4, 3}, {4, 4}, {0, 4}}, true}, distances});
-  made.push_back({"L", {{{0, 0}, {6, 0}, {6, 2}, {2, 2}, {2, 6}, {0, 6}}, true}, distances});
+  const Polyline dumbbell{{{0, 0}, {4, 0}, {4, 1}, {8, 1}, {8, 0}, {12, 0}, {12, 4}, {8, 4}, {8, 3}, {4, 3}, {4, 4}, {0, 4}}, true};
+  const Polyline l_shape{{{0, 0}, {6, 0}, {6, 2}, {2, 2}, {2, 6}, {0, 6}}, true};
+  made.push_back({"dumbbell", dumbbell, distances});
+  made.push_back({"L", l_shape, distances});
   return made;
 }
 
