@@ -41,6 +41,22 @@ double exact_origin(const std::vector<Point>& points, double Point::*axis, doubl
   return origin;
 }
 
+/// Whole steps of a grid of 2^-100 of the size: what is smaller moves no place of the curve by more than it is rounded anyway, and
+/// its products with others would not fit in the 256 bits of High.
+class Grid {
+ public:
+  explicit Grid(double size)
+      : exponent_(size > 0 ? std::ilogb(size) - 100 : 0), all_whole_(std::ldexp(1.0, exponent_ + 53)) {}
+  [[nodiscard]] double nearest(double x) const {
+    return std::abs(x) >= all_whole_ || x == 0 ? x : std::ldexp(std::nearbyint(std::ldexp(x, -exponent_)), exponent_);
+  }
+  [[nodiscard]] Point nearest(Point p) const { return {nearest(p.x), nearest(p.y)}; }
+
+ private:
+  int exponent_;
+  double all_whole_;  // a double of at least this is on the grid
+};
+
 /// orient2d, with the test that nearly always tells in line.
 inline geom::Sign turn_sign(Point a, Point b, Point c) {
   const geom::Vector u = b - a;
@@ -123,8 +139,12 @@ Result<BaseCurve> prepare(const geom::Polyline& curve, Side side, double extensi
   const geom::Box box = curve.box();
   base.origin = {exact_origin(curve.points, &Point::x, box.centre().x, box.width()),
                  exact_origin(curve.points, &Point::y, box.centre().y, box.height())};
+  for (const geom::Vector v : {box.low - base.origin, box.high - base.origin}) {
+    base.size = std::max({base.size, std::abs(v.x), std::abs(v.y)});
+  }
+  const Grid grid(base.size);
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
-    const Point p{curve.points[i].x - base.origin.x, curve.points[i].y - base.origin.y};
+    const Point p = grid.nearest({curve.points[i].x - base.origin.x, curve.points[i].y - base.origin.y});
     const Point q{p.x, base.mirrored ? -p.y : p.y};
     if (!base.points.empty() && base.points.back() == q) {
       base.source.back() = static_cast<std::uint32_t>(i);
@@ -147,16 +167,24 @@ Result<BaseCurve> prepare(const geom::Polyline& curve, Side side, double extensi
   if (!base.closed) base.source.pop_back();
   if (!base.closed && extension > 0.0) {
     const auto lengthened = [&](Vec end, Vec inner) {
-      return rounded(end + static_cast<Real>(extension) * unit(end - inner));
+      return grid.nearest(rounded(end + static_cast<Real>(extension) * unit(end - inner)));
     };
     // The new ends are joined on, so that the old ones stay where they are; rounded, they turn the base there by 1e-16, which the
-    // curve does not show (piece_writer.h).
-    base.points.insert(base.points.begin(), lengthened(base.point(0), base.point(1)));
-    base.points.push_back(lengthened(base.point(base.points.size() - 1), base.point(base.points.size() - 2)));
-    base.source.insert(base.source.begin(), base.source.front());
-    base.source.push_back(base.source.back());
+    // curve does not show (piece_writer.h). An extension that rounding swallows is none.
+    const Point first = lengthened(base.point(0), base.point(1));
+    const Point last = lengthened(base.point(base.points.size() - 1), base.point(base.points.size() - 2));
+    if (first != base.points.front()) {
+      base.points.insert(base.points.begin(), first);
+      base.source.insert(base.source.begin(), base.source.front());
+    }
+    if (last != base.points.back()) {
+      base.points.push_back(last);
+      base.source.push_back(base.source.back());
+    }
   }
-  for (const Point p : base.points) base.size = std::max({base.size, std::abs(p.x), std::abs(p.y)});
+  if (extension > 0.0) {
+    for (const Point p : base.points) base.size = std::max({base.size, std::abs(p.x), std::abs(p.y)});
+  }
   for (std::size_t i = 0; i < base.source.size(); ++i) base.renumbered |= base.source[i] != i;
   measure(base);
   if (!base.closed) measure_blocks(base);

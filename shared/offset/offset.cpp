@@ -23,6 +23,9 @@ using base::Result;
 
 namespace {
 
+constexpr int greatest_proportion = 60;  // of a distance to the curve's extent, either way, as a power of two
+constexpr int greatest_exponent = 60;     // of the extent: beyond it the engine works on a scaled curve
+
 Result<void> check(const OffsetOptions& options, std::span<const double> distances) {
   const auto invalid = [](std::string message) { return Error{ErrorCode::InvalidOption, std::move(message)}; };
   for (const double d : distances) {
@@ -180,11 +183,27 @@ void add_clearance(Prepared& input, const OffsetOptions& options) {
   }
 }
 
-}  // namespace
+/// The power of two that is the extent of a curve, or 1 if there is none.
+int extent_of(const geom::Polyline& curve) {
+  const geom::Box box = curve.box();
+  const double half = std::max(0.5 * box.high.x - 0.5 * box.low.x, 0.5 * box.high.y - 0.5 * box.low.y);
+  return half > 0 && std::isfinite(half) ? std::ilogb(half) + 1 : 0;
+}
 
-Result<std::vector<OffsetCurve>> offset(const geom::Polyline& curve, std::span<const double> distances,
-                                        const OffsetOptions& options, const base::Progress& progress) {
-  DOBRA_TRY_VOID(check(options, distances));
+/// Beyond it no double of the curve can show the base or the distance, and perturbations (high.h) come near the errors.
+Result<void> check_proportion(int extent, std::span<const double> distances) {
+  for (const double d : distances) {
+    if (std::abs(std::ilogb(d) - extent) <= greatest_proportion) continue;
+    return Error{ErrorCode::InvalidOption,
+                 "an offset distance is " + base::number_text(d) + ", but the curve is about " +
+                     base::number_text(std::ldexp(1.0, extent)) + " wide; neither may be more than 1e18 times the other"};
+  }
+  return {};
+}
+
+/// @pre the numbers are far from the ends of the ranges of float and double
+Result<std::vector<OffsetCurve>> offset_near_one(const geom::Polyline& curve, std::span<const double> distances,
+                                                 const OffsetOptions& options, const base::Progress& progress) {
   DOBRA_TRY(BaseCurve base, prepare(curve, options.side));
   const bool extended = options.ends == Ends::Extended && !base.closed;
   const bool stepped = options.ends == Ends::Paper && !base.closed && options.treatment == Treatment::Treated;
@@ -226,6 +245,38 @@ Result<std::vector<OffsetCurve>> offset(const geom::Polyline& curve, std::span<c
   for (auto& result : results) {
     DOBRA_TRY(OffsetCurve done, std::move(result));
     curves.push_back(std::move(done));
+  }
+  return curves;
+}
+
+}  // namespace
+
+Result<std::vector<OffsetCurve>> offset(const geom::Polyline& curve, std::span<const double> distances,
+                                        const OffsetOptions& options, const base::Progress& progress) {
+  DOBRA_TRY_VOID(check(options, distances));
+  const int extent = extent_of(curve);
+  DOBRA_TRY_VOID(check_proportion(extent, distances));
+  if (std::abs(extent) <= greatest_exponent) return offset_near_one(curve, distances, options, progress);
+  const auto scale = [](geom::Point& p, int by) { p = {std::ldexp(p.x, by), std::ldexp(p.y, by)}; };
+  geom::Polyline scaled = curve;
+  std::vector<double> scaled_distances(distances.begin(), distances.end());
+  for (geom::Point& p : scaled.points) scale(p, -extent);
+  for (double& d : scaled_distances) d = std::ldexp(d, -extent);
+  auto curves = offset_near_one(scaled, scaled_distances, options, progress);
+  if (!curves.ok()) {
+    Error error = curves.error();
+    if (error.place) {
+      for (std::optional<double>* x : {&error.place->x, &error.place->y}) {
+        if (*x) *x = std::ldexp(**x, extent);
+      }
+    }
+    return error;
+  }
+  for (std::size_t k = 0; k < distances.size(); ++k) {
+    (*curves)[k].distance = distances[k];
+    for (OffsetPiece& piece : (*curves)[k].pieces) {
+      for (geom::Point& p : piece.points) scale(p, extent);
+    }
   }
   return curves;
 }

@@ -144,10 +144,16 @@ Result<Model> Model::make(const geom::Polyline& base, const OffsetOptions& optio
     const auto lengthened = [&](Point end, Point inner) {
       return narrow(wide(end) + (static_cast<long double>(options.extension) * made.d) * unit(wide(end) - wide(inner)));
     };
-    made.places.insert(made.places.begin(), lengthened(made.places[0], made.places[1]));
-    made.places.push_back(lengthened(made.places.back(), made.places[made.places.size() - 2]));
-    made.source.insert(made.source.begin(), made.source.front());
-    made.source.push_back(made.source.back());
+    const Point first = lengthened(made.places[0], made.places[1]);
+    const Point last = lengthened(made.places.back(), made.places[made.places.size() - 2]);
+    if (first != made.places.front()) {  // else rounding swallows the extension
+      made.places.insert(made.places.begin(), first);
+      made.source.insert(made.source.begin(), made.source.front());
+    }
+    if (last != made.places.back()) {
+      made.places.push_back(last);
+      made.source.push_back(made.source.back());
+    }
     greatest *= 4;  // new ends are rounded, wherever their maker rounds them
   }
   greatest = std::max(greatest, distance);

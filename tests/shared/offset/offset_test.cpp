@@ -416,6 +416,77 @@ TEST(Offset, RepeatedPointsAndFarOriginsChangeNothing) {
   EXPECT_EQ(curve.pieces.at(0).edges, (std::vector<OffsetEdge>{OffsetEdge::line(1), OffsetEdge::line(4)}));
 }
 
+/// Closed, with corners of all kinds and a neck that closes.
+Polyline made_of_eighths() {
+  return {{{0, 0}, {6, 0.125}, {6.5, 4}, {3.25, 1.25}, {3.125, 3}, {5, 5.5}, {-1, 5}, {2.75, 3}, {2.5, 1.25}, {-0.5, 4.5}}, true};
+}
+
+TEST(Offset, CurvesAtTheEndsOfTheRangeOfDoublesAreThoseNearOne) {
+  for (const Join join : {Join::Mitre, Join::Bisector, Join::Round, Join::Bevel}) {
+    for (const Side side : {Side::RightOfTravel, Side::LeftOfTravel}) {
+      for (const bool closed : {true, false}) {
+        OffsetOptions options;
+        options.join = join;
+        options.side = side;
+        Polyline base = made_of_eighths();
+        base.closed = closed;
+        const auto near_one = run(base, {0.25, 0.75}, options);
+        for (const int exponent : {-960, -600, -130, -61, 61, 130, 600, 1000}) {
+          Polyline far = base;
+          for (Point& p : far.points) p = {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
+          const auto curves = run(far, {std::ldexp(0.25, exponent), std::ldexp(0.75, exponent)}, options);
+          for (std::size_t k = 0; k < 2; ++k) {
+            EXPECT_EQ(curves[k].distance, std::ldexp(near_one[k].distance, exponent));
+            ASSERT_EQ(curves[k].pieces.size(), near_one[k].pieces.size()) << exponent;
+            for (std::size_t i = 0; i < curves[k].pieces.size(); ++i) {
+              std::vector<Point> expected = near_one[k].pieces[i].points;
+              for (Point& p : expected) p = {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
+              EXPECT_EQ(curves[k].pieces[i].points, expected) << exponent;
+              EXPECT_EQ(curves[k].pieces[i].edges, near_one[k].pieces[i].edges) << exponent;
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(Offset, WhatIsFarBelowTheSizeMovesNothing) {
+  for (const Join join : {Join::Mitre, Join::Round}) {
+    OffsetOptions options;
+    options.join = join;
+    const Polyline base = made_of_eighths();
+    Polyline moved = base;
+    moved.points[0] = {3e-40, -2e-200};
+    moved.points.insert(moved.points.begin() + 1, Point{1e-310, 7e-45});  // nearer than the grid: one with the point before
+    const auto expected = run(base, 0.5, options);
+    const auto got = run(moved, 0.5, options);
+    ASSERT_EQ(got.pieces.size(), expected.pieces.size());
+    for (std::size_t i = 0; i < got.pieces.size(); ++i) EXPECT_EQ(got.pieces[i].points, expected.pieces[i].points);
+  }
+}
+
+TEST(Offset, ADistanceOutOfProportionToTheCurveIsRefused) {
+  const Polyline base = made_of_eighths();
+  for (const double d : {1e-20, 1e20, 1e-300, 1e300}) {
+    const auto result = offset(base, std::vector<double>{1.0, d});
+    ASSERT_FALSE(result.ok());
+    EXPECT_EQ(result.error().code, base::ErrorCode::InvalidOption);
+    EXPECT_NE(result.error().message.find("1e18 times"), std::string::npos) << result.error().message;
+  }
+  for (const double d : {1e-15, 1e15}) EXPECT_TRUE(offset(base, std::vector<double>{d}).ok());
+}
+
+TEST(Offset, AnExtensionThatRoundingSwallowsIsNone) {
+  const Polyline base{{{-1, 0.3}, {0, 0}, {1e-17, 1e-17}, {0, 3e-17}, {1, -0.7}}, false};
+  OffsetOptions extended;
+  extended.ends = Ends::Extended;
+  const auto with = run(base, 1e-17, extended);
+  const auto without = run(base, 1e-17);
+  ASSERT_EQ(with.pieces.size(), 1U);
+  EXPECT_EQ(with.pieces[0].points, without.pieces[0].points);
+}
+
 TEST(Offset, SameBytesWithAnyNumberOfThreads) {
   const auto d = distances({13, 0.2, 1.0}).value();
   base::set_thread_count(1);
