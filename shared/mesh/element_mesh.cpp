@@ -199,6 +199,93 @@ double area(const ElementMesh& mesh) {
   return total + rest;
 }
 
+namespace {
+
+/// Sides of triangles by their directed ends.
+class SideTable {
+ public:
+  explicit SideTable(const TriangleMesh& mesh) {
+    sides_.reserve(3 * mesh.triangles.size());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        sides_.push_back({{mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3]}, {ElementId(t), i}});
+      }
+    }
+    std::sort(sides_.begin(), sides_.end());
+  }
+  /// The side that runs from edge[0] to edge[1]; none if no triangle has it.
+  [[nodiscard]] ElementSide find(const Edge& edge) const {
+    const auto at = std::lower_bound(sides_.begin(), sides_.end(), std::pair{edge, ElementSide{ElementId(0), 0}});
+    return at != sides_.end() && at->first == edge ? at->second : ElementSide{};
+  }
+
+ private:
+  std::vector<std::pair<Edge, ElementSide>> sides_;
+};
+
+}  // namespace
+
+ElementMesh element_mesh_of(const TriangleMesh& mesh) {
+  ElementMesh result;
+  result.points = mesh.points;
+  const std::size_t count = mesh.triangles.size();
+  result.types.assign(count, ElementType::T3);
+  result.first.reserve(count + 1);
+  result.nodes.reserve(3 * count);
+  result.first.push_back(0);
+  for (const Corners& corners : mesh.triangles) {
+    result.nodes.insert(result.nodes.end(), corners.begin(), corners.end());
+    result.first.push_back(static_cast<std::uint32_t>(result.nodes.size()));
+  }
+  result.regions = mesh.regions;
+  result.regions.resize(count, 0);
+  result.node_sets = mesh.node_sets;
+  const SideTable table(mesh);
+  for (const auto* sets : {&mesh.boundary_sets, &mesh.constraint_sets}) {
+    for (const auto& [name, edges] : *sets) {
+      auto& sides = result.side_sets[name];
+      for (const Edge& edge : edges) {
+        ElementSide side = table.find(edge);
+        // An internal line may run along the boundary with the domain on its right only.
+        if (!side.element.valid()) side = table.find({edge[1], edge[0]});
+        if (side.element.valid()) sides.push_back(side);
+      }
+    }
+  }
+  return result;
+}
+
+TriangleMesh triangle_mesh_of(const ElementMesh& mesh) {
+  TriangleMesh result;
+  result.points = mesh.points;
+  result.node_sets = mesh.node_sets;
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    const auto n = mesh.nodes_of(ElementId(e));
+    if (corner_count(mesh.types[e]) == 3) {
+      result.triangles.push_back({n[0], n[1], n[2]});
+    } else {
+      const bool first = geom::length_squared(mesh.point(n[2]) - mesh.point(n[0])) <=
+                         geom::length_squared(mesh.point(n[3]) - mesh.point(n[1]));
+      result.triangles.push_back(first ? Corners{n[0], n[1], n[2]} : Corners{n[0], n[1], n[3]});
+      result.triangles.push_back(first ? Corners{n[0], n[2], n[3]} : Corners{n[1], n[2], n[3]});
+      result.regions.push_back(mesh.regions[e]);
+    }
+    result.regions.push_back(mesh.regions[e]);
+  }
+  const std::vector<ElementSide> outer = boundary_sides(mesh);
+  for (const auto& [name, sides] : mesh.side_sets) {
+    const bool boundary = std::all_of(sides.begin(), sides.end(), [&](const ElementSide& side) {
+      return std::binary_search(outer.begin(), outer.end(), side);
+    });
+    auto& edges = boundary ? result.boundary_sets[name] : result.constraint_sets[name];
+    for (const ElementSide& side : sides) {
+      const auto nodes = side_nodes(mesh, side);
+      edges.push_back({nodes[0], nodes[1]});
+    }
+  }
+  return result;
+}
+
 Result<void> check(const ElementMesh& mesh) {
   DOBRA_TRY_VOID(check_elements(mesh));
   DOBRA_TRY_VOID(check_sides(mesh));

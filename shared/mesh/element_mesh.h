@@ -5,7 +5,7 @@
 // Nodes of an element stand as Abaqus and gmsh have them: the corners anticlockwise, then (T6, Q8) the mid-side nodes
 // of the sides 1-2, 2-3, 3-1 (3-4, 4-1). Side i runs from corner i to corner i + 1, the element on its left. The lips
 // of a crack are distinct nodes at the same points that share only its tips: two side sets of boundary sides,
-// "NAME:left" and "NAME:right" of the crack's direction of travel.
+// "NAME_left" and "NAME_right" of the crack's direction of travel (lips.h).
 
 #include <array>
 #include <cstdint>
@@ -41,7 +41,7 @@ struct ElementSide {
 
 /// An end of a crack inside the material.
 struct CrackTip {
-  std::string name;  ///< "NAME:start" or "NAME:end"; a node set of this name holds the node too.
+  std::string name;  ///< "NAME_start" or "NAME_end"; a node set of this name holds the node too.
   NodeId node;
   geom::Vector direction;  ///< Unit; where the crack points: from the crack out into the material ahead.
   friend bool operator==(const CrackTip&, const CrackTip&) = default;
@@ -86,6 +86,15 @@ std::vector<ElementSide> boundary_sides(const ElementMesh& mesh);
 /// Area of an element by its corners and mid-sides (exact for parabolic sides), m2; and of all, compensated.
 double area(const ElementMesh& mesh, ElementId element);
 double area(const ElementMesh& mesh);
+
+/// A T3 for each triangle; boundary and constraint sets become side sets (of an internal edge the side on its left).
+/// @pre check(mesh) (mesh_check.h)  @cost O(n log n)
+ElementMesh element_mesh_of(const TriangleMesh& mesh);
+
+/// The corners as triangles, a quadrilateral cut along its shorter diagonal; mid-side nodes stay as nodes of no
+/// triangle. Side sets become boundary sets, or constraint sets where they have a neighbour. To draw, to hand to
+/// OpenMesh.
+TriangleMesh triangle_mesh_of(const ElementMesh& mesh);
 
 /// Ids in range, coordinates finite, corners anticlockwise and convex (exact), a side shared by at most two elements,
 /// in opposite directions and with the same mid-side node; sets and tips refer to what exists. Jacobians: order2.h.

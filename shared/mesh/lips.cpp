@@ -1,0 +1,201 @@
+#include "shared/mesh/lips.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+// 1. The sides of all cracks, on both faces. 2. Corners of elements (element, corner) that share a node of a crack and
+// a side that is no crack form the fans. 3. Every fan but the first of a node gets a copy. 4. Sets and tips.
+
+namespace dobra::mesh {
+
+using base::Error;
+using base::ErrorCode;
+using base::Place;
+using base::Result;
+
+namespace {
+
+Error at_node(const ElementMesh& mesh, std::string message, const std::string& crack, NodeId node) {
+  Place place;
+  place.item = fmt::format("crack '{}'", crack);
+  place.x = mesh.point(node).x;
+  place.y = mesh.point(node).y;
+  return {ErrorCode::CannotMesh, std::move(message), place};
+}
+
+/// Sides and corners of elements numbered one after the other: the number of corner (or side) i of element e.
+class Numbers {
+ public:
+  explicit Numbers(const ElementMesh& mesh) : first_(mesh.element_count() + 1, 0) {
+    for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+      first_[e + 1] = first_[e] + static_cast<std::uint32_t>(corner_count(mesh.types[e]));
+    }
+  }
+  [[nodiscard]] std::uint32_t operator()(ElementSide at) const { return first_[at.element.index()] + at.side; }
+  [[nodiscard]] std::size_t count() const { return first_.back(); }
+
+ private:
+  std::vector<std::uint32_t> first_;
+};
+
+struct Cracks {
+  std::vector<std::uint8_t> is_crack;        ///< One a side.
+  std::vector<std::uint32_t> edges_at_node;  ///< How many crack edges meet there.
+};
+
+Result<Cracks> mark_cracks(const ElementMesh& mesh, std::span<const std::string> names, const Numbers& number,
+                           const std::vector<ElementSide>& neighbours) {
+  Cracks cracks{std::vector<std::uint8_t>(number.count(), 0), std::vector<std::uint32_t>(mesh.points.size(), 0)};
+  for (const std::string& name : names) {
+    const auto set = mesh.side_sets.find(name);
+    if (set == mesh.side_sets.end()) {
+      return Error{ErrorCode::InvalidOption, fmt::format("there is no side set '{}' to open as a crack", name)};
+    }
+    for (const ElementSide& side : set->second) {
+      const auto nodes = side_nodes(mesh, side);
+      const ElementSide across = neighbours[number(side)];
+      if (!across.element.valid())
+        return at_node(mesh, "the crack runs along the boundary: move it inside", name, nodes[0]);
+      if (cracks.is_crack[number(side)] != 0) continue;
+      cracks.is_crack[number(side)] = cracks.is_crack[number(across)] = 1;
+      ++cracks.edges_at_node[nodes[0].index()];
+      ++cracks.edges_at_node[nodes[1].index()];
+    }
+  }
+  return cracks;
+}
+
+std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t i) {
+  while (parent[i] != i) i = parent[i] = parent[parent[i]];
+  return i;
+}
+
+/// Joins b's root to a's, so that the lowest corner is the root.
+void join(std::vector<std::uint32_t>& parent, std::uint32_t a, std::uint32_t b) {
+  a = root_of(parent, a);
+  b = root_of(parent, b);
+  parent[std::max(a, b)] = std::min(a, b);
+}
+
+/// parent[corner] leads to the first corner of the same fan.
+std::vector<std::uint32_t> fans_of(const ElementMesh& mesh, const Cracks& cracks, const Numbers& number,
+                                   const std::vector<ElementSide>& neighbours) {
+  std::vector<std::uint32_t> parent(number.count());
+  std::iota(parent.begin(), parent.end(), 0U);
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    const auto corners = static_cast<std::uint32_t>(corner_count(mesh.types[e]));
+    for (std::uint32_t i = 0; i < corners; ++i) {
+      const ElementSide side{ElementId(e), i};
+      const ElementSide across = neighbours[number(side)];
+      if (!across.element.valid() || across < side || cracks.is_crack[number(side)] != 0) continue;
+      const auto there = static_cast<std::uint32_t>(corner_count(mesh.types[across.element.index()]));
+      join(parent, number(side), number({across.element, (across.side + 1) % there}));
+      join(parent, number({ElementId(e), (i + 1) % corners}), number(across));
+    }
+  }
+  return parent;
+}
+
+/// Gives every fan beyond the first of a node of a crack a copy of it, and returns the nodes copied, in order.
+std::vector<std::pair<NodeId, NodeId>> split_nodes(ElementMesh& mesh, const Cracks& cracks, const Numbers& number,
+                                                   std::vector<std::uint32_t>& fans) {
+  std::vector<NodeId> node_of_fan(number.count());
+  std::vector<std::uint8_t> taken(mesh.points.size(), 0);
+  std::vector<std::pair<NodeId, NodeId>> copies;
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    for (std::uint32_t i = 0; i < corner_count(mesh.types[e]); ++i) {
+      NodeId& node = mesh.nodes[mesh.first[e] + i];
+      if (cracks.edges_at_node[node.index()] == 0) continue;
+      NodeId& own = node_of_fan[root_of(fans, number({ElementId(e), i}))];
+      if (!own.valid()) {
+        const bool first_fan = std::exchange(taken[node.index()], std::uint8_t{1}) == 0;
+        own = first_fan ? node : NodeId(mesh.points.size());
+        if (!first_fan) {
+          mesh.points.push_back(mesh.point(node));
+          copies.emplace_back(node, own);
+        }
+      }
+      node = own;
+    }
+  }
+  return copies;
+}
+
+/// @param ahead  the end of the crack, whose node before it is `behind`.
+CrackTip make_tip(const ElementMesh& mesh, std::string name, NodeId ahead, NodeId behind) {
+  return {std::move(name), ahead, geom::normalised(mesh.point(ahead) - mesh.point(behind))};
+}
+
+/// The ends of a chain of sides in order of travel: {start, next to it}, {end, before it}.
+std::array<std::array<NodeId, 2>, 2> ends_of(const ElementMesh& mesh, const std::vector<ElementSide>& left) {
+  const auto first = side_nodes(mesh, left.front());
+  const auto last = side_nodes(mesh, left.back());
+  return {{{first[0], first[1]}, {last[1], last[0]}}};
+}
+
+}  // namespace
+
+Result<ElementMesh> open_lips(ElementMesh mesh, std::span<const std::string> names) {
+  DOBRA_TRY_VOID(check(mesh));
+  const Numbers number(mesh);
+  const std::vector<ElementSide> neighbours = neighbours_of(mesh);
+  DOBRA_TRY(const Cracks cracks, mark_cracks(mesh, names, number, neighbours));
+  std::vector<std::uint32_t> fans = fans_of(mesh, cracks, number, neighbours);
+  const auto copies = split_nodes(mesh, cracks, number, fans);
+
+  std::set<NodeId> opened;
+  for (const auto& [node, copy] : copies) opened.insert({node, copy});
+  for (auto& [name, nodes] : mesh.node_sets) {
+    for (const auto& [node, copy] : copies) {
+      if (std::find(nodes.begin(), nodes.end(), node) != nodes.end()) nodes.push_back(copy);
+    }
+  }
+  for (const std::string& name : names) {
+    const std::vector<ElementSide> left = std::move(mesh.side_sets.extract(name).mapped());
+    if (left.empty()) continue;
+    std::vector<ElementSide> right;
+    for (const ElementSide& side : left) {
+      right.push_back(neighbours[number(side)]);
+      const auto nodes = side_nodes(mesh, side);
+      if (opened.contains(nodes[0]) || opened.contains(nodes[1])) continue;
+      return at_node(mesh, "the crack has a single edge between two tips and cannot open: divide it more finely", name,
+                     nodes[0]);
+    }
+    const char* const suffix[] = {"_start", "_end"};
+    const auto ends = ends_of(mesh, left);
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (opened.contains(ends[i][0]) || cracks.edges_at_node[ends[i][0].index()] != 1) continue;
+      mesh.tips.push_back(make_tip(mesh, name + suffix[i], ends[i][0], ends[i][1]));
+      mesh.node_sets[name + suffix[i]] = {ends[i][0]};
+    }
+    mesh.side_sets[name + "_left"] = left;
+    mesh.side_sets[name + "_right"] = std::move(right);
+  }
+  return mesh;
+}
+
+void restore_tips(ElementMesh& mesh) {
+  mesh.tips.clear();
+  for (const auto& [set, left] : mesh.side_sets) {
+    if (!set.ends_with("_left") || left.empty()) continue;
+    const std::string name = set.substr(0, set.size() - std::string_view("_left").size());
+    if (!mesh.side_sets.contains(name + "_right")) continue;
+    for (const char* const suffix : {"_start", "_end"}) {
+      const auto tip = mesh.node_sets.find(name + suffix);
+      if (tip == mesh.node_sets.end() || tip->second.size() != 1) continue;
+      // The lips may come in any order from a file: the side that ends or begins at the tip tells the direction.
+      for (const ElementSide& side : left) {
+        const auto nodes = side_nodes(mesh, side);
+        const bool at_start = nodes[0] == tip->second[0];
+        if (!at_start && nodes[1] != tip->second[0]) continue;
+        mesh.tips.push_back(make_tip(mesh, tip->first, nodes[at_start ? 0 : 1], nodes[at_start ? 1 : 0]));
+        break;
+      }
+    }
+  }
+}
+
+}  // namespace dobra::mesh
