@@ -25,6 +25,10 @@ enum class ErrorCode : int {
   OutsideDomain = 401,
   CannotMesh = 402,
   TooManyElements = 403,
+  // fem
+  CannotSolve = 500,
+  NotSupported = 501,
+  BadCrack = 502,
   // scene, render
   CannotDraw = 600,
   // io

@@ -1,0 +1,423 @@
+#include "shared/fem/crack.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "shared/fem/assemble.h"
+#include "shared/fem/exact_fields.h"
+
+namespace dobra::fem {
+namespace {
+
+using base::Error;
+using base::ErrorCode;
+using geom::Point;
+using geom::Vector;
+using mesh::ElementMesh;
+constexpr double pi = std::numbers::pi;
+
+/// How far a lip may stray from a straight line, and a quarter point from its place, as a fraction of the length.
+constexpr double straightness = 1e-6;
+/// The largest contour stays this far inside what limits it, so that a whole ring of elements is clear of it.
+constexpr double room_used = 0.95;
+
+Error bad(const TipFrame& frame, std::string message) {
+  return {ErrorCode::BadCrack, std::move(message),
+          base::Place{.item = "crack tip '" + frame.tip.name + "'", .x = frame.at.x, .y = frame.at.y}};
+}
+
+double distance_to(Point p, Point a, Point b) {
+  const double t = std::clamp(dot(p - a, b - a) / length_squared(b - a), 0.0, 1.0);
+  return distance(p, a + t * (b - a));
+}
+
+bool is_quarter(const ElementMesh& mesh, mesh::ElementSide side, mesh::NodeId tip) {
+  const auto [from, to, middle] = side_nodes(mesh, side);
+  if (!middle.valid()) return false;
+  const Point at = mesh.point(tip);
+  const Point far = mesh.point(from == tip ? to : from);
+  return distance(mesh.point(middle), geom::interpolate(at, far, 0.25)) < straightness * distance(at, far);
+}
+
+/// What lies round the tips: boundary sides and interfaces.
+struct Surroundings {
+  std::vector<mesh::ElementSide> boundary;
+  std::vector<mesh::ElementSide> interfaces;
+};
+
+Surroundings surroundings_of(const ElementMesh& mesh) {
+  Surroundings result;
+  const auto neighbours = neighbours_of(mesh);
+  std::size_t at = 0;
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    for (std::uint32_t i = 0; i < mesh::corner_count(mesh.types[e]); ++i, ++at) {
+      const mesh::ElementSide side{mesh::ElementId(e), i};
+      if (!neighbours[at].element.valid()) {
+        result.boundary.push_back(side);
+      } else if (mesh.regions[neighbours[at].element.index()] != mesh.regions[e]) {
+        result.interfaces.push_back(side);
+      }
+    }
+  }
+  return result;
+}
+
+double room_of(const ElementMesh& mesh, const TipFrame& frame, const Surroundings& around) {
+  double room = std::numeric_limits<double>::infinity();
+  const auto limit = [&](const mesh::ElementSide& side) {
+    const auto nodes = side_nodes(mesh, side);
+    room = std::min(room, distance_to(frame.at, mesh.point(nodes[0]), mesh.point(nodes[1])));
+  };
+  const auto on_crack = [&](mesh::NodeId node) {
+    const Vector v = frame.local(mesh.point(node) - frame.at);
+    return v.x <= 0.0 && std::abs(v.y) <= straightness * (std::abs(v.x) + frame.length);
+  };
+  for (const auto& side : around.boundary) {
+    const auto nodes = side_nodes(mesh, side);
+    if (!on_crack(nodes[0]) || !on_crack(nodes[1])) limit(side);
+  }
+  for (const auto& side : around.interfaces) limit(side);
+  for (const mesh::CrackTip& other : mesh.tips) {
+    if (other.node != frame.tip.node) room = std::min(room, distance(frame.at, mesh.point(other.node)));
+  }
+  return room;
+}
+
+base::Result<TipFrame> frame_of(const ElementMesh& mesh, const Materials& materials, const mesh::CrackTip& tip,
+                                const Surroundings& around) {
+  TipFrame frame{.tip = tip, .at = mesh.point(tip.node)};
+  for (const auto& side : around.boundary) {
+    const auto nodes = side_nodes(mesh, side);
+    if (nodes[1] == tip.node) frame.left = side;
+    if (nodes[0] == tip.node) frame.right = side;
+  }
+  if (!frame.left.element.valid() || !frame.right.element.valid())
+    return bad(frame, "no lips end here; a tip must lie inside the material, and the crack have double nodes");
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    const auto nodes = mesh.nodes_of(mesh::ElementId(e));
+    if (std::find(nodes.begin(), nodes.end(), tip.node) == nodes.end()) continue;
+    if (mesh.regions[e] != mesh.regions[frame.left.element.index()])
+      return bad(frame, "two materials meet at the tip; the intensity factors of an interface are not known here");
+  }
+  const Point left = mesh.point(side_nodes(mesh, frame.left)[0]);
+  const Point right = mesh.point(side_nodes(mesh, frame.right)[1]);
+  frame.length = distance(left, frame.at);
+  frame.tip.direction = normalised((frame.at - left) + (frame.at - right));
+  for (const Point p : {left, right}) {
+    if (std::abs(frame.local(p - frame.at).y) > straightness * frame.length)
+      return bad(frame, "the lips do not end in one straight line");
+  }
+  frame.material = materials.at(mesh.regions[frame.left.element.index()]);
+  frame.quarter = is_quarter(mesh, frame.left, tip.node) && is_quarter(mesh, frame.right, tip.node);
+  frame.room = room_of(mesh, frame, around);
+  return frame;
+}
+
+/// Openings (y) and slidings (x) between the lips in the frame of the tip.
+struct Openings {
+  Vector corner;
+  Vector middle;
+};
+
+Openings openings_of(const ElementMesh& mesh, const TipFrame& frame, std::span<const Vector> u) {
+  const auto left = side_nodes(mesh, frame.left);
+  const auto right = side_nodes(mesh, frame.right);
+  return {frame.local(u[left[0].index()] - u[right[1].index()]), frame.local(u[left[2].index()] - u[right[2].index()])};
+}
+
+/// The side that runs straight ahead from the tip, of the element on its left.
+std::optional<mesh::ElementSide> side_ahead(const ElementMesh& mesh, const TipFrame& frame) {
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    for (std::uint32_t i = 0; i < mesh::corner_count(mesh.types[e]); ++i) {
+      const mesh::ElementSide side{mesh::ElementId(e), i};
+      const auto nodes = side_nodes(mesh, side);
+      if (nodes[0] != frame.tip.node) continue;
+      const Vector v = frame.local(mesh.point(nodes[1]) - frame.at);
+      if (v.x > 0.0 && std::abs(v.y) < straightness * v.x) return side;
+    }
+  }
+  return std::nullopt;
+}
+
+/// What the elements on the left of the crack's line bear at their nodes less the loads on their sides, N, one a node.
+std::vector<Vector> forces_from_left(const ElementMesh& mesh, const Problem& problem, const LoadCase& load,
+                                     const TipFrame& frame, std::span<const Vector> u) {
+  std::vector<Vector> forces(mesh.points.size());
+  std::vector<bool> chosen(mesh.element_count(), false);
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    const ElementGeometry element = geometry_of(mesh, e);
+    const auto own = std::span(element.nodes).first(element.count);
+    const bool at_tip = std::find(own.begin(), own.end(), frame.tip.node.index()) != own.end();
+    Vector middle;
+    for (std::size_t i = 0; i < mesh::corner_count(element.type); ++i)
+      middle = middle + frame.local(element.coordinates[i] - frame.at);
+    if (!at_tip || middle.y < 0.0) continue;
+    chosen[e] = true;
+    std::array<std::array<double, 4>, 36> blocks;
+    element_stiffness(element, problem.materials.at(mesh.regions[e]),
+                      std::span(blocks).first(element.count * (element.count + 1) / 2));
+    std::size_t k = 0;
+    for (std::size_t a = 0; a < element.count; ++a) {
+      for (std::size_t b = a; b < element.count; ++b, ++k) {
+        const auto& [xx, xy, yx, yy] = blocks[k];
+        const Vector ua = u[own[a]];
+        const Vector ub = u[own[b]];
+        forces[own[a]] = forces[own[a]] + Vector{xx * ub.x + xy * ub.y, yx * ub.x + yy * ub.y};
+        if (a != b) forces[own[b]] = forces[own[b]] + Vector{xx * ua.x + yx * ua.y, xy * ua.x + yy * ua.y};
+      }
+    }
+  }
+  std::vector<Vector> applied(mesh.points.size());
+  for (const SideLoad& side_load : load.sides) {
+    auto sides = find_sides(mesh, side_load.where).value();
+    std::erase_if(sides, [&](const mesh::ElementSide& side) { return !chosen[side.element.index()]; });
+    add_side_load(mesh, problem.materials, sides, side_load.traction, applied);
+  }
+  for (std::size_t i = 0; i < forces.size(); ++i) forces[i] = forces[i] - applied[i];
+  return forces;
+}
+
+double intensity(double release, double opening, const Material& material) {
+  return std::copysign(std::sqrt(std::abs(release) * effective_modulus(material)), opening);
+}
+
+/// The weight q at the nodes of an element: falls with the distance of the corners; linear along sides.
+std::array<double, most_nodes> weights_of(const ElementGeometry& element, Point tip, const Contour& contour) {
+  std::array<double, most_nodes> q{};
+  const std::size_t corners = mesh::corner_count(element.type);
+  for (std::size_t i = 0; i < corners; ++i)
+    q[i] =
+        std::clamp((contour.outer - distance(element.coordinates[i], tip)) / (contour.outer - contour.inner), 0.0, 1.0);
+  for (std::size_t i = corners; i < element.count; ++i) q[i] = 0.5 * (q[i - corners] + q[(i - corners + 1) % corners]);
+  return q;
+}
+
+/// In the frame of the tip.
+Gradient turned(const Gradient& g, const TipFrame& frame) {
+  const Vector e1 = frame.tip.direction;
+  const Vector e2 = left_of(e1);
+  const auto component = [&](Vector a, Vector b) {  // a . (grad u) b
+    return a.x * (g[0] * b.x + g[1] * b.y) + a.y * (g[2] * b.x + g[3] * b.y);
+  };
+  return {component(e1, e1), component(e1, e2), component(e2, e1), component(e2, e2)};
+}
+
+/// (s_ij u_i,1 - w d_1j) q,j for stresses s and gradients g.
+double flux(const Voigt& s, const Gradient& g, double w, Vector dq) {
+  return (s[0] * g[0] + s[2] * g[2] - w) * dq.x + (s[2] * g[0] + s[1] * g[2]) * dq.y;
+}
+
+double product(const Voigt& stress, const Gradient& g) {
+  return stress[0] * g[0] + stress[1] * g[3] + stress[2] * (g[1] + g[2]);
+}
+
+/// J and the three interaction integrals, not yet turned into intensities.
+using Integrals = std::array<double, 4>;
+constexpr std::array<TipLoad, 3> auxiliary{TipLoad::Opening, TipLoad::Sliding, TipLoad::Force};
+
+void add_element(const ElementGeometry& element, const TipFrame& frame, const LoadCase& load, std::int32_t region,
+                 const std::array<double, most_nodes>& q, std::span<const Vector> u, Integrals& sum) {
+  const Elasticity d = elasticity(frame.material);
+  const auto points = integration_points(element.type, Rule::Curved);
+  const auto shapes = shapes_at(element.type, Rule::Curved);
+  for (std::size_t g = 0; g < points.size(); ++g) {
+    const Mapped m = map(element.points(), shapes[g]);
+    const double area = m.determinant * points[g].weight;
+    double value = 0.0;
+    Vector slope;
+    for (std::size_t a = 0; a < element.count; ++a) {
+      value += m.n[a] * q[a];
+      slope = slope + q[a] * Vector{m.d_x[a], m.d_y[a]};
+    }
+    const Vector dq = frame.local(slope);
+    const Gradient own = turned(gradient_at(element, m, u), frame);
+    const Voigt stress = stress_of(d, strain_of(own));
+    Vector force;
+    for (const BodyForce& body : load.bodies) {
+      if (!body.region || *body.region == region) force = force + frame.local(body.force(m.at));
+    }
+    sum[0] +=
+        area * (flux(stress, own, 0.5 * product(stress, own), dq) - value * (force.x * own[0] + force.y * own[2]));
+    const Vector place = frame.local(m.at - frame.at);
+    for (std::size_t k = 0; k < auxiliary.size(); ++k) {
+      const TipField field = tip_field({place.x, place.y}, auxiliary[k], frame.material);
+      const double mixed = product(stress, field.gradient);
+      sum[k + 1] += area * (flux(stress, field.gradient, mixed, dq) + flux(field.stress, own, 0.0, dq) -
+                            value * (force.x * field.gradient[0] + force.y * field.gradient[2]));
+    }
+  }
+}
+
+/// The work of a load on a lip as the crack grows; the side runs along x in the frame.
+void add_lip(const ElementMesh& mesh, mesh::ElementSide side, const Traction& traction, const TipFrame& frame,
+             const Contour& contour, std::span<const Vector> u, Integrals& sum) {
+  const ElementGeometry element = geometry_of(mesh, side.element.index());
+  const auto q = weights_of(element, frame.at, contour);
+  const std::size_t corners = mesh::corner_count(element.type);
+  const std::array<double, 3> own_q{q[side.side], q[(side.side + 1) % corners],
+                                    mesh::is_quadratic(element.type) ? q[corners + side.side] : 0.0};
+  integrate_side(mesh, side, [&](auto nodes, const Shape& shape, Point at, Vector normal, double length) {
+    Vector slope;  // du/ds over the derivative of the place, both along the side
+    Vector tangent;
+    double value = 0.0;
+    for (std::size_t a = 0; a < nodes.size(); ++a) {
+      const Point p = mesh.point(nodes[a]);
+      slope = slope + shape.d_xi[a] * frame.local(u[nodes[a].index()]);
+      tangent = tangent + shape.d_xi[a] * frame.local(p - frame.at);
+      value += shape.n[a] * own_q[a];
+    }
+    const Vector along = slope / tangent.x;
+    const Vector t = frame.local(traction(at, normal));
+    sum[0] -= length * value * dot(t, along);
+    // The left lip runs towards the tip, the right one away from it.
+    const Point place{frame.local(at - frame.at).x, tangent.x > 0.0 ? 0.0 : -0.0};
+    for (std::size_t k = 0; k < auxiliary.size(); ++k) {
+      const Gradient g = tip_field(place, auxiliary[k], frame.material).gradient;
+      sum[k + 1] -= length * value * (t.x * g[0] + t.y * g[2]);
+    }
+  });
+}
+
+/// The traction on a lip at the tip, in its frame, Pa.
+Vector lip_traction(const ElementMesh& mesh, const LoadCase& load, const TipFrame& frame, mesh::ElementSide lip) {
+  Vector sum;
+  const Vector outward = (lip == frame.left ? -1.0 : 1.0) * left_of(frame.tip.direction);
+  for (const SideLoad& side_load : load.sides) {
+    const auto sides = find_sides(mesh, side_load.where).value();
+    if (std::find(sides.begin(), sides.end(), lip) != sides.end())
+      sum = sum + frame.local(side_load.traction(frame.at, outward));
+  }
+  return sum;
+}
+
+double relative_distance(const Intensity& a, const Intensity& b) {
+  return std::hypot(a.one - b.one, a.two - b.two) / std::hypot(b.one, b.two);
+}
+
+}  // namespace
+
+base::Result<std::vector<TipFrame>> tip_frames(const ElementMesh& mesh, const Materials& materials) {
+  const Surroundings around = surroundings_of(mesh);
+  std::vector<TipFrame> frames;
+  for (const mesh::CrackTip& tip : mesh.tips) {
+    DOBRA_TRY(TipFrame frame, frame_of(mesh, materials, tip, around));
+    frames.push_back(std::move(frame));
+  }
+  return frames;
+}
+
+base::Result<Intensity> displacement_correlation(const ElementMesh& mesh, const TipFrame& frame,
+                                                 std::span<const Vector> u) {
+  if (!frame.quarter)
+    return bad(frame,
+               "displacement correlation needs quarter-point elements at the tip; without them it is wrong by 60 %");
+  const Openings d = openings_of(mesh, frame, u);
+  const double factor =
+      shear_modulus(frame.material) / (kolosov(frame.material) + 1.0) * std::sqrt(2.0 * pi / frame.length);
+  return Intensity{factor * (4.0 * d.middle.y - d.corner.y), factor * (4.0 * d.middle.x - d.corner.x)};
+}
+
+base::Result<Intensity> crack_closure(const ElementMesh& mesh, const Problem& problem, const LoadCase& load,
+                                      const TipFrame& frame, std::span<const Vector> u) {
+  if (!mesh::is_quadratic(mesh.types[frame.left.element.index()]))
+    return bad(frame, "crack closure needs quadratic elements at the tip");
+  const auto ahead = side_ahead(mesh, frame);
+  if (!ahead) return bad(frame, "crack closure needs an element side straight ahead of the tip");
+  const auto nodes = side_nodes(mesh, *ahead);
+  if (std::abs(distance(mesh.point(nodes[1]), frame.at) - frame.length) > 0.01 * frame.length)
+    return bad(frame, "crack closure needs elements of the same length ahead of the tip and behind it");
+  const std::vector<Vector> forces = forces_from_left(mesh, problem, load, frame, u);
+  const double thickness = frame.material.thickness;
+  Vector at_tip = -1.0 / thickness * frame.local(forces[frame.tip.node.index()]);
+  Vector at_middle = -1.0 / thickness * frame.local(forces[nodes[2].index()]);
+  // The load of the lips would follow the crack: what closes it is the stress ahead less that on the lips.
+  const Vector lip = lip_traction(mesh, load, frame, frame.left);
+  integrate_side(mesh, *ahead, [&](auto, const Shape& shape, Point, Vector, double length) {
+    at_tip = at_tip + (shape.n[0] * length) * lip;
+    at_middle = at_middle + (shape.n[2] * length) * lip;
+  });
+  const Openings d = openings_of(mesh, frame, u);
+  const auto release = [&](double tip_force, double middle_force, double corner, double middle) {
+    const double work = frame.quarter ? tip_force * ((6.0 - 1.5 * pi) * corner + (6.0 * pi - 20.0) * middle) +
+                                            middle_force * (0.5 * corner + middle)
+                                      : tip_force * corner + middle_force * middle;
+    return work / (2.0 * frame.length);
+  };
+  return Intensity{intensity(release(at_tip.y, at_middle.y, d.corner.y, d.middle.y), d.corner.y, frame.material),
+                   intensity(release(at_tip.x, at_middle.x, d.corner.x, d.middle.x), d.corner.x, frame.material)};
+}
+
+base::Result<Contour> contour_of(const TipFrame& frame, std::optional<double> outer) {
+  const double radius = outer.value_or(room_used * frame.room);
+  if (radius > frame.room)
+    return bad(
+        frame,
+        fmt::format("the contour of radius {:.4g} leaves the straight end of the crack, or meets a boundary or another "
+                    "material: at most {:.4g}",
+                    radius, frame.room));
+  if (radius < 2.0 * frame.length)
+    return bad(frame,
+               fmt::format(
+                   "no contour fits: {:.4g} of room round the tip, and its elements are {:.4g} long; make them smaller",
+                   radius, frame.length));
+  return Contour{std::max(0.4 * radius, frame.length), radius};
+}
+
+DomainIntegrals domain_integrals(const ElementMesh& mesh, const LoadCase& load, const TipFrame& frame,
+                                 const Contour& contour, std::span<const Vector> u) {
+  Integrals sum{};
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    const ElementGeometry element = geometry_of(mesh, e);
+    const auto q = weights_of(element, frame.at, contour);
+    const auto own = std::span(q).first(element.count);
+    const bool outside = std::all_of(own.begin(), own.end(), [](double w) { return w == 0.0; });
+    const bool flat = std::all_of(own.begin(), own.end(), [](double w) { return w == 1.0; });
+    if (outside || (flat && load.bodies.empty())) continue;
+    add_element(element, frame, load, mesh.regions[e], q, u, sum);
+  }
+  for (const SideLoad& side_load : load.sides) {
+    const auto sides = find_sides(mesh, side_load.where).value();
+    for (const mesh::ElementSide side : sides) {
+      const auto nodes = side_nodes(mesh, side);
+      // Inside the contour there is no boundary but the lips.
+      if (std::min(distance(mesh.point(nodes[0]), frame.at), distance(mesh.point(nodes[1]), frame.at)) < contour.outer)
+        add_lip(mesh, side, side_load.traction, frame, contour, u, sum);
+    }
+  }
+  const double modulus = effective_modulus(frame.material);
+  // The force at the tip feels the stress across the crack that loaded lips carry, as if it were along it.
+  const double across =
+      0.5 * (lip_traction(mesh, load, frame, frame.right).y - lip_traction(mesh, load, frame, frame.left).y);
+  return {sum[0], {0.5 * modulus * sum[1], 0.5 * modulus * sum[2]}, modulus * sum[3] + across};
+}
+
+base::Result<std::vector<TipResult>> crack_tips(const ElementMesh& mesh, const Problem& problem, const LoadCase& load,
+                                                std::span<const Vector> u, std::optional<double> outer) {
+  DOBRA_TRY(const std::vector<TipFrame> frames, tip_frames(mesh, problem.materials));
+  std::vector<TipResult> results;
+  for (const TipFrame& frame : frames) {
+    DOBRA_TRY(const Contour contour, contour_of(frame, outer));
+    TipResult result{.name = frame.tip.name, .at = frame.at, .ahead = frame.tip.direction, .contour = contour};
+    result.domain = domain_integrals(mesh, load, frame, contour, u);
+    const Contour half{0.5 * contour.inner, 0.5 * contour.outer};
+    result.inner_j = domain_integrals(mesh, load, frame, half, u).j;
+    const Intensity k = result.domain.k;
+    if (const auto correlation = displacement_correlation(mesh, frame, u)) result.correlation = *correlation;
+    if (const auto closure = crack_closure(mesh, problem, load, frame, u)) result.closure = *closure;
+    for (const auto& other : {result.correlation, result.closure}) {
+      if (other) result.spread = std::max(result.spread, relative_distance(*other, k));
+    }
+    result.release = (k.one * k.one + k.two * k.two) / effective_modulus(frame.material);
+    result.sigma_theta = kink_of(KinkCriterion::SigmaTheta, k, frame.material);
+    result.s_theta = kink_of(KinkCriterion::STheta, k, frame.material);
+    result.g_theta = kink_of(KinkCriterion::GTheta, k, frame.material);
+    results.push_back(std::move(result));
+  }
+  return results;
+}
+
+}  // namespace dobra::fem

@@ -1,0 +1,84 @@
+#pragma once
+// Stress intensity factors at crack tips, by three methods that share nothing but the displacements: displacement
+// correlation (DCT), crack closure (MVCCI), domain interaction integral; with J, G and the T-stress. The spread of the
+// three is the confidence. Page: docs/algorithms/crack.md.
+// Source: [shih1976] (DCT), [raju1987] (closure), [nikishkov1987], [yau1980] (integrals), [kfouri1986] (T-stress).
+//
+// In the frame of a tip x points ahead and y to the left of the crack's direction of travel.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "shared/fem/kink.h"
+#include "shared/fem/problem.h"
+#include "shared/fem/solve.h"
+
+namespace dobra::fem {
+
+/// Where a tip and the elements of its lips are.
+struct TipFrame {
+  mesh::CrackTip tip;
+  geom::Point at;
+  Material material = {};
+  mesh::ElementSide left = {};   ///< Side of the left lip that ends in the tip.
+  mesh::ElementSide right = {};  ///< Side of the right lip that begins in the tip.
+  double length = 0.0;           ///< Of the side of the left lip, m.
+  bool quarter = false;          ///< Both sides have their mid-side node at a quarter.
+  double room =
+      0.0;  ///< Radius of the greatest disc round the tip with nothing in it but the straight end of the crack, m.
+  [[nodiscard]] geom::Vector local(geom::Vector v) const { return {dot(v, tip.direction), cross(tip.direction, v)}; }
+};
+/// One a tip of the mesh, in their order.
+/// @error BadCrack with the place: no lips at the tip, lips that are not straight, elements of two materials at it.
+base::Result<std::vector<TipFrame>> tip_frames(const mesh::ElementMesh& mesh, const Materials& materials);
+
+/// @error BadCrack: the elements at the tip are not quarter-point ones (the formula would be wrong by 60 %).
+base::Result<Intensity> displacement_correlation(const mesh::ElementMesh& mesh, const TipFrame& frame,
+                                                 std::span<const geom::Vector> u);
+
+/// Quarter-point and plain quadratic elements; loads of the lips are taken into account.
+/// @error BadCrack: not quadratic, no element side straight ahead, or one of another length than behind the tip.
+base::Result<Intensity> crack_closure(const mesh::ElementMesh& mesh, const Problem& problem, const LoadCase& load,
+                                      const TipFrame& frame, std::span<const geom::Vector> u);
+
+/// The ring in which the weight q falls from 1 to 0, m.
+struct Contour {
+  double inner = 0.0;
+  double outer = 0.0;
+};
+/// The largest ring in the room of the tip, or that of `outer`.
+/// @error BadCrack: the room, or `outer`, does not reach twice the size of the tip's elements; `outer` leaves the room.
+base::Result<Contour> contour_of(const TipFrame& frame, std::optional<double> outer = std::nullopt);
+
+struct DomainIntegrals {
+  double j = 0.0;         ///< J/m2
+  Intensity k;            ///< From the interaction integral.
+  double t_stress = 0.0;  ///< Pa
+};
+/// J and the interaction integrals over a ring, with the work of loaded lips and body forces. @cost O(n)
+DomainIntegrals domain_integrals(const mesh::ElementMesh& mesh, const LoadCase& load, const TipFrame& frame,
+                                 const Contour& contour, std::span<const geom::Vector> u);
+
+struct TipResult {
+  std::string name;
+  geom::Point at;
+  geom::Vector ahead;
+  Contour contour;
+  DomainIntegrals domain = {};
+  double inner_j = 0.0;                       ///< J of a contour of half the size: how much it depends on the path.
+  std::optional<Intensity> correlation = {};  ///< Nothing where the elements do not allow it.
+  std::optional<Intensity> closure = {};
+  double release = 0.0;  ///< G = (K_I^2 + K_II^2) / E' of the interaction integral, J/m2.
+  double spread = 0.0;   ///< Greatest distance of another method's K from the interaction integral's, relative.
+  Kink sigma_theta = {};
+  Kink s_theta = {};
+  Kink g_theta = {};
+};
+/// All of it, for every tip, in their order.
+/// @error those of tip_frames and contour_of
+base::Result<std::vector<TipResult>> crack_tips(const mesh::ElementMesh& mesh, const Problem& problem,
+                                                const LoadCase& load, std::span<const geom::Vector> u,
+                                                std::optional<double> outer = std::nullopt);
+
+}  // namespace dobra::fem

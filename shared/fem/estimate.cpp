@@ -1,0 +1,48 @@
+#include "shared/fem/estimate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shared/base/parallel.h"
+#include "shared/fem/stress.h"
+
+namespace dobra::fem {
+
+ErrorEstimate estimate_error(const mesh::ElementMesh& mesh, const Materials& materials, std::span<const geom::Vector> u,
+                             const RecoveredStress& recovered) {
+  ErrorEstimate estimate;
+  estimate.elements = base::parallel_map<double>(
+      mesh.element_count(),
+      [&](std::size_t e) {
+        const ElementGeometry element = geometry_of(mesh, e);
+        const Material& material = materials.at(mesh.regions[e]);
+        const Elasticity d = elasticity(material);
+        const auto points = integration_points(element.type, Rule::Curved);
+        const auto shapes = shapes_at(element.type, Rule::Curved);
+        double sum = 0.0;
+        for (std::size_t g = 0; g < points.size(); ++g) {
+          const Mapped m = map(element.points(), shapes[g]);
+          Voigt difference = stress_at(element, d, m, u);
+          for (std::size_t k = 0; k < 3; ++k) {
+            difference[k] = -difference[k];
+            for (std::size_t a = 0; a < element.count; ++a)
+              difference[k] += m.n[a] * recovered.at_element_nodes[mesh.first[e] + a][k];
+          }
+          sum += m.determinant * points[g].weight * material.thickness * energy_product(d, difference, difference);
+        }
+        return std::sqrt(sum);
+      },
+      64);
+  double error = 0.0;
+  for (const double e : estimate.elements) error += e * e;
+  double energy = 0.0;
+  for (const double e : element_energies(mesh, materials, u)) energy += e;
+  estimate.error = std::sqrt(error);
+  estimate.norm = std::sqrt(energy);
+  estimate.eta = energy + error > 0.0 ? std::sqrt(error / (energy + error)) : 0.0;
+  return estimate;
+}
+
+double true_error(double exact_energy, double energy) { return std::sqrt(2.0 * std::max(0.0, exact_energy - energy)); }
+
+}  // namespace dobra::fem

@@ -1,0 +1,70 @@
+#include "shared/fem/rosette.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace dobra::fem {
+
+using base::Error;
+using base::ErrorCode;
+using geom::Point;
+using geom::Vector;
+
+base::Result<Rosette> make_rosette(Point tip, Vector ahead, const RosetteOptions& options) {
+  const auto wrong = [](const char* message) {
+    return Error{ErrorCode::InvalidOption, message, base::Place{.item = "rosette"}};
+  };
+  if (options.sectors < 6 || options.sectors % 2 != 0)
+    return wrong("the number of sectors must be even and at least 6");
+  if (!(options.radius > 0.0)) return wrong("the radius must be positive");
+  if (options.rings < 1 || !(options.growth > 0.0))
+    return wrong("there must be one ring at least, and a positive growth");
+  Rosette rosette{tip, {}};
+  double radius = 0.0;
+  double thickness = options.radius;
+  for (int k = 0; k < options.rings; ++k, thickness *= options.growth) {
+    radius += thickness;
+    std::vector<Point> ring;
+    for (int i = 0; i <= options.sectors; ++i) {
+      const double angle = std::numbers::pi * (2.0 * i / options.sectors - 1.0);
+      const bool on_crack = i == 0 || i == options.sectors;
+      const Vector direction = on_crack                   ? -ahead
+                               : 2 * i == options.sectors ? ahead
+                                                          : std::cos(angle) * ahead + std::sin(angle) * left_of(ahead);
+      ring.push_back(tip + radius * direction);
+    }
+    rosette.rings.push_back(std::move(ring));
+  }
+  return rosette;
+}
+
+base::Result<std::size_t> set_quarter_points(mesh::ElementMesh& mesh) {
+  std::set<mesh::NodeId> tips;
+  for (const mesh::CrackTip& tip : mesh.tips) tips.insert(tip.node);
+  std::set<mesh::NodeId> moved;
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    const mesh::ElementId element(e);
+    const std::size_t corners = mesh::corner_count(mesh.types[e]);
+    for (std::uint32_t side = 0; side < corners; ++side) {
+      const auto [from, to, middle] = side_nodes(mesh, {element, side});
+      const bool at_from = tips.contains(from);
+      const bool at_to = tips.contains(to);
+      if (!at_from && !at_to) continue;
+      const Point p = mesh.point(at_from ? from : to);
+      if (!middle.valid())
+        return Error{ErrorCode::BadCrack, "the elements at a crack tip must be quadratic to take quarter points",
+                     base::Place{.x = p.x, .y = p.y}};
+      if (at_from && at_to)
+        return Error{ErrorCode::BadCrack, "one element side joins two crack tips; make the mesh finer between them",
+                     base::Place{.x = p.x, .y = p.y}};
+      mesh.points[middle.index()] = geom::interpolate(p, mesh.point(at_from ? to : from), 0.25);
+      moved.insert(middle);
+    }
+  }
+  return moved.size();
+}
+
+}  // namespace dobra::fem
