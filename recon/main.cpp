@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "recon/cli/section_commands.h"
 #include "recon/core/operations.h"
 #include "shared/cli/cli.h"
 #include "shared/cli/offset_command.h"
@@ -23,5 +24,5 @@ int main(int argc, char** argv) {
     return recon::gui::run_window(file, options);
   };
 #endif
-  return dobra::cli::run_program(recon::core::program(), argc, argv, window, {dobra::cli::offset_command()});
+  return dobra::cli::run_program(recon::core::program(), argc, argv, window, {dobra::cli::offset_command(), recon::cli::restore_command(), recon::cli::balance_command()});
 }

@@ -158,29 +158,51 @@ base::Result<std::vector<double>> distances_for(const GridParams& params, double
 
 }  // namespace
 
-base::Result<SourceGrid> make_source_grid(const Section& section, const GridParams& params,
-                                          const base::Progress& progress) {
-  SourceGrid source;
+namespace {
+
+base::Result<const Horizon*> top_of(const Section& section, const GridParams& params) {
+  if (section.horizons.empty())
+    return base::Error{base::ErrorCode::BadSection, "the section has no horizon to be the top"};
   const Horizon* top = params.top.empty() ? &section.horizons.front() : find_horizon(section, params.top);
-  if (top == nullptr) {
-    return base::Error{base::ErrorCode::BadSection,
-                       fmt::format("there is no horizon '{}' to be the top{}", params.top,
-                                   base::did_you_mean(params.top, horizon_names(section)))};
-  }
+  if (top != nullptr) return top;
+  return base::Error{base::ErrorCode::BadSection, fmt::format("there is no horizon '{}' to be the top{}", params.top,
+                                                              base::did_you_mean(params.top, horizon_names(section)))};
+}
+
+base::Place item_of(const Horizon& horizon) {
   base::Place item;
-  item.item = fmt::format("horizon '{}'", top->name);
+  item.item = fmt::format("horizon '{}'", horizon.name);
+  return item;
+}
+
+}  // namespace
+
+base::Result<SourceGrid> make_base(const Section& section, const GridParams& params, LayerSide side) {
+  DOBRA_TRY(const Horizon* top, top_of(section, params));
+  SourceGrid source;
+  source.params = params;
+  source.top = top->id;
+  source.side = side;
   source.base = top->line;
   if (params.simplify > 0.0) {
     auto simpler = geom::simplify(top->line, {.tolerance = params.simplify});
-    if (!simpler) return base::located(simpler.error(), item);
+    if (!simpler) return base::located(simpler.error(), item_of(*top));
     source.base = std::move(*simpler);
     source.remarks.push_back(fmt::format("the grid stands on {} of the {} points of the top, within {:.4g} m of it",
                                          source.base.points.size(), top->line.points.size(), params.simplify));
   }
+  if (side == LayerSide::Above) source.base = geom::reversed(std::move(source.base));
+  return source;
+}
+
+base::Result<SourceGrid> make_source_grid(const Section& section, const GridParams& params,
+                                          const base::Progress& progress) {
+  DOBRA_TRY(const Horizon* top, top_of(section, params));
+  DOBRA_TRY(SourceGrid source, make_base(section, params, LayerSide::Below));
+  const base::Place item = item_of(*top);
   auto columns = Columns::along(source.base);
   if (!columns) return base::located(columns.error(), item);
   std::vector<double> depths = depths_of(section, *top, *columns);
-  source.top = top->id;
   source.side = side_of(depths, params.side);
   if (source.side == LayerSide::Above) {
     source.base = geom::reversed(std::move(source.base));

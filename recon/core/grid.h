@@ -89,6 +89,7 @@ base::Result<Grid> make_grid(const geom::Polyline& line, const Columns& columns,
 
 /// The grid of the top of the deformed section, and what the following steps need to know of it.
 struct SourceGrid {
+  GridParams params;  ///< It was made with these.
   HorizonId top;
   LayerSide side = LayerSide::Below;  ///< As found; never Auto.
   geom::Polyline base;                ///< The top, in the travel direction that has the layers on its right-hand side.
@@ -97,6 +98,11 @@ struct SourceGrid {
   Grid grid;
   std::vector<std::string> remarks;
 };
+
+/// The base of the grid alone, without curves and rungs: top, side, base, params.
+/// @param side  never Auto.
+/// @error BadSection (no such top), those of geom::simplify.
+base::Result<SourceGrid> make_base(const Section& section, const GridParams& params, LayerSide side);
 
 /// @error BadSection (no such top, with a suggestion), InvalidOption (curves that cannot reach the base),
 /// DegenerateCurve, and those of make_grid.

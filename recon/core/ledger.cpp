@@ -106,19 +106,9 @@ Part part_between(const MappedLine& upper, const MappedLine& lower, const std::s
   Part part;
   UnitRow& row = part.row;
   row.name = name;
-  row.area_before = std::abs(geom::signed_area(contour_between(upper.before, lower.before)));
-  // Only the two ends are lines that are not mapped yet.
-  const auto image_of = [&](geom::Point from, geom::Point to) {
-    return map.forward(geom::Polyline{{from, to}, false}).after.points;
-  };
-  geom::Polyline after = upper.after;
-  const std::vector<geom::Point> right = image_of(upper.before.points.back(), lower.before.points.back());
-  const std::vector<geom::Point> left = image_of(lower.before.points.front(), upper.before.points.front());
-  after.points.insert(after.points.end(), right.begin(), right.end());
-  after.points.insert(after.points.end(), lower.after.points.rbegin(), lower.after.points.rend());
-  after.points.insert(after.points.end(), left.begin(), left.end());
-  after.closed = true;
-  row.area_after = std::abs(geom::signed_area(after));
+  const UnitAreas areas = areas_between(upper, lower, map);
+  row.area_before = areas.before;
+  row.area_after = areas.after;
   row.thickness_before = thickness_between(upper.before, lower.before, options.places);
   row.thickness_after = thickness_between(upper.after, lower.after, options.places);
   part.field = band_between(upper.before, lower.before, options);
@@ -176,6 +166,21 @@ std::vector<LedgerUnit> ledger_units(const Section& section, const std::vector<H
         {fmt::format("{} - {}", section.horizons[upper].name, section.horizons[lower].name), {}, upper, lower});
   }
   return units;
+}
+
+UnitAreas areas_between(const MappedLine& upper, const MappedLine& lower, const SectionMap& map) {
+  // Only the two ends are lines that are not mapped yet.
+  const auto image_of = [&](geom::Point from, geom::Point to) {
+    return map.forward(geom::Polyline{{from, to}, false}).after.points;
+  };
+  geom::Polyline after = upper.after;
+  const std::vector<geom::Point> right = image_of(upper.before.points.back(), lower.before.points.back());
+  const std::vector<geom::Point> left = image_of(lower.before.points.front(), upper.before.points.front());
+  after.points.insert(after.points.end(), right.begin(), right.end());
+  after.points.insert(after.points.end(), lower.after.points.rbegin(), lower.after.points.rend());
+  after.points.insert(after.points.end(), left.begin(), left.end());
+  after.closed = true;
+  return {std::abs(geom::signed_area(contour_between(upper.before, lower.before))), std::abs(geom::signed_area(after))};
 }
 
 std::optional<Range> thickness_between(const geom::Polyline& upper, const geom::Polyline& lower, int samples) {

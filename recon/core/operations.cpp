@@ -13,6 +13,7 @@ base::Result<Model> run_grid(const Model& model, const GridParams& params, const
   Model next = model;
   next.target.reset();
   next.restoration.reset();
+  next.monte_carlo.reset();
   DOBRA_TRY(next.source, make_source_grid(model.section, params, progress));
   return next;
 }
@@ -25,6 +26,7 @@ base::Result<Model> run_target(const Model& model, const TargetParams& params, c
   }
   Model next = model;
   next.restoration.reset();
+  next.monte_carlo.reset();
   DOBRA_TRY(next.target, make_target(model.section, *model.source, params, context, progress));
   return next;
 }
@@ -38,7 +40,34 @@ base::Result<Model> run_restore(const Model& model, const RestoreParams& params,
     return base::Error{base::ErrorCode::CannotRestore, missing};
   }
   Model next = model;
+  next.monte_carlo.reset();
   DOBRA_TRY(next.restoration, restore(model.section, *model.source, *model.target, params, progress));
+  return next;
+}
+
+base::Result<Model> run_balance(const Model& model, const BalanceParams& params, const scenario::Context&,
+                                const base::Progress&) {
+  Model next = model;
+  DOBRA_TRY(next.area_depth, area_depth(model.section, params));
+  return next;
+}
+
+base::Result<Model> run_area_balance(const Model& model, const AreaBalanceParams& params,
+                                     const scenario::Context& context, const base::Progress&) {
+  Model next = model;
+  DOBRA_TRY(next.area_balance, balance_area(params, context));
+  return next;
+}
+
+base::Result<Model> run_monte_carlo(const Model& model, const MonteCarloParams& params, const scenario::Context&,
+                                    const base::Progress& progress) {
+  if (!model.restoration) {
+    return base::Error{base::ErrorCode::CannotRestore,
+                       "error bars need a restoration first; put a step 'restore' before it"};
+  }
+  Model next = model;
+  DOBRA_TRY(next.monte_carlo,
+            monte_carlo(model.section, *model.source, *model.target, model.restoration->params, params, progress));
   return next;
 }
 
@@ -59,15 +88,26 @@ scenario::Program make_program() {
   recon.title = "RECON";
   recon.input_fields = scenario::fields_of<SectionInput>();
   recon.read_input = read_input;
-  recon.operations = {scenario::make_operation<Model, GridParams>(
-                          "grid", "Source grid",
-                          "Offset curves of the top of the section and the transversals between them.", run_grid),
-                      scenario::make_operation<Model, TargetParams>(
-                          "target", "Target",
-                          "The geometry to which the top is restored, a datum or a line, held at a pin.", run_target),
-                      scenario::make_operation<Model, RestoreParams>(
-                          "restore", "Restore",
-                          "Carries every point of the section from the source grid to the target grid.", run_restore)};
+  recon.operations = {
+      scenario::make_operation<Model, GridParams>(
+          "grid", "Source grid", "Offset curves of the top of the section and the transversals between them.",
+          run_grid),
+      scenario::make_operation<Model, TargetParams>(
+          "target", "Target", "The geometry to which the top is restored, a datum or a line, held at a pin.",
+          run_target),
+      scenario::make_operation<Model, RestoreParams>(
+          "restore", "Restore", "Carries every point of the section from the source grid to the target grid.",
+          run_restore),
+      scenario::make_operation<Model, MonteCarloParams>(
+          "monte_carlo", "Error bars",
+          "Restores the section again and again with picks, pin and angle drawn from their errors.", run_monte_carlo),
+      scenario::make_operation<Model, BalanceParams>(
+          "balance", "Balance", "Bed lengths, excess areas and the depth of the detachment of the section as it is.",
+          run_balance),
+      scenario::make_operation<Model, AreaBalanceParams>(
+          "area_balance", "Area balance",
+          "Shortening from the area of a section and the thickness that its layers had, with errors.",
+          run_area_balance)};
   recon.picture_of = [](const scenario::State& state) { return picture_of(scenario::model_of<Model>(state)); };
   recon.quantities_of = [](const scenario::State& state) { return quantities_of(scenario::model_of<Model>(state)); };
   recon.remarks_of = [](const scenario::State& state) { return remarks_of(scenario::model_of<Model>(state)); };

@@ -20,6 +20,16 @@ base::Result<Model> run_target(const Model& model, const TargetParams& params, c
 base::Result<Model> run_restore(const Model& model, const RestoreParams& params,
                                 const dobra::scenario::Context& context, const base::Progress& progress);
 
+/// Excess areas, bed lengths and the detachment of the section as it is.
+base::Result<Model> run_balance(const Model& model, const BalanceParams& params,
+                                const dobra::scenario::Context& context, const base::Progress& progress);
+/// Shortening from the area of a polygon with errors.
+base::Result<Model> run_area_balance(const Model& model, const AreaBalanceParams& params,
+                                     const dobra::scenario::Context& context, const base::Progress& progress);
+/// Error bars of the restoration. @error CannotRestore without one.
+base::Result<Model> run_monte_carlo(const Model& model, const MonteCarloParams& params,
+                                    const dobra::scenario::Context& context, const base::Progress& progress);
+
 /// RECON, as the shared machinery sees it.
 const dobra::scenario::Program& program();
 

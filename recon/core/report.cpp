@@ -1,7 +1,5 @@
 #include "recon/core/report.h"
 
-#include <array>
-
 #include "shared/base/text.h"
 #include "shared/io/file.h"
 #include "shared/io/geojson.h"
@@ -13,24 +11,6 @@ namespace io = dobra::io;
 
 namespace {
 
-struct Column {
-  const char* name;
-  const char* unit;
-  double LineLength::*member;
-};
-
-constexpr std::array<Column, 11> line_length_columns{{{"length_before", "m", &LineLength::length_before},
-                                                      {"length_after", "m", &LineLength::length_after},
-                                                      {"change_percent", "%", &LineLength::change_percent},
-                                                      {"width_before", "m", &LineLength::width_before},
-                                                      {"width_after", "m", &LineLength::width_after},
-                                                      {"shortening", "m", &LineLength::shortening},
-                                                      {"shortening_percent", "%", &LineLength::shortening_percent},
-                                                      {"torn", "m", &LineLength::torn},
-                                                      {"depth_min", "m", &LineLength::depth_min},
-                                                      {"depth_mean", "m", &LineLength::depth_mean},
-                                                      {"depth_max", "m", &LineLength::depth_max}}};
-
 double number(std::size_t count) { return static_cast<double>(count); }
 
 void add_grid_quantities(const SourceGrid& source, std::vector<scenario::Quantity>& quantities) {
@@ -41,19 +21,22 @@ void add_grid_quantities(const SourceGrid& source, std::vector<scenario::Quantit
   quantities.push_back({"grid.last_distance", source.options.distances.back(), "m"});
 }
 
+void add_cells(const std::string& prefix, const std::vector<RowCell>& cells,
+               std::vector<scenario::Quantity>& quantities) {
+  for (const RowCell& cell : cells) {
+    if (cell.value) quantities.push_back({prefix + cell.name, *cell.value, cell.unit});
+  }
+}
+
 void add_restored_quantities(const Model& model, std::vector<scenario::Quantity>& quantities) {
   const Restoration& restoration = *model.restoration;
-  const auto add_row = [&](const std::string& prefix, const LineLength& row) {
-    for (const Column& column : line_length_columns)
-      quantities.push_back({prefix + column.name, row.*column.member, column.unit});
-  };
   std::size_t points = 0, outside = 0, beyond = 0, not_reversible = 0, tears = 0;
   double torn = 0.0;
   for (std::size_t i = 0; i < restoration.lengths.size(); ++i) {
     const LineLength& row = restoration.lengths[i];
-    add_row("horizon." + row.name + ".", row);
+    add_cells("horizon." + row.name + ".", cells_of(row), quantities);
     if (row.horizon == model.source->top) {
-      add_row("top.", row);
+      add_cells("top.", cells_of(row), quantities);
       quantities.push_back({"shortening", row.shortening, "m"});
       quantities.push_back({"shortening_percent", row.shortening_percent, "%"});
     }
@@ -65,14 +48,58 @@ void add_restored_quantities(const Model& model, std::vector<scenario::Quantity>
     tears += line.tears.size();
     torn += row.torn;
   }
+  for (const UnitRow& row : restoration.ledger.units) add_cells("unit." + row.name + ".", cells_of(row), quantities);
   quantities.push_back({"points", number(points), ""});
   quantities.push_back({"points_outside", number(outside), ""});
   quantities.push_back({"points_beyond_ends", number(beyond), ""});
   quantities.push_back({"points_not_reversible", number(not_reversible), ""});
   quantities.push_back({"tears", number(tears), ""});
   quantities.push_back({"torn", torn, "m"});
-  quantities.push_back({"greatest_change_percent", restoration.balance.greatest_change_percent, "%"});
-  quantities.push_back({"balanced", restoration.balance.balanced ? 1.0 : 0.0, ""});
+  quantities.push_back({"lean_left", restoration.lean_left, ""});
+  quantities.push_back({"lean_right", restoration.lean_right, ""});
+  const Balance& balance = restoration.balance;
+  quantities.push_back({"greatest_change_percent", balance.greatest_change_percent, "%"});
+  quantities.push_back({"greatest_area_change_percent", balance.greatest_area_change_percent, "%"});
+  quantities.push_back({"inconsistency_percent", balance.inconsistency_percent, "%"});
+  quantities.push_back({"balanced", balance.balanced ? 1.0 : 0.0, ""});
+}
+
+void add_balance_quantities(const Model& model, std::vector<scenario::Quantity>& quantities) {
+  if (model.monte_carlo) {
+    for (const Spread& spread : model.monte_carlo->spreads) {
+      const std::string prefix = "error." + spread.name + '.';
+      quantities.push_back({prefix + "mean", spread.mean, spread.unit});
+      quantities.push_back({prefix + "deviation", spread.deviation, spread.unit});
+      quantities.push_back({prefix + "low", spread.low, spread.unit});
+      quantities.push_back({prefix + "median", spread.median, spread.unit});
+      quantities.push_back({prefix + "high", spread.high, spread.unit});
+    }
+    quantities.push_back({"error.balanced_share", model.monte_carlo->balanced_share, ""});
+  }
+  if (model.area_depth) {
+    for (const BedBalance& bed : model.area_depth->beds) add_cells("bed." + bed.name + '.', cells_of(bed), quantities);
+    if (const auto& fit = model.area_depth->fit) {
+      quantities.push_back({"displacement", fit->displacement, "m"});
+      quantities.push_back({"displacement_error", fit->displacement_error, "m"});
+      quantities.push_back({"detachment", fit->detachment, "m"});
+      quantities.push_back({"detachment_error", fit->detachment_error, "m"});
+      quantities.push_back({"r_squared", fit->r_squared, ""});
+    }
+    quantities.push_back({"bed_inconsistency_percent", model.area_depth->inconsistency_percent, "%"});
+  }
+  if (model.area_balance) {
+    const AreaBalance& balance = *model.area_balance;
+    const auto add = [&](const std::string& name, const WithError& number_with, const char* unit) {
+      quantities.push_back({name, number_with.value, unit});
+      quantities.push_back({name + "_error", number_with.error, unit});
+      quantities.push_back({name + "_most", number_with.most, unit});
+    };
+    add("area", balance.area, "m2");
+    add("initial_width", balance.initial_width, "m");
+    add("width", balance.width, "m");
+    add("area_shortening", balance.shortening, "m");
+    add("area_shortening_percent", balance.percent, "%");
+  }
 }
 
 io::Feature line_feature(std::string name, std::string kind, std::vector<geom::Polyline> parts) {
@@ -100,17 +127,65 @@ std::vector<io::Feature> grid_features(const geom::Polyline& base, const Grid& g
   return features;
 }
 
-std::vector<io::Feature> restored_features(const Restoration& restoration) {
+void add_feature(io::FeatureType type, const std::string& name, const char* kind, std::size_t id, geom::Polyline line,
+                 std::vector<io::Feature>& features) {
+  // A jump of no length at a tear, or a bed squeezed to a point, must not make the file invalid.
+  if (type != io::FeatureType::Points) line = geom::without_repeated_points(std::move(line));
+  const std::size_t least = type == io::FeatureType::Polygons ? 3 : type == io::FeatureType::Lines ? 2 : 1;
+  if (line.points.size() < least) return;
+  io::Feature feature = line_feature(name, kind, {std::move(line)});
+  feature.type = type;
+  feature.properties = {{"id", static_cast<std::int64_t>(id)}};
+  features.push_back(std::move(feature));
+}
+
+std::vector<io::Feature> restored_features(const Section& section) {
   std::vector<io::Feature> features;
-  for (const Horizon& horizon : restoration.section.horizons) {
-    // A jump of no length at a tear, or a bed squeezed to a point, must not make the file invalid.
-    const geom::Polyline line = geom::without_repeated_points(horizon.line);
-    if (line.points.size() < 2) continue;
-    io::Feature feature = line_feature(horizon.name, "horizon", {line});
-    feature.properties = {{"id", static_cast<std::int64_t>(horizon.id.index())}};
-    features.push_back(std::move(feature));
-  }
+  for (const Horizon& horizon : section.horizons)
+    add_feature(io::FeatureType::Lines, horizon.name, "horizon", horizon.id.index(), horizon.line, features);
+  for (const SectionLine& line : section.lines)
+    add_feature(io::FeatureType::Lines, line.name, kind_name(line.kind), line.id.index(), line.line, features);
+  for (const Unit& unit : section.units)
+    add_feature(io::FeatureType::Polygons, unit.name, "unit", unit.id.index(), unit.contour, features);
+  for (const Marker& marker : section.markers)
+    add_feature(io::FeatureType::Points, marker.name, "marker", marker.id.index(), {marker.points, false}, features);
   return features;
+}
+
+scenario::DataTable strain_table(const std::vector<Strain>& strains) {
+  scenario::DataTable table{
+      "strain",
+      {"x [m]", "z [m]", "dilatation [%]", "greatest stretch", "least stretch", "direction [deg]", "rotation [deg]"},
+      {}};
+  for (const Strain& s : strains) {
+    table.rows.push_back(
+        {s.at.x, s.at.y, 100.0 * s.dilatation, s.greatest, s.least, s.direction.degrees(), s.rotation.degrees()});
+  }
+  return table;
+}
+
+/// A table of rows that have a name and cells.
+template <class Row>
+scenario::DataTable row_table(const char* name, const char* what, const std::vector<Row>& rows) {
+  scenario::DataTable table{name, {what}, {}};
+  for (const RowCell& cell : cells_of(Row{})) {
+    const std::string title = cell.name;
+    table.columns.push_back(title.ends_with("_percent") ? title.substr(0, title.size() - 8) + " [%]"
+                            : *cell.unit == '\0'        ? title
+                                                        : title + " [" + cell.unit + "]");
+  }
+  for (const Row& row : rows) {
+    std::vector<std::variant<double, std::string>> cells{row.name};
+    for (const RowCell& cell : cells_of(row)) {
+      if (cell.value) {
+        cells.emplace_back(*cell.value);
+      } else {
+        cells.emplace_back(std::string());
+      }
+    }
+    table.rows.push_back(std::move(cells));
+  }
+  return table;
 }
 
 std::string csv_field(const std::string& text) {
@@ -152,23 +227,70 @@ std::vector<scenario::Quantity> quantities_of(const Model& model) {
     quantities.push_back({"columns", number(model.target->map.source().inner_count()), ""});
   }
   if (model.restoration) add_restored_quantities(model, quantities);
+  add_balance_quantities(model, quantities);
   return quantities;
 }
 
+std::vector<RowCell> cells_of(const LineLength& row) {
+  return {{"length_before", "m", row.length_before},
+          {"length_after", "m", row.length_after},
+          {"change_percent", "%", row.change_percent},
+          {"width_before", "m", row.width_before},
+          {"width_after", "m", row.width_after},
+          {"shortening", "m", row.shortening},
+          {"shortening_percent", "%", row.shortening_percent},
+          {"torn", "m", row.torn},
+          {"depth_min", "m", row.depth_min},
+          {"depth_mean", "m", row.depth_mean},
+          {"depth_max", "m", row.depth_max}};
+}
+
+std::vector<RowCell> cells_of(const UnitRow& row) {
+  const auto part = [](const std::optional<Range>& range, double Range::*member) {
+    return range ? std::optional((*range).*member) : std::nullopt;
+  };
+  const auto percent = [&](double Range::*member) {
+    return row.dilatation ? std::optional(100.0 * (*row.dilatation).*member) : std::nullopt;
+  };
+  return {{"area_before", "m2", row.area_before},
+          {"area_after", "m2", row.area_after},
+          {"area_change_percent", "%", row.change_percent},
+          {"thickness_min_before", "m", part(row.thickness_before, &Range::least)},
+          {"thickness_mean_before", "m", part(row.thickness_before, &Range::mean)},
+          {"thickness_max_before", "m", part(row.thickness_before, &Range::greatest)},
+          {"thickness_min_after", "m", part(row.thickness_after, &Range::least)},
+          {"thickness_mean_after", "m", part(row.thickness_after, &Range::mean)},
+          {"thickness_max_after", "m", part(row.thickness_after, &Range::greatest)},
+          {"dilatation_min_percent", "%", percent(&Range::least)},
+          {"dilatation_mean_percent", "%", percent(&Range::mean)},
+          {"dilatation_max_percent", "%", percent(&Range::greatest)}};
+}
+
+std::vector<RowCell> cells_of(const BedBalance& row) {
+  return {{"length", "m", row.length},
+          {"width", "m", row.width},
+          {"shortening", "m", row.shortening},
+          {"level", "m", row.level},
+          {"excess_area", "m2", row.excess_area},
+          {"detachment_depth", "m", row.depth},
+          {"layer_strain", "", row.layer_strain}};
+}
+
 std::vector<scenario::DataTable> tables_of(const Model& model) {
-  if (!model.restoration) return {};
-  scenario::DataTable table{"line_length", {"horizon"}, {}};
-  for (const Column& column : line_length_columns) {
-    const std::string name = column.name;
-    table.columns.push_back(name.ends_with("_percent") ? name.substr(0, name.size() - 8) + " [%]"
-                                                       : name + " [" + column.unit + "]");
+  std::vector<scenario::DataTable> tables;
+  if (model.restoration) {
+    tables.push_back(row_table("line_length", "horizon", model.restoration->lengths));
+    tables.push_back(row_table("units", "unit", model.restoration->ledger.units));
+    tables.push_back(strain_table(model.restoration->ledger.strains));
   }
-  for (const LineLength& row : model.restoration->lengths) {
-    std::vector<std::variant<double, std::string>> cells{row.name};
-    for (const Column& column : line_length_columns) cells.emplace_back(row.*column.member);
-    table.rows.push_back(std::move(cells));
+  if (model.monte_carlo) {
+    scenario::DataTable table{"error_bars", {"quantity", "unit", "mean", "deviation", "low", "median", "high"}, {}};
+    for (const Spread& s : model.monte_carlo->spreads)
+      table.rows.push_back({s.name, s.unit, s.mean, s.deviation, s.low, s.median, s.high});
+    tables.push_back(std::move(table));
   }
-  return {table};
+  if (model.area_depth) tables.push_back(row_table("area_depth", "horizon", model.area_depth->beds));
+  return tables;
 }
 
 std::vector<std::string> remarks_of(const Model& model) {
@@ -179,6 +301,8 @@ std::vector<std::string> remarks_of(const Model& model) {
   if (model.source) add(model.source->remarks);
   if (model.target) add(model.target->remarks);
   if (model.restoration) add(model.restoration->remarks);
+  if (model.monte_carlo) add(model.monte_carlo->remarks);
+  if (model.area_depth) add(model.area_depth->remarks);
   return remarks;
 }
 
@@ -202,7 +326,7 @@ std::vector<scenario::Output> outputs_of(const std::shared_ptr<const Model>& mod
   }
   if (model->restoration) {
     outputs.push_back({"restored.geojson", [model](const Path& path) {
-                         return io::write_geojson(path.string(), restored_features(*model->restoration));
+                         return io::write_geojson(path.string(), restored_features(model->restoration->section));
                        }});
     outputs.push_back({"restored.csv",
                        [model](const Path& path) { return io::write_file(path, restored_csv(*model->restoration)); }});

@@ -2,6 +2,7 @@
 // What a model tells in numbers, tables, remarks and files.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,14 +16,29 @@ namespace recon::core {
 ///   grid.curves, .rungs, .vanished, .deepest, .last_distance         after grid
 ///   target.curves, .extended; columns                               after target
 ///   horizon.NAME.* and top.* (the columns of the table line_length), shortening, shortening_percent, points,
-///   points_outside, points_beyond_ends, points_not_reversible, tears, torn, greatest_change_percent, balanced (0 or 1)
-///   after restore
+///   points_outside, points_beyond_ends, points_not_reversible, tears, torn, greatest_change_percent,
+///   greatest_area_change_percent, inconsistency_percent, lean_left, lean_right, balanced (0 or 1),
+///   unit.NAME.* (the columns of the table units)                    after restore
+///   error.QUANTITY.mean, .deviation, .low, .median, .high; error.balanced_share   after monte_carlo
+///   bed.NAME.* (the columns of the table area_depth), displacement, detachment and their _error, r_squared   after
+///   balance area, initial_width, width, area_shortening, area_shortening_percent and their _error, _most   after
+///   area_balance
 std::vector<dobra::scenario::Quantity> quantities_of(const Model& model);
 
-/// line_length, after restore.
+/// line_length, units, strain after restore; error_bars after monte_carlo; area_depth after balance.
 std::vector<dobra::scenario::DataTable> tables_of(const Model& model);
 
 std::vector<std::string> remarks_of(const Model& model);
+
+/// The names, values and units of a row, in the order of its table's columns; nothing where there is no value.
+struct RowCell {
+  const char* name;
+  const char* unit;
+  std::optional<double> value;
+};
+std::vector<RowCell> cells_of(const UnitRow& row);
+std::vector<RowCell> cells_of(const BedBalance& row);
+std::vector<RowCell> cells_of(const LineLength& row);
 
 /// source_grid.geojson, target_grid.geojson, restored.geojson, restored.csv: as far as the model has them.
 std::vector<dobra::scenario::Output> outputs_of(const std::shared_ptr<const Model>& model);

@@ -89,13 +89,8 @@ Balance judge(const Restoration& restoration) {
     balance.worst_unit = row.name;
   }
   balance.inconsistency_percent = inconsistency_percent(restoration.lengths);
-  // Methods that keep the length of every bed cannot fail by it: there the beds must agree with each other.
-  const bool keeps_lengths =
-      restoration.method == RestoreMethod::Flexural || restoration.method == RestoreMethod::LineLength;
-  const double tolerance = restoration.tolerance_percent;
-  balance.balanced = balance.greatest_change_percent <= tolerance &&
-                     balance.greatest_area_change_percent <= tolerance &&
-                     (!keeps_lengths || balance.inconsistency_percent <= tolerance);
+  balance.balanced = is_balanced(restoration.params, balance.greatest_change_percent,
+                                 balance.greatest_area_change_percent, balance.inconsistency_percent);
   return balance;
 }
 
@@ -108,7 +103,7 @@ std::string verdict_text(const Restoration& restoration) {
     text += fmt::format(", of a unit's area {:.4g} % ('{}')", balance.greatest_area_change_percent, balance.worst_unit);
   }
   return text + fmt::format("; restored beds differ by {:.4g} %; the tolerance is {:.4g} %",
-                            balance.inconsistency_percent, restoration.tolerance_percent);
+                            balance.inconsistency_percent, restoration.params.tolerance);
 }
 
 /// tan of the lean of the line through the ends of the top and the farthest bed, outwards positive.
@@ -132,20 +127,25 @@ void measure_lean(const Section& section, const std::vector<HorizonId>& order, R
   restoration.lean_right = lean(top.points.back(), base.points.back(), top.points[top.points.size() - 2]);
 }
 
+}  // namespace
+
+bool is_balanced(const RestoreParams& params, double length_change_percent, double area_change_percent,
+                 double inconsistency_percent) {
+  const bool keeps_lengths = params.method == RestoreMethod::Flexural || params.method == RestoreMethod::LineLength;
+  return length_change_percent <= params.tolerance && area_change_percent <= params.tolerance &&
+         (!keeps_lengths || inconsistency_percent <= params.tolerance);
+}
+
 MethodParams method_params(const RestoreParams& params) {
   return {params.method, params.angle, params.base, params.thickness, params.percent, params.outside};
 }
-
-}  // namespace
 
 base::Result<Restoration> restore(const Section& section, const SourceGrid& source, const Target& target,
                                   const RestoreParams& params, const base::Progress& progress) {
   DOBRA_TRY_VOID(progress.check());
   DOBRA_TRY(MethodMap made, make_method_map(section, source, target, method_params(params)));
   Restoration restoration;
-  restoration.method = params.method;
-  restoration.percent = params.percent;
-  restoration.tolerance_percent = params.tolerance;
+  restoration.params = params;
   restoration.remarks = std::move(made.remarks);
   restoration.map = std::move(made.map);
   const SectionMap& map = restoration.map;

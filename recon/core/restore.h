@@ -60,9 +60,15 @@ struct RestoreParams {
   }
 };
 
+/// What make_method_map takes of them.
+MethodParams method_params(const RestoreParams& params);
+
+/// Methods that keep the length of every bed cannot fail by it: there the beds must agree with each other.
+bool is_balanced(const RestoreParams& params, double length_change_percent, double area_change_percent,
+                 double inconsistency_percent);
+
 struct Restoration {
-  RestoreMethod method = RestoreMethod::Constant;
-  double percent = 100.0;
+  RestoreParams params;  ///< It was made with these.
   SectionMap map;
   Section section;                  ///< Everything restored, with the ids and names of the section's.
   std::vector<MappedLine> lines;    ///< One for each horizon, in the same order.
@@ -73,7 +79,6 @@ struct Restoration {
   /// of the target, to the left and to the right end.
   double lean_left = 0.0;
   double lean_right = 0.0;
-  double tolerance_percent = 0.0;
   std::vector<std::string> remarks;
 };
 

@@ -181,9 +181,10 @@ base::Result<Pinned> line_target(const Section& section, const SourceGrid& sourc
 
 }  // namespace
 
-base::Result<Target> make_target(const Section& section, const SourceGrid& source, const TargetParams& params,
-                                 const dobra::scenario::Context& context, const base::Progress& progress) {
+base::Result<Target> place_target(const Section& section, const SourceGrid& source, const TargetParams& params,
+                                  const dobra::scenario::Context& context) {
   Target target;
+  target.params = params;
   DOBRA_TRY(const Pinned top, pin_on_top(source, params, target.remarks));
   const std::vector<double> top_arc = geom::arc_lengths(top.line);
   target.source_pin = geom::point_at(top.line, top_arc, top.pin);
@@ -212,6 +213,12 @@ base::Result<Target> make_target(const Section& section, const SourceGrid& sourc
     return base::located(map.error(), place);
   }
   target.map = std::move(*map);
+  return target;
+}
+
+base::Result<Target> make_target(const Section& section, const SourceGrid& source, const TargetParams& params,
+                                 const dobra::scenario::Context& context, const base::Progress& progress) {
+  DOBRA_TRY(Target target, place_target(section, source, params, context));
   DOBRA_TRY(target.grid, make_grid(target.map.target().base_line(), target.map.target(), source.options, progress));
   return target;
 }

@@ -55,6 +55,7 @@ struct TargetParams {
 };
 
 struct Target {
+  TargetParams params;      ///< It was made with these.
   geom::Point source_pin;   ///< On the top.
   geom::Point target_pin;   ///< On the target.
   double source_arc = 0.0;  ///< Of the pin on the grid's base, m.
@@ -65,6 +66,11 @@ struct Target {
   double extended = 0.0;    ///< How much of the target was added straight at its ends, m.
   std::vector<std::string> remarks;
 };
+
+/// The target and its columns, without curves and rungs.
+/// @error as make_target.
+base::Result<Target> place_target(const Section& section, const SourceGrid& source, const TargetParams& params,
+                                  const dobra::scenario::Context& context);
 
 /// @error CannotRestore (pin beside the top or the target), BadValue (parameters that contradict each other), those of
 /// read_line and make_grid; BadSection (no such horizon).

@@ -56,10 +56,12 @@ TEST(Operations, AScenarioRunsGridTargetAndRestore) {
   EXPECT_NEAR(quantity(run, "shortening"), 2.0 * std::sqrt(29.0) - 10.0, 1e-12);
   EXPECT_EQ(quantity(run, "points"), 6.0);
   const auto tables = program().tables_of(run.states.back());
-  ASSERT_EQ(tables.size(), 1u);
+  ASSERT_EQ(tables.size(), 3u);
   EXPECT_EQ(tables[0].name, "line_length");
   ASSERT_EQ(tables[0].rows.size(), 2u);
-  for (const auto& row : tables[0].rows) EXPECT_EQ(row.size(), tables[0].columns.size());
+  for (const auto& table : tables) {
+    for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size());
+  }
 }
 
 TEST(Operations, StepsThatLackAnEarlierStepSayWhichOne) {

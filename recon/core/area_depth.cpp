@@ -1,0 +1,101 @@
+#include "recon/core/area_depth.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+
+namespace recon::core {
+
+namespace {
+
+BedBalance bed_of(const Horizon& horizon) {
+  BedBalance bed;
+  bed.horizon = horizon.id;
+  bed.name = horizon.name;
+  bed.length = geom::length(horizon.line);
+  const geom::Point first = horizon.line.points.front();
+  const geom::Point last = horizon.line.points.back();
+  bed.width = geom::distance(first, last);
+  bed.level = 0.5 * (first.y + last.y);
+  geom::Polyline closed = horizon.line;
+  closed.closed = true;
+  bed.excess_area = -geom::signed_area(closed);  // left to right above the regional is clockwise
+  bed.shortening = bed.length - bed.width;
+  if (bed.shortening > 1e-12 * bed.length) bed.depth = bed.excess_area / bed.shortening;
+  return bed;
+}
+
+}  // namespace
+
+std::optional<AreaDepthFit> fit_area_depth(const std::vector<double>& levels, const std::vector<double>& areas,
+                                           double confidence_percent) {
+  const auto count = static_cast<double>(levels.size());
+  double mean_level = 0.0, mean_area = 0.0;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    mean_level += levels[i] / count;
+    mean_area += areas[i] / count;
+  }
+  double sxx = 0.0, sxy = 0.0, syy = 0.0;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    sxx += (levels[i] - mean_level) * (levels[i] - mean_level);
+    sxy += (levels[i] - mean_level) * (areas[i] - mean_area);
+    syy += (areas[i] - mean_area) * (areas[i] - mean_area);
+  }
+  if (!(sxx > 0.0) || sxy == 0.0) return std::nullopt;
+  AreaDepthFit fit;
+  fit.displacement = sxy / sxx;
+  fit.detachment = mean_level - mean_area / fit.displacement;
+  const double rest = std::max(0.0, syy - sxy * sxy / sxx);
+  fit.r_squared = syy > 0.0 ? 1.0 - rest / syy : 1.0;
+  if (levels.size() < 3) return fit;
+  const boost::math::students_t student(count - 2.0);
+  const double t = boost::math::quantile(student, 0.5 + 0.005 * confidence_percent);
+  const double deviation = std::sqrt(rest / (count - 2.0));
+  const double to_mean = fit.detachment - mean_level;
+  fit.displacement_error = t * deviation / std::sqrt(sxx);
+  fit.detachment_error = t * deviation / std::abs(fit.displacement) * std::sqrt(1.0 / count + to_mean * to_mean / sxx);
+  return fit;
+}
+
+base::Result<AreaDepth> area_depth(const Section& section, const BalanceParams& params) {
+  if (section.horizons.empty()) {
+    return base::Error{base::ErrorCode::BadSection, "the section has no horizon; add an [[input.horizon]]"};
+  }
+  AreaDepth result;
+  result.params = params;
+  std::vector<double> levels;
+  std::vector<double> areas;
+  for (const Horizon& horizon : section.horizons) {
+    result.beds.push_back(bed_of(horizon));
+    levels.push_back(result.beds.back().level);
+    areas.push_back(result.beds.back().excess_area);
+  }
+  result.fit = fit_area_depth(levels, areas, params.confidence);
+  const auto shorter = [](const BedBalance& a, const BedBalance& b) { return a.length < b.length; };
+  const auto [least, greatest] = std::minmax_element(result.beds.begin(), result.beds.end(), shorter);
+  result.inconsistency_percent = 100.0 * (greatest->length - least->length) / greatest->length;
+  result.balanced = result.inconsistency_percent <= params.tolerance;
+  result.remarks.push_back(fmt::format(
+      "{}: bed lengths differ by {:.4g} % ('{}' is the longest, '{}' the shortest); the tolerance is {:.4g} %",
+      result.balanced ? "balanced" : "not balanced", result.inconsistency_percent, greatest->name, least->name,
+      params.tolerance));
+  if (!result.fit) {
+    result.remarks.push_back(
+        "no detachment can be told: the horizons' regionals are at one level, or no area is in excess");
+    return result;
+  }
+  for (BedBalance& bed : result.beds) {
+    const double moved = result.fit->displacement;
+    bed.layer_strain = (bed.shortening - moved) / (bed.width + moved);
+  }
+  result.remarks.push_back(
+      fmt::format("area-depth-strain: displacement {:.6g} +- {:.3g} m, detachment at z = {:.6g} +- {:.3g} m ({:.4g} % "
+                  "confidence, r2 = {:.4f})",
+                  result.fit->displacement, result.fit->displacement_error, result.fit->detachment,
+                  result.fit->detachment_error, params.confidence, result.fit->r_squared));
+  return result;
+}
+
+}  // namespace recon::core

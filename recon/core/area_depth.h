@@ -1,0 +1,71 @@
+#pragma once
+// What an unrestored section tells of its balance: excess area of every horizon over its regional, shortening of its
+// bed, depth to the detachment by each horizon alone (Chamberlin) and by all together (area-depth-strain).
+//   A_excess(h) = D (h - h_d):   slope D = displacement on the detachment, h_d = its elevation
+// Source: restoration.md 2.11, [chamberlin1910], [epard1993].  Page: docs/algorithms/ledger.md
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "recon/core/section.h"
+#include "shared/base/result.h"
+
+namespace recon::core {
+
+/// Parameters of the step `balance`.
+struct BalanceParams {
+  double tolerance = 2.0;
+  double confidence = 95.0;
+  template <class D>
+  static void describe(D& d) {
+    d.field("tolerance", &BalanceParams::tolerance,
+            {.title = "Balance tolerance",
+             .help = "Greatest difference of bed lengths in a balanced section.",
+             .unit = "%",
+             .at_least = 0.0});
+    d.field(
+        "confidence", &BalanceParams::confidence,
+        {.title = "Confidence", .help = "Of the intervals of the fit.", .unit = "%", .above = 0.0, .at_most = 99.9});
+  }
+};
+
+/// One horizon; its regional is the straight line between its ends. Lengths in metres, areas in m2.
+struct BedBalance {
+  HorizonId horizon;
+  std::string name;
+  double length = 0.0;
+  double width = 0.0;           ///< Along the regional.
+  double level = 0.0;           ///< Mean elevation of the regional.
+  double excess_area = 0.0;     ///< Above the regional less below it.
+  double shortening = 0.0;      ///< length - width.
+  std::optional<double> depth;  ///< excess_area / shortening: of the detachment below the level, by this horizon alone.
+  double layer_strain = 0.0;    ///< (shortening - D) / (width + D): parallel to the bed, negative where it got shorter.
+};
+
+/// Straight line through (level, excess area) with the half-widths of the confidence intervals.
+struct AreaDepthFit {
+  double displacement = 0.0;        ///< D, m
+  double detachment = 0.0;          ///< h_d, elevation, m
+  double displacement_error = 0.0;  ///< Half-widths; 0 with two horizons, which any line fits.
+  double detachment_error = 0.0;
+  double r_squared = 1.0;
+};
+
+struct AreaDepth {
+  BalanceParams params;
+  std::vector<BedBalance> beds;
+  std::optional<AreaDepthFit> fit;     ///< Nothing with one level.
+  double inconsistency_percent = 0.0;  ///< Longest less shortest bed, of the longest.
+  bool balanced = false;
+  std::vector<std::string> remarks;
+};
+
+/// @error BadSection without a horizon.
+base::Result<AreaDepth> area_depth(const Section& section, const BalanceParams& params);
+
+/// Least squares with the given confidence in percent. @pre sizes equal. Nothing if all levels are the same.
+std::optional<AreaDepthFit> fit_area_depth(const std::vector<double>& levels, const std::vector<double>& areas,
+                                           double confidence_percent);
+
+}  // namespace recon::core

@@ -1,0 +1,209 @@
+#include "recon/core/monte_carlo.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <numeric>
+
+#include "recon/core/counter_random.h"
+#include "shared/base/parallel.h"
+
+namespace recon::core {
+
+namespace {
+
+struct Name {
+  std::string name;
+  std::string unit;
+};
+
+/// What is drawn from: horizons, and the numbers of restoration in the order of `names`.
+class Draws {
+ public:
+  Draws(const Section& section, const SourceGrid& source, const Target& target, const RestoreParams& restore,
+        const MonteCarloParams& params)
+      : section_(section), source_(source), target_(target), restore_(restore), params_(params) {
+    correlation_ = params.correlation.value_or(box_of(section).width() / 20.0);
+    units_ = ledger_units(section, horizons_in_order(section, source, target));
+    std::erase_if(units_, [](const LedgerUnit& unit) { return unit.unit.has_value(); });
+    for (const char* name :
+         {"shortening", "greatest_change_percent", "greatest_area_change_percent", "inconsistency_percent"}) {
+      names_.push_back({name, std::string_view(name).ends_with("percent") ? "%" : "m"});
+    }
+    for (const Horizon& horizon : section.horizons) {
+      names_.push_back({"horizon." + horizon.name + ".length_before", "m"});
+      names_.push_back({"horizon." + horizon.name + ".length_after", "m"});
+      names_.push_back({"horizon." + horizon.name + ".change_percent", "%"});
+    }
+    for (const LedgerUnit& unit : units_) {
+      names_.push_back({"unit." + unit.name + ".area_before", "m2"});
+      names_.push_back({"unit." + unit.name + ".area_after", "m2"});
+    }
+  }
+
+  [[nodiscard]] const std::vector<Name>& names() const { return names_; }
+
+  /// The numbers of draw `number`, and last whether it balances; empty if it cannot be restored.
+  [[nodiscard]] std::vector<double> draw(std::uint32_t number) const {
+    Section section;
+    section.convention = section_.convention;
+    section.horizons = section_.horizons;
+    for (std::size_t h = 0; h < section.horizons.size(); ++h)
+      disturb(section.horizons[h].line, number, static_cast<std::uint32_t>(h));
+    auto source = make_base(section, source_.params, source_.side);
+    if (!source) return {};
+    auto target = place_target(section, *source, target_params(number), {});
+    if (!target) return {};
+    RestoreParams restore = restore_;
+    restore.angle = restore.angle + normal(number, angle_stream) * params_.angle_error;
+    auto made = make_method_map(section, *source, *target, method_params(restore));
+    if (!made) return {};
+    return measure(section, made->map);
+  }
+
+ private:
+  // Streams of random numbers beside those of the horizons.
+  static constexpr std::uint32_t pin_stream = 0xFFFFFFFFU;
+  static constexpr std::uint32_t angle_stream = 0xFFFFFFFEU;
+
+  [[nodiscard]] double normal(std::uint32_t number, std::uint32_t stream) const {
+    return normal_pair({number, stream, 0, 0}, static_cast<std::uint64_t>(params_.seed))[0];
+  }
+
+  /// Normal errors at every correlation length along the line, between them in proportion, each of the same deviation.
+  void disturb(geom::Polyline& line, std::uint32_t number, std::uint32_t stream) const {
+    if (params_.pick_error == 0.0) return;
+    const std::vector<double> arc = geom::arc_lengths(line);
+    const auto at_node = [&](std::uint32_t node) {
+      const auto pair = normal_pair({number, stream, node, 1}, static_cast<std::uint64_t>(params_.seed));
+      return geom::Vector{pair[0], pair[1]};
+    };
+    std::uint32_t node = 0;
+    geom::Vector left = at_node(0);
+    geom::Vector right = at_node(1);
+    for (std::size_t i = 0; i < arc.size(); ++i) {
+      const double place = arc[i] / correlation_;
+      for (; place >= node + 1.0; ++node) {
+        left = right;
+        right = at_node(node + 2);
+      }
+      const double t = place - node;
+      const double scale = params_.pick_error / std::hypot(1.0 - t, t);
+      line.points[i] = line.points[i] + scale * ((1.0 - t) * left + t * right);
+    }
+  }
+
+  [[nodiscard]] TargetParams target_params(std::uint32_t number) const {
+    TargetParams params = target_.params;
+    if (params.pin) params.pin = *params.pin + params_.pin_error * normal(number, pin_stream);
+    if (params.shape == TargetShape::Line) {  // as it was read: files are not read again for each draw
+      params.file.clear();
+      params.points = target_.line.points;
+      if (source_.side == LayerSide::Above) std::reverse(params.points.begin(), params.points.end());
+      params.direction = TargetDirection::AsGiven;
+    }
+    return params;
+  }
+
+  [[nodiscard]] std::vector<double> measure(const Section& section, const SectionMap& map) const {
+    std::vector<MappedLine> lines;
+    std::vector<double> numbers(4);
+    std::vector<LineLength> lengths;
+    Balance balance;
+    for (const Horizon& horizon : section.horizons) {
+      lines.push_back(map.forward(horizon.line));
+      lengths.push_back(line_length(horizon, lines.back()));
+      const LineLength& row = lengths.back();
+      if (horizon.id == source_.top) numbers[0] = row.shortening;
+      numbers[1] = std::max(numbers[1], std::abs(row.change_percent));
+      numbers.insert(numbers.end(), {row.length_before, row.length_after, row.change_percent});
+    }
+    for (const LedgerUnit& unit : units_) {
+      const UnitAreas areas = areas_between(lines[*unit.upper], lines[*unit.lower], map);
+      numbers.insert(numbers.end(), {areas.before, areas.after});
+      numbers[2] = std::max(numbers[2], 100.0 * std::abs(areas.after - areas.before) / areas.before);
+    }
+    numbers[3] = inconsistency_percent(lengths);
+    numbers.push_back(is_balanced(restore_, numbers[1], numbers[2], numbers[3]) ? 1.0 : 0.0);
+    return numbers;
+  }
+
+  const Section& section_;
+  const SourceGrid& source_;
+  const Target& target_;
+  const RestoreParams& restore_;
+  const MonteCarloParams& params_;
+  double correlation_ = 1.0;
+  std::vector<LedgerUnit> units_;
+  std::vector<Name> names_;
+};
+
+/// @param values sorted.
+double quantile(const std::vector<double>& values, double part) {
+  const double place = part * static_cast<double>(values.size() - 1);
+  const auto low = static_cast<std::size_t>(place);
+  const double t = place - static_cast<double>(low);
+  return low + 1 < values.size() ? (1.0 - t) * values[low] + t * values[low + 1] : values[low];
+}
+
+Spread spread_of(const Name& name, std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const auto count = static_cast<double>(values.size());
+  Spread spread{name.name, name.unit};
+  spread.mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
+  double squares = 0.0;
+  for (const double value : values) squares += (value - spread.mean) * (value - spread.mean);
+  spread.deviation = values.size() > 1 ? std::sqrt(squares / (count - 1.0)) : 0.0;
+  spread.low = quantile(values, 0.025);
+  spread.median = quantile(values, 0.5);
+  spread.high = quantile(values, 0.975);
+  return spread;
+}
+
+}  // namespace
+
+base::Result<MonteCarlo> monte_carlo(const Section& section, const SourceGrid& source, const Target& target,
+                                     const RestoreParams& restore, const MonteCarloParams& params,
+                                     const base::Progress& progress) {
+  const Draws draws(section, source, target, restore, params);
+  const auto count = static_cast<std::size_t>(params.draws);
+  std::mutex reporting;
+  std::size_t done = 0;
+  const auto rows = base::parallel_map<std::vector<double>>(
+      count,
+      [&](std::size_t i) {
+        if (progress.cancelled()) return std::vector<double>{};
+        std::vector<double> row = draws.draw(static_cast<std::uint32_t>(i));
+        const std::lock_guard lock(reporting);
+        if (++done % 64 == 0) progress.report(static_cast<double>(done) / static_cast<double>(count), "draws");
+        return row;
+      },
+      8);
+  DOBRA_TRY_VOID(progress.check());
+  MonteCarlo result;
+  result.params = params;
+  std::vector<std::vector<double>> columns(draws.names().size() + 1);
+  for (const std::vector<double>& row : rows) {
+    if (row.empty()) ++result.failed;
+    for (std::size_t k = 0; k < row.size(); ++k) columns[k].push_back(row[k]);
+  }
+  if (result.failed == count) {
+    return base::Error{base::ErrorCode::CannotRestore,
+                       "no draw could be restored; are the errors larger than the section allows?"};
+  }
+  for (std::size_t k = 0; k < draws.names().size(); ++k)
+    result.spreads.push_back(spread_of(draws.names()[k], std::move(columns[k])));
+  const std::vector<double>& balanced = columns.back();
+  result.balanced_share = std::accumulate(balanced.begin(), balanced.end(), 0.0) / static_cast<double>(balanced.size());
+  if (result.failed > 0)
+    result.remarks.push_back(
+        fmt::format("{} of {} draws could not be restored and are not counted", result.failed, count));
+  result.remarks.push_back(
+      fmt::format("{:.4g} % of {} draws balance", 100.0 * result.balanced_share, count - result.failed));
+  progress.report(1.0, "draws");
+  return result;
+}
+
+}  // namespace recon::core
