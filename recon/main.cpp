@@ -5,6 +5,7 @@
 #include "recon/cli/section_commands.h"
 #include "recon/core/operations.h"
 #include "shared/cli/cli.h"
+#include "shared/cli/convert_command.h"
 #include "shared/cli/offset_command.h"
 #ifdef DOBRA_WITH_GUI
 #include "recon/gui/window.h"
@@ -24,5 +25,7 @@ int main(int argc, char** argv) {
     return recon::gui::run_window(file, options);
   };
 #endif
-  return dobra::cli::run_program(recon::core::program(), argc, argv, window, {dobra::cli::offset_command(), recon::cli::restore_command(), recon::cli::balance_command()});
+  return dobra::cli::run_program(recon::core::program(), argc, argv, window,
+                                 {dobra::cli::offset_command(), recon::cli::restore_command(), recon::cli::balance_command(),
+                                  dobra::cli::convert_command()});
 }

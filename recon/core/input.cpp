@@ -3,13 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "recon/core/crossings.h"
 #include "recon/core/items.h"
-#include "shared/base/text.h"
-#include "shared/io/geojson.h"
-#include "shared/io/text_points.h"
+#include "recon/core/line_file.h"
 
 namespace recon::core {
 
@@ -21,54 +18,9 @@ base::Error bad(base::ErrorCode code, std::string message, std::string item) {
   return {code, std::move(message), place};
 }
 
-bool is_geojson(const std::string& file) { return file.ends_with(".geojson") || file.ends_with(".json"); }
-
-base::Result<std::size_t> column(const HorizonInput& input, std::size_t which) {
-  const double number = input.columns.size() == 2 ? input.columns[which] : 0.0;
-  if (number < 1.0 || number > 1e6 || number != std::floor(number)) {
-    return base::Error{base::ErrorCode::BadValue, "columns needs two whole numbers from 1 on, such as [1, 2]"};
-  }
-  return static_cast<std::size_t>(number);
-}
-
-base::Result<ReadLine> read_text_line(const HorizonInput& input, const std::string& path) {
-  dobra::io::TextPointsOptions options;
-  options.separator = static_cast<dobra::io::Separator>(input.separator);
-  DOBRA_TRY(options.x_column, column(input, 0));
-  DOBRA_TRY(options.y_column, column(input, 1));
-  DOBRA_TRY(dobra::io::TextPoints read, dobra::io::read_text_points(path, options));
-  return ReadLine{std::move(read.lines.front()), std::move(read.remarks)};
-}
-
-base::Result<ReadLine> read_geojson_line(const HorizonInput& input, const std::string& path) {
-  DOBRA_TRY(dobra::io::Features read, dobra::io::read_geojson(path));
-  std::vector<const dobra::io::Feature*> lines;
-  std::vector<std::string> names;
-  for (const dobra::io::Feature& feature : read.features) {
-    if (feature.type != dobra::io::FeatureType::Lines) continue;
-    names.push_back(feature.name);
-    if (input.feature.empty() || feature.name == input.feature) lines.push_back(&feature);
-  }
-  if (lines.empty() && !input.feature.empty()) {
-    return base::Error{base::ErrorCode::BadSection, fmt::format("the file has no line named '{}'{}", input.feature,
-                                                                base::did_you_mean(input.feature, names))};
-  }
-  if (lines.empty()) return base::Error{base::ErrorCode::BadSection, "the file has no line"};
-  if (lines.size() > 1) {
-    return base::Error{
-        base::ErrorCode::BadSection,
-        fmt::format("the file has {} lines to choose from; name one with feature = \"...\"", lines.size())};
-  }
-  if (lines.front()->parts.size() != 1) {
-    return base::Error{base::ErrorCode::BadSection,
-                       fmt::format("the line is in {} parts; join them into one", lines.front()->parts.size())};
-  }
-  return ReadLine{lines.front()->parts.front(), std::move(read.remarks)};
-}
-
-base::Result<ReadLine> given_line(const HorizonInput& input) {
+base::Result<ReadLine> given_line(const HorizonInput& input, const Convention& convention) {
   ReadLine read;
-  read.line.points = input.points;
+  for (const geom::Point p : input.points) read.line.points.push_back(to_section(p, convention));
   const std::size_t before = read.line.points.size();
   read.line = geom::without_repeated_points(std::move(read.line));
   if (read.line.points.size() < before) {
@@ -77,17 +29,18 @@ base::Result<ReadLine> given_line(const HorizonInput& input) {
   return read;
 }
 
-base::Result<ReadLine> read_any(const HorizonInput& input, const dobra::scenario::Context& context) {
+base::Result<ReadLine> read_any(const HorizonInput& input, const Convention& convention,
+                                const dobra::scenario::Context& context) {
   if (input.file.empty() == input.points.empty()) {
     return base::Error{base::ErrorCode::MissingKey, input.file.empty()
                                                         ? "a line needs file = \"...\" or points = [...]"
                                                         : "a line has both file and points; keep one of them"};
   }
-  if (input.file.empty()) return given_line(input);
+  if (input.file.empty()) return given_line(input, convention);
   const std::string path = (context.folder / input.file).string();
   base::Place place;
   place.file = path;
-  auto read = is_geojson(input.file) ? read_geojson_line(input, path) : read_text_line(input, path);
+  auto read = line_of_file(input, path, convention);
   if (!read) return base::located(read.error(), place);
   return read;
 }
@@ -98,9 +51,8 @@ base::Result<ReadLine> read_line(const HorizonInput& input, const Convention& co
                                  const dobra::scenario::Context& context) {
   base::Place item;
   item.item = fmt::format("horizon '{}'", input.name);
-  auto read = read_any(input, context);
+  auto read = read_any(input, convention, context);
   if (!read) return base::located(read.error(), item);
-  for (geom::Point& p : read->line.points) p = to_section(p, convention);
   read->line.closed = false;
   if (auto valid = geom::validate(read->line); !valid) return base::located(valid.error(), item);
   return read;
@@ -156,7 +108,7 @@ base::Result<ReadSection> read_section(const SectionInput& input, const dobra::s
                                        const base::Progress& progress) {
   DOBRA_TRY_VOID(check_names(input));
   ReadSection result;
-  result.section.convention = {input.y_axis, input.reference, input.unit};
+  result.section.convention = {input.y_axis, input.reference, input.unit, input.exaggeration};
   for (std::size_t i = 0; i < input.horizons.size(); ++i) {
     DOBRA_TRY_VOID(progress.check());
     const HorizonInput& wanted = input.horizons[i];

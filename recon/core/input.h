@@ -1,6 +1,7 @@
 #pragma once
-// From the [input] of a scenario to a Section: horizons from text, CSV and GeoJSON files or written in the scenario
-// itself. What is doubtful is refused or repaired with a remark, never guessed.
+// From the [input] of a scenario to a Section: horizons from files in any format of lines (text, CSV, GeoJSON, DXF,
+// GOCAD, MOVE, Shapefile, GeoPackage, WKT) or written in the scenario itself. What is doubtful is refused or repaired
+// with a remark, never guessed.
 
 #include <string>
 #include <vector>
@@ -14,6 +15,10 @@ namespace recon::core {
 
 enum class FieldSeparator { Detect, Blank, Tab, Comma, Semicolon };
 enum class SelfCrossings { Refuse, CutLoops };
+/// Section: as for the whole section, or where that says nothing, as the file itself says.
+enum class LineAxis { Section, Up, Down };
+enum class LineUnit { Section, Metre, Kilometre, Foot };
+enum class PointOrder { AsGiven, AlongCurve };
 
 /// One [[input.horizon]].
 struct HorizonInput {
@@ -23,19 +28,40 @@ struct HorizonInput {
   std::string feature;
   std::vector<double> columns = {1.0, 2.0};
   FieldSeparator separator = FieldSeparator::Detect;
+  LineAxis y_axis = LineAxis::Section;
+  LineUnit unit = LineUnit::Section;
+  PointOrder order = PointOrder::AsGiven;
+  double drop_duplicates = 0.0;
+  double join_gaps = 0.0;
   template <class D>
   static void describe(D& d) {
     d.field("name", &HorizonInput::name, {.title = "Name", .presence = dobra::scenario::Presence::Required});
     d.file("file", &HorizonInput::file,
-           {.title = "File", .help = "Two-column text, CSV or GeoJSON; instead of points."});
+           {.title = "File",
+            .help = "Text, CSV, GeoJSON, DXF, GOCAD, MOVE, Shapefile, GeoPackage or WKT; instead of points."});
     d.field("points", &HorizonInput::points,
             {.title = "Points", .help = "The line itself, [[x, y], ...]; instead of a file."});
     d.field("feature", &HorizonInput::feature,
-            {.title = "Feature", .help = "Name of the feature in a GeoJSON file that holds several lines."});
+            {.title = "Feature", .help = "Name of the line in a file that holds several."});
     d.field("columns", &HorizonInput::columns,
-            {.title = "Columns of x and y", .help = "In a text file, counted from 1."});
+            {.title = "Columns of x and y",
+             .help = "In a text file, counted from 1; three for map coordinates with heights."});
     d.choice("separator", &HorizonInput::separator, {"detect", "blank", "tab", "comma", "semicolon"},
              {.title = "Separator", .help = "Between the columns of a text file."});
+    d.choice("y_axis", &HorizonInput::y_axis, {"section", "up", "down"},
+             {.title = "Second coordinate grows", .help = "section: as for all files, or as the file itself says."});
+    d.choice("unit", &HorizonInput::unit, {"section", "m", "km", "ft"},
+             {.title = "Unit of the file", .help = "section: as for all files, or as the file itself says."});
+    d.choice(
+        "order", &HorizonInput::order, {"as_given", "along_curve"},
+        {.title = "Order of the points", .help = "along_curve: unordered points are put in order, with a remark."});
+    d.field("drop_duplicates", &HorizonInput::drop_duplicates,
+            {.title = "Drop points nearer than", .help = "0: none but equal ones.", .unit = "m", .at_least = 0.0});
+    d.field("join_gaps", &HorizonInput::join_gaps,
+            {.title = "Join gaps below",
+             .help = "Parts of the same name whose ends are nearer become one line; 0: none.",
+             .unit = "m",
+             .at_least = 0.0});
   }
 };
 
@@ -44,6 +70,7 @@ struct SectionInput {
   VerticalAxis y_axis = VerticalAxis::Up;
   double reference = 0.0;
   LengthUnit unit = LengthUnit::Metre;
+  double exaggeration = 1.0;
   SelfCrossings self_crossings = SelfCrossings::Refuse;
   std::vector<HorizonInput> horizons;
   std::vector<HorizonInput> faults;
@@ -59,6 +86,10 @@ struct SectionInput {
         "reference", &SectionInput::reference,
         {.title = "Reference of y", .help = "Value of y at z = 0 where y grows downwards, in the unit of the files."});
     d.choice("unit", &SectionInput::unit, {"m", "km", "ft"}, {.title = "Unit of the coordinates"});
+    d.field("exaggeration", &SectionInput::exaggeration,
+            {.title = "Exaggeration in the data",
+             .help = "The files hold z this many times too large; it is divided by this.",
+             .above = 0.0});
     d.choice("self_crossings", &SectionInput::self_crossings, {"refuse", "cut_loops"},
              {.title = "Lines that cross themselves",
               .help = "cut_loops: small loops of the pen are cut out, with a remark."});

@@ -75,7 +75,7 @@ double metres_per_unit(LengthUnit unit) {
 geom::Point to_section(geom::Point in_file, const Convention& convention) {
   const double factor = metres_per_unit(convention.unit);
   const double z = convention.y_axis == VerticalAxis::Up ? in_file.y : convention.reference - in_file.y;
-  return {factor * in_file.x, factor * z};
+  return {factor * in_file.x, factor * (z / convention.exaggeration)};
 }
 
 }  // namespace recon::core

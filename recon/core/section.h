@@ -73,11 +73,12 @@ enum class VerticalAxis { Up, Down };
 enum class LengthUnit { Metre, Kilometre, Foot };
 
 /// How coordinates of the user's files become section coordinates: z = y, or reference - y where y grows downwards;
-/// times the unit.
+/// times the unit, z divided by the exaggeration.
 struct Convention {
   VerticalAxis y_axis = VerticalAxis::Up;
   double reference = 0.0;  ///< In the unit of the file.
   LengthUnit unit = LengthUnit::Metre;
+  double exaggeration = 1.0;  ///< Of z in the files.
 };
 
 struct Section {

@@ -39,6 +39,7 @@ enum class ErrorCode : int {
   BadFormat = 704,
   CannotWrite = 705,
   UnknownFormat = 706,
+  Unclear = 707,  ///< The file leaves open what only the user can say; the message names the option.
   // scenario
   BadSyntax = 800,
   UnknownKey = 801,

@@ -258,7 +258,7 @@ Command offset_command() {
   return {
       "offset", "Curves parallel to the curves of a file", [](CLI::App& app) -> Job {
         const auto options = std::make_shared<Options>();
-        app.add_option("file", options->file, "Curves: .txt .csv .tsv .dat .wkt .geojson .json .dxf")
+        app.add_option("file", options->file, "Curves: .txt .csv .tsv .dat .wkt .geojson .json .dxf .asc .pl .shp .gpkg")
             ->required()
             ->type_name("FILE");
         add_distance_options(app, *options);

@@ -21,9 +21,8 @@ struct Curves {
   std::vector<std::string> remarks;  ///< What was changed or left out on reading, one line each.
 };
 
-/// Reads by the ending of the name, capitals or not: .txt .csv .tsv .dat (columns of numbers; a blank line begins a new
-/// line, a last point equal to the first closes it), .wkt, .geojson .json, .dxf. Points that belong to no line are left
-/// out with a remark.
+/// Reads whatever read_any_lines (line_files.h) reads, by the ending of the name: x and y as they stand, without units
+/// or heights. Points that belong to no line are left out with a remark.
 /// @error UnknownFormat naming what is read; BadFormat if there is no line and no polygon; those of the readers.
 base::Result<Curves> read_curves(const std::string& path);
 

@@ -19,6 +19,7 @@
 
 #include "shared/io/file.h"
 #include "shared/io/gdal.h"
+#include "shared/io/ogr_features.h"
 #include "shared/io/scan.h"
 
 namespace dobra::io {
@@ -81,7 +82,21 @@ class Pairs {
 struct Survey {
   std::size_t curved = 0;  // arcs, circles, splines, bulges
   bool has_header = false;
+  StatedConvention stated;
 };
+
+// Of $INSUNITS; 0 and 6 (metres) say nothing that has to be done.
+void note_unit(std::string_view value, StatedConvention& stated) {
+  if (value == "2") stated.unit = 0.3048;
+  if (value == "7") stated.unit = 1000.0;
+  constexpr std::string_view known[] = {"0", "2", "6", "7"};
+  if (std::find(std::begin(known), std::end(known), value) != std::end(known)) return;
+  const char* name = value == "1" ? " (inches)" : value == "4" ? " (millimetres)" : "";
+  stated.questions.push_back(
+      {Question::About::Unit, fmt::format("the drawing gives $INSUNITS = {}{}, which many programs write by "
+                                          "themselves; say what one unit is: unit = m, km or ft (--unit)",
+                                          shown(value), name)});
+}
 
 // Judges the whole text.
 Result<Survey> survey(std::string_view text, const std::string& file) {
@@ -105,6 +120,11 @@ Result<Survey> survey(std::string_view text, const std::string& file) {
       found.has_header = found.has_header || section == "HEADER";
       continue;
     }
+    if (section == "HEADER" && pairs.is(9, "$INSUNITS")) {
+      DOBRA_TRY_VOID(pairs.next());
+      note_unit(pairs.value, found.stated);
+      continue;
+    }
     if (pairs.code == 0) {
       entity = pairs.value;
       if (entity == "ENDSEC") section = {};
@@ -121,23 +141,15 @@ Result<Survey> survey(std::string_view text, const std::string& file) {
   return found;
 }
 
-// The lines of one entity and what else it holds.
+// The lines of one entity, as the parts of a feature, and what else it holds.
 struct Parts {
-  std::vector<Polyline> lines;
+  Feature lines;
   std::map<std::string, std::size_t> left_out;  // by the name of the geometry
-  bool has_heights = false;
 };
 
 void add_parts(const OGRGeometry& geometry, Parts& parts) {
   if (const auto type = wkbFlatten(geometry.getGeometryType()); type == wkbLineString) {
-    const OGRLineString& curve = *geometry.toLineString();
-    Polyline part;
-    part.points.reserve(static_cast<std::size_t>(curve.getNumPoints()));
-    for (int i = 0; i < curve.getNumPoints(); ++i) {
-      part.points.push_back({curve.getX(i), curve.getY(i)});
-      parts.has_heights = parts.has_heights || curve.getZ(i) != 0.0;
-    }
-    parts.lines.push_back(std::move(part));
+    add_part(*geometry.toLineString(), Heights::Keep, parts.lines);
   } else if (type == wkbMultiLineString || type == wkbGeometryCollection) {
     for (const OGRGeometry* part : *geometry.toGeometryCollection()) add_parts(*part, parts);
   } else {
@@ -152,13 +164,17 @@ std::string name_on(const std::string& layer, std::map<std::string, std::size_t>
   return number == 1 ? layer : fmt::format("{} {}", layer, number);
 }
 
-bool returns_to_start(const Polyline& line) {
-  return line.points.size() > 3 && line.points.front() == line.points.back();
+bool returns_to_start(const Polyline& line, const std::vector<double>& heights) {
+  return line.points.size() > 3 && line.points.front() == line.points.back() && heights.front() == heights.back();
+}
+
+bool is_level_zero(const std::vector<double>& heights) {
+  return std::all_of(heights.begin(), heights.end(), [](double z) { return z == 0.0; });
 }
 
 class DrawingReader {
  public:
-  explicit DrawingReader(const std::string& file) : file_(file) {}
+  DrawingReader(const std::string& file, Heights heights) : file_(file), heights_(heights) {}
 
   // Adds the lines of one entity.
   Result<void> add(const OGRFeature& source) {
@@ -170,42 +186,55 @@ class DrawingReader {
     const int field = source.GetFieldIndex("Layer");
     std::string layer = field >= 0 ? source.GetFieldAsString(field) : "";
     if (layer == "0") layer.clear();
-    for (Polyline& line : parts.lines) {
+    for (std::size_t i = 0; i < parts.lines.parts.size(); ++i) {
+      Polyline& line = parts.lines.parts[i];
+      std::vector<double>& heights = parts.lines.heights[i];
       Feature feature;
-      feature.type = returns_to_start(line) ? FeatureType::Polygons : FeatureType::Lines;
+      feature.type = returns_to_start(line, heights) ? FeatureType::Polygons : FeatureType::Lines;
       feature.kind = layer;
       feature.name = name_on(layer, used_);
       feature.parts.push_back(std::move(line));
-      DOBRA_TRY_VOID(keep(std::move(feature), parts.has_heights));
+      feature.heights.push_back(std::move(heights));
+      DOBRA_TRY_VOID(keep(std::move(feature)));
     }
     return {};
   }
 
-  Features finish(const Survey& found, const GdalMessages& messages) {
+  Result<Features> finish(const Survey& found, const GdalMessages& messages) {
     const auto say = [&](const std::string& remark) { features_.remarks.push_back(file_ + ": " + remark); };
     for (const auto& [type, count] : left_out_)
       say(fmt::format("{} of type {} left out: only lines are read", count, type));
     if (found.curved > 0) say(fmt::format("{} arcs or splines read as chords", found.curved));
     for (const std::string& warning : messages.warnings) say(warning);
+    features_.stated = found.stated;
+    const bool flat = std::all_of(features_.features.begin(), features_.features.end(),
+                                  [](const Feature& f) { return f.heights.empty() || is_level_zero(f.heights[0]); });
+    for (Feature& feature : features_.features) {
+      if (flat) DOBRA_TRY_VOID(drop_heights(feature));
+    }
     return std::move(features_);
   }
 
  private:
-  Result<void> keep(Feature feature, bool has_heights) {
+  Result<void> keep(Feature feature) {
     const std::string item = feature.name.empty() ? fmt::format("entity {}", number_)
                                                   : fmt::format("entity {} {}", number_, shown(feature.name));
+    feature.source = Place{.file = file_, .item = item};
+    const bool has_heights = !is_level_zero(feature.heights[0]);
+    if (heights_ == Heights::Drop) feature.heights.clear();
     const Result<std::size_t> repeated = normalise(feature, {0});
-    if (!repeated) return base::located(repeated.error(), Place{.file = file_, .item = item});
+    if (!repeated) return base::located(repeated.error(), feature.source);
     const auto say = [&](const std::string& what) {
       features_.remarks.push_back(fmt::format("{}: {}: {} dropped", file_, item, what));
     };
-    if (has_heights) say("third coordinates");
+    if (has_heights && heights_ == Heights::Drop) say("third coordinates");
     if (*repeated > 0) say(fmt::format("{} repeated {}", *repeated, *repeated == 1 ? "point" : "points"));
     features_.features.push_back(std::move(feature));
     return {};
   }
 
   std::string file_;
+  Heights heights_;
   std::size_t number_ = 0;
   std::map<std::string, std::size_t> used_;
   std::map<std::string, std::size_t> left_out_;
@@ -214,7 +243,7 @@ class DrawingReader {
 
 }  // namespace
 
-Result<Features> parse_dxf(std::string_view text, const std::string& file) {
+Result<Features> parse_dxf(std::string_view text, const std::string& file, Heights heights) {
   DOBRA_TRY_VOID(check_text(text, file));
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   DOBRA_TRY(const Survey found, survey(text, file));
@@ -241,7 +270,7 @@ Result<Features> parse_dxf(std::string_view text, const std::string& file) {
   const GDALDatasetUniquePtr data(
       GDALDataset::Open(memory.name(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, drivers));
   if (!data || messages.failure) return not_read();
-  DrawingReader reader(file);
+  DrawingReader reader(file, heights);
   for (OGRLayer* layer : data->GetLayers()) {
     layer->ResetReading();
     while (const OGRFeatureUniquePtr source{layer->GetNextFeature()}) DOBRA_TRY_VOID(reader.add(*source));
@@ -250,9 +279,9 @@ Result<Features> parse_dxf(std::string_view text, const std::string& file) {
   return reader.finish(found, messages);
 }
 
-Result<Features> read_dxf(const std::string& path) {
+Result<Features> read_dxf(const std::string& path, Heights heights) {
   DOBRA_TRY(const std::string text, read_text(path));
-  return parse_dxf(text, path);
+  return parse_dxf(text, path, heights);
 }
 
 }  // namespace dobra::io

@@ -3,6 +3,7 @@
 // SPLINE and bulges as chords. An own pass over the group codes finds what is broken, with its line; GDAL/OGR then
 // reads the entities, those of inserted blocks included. Source: [gdal].
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -14,13 +15,20 @@ namespace dobra::io {
 /// The lines of a drawing, one feature an entity, in drawing units (taken as metres), x right and y up.
 /// A layer is both kind and name: the first entity of layer "TOP" is "TOP", the next "TOP 2"; layer "0", which stands
 /// for none, gives neither. Closed entities, and those whose last point repeats the first, are Polygons of one
-/// anticlockwise contour; the others are Lines in the order of drawing. A remark says what was dropped: third
-/// coordinates, repeated points, entities that are no lines (texts, points, hatches, ...).
+/// anticlockwise contour; the others are Lines in the order of drawing. Heights (an elevation too) are kept where one
+/// is not 0, or dropped. A remark says what was dropped: third coordinates, repeated points, entities that are no lines
+/// (texts, points, hatches, ...). `stated` says the unit of $INSUNITS, and asks where it is none of m, km and ft.
 /// @error EmptyFile; BadFormat with the line: binary, a group code or a coordinate that is no number, the end missing
 ///        (a file cut short), no section ENTITIES; NotFinite, DegenerateCurve: the place's item is the entity.
 /// @cost  O(file size).
-base::Result<Features> parse_dxf(std::string_view text, const std::string& file);
+base::Result<Features> parse_dxf(std::string_view text, const std::string& file, Heights heights = Heights::Drop);
 /// @error FileNotFound, NotAFile, CannotRead, and those of parse_dxf.
-base::Result<Features> read_dxf(const std::string& path);
+base::Result<Features> read_dxf(const std::string& path, Heights heights = Heights::Drop);
+
+/// A drawing of release 12: each part a POLYLINE on the layer of the feature's name, closed ones with the flag; with
+/// heights, 3D polylines that repeat their first point. What is read from this text gives the same text again. Points features are POINTs; holes of
+/// polygons become contours like others.
+/// @error NotFinite
+base::Result<std::string> dxf(std::span<const Feature> features);
 
 }  // namespace dobra::io

@@ -1,5 +1,12 @@
 #include "shared/io/feature.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "shared/io/scan.h"
+
 namespace dobra::io {
 
 using base::Error;
@@ -8,7 +15,91 @@ using base::Place;
 using base::Result;
 using geom::Polyline;
 
+namespace {
+
+struct Normal {
+  double x = 0.0;
+  double y = 0.0;
+  double z = 0.0;
+};
+
+// Newell's normal of a closed ring, about its first point.
+Normal normal_of(const Polyline& ring, const std::vector<double>& heights) {
+  Normal n;
+  if (ring.points.empty()) return n;
+  const std::size_t count = ring.points.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t j = i + 1 == count ? 0 : i + 1;
+    const geom::Vector a = ring.points[i] - ring.points[0];
+    const geom::Vector b = ring.points[j] - ring.points[0];
+    const double za = heights[i] - heights[0];
+    const double zb = heights[j] - heights[0];
+    n.x += a.y * zb - za * b.y;
+    n.y += za * b.x - a.x * zb;
+    n.z += a.x * b.y - a.y * b.x;
+  }
+  return n;
+}
+
+// Seen from the south, from the west where the plane runs from north to south, from above where it is level.
+bool is_anticlockwise(const Normal& n) {
+  const double level = std::hypot(n.x, n.y);
+  if (level < std::abs(n.z)) return n.z > 0.0;
+  if (std::abs(n.y) > 1e-9 * level) return n.y < 0.0;
+  return n.x > 0.0;
+}
+
+// Drops points equal to their predecessor in all three coordinates, and the repeated first point of a ring.
+std::size_t drop_repeated(Polyline& part, std::vector<double>& heights) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < part.points.size(); ++i) {
+    if (kept > 0 && part.points[i] == part.points[kept - 1] && heights[i] == heights[kept - 1]) continue;
+    part.points[kept] = part.points[i];
+    heights[kept++] = heights[i];
+  }
+  while (part.closed && kept > 1 && part.points[kept - 1] == part.points[0] && heights[kept - 1] == heights[0]) --kept;
+  const std::size_t dropped = part.points.size() - kept;
+  part.points.resize(kept);
+  heights.resize(kept);
+  return dropped;
+}
+
+Result<std::size_t> normalise_3d(Feature& feature, const std::vector<std::size_t>& ring_of_polygon) {
+  std::size_t dropped = 0;
+  const bool polygons = feature.type == FeatureType::Polygons;
+  for (std::size_t i = 0; i < feature.parts.size(); ++i) {
+    Polyline& part = feature.parts[i];
+    std::vector<double>& heights = feature.heights[i];
+    for (std::size_t k = 0; k < part.points.size(); ++k) {
+      if (geom::is_finite(part.points[k]) && std::isfinite(heights[k])) continue;
+      return Error{ErrorCode::NotFinite, fmt::format("point {} is not finite; correct or remove it", k + 1)};
+    }
+    if (feature.type == FeatureType::Points) continue;
+    // The repeated first point is the format's way to close a ring, not a mistake.
+    const bool repeats =
+        part.points.size() > 1 && part.points.front() == part.points.back() && heights.front() == heights.back();
+    if (polygons && repeats) part.points.pop_back(), heights.pop_back();
+    part.closed = polygons;
+    dropped += drop_repeated(part, heights);
+    const std::size_t needed = polygons ? 3 : 2;
+    if (part.points.size() < needed) {
+      Error error{ErrorCode::DegenerateCurve, fmt::format("a {} needs at least {} distinct points; this one has {}",
+                                                          polygons ? "polygon" : "line", needed, part.points.size())};
+      if (!part.points.empty()) error.place = Place{.x = part.points[0].x, .y = part.points[0].y};
+      return error;
+    }
+    if (polygons && is_anticlockwise(normal_of(part, heights)) != (ring_of_polygon[i] == 0)) {
+      std::reverse(part.points.begin(), part.points.end());
+      std::reverse(heights.begin(), heights.end());
+    }
+  }
+  return dropped;
+}
+
+}  // namespace
+
 Result<std::size_t> normalise(Feature& feature, const std::vector<std::size_t>& ring_of_polygon) {
+  if (!feature.heights.empty()) return normalise_3d(feature, ring_of_polygon);
   std::size_t dropped = 0;
   for (std::size_t i = 0; i < feature.parts.size(); ++i) {
     Polyline& part = feature.parts[i];
@@ -38,13 +129,59 @@ Result<std::size_t> normalise(Feature& feature, const std::vector<std::size_t>& 
   return dropped;
 }
 
+std::vector<std::size_t> rings_of(const Feature& feature) {
+  std::vector<std::size_t> rings;
+  for (std::size_t i = 0; i < feature.parts.size(); ++i) {
+    rings.push_back(is_anticlockwise(normal_of(feature.parts[i], feature.heights[i])) ? 0 : 1);
+  }
+  return rings;
+}
+
+Result<void> drop_heights(Feature& feature) {
+  if (feature.heights.empty()) return {};
+  const std::vector<std::size_t> rings = rings_of(feature);
+  feature.heights.clear();
+  DOBRA_TRY_VOID(normalise(feature, rings));
+  return {};
+}
+
 std::vector<std::pair<std::size_t, std::size_t>> polygons_of(const Feature& feature) {
   std::vector<std::pair<std::size_t, std::size_t>> polygons;
+  const std::vector<std::size_t> rings = feature.heights.empty() ? std::vector<std::size_t>{} : rings_of(feature);
   for (std::size_t i = 0; i < feature.parts.size(); ++i) {
-    if (polygons.empty() || geom::signed_area(feature.parts[i]) > 0.0) polygons.emplace_back(i, i);
+    const bool contour = rings.empty() ? geom::signed_area(feature.parts[i]) > 0.0 : rings[i] == 0;
+    if (polygons.empty() || contour) polygons.emplace_back(i, i);
     polygons.back().second = i + 1;
   }
   return polygons;
+}
+
+std::vector<Feature> rings_apart(std::span<const Feature> features) {
+  std::vector<Feature> apart;
+  for (const Feature& feature : features) {
+    if (feature.type != FeatureType::Polygons || feature.parts.size() < 2) {
+      apart.push_back(feature);
+      continue;
+    }
+    const bool map = !feature.heights.empty();
+    const std::vector<std::size_t> rings = map ? rings_of(feature) : std::vector<std::size_t>{};
+    for (std::size_t i = 0; i < feature.parts.size(); ++i) {
+      Feature ring = feature;
+      ring.parts = {feature.parts[i]};
+      if (map) ring.heights = {feature.heights[i]};
+      if (map ? rings[i] != 0 : geom::signed_area(feature.parts[i]) < 0.0) {
+        ring.parts[0] = geom::reversed(std::move(ring.parts[0]));
+        if (map) std::reverse(ring.heights[0].begin(), ring.heights[0].end());
+      }
+      apart.push_back(std::move(ring));
+    }
+  }
+  return apart;
+}
+
+std::string item_of(std::size_t number, const Feature& feature) {
+  return feature.name.empty() ? fmt::format("feature {}", number)
+                              : fmt::format("feature {} {}", number, shown(feature.name));
 }
 
 }  // namespace dobra::io

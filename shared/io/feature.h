@@ -1,7 +1,10 @@
 #pragma once
-// Named geometry as the exchange formats (GeoJSON, WKT) carry it.
+// Line-work: named points, lines and polygons with their properties, as every exchange format carries them. All readers
+// of lines return it, all writers take it (lines.h chooses by the format).
 
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
@@ -16,7 +19,8 @@ enum class FeatureType { Points, Lines, Polygons };
 
 using PropertyValue = std::variant<bool, std::int64_t, double, std::string>;
 
-/// One feature: coordinates are those of the section or the domain (x right, y up), never longitude and latitude.
+/// One feature: coordinates are those of the section or the domain (x right, y up), never longitude and latitude; or,
+/// where there are heights, map coordinates x, y and the height (or depth) of each point.
 struct Feature {
   FeatureType type = FeatureType::Lines;
   /// Points: one part that holds them all. Lines: open parts. Polygons: closed parts, each anticlockwise contour
@@ -25,22 +29,73 @@ struct Feature {
   std::string name = {};  ///< Property "name"; empty if there is none.
   std::string kind = {};  ///< Property "kind", such as "horizon" or "fault"; empty if there is none.
   std::vector<std::pair<std::string, PropertyValue>> properties = {};  ///< The others, in file order.
-  friend bool operator==(const Feature&, const Feature&) = default;
+  std::vector<std::vector<double>> heights = {};  ///< Empty, or the third coordinate of every point of every part.
+  base::Place source = {};  ///< File and line, or file and item. Where it came from does not count in comparisons.
+
+  friend bool operator==(const Feature& a, const Feature& b) {
+    return a.type == b.type && a.parts == b.parts && a.name == b.name && a.kind == b.kind &&
+           a.properties == b.properties && a.heights == b.heights;
+  }
+};
+
+enum class YDirection { Up, Down };
+
+/// What a file leaves open and only the user can say; the text names the option that answers.
+struct Question {
+  enum class About { YDirection, Unit, Coordinates } about;
+  std::string text;
+};
+
+/// What a file says of its own coordinates; nothing where it does not say.
+struct StatedConvention {
+  std::optional<YDirection> y_direction = std::nullopt;  ///< Down: the last coordinate is a depth.
+  std::optional<double> unit = std::nullopt;             ///< Metres in one unit of x and y.
+  std::optional<double> height_unit = std::nullopt;      ///< The same of heights, where it differs.
+  std::vector<Question> questions = {};
+};
+
+/// A vertical plane, by its trace on the map: the section's x runs from the origin along the direction.
+struct Trace {
+  double x = 0.0;  ///< Origin, m.
+  double y = 0.0;
+  double east = 1.0;  ///< Unit direction.
+  double north = 0.0;
+  double largest_misfit = 0.0;  ///< Distance of the points from the plane, m.
+  double mean_misfit = 0.0;     ///< Root of the mean square, m.
 };
 
 struct Features {
   std::vector<Feature> features;
   std::vector<std::string> remarks;  ///< What was changed or left out on reading, one line each.
+  StatedConvention stated = {};
 };
 
+/// What a reader does with third coordinates.
+enum class Heights { Drop, Keep };
+
 /// Cleans what a file gave: drops repeated points, closes polygons without their repeated first point, turns contours
-/// anticlockwise and holes (every ring of a polygon but its first) clockwise.
+/// anticlockwise and holes (every ring of a polygon but its first) clockwise; polygons with heights are turned as they
+/// are seen from the south (from the west if their plane runs from north to south, from above if it is level).
 /// @param ring_of_polygon  for Polygons: for each part its number within its polygon (0 = outer contour).
 /// @return                 number of repeated points dropped.
 /// @error                  NotFinite, DegenerateCurve with the place.
 base::Result<std::size_t> normalise(Feature& feature, const std::vector<std::size_t>& ring_of_polygon);
 
+/// Leaves x and y alone of a feature with heights, as normalise would have given it without them.
+/// @error DegenerateCurve with the place.
+base::Result<void> drop_heights(Feature& feature);
+
+/// For each part of a feature with heights, 0 where it is a contour and 1 where it is a hole, by its orientation.
+std::vector<std::size_t> rings_of(const Feature& feature);
+
 /// Parts of a Polygons feature grouped into polygons, each [first, last): an anticlockwise part starts a new one.
 std::vector<std::pair<std::size_t, std::size_t>> polygons_of(const Feature& feature);
+
+/// For formats without holes: every ring of a polygon a polygon of its own, turned as a contour; the others as they
+/// are.
+std::vector<Feature> rings_apart(std::span<const Feature> features);
+
+/// "feature 3 'top'": how messages name the feature of that number (from 1).
+std::string item_of(std::size_t number, const Feature& feature);
 
 }  // namespace dobra::io

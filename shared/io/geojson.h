@@ -13,14 +13,15 @@
 namespace dobra::io {
 
 /// The features of a FeatureCollection, a Feature or a bare geometry. Contours come out anticlockwise, holes clockwise;
-/// third coordinates, features without geometry and repeated points are dropped with a remark.
+/// features without geometry, repeated points and, unless they are kept, third coordinates are dropped with a remark.
 /// @error EmptyFile; BadFormat: not JSON (line and column), not GeoJSON, an unsupported geometry; NotFinite,
 ///        DegenerateCurve; the place's item is the feature: "feature 3 'top'". @cost O(file size).
-base::Result<Features> parse_geojson(std::string_view text, const std::string& file);
+base::Result<Features> parse_geojson(std::string_view text, const std::string& file,
+                                     Heights heights = Heights::Drop);
 /// @error FileNotFound, NotAFile, CannotRead, and those of parse_geojson.
-base::Result<Features> read_geojson(const std::string& path);
+base::Result<Features> read_geojson(const std::string& path, Heights heights = Heights::Drop);
 
-/// A FeatureCollection, one feature a line, every digit kept. MULTI forms only where there is more than one part.
+/// A FeatureCollection, one feature a line, every digit and the heights kept. MULTI forms only where there is more than one part.
 /// @error NotFinite
 base::Result<std::string> geojson(std::span<const Feature> features);
 /// @error NotFinite, CannotWrite

@@ -15,6 +15,7 @@
 #include "shared/io/file.h"
 #include "shared/io/gdal.h"
 #include "shared/io/geojson.h"
+#include "shared/io/ogr_features.h"
 #include "shared/io/scan.h"
 
 namespace dobra::io {
@@ -23,7 +24,6 @@ using base::Error;
 using base::ErrorCode;
 using base::Place;
 using base::Result;
-using geom::Polyline;
 
 namespace {
 
@@ -67,109 +67,8 @@ Result<void> check_syntax(std::string_view text, const std::string& file) {
                place};
 }
 
-Polyline polyline_of(const OGRSimpleCurve& curve) {
-  Polyline part;
-  part.points.reserve(static_cast<std::size_t>(curve.getNumPoints()));
-  for (int i = 0; i < curve.getNumPoints(); ++i) part.points.push_back({curve.getX(i), curve.getY(i)});
-  return part;
-}
-
-// Adds the parts of one geometry; `rings` gets each part's number within its polygon.
-Result<void> add_parts(const OGRGeometry& geometry, Feature& feature, std::vector<std::size_t>& rings) {
-  switch (wkbFlatten(geometry.getGeometryType())) {
-    case wkbPoint: {
-      feature.type = FeatureType::Points;
-      if (feature.parts.empty()) feature.parts.emplace_back();
-      const OGRPoint& point = *geometry.toPoint();
-      if (!point.IsEmpty()) feature.parts[0].points.push_back({point.getX(), point.getY()});
-      return {};
-    }
-    case wkbLineString:
-      feature.type = FeatureType::Lines;
-      feature.parts.push_back(polyline_of(*geometry.toLineString()));
-      return {};
-    case wkbPolygon: {
-      feature.type = FeatureType::Polygons;
-      std::size_t ring = 0;
-      for (const OGRLinearRing* contour : *geometry.toPolygon()) {
-        feature.parts.push_back(polyline_of(*contour));
-        rings.push_back(ring++);
-      }
-      return {};
-    }
-    case wkbMultiPoint:
-    case wkbMultiLineString:
-    case wkbMultiPolygon:
-      for (const OGRGeometry* part : *geometry.toGeometryCollection()) DOBRA_TRY_VOID(add_parts(*part, feature, rings));
-      return {};
-    default:
-      return Error{ErrorCode::BadFormat,
-                   fmt::format("geometry {} is not read; use Point, LineString, Polygon or their Multi forms",
-                               geometry.getGeometryName())};
-  }
-}
-
-PropertyValue value_of(const OGRFeature& source, int field) {
-  const OGRFieldDefn& definition = *source.GetFieldDefnRef(field);
-  switch (definition.GetType()) {
-    case OFTInteger:
-      if (definition.GetSubType() == OFSTBoolean) return source.GetFieldAsInteger(field) != 0;
-      return static_cast<std::int64_t>(source.GetFieldAsInteger(field));
-    case OFTInteger64:
-      return static_cast<std::int64_t>(source.GetFieldAsInteger64(field));
-    case OFTReal:
-      return source.GetFieldAsDouble(field);
-    default:
-      return std::string(source.GetFieldAsString(field));
-  }
-}
-
-void add_properties(const OGRFeature& source, Feature& feature) {
-  for (int i = 0; i < source.GetFieldCount(); ++i) {
-    if (!source.IsFieldSetAndNotNull(i)) continue;
-    const std::string key = source.GetFieldDefnRef(i)->GetNameRef();
-    if (key == "name")
-      feature.name = source.GetFieldAsString(i);
-    else if (key == "kind")
-      feature.kind = source.GetFieldAsString(i);
-    else
-      feature.properties.emplace_back(key, value_of(source, i));
-  }
-}
-
-std::string item_of(std::size_t number, const Feature& feature) {
-  return feature.name.empty() ? fmt::format("feature {}", number)
-                              : fmt::format("feature {} {}", number, shown(feature.name));
-}
-
-// Adds one OGR feature to the result, or a remark where it has no geometry.
-Result<void> add_feature(const OGRFeature& source, std::size_t number, const std::string& file, Features& result) {
-  Feature feature;
-  add_properties(source, feature);
-  const Place place{.file = file, .item = item_of(number, feature)};
-  const OGRGeometry* geometry = source.GetGeometryRef();
-  if (geometry == nullptr || geometry->IsEmpty()) {
-    result.remarks.push_back(fmt::format("{}: {}: no geometry, left out", file, place.item));
-    return {};
-  }
-  std::vector<std::size_t> rings;
-  if (auto added = add_parts(*geometry, feature, rings); !added) return base::located(added.error(), place);
-  if (geometry->Is3D()) {
-    result.remarks.push_back(fmt::format("{}: {}: third coordinates dropped", file, place.item));
-  }
-  const Result<std::size_t> repeated = normalise(feature, rings);
-  if (!repeated) {
-    return base::located(repeated.error(), place);
-  }
-  if (*repeated > 0) {
-    result.remarks.push_back(fmt::format("{}: {}: {} repeated {} dropped", file, place.item, *repeated,
-                                         *repeated == 1 ? "point" : "points"));
-  }
-  result.features.push_back(std::move(feature));
-  return {};
-}
-
-Result<Features> read_features(GDALDataset& data, const GdalMessages& messages, const std::string& file) {
+Result<Features> read_features(GDALDataset& data, const GdalMessages& messages, const std::string& file,
+                               Heights heights) {
   Features result;
   std::size_t number = 0;
   for (OGRLayer* layer : data.GetLayers()) {
@@ -177,7 +76,7 @@ Result<Features> read_features(GDALDataset& data, const GdalMessages& messages, 
     while (const OGRFeatureUniquePtr source{layer->GetNextFeature()}) {
       ++number;
       if (messages.failure) break;
-      DOBRA_TRY_VOID(add_feature(*source, number, file, result));
+      DOBRA_TRY_VOID(add_ogr_feature(*source, number, file, heights, result));
     }
   }
   if (messages.failure) {
@@ -189,7 +88,7 @@ Result<Features> read_features(GDALDataset& data, const GdalMessages& messages, 
 
 }  // namespace
 
-Result<Features> parse_geojson(std::string_view text, const std::string& file) {
+Result<Features> parse_geojson(std::string_view text, const std::string& file, Heights heights) {
   DOBRA_TRY_VOID(check_text(text, file));
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   DOBRA_TRY_VOID(check_syntax(text, file));
@@ -207,12 +106,12 @@ Result<Features> parse_geojson(std::string_view text, const std::string& file) {
                              messages.failure ? " (" + *messages.failure + ")" : std::string{}),
                  Place{.file = file}};
   }
-  return read_features(*data, messages, file);
+  return read_features(*data, messages, file, heights);
 }
 
-Result<Features> read_geojson(const std::string& path) {
+Result<Features> read_geojson(const std::string& path, Heights heights) {
   DOBRA_TRY(const std::string text, read_text(path));
-  return parse_geojson(text, path);
+  return parse_geojson(text, path, heights);
 }
 
 }  // namespace dobra::io

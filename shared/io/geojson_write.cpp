@@ -13,7 +13,6 @@ namespace dobra::io {
 using base::Error;
 using base::ErrorCode;
 using base::Result;
-using geom::Point;
 using geom::Polyline;
 
 namespace {
@@ -22,18 +21,30 @@ std::string string_text(const std::string& text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-std::string point_text(Point p) { return '[' + base::number_text(p.x) + ',' + base::number_text(p.y) + ']'; }
+// Point k of a part, with its height where it has one.
+void append_point(std::string& text, const Feature& feature, std::size_t part, std::size_t k) {
+  text += '[';
+  base::append_number(text, feature.parts[part].points[k].x);
+  text += ',';
+  base::append_number(text, feature.parts[part].points[k].y);
+  if (!feature.heights.empty()) text += ',', base::append_number(text, feature.heights[part][k]);
+  text += ']';
+}
 
-std::string points_text(const Polyline& part) {
+std::string points_text(const Feature& feature, std::size_t part) {
+  const Polyline& line = feature.parts[part];
   std::string text = "[";
-  for (const Point p : part.points) text += (text.size() > 1 ? "," : "") + point_text(p);
-  if (part.closed && !part.points.empty()) text += ',' + point_text(part.points.front());
+  for (std::size_t k = 0; k < line.points.size(); ++k) {
+    if (k > 0) text += ',';
+    append_point(text, feature, part, k);
+  }
+  if (line.closed && !line.points.empty()) text += ',', append_point(text, feature, part, 0);
   return text + ']';
 }
 
 std::string parts_text(const Feature& feature, std::size_t first, std::size_t last) {
   std::string text = "[";
-  for (std::size_t i = first; i < last; ++i) text += (i > first ? "," : "") + points_text(feature.parts[i]);
+  for (std::size_t i = first; i < last; ++i) text += (i > first ? "," : "") + points_text(feature, i);
   return text + ']';
 }
 
@@ -44,12 +55,13 @@ std::string geometry_text(const Feature& feature) {
   if (feature.parts.empty() || feature.parts[0].points.empty()) return "null";
   const std::size_t count = feature.parts.size();
   if (feature.type == FeatureType::Points) {
-    const Polyline& part = feature.parts[0];
-    return part.points.size() == 1 ? object("Point", point_text(part.points[0]))
-                                   : object("MultiPoint", points_text(part));
+    if (feature.parts[0].points.size() > 1) return object("MultiPoint", points_text(feature, 0));
+    std::string point;
+    append_point(point, feature, 0, 0);
+    return object("Point", point);
   }
   if (feature.type == FeatureType::Lines) {
-    return count == 1 ? object("LineString", points_text(feature.parts[0]))
+    return count == 1 ? object("LineString", points_text(feature, 0))
                       : object("MultiLineString", parts_text(feature, 0, count));
   }
   const auto polygons = polygons_of(feature);

@@ -89,7 +89,34 @@ bool is_number(const std::vector<Word>& fields, std::size_t column) {
   return column <= fields.size() && base::parse_number(fields[column - 1].text).has_value();
 }
 
-Separator detect_separator(std::string_view text, const TextPointsOptions& options) {
+// Columns by number, from 1; no z: 0.
+struct Columns {
+  std::size_t x = 1;
+  std::size_t y = 2;
+  std::size_t z = 0;
+  std::vector<std::size_t> names;
+  std::size_t kind = 0;
+};
+
+std::optional<std::size_t> column_number(std::string_view text) {
+  const std::optional<double> value = base::parse_number(text);
+  if (!value || *value < 1.0 || *value > 1e6 || *value != std::floor(*value)) return std::nullopt;
+  return static_cast<std::size_t>(*value);
+}
+
+// A number that is no column is not looked for in the header.
+bool is_name(const std::string& column) { return !base::parse_number(column).has_value(); }
+
+// The first line that is neither empty nor a comment.
+std::string_view first_row(std::string_view text) {
+  Lines lines(text);
+  while (lines.next()) {
+    if (!is_empty(lines.line()) && !is_comment(lines.line())) return lines.line();
+  }
+  return {};
+}
+
+Separator detect_separator(std::string_view text, std::size_t x, std::size_t y) {
   constexpr std::array candidates{Separator::Semicolon, Separator::Tab, Separator::Comma, Separator::Blank};
   std::array<std::size_t, candidates.size()> fits{};
   std::optional<Separator> in_first_line;
@@ -104,7 +131,7 @@ Separator detect_separator(std::string_view text, const TextPointsOptions& optio
         in_first_line = candidates[i];
       }
       split_fields(line, candidates[i], fields);
-      if (is_number(fields, options.x_column) && is_number(fields, options.y_column)) ++fits[i];
+      if (is_number(fields, x) && is_number(fields, y)) ++fits[i];
     }
   }
   const auto best = std::max_element(fits.begin(), fits.end());
@@ -113,17 +140,49 @@ Separator detect_separator(std::string_view text, const TextPointsOptions& optio
   return candidates[static_cast<std::size_t>(best - fits.begin())];
 }
 
-Result<void> check_options(const TextPointsOptions& options) {
-  const auto refuse = [](std::string message) { return Error{ErrorCode::InvalidOption, std::move(message)}; };
-  if (options.x_column == 0 || options.y_column == 0) return refuse("columns are counted from 1; give 1 or more");
-  if (options.x_column == options.y_column) {
-    return refuse(fmt::format("x and y are both column {}; give two different columns", options.x_column));
+// With columns given by name, the separator is the one under which the header has most fields.
+Separator separator_of_header(std::string_view header) {
+  Separator best = Separator::Blank;
+  std::size_t most = 1;
+  std::vector<Word> fields;
+  for (const Separator candidate : {Separator::Semicolon, Separator::Tab, Separator::Comma}) {
+    split_fields(header, candidate, fields);
+    if (fields.size() > most) most = fields.size(), best = candidate;
   }
-  if (!std::isfinite(options.unit_factor) || options.unit_factor <= 0.0) {
-    return refuse(fmt::format("the unit factor is {}; give a number above 0", options.unit_factor));
+  return best;
+}
+
+Result<std::size_t> column_of(const std::string& wanted, const std::vector<Word>& header, const std::string& what) {
+  if (const auto number = column_number(wanted)) return *number;
+  std::vector<std::string> names;
+  for (const Word& field : header) names.emplace_back(field.text);
+  const auto found = std::find(names.begin(), names.end(), wanted);
+  if (found != names.end() && is_name(wanted)) return static_cast<std::size_t>(found - names.begin()) + 1;
+  return Error{ErrorCode::InvalidOption,
+               fmt::format("{}: the header has no column {}{}; columns are numbers from 1, or names of the header: {}",
+                           what, shown(wanted), base::did_you_mean(wanted, names), fmt::join(names, ", "))};
+}
+
+Result<Columns> resolve(const TextPointsOptions& options, const std::vector<Word>& header, bool has_header) {
+  Columns made;
+  DOBRA_TRY(made.x, column_of(options.columns[0], header, "x"));
+  DOBRA_TRY(made.y, column_of(options.columns[1], header, "y"));
+  if (options.columns.size() == 3) {
+    DOBRA_TRY(made.z, column_of(options.columns[2], header, "height"));
   }
-  if (!std::isfinite(options.y_reference)) return refuse("the reference of y is not finite; give a number");
-  return {};
+  if (made.x == made.y || made.x == made.z || made.y == made.z) {
+    return Error{ErrorCode::InvalidOption, fmt::format("columns {}: one column is given twice; give different ones",
+                                                       fmt::join(options.columns, ", "))};
+  }
+  for (const std::string& name : options.name_columns) {
+    DOBRA_TRY(made.names.emplace_back(), column_of(name, header, "name"));
+  }
+  if (!options.name_columns.empty() || !has_header) return made;
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    if (header[i].text == "name") made.names = {i + 1};
+    if (header[i].text == "kind") made.kind = i + 1;
+  }
+  return made;
 }
 
 // "line 4", "lines 4 and 7", "lines 4, 7, 9, ... (12 in all)".
@@ -140,24 +199,23 @@ std::string list_lines(const std::vector<std::size_t>& lines) {
 class Reader {
  public:
   Reader(std::string_view text, const std::string& file, const TextPointsOptions& options)
-      : lines_(text), file_(file), options_(options) {
-    points_.separator = options.separator == Separator::Detect ? detect_separator(text, options) : options.separator;
-  }
+      : text_(text), lines_(text), file_(file), options_(options) {}
 
   Result<TextPoints> run() {
+    if (auto begun = begin(); !begun) return base::located(begun.error(), Place{.file = file_});
     bool first = true;
     while (lines_.next()) {
       const std::string_view line = lines_.line();
       if (is_comment(line)) continue;
       if (is_empty(line)) {
-        if (options_.blank_lines == BlankLines::SplitLines) DOBRA_TRY_VOID(finish_line());
+        if (options_.blank_lines == BlankLines::SplitLines) DOBRA_TRY_VOID(finish_all());
         continue;
       }
       split_fields(line, points_.separator, fields_);
-      const bool header = std::exchange(first, false) && is_header();
-      if (!header) DOBRA_TRY_VOID(add_point());
+      if (std::exchange(first, false) && has_header_) continue;
+      DOBRA_TRY_VOID(add_point());
     }
-    DOBRA_TRY_VOID(finish_line());
+    DOBRA_TRY_VOID(finish_all());
     if (points_.lines.empty()) {
       return Error{ErrorCode::EmptyFile, "the file holds no points; give at least two", Place{.file = file_}};
     }
@@ -169,10 +227,38 @@ class Reader {
   }
 
  private:
-  bool is_header() const {
-    if (options_.header != Header::Detect) return options_.header == Header::Present;
-    return fields_.size() >= std::max(options_.x_column, options_.y_column) && !is_number(fields_, options_.x_column) &&
-           !is_number(fields_, options_.y_column);
+  // Separator, header and columns.
+  Result<void> begin() {
+    if (options_.columns.size() != 2 && options_.columns.size() != 3) {
+      return Error{
+          ErrorCode::InvalidOption,
+          fmt::format("{} columns are given; give two (x and y) or three (x, y and height)", options_.columns.size())};
+    }
+    const std::string_view row = first_row(text_);
+    std::string by_name;
+    for (const std::string& wanted : options_.columns) {
+      if (by_name.empty() && is_name(wanted)) by_name = wanted;
+    }
+    points_.separator = options_.separator;
+    if (points_.separator == Separator::Detect && !by_name.empty()) {
+      points_.separator = separator_of_header(row);
+    } else if (points_.separator == Separator::Detect) {
+      points_.separator = detect_separator(text_, column_number(options_.columns[0]).value_or(1),
+                                           column_number(options_.columns[1]).value_or(2));
+    }
+    split_fields(row, points_.separator, fields_);
+    points_.column_count = fields_.size();
+    has_header_ = options_.header == Header::Present || !by_name.empty();
+    DOBRA_TRY(columns_, resolve(options_, fields_, has_header_));
+    if (options_.header == Header::Detect && by_name.empty()) {
+      has_header_ = fields_.size() >= std::max(columns_.x, columns_.y) && !is_number(fields_, columns_.x) &&
+                    !is_number(fields_, columns_.y);
+      DOBRA_TRY(columns_, resolve(options_, fields_, has_header_));
+    }
+    if (has_header_) {
+      for (const Word& field : fields_) points_.header.emplace_back(field.text);
+    }
+    return {};
   }
 
   Result<double> number(std::size_t column, std::string_view what) const {
@@ -190,46 +276,86 @@ class Reader {
     return value;
   }
 
+  [[nodiscard]] std::string text_in(std::size_t column) const {
+    return column > 0 && column <= fields_.size() ? std::string(fields_[column - 1].text) : std::string();
+  }
+
   Result<void> add_point() {
-    DOBRA_TRY(const double x, number(options_.x_column, "x"));
-    DOBRA_TRY(const double y, number(options_.y_column, "y"));
-    const double up = options_.y_direction == YDirection::Up ? y : options_.y_reference - y;
-    const Point point{x * options_.unit_factor, up * options_.unit_factor};
-    if (!geom::is_finite(point)) {
-      return Error{ErrorCode::NotFinite, "the point is not finite after the change of units; correct it or the factor",
-                   Place{.file = file_, .line = lines_.number()}};
+    DOBRA_TRY(const double x, number(columns_.x, "x"));
+    DOBRA_TRY(const double y, number(columns_.y, "y"));
+    double z = 0.0;
+    if (columns_.z > 0) {
+      DOBRA_TRY(z, number(columns_.z, "height"));
     }
-    if (current_.points.empty()) first_line_ = lines_.number();
-    if (!current_.points.empty() && current_.points.back() == point) {
+    Line& line = line_of_row();
+    if (points_.lines.empty() && line.points.empty()) points_.third_is_number = is_number(fields_, 3);
+    const Point point{x, y};
+    const bool same =
+        !line.points.empty() && line.points.back() == point && (columns_.z == 0 || line.heights.back() == z);
+    if (same) {
       repeated_.push_back(lines_.number());
-    } else {
-      current_.points.push_back(point);
+      return {};
     }
+    line.points.push_back(point);
+    if (columns_.z > 0) line.heights.push_back(z);
     return {};
   }
 
-  Result<void> finish_line() {
-    if (current_.points.empty()) return {};
-    std::vector<Point>& points = current_.points;
+  // A line on its way.
+  struct Line {
+    std::string name;
+    std::string kind;
+    std::size_t begin = 0;
+    std::vector<Point> points;
+    std::vector<double> heights;
+  };
+
+  // The line that the current row belongs to.
+  Line& line_of_row() {
+    std::string name;
+    for (const std::size_t column : columns_.names) name += (name.empty() ? "" : " ") + text_in(column);
+    const std::string kind = text_in(columns_.kind);
+    const std::size_t first = options_.rows == Rows::Gathered || open_.empty() ? 0 : open_.size() - 1;
+    for (std::size_t i = first; i < open_.size(); ++i) {
+      if (open_[i].name == name && open_[i].kind == kind) return open_[i];
+    }
+    open_.push_back({name, kind, lines_.number(), {}, {}});
+    return open_.back();
+  }
+
+  Result<void> finish_all() {
+    for (Line& line : open_) DOBRA_TRY_VOID(finish(std::move(line)));
+    open_.clear();
+    return {};
+  }
+
+  Result<void> finish(Line line) {
+    std::vector<Point>& points = line.points;
     if (points.size() < 2) {
       return Error{ErrorCode::DegenerateCurve, "a line needs at least two distinct points; this one has 1",
-                   Place{.file = file_, .line = first_line_, .x = points[0].x, .y = points[0].y}};
+                   Place{.file = file_, .line = line.begin, .x = points[0].x, .y = points[0].y}};
     }
-    if (options_.closing == Closing::WhenFirstPointRepeats && points.size() > 3 && points.front() == points.back()) {
-      points.pop_back();
-      current_.closed = true;
-    }
-    points_.lines.push_back(std::move(current_));
-    current_ = {};
+    const bool returns =
+        points.front() == points.back() && (line.heights.empty() || line.heights.front() == line.heights.back());
+    const bool closed = options_.closing == Closing::WhenFirstPointRepeats && points.size() > 3 && returns;
+    if (closed) points.pop_back();
+    if (closed && !line.heights.empty()) line.heights.pop_back();
+    points_.lines.push_back({std::move(points), closed});
+    if (columns_.z > 0) points_.heights.push_back(std::move(line.heights));
+    points_.names.push_back(std::move(line.name));
+    points_.kinds.push_back(std::move(line.kind));
+    points_.begins.push_back(line.begin);
     return {};
   }
 
+  std::string_view text_;
   Lines lines_;
   std::string file_;
   TextPointsOptions options_;
+  Columns columns_;
+  bool has_header_ = false;
   TextPoints points_;
-  Polyline current_;
-  std::size_t first_line_ = 0;
+  std::vector<Line> open_;
   std::vector<std::size_t> repeated_;
   std::vector<Word> fields_;
 };
@@ -237,7 +363,6 @@ class Reader {
 }  // namespace
 
 Result<TextPoints> parse_text_points(std::string_view text, const std::string& file, const TextPointsOptions& options) {
-  if (auto checked = check_options(options); !checked) return base::located(checked.error(), Place{.file = file});
   DOBRA_TRY_VOID(check_text(text, file));
   return Reader(text, file, options).run();
 }

@@ -16,27 +16,36 @@ namespace dobra::io {
 enum class Separator { Detect, Blank, Tab, Comma, Semicolon };
 /// Detect takes the first line as a header when neither of its two fields is a number.
 enum class Header { Detect, None, Present };
-enum class YDirection { Up, Down };
 enum class BlankLines { Ignore, SplitLines };
+/// Whether rows of one name that stand apart in the file are several lines or one.
+enum class Rows { Consecutive, Gathered };
 /// Whether a last point equal to the first closes the line (the repeated point is then dropped).
 enum class Closing { KeepOpen, WhenFirstPointRepeats };
 
 struct TextPointsOptions {
   Separator separator = Separator::Detect;  ///< Blank: any run of spaces and tabs.
   Header header = Header::Detect;
-  std::size_t x_column = 1;                     ///< 1-based.
-  std::size_t y_column = 2;                     ///< 1-based.
-  YDirection y_direction = YDirection::Up;      ///< Down: y = (y_reference - value) * unit_factor.
-  double y_reference = 0.0;                     ///< In file units; read only when y_direction is Down.
-  double unit_factor = 1.0;                     ///< Metres in one file unit, > 0.
+  /// The columns of x and y, or of x, y and a height: numbers from 1, or names that stand in the header.
+  std::vector<std::string> columns = {"1", "2"};
+  /// Columns, as above, whose texts together name a line: it ends where they change. A header's "name" and "kind" are
+  /// name and kind of themselves where this is empty.
+  std::vector<std::string> name_columns = {};
+  Rows rows = Rows::Consecutive;
   BlankLines blank_lines = BlankLines::Ignore;  ///< SplitLines: a blank line ends a line of points.
   Closing closing = Closing::KeepOpen;
 };
 
 struct TextPoints {
-  std::vector<geom::Polyline> lines;  ///< Metres, y up; each has at least two distinct points, none repeated in a row.
-  std::vector<std::string> remarks;   ///< What was changed on the way, one line each, with line numbers.
-  Separator separator = Separator::Blank;  ///< As used.
+  std::vector<geom::Polyline> lines;         ///< Each has at least two distinct points, none repeated in a row.
+  std::vector<std::vector<double>> heights;  ///< One a point, or empty without a third column.
+  std::vector<std::string> names;            ///< One a line; empty texts without name columns.
+  std::vector<std::string> kinds;            ///< One a line; empty texts without a column "kind".
+  std::vector<std::size_t> begins;           ///< For each line, the number of its first line in the file.
+  std::vector<std::string> remarks;          ///< What was changed on the way, one line each, with line numbers.
+  Separator separator = Separator::Blank;    ///< As used.
+  std::size_t column_count = 0;              ///< Of the first row.
+  std::vector<std::string> header;           ///< As it stands; empty without one.
+  bool third_is_number = false;              ///< Whether the third column of the first row of numbers is one.
 };
 
 /// The lines of a file of points.

@@ -128,6 +128,9 @@ struct Picture {
   std::string title{};
   std::vector<Panel> panels{};
   Arrangement arrangement = Arrangement::Row;
+  /// A true scale, points on the page for a world unit along x: the page takes the size that it needs. Of files only;
+  /// by default the content is made as large as the page allows.
+  std::optional<double> points_per_unit = std::nullopt;
 };
 
 /// Smallest box round everything in a layer, visible or not; empty if there is nothing.

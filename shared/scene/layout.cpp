@@ -200,7 +200,7 @@ void Arranger::size_plots_to_content() {
   if (blocks_.empty()) return;
   const double width = page_.width - 2.0 * options_.margin;
   const double height = page_.height - 2.0 * options_.margin - header() - footer();
-  const double scale = scale_that_fits(width, height);
+  const double scale = picture_.points_per_unit.value_or(scale_that_fits(width, height));
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
     Block& block = blocks_[i];
     const bool viewed = i < views_.size() && views_[i].has_value();

@@ -61,7 +61,7 @@ TEST_F(CurvesOfFiles, NamesComeFromTheFileAndPartsAreNumbered) {
 }
 
 TEST_F(CurvesOfFiles, AnUnknownEndingAndAFileWithoutLinesAreRefused) {
-  const auto unknown = read("a.shp", "x");
+  const auto unknown = read("a.xyz", "x");
   ASSERT_FALSE(unknown.ok());
   EXPECT_EQ(unknown.error().code, base::ErrorCode::UnknownFormat);
   for (const char* ending : {".txt", ".csv", ".tsv", ".dat", ".wkt", ".geojson", ".json", ".dxf"}) {

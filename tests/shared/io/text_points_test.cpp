@@ -54,13 +54,31 @@ TEST(TextPoints, AForcedHeaderIsLeftOutEvenWhenItIsNumbers) {
 }
 
 TEST(TextPoints, ColumnsAreChosenAndQuotedFieldsMayHoldTheSeparator) {
-  EXPECT_THAT(points_of(parse_text_points("\"bed 1, top\",5,\"6\"\n\"b\",7,8\n", "f", {.x_column = 3, .y_column = 2})),
+  EXPECT_THAT(points_of(parse_text_points("\"bed 1, top\",5,\"6\"\n\"b\",7,8\n", "f", {.columns = {"3", "2"}})),
               ElementsAre(Point{6, 5}, Point{8, 7}));
 }
 
-TEST(TextPoints, DepthAndUnitsBecomeMetresUp) {
-  const TextPointsOptions options{.y_direction = YDirection::Down, .y_reference = 400.0, .unit_factor = 0.5};
-  EXPECT_THAT(points_of(parse_text_points("10 100\n20 400\n", "f", options)), ElementsAre(Point{5, 150}, Point{10, 0}));
+TEST(TextPoints, ColumnsAreChosenByTheirHeadersAndNamesSplitLines) {
+  const std::string text = "layer;part;z_m;x_m\n1;0;5;0\n1;0;6;1\n1;1;7;2\n1;1;8;3\n";
+  const auto read = parse_text_points(text, "f", {.columns = {"x_m", "z_m"}, .name_columns = {"layer", "2"}});
+  ASSERT_TRUE(read.ok()) << base::to_string(read.error());
+  EXPECT_THAT(read->names, ElementsAre("1 0", "1 1"));
+  EXPECT_THAT(read->begins, ElementsAre(2U, 4U));
+  EXPECT_THAT(read->lines[1].points, ElementsAre(Point{2, 7}, Point{3, 8}));
+  const auto missing = parse_text_points(text, "f", {.columns = {"x_n", "z_m"}});
+  ASSERT_FALSE(missing.ok());
+  EXPECT_THAT(missing.error().message, HasSubstr("did you mean 'x_m'?"));
+  const auto named =
+      parse_text_points("x,z,name,kind\n0,0,top,horizon\n1,0,top,horizon\n0,5,F1,fault\n1,6,F1,fault\n", "f");
+  EXPECT_THAT(named->names, ElementsAre("top", "F1"));
+  EXPECT_THAT(named->kinds, ElementsAre("horizon", "fault"));
+}
+
+TEST(TextPoints, AThirdColumnIsAHeight) {
+  const auto read = parse_text_points("1 2 3\n1 2 4\n1 2 4\n", "f", {.columns = {"1", "2", "3"}});
+  ASSERT_TRUE(read.ok()) << base::to_string(read.error());
+  EXPECT_THAT(read->lines[0].points, ElementsAre(Point{1, 2}, Point{1, 2}));
+  EXPECT_THAT(read->heights[0], ElementsAre(3.0, 4.0));
 }
 
 TEST(TextPoints, BlankLinesSplitLinesOnlyWhenAsked) {
@@ -123,11 +141,10 @@ TEST(TextPoints, BadTextIsRefusedWithItsPlace) {
 }
 
 TEST(TextPoints, BadOptionsAreRefused) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const TextPointsOptions& options :
-       {TextPointsOptions{.x_column = 0}, TextPointsOptions{.x_column = 2}, TextPointsOptions{.unit_factor = 0.0},
-        TextPointsOptions{.unit_factor = -1.0}, TextPointsOptions{.unit_factor = nan},
-        TextPointsOptions{.y_reference = nan}}) {
+       {TextPointsOptions{.columns = {"0", "2"}}, TextPointsOptions{.columns = {"2", "2"}},
+        TextPointsOptions{.columns = {"1"}}, TextPointsOptions{.columns = {"1", "2", "1"}},
+        TextPointsOptions{.columns = {"x", "2"}}, TextPointsOptions{.name_columns = {"bed"}}}) {
     const auto read = parse_text_points("0 1\n2 3\n", "f", options);
     ASSERT_FALSE(read.ok());
     EXPECT_EQ(read.error().code, ErrorCode::InvalidOption);

@@ -1,0 +1,96 @@
+#include "recon/core/line_file.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "shared/base/text.h"
+#include "shared/io/line_files.h"
+
+namespace recon::core {
+
+namespace io = dobra::io;
+
+namespace {
+
+base::Result<std::vector<std::string>> columns_of(const HorizonInput& input) {
+  std::vector<std::string> columns;
+  for (const double number : input.columns) {
+    const bool column = number >= 1.0 && number <= 1e6 && number == std::floor(number);
+    if (column) columns.push_back(fmt::format("{}", static_cast<std::size_t>(number)));
+  }
+  if (columns.size() != input.columns.size() || columns.size() < 2 || columns.size() > 3) {
+    return base::Error{base::ErrorCode::BadValue,
+                       "columns needs two whole numbers from 1 on, such as [1, 2], or three: x, y and height"};
+  }
+  return columns;
+}
+
+// What neither the line nor the section sets is left to the file.
+void set_convention(const HorizonInput& input, const Convention& convention, io::LineOptions& options) {
+  if (input.y_axis == LineAxis::Up) options.y_direction = io::YDirection::Up;
+  const bool section_down = input.y_axis == LineAxis::Section && convention.y_axis == VerticalAxis::Down;
+  if (input.y_axis == LineAxis::Down || section_down) options.y_direction = io::YDirection::Down;
+  options.y_reference = convention.reference;
+  options.exaggeration = convention.exaggeration;
+  if (input.unit != LineUnit::Section) {
+    options.unit = metres_per_unit(static_cast<LengthUnit>(static_cast<int>(input.unit) - 1));
+  } else if (convention.unit != LengthUnit::Metre) {
+    options.unit = metres_per_unit(convention.unit);
+  }
+}
+
+geom::Polyline line_of(const io::Feature& feature) {
+  geom::Polyline line = feature.parts.front();
+  if (line.closed) line.points.push_back(line.points.front());
+  line.closed = false;
+  return line;
+}
+
+base::Result<const io::Feature*> chosen(const std::vector<io::Feature>& features, const std::string& wanted) {
+  std::vector<const io::Feature*> found;
+  std::vector<std::string> names;
+  for (const auto type : {io::FeatureType::Lines, io::FeatureType::Polygons, io::FeatureType::Points}) {
+    if (!found.empty()) break;
+    for (const io::Feature& feature : features) {
+      if (feature.type != type) continue;
+      names.push_back(feature.name);
+      if (wanted.empty() || feature.name == wanted) found.push_back(&feature);
+    }
+  }
+  if (found.empty()) {
+    return base::Error{base::ErrorCode::BadSection,
+                       fmt::format("the file has no line named '{}'{}", wanted, base::did_you_mean(wanted, names))};
+  }
+  if (found.size() > 1) {
+    return base::Error{
+        base::ErrorCode::BadSection,
+        fmt::format("the file has {} lines to choose from; name one with feature = \"...\"", found.size())};
+  }
+  if (found.front()->parts.size() != 1) {
+    return base::Error{base::ErrorCode::BadSection,
+                       fmt::format("the line is in {} parts; join them into one", found.front()->parts.size())};
+  }
+  return found.front();
+}
+
+}  // namespace
+
+base::Result<ReadLine> line_of_file(const HorizonInput& input, const std::string& path, const Convention& convention) {
+  io::LineOptions options;
+  options.text.separator = static_cast<io::Separator>(input.separator);
+  options.text.blank_lines = io::BlankLines::Ignore;
+  options.text.closing = io::Closing::KeepOpen;
+  DOBRA_TRY(options.text.columns, columns_of(input));
+  set_convention(input, convention, options);
+  if (input.order == PointOrder::AlongCurve) options.repair.order = io::PointOrder::AlongTheCurve;
+  if (input.drop_duplicates > 0.0) options.repair.duplicates = input.drop_duplicates;
+  if (input.join_gaps > 0.0) options.repair.gaps = input.join_gaps;
+  DOBRA_TRY(const io::LineWork work, io::read_any_lines(path, options));
+  DOBRA_TRY(const io::Feature* feature, chosen(work.features, input.feature));
+  ReadLine read{line_of(*feature), work.remarks};
+  for (const io::Repair& repair : work.repairs) read.remarks.push_back(io::to_string(repair));
+  return read;
+}
+
+}  // namespace recon::core

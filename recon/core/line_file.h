@@ -1,0 +1,16 @@
+#pragma once
+// One line of a scenario's [input] out of a data file in any format of lines (shared/io/line_files.h).
+
+#include <string>
+
+#include "recon/core/input.h"
+
+namespace recon::core {
+
+/// The line that `input` names in the file at `path`, in section coordinates: the only one of the file, or the one
+/// whose name is `input.feature`. Where there is no line, the contour of a polygon (its first point repeated at the
+/// end) or the points of a points feature.
+/// @error BadSection: none, or several to choose from; BadValue: columns; those of read_any_lines.
+base::Result<ReadLine> line_of_file(const HorizonInput& input, const std::string& path, const Convention& convention);
+
+}  // namespace recon::core

@@ -1,0 +1,217 @@
+#include "shared/cli/convert_command.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "shared/base/text.h"
+#include "shared/cli/line_picture.h"
+#include "shared/cli/pictures.h"
+#include "shared/cli/staging.h"
+
+namespace dobra::cli {
+namespace {
+
+using base::Error;
+using base::ErrorCode;
+using base::Result;
+using Json = nlohmann::ordered_json;
+
+struct Options {
+  std::string input;
+  std::filesystem::path output;
+  LineOptionTexts lines;
+  std::string to;
+  std::string to_coordinates = "detect";
+  std::string only;
+  std::string scale;
+};
+
+constexpr const char* type_names[] = {"points", "lines", "polygons"};
+
+/// What the output is.
+struct Target {
+  bool picture = false;
+  io::LineWriteOptions lines;
+  std::optional<double> scale;  ///< 1:n, the n.
+};
+
+Result<Target> target_of(const Options& options) {
+  Target target;
+  const std::string ending = options.output.extension().string();
+  target.picture = options.to.empty() && (ending == ".svg" || ending == ".pdf" || ending == ".png");
+  if (!options.to.empty()) {
+    std::vector<std::string> names;
+    for (const io::LineFormatNames& format : io::line_formats()) {
+      names.emplace_back(format.name);
+      if (options.to == format.name) target.lines.format = format.format;
+    }
+    if (!target.lines.format) {
+      return Error{ErrorCode::BadUsage,
+                   fmt::format("--to: unknown '{}'{}", options.to, base::did_you_mean(options.to, names))};
+    }
+  } else if (!target.picture) {
+    auto format = io::line_format_of(options.output.string());
+    if (!format) {
+      return Error{ErrorCode::BadUsage, fmt::format("{}: {} .svg .pdf .png; or give --to NAME", options.output.string(),
+                                                    format.error().message)};
+    }
+    target.lines.format = *format;
+  }
+  const std::string& where = options.to_coordinates;
+  if (where == "section") target.lines.coordinates = io::Coordinates::Section;
+  if (where == "map") target.lines.coordinates = io::Coordinates::Map;
+  if (where != "detect" && where != "section" && where != "map") {
+    return Error{ErrorCode::BadUsage, fmt::format("--to-coordinates: unknown '{}'; give section or map", where)};
+  }
+  if (options.scale.empty()) return target;
+  const bool ratio = options.scale.starts_with("1:");
+  const auto number = base::parse_number(ratio ? options.scale.substr(2) : options.scale);
+  if (!ratio || !number || !std::isfinite(*number) || *number <= 0.0) {
+    return Error{ErrorCode::BadUsage, fmt::format("--scale {}: give a scale such as 1:10000", options.scale)};
+  }
+  if (!target.picture && target.lines.format != io::LineFormat::Dxf) {
+    return Error{ErrorCode::BadUsage, "--scale is for .svg, .pdf, .png and .dxf"};
+  }
+  target.scale = *number;
+  return target;
+}
+
+Result<void> keep_only(io::LineWork& work, const std::string& only) {
+  if (only.empty()) return {};
+  const auto type = std::find(std::begin(type_names), std::end(type_names), only);
+  if (type == std::end(type_names)) {
+    return Error{ErrorCode::BadUsage, fmt::format("--only: unknown '{}'; give lines, polygons or points", only)};
+  }
+  const auto wanted = static_cast<io::FeatureType>(type - std::begin(type_names));
+  const std::size_t before = work.features.size();
+  std::erase_if(work.features, [wanted](const io::Feature& f) { return f.type != wanted; });
+  if (work.features.empty()) return Error{ErrorCode::BadFormat, fmt::format("the file has no {}", only)};
+  work.remarks.push_back(fmt::format("{} features that are no {} left out", before - work.features.size(), only));
+  return {};
+}
+
+/// Millimetres on paper instead of metres.
+io::LineWork on_paper(io::LineWork work, double scale) {
+  for (io::Feature& feature : work.features) {
+    for (geom::Polyline& part : feature.parts) {
+      for (geom::Point& p : part.points) p = {1000.0 * p.x / scale, 1000.0 * p.y / scale};
+    }
+  }
+  return work;
+}
+
+Result<void> write(const Options& options, const Target& target, io::LineWork& work) {
+  DOBRA_TRY(Staging staging, Staging::open(options.output.parent_path(), TargetFolder::MustExist));
+  const std::filesystem::path file = staging.path(options.output.filename().string());
+  base::Result<void> written;
+  if (target.picture) {
+    written = draw_lines(work, file, target.scale);
+  } else if (target.scale) {
+    written = io::write_any_lines(file.string(), on_paper(work, *target.scale), target.lines, work.remarks);
+  } else {
+    written = io::write_any_lines(file.string(), work, target.lines, work.remarks);
+  }
+  if (!written) return staging.for_user(written.error());
+  DOBRA_TRY_VOID(staging.commit());
+  return {};
+}
+
+Json feature_json(const io::Feature& feature) {
+  std::size_t points = 0;
+  for (const geom::Polyline& part : feature.parts) points += part.points.size();
+  return {{"name", feature.name},
+          {"kind", feature.kind},
+          {"type", type_names[static_cast<std::size_t>(feature.type)]},
+          {"parts", feature.parts.size()},
+          {"points", points}};
+}
+
+std::string report_json(const Options& options, const Target& target, const io::LineWork& work) {
+  geom::Box box;
+  Json features = Json::array();
+  for (const io::Feature& feature : work.features) {
+    for (const geom::Polyline& part : feature.parts) box.add(part.box());
+    features.push_back(feature_json(feature));
+  }
+  Json trace;
+  if (work.trace) {
+    const io::Trace& t = *work.trace;
+    trace = {{"origin", {t.x, t.y}},
+             {"direction", {t.east, t.north}},
+             {"largest_misfit", t.largest_misfit},
+             {"mean_misfit", t.mean_misfit}};
+  }
+  Json repairs = Json::array();
+  for (const io::Repair& repair : work.repairs) {
+    repairs.push_back({{"repair", repair.what},
+                       {"item", repair.item},
+                       {"done", repair.text},
+                       {"at", {repair.at.x, repair.at.y}},
+                       {"moved", repair.moved}});
+  }
+  const auto format_name = [](io::LineFormat format) {
+    return io::line_formats()[static_cast<std::size_t>(format)].name;
+  };
+  const Json json = {{"read",
+                      {{"file", options.input},
+                       {"format", format_name(work.format)},
+                       {"y_axis", work.y_direction == io::YDirection::Down ? "down" : "up"},
+                       {"unit", work.unit},
+                       {"trace", trace},
+                       {"extent", {box.low.x, box.low.y, box.high.x, box.high.y}},
+                       {"features", features}}},
+                     {"repairs", repairs},
+                     {"written",
+                      {{"file", options.output.string()},
+                       {"format", target.picture ? options.output.extension().string().substr(1)
+                                                 : format_name(*target.lines.format)}}},
+                     {"remarks", work.remarks}};
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+Result<int> convert_job(Session& session, const Options& options) {
+  DOBRA_TRY(const io::LineOptions line_settings, line_options(options.lines));
+  DOBRA_TRY(const Target target, target_of(options));
+  DOBRA_TRY(io::LineWork work, io::read_any_lines(options.input, line_settings));
+  if (auto kept = keep_only(work, options.only); !kept) return base::located(kept.error(), {.file = options.input});
+  DOBRA_TRY_VOID(session.check());
+  DOBRA_TRY_VOID(write(options, target, work));
+  for (const std::string& remark : work.remarks) session.note(remark);
+  for (const io::Repair& repair : work.repairs) session.note(io::to_string(repair));
+  if (session.options.format == OutputFormat::Json) {
+    DOBRA_TRY_VOID(print(report_json(options, target, work)));
+  } else if (session.options.verbosity != Verbosity::Quiet) {
+    DOBRA_TRY_VOID(print(options.output.string() + '\n'));
+  }
+  return 0;
+}
+
+}  // namespace
+
+Command convert_command() {
+  return {
+      "convert", "Lines from one format to another, with units, depths, planes and repairs", [](CLI::App& app) -> Job {
+        const auto options = std::make_shared<Options>();
+        app.add_option("in", options->input,
+                       "Lines: .csv .txt .tsv .dat .wkt .geojson .json .dxf .asc .pl .vs .gp .shp .gpkg")
+            ->required()
+            ->type_name("IN");
+        app.add_option("out", options->output, "The same, or .svg .pdf .png")->required()->type_name("OUT");
+        add_line_options(app, options->lines);
+        app.add_option("--to", options->to, "Format of the output; by the ending of its name otherwise")
+            ->type_name("NAME");
+        app.add_option("--to-coordinates", options->to_coordinates,
+                       "section: x and height; map: x, y and height on the trace")
+            ->type_name("NAME");
+        app.add_option("--only", options->only, "Only lines, polygons or points")->type_name("NAME");
+        app.add_option("--scale", options->scale, "Pictures and DXF to a true scale such as 1:10000")->type_name("1:N");
+        return [options](Session& session) { return convert_job(session, *options); };
+      }};
+}
+
+}  // namespace dobra::cli

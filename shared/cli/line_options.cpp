@@ -1,0 +1,128 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "shared/base/text.h"
+#include "shared/cli/convert_command.h"
+#include "shared/io/section_plane.h"
+
+namespace dobra::cli {
+namespace {
+
+using base::Error;
+using base::ErrorCode;
+using base::Result;
+
+Error bad_usage(const std::string& option, const std::string& what) {
+  return {ErrorCode::BadUsage, fmt::format("{}: {}", option, what)};
+}
+
+/// The position of `word` among the names.
+Result<std::size_t> choice(const std::string& option, const std::string& word, const std::vector<std::string>& names) {
+  const auto found = std::find(names.begin(), names.end(), word);
+  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  std::string hint = base::did_you_mean(word, names);
+  if (hint.empty()) hint = fmt::format("; give {}", fmt::join(names, ", "));
+  return bad_usage(option, fmt::format("unknown '{}'{}", word, hint));
+}
+
+std::vector<std::string> list_of(const std::string& text) {
+  std::vector<std::string> words;
+  for (std::size_t begin = 0; !text.empty() && begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    words.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return words;
+}
+
+Result<io::Trace> trace_of(const std::string& text) {
+  std::vector<double> numbers;
+  for (const std::string& word : list_of(text)) {
+    const auto value = base::parse_number(word);
+    if (!value) return bad_usage("--trace", fmt::format("'{}' is not a number", word));
+    numbers.push_back(*value);
+  }
+  if (numbers.size() != 4) return bad_usage("--trace", "give four numbers: x and y of its beginning and its end");
+  return io::trace_between({numbers[0], numbers[1]}, {numbers[2], numbers[3]});
+}
+
+Result<double> unit_of(const std::string& text) {
+  DOBRA_TRY(const std::size_t unit, choice("--unit", text, {"m", "km", "ft", "cm", "mm"}));
+  constexpr double metres[] = {1.0, 1000.0, 0.3048, 0.01, 0.001};
+  return metres[unit];
+}
+
+}  // namespace
+
+void add_line_options(CLI::App& app, LineOptionTexts& texts) {
+  app.add_option("--from", texts.format, "Format of the input; by the ending of its name otherwise")->type_name("NAME");
+  app.add_option("--columns", texts.columns, "Text: columns of x and height, or of x, y and height; numbers or headers")
+      ->type_name("LIST");
+  app.add_option("--name-columns", texts.name_columns, "Text: columns whose texts name a line")->type_name("LIST");
+  app.add_option("--separator", texts.separator, "Text: detect (default), blank, tab, comma or semicolon")
+      ->type_name("NAME");
+  app.add_option("--coordinates", texts.coordinates,
+                 "detect (default); section: x and y as they stand; map: lines on a vertical plane in space")
+      ->type_name("NAME");
+  app.add_option("--trace", texts.trace,
+                 "The plane of 3D lines: x0,y0,x1,y1 in metres; found by least squares otherwise")
+      ->type_name("LIST");
+  app.add_option("--plane-tolerance", texts.plane_tolerance,
+                 "Largest distance of 3D lines from their plane, as a part of the length; 0.001 by default")
+      ->type_name("X");
+  app.add_option("--y-axis", texts.y_axis, "Heights grow up or down; as the file says otherwise, else up")
+      ->type_name("up|down");
+  app.add_option("--reference", texts.reference, "With --y-axis down: the value at height 0; 0 by default")
+      ->type_name("Y");
+  app.add_option("--unit", texts.unit, "m, km, ft, cm or mm; as the file says otherwise, else m")->type_name("NAME");
+  app.add_option("--exaggeration", texts.exaggeration, "Heights are stored this many times too large; 1 by default")
+      ->type_name("X");
+  app.add_flag("--order", texts.order, "Repair: put unordered points in order along their curve");
+  app.add_option("--duplicates", texts.duplicates, "Repair: drop points nearer than this to the one before")
+      ->type_name("M");
+  app.add_option("--join-gaps", texts.gaps, "Repair: join parts of one name whose ends are nearer than this")
+      ->type_name("M");
+  app.add_option("--snap", texts.snap, "Repair: move ends nearer than this to a fault onto it")->type_name("M");
+  app.add_option("--slivers", texts.slivers, "Repair: remove polygons and spikes thinner than this")->type_name("M");
+}
+
+Result<io::LineOptions> line_options(const LineOptionTexts& texts) {
+  io::LineOptions options;
+  if (!texts.format.empty()) {
+    std::vector<std::string> names;
+    for (const io::LineFormatNames& format : io::line_formats()) names.emplace_back(format.name);
+    DOBRA_TRY(const std::size_t format, choice("--from", texts.format, names));
+    options.format = io::line_formats()[format].format;
+  }
+  options.text.columns = list_of(texts.columns);
+  options.text.name_columns = list_of(texts.name_columns);
+  DOBRA_TRY(const std::size_t separator,
+            choice("--separator", texts.separator, {"detect", "blank", "tab", "comma", "semicolon"}));
+  options.text.separator = static_cast<io::Separator>(separator);
+  DOBRA_TRY(const std::size_t coordinates, choice("--coordinates", texts.coordinates, {"detect", "section", "map"}));
+  options.coordinates = static_cast<io::Coordinates>(coordinates);
+  if (!texts.trace.empty()) {
+    DOBRA_TRY(options.trace, trace_of(texts.trace));
+  }
+  if (!texts.y_axis.empty()) {
+    DOBRA_TRY(const std::size_t direction, choice("--y-axis", texts.y_axis, {"up", "down"}));
+    options.y_direction = static_cast<io::YDirection>(direction);
+  }
+  if (!texts.unit.empty()) {
+    DOBRA_TRY(options.unit, unit_of(texts.unit));
+  }
+  options.plane_tolerance = texts.plane_tolerance.value_or(options.plane_tolerance);
+  options.y_reference = texts.reference.value_or(options.y_reference);
+  options.exaggeration = texts.exaggeration.value_or(options.exaggeration);
+  if (texts.order) options.repair.order = io::PointOrder::AlongTheCurve;
+  options.repair.duplicates = texts.duplicates;
+  options.repair.gaps = texts.gaps;
+  options.repair.snap = texts.snap;
+  options.repair.slivers = texts.slivers;
+  return options;
+}
+
+}  // namespace dobra::cli

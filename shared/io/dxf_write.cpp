@@ -1,0 +1,98 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "shared/base/text.h"
+#include "shared/io/dxf.h"
+#include "shared/io/scan.h"
+
+namespace dobra::io {
+
+using base::Result;
+
+namespace {
+
+// A layer as readers take it: no character that the format forbids in names.
+std::string layer_of(const Feature& feature) {
+  // A reader numbers further lines of a layer ("TOP 2") and keeps the layer as their kind.
+  const bool numbered = !feature.kind.empty() && feature.name.starts_with(feature.kind + ' ') &&
+                        feature.name.find_first_not_of("0123456789", feature.kind.size() + 1) == std::string::npos &&
+                        feature.name.size() > feature.kind.size() + 1;
+  std::string layer = numbered ? feature.kind : feature.name;
+  for (char& c : layer) {
+    if (static_cast<unsigned char>(c) < 0x20U ||
+        std::string_view("<>/\\\":;?*|=,`").find(c) != std::string_view::npos) {
+      c = '_';
+    }
+  }
+  layer.erase(0, layer.find_first_not_of(' '));
+  layer.erase(layer.find_last_not_of(' ') + 1);
+  return layer.empty() ? "0" : layer;
+}
+
+void append_coordinates(std::string& text, geom::Point point, double height) {
+  for (const auto& [code, value] : {std::pair{10, point.x}, std::pair{20, point.y}, std::pair{30, height}}) {
+    text += fmt::format("{}\n", code);
+    base::append_number(text, value);
+    text += '\n';
+  }
+}
+
+void append_part(std::string& text, const Feature& feature, std::size_t part, const std::string& layer) {
+  const geom::Polyline& line = feature.parts[part];
+  const bool flat = feature.heights.empty();
+  const auto height = [&](std::size_t i) { return flat ? 0.0 : feature.heights[part][i]; };
+  if (feature.type == FeatureType::Points) {
+    for (std::size_t i = 0; i < line.points.size(); ++i) {
+      text += fmt::format("0\nPOINT\n8\n{}\n", layer);
+      append_coordinates(text, line.points[i], height(i));
+    }
+    return;
+  }
+  // OGR takes a 3D polyline as closed where its ends stand over one place, and then leaves out the flag's last side: in
+  // space the first point is repeated instead.
+  text += fmt::format("0\nPOLYLINE\n8\n{}\n66\n1\n70\n{}\n", layer, flat ? (line.closed ? 1 : 0) : 8);
+  append_coordinates(text, {}, 0.0);
+  for (std::size_t k = 0; k < line.points.size() + (line.closed && !flat ? 1 : 0); ++k) {
+    const std::size_t i = k == line.points.size() ? 0 : k;
+    text += fmt::format("0\nVERTEX\n8\n{}\n", layer);
+    append_coordinates(text, line.points[i], height(i));
+    if (!flat) text += "70\n32\n";
+  }
+  text += fmt::format("0\nSEQEND\n8\n{}\n", layer);
+}
+
+std::string tables(std::span<const Feature> features) {
+  std::vector<std::string> layers{"0"};
+  for (const Feature& feature : features) {
+    const std::string layer = layer_of(feature);
+    if (std::find(layers.begin(), layers.end(), layer) == layers.end()) layers.push_back(layer);
+  }
+  std::string text = fmt::format(
+      "0\nSECTION\n2\nTABLES\n0\nTABLE\n2\nLTYPE\n70\n1\n0\nLTYPE\n2\nCONTINUOUS\n70\n64\n3\nSolid "
+      "line\n72\n65\n73\n0\n"
+      "40\n0\n0\nENDTAB\n0\nTABLE\n2\nLAYER\n70\n{}\n",
+      layers.size());
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    text += fmt::format("0\nLAYER\n2\n{}\n70\n0\n62\n{}\n6\nCONTINUOUS\n", layers[i], i == 0 ? 7 : 1 + (i - 1) % 6);
+  }
+  return text + "0\nENDTAB\n0\nENDSEC\n";
+}
+
+}  // namespace
+
+Result<std::string> dxf(std::span<const Feature> given) {
+  const std::vector<Feature> features = rings_apart(given);
+  std::string text =
+      "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1009\n0\nENDSEC\n" + tables(features) + "0\nSECTION\n2\nENTITIES\n";
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    const std::string layer = layer_of(features[i]);
+    for (std::size_t part = 0; part < features[i].parts.size(); ++part) {
+      DOBRA_TRY_VOID(check_finite(features[i].parts[part].points, item_of(i + 1, features[i])));
+      append_part(text, features[i], part, layer);
+    }
+  }
+  return text + "0\nENDSEC\n0\nEOF\n";
+}
+
+}  // namespace dobra::io

@@ -1,0 +1,81 @@
+#pragma once
+// Line-work in and out in every format that carries it: one way in and one way out for commands, scenarios and windows.
+// Coordinates become section coordinates (x right, y up, metres) by options or by what the file says itself; what
+// neither says is asked, never guessed. Page: docs/user/import.md.
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "shared/base/result.h"
+#include "shared/io/repair.h"
+#include "shared/io/text_points.h"
+
+namespace dobra::io {
+
+enum class LineFormat { Text, Wkt, GeoJson, Dxf, MoveAscii, Gocad, Shapefile, GeoPackage };
+
+/// Names as options take them, and endings, in the order of the enumeration.
+struct LineFormatNames {
+  LineFormat format;
+  const char* name;
+  std::vector<std::string> endings;  ///< The first one is what it is written with.
+};
+const std::vector<LineFormatNames>& line_formats();
+/// By the ending of a name, capitals or not. @error UnknownFormat, naming the endings.
+base::Result<LineFormat> line_format_of(const std::string& path);
+
+/// What the first two coordinates are. Section: x along the section and y up (or down), as they stand; a third one is
+/// dropped. Map: a place on the map, and the third one is the height: the section's plane is fitted, or given.
+/// Detect: Map where a file has heights other than 0.
+enum class Coordinates { Detect, Section, Map };
+
+struct LineOptions {
+  std::optional<LineFormat> format = std::nullopt;  ///< By the ending of the name otherwise.
+  /// Columns are chosen by number or header; empty: the first two, asked where there is a third column of numbers.
+  TextPointsOptions text = {
+      .columns = {}, .blank_lines = BlankLines::SplitLines, .closing = Closing::WhenFirstPointRepeats};
+  Coordinates coordinates = Coordinates::Detect;
+  std::optional<Trace> trace = std::nullopt;  ///< The plane of 3D lines, m; fitted by least squares otherwise.
+  double plane_tolerance = 1e-3;  ///< Largest misfit of the plane as a part of the length of the section, > 0.
+  std::optional<YDirection> y_direction = std::nullopt;  ///< As the file says, else up.
+  double y_reference = 0.0;                              ///< Down: y = y_reference - value, in units of the file.
+  std::optional<double> unit = std::nullopt;             ///< Metres in one unit; as the file says, else 1.
+  double exaggeration = 1.0;                             ///< Heights are stored this many times too large, > 0.
+  RepairOptions repair = {};
+};
+
+struct LineWork {
+  std::vector<Feature> features;  ///< In section coordinates, m; at least one, in the order of the file.
+  LineFormat format = LineFormat::Text;
+  std::optional<Trace> trace = std::nullopt;  ///< Of 3D lines that were laid into their plane.
+  YDirection y_direction = YDirection::Up;    ///< As it was taken.
+  double unit = 1.0;                          ///< As it was taken, m.
+  std::vector<Repair> repairs;
+  std::vector<std::string> remarks;  ///< What was changed, left out or taken from the file, one line each.
+};
+
+/// @error Unclear: what the file leaves open, with the option that answers it; InvalidOption; BadFormat: no feature, or
+/// a
+///        plane that does not fit, with the misfit; NotFinite; those of the readers and of repair.
+base::Result<LineWork> read_any_lines(const std::string& path, const LineOptions& options = {});
+/// The same from text in memory, for the formats that are text. `file` is the name that errors show.
+base::Result<LineWork> parse_any_lines(std::string_view text, const std::string& file, const LineOptions& options);
+
+struct LineWriteOptions {
+  std::optional<LineFormat> format = std::nullopt;  ///< By the ending of the name otherwise.
+  /// Section: two coordinates. Map: three, on the trace, or on the plane y = 0 without one. Detect: Map for MOVE and
+  /// GOCAD, which have no other, else Section.
+  Coordinates coordinates = Coordinates::Detect;
+};
+
+/// The text of a format that is text. Adds a remark for what the format cannot hold.
+/// @error InvalidOption (not a text format), NotFinite.
+base::Result<std::string> lines_text(const LineWork& work, const LineWriteOptions& options,
+                                     std::vector<std::string>& remarks);
+/// @error those of lines_text; InvalidOption (a Shapefile of several kinds), UnknownFormat, CannotWrite.
+base::Result<void> write_any_lines(const std::string& path, const LineWork& work, const LineWriteOptions& options,
+                                   std::vector<std::string>& remarks);
+
+}  // namespace dobra::io

@@ -1,0 +1,332 @@
+// 1. The format's own reader gives features in the coordinates of the file, and what the file says of them.
+// 2. What it leaves open must be answered by an option.
+// 3. Units; then the plane of 3D lines; then direction and exaggeration of heights.
+// 4. Repairs.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+
+#include "shared/io/dxf.h"
+#include "shared/io/file.h"
+#include "shared/io/geojson.h"
+#include "shared/io/gocad.h"
+#include "shared/io/line_files.h"
+#include "shared/io/move_ascii.h"
+#include "shared/io/ogr_file.h"
+#include "shared/io/scan.h"
+#include "shared/io/section_plane.h"
+#include "shared/io/wkt.h"
+
+namespace dobra::io {
+
+using base::Error;
+using base::ErrorCode;
+using base::Place;
+using base::Result;
+using geom::Point;
+
+const std::vector<LineFormatNames>& line_formats() {
+  static const std::vector<LineFormatNames> formats{{LineFormat::Text, "text", {".csv", ".txt", ".tsv", ".dat"}},
+                                                    {LineFormat::Wkt, "wkt", {".wkt"}},
+                                                    {LineFormat::GeoJson, "geojson", {".geojson", ".json"}},
+                                                    {LineFormat::Dxf, "dxf", {".dxf"}},
+                                                    {LineFormat::MoveAscii, "move", {".asc", ".move"}},
+                                                    {LineFormat::Gocad, "gocad", {".pl", ".vs", ".gp", ".gocad"}},
+                                                    {LineFormat::Shapefile, "shapefile", {".shp"}},
+                                                    {LineFormat::GeoPackage, "geopackage", {".gpkg"}}};
+  return formats;
+}
+
+Result<LineFormat> line_format_of(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return c < 128 ? static_cast<char>(std::tolower(c)) : static_cast<char>(c); });
+  std::string all;
+  for (const LineFormatNames& names : line_formats()) {
+    for (const std::string& known : names.endings) {
+      if (known == ending) return names.format;
+      all += (all.empty() ? "" : " ") + known;
+    }
+  }
+  return Error{ErrorCode::UnknownFormat,
+               fmt::format("the ending of the name tells no format of lines; known are {}", all), Place{.file = path}};
+}
+
+namespace {
+
+// --- text
+
+// A third column of numbers may be the height of map coordinates, or anything else.
+std::optional<Question> question_of_columns(const TextPoints& read) {
+  if (!read.third_is_number) return std::nullopt;
+  std::string header;
+  for (const std::string& name : read.header) header += (header.empty() ? ": " : ", ") + name;
+  return Question{Question::About::Coordinates,
+                  fmt::format("the file has {} columns{}; say which are x and height of the section (columns = [1, 2], "
+                              "--columns 1,2), or x, y and height of map coordinates (--columns 1,2,3)",
+                              read.column_count, header)};
+}
+
+Result<Features> features_of_text(std::string_view text, const std::string& file, const LineOptions& options) {
+  TextPointsOptions wanted = options.text;
+  const bool chosen = !wanted.columns.empty();
+  if (!chosen) wanted.columns = {"1", "2"};
+  if (options.repair.order == PointOrder::AlongTheCurve) {
+    wanted.rows = Rows::Gathered;  // what is out of order may be mixed, too
+    wanted.closing = Closing::KeepOpen;
+  }
+  DOBRA_TRY(TextPoints read, parse_text_points(text, file, wanted));
+  Features features{{}, std::move(read.remarks)};
+  if (!chosen && options.coordinates == Coordinates::Detect) {
+    if (auto question = question_of_columns(read)) features.stated.questions.push_back(*std::move(question));
+  }
+  for (std::size_t i = 0; i < read.lines.size(); ++i) {
+    Feature feature;
+    feature.type = read.lines[i].closed ? FeatureType::Polygons : FeatureType::Lines;
+    feature.name = read.names[i];
+    feature.kind = read.kinds[i];
+    feature.source = Place{.file = file, .line = read.begins[i]};
+    feature.parts.push_back(std::move(read.lines[i]));
+    if (!read.heights.empty()) feature.heights.push_back(std::move(read.heights[i]));
+    if (auto normal = normalise(feature, {0}); !normal) return base::located(normal.error(), feature.source);
+    features.features.push_back(std::move(feature));
+  }
+  return features;
+}
+
+// --- coordinates
+
+bool has_heights(const Features& raw) {
+  return std::any_of(raw.features.begin(), raw.features.end(), [](const Feature& f) { return !f.heights.empty(); });
+}
+
+bool is_flat(const Features& raw) {
+  for (const Feature& feature : raw.features) {
+    for (const std::vector<double>& heights : feature.heights) {
+      if (std::any_of(heights.begin(), heights.end(), [](double z) { return z != 0.0; })) return false;
+    }
+  }
+  return true;
+}
+
+Error unclear(std::string text, const std::string& file) {
+  return {ErrorCode::Unclear, std::move(text), Place{.file = file}};
+}
+
+Result<void> check_answers(const Features& raw, const LineOptions& options, const std::string& file) {
+  for (const Question& question : raw.stated.questions) {
+    const bool answered = question.about == Question::About::YDirection ? options.y_direction.has_value()
+                          : question.about == Question::About::Unit     ? options.unit.has_value()
+                                                                        : options.coordinates != Coordinates::Detect;
+    if (!answered) return unclear(question.text, file);
+  }
+  return {};
+}
+
+Result<void> check_options(const LineOptions& options) {
+  const auto positive = [](double value) { return std::isfinite(value) && value > 0.0; };
+  const auto refuse = [](std::string message) { return Error{ErrorCode::InvalidOption, std::move(message)}; };
+  if (options.unit && !positive(*options.unit)) {
+    return refuse(fmt::format("the unit is {} m; give a length above 0", *options.unit));
+  }
+  if (!positive(options.exaggeration)) {
+    return refuse(fmt::format("the exaggeration is {}; give a number above 0", options.exaggeration));
+  }
+  if (!positive(options.plane_tolerance)) {
+    return refuse(fmt::format("the tolerance of the plane is {}; give a number above 0", options.plane_tolerance));
+  }
+  if (!std::isfinite(options.y_reference)) return refuse("the reference of y is not finite; give a number");
+  return {};
+}
+
+// Whether the file has places on the map, to be laid into a plane.
+Result<bool> is_map(const Features& raw, const LineOptions& options, const std::string& file) {
+  const auto has = [](const Feature& f) { return !f.heights.empty(); };
+  const bool all = std::all_of(raw.features.begin(), raw.features.end(), has);
+  if (options.coordinates == Coordinates::Map && !all) {
+    return Error{ErrorCode::BadFormat,
+                 "map coordinates need a third coordinate at every point, and this file has none "
+                 "at some; give coordinates = section (--coordinates section)",
+                 Place{.file = file}};
+  }
+  if (options.coordinates != Coordinates::Detect) return options.coordinates == Coordinates::Map;
+  if (!has_heights(raw) || is_flat(raw)) return false;
+  if (!all) {
+    return unclear(
+        "some lines have third coordinates and others have none; say whether x and y are section "
+        "coordinates: coordinates = section (--coordinates section)",
+        file);
+  }
+  return true;
+}
+
+Result<void> to_metres(Features& raw, double unit, double height_unit, const std::string& file) {
+  for (Feature& feature : raw.features) {
+    const double y_unit = feature.heights.empty() ? height_unit : unit;
+    for (geom::Polyline& part : feature.parts) {
+      for (Point& p : part.points) p = {p.x * unit, p.y * y_unit};
+    }
+    for (std::vector<double>& heights : feature.heights) {
+      for (double& z : heights) z *= height_unit;
+    }
+    for (const geom::Polyline& part : feature.parts) {
+      for (const Point p : part.points) {
+        if (!geom::is_finite(p))
+          return Error{ErrorCode::NotFinite, "a point is not finite in metres; check the unit",
+                       Place{.file = file, .line = feature.source.line, .item = feature.source.item}};
+      }
+    }
+  }
+  return {};
+}
+
+Result<void> lay(Features& raw, const LineOptions& options, LineWork& work, const std::string& file) {
+  if (options.trace) {
+    work.trace = with_misfit(*options.trace, raw.features);
+  } else {
+    DOBRA_TRY(work.trace, fit_trace(raw.features));
+  }
+  const Trace& trace = *work.trace;
+  double length = 0.0;
+  for (const Feature& feature : raw.features) {
+    for (const geom::Polyline& part : feature.parts) {
+      for (const Point p : part.points) {
+        length = std::max(length, std::abs(geom::dot({trace.east, trace.north}, p - Point{trace.x, trace.y})));
+      }
+    }
+  }
+  const std::string misfit = fmt::format(
+      "the points lie up to {:.4g} m off the plane (root mean square {:.4g} m, "
+      "length {:.6g} m)",
+      trace.largest_misfit, trace.mean_misfit, length);
+  if (!(trace.largest_misfit <= options.plane_tolerance * length)) {
+    return Error{ErrorCode::BadFormat,
+                 fmt::format("the lines do not stand on one vertical plane: {}; give plane_tolerance "
+                             "(--plane-tolerance) to lay them into it all the same, or coordinates = section "
+                             "(--coordinates section) if x and y are section coordinates",
+                             misfit),
+                 Place{.file = file}};
+  }
+  work.remarks.push_back(
+      fmt::format("{}: laid into the vertical plane through ({:.10g}, {:.10g}) that runs towards "
+                  "{:.4f} degrees; {}",
+                  file, trace.x, trace.y,
+                  std::fmod(450.0 - std::atan2(trace.north, trace.east) * 180.0 / std::numbers::pi, 360.0), misfit));
+  return lay_into_plane(raw.features, trace);
+}
+
+// Heights as the file has them become heights above 0, still in its unit; polygons keep their orientation.
+Result<void> turn_up(std::vector<Feature>& features, const LineOptions& options, YDirection direction) {
+  const bool down = direction == YDirection::Down;
+  if (!down && options.exaggeration == 1.0) return {};
+  const auto turned = [&](double y) { return (down ? options.y_reference - y : y) / options.exaggeration; };
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    Feature& feature = features[i];
+    const bool map = !feature.heights.empty();
+    std::vector<std::size_t> rings;
+    if (map) rings = rings_of(feature);
+    for (std::size_t k = 0; k < feature.parts.size(); ++k) {
+      geom::Polyline& part = feature.parts[k];
+      if (!map) rings.push_back(geom::signed_area(part) > 0.0 ? 0 : 1);
+      if (map) std::transform(feature.heights[k].begin(), feature.heights[k].end(), feature.heights[k].begin(), turned);
+      if (!map) std::for_each(part.points.begin(), part.points.end(), [&](Point& p) { p.y = turned(p.y); });
+    }
+    // Points that differed may have become one.
+    if (auto normal = normalise(feature, rings); !normal) {
+      return base::located(base::located(normal.error(), feature.source), Place{.item = item_of(i + 1, feature)});
+    }
+  }
+  return {};
+}
+
+Result<LineWork> finish(Features raw, const std::string& file, LineFormat format, const LineOptions& options) {
+  LineWork work;
+  work.format = format;
+  work.remarks = std::move(raw.remarks);
+  if (raw.features.empty()) {
+    return Error{ErrorCode::BadFormat, "there is no line, polygon or point in the file", Place{.file = file}};
+  }
+  if (auto checked = check_options(options); !checked) return base::located(checked.error(), Place{.file = file});
+  DOBRA_TRY_VOID(check_answers(raw, options, file));
+  DOBRA_TRY(const bool map, is_map(raw, options, file));
+  if (!map && has_heights(raw)) {
+    if (!is_flat(raw)) work.remarks.push_back(fmt::format("{}: third coordinates dropped", file));
+    for (Feature& feature : raw.features) {
+      if (auto dropped = drop_heights(feature); !dropped) return base::located(dropped.error(), feature.source);
+    }
+  }
+  work.y_direction = options.y_direction.value_or(raw.stated.y_direction.value_or(YDirection::Up));
+  if (!options.y_direction && work.y_direction == YDirection::Down) {
+    work.remarks.push_back(fmt::format("{}: its heights are depths, as the file says", file));
+  }
+  DOBRA_TRY_VOID(turn_up(raw.features, options, work.y_direction));
+  work.unit = options.unit.value_or(raw.stated.unit.value_or(1.0));
+  const double height_unit = options.unit.value_or(raw.stated.height_unit.value_or(work.unit));
+  if (work.unit != 1.0 || height_unit != 1.0) DOBRA_TRY_VOID(to_metres(raw, work.unit, height_unit, file));
+  if (!options.unit && work.unit != 1.0) {
+    work.remarks.push_back(fmt::format("{}: its unit is {} m, as the file says", file, work.unit));
+  }
+  if (map) {
+    if (auto laid = lay(raw, options, work, file); !laid) return base::located(laid.error(), Place{.file = file});
+  }
+  work.features = std::move(raw.features);
+  auto repaired = repair(work.features, options.repair);
+  if (!repaired) return base::located(repaired.error(), Place{.file = file});
+  work.repairs = *std::move(repaired);
+  if (work.features.empty()) {
+    return Error{ErrorCode::BadFormat, "nothing is left after the repair of slivers; give a smaller width",
+                 Place{.file = file}};
+  }
+  return work;
+}
+
+Result<Features> parse_format(LineFormat format, std::string_view text, const std::string& file,
+                              const LineOptions& options) {
+  switch (format) {
+    case LineFormat::Text:
+      return features_of_text(text, file, options);
+    case LineFormat::Wkt:
+      return parse_wkt(text, file);
+    case LineFormat::GeoJson:
+      return parse_geojson(text, file, Heights::Keep);
+    case LineFormat::Dxf:
+      return parse_dxf(text, file, Heights::Keep);
+    case LineFormat::MoveAscii:
+      return parse_move_ascii(text, file);
+    case LineFormat::Gocad:
+      return parse_gocad(text, file);
+    case LineFormat::Shapefile:
+    case LineFormat::GeoPackage:
+      break;
+  }
+  return Error{ErrorCode::InvalidOption, "this format is not text", Place{.file = file}};
+}
+
+Result<LineFormat> chosen_format(const std::string& path, const std::optional<LineFormat>& format) {
+  if (format) return *format;
+  return line_format_of(path);
+}
+
+}  // namespace
+
+Result<LineWork> parse_any_lines(std::string_view text, const std::string& file, const LineOptions& options) {
+  DOBRA_TRY(const LineFormat format, chosen_format(file, options.format));
+  DOBRA_TRY(Features raw, parse_format(format, text, file, options));
+  return finish(std::move(raw), file, format, options);
+}
+
+Result<LineWork> read_any_lines(const std::string& path, const LineOptions& options) {
+  DOBRA_TRY(const LineFormat format, chosen_format(path, options.format));
+  if (format == LineFormat::Shapefile || format == LineFormat::GeoPackage) {
+    DOBRA_TRY(Features raw, read_ogr_file(path));
+    return finish(std::move(raw), path, format, options);
+  }
+  DOBRA_TRY(const std::string text, read_text(path));
+  return parse_any_lines(text, path, options);
+}
+
+}  // namespace dobra::io

@@ -1,0 +1,184 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "shared/base/text.h"
+#include "shared/io/dxf.h"
+#include "shared/io/file.h"
+#include "shared/io/geojson.h"
+#include "shared/io/gocad.h"
+#include "shared/io/line_files.h"
+#include "shared/io/move_ascii.h"
+#include "shared/io/ogr_file.h"
+#include "shared/io/scan.h"
+#include "shared/io/section_plane.h"
+#include "shared/io/wkt.h"
+
+namespace dobra::io {
+
+using base::Error;
+using base::ErrorCode;
+using base::Place;
+using base::Result;
+
+namespace {
+
+// --- text
+
+// A field in quotes; the format has no way to write a quote inside.
+std::string quoted(std::string text) {
+  for (char& c : text) {
+    if (c == '"') c = '\'';
+    if (c == '\n' || c == '\r') c = ' ';
+  }
+  const bool plain =
+      text.find_first_of(",#") == std::string::npos && (text.empty() || (text.front() != ' ' && text.back() != ' '));
+  return plain ? text : '"' + text + '"';
+}
+
+Result<std::string> text_of(std::span<const Feature> given, bool map) {
+  const std::vector<Feature> features = rings_apart(given);
+  const bool named = std::any_of(features.begin(), features.end(), [](const Feature& f) { return !f.name.empty(); });
+  const bool sorted = std::any_of(features.begin(), features.end(), [](const Feature& f) { return !f.kind.empty(); });
+  std::string text = map ? "x,y,z" : "x,z";
+  text += std::string(named ? ",name" : "") + (sorted ? ",kind" : "") + '\n';
+  bool first = true;
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    const Feature& feature = features[i];
+    const std::string tail =
+        (named ? ',' + quoted(feature.name) : "") + (sorted ? ',' + quoted(feature.kind) : "") + '\n';
+    for (std::size_t part = 0; part < feature.parts.size(); ++part) {
+      const std::vector<geom::Point>& points = feature.parts[part].points;
+      DOBRA_TRY_VOID(check_finite(points, item_of(i + 1, feature)));
+      if (!std::exchange(first, false)) text += '\n';
+      for (std::size_t k = 0; k < points.size() + (feature.parts[part].closed ? 1 : 0); ++k) {
+        const std::size_t at = k == points.size() ? 0 : k;
+        base::append_number(text, points[at].x);
+        text += ',';
+        base::append_number(text, points[at].y);
+        if (map) text += ',', base::append_number(text, feature.heights[part][at]);
+        text += tail;
+      }
+    }
+  }
+  return text;
+}
+
+// --- what a format cannot hold
+
+struct Keeps {
+  bool names;
+  bool properties;
+  bool holes;
+  bool points;
+};
+
+Keeps keeps(LineFormat format) {
+  switch (format) {
+    case LineFormat::Text:
+      return {true, false, false, false};
+    case LineFormat::Wkt:
+      return {false, false, true, true};
+    case LineFormat::Dxf:
+      return {true, false, false, false};
+    case LineFormat::MoveAscii:
+    case LineFormat::Gocad:
+      return {true, false, false, true};
+    case LineFormat::GeoJson:
+    case LineFormat::Shapefile:
+    case LineFormat::GeoPackage:
+      break;
+  }
+  return {true, true, true, true};
+}
+
+void remark_losses(std::span<const Feature> features, LineFormat format, std::vector<std::string>& remarks) {
+  const Keeps kept = keeps(format);
+  std::size_t names = 0;
+  std::size_t properties = 0;
+  std::size_t holes = 0;
+  std::size_t points = 0;
+  for (const Feature& feature : features) {
+    names += feature.name.empty() && feature.kind.empty() ? 0 : 1;
+    for (const auto& [key, value] : feature.properties) {
+      const bool own = (format == LineFormat::MoveAscii && (key == "id" || key == "attribute")) ||
+                       (format == LineFormat::Gocad && key == "geological_feature");
+      properties += own ? 0 : 1;
+    }
+    for (const geom::Polyline& part : feature.parts) holes += part.closed && geom::signed_area(part) < 0.0 ? 1 : 0;
+    points += feature.type == FeatureType::Points ? 1 : 0;
+  }
+  const char* name = line_formats()[static_cast<std::size_t>(format)].name;
+  if (!kept.names && names > 0) remarks.push_back(fmt::format("names and kinds are not kept in {}", name));
+  if (!kept.properties && properties > 0) {
+    remarks.push_back(fmt::format("{} properties are not kept in {}", properties, name));
+  }
+  if (!kept.holes && holes > 0) remarks.push_back(fmt::format("{} holes become closed lines in {}", holes, name));
+  if (!kept.points && points > 0) {
+    remarks.push_back(fmt::format("{} features of points cannot be read back from {}", points, name));
+  }
+}
+
+Result<std::string> text_in(LineFormat format, std::span<const Feature> features, bool map) {
+  switch (format) {
+    case LineFormat::Text:
+      return text_of(features, map);
+    case LineFormat::Wkt:
+      return wkt(features);
+    case LineFormat::GeoJson:
+      return geojson(features);
+    case LineFormat::Dxf:
+      return dxf(features);
+    case LineFormat::MoveAscii:
+      return move_ascii(features);
+    case LineFormat::Gocad:
+      return gocad(features);
+    case LineFormat::Shapefile:
+    case LineFormat::GeoPackage:
+      break;
+  }
+  return Error{ErrorCode::InvalidOption, "this format is not text"};
+}
+
+bool needs_map(LineFormat format) { return format == LineFormat::MoveAscii || format == LineFormat::Gocad; }
+
+// The features as they are written.
+Result<std::vector<Feature>> prepared(const LineWork& work, LineFormat format, const LineWriteOptions& options) {
+  const bool map =
+      options.coordinates == Coordinates::Map || (options.coordinates == Coordinates::Detect && needs_map(format));
+  if (options.coordinates == Coordinates::Section && needs_map(format)) {
+    return Error{ErrorCode::InvalidOption, "MOVE and GOCAD files have three coordinates; leave out --to-coordinates"};
+  }
+  if (map && format == LineFormat::Wkt) {
+    return Error{ErrorCode::InvalidOption, "WKT is written with section coordinates only; choose another format"};
+  }
+  return map ? out_of_plane(work.features, work.trace.value_or(Trace{})) : work.features;
+}
+
+}  // namespace
+
+Result<std::string> lines_text(const LineWork& work, const LineWriteOptions& options,
+                               std::vector<std::string>& remarks) {
+  const LineFormat format = options.format.value_or(work.format);
+  DOBRA_TRY(const std::vector<Feature> features, prepared(work, format, options));
+  remark_losses(work.features, format, remarks);
+  return text_in(format, features, !features.empty() && !features[0].heights.empty());
+}
+
+Result<void> write_any_lines(const std::string& path, const LineWork& work, const LineWriteOptions& options,
+                             std::vector<std::string>& remarks) {
+  LineWriteOptions chosen = options;
+  if (!chosen.format) {
+    DOBRA_TRY(chosen.format, line_format_of(path));
+  }
+  const LineFormat format = *chosen.format;
+  if (format != LineFormat::Shapefile && format != LineFormat::GeoPackage) {
+    auto text = lines_text(work, chosen, remarks);
+    if (!text) return base::located(text.error(), Place{.file = path});
+    return write_file(path, *text);
+  }
+  DOBRA_TRY(const std::vector<Feature> features, prepared(work, format, chosen));
+  return format == LineFormat::Shapefile ? write_shapefile(path, features) : write_geopackage(path, features);
+}
+
+}  // namespace dobra::io

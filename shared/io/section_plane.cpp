@@ -1,0 +1,122 @@
+#include "shared/io/section_plane.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dobra::io {
+
+using base::Error;
+using base::ErrorCode;
+using base::Result;
+using geom::Point;
+using geom::Vector;
+
+namespace {
+
+template <class Visitor>
+void for_each_point(const std::vector<Feature>& features, Visitor&& visit) {
+  for (const Feature& feature : features) {
+    for (const geom::Polyline& part : feature.parts) {
+      for (const Point p : part.points) visit(p);
+    }
+  }
+}
+
+// Eastwards; northwards where there is no east in it.
+Vector canonical(Vector direction) {
+  const bool back = direction.x < 0.0 || (direction.x == 0.0 && direction.y < 0.0);
+  return back ? -direction : direction;
+}
+
+}  // namespace
+
+Result<Trace> fit_trace(const std::vector<Feature>& features) {
+  geom::Box box;
+  double count = 0.0;
+  Vector sum;
+  for_each_point(features, [&](Point p) { box.add(p), count += 1.0; });
+  if (count == 0.0 || (box.width() == 0.0 && box.height() == 0.0)) {
+    return Error{ErrorCode::BadFormat, "all points stand over one place on the map: no section plane can be found"};
+  }
+  // An axis is kept exactly, so that such files come back as they were.
+  if (box.height() == 0.0) return Trace{0.0, box.low.y, 1.0, 0.0};
+  if (box.width() == 0.0) return Trace{box.low.x, 0.0, 0.0, 1.0};
+  const Point middle = box.centre();  // sums about it do not lose digits to large map coordinates
+  for_each_point(features, [&](Point p) { sum = sum + (p - middle); });
+  const Point mean = middle + sum / count;
+  double xx = 0.0;
+  double xy = 0.0;
+  double yy = 0.0;
+  for_each_point(features, [&](Point p) {
+    const Vector v = p - mean;
+    xx += v.x * v.x;
+    xy += v.x * v.y;
+    yy += v.y * v.y;
+  });
+  const double angle = 0.5 * std::atan2(2.0 * xy, xx - yy);
+  const Vector along = canonical({std::cos(angle), std::sin(angle)});
+  double first = 0.0;
+  for_each_point(features, [&](Point p) { first = std::min(first, geom::dot(p - mean, along)); });
+  const Point origin = mean + first * along;
+  return with_misfit({origin.x, origin.y, along.x, along.y}, features);
+}
+
+Result<Trace> trace_between(Point from, Point to) {
+  const double length = geom::distance(from, to);
+  if (!(length > 0.0) || !std::isfinite(length)) {
+    return Error{ErrorCode::InvalidOption, "the trace begins and ends at one place; give two different ones"};
+  }
+  const Vector along = (to - from) / length;
+  return Trace{from.x, from.y, along.x, along.y};
+}
+
+Trace with_misfit(Trace trace, const std::vector<Feature>& features) {
+  double count = 0.0;
+  double squares = 0.0;
+  trace.largest_misfit = 0.0;
+  for_each_point(features, [&](Point p) {
+    const double off = std::abs(geom::cross({trace.east, trace.north}, p - Point{trace.x, trace.y}));
+    trace.largest_misfit = std::max(trace.largest_misfit, off);
+    squares += off * off;
+    count += 1.0;
+  });
+  trace.mean_misfit = count > 0.0 ? std::sqrt(squares / count) : 0.0;
+  return trace;
+}
+
+Result<void> lay_into_plane(std::vector<Feature>& features, const Trace& trace) {
+  const Vector along{trace.east, trace.north};
+  for (std::size_t k = 0; k < features.size(); ++k) {
+    Feature& feature = features[k];
+    const std::vector<std::size_t> rings = rings_of(feature);
+    for (std::size_t i = 0; i < feature.parts.size(); ++i) {
+      for (std::size_t j = 0; j < feature.parts[i].points.size(); ++j) {
+        Point& p = feature.parts[i].points[j];
+        p = {geom::dot(p - Point{trace.x, trace.y}, along), feature.heights[i][j]};
+      }
+    }
+    feature.heights.clear();
+    if (auto laid = normalise(feature, rings); !laid) {
+      return base::located(base::located(laid.error(), feature.source), base::Place{.item = item_of(k + 1, feature)});
+    }
+  }
+  return {};
+}
+
+std::vector<Feature> out_of_plane(std::vector<Feature> features, const Trace& trace) {
+  for (Feature& feature : features) {
+    feature.heights.clear();
+    for (geom::Polyline& part : feature.parts) {
+      std::vector<double>& heights = feature.heights.emplace_back();
+      for (Point& p : part.points) {
+        heights.push_back(p.y);
+        p = {trace.x + p.x * trace.east, trace.y + p.x * trace.north};
+      }
+    }
+  }
+  return features;
+}
+
+}  // namespace dobra::io

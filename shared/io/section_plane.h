@@ -1,0 +1,31 @@
+#pragma once
+// Lines on a vertical plane in space, as sections come out of 3D programs: the plane is found by least squares, its
+// misfit told, and the lines are laid into it; the trace takes them back. Page: docs/algorithms/section_plane.md.
+
+#include "shared/base/result.h"
+#include "shared/io/feature.h"
+
+namespace dobra::io {
+
+/// The vertical plane nearest to all points of the features: its trace is the line of least squares (of distances) of
+/// their places on the map. It runs towards the east (north where it is due north), and begins at the first point along
+/// it; a plane exactly along the x or the y axis keeps that axis's coordinate instead.
+/// @pre   every feature has heights.
+/// @error BadFormat: all points stand over one place.
+/// @cost  O(points).
+base::Result<Trace> fit_trace(const std::vector<Feature>& features);
+
+/// The trace from one place on the map to another, without misfits. @error InvalidOption: the two are one.
+base::Result<Trace> trace_between(geom::Point from, geom::Point to);
+
+/// `trace` with the misfits of these features. @pre every feature has heights.
+Trace with_misfit(Trace trace, const std::vector<Feature>& features);
+
+/// Lays the features into the plane: x along the trace, y the height; heights are dropped.
+/// @error DegenerateCurve with the feature and the place: nothing but one point is left of a line.
+base::Result<void> lay_into_plane(std::vector<Feature>& features, const Trace& trace);
+
+/// The reverse: map coordinates and heights.
+std::vector<Feature> out_of_plane(std::vector<Feature> features, const Trace& trace);
+
+}  // namespace dobra::io

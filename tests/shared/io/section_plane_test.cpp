@@ -1,0 +1,98 @@
+#include "shared/io/section_plane.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace dobra::io {
+namespace {
+
+using geom::Point;
+
+/// Lines on the plane through (500000, 7400000) that runs towards `degrees` from the east, `off` metres beside it.
+std::vector<Feature> lines_on(double degrees, double off, std::vector<Feature>* flat = nullptr) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  const double a = degrees * 3.14159265358979323846 / 180.0;
+  std::vector<Feature> features(3);
+  for (Feature& feature : features) {
+    Feature in_plane;
+    feature.parts.emplace_back();
+    feature.heights.emplace_back();
+    in_plane.parts.emplace_back();
+    for (int i = 0; i < 200; ++i) {
+      const double s = 50.0 * i;
+      const double z = 1000.0 * uniform(random);
+      const double d = off * uniform(random);
+      feature.parts[0].points.push_back(
+          {500000.0 + s * std::cos(a) - d * std::sin(a), 7400000.0 + s * std::sin(a) + d * std::cos(a)});
+      feature.heights[0].push_back(z);
+      in_plane.parts[0].points.push_back({s, z});
+    }
+    if (flat != nullptr) flat->push_back(in_plane);
+  }
+  return features;
+}
+
+TEST(SectionPlane, AnExactPlaneIsFoundAndTheLinesComeBack) {
+  for (const double degrees : {0.0, 30.0, 89.9, 90.0, -45.0, 10.0}) {
+    std::vector<Feature> expected;
+    const std::vector<Feature> given = lines_on(degrees, 0.0, &expected);
+    const auto trace = fit_trace(given);
+    ASSERT_TRUE(trace.ok());
+    EXPECT_NEAR(trace->east, std::cos(degrees * 3.14159265358979323846 / 180.0), 1e-9) << degrees;
+    EXPECT_LT(trace->largest_misfit, 1e-8);
+    std::vector<Feature> laid = given;
+    ASSERT_TRUE(lay_into_plane(laid, *trace).ok());
+    const double shift = laid[0].parts[0].points[0].x;  // an axis keeps its own coordinate
+    for (std::size_t i = 0; i < 200; ++i) {
+      EXPECT_NEAR(laid[1].parts[0].points[i].x - shift, expected[1].parts[0].points[i].x, 1e-8);
+      EXPECT_EQ(laid[1].parts[0].points[i].y, expected[1].parts[0].points[i].y);
+    }
+    const std::vector<Feature> back = out_of_plane(laid, *trace);
+    for (std::size_t i = 0; i < 200; ++i) {
+      EXPECT_NEAR(geom::distance(back[2].parts[0].points[i], given[2].parts[0].points[i]), 0.0, 2e-9);
+      EXPECT_EQ(back[2].heights[0][i], given[2].heights[0][i]);
+    }
+  }
+}
+
+TEST(SectionPlane, TheMisfitIsThatOfThePoints) {
+  const auto trace = fit_trace(lines_on(30.0, 2.0));
+  ASSERT_TRUE(trace.ok());
+  EXPECT_NEAR(trace->largest_misfit, 2.0, 0.1);
+  EXPECT_NEAR(trace->mean_misfit, 2.0 / std::sqrt(3.0), 0.05);  // of a uniform distribution
+}
+
+TEST(SectionPlane, PlanesAlongAnAxisKeepItsCoordinateToTheLastBit) {
+  std::vector<Feature> features{{.parts = {{{{0.1, 7.3}, {2.0 / 3.0, 7.3}}, false}}, .heights = {{1, 2}}}};
+  const auto trace = fit_trace(features);
+  ASSERT_TRUE(trace.ok());
+  const std::vector<Feature> given = features;
+  ASSERT_TRUE(lay_into_plane(features, *trace).ok());
+  EXPECT_EQ(features[0].parts[0].points, (std::vector<Point>{{0.1, 1}, {2.0 / 3.0, 2}}));
+  EXPECT_EQ(out_of_plane(features, *trace), given);
+  EXPECT_EQ(fit_trace({{.parts = {{{{3, 0.1}, {3, 0.7}}, false}}, .heights = {{1, 2}}}})->north, 1.0);
+}
+
+TEST(SectionPlane, PolygonsKeepContoursAndHolesFromEitherSide) {
+  Feature unit{.type = FeatureType::Polygons,
+               .parts = {{{{0, 0}, {4, 4}, {4, 4}, {0, 0}}, true}, {{{1, 1}, {1, 1}, {3, 3}}, true}},
+               .heights = {{0, 0, 4, 4}, {1, 3, 1}}};
+  ASSERT_TRUE(normalise(unit, {0, 1}).ok());
+  for (const Point to : {Point{1, 1}, Point{-1, -1}}) {
+    std::vector<Feature> features{unit};
+    ASSERT_TRUE(lay_into_plane(features, *trace_between({0, 0}, to)).ok());
+    EXPECT_GT(geom::signed_area(features[0].parts[0]), 0.0);
+    EXPECT_LT(geom::signed_area(features[0].parts[1]), 0.0);
+  }
+}
+
+TEST(SectionPlane, PointsOverOnePlaceHaveNoPlane) {
+  EXPECT_FALSE(fit_trace({{.parts = {{{{1, 1}, {1, 1}}, false}}, .heights = {{1, 2}}}}).ok());
+  EXPECT_FALSE(trace_between({1, 1}, {1, 1}).ok());
+}
+
+}  // namespace
+}  // namespace dobra::io
