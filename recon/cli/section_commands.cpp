@@ -24,13 +24,8 @@ using base::Result;
 using dobra::cli::Job;
 using dobra::cli::Session;
 
-struct SectionOptions {
-  std::string file;
-  FileConvention convention;
-};
-
 struct RestoreOptions {
-  SectionOptions section;
+  SectionFile section;
   std::string top;
   std::string method = "constant";
   std::string target = "flat";
@@ -54,7 +49,7 @@ struct RestoreOptions {
 };
 
 struct BalanceOptions {
-  SectionOptions section;
+  SectionFile section;
   std::optional<double> tolerance;
   std::optional<double> confidence;
   std::vector<double> thickness;
@@ -63,18 +58,12 @@ struct BalanceOptions {
   std::optional<double> width;
 };
 
-void add_section_options(CLI::App& app, SectionOptions& options) {
+void add_section_options(CLI::App& app, SectionFile& options) {
   app.add_option("file", options.file,
-                 "The section: a scenario (.toml), or lines (.geojson .json .wkt .dxf .csv .txt ...)")
+                 "The section: a scenario (.toml), or lines (.geojson .shp .gpkg .dxf .asc .pl .wkt .csv .txt ...)")
       ->required()
       ->type_name("FILE");
-  app.add_option("--unit", options.convention.unit, "Unit of the file: m (default), km or ft")
-      ->check(CLI::IsMember({"m", "km", "ft"}))
-      ->type_name("NAME");
-  app.add_option("--y-axis", options.convention.y_axis, "Second coordinate grows up (default) or down")
-      ->check(CLI::IsMember({"up", "down"}))
-      ->type_name("NAME");
-  app.add_option("--reference", options.convention.reference, "Value of y at z = 0 where y grows down")->type_name("Y");
+  dobra::cli::add_line_options(app, options.lines);
 }
 
 template <class T>
@@ -100,15 +89,20 @@ scenario::Step step(const char* operation, scenario::Table params) {
   return {operation, "", std::move(params), "", {}};
 }
 
-Result<scenario::Document> restore_document(const RestoreOptions& options) {
-  DOBRA_TRY(scenario::Document document, section_document(options.section.file, options.section.convention));
+Result<scenario::Document> restore_document(Session& session, const RestoreOptions& options) {
+  DOBRA_TRY(scenario::Document document, section_document(session, options.section));
   scenario::Table grid;
   set(grid, "top", options.top);
   set(grid, "simplify", options.simplify);
   scenario::Table target;
   if (options.target != "flat") {
     target.set("shape", std::string("line"));
-    target.set("file", as_seen_from(document, options.target));
+    if (document.file.empty()) {
+      DOBRA_TRY(std::vector<dobra::geom::Point> line, only_line(options.target, options.section.lines));
+      target.set("points", std::move(line));
+    } else {
+      target.set("file", as_seen_from(document, options.target));
+    }
   }
   set(target, "pin", options.pin);
   set(target, "elevation", options.elevation);
@@ -154,7 +148,7 @@ Result<void> write_out(Session& session, const std::filesystem::path& out, scena
 Result<int> restore_job(Session& session, const RestoreOptions& options) {
   if (options.out && options.out->extension() != ".toml")
     DOBRA_TRY_VOID(dobra::cli::check_ending(*options.out, dobra::cli::Drawer::Cairo));
-  DOBRA_TRY(const scenario::Document document, restore_document(options));
+  DOBRA_TRY(const scenario::Document document, restore_document(session, options));
   DOBRA_TRY_VOID(scenario::check(document, session.program));
   DOBRA_TRY(const scenario::Run run, dobra::cli::run_steps(session, document));
   const auto& model = scenario::model_of<core::Model>(run.states.back());
@@ -167,12 +161,15 @@ Result<int> restore_job(Session& session, const RestoreOptions& options) {
 }
 
 Result<int> balance_job(Session& session, const BalanceOptions& options) {
-  DOBRA_TRY(scenario::Document document, section_document(options.section.file, options.section.convention));
   const bool by_area = !options.thickness.empty();
+  SectionFile section = options.section;
+  // Further columns are the errors of the vertices, which the step itself reads.
+  if (by_area && section.lines.columns.empty()) section.lines.columns = "1,2";
+  DOBRA_TRY(scenario::Document document, section_document(session, section));
   scenario::Table params;
   if (by_area) {
     params.set("file", as_seen_from(document, options.section.file));
-    set(params, "unit", options.section.convention.unit);
+    set(params, "unit", options.section.lines.unit);
     set(params, "thickness", options.thickness);
     set(params, "thickness_error", options.thickness_error);
     set(params, "width_points", options.width_points);

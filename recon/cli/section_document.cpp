@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <set>
 
-#include "shared/io/curves.h"
-#include "shared/io/geojson.h"
+#include "shared/cli/session.h"
+#include "shared/io/line_files.h"
 
 namespace recon::cli {
 
@@ -53,55 +53,49 @@ std::string key_of(const io::Feature& feature) {
   return "horizon";
 }
 
-base::Result<void> add_geojson(const std::string& file, InputTables& tables) {
-  DOBRA_TRY(const io::Features read, io::read_geojson(file));
-  std::size_t number = 0;
-  for (const io::Feature& feature : read.features) {
-    ++number;
-    for (const dobra::geom::Polyline& part : feature.parts) {
-      const std::string name = feature.name.empty() ? fmt::format("feature {}", number) : feature.name;
-      tables.add(key_of(feature), name, part.points);
-    }
-  }
-  return {};
-}
-
-bool ends_with_any(std::string name, std::initializer_list<const char*> endings) {
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
-  return std::any_of(endings.begin(), endings.end(), [&](const char* ending) { return name.ends_with(ending); });
-}
-
 }  // namespace
 
-base::Result<scenario::Document> section_document(const std::string& file, const FileConvention& convention) {
-  if (ends_with_any(file, {".toml"})) {
-    if (!convention.unit.empty() || !convention.y_axis.empty()) {
+base::Result<scenario::Document> section_document(dobra::cli::Session& session, const SectionFile& section) {
+  if (std::filesystem::path(section.file).extension() == ".toml") {
+    if (section.lines != dobra::cli::LineOptionTexts{}) {
       return base::Error{base::ErrorCode::BadUsage,
-                         "--unit and --y-axis are for files of lines; a scenario says it in its [input]"};
+                         "options such as --unit are for files of lines; a scenario says it in its [input]"};
     }
-    DOBRA_TRY(scenario::Document document, scenario::read_document(file));
+    DOBRA_TRY(scenario::Document document, scenario::read_document(section.file));
     document.steps.clear();
     document.expects.clear();
     return document;
   }
+  DOBRA_TRY(const io::LineOptions options, dobra::cli::line_options(section.lines));
+  DOBRA_TRY(const io::LineWork work, io::read_any_lines(section.file, options));
+  for (const std::string& remark : work.remarks) session.note(remark);
+  for (const io::Repair& repair : work.repairs) session.note(io::to_string(repair));
   InputTables tables;
-  if (ends_with_any(file, {".geojson", ".json"})) {
-    DOBRA_TRY_VOID(add_geojson(file, tables));
-  } else {
-    DOBRA_TRY(const io::Curves read, io::read_curves(file));
-    for (const io::NamedCurve& curve : read.curves)
-      tables.add(curve.line.closed ? "polygon" : "horizon", curve.name, curve.line.points);
+  std::size_t number = 0;
+  for (const io::Feature& feature : work.features) {
+    ++number;
+    const std::string name = feature.name.empty() ? fmt::format("feature {}", number) : feature.name;
+    for (const dobra::geom::Polyline& part : feature.parts) tables.add(key_of(feature), name, part.points);
   }
   scenario::Document document;
   document.program = "recon";
-  document.title = file;
-  if (!convention.unit.empty()) document.input.set("unit", convention.unit);
-  if (!convention.y_axis.empty()) {
-    document.input.set("y_axis", convention.y_axis);
-    document.input.set("reference", convention.reference);
-  }
+  document.title = section.file;
   tables.write(document.input);
   return document;
+}
+
+base::Result<std::vector<Point>> only_line(const std::string& file, const dobra::cli::LineOptionTexts& lines) {
+  DOBRA_TRY(const io::LineOptions options, dobra::cli::line_options(lines));
+  DOBRA_TRY(io::LineWork work, io::read_any_lines(file, options));
+  std::vector<std::vector<Point>> found;
+  for (io::Feature& feature : work.features) {
+    if (feature.type != io::FeatureType::Lines) continue;
+    for (dobra::geom::Polyline& part : feature.parts) found.push_back(std::move(part.points));
+  }
+  if (found.size() == 1) return std::move(found.front());
+  return base::located({base::ErrorCode::BadFormat,
+                        fmt::format("{} lines in the file; a target is one line, so keep just that one", found.size())},
+                       {.file = file});
 }
 
 }  // namespace recon::cli

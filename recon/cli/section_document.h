@@ -3,24 +3,26 @@
 
 #include <string>
 
-#include "shared/base/result.h"
+#include "shared/cli/convert_command.h"
 #include "shared/scenario/document.h"
 
 namespace recon::cli {
 
-/// How coordinates of a file of lines are to be read; empty where the user has not said.
-struct FileConvention {
-  std::string unit;    ///< "m", "km", "ft"
-  std::string y_axis;  ///< "up", "down"
-  double reference = 0.0;
+/// A file that holds the section, and how its lines are to be read.
+struct SectionFile {
+  std::string file;
+  dobra::cli::LineOptionTexts lines;
 };
 
-/// A document of RECON with an input and without steps.
-/// @param file a scenario (.toml); GeoJSON, whose property kind (horizon, fault, pin, loose, unit, marker) says what
-/// each
-///             feature is; or any other file of curves, all of them horizons.
-/// @error those of the readers; BadUsage for a convention beside a scenario, which has its own.
-dobra::base::Result<dobra::scenario::Document> section_document(const std::string& file,
-                                                                const FileConvention& convention);
+/// A document of RECON with an input and without steps; what was changed on reading becomes notes of the session.
+/// @param section a scenario (.toml), or lines in any format of read_any_lines, whose property kind (horizon, fault,
+///                pin, loose) says what each one is, a horizon where there is none; polygons are units, points markers.
+/// @error those of the readers; BadUsage for options of lines beside a scenario, which has its own.
+dobra::base::Result<dobra::scenario::Document> section_document(dobra::cli::Session& session,
+                                                                const SectionFile& section);
+
+/// The only line of a file, read with the options of the section's file. @error those of the reader; BadFormat.
+dobra::base::Result<std::vector<dobra::geom::Point>> only_line(const std::string& file,
+                                                               const dobra::cli::LineOptionTexts& lines);
 
 }  // namespace recon::cli

@@ -30,6 +30,7 @@ struct LineOptionTexts {
   std::optional<double> gaps;
   std::optional<double> snap;
   std::optional<double> slivers;
+  bool operator==(const LineOptionTexts&) const = default;
 };
 void add_line_options(CLI::App& app, LineOptionTexts& texts);
 /// @error BadUsage naming the option.
