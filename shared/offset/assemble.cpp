@@ -143,11 +143,12 @@ OffsetPiece Trimmer::output(const Chain& chain) const {
       writer.add_arc({a.x, a.y}, piece.step());
     }
   };
+  Outline::Ends ends(outline_);
   // A section that goes on in the piece where the one before stopped adds nothing there.
   const auto write_section = [&](const Section& s, std::uint32_t previous, std::uint32_t first, std::uint32_t last) {
     for (std::uint32_t k = first; k <= last; ++k) {
       if (k == s.first && k == previous) continue;
-      write(k == s.first ? flat(nodes_[s.from].at) : start(k), k);
+      write(k == s.first ? flat(nodes_[s.from].at) : place_of(pieces_[k], true, ends), k);
     }
   };
   if (!chain.closed) {

@@ -23,6 +23,8 @@ class ChainTree {
   };
   /// The bits of all directions from u anticlockwise to v, less than half a turn, with a bit to spare on both sides.
   static std::uint64_t directions_of(Flat u, Flat v);
+  /// All of them lie in an open half-plane.
+  static bool fits_half_plane(std::uint64_t directions);
 
   /// In the order of the chain. @cost O(n).
   explicit ChainTree(const std::vector<Leaf>& leaves) : count_(leaves.size()) {
@@ -59,7 +61,6 @@ class ChainTree {
     [[nodiscard]] Range left() const { return {node + 1, first, (first + last) / 2}; }
     [[nodiscard]] Range right() const { return {node + 2 * ((first + last) / 2 - first), (first + last) / 2, last}; }
   };
-  static bool fits_half_plane(std::uint64_t directions);
   void build(std::size_t node, std::size_t first, std::size_t last, const std::vector<Leaf>& leaves);
 
   template <class Visit>

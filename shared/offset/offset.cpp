@@ -91,10 +91,14 @@ bool meets_itself(const BaseCurve& base) {
   bool meets = false;
   ChainTree(leaves).for_each_pair([&](std::size_t a, std::size_t b) {
     if (meets) return;
+    FloatBox boxes[leaf];  // of b
+    const std::size_t end = std::min(leaf * (b + 1), count);
+    for (std::size_t j = leaf * b; j < end; ++j) boxes[j - leaf * b] = box(j);
     for (std::size_t i = leaf * a; i < std::min(leaf * (a + 1), count); ++i) {
       const FloatBox own = box(i);
-      for (std::size_t j = std::max(i + 2, leaf * b); j < std::min(leaf * (b + 1), count); ++j) {
-        if ((i == 0 && j + 1 == count) || !own.overlaps(box(j))) continue;
+      if (!own.overlaps(leaves[b].box)) continue;
+      for (std::size_t j = std::max(i + 2, leaf * b); j < end; ++j) {
+        if (!own.overlaps(boxes[j - leaf * b]) || (i == 0 && j + 1 == count)) continue;
         meets = meets || geom::intersect({base.start(i), base.end(i)}, {base.start(j), base.end(j)}).kind !=
                              geom::IntersectionKind::None;
       }
@@ -177,10 +181,12 @@ void ascending(std::span<const double> distances, Buried& known, const Body& bod
   }
 }
 
-void add_clearance(Prepared& input, const OffsetOptions& options) {
-  if (options.treatment == Treatment::Treated && !input.forward) {
-    input.clearance = std::make_unique<Clearance>(input.base, options);
-  }
+void add_clearance(Prepared& input, std::span<const double> distances, const OffsetOptions& options) {
+  if (options.treatment != Treatment::Treated || input.forward) return;
+  auto made = std::make_unique<Clearance>(input.base, options);
+  constexpr std::size_t several = 4;
+  if (!input.simple && distances.size() >= several) made->find_gaps(std::ranges::min(distances), std::ranges::max(distances));
+  input.clearance = std::move(made);
 }
 
 /// The power of two that is the extent of a curve, or 1 if there is none.
@@ -210,7 +216,7 @@ Result<std::vector<OffsetCurve>> offset_near_one(const geom::Polyline& curve, st
   Prepared input;
   if (!stepped && !extended) {
     input = prepared(curve, std::move(base), options, distances.empty() ? 0.0 : std::ranges::max(distances));
-    add_clearance(input, options);
+    add_clearance(input, distances, options);
   }
   std::size_t finished = 0;
   std::mutex report;
@@ -223,7 +229,7 @@ Result<std::vector<OffsetCurve>> offset_near_one(const geom::Polyline& curve, st
     } else if (extended) {
       DOBRA_TRY(BaseCurve longer, prepare(curve, options.side, options.extension * d));
       Prepared own = prepared(curve, std::move(longer), options, d);
-      add_clearance(own, options);
+      add_clearance(own, {&d, 1}, options);
       result = curve_at(own, d, options, progress);
     } else {
       result = curve_at(input, d, options, progress, memory);

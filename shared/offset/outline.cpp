@@ -87,17 +87,8 @@ template VecOf<double> Outline::middle_of_turn<double>(std::uint32_t) const;
 template VecOf<Real> Outline::middle_of_turn<Real>(std::uint32_t) const;
 template VecOf<High> Outline::middle_of_turn<High>(std::uint32_t) const;
 
-Flat Outline::start_of(Site s) const {
-  if (s.role == Role::Line) return junction(before(s.step)).start;
-  if (s.role == Role::SecondArc) return centre(s) + d_ * middle_of_turn<double>(s.step);
-  return junction(s.step).end;
-}
-
-Flat Outline::end_of(Site s) const {
-  if (s.role == Role::Line) return junction(s.step).end;
-  if (s.role == Role::Arc && splits_arc(s.step)) return centre(s) + d_ * middle_of_turn<double>(s.step);
-  return junction(s.step).start;
-}
+Flat Outline::start_of(Site s) const { return Ends(*this).start_of(s); }
+Flat Outline::end_of(Site s) const { return Ends(*this).end_of(s); }
 
 bool Outline::deep_in_mitre(Flat q, std::uint32_t step, bool at_end, double margin) const {
   const std::uint32_t at = at_end ? step : before(step);

@@ -103,6 +103,23 @@ class Outline {
   [[nodiscard]] Flat start_of(Site s) const;
   [[nodiscard]] Flat end_of(Site s) const;
   [[nodiscard]] Flat centre(Site s) const { return to<double>(s.step); }
+  /// The same for pieces in the order of the walk, of which neighbours share a junction.
+  class Ends {
+   public:
+    explicit Ends(const Outline& outline) : outline_(outline) {}
+    [[nodiscard]] Flat start_of(Site s);
+    [[nodiscard]] Flat end_of(Site s);
+
+   private:
+    const Junction& at(std::uint32_t step) {
+      if (step != step_) junction_ = outline_.junction(step);
+      step_ = step;
+      return junction_;
+    }
+    const Outline& outline_;
+    std::uint32_t step_ = std::numeric_limits<std::uint32_t>::max();
+    Junction junction_{};
+  };
 
   /// True if p lies nearer than D - margin to the segment, or as deep in a mitre at one of its ends.
   [[nodiscard]] bool deep_inside(Flat p, std::uint32_t step, double margin) const {
@@ -120,6 +137,12 @@ class Outline {
 
  private:
   [[nodiscard]] bool deep_in_mitre(Flat q, std::uint32_t step, bool at_end, double margin) const;
+  /// At an inner corner: beyond the bisector each line is nearer than D to the other segment, provided that this reaches so far. Where
+  /// it only just does, the answer no is the safe one: it leaves it to the cuts.
+  [[nodiscard]] bool meets(double half_tan, double span, double next) const {
+    const double reach = d_ * half_tan * (1 + 1e-12);
+    return reach < span && reach < next;
+  }
 
   const BaseCurve& base_;
   const std::vector<Corner>& corners_;
@@ -136,13 +159,36 @@ inline Corner Outline::corner(std::uint32_t step) const {
   const double t = base_.half_tans[at];
   if (step >= n_) kind = kind == Corner::Meet || std::isinf(t) ? Corner::Arc : Corner::Meet;
   if (kind != Corner::Meet) return kind;
-  // Beyond the bisector each line is nearer than D to the other segment, provided that this reaches so far. Where it only just does,
-  // Apart is the safe answer: it leaves it to the cuts.
-  const double reach = d_ * t * (1 + 1e-12);
-  return reach < span(step) && reach < span(after(step)) ? Corner::Meet : Corner::Apart;
+  return meets(t, span(step), span(after(step))) ? Corner::Meet : Corner::Apart;
+}
+
+inline Flat Outline::Ends::start_of(Site s) {
+  if (s.role == Role::Line) return at(outline_.before(s.step)).start;
+  if (s.role == Role::SecondArc) return outline_.centre(s) + outline_.d_ * outline_.middle_of_turn<double>(s.step);
+  return at(s.step).end;
+}
+
+inline Flat Outline::Ends::end_of(Site s) {
+  if (s.role == Role::Line) return at(s.step).end;
+  if (s.role == Role::Arc && outline_.splits_arc(s.step)) {
+    return outline_.centre(s) + outline_.d_ * outline_.middle_of_turn<double>(s.step);
+  }
+  return at(s.step).start;
 }
 
 inline Outline::Junction Outline::junction(std::uint32_t step) const {
+  if (step + 1 < n_ && corners_[step + 1] <= Corner::Meet) {  // what is asked for most, without the detours
+    const std::size_t at = step + 1;
+    const Flat p = flat(base_.points[at]);
+    const Flat next = p + d_ * right_of(flat(base_.headings[at]));
+    if (corners_[at] == Corner::Straight) return {Corner::Straight, next, next};
+    const Flat u = flat(base_.headings[step]);
+    const Flat foot = p + d_ * right_of(u);
+    const double t = base_.half_tans[at];
+    if (!meets(t, base_.spans[step], base_.spans[at])) return {Corner::Apart, foot, next};
+    const Flat meet = foot - (d_ * t) * u;
+    return {Corner::Meet, meet, meet};
+  }
   const Corner kind = corner(step);
   const Flat p = to<double>(step);
   const Flat u = along<double>(step);

@@ -19,8 +19,10 @@ Pairing::Pairing(const Outline& outline, const Clearance& clearance, Survivors& 
       margin_(10 * clearance.margin(outline.distance())) {}
 
 Pairing::Pairs Pairing::run(const Buried& known, Buried* found) {
-  const ChainTree tree(make_groups());
+  make_groups();
+  const ChainTree tree = crowd_tree();
   pair_own(tree);
+  pair_alone();
   if (!progress_.cancelled()) pair_scissors(tree, known, found);
   return std::move(pairs_);
 }
@@ -47,20 +49,19 @@ Pairing::Shape Pairing::shape(Site site, std::uint32_t piece, Flat a, Flat b) co
 template <class Visit>
 void Pairing::each_shape(const Group& group, const Visit& visit) const {
   Flat end{};
+  Outline::Ends ends(outline_);
   for (std::uint32_t k = group.first; k < group.last; ++k) {
     const Piece& p = chain_.pieces[k];
-    const Flat start = k > group.first && p.linked() ? end : chain_.start(outline_, p);
-    end = chain_.end(outline_, p);
+    const Flat start = k > group.first && p.linked() ? end : chain_.start(ends, p);
+    end = chain_.end(ends, p);
     visit(shape(p.site(), k, start, end));
   }
 }
 
-std::vector<ChainTree::Leaf> Pairing::make_groups() {
+void Pairing::make_groups() {
   const auto& blocks = clearance_.blocks();
   const auto& pieces = chain_.pieces;
   const double d = outline_.distance();
-  groups_.clear();
-  std::vector<ChainTree::Leaf> leaves;
   for (std::uint32_t first = 0; first < wanted_;) {
     const std::uint32_t block = pieces[first].step() / Block::size;
     std::uint32_t last = first + 1;
@@ -73,11 +74,11 @@ std::vector<ChainTree::Leaf> Pairing::make_groups() {
       leaf.box = {};
       each_shape({first, last}, [&](const Shape& p) { leaf.box.add(p.box); });
     }
-    leaves.push_back(leaf);
+    leaves_.push_back(leaf);
+    alone_.push_back(clearance_.is_alone(block, d));
     groups_.push_back({first, last});
     first = last;
   }
-  return leaves;
 }
 
 void Pairing::add_runs(Bunch& bunch) {
@@ -147,26 +148,62 @@ bool Pairing::apart(const Shape& p, const Shape& q) const {
   return beyond_an_edge(p, q) || beyond_an_edge(q, p) || (p.is_arc() && in_disc(p, q)) || (q.is_arc() && in_disc(q, p));
 }
 
+ChainTree Pairing::crowd_tree() {
+  std::vector<ChainTree::Leaf> leaves;
+  for (std::uint32_t g = 0; g < groups_.size(); ++g) {
+    if (alone_[g]) continue;
+    leaves.push_back(leaves_[g]);
+    leaves.back().linked = leaves.back().linked && !alone_[g - 1];
+    crowd_.push_back(g);
+  }
+  return ChainTree(leaves);
+}
+
+void Pairing::pair_groups(std::size_t a, std::size_t b) {
+  const Bunch& first = cached(a);
+  const Bunch& second = a == b ? first : cached(b);
+  each_overlap(first, second, [&](std::size_t i0, std::size_t i1, std::size_t j0, std::size_t j1) {
+    for (std::size_t i = i0; i < i1; ++i) {
+      const Shape& p = first.shapes[i];
+      for (std::size_t j = j0; j < j1; ++j) {
+        const Shape& q = second.shapes[j];
+        if (!p.box.overlaps(q.box) || q.piece <= p.piece) continue;
+        if (q.piece == p.piece + 1 && chain_.pieces[q.piece].linked()) continue;
+        if (!apart(p, q)) pairs_.emplace_back(p.piece, q.piece);
+      }
+    }
+  });
+}
+
 void Pairing::pair_own(const ChainTree& tree) {
   std::size_t asked = 0;
   bool stop = false;
   tree.for_each_pair([&](std::size_t a, std::size_t b) {
     if (++asked % 1024 == 0) stop = stop || progress_.cancelled();
-    if (stop) return;
-    const Bunch& first = cached(a);
-    const Bunch& second = a == b ? first : cached(b);
-    each_overlap(first, second, [&](std::size_t i0, std::size_t i1, std::size_t j0, std::size_t j1) {
-      for (std::size_t i = i0; i < i1; ++i) {
-        const Shape& p = first.shapes[i];
-        for (std::size_t j = j0; j < j1; ++j) {
-          const Shape& q = second.shapes[j];
-          if (!p.box.overlaps(q.box) || q.piece <= p.piece) continue;
-          if (q.piece == p.piece + 1 && chain_.pieces[q.piece].linked()) continue;
-          if (!apart(p, q)) pairs_.emplace_back(p.piece, q.piece);
-        }
-      }
-    });
+    if (!stop) pair_groups(crowd_[a], crowd_[b]);
   });
+}
+
+/// Those that nothing but their neighbours may meet.
+void Pairing::pair_alone() {
+  const std::size_t count = groups_.size();
+  const auto pair = [&](std::size_t g, std::size_t h) {
+    const ChainTree::Leaf& own = leaves_[g];
+    const ChainTree::Leaf& next = leaves_[h];
+    if (own.connected && next.connected && (g == h || next.linked)) {
+      if (ChainTree::fits_half_plane(own.directions | next.directions)) return;
+      const double d = outline_.distance();
+      if (clearance_.is_harmless(block_of(g), d) && clearance_.is_harmless(block_of(h), d)) return;
+    }
+    if (own.box.overlaps(next.box)) pair_groups(g, h);
+  };
+  for (std::size_t g = 0; g < count; ++g) {
+    if (alone_[g]) pair(g, g);
+    if (g + 1 < count && (alone_[g] || alone_[g + 1]) && block_of(g + 1) == block_of(g) + 1) pair(g, g + 1);
+  }
+  const std::size_t blocks = clearance_.blocks().size();
+  if (!base_.closed || blocks < 3 || !(alone_.front() || alone_.back())) return;
+  if (block_of(0) == 0 && block_of(count - 1) + 1 == blocks) pair_groups(0, count - 1);
 }
 
 /// The pieces of a step of the other side, line and what is at its end.
@@ -215,6 +252,11 @@ void Pairing::cut_with(const Bunch& near, Cover& cover, Buried* found) {
       for (std::size_t j = j0; j < j1 && p.piece != buried; ++j) {
         const Shape& q = near.shapes[j];
         if (!p.box.overlaps(q.box) || apart(p, q)) continue;
+        // Where an end of the base begins or ends, line and cap only touch.
+        if (p.is_arc() && q.site.role == Role::Line && outline_.is_cap(p.site.step) &&
+            (q.site.step == p.site.step || q.site.step == outline_.after(p.site.step))) {
+          continue;
+        }
         if (p.piece == none && cover.covers(p.site, p.a, p.b)) {
           if (found != nullptr) found->add(p.site, cover.killer());
           p.piece = buried;
@@ -263,29 +305,55 @@ Pairing::Pairs Pairing::near_blocks(const ChainTree& tree) const {
   const auto& blocks = clearance_.blocks();
   const double d = outline_.distance();
   std::vector<ChainTree::Leaf> leaves;
-  leaves.reserve(blocks.size());
-  for (const Block& block : blocks) leaves.push_back({block.box(true, d, margin_), 0, false, false});
+  std::vector<std::uint32_t> of_leaf;
+  for (std::uint32_t k = 0; k < blocks.size(); ++k) {
+    if (clearance_.is_harmless(k, d) || clearance_.is_alone(k, d)) continue;
+    leaves.push_back({blocks[k].box(true, d, margin_), 0, false, false});
+    of_leaf.push_back(k);
+  }
   Pairs near;
-  ChainTree(leaves).for_each_overlap(tree, [&](std::size_t block, std::size_t group) {
-    near.emplace_back(static_cast<std::uint32_t>(block), static_cast<std::uint32_t>(group));
+  ChainTree(leaves).for_each_overlap(tree, [&](std::size_t leaf, std::size_t group) {
+    near.emplace_back(of_leaf[leaf], crowd_[group]);
   });
+  // What is alone has only neighbours.
+  const auto count = static_cast<std::uint32_t>(blocks.size());
+  const auto add = [&](std::uint32_t k, std::uint32_t g) {
+    if (clearance_.is_harmless(k, d) || !(alone_[g] || clearance_.is_alone(k, d))) return;
+    if (blocks[k].box(true, d, margin_).overlaps(leaves_[g].box)) near.emplace_back(k, g);
+  };
+  for (std::uint32_t g = 0; g < groups_.size(); ++g) {
+    const std::uint32_t own = block_of(g);
+    if (own > 0) add(own - 1, g);
+    add(own, g);
+    if (own + 1 < count) add(own + 1, g);
+    if (!base_.closed || count < 3) continue;
+    if (own == 0) add(count - 1, g);
+    if (own + 1 == count) add(0, g);
+  }
   std::sort(near.begin(), near.end());
   return near;
+}
+
+void Pairing::cut_by_caps(const ChainTree& tree, const Buried& known, Cover& cover, Buried* found) {
+  const auto n = static_cast<std::uint32_t>(base_.segment_count());
+  for (const std::uint32_t step : {n - 1, 2 * n - 1}) {
+    scissors_.shapes.clear();
+    add_scissors(step, outline_.junction(outline_.before(step)), outline_.junction(step), known);
+    std::erase_if(scissors_.shapes, [](const Shape& p) { return p.site.role == Role::Line; });
+    add_runs(scissors_);
+    tree.for_each_overlap(scissors_.box, [&](std::size_t i) { cut_with(cached(crowd_[i]), cover, found); });
+    const std::uint32_t block = outline_.segment(step) / Block::size;
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      const std::uint32_t own = block_of(g);
+      if (alone_[g] && own + 1 >= block && own <= block + 1) cut_with(cached(g), cover, found);
+    }
+  }
 }
 
 void Pairing::pair_scissors(const ChainTree& tree, const Buried& known, Buried* found) {
   if (outline_.sides() == Outline::Sides::Right) return;
   Cover cover(outline_, clearance_);
-  const auto n = static_cast<std::uint32_t>(base_.segment_count());
-  if (!base_.closed) {
-    for (const std::uint32_t step : {n - 1, 2 * n - 1}) {
-      scissors_.shapes.clear();
-      add_scissors(step, outline_.junction(outline_.before(step)), outline_.junction(step), known);
-      std::erase_if(scissors_.shapes, [](const Shape& p) { return p.site.role == Role::Line; });
-      add_runs(scissors_);
-      tree.for_each_overlap(scissors_.box, [&](std::size_t i) { cut_with(cached(i), cover, found); });
-    }
-  }
+  if (!base_.closed) cut_by_caps(tree, known, cover, found);
   const Pairs near = near_blocks(tree);
   std::uint32_t made = none;
   std::uint32_t judged = none;

@@ -50,7 +50,7 @@ class Pairing {
     std::uint32_t first, last;  ///< Pieces.
   };
 
-  [[nodiscard]] std::vector<ChainTree::Leaf> make_groups();
+  void make_groups();
   [[nodiscard]] Shape shape(Site site, std::uint32_t piece, Flat a, Flat b) const;
   template <class Visit>
   void each_shape(const Group& group, const Visit& visit) const;
@@ -64,8 +64,16 @@ class Pairing {
   [[nodiscard]] bool apart(const Shape& p, const Shape& q) const;
   [[nodiscard]] bool beyond_an_edge(const Shape& p, const Shape& q) const;
   [[nodiscard]] bool in_disc(const Shape& arc, const Shape& q) const;
+  /// The groups that others than their neighbours may meet.
+  [[nodiscard]] ChainTree crowd_tree();
   void pair_own(const ChainTree& tree);
+  void pair_alone();
+  void pair_groups(std::size_t a, std::size_t b);
+  [[nodiscard]] std::uint32_t block_of(std::size_t group) const {
+    return chain_.pieces[groups_[group].first].step() / Block::size;
+  }
   [[nodiscard]] Pairs near_blocks(const ChainTree& tree) const;
+  void cut_by_caps(const ChainTree& tree, const Buried& known, Cover& cover, Buried* found);
   [[nodiscard]] bool sides_apart(std::uint32_t block) const;
   void pair_scissors(const ChainTree& tree, const Buried& known, Buried* found);
   void make_scissors(std::uint32_t block, const Buried& known);
@@ -81,6 +89,9 @@ class Pairing {
   const std::uint32_t wanted_;  // the pieces before this one are of the right side, the others are scissors
   const double margin_;
   std::vector<Group> groups_;
+  std::vector<ChainTree::Leaf> leaves_;  // of the groups
+  std::vector<char> alone_;
+  std::vector<std::uint32_t> crowd_;  // groups that are not
   std::array<Bunch, 128> cache_;
   Bunch spare_;
   const Bunch* latest_ = nullptr;

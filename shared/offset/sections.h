@@ -100,12 +100,12 @@ class Trimmer {
   [[nodiscard]] Vec centre(Site s) const { return outline_.to<Real>(s.step); }
   [[nodiscard]] Vec direction(Site s) const;
   [[nodiscard]] std::uint32_t segment_of(std::uint32_t piece) const { return pieces_[piece].step(); }
-  [[nodiscard]] Flat start(std::uint32_t k) const { return place_of(pieces_[k], true); }
-  [[nodiscard]] Flat end(std::uint32_t k) const { return place_of(pieces_[k], false); }
-  [[nodiscard]] Flat place_of(const Piece& piece, bool start) const {
+  [[nodiscard]] Flat start(std::uint32_t k) const { return place_of(pieces_[k], true, outline_); }
+  [[nodiscard]] Flat end(std::uint32_t k) const { return place_of(pieces_[k], false, outline_); }
+  template <class Ends> [[nodiscard]] Flat place_of(const Piece& piece, bool start, Ends& ends) const {
     const std::uint32_t trim = start ? piece.trim_a : piece.trim_b;
     if (trim != Piece::none && clearance_.has_far_mitres()) return flat(end_of<Real>(piece, start).at);
-    return start ? chain_.start(outline_, piece) : chain_.end(outline_, piece);
+    return start ? chain_.start(ends, piece) : chain_.end(ends, piece);
   }
 
   const BaseCurve& base_;

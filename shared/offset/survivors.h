@@ -21,11 +21,12 @@ struct Trim {
 struct Survivors {
   std::vector<Piece> pieces;
   std::vector<Trim> trims;
-  [[nodiscard]] Flat start(const Outline& outline, const Piece& p) const {
-    return p.trim_a != Piece::none ? trims[p.trim_a].at : outline.start_of(p.site());
+  /// @param ends  the outline, or Outline::Ends.
+  template <class Ends> [[nodiscard]] Flat start(Ends& ends, const Piece& p) const {
+    return p.trim_a != Piece::none ? trims[p.trim_a].at : ends.start_of(p.site());
   }
-  [[nodiscard]] Flat end(const Outline& outline, const Piece& p) const {
-    return p.trim_b != Piece::none ? trims[p.trim_b].at : outline.end_of(p.site());
+  template <class Ends> [[nodiscard]] Flat end(Ends& ends, const Piece& p) const {
+    return p.trim_b != Piece::none ? trims[p.trim_b].at : ends.end_of(p.site());
   }
 };
 

@@ -1,0 +1,153 @@
+// Up to which distance the parts of a base cannot meet each other's parallels.
+
+#include <algorithm>
+#include <bit>
+
+#include "shared/offset/chain_tree.h"
+#include "shared/offset/clearance.h"
+
+namespace dobra::offset {
+
+namespace {
+
+constexpr std::size_t run = 4;  // segments
+
+double box_gap(const FloatBox& a, const FloatBox& b) {
+  const double x = std::max({a.low_x - b.high_x, b.low_x - a.high_x, 0.0F});
+  const double y = std::max({a.low_y - b.high_y, b.low_y - a.high_y, 0.0F});
+  return x * x + y * y;
+}
+
+bool within_quarter(std::uint64_t directions) {
+  // Some 48 bits in a row are clear; each direction has a bit to spare on both sides.
+  std::uint64_t clear = ~directions;
+  for (const int shift : {1, 2, 4, 8, 16}) clear &= std::rotr(clear, shift);  // then 32 in a row
+  return (clear & std::rotr(clear, 16)) != 0;
+}
+
+}  // namespace
+
+/// Zero if they cross.
+double Clearance::squared_gap_of(std::size_t i, std::size_t j) const {
+  const Flat a = flat(base_.start(i));
+  const Flat b = flat(base_.end(i));
+  const Flat c = flat(base_.start(j));
+  const Flat d = flat(base_.end(j));
+  if (cross(b - a, c - a) * cross(b - a, d - a) <= 0 && cross(d - c, a - c) * cross(d - c, b - c) <= 0) return 0;
+  return std::min({squared_distance(i, c), squared_distance(i, d), squared_distance(j, a), squared_distance(j, b)});
+}
+
+/// The directions of segments first .. last - 1 lie within a quarter turn. Then nothing to their right at any distance
+/// meets anything to their left: what joins two places of the base runs within an eighth turn of the middle direction,
+/// the sum of two normals within an eighth of the one across it.
+bool Clearance::bends_little(std::size_t first, std::size_t last) const {
+  std::uint64_t directions = 0;
+  for (std::size_t i = first; i < last; ++i) {
+    const Flat u = flat(base_.headings[i]);
+    directions |= ChainTree::directions_of(u, u);
+    if (directions == ~std::uint64_t{0}) return false;
+  }
+  return within_quarter(directions);
+}
+
+void Clearance::find_gaps(double least, double greatest) {
+  double reach = 1;  // of the outline, from the base
+  for (std::size_t at = 0; at < corners_.size(); ++at) {
+    if (corners_[at] == Corner::Mitre) reach = std::max(reach, std::hypot(1.0, base_.half_tans[at]));
+    if (corners_[at] == Corner::Tangent) reach = std::max(reach, 1.5);
+  }
+  const double floor = 2 * reach * least;
+  const double ceiling = 2 * reach * greatest * (1 + 1e-6);
+  gaps_.assign(blocks_.size(), {});
+  if (leaves_ < 2) return;
+  // The next block but one begins where the next one ends: where blocks are short, that tells at once.
+  const auto is_short = [&](std::size_t b) {
+    const Flat along = flat(base_.end(std::min(base_.segment_count(), (b + 1) * Block::size) - 1)) - flat(base_.start(b * Block::size));
+    return dot(along, along) < floor * floor;
+  };
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    if ((b > 1 && is_short(b - 1)) || (b + 2 < blocks_.size() && is_short(b + 1))) continue;
+    const auto [far, near] = gaps_about(b, floor, ceiling);
+    const double scale = (1 - 1e-6) / (2 * reach);
+    const double slack = 1e-12 * base_.size;
+    const std::size_t n = base_.segment_count();
+    const std::size_t first = b * Block::size;
+    const std::size_t last = std::min(n, first + Block::size);
+    gaps_[b].alone = scale * (far - slack);
+    // Near ones are parted by their directions, those of the segments next to them included.
+    const auto parted = [&](std::size_t from, std::size_t to, std::size_t around) {
+      const bool whole = from > around && to + around < n;
+      const std::size_t start = from > around ? from - around - 1 : 0;
+      return (whole || !base_.closed) && bends_little(start, std::min(n, to + around + 1));
+    };
+    bool runs_parted = near >= floor;
+    for (std::size_t k = first; k < last && runs_parted; k += run) {
+      runs_parted = parted(k, std::min(last, k + run), run);
+    }
+    if (runs_parted) gaps_[b].harmless = scale * (near - slack);
+    if (far >= floor && far > near && parted(first, last, Block::size)) gaps_[b].harmless = scale * (far - slack);
+  }
+}
+
+/// Distances from a block to all but its neighbours, and from its runs to all but theirs; no matter which above
+/// `ceiling` or below `floor`.
+std::pair<double, double> Clearance::gaps_about(std::size_t block, double floor, double ceiling) const {
+  const std::size_t n = base_.segment_count();
+  const std::size_t first = block * Block::size;
+  const std::size_t last = std::min(n, first + Block::size);
+  const FloatBox& own = blocks_[block].points;
+  const auto box = [&](std::size_t i) {
+    FloatBox made(flat(base_.start(i)), flat(base_.start(i)), 0);
+    made.add(FloatBox(flat(base_.end(i)), flat(base_.end(i)), 0));
+    return made;
+  };
+  FloatBox boxes[Block::size];
+  for (std::size_t i = first; i < last; ++i) boxes[i - first] = box(i);
+  const auto apart = [&](std::size_t i, std::size_t j, std::size_t size) {  // not neighbours
+    const std::size_t count = (n + size - 1) / size;
+    const std::size_t steps = i / size > j / size ? i / size - j / size : j / size - i / size;
+    return steps > 1 && !(base_.closed && steps + 1 >= count);
+  };
+  double far = ceiling * ceiling;
+  double near = far;
+  const auto look = [&](std::size_t leaf) {
+    if (std::none_of(boxes, boxes + (last - first), [&](const FloatBox& b) { return box_gap(b, boxes_[leaves_ + leaf]) < far; })) {
+      return false;
+    }
+    const std::size_t end = std::min(n, (leaf + 1) * leaf_size);
+    for (std::size_t j = leaf * leaf_size; j < end; ++j) {
+      const bool beyond = apart(first, j, Block::size);
+      const FloatBox other = box(j);
+      if (box_gap(own, other) >= (beyond ? far : near)) continue;
+      for (std::size_t i = first; i < last; ++i) {
+        if (box_gap(boxes[i - first], other) >= (beyond ? far : near)) continue;
+        if (!beyond && !apart(i, j, run)) continue;
+        const double squared = squared_gap_of(i, j);
+        near = std::min(near, squared);
+        if (beyond) far = std::min(far, squared);
+      }
+    }
+    return far < floor * floor;
+  };
+  std::size_t open[64];
+  std::size_t at = (leaves_ + first / leaf_size) / 2;
+  look(first / leaf_size);
+  look(first / leaf_size + 1);
+  for (bool done = false; at > 1 && !done; at /= 2) {
+    std::size_t count = 0;
+    open[count++] = at ^ 1;
+    while (count > 0 && !done) {
+      const std::size_t node = open[--count];
+      if (box_gap(own, boxes_[node]) >= far) continue;
+      if (node >= leaves_) {
+        done = look(node - leaves_);
+        continue;
+      }
+      open[count++] = 2 * node + 1;
+      open[count++] = 2 * node;
+    }
+  }
+  return {std::sqrt(far), std::sqrt(near)};
+}
+
+}  // namespace dobra::offset
