@@ -35,7 +35,8 @@ const std::map<std::string, std::set<std::string>>& arrows() {
       {"recon/gui", {"recon/core", "shared/gui"}},
       {"quebra/gui", {"quebra/core", "shared/gui"}},
       {"recon", {"recon/core", "recon/gui", "shared/cli"}},
-      {"quebra", {"quebra/core", "quebra/gui", "shared/cli"}},
+      {"quebra/cli", {"quebra/core", "shared/cli"}},
+      {"quebra", {"quebra/core", "quebra/cli", "quebra/gui", "shared/cli"}},
   };
   return table;
 }

@@ -87,7 +87,7 @@ Result<Polyline> base_line(const Domain& domain, const ConstraintParams& params)
   const double size = domain.box().diagonal() / 20.0;
   for (const auto& side : sides) {
     const Curve& curve = domain.curves[side.curve];
-    Polyline line = params.spacing == Spacing::Base ? divided(curve, size) : trace(curve, trace_turn).line;
+    Polyline line = params.spacing == Spacing::Base ? divided(curve, size) : trace(curve).line;
     if (line.closed) return line;
     if (side.backwards) line = reversed(std::move(line));
     base.points.insert(base.points.end(), line.points.begin(), line.points.end());
@@ -132,8 +132,7 @@ class Cutter {
   explicit Cutter(const Domain& domain) : domain_(domain), inside_(domain) {
     std::vector<Box> boxes;
     for (std::size_t c = 0; c < domain.curves.size(); ++c) {
-      if (domain.curves[c].role == Role::Internal) continue;
-      const Trace along = trace(domain.curves[c], trace_turn);
+      const Trace along = trace(domain.curves[c]);
       for (std::size_t i = 0; i < along.line.segment_count(); ++i) {
         sides_.push_back({along.line.segment(i), c, along.s[i], along.s[i + 1]});
         boxes.push_back(along.line.segment(i).box());

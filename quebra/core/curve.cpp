@@ -17,24 +17,32 @@ using dobra::geom::Polyline;
 /// Two distances nearer than this fraction of the curve are the same node.
 constexpr double same_node = 1e-9;
 
-/// Local size at distance s: the curve's own, bounded near the stops.
+/// Local size at distance s: the curve's own, bounded near the stops and where a smooth curve turns fast.
 class SizeAlong {
  public:
-  SizeAlong(double own, const std::vector<Stop>& stops, double growth) : own_(own), growth_(growth) {
+  SizeAlong(double own, const std::vector<Stop>& stops, double growth, const Smooth* smooth, Angle turn)
+      : own_(own), growth_(growth), smooth_(smooth), turn_(turn) {
     for (const Stop& stop : stops) {
       if (stop.size > 0.0) sized_.push_back(stop);
     }
   }
   [[nodiscard]] double operator()(double s) const {
     double size = own_;
+    if (smooth_ != nullptr) {
+      const auto& chords = smooth_->chords();
+      const auto above = std::upper_bound(chords.s.begin() + 1, chords.s.end() - 1, s);
+      const auto i = static_cast<std::size_t>(above - chords.s.begin()) - 1;
+      if (chords.turn[i] > 0.0) size = std::min(size, (chords.s[i + 1] - chords.s[i]) * turn_.radians() / chords.turn[i]);
+    }
     for (const Stop& stop : sized_) size = std::min(size, stop.size + (growth_ - 1.0) * std::abs(s - stop.s));
     return size;
   }
-  [[nodiscard]] bool uniform() const { return sized_.empty(); }
 
  private:
   double own_;
   double growth_;
+  const Smooth* smooth_;
+  Angle turn_;
   std::vector<Stop> sized_;
 };
 
@@ -71,37 +79,114 @@ void divide_exactly(double from, double to, int segments, double ratio, std::vec
 
 }  // namespace
 
+dobra::base::Result<Smooth> Smooth::make(dobra::geom::CubicPath path) {
+  Smooth result(std::move(path));
+  DOBRA_TRY(const auto pieces, dobra::geom::discretise(result.path_, {.max_angle = trace_turn}));
+  const auto knots = result.path_.knots();
+  result.at_knot_.push_back(0.0);
+  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+    result.at_knot_.push_back(result.at_knot_.back() + result.path_.length(knots[i], knots[i + 1]));
+  }
+  const auto functions = dobra::geom::functions_of(result.path_);
+  result.chords_.points = pieces.points;
+  result.chords_.s.push_back(0.0);
+  for (std::size_t i = 0; i + 1 < pieces.parameters.size(); ++i) {
+    const double from = pieces.parameters[i];
+    const double to = pieces.parameters[i + 1];
+    result.chords_.s.push_back(result.chords_.s.back() + result.path_.length(from, to));
+    result.chords_.turn.push_back(dobra::geom::tangent_turn(functions, from, to).radians());
+  }
+  result.chords_.s.back() = result.length();
+  return result;
+}
+
+/// Newton's method within the cubic, from the share of its length.
+double Smooth::parameter(double s) const {
+  const auto knots = path_.knots();
+  const auto above = std::upper_bound(at_knot_.begin() + 1, at_knot_.end() - 1, s);
+  const auto i = static_cast<std::size_t>(above - at_knot_.begin()) - 1;
+  const double piece = at_knot_[i + 1] - at_knot_[i];
+  double t = knots[i] + (knots[i + 1] - knots[i]) * (s - at_knot_[i]) / piece;
+  for (int step = 0; step < 20; ++step) {
+    const double excess = path_.length(knots[i], t) - (s - at_knot_[i]);
+    const double speed = dobra::geom::length(path_.tangent(t));
+    if (std::abs(excess) <= 1e-14 * length() || speed == 0.0) break;
+    t = std::clamp(t - excess / speed, knots[i], knots[i + 1]);
+  }
+  return t;
+}
+
+Point Smooth::point(double s) const {
+  if (s <= 0.0) return chords_.points.front();
+  if (s >= length()) return chords_.points.back();
+  return path_.point(parameter(s));
+}
+
+dobra::geom::Vector Smooth::direction(double s) const { return normalised(path_.tangent(parameter(std::clamp(s, 0.0, length())))); }
+
+Smooth Smooth::reversed() const {
+  std::vector<dobra::geom::HermiteCubic> cubics;
+  std::vector<double> knots;
+  for (auto cubic = path_.cubics().rbegin(); cubic != path_.cubics().rend(); ++cubic) {
+    cubics.push_back({cubic->to, cubic->from, -cubic->to_tangent, -cubic->from_tangent});
+  }
+  for (auto knot = path_.knots().rbegin(); knot != path_.knots().rend(); ++knot) knots.push_back(1.0 - *knot);
+  return *make(dobra::geom::CubicPath(std::move(cubics), std::move(knots)));
+}
+
 double length(const Curve& curve) {
   if (const auto* arc = std::get_if<Arc>(&curve.shape)) return arc->length();
+  if (const auto* smooth = std::get_if<Smooth>(&curve.shape)) return smooth->length();
   return dobra::geom::length(std::get<Polyline>(curve.shape));
 }
 
 bool closed(const Curve& curve) {
   if (const auto* line = std::get_if<Polyline>(&curve.shape)) return line->closed;
+  if (const auto* smooth = std::get_if<Smooth>(&curve.shape)) return smooth->closed();
   return std::get<Arc>(curve.shape).closed();
 }
 
-Point point(const Curve& curve, double s) {
-  if (const auto* arc = std::get_if<Arc>(&curve.shape)) return arc->point(s / arc->length());
+Point point(const Curve& curve, double s) { return points(curve, std::span(&s, 1)).front(); }
+
+std::vector<Point> points(const Curve& curve, std::span<const double> s) {
+  std::vector<Point> result;
+  result.reserve(s.size());
+  if (const auto* arc = std::get_if<Arc>(&curve.shape)) {
+    for (const double at : s) result.push_back(arc->point(at / arc->length()));
+  } else if (const auto* smooth = std::get_if<Smooth>(&curve.shape)) {
+    for (const double at : s) result.push_back(smooth->point(at));
+  } else {
+    const auto& line = std::get<Polyline>(curve.shape);
+    const std::vector<double> arc_lengths = dobra::geom::arc_lengths(line);
+    for (const double at : s) result.push_back(dobra::geom::point_at(line, arc_lengths, at));
+  }
+  return result;
+}
+
+dobra::geom::Vector direction(const Curve& curve, double s) {
+  if (const auto* arc = std::get_if<Arc>(&curve.shape)) return normalised(arc->tangent(s / arc->length()));
+  if (const auto* smooth = std::get_if<Smooth>(&curve.shape)) return smooth->direction(s);
   const auto& line = std::get<Polyline>(curve.shape);
-  return dobra::geom::point_at(line, dobra::geom::arc_lengths(line), s);
+  const std::vector<double> at = dobra::geom::arc_lengths(line);
+  const auto above = std::upper_bound(at.begin() + 1, at.begin() + static_cast<std::ptrdiff_t>(line.segment_count()), s);
+  return normalised(line.segment(static_cast<std::size_t>(above - at.begin()) - 1).vector());
 }
 
 std::vector<double> corners(const Curve& curve) {
-  if (const auto* arc = std::get_if<Arc>(&curve.shape)) return {0.0, arc->length()};
-  return dobra::geom::arc_lengths(std::get<Polyline>(curve.shape));
+  if (const auto* line = std::get_if<Polyline>(&curve.shape)) return dobra::geom::arc_lengths(*line);
+  return {0.0, length(curve)};
 }
 
-double longest_piece(const Curve& curve, Angle turn) {
-  if (const auto* arc = std::get_if<Arc>(&curve.shape)) return arc->radius() * turn.radians() * (1.0 + same_node);
-  return std::numeric_limits<double>::infinity();
-}
-
-Trace trace(const Curve& curve, Angle turn) {
+Trace trace(const Curve& curve) {
   if (const auto* line = std::get_if<Polyline>(&curve.shape)) return {*line, dobra::geom::arc_lengths(*line)};
+  if (const auto* smooth = std::get_if<Smooth>(&curve.shape)) {
+    Trace result{{smooth->chords().points, smooth->closed()}, smooth->chords().s};
+    if (result.line.closed) result.line.points.pop_back();
+    return result;
+  }
   const Arc& arc = std::get<Arc>(curve.shape);
   // Cannot fail: an Arc has a positive length, no corner, and the angle is positive.
-  auto pieces = dobra::geom::discretise(arc, {.max_angle = turn}).value();
+  auto pieces = dobra::geom::discretise(arc, {.max_angle = trace_turn}).value();
   Trace result{pieces.polyline(), std::move(pieces.parameters)};
   for (double& s : result.s) s *= arc.length();
   return result;
@@ -115,14 +200,21 @@ std::vector<double> divide(const Curve& curve, std::vector<Stop> stops, const Di
   double own = options.size;
   if (said.segments > 0) own = total / said.segments;
   if (said.size > 0.0) own = said.size;
-  if (said.segments == 0) own = std::min(own, longest_piece(curve, options.turn));
+  const auto* const arc = std::get_if<Arc>(&curve.shape);
+  if (arc != nullptr && said.segments == 0) own = std::min(own, arc->radius() * options.turn.radians() * (1.0 + same_node));
+  const auto* const smooth = said.segments == 0 ? std::get_if<Smooth>(&curve.shape) : nullptr;
 
+  if (curve.tip_size > 0.0) {
+    stops.push_back({0.0, curve.tip_size});
+    stops.push_back({total, curve.tip_size});
+  }
   for (const double s : corners(curve)) stops.push_back({s, 0.0});
   std::stable_sort(stops.begin(), stops.end(), before);
-  const SizeAlong size(own, stops, options.growth);
+  const SizeAlong size(own, stops, options.growth, smooth, options.turn);
 
   std::vector<double> nodes;
-  const bool one_piece = stops.size() == 2;
+  // Sizes at the ends and further stops there do not cut the curve.
+  const bool one_piece = std::all_of(stops.begin(), stops.end(), [&](const Stop& stop) { return stop.s <= 0.0 || stop.s >= total; });
   for (const Stop& stop : stops) {
     const double s = std::clamp(stop.s, 0.0, total);
     if (nodes.empty()) {
@@ -139,6 +231,7 @@ std::vector<double> divide(const Curve& curve, std::vector<Stop> stops, const Di
     nodes.push_back(s);
   }
   nodes.back() = total;
+  if (curve.role == Role::Crack && nodes.size() == 2) nodes.insert(nodes.begin() + 1, 0.5 * total);
   return nodes;
 }
 

@@ -1,12 +1,16 @@
 #pragma once
-// One curve of a domain: a chain of straight pieces or a circular arc, measured by the distance travelled along it.
+// One curve of a domain: a chain of straight pieces, a circular arc or a smooth chain of cubics, measured by the distance
+// travelled along it.
 
+#include <memory>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "shared/base/angle.h"
 #include "shared/geom/arc.h"
+#include "shared/geom/cubic_path.h"
 #include "shared/geom/polyline.h"
 
 namespace quebra::core {
@@ -15,6 +19,40 @@ enum class Role {
   Boundary,  ///< Part of a loop; loops inside loops are holes, and so on by turns.
   Hole,      ///< Part of a loop that must lie inside another one.
   Internal,  ///< Inside the domain: an interface or a line along which nodes are wanted.
+  Crack,     ///< Inside the domain: its two lips come apart.
+};
+
+/// How finely arcs are followed where a domain is cut with lines (not how they are meshed).
+inline constexpr dobra::base::Angle trace_turn = dobra::base::Angle::from_degrees(2.0);
+
+/// A chain of cubics measured by length, with the chords that follow it so that none turns by more than trace_turn.
+class Smooth {
+ public:
+  /// @error those of discretise: a corner, no length, not finite.
+  static dobra::base::Result<Smooth> make(dobra::geom::CubicPath path);
+
+  [[nodiscard]] double length() const { return at_knot_.back(); }
+  [[nodiscard]] bool closed() const { return chords_.points.front() == chords_.points.back(); }
+  /// The point at distance s; the ends are exact.
+  [[nodiscard]] dobra::geom::Point point(double s) const;
+  [[nodiscard]] dobra::geom::Vector direction(double s) const;
+  [[nodiscard]] Smooth reversed() const;
+  [[nodiscard]] const dobra::geom::CubicPath& path() const { return path_; }
+
+  struct Chords {
+    std::vector<dobra::geom::Point> points;
+    std::vector<double> s;
+    std::vector<double> turn;  ///< Of the tangent along each chord, radians.
+  };
+  [[nodiscard]] const Chords& chords() const { return chords_; }
+
+ private:
+  explicit Smooth(dobra::geom::CubicPath path) : path_(std::move(path)) {}
+  [[nodiscard]] double parameter(double s) const;
+
+  dobra::geom::CubicPath path_;
+  std::vector<double> at_knot_;  ///< Distance at each knot.
+  Chords chords_;
 };
 
 /// How a curve is to be divided, where the user said so.
@@ -27,8 +65,10 @@ struct Division {
 struct Curve {
   std::string name;
   Role role = Role::Boundary;
-  std::variant<dobra::geom::Polyline, dobra::geom::Arc> shape;
+  std::variant<dobra::geom::Polyline, dobra::geom::Arc, Smooth> shape;
   Division division;
+  std::vector<std::string> groups = {};  ///< Further sets that its sides belong to.
+  double tip_size = 0.0;  ///< Of a crack: length of the sides at its ends, m; 0: not said.
 };
 
 /// m.
@@ -36,17 +76,19 @@ double length(const Curve& curve);
 [[nodiscard]] bool closed(const Curve& curve);
 /// The point at distance s from the start, 0 <= s <= length; the ends are exact.
 dobra::geom::Point point(const Curve& curve, double s);
+/// The same for many, in one pass.
+std::vector<dobra::geom::Point> points(const Curve& curve, std::span<const double> s);
+/// Unit tangent at distance s; of a corner, that of the piece behind it.
+dobra::geom::Vector direction(const Curve& curve, double s);
 /// The distances of all corners, the two ends included (0 and length; a closed smooth curve gives 0 and length too).
 std::vector<double> corners(const Curve& curve);
-/// Longest piece that turns by at most `turn`, m; infinite for straight pieces.
-double longest_piece(const Curve& curve, dobra::base::Angle turn);
 
-/// Straight pieces that follow the curve so that none turns by more than `turn`, with the distance of each vertex.
+/// Straight pieces that follow the curve so that none turns by more than trace_turn, with the distance of each vertex.
 struct Trace {
   dobra::geom::Polyline line;
   std::vector<double> s;  ///< One a vertex; one more, the length, for a closed line.
 };
-Trace trace(const Curve& curve, dobra::base::Angle turn);
+Trace trace(const Curve& curve);
 
 /// A wanted node on a curve, and the size of the pieces beside it.
 struct Stop {
@@ -61,7 +103,7 @@ struct DivideOptions {
 };
 
 /// Distances of the nodes along a curve, ascending, from 0 to length (both included): every corner and stop is one, and
-/// the pieces between follow the sizes. Exactly `segments` pieces where the curve says so and has neither corners nor stops.
+/// the pieces between follow the sizes; a crack has two pieces at least, or it could not open. Exactly `segments` pieces where the curve says so and has neither corners nor stops.
 /// @cost O(number of pieces)
 std::vector<double> divide(const Curve& curve, std::vector<Stop> stops, const DivideOptions& options);
 

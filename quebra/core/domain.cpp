@@ -7,7 +7,8 @@
 #include <numeric>
 #include <optional>
 
-#include "shared/geom/intersect.h"
+#include "quebra/core/faces.h"
+#include "quebra/core/junctions.h"
 #include "shared/geom/spatial_index.h"
 
 namespace quebra::core {
@@ -21,7 +22,6 @@ using dobra::geom::Arc;
 using dobra::geom::Box;
 using dobra::geom::Point;
 using dobra::geom::Polyline;
-using dobra::geom::Segment;
 
 /// By how much the ends of an arc may differ in their distance to its centre, as a fraction, once they are joined.
 constexpr double arc_tolerance = 1e-6;
@@ -36,10 +36,20 @@ void move_ends(Curve& curve, Point start, Point end) {
     if (moved) *arc = *moved;
     return;
   }
+  if (auto* smooth = std::get_if<Smooth>(&curve.shape)) {
+    std::vector<dobra::geom::HermiteCubic> cubics(smooth->path().cubics().begin(), smooth->path().cubics().end());
+    cubics.front().from = start;
+    cubics.back().to = end;
+    auto moved = Smooth::make({std::move(cubics), {smooth->path().knots().begin(), smooth->path().knots().end()}});
+    if (moved) *smooth = *std::move(moved);
+    return;
+  }
   auto& points = std::get<Polyline>(curve.shape).points;
   points.front() = start;
   points.back() = end;
 }
+
+bool bounds(const Curve& curve) { return curve.role == Role::Boundary || curve.role == Role::Hole; }
 
 Place at_point(Place place, Point p) {
   place.x = p.x;
@@ -82,7 +92,7 @@ using Joints = std::map<Point, std::vector<Domain::Side>>;
 Joints joints_of(const std::vector<Curve>& curves) {
   Joints joints;
   for (std::size_t i = 0; i < curves.size(); ++i) {
-    if (curves[i].role == Role::Internal || closed(curves[i])) continue;
+    if (!bounds(curves[i]) || closed(curves[i])) continue;
     joints[start_of(curves[i])].push_back({i, false});
     joints[end_of(curves[i])].push_back({i, true});
   }
@@ -111,7 +121,7 @@ std::vector<Domain::Loop> follow_loops(const std::vector<Curve>& curves, const J
   std::vector<Domain::Loop> loops;
   std::vector<bool> used(curves.size(), false);
   for (std::size_t first = 0; first < curves.size(); ++first) {
-    if (used[first] || curves[first].role == Role::Internal) continue;
+    if (used[first] || !bounds(curves[first])) continue;
     Domain::Loop loop;
     Domain::Side side{first, false};
     while (!used[side.curve]) {
@@ -128,45 +138,6 @@ std::vector<Domain::Loop> follow_loops(const std::vector<Curve>& curves, const J
     loops.push_back(std::move(loop));
   }
   return loops;
-}
-
-/// Boundary and internal curves may meet only in their ends.
-Result<void> check_crossings(const Domain& domain, const std::vector<Place>& places) {
-  struct Piece {
-    Segment segment;
-    std::size_t curve;
-  };
-  std::vector<Piece> pieces;
-  std::vector<Box> boxes;
-  for (std::size_t c = 0; c < domain.curves.size(); ++c) {
-    const Polyline line = trace(domain.curves[c], trace_turn).line;
-    for (std::size_t i = 0; i < line.segment_count(); ++i) {
-      pieces.push_back({line.segment(i), c});
-      boxes.push_back(line.segment(i).box());
-    }
-  }
-  for (const auto& [i, j] : dobra::geom::SpatialIndex(boxes).overlapping_pairs()) {
-    const auto meeting = dobra::geom::intersect(pieces[i].segment, pieces[j].segment);
-    if (meeting.kind == dobra::geom::IntersectionKind::None) continue;
-    const bool at_ends = meeting.kind == dobra::geom::IntersectionKind::Point &&
-                         meeting.start.on_first != dobra::geom::At::Interior &&
-                         meeting.start.on_second != dobra::geom::At::Interior;
-    if (at_ends) continue;
-    const Curve& a = domain.curves[pieces[i].curve];
-    const Curve& b = domain.curves[pieces[j].curve];
-    constexpr Role internal = Role::Internal;
-    // An internal line may begin on a boundary curve; the mesher then makes the point a node.
-    if ((a.role == internal) != (b.role == internal) && meeting.kind == dobra::geom::IntersectionKind::Point &&
-        !meeting.start.proper()) {
-      continue;
-    }
-    const std::string what = pieces[i].curve == pieces[j].curve
-                                 ? fmt::format("curve '{}' crosses or touches itself", a.name)
-                                 : fmt::format("curves '{}' and '{}' cross or overlap", a.name, b.name);
-    return Error{ErrorCode::SelfIntersection, what + "; curves may meet only at their ends",
-                  at_point(places[std::max(pieces[i].curve, pieces[j].curve)], meeting.start.point)};
-  }
-  return {};
 }
 
 void find_depths(Domain& domain) {
@@ -194,10 +165,19 @@ Result<void> check_roles(const Domain& domain, const std::vector<Place>& places)
   }
   for (std::size_t i = 0; i < domain.curves.size(); ++i) {
     const Curve& curve = domain.curves[i];
-    const Point middle = point(curve, 0.5 * length(curve));
-    if (curve.role == Role::Internal && !inside(middle)) {
+    if (bounds(curve)) continue;
+    // Between one junction and the next a curve lies on one side of the boundary.
+    std::vector<double> cuts{0.0, length(curve)};
+    for (const Junction& junction : domain.junctions) {
+      if (junction.curve == i) cuts.push_back(junction.s);
+    }
+    std::sort(cuts.begin(), cuts.end());
+    for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+      const Point middle = point(curve, 0.5 * (cuts[k] + cuts[k + 1]));
+      if (cuts[k + 1] - cuts[k] <= 1e-9 * cuts.back() || inside(middle)) continue;
       return Error{ErrorCode::OutsideDomain,
-                   fmt::format("internal line '{}' lies outside the domain; move it inside or remove it", curve.name),
+                   fmt::format("{} '{}' lies outside the domain{}; trim it at the boundary or remove it",
+                               curve.role == Role::Crack ? "crack" : "internal line", curve.name, cuts.size() > 2 ? " in part" : ""),
                    at_point(places[i], middle)};
     }
   }
@@ -208,7 +188,7 @@ Result<void> check_roles(const Domain& domain, const std::vector<Place>& places)
 
 Box Domain::box() const {
   Box box;
-  for (const Curve& curve : curves) box.add(trace(curve, trace_turn).line.box());
+  for (const Curve& curve : curves) box.add(trace(curve).line.box());
   return box;
 }
 
@@ -216,7 +196,7 @@ Polyline contour(const Domain& domain, const Domain::Loop& loop) {
   Polyline result;
   result.closed = true;
   for (const auto& side : loop.sides) {
-    Polyline line = trace(domain.curves[side.curve], trace_turn).line;
+    Polyline line = trace(domain.curves[side.curve]).line;
     if (line.closed) return line;
     if (side.backwards) line = reversed(std::move(line));
     result.points.insert(result.points.end(), line.points.begin(), line.points.end() - 1);
@@ -238,27 +218,36 @@ bool Inside::operator()(Point p) const {
   return inside;
 }
 
-Result<Domain> make_domain(std::vector<Curve> curves, const std::vector<Place>& places, const DomainOptions& options) {
-  if (curves.empty()) return Error{ErrorCode::BadDomain, "the domain has no curve; add [[input.curve]] or a file"};
+Result<Domain> make_domain(Sketch sketch, const DomainOptions& options) {
+  const std::vector<Place>& places = sketch.places;
+  if (sketch.curves.empty()) return Error{ErrorCode::BadDomain, "the domain has no curve; add [[input.curve]], a file or a specimen"};
   Domain domain;
-  domain.curves = std::move(curves);
+  domain.curves = std::move(sketch.curves);
+  domain.points = std::move(sketch.points);
   const double size = domain.box().diagonal();
+  const double tolerance = options.join_tolerance * size;
   for (std::size_t i = 0; i < domain.curves.size(); ++i) {
-    if (length(domain.curves[i]) <= options.join_tolerance * size) {
-      return Error{ErrorCode::DegenerateCurve, fmt::format("curve '{}' has no length; remove it", domain.curves[i].name),
-                   at_point(places[i], start_of(domain.curves[i]))};
+    const Curve& curve = domain.curves[i];
+    if (length(curve) <= tolerance) {
+      return Error{ErrorCode::DegenerateCurve, fmt::format("curve '{}' has no length; remove it", curve.name),
+                   at_point(places[i], start_of(curve))};
+    }
+    if (curve.role == Role::Crack && closed(curve)) {
+      return Error{ErrorCode::BadDomain, fmt::format("crack '{}' is closed; a crack has two ends", curve.name),
+                   at_point(places[i], start_of(curve))};
     }
   }
-  join_ends(domain.curves, options.join_tolerance * size);
+  join_ends(domain.curves, tolerance);
   const Joints joints = joints_of(domain.curves);
   DOBRA_TRY_VOID(check_joints(joints, domain.curves, places));
   domain.loops = follow_loops(domain.curves, joints);
   if (domain.loops.empty()) {
     return Error{ErrorCode::BadDomain, "the domain has only internal lines; add a closed boundary", places.front()};
   }
-  DOBRA_TRY_VOID(check_crossings(domain, places));
+  DOBRA_TRY_VOID(find_junctions(domain, places, tolerance));
   find_depths(domain);
   DOBRA_TRY_VOID(check_roles(domain, places));
+  DOBRA_TRY_VOID(find_faces(domain, sketch.regions));
   return domain;
 }
 

@@ -6,18 +6,29 @@
 
 namespace quebra::core {
 
+/// A name for the part of the material that a point lies in.
+struct RegionName {
+  std::string name;  ///< Parts of one name are one region.
+  dobra::geom::Point at;
+};
+
+/// What a domain is made of.
+struct Sketch {
+  std::vector<Curve> curves;
+  std::vector<dobra::base::Place> places;  ///< One a curve: where it stands in the user's file.
+  std::vector<RegionName> regions;
+  std::vector<NamedPoint> points;
+  std::vector<std::string> remarks;
+};
+
 struct DomainOptions {
   double join_tolerance = 1e-9;  ///< Ends nearer than this fraction of the domain's diagonal are one point.
 };
 
-/// @param places  one a curve: where it stands in the user's file.
+/// Cracks and internal lines may cross, branch and end on other curves: every meeting becomes a junction.
 /// @error BadDomain (a loop that is not closed, a branch), SelfIntersection with the names of both curves and the point,
-///        OutsideDomain for a hole that is in no loop.
-dobra::base::Result<Domain> make_domain(std::vector<Curve> curves, const std::vector<dobra::base::Place>& places,
-                                        const DomainOptions& options = {});
-
-/// How finely arcs are followed where a domain is cut with lines (not how they are meshed).
-inline constexpr dobra::base::Angle trace_turn = dobra::base::Angle::from_degrees(2.0);
+///        OutsideDomain for a hole that is in no loop, and for an internal line, crack, point or region outside.
+dobra::base::Result<Domain> make_domain(Sketch sketch, const DomainOptions& options = {});
 
 /// The contour of a loop, in order, arcs followed by trace_turn.
 dobra::geom::Polyline contour(const Domain& domain, const Domain::Loop& loop);

@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <map>
+#include <iterator>
 #include <set>
 
-#include "quebra/core/domain.h"
-#include "shared/io/poly.h"
+#include "quebra/core/sketch_file.h"
+#include "shared/geom/cubic_path.h"
 
 namespace quebra::core {
 namespace {
@@ -23,6 +22,19 @@ using dobra::geom::Polyline;
 
 Error lacking(const CurveParams& params, const char* what) {
   return {ErrorCode::BadValue, fmt::format("curve '{}' {}", params.name, what)};
+}
+
+Result<Curve> make_spline(const CurveParams& params) {
+  using dobra::geom::SplineEnds;
+  std::vector<Point> points = params.points;
+  const bool closed = points.size() > 3 && points.front() == points.back();
+  if (closed) points.pop_back();
+  const SplineEnds ends = closed ? SplineEnds::Closed : SplineEnds::Natural;
+  if (points.size() < 2) return lacking(params, "needs two `points` or more");
+  const std::vector<double> knots = chord_length_knots(points, ends);
+  DOBRA_TRY(dobra::geom::CubicPath path, cubic_spline(points, knots, ends));
+  DOBRA_TRY(Smooth smooth, Smooth::make(std::move(path)));
+  return Curve{params.name, params.role, std::move(smooth), {}};
 }
 
 Result<Curve> make_line(const CurveParams& params) {
@@ -64,6 +76,7 @@ Result<Curve> make_curve(const CurveParams& params) {
     switch (params.kind) {
       case CurveKind::Arc: return make_arc(params);
       case CurveKind::Circle: return make_circle(params);
+      case CurveKind::Spline: return make_spline(params);
       case CurveKind::Line:
       case CurveKind::Polygon: break;
     }
@@ -84,105 +97,35 @@ Result<void> check_names(const std::vector<Curve>& curves, const std::vector<Pla
   return {};
 }
 
-/// The segments of a file joined into chains wherever just two with the same marker meet.
-class Chains {
- public:
-  explicit Chains(const dobra::io::PolyFile& file) : file_(file), used_(file.segments.size(), false) {
-    for (std::size_t i = 0; i < file.segments.size(); ++i) {
-      for (const std::uint32_t node : file.segments[i]) at_[node].push_back(i);
-    }
-  }
-
-  std::vector<Curve> curves() {
-    std::vector<Curve> result;
-    // Chains with ends first, so that what is left over is closed.
-    for (std::size_t i = 0; i < file_.segments.size(); ++i) {
-      for (const std::uint32_t node : file_.segments[i]) {
-        if (!used_[i] && !goes_on(node, i)) result.push_back(follow(i, node, result.size()));
-      }
-    }
-    for (std::size_t i = 0; i < file_.segments.size(); ++i) {
-      if (!used_[i]) result.push_back(follow(i, file_.segments[i][0], result.size()));
-    }
-    return result;
-  }
-
- private:
-  [[nodiscard]] std::int64_t marker(std::size_t segment) const {
-    return file_.segment_markers.empty() ? 0 : file_.segment_markers[segment];
-  }
-
-  /// The other segment of the chain at `node`, if the chain goes on there.
-  [[nodiscard]] std::optional<std::size_t> goes_on(std::uint32_t node, std::size_t segment) const {
-    const auto& meeting = at_.at(node);
-    if (meeting.size() != 2) return std::nullopt;
-    const std::size_t other = meeting[0] == segment ? meeting[1] : meeting[0];
-    if (marker(other) != marker(segment)) return std::nullopt;
-    return other;
-  }
-
-  Curve follow(std::size_t segment, std::uint32_t node, std::size_t number) {
-    Polyline line;
-    const std::uint32_t first = node;
-    line.points.push_back(file_.nodes.points[node]);
-    for (std::optional<std::size_t> next = segment; next && !used_[*next];) {
-      segment = *next;
-      used_[segment] = true;
-      const auto& nodes = file_.segments[segment];
-      node = nodes[0] == node ? nodes[1] : nodes[0];
-      line.points.push_back(file_.nodes.points[node]);
-      next = goes_on(node, segment);
-    }
-    if (node == first) {
-      line.closed = true;
-      line.points.pop_back();
-    }
-    return {fmt::format("curve_{}_marker_{}", number + 1, marker(segment)), Role::Boundary, std::move(line), {}};
-  }
-
-  const dobra::io::PolyFile& file_;
-  std::vector<bool> used_;
-  std::map<std::uint32_t, std::vector<std::size_t>> at_;
-};
-
-/// Number of the innermost contour that holds p; nothing if none does.
-std::optional<std::size_t> innermost(const Domain& domain, const std::vector<Polyline>& contours, Point p) {
-  std::optional<std::size_t> found;
-  for (std::size_t i = 0; i < contours.size(); ++i) {
-    if (found && domain.loops[*found].depth > domain.loops[i].depth) continue;
-    if (locate(contours[i], p) == dobra::geom::Side::Inside) found = i;
-  }
-  return found;
+CurveParams as_curve(const CrackParams& params) {
+  CurveParams curve;
+  curve.name = params.name;
+  curve.kind = params.kind;
+  curve.points = params.points;
+  curve.centre = params.centre;
+  curve.turning = params.turning;
+  curve.role = Role::Crack;
+  curve.segments = params.segments;
+  curve.size = params.size;
+  return curve;
 }
 
-/// In a .poly file a loop inside a loop is a hole only where a hole point says so; else it divides material from material.
-Result<void> apply_holes(std::vector<Curve>& curves, const dobra::io::PolyFile& file, const Place& place) {
-  DOBRA_TRY(const Domain domain, make_domain(curves, std::vector<Place>(curves.size(), place)));
-  std::vector<Polyline> contours;
-  for (const auto& loop : domain.loops) contours.push_back(contour(domain, loop));
-  std::vector<bool> is_void(domain.loops.size(), false);
-  for (const Point hole : file.holes) {
-    const auto loop = innermost(domain, contours, hole);
-    if (!loop) {
-      Place at = place;
-      at.x = hole.x;
-      at.y = hole.y;
-      return Error{ErrorCode::OutsideDomain, "a hole point lies outside every loop; move it inside or remove it", at};
-    }
-    is_void[*loop] = true;
-  }
-  for (std::size_t i = 0; i < domain.loops.size(); ++i) {
-    bool surrounded_by_void = true;
-    int depth = -1;
-    for (std::size_t j = 0; j < domain.loops.size(); ++j) {
-      if (j == i || domain.loops[j].depth >= domain.loops[i].depth || domain.loops[j].depth < depth) continue;
-      if (locate(contours[j], contours[i].points.front()) != dobra::geom::Side::Inside) continue;
-      depth = domain.loops[j].depth;
-      surrounded_by_void = is_void[j];
-    }
-    if (surrounded_by_void != is_void[i]) continue;
-    for (const auto& side : domain.loops[i].sides) curves[side.curve].role = Role::Internal;
-  }
+/// The place of row i of the tables under `key`.
+Place place_of(const dobra::scenario::Table& table, const char* key, std::size_t i, const std::string& item) {
+  const auto* rows = table.find(key);
+  Place place = std::get<std::vector<dobra::scenario::Table>>(*rows)[i].own_place;
+  place.item = item;
+  return place;
+}
+
+Result<void> add_curve(Sketch& sketch, const CurveParams& params, double tip_size, const Place& place) {
+  auto curve = make_curve(params);
+  if (!curve) return located(curve.error(), place);
+  curve->tip_size = tip_size;
+  sketch.curves.push_back(*std::move(curve));
+  Place plain = place;
+  plain.item.clear();  // What is said about finished curves names them itself.
+  sketch.places.push_back(plain);
   return {};
 }
 
@@ -190,32 +133,37 @@ Result<void> apply_holes(std::vector<Curve>& curves, const dobra::io::PolyFile& 
 
 Result<Model> read_input(const InputParams& params, const dobra::scenario::Table& table,
                          const dobra::scenario::Context& context) {
-  std::vector<Curve> curves;
-  std::vector<Place> places;
+  Sketch sketch;
+  if (params.specimen != SpecimenKind::None) {
+    const SpecimenParams specimen{params.specimen, params.width, params.height, params.radius, params.crack, params.position, params.angle};
+    auto made = make_specimen(specimen);
+    if (!made) return located(made.error(), table.place("specimen"));
+    sketch = *std::move(made);
+    sketch.places.assign(sketch.curves.size(), table.place("specimen"));
+  }
   if (!params.file.empty()) {
-    const std::string path = (context.folder / params.file).string();
-    DOBRA_TRY(const dobra::io::PolyFile file, dobra::io::read_poly(path));
-    curves = Chains(file).curves();
-    Place place;
-    place.file = path;
-    places.assign(curves.size(), place);
-    if (!curves.empty()) DOBRA_TRY_VOID(apply_holes(curves, file, place));
+    DOBRA_TRY(Sketch file, read_sketch((context.folder / params.file).string()));
+    const auto append = [](auto& to, auto& from) { to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end())); };
+    append(sketch.curves, file.curves);
+    append(sketch.places, file.places);
+    append(sketch.regions, file.regions);
+    append(sketch.points, file.points);
+    append(sketch.remarks, file.remarks);
   }
-  const auto* rows = table.find("curve");
   for (std::size_t i = 0; i < params.curves.size(); ++i) {
-    const Place& place = std::get<std::vector<dobra::scenario::Table>>(*rows)[i].own_place;
-    auto curve = make_curve(params.curves[i]);
-    if (!curve) {
-      Place named = place;
-      named.item = fmt::format("curve '{}'", params.curves[i].name);
-      return located(curve.error(), named);
-    }
-    curves.push_back(*std::move(curve));
-    places.push_back(place);
+    const auto& curve = params.curves[i];
+    DOBRA_TRY_VOID(add_curve(sketch, curve, 0.0, place_of(table, "curve", i, fmt::format("curve '{}'", curve.name))));
   }
-  DOBRA_TRY_VOID(check_names(curves, places));
+  for (std::size_t i = 0; i < params.cracks.size(); ++i) {
+    const auto& crack = params.cracks[i];
+    DOBRA_TRY_VOID(add_curve(sketch, as_curve(crack), crack.tip_size, place_of(table, "crack", i, fmt::format("crack '{}'", crack.name))));
+  }
+  for (const RegionParams& region : params.regions) sketch.regions.push_back({region.name, region.point});
+  for (const PointParams& point : params.points) sketch.points.push_back({point.name, point.point, point.size});
+  DOBRA_TRY_VOID(check_names(sketch.curves, sketch.places));
   Model model;
-  DOBRA_TRY(model.domain, make_domain(std::move(curves), places, {params.join_tolerance}));
+  model.remarks = sketch.remarks;
+  DOBRA_TRY(model.domain, make_domain(std::move(sketch), {params.join_tolerance}));
   return model;
 }
 

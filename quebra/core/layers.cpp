@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
 
 #include "quebra/core/domain.h"
 #include "shared/base/text.h"
 #include "shared/io/file.h"
-#include "shared/io/inp.h"
-#include "shared/io/msh.h"
+#include "shared/io/mesh_file.h"
 #include "shared/io/node_ele.h"
 #include "shared/io/vtu.h"
 
@@ -21,16 +23,34 @@ using scene::Color;
 
 constexpr Color ink{38, 50, 56};
 constexpr Color constraint_blue{13, 71, 161};
+constexpr Color crack_red{198, 40, 40};
 constexpr Color material{236, 239, 241};
 constexpr Color mesh_line{55, 71, 79, 150};
 
-scene::Layer boundary_layer(const Domain& domain) {
+/// The curves of some roles; empty lines if there are none.
+scene::Lines curves_of(const Domain& domain, bool (*wanted)(Role)) {
   scene::Lines lines;
   for (std::size_t c = 0; c < domain.curves.size(); ++c) {
-    lines.lines.push_back(trace(domain.curves[c], trace_turn).line);
+    if (!wanted(domain.curves[c].role)) continue;
+    lines.lines.push_back(trace(domain.curves[c]).line);
     lines.ids.push_back(static_cast<std::uint32_t>(c));
   }
-  return {"boundary", translated("Boundary"), {.line = ink, .line_width = 1.8}, std::move(lines)};
+  return lines;
+}
+
+/// Boundary, internal lines, cracks and named points, as far as there are any.
+void add_curves(const Domain& domain, std::vector<scene::Layer>& layers) {
+  const auto add = [&](const char* key, std::string title, const scene::Style& style, scene::Lines lines) {
+    if (!lines.lines.empty()) layers.push_back({key, std::move(title), style, std::move(lines)});
+  };
+  add("boundary", translated("Boundary"), {.line = ink, .line_width = 1.8}, curves_of(domain, [](Role role) { return role == Role::Boundary || role == Role::Hole; }));
+  add("internal", translated("Internal lines"), {.line = ink, .line_width = 1.0}, curves_of(domain, [](Role role) { return role == Role::Internal; }));
+  add("cracks", translated("Cracks"), {.line = crack_red, .line_width = 1.8}, curves_of(domain, [](Role role) { return role == Role::Crack; }));
+  scene::Markers markers;
+  for (const NamedPoint& point : domain.points) {
+    if (!point.name.empty()) markers.points.push_back(point.at);
+  }
+  if (!markers.points.empty()) layers.push_back({"points", translated("Points"), {.line = ink, .marker_size = 5.0}, std::move(markers)});
 }
 
 scene::Layer domain_layer(const Domain& domain) {
@@ -45,28 +65,83 @@ scene::Layer constraint_layer(const std::vector<Constraint>& constraints) {
   return {"constraints", translated("Offset constraints"), {.line = constraint_blue, .line_width = 1.2}, std::move(lines)};
 }
 
-io::MeshFields quality_fields(const mesh::TriangleMesh& mesh) {
-  io::MeshField alpha{"alpha", 1, {}};
-  for (const auto& [a, b, c] : mesh.triangles) alpha.values.push_back(mesh::alpha(mesh.point(a), mesh.point(b), mesh.point(c)));
-  return {{}, {std::move(alpha)}};
+bool only_triangles(const mesh::ElementMesh& mesh) {
+  return std::all_of(mesh.types.begin(), mesh.types.end(), [](mesh::ElementType type) { return type == mesh::ElementType::T3; });
 }
 
-scene::Layer mesh_layer(const mesh::TriangleMesh& mesh) {
+/// Outlines thin out as elements get many, so that they do not hide the colours.
+double line_width(const mesh::ElementMesh& mesh) {
+  return std::clamp(25.0 / std::sqrt(static_cast<double>(mesh.element_count()) + 1.0), 0.05, 0.5);
+}
+
+io::MeshFields quality_fields(const mesh::ElementMesh& mesh) {
+  io::MeshField field{"alpha", 1, {}};
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    const auto nodes = mesh.nodes_of(mesh::ElementId(e));
+    double least = mesh::alpha(mesh.point(nodes[0]), mesh.point(nodes[1]), mesh.point(nodes[2]));
+    // Of a quadrilateral: the worst of its four corner triangles, 1 for a square.
+    if (mesh::corner_count(mesh.types[e]) == 4) {
+      for (std::size_t i = 0; i < 4; ++i) {
+        least = std::min(least, mesh::alpha(mesh.point(nodes[i]), mesh.point(nodes[(i + 1) % 4]), mesh.point(nodes[(i + 2) % 4])));
+      }
+      least = std::min(1.0, least * 2.0 / std::numbers::sqrt3);
+    }
+    field.values.push_back(least);
+  }
+  return {{}, {std::move(field)}};
+}
+
+/// The triangles that draw an element: those of its corners and, of second order, of its mid-sides too.
+void add_triangles(const mesh::ElementMesh& mesh, std::size_t element, std::vector<std::array<std::uint32_t, 3>>& triangles) {
+  const auto nodes = mesh.nodes_of(mesh::ElementId(element));
+  const auto add = [&](std::initializer_list<std::size_t> corners) {
+    std::array<std::uint32_t, 3> triangle{};
+    std::transform(corners.begin(), corners.end(), triangle.begin(), [&](std::size_t i) { return static_cast<std::uint32_t>(nodes[i].index()); });
+    triangles.push_back(triangle);
+  };
+  switch (mesh.types[element]) {
+    case mesh::ElementType::T3: return add({0, 1, 2});
+    case mesh::ElementType::Q4: add({0, 1, 2}); return add({0, 2, 3});
+    case mesh::ElementType::T6: add({0, 3, 5}); add({3, 1, 4}); add({5, 4, 2}); return add({3, 4, 5});
+    case mesh::ElementType::Q8: add({0, 4, 7}); add({4, 1, 5}); add({5, 2, 6}); add({6, 3, 7}); add({4, 5, 7}); return add({5, 6, 7});
+  }
+}
+
+/// The outline of every element once, mid-sides included.
+scene::Layer outline_layer(const mesh::ElementMesh& mesh) {
+  scene::Lines lines;
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    geom::Polyline outline{{}, true};
+    for (std::uint32_t i = 0; i < mesh::corner_count(mesh.types[e]); ++i) {
+      const auto [from, to, middle] = side_nodes(mesh, {mesh::ElementId(e), i});
+      outline.points.push_back(mesh.point(from));
+      if (middle.valid()) outline.points.push_back(mesh.point(middle));
+    }
+    lines.lines.push_back(std::move(outline));
+    lines.ids.push_back(static_cast<std::uint32_t>(e));
+  }
+  const double width = line_width(mesh);
+  scene::Layer layer{"elements", translated("Elements"), {.line = mesh_line, .line_width = width}, std::move(lines)};
+  layer.in_legend = scene::InLegend::No;
+  return layer;
+}
+
+scene::Layer mesh_layer(const mesh::ElementMesh& mesh) {
   scene::Mesh content;
   content.points = mesh.points;
   content.values_at = scene::ValuesAt::Triangles;
-  for (const auto& corners : mesh.triangles) {
-    content.triangles.push_back({static_cast<std::uint32_t>(corners[0].index()), static_cast<std::uint32_t>(corners[1].index()),
-                                 static_cast<std::uint32_t>(corners[2].index())});
+  const std::vector<double> values = quality_fields(mesh).at_elements.front().values;
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    add_triangles(mesh, e, content.triangles);
+    content.values.resize(content.triangles.size(), values[e]);
   }
-  content.values = quality_fields(mesh).at_triangles.front().values;
   content.scale = {translated("quality alpha"), scene::ColorMapName::Quality, 0.5, 1.0};
-  // Outlines thin out as triangles get many, so that they do not hide the colours.
-  const double width = std::clamp(25.0 / std::sqrt(static_cast<double>(content.triangles.size()) + 1.0), 0.05, 0.5);
+  // Triangles alone are drawn with their outlines; of other elements the outlines are a layer of their own.
+  const double width = only_triangles(mesh) ? line_width(mesh) : 0.0;
   return {"mesh", translated("Mesh"), {.line = mesh_line, .line_width = width}, std::move(content), true, scene::InLegend::No};
 }
 
-scene::Layer node_layer(const mesh::TriangleMesh& mesh) {
+scene::Layer node_layer(const mesh::ElementMesh& mesh) {
   scene::Layer layer{"nodes", translated("Nodes"), {.line = ink, .marker_size = 2.0}, scene::Markers{mesh.points, {}}};
   layer.visible = false;
   layer.in_legend = scene::InLegend::No;
@@ -77,18 +152,19 @@ scene::Panel domain_panel(const Model& model) {
   scene::Panel panel{.key = "domain", .title = translated("Domain"), .axes = {}, .layers = {}};
   panel.layers.push_back(domain_layer(model.domain));
   if (!model.constraints.empty()) panel.layers.push_back(constraint_layer(model.constraints));
-  panel.layers.push_back(boundary_layer(model.domain));
+  add_curves(model.domain, panel.layers);
   return panel;
 }
 
 scene::Panel mesh_panel(const Model& model, const Meshed& meshed, std::size_t number) {
   scene::Panel panel{.key = fmt::format("mesh_{}", number), .title = {}, .axes = {}, .layers = {}};
-  panel.title = fmt::format("{}: {} {}", meshed.name, meshed.quality.triangles, translated("triangles"));
+  panel.title = fmt::format("{}: {} {}", meshed.name, meshed.mesh.element_count(), translated("elements"));
   panel.layers.push_back(mesh_layer(meshed.mesh));
+  if (!only_triangles(meshed.mesh)) panel.layers.push_back(outline_layer(meshed.mesh));
   if (meshed.constraints > 0) {
     panel.layers.push_back(constraint_layer({model.constraints.begin(), model.constraints.begin() + static_cast<std::ptrdiff_t>(meshed.constraints)}));
   }
-  panel.layers.push_back(boundary_layer(model.domain));
+  add_curves(model.domain, panel.layers);
   panel.layers.push_back(node_layer(meshed.mesh));
   return panel;
 }
@@ -107,11 +183,12 @@ scenario::DataTable histogram(const Meshed& meshed) {
 void add_quality(std::vector<scenario::Quantity>& quantities, const std::string& prefix, const Meshed& meshed) {
   const auto& q = meshed.quality;
   const auto add = [&](const char* name, double value, const char* unit = "") { quantities.push_back({prefix + name, value, unit}); };
-  std::size_t constraint_edges = 0;
-  for (const auto& [name, edges] : meshed.mesh.constraint_sets) constraint_edges += edges.size();
-  add("elements", static_cast<double>(q.triangles));
-  add("nodes", static_cast<double>(q.nodes));
-  add("area", q.area, "m2");
+  const auto& types = meshed.mesh.types;
+  add("elements", static_cast<double>(types.size()));
+  add("quadrilaterals", static_cast<double>(std::count_if(types.begin(), types.end(), [](auto type) { return mesh::corner_count(type) == 4; })));
+  add("nodes", static_cast<double>(meshed.mesh.points.size()));
+  add("tips", static_cast<double>(meshed.mesh.tips.size()));
+  add("area", mesh::area(meshed.mesh), "m2");
   add("alpha_mean", q.alpha_mean);
   add("alpha_90", 100.0 * q.alpha_90, "%");
   add("alpha_min", q.alpha_min);
@@ -119,7 +196,7 @@ void add_quality(std::vector<scenario::Quantity>& quantities, const std::string&
   add("max_angle", q.angle_max.degrees(), "deg");
   add("gradation_p95", q.gradation_p95);
   add("constraints", static_cast<double>(meshed.constraints));
-  add("constraint_edges", static_cast<double>(constraint_edges));
+  add("constraint_edges", static_cast<double>(meshed.constraint_edges));
 }
 
 base::Result<void> write_text(const base::Result<std::string>& text, const std::filesystem::path& path) {
@@ -142,6 +219,10 @@ std::vector<scenario::Quantity> quantities_of(const Model& model) {
   std::vector<scenario::Quantity> quantities;
   quantities.push_back({"curves", static_cast<double>(model.domain.curves.size()), ""});
   quantities.push_back({"loops", static_cast<double>(model.domain.loops.size()), ""});
+  const auto& curves = model.domain.curves;
+  const auto cracks = std::count_if(curves.begin(), curves.end(), [](const Curve& curve) { return curve.role == Role::Crack; });
+  quantities.push_back({"cracks", static_cast<double>(cracks), ""});
+  quantities.push_back({"parts", static_cast<double>(model.domain.faces.size()), ""});
   quantities.push_back({"offset_constraints", static_cast<double>(model.constraints.size()), ""});
   for (std::size_t i = 0; i < model.constraints.size(); ++i) {
     quantities.push_back({fmt::format("constraint.{}.distance", model.constraints[i].name), model.constraints[i].distance, "m"});
@@ -157,7 +238,7 @@ std::vector<scenario::DataTable> tables_of(const Model& model) {
                             {}};
   for (const auto& meshed : model.meshes) {
     const auto& q = meshed->quality;
-    table.rows.push_back({meshed->name, static_cast<double>(q.triangles), static_cast<double>(q.nodes), q.alpha_mean, 100.0 * q.alpha_90,
+    table.rows.push_back({meshed->name, static_cast<double>(meshed->mesh.element_count()), static_cast<double>(meshed->mesh.points.size()), q.alpha_mean, 100.0 * q.alpha_90,
                           q.alpha_min, q.angle_min.degrees(), q.angle_max.degrees(), q.gradation_p95, static_cast<double>(meshed->constraints)});
   }
   if (table.rows.empty()) return {};
@@ -167,13 +248,18 @@ std::vector<scenario::DataTable> tables_of(const Model& model) {
 std::vector<scenario::Output> outputs_of(const std::shared_ptr<const Model>& model) {
   if (model->meshes.empty()) return {};
   const std::shared_ptr<const Meshed> meshed = model->meshes.back();
-  return {
+  std::vector<scenario::Output> outputs = {
       {"mesh.vtu", [meshed](const auto& path) { return io::write_vtu(path.string(), meshed->mesh, quality_fields(meshed->mesh)); }},
-      {"mesh.msh", [meshed](const auto& path) { return io::write_msh(path.string(), meshed->mesh); }},
-      {"mesh.inp", [meshed](const auto& path) { return io::write_inp(path.string(), meshed->mesh); }},
-      {"mesh.node", [meshed](const auto& path) { return write_text(io::node_text(io::node_file_of(meshed->mesh)), path); }},
-      {"mesh.ele", [meshed](const auto& path) { return write_text(io::ele_text(io::ele_file_of(meshed->mesh)), path); }},
   };
+  for (const char* const name : {"mesh.msh", "mesh.inp", "mesh.bdf", "mesh.nf"}) {
+    outputs.push_back({name, [meshed](const auto& path) { return io::write_mesh(path.string(), meshed->mesh); }});
+  }
+  // These hold triangles of one order only.
+  if (const auto elements = io::ele_file_of(meshed->mesh)) {
+    outputs.push_back({"mesh.node", [meshed](const auto& path) { return write_text(io::node_text(io::node_file_of(meshed->mesh)), path); }});
+    outputs.push_back({"mesh.ele", [elements](const auto& path) { return write_text(io::ele_text(*elements), path); }});
+  }
+  return outputs;
 }
 
 }  // namespace quebra::core

@@ -2,19 +2,34 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
 #include <map>
+#include <utility>
 
 #include "quebra/core/domain.h"
+#include "quebra/core/zone.h"
+#include "shared/mesh/lips.h"
+#include "shared/mesh/order2.h"
+#include "shared/mesh/recombine.h"
 #include "shared/mesh/triangulate.h"
 
 namespace quebra::core {
 namespace {
 
 using dobra::base::Result;
+using dobra::geom::Arc;
 using dobra::geom::Point;
+using dobra::geom::Segment;
 using dobra::mesh::EdgeKind;
+using dobra::mesh::ElementMesh;
 using dobra::mesh::MeshInput;
+using dobra::mesh::MiddleOfCurve;
 using dobra::mesh::NodeId;
+using dobra::mesh::SecondOrder;
+using dobra::mesh::TriangleMesh;
 
 /// Builds the input of the mesher; equal points become one node.
 class InputBuilder {
@@ -33,6 +48,8 @@ class InputBuilder {
     const NodeId b = node(to);
     if (a != b) input_.edges.push_back({{a, b}, set});
   }
+  void size(Point at, double size) { input_.sizes.push_back({at, size}); }
+  void name(const std::string& set, Point at) { input_.node_sets[set].push_back(node(at)); }
   MeshInput take() { return std::move(input_); }
 
  private:
@@ -40,8 +57,22 @@ class InputBuilder {
   std::map<Point, NodeId> nodes_;
 };
 
-std::vector<Stop> stops_on(std::size_t curve, const std::vector<Constraint>& constraints) {
+std::vector<Stop> stops_on(std::size_t curve, const Domain& domain, const std::vector<Constraint>& constraints) {
   std::vector<Stop> stops;
+  for (const Junction& junction : domain.junctions) {
+    if (junction.curve == curve) stops.push_back({junction.s, 0.0});
+  }
+  const Curve& own = domain.curves[curve];
+  const std::array ends{std::pair{0.0, point(own, 0.0)}, std::pair{length(own), point(own, length(own))}};
+  for (const NamedPoint& named : domain.points) {
+    if (!(named.size > 0.0)) continue;
+    for (const auto& [s, at] : ends) {
+      if (at == named.at) stops.push_back({s, named.size});
+    }
+    for (const Junction& junction : domain.junctions) {
+      if (junction.curve == curve && junction.at == named.at) stops.push_back({junction.s, named.size});
+    }
+  }
   for (const Constraint& constraint : constraints) {
     for (const auto& foot : constraint.feet) {
       if (foot.curve == curve) stops.push_back({foot.s, constraint.spacing});
@@ -50,18 +81,41 @@ std::vector<Stop> stops_on(std::size_t curve, const std::vector<Constraint>& con
   return stops;
 }
 
-MeshInput mesh_input(const Domain& domain, const std::vector<Constraint>& constraints, const DivideOptions& options) {
+/// The nodes of a curve in order; at a junction exactly its point.
+std::vector<Point> nodes_on(const Domain& domain, std::size_t curve, const std::vector<double>& s) {
+  std::vector<Point> nodes = points(domain.curves[curve], s);
+  for (const Junction& junction : domain.junctions) {
+    if (junction.curve != curve) continue;
+    const auto above = std::lower_bound(s.begin(), s.end(), junction.s);
+    const bool before = above != s.begin() && (above == s.end() || junction.s - *(above - 1) < *above - junction.s);
+    nodes[static_cast<std::size_t>(above - s.begin()) - (before ? 1 : 0)] = junction.at;
+  }
+  if (closed(domain.curves[curve])) nodes.back() = nodes.front();
+  return nodes;
+}
+
+EdgeKind kind_of(Role role) {
+  switch (role) {
+    case Role::Boundary:
+    case Role::Hole: return EdgeKind::Boundary;
+    case Role::Internal: return EdgeKind::Interface;
+    case Role::Crack: break;
+  }
+  return EdgeKind::Constraint;
+}
+
+MeshInput mesh_input(const Model& model, const std::vector<Constraint>& constraints, const DivideOptions& options) {
+  const Domain& domain = model.domain;
   InputBuilder builder;
   for (std::size_t c = 0; c < domain.curves.size(); ++c) {
     const Curve& curve = domain.curves[c];
-    const auto set = builder.add_set(curve.name, curve.role == Role::Internal ? EdgeKind::Interface : EdgeKind::Boundary);
-    const std::vector<double> nodes = divide(curve, stops_on(c, constraints), options);
-    Point from = point(curve, nodes.front());
-    for (std::size_t i = 1; i < nodes.size(); ++i) {
-      const bool back_at_start = closed(curve) && i + 1 == nodes.size();
-      const Point to = point(curve, back_at_start ? 0.0 : nodes[i]);
-      builder.edge(from, to, set);
-      from = to;
+    const auto set = builder.add_set(curve.name, kind_of(curve.role));
+    const std::vector<double> s = divide(curve, stops_on(c, domain, constraints), options);
+    const std::vector<Point> nodes = nodes_on(domain, c, s);
+    for (std::size_t i = 1; i < nodes.size(); ++i) builder.edge(nodes[i - 1], nodes[i], set);
+    if (curve.tip_size > 0.0) {
+      builder.size(nodes.front(), curve.tip_size);
+      builder.size(nodes.back(), curve.tip_size);
     }
   }
   for (const Constraint& constraint : constraints) {
@@ -71,8 +125,98 @@ MeshInput mesh_input(const Domain& domain, const std::vector<Constraint>& constr
       builder.edge(from, to, set);
     }
   }
-  return builder.take();
+  for (const NamedPoint& named : domain.points) {
+    if (!named.name.empty()) builder.name(named.name, named.at);
+    if (named.size > 0.0) builder.size(named.at, named.size);
+  }
+  for (const Zone& zone : model.zones) {
+    for (const Point p : points_of(zone, domain)) builder.size(p, zone.size);
+  }
+  MeshInput input = builder.take();
+  for (const Face& face : domain.faces) input.regions.push_back({face.inside, face.region});
+  return input;
 }
+
+/// The middle between two neighbouring nodes of a curve that bends.
+MiddleOfCurve middle_of(const Arc& arc) {
+  return [arc](Point from, Point to) {
+    const Point chord = midpoint(from, to);
+    const auto ray = chord - arc.centre();
+    const double distance = length(ray);
+    return distance > 0.0 ? arc.centre() + (0.5 * (length(from - arc.centre()) + length(to - arc.centre())) / distance) * ray : chord;
+  };
+}
+MiddleOfCurve middle_of(const Curve& curve, const Smooth& smooth) {
+  return [&curve, &smooth](Point from, Point to) {
+    const auto at = [&](Point p) {
+      const auto& chords = smooth.chords();
+      std::size_t best = 0;
+      for (std::size_t i = 1; i + 1 < chords.points.size(); ++i) {
+        const auto gap = [&](std::size_t k) { return distance(Segment{chords.points[k], chords.points[k + 1]}, p); };
+        if (gap(i) < gap(best)) best = i;
+      }
+      const double f = nearest_fraction({chords.points[best], chords.points[best + 1]}, p);
+      return chords.s[best] + f * (chords.s[best + 1] - chords.s[best]);
+    };
+    double s = at(from);
+    double t = at(to);
+    // Across the seam of a closed curve the way through it is the short one.
+    if (closed(curve) && std::abs(t - s) > 0.5 * smooth.length()) (s < t ? s : t) += smooth.length();
+    return smooth.point(std::fmod(0.5 * (s + t), smooth.length() * (1.0 + 1e-12)));
+  };
+}
+
+std::map<std::string, MiddleOfCurve> bent_sides(const Domain& domain) {
+  std::map<std::string, MiddleOfCurve> middles;
+  for (const Curve& curve : domain.curves) {
+    std::vector<std::string> sets{curve.name};
+    if (curve.role == Role::Crack) sets = {curve.name + "_left", curve.name + "_right"};
+    for (const std::string& set : sets) {
+      if (const auto* arc = std::get_if<Arc>(&curve.shape)) middles[set] = middle_of(*arc);
+      if (const auto* smooth = std::get_if<Smooth>(&curve.shape)) middles[set] = middle_of(curve, *smooth);
+    }
+  }
+  return middles;
+}
+
+/// From the triangles to the elements that the user asked for.
+Result<ElementMesh> elements_of(const TriangleMesh& triangles, const Domain& domain, const MeshParams& params,
+                                std::vector<std::string>& remarks) {
+  ElementMesh mesh = element_mesh_of(triangles);
+  mesh.region_names = domain.region_names;
+  std::vector<std::string> cracks;
+  for (const Curve& curve : domain.curves) {
+    for (const std::string& group : curve.groups) {
+      const auto& sides = mesh.side_sets.at(curve.name);
+      mesh.side_sets[group].insert(mesh.side_sets[group].end(), sides.begin(), sides.end());
+    }
+    if (curve.role == Role::Crack) cracks.push_back(curve.name);
+  }
+  if (!cracks.empty()) {
+    DOBRA_TRY(mesh, open_lips(std::move(mesh), cracks));
+  }
+  if (params.quadrilaterals == Quadrilaterals::Yes) mesh = recombine(mesh);
+  if (params.order == Order::First) return mesh;
+  SecondOrder second = to_second_order(std::move(mesh), bent_sides(domain));
+  for (const auto& side : second.straightened) {
+    const auto nodes = side_nodes(second.mesh, side);
+    const Point at = second.mesh.point(nodes[2]);
+    remarks.push_back(fmt::format("the side at ({:.6g}, {:.6g}) stays straight: its curve would invert the element; use smaller sides there", at.x, at.y));
+  }
+  return std::move(second.mesh);
+}
+
+/// Seconds since the last call.
+class Stopwatch {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    return std::chrono::duration<double>(now - std::exchange(start_, now)).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
 
 }  // namespace
 
@@ -81,22 +225,27 @@ Result<Model> add_mesh(const Model& model, const MeshParams& params, const dobra
   const double size = params.size > 0.0 ? params.size : model.domain.box().diagonal() / 20.0;
   const std::vector<Constraint> none;
   const auto& constraints = params.constraints == UseConstraints::Yes ? model.constraints : none;
-  const MeshInput input =
-      mesh_input(model.domain, constraints, {.size = size, .turn = params.turn, .growth = params.growth});
+  Stopwatch watch;
+  auto meshed = std::make_shared<Meshed>();
+  const auto done = [&](const char* phase) { meshed->seconds.push_back({phase, watch.lap()}); };
+  const MeshInput input = mesh_input(model, constraints, {.size = size, .turn = params.turn, .growth = params.growth});
+  done("divide");
 
   dobra::mesh::MeshOptions options;
   options.sizes.growth = params.growth;
   options.sizes.max_size = params.size;
   options.smoothing.passes = params.smoothing;
   options.points.max_triangles = static_cast<std::size_t>(params.max_elements);
-  DOBRA_TRY(dobra::mesh::TriangleMesh mesh, dobra::mesh::triangulate(input, options, progress));
-
-  auto meshed = std::make_shared<Meshed>();
-  meshed->name = !params.label.empty() ? params.label : fmt::format("Mesh {}", model.meshes.size() + 1);
-  meshed->quality = dobra::mesh::quality_of(mesh);
-  meshed->mesh = std::move(mesh);
-  meshed->constraints = constraints.size();
+  DOBRA_TRY(const TriangleMesh triangles, dobra::mesh::triangulate(input, options, progress));
+  done("triangulate");
   Model result = model;
+  DOBRA_TRY(meshed->mesh, elements_of(triangles, model.domain, params, result.remarks));
+  done("elements");
+  meshed->quality = dobra::mesh::quality_of(triangles);
+  done("quality");
+  for (const Constraint& constraint : constraints) meshed->constraint_edges += triangles.constraint_sets.at(constraint.name).size();
+  meshed->name = !params.label.empty() ? params.label : fmt::format("Mesh {}", model.meshes.size() + 1);
+  meshed->constraints = constraints.size();
   result.meshes.push_back(std::move(meshed));
   return result;
 }

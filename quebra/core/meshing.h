@@ -1,5 +1,6 @@
 #pragma once
-// Domain and constraints -> mesh: curves divided, quadtree, constrained Delaunay triangulation, smoothing.
+// Domain and constraints -> mesh: curves divided, quadtree, constrained Delaunay triangulation, smoothing; then cracks
+// opened, quadrilaterals, second order.
 
 #include <string>
 
@@ -10,6 +11,8 @@
 namespace quebra::core {
 
 enum class UseConstraints { Yes, No };
+enum class Order { First, Second };
+enum class Quadrilaterals { No, Yes };
 
 struct MeshParams {
   std::string label;
@@ -19,6 +22,8 @@ struct MeshParams {
   int smoothing = 3;
   int max_elements = 20000000;
   UseConstraints constraints = UseConstraints::Yes;
+  Order order = Order::First;
+  Quadrilaterals quadrilaterals = Quadrilaterals::No;
 
   template <class D>
   static void describe(D& d) {
@@ -29,6 +34,8 @@ struct MeshParams {
     d.field("smoothing", &MeshParams::smoothing, {.title = "Smoothing passes", .at_least = 0, .at_most = 100});
     d.field("max_elements", &MeshParams::max_elements, {.title = "Most elements", .help = "The mesher stops with advice beyond it.", .at_least = 1});
     d.choice("constraints", &MeshParams::constraints, {"yes", "no"}, {.title = "Obey constraints"});
+    d.choice("order", &MeshParams::order, {"1", "2"}, {.title = "Order", .help = "2: nodes at mid-sides too, on the true curve."});
+    d.choice("quads", &MeshParams::quadrilaterals, {"no", "yes"}, {.title = "Quadrilaterals", .help = "Joins pairs of triangles where that gives a good shape."});
   }
 };
 

@@ -1,15 +1,45 @@
 #pragma once
 // What QUEBRA works on: a domain bounded by curves, internal constraints, and the meshes made so far. A value.
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "quebra/core/curve.h"
+#include "shared/mesh/element_mesh.h"
 #include "shared/mesh/quality.h"
-#include "shared/mesh/triangle_mesh.h"
 
 namespace quebra::core {
+
+/// A point where a curve meets another one away from its ends, or where a point of the domain lies on it: a node of both.
+struct Junction {
+  std::size_t curve = 0;
+  double s = 0.0;
+  dobra::geom::Point at;
+};
+
+/// A part of the material, bounded by loops and internal lines.
+struct Face {
+  std::int32_t region = 0;  ///< Tag: 1, 2, ... first the named regions in their order.
+  dobra::geom::Point inside;
+  double area = 0.0;  ///< m2, arcs followed by trace_turn.
+};
+
+/// A node wanted inside or on a curve: a support, a load, a gauge.
+struct NamedPoint {
+  std::string name;  ///< Of the set that its node belongs to; empty: a size only.
+  dobra::geom::Point at;
+  double size = 0.0;  ///< Of the elements there, m; 0: no wish.
+};
+
+/// Elements of at most `size` within `width` of a line.
+struct Zone {
+  std::string name;
+  dobra::geom::Polyline line;
+  double size = 0.0;   ///< m.
+  double width = 0.0;  ///< m, to either side.
+};
 
 /// Curves joined into loops. Ends that meet are the same point, bit for bit.
 struct Domain {
@@ -24,6 +54,10 @@ struct Domain {
     int depth = 0;  ///< 0: outer boundary, 1: hole in it, 2: island in the hole ...
   };
   std::vector<Loop> loops;
+  std::vector<Junction> junctions;  ///< By curve, then by distance.
+  std::vector<NamedPoint> points;
+  std::vector<Face> faces;
+  std::map<std::int32_t, std::string> region_names;
 
   [[nodiscard]] dobra::geom::Box box() const;
 };
@@ -42,16 +76,25 @@ struct Constraint {
   std::vector<Foot> feet;
 };
 
+/// How long a part of the work took, s.
+struct PhaseTime {
+  std::string phase;
+  double seconds = 0.0;
+};
+
 struct Meshed {
   std::string name;
-  dobra::mesh::TriangleMesh mesh;
-  dobra::mesh::MeshQuality quality;
-  std::size_t constraints = 0;  ///< How many constraints it obeys.
+  dobra::mesh::ElementMesh mesh;
+  dobra::mesh::MeshQuality quality;  ///< Of the triangles, before they were joined to quadrilaterals or bent.
+  std::size_t constraints = 0;       ///< How many constraints it obeys.
+  std::size_t constraint_edges = 0;  ///< Sides along them.
+  std::vector<PhaseTime> seconds;    ///< Not part of any report: the same run gives the same bytes.
 };
 
 struct Model {
   Domain domain;
   std::vector<Constraint> constraints;
+  std::vector<Zone> zones;
   std::vector<std::shared_ptr<const Meshed>> meshes;  ///< In the order made; each mesh step adds one.
   std::vector<std::string> remarks;
 };

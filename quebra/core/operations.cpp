@@ -4,6 +4,7 @@
 #include "quebra/core/input.h"
 #include "quebra/core/layers.h"
 #include "quebra/core/meshing.h"
+#include "quebra/core/zone.h"
 
 namespace quebra::core {
 namespace {
@@ -24,6 +25,8 @@ scenario::Program make_program() {
   program.operations = {
       scenario::make_operation<Model, ConstraintParams>(
           "constraints", "Offset constraints", "Offset curves of a boundary, as internal constraints that grade the mesh.", add_constraints),
+      scenario::make_operation<Model, ZoneParams>(
+          "zone", "Zone of small elements", "Elements of a given size within a given distance of curves, cracks or points.", add_zone),
       scenario::make_operation<Model, MeshParams>(
           "mesh", "Mesh", "Divides the boundary and fills the domain with triangles: quadtree for the sizes, Delaunay for the shapes.", add_mesh),
   };

@@ -1,21 +1,22 @@
 #pragma once
-// The mesh part of an Abaqus or CalculiX input deck (.inp): *NODE, *ELEMENT of 3-node triangles, *NSET, *ELSET,
-// *SURFACE. Materials, loads and steps are the deck's business. Source: [calculix-ccx], [abaqus-keywords].
+// The mesh part of an Abaqus or CalculiX input deck (.inp): *NODE, *ELEMENT of triangles and quadrilaterals of first
+// and second order, *NSET, *ELSET, *SURFACE. Materials, loads and steps are the deck's business. Source:
+// [calculix-ccx], [abaqus-keywords].
 //
-// Names in the file: every boundary set is an *NSET (its nodes) and a *SURFACE (its element faces) of its name; every
-// constraint set the same as CONSTRAINT_NAME; a region is the *ELSET REGION_TAG. All nodes are NALL, all triangles
-// EALL.
+// Names in the file: every side set is an *NSET (its nodes) and a *SURFACE (its element faces) of its name, every node
+// set an *NSET; a region is the *ELSET REGION_TAG, and one more of its name that holds that set. All nodes are NALL,
+// all elements EALL.
 
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "shared/base/result.h"
-#include "shared/mesh/triangle_mesh.h"
+#include "shared/mesh/element_mesh.h"
 
 namespace dobra::io {
 
-enum class InpElement { PlaneStress, PlaneStrain, Axisymmetric };  ///< CPS3, CPE3, CAX3
+enum class InpElement { PlaneStress, PlaneStrain, Axisymmetric };  ///< CPS3, CPE3, CAX3 and so on
 /// CalculiX looks at the first 20 characters of a number only. TwentyColumns writes every digit where they fit in 20
 /// and else rounds to the most that do (relative error below 1e-12); Exact always writes every digit.
 enum class InpNumbers { TwentyColumns, Exact };
@@ -26,18 +27,18 @@ struct InpOptions {
 };
 
 struct InpContents {
-  mesh::TriangleMesh mesh;
+  mesh::ElementMesh mesh;
   std::vector<std::string> remarks;  ///< Keywords left out, one line each.
 };
 
 /// The text of a deck's mesh part; node and element numbers are the positions in the mesh, from 1. Characters that a
 /// label cannot hold become '_', and a comment line says so.
-/// @error NotFinite; CannotMesh: no triangles; InvalidOption: a set with an edge that is no triangle's side.
-base::Result<std::string> inp_text(const mesh::TriangleMesh& mesh, const InpOptions& options = {});
+/// @error NotFinite; CannotMesh: no elements; InvalidOption: a set that refers to what does not exist.
+base::Result<std::string> inp_text(const mesh::ElementMesh& mesh, const InpOptions& options = {});
 /// @error those of inp_text, CannotWrite
-base::Result<void> write_inp(const std::string& path, const mesh::TriangleMesh& mesh, const InpOptions& options = {});
+base::Result<void> write_inp(const std::string& path, const mesh::ElementMesh& mesh, const InpOptions& options = {});
 
-/// The mesh of a deck: 3-node triangles; keywords beside those above are left out with a remark.
+/// The mesh of a deck; keywords beside those above are left out with a remark.
 /// @error FileNotFound, NotAFile, CannotRead, EmptyFile; BadFormat, NotFinite with line and column; UnknownFormat:
 ///        other elements.
 base::Result<InpContents> read_inp(const std::string& path);

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <charconv>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "shared/io/file.h"
@@ -21,7 +22,6 @@ using mesh::NodeId;
 
 namespace {
 
-constexpr std::string_view constraint_prefix = "CONSTRAINT_";
 constexpr std::string_view region_prefix = "REGION_";
 constexpr std::size_t longest_range = 100'000'000;
 
@@ -29,6 +29,29 @@ std::string upper(std::string_view text) {
   std::string result(text);
   for (char& c : result) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   return result;
+}
+
+/// CPS6, CPE4R, S8R ...: the family, the number of nodes, and letters for the integration, which do not matter here.
+std::optional<mesh::ElementType> element_type(const std::string& name) {
+  constexpr std::array families{"CPS", "CPE", "CAX", "M3D", "S"};
+  for (const std::string_view family : families) {
+    if (!name.starts_with(family)) continue;
+    const std::string rest = name.substr(family.size());
+    if (rest.find_first_not_of("RHIT", 1) != std::string::npos || rest.empty()) return std::nullopt;
+    switch (rest[0]) {
+      case '3':
+        return mesh::ElementType::T3;
+      case '4':
+        return mesh::ElementType::Q4;
+      case '6':
+        return mesh::ElementType::T6;
+      case '8':
+        return mesh::ElementType::Q8;
+      default:
+        return std::nullopt;
+    }
+  }
+  return std::nullopt;
 }
 
 class Reader {
@@ -47,6 +70,10 @@ class Reader {
       } else if (keyword_ == "*NSET") {
         DOBRA_TRY_VOID(add_numbers(node_index_, "node", node_sets_[set_]));
       } else if (keyword_ == "*ELSET") {
+        if (const auto region = region_of(records_.word(0)); region && records_.size() == 1) {
+          region_names_[*region] = set_;
+          continue;
+        }
         DOBRA_TRY_VOID(add_numbers(element_index_, "element", element_sets_[set_]));
       } else if (keyword_ == "*SURFACE") {
         DOBRA_TRY_VOID(add_face());
@@ -54,8 +81,9 @@ class Reader {
         return records_.error(0, fmt::format("a keyword such as *NODE is due here, not {}", shown(records_.word(0))));
       }
     }
-    if (contents_.mesh.triangles.empty()) {
-      return Error{ErrorCode::BadFormat, "the file holds no triangles", base::Place{.file = records_.file()}};
+    if (contents_.mesh.element_count() == 0) {
+      return Error{ErrorCode::BadFormat, "the file holds no triangles and no quadrilaterals",
+                   base::Place{.file = records_.file()}};
     }
     build();
     return std::move(contents_);
@@ -76,13 +104,14 @@ class Reader {
     }
     set_.clear();
     if (keyword_ == "*ELEMENT") {
-      const std::string type = upper(parameters_["TYPE"]);
-      constexpr std::array known{"CPS3", "CPE3", "CAX3", "S3", "M3D3"};
-      if (std::find(known.begin(), known.end(), type) == known.end()) {
+      const auto type = element_type(upper(parameters_["TYPE"]));
+      if (!type) {
         return Error{ErrorCode::UnknownFormat,
-                     fmt::format("element type {} is not read; use CPS3, CPE3 or CAX3", shown(type)),
+                     fmt::format("element type {} is not read; use plane ones such as CPS3, CPE6, CAX4, CPS8R",
+                                 shown(upper(parameters_["TYPE"]))),
                      records_.place(0)};
       }
+      type_ = *type;
     }
     if (keyword_ == "*NSET") return name_set("NSET");
     if (keyword_ == "*ELSET") return name_set("ELSET");
@@ -120,15 +149,15 @@ class Reader {
 
   Result<void> add_element() {
     DOBRA_TRY(const std::size_t number, records_.count(0, "the element's number"));
-    mesh::Corners corners;
-    for (std::size_t k = 0; k < 3; ++k) {
+    std::vector<NodeId> nodes;
+    for (std::size_t k = 0; k < mesh::node_count(type_); ++k) {
       DOBRA_TRY(const std::size_t node, find(node_index_, 1 + k, "node"));
-      corners[k] = NodeId(node);
+      nodes.emplace_back(node);
     }
-    if (!element_index_.try_emplace(number, contents_.mesh.triangles.size()).second) {
+    if (!element_index_.try_emplace(number, contents_.mesh.element_count()).second) {
       return records_.error(0, fmt::format("element {} is given twice", number));
     }
-    contents_.mesh.triangles.push_back(corners);
+    mesh::add_element(contents_.mesh, type_, nodes, 0);
     return {};
   }
 
@@ -159,36 +188,41 @@ class Reader {
   Result<void> add_face() {
     DOBRA_TRY(const std::size_t element, find(element_index_, 0, "element"));
     const std::string face = records_.size() > 1 ? upper(records_.word(1)) : std::string{};
-    if (face.size() != 2 || face[0] != 'S' || face[1] < '1' || face[1] > '3') {
-      return records_.error(1, fmt::format("face {} is not one of S1, S2, S3", shown(face)));
+    const mesh::ElementMesh& mesh = contents_.mesh;
+    const std::size_t corners = mesh::corner_count(mesh.types[element]);
+    if (face.size() != 2 || face[0] != 'S' || face[1] < '1' || face[1] > '0' + static_cast<char>(corners)) {
+      return records_.error(1, fmt::format("face {} is not one of S1 to S{}", shown(face), corners));
     }
-    const auto side = static_cast<std::size_t>(face[1] - '1');
-    const mesh::Corners& corners = contents_.mesh.triangles[element];
-    surfaces_[set_].push_back({corners[side], corners[(side + 1) % 3]});
+    const auto [from, to, middle] =
+        side_nodes(mesh, {mesh::ElementId(element), static_cast<std::uint32_t>(face[1] - '1')});
+    surfaces_[set_].push_back({from, to});
     return {};
   }
 
+  /// The tag in a label REGION_TAG.
+  static std::optional<std::int32_t> region_of(std::string_view name) {
+    const std::string label = upper(name);
+    if (!label.starts_with(region_prefix)) return std::nullopt;
+    std::int32_t region = 0;
+    const char* const end = label.data() + label.size();
+    const auto [stop, status] = std::from_chars(label.data() + region_prefix.size(), end, region);
+    if (status != std::errc{} || stop != end) return std::nullopt;
+    return region;
+  }
+
   void build() {
-    mesh::TriangleMesh& mesh = contents_.mesh;
-    mesh.regions.assign(mesh.triangles.size(), 0);
+    mesh::ElementMesh& mesh = contents_.mesh;
     for (const auto& [name, elements] : element_sets_) {
-      std::int32_t region = 0;
-      const std::string label = upper(name);
-      if (!label.starts_with(region_prefix)) continue;
-      const char* const end = label.data() + label.size();
-      const auto [stop, status] = std::from_chars(label.data() + region_prefix.size(), end, region);
-      if (status != std::errc{} || stop != end) continue;
-      for (const std::size_t element : elements) mesh.regions[element] = region;
+      const auto region = region_of(name);
+      if (!region) continue;
+      for (const std::size_t element : elements) mesh.regions[element] = *region;
     }
-    for (const auto& [name, edges] : surfaces_) {
-      const bool constraint = upper(name).starts_with(constraint_prefix);
-      (constraint ? mesh.constraint_sets[name.substr(constraint_prefix.size())] : mesh.boundary_sets[name]) = edges;
-    }
+    mesh.region_names = region_names_;
     for (const auto& [name, nodes] : node_sets_) {
       if (surfaces_.contains(name)) continue;  // The nodes of a surface, derived from it.
       for (const std::size_t node : nodes) mesh.node_sets[name].push_back(NodeId(node));
     }
-    orient(mesh);
+    finish(mesh, surfaces_);
   }
 
   Records records_;
@@ -200,7 +234,9 @@ class Reader {
   std::map<std::size_t, std::size_t> element_index_;  // number -> position
   std::map<std::string, std::vector<std::size_t>> node_sets_;
   std::map<std::string, std::vector<std::size_t>> element_sets_;
-  std::map<std::string, std::vector<mesh::Edge>> surfaces_;
+  EdgeSets surfaces_;
+  std::map<std::int32_t, std::string> region_names_;
+  mesh::ElementType type_ = mesh::ElementType::T3;
   std::set<std::string> left_out_;
 };
 

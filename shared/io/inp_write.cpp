@@ -16,9 +16,10 @@ namespace dobra::io {
 using base::Error;
 using base::ErrorCode;
 using base::Result;
-using mesh::Edge;
+using mesh::ElementId;
+using mesh::ElementMesh;
+using mesh::ElementSide;
 using mesh::NodeId;
-using mesh::TriangleMesh;
 
 namespace {
 
@@ -63,49 +64,52 @@ void write_renaming(const std::string& name, const std::string& label, std::stri
   if (name != label) text += fmt::format("** {} is written as {}\n", shown(name), label);
 }
 
-// A set of edges as node set (each node once, in travel order) and surface.
-Result<void> write_edges(const std::string& name, const std::string& label, const std::vector<Edge>& edges,
-                         const MeshSides& sides, std::string& text) {
+// A side set as node set (each node once, in travel order) and surface.
+void write_sides(const ElementMesh& mesh, const std::string& name, const std::string& label,
+                 const std::vector<ElementSide>& sides, std::string& text) {
   write_renaming(name, label, text);
-  if (edges.empty()) return {};
+  if (sides.empty()) return;
   std::vector<std::size_t> nodes;
   std::set<NodeId> seen;
-  for (const Edge& edge : edges) {
-    for (const NodeId node : edge) {
-      if (seen.insert(node).second) nodes.push_back(node.index());
+  for (const ElementSide& side : sides) {
+    const auto [from, to, middle] = side_nodes(mesh, side);
+    for (const NodeId node : {from, middle, to}) {
+      if (node.valid() && seen.insert(node).second) nodes.push_back(node.index());
     }
   }
   text += fmt::format("*NSET, NSET={}\n", label);
   write_list(nodes, text);
   text += fmt::format("*SURFACE, NAME={}, TYPE=ELEMENT\n", label);
-  for (const Edge& edge : edges) {
-    // A constraint may run along the boundary with the domain on its right only.
-    auto side = sides.left_of(edge);
-    if (!side) side = sides.left_of({edge[1], edge[0]});
-    if (!side) {
-      return Error{ErrorCode::InvalidOption, fmt::format("edge {}-{} of set {} is not the side of a triangle",
-                                                         edge[0].index() + 1, edge[1].index() + 1, shown(name))};
-    }
-    text += fmt::format("{}, S{}\n", side->triangle.index() + 1, side->side + 1);
-  }
-  return {};
+  for (const ElementSide& side : sides) text += fmt::format("{}, S{}\n", side.element.index() + 1, side.side + 1);
 }
 
-void write_elements(const TriangleMesh& mesh, const InpOptions& options, std::string& text) {
-  const std::string_view type = options.element == InpElement::PlaneStress   ? "CPS3"
-                                : options.element == InpElement::PlaneStrain ? "CPE3"
-                                                                             : "CAX3";
-  text += fmt::format("*ELEMENT, TYPE={}, ELSET=EALL\n", type);
+std::string type_name(mesh::ElementType type, InpElement element) {
+  const char* const family = element == InpElement::PlaneStress   ? "CPS"
+                             : element == InpElement::PlaneStrain ? "CPE"
+                                                                  : "CAX";
+  return fmt::format("{}{}", family, mesh::node_count(type));
+}
+
+void write_elements(const ElementMesh& mesh, const InpOptions& options, Labels& labels, std::string& text) {
   std::map<std::int32_t, std::vector<std::size_t>> regions;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const mesh::Corners& corners = mesh.triangles[t];
-    text +=
-        fmt::format("{}, {}, {}, {}\n", t + 1, corners[0].index() + 1, corners[1].index() + 1, corners[2].index() + 1);
-    regions[region_of(mesh, mesh::TriangleId(t))].push_back(t);
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    if (e == 0 || mesh.types[e] != mesh.types[e - 1]) {
+      text += fmt::format("*ELEMENT, TYPE={}, ELSET=EALL\n", type_name(mesh.types[e], options.element));
+    }
+    text += fmt::format("{}", e + 1);
+    for (const NodeId node : mesh.nodes_of(ElementId(e))) text += fmt::format(", {}", node.index() + 1);
+    text += '\n';
+    regions[mesh.regions[e]].push_back(e);
   }
-  for (const auto& [region, triangles] : regions) {
-    text += fmt::format("*ELSET, ELSET=REGION_{}\n", region);
-    write_list(triangles, text);
+  for (const auto& [region, elements] : regions) {
+    const std::string label = labels.take(fmt::format("REGION_{}", region));
+    text += fmt::format("*ELSET, ELSET={}\n", label);
+    write_list(elements, text);
+    const auto named = mesh.region_names.find(region);
+    if (named == mesh.region_names.end()) continue;
+    const std::string name = labels.take(named->second);
+    write_renaming(named->second, name, text);
+    text += fmt::format("*ELSET, ELSET={}\n{}\n", name, label);
   }
 }
 
@@ -133,10 +137,8 @@ std::string twenty_columns(double value) {
   return exact;
 }
 
-Result<std::string> inp_text(const TriangleMesh& mesh, const InpOptions& options) {
-  if (mesh.triangles.empty())
-    return Error{ErrorCode::CannotMesh, "the mesh has no triangles; there is nothing to write"};
-  DOBRA_TRY_VOID(check_finite(mesh.points, "the mesh"));
+Result<std::string> inp_text(const ElementMesh& mesh, const InpOptions& options) {
+  DOBRA_TRY_VOID(check_writable(mesh));
   const auto number = [&](double value) {
     return options.numbers == InpNumbers::Exact ? base::number_text(value) : twenty_columns(value);
   };
@@ -144,15 +146,9 @@ Result<std::string> inp_text(const TriangleMesh& mesh, const InpOptions& options
   for (std::size_t n = 0; n < mesh.points.size(); ++n) {
     text += fmt::format("{}, {}, {}, 0.0\n", n + 1, number(mesh.points[n].x), number(mesh.points[n].y));
   }
-  write_elements(mesh, options, text);
   Labels labels;
-  const MeshSides sides(mesh);
-  for (const auto& [name, edges] : mesh.boundary_sets)
-    DOBRA_TRY_VOID(write_edges(name, labels.take(name), edges, sides, text));
-  for (const auto& [name, edges] : mesh.constraint_sets) {
-    const std::string prefixed = "CONSTRAINT_" + name;
-    DOBRA_TRY_VOID(write_edges(prefixed, labels.take(prefixed), edges, sides, text));
-  }
+  write_elements(mesh, options, labels, text);
+  for (const auto& [name, sides] : mesh.side_sets) write_sides(mesh, name, labels.take(name), sides, text);
   for (const auto& [name, nodes] : mesh.node_sets) {
     const std::string label = labels.take(name);
     write_renaming(name, label, text);
@@ -165,7 +161,7 @@ Result<std::string> inp_text(const TriangleMesh& mesh, const InpOptions& options
   return text;
 }
 
-Result<void> write_inp(const std::string& path, const TriangleMesh& mesh, const InpOptions& options) {
+Result<void> write_inp(const std::string& path, const ElementMesh& mesh, const InpOptions& options) {
   DOBRA_TRY(const std::string text, inp_text(mesh, options));
   return write_file(path, text);
 }

@@ -1,65 +1,111 @@
 #include "shared/io/mesh_sides.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "shared/geom/predicates.h"
+#include "shared/io/scan.h"
+#include "shared/mesh/lips.h"
 
 namespace dobra::io {
 
+using base::Error;
+using base::ErrorCode;
+using base::Result;
 using mesh::Edge;
-using mesh::TriangleId;
-using mesh::TriangleMesh;
+using mesh::ElementId;
+using mesh::ElementMesh;
+using mesh::ElementSide;
+using mesh::NodeId;
 
 namespace {
 
-std::uint64_t key_of(mesh::NodeId from, mesh::NodeId to) {
+std::uint64_t key_of(NodeId from, NodeId to) {
   return (static_cast<std::uint64_t>(from.index()) << 32U) | static_cast<std::uint64_t>(to.index());
+}
+
+void turn_anticlockwise(ElementMesh& mesh) {
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    const auto corners = static_cast<std::ptrdiff_t>(mesh::corner_count(mesh.types[e]));
+    const auto node = mesh.nodes.begin() + mesh.first[e];
+    bool clockwise = false;
+    for (std::ptrdiff_t i = 0; i < corners; ++i) {
+      const auto turn =
+          geom::orient2d(mesh.point(node[i]), mesh.point(node[(i + 1) % corners]), mesh.point(node[(i + 2) % corners]));
+      if (turn == geom::Sign::Zero) continue;
+      clockwise = turn == geom::Sign::Negative;
+      if (!clockwise) break;
+    }
+    if (!clockwise) continue;
+    std::reverse(node + 1, node + corners);
+    if (mesh::is_quadratic(mesh.types[e])) std::reverse(node + corners, node + 2 * corners);
+  }
 }
 
 }  // namespace
 
-MeshSides::MeshSides(const TriangleMesh& mesh) {
-  sides_.reserve(3 * mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const mesh::Corners& corners = mesh.triangles[t];
-    for (std::size_t i = 0; i < 3; ++i) sides_.emplace_back(key_of(corners[i], corners[(i + 1) % 3]), 3 * t + i);
+MeshSides::MeshSides(const ElementMesh& mesh) {
+  sides_.reserve(mesh.nodes.size());
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    for (std::uint32_t i = 0; i < mesh::corner_count(mesh.types[e]); ++i) {
+      const ElementSide side{ElementId(e), i};
+      const auto nodes = side_nodes(mesh, side);
+      sides_.emplace_back(key_of(nodes[0], nodes[1]), side);
+    }
   }
   std::sort(sides_.begin(), sides_.end());
 }
 
-std::optional<TriangleSide> MeshSides::left_of(const Edge& edge) const {
+std::optional<ElementSide> MeshSides::left_of(const Edge& edge) const {
   const std::uint64_t key = key_of(edge[0], edge[1]);
-  const auto found = std::lower_bound(sides_.begin(), sides_.end(), std::pair{key, std::size_t{0}});
+  const auto found = std::lower_bound(sides_.begin(), sides_.end(), std::pair{key, ElementSide{ElementId(0), 0}});
   if (found == sides_.end() || found->first != key) return std::nullopt;
-  return TriangleSide{TriangleId(found->second / 3), found->second % 3};
+  return found->second;
 }
 
-std::int32_t region_of(const TriangleMesh& mesh, TriangleId triangle) {
-  return mesh.regions.empty() ? 0 : mesh.regions[triangle.index()];
-}
-
-void orient(TriangleMesh& mesh) {
-  for (mesh::Corners& corners : mesh.triangles) {
-    if (geom::orient2d(mesh.point(corners[0]), mesh.point(corners[1]), mesh.point(corners[2])) ==
-        geom::Sign::Negative) {
-      std::swap(corners[1], corners[2]);
+Result<void> check_writable(const ElementMesh& mesh) {
+  if (mesh.element_count() == 0)
+    return Error{ErrorCode::CannotMesh, "the mesh has no elements; there is nothing to write"};
+  DOBRA_TRY_VOID(check_finite(mesh.points, "the mesh"));
+  const auto wrong = [](const std::string& what, const std::string& name) {
+    return Error{ErrorCode::InvalidOption,
+                 fmt::format("{} {} refers to what does not exist in the mesh", what, shown(name))};
+  };
+  for (const auto& [name, sides] : mesh.side_sets) {
+    for (const ElementSide& side : sides) {
+      if (!side.element.valid() || side.element.index() >= mesh.element_count() ||
+          side.side >= mesh::corner_count(mesh.types[side.element.index()])) {
+        return wrong("side set", name);
+      }
     }
   }
+  for (const auto& [name, nodes] : mesh.node_sets) {
+    for (const NodeId node : nodes) {
+      if (!node.valid() || node.index() >= mesh.points.size()) return wrong("node set", name);
+    }
+  }
+  return {};
+}
+
+std::size_t finish(ElementMesh& mesh, const EdgeSets& sets) {
+  turn_anticlockwise(mesh);
   const MeshSides sides(mesh);
-  for (auto set = mesh.boundary_sets.begin(); set != mesh.boundary_sets.end();) {
-    bool internal = !set->second.empty();
-    for (Edge& edge : set->second) {
-      const bool left = sides.left_of(edge).has_value();
-      const bool right = sides.left_of({edge[1], edge[0]}).has_value();
-      if (right && !left) std::swap(edge[0], edge[1]);
-      internal = internal && left && right;
+  std::size_t lost = 0;
+  for (const auto& [name, edges] : sets) {
+    auto& set = mesh.side_sets[name];
+    for (const Edge& edge : edges) {
+      auto side = sides.left_of(edge);
+      if (!side) side = sides.left_of({edge[1], edge[0]});
+      if (side) {
+        set.push_back(*side);
+      } else {
+        ++lost;
+      }
     }
-    if (!internal || mesh.constraint_sets.contains(set->first)) {
-      ++set;
-      continue;
-    }
-    mesh.constraint_sets.insert(mesh.boundary_sets.extract(set++));
   }
+  mesh::restore_tips(mesh);
+  return lost;
 }
 
 }  // namespace dobra::io

@@ -1,37 +1,38 @@
 #pragma once
-// Which triangle has a given directed edge as a side; for the mesh formats that need surfaces or oriented boundaries.
+// Which element has a given directed edge as a side; for the mesh formats that know sets of edges, not of sides.
 
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
-#include "shared/mesh/triangle_mesh.h"
+#include "shared/base/result.h"
+#include "shared/mesh/element_mesh.h"
 
 namespace dobra::io {
 
-/// A triangle and its side 0..2 (side i runs from corner i to corner i + 1).
-struct TriangleSide {
-  mesh::TriangleId triangle;
-  std::size_t side = 0;
-};
-
 class MeshSides {
  public:
-  /// @cost O(n log n) for n triangles.
-  explicit MeshSides(const mesh::TriangleMesh& mesh);
-  /// The triangle on the left of `edge`; the one of lowest id if the mesh is wrong and has several. O(log n).
-  [[nodiscard]] std::optional<TriangleSide> left_of(const mesh::Edge& edge) const;
+  /// @cost O(n log n) for n elements.
+  explicit MeshSides(const mesh::ElementMesh& mesh);
+  /// The side of the element on the left of `edge`; the one of lowest id if the mesh is wrong and has several. O(log
+  /// n).
+  [[nodiscard]] std::optional<mesh::ElementSide> left_of(const mesh::Edge& edge) const;
 
  private:
-  std::vector<std::pair<std::uint64_t, std::size_t>> sides_;  // (from, to) -> 3 * triangle + side, ascending
+  std::vector<std::pair<std::uint64_t, mesh::ElementSide>> sides_;  // (from, to), ascending
 };
 
-/// The region of a triangle; 0 where the mesh names none.
-std::int32_t region_of(const mesh::TriangleMesh& mesh, mesh::TriangleId triangle);
+/// What every writer asks first. @error CannotMesh: no elements; NotFinite; InvalidOption: a set or tip that refers to
+/// what does not exist.
+base::Result<void> check_writable(const mesh::ElementMesh& mesh);
 
-/// For readers: turns clockwise triangles, directs each edge of a boundary set so that the domain is on its left, and
-/// moves the sets whose edges all have triangles on both sides to the constraint sets.
-void orient(mesh::TriangleMesh& mesh);
+using EdgeSets = std::map<std::string, std::vector<mesh::Edge>>;
+
+/// For readers, last: turns clockwise elements, makes side sets of the edges (the element on the left, or else on the
+/// right), and finds the tips of cracks by their names. Returns how many edges are no side of any element.
+std::size_t finish(mesh::ElementMesh& mesh, const EdgeSets& sets);
 
 }  // namespace dobra::io

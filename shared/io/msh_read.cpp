@@ -22,14 +22,28 @@ namespace {
 
 constexpr std::size_t most_items = 0xFFFFFFFEU;
 constexpr std::string_view region_prefix = "region:";
-constexpr std::string_view constraint_prefix = "constraint:";
 
 using EntityKey = std::pair<std::size_t, std::int64_t>;  // dimension, tag
+
+struct Kind {
+  std::size_t type;  // gmsh's number
+  std::size_t dimension;
+  std::size_t nodes;
+  mesh::ElementType element;  // of dimension 2
+};
+constexpr Kind kinds[] = {{15, 0, 1, {}},
+                          {1, 1, 2, {}},
+                          {8, 1, 3, {}},
+                          {2, 2, 3, mesh::ElementType::T3},
+                          {9, 2, 6, mesh::ElementType::T6},
+                          {3, 2, 4, mesh::ElementType::Q4},
+                          {16, 2, 8, mesh::ElementType::Q8}};
 
 struct Element {
   std::size_t tag = 0;
   std::int64_t entity = 0;
-  std::array<std::uint32_t, 3> nodes{};  // as many as the dimension + 1
+  const Kind* kind = nullptr;
+  std::array<std::uint32_t, 8> nodes{};
 };
 
 class Reader {
@@ -53,9 +67,9 @@ class Reader {
       } else if (section == "$Entities") {
         DOBRA_TRY_VOID(read_entities());
       } else if (section == "$Nodes") {
-        DOBRA_TRY_VOID(read_nodes());
+        DOBRA_TRY_VOID(old_ ? read_old_nodes() : read_nodes());
       } else if (section == "$Elements") {
-        DOBRA_TRY_VOID(read_elements());
+        DOBRA_TRY_VOID(old_ ? read_old_elements() : read_elements());
       } else {
         DOBRA_TRY_VOID(skip_section(section));
         continue;
@@ -66,7 +80,8 @@ class Reader {
       }
     }
     if (elements_[2].empty())
-      return Error{ErrorCode::BadFormat, "the file holds no triangles", base::Place{.file = records_.file()}};
+      return Error{ErrorCode::BadFormat, "the file holds no triangles and no quadrilaterals",
+                   base::Place{.file = records_.file()}};
     build();
     return std::move(contents_);
   }
@@ -77,7 +92,9 @@ class Reader {
     const auto refuse = [&](std::size_t i, std::string what) {
       return Error{ErrorCode::UnknownFormat, std::move(what) + "; save it with gmsh -format msh41", records_.place(i)};
     };
-    if (records_.word(0) != "4.1") return refuse(0, fmt::format("version {} is not read", shown(records_.word(0))));
+    old_ = records_.word(0) == "2.2";
+    if (records_.word(0) != "4.1" && !old_)
+      return refuse(0, fmt::format("version {} is not read", shown(records_.word(0))));
     if (records_.size() < 2 || records_.word(1) != "0") return refuse(1, "binary .msh files are not read");
     return {};
   }
@@ -154,6 +171,10 @@ class Reader {
     }
     if (nodes_.size() != total)
       return records_.error(0, fmt::format("{} nodes are announced, {} given", total, nodes_.size()));
+    return sort_nodes();
+  }
+
+  Result<void> sort_nodes() {
     std::sort(nodes_.begin(), nodes_.end());
     for (std::size_t i = 0; i + 1 < nodes_.size(); ++i) {
       if (nodes_[i].first == nodes_[i + 1].first)
@@ -170,29 +191,69 @@ class Reader {
     return static_cast<std::uint32_t>(at - nodes_.begin());
   }
 
+  Result<void> read_old_nodes() {
+    DOBRA_TRY_VOID(records_.expect("the number of nodes"));
+    DOBRA_TRY(const std::size_t total, records_.count(0, "the number of nodes", most_items));
+    for (std::size_t i = 0; i < total; ++i) {
+      DOBRA_TRY_VOID(records_.expect("a node"));
+      DOBRA_TRY(const std::size_t tag, records_.count(0, "a node's tag"));
+      DOBRA_TRY(const double x, records_.number(1, "x"));
+      DOBRA_TRY(const double y, records_.number(2, "y"));
+      nodes_.emplace_back(tag, geom::Point{x, y});
+    }
+    return sort_nodes();
+  }
+
+  Result<const Kind*> kind(std::size_t word) const {
+    DOBRA_TRY(const std::size_t type, records_.count(word, "the element type"));
+    const auto* found = std::find_if(std::begin(kinds), std::end(kinds), [&](const Kind& k) { return k.type == type; });
+    if (found != std::end(kinds)) return found;
+    return Error{
+        ErrorCode::UnknownFormat,
+        fmt::format("element type {} is not read; mesh with triangles or quadrilaterals of order 1 or 2", type),
+        records_.place(word)};
+  }
+
+  /// @param first  word of the first node.
+  Result<void> add_element(Element element, std::size_t first) {
+    DOBRA_TRY(element.tag, records_.count(0, "the element's tag"));
+    for (std::size_t k = 0; k < element.kind->nodes; ++k) {
+      DOBRA_TRY(element.nodes[k], node(first + k));
+    }
+    elements_[element.kind->dimension].push_back(element);
+    return {};
+  }
+
   Result<void> read_elements() {
     DOBRA_TRY_VOID(records_.expect("the number of elements"));
     DOBRA_TRY(const std::size_t blocks, records_.count(0, "the number of blocks", most_items));
     for (std::size_t b = 0; b < blocks; ++b) {
       DOBRA_TRY_VOID(records_.expect("a block of elements"));
       DOBRA_TRY(const std::int64_t entity, records_.integer(1, "the entity's tag"));
-      DOBRA_TRY(const std::size_t type, records_.count(2, "the element type"));
+      DOBRA_TRY(const Kind* const type, kind(2));
       DOBRA_TRY(const std::size_t count, records_.count(3, "the number of elements of the block", most_items));
-      if (type != 15 && type != 1 && type != 2) {
-        return Error{ErrorCode::UnknownFormat,
-                     fmt::format("element type {} is not read; mesh with 3-node triangles (order 1)", type),
-                     records_.place(2)};
-      }
-      const std::size_t dimension = type == 15 ? 0 : type;
       for (std::size_t i = 0; i < count; ++i) {
         DOBRA_TRY_VOID(records_.expect("an element"));
-        Element element{.tag = 0, .entity = entity, .nodes = {}};
-        DOBRA_TRY(element.tag, records_.count(0, "the element's tag"));
-        for (std::size_t k = 0; k <= dimension; ++k) {
-          DOBRA_TRY(element.nodes[k], node(1 + k));
-        }
-        elements_[dimension].push_back(element);
+        DOBRA_TRY_VOID(add_element({.entity = entity, .kind = type}, 1));
       }
+    }
+    return {};
+  }
+
+  /// The physical group of an element stands for its entity.
+  Result<void> read_old_elements() {
+    DOBRA_TRY_VOID(records_.expect("the number of elements"));
+    DOBRA_TRY(const std::size_t count, records_.count(0, "the number of elements", most_items));
+    for (std::size_t i = 0; i < count; ++i) {
+      DOBRA_TRY_VOID(records_.expect("an element"));
+      DOBRA_TRY(const Kind* const type, kind(1));
+      DOBRA_TRY(const std::size_t tags, records_.count(2, "the number of tags", records_.size()));
+      std::int64_t group = 0;
+      if (tags > 0) {
+        DOBRA_TRY(group, records_.integer(3, "the physical tag"));
+      }
+      if (group > 0) groups_[{type->dimension, group}] = {group};
+      DOBRA_TRY_VOID(add_element({.entity = group, .kind = type}, 3 + tags));
     }
     return {};
   }
@@ -202,20 +263,19 @@ class Reader {
       std::stable_sort(elements.begin(), elements.end(),
                        [](const Element& a, const Element& b) { return a.tag < b.tag; });
     }
-    mesh::TriangleMesh& mesh = contents_.mesh;
+    mesh::ElementMesh& mesh = contents_.mesh;
     mesh.points.reserve(nodes_.size());
     for (const auto& [tag, point] : nodes_) mesh.points.push_back(point);
+    std::vector<NodeId> own;
     for (const Element& element : elements_[2]) {
-      mesh.triangles.push_back({NodeId(element.nodes[0]), NodeId(element.nodes[1]), NodeId(element.nodes[2])});
-      mesh.regions.push_back(region(element.entity));
+      own.clear();
+      for (std::size_t k = 0; k < element.kind->nodes; ++k) own.emplace_back(element.nodes[k]);
+      mesh::add_element(mesh, element.kind->element, own, region(element.entity));
     }
+    EdgeSets sets;
     for (const Element& element : elements_[1]) {
       for (const std::int64_t group : groups_[{1, element.entity}]) {
-        const std::string name = name_of(1, group);
-        const bool constraint = name.starts_with(constraint_prefix);
-        auto& edges =
-            constraint ? mesh.constraint_sets[name.substr(constraint_prefix.size())] : mesh.boundary_sets[name];
-        edges.push_back({NodeId(element.nodes[0]), NodeId(element.nodes[1])});
+        sets[name_of(1, group)].push_back({NodeId(element.nodes[0]), NodeId(element.nodes[1])});
       }
     }
     for (const Element& element : elements_[0]) {
@@ -223,7 +283,10 @@ class Reader {
         mesh.node_sets[name_of(0, group)].push_back(NodeId(element.nodes[0]));
       }
     }
-    orient(mesh);
+    if (const std::size_t lost = finish(mesh, sets); lost > 0) {
+      contents_.remarks.push_back(
+          fmt::format("{}: {} lines that are no side of an element are left out", records_.file(), lost));
+    }
   }
 
   std::string name_of(std::size_t dimension, std::int64_t group) const {
@@ -231,22 +294,28 @@ class Reader {
     return found != names_.end() ? found->second : fmt::format("physical {}", group);
   }
 
+  /// The tag of the region that an entity stands for; its name is noted.
   std::int32_t region(std::int64_t entity) {
     const auto found = groups_.find({2, entity});
     if (found == groups_.end() || found->second.empty()) return 0;
     const std::int64_t group = found->second.front();
-    const std::string name = name_of(2, group);
-    std::int32_t value = 0;
+    const auto named = names_.find({2, group});
+    auto tag = static_cast<std::int32_t>(group);
+    if (named == names_.end()) return tag;
+    std::string name = named->second;
     if (name.starts_with(region_prefix)) {
       const char* const end = name.data() + name.size();
-      const auto [stop, status] = std::from_chars(name.data() + region_prefix.size(), end, value);
-      if (status == std::errc{} && stop == end) return value;
+      const auto [stop, status] = std::from_chars(name.data() + region_prefix.size(), end, tag);
+      if (status != std::errc{} || (stop != end && *stop != ':')) return static_cast<std::int32_t>(group);
+      name = stop == end ? "" : std::string(stop + 1, end);
     }
-    return static_cast<std::int32_t>(group);
+    if (!name.empty()) contents_.mesh.region_names[tag] = name;
+    return tag;
   }
 
   std::string_view text_;
   Records records_;
+  bool old_ = false;  // version 2.2
   MshContents contents_;
   std::map<EntityKey, std::string> names_;                 // (dimension, physical tag)
   std::map<EntityKey, std::vector<std::int64_t>> groups_;  // (dimension, entity) -> physical tags

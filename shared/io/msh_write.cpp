@@ -1,15 +1,17 @@
-// 1. Number the physical groups: node sets (points), boundary and constraint sets (curves), regions (surfaces).
+// 1. Number the physical groups: node sets (points), side sets (curves), regions (surfaces).
 // 2. Find the corners: nodes of node sets, and nodes where the edges of the sets do not simply pass through.
 // 3. Cut the sets at the corners into chains: each is one curve entity.
 // 4. Give every node to the entity of least dimension that it lies on.
-// 5. Write the sections.
+// 5. Write the sections; version 2.2 needs steps 1 and 5 only.
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <numeric>
 #include <set>
+#include <span>
 
 #include "shared/base/text.h"
 #include "shared/io/file.h"
@@ -23,13 +25,16 @@ using base::Error;
 using base::ErrorCode;
 using base::Result;
 using mesh::Edge;
+using mesh::ElementId;
+using mesh::ElementMesh;
+using mesh::ElementSide;
 using mesh::NodeId;
-using mesh::TriangleMesh;
 
 namespace {
 
 struct SetEdge {
   Edge edge;
+  NodeId middle;          // none for first order
   std::size_t group = 0;  // position in Model::curve_names
   std::size_t chain = 0;  // position in Model::chains
 };
@@ -41,36 +46,69 @@ struct Chain {
 
 // What the sections are written from.
 struct Model {
-  const TriangleMesh& mesh;
+  const ElementMesh& mesh;
   std::vector<std::string> point_names;  // node sets
-  std::vector<std::string> curve_names;  // boundary sets, then constraint sets
+  std::vector<std::string> curve_names;  // side sets
   std::vector<SetEdge> edges;
   std::vector<Chain> chains;
-  std::map<std::size_t, std::vector<std::size_t>> corners;  // node -> its node sets, ascending
-  std::vector<std::int32_t> regions;                        // ascending, without repetition
+  std::map<std::size_t, std::vector<std::size_t>> corners;          // node -> its node sets, ascending
+  std::vector<std::int32_t> regions;                                // ascending, without repetition
+  std::vector<std::pair<std::int64_t, std::string>> region_groups;  // physical tag and name, one a region
 };
 
-std::size_t region_index(const Model& model, mesh::TriangleId triangle) {
-  const auto at = std::lower_bound(model.regions.begin(), model.regions.end(), region_of(model.mesh, triangle));
+std::size_t region_index(const Model& model, std::size_t element) {
+  const auto at = std::lower_bound(model.regions.begin(), model.regions.end(), model.mesh.regions[element]);
   return static_cast<std::size_t>(at - model.regions.begin());
 }
 
-Result<void> check_names(const TriangleMesh& mesh) {
+// gmsh's number of an element type, and of the line that is its side.
+int gmsh_type(mesh::ElementType type) {
+  switch (type) {
+    case mesh::ElementType::T3:
+      return 2;
+    case mesh::ElementType::T6:
+      return 9;
+    case mesh::ElementType::Q4:
+      return 3;
+    case mesh::ElementType::Q8:
+      return 16;
+  }
+  return 0;
+}
+int gmsh_type(const SetEdge& edge) { return edge.middle.valid() ? 8 : 1; }
+
+std::string nodes_text(std::span<const NodeId> nodes) {
+  std::string text;
+  for (const NodeId node : nodes) text += fmt::format(" {}", node.index() + 1);
+  return text + '\n';
+}
+std::string nodes_text(const SetEdge& edge) {
+  const std::array<NodeId, 3> nodes{edge.edge[0], edge.edge[1], edge.middle};
+  return nodes_text(std::span(nodes).first(edge.middle.valid() ? 3 : 2));
+}
+
+Result<void> check_names(const ElementMesh& mesh) {
   const auto check = [](const std::string& name) -> Result<void> {
     if (name.find_first_of("\"\r\n") == std::string::npos && !name.empty()) return {};
     return Error{ErrorCode::InvalidOption,
                  fmt::format("set name {} cannot stand in a .msh; use one without quotes and line ends", shown(name))};
   };
-  for (const auto& [name, edges] : mesh.boundary_sets) DOBRA_TRY_VOID(check(name));
-  for (const auto& [name, edges] : mesh.constraint_sets) DOBRA_TRY_VOID(check(name));
+  for (const auto& [name, sides] : mesh.side_sets) DOBRA_TRY_VOID(check(name));
+  for (const auto& [tag, name] : mesh.region_names) DOBRA_TRY_VOID(check(name));
   for (const auto& [name, nodes] : mesh.node_sets) DOBRA_TRY_VOID(check(name));
   return {};
 }
 
 // Step 1.
-Model numbered(const TriangleMesh& mesh) {
-  Model model{
-      .mesh = mesh, .point_names = {}, .curve_names = {}, .edges = {}, .chains = {}, .corners = {}, .regions = {}};
+Model numbered(const ElementMesh& mesh) {
+  Model model{.mesh = mesh,
+              .point_names = {},
+              .curve_names = {},
+              .edges = {},
+              .chains = {},
+              .corners = {},
+              .regions = {},
+              .region_groups = {}};
   for (const auto& [name, nodes] : mesh.node_sets) {
     for (const NodeId node : nodes) {
       std::vector<std::size_t>& sets = model.corners[node.index()];
@@ -78,15 +116,23 @@ Model numbered(const TriangleMesh& mesh) {
     }
     model.point_names.push_back(name);
   }
-  const auto add = [&](const std::string& name, const std::vector<Edge>& edges) {
-    for (const Edge& edge : edges) model.edges.push_back({edge, model.curve_names.size(), 0});
+  for (const auto& [name, sides] : mesh.side_sets) {
+    for (const ElementSide& side : sides) {
+      const auto [from, to, middle] = side_nodes(mesh, side);
+      model.edges.push_back({{from, to}, middle, model.curve_names.size(), 0});
+    }
     model.curve_names.push_back(name);
-  };
-  for (const auto& [name, edges] : mesh.boundary_sets) add(name, edges);
-  for (const auto& [name, edges] : mesh.constraint_sets) add("constraint:" + name, edges);
-  std::set<std::int32_t> regions;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) regions.insert(region_of(mesh, mesh::TriangleId(t)));
+  }
+  const std::set<std::int32_t> regions(mesh.regions.begin(), mesh.regions.end());
   model.regions.assign(regions.begin(), regions.end());
+  std::int64_t free_tag = std::max<std::int64_t>(0, model.regions.back());
+  for (const std::int32_t region : regions) {
+    const auto named = mesh.region_names.find(region);
+    const bool has_name = named != mesh.region_names.end();
+    std::string name = fmt::format("region:{}", region);
+    if (has_name) name = region > 0 ? named->second : name + ':' + named->second;
+    model.region_groups.emplace_back(region > 0 ? region : ++free_tag, std::move(name));
+  }
   return model;
 }
 
@@ -133,12 +179,13 @@ struct Owner {
 // Step 4.
 std::vector<Owner> owners(const Model& model) {
   std::vector<Owner> owner(model.mesh.points.size());
-  for (std::size_t t = model.mesh.triangles.size(); t-- > 0;) {
-    for (const NodeId node : model.mesh.triangles[t])
-      owner[node.index()] = {2, region_index(model, mesh::TriangleId(t))};
+  for (std::size_t e = model.mesh.element_count(); e-- > 0;) {
+    for (const NodeId node : model.mesh.nodes_of(ElementId(e))) owner[node.index()] = {2, region_index(model, e)};
   }
   for (std::size_t e = model.edges.size(); e-- > 0;) {
-    for (const NodeId node : model.edges[e].edge) owner[node.index()] = {1, model.edges[e].chain};
+    const Owner chain{1, model.edges[e].chain};
+    for (const NodeId node : model.edges[e].edge) owner[node.index()] = chain;
+    if (model.edges[e].middle.valid()) owner[model.edges[e].middle.index()] = chain;
   }
   for (const auto& [node, sets] : model.corners) owner[node] = {0, node};
   return owner;
@@ -156,8 +203,7 @@ void write_names(const Model& model, std::string& text) {
     text += fmt::format("0 {} \"{}\"\n", i + 1, model.point_names[i]);
   for (std::size_t i = 0; i < model.curve_names.size(); ++i)
     text += fmt::format("1 {} \"{}\"\n", i + 1, model.curve_names[i]);
-  for (std::size_t i = 0; i < model.regions.size(); ++i)
-    text += fmt::format("2 {} \"region:{}\"\n", i + 1, model.regions[i]);
+  for (const auto& [tag, name] : model.region_groups) text += fmt::format("2 {} \"{}\"\n", tag, name);
   text += "$EndPhysicalNames\n";
 }
 
@@ -186,9 +232,10 @@ std::vector<std::vector<std::int64_t>> bounding_curves(const Model& model) {
     const auto left = sides.left_of(edge);
     const auto right = sides.left_of({edge[1], edge[0]});
     const auto tag = static_cast<std::int64_t>(c + 1);
-    if (left && right && region_of(model.mesh, left->triangle) == region_of(model.mesh, right->triangle)) continue;
-    if (left) bounds[region_index(model, left->triangle)].push_back(tag);
-    if (right) bounds[region_index(model, right->triangle)].push_back(-tag);
+    if (left && right && model.mesh.regions[left->element.index()] == model.mesh.regions[right->element.index()])
+      continue;
+    if (left) bounds[region_index(model, left->element.index())].push_back(tag);
+    if (right) bounds[region_index(model, right->element.index())].push_back(-tag);
   }
   return bounds;
 }
@@ -210,13 +257,13 @@ void write_entities(const Model& model, std::string& text) {
                         ends_text(model, model.chains[c]));
   }
   std::vector<geom::Box> boxes(model.regions.size());
-  for (std::size_t t = 0; t < model.mesh.triangles.size(); ++t) {
-    for (const NodeId node : model.mesh.triangles[t])
-      boxes[region_index(model, mesh::TriangleId(t))].add(model.mesh.point(node));
+  for (std::size_t e = 0; e < model.mesh.element_count(); ++e) {
+    for (const NodeId node : model.mesh.nodes_of(ElementId(e)))
+      boxes[region_index(model, e)].add(model.mesh.point(node));
   }
   const auto bounds = bounding_curves(model);
   for (std::size_t r = 0; r < model.regions.size(); ++r) {
-    text += fmt::format("{} {} 1 {} {}", r + 1, box_text(boxes[r]), r + 1, bounds[r].size());
+    text += fmt::format("{} {} 1 {} {}", r + 1, box_text(boxes[r]), model.region_groups[r].first, bounds[r].size());
     for (const std::int64_t curve : bounds[r]) text += fmt::format(" {}", curve);
     text += '\n';
   }
@@ -240,30 +287,56 @@ void write_nodes(const Model& model, std::string& text) {
 }
 
 void write_elements(const Model& model, std::string& text) {
-  const std::size_t triangles = model.mesh.triangles.size();
+  const mesh::ElementMesh& mesh = model.mesh;
   const auto is_named = [](const auto& corner) { return !corner.second.empty(); };
   const auto points = static_cast<std::size_t>(std::count_if(model.corners.begin(), model.corners.end(), is_named));
-  const std::size_t total = triangles + model.edges.size() + points;
-  text += fmt::format("$Elements\n{} {} 1 {}\n", points + model.chains.size() + model.regions.size(), total, total);
-  std::size_t tag = triangles + model.edges.size();
+  // Blocks of one entity and one type.
+  std::map<std::pair<std::size_t, int>, std::vector<std::size_t>> blocks;
+  for (std::size_t e = 0; e < mesh.element_count(); ++e)
+    blocks[{region_index(model, e), gmsh_type(mesh.types[e])}].push_back(e);
+  const std::size_t total = mesh.element_count() + model.edges.size() + points;
+  text += fmt::format("$Elements\n{} {} 1 {}\n", points + model.chains.size() + blocks.size(), total, total);
+  std::size_t tag = mesh.element_count() + model.edges.size();
   for (const auto& corner : model.corners) {
     if (is_named(corner)) text += fmt::format("0 {} 15 1\n{} {}\n", corner.first + 1, ++tag, corner.first + 1);
   }
   for (std::size_t c = 0; c < model.chains.size(); ++c) {
-    text += fmt::format("1 {} 1 {}\n", c + 1, model.chains[c].edges.size());
-    for (const std::size_t e : model.chains[c].edges) {
-      const Edge& edge = model.edges[e].edge;
-      text += fmt::format("{} {} {}\n", triangles + e + 1, edge[0].index() + 1, edge[1].index() + 1);
-    }
+    const auto& edges = model.chains[c].edges;
+    text += fmt::format("1 {} {} {}\n", c + 1, gmsh_type(model.edges[edges[0]]), edges.size());
+    for (const std::size_t e : edges)
+      text += fmt::format("{}", mesh.element_count() + e + 1) + nodes_text(model.edges[e]);
   }
-  std::vector<std::vector<std::size_t>> members(model.regions.size());
-  for (std::size_t t = 0; t < triangles; ++t) members[region_index(model, mesh::TriangleId(t))].push_back(t);
-  for (std::size_t r = 0; r < members.size(); ++r) {
-    text += fmt::format("2 {} 2 {}\n", r + 1, members[r].size());
-    for (const std::size_t t : members[r]) {
-      const mesh::Corners& corners = model.mesh.triangles[t];
-      text +=
-          fmt::format("{} {} {} {}\n", t + 1, corners[0].index() + 1, corners[1].index() + 1, corners[2].index() + 1);
+  for (const auto& [block, elements] : blocks) {
+    text += fmt::format("2 {} {} {}\n", block.first + 1, block.second, elements.size());
+    for (const std::size_t e : elements) text += fmt::format("{}", e + 1) + nodes_text(mesh.nodes_of(ElementId(e)));
+  }
+  text += "$EndElements\n";
+}
+
+// Version 2.2: elements carry their physical group themselves.
+void write_version_22(const Model& model, std::string& text) {
+  const mesh::ElementMesh& mesh = model.mesh;
+  text += fmt::format("$Nodes\n{}\n", mesh.points.size());
+  for (std::size_t n = 0; n < mesh.points.size(); ++n) {
+    text +=
+        fmt::format("{} {} {} 0\n", n + 1, base::number_text(mesh.points[n].x), base::number_text(mesh.points[n].y));
+  }
+  std::size_t points = 0;
+  for (const auto& [name, nodes] : mesh.node_sets) points += nodes.size();
+  text += fmt::format("$EndNodes\n$Elements\n{}\n", mesh.element_count() + model.edges.size() + points);
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    const std::size_t region = region_index(model, e);
+    text +=
+        fmt::format("{} {} 2 {} {}", e + 1, gmsh_type(mesh.types[e]), model.region_groups[region].first, region + 1) +
+        nodes_text(mesh.nodes_of(ElementId(e)));
+  }
+  std::size_t tag = mesh.element_count();
+  for (const SetEdge& edge : model.edges) {
+    text += fmt::format("{} {} 2 {} {}", ++tag, gmsh_type(edge), edge.group + 1, edge.group + 1) + nodes_text(edge);
+  }
+  for (std::size_t i = 0; i < model.point_names.size(); ++i) {
+    for (const NodeId node : mesh.node_sets.at(model.point_names[i])) {
+      text += fmt::format("{} 15 2 {} {} {}\n", ++tag, i + 1, node.index() + 1, node.index() + 1);
     }
   }
   text += "$EndElements\n";
@@ -271,23 +344,25 @@ void write_elements(const Model& model, std::string& text) {
 
 }  // namespace
 
-Result<std::string> msh_text(const TriangleMesh& mesh) {
-  if (mesh.triangles.empty())
-    return Error{ErrorCode::CannotMesh, "the mesh has no triangles; there is nothing to write"};
-  DOBRA_TRY_VOID(check_finite(mesh.points, "the mesh"));
+Result<std::string> msh_text(const ElementMesh& mesh, MshVersion version) {
+  DOBRA_TRY_VOID(check_writable(mesh));
   DOBRA_TRY_VOID(check_names(mesh));
   Model model = numbered(mesh);
-  cut_into_chains(model);
-  std::string text = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
+  std::string text = fmt::format("$MeshFormat\n{} 0 8\n$EndMeshFormat\n", version == MshVersion::V22 ? "2.2" : "4.1");
   write_names(model, text);
+  if (version == MshVersion::V22) {
+    write_version_22(model, text);
+    return text;
+  }
+  cut_into_chains(model);
   write_entities(model, text);
   write_nodes(model, text);
   write_elements(model, text);
   return text;
 }
 
-Result<void> write_msh(const std::string& path, const TriangleMesh& mesh) {
-  DOBRA_TRY(const std::string text, msh_text(mesh));
+Result<void> write_msh(const std::string& path, const ElementMesh& mesh, MshVersion version) {
+  DOBRA_TRY(const std::string text, msh_text(mesh, version));
   return write_file(path, text);
 }
 

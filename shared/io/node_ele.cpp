@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "shared/base/text.h"
-#include "shared/geom/predicates.h"
 #include "shared/io/file.h"
+#include "shared/io/mesh_sides.h"
 
 namespace dobra::io {
 
@@ -93,29 +93,30 @@ Result<EleFile> parse_ele(std::string_view text, const std::string& file, const 
   DOBRA_TRY(const std::size_t count, records.count(0, "the number of triangles", most_items));
   if (records.size() > 1) {
     DOBRA_TRY(const std::size_t corners, records.count(1, "the nodes a triangle"));
-    if (corners != 3) return records.error(1, fmt::format("triangles of {} nodes are not read; give 3", corners));
+    if (corners != 3 && corners != 6) {
+      return records.error(1, fmt::format("triangles of {} nodes are not read; give 3 or 6", corners));
+    }
+    elements.nodes_each = corners;
   }
   if (records.size() > 2) {
     DOBRA_TRY(elements.attribute_count, records.count(2, "the number of attributes", 1000));
   }
-  elements.triangles.reserve(plausible_count(count, text));
+  elements.nodes.reserve(elements.nodes_each * plausible_count(count, text));
   for (std::size_t i = 0; i < count; ++i) {
     DOBRA_TRY_VOID(records.expect(fmt::format("triangle {} of {}", i + 1, count)));
     DOBRA_TRY(const std::size_t number, records.count(0, "the triangle's number"));
     if (number != nodes.first_number + i) {
       return records.error(0, fmt::format("triangle number {} stands where {} is due", number, nodes.first_number + i));
     }
-    std::array<std::uint32_t, 3> triangle{};
-    for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < elements.nodes_each; ++k) {
       DOBRA_TRY(const std::size_t node, records.count(1 + k, "the point"));
       if (node < nodes.first_number || node - nodes.first_number >= nodes.points.size()) {
         return records.error(1 + k, fmt::format("there is no point {}", node));
       }
-      triangle[k] = static_cast<std::uint32_t>(node - nodes.first_number);
+      elements.nodes.push_back(static_cast<std::uint32_t>(node - nodes.first_number));
     }
-    elements.triangles.push_back(triangle);
     for (std::size_t k = 0; k < elements.attribute_count; ++k) {
-      DOBRA_TRY(const double attribute, records.number(4 + k, "an attribute"));
+      DOBRA_TRY(const double attribute, records.number(1 + elements.nodes_each + k, "an attribute"));
       elements.attributes.push_back(attribute);
     }
   }
@@ -127,45 +128,54 @@ Result<EleFile> read_ele(const std::string& path, const NodeFile& nodes) {
   return parse_ele(text, path, nodes);
 }
 
-NodeFile node_file_of(const mesh::TriangleMesh& mesh) {
+NodeFile node_file_of(const mesh::ElementMesh& mesh) {
   NodeFile nodes;
   nodes.points = mesh.points;
   nodes.markers.assign(mesh.points.size(), 0);
   std::int64_t marker = 0;
-  for (const auto& [name, edges] : mesh.boundary_sets) {
+  for (const auto& [name, sides] : mesh.side_sets) {
     ++marker;
-    for (const mesh::Edge& edge : edges) {
-      for (const mesh::NodeId node : edge) {
-        if (nodes.markers[node.index()] == 0) nodes.markers[node.index()] = marker;
+    for (const mesh::ElementSide& side : sides) {
+      for (const mesh::NodeId node : side_nodes(mesh, side)) {
+        if (node.valid() && nodes.markers[node.index()] == 0) nodes.markers[node.index()] = marker;
       }
     }
   }
   return nodes;
 }
 
-EleFile ele_file_of(const mesh::TriangleMesh& mesh) {
+Result<EleFile> ele_file_of(const mesh::ElementMesh& mesh) {
   EleFile elements;
-  elements.attribute_count = mesh.regions.empty() ? 0 : 1;
-  for (const mesh::Corners& corners : mesh.triangles) {
-    const auto number = [](mesh::NodeId node) { return static_cast<std::uint32_t>(node.index()); };
-    elements.triangles.push_back({number(corners[0]), number(corners[1]), number(corners[2])});
+  elements.attribute_count = 1;
+  elements.nodes_each = mesh.types.empty() ? 3 : mesh::node_count(mesh.types[0]);
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    const auto nodes = mesh.nodes_of(mesh::ElementId(e));
+    if (mesh::corner_count(mesh.types[e]) != 3 || nodes.size() != elements.nodes_each) {
+      return Error{ErrorCode::InvalidOption, "a .ele file holds triangles of one order only; write .vtu, .msh or .inp"};
+    }
+    const auto add = [&](std::size_t k) { elements.nodes.push_back(static_cast<std::uint32_t>(nodes[k].index())); };
+    for (std::size_t k = 0; k < 3; ++k) add(k);
+    for (std::size_t k = 3; k < nodes.size(); ++k) add(k == 5 ? 3 : k + 1);
   }
   elements.attributes.assign(mesh.regions.begin(), mesh.regions.end());
   return elements;
 }
 
-mesh::TriangleMesh mesh_of(const NodeFile& nodes, const EleFile& elements) {
-  mesh::TriangleMesh result;
+mesh::ElementMesh mesh_of(const NodeFile& nodes, const EleFile& elements) {
+  mesh::ElementMesh result;
   result.points = nodes.points;
-  for (std::size_t i = 0; i < elements.triangles.size(); ++i) {
-    auto [a, b, c] = elements.triangles[i];
-    if (geom::orient2d(nodes.points[a], nodes.points[b], nodes.points[c]) == geom::Sign::Negative) std::swap(b, c);
-    result.triangles.push_back({mesh::NodeId(a), mesh::NodeId(b), mesh::NodeId(c)});
+  const auto type = elements.nodes_each == 3 ? mesh::ElementType::T3 : mesh::ElementType::T6;
+  for (std::size_t i = 0; i < elements.count(); ++i) {
+    std::vector<mesh::NodeId> own;
+    const auto add = [&](std::size_t k) { own.emplace_back(elements.nodes[i * elements.nodes_each + k]); };
+    for (std::size_t k = 0; k < 3; ++k) add(k);
+    for (std::size_t k = 3; k < elements.nodes_each; ++k) add(k == 3 ? 5 : k - 1);
     const double region = elements.attribute_count > 0 ? elements.attributes[i * elements.attribute_count] : 0.0;
     // A region that is not a 32-bit integer (an attribute with another meaning) counts as the default one.
     const bool fits = std::abs(region) < 2147483648.0 && region == std::floor(region);
-    result.regions.push_back(fits ? static_cast<std::int32_t>(region) : 0);
+    add_element(result, type, own, fits ? static_cast<std::int32_t>(region) : 0);
   }
+  finish(result, {});
   return result;
 }
 
@@ -192,11 +202,12 @@ Result<std::string> node_text(const NodeFile& nodes) {
 
 Result<std::string> ele_text(const EleFile& elements, std::size_t first_number) {
   DOBRA_TRY_VOID(check_attributes(elements.attributes, "triangles"));
-  std::string text = fmt::format("{} 3 {}\n", elements.triangles.size(), elements.attribute_count);
-  for (std::size_t i = 0; i < elements.triangles.size(); ++i) {
-    const auto& triangle = elements.triangles[i];
-    text += fmt::format("{} {} {} {}", i + first_number, triangle[0] + first_number, triangle[1] + first_number,
-                        triangle[2] + first_number);
+  std::string text = fmt::format("{} {} {}\n", elements.count(), elements.nodes_each, elements.attribute_count);
+  for (std::size_t i = 0; i < elements.count(); ++i) {
+    text += fmt::format("{}", i + first_number);
+    for (std::size_t k = 0; k < elements.nodes_each; ++k) {
+      text += fmt::format(" {}", elements.nodes[i * elements.nodes_each + k] + first_number);
+    }
     for (std::size_t k = 0; k < elements.attribute_count; ++k) {
       text += ' ' + base::number_text(elements.attributes[i * elements.attribute_count + k]);
     }
@@ -205,14 +216,15 @@ Result<std::string> ele_text(const EleFile& elements, std::size_t first_number) 
   return text;
 }
 
-Result<void> write_node_ele(const std::string& stem, const mesh::TriangleMesh& mesh) {
+Result<void> write_node_ele(const std::string& stem, const mesh::ElementMesh& mesh) {
   DOBRA_TRY(const std::string nodes, node_text(node_file_of(mesh)));
-  DOBRA_TRY(const std::string elements, ele_text(ele_file_of(mesh)));
+  DOBRA_TRY(const EleFile triangles, ele_file_of(mesh));
+  DOBRA_TRY(const std::string elements, ele_text(triangles));
   DOBRA_TRY_VOID(write_file(stem + ".node", nodes));
   return write_file(stem + ".ele", elements);
 }
 
-Result<mesh::TriangleMesh> read_node_ele(const std::string& stem) {
+Result<mesh::ElementMesh> read_node_ele(const std::string& stem) {
   DOBRA_TRY(const NodeFile nodes, read_node(stem + ".node"));
   DOBRA_TRY(const EleFile elements, read_ele(stem + ".ele", nodes));
   return mesh_of(nodes, elements);

@@ -88,6 +88,11 @@ constexpr Type types[] = {{"Float64", 8, append_as<double>},     {"Float32", 4, 
                           {"Int16", 2, append_as<std::int16_t>}, {"UInt16", 2, append_as<std::uint16_t>},
                           {"Int8", 1, append_as<std::int8_t>},   {"UInt8", 1, append_as<std::uint8_t>}};
 
+constexpr std::pair<double, mesh::ElementType> element_types[] = {{5.0, mesh::ElementType::T3},
+                                                                  {22.0, mesh::ElementType::T6},
+                                                                  {9.0, mesh::ElementType::Q4},
+                                                                  {23.0, mesh::ElementType::Q8}};
+
 struct Array {
   MeshField field;
   std::size_t begin = 0;  // byte of its tag, for messages
@@ -101,10 +106,11 @@ class Reader {
     DOBRA_TRY_VOID(read_tags());
     VtuContents contents;
     DOBRA_TRY_VOID(take_points(contents.mesh));
-    DOBRA_TRY_VOID(take_triangles(contents.mesh));
+    DOBRA_TRY_VOID(take_elements(contents.mesh));
     DOBRA_TRY_VOID(take_fields("PointData", contents.mesh.points.size(), contents.fields.at_points));
-    DOBRA_TRY_VOID(take_fields("CellData", contents.mesh.triangles.size(), contents.fields.at_triangles));
+    DOBRA_TRY_VOID(take_fields("CellData", contents.mesh.element_count(), contents.fields.at_elements));
     take_regions(contents);
+    DOBRA_TRY_VOID(take_sets(contents.mesh));
     return contents;
   }
 
@@ -152,7 +158,8 @@ class Reader {
       if (tag->name == "VTKFile") {
         DOBRA_TRY_VOID(check_header(*tag));
         grid = true;
-      } else if (tag->name == "Points" || tag->name == "Cells" || tag->name == "PointData" || tag->name == "CellData") {
+      } else if (tag->name == "Points" || tag->name == "Cells" || tag->name == "PointData" || tag->name == "CellData" ||
+                 tag->name == "FieldData") {
         section = tag->empty ? "" : tag->name;
       } else if (tag->name == "/" + section) {
         section.clear();
@@ -256,7 +263,7 @@ class Reader {
                  base::Place{.file = file_}};
   }
 
-  Result<void> take_points(mesh::TriangleMesh& mesh) {
+  Result<void> take_points(mesh::ElementMesh& mesh) {
     DOBRA_TRY(const Array array, take("Points", ""));
     const std::vector<double>& values = array.field.values;
     if (array.field.components != 3 || values.size() % 3 != 0)
@@ -267,32 +274,80 @@ class Reader {
     return {};
   }
 
-  Result<void> take_triangles(mesh::TriangleMesh& mesh) {
+  Result<void> take_elements(mesh::ElementMesh& mesh) {
     DOBRA_TRY(const Array nodes, take("Cells", "connectivity"));
     DOBRA_TRY(const Array offsets, take("Cells", "offsets"));
     DOBRA_TRY(const Array kinds, take("Cells", "types"));
-    for (const double kind : kinds.field.values) {
-      if (kind != 5.0)
-        return error(kinds.begin, fmt::format("cell type {} is not read; give triangles (5)", kind),
-                     ErrorCode::UnknownFormat);
-    }
     const std::size_t count = kinds.field.values.size();
-    if (offsets.field.values.size() != count || nodes.field.values.size() != 3 * count) {
-      return error(nodes.begin, fmt::format("{} triangles need {} numbers; there are {}", count, 3 * count,
-                                            nodes.field.values.size()));
-    }
-    for (std::size_t t = 0; t < count; ++t) {
-      if (offsets.field.values[t] != 3.0 * static_cast<double>(t + 1))
-        return error(offsets.begin, "the offsets are not those of triangles");
-      mesh::Corners corners;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const double node = nodes.field.values[3 * t + k];
-        if (!(node >= 0.0) || node >= static_cast<double>(mesh.points.size()) || node != std::floor(node)) {
-          return error(nodes.begin, fmt::format("triangle {}: there is no point {}", t, node));
-        }
-        corners[k] = mesh::NodeId(static_cast<std::size_t>(node));
+    if (offsets.field.values.size() != count) return error(offsets.begin, "there is not one offset an element");
+    std::size_t at = 0;
+    std::vector<mesh::NodeId> own;
+    for (std::size_t e = 0; e < count; ++e) {
+      const double kind = kinds.field.values[e];
+      const auto* type = std::find_if(std::begin(element_types), std::end(element_types),
+                                      [&](const auto& t) { return t.first == kind; });
+      if (type == std::end(element_types)) {
+        return error(kinds.begin,
+                     fmt::format("cell type {} is not read; give triangles (5, 22) or quadrilaterals (9, 23)", kind),
+                     ErrorCode::UnknownFormat);
       }
-      mesh.triangles.push_back(corners);
+      own.clear();
+      for (std::size_t k = 0; k < node_count(type->second); ++k, ++at) {
+        if (at >= nodes.field.values.size())
+          return error(nodes.begin, fmt::format("the nodes of element {} are missing", e));
+        const double node = nodes.field.values[at];
+        if (!(node >= 0.0) || node >= static_cast<double>(mesh.points.size()) || node != std::floor(node)) {
+          return error(nodes.begin, fmt::format("element {}: there is no point {}", e, node));
+        }
+        own.emplace_back(static_cast<std::size_t>(node));
+      }
+      if (offsets.field.values[e] != static_cast<double>(at)) {
+        return error(offsets.begin, fmt::format("the offset of element {} does not fit its type", e));
+      }
+      add_element(mesh, type->second, own, 0);
+    }
+    if (mesh.element_count() == 0) return error(kinds.begin, "the file holds no elements");
+    return {};
+  }
+
+  /// A whole number below `limit`.
+  static std::optional<std::size_t> index(double value, std::size_t limit) {
+    if (!(value >= 0.0) || value >= static_cast<double>(limit) || value != std::floor(value)) return std::nullopt;
+    return static_cast<std::size_t>(value);
+  }
+
+  /// Field data under our names become sets; others are passed over.
+  Result<void> take_sets(mesh::ElementMesh& mesh) {
+    for (const Array& array : arrays_["FieldData"]) {
+      const std::size_t blank = array.field.name.find(' ');
+      const std::string kind = array.field.name.substr(0, blank);
+      const std::string name = blank == std::string::npos ? "" : array.field.name.substr(blank + 1);
+      const std::vector<double>& values = array.field.values;
+      const auto refuse = [&] {
+        return error(array.begin, fmt::format("field data {} are not valid for this mesh", shown(array.field.name)));
+      };
+      if (kind == "side_set") {
+        auto& set = mesh.side_sets[name];
+        for (std::size_t i = 0; i + 1 < values.size(); i += 2) {
+          const auto element = index(values[i], mesh.element_count());
+          const auto side = element ? index(values[i + 1], corner_count(mesh.types[*element])) : std::nullopt;
+          if (!side) return refuse();
+          set.push_back({mesh::ElementId(*element), static_cast<std::uint32_t>(*side)});
+        }
+      } else if (kind == "node_set") {
+        auto& set = mesh.node_sets[name];
+        for (const double value : values) {
+          const auto node = index(value, mesh.points.size());
+          if (!node) return refuse();
+          set.emplace_back(*node);
+        }
+      } else if (kind == "tip") {
+        const auto node = values.size() == 3 ? index(values[0], mesh.points.size()) : std::nullopt;
+        if (!node) return refuse();
+        mesh.tips.push_back({name, mesh::NodeId(*node), {values[1], values[2]}});
+      } else if (kind == "region" && values.size() == 1 && std::abs(values[0]) < 2147483648.0) {
+        mesh.region_names[static_cast<std::int32_t>(values[0])] = name;
+      }
     }
     return {};
   }
@@ -310,8 +365,8 @@ class Reader {
 
   // A "region" of 32-bit integers becomes the regions; any other field of that name stays a field.
   static void take_regions(VtuContents& contents) {
-    std::vector<MeshField>& fields = contents.fields.at_triangles;
-    contents.mesh.regions.assign(contents.mesh.triangles.size(), 0);
+    std::vector<MeshField>& fields = contents.fields.at_elements;
+    contents.mesh.regions.assign(contents.mesh.element_count(), 0);
     const auto found = std::find_if(fields.begin(), fields.end(), [](const MeshField& f) {
       return f.name == "region" && f.components == 1 && std::all_of(f.values.begin(), f.values.end(), [](double v) {
                return std::abs(v) < 2147483648.0 && v == std::floor(v);

@@ -17,7 +17,7 @@ namespace dobra::io {
 using base::Error;
 using base::ErrorCode;
 using base::Result;
-using mesh::TriangleMesh;
+using mesh::ElementMesh;
 
 namespace {
 
@@ -78,14 +78,39 @@ class Writer {
   /// `a_line` numbers stand on a line of an ASCII array, by default one item.
   template <class T>
   void array(std::string_view name, std::span<const T> values, std::size_t components, std::size_t a_line = 0) {
-    const bool ascii = encoding_ == VtuEncoding::Ascii;
-    text += fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"{}\">\n", type_name<T>(),
-                        attribute_text(name), components, ascii ? "ascii" : "binary");
-    if (ascii) {
+    begin<T>(name, components, "");
+    values_of(values, a_line > 0 ? a_line : components);
+  }
+
+  /// An array of the FieldData, which must say how many tuples it has.
+  template <class T>
+  void tuples(std::string_view name, const std::vector<T>& values, std::size_t components) {
+    begin<T>(name, components, fmt::format(" NumberOfTuples=\"{}\"", values.size() / components));
+    values_of(std::span<const T>(values), components);
+  }
+
+  void fields(const std::vector<MeshField>& all) {
+    for (const MeshField& field : all) array<double>(field.name, field.values, field.components);
+  }
+
+  std::string text;
+
+ private:
+  template <class T>
+  void begin(std::string_view name, std::size_t components, const std::string& more) {
+    text +=
+        fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"{} format=\"{}\">\n", type_name<T>(),
+                    attribute_text(name), components, more, encoding_ == VtuEncoding::Ascii ? "ascii" : "binary");
+  }
+
+  template <class T>
+  void values_of(std::span<const T> values, std::size_t a_line) {
+    if (encoding_ == VtuEncoding::Ascii) {
       for (std::size_t i = 0; i < values.size(); ++i) {
         text += item_text(values[i]);
-        text += (i + 1) % (a_line > 0 ? a_line : components) == 0 ? '\n' : ' ';
+        text += (i + 1) % a_line == 0 ? '\n' : ' ';
       }
+      if (values.size() % a_line != 0) text += '\n';
     } else {
       const std::uint64_t size = values.size() * sizeof(T);
       std::string bytes(sizeof(size) + size, '\0');
@@ -96,13 +121,6 @@ class Writer {
     text += "</DataArray>\n";
   }
 
-  void fields(const std::vector<MeshField>& all) {
-    for (const MeshField& field : all) array<double>(field.name, field.values, field.components);
-  }
-
-  std::string text;
-
- private:
   VtuEncoding encoding_;
 };
 
@@ -122,17 +140,27 @@ Result<void> check_fields(const std::vector<MeshField>& fields, std::size_t item
   return {};
 }
 
-void write_cells(const TriangleMesh& mesh, Writer& writer) {
-  std::vector<std::int64_t> connectivity;
-  std::vector<std::int64_t> offsets;
-  connectivity.reserve(3 * mesh.triangles.size());
-  offsets.reserve(mesh.triangles.size());
-  for (const mesh::Corners& corners : mesh.triangles) {
-    for (const mesh::NodeId node : corners) connectivity.push_back(static_cast<std::int64_t>(node.index()));
-    offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
+std::uint8_t vtk_type(mesh::ElementType type) {
+  switch (type) {
+    case mesh::ElementType::T3:
+      return 5;
+    case mesh::ElementType::T6:
+      return 22;
+    case mesh::ElementType::Q4:
+      return 9;
+    case mesh::ElementType::Q8:
+      return 23;
   }
-  constexpr std::uint8_t vtk_triangle = 5;
-  const std::vector<std::uint8_t> types(mesh.triangles.size(), vtk_triangle);
+  return 0;
+}
+
+void write_cells(const ElementMesh& mesh, Writer& writer) {
+  std::vector<std::int64_t> connectivity;
+  std::vector<std::uint8_t> types;
+  connectivity.reserve(mesh.nodes.size());
+  for (const mesh::NodeId node : mesh.nodes) connectivity.push_back(static_cast<std::int64_t>(node.index()));
+  for (const mesh::ElementType type : mesh.types) types.push_back(vtk_type(type));
+  const std::vector<std::int64_t> offsets(mesh.first.begin() + 1, mesh.first.end());
   writer.text += "<Cells>\n";
   writer.array<std::int64_t>("connectivity", connectivity, 1, 3);  // VTK takes no other number of components.
   writer.array<std::int64_t>("offsets", offsets, 1);
@@ -140,30 +168,53 @@ void write_cells(const TriangleMesh& mesh, Writer& writer) {
   writer.text += "</Cells>\n";
 }
 
+void write_sets(const ElementMesh& mesh, Writer& writer) {
+  if (mesh.side_sets.empty() && mesh.node_sets.empty() && mesh.tips.empty() && mesh.region_names.empty()) return;
+  writer.text += "<FieldData>\n";
+  for (const auto& [tag, name] : mesh.region_names) {
+    writer.tuples<std::int64_t>("region " + name, std::vector<std::int64_t>{tag}, 1);
+  }
+  for (const auto& [name, sides] : mesh.side_sets) {
+    std::vector<std::int64_t> numbers;
+    for (const mesh::ElementSide& side : sides) {
+      numbers.insert(numbers.end(), {static_cast<std::int64_t>(side.element.index()), side.side});
+    }
+    writer.tuples<std::int64_t>("side_set " + name, numbers, 2);
+  }
+  for (const auto& [name, nodes] : mesh.node_sets) {
+    std::vector<std::int64_t> numbers;
+    for (const mesh::NodeId node : nodes) numbers.push_back(static_cast<std::int64_t>(node.index()));
+    writer.tuples<std::int64_t>("node_set " + name, numbers, 1);
+  }
+  for (const mesh::CrackTip& tip : mesh.tips) {
+    const std::vector<double> numbers{static_cast<double>(tip.node.index()), tip.direction.x, tip.direction.y};
+    writer.tuples<double>("tip " + tip.name, numbers, 3);
+  }
+  writer.text += "</FieldData>\n";
+}
+
 }  // namespace
 
-Result<std::string> vtu_text(const TriangleMesh& mesh, const MeshFields& fields, VtuEncoding encoding) {
-  DOBRA_TRY_VOID(check_finite(mesh.points, "the mesh"));
+Result<std::string> vtu_text(const ElementMesh& mesh, const MeshFields& fields, VtuEncoding encoding) {
+  DOBRA_TRY_VOID(check_writable(mesh));
   DOBRA_TRY_VOID(check_fields(fields.at_points, mesh.points.size()));
-  DOBRA_TRY_VOID(check_fields(fields.at_triangles, mesh.triangles.size()));
+  DOBRA_TRY_VOID(check_fields(fields.at_elements, mesh.element_count()));
   std::vector<double> coordinates;
   coordinates.reserve(3 * mesh.points.size());
   for (const geom::Point p : mesh.points) coordinates.insert(coordinates.end(), {p.x, p.y, 0.0});
-  std::vector<std::int32_t> regions;
-  regions.reserve(mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) regions.push_back(region_of(mesh, mesh::TriangleId(t)));
 
   Writer writer(encoding);
   writer.text =
       "<?xml version=\"1.0\"?>\n"
       "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
       "<UnstructuredGrid>\n";
+  write_sets(mesh, writer);
   writer.text += fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<PointData>\n", mesh.points.size(),
-                             mesh.triangles.size());
+                             mesh.element_count());
   writer.fields(fields.at_points);
   writer.text += "</PointData>\n<CellData>\n";
-  writer.array<std::int32_t>("region", regions, 1);
-  writer.fields(fields.at_triangles);
+  writer.array<std::int32_t>("region", mesh.regions, 1);
+  writer.fields(fields.at_elements);
   writer.text += "</CellData>\n<Points>\n";
   writer.array<double>("Points", coordinates, 3);
   writer.text += "</Points>\n";
@@ -172,7 +223,7 @@ Result<std::string> vtu_text(const TriangleMesh& mesh, const MeshFields& fields,
   return std::move(writer.text);
 }
 
-Result<void> write_vtu(const std::string& path, const TriangleMesh& mesh, const MeshFields& fields,
+Result<void> write_vtu(const std::string& path, const ElementMesh& mesh, const MeshFields& fields,
                        VtuEncoding encoding) {
   DOBRA_TRY(const std::string text, vtu_text(mesh, fields, encoding));
   return write_file(path, text);

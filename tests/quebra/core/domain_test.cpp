@@ -29,7 +29,7 @@ Curve square(const std::string& name, double low, double high) {
 dobra::base::Result<Domain> make(const std::vector<Curve>& curves) {
   std::vector<dobra::base::Place> places(curves.size());
   for (std::size_t i = 0; i < places.size(); ++i) places[i].line = i + 1;
-  return make_domain(curves, places);
+  return make_domain({curves, places, {}, {}, {}});
 }
 
 TEST(Domain, CurvesInAnyOrderAndDirectionBecomeOneLoop) {

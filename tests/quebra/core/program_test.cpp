@@ -14,9 +14,10 @@
 #include "shared/geom/predicates.h"
 #include "shared/io/inp.h"
 #include "shared/io/msh.h"
+#include "shared/io/bdf.h"
+#include "shared/io/neutral.h"
 #include "shared/io/node_ele.h"
 #include "shared/io/vtu.h"
-#include "shared/mesh/mesh_check.h"
 #include "shared/scenario/runner.h"
 
 namespace quebra::core {
@@ -61,8 +62,8 @@ TEST(QuebraProgram, TheExampleMeetsItsExpectations) {
 TEST(QuebraProgram, QUE_d_TheFreeMeshIsValidAndItsQualityIsReported) {
   const auto done = run(example());
   const auto& meshed = *final_model(done).meshes.front();
-  EXPECT_EQ(meshed.mesh.boundary_sets.at("hole").size(), 24U);
-  for (const char* side : {"bottom", "right", "top", "left"}) EXPECT_EQ(meshed.mesh.boundary_sets.at(side).size(), 5U) << side;
+  EXPECT_EQ(meshed.mesh.side_sets.at("hole").size(), 24U);
+  for (const char* side : {"bottom", "right", "top", "left"}) EXPECT_EQ(meshed.mesh.side_sets.at(side).size(), 5U) << side;
   EXPECT_TRUE(mesh::check(meshed.mesh).ok());
   EXPECT_GE(quantities(done).at("mesh.1.alpha_mean"), 0.9);
 }
@@ -75,10 +76,11 @@ TEST(QuebraProgram, QUE_e_ConstraintsAreEdgesAndGradeTheMesh) {
   EXPECT_NEAR(model.constraints.back().distance, 0.065 * (std::pow(1.3, 6) - 1) / 0.3, 1e-12);
 
   std::set<std::pair<mesh::NodeId, mesh::NodeId>> edges;
-  for (const auto& [a, b] : mesh::all_edges(with.mesh)) edges.insert({a, b});
+  const mesh::TriangleMesh triangles = triangle_mesh_of(with.mesh);
+  for (const auto& [a, b] : mesh::all_edges(triangles)) edges.insert({a, b});
   for (const Constraint& constraint : model.constraints) {
     double along = 0.0;
-    for (const auto& [a, b] : with.mesh.constraint_sets.at(constraint.name)) {
+    for (const auto& [a, b] : triangles.constraint_sets.at(constraint.name)) {
       EXPECT_TRUE(edges.contains({std::min(a, b), std::max(a, b)}));
       along += distance(with.mesh.point(a), with.mesh.point(b));
     }
@@ -149,13 +151,15 @@ TEST(QuebraProgram, QUE_i_EveryExportReadsBackWithTheSameCounts) {
   const fs::path folder = fs::temp_directory_path() / "dobra_quebra_export";
   fs::create_directories(folder);
   for (const auto& output : program().outputs_of(done.states.back())) ASSERT_TRUE(output.write(folder / output.file_name).ok()) << output.file_name;
-  const auto counts = [&](const mesh::TriangleMesh& read, const char* what) {
+  const auto counts = [&](const mesh::ElementMesh& read, const char* what) {
     EXPECT_EQ(read.points, mesh.points) << what;
-    EXPECT_EQ(read.triangles, mesh.triangles) << what;
+    EXPECT_EQ(read.nodes, mesh.nodes) << what;
   };
   counts(io::read_vtu((folder / "mesh.vtu").string()).value().mesh, "vtu");
   counts(io::read_msh((folder / "mesh.msh").string()).value().mesh, "msh");
   counts(io::read_inp((folder / "mesh.inp").string()).value().mesh, "inp");
+  counts(io::read_neutral((folder / "mesh.nf").string()).value().mesh, "nf");
+  EXPECT_EQ(io::read_bdf((folder / "mesh.bdf").string()).value().mesh.nodes, mesh.nodes) << "its coordinates are rounded";
   counts(io::read_node_ele((folder / "mesh").string()).value(), "node, ele");
   fs::remove_all(folder);
 }

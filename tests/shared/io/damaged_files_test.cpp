@@ -113,16 +113,16 @@ TEST(DamagedFiles, PolyGivesAValueOrAnError) {
 }
 
 TEST(DamagedFiles, NodeAndEleGiveAValueOrAnError) {
-  const mesh::TriangleMesh mesh = test::example_mesh(3);
+  const mesh::ElementMesh mesh = test::example_mesh(3);
   const NodeFile nodes = node_file_of(mesh);
   damage_everywhere(reader([](const std::string& text) { return parse_node(text, "f"); }), *node_text(nodes), 2000);
   damage_everywhere(reader([&](const std::string& text) { return parse_ele(text, "f", nodes); }),
-                    *ele_text(ele_file_of(mesh)), 2000);
+                    *ele_text(*ele_file_of(mesh)), 2000);
 }
 
 TEST(DamagedFiles, VtuGivesAValueOrAnError) {
   const auto read = reader([](const std::string& text) { return parse_vtu(text, "f"); });
-  const mesh::TriangleMesh mesh = test::example_mesh(3);
+  const mesh::ElementMesh mesh = test::example_mesh(3);
   damage_everywhere(read, *vtu_text(mesh), 2000);
   damage_everywhere(read, *vtu_text(mesh, {}, VtuEncoding::Base64), 2000);
 }

@@ -9,7 +9,9 @@
 #include <string>
 
 #include "shared/base/error.h"
-#include "shared/mesh/triangle_mesh.h"
+#include "shared/mesh/lips.h"
+#include "shared/mesh/order2.h"
+#include "shared/mesh/recombine.h"
 
 namespace dobra::test {
 
@@ -35,7 +37,7 @@ class TemporaryFolder {
 
 /// A plate of n x n cells with a square hole in the middle, bent so that no coordinate is a short decimal: two regions
 /// (0 and 7) on either side of a constraint, a second constraint inside region 7, boundary sets, two node sets.
-inline mesh::TriangleMesh example_mesh(std::size_t n = 9) {
+inline mesh::TriangleMesh example_triangles(std::size_t n = 12) {
   mesh::TriangleMesh mesh;
   const auto node = [&](std::size_t i, std::size_t j) { return mesh::NodeId(j * (n + 1) + i); };
   for (std::size_t j = 0; j <= n; ++j) {
@@ -76,6 +78,19 @@ inline mesh::TriangleMesh example_mesh(std::size_t n = 9) {
   mesh.node_sets["pin"] = {node(0, 0)};
   mesh.node_sets["gauges"] = {node(1, 1), node(2, 1), node(n, n)};
   return mesh;
+}
+
+/// The same as a mesh of elements, the constraint in region 7 opened as a crack; region 7 has a name.
+inline mesh::ElementMesh example_mesh(std::size_t n = 12) {
+  mesh::ElementMesh mesh = mesh::element_mesh_of(example_triangles(n));
+  mesh.region_names[7] = "granite";
+  const std::vector<std::string> cracks{"inner"};
+  return n < 12 ? mesh : mesh::open_lips(std::move(mesh), cracks).value();
+}
+
+/// The same with quadrilaterals where they fit, and elements of second order.
+inline mesh::ElementMesh quadratic_example() {
+  return mesh::to_second_order(mesh::recombine(example_mesh(), {0.9})).mesh;
 }
 
 /// "file:line:column" of an error.

@@ -99,23 +99,29 @@ TEST(Poly, BadTextIsRefusedWithItsPlace) {
 }
 
 TEST(NodeEle, QUE_i_AMeshReadsBackWithTheSameCountsAndNumbers) {
-  const mesh::TriangleMesh mesh = test::example_mesh();
   const test::TemporaryFolder folder;
-  ASSERT_TRUE(write_node_ele(folder.file("m"), mesh).ok());
-  const auto read = read_node_ele(folder.file("m"));
-  ASSERT_TRUE(read.ok()) << base::to_string(read.error());
-  EXPECT_EQ(read->points, mesh.points);
-  EXPECT_EQ(read->triangles, mesh.triangles);
-  EXPECT_EQ(read->regions, mesh.regions);
+  for (const mesh::ElementMesh& mesh : {test::example_mesh(), mesh::to_second_order(test::example_mesh()).mesh}) {
+    ASSERT_TRUE(write_node_ele(folder.file("m"), mesh).ok());
+    const auto read = read_node_ele(folder.file("m"));
+    ASSERT_TRUE(read.ok()) << base::to_string(read.error());
+    EXPECT_EQ(read->points, mesh.points);
+    EXPECT_EQ(read->types, mesh.types);
+    EXPECT_EQ(read->nodes, mesh.nodes);
+    EXPECT_EQ(read->regions, mesh.regions);
+  }
+  EXPECT_EQ(ele_file_of(test::quadratic_example()).error().code, ErrorCode::InvalidOption) << "it has quadrilaterals";
 }
 
-TEST(NodeEle, MarkersTellTheBoundarySet) {
-  const mesh::TriangleMesh mesh = test::example_mesh();
+TEST(NodeEle, MarkersTellTheFirstSideSet) {
+  const mesh::ElementMesh mesh = test::example_mesh();
   const NodeFile nodes = node_file_of(mesh);
   std::vector<std::int64_t> expected(mesh.points.size(), 0);
-  std::int64_t marker = static_cast<std::int64_t>(mesh.boundary_sets.size());
-  for (auto set = mesh.boundary_sets.rbegin(); set != mesh.boundary_sets.rend(); ++set, --marker) {
-    for (const mesh::Edge& edge : set->second) expected[edge[0].index()] = expected[edge[1].index()] = marker;
+  std::int64_t marker = static_cast<std::int64_t>(mesh.side_sets.size());
+  for (auto set = mesh.side_sets.rbegin(); set != mesh.side_sets.rend(); ++set, --marker) {
+    for (const mesh::ElementSide& side : set->second) {
+      const auto [from, to, middle] = side_nodes(mesh, side);
+      expected[from.index()] = expected[to.index()] = marker;
+    }
   }
   EXPECT_EQ(nodes.markers, expected);
 }
@@ -125,7 +131,7 @@ TEST(NodeEle, BadTrianglesAreRefusedWithTheirPlace) {
   ASSERT_TRUE(nodes.ok());
   const std::tuple<std::string, std::string, std::string> cases[] = {
       {"1 3 0\n0 0 1 3\n", "e:2:7", "there is no point 3"},
-      {"1 6 0\n0 0 1 2 3 4 5\n", "e:1:3", "triangles of 6 nodes"},
+      {"1 4 0\n0 0 1 2 3\n", "e:1:3", "triangles of 4 nodes"},
       {"2 3 0\n0 0 1 2\n", "e:2:0", "ends before triangle 2 of 2"},
       {"1 3 1\n0 0 1 2\n", "e:2:8", "an attribute is missing"},
   };
@@ -136,8 +142,8 @@ TEST(NodeEle, BadTrianglesAreRefusedWithTheirPlace) {
     EXPECT_THAT(read.error().message, HasSubstr(says)) << text;
   }
   // A clockwise triangle is turned.
-  EXPECT_EQ(mesh_of(*nodes, *parse_ele("1 3 0\n0 0 2 1\n", "e", *nodes)).triangles[0],
-            (mesh::Corners{mesh::NodeId(0), mesh::NodeId(1), mesh::NodeId(2)}));
+  EXPECT_EQ(mesh_of(*nodes, *parse_ele("1 3 0\n0 0 2 1\n", "e", *nodes)).nodes,
+            (std::vector{mesh::NodeId(0), mesh::NodeId(1), mesh::NodeId(2)}));
 }
 
 }  // namespace

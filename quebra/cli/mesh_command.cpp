@@ -1,0 +1,244 @@
+#include "quebra/cli/mesh_command.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <sys/resource.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "quebra/core/model.h"
+#include "shared/base/text.h"
+#include "shared/cli/commands.h"
+#include "shared/cli/staging.h"
+#include "shared/io/mesh_file.h"
+#include "shared/scenario/runner.h"
+
+// 1. The document: the scenario, or one made of the file; options become steps and parameters of it.
+// 2. It is run as `quebra run` would. 3. The last mesh is written, and its figures are printed.
+
+namespace quebra::cli {
+namespace {
+
+using namespace dobra;
+using base::Error;
+using base::ErrorCode;
+using base::Result;
+using dobra::cli::Command;
+using dobra::cli::Job;
+using dobra::cli::Session;
+
+struct Options {
+  dobra::cli::ScenarioOptions scenario;
+  std::optional<double> size, growth, turn;
+  std::optional<std::int64_t> smoothing, max_elements;
+  std::string order;
+  bool quads = false;
+  std::string engine = "delaunay";
+  std::vector<std::string> bands, zones;
+  std::optional<std::filesystem::path> out;
+};
+
+/// The parts of "a:b:c".
+std::vector<std::string> parts_of(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, begin), text.size());
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+Result<double> number_in(const std::string& option, const std::string& word) {
+  if (const auto value = base::parse_number(word)) return *value;
+  return Error{ErrorCode::BadUsage, fmt::format("{}: '{}' is not a number", option, word)};
+}
+
+/// CURVES:COUNT:DISTANCE[:FACTOR]
+Result<scenario::Step> band_step(const std::string& text) {
+  const auto parts = parts_of(text, ':');
+  if (parts.size() < 3 || parts.size() > 4) return Error{ErrorCode::BadUsage, fmt::format("--bands {}: give CURVES:COUNT:DISTANCE[:FACTOR]", text)};
+  scenario::Step step{.operation = "constraints", .name = {}, .params = {}, .comment = {}, .place = {}};
+  step.params.set("curves", parts_of(parts[0], '+'));
+  DOBRA_TRY(const double count, number_in("--bands", parts[1]));
+  step.params.set("count", static_cast<std::int64_t>(count));
+  DOBRA_TRY(const double distance, number_in("--bands", parts[2]));
+  step.params.set("distance", distance);
+  if (parts.size() > 3) {
+    DOBRA_TRY(const double factor, number_in("--bands", parts[3]));
+    step.params.set("factor", factor);
+  }
+  return step;
+}
+
+/// CURVES:SIZE:WIDTH
+Result<scenario::Step> zone_step(const std::string& text) {
+  const auto parts = parts_of(text, ':');
+  if (parts.size() != 3) return Error{ErrorCode::BadUsage, fmt::format("--zone {}: give CURVES:SIZE:WIDTH", text)};
+  scenario::Step step{.operation = "zone", .name = {}, .params = {}, .comment = {}, .place = {}};
+  step.params.set("curves", parts_of(parts[0], '+'));
+  DOBRA_TRY(const double size, number_in("--zone", parts[1]));
+  step.params.set("size", size);
+  DOBRA_TRY(const double width, number_in("--zone", parts[2]));
+  step.params.set("width", width);
+  return step;
+}
+
+void set_parameters(const Options& options, scenario::Table& params) {
+  const auto set = [&](const char* key, const auto& value) {
+    if (value) params.set(key, *value);
+  };
+  set("size", options.size);
+  set("growth", options.growth);
+  set("turn", options.turn);
+  set("smoothing", options.smoothing);
+  set("max_elements", options.max_elements);
+  if (!options.order.empty()) params.set("order", options.order);
+  if (options.quads) params.set("quads", std::string("yes"));
+}
+
+/// The scenario, or a document whose input is the file.
+Result<scenario::Document> document_of(Session& session, const Options& options) {
+  scenario::Document document;
+  if (options.scenario.file.extension() == ".toml") {
+    DOBRA_TRY(document, dobra::cli::load(session, options.scenario));
+  } else {
+    document.program = session.program.name;
+    document.input.set("file", options.scenario.file.string());
+    for (const std::string& assignment : options.scenario.assignments) {
+      DOBRA_TRY(document, scenario::with_value(std::move(document), session.program, assignment));
+    }
+  }
+  auto last = std::find_if(document.steps.rbegin(), document.steps.rend(), [](const auto& step) { return step.operation == "mesh"; });
+  if (last == document.steps.rend()) {
+    document.steps.push_back({.operation = "mesh", .name = {}, .params = {}, .comment = {}, .place = {}});
+    last = document.steps.rbegin();
+  }
+  set_parameters(options, last->params);
+  // Steps behind the last mesh say nothing about it.
+  document.steps.erase(last.base(), document.steps.end());
+  for (const std::string& text : options.bands) {
+    DOBRA_TRY(scenario::Step step, band_step(text));
+    document.steps.insert(document.steps.end() - 1, std::move(step));
+  }
+  for (const std::string& text : options.zones) {
+    DOBRA_TRY(scenario::Step step, zone_step(text));
+    document.steps.insert(document.steps.end() - 1, std::move(step));
+  }
+  DOBRA_TRY_VOID(scenario::check(document, session.program));
+  return document;
+}
+
+struct Figures {
+  std::vector<scenario::Quantity> values;
+  std::vector<core::PhaseTime> seconds;
+  std::size_t peak_memory = 0;  ///< Bytes.
+};
+
+Figures figures_of(const scenario::Program& program, const scenario::State& state) {
+  constexpr std::array wanted{"elements", "quadrilaterals", "nodes", "tips", "area", "alpha_mean", "alpha_90", "alpha_min", "min_angle", "max_angle", "gradation_p95"};
+  Figures figures;
+  for (const scenario::Quantity& quantity : program.quantities_of(state)) {
+    if (std::find(wanted.begin(), wanted.end(), quantity.name) != wanted.end()) figures.values.push_back(quantity);
+  }
+  return figures;
+}
+
+std::string json_text(const Figures& figures, const std::vector<std::string>& remarks) {
+  nlohmann::ordered_json json;
+  for (const auto& quantity : figures.values) json[quantity.name] = quantity.value;
+  double total = 0.0;
+  for (const auto& [phase, seconds] : figures.seconds) {
+    json["seconds"][phase] = seconds;
+    total += seconds;
+  }
+  json["seconds"]["total"] = total;
+  json["peak_memory"] = figures.peak_memory;
+  json["remarks"] = remarks;
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+}
+
+std::string table_text(const Figures& figures) {
+  std::string text;
+  for (const auto& quantity : figures.values) text += fmt::format("{:<16}{:.6g} {}\n", quantity.name, quantity.value, quantity.unit);
+  for (const auto& [phase, seconds] : figures.seconds) text += fmt::format("{:<16}{:.3f} s\n", phase, seconds);
+  return text + fmt::format("{:<16}{:.1f} MB\n", "peak memory", static_cast<double>(figures.peak_memory) / 1e6);
+}
+
+Result<void> write_out(Session& session, const std::filesystem::path& out, const mesh::ElementMesh& mesh) {
+  DOBRA_TRY(dobra::cli::Staging staging, dobra::cli::Staging::open(out.parent_path(), dobra::cli::TargetFolder::MustExist));
+  if (const auto written = io::write_mesh(staging.path(out.filename().string()).string(), mesh); !written) return staging.for_user(written.error());
+  DOBRA_TRY_VOID(session.check());
+  DOBRA_TRY_VOID(staging.commit());
+  return {};
+}
+
+Result<int> mesh_job(Session& session, const Options& options) {
+  if (options.out) DOBRA_TRY_VOID(io::check_mesh_ending(options.out->string()));
+  DOBRA_TRY(const scenario::Document document, document_of(session, options));
+  const auto start = std::chrono::steady_clock::now();
+  const auto since = [](auto from) { return std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count(); };
+  DOBRA_TRY(const scenario::Run run, dobra::cli::run_steps(session, document));
+  const double all = since(start);
+  const scenario::State& state = run.states.back();
+  const core::Model& model = scenario::model_of<core::Model>(state);
+  const core::Meshed& meshed = *model.meshes.back();
+
+  Figures figures = figures_of(session.program, state);
+  double known = 0.0;
+  for (const auto& phase : meshed.seconds) known += phase.seconds;
+  figures.seconds.push_back({"input and steps before", all - known});
+  figures.seconds.insert(figures.seconds.end(), meshed.seconds.begin(), meshed.seconds.end());
+  if (options.out) {
+    const auto begin = std::chrono::steady_clock::now();
+    DOBRA_TRY_VOID(write_out(session, *options.out, meshed.mesh));
+    figures.seconds.push_back({"write", since(begin)});
+  }
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  figures.peak_memory = static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+  if (session.options.format == dobra::cli::OutputFormat::Json) {
+    DOBRA_TRY_VOID(dobra::cli::print(json_text(figures, model.remarks)));
+  } else if (session.options.verbosity != dobra::cli::Verbosity::Quiet) {
+    DOBRA_TRY_VOID(dobra::cli::print(table_text(figures)));
+  }
+  return 0;
+}
+
+}  // namespace
+
+Command mesh_command() {
+  return {"mesh", "Mesh a scenario or a file of geometry", [](CLI::App& app) -> Job {
+            const auto options = std::make_shared<Options>();
+            app.add_option("file", options->scenario.file, "Scenario (.toml), geometry (.poly .geo .geojson .dxf .wkt .txt .csv) or a mesh whose boundary is meant")
+                ->required()
+                ->type_name("FILE");
+            app.add_option("--set", options->scenario.assignments, "Change a value, such as input.width=2; may be repeated")
+                ->allow_extra_args(false)
+                ->type_name("PATH=VALUE");
+            app.add_option("--size", options->size, "Greatest length of element sides")->type_name("H");
+            app.add_option("--growth", options->growth, "Most by which sizes grow from one element to the next; 1.3 by default")->type_name("G");
+            app.add_option("--turn", options->turn, "Degrees that one side may turn along an arc; 15 by default")->type_name("DEG");
+            app.add_option("--smoothing", options->smoothing, "Passes of smoothing; 3 by default")->type_name("N");
+            app.add_option("--max-elements", options->max_elements, "Stop with advice beyond this number")->type_name("N");
+            app.add_option("--engine", options->engine, "delaunay")->check(CLI::IsMember({"delaunay"}))->type_name("NAME");
+            app.add_option("--order", options->order, "Order of the elements: 1 (default) or 2")->check(CLI::IsMember({"1", "2"}))->type_name("1|2");
+            app.add_flag("--quads", options->quads, "Join pairs of triangles to quadrilaterals where that gives a good shape");
+            app.add_option("--bands", options->bands, "Offset curves as constraints: CURVE[+CURVE]:COUNT:DISTANCE[:FACTOR]; may be repeated")
+                ->allow_extra_args(false)
+                ->type_name("BANDS");
+            app.add_option("--zone", options->zones, "Small elements near curves: CURVE[+CURVE]:SIZE:WIDTH; may be repeated")
+                ->allow_extra_args(false)
+                ->type_name("ZONE");
+            app.add_option("--out", options->out, fmt::format("File to write: {}", fmt::join(io::mesh_endings(), " ")))->type_name("FILE");
+            return [options](Session& session) { return mesh_job(session, *options); };
+          }};
+}
+
+}  // namespace quebra::cli

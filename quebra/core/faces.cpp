@@ -1,0 +1,135 @@
+#include "quebra/core/faces.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "shared/topo/insert.h"
+#include "shared/topo/locate.h"
+
+namespace quebra::core {
+namespace {
+
+using dobra::base::Error;
+using dobra::base::ErrorCode;
+using dobra::base::Place;
+using dobra::base::Result;
+using dobra::geom::Box;
+using dobra::geom::Point;
+using dobra::geom::Polyline;
+using dobra::geom::Segment;
+using dobra::topo::FaceId;
+using dobra::topo::Subdivision;
+
+/// The chords of a curve, through its junctions.
+Polyline chords(const Domain& domain, std::size_t curve) {
+  Trace along = trace(domain.curves[curve]);
+  if (along.line.closed) {
+    along.line.points.push_back(along.line.points.front());
+    along.line.closed = false;
+  }
+  std::vector<std::pair<double, Point>> nodes;
+  for (std::size_t i = 0; i < along.line.points.size(); ++i) nodes.emplace_back(along.s[i], along.line.points[i]);
+  for (const Junction& junction : domain.junctions) {
+    if (junction.curve == curve) nodes.emplace_back(junction.s, junction.at);
+  }
+  std::stable_sort(nodes.begin(), nodes.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  Polyline line;
+  for (const auto& [s, p] : nodes) line.points.push_back(p);
+  return without_repeated_points(std::move(line));
+}
+
+std::vector<Segment> sides_of(const Subdivision& subdivision, FaceId face) {
+  std::vector<Segment> sides;
+  for (const auto loop : subdivision.loops(face)) {
+    for (const auto half : subdivision.half_edges(loop)) sides.push_back(subdivision.segment(half));
+  }
+  return sides;
+}
+
+double area_of(const std::vector<Segment>& sides) {
+  double twice = 0.0;
+  const Point origin = sides.front().from;
+  for (const Segment& side : sides) twice += cross(side.from - origin, side.to - origin);
+  return 0.5 * twice;
+}
+
+Error bad_name(ErrorCode code, const RegionName& name, const char* what) {
+  Place place;
+  place.item = fmt::format("region '{}'", name.name);
+  place.x = name.at.x;
+  place.y = name.at.y;
+  return {code, what, place};
+}
+
+}  // namespace
+
+// Of the middles of what horizontal lines have inside, the farthest from all sides.
+Point inner_point(std::span<const Segment> sides) {
+  constexpr int lines = 15;
+  Box box;
+  for (const Segment& side : sides) box.add(side.from);
+  Point best = sides.front().from;
+  double clearance = -1.0;
+  for (int k = 0; k < lines; ++k) {
+    const double y = box.low.y + (box.high.y - box.low.y) * (k + 0.5) / lines;
+    std::vector<double> crossings;
+    for (const Segment& side : sides) {
+      if ((side.from.y > y) == (side.to.y > y)) continue;
+      crossings.push_back(side.from.x + (y - side.from.y) / (side.to.y - side.from.y) * (side.to.x - side.from.x));
+    }
+    std::sort(crossings.begin(), crossings.end());
+    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
+      const Point p{0.5 * (crossings[i] + crossings[i + 1]), y};
+      if (0.5 * (crossings[i + 1] - crossings[i]) <= clearance) continue;
+      double least = 0.5 * (crossings[i + 1] - crossings[i]);
+      for (const Segment& side : sides) least = std::min(least, distance(side, p));
+      if (least > clearance) {
+        clearance = least;
+        best = p;
+      }
+    }
+  }
+  return best;
+}
+
+Result<void> find_faces(Domain& domain, std::span<const RegionName> names) {
+  Subdivision subdivision;
+  for (std::size_t c = 0; c < domain.curves.size(); ++c) {
+    if (domain.curves[c].role == Role::Crack) continue;
+    const auto inserted = insert(subdivision, chords(domain, c));
+    if (!inserted) return inserted.error();
+  }
+  const Inside inside(domain);
+  std::map<FaceId, Face> faces;
+  for (const FaceId id : subdivision.faces()) {
+    if (id == Subdivision::unbounded()) continue;
+    const auto sides = sides_of(subdivision, id);
+    const Point p = inner_point(sides);
+    if (inside(p)) faces[id] = {0, p, area_of(sides)};
+  }
+  std::map<std::string, std::int32_t> tags;
+  std::int32_t next = 0;
+  for (const RegionName& name : names) {
+    const auto where = locate(subdivision, name.at);
+    const auto face = where.where == dobra::topo::Where::Face ? faces.find(where.face) : faces.end();
+    if (face == faces.end()) {
+      return bad_name(ErrorCode::OutsideDomain, name, "the point of the region does not lie inside the material; move it");
+    }
+    const auto [tag, is_new] = tags.try_emplace(name.name, next + 1);
+    if (is_new) domain.region_names[++next] = name.name;
+    if (face->second.region != 0 && face->second.region != tag->second) {
+      return bad_name(ErrorCode::BadValue, name, "another region has its point in the same part of the material; divide them by an internal line");
+    }
+    face->second.region = tag->second;
+  }
+  for (auto& [id, face] : faces) {
+    if (face.region == 0) face.region = ++next;
+    domain.faces.push_back(face);
+  }
+  return {};
+}
+
+}  // namespace quebra::core

@@ -1,0 +1,19 @@
+#pragma once
+// The parts of the material that loops and internal lines enclose, recognised by the planar subdivision, with the region
+// (tag and name) of each.
+
+#include <span>
+
+#include "quebra/core/domain.h"
+#include "shared/geom/segment.h"
+
+namespace quebra::core {
+
+/// Fills domain.faces and domain.region_names. Cracks divide nothing.
+/// @error OutsideDomain with the place for a name whose point is not inside the material; BadValue for two names in one part.
+dobra::base::Result<void> find_faces(Domain& domain, std::span<const RegionName> names);
+
+/// A point well inside what the directed sides enclose on their left. @pre some side
+dobra::geom::Point inner_point(std::span<const dobra::geom::Segment> sides);
+
+}  // namespace quebra::core

@@ -1,0 +1,15 @@
+#pragma once
+// A gmsh geometry as a sketch: curves of one plane surface bound it, those between two divide it; physical groups become
+// sets and region names, sizes of points become sizes.
+
+#include <string>
+
+#include "quebra/core/domain.h"
+
+namespace quebra::core {
+
+/// Curves are named "curve_TAG", groups by their name or "physical_TAG". Surfaces without a group have no name.
+/// @error those of io::read_geo; DegenerateCurve for an arc whose points do not lie on one.
+dobra::base::Result<Sketch> read_geo_sketch(const std::string& path);
+
+}  // namespace quebra::core

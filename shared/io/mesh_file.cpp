@@ -1,0 +1,91 @@
+#include "shared/io/mesh_file.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <functional>
+#include <utility>
+
+#include "shared/io/bdf.h"
+#include "shared/io/file.h"
+#include "shared/io/inp.h"
+#include "shared/io/mesh_sides.h"
+#include "shared/io/msh.h"
+#include "shared/io/neutral.h"
+#include "shared/io/node_ele.h"
+#include "shared/io/vtu.h"
+#include "shared/mesh/surface_text.h"
+
+namespace dobra::io {
+
+using base::Error;
+using base::ErrorCode;
+using base::Result;
+using mesh::ElementMesh;
+
+namespace {
+
+using Write = Result<void> (*)(const std::string& path, const ElementMesh& mesh);
+
+Result<void> write_pair(const std::string& path, const ElementMesh& mesh) {
+  return write_node_ele(std::filesystem::path(path).replace_extension().string(), mesh);
+}
+
+template <mesh::SurfaceFormat format>
+Result<void> write_surface(const std::string& path, const ElementMesh& mesh) {
+  DOBRA_TRY_VOID(check_writable(mesh));
+  DOBRA_TRY(const std::string text, mesh::surface_text(triangle_mesh_of(mesh), format));
+  return write_file(path, text);
+}
+
+const std::vector<std::pair<std::string, Write>>& writers() {
+  static const std::vector<std::pair<std::string, Write>> table = {
+      {".vtu", [](const std::string& path, const ElementMesh& mesh) { return write_vtu(path, mesh); }},
+      {".msh", [](const std::string& path, const ElementMesh& mesh) { return write_msh(path, mesh); }},
+      {".msh2", [](const std::string& path, const ElementMesh& mesh) { return write_msh(path, mesh, MshVersion::V22); }},
+      {".inp", [](const std::string& path, const ElementMesh& mesh) { return write_inp(path, mesh); }},
+      {".bdf", [](const std::string& path, const ElementMesh& mesh) { return write_bdf(path, mesh); }},
+      {".nas", [](const std::string& path, const ElementMesh& mesh) { return write_bdf(path, mesh); }},
+      {".nf", [](const std::string& path, const ElementMesh& mesh) { return write_neutral(path, {mesh, {}, 1.0}); }},
+      {".node", write_pair},
+      {".ele", write_pair},
+      {".obj", write_surface<mesh::SurfaceFormat::Obj>},
+      {".ply", write_surface<mesh::SurfaceFormat::Ply>},
+      {".stl", write_surface<mesh::SurfaceFormat::Stl>},
+      {".off", write_surface<mesh::SurfaceFormat::Off>}};
+  return table;
+}
+
+Write writer_of(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const auto& all = writers();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const auto& entry) { return entry.first == ending; });
+  return found == all.end() ? nullptr : found->second;
+}
+
+}  // namespace
+
+const std::vector<std::string>& mesh_endings() {
+  static const std::vector<std::string> endings = [] {
+    std::vector<std::string> names;
+    for (const auto& [ending, write] : writers()) names.push_back(ending);
+    return names;
+  }();
+  return endings;
+}
+
+Result<void> check_mesh_ending(const std::string& path) {
+  if (writer_of(path) != nullptr) return {};
+  return Error{ErrorCode::BadUsage, fmt::format("{}: meshes are written to files that end in {}", path, fmt::join(mesh_endings(), " "))};
+}
+
+Result<void> write_mesh(const std::string& path, const ElementMesh& mesh) {
+  DOBRA_TRY_VOID(check_mesh_ending(path));
+  return writer_of(path)(path, mesh);
+}
+
+}  // namespace dobra::io

@@ -1,0 +1,23 @@
+#pragma once
+// A mesh to and from the file format that the ending of its name says; one entry for commands and operations.
+
+#include <string>
+#include <vector>
+
+#include "shared/base/result.h"
+#include "shared/mesh/element_mesh.h"
+
+namespace dobra::io {
+
+/// The endings that write_mesh knows, each with its dot.
+const std::vector<std::string>& mesh_endings();
+
+/// @error BadUsage naming the endings if this is none of them; to be asked before a long computation.
+base::Result<void> check_mesh_ending(const std::string& path);
+
+/// .vtu .msh (4.1) .msh2 (2.2) .inp .bdf .nas (large field) .nf; .node and .ele (both are written, whichever is named);
+/// .obj .ply .stl .off: the corners as triangles, without sets.
+/// @error BadUsage for another ending; those of the writers.
+base::Result<void> write_mesh(const std::string& path, const mesh::ElementMesh& mesh);
+
+}  // namespace dobra::io
