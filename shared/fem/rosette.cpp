@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <set>
 
@@ -39,6 +40,55 @@ base::Result<Rosette> make_rosette(Point tip, Vector ahead, const RosetteOptions
     rosette.rings.push_back(std::move(ring));
   }
   return rosette;
+}
+
+base::Result<void> fill_rosette(mesh::ElementMesh& mesh, const Rosette& rosette, const std::string& crack, CrackEnd end,
+                                std::int32_t region) {
+  using mesh::ElementType;
+  using mesh::NodeId;
+  const std::size_t sectors = rosette.rings.front().size() - 1;
+  std::map<Point, NodeId> known;
+  for (std::size_t n = 0; n < mesh.points.size(); ++n) known.try_emplace(mesh.points[n], n);
+  std::vector<std::vector<NodeId>> rings{std::vector<NodeId>(sectors + 1, NodeId(mesh.points.size()))};  // the tip
+  mesh.points.push_back(rosette.tip);
+  for (const auto& points : rosette.rings) {
+    const bool outermost = &points == &rosette.rings.back();
+    std::vector<NodeId> ring;
+    for (std::size_t i = 0; i < sectors; ++i) {
+      const auto found = known.find(points[i]);
+      if (outermost && found == known.end())
+        return Error{ErrorCode::BadCrack, "the mesh has no node on the ring of the rosette",
+                     base::Place{.item = "crack '" + crack + "'", .x = points[i].x, .y = points[i].y}};
+      ring.push_back(outermost ? found->second : NodeId(mesh.points.size()));
+      if (!outermost) mesh.points.push_back(points[i]);
+    }
+    ring.push_back(ring.front());
+    rings.push_back(std::move(ring));
+  }
+  std::vector<mesh::ElementSide> lips;  // from the tip outwards
+  const std::size_t lip_sector = end == CrackEnd::End ? sectors - 1 : 0;
+  for (std::size_t k = 0; k + 1 < rings.size(); ++k) {
+    const auto& in = rings[k];
+    const auto& out = rings[k + 1];
+    for (std::size_t i = 0; i < sectors; ++i) {
+      const auto first = add_element(mesh, ElementType::T3, std::vector{in[i], out[i], out[i + 1]}, region);
+      const auto last =
+          k == 0 ? first : add_element(mesh, ElementType::T3, std::vector{in[i], out[i + 1], in[i + 1]}, region);
+      if (i != lip_sector) continue;
+      if (end == CrackEnd::Start) {
+        lips.push_back({first, 0});
+      } else {
+        lips.push_back({last, k == 0 ? 2U : 1U});
+      }
+    }
+  }
+  auto& set = mesh.side_sets[crack];
+  if (end == CrackEnd::Start) {
+    set.insert(set.begin(), lips.begin(), lips.end());
+  } else {
+    set.insert(set.end(), lips.rbegin(), lips.rend());
+  }
+  return {};
 }
 
 base::Result<std::size_t> set_quarter_points(mesh::ElementMesh& mesh) {

@@ -1,7 +1,10 @@
 #pragma once
-// Rosettes of quarter-point triangles round crack tips: where the mesher must put nodes, and the shift of the mid-side
-// nodes once the mesh is quadratic. Page: docs/algorithms/crack.md. Source: [barsoum1976], [henshell1975].
+// Rosettes of quarter-point triangles round crack tips: rings of points whose outermost one bounds a hole for the
+// mesher, the triangles that fill it, and the shift of the mid-side nodes once the mesh is quadratic. Page:
+// docs/algorithms/crack.md. Source: [barsoum1976], [henshell1975].
 
+#include <cstdint>
+#include <string>
 #include <vector>
 
 #include "shared/base/result.h"
@@ -26,6 +29,17 @@ struct Rosette {
 /// @param ahead  unit; where the crack points.
 /// @error InvalidOption
 base::Result<Rosette> make_rosette(geom::Point tip, geom::Vector ahead, const RosetteOptions& options);
+
+/// Which end of its crack a tip is.
+enum class CrackEnd : std::uint8_t { Start, End };
+
+/// Fills the hole that the mesher left inside the outermost ring with the triangles of the rosette, and continues the
+/// side set `crack` through it, to its tip: what open_lips then opens.
+/// @param mesh    first order; the points of the outermost ring are nodes, its sides boundary sides.
+/// @param region  tag of the new elements.
+/// @error BadCrack with the place: a point of the ring is no node.
+base::Result<void> fill_rosette(mesh::ElementMesh& mesh, const Rosette& rosette, const std::string& crack, CrackEnd end,
+                                std::int32_t region);
 
 /// Moves the mid-side nodes of the sides that end in a crack tip to a quarter of the side from the tip.
 /// @return how many nodes were moved.
