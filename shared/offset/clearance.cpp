@@ -1,6 +1,7 @@
 #include "shared/offset/clearance.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "shared/offset/chain_tree.h"
 
@@ -10,15 +11,28 @@ namespace {
 
 void add(FloatBox& box, Flat p) { box.add(FloatBox(p, p, 0)); }
 
+/// Rounded to a FloatBox once, which gives the same.
+struct Hull {
+  Flat low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  Flat high{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  void add(Flat p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  [[nodiscard]] FloatBox box() const { return {low, high, 0}; }
+};
+
 }  // namespace
 
 Clearance::Clearance(const BaseCurve& base, const OffsetOptions& options) : base_(base), corners_(right_corners(base, options)) {
   const std::size_t count = base.segment_count();
   while (leaves_ * leaf_size < count) leaves_ *= 2;
   boxes_.resize(2 * leaves_);
-  for (std::size_t i = 0; i < count; ++i) {
-    add(boxes_[leaves_ + i / leaf_size], flat(base.start(i)));
-    add(boxes_[leaves_ + i / leaf_size], flat(base.end(i)));
+  for (std::size_t first = 0; first < count; first += leaf_size) {
+    Hull hull;
+    hull.add(flat(base.start(first)));
+    for (std::size_t i = first; i < std::min(count, first + leaf_size); ++i) hull.add(flat(base.end(i)));
+    boxes_[leaves_ + first / leaf_size] = hull.box();
   }
   for (std::size_t i = leaves_ - 1; i > 0; --i) {
     boxes_[i].add(boxes_[2 * i]);
@@ -31,9 +45,10 @@ Clearance::Clearance(const BaseCurve& base, const OffsetOptions& options) : base
 
 void Clearance::add_block(std::size_t first, std::size_t last) {
   Block block{};
+  Hull points, right, left;
   const auto both = [&](Flat n) {
-    add(block.right, n);
-    add(block.left, -n);
+    right.add(n);
+    left.add(-n);
   };
   // The corner between segments i and j: all that the raw outline has there.
   const auto corner = [&](std::size_t i, std::size_t j, std::size_t at) {
@@ -45,19 +60,20 @@ void Clearance::add_block(std::size_t first, std::size_t last) {
     if (kind == Corner::Arc || kind == Corner::Mitre || kind == Corner::Tangent) {
       block.directions |= std::isinf(t) ? ~std::uint64_t{0} : ChainTree::directions_of(u, v);
     }
-    FloatBox wide;  // holds the arc on either side
-    if (t <= 1) {
+    if (t <= 1) {  // the crossing of its tangents holds the arc on either side
       const bool outer = kind != Corner::Meet;
-      add(outer ? block.right : block.left, (outer ? right_of(u) : left_of(u)) + t * u);
+      (outer ? right : left).add((outer ? right_of(u) : left_of(u)) + t * u);
     } else {
-      block.right.add(FloatBox({-1, -1}, {1, 1}, 0));
-      block.left.add(FloatBox({-1, -1}, {1, 1}, 0));
+      for (const Flat n : {Flat{-1, -1}, Flat{1, 1}}) {
+        right.add(n);
+        left.add(n);
+      }
     }
-    if (kind == Corner::Mitre) add(block.right, right_of(u) + t * u);
+    if (kind == Corner::Mitre) right.add(right_of(u) + t * u);
     if (kind == Corner::Tangent) {
       const double q = std::isinf(t) ? 1 : t / (1 + std::sqrt(1 + t * t));
-      add(block.right, right_of(u) + q * u);
-      add(block.right, right_of(v) - q * v);
+      right.add(right_of(u) + q * u);
+      right.add(right_of(v) - q * v);
     }
   };
   if (base_.has_before(first)) {  // on the left side its arc belongs to the block, from one normal to the other
@@ -66,14 +82,17 @@ void Clearance::add_block(std::size_t first, std::size_t last) {
   }
   for (std::size_t i = first; i < last; ++i) {
     const Flat u = flat(base_.headings[i]);
-    add(block.points, flat(base_.start(i)));
-    add(block.points, flat(base_.end(i)));
+    points.add(flat(base_.start(i)));
+    points.add(flat(base_.end(i)));
     both(right_of(u));
     block.directions |= ChainTree::directions_of(u, u);
     if (!base_.has_after(i)) continue;
     both(right_of(flat(base_.headings[base_.after(i)])));
     corner(i, base_.after(i), base_.end_index(i));
   }
+  block.points = points.box();
+  block.right = right.box();
+  block.left = left.box();
   blocks_.push_back(block);
 }
 

@@ -57,7 +57,7 @@ void Clearance::find_gaps(double least, double greatest) {
     if (corners_[at] == Corner::Tangent) reach = std::max(reach, 1.5);
   }
   const double floor = 2 * reach * least;
-  const double ceiling = 2 * reach * greatest * (1 + 1e-6);
+  const double ceiling = 2 * reach * greatest * (1 + 1e-5);  // so that it counts at the greatest too
   gaps_.assign(blocks_.size(), {});
   if (leaves_ < 2) return;
   // The next block but one begins where the next one ends: where blocks are short, that tells at once.

@@ -87,6 +87,7 @@ Shape<T> Trimmer::shape(const Piece& piece) const {
 /// The pieces of all pairs; linked ones share their node.
 void Trimmer::warm() {
   hot_of_.assign(pieces_.size(), none);
+  if (pairs_.empty()) return;
   for (const auto& [i, j] : pairs_) hot_of_[i] = hot_of_[j] = 0;
   for (std::uint32_t k = 0; k < pieces_.size(); ++k) {
     if (hot_of_[k] == none) continue;
@@ -283,6 +284,7 @@ void Trimmer::order_cuts() {
   for (const std::uint32_t end : ends_) touched_[place_[end]] = 1;
 }
 
+template Shape<double> Trimmer::whole<double>(Site) const;
 template Shape<Real> Trimmer::whole<Real>(Site) const;
 template Shape<High> Trimmer::whole<High>(Site) const;
 template Contact<Real> Trimmer::end_of<Real>(const Piece&, bool) const;

@@ -99,6 +99,14 @@ class Outline {
     Flat end, start;
   };
   [[nodiscard]] Junction junction(std::uint32_t step) const;
+  /// The line of a step and the corner at its end, where that is a plain one: none, an inner one that leaves a length of both lines, or an
+  /// arc of at most a right angle.
+  struct Lead {
+    bool plain;
+    Corner kind;
+    double length;  ///< What the corners at both ends leave of the line.
+  };
+  [[nodiscard]] Lead lead(std::uint32_t step) const;
   /// Natural ends in doubles.
   [[nodiscard]] Flat start_of(Site s) const;
   [[nodiscard]] Flat end_of(Site s) const;
@@ -162,7 +170,34 @@ inline Corner Outline::corner(std::uint32_t step) const {
   return meets(t, span(step), span(after(step))) ? Corner::Meet : Corner::Apart;
 }
 
+inline Outline::Lead Outline::lead(std::uint32_t step) const {
+  const std::size_t at = step + 1;
+  if (step == 0 || at >= n_) return {false, Corner::Straight, 0};
+  const Corner kind = corners_[at];
+  const double t = base_.half_tans[at];
+  const double span = base_.spans[step];
+  if (kind == Corner::Arc ? t > 1 : kind > Corner::Meet || (kind == Corner::Meet && !meets(t, span, base_.spans[at]))) {
+    return {false, kind, 0};
+  }
+  const double before = corners_[step] == Corner::Meet ? base_.half_tans[step] : 0;
+  const double after = kind == Corner::Meet ? t : 0;
+  return {true, kind, span - d_ * (before + after)};
+}
+
 inline Flat Outline::Ends::start_of(Site s) {
+  if (s.role == Role::Line && s.step > 0 && s.step < outline_.n_ && outline_.corners_[s.step] <= Corner::Meet) {
+    const BaseCurve& base = outline_.base_;  // mostly so
+    const Flat p = flat(base.points[s.step]);
+    const double d = outline_.d_;
+    if (outline_.corners_[s.step] == Corner::Meet) {
+      const double t = base.half_tans[s.step];
+      if (outline_.meets(t, base.spans[s.step - 1], base.spans[s.step])) {
+        const Flat u = flat(base.headings[s.step - 1]);
+        return p + d * right_of(u) - (d * t) * u;
+      }
+    }
+    return p + d * right_of(flat(base.headings[s.step]));
+  }
   if (s.role == Role::Line) return at(outline_.before(s.step)).start;
   if (s.role == Role::SecondArc) return outline_.centre(s) + outline_.d_ * outline_.middle_of_turn<double>(s.step);
   return at(s.step).end;

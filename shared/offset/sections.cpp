@@ -69,6 +69,7 @@ void Trimmer::make_sections() {
   for (std::uint32_t k = 0; k < wanted_; ++k) {
     if (k % 1024 == 0 && progress_.cancelled()) return;
     const std::uint32_t hot = hot_of_[k];
+    if (hot == none && k > 0 && k + 1 < wanted_ && pieces_[k].linked() && pieces_[k + 1].linked()) continue;  // amidst a section
     if (k == 0 || !pieces_[k].linked()) {
       std::uint32_t from = start_node(k);
       if (from == none) from = new_node(end_of<Real>(pieces_[k], true).at);
@@ -128,7 +129,8 @@ VecOf<T> Trimmer::middle(const Section& section, std::uint32_t piece) const {
   return carrier.a + T(dot(carrier.pole, T(0.5) * (a + b) - carrier.a)) * carrier.pole;
 }
 
-bool Trimmer::valid(const Section& section, std::uint32_t piece) const {
+bool Trimmer::valid(const Section& section, std::uint32_t piece) {
+  if (validity_.held_by_recent(middle<double>(section, piece))) return false;
   const Site site = pieces_[piece].site();
   const double error = error_of(site);
   Place found = validity_.of(middle<Real>(section, piece), site, resolution<Real> * error);

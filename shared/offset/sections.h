@@ -88,7 +88,7 @@ class Trimmer {
   [[nodiscard]] VecOf<T> place(std::uint32_t node) const;
   template <class T>
   [[nodiscard]] VecOf<T> middle(const Section& section, std::uint32_t piece) const;
-  [[nodiscard]] bool valid(const Section& section, std::uint32_t piece) const;
+  [[nodiscard]] bool valid(const Section& section, std::uint32_t piece);
 
   void remove_doubles();
   std::vector<Chain> assemble();
@@ -112,7 +112,7 @@ class Trimmer {
   const Clearance& clearance_;
   const OffsetOptions& options_;
   const Outline outline_;
-  const Validity validity_;
+  Validity validity_;
   const base::Progress& progress_;
   Survivors chain_;
   std::vector<Piece>& pieces_ = chain_.pieces;

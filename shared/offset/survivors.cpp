@@ -34,9 +34,19 @@ class Pass {
   static constexpr int rough = 12;  // of 16 raw pieces that do not simply go on
   [[nodiscard]] std::size_t alive_count() const;
   void walk();
+  [[nodiscard]] std::uint32_t glide(std::uint32_t step, std::uint32_t last, std::uint64_t dead);
   void add_line(std::uint32_t step, const Outline::Junction& before, const Outline::Junction& after);
   void add_corner(std::uint32_t step, const Outline::Junction& junction, std::uint64_t dead);
   void add(Site site, Flat a, Flat b);
+  /// The raw piece before is the last one, and whole.
+  [[nodiscard]] bool goes_on() const {
+    return previous_ != Piece::none && !made_.pieces.empty() && packed(made_.pieces.back().site()) == previous_ &&
+           made_.pieces.back().trim_b == Piece::none;
+  }
+  void append(Site site) {
+    made_.pieces.push_back(Piece(site));
+    made_.pieces.back().link(true);
+  }
   void push(Site site, Flat a, Flat b, bool linked);
   void pop();
   void close();
@@ -111,6 +121,12 @@ void Pass::walk() {
       stale = true;
       continue;
     }
+    if (const std::uint32_t next = glide(step, std::min(count, (step / 16 + 1) * 16), dead); next > step) {
+      dead >>= 4 * (next - 1 - step);
+      step = next - 1;
+      stale = true;
+      continue;
+    }
     if (stale) before = outline_.junction(outline_.before(step));
     stale = false;
     const Outline::Junction after = outline_.junction(step);
@@ -122,6 +138,28 @@ void Pass::walk() {
     if (after.kind >= Corner::Tangent && !outline_.is_cap(step)) add_corner(step, after, dead);
     before = after;
   }
+}
+
+/// Where line follows line, or an arc between, and inner corners leave a length of each line, nothing needs a look: pushes all that up to
+/// `last`, without their places. The first step that is not so, or whose end is not.
+std::uint32_t Pass::glide(std::uint32_t step, std::uint32_t last, std::uint64_t dead) {
+  if (!goes_on()) return step;
+  const std::uint32_t first = step;
+  for (; step < last && (dead & 1) == 0; ++step, dead >>= 4) {
+    const Outline::Lead after = outline_.lead(step);
+    if (!after.plain || !(after.length > margin_)) break;
+    const bool arc = after.kind == Corner::Arc;
+    if (arc && (dead & 2) != 0) break;
+    append(Site{step, Role::Line});
+    if (arc) append(Site{step, Role::Arc});
+    heat_ = std::max(0, heat_ - (arc ? 2 : 1));
+  }
+  if (step == first) return step;
+  const Piece& tail = made_.pieces.back();
+  previous_ = packed(tail.site());
+  tail_a_ = start(tail);
+  tail_b_ = end(tail);
+  return step;
 }
 
 /// One step's set buries it.
@@ -161,10 +199,8 @@ inline void Pass::add_line(std::uint32_t step, const Outline::Junction& before, 
   const Site line{step, Role::Line};
   const Flat a = before.start;
   const Flat b = after.end;
-  const bool goes_on = previous_ != Piece::none && !made_.pieces.empty() && packed(made_.pieces.back().site()) == previous_ &&
-                       made_.pieces.back().trim_b == Piece::none;
   // Up to the bisector a line is outside the next segment's pill, so that there is nothing to look for.
-  if (goes_on && after.kind != Corner::Apart && dot(b - a, outline_.along<double>(step)) > margin_) {
+  if (goes_on() && after.kind != Corner::Apart && dot(b - a, outline_.along<double>(step)) > margin_) {
     push(line, a, b, true);
     heat_ -= heat_ > 0;
   } else {
@@ -181,9 +217,7 @@ void Pass::add_corner(std::uint32_t step, const Outline::Junction& junction, std
       previous_ = Piece::none;
       return;
     }
-    const bool goes_on = previous_ != Piece::none && !made_.pieces.empty() && packed(made_.pieces.back().site()) == previous_ &&
-                         made_.pieces.back().trim_b == Piece::none;
-    if (goes_on) {
+    if (goes_on()) {
       push(site, a, b, true);
       heat_ -= heat_ > 0;
     } else {
@@ -305,7 +339,7 @@ void Pass::add(Site site, Flat a, Flat b) {
   }
   bool linked = false;
   if (!pieces.empty()) {
-    linked = previous_ != Piece::none && packed(pieces.back().site()) == previous_ && pieces.back().trim_b == Piece::none;
+    linked = goes_on();
     if (!linked && buried_by_tail(site, a, b)) return bury(site);
   }
   bool examined = false;

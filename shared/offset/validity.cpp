@@ -26,7 +26,16 @@ template <class T> T squared_distance(const VecOf<T>& v, const VecOf<T>& q) {
 }  // namespace
 
 Validity::Validity(const Outline& outline, const Clearance& clearance)
-    : outline_(outline), clearance_(clearance), margin_(clearance.margin(outline.distance())) {}
+    : outline_(outline), clearance_(clearance), margin_(clearance.margin(outline.distance())) {
+  recent_.fill(Clearance::none);
+}
+
+bool Validity::held_by_recent(Flat q) const {
+  if (!(margin_ < outline_.distance())) return false;
+  return std::any_of(recent_.begin(), recent_.end(), [&](std::uint32_t step) {
+    return step != Clearance::none && outline_.deep_inside(q, step, margin_);
+  });
+}
 
 template <class T>
 Place Validity::near_segment(std::size_t segment, const VecOf<T>& q, const T& d, double error) const {
@@ -65,7 +74,7 @@ Place Validity::in_mitre(std::uint32_t step, const VecOf<T>& q, const T& d, doub
 }
 
 template <class T>
-Place Validity::of(const VecOf<T>& q, Site own, double error) const {
+Place Validity::of(const VecOf<T>& q, Site own, double error) {
   const T d = distance_as<T>(outline_.distance());
   const Flat p{static_cast<double>(q.x), static_cast<double>(q.y)};
   const std::uint32_t behind = own.role == Role::Line ? outline_.before(own.step) : own.step;
@@ -73,24 +82,28 @@ Place Validity::of(const VecOf<T>& q, Site own, double error) const {
   const std::size_t first = outline_.segment(own.step);
   const std::size_t second = own.role == Role::Line || caps ? first : outline_.segment(outline_.after(own.step));
   Place worst = Place::Free;
-  const auto settles = [&](Place place) {
+  const auto settles = [&](Place place, std::size_t by) {
     if (place != Place::Free) worst = place;
-    return place == Place::Inside;
+    if (place != Place::Inside) return false;
+    const auto known = std::find(recent_.begin(), recent_.end() - 1, static_cast<std::uint32_t>(by));
+    std::move_backward(recent_.begin(), known, known + 1);
+    recent_[0] = static_cast<std::uint32_t>(by);
+    return true;
   };
   if (clearance_.any_near(p, outline_.distance() + margin_ + error, [&](std::size_t segment) {
-        return segment != first && segment != second && settles(near_segment(segment, q, d, error));
+        return segment != first && segment != second && settles(near_segment(segment, q, d, error), segment);
       })) {
     return Place::Inside;
   }
   if (clearance_.any_mitre(p, outline_.distance(), [&](std::uint32_t step) {
-        return step != behind && step != own.step && settles(in_mitre(step, q, d, error));
+        return step != behind && step != own.step && settles(in_mitre(step, q, d, error), step);
       })) {
     return Place::Inside;
   }
   return worst;
 }
 
-template Place Validity::of<Real>(const Vec&, Site, double) const;
-template Place Validity::of<High>(const VecOf<High>&, Site, double) const;
+template Place Validity::of<Real>(const Vec&, Site, double);
+template Place Validity::of<High>(const VecOf<High>&, Site, double);
 
 }  // namespace dobra::offset

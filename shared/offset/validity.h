@@ -2,6 +2,8 @@
 // Whether a place on the raw outline belongs to the curve: whether it keeps D from all of the base and stays out of its mitres.
 // The parts of the base that the place's own piece is parallel to have nothing to say. Doubles where they are certain, then T.
 
+#include <array>
+
 #include "shared/offset/clearance.h"
 #include "shared/offset/high.h"
 
@@ -16,7 +18,9 @@ class Validity {
   /// @param q      on the piece of `own`, not at its ends.
   /// @param error  bound of its error.
   template <class T>
-  [[nodiscard]] Place of(const VecOf<T>& q, Site own, double error) const;
+  [[nodiscard]] Place of(const VecOf<T>& q, Site own, double error);
+  /// True if q, rounded to doubles, surely lies in what held one of the last places.
+  [[nodiscard]] bool held_by_recent(Flat q) const;
 
  private:
   template <class T>
@@ -27,6 +31,7 @@ class Validity {
   const Outline& outline_;
   const Clearance& clearance_;
   double margin_;
+  std::array<std::uint32_t, 4> recent_;  // steps, the last one first; neighbours often lie in the same
 };
 
 }  // namespace dobra::offset
