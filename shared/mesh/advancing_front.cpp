@@ -32,11 +32,15 @@ using SideId = std::uint32_t;
 namespace {
 
 constexpr double least_gap = 0.65;
-constexpr double corner_cosine = 0.2;  ///< Corners up to 78 degrees are closed.
-constexpr double least_alpha = 0.72;   ///< Of a triangle that closes a corner.
-constexpr double most_radius = 0.8;    ///< Its circumradius over the size.
+constexpr double corner_cosine = 0.2;   ///< Corners up to 78 degrees are closed.
+constexpr double least_alpha = 0.72;    ///< Of a triangle that closes a corner.
+constexpr double widest_corner = -0.5;  ///< Corners up to 120 degrees, where there is no room for a node.
+constexpr double least_joint = 0.6;     ///< Least alpha of a triangle there.
+constexpr double most_radius =
+    0.72;  ///< Its circumradius over the size: below least_spacing, so that no node gets inside.
+constexpr double empty_radius = 0.62;  ///< A smaller circle has no room for a node that keeps its distance.
 constexpr double shortest_seed = 0.6;  ///< Length of a first side over the size.
-constexpr double longest_seed = 1.6;
+constexpr double longest_seed = 1.4;
 
 /// First come first served within a class of sizes, classes in ascending order. Four classes an octave.
 class SizeQueue {
@@ -88,9 +92,10 @@ class SizeQueue {
 
 class Advancer {
  public:
-  Advancer(Kernel& kernel, const SizeField& field, const FrontalOptions& options)
+  Advancer(Kernel& kernel, const SizeField& field, const FrontalOptions& options, Meetings meetings)
       : kernel_(kernel),
         options_(options),
+        meetings_(meetings),
         expected_(field.estimated_triangles()),
         sampler_(field),
         grid_(field, std::min<std::size_t>(static_cast<std::size_t>(0.6 * expected_), options.max_triangles)) {}
@@ -114,7 +119,8 @@ class Advancer {
   void attach(SideId s, Kernel::Half half) { front_.attach(kernel_, s, half); }
   SideId new_side();
   void release(SideId s);
-  [[nodiscard]] bool may_close(SideId s, double cosine, double least) const;
+  [[nodiscard]] bool is_good(Kernel::Vertex a, Kernel::Vertex b, Kernel::Vertex c, double least);
+  [[nodiscard]] bool may_close(SideId s, double cosine, double least);
   SideId close(SideId s);
   void close_corners(SideId s);
   [[nodiscard]] Found look(Point q, double clear, double size, Kernel::Vertex a, Kernel::Vertex b,
@@ -123,15 +129,18 @@ class Advancer {
   void advance(SideId s);
   Kernel::Vertex add_node(Point q, double size);
   SideId raise(SideId s, Kernel::Vertex v);
+  bool join(SideId s, Kernel::Vertex d);
 
   Kernel& kernel_;
   const FrontalOptions& options_;
+  const Meetings meetings_;
   const double expected_;  ///< Number of triangles in the square of the size field, roughly.
   SizeSampler sampler_;
   NodeGrid grid_;
   Front front_;
   std::vector<SideId> free_;
   std::vector<double> size_;        ///< One a vertex.
+  std::vector<SideId> side_of_;     ///< One a vertex: a side that starts there, if its `from` still says so.
   std::vector<std::uint8_t> safe_;  ///< One a vertex of the input.
   SizeQueue queue_;
 };
@@ -218,6 +227,8 @@ void Advancer::add_walls() {
 }
 
 void Advancer::start() {
+  side_of_.assign(kernel_.vertex_count(), none);
+  for (SideId s = 0; s < front_.sides.size(); ++s) side_of_[front_.sides[s].from] = s;
   std::vector<std::uint8_t> seen(front_.sides.size(), 0);
   for (SideId first = 0; first < seen.size(); ++first) {
     for (SideId s = first; seen[s] == 0; s = front_.sides[s].next) {
@@ -256,8 +267,36 @@ void Advancer::release(SideId s) {
 
 // ---- corners ----
 
+/// Whether the triangle has at least the alpha `least`, and a circle that holds no node: two such triangles cannot
+/// cross.
+bool Advancer::is_good(Kernel::Vertex a, Kernel::Vertex b, Kernel::Vertex c, double least) {
+  const Vector u = at(b) - at(a);
+  const Vector w = at(c) - at(a);
+  const double twice = geom::cross(u, w);
+  const double uu = geom::length_squared(u);
+  const double ww = geom::length_squared(w);
+  const double vv = geom::length_squared(at(c) - at(b));
+  if (2.0 * std::numbers::sqrt3 * twice < least * (uu + vv + ww)) return false;
+  for (const Kernel::Vertex v : {a, b, c}) {
+    if (v < safe_.size() && safe_[v] == 0) return false;
+  }
+  const double size = std::min({size_[a], size_[b], size_[c]});
+  const double radius_squared = uu * vv * ww / (4.0 * twice * twice);
+  if (radius_squared > most_radius * most_radius * size * size) return false;
+  if (radius_squared < empty_radius * empty_radius * size * size) return true;
+  const Point centre = at(a) + Vector{(w.y * uu - u.y * ww) / (2.0 * twice), (u.x * ww - w.x * uu) / (2.0 * twice)};
+  sampler_.at(centre);
+  bool empty = true;
+  const double inside = radius_squared * (1.0 - 1e-9);
+  grid_.visit_near(centre, std::sqrt(radius_squared), sampler_.leaf(), [&](const NodeGrid::Entry& entry) {
+    const bool own = entry.vertex == a || entry.vertex == b || entry.vertex == c || entry.vertex == NodeGrid::none;
+    if (!own && geom::length_squared(entry.at - centre) < inside) empty = false;
+  });
+  return empty;
+}
+
 /// Whether the sides s = a-b and b-c may be closed by a triangle.
-bool Advancer::may_close(SideId s, double cosine, double least) const {
+bool Advancer::may_close(SideId s, double cosine, double least) {
   const Side& side = front_.sides[s];
   const Side& next = front_.sides[side.next];
   const Kernel::Vertex a = side.from;
@@ -266,17 +305,8 @@ bool Advancer::may_close(SideId s, double cosine, double least) const {
   const Vector u = at(a) - at(b);
   const Vector w = at(c) - at(b);
   const double dot = geom::dot(u, w);
-  const double uu = geom::length_squared(u);
-  const double ww = geom::length_squared(w);
-  if (dot < 0.0 || dot * dot < cosine * cosine * uu * ww) return false;
-  const double twice = geom::cross(w, u);
-  const double cc = geom::length_squared(at(c) - at(a));
-  if (2.0 * std::numbers::sqrt3 * twice < least * (uu + ww + cc)) return false;
-  for (const Kernel::Vertex v : {a, b, c}) {
-    if (v < safe_.size() && safe_[v] == 0) return false;
-  }
-  const double radius = most_radius * std::min({size_[a], size_[b], size_[c]});
-  return uu * ww * cc <= 4.0 * radius * radius * twice * twice;
+  if (dot * std::abs(dot) < cosine * std::abs(cosine) * geom::length_squared(u) * geom::length_squared(w)) return false;
+  return is_good(a, b, c, least);
 }
 
 /// Closes the corner between s and the side after it. @return the side that takes their place; none if the front
@@ -301,6 +331,7 @@ SideId Advancer::close(SideId s) {
   sides[s].mark = 0;
   sides[s].paired = false;
   ++sides[s].stamp;
+  side_of_[sides[s].from] = s;
   release(n);
   return s;
 }
@@ -349,6 +380,7 @@ Advancer::Found Advancer::look(Point q, double clear, double size, Kernel::Verte
 Kernel::Vertex Advancer::add_node(Point q, double size) {
   const Kernel::Vertex v = kernel_.add_vertex(q);
   size_.push_back(size);
+  side_of_.push_back(none);
   grid_.add(q, v, sampler_.leaf());
   return v;
 }
@@ -358,6 +390,7 @@ SideId Advancer::raise(SideId s, Kernel::Vertex v) {
   const SideId n = new_side();
   std::vector<Side>& sides = front_.sides;
   const SideId after = sides[s].next;
+  side_of_[sides[s].from] = s;
   const Kernel::Cell cell = kernel_.add_triangle(sides[s].from, sides[after].from, v, sides[s].region);
   attach(s, Kernel::half(cell, 0));
   sides[s].back = Kernel::half(cell, 2);
@@ -368,7 +401,38 @@ SideId Advancer::raise(SideId s, Kernel::Vertex v) {
   const std::uint32_t stamp = sides[n].stamp + 1;
   sides[n] = {v, after, s, stamp, Kernel::half(cell, 1), sides[s].region, 0, false};
   sides[after].previous = n;
+  side_of_[v] = n;
   return n;
+}
+
+/// A triangle from side s = a-b to node d elsewhere on the front: s becomes a-d, and d-b is new. One loop of sides
+/// becomes two, or two become one.
+bool Advancer::join(SideId s, Kernel::Vertex d) {
+  const SideId t = side_of_[d];
+  if (t == none || front_.sides[t].from != d) return false;
+  const SideId before = front_.sides[t].previous;
+  const Kernel::Vertex a = front_.sides[s].from;
+  const Kernel::Vertex b = front_.to(front_.sides[s]);
+  const Kernel::Vertex e = front_.to(front_.sides[t]);
+  const Kernel::Vertex f = front_.sides[before].from;
+  if (e == a || f == b || !is_good(a, b, d, least_joint) || !fits_corners(s, at(d))) return false;
+  // Both ends must be seen from d between e and f.
+  const Vector right = at(e) - at(d);
+  const Vector left = at(f) - at(d);
+  const auto within = [&](Vector v) {
+    if (geom::cross(right, left) > 0.0) return geom::cross(right, v) > 0.0 && geom::cross(v, left) > 0.0;
+    return geom::cross(left, v) < 0.0 || geom::cross(v, right) < 0.0;
+  };
+  if (!within(at(a) - at(d)) || !within(at(b) - at(d))) return false;
+  const SideId n = raise(s, d);
+  front_.sides[s].next = t;
+  front_.sides[t].previous = s;
+  front_.sides[before].next = n;
+  front_.sides[n].previous = before;
+  const std::uint32_t stamp = front_.sides[n].stamp;
+  close_corners(s);
+  if (front_.sides[n].stamp == stamp) close_corners(n);
+  return true;
 }
 
 /// Whether the sides from `top` to the ends of s stay clear of the sides before and after s.
@@ -403,14 +467,17 @@ void Advancer::advance(SideId s) {
   Point top;
   double leg = 0.0;
   for (int round = 0; round < 2; ++round) {
-    leg = std::clamp(std::sqrt(length * size), 0.75 * length, 1.5 * length);
+    leg = std::clamp(size, 0.72 * length, 1.4 * length);
     top = middle + std::sqrt(leg * leg / squared - 0.25) * geom::left_of(along);
     const double there = sampler_.at(top);
     const bool settled = std::abs(there - size) < 0.03 * size;
     size = there;
     if (settled) break;
   }
-  const Found found = look(top, options_.least_spacing * leg, leg, a, b, b);
+  // A long side has no room for a triangle of the size wanted.
+  const double height = std::sqrt(leg * leg - 0.25 * squared);
+  if (leg * leg > 2.0 * most_radius * std::max(leg, size) * height) return;
+  const Found found = look(top, options_.least_spacing * std::max(leg, size), leg, a, b, b);
   if (!found.any) {
     if (!fits_corners(s, top)) return;
     const SideId n = raise(s, add_node(top, size));
@@ -429,7 +496,11 @@ void Advancer::advance(SideId s) {
   SideId corner = none;
   if (found.vertex == front_.sides[front_.sides[s].previous].from) corner = front_.sides[s].previous;
   if (found.vertex == front_.to(front_.sides[front_.sides[s].next])) corner = s;
-  if (corner == none || !may_close(corner, 0.0, 0.6)) return;
+  if (corner == none) {
+    if (meetings_ == Meetings::Join) join(s, found.vertex);
+    return;
+  }
+  if (!may_close(corner, widest_corner, least_joint)) return;
   const SideId closed = close(corner);
   if (closed != none) close_corners(closed);
 }
@@ -470,9 +541,9 @@ Result<Front> Advancer::run(const Progress& progress) {
 
 Error front_crossed() { return {ErrorCode::SelfIntersection, "sides of the advancing front cross", {}}; }
 
-Result<Front> advance_front(Kernel& kernel, const SizeField& field, const FrontalOptions& options,
+Result<Front> advance_front(Kernel& kernel, const SizeField& field, const FrontalOptions& options, Meetings meetings,
                             const Progress& progress) {
-  return Advancer(kernel, field, options).run(progress);
+  return Advancer(kernel, field, options, meetings).run(progress);
 }
 
 }  // namespace dobra::mesh

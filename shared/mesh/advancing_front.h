@@ -47,6 +47,10 @@ struct Front {
   }
 };
 
+/// Whether a front is joined to itself where it meets itself, or left standing. Nearly all of the domain is covered
+/// with Join; a crowded input may make it cross itself, which LeaveOpen hardly ever does.
+enum class Meetings : std::uint8_t { Join, LeaveOpen };
+
 /// What advance_front and fill_gaps say when sides of the front cross, or run out of the domain.
 base::Error front_crossed();
 
@@ -60,6 +64,6 @@ inline constexpr std::int32_t replaced_region = -1000;
 ///         spoilt.
 /// @cost   O(n) for n triangles.
 base::Result<Front> advance_front(DelaunayKernel& kernel, const SizeField& field, const FrontalOptions& options,
-                                  const base::Progress& progress);
+                                  Meetings meetings, const base::Progress& progress);
 
 }  // namespace dobra::mesh

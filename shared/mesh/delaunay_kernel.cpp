@@ -319,22 +319,46 @@ DelaunayKernel::Vertex DelaunayKernel::insert(Point p, Location at) {
   return v;
 }
 
+/// Empties the stack; what a flip changes is looked at again.
+std::size_t DelaunayKernel::legalise_stack(std::vector<Vertex>* changed) {
+  std::size_t flips = 0;
+  while (!stack_.empty()) {
+    const Half e = stack_.back();
+    stack_.pop_back();
+    if (!must_flip(e)) continue;
+    const Half f = twin(e);
+    flip(e);
+    ++flips;
+    if (changed != nullptr) changed->insert(changed->end(), {origin(e), target(e), apex(e), apex(f)});
+    for (const Half side : {next(e), previous(e), next(f), previous(f)}) stack_.push_back(side);
+  }
+  return flips;
+}
+
 std::size_t DelaunayKernel::legalise_all() {
   std::size_t flips = 0;
   for (Cell c = 0; c < cells_.size(); ++c) {
     for (std::uint32_t i = 0; i < 3; ++i) {
       // A side is looked at from one of its cells; none is the greatest half-edge.
-      if (half(c, i) < twin(half(c, i))) stack_.push_back(half(c, i));
-      while (!stack_.empty()) {
-        const Half e = stack_.back();
-        stack_.pop_back();
-        if (!must_flip(e)) continue;
-        const Half f = twin(e);
-        flip(e);
-        ++flips;
-        for (const Half side : {next(e), previous(e), next(f), previous(f)}) stack_.push_back(side);
-      }
+      if (half(c, i) > twin(half(c, i))) continue;
+      stack_.push_back(half(c, i));
+      flips += legalise_stack(nullptr);
     }
+  }
+  return flips;
+}
+
+std::size_t DelaunayKernel::legalise_near(std::span<const Vertex> vertices, std::vector<Vertex>& changed) {
+  std::size_t flips = 0;
+  for (const Vertex v : vertices) {
+    const Half first = half_of_[v];
+    Half e = first;
+    do {
+      stack_.push_back(e);
+      stack_.push_back(next(e));
+      e = around(e);
+    } while (e != first && e != none);
+    flips += legalise_stack(&changed);
   }
   return flips;
 }

@@ -67,6 +67,9 @@ class DelaunayKernel {
   std::optional<Crossing> insert_constraint(Vertex a, Vertex b, Mark mark, std::vector<Vertex>& chain);
   /// Flips every unmarked side that is not Delaunay; returns the number of flips.
   std::size_t legalise_all();
+  /// The same starting from the cells round `vertices`; `changed` receives the vertices of the cells that were flipped,
+  /// some several times.
+  std::size_t legalise_near(std::span<const Vertex> vertices, std::vector<Vertex>& changed);
   /// Moves a vertex. @pre its triangles stay anticlockwise; call legalise_all afterwards.
   void move(Vertex v, geom::Point to) { points_[v] = to; }
 
@@ -110,6 +113,7 @@ class DelaunayKernel {
   void flip(Half e);
   [[nodiscard]] bool must_flip(Half e) const;
   void legalise(Vertex apex);
+  std::size_t legalise_stack(std::vector<Vertex>* changed);
   void split_cell(Cell c, Vertex p);
   void split_side(Half e, Vertex p);
   Cell add_cell(std::int32_t region);

@@ -130,6 +130,7 @@ Result<void> GapFiller::run(const SizeField& field, const FrontalOptions& option
     copy();
   }
   kernel_.remove_cells(replaced_region);
+  kernel_.legalise_all();
   return {};
 }
 

@@ -8,7 +8,7 @@
 namespace dobra::mesh {
 
 /// Fills the gaps of `front` in `kernel` and removes the cells that the front replaced: afterwards the cells with
-/// region >= 0 are a triangulation of the domain again.
+/// region >= 0 are the constrained Delaunay triangulation of the domain and the nodes of the front and of the gaps.
 /// @error SelfIntersection if sides of the front cross or enclose nothing: `kernel` is then spoilt; TooManyElements;
 ///        Cancelled.
 /// @cost  O(g log g) for g sides and triangles of the gaps.

@@ -56,7 +56,6 @@ NodeGrid::NodeGrid(const SizeField& field, std::size_t expected) {
   const std::size_t blocks = std::bit_ceil(std::clamp<std::size_t>(expected / 48, 16, std::size_t{1} << 24U));
   shift_ = 64U - static_cast<std::uint32_t>(std::countr_zero(blocks));
   first_.assign(blocks * 64, none);
-  entries_.reserve(expected);
 }
 
 void NodeGrid::add(geom::Point at, std::uint32_t vertex, QuadCellId leaf) {

@@ -17,13 +17,40 @@ namespace {
 /// Moves nodes one after the other.
 class Smoother {
  public:
-  Smoother(Kernel& kernel, const SmoothOptions& options) : kernel_(kernel), options_(options) {}
+  Smoother(Kernel& kernel, std::span<const std::uint8_t> fixed, const SmoothOptions& options)
+      : kernel_(kernel), options_(options), resting_(fixed.begin(), fixed.end()) {
+    for (Kernel::Vertex v = 0; v < resting_.size(); ++v) {
+      if (kernel.half_of(v) == Kernel::none) resting_[v] = fixed_node;
+    }
+  }
+
+  std::size_t sweep() {
+    std::size_t moves = 0;
+    for (Kernel::Vertex v = 0; v < resting_.size(); ++v) {
+      if (resting_[v] == 0 && move(v)) ++moves;
+    }
+    return moves;
+  }
+  /// The nodes that were moved since `forget_moved`, some several times.
+  [[nodiscard]] std::span<const Kernel::Vertex> moved() const { return moved_; }
+  void forget_moved() { moved_.clear(); }
+  /// Something round v has changed.
+  void wake(Kernel::Vertex v) {
+    if (resting_[v] == resting) resting_[v] = 0;
+  }
+
+ private:
+  static constexpr std::uint8_t fixed_node = 1;
+  static constexpr std::uint8_t resting = 2;  ///< Good enough, and nothing round it has moved since.
 
   bool move(Kernel::Vertex v) {
     gather(v);
     const Point here = kernel_.point(v);
     const double before = least_alpha(here);
-    if (before >= options_.enough) return false;
+    if (before >= options_.enough) {
+      resting_[v] = resting;
+      return false;
+    }
     Vector sum;
     for (std::size_t i = 0; i + 1 < ring_.size(); ++i) sum = sum + (ring_[i] - here);
     const Vector step = sum / static_cast<double>(ring_.size() - 1);
@@ -33,12 +60,22 @@ class Smoother {
       if (there == here) return false;
       if (least_alpha(there) < before) continue;
       kernel_.move(v, there);
+      moved_.push_back(v);
+      wake_neighbours(v);
       return true;
     }
     return false;
   }
 
- private:
+  void wake_neighbours(Kernel::Vertex v) {
+    const Kernel::Half first = kernel_.half_of(v);
+    Kernel::Half e = first;
+    do {
+      wake(kernel_.target(e));
+      e = kernel_.around(e);
+    } while (e != first);
+  }
+
   /// The neighbours of v, anticlockwise, the first one once more at the end.
   void gather(Kernel::Vertex v) {
     ring_.clear();
@@ -70,6 +107,8 @@ class Smoother {
 
   Kernel& kernel_;
   const SmoothOptions& options_;
+  std::vector<std::uint8_t> resting_;  ///< One a vertex: 0 to be looked at, or why not.
+  std::vector<Kernel::Vertex> moved_;
   std::vector<Point> ring_;
 };
 
@@ -86,28 +125,34 @@ Kernel kernel_of(const TriangleMesh& mesh) {
 
 }  // namespace
 
-std::size_t smooth(Kernel& kernel, std::span<const std::uint8_t> fixed, const SmoothOptions& options) {
-  DOBRA_CHECK(options.phi >= 0.0 && options.phi <= 1.0 && fixed.size() == kernel.vertex_count());
-  Smoother smoother(kernel, options);
-  std::size_t moves = 0;
-  for (int pass = 0; pass < options.passes; ++pass) {
-    for (Kernel::Vertex v = 0; v < kernel.vertex_count(); ++v) {
-      if (fixed[v] != 0 || kernel.half_of(v) == Kernel::none) continue;
-      moves += smoother.move(v) ? 1U : 0U;
-    }
-  }
-  return moves;
-}
-
 std::size_t smooth(TriangleMesh& mesh, const SmoothOptions& options) {
   return smooth(mesh, fixed_nodes(mesh), options);
 }
 
 std::size_t smooth(TriangleMesh& mesh, std::span<const std::uint8_t> fixed, const SmoothOptions& options) {
+  DOBRA_CHECK(options.phi >= 0.0 && options.phi <= 1.0 && fixed.size() == mesh.points.size());
   Kernel kernel = kernel_of(mesh);
-  const std::size_t moves = smooth(kernel, fixed, options);
+  Smoother smoother(kernel, fixed, options);
+  std::size_t moves = 0;
+  for (int pass = 0; pass < options.passes; ++pass) moves += smoother.sweep();
   for (std::size_t n = 0; n < mesh.points.size(); ++n) mesh.points[n] = kernel.point(static_cast<Kernel::Vertex>(n));
   return moves;
+}
+
+base::Result<void> improve(Kernel& kernel, std::span<const std::uint8_t> fixed, const SmoothOptions& options,
+                           int rounds, const base::Progress& progress) {
+  Smoother smoother(kernel, fixed, options);
+  std::vector<Kernel::Vertex> changed;
+  for (int round = 0; round < rounds; ++round) {
+    DOBRA_TRY_VOID(progress.check());
+    progress.report(static_cast<double>(round) / rounds, "smoothing");
+    for (int pass = 0; pass < options.passes; ++pass) smoother.sweep();
+    changed.clear();
+    kernel.legalise_near(smoother.moved(), changed);
+    smoother.forget_moved();
+    for (const Kernel::Vertex v : changed) smoother.wake(v);
+  }
+  return {};
 }
 
 std::size_t flip_to_delaunay(TriangleMesh& mesh) {

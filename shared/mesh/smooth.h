@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <span>
 
+#include "shared/base/progress.h"
 #include "shared/mesh/delaunay_kernel.h"
 #include "shared/mesh/triangle_mesh.h"
 
@@ -28,8 +29,11 @@ std::size_t smooth(TriangleMesh& mesh, const SmoothOptions& options = {});
 /// The same with the nodes that must stay given: one flag a node. @pre every boundary node is among them.
 std::size_t smooth(TriangleMesh& mesh, std::span<const std::uint8_t> fixed, const SmoothOptions& options);
 
-/// The same in a kernel, where `triangulate` works.
-std::size_t smooth(DelaunayKernel& kernel, std::span<const std::uint8_t> fixed, const SmoothOptions& options);
+/// Rounds of smoothing and flips in a kernel, where `triangulate` works. In later rounds only what has changed or is
+/// not good enough is looked at.
+/// @error Cancelled.  @pre one flag a vertex; the kernel is Delaunay.
+base::Result<void> improve(DelaunayKernel& kernel, std::span<const std::uint8_t> fixed, const SmoothOptions& options,
+                           int rounds, const base::Progress& progress);
 
 /// Flips sides until every one that is neither a boundary nor in an edge set is Delaunay (exactly); regions keep apart.
 /// @return number of flips.  @cost O(n + flips)

@@ -41,17 +41,19 @@ std::vector<SizedEdge> sized_edges(const PlanarDomain& domain, const MeshInput& 
   return edges;
 }
 
-/// The front, and between what it leaves standing points placed one by one; should sides of the front cross, points are
-/// placed everywhere.
+/// The front, and between what it leaves standing points placed one by one. Should sides of the front cross, again with
+/// a front that takes no risk; should they cross even then, points are placed everywhere.
 Result<void> fill(DelaunayKernel& kernel, const SizeField& field, const FrontalOptions& options,
                   const Progress& progress) {
   const DelaunayKernel given = kernel;
-  const auto filled = [&]() -> Result<void> {
-    DOBRA_TRY(Front front, advance_front(kernel, field, options, progress.part(0.0, 0.7)));
-    return fill_gaps(kernel, front, field, options, progress.part(0.7, 1.0));
-  }();
-  if (filled || filled.error().code != ErrorCode::SelfIntersection) return filled;
-  kernel = given;
+  for (const Meetings meetings : {Meetings::Join, Meetings::LeaveOpen}) {
+    const auto filled = [&]() -> Result<void> {
+      DOBRA_TRY(Front front, advance_front(kernel, field, options, meetings, progress.part(0.0, 0.7)));
+      return fill_gaps(kernel, front, field, options, progress.part(0.7, 1.0));
+    }();
+    if (filled || filled.error().code != ErrorCode::SelfIntersection) return filled;
+    kernel = given;
+  }
   DOBRA_TRY_VOID(place_points(kernel, field, options, progress));
   return {};
 }
@@ -73,12 +75,7 @@ Result<TriangleMesh> triangulate(const MeshInput& input, const MeshOptions& opti
   // Input points are wanted where they are: they stay, as nodes of the boundary and of constraints do.
   std::vector<std::uint8_t> fixed(domain.kernel.vertex_count(), 0);
   std::fill(fixed.begin(), fixed.begin() + static_cast<std::ptrdiff_t>(given), std::uint8_t{1});
-  for (int round = 0; round < options.rounds; ++round) {
-    DOBRA_TRY_VOID(progress.check());
-    progress.report(0.8 + 0.2 * round / options.rounds, "smoothing");
-    smooth(domain.kernel, fixed, options.smoothing);
-    domain.kernel.legalise_all();
-  }
+  DOBRA_TRY_VOID(improve(domain.kernel, fixed, options.smoothing, options.rounds, progress.part(0.8, 1.0)));
   return std::move(extract(domain, input).mesh);
 }
 

@@ -13,10 +13,10 @@
 namespace dobra::mesh {
 
 struct MeshOptions {
-  SizeFieldOptions sizes;   ///< Growth 1.3; no element larger than the longest given edge.
-  FrontalOptions points;    ///< Where points may be put; limit on the number of triangles.
-  SmoothOptions smoothing;  ///< Of each round.
-  int rounds = 3;           ///< Rounds of flips and smoothing after the points are placed; 0 for none.
+  SizeFieldOptions sizes;                      ///< Growth 1.3; no element larger than the longest given edge.
+  FrontalOptions points;                       ///< Where points may be put; limit on the number of triangles.
+  SmoothOptions smoothing = {.enough = 0.92};  ///< Of each round.
+  int rounds = 3;  ///< Rounds of flips and smoothing after the points are placed; 0 for none.
 };
 
 /// Meshes the inside of the boundary edges of `input`.

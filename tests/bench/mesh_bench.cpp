@@ -1,15 +1,25 @@
-// Speed of the Delaunay kernel and of the mesher. Run in the `bench` preset; one thread.
+// Speed of the Delaunay kernel and of the mesher, one thread, beside gmsh's frontal mesher on the same boundary in the
+// same run where the program `gmsh` is installed. Ten million triangles: DOBRA_BENCH_LARGE=1.
 
 #include <benchmark/benchmark.h>
+
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
 
 #include "shared/mesh/delaunay.h"
 #include "shared/mesh/quality.h"
 #include "shared/mesh/triangulate.h"
+#include "tests/bench/heap.h"
 #include "tests/shared/mesh/mesh_shapes.h"
 
 namespace {
 
 using namespace dobra::mesh;
+
+/// Seconds of processor time: on a busy machine fairer to both than the clock on the wall.
+double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 /// Random points in a square; items are points.
 void delaunay_of_random_points(benchmark::State& state) {
@@ -19,40 +29,110 @@ void delaunay_of_random_points(benchmark::State& state) {
 }
 BENCHMARK(delaunay_of_random_points)->RangeMultiplier(10)->Range(1'000, 1'000'000)->Unit(benchmark::kMillisecond);
 
-void mesh(benchmark::State& state, const MeshInput& input) {
+/// Seconds of processor time that gmsh reports for its 2D mesh of the outline `input`, and the number of triangles; 0
+/// without gmsh.
+struct Peer {
+  double seconds = 0.0;
+  double triangles = 0.0;
+};
+Peer gmsh_frontal(const MeshInput& input) {
+  const auto folder = std::filesystem::temp_directory_path();
+  const std::string geo = (folder / "dobra_mesh_bench.geo").string();
+  const std::string log = (folder / "dobra_mesh_bench.log").string();
+  std::ofstream out(geo);
+  out.precision(17);
+  for (std::size_t i = 0; i < input.points.size(); ++i) {
+    out << "Point(" << i + 1 << ") = {" << input.points[i].x << ", " << input.points[i].y << ", 0};\n";
+  }
+  for (std::size_t i = 0; i < input.edges.size(); ++i) {
+    out << "Line(" << i + 1 << ") = {" << input.edges[i].nodes[0].index() + 1 << ", "
+        << input.edges[i].nodes[1].index() + 1 << "};\n";
+  }
+  out << "Transfinite Line {1:" << input.edges.size() << "} = 2;\nLine Loop(1) = {1:" << input.edges.size()
+      << "};\nPlane Surface(1) = {1};\nMesh.Algorithm = 6;\n";
+  out.close();
+  const std::string command = "gmsh -2 -nt 1 -v 4 -o /dev/null -format msh2 " + geo + " > " + log + " 2>&1";
+  if (std::system(command.c_str()) != 0) return {};
+  Peer peer;
+  std::ifstream in(log);
+  for (std::string line; std::getline(in, line);) {
+    if (const auto at = line.find("Done meshing 2D"); at != std::string::npos) {
+      peer.seconds = std::atof(line.c_str() + line.find("CPU ", at) + 4);
+    }
+    if (const auto at = line.find(" elements"); at != std::string::npos && line.find(" nodes ") != std::string::npos) {
+      const auto from = line.find(" nodes ") + 7;
+      peer.triangles = std::atof(line.c_str() + from) - static_cast<double>(input.edges.size() + input.points.size());
+    }
+  }
+  return peer;
+}
+
+enum class Beside { Nobody, Gmsh };
+
+void mesh(benchmark::State& state, const MeshInput& input, double growth, Beside beside = Beside::Nobody) {
+  MeshOptions options;
+  options.sizes.growth = growth;
+  options.points.max_triangles = 20'000'000;
   MeshQuality quality;
+  std::size_t peak = 0;
+  double fastest = 1e30;
   for (auto _ : state) {
-    const auto result = triangulate(input);
+    const std::size_t before = heap::in_use;
+    heap::peak = before;
+    const double start = processor_time();
+    const auto result = triangulate(input, options);
+    fastest = std::min(fastest, processor_time() - start);
     if (!result) {
       state.SkipWithError(result.error().message.c_str());
       return;
     }
     state.PauseTiming();
+    peak = heap::peak - before;
     quality = quality_of(*result);
     state.ResumeTiming();
   }
+  const auto triangles = static_cast<double>(quality.triangles);
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(quality.triangles));
-  state.counters["triangles"] = static_cast<double>(quality.triangles);
+  state.counters["triangles"] = triangles;
   state.counters["alpha_mean"] = quality.alpha_mean;
   state.counters["alpha_90"] = quality.alpha_90;
   state.counters["alpha_min"] = quality.alpha_min;
   state.counters["gradation_p95"] = quality.gradation_p95;
+  state.counters["bytes_a_triangle"] = static_cast<double>(peak) / triangles;
+  if (beside == Beside::Nobody) return;
+  const Peer peer = gmsh_frontal(input);
+  if (peer.seconds == 0.0) return;
+  state.counters["gmsh_per_second"] = peer.triangles / peer.seconds;
+  state.counters["times_gmsh"] = triangles / fastest / (peer.triangles / peer.seconds);
 }
 
-/// Quarter plate with uniform sizes, n segments a side; items are triangles.
+void sizes(benchmark::internal::Benchmark* benchmark) {
+  for (const std::int64_t count : {10'000, 40'000, 160'000, 400'000, 1'600'000}) benchmark->Arg(count);
+  if (std::getenv("DOBRA_BENCH_LARGE") != nullptr) benchmark->Arg(10'000'000);
+  benchmark->Unit(benchmark::kMillisecond);
+}
+
+/// [0,10]^2 minus r < 1, all sides equal; about `range` triangles, which are the items.
 void uniform_plate(benchmark::State& state) {
-  const auto n = static_cast<int>(state.range(0));
-  mesh(state, test::quarter_plate(test::graded(1.0, 5.0, n * 4 / 5, 1.0), n * 314 / 1000, n, {}));
+  const auto count = static_cast<double>(state.range(0));
+  mesh(state, test::uniform_plate(count), 1.3, state.range(0) == 40'000 ? Beside::Gmsh : Beside::Nobody);
 }
-BENCHMARK(uniform_plate)->Arg(50)->Arg(200)->Arg(400)->Unit(benchmark::kMillisecond);
+BENCHMARK(uniform_plate)->Apply(sizes);
 
-/// Sizes about 1:600 along the axes from the hole outwards; items are triangles.
+/// The same, a thousand times as large in the far corner as on the hole.
 void graded_plate(benchmark::State& state) {
-  mesh(state, test::quarter_plate(test::graded(1.0, 5.0, 88, 1.075), 1570, 10, {}));
+  const auto plate = test::graded_plate(static_cast<double>(state.range(0)));
+  mesh(state, plate.input, plate.growth, state.range(0) == 40'000 ? Beside::Gmsh : Beside::Nobody);
 }
-BENCHMARK(graded_plate)->Unit(benchmark::kMillisecond);
+BENCHMARK(graded_plate)->Apply(sizes);
 
-void constrained_plate(benchmark::State& state) { mesh(state, test::que_e()); }
+/// Sizes about 1:600 along the axes from the hole outwards, growing by a third an element: steep.
+void steep_plate(benchmark::State& state) {
+  mesh(state, test::quarter_plate(test::graded(1.0, 5.0, 88, 1.075), 1570, 10, {}), 1.3);
+}
+BENCHMARK(steep_plate)->Unit(benchmark::kMillisecond);
+
+void constrained_plate(benchmark::State& state) { mesh(state, test::que_e(), 1.3); }
 BENCHMARK(constrained_plate)->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -50,6 +50,23 @@ TEST(SizeField, ARequestIsMetWhereItIsMadeAndForgottenFarAway) {
   EXPECT_NEAR(field.size_at({0.5, 0.5}), 1.0, 1e-12);
 }
 
+TEST(SizeField, TheSamplerReadsTheSameSizesInAnyOrder) {
+  const SizeField field = size_field_of(test::que_e()).value();
+  SizeSampler sampler(field);
+  for (const geom::Point unit : test::random_points(1000, 5)) {
+    const geom::Point p{6.0 * unit.x - 0.5, 6.0 * unit.y - 0.5};
+    EXPECT_NEAR(sampler.at(p), field.size_at(p), 1e-14);
+    const geom::Point near{p.x + 1e-3, p.y};
+    EXPECT_NEAR(sampler.at(near), field.size_at(near), 1e-12);
+  }
+}
+
+TEST(SizeField, AUniformPlateNeedsCellsAlongItsBoundaryOnly) {
+  const std::size_t small = size_field_of(test::square(1.0, 100)).value().quadtree().cell_count();
+  const std::size_t large = size_field_of(test::square(1.0, 400)).value().quadtree().cell_count();
+  EXPECT_LT(large, 5 * small);
+}
+
 TEST(SizeField, SmallerGrowthMeansMoreTriangles) {
   const double gentle = size_field_of(test::que_d(), {.growth = 1.1}).value().estimated_triangles();
   const double steep = size_field_of(test::que_d(), {.growth = 1.5}).value().estimated_triangles();

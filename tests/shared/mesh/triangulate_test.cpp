@@ -86,6 +86,24 @@ TEST(Triangulate, GradedBySixtyStaysAboveTheFloorOfQuality) {
   EXPECT_GE(quality.alpha_min, 0.6);
 }
 
+TEST(Triangulate, LargePlatesUniformAndGradedAThousandTimesKeepTheirFloorsOfQuality) {
+  const MeshQuality uniform = quality_of(triangulate(test::uniform_plate(30'000)).value());
+  report("uniform plate", uniform);
+  EXPECT_GE(uniform.alpha_mean, 0.985);
+  EXPECT_GE(uniform.alpha_90, 0.98);
+  EXPECT_GE(uniform.alpha_min, 0.60);
+  EXPECT_NEAR(static_cast<double>(uniform.triangles), 30'000.0, 3'000.0);
+  const auto plate = test::graded_plate(30'000);
+  MeshOptions options;
+  options.sizes.growth = plate.growth;
+  const MeshQuality graded = quality_of(triangulate(plate.input, options).value());
+  report("graded plate", graded);
+  EXPECT_GE(graded.alpha_mean, 0.96);
+  EXPECT_GE(graded.alpha_90, 0.93);
+  EXPECT_GE(graded.alpha_min, 0.55);
+  EXPECT_NEAR(static_cast<double>(graded.triangles), 30'000.0, 6'000.0);
+}
+
 TEST(Triangulate, ARequestedSizeIsReachedWithinThirtyPercent) {
   MeshInput input = test::square(10.0, 10);
   input.sizes.push_back({{5, 5}, 0.1});
