@@ -174,13 +174,21 @@ std::string report_json(const Options& options, const Target& target, const io::
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
+/// Whatever readers and writers find wrong with options is the user's usage here.
+Error of_usage(Error error) {
+  if (error.code == ErrorCode::InvalidOption) error.code = ErrorCode::BadUsage;
+  return error;
+}
+
 Result<int> convert_job(Session& session, const Options& options) {
   DOBRA_TRY(const io::LineOptions line_settings, line_options(options.lines));
   DOBRA_TRY(const Target target, target_of(options));
-  DOBRA_TRY(io::LineWork work, io::read_any_lines(options.input, line_settings));
+  auto read = io::read_any_lines(options.input, line_settings);
+  if (!read) return of_usage(read.error());
+  io::LineWork& work = *read;
   if (auto kept = keep_only(work, options.only); !kept) return base::located(kept.error(), {.file = options.input});
   DOBRA_TRY_VOID(session.check());
-  DOBRA_TRY_VOID(write(options, target, work));
+  if (auto written = write(options, target, work); !written) return of_usage(written.error());
   for (const std::string& remark : work.remarks) session.note(remark);
   for (const io::Repair& repair : work.repairs) session.note(io::to_string(repair));
   if (session.options.format == OutputFormat::Json) {

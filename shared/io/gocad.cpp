@@ -194,7 +194,7 @@ class Reader {
     if (key == "iline") object_->chain_begins.push_back(object_->vertices.size());
     if (key == "zpositive") return z_positive();
     if (key == "axis_unit") return axis_unit();
-    if (key == "geological_type") object_->kind = lower(word(1)) == "top" ? "horizon" : lower(word(1));
+    if (key == "geological_type") object_->kind = lower(word(1)) == "top" ? "horizon" : std::string(word(1));
     if (key == "geological_feature")
       object_->feature = trimmed(lines_.line().substr(words_[0].column - 1 + key.size()));
     if (key == "property_class_header") return skip_braces();
@@ -445,7 +445,7 @@ std::string opening(const Feature& feature, std::string_view type) {
     const auto* name = std::get_if<std::string>(&value);
     if (key == "geological_feature" && name != nullptr) text += "GEOLOGICAL_FEATURE " + one_line(*name) + '\n';
   }
-  std::string kind = feature.kind == "horizon" ? "top" : one_line(feature.kind);
+  std::string kind = feature.kind == "horizon" || lower(feature.kind) == "top" ? "top" : one_line(feature.kind);
   std::replace(kind.begin(), kind.end(), ' ', '_');
   if (!kind.empty()) text += "GEOLOGICAL_TYPE " + kind + '\n';
   return text;

@@ -70,6 +70,41 @@ TEST_F(Input, HorizonsComeFromTextCsvGeoJsonAndPoints) {
   EXPECT_EQ(horizons[3].id, HorizonId(3));
 }
 
+TEST_F(Input, HorizonsComeFromGocadMoveAndDrawings) {
+  write("a.pl", "GOCAD PLine 1\nHEADER {\nname:a\n}\nGOCAD_ORIGINAL_COORDINATE_SYSTEM\nAXIS_UNIT m m m\nZPOSITIVE "
+                "Depth\nEND_ORIGINAL_COORDINATE_SYSTEM\nVRTX 1 0 0 5\nVRTX 2 10 0 6\nSEG 1 2\nEND\n");
+  write("b.pl", "GOCAD PLine 1\nVRTX 1 0 0 15\nVRTX 2 10 0 16\nSEG 1 2\nEND\n");
+  write("c.asc", "0\t0\t-25\tc\t1\n10\t0\t-26\tc\t1\n\n0\t0\t-35\td\t2\n10\t0\t-36\td\t2\n");
+  write("e.csv", "0,-47\n10,-46\n3,-45\n7,-45\n");
+  SectionInput input;
+  input.horizons = {from_file("a", "a.pl"), from_file("b", "b.pl"), from_file("d", "c.asc"), from_file("e", "e.csv")};
+  input.horizons[2].feature = "d";
+  input.horizons[3].order = PointOrder::AlongCurve;
+  expect_error(input, ErrorCode::Unclear, "y_axis = up or down");
+  input.horizons[1].y_axis = LineAxis::Down;
+  const auto result = read(input);
+  ASSERT_TRUE(result) << to_string(result.error());
+  const auto& horizons = result->section.horizons;
+  EXPECT_EQ(horizons[0].line.points, (std::vector<geom::Point>{{0, -5}, {10, -6}}));
+  EXPECT_EQ(horizons[1].line.points, (std::vector<geom::Point>{{0, -15}, {10, -16}}));
+  EXPECT_EQ(horizons[2].line.points, (std::vector<geom::Point>{{0, -35}, {10, -36}}));
+  EXPECT_EQ(horizons[3].line.points, (std::vector<geom::Point>{{0, -47}, {3, -45}, {7, -45}, {10, -46}}));
+  bool told = false;
+  for (const std::string& remark : result->remarks) told = told || remark.find("horizon 'e': order: ") == 0;
+  EXPECT_TRUE(told);
+}
+
+TEST_F(Input, ExaggerationInTheDataIsTakenOutOfFilesAndPoints) {
+  write("a.txt", "0 10\n10 20\n");
+  SectionInput input;
+  input.exaggeration = 2.0;
+  input.horizons = {from_file("a", "a.txt"), from_points("b", {{0, -10}, {10, -20}})};
+  const auto result = read(input);
+  ASSERT_TRUE(result) << to_string(result.error());
+  EXPECT_EQ(result->section.horizons[0].line.points, (std::vector<geom::Point>{{0, 5}, {10, 10}}));
+  EXPECT_EQ(result->section.horizons[1].line.points, (std::vector<geom::Point>{{0, -5}, {10, -10}}));
+}
+
 TEST_F(Input, YDownAndKilometresBecomeElevationsInMetres) {
   SectionInput input;
   input.y_axis = VerticalAxis::Down;

@@ -1,0 +1,166 @@
+#include "shared/cli/convert_command.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "shared/cli/line_picture.h"
+#include "shared/io/file.h"
+#include "tests/support/fake_program.h"
+
+namespace dobra::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+using geom::Point;
+
+struct Outcome {
+  int code = 0;
+  std::string out;
+  std::string err;
+};
+
+class ConvertCommand : public ::testing::Test {
+ protected:
+  ConvertCommand() {
+    std::string pattern = (fs::temp_directory_path() / "dobra_convert_XXXXXX").string();
+    root_ = mkdtemp(pattern.data());
+  }
+  ~ConvertCommand() override { fs::remove_all(root_); }
+
+  [[nodiscard]] std::string path(const std::string& name) const { return (root_ / name).string(); }
+  [[nodiscard]] std::string put(const std::string& name, const std::string& text) const {
+    std::ofstream(root_ / name, std::ios::binary) << text;
+    return path(name);
+  }
+  [[nodiscard]] std::string text(const std::string& name) const { return io::read_text(path(name)).value(); }
+  [[nodiscard]] static Outcome call(std::vector<std::string> args) {
+    args.insert(args.begin(), {"fake", "convert"});
+    std::vector<char*> argv;
+    for (std::string& arg : args) argv.push_back(arg.data());
+    argv.push_back(nullptr);
+    ::testing::internal::CaptureStdout();
+    ::testing::internal::CaptureStderr();
+    Outcome outcome;
+    outcome.code = run_program(fake::program(), static_cast<int>(args.size()), argv.data(), {}, {convert_command()});
+    outcome.out = ::testing::internal::GetCapturedStdout();
+    outcome.err = ::testing::internal::GetCapturedStderr();
+    return outcome;
+  }
+  /// A refusal: one line that holds `wanted`, nothing on standard output, nothing written.
+  void refuses(const std::vector<std::string>& args, int code, const std::string& wanted) const {
+    const auto count = [&] { return std::distance(fs::directory_iterator(root_), fs::directory_iterator()); };
+    const auto before = count();
+    const Outcome outcome = call(args);
+    EXPECT_EQ(outcome.code, code) << outcome.err;
+    EXPECT_NE(outcome.err.find(wanted), std::string::npos) << wanted << "\n" << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(count(), before);
+  }
+  [[nodiscard]] std::string section() const {
+    return put("section.csv",
+               "x,z,name,kind\n0,-10,top,horizon\n95,-12,top,horizon\n\n101,-30,F,fault\n99,10,F,fault\n\n"
+               "0,-10,U,unit\n50,-10,U,unit\n50,0,U,unit\n0,-10,U,unit\n");
+  }
+
+  fs::path root_;
+};
+
+TEST_F(ConvertCommand, OneFormatBecomesAnotherByTheEndings) {
+  const Outcome made = call({section(), path("a.gpkg")});
+  EXPECT_EQ(made.code, 0) << made.err;
+  EXPECT_EQ(made.out, path("a.gpkg") + '\n');
+  for (const char* name : {"a.pl", "a.asc", "a.dxf", "a.geojson", "b.csv"}) {
+    EXPECT_EQ(call({path("a.gpkg"), path(name)}).code, 0) << name;
+  }
+  // Lines come before polygons in a GeoPackage, as they do here: the same text is back.
+  EXPECT_EQ(call({path("a.pl"), path("c.csv")}).code, 0);
+  EXPECT_EQ(text("b.csv"), text("c.csv"));
+  EXPECT_EQ(call({section(), path("lines.txt"), "--only", "lines", "--to", "move"}).code, 0);
+  EXPECT_EQ(text("lines.txt").substr(0, 32), "0.0\t0.0\t-10.0\ttop\t1\thorizon\n95.0");
+}
+
+TEST_F(ConvertCommand, TheReportSaysWhatWasReadRepairedAndWritten) {
+  const Outcome outcome = call({section(), path("a.geojson"), "--snap", "6", "--json"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Json report = Json::parse(outcome.out, nullptr, false);
+  EXPECT_EQ(report["read"]["format"], "text");
+  EXPECT_EQ(report["read"]["features"].size(), 3U);
+  EXPECT_EQ(report["read"]["features"][0],
+            Json({{"name", "top"}, {"kind", "horizon"}, {"type", "lines"}, {"parts", 1}, {"points", 2}}));
+  EXPECT_EQ(report["read"]["trace"], Json());
+  ASSERT_EQ(report["repairs"].size(), 1U);
+  EXPECT_EQ(report["repairs"][0]["repair"], "snap");
+  EXPECT_NEAR(report["repairs"][0]["moved"].get<double>(), 5.1, 0.1);
+  EXPECT_EQ(report["written"]["format"], "geojson");
+  EXPECT_NE(outcome.err.find("snap: horizon 'top'"), std::string::npos) << outcome.err;
+}
+
+TEST_F(ConvertCommand, OptionsTurnDepthsFeetAndExaggerationIntoMetresUp) {
+  const std::string file = put("depths.txt", "0 100\n10 300\n");
+  ASSERT_EQ(
+      call({file, path("a.csv"), "--y-axis", "down", "--unit", "ft", "--exaggeration", "2", "--reference", "500"}).code,
+      0);
+  EXPECT_EQ(text("a.csv"), "x,z\n0.0,60.96\n3.048,30.48\n");
+}
+
+TEST_F(ConvertCommand, LinesInSpaceGoIntoTheirPlaneAndBackOntoTheMap) {
+  const std::string file = put("space.asc", "1000\t2000\t-5\ttop\t1\n1300\t2400\t-6\ttop\t1\n1600\t2800\t-9\ttop\t1\n");
+  ASSERT_EQ(call({file, path("plane.csv"), "--trace", "1000,2000,1600,2800"}).code, 0);
+  EXPECT_EQ(text("plane.csv"), "x,z,name\n0.0,-5.0,top\n500.0,-6.0,top\n1000.0,-9.0,top\n");
+  ASSERT_EQ(call({file, path("map.csv"), "--trace", "1000,2000,1600,2800", "--to-coordinates", "map"}).code, 0);
+  EXPECT_EQ(text("map.csv"), "x,y,z,name\n1000.0,2000.0,-5.0,top\n1300.0,2400.0,-6.0,top\n1600.0,2800.0,-9.0,top\n");
+}
+
+TEST_F(ConvertCommand, PicturesAndDrawingsAreToATrueScale) {
+  ASSERT_EQ(call({section(), path("a.dxf"), "--scale", "1:500", "--only", "lines"}).code, 0);
+  ASSERT_EQ(call({path("a.dxf"), path("paper.csv")}).code, 0);
+  EXPECT_NE(text("paper.csv").find("\n190.0,-24.0,top"), std::string::npos);  // millimetres: 95 m at 1:500
+  // A square of 100 m at 1:500 is 0.2 m: 566.93 points, with the border of the plot and its axes round it.
+  const std::string square = put("square.csv", "x,z\n0,0\n100,0\n100,100\n0,100\n0,0\n");
+  for (const char* name : {"a.svg", "a.pdf", "a.png"}) {
+    EXPECT_EQ(call({square, path(name), "--scale", "1:500"}).code, 0);
+  }
+  const std::string svg = text("a.svg");
+  // The path of the square: "M x y L x y ..."; its first side is horizontal.
+  double longest = 0.0;
+  for (std::size_t at = svg.find("<path"); at != std::string::npos; at = svg.find("<path", at + 1)) {
+    double x0 = 0.0;
+    double y0 = 0.0;
+    double x1 = 0.0;
+    double y1 = 0.0;
+    const std::size_t d = svg.find(" d=\"M ", at);
+    if (d == std::string::npos) break;
+    if (std::sscanf(svg.c_str() + d, " d=\"M %lf %lf L %lf %lf", &x0, &y0, &x1, &y1) != 4) continue;
+    const bool of_square = svg.substr(at, d - at).find("83.9") != std::string::npos;  // its fill
+    if (of_square) longest = std::max(longest, std::abs(x1 - x0) + std::abs(y1 - y0));
+  }
+  EXPECT_NEAR(longest, 0.2 * 72.0 / 0.0254, 0.01);
+  refuses({square, path("b.svg"), "--scale", "1:0.1"}, 4, "--scale 1:5");
+}
+
+TEST_F(ConvertCommand, WrongUsageAndBadInputAreToldInOneLine) {
+  const std::string file = section();
+  refuses({file, path("a.xyz")}, 2, ".gpkg .svg .pdf .png; or give --to NAME");
+  refuses({file, path("a.csv"), "--y-axis", "dwn"}, 2, "did you mean 'down'?");
+  refuses({file, path("a.csv"), "--unit", "rod"}, 2, "--unit");
+  refuses({file, path("a.csv"), "--from", "gocat"}, 2, "did you mean 'gocad'?");
+  refuses({file, path("a.csv"), "--trace", "1,2,3"}, 2, "--trace");
+  refuses({file, path("a.csv"), "--scale", "1:100"}, 2, "--scale is for");
+  refuses({file, path("a.svg"), "--scale", "100"}, 2, "give a scale such as 1:10000");
+  refuses({file, path("a.csv"), "--only", "dots"}, 2, "--only");
+  refuses({file, path("a.csv"), "--snap", "-1"}, 2, "give a length above 0 m");
+  refuses({path("none.csv"), path("a.csv")}, 3, "there is no such file");
+  refuses({put("three.txt", "0 1 2\n3 4 5\n"), path("a.csv")}, 3, "--columns 1,2");
+  refuses({put("bad.csv", "0,1\n2,x\n"), path("a.csv")}, 3, "bad.csv:2:3");
+  refuses({file, path("a.shp")}, 2, "--only lines");
+}
+
+}  // namespace
+}  // namespace dobra::cli
