@@ -32,14 +32,15 @@ struct Card {
   std::string_view name;
   ElementType type;
 };
-constexpr Card cards[] = {{"CTRIA3", ElementType::T3}, {"CTRIA6", ElementType::T6}, {"CQUAD4", ElementType::Q4}, {"CQUAD8", ElementType::Q8}};
+constexpr Card cards[] = {
+    {"CTRIA3", ElementType::T3}, {"CTRIA6", ElementType::T6}, {"CQUAD4", ElementType::Q4}, {"CQUAD8", ElementType::Q8}};
 
 /// "1.5e-07" as Nastran likes it: "1.5-7"; with a point always.
 std::string nastran(std::string text) {
   const std::size_t e = text.find('e');
   std::string mantissa = text.substr(0, e);
   if (mantissa.find('.') == std::string::npos) mantissa += '.';
-  while (mantissa.ends_with('0') && e != std::string::npos) mantissa.pop_back();
+  while (mantissa.ends_with('0')) mantissa.pop_back();
   if (e == std::string::npos) {
     const std::size_t digits = mantissa.starts_with('-') ? 1 : 0;
     if (mantissa.compare(digits, 2, "0.") == 0 && mantissa.size() > digits + 2) mantissa.erase(digits, 1);
@@ -53,7 +54,8 @@ std::string rounded(double value, std::size_t width) {
   std::string best = nastran(base::number_text(value));
   if (best.size() <= width) return best;
   for (int precision = 16; precision >= 0; --precision) {
-    for (const std::string& text : {nastran(fmt::format("{:.{}f}", value, precision)), nastran(fmt::format("{:.{}e}", value, precision))}) {
+    for (const std::string& text :
+         {nastran(fmt::format("{:.{}f}", value, precision)), nastran(fmt::format("{:.{}e}", value, precision))}) {
       // Plain digits lose what stands behind them for small numbers.
       const bool plain = text.find_last_of("+-") == std::string::npos || text.find_last_of("+-") == 0;
       if (text.size() <= width && (!plain || std::abs(value) >= 1e-3)) return text;
@@ -103,7 +105,8 @@ class Writer {
 Result<void> check_names(const ElementMesh& mesh) {
   const auto check = [](const std::string& name) -> Result<void> {
     if (name.find_first_of("\r\n") == std::string::npos) return {};
-    return Error{ErrorCode::InvalidOption, fmt::format("name {} cannot stand in a .bdf; use one without line ends", shown(name))};
+    return Error{ErrorCode::InvalidOption,
+                 fmt::format("name {} cannot stand in a .bdf; use one without line ends", shown(name))};
   };
   for (const auto& [name, sides] : mesh.side_sets) DOBRA_TRY_VOID(check(name));
   for (const auto& [name, nodes] : mesh.node_sets) DOBRA_TRY_VOID(check(name));
@@ -127,16 +130,19 @@ Result<std::string> bdf_text(const ElementMesh& mesh, BdfField field) {
   for (const std::int32_t tag : tags) {
     number[tag] = number.size() + 1;
     const auto named = mesh.region_names.find(tag);
-    writer.text += fmt::format("{}REGION {} {}{}\n", mark, number[tag], tag, named == mesh.region_names.end() ? "" : ' ' + named->second);
+    writer.text += fmt::format("{}REGION {} {}{}\n", mark, number[tag], tag,
+                               named == mesh.region_names.end() ? "" : ' ' + named->second);
   }
   writer.text += "BEGIN BULK\n";
   for (std::size_t n = 0; n < mesh.points.size(); ++n) {
-    writer.card("GRID", {fmt::format("{}", n + 1), "", writer.number(mesh.points[n].x), writer.number(mesh.points[n].y), "0."});
+    writer.card("GRID",
+                {fmt::format("{}", n + 1), "", writer.number(mesh.points[n].x), writer.number(mesh.points[n].y), "0."});
   }
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     std::vector<std::string> fields{fmt::format("{}", e + 1), fmt::format("{}", number[mesh.regions[e]])};
     for (const NodeId node : mesh.nodes_of(ElementId(e))) fields.push_back(fmt::format("{}", node.index() + 1));
-    const auto* card = std::find_if(std::begin(cards), std::end(cards), [&](const Card& c) { return c.type == mesh.types[e]; });
+    const auto* card =
+        std::find_if(std::begin(cards), std::end(cards), [&](const Card& c) { return c.type == mesh.types[e]; });
     writer.card(std::string(card->name), fields);
   }
   std::size_t set = 0;
@@ -149,7 +155,8 @@ Result<std::string> bdf_text(const ElementMesh& mesh, BdfField field) {
   }
   for (const auto& [name, sides] : mesh.side_sets) {
     writer.text += fmt::format("{}SIDESET {}\n", mark, name);
-    for (const ElementSide& side : sides) writer.text += fmt::format("{}SIDE {} {}\n", mark, side.element.index() + 1, side.side + 1);
+    for (const ElementSide& side : sides)
+      writer.text += fmt::format("{}SIDE {} {}\n", mark, side.element.index() + 1, side.side + 1);
   }
   writer.text += "ENDDATA\n";
   return std::move(writer.text);
@@ -182,7 +189,8 @@ std::string trimmed(std::string_view text) {
 
 class Reader {
  public:
-  Reader(std::string_view text, const std::string& file) : lines_(text), file_(file), bulk_(text.find("BEGIN BULK") == std::string_view::npos) {}
+  Reader(std::string_view text, const std::string& file)
+      : lines_(text), file_(file), bulk_(text.find("BEGIN BULK") == std::string_view::npos) {}
 
   Result<BdfContents> run() {
     while (lines_.next()) {
@@ -218,7 +226,9 @@ class Reader {
   }
 
   void split(std::string_view line, bool goes_on) {
-    const auto add = [&](std::string_view text, std::size_t column) { card_.all.push_back({trimmed(text), lines_.number(), column + 1}); };
+    const auto add = [&](std::string_view text, std::size_t column) {
+      card_.all.push_back({trimmed(text), lines_.number(), column + 1});
+    };
     const std::size_t comma = line.find(',');
     if (comma != std::string_view::npos) {
       if (!goes_on) start(trimmed(line.substr(0, comma)));
@@ -252,7 +262,8 @@ class Reader {
     const std::string what(records.word(0));
     const auto rest = [&](std::size_t words) {
       std::size_t at = 0;
-      for (std::size_t i = 0; i < words; ++i) at = line.find_first_not_of(' ', std::min(line.find(' ', at), line.size()));
+      for (std::size_t i = 0; i < words; ++i)
+        at = line.find_first_not_of(' ', std::min(line.find(' ', at), line.size()));
       return at == std::string_view::npos ? std::string() : std::string(line.substr(at));
     };
     const auto located_error = [&](const Error& e) { return error(lines_.number(), 1, e.message); };
@@ -287,20 +298,24 @@ class Reader {
     if (field.text.empty()) return 0.0;
     const auto value = nastran_value(field.text);
     if (!value) return error(field.line, field.column, fmt::format("{} is not a number", shown(field.text)));
-    if (!std::isfinite(*value)) return Error{ErrorCode::NotFinite, fmt::format("{} is not finite", shown(field.text)), error(field.line, field.column, "").place};
+    if (!std::isfinite(*value))
+      return Error{ErrorCode::NotFinite, fmt::format("{} is not finite", shown(field.text)),
+                   error(field.line, field.column, "").place};
     return *value;
   }
   Result<std::size_t> count(std::size_t i) const {
     DOBRA_TRY(const double value, number(i));
     if (value >= 1.0 && value < 4294967295.0 && value == std::floor(value)) return static_cast<std::size_t>(value);
     const auto& field = card_.all[i];
-    return error(field.line, field.column, fmt::format("{} is not a number of a node, element or set", shown(field.text)));
+    return error(field.line, field.column,
+                 fmt::format("{} is not a number of a node, element or set", shown(field.text)));
   }
 
   Result<void> flush() {
     const std::string name = card_.name;
     if (name.empty()) return {};
-    const auto* card = std::find_if(std::begin(cards), std::end(cards), [&](const Card& c) { return name == c.name || name == std::string(c.name) + "R"; });
+    const auto* card = std::find_if(std::begin(cards), std::end(cards),
+                                    [&](const Card& c) { return name == c.name || name == std::string(c.name) + "R"; });
     if (name == "GRID") {
       DOBRA_TRY_VOID(add_grid());
     } else if (card != std::end(cards)) {
@@ -318,7 +333,8 @@ class Reader {
     DOBRA_TRY(const std::size_t id, count(0));
     DOBRA_TRY(const double x, number(2));
     DOBRA_TRY(const double y, number(3));
-    if (!node_.try_emplace(id, contents_.mesh.points.size()).second) return error(card_.line, 1, fmt::format("grid point {} is given twice", id));
+    if (!node_.try_emplace(id, contents_.mesh.points.size()).second)
+      return error(card_.line, 1, fmt::format("grid point {} is given twice", id));
     contents_.mesh.points.push_back({x, y});
     return {};
   }
@@ -355,7 +371,9 @@ class Reader {
 
   Result<BdfContents> build() {
     ElementMesh& mesh = contents_.mesh;
-    if (elements_.empty()) return Error{ErrorCode::BadFormat, "the file holds no triangles and no quadrilaterals", base::Place{.file = file_}};
+    if (elements_.empty())
+      return Error{ErrorCode::BadFormat, "the file holds no triangles and no quadrilaterals",
+                   base::Place{.file = file_}};
     std::map<std::size_t, std::size_t> position;
     for (const Element& element : elements_) {
       std::vector<NodeId> own;
@@ -363,9 +381,11 @@ class Reader {
         DOBRA_TRY(const NodeId n, node(id, element.line));
         own.push_back(n);
       }
-      if (!position.try_emplace(element.id, mesh.element_count()).second) return error(element.line, 1, fmt::format("element {} is given twice", element.id));
+      if (!position.try_emplace(element.id, mesh.element_count()).second)
+        return error(element.line, 1, fmt::format("element {} is given twice", element.id));
       const auto tag = region_.find(element.property);
-      mesh::add_element(mesh, element.type, own, tag == region_.end() ? static_cast<std::int32_t>(element.property) : tag->second);
+      mesh::add_element(mesh, element.type, own,
+                        tag == region_.end() ? static_cast<std::int32_t>(element.property) : tag->second);
     }
     for (const auto& [name, nodes] : sets_) {
       for (const auto& [id, line] : nodes) {

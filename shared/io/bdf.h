@@ -1,9 +1,11 @@
 #pragma once
-// The mesh part of a Nastran bulk data file (.bdf): GRID, CTRIA3, CTRIA6, CQUAD4, CQUAD8, SET1, in small or large field;
-// read in free field too. Properties and materials are the deck's business. Source: [nastran-qrg].
+// The mesh part of a Nastran bulk data file (.bdf): GRID, CTRIA3, CTRIA6, CQUAD4, CQUAD8, SET1, in small or large
+// field; read in free field too. Properties and materials are the deck's business. Source: [nastran-qrg].
 //
-// The property number of an element is the position of its region, from 1. What Nastran has no card for stands in comments:
-// "$DOBRA REGION number tag name", "$DOBRA NODESET number name" before its SET1, "$DOBRA SIDESET name" and, for each side,
+// The property number of an element is the position of its region, from 1. What Nastran has no card for stands in
+// comments:
+// "$DOBRA REGION number tag name", "$DOBRA NODESET number name" before its SET1, "$DOBRA SIDESET name" and, for each
+// side,
 // "$DOBRA SIDE element side".
 
 #include <string>
@@ -15,7 +17,8 @@
 
 namespace dobra::io {
 
-/// Small fields hold 8 characters, large ones 16: numbers are rounded to what fits; what is read and written again stays.
+/// Small fields hold 8 characters, large ones 16: numbers are rounded to what fits; what is read and written again
+/// stays.
 enum class BdfField { Small, Large };
 
 struct BdfContents {
@@ -23,7 +26,8 @@ struct BdfContents {
   std::vector<std::string> remarks;  ///< Cards left out, one line each.
 };
 
-/// @error NotFinite; CannotMesh: no elements; InvalidOption: a set that refers to what does not exist, a name with a line end.
+/// @error NotFinite; CannotMesh: no elements; InvalidOption: a set that refers to what does not exist, a name with a
+/// line end.
 base::Result<std::string> bdf_text(const mesh::ElementMesh& mesh, BdfField field = BdfField::Large);
 /// @error those of bdf_text, CannotWrite
 base::Result<void> write_bdf(const std::string& path, const mesh::ElementMesh& mesh, BdfField field = BdfField::Large);

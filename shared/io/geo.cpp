@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -28,14 +29,15 @@ namespace {
 using Kind = GeoToken::Kind;
 using List = std::vector<double>;
 
-constexpr std::size_t most_steps = 10'000'000;
+constexpr double most_steps = 1e7;
 constexpr std::size_t deepest = 200;
 
 const std::map<std::string, double (*)(double)>& functions() {
   static const std::map<std::string, double (*)(double)> table = {
-      {"Sin", std::sin},   {"Cos", std::cos},   {"Tan", std::tan},   {"Asin", std::asin},   {"Acos", std::acos}, {"Atan", std::atan},
-      {"Sinh", std::sinh}, {"Cosh", std::cosh}, {"Tanh", std::tanh}, {"Exp", std::exp},     {"Log", std::log},   {"Log10", std::log10},
-      {"Sqrt", std::sqrt}, {"Fabs", std::fabs}, {"Abs", std::fabs},  {"Floor", std::floor}, {"Ceil", std::ceil}, {"Round", std::round}};
+      {"Sin", std::sin},     {"Cos", std::cos},     {"Tan", std::tan},    {"Asin", std::asin}, {"Acos", std::acos},
+      {"Atan", std::atan},   {"Sinh", std::sinh},   {"Cosh", std::cosh},  {"Tanh", std::tanh}, {"Exp", std::exp},
+      {"Log", std::log},     {"Log10", std::log10}, {"Sqrt", std::sqrt},  {"Fabs", std::fabs}, {"Abs", std::fabs},
+      {"Floor", std::floor}, {"Ceil", std::ceil},   {"Round", std::round}};
   return table;
 }
 
@@ -52,8 +54,11 @@ class Parser {
   }
 
  private:
-  // --- tokens ---------------------------------------------------------------------------------------------------------
-  [[nodiscard]] const GeoToken& token(std::size_t ahead = 0) const { return tokens_[std::min(at_ + ahead, tokens_.size() - 1)]; }
+  // --- tokens
+  // ---------------------------------------------------------------------------------------------------------
+  [[nodiscard]] const GeoToken& token(std::size_t ahead = 0) const {
+    return tokens_[std::min(at_ + ahead, tokens_.size() - 1)];
+  }
   [[nodiscard]] bool is(std::string_view text, std::size_t ahead = 0) const {
     return (token(ahead).kind == Kind::Word || token(ahead).kind == Kind::Sign) && token(ahead).text == text;
   }
@@ -69,15 +74,20 @@ class Parser {
     place.column = token.column;
     return place;
   }
-  [[nodiscard]] Error error_at(const GeoToken& token, std::string message) const { return {ErrorCode::BadFormat, std::move(message), place(token)}; }
+  [[nodiscard]] Error error_at(const GeoToken& token, std::string message) const {
+    return {ErrorCode::BadFormat, std::move(message), place(token)};
+  }
   [[nodiscard]] Error error(std::string message) const { return error_at(token(), std::move(message)); }
-  [[nodiscard]] std::string found() const { return token().kind == Kind::End ? "the end of the file" : shown(token().text); }
+  [[nodiscard]] std::string found() const {
+    return token().kind == Kind::End ? "the end of the file" : shown(token().text);
+  }
   Result<void> expect(std::string_view text) {
     if (take(text)) return {};
     return error(fmt::format("'{}' is due here, not {}", text, found()));
   }
 
-  // --- expressions ----------------------------------------------------------------------------------------------------
+  // --- expressions
+  // ----------------------------------------------------------------------------------------------------
   Result<double> expression() {
     if (++depth_ > deepest) return error("the expression is nested too deeply");
     auto value = conditional();
@@ -123,7 +133,8 @@ class Parser {
     DOBRA_TRY(double value, binary(level + 1));
     while (token().kind == Kind::Sign) {
       const auto& all = operators();
-      const auto op = std::find_if(all.begin(), all.end(), [&](const Operator& o) { return o.level == level && o.sign == token().text; });
+      const auto op = std::find_if(all.begin(), all.end(),
+                                   [&](const Operator& o) { return o.level == level && o.sign == token().text; });
       if (op == all.end()) break;
       ++at_;
       DOBRA_TRY(const double right, binary(level + 1));
@@ -184,7 +195,8 @@ class Parser {
     if (name.text == "newll" || name.text == "newcl") return next_tag(loop_curves_);
     if (name.text == "news") return next_tag(geo_.surfaces);
     if (name.text == "newreg") {
-      return std::max({next_tag(geo_.curves), next_tag(loop_curves_), next_tag(geo_.surfaces), static_cast<double>(last_group_ + 1)});
+      return std::max({next_tag(geo_.curves), next_tag(loop_curves_), next_tag(geo_.surfaces),
+                       static_cast<double>(last_group_ + 1)});
     }
     if (is("(") || is("[")) {
       const auto function = functions().find(name.text);
@@ -241,15 +253,25 @@ class Parser {
     return values;
   }
 
+  /// Work of `count` steps; an error once a file asks for more than any geometry needs.
+  Result<void> spend(double count) {
+    steps_ += count;
+    if (steps_ > most_steps) return error("the loops and lists of this file are too long");
+    return {};
+  }
+
   Result<void> list_item(List& values) {
     const bool minus = is("-") && token(1).kind == Kind::Word && lists_.contains(token(1).text);
-    if (minus) ++at_;
-    if (token().kind == Kind::Word && lists_.contains(token().text) && (is("[", 1) || is("(", 1)) && (is("]", 2) || is(")", 2))) {
-      for (const double value : lists_.at(token().text)) values.push_back(minus ? -value : value);
-      at_ += 3;
+    const std::size_t name = minus ? 1 : 0;
+    const bool whole = token(name).kind == Kind::Word && lists_.contains(token(name).text) &&
+                       ((is("[", name + 1) && is("]", name + 2)) || (is("(", name + 1) && is(")", name + 2)));
+    if (whole) {
+      const List& list = lists_.at(token(name).text);
+      DOBRA_TRY_VOID(spend(static_cast<double>(list.size())));
+      for (const double value : list) values.push_back(minus ? -value : value);
+      at_ += name + 3;
       return {};
     }
-    if (minus) --at_;
     DOBRA_TRY(const double first, expression());
     if (!take(":")) {
       values.push_back(first);
@@ -262,12 +284,14 @@ class Parser {
     }
     const double count = std::floor((last - first) / step + 1e-9);
     if (!(count >= 0.0) || count > 1e6) return error("this range is empty or too long");
+    DOBRA_TRY_VOID(spend(count));
     for (double i = 0.0; i <= count; ++i) values.push_back(first + i * step);
     return {};
   }
 
   Result<std::int64_t> tag_of(double value) const {
-    if (value != std::floor(value) || std::abs(value) > 1e15 || value == 0.0) return error(fmt::format("{} is not a tag: tags are whole numbers, not 0", value));
+    if (value != std::floor(value) || std::abs(value) > 1e15 || value == 0.0)
+      return error(fmt::format("{} is not a tag: tags are whole numbers, not 0", value));
     return static_cast<std::int64_t>(value);
   }
   Result<std::vector<std::int64_t>> tags() {
@@ -287,9 +311,10 @@ class Parser {
     return tag_of(value);
   }
 
-  // --- statements -----------------------------------------------------------------------------------------------------
+  // --- statements
+  // -----------------------------------------------------------------------------------------------------
   Result<void> statement() {
-    if (++steps_ > most_steps) return error("the loops of this file do not end");
+    DOBRA_TRY_VOID(spend(1.0));
     if (take(";")) return {};
     if (token().kind != Kind::Word) return error(fmt::format("a statement is due here, not {}", found()));
     const GeoToken start = token();
@@ -320,20 +345,27 @@ class Parser {
     if (word == "EndFor") return end_for(start);
     if (word == "If") return begin_if();
     if (word == "Else" || word == "ElseIf" || word == "EndIf") return end_branch(start);
-    constexpr std::array ignored{"Transfinite", "Recombine", "SetFactory", "Coherence", "Color", "Hide", "Show", "Printf", "Geometry.Tolerance"};
-    if (std::find(ignored.begin(), ignored.end(), word) != ignored.end() || word.starts_with("Mesh.") || word.starts_with("General.") || word.starts_with("Geometry.")) {
-      if (word == "SetFactory" && is("(") && token(1).text == "OpenCASCADE") return error_at(start, "the OpenCASCADE kernel is not supported; use SetFactory(\"Built-in\") or export the mesh");
+    constexpr std::array ignored{"Transfinite", "Recombine", "SetFactory", "Coherence",         "Color",
+                                 "Hide",        "Show",      "Printf",     "Geometry.Tolerance"};
+    if (std::find(ignored.begin(), ignored.end(), word) != ignored.end() || word.starts_with("Mesh.") ||
+        word.starts_with("General.") || word.starts_with("Geometry.")) {
+      if (word == "SetFactory" && is("(") && token(1).text == "OpenCASCADE")
+        return error_at(start,
+                        "the OpenCASCADE kernel is not supported; use SetFactory(\"Built-in\") or export the mesh");
       return leave_out(start);
     }
-    if (is("=") || is("+=") || is("-=") || is("*=") || is("/=") || ((is("[") || is("(")) && (is("]", 1) || is(")", 1)))) return assign(start);
+    if (is("=") || is("+=") || is("-=") || is("*=") || is("/=") || ((is("[") || is("(")) && (is("]", 1) || is(")", 1))))
+      return assign(start);
     if (is("++") || is("--")) {
       auto& value = variables_[word];
       value += is("++") ? 1.0 : -1.0;
       ++at_;
       return expect(";");
     }
-    return error_at(start, fmt::format("the statement {} is not supported; what is read: points, curves, loops, plane surfaces, physical groups, sizes, "
-                                       "Transfinite, variables, For, If", shown(word)));
+    return error_at(start, fmt::format("the statement {} is not supported; what is read: points, curves, loops, plane "
+                                       "surfaces, physical groups, sizes, "
+                                       "Transfinite, variables, For, If",
+                                       shown(word)));
   }
 
   Result<void> leave_out(const GeoToken& start) {
@@ -346,7 +378,8 @@ class Parser {
     const bool is_list = is("[") || is("(");
     if (is_list) at_ += 2;
     const std::string op = token().text;
-    if (!take("=") && !take("+=") && !take("-=") && !take("*=") && !take("/=")) return error(fmt::format("'=' is due here, not {}", found()));
+    if (!take("=") && !take("+=") && !take("-=") && !take("*=") && !take("/="))
+      return error(fmt::format("'=' is due here, not {}", found()));
     // gmsh's constants with a form for the user: DefineConstant is left out, so a text cannot be used later.
     if (token().kind == Kind::Text) return error("texts are not supported as values");
     if (is_list || is("{")) {
@@ -377,7 +410,9 @@ class Parser {
     DOBRA_TRY(const List values, list());
     if (values.size() < 3 || values.size() > 4) return error_at(start, "a point has x, y, z and possibly a size");
     if (values[2] != 0.0) return error_at(start, "the point lies outside the plane z = 0; only plane geometry is read");
-    if (!geo_.points.try_emplace(tag, GeoPoint{{values[0], values[1]}, values.size() > 3 ? std::max(0.0, values[3]) : 0.0}).second) {
+    if (!geo_.points
+             .try_emplace(tag, GeoPoint{{values[0], values[1]}, values.size() > 3 ? std::max(0.0, values[3]) : 0.0})
+             .second) {
       return error_at(start, fmt::format("point {} is given twice", tag));
     }
     return expect(";");
@@ -388,7 +423,9 @@ class Parser {
     DOBRA_TRY_VOID(expect("="));
     DOBRA_TRY(std::vector<std::int64_t> points, tags());
     const std::size_t count = points.size();
-    const bool good = kind == GeoCurveKind::Circle ? count == 3 : kind == GeoCurveKind::Ellipse ? count == 3 || count == 4 : count >= 2;
+    const bool good = kind == GeoCurveKind::Circle    ? count == 3
+                      : kind == GeoCurveKind::Ellipse ? count == 3 || count == 4
+                                                      : count >= 2;
     if (!good) return error_at(start, fmt::format("{} points do not make this curve", count));
     for (const std::int64_t p : points) {
       if (!geo_.points.contains(p)) return error_at(start, fmt::format("there is no point {}", p));
@@ -487,13 +524,15 @@ class Parser {
       if (!take("Progression")) return error("only Progression is supported");
       DOBRA_TRY(progression, expression());
     }
-    if (!(nodes >= 2.0) || nodes > 1e6 || !(progression > 0.0)) return error_at(start, "a division needs two nodes at least and a progression above 0");
+    if (!(nodes >= 2.0) || nodes > 1e6 || !(progression > 0.0))
+      return error_at(start, "a division needs two nodes at least and a progression above 0");
     for (const std::int64_t c : curves) {
       const auto curve = geo_.curves.find(std::abs(c));
       if (curve == geo_.curves.end()) return error_at(start, fmt::format("there is no curve {}", std::abs(c)));
       curve->second.segments = static_cast<int>(nodes) - 1;
       curve->second.ratio = std::pow(c > 0 ? progression : 1.0 / progression, curve->second.segments - 1);
-      if (!(curve->second.ratio > 0.0) || !std::isfinite(curve->second.ratio)) return error_at(start, "the progression is too steep for so many nodes");
+      if (!(curve->second.ratio > 0.0) || !std::isfinite(curve->second.ratio))
+        return error_at(start, "the progression is too steep for so many nodes");
     }
     return expect(";");
   }
@@ -506,14 +545,17 @@ class Parser {
     DOBRA_TRY_VOID(expect("Surface"));
     DOBRA_TRY(const std::vector<std::int64_t> surfaces, tags());
     for (const std::int64_t entity : entities) {
-      const bool known = dimension == 0 ? geo_.points.contains(std::abs(entity)) : geo_.curves.contains(std::abs(entity));
-      if (!known) return error_at(start, fmt::format("there is no {} {}", dimension == 0 ? "point" : "curve", std::abs(entity)));
+      const bool known =
+          dimension == 0 ? geo_.points.contains(std::abs(entity)) : geo_.curves.contains(std::abs(entity));
+      if (!known)
+        return error_at(start, fmt::format("there is no {} {}", dimension == 0 ? "point" : "curve", std::abs(entity)));
       geo_.embedded.push_back({dimension, std::abs(entity)});
     }
     return expect(";");
   }
 
-  // --- loops and branches ---------------------------------------------------------------------------------------------
+  // --- loops and branches
+  // ---------------------------------------------------------------------------------------------
   struct Loop {
     std::size_t start;  ///< Token after the head.
     std::string variable;
@@ -603,15 +645,20 @@ class Parser {
     return error("an If has no EndIf");
   }
 
-  // --- at the end -----------------------------------------------------------------------------------------------------
+  // --- at the end
+  // -----------------------------------------------------------------------------------------------------
   Result<void> check() const {
     if (geo_.curves.empty()) return error("the file holds no curve");
     for (std::size_t i = 0; i < geo_.groups.size(); ++i) {
       const GeoGroup& group = geo_.groups[i];
       for (const std::int64_t entity : group.entities) {
-        const bool known = group.dimension == 0 ? geo_.points.contains(entity) : group.dimension == 1 ? geo_.curves.contains(entity) : geo_.surfaces.contains(entity);
+        const bool known = group.dimension == 0   ? geo_.points.contains(entity)
+                           : group.dimension == 1 ? geo_.curves.contains(entity)
+                                                  : geo_.surfaces.contains(entity);
         constexpr std::array names{"point", "curve", "surface"};
-        if (!known) return error_at(group_places_[i], fmt::format("the physical group refers to {} {}, which does not exist", names[static_cast<std::size_t>(group.dimension)], entity));
+        if (!known)
+          return error_at(group_places_[i], fmt::format("the physical group refers to {} {}, which does not exist",
+                                                        names[static_cast<std::size_t>(group.dimension)], entity));
       }
     }
     return {};
@@ -620,7 +667,7 @@ class Parser {
   std::vector<GeoToken> tokens_;
   std::string file_;
   std::size_t at_ = 0;
-  std::size_t steps_ = 0;
+  double steps_ = 0.0;
   std::size_t depth_ = 0;
   GeoFile geo_;
   std::map<std::int64_t, std::vector<std::int64_t>> loop_curves_;

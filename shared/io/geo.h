@@ -23,9 +23,10 @@ enum class GeoCurveKind { Line, Circle, Ellipse, Spline, BSpline, Bezier };
 
 struct GeoCurve {
   GeoCurveKind kind = GeoCurveKind::Line;
-  std::vector<std::int64_t> points;  ///< Tags. Circle: start, centre, end; ellipse: start, centre, point of the major axis, end.
-  int segments = 0;                  ///< Of "Transfinite Curve"; 0: none.
-  double ratio = 1.0;                ///< Of its progression: last segment to first.
+  std::vector<std::int64_t>
+      points;          ///< Tags. Circle: start, centre, end; ellipse: start, centre, point of the major axis, end.
+  int segments = 0;    ///< Of "Transfinite Curve"; 0: none.
+  double ratio = 1.0;  ///< Of its progression: last segment to first.
   base::Place place;
 };
 
@@ -39,7 +40,8 @@ struct GeoGroup {
 struct GeoFile {
   std::map<std::int64_t, GeoPoint> points;
   std::map<std::int64_t, GeoCurve> curves;
-  std::map<std::int64_t, std::vector<std::vector<std::int64_t>>> surfaces;  ///< Loops of signed curve tags, outer one first.
+  std::map<std::int64_t, std::vector<std::vector<std::int64_t>>>
+      surfaces;  ///< Loops of signed curve tags, outer one first.
   std::vector<GeoGroup> groups;
   std::vector<std::array<std::int64_t, 2>> embedded;  ///< Dimension and tag of points and curves "In Surface".
   std::vector<std::string> remarks;                   ///< Statements without a meaning here, one line each.

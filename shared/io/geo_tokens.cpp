@@ -39,7 +39,9 @@ class Scanner {
   }
 
  private:
-  [[nodiscard]] char peek(std::size_t ahead = 0) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
+  [[nodiscard]] char peek(std::size_t ahead = 0) const {
+    return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0';
+  }
   [[nodiscard]] Error error(std::string message) const {
     base::Place place;
     place.file = file_;
@@ -81,7 +83,8 @@ class Scanner {
       token.text = std::string(text_.substr(begin, at_ - begin));
       return {};
     }
-    if (std::isdigit(static_cast<unsigned char>(c)) != 0 || (c == '.' && std::isdigit(static_cast<unsigned char>(peek(1))) != 0)) {
+    if (std::isdigit(static_cast<unsigned char>(c)) != 0 ||
+        (c == '.' && std::isdigit(static_cast<unsigned char>(peek(1))) != 0)) {
       const auto [stop, status] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), token.value);
       if (status != std::errc{} || !std::isfinite(token.value)) return error("this number cannot be read");
       at_ = static_cast<std::size_t>(stop - text_.data());
@@ -98,7 +101,8 @@ class Scanner {
       at_ = end + 1;
       return {};
     }
-    constexpr std::array<std::string_view, 12> doubles{"==", "!=", "<=", ">=", "&&", "||", "+=", "-=", "*=", "/=", "++", "--"};
+    constexpr std::array<std::string_view, 12> doubles{"==", "!=", "<=", ">=", "&&", "||",
+                                                       "+=", "-=", "*=", "/=", "++", "--"};
     token.kind = GeoToken::Kind::Sign;
     for (const std::string_view sign : doubles) {
       if (!text_.substr(at_).starts_with(sign)) continue;
@@ -123,6 +127,8 @@ class Scanner {
 
 }  // namespace
 
-Result<std::vector<GeoToken>> geo_tokens(std::string_view text, const std::string& file) { return Scanner(text, file).run(); }
+Result<std::vector<GeoToken>> geo_tokens(std::string_view text, const std::string& file) {
+  return Scanner(text, file).run();
+}
 
 }  // namespace dobra::io

@@ -45,11 +45,15 @@ const std::vector<std::pair<std::string, Write>>& writers() {
   static const std::vector<std::pair<std::string, Write>> table = {
       {".vtu", [](const std::string& path, const ElementMesh& mesh) { return write_vtu(path, mesh); }},
       {".msh", [](const std::string& path, const ElementMesh& mesh) { return write_msh(path, mesh); }},
-      {".msh2", [](const std::string& path, const ElementMesh& mesh) { return write_msh(path, mesh, MshVersion::V22); }},
+      {".msh2",
+       [](const std::string& path, const ElementMesh& mesh) { return write_msh(path, mesh, MshVersion::V22); }},
       {".inp", [](const std::string& path, const ElementMesh& mesh) { return write_inp(path, mesh); }},
       {".bdf", [](const std::string& path, const ElementMesh& mesh) { return write_bdf(path, mesh); }},
       {".nas", [](const std::string& path, const ElementMesh& mesh) { return write_bdf(path, mesh); }},
-      {".nf", [](const std::string& path, const ElementMesh& mesh) { return write_neutral(path, {mesh, {}, 1.0}); }},
+      {".nf",
+       [](const std::string& path, const ElementMesh& mesh) {
+         return write_neutral(path, {mesh, {}, 1.0});
+       }},
       {".node", write_pair},
       {".ele", write_pair},
       {".obj", write_surface<mesh::SurfaceFormat::Obj>},
@@ -80,7 +84,8 @@ const std::vector<std::string>& mesh_endings() {
 
 Result<void> check_mesh_ending(const std::string& path) {
   if (writer_of(path) != nullptr) return {};
-  return Error{ErrorCode::BadUsage, fmt::format("{}: meshes are written to files that end in {}", path, fmt::join(mesh_endings(), " "))};
+  return Error{ErrorCode::BadUsage,
+               fmt::format("{}: meshes are written to files that end in {}", path, fmt::join(mesh_endings(), " "))};
 }
 
 Result<void> write_mesh(const std::string& path, const ElementMesh& mesh) {

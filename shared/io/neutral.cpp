@@ -25,15 +25,19 @@ using mesh::NodeId;
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, ElementType>, 4> sections{
-    {{"%ELEMENT.T3", ElementType::T3}, {"%ELEMENT.T6", ElementType::T6}, {"%ELEMENT.Q4", ElementType::Q4}, {"%ELEMENT.Q8", ElementType::Q8}}};
+constexpr std::array<std::pair<std::string_view, ElementType>, 4> sections{{{"%ELEMENT.T3", ElementType::T3},
+                                                                            {"%ELEMENT.T6", ElementType::T6},
+                                                                            {"%ELEMENT.Q4", ElementType::Q4},
+                                                                            {"%ELEMENT.Q8", ElementType::Q8}}};
 
 /// Gauss points: one, three (triangles) and two, three a direction (quadrilaterals).
 int integration_order(ElementType type) { return mesh::is_quadratic(type) ? 3 : mesh::corner_count(type) == 3 ? 1 : 2; }
 
 Result<void> check_name(const std::string& name) {
   if (name.find_first_of("'\r\n") == std::string::npos) return {};
-  return Error{ErrorCode::InvalidOption, fmt::format("name {} cannot stand in a neutral file; use one without quotes and line ends", shown(name))};
+  return Error{
+      ErrorCode::InvalidOption,
+      fmt::format("name {} cannot stand in a neutral file; use one without quotes and line ends", shown(name))};
 }
 
 Result<void> check_names(const ElementMesh& mesh) {
@@ -69,13 +73,15 @@ Result<std::string> neutral_text(const NeutralFile& file) {
   std::string text = "%HEADER\nQUEBRA neutral file\n";
   text += fmt::format("\n%NODE\n{0}\n\n%NODE.COORD\n{0}\n", mesh.points.size());
   for (std::size_t n = 0; n < mesh.points.size(); ++n) {
-    text += fmt::format("{} {} {} 0\n", n + 1, base::number_text(mesh.points[n].x), base::number_text(mesh.points[n].y));
+    text +=
+        fmt::format("{} {} {} 0\n", n + 1, base::number_text(mesh.points[n].x), base::number_text(mesh.points[n].y));
   }
   text += fmt::format("\n%MATERIAL.ISOTROPIC\n{}\n", tags.size());
   for (const std::int32_t tag : tags) {
     const auto found = file.materials.find(tag);
     const NeutralMaterial material = found == file.materials.end() ? NeutralMaterial{} : found->second;
-    text += fmt::format("{} {} {}\n", number[tag], base::number_text(material.young), base::number_text(material.poisson));
+    text +=
+        fmt::format("{} {} {}\n", number[tag], base::number_text(material.young), base::number_text(material.poisson));
   }
   text += fmt::format("\n%REGION\n{}\n", tags.size());
   for (const std::int32_t tag : tags) {
@@ -117,8 +123,10 @@ class Reader {
     bool ended = false;
     while (!ended && records_.next()) {
       const std::string section(records_.word(0));
-      if (!section.starts_with('%')) return records_.error(0, fmt::format("a section that begins with % is due here, not {}", shown(section)));
-      const auto* elements = std::find_if(sections.begin(), sections.end(), [&](const auto& s) { return s.first == section; });
+      if (!section.starts_with('%'))
+        return records_.error(0, fmt::format("a section that begins with % is due here, not {}", shown(section)));
+      const auto* elements =
+          std::find_if(sections.begin(), sections.end(), [&](const auto& s) { return s.first == section; });
       if (section == "%END") {
         ended = true;
       } else if (section == "%NODE.COORD") {
@@ -167,7 +175,8 @@ class Reader {
       DOBRA_TRY(const std::size_t id, records_.count(0, "the node's number"));
       DOBRA_TRY(const double x, records_.number(1, "x"));
       DOBRA_TRY(const double y, records_.number(2, "y"));
-      if (!node_.try_emplace(id, file_.mesh.points.size()).second) return records_.error(0, fmt::format("node {} is given twice", id));
+      if (!node_.try_emplace(id, file_.mesh.points.size()).second)
+        return records_.error(0, fmt::format("node {} is given twice", id));
       file_.mesh.points.push_back({x, y});
       return {};
     });
@@ -188,7 +197,8 @@ class Reader {
     const std::string_view line = records_.line();
     const std::size_t open = line.find('\'');
     const std::size_t close = line.rfind('\'');
-    if (open == std::string_view::npos || close == open) return records_.error(0, "a name in single quotes is due here");
+    if (open == std::string_view::npos || close == open)
+      return records_.error(0, "a name in single quotes is due here");
     after_name_ = close + 1;
     return std::string(line.substr(open + 1, close - open - 1));
   }
@@ -223,7 +233,8 @@ class Reader {
         if (found == node_.end()) return records_.error(4 + k, fmt::format("there is no node {}", node));
         element.nodes.emplace_back(found->second);
       }
-      if (!elements_.try_emplace(id, std::move(element)).second) return records_.error(0, fmt::format("element {} is given twice", id));
+      if (!elements_.try_emplace(id, std::move(element)).second)
+        return records_.error(0, fmt::format("element {} is given twice", id));
       return {};
     });
   }
@@ -262,7 +273,8 @@ class Reader {
   }
 
   Result<NeutralFile> build() {
-    if (elements_.empty()) return Error{ErrorCode::BadFormat, "the file holds no elements", base::Place{.file = records_.file()}};
+    if (elements_.empty())
+      return Error{ErrorCode::BadFormat, "the file holds no elements", base::Place{.file = records_.file()}};
     for (const auto& [id, element] : elements_) {
       const auto tag = region_.find(element.material);
       const auto region = tag == region_.end() ? static_cast<std::int32_t>(element.material) : tag->second;

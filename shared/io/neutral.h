@@ -2,7 +2,8 @@
 // The neutral file of the original QUEBRA 2D (.nf): sections that begin with '%', each followed by the number of its
 // entries. Source: [carvalho2005offset] and the list of sections in the project's fracture notes.
 //
-//   %HEADER  %NODE  %NODE.COORD  %MATERIAL.ISOTROPIC  %THICKNESS  %INTEGRATION.ORDER  %ELEMENT  %ELEMENT.T3 .T6 .Q4 .Q8  %END
+//   %HEADER  %NODE  %NODE.COORD  %MATERIAL.ISOTROPIC  %THICKNESS  %INTEGRATION.ORDER  %ELEMENT  %ELEMENT.T3 .T6 .Q4 .Q8
+//   %END
 //
 // An element's line is its number, material, thickness and integration order by number, then its nodes in the order of
 // element_mesh.h. Materials are numbered as the regions are. Sections of ours keep what the original had not: %REGION
@@ -18,7 +19,7 @@
 namespace dobra::io {
 
 struct NeutralMaterial {
-  double young = 1.0;    ///< Pa.
+  double young = 1.0;  ///< Pa.
   double poisson = 0.3;
   friend bool operator==(const NeutralMaterial&, const NeutralMaterial&) = default;
 };
@@ -30,7 +31,8 @@ struct NeutralFile {
   friend bool operator==(const NeutralFile&, const NeutralFile&) = default;
 };
 
-/// @error NotFinite; CannotMesh: no elements; InvalidOption: a set that refers to what does not exist, a name with a quote or
+/// @error NotFinite; CannotMesh: no elements; InvalidOption: a set that refers to what does not exist, a name with a
+/// quote or
 ///        line end.
 base::Result<std::string> neutral_text(const NeutralFile& file);
 /// @error those of neutral_text, CannotWrite

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <set>
 
@@ -191,6 +192,8 @@ void restore_tips(ElementMesh& mesh) {
         const auto nodes = side_nodes(mesh, side);
         const bool at_start = nodes[0] == tip->second[0];
         if (!at_start && nodes[1] != tip->second[0]) continue;
+        const double length = geom::distance(mesh.point(nodes[0]), mesh.point(nodes[1]));
+        if (!(length > 0.0) || !std::isfinite(length)) continue;  // A file may hold anything.
         mesh.tips.push_back(make_tip(mesh, tip->first, nodes[at_start ? 0 : 1], nodes[at_start ? 1 : 0]));
         break;
       }
