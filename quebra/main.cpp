@@ -5,6 +5,7 @@
 #include "quebra/cli/mesh_command.h"
 #include "quebra/core/operations.h"
 #include "shared/cli/cli.h"
+#include "shared/cli/convert_command.h"
 #include "shared/cli/offset_command.h"
 #ifdef DOBRA_WITH_GUI
 #include "quebra/gui/window.h"
@@ -24,5 +25,6 @@ int main(int argc, char** argv) {
     return quebra::gui::run_window(file, options);
   };
 #endif
-  return dobra::cli::run_program(quebra::core::program(), argc, argv, window, {dobra::cli::offset_command(), quebra::cli::mesh_command()});
+  return dobra::cli::run_program(quebra::core::program(), argc, argv, window,
+                                 {dobra::cli::offset_command(), quebra::cli::mesh_command(), dobra::cli::convert_command()});
 }
