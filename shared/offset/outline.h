@@ -99,12 +99,12 @@ class Outline {
     Flat end, start;
   };
   [[nodiscard]] Junction junction(std::uint32_t step) const;
-  /// The line of a step and the corner at its end, where that is a plain one: none, an inner one that leaves a length of both lines, or an
-  /// arc of at most a right angle.
+  /// The line of a step and the corner at its end, where that is a plain one: none, an inner one that leaves a length of both
+  /// lines, a mitre, or an arc of at most a right angle.
   struct Lead {
     bool plain;
     Corner kind;
-    double length;  ///< What the corners at both ends leave of the line.
+    double length;  ///< What inner corners at both ends leave of the line.
   };
   [[nodiscard]] Lead lead(std::uint32_t step) const;
   /// Natural ends in doubles.
@@ -145,8 +145,8 @@ class Outline {
 
  private:
   [[nodiscard]] bool deep_in_mitre(Flat q, std::uint32_t step, bool at_end, double margin) const;
-  /// At an inner corner: beyond the bisector each line is nearer than D to the other segment, provided that this reaches so far. Where
-  /// it only just does, the answer no is the safe one: it leaves it to the cuts.
+  /// At an inner corner: beyond the bisector each line is nearer than D to the other segment, provided that this reaches so far.
+  /// Where it only just does, the answer no is the safe one: it leaves it to the cuts.
   [[nodiscard]] bool meets(double half_tan, double span, double next) const {
     const double reach = d_ * half_tan * (1 + 1e-12);
     return reach < span && reach < next;
@@ -176,27 +176,28 @@ inline Outline::Lead Outline::lead(std::uint32_t step) const {
   const Corner kind = corners_[at];
   const double t = base_.half_tans[at];
   const double span = base_.spans[step];
-  if (kind == Corner::Arc ? t > 1 : kind > Corner::Meet || (kind == Corner::Meet && !meets(t, span, base_.spans[at]))) {
-    return {false, kind, 0};
-  }
+  const bool plain = kind == Corner::Meet ? meets(t, span, base_.spans[at])
+                     : kind == Corner::Arc ? t <= 1
+                                           : kind == Corner::Straight || kind == Corner::Mitre;
+  if (!plain) return {false, kind, 0};
   const double before = corners_[step] == Corner::Meet ? base_.half_tans[step] : 0;
   const double after = kind == Corner::Meet ? t : 0;
   return {true, kind, span - d_ * (before + after)};
 }
 
 inline Flat Outline::Ends::start_of(Site s) {
-  if (s.role == Role::Line && s.step > 0 && s.step < outline_.n_ && outline_.corners_[s.step] <= Corner::Meet) {
+  if (s.role == Role::Line && s.step > 0 && s.step < outline_.n_ && outline_.corners_[s.step] <= Corner::Mitre) {
     const BaseCurve& base = outline_.base_;  // mostly so
     const Flat p = flat(base.points[s.step]);
     const double d = outline_.d_;
-    if (outline_.corners_[s.step] == Corner::Meet) {
-      const double t = base.half_tans[s.step];
-      if (outline_.meets(t, base.spans[s.step - 1], base.spans[s.step])) {
-        const Flat u = flat(base.headings[s.step - 1]);
-        return p + d * right_of(u) - (d * t) * u;
-      }
+    const Corner kind = outline_.corners_[s.step];
+    const bool mitre = kind == Corner::Mitre;
+    const double t = base.half_tans[s.step];
+    if (mitre ? t <= 16 : kind == Corner::Meet && outline_.meets(t, base.spans[s.step - 1], base.spans[s.step])) {
+      const Flat u = flat(base.headings[s.step - 1]);
+      return p + d * right_of(u) + (mitre ? d * t : -(d * t)) * u;
     }
-    return p + d * right_of(flat(base.headings[s.step]));
+    if (!mitre) return p + d * right_of(flat(base.headings[s.step]));
   }
   if (s.role == Role::Line) return at(outline_.before(s.step)).start;
   if (s.role == Role::SecondArc) return outline_.centre(s) + outline_.d_ * outline_.middle_of_turn<double>(s.step);

@@ -487,6 +487,34 @@ TEST(Offset, AnExtensionThatRoundingSwallowsIsNone) {
   EXPECT_EQ(with.pieces[0].points, without.pieces[0].points);
 }
 
+TEST(Offset, ManyDistancesAtOnceGiveTheCurvesOfEachAlone) {
+  Polyline base;  // a spiral whose arms meet at the greater distances
+  for (int i = 0; i < 600; ++i) {
+    const double t = 4 + 0.04 * i;
+    const double r = 0.6 * t + 0.4 * std::sin(5 * t);
+    base.points.push_back({r * std::cos(t), r * std::sin(t)});
+  }
+  const std::vector<double> distances{0.1, 0.4, 0.7, 1.0, 1.3, 1.6, 2.0, 2.4};
+  for (const Join join : {Join::Round, Join::Mitre}) {
+    for (const Side side : {Side::RightOfTravel, Side::LeftOfTravel}) {
+      OffsetOptions options;
+      options.join = join;
+      options.side = side;
+      const auto together = run(base, distances, options);
+      for (std::size_t k = 0; k < distances.size(); ++k) {
+        const auto alone = run(base, distances[k], options);
+        ASSERT_EQ(together[k].pieces.size(), alone.pieces.size()) << distances[k];
+        for (std::size_t i = 0; i < alone.pieces.size(); ++i) {
+          const OffsetPiece& a = together[k].pieces[i];
+          const OffsetPiece& b = alone.pieces[i];
+          ASSERT_EQ(a.edges, b.edges) << distances[k];
+          for (std::size_t p = 0; p < a.points.size(); ++p) EXPECT_LT(geom::distance(a.points[p], b.points[p]), 1e-12);
+        }
+      }
+    }
+  }
+}
+
 TEST(Offset, SameBytesWithAnyNumberOfThreads) {
   const auto d = distances({13, 0.2, 1.0}).value();
   base::set_thread_count(1);

@@ -93,7 +93,8 @@ void compare(const geom::Polyline& curve, double distance, const OffsetOptions& 
              std::size_t& missed) {
   const auto base = prepare(curve, options.side);
   ASSERT_TRUE(base.ok());
-  const Clearance clearance(*base, options);
+  Clearance clearance(*base, options);
+  clearance.find_gaps(distance, distance);
   const Outline outline(*base, clearance.corners(), Outline::Sides::Both, distance);
   const Buried known(*base, clearance);
   const base::Progress progress;
