@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "quebra/cli/analysis_commands.h"
 #include "quebra/cli/mesh_command.h"
 #include "quebra/core/operations.h"
 #include "shared/cli/cli.h"
@@ -25,6 +26,7 @@ int main(int argc, char** argv) {
     return quebra::gui::run_window(file, options);
   };
 #endif
-  return dobra::cli::run_program(quebra::core::program(), argc, argv, window,
-                                 {dobra::cli::offset_command(), quebra::cli::mesh_command(), dobra::cli::convert_command()});
+  auto commands = quebra::cli::analysis_commands();
+  commands.insert(commands.begin(), {dobra::cli::offset_command(), quebra::cli::mesh_command(), dobra::cli::convert_command()});
+  return dobra::cli::run_program(quebra::core::program(), argc, argv, window, commands);
 }

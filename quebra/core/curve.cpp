@@ -20,8 +20,10 @@ constexpr double same_node = 1e-9;
 /// Local size at distance s: the curve's own, bounded near the stops and where a smooth curve turns fast.
 class SizeAlong {
  public:
-  SizeAlong(double own, const std::vector<Stop>& stops, double growth, const Smooth* smooth, Angle turn)
-      : own_(own), growth_(growth), smooth_(smooth), turn_(turn) {
+  SizeAlong(const Curve& curve, double own, const std::vector<Stop>& stops, const DivideOptions& options)
+      : curve_(curve), own_(own), options_(options) {
+    if (curve.division.segments == 0) smooth_ = std::get_if<Smooth>(&curve.shape);
+    if (const auto* line = std::get_if<Polyline>(&curve.shape)) arc_lengths_ = dobra::geom::arc_lengths(*line);
     for (const Stop& stop : stops) {
       if (stop.size > 0.0) sized_.push_back(stop);
     }
@@ -32,17 +34,24 @@ class SizeAlong {
       const auto& chords = smooth_->chords();
       const auto above = std::upper_bound(chords.s.begin() + 1, chords.s.end() - 1, s);
       const auto i = static_cast<std::size_t>(above - chords.s.begin()) - 1;
-      if (chords.turn[i] > 0.0) size = std::min(size, (chords.s[i + 1] - chords.s[i]) * turn_.radians() / chords.turn[i]);
+      if (chords.turn[i] > 0.0) size = std::min(size, (chords.s[i + 1] - chords.s[i]) * options_.turn.radians() / chords.turn[i]);
     }
-    for (const Stop& stop : sized_) size = std::min(size, stop.size + (growth_ - 1.0) * std::abs(s - stop.s));
+    for (const Stop& stop : sized_) size = std::min(size, stop.size + (options_.growth - 1.0) * std::abs(s - stop.s));
+    if (options_.limit) size = std::min(size, options_.limit(at(s)));
     return size;
   }
 
  private:
+  [[nodiscard]] Point at(double s) const {
+    if (const auto* line = std::get_if<Polyline>(&curve_.shape)) return dobra::geom::point_at(*line, arc_lengths_, s);
+    return point(curve_, s);
+  }
+
+  const Curve& curve_;
   double own_;
-  double growth_;
-  const Smooth* smooth_;
-  Angle turn_;
+  const DivideOptions& options_;
+  const Smooth* smooth_ = nullptr;
+  std::vector<double> arc_lengths_;
   std::vector<Stop> sized_;
 };
 
@@ -202,7 +211,6 @@ std::vector<double> divide(const Curve& curve, std::vector<Stop> stops, const Di
   if (said.size > 0.0) own = said.size;
   const auto* const arc = std::get_if<Arc>(&curve.shape);
   if (arc != nullptr && said.segments == 0) own = std::min(own, arc->radius() * options.turn.radians() * (1.0 + same_node));
-  const auto* const smooth = said.segments == 0 ? std::get_if<Smooth>(&curve.shape) : nullptr;
 
   if (curve.tip_size > 0.0) {
     stops.push_back({0.0, curve.tip_size});
@@ -210,7 +218,7 @@ std::vector<double> divide(const Curve& curve, std::vector<Stop> stops, const Di
   }
   for (const double s : corners(curve)) stops.push_back({s, 0.0});
   std::stable_sort(stops.begin(), stops.end(), before);
-  const SizeAlong size(own, stops, options.growth, smooth, options.turn);
+  const SizeAlong size(curve, own, stops, options);
 
   std::vector<double> nodes;
   // Sizes at the ends and further stops there do not cut the curve.

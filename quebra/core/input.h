@@ -120,7 +120,7 @@ struct InputParams {
     d.field("width", &InputParams::width, {.title = "Width", .help = "Of the specimen.", .unit = "m", .above = 0});
     d.field("height", &InputParams::height, {.title = "Height", .help = "Of the specimen.", .unit = "m", .above = 0});
     d.field("radius", &InputParams::radius, {.title = "Radius", .help = "Of its hole or disc.", .unit = "m", .above = 0});
-    d.field("crack", &InputParams::crack, {.title = "Crack length", .help = "As its handbook formula has it: a whole edge crack, half a centre crack.", .unit = "m", .at_least = 0});
+    d.field("crack_length", &InputParams::crack, {.title = "Crack length", .help = "As its handbook formula has it: a whole edge crack, half a centre crack.", .unit = "m", .at_least = 0});
     d.field("position", &InputParams::position, {.title = "Position", .help = "Of the notch of pmma_beam, from the middle.", .unit = "m"});
     d.field("angle", &InputParams::angle, {.title = "Crack angle", .help = "Of a centre crack, anticlockwise from +x.", .unit = "deg", .at_least = -180, .at_most = 180});
     d.file("file", &InputParams::file, {.title = "File", .help = "Geometry (.poly .geo .geojson .dxf .wkt .txt .csv) or a mesh whose boundary is meant (.msh .inp .vtu .bdf .nf .ele)."});

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "quebra/core/domain.h"
+#include "quebra/core/tip_rosettes.h"
 #include "quebra/core/zone.h"
 #include "shared/mesh/lips.h"
 #include "shared/mesh/order2.h"
@@ -104,7 +105,8 @@ EdgeKind kind_of(Role role) {
   return EdgeKind::Constraint;
 }
 
-MeshInput mesh_input(const Model& model, const std::vector<Constraint>& constraints, const DivideOptions& options) {
+MeshInput mesh_input(const Model& model, const std::vector<Constraint>& constraints, std::span<const dobra::mesh::SizeRequest> sizes,
+                     const std::vector<TipRosette>& rosettes, const DivideOptions& options) {
   const Domain& domain = model.domain;
   InputBuilder builder;
   for (std::size_t c = 0; c < domain.curves.size(); ++c) {
@@ -132,6 +134,8 @@ MeshInput mesh_input(const Model& model, const std::vector<Constraint>& constrai
   for (const Zone& zone : model.zones) {
     for (const Point p : points_of(zone, domain)) builder.size(p, zone.size);
   }
+  for (const auto& request : sizes) builder.size(request.at, request.size);
+  for (const TipRosette& tip : rosettes) builder.size(tip.rosette.tip, distance(tip.rosette.rings.back()[0], tip.rosette.rings.back()[1]));
   MeshInput input = builder.take();
   for (const Face& face : domain.faces) input.regions.push_back({face.inside, face.region});
   return input;
@@ -181,8 +185,9 @@ std::map<std::string, MiddleOfCurve> bent_sides(const Domain& domain) {
 
 /// From the triangles to the elements that the user asked for.
 Result<ElementMesh> elements_of(const TriangleMesh& triangles, const Domain& domain, const MeshParams& params,
-                                std::vector<std::string>& remarks) {
+                                const std::vector<TipRosette>& rosettes, std::vector<std::string>& remarks) {
   ElementMesh mesh = element_mesh_of(triangles);
+  DOBRA_TRY_VOID(fill(mesh, rosettes));
   mesh.region_names = domain.region_names;
   std::vector<std::string> cracks;
   for (const Curve& curve : domain.curves) {
@@ -203,6 +208,7 @@ Result<ElementMesh> elements_of(const TriangleMesh& triangles, const Domain& dom
     const Point at = second.mesh.point(nodes[2]);
     remarks.push_back(fmt::format("the side at ({:.6g}, {:.6g}) stays straight: its curve would invert the element; use smaller sides there", at.x, at.y));
   }
+  if (!rosettes.empty()) DOBRA_TRY_VOID(dobra::fem::set_quarter_points(second.mesh));
   return std::move(second.mesh);
 }
 
@@ -220,33 +226,49 @@ class Stopwatch {
 
 }  // namespace
 
-Result<Model> add_mesh(const Model& model, const MeshParams& params, const dobra::scenario::Context&,
-                       const dobra::base::Progress& progress) {
+Result<Meshed> mesh_domain(const Model& model, const MeshParams& params, std::span<const dobra::mesh::SizeRequest> sizes,
+                           std::vector<std::string>& remarks, const dobra::base::Progress& progress) {
   const double size = params.size > 0.0 ? params.size : model.domain.box().diagonal() / 20.0;
   const std::vector<Constraint> none;
   const auto& constraints = params.constraints == UseConstraints::Yes ? model.constraints : none;
   Stopwatch watch;
-  auto meshed = std::make_shared<Meshed>();
-  const auto done = [&](const char* phase) { meshed->seconds.push_back({phase, watch.lap()}); };
-  const MeshInput input = mesh_input(model, constraints, {.size = size, .turn = params.turn, .growth = params.growth});
-  done("divide");
-
+  Meshed meshed;
+  const auto done = [&](const char* phase) { meshed.seconds.push_back({phase, watch.lap()}); };
+  std::vector<TipRosette> rosettes;
+  if (params.rosettes == UseRosettes::Yes) {
+    if (params.order != Order::Second || params.quadrilaterals == Quadrilaterals::Yes) {
+      return dobra::base::Error{dobra::base::ErrorCode::BadValue, "rosettes are made of triangles of second order: give order = \"2\" and no quadrilaterals"};
+    }
+    DOBRA_TRY(rosettes, tip_rosettes(model.domain, {.sectors = params.sectors, .radius = params.tip_radius}));
+  }
   dobra::mesh::MeshOptions options;
   options.sizes.growth = params.growth;
   options.sizes.max_size = params.size;
+  DivideOptions divide{.size = size, .turn = params.turn, .growth = params.growth};
+  // Curves that pass something finer are divided again, so that sizes grow along them as they do inside.
+  DOBRA_TRY(const auto field, dobra::mesh::size_field_of(mesh_input(model, constraints, sizes, rosettes, divide), options.sizes));
+  divide.limit = [&field](Point p) { return field.size_at(p); };
+  MeshInput input = mesh_input(model, constraints, sizes, rosettes, divide);
+  cut_out(input, rosettes);
+  done("divide");
   options.smoothing.passes = params.smoothing;
   options.points.max_triangles = static_cast<std::size_t>(params.max_elements);
   DOBRA_TRY(const TriangleMesh triangles, dobra::mesh::triangulate(input, options, progress));
   done("triangulate");
-  Model result = model;
-  DOBRA_TRY(meshed->mesh, elements_of(triangles, model.domain, params, result.remarks));
+  DOBRA_TRY(meshed.mesh, elements_of(triangles, model.domain, params, rosettes, remarks));
   done("elements");
-  meshed->quality = dobra::mesh::quality_of(triangles);
+  meshed.quality = dobra::mesh::quality_of(triangles);
   done("quality");
-  for (const Constraint& constraint : constraints) meshed->constraint_edges += triangles.constraint_sets.at(constraint.name).size();
-  meshed->name = !params.label.empty() ? params.label : fmt::format("Mesh {}", model.meshes.size() + 1);
-  meshed->constraints = constraints.size();
-  result.meshes.push_back(std::move(meshed));
+  for (const Constraint& constraint : constraints) meshed.constraint_edges += triangles.constraint_sets.at(constraint.name).size();
+  meshed.name = !params.label.empty() ? params.label : fmt::format("Mesh {}", model.meshes.size() + 1);
+  meshed.constraints = constraints.size();
+  return meshed;
+}
+
+Result<Model> add_mesh(const Model& model, const MeshParams& params, const dobra::scenario::Context&, const dobra::base::Progress& progress) {
+  Model result = model;
+  DOBRA_TRY(Meshed meshed, mesh_domain(model, params, {}, result.remarks, progress));
+  result.meshes.push_back(std::make_shared<const Meshed>(std::move(meshed)));
   return result;
 }
 

@@ -2,10 +2,12 @@
 // Domain and constraints -> mesh: curves divided, quadtree, constrained Delaunay triangulation, smoothing; then cracks
 // opened, quadrilaterals, second order.
 
+#include <span>
 #include <string>
 
 #include "quebra/core/model.h"
 #include "shared/base/progress.h"
+#include "shared/mesh/mesh_input.h"
 #include "shared/scenario/program.h"
 
 namespace quebra::core {
@@ -13,6 +15,7 @@ namespace quebra::core {
 enum class UseConstraints { Yes, No };
 enum class Order { First, Second };
 enum class Quadrilaterals { No, Yes };
+enum class UseRosettes { No, Yes };
 
 struct MeshParams {
   std::string label;
@@ -24,6 +27,9 @@ struct MeshParams {
   UseConstraints constraints = UseConstraints::Yes;
   Order order = Order::First;
   Quadrilaterals quadrilaterals = Quadrilaterals::No;
+  UseRosettes rosettes = UseRosettes::No;
+  int sectors = 16;
+  double tip_radius = 0.0;
 
   template <class D>
   static void describe(D& d) {
@@ -36,8 +42,17 @@ struct MeshParams {
     d.choice("constraints", &MeshParams::constraints, {"yes", "no"}, {.title = "Obey constraints"});
     d.choice("order", &MeshParams::order, {"1", "2"}, {.title = "Order", .help = "2: nodes at mid-sides too, on the true curve."});
     d.choice("quads", &MeshParams::quadrilaterals, {"no", "yes"}, {.title = "Quadrilaterals", .help = "Joins pairs of triangles where that gives a good shape."});
+    d.choice("rosettes", &MeshParams::rosettes, {"no", "yes"}, {.title = "Rosettes", .help = "Quarter-point elements round each crack tip; needs order 2."});
+    d.field("sectors", &MeshParams::sectors, {.title = "Sectors", .help = "Of a rosette, even.", .at_least = 6, .at_most = 360});
+    d.field("tip_radius", &MeshParams::tip_radius, {.title = "Tip elements", .help = "Length of the quarter-point elements; 0 takes 1/40 of the crack.", .unit = "m", .at_least = 0});
   }
 };
+
+/// Meshes the domain of a model with `sizes` wanted inside, beside those that the model asks for itself.
+/// @param remarks  what the user should know is added to it.
+/// @error those of add_mesh
+dobra::base::Result<Meshed> mesh_domain(const Model& model, const MeshParams& params, std::span<const dobra::mesh::SizeRequest> sizes,
+                                        std::vector<std::string>& remarks, const dobra::base::Progress& progress);
 
 /// Adds one mesh to the model.
 /// @error those of mesh::triangulate, with the place.

@@ -91,11 +91,16 @@ struct Meshed {
   std::vector<PhaseTime> seconds;    ///< Not part of any report: the same run gives the same bytes.
 };
 
+struct Analysis;       // analysis.h
+struct ProblemParams;  // analysis.h
+
 struct Model {
   Domain domain;
   std::vector<Constraint> constraints;
   std::vector<Zone> zones;
   std::vector<std::shared_ptr<const Meshed>> meshes;  ///< In the order made; each mesh step adds one.
+  std::shared_ptr<const ProblemParams> problem;  ///< Materials, supports, loads; none until a step gives them.
+  std::vector<std::shared_ptr<const Analysis>> analyses;  ///< In the order made.
   std::vector<std::string> remarks;
 };
 

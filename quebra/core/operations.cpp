@@ -1,6 +1,9 @@
 #include "quebra/core/operations.h"
 
+#include "quebra/core/adaptivity.h"
+#include "quebra/core/analysis.h"
 #include "quebra/core/constraint.h"
+#include "quebra/core/fracture.h"
 #include "quebra/core/input.h"
 #include "quebra/core/layers.h"
 #include "quebra/core/meshing.h"
@@ -29,12 +32,39 @@ scenario::Program make_program() {
           "zone", "Zone of small elements", "Elements of a given size within a given distance of curves, cracks or points.", add_zone),
       scenario::make_operation<Model, MeshParams>(
           "mesh", "Mesh", "Divides the boundary and fills the domain with triangles: quadtree for the sizes, Delaunay for the shapes.", add_mesh),
+      scenario::make_operation<Model, ProblemParams>(
+          "problem", "Materials, supports, loads", "The elastic problem, by the names of regions, curves and points.", set_problem),
+      scenario::make_operation<Model, AnalyseParams>(
+          "analyse", "Analyse", "Displacements, stresses and their error on the last mesh.", add_analysis),
+      scenario::make_operation<Model, AdaptParams>(
+          "adapt", "Adapt", "Meshes and analyses until the error asked for is met.", adapt),
+      scenario::make_operation<Model, FractureParams>(
+          "crack", "Stress intensity factors", "K_I and K_II by three methods, J, T and kink angles at every crack tip.", add_tips),
   };
-  program.picture_of = [](const scenario::State& state) { return picture_of(scenario::model_of<Model>(state)); };
-  program.quantities_of = [](const scenario::State& state) { return quantities_of(scenario::model_of<Model>(state)); };
+  program.picture_of = [](const scenario::State& state) {
+    const Model& model = scenario::model_of<Model>(state);
+    scene::Picture picture = picture_of(model);
+    add_analysis_panel(model, picture);
+    return picture;
+  };
+  program.quantities_of = [](const scenario::State& state) {
+    const Model& model = scenario::model_of<Model>(state);
+    auto quantities = quantities_of(model);
+    add_analysis_quantities(model, quantities);
+    return quantities;
+  };
   program.remarks_of = [](const scenario::State& state) { return scenario::model_of<Model>(state).remarks; };
-  program.tables_of = [](const scenario::State& state) { return tables_of(scenario::model_of<Model>(state)); };
-  program.outputs_of = [](const scenario::State& state) { return outputs_of(std::static_pointer_cast<const Model>(state)); };
+  program.tables_of = [](const scenario::State& state) {
+    const Model& model = scenario::model_of<Model>(state);
+    auto tables = tables_of(model);
+    add_analysis_tables(model, tables);
+    return tables;
+  };
+  program.outputs_of = [](const scenario::State& state) {
+    auto outputs = outputs_of(std::static_pointer_cast<const Model>(state));
+    add_analysis_outputs(scenario::model_of<Model>(state), outputs);
+    return outputs;
+  };
   return program;
 }
 

@@ -1,0 +1,166 @@
+#include "quebra/cli/analysis_commands.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "quebra/core/validation.h"
+#include "shared/base/text.h"
+#include "shared/cli/commands.h"
+#include "shared/cli/staging.h"
+#include "shared/io/file.h"
+#include "shared/scenario/runner.h"
+
+// 1. The document: options become parameters of its last step of the command's operation, which is added if there is none
+// (crack: analyse before it). 2. It is run as `quebra run` would. 3. Quantities, tables and remarks are printed.
+
+namespace quebra::cli {
+namespace {
+
+using namespace dobra;
+using base::Error;
+using base::ErrorCode;
+using base::Result;
+
+struct Options {
+  dobra::cli::ScenarioOptions scenario;
+  std::string target;
+  std::string rule;
+  std::optional<std::int64_t> max_cycles;
+  std::optional<double> contour;
+};
+
+scenario::Step step_of(const std::string& operation) {
+  return {.operation = operation, .name = {}, .params = {}, .comment = {}, .place = {}};
+}
+
+bool has_step(const scenario::Document& document, const std::string& operation) {
+  return std::any_of(document.steps.begin(), document.steps.end(), [&](const auto& step) { return step.operation == operation; });
+}
+
+/// "5%" or "5" or "0.05" would be three readings; percent it is, with or without the sign.
+Result<double> percent(std::string text) {
+  if (text.ends_with('%')) text.pop_back();
+  if (const auto value = base::parse_number(text)) return *value;
+  return Error{ErrorCode::BadUsage, fmt::format("--target: '{}' is not a percentage such as 5%", text)};
+}
+
+Result<scenario::Document> document_of(dobra::cli::Session& session, const std::string& operation, const Options& options) {
+  DOBRA_TRY(scenario::Document document, dobra::cli::load(session, options.scenario));
+  if (operation == "crack" && !has_step(document, "analyse") && !has_step(document, "adapt")) document.steps.push_back(step_of("analyse"));
+  auto last = std::find_if(document.steps.rbegin(), document.steps.rend(), [&](const auto& step) { return step.operation == operation; });
+  if (last == document.steps.rend()) {
+    document.steps.push_back(step_of(operation));
+    last = document.steps.rbegin();
+  }
+  if (!options.target.empty()) {
+    DOBRA_TRY(const double target, percent(options.target));
+    last->params.set("target", target);
+  }
+  if (!options.rule.empty()) last->params.set("rule", options.rule);
+  if (options.max_cycles) last->params.set("max_cycles", *options.max_cycles);
+  if (options.contour) last->params.set("contour", *options.contour);
+  document.steps.erase(last.base(), document.steps.end());
+  DOBRA_TRY_VOID(scenario::check(document, session.program));
+  return document;
+}
+
+/// Figures of the mesh are `quebra mesh`'s business.
+bool wanted(const std::string& quantity) {
+  constexpr std::array names{"elements", "nodes", "unknowns", "cycles", "eta"};
+  return quantity.starts_with("case.") || quantity.starts_with("tip.") ||
+         std::find(names.begin(), names.end(), quantity) != names.end();
+}
+
+std::string json_text(const scenario::Program& program, const scenario::State& state) {
+  nlohmann::ordered_json json;
+  for (const auto& quantity : program.quantities_of(state)) {
+    if (wanted(quantity.name)) json["quantities"][quantity.name] = {{"value", quantity.value}, {"unit", quantity.unit}};
+  }
+  for (const auto& table : program.tables_of(state)) {
+    if (table.name != "analyses" && table.name != "tips") continue;
+    auto rows = nlohmann::ordered_json::array();
+    for (const auto& row : table.rows) {
+      nlohmann::ordered_json one;
+      for (std::size_t i = 0; i < row.size(); ++i) std::visit([&](const auto& value) { one[table.columns[i]] = value; }, row[i]);
+      rows.push_back(std::move(one));
+    }
+    json[table.name] = std::move(rows);
+  }
+  json["remarks"] = program.remarks_of(state);
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+}
+
+std::string plain_text(const scenario::Program& program, const scenario::State& state) {
+  std::string text;
+  for (const auto& quantity : program.quantities_of(state)) {
+    if (wanted(quantity.name)) text += fmt::format("{:<44}{:.8g} {}\n", quantity.name, quantity.value, quantity.unit);
+  }
+  return text;
+}
+
+Result<int> job(dobra::cli::Session& session, const std::string& operation, const Options& options) {
+  DOBRA_TRY(const scenario::Document document, document_of(session, operation, options));
+  DOBRA_TRY(const scenario::Run run, dobra::cli::run_steps(session, document));
+  if (session.options.format == dobra::cli::OutputFormat::Json) {
+    DOBRA_TRY_VOID(dobra::cli::print(json_text(session.program, run.states.back())));
+  } else if (session.options.verbosity != dobra::cli::Verbosity::Quiet) {
+    DOBRA_TRY_VOID(dobra::cli::print(plain_text(session.program, run.states.back())));
+  }
+  return 0;
+}
+
+dobra::cli::Command command(const std::string& name, const std::string& operation, const std::string& help) {
+  return {name, help, [operation](CLI::App& app) -> dobra::cli::Job {
+            const auto options = std::make_shared<Options>();
+            dobra::cli::add_scenario_options(app, options->scenario);
+            if (operation == "adapt") {
+              app.add_option("--target", options->target, "Error asked for in the energy norm, such as 5%")->type_name("PERCENT");
+              app.add_option("--rule", options->rule, "Rule of the new sizes")->check(CLI::IsMember({"optimal", "equal"}))->type_name("RULE");
+              app.add_option("--max-cycles", options->max_cycles, "Stop after so many cycles")->type_name("N");
+            }
+            if (operation == "crack") app.add_option("--contour", options->contour, "Outer radius of the ring of the integrals")->type_name("R");
+            return [operation, options](dobra::cli::Session& session) { return job(session, operation, *options); };
+          }};
+}
+
+/// The validation book: a line for every case, files if asked for; exit code 1 if a value misses its tolerance.
+Result<int> validate_job(dobra::cli::Session& session, const std::optional<std::filesystem::path>& out) {
+  DOBRA_TRY(const auto results, core::validate(core::validation_cases(), session.progress()));
+  if (out) {
+    DOBRA_TRY(dobra::cli::Staging staging, dobra::cli::Staging::open(*out, dobra::cli::TargetFolder::Create));
+    DOBRA_TRY_VOID(io::write_file(staging.path("validation.csv"), core::validation_csv(results)));
+    DOBRA_TRY_VOID(io::write_file(staging.path("validation.json"), core::validation_json(results)));
+    DOBRA_TRY_VOID(io::write_file(staging.path("validation.html"), core::validation_html(results)));
+    DOBRA_TRY_VOID(staging.commit());
+  }
+  if (session.options.verbosity != dobra::cli::Verbosity::Quiet) {
+    const bool json = session.options.format == dobra::cli::OutputFormat::Json;
+    DOBRA_TRY_VOID(dobra::cli::print(json ? core::validation_json(results) : core::validation_csv(results)));
+  }
+  return std::all_of(results.begin(), results.end(), [](const auto& result) { return result.met(); }) ? 0 : 1;
+}
+
+dobra::cli::Command validate_command() {
+  return {"validate", "Compute every value of the validation book and compare", [](CLI::App& app) -> dobra::cli::Job {
+            const auto out = std::make_shared<std::optional<std::filesystem::path>>();
+            app.add_option("--out", *out, "Folder for validation.csv, .json and .html")->type_name("DIR");
+            return [out](dobra::cli::Session& session) { return validate_job(session, *out); };
+          }};
+}
+
+}  // namespace
+
+std::vector<dobra::cli::Command> analysis_commands() {
+  return {command("solve", "analyse", "Analyse the last mesh of a scenario"),
+          command("adapt", "adapt", "Mesh and analyse a scenario until the error asked for is met"),
+          command("crack", "crack", "Stress intensity factors at the crack tips of a scenario"),
+          validate_command()};
+}
+
+}  // namespace quebra::cli

@@ -1,0 +1,255 @@
+#include "quebra/core/analysis.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "quebra/core/deck.h"
+#include "shared/base/text.h"
+#include "shared/fem/exact_fields.h"
+#include "shared/io/file.h"
+#include "shared/io/vtu.h"
+
+namespace quebra::core {
+namespace {
+
+namespace fem = dobra::fem;
+namespace mesh = dobra::mesh;
+using dobra::base::Error;
+using dobra::base::ErrorCode;
+using dobra::base::Place;
+using dobra::base::Result;
+using dobra::geom::Point;
+using dobra::geom::Vector;
+
+Result<std::int32_t> region_of(const mesh::ElementMesh& mesh, const std::string& name) {
+  std::vector<std::string> names;
+  for (const auto& [tag, own] : mesh.region_names) {
+    if (own == name) return tag;
+    names.push_back(own);
+  }
+  return Error{ErrorCode::BadValue, fmt::format("there is no region '{}'{}", name, dobra::base::did_you_mean(name, names))};
+}
+
+Result<fem::Materials> materials_of(const mesh::ElementMesh& mesh, const ProblemParams& params) {
+  fem::Materials materials;
+  const auto state = params.state == Plane::Stress ? fem::PlaneState::Stress : fem::PlaneState::Strain;
+  for (const MaterialParams& own : params.materials) {
+    const fem::Material material{own.young, own.poisson, own.thickness, state};
+    if (own.region.empty()) {
+      for (const std::int32_t region : mesh.regions) materials.try_emplace(region, material);
+      continue;
+    }
+    DOBRA_TRY(const std::int32_t region, region_of(mesh, own.region));
+    materials[region] = material;
+  }
+  return materials;
+}
+
+Result<void> add_load(const mesh::ElementMesh& mesh, const LoadParams& load, fem::LoadCase& to) {
+  const Vector vector{load.x, load.y};
+  switch (load.kind) {
+    case LoadKind::Traction: to.sides.push_back({load.where, fem::uniform(vector)}); break;
+    case LoadKind::Pressure: to.sides.push_back({load.where, fem::pressure(load.value)}); break;
+    case LoadKind::Force: to.points.push_back({load.where, vector}); break;
+    case LoadKind::Kirsch:
+      to.sides.push_back({load.where, fem::traction_of([load](Point p) { return fem::kirsch_stress(p, load.radius, load.value); })});
+      break;
+    case LoadKind::Corner:
+      to.sides.push_back({load.where, fem::traction_of([load](Point p) { return fem::l_corner_stress(p, load.bisector); })});
+      break;
+    case LoadKind::Body: {
+      fem::BodyForce body{.force = [vector](Point) { return vector; }};
+      if (!load.where.empty()) {
+        DOBRA_TRY(body.region, region_of(mesh, load.where));
+      }
+      to.bodies.push_back(std::move(body));
+    }
+  }
+  return {};
+}
+
+Result<fem::Problem> problem_of(const mesh::ElementMesh& mesh, const ProblemParams& params) {
+  fem::Problem problem;
+  DOBRA_TRY(problem.materials, materials_of(mesh, params));
+  for (const SupportParams& support : params.supports) problem.supports.push_back({support.where, support.x, support.y, support.normal});
+  problem.cases.clear();
+  for (const LoadParams& load : params.loads) {
+    auto own = std::find_if(problem.cases.begin(), problem.cases.end(), [&](const auto& c) { return c.name == load.load_case; });
+    if (own == problem.cases.end()) own = problem.cases.insert(own, fem::LoadCase{.name = load.load_case});
+    DOBRA_TRY_VOID(add_load(mesh, load, *own));
+  }
+  if (problem.cases.empty()) problem.cases.emplace_back();  // prescribed displacements alone
+  return problem;
+}
+
+/// Greatest von Mises and principal stress at the nodes.
+struct Extremes {
+  double von_mises = 0.0;
+  double principal = 0.0;
+};
+
+Extremes extremes_of(const Analysis& analysis, std::size_t c) {
+  Extremes greatest;
+  const mesh::ElementMesh& m = analysis.meshed->mesh;
+  const auto& stresses = analysis.fields[c].recovered.at_element_nodes;
+  for (std::size_t e = 0; e < m.element_count(); ++e) {
+    for (std::size_t k = m.first[e]; k < m.first[e + 1]; ++k) {
+      greatest.von_mises = std::max(greatest.von_mises, fem::von_mises(stresses[k], analysis.problem.materials.at(m.regions[e])));
+      greatest.principal = std::max(greatest.principal, fem::principal(stresses[k]).greatest);
+    }
+  }
+  return greatest;
+}
+
+void add_tip_quantities(const fem::TipResult& tip, const std::string& prefix, std::vector<dobra::scenario::Quantity>& quantities) {
+  const auto add = [&](const char* name, double value, const char* unit) { quantities.push_back({prefix + name, value, unit}); };
+  add("K_I", tip.domain.k.one, "Pa m^0.5");
+  add("K_II", tip.domain.k.two, "Pa m^0.5");
+  if (tip.closure) add("closure.K_I", tip.closure->one, "Pa m^0.5");
+  if (tip.closure) add("closure.K_II", tip.closure->two, "Pa m^0.5");
+  if (tip.correlation) add("correlation.K_I", tip.correlation->one, "Pa m^0.5");
+  if (tip.correlation) add("correlation.K_II", tip.correlation->two, "Pa m^0.5");
+  add("spread", 100.0 * tip.spread, "%");
+  add("J", tip.domain.j, "J/m2");
+  add("G", tip.release, "J/m2");
+  add("T", tip.domain.t_stress, "Pa");
+  add("contour", tip.contour.outer, "m");
+  add("kink.sigma_theta", tip.sigma_theta.angle.degrees(), "deg");
+  add("kink.s_theta", tip.s_theta.angle.degrees(), "deg");
+  add("kink.g_theta", tip.g_theta.angle.degrees(), "deg");
+}
+
+dobra::io::MeshFields fields_of(const Analysis& analysis) {
+  dobra::io::MeshFields fields;
+  for (std::size_t c = 0; c < analysis.solution.cases.size(); ++c) {
+    const auto& result = analysis.solution.cases[c];
+    dobra::io::MeshField u{result.name + " displacement", 2, {}};
+    dobra::io::MeshField s{result.name + " stress", 3, {}};
+    for (const Vector v : result.displacements) u.values.insert(u.values.end(), {v.x, v.y});
+    for (const auto& v : fem::nodal_mean(analysis.meshed->mesh, analysis.fields[c].recovered.at_element_nodes))
+      s.values.insert(s.values.end(), v.begin(), v.end());
+    fields.at_points.push_back(std::move(u));
+    fields.at_points.push_back(std::move(s));
+    fields.at_elements.push_back({result.name + " error", 1, analysis.fields[c].estimate.elements});
+  }
+  return fields;
+}
+
+}  // namespace
+
+Result<Model> set_problem(const Model& model, const ProblemParams& params, const dobra::scenario::Context&, const dobra::base::Progress&) {
+  Model result = model;
+  result.problem = std::make_shared<const ProblemParams>(params);
+  return result;
+}
+
+Result<Analysis> analyse(std::shared_ptr<const Meshed> meshed, const ProblemParams& params, double memory,
+                         const dobra::base::Progress& progress) {
+  const mesh::ElementMesh& mesh = meshed->mesh;
+  Analysis analysis{.meshed = meshed};
+  DOBRA_TRY(analysis.problem, problem_of(mesh, params));
+  DOBRA_TRY(analysis.solution, fem::solve(mesh, analysis.problem, {.memory_limit = memory}, progress.part(0.0, 0.8)));
+  for (const auto& result : analysis.solution.cases) {
+    CaseFields fields{fem::recover_stress(mesh, analysis.problem.materials, result.displacements), {}};
+    fields.estimate = fem::estimate_error(mesh, analysis.problem.materials, result.displacements, fields.recovered);
+    analysis.eta = std::max(analysis.eta, fields.estimate.eta);
+    analysis.fields.push_back(std::move(fields));
+  }
+  return analysis;
+}
+
+Result<Model> add_analysis(const Model& model, const AnalyseParams& params, const dobra::scenario::Context&,
+                           const dobra::base::Progress& progress) {
+  if (!model.problem) return Error{ErrorCode::BadValue, "there is nothing to analyse: put a step 'problem' with materials, supports and loads before"};
+  if (model.meshes.empty()) return Error{ErrorCode::BadValue, "there is no mesh to analyse: put a step 'mesh' before"};
+  DOBRA_TRY(Analysis analysis, analyse(model.meshes.back(), *model.problem, params.memory, progress));
+  Model result = model;
+  result.analyses.push_back(std::make_shared<const Analysis>(std::move(analysis)));
+  return result;
+}
+
+void add_analysis_quantities(const Model& model, std::vector<dobra::scenario::Quantity>& quantities) {
+  if (model.analyses.empty()) return;
+  const Analysis& analysis = *model.analyses.back();
+  quantities.push_back({"unknowns", static_cast<double>(analysis.solution.statistics.unknowns), ""});
+  quantities.push_back({"cycles", static_cast<double>(analysis.cycle), ""});
+  quantities.push_back({"eta", 100.0 * analysis.eta, "%"});
+  for (std::size_t c = 0; c < analysis.solution.cases.size(); ++c) {
+    const auto& result = analysis.solution.cases[c];
+    const std::string prefix = "case." + result.name + ".";
+    double moved = 0.0;
+    for (const Vector u : result.displacements) moved = std::max(moved, length(u));
+    quantities.push_back({prefix + "energy", result.energy, "J"});
+    quantities.push_back({prefix + "eta", 100.0 * analysis.fields[c].estimate.eta, "%"});
+    quantities.push_back({prefix + "error", analysis.fields[c].estimate.error, "J^0.5"});
+    quantities.push_back({prefix + "max_displacement", moved, "m"});
+    const Extremes extremes = extremes_of(analysis, c);
+    quantities.push_back({prefix + "max_von_mises", extremes.von_mises, "Pa"});
+    quantities.push_back({prefix + "max_principal", extremes.principal, "Pa"});
+    for (const auto& [name, nodes] : analysis.meshed->mesh.node_sets) {
+      if (nodes.size() != 1) continue;
+      const Vector u = result.displacements[nodes.front().index()];
+      quantities.push_back({prefix + "point." + name + ".u_x", u.x, "m"});
+      quantities.push_back({prefix + "point." + name + ".u_y", u.y, "m"});
+    }
+  }
+  for (std::size_t c = 0; c < analysis.tips.size(); ++c) {
+    for (const auto& tip : analysis.tips[c])
+      add_tip_quantities(tip, fmt::format("tip.{}.{}.", analysis.solution.cases[c].name, tip.name), quantities);
+  }
+}
+
+void add_analysis_tables(const Model& model, std::vector<dobra::scenario::DataTable>& tables) {
+  if (model.analyses.empty()) return;
+  dobra::scenario::DataTable cycles{"analyses", {"mesh", "cycle", "elements", "unknowns", "eta [%]", "energy [J]"}, {}};
+  for (const auto& analysis : model.analyses) {
+    cycles.rows.push_back({analysis->meshed->name, static_cast<double>(analysis->cycle), static_cast<double>(analysis->meshed->mesh.element_count()),
+                           static_cast<double>(analysis->solution.statistics.unknowns), 100.0 * analysis->eta, analysis->solution.cases.front().energy});
+  }
+  tables.push_back(std::move(cycles));
+  const Analysis& last = *model.analyses.back();
+  if (last.tips.empty()) return;
+  dobra::scenario::DataTable tips{"tips", {"case", "tip", "x [m]", "y [m]", "K_I [Pa m^0.5]", "K_II [Pa m^0.5]", "spread [%]", "J [J/m2]", "T [Pa]", "kink [deg]"}, {}};
+  for (std::size_t c = 0; c < last.tips.size(); ++c) {
+    for (const auto& tip : last.tips[c]) {
+      tips.rows.push_back({last.solution.cases[c].name, tip.name, tip.at.x, tip.at.y, tip.domain.k.one, tip.domain.k.two, 100.0 * tip.spread, tip.domain.j,
+                           tip.domain.t_stress, tip.sigma_theta.angle.degrees()});
+    }
+  }
+  tables.push_back(std::move(tips));
+}
+
+void add_analysis_outputs(const Model& model, std::vector<dobra::scenario::Output>& outputs) {
+  if (model.analyses.empty()) return;
+  const std::shared_ptr<const Analysis> analysis = model.analyses.back();
+  outputs.push_back({"results.vtu", [analysis](const auto& path) { return dobra::io::write_vtu(path.string(), analysis->meshed->mesh, fields_of(*analysis)); }});
+  outputs.push_back({"analysis.inp", [analysis](const auto& path) -> Result<void> {
+                       DOBRA_TRY(const std::string text, deck_text(analysis->meshed->mesh, analysis->problem));
+                       return dobra::io::write_file(path, text);
+                     }});
+}
+
+void add_analysis_panel(const Model& model, dobra::scene::Picture& picture) {
+  if (model.analyses.empty()) return;
+  const Analysis& analysis = *model.analyses.back();
+  const mesh::TriangleMesh corners = triangle_mesh_of(analysis.meshed->mesh);
+  const auto stresses = fem::nodal_mean(analysis.meshed->mesh, analysis.fields.front().recovered.at_element_nodes);
+  dobra::scene::Mesh content{.points = corners.points, .values_at = dobra::scene::ValuesAt::Points};
+  for (const auto& t : corners.triangles) {
+    content.triangles.push_back({static_cast<std::uint32_t>(t[0].index()), static_cast<std::uint32_t>(t[1].index()), static_cast<std::uint32_t>(t[2].index())});
+  }
+  double greatest = 0.0;
+  for (const auto& stress : stresses) {
+    content.values.push_back(fem::von_mises(stress, analysis.problem.materials.begin()->second));
+    greatest = std::max(greatest, content.values.back());
+  }
+  content.scale = {dobra::base::translated("von Mises stress [Pa]"), dobra::scene::ColorMapName::Viridis, 0.0, greatest > 0.0 ? greatest : 1.0};
+  dobra::scene::Panel panel{.key = "analysis"};
+  panel.title = fmt::format("{}: eta {:.2f} %, {} {}", analysis.solution.cases.front().name, 100.0 * analysis.eta,
+                            analysis.solution.statistics.unknowns, dobra::base::translated("unknowns"));
+  panel.layers.push_back({"stress", dobra::base::translated("Stress"), {.line_width = 0.0}, std::move(content), true, dobra::scene::InLegend::No});
+  picture.panels.push_back(std::move(panel));
+}
+
+}  // namespace quebra::core

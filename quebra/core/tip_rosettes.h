@@ -1,0 +1,32 @@
+#pragma once
+// Rosettes of quarter-point elements at the tips of the cracks of a domain: they take the place of what the mesher would
+// put there. Page: docs/algorithms/crack.md.
+
+#include <string>
+#include <vector>
+
+#include "quebra/core/model.h"
+#include "shared/base/result.h"
+#include "shared/fem/rosette.h"
+#include "shared/mesh/mesh_input.h"
+
+namespace quebra::core {
+
+struct TipRosette {
+  std::string crack;
+  dobra::fem::CrackEnd end = dobra::fem::CrackEnd::End;
+  dobra::fem::Rosette rosette;
+};
+
+/// One for each end of a crack that lies inside the material.
+/// @param options  a radius of 0 takes 1/40 of the length of the crack a tip.
+/// @error BadDomain naming the crack: two rosettes overlap, one reaches a boundary, or the crack is not straight in it.
+dobra::base::Result<std::vector<TipRosette>> tip_rosettes(const Domain& domain, const dobra::fem::RosetteOptions& options);
+
+/// Makes a hole of each rosette in the mesher's input, and lets the cracks end on its rim.
+void cut_out(dobra::mesh::MeshInput& input, const std::vector<TipRosette>& rosettes);
+
+/// Fills the holes again. @error those of fem::fill_rosette
+dobra::base::Result<void> fill(dobra::mesh::ElementMesh& mesh, const std::vector<TipRosette>& rosettes);
+
+}  // namespace quebra::core
