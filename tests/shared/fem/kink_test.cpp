@@ -44,6 +44,13 @@ TEST(Kink, PureOpeningGoesStraightOnWithItsOwnIntensity) {
   }
 }
 
+TEST(Kink, InPlaneStressALittleShearTurnsTheCrackALittle) {
+  const Material sheet{.young = 1.0, .poisson = 0.3, .state = PlaneState::Stress};
+  EXPECT_NEAR(degrees(KinkCriterion::STheta, 3.5, -1e-5, sheet), 0.0, 0.01);
+  EXPECT_LT(degrees(KinkCriterion::STheta, 1.0, 0.1, sheet), -5.0);
+  EXPECT_GT(degrees(KinkCriterion::STheta, 1.0, 0.1, sheet), -15.0);
+}
+
 TEST(Kink, TheKinkOfGreatestHoopStressHasNoShear) {
   for (const double two : {-0.7, 0.01, 3.0}) {
     const double t = kink_of(KinkCriterion::SigmaTheta, {1.0, two}, steel).angle.radians();
