@@ -20,8 +20,10 @@ constexpr double same_node = 1e-9;
 /// Local size at distance s: the curve's own, bounded near the stops and where a smooth curve turns fast.
 class SizeAlong {
  public:
-  SizeAlong(double own, const std::vector<Stop>& stops, double growth, const Smooth* smooth, Angle turn)
-      : own_(own), growth_(growth), smooth_(smooth), turn_(turn) {
+  SizeAlong(const Curve& curve, double own, const std::vector<Stop>& stops, const DivideOptions& options)
+      : curve_(curve), own_(own), options_(options) {
+    if (curve.division.segments == 0) smooth_ = std::get_if<Smooth>(&curve.shape);
+    if (const auto* line = std::get_if<Polyline>(&curve.shape)) arc_lengths_ = dobra::geom::arc_lengths(*line);
     for (const Stop& stop : stops) {
       if (stop.size > 0.0) sized_.push_back(stop);
     }
@@ -32,17 +34,24 @@ class SizeAlong {
       const auto& chords = smooth_->chords();
       const auto above = std::upper_bound(chords.s.begin() + 1, chords.s.end() - 1, s);
       const auto i = static_cast<std::size_t>(above - chords.s.begin()) - 1;
-      if (chords.turn[i] > 0.0) size = std::min(size, (chords.s[i + 1] - chords.s[i]) * turn_.radians() / chords.turn[i]);
+      if (chords.turn[i] > 0.0) size = std::min(size, (chords.s[i + 1] - chords.s[i]) * options_.turn.radians() / chords.turn[i]);
     }
-    for (const Stop& stop : sized_) size = std::min(size, stop.size + (growth_ - 1.0) * std::abs(s - stop.s));
+    for (const Stop& stop : sized_) size = std::min(size, stop.size + (options_.growth - 1.0) * std::abs(s - stop.s));
+    if (options_.limit) size = std::min(size, options_.limit(at(s)));
     return size;
   }
 
  private:
+  [[nodiscard]] Point at(double s) const {
+    if (const auto* line = std::get_if<Polyline>(&curve_.shape)) return dobra::geom::point_at(*line, arc_lengths_, s);
+    return point(curve_, s);
+  }
+
+  const Curve& curve_;
   double own_;
-  double growth_;
-  const Smooth* smooth_;
-  Angle turn_;
+  const DivideOptions& options_;
+  const Smooth* smooth_ = nullptr;
+  std::vector<double> arc_lengths_;
   std::vector<Stop> sized_;
 };
 
@@ -82,7 +91,11 @@ void divide_exactly(double from, double to, int segments, double ratio, std::vec
 dobra::base::Result<Smooth> Smooth::make(dobra::geom::CubicPath path) {
   Smooth result(std::move(path));
   DOBRA_TRY(const auto pieces, dobra::geom::discretise(result.path_, {.max_angle = trace_turn}));
-  const auto knots = result.path_.knots();
+  result.knots_.assign(result.path_.knots().begin(), result.path_.knots().end());
+  const double first = result.knots_.front();
+  const double range = result.knots_.back() - first;
+  for (double& knot : result.knots_) knot = (knot - first) / range;
+  const std::vector<double>& knots = result.knots_;
   result.at_knot_.push_back(0.0);
   for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
     result.at_knot_.push_back(result.at_knot_.back() + result.path_.length(knots[i], knots[i + 1]));
@@ -102,7 +115,7 @@ dobra::base::Result<Smooth> Smooth::make(dobra::geom::CubicPath path) {
 
 /// Newton's method within the cubic, from the share of its length.
 double Smooth::parameter(double s) const {
-  const auto knots = path_.knots();
+  const std::vector<double>& knots = knots_;
   const auto above = std::upper_bound(at_knot_.begin() + 1, at_knot_.end() - 1, s);
   const auto i = static_cast<std::size_t>(above - at_knot_.begin()) - 1;
   const double piece = at_knot_[i + 1] - at_knot_[i];
@@ -123,16 +136,6 @@ Point Smooth::point(double s) const {
 }
 
 dobra::geom::Vector Smooth::direction(double s) const { return normalised(path_.tangent(parameter(std::clamp(s, 0.0, length())))); }
-
-Smooth Smooth::reversed() const {
-  std::vector<dobra::geom::HermiteCubic> cubics;
-  std::vector<double> knots;
-  for (auto cubic = path_.cubics().rbegin(); cubic != path_.cubics().rend(); ++cubic) {
-    cubics.push_back({cubic->to, cubic->from, -cubic->to_tangent, -cubic->from_tangent});
-  }
-  for (auto knot = path_.knots().rbegin(); knot != path_.knots().rend(); ++knot) knots.push_back(1.0 - *knot);
-  return *make(dobra::geom::CubicPath(std::move(cubics), std::move(knots)));
-}
 
 double length(const Curve& curve) {
   if (const auto* arc = std::get_if<Arc>(&curve.shape)) return arc->length();
@@ -202,7 +205,6 @@ std::vector<double> divide(const Curve& curve, std::vector<Stop> stops, const Di
   if (said.size > 0.0) own = said.size;
   const auto* const arc = std::get_if<Arc>(&curve.shape);
   if (arc != nullptr && said.segments == 0) own = std::min(own, arc->radius() * options.turn.radians() * (1.0 + same_node));
-  const auto* const smooth = said.segments == 0 ? std::get_if<Smooth>(&curve.shape) : nullptr;
 
   if (curve.tip_size > 0.0) {
     stops.push_back({0.0, curve.tip_size});
@@ -210,7 +212,7 @@ std::vector<double> divide(const Curve& curve, std::vector<Stop> stops, const Di
   }
   for (const double s : corners(curve)) stops.push_back({s, 0.0});
   std::stable_sort(stops.begin(), stops.end(), before);
-  const SizeAlong size(own, stops, options.growth, smooth, options.turn);
+  const SizeAlong size(curve, own, stops, options);
 
   std::vector<double> nodes;
   // Sizes at the ends and further stops there do not cut the curve.

@@ -2,7 +2,7 @@
 // One curve of a domain: a chain of straight pieces, a circular arc or a smooth chain of cubics, measured by the distance
 // travelled along it.
 
-#include <memory>
+#include <functional>
 #include <span>
 #include <string>
 #include <variant>
@@ -36,7 +36,6 @@ class Smooth {
   /// The point at distance s; the ends are exact.
   [[nodiscard]] dobra::geom::Point point(double s) const;
   [[nodiscard]] dobra::geom::Vector direction(double s) const;
-  [[nodiscard]] Smooth reversed() const;
   [[nodiscard]] const dobra::geom::CubicPath& path() const { return path_; }
 
   struct Chords {
@@ -51,6 +50,7 @@ class Smooth {
   [[nodiscard]] double parameter(double s) const;
 
   dobra::geom::CubicPath path_;
+  std::vector<double> knots_;    ///< As parameters from 0 to 1.
   std::vector<double> at_knot_;  ///< Distance at each knot.
   Chords chords_;
 };
@@ -100,6 +100,7 @@ struct DivideOptions {
   double size = 0.0;                  ///< Longest piece, m, where the curve says nothing else; > 0.
   dobra::base::Angle turn = dobra::base::Angle::from_degrees(15.0);  ///< Most that a piece of an arc may turn.
   double growth = 1.3;                ///< Most by which sizes grow from one piece to the next away from a stop; > 1.
+  std::function<double(dobra::geom::Point)> limit = {};  ///< Greatest size at a point, such as a size field's; empty: none.
 };
 
 /// Distances of the nodes along a curve, ascending, from 0 to length (both included): every corner and stop is one, and

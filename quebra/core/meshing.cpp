@@ -228,12 +228,15 @@ Result<Model> add_mesh(const Model& model, const MeshParams& params, const dobra
   Stopwatch watch;
   auto meshed = std::make_shared<Meshed>();
   const auto done = [&](const char* phase) { meshed->seconds.push_back({phase, watch.lap()}); };
-  const MeshInput input = mesh_input(model, constraints, {.size = size, .turn = params.turn, .growth = params.growth});
-  done("divide");
-
   dobra::mesh::MeshOptions options;
   options.sizes.growth = params.growth;
   options.sizes.max_size = params.size;
+  DivideOptions divide{.size = size, .turn = params.turn, .growth = params.growth};
+  // Curves that pass something finer are divided again, so that sizes grow along them as they do inside.
+  DOBRA_TRY(const auto field, dobra::mesh::size_field_of(mesh_input(model, constraints, divide), options.sizes));
+  divide.limit = [&field](Point p) { return field.size_at(p); };
+  const MeshInput input = mesh_input(model, constraints, divide);
+  done("divide");
   options.smoothing.passes = params.smoothing;
   options.points.max_triangles = static_cast<std::size_t>(params.max_elements);
   DOBRA_TRY(const TriangleMesh triangles, dobra::mesh::triangulate(input, options, progress));

@@ -76,6 +76,16 @@ struct Constraint {
   std::vector<Foot> feet;
 };
 
+/// What was wrong with the drawn geometry (repair.h).
+enum class Wrong { RepeatedPoint, NearlyRepeatedPoint, NoExtent, CurveTwice, Spike, Gap, Crossing };
+
+struct Finding {
+  Wrong wrong = Wrong::RepeatedPoint;
+  dobra::geom::Point at;
+  std::string curve;  ///< Or both, "a, b".
+  std::string mend;   ///< What was done; "left as it is: ..." with what to do by hand.
+};
+
 /// How long a part of the work took, s.
 struct PhaseTime {
   std::string phase;
@@ -97,6 +107,7 @@ struct Model {
   std::vector<Zone> zones;
   std::vector<std::shared_ptr<const Meshed>> meshes;  ///< In the order made; each mesh step adds one.
   std::vector<std::string> remarks;
+  std::vector<Finding> findings;  ///< If the input was repaired.
 };
 
 }  // namespace quebra::core
