@@ -39,6 +39,7 @@ struct Options {
   std::optional<std::int64_t> smoothing, max_elements;
   std::string order;
   bool quads = false;
+  bool repair = false;
   std::string engine = "delaunay";
   std::vector<std::string> bands, zones;
   std::optional<std::filesystem::path> out;
@@ -115,6 +116,7 @@ Result<scenario::Document> document_of(Session& session, const Options& options)
       DOBRA_TRY(document, scenario::with_value(std::move(document), session.program, assignment));
     }
   }
+  if (options.repair) document.input.set("repair", std::string("yes"));
   auto last = std::find_if(document.steps.rbegin(), document.steps.rend(), [](const auto& step) { return step.operation == "mesh"; });
   if (last == document.steps.rend()) {
     document.steps.push_back({.operation = "mesh", .name = {}, .params = {}, .comment = {}, .place = {}});
@@ -230,6 +232,7 @@ Command mesh_command() {
             app.add_option("--engine", options->engine, "delaunay")->check(CLI::IsMember({"delaunay"}))->type_name("NAME");
             app.add_option("--order", options->order, "Order of the elements: 1 (default) or 2")->check(CLI::IsMember({"1", "2"}))->type_name("1|2");
             app.add_flag("--quads", options->quads, "Join pairs of triangles to quadrilaterals where that gives a good shape");
+            app.add_flag("--repair", options->repair, "Mend repeated points, spikes, doubles, gaps and crossings of the input, and list each");
             app.add_option("--bands", options->bands, "Offset curves as constraints: CURVE[+CURVE]:COUNT:DISTANCE[:FACTOR]; may be repeated")
                 ->allow_extra_args(false)
                 ->type_name("BANDS");

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <span>
 
@@ -20,6 +21,7 @@
 //   2 each distance: the base, lengthened at open ends so that its offset reaches the boundary beside it, is offset;
 //   3 the offset is cut where it meets the boundary, and the parts outside the domain are dropped;
 //   4 lengthened parts that end inside the domain are taken back;
+//     (round a crack: 2' both sides' offsets are closed by half circles round its tips, and 4 falls away)
 //   5 what is left gets nodes at the wanted spacing, and its ends become nodes of the boundary.
 
 namespace quebra::core {
@@ -311,13 +313,94 @@ Constraint make_constraint(const Domain& domain, Piece piece, double distance, d
   return result;
 }
 
+/// Steps 2 to 4 for one distance.
+Result<std::vector<Piece>> pieces_beside(const Polyline& base, double distance, const Cutter& cutter) {
+  const Polyline lengthened_base = lengthened(base, 2.0 * distance);
+  DOBRA_TRY(const auto curves, dobra::offset::offset(lengthened_base, std::array{distance}));
+  const auto last_edge = static_cast<std::uint32_t>(lengthened_base.segment_count() - 1);
+  std::vector<Piece> pieces;
+  for (const auto& offset_piece : curves.front().pieces) {
+    const dobra::offset::Chords drawn = dobra::offset::chords(offset_piece, lengthened_base);
+    for (Piece& piece : cutter.cut(drawn.polyline, drawn.base_edge)) {
+      if (!base.closed) take_back(piece, last_edge);
+      pieces.push_back(std::move(piece));
+    }
+  }
+  return pieces;
+}
+
+// --- cracks ---------------------------------------------------------------------------------------------------------
+
+bool on_boundary(const Domain& domain, std::size_t crack, Point end) {
+  for (std::size_t c = 0; c < domain.curves.size(); ++c) {
+    const Role role = domain.curves[c].role;
+    if (c == crack || role == Role::Internal || role == Role::Crack) continue;
+    if (!closed(domain.curves[c]) && (point(domain.curves[c], 0.0) == end || point(domain.curves[c], length(domain.curves[c])) == end)) return true;
+    for (const Junction& junction : domain.junctions) {
+      if (junction.curve == c && junction.at == end) return true;
+    }
+    if (std::holds_alternative<Polyline>(domain.curves[c].shape)) {
+      const auto& corners_of = std::get<Polyline>(domain.curves[c].shape).points;
+      if (std::find(corners_of.begin(), corners_of.end(), end) != corners_of.end()) return true;
+    }
+  }
+  return false;
+}
+
+/// The half circle round a tip from the end of one side's offset to the start of the other's, without both.
+void add_cap(std::vector<Point>& contour, Point tip, Vector ahead, double distance) {
+  constexpr int pieces = 18;
+  for (int i = 1; i < pieces; ++i) {
+    const double angle = std::numbers::pi * i / pieces;
+    contour.push_back(tip + distance * (std::sin(angle) * ahead + std::cos(angle) * right_of(ahead)));
+  }
+}
+
+/// The curve all round a crack at a distance: both sides' offsets and half circles round the tips. Nothing if an offset does
+/// not reach from end to end (a crack that bends more sharply than the distance). An end on the boundary is lengthened so
+/// that the contour closes outside.
+Result<std::optional<Polyline>> round_crack(const Domain& domain, std::size_t crack, double distance) {
+  Polyline base = trace(domain.curves[crack]).line;
+  const std::array opens{on_boundary(domain, crack, base.points.front()), on_boundary(domain, crack, base.points.back())};
+  if (opens[0]) base.points.insert(base.points.begin(), base.points[0] + 2.0 * distance * normalised(base.points[0] - base.points[1]));
+  const std::size_t n = base.points.size();
+  if (opens[1]) base.points.push_back(base.points[n - 1] + 2.0 * distance * normalised(base.points[n - 1] - base.points[n - 2]));
+  std::vector<Point> contour;
+  const std::array both{base, reversed(base)};
+  for (const Polyline& side : both) {
+    DOBRA_TRY(const auto curves, dobra::offset::offset(side, std::array{distance}));
+    if (curves.front().pieces.size() != 1) return std::optional<Polyline>{};
+    const Polyline drawn = dobra::offset::chords(curves.front().pieces.front(), side).polyline;
+    const Point tip = side.points.back();
+    const Vector ahead = normalised(tip - side.points[side.points.size() - 2]);
+    if (dobra::geom::distance(drawn.points.back(), tip + distance * right_of(ahead)) > 1e-6 * distance) return std::optional<Polyline>{};
+    contour.insert(contour.end(), drawn.points.begin(), drawn.points.end());
+    const bool is_tip = !opens[&side == &both[0] ? 1 : 0];
+    if (is_tip) add_cap(contour, tip, ahead, distance);
+  }
+  return std::optional(without_repeated_points(Polyline{std::move(contour), true}));
+}
+
+/// The crack that is meant, if it is one curve and to be gone round.
+std::optional<std::size_t> crack_of(const Domain& domain, const ConstraintParams& params) {
+  if (params.curves.size() != 1 || params.side != BandSide::Inside) return std::nullopt;
+  for (std::size_t c = 0; c < domain.curves.size(); ++c) {
+    if (domain.curves[c].name == params.curves[0] && domain.curves[c].role == Role::Crack) return c;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Result<Model> add_constraints(const Model& model, const ConstraintParams& params, const dobra::scenario::Context&,
                               const dobra::base::Progress& progress) {
   const Domain& domain = model.domain;
-  DOBRA_TRY(Polyline base, base_line(domain, params));
-  base = facing(std::move(base), params.side, domain);
+  const auto crack = crack_of(domain, params);
+  Polyline base;
+  if (!crack) {
+    DOBRA_TRY(base, base_line(domain, params));
+    base = facing(std::move(base), params.side, domain);
+  }
   DOBRA_TRY(const std::vector<double> distances, dobra::offset::distances({static_cast<std::size_t>(params.count), params.distance, params.factor}));
   const Cutter cutter(domain);
 
@@ -325,27 +408,27 @@ Result<Model> add_constraints(const Model& model, const ConstraintParams& params
   for (std::size_t k = 0; k < distances.size(); ++k) {
     DOBRA_TRY_VOID(progress.check());
     progress.report(static_cast<double>(k) / static_cast<double>(distances.size()), "offset curves");
-    const Polyline lengthened_base = lengthened(base, 2.0 * distances[k]);
-    DOBRA_TRY(const auto curves, dobra::offset::offset(lengthened_base, std::array{distances[k]}));
+    std::vector<Piece> pieces;
+    if (crack) {
+      DOBRA_TRY(const std::optional<Polyline> contour, round_crack(domain, *crack, distances[k]));
+      if (contour) pieces = cutter.cut(*contour, std::vector<std::uint32_t>(contour->segment_count(), 0));
+    } else {
+      DOBRA_TRY(pieces, pieces_beside(base, distances[k], cutter));
+    }
     const double before = k == 0 ? 0.0 : distances[k - 1];
     const double after = params.factor * distances[k] + params.distance;
     const double spacing = params.spacing_factor * 0.5 * (after - before);
-    const auto last_edge = static_cast<std::uint32_t>(lengthened_base.segment_count() - 1);
     std::size_t number = 0;
-    for (const auto& offset_piece : curves.front().pieces) {
-      const dobra::offset::Chords drawn = dobra::offset::chords(offset_piece, lengthened_base);
-      for (Piece& piece : cutter.cut(drawn.polyline, drawn.base_edge)) {
-        if (!base.closed) take_back(piece, last_edge);
-        if (piece.line.segment_count() == 0) continue;
-        Constraint made = make_constraint(domain, std::move(piece), distances[k], spacing, params.spacing);
-        made.name = fmt::format("{}_{}{}", params.curves.front(), k + 1, number == 0 ? "" : fmt::format("_{}", number + 1));
-        ++number;
-        result.constraints.push_back(std::move(made));
-      }
+    for (Piece& piece : pieces) {
+      if (piece.line.segment_count() == 0) continue;
+      Constraint made = make_constraint(domain, std::move(piece), distances[k], spacing, params.spacing);
+      made.name = fmt::format("{}_{}{}", params.curves.front(), k + 1, number == 0 ? "" : fmt::format("_{}", number + 1));
+      ++number;
+      result.constraints.push_back(std::move(made));
     }
     if (number == 0) {
-      result.remarks.push_back(fmt::format("constraint {} of '{}' at distance {:.6g} lies wholly outside the domain and is left out",
-                                           k + 1, params.curves.front(), distances[k]));
+      result.remarks.push_back(fmt::format("constraint {} of '{}' at distance {:.6g} {} and is left out", k + 1, params.curves.front(), distances[k],
+                                           crack ? "does not go round the crack in one piece inside the domain" : "lies wholly outside the domain"));
     }
   }
   return result;

@@ -34,7 +34,7 @@ struct ConstraintParams {
     d.field("count", &ConstraintParams::count, {.title = "Number of curves", .at_least = 1, .at_most = 1000});
     d.field("distance", &ConstraintParams::distance, {.title = "First distance", .help = "From the base to the first curve.", .unit = "m", .above = 0});
     d.field("factor", &ConstraintParams::factor, {.title = "Factor", .help = "D_k = factor D_(k-1) + first distance; 1 spaces the curves equally.", .above = 0});
-    d.choice("side", &ConstraintParams::side, {"inside", "left", "right"}, {.title = "Side", .help = "inside: where the domain is; left or right of the base's direction."});
+    d.choice("side", &ConstraintParams::side, {"inside", "left", "right"}, {.title = "Side", .help = "inside: where the domain is, and all round a crack; left or right of the base's direction."});
     d.choice("spacing", &ConstraintParams::spacing, {"ring", "base"}, {.title = "Nodes", .help = "ring: as far apart as the curve is from its neighbours; base: as the divided base has them."});
     d.field("spacing_factor", &ConstraintParams::spacing_factor, {.title = "Node spacing", .help = "Multiplies the distance of the nodes (ring).", .above = 0});
   }

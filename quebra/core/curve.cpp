@@ -91,7 +91,11 @@ void divide_exactly(double from, double to, int segments, double ratio, std::vec
 dobra::base::Result<Smooth> Smooth::make(dobra::geom::CubicPath path) {
   Smooth result(std::move(path));
   DOBRA_TRY(const auto pieces, dobra::geom::discretise(result.path_, {.max_angle = trace_turn}));
-  const auto knots = result.path_.knots();
+  result.knots_.assign(result.path_.knots().begin(), result.path_.knots().end());
+  const double first = result.knots_.front();
+  const double range = result.knots_.back() - first;
+  for (double& knot : result.knots_) knot = (knot - first) / range;
+  const std::vector<double>& knots = result.knots_;
   result.at_knot_.push_back(0.0);
   for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
     result.at_knot_.push_back(result.at_knot_.back() + result.path_.length(knots[i], knots[i + 1]));
@@ -111,7 +115,7 @@ dobra::base::Result<Smooth> Smooth::make(dobra::geom::CubicPath path) {
 
 /// Newton's method within the cubic, from the share of its length.
 double Smooth::parameter(double s) const {
-  const auto knots = path_.knots();
+  const std::vector<double>& knots = knots_;
   const auto above = std::upper_bound(at_knot_.begin() + 1, at_knot_.end() - 1, s);
   const auto i = static_cast<std::size_t>(above - at_knot_.begin()) - 1;
   const double piece = at_knot_[i + 1] - at_knot_[i];
@@ -132,16 +136,6 @@ Point Smooth::point(double s) const {
 }
 
 dobra::geom::Vector Smooth::direction(double s) const { return normalised(path_.tangent(parameter(std::clamp(s, 0.0, length())))); }
-
-Smooth Smooth::reversed() const {
-  std::vector<dobra::geom::HermiteCubic> cubics;
-  std::vector<double> knots;
-  for (auto cubic = path_.cubics().rbegin(); cubic != path_.cubics().rend(); ++cubic) {
-    cubics.push_back({cubic->to, cubic->from, -cubic->to_tangent, -cubic->from_tangent});
-  }
-  for (auto knot = path_.knots().rbegin(); knot != path_.knots().rend(); ++knot) knots.push_back(1.0 - *knot);
-  return *make(dobra::geom::CubicPath(std::move(cubics), std::move(knots)));
-}
 
 double length(const Curve& curve) {
   if (const auto* arc = std::get_if<Arc>(&curve.shape)) return arc->length();

@@ -36,7 +36,6 @@ class Smooth {
   /// The point at distance s; the ends are exact.
   [[nodiscard]] dobra::geom::Point point(double s) const;
   [[nodiscard]] dobra::geom::Vector direction(double s) const;
-  [[nodiscard]] Smooth reversed() const;
   [[nodiscard]] const dobra::geom::CubicPath& path() const { return path_; }
 
   struct Chords {
@@ -51,6 +50,7 @@ class Smooth {
   [[nodiscard]] double parameter(double s) const;
 
   dobra::geom::CubicPath path_;
+  std::vector<double> knots_;    ///< As parameters from 0 to 1.
   std::vector<double> at_knot_;  ///< Distance at each knot.
   Chords chords_;
 };

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <set>
 
+#include "quebra/core/repair.h"
 #include "quebra/core/sketch_file.h"
 #include "shared/geom/cubic_path.h"
 
@@ -156,12 +157,20 @@ Result<Model> read_input(const InputParams& params, const dobra::scenario::Table
   }
   for (std::size_t i = 0; i < params.cracks.size(); ++i) {
     const auto& crack = params.cracks[i];
-    DOBRA_TRY_VOID(add_curve(sketch, as_curve(crack), crack.tip_size, place_of(table, "crack", i, fmt::format("crack '{}'", crack.name))));
+    DOBRA_TRY_VOID(add_curve(sketch, as_curve(crack), crack.tip_size, place_of(table, "cracks", i, fmt::format("crack '{}'", crack.name))));
   }
   for (const RegionParams& region : params.regions) sketch.regions.push_back({region.name, region.point});
   for (const PointParams& point : params.points) sketch.points.push_back({point.name, point.point, point.size});
   DOBRA_TRY_VOID(check_names(sketch.curves, sketch.places));
   Model model;
+  if (params.repair == Repair::Yes) {
+    DOBRA_TRY(Repaired repaired, repair(std::move(sketch)));
+    sketch = std::move(repaired.sketch);
+    model.findings = std::move(repaired.findings);
+    for (const Finding& finding : model.findings) {
+      sketch.remarks.push_back(fmt::format("{} at ({:.6g}, {:.6g}) of {}: {}", name_of(finding.wrong), finding.at.x, finding.at.y, finding.curve, finding.mend));
+    }
+  }
   model.remarks = sketch.remarks;
   DOBRA_TRY(model.domain, make_domain(std::move(sketch), {params.join_tolerance}));
   return model;

@@ -13,6 +13,7 @@
 
 namespace quebra::core {
 
+enum class Repair { No, Yes };
 enum class CurveKind { Line, Polygon, Arc, Circle, Spline };
 enum class Turning { Anticlockwise, Clockwise };
 
@@ -51,7 +52,7 @@ struct CurveParams {
   }
 };
 
-/// One [[input.crack]].
+/// One [[input.cracks]].
 struct CrackParams {
   std::string name;
   CurveKind kind = CurveKind::Line;
@@ -109,6 +110,7 @@ struct InputParams {
   std::optional<dobra::base::Angle> angle;
   std::string file;
   double join_tolerance = 1e-9;
+  Repair repair = Repair::No;
   std::vector<CurveParams> curves;
   std::vector<CrackParams> cracks;
   std::vector<RegionParams> regions;
@@ -126,8 +128,9 @@ struct InputParams {
     d.file("file", &InputParams::file, {.title = "File", .help = "Geometry (.poly .geo .geojson .dxf .wkt .txt .csv) or a mesh whose boundary is meant (.msh .inp .vtu .bdf .nf .ele)."});
     d.field("join_tolerance", &InputParams::join_tolerance,
             {.title = "Join tolerance", .help = "Ends of curves nearer than this fraction of the domain's diagonal are one point.", .at_least = 0, .at_most = 0.01});
+    d.choice("repair", &InputParams::repair, {"no", "yes"}, {.title = "Repair", .help = "Mends repeated points, spikes, doubles, gaps and crossings of boundaries, and lists each with its place."});
     d.tables("curve", &InputParams::curves, {.title = "Curves", .help = "The boundary, in any order and direction; internal lines."});
-    d.tables("crack", &InputParams::cracks, {.title = "Cracks", .help = "Their two lips come apart; they may branch, cross and reach the boundary."});
+    d.tables("cracks", &InputParams::cracks, {.title = "Cracks", .help = "Their two lips come apart; they may branch, cross and reach the boundary."});
     d.tables("region", &InputParams::regions, {.title = "Regions", .help = "Names of the parts that loops and internal lines enclose."});
     d.tables("point", &InputParams::points, {.title = "Points", .help = "Nodes with a name: supports, loads, gauges."});
   }

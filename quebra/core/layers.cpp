@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "quebra/core/domain.h"
+#include "quebra/core/repair.h"
 #include "shared/base/text.h"
 #include "shared/io/file.h"
 #include "shared/io/mesh_file.h"
@@ -221,6 +221,7 @@ std::vector<scenario::Quantity> quantities_of(const Model& model) {
   quantities.push_back({"loops", static_cast<double>(model.domain.loops.size()), ""});
   const auto& curves = model.domain.curves;
   const auto cracks = std::count_if(curves.begin(), curves.end(), [](const Curve& curve) { return curve.role == Role::Crack; });
+  quantities.push_back({"findings", static_cast<double>(model.findings.size()), ""});
   quantities.push_back({"cracks", static_cast<double>(cracks), ""});
   quantities.push_back({"parts", static_cast<double>(model.domain.faces.size()), ""});
   quantities.push_back({"offset_constraints", static_cast<double>(model.constraints.size()), ""});
@@ -233,6 +234,14 @@ std::vector<scenario::Quantity> quantities_of(const Model& model) {
 }
 
 std::vector<scenario::DataTable> tables_of(const Model& model) {
+  std::vector<scenario::DataTable> tables;
+  if (!model.findings.empty()) {
+    scenario::DataTable findings{"findings", {"what", "x [m]", "y [m]", "curve", "mend"}, {}};
+    for (const Finding& finding : model.findings) {
+      findings.rows.push_back({std::string(name_of(finding.wrong)), finding.at.x, finding.at.y, finding.curve, finding.mend});
+    }
+    tables.push_back(std::move(findings));
+  }
   scenario::DataTable table{"quality",
                             {"mesh", "elements", "nodes", "alpha_mean", "alpha_90 [%]", "alpha_min", "min_angle [deg]", "max_angle [deg]", "gradation_p95", "constraints"},
                             {}};
@@ -241,8 +250,10 @@ std::vector<scenario::DataTable> tables_of(const Model& model) {
     table.rows.push_back({meshed->name, static_cast<double>(meshed->mesh.element_count()), static_cast<double>(meshed->mesh.points.size()), q.alpha_mean, 100.0 * q.alpha_90,
                           q.alpha_min, q.angle_min.degrees(), q.angle_max.degrees(), q.gradation_p95, static_cast<double>(meshed->constraints)});
   }
-  if (table.rows.empty()) return {};
-  return {table, histogram(*model.meshes.back())};
+  if (table.rows.empty()) return tables;
+  tables.push_back(std::move(table));
+  tables.push_back(histogram(*model.meshes.back()));
+  return tables;
 }
 
 std::vector<scenario::Output> outputs_of(const std::shared_ptr<const Model>& model) {

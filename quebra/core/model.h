@@ -76,6 +76,16 @@ struct Constraint {
   std::vector<Foot> feet;
 };
 
+/// What was wrong with the drawn geometry (repair.h).
+enum class Wrong { RepeatedPoint, NearlyRepeatedPoint, NoExtent, CurveTwice, Spike, Gap, Crossing };
+
+struct Finding {
+  Wrong wrong = Wrong::RepeatedPoint;
+  dobra::geom::Point at;
+  std::string curve;  ///< Or both, "a, b".
+  std::string mend;   ///< What was done; "left as it is: ..." with what to do by hand.
+};
+
 /// How long a part of the work took, s.
 struct PhaseTime {
   std::string phase;
@@ -102,6 +112,7 @@ struct Model {
   std::shared_ptr<const ProblemParams> problem;  ///< Materials, supports, loads; none until a step gives them.
   std::vector<std::shared_ptr<const Analysis>> analyses;  ///< In the order made.
   std::vector<std::string> remarks;
+  std::vector<Finding> findings;  ///< If the input was repaired.
 };
 
 }  // namespace quebra::core

@@ -895,5 +895,173 @@
         <source>there is no error to go to</source>
         <translation>não há erro aonde ir</translation>
     </message>
+    <message>
+        <source>Cracks</source>
+        <translation>Trincas</translation>
+    </message>
+    <message>
+        <source>Internal lines</source>
+        <translation>Linhas internas</translation>
+    </message>
+    <message>
+        <source>Elements</source>
+        <translation>Elementos</translation>
+    </message>
+    <message>
+        <source>elements</source>
+        <translation>elementos</translation>
+    </message>
+    <message>
+        <source>Specimen</source>
+        <translation>Corpo de prova</translation>
+    </message>
+    <message>
+        <source>Regions</source>
+        <translation>Regiões</translation>
+    </message>
+    <message>
+        <source>Repair</source>
+        <translation>Reparo</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordem</translation>
+    </message>
+    <message>
+        <source>Quadrilaterals</source>
+        <translation>Quadriláteros</translation>
+    </message>
+    <message>
+        <source>Size at the ends</source>
+        <translation>Tamanho nas extremidades</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Largura</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Altura</translation>
+    </message>
+    <message>
+        <source>Crack length</source>
+        <translation>Comprimento da trinca</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Posição</translation>
+    </message>
+    <message>
+        <source>Crack angle</source>
+        <translation>Ângulo da trinca</translation>
+    </message>
+    <message>
+        <source>Zone of small elements</source>
+        <translation>Zona de elementos pequenos</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Ponto</translation>
+    </message>
+    <message>
+        <source>Elements of a given size within a given distance of curves, cracks or points.</source>
+        <translation>Elementos de um tamanho dado a até uma distância dada de curvas, trincas ou pontos.</translation>
+    </message>
+    <message>
+        <source>Of the library, with the six sizes below; see docs/user/specimens.md.</source>
+        <translation>Da biblioteca, com as seis medidas abaixo; veja docs/user/specimens.md.</translation>
+    </message>
+    <message>
+        <source>Of the specimen.</source>
+        <translation>Do corpo de prova.</translation>
+    </message>
+    <message>
+        <source>Of its hole or disc.</source>
+        <translation>Do seu furo ou disco.</translation>
+    </message>
+    <message>
+        <source>As its handbook formula has it: a whole edge crack, half a centre crack.</source>
+        <translation>Como na fórmula do manual: a trinca de borda inteira, metade da trinca central.</translation>
+    </message>
+    <message>
+        <source>Of the notch of pmma_beam, from the middle.</source>
+        <translation>Do entalhe de pmma_beam, a partir do meio.</translation>
+    </message>
+    <message>
+        <source>Of a centre crack, anticlockwise from +x.</source>
+        <translation>De uma trinca central, no sentido anti-horário a partir de +x.</translation>
+    </message>
+    <message>
+        <source>Geometry (.poly .geo .geojson .dxf .wkt .txt .csv) or a mesh whose boundary is meant (.msh .inp .vtu .bdf .nf .ele).</source>
+        <translation>Geometria (.poly .geo .geojson .dxf .wkt .txt .csv) ou uma malha cujo contorno se quer (.msh .inp .vtu .bdf .nf .ele).</translation>
+    </message>
+    <message>
+        <source>Mends repeated points, spikes, doubles, gaps and crossings of boundaries, and lists each with its place.</source>
+        <translation>Conserta pontos repetidos, espinhos, duplicatas, vãos e cruzamentos de contornos, e lista cada um com o seu lugar.</translation>
+    </message>
+    <message>
+        <source>Their two lips come apart; they may branch, cross and reach the boundary.</source>
+        <translation>As suas duas faces se separam; podem ramificar-se, cruzar-se e chegar ao contorno.</translation>
+    </message>
+    <message>
+        <source>Names of the parts that loops and internal lines enclose.</source>
+        <translation>Nomes das partes que os contornos e as linhas internas encerram.</translation>
+    </message>
+    <message>
+        <source>Nodes with a name: supports, loads, gauges.</source>
+        <translation>Nós com nome: apoios, cargas, sensores.</translation>
+    </message>
+    <message>
+        <source>The lips are the sets NAME_left and NAME_right, the tips NAME_start and NAME_end.</source>
+        <translation>As faces são os conjuntos NOME_left e NOME_right, as pontas NOME_start e NOME_end.</translation>
+    </message>
+    <message>
+        <source>In order from start to end; an end on the boundary or on another crack opens there.</source>
+        <translation>Em ordem, do início ao fim; uma extremidade no contorno ou em outra trinca abre-se ali.</translation>
+    </message>
+    <message>
+        <source>Length of the element sides at both ends, from which they grow; 0: none of their own.</source>
+        <translation>Comprimento dos lados dos elementos nas duas extremidades, de onde crescem; 0: nenhum próprio.</translation>
+    </message>
+    <message>
+        <source>Of the material; parts of one name are one region.</source>
+        <translation>Do material; partes de mesmo nome são uma só região.</translation>
+    </message>
+    <message>
+        <source>Anywhere in the part that is meant.</source>
+        <translation>Em qualquer lugar da parte que se quer.</translation>
+    </message>
+    <message>
+        <source>Inside or on a curve: there is a node.</source>
+        <translation>Dentro ou sobre uma curva: ali há um nó.</translation>
+    </message>
+    <message>
+        <source>Of the set that holds its node.</source>
+        <translation>Do conjunto que contém o seu nó.</translation>
+    </message>
+    <message>
+        <source>2: nodes at mid-sides too, on the true curve.</source>
+        <translation>2: nós também no meio dos lados, sobre a curva verdadeira.</translation>
+    </message>
+    <message>
+        <source>Joins pairs of triangles where that gives a good shape.</source>
+        <translation>Junta pares de triângulos onde isso dá boa forma.</translation>
+    </message>
+    <message>
+        <source>Names of curves and cracks round which the elements are to be small.</source>
+        <translation>Nomes de curvas e trincas em torno das quais os elementos devem ser pequenos.</translation>
+    </message>
+    <message>
+        <source>A line of one's own, or a single point.</source>
+        <translation>Uma linha própria, ou um só ponto.</translation>
+    </message>
+    <message>
+        <source>Of the element sides in the zone.</source>
+        <translation>Dos lados dos elementos na zona.</translation>
+    </message>
+    <message>
+        <source>How far the zone reaches to either side.</source>
+        <translation>Até onde a zona vai, para cada lado.</translation>
+    </message>
 </context>
 </TS>

@@ -3,6 +3,7 @@
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
 #include <OpenMesh/Core/IO/MeshIO.hh>
+#include <OpenMesh/Core/System/omstream.hh>
 
 #include "shared/mesh/surface_text.h"
 
@@ -34,6 +35,7 @@ const char* ending(SurfaceFormat format) {
 
 base::Result<std::string> surface_text(const TriangleMesh& mesh, SurfaceFormat format) {
   DOBRA_TRY(const OpenMeshTriangles triangles, to_openmesh(mesh));
+  omlog().disable();  // It says on standard error which writer it takes.
   std::ostringstream out;
   if (!OpenMesh::IO::write_mesh(triangles, out, ending(format), OpenMesh::IO::Options::Default, all_digits)) {
     return base::Error{base::ErrorCode::CannotMesh, "OpenMesh could not write the mesh"};

@@ -221,4 +221,25 @@ TEST_F(Programs, SameInputSameBytesAtAnyNumberOfThreads) {
   }
 }
 
+TEST_F(Programs, MeshWritesFilesAndEndsWithTheCodesOfItsErrors) {
+  const auto geo = write("a.geo", "Point(1)={0,0,0,0.5};Point(2)={2,0,0,0.5};Point(3)={2,2,0,0.5};Point(4)={0,2,0,0.5};\n"
+                                  "Line(1)={1,2};Line(2)={2,3};Line(3)={3,4};Line(4)={4,1};Curve Loop(1)={1:4};Plane Surface(1)={1};\n");
+  const auto mesh = [&](const std::string& arguments) { return call("quebra mesh " + arguments); };
+  for (const char* const name : {"m.vtu", "m.msh", "m.inp", "m.bdf", "m.nf", "m.node"}) {
+    EXPECT_EQ(mesh(geo.string() + " --size 0.3 --bands curve_1:2:0.2 --json --out " + path(name).string()).code, 0) << name;
+    EXPECT_TRUE(fs::exists(path(name))) << name;
+  }
+  EXPECT_TRUE(fs::exists(path("m.ele"))) << "written beside m.node";
+  EXPECT_EQ(mesh(path("m.msh").string() + " --order 2 --quads").code, 0) << "the boundary of a mesh is a domain";
+  EXPECT_EQ(mesh(geo.string() + " --out " + path("m.xyz").string()).code, 2);
+  EXPECT_EQ(mesh(geo.string() + " --bands curve_1:2").code, 2);
+  EXPECT_EQ(mesh(geo.string() + " --order 3").code, 2);
+  EXPECT_EQ(mesh(geo.string() + " --size -1").code, 3);
+  EXPECT_EQ(mesh(path("none.geo").string()).code, 3);
+  EXPECT_EQ(mesh(geo.string() + " --size 0.001 --max-elements 100").code, 4);
+  const Outcome bad = mesh(write("bad.geo", "Point(1) = {0, 0, 0};\nLine(1) = {1, 2};\n").string());
+  EXPECT_EQ(bad.code, 3);
+  EXPECT_NE(bad.said.find("bad.geo:2:1"), std::string::npos) << bad.said;
+}
+
 }  // namespace

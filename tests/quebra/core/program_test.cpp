@@ -53,10 +53,12 @@ std::map<std::string, double> quantities(const scenario::Run& run) {
 
 const std::string square = "[[input.curve]]\nname = \"plate\"\nkind = \"polygon\"\npoints = [[0, 0], [4, 0], [4, 4], [0, 4]]\n";
 
-TEST(QuebraProgram, TheExampleMeetsItsExpectations) {
-  const auto document = example();
-  const auto done = run(document);
-  for (const auto& verdict : scenario::judge(document, program(), done)) EXPECT_TRUE(verdict.met) << verdict.message;
+TEST(QuebraProgram, EveryExampleMeetsItsExpectations) {
+  for (const auto& entry : fs::directory_iterator(fs::path(DOBRA_SOURCE_DIR) / "resources/examples/quebra")) {
+    const auto document = scenario::read_document(entry.path()).value();
+    const auto done = run(document);
+    for (const auto& verdict : scenario::judge(document, program(), done)) EXPECT_TRUE(verdict.met) << entry.path() << ": " << verdict.message;
+  }
 }
 
 TEST(QuebraProgram, QUE_d_TheFreeMeshIsValidAndItsQualityIsReported) {

@@ -1,0 +1,349 @@
+#include "quebra/core/repair.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <tuple>
+
+#include "quebra/core/faces.h"
+#include "shared/geom/intersect.h"
+#include "shared/geom/spatial_index.h"
+#include "shared/topo/insert.h"
+
+// 1 points of each curve. 2 spikes. 3 curves drawn twice. 4 gaps. 5 crossings: groups of closed boundaries that meet are put
+// into a subdivision; faces inside and outside are told apart; the edges between the two are walked as new loops.
+
+namespace quebra::core {
+namespace {
+
+using dobra::base::Result;
+using dobra::geom::Box;
+using dobra::geom::Point;
+using dobra::geom::Polyline;
+using dobra::geom::Vector;
+using dobra::topo::FaceId;
+using dobra::topo::HalfEdgeId;
+using dobra::topo::Subdivision;
+
+bool bounds(const Curve& curve) { return curve.role == Role::Boundary || curve.role == Role::Hole; }
+
+class Repairer {
+ public:
+  Repairer(Sketch sketch, const RepairOptions& options) : repaired_{std::move(sketch), {}}, options_(options) {
+    Box box;
+    for (const Curve& curve : curves()) box.add(trace(curve).line.box());
+    size_ = curves().empty() ? 0.0 : box.diagonal();
+  }
+
+  Result<Repaired> run() {
+    for (std::size_t i = 0; i < curves().size();) {
+      const bool stays = clean(i);
+      if (stays) {
+        ++i;
+      } else {
+        drop(i);
+      }
+    }
+    drop_doubles();
+    close_gaps();
+    DOBRA_TRY_VOID(rebuild_crossings());
+    return std::move(repaired_);
+  }
+
+ private:
+  std::vector<Curve>& curves() { return repaired_.sketch.curves; }
+  Polyline* line(std::size_t i) { return std::get_if<Polyline>(&curves()[i].shape); }
+  void found(Wrong wrong, Point at, std::string curve, std::string mend) { repaired_.findings.push_back({wrong, at, std::move(curve), std::move(mend)}); }
+  void drop(std::size_t i) {
+    curves().erase(curves().begin() + static_cast<std::ptrdiff_t>(i));
+    auto& places = repaired_.sketch.places;
+    if (i < places.size()) places.erase(places.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+
+  // --- 1, 2 ---------------------------------------------------------------------------------------------------------
+  /// False if nothing is left of the curve.
+  bool clean(std::size_t i) {
+    Polyline* const own = line(i);
+    if (own == nullptr) return true;
+    const std::string name = curves()[i].name;
+    const double least = options_.same_point * size_;
+    std::vector<Point> kept;
+    for (const Point p : own->points) {
+      if (kept.empty() || distance(kept.back(), p) > least) {
+        kept.push_back(p);
+      } else {
+        found(kept.back() == p ? Wrong::RepeatedPoint : Wrong::NearlyRepeatedPoint, p, name, "one of the two points is left out");
+      }
+    }
+    while (own->closed && kept.size() > 1 && distance(kept.front(), kept.back()) <= least) {
+      found(kept.front() == kept.back() ? Wrong::RepeatedPoint : Wrong::NearlyRepeatedPoint, kept.back(), name, "one of the two points is left out");
+      kept.pop_back();
+    }
+    remove_spikes(kept, own->closed, name);
+    own->points = std::move(kept);
+    if (own->points.size() >= (own->closed ? 3U : 2U)) return true;
+    found(Wrong::NoExtent, own->points.empty() ? Point{} : own->points.front(), name, "the curve is left out");
+    return false;
+  }
+
+  void remove_spikes(std::vector<Point>& points, bool closed, const std::string& name) {
+    const double flat = std::cos(options_.spike * std::numbers::pi / 180.0);
+    for (std::size_t i = 0; points.size() > 2 && i < points.size();) {
+      const std::size_t n = points.size();
+      const bool end = !closed && (i == 0 || i + 1 == n);
+      const Vector back = points[(i + n - 1) % n] - points[i];
+      const Vector ahead = points[(i + 1) % n] - points[i];
+      const double lengths = length(back) * length(ahead);
+      if (end || (lengths > 0.0 && dot(back, ahead) < flat * lengths)) {
+        ++i;
+        continue;
+      }
+      found(lengths > 0.0 ? Wrong::Spike : Wrong::RepeatedPoint, points[i], name, "its point is left out");
+      points.erase(points.begin() + static_cast<std::ptrdiff_t>(i));
+      i = i > 0 ? i - 1 : 0;
+    }
+  }
+
+  // --- 3 ------------------------------------------------------------------------------------------------------------
+  void drop_doubles() {
+    std::map<std::vector<Point>, std::string> known;
+    for (std::size_t i = 0; i < curves().size();) {
+      const Polyline* const own = line(i);
+      std::vector<Point> key;
+      if (own != nullptr) key = own->points;
+      std::sort(key.begin(), key.end());
+      const auto [first, is_new] = known.try_emplace(key, curves()[i].name);
+      if (own == nullptr || is_new) {
+        ++i;
+        continue;
+      }
+      found(Wrong::CurveTwice, own->points.front(), first->second + ", " + curves()[i].name, "the second is left out");
+      drop(i);
+    }
+  }
+
+  // --- 4 ------------------------------------------------------------------------------------------------------------
+  struct End {
+    std::size_t curve;
+    bool last;
+    Point at;
+  };
+
+  void close_gaps() {
+    std::vector<End> ends;
+    std::map<Point, int> meeting;
+    for (std::size_t i = 0; i < curves().size(); ++i) {
+      if (!bounds(curves()[i]) || closed(curves()[i])) continue;
+      for (const bool last : {false, true}) {
+        ends.push_back({i, last, point(curves()[i], last ? length(curves()[i]) : 0.0)});
+        ++meeting[ends.back().at];
+      }
+    }
+    std::erase_if(ends, [&](const End& end) { return meeting[end.at] > 1; });
+    struct Pair {
+      double gap;
+      std::size_t a, b;
+    };
+    std::vector<Pair> pairs;
+    for (std::size_t a = 0; a < ends.size(); ++a) {
+      for (std::size_t b = a + 1; b < ends.size(); ++b) {
+        const double gap = distance(ends[a].at, ends[b].at);
+        if (gap <= options_.gap * size_) pairs.push_back({gap, a, b});
+      }
+    }
+    std::sort(pairs.begin(), pairs.end(), [](const Pair& x, const Pair& y) { return std::tie(x.gap, x.a, x.b) < std::tie(y.gap, y.a, y.b); });
+    std::vector<std::uint8_t> used(ends.size(), 0);
+    for (const auto& [gap, a, b] : pairs) {
+      if (used[a] != 0 || used[b] != 0) continue;
+      used[a] = used[b] = 1;
+      // What make_domain joins anyway is no gap.
+      if (gap > DomainOptions{}.join_tolerance * size_) join(ends[a], ends[b], gap);
+    }
+  }
+
+  void join(const End& a, const End& b, double gap) {
+    const std::string names = curves()[a.curve].name + ", " + curves()[b.curve].name;
+    const bool move_b = line(b.curve) != nullptr;
+    Polyline* const moving = move_b ? line(b.curve) : line(a.curve);
+    if (moving == nullptr) {
+      found(Wrong::Gap, a.at, names, fmt::format("left as it is: neither curve is straight; close the gap of {:.3g} m by hand", gap));
+      return;
+    }
+    const Point target = move_b ? a.at : b.at;
+    const bool last = move_b ? b.last : a.last;
+    (last ? moving->points.back() : moving->points.front()) = target;
+    if (a.curve == b.curve && moving->points.size() > 3) {
+      moving->points.pop_back();
+      moving->closed = true;
+    }
+    found(Wrong::Gap, target, names, fmt::format("the ends, {:.3g} m apart, are joined", gap));
+  }
+
+  // --- 5 ------------------------------------------------------------------------------------------------------------
+  struct Chord {
+    dobra::geom::Segment segment;
+    std::size_t curve, number, count;
+  };
+
+  /// Groups of boundaries that meet away from common ends, with one place each.
+  std::map<std::size_t, std::pair<std::set<std::size_t>, Point>> crossing_groups() {
+    std::vector<Chord> chords;
+    std::vector<Box> boxes;
+    for (std::size_t c = 0; c < curves().size(); ++c) {
+      if (!bounds(curves()[c])) continue;
+      const Polyline along = trace(curves()[c]).line;
+      for (std::size_t i = 0; i < along.segment_count(); ++i) {
+        chords.push_back({along.segment(i), c, i, along.segment_count()});
+        boxes.push_back(along.segment(i).box());
+      }
+    }
+    std::vector<std::size_t> parent(curves().size());
+    std::iota(parent.begin(), parent.end(), std::size_t{0});
+    const auto root = [&](std::size_t c) {
+      while (parent[c] != c) c = parent[c] = parent[parent[c]];
+      return c;
+    };
+    std::vector<std::pair<std::size_t, Point>> meetings;
+    for (const auto& [i, j] : dobra::geom::SpatialIndex(boxes).overlapping_pairs()) {
+      const Chord& a = chords[i];
+      const Chord& b = chords[j];
+      const auto meeting = intersect(a.segment, b.segment);
+      if (meeting.kind == dobra::geom::IntersectionKind::None) continue;
+      using dobra::geom::At;
+      const bool at_ends = meeting.kind == dobra::geom::IntersectionKind::Point && meeting.start.on_first != At::Interior && meeting.start.on_second != At::Interior;
+      if (at_ends) continue;
+      parent[std::max(root(a.curve), root(b.curve))] = std::min(root(a.curve), root(b.curve));
+      meetings.emplace_back(a.curve, meeting.start.point);
+    }
+    std::map<std::size_t, std::pair<std::set<std::size_t>, Point>> groups;
+    for (const auto& [curve, at] : meetings) groups.try_emplace(root(curve), std::set<std::size_t>{}, at);
+    for (std::size_t c = 0; c < curves().size(); ++c) {
+      const auto group = groups.find(root(c));
+      if (group != groups.end()) group->second.first.insert(c);
+    }
+    return groups;
+  }
+
+  /// +1 for an outline, -1 for a hole: by its role, or by how many closed boundaries outside its group it lies in.
+  int sign_of(std::size_t curve, const std::set<std::size_t>& group) {
+    if (curves()[curve].role == Role::Hole) return -1;
+    int depth = 0;
+    for (std::size_t c = 0; c < curves().size(); ++c) {
+      if (group.contains(c) || !bounds(curves()[c]) || !closed(curves()[c])) continue;
+      if (locate(trace(curves()[c]).line, line(curve)->points.front()) == dobra::geom::Side::Inside) ++depth;
+    }
+    return depth % 2 == 0 ? 1 : -1;
+  }
+
+  Result<void> rebuild_crossings() {
+    std::set<std::size_t> gone;
+    std::vector<Curve> made;
+    for (const auto& [root, entry] : crossing_groups()) {
+      const auto& [group, at] = entry;
+      std::string names;
+      for (const std::size_t c : group) names += (names.empty() ? "" : ", ") + curves()[c].name;
+      const bool can = std::all_of(group.begin(), group.end(), [&](std::size_t c) { return line(c) != nullptr && line(c)->closed; });
+      if (!can) {
+        found(Wrong::Crossing, at, names, "left as it is: only closed curves of straight sides are rebuilt; cut the curves where they cross");
+        continue;
+      }
+      DOBRA_TRY(std::vector<Curve> loops, rebuilt(group));
+      found(Wrong::Crossing, at, names, fmt::format("rebuilt as {} {}: outlines united, holes cut out", loops.size(), loops.size() == 1 ? "loop" : "loops"));
+      made.insert(made.end(), std::make_move_iterator(loops.begin()), std::make_move_iterator(loops.end()));
+      gone.insert(group.begin(), group.end());
+    }
+    if (gone.empty()) return {};
+    const auto places = repaired_.sketch.places;
+    for (auto c = gone.rbegin(); c != gone.rend(); ++c) drop(*c);
+    for (Curve& curve : made) {
+      curves().push_back(std::move(curve));
+      repaired_.sketch.places.push_back(places.empty() ? dobra::base::Place{} : places[*gone.begin()]);
+    }
+    return {};
+  }
+
+  Result<std::vector<Curve>> rebuilt(const std::set<std::size_t>& group) {
+    Subdivision subdivision;
+    std::map<std::size_t, std::size_t> curve_of;  // by edge
+    std::vector<std::pair<Polyline, int>> outlines;
+    for (const std::size_t c : group) {
+      auto inserted = insert(subdivision, *line(c));
+      if (!inserted) return inserted.error();
+      outlines.emplace_back(*line(c), sign_of(c, group));
+    }
+    for (const std::size_t c : group) {
+      // Edges were split by later curves: which of the curves each now belongs to is asked again.
+      const auto again = insert(subdivision, *line(c));
+      if (!again) return again.error();
+      for (const HalfEdgeId h : again->path) curve_of.try_emplace(Subdivision::edge(h).index(), c);
+    }
+    const bool any_outline = std::any_of(outlines.begin(), outlines.end(), [](const auto& o) { return o.second > 0; });
+    std::map<FaceId, bool> inside;
+    for (const FaceId face : subdivision.faces()) {
+      if (face == Subdivision::unbounded()) continue;
+      std::vector<dobra::geom::Segment> sides;
+      for (const auto loop : subdivision.loops(face)) {
+        for (const HalfEdgeId h : subdivision.half_edges(loop)) sides.push_back(subdivision.segment(h));
+      }
+      const Point p = inner_point(sides);
+      int sum = 0;
+      for (const auto& [outline, sign] : outlines) sum += locate(outline, p) == dobra::geom::Side::Inside ? sign : 0;
+      inside[face] = any_outline ? sum > 0 : sum < 0;
+    }
+    const auto divides = [&](HalfEdgeId h) {
+      const auto in = [&](FaceId face) { return face != Subdivision::unbounded() && inside[face]; };
+      return in(subdivision.face(h)) && !in(subdivision.face(Subdivision::twin(h)));
+    };
+    std::vector<Curve> loops;
+    std::set<std::size_t> walked;
+    std::map<std::size_t, int> used;
+    for (const auto edge : subdivision.edges()) {
+      for (const HalfEdgeId start : {Subdivision::half_edge(edge), Subdivision::twin(Subdivision::half_edge(edge))}) {
+        if (!divides(start) || walked.contains(start.index())) continue;
+        Polyline loop{{}, true};
+        for (HalfEdgeId h = start; walked.insert(h.index()).second;) {
+          loop.points.push_back(subdivision.point(subdivision.origin(h)));
+          h = subdivision.next(h);
+          while (!divides(h)) h = subdivision.next(Subdivision::twin(h));
+        }
+        const std::size_t owner = curve_of.at(edge.index());
+        Curve curve = curves()[owner];
+        if (++used[owner] > 1) curve.name += fmt::format("_{}", used[owner]);
+        curve.role = Role::Boundary;
+        curve.shape = std::move(loop);
+        loops.push_back(std::move(curve));
+      }
+    }
+    return loops;
+  }
+
+  Repaired repaired_;
+  RepairOptions options_;
+  double size_ = 0.0;
+};
+
+}  // namespace
+
+const char* name_of(Wrong wrong) {
+  switch (wrong) {
+    case Wrong::RepeatedPoint: return "repeated point";
+    case Wrong::NearlyRepeatedPoint: return "nearly repeated point";
+    case Wrong::NoExtent: return "curve without extent";
+    case Wrong::CurveTwice: return "curve drawn twice";
+    case Wrong::Spike: return "spike";
+    case Wrong::Gap: return "gap";
+    case Wrong::Crossing: return "crossing";
+  }
+  return "";
+}
+
+Result<Repaired> repair(Sketch sketch, const RepairOptions& options) { return Repairer(std::move(sketch), options).run(); }
+
+}  // namespace quebra::core

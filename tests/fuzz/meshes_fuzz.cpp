@@ -1,0 +1,62 @@
+// libFuzzer target: the readers of meshes. Byte 0 chooses the format, the rest is the file. Whatever the bytes: an error with a
+// message, or a mesh that can be written, and read and written again to the same bytes.
+
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+#include "shared/io/bdf.h"
+#include "shared/io/inp.h"
+#include "shared/io/msh.h"
+#include "shared/io/neutral.h"
+#include "shared/io/vtu.h"
+
+namespace {
+
+using namespace dobra;
+
+/// The first writing may change names to what the format can hold; from then on nothing changes.
+/// @param read  from text to a mesh.  @param write  from a mesh to text.
+template <class Read, class Write>
+void go_round(std::string text, const Read& read, const Write& write) {
+  for (int round = 0; round < 3; ++round) {
+    const auto mesh = read(text);
+    if (!mesh.ok()) {
+      if (round > 0 || mesh.error().message.empty()) std::abort();
+      return;
+    }
+    const auto written = write(mesh->mesh);
+    if (!written.ok()) {
+      if (round > 0) std::abort();
+      return;  // Such as a name that the format cannot hold.
+    }
+    if (round == 2 && *written != text) std::abort();
+    text = *written;
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size == 0) return 0;
+  const std::string text(reinterpret_cast<const char*>(data) + 1, size - 1);
+  switch (data[0] % 5) {
+    case 0:
+      go_round(text, [](const std::string& t) { return io::parse_msh(t, "f"); }, [](const mesh::ElementMesh& m) { return io::msh_text(m); });
+      break;
+    case 1:
+      go_round(text, [](const std::string& t) { return io::parse_inp(t, "f"); },
+               [](const mesh::ElementMesh& m) { return io::inp_text(m, {.numbers = io::InpNumbers::Exact}); });
+      break;
+    case 2:
+      go_round(text, [](const std::string& t) { return io::parse_vtu(t, "f"); }, [](const mesh::ElementMesh& m) { return io::vtu_text(m); });
+      break;
+    case 3:
+      go_round(text, [](const std::string& t) { return io::parse_bdf(t, "f"); }, [](const mesh::ElementMesh& m) { return io::bdf_text(m); });
+      break;
+    default:
+      go_round(text, [](const std::string& t) { return io::parse_neutral(t, "f"); },
+               [](const mesh::ElementMesh& m) { return io::neutral_text({m, {}, 1.0}); });
+  }
+  return 0;
+}
