@@ -123,11 +123,20 @@ struct Panel {
 
 enum class Arrangement { Row, Column };
 
+/// Words and numbers in rows, shown below the plots of a file; windows show them elsewhere.
+struct TextTable {
+  std::string title{};
+  std::vector<std::string> columns{};
+  std::vector<std::vector<std::string>> rows{};  ///< As many cells as columns.
+};
+
 /// All panels of a picture share one scale, so that lengths compare across them.
 struct Picture {
   std::string title{};
   std::vector<Panel> panels{};
   Arrangement arrangement = Arrangement::Row;
+  std::vector<TextTable> tables{};   ///< Below the legend, in files only.
+  std::vector<std::string> notes{};  ///< One line each (wrapped), below the tables.
 };
 
 /// Smallest box round everything in a layer, visible or not; empty if there is nothing.
