@@ -155,7 +155,8 @@ void add_column(scene::Panel& panel, const Section& section, const std::vector<L
                 const std::vector<UnitRow>& rows) {
   const geom::Box box = scene::extent(panel);
   const double width = 0.035 * box.width();
-  const double left = box.high.x + 0.04 * box.width();
+  const double left = box.high.x + 0.01 * box.width();
+  if (panel.extent) panel.extent->add(geom::Point{left + 2.0 * width, box.centre().y});
   double top = section.horizons.empty() ? box.high.y : box_of(section).high.y;
   for (std::size_t i = 0; i < units.size(); ++i) {
     if (!rows[i].thickness_after || !units[i].upper) continue;
@@ -363,8 +364,8 @@ scene::Picture picture_of(const Model& model) {
     add_pin(after, goes_to_target_grid(model) ? pin_line(target.map.target(), pin, deepest)
                                               : images_of({source_pin}, model.restoration->map).front());
     if (model.restoration) {
-      add_column(after, model.restoration->section, units, model.restoration->ledger.units);
       add_names(after, model.restoration->section, share);
+      add_column(after, model.restoration->section, units, model.restoration->ledger.units);
       add_ledger(picture, model);
     }
     // The legend of the first panel stands for both.

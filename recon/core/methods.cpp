@@ -40,9 +40,8 @@ std::string what_it_keeps(RestoreMethod method) {
              "between "
              "top and base; thickness, and the length of other beds, change";
     case RestoreMethod::Flexural:
-      return "flexural slip keeps the length of every bed parallel to the top, the area of every unit and the depth of "
-             "every "
-             "point below the top; the loose line leans by what the dips sum to";
+      return "flexural slip keeps the length of every bed and the depth of its points below the top, and areas where "
+             "beds are parallel; the loose line leans by what the dips sum to";
     case RestoreMethod::Shear:
       return "simple shear keeps areas, and distances along the direction of shear; bed lengths and the thickness "
              "across "
