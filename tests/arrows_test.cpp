@@ -33,8 +33,9 @@ const std::map<std::string, std::set<std::string>>& arrows() {
       {"recon/core", {"shared/offset", "shared/mesh", "shared/scene", "shared/io", "shared/scenario"}},
       {"quebra/core", {"shared/offset", "shared/fem", "shared/scene", "shared/io", "shared/scenario"}},
       {"recon/gui", {"recon/core", "shared/gui"}},
+      {"recon/cli", {"recon/core", "shared/cli"}},
       {"quebra/gui", {"quebra/core", "shared/gui"}},
-      {"recon", {"recon/core", "recon/gui", "shared/cli"}},
+      {"recon", {"recon/core", "recon/cli", "recon/gui", "shared/cli"}},
       {"quebra/cli", {"quebra/core", "shared/cli"}},
       {"quebra", {"quebra/core", "quebra/cli", "quebra/gui", "shared/cli"}},
   };

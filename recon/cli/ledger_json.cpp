@@ -151,6 +151,14 @@ std::string balance_json(const core::Model& model) {
     } else {
       json["fit"] = nullptr;
     }
+    Json layers = Json::array();
+    for (const core::LayerClass& layer : model.area_depth->layers) {
+      layers.push_back({{"name", layer.name},
+                        {"class", core::class_name(layer.fold.value)},
+                        {"isogon_index", layer.fold.index},
+                        {"hinge_thickness", layer.fold.hinge_thickness}});
+    }
+    json["layers"] = std::move(layers);
     json["inconsistency_percent"] = model.area_depth->inconsistency_percent;
     json["tolerance_percent"] = model.area_depth->params.tolerance;
     json["verdict"] = model.area_depth->balanced ? "balanced" : "not balanced";

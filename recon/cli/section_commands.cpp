@@ -39,6 +39,7 @@ struct RestoreOptions {
   std::optional<double> tolerance;
   std::optional<double> simplify;
   std::string outside;
+  std::string beds;
   std::optional<std::int64_t> draws;
   std::optional<double> pick_error;
   std::optional<double> pin_error;
@@ -115,6 +116,7 @@ Result<scenario::Document> restore_document(Session& session, const RestoreOptio
   set(restore, "thickness", options.thickness);
   set(restore, "percent", options.percent);
   set(restore, "outside", options.outside);
+  set(restore, "beds", options.beds);
   set(restore, "tolerance", options.tolerance);
   document.steps = {step("grid", std::move(grid)), step("target", std::move(target)),
                     step("restore", std::move(restore))};
@@ -201,6 +203,10 @@ void add_method_options(CLI::App& app, RestoreOptions& options) {
   app.add_option("--percent", options.percent, "State on the way: 0 deformed, 100 (default) restored")->type_name("P");
   app.add_option("--outside", options.outside, "Where the map is not single-valued: nearest (default) or refuse")
       ->check(CLI::IsMember({"nearest", "refuse"}))
+      ->type_name("NAME");
+  app.add_option("--beds", options.beds,
+                 "Flexural slip along the horizons (default: each keeps its length), or parallel to the top")
+      ->check(CLI::IsMember({"horizons", "parallel"}))
       ->type_name("NAME");
   app.add_option("--tolerance", options.tolerance, "Of the verdict, percent; 2 by default")->type_name("P");
 }

@@ -72,13 +72,25 @@ base::Result<AreaDepth> area_depth(const Section& section, const BalanceParams& 
     levels.push_back(result.beds.back().level);
     areas.push_back(result.beds.back().excess_area);
   }
+  for (std::size_t i = 0; i + 1 < section.horizons.size(); ++i) {
+    const Horizon& upper = section.horizons[i];
+    const Horizon& lower = section.horizons[i + 1];
+    const auto fold = fold_class(upper.line, lower.line);
+    if (!fold) continue;
+    result.layers.push_back({fmt::format("{} - {}", upper.name, lower.name), *fold});
+    result.remarks.push_back(
+        fmt::format("layer '{}' is folded like Ramsay's class {} (index {:.2f}, dips to {:.0f} deg)",
+                    result.layers.back().name, class_name(fold->value), fold->index, fold->dips.degrees()));
+  }
   result.fit = fit_area_depth(levels, areas, params.confidence);
-  const auto shorter = [](const BedBalance& a, const BedBalance& b) { return a.length < b.length; };
-  const auto [least, greatest] = std::minmax_element(result.beds.begin(), result.beds.end(), shorter);
-  result.inconsistency_percent = 100.0 * (greatest->length - least->length) / greatest->length;
+  const auto less = [](const BedBalance& a, const BedBalance& b) { return a.shortening < b.shortening; };
+  const auto [least, greatest] = std::minmax_element(result.beds.begin(), result.beds.end(), less);
+  double longest = 0.0;
+  for (const BedBalance& bed : result.beds) longest = std::max(longest, bed.length);
+  result.inconsistency_percent = 100.0 * (greatest->shortening - least->shortening) / longest;
   result.balanced = result.inconsistency_percent <= params.tolerance;
   result.remarks.push_back(fmt::format(
-      "{}: bed lengths differ by {:.4g} % ('{}' is the longest, '{}' the shortest); the tolerance is {:.4g} %",
+      "{}: shortening differs by {:.4g} % between beds ('{}' has most, '{}' least); the tolerance is {:.4g} %",
       result.balanced ? "balanced" : "not balanced", result.inconsistency_percent, greatest->name, least->name,
       params.tolerance));
   if (!result.fit) {

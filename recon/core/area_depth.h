@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "recon/core/fold_class.h"
 #include "recon/core/section.h"
 #include "shared/base/result.h"
 
@@ -21,7 +22,7 @@ struct BalanceParams {
   static void describe(D& d) {
     d.field("tolerance", &BalanceParams::tolerance,
             {.title = "Balance tolerance",
-             .help = "Greatest difference of bed lengths in a balanced section.",
+             .help = "Greatest difference of shortening between the beds of a balanced section.",
              .unit = "%",
              .at_least = 0.0});
     d.field(
@@ -52,11 +53,18 @@ struct AreaDepthFit {
   double r_squared = 1.0;
 };
 
+/// The layer between two horizons that follow each other in the section.
+struct LayerClass {
+  std::string name;
+  FoldClass fold;
+};
+
 struct AreaDepth {
   BalanceParams params;
   std::vector<BedBalance> beds;
+  std::vector<LayerClass> layers;      ///< Those that are folded enough to have a class.
   std::optional<AreaDepthFit> fit;     ///< Nothing with one level.
-  double inconsistency_percent = 0.0;  ///< Longest less shortest bed, of the longest.
+  double inconsistency_percent = 0.0;  ///< Greatest less least shortening, of the longest bed.
   bool balanced = false;
   std::vector<std::string> remarks;
 };

@@ -44,9 +44,11 @@ LineLength line_length(const Horizon& horizon, const MappedLine& mapped) {
 
 double inconsistency_percent(const std::vector<LineLength>& lengths) {
   if (lengths.empty()) return 0.0;
-  const auto shorter = [](const LineLength& a, const LineLength& b) { return a.length_after < b.length_after; };
-  const auto [least, greatest] = std::minmax_element(lengths.begin(), lengths.end(), shorter);
-  return percent(greatest->length_after - least->length_after, greatest->length_after);
+  const auto less = [](const LineLength& a, const LineLength& b) { return a.shortening < b.shortening; };
+  const auto [least, greatest] = std::minmax_element(lengths.begin(), lengths.end(), less);
+  double longest = 0.0;
+  for (const LineLength& row : lengths) longest = std::max(longest, row.length_after);
+  return percent(greatest->shortening - least->shortening, longest);
 }
 
 }  // namespace recon::core

@@ -36,10 +36,12 @@ struct Balance {
   std::string worst;                          ///< The horizon that has it.
   double greatest_area_change_percent = 0.0;  ///< Likewise of a unit's area.
   std::string worst_unit;
-  double inconsistency_percent = 0.0;  ///< Difference of the longest and the shortest restored bed, of the longest.
+  double inconsistency_percent =
+      0.0;  ///< Difference of the greatest and the least shortening, of the longest restored bed.
 };
 
-/// How far the restored lengths of the beds differ, in percent of the longest.
+/// How far the shortening of the beds differs, in percent of the longest restored bed. Beds that reach less far than
+/// others do not count as shorter by that.
 double inconsistency_percent(const std::vector<LineLength>& lengths);
 
 }  // namespace recon::core

@@ -80,6 +80,8 @@ base::Result<Columns> Columns::assemble(std::vector<geom::Point> feet, std::vect
     bend += widening;
     columns.frames_.push_back(frame);
   }
+  columns.straight_ =
+      std::all_of(tangents.begin(), tangents.end(), [&](geom::Vector t) { return t == tangents.front(); });
   columns.tree_ = SegmentTree(std::move(segments));
   columns.feet_ = std::move(feet);
   return columns;
@@ -145,7 +147,10 @@ Columns::Found Columns::find(geom::Point p, double tolerance, ColumnId hint) con
     constexpr int most_steps = 8;
     std::size_t segment = frame_of(hint);
     for (int step = 0; step < most_steps; ++step) {
-      if (accept(segment)) return found(tree_.nearest_from(segment, p, accept));
+      if (accept(segment)) {
+        if (straight_) return found({segment, tree_.squared_distance(segment, p)});
+        return found(tree_.nearest_from(segment, p, accept));
+      }
       const Beyond out = beyond(ColumnId(segment + 1), p);
       const bool to_right = out.right > out.left;
       if (to_right ? segment + 1 == inner_count() : segment == 0) break;

@@ -141,7 +141,8 @@ class Columns {
   std::vector<geom::Vector> rungs_;  ///< n + 1 mitre vectors.
   std::vector<Frame> frames_;        ///< n, one a base segment.
   DepthRange open_depths_{};
-  SegmentTree tree_;  ///< Of the n base segments.
+  bool straight_ = false;  ///< A straight base: the column that holds a point is that of the nearest segment.
+  SegmentTree tree_;       ///< Of the n base segments.
 };
 
 }  // namespace recon::core

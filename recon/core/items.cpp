@@ -85,8 +85,30 @@ base::Result<geom::Polyline> closed_contour(geom::Polyline line) {
   return geom::signed_area(line) < 0.0 ? geom::reversed(std::move(line)) : line;
 }
 
+base::Result<void> check_units(const Section& section) {
+  std::vector<double> sizes;
+  for (const Horizon& horizon : section.horizons) sizes.push_back(horizon.line.box().diagonal());
+  if (sizes.size() < 2) return {};
+  const double largest = *std::max_element(sizes.begin(), sizes.end());
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    const double ratio = largest / sizes[i];
+    if (ratio < 300.0 || ratio > 3000.0) continue;
+    base::Place place =
+        place_at(section.horizons[i].line.points.front(), fmt::format("horizon '{}'", section.horizons[i].name));
+    place.file = section.horizons[i].source.file;
+    return base::Error{
+        base::ErrorCode::BadSection,
+        fmt::format("it is {:.6g} m long while another horizon is {:.0f} times as long: metres and kilometres "
+                    "seem to be mixed; bring all horizons to one unit",
+                    sizes[i], ratio),
+        place};
+  }
+  return {};
+}
+
 base::Result<void> read_items(const SectionInput& input, const dobra::scenario::Context& context, ReadSection& read) {
   Section& section = read.section;
+  DOBRA_TRY_VOID(check_units(section));
   struct Lines {
     const std::vector<HorizonInput>& inputs;
     LineKind kind;

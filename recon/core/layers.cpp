@@ -1,9 +1,15 @@
 #include "recon/core/layers.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
+#include "shared/base/parallel.h"
 #include "shared/base/text.h"
 
 namespace recon::core {
@@ -15,6 +21,7 @@ namespace {
 
 constexpr scene::Color grid_color{126, 147, 168, 255};
 constexpr scene::Color rung_color{176, 190, 203, 255};
+constexpr scene::Color fault_color{150, 20, 30, 255};
 constexpr scene::Color pin_color{40, 40, 40, 255};
 /// More rungs than this would be a grey area: then every k-th is shown.
 constexpr std::size_t most_rungs = 160;
@@ -48,6 +55,184 @@ void add_grid(scene::Panel& panel, const Grid& grid, const std::string& key) {
   style.line = grid_color;
   style.line_width = 0.6;
   panel.layers.push_back(lines_layer(key, translated("Offset curves"), style, std::move(curves)));
+}
+
+/// `color` with so much white that lines on it stay readable.
+scene::Color tint(scene::Color color) {
+  const auto paler = [](std::uint8_t channel) { return static_cast<std::uint8_t>(255 - (255 - channel) / 4); };
+  return {paler(color.red), paler(color.green), paler(color.blue), 255};
+}
+
+scene::Layer region_layer(std::string key, std::string title, scene::Color fill, geom::Polyline contour) {
+  scene::Style style;
+  style.line_width = 0.0;
+  style.fill = fill;
+  return {std::move(key), std::move(title),    style, scene::Regions{{{{std::move(contour)}}}, {}},
+          true,           scene::InLegend::Yes};
+}
+
+scene::Color unit_color(std::size_t number) { return tint(horizon_color(HorizonId(number))); }
+
+/// Units filled: the polygons of the section, or what lies between neighbouring horizons.
+void add_units(scene::Panel& panel, const Section& section, const std::vector<LedgerUnit>& units) {
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    const LedgerUnit& unit = units[i];
+    geom::Polyline contour =
+        unit.unit ? section.units[unit.unit->index()].contour
+                  : contour_between(section.horizons[*unit.upper].line, section.horizons[*unit.lower].line);
+    const std::size_t color = unit.unit ? i : section.horizons[*unit.upper].id.index();
+    panel.layers.push_back(region_layer("unit_" + std::to_string(i), unit.name, unit_color(color), std::move(contour)));
+  }
+}
+
+scene::Dash dash_of(LineKind kind) { return kind == LineKind::Fault ? scene::Dash::Solid : scene::Dash::Dashed; }
+
+/// Faults, pin and loose lines, markers.
+void add_items(scene::Panel& panel, const Section& section) {
+  for (const SectionLine& line : section.lines) {
+    scene::Style style;
+    style.line = line.kind == LineKind::Fault ? fault_color : pin_color;
+    style.line_width = line.kind == LineKind::Fault ? 1.8 : 0.9;
+    style.dash = dash_of(line.kind);
+    scene::Layer layer = lines_layer("line_" + std::to_string(line.id.index()), line.name, style, {line.line});
+    std::get<scene::Lines>(layer.content).ids = {static_cast<std::uint32_t>(line.id.index())};
+    panel.layers.push_back(std::move(layer));
+  }
+  for (const Marker& marker : section.markers) {
+    scene::Style style;
+    style.line = pin_color;
+    panel.layers.push_back({"marker_" + std::to_string(marker.id.index()), marker.name, style,
+                            scene::Markers{marker.points, {}}, true, scene::InLegend::Yes});
+  }
+}
+
+/// det F - 1 in percent; seen where the method does not keep areas.
+void add_dilatation(scene::Panel& panel, const DilatationField& field, bool seen) {
+  scene::Mesh mesh;
+  mesh.points = field.points;
+  mesh.triangles = field.triangles;
+  mesh.values_at = scene::ValuesAt::Triangles;
+  std::vector<double> sizes;
+  for (const double value : field.values) {
+    mesh.values.push_back(100.0 * value);
+    sizes.push_back(std::abs(100.0 * value));
+  }
+  if (sizes.empty()) return;
+  // A few cells near the medial axis change without bound; the scale is that of the rest.
+  const auto nearly_all = sizes.begin() + static_cast<std::ptrdiff_t>(0.98 * static_cast<double>(sizes.size() - 1));
+  std::nth_element(sizes.begin(), nearly_all, sizes.end());
+  const double most = std::max(*nearly_all, 1e-6);
+  mesh.scale = {translated("det F - 1 [%]"), scene::ColorMapName::CoolWarm, -most, most};
+  scene::Style style;
+  style.line_width = 0.0;
+  panel.layers.push_back(
+      {"dilatation", translated("Change of area"), style, std::move(mesh), seen, scene::InLegend::No});
+}
+
+/// What the restoration makes circles of.
+void add_ellipses(scene::Panel& panel, const std::vector<Strain>& strains, double size) {
+  std::vector<geom::Polyline> ellipses;
+  for (const Strain& strain : strains) {
+    geom::Polyline ellipse{{}, true};
+    const double c = std::cos(strain.direction.radians());
+    const double s = std::sin(strain.direction.radians());
+    for (int i = 0; i < 48; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / 48.0;
+      const double along = size * strain.greatest * std::cos(angle);
+      const double across = size * strain.least * std::sin(angle);
+      ellipse.points.push_back(strain.at + geom::Vector{along * c - across * s, along * s + across * c});
+    }
+    ellipses.push_back(std::move(ellipse));
+  }
+  scene::Style style;
+  style.line = {60, 60, 66, 255};
+  style.line_width = 0.6;
+  panel.layers.push_back(lines_layer("ellipses", translated("Strain ellipses"), style, std::move(ellipses)));
+}
+
+/// The units as they lie on each other, each with its mean restored thickness, beside the section to the same scale.
+void add_column(scene::Panel& panel, const Section& section, const std::vector<LedgerUnit>& units,
+                const std::vector<UnitRow>& rows) {
+  const geom::Box box = scene::extent(panel);
+  const double width = 0.035 * box.width();
+  const double left = box.high.x + 0.01 * box.width();
+  if (panel.extent) panel.extent->add(geom::Point{left + 2.0 * width, box.centre().y});
+  double top = section.horizons.empty() ? box.high.y : box_of(section).high.y;
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    if (!rows[i].thickness_after || !units[i].upper) continue;
+    const double bottom = top - rows[i].thickness_after->mean;
+    const std::size_t color = section.horizons[*units[i].upper].id.index();
+    scene::Layer bed = region_layer("column_" + std::to_string(i), units[i].name, unit_color(color),
+                                    {{{left, bottom}, {left + width, bottom}, {left + width, top}, {left, top}}, true});
+    bed.style.line = pin_color;
+    bed.style.line_width = 0.5;
+    bed.in_legend = scene::InLegend::No;
+    panel.layers.push_back(std::move(bed));
+    top = bottom;
+  }
+}
+
+std::string percent_text(double value) { return fmt::format("{:+.2f}", value); }
+
+/// The ledger as tables, and what is to be said about it.
+void add_ledger(scene::Picture& picture, const Model& model) {
+  const Restoration& restoration = *model.restoration;
+  scene::TextTable beds{translated("Beds"),
+                        {translated("horizon"), translated("length before [m]"), translated("after [m]"),
+                         translated("change [%]"), translated("shortening [m]"), translated("[%]")},
+                        {}};
+  for (const LineLength& row : restoration.lengths) {
+    beds.rows.push_back({row.name, fmt::format("{:.1f}", row.length_before), fmt::format("{:.1f}", row.length_after),
+                         percent_text(row.change_percent), fmt::format("{:.1f}", row.shortening),
+                         percent_text(row.shortening_percent)});
+  }
+  scene::TextTable units{translated("Units"),
+                         {translated("unit"), translated("area before [m2]"), translated("after [m2]"),
+                          translated("change [%]"), translated("thickness before [m]"), translated("after [m]")},
+                         {}};
+  const auto mean = [](const std::optional<Range>& range) {
+    return range ? fmt::format("{:.1f}", range->mean) : std::string("-");
+  };
+  for (const UnitRow& row : restoration.ledger.units) {
+    units.rows.push_back({row.name, fmt::format("{:.4g}", row.area_before), fmt::format("{:.4g}", row.area_after),
+                          percent_text(row.change_percent), mean(row.thickness_before), mean(row.thickness_after)});
+  }
+  picture.tables = {std::move(beds)};
+  if (!units.rows.empty()) picture.tables.push_back(std::move(units));
+  std::string sentence = what_it_keeps(restoration.params.method);
+  sentence.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence.front())));
+  picture.notes = {sentence + '.', fmt::format("{}{}. {}", translated("Verdict: "), restoration.remarks.back(),
+                                               translated("Both states to the same scale, no vertical exaggeration."))};
+}
+
+/// Lines through the map, thinned to what a page can show.
+std::vector<geom::Polyline> images_of(const std::vector<geom::Polyline>& lines, const SectionMap& map) {
+  constexpr std::size_t most_points = 2000;
+  return base::parallel_map<geom::Polyline>(lines.size(), [&](std::size_t i) {
+    geom::Polyline thin;
+    const std::vector<geom::Point>& points = lines[i].points;
+    const std::size_t stride = 1 + points.size() / most_points;
+    for (std::size_t k = 0; k < points.size(); k += stride) thin.points.push_back(points[k]);
+    if (thin.points.size() < 2 || thin.points.back() != points.back()) thin.points.push_back(points.back());
+    return map.forward(thin).after;
+  });
+}
+
+/// Is the grid of the target line what the source grid becomes?
+bool goes_to_target_grid(const Model& model) {
+  return !model.restoration ||
+         (model.restoration->params.method == RestoreMethod::Constant && model.restoration->params.percent == 100.0);
+}
+
+/// The target grid of the method: the grid of the target line where columns go to columns, else what becomes of the
+/// source grid.
+Grid restored_grid(const Model& model) {
+  if (goes_to_target_grid(model)) return model.target->grid;
+  Grid grid;
+  for (const GridCurve& curve : model.source->grid.curves)
+    grid.curves.push_back({curve.distance, images_of(curve.pieces, model.restoration->map)});
+  grid.rungs = images_of(model.source->grid.rungs, model.restoration->map);
+  return grid;
 }
 
 void add_horizons(scene::Panel& panel, const Section& section) {
@@ -86,19 +271,23 @@ void add_names(scene::Panel& panel, const Section& section, const TextShare& sha
 }
 
 /// A line along the normal at the pin, from a little above the base down to the deepest curve.
-void add_pin(scene::Panel& panel, const Columns& columns, ColumnPoint pin, double deepest) {
+geom::Polyline pin_line(const Columns& columns, ColumnPoint pin, double deepest) {
   const double above = 0.04 * columns.base_line().box().diagonal();
   const auto at_depth = [&](double depth) {
     pin.depth = depth;
     return columns.point(pin);
   };
-  const geom::Point top = at_depth(-above);
-  const geom::Point bottom = at_depth(std::max(deepest, above));
+  return {{at_depth(-above), at_depth(std::max(deepest, above))}, false};
+}
+
+void add_pin(scene::Panel& panel, const geom::Polyline& line) {
+  const geom::Point top = line.points.front();
+  const geom::Point bottom = line.points.back();
   scene::Style style;
   style.line = pin_color;
   style.line_width = 1.0;
   style.dash = scene::Dash::Dashed;
-  panel.layers.push_back(lines_layer("pin", translated("Pin line"), style, {{{top, bottom}, false}}));
+  panel.layers.push_back(lines_layer("pin", translated("Pin line"), style, {line}));
   scene::Style text;
   text.line = pin_color;
   text.text_size = 8.0;
@@ -132,7 +321,21 @@ scene::Color horizon_color(HorizonId id) {
 scene::Picture picture_of(const Model& model) {
   scene::Picture picture;
   scene::Panel before = panel("deformed", translated("Deformed section"));
+  std::vector<LedgerUnit> units;
+  if (model.restoration) {
+    const Restoration& restoration = *model.restoration;
+    units = ledger_units(model.section, horizons_in_order(model.section, *model.source, *model.target));
+    const bool keeps_area = restoration.params.method == RestoreMethod::Flexural ||
+                            restoration.params.method == RestoreMethod::Shear ||
+                            restoration.params.method == RestoreMethod::Variable;
+    add_units(before, model.section, units);
+    add_dilatation(before, restoration.ledger.field, !keeps_area);
+    add_ellipses(before, restoration.ledger.strains, 0.008 * box_of(model.section).diagonal());
+  } else {
+    add_units(before, model.section, ledger_units(model.section, {}));
+  }
   if (model.source) add_grid(before, model.source->grid, "source_grid");
+  add_items(before, model.section);
   add_horizons(before, model.section);
   const geom::Box box = scene::extent(before);
   if (box.width() > wide * box.height()) picture.arrangement = scene::Arrangement::Column;
@@ -141,12 +344,16 @@ scene::Picture picture_of(const Model& model) {
   if (model.target) {
     const Target& target = *model.target;
     const ColumnPoint pin = target.map.locate(target.source_pin).at;
-    add_pin(before, target.map.source(), pin, model.source->options.distances.back());
+    const double deepest = model.source->options.distances.back();
+    const geom::Polyline source_pin = pin_line(target.map.source(), pin, deepest);
+    add_pin(before, source_pin);
     add_names(before, model.section, share);
     scene::Panel after =
         panel("restored", model.restoration ? translated("Restored section") : translated("Target grid"));
-    add_grid(after, target.grid, "target_grid");
+    if (model.restoration) add_units(after, model.restoration->section, units);
+    add_grid(after, restored_grid(model), "target_grid");
     if (model.restoration) {
+      add_items(after, model.restoration->section);
       add_horizons(after, model.restoration->section);
     } else {
       scene::Style style;
@@ -154,8 +361,13 @@ scene::Picture picture_of(const Model& model) {
       style.line_width = 1.6;
       after.layers.push_back(lines_layer("target", translated("Target"), style, {target.map.target().base_line()}));
     }
-    add_pin(after, target.map.target(), pin, model.source->options.distances.back());
-    if (model.restoration) add_names(after, model.restoration->section, share);
+    add_pin(after, goes_to_target_grid(model) ? pin_line(target.map.target(), pin, deepest)
+                                              : images_of({source_pin}, model.restoration->map).front());
+    if (model.restoration) {
+      add_names(after, model.restoration->section, share);
+      add_column(after, model.restoration->section, units, model.restoration->ledger.units);
+      add_ledger(picture, model);
+    }
     // The legend of the first panel stands for both.
     for (scene::Layer& layer : after.layers) {
       const bool known = std::any_of(before.layers.begin(), before.layers.end(),

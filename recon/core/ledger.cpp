@@ -50,13 +50,15 @@ double triangle_area(geom::Point a, geom::Point b, geom::Point c) { return 0.5 *
 /// det F - 1 at the middle of each triangle of `field`; triangles that no cell holds are dropped.
 void evaluate(DilatationField& field, const SectionMap& map, RangeSum& sum) {
   std::vector<std::array<std::uint32_t, 3>> kept;
+  Cell hint;
   for (const auto& t : field.triangles) {
     const geom::Point a = field.points[t[0]];
     const geom::Point b = field.points[t[1]];
     const geom::Point c = field.points[t[2]];
     const geom::Point middle{(a.x + b.x + c.x) / 3.0, (a.y + b.y + c.y) / 3.0};
-    if (map.forward(middle).foot == Foot::NoColumn) continue;
-    const double dilatation = map.gradient(middle).determinant() - 1.0;
+    const std::optional<Gradient> f = map.gradient(middle, hint);
+    if (!f) continue;
+    const double dilatation = f->determinant() - 1.0;
     if (!std::isfinite(dilatation)) continue;
     kept.push_back(t);
     field.values.push_back(dilatation);

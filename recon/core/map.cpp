@@ -143,6 +143,41 @@ std::vector<double> ColumnMap::target_corners(double depth) const {
   return corners;
 }
 
+ColumnMap::LaidLine ColumnMap::lay(double depth, const std::vector<double>& lengths, const std::vector<double>& depths,
+                                   double travel) const {
+  LaidLine laid;
+  ColumnId column = column_at(target_, target_pin_.at(depth), depth, ColumnId{});
+  geom::Point p = point_on_bed(target_.frame(column), target_pin_.at(depth), depth);
+  laid.points.push_back(p);
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    double drop = std::clamp(depths[i] - depth, -lengths[i], lengths[i]);
+    double along = std::sqrt(std::max(0.0, lengths[i] * lengths[i] - drop * drop));
+    double left_to_go = 1.0;
+    while (true) {
+      const Columns::Frame& frame = target_.frame(column);
+      const geom::Point goal =
+          p + (travel * along * left_to_go) * frame.tangent + (drop * left_to_go) * geom::right_of(frame.tangent);
+      const Columns::Beyond here = target_.beyond(column, p);
+      const Columns::Beyond there = target_.beyond(column, goal);
+      const double start = travel > 0.0 ? here.right : here.left;
+      const double end = travel > 0.0 ? there.right : there.left;
+      if (!(end > 0.0 && end > start)) {
+        p = goal;
+        break;
+      }
+      const double part = std::clamp(-start / (end - start), 0.0, 1.0);
+      p = geom::interpolate(p, goal, part);
+      laid.bends.push_back(static_cast<double>(i) + 1.0 - left_to_go * (1.0 - part));
+      laid.bend_points.push_back(p);
+      left_to_go *= 1.0 - part;
+      column = ColumnId(travel > 0.0 ? column.index() + 1 : column.index() - 1);
+    }
+    depth += drop;
+    laid.points.push_back(p);
+  }
+  return laid;
+}
+
 // Area.
 
 std::vector<double> ColumnMap::area_rates(const Columns& columns) {

@@ -56,6 +56,19 @@ class ColumnMap {
   /// which the beds of that depth have their corners. Metres.
   [[nodiscard]] geom::Point target_point(double from_pin, double depth) const;
   [[nodiscard]] std::vector<double> target_corners(double depth) const;
+  /// Slip: a line laid out on the target from the pin line on, piece by piece: each keeps its length and changes its
+  /// depth as told (by its length at most).
+  /// @param depth   of the first point, m.
+  /// @param lengths, depths  of the pieces: length and depth at the end, m.
+  /// @param travel  +1 along the target, -1 against it.
+  /// @return one point more than pieces, and where corners of the target bend a piece, the places in it (0 .. 1).
+  struct LaidLine {
+    std::vector<geom::Point> points;
+    std::vector<double> bends;  ///< Piece number plus the part of it.
+    std::vector<geom::Point> bend_points;
+  };
+  [[nodiscard]] LaidLine lay(double depth, const std::vector<double>& lengths, const std::vector<double>& depths,
+                             double travel) const;
 
   /// The name of a point. O(log n).
   [[nodiscard]] Located locate(geom::Point p) const { return source_.locate(p, tolerances_.side); }

@@ -40,9 +40,8 @@ std::string what_it_keeps(RestoreMethod method) {
              "between "
              "top and base; thickness, and the length of other beds, change";
     case RestoreMethod::Flexural:
-      return "flexural slip keeps the length of every bed parallel to the top, the area of every unit and the depth of "
-             "every "
-             "point below the top; the loose line leans by what the dips sum to";
+      return "flexural slip keeps the length of every bed and the depth of its points below the top, and areas where "
+             "beds are parallel; the loose line leans by what the dips sum to";
     case RestoreMethod::Shear:
       return "simple shear keeps areas, and distances along the direction of shear; bed lengths and the thickness "
              "across "
@@ -141,9 +140,41 @@ struct StackLine {
   std::string name;
   geom::Polyline line;
   std::vector<double> arc;
-  double pin = 0.0;    ///< Arc length, m.
-  double depth = 0.0;  ///< Of its pin below that of the base, m.
+  HorizonId id;
+  double pin = 0.0;            ///< Arc length, m.
+  double depth = 0.0;          ///< Of its pin below that of the base, m.
+  std::vector<double> depths;  ///< Flexural: of every vertex below the top.
 };
+
+/// The line with a vertex at the pin.
+void insert_pin(StackLine& line) {
+  const auto after = std::lower_bound(line.arc.begin(), line.arc.end(), line.pin);
+  if (after == line.arc.end() || *after == line.pin) {
+    if (after == line.arc.end()) line.pin = line.arc.back();
+    return;
+  }
+  const auto i = after - line.arc.begin();
+  line.line.points.insert(line.line.points.begin() + i, geom::point_at(line.line, line.arc, line.pin));
+  line.arc.insert(line.arc.begin() + i, line.pin);
+}
+
+/// Gives the line a vertex wherever it crosses a rung of the top, and every vertex its depth.
+void measure_depths(StackLine& line, const ColumnMap& grid) {
+  insert_pin(line);
+  const MappedLine traced = grid.map(line.line);
+  line.line.points.clear();
+  line.depths.clear();
+  for (std::size_t i = 0; i < traced.before.points.size(); ++i) {
+    const geom::Point p = traced.before.points[i];
+    if (!line.line.points.empty() && line.line.points.back() == p) continue;
+    line.line.points.push_back(p);
+    line.depths.push_back(traced.names[i].depth);
+  }
+  line.arc = geom::arc_lengths(line.line);
+  // The vertices that were added have moved the pin's arc length by rounding.
+  const auto nearer = [&](double a, double b) { return std::abs(a - line.pin) < std::abs(b - line.pin); };
+  line.pin = *std::min_element(line.arc.begin(), line.arc.end(), nearer);
+}
 
 /// The pin at an end of the base pins the ends of all lines; elsewhere the pin line must meet them.
 enum class PinAt { Start, End, Inside };
@@ -157,16 +188,20 @@ PinAt pin_at(const SourceGrid& source, double arc) {
 base::Result<StackLine> stack_line(const Horizon& horizon, const SourceGrid& source, const Target& target) {
   StackLine line;
   line.name = horizon.name;
+  line.id = horizon.id;
   line.line = horizon.id == source.top          ? source.base
               : source.side == LayerSide::Above ? geom::reversed(horizon.line)
                                                 : horizon.line;
   line.arc = geom::arc_lengths(line.line);
-  const geom::Vector normal = [&] {
-    const ColumnPoint at = target.map.locate(target.source_pin).at;
-    ColumnPoint below = at;
-    below.depth = 1.0;
-    return geom::normalised(target.map.source().point(below) - target.source_pin);
-  }();
+  const Columns& columns = target.map.source();
+  const ColumnPoint at = target.map.locate(target.source_pin).at;
+  const std::size_t column = std::clamp<std::size_t>(at.column.index(), 1, columns.inner_count());
+  geom::Vector normal = geom::right_of(columns.frame(ColumnId(column)).tangent);
+  // At a corner the pin line is its rung, as in ColumnMap::slip.
+  for (const std::size_t rung : {column - 1, column}) {
+    if (geom::distance(columns.foot(rung), target.source_pin) <= target.map.tolerances().tear)
+      normal = geom::normalised(columns.rung_vector(rung));
+  }
   const PinAt where = pin_at(source, target.source_arc);
   if (horizon.id == source.top) {
     line.pin = target.source_arc;
@@ -189,6 +224,7 @@ base::Result<StackLine> stack_line(const Horizon& horizon, const SourceGrid& sou
 /// Arc length to the common place u: -1 .. 0 before the pin, 0 .. 1 after it (one of the two where the pin is at an
 /// end).
 double place_of(const StackLine& line, double arc) {
+  if (arc == line.pin) return 0.0;
   return arc < line.pin ? (arc - line.pin) / line.pin : (arc - line.pin) / (line.arc.back() - line.pin);
 }
 double arc_of(const StackLine& line, double u) {
@@ -213,13 +249,31 @@ class StackBuilder {
   StackBuilder(const SourceGrid& source, const Target& target, const MethodParams& params)
       : source_(source), target_(target), params_(params) {}
 
-  base::Result<MethodMap> run(const std::vector<StackLine>& lines) {
-    DOBRA_TRY(goal_,
-              match_by_length(source_.base, target_.source_arc, target_.line, target_.target_arc, {}, ColumnLaw::Slip));
+  base::Result<MethodMap> run(std::vector<StackLine> lines) {
+    const bool flexural = params_.method == RestoreMethod::Flexural;
+    if (flexural && params_.percent < 100.0) {
+      DOBRA_TRY(Columns on_the_way, target_on_the_way(target_, params_.percent / 100.0));
+      goal_ = ColumnMap::slip(target_.map.source(), target_.source_arc, std::move(on_the_way), target_.source_arc);
+    } else {
+      DOBRA_TRY(goal_, match_by_length(source_.base, target_.source_arc, target_.line, target_.target_arc, {},
+                                       ColumnLaw::Slip));
+    }
     if (params_.method == RestoreMethod::Proportional) thickness_ = params_.thickness.value_or(mean_thickness(lines));
-    std::vector<RuledLine> ruled;
-    for (const StackLine& line : lines) ruled.push_back(ruled_line(line, line.name == lines.front().name));
     MethodMap made;
+    std::vector<RuledLine> ruled;
+    for (StackLine& line : lines) {
+      const geom::Polyline given = line.line;
+      if (flexural) {
+        measure_depths(line, target_.map);
+        ruled.push_back(laid_line(line));
+      } else {
+        ruled.push_back(ruled_line(line, line.id == lines.front().id));
+      }
+      // A simplified base is not the top itself, which then goes through the map.
+      const bool is_horizon = line.id != source_.top || source_.params.simplify == 0.0;
+      if (params_.method != RestoreMethod::Proportional && is_horizon)
+        made.lines.emplace_back(line.id, mapped_line(given, ruled.back()));
+    }
     const RuledMap map(ruled);
     if (const auto folded = map.folded()) {
       const std::string message = "the rulings between the horizons cross here, so that the map is not single-valued";
@@ -239,6 +293,66 @@ class StackBuilder {
   static double mean_thickness(const std::vector<StackLine>& lines) {
     const geom::Polyline contour = contour_between(lines.front().line, lines.back().line);
     return std::abs(geom::signed_area(contour)) / lines.front().arc.back();
+  }
+
+  /// The line laid out from the pin to both sides, every piece as long as it is and at its depth.
+  RuledLine laid_line(const StackLine& line) const {
+    const std::size_t count = line.line.points.size();
+    const auto pin =
+        static_cast<std::size_t>(std::lower_bound(line.arc.begin(), line.arc.end(), line.pin) - line.arc.begin());
+    std::vector<std::pair<double, geom::Point>> laid;  // arc length and image
+    for (const double travel : {-1.0, 1.0}) {
+      std::vector<double> lengths;
+      std::vector<double> depths;
+      std::vector<double> arcs{line.arc[pin]};
+      for (std::size_t i = pin; travel > 0.0 ? i + 1 < count : i > 0; travel > 0.0 ? ++i : --i) {
+        const std::size_t next = travel > 0.0 ? i + 1 : i - 1;
+        lengths.push_back(std::abs(line.arc[next] - line.arc[i]));
+        depths.push_back(line.depths[next]);
+        arcs.push_back(line.arc[next]);
+      }
+      const ColumnMap::LaidLine side = goal_.lay(line.depths[pin], lengths, depths, travel);
+      for (std::size_t i = travel > 0.0 ? 0 : 1; i < side.points.size(); ++i)
+        laid.emplace_back(arcs[i], side.points[i]);
+      for (std::size_t i = 0; i < side.bends.size(); ++i) {
+        const auto piece = std::min(static_cast<std::size_t>(side.bends[i]), lengths.size() - 1);
+        const double part = side.bends[i] - static_cast<double>(piece);
+        laid.emplace_back((1.0 - part) * arcs[piece] + part * arcs[piece + 1], side.bend_points[i]);
+      }
+    }
+    std::stable_sort(laid.begin(), laid.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    RuledLine ruled;
+    for (const auto& [arc, image] : laid) {
+      const double u = place_of(line, arc);
+      if (!ruled.u.empty() && u <= ruled.u.back()) continue;
+      ruled.u.push_back(u);
+      const auto vertex = std::lower_bound(line.arc.begin(), line.arc.end(), arc);
+      const bool given = vertex != line.arc.end() && *vertex == arc;
+      ruled.from.push_back(given ? line.line.points[static_cast<std::size_t>(vertex - line.arc.begin())]
+                                 : geom::point_at(line.line, line.arc, arc));
+      ruled.to.push_back(image);
+    }
+    return ruled;
+  }
+
+  /// As Tracer would give it; the vertices of `given` are found again among those of the ruled line.
+  MappedLine mapped_line(const geom::Polyline& given, const RuledLine& ruled) const {
+    MappedLine mapped;
+    mapped.before.points = ruled.from;
+    mapped.after.points = ruled.to;
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < ruled.from.size() && next < given.points.size(); ++i) {
+      if (geom::distance(ruled.from[i], given.points[next]) > goal_.tolerances().tear) continue;
+      mapped.given.push_back(i);
+      ++next;
+    }
+    if (source_.side == LayerSide::Above) {  // horizons run from left to right
+      const std::size_t last = ruled.from.size() - 1;
+      for (geom::Polyline* line : {&mapped.before, &mapped.after}) *line = geom::reversed(std::move(*line));
+      std::reverse(mapped.given.begin(), mapped.given.end());
+      for (std::size_t& i : mapped.given) i = last - i;
+    }
+    return mapped;
   }
 
   RuledLine ruled_line(const StackLine& line, bool is_first) {
@@ -301,7 +415,7 @@ base::Result<MethodMap> stack_map(const Section& section, const SourceGrid& sour
     DOBRA_TRY(StackLine line, stack_line(*find_horizon(section, id), source, target));
     lines.push_back(std::move(line));
   }
-  return StackBuilder(source, target, params).run(lines);
+  return StackBuilder(source, target, params).run(std::move(lines));
 }
 
 base::Result<MethodMap> shear_map(const SourceGrid& source, const Target& target, const MethodParams& params) {
@@ -336,6 +450,20 @@ std::vector<HorizonId> horizons_in_order(const Section& section, const SourceGri
   return order;
 }
 
+MappedLine map_horizon(const MethodMap& method, const Horizon& horizon, const ColumnMap& grid) {
+  const auto known = std::find_if(method.lines.begin(), method.lines.end(),
+                                  [&](const auto& line) { return line.first == horizon.id; });
+  MappedLine mapped = known != method.lines.end() ? known->second : method.map.forward(horizon.line);
+  if (method.map.columns() != nullptr) return mapped;
+  mapped.names.resize(mapped.before.points.size());
+  ColumnId hint;
+  for (std::size_t i = 0; i < mapped.names.size(); ++i) {
+    mapped.names[i] = grid.source().locate(mapped.before.points[i], grid.tolerances().side, hint).at;
+    hint = mapped.names[i].column;
+  }
+  return mapped;
+}
+
 base::Result<MethodMap> make_method_map(const Section& section, const SourceGrid& source, const Target& target,
                                         const MethodParams& params) {
   switch (params.method) {
@@ -344,13 +472,16 @@ base::Result<MethodMap> make_method_map(const Section& section, const SourceGrid
     case RestoreMethod::Proportional:
     case RestoreMethod::LineLength:
       return stack_map(section, source, target, params);
+    case RestoreMethod::Flexural:
+      if (params.beds == SlipBeds::Horizons && section.horizons.size() > 1)
+        return stack_map(section, source, target, params);
+      break;
     case RestoreMethod::Constant:
     case RestoreMethod::Variable:
-    case RestoreMethod::Flexural:
       break;
   }
   DOBRA_TRY(SectionMap map, column_map(source, target, params));
-  return MethodMap{std::move(map), {}};
+  return MethodMap{std::move(map), {}, {}};
 }
 
 }  // namespace recon::core

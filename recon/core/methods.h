@@ -22,6 +22,13 @@ const char* method_name(RestoreMethod method);
 /// One sentence on what the method keeps and what it does not.
 std::string what_it_keeps(RestoreMethod method);
 
+/// Along which surfaces flexural slip happens.
+enum class SlipBeds {
+  Horizons,  ///< Every horizon keeps its length, and every point of it its depth below the top; between them by
+             ///< rulings.
+  Parallel,  ///< Every parallel of the top keeps its length, and every area is kept exactly.
+};
+
 struct MethodParams {
   RestoreMethod method = RestoreMethod::Constant;
   base::Angle shear_angle;  ///< Of the direction of shear from the vertical.
@@ -29,12 +36,19 @@ struct MethodParams {
   std::optional<double> thickness;  ///< Proportional: of the restored layers, m; by default such that area is kept.
   double percent = 100.0;           ///< 0: as it is; 100: restored; between: the map's own state between the two.
   Doubt doubt = Doubt::Nearest;
+  SlipBeds beds = SlipBeds::Horizons;  ///< Flexural; a section with one horizon has parallels only.
 };
 
 struct MethodMap {
   SectionMap map;
+  /// Horizons of a stack: their images are known without looking for their cells. Names are left empty.
+  std::vector<std::pair<HorizonId, MappedLine>> lines;
   std::vector<std::string> remarks;
 };
+
+/// Where a line goes by the method: as the method knows it, or through its map.
+/// @param grid  names the points of methods without columns.
+MappedLine map_horizon(const MethodMap& method, const Horizon& horizon, const ColumnMap& grid);
 
 /// The map of a section by the method, from the grid's base to the target.
 /// States between 0 and 100 % turn every piece of the base by its part of the angle between the two lines, so that the

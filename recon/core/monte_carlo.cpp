@@ -60,7 +60,7 @@ class Draws {
     restore.angle = restore.angle + normal(number, angle_stream) * params_.angle_error;
     auto made = make_method_map(section, *source, *target, method_params(restore));
     if (!made) return {};
-    return measure(section, made->map);
+    return measure(section, *made, target->map);
   }
 
  private:
@@ -107,13 +107,14 @@ class Draws {
     return params;
   }
 
-  [[nodiscard]] std::vector<double> measure(const Section& section, const SectionMap& map) const {
+  [[nodiscard]] std::vector<double> measure(const Section& section, const MethodMap& method,
+                                            const ColumnMap& grid) const {
     std::vector<MappedLine> lines;
     std::vector<double> numbers(4);
     std::vector<LineLength> lengths;
     Balance balance;
     for (const Horizon& horizon : section.horizons) {
-      lines.push_back(map.forward(horizon.line));
+      lines.push_back(map_horizon(method, horizon, grid));
       lengths.push_back(line_length(horizon, lines.back()));
       const LineLength& row = lengths.back();
       if (horizon.id == source_.top) numbers[0] = row.shortening;
@@ -121,7 +122,7 @@ class Draws {
       numbers.insert(numbers.end(), {row.length_before, row.length_after, row.change_percent});
     }
     for (const LedgerUnit& unit : units_) {
-      const UnitAreas areas = areas_between(lines[*unit.upper], lines[*unit.lower], map);
+      const UnitAreas areas = areas_between(lines[*unit.upper], lines[*unit.lower], method.map);
       numbers.insert(numbers.end(), {areas.before, areas.after});
       numbers[2] = std::max(numbers[2], 100.0 * std::abs(areas.after - areas.before) / areas.before);
     }

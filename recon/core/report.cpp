@@ -78,6 +78,8 @@ void add_balance_quantities(const Model& model, std::vector<scenario::Quantity>&
   }
   if (model.area_depth) {
     for (const BedBalance& bed : model.area_depth->beds) add_cells("bed." + bed.name + '.', cells_of(bed), quantities);
+    for (const LayerClass& layer : model.area_depth->layers)
+      quantities.push_back({"layer." + layer.name + ".isogon_index", layer.fold.index, ""});
     if (const auto& fit = model.area_depth->fit) {
       quantities.push_back({"displacement", fit->displacement, "m"});
       quantities.push_back({"displacement_error", fit->displacement_error, "m"});

@@ -29,8 +29,10 @@ void remark_on(const std::string& name, const MappedLine& mapped, std::vector<st
   }
   if (mapped.beyond_ends > 0) {
     remarks.push_back(
-        fmt::format("horizon '{}': {} points lie beyond the ends of the top; there the grid was continued straight",
-                    name, mapped.beyond_ends));
+        fmt::format("the top does not cover the section: {} points of horizon '{}' lie beyond its ends, the first at "
+                    "{}; there the grid "
+                    "was continued straight",
+                    mapped.beyond_ends, name, at_text(*mapped.beyond_at)));
   }
   if (mapped.without_column > 0) {
     remarks.push_back(
@@ -42,15 +44,6 @@ void remark_on(const std::string& name, const MappedLine& mapped, std::vector<st
         "horizon '{}': {} restored points belong to another column of the target grid: restoring back would not "
         "bring them home",
         name, mapped.not_reversible));
-  }
-}
-
-/// Depths below the top for maps whose cells are not its columns.
-void name_by_columns(MappedLine& mapped, const ColumnMap& grid) {
-  ColumnId hint;
-  for (std::size_t i = 0; i < mapped.names.size(); ++i) {
-    mapped.names[i] = grid.source().locate(mapped.before.points[i], grid.tolerances().side, hint).at;
-    hint = mapped.names[i].column;
   }
 }
 
@@ -102,7 +95,7 @@ std::string verdict_text(const Restoration& restoration) {
   if (!balance.worst_unit.empty()) {
     text += fmt::format(", of a unit's area {:.4g} % ('{}')", balance.greatest_area_change_percent, balance.worst_unit);
   }
-  return text + fmt::format("; restored beds differ by {:.4g} %; the tolerance is {:.4g} %",
+  return text + fmt::format("; shortening differs by {:.4g} % between beds; the tolerance is {:.4g} %",
                             balance.inconsistency_percent, restoration.params.tolerance);
 }
 
@@ -137,7 +130,7 @@ bool is_balanced(const RestoreParams& params, double length_change_percent, doub
 }
 
 MethodParams method_params(const RestoreParams& params) {
-  return {params.method, params.angle, params.base, params.thickness, params.percent, params.outside};
+  return {params.method, params.angle, params.base, params.thickness, params.percent, params.outside, params.beds};
 }
 
 base::Result<Restoration> restore(const Section& section, const SourceGrid& source, const Target& target,
@@ -147,13 +140,11 @@ base::Result<Restoration> restore(const Section& section, const SourceGrid& sour
   Restoration restoration;
   restoration.params = params;
   restoration.remarks = std::move(made.remarks);
-  restoration.map = std::move(made.map);
+  restoration.map = made.map;
   const SectionMap& map = restoration.map;
   restoration.lines = base::parallel_map<MappedLine>(section.horizons.size(), [&](std::size_t i) {
     if (progress.cancelled()) return MappedLine{};
-    MappedLine mapped = map.forward(section.horizons[i].line);
-    if (map.columns() == nullptr) name_by_columns(mapped, target.map);
-    return mapped;
+    return map_horizon(made, section.horizons[i], target.map);
   });
   DOBRA_TRY_VOID(progress.check());
   progress.report(0.6, "lines restored");

@@ -22,6 +22,7 @@ struct RestoreParams {
   std::optional<double> thickness;
   double percent = 100.0;
   Doubt outside = Doubt::Nearest;
+  SlipBeds beds = SlipBeds::Horizons;
   double tolerance = 2.0;
   template <class D>
   static void describe(D& d) {
@@ -52,6 +53,9 @@ struct RestoreParams {
     d.choice("outside", &RestoreParams::outside, {"nearest", "refuse"},
              {.title = "Where the map is not single-valued",
               .help = "nearest: the nearest segment of the top, with a remark; refuse: an error with the place."});
+    d.choice("beds", &RestoreParams::beds, {"horizons", "parallel"},
+             {.title = "Surfaces of slip",
+              .help = "Of flexural slip: every horizon keeps its length, or every parallel of the top and all areas."});
     d.field("tolerance", &RestoreParams::tolerance,
             {.title = "Balance tolerance",
              .help = "Greatest change of a bed's length or a unit's area in a balanced section.",

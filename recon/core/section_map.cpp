@@ -82,17 +82,31 @@ MappedLine SectionMap::forward(const geom::Polyline& line) const {
   return mapped;
 }
 
+namespace {
+
+template <class Map>
+Gradient gradient_in(const Map& map, Cell cell, geom::Point p) {
+  // Wide enough that rounding is small against it, narrow against any curvature: 1e-6 of the size.
+  const double h = map.tolerances().chord;
+  const auto image = [&](double x, double y) { return map.carry(cell, {p.x + x, p.y + y}).image; };
+  const geom::Vector along_x = (image(h, 0.0) - image(-h, 0.0)) / (2.0 * h);
+  const geom::Vector along_y = (image(0.0, h) - image(0.0, -h)) / (2.0 * h);
+  return {along_x.x, along_y.x, along_x.y, along_y.y};
+}
+
+}  // namespace
+
 Gradient SectionMap::gradient(geom::Point p) const {
-  // Wide enough that rounding is small against it, narrow against any curvature: tolerances().chord is 1e-6 of the
-  // size.
-  const double h = tolerances().chord;
+  return std::visit([&](const auto& map) { return gradient_in(map, map.locate(p, Cell{}).cell, p); }, map_);
+}
+
+std::optional<Gradient> SectionMap::gradient(geom::Point p, Cell& hint) const {
   return std::visit(
-      [&](const auto& map) {
-        const Cell cell = map.locate(p, Cell{}).cell;
-        const auto image = [&](double x, double y) { return map.carry(cell, {p.x + x, p.y + y}).image; };
-        const geom::Vector along_x = (image(h, 0.0) - image(-h, 0.0)) / (2.0 * h);
-        const geom::Vector along_y = (image(0.0, h) - image(0.0, -h)) / (2.0 * h);
-        return Gradient{along_x.x, along_y.x, along_x.y, along_y.y};
+      [&](const auto& map) -> std::optional<Gradient> {
+        const Spot spot = map.locate(p, hint);
+        hint = spot.cell;
+        if (spot.foot == Foot::NoColumn) return std::nullopt;
+        return gradient_in(map, spot.cell, p);
       },
       map_);
 }

@@ -4,6 +4,7 @@
 // Page: docs/algorithms/unfold.md
 
 #include <array>
+#include <optional>
 #include <span>
 #include <variant>
 #include <vector>
@@ -51,6 +52,8 @@ class SectionMap {
 
   /// The gradient of the formula that holds at p, by central differences (exact to rounding where it is affine).
   [[nodiscard]] Gradient gradient(geom::Point p) const;
+  /// The same where a cell holds the point, else nothing. @param hint  for points near each other in turn.
+  [[nodiscard]] std::optional<Gradient> gradient(geom::Point p, Cell& hint) const;
   /// The map back as a map of its own, with the columns of the target as its grid. Of Slip, shear and rulings it is the
   /// inverse; of the other laws too, where the point has one foot on either base.
   [[nodiscard]] SectionMap swapped() const;

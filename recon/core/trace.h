@@ -57,11 +57,12 @@ struct MappedLine {
   std::vector<ColumnPoint> names;  ///< The same number: column, along, depth.
   std::vector<std::size_t> given;  ///< Where the vertices of the given line stand in `before`.
   std::vector<Tear> tears;
-  std::size_t without_column = 0;       ///< Given vertices that no cell holds; mapped by the nearest base segment.
-  std::size_t beyond_ends = 0;          ///< Given vertices beyond the ends of the base.
-  std::size_t not_reversible = 0;       ///< Given vertices that the map back does not bring home.
-  std::optional<geom::Point> doubtful;  ///< The first place where the map is not single-valued: of a tear, or of a
-                                        ///< vertex that no cell holds.
+  std::size_t without_column = 0;        ///< Given vertices that no cell holds; mapped by the nearest base segment.
+  std::size_t beyond_ends = 0;           ///< Given vertices beyond the ends of the base.
+  std::size_t not_reversible = 0;        ///< Given vertices that the map back does not bring home.
+  std::optional<geom::Point> beyond_at;  ///< The first of those beyond the ends.
+  std::optional<geom::Point> doubtful;   ///< The first place where the map is not single-valued: of a tear, or of a
+                                         ///< vertex that no cell holds.
 };
 
 /// Walks along a line. Places on a straight piece are u in [0, 1].
@@ -108,7 +109,10 @@ class Tracer {
       ++result_.without_column;
       doubt(p);
     }
-    if (map_.is_outer(spot_.cell)) ++result_.beyond_ends;
+    if (map_.is_outer(spot_.cell)) {
+      ++result_.beyond_ends;
+      if (!result_.beyond_at) result_.beyond_at = p;
+    }
     if (geom::distance(map_.back(carried.image, back_hint_), p) > tolerances_.tear) ++result_.not_reversible;
   }
 

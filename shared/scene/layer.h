@@ -123,6 +123,13 @@ struct Panel {
 
 enum class Arrangement { Row, Column };
 
+/// Words and numbers in rows, shown below the plots of a file; windows show them elsewhere.
+struct TextTable {
+  std::string title{};
+  std::vector<std::string> columns{};
+  std::vector<std::vector<std::string>> rows{};  ///< As many cells as columns.
+};
+
 /// All panels of a picture share one scale, so that lengths compare across them.
 struct Picture {
   std::string title{};
@@ -131,6 +138,8 @@ struct Picture {
   /// A true scale, points on the page for a world unit along x: the page takes the size that it needs. Of files only;
   /// by default the content is made as large as the page allows.
   std::optional<double> points_per_unit = std::nullopt;
+  std::vector<TextTable> tables{};   ///< Below the legend, in files only.
+  std::vector<std::string> notes{};  ///< One line each (wrapped), below the tables.
 };
 
 /// Smallest box round everything in a layer, visible or not; empty if there is nothing.

@@ -13,6 +13,7 @@
 #include "shared/base/check.h"
 #include "shared/base/text.h"
 #include "shared/scene/furniture.h"
+#include "shared/scene/text_table.h"
 
 namespace dobra::scene {
 namespace {
@@ -84,6 +85,7 @@ class Arranger {
   Furniture title_;
   Furniture legend_;
   Furniture scale_bar_;
+  Furniture tables_;  ///< With the notes; empty in windows.
   double bar_title_height_ = 0.0;
 };
 
@@ -110,6 +112,8 @@ Arranger::Arranger(const Picture& picture, const PageSize& page, std::span<const
     block.top = block.right = 4.0;
     blocks_.push_back(std::move(block));
   }
+  if (options.plots == Plots::ToContent)
+    tables_ = tables_and_notes(picture, page.width - 2.0 * options.margin, tick_font_, measure);
   for (const Scale& scale : scales_) {
     double title_height = 0.0;
     color_bar(scale, least_bar, axis_font_, measure_, title_height);
@@ -135,7 +139,7 @@ double Arranger::bars_width() const {
 
 double Arranger::footer() const {
   const double height = std::max(legend_.height, scale_bar_.height);
-  return height > 0.0 ? height + 12.0 : 0.0;
+  return (height > 0.0 ? height + 12.0 : 0.0) + (tables_.height > 0.0 ? tables_.height + 12.0 : 0.0);
 }
 
 double Arranger::panels_width() const {
@@ -336,7 +340,7 @@ PageSize Arranger::content() const {
   const double body = panels_width() + bars_width();
   const double foot =
       legend_.width + (scale_bar_.width > 0.0 ? scale_bar_.width + (legend_.width > 0.0 ? 24.0 : 0.0) : 0.0);
-  return {std::max({body, foot, title_.width}) + 2.0 * options_.margin,
+  return {std::max({body, foot, title_.width, tables_.width}) + 2.0 * options_.margin,
           header() + panels_height() + footer() + 2.0 * options_.margin};
 }
 
@@ -387,6 +391,8 @@ void Arranger::place_footer(double y, Layout& made) const {
   put(legend_, {x, y}, made.marks);
   x += legend_.width + between;
   put(scale_bar_, {x, y}, made.marks);
+  const double above = std::max(legend_.height, scale_bar_.height);
+  put(tables_, {0.5 * (made.page.width - tables_.width), y + (above > 0.0 ? above + 12.0 : 0.0)}, made.marks);
 }
 
 Layout Arranger::place() const {

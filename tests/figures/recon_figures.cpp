@@ -99,7 +99,8 @@ base::Result<core::Model> restored_fold() {
   }
   core::GridParams grid_params;
   grid_params.count = 8;
-  core::Model model{section_of({top, middle, low}), {}, {}, {}, {}};
+  core::Model model;
+  model.section = section_of({top, middle, low});
   DOBRA_TRY(core::Model with_grid, core::run_grid(model, grid_params, {}, {}));
   DOBRA_TRY(core::Model with_target, core::run_target(with_grid, {}, {}, {}));
   return core::run_restore(with_target, {}, {}, {});

@@ -5,6 +5,9 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
 
 #include "recon/core/operations.h"
 #include "shared/scenario/runner.h"
@@ -97,6 +100,67 @@ TEST(RealSections, ASimplifiedTopTearsTheCatskillBedsLess) {
   EXPECT_LT(quantity(smooth, "tears"), 0.5 * quantity(traced, "tears"));
   EXPECT_LE(quantity(smooth, "top.depth_max"), 3.0);
   EXPECT_GE(quantity(smooth, "top.depth_min"), -3.0);
+}
+
+/// Length of every horizon and the area of every unit after flexural slip about a pin, against before.
+void expect_lengths_kept(const scenario::Run& run) {
+  ASSERT_TRUE(run.complete()) << to_string(*run.error);
+  const auto& model = scenario::model_of<Model>(run.states.back());
+  for (const LineLength& row : model.restoration->lengths)
+    EXPECT_NEAR(row.length_after, row.length_before, 1e-9 * row.length_before) << row.name;
+}
+
+TEST(RealSections, TheCatskillFoldUnfoldsByFlexuralSlipWithEveryBedItsLength) {
+  auto document = real_section("catskill.toml", "catskill_fpf");
+  if (!document) GTEST_SKIP() << "DOBRA_TEST_DATA is not set";
+  auto flexural = scenario::with_value(*document, program(), "steps.3.method=flexural");
+  ASSERT_TRUE(flexural) << to_string(flexural.error());
+  flexural = scenario::with_value(*flexural, program(), "steps.2.pin=430");
+  ASSERT_TRUE(flexural) << to_string(flexural.error());
+  expect_lengths_kept(scenario::Runner(program()).run(*flexural));
+}
+
+/// Layers 1 .. 9 of the profile as horizons, the whole of one part each.
+scenario::Document broadhaven(const std::filesystem::path& profile) {
+  scenario::Document document;
+  document.program = "recon";
+  std::ifstream file(profile);
+  std::string line;
+  std::getline(file, line);
+  std::map<std::string, std::vector<geom::Point>> layers;
+  while (std::getline(file, line)) {
+    std::stringstream cells(line);
+    std::string layer, part, number, x, z;
+    std::getline(cells, layer, ',');
+    std::getline(cells, part, ',');
+    std::getline(cells, number, ',');
+    std::getline(cells, x, ',');
+    std::getline(cells, z, ',');
+    if (part == "0") layers[layer].push_back({std::stod(x), std::stod(z)});
+  }
+  std::vector<scenario::Table> rows;
+  for (const char* layer : {"1", "2"}) {
+    scenario::Table row;
+    row.set("name", std::string("layer") + layer);
+    row.set("points", layers[layer]);
+    rows.push_back(std::move(row));
+  }
+  document.input.set("self_crossings", std::string("cut_loops"));
+  document.input.set("horizon", std::move(rows));
+  scenario::Table grid;
+  grid.set("count", std::int64_t{2});
+  grid.set("distance", 0.5);
+  scenario::Table restore;
+  restore.set("method", std::string("flexural"));
+  document.steps = {{"grid", "", grid, "", {}}, {"target", "", {}, "", {}}, {"restore", "", restore, "", {}}};
+  return document;
+}
+
+TEST(RealSections, TheBroadhavenFoldUnfoldsByFlexuralSlipWithTopAndBaseTheirLengths) {
+  const char* data = std::getenv("DOBRA_TEST_DATA");
+  if (data == nullptr) GTEST_SKIP() << "DOBRA_TEST_DATA is not set";
+  const auto profile = std::filesystem::path(data) / "sections/broadhaven_fold/derived_profile_m/profile.csv";
+  expect_lengths_kept(scenario::Runner(program()).run(broadhaven(profile)));
 }
 
 }  // namespace

@@ -107,8 +107,10 @@ TEST(Methods, FlexuralSlipOfTheConcentricFoldKeepsLengthsAndAreaAndLeansTheEnds)
   EXPECT_NEAR(flat.lean_right, -0.698132, 5e-7);
   EXPECT_NEAR(flat.ledger.units[0].dilatation->least, 0.0, 1e-8);
   EXPECT_NEAR(flat.ledger.units[0].dilatation->greatest, 0.0, 1e-8);
-  EXPECT_FALSE(flat.balance.balanced);  // beds of 1396 and 977 m do not fit each other
-  EXPECT_NEAR(flat.balance.inconsistency_percent, 30.0, 1e-6);
+  // Shortening R (2 a - 2 sin a) grows with the radius: the beds do not agree with each other.
+  const double half = 40.0 * pi / 180.0;
+  EXPECT_NEAR(flat.balance.inconsistency_percent, 30.0 * (1.0 - std::sin(half) / half), 1e-6);
+  EXPECT_FALSE(flat.balance.balanced);
 }
 
 TEST(Methods, InterbedSlipOfAKinkIsTwiceTheTangentOfHalfItsTurn) {
@@ -302,6 +304,7 @@ TEST(Methods, StatesOnTheWayKeepWhatTheMethodKeeps) {
   const Model model = with_target(section, pinned_at(5.0));
   for (const double percent : {0.0, 25.0, 50.0, 90.0, 100.0}) {
     RestoreParams params = by(RestoreMethod::Flexural);
+    params.beds = SlipBeds::Parallel;
     params.percent = percent;
     const Restoration state = restored(model, params);
     for (const LineLength& row : state.lengths) EXPECT_NEAR(row.length_after, row.length_before, 1e-9) << percent;

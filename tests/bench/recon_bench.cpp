@@ -1,0 +1,144 @@
+// Restoration: whole sections, single maps, a pin that is moved, Monte Carlo. Peers in the same run: the least work
+// that a map can be (an affine transformation of as many points), so that ratios do not depend on the machine.
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+
+#include "recon/core/operations.h"
+#include "shared/geom/transform.h"
+
+namespace recon::core {
+namespace {
+
+/// A fold train of `horizons` beds, `points` each, over 10 km.
+Section fold_train(std::size_t horizons, std::size_t points) {
+  Section section;
+  for (std::size_t h = 0; h < horizons; ++h) {
+    geom::Polyline line;
+    const double depth = 1000.0 * static_cast<double>(h) / static_cast<double>(horizons);
+    for (std::size_t i = 0; i < points; ++i) {
+      const double x = 10000.0 * static_cast<double>(i) / static_cast<double>(points - 1);
+      line.points.push_back({x, 150.0 * (1.0 - 0.3 * depth / 1000.0) * std::sin(x / 600.0) - depth});
+    }
+    section.horizons.push_back({HorizonId(h), "h" + std::to_string(h), std::move(line), {}});
+  }
+  return section;
+}
+
+GridParams grid_of(int curves) {
+  GridParams params;
+  params.count = curves;
+  return params;
+}
+
+RestoreParams by(RestoreMethod method) {
+  RestoreParams params;
+  params.method = method;
+  return params;
+}
+
+TargetParams pinned(double x) {
+  TargetParams params;
+  params.pin = x;
+  return params;
+}
+
+Model start(std::size_t horizons, std::size_t points) {
+  Model model;
+  model.section = fold_train(horizons, points);
+  return model;
+}
+
+void restore_whole_section(benchmark::State& state) {
+  const Model model = start(static_cast<std::size_t>(state.range(0)), static_cast<std::size_t>(state.range(1)));
+  for (auto _ : state) {
+    const Model with_grid = run_grid(model, grid_of(20), {}, {}).value();
+    const Model with_target = run_target(with_grid, pinned(5000.0), {}, {}).value();
+    benchmark::DoNotOptimize(run_restore(with_target, by(RestoreMethod::Constant), {}, {}).value());
+  }
+  state.SetItemsProcessed(state.iterations() * state.range(0) * state.range(1));
+}
+BENCHMARK(restore_whole_section)
+    ->Args({100, 1000})
+    ->Args({100, 10000})
+    ->Args({100, 30000})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+void restore_with_grid_there(benchmark::State& state) {
+  const Model model = start(100, 10000);
+  const Model ready = run_target(run_grid(model, grid_of(20), {}, {}).value(), pinned(5000.0), {}, {}).value();
+  const auto method = static_cast<RestoreMethod>(state.range(0));
+  state.SetLabel(method_name(method));
+  for (auto _ : state) benchmark::DoNotOptimize(run_restore(ready, by(method), {}, {}).value());
+  state.SetItemsProcessed(state.iterations() * 1000000);
+}
+BENCHMARK(restore_with_grid_there)->DenseRange(0, 5)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+std::vector<geom::Point> all_points(const Section& section) {
+  std::vector<geom::Point> points;
+  for (const Horizon& horizon : section.horizons)
+    points.insert(points.end(), horizon.line.points.begin(), horizon.line.points.end());
+  return points;
+}
+
+void map_points(benchmark::State& state) {
+  const Model model = start(100, 10000);
+  const Model ready = run_target(run_grid(model, grid_of(1), {}, {}).value(), pinned(5000.0), {}, {}).value();
+  MethodParams params;
+  params.method = static_cast<RestoreMethod>(state.range(0));
+  state.SetLabel(method_name(params.method));
+  const SectionMap map = make_method_map(ready.section, *ready.source, *ready.target, params).value().map;
+  const std::vector<geom::Point> points = all_points(model.section);
+  std::vector<geom::Point> images(points.size());
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(map.forward(points, images));
+    benchmark::ClobberMemory();
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points.size()));
+}
+BENCHMARK(map_points)->DenseRange(0, 5)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void affine_peer(benchmark::State& state) {
+  const std::vector<geom::Point> points = all_points(fold_train(100, 10000));
+  std::vector<geom::Point> images(points.size());
+  const geom::Transform turn = geom::Transform::rotation(dobra::base::Angle::from_degrees(20.0));
+  for (auto _ : state) {
+    for (std::size_t i = 0; i < points.size(); ++i) images[i] = turn(points[i]);
+    benchmark::ClobberMemory();
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points.size()));
+}
+BENCHMARK(affine_peer)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// A drag of the pin: target and restoration of 10 x 1000 points.
+void move_the_pin(benchmark::State& state) {
+  const Model with_grid = run_grid(start(10, 1000), grid_of(20), {}, {}).value();
+  const auto method = static_cast<RestoreMethod>(state.range(0));
+  state.SetLabel(method_name(method));
+  double x = 3000.0;
+  for (auto _ : state) {
+    x += 1.0;
+    const Model with_target = run_target(with_grid, pinned(x), {}, {}).value();
+    benchmark::DoNotOptimize(run_restore(with_target, by(method), {}, {}).value());
+  }
+}
+BENCHMARK(move_the_pin)->DenseRange(0, 5)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void monte_carlo_draws(benchmark::State& state) {
+  const Model with_target =
+      run_target(run_grid(start(10, 500), grid_of(1), {}, {}).value(), pinned(5000.0), {}, {}).value();
+  const Model ready = run_restore(with_target, by(RestoreMethod::Flexural), {}, {}).value();
+  MonteCarloParams params;
+  params.draws = static_cast<int>(state.range(0));
+  params.pick_error = 5.0;
+  params.pin_error = 50.0;
+  for (auto _ : state) benchmark::DoNotOptimize(run_monte_carlo(ready, params, {}, {}).value());
+}
+BENCHMARK(monte_carlo_draws)->Arg(500)->Arg(10000)->Unit(benchmark::kSecond)->UseRealTime();
+
+}  // namespace
+}  // namespace recon::core
+
+BENCHMARK_MAIN();
