@@ -62,7 +62,7 @@ TEST(Crack, AnEdgeCrackInTensionHasItsReferenceIntensitiesByAllMethods) {
     ASSERT_TRUE(tip.closure && tip.correlation);
     EXPECT_NEAR(tip.closure->one, tip.domain.k.one, 2e-3 * tip.domain.k.one) << a;
     EXPECT_NEAR(tip.correlation->one, tip.domain.k.one, 1e-2 * tip.domain.k.one) << a;
-    EXPECT_NEAR(tip.domain.k.two, 0.0, 1e-5 * tip.domain.k.one);
+    EXPECT_NEAR(tip.domain.k.two, 0.0, 1e-4 * tip.domain.k.one) << "a mesh without symmetry, a tenth of the tolerance of K_I";
     EXPECT_LT(tip.spread, 1e-2);
   }
 }
