@@ -81,15 +81,14 @@ TEST(Analysis, QUE_f_KirschsPlateReachesTheErrorAskedFor) {
   struct Case {
     double target;
     const char* order;
-    double most;  // effectivity: a few T6 on a coarse arc are judged too severely, never too mildly
   };
-  for (const auto& [target, order, most] : {Case{5.0, "1", 1.1}, Case{5.0, "2", 1.5}, Case{1.0, "2", 1.2}, Case{0.2, "2", 1.1}}) {
+  for (const auto& [target, order] : {Case{5.0, "1"}, Case{5.0, "2"}, Case{1.0, "2"}, Case{0.2, "2"}}) {
     const scenario::Run done = run(kirsch + adapt_step(target, std::string("order = \"") + order + "\"\n"));
     const auto values = figures(done);
     EXPECT_LE(values.at("eta"), target);
     EXPECT_LE(values.at("cycles"), 6.0);
     EXPECT_GT(effectivity(last(done), kirsch_energy), 0.9) << target << ' ' << order;
-    EXPECT_LT(effectivity(last(done), kirsch_energy), most) << target << ' ' << order;
+    EXPECT_LT(effectivity(last(done), kirsch_energy), 1.1) << target << ' ' << order;
   }
 }
 
