@@ -157,7 +157,7 @@ Result<Model> read_input(const InputParams& params, const dobra::scenario::Table
   }
   for (std::size_t i = 0; i < params.cracks.size(); ++i) {
     const auto& crack = params.cracks[i];
-    DOBRA_TRY_VOID(add_curve(sketch, as_curve(crack), crack.tip_size, place_of(table, "cracks", i, fmt::format("crack '{}'", crack.name))));
+    DOBRA_TRY_VOID(add_curve(sketch, as_curve(crack), crack.tip_size, place_of(table, "crack", i, fmt::format("crack '{}'", crack.name))));
   }
   for (const RegionParams& region : params.regions) sketch.regions.push_back({region.name, region.point});
   for (const PointParams& point : params.points) sketch.points.push_back({point.name, point.point, point.size});

@@ -52,7 +52,7 @@ struct CurveParams {
   }
 };
 
-/// One [[input.cracks]].
+/// One [[input.crack]].
 struct CrackParams {
   std::string name;
   CurveKind kind = CurveKind::Line;
@@ -130,7 +130,7 @@ struct InputParams {
             {.title = "Join tolerance", .help = "Ends of curves nearer than this fraction of the domain's diagonal are one point.", .at_least = 0, .at_most = 0.01});
     d.choice("repair", &InputParams::repair, {"no", "yes"}, {.title = "Repair", .help = "Mends repeated points, spikes, doubles, gaps and crossings of boundaries, and lists each with its place."});
     d.tables("curve", &InputParams::curves, {.title = "Curves", .help = "The boundary, in any order and direction; internal lines."});
-    d.tables("cracks", &InputParams::cracks, {.title = "Cracks", .help = "Their two lips come apart; they may branch, cross and reach the boundary."});
+    d.tables("crack", &InputParams::cracks, {.title = "Cracks", .help = "Their two lips come apart; they may branch, cross and reach the boundary."});
     d.tables("region", &InputParams::regions, {.title = "Regions", .help = "Names of the parts that loops and internal lines enclose."});
     d.tables("point", &InputParams::points, {.title = "Points", .help = "Nodes with a name: supports, loads, gauges."});
   }

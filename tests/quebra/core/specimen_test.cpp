@@ -81,8 +81,8 @@ TEST(Specimen, EveryOneMeshesWithBothOrdersAndQuadrilaterals) {
 }
 
 TEST(Specimen, SizesThatDoNotFitAreRefused) {
-  for (const char* const bad : {"specimen = \"plate_with_hole\"\nradius = 6\n", "specimen = \"single_edge_notch\"\ncrack = 1\n", "specimen = \"centre_crack\"\ncrack = 11\n",
-                                "specimen = \"pmma_beam\"\nposition = 4\ncrack = 3\n", "specimen = \"three_point_bend\"\nwidth = 4\n"}) {
+  for (const char* const bad : {"specimen = \"plate_with_hole\"\nradius = 6\n", "specimen = \"single_edge_notch\"\ncrack_length = 1\n", "specimen = \"centre_crack\"\ncrack_length = 11\n",
+                                "specimen = \"pmma_beam\"\nposition = 4\ncrack_length = 3\n", "specimen = \"three_point_bend\"\nwidth = 4\n"}) {
     const auto done = run_text(std::string("[input]\n") + bad);
     ASSERT_FALSE(done.complete()) << bad;
     EXPECT_EQ(done.error->code, base::ErrorCode::BadValue) << bad;
@@ -91,7 +91,7 @@ TEST(Specimen, SizesThatDoNotFitAreRefused) {
 }
 
 TEST(Specimen, AnInclinedCentreCrackHasItsAngleAndItsLength) {
-  const auto model = run("[input]\nspecimen = \"centre_crack\"\ncrack = 2\nangle = 30\n" + mesh_step);
+  const auto model = run("[input]\nspecimen = \"centre_crack\"\ncrack_length = 2\nangle = 30\n" + mesh_step);
   const auto& mesh = last_mesh(*model);
   EXPECT_NEAR(length_of(mesh, "crack_left"), 4.0, 1e-12);
   ASSERT_EQ(mesh.tips.size(), 2U);
@@ -100,8 +100,8 @@ TEST(Specimen, AnInclinedCentreCrackHasItsAngleAndItsLength) {
 
 TEST(Junctions, CracksBranchCrossAndReachTheBoundary) {
   const auto model = run(square +
-                         "[[input.cracks]]\nname = \"stem\"\npoints = [[2, 0], [2, 2]]\n[[input.cracks]]\nname = \"arm\"\npoints = [[2, 2], [3, 3]]\n"
-                         "[[input.cracks]]\nname = \"other\"\npoints = [[2, 2], [1, 3]]\n[[input.cracks]]\nname = \"across\"\npoints = [[1.5, 1.1], [2.6, 0.9]]\n" + mesh_step);
+                         "[[input.crack]]\nname = \"stem\"\npoints = [[2, 0], [2, 2]]\n[[input.crack]]\nname = \"arm\"\npoints = [[2, 2], [3, 3]]\n"
+                         "[[input.crack]]\nname = \"other\"\npoints = [[2, 2], [1, 3]]\n[[input.crack]]\nname = \"across\"\npoints = [[1.5, 1.1], [2.6, 0.9]]\n" + mesh_step);
   const auto& mesh = last_mesh(*model);
   EXPECT_EQ(coincident_at(mesh, {2, 2}), 3U) << "a branch";
   EXPECT_EQ(coincident_at(mesh, {2, 0}), 2U) << "a mouth";
@@ -115,8 +115,8 @@ TEST(Junctions, CracksBranchCrossAndReachTheBoundary) {
 TEST(Junctions, ACrackFromAHoleAndACurvedOneOpen) {
   const auto model = run(square +
                          "[[input.curve]]\nname = \"hole\"\nkind = \"circle\"\ncentre = [2, 2]\nradius = 0.5\n"
-                         "[[input.cracks]]\nname = \"a\"\npoints = [[2.5, 2], [3, 2.2]]\n[[input.cracks]]\nname = \"b\"\nkind = \"spline\"\npoints = [[1.5, 2], [1.2, 2.2], [0.8, 2.1], [0.5, 2.4]]\n"
-                         "[[input.cracks]]\nname = \"c\"\nkind = \"arc\"\ncentre = [2, 1]\npoints = [[2.4, 1], [2, 1.4]]\n[[step]]\noperation = \"mesh\"\nsize = 0.3\norder = \"2\"\n");
+                         "[[input.crack]]\nname = \"a\"\npoints = [[2.5, 2], [3, 2.2]]\n[[input.crack]]\nname = \"b\"\nkind = \"spline\"\npoints = [[1.5, 2], [1.2, 2.2], [0.8, 2.1], [0.5, 2.4]]\n"
+                         "[[input.crack]]\nname = \"c\"\nkind = \"arc\"\ncentre = [2, 1]\npoints = [[2.4, 1], [2, 1.4]]\n[[step]]\noperation = \"mesh\"\nsize = 0.3\norder = \"2\"\n");
   const auto& mesh = last_mesh(*model);
   EXPECT_EQ(coincident_at(mesh, {2.5, 2}), 2U);
   EXPECT_EQ(coincident_at(mesh, {1.5, 2}), 2U);
@@ -150,9 +150,9 @@ TEST(Junctions, WhatLiesOutsideIsRefusedWithItsPlace) {
     EXPECT_NE(done.error->message.find(says), std::string::npos) << to_string(*done.error);
     EXPECT_TRUE(done.error->place && done.error->place->x) << more;
   };
-  refused("[[input.cracks]]\nname = \"c\"\npoints = [[3, 3], [5, 3]]\n", base::ErrorCode::OutsideDomain, "outside the domain in part");
-  refused("[[input.cracks]]\nname = \"c\"\npoints = [[0, 1], [0, 3]]\n", base::ErrorCode::SelfIntersection, "overlap");
-  refused("[[input.cracks]]\nname = \"c\"\npoints = [[1, 1], [3, 3], [3, 1], [1, 3]]\n", base::ErrorCode::SelfIntersection, "itself");
+  refused("[[input.crack]]\nname = \"c\"\npoints = [[3, 3], [5, 3]]\n", base::ErrorCode::OutsideDomain, "outside the domain in part");
+  refused("[[input.crack]]\nname = \"c\"\npoints = [[0, 1], [0, 3]]\n", base::ErrorCode::SelfIntersection, "overlap");
+  refused("[[input.crack]]\nname = \"c\"\npoints = [[1, 1], [3, 3], [3, 1], [1, 3]]\n", base::ErrorCode::SelfIntersection, "itself");
   refused("[[input.region]]\nname = \"r\"\npoint = [5, 5]\n", base::ErrorCode::OutsideDomain, "inside the material");
 }
 
@@ -172,7 +172,7 @@ TEST(Junctions, NamedPointsAreNodes) {
 }
 
 TEST(Zone, QUE_g_TheSizeAskedForIsReachedInTheBand) {
-  const auto model = run(square + "[[input.cracks]]\nname = \"crack\"\npoints = [[1, 2], [2.5, 2.3]]\n[[step]]\noperation = \"zone\"\ncurves = [\"crack\"]\nsize = 0.05\nwidth = 0.3\n" + mesh_step);
+  const auto model = run(square + "[[input.crack]]\nname = \"crack\"\npoints = [[1, 2], [2.5, 2.3]]\n[[step]]\noperation = \"zone\"\ncurves = [\"crack\"]\nsize = 0.05\nwidth = 0.3\n" + mesh_step);
   const auto& mesh = last_mesh(*model);
   double sum = 0.0;
   std::size_t count = 0;
@@ -188,7 +188,7 @@ TEST(Zone, QUE_g_TheSizeAskedForIsReachedInTheBand) {
 }
 
 TEST(Constraint, BandsGoRoundACrackAndItsTips) {
-  const auto model = run("[input]\nspecimen = \"centre_crack\"\nwidth = 8\ncrack = 1\n[[step]]\noperation = \"constraints\"\ncurves = [\"crack\"]\ncount = 3\ndistance = 0.3\n" + mesh_step);
+  const auto model = run("[input]\nspecimen = \"centre_crack\"\nwidth = 8\ncrack_length = 1\n[[step]]\noperation = \"constraints\"\ncurves = [\"crack\"]\ncount = 3\ndistance = 0.3\n" + mesh_step);
   ASSERT_EQ(model->constraints.size(), 3U);
   for (const Constraint& ring : model->constraints) {
     EXPECT_TRUE(ring.line.closed);
