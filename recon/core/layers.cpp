@@ -34,7 +34,7 @@ struct TextShare {
   double character;  ///< Width of one.
 };
 constexpr TextShare in_row{15.0 / 290.0, 4.8 / 290.0};
-constexpr TextShare in_column{11.0 / 620.0, 4.8 / 620.0};
+constexpr TextShare in_column{11.0 / 620.0, 4.8 / 490.0};  // the shorter panel beside a colour bar is so wide
 
 scene::Layer lines_layer(std::string key, std::string title, scene::Style style, std::vector<geom::Polyline> lines) {
   return {std::move(key), std::move(title), style, scene::Lines{std::move(lines), {}}, true, scene::InLegend::Yes};
@@ -155,7 +155,7 @@ void add_column(scene::Panel& panel, const Section& section, const std::vector<L
                 const std::vector<UnitRow>& rows) {
   const geom::Box box = scene::extent(panel);
   const double width = 0.035 * box.width();
-  const double left = box.high.x + 0.01 * box.width();
+  const double left = box.high.x + 0.015 * box.width();
   if (panel.extent) panel.extent->add(geom::Point{left + 2.0 * width, box.centre().y});
   double top = section.horizons.empty() ? box.high.y : box_of(section).high.y;
   for (std::size_t i = 0; i < units.size(); ++i) {
