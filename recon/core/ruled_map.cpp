@@ -221,7 +221,7 @@ Spot RuledMap::locate_on(bool target, geom::Point p, Cell hint) const {
   }
   SegmentTree::Nearest best;
   const auto consider = [&](const SegmentTree& tree, std::size_t band) {
-    const auto nearest = tree.nearest(p, [](std::size_t) { return true; });
+    const auto nearest = tree.nearest_within(p, best.squared);
     if (nearest && nearest->squared < best.squared) {
       best = *nearest;
       cell = {static_cast<std::uint32_t>(nearest->index + 1), static_cast<std::uint32_t>(band)};

@@ -41,6 +41,13 @@ class SegmentTree {
   template <class Accept>
   [[nodiscard]] Nearest nearest_from(std::size_t known, dobra::geom::Point p, Accept&& accept) const;
 
+  /// The nearest segment to p if it is nearer than the root of `squared`, or as near; nothing otherwise.
+  [[nodiscard]] std::optional<Nearest> nearest_within(dobra::geom::Point p, double squared) const {
+    std::optional<Nearest> best = Nearest{size(), squared};
+    if (!segments_.empty()) search(1, p, best, [](std::size_t) { return true; });
+    return best->index < size() ? best : std::nullopt;
+  }
+
   [[nodiscard]] std::size_t size() const { return segments_.size(); }
   [[nodiscard]] const dobra::geom::Segment& segment(std::size_t i) const { return segments_[i]; }
   /// Of p to segment i, m2.
