@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "quebra/cli/analysis_commands.h"
+#include "quebra/cli/check_command.h"
 #include "quebra/cli/mesh_command.h"
 #include "quebra/core/operations.h"
 #include "shared/cli/cli.h"
@@ -27,6 +28,6 @@ int main(int argc, char** argv) {
   };
 #endif
   auto commands = quebra::cli::analysis_commands();
-  commands.insert(commands.begin(), {dobra::cli::offset_command(), quebra::cli::mesh_command(), dobra::cli::convert_command()});
+  commands.insert(commands.begin(), {dobra::cli::offset_command(), quebra::cli::mesh_command(), quebra::cli::check_command(), dobra::cli::convert_command()});
   return dobra::cli::run_program(quebra::core::program(), argc, argv, window, commands);
 }

@@ -5,21 +5,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <set>
 
 #include "quebra/core/geo_sketch.h"
 #include "shared/base/text.h"
-#include "shared/io/bdf.h"
 #include "shared/io/curves.h"
-#include "shared/io/inp.h"
-#include "shared/io/msh.h"
-#include "shared/io/neutral.h"
-#include "shared/io/node_ele.h"
+#include "shared/io/file.h"
+#include "shared/io/mesh_file.h"
 #include "shared/io/poly.h"
-#include "shared/io/vtu.h"
 #include "shared/topo/insert.h"
 
 namespace quebra::core {
@@ -273,35 +268,21 @@ Sketch from_mesh(const dobra::mesh::ElementMesh& mesh) {
   return sketch;
 }
 
-template <class Contents>
-Result<Sketch> from_mesh(Result<Contents> read) {
-  if (!read) return read.error();
-  Sketch sketch = from_mesh(read->mesh);
-  if constexpr (requires { read->remarks; }) sketch.remarks = std::move(read->remarks);
-  return sketch;
-}
-
-Result<Sketch> read_by_ending(const std::string& path, const std::string& ending) {
+Result<Sketch> read_by_ending(const std::string& path) {
+  const std::string ending = dobra::io::ending_of(path);
   if (ending == ".poly") return from_poly(path);
   if (ending == ".geo") return read_geo_sketch(path);
-  if (ending == ".msh") return from_mesh(dobra::io::read_msh(path));
-  if (ending == ".inp") return from_mesh(dobra::io::read_inp(path));
-  if (ending == ".vtu") return from_mesh(dobra::io::read_vtu(path));
-  if (ending == ".bdf" || ending == ".nas") return from_mesh(dobra::io::read_bdf(path));
-  if (ending == ".nf") return from_mesh(dobra::io::read_neutral(path));
-  if (ending == ".ele") {
-    DOBRA_TRY(const auto mesh, dobra::io::read_node_ele(path.substr(0, path.size() - ending.size())));
-    return from_mesh(mesh);
-  }
-  return from_curves(path);
+  if (!dobra::io::is_mesh_ending(ending)) return from_curves(path);
+  DOBRA_TRY(auto contents, dobra::io::read_mesh(path));
+  Sketch sketch = from_mesh(contents.mesh);
+  sketch.remarks = std::move(contents.remarks);
+  return sketch;
 }
 
 }  // namespace
 
 Result<Sketch> read_sketch(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  DOBRA_TRY(Sketch sketch, read_by_ending(path, ending));
+  DOBRA_TRY(Sketch sketch, read_by_ending(path));
   Place place;
   place.file = path;
   if (sketch.places.empty()) sketch.places.assign(sketch.curves.size(), place);

@@ -93,6 +93,14 @@ Error cannot_write(const std::filesystem::path& file, int error_number) {
   return Error{ErrorCode::CannotWrite, fmt::format("cannot be written: {}", reason(error_number)), at(file)};
 }
 
+std::string ending_of(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  for (char& c : ending) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return ending;
+}
+
 base::Result<std::string> read_bytes(const std::filesystem::path& file) {
   Descriptor in(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
   if (in.number() < 0) {

@@ -12,6 +12,9 @@
 
 namespace dobra::io {
 
+/// The ending of a file's name with its dot, in small letters: ".csv"; empty if there is none.
+std::string ending_of(const std::filesystem::path& file);
+
 /// The bytes of a regular file (or of a pipe).
 /// @error FileNotFound, NotAFile (a directory), CannotRead with the system's reason.
 base::Result<std::string> read_bytes(const std::filesystem::path& file);

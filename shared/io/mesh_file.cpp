@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <functional>
 #include <utility>
@@ -64,11 +63,33 @@ const std::vector<std::pair<std::string, Write>>& writers() {
 }
 
 Write writer_of(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string ending = ending_of(path);
   const auto& all = writers();
   const auto found = std::find_if(all.begin(), all.end(), [&](const auto& entry) { return entry.first == ending; });
   return found == all.end() ? nullptr : found->second;
+}
+
+template <auto read>
+Result<MeshContents> contents_of(const std::string& path) {
+  DOBRA_TRY(auto all, read(path));
+  if constexpr (requires { all.remarks; }) return MeshContents{std::move(all.mesh), std::move(all.remarks)};
+  return MeshContents{std::move(all.mesh), {}};
+}
+
+Result<MeshContents> read_pair(const std::string& path) {
+  DOBRA_TRY(ElementMesh mesh, read_node_ele(std::filesystem::path(path).replace_extension().string()));
+  return MeshContents{std::move(mesh), {}};
+}
+
+using Read = Result<MeshContents> (*)(const std::string& path);
+
+const std::vector<std::pair<std::string, Read>>& readers() {
+  static const std::vector<std::pair<std::string, Read>> table = {
+      {".vtu", contents_of<read_vtu>},    {".msh", contents_of<read_msh>},
+      {".msh2", contents_of<read_msh>},   {".inp", contents_of<read_inp>},
+      {".bdf", contents_of<read_bdf>},    {".nas", contents_of<read_bdf>},
+      {".nf", contents_of<read_neutral>}, {".ele", read_pair}};
+  return table;
 }
 
 }  // namespace
@@ -86,6 +107,19 @@ Result<void> check_mesh_ending(const std::string& path) {
   if (writer_of(path) != nullptr) return {};
   return Error{ErrorCode::BadUsage,
                fmt::format("{}: meshes are written to files that end in {}", path, fmt::join(mesh_endings(), " "))};
+}
+
+bool is_mesh_ending(const std::string& ending) {
+  return std::any_of(readers().begin(), readers().end(), [&](const auto& entry) { return entry.first == ending; });
+}
+
+Result<MeshContents> read_mesh(const std::string& path) {
+  const std::string ending = ending_of(path);
+  for (const auto& [known, read] : readers()) {
+    if (known == ending) return read(path);
+  }
+  return Error{ErrorCode::UnknownFormat,
+               fmt::format("{}: meshes are read from .vtu .msh .msh2 .inp .bdf .nas .nf .ele", path)};
 }
 
 Result<void> write_mesh(const std::string& path, const ElementMesh& mesh) {

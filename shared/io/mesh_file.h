@@ -9,6 +9,18 @@
 
 namespace dobra::io {
 
+struct MeshContents {
+  mesh::ElementMesh mesh;
+  std::vector<std::string> remarks;  ///< What was left out, one line each.
+};
+
+/// Whether read_mesh reads it: .vtu .msh .msh2 .inp .bdf .nas .nf .ele (with its .node beside it).
+bool is_mesh_ending(const std::string& ending);
+
+/// By the ending.
+/// @error UnknownFormat for another ending; those of the readers.
+base::Result<MeshContents> read_mesh(const std::string& path);
+
 /// The endings that write_mesh knows, each with its dot.
 const std::vector<std::string>& mesh_endings();
 

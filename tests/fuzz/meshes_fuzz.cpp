@@ -1,5 +1,5 @@
 // libFuzzer target: the readers of meshes. Byte 0 chooses the format, the rest is the file. Whatever the bytes: an error with a
-// message, or a mesh that can be written, and read and written again to the same bytes.
+// message, or a mesh that can be written, and read and written again to the same bytes; polygon meshes are checked.
 
 #include <cstdint>
 #include <cstdlib>
@@ -9,6 +9,7 @@
 #include "shared/io/inp.h"
 #include "shared/io/msh.h"
 #include "shared/io/neutral.h"
+#include "shared/io/polygon_file.h"
 #include "shared/io/vtu.h"
 
 namespace {
@@ -40,6 +41,12 @@ void go_round(std::string text, const Read& read, const Write& write) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   const std::string text(reinterpret_cast<const char*>(data) + 1, size - 1);
+  if (data[0] >= 254) {
+    const auto polygons = data[0] == 254 ? io::parse_obj(text, "f") : io::parse_off(text, "f");
+    if (!polygons.ok() && polygons.error().message.empty()) std::abort();
+    if (polygons.ok()) check(*polygons, mesh::Closedness::Solid);
+    return 0;
+  }
   switch (data[0] % 5) {
     case 0:
       go_round(text, [](const std::string& t) { return io::parse_msh(t, "f"); }, [](const mesh::ElementMesh& m) { return io::msh_text(m); });

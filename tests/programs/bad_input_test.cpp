@@ -137,6 +137,16 @@ TEST_F(Programs, AHoleOutsideIsNamed) {
                  {"scenario.toml:7", "hole", "outside"});
 }
 
+TEST_F(Programs, PM_a_AMeshWithAFaultExitsWithOne) {
+  const std::string tetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\n";
+  const auto good = write("good.obj", tetrahedron + "f 3 1 4\n"), turned = write("turned.obj", tetrahedron + "f 1 3 4\n"), open = write("open.obj", tetrahedron);
+  EXPECT_EQ(call("quebra check --closed " + good.string()).code, 0);
+  EXPECT_EQ(call("quebra check " + turned.string()).code, 1);
+  EXPECT_EQ(call("quebra check " + open.string()).code, 0);
+  EXPECT_EQ(call("quebra check --closed " + open.string()).code, 1);
+  EXPECT_EQ(call("quebra check " + write("bad.obj", "v 0 0\n").string()).code, 3);
+}
+
 TEST_F(Programs, NoCurvesIsRefused) {
   recon_refuses(good_points, "[[step]]\noperation = \"grid\"\ntop = \"top\"\ncount = 0\n", 3, {"scenario.toml:10", "count"});
   quebra_refuses("[[step]]\noperation = \"constraints\"\ncurves = [\"plate\"]\ncount = 0\n", 3, {"scenario.toml:10", "count"});

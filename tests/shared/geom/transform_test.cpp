@@ -20,6 +20,25 @@ TEST(Transform, TRF_e_PivotRotationTurnsAboutThePivot) {
   EXPECT_EQ(turn(Point{2, 1}), (Point{2, 1}));
 }
 
+TEST(Transform, REC_i_FaultBlockTurnedByChainedMatricesKeepsItsAreaAndComesBack) {
+  const Point pivot{1200.0, -300.0};
+  const Polyline block{{{1000, -800}, {2600, -900}, {2400, 50}, {1250, 0}}, true};
+  for (const double degrees : {-37.0, -5.0, 12.5, 90.0, 180.0}) {
+    const auto angle = Angle::from_degrees(degrees);
+    const Transform to_pivot = Transform::translation({pivot.x, pivot.y});
+    const Transform from_pivot = Transform::translation({-pivot.x, -pivot.y});
+    const Transform chained = to_pivot * Transform::rotation(angle) * from_pivot;
+    EXPECT_EQ(chained, Transform::rotation(angle, pivot));
+    const Polyline turned = chained(block);
+    EXPECT_NEAR(signed_area(turned), signed_area(block), 1e-12 * signed_area(block));
+    const Polyline restored = Transform::rotation(Angle::from_degrees(-degrees), pivot)(turned);
+    for (std::size_t i = 0; i < block.points.size(); ++i) {
+      expect_near(restored.points[i], block.points[i], 1e-12 * 2600.0);
+      EXPECT_NEAR(distance(turned.points[i], pivot), distance(block.points[i], pivot), 1e-12 * 2600.0);
+    }
+  }
+}
+
 TEST(Transform, QuarterTurnsAreExact) {
   EXPECT_EQ(Transform::rotation(Angle::from_degrees(90))(Point{3, 5}), (Point{-5, 3}));
   EXPECT_EQ(Transform::rotation(Angle::from_degrees(180))(Point{3, 5}), (Point{-3, -5}));
