@@ -1,6 +1,7 @@
 // Step 4: sections become curves.
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
 #include "shared/offset/piece_writer.h"
@@ -46,7 +47,7 @@ void Trimmer::remove_doubles() {
 
 /// Free space lies to the right of every section, so that the way on from one that arrives is the first one that leaves,
 /// turning anticlockwise from the way back. Thus curves that touch are kept apart.
-void Trimmer::link_at(const std::vector<std::uint32_t>& in, const std::vector<std::uint32_t>& out) {
+void Trimmer::link_at(std::span<const std::uint32_t> in, std::span<const std::uint32_t> out) {
   if (in.size() == 1 && out.size() == 1) {
     follower_[in[0]] = out[0];
     has_leader_[out[0]] = 1;
@@ -84,53 +85,70 @@ void Trimmer::link_at(const std::vector<std::uint32_t>& in, const std::vector<st
   }
 }
 
+namespace {
+
+/// The sections at each of so many nodes, by the node that `key` gives for a section.
+class Sorted {
+ public:
+  template <class Key>
+  Sorted(std::size_t nodes, std::size_t sections, const Key& key) : first_(nodes + 1, 0), all_(sections) {
+    for (std::uint32_t i = 0; i < sections; ++i) ++first_[key(i)];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    for (auto i = static_cast<std::uint32_t>(sections); i-- > 0;) all_[--first_[key(i)]] = i;
+  }
+  [[nodiscard]] std::span<const std::uint32_t> at(std::size_t node) const {
+    return {all_.data() + first_[node], all_.data() + first_[node + 1]};
+  }
+
+ private:
+  std::vector<std::uint32_t> first_;
+  std::vector<std::uint32_t> all_;
+};
+
+}  // namespace
+
+/// Puts the sections in the order of their chains.
 std::vector<Trimmer::Chain> Trimmer::assemble() {
-  std::vector<std::vector<std::uint32_t>> in(nodes_.size());
-  std::vector<std::vector<std::uint32_t>> out(nodes_.size());
-  for (std::uint32_t i = 0; i < sections_.size(); ++i) {
-    out[sections_[i].from].push_back(i);
-    in[sections_[i].to].push_back(i);
-  }
-  follower_.assign(sections_.size(), none);
-  has_leader_.assign(sections_.size(), 0);
+  const std::size_t count = sections_.size();
+  const Sorted in(nodes_.size(), count, [&](std::uint32_t i) { return sections_[i].to; });
+  const Sorted out(nodes_.size(), count, [&](std::uint32_t i) { return sections_[i].from; });
+  follower_.assign(count, none);
+  has_leader_.assign(count, 0);
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
-    if (!in[n].empty() && !out[n].empty()) link_at(in[n], out[n]);
+    if (!in.at(n).empty() && !out.at(n).empty()) link_at(in.at(n), out.at(n));
   }
-  std::vector<Chain> chains;
-  std::vector<char> done(sections_.size(), 0);
+  std::vector<std::pair<std::uint32_t, Chain>> chains;  // with their first segments
+  std::vector<char> done(count, 0);
+  std::vector<Section> ordered;
+  ordered.reserve(count);
   const auto follow = [&](std::uint32_t start) {
-    Chain chain;
+    const std::size_t first = ordered.size();
+    std::uint32_t lowest = none;  // segments grow along a walk
     std::uint32_t s = start;
-    while (s != none && !done[s]) {
+    for (; s != none && !done[s]; s = follower_[s]) {
       done[s] = 1;
-      chain.sections.push_back(sections_[s]);
-      s = follower_[s];
+      ordered.push_back(sections_[s]);
+      lowest = std::min({lowest, segment_of(sections_[s].first), segment_of(sections_[s].last)});
     }
-    chain.closed = s != none;
-    chains.push_back(std::move(chain));
+    chains.push_back({lowest, {first, ordered.size(), s != none}});
   };
-  for (std::uint32_t i = 0; i < sections_.size(); ++i) {
+  for (std::uint32_t i = 0; i < count; ++i) {
     if (!has_leader_[i]) follow(i);
   }
-  for (std::uint32_t i = 0; i < sections_.size(); ++i) {
+  for (std::uint32_t i = 0; i < count; ++i) {
     if (!done[i]) follow(i);
   }
-  const auto lowest_segment = [&](const Section& s) {  // segments grow along a walk
-    return std::min(segment_of(s.first), segment_of(s.last));
-  };
-  const auto first_segment = [&](const Chain& chain) {
-    std::uint32_t least = none;
-    for (const Section& s : chain.sections) least = std::min(least, lowest_segment(s));
-    return least;
-  };
-  std::stable_sort(chains.begin(), chains.end(),
-                   [&](const Chain& a, const Chain& b) { return first_segment(a) < first_segment(b); });
-  return chains;
+  sections_ = std::move(ordered);
+  std::stable_sort(chains.begin(), chains.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<Chain> result;
+  result.reserve(chains.size());
+  for (const auto& [lowest, chain] : chains) result.push_back(chain);
+  return result;
 }
 
 /// A closed chain starts where its lowest base segment does.
 OffsetPiece Trimmer::output(const Chain& chain) const {
-  const auto& sections = chain.sections;
+  const std::span<const Section> sections(sections_.data() + chain.first, sections_.data() + chain.last);
   std::size_t count = 1;
   for (const Section& s : sections) count += s.last - s.first + 1;
   PieceWriter writer(base_, options_.join);

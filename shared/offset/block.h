@@ -1,5 +1,5 @@
 #pragma once
-// Boxes of 16 segments of the base at a time, for any distance.
+// 16 segments of the base at a time: boxes for any distance, and up to which one nothing needs a look.
 
 #include <cstdint>
 
@@ -13,6 +13,8 @@ struct Block {
   FloatBox points;
   FloatBox right, left;       ///< Of (raw outline - base) / D on either side.
   std::uint64_t directions;   ///< Of the right side; see ChainTree.
+  std::uint64_t absent;       ///< Pieces that the right side does not have, four bits a segment, by Role.
+  double plain_below;         ///< Below this distance line follows line there, or an arc of at most a right angle between.
   /// Box of all pieces of the raw outline on one side.
   [[nodiscard]] FloatBox box(bool on_left, double d, double margin) const {
     const FloatBox& w = on_left ? left : right;

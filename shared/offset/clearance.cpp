@@ -26,21 +26,18 @@ struct Hull {
 
 Clearance::Clearance(const BaseCurve& base, const OffsetOptions& options) : base_(base), corners_(right_corners(base, options)) {
   const std::size_t count = base.segment_count();
-  while (leaves_ * leaf_size < count) leaves_ *= 2;
-  boxes_.resize(2 * leaves_);
+  std::vector<FloatBox> boxes;
+  boxes.reserve(count / leaf_size + 1);
   for (std::size_t first = 0; first < count; first += leaf_size) {
     Hull hull;
     hull.add(flat(base.start(first)));
     for (std::size_t i = first; i < std::min(count, first + leaf_size); ++i) hull.add(flat(base.end(i)));
-    boxes_[leaves_ + first / leaf_size] = hull.box();
+    boxes.push_back(hull.box());
   }
-  for (std::size_t i = leaves_ - 1; i > 0; --i) {
-    boxes_[i].add(boxes_[2 * i]);
-    boxes_[i].add(boxes_[2 * i + 1]);
-  }
+  tree_ = BoxTree(boxes);
+  add_mitres(options);
   blocks_.reserve((count + Block::size - 1) / Block::size);
   for (std::size_t i = 0; i < count; i += Block::size) add_block(i, std::min<std::size_t>(count, i + Block::size));
-  add_mitres(options);
 }
 
 void Clearance::add_block(std::size_t first, std::size_t last) {
@@ -90,21 +87,53 @@ void Clearance::add_block(std::size_t first, std::size_t last) {
     both(right_of(flat(base_.headings[base_.after(i)])));
     corner(i, base_.after(i), base_.end_index(i));
   }
+  block.absent = absent_pieces(first, last);
+  block.plain_below = plain_below(first, last);
   block.points = points.box();
   block.right = right.box();
   block.left = left.box();
   blocks_.push_back(block);
 }
 
+std::uint64_t Clearance::absent_pieces(std::size_t first, std::size_t last) const {
+  std::uint64_t absent = ~std::uint64_t{0};
+  for (std::size_t i = first; i < last; ++i) {
+    std::uint64_t there = base_.has_after(i) ? 1 : 7;  // the cap
+    if (base_.has_after(i)) {
+      const std::size_t at = base_.end_index(i);
+      if (corners_[at] == Corner::Tangent) there |= 8;
+      if (corners_[at] == Corner::Arc) there |= base_.half_tans[at] > 1 ? 6 : 2;
+    }
+    absent &= ~(there << (4 * (i - first)));
+  }
+  return absent;
+}
+
+/// 0 if there is no such distance, as at the ends of the base.
+double Clearance::plain_below(std::size_t first, std::size_t last) const {
+  if (first == 0 || last >= base_.segment_count()) return 0;
+  double least = std::numeric_limits<double>::infinity();
+  const auto inner = [&](std::size_t at) { return corners_[at] == Corner::Meet ? base_.half_tans[at] : 0; };
+  for (std::size_t i = first; i < last; ++i) {
+    const Corner kind = corners_[i + 1];
+    if (kind == Corner::Tangent || (kind == Corner::Arc && !(base_.half_tans[i + 1] <= 1))) return 0;
+    // More than the margin of any D is to be left.
+    const double left = base_.spans[i] - 1e-13 * base_.size;
+    least = std::min(least, left / (inner(i) + inner(i + 1) + 1e-13 * (1 + greatest_mitre_)));
+    least = std::min(least, base_.spans[i + 1] / (inner(i + 1) + 1e-300));
+  }
+  return least * (1 - 1e-9);
+}
+
 void Clearance::add_mitres(const OffsetOptions& options) {
   if (options.join == Join::Round || options.join == Join::Bevel) return;
   const auto has = [](Corner c) { return c == Corner::Mitre || c == Corner::Tangent; };
   if (std::none_of(corners_.begin(), corners_.end(), has)) return;
-  mitre_boxes_.resize(2 * leaves_);
+  std::vector<FloatBox> boxes((base_.segment_count() + leaf_size - 1) / leaf_size);
   for (std::size_t i = 0; i < base_.segment_count(); ++i) {
     const std::size_t at = base_.end_index(i);
     if (!base_.has_after(i) || !has(corners_[at])) continue;
-    FloatBox& box = mitre_boxes_[leaves_ + i / leaf_size];
+    FloatBox& box = boxes[i / leaf_size];
     const Flat u = flat(base_.headings[i]);
     const Flat v = flat(base_.headings[base_.after(i)]);
     const double t = base_.half_tans[at];
@@ -112,10 +141,7 @@ void Clearance::add_mitres(const OffsetOptions& options) {
     const double q = corners_[at] == Corner::Mitre ? t : std::isinf(t) ? 1 : t / (1 + std::sqrt(1 + t * t));
     for (const Flat w : {Flat{0, 0}, right_of(u), right_of(v), right_of(u) + q * u, right_of(v) - q * v}) add(box, w);
   }
-  for (std::size_t i = leaves_ - 1; i > 0; --i) {
-    mitre_boxes_[i].add(mitre_boxes_[2 * i]);
-    mitre_boxes_[i].add(mitre_boxes_[2 * i + 1]);
-  }
+  mitres_ = BoxTree(boxes);
 }
 
 double Clearance::squared_distance(std::size_t i, Flat p) const {
@@ -131,14 +157,14 @@ std::uint32_t Clearance::find_nearer(Flat q, double r) const {
   if (!(r > 0)) return none;
   std::uint32_t found = none;
   double least = r * r;
-  any_leaf(q, r, [&](std::size_t leaf) {
-    const std::size_t end = std::min((leaf + 1) * leaf_size, base_.segment_count());
-    for (std::size_t i = leaf * leaf_size; i < end; ++i) {
+  tree_.any_within(q, r, [&](std::size_t leaf) {
+    any_of_leaf(leaf, [&](std::size_t i) {
       const double squared = squared_distance(i, q);
-      if (squared >= least) continue;
+      if (squared >= least) return false;
       least = squared;
       found = static_cast<std::uint32_t>(i);
-    }
+      return false;
+    });
     return found != none;
   });
   return found;

@@ -18,6 +18,9 @@ double box_gap(const FloatBox& a, const FloatBox& b) {
   return x * x + y * y;
 }
 
+/// Where the directions of segments lie within a quarter turn, nothing to their right at any distance meets anything to their
+/// left: what joins two places of the base runs within an eighth turn of the middle direction, the sum of two normals within an
+/// eighth of the one across it.
 bool within_quarter(std::uint64_t directions) {
   // Some 48 bits in a row are clear; each direction has a bit to spare on both sides.
   std::uint64_t clear = ~directions;
@@ -37,19 +40,6 @@ double Clearance::squared_gap_of(std::size_t i, std::size_t j) const {
   return std::min({squared_distance(i, c), squared_distance(i, d), squared_distance(j, a), squared_distance(j, b)});
 }
 
-/// The directions of segments first .. last - 1 lie within a quarter turn. Then nothing to their right at any distance
-/// meets anything to their left: what joins two places of the base runs within an eighth turn of the middle direction,
-/// the sum of two normals within an eighth of the one across it.
-bool Clearance::bends_little(std::size_t first, std::size_t last) const {
-  std::uint64_t directions = 0;
-  for (std::size_t i = first; i < last; ++i) {
-    const Flat u = flat(base_.headings[i]);
-    directions |= ChainTree::directions_of(u, u);
-    if (directions == ~std::uint64_t{0}) return false;
-  }
-  return within_quarter(directions);
-}
-
 void Clearance::find_gaps(double least, double greatest) {
   double reach = 1;  // of the outline, from the base
   for (std::size_t at = 0; at < corners_.size(); ++at) {
@@ -59,7 +49,10 @@ void Clearance::find_gaps(double least, double greatest) {
   const double floor = 2 * reach * least;
   const double ceiling = 2 * reach * greatest * (1 + 1e-5);  // so that it counts at the greatest too
   gaps_.assign(blocks_.size(), {});
-  if (leaves_ < 2) return;
+  if (blocks_.size() < 2) return;
+  std::vector<std::uint64_t> directions;
+  directions.reserve(base_.segment_count());
+  for (const geom::Vector u : base_.headings) directions.push_back(ChainTree::directions_of(flat(u), flat(u)));
   // The next block but one begins where the next one ends: where blocks are short, that tells at once.
   const auto is_short = [&](std::size_t b) {
     const Flat along = flat(base_.end(std::min(base_.segment_count(), (b + 1) * Block::size) - 1)) - flat(base_.start(b * Block::size));
@@ -78,7 +71,10 @@ void Clearance::find_gaps(double least, double greatest) {
     const auto parted = [&](std::size_t from, std::size_t to, std::size_t around) {
       const bool whole = from > around && to + around < n;
       const std::size_t start = from > around ? from - around - 1 : 0;
-      return (whole || !base_.closed) && bends_little(start, std::min(n, to + around + 1));
+      if (!whole && base_.closed) return false;
+      std::uint64_t all = 0;
+      for (std::size_t i = start; i < std::min(n, to + around + 1); ++i) all |= directions[i];
+      return within_quarter(all);
     };
     bool runs_parted = near >= floor;
     for (std::size_t k = first; k < last && runs_parted; k += run) {
@@ -101,8 +97,6 @@ std::pair<double, double> Clearance::gaps_about(std::size_t block, double floor,
     made.add(FloatBox(flat(base_.end(i)), flat(base_.end(i)), 0));
     return made;
   };
-  FloatBox boxes[Block::size];
-  for (std::size_t i = first; i < last; ++i) boxes[i - first] = box(i);
   const auto apart = [&](std::size_t i, std::size_t j, std::size_t size) {  // not neighbours
     const std::size_t count = (n + size - 1) / size;
     const std::size_t steps = i / size > j / size ? i / size - j / size : j / size - i / size;
@@ -110,43 +104,37 @@ std::pair<double, double> Clearance::gaps_about(std::size_t block, double floor,
   };
   double far = ceiling * ceiling;
   double near = far;
+  const auto measure = [&](std::size_t i, std::size_t j) {
+    const bool beyond = apart(i, j, Block::size);
+    if ((!beyond && !apart(i, j, run)) || box_gap(box(i), box(j)) >= (beyond ? far : near)) return;
+    const double squared = squared_gap_of(i, j);
+    near = std::min(near, squared);
+    if (beyond) far = std::min(far, squared);
+  };
+  // Likely the nearest ones: the ends of the next runs but one, and blocks.
+  for (std::size_t i = first; i < last; i += run) {
+    if (i + 2 * run < n) measure(i + run - 1, i + 2 * run);
+    if (i > run) measure(i, i - run - 1);
+  }
+  if (last + Block::size < n) measure(last - 1, last + Block::size);
+  if (first > Block::size) measure(first, first - Block::size - 1);
+  static_assert(run == leaf_size && Block::size == run * BoxTree::width);
   const auto look = [&](std::size_t leaf) {
-    if (std::none_of(boxes, boxes + (last - first), [&](const FloatBox& b) { return box_gap(b, boxes_[leaves_ + leaf]) < far; })) {
-      return false;
-    }
-    const std::size_t end = std::min(n, (leaf + 1) * leaf_size);
-    for (std::size_t j = leaf * leaf_size; j < end; ++j) {
-      const bool beyond = apart(first, j, Block::size);
-      const FloatBox other = box(j);
-      if (box_gap(own, other) >= (beyond ? far : near)) continue;
-      for (std::size_t i = first; i < last; ++i) {
-        if (box_gap(boxes[i - first], other) >= (beyond ? far : near)) continue;
-        if (!beyond && !apart(i, j, run)) continue;
-        const double squared = squared_gap_of(i, j);
-        near = std::min(near, squared);
-        if (beyond) far = std::min(far, squared);
+    const std::size_t other = leaf * run;
+    const double& least = apart(first, other, Block::size) ? far : near;
+    for (std::size_t own_run = first; own_run < last; own_run += run) {
+      if (!apart(own_run, other, run) || box_gap(tree_.box(own_run / run), tree_.box(leaf)) >= least) continue;
+      for (std::size_t i = own_run; i < std::min(last, own_run + run); ++i) {
+        any_of_leaf(leaf, [&](std::size_t j) {
+          measure(i, j);
+          return false;
+        });
       }
     }
     return far < floor * floor;
   };
-  std::size_t open[64];
-  std::size_t at = (leaves_ + first / leaf_size) / 2;
-  look(first / leaf_size);
-  look(first / leaf_size + 1);
-  for (bool done = false; at > 1 && !done; at /= 2) {
-    std::size_t count = 0;
-    open[count++] = at ^ 1;
-    while (count > 0 && !done) {
-      const std::size_t node = open[--count];
-      if (box_gap(own, boxes_[node]) >= far) continue;
-      if (node >= leaves_) {
-        done = look(node - leaves_);
-        continue;
-      }
-      open[count++] = 2 * node + 1;
-      open[count++] = 2 * node;
-    }
-  }
+  for (std::size_t leaf = first / run; leaf * run < last; ++leaf) look(leaf);
+  tree_.any_held_from(first / run, [&](const FloatBox& other) { return box_gap(own, other) < far; }, look);
   return {std::sqrt(far), std::sqrt(near)};
 }
 

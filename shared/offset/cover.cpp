@@ -11,16 +11,7 @@ Buried::Buried(const BaseCurve& base, const Clearance& clearance)
       words_((n_ + 15) / 16),
       bits_(2 * words_, 0) {
   if (clearance.has_mitres()) hints_.assign(n_, none);
-  for (std::size_t i = 0; i < words_; ++i) bits_[i] = ~std::uint64_t{0};
-  for (std::size_t i = 0; i < n_; ++i) {
-    std::uint64_t there = base.has_after(i) ? 1 : 7;  // the cap
-    if (base.has_after(i)) {
-      const std::size_t at = base.end_index(i);
-      if ((*corners_)[at] == Corner::Tangent) there |= 8;
-      if ((*corners_)[at] == Corner::Arc) there |= base.half_tans[at] > 1 ? 6 : 2;
-    }
-    bits_[i / 16] &= ~(there << (4 * (i % 16)));
-  }
+  for (std::size_t i = 0; i < words_; ++i) bits_[i] = clearance.blocks()[i].absent;
 }
 
 bool Buried::for_ever(Site s) const {

@@ -23,6 +23,10 @@ class Buried {
   [[nodiscard]] bool holds(Site s) const { return (bits_[place(s)] >> shift(s)) & 1U; }
   /// Once a piece is known to lie in U.
   void add(Site s, std::uint32_t killer);
+  /// The same where nobody knows by what: remembered only if it holds for all greater distances.
+  void add(Site s) {
+    if (!holds(s) && for_ever(s)) add(s, none);
+  }
   [[nodiscard]] std::uint32_t hint(std::uint32_t step) const { return hints_.empty() ? none : hints_[step]; }
   /// True if some place of a piece is likely to be free at d: then there is no use in looking for a proof that it is buried.
   [[nodiscard]] bool likely_free(Site s, double d) const {

@@ -142,8 +142,7 @@ OffsetCurve treated(const Prepared& input, double distance, const OffsetOptions&
     keep_longest(curve, *input.curve);
     return curve;
   }
-  // A simple contour keeps to its side, but for mitres that poke through to the other one.
-  const bool one_sided = input.simple && !input.clearance->has_mitres();
+  const bool one_sided = input.simple && input.clearance->tells_sides(distance);
   const Outline::Sides sides = one_sided ? Outline::Sides::Right : Outline::Sides::Both;
   Trimmer trimmer(base, *input.clearance, sides, distance, options, progress);
   curve.pieces = memory.known ? trimmer.run(*memory.known, memory.found) : trimmer.run();

@@ -200,6 +200,7 @@ inline Flat Outline::Ends::start_of(Site s) {
     if (!mitre) return p + d * right_of(flat(base.headings[s.step]));
   }
   if (s.role == Role::Line) return at(outline_.before(s.step)).start;
+  if (s.role == Role::Arc) return outline_.centre(s) + outline_.d_ * right_of(outline_.along<double>(s.step));
   if (s.role == Role::SecondArc) return outline_.centre(s) + outline_.d_ * outline_.middle_of_turn<double>(s.step);
   return at(s.step).end;
 }

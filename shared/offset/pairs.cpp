@@ -19,6 +19,7 @@ Pairing::Pairing(const Outline& outline, const Clearance& clearance, Survivors& 
       margin_(10 * clearance.margin(outline.distance())) {}
 
 Pairing::Pairs Pairing::run(const Buried& known, Buried* found) {
+  if (wanted_ == 0) return {};
   make_groups();
   const ChainTree tree = crowd_tree();
   pair_own(tree);
@@ -82,19 +83,20 @@ void Pairing::make_groups() {
 }
 
 void Pairing::add_runs(Bunch& bunch) {
-  bunch.runs.clear();
   bunch.box = {};
   for (std::size_t k = 0; k < bunch.shapes.size(); ++k) {
-    if (k % run_size == 0) bunch.runs.emplace_back();
-    bunch.runs.back().add(bunch.shapes[k].box);
+    FloatBox& box = bunch.runs[k / run_size];
+    if (k % run_size == 0) box = {};
+    box.add(bunch.shapes[k].box);
+    bunch.box.add(bunch.shapes[k].box);
   }
-  for (const FloatBox& box : bunch.runs) bunch.box.add(box);
 }
 
 void Pairing::load(std::size_t group, Bunch& bunch) const {
   if (bunch.group == group) return;
   bunch.group = group;
   bunch.shapes.clear();
+  bunch.shapes.reserve(groups_[group].last - groups_[group].first);
   each_shape(groups_[group], [&](const Shape& p) { bunch.shapes.push_back(p); });
   add_runs(bunch);
 }
@@ -109,9 +111,9 @@ const Pairing::Bunch& Pairing::cached(std::size_t group) {
 
 template <class Visit>
 void Pairing::each_overlap(const Bunch& p, const Bunch& q, const Visit& visit) {
-  for (std::size_t i = 0; i < p.runs.size(); ++i) {
+  for (std::size_t i = 0; i < p.run_count(); ++i) {
     if (!p.runs[i].overlaps(q.box)) continue;
-    for (std::size_t j = &p == &q ? i : 0; j < q.runs.size(); ++j) {
+    for (std::size_t j = &p == &q ? i : 0; j < q.run_count(); ++j) {
       if (!p.runs[i].overlaps(q.runs[j])) continue;
       visit(run_size * i, std::min(run_size * (i + 1), p.shapes.size()), run_size * j,
             std::min(run_size * (j + 1), q.shapes.size()));

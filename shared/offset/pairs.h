@@ -44,7 +44,8 @@ class Pairing {
     std::size_t group = none;
     FloatBox box;
     std::vector<Shape> shapes;
-    std::vector<FloatBox> runs;  ///< Of so many shapes each.
+    std::array<FloatBox, 3 * Block::size / run_size> runs;  ///< Of so many shapes each.
+    [[nodiscard]] std::size_t run_count() const { return (shapes.size() + run_size - 1) / run_size; }
   };
   struct Group {
     std::uint32_t first, last;  ///< Pieces.

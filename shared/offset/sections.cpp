@@ -33,6 +33,7 @@ std::vector<OffsetPiece> Trimmer::run(const Buried& known, Buried* found) {
   order_cuts();
   make_sections();
   if (progress_.cancelled()) return {};
+  if (found != nullptr) tell_buried(*found);
   remove_doubles();
   std::vector<OffsetPiece> result;
   for (const Chain& chain : assemble()) {
@@ -109,6 +110,19 @@ void Trimmer::make_sections() {
   }
 }
 
+/// Pieces without a valid section lie in U, and so does what was cut off them.
+void Trimmer::tell_buried(Buried& found) const {
+  std::uint32_t k = 0;
+  const auto until = [&](std::uint32_t last) {
+    for (; k < last; ++k) found.add(pieces_[k].site());
+  };
+  for (const Section& s : sections_) {
+    until(s.first);
+    k = s.last + 1;
+  }
+  until(wanted_);
+}
+
 template <class T>
 VecOf<T> Trimmer::place(std::uint32_t node) const {
   if constexpr (std::is_same_v<T, High>) {
@@ -135,7 +149,9 @@ bool Trimmer::valid(const Section& section, std::uint32_t piece) {
   const double error = error_of(site);
   Place found = validity_.of(middle<Real>(section, piece), site, resolution<Real> * error);
   if (found == Place::Doubtful) found = validity_.of(middle<High>(section, piece), site, resolution<High> * error);
-  return found == Place::Free;
+  if (found != Place::Free) return false;
+  const bool only_side = outline_.sides() == Outline::Sides::Right && clearance_.has_mitres();
+  return !only_side || !validity_.pokes_through(middle<double>(section, piece), site);
 }
 
 /// One place decides for all of it: the middle of the longest of a few parts, where the least is in doubt.

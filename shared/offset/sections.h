@@ -8,6 +8,7 @@
 // A cut is symbolic: the pair that it comes from. Its place is rounded, decisions are not.
 
 #include <cstdint>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -54,10 +55,10 @@ class Trimmer {
     std::uint32_t first, last;  ///< Pieces.
     std::uint32_t from, to;     ///< Nodes.
   };
-  /// A simple curve: sections in order.
+  /// A simple curve: some sections in a row.
   struct Chain {
-    std::vector<Section> sections;
-    bool closed = false;
+    std::size_t first, last;
+    bool closed;
   };
   void warm();
   template <class T>
@@ -84,6 +85,7 @@ class Trimmer {
 
   void make_sections();
   void add_section(const Section& section);
+  void tell_buried(Buried& found) const;
   template <class T>
   [[nodiscard]] VecOf<T> place(std::uint32_t node) const;
   template <class T>
@@ -92,7 +94,7 @@ class Trimmer {
 
   void remove_doubles();
   std::vector<Chain> assemble();
-  void link_at(const std::vector<std::uint32_t>& in, const std::vector<std::uint32_t>& out);
+  void link_at(std::span<const std::uint32_t> in, std::span<const std::uint32_t> out);
   [[nodiscard]] Vec leaving(const Section& section) const;
   [[nodiscard]] Vec arriving(const Section& section) const;
   [[nodiscard]] OffsetPiece output(const Chain& chain) const;

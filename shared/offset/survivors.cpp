@@ -21,6 +21,7 @@ class Pass {
  public:
   Pass(const Outline& outline, const Clearance& clearance, const Buried& known, Buried* found, const base::Progress& progress)
       : outline_(outline),
+        blocks_(clearance.blocks()),
         d_(outline.distance()),
         cover_(outline, clearance),
         margin_(cover_.margin()),
@@ -34,6 +35,7 @@ class Pass {
   static constexpr int rough = 12;  // of 16 raw pieces that do not simply go on
   [[nodiscard]] std::size_t alive_count() const;
   void walk();
+  [[nodiscard]] std::uint32_t glide_blocks(std::uint32_t step);
   [[nodiscard]] std::uint32_t glide(std::uint32_t step, std::uint32_t last, std::uint64_t dead);
   void add_line(std::uint32_t step, const Outline::Junction& before, const Outline::Junction& after);
   void add_corner(std::uint32_t step, const Outline::Junction& junction, std::uint64_t dead);
@@ -42,6 +44,13 @@ class Pass {
   [[nodiscard]] bool goes_on() const {
     return previous_ != Piece::none && !made_.pieces.empty() && packed(made_.pieces.back().site()) == previous_ &&
            made_.pieces.back().trim_b == Piece::none;
+  }
+  /// After pieces were appended without their places.
+  void settle() {
+    const Piece& tail = made_.pieces.back();
+    previous_ = packed(tail.site());
+    tail_a_ = start(tail);
+    tail_b_ = end(tail);
   }
   void append(Site site) {
     made_.pieces.push_back(Piece(site));
@@ -70,6 +79,7 @@ class Pass {
   static bool is_line(Site s) { return s.role == Role::Line || s.role == Role::Bevel; }
 
   const Outline& outline_;
+  const std::vector<Block>& blocks_;
   const double d_;
   Cover cover_;
   const double margin_;
@@ -108,6 +118,12 @@ void Pass::walk() {
   for (std::uint32_t step = 0; step < count; ++step, dead >>= 4) {
     if (step % 16 == 0) {
       if (step % 4096 == 0 && progress_.cancelled()) return;
+      if (const std::uint32_t next = glide_blocks(step); next > step) {
+        step = next - 1;
+        dead = 0;
+        stale = true;
+        continue;
+      }
       dead = known_.word(step / 16);
       if (dead == ~std::uint64_t{0}) {
         step += 15;
@@ -155,10 +171,26 @@ std::uint32_t Pass::glide(std::uint32_t step, std::uint32_t last, std::uint64_t 
     heat_ = std::max(0, heat_ - (arc ? 2 : 1));
   }
   if (step == first) return step;
-  const Piece& tail = made_.pieces.back();
-  previous_ = packed(tail.site());
-  tail_a_ = start(tail);
-  tail_b_ = end(tail);
+  settle();
+  return step;
+}
+
+/// The same for whole blocks, all of whose pieces are there.
+std::uint32_t Pass::glide_blocks(std::uint32_t step) {
+  if (!goes_on()) return step;
+  const std::uint32_t first = step;
+  for (; step / Block::size < blocks_.size(); step += Block::size) {
+    const Block& block = blocks_[step / Block::size];
+    if (!(d_ < block.plain_below) || known_.word(step / Block::size) != block.absent) break;
+    if (step > first && step % 4096 == 0) break;  // progress is to be asked
+    std::uint64_t arcs = ~block.absent >> 1;
+    for (std::uint32_t k = step; k < step + Block::size; ++k, arcs >>= 4) {
+      append(Site{k, Role::Line});
+      if ((arcs & 1) != 0) append(Site{k, Role::Arc});
+    }
+    heat_ = 0;
+  }
+  if (step > first) settle();
   return step;
 }
 
@@ -413,6 +445,12 @@ void Pass::cull() {
     std::size_t last = first + 1;
     while (last < count && pieces[last].linked()) ++last;
     const bool is_short = last - first < short_fragment && last - first < count;
+    if (!is_short && kept == first && !dropped) {
+      kept = last;
+      last_kept = last - 1;
+      first = last;
+      continue;
+    }
     for (std::size_t k = first; k < last; ++k) {
       Piece piece = pieces[k];
       if (is_short && ++asked % 1024 == 0 && progress_.cancelled()) return;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "shared/geom/predicates.h"
+
 namespace dobra::offset {
 
 namespace {
@@ -101,6 +103,33 @@ Place Validity::of(const VecOf<T>& q, Site own, double error) {
     return Place::Inside;
   }
   return worst;
+}
+
+/// What is parallel to a segment, or about a corner, is on the base's right side if nothing is nearer. So is what lies in a mitre, unless
+/// the way to it from its corner crosses the base: exact for the rounded place, which is as free as the place itself.
+bool Validity::pokes_through(Flat q, Site own) const {
+  const BaseCurve& base = outline_.base();
+  std::size_t corner = base.end_index(own.step);
+  if (own.role == Role::Line) {
+    const double s = dot(q - outline_.from<double>(own.step), outline_.along<double>(own.step));
+    if (s >= 0 && s <= outline_.span(own.step)) return false;
+    if (s < 0) corner = own.step;
+  } else if (own.role != Role::Bevel) {
+    return false;
+  }
+  const geom::Point c = base.points[corner];
+  const geom::Point p{q.x, q.y};
+  FloatBox way(flat(c), flat(c), 0);
+  way.add(FloatBox(q, q, 0));
+  bool across = false;
+  clearance_.each_in(way, [&](std::size_t i) {
+    if (i == corner || base.end_index(i) == corner) return;
+    const geom::Point a = base.start(i);
+    const geom::Point b = base.end(i);
+    if ((geom::orient2d(c, p, a) == geom::Sign::Positive) == (geom::orient2d(c, p, b) == geom::Sign::Positive)) return;
+    across ^= geom::orient2d(a, b, c) != geom::orient2d(a, b, p);
+  });
+  return across;
 }
 
 template Place Validity::of<Real>(const Vec&, Site, double);

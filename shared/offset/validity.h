@@ -19,6 +19,8 @@ class Validity {
   /// @param error  bound of its error.
   template <class T>
   [[nodiscard]] Place of(const VecOf<T>& q, Site own, double error);
+  /// A free place q of the outline of a simple contour, rounded, lies on the other side: in a mitre's tip that pokes through.
+  [[nodiscard]] bool pokes_through(Flat q, Site own) const;
   /// True if q, rounded to doubles, surely lies in what held one of the last places.
   [[nodiscard]] bool held_by_recent(Flat q) const;
 

@@ -1,0 +1,173 @@
+#pragma once
+// A tree of boxes over items in a row, four children a node, so that one node fills a line of the cache and is tested at once.
+// Neighbours in a chain are neighbours in space: nothing is sorted.
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "shared/offset/float_box.h"
+
+namespace dobra::offset {
+
+class BoxTree {
+ public:
+  static constexpr std::size_t width = 4;
+
+  BoxTree() = default;
+  /// @param boxes  at least one.  @cost O(n), 21 bytes a box.
+  explicit BoxTree(const std::vector<FloatBox>& boxes);
+
+  [[nodiscard]] bool empty() const { return nodes_.empty(); }
+  [[nodiscard]] FloatBox box(std::size_t item) const { return child(levels_[0].first + item / width, item % width); }
+
+  /// Items whose boxes may come within `reach` of q, until visit(item) returns true; of the children of a node the nearest first.
+  template <class Visit>
+  bool any_within(Flat q, double reach, Visit&& visit) const;
+  /// Items whose boxes, and those of the nodes above, pass holds(box), until visit(item) returns true.
+  template <class Holds, class Visit>
+  bool any_held(const Holds& holds, Visit&& visit) const {
+    return any_below({levels_.size() - 1, 0}, holds, visit);
+  }
+  /// The same, beginning with those next to an item: what is near is found soon. Not the item itself, nor those of its node.
+  template <class Holds, class Visit>
+  bool any_held_from(std::size_t item, const Holds& holds, Visit&& visit) const;
+  /// The same of two trees over as many items: holds(box, box of the other).
+  template <class Holds, class Visit>
+  bool any_held(const BoxTree& other, const Holds& holds, Visit&& visit) const;
+
+ private:
+  using Four = float __attribute__((vector_size(16)));
+  struct Node {
+    Four low_x, low_y, high_x, high_y;
+  };
+  struct Level {
+    std::size_t first;  ///< Its first node.
+    std::size_t items;  ///< Children of all its nodes.
+  };
+  struct Open {
+    std::size_t level, node;  ///< The node counts from the first of its level.
+  };
+  static constexpr std::size_t deepest = 3 * 32;  // of what is open: three brothers a level
+
+  [[nodiscard]] FloatBox child(std::size_t node, std::size_t k) const {
+    const Node& n = nodes_[node];
+    FloatBox box;
+    box.low_x = n.low_x[k];
+    box.low_y = n.low_y[k];
+    box.high_x = n.high_x[k];
+    box.high_y = n.high_y[k];
+    return box;
+  }
+  [[nodiscard]] std::size_t children(Open at) const { return std::min(width, levels_[at.level].items - width * at.node); }
+  template <class Holds, class Visit>
+  bool any_below(Open top, const Holds& holds, Visit& visit) const;
+
+  std::vector<Node> nodes_;
+  std::vector<Level> levels_;  // from the items up
+};
+
+template <class Visit>
+bool BoxTree::any_within(Flat q, double reach, Visit&& visit) const {
+  // Floats: what they may be wrong by is added to the reach.
+  const double around = std::abs(q.x) + std::abs(q.y);
+  const float limit = static_cast<float>((1 + 1e-6) * (reach + 4e-7 * around) + 1e-37);
+  const float squared = limit * limit * 1.000001F;
+  const auto x = static_cast<float>(q.x);
+  const auto y = static_cast<float>(q.y);
+  const Four zero{};
+  Open open[deepest];
+  float gaps[deepest];
+  std::size_t count = 0;
+  Open at{levels_.size() - 1, 0};
+  for (;;) {
+    const Node& n = nodes_[levels_[at.level].first + at.node];
+    const Four left = n.low_x - x;
+    const Four right = x - n.high_x;
+    const Four below = n.low_y - y;
+    const Four above = y - n.high_y;
+    Four across = left > right ? left : right;
+    Four along = below > above ? below : above;
+    across = across > zero ? across : zero;
+    along = along > zero ? along : zero;
+    const Four gap = across * across + along * along;
+    const std::size_t from = count;
+    for (std::size_t k = 0; k < children(at); ++k) {
+      if (!(gap[k] <= squared)) continue;
+      open[count] = {at.level, width * at.node + k};
+      gaps[count] = gap[k];
+      if (count > from && gaps[count] > gaps[count - 1]) {  // the nearest stays the last
+        std::swap(open[count], open[count - 1]);
+        std::swap(gaps[count], gaps[count - 1]);
+      }
+      ++count;
+    }
+    // Items are looked at when they are taken off, in their turn.
+    for (;;) {
+      if (count == 0) return false;
+      const Open next = open[--count];
+      if (next.level > 0) {
+        at = {next.level - 1, next.node};
+        break;
+      }
+      if (visit(next.node)) return true;
+    }
+  }
+}
+
+template <class Holds, class Visit>
+bool BoxTree::any_below(Open top, const Holds& holds, Visit& visit) const {
+  Open open[deepest];
+  std::size_t count = 0;
+  open[count++] = top;
+  while (count > 0) {
+    const Open at = open[--count];
+    const std::size_t node = levels_[at.level].first + at.node;
+    for (std::size_t k = children(at); k-- > 0;) {
+      if (at.level > 0 && holds(child(node, k))) open[count++] = {at.level - 1, width * at.node + k};
+    }
+    if (at.level > 0) continue;
+    for (std::size_t k = 0; k < children(at); ++k) {
+      if (holds(child(node, k)) && visit(width * at.node + k)) return true;
+    }
+  }
+  return false;
+}
+
+template <class Holds, class Visit>
+bool BoxTree::any_held_from(std::size_t item, const Holds& holds, Visit&& visit) const {
+  Open from{0, item / width};
+  while (from.level + 1 < levels_.size()) {
+    const Open up{from.level + 1, from.node / width};
+    for (std::size_t k = 0; k < children(up); ++k) {
+      const std::size_t other = width * up.node + k;
+      if (other == from.node || !holds(child(levels_[up.level].first + up.node, k))) continue;
+      if (any_below({from.level, other}, holds, visit)) return true;
+    }
+    from = up;
+  }
+  return false;
+}
+
+template <class Holds, class Visit>
+bool BoxTree::any_held(const BoxTree& other, const Holds& holds, Visit&& visit) const {
+  Open open[deepest];
+  std::size_t count = 0;
+  open[count++] = {levels_.size() - 1, 0};
+  while (count > 0) {
+    const Open at = open[--count];
+    const std::size_t node = levels_[at.level].first + at.node;
+    for (std::size_t k = 0; k < children(at); ++k) {
+      if (!holds(child(node, k), other.child(node, k))) continue;
+      if (at.level > 0) {
+        open[count++] = {at.level - 1, width * at.node + k};
+      } else if (visit(width * at.node + k)) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace dobra::offset
