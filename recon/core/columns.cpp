@@ -80,8 +80,11 @@ base::Result<Columns> Columns::assemble(std::vector<geom::Point> feet, std::vect
     bend += widening;
     columns.frames_.push_back(frame);
   }
-  columns.straight_ =
-      std::all_of(tangents.begin(), tangents.end(), [&](geom::Vector t) { return t == tangents.front(); });
+  const geom::Vector chord = feet.back() - feet.front();
+  const double least_advance = 1e-6 * geom::length(chord);
+  columns.graph_ = least_advance > 0.0 && std::all_of(tangents.begin(), tangents.end(), [&](geom::Vector t) {
+                     return geom::dot(t, chord) > least_advance;
+                   });
   columns.tree_ = SegmentTree(std::move(segments));
   columns.feet_ = std::move(feet);
   return columns;
@@ -137,27 +140,73 @@ ColumnId Columns::holder(std::size_t segment, geom::Point p, double tolerance) c
   return {};
 }
 
-Columns::Found Columns::find(geom::Point p, double tolerance, ColumnId hint) const {
-  const auto accept = [&](std::size_t segment) { return holder(segment, p, tolerance).valid(); };
-  const auto found = [&](const SegmentTree::Nearest& best) {
-    return Found{holder(best.index, p, tolerance), best.distance(), Foot::InColumn};
-  };
-  if (hint.valid()) {
-    // A few steps beside the hint; then the tree only confirms that no segment is nearer.
-    constexpr int most_steps = 8;
-    std::size_t segment = frame_of(hint);
-    for (int step = 0; step < most_steps; ++step) {
-      if (accept(segment)) {
-        if (straight_) return found({segment, tree_.squared_distance(segment, p)});
-        return found(tree_.nearest_from(segment, p, accept));
-      }
-      const Beyond out = beyond(ColumnId(segment + 1), p);
-      const bool to_right = out.right > out.left;
-      if (to_right ? segment + 1 == inner_count() : segment == 0) break;
-      segment = to_right ? segment + 1 : segment - 1;
+/// Is a column that holds p certainly that of the nearest segment? Where the base is a graph over one direction and no
+/// column has closed down to depth D, its parallels down to there are graphs, one below the other: every point has one
+/// depth up to D and one place. The nearest segment would give a second place, at a depth up to its distance.
+bool Columns::is_certain(std::size_t segment, geom::Point p) const {
+  if (!graph_) return false;
+  const Frame& f = frames_[segment];
+  const bool below = geom::dot(p - f.foot, geom::right_of(f.tangent)) >= 0.0;
+  const double open = (1.0 - 1e-6) * (below ? open_depths_.greatest : -open_depths_.least);
+  return tree_.squared_distance(segment, p) < open * open;
+}
+
+/// The segment beside whose rungs p lies, by halving: right where columns are certain.
+std::size_t Columns::halve(geom::Point p) const {
+  std::size_t low = 0;
+  std::size_t high = inner_count() - 1;
+  while (low < high) {
+    const std::size_t middle = (low + high) / 2;
+    if (beyond(ColumnId(middle + 1), p).right > 0.0) {
+      low = middle + 1;
+    } else {
+      high = middle;
     }
   }
-  if (const auto best = tree_.nearest(p, accept)) return found(*best);
+  return low;
+}
+
+/// A few steps from a segment to one that can hold p; then the tree only confirms that none is nearer.
+std::optional<Columns::Found> Columns::find_from(std::size_t segment, geom::Point p, double tolerance) const {
+  constexpr int most_steps = 8;
+  const auto accept = [&](std::size_t i) { return holder(i, p, tolerance).valid(); };
+  for (int step = 0; step < most_steps; ++step) {
+    if (accept(segment)) {
+      SegmentTree::Nearest best{segment, tree_.squared_distance(segment, p)};
+      if (is_certain(segment, p)) {
+        // On a rung both columns hold p.
+        const auto consider = [&](std::size_t i) {
+          if (!accept(i)) return false;
+          const SegmentTree::Nearest candidate{i, tree_.squared_distance(i, p)};
+          if (candidate.before(best)) best = candidate;
+          return true;
+        };
+        for (std::size_t i = segment; i > 0 && consider(i - 1); --i) {
+        }
+        for (std::size_t i = segment; i + 1 < inner_count() && consider(i + 1); ++i) {
+        }
+      } else {
+        best = tree_.nearest_from(segment, p, accept);
+      }
+      return Found{holder(best.index, p, tolerance), best.distance(), Foot::InColumn};
+    }
+    const Beyond out = beyond(ColumnId(segment + 1), p);
+    const bool to_right = out.right > out.left;
+    if (to_right ? segment + 1 == inner_count() : segment == 0) break;
+    segment = to_right ? segment + 1 : segment - 1;
+  }
+  return std::nullopt;
+}
+
+Columns::Found Columns::find(geom::Point p, double tolerance, ColumnId hint) const {
+  if (hint.valid()) {
+    if (const auto found = find_from(frame_of(hint), p, tolerance)) return *found;
+  }
+  if (graph_) {
+    if (const auto found = find_from(halve(p), p, tolerance)) return *found;
+  }
+  if (const auto best = tree_.nearest(p, [&](std::size_t i) { return holder(i, p, tolerance).valid(); }))
+    return {holder(best->index, p, tolerance), best->distance(), Foot::InColumn};
   const auto nearest = tree_.nearest(p, [](std::size_t) { return true; });
   return {ColumnId(nearest->index + 1), nearest->distance(), Foot::NoColumn};
 }

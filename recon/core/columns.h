@@ -136,13 +136,17 @@ class Columns {
   /// The column of base segment `segment`, or the outer one beside it, that holds p; none if neither does.
   [[nodiscard]] ColumnId holder(std::size_t segment, geom::Point p, double tolerance) const;
   [[nodiscard]] bool holds(ColumnId column, geom::Point p, double tolerance) const;
+  [[nodiscard]] bool is_certain(std::size_t segment, geom::Point p) const;
+  [[nodiscard]] std::size_t halve(geom::Point p) const;
+  [[nodiscard]] std::optional<Found> find_from(std::size_t segment, geom::Point p, double tolerance) const;
 
   std::vector<geom::Point> feet_;    ///< n + 1 feet of rungs on the base line.
   std::vector<geom::Vector> rungs_;  ///< n + 1 mitre vectors.
   std::vector<Frame> frames_;        ///< n, one a base segment.
   DepthRange open_depths_{};
-  bool straight_ = false;  ///< A straight base: the column that holds a point is that of the nearest segment.
-  SegmentTree tree_;       ///< Of the n base segments.
+  bool graph_ = false;  ///< Every segment advances in one direction, so that a depth at which no column has closed has
+                        ///< but one place along the base.
+  SegmentTree tree_;    ///< Of the n base segments.
 };
 
 }  // namespace recon::core

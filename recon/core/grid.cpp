@@ -27,7 +27,7 @@ double rung_end(const Columns& columns, std::size_t rung, double deepest, double
   const ColumnId after(rung + 1);
   const auto own = [&](double depth) {
     const geom::Point p = foot + depth * along;
-    const Located nearest = columns.locate(p, tolerance);
+    const Located nearest = columns.locate(p, tolerance, after);
     const double distance = std::min(columns.distance_to_base(before, p), columns.distance_to_base(after, p));
     return nearest.foot == Foot::InColumn && distance <= nearest.distance + tolerance;
   };

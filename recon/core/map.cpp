@@ -131,9 +131,10 @@ ColumnId ColumnMap::column_at(const Columns& columns, double bed, double depth, 
   return ColumnId(low);
 }
 
-geom::Point ColumnMap::target_point(double from_pin, double depth) const {
+geom::Point ColumnMap::target_point(double from_pin, double depth, ColumnId& hint) const {
   const double bed = from_pin + target_pin_.at(depth);
-  return point_on_bed(target_.frame(column_at(target_, bed, depth, ColumnId{})), bed, depth);
+  hint = column_at(target_, bed, depth, hint);
+  return point_on_bed(target_.frame(hint), bed, depth);
 }
 
 std::vector<double> ColumnMap::target_corners(double depth) const {
@@ -143,37 +144,47 @@ std::vector<double> ColumnMap::target_corners(double depth) const {
   return corners;
 }
 
-ColumnMap::LaidLine ColumnMap::lay(double depth, const std::vector<double>& lengths, const std::vector<double>& depths,
-                                   double travel) const {
-  LaidLine laid;
+std::vector<ColumnMap::LaidPoint> ColumnMap::lay(const std::vector<double>& arc, const std::vector<ColumnPoint>& names,
+                                                 std::size_t start, double travel) const {
+  const bool up = travel > 0.0;
+  const std::size_t pieces = up ? arc.size() - 1 - start : start;
+  double depth = names[start].depth;
   ColumnId column = column_at(target_, target_pin_.at(depth), depth, ColumnId{});
   geom::Point p = point_on_bed(target_.frame(column), target_pin_.at(depth), depth);
-  laid.points.push_back(p);
-  for (std::size_t i = 0; i < lengths.size(); ++i) {
-    double drop = std::clamp(depths[i] - depth, -lengths[i], lengths[i]);
-    double along = std::sqrt(std::max(0.0, lengths[i] * lengths[i] - drop * drop));
+  std::vector<LaidPoint> laid;
+  laid.reserve(pieces + 1);
+  laid.push_back({start, 0.0, p});
+  for (std::size_t i = 0, vertex = start; i < pieces; ++i) {
+    const std::size_t next = up ? vertex + 1 : vertex - 1;
+    const double length = std::abs(arc[next] - arc[vertex]);
+    const double drop = std::clamp(names[next].depth - depth, -length, length);
+    const double along = std::sqrt(std::max(0.0, length * length - drop * drop));
     double left_to_go = 1.0;
     while (true) {
       const Columns::Frame& frame = target_.frame(column);
       const geom::Point goal =
           p + (travel * along * left_to_go) * frame.tangent + (drop * left_to_go) * geom::right_of(frame.tangent);
-      const Columns::Beyond here = target_.beyond(column, p);
       const Columns::Beyond there = target_.beyond(column, goal);
-      const double start = travel > 0.0 ? here.right : here.left;
-      const double end = travel > 0.0 ? there.right : there.left;
-      if (!(end > 0.0 && end > start)) {
+      const double end = up ? there.right : there.left;
+      if (!(end > 0.0)) {
         p = goal;
         break;
       }
-      const double part = std::clamp(-start / (end - start), 0.0, 1.0);
+      const Columns::Beyond here = target_.beyond(column, p);
+      const double from = up ? here.right : here.left;
+      if (!(end > from)) {
+        p = goal;
+        break;
+      }
+      const double part = std::clamp(-from / (end - from), 0.0, 1.0);
       p = geom::interpolate(p, goal, part);
-      laid.bends.push_back(static_cast<double>(i) + 1.0 - left_to_go * (1.0 - part));
-      laid.bend_points.push_back(p);
       left_to_go *= 1.0 - part;
-      column = ColumnId(travel > 0.0 ? column.index() + 1 : column.index() - 1);
+      laid.push_back({vertex, 1.0 - left_to_go, p});
+      column = ColumnId(up ? column.index() + 1 : column.index() - 1);
     }
     depth += drop;
-    laid.points.push_back(p);
+    vertex = next;
+    laid.push_back({vertex, 0.0, p});
   }
   return laid;
 }
@@ -244,8 +255,7 @@ Carried ColumnMap::carry(Cell cell, geom::Point p) const {
 }
 
 bool ColumnMap::keeps(const Spot& spot, geom::Point p, const Spot& nearest) const {
-  if (nearest.foot == Foot::NoColumn || spot.foot == Foot::NoColumn) return nearest.cell.first == spot.cell.first;
-  return source_.distance_to_base(column_of(spot.cell.first), p) <= nearest.distance + tolerances_.side;
+  return columns_keep(source_, spot, p, nearest, tolerances_.side);
 }
 
 geom::Point ColumnMap::back(geom::Point image, Cell& hint) const {

@@ -54,21 +54,24 @@ class ColumnMap {
 
   /// Slip: the point of the target at a distance along its bed from the pin line, at that depth; and the distances at
   /// which the beds of that depth have their corners. Metres.
-  [[nodiscard]] geom::Point target_point(double from_pin, double depth) const;
+  /// @param hint  for points near each other in turn.
+  [[nodiscard]] geom::Point target_point(double from_pin, double depth, ColumnId& hint) const;
   [[nodiscard]] std::vector<double> target_corners(double depth) const;
+  /// A place on a line that is laid out: at a vertex (part 0), or in the piece behind it, where a corner of the target
+  /// bends that.
+  struct LaidPoint {
+    std::size_t vertex = 0;
+    double part = 0.0;
+    geom::Point point;
+  };
   /// Slip: a line laid out on the target from the pin line on, piece by piece: each keeps its length and changes its
   /// depth as told (by its length at most).
-  /// @param depth   of the first point, m.
-  /// @param lengths, depths  of the pieces: length and depth at the end, m.
-  /// @param travel  +1 along the target, -1 against it.
-  /// @return one point more than pieces, and where corners of the target bend a piece, the places in it (0 .. 1).
-  struct LaidLine {
-    std::vector<geom::Point> points;
-    std::vector<double> bends;  ///< Piece number plus the part of it.
-    std::vector<geom::Point> bend_points;
-  };
-  [[nodiscard]] LaidLine lay(double depth, const std::vector<double>& lengths, const std::vector<double>& depths,
-                             double travel) const;
+  /// @param arc, names  of its vertices: arc lengths, m, and names with their depths.
+  /// @param start   the vertex on the pin line.
+  /// @param travel  +1 along the target, vertex by vertex up; -1 against it, down.
+  /// @return from `start` on.
+  [[nodiscard]] std::vector<LaidPoint> lay(const std::vector<double>& arc, const std::vector<ColumnPoint>& names,
+                                           std::size_t start, double travel) const;
 
   /// The name of a point. O(log n).
   [[nodiscard]] Located locate(geom::Point p) const { return source_.locate(p, tolerances_.side); }
@@ -76,11 +79,10 @@ class ColumnMap {
   [[nodiscard]] geom::Point image(const ColumnPoint& name) const { return carry_name(name); }
   /// Where a single point goes. O(log n).
   [[nodiscard]] geom::Point map(geom::Point p) const { return carry(locate(p, Cell{}).cell, p).image; }
-  /// Where a line goes, exact up to the chord tolerance. O((n + x) log m) for n vertices, x rung crossings, m columns.
-  /// @param line open, n >= 1 points.
-  [[nodiscard]] MappedLine map(const geom::Polyline& line) const { return Tracer(*this).run(line); }
+  /// Where a line goes.
+  [[nodiscard]] MappedLine map(const geom::Polyline& line) const { return trace(*this, line); }
 
-  // What Tracer asks (trace.h). Cell: source column; for Slip also the target column.
+  // What Tracer asks (trace.cpp). Cell: source column; for Slip also the target column.
   [[nodiscard]] Spot locate(geom::Point p, Cell hint) const;
   [[nodiscard]] std::array<double, 4> beyond(Cell cell, geom::Point p) const;
   [[nodiscard]] Carried carry(Cell cell, geom::Point p) const;

@@ -41,14 +41,18 @@ struct MethodParams {
 
 struct MethodMap {
   SectionMap map;
-  /// Horizons of a stack: their images are known without looking for their cells. Names are left empty.
+  /// Horizons of a stack: their images are known without looking for their cells. Without names, unless the method has
+  /// measured them.
   std::vector<std::pair<HorizonId, MappedLine>> lines;
+  std::vector<HorizonId> order;  ///< Of a stack: horizons_in_order.
   std::vector<std::string> remarks;
 };
 
-/// Where a line goes by the method: as the method knows it, or through its map.
+/// Where all horizons go, in the order of the section: as the method knows it (those lines are moved out of it), or
+/// through its map.
 /// @param grid  names the points of methods without columns.
-MappedLine map_horizon(const MethodMap& method, const Horizon& horizon, const ColumnMap& grid);
+std::vector<MappedLine> map_horizons(MethodMap& method, const Section& section, const ColumnMap& grid,
+                                     const base::Progress& progress = {});
 
 /// The map of a section by the method, from the grid's base to the target.
 /// States between 0 and 100 % turn every piece of the base by its part of the angle between the two lines, so that the

@@ -107,15 +107,13 @@ class Draws {
     return params;
   }
 
-  [[nodiscard]] std::vector<double> measure(const Section& section, const MethodMap& method,
-                                            const ColumnMap& grid) const {
-    std::vector<MappedLine> lines;
+  [[nodiscard]] std::vector<double> measure(const Section& section, MethodMap& method, const ColumnMap& grid) const {
+    const std::vector<MappedLine> lines = map_horizons(method, section, grid);
     std::vector<double> numbers(4);
     std::vector<LineLength> lengths;
-    Balance balance;
-    for (const Horizon& horizon : section.horizons) {
-      lines.push_back(map_horizon(method, horizon, grid));
-      lengths.push_back(line_length(horizon, lines.back()));
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const Horizon& horizon = section.horizons[i];
+      lengths.push_back(line_length(horizon, lines[i]));
       const LineLength& row = lengths.back();
       if (horizon.id == source_.top) numbers[0] = row.shortening;
       numbers[1] = std::max(numbers[1], std::abs(row.change_percent));

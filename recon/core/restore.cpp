@@ -140,24 +140,21 @@ base::Result<Restoration> restore(const Section& section, const SourceGrid& sour
   Restoration restoration;
   restoration.params = params;
   restoration.remarks = std::move(made.remarks);
-  restoration.map = made.map;
+  restoration.lines = map_horizons(made, section, target.map, progress);
+  restoration.map = std::move(made.map);
   const SectionMap& map = restoration.map;
-  restoration.lines = base::parallel_map<MappedLine>(section.horizons.size(), [&](std::size_t i) {
-    if (progress.cancelled()) return MappedLine{};
-    return map_horizon(made, section.horizons[i], target.map);
-  });
   DOBRA_TRY_VOID(progress.check());
   progress.report(0.6, "lines restored");
   if (params.outside == Doubt::Refuse) DOBRA_TRY_VOID(refuse_doubt(section, restoration.lines));
   restoration.section = section;
-  for (std::size_t i = 0; i < section.horizons.size(); ++i) {
-    const Horizon& horizon = section.horizons[i];
+  restoration.lengths = base::parallel_map<LineLength>(section.horizons.size(), [&](std::size_t i) {
     restoration.section.horizons[i].line = restoration.lines[i].after;
-    restoration.lengths.push_back(line_length(horizon, restoration.lines[i]));
-    remark_on(horizon.name, restoration.lines[i], restoration.remarks);
-  }
+    return line_length(section.horizons[i], restoration.lines[i]);
+  });
+  for (std::size_t i = 0; i < section.horizons.size(); ++i)
+    remark_on(section.horizons[i].name, restoration.lines[i], restoration.remarks);
   carry_the_rest(map, restoration.section);
-  const std::vector<HorizonId> order = horizons_in_order(section, source, target);
+  const std::vector<HorizonId> order = made.order.empty() ? horizons_in_order(section, source, target) : made.order;
   DOBRA_TRY(restoration.ledger, draw_up(section, ledger_units(section, order), restoration.lines, map, {}, progress));
   for (std::size_t i = 0; i < section.units.size(); ++i)
     restoration.section.units[i].contour = restoration.ledger.units[i].contour_after;

@@ -2,16 +2,17 @@
 // Maps between stacks of lines, each pair of neighbours joined by rulings that share the place u along both:
 //   P = (1 - v) T(u) + v B(u)   ->   P' = (1 - v) T'(u) + v B'(u)
 // Proportional thickness is a stack of two lines, line-length unfolding one of all horizons, each going to a line of
-// its own length. Bilinear in each quadrangle, with an inverse in closed form; single-valued where no quadrangle is
-// folded over. Above the first line and below the last the rulings go on straight; beyond the ends the last ruling is
-// moved along. Source: restoration.md 2.4.  Page: docs/algorithms/thickness.md
+// its own length. Bilinear in each strip, with an inverse in closed form; single-valued where no strip is folded over.
+// Above the first line and below the last the rulings go on straight; beyond the ends the last ruling is moved along.
+// Where a point lies: ruled_stack.h. Source: restoration.md 2.4.  Pages: docs/algorithms/ruled_map.md, thickness.md
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "recon/core/map.h"
-#include "recon/core/segment_tree.h"
+#include "recon/core/ruled_stack.h"
 #include "recon/core/trace.h"
 
 namespace recon::core {
@@ -23,61 +24,33 @@ struct RuledLine {
   std::vector<geom::Point> to;    ///< Likewise.
 };
 
+/// A value; copies share what they stand on.
 class RuledMap {
  public:
   RuledMap() = default;
   /// @param lines two or more, from the top down.
-  explicit RuledMap(const std::vector<RuledLine>& lines, const MapOptions& options = {});
+  /// @cost O(n) for n points of all lines, bands in parallel.
+  explicit RuledMap(std::vector<RuledLine> lines, const MapOptions& options = {});
 
   [[nodiscard]] RuledMap swapped() const;
-  /// The middle of the first quadrangle that is folded over (its sides cross, or it is turned round), in the source.
-  [[nodiscard]] std::optional<geom::Point> folded() const { return folded_; }
+  /// The middle of the first strip that is folded over (its sides cross, or it is turned round), in the source.
+  [[nodiscard]] std::optional<geom::Point> folded() const { return from_->folded(); }
 
-  // What Tracer asks (trace.h). Cell: strip 0 .. n + 1 of a band, band.
-  [[nodiscard]] Spot locate(geom::Point p, Cell hint) const;
-  [[nodiscard]] std::array<double, 4> beyond(Cell cell, geom::Point p) const;
+  // What Tracer asks (trace.cpp). Cell: strip 0 .. n + 1 of a band, band.
+  [[nodiscard]] Spot locate(geom::Point p, Cell hint) const { return from_->locate(p, hint); }
+  [[nodiscard]] std::array<double, 4> beyond(Cell cell, geom::Point p) const { return from_->beyond(cell, p); }
   [[nodiscard]] Carried carry(Cell cell, geom::Point p) const;
   [[nodiscard]] static bool keeps(const Spot& spot, geom::Point, const Spot& nearest) {
     return nearest.foot == Foot::InColumn && spot.foot == Foot::InColumn;
   }
   [[nodiscard]] geom::Point back(geom::Point image, Cell& hint) const;
-  [[nodiscard]] bool is_outer(Cell cell) const;
+  [[nodiscard]] bool is_outer(Cell cell) const { return from_->is_outer(cell); }
   [[nodiscard]] static bool bends() { return true; }
   [[nodiscard]] const TraceTolerances& tolerances() const { return tolerances_; }
 
  private:
-  /// Ruling i of a band joins top[i] and bottom[i]. The first and the last are moved ends, one length away.
-  struct Side {
-    std::vector<geom::Point> top;
-    std::vector<geom::Point> bottom;
-    SegmentTree top_tree;  ///< Of the segments of top, the moved ends left out.
-    SegmentTree bottom_tree;
-  };
-  struct Band {
-    std::vector<double> u;
-    Side from;
-    Side to;
-  };
-  /// Fractions across (0 at the left ruling, 1 at the right) and down (0 at the top, 1 at the bottom).
-  struct Place {
-    double across = 0.0;
-    double down = 0.0;
-  };
-  static void extend(Side& side, double by);
-  static Place place_in(const Side& side, std::size_t strip, geom::Point p);
-  static geom::Point point_at(const Side& side, std::size_t strip, Place place);
-  [[nodiscard]] Spot locate_on(bool target, geom::Point p, Cell hint) const;
-  [[nodiscard]] bool walk(bool target, geom::Point p, Cell& cell) const;
-  void to_first(bool target, geom::Point p, Cell& cell) const;
-  [[nodiscard]] std::array<double, 4> beyond_on(bool target, Cell cell, geom::Point p) const;
-  [[nodiscard]] std::size_t strip_of(std::size_t band, double u) const;
-  [[nodiscard]] const Side& side(bool target, std::size_t band) const {
-    return target ? bands_[band].to : bands_[band].from;
-  }
-
-  std::vector<Band> bands_;
-  std::optional<geom::Point> folded_;
-  std::optional<geom::Point> folded_target_;
+  std::shared_ptr<const RuledStack> from_;
+  std::shared_ptr<const RuledStack> to_;
   TraceTolerances tolerances_;
 };
 

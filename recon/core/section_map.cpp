@@ -70,7 +70,7 @@ MappedLine SectionMap::forward(const geom::Polyline& line) const {
   geom::Polyline open = line;
   open.closed = false;
   if (line.closed) open.points.push_back(line.points.front());
-  MappedLine mapped = std::visit([&](const auto& map) { return Tracer(map).run(open); }, map_);
+  MappedLine mapped = std::visit([&](const auto& map) { return trace(map, open); }, map_);
   if (line.closed) {
     for (geom::Polyline* side : {&mapped.before, &mapped.after}) {
       side->points.pop_back();

@@ -19,16 +19,22 @@ SegmentTree::SegmentTree(std::vector<dobra::geom::Segment> segments)
     : segments_(std::move(segments)), leaves_(std::bit_ceil(segments_.size())) {
   if (segments_.empty()) return;
   nodes_.resize(2 * leaves_);
-  for (std::size_t width = leaves_, node = 1; width > 0; width /= 2) {
-    for (std::size_t first = 0; first < leaves_; first += width, ++node) {
+  for (std::size_t i = 0; i < segments_.size(); ++i) nodes_[leaves_ + i] = node_of(segments_[i].from, segments_[i].to);
+  std::size_t width = 1;
+  for (std::size_t level = leaves_ / 2; level > 0; level /= 2) {
+    width *= 2;
+    for (std::size_t first = 0, node = level; first < segments_.size(); first += width, ++node) {
+      const Node& left = nodes_[2 * node];
+      const Node& right = nodes_[2 * node + 1];
       const std::size_t end = std::min(first + width, segments_.size());
-      if (first >= end) continue;
       nodes_[node] = node_of(segments_[first].from, segments_[end - 1].to);
-      // The distance to a chord is convex along a segment, so its ends are the farthest points.
-      double squared = 0.0;
-      for (std::size_t i = first; i + 1 < end; ++i)
-        squared = std::max(squared, squared_distance(nodes_[node], segments_[i].to));
-      nodes_[node].reach = std::sqrt(squared);
+      if (right.reach < 0.0) {
+        nodes_[node].reach = left.reach;  // the same part under the same chord
+        continue;
+      }
+      // The distance to a chord is convex along another chord: nothing of a child is farther than the farther end of
+      // its chord and what it reaches beyond that. Both chords begin or end with this one: what is between remains.
+      nodes_[node].reach = std::sqrt(squared_distance(nodes_[node], right.from)) + std::max(left.reach, right.reach);
     }
   }
 }

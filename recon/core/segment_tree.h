@@ -3,7 +3,7 @@
 // condition. A node is the chord of its part of the line and how far that part goes from it. On a smooth line that is a
 // far narrower bound than a box, so that a query opens a few nodes a level even where a fine line is far away (boxes of
 // geom::SpatialIndex open the whole stretch that is about equally near); and a query takes no memory. A caller that
-// knows a near segment lets the tree only confirm it: one look at the sibling on each level. Built in O(n log n).
+// knows a near segment lets the tree only confirm it: one look at the sibling on each level. Built in O(n).
 
 #include <algorithm>
 #include <array>
@@ -40,13 +40,6 @@ class SegmentTree {
   /// The same where segment `known` is accepted and near: what is nearer, or `known` itself.  @pre accept(known).
   template <class Accept>
   [[nodiscard]] Nearest nearest_from(std::size_t known, dobra::geom::Point p, Accept&& accept) const;
-
-  /// The nearest segment to p if it is nearer than the root of `squared`, or as near; nothing otherwise.
-  [[nodiscard]] std::optional<Nearest> nearest_within(dobra::geom::Point p, double squared) const {
-    std::optional<Nearest> best = Nearest{size(), squared};
-    if (!segments_.empty()) search(1, p, best, [](std::size_t) { return true; });
-    return best->index < size() ? best : std::nullopt;
-  }
 
   [[nodiscard]] std::size_t size() const { return segments_.size(); }
   [[nodiscard]] const dobra::geom::Segment& segment(std::size_t i) const { return segments_[i]; }

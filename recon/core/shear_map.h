@@ -39,7 +39,7 @@ class ShearMap {
   /// The map on the way: `part` (0 .. 1) of every displacement.
   [[nodiscard]] ShearMap part(double part) const;
 
-  // What Tracer asks (trace.h). Cell: strip 0 .. n + 1 between the n + 1 corners of both lines.
+  // What Tracer asks (trace.cpp). Cell: strip 0 .. n + 1 between the n + 1 corners of both lines.
   [[nodiscard]] Spot locate(geom::Point p, Cell hint) const;
   [[nodiscard]] std::array<double, 2> beyond(Cell cell, geom::Point p) const;
   [[nodiscard]] Carried carry(Cell cell, geom::Point p) const;

@@ -64,7 +64,7 @@ BENCHMARK(restore_whole_section)
     ->Args({100, 10000})
     ->Args({100, 30000})
     ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
+    ->MeasureProcessCPUTime()->UseRealTime();
 
 void restore_with_grid_there(benchmark::State& state) {
   const Model model = start(100, 10000);
@@ -74,7 +74,7 @@ void restore_with_grid_there(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(run_restore(ready, by(method), {}, {}).value());
   state.SetItemsProcessed(state.iterations() * 1000000);
 }
-BENCHMARK(restore_with_grid_there)->DenseRange(0, 5)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(restore_with_grid_there)->DenseRange(0, 5)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 
 std::vector<geom::Point> all_points(const Section& section) {
   std::vector<geom::Point> points;
@@ -98,7 +98,7 @@ void map_points(benchmark::State& state) {
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points.size()));
 }
-BENCHMARK(map_points)->DenseRange(0, 5)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(map_points)->DenseRange(0, 5)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 
 void affine_peer(benchmark::State& state) {
   const std::vector<geom::Point> points = all_points(fold_train(100, 10000));
@@ -110,7 +110,7 @@ void affine_peer(benchmark::State& state) {
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points.size()));
 }
-BENCHMARK(affine_peer)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(affine_peer)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 
 /// A drag of the pin: target and restoration of 10 x 1000 points.
 void move_the_pin(benchmark::State& state) {
@@ -124,7 +124,7 @@ void move_the_pin(benchmark::State& state) {
     benchmark::DoNotOptimize(run_restore(with_target, by(method), {}, {}).value());
   }
 }
-BENCHMARK(move_the_pin)->DenseRange(0, 5)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(move_the_pin)->DenseRange(0, 5)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 
 void monte_carlo_draws(benchmark::State& state) {
   const Model with_target =
@@ -136,7 +136,7 @@ void monte_carlo_draws(benchmark::State& state) {
   params.pin_error = 50.0;
   for (auto _ : state) benchmark::DoNotOptimize(run_monte_carlo(ready, params, {}, {}).value());
 }
-BENCHMARK(monte_carlo_draws)->Arg(500)->Arg(10000)->Unit(benchmark::kSecond)->UseRealTime();
+BENCHMARK(monte_carlo_draws)->Arg(500)->Arg(10000)->Unit(benchmark::kSecond)->MeasureProcessCPUTime()->UseRealTime();
 
 }  // namespace
 }  // namespace recon::core

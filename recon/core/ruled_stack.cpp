@@ -1,0 +1,416 @@
+#include "recon/core/ruled_stack.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "shared/base/parallel.h"
+
+namespace recon::core {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Strips in a block: few enough to look through, enough that the boxes take little room.
+constexpr std::size_t block_size = 24;
+
+/// Distance of p from the line from a to b, m: positive on the right-hand side of travel; 0 for no line.
+double right_of_line(geom::Point a, geom::Point b, geom::Point p) {
+  const geom::Vector along = b - a;
+  const double squared = geom::length_squared(along);
+  return squared > 0.0 ? geom::cross(p - a, along) / std::sqrt(squared) : 0.0;
+}
+
+/// Does p lie farther to the right of the line than the tolerance?
+bool is_right_of(geom::Point a, geom::Point b, geom::Point p, double tolerance) {
+  const geom::Vector along = b - a;
+  const double cross = geom::cross(p - a, along);
+  return cross > 0.0 && cross * cross > tolerance * tolerance * geom::length_squared(along);
+}
+
+/// Is the quadrangle turned round at one of its corners, by more than rounding? Its Jacobian is bilinear, so elsewhere
+/// it is not either.
+bool is_folded(geom::Point a, geom::Point b, geom::Point c, geom::Point d, double tolerance) {
+  const auto turned = [&](geom::Vector v, geom::Vector w) {
+    const double cross = geom::cross(v, w);
+    return cross > 0.0 && cross > tolerance * (std::abs(v.x) + std::abs(v.y) + std::abs(w.x) + std::abs(w.y));
+  };
+  return turned(b - a, c - b) || turned(c - b, d - c) || turned(d - c, a - d) || turned(a - d, b - a);
+}
+
+/// The rulings of a band: at the corners of both lines, those at one place in one.
+std::vector<Rulings::Corners> rulings_between(const std::vector<double>& upper, const std::vector<double>& lower,
+                                              double least) {
+  const auto last_upper = static_cast<std::uint32_t>(upper.size() - 1);
+  const auto last_lower = static_cast<std::uint32_t>(lower.size() - 1);
+  std::vector<Rulings::Corners> rulings;
+  rulings.reserve(upper.size() + lower.size());
+  Rulings::Corners at;
+  for (double next = upper.front();; next = std::min(at.upper < last_upper ? upper[at.upper + 1] : infinity,
+                                                     at.lower < last_lower ? lower[at.lower + 1] : infinity)) {
+    while (at.upper < last_upper && upper[at.upper + 1] <= next + least) ++at.upper;
+    while (at.lower < last_lower && lower[at.lower + 1] <= next + least) ++at.lower;
+    rulings.push_back(at);
+    if (at.upper == last_upper && at.lower == last_lower) break;
+  }
+  return rulings;
+}
+
+SegmentTree tree_of(const std::vector<geom::Point>& points) {
+  std::vector<geom::Segment> segments;
+  segments.reserve(points.size() - 1);
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) segments.push_back({points[i], points[i + 1]});
+  return SegmentTree(std::move(segments));
+}
+
+}  // namespace
+
+Rulings::Rulings(std::vector<std::vector<double>> places) : u(std::move(places)) {
+  least = 1e-13 * (u.front().back() - u.front().front());
+  bands.resize(u.size() - 1);
+  dobra::base::parallel_for(bands.size(), [&](std::size_t k) { bands[k] = rulings_between(u[k], u[k + 1], least); });
+  // Blocks end at the same places in all bands, so that they form a grid; about as many strips in each.
+  std::size_t strips = 0;
+  for (const std::vector<Corners>& band : bands) strips += band.size() - 1;
+  const std::size_t count = std::max<std::size_t>(1, strips / (bands.size() * block_size));
+  std::vector<double> sample;
+  for (const std::vector<double>& line : u) {
+    for (std::size_t i = 0; i < line.size(); i += block_size / 2) sample.push_back(line[i]);
+  }
+  std::sort(sample.begin(), sample.end());
+  blocks.assign(bands.size(), {});
+  dobra::base::parallel_for(bands.size(), [&](std::size_t k) {
+    std::uint32_t ruling = 0;
+    const auto last = static_cast<std::uint32_t>(bands[k].size() - 1);
+    for (std::size_t b = 0; b < count; ++b) {
+      const double cut = sample[b * sample.size() / count];
+      while (b > 0 && ruling < last && place(k, ruling) < cut) ++ruling;
+      blocks[k].push_back(ruling);
+    }
+    blocks[k].push_back(last);
+  });
+}
+
+RuledStack::RuledStack(std::shared_ptr<const Rulings> rulings, std::vector<std::vector<geom::Point>> points, double by,
+                       double tolerance)
+    : rulings_(std::move(rulings)), points_(std::move(points)), tolerance_(tolerance) {
+  // One direction for all bands, so that the strips beyond the ends leave no gap between bands.
+  for (const std::vector<geom::Point>& line : points_) {
+    left_ = left_ + geom::normalised(line.front() - line[1]);
+    right_ = right_ + geom::normalised(line.back() - line[line.size() - 2]);
+  }
+  const auto reaching = [&](geom::Vector sum, geom::Vector otherwise) {
+    return by * geom::normalised(geom::length(sum) > 0.1 ? sum : otherwise);
+  };
+  left_ = reaching(left_, points_.front().front() - points_.front()[1]);
+  right_ = reaching(right_, points_.front().back() - points_.front()[points_.front().size() - 2]);
+  build_blocks();
+  top_ = tree_of(points_.front());
+  bottom_ = tree_of(points_.back());
+}
+
+void RuledStack::build_blocks() {
+  const std::size_t bands = rulings_->bands.size();
+  const std::size_t count = rulings_->block_count();
+  std::vector<geom::Box> boxes(bands * count);
+  std::vector<geom::Box> folds(bands * count);  // of the folded strips of a block
+  std::vector<std::optional<geom::Point>> first(bands);
+  dobra::base::parallel_for(bands, [&](std::size_t k) {
+    const std::vector<std::uint32_t>& starts = rulings_->blocks[k];
+    Ruling left = ruling(k, 0);
+    for (std::size_t b = 0; b < count; ++b) {
+      geom::Box box;
+      for (std::size_t i = starts[b]; i < starts[b + 1]; ++i) {
+        const Ruling right = ruling(k, i + 1);
+        for (const geom::Point p : {left.top, left.bottom, right.top, right.bottom}) box.add(p);
+        if (is_folded(left.top, right.top, right.bottom, left.bottom, tolerance_)) {
+          for (const geom::Point p : {left.top, left.bottom, right.top, right.bottom}) folds[k * count + b].add(p);
+          if (!first[k]) first[k] = geom::midpoint(left.top, right.bottom);
+        }
+        left = right;
+      }
+      boxes[k * count + b] = box;
+    }
+  });
+  for (const auto& place : first) {
+    if (!folded_) folded_ = place;
+  }
+  boxes_ = BoxPyramid(bands, count, std::move(boxes));
+  doubtful_.assign(bands * count, 0);
+  for (const geom::Box& fold : folds) {
+    if (fold.empty()) continue;
+    boxes_.visit(fold.grown(4.0 * tolerance_),
+                 [&](std::size_t band, std::size_t block) { doubtful_[band * count + block] = 1; });
+  }
+}
+
+RuledStack::Ruling RuledStack::ruling(std::size_t band, std::size_t i) const {
+  const Rulings::Corners at = rulings_->bands[band][i];
+  const std::vector<double>& upper = rulings_->u[band];
+  const std::vector<double>& lower = rulings_->u[band + 1];
+  const double top = upper[at.upper];
+  const double bottom = lower[at.lower];
+  Ruling ends{points_[band][at.upper], points_[band + 1][at.lower]};
+  if (bottom > top + rulings_->least) {
+    ends.top = geom::interpolate(ends.top, points_[band][at.upper + 1], (bottom - top) / (upper[at.upper + 1] - top));
+  } else if (top > bottom + rulings_->least) {
+    ends.bottom = geom::interpolate(ends.bottom, points_[band + 1][at.lower + 1],
+                                    (top - bottom) / (lower[at.lower + 1] - bottom));
+  }
+  return ends;
+}
+
+RuledStack::Strip RuledStack::strip(Cell cell) const {
+  const std::size_t band = cell.second;
+  const std::uint32_t count = ruling_count(band);
+  const auto moved = [](Ruling at, geom::Vector by) { return Ruling{at.top + by, at.bottom + by}; };
+  if (cell.first == 0) {
+    const Ruling end = ruling(band, 0);
+    return {moved(end, left_), end};
+  }
+  const Ruling left = ruling(band, cell.first - 1);
+  return {left, cell.first == count ? moved(left, right_) : ruling(band, cell.first)};
+}
+
+std::uint32_t RuledStack::strip_of(std::size_t band, double u) const {
+  std::uint32_t low = 0;
+  std::uint32_t high = ruling_count(band);  // the first ruling behind u is in [low, high]
+  while (low < high) {
+    const std::uint32_t middle = (low + high) / 2;
+    if (rulings_->place(band, middle) > u) {
+      high = middle;
+    } else {
+      low = middle + 1;
+    }
+  }
+  return low;
+}
+
+double RuledStack::middle_of(Cell cell) const {
+  if (cell.first == 0) return -infinity;
+  if (cell.first == ruling_count(cell.second)) return infinity;
+  return 0.5 * (rulings_->place(cell.second, cell.first - 1) + rulings_->place(cell.second, cell.first));
+}
+
+namespace {
+
+/// Is p beyond a ruling of a strip, on the side to which `outwards` points along the band? Rulings run down. Where the
+/// two lines meet, a ruling has no direction, and the line of the band stands for it.
+bool is_beyond(geom::Point top, geom::Point bottom, geom::Vector outwards, double turn, geom::Point p,
+               double tolerance) {
+  if (geom::length_squared(bottom - top) > tolerance * tolerance)
+    return turn > 0.0 ? is_right_of(top, bottom, p, tolerance) : is_right_of(bottom, top, p, tolerance);
+  const double out = geom::dot(p - top, outwards);
+  return out > 0.0 && out * out > tolerance * tolerance * geom::length_squared(outwards);
+}
+
+double metres_beyond(geom::Point top, geom::Point bottom, geom::Vector outwards, double turn, geom::Point p,
+                     double tolerance) {
+  if (geom::length_squared(bottom - top) > tolerance * tolerance) return turn * right_of_line(top, bottom, p);
+  const double length = geom::length(outwards);
+  return length > 0.0 ? geom::dot(p - top, outwards) / length : 0.0;
+}
+
+}  // namespace
+
+// Rulings run down and lines to the right, so that outside is right of the left ruling and left of the right one.
+
+bool RuledStack::beyond_upper(const Strip& at, geom::Point p) const {
+  return is_right_of(at.right.top, at.left.top, p, tolerance_);
+}
+
+bool RuledStack::beyond_lower(const Strip& at, geom::Point p) const {
+  return is_right_of(at.left.bottom, at.right.bottom, p, tolerance_);
+}
+
+bool RuledStack::holds(const Strip& at, geom::Point p) const {
+  const geom::Vector along = at.right.top - at.left.top;
+  return !is_beyond(at.left.top, at.left.bottom, -along, 1.0, p, tolerance_) &&
+         !is_beyond(at.right.top, at.right.bottom, along, -1.0, p, tolerance_) && !beyond_upper(at, p) &&
+         !beyond_lower(at, p);
+}
+
+std::array<double, 4> RuledStack::beyond(Cell cell, geom::Point p) const {
+  const Strip at = strip(cell);
+  const geom::Vector along = at.right.top - at.left.top;
+  return {cell.first == 0 ? -infinity : metres_beyond(at.left.top, at.left.bottom, -along, 1.0, p, tolerance_),
+          cell.first == ruling_count(cell.second)
+              ? -infinity
+              : metres_beyond(at.right.top, at.right.bottom, along, -1.0, p, tolerance_),
+          cell.second == 0 ? -infinity : -right_of_line(at.left.top, at.right.top, p),
+          cell.second + 1 == rulings_->bands.size() ? -infinity : right_of_line(at.left.bottom, at.right.bottom, p)};
+}
+
+/// Along the band to the strip between whose rulings p lies; false if there is no end to it.
+bool RuledStack::along_band(geom::Point p, Cell& cell, Strip& at) const {
+  constexpr int most_steps = 8;  // before the place is estimated
+  constexpr int most_jumps = 12;
+  const std::uint32_t count = ruling_count(cell.second);
+  at = strip(cell);
+  for (int jump = 0; jump <= most_jumps; ++jump) {
+    for (int step = 0; step < most_steps; ++step) {
+      const geom::Vector along = at.right.top - at.left.top;
+      if (cell.first > 0 && is_beyond(at.left.top, at.left.bottom, -along, 1.0, p, tolerance_)) {
+        --cell.first;
+        at = cell.first == 0 ? strip(cell) : Strip{ruling(cell.second, cell.first - 1), at.left};
+      } else if (cell.first < count && is_beyond(at.right.top, at.right.bottom, along, -1.0, p, tolerance_)) {
+        ++cell.first;
+        at = cell.first == count ? strip(cell) : Strip{at.right, ruling(cell.second, cell.first)};
+      } else {
+        return true;
+      }
+    }
+    if (cell.first == 0 || cell.first == count) continue;
+    const std::array<double, 4> out = beyond(cell, p);
+    const double width = -out[0] - out[1];
+    if (!(width > 0.0)) continue;
+    const double from = rulings_->place(cell.second, cell.first - 1);
+    const double to = rulings_->place(cell.second, cell.first);
+    cell.first = std::clamp<std::uint32_t>(strip_of(cell.second, from - out[0] / width * (to - from)), 1, count - 1);
+    at = strip(cell);
+  }
+  return false;
+}
+
+/// From strip to strip towards p; true once no side has p beyond it. Above the first line and below the last one the
+/// rulings go on.
+bool RuledStack::walk(geom::Point p, Cell& cell) const {
+  const std::size_t bands = rulings_->bands.size();
+  Strip at;
+  for (std::size_t turn = 0; turn < 16 + 2 * bands; ++turn) {
+    if (!along_band(p, cell, at)) return false;
+    const bool up = cell.second > 0 && beyond_upper(at, p);
+    const bool down = !up && cell.second + 1 < bands && beyond_lower(at, p);
+    if (!up && !down) return true;
+    const double middle = middle_of(cell);
+    cell.second = up ? cell.second - 1 : cell.second + 1;
+    cell.first = strip_of(cell.second, middle);
+  }
+  return false;
+}
+
+/// Of the strips that hold p within the tolerance, the first: so that the way there does not matter.
+void RuledStack::to_first(geom::Point p, Cell& cell) const {
+  const auto holder_above = [&]() -> std::optional<Cell> {
+    const Strip at = strip(cell);
+    if (cell.second == 0 || is_right_of(at.left.top, at.right.top, p, tolerance_)) return std::nullopt;
+    Cell above{strip_of(cell.second - 1, middle_of(cell)), cell.second - 1};
+    Strip there;
+    if (!along_band(p, above, there) || is_outer(above) || !holds(there, p)) return std::nullopt;
+    return above;
+  };
+  while (const auto above = holder_above()) cell = *above;
+  while (cell.first > 1) {
+    const Cell before{cell.first - 1, cell.second};
+    if (!holds(strip(before), p)) break;
+    cell = before;
+  }
+}
+
+bool RuledStack::doubtful(Cell cell) const {
+  if (!folded_) return false;
+  const std::vector<std::uint32_t>& starts = rulings_->blocks[cell.second];
+  const auto after = std::lower_bound(starts.begin() + 1, starts.end() - 1, cell.first);
+  return doubtful_[cell.second * rulings_->block_count() + static_cast<std::size_t>(after - starts.begin() - 1)] != 0;
+}
+
+std::optional<Cell> RuledStack::first_holder(geom::Point p) const {
+  std::optional<Cell> first;
+  const auto before = [](Cell a, Cell b) { return a.second < b.second || (a.second == b.second && a.first < b.first); };
+  boxes_.visit(geom::Box{p, p}.grown(tolerance_), [&](std::size_t band, std::size_t block) {
+    const std::vector<std::uint32_t>& starts = rulings_->blocks[band];
+    for (std::uint32_t i = starts[block]; i < starts[block + 1]; ++i) {
+      const Cell cell{i + 1, static_cast<std::uint32_t>(band)};
+      if (first && !before(cell, *first)) return;
+      if (holds(strip(cell), p)) first = cell;
+    }
+  });
+  return first;
+}
+
+Spot RuledStack::outside(geom::Point p) const {
+  const auto any = [](std::size_t) { return true; };
+  const auto bands = static_cast<std::uint32_t>(rulings_->bands.size());
+  const auto nearest_top = *top_.nearest(p, any);
+  const auto nearest_bottom = *bottom_.nearest(p, any);
+  double squared = nearest_top.squared;
+  Cell cell{strip_of(0, rulings_->u.front()[nearest_top.index]), 0};
+  if (nearest_bottom.squared < squared) {
+    squared = nearest_bottom.squared;
+    cell = {strip_of(bands - 1, rulings_->u.back()[nearest_bottom.index]), bands - 1};
+  }
+  for (std::uint32_t k = 1; k < bands; ++k) {
+    for (const auto& [end, strip] :
+         {std::pair(points_[k].front(), 1U), std::pair(points_[k].back(), ruling_count(k) - 1)}) {
+      const double to_end = geom::length_squared(p - end);
+      if (to_end >= squared) continue;
+      squared = to_end;
+      cell = {strip, k};
+    }
+  }
+  const Cell nearest = cell;
+  if (walk(p, cell)) return {cell, std::sqrt(squared), Foot::InColumn};
+  return {nearest, std::sqrt(squared), Foot::NoColumn};
+}
+
+Spot RuledStack::locate(geom::Point p, Cell hint) const {
+  Cell cell = hint;
+  const bool known = hint.second < rulings_->bands.size() && hint.first < ruling_count(hint.second) && hint.first > 0;
+  if (known && walk(p, cell) && !is_outer(cell) && holds(strip(cell), p) && !doubtful(cell)) {
+    to_first(p, cell);
+    return {cell, 0.0, Foot::InColumn};
+  }
+  if (const auto first = first_holder(p)) return {*first, 0.0, Foot::InColumn};
+  return outside(p);
+}
+
+/// With e = T1 - T0, g = B0 - T0, h = (B1 - B0) - e and d = p - T0: p is on the line across at `down` = v where
+/// (d - v g) x (e + v h) = 0, a quadratic in v.
+StripPlace RuledStack::place_in(Cell cell, geom::Point p) const {
+  const Strip at = strip(cell);
+  const geom::Vector e = at.right.top - at.left.top;
+  const geom::Vector g = at.left.bottom - at.left.top;
+  const geom::Vector h = (at.right.bottom - at.left.bottom) - e;
+  const geom::Vector d = p - at.left.top;
+  const double a = -geom::cross(g, h);
+  const double b = geom::cross(d, h) - geom::cross(g, e);
+  const double c = geom::cross(d, e);
+  const auto across_at = [&](double v) {
+    const geom::Vector line = e + v * h;
+    const double squared = geom::length_squared(line);
+    return squared > 0.0 ? geom::dot(d - v * g, line) / squared : 0.5;
+  };
+  // The roots in a form that does not cancel; of the two, the one nearer to the quadrangle.
+  const double root = std::sqrt(std::max(0.0, b * b - 4.0 * a * c));
+  const double q = -0.5 * (b + (b < 0.0 ? -root : root));
+  StripPlace best{across_at(0.0), 0.0};  // of a strip without height
+  double least = infinity;
+  for (const double v : {q != 0.0 ? c / q : infinity, a != 0.0 ? q / a : infinity}) {
+    if (!std::isfinite(v)) continue;
+    const double u = across_at(v);
+    const double beside = std::max({0.0, -u, u - 1.0, -v, v - 1.0});
+    if (beside >= least) continue;
+    least = beside;
+    best = {u, v};
+    if (beside == 0.0) break;
+  }
+  // One step of Newton takes away what the square root has lost.
+  const geom::Vector off = (d - best.down * g) - best.across * (e + best.down * h);
+  const geom::Vector across = e + best.down * h;
+  const geom::Vector down = g + best.across * h;
+  const double area = geom::cross(across, down);
+  if (area != 0.0 && least < infinity) {
+    best.across += geom::cross(off, down) / area;
+    best.down += geom::cross(across, off) / area;
+  }
+  return best;
+}
+
+geom::Point RuledStack::point_at(Cell cell, StripPlace place) const {
+  const Strip at = strip(cell);
+  return geom::interpolate(geom::interpolate(at.left.top, at.left.bottom, place.down),
+                           geom::interpolate(at.right.top, at.right.bottom, place.down), place.across);
+}
+
+}  // namespace recon::core

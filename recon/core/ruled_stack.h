@@ -1,0 +1,112 @@
+#pragma once
+// One state (before or after) of a stack of lines with rulings between neighbours, and where a point lies in it.
+// A band is what lies between two neighbouring lines; its rulings stand at the corners of both, its strips between the
+// rulings. Nothing of a strip is stored but which corners of the two lines it lies between.
+//
+// Where is p:
+//   1. Walk from the strip of the point before: along the band until p lies between the two rulings (far ahead by the
+//      place u that p should have), then to the next band if p lies beyond a line, until no side has p beyond it.
+//   2. That strip is the only one, unless a strip that is folded over lies there: strips turned the right way round
+//      cover the stack once more than those turned the other way, so p has a second strip only inside of a folded one.
+//      Blocks of strips that meet the box of a folded one are marked when the stack is built.
+//   3. Otherwise the first strip that holds p, of all strips in the blocks whose boxes hold p.
+//   4. None does: p lies outside the stack (or in a hole of a folded part). From the nearest place on its outline,
+//   along
+//      the rulings that go on straight.
+// The answer is a function of p alone: the hint only makes it quicker.  Page: docs/algorithms/ruled_map.md
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "recon/core/box_pyramid.h"
+#include "recon/core/segment_tree.h"
+#include "recon/core/trace.h"
+
+namespace recon::core {
+
+/// What both states of a stack have in common: places, and which corners each ruling stands between.
+struct Rulings {
+  /// Last corners of the two lines at or before the ruling.
+  struct Corners {
+    std::uint32_t upper = 0;
+    std::uint32_t lower = 0;
+  };
+  std::vector<std::vector<double>> u;              ///< Of the corners of each line; increasing.
+  std::vector<std::vector<Corners>> bands;         ///< One between two lines: its rulings, from first to last place.
+  std::vector<std::vector<std::uint32_t>> blocks;  ///< Of a band: first ruling of each block, and the last of all.
+  double least = 0.0;                              ///< Places nearer to each other are one.
+
+  explicit Rulings(std::vector<std::vector<double>> places);
+  [[nodiscard]] double place(std::size_t band, std::size_t ruling) const {
+    const Corners at = bands[band][ruling];
+    return std::max(u[band][at.upper], u[band + 1][at.lower]);
+  }
+  [[nodiscard]] std::size_t block_count() const { return blocks.front().size() - 1; }
+};
+
+/// Fractions across a strip (0 at the left ruling, 1 at the right) and down (0 at the upper line, 1 at the lower).
+struct StripPlace {
+  double across = 0.0;
+  double down = 0.0;
+};
+
+class RuledStack {
+ public:
+  /// @param points  of each line, one a place. @param by  how far the strips beyond the ends reach, m.
+  RuledStack(std::shared_ptr<const Rulings> rulings, std::vector<std::vector<geom::Point>> points, double by,
+             double tolerance);
+
+  /// The middle of the first strip that is folded over: its sides cross, or it is turned round.
+  [[nodiscard]] std::optional<geom::Point> folded() const { return folded_; }
+  /// Cells: strip 0 .. n + 1 of a band, band; 0 and n + 1 lie beyond the ends.
+  [[nodiscard]] Spot locate(geom::Point p, Cell hint) const;
+  /// Metres beyond the left and right ruling, the upper and the lower line; -infinity where there is nothing to cross.
+  [[nodiscard]] std::array<double, 4> beyond(Cell cell, geom::Point p) const;
+  [[nodiscard]] bool is_outer(Cell cell) const { return cell.first == 0 || cell.first == ruling_count(cell.second); }
+  /// The name of p in a strip, wherever p lies, and the point of that name.
+  [[nodiscard]] StripPlace place_in(Cell cell, geom::Point p) const;
+  [[nodiscard]] geom::Point point_at(Cell cell, StripPlace place) const;
+
+ private:
+  struct Ruling {
+    geom::Point top;
+    geom::Point bottom;
+  };
+  struct Strip {
+    Ruling left;
+    Ruling right;
+  };
+  [[nodiscard]] std::uint32_t ruling_count(std::size_t band) const {
+    return static_cast<std::uint32_t>(rulings_->bands[band].size());
+  }
+  [[nodiscard]] Ruling ruling(std::size_t band, std::size_t i) const;
+  [[nodiscard]] Strip strip(Cell cell) const;
+  [[nodiscard]] bool walk(geom::Point p, Cell& cell) const;
+  [[nodiscard]] bool along_band(geom::Point p, Cell& cell, Strip& at) const;
+  [[nodiscard]] bool beyond_upper(const Strip& at, geom::Point p) const;
+  [[nodiscard]] bool beyond_lower(const Strip& at, geom::Point p) const;
+  [[nodiscard]] bool holds(const Strip& at, geom::Point p) const;
+  [[nodiscard]] std::uint32_t strip_of(std::size_t band, double u) const;
+  [[nodiscard]] double middle_of(Cell cell) const;
+  void to_first(geom::Point p, Cell& cell) const;
+  [[nodiscard]] std::optional<Cell> first_holder(geom::Point p) const;
+  [[nodiscard]] Spot outside(geom::Point p) const;
+  [[nodiscard]] bool doubtful(Cell cell) const;
+  void build_blocks();
+
+  std::shared_ptr<const Rulings> rulings_;
+  std::vector<std::vector<geom::Point>> points_;  ///< Of each line.
+  geom::Vector left_;                             ///< The ends, moved by these, bound the strips beyond them.
+  geom::Vector right_;
+  double tolerance_ = 0.0;
+  BoxPyramid boxes_;            ///< Of the blocks, bands by places.
+  std::vector<char> doubtful_;  ///< Blocks where strips may overlap.
+  SegmentTree top_;             ///< Of the first line and of the last one.
+  SegmentTree bottom_;
+  std::optional<geom::Point> folded_;
+};
+
+}  // namespace recon::core
