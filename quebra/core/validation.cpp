@@ -59,12 +59,13 @@ void add_corners(std::vector<ValidationCase>& cases) {
   cases.push_back({"Cook's membrane, energy", cook, "case.load.energy", 1.0, 12.021, 2e-4, "fracture.md 3.4"});
 }
 
+/// Stress at a point: the hole holds little of the energy, so the error asked for is small.
 void add_holes(std::vector<ValidationCase>& cases) {
   constexpr std::array<std::array<double, 2>, 5> table{{{0.1, 3.035}, {0.2, 3.152}, {0.4, 3.746}, {0.5, 4.346}, {0.7, 6.983}}};
   for (const auto& [d, kt] : table) {
     const std::string input = fmt::format("specimen = \"quarter_plate\"\nwidth = 4.0\nheight = 1.0\nradius = {}\n", d);
     cases.push_back({fmt::format("Finite plate with a hole, d/W = {}, Kt", d),
-                     scenario_of(input, "stress", material(1.0, 0.3) + support("bottom", "normal = 0.0") + support("left", "normal = 0.0") + load("right", "x = 1.0"), adapt(0.2)),
+                     scenario_of(input, "stress", material(1.0, 0.3) + support("bottom", "normal = 0.0") + support("left", "normal = 0.0") + load("right", "x = 1.0"), adapt(0.1)),
                      "case.load.max_principal", 1.0, kt, 1e-2, "Howland 1930; fracture.md 3.2"});
   }
 }
