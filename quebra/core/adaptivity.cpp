@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <set>
 
-#include "shared/fem/exact_fields.h"
-#include "shared/fem/new_sizes.h"
+#include "shared/fem/singular_vertices.h"
 
 namespace quebra::core {
 namespace {
@@ -21,43 +19,10 @@ using dobra::base::ErrorCode;
 using dobra::base::Result;
 using dobra::geom::Vector;
 
-/// Interior angles above this are corners where the stresses are infinite, and not a curve followed by sides.
-constexpr double least_corner = 210.0 * std::numbers::pi / 180.0;
 /// A cycle that lowers the error by less has stalled.
 constexpr double least_gain = 0.02;
-
-/// Tips, and corners of the boundary that point into the material.
-std::vector<fem::SingularVertex> singular_vertices(const mesh::ElementMesh& mesh) {
-  std::vector<fem::SingularVertex> singular;
-  std::set<mesh::NodeId> tips;
-  for (const mesh::CrackTip& tip : mesh.tips) {
-    tips.insert(tip.node);
-    singular.push_back({tip.node, 0.5});
-  }
-  struct Ends {
-    Vector in;
-    Vector out;
-  };
-  std::map<mesh::NodeId, Ends> corners;
-  for (const mesh::ElementSide side : boundary_sides(mesh)) {
-    const auto [from, to, middle] = side_nodes(mesh, side);
-    const auto towards = [&](mesh::NodeId a, mesh::NodeId b) {
-      // The tangent at a of the parabola a, middle, b; of a straight side the chord.
-      if (!middle.valid()) return mesh.point(b) - mesh.point(a);
-      return 4.0 * (mesh.point(middle) - mesh.point(a)) - (mesh.point(b) - mesh.point(a));
-    };
-    corners[from].out = towards(from, to);
-    corners[to].in = towards(to, from);
-  }
-  for (const auto& [node, ends] : corners) {
-    if (tips.contains(node)) continue;
-    // The material lies on the left of the boundary: from `out` anticlockwise to `in`.
-    double angle = std::atan2(cross(ends.out, ends.in), dot(ends.out, ends.in));
-    if (angle <= 0.0) angle += 2.0 * std::numbers::pi;
-    if (angle > least_corner) singular.push_back({node, fem::corner_exponent(dobra::base::Angle::from_radians(angle))});
-  }
-  return singular;
-}
+/// The sizes aim this much lower than the error asked for: what the mesher makes of them comes out a little above.
+constexpr double aim = 0.95;
 
 /// Elements that touch a tip: with a rosette they stay as they are.
 std::vector<std::uint8_t> touching_tips(const mesh::ElementMesh& mesh) {
@@ -73,26 +38,37 @@ std::vector<std::uint8_t> touching_tips(const mesh::ElementMesh& mesh) {
 
 Result<std::vector<mesh::SizeRequest>> next_sizes(const Analysis& analysis, const AdaptParams& params, double first_size) {
   const mesh::ElementMesh& own = analysis.meshed->mesh;
-  fem::NewSizeOptions options{.target = params.target / 100.0,
+  fem::NewSizeOptions options{.target = aim * params.target / 100.0,
                               .rule = params.rule == RuleOfSizes::Optimal ? fem::SizeRule::Optimal : fem::SizeRule::EqualError,
                               .min_size = params.min_size,
                               .max_size = std::max(first_size, params.min_size)};
   if (params.rosettes == UseRosettes::Yes) options.frozen = touching_tips(own);
-  const auto singular = singular_vertices(own);
+  const auto singular = fem::singular_vertices(own, analysis.problem);
   std::vector<double> least(own.element_count(), options.max_size);
   for (const CaseFields& fields : analysis.fields) {
     DOBRA_TRY(const auto sizes, fem::new_sizes(own, fields.estimate, singular, options));
     for (std::size_t e = 0; e < sizes.size(); ++e) least[e] = std::min(least[e], sizes[e]);
   }
+  // The elements round a singular vertex ask there, and all for the least of their sizes: the field is alike all round.
+  std::set<mesh::NodeId> vertices;
+  for (const fem::SingularVertex& vertex : singular) vertices.insert(vertex.node);
+  std::map<mesh::NodeId, double> at_vertices;
   std::vector<mesh::SizeRequest> requests;
   for (std::size_t e = 0; e < own.element_count(); ++e) {
     if (!options.frozen.empty() && options.frozen[e] != 0) continue;
     Vector sum;
     const auto nodes = own.nodes_of(mesh::ElementId(e));
     const std::size_t corners = mesh::corner_count(own.types[e]);
+    const auto touched = std::find_if(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(corners), [&](mesh::NodeId node) { return vertices.contains(node); });
+    if (touched != nodes.begin() + static_cast<std::ptrdiff_t>(corners)) {
+      double& size = at_vertices.try_emplace(*touched, least[e]).first->second;
+      size = std::min(size, least[e]);
+      continue;
+    }
     for (std::size_t i = 0; i < corners; ++i) sum = sum + (own.point(nodes[i]) - dobra::geom::Point{});
     requests.push_back({dobra::geom::Point{} + sum / static_cast<double>(corners), least[e]});
   }
+  for (const auto& [node, size] : at_vertices) requests.push_back({own.point(node), size});
   return requests;
 }
 

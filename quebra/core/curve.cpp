@@ -55,20 +55,48 @@ class SizeAlong {
   std::vector<Stop> sized_;
 };
 
+/// The integral of ds / size from the start of a piece, at ever further points.
+struct Integral {
+  std::vector<double> s;
+  std::vector<double> value{0.0};
+};
+
+/// Adds the interval up to `to`, halved wherever the size changes much within it: a size that is small at one end only,
+/// by any factor, is seen.
+void integrate(const SizeAlong& size, double size_from, double to, double size_to, Integral& sum) {
+  constexpr double alike = 1.5;
+  const double from = sum.s.back();
+  const double middle = 0.5 * (from + to);
+  const double size_middle = size(middle);
+  const auto [least, greatest] = std::minmax({size_from, size_middle, size_to});
+  if (greatest > alike * least && to - from > least) {
+    integrate(size, size_from, middle, size_middle, sum);
+    integrate(size, size_middle, to, size_to, sum);
+    return;
+  }
+  sum.s.push_back(to);
+  sum.value.push_back(sum.value.back() + (to - from) / size_middle);
+}
+
 /// Nodes strictly between `from` and `to`, so that each piece has about the same integral of ds / size.
 void divide_piece(double from, double to, const SizeAlong& size, std::vector<double>& nodes) {
   constexpr int samples = 256;
-  std::vector<double> integral(samples + 1, 0.0);
-  const double step = (to - from) / samples;
-  for (int i = 0; i < samples; ++i) integral[i + 1] = integral[i] + step / size(from + (i + 0.5) * step);
-  const double total = integral.back();
+  Integral integral{{from}};
+  double before = size(from);
+  for (int i = 1; i <= samples; ++i) {
+    const double s = i == samples ? to : from + (to - from) * i / samples;
+    const double here = size(s);
+    integrate(size, before, s, here, integral);
+    before = here;
+  }
+  const double total = integral.value.back();
   const int pieces = std::max(1, static_cast<int>(std::ceil(total - 0.25)));
   for (int piece = 1; piece < pieces; ++piece) {
     const double wanted = total * piece / pieces;
-    const auto above = std::lower_bound(integral.begin(), integral.end(), wanted);
-    const auto i = static_cast<std::size_t>(above - integral.begin()) - 1;
-    const double inside = (wanted - integral[i]) / (integral[i + 1] - integral[i]);
-    nodes.push_back(from + (static_cast<double>(i) + inside) * step);
+    const auto above = std::lower_bound(integral.value.begin(), integral.value.end(), wanted);
+    const auto i = static_cast<std::size_t>(above - integral.value.begin()) - 1;
+    const double inside = (wanted - integral.value[i]) / (integral.value[i + 1] - integral.value[i]);
+    nodes.push_back(integral.s[i] + inside * (integral.s[i + 1] - integral.s[i]));
   }
 }
 

@@ -50,7 +50,7 @@ void add_corners(std::vector<ValidationCase>& cases) {
                         line("face_2", "[[0, -1], [0, 0]]") + point("origin", 0, 0) + point("far", 0, 1);
   cases.push_back({"L-shape, opening mode, energy",
                    scenario_of(l, "strain", material(1.0, 0.3) + support("origin", "x = 0.0\ny = 0.0") + support("far", "x = 0.0") + load("loaded", "kind = \"l_shape\""), adapt(0.1)),
-                   "case.load.energy", 1.0, 4.15454423, 1e-5, "Szabo and Babuska 1991"});
+                   "case.load.energy", 1.0, 4.15454423, 5e-6, "Szabo and Babuska 1991"});
   cases.push_back({"L-shape, clamped, sheared, energy",
                    scenario_of("specimen = \"l_shape\"\n", "stress", material(1e5, 0.3) + support("bottom", "x = 0.0\ny = 0.0") + load("right", "y = 10.0"), adapt(0.2)),
                    "case.load.energy", 1.0, 60.619, 2e-5, "fracture.md 3.3"});
@@ -59,12 +59,13 @@ void add_corners(std::vector<ValidationCase>& cases) {
   cases.push_back({"Cook's membrane, energy", cook, "case.load.energy", 1.0, 12.021, 2e-4, "fracture.md 3.4"});
 }
 
+/// Stress at a point: the hole holds little of the energy, so the error asked for is small.
 void add_holes(std::vector<ValidationCase>& cases) {
   constexpr std::array<std::array<double, 2>, 5> table{{{0.1, 3.035}, {0.2, 3.152}, {0.4, 3.746}, {0.5, 4.346}, {0.7, 6.983}}};
   for (const auto& [d, kt] : table) {
     const std::string input = fmt::format("specimen = \"quarter_plate\"\nwidth = 4.0\nheight = 1.0\nradius = {}\n", d);
     cases.push_back({fmt::format("Finite plate with a hole, d/W = {}, Kt", d),
-                     scenario_of(input, "stress", material(1.0, 0.3) + support("bottom", "normal = 0.0") + support("left", "normal = 0.0") + load("right", "x = 1.0"), adapt(0.2)),
+                     scenario_of(input, "stress", material(1.0, 0.3) + support("bottom", "normal = 0.0") + support("left", "normal = 0.0") + load("right", "x = 1.0"), adapt(0.1)),
                      "case.load.max_principal", 1.0, kt, 1e-2, "Howland 1930; fracture.md 3.2"});
   }
 }
@@ -87,18 +88,29 @@ void add_straight_cracks(std::vector<ValidationCase>& cases) {
   }
 }
 
+std::string beam(double a) {
+  const std::string input = fmt::format("specimen = \"three_point_bend\"\nheight = 1.0\ncrack_length = {}\n", a);
+  return scenario_of(input, "strain",
+                     material(1.0, 0.3) + support("support_left", "y = 0.0") + support("support_right", "y = 0.0") + support("load", "x = 0.0") + load("load", "kind = \"force\"\ny = -1.0"),
+                     crack_steps(0.08));
+}
+
 void add_standard_specimens(std::vector<ValidationCase>& cases) {
-  constexpr std::array<std::array<double, 3>, 5> table{{{0.3, 5.621, 1.521}, {0.4, 7.279, 1.982}, {0.5, 9.659, 2.663}, {0.6, 13.654, 3.772}, {0.7, 21.55, 5.850}}};
-  for (const auto& [a, compact, bend] : table) {
+  constexpr std::array<std::array<double, 2>, 5> table{{{0.3, 5.621}, {0.4, 7.279}, {0.5, 9.659}, {0.6, 13.654}, {0.7, 21.55}}};
+  for (const auto& [a, compact] : table) {
     const std::string pins = fmt::format("specimen = \"compact_tension\"\nwidth = 1.0\ncrack_length = {}\n", a) + point("anchor", 1, 0) + point("guide", 1, 0.6);
     cases.push_back({fmt::format("Compact tension, a/W = {}", a),
                      scenario_of(pins, "strain", material(1.0, 0.3) + held + load("load_upper", "kind = \"force\"\ny = 1.0") + load("load_lower", "kind = \"force\"\ny = -1.0"), crack_steps(0.08)),
                      "tip.load.crack_end.K_I", 1.0, compact, 1e-2, "ASTM E399"});
-    const std::string beam = fmt::format("specimen = \"three_point_bend\"\nheight = 1.0\ncrack_length = {}\n", a);
-    cases.push_back({fmt::format("Beam in three-point bending, a/W = {}", a),
-                     scenario_of(beam, "strain", material(1.0, 0.3) + support("support_left", "y = 0.0") + support("support_right", "y = 0.0") + support("load", "x = 0.0") + load("load", "kind = \"force\"\ny = -1.0"), crack_steps(0.08)),
-                     "tip.load.crack_end.K_I", 0.25, bend, 1e-2, "ASTM E399"});
   }
+  for (const double a : {0.3, 0.4, 0.5, 0.6}) {
+    const double f = 1.090 - 1.735 * a + 8.20 * a * a - 14.18 * a * a * a + 14.57 * a * a * a * a;
+    cases.push_back({fmt::format("Beam in three-point bending, a/W = {}", a), beam(a), "tip.load.crack_end.K_I", 1.0 / (6.0 * std::sqrt(pi * a)), f, 5e-3, "Tada, after Brown and Srawley 1966 (0.2 %)"});
+  }
+  // The polynomial of the standard lies up to 0.45 % above the handbook's between 0.4 and 0.6: it is met at the ends.
+  constexpr std::array<std::array<double, 2>, 2> standard{{{0.3, 1.521}, {0.7, 5.850}}};
+  for (const auto& [a, f] : standard)
+    cases.push_back({fmt::format("Beam in three-point bending, a/W = {}, standard", a), beam(a), "tip.load.crack_end.K_I", 0.25, f, 5e-3, "ASTM E399"});
 }
 
 void add_mixed_modes(std::vector<ValidationCase>& cases) {

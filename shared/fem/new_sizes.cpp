@@ -10,6 +10,11 @@ namespace {
 
 using mesh::ElementMesh;
 
+/// The recovered stresses, polynomials too, see about 0.7 of the error of an element at a singular vertex (effectivity
+/// of the L-shape where those elements bear most of the error): such elements are made 0.7^(1/lambda) of what the seen
+/// part asks for, and the others need not pay for it.
+constexpr double for_the_unseen = 0.5;
+
 /// The exponent of the error in the size of each element: p, or lambda near a singular vertex.
 std::vector<double> error_exponents(const ElementMesh& mesh, const std::vector<SingularVertex>& singular, int rings) {
   std::vector<double> exponents(mesh.element_count());
@@ -68,7 +73,8 @@ base::Result<std::vector<double>> new_sizes(const ElementMesh& mesh, const Error
                                             const NewSizeOptions& options) {
   const auto wrong = [](const char* message) { return base::Error{base::ErrorCode::InvalidOption, message}; };
   if (!(options.target > 0.0 && options.target < 1.0)) return wrong("the target of the error must lie between 0 and 1");
-  if (!(options.least_factor > 0.0 && options.least_factor <= 1.0 && options.most_factor >= 1.0))
+  if (!(options.least_factor > 0.0 && options.least_factor <= 1.0 && options.most_factor >= 1.0 &&
+        options.least_singular_factor > 0.0 && options.least_singular_factor <= 1.0))
     return wrong("the factors of the size must hold 0 < least <= 1 <= most");
   if (options.max_size > 0.0 && options.min_size > options.max_size)
     return wrong("the least size must not be above the greatest");
@@ -87,7 +93,10 @@ base::Result<std::vector<double>> new_sizes(const ElementMesh& mesh, const Error
   for (std::size_t i = 0; i < count; ++i) {
     const double now = element_size(mesh, i);
     const bool frozen = !options.frozen.empty() && options.frozen[i] != 0;
-    sizes[i] = frozen ? now : now * std::clamp(factors[i], options.least_factor, options.most_factor);
+    const bool at_vertex = exponents[i] < 1.0;
+    const double least = at_vertex ? options.least_singular_factor : options.least_factor;
+    const double factor = at_vertex ? for_the_unseen * factors[i] : factors[i];
+    sizes[i] = frozen ? now : now * std::clamp(factor, least, options.most_factor);
     if (frozen) continue;
     if (options.max_size > 0.0) sizes[i] = std::min(sizes[i], options.max_size);
     sizes[i] = std::max(sizes[i], options.min_size);

@@ -71,9 +71,13 @@ base::Result<void> fill_rosette(mesh::ElementMesh& mesh, const Rosette& rosette,
     const auto& in = rings[k];
     const auto& out = rings[k + 1];
     for (std::size_t i = 0; i < sectors; ++i) {
-      const auto first = add_element(mesh, ElementType::T3, std::vector{in[i], out[i], out[i + 1]}, region);
-      const auto last =
-          k == 0 ? first : add_element(mesh, ElementType::T3, std::vector{in[i], out[i + 1], in[i + 1]}, region);
+      // The diagonals on the right of the crack's line mirror those on its left: a symmetric problem keeps K_II = 0.
+      const bool mirrored = k > 0 && 2 * i < sectors;
+      const auto first =
+          add_element(mesh, ElementType::T3, std::vector{in[i], out[i], mirrored ? in[i + 1] : out[i + 1]}, region);
+      const auto last = k == 0 ? first
+                               : add_element(mesh, ElementType::T3,
+                                             std::vector{mirrored ? out[i] : in[i], out[i + 1], in[i + 1]}, region);
       if (i != lip_sector) continue;
       if (end == CrackEnd::Start) {
         lips.push_back({first, 0});

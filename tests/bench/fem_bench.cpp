@@ -1,4 +1,5 @@
-// Assembly and solution of a T6 plate at 1e4 to 1e6 unknowns, and the same plate by CalculiX in the same run.
+// Assembly and solution of a T6 plate at 1e4 to 1e6 unknowns, and the same plate by CalculiX in the same run; a whole
+// adaptive run.
 
 #include <benchmark/benchmark.h>
 
@@ -7,9 +8,11 @@
 #include <filesystem>
 
 #include "quebra/core/deck.h"
+#include "quebra/core/operations.h"
 #include "shared/fem/estimate.h"
 #include "shared/fem/solve.h"
 #include "shared/io/file.h"
+#include "shared/scenario/runner.h"
 #include "tests/support/fem_meshes.h"
 
 namespace {
@@ -71,6 +74,53 @@ void against_calculix(benchmark::State& state) {
   state.counters["calculix_over_dobra"] = theirs / ours;
 }
 BENCHMARK(against_calculix)->Unit(benchmark::kSecond)->Iterations(3);
+
+/// Kirsch's plate from the scenario's text to the error asked for: every cycle meshed, solved, judged.
+void adapt_kirsch(benchmark::State& state) {
+  const std::string text = R"(dobra = 1
+program = "quebra"
+[input]
+specimen = "quarter_plate"
+width = 4.0
+radius = 1.0
+[[step]]
+operation = "problem"
+[[step.material]]
+young = 1000.0
+[[step.support]]
+where = "bottom"
+normal = 0.0
+[[step.support]]
+where = "left"
+normal = 0.0
+[[step.load]]
+where = "right"
+kind = "kirsch"
+value = 1.0
+[[step.load]]
+where = "top"
+kind = "kirsch"
+value = 1.0
+[[step]]
+operation = "adapt"
+target = )" + std::to_string(static_cast<double>(state.range(0)) / 100.0) +
+                           "\norder = \"" + std::to_string(state.range(1)) + "\"\nmax_cycles = 20\n";
+  const auto document = scenario::parse_document(text, "kirsch.toml").value();
+  double unknowns = 0.0, eta = 0.0, cycles = 0.0;
+  for (auto _ : state) {
+    scenario::Runner runner(quebra::core::program());
+    const scenario::Run run = runner.run(document);
+    for (const auto& quantity : quebra::core::program().quantities_of(run.states.back())) {
+      if (quantity.name == "unknowns") unknowns = quantity.value;
+      if (quantity.name == "eta") eta = quantity.value;
+      if (quantity.name == "cycles") cycles = quantity.value;
+    }
+  }
+  state.counters["unknowns"] = unknowns;
+  state.counters["eta_percent"] = eta;
+  state.counters["cycles"] = cycles;
+}
+BENCHMARK(adapt_kirsch)->ArgNames({"eta_1e-4", "order"})->Args({100, 2})->Args({100, 1})->Args({1, 2})->Unit(benchmark::kSecond);
 
 }  // namespace
 

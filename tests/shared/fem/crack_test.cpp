@@ -31,7 +31,8 @@ CrackedPlate edge_crack(double a, double height = 1.5) {
   return {.outline = {{0, -height}, {1, -height}, {1, 0}, {1, height}, {0, height}, {0, 0}},
           .cracks = {{{0, 0}, {a, 0}}},
           .size = 0.1,
-          .rosette = {.radius = 0.025 * std::min(a, 1.0 - a)}};
+          .rosette = {.radius = 0.025 * std::min(a, 1.0 - a)},
+          .growth = 1.2};
 }
 
 Problem tension(ElementMesh& mesh) {
@@ -62,7 +63,7 @@ TEST(Crack, AnEdgeCrackInTensionHasItsReferenceIntensitiesByAllMethods) {
     ASSERT_TRUE(tip.closure && tip.correlation);
     EXPECT_NEAR(tip.closure->one, tip.domain.k.one, 2e-3 * tip.domain.k.one) << a;
     EXPECT_NEAR(tip.correlation->one, tip.domain.k.one, 1e-2 * tip.domain.k.one) << a;
-    EXPECT_NEAR(tip.domain.k.two, 0.0, 1e-4 * tip.domain.k.one) << "a mesh without symmetry, a tenth of the tolerance of K_I";
+    EXPECT_NEAR(tip.domain.k.two, 0.0, 1e-5 * tip.domain.k.one) << a;
     EXPECT_LT(tip.spread, 1e-2);
   }
 }
@@ -82,24 +83,46 @@ TEST(Crack, ACentreCrackInTensionFollowsTadasFormula) {
   }
 }
 
-TEST(Crack, ABeamInThreePointBendingFollowsTheStandard) {
-  const std::vector<std::pair<double, double>> table{
-      {0.3, 1.521}, {0.4, 1.982}, {0.5, 2.663}, {0.6, 3.772}, {0.7, 5.850}};
-  for (const auto& [a, f] : table) {
-    ElementMesh mesh =
-        cracked_plate({.outline = {{-2.2, 0}, {-2, 0}, {0, 0}, {2, 0}, {2.2, 0}, {2.2, 1}, {0, 1}, {-2.2, 1}},
-                       .cracks = {{{0, 0}, {0, a}}},
-                       .size = 0.06,
-                       .rosette = {.radius = 0.02 * std::min(a, 1.0 - a)}});
-    name_node(mesh, "left", {-2, 0});
-    name_node(mesh, "right", {2, 0});
-    name_node(mesh, "top", {0, 1});
-    Problem problem{
-        .materials = {{0, sheet}},
-        .supports = {{.where = "left", .y = 0.0}, {.where = "right", .y = 0.0}, {.where = "top", .x = 0.0}}};
-    problem.cases[0].points = {{"top", {0, -sheet.thickness}}};
-    // The standard's polynomial is a fit; converged values lie up to 0.7 % below it.
-    EXPECT_NEAR(tip_of(mesh, problem).domain.k.one, 4.0 * f, 8e-3 * 4.0 * f) << a;
+/// 2 W to either side, W = 1, a crack of length a from below; thickness 1.
+TipResult bent_beam(double a, double& energy) {
+  ElementMesh mesh =
+      cracked_plate({.outline = {{-2.2, 0}, {-2, 0}, {0, 0}, {2, 0}, {2.2, 0}, {2.2, 1}, {0, 1}, {-2.2, 1}},
+                     .cracks = {{{0, 0}, {0, a}}},
+                     .size = 0.06,
+                     .rosette = {.radius = 0.02 * std::min(a, 1.0 - a)}});
+  name_node(mesh, "left", {-2, 0});
+  name_node(mesh, "right", {2, 0});
+  name_node(mesh, "top", {0, 1});
+  Problem problem{.materials = {{0, {.young = 1.0, .poisson = 0.3}}},
+                  .supports = {{.where = "left", .y = 0.0}, {.where = "right", .y = 0.0}, {.where = "top", .x = 0.0}}};
+  problem.cases[0].points = {{"top", {0, -1.0}}};
+  const Solution solution = solve(mesh, problem).value();
+  energy = solution.cases[0].energy;
+  return crack_tips(mesh, problem, problem.cases[0], solution.cases[0].displacements).value().front();
+}
+
+TEST(Crack, ABeamInThreePointBendingFollowsTheHandbookAndTheStandard) {
+  double energy = 0.0;
+  for (const double a : {0.3, 0.4, 0.5, 0.6}) {
+    // Tada, Paris, Irwin, after Brown and Srawley: 0.2 % up to a/W = 0.6.
+    const double f = 1.090 - 1.735 * a + 8.20 * a * a - 14.18 * std::pow(a, 3) + 14.57 * std::pow(a, 4);
+    const double handbook = 6.0 * std::sqrt(pi * a) * f;
+    EXPECT_NEAR(bent_beam(a, energy).domain.k.one, handbook, 4e-3 * handbook) << a;
+  }
+  // The polynomial of E399, a fit over all a/W, lies up to 0.45 % above the handbook's between 0.4 and 0.6.
+  const std::vector<std::pair<double, double>> standard{{0.3, 1.521}, {0.7, 5.850}};
+  for (const auto& [a, f] : standard) EXPECT_NEAR(bent_beam(a, energy).domain.k.one, 4.0 * f, 5e-3 * 4.0 * f) << a;
+}
+
+TEST(Crack, TheEnergyThatACrackReleasesIsThatOfItsIntensity) {
+  // The strain energies of two beams know nothing of the fields at the tip: under a given force G = dU/da.
+  constexpr double step = 0.01;
+  for (const double a : {0.4, 0.5, 0.6}) {
+    double shorter = 0.0, own = 0.0, longer = 0.0;
+    bent_beam(a - step, shorter);
+    bent_beam(a + step, longer);
+    const double k = bent_beam(a, own).domain.k.one;
+    EXPECT_NEAR(std::sqrt((longer - shorter) / (2.0 * step)), k, 1e-3 * k) << a;
   }
 }
 

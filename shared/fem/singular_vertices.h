@@ -1,0 +1,23 @@
+#pragma once
+// Where the stresses of a problem are infinite: crack tips, corners of the boundary that point into the material, and
+// places where a support ends. Displacements go there as r^lambda with lambda < 1, which the rules of new sizes need to
+// know. Page: docs/algorithms/estimate.md. Source: [williams1952].
+
+#include <vector>
+
+#include "shared/base/angle.h"
+#include "shared/fem/new_sizes.h"
+#include "shared/fem/problem.h"
+
+namespace dobra::fem {
+
+/// The exponent at a corner with one clamped and one free face: the least positive root of
+///   4 kappa sin^2(lambda w) = (kappa + 1)^2 - 4 lambda^2 sin^2 w;   1 if there is none below.
+double clamped_corner_exponent(base::Angle interior, const Material& material);
+
+/// Tips, free corners above 210 degrees (less is a curve followed by sides), clamped faces that end at a free one, and
+/// rollers (lines of symmetry) that do: those are half of a free corner of twice the angle.
+/// @pre  check(mesh, problem)  @cost O(n)
+std::vector<SingularVertex> singular_vertices(const mesh::ElementMesh& mesh, const Problem& problem);
+
+}  // namespace dobra::fem

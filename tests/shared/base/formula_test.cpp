@@ -1,0 +1,84 @@
+#include "shared/base/formula.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace dobra::base {
+namespace {
+
+using testing::HasSubstr;
+
+const std::vector<std::string> names{"x", "y"};
+
+double value(const std::string& text, double x = 2.0, double y = 3.0) {
+  const auto formula = Formula::make(text, names);
+  EXPECT_TRUE(formula.ok()) << (formula ? "" : to_string(formula.error()));
+  return formula ? formula->at(std::array{x, y}) : std::nan("");
+}
+
+std::string trouble(const std::string& text) {
+  const auto formula = Formula::make(text, names);
+  EXPECT_FALSE(formula.ok()) << text;
+  return formula ? "" : to_string(formula.error());
+}
+
+TEST(Formula, OperatorsBindAsInMathematics) {
+  EXPECT_EQ(value("1 + 2 * 3"), 7.0);
+  EXPECT_EQ(value("(1 + 2) * 3"), 9.0);
+  EXPECT_EQ(value("8 - 3 - 2"), 3.0);
+  EXPECT_EQ(value("8 / 4 / 2"), 1.0);
+  EXPECT_EQ(value("2 ^ 3 ^ 2"), 512.0);
+  EXPECT_EQ(value("-x^2"), -4.0);
+  EXPECT_EQ(value("2^-1"), 0.5);
+  EXPECT_EQ(value("--x + +y"), 5.0);
+  EXPECT_EQ(value("2 - -1"), 3.0);
+  EXPECT_EQ(value("1.5e1"), 15.0);
+}
+
+TEST(Formula, NamesConstantsAndFunctionsHaveTheirValues) {
+  EXPECT_EQ(value("x * y"), 6.0);
+  EXPECT_NEAR(value("sin(pi / x)"), 1.0, 1e-15);
+  EXPECT_NEAR(value("log(e)"), 1.0, 1e-15);
+  EXPECT_EQ(value("max(x, min(y, 7))"), 3.0);
+  EXPECT_EQ(value("hypot(3, 4) + abs(-1) + sign(-x) + floor(2.7)"), 7.0);
+  EXPECT_NEAR(value("atan2(1, -1)"), 0.75 * M_PI, 1e-15);
+  EXPECT_NEAR(value("pow(cbrt(8), 0.5) - sqrt(2)"), 0.0, 1e-15);
+  EXPECT_TRUE(std::isinf(value("1 / (x - 2)")));
+}
+
+TEST(Formula, ChoicesTakeOneBranch) {
+  EXPECT_EQ(value("x < y ? 10 : 20"), 10.0);
+  EXPECT_EQ(value("x >= y ? 10 : 20"), 20.0);
+  EXPECT_EQ(value("x > 5 ? 1 : x > 1 ? 2 : 3"), 2.0);
+  EXPECT_EQ(value("1 + (x <= 2 ? y : 1 / 0)"), 4.0);
+}
+
+TEST(Formula, DeepNestingStaysWithinTheStack) {
+  std::string text = "x";
+  for (int i = 0; i < 20; ++i) text = "1 < 2 + 3 * 2 ^ max(0, " + text + ")";
+  EXPECT_EQ(value(text), 1.0);
+  EXPECT_THAT(trouble(std::string(100, '(') + "x" + std::string(100, ')')), HasSubstr("too many"));
+  std::string powers = "1";
+  for (int i = 0; i < 100; ++i) powers += "^1";
+  EXPECT_THAT(trouble(powers), HasSubstr("too many"));
+}
+
+TEST(Formula, WhatCannotBeReadIsNamedWithItsPlace) {
+  EXPECT_THAT(trouble("x +"), HasSubstr("missing at the end"));
+  EXPECT_THAT(trouble("x + * y"), HasSubstr("character 5: a number, a name or a bracket is missing"));
+  EXPECT_THAT(trouble("(x"), HasSubstr("a ')' is missing"));
+  EXPECT_THAT(trouble("x y"), HasSubstr("character 3: 'y' is not expected here"));
+  EXPECT_THAT(trouble("sinn(x)"), HasSubstr("'sinn' is not known here; did you mean 'sin'?"));
+  EXPECT_THAT(trouble("z"), HasSubstr("'z' is not known here"));
+  EXPECT_THAT(trouble("hypot(x)"), HasSubstr("'hypot' takes two arguments"));
+  EXPECT_THAT(trouble("sin x"), HasSubstr("the arguments of 'sin' are missing"));
+  EXPECT_THAT(trouble("x ? 1"), HasSubstr("lacks its ':'"));
+  EXPECT_THAT(trouble(""), HasSubstr("missing at the end"));
+}
+
+}  // namespace
+}  // namespace dobra::base
