@@ -25,8 +25,7 @@ Json points_json(const std::vector<dobra::geom::Point>& points) {
 /// The row of the layer below a horizon, if the units are made from horizons.
 const core::UnitRow* layer_below(const core::Model& model, std::size_t horizon) {
   const core::Restoration& restoration = *model.restoration;
-  const auto order = core::horizons_in_order(model.section, *model.source, *model.target);
-  const auto units = core::ledger_units(model.section, order);
+  const auto units = core::ledger_units(model.section, restoration.order);
   for (std::size_t i = 0; i < units.size(); ++i) {
     if (units[i].upper == horizon) return &restoration.ledger.units[i];
   }

@@ -34,7 +34,7 @@ LineLength line_length(const Horizon& horizon, const MappedLine& mapped) {
     row.depth_min = std::min(row.depth_min, depth);
     row.depth_max = std::max(row.depth_max, depth);
     if (i == 0) continue;
-    const double piece = geom::distance(mapped.before.points[i - 1], mapped.before.points[i]);
+    const double piece = std::sqrt(geom::length_squared(mapped.before.points[i] - mapped.before.points[i - 1]));
     weighted += piece * 0.5 * (mapped.names[i - 1].depth + depth);
     weight += piece;
   }

@@ -143,12 +143,9 @@ ColumnId Columns::holder(std::size_t segment, geom::Point p, double tolerance) c
 /// Is a column that holds p certainly that of the nearest segment? Where the base is a graph over one direction and no
 /// column has closed down to depth D, its parallels down to there are graphs, one below the other: every point has one
 /// depth up to D and one place. The nearest segment would give a second place, at a depth up to its distance.
-bool Columns::is_certain(std::size_t segment, geom::Point p) const {
-  if (!graph_) return false;
-  const Frame& f = frames_[segment];
-  const bool below = geom::dot(p - f.foot, geom::right_of(f.tangent)) >= 0.0;
-  const double open = (1.0 - 1e-6) * (below ? open_depths_.greatest : -open_depths_.least);
-  return tree_.squared_distance(segment, p) < open * open;
+bool Columns::is_certain(double squared_distance, double depth) const {
+  const double open = depth >= 0.0 ? open_depths_.greatest : -open_depths_.least;
+  return graph_ && squared_distance < (1.0 - 1e-6) * open * open;
 }
 
 /// The segment beside whose rungs p lies, by halving: right where columns are certain.
@@ -171,9 +168,20 @@ std::optional<Columns::Found> Columns::find_from(std::size_t segment, geom::Poin
   constexpr int most_steps = 8;
   const auto accept = [&](std::size_t i) { return holder(i, p, tolerance).valid(); };
   for (int step = 0; step < most_steps; ++step) {
+    const Frame& f = frames_[segment];
+    const geom::Vector from_foot = p - f.foot;
+    const double x = geom::dot(from_foot, f.tangent);
+    const double depth = geom::dot(from_foot, geom::right_of(f.tangent));
+    const double before = depth * f.left - x;
+    const double after = x - f.length - depth * f.right;
+    const double squared = tree_.squared_distance(segment, p);
+    const bool certain = is_certain(squared, depth);
+    // Farther inside than the tolerance, and some rounding: no other column holds p.
+    if (certain && std::max(before, after) < -16.0 * tolerance)
+      return Found{ColumnId(segment + 1), std::sqrt(squared), Foot::InColumn};
     if (accept(segment)) {
-      SegmentTree::Nearest best{segment, tree_.squared_distance(segment, p)};
-      if (is_certain(segment, p)) {
+      SegmentTree::Nearest best{segment, squared};
+      if (certain) {
         // On a rung both columns hold p.
         const auto consider = [&](std::size_t i) {
           if (!accept(i)) return false;
@@ -190,10 +198,8 @@ std::optional<Columns::Found> Columns::find_from(std::size_t segment, geom::Poin
       }
       return Found{holder(best.index, p, tolerance), best.distance(), Foot::InColumn};
     }
-    const Beyond out = beyond(ColumnId(segment + 1), p);
-    const bool to_right = out.right > out.left;
-    if (to_right ? segment + 1 == inner_count() : segment == 0) break;
-    segment = to_right ? segment + 1 : segment - 1;
+    if (after > before ? segment + 1 == inner_count() : segment == 0) break;
+    segment = after > before ? segment + 1 : segment - 1;
   }
   return std::nullopt;
 }

@@ -34,8 +34,7 @@ using ColumnId = base::Id<ColumnTag>;
 
 struct ColumnPoint {
   ColumnId column;
-  double along =
-      0.0;  ///< Fraction 0..1 of the offset edge at this depth; in an outer column metres from its rung, along travel.
+  double along = 0.0;  ///< Fraction 0..1 of the offset edge at this depth; in an outer column metres from its rung.
   double depth = 0.0;  ///< m, positive on the right-hand side of travel.
 };
 
@@ -106,8 +105,7 @@ class Columns {
     double left = 0.0;     ///< t.b of the left rung: how far it leans along the segment a metre of depth.
     double right = 0.0;    ///< t.b of the right rung.
     double arc = 0.0;      ///< Base length from the first rung to this segment, m.
-    double bend =
-        0.0;  ///< Sum of (right - left) of the columns before: their offset edges at depth d have arc + d bend.
+    double bend = 0.0;     ///< Sum of (right - left) of the columns before: their edges at depth d have arc + d bend.
     /// Change of length of the offset edge a metre of depth.
     [[nodiscard]] double widening() const { return right - left; }
   };
@@ -136,7 +134,7 @@ class Columns {
   /// The column of base segment `segment`, or the outer one beside it, that holds p; none if neither does.
   [[nodiscard]] ColumnId holder(std::size_t segment, geom::Point p, double tolerance) const;
   [[nodiscard]] bool holds(ColumnId column, geom::Point p, double tolerance) const;
-  [[nodiscard]] bool is_certain(std::size_t segment, geom::Point p) const;
+  [[nodiscard]] bool is_certain(double squared_distance, double depth) const;
   [[nodiscard]] std::size_t halve(geom::Point p) const;
   [[nodiscard]] std::optional<Found> find_from(std::size_t segment, geom::Point p, double tolerance) const;
 

@@ -324,7 +324,7 @@ scene::Picture picture_of(const Model& model) {
   std::vector<LedgerUnit> units;
   if (model.restoration) {
     const Restoration& restoration = *model.restoration;
-    units = ledger_units(model.section, horizons_in_order(model.section, *model.source, *model.target));
+    units = ledger_units(model.section, restoration.order);
     const bool keeps_area = restoration.params.method == RestoreMethod::Flexural ||
                             restoration.params.method == RestoreMethod::Shear ||
                             restoration.params.method == RestoreMethod::Variable;

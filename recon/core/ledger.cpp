@@ -67,18 +67,28 @@ void evaluate(DilatationField& field, const SectionMap& map, RangeSum& sum) {
   field.triangles = std::move(kept);
 }
 
-/// The band between two lines cut into triangles, `places` along and `levels` across.
-DilatationField band_between(const geom::Polyline& upper, const geom::Polyline& lower, const LedgerOptions& options) {
-  const std::vector<double> upper_arc = geom::arc_lengths(upper);
-  const std::vector<double> lower_arc = geom::arc_lengths(lower);
+/// `count` + 1 places evenly by length along a line, from its first point to its last.
+std::vector<geom::Point> even_places(const geom::Polyline& line, int count) {
+  const std::vector<double> arc = geom::arc_lengths(line);
+  std::vector<geom::Point> places;
+  for (int i = 0; i <= count; ++i) places.push_back(geom::point_at(line, arc, arc.back() * i / count));
+  return places;
+}
+
+/// A mapped horizon, as the units above and below it need it.
+struct Bed {
+  const MappedLine* line = nullptr;
+  std::vector<geom::Point> before;  ///< Evenly spaced.
+  std::vector<geom::Point> after;
+};
+
+/// The band between two lines cut into triangles, from place to place along and `levels` across.
+DilatationField band_between(const std::vector<geom::Point>& upper, const std::vector<geom::Point>& lower, int levels) {
   DilatationField field;
-  const auto width = static_cast<std::uint32_t>(options.levels + 1);
-  for (int i = 0; i <= options.places; ++i) {
-    const double part = static_cast<double>(i) / options.places;
-    const geom::Point top = geom::point_at(upper, upper_arc, part * upper_arc.back());
-    const geom::Point bottom = geom::point_at(lower, lower_arc, part * lower_arc.back());
-    for (int k = 0; k <= options.levels; ++k)
-      field.points.push_back(geom::interpolate(top, bottom, static_cast<double>(k) / options.levels));
+  const auto width = static_cast<std::uint32_t>(levels + 1);
+  for (std::size_t i = 0; i < upper.size(); ++i) {
+    for (int k = 0; k <= levels; ++k)
+      field.points.push_back(geom::interpolate(upper[i], lower[i], static_cast<double>(k) / levels));
     if (i == 0) continue;
     const auto first = static_cast<std::uint32_t>(i - 1) * width;
     for (std::uint32_t k = 0; k + 1 < width; ++k) {
@@ -88,6 +98,30 @@ DilatationField band_between(const geom::Polyline& upper, const geom::Polyline& 
     }
   }
   return field;
+}
+
+/// Thickness from places on one line to another line, across the beds.
+std::optional<Range> thickness_between(const std::vector<geom::Point>& places, const geom::Polyline& lower) {
+  std::vector<geom::Segment> segments;
+  segments.reserve(lower.segment_count());
+  for (std::size_t i = 0; i < lower.segment_count(); ++i) segments.push_back(lower.segment(i));
+  const SegmentTree tree(std::move(segments));
+  RangeSum sum;
+  std::optional<SegmentTree::Nearest> nearest;
+  for (const geom::Point p : places) {
+    const auto any = [](std::size_t) { return true; };
+    nearest = nearest ? tree.nearest_from(nearest->index, p, any) : tree.nearest(p, any);
+    if (!nearest) return std::nullopt;
+    const geom::Segment& segment = tree.segment(nearest->index);
+    const double t = geom::nearest_fraction(segment, p);
+    // Beyond an end of the lower line the nearest point is that end: no thickness.
+    const bool at_end = (nearest->index == 0 && t == 0.0) || (nearest->index + 1 == tree.size() && t == 1.0);
+    const geom::Vector along = geom::normalised(segment.vector());
+    const bool square =
+        std::abs(geom::dot(p - geom::interpolate(segment.from, segment.to, t), along)) <= 1e-6 * nearest->distance();
+    if (!at_end || square) sum.add(nearest->distance(), 1.0);
+  }
+  return sum.range();
 }
 
 void add_strains(const DilatationField& field, const SectionMap& map, const LedgerOptions& options,
@@ -103,17 +137,17 @@ void add_strains(const DilatationField& field, const SectionMap& map, const Ledg
   }
 }
 
-Part part_between(const MappedLine& upper, const MappedLine& lower, const std::string& name, const SectionMap& map,
+Part part_between(const Bed& upper, const Bed& lower, const std::string& name, const SectionMap& map,
                   const LedgerOptions& options) {
   Part part;
   UnitRow& row = part.row;
   row.name = name;
-  const UnitAreas areas = areas_between(upper, lower, map);
+  const UnitAreas areas = areas_between(*upper.line, *lower.line, map);
   row.area_before = areas.before;
   row.area_after = areas.after;
-  row.thickness_before = thickness_between(upper.before, lower.before, options.places);
-  row.thickness_after = thickness_between(upper.after, lower.after, options.places);
-  part.field = band_between(upper.before, lower.before, options);
+  row.thickness_before = thickness_between(upper.before, lower.line->before);
+  row.thickness_after = thickness_between(upper.after, lower.line->after);
+  part.field = band_between(upper.before, lower.before, options.levels);
   return part;
 }
 
@@ -175,9 +209,11 @@ UnitAreas areas_between(const MappedLine& upper, const MappedLine& lower, const 
   const auto image_of = [&](geom::Point from, geom::Point to) {
     return map.forward(geom::Polyline{{from, to}, false}).after.points;
   };
-  geom::Polyline after = upper.after;
   const std::vector<geom::Point> right = image_of(upper.before.points.back(), lower.before.points.back());
   const std::vector<geom::Point> left = image_of(lower.before.points.front(), upper.before.points.front());
+  geom::Polyline after;
+  after.points.reserve(upper.after.points.size() + right.size() + lower.after.points.size() + left.size());
+  after.points = upper.after.points;
   after.points.insert(after.points.end(), right.begin(), right.end());
   after.points.insert(after.points.end(), lower.after.points.rbegin(), lower.after.points.rend());
   after.points.insert(after.points.end(), left.begin(), left.end());
@@ -185,39 +221,19 @@ UnitAreas areas_between(const MappedLine& upper, const MappedLine& lower, const 
   return {std::abs(geom::signed_area(contour_between(upper.before, lower.before))), std::abs(geom::signed_area(after))};
 }
 
-std::optional<Range> thickness_between(const geom::Polyline& upper, const geom::Polyline& lower, int samples) {
-  std::vector<geom::Segment> segments;
-  for (std::size_t i = 0; i < lower.segment_count(); ++i) segments.push_back(lower.segment(i));
-  const SegmentTree tree(std::move(segments));
-  const std::vector<double> arc = geom::arc_lengths(upper);
-  RangeSum sum;
-  std::optional<SegmentTree::Nearest> nearest;
-  for (int i = 0; i <= samples; ++i) {
-    const geom::Point p = geom::point_at(upper, arc, arc.back() * i / samples);
-    const auto any = [](std::size_t) { return true; };
-    nearest = nearest ? tree.nearest_from(nearest->index, p, any) : tree.nearest(p, any);
-    if (!nearest) return std::nullopt;
-    const geom::Segment& segment = tree.segment(nearest->index);
-    const double t = geom::nearest_fraction(segment, p);
-    // Beyond an end of the lower line the nearest point is that end: no thickness.
-    const bool at_end = (nearest->index == 0 && t == 0.0) || (nearest->index + 1 == tree.size() && t == 1.0);
-    const geom::Vector along = geom::normalised(segment.vector());
-    const bool square =
-        std::abs(geom::dot(p - geom::interpolate(segment.from, segment.to, t), along)) <= 1e-6 * nearest->distance();
-    if (!at_end || square) sum.add(nearest->distance(), 1.0);
-  }
-  return sum.range();
-}
-
 base::Result<Ledger> draw_up(const Section& section, const std::vector<LedgerUnit>& units,
                              const std::vector<MappedLine>& lines, const SectionMap& map, const LedgerOptions& options,
                              const base::Progress& progress) {
   std::vector<Part> parts(units.size());
+  const bool between_beds = std::any_of(units.begin(), units.end(), [](const LedgerUnit& u) { return !u.unit; });
+  const auto beds = base::parallel_map<Bed>(between_beds ? lines.size() : 0, [&](std::size_t i) {
+    return Bed{&lines[i], even_places(lines[i].before, options.places), even_places(lines[i].after, options.places)};
+  });
   base::parallel_for(units.size(), [&](std::size_t i) {
     if (progress.cancelled()) return;
     const LedgerUnit& unit = units[i];
     parts[i] = unit.unit ? part_of_polygon(section.units[unit.unit->index()], map, options)
-                         : part_between(lines[*unit.upper], lines[*unit.lower], unit.name, map, options);
+                         : part_between(beds[*unit.upper], beds[*unit.lower], unit.name, map, options);
     if (parts[i].error) return;
     UnitRow& row = parts[i].row;
     row.change_percent = percent(row.area_after - row.area_before, row.area_before);

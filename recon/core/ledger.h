@@ -79,8 +79,4 @@ struct UnitAreas {
 /// Of what lies between two mapped lines, m2; their ends are joined straight before and by the map's image after.
 UnitAreas areas_between(const MappedLine& upper, const MappedLine& lower, const SectionMap& map);
 
-/// Thickness from one line to another, across the beds.
-/// @param samples  places on `upper`, evenly by length.
-std::optional<Range> thickness_between(const geom::Polyline& upper, const geom::Polyline& lower, int samples);
-
 }  // namespace recon::core

@@ -77,8 +77,15 @@ class ColumnMap {
   [[nodiscard]] Located locate(geom::Point p) const { return source_.locate(p, tolerances_.side); }
   /// The point of that name on the target.
   [[nodiscard]] geom::Point image(const ColumnPoint& name) const { return carry_name(name); }
-  /// Where a single point goes. O(log n).
-  [[nodiscard]] geom::Point map(geom::Point p) const { return carry(locate(p, Cell{}).cell, p).image; }
+  /// Where a single point goes. O(log n).  @param hint  the cell of a point near it; becomes that of this one.
+  [[nodiscard]] geom::Point map(geom::Point p, Cell& hint) const {
+    hint = locate(p, hint).cell;
+    return carry(hint, p).image;
+  }
+  [[nodiscard]] geom::Point map(geom::Point p) const {
+    Cell hint;
+    return map(p, hint);
+  }
   /// Where a line goes.
   [[nodiscard]] MappedLine map(const geom::Polyline& line) const { return trace(*this, line); }
 

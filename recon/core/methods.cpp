@@ -127,9 +127,16 @@ base::Result<MethodMap> shear_map(const SourceGrid& source, const Target& target
 
 }  // namespace
 
+std::vector<HorizonId> in_order(std::vector<std::pair<double, HorizonId>> depths) {
+  std::sort(depths.begin(), depths.end());
+  std::vector<HorizonId> order;
+  for (const auto& [depth, id] : depths) order.push_back(id);
+  return order;
+}
+
 std::vector<HorizonId> horizons_in_order(const Section& section, const SourceGrid& source, const Target& target) {
   const Columns& columns = target.map.source();
-  const auto depths = base::parallel_map<std::pair<double, HorizonId>>(section.horizons.size(), [&](std::size_t i) {
+  return in_order(base::parallel_map<std::pair<double, HorizonId>>(section.horizons.size(), [&](std::size_t i) {
     const Horizon& horizon = section.horizons[i];
     // The top is exactly at depth 0, whatever the grid's simplification has done to it.
     double sum = 0.0;
@@ -142,12 +149,7 @@ std::vector<HorizonId> horizons_in_order(const Section& section, const SourceGri
       }
     }
     return std::pair(sum / static_cast<double>(horizon.line.points.size()), horizon.id);
-  });
-  std::vector<std::pair<double, HorizonId>> sorted = depths;
-  std::stable_sort(sorted.begin(), sorted.end());
-  std::vector<HorizonId> order;
-  for (const auto& [depth, id] : sorted) order.push_back(id);
-  return order;
+  }));
 }
 
 std::vector<MappedLine> map_horizons(MethodMap& method, const Section& section, const ColumnMap& grid,
@@ -183,7 +185,7 @@ base::Result<MethodMap> make_method_map(const Section& section, const SourceGrid
   }
   if (params.method == RestoreMethod::Shear) return shear_map(source, target, params);
   DOBRA_TRY(SectionMap map, column_map(source, target, params));
-  return MethodMap{std::move(map), {}, {}, {}};
+  return MethodMap{std::move(map), {}, {}};
 }
 
 }  // namespace recon::core

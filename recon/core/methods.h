@@ -44,7 +44,6 @@ struct MethodMap {
   /// Horizons of a stack: their images are known without looking for their cells. Without names, unless the method has
   /// measured them.
   std::vector<std::pair<HorizonId, MappedLine>> lines;
-  std::vector<HorizonId> order;  ///< Of a stack: horizons_in_order.
   std::vector<std::string> remarks;
 };
 
@@ -63,6 +62,8 @@ std::vector<MappedLine> map_horizons(MethodMap& method, const Section& section, 
 base::Result<MethodMap> make_method_map(const Section& section, const SourceGrid& source, const Target& target,
                                         const MethodParams& params);
 
+/// Horizons by their mean depths.
+std::vector<HorizonId> in_order(std::vector<std::pair<double, HorizonId>> depths);
 /// Horizons from the grid's base down (away from it on the side of the layers), by mean depth; those above it first.
 std::vector<HorizonId> horizons_in_order(const Section& section, const SourceGrid& source, const Target& target);
 

@@ -99,8 +99,21 @@ std::string verdict_text(const Restoration& restoration) {
                             balance.inconsistency_percent, restoration.params.tolerance);
 }
 
+/// As horizons_in_order, from the depths that are known by now.
+std::vector<HorizonId> order_of(const Section& section, HorizonId top, const std::vector<MappedLine>& lines) {
+  std::vector<std::pair<double, HorizonId>> depths;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    double sum = 0.0;
+    for (const std::size_t k : lines[i].given) sum += lines[i].names[k].depth;
+    const HorizonId id = section.horizons[i].id;
+    depths.emplace_back(id == top ? 0.0 : sum / static_cast<double>(lines[i].given.size()), id);
+  }
+  return in_order(std::move(depths));
+}
+
 /// tan of the lean of the line through the ends of the top and the farthest bed, outwards positive.
-void measure_lean(const Section& section, const std::vector<HorizonId>& order, Restoration& restoration) {
+void measure_lean(const Section& section, Restoration& restoration) {
+  const std::vector<HorizonId>& order = restoration.order;
   if (order.size() < 2) return;
   const auto line_of = [&](HorizonId id) -> const geom::Polyline& {
     for (std::size_t i = 0; i < section.horizons.size(); ++i) {
@@ -154,11 +167,12 @@ base::Result<Restoration> restore(const Section& section, const SourceGrid& sour
   for (std::size_t i = 0; i < section.horizons.size(); ++i)
     remark_on(section.horizons[i].name, restoration.lines[i], restoration.remarks);
   carry_the_rest(map, restoration.section);
-  const std::vector<HorizonId> order = made.order.empty() ? horizons_in_order(section, source, target) : made.order;
-  DOBRA_TRY(restoration.ledger, draw_up(section, ledger_units(section, order), restoration.lines, map, {}, progress));
+  restoration.order = order_of(section, source.top, restoration.lines);
+  DOBRA_TRY(restoration.ledger,
+            draw_up(section, ledger_units(section, restoration.order), restoration.lines, map, {}, progress));
   for (std::size_t i = 0; i < section.units.size(); ++i)
     restoration.section.units[i].contour = restoration.ledger.units[i].contour_after;
-  measure_lean(section, order, restoration);
+  measure_lean(section, restoration);
   restoration.balance = judge(restoration);
   restoration.remarks.push_back(what_it_keeps(params.method));
   restoration.remarks.push_back(verdict_text(restoration));

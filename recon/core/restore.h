@@ -76,6 +76,7 @@ struct Restoration {
   SectionMap map;
   Section section;                  ///< Everything restored, with the ids and names of the section's.
   std::vector<MappedLine> lines;    ///< One for each horizon, in the same order.
+  std::vector<HorizonId> order;     ///< From the top down, by mean depth; those above the top first.
   std::vector<LineLength> lengths;  ///< Likewise.
   Ledger ledger;
   Balance balance;

@@ -35,9 +35,10 @@ Carried RuledMap::carry(Cell cell, geom::Point p) const {
           to_->point_at(cell, place)};
 }
 
-geom::Point RuledMap::back(geom::Point image, Cell& hint) const {
-  hint = to_->locate(image, hint).cell;
-  return from_->point_at(hint, to_->place_in(hint, image));
+geom::Point RuledMap::across(const RuledStack& from, const RuledStack& to, geom::Point p, Cell& hint) {
+  RuledStack::Strip at;
+  hint = from.locate(p, hint, at).cell;
+  return to.point_at(hint, RuledStack::place_in(at, p));
 }
 
 }  // namespace recon::core

@@ -35,6 +35,8 @@ class RuledMap {
   [[nodiscard]] RuledMap swapped() const;
   /// The middle of the first strip that is folded over (its sides cross, or it is turned round), in the source.
   [[nodiscard]] std::optional<geom::Point> folded() const { return from_->folded(); }
+  /// Where a single point goes.  @param hint  the cell of a point near it; becomes that of this one.
+  [[nodiscard]] geom::Point map(geom::Point p, Cell& hint) const { return across(*from_, *to_, p, hint); }
 
   // What Tracer asks (trace.cpp). Cell: strip 0 .. n + 1 of a band, band.
   [[nodiscard]] Spot locate(geom::Point p, Cell hint) const { return from_->locate(p, hint); }
@@ -43,12 +45,14 @@ class RuledMap {
   [[nodiscard]] static bool keeps(const Spot& spot, geom::Point, const Spot& nearest) {
     return nearest.foot == Foot::InColumn && spot.foot == Foot::InColumn;
   }
-  [[nodiscard]] geom::Point back(geom::Point image, Cell& hint) const;
+  [[nodiscard]] geom::Point back(geom::Point image, Cell& hint) const { return across(*to_, *from_, image, hint); }
   [[nodiscard]] bool is_outer(Cell cell) const { return from_->is_outer(cell); }
   [[nodiscard]] static bool bends() { return true; }
   [[nodiscard]] const TraceTolerances& tolerances() const { return tolerances_; }
 
  private:
+  static geom::Point across(const RuledStack& from, const RuledStack& to, geom::Point p, Cell& hint);
+
   std::shared_ptr<const RuledStack> from_;
   std::shared_ptr<const RuledStack> to_;
   TraceTolerances tolerances_;

@@ -105,6 +105,10 @@ RuledStack::RuledStack(std::shared_ptr<const Rulings> rulings, std::vector<std::
   };
   left_ = reaching(left_, points_.front().front() - points_.front()[1]);
   right_ = reaching(right_, points_.front().back() - points_.front()[points_.front().size() - 2]);
+  for (std::size_t k = 0; k + 1 < points_.size(); ++k) {
+    bands_.push_back({rulings_->bands[k].data(), static_cast<std::uint32_t>(rulings_->bands[k].size()),
+                      rulings_->u[k].data(), rulings_->u[k + 1].data(), points_[k].data(), points_[k + 1].data()});
+  }
   build_blocks();
   top_ = tree_of(points_.front());
   bottom_ = tree_of(points_.back());
@@ -118,11 +122,11 @@ void RuledStack::build_blocks() {
   std::vector<std::optional<geom::Point>> first(bands);
   dobra::base::parallel_for(bands, [&](std::size_t k) {
     const std::vector<std::uint32_t>& starts = rulings_->blocks[k];
-    Ruling left = ruling(k, 0);
+    Ruling left = ruling(bands_[k], 0);
     for (std::size_t b = 0; b < count; ++b) {
       geom::Box box;
-      for (std::size_t i = starts[b]; i < starts[b + 1]; ++i) {
-        const Ruling right = ruling(k, i + 1);
+      for (std::uint32_t i = starts[b]; i < starts[b + 1]; ++i) {
+        const Ruling right = ruling(bands_[k], i + 1);
         for (const geom::Point p : {left.top, left.bottom, right.top, right.bottom}) box.add(p);
         if (is_folded(left.top, right.top, right.bottom, left.bottom, tolerance_)) {
           for (const geom::Point p : {left.top, left.bottom, right.top, right.bottom}) folds[k * count + b].add(p);
@@ -145,32 +149,29 @@ void RuledStack::build_blocks() {
   }
 }
 
-RuledStack::Ruling RuledStack::ruling(std::size_t band, std::size_t i) const {
-  const Rulings::Corners at = rulings_->bands[band][i];
-  const std::vector<double>& upper = rulings_->u[band];
-  const std::vector<double>& lower = rulings_->u[band + 1];
-  const double top = upper[at.upper];
-  const double bottom = lower[at.lower];
-  Ruling ends{points_[band][at.upper], points_[band + 1][at.lower]};
+RuledStack::Ruling RuledStack::ruling(const Band& band, std::uint32_t i) const {
+  const auto [upper, lower] = band.rulings[i];
+  const double top = band.upper[upper];
+  const double bottom = band.lower[lower];
+  Ruling ends{band.top[upper], band.bottom[lower]};
   if (bottom > top + rulings_->least) {
-    ends.top = geom::interpolate(ends.top, points_[band][at.upper + 1], (bottom - top) / (upper[at.upper + 1] - top));
+    ends.top = geom::interpolate(ends.top, band.top[upper + 1], (bottom - top) / (band.upper[upper + 1] - top));
   } else if (top > bottom + rulings_->least) {
-    ends.bottom = geom::interpolate(ends.bottom, points_[band + 1][at.lower + 1],
-                                    (top - bottom) / (lower[at.lower + 1] - bottom));
+    ends.bottom =
+        geom::interpolate(ends.bottom, band.bottom[lower + 1], (top - bottom) / (band.lower[lower + 1] - bottom));
   }
   return ends;
 }
 
 RuledStack::Strip RuledStack::strip(Cell cell) const {
-  const std::size_t band = cell.second;
-  const std::uint32_t count = ruling_count(band);
+  const Band& band = bands_[cell.second];
   const auto moved = [](Ruling at, geom::Vector by) { return Ruling{at.top + by, at.bottom + by}; };
   if (cell.first == 0) {
     const Ruling end = ruling(band, 0);
     return {moved(end, left_), end};
   }
   const Ruling left = ruling(band, cell.first - 1);
-  return {left, cell.first == count ? moved(left, right_) : ruling(band, cell.first)};
+  return {left, cell.first == band.count ? moved(left, right_) : ruling(band, cell.first)};
 }
 
 std::uint32_t RuledStack::strip_of(std::size_t band, double u) const {
@@ -239,24 +240,25 @@ std::array<double, 4> RuledStack::beyond(Cell cell, geom::Point p) const {
               ? -infinity
               : metres_beyond(at.right.top, at.right.bottom, along, -1.0, p, tolerance_),
           cell.second == 0 ? -infinity : -right_of_line(at.left.top, at.right.top, p),
-          cell.second + 1 == rulings_->bands.size() ? -infinity : right_of_line(at.left.bottom, at.right.bottom, p)};
+          cell.second + 1 == bands_.size() ? -infinity : right_of_line(at.left.bottom, at.right.bottom, p)};
 }
 
 /// Along the band to the strip between whose rulings p lies; false if there is no end to it.
 bool RuledStack::along_band(geom::Point p, Cell& cell, Strip& at) const {
   constexpr int most_steps = 8;  // before the place is estimated
   constexpr int most_jumps = 12;
-  const std::uint32_t count = ruling_count(cell.second);
+  const Band& band = bands_[cell.second];
+  const std::uint32_t count = band.count;
   at = strip(cell);
   for (int jump = 0; jump <= most_jumps; ++jump) {
     for (int step = 0; step < most_steps; ++step) {
       const geom::Vector along = at.right.top - at.left.top;
       if (cell.first > 0 && is_beyond(at.left.top, at.left.bottom, -along, 1.0, p, tolerance_)) {
         --cell.first;
-        at = cell.first == 0 ? strip(cell) : Strip{ruling(cell.second, cell.first - 1), at.left};
+        at = cell.first == 0 ? strip(cell) : Strip{ruling(band, cell.first - 1), at.left};
       } else if (cell.first < count && is_beyond(at.right.top, at.right.bottom, along, -1.0, p, tolerance_)) {
         ++cell.first;
-        at = cell.first == count ? strip(cell) : Strip{at.right, ruling(cell.second, cell.first)};
+        at = cell.first == count ? strip(cell) : Strip{at.right, ruling(band, cell.first)};
       } else {
         return true;
       }
@@ -275,9 +277,8 @@ bool RuledStack::along_band(geom::Point p, Cell& cell, Strip& at) const {
 
 /// From strip to strip towards p; true once no side has p beyond it. Above the first line and below the last one the
 /// rulings go on.
-bool RuledStack::walk(geom::Point p, Cell& cell) const {
-  const std::size_t bands = rulings_->bands.size();
-  Strip at;
+bool RuledStack::walk(geom::Point p, Cell& cell, Strip& at) const {
+  const std::size_t bands = bands_.size();
   for (std::size_t turn = 0; turn < 16 + 2 * bands; ++turn) {
     if (!along_band(p, cell, at)) return false;
     const bool up = cell.second > 0 && beyond_upper(at, p);
@@ -291,20 +292,20 @@ bool RuledStack::walk(geom::Point p, Cell& cell) const {
 }
 
 /// Of the strips that hold p within the tolerance, the first: so that the way there does not matter.
-void RuledStack::to_first(geom::Point p, Cell& cell) const {
-  const auto holder_above = [&]() -> std::optional<Cell> {
-    const Strip at = strip(cell);
-    if (cell.second == 0 || is_right_of(at.left.top, at.right.top, p, tolerance_)) return std::nullopt;
+void RuledStack::to_first(geom::Point p, Cell& cell, Strip& at) const {
+  while (cell.second > 0 && !is_right_of(at.left.top, at.right.top, p, tolerance_)) {
     Cell above{strip_of(cell.second - 1, middle_of(cell)), cell.second - 1};
     Strip there;
-    if (!along_band(p, above, there) || is_outer(above) || !holds(there, p)) return std::nullopt;
-    return above;
-  };
-  while (const auto above = holder_above()) cell = *above;
-  while (cell.first > 1) {
-    const Cell before{cell.first - 1, cell.second};
-    if (!holds(strip(before), p)) break;
-    cell = before;
+    if (!along_band(p, above, there) || is_outer(above) || !holds(there, p)) break;
+    cell = above;
+    at = there;
+  }
+  // Only where p is as near to the left ruling as the tolerance (and some rounding) the strip before can hold it.
+  while (cell.first > 1 && !is_right_of(at.left.bottom, at.left.top, p, 4.0 * tolerance_)) {
+    const Strip before{ruling(bands_[cell.second], cell.first - 2), at.left};
+    if (!holds(before, p)) break;
+    --cell.first;
+    at = before;
   }
 }
 
@@ -315,23 +316,30 @@ bool RuledStack::doubtful(Cell cell) const {
   return doubtful_[cell.second * rulings_->block_count() + static_cast<std::size_t>(after - starts.begin() - 1)] != 0;
 }
 
-std::optional<Cell> RuledStack::first_holder(geom::Point p) const {
+std::optional<Cell> RuledStack::first_holder(geom::Point p, Strip& at) const {
   std::optional<Cell> first;
   const auto before = [](Cell a, Cell b) { return a.second < b.second || (a.second == b.second && a.first < b.first); };
   boxes_.visit(geom::Box{p, p}.grown(tolerance_), [&](std::size_t band, std::size_t block) {
     const std::vector<std::uint32_t>& starts = rulings_->blocks[band];
-    for (std::uint32_t i = starts[block]; i < starts[block + 1]; ++i) {
-      const Cell cell{i + 1, static_cast<std::uint32_t>(band)};
-      if (first && !before(cell, *first)) return;
-      if (holds(strip(cell), p)) first = cell;
+    Cell cell{starts[block] + 1, static_cast<std::uint32_t>(band)};
+    if (cell.first > starts[block + 1]) return;
+    Strip there = strip(cell);
+    while (!first || before(cell, *first)) {
+      if (holds(there, p)) {
+        first = cell;
+        at = there;
+      }
+      if (cell.first == starts[block + 1]) return;
+      there = {there.right, ruling(bands_[band], cell.first + 1)};
+      ++cell.first;
     }
   });
   return first;
 }
 
-Spot RuledStack::outside(geom::Point p) const {
+Spot RuledStack::outside(geom::Point p, Strip& at) const {
   const auto any = [](std::size_t) { return true; };
-  const auto bands = static_cast<std::uint32_t>(rulings_->bands.size());
+  const auto bands = static_cast<std::uint32_t>(bands_.size());
   const auto nearest_top = *top_.nearest(p, any);
   const auto nearest_bottom = *bottom_.nearest(p, any);
   double squared = nearest_top.squared;
@@ -350,25 +358,26 @@ Spot RuledStack::outside(geom::Point p) const {
     }
   }
   const Cell nearest = cell;
-  if (walk(p, cell)) return {cell, std::sqrt(squared), Foot::InColumn};
+  if (walk(p, cell, at)) return {cell, std::sqrt(squared), Foot::InColumn};
+  at = strip(nearest);
   return {nearest, std::sqrt(squared), Foot::NoColumn};
 }
 
-Spot RuledStack::locate(geom::Point p, Cell hint) const {
+Spot RuledStack::locate(geom::Point p, Cell hint, Strip& at) const {
   Cell cell = hint;
-  const bool known = hint.second < rulings_->bands.size() && hint.first < ruling_count(hint.second) && hint.first > 0;
-  if (known && walk(p, cell) && !is_outer(cell) && holds(strip(cell), p) && !doubtful(cell)) {
-    to_first(p, cell);
+  const bool known = hint.second < bands_.size() && hint.first < ruling_count(hint.second) && hint.first > 0;
+  if (known && walk(p, cell, at) && !is_outer(cell) && !beyond_upper(at, p) && !beyond_lower(at, p) &&
+      !doubtful(cell)) {
+    to_first(p, cell, at);
     return {cell, 0.0, Foot::InColumn};
   }
-  if (const auto first = first_holder(p)) return {*first, 0.0, Foot::InColumn};
-  return outside(p);
+  if (const auto first = first_holder(p, at)) return {*first, 0.0, Foot::InColumn};
+  return outside(p, at);
 }
 
 /// With e = T1 - T0, g = B0 - T0, h = (B1 - B0) - e and d = p - T0: p is on the line across at `down` = v where
 /// (d - v g) x (e + v h) = 0, a quadratic in v.
-StripPlace RuledStack::place_in(Cell cell, geom::Point p) const {
-  const Strip at = strip(cell);
+StripPlace RuledStack::place_in(const Strip& at, geom::Point p) {
   const geom::Vector e = at.right.top - at.left.top;
   const geom::Vector g = at.left.bottom - at.left.top;
   const geom::Vector h = (at.right.bottom - at.left.bottom) - e;

@@ -62,15 +62,18 @@ class RuledStack {
   /// The middle of the first strip that is folded over: its sides cross, or it is turned round.
   [[nodiscard]] std::optional<geom::Point> folded() const { return folded_; }
   /// Cells: strip 0 .. n + 1 of a band, band; 0 and n + 1 lie beyond the ends.
-  [[nodiscard]] Spot locate(geom::Point p, Cell hint) const;
+  [[nodiscard]] Spot locate(geom::Point p, Cell hint) const {
+    Strip at;
+    return locate(p, hint, at);
+  }
   /// Metres beyond the left and right ruling, the upper and the lower line; -infinity where there is nothing to cross.
   [[nodiscard]] std::array<double, 4> beyond(Cell cell, geom::Point p) const;
   [[nodiscard]] bool is_outer(Cell cell) const { return cell.first == 0 || cell.first == ruling_count(cell.second); }
   /// The name of p in a strip, wherever p lies, and the point of that name.
-  [[nodiscard]] StripPlace place_in(Cell cell, geom::Point p) const;
+  [[nodiscard]] StripPlace place_in(Cell cell, geom::Point p) const { return place_in(strip(cell), p); }
   [[nodiscard]] geom::Point point_at(Cell cell, StripPlace place) const;
 
- private:
+  /// The same with the strip that was found.
   struct Ruling {
     geom::Point top;
     geom::Point bottom;
@@ -79,27 +82,41 @@ class RuledStack {
     Ruling left;
     Ruling right;
   };
-  [[nodiscard]] std::uint32_t ruling_count(std::size_t band) const {
-    return static_cast<std::uint32_t>(rulings_->bands[band].size());
-  }
-  [[nodiscard]] Ruling ruling(std::size_t band, std::size_t i) const;
+  [[nodiscard]] Spot locate(geom::Point p, Cell hint, Strip& at) const;
+  [[nodiscard]] static StripPlace place_in(const Strip& at, geom::Point p);
+  RuledStack(const RuledStack&) = delete;
+  RuledStack& operator=(const RuledStack&) = delete;
+
+ private:
+  /// A band and its two lines.
+  struct Band {
+    const Rulings::Corners* rulings = nullptr;
+    std::uint32_t count = 0;  ///< Of rulings.
+    const double* upper = nullptr;
+    const double* lower = nullptr;
+    const geom::Point* top = nullptr;
+    const geom::Point* bottom = nullptr;
+  };
+  [[nodiscard]] std::uint32_t ruling_count(std::size_t band) const { return bands_[band].count; }
+  [[nodiscard]] Ruling ruling(const Band& band, std::uint32_t i) const;
   [[nodiscard]] Strip strip(Cell cell) const;
-  [[nodiscard]] bool walk(geom::Point p, Cell& cell) const;
+  [[nodiscard]] bool walk(geom::Point p, Cell& cell, Strip& at) const;
   [[nodiscard]] bool along_band(geom::Point p, Cell& cell, Strip& at) const;
   [[nodiscard]] bool beyond_upper(const Strip& at, geom::Point p) const;
   [[nodiscard]] bool beyond_lower(const Strip& at, geom::Point p) const;
   [[nodiscard]] bool holds(const Strip& at, geom::Point p) const;
   [[nodiscard]] std::uint32_t strip_of(std::size_t band, double u) const;
   [[nodiscard]] double middle_of(Cell cell) const;
-  void to_first(geom::Point p, Cell& cell) const;
-  [[nodiscard]] std::optional<Cell> first_holder(geom::Point p) const;
-  [[nodiscard]] Spot outside(geom::Point p) const;
+  void to_first(geom::Point p, Cell& cell, Strip& at) const;
+  [[nodiscard]] std::optional<Cell> first_holder(geom::Point p, Strip& at) const;
+  [[nodiscard]] Spot outside(geom::Point p, Strip& at) const;
   [[nodiscard]] bool doubtful(Cell cell) const;
   void build_blocks();
 
   std::shared_ptr<const Rulings> rulings_;
   std::vector<std::vector<geom::Point>> points_;  ///< Of each line.
-  geom::Vector left_;                             ///< The ends, moved by these, bound the strips beyond them.
+  std::vector<Band> bands_;
+  geom::Vector left_;  ///< The ends, moved by these, bound the strips beyond them.
   geom::Vector right_;
   double tolerance_ = 0.0;
   BoxPyramid boxes_;            ///< Of the blocks, bands by places.

@@ -48,10 +48,7 @@ base::Result<void> SectionMap::forward(std::span<const geom::Point> points, std:
                                        const base::Progress& progress) const {
   return std::visit(
       [&](const auto& map) {
-        return in_chunks(points, images, progress, [&](geom::Point p, Cell& hint) {
-          hint = map.locate(p, hint).cell;
-          return map.carry(hint, p).image;
-        });
+        return in_chunks(points, images, progress, [&](geom::Point p, Cell& hint) { return map.map(p, hint); });
       },
       map_);
 }

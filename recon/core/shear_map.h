@@ -38,6 +38,11 @@ class ShearMap {
   [[nodiscard]] ShearMap swapped() const;
   /// The map on the way: `part` (0 .. 1) of every displacement.
   [[nodiscard]] ShearMap part(double part) const;
+  /// Where a single point goes.  @param hint  the cell of a point near it; becomes that of this one.
+  [[nodiscard]] geom::Point map(geom::Point p, Cell& hint) const {
+    hint = locate(p, hint).cell;
+    return carry(hint, p).image;
+  }
 
   // What Tracer asks (trace.cpp). Cell: strip 0 .. n + 1 between the n + 1 corners of both lines.
   [[nodiscard]] Spot locate(geom::Point p, Cell hint) const;

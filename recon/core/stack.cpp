@@ -82,6 +82,13 @@ void measure_depths(StackLine& line, const ColumnMap& grid) {
   for (std::size_t& i : line.given) i = place[traced.given[i]];
 }
 
+/// Of the vertices of the horizon.
+double mean_depth(const StackLine& line) {
+  double sum = 0.0;
+  for (const std::size_t i : line.given) sum += line.names[i].depth;
+  return sum / static_cast<double>(line.given.size());
+}
+
 /// The pin at an end of the base pins the ends of all lines; elsewhere the pin line must meet them.
 enum class PinAt { Start, End, Inside };
 
@@ -213,8 +220,7 @@ class StackBuilder {
     std::vector<RuledLine> ruled(lines.size());
     std::vector<MappedLine> mapped(lines.size());
     base::parallel_for(lines.size(), [&](std::size_t i) {
-      StackLine& line = lines[i];
-      if (params_.method == RestoreMethod::Flexural) measure_depths(line, target_.map);
+      const StackLine& line = lines[i];
       RuledBuilder builder(line);
       if (params_.method == RestoreMethod::Flexural) {
         lay_out(line, builder);
@@ -332,23 +338,38 @@ base::Result<std::vector<HorizonId>> top_and_base(const Section& section, const 
 
 base::Result<MethodMap> make_stack_map(const Section& section, const SourceGrid& source, const Target& target,
                                        const MethodParams& params, std::optional<Columns> on_the_way) {
-  const std::vector<HorizonId> all = horizons_in_order(section, source, target);
-  if (all.size() < 2) {
+  if (section.horizons.size() < 2) {
     return base::Error{base::ErrorCode::BadSection,
                        fmt::format("method \"{}\" needs two horizons", method_name(params.method))};
   }
-  std::vector<HorizonId> order = all;
+  const bool flexural = params.method == RestoreMethod::Flexural;
+  std::vector<HorizonId> order;
+  if (flexural) {  // put in order when all are measured
+    for (const Horizon& horizon : section.horizons) order.push_back(horizon.id);
+  } else {
+    order = horizons_in_order(section, source, target);
+  }
+  std::vector<HorizonId> taken = order;
   if (params.method == RestoreMethod::Proportional) {
-    DOBRA_TRY(order, top_and_base(section, source, params, all.back()));
+    DOBRA_TRY(taken, top_and_base(section, source, params, order.back()));
   }
   const geom::Vector normal = pin_normal(target);
-  auto found = base::parallel_map<std::optional<base::Result<StackLine>>>(order.size(), [&](std::size_t i) {
-    return stack_line(*find_horizon(section, order[i]), source, target, normal);
+  auto found = base::parallel_map<std::optional<base::Result<StackLine>>>(taken.size(), [&](std::size_t i) {
+    auto line = stack_line(*find_horizon(section, taken[i]), source, target, normal);
+    if (line && flexural) measure_depths(*line, target.map);
+    return line;
   });
   std::vector<StackLine> lines;
   for (auto& line : found) {
     if (!*line) return line->error();
     lines.push_back(std::move(**line));
+  }
+  if (flexural) {
+    std::vector<std::pair<double, HorizonId>> depths;
+    for (const StackLine& line : lines) depths.emplace_back(line.id == source.top ? 0.0 : mean_depth(line), line.id);
+    order = in_order(std::move(depths));
+    const auto place = [&](const StackLine& line) { return std::find(order.begin(), order.end(), line.id); };
+    std::sort(lines.begin(), lines.end(), [&](const StackLine& a, const StackLine& b) { return place(a) < place(b); });
   }
   ColumnMap goal;
   if (on_the_way) {
@@ -358,9 +379,7 @@ base::Result<MethodMap> make_stack_map(const Section& section, const SourceGrid&
     DOBRA_TRY(goal,
               match_by_length(source.base, target.source_arc, target.line, target.target_arc, {}, ColumnLaw::Slip));
   }
-  auto made = StackBuilder(source, target, params, std::move(goal)).run(std::move(lines));
-  if (made) made->order = all;
-  return made;
+  return StackBuilder(source, target, params, std::move(goal)).run(std::move(lines));
 }
 
 }  // namespace recon::core

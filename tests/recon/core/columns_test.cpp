@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "tests/recon/core/shapes.h"
 
 namespace recon::core {
@@ -107,6 +109,56 @@ TEST(Columns, ALineThatTurnsBackOnItselfIsRefusedWithThePlace) {
   EXPECT_EQ(columns.error().code, base::ErrorCode::DegenerateCurve);
   ASSERT_TRUE(columns.error().place && columns.error().place->x);
   EXPECT_EQ(*columns.error().place->x, 4.0);
+}
+
+/// E-11 by looking at every column: of those that hold p, the one whose base segment is nearest.
+std::optional<ColumnId> nearest_holder(const Columns& columns, geom::Point p, double tolerance) {
+  std::optional<ColumnId> best;
+  double least = 0.0;
+  for (std::size_t i = 1; i <= columns.inner_count(); ++i) {
+    for (const std::size_t column : {i, i == 1 ? std::size_t{0} : i, i == columns.inner_count() ? i + 1 : i}) {
+      const Columns::Beyond out = columns.beyond(ColumnId(column), p);
+      if (out.left > tolerance || out.right > tolerance || out.left + out.right >= 0.0) continue;
+      const double distance = columns.distance_to_base(ColumnId(column), p);
+      if (best && distance >= least) continue;
+      best = ColumnId(column);
+      least = distance;
+    }
+  }
+  return best;
+}
+
+TEST(Columns, ThePlaceOfAPointIsThatOfASearchThroughAllColumnsWhateverTheHint) {
+  // A gentle line, whose columns are certain down to some depth; the cosine, whose columns close; a line that
+  // overhangs.
+  geom::Polyline gentle;
+  geom::Polyline overhanging;
+  for (int i = 0; i <= 150; ++i) {
+    const double x = 0.1 * i;
+    gentle.points.push_back({x, 0.3 * std::sin(x) + 0.02 * std::sin(17.0 * x)});
+    overhanging.points.push_back({x + 1.6 * std::sin(1.5 * x), std::cos(1.5 * x)});
+  }
+  std::mt19937 random(3);
+  for (const geom::Polyline& line : {gentle, test::cosine(), overhanging, corner}) {
+    const Columns columns = Columns::along(line).value();
+    const geom::Box box = line.box().grown(4.0);
+    std::uniform_real_distribution<double> x(box.low.x, box.high.x);
+    std::uniform_real_distribution<double> y(box.low.y, box.high.y);
+    std::uniform_int_distribution<std::size_t> hint(0, columns.inner_count() + 1);
+    std::vector<geom::Point> points = line.points;
+    for (int i = 0; i < 400; ++i) points.push_back({x(random), y(random)});
+    for (const geom::Point p : points) {
+      const auto expected = nearest_holder(columns, p, 1e-12);
+      const Columns::Found alone = columns.find(p, 1e-12);
+      EXPECT_EQ(alone.foot == Foot::InColumn, expected.has_value()) << p;
+      // Equally near columns (of a vertex of the line) may differ by rounding from the search above, not among
+      // themselves.
+      if (expected) {
+        EXPECT_NEAR(columns.distance_to_base(alone.column, p), columns.distance_to_base(*expected, p), 1e-14) << p;
+      }
+      for (int i = 0; i < 4; ++i) EXPECT_EQ(columns.find(p, 1e-12, ColumnId(hint(random))).column, alone.column) << p;
+    }
+  }
 }
 
 }  // namespace
