@@ -39,6 +39,8 @@ struct RestoreOptions {
   std::optional<double> tolerance;
   std::optional<double> simplify;
   std::string outside;
+  std::string crossings;
+  std::string uncovered;
   std::string beds;
   std::optional<std::int64_t> draws;
   std::optional<double> pick_error;
@@ -51,6 +53,7 @@ struct RestoreOptions {
 
 struct BalanceOptions {
   SectionFile section;
+  std::string crossings;
   std::optional<double> tolerance;
   std::optional<double> confidence;
   std::vector<double> thickness;
@@ -95,6 +98,7 @@ Result<scenario::Document> restore_document(Session& session, const RestoreOptio
   scenario::Table grid;
   set(grid, "top", options.top);
   set(grid, "simplify", options.simplify);
+  set(grid, "uncovered", options.uncovered);
   scenario::Table target;
   if (options.target != "flat") {
     target.set("shape", std::string("line"));
@@ -116,6 +120,7 @@ Result<scenario::Document> restore_document(Session& session, const RestoreOptio
   set(restore, "thickness", options.thickness);
   set(restore, "percent", options.percent);
   set(restore, "outside", options.outside);
+  set(restore, "crossings", options.crossings);
   set(restore, "beds", options.beds);
   set(restore, "tolerance", options.tolerance);
   document.steps = {step("grid", std::move(grid)), step("target", std::move(target)),
@@ -180,6 +185,7 @@ Result<int> balance_job(Session& session, const BalanceOptions& options) {
   } else {
     set(params, "tolerance", options.tolerance);
     set(params, "confidence", options.confidence);
+    set(params, "crossings", options.crossings);
     document.steps = {step("balance", std::move(params))};
   }
   DOBRA_TRY_VOID(scenario::check(document, session.program));
@@ -188,6 +194,12 @@ Result<int> balance_job(Session& session, const BalanceOptions& options) {
   const bool as_json = session.options.format == dobra::cli::OutputFormat::Json;
   DOBRA_TRY_VOID(dobra::cli::print(as_json ? balance_json(model) : balance_table(model)));
   return 0;
+}
+
+void add_crossings_option(CLI::App& app, std::string& crossings) {
+  app.add_option("--crossings", crossings, "Horizons that cross each other: refuse (default) or allow")
+      ->check(CLI::IsMember({"refuse", "allow"}))
+      ->type_name("NAME");
 }
 
 void add_method_options(CLI::App& app, RestoreOptions& options) {
@@ -204,6 +216,11 @@ void add_method_options(CLI::App& app, RestoreOptions& options) {
   app.add_option("--outside", options.outside, "Where the map is not single-valued: nearest (default) or refuse")
       ->check(CLI::IsMember({"nearest", "refuse"}))
       ->type_name("NAME");
+  app.add_option("--uncovered", options.uncovered,
+                 "Where the section reaches beyond the ends of the top: refuse (default), or continue straight")
+      ->check(CLI::IsMember({"refuse", "continue"}))
+      ->type_name("NAME");
+  add_crossings_option(app, options.crossings);
   app.add_option("--beds", options.beds,
                  "Flexural slip along the horizons (default: each keeps its length), or parallel to the top")
       ->check(CLI::IsMember({"horizons", "parallel"}))
@@ -257,6 +274,7 @@ dobra::cli::Command balance_command() {
         app.add_option("--tolerance", options->tolerance, "Of the verdict, percent; 2 by default")->type_name("P");
         app.add_option("--confidence", options->confidence, "Of the fit's intervals, percent; 95 by default")
             ->type_name("P");
+        add_crossings_option(app, options->crossings);
         app.add_option("--thickness", options->thickness,
                        "By area: FILE is a polygon (x y [dx dy]), and this its thickness before shortening, one or two")
             ->delimiter(',')

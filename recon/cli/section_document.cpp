@@ -46,10 +46,11 @@ class InputTables {
 
 std::string key_of(const io::Feature& feature) {
   if (feature.type == io::FeatureType::Points) return "marker";
-  if (feature.type == io::FeatureType::Polygons) return "polygon";
-  for (const char* kind : {"fault", "pin", "loose"}) {
+  if (feature.type == io::FeatureType::Polygons) return feature.kind == "border" ? "border" : "polygon";
+  for (const char* kind : {"fault", "pin", "loose", "border"}) {
     if (feature.kind == kind) return kind;
   }
+  if (feature.kind == "unit") return "polygon";  // a line that is to close
   return "horizon";
 }
 
@@ -75,7 +76,11 @@ base::Result<scenario::Document> section_document(dobra::cli::Session& session, 
   for (const io::Feature& feature : work.features) {
     ++number;
     const std::string name = feature.name.empty() ? fmt::format("feature {}", number) : feature.name;
-    for (const dobra::geom::Polyline& part : feature.parts) tables.add(key_of(feature), name, part.points);
+    for (const dobra::geom::Polyline& part : feature.parts) {
+      std::vector<Point> points = part.points;
+      if (part.closed) points.push_back(points.front());  // it says that it closes
+      tables.add(key_of(feature), name, std::move(points));
+    }
   }
   scenario::Document document;
   document.program = "recon";

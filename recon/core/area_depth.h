@@ -10,6 +10,7 @@
 
 #include "recon/core/fold_class.h"
 #include "recon/core/section.h"
+#include "recon/core/section_check.h"
 #include "shared/base/result.h"
 
 namespace recon::core {
@@ -18,6 +19,7 @@ namespace recon::core {
 struct BalanceParams {
   double tolerance = 2.0;
   double confidence = 95.0;
+  Crossings crossings = Crossings::Refuse;
   template <class D>
   static void describe(D& d) {
     d.field("tolerance", &BalanceParams::tolerance,
@@ -28,6 +30,8 @@ struct BalanceParams {
     d.field(
         "confidence", &BalanceParams::confidence,
         {.title = "Confidence", .help = "Of the intervals of the fit.", .unit = "%", .above = 0.0, .at_most = 99.9});
+    d.choice("crossings", &BalanceParams::crossings, {"refuse", "allow"},
+             {.title = "Horizons that cross", .help = crossings_help});
   }
 };
 

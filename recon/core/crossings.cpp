@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
 #include "shared/geom/intersect.h"
 #include "shared/geom/spatial_index.h"
@@ -70,33 +69,6 @@ base::Result<WithoutLoops> without_loops(geom::Polyline line, const LoopOptions&
   }
   result.line = std::move(line);
   return result;
-}
-
-std::vector<HorizonCrossing> crossings_between(const Section& section) {
-  std::vector<geom::Box> boxes;
-  std::vector<std::pair<std::size_t, std::size_t>> owner;  // horizon, segment
-  for (std::size_t h = 0; h < section.horizons.size(); ++h) {
-    const geom::Polyline& line = section.horizons[h].line;
-    for (std::size_t i = 0; i < line.segment_count(); ++i) {
-      boxes.push_back(line.segment(i).box());
-      owner.emplace_back(h, i);
-    }
-  }
-  std::map<std::pair<std::size_t, std::size_t>, HorizonCrossing> found;
-  for (const auto& [a, b] : geom::SpatialIndex(boxes).overlapping_pairs()) {
-    const Horizon& first = section.horizons[owner[a].first];
-    const Horizon& second = section.horizons[owner[b].first];
-    if (first.id == second.id) continue;
-    const geom::Intersection meeting =
-        geom::intersect(first.line.segment(owner[a].second), second.line.segment(owner[b].second));
-    if (meeting.kind == geom::IntersectionKind::None) continue;
-    auto [entry, is_new] = found.try_emplace({owner[a].first, owner[b].first},
-                                             HorizonCrossing{first.id, second.id, 0, meeting.start.point});
-    ++entry->second.count;
-  }
-  std::vector<HorizonCrossing> crossings;
-  for (const auto& [pair, crossing] : found) crossings.push_back(crossing);
-  return crossings;
 }
 
 }  // namespace recon::core

@@ -1,5 +1,5 @@
 #pragma once
-// Where digitised lines cross themselves and each other, decided exactly, and small loops cut out on request.
+// Where digitised lines cross themselves, decided exactly, and small loops cut out on request.
 
 #include <optional>
 #include <string>
@@ -32,16 +32,5 @@ struct WithoutLoops {
 /// The line without its loops: at each crossing it takes the short way.
 /// @error BadSection with the place of a loop that is too long.
 base::Result<WithoutLoops> without_loops(geom::Polyline line, const LoopOptions& options = {});
-
-/// Two horizons that meet.
-struct HorizonCrossing {
-  HorizonId first;
-  HorizonId second;
-  std::size_t count = 0;  ///< Pairs of segments that meet.
-  geom::Point place;      ///< Of the first of them along `first`.
-};
-
-/// Pairs of horizons that meet, in the order of the section.
-std::vector<HorizonCrossing> crossings_between(const Section& section);
 
 }  // namespace recon::core

@@ -97,15 +97,44 @@ base::Result<Grid> make_grid(const geom::Polyline& line, const Columns& columns,
 
 namespace {
 
-/// Depths of all points of the other horizons below the top in its given direction.
-std::vector<double> depths_of(const Section& section, const Horizon& top, const Columns& columns) {
-  std::vector<geom::Point> points;
-  for (const Horizon& horizon : section.horizons) {
-    if (horizon.id != top.id) points.insert(points.end(), horizon.line.points.begin(), horizon.line.points.end());
-  }
+/// Where the points of a line lie in the columns of the top in its given direction.
+std::vector<ColumnPoint> places_of(const geom::Polyline& line, const Columns& columns) {
   const double tolerance = nearest_tolerance * columns.base_line().box().diagonal();
-  return base::parallel_map<double>(
-      points.size(), [&](std::size_t i) { return columns.locate(points[i], tolerance).at.depth; }, 256);
+  return base::parallel_map<ColumnPoint>(
+      line.points.size(), [&](std::size_t i) { return columns.locate(line.points[i], tolerance).at; }, 256);
+}
+
+/// What the section has beyond the ends of the top.
+struct Beyond {
+  double distance = 0.0;  ///< Along x, m.
+  std::string item;
+  std::string file;
+  geom::Point place;
+};
+
+/// The farthest point of a line beyond the ends, if it is farther than what is known. What lies beyond the last rung but
+/// not beside the top, as under the steep limb of a fold, is no lack of the top.
+void measure_beyond(const geom::Polyline& line, const std::vector<ColumnPoint>& places, const Columns& columns,
+                    const std::string& item, const base::Place& source, Beyond& beyond) {
+  const geom::Box top = columns.base_line().box();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const geom::Point p = line.points[i];
+    const double distance = std::max(top.low.x - p.x, p.x - top.high.x);
+    if (columns.is_outer(places[i].column) && distance > beyond.distance) beyond = {distance, item, source.file, p};
+  }
+}
+
+base::Result<void> refuse_uncovered(const Beyond& beyond, const Horizon& top, const GridParams& params) {
+  const double percent = 100.0 * beyond.distance / top.line.box().width();
+  if (params.uncovered == Uncovered::Continue || percent <= params.cover_tolerance) return {};
+  base::Place place = place_at(beyond.place, beyond.item);
+  place.file = beyond.file;
+  return base::Error{base::ErrorCode::BadSection,
+                     fmt::format("the top '{}' does not cover the section: this reaches {:.6g} m beyond its end, {:.3g} "
+                                 "% of its width; lengthen the top, take another one, or set uncovered = \"continue\" "
+                                 "(--uncovered continue) to go on straight there",
+                                 top.name, beyond.distance, percent),
+                     place};
 }
 
 LayerSide side_of(const std::vector<double>& depths, LayerSide wish) {
@@ -202,7 +231,19 @@ base::Result<SourceGrid> make_source_grid(const Section& section, const GridPara
   const base::Place item = item_of(*top);
   auto columns = Columns::along(source.base);
   if (!columns) return base::located(columns.error(), item);
-  std::vector<double> depths = depths_of(section, *top, *columns);
+  std::vector<double> depths;
+  Beyond beyond;
+  for (const Horizon& horizon : section.horizons) {
+    if (horizon.id == top->id) continue;
+    const std::vector<ColumnPoint> places = places_of(horizon.line, *columns);
+    for (const ColumnPoint& at : places) depths.push_back(at.depth);
+    measure_beyond(horizon.line, places, *columns, fmt::format("horizon '{}'", horizon.name), horizon.source, beyond);
+  }
+  for (const Unit& unit : section.units) {
+    measure_beyond(unit.contour, places_of(unit.contour, *columns), *columns, fmt::format("unit '{}'", unit.name),
+                   unit.source, beyond);
+  }
+  DOBRA_TRY_VOID(refuse_uncovered(beyond, *top, params));
   source.side = side_of(depths, params.side);
   if (source.side == LayerSide::Above) {
     source.base = geom::reversed(std::move(source.base));

@@ -17,6 +17,7 @@ enum class GridExtent { Count, Base };
 enum class LayerSide { Auto, Below, Above };
 enum class Treatment { Treated, Untreated };
 enum class CornerJoin { Mitre, Bisector, Round, Bevel };
+enum class Uncovered { Refuse, Continue };
 
 /// Parameters of the step `grid`.
 struct GridParams {
@@ -29,6 +30,8 @@ struct GridParams {
   LayerSide side = LayerSide::Auto;
   Treatment treatment = Treatment::Treated;
   CornerJoin join = CornerJoin::Mitre;
+  Uncovered uncovered = Uncovered::Refuse;
+  double cover_tolerance = 5.0;
   template <class D>
   static void describe(D& d) {
     d.field("top", &GridParams::top,
@@ -58,6 +61,14 @@ struct GridParams {
     d.choice("join", &GridParams::join, {"mitre", "bisector", "round", "bevel"},
              {.title = "Corners",
               .help = "mitre: bisector points up to four distances; bisector: however far, as the rungs go."});
+    d.choice("uncovered", &GridParams::uncovered, {"refuse", "continue"},
+             {.title = "Where the section reaches beyond the top",
+              .help = "refuse: an error with the place; continue: the grid goes on straight there."});
+    d.field("cover_tolerance", &GridParams::cover_tolerance,
+            {.title = "Beyond the top at most",
+             .help = "So much of the top's width goes without saying: traces of one section seldom end at one line.",
+             .unit = "%",
+             .at_least = 0.0});
   }
 };
 
@@ -104,7 +115,8 @@ struct SourceGrid {
 /// @error BadSection (no such top), those of geom::simplify.
 base::Result<SourceGrid> make_base(const Section& section, const GridParams& params, LayerSide side);
 
-/// @error BadSection (no such top, with a suggestion), InvalidOption (curves that cannot reach the base),
+/// @error BadSection (no such top, with a suggestion; a top that does not cover the section, with the farthest place),
+/// InvalidOption (curves that cannot reach the base),
 /// DegenerateCurve, and those of make_grid.
 base::Result<SourceGrid> make_source_grid(const Section& section, const GridParams& params,
                                           const base::Progress& progress);

@@ -7,6 +7,7 @@
 #include "recon/core/crossings.h"
 #include "recon/core/items.h"
 #include "recon/core/line_file.h"
+#include "recon/core/section_faces.h"
 
 namespace recon::core {
 
@@ -125,12 +126,9 @@ base::Result<ReadSection> read_section(const SectionInput& input, const dobra::s
     progress.report(static_cast<double>(i + 1) / static_cast<double>(input.horizons.size()), wanted.name);
   }
   DOBRA_TRY_VOID(read_items(input, context, result));
-  for (const HorizonCrossing& crossing : crossings_between(result.section)) {
-    result.remarks.push_back(fmt::format("horizons '{}' and '{}' meet at {} places, the first at ({:.6g}, {:.6g})",
-                                         find_horizon(result.section, crossing.first)->name,
-                                         find_horizon(result.section, crossing.second)->name, crossing.count,
-                                         crossing.place.x, crossing.place.y));
-  }
+  DOBRA_TRY(SectionFaces faces, faces_of(result.section));
+  for (std::string& remark : remarks_of(faces, result.section)) result.remarks.push_back(std::move(remark));
+  result.section.faces = std::make_shared<const SectionFaces>(std::move(faces));
   return result;
 }
 

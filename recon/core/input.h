@@ -78,6 +78,7 @@ struct SectionInput {
   std::vector<HorizonInput> loose_lines;
   std::vector<HorizonInput> units;
   std::vector<HorizonInput> markers;
+  std::vector<HorizonInput> borders;
   template <class D>
   static void describe(D& d) {
     d.choice("y_axis", &SectionInput::y_axis, {"up", "down"},
@@ -99,6 +100,9 @@ struct SectionInput {
     d.tables("loose", &SectionInput::loose_lines, {.title = "Loose lines"});
     d.tables("polygon", &SectionInput::units, {.title = "Unit polygons"});
     d.tables("marker", &SectionInput::markers, {.title = "Markers"});
+    d.tables("border", &SectionInput::borders,
+             {.title = "Border", .help = "One polygon round what belongs to the section; by default it reaches from the "
+                                         "first horizon to the last, between their ends."});
   }
 };
 

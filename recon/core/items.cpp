@@ -43,6 +43,18 @@ base::Place source_of(const HorizonInput& input) {
   return place;
 }
 
+/// A closed line of that kind.
+base::Result<geom::Polyline> read_polygon(const HorizonInput& input, const char* kind, const Convention& convention,
+                                          const dobra::scenario::Context& context, std::vector<std::string>& remarks) {
+  DOBRA_TRY(ReadLine line, read_item(input, kind, convention, context, remarks));
+  auto contour = closed_contour(std::move(line.line));
+  if (contour) return contour;
+  base::Error error = contour.error();
+  error.place->file = input.file;
+  error.place->item = fmt::format("{} '{}'", kind, input.name);
+  return error;
+}
+
 /// Where a closed contour crosses or touches itself.
 std::optional<geom::Point> self_contact(const geom::Polyline& contour) {
   std::vector<geom::Box> boxes;
@@ -85,30 +97,59 @@ base::Result<geom::Polyline> closed_contour(geom::Polyline line) {
   return geom::signed_area(line) < 0.0 ? geom::reversed(std::move(line)) : line;
 }
 
-base::Result<void> check_units(const Section& section) {
-  std::vector<double> sizes;
-  for (const Horizon& horizon : section.horizons) sizes.push_back(horizon.line.box().diagonal());
-  if (sizes.size() < 2) return {};
-  const double largest = *std::max_element(sizes.begin(), sizes.end());
-  for (std::size_t i = 0; i < sizes.size(); ++i) {
-    const double ratio = largest / sizes[i];
-    if (ratio < 300.0 || ratio > 3000.0) continue;
-    base::Place place =
-        place_at(section.horizons[i].line.points.front(), fmt::format("horizon '{}'", section.horizons[i].name));
-    place.file = section.horizons[i].source.file;
+bool seems_of_another_unit(const geom::Box& item, const geom::Box& section) {
+  const double ratio = section.diagonal() / item.diagonal();
+  for (const double factor : {1000.0, 1e-3}) {
+    // As large as the section, and where it is, once in its unit.
+    if (ratio < 0.3 * factor || ratio > 3.0 * factor) continue;
+    const geom::Box scaled{{factor * item.low.x, factor * item.low.y}, {factor * item.high.x, factor * item.high.y}};
+    if (scaled.overlaps(section.grown(section.diagonal()))) return true;
+  }
+  return false;
+}
+
+base::Result<void> check_units(const Section& section, const SectionInput& input) {
+  geom::Box largest;
+  for (const Horizon& horizon : section.horizons) {
+    if (horizon.line.box().diagonal() > largest.diagonal()) largest = horizon.line.box();
+  }
+  const auto refuse = [&](const std::string& item, const base::Place& source, const geom::Box& box, geom::Point at) {
+    base::Place place = place_at(at, item);
+    place.file = source.file;
     return base::Error{
         base::ErrorCode::BadSection,
-        fmt::format("it is {:.6g} m long while another horizon is {:.0f} times as long: metres and kilometres "
-                    "seem to be mixed; bring all horizons to one unit",
-                    sizes[i], ratio),
+        fmt::format("it is {:.6g} m long while the largest horizon is {:.6g} m long: metres and kilometres seem to be "
+                    "mixed; bring all to one unit, or say its own with unit = \"km\" (unit = \"m\" if it is right)",
+                    box.diagonal(), largest.diagonal()),
         place};
+  };
+  const auto says_unit = [](const std::vector<HorizonInput>& inputs, const std::string& name) {
+    return std::any_of(inputs.begin(), inputs.end(),
+                       [&](const HorizonInput& i) { return i.name == name && i.unit != LineUnit::Section; });
+  };
+  for (const Horizon& horizon : section.horizons) {
+    const geom::Box box = horizon.line.box();
+    if (says_unit(input.horizons, horizon.name) || !seems_of_another_unit(box, largest)) continue;
+    return refuse(fmt::format("horizon '{}'", horizon.name), horizon.source, box, horizon.line.points.front());
+  }
+  for (const SectionLine& line : section.lines) {
+    const auto& inputs = line.kind == LineKind::Fault ? input.faults
+                         : line.kind == LineKind::Pin ? input.pins
+                                                      : input.loose_lines;
+    const geom::Box box = line.line.box();
+    if (says_unit(inputs, line.name) || !seems_of_another_unit(box, largest)) continue;
+    return refuse(fmt::format("{} '{}'", kind_name(line.kind), line.name), line.source, box, line.line.points.front());
+  }
+  for (const Unit& unit : section.units) {
+    const geom::Box box = unit.contour.box();
+    if (says_unit(input.units, unit.name) || !seems_of_another_unit(box, largest)) continue;
+    return refuse(fmt::format("unit '{}'", unit.name), unit.source, box, unit.contour.points.front());
   }
   return {};
 }
 
 base::Result<void> read_items(const SectionInput& input, const dobra::scenario::Context& context, ReadSection& read) {
   Section& section = read.section;
-  DOBRA_TRY_VOID(check_units(section));
   struct Lines {
     const std::vector<HorizonInput>& inputs;
     LineKind kind;
@@ -125,15 +166,15 @@ base::Result<void> read_items(const SectionInput& input, const dobra::scenario::
   }
   DOBRA_TRY_VOID(check_names(input.units, "unit"));
   for (const HorizonInput& wanted : input.units) {
-    DOBRA_TRY(ReadLine line, read_item(wanted, "unit", section.convention, context, read.remarks));
-    auto contour = closed_contour(std::move(line.line));
-    if (!contour) {
-      base::Error error = contour.error();
-      error.place->file = wanted.file;
-      error.place->item = fmt::format("unit '{}'", wanted.name);
-      return error;
-    }
-    section.units.push_back({UnitId(section.units.size()), wanted.name, std::move(*contour), source_of(wanted)});
+    DOBRA_TRY(geom::Polyline contour, read_polygon(wanted, "unit", section.convention, context, read.remarks));
+    section.units.push_back({UnitId(section.units.size()), wanted.name, std::move(contour), source_of(wanted)});
+  }
+  if (input.borders.size() > 1) {
+    return base::Error{base::ErrorCode::BadSection, "a section has one border; keep one [[input.border]]",
+                       base::Place{.item = fmt::format("border '{}'", input.borders[1].name)}};
+  }
+  for (const HorizonInput& wanted : input.borders) {
+    DOBRA_TRY(section.border, read_polygon(wanted, "border", section.convention, context, read.remarks));
   }
   DOBRA_TRY_VOID(check_names(input.markers, "marker"));
   for (const HorizonInput& wanted : input.markers) {
@@ -146,7 +187,7 @@ base::Result<void> read_items(const SectionInput& input, const dobra::scenario::
     }
     section.markers.push_back({MarkerId(section.markers.size()), wanted.name, std::move(points), source_of(wanted)});
   }
-  return {};
+  return check_units(section, input);
 }
 
 }  // namespace recon::core

@@ -12,9 +12,13 @@ namespace recon::core {
 ///        those of read_line, each with the item and the place.
 base::Result<void> read_items(const SectionInput& input, const dobra::scenario::Context& context, ReadSection& read);
 
-/// Refuses a section one of whose horizons is about a thousand times as large or as small as the others: metres and
-/// kilometres mixed. @error BadSection with the horizon and its place.
-base::Result<void> check_units(const Section& section);
+/// Whether something is about a thousand times as small or large as the section, and would lie where the section is if
+/// it were a thousand times as large or small: metres and kilometres mixed.
+bool seems_of_another_unit(const geom::Box& item, const geom::Box& section);
+
+/// Refuses a section with such a horizon, line or polygon, unless its input says its unit itself.
+/// @error BadSection with the item and its place.
+base::Result<void> check_units(const Section& section, const SectionInput& input);
 
 /// A polygon from the points of a file or a scenario. The first point may be repeated at the end; if it is not, the gap
 /// must not be longer than any other side, or the polygon counts as open.

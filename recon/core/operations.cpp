@@ -3,10 +3,26 @@
 #include "recon/core/input.h"
 #include "recon/core/layers.h"
 #include "recon/core/report.h"
+#include "recon/core/section_check.h"
+#include "recon/core/section_faces.h"
 
 namespace recon::core {
 
 namespace scenario = dobra::scenario;
+
+namespace {
+
+/// What no method can take for granted of a section.
+base::Result<void> check_section(Section& section, Crossings crossings) {
+  if (!section.faces) {
+    DOBRA_TRY(SectionFaces faces, faces_of(section));
+    section.faces = std::make_shared<const SectionFaces>(std::move(faces));
+  }
+  if (crossings == Crossings::Refuse) DOBRA_TRY_VOID(refuse_crossings(section, *section.faces));
+  return refuse_lines_outside(section);
+}
+
+}  // namespace
 
 base::Result<Model> run_grid(const Model& model, const GridParams& params, const scenario::Context&,
                              const base::Progress& progress) {
@@ -41,14 +57,16 @@ base::Result<Model> run_restore(const Model& model, const RestoreParams& params,
   }
   Model next = model;
   next.monte_carlo.reset();
-  DOBRA_TRY(next.restoration, restore(model.section, *model.source, *model.target, params, progress));
+  DOBRA_TRY_VOID(check_section(next.section, params.crossings));
+  DOBRA_TRY(next.restoration, restore(next.section, *model.source, *model.target, params, progress));
   return next;
 }
 
 base::Result<Model> run_balance(const Model& model, const BalanceParams& params, const scenario::Context&,
                                 const base::Progress&) {
   Model next = model;
-  DOBRA_TRY(next.area_depth, area_depth(model.section, params));
+  DOBRA_TRY_VOID(check_section(next.section, params.crossings));
+  DOBRA_TRY(next.area_depth, area_depth(next.section, params));
   return next;
 }
 

@@ -10,6 +10,7 @@
 #include "recon/core/ledger.h"
 #include "recon/core/methods.h"
 #include "recon/core/section.h"
+#include "recon/core/section_check.h"
 #include "shared/base/progress.h"
 
 namespace recon::core {
@@ -23,6 +24,7 @@ struct RestoreParams {
   double percent = 100.0;
   Doubt outside = Doubt::Nearest;
   SlipBeds beds = SlipBeds::Horizons;
+  Crossings crossings = Crossings::Refuse;
   double tolerance = 2.0;
   template <class D>
   static void describe(D& d) {
@@ -56,6 +58,8 @@ struct RestoreParams {
     d.choice("beds", &RestoreParams::beds, {"horizons", "parallel"},
              {.title = "Surfaces of slip",
               .help = "Of flexural slip: every horizon keeps its length, or every parallel of the top and all areas."});
+    d.choice("crossings", &RestoreParams::crossings, {"refuse", "allow"},
+             {.title = "Horizons that cross", .help = crossings_help});
     d.field("tolerance", &RestoreParams::tolerance,
             {.title = "Balance tolerance",
              .help = "Greatest change of a bed's length or a unit's area in a balanced section.",

@@ -3,6 +3,8 @@
 // stays with it through all steps, a name that is free to change, geometry, and where it came from. x runs along the
 // section, z is up, metres.
 
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -81,11 +83,16 @@ struct Convention {
   double exaggeration = 1.0;  ///< Of z in the files.
 };
 
+struct SectionFaces;
+
 struct Section {
   std::vector<Horizon> horizons;
   std::vector<SectionLine> lines;
   std::vector<Unit> units;
   std::vector<Marker> markers;
+  std::optional<geom::Polyline> border;  ///< What belongs to the section: closed, anticlockwise.
+  /// Units, meetings of horizons and misfits of polygons, made when the section was read (section_faces.h).
+  std::shared_ptr<const SectionFaces> faces;
   Convention convention;  ///< Of the files it was read from; further files of the scenario follow it.
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "recon/core/items.h"
 #include "shared/base/text.h"
 
 namespace recon::core {
@@ -45,7 +46,7 @@ base::Result<Pinned> pin_on_top(const SourceGrid& source, const TargetParams& pa
   const std::vector<double> places = arcs_at_x(source.base, arc, *params.pin);
   if (places.empty()) {
     const geom::Box box = source.base.box();
-    return base::Error{base::ErrorCode::CannotRestore,
+    return base::Error{base::ErrorCode::BadValue,
                        fmt::format("the pin x = {:.6g} is not on the top; take one from {:.6g} to {:.6g}", *params.pin,
                                    box.low.x, box.high.x),
                        place_at({*params.pin, box.centre().y}, "pin")};
@@ -81,7 +82,7 @@ base::Result<double> pin_on_line(const geom::Polyline& line, geom::Point source_
     const std::vector<double> places = arcs_at_x(line, arc, source_pin.x);
     if (!places.empty()) return left_first ? places.front() : places.back();
     return base::Error{
-        base::ErrorCode::CannotRestore,
+        base::ErrorCode::BadValue,
         fmt::format("the target has no point at the pin's x = {:.6g}; say where the pin goes with target_pin",
                     source_pin.x),
         place_at(source_pin, "pin")};
@@ -192,6 +193,14 @@ base::Result<Target> place_target(const Section& section, const SourceGrid& sour
   DOBRA_TRY(const Pinned goal, flat ? flat_target(source, top.pin, target.source_pin, params)
                                     : line_target(section, source, target.source_pin, params, context, target.remarks));
   const std::vector<double> goal_arc = geom::arc_lengths(goal.line);
+  if (!flat && seems_of_another_unit(goal.line.box(), source.base.box())) {
+    return base::Error{
+        base::ErrorCode::BadValue,
+        fmt::format("the target is {:.6g} m long and the top {:.6g} m: metres and kilometres seem to be mixed; bring "
+                    "them to one unit",
+                    goal_arc.back(), top_arc.back()),
+        place_at(goal.line.points.front(), "target")};
+  }
   target.target_pin = geom::point_at(goal.line, goal_arc, goal.pin);
   target.source_arc = top.pin;
   target.line = goal.line;

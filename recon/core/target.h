@@ -72,8 +72,8 @@ struct Target {
 base::Result<Target> place_target(const Section& section, const SourceGrid& source, const TargetParams& params,
                                   const dobra::scenario::Context& context);
 
-/// @error CannotRestore (pin beside the top or the target), BadValue (parameters that contradict each other), those of
-/// read_line and make_grid; BadSection (no such horizon).
+/// @error BadValue (pin beside the top or the target; a target in another unit; parameters that contradict each other),
+/// those of read_line and make_grid; BadSection (no such horizon).
 base::Result<Target> make_target(const Section& section, const SourceGrid& source, const TargetParams& params,
                                  const dobra::scenario::Context& context, const base::Progress& progress);
 

@@ -46,16 +46,5 @@ TEST(Crossings, ALongLoopIsNotCutButRefusedWithItsPlace) {
   EXPECT_EQ(*cut.error().place->x, 2.0);
 }
 
-TEST(Crossings, HorizonsThatMeetAreNamedWithCountAndPlace) {
-  const Section section =
-      test::section_of({{{{0, 0}, {10, 0}}, false}, {{{0, -1}, {4, 1}, {8, -1}}, false}, {{{0, -5}, {10, -5}}, false}});
-  const std::vector<HorizonCrossing> found = crossings_between(section);
-  ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].first, HorizonId(0));
-  EXPECT_EQ(found[0].second, HorizonId(1));
-  EXPECT_EQ(found[0].count, 2u);
-  EXPECT_EQ(found[0].place, (geom::Point{2, 0}));
-}
-
 }  // namespace
 }  // namespace recon::core

@@ -1,0 +1,58 @@
+#pragma once
+// The lines of a section as one planar subdivision, each edge of which knows the lines that run along it: what
+// crossings, units and gaps are found with. Page: docs/algorithms/units.md
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <vector>
+
+#include "shared/base/result.h"
+#include "shared/geom/polyline.h"
+#include "shared/topo/subdivision.h"
+
+namespace recon::core {
+
+namespace base = dobra::base;
+namespace geom = dobra::geom;
+namespace topo = dobra::topo;
+
+class Arrangement {
+ public:
+  /// All lines in; they are numbered as they stand. Vertices of the lines stay where they are, to the last bit.
+  /// @error those of topo::insert.  @cost O(log n + crossings) a segment.
+  static base::Result<Arrangement> make(std::span<const geom::Polyline> lines);
+
+  /// One more line.
+  base::Result<void> add(const geom::Polyline& line);
+
+  [[nodiscard]] const topo::Subdivision& subdivision() const { return subdivision_; }
+  /// Numbers of the lines along an edge, ascending.
+  [[nodiscard]] const std::vector<std::uint32_t>& lines_on(topo::EdgeId edge) const;
+  [[nodiscard]] bool runs_along(topo::EdgeId edge, std::uint32_t line) const;
+  /// The half-edges of a line from its first point to its last, or once round.
+  /// @pre the line does not meet itself, but for its ends where it is closed.
+  [[nodiscard]] std::vector<topo::HalfEdgeId> path(std::uint32_t line) const;
+
+ private:
+  void own(topo::EdgeId edge, std::uint32_t line);
+
+  topo::Subdivision subdivision_;
+  /// Attributes of edges are numbers of sets, so that they are copied cheaply where edges are split.
+  std::vector<std::vector<std::uint32_t>> sets_{{}};
+  std::map<std::vector<std::uint32_t>, std::uint32_t> set_number_;
+  std::vector<geom::Polyline> lines_;
+};
+
+/// Where a first line meets a second one.
+struct LineMeeting {
+  std::size_t touches = 0;    ///< Places where they meet, or run together, and part on the side they came from.
+  std::size_t crossings = 0;  ///< Places where the first passes from one side of the second to the other.
+  geom::Point place;          ///< Of the first crossing along the first line; without one, of the first touch.
+};
+
+/// Exact: a line that ends on the other, or at its end, touches it. @pre neither line meets itself.
+/// @error those of topo::insert.
+base::Result<LineMeeting> meeting_of(const geom::Polyline& first, const geom::Polyline& second);
+
+}  // namespace recon::core

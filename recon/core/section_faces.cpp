@@ -1,0 +1,318 @@
+// 1. Horizons, faults and the border become one subdivision.
+// 2. Faces within the border are found; each is named by the horizons over and under it.
+// 3. Faces under the same horizon become a unit.
+// 4. The polygons that the user gave become a second subdivision: faces that none or several of them hold are misfits.
+
+#include "recon/core/section_faces.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "shared/topo/adjacency.h"
+
+namespace recon::core {
+
+namespace {
+
+using topo::FaceId;
+using topo::HalfEdgeId;
+using topo::Structure;
+using topo::Subdivision;
+
+constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+/// Twice the area that the line sweeps about the origin `about`.
+double swept(const geom::Polyline& line, geom::Point about) {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < line.points.size(); ++i)
+    sum += geom::cross(line.points[i - 1] - about, line.points[i] - about);
+  return sum;
+}
+
+/// Straight lines between the ends of horizons that follow each other, left and right. An end that lies on another
+/// horizon or on a fault is no end of the section.
+std::vector<geom::Polyline> connectors(const Section& section, const std::vector<std::size_t>& order,
+                                       const Arrangement& arrangement) {
+  const Subdivision& sub = arrangement.subdivision();
+  const auto is_free = [&](geom::Point p, std::size_t horizon) {
+    const auto v = sub.vertex_at(p);
+    for (const HalfEdgeId h : sub.round(*v)) {
+      const std::vector<std::uint32_t>& lines = arrangement.lines_on(Structure::edge(h));
+      if (lines.size() > 1 || lines.front() != horizon) return false;
+    }
+    return true;
+  };
+  std::vector<geom::Polyline> lines;
+  std::optional<geom::Point> left, right;
+  const auto join = [&](std::optional<geom::Point>& last, geom::Point end, std::size_t horizon) {
+    if (!is_free(end, horizon)) return;
+    if (last && *last != end) lines.push_back({{*last, end}, false});
+    last = end;
+  };
+  for (const std::size_t horizon : order) {
+    join(left, section.horizons[horizon].line.points.front(), horizon);
+    join(right, section.horizons[horizon].line.points.back(), horizon);
+  }
+  return lines;
+}
+
+/// Which faces lie on the left-hand side of a closed line: those beside it, and what can be reached from them.
+std::vector<bool> faces_within(const Arrangement& arrangement, std::uint32_t ring) {
+  const Subdivision& sub = arrangement.subdivision();
+  std::size_t highest = 0;
+  for (const FaceId f : sub.faces()) highest = std::max(highest, f.index());
+  std::vector<bool> within(highest + 1, false);
+  std::vector<FaceId> open;
+  const auto enter = [&](FaceId f) {
+    if (within[f.index()] || f == Structure::unbounded()) return;
+    within[f.index()] = true;
+    open.push_back(f);
+  };
+  for (const HalfEdgeId h : arrangement.path(ring)) enter(sub.face(h));
+  while (!open.empty()) {
+    const FaceId f = open.back();
+    open.pop_back();
+    for (const topo::LoopId loop : sub.loops(f)) {
+      for (const HalfEdgeId h : sub.half_edges(loop)) {
+        if (!arrangement.runs_along(Structure::edge(h), ring)) enter(sub.face(Structure::twin(h)));
+      }
+    }
+  }
+  return within;
+}
+
+/// The contours of a face without edges that have it on both sides (faults that end in it).
+std::vector<geom::Polyline> contours_of(const Subdivision& sub, FaceId f) {
+  const auto inner = [&](HalfEdgeId h) { return sub.face(Structure::twin(h)) == f; };
+  std::vector<geom::Polyline> contours;
+  std::set<HalfEdgeId> used;
+  for (const topo::LoopId loop : sub.loops(f)) {
+    for (const HalfEdgeId start : sub.half_edges(loop)) {
+      if (inner(start) || !used.insert(start).second) continue;
+      geom::Polyline contour{{sub.point(sub.origin(start))}, true};
+      for (HalfEdgeId h = start;;) {
+        h = sub.next(h);
+        while (inner(h)) h = sub.next(Structure::twin(h));
+        if (h == start) break;
+        used.insert(h);
+        contour.points.push_back(sub.point(sub.origin(h)));
+      }
+      contours.push_back(std::move(contour));
+    }
+  }
+  return contours;
+}
+
+/// Half-edges of each horizon over and under a face, by the horizon's rank in the stack, 0 the highest.
+struct Bounds {
+  std::map<std::size_t, std::size_t> over;
+  std::map<std::size_t, std::size_t> under;
+};
+
+class Units {
+ public:
+  Units(const Section& section, const Arrangement& arrangement, const std::vector<std::size_t>& order)
+      : section_(section), sub_(arrangement.subdivision()), order_(order) {
+    for (std::size_t rank = 0; rank < order.size(); ++rank) {
+      const std::vector<HalfEdgeId> path = arrangement.path(static_cast<std::uint32_t>(order[rank]));
+      lengths_.push_back(path.size());
+      for (const HalfEdgeId h : path) {
+        ++bounds_[sub_.face(h)].under[rank];
+        ++bounds_[sub_.face(Structure::twin(h))].over[rank];
+      }
+    }
+  }
+
+  /// The units that the faces fall into, from the top down.
+  [[nodiscard]] std::vector<RockUnit> of(const std::vector<FaceId>& faces) const {
+    std::map<std::ptrdiff_t, std::vector<FaceId>> by_top;  // -1: no horizon over it
+    for (const FaceId f : faces) {
+      const Bounds bounds = bounds_of(f);
+      by_top[bounds.over.empty() ? -1 : static_cast<std::ptrdiff_t>(bounds.over.rbegin()->first)].push_back(f);
+    }
+    std::vector<RockUnit> units;
+    for (const auto& [top, members] : by_top) units.push_back(unit_of(top, members));
+    return units;
+  }
+
+ private:
+  [[nodiscard]] Bounds bounds_of(FaceId f) const {
+    const auto found = bounds_.find(f);
+    return found == bounds_.end() ? Bounds{} : found->second;
+  }
+
+  [[nodiscard]] RockUnit unit_of(std::ptrdiff_t top, const std::vector<FaceId>& faces) const {
+    RockUnit unit;
+    std::size_t base = none;
+    for (const FaceId f : faces) {
+      const Bounds bounds = bounds_of(f);
+      if (!bounds.under.empty()) base = std::min(base, bounds.under.begin()->first);
+      unit.area += topo::area(sub_, f);
+    }
+    unit.faces = faces.size();
+    if (top >= 0) unit.top = order_[static_cast<std::size_t>(top)];
+    if (base != none) unit.base = order_[base];
+    const auto name = [&](std::size_t horizon) { return section_.horizons[horizon].name; };
+    unit.name = unit.top && unit.base ? fmt::format("{} - {}", name(*unit.top), name(*unit.base))
+                : unit.top            ? name(*unit.top)
+                : unit.base           ? "above " + name(*unit.base)
+                                      : "without a horizon";
+    const Bounds bounds = bounds_of(faces.front());
+    const auto all_of = [&](const std::map<std::size_t, std::size_t>& side) {
+      return side.size() == 1 && side.begin()->second == lengths_[side.begin()->first];
+    };
+    unit.whole = faces.size() == 1 && all_of(bounds.over) && all_of(bounds.under) && sub_.loops(faces[0]).size() == 1;
+    for (const FaceId f : faces) {
+      std::vector<geom::Polyline> contours = contours_of(sub_, f);
+      unit.contours.insert(unit.contours.end(), contours.begin(), contours.end());
+    }
+    return unit;
+  }
+
+  const Section& section_;
+  const Subdivision& sub_;
+  const std::vector<std::size_t>& order_;
+  std::vector<std::size_t> lengths_;  ///< Half-edges of each horizon, by rank.
+  std::map<FaceId, Bounds> bounds_;
+};
+
+/// Pairs of horizons with a common vertex.
+base::Result<std::vector<HorizonMeeting>> meetings_in(const Section& section, const Arrangement& arrangement) {
+  const Subdivision& sub = arrangement.subdivision();
+  const auto count = static_cast<std::uint32_t>(section.horizons.size());
+  std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    for (const HalfEdgeId h : arrangement.path(i)) {
+      for (const topo::VertexId v : {sub.origin(h), sub.target(h)}) {
+        for (const HalfEdgeId other : sub.round(v)) {
+          for (const std::uint32_t j : arrangement.lines_on(Structure::edge(other))) {
+            if (i < j && j < count) pairs.insert({i, j});
+          }
+        }
+      }
+    }
+  }
+  std::vector<HorizonMeeting> meetings;
+  for (const auto& [i, j] : pairs) {
+    const Horizon& first = section.horizons[i];
+    const Horizon& second = section.horizons[j];
+    DOBRA_TRY(LineMeeting meeting, meeting_of(first.line, second.line));
+    meetings.push_back({first.id, second.id, meeting});
+  }
+  return meetings;
+}
+
+/// Gaps between polygons (or, within a border, all that they leave out) and what several of them hold.
+base::Result<std::vector<Misfit>> misfits_of(const Section& section) {
+  std::vector<Misfit> misfits;
+  if (section.units.empty()) return misfits;
+  std::vector<geom::Polyline> rings;
+  for (const Unit& unit : section.units) rings.push_back(unit.contour);
+  if (section.border) rings.push_back(*section.border);
+  DOBRA_TRY(const Arrangement arrangement, Arrangement::make(rings));
+  const Subdivision& sub = arrangement.subdivision();
+  std::vector<std::vector<bool>> within;
+  for (std::uint32_t i = 0; i < rings.size(); ++i) within.push_back(faces_within(arrangement, i));
+  for (const FaceId f : sub.faces()) {
+    if (f == Structure::unbounded()) continue;
+    if (section.border && !within.back()[f.index()]) continue;
+    std::vector<std::string> holders;
+    for (std::size_t i = 0; i < section.units.size(); ++i) {
+      if (within[i][f.index()]) holders.push_back(section.units[i].name);
+    }
+    if (holders.size() == 1) continue;
+    Misfit misfit{holders.empty() ? "gap" : "overlap", fmt::format("{}", fmt::join(holders, ", ")), topo::area(sub, f),
+                  sub.point(sub.origin(sub.first(sub.outer_loop(f))))};
+    if (holders.empty()) {
+      std::set<std::string> neighbours;
+      for (const HalfEdgeId h : sub.half_edges(sub.outer_loop(f))) {
+        for (const std::uint32_t line : arrangement.lines_on(Structure::edge(h)))
+          neighbours.insert(line < section.units.size() ? section.units[line].name : std::string("the border"));
+      }
+      misfit.between = fmt::format("{}", fmt::join(neighbours, ", "));
+    }
+    misfits.push_back(std::move(misfit));
+  }
+  return misfits;
+}
+
+}  // namespace
+
+std::vector<std::size_t> stack_order(const Section& section) {
+  const std::size_t count = section.horizons.size();
+  std::vector<std::size_t> order(count);
+  if (count == 0) return order;
+  const geom::Point about = section.horizons.front().line.points.front();
+  std::vector<double> areas;
+  for (const Horizon& horizon : section.horizons) areas.push_back(swept(horizon.line, about));
+  std::vector<std::size_t> over(count, 0);  // how many horizons lie over each
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = i + 1; j < count; ++j) {
+      const auto& a = section.horizons[i].line.points;
+      const auto& b = section.horizons[j].line.points;
+      // Along the one, back along the other: clockwise if the first is the upper one.
+      const double ring = areas[i] - areas[j] + geom::cross(a.back() - about, b.back() - about) +
+                          geom::cross(b.front() - about, a.front() - about);
+      ++over[ring > 0.0 ? i : j];
+    }
+    order[i] = i;
+  }
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return over[i] < over[j]; });
+  return order;
+}
+
+base::Result<SectionFaces> faces_of(const Section& section) {
+  const std::vector<std::size_t> order = stack_order(section);
+  std::vector<geom::Polyline> lines;
+  for (const Horizon& horizon : section.horizons) lines.push_back(horizon.line);
+  for (const SectionLine& line : section.lines) {
+    if (line.kind == LineKind::Fault) lines.push_back(line.line);
+  }
+  DOBRA_TRY(Arrangement arrangement, Arrangement::make(lines));
+  const auto ring = static_cast<std::uint32_t>(lines.size());
+  lines = section.border ? std::vector<geom::Polyline>{*section.border} : connectors(section, order, arrangement);
+  for (const geom::Polyline& line : lines) DOBRA_TRY_VOID(arrangement.add(line));
+  const Subdivision& sub = arrangement.subdivision();
+  SectionFaces made;
+  DOBRA_TRY(made.meetings, meetings_in(section, arrangement));
+  std::vector<FaceId> faces;
+  if (section.border) {
+    const std::vector<bool> within = faces_within(arrangement, ring);
+    for (const FaceId f : sub.faces()) {
+      if (within[f.index()]) faces.push_back(f);
+    }
+    made.area = geom::signed_area(*section.border);
+  } else {
+    for (const FaceId f : sub.faces()) {
+      if (f != Structure::unbounded()) faces.push_back(f);
+    }
+    made.area = -topo::area(sub, Structure::unbounded());
+  }
+  made.units = Units(section, arrangement, order).of(faces);
+  DOBRA_TRY(made.misfits, misfits_of(section));
+  return made;
+}
+
+std::vector<std::string> remarks_of(const SectionFaces& faces, const Section& section) {
+  std::vector<std::string> remarks;
+  for (const HorizonMeeting& pair : faces.meetings) {
+    const LineMeeting& meeting = pair.meeting;
+    remarks.push_back(fmt::format("horizons '{}' and '{}' {} at {} places, the first at ({:.6g}, {:.6g})",
+                                  find_horizon(section, pair.first)->name, find_horizon(section, pair.second)->name,
+                                  meeting.crossings > 0 ? "cross" : "meet",
+                                  meeting.crossings > 0 ? meeting.crossings : meeting.touches, meeting.place.x,
+                                  meeting.place.y));
+  }
+  for (const Misfit& misfit : faces.misfits) {
+    remarks.push_back(fmt::format("{} of {:.4g} m2 between the units {} at ({:.6g}, {:.6g})", misfit.what, misfit.area,
+                                  misfit.between, misfit.place.x, misfit.place.y));
+  }
+  return remarks;
+}
+
+}  // namespace recon::core

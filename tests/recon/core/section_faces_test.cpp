@@ -1,0 +1,186 @@
+#include "recon/core/section_faces.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "recon/core/items.h"
+#include "recon/core/section_check.h"
+#include "tests/recon/core/shapes.h"
+
+namespace recon::core {
+namespace {
+
+using geom::Point;
+using geom::Polyline;
+
+SectionFaces faces(const Section& section) {
+  auto made = faces_of(section);
+  EXPECT_TRUE(made) << to_string(made.error());
+  return made ? std::move(*made) : SectionFaces{};
+}
+
+double sum_of(const SectionFaces& made) {
+  double sum = 0.0;
+  for (const RockUnit& unit : made.units) sum += unit.area;
+  return sum;
+}
+
+SectionLine fault(std::vector<Point> points) {
+  return {LineId(0), LineKind::Fault, "F", {std::move(points), false}, {}};
+}
+
+/// Horizons one under the other, wavy and steep, their ends ragged.
+Section wavy(std::uint32_t seed, int count) {
+  std::mt19937 random(seed);
+  const auto draw = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+  const double height = draw(0.5, 6.0);
+  std::vector<Polyline> lines;
+  for (int k = 0; k < count; ++k) {
+    Polyline line;
+    for (int i = 0; i <= 80; ++i) {
+      const double x = 0.25 * i + (i == 0 || i == 80 ? draw(-0.3, 0.3) : 0.0);
+      line.points.push_back({x, height * std::sin(x) - 1.5 * k + draw(-0.2, 0.2)});
+    }
+    lines.push_back(std::move(line));
+  }
+  return test::section_of(lines);
+}
+
+TEST(SectionFaces, UnitsOfAStackLieBetweenNeighboursFromTheTopDown) {
+  Section section = test::section_of(
+      {{{{0, -2}, {10, -2}}, false}, {{{0, 0}, {5, 1}, {10, 0}}, false}, {{{0, -5}, {10, -4}}, false}});
+  EXPECT_EQ(stack_order(section), (std::vector<std::size_t>{1, 0, 2}));
+  const SectionFaces made = faces(section);
+  ASSERT_EQ(made.units.size(), 2u);
+  EXPECT_EQ(made.units[0].name, "bed1 - top");
+  EXPECT_DOUBLE_EQ(made.units[0].area, 25.0);
+  EXPECT_TRUE(made.units[0].whole);
+  EXPECT_EQ(made.units[1].name, "top - bed2");
+  EXPECT_DOUBLE_EQ(made.units[1].area, 25.0);
+  EXPECT_DOUBLE_EQ(made.area, 50.0);
+  EXPECT_TRUE(made.meetings.empty());
+}
+
+TEST(SectionFaces, AreasOfTheUnitsAddUpToTheSection) {
+  for (std::uint32_t seed = 0; seed < 40; ++seed) {
+    Section section = wavy(seed, 6);
+    section.lines = {fault({{3.0, 12.0}, {9.0, -4.0}, {14.0, -25.0}}), fault({{1.0, 0.0}, {18.0, -3.0}})};
+    const SectionFaces made = faces(section);
+    EXPECT_NEAR(sum_of(made) / made.area, 1.0, 1e-12) << "seed " << seed;
+    section.border = Polyline{{{1, -14}, {19, -14}, {19, 9}, {1, 9}}, true};
+    const SectionFaces bordered = faces(section);
+    EXPECT_EQ(bordered.area, 18.0 * 23.0);
+    EXPECT_NEAR(sum_of(bordered) / bordered.area, 1.0, 1e-12) << "seed " << seed;
+  }
+}
+
+TEST(SectionFaces, AUnitBetweenTwoHorizonsHasTheAreaOfTheirContour) {
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    const Section section = wavy(seed, 4);
+    const SectionFaces made = faces(section);
+    for (const RockUnit& unit : made.units) {
+      if (!unit.whole) continue;
+      const Polyline contour = contour_between(section.horizons[*unit.top].line, section.horizons[*unit.base].line);
+      EXPECT_NEAR(unit.area / std::abs(geom::signed_area(contour)), 1.0, 1e-12);
+    }
+  }
+}
+
+TEST(SectionFaces, AFaultCutsAUnitIntoFacesWithTheSameArea) {
+  Section section = test::section_of({{{{0, 0}, {10, 0}}, false}, {{{0, -4}, {10, -4}}, false}});
+  section.lines = {fault({{4, 2}, {6, -6}}), fault({{8, 1}, {8, -2}})};  // the second ends within the unit
+  const SectionFaces made = faces(section);
+  ASSERT_EQ(made.units.size(), 1u);
+  EXPECT_EQ(made.units[0].faces, 2u);
+  EXPECT_FALSE(made.units[0].whole);
+  EXPECT_DOUBLE_EQ(made.units[0].area, 40.0);
+  double area = 0.0;
+  for (const Polyline& contour : made.units[0].contours) area += geom::signed_area(contour);
+  EXPECT_DOUBLE_EQ(area, 40.0);
+}
+
+TEST(SectionFaces, ATruncatedBedBelongsToItsOwnUnitAndTheUnconformityLiesOnIt) {
+  // bed1 ends at the top (an unconformity): under it lies "bed1 - bed2", under the top alone "top - bed2".
+  Section section =
+      test::section_of({{{{0, 0}, {10, 0}}, false}, {{{0, -2}, {5, 0}}, false}, {{{0, -6}, {10, -6}}, false}});
+  const SectionFaces made = faces(section);
+  ASSERT_EQ(made.meetings.size(), 1u);
+  EXPECT_EQ(made.meetings[0].meeting.crossings, 0u);
+  double under_bed = 0.0;
+  for (const RockUnit& unit : made.units) {
+    if (unit.top && *unit.top == 1) under_bed = unit.area;
+  }
+  EXPECT_DOUBLE_EQ(under_bed, 55.0);
+  EXPECT_DOUBLE_EQ(sum_of(made), 60.0);
+  EXPECT_TRUE(refuse_crossings(section, made));
+}
+
+TEST(SectionFaces, TheBorderAddsWhatLiesAboveTheFirstHorizonAndUnderTheLast) {
+  Section section = test::section_of({{{{-1, 0}, {11, 0}}, false}, {{{-1, -4}, {11, -4}}, false}});
+  section.border = Polyline{{{0, -5}, {10, -5}, {10, 2}, {0, 2}}, true};
+  const SectionFaces made = faces(section);
+  ASSERT_EQ(made.units.size(), 3u);
+  EXPECT_EQ(made.units[0].name, "above top");
+  EXPECT_DOUBLE_EQ(made.units[0].area, 20.0);
+  EXPECT_EQ(made.units[1].name, "top - bed1");
+  EXPECT_EQ(made.units[2].name, "bed1");
+  EXPECT_DOUBLE_EQ(made.units[2].area, 10.0);
+}
+
+TEST(SectionFaces, GapsAndOverlapsOfPolygonsAreTold) {
+  Section section = test::section_of({{{{0, 0}, {10, 0}}, false}, {{{0, -4}, {10, -4}}, false}});
+  section.units = {{UnitId(0), "A", {{{0, -2}, {10, -2}, {10, 0}, {0, 0}}, true}, {}},
+                   {UnitId(1), "B", {{{0, -4}, {10, -4}, {10, -2}, {5, -2.5}, {0, -2}}, true}, {}}};
+  const SectionFaces gap = faces(section);
+  ASSERT_EQ(gap.misfits.size(), 1u);
+  EXPECT_EQ(gap.misfits[0].what, "gap");
+  EXPECT_EQ(gap.misfits[0].between, "A, B");
+  EXPECT_DOUBLE_EQ(gap.misfits[0].area, 2.5);
+  section.units[1].contour.points[3] = {5, -1.5};
+  const SectionFaces overlap = faces(section);
+  ASSERT_EQ(overlap.misfits.size(), 1u);
+  EXPECT_EQ(overlap.misfits[0].what, "overlap");
+  EXPECT_DOUBLE_EQ(overlap.misfits[0].area, 2.5);
+  section.units[1].contour.points.erase(section.units[1].contour.points.begin() + 3);
+  EXPECT_TRUE(faces(section).misfits.empty());
+  section.border = Polyline{{{0, -4}, {10, -4}, {10, 1}, {0, 1}}, true};
+  const SectionFaces left_out = faces(section);
+  ASSERT_EQ(left_out.misfits.size(), 1u);
+  EXPECT_DOUBLE_EQ(left_out.misfits[0].area, 10.0);
+}
+
+TEST(SectionFaces, HorizonsThatCrossAreRefusedWithBothNamesAndThePlace) {
+  const Section section = test::section_of({{{{0, 0}, {4, 4}}, false}, {{{0, 4}, {4, 0}}, false}});
+  const SectionFaces made = faces(section);
+  const auto refused = refuse_crossings(section, made);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, base::ErrorCode::BadSection);
+  const std::string text = to_string(refused.error());
+  EXPECT_NE(text.find("horizon 'top'"), std::string::npos) << text;
+  EXPECT_NE(text.find("'bed1'"), std::string::npos) << text;
+  EXPECT_NE(text.find("(at 2, 2)"), std::string::npos) << text;
+  EXPECT_NEAR(sum_of(made) / made.area, 1.0, 1e-12);
+}
+
+TEST(SectionFaces, APinLineBesideTheSectionIsRefused) {
+  Section section = test::section_of({{{{0, 0}, {10, 1}}, false}});
+  section.lines = {{LineId(0), LineKind::Pin, "P", {{{5, 3}, {5, -3}}, false}, {}}};
+  EXPECT_TRUE(refuse_lines_outside(section));
+  section.lines[0].line.points = {{15, 3}, {15, -3}};
+  const auto refused = refuse_lines_outside(section);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(to_string(refused.error()).find("pin line 'P': it lies outside"), 0u) << to_string(refused.error());
+}
+
+TEST(SectionFaces, AThousandTimesTooSmallIsAnotherUnitOnlyWhereItWouldFit) {
+  const geom::Box section{{0, -2000}, {12000, 500}};
+  EXPECT_TRUE(seems_of_another_unit({{1, -1.2}, {11, 0.1}}, section));
+  EXPECT_TRUE(seems_of_another_unit({{1e6, -1.2e6}, {11e6, 0.1e6}}, section));
+  EXPECT_FALSE(seems_of_another_unit({{5000, -300}, {5010, -290}}, section));  // a short fault far from the origin
+  EXPECT_FALSE(seems_of_another_unit({{100, -300}, {4000, 0}}, section));
+}
+
+}  // namespace
+}  // namespace recon::core
