@@ -37,10 +37,9 @@ struct Options {
   dobra::cli::ScenarioOptions scenario;
   std::optional<double> size, growth, turn;
   std::optional<std::int64_t> smoothing, max_elements;
-  std::string order;
+  std::string order, engine;
   bool quads = false;
   bool repair = false;
-  std::string engine = "delaunay";
   std::vector<std::string> bands, zones;
   std::optional<std::filesystem::path> out;
 };
@@ -100,6 +99,7 @@ void set_parameters(const Options& options, scenario::Table& params) {
   set("turn", options.turn);
   set("smoothing", options.smoothing);
   set("max_elements", options.max_elements);
+  if (!options.engine.empty()) params.set("engine", options.engine);
   if (!options.order.empty()) params.set("order", options.order);
   if (options.quads) params.set("quads", std::string("yes"));
 }
@@ -229,7 +229,9 @@ Command mesh_command() {
             app.add_option("--turn", options->turn, "Degrees that one side may turn along an arc; 15 by default")->type_name("DEG");
             app.add_option("--smoothing", options->smoothing, "Passes of smoothing; 3 by default")->type_name("N");
             app.add_option("--max-elements", options->max_elements, "Stop with advice beyond this number")->type_name("N");
-            app.add_option("--engine", options->engine, "delaunay")->check(CLI::IsMember({"delaunay"}))->type_name("NAME");
+            app.add_option("--engine", options->engine, "What places the nodes inside: front (default) or delaunay")
+                ->check(CLI::IsMember({"front", "delaunay"}))
+                ->type_name("front|delaunay");
             app.add_option("--order", options->order, "Order of the elements: 1 (default) or 2")->check(CLI::IsMember({"1", "2"}))->type_name("1|2");
             app.add_flag("--quads", options->quads, "Join pairs of triangles to quadrilaterals where that gives a good shape");
             app.add_flag("--repair", options->repair, "Mend repeated points, spikes, doubles, gaps and crossings of the input, and list each");

@@ -242,6 +242,7 @@ Result<Meshed> mesh_domain(const Model& model, const MeshParams& params, std::sp
     DOBRA_TRY(rosettes, tip_rosettes(model.domain, {.sectors = params.sectors, .radius = params.tip_radius}));
   }
   dobra::mesh::MeshOptions options;
+  options.engine = params.engine;
   options.sizes.growth = params.growth;
   options.sizes.max_size = params.size;
   DivideOptions divide{.size = size, .turn = params.turn, .growth = params.growth};

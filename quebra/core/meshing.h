@@ -1,5 +1,5 @@
 #pragma once
-// Domain and constraints -> mesh: curves divided, quadtree, constrained Delaunay triangulation, smoothing; then cracks
+// Domain and constraints -> mesh: curves divided, quadtree, an engine that fills the domain, smoothing; then cracks
 // opened, quadrilaterals, second order.
 
 #include <span>
@@ -7,6 +7,7 @@
 
 #include "quebra/core/model.h"
 #include "shared/base/progress.h"
+#include "shared/mesh/fill_engine.h"
 #include "shared/mesh/mesh_input.h"
 #include "shared/scenario/program.h"
 
@@ -22,6 +23,7 @@ struct MeshParams {
   double size = 0.0;
   dobra::base::Angle turn = dobra::base::Angle::from_degrees(15.0);
   double growth = 1.3;
+  dobra::mesh::Engine engine = dobra::mesh::Engine::Front;
   int smoothing = 3;
   int max_elements = 20000000;
   UseConstraints constraints = UseConstraints::Yes;
@@ -37,6 +39,7 @@ struct MeshParams {
     d.field("size", &MeshParams::size, {.title = "Greatest size", .help = "Of element sides; 0 takes 1/20 of the domain's diagonal on the boundary and the longest side inside.", .unit = "m", .at_least = 0});
     d.field("turn", &MeshParams::turn, {.title = "Greatest turn", .help = "That one element side on an arc may span.", .unit = "deg", .above = 0, .at_most = 90});
     d.field("growth", &MeshParams::growth, {.title = "Growth", .help = "Most by which sizes may grow from one element to the next.", .above = 1, .at_most = 10});
+    d.choice("engine", &MeshParams::engine, {"front", "delaunay"}, {.title = "Engine", .help = "What places the nodes inside: rows from the boundary inwards, or one by one in a Delaunay triangulation, which is slower."});
     d.field("smoothing", &MeshParams::smoothing, {.title = "Smoothing passes", .at_least = 0, .at_most = 100});
     d.field("max_elements", &MeshParams::max_elements, {.title = "Most elements", .help = "The mesher stops with advice beyond it.", .at_least = 1});
     d.choice("constraints", &MeshParams::constraints, {"yes", "no"}, {.title = "Obey constraints"});

@@ -39,6 +39,8 @@ constexpr double least_joint = 0.6;     ///< Least alpha of a triangle there.
 constexpr double most_radius =
     0.72;  ///< Its circumradius over the size: below least_spacing, so that no node gets inside.
 constexpr double empty_radius = 0.62;  ///< A smaller circle has no room for a node that keeps its distance.
+constexpr double most_growth = 1.2;    ///< From a side to the node over it; steeper places are left to the gaps.
+constexpr double most_shrink = 1.28;
 constexpr double shortest_seed = 0.6;  ///< Length of a first side over the size.
 constexpr double longest_seed = 1.4;
 
@@ -90,17 +92,13 @@ class SizeQueue {
   std::size_t current_ = 0;
 };
 
-class Advancer {
+class Advancer final : public FillEngine {
  public:
-  Advancer(Kernel& kernel, const SizeField& field, const FrontalOptions& options, Meetings meetings)
-      : kernel_(kernel),
-        options_(options),
-        meetings_(meetings),
-        expected_(field.estimated_triangles()),
-        sampler_(field),
-        grid_(field, std::min<std::size_t>(static_cast<std::size_t>(0.6 * expected_), options.max_triangles)) {}
+  Advancer(Kernel& kernel, const SizeField& field, const FrontalOptions& options, Front& front);
 
-  Result<Front> run(const Progress& progress);
+  Result<void> step(std::size_t count, const Progress& progress) override;
+  [[nodiscard]] bool done() const override { return done_; }
+  [[nodiscard]] std::vector<geom::Segment> front() const override;
 
  private:
   [[nodiscard]] Result<void> check_count(const Progress& progress) const;
@@ -116,7 +114,7 @@ class Advancer {
   void start();
   [[nodiscard]] Point at(Kernel::Vertex v) const { return kernel_.point(v); }
   void enqueue(SideId s);
-  void attach(SideId s, Kernel::Half half) { front_.attach(kernel_, s, half); }
+  void attach(SideId s, Kernel::Half half);
   SideId new_side();
   void release(SideId s);
   [[nodiscard]] bool is_good(Kernel::Vertex a, Kernel::Vertex b, Kernel::Vertex c, double least);
@@ -133,17 +131,34 @@ class Advancer {
 
   Kernel& kernel_;
   const FrontalOptions& options_;
-  const Meetings meetings_;
   const double expected_;  ///< Number of triangles in the square of the size field, roughly.
   SizeSampler sampler_;
   NodeGrid grid_;
-  Front front_;
+  Front& front_;
   std::vector<SideId> free_;
   std::vector<double> size_;        ///< One a vertex.
   std::vector<SideId> side_of_;     ///< One a vertex: a side that starts there, if its `from` still says so.
   std::vector<std::uint8_t> safe_;  ///< One a vertex of the input.
   SizeQueue queue_;
+  bool done_ = false;
 };
+
+Advancer::Advancer(Kernel& kernel, const SizeField& field, const FrontalOptions& options, Front& front)
+    : kernel_(kernel),
+      options_(options),
+      expected_(field.estimated_triangles()),
+      sampler_(field),
+      grid_(field, std::min<std::size_t>(static_cast<std::size_t>(0.6 * expected_), options.max_triangles)),
+      front_(front) {
+  front_ = {};
+  add_seeds();
+  add_nodes();
+  add_walls();
+  for (Kernel::Cell c = 0; c < kernel_.cell_count(); ++c) {
+    if (kernel_.cell(c).region >= 0) kernel_.set_region(c, replaced_region);
+  }
+  start();
+}
 
 // ---- start ----
 
@@ -247,6 +262,17 @@ void Advancer::start() {
 void Advancer::enqueue(SideId s) {
   const Side& side = front_.sides[s];
   queue_.push(size_[side.from], {s, side.stamp});
+}
+
+/// The half-edge `half` of a new triangle takes the place of the side `s`.
+void Advancer::attach(SideId s, Kernel::Half half) {
+  const Side& side = front_.sides[s];
+  if (side.paired) {
+    front_.sides[side.back].back = half;
+    front_.sides[side.back].paired = false;
+  } else {
+    kernel_.link(half, side.back, side.mark);
+  }
 }
 
 SideId Advancer::new_side() {
@@ -463,17 +489,20 @@ void Advancer::advance(SideId s) {
   const double squared = geom::length_squared(along);
   const double length = std::sqrt(squared);
   const Point middle = geom::midpoint(from, to);
-  double size = 0.5 * (size_[a] + size_[b]);
+  // A leg is as long as the size in its middle asks: the mean of those at its ends.
+  const double below = 0.5 * (size_[a] + size_[b]);
+  double size = below;
   Point top;
   double leg = 0.0;
   for (int round = 0; round < 2; ++round) {
-    leg = std::clamp(size, 0.72 * length, 1.4 * length);
+    leg = std::clamp(0.5 * (below + size), 0.72 * length, 1.4 * length);
     top = middle + std::sqrt(leg * leg / squared - 0.25) * geom::left_of(along);
     const double there = sampler_.at(top);
-    const bool settled = std::abs(there - size) < 0.03 * size;
+    const bool settled = std::abs(there - size) < 0.06 * size;
     size = there;
     if (settled) break;
   }
+  if (size > most_growth * below || below > most_shrink * size) return;
   // A long side has no room for a triangle of the size wanted.
   const double height = std::sqrt(leg * leg - 0.25 * squared);
   if (leg * leg > 2.0 * most_radius * std::max(leg, size) * height) return;
@@ -497,7 +526,7 @@ void Advancer::advance(SideId s) {
   if (found.vertex == front_.sides[front_.sides[s].previous].from) corner = front_.sides[s].previous;
   if (found.vertex == front_.to(front_.sides[front_.sides[s].next])) corner = s;
   if (corner == none) {
-    if (meetings_ == Meetings::Join) join(s, found.vertex);
+    join(s, found.vertex);
     return;
   }
   if (!may_close(corner, widest_corner, least_joint)) return;
@@ -515,17 +544,14 @@ Result<void> Advancer::check_count(const Progress& progress) const {
   return {};
 }
 
-Result<Front> Advancer::run(const Progress& progress) {
-  add_seeds();
-  add_nodes();
-  add_walls();
-  for (Kernel::Cell c = 0; c < kernel_.cell_count(); ++c) {
-    if (kernel_.cell(c).region >= 0) kernel_.set_region(c, replaced_region);
-  }
-  start();
+Result<void> Advancer::step(std::size_t count, const Progress& progress) {
+  DOBRA_TRY_VOID(check_count(progress));
   SizeQueue::Entry entry{};
-  for (std::size_t steps = 0; queue_.pop(entry); ++steps) {
-    if (steps % 8192 == 0) DOBRA_TRY_VOID(check_count(progress));
+  for (; count > 0; --count) {
+    if (!queue_.pop(entry)) {
+      done_ = true;
+      return {};
+    }
     if (front_.sides[entry.side].stamp != entry.stamp || front_.sides[entry.side].from == Side::free) continue;
     if (may_close(entry.side, corner_cosine, least_alpha) ||
         may_close(front_.sides[entry.side].previous, corner_cosine, least_alpha)) {
@@ -534,16 +560,24 @@ Result<Front> Advancer::run(const Progress& progress) {
     }
     advance(entry.side);
   }
-  return std::move(front_);
+  return {};
+}
+
+std::vector<geom::Segment> Advancer::front() const {
+  std::vector<geom::Segment> sides;
+  for (const Side& side : front_.sides) {
+    if (side.from != Side::free) sides.push_back({at(side.from), at(front_.to(side))});
+  }
+  return sides;
 }
 
 }  // namespace
 
 Error front_crossed() { return {ErrorCode::SelfIntersection, "sides of the advancing front cross", {}}; }
 
-Result<Front> advance_front(Kernel& kernel, const SizeField& field, const FrontalOptions& options, Meetings meetings,
-                            const Progress& progress) {
-  return Advancer(kernel, field, options, meetings).run(progress);
+std::unique_ptr<FillEngine> advancing_front(Kernel& kernel, const SizeField& field, const FrontalOptions& options,
+                                            Front& front) {
+  return std::make_unique<Advancer>(kernel, field, options, front);
 }
 
 }  // namespace dobra::mesh

@@ -64,6 +64,15 @@ void DelaunayKernel::remove_cells(std::int32_t region) {
   cells_.resize(last);
 }
 
+void DelaunayKernel::renew_half_of() {
+  half_of_.assign(points_.size(), none);
+  for (Cell c = 0; c < cells_.size(); ++c) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      if (cells_[c].vertex[i] != at_infinity) half_of_[cells_[c].vertex[i]] = half(c, i);
+    }
+  }
+}
+
 DelaunayKernel::Cell DelaunayKernel::add_cell(std::int32_t region) {
   cells_.push_back({{none, none, none}, {none, none, none}, region, {}});
   return static_cast<Cell>(cells_.size() - 1);

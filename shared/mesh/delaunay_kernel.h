@@ -80,6 +80,8 @@ class DelaunayKernel {
   void link(Half e, Half f, Mark mark);
   /// Removes the cells of `region`, to which no side of another cell leads; others take their places.
   void remove_cells(std::int32_t region);
+  /// Finds half_of again for all vertices; none for those of no cell.
+  void renew_half_of();
 
   [[nodiscard]] std::size_t cell_count() const { return cells_.size(); }
   [[nodiscard]] std::size_t vertex_count() const { return points_.size(); }

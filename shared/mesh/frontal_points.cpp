@@ -18,8 +18,6 @@
 
 namespace dobra::mesh {
 
-using base::Error;
-using base::ErrorCode;
 using base::Progress;
 using base::Result;
 using geom::Point;
@@ -37,12 +35,13 @@ Point circumcentre(Point a, Point b, Point c) {
   return {a.x + (v.y * uu - u.y * vv) / twice, a.y + (u.x * vv - v.x * uu) / twice};
 }
 
-class PointPlacer {
+class PointPlacer final : public FillEngine {
  public:
-  PointPlacer(Kernel& kernel, const SizeField& field, const FrontalOptions& options)
-      : kernel_(kernel), field_(field), options_(options) {}
+  PointPlacer(Kernel& kernel, const SizeField& field, const FrontalOptions& options);
 
-  Result<std::size_t> run(const Progress& progress);
+  Result<void> step(std::size_t count, const Progress& progress) override;
+  [[nodiscard]] bool done() const override { return done_; }
+  [[nodiscard]] std::vector<geom::Segment> front() const override;
 
  private:
   enum class State : std::uint8_t { Outside, Large, Accepted, GivenUp };
@@ -61,16 +60,16 @@ class PointPlacer {
   [[nodiscard]] bool lets_front_pass(Kernel::Half side) const;
   [[nodiscard]] bool active(Kernel::Cell c) const;
   void enqueue(Kernel::Cell c);
-  [[nodiscard]] Point ideal_point(Kernel::Half side) const;
+  [[nodiscard]] Point ideal_point(Kernel::Half side);
   bool advance(Kernel::Cell c);
   bool try_point(Point p, Kernel::Cell near);
   bool keeps_clear(Point p, Kernel::Cell start, double size);
   void update_star(Kernel::Vertex v);
   void give_up(Kernel::Cell c);
-  Result<void> drain(const Progress& progress);
+  bool try_circumcentres();
 
   Kernel& kernel_;
-  const SizeField& field_;
+  SizeSampler sizes_;
   const FrontalOptions& options_;
   std::vector<State> state_;
   std::vector<double> ratio_;  ///< sqrt(3) R / h.
@@ -80,7 +79,16 @@ class PointPlacer {
   std::vector<Kernel::Cell> cavity_;
   std::priority_queue<Entry> queue_;
   std::size_t inserted_ = 0;
+  int rounds_ = 0;  ///< Of circumcentres tried.
+  bool done_ = false;
 };
+
+PointPlacer::PointPlacer(Kernel& kernel, const SizeField& field, const FrontalOptions& options)
+    : kernel_(kernel), sizes_(field), options_(options) {
+  const auto initial = static_cast<Kernel::Cell>(kernel_.cell_count());
+  for (Kernel::Cell c = 0; c < initial; ++c) rate(c);
+  for (Kernel::Cell c = 0; c < initial; ++c) enqueue(c);
+}
 
 void PointPlacer::rate(Kernel::Cell c) {
   if (c >= state_.size()) {
@@ -97,8 +105,8 @@ void PointPlacer::rate(Kernel::Cell c) {
   }
   const auto [a, b, d] = corners(c);
   const Point middle{(a.x + b.x + d.x) / 3.0, (a.y + b.y + d.y) / 3.0};
-  const double radius = geom::distance(a, circumcentre(a, b, d));
-  ratio_[c] = std::numbers::sqrt3 * radius / field_.size_at(middle);
+  const double radius = std::sqrt(geom::length_squared(circumcentre(a, b, d) - a));
+  ratio_[c] = std::numbers::sqrt3 * radius / sizes_.at(middle);
   state_[c] = ratio_[c] <= options_.accept ? State::Accepted : State::Large;
 }
 
@@ -121,7 +129,7 @@ void PointPlacer::enqueue(Kernel::Cell c) {
 
 /// Beyond the middle of `side`, into its cell, so that the new triangle has the circumradius wanted there; never beyond
 /// the circumcentre of the cell, where a point would be nearer to other vertices.
-Point PointPlacer::ideal_point(Kernel::Half side) const {
+Point PointPlacer::ideal_point(Kernel::Half side) {
   const Point a = kernel_.point(kernel_.origin(side));
   const Point b = kernel_.point(kernel_.target(side));
   const Point centre = circumcentre(a, b, kernel_.point(kernel_.apex(side)));
@@ -129,14 +137,14 @@ Point PointPlacer::ideal_point(Kernel::Half side) const {
   const geom::Vector inward = geom::normalised(geom::left_of(b - a));
   const double p = 0.5 * geom::distance(a, b);
   const double q = geom::dot(centre - middle, inward);
-  double size = field_.size_at(middle);
+  double size = sizes_.at(middle);
   double height = 0.0;
   for (int round = 0; round < 2; ++round) {
     const double most = q > 0.0 ? (p * p + q * q) / (2.0 * q) : 0.0;
     const double radius = std::min(std::max(size / std::numbers::sqrt3, p), std::max(most, p));
     height = radius + std::sqrt(std::max(0.0, radius * radius - p * p));
     // The size where the point would stand counts as much as the size at the side.
-    size = field_.size_at(middle + 0.67 * height * inward);
+    size = sizes_.at(middle + 0.67 * height * inward);
   }
   return middle + height * inward;
 }
@@ -187,7 +195,7 @@ bool PointPlacer::try_point(Point p, Kernel::Cell near) {
   const Kernel::Location at = kernel_.locate(p, near, Kernel::Walls::Stop);
   if (at.where != Kernel::Where::Inside && at.where != Kernel::Where::OnSide) return false;
   if (at.where == Kernel::Where::OnSide && kernel_.mark(at.half) != 0) return false;
-  if (!keeps_clear(p, Kernel::cell_of(at.half), field_.size_at(p))) return false;
+  if (!keeps_clear(p, Kernel::cell_of(at.half), sizes_.at(p))) return false;
   update_star(kernel_.insert(p, at));
   ++inserted_;
   return true;
@@ -224,54 +232,46 @@ void PointPlacer::give_up(Kernel::Cell c) {
   }
 }
 
-Result<void> PointPlacer::drain(const Progress& progress) {
-  for (std::size_t steps = 0; !queue_.empty(); ++steps) {
-    if (steps % 4096 == 0) {
-      DOBRA_TRY_VOID(progress.check());
-      progress.report(1.0 - 1.0 / (1.0 + 1e-5 * static_cast<double>(inserted_)),
-                      fmt::format("{} points placed", inserted_));
-    }
+/// The cells given up that are still too large. @return whether a point was inserted
+bool PointPlacer::try_circumcentres() {
+  const std::size_t before = inserted_;
+  for (Kernel::Cell c = 0; c < kernel_.cell_count(); ++c) {
+    if (state_[c] != State::GivenUp) continue;
+    const auto [a, b, d] = corners(c);
+    try_point(circumcentre(a, b, d), c);
+  }
+  return inserted_ > before;
+}
+
+Result<void> PointPlacer::step(std::size_t count, const Progress& progress) {
+  DOBRA_TRY_VOID(progress.check());
+  progress.report(1.0 - 1.0 / (1.0 + 1e-5 * static_cast<double>(inserted_)),
+                  fmt::format("{} points placed", inserted_));
+  for (; count > 0 && !queue_.empty(); --count) {
     const Entry entry = queue_.top();
     queue_.pop();
     if (entry.version != version_[entry.cell] || state_[entry.cell] != State::Large) continue;
     if (!advance(entry.cell)) give_up(entry.cell);
     DOBRA_TRY_VOID(check_limit(kernel_.cell_count(), options_));
   }
+  constexpr int most_rounds = 8;
+  if (queue_.empty()) done_ = rounds_++ == most_rounds || !try_circumcentres();
   return {};
 }
 
-Result<std::size_t> PointPlacer::run(const Progress& progress) {
-  const auto initial = static_cast<Kernel::Cell>(kernel_.cell_count());
-  for (Kernel::Cell c = 0; c < initial; ++c) rate(c);
-  for (Kernel::Cell c = 0; c < initial; ++c) enqueue(c);
-  DOBRA_TRY_VOID(drain(progress.part(0.0, 0.9)));
-  constexpr int most_rounds = 8;
-  for (int round = 0; round < most_rounds; ++round) {
-    const std::size_t before = inserted_;
-    for (Kernel::Cell c = 0; c < kernel_.cell_count(); ++c) {
-      if (state_[c] != State::GivenUp) continue;
-      const auto [a, b, d] = corners(c);
-      try_point(circumcentre(a, b, d), c);
-    }
-    if (inserted_ == before) break;
-    DOBRA_TRY_VOID(drain(progress.part(0.9, 1.0)));
+std::vector<geom::Segment> PointPlacer::front() const {
+  std::vector<geom::Segment> sides;
+  for (Kernel::Half e = 0; e < 4 * kernel_.cell_count(); ++e) {
+    if ((e & 3U) == 3U || state_[Kernel::cell_of(e)] != State::Large || !lets_front_pass(e)) continue;
+    sides.push_back({kernel_.point(kernel_.origin(e)), kernel_.point(kernel_.target(e))});
   }
-  return inserted_;
+  return sides;
 }
 
 }  // namespace
 
-Result<void> check_limit(std::size_t triangles, const FrontalOptions& options) {
-  if (triangles <= options.max_triangles) return {};
-  return Error{ErrorCode::TooManyElements,
-               fmt::format("the mesh would have more than {} triangles: use longer boundary edges, a larger growth, or "
-                           "raise the limit",
-                           options.max_triangles)};
-}
-
-Result<std::size_t> place_points(Kernel& kernel, const SizeField& field, const FrontalOptions& options,
-                                 const Progress& progress) {
-  return PointPlacer(kernel, field, options).run(progress);
+std::unique_ptr<FillEngine> frontal_points(Kernel& kernel, const SizeField& field, const FrontalOptions& options) {
+  return std::make_unique<PointPlacer>(kernel, field, options);
 }
 
 }  // namespace dobra::mesh

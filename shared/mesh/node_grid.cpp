@@ -46,11 +46,25 @@ NodeGrid::NodeGrid(const SizeField& field, std::size_t expected) {
       levels.lowest = std::min(levels.lowest, range[corner].low);
       levels.highest = std::max(levels.highest, range[corner].high);
     }
-    // A leaf smaller than an element: nodes beyond its neighbours count too, whose sizes may differ by more.
-    const auto sizes = field.corner_sizes(leaf);
-    if (tree.side(leaf) < *std::max_element(sizes.begin(), sizes.end())) {
-      levels.lowest = static_cast<std::uint8_t>(std::max(0, levels.lowest - 1));
-      levels.highest = static_cast<std::uint8_t>(std::min<int>(Quadtree::max_level, levels.highest + 1));
+  }
+  // Where leaves are not much larger than elements, nodes beyond their neighbours count too.
+  constexpr int further_rings = 2;
+  for (int ring = 0; ring < further_rings; ++ring) {
+    for (const QuadCellId leaf : leaves) {
+      const Levels levels = levels_[leaf.index()];
+      for (const std::uint32_t corner : field.corners(leaf)) {
+        range[corner].low = std::min(range[corner].low, levels.lowest);
+        range[corner].high = std::max(range[corner].high, levels.highest);
+      }
+    }
+    for (const QuadCellId leaf : leaves) {
+      const auto sizes = field.corner_sizes(leaf);
+      if (tree.side(leaf) >= 2.0 * *std::max_element(sizes.begin(), sizes.end())) continue;
+      Levels& levels = levels_[leaf.index()];
+      for (const std::uint32_t corner : field.corners(leaf)) {
+        levels.lowest = std::min(levels.lowest, range[corner].low);
+        levels.highest = std::max(levels.highest, range[corner].high);
+      }
     }
   }
   const std::size_t blocks = std::bit_ceil(std::clamp<std::size_t>(expected / 48, 16, std::size_t{1} << 24U));

@@ -1,7 +1,6 @@
 #include "shared/mesh/quadtree.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "shared/base/check.h"
 
@@ -17,6 +16,7 @@ namespace {
 
 constexpr std::uint32_t width_of(std::uint32_t level) { return 1U << (Quadtree::max_level - level); }
 constexpr std::uint32_t full = 1U << Quadtree::max_level;
+constexpr double finest = 1.0 / full;  ///< Side of the finest cell over that of the root.
 
 }  // namespace
 
@@ -70,9 +70,8 @@ void Quadtree::split(QuadCellId id) {
 }
 
 std::uint32_t Quadtree::refine_at(Point p, double size, double factor) {
-  // Rounding may put a point of the border an ulp outside the root, and then no child would hold it.
-  const Box root = this->box(QuadCellId(0));
-  p = {std::clamp(p.x, root.low.x, root.high.x), std::clamp(p.y, root.low.y, root.high.y)};
+  // Units of the finest grid. Rounding may put a point of the border outside the root, where no child would hold it.
+  const Point at{on_grid(p.x, origin_.x), on_grid(p.y, origin_.y)};
   std::uint32_t coarsest = max_level;
   std::vector<QuadCellId> todo{QuadCellId(0)};
   while (!todo.empty()) {
@@ -88,7 +87,9 @@ std::uint32_t Quadtree::refine_at(Point p, double size, double factor) {
     }
     for (std::size_t k = 0; k < 4; ++k) {
       const QuadCellId child(cell(id).first_child.index() + k);
-      if (box(child).contains(p)) todo.push_back(child);
+      const Cell& c = cell(child);
+      const double width = width_of(c.level);
+      if (at.x >= c.x && at.x <= c.x + width && at.y >= c.y && at.y <= c.y + width) todo.push_back(child);
     }
   }
   return coarsest;
@@ -155,12 +156,15 @@ std::vector<QuadCellId> Quadtree::leaves() const {
   return leaves;
 }
 
-double Quadtree::side(QuadCellId id) const { return std::ldexp(root_side_, -static_cast<int>(cell(id).level)); }
+double Quadtree::side(QuadCellId id) const { return root_side_ * (width_of(cell(id).level) * finest); }
+
+/// In units of the finest grid from `low`, within the root.
+double Quadtree::on_grid(double value, double low) const {
+  return std::clamp((value - low) / root_side_ * static_cast<double>(full), 0.0, static_cast<double>(full));
+}
 
 Point Quadtree::position(std::uint32_t x, std::uint32_t y) const {
-  const auto at = [this](double low, std::uint32_t i) {
-    return low + root_side_ * std::ldexp(static_cast<double>(i), -static_cast<int>(max_level));
-  };
+  const auto at = [this](double low, std::uint32_t i) { return low + root_side_ * (i * finest); };
   return {at(origin_.x, x), at(origin_.y, y)};
 }
 
@@ -172,8 +176,7 @@ Box Quadtree::box(QuadCellId id) const {
 
 QuadCellId Quadtree::leaf_at(Point p) const {
   const auto grid = [this](double value, double low) {
-    const double at = std::ldexp((value - low) / root_side_, static_cast<int>(max_level));
-    return static_cast<std::uint32_t>(std::clamp(at, 0.0, static_cast<double>(full - 1)));
+    return std::min(static_cast<std::uint32_t>(on_grid(value, low)), full - 1);
   };
   return leaf_at_grid(grid(p.x, origin_.x), grid(p.y, origin_.y));
 }

@@ -29,7 +29,7 @@ using QuadCellId = base::Id<QuadCellTag>;
 enum class InteriorCells : std::uint8_t { AsBoundary, Free };
 
 struct QuadtreeOptions {
-  double refinement_factor = 1.0;      ///< f of rule 2: larger makes smaller cells.
+  double refinement_factor = 1.0;  ///< f of rule 2: larger makes smaller cells.
   InteriorCells interior = InteriorCells::AsBoundary;
   std::size_t max_cells = 20'000'000;  ///< More end in TooManyElements.
 };
@@ -89,6 +89,7 @@ class Quadtree {
 
  private:
   void split(QuadCellId id);
+  [[nodiscard]] double on_grid(double value, double low) const;
   [[nodiscard]] QuadCellId leaf_at_grid(std::uint32_t x, std::uint32_t y) const;
   [[nodiscard]] QuadCellId leaf_across(QuadCellId id, Direction direction) const;
 

@@ -1,11 +1,10 @@
 #include "shared/mesh/size_field.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <queue>
-#include <tuple>
 
 namespace dobra::mesh {
 
@@ -67,69 +66,70 @@ Result<SizeField> SizeField::build(std::span<const SizedEdge> edges, std::span<c
     if (length > 0.0) ask(geom::midpoint(edge.segment.from, edge.segment.to), length);
   }
   for (const SizeRequest& request : requests) ask(request.at, request.size);
-  field.spread(options.growth - 1.0);
+  field.spread(options.growth - 1.0, largest);
   return field;
 }
 
 void SizeField::number_corners() {
-  struct Key {
-    std::uint32_t x, y;
-    std::uint32_t leaf;
-    std::uint32_t corner;
+  // Leaves share corners: they are found again by hashing their place on the finest grid.
+  const std::vector<QuadCellId> leaves = tree_.leaves();
+  struct Slot {
+    std::uint64_t place = ~std::uint64_t{0};
+    std::uint32_t corner = 0;
   };
-  std::vector<Key> keys;
-  for (const QuadCellId leaf : tree_.leaves()) {
+  std::vector<Slot> slots(std::bit_ceil(4 * leaves.size()));
+  const auto shift = static_cast<std::uint32_t>(std::countl_zero(slots.size()) + 1);
+  corners_.resize(tree_.cell_count());
+  for (const QuadCellId leaf : leaves) {
     const Quadtree::Cell& cell = tree_.cell(leaf);
     const std::uint32_t width = 1U << (Quadtree::max_level - cell.level);
     for (std::uint32_t k = 0; k < 4; ++k) {
-      keys.push_back(
-          {cell.x + (k & 1U) * width, cell.y + (k >> 1U) * width, static_cast<std::uint32_t>(leaf.index()), k});
+      const std::uint32_t x = cell.x + (k & 1U) * width;
+      const std::uint32_t y = cell.y + (k >> 1U) * width;
+      const std::uint64_t place = (static_cast<std::uint64_t>(x) << 32U) | y;
+      std::size_t at = (place * 0x9e3779b97f4a7c15ULL) >> shift;
+      while (slots[at].place != place && ~slots[at].place != 0) at = (at + 1) & (slots.size() - 1);
+      if (slots[at].place != place) {
+        slots[at] = {place, static_cast<std::uint32_t>(corner_points_.size())};
+        corner_points_.push_back(tree_.position(x, y));
+      }
+      corners_[leaf.index()][k] = slots[at].corner;
     }
-  }
-  std::sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) {
-    return std::tie(a.x, a.y, a.leaf, a.corner) < std::tie(b.x, b.y, b.leaf, b.corner);
-  });
-  corners_.resize(tree_.cell_count());
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    if (i == 0 || keys[i].x != keys[i - 1].x || keys[i].y != keys[i - 1].y) {
-      corner_points_.push_back(tree_.position(keys[i].x, keys[i].y));
-    }
-    corners_[keys[i].leaf][keys[i].corner] = static_cast<std::uint32_t>(corner_points_.size() - 1);
   }
 }
 
 // Dijkstra over the graph whose arcs are the sides and diagonals of the leaves.
-void SizeField::spread(double slope) {
-  struct Arc {
-    std::uint32_t from, to;
-  };
-  std::vector<Arc> arcs;
-  for (const QuadCellId leaf : tree_.leaves()) {
-    for (const std::uint32_t a : corners_[leaf.index()]) {
-      for (const std::uint32_t b : corners_[leaf.index()]) {
-        if (a != b) arcs.push_back({a, b});
-      }
-    }
+void SizeField::spread(double slope, double largest) {
+  const std::vector<QuadCellId> leaves = tree_.leaves();
+  std::vector<std::uint32_t> first(sizes_.size() + 2, 0);
+  for (const QuadCellId leaf : leaves) {
+    for (const std::uint32_t corner : corners_[leaf.index()]) ++first[corner + 2];
   }
-  std::vector<std::uint32_t> first(sizes_.size() + 1, 0);
-  for (const Arc& arc : arcs) ++first[arc.from + 1];
-  for (std::size_t i = 0; i < sizes_.size(); ++i) first[i + 1] += first[i];
-  std::vector<std::uint32_t> to(arcs.size());
-  std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-  for (const Arc& arc : arcs) to[next[arc.from]++] = arc.to;
-
+  for (std::size_t i = 2; i < first.size(); ++i) first[i] += first[i - 1];
+  std::vector<QuadCellId> leaf_of(4 * leaves.size());
+  for (const QuadCellId leaf : leaves) {
+    for (const std::uint32_t corner : corners_[leaf.index()]) leaf_of[first[corner + 1]++] = leaf;
+  }
   using Entry = std::pair<double, std::uint32_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  for (std::uint32_t i = 0; i < sizes_.size(); ++i) queue.emplace(sizes_[i], i);
+  for (std::uint32_t i = 0; i < sizes_.size(); ++i) {
+    if (sizes_[i] < largest) queue.emplace(sizes_[i], i);
+  }
   while (!queue.empty()) {
     const auto [size, corner] = queue.top();
     queue.pop();
     if (size > sizes_[corner]) continue;
     for (std::uint32_t k = first[corner]; k < first[corner + 1]; ++k) {
-      const double bound = size + slope * geom::distance(corner_points_[corner], corner_points_[to[k]]);
-      if (bound >= sizes_[to[k]]) continue;
-      sizes_[to[k]] = bound;
-      queue.emplace(bound, to[k]);
+      const double along = slope * tree_.side(leaf_of[k]);
+      const auto& around = corners_[leaf_of[k].index()];
+      for (std::size_t j = 0; j < 4; ++j) {
+        // The diagonal joins corners 0 and 3, 1 and 2.
+        const bool across = around[3 - j] == corner;
+        const double bound = size + (across ? std::numbers::sqrt2 * along : along);
+        if (bound >= sizes_[around[j]]) continue;
+        sizes_[around[j]] = bound;
+        queue.emplace(bound, around[j]);
+      }
     }
   }
 }
@@ -143,10 +143,10 @@ std::array<double, 4> SizeField::corner_sizes(QuadCellId leaf) const {
 double SizeField::size_at(Point p) const { return SizeSampler(*this).at(p); }
 
 void SizeSampler::enter(Point p) {
-  leaf_ = field_.quadtree().leaf_at(p);
-  const geom::Box box = field_.quadtree().box(leaf_);
-  low_ = box.low;
-  scale_ = 1.0 / field_.quadtree().side(leaf_);
+  const Quadtree& tree = field_.quadtree();
+  leaf_ = tree.leaf_at(p);
+  low_ = tree.position(tree.cell(leaf_).x, tree.cell(leaf_).y);
+  scale_ = 1.0 / tree.side(leaf_);
   size_ = field_.corner_sizes(leaf_);
 }
 

@@ -45,7 +45,7 @@ class SizeField {
  private:
   explicit SizeField(Quadtree tree) : tree_(std::move(tree)) {}
   void number_corners();
-  void spread(double slope);
+  void spread(double slope, double largest);
 
   Quadtree tree_;
   std::vector<std::array<std::uint32_t, 4>> corners_;  ///< One a cell; meaningful for leaves.

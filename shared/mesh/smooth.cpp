@@ -43,28 +43,72 @@ class Smoother {
   static constexpr std::uint8_t fixed_node = 1;
   static constexpr std::uint8_t resting = 2;  ///< Good enough, and nothing round it has moved since.
 
+  /// Of the triangles round a node.
+  struct Star {
+    double least = 2.0;  ///< Alpha.
+    double sum = 0.0;
+  };
+
   bool move(Kernel::Vertex v) {
     gather(v);
-    const Point here = kernel_.point(v);
-    const double before = least_alpha(here);
-    if (before >= options_.enough) {
+    Point here = kernel_.point(v);
+    Star before = star(here);
+    if (before.least >= options_.enough) {
       resting_[v] = resting;
       return false;
     }
-    Vector sum;
-    for (std::size_t i = 0; i + 1 < ring_.size(); ++i) sum = sum + (ring_[i] - here);
-    const Vector step = sum / static_cast<double>(ring_.size() - 1);
-    double fraction = options_.phi;
+    const Point given = here;
+    const auto keeps_least = [&](const Star& after) { return after.least >= before.least; };
+    approach(here, before, mean_of_neighbours(), options_.phi, keeps_least);
+    if (before.least < options_.rescue) {
+      // The worst triangle may gain a part of what the others lose.
+      const auto gains = [&](const Star& after) {
+        return after.least > before.least && 0.5 * (after.least - before.least) >= before.sum - after.sum;
+      };
+      approach(here, before, equilateral_place(here), options_.rescue_step, gains);
+    }
+    if (here == given) return false;
+    kernel_.move(v, here);
+    moved_.push_back(v);
+    wake_neighbours(v);
+    return true;
+  }
+
+  /// Moves `here` a fraction of the way to `target` if the star is accepted there; halves the step a few times.
+  template <class Accept>
+  void approach(Point& here, Star& now, Point target, double fraction, const Accept& accept) const {
+    const Vector step = target - here;
     for (int attempt = 0; attempt <= options_.halvings; ++attempt, fraction *= 0.5) {
       const Point there = here + fraction * step;
-      if (there == here) return false;
-      if (least_alpha(there) < before) continue;
-      kernel_.move(v, there);
-      moved_.push_back(v);
-      wake_neighbours(v);
-      return true;
+      if (there == here) return;
+      const Star after = star(there);
+      if (!accept(after)) continue;
+      here = there;
+      now = after;
+      return;
     }
-    return false;
+  }
+
+  [[nodiscard]] Point mean_of_neighbours() const {
+    Vector sum;
+    for (std::size_t i = 0; i + 1 < ring_.size(); ++i) sum = sum + (ring_[i] - ring_[0]);
+    return ring_[0] + sum / static_cast<double>(ring_.size() - 1);
+  }
+
+  /// The mean of the places where each triangle of the star would be equilateral, bad ones counting more.
+  [[nodiscard]] Point equilateral_place(Point here) const {
+    Vector sum;
+    double weights = 0.0;
+    for (std::size_t i = 1; i < ring_.size(); ++i) {
+      const Vector base = ring_[i] - ring_[i - 1];
+      const Point top = geom::midpoint(ring_[i], ring_[i - 1]) + 0.5 * std::numbers::sqrt3 * geom::left_of(base);
+      const double sides = geom::length_squared(base) + geom::length_squared(ring_[i - 1] - here) +
+                           geom::length_squared(ring_[i] - here);
+      const double weight = 1.0 - 2.0 * std::numbers::sqrt3 * geom::cross(ring_[i - 1] - here, base) / sides;
+      sum = sum + weight * (top - here);
+      weights += weight;
+    }
+    return weights > 0.0 ? here + sum / weights : here;
   }
 
   void wake_neighbours(Kernel::Vertex v) {
@@ -88,21 +132,22 @@ class Smoother {
     ring_.push_back(ring_.front());
   }
 
-  /// Least alpha of the triangles round a node that stands at `at`.
-  [[nodiscard]] double least_alpha(Point at) const {
-    double least = 2.0;
+  /// The star of the ring's node if that stood at `at`.
+  [[nodiscard]] Star star(Point at) const {
+    Star star;
     Vector u = ring_[0] - at;
     double uu = geom::length_squared(u);
     for (std::size_t i = 1; i < ring_.size(); ++i) {
       const Vector w = ring_[i] - at;
       const double ww = geom::length_squared(w);
       const double sides = uu + ww + geom::length_squared(ring_[i] - ring_[i - 1]);
-      const double value = sides == 0.0 ? 0.0 : geom::cross(u, w) / sides;
-      least = std::min(least, value);
+      const double alpha = sides == 0.0 ? 0.0 : 2.0 * std::numbers::sqrt3 * geom::cross(u, w) / sides;
+      star.least = std::min(star.least, alpha);
+      star.sum += alpha;
       u = w;
       uu = ww;
     }
-    return 2.0 * std::numbers::sqrt3 * least;
+    return star;
   }
 
   Kernel& kernel_;

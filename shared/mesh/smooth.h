@@ -20,6 +20,10 @@ struct SmoothOptions {
   double phi = 0.75;    ///< Step, 0 (nothing moves) to 1 (to the mean of the neighbours).
   double enough = 2.0;  ///< Nodes whose triangles all have at least this alpha stay; above 1 none does for that reason.
   int halvings = 2;     ///< How often a step that the guard refuses is halved before the node stays.
+  /// Nodes with a triangle below this alpha are then moved towards where their triangles would be equilateral, the bad
+  /// ones counting more: its gain may cost the others half as much. 0: never, equation 18 alone.
+  double rescue = 0.0;
+  double rescue_step = 0.25;  ///< How far, of the way.
 };
 
 /// Moves the nodes that are neither on the boundary nor in a set. The connectivity does not change.

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "shared/mesh/front_gaps.h"
+#include "shared/base/check.h"
 #include "shared/mesh/planar_domain.h"
 
 // 1. Constrained Delaunay triangulation of the input; outside and holes told apart.
 // 2. Quadtree and size field from the edges as they came out of step 1.
-// 3. Interior points. 4. Flips and smoothing, in rounds.
+// 3. Interior nodes, by an engine. 4. Flips and smoothing, in rounds.
 
 namespace dobra::mesh {
 
@@ -41,23 +41,6 @@ std::vector<SizedEdge> sized_edges(const PlanarDomain& domain, const MeshInput& 
   return edges;
 }
 
-/// The front, and between what it leaves standing points placed one by one. Should sides of the front cross, again with
-/// a front that takes no risk; should they cross even then, points are placed everywhere.
-Result<void> fill(DelaunayKernel& kernel, const SizeField& field, const FrontalOptions& options,
-                  const Progress& progress) {
-  const DelaunayKernel given = kernel;
-  for (const Meetings meetings : {Meetings::Join, Meetings::LeaveOpen}) {
-    const auto filled = [&]() -> Result<void> {
-      DOBRA_TRY(Front front, advance_front(kernel, field, options, meetings, progress.part(0.0, 0.7)));
-      return fill_gaps(kernel, front, field, options, progress.part(0.7, 1.0));
-    }();
-    if (filled || filled.error().code != ErrorCode::SelfIntersection) return filled;
-    kernel = given;
-  }
-  DOBRA_TRY_VOID(place_points(kernel, field, options, progress));
-  return {};
-}
-
 }  // namespace
 
 Result<SizeField> size_field_of(const MeshInput& input, const SizeFieldOptions& options) {
@@ -65,18 +48,87 @@ Result<SizeField> size_field_of(const MeshInput& input, const SizeFieldOptions& 
   return SizeField::build(sized_edges(domain, input), input.sizes, options);
 }
 
-Result<TriangleMesh> triangulate(const MeshInput& input, const MeshOptions& options, const Progress& progress) {
+struct Mesher::State {
+  MeshInput input;
+  MeshOptions options;
+  PlanarDomain domain;
+  SizeField field;
+  std::size_t given = 0;  ///< Vertices of the input.
+  std::unique_ptr<FillEngine> engine = nullptr;
+  Stage stage = Stage::Filling;
+
+  /// Input points are wanted where they are: they stay, as nodes of the boundary and of constraints do.
+  Result<void> improve(const Progress& progress) {
+    std::vector<std::uint8_t> fixed(domain.kernel.vertex_count(), 0);
+    std::fill(fixed.begin(), fixed.begin() + static_cast<std::ptrdiff_t>(given), std::uint8_t{1});
+    return mesh::improve(domain.kernel, fixed, options.smoothing, options.rounds, progress);
+  }
+};
+
+void Mesher::Destroy::operator()(State* state) const { delete state; }
+Mesher::Mesher(std::unique_ptr<State> state) : state_(state.release()) {}
+
+Result<Mesher> Mesher::start(const MeshInput& input, const MeshOptions& options, const Progress& progress) {
   DOBRA_TRY_VOID(validate(options));
   DOBRA_TRY(PlanarDomain domain, build_domain(input, Outside::Remove, progress.part(0.0, 0.1)));
-  DOBRA_TRY(const SizeField field, SizeField::build(sized_edges(domain, input), input.sizes, options.sizes));
+  DOBRA_TRY(SizeField field, SizeField::build(sized_edges(domain, input), input.sizes, options.sizes));
   DOBRA_TRY_VOID(progress.check());
-  const std::size_t given = domain.kernel.vertex_count();
-  DOBRA_TRY_VOID(fill(domain.kernel, field, options.points, progress.part(0.1, 0.8)));
-  // Input points are wanted where they are: they stay, as nodes of the boundary and of constraints do.
-  std::vector<std::uint8_t> fixed(domain.kernel.vertex_count(), 0);
-  std::fill(fixed.begin(), fixed.begin() + static_cast<std::ptrdiff_t>(given), std::uint8_t{1});
-  DOBRA_TRY_VOID(improve(domain.kernel, fixed, options.smoothing, options.rounds, progress.part(0.8, 1.0)));
-  return std::move(extract(domain, input).mesh);
+  auto state = std::make_unique<State>(State{input, options, std::move(domain), std::move(field)});
+  State& s = *state;
+  s.given = s.domain.kernel.vertex_count();
+  s.engine = make_engine(s.options.engine, s.domain.kernel, s.field, s.options.points);
+  return Mesher(std::move(state));
+}
+
+Mesher::Stage Mesher::stage() const { return state_->stage; }
+
+Result<void> Mesher::step(std::size_t count, const Progress& progress) {
+  State& s = *state_;
+  DOBRA_CHECK(!done());
+  if (s.stage == Stage::Improving) {
+    DOBRA_TRY_VOID(s.improve(progress.part(0.8, 1.0)));
+    s.stage = Stage::Done;
+    return {};
+  }
+  DOBRA_TRY_VOID(s.engine->step(count, progress.part(0.1, 0.8)));
+  if (!s.engine->done()) return {};
+  s.engine.reset();
+  s.stage = Stage::Improving;
+  return {};
+}
+
+Mesher::View Mesher::view() const {
+  View view;
+  const DelaunayKernel& kernel = state_->domain.kernel;
+  std::vector<NodeId> number(kernel.vertex_count());
+  for (DelaunayKernel::Cell c = 0; c < kernel.cell_count(); ++c) {
+    const DelaunayKernel::Triangle& cell = kernel.cell(c);
+    if (cell.region < 0) continue;
+    view.triangles.regions.push_back(cell.region);
+    auto& corners = view.triangles.triangles.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i) {
+      NodeId& node = number[cell.vertex[i]];
+      if (!node.valid()) {
+        node = NodeId(view.triangles.points.size());
+        view.triangles.points.push_back(kernel.point(cell.vertex[i]));
+      }
+      corners[i] = node;
+    }
+  }
+  if (state_->engine) view.front = state_->engine->front();
+  return view;
+}
+
+TriangleMesh Mesher::mesh() const {
+  DOBRA_CHECK(done());
+  return std::move(extract(state_->domain, state_->input).mesh);
+}
+
+Result<TriangleMesh> triangulate(const MeshInput& input, const MeshOptions& options, const Progress& progress) {
+  constexpr std::size_t between_checks = 8192;
+  DOBRA_TRY(Mesher mesher, Mesher::start(input, options, progress));
+  while (!mesher.done()) DOBRA_TRY_VOID(mesher.step(between_checks, progress));
+  return mesher.mesh();
 }
 
 }  // namespace dobra::mesh

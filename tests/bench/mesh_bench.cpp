@@ -1,5 +1,6 @@
-// Speed of the Delaunay kernel and of the mesher, one thread, beside gmsh's frontal mesher on the same boundary in the
-// same run where the program `gmsh` is installed. Ten million triangles: DOBRA_BENCH_LARGE=1.
+// Speed of the Delaunay kernel and of both engines of the mesher, one thread, beside gmsh's frontal mesher on the same
+// boundary in the same run where the program `gmsh` is installed, and beside CGAL's Mesh_2 where its headers are. Ten
+// million triangles: DOBRA_BENCH_LARGE=1.
 
 #include <benchmark/benchmark.h>
 
@@ -12,6 +13,7 @@
 #include "shared/mesh/quality.h"
 #include "shared/mesh/triangulate.h"
 #include "tests/bench/heap.h"
+#include "tests/bench/mesh_peers.h"
 #include "tests/shared/mesh/mesh_shapes.h"
 
 namespace {
@@ -29,12 +31,9 @@ void delaunay_of_random_points(benchmark::State& state) {
 }
 BENCHMARK(delaunay_of_random_points)->RangeMultiplier(10)->Range(1'000, 1'000'000)->Unit(benchmark::kMillisecond);
 
-/// Seconds of processor time that gmsh reports for its 2D mesh of the outline `input`, and the number of triangles; 0
-/// without gmsh.
-struct Peer {
-  double seconds = 0.0;
-  double triangles = 0.0;
-};
+using bench::Peer;
+
+/// What gmsh reports for its 2D mesh of the outline `input`; 0 seconds without gmsh.
 Peer gmsh_frontal(const MeshInput& input) {
   const auto folder = std::filesystem::temp_directory_path();
   const std::string geo = (folder / "dobra_mesh_bench.geo").string();
@@ -67,10 +66,12 @@ Peer gmsh_frontal(const MeshInput& input) {
   return peer;
 }
 
-enum class Beside { Nobody, Gmsh };
+enum class Beside { Nobody, Gmsh, Cgal };
 
-void mesh(benchmark::State& state, const MeshInput& input, double growth, Beside beside = Beside::Nobody) {
+void mesh(benchmark::State& state, const MeshInput& input, double growth, Engine engine,
+          Beside beside = Beside::Nobody) {
   MeshOptions options;
+  options.engine = engine;
   options.sizes.growth = growth;
   options.points.max_triangles = 20'000'000;
   MeshQuality quality;
@@ -99,11 +100,16 @@ void mesh(benchmark::State& state, const MeshInput& input, double growth, Beside
   state.counters["alpha_min"] = quality.alpha_min;
   state.counters["gradation_p95"] = quality.gradation_p95;
   state.counters["bytes_a_triangle"] = static_cast<double>(peak) / triangles;
-  if (beside == Beside::Nobody) return;
-  const Peer peer = gmsh_frontal(input);
-  if (peer.seconds == 0.0) return;
-  state.counters["gmsh_per_second"] = peer.triangles / peer.seconds;
-  state.counters["times_gmsh"] = triangles / fastest / (peer.triangles / peer.seconds);
+  const auto compare = [&](const std::string& name, const Peer& peer) {
+    if (peer.seconds == 0.0) return;
+    state.counters[name + "_triangles"] = peer.triangles;
+    state.counters[name + "_per_second"] = peer.triangles / peer.seconds;
+    state.counters["times_" + name] = triangles / fastest / (peer.triangles / peer.seconds);
+  };
+  if (beside == Beside::Gmsh) compare("gmsh", gmsh_frontal(input));
+#ifdef DOBRA_CGAL
+  if (beside == Beside::Cgal) compare("cgal", bench::cgal_mesh_2(input));
+#endif
 }
 
 void sizes(benchmark::internal::Benchmark* benchmark) {
@@ -111,29 +117,39 @@ void sizes(benchmark::internal::Benchmark* benchmark) {
   if (std::getenv("DOBRA_BENCH_LARGE") != nullptr) benchmark->Arg(10'000'000);
   benchmark->Unit(benchmark::kMillisecond);
 }
+void few_sizes(benchmark::internal::Benchmark* benchmark) {
+  for (const std::int64_t count : {10'000, 160'000, 1'600'000}) benchmark->Arg(count);
+  benchmark->Unit(benchmark::kMillisecond);
+}
 
 /// [0,10]^2 minus r < 1, all sides equal; about `range` triangles, which are the items.
-void uniform_plate(benchmark::State& state) {
-  const auto count = static_cast<double>(state.range(0));
-  mesh(state, test::uniform_plate(count), 1.3, state.range(0) == 40'000 ? Beside::Gmsh : Beside::Nobody);
+void uniform_plate(benchmark::State& state, Engine engine) {
+  const auto count = state.range(0);
+  Beside beside = count == 40'000 ? Beside::Gmsh : Beside::Nobody;
+  if (count == 1'600'000 && engine == Engine::Front) beside = Beside::Cgal;
+  mesh(state, test::uniform_plate(static_cast<double>(count)), 1.3, engine, beside);
 }
-BENCHMARK(uniform_plate)->Apply(sizes);
+BENCHMARK_CAPTURE(uniform_plate, front, Engine::Front)->Apply(sizes);
+BENCHMARK_CAPTURE(uniform_plate, delaunay, Engine::Delaunay)->Apply(few_sizes);
 
 /// The same, a thousand times as large in the far corner as on the hole.
-void graded_plate(benchmark::State& state) {
+void graded_plate(benchmark::State& state, Engine engine) {
   const auto plate = test::graded_plate(static_cast<double>(state.range(0)));
-  mesh(state, plate.input, plate.growth, state.range(0) == 40'000 ? Beside::Gmsh : Beside::Nobody);
+  mesh(state, plate.input, plate.growth, engine, state.range(0) == 40'000 ? Beside::Gmsh : Beside::Nobody);
 }
-BENCHMARK(graded_plate)->Apply(sizes);
+BENCHMARK_CAPTURE(graded_plate, front, Engine::Front)->Apply(sizes);
+BENCHMARK_CAPTURE(graded_plate, delaunay, Engine::Delaunay)->Apply(few_sizes);
 
 /// Sizes about 1:600 along the axes from the hole outwards, growing by a third an element: steep.
-void steep_plate(benchmark::State& state) {
-  mesh(state, test::quarter_plate(test::graded(1.0, 5.0, 88, 1.075), 1570, 10, {}), 1.3);
+void steep_plate(benchmark::State& state, Engine engine) {
+  mesh(state, test::quarter_plate(test::graded(1.0, 5.0, 88, 1.075), 1570, 10, {}), 1.3, engine);
 }
-BENCHMARK(steep_plate)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(steep_plate, front, Engine::Front)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(steep_plate, delaunay, Engine::Delaunay)->Unit(benchmark::kMillisecond);
 
-void constrained_plate(benchmark::State& state) { mesh(state, test::que_e(), 1.3); }
-BENCHMARK(constrained_plate)->Unit(benchmark::kMillisecond);
+void constrained_plate(benchmark::State& state, Engine engine) { mesh(state, test::que_e(), 1.3, engine); }
+BENCHMARK_CAPTURE(constrained_plate, front, Engine::Front)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(constrained_plate, delaunay, Engine::Delaunay)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 

@@ -40,6 +40,13 @@ double covered(const Kernel& kernel) {
   return sum;
 }
 
+/// The front that is left of `started`.
+Front advanced(Started& started, const FrontalOptions& options = {}) {
+  Front front;
+  EXPECT_TRUE(test::run_to_end(*advancing_front(started.domain.kernel, started.field, options, front), {}));
+  return front;
+}
+
 /// Area enclosed by the sides that stand.
 double open(const Kernel& kernel, const Front& front) {
   double sum = 0.0;
@@ -54,14 +61,14 @@ TEST(AdvancingFront, TrianglesAndGapsTogetherCoverTheDomain) {
   for (const MeshInput& input : {test::square(1.0, 40), test::que_d(), test::que_e(), test::graded_plate(5'000).input,
                                  test::uniform_plate(5'000)}) {
     Started s = start(input);
-    const Front front = advance_front(s.domain.kernel, s.field, {}, Meetings::Join, {}).value();
+    const Front front = advanced(s);
     EXPECT_NEAR(covered(s.domain.kernel) + open(s.domain.kernel, front), s.area, 1e-12 * s.area);
   }
 }
 
 TEST(AdvancingFront, UniformPlateIsNearlyFilled) {
   Started s = start(test::uniform_plate(20'000));
-  const Front front = advance_front(s.domain.kernel, s.field, {}, Meetings::Join, {}).value();
+  const Front front = advanced(s);
   EXPECT_LT(open(s.domain.kernel, front), 0.1 * s.area);
 }
 
@@ -72,10 +79,11 @@ TEST(AdvancingFront, BothSidesOfAConstraintAndItsTipsAreReached) {
   input.points.push_back({0.77, 0.23});
   Started s = start(input);
   Kernel& kernel = s.domain.kernel;
-  Front front = advance_front(kernel, s.field, {}, Meetings::Join, {}).value();
+  Front front = advanced(s);
   EXPECT_EQ(front.loose.size(), 1U);
   EXPECT_NEAR(covered(kernel) + open(kernel, front), s.area, 1e-12);
-  ASSERT_TRUE(fill_gaps(kernel, front, s.field, {}, {}));
+  const FrontalOptions options;
+  ASSERT_TRUE(test::run_to_end(*gap_filler(kernel, front, s.field, options), {}));
   EXPECT_NEAR(covered(kernel), s.area, 1e-12);
   // Twins are mutual, and every marked side is one that was given.
   std::size_t marked = 0;
@@ -94,14 +102,17 @@ TEST(AdvancingFront, LimitAndCancelEndIt) {
   Started s = start(test::square(1.0, 200));
   FrontalOptions few;
   few.max_triangles = 100;
-  EXPECT_EQ(advance_front(s.domain.kernel, s.field, few, Meetings::Join, {}).error().code,
+  Front front;
+  EXPECT_EQ(test::run_to_end(*advancing_front(s.domain.kernel, s.field, few, front), {}).error().code,
             base::ErrorCode::TooManyElements);
   Started again = start(test::square(1.0, 20));
   base::CancelToken token;
   token.cancel();
-  EXPECT_EQ(
-      advance_front(again.domain.kernel, again.field, {}, Meetings::Join, base::Progress(token, nullptr)).error().code,
-      base::ErrorCode::Cancelled);
+  const FrontalOptions options;
+  EXPECT_EQ(test::run_to_end(*advancing_front(again.domain.kernel, again.field, options, front), {token, nullptr})
+                .error()
+                .code,
+            base::ErrorCode::Cancelled);
 }
 
 }  // namespace

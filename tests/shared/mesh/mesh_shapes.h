@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "shared/mesh/fill_engine.h"
 #include "shared/mesh/mesh_input.h"
 
 namespace dobra::mesh::test {
@@ -204,6 +205,11 @@ inline MeshInput read_contour(const std::filesystem::path& file) {
     input.edges.push_back({{NodeId(a), NodeId(b)}, 0});
   }
   return input;
+}
+
+inline base::Result<void> run_to_end(FillEngine& engine, const base::Progress& progress = {}) {
+  while (!engine.done()) DOBRA_TRY_VOID(engine.step(1000, progress));
+  return {};
 }
 
 /// Area enclosed by the boundary edges: sum of their moments about the middle, signed by the direction of each loop;

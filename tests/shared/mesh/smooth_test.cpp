@@ -5,6 +5,7 @@
 #include "shared/mesh/delaunay.h"
 #include "shared/mesh/mesh_check.h"
 #include "shared/mesh/quality.h"
+#include "shared/mesh/triangulate.h"
 #include "tests/shared/mesh/mesh_shapes.h"
 
 namespace dobra::mesh {
@@ -63,6 +64,21 @@ TEST(Smooth, SUR_i_PhiZeroLeavesTheMeshUnchanged) {
   TriangleMesh mesh = start;
   EXPECT_EQ(smooth(mesh, {.phi = 0.0}), 0U);
   EXPECT_EQ(mesh, start);
+}
+
+TEST(Smooth, RescueNeverLowersTheWorstAndRaisesTheShareOfGoodTrianglesOfAFairMesh) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    TriangleMesh mesh = random_mesh(seed);
+    const double worst = quality_of(mesh).alpha_min;
+    smooth(mesh, {.passes = 3, .phi = 0.0, .rescue = 0.9});
+    EXPECT_TRUE(check(mesh));
+    EXPECT_GE(quality_of(mesh).alpha_min, worst);
+  }
+  MeshOptions without;
+  without.smoothing.rescue = 0.0;
+  const MeshInput input = test::quarter_plate(test::graded(1.0, 5.0, 44, 1.15), 785, 10, {});
+  EXPECT_GT(quality_of(triangulate(input).value()).alpha_90,
+            quality_of(triangulate(input, without).value()).alpha_90 + 0.01);
 }
 
 TEST(Smooth, TheMiddleNodeOfASquareGoesToTheMean) {

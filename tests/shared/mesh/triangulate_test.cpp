@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <set>
 
+#include "shared/mesh/delaunay.h"
+#include "shared/mesh/lips.h"
 #include "shared/mesh/mesh_check.h"
 #include "shared/mesh/quality.h"
 #include "tests/shared/mesh/mesh_shapes.h"
@@ -143,28 +145,170 @@ TEST(Triangulate, AConstraintThatTouchesTheBoundaryAtAVertexIsJoinedToIt) {
   EXPECT_DOUBLE_EQ(area(mesh), 1.0);
 }
 
-TEST(Triangulate, EveryContourMeshesAtThreeSizes) {
+/// `input` with its edges cut into pieces no longer than `size`.
+MeshInput divided(const MeshInput& input, double size) {
+  MeshInput result = input;
+  result.edges.clear();
+  for (const InputEdge& edge : input.edges) {
+    const Point a = input.points[edge.nodes[0].index()];
+    const Point b = input.points[edge.nodes[1].index()];
+    const int pieces = std::max(1, static_cast<int>(std::ceil(geom::distance(a, b) / size)));
+    NodeId from = edge.nodes[0];
+    for (int i = 1; i <= pieces; ++i) {
+      const NodeId to = i < pieces ? NodeId(result.points.size()) : edge.nodes[1];
+      if (i < pieces) result.points.push_back(geom::interpolate(a, b, static_cast<double>(i) / pieces));
+      result.edges.push_back({{from, to}, edge.set});
+      from = to;
+    }
+  }
+  return result;
+}
+
+/// A crack of three sides, and a constraint beside it, in the widest triangle of the domain.
+void add_crack_and_constraint(MeshInput& input) {
+  const TriangleMesh plain = constrained_delaunay(input, Outside::Remove).value().mesh;
+  double radius = 0.0;
+  Point centre;
+  for (const auto& corners : plain.triangles) {
+    const Point a = plain.point(corners[0]);
+    const Point b = plain.point(corners[1]);
+    const Point c = plain.point(corners[2]);
+    const double la = geom::distance(b, c);
+    const double lb = geom::distance(c, a);
+    const double lc = geom::distance(a, b);
+    const double around = la + lb + lc;
+    const double inner = geom::cross(b - a, c - a) / around;
+    if (inner <= radius) continue;
+    radius = inner;
+    centre = {(la * a.x + lb * b.x + lc * c.x) / around, (la * a.y + lb * b.y + lc * c.y) / around};
+  }
+  const auto at = [&](double x, double y) { return Point{centre.x + x * radius, centre.y + y * radius}; };
+  add_chain(input, {at(-0.5, 0.0), at(-0.2, 0.0), at(0.1, 0.1), at(0.4, 0.1)}, Closure::Open,
+            {"crack", EdgeKind::Constraint});
+  add_chain(input, {at(-0.5, 0.4), at(0.5, 0.5)}, Closure::Open, {"band", EdgeKind::Constraint});
+}
+
+/// The crack of a mesh opens into two lips whose nodes lie on each other and are distinct but at the tips.
+void expect_lips_open(const TriangleMesh& mesh) {
+  const std::vector<std::string> cracks{"crack"};
+  const auto open = open_lips(element_mesh_of(mesh), cracks);
+  ASSERT_TRUE(open) << to_string(open.error());
+  const auto& left = open->side_sets.at("crack_left");
+  const auto& right = open->side_sets.at("crack_right");
+  ASSERT_EQ(left.size(), mesh.constraint_sets.at("crack").size());
+  ASSERT_EQ(right.size(), left.size());
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    const auto a = side_nodes(*open, left[i]);
+    const auto b = side_nodes(*open, right[i]);
+    EXPECT_EQ(open->point(a[0]), open->point(b[1]));
+    EXPECT_EQ(open->point(a[1]), open->point(b[0]));
+    EXPECT_EQ(a[0] == b[1], i == 0);
+    EXPECT_EQ(a[1] == b[0], i + 1 == left.size());
+  }
+}
+
+class TriangulateContours : public testing::TestWithParam<Engine> {};
+
+TEST_P(TriangulateContours, EveryContourWithACrackAndAConstraintMeshesAtThreeSizes) {
   if (test::contours_folder().empty()) GTEST_SKIP() << "SKIPPED: no corpus; set DOBRA_TEST_DATA to the folder of data/";
   std::size_t files = 0;
   for (const auto& file : std::filesystem::directory_iterator(test::contours_folder())) {
     if (file.path().extension() != ".txt" && file.path().extension() != ".dat") continue;
     ++files;
-    const MeshInput input = test::read_contour(file.path());
-    for (const double growth : {1.1, 1.3, 2.0}) {
-      SCOPED_TRACE(file.path().filename().string() + " growth " + std::to_string(growth));
+    MeshInput outline = test::read_contour(file.path());
+    add_crack_and_constraint(outline);
+    const double extent = geom::box_of(outline.points).diagonal();
+    std::size_t before = 0;
+    for (const double size : {0.1 * extent, 0.03 * extent, 0.01 * extent}) {
+      SCOPED_TRACE(file.path().filename().string() + " size " + std::to_string(size));
+      const MeshInput input = divided(outline, size);
       MeshOptions options;
-      options.sizes.growth = growth;
+      options.engine = GetParam();
+      options.sizes.max_size = size;
       const auto result = triangulate(input, options);
       ASSERT_TRUE(result) << to_string(result.error());
       const auto valid = check(*result);
       EXPECT_TRUE(valid) << to_string(valid.error());
       const double wanted = test::boundary_area(*result);
       EXPECT_NEAR(area(*result), wanted, 1e-10 * wanted);
+      EXPECT_TRUE(topology_of(*result).euler_holds());
       EXPECT_EQ(topology_of(*result).unused_nodes, 0U);
       expect_edges_as_given(input, *result);
+      expect_lips_open(*result);
+      EXPECT_GT(result->triangles.size(), before);
+      before = result->triangles.size();
     }
   }
   EXPECT_GE(files, 6U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Engines, TriangulateContours, testing::Values(Engine::Front, Engine::Delaunay),
+                         [](const auto& test) { return test.param == Engine::Front ? "Front" : "Delaunay"; });
+
+TEST(Triangulate, BothEnginesObeyTheSizesAndKeepTheirFloorsOfQuality) {
+  const MeshInput steep = test::quarter_plate(test::graded(1.0, 5.0, 44, 1.15), 785, 10, {});
+  MeshInput request = test::square(10.0, 10);
+  request.sizes.push_back({{5, 5}, 0.1});
+  for (const Engine engine : {Engine::Front, Engine::Delaunay}) {
+    SCOPED_TRACE(engine == Engine::Front ? "front" : "delaunay");
+    for (const MeshInput& input : {test::square(1.0, 40), test::que_e(), steep, request}) {
+      const TriangleMesh mesh = triangulate(input, {.engine = engine}).value();
+      EXPECT_TRUE(check(mesh));
+      expect_edges_as_given(input, mesh);
+      const MeshQuality quality = quality_of(mesh);
+      EXPECT_GE(quality.alpha_mean, 0.93);
+      EXPECT_GE(quality.alpha_min, 0.55);
+      const SizeField field = size_field_of(input).value();
+      double sum = 0.0;
+      const auto edges = all_edges(mesh);
+      for (const Edge& edge : edges) {
+        const Point a = mesh.point(edge[0]);
+        const Point b = mesh.point(edge[1]);
+        sum += std::log(geom::distance(a, b) / field.size_at(geom::midpoint(a, b)));
+      }
+      EXPECT_NEAR(sum / static_cast<double>(edges.size()), 0.0, 0.12) << "edges as long as the field asks";
+    }
+  }
+}
+
+TEST(Triangulate, SteepGradationIsAsGoodAsOnePointAtATime) {
+  // 1:600 along the axes, growing by a third an element.
+  const MeshInput steep = test::quarter_plate(test::graded(1.0, 5.0, 88, 1.075), 1570, 10, {});
+  for (const Engine engine : {Engine::Front, Engine::Delaunay}) {
+    const MeshQuality quality = quality_of(triangulate(steep, {.engine = engine}).value());
+    report(engine == Engine::Front ? "steep front" : "steep delaunay", quality);
+    EXPECT_GE(quality.alpha_mean, engine == Engine::Front ? 0.96 : 0.955);
+    EXPECT_GE(quality.alpha_90, 0.93);
+    EXPECT_GE(quality.alpha_min, 0.6);
+  }
+}
+
+TEST(Triangulate, AMesherCanBeWatchedAndStoppedAtAnyStepAndEndsWithTheSameMesh) {
+  const MeshInput input = test::uniform_plate(4000);
+  for (const Engine engine : {Engine::Front, Engine::Delaunay}) {
+    const MeshOptions options{.engine = engine};
+    Mesher mesher = Mesher::start(input, options).value();
+    const double whole = test::boundary_area(constrained_delaunay(input, Outside::Remove).value().mesh);
+    std::size_t views = 0;
+    std::size_t sides = 0;
+    for (double before = 0.0; !mesher.done(); ++views) {
+      const Mesher::View view = mesher.view();
+      const double covered = area(view.triangles);
+      EXPECT_LE(covered, whole * (1.0 + 1e-12));
+      if (engine == Engine::Delaunay) {
+        EXPECT_NEAR(covered, whole, 1e-9 * whole);
+      }
+      EXPECT_GE(covered, before);
+      sides += view.front.size();
+      before = engine == Engine::Front ? covered : 0.0;
+      ASSERT_TRUE(mesher.step(100));
+    }
+    EXPECT_GT(views, 20U);
+    EXPECT_GT(sides, 50 * views);
+    EXPECT_TRUE(mesher.view().front.empty());
+    EXPECT_NEAR(area(mesher.view().triangles), whole, 1e-9 * whole);
+    EXPECT_EQ(mesher.mesh(), triangulate(input, options).value());
+  }
 }
 
 TEST(Triangulate, ErrorsAreNamedAndPlaced) {
