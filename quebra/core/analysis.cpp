@@ -6,7 +6,6 @@
 
 #include "quebra/core/deck.h"
 #include "shared/base/text.h"
-#include "shared/fem/exact_fields.h"
 #include "shared/io/file.h"
 #include "shared/io/vtu.h"
 
@@ -17,71 +16,8 @@ namespace fem = dobra::fem;
 namespace mesh = dobra::mesh;
 using dobra::base::Error;
 using dobra::base::ErrorCode;
-using dobra::base::Place;
 using dobra::base::Result;
-using dobra::geom::Point;
 using dobra::geom::Vector;
-
-Result<std::int32_t> region_of(const mesh::ElementMesh& mesh, const std::string& name) {
-  std::vector<std::string> names;
-  for (const auto& [tag, own] : mesh.region_names) {
-    if (own == name) return tag;
-    names.push_back(own);
-  }
-  return Error{ErrorCode::BadValue, fmt::format("there is no region '{}'{}", name, dobra::base::did_you_mean(name, names))};
-}
-
-Result<fem::Materials> materials_of(const mesh::ElementMesh& mesh, const ProblemParams& params) {
-  fem::Materials materials;
-  const auto state = params.state == Plane::Stress ? fem::PlaneState::Stress : fem::PlaneState::Strain;
-  for (const MaterialParams& own : params.materials) {
-    const fem::Material material{own.young, own.poisson, own.thickness, state};
-    if (own.region.empty()) {
-      for (const std::int32_t region : mesh.regions) materials.try_emplace(region, material);
-      continue;
-    }
-    DOBRA_TRY(const std::int32_t region, region_of(mesh, own.region));
-    materials[region] = material;
-  }
-  return materials;
-}
-
-Result<void> add_load(const mesh::ElementMesh& mesh, const LoadParams& load, fem::LoadCase& to) {
-  const Vector vector{load.x, load.y};
-  switch (load.kind) {
-    case LoadKind::Traction: to.sides.push_back({load.where, fem::uniform(vector)}); break;
-    case LoadKind::Pressure: to.sides.push_back({load.where, fem::pressure(load.value)}); break;
-    case LoadKind::Force: to.points.push_back({load.where, vector}); break;
-    case LoadKind::Kirsch:
-      to.sides.push_back({load.where, fem::traction_of([load](Point p) { return fem::kirsch_stress(p, load.radius, load.value); })});
-      break;
-    case LoadKind::Corner:
-      to.sides.push_back({load.where, fem::traction_of([load](Point p) { return fem::l_corner_stress(p, load.bisector); })});
-      break;
-    case LoadKind::Body: {
-      fem::BodyForce body{.force = [vector](Point) { return vector; }};
-      if (!load.where.empty()) {
-        DOBRA_TRY(body.region, region_of(mesh, load.where));
-      }
-      to.bodies.push_back(std::move(body));
-    }
-  }
-  return {};
-}
-
-Result<fem::Problem> problem_of(const mesh::ElementMesh& mesh, const ProblemParams& params) {
-  fem::Problem problem;
-  DOBRA_TRY(problem.materials, materials_of(mesh, params));
-  for (const SupportParams& support : params.supports) problem.supports.push_back({support.where, support.x, support.y, support.normal});
-  problem.cases.clear();
-  for (const LoadParams& load : params.loads) {
-    auto own = std::find_if(problem.cases.begin(), problem.cases.end(), [&](const auto& c) { return c.name == load.load_case; });
-    if (own == problem.cases.end()) own = problem.cases.insert(own, fem::LoadCase{.name = load.load_case});
-    DOBRA_TRY_VOID(add_load(mesh, load, *own));
-  }
-  if (problem.cases.empty()) problem.cases.emplace_back();  // prescribed displacements alone
-  return problem;
-}
 
 /// Greatest von Mises and principal stress at the nodes.
 struct Extremes {
@@ -138,12 +74,6 @@ dobra::io::MeshFields fields_of(const Analysis& analysis) {
 
 }  // namespace
 
-Result<Model> set_problem(const Model& model, const ProblemParams& params, const dobra::scenario::Context&, const dobra::base::Progress&) {
-  Model result = model;
-  result.problem = std::make_shared<const ProblemParams>(params);
-  return result;
-}
-
 Result<Analysis> analyse(std::shared_ptr<const Meshed> meshed, const ProblemParams& params, double memory,
                          const dobra::base::Progress& progress) {
   const mesh::ElementMesh& mesh = meshed->mesh;
@@ -165,6 +95,7 @@ Result<Model> add_analysis(const Model& model, const AnalyseParams& params, cons
   if (model.meshes.empty()) return Error{ErrorCode::BadValue, "there is no mesh to analyse: put a step 'mesh' before"};
   DOBRA_TRY(Analysis analysis, analyse(model.meshes.back(), *model.problem, params.memory, progress));
   Model result = model;
+  if (const auto gap = deck_gap(analysis.meshed->mesh, analysis.problem)) result.remarks.push_back("analysis.inp is not written: " + to_string(*gap));
   result.analyses.push_back(std::make_shared<const Analysis>(std::move(analysis)));
   return result;
 }
@@ -224,6 +155,7 @@ void add_analysis_outputs(const Model& model, std::vector<dobra::scenario::Outpu
   if (model.analyses.empty()) return;
   const std::shared_ptr<const Analysis> analysis = model.analyses.back();
   outputs.push_back({"results.vtu", [analysis](const auto& path) { return dobra::io::write_vtu(path.string(), analysis->meshed->mesh, fields_of(*analysis)); }});
+  if (deck_gap(analysis->meshed->mesh, analysis->problem)) return;  // a remark says so
   outputs.push_back({"analysis.inp", [analysis](const auto& path) -> Result<void> {
                        DOBRA_TRY(const std::string text, deck_text(analysis->meshed->mesh, analysis->problem));
                        return dobra::io::write_file(path, text);

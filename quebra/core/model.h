@@ -102,7 +102,7 @@ struct Meshed {
 };
 
 struct Analysis;       // analysis.h
-struct ProblemParams;  // analysis.h
+struct ProblemParams;  // problem.h
 
 struct Model {
   Domain domain;

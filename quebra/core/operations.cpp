@@ -19,6 +19,22 @@ base::Result<scenario::State> input(const scenario::Table& table, const scenario
   return scenario::make_state(std::move(model));
 }
 
+/// set_problem, whose errors get the line of the table that they are about.
+scenario::Operation problem_operation() {
+  auto operation = scenario::make_operation<Model, ProblemParams>(
+      "problem", "Materials, supports, loads", "The elastic problem, by the names of regions, curves and points.", set_problem);
+  operation.run = [run = operation.run](const scenario::State& state, const scenario::Table& table, const scenario::Context& context,
+                                        const base::Progress& progress) -> base::Result<scenario::State> {
+    auto result = run(state, table, context, progress);
+    if (result) return result;
+    const auto fault = fault_of(scenario::model_of<Model>(state).domain, scenario::from_table<ProblemParams>(table));
+    const scenario::Value* rows = fault ? table.find(fault->key) : nullptr;
+    if (rows == nullptr) return result;
+    return base::located(result.error(), std::get<std::vector<scenario::Table>>(*rows)[fault->row].own_place);
+  };
+  return operation;
+}
+
 scenario::Program make_program() {
   scenario::Program program;
   program.name = "quebra";
@@ -32,8 +48,7 @@ scenario::Program make_program() {
           "zone", "Zone of small elements", "Elements of a given size within a given distance of curves, cracks or points.", add_zone),
       scenario::make_operation<Model, MeshParams>(
           "mesh", "Mesh", "Divides the boundary and fills the domain with triangles: quadtree for the sizes, Delaunay for the shapes.", add_mesh),
-      scenario::make_operation<Model, ProblemParams>(
-          "problem", "Materials, supports, loads", "The elastic problem, by the names of regions, curves and points.", set_problem),
+      problem_operation(),
       scenario::make_operation<Model, AnalyseParams>(
           "analyse", "Analyse", "Displacements, stresses and their error on the last mesh.", add_analysis),
       scenario::make_operation<Model, AdaptParams>(

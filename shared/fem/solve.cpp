@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "shared/base/text.h"
 #include "shared/fem/constraints.h"
@@ -21,6 +22,16 @@ base::Result<void> check_nodes(const mesh::ElementMesh& mesh) {
   for (std::size_t i = 0; i < used.size(); ++i) {
     if (used[i]) continue;
     return Error{ErrorCode::CannotMesh, fmt::format("node {} belongs to no element; remove it", i),
+                 base::Place{.x = mesh.points[i].x, .y = mesh.points[i].y}};
+  }
+  return {};
+}
+
+/// A formula may have no value somewhere.
+base::Result<void> check_finite(const mesh::ElementMesh& mesh, std::span<const Vector> values, const std::string& what) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (std::isfinite(values[i].x) && std::isfinite(values[i].y)) continue;
+    return Error{ErrorCode::InvalidOption, what + " has no finite value here",
                  base::Place{.x = mesh.points[i].x, .y = mesh.points[i].y}};
   }
   return {};
@@ -61,6 +72,12 @@ base::Result<Solution> solve(const mesh::ElementMesh& mesh, const Problem& probl
   DOBRA_TRY_VOID(check(mesh, problem));
   const std::vector<DofConstraint> constraints = constraints_of(mesh, problem);
   DOBRA_TRY_VOID(check_supported(mesh, problem, constraints));
+  for (const DofConstraint& constraint : constraints) {
+    if (std::isfinite(constraint.value)) continue;
+    const geom::Point at = mesh.points[constraint.terms.front().first / 2];
+    return Error{ErrorCode::InvalidOption, "prescribes a displacement that has no finite value here",
+                 base::Place{.item = constraint.name, .x = at.x, .y = at.y}};
+  }
   DOBRA_TRY(const EquationMap equations, EquationMap::make(mesh, constraints));
   DOBRA_TRY(const BlockMatrix matrix, assemble(mesh, problem));
   DOBRA_TRY_VOID(progress.check());
@@ -70,6 +87,7 @@ base::Result<Solution> solve(const mesh::ElementMesh& mesh, const Problem& probl
   std::vector<double> unknowns;
   for (const LoadCase& load : problem.cases) {
     forces.push_back(load_vector(mesh, problem, load));
+    DOBRA_TRY_VOID(check_finite(mesh, forces.back(), "a load of case '" + load.name + "'"));
     const std::vector<double> right = equations.reduce(matrix, forces.back(), load.settlement);
     unknowns.insert(unknowns.end(), right.begin(), right.end());
   }

@@ -11,38 +11,14 @@
 #include <map>
 #include <numbers>
 
-#include "quebra/core/operations.h"
-#include "shared/scenario/runner.h"
+#include "tests/support/quebra_scenarios.h"
 
 namespace quebra::core {
 namespace {
 
 using namespace dobra;
+using namespace test;
 using testing::HasSubstr;
-
-scenario::Run run(const std::string& text) {
-  const auto document = scenario::parse_document("dobra = 1\nprogram = \"quebra\"\n" + text, "test.toml");
-  EXPECT_TRUE(document.ok()) << (document ? "" : to_string(document.error()));
-  const auto checked = scenario::check(*document, program());
-  EXPECT_TRUE(checked.ok()) << (checked ? "" : to_string(checked.error()));
-  scenario::Runner runner(program());
-  return runner.run(*document);
-}
-
-const Model& last(const scenario::Run& run) { return scenario::model_of<Model>(run.states.back()); }
-
-std::map<std::string, double> figures(const scenario::Run& run) {
-  EXPECT_TRUE(run.complete()) << to_string(*run.error);
-  std::map<std::string, double> values;
-  for (const auto& quantity : program().quantities_of(run.states.back())) values[quantity.name] = quantity.value;
-  return values;
-}
-
-std::string trouble(const std::string& text) {
-  const scenario::Run done = run(text);
-  EXPECT_TRUE(done.error.has_value());
-  return done.error ? to_string(*done.error) : "";
-}
 
 const std::string kirsch = R"([input]
 specimen = "quarter_plate"
@@ -291,7 +267,7 @@ TEST(Analysis, BadInputIsNamed) {
   const std::string solve = "[[step]]\noperation = \"mesh\"\n[[step]]\noperation = \"analyse\"\n";
   std::string wrong = corner;
   wrong.replace(wrong.find("where = \"right\""), 15, "where = \"rihgt\"");
-  EXPECT_THAT(trouble(wrong + solve), HasSubstr("the mesh has no curve 'rihgt'; did you mean 'right'?"));
+  EXPECT_THAT(trouble(wrong + solve), HasSubstr("load 1: there is no curve or lip 'rihgt'; did you mean 'right'?"));
   EXPECT_THAT(trouble(corner + solve + "[[step]]\noperation = \"crack\"\n"), HasSubstr("the mesh has no crack tips"));
   const std::string rosettes = "[[step]]\noperation = \"mesh\"\nrosettes = \"yes\"\n";
   EXPECT_THAT(trouble(centre_crack + rosettes), HasSubstr("give order = \"2\""));

@@ -1,0 +1,335 @@
+#include "quebra/core/problem.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "shared/base/formula.h"
+#include "shared/base/text.h"
+#include "shared/fem/exact_fields.h"
+
+// 1. Rows of the scenario become functions and values (support_of, load_of ...), which also judge them.
+// 2. fault_of runs that on the domain, for its names; problem_of on a mesh.
+
+namespace quebra::core {
+namespace {
+
+namespace fem = dobra::fem;
+namespace mesh = dobra::mesh;
+using dobra::base::Error;
+using dobra::base::ErrorCode;
+using dobra::base::Formula;
+using dobra::base::Place;
+using dobra::base::Result;
+using dobra::geom::Point;
+using dobra::geom::Vector;
+
+Error bad(std::string message) { return {ErrorCode::BadValue, std::move(message)}; }
+
+/// A vector at a place of a curve with its outward normal (0, 0 inside the material).
+using PlaceFunction = std::function<Vector(Point, Vector)>;
+
+/// A number or a formula; what is empty is the number.
+Result<std::function<double(Point, Vector)>> number_or(double number, const std::string& text) {
+  using Function = std::function<double(Point, Vector)>;
+  if (text.empty()) return Function([number](Point, Vector) { return number; });
+  static const std::vector<std::string> names{"x", "y", "nx", "ny"};
+  DOBRA_TRY(const Formula formula, Formula::make(text, names));
+  return Function([formula](Point p, Vector n) { return formula.at(std::array{p.x, p.y, n.x, n.y}); });
+}
+
+bool has_formula(const LoadParams& load) { return !load.x_formula.empty() || !load.y_formula.empty() || !load.value_formula.empty(); }
+
+Result<void> check_linear(const LoadParams& load) {
+  if (load.from.has_value() != load.to.has_value()) return bad("a linear load needs both `from` and `to`");
+  if (!load.from) {
+    if (load.x_to != 0.0 || load.y_to != 0.0 || load.value_to != 0.0) return bad("x_to, y_to and value_to belong to a linear load: give `from` and `to`");
+    return {};
+  }
+  if (*load.from == *load.to) return bad("`from` and `to` of a linear load are the same point");
+  if (has_formula(load)) return bad("a load is linear (`from`, `to`) or a formula, not both");
+  return {};
+}
+
+/// x, y of a traction or body force: constant, linear or by formulas.
+Result<PlaceFunction> vector_of(const LoadParams& load) {
+  if (!load.value_formula.empty() || load.value != 0.0) return bad("`value` is of a pressure; give x and y here");
+  if (load.from) {
+    const auto linear = fem::linear(*load.from, {load.x, load.y}, *load.to, {load.x_to, load.y_to});
+    return PlaceFunction(linear);
+  }
+  DOBRA_TRY(const auto x, number_or(load.x, load.x_formula));
+  DOBRA_TRY(const auto y, number_or(load.y, load.y_formula));
+  return PlaceFunction([x, y](Point p, Vector n) { return Vector{x(p, n), y(p, n)}; });
+}
+
+Result<fem::Traction> pressure_of(const LoadParams& load) {
+  if (load.x != 0.0 || load.y != 0.0 || !load.x_formula.empty() || !load.y_formula.empty()) return bad("a pressure has no direction: give `value`, not x and y");
+  if (load.from) {
+    const auto linear = fem::linear(*load.from, {load.value, 0.0}, *load.to, {load.value_to, 0.0});
+    return fem::Traction([linear](Point p, Vector n) { return -linear(p, n).x * n; });
+  }
+  DOBRA_TRY(const auto value, number_or(load.value, load.value_formula));
+  return fem::Traction([value](Point p, Vector n) { return -value(p, n) * n; });
+}
+
+Result<fem::Traction> stress_of(const LoadParams& load) {
+  DOBRA_TRY(const auto xx, number_or(0.0, load.stress_xx));
+  DOBRA_TRY(const auto yy, number_or(0.0, load.stress_yy));
+  DOBRA_TRY(const auto xy, number_or(0.0, load.stress_xy));
+  return fem::traction_of([xx, yy, xy](Point p) { return fem::Voigt{xx(p, {}), yy(p, {}), xy(p, {})}; });
+}
+
+/// What a load is, for a case of a problem: along curves, at points, or in the material.
+struct Load {
+  fem::Traction traction = {};
+  std::optional<Vector> force = std::nullopt;
+  std::function<Vector(Point)> body = {};
+};
+
+Result<Load> load_of(const LoadParams& load) {
+  DOBRA_TRY_VOID(check_linear(load));
+  const bool stress = !load.stress_xx.empty() || !load.stress_yy.empty() || !load.stress_xy.empty();
+  if (stress != (load.kind == LoadKind::Stress)) return bad(stress ? "stress_xx, stress_yy and stress_xy are of kind = \"stress\"" : "a load of kind = \"stress\" needs stress_xx, stress_yy or stress_xy");
+  const bool plain = load.kind == LoadKind::Force || load.kind == LoadKind::Stress || load.kind == LoadKind::Kirsch || load.kind == LoadKind::Corner;
+  if (plain && (load.from || has_formula(load))) return bad("only tractions, pressures and body forces are linear or have formulas");
+  Load result;
+  switch (load.kind) {
+    case LoadKind::Traction: {
+      DOBRA_TRY(result.traction, vector_of(load));
+      break;
+    }
+    case LoadKind::Pressure: {
+      DOBRA_TRY(result.traction, pressure_of(load));
+      break;
+    }
+    case LoadKind::Stress: {
+      DOBRA_TRY(result.traction, stress_of(load));
+      break;
+    }
+    case LoadKind::Force: result.force = Vector{load.x, load.y}; break;
+    case LoadKind::Body: {
+      DOBRA_TRY(const PlaceFunction vector, vector_of(load));
+      result.body = [vector](Point p) { return vector(p, {}); };
+      break;
+    }
+    case LoadKind::Kirsch: result.traction = fem::traction_of([load](Point p) { return fem::kirsch_stress(p, load.radius, load.value); }); break;
+    case LoadKind::Corner: result.traction = fem::traction_of([load](Point p) { return fem::l_corner_stress(p, load.bisector); }); break;
+  }
+  return result;
+}
+
+Result<fem::Support> support_of(const SupportParams& params) {
+  fem::Support support{params.where, params.x, params.y, params.normal};
+  const bool formula = !params.x_formula.empty() || !params.y_formula.empty();
+  if (!formula) {
+    if (!params.x && !params.y && !params.normal) return bad("the support holds nothing; give x, y or normal");
+    return support;
+  }
+  if ((params.x && !params.x_formula.empty()) || (params.y && !params.y_formula.empty())) return bad("a displacement is a number or a formula, not both");
+  if ((!params.x && params.x_formula.empty()) || (!params.y && params.y_formula.empty())) return bad("a support with a formula prescribes both: give x or x_formula, and y or y_formula");
+  DOBRA_TRY(const auto x, number_or(params.x.value_or(0.0), params.x_formula));
+  DOBRA_TRY(const auto y, number_or(params.y.value_or(0.0), params.y_formula));
+  support.x = support.y = std::nullopt;
+  support.field = [x, y](Point p) { return Vector{x(p, {}), y(p, {})}; };
+  return support;
+}
+
+Result<void> check_tie(const TieParams& tie) {
+  if (tie.where.empty() == tie.points.empty()) return bad("a tie needs `where`, a curve, or `points`");
+  if (!tie.where.empty()) {
+    if (tie.value != 0.0 || !tie.axes.empty() || !tie.coefficients.empty()) return bad("axes, coefficients and value are of a tie between `points`");
+    return {};
+  }
+  if (tie.axes.size() != tie.points.size() || tie.coefficients.size() != tie.points.size())
+    return bad(fmt::format("{} points need as many axes and coefficients; there are {} and {}", tie.points.size(), tie.axes.size(), tie.coefficients.size()));
+  for (std::size_t i = 0; i < tie.axes.size(); ++i) {
+    if (tie.axes[i] != "x" && tie.axes[i] != "y") return bad(fmt::format("'{}' is no axis; write \"x\" or \"y\"", tie.axes[i]));
+    if (tie.coefficients[i] == 0.0) return bad("a coefficient of 0 says nothing; leave its point out");
+  }
+  return {};
+}
+
+/// The names that a mesh of the domain will have.
+struct Names {
+  std::vector<std::string> curves;  ///< Boundary curves, groups of them, lips.
+  std::vector<std::string> points;  ///< Named points and tips.
+  std::vector<std::string> regions;
+};
+
+Names names_of(const Domain& domain) {
+  Names names;
+  for (const Curve& curve : domain.curves) {
+    names.curves.insert(names.curves.end(), curve.groups.begin(), curve.groups.end());
+    if (curve.role != Role::Crack) {
+      names.curves.push_back(curve.name);
+      continue;
+    }
+    for (const char* const lip : {"_left", "_right"}) names.curves.push_back(curve.name + lip);
+    for (const char* const tip : {"_start", "_end"}) names.points.push_back(curve.name + tip);
+  }
+  for (const NamedPoint& point : domain.points) {
+    if (!point.name.empty()) names.points.push_back(point.name);
+  }
+  for (const auto& [tag, name] : domain.region_names) names.regions.push_back(name);
+  return names;
+}
+
+Result<void> known(const std::string& name, const char* what, const std::vector<std::string>& names) {
+  if (std::find(names.begin(), names.end(), name) != names.end()) return {};
+  return bad(name.empty() ? fmt::format("`where` is missing: the name of a {}", what) : fmt::format("there is no {} '{}'{}", what, name, dobra::base::did_you_mean(name, names)));
+}
+
+std::vector<std::string> both(std::vector<std::string> a, const std::vector<std::string>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+Result<void> check_row(const MaterialParams& material, const Names& names, Plane state) {
+  if (!material.region.empty()) DOBRA_TRY_VOID(known(material.region, "region", names.regions));
+  return fem::check({material.young, material.poisson, material.thickness, state == Plane::Stress ? fem::PlaneState::Stress : fem::PlaneState::Strain}, "the material");
+}
+
+Result<void> check_row(const SupportParams& support, const Names& names) {
+  DOBRA_TRY_VOID(support_of(support));
+  return support.normal ? known(support.where, "curve or lip", names.curves) : known(support.where, "curve, lip or point", both(names.curves, names.points));
+}
+
+Result<void> check_row(const SpringParams& spring, const Names& names) {
+  if (spring.kind == fem::SpringKind::Foundation) return known(spring.where, "curve or lip", names.curves);
+  return known(spring.where, "curve, lip or point", both(names.curves, names.points));
+}
+
+Result<void> check_row(const TieParams& tie, const Names& names) {
+  DOBRA_TRY_VOID(check_tie(tie));
+  for (const std::string& point : tie.points) DOBRA_TRY_VOID(known(point, "point", names.points));
+  return tie.where.empty() ? Result<void>{} : known(tie.where, "curve or lip", names.curves);
+}
+
+Result<void> check_row(const LoadParams& load, const Names& names) {
+  DOBRA_TRY_VOID(load_of(load));
+  if (load.kind == LoadKind::Force) return known(load.where, "point, curve or lip", both(names.points, names.curves));
+  if (load.kind == LoadKind::Body) return load.where.empty() ? Result<void>{} : known(load.where, "region", names.regions);
+  return known(load.where, "curve or lip", names.curves);
+}
+
+std::optional<Error> missing_material(const Domain& domain, const ProblemParams& params) {
+  for (const Face& face : domain.faces) {
+    const auto named = domain.region_names.find(face.region);
+    const bool has = std::any_of(params.materials.begin(), params.materials.end(), [&](const MaterialParams& own) {
+      return own.region.empty() || (named != domain.region_names.end() && own.region == named->second);
+    });
+    if (has) continue;
+    const std::string name = named != domain.region_names.end() ? fmt::format("region '{}'", named->second) : std::string("the region without a name");
+    return Error{ErrorCode::BadValue, name + " has no material; give it one, or one without `region` for all", Place{.item = "material", .x = face.inside.x, .y = face.inside.y}};
+  }
+  return std::nullopt;
+}
+
+Result<std::int32_t> region_of(const mesh::ElementMesh& mesh, const std::string& name) {
+  std::vector<std::string> names;
+  for (const auto& [tag, own] : mesh.region_names) {
+    if (own == name) return tag;
+    names.push_back(own);
+  }
+  return bad(fmt::format("there is no region '{}'{}", name, dobra::base::did_you_mean(name, names)));
+}
+
+Result<fem::Materials> materials_of(const mesh::ElementMesh& mesh, const ProblemParams& params) {
+  fem::Materials materials;
+  const auto state = params.state == Plane::Stress ? fem::PlaneState::Stress : fem::PlaneState::Strain;
+  for (const MaterialParams& own : params.materials) {
+    const fem::Material material{own.young, own.poisson, own.thickness, state};
+    if (own.region.empty()) {
+      for (const std::int32_t region : mesh.regions) materials.try_emplace(region, material);
+      continue;
+    }
+    DOBRA_TRY(const std::int32_t region, region_of(mesh, own.region));
+    materials[region] = material;
+  }
+  return materials;
+}
+
+Result<std::vector<fem::Tie>> ties_of(const mesh::ElementMesh& mesh, const TieParams& params) {
+  if (!params.where.empty()) return fem::equal_displacement(mesh, params.where, params.axis == TieAxis::X ? fem::Axis::X : fem::Axis::Y);
+  fem::Tie tie{"tie of '" + params.points.front() + "'", {}, params.value};
+  for (std::size_t i = 0; i < params.points.size(); ++i) {
+    DOBRA_TRY(const auto nodes, fem::find_nodes(mesh, params.points[i]));
+    tie.terms.push_back({nodes.front(), params.axes[i] == "x" ? fem::Axis::X : fem::Axis::Y, params.coefficients[i]});
+  }
+  return std::vector{tie};
+}
+
+fem::LoadCase& case_of(fem::Problem& problem, const std::string& name) {
+  for (fem::LoadCase& own : problem.cases) {
+    if (own.name == name) return own;
+  }
+  return problem.cases.emplace_back(fem::LoadCase{.name = name});
+}
+
+}  // namespace
+
+std::optional<ProblemFault> fault_of(const Domain& domain, const ProblemParams& params) {
+  const Names names = names_of(domain);
+  std::optional<ProblemFault> fault;
+  const auto judge = [&](const char* key, const auto& rows, const auto& check) {
+    for (std::size_t i = 0; i < rows.size() && !fault; ++i) {
+      if (const Result<void> result = check(rows[i]); !result) fault = ProblemFault{key, i, result.error()};
+    }
+  };
+  const auto by_name = [&](const auto& row) { return check_row(row, names); };
+  judge("material", params.materials, [&](const auto& row) { return check_row(row, names, params.state); });
+  judge("support", params.supports, by_name);
+  judge("spring", params.springs, by_name);
+  judge("tie", params.ties, by_name);
+  judge("load", params.loads, by_name);
+  if (!fault) {
+    if (auto error = missing_material(domain, params)) fault = ProblemFault{"", 0, *std::move(error)};
+  }
+  return fault;
+}
+
+Result<Model> set_problem(const Model& model, const ProblemParams& params, const dobra::scenario::Context&, const dobra::base::Progress&) {
+  if (auto fault = fault_of(model.domain, params)) {
+    if (fault->key.empty()) return fault->error;
+    Error error = fault->error;
+    error.place = Place{.item = fmt::format("{} {}", fault->key, fault->row + 1)};
+    return error;
+  }
+  Model result = model;
+  result.problem = std::make_shared<const ProblemParams>(params);
+  return result;
+}
+
+Result<fem::Problem> problem_of(const mesh::ElementMesh& mesh, const ProblemParams& params) {
+  fem::Problem problem;
+  problem.cases.clear();
+  DOBRA_TRY(problem.materials, materials_of(mesh, params));
+  for (const SupportParams& row : params.supports) {
+    DOBRA_TRY(fem::Support support, support_of(row));
+    problem.supports.push_back(std::move(support));
+  }
+  for (const SpringParams& row : params.springs) problem.springs.push_back({row.where, row.x, row.y, row.kind});
+  for (const TieParams& row : params.ties) {
+    DOBRA_TRY(const auto ties, ties_of(mesh, row));
+    problem.ties.insert(problem.ties.end(), ties.begin(), ties.end());
+  }
+  for (const CaseParams& row : params.cases) case_of(problem, row.name).settlement = row.settlement;
+  for (const LoadParams& row : params.loads) {
+    DOBRA_TRY(const Load load, load_of(row));
+    fem::LoadCase& own = case_of(problem, row.load_case);
+    if (load.traction) own.sides.push_back({row.where, load.traction});
+    if (load.force) own.points.push_back({row.where, *load.force});
+    if (!load.body) continue;
+    fem::BodyForce body{.force = load.body};
+    if (!row.where.empty()) {
+      DOBRA_TRY(body.region, region_of(mesh, row.where));
+    }
+    own.bodies.push_back(std::move(body));
+  }
+  if (problem.cases.empty()) problem.cases.emplace_back();  // prescribed displacements alone
+  return problem;
+}
+
+}  // namespace quebra::core

@@ -1,0 +1,47 @@
+#pragma once
+// Scenario texts run through QUEBRA's table of operations, as `quebra run` does.
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+
+#include "quebra/core/analysis.h"
+#include "quebra/core/operations.h"
+#include "shared/scenario/runner.h"
+
+namespace quebra::core::test {
+
+inline dobra::scenario::Run run(const std::string& text) {
+  using namespace dobra;
+  const auto document = scenario::parse_document("dobra = 1\nprogram = \"quebra\"\n" + text, "test.toml");
+  EXPECT_TRUE(document.ok()) << (document ? "" : to_string(document.error()));
+  const auto checked = scenario::check(*document, program());
+  EXPECT_TRUE(checked.ok()) << (checked ? "" : to_string(checked.error()));
+  scenario::Runner runner(program());
+  return runner.run(*document);
+}
+
+inline const Model& last(const dobra::scenario::Run& run) { return dobra::scenario::model_of<Model>(run.states.back()); }
+
+/// The quantities of the last state by name.
+inline std::map<std::string, double> figures(const dobra::scenario::Run& run) {
+  EXPECT_TRUE(run.complete()) << to_string(*run.error);
+  std::map<std::string, double> values;
+  for (const auto& quantity : program().quantities_of(run.states.back())) values[quantity.name] = quantity.value;
+  return values;
+}
+
+/// The message of the error of a document, be it of its form or of a step; it must have one.
+inline std::string trouble(const std::string& text) {
+  using namespace dobra;
+  const auto document = scenario::parse_document("dobra = 1\nprogram = \"quebra\"\n" + text, "test.toml");
+  if (!document) return to_string(document.error());
+  if (const auto checked = scenario::check(*document, program()); !checked) return to_string(checked.error());
+  scenario::Runner runner(program());
+  const scenario::Run done = runner.run(*document);
+  EXPECT_TRUE(done.error.has_value()) << "no error";
+  return done.error ? to_string(*done.error) : "";
+}
+
+}  // namespace quebra::core::test
