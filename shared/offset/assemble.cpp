@@ -4,6 +4,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "shared/offset/outline_ends.h"
 #include "shared/offset/piece_writer.h"
 #include "shared/offset/sections.h"
 

@@ -1,6 +1,6 @@
 #pragma once
-// A tree of boxes over items in a row, four children a node, so that one node fills a line of the cache and is tested at once.
-// Neighbours in a chain are neighbours in space: nothing is sorted.
+// A tree of boxes over items in a row, four children a node, so that one node fills a line of the cache and is tested
+// at once. Neighbours in a chain are neighbours in space: nothing is sorted.
 
 #include <algorithm>
 #include <array>
@@ -22,7 +22,8 @@ class BoxTree {
   [[nodiscard]] bool empty() const { return nodes_.empty(); }
   [[nodiscard]] FloatBox box(std::size_t item) const { return child(levels_[0].first + item / width, item % width); }
 
-  /// Items whose boxes may come within `reach` of q, until visit(item) returns true; of the children of a node the nearest first.
+  /// Items whose boxes may come within `reach` of q, until visit(item) returns true; of the children of a node the
+  /// nearest first.
   template <class Visit>
   bool any_within(Flat q, double reach, Visit&& visit) const;
   /// Items whose boxes, and those of the nodes above, pass holds(box), until visit(item) returns true.
@@ -30,12 +31,13 @@ class BoxTree {
   bool any_held(const Holds& holds, Visit&& visit) const {
     return any_below({levels_.size() - 1, 0}, holds, visit);
   }
-  /// The same, beginning with those next to an item: what is near is found soon. Not the item itself, nor those of its node.
+  /// The same, beginning with those next to an item: what is near is found soon. Not the item itself, nor those of its
+  /// node.
   template <class Holds, class Visit>
   bool any_held_from(std::size_t item, const Holds& holds, Visit&& visit) const;
-  /// The same of two trees over as many items: holds(box, box of the other).
-  template <class Holds, class Visit>
-  bool any_held(const BoxTree& other, const Holds& holds, Visit&& visit) const;
+  /// Items whose box, grown by d times that of another tree over as many items, may hold q, until visit(item) returns true.
+  template <class Visit>
+  bool any_held(const BoxTree& other, Flat q, double d, Visit&& visit) const;
 
  private:
   using Four = float __attribute__((vector_size(16)));
@@ -60,7 +62,9 @@ class BoxTree {
     box.high_y = n.high_y[k];
     return box;
   }
-  [[nodiscard]] std::size_t children(Open at) const { return std::min(width, levels_[at.level].items - width * at.node); }
+  [[nodiscard]] std::size_t children(Open at) const {
+    return std::min(width, levels_[at.level].items - width * at.node);
+  }
   template <class Holds, class Visit>
   bool any_below(Open top, const Holds& holds, Visit& visit) const;
 
@@ -150,16 +154,29 @@ bool BoxTree::any_held_from(std::size_t item, const Holds& holds, Visit&& visit)
   return false;
 }
 
-template <class Holds, class Visit>
-bool BoxTree::any_held(const BoxTree& other, const Holds& holds, Visit&& visit) const {
+template <class Visit>
+bool BoxTree::any_held(const BoxTree& other, Flat q, double d, Visit&& visit) const {
+  const auto x = static_cast<float>(q.x);
+  const auto y = static_cast<float>(q.y);
+  const auto scale = static_cast<float>(d);
+  // What is not there is an inverted box without end. Sums out of the range of floats hold everything.
+  const auto beyond = [](Four low, Four by, float at) {
+    const Four sum = low + by;
+    const auto size = [](Four v) { return v > -v ? v : -v; };
+    return sum - 4e-7F * (size(low) + size(by) + (at > 0 ? at : -at)) - 1e-37F > at;
+  };
   Open open[deepest];
   std::size_t count = 0;
   open[count++] = {levels_.size() - 1, 0};
   while (count > 0) {
     const Open at = open[--count];
     const std::size_t node = levels_[at.level].first + at.node;
+    const Node& n = nodes_[node];
+    const Node& w = other.nodes_[node];
+    const auto out = beyond(n.low_x, scale * w.low_x, x) | beyond(-n.high_x, -scale * w.high_x, -x) |
+                     beyond(n.low_y, scale * w.low_y, y) | beyond(-n.high_y, -scale * w.high_y, -y);
     for (std::size_t k = 0; k < children(at); ++k) {
-      if (!holds(child(node, k), other.child(node, k))) continue;
+      if (out[k] || w.low_x[k] > w.high_x[k]) continue;
       if (at.level > 0) {
         open[count++] = {at.level - 1, width * at.node + k};
       } else if (visit(width * at.node + k)) {

@@ -38,7 +38,7 @@ class Clearance {
   [[nodiscard]] bool is_harmless(std::size_t block, double d) const { return !gaps_.empty() && d < gaps_[block].harmless; }
 
   /// Doubles are near enough to places of the outline at distance d to tell on which side of a simple contour the free ones are.
-  [[nodiscard]] bool tells_sides(double d) const { return !has_mitres() || (!has_far_mitres() && d > 1e-9 * base_.size); }
+  [[nodiscard]] bool tells_sides(double d) const { return !has_mitres() || 100 * margin(d) < d; }
 
   /// Some mitres reach so far that what is cut in doubles of their lines is not at its place.
   [[nodiscard]] bool has_far_mitres() const { return greatest_mitre_ > 16; }
@@ -112,12 +112,7 @@ void Clearance::each_in(const FloatBox& box, Visit&& visit) const {
 template <class Visit>
 bool Clearance::any_mitre(Flat q, double d, Visit&& visit) const {
   if (mitres_.empty()) return false;
-  const double margin = 1e-13 * (base_.size + d);
-  const auto may_hold = [&](const FloatBox& p, const FloatBox& w) {
-    return (q.x >= p.low_x + d * w.low_x - margin) & (q.x <= p.high_x + d * w.high_x + margin) &
-           (q.y >= p.low_y + d * w.low_y - margin) & (q.y <= p.high_y + d * w.high_y + margin);
-  };
-  return tree_.any_held(mitres_, may_hold, [&](std::size_t leaf) {
+  return tree_.any_held(mitres_, q, d, [&](std::size_t leaf) {
     return any_of_leaf(leaf, [&](std::size_t i) {
       if (!base_.has_after(i)) return false;
       const Corner kind = corners_[base_.end_index(i)];

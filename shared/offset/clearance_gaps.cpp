@@ -104,31 +104,33 @@ std::pair<double, double> Clearance::gaps_about(std::size_t block, double floor,
   };
   double far = ceiling * ceiling;
   double near = far;
-  const auto measure = [&](std::size_t i, std::size_t j) {
+  const auto measure = [&](std::size_t i, const FloatBox& of_i, std::size_t j, const FloatBox& of_j) {
     const bool beyond = apart(i, j, Block::size);
-    if ((!beyond && !apart(i, j, run)) || box_gap(box(i), box(j)) >= (beyond ? far : near)) return;
+    if ((!beyond && !apart(i, j, run)) || box_gap(of_i, of_j) >= (beyond ? far : near)) return;
     const double squared = squared_gap_of(i, j);
     near = std::min(near, squared);
     if (beyond) far = std::min(far, squared);
   };
+  const auto measure_one = [&](std::size_t i, std::size_t j) { measure(i, box(i), j, box(j)); };
   // Likely the nearest ones: the ends of the next runs but one, and blocks.
   for (std::size_t i = first; i < last; i += run) {
-    if (i + 2 * run < n) measure(i + run - 1, i + 2 * run);
-    if (i > run) measure(i, i - run - 1);
+    if (i + 2 * run < n) measure_one(i + run - 1, i + 2 * run);
+    if (i > run) measure_one(i, i - run - 1);
   }
-  if (last + Block::size < n) measure(last - 1, last + Block::size);
-  if (first > Block::size) measure(first, first - Block::size - 1);
+  if (last + Block::size < n) measure_one(last - 1, last + Block::size);
+  if (first > Block::size) measure_one(first, first - Block::size - 1);
   static_assert(run == leaf_size && Block::size == run * BoxTree::width);
   const auto look = [&](std::size_t leaf) {
     const std::size_t other = leaf * run;
     const double& least = apart(first, other, Block::size) ? far : near;
     for (std::size_t own_run = first; own_run < last; own_run += run) {
       if (!apart(own_run, other, run) || box_gap(tree_.box(own_run / run), tree_.box(leaf)) >= least) continue;
+      const std::size_t end = std::min(n, other + run);
+      FloatBox others[run];
+      for (std::size_t j = other; j < end; ++j) others[j - other] = box(j);
       for (std::size_t i = own_run; i < std::min(last, own_run + run); ++i) {
-        any_of_leaf(leaf, [&](std::size_t j) {
-          measure(i, j);
-          return false;
-        });
+        const FloatBox of_i = box(i);
+        for (std::size_t j = other; j < end; ++j) measure(i, of_i, j, others[j - other]);
       }
     }
     return far < floor * floor;

@@ -1,6 +1,7 @@
 #include "shared/offset/outline.h"
 
 #include "shared/offset/high.h"
+#include "shared/offset/outline_ends.h"
 
 namespace dobra::offset {
 
@@ -87,8 +88,58 @@ template VecOf<double> Outline::middle_of_turn<double>(std::uint32_t) const;
 template VecOf<Real> Outline::middle_of_turn<Real>(std::uint32_t) const;
 template VecOf<High> Outline::middle_of_turn<High>(std::uint32_t) const;
 
+Outline::Junction Outline::junction(std::uint32_t step) const {
+  if (step + 1 < n_ && corners_[step + 1] <= Corner::Meet) {  // what is asked for most, without the detours
+    const std::size_t at = step + 1;
+    const Flat p = flat(base_.points[at]);
+    const Flat next = p + d_ * right_of(flat(base_.headings[at]));
+    if (corners_[at] == Corner::Straight) return {Corner::Straight, next, next};
+    const Flat u = flat(base_.headings[step]);
+    const Flat foot = p + d_ * right_of(u);
+    const double t = base_.half_tans[at];
+    if (!meets(t, base_.spans[step], base_.spans[at])) return {Corner::Apart, foot, next};
+    const Flat meet = foot - (d_ * t) * u;
+    return {Corner::Meet, meet, meet};
+  }
+  const Corner kind = corner(step);
+  const Flat p = to<double>(step);
+  const Flat u = along<double>(step);
+  const Flat foot = p + d_ * right_of(u);
+  if (kind == Corner::Meet || kind == Corner::Mitre) {
+    const double t = half_tan(step);
+    if (kind == Corner::Mitre && t > 16) {  // so far that a rounded direction misses
+      const Flat tip = flat(line_end<Real>(step));
+      return {kind, tip, tip};
+    }
+    const double reach = d_ * t;
+    const Flat meet = foot + (kind == Corner::Meet ? -reach : reach) * u;
+    return {kind, meet, meet};
+  }
+  const Flat v = along<double>(after(step));
+  const Flat next = p + d_ * right_of(v);
+  if (kind == Corner::Straight) return {kind, next, next};
+  if (kind != Corner::Tangent) return {kind, foot, next};
+  const double t = half_tan(step);
+  const double q = d_ * (std::isinf(t) ? 1 : t / (1 + std::sqrt(1 + t * t)));
+  return {kind, foot + q * u, next - q * v};
+}
+
 Flat Outline::start_of(Site s) const { return Ends(*this).start_of(s); }
 Flat Outline::end_of(Site s) const { return Ends(*this).end_of(s); }
+
+Flat Outline::Ends::other_start_of(Site s) {
+  if (s.role == Role::Line) return at(outline_.before(s.step)).start;
+  if (s.role == Role::SecondArc) return outline_.centre(s) + outline_.d_ * outline_.middle_of_turn<double>(s.step);
+  return at(s.step).end;
+}
+
+Flat Outline::Ends::end_of(Site s) {
+  if (s.role == Role::Line) return at(s.step).end;
+  if (s.role == Role::Arc && outline_.splits_arc(s.step)) {
+    return outline_.centre(s) + outline_.d_ * outline_.middle_of_turn<double>(s.step);
+  }
+  return at(s.step).start;
+}
 
 bool Outline::deep_in_mitre(Flat q, std::uint32_t step, bool at_end, double margin) const {
   const std::uint32_t at = at_end ? step : before(step);

@@ -99,35 +99,13 @@ class Outline {
     Flat end, start;
   };
   [[nodiscard]] Junction junction(std::uint32_t step) const;
-  /// The line of a step and the corner at its end, where that is a plain one: none, an inner one that leaves a length of both
-  /// lines, a mitre, or an arc of at most a right angle.
-  struct Lead {
-    bool plain;
-    Corner kind;
-    double length;  ///< What inner corners at both ends leave of the line.
-  };
+  struct Lead;
   [[nodiscard]] Lead lead(std::uint32_t step) const;
   /// Natural ends in doubles.
   [[nodiscard]] Flat start_of(Site s) const;
   [[nodiscard]] Flat end_of(Site s) const;
   [[nodiscard]] Flat centre(Site s) const { return to<double>(s.step); }
-  /// The same for pieces in the order of the walk, of which neighbours share a junction.
-  class Ends {
-   public:
-    explicit Ends(const Outline& outline) : outline_(outline) {}
-    [[nodiscard]] Flat start_of(Site s);
-    [[nodiscard]] Flat end_of(Site s);
-
-   private:
-    const Junction& at(std::uint32_t step) {
-      if (step != step_) junction_ = outline_.junction(step);
-      step_ = step;
-      return junction_;
-    }
-    const Outline& outline_;
-    std::uint32_t step_ = std::numeric_limits<std::uint32_t>::max();
-    Junction junction_{};
-  };
+  class Ends;  // these two are in outline_ends.h
 
   /// True if p lies nearer than D - margin to the segment, or as deep in a mitre at one of its ends.
   [[nodiscard]] bool deep_inside(Flat p, std::uint32_t step, double margin) const {
@@ -168,85 +146,6 @@ inline Corner Outline::corner(std::uint32_t step) const {
   if (step >= n_) kind = kind == Corner::Meet || std::isinf(t) ? Corner::Arc : Corner::Meet;
   if (kind != Corner::Meet) return kind;
   return meets(t, span(step), span(after(step))) ? Corner::Meet : Corner::Apart;
-}
-
-inline Outline::Lead Outline::lead(std::uint32_t step) const {
-  const std::size_t at = step + 1;
-  if (step == 0 || at >= n_) return {false, Corner::Straight, 0};
-  const Corner kind = corners_[at];
-  const double t = base_.half_tans[at];
-  const double span = base_.spans[step];
-  const bool plain = kind == Corner::Meet ? meets(t, span, base_.spans[at])
-                     : kind == Corner::Arc ? t <= 1
-                                           : kind == Corner::Straight || kind == Corner::Mitre;
-  if (!plain) return {false, kind, 0};
-  const double before = corners_[step] == Corner::Meet ? base_.half_tans[step] : 0;
-  const double after = kind == Corner::Meet ? t : 0;
-  return {true, kind, span - d_ * (before + after)};
-}
-
-inline Flat Outline::Ends::start_of(Site s) {
-  if (s.role == Role::Line && s.step > 0 && s.step < outline_.n_ && outline_.corners_[s.step] <= Corner::Mitre) {
-    const BaseCurve& base = outline_.base_;  // mostly so
-    const Flat p = flat(base.points[s.step]);
-    const double d = outline_.d_;
-    const Corner kind = outline_.corners_[s.step];
-    const bool mitre = kind == Corner::Mitre;
-    const double t = base.half_tans[s.step];
-    if (mitre ? t <= 16 : kind == Corner::Meet && outline_.meets(t, base.spans[s.step - 1], base.spans[s.step])) {
-      const Flat u = flat(base.headings[s.step - 1]);
-      return p + d * right_of(u) + (mitre ? d * t : -(d * t)) * u;
-    }
-    if (!mitre) return p + d * right_of(flat(base.headings[s.step]));
-  }
-  if (s.role == Role::Line) return at(outline_.before(s.step)).start;
-  if (s.role == Role::Arc) return outline_.centre(s) + outline_.d_ * right_of(outline_.along<double>(s.step));
-  if (s.role == Role::SecondArc) return outline_.centre(s) + outline_.d_ * outline_.middle_of_turn<double>(s.step);
-  return at(s.step).end;
-}
-
-inline Flat Outline::Ends::end_of(Site s) {
-  if (s.role == Role::Line) return at(s.step).end;
-  if (s.role == Role::Arc && outline_.splits_arc(s.step)) {
-    return outline_.centre(s) + outline_.d_ * outline_.middle_of_turn<double>(s.step);
-  }
-  return at(s.step).start;
-}
-
-inline Outline::Junction Outline::junction(std::uint32_t step) const {
-  if (step + 1 < n_ && corners_[step + 1] <= Corner::Meet) {  // what is asked for most, without the detours
-    const std::size_t at = step + 1;
-    const Flat p = flat(base_.points[at]);
-    const Flat next = p + d_ * right_of(flat(base_.headings[at]));
-    if (corners_[at] == Corner::Straight) return {Corner::Straight, next, next};
-    const Flat u = flat(base_.headings[step]);
-    const Flat foot = p + d_ * right_of(u);
-    const double t = base_.half_tans[at];
-    if (!meets(t, base_.spans[step], base_.spans[at])) return {Corner::Apart, foot, next};
-    const Flat meet = foot - (d_ * t) * u;
-    return {Corner::Meet, meet, meet};
-  }
-  const Corner kind = corner(step);
-  const Flat p = to<double>(step);
-  const Flat u = along<double>(step);
-  const Flat foot = p + d_ * right_of(u);
-  if (kind == Corner::Meet || kind == Corner::Mitre) {
-    const double t = half_tan(step);
-    if (kind == Corner::Mitre && t > 16) {  // so far that a rounded direction misses
-      const Flat tip = flat(line_end<Real>(step));
-      return {kind, tip, tip};
-    }
-    const double reach = d_ * t;
-    const Flat meet = foot + (kind == Corner::Meet ? -reach : reach) * u;
-    return {kind, meet, meet};
-  }
-  const Flat v = along<double>(after(step));
-  const Flat next = p + d_ * right_of(v);
-  if (kind == Corner::Straight) return {kind, next, next};
-  if (kind != Corner::Tangent) return {kind, foot, next};
-  const double t = half_tan(step);
-  const double q = d_ * (std::isinf(t) ? 1 : t / (1 + std::sqrt(1 + t * t)));
-  return {kind, foot + q * u, next - q * v};
 }
 
 }  // namespace dobra::offset

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "shared/offset/outline_ends.h"
+
 namespace dobra::offset {
 
 namespace {

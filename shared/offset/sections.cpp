@@ -144,14 +144,22 @@ VecOf<T> Trimmer::middle(const Section& section, std::uint32_t piece) const {
 }
 
 bool Trimmer::valid(const Section& section, std::uint32_t piece) {
-  if (validity_.held_by_recent(middle<double>(section, piece))) return false;
+  const Flat rough = middle<double>(section, piece);
+  if (validity_.held_by_recent(rough)) return false;
+  // What cuts it most likely holds it, on one side of the cut.
+  for (const std::uint32_t end : {section.from, section.to}) {
+    if (nodes_[end].j >= end_of_piece) continue;
+    for (const std::uint32_t hot : {nodes_[end].i, nodes_[end].j}) {
+      if (hot_[hot].piece != piece && validity_.held_by(pieces_[hot_[hot].piece].step(), rough)) return false;
+    }
+  }
   const Site site = pieces_[piece].site();
   const double error = error_of(site);
   Place found = validity_.of(middle<Real>(section, piece), site, resolution<Real> * error);
   if (found == Place::Doubtful) found = validity_.of(middle<High>(section, piece), site, resolution<High> * error);
   if (found != Place::Free) return false;
   const bool only_side = outline_.sides() == Outline::Sides::Right && clearance_.has_mitres();
-  return !only_side || !validity_.pokes_through(middle<double>(section, piece), site);
+  return !only_side || !validity_.pokes_through(rough, site);
 }
 
 /// One place decides for all of it: the middle of the longest of a few parts, where the least is in doubt.

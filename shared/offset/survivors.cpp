@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "shared/offset/high.h"
+#include "shared/offset/outline_ends.h"
 
 namespace dobra::offset {
 

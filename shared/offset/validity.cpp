@@ -39,6 +39,18 @@ bool Validity::held_by_recent(Flat q) const {
   });
 }
 
+bool Validity::held_by(std::uint32_t step, Flat q) {
+  if (!(margin_ < outline_.distance()) || !outline_.deep_inside(q, step, margin_)) return false;
+  remember(step);
+  return true;
+}
+
+void Validity::remember(std::uint32_t step) {
+  const auto known = std::find(recent_.begin(), recent_.end() - 1, step);
+  std::move_backward(recent_.begin(), known, known + 1);
+  recent_[0] = step;
+}
+
 template <class T>
 Place Validity::near_segment(std::size_t segment, const VecOf<T>& q, const T& d, double error) const {
   const BaseCurve& base = outline_.base();
@@ -87,9 +99,7 @@ Place Validity::of(const VecOf<T>& q, Site own, double error) {
   const auto settles = [&](Place place, std::size_t by) {
     if (place != Place::Free) worst = place;
     if (place != Place::Inside) return false;
-    const auto known = std::find(recent_.begin(), recent_.end() - 1, static_cast<std::uint32_t>(by));
-    std::move_backward(recent_.begin(), known, known + 1);
-    recent_[0] = static_cast<std::uint32_t>(by);
+    remember(static_cast<std::uint32_t>(by));
     return true;
   };
   if (clearance_.any_near(p, outline_.distance() + margin_ + error, [&](std::size_t segment) {

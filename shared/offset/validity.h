@@ -23,8 +23,11 @@ class Validity {
   [[nodiscard]] bool pokes_through(Flat q, Site own) const;
   /// True if q, rounded to doubles, surely lies in what held one of the last places.
   [[nodiscard]] bool held_by_recent(Flat q) const;
+  /// The same of the pill and the mitres of one step.
+  [[nodiscard]] bool held_by(std::uint32_t step, Flat q);
 
  private:
+  void remember(std::uint32_t step);
   template <class T>
   [[nodiscard]] Place near_segment(std::size_t segment, const VecOf<T>& q, const T& d, double error) const;
   template <class T>

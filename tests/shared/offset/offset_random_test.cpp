@@ -47,6 +47,17 @@ std::string judge_length(const RandomCase& c, const OffsetOptions& options, cons
   return {};
 }
 
+/// By the number of edges to the right of p; p is not near any.
+bool is_inside(const Polyline& contour, Point p) {
+  bool inside = false;
+  for (std::size_t i = 0; i < contour.segment_count(); ++i) {
+    const geom::Segment s = contour.segment(i);
+    if ((s.from.y > p.y) == (s.to.y > p.y)) continue;
+    inside ^= p.x < s.from.x + (s.to.x - s.from.x) * ((p.y - s.from.y) / (s.to.y - s.from.y));
+  }
+  return inside;
+}
+
 /// Everything that is wrong with the curve of one case.
 std::string judge(const RandomCase& c, const OffsetOptions& options) {
   const auto result = offset(c.base, std::vector<double>{c.distance}, options);
@@ -58,7 +69,10 @@ std::string judge(const RandomCase& c, const OffsetOptions& options) {
   for (std::size_t i = 0; i < std::min<std::size_t>(3, verified->findings.size()); ++i) wrong += to_string(verified->findings[i]) + "; ";
   if (verified->findings.size() > 3) wrong += "and " + std::to_string(verified->findings.size() - 3) + " more; ";
   for (const OffsetPiece& piece : curve.pieces) {
-    if (c.simple && !piece.closed) wrong += "open piece of a simple contour; ";
+    if (!c.simple) continue;
+    if (!piece.closed) wrong += "open piece of a simple contour; ";
+    const bool inwards = (options.side == Side::LeftOfTravel) == (geom::signed_area(c.base) > 0);
+    if (options.join != Join::Bevel && is_inside(c.base, piece.points.front()) != inwards) wrong += "a piece on the wrong side; ";
   }
   if (options.join != Join::Bevel && c.base.points.size() < 130) wrong += judge_length(c, options, curve);
   return wrong;
