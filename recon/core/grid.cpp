@@ -99,13 +99,21 @@ namespace {
 
 /// Depths of all points of the other horizons below the top in its given direction.
 std::vector<double> depths_of(const Section& section, const Horizon& top, const Columns& columns) {
-  std::vector<geom::Point> points;
-  for (const Horizon& horizon : section.horizons) {
-    if (horizon.id != top.id) points.insert(points.end(), horizon.line.points.begin(), horizon.line.points.end());
-  }
   const double tolerance = nearest_tolerance * columns.base_line().box().diagonal();
-  return base::parallel_map<double>(
-      points.size(), [&](std::size_t i) { return columns.locate(points[i], tolerance).at.depth; }, 256);
+  const auto of_lines = base::parallel_map<std::vector<double>>(section.horizons.size(), [&](std::size_t h) {
+    std::vector<double> depths;
+    if (section.horizons[h].id == top.id) return depths;
+    ColumnId hint;
+    for (const geom::Point p : section.horizons[h].line.points) {
+      const Located at = columns.locate(p, tolerance, hint);
+      hint = at.at.column;
+      depths.push_back(at.at.depth);
+    }
+    return depths;
+  });
+  std::vector<double> depths;
+  for (const std::vector<double>& line : of_lines) depths.insert(depths.end(), line.begin(), line.end());
+  return depths;
 }
 
 LayerSide side_of(const std::vector<double>& depths, LayerSide wish) {

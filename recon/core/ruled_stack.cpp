@@ -232,8 +232,7 @@ bool RuledStack::holds(const Strip& at, geom::Point p) const {
          !beyond_lower(at, p);
 }
 
-std::array<double, 4> RuledStack::beyond(Cell cell, geom::Point p) const {
-  const Strip at = strip(cell);
+std::array<double, 4> RuledStack::beyond(Cell cell, const Strip& at, geom::Point p) const {
   const geom::Vector along = at.right.top - at.left.top;
   return {cell.first == 0 ? -infinity : metres_beyond(at.left.top, at.left.bottom, -along, 1.0, p, tolerance_),
           cell.first == ruling_count(cell.second)
@@ -264,7 +263,7 @@ bool RuledStack::along_band(geom::Point p, Cell& cell, Strip& at) const {
       }
     }
     if (cell.first == 0 || cell.first == count) continue;
-    const std::array<double, 4> out = beyond(cell, p);
+    const std::array<double, 4> out = beyond(cell, at, p);
     const double width = -out[0] - out[1];
     if (!(width > 0.0)) continue;
     const double from = rulings_->place(cell.second, cell.first - 1);
@@ -414,12 +413,6 @@ StripPlace RuledStack::place_in(const Strip& at, geom::Point p) {
     best.down += geom::cross(across, off) / area;
   }
   return best;
-}
-
-geom::Point RuledStack::point_at(Cell cell, StripPlace place) const {
-  const Strip at = strip(cell);
-  return geom::interpolate(geom::interpolate(at.left.top, at.left.bottom, place.down),
-                           geom::interpolate(at.right.top, at.right.bottom, place.down), place.across);
 }
 
 }  // namespace recon::core
