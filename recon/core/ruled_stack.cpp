@@ -394,15 +394,15 @@ StripPlace RuledStack::place_in(const Strip& at, geom::Point p) {
   const double q = -0.5 * (b + (b < 0.0 ? -root : root));
   StripPlace best{across_at(0.0), 0.0};  // of a strip without height
   double least = infinity;
-  for (const double v : {q != 0.0 ? c / q : infinity, a != 0.0 ? q / a : infinity}) {
-    if (!std::isfinite(v)) continue;
+  const auto consider = [&](double v) {
     const double u = across_at(v);
     const double beside = std::max({0.0, -u, u - 1.0, -v, v - 1.0});
-    if (beside >= least) continue;
+    if (!std::isfinite(u) || !(beside < least)) return;
     least = beside;
     best = {u, v};
-    if (beside == 0.0) break;
-  }
+  };
+  if (q != 0.0) consider(c / q);
+  if (least > 0.0 && a != 0.0) consider(q / a);
   // One step of Newton takes away what the square root has lost.
   const geom::Vector off = (d - best.down * g) - best.across * (e + best.down * h);
   const geom::Vector across = e + best.down * h;

@@ -11,10 +11,10 @@
 //      Blocks of strips that meet the box of a folded one are marked when the stack is built.
 //   3. Otherwise the first strip that holds p, of all strips in the blocks whose boxes hold p.
 //   4. None does: p lies outside the stack (or in a hole of a folded part). From the nearest place on its outline,
-//   along
-//      the rulings that go on straight.
+//      along the rulings, which go on straight.
 // The answer is a function of p alone: the hint only makes it quicker.  Page: docs/algorithms/ruled_map.md
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
