@@ -2,10 +2,10 @@
 // Boxes of a structured grid of blocks (rows x columns), and above them the boxes of 2 x 2 of those below, up to one:
 // which blocks may hold a point, in O(log n) where neighbours in the grid are neighbours in the plane.
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
-#include "shared/base/check.h"
 #include "shared/geom/box.h"
 
 namespace recon::core {

@@ -175,28 +175,27 @@ std::optional<Columns::Found> Columns::find_from(std::size_t segment, geom::Poin
     const double before = depth * f.left - x;
     const double after = x - f.length - depth * f.right;
     const double squared = tree_.squared_distance(segment, p);
-    const bool certain = is_certain(squared, depth);
-    // Farther inside than the tolerance, and some rounding: no other column holds p.
-    if (certain && std::max(before, after) < -16.0 * tolerance)
-      return Found{ColumnId(segment + 1), std::sqrt(squared), Foot::InColumn};
-    if (accept(segment)) {
-      SegmentTree::Nearest best{segment, squared};
-      if (certain) {
-        // On a rung both columns hold p.
-        const auto consider = [&](std::size_t i) {
-          if (!accept(i)) return false;
-          const SegmentTree::Nearest candidate{i, tree_.squared_distance(i, p)};
-          if (candidate.before(best)) best = candidate;
-          return true;
-        };
-        for (std::size_t i = segment; i > 0 && consider(i - 1); --i) {
-        }
-        for (std::size_t i = segment; i + 1 < inner_count() && consider(i + 1); ++i) {
-        }
-      } else {
-        best = tree_.nearest_from(segment, p, accept);
-      }
+    const bool inside = before <= tolerance && after <= tolerance && before + after < 0.0;
+    const ColumnId held = inside ? ColumnId(segment + 1) : holder(segment, p, tolerance);
+    if (held.valid() && !is_certain(squared, depth)) {
+      const SegmentTree::Nearest best = tree_.nearest_from(segment, p, accept);
       return Found{holder(best.index, p, tolerance), best.distance(), Foot::InColumn};
+    }
+    if (held.valid()) {
+      SegmentTree::Nearest best{segment, squared};
+      const auto consider = [&](std::size_t i) {
+        if (!accept(i)) return false;
+        const SegmentTree::Nearest candidate{i, tree_.squared_distance(i, p)};
+        if (candidate.before(best)) best = candidate;
+        return true;
+      };
+      // Within the tolerance (and some rounding) of a rung both columns hold p.
+      const double near = -16.0 * tolerance;
+      for (std::size_t i = segment; i > 0 && (i < segment || before > near) && consider(i - 1); --i) {
+      }
+      for (std::size_t i = segment; i + 1 < inner_count() && (i > segment || after > near) && consider(i + 1); ++i) {
+      }
+      return Found{best.index == segment ? held : holder(best.index, p, tolerance), best.distance(), Foot::InColumn};
     }
     if (after > before ? segment + 1 == inner_count() : segment == 0) break;
     segment = after > before ? segment + 1 : segment - 1;

@@ -100,8 +100,14 @@ namespace {
 /// Where the points of a line lie in the columns of the top in its given direction.
 std::vector<ColumnPoint> places_of(const geom::Polyline& line, const Columns& columns) {
   const double tolerance = nearest_tolerance * columns.base_line().box().diagonal();
-  return base::parallel_map<ColumnPoint>(
-      line.points.size(), [&](std::size_t i) { return columns.locate(line.points[i], tolerance).at; }, 256);
+  std::vector<ColumnPoint> places;
+  places.reserve(line.points.size());
+  ColumnId hint;
+  for (const geom::Point p : line.points) {
+    places.push_back(columns.locate(p, tolerance, hint).at);
+    hint = places.back().column;
+  }
+  return places;
 }
 
 /// What the section has beyond the ends of the top.
@@ -112,8 +118,8 @@ struct Beyond {
   geom::Point place;
 };
 
-/// The farthest point of a line beyond the ends, if it is farther than what is known. What lies beyond the last rung but
-/// not beside the top, as under the steep limb of a fold, is no lack of the top.
+/// The farthest point of a line beyond the ends, if it is farther than what is known. What lies beyond the last rung
+/// but not beside the top, as under the steep limb of a fold, is no lack of the top.
 void measure_beyond(const geom::Polyline& line, const std::vector<ColumnPoint>& places, const Columns& columns,
                     const std::string& item, const base::Place& source, Beyond& beyond) {
   const geom::Box top = columns.base_line().box();
@@ -129,12 +135,13 @@ base::Result<void> refuse_uncovered(const Beyond& beyond, const Horizon& top, co
   if (params.uncovered == Uncovered::Continue || percent <= params.cover_tolerance) return {};
   base::Place place = place_at(beyond.place, beyond.item);
   place.file = beyond.file;
-  return base::Error{base::ErrorCode::BadSection,
-                     fmt::format("the top '{}' does not cover the section: this reaches {:.6g} m beyond its end, {:.3g} "
-                                 "% of its width; lengthen the top, take another one, or set uncovered = \"continue\" "
-                                 "(--uncovered continue) to go on straight there",
-                                 top.name, beyond.distance, percent),
-                     place};
+  return base::Error{
+      base::ErrorCode::BadSection,
+      fmt::format("the top '{}' does not cover the section: this reaches {:.6g} m beyond its end, {:.3g} "
+                  "% of its width; lengthen the top, take another one, or set uncovered = \"continue\" "
+                  "(--uncovered continue) to go on straight there",
+                  top.name, beyond.distance, percent),
+      place};
 }
 
 LayerSide side_of(const std::vector<double>& depths, LayerSide wish) {
@@ -233,11 +240,16 @@ base::Result<SourceGrid> make_source_grid(const Section& section, const GridPara
   if (!columns) return base::located(columns.error(), item);
   std::vector<double> depths;
   Beyond beyond;
-  for (const Horizon& horizon : section.horizons) {
-    if (horizon.id == top->id) continue;
-    const std::vector<ColumnPoint> places = places_of(horizon.line, *columns);
-    for (const ColumnPoint& at : places) depths.push_back(at.depth);
-    measure_beyond(horizon.line, places, *columns, fmt::format("horizon '{}'", horizon.name), horizon.source, beyond);
+  const auto places = base::parallel_map<std::vector<ColumnPoint>>(section.horizons.size(), [&](std::size_t h) {
+    const Horizon& horizon = section.horizons[h];
+    return horizon.id == top->id ? std::vector<ColumnPoint>{} : places_of(horizon.line, *columns);
+  });
+  for (std::size_t h = 0; h < places.size(); ++h) {
+    const Horizon& horizon = section.horizons[h];
+    for (const ColumnPoint& at : places[h]) depths.push_back(at.depth);
+    if (!places[h].empty())
+      measure_beyond(horizon.line, places[h], *columns, fmt::format("horizon '{}'", horizon.name), horizon.source,
+                     beyond);
   }
   for (const Unit& unit : section.units) {
     measure_beyond(unit.contour, places_of(unit.contour, *columns), *columns, fmt::format("unit '{}'", unit.name),

@@ -90,6 +90,8 @@ class ColumnMap {
   [[nodiscard]] MappedLine map(const geom::Polyline& line) const { return trace(*this, line); }
 
   // What Tracer asks (trace.cpp). Cell: source column; for Slip also the target column.
+  using Entered = Cell;
+  [[nodiscard]] static Cell enter(Cell cell) { return cell; }
   [[nodiscard]] Spot locate(geom::Point p, Cell hint) const;
   [[nodiscard]] std::array<double, 4> beyond(Cell cell, geom::Point p) const;
   [[nodiscard]] Carried carry(Cell cell, geom::Point p) const;

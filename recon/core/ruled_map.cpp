@@ -29,16 +29,16 @@ RuledMap RuledMap::swapped() const {
   return back;
 }
 
-Carried RuledMap::carry(Cell cell, geom::Point p) const {
-  const StripPlace place = from_->place_in(cell, p);
-  return {{ColumnId(cell.first), place.across, static_cast<double>(cell.second) + place.down},
-          to_->point_at(cell, place)};
+Carried RuledMap::carry(const Entered& at, geom::Point p) {
+  const StripPlace place = RuledStack::place_in(at.from, p);
+  return {{ColumnId(at.cell.first), place.across, static_cast<double>(at.cell.second) + place.down},
+          RuledStack::point_at(at.to, place)};
 }
 
 geom::Point RuledMap::across(const RuledStack& from, const RuledStack& to, geom::Point p, Cell& hint) {
   RuledStack::Strip at;
   hint = from.locate(p, hint, at).cell;
-  return to.point_at(hint, RuledStack::place_in(at, p));
+  return RuledStack::point_at(to.strip(hint), RuledStack::place_in(at, p));
 }
 
 }  // namespace recon::core

@@ -39,9 +39,20 @@ class RuledMap {
   [[nodiscard]] geom::Point map(geom::Point p, Cell& hint) const { return across(*from_, *to_, p, hint); }
 
   // What Tracer asks (trace.cpp). Cell: strip 0 .. n + 1 of a band, band.
-  [[nodiscard]] Spot locate(geom::Point p, Cell hint) const { return from_->locate(p, hint); }
-  [[nodiscard]] std::array<double, 4> beyond(Cell cell, geom::Point p) const { return from_->beyond(cell, p); }
-  [[nodiscard]] Carried carry(Cell cell, geom::Point p) const;
+  struct Entered {
+    Cell cell;
+    RuledStack::Strip from;
+    RuledStack::Strip to;
+  };
+  [[nodiscard]] Entered enter(Cell cell) const { return {cell, from_->strip(cell), to_->strip(cell)}; }
+  [[nodiscard]] Spot locate(geom::Point p, Cell hint) const {
+    RuledStack::Strip at;
+    return from_->locate(p, hint, at);
+  }
+  [[nodiscard]] std::array<double, 4> beyond(const Entered& at, geom::Point p) const {
+    return from_->beyond(at.cell, at.from, p);
+  }
+  [[nodiscard]] static Carried carry(const Entered& at, geom::Point p);
   [[nodiscard]] static bool keeps(const Spot& spot, geom::Point, const Spot& nearest) {
     return nearest.foot == Foot::InColumn && spot.foot == Foot::InColumn;
   }

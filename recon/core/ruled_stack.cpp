@@ -232,8 +232,7 @@ bool RuledStack::holds(const Strip& at, geom::Point p) const {
          !beyond_lower(at, p);
 }
 
-std::array<double, 4> RuledStack::beyond(Cell cell, geom::Point p) const {
-  const Strip at = strip(cell);
+std::array<double, 4> RuledStack::beyond(Cell cell, const Strip& at, geom::Point p) const {
   const geom::Vector along = at.right.top - at.left.top;
   return {cell.first == 0 ? -infinity : metres_beyond(at.left.top, at.left.bottom, -along, 1.0, p, tolerance_),
           cell.first == ruling_count(cell.second)
@@ -264,7 +263,7 @@ bool RuledStack::along_band(geom::Point p, Cell& cell, Strip& at) const {
       }
     }
     if (cell.first == 0 || cell.first == count) continue;
-    const std::array<double, 4> out = beyond(cell, p);
+    const std::array<double, 4> out = beyond(cell, at, p);
     const double width = -out[0] - out[1];
     if (!(width > 0.0)) continue;
     const double from = rulings_->place(cell.second, cell.first - 1);
@@ -395,15 +394,15 @@ StripPlace RuledStack::place_in(const Strip& at, geom::Point p) {
   const double q = -0.5 * (b + (b < 0.0 ? -root : root));
   StripPlace best{across_at(0.0), 0.0};  // of a strip without height
   double least = infinity;
-  for (const double v : {q != 0.0 ? c / q : infinity, a != 0.0 ? q / a : infinity}) {
-    if (!std::isfinite(v)) continue;
+  const auto consider = [&](double v) {
     const double u = across_at(v);
     const double beside = std::max({0.0, -u, u - 1.0, -v, v - 1.0});
-    if (beside >= least) continue;
+    if (!std::isfinite(u) || !(beside < least)) return;
     least = beside;
     best = {u, v};
-    if (beside == 0.0) break;
-  }
+  };
+  if (q != 0.0) consider(c / q);
+  if (least > 0.0 && a != 0.0) consider(q / a);
   // One step of Newton takes away what the square root has lost.
   const geom::Vector off = (d - best.down * g) - best.across * (e + best.down * h);
   const geom::Vector across = e + best.down * h;
@@ -414,12 +413,6 @@ StripPlace RuledStack::place_in(const Strip& at, geom::Point p) {
     best.down += geom::cross(across, off) / area;
   }
   return best;
-}
-
-geom::Point RuledStack::point_at(Cell cell, StripPlace place) const {
-  const Strip at = strip(cell);
-  return geom::interpolate(geom::interpolate(at.left.top, at.left.bottom, place.down),
-                           geom::interpolate(at.right.top, at.right.bottom, place.down), place.across);
 }
 
 }  // namespace recon::core

@@ -11,10 +11,10 @@
 //      Blocks of strips that meet the box of a folded one are marked when the stack is built.
 //   3. Otherwise the first strip that holds p, of all strips in the blocks whose boxes hold p.
 //   4. None does: p lies outside the stack (or in a hole of a folded part). From the nearest place on its outline,
-//   along
-//      the rulings that go on straight.
+//      along the rulings, which go on straight.
 // The answer is a function of p alone: the hint only makes it quicker.  Page: docs/algorithms/ruled_map.md
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -55,25 +55,6 @@ struct StripPlace {
 
 class RuledStack {
  public:
-  /// @param points  of each line, one a place. @param by  how far the strips beyond the ends reach, m.
-  RuledStack(std::shared_ptr<const Rulings> rulings, std::vector<std::vector<geom::Point>> points, double by,
-             double tolerance);
-
-  /// The middle of the first strip that is folded over: its sides cross, or it is turned round.
-  [[nodiscard]] std::optional<geom::Point> folded() const { return folded_; }
-  /// Cells: strip 0 .. n + 1 of a band, band; 0 and n + 1 lie beyond the ends.
-  [[nodiscard]] Spot locate(geom::Point p, Cell hint) const {
-    Strip at;
-    return locate(p, hint, at);
-  }
-  /// Metres beyond the left and right ruling, the upper and the lower line; -infinity where there is nothing to cross.
-  [[nodiscard]] std::array<double, 4> beyond(Cell cell, geom::Point p) const;
-  [[nodiscard]] bool is_outer(Cell cell) const { return cell.first == 0 || cell.first == ruling_count(cell.second); }
-  /// The name of p in a strip, wherever p lies, and the point of that name.
-  [[nodiscard]] StripPlace place_in(Cell cell, geom::Point p) const { return place_in(strip(cell), p); }
-  [[nodiscard]] geom::Point point_at(Cell cell, StripPlace place) const;
-
-  /// The same with the strip that was found.
   struct Ruling {
     geom::Point top;
     geom::Point bottom;
@@ -82,10 +63,28 @@ class RuledStack {
     Ruling left;
     Ruling right;
   };
-  [[nodiscard]] Spot locate(geom::Point p, Cell hint, Strip& at) const;
-  [[nodiscard]] static StripPlace place_in(const Strip& at, geom::Point p);
+
+  /// @param points  of each line, one a place. @param by  how far the strips beyond the ends reach, m.
+  RuledStack(std::shared_ptr<const Rulings> rulings, std::vector<std::vector<geom::Point>> points, double by,
+             double tolerance);
   RuledStack(const RuledStack&) = delete;
   RuledStack& operator=(const RuledStack&) = delete;
+
+  /// The middle of the first strip that is folded over: its sides cross, or it is turned round.
+  [[nodiscard]] std::optional<geom::Point> folded() const { return folded_; }
+  /// Cells: strip 0 .. n + 1 of a band, band; 0 and n + 1 lie beyond the ends.
+  /// @param at  becomes the strip.
+  [[nodiscard]] Spot locate(geom::Point p, Cell hint, Strip& at) const;
+  [[nodiscard]] Strip strip(Cell cell) const;
+  [[nodiscard]] bool is_outer(Cell cell) const { return cell.first == 0 || cell.first == ruling_count(cell.second); }
+  /// Metres beyond the left and right ruling, the upper and the lower line; -infinity where there is nothing to cross.
+  [[nodiscard]] std::array<double, 4> beyond(Cell cell, const Strip& at, geom::Point p) const;
+  /// The name of p in a strip, wherever p lies, and the point of that name.
+  [[nodiscard]] static StripPlace place_in(const Strip& at, geom::Point p);
+  [[nodiscard]] static geom::Point point_at(const Strip& at, StripPlace place) {
+    return geom::interpolate(geom::interpolate(at.left.top, at.left.bottom, place.down),
+                             geom::interpolate(at.right.top, at.right.bottom, place.down), place.across);
+  }
 
  private:
   /// A band and its two lines.
@@ -99,7 +98,6 @@ class RuledStack {
   };
   [[nodiscard]] std::uint32_t ruling_count(std::size_t band) const { return bands_[band].count; }
   [[nodiscard]] Ruling ruling(const Band& band, std::uint32_t i) const;
-  [[nodiscard]] Strip strip(Cell cell) const;
   [[nodiscard]] bool walk(geom::Point p, Cell& cell, Strip& at) const;
   [[nodiscard]] bool along_band(geom::Point p, Cell& cell, Strip& at) const;
   [[nodiscard]] bool beyond_upper(const Strip& at, geom::Point p) const;

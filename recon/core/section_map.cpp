@@ -34,7 +34,7 @@ MappedPoint SectionMap::forward(geom::Point p) const {
   return std::visit(
       [&](const auto& map) {
         const Spot spot = map.locate(p, Cell{});
-        return MappedPoint{map.carry(spot.cell, p).image, spot.foot};
+        return MappedPoint{map.carry(map.enter(spot.cell), p).image, spot.foot};
       },
       map_);
 }
@@ -85,7 +85,8 @@ template <class Map>
 Gradient gradient_in(const Map& map, Cell cell, geom::Point p) {
   // Wide enough that rounding is small against it, narrow against any curvature: 1e-6 of the size.
   const double h = map.tolerances().chord;
-  const auto image = [&](double x, double y) { return map.carry(cell, {p.x + x, p.y + y}).image; };
+  const auto entered = map.enter(cell);
+  const auto image = [&](double x, double y) { return map.carry(entered, {p.x + x, p.y + y}).image; };
   const geom::Vector along_x = (image(h, 0.0) - image(-h, 0.0)) / (2.0 * h);
   const geom::Vector along_y = (image(0.0, h) - image(0.0, -h)) / (2.0 * h);
   return {along_x.x, along_y.x, along_x.y, along_y.y};

@@ -45,6 +45,8 @@ class ShearMap {
   }
 
   // What Tracer asks (trace.cpp). Cell: strip 0 .. n + 1 between the n + 1 corners of both lines.
+  using Entered = Cell;
+  [[nodiscard]] static Cell enter(Cell cell) { return cell; }
   [[nodiscard]] Spot locate(geom::Point p, Cell hint) const;
   [[nodiscard]] std::array<double, 2> beyond(Cell cell, geom::Point p) const;
   [[nodiscard]] Carried carry(Cell cell, geom::Point p) const;

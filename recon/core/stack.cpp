@@ -111,7 +111,7 @@ geom::Vector pin_normal(const Target& target) {
 }
 
 base::Result<StackLine> stack_line(const Horizon& horizon, const SourceGrid& source, const Target& target,
-                                   geom::Vector normal) {
+                                   geom::Vector normal, PinAt where) {
   StackLine line;
   line.id = horizon.id;
   line.line = horizon.id == source.top          ? source.base
@@ -120,7 +120,6 @@ base::Result<StackLine> stack_line(const Horizon& horizon, const SourceGrid& sou
   line.arc = geom::arc_lengths(line.line);
   line.given.resize(line.arc.size());
   std::iota(line.given.begin(), line.given.end(), std::size_t{0});
-  const PinAt where = pin_at(source, target.source_arc);
   if (horizon.id == source.top) {
     line.pin = target.source_arc;
   } else if (where != PinAt::Inside) {
@@ -211,7 +210,11 @@ class RuledBuilder {
 class StackBuilder {
  public:
   StackBuilder(const SourceGrid& source, const Target& target, const MethodParams& params, ColumnMap goal)
-      : source_(source), target_(target), params_(params), goal_(std::move(goal)) {}
+      : source_(source),
+        target_(target),
+        params_(params),
+        goal_(std::move(goal)),
+        top_length_(geom::length(source.base)) {}
 
   base::Result<MethodMap> run(std::vector<StackLine> lines) {
     const bool proportional = params_.method == RestoreMethod::Proportional;
@@ -304,9 +307,8 @@ class StackBuilder {
 
   /// At the same place as u on the top, at a depth along the normal of the target.
   [[nodiscard]] geom::Point below_top(double u, double depth, ColumnId& hint) const {
-    const double length = geom::length(source_.base);
     const double pin = target_.source_arc;
-    const geom::Point foot = goal_.target_point(u * (u < 0.0 ? pin : length - pin), 0.0, hint);
+    const geom::Point foot = goal_.target_point(u * (u < 0.0 ? pin : top_length_ - pin), 0.0, hint);
     ColumnPoint name = goal_.target().locate(foot, goal_.tolerances().side, hint).at;
     name.depth = depth;
     return goal_.target().point(name);
@@ -316,6 +318,7 @@ class StackBuilder {
   const Target& target_;
   const MethodParams& params_;
   ColumnMap goal_;  ///< Slip: beds of the target by their distance from the pin.
+  double top_length_ = 0.0;
   double thickness_ = 0.0;
 };
 
@@ -354,8 +357,9 @@ base::Result<MethodMap> make_stack_map(const Section& section, const SourceGrid&
     DOBRA_TRY(taken, top_and_base(section, source, params, order.back()));
   }
   const geom::Vector normal = pin_normal(target);
+  const PinAt where = pin_at(source, target.source_arc);
   auto found = base::parallel_map<std::optional<base::Result<StackLine>>>(taken.size(), [&](std::size_t i) {
-    auto line = stack_line(*find_horizon(section, taken[i]), source, target, normal);
+    auto line = stack_line(*find_horizon(section, taken[i]), source, target, normal, where);
     if (line && flexural) measure_depths(*line, target.map);
     return line;
   });

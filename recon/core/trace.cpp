@@ -18,8 +18,9 @@ namespace {
 ///   3. Otherwise it has crossed the medial axis on the way, or does so here: bisect for the last place that c keeps,
 ///   and
 ///      emit that place in both cells (a tear).
-/// Map: `locate(p, hint)`, `beyond(cell, p)`: metres beyond each side of a cell, linear along straight lines,
-/// `carry(cell, p)`, `keeps(cell, p, spot)`, `back(image, hint)`, `is_outer(cell)`, `bends()`, `tolerances()`.
+/// Map: `locate(p, hint)`, `enter(cell)`: what the map needs to know of the cell for the next two, `beyond(entered,
+/// p)`: metres beyond each side of a cell, linear along straight lines, `carry(entered, p)`, `keeps(spot, p, nearest)`,
+/// `back(image, hint)`, `is_outer(cell)`, `bends()`, `tolerances()`.
 template <class Map>
 class Tracer {
  public:
@@ -33,13 +34,16 @@ class Tracer {
     result_.names.reserve(2 * count + 2);
     result_.given.reserve(count);
     spot_ = map_.locate(line.points.front(), {});
+    cell_ = map_.enter(spot_.cell);
     back_hint_ = spot_.cell;
-    given(line.points.front(), map_.carry(spot_.cell, line.points.front()));
+    given(line.points.front(), map_.carry(cell_, line.points.front()));
     for (std::size_t i = 1; i < count; ++i) piece(line.points[i - 1], line.points[i]);
     return std::move(result_);
   }
 
  private:
+  using Entered = typename Map::Entered;
+
   /// Steps smaller than this part of a piece are not resolved.
   static constexpr double smallest_step = 1e-9;
 
@@ -79,26 +83,27 @@ class Tracer {
   }
 
   /// What a curved image between the last vertex and p (still to be emitted) needs.
-  void bend_to(geom::Point p, const Carried& carried, Cell cell) {
+  void bend_to(geom::Point p, const Carried& carried) {
     if (!map_.bends()) return;
-    refine(result_.before.points.back(), result_.after.points.back(), p, carried.image, cell,
-           tolerances_.most_halvings);
+    refine(result_.before.points.back(), result_.after.points.back(), p, carried.image, tolerances_.most_halvings);
   }
 
-  void refine(geom::Point from, geom::Point from_image, geom::Point to, geom::Point to_image, Cell cell, int halvings) {
+  void refine(geom::Point from, geom::Point from_image, geom::Point to, geom::Point to_image, int halvings) {
     if (halvings == 0) return;
     const geom::Point middle = geom::midpoint(from, to);
-    const Carried carried = map_.carry(cell, middle);
-    if (geom::distance(geom::Segment{from_image, to_image}, carried.image) <= tolerances_.chord) return;
-    refine(from, from_image, middle, carried.image, cell, halvings - 1);
+    const Carried carried = map_.carry(cell_, middle);
+    const geom::Segment chord{from_image, to_image};
+    const geom::Point on_chord = geom::interpolate(from_image, to_image, geom::nearest_fraction(chord, carried.image));
+    if (!apart(on_chord, carried.image, tolerances_.chord)) return;
+    refine(from, from_image, middle, carried.image, halvings - 1);
     emit(middle, carried);
-    refine(middle, carried.image, to, to_image, cell, halvings - 1);
+    refine(middle, carried.image, to, to_image, halvings - 1);
   }
 
   /// Where, not before `from`, the piece leaves the cell; 1 if it does not.
   [[nodiscard]] double exit_after(double from, geom::Point a, geom::Point b) const {
-    const auto at_a = map_.beyond(spot_.cell, a);
-    const auto at_b = map_.beyond(spot_.cell, b);
+    const auto at_a = map_.beyond(cell_, a);
+    const auto at_b = map_.beyond(cell_, b);
     double out = 1.0;
     for (std::size_t side = 0; side < at_a.size(); ++side) {
       const double start = at_a[side];
@@ -125,9 +130,10 @@ class Tracer {
   }
 
   /// Goes to p, the place u, and there from `spot_` into the cell `next`.
-  void cross(double u, geom::Point p, const Carried& old, const Carried& now, const Spot& next) {
+  void cross(double u, geom::Point p, const Carried& old, const Carried& now, const Spot& next,
+             const Entered& next_cell) {
     const bool torn = apart(old.image, now.image, tolerances_.tear);
-    if (u > smallest_step) bend_to(p, old, spot_.cell);
+    if (u > smallest_step) bend_to(p, old);
     if (torn) {
       tear(p, old, now);
       emit(p, now);
@@ -135,6 +141,7 @@ class Tracer {
       emit(p, old);
     }
     spot_ = next;
+    cell_ = next_cell;
   }
 
   void piece(geom::Point a, geom::Point b) {
@@ -145,8 +152,15 @@ class Tracer {
       double out = exit_after(u, a, b);
       geom::Point p = b;
       Spot next = at_end;
+      Entered next_cell = cell_;
       Carried old;
       Carried now;
+      const auto carry_at = [&](double place) {
+        p = geom::interpolate(a, b, place);
+        next_cell = map_.enter(next.cell);
+        old = map_.carry(cell_, p);
+        now = map_.carry(next_cell, p);
+      };
       bool missed = false;  // the medial axis is crossed before `out`
       if (out == 1.0) {
         if (next.cell == spot_.cell || map_.keeps(spot_, b, next)) break;
@@ -159,29 +173,26 @@ class Tracer {
           step *= 2.0;
           continue;
         }
-        p = geom::interpolate(a, b, out);
-        old = map_.carry(spot_.cell, p);
-        now = map_.carry(next.cell, p);
+        carry_at(out);
         missed = apart(old.image, now.image, tolerances_.tear) && !map_.keeps(spot_, p, map_.locate(p, spot_.cell));
       }
       if (missed) {
         out = bisect(u, out, a, b);
         next = later_than(out, step, a, b, at_end);
-        p = geom::interpolate(a, b, out);
-        old = map_.carry(spot_.cell, p);
-        now = map_.carry(next.cell, p);
+        carry_at(out);
       }
       // Cells that change at once, again and again, are rounding along a side.
       const bool stuck = out <= u + smallest_step || next.cell == spot_.cell;
-      cross(out, p, old, now, next);
+      cross(out, p, old, now, next, next_cell);
       if (out + step >= 1.0) break;
       u = out;
       step = stuck ? 2.0 * step : smallest_step;
     }
-    Carried end = map_.carry(spot_.cell, b);
-    bend_to(b, end, spot_.cell);
+    Carried end = map_.carry(cell_, b);
+    bend_to(b, end);
     if (!(at_end.cell == spot_.cell)) {
-      const Carried there = map_.carry(at_end.cell, b);
+      cell_ = map_.enter(at_end.cell);
+      const Carried there = map_.carry(cell_, b);
       if (apart(end.image, there.image, tolerances_.tear)) tear(b, end, there);
       end = there;
     }
@@ -193,18 +204,21 @@ class Tracer {
   TraceTolerances tolerances_;
   MappedLine result_;
   Spot spot_;       ///< Where the walk is.
+  Entered cell_;    ///< Its cell.
   Cell back_hint_;  ///< For the map back.
 };
 
 /// Columns laid out straight: (place along the base, depth). No line is torn by it but on the medial axis.
 class Unrolled {
  public:
+  using Entered = Cell;
   Unrolled(const Columns& columns, const TraceTolerances& tolerances) : columns_(columns), tolerances_(tolerances) {}
 
   [[nodiscard]] Spot locate(geom::Point p, Cell hint) const {
     const Columns::Found found = columns_.find(p, tolerances_.side, ColumnId(hint.first));
     return {{static_cast<std::uint32_t>(found.column.index()), 0}, found.distance, found.foot};
   }
+  [[nodiscard]] static Cell enter(Cell cell) { return cell; }
   [[nodiscard]] std::array<double, 2> beyond(Cell cell, geom::Point p) const {
     const Columns::Beyond out = columns_.beyond(ColumnId(cell.first), p);
     return {out.left, out.right};

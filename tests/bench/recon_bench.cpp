@@ -1,9 +1,12 @@
-// Restoration: whole sections, single maps, a pin that is moved, Monte Carlo. Peers in the same run: the least work
-// that a map can be (an affine transformation of as many points), so that ratios do not depend on the machine.
+// Restoration: whole sections, single maps, a pin that is moved, growth with the number of points, Monte Carlo. A peer
+// in the same run: the least work that a map can be (an affine transformation of as many points), so that ratios do not
+// depend on the machine. "Time" is by the clock, "CPU" what all threads took: on a busy machine half of that is what
+// two free cores would need.
 
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <ctime>
 
 #include "recon/core/operations.h"
 #include "shared/geom/transform.h"
@@ -64,7 +67,8 @@ BENCHMARK(restore_whole_section)
     ->Args({100, 10000})
     ->Args({100, 30000})
     ->Unit(benchmark::kMillisecond)
-    ->MeasureProcessCPUTime()->UseRealTime();
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 
 void restore_with_grid_there(benchmark::State& state) {
   const Model model = start(100, 10000);
@@ -74,7 +78,11 @@ void restore_with_grid_there(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(run_restore(ready, by(method), {}, {}).value());
   state.SetItemsProcessed(state.iterations() * 1000000);
 }
-BENCHMARK(restore_with_grid_there)->DenseRange(0, 5)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(restore_with_grid_there)
+    ->DenseRange(0, 5)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 
 std::vector<geom::Point> all_points(const Section& section) {
   std::vector<geom::Point> points;
@@ -125,6 +133,33 @@ void move_the_pin(benchmark::State& state) {
   }
 }
 BENCHMARK(move_the_pin)->DenseRange(0, 5)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+
+/// Processor seconds of one restoration with the grid there, the least of three.
+double seconds_of(std::size_t points, RestoreMethod method) {
+  const Model ready =
+      run_target(run_grid(start(20, points), grid_of(1), {}, {}).value(), pinned(5000.0), {}, {}).value();
+  double least = 1e300;
+  for (int i = 0; i < 3; ++i) {
+    const std::clock_t begin = std::clock();
+    benchmark::DoNotOptimize(run_restore(ready, by(method), {}, {}).value());
+    least = std::min(least, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+  }
+  return least;
+}
+
+/// time = n^exponent between 20 x 2500 and 20 x 50 000 points.
+void growth(benchmark::State& state) {
+  const auto method = static_cast<RestoreMethod>(state.range(0));
+  state.SetLabel(method_name(method));
+  for (auto _ : state) {
+    const double small = seconds_of(2500, method);
+    const double large = seconds_of(50000, method);
+    state.counters["ns_point_small"] = small / 50000.0 * 1e9;
+    state.counters["ns_point_large"] = large / 1000000.0 * 1e9;
+    state.counters["exponent"] = std::log(large / small) / std::log(20.0);
+  }
+}
+BENCHMARK(growth)->DenseRange(0, 5)->Iterations(1)->Unit(benchmark::kSecond)->MeasureProcessCPUTime()->UseRealTime();
 
 void monte_carlo_draws(benchmark::State& state) {
   const Model with_target =

@@ -64,10 +64,11 @@ std::vector<geom::Point> points_in(const std::vector<RuledLine>& lines, double m
 std::optional<Cell> first_holder(const RuledMap& map, std::size_t bands, geom::Point p) {
   for (std::uint32_t band = 0; band < bands; ++band) {
     for (std::uint32_t strip = 1; !map.is_outer({strip, band}); ++strip) {
-      const auto out = map.beyond({strip, band}, p);
+      const auto at = map.enter({strip, band});
+      const auto out = map.beyond(at, p);
       if (*std::max_element(out.begin(), out.end()) > map.tolerances().side) continue;
       // Above the first line and below the last one, `beyond` knows no limit.
-      const double down = map.carry({strip, band}, p).name.depth - band;
+      const double down = map.carry(at, p).name.depth - band;
       if (down >= -1e-9 && down <= 1.0 + 1e-9) return Cell{strip, band};
     }
   }
@@ -104,7 +105,7 @@ TEST(RuledMap, WhereStripsAreFoldedOverTheHintDoesNotMatterEither) {
     std::uniform_int_distribution<std::uint32_t> band(0, 2);
     for (const geom::Point p : points_in(lines, 60.0, 400, seed)) {
       const Spot alone = map.locate(p, {});
-      const geom::Point image = map.carry(alone.cell, p).image;
+      const geom::Point image = map.carry(map.enter(alone.cell), p).image;
       for (int i = 0; i < 4; ++i) {
         Cell hint{strip(random), band(random)};
         EXPECT_EQ(map.map(p, hint), image) << p << " seed " << seed;
