@@ -11,6 +11,7 @@
 #include <set>
 
 #include "quebra/core/geo_sketch.h"
+#include "quebra/core/svg_sketch.h"
 #include "shared/base/text.h"
 #include "shared/io/bdf.h"
 #include "shared/io/curves.h"
@@ -284,6 +285,7 @@ Result<Sketch> from_mesh(Result<Contents> read) {
 Result<Sketch> read_by_ending(const std::string& path, const std::string& ending) {
   if (ending == ".poly") return from_poly(path);
   if (ending == ".geo") return read_geo_sketch(path);
+  if (ending == ".svg") return read_svg_sketch(path);
   if (ending == ".msh") return from_mesh(dobra::io::read_msh(path));
   if (ending == ".inp") return from_mesh(dobra::io::read_inp(path));
   if (ending == ".vtu") return from_mesh(dobra::io::read_vtu(path));
