@@ -218,7 +218,7 @@ Result<int> mesh_job(Session& session, const Options& options) {
 Command mesh_command() {
   return {"mesh", "Mesh a scenario or a file of geometry", [](CLI::App& app) -> Job {
             const auto options = std::make_shared<Options>();
-            app.add_option("file", options->scenario.file, "Scenario (.toml), geometry (.poly .geo .geojson .dxf .wkt .txt .csv) or a mesh whose boundary is meant")
+            app.add_option("file", options->scenario.file, "Scenario (.toml), geometry (.poly .geo .svg .geojson .dxf .wkt .txt .csv) or a mesh whose boundary is meant")
                 ->required()
                 ->type_name("FILE");
             app.add_option("--set", options->scenario.assignments, "Change a value, such as input.width=2; may be repeated")

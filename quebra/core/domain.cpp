@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <optional>
 
+#include "quebra/core/ends.h"
 #include "quebra/core/faces.h"
 #include "quebra/core/junctions.h"
 #include "shared/geom/spatial_index.h"
@@ -23,31 +23,8 @@ using dobra::geom::Box;
 using dobra::geom::Point;
 using dobra::geom::Polyline;
 
-/// By how much the ends of an arc may differ in their distance to its centre, as a fraction, once they are joined.
-constexpr double arc_tolerance = 1e-6;
-
 Point start_of(const Curve& curve) { return point(curve, 0.0); }
 Point end_of(const Curve& curve) { return point(curve, length(curve)); }
-
-void move_ends(Curve& curve, Point start, Point end) {
-  if (auto* arc = std::get_if<Arc>(&curve.shape)) {
-    const auto orientation = arc->sweep().radians() > 0.0 ? dobra::geom::Orientation::Anticlockwise : dobra::geom::Orientation::Clockwise;
-    auto moved = Arc::from_ends(arc->centre(), start, end, orientation, arc_tolerance);
-    if (moved) *arc = *moved;
-    return;
-  }
-  if (auto* smooth = std::get_if<Smooth>(&curve.shape)) {
-    std::vector<dobra::geom::HermiteCubic> cubics(smooth->path().cubics().begin(), smooth->path().cubics().end());
-    cubics.front().from = start;
-    cubics.back().to = end;
-    auto moved = Smooth::make({std::move(cubics), {smooth->path().knots().begin(), smooth->path().knots().end()}});
-    if (moved) *smooth = *std::move(moved);
-    return;
-  }
-  auto& points = std::get<Polyline>(curve.shape).points;
-  points.front() = start;
-  points.back() = end;
-}
 
 bool bounds(const Curve& curve) { return curve.role == Role::Boundary || curve.role == Role::Hole; }
 
@@ -55,35 +32,6 @@ Place at_point(Place place, Point p) {
   place.x = p.x;
   place.y = p.y;
   return place;
-}
-
-/// Makes ends that lie within `tolerance` of each other the same point: the first of them in the order of the curves.
-void join_ends(std::vector<Curve>& curves, double tolerance) {
-  struct End {
-    Point at;
-    std::size_t curve;
-    bool is_end;
-    std::size_t same_as;
-  };
-  std::vector<End> ends;
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    if (closed(curves[i])) continue;
-    ends.push_back({start_of(curves[i]), i, false, ends.size()});
-    ends.push_back({end_of(curves[i]), i, true, ends.size()});
-  }
-  std::vector<std::size_t> by_x(ends.size());
-  std::iota(by_x.begin(), by_x.end(), std::size_t{0});
-  std::sort(by_x.begin(), by_x.end(), [&](std::size_t a, std::size_t b) { return ends[a].at.x < ends[b].at.x; });
-  for (std::size_t i = 0; i < by_x.size(); ++i) {
-    for (std::size_t j = i + 1; j < by_x.size() && ends[by_x[j]].at.x - ends[by_x[i]].at.x <= tolerance; ++j) {
-      if (distance(ends[by_x[i]].at, ends[by_x[j]].at) > tolerance) continue;
-      const std::size_t first = std::min(ends[by_x[i]].same_as, ends[by_x[j]].same_as);
-      ends[by_x[i]].same_as = ends[by_x[j]].same_as = first;
-    }
-  }
-  for (std::size_t i = 0; i < ends.size(); i += 2) {
-    move_ends(curves[ends[i].curve], ends[ends[i].same_as].at, ends[ends[i + 1].same_as].at);
-  }
 }
 
 /// The curves of loops that meet at each point.

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <set>
 
+#include "quebra/core/cubics.h"
 #include "quebra/core/faces.h"
 #include "shared/io/geo.h"
 
@@ -27,9 +28,6 @@ using dobra::io::GeoCurve;
 using dobra::io::GeoCurveKind;
 using dobra::io::GeoFile;
 using dobra::io::GeoGroup;
-
-/// Cubics a quarter of an ellipse: they stay within 2e-9 of its greater radius.
-constexpr int cubics_a_quarter = 40;
 
 std::vector<Point> points_of(const GeoFile& file, const GeoCurve& curve) {
   std::vector<Point> points;
@@ -62,34 +60,7 @@ Result<CubicPath> ellipse(Point from, Point centre, Point on_major, Point to) {
   const double start = std::atan2(a.y / ry, a.x / rx);
   double sweep = std::atan2(b.y / ry, b.x / rx) - start;
   sweep = std::remainder(sweep, 2.0 * std::numbers::pi);
-  const int count = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / (0.5 * std::numbers::pi) * cubics_a_quarter)));
-  std::vector<HermiteCubic> cubics;
-  std::vector<double> knots{0.0};
-  const double step = sweep / count;
-  const auto at = [&](double angle) { return centre + rx * std::cos(angle) * u + ry * std::sin(angle) * v; };
-  const auto slope = [&](double angle) { return step * (-rx * std::sin(angle) * u + ry * std::cos(angle) * v); };
-  for (int i = 0; i < count; ++i) {
-    const double t0 = start + step * i, t1 = start + step * (i + 1);
-    cubics.push_back({i == 0 ? from : at(t0), i + 1 == count ? to : at(t1), slope(t0), slope(t1)});
-    knots.push_back(static_cast<double>(i + 1) / count);
-  }
-  return CubicPath(std::move(cubics), std::move(knots));
-}
-
-/// A chain of cubic Beziers: points 0-3, 3-6, ...; a quadratic or a straight one is raised to a cubic.
-Result<CubicPath> bezier(std::vector<Point> p) {
-  using dobra::base::Error;
-  using dobra::base::ErrorCode;
-  if (p.size() == 2) p = {p[0], interpolate(p[0], p[1], 1.0 / 3.0), interpolate(p[0], p[1], 2.0 / 3.0), p[1]};
-  if (p.size() == 3) p = {p[0], interpolate(p[0], p[1], 2.0 / 3.0), interpolate(p[2], p[1], 2.0 / 3.0), p[2]};
-  if (p.size() % 3 != 1) return Error{ErrorCode::DegenerateCurve, "a Bezier curve needs 2, 3, 4, 7, 10 ... points"};
-  std::vector<HermiteCubic> cubics;
-  std::vector<double> knots{0.0};
-  for (std::size_t i = 0; i + 3 < p.size(); i += 3) {
-    cubics.push_back({p[i], p[i + 3], 3.0 * (p[i + 1] - p[i]), 3.0 * (p[i + 3] - p[i + 2])});
-    knots.push_back(static_cast<double>(i + 3) / static_cast<double>(p.size() - 1));
-  }
-  return CubicPath(std::move(cubics), std::move(knots));
+  return ellipse_arc({.centre = centre, .u = rx * u, .v = ry * v, .start = start, .sweep = sweep}, from, to);
 }
 
 /// gmsh's spline is Catmull and Rom's: at each point the derivative is half the way from the point before to the one behind.

@@ -199,11 +199,6 @@ void add_quality(std::vector<scenario::Quantity>& quantities, const std::string&
   add("constraint_edges", static_cast<double>(meshed.constraint_edges));
 }
 
-base::Result<void> write_text(const base::Result<std::string>& text, const std::filesystem::path& path) {
-  if (!text) return text.error();
-  return io::write_file(path, *text);
-}
-
 }  // namespace
 
 scene::Picture picture_of(const Model& model) {
@@ -267,8 +262,8 @@ std::vector<scenario::Output> outputs_of(const std::shared_ptr<const Model>& mod
   }
   // These hold triangles of one order only.
   if (const auto elements = io::ele_file_of(meshed->mesh)) {
-    outputs.push_back({"mesh.node", [meshed](const auto& path) { return write_text(io::node_text(io::node_file_of(meshed->mesh)), path); }});
-    outputs.push_back({"mesh.ele", [elements](const auto& path) { return write_text(io::ele_text(*elements), path); }});
+    outputs.push_back({"mesh.node", [meshed](const auto& path) { return io::write_text(path, io::node_text(io::node_file_of(meshed->mesh))); }});
+    outputs.push_back({"mesh.ele", [elements](const auto& path) { return io::write_text(path, io::ele_text(*elements)); }});
   }
   return outputs;
 }

@@ -8,10 +8,9 @@
 #include <map>
 #include <numbers>
 #include <numeric>
-#include <optional>
 #include <set>
-#include <tuple>
 
+#include "quebra/core/ends.h"
 #include "quebra/core/faces.h"
 #include "shared/geom/intersect.h"
 #include "shared/geom/spatial_index.h"
@@ -130,37 +129,14 @@ class Repairer {
   }
 
   // --- 4 ------------------------------------------------------------------------------------------------------------
-  struct End {
-    std::size_t curve;
-    bool last;
-    Point at;
-  };
-
   void close_gaps() {
-    std::vector<End> ends;
+    std::vector<End> ends = open_ends(curves());
+    std::erase_if(ends, [&](const End& end) { return !bounds(curves()[end.curve]); });
     std::map<Point, int> meeting;
-    for (std::size_t i = 0; i < curves().size(); ++i) {
-      if (!bounds(curves()[i]) || closed(curves()[i])) continue;
-      for (const bool last : {false, true}) {
-        ends.push_back({i, last, point(curves()[i], last ? length(curves()[i]) : 0.0)});
-        ++meeting[ends.back().at];
-      }
-    }
+    for (const End& end : ends) ++meeting[end.at];
     std::erase_if(ends, [&](const End& end) { return meeting[end.at] > 1; });
-    struct Pair {
-      double gap;
-      std::size_t a, b;
-    };
-    std::vector<Pair> pairs;
-    for (std::size_t a = 0; a < ends.size(); ++a) {
-      for (std::size_t b = a + 1; b < ends.size(); ++b) {
-        const double gap = distance(ends[a].at, ends[b].at);
-        if (gap <= options_.gap * size_) pairs.push_back({gap, a, b});
-      }
-    }
-    std::sort(pairs.begin(), pairs.end(), [](const Pair& x, const Pair& y) { return std::tie(x.gap, x.a, x.b) < std::tie(y.gap, y.a, y.b); });
     std::vector<std::uint8_t> used(ends.size(), 0);
-    for (const auto& [gap, a, b] : pairs) {
+    for (const auto& [gap, a, b] : near_ends(ends, options_.gap * size_)) {
       if (used[a] != 0 || used[b] != 0) continue;
       used[a] = used[b] = 1;
       // What make_domain joins anyway is no gap.
@@ -170,20 +146,21 @@ class Repairer {
 
   void join(const End& a, const End& b, double gap) {
     const std::string names = curves()[a.curve].name + ", " + curves()[b.curve].name;
-    const bool move_b = line(b.curve) != nullptr;
-    Polyline* const moving = move_b ? line(b.curve) : line(a.curve);
-    if (moving == nullptr) {
-      found(Wrong::Gap, a.at, names, fmt::format("left as it is: neither curve is straight; close the gap of {:.3g} m by hand", gap));
+    Polyline* const own = line(b.curve);
+    if (a.curve == b.curve && own != nullptr && own->points.size() > 3) {
+      own->points.pop_back();
+      own->closed = true;
+      found(Wrong::Gap, a.at, names, fmt::format("the ends, {:.3g} m apart, are joined", gap));
       return;
     }
-    const Point target = move_b ? a.at : b.at;
-    const bool last = move_b ? b.last : a.last;
-    (last ? moving->points.back() : moving->points.front()) = target;
-    if (a.curve == b.curve && moving->points.size() > 3) {
-      moving->points.pop_back();
-      moving->closed = true;
-    }
-    found(Wrong::Gap, target, names, fmt::format("the ends, {:.3g} m apart, are joined", gap));
+    // A straight curve is moved rather than one that bends.
+    const bool b_first = own != nullptr || line(a.curve) == nullptr;
+    const End& first = b_first ? b : a;
+    const End& second = b_first ? a : b;
+    const bool moved = move_end(curves()[first.curve], first.last, second.at) || move_end(curves()[second.curve], second.last, first.at);
+    found(Wrong::Gap, second.at, names,
+          moved ? fmt::format("the ends, {:.3g} m apart, are joined", gap)
+                : fmt::format("left as it is: arcs cannot be moved so far; close the gap of {:.3g} m by hand", gap));
   }
 
   // --- 5 ------------------------------------------------------------------------------------------------------------

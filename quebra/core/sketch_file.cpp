@@ -10,6 +10,7 @@
 #include <set>
 
 #include "quebra/core/geo_sketch.h"
+#include "quebra/core/svg_sketch.h"
 #include "shared/base/text.h"
 #include "shared/io/curves.h"
 #include "shared/io/file.h"
@@ -272,6 +273,7 @@ Result<Sketch> read_by_ending(const std::string& path) {
   const std::string ending = dobra::io::ending_of(path);
   if (ending == ".poly") return from_poly(path);
   if (ending == ".geo") return read_geo_sketch(path);
+  if (ending == ".svg") return read_svg_sketch(path);
   if (!dobra::io::is_mesh_ending(ending)) return from_curves(path);
   DOBRA_TRY(auto contents, dobra::io::read_mesh(path));
   Sketch sketch = from_mesh(contents.mesh);

@@ -102,18 +102,6 @@ class Writer {
   bool large_;
 };
 
-Result<void> check_names(const ElementMesh& mesh) {
-  const auto check = [](const std::string& name) -> Result<void> {
-    if (name.find_first_of("\r\n") == std::string::npos) return {};
-    return Error{ErrorCode::InvalidOption,
-                 fmt::format("name {} cannot stand in a .bdf; use one without line ends", shown(name))};
-  };
-  for (const auto& [name, sides] : mesh.side_sets) DOBRA_TRY_VOID(check(name));
-  for (const auto& [name, nodes] : mesh.node_sets) DOBRA_TRY_VOID(check(name));
-  for (const auto& [tag, name] : mesh.region_names) DOBRA_TRY_VOID(check(name));
-  return {};
-}
-
 }  // namespace
 
 std::string bdf_number(double value, std::size_t width) {
@@ -123,7 +111,7 @@ std::string bdf_number(double value, std::size_t width) {
 
 Result<std::string> bdf_text(const ElementMesh& mesh, BdfField field) {
   DOBRA_TRY_VOID(check_writable(mesh));
-  DOBRA_TRY_VOID(check_names(mesh));
+  DOBRA_TRY_VOID(check_names(mesh, "\r\n", "a .bdf", "one without line ends"));
   Writer writer(field);
   const std::set<std::int32_t> tags(mesh.regions.begin(), mesh.regions.end());
   std::map<std::int32_t, std::size_t> number;
@@ -163,8 +151,7 @@ Result<std::string> bdf_text(const ElementMesh& mesh, BdfField field) {
 }
 
 Result<void> write_bdf(const std::string& path, const ElementMesh& mesh, BdfField field) {
-  DOBRA_TRY(const std::string text, bdf_text(mesh, field));
-  return write_file(path, text);
+  return write_text(path, bdf_text(mesh, field));
 }
 
 namespace {

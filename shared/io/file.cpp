@@ -195,4 +195,9 @@ base::Result<void> write_file(const std::filesystem::path& file, std::string_vie
   return {};
 }
 
+base::Result<void> write_text(const std::filesystem::path& file, const base::Result<std::string>& text) {
+  if (!text) return text.error();
+  return write_file(file, *text);
+}
+
 }  // namespace dobra::io

@@ -34,6 +34,9 @@ std::optional<std::size_t> first_byte_outside_utf8(std::string_view text);
 /// @error CannotWrite, naming the file and the system's reason.
 base::Result<void> write_file(const std::filesystem::path& file, std::string_view bytes);
 
+/// The same for a text that may have failed: its error, and the file is left alone.
+base::Result<void> write_text(const std::filesystem::path& file, const base::Result<std::string>& text);
+
 /// The error to return when a write failed: CannotWrite with the reason that `error_number` (errno) stands for.
 base::Error cannot_write(const std::filesystem::path& file, int error_number);
 

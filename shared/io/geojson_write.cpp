@@ -111,8 +111,7 @@ Result<std::string> geojson(std::span<const Feature> features) {
 }
 
 Result<void> write_geojson(const std::string& path, std::span<const Feature> features) {
-  DOBRA_TRY(const std::string text, geojson(features));
-  return write_file(path, text);
+  return write_text(path, geojson(features));
 }
 
 }  // namespace dobra::io

@@ -162,8 +162,7 @@ Result<std::string> inp_text(const ElementMesh& mesh, const InpOptions& options)
 }
 
 Result<void> write_inp(const std::string& path, const ElementMesh& mesh, const InpOptions& options) {
-  DOBRA_TRY(const std::string text, inp_text(mesh, options));
-  return write_file(path, text);
+  return write_text(path, inp_text(mesh, options));
 }
 
 }  // namespace dobra::io

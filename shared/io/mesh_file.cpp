@@ -36,8 +36,7 @@ Result<void> write_pair(const std::string& path, const ElementMesh& mesh) {
 template <mesh::SurfaceFormat format>
 Result<void> write_surface(const std::string& path, const ElementMesh& mesh) {
   DOBRA_TRY_VOID(check_writable(mesh));
-  DOBRA_TRY(const std::string text, mesh::surface_text(triangle_mesh_of(mesh), format));
-  return write_file(path, text);
+  return write_text(path, mesh::surface_text(triangle_mesh_of(mesh), format));
 }
 
 const std::vector<std::pair<std::string, Write>>& writers() {

@@ -108,4 +108,17 @@ std::size_t finish(ElementMesh& mesh, const EdgeSets& sets) {
   return lost;
 }
 
+Result<void> check_names(const ElementMesh& mesh, std::string_view forbidden, std::string_view where,
+                         std::string_view advice) {
+  const auto check = [&](const std::string& name) -> Result<void> {
+    if (name.find_first_of(forbidden) == std::string::npos) return {};
+    return Error{ErrorCode::InvalidOption,
+                 fmt::format("name {} cannot stand in {}; use {}", shown(name), where, advice)};
+  };
+  for (const auto& [name, sides] : mesh.side_sets) DOBRA_TRY_VOID(check(name));
+  for (const auto& [name, nodes] : mesh.node_sets) DOBRA_TRY_VOID(check(name));
+  for (const auto& [tag, name] : mesh.region_names) DOBRA_TRY_VOID(check(name));
+  return {};
+}
+
 }  // namespace dobra::io

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -28,6 +29,11 @@ class MeshSides {
 /// What every writer asks first. @error CannotMesh: no elements; NotFinite; InvalidOption: a set or tip that refers to
 /// what does not exist.
 base::Result<void> check_writable(const mesh::ElementMesh& mesh);
+
+/// For writers of names as text. @error InvalidOption: a name of a set or region with one of `forbidden`.
+/// @param where  what it cannot stand in, and @param advice  what to use.
+base::Result<void> check_names(const mesh::ElementMesh& mesh, std::string_view forbidden, std::string_view where,
+                               std::string_view advice);
 
 using EdgeSets = std::map<std::string, std::vector<mesh::Edge>>;
 

@@ -362,8 +362,7 @@ Result<std::string> msh_text(const ElementMesh& mesh, MshVersion version) {
 }
 
 Result<void> write_msh(const std::string& path, const ElementMesh& mesh, MshVersion version) {
-  DOBRA_TRY(const std::string text, msh_text(mesh, version));
-  return write_file(path, text);
+  return write_text(path, msh_text(mesh, version));
 }
 
 }  // namespace dobra::io

@@ -33,20 +33,6 @@ constexpr std::array<std::pair<std::string_view, ElementType>, 4> sections{{{"%E
 /// Gauss points: one, three (triangles) and two, three a direction (quadrilaterals).
 int integration_order(ElementType type) { return mesh::is_quadratic(type) ? 3 : mesh::corner_count(type) == 3 ? 1 : 2; }
 
-Result<void> check_name(const std::string& name) {
-  if (name.find_first_of("'\r\n") == std::string::npos) return {};
-  return Error{
-      ErrorCode::InvalidOption,
-      fmt::format("name {} cannot stand in a neutral file; use one without quotes and line ends", shown(name))};
-}
-
-Result<void> check_names(const ElementMesh& mesh) {
-  for (const auto& [name, sides] : mesh.side_sets) DOBRA_TRY_VOID(check_name(name));
-  for (const auto& [name, nodes] : mesh.node_sets) DOBRA_TRY_VOID(check_name(name));
-  for (const auto& [tag, name] : mesh.region_names) DOBRA_TRY_VOID(check_name(name));
-  return {};
-}
-
 void write_sets(const ElementMesh& mesh, std::string& text) {
   if (!mesh.node_sets.empty()) text += fmt::format("\n%NODE.SET\n{}\n", mesh.node_sets.size());
   for (const auto& [name, nodes] : mesh.node_sets) {
@@ -65,7 +51,7 @@ void write_sets(const ElementMesh& mesh, std::string& text) {
 Result<std::string> neutral_text(const NeutralFile& file) {
   const ElementMesh& mesh = file.mesh;
   DOBRA_TRY_VOID(check_writable(mesh));
-  DOBRA_TRY_VOID(check_names(mesh));
+  DOBRA_TRY_VOID(check_names(mesh, "'\r\n", "a neutral file", "one without quotes and line ends"));
   const std::set<std::int32_t> tags(mesh.regions.begin(), mesh.regions.end());
   std::map<std::int32_t, std::size_t> number;
   for (const std::int32_t tag : tags) number.emplace(tag, number.size() + 1);
@@ -109,8 +95,7 @@ Result<std::string> neutral_text(const NeutralFile& file) {
 }
 
 Result<void> write_neutral(const std::string& path, const NeutralFile& file) {
-  DOBRA_TRY(const std::string text, neutral_text(file));
-  return write_file(path, text);
+  return write_text(path, neutral_text(file));
 }
 
 namespace {

@@ -141,8 +141,7 @@ Result<std::string> poly_text(const PolyFile& poly) {
 }
 
 Result<void> write_poly(const std::string& path, const PolyFile& poly) {
-  DOBRA_TRY(const std::string text, poly_text(poly));
-  return write_file(path, text);
+  return write_text(path, poly_text(poly));
 }
 
 }  // namespace dobra::io

@@ -386,8 +386,7 @@ Result<std::string> points_csv(std::span<const Polyline> lines, std::string_view
 
 Result<void> write_points_csv(const std::string& path, std::span<const Polyline> lines, std::string_view x_name,
                               std::string_view y_name) {
-  DOBRA_TRY(const std::string text, points_csv(lines, x_name, y_name));
-  return write_file(path, text);
+  return write_text(path, points_csv(lines, x_name, y_name));
 }
 
 }  // namespace dobra::io

@@ -225,8 +225,7 @@ Result<std::string> vtu_text(const ElementMesh& mesh, const MeshFields& fields, 
 
 Result<void> write_vtu(const std::string& path, const ElementMesh& mesh, const MeshFields& fields,
                        VtuEncoding encoding) {
-  DOBRA_TRY(const std::string text, vtu_text(mesh, fields, encoding));
-  return write_file(path, text);
+  return write_text(path, vtu_text(mesh, fields, encoding));
 }
 
 }  // namespace dobra::io

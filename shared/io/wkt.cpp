@@ -250,8 +250,7 @@ Result<std::string> wkt(std::span<const Feature> features) {
 }
 
 Result<void> write_wkt(const std::string& path, std::span<const Feature> features) {
-  DOBRA_TRY(const std::string text, wkt(features));
-  return write_file(path, text);
+  return write_text(path, wkt(features));
 }
 
 }  // namespace dobra::io

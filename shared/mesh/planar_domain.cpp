@@ -183,35 +183,47 @@ void flood_from_infinity(Kernel& kernel) {
   }
 }
 
-/// The cells round `seed` get `region`, up to boundary and interface sides.
-Result<void> flood_from_seed(PlanarDomain& domain, Point seed, std::int32_t region, const char* what) {
-  Kernel& kernel = domain.kernel;
-  const Kernel::Location at = geom::is_finite(seed) ? kernel.locate(seed, 0, Kernel::Walls::Ignore)
-                                                    : Kernel::Location{Kernel::Where::Blocked, Kernel::none};
-  const bool found = at.where != Kernel::Where::Outside && at.where != Kernel::Where::Blocked;
-  const Kernel::Cell start = found ? Kernel::cell_of(at.half) : 0;
-  if (!found || kernel.cell(start).region < 0) {
-    return error_at(ErrorCode::OutsideDomain,
-                    fmt::format("the {} seed lies outside the boundary: move it inside", what), seed);
-  }
-  std::vector<std::uint8_t> seen(kernel.cell_count(), 0);
-  std::vector<Kernel::Cell> todo{start};
-  seen[start] = 1;
-  while (!todo.empty()) {
-    const Kernel::Cell c = todo.back();
-    todo.pop_back();
-    kernel.set_region(c, region);
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      const Kernel::Half e = Kernel::half(c, i);
-      const Kernel::Cell other = Kernel::cell_of(kernel.twin(e));
-      if ((kernel.mark(e) & (Kernel::parity | Kernel::interface)) != 0 || seen[other] != 0) continue;
-      if (kernel.cell(other).region < 0) continue;
-      seen[other] = 1;
-      todo.push_back(other);
+/// Gives regions to parts of the domain, one seed after the other; each costs what it covers.
+class SeedFlood {
+ public:
+  explicit SeedFlood(PlanarDomain& domain) : kernel_(domain.kernel), seen_(domain.kernel.cell_count(), 0) {}
+
+  /// The cells round `seed` get `region`, up to boundary and interface sides.
+  Result<void> run(Point seed, std::int32_t region, const char* what) {
+    const Kernel::Location at = geom::is_finite(seed) ? kernel_.locate(seed, near_, Kernel::Walls::Ignore)
+                                                      : Kernel::Location{Kernel::Where::Blocked, Kernel::none};
+    const bool found = at.where != Kernel::Where::Outside && at.where != Kernel::Where::Blocked;
+    if (!found || kernel_.cell(Kernel::cell_of(at.half)).region < 0) {
+      return error_at(ErrorCode::OutsideDomain,
+                      fmt::format("the {} seed lies outside the boundary: move it inside", what), seed);
     }
+    near_ = Kernel::cell_of(at.half);
+    ++stamp_;
+    todo_.assign(1, near_);
+    seen_[near_] = stamp_;
+    while (!todo_.empty()) {
+      const Kernel::Cell c = todo_.back();
+      todo_.pop_back();
+      kernel_.set_region(c, region);
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        const Kernel::Half e = Kernel::half(c, i);
+        const Kernel::Cell other = Kernel::cell_of(kernel_.twin(e));
+        if ((kernel_.mark(e) & (Kernel::parity | Kernel::interface)) != 0 || seen_[other] == stamp_) continue;
+        if (kernel_.cell(other).region < 0) continue;
+        seen_[other] = stamp_;
+        todo_.push_back(other);
+      }
+    }
+    return {};
   }
-  return {};
-}
+
+ private:
+  Kernel& kernel_;
+  std::vector<std::uint32_t> seen_;  ///< The seed that last came by.
+  std::vector<Kernel::Cell> todo_;
+  std::uint32_t stamp_ = 0;
+  Kernel::Cell near_ = 0;
+};
 
 /// Internal edges and free points must lie inside; nothing is dropped without a word.
 Result<void> check_inside(const MeshInput& input, const PlanarDomain& domain) {
@@ -258,10 +270,11 @@ Result<PlanarDomain> build_domain(const MeshInput& input, Outside outside, const
   }
   DOBRA_TRY_VOID(check_closed(input, domain));
   flood_from_infinity(kernel);
-  for (const Point hole : input.holes) DOBRA_TRY_VOID(flood_from_seed(domain, hole, -1, "hole"));
+  SeedFlood flood(domain);
+  for (const Point hole : input.holes) DOBRA_TRY_VOID(flood.run(hole, -1, "hole"));
   for (const RegionSeed& seed : input.regions) {
     if (seed.region < 0) return error_at(ErrorCode::InvalidOption, "a region tag must not be negative", seed.at);
-    DOBRA_TRY_VOID(flood_from_seed(domain, seed.at, seed.region, "region"));
+    DOBRA_TRY_VOID(flood.run(seed.at, seed.region, "region"));
   }
   DOBRA_TRY_VOID(check_inside(input, domain));
   return domain;

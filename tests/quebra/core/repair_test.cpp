@@ -61,6 +61,21 @@ TEST(Repair, GapsAreClosedAtTheirPlace) {
   EXPECT_TRUE(mended({line("wide", {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 1}})}).findings.empty()) << "a gap that wide is meant, or an error";
 }
 
+TEST(Repair, AGapAtASplineIsClosedAndOneAtAnArcIsNamed) {
+  using dobra::geom::CubicPath;
+  const auto bow = [](Point to) { return Smooth::make(CubicPath({{{4, 0}, to, {0, 6}, {-6, 0}}}, {0.0, 1.0})).value(); };
+  const Repaired spline = mended({line("a", {{0, 0}, {4, 0}}), {"bow", Role::Boundary, bow({0.001, 4}), {}}, line("b", {{0, 4}, {0, 0}})});
+  EXPECT_EQ(kinds(spline), (std::vector{Wrong::Gap}));
+  EXPECT_GT(area_of(spline), 8.0);
+  const Repaired two = mended({{"bow", Role::Boundary, bow({0.001, 4}), {}}, {"back", Role::Boundary, Smooth::make(CubicPath({{{0, 4}, {4, 0}, {0, -4}, {4, 0}}}, {0.0, 1.0})).value(), {}}});
+  EXPECT_EQ(kinds(two), (std::vector{Wrong::Gap}));
+  EXPECT_GT(area_of(two), 1.0);
+  const auto arc = [](double radius) { return Arc::from_angles({0, 0}, radius, dobra::base::Angle::from_degrees(0), dobra::base::Angle::from_degrees(180)).value(); };
+  const Repaired arcs = mended({{"arc", Role::Boundary, arc(1.0), {}}, {"lower", Role::Boundary, Arc::from_angles({0.001, 0}, 1.0, dobra::base::Angle::from_degrees(180), dobra::base::Angle::from_degrees(180)).value(), {}}});
+  ASSERT_EQ(kinds(arcs), (std::vector{Wrong::Gap, Wrong::Gap}));
+  EXPECT_NE(arcs.findings[0].mend.find("left as it is"), std::string::npos);
+}
+
 TEST(Repair, OverlappingOutlinesAreUnitedAndHolesCutOut) {
   const Repaired united = mended({polygon("a", {{0, 0}, {4, 0}, {4, 4}, {0, 4}}), polygon("b", {{2, 2}, {6, 2}, {6, 6}, {2, 6}})});
   EXPECT_EQ(kinds(united), (std::vector{Wrong::Crossing}));

@@ -232,15 +232,46 @@ TEST(SketchFile, CurvesOfGmshFollowTheirDefinition) {
   fs::remove_all(folder);
 }
 
-TEST(SketchFile, EveryGeometryOfTheCorpusMeshes) {
+TEST(SketchFile, OutlinesOfSvgKeepTheirCurves) {
+  const fs::path folder = fs::temp_directory_path() / "dobra_quebra_svg";
+  fs::create_directories(folder);
+  std::ofstream(folder / "p.svg") << "<svg><g transform='translate(1,1) scale(2)'><path id='plate' d='M0 0H4V3H0z'/><circle id='hole' cx='2' cy='1.5' r='.5'/></g>\n"
+                                     "<path id='lens' d='M7 5Q8 4 8.5 5Q8 6 7 5'/><path id='cut' d='M2 2L2 4'/></svg>";
+  const auto model = run("[input]\nfile = \"p.svg\"\n[[step]]\noperation = \"mesh\"\nsize = 0.3\norder = \"2\"\n", folder);
+  // The area under a quadratic Bezier curve is two thirds of its control triangle: 2 * (2/3) * (1.5 * 1 / 2).
+  EXPECT_NEAR(mesh::area(last_mesh(*model)), 48.0 - std::numbers::pi - 1.0, 2e-4);
+  EXPECT_EQ(model->domain.loops.size(), 3U);
+  EXPECT_EQ(last_mesh(*model).side_sets.count("cut"), 1U);
+  EXPECT_EQ(last_mesh(*model).side_sets.count("lens_2"), 1U);
+  fs::remove_all(folder);
+}
+
+TEST(SketchFile, EveryGeometryOfTheCorpusMeshesAtThreeSizesWithBothEngines) {
   const char* data = std::getenv("DOBRA_TEST_DATA");
   if (data == nullptr) GTEST_SKIP() << "DOBRA_TEST_DATA is not set";
   const fs::path folder = fs::path(data) / "contours";
-  const auto holes = run("[input]\nfile = \"xfem_two_holes_moes1999.geo\"\n[[step]]\noperation = \"mesh\"\norder = \"2\"\n", folder);
-  EXPECT_NEAR(mesh::area(last_mesh(*holes)), 25.0 - 2.0 * std::numbers::pi * (5.0 / 64) * (5.0 / 64), 1e-5);
-  const auto beam = run("[input]\nfile = \"xfem_pmma_3holes.geo\"\n", folder);
-  EXPECT_EQ(beam->domain.faces.size(), 3U);
-  EXPECT_EQ(beam->domain.region_names, (std::map<std::int32_t, std::string>{{1, "physical_42"}}));
+  const auto expect_valid = [](const mesh::ElementMesh& made, double area, double tolerance) {
+    const auto valid = mesh::check(made);
+    EXPECT_TRUE(valid) << (valid ? "" : to_string(valid.error()));
+    EXPECT_NEAR(mesh::area(made), area, tolerance);
+  };
+  const double two_holes = 25.0 - 2.0 * std::numbers::pi * (5.0 / 64) * (5.0 / 64);
+  for (const std::string engine : {"front", "delaunay"}) {
+    std::size_t before = 0;
+    for (const std::string size : {"1", "0.3", "0.1"}) {
+      SCOPED_TRACE(engine + " " + size);
+      const std::string step = "[[step]]\noperation = \"mesh\"\nengine = \"" + engine + "\"\nsize = " + size;
+      const auto holes = run("[input]\nfile = \"xfem_two_holes_moes1999.geo\"\n" + step + "\norder = \"2\"\n", folder);
+      expect_valid(last_mesh(*holes), two_holes, 1e-5);
+      const auto beam = run("[input]\nfile = \"xfem_pmma_3holes.geo\"\n" + step + "\n", folder);
+      EXPECT_EQ(beam->domain.faces.size(), 3U);
+      EXPECT_EQ(beam->domain.region_names, (std::map<std::int32_t, std::string>{{1, "physical_42"}}));
+      expect_valid(last_mesh(*beam), mesh::area(last_mesh(*beam)), 0.0);
+      EXPECT_GT(last_mesh(*beam).element_count(), before);
+      before = last_mesh(*beam).element_count();
+      for (const auto& [name, sides] : last_mesh(*beam).side_sets) EXPECT_FALSE(sides.empty()) << name;
+    }
+  }
 }
 
 TEST(SketchFile, LinesThatCloseBoundTheDomainAndOthersDivideIt) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <ctime>
 #include <set>
 
 #include "shared/mesh/mesh_check.h"
@@ -22,9 +23,10 @@ class DomainMaker {
 
   MeshInput make() {
     using Make = void (DomainMaker::*)();
-    static constexpr std::array<Make, 7> makers{&DomainMaker::star,  &DomainMaker::holes, &DomainMaker::graded,
-                                                &DomainMaker::wedge, &DomainMaker::slits, &DomainMaker::near_parallel,
-                                                &DomainMaker::tangle};
+    static constexpr std::array<Make, 9> makers{
+        &DomainMaker::star,   &DomainMaker::holes,         &DomainMaker::graded,
+        &DomainMaker::wedge,  &DomainMaker::slits,         &DomainMaker::near_parallel,
+        &DomainMaker::tangle, &DomainMaker::touching_lips, &DomainMaker::sieve};
     (this->*makers[seed_ % makers.size()])();
     if (seed_ % 3 == 0) add_requests();
     return std::move(input_);
@@ -121,6 +123,40 @@ class DomainMaker {
     chain({{0.1, 0.5}, {0.9, 0.5}}, EdgeKind::Constraint);
     chain({{0.1, 0.5 + gap / 3.0}, {0.9, 0.5 + gap / 3.0}}, EdgeKind::Constraint);
   }
+  /// Two cracks whose lips touch each other, a boundary or a hole, or miss them by a hair; corners of 0.1 degree.
+  void touching_lips() {
+    loop(cut({{0, 0}, {4, 0}, {4, 3}, {0, 3}}, 0.1 + 0.3 * unit()), "outline");
+    const double gap = unit() < 0.5 ? 0.0 : tiny();
+    const double slope = std::tan((0.1 + unit()) * std::numbers::pi / 180.0);
+    const Point tip{2.0, 1.5};
+    chain({{1.0, 1.5}, {1.5, 1.5}, tip}, EdgeKind::Constraint);
+    chain({{tip.x, tip.y + gap}, {2.5, 1.5 + gap + 0.5 * slope}, {3.0, 1.5 + gap + slope}}, EdgeKind::Constraint);
+    chain({{tip.x, tip.y + gap}, {2.5, 1.5 + gap + slope}, {3.0, 1.5 + gap + 2.0 * slope}}, EdgeKind::Constraint);
+    if (unit() < 0.5) chain({{1.5, 1.5}, {1.5, 1.0}, {1.5, gap}}, EdgeKind::Constraint);
+    if (unit() < 0.5) loop(circle({3.5, 0.6}, 0.3, 3 + up_to(12)), "hole");
+  }
+  /// Many holes in a lattice, some nearly touching.
+  void sieve() { sieve(100); }
+
+ public:
+  void sieve(int count) {
+    const int rows = static_cast<int>(std::ceil(std::sqrt(count)));
+    loop({{0, 0}, {1.0 * rows, 0}, {1.0 * rows, 1.0 * rows}, {0, 1.0 * rows}}, "outline");
+    input_.sets.push_back({"holes", EdgeKind::Boundary});
+    for (int i = 0; i < count; ++i) {
+      const double radius = unit() < 0.1 ? 0.5 - 0.5 * tiny() : 0.25 + 0.2 * unit();
+      const std::size_t first = input_.points.size();
+      const std::vector<Point> ring = circle({i % rows + 0.5, i / rows + 0.5}, radius, 3 + up_to(2));
+      for (std::size_t k = 0; k < ring.size(); ++k) {
+        input_.points.push_back(ring[k]);
+        input_.edges.push_back({{NodeId(first + k), NodeId(first + (k + 1) % ring.size())},
+                                static_cast<std::uint32_t>(input_.sets.size() - 1)});
+      }
+    }
+  }
+  MeshInput take() { return std::move(input_); }
+
+ private:
   /// Edges at random: mostly an error.
   void tangle() {
     loop(cut({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 0.1), "outline");
@@ -187,6 +223,29 @@ TEST(TriangulateRandom, QUE_b_EveryRandomDomainGivesAValidMeshOrANamedError) {
   RecordProperty("meshed", std::to_string(meshed));
   EXPECT_GT(meshed, cases / 2);
   EXPECT_LT(slowest, 10.0);
+}
+
+TEST(TriangulateRandom, TenThousandHolesMeshInTenSecondsWithBothEngines) {
+  DomainMaker maker(1);
+  maker.sieve(10'000);
+  const MeshInput input = maker.take();
+  for (const Engine engine : {Engine::Front, Engine::Delaunay}) {
+    MeshOptions options;
+    options.engine = engine;
+    options.sizes.growth = 2.0;
+    const std::clock_t start = std::clock();
+    const auto mesh = triangulate(input, options);
+    EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 10.0);
+    ASSERT_TRUE(mesh) << to_string(mesh.error());
+    const auto valid = check(*mesh);
+    EXPECT_TRUE(valid) << to_string(valid.error());
+    EXPECT_EQ(topology_of(*mesh).holes(), 10'000U);
+    RecordProperty(engine == Engine::Front ? "front triangles" : "delaunay triangles",
+                   std::to_string(mesh->triangles.size()));
+    const double wanted = test::boundary_area(*mesh);
+    EXPECT_NEAR(area(*mesh), wanted, 1e-10 * wanted);
+    expect_lengths_kept(input, *mesh);
+  }
 }
 
 }  // namespace

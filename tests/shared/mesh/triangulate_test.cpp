@@ -271,6 +271,72 @@ TEST(Triangulate, BothEnginesObeyTheSizesAndKeepTheirFloorsOfQuality) {
   }
 }
 
+/// `corners` cut into pieces no longer than `size`; a closed loop or an open line.
+std::vector<Point> pieces(const std::vector<Point>& corners, Closure closure, double size) {
+  std::vector<Point> points;
+  for (std::size_t i = 0; i + (closure == Closure::Open ? 1 : 0) < corners.size(); ++i) {
+    const Point a = corners[i];
+    const Point b = corners[(i + 1) % corners.size()];
+    const int count = static_cast<int>(std::ceil(geom::distance(a, b) / size - 1e-9));
+    for (int k = 0; k < count; ++k) points.push_back(geom::interpolate(a, b, static_cast<double>(k) / count));
+  }
+  if (closure == Closure::Open) points.push_back(corners.back());
+  return points;
+}
+
+std::vector<Point> circle(Point centre, double radius, double size, double degrees) {
+  const int count = static_cast<int>(std::ceil(std::max(360.0 / degrees, 2.0 * std::numbers::pi * radius / size)));
+  std::vector<Point> points;
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / count;
+    points.push_back({centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle)});
+  }
+  return points;
+}
+
+TEST(Triangulate, SUR_f_PlanarExamplesOfDocument001AreBeatenInAllThreeFigures) {
+  struct Example {
+    const char* name;
+    double size;                ///< Greatest side, L.
+    double degrees;             ///< Greatest turn, A.
+    double mean, share, least;  ///< Alpha of table 2.
+  };
+  for (const Example& example :
+       {Example{"8a", 0.5, 15, 0.944, 0.842, 0.433}, Example{"8b", 0.25, 15, 0.974, 0.956, 0.558},
+        Example{"8c", 0.25, 10, 0.963, 0.921, 0.229}}) {
+    const bool five = example.name[1] == 'b';
+    MeshInput input;
+    add_chain(input, pieces({{0, 0}, {10, 0}, {10, 10}, {0, 10}}, Closure::Closed, example.size), Closure::Closed,
+              {"outline", EdgeKind::Boundary});
+    add_chain(input, circle({5, 5}, five ? 1.0 : 2.0, example.size, example.degrees), Closure::Closed,
+              {"hole", EdgeKind::Boundary});
+    if (five) {
+      for (const Point centre : {Point{2, 2}, Point{8, 2}, Point{8, 8}, Point{2, 8}}) {
+        add_chain(input, circle(centre, 1.0, example.size, example.degrees), Closure::Closed,
+                  {"hole", EdgeKind::Boundary});
+      }
+    }
+    if (example.name[1] == 'c') {
+      add_chain(input, pieces({{1, 1}, {2, 8}, {9, 9}}, Closure::Open, example.size), Closure::Open,
+                {"line", EdgeKind::Constraint});
+    }
+    for (const Engine engine : {Engine::Front, Engine::Delaunay}) {
+      SCOPED_TRACE(example.name);
+      MeshOptions options;
+      options.engine = engine;
+      options.sizes.max_size = example.size;
+      const TriangleMesh mesh = triangulate(input, options).value();
+      EXPECT_TRUE(check(mesh));
+      expect_edges_as_given(input, mesh);
+      const MeshQuality quality = quality_of(mesh);
+      report(example.name, quality);
+      EXPECT_GT(quality.alpha_mean, example.mean);
+      EXPECT_GT(quality.alpha_90, example.share);
+      EXPECT_GT(quality.alpha_min, example.least);
+    }
+  }
+}
+
 TEST(Triangulate, SteepGradationIsAsGoodAsOnePointAtATime) {
   // 1:600 along the axes, growing by a third an element.
   const MeshInput steep = test::quarter_plate(test::graded(1.0, 5.0, 88, 1.075), 1570, 10, {});

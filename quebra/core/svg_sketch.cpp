@@ -1,0 +1,95 @@
+#include "quebra/core/svg_sketch.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "quebra/core/cubics.h"
+#include "shared/io/svg.h"
+
+namespace quebra::core {
+namespace {
+
+using dobra::base::Result;
+using dobra::geom::Arc;
+using dobra::geom::Orientation;
+using dobra::geom::Point;
+using dobra::geom::Polyline;
+using dobra::io::SvgPath;
+using dobra::io::SvgPiece;
+using dobra::io::SvgPieceKind;
+
+using Shape = decltype(Curve::shape);
+
+/// Half axes that differ by less, as a fraction, and are as near to a right angle, make a circle.
+constexpr double round = 1e-9;
+
+Result<void> add_bent(const SvgPiece& piece, std::vector<Shape>& shapes) {
+  if (piece.kind == SvgPieceKind::Arc) {
+    const double size = length_squared(piece.u) + length_squared(piece.v);
+    const bool circular = std::abs(length_squared(piece.u) - length_squared(piece.v)) <= round * size &&
+                          std::abs(dot(piece.u, piece.v)) <= round * size;
+    if (circular) {
+      const bool anticlockwise = (cross(piece.u, piece.v) > 0.0) == (piece.sweep > 0.0);
+      DOBRA_TRY(Arc arc, Arc::from_ends(piece.centre, piece.from, piece.to,
+                                        anticlockwise ? Orientation::Anticlockwise : Orientation::Clockwise, 1e-6));
+      shapes.emplace_back(std::move(arc));
+      return {};
+    }
+    DOBRA_TRY(auto path, ellipse_arc({piece.centre, piece.u, piece.v, piece.start, piece.sweep}, piece.from, piece.to));
+    DOBRA_TRY(Smooth smooth, Smooth::make(std::move(path)));
+    shapes.emplace_back(std::move(smooth));
+    return {};
+  }
+  DOBRA_TRY(auto path, bezier({piece.from, piece.control[0], piece.control[1], piece.to}));
+  DOBRA_TRY(Smooth smooth, Smooth::make(std::move(path)));
+  shapes.emplace_back(std::move(smooth));
+  return {};
+}
+
+/// The curves of a path, in order.
+Result<std::vector<Shape>> shapes_of(const SvgPath& path) {
+  std::vector<Shape> shapes;
+  Polyline* line = nullptr;
+  for (const SvgPiece& piece : path.pieces) {
+    if (piece.kind != SvgPieceKind::Line) {
+      DOBRA_TRY_VOID(add_bent(piece, shapes));
+      line = nullptr;
+      continue;
+    }
+    if (line == nullptr) {
+      shapes.emplace_back(Polyline{{piece.from}, false});
+      line = &std::get<Polyline>(shapes.back());
+    }
+    line->points.push_back(piece.to);
+  }
+  if (shapes.size() == 1 && line != nullptr && path.closed) {
+    line->points.pop_back();
+    line->closed = true;
+  }
+  for (Shape& shape : shapes) {
+    if (const auto* own = std::get_if<Polyline>(&shape)) DOBRA_TRY_VOID(validate(*own));
+  }
+  return shapes;
+}
+
+}  // namespace
+
+Result<Sketch> read_svg_sketch(const std::string& path) {
+  DOBRA_TRY(dobra::io::SvgFile file, dobra::io::read_svg(path));
+  Sketch sketch;
+  sketch.remarks = std::move(file.remarks);
+  for (const SvgPath& outline : file.paths) {
+    auto shapes = shapes_of(outline);
+    if (!shapes) return located(shapes.error(), outline.place);
+    for (std::size_t i = 0; i < shapes->size(); ++i) {
+      std::string name = shapes->size() == 1 ? outline.name : fmt::format("{}_{}", outline.name, i + 1);
+      sketch.curves.push_back(
+          {std::move(name), outline.closed ? Role::Boundary : Role::Internal, std::move((*shapes)[i]), {}});
+      sketch.places.push_back(outline.place);
+    }
+  }
+  return sketch;
+}
+
+}  // namespace quebra::core

@@ -1,0 +1,16 @@
+#pragma once
+// Outlines of SVG pictures as a sketch: closed ones bound the domain, loops inside loops are holes; open ones are
+// internal lines.
+
+#include <string>
+
+#include "quebra/core/domain.h"
+
+namespace quebra::core {
+
+/// Straight pieces that follow each other are one curve; circular arcs stay arcs, other arcs and Bezier curves smooth
+/// curves of their own. A path of several curves calls them NAME_1, NAME_2 ...
+/// @error those of io::read_svg; DegenerateCurve with the place of the element.
+dobra::base::Result<Sketch> read_svg_sketch(const std::string& path);
+
+}  // namespace quebra::core
