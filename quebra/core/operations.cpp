@@ -4,6 +4,7 @@
 #include "quebra/core/analysis.h"
 #include "quebra/core/constraint.h"
 #include "quebra/core/fracture.h"
+#include "quebra/core/half_crack.h"
 #include "quebra/core/input.h"
 #include "quebra/core/layers.h"
 #include "quebra/core/meshing.h"
@@ -46,6 +47,8 @@ scenario::Program make_program() {
           "constraints", "Offset constraints", "Offset curves of a boundary, as internal constraints that grade the mesh.", add_constraints),
       scenario::make_operation<Model, ZoneParams>(
           "zone", "Zone of small elements", "Elements of a given size within a given distance of curves, cracks or points.", add_zone),
+      scenario::make_operation<Model, HalfCrackParams>(
+          "half_crack", "Half of a crack", "A curve of the boundary is one lip of a crack on a line of symmetry.", add_half_crack),
       scenario::make_operation<Model, MeshParams>(
           "mesh", "Mesh", "Divides the boundary and fills the domain with triangles: quadtree for the sizes, Delaunay for the shapes.", add_mesh),
       problem_operation(),
