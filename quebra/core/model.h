@@ -112,7 +112,15 @@ struct Meshed {
   std::vector<PhaseTime> seconds;    ///< Not part of any report: the same run gives the same bytes.
 };
 
+/// Where results are read: along a line, or at a point (results.h).
+struct Samples {
+  std::string name;
+  std::vector<dobra::geom::Point> points;  ///< One: a probe.
+  std::vector<double> s;                   ///< Distance of each from the start, m.
+};
+
 struct Analysis;       // analysis.h
+struct ViewParams;     // result_picture.h
 struct ProblemParams;  // problem.h
 
 struct Model {
@@ -123,6 +131,8 @@ struct Model {
   std::vector<std::shared_ptr<const Meshed>> meshes;  ///< In the order made; each mesh step adds one.
   std::shared_ptr<const ProblemParams> problem;  ///< Materials, supports, loads; none until a step gives them.
   std::vector<std::shared_ptr<const Analysis>> analyses;  ///< In the order made.
+  std::vector<Samples> samples;
+  std::vector<std::shared_ptr<const ViewParams>> views;  ///< Pictures of results; one of the default if there are none.
   std::vector<std::string> remarks;
   std::vector<Finding> findings;  ///< If the input was repaired.
 };
