@@ -8,6 +8,7 @@
 #include "shared/cli/cli.h"
 #include "shared/cli/convert_command.h"
 #include "shared/cli/offset_command.h"
+#include "shared/fem/process_group.h"
 #ifdef DOBRA_WITH_GUI
 #include "quebra/gui/window.h"
 #endif
@@ -28,5 +29,5 @@ int main(int argc, char** argv) {
 #endif
   auto commands = quebra::cli::analysis_commands();
   commands.insert(commands.begin(), {dobra::cli::offset_command(), quebra::cli::mesh_command(), dobra::cli::convert_command()});
-  return dobra::cli::run_program(quebra::core::program(), argc, argv, window, commands);
+  return dobra::fem::run_in_group(argc, argv, [&] { return dobra::cli::run_program(quebra::core::program(), argc, argv, window, commands); });
 }
