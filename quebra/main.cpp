@@ -9,6 +9,7 @@
 #include "shared/cli/cli.h"
 #include "shared/cli/convert_command.h"
 #include "shared/cli/offset_command.h"
+#include "shared/fem/process_group.h"
 #ifdef DOBRA_WITH_GUI
 #include "quebra/gui/window.h"
 #endif
@@ -28,6 +29,7 @@ int main(int argc, char** argv) {
   };
 #endif
   auto commands = quebra::cli::analysis_commands();
-  commands.insert(commands.begin(), {dobra::cli::offset_command(), quebra::cli::mesh_command(), quebra::cli::check_command(), dobra::cli::convert_command()});
-  return dobra::cli::run_program(quebra::core::program(), argc, argv, window, commands);
+  commands.insert(commands.begin(),
+                  {dobra::cli::offset_command(), quebra::cli::mesh_command(), quebra::cli::check_command(), dobra::cli::convert_command()});
+  return dobra::fem::run_in_group(argc, argv, [&] { return dobra::cli::run_program(quebra::core::program(), argc, argv, window, commands); });
 }

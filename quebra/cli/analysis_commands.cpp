@@ -9,15 +9,19 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "quebra/core/results.h"
 #include "quebra/core/validation.h"
 #include "shared/base/text.h"
 #include "shared/cli/commands.h"
+#include "shared/cli/pictures.h"
 #include "shared/cli/staging.h"
 #include "shared/io/file.h"
 #include "shared/scenario/runner.h"
+#include "shared/scenario/table_text.h"
 
 // 1. The document: options become parameters of its last step of the command's operation, which is added if there is none
-// (crack: analyse before it). 2. It is run as `quebra run` would. 3. Quantities, tables and remarks are printed.
+// (crack: analyse before it), and steps behind it. 2. It is run as `quebra run` would. 3. Quantities, tables and remarks are
+// printed, the line and the picture written.
 
 namespace quebra::cli {
 namespace {
@@ -33,6 +37,11 @@ struct Options {
   std::string rule;
   std::optional<std::int64_t> max_cycles;
   std::optional<double> contour;
+  std::string line, field;
+  std::vector<std::string> probes;
+  std::optional<std::int64_t> samples;
+  std::optional<double> deformation;
+  std::optional<std::filesystem::path> out, picture;
 };
 
 scenario::Step step_of(const std::string& operation) {
@@ -48,6 +57,53 @@ Result<double> percent(std::string text) {
   if (text.ends_with('%')) text.pop_back();
   if (const auto value = base::parse_number(text)) return *value;
   return Error{ErrorCode::BadUsage, fmt::format("--target: '{}' is not a percentage such as 5%", text)};
+}
+
+/// "x0,y0,x1,y1" as points.
+Result<std::vector<geom::Point>> points_in(const std::string& option, const std::string& text, std::size_t count) {
+  std::vector<double> numbers;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const auto value = base::parse_number(text.substr(begin, end - begin));
+    if (!value) break;
+    numbers.push_back(*value);
+    begin = end + 1;
+  }
+  std::vector<geom::Point> points;
+  for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) points.push_back({numbers[i], numbers[i + 1]});
+  if (numbers.size() != 2 * count || static_cast<std::size_t>(std::count(text.begin(), text.end(), ',')) + 1 != numbers.size())
+    return Error{ErrorCode::BadUsage, fmt::format("{} {}: give {} numbers with commas between, such as {}", option, text, 2 * count, count == 1 ? "x,y" : "x0,y0,x1,y1")};
+  return points;
+}
+
+/// Lines, probes and pictures that the options ask for, as steps.
+Result<void> add_result_steps(const Options& options, scenario::Document& document) {
+  if (options.out && options.line.empty()) return Error{ErrorCode::BadUsage, "--out is the file of the line: give --line x0,y0,x1,y1"};
+  if (options.samples && options.line.empty()) return Error{ErrorCode::BadUsage, "--samples is of a line: give --line x0,y0,x1,y1"};
+  if (!options.picture && (!options.field.empty() || options.deformation)) return Error{ErrorCode::BadUsage, "--field and --deformation are of a picture: give --picture FILE"};
+  if (!options.line.empty()) {
+    DOBRA_TRY(const auto ends, points_in("--line", options.line, 2));
+    scenario::Step step = step_of("line");
+    step.params.set("label", std::string("command"));
+    step.params.set("from", ends[0]);
+    step.params.set("to", ends[1]);
+    if (options.samples) step.params.set("count", *options.samples);
+    document.steps.push_back(std::move(step));
+  }
+  for (std::size_t i = 0; i < options.probes.size(); ++i) {
+    DOBRA_TRY(const auto at, points_in("--probe", options.probes[i], 1));
+    scenario::Step step = step_of("probe");
+    step.params.set("label", fmt::format("{}", i + 1));
+    step.params.set("at", at[0]);
+    document.steps.push_back(std::move(step));
+  }
+  if (options.picture) {
+    scenario::Step step = step_of("view");
+    if (!options.field.empty()) step.params.set("field", options.field);
+    if (options.deformation) step.params.set("deformation", *options.deformation);
+    document.steps.push_back(std::move(step));
+  }
+  return {};
 }
 
 Result<scenario::Document> document_of(dobra::cli::Session& session, const std::string& operation, const Options& options) {
@@ -66,6 +122,7 @@ Result<scenario::Document> document_of(dobra::cli::Session& session, const std::
   if (options.max_cycles) last->params.set("max_cycles", *options.max_cycles);
   if (options.contour) last->params.set("contour", *options.contour);
   document.steps.erase(last.base(), document.steps.end());
+  DOBRA_TRY_VOID(add_result_steps(options, document));
   DOBRA_TRY_VOID(scenario::check(document, session.program));
   return document;
 }
@@ -73,7 +130,7 @@ Result<scenario::Document> document_of(dobra::cli::Session& session, const std::
 /// Figures of the mesh are `quebra mesh`'s business.
 bool wanted(const std::string& quantity) {
   constexpr std::array names{"elements", "nodes", "unknowns", "cycles", "eta"};
-  return quantity.starts_with("case.") || quantity.starts_with("tip.") ||
+  return quantity.starts_with("case.") || quantity.starts_with("tip.") || quantity.starts_with("probe.") ||
          std::find(names.begin(), names.end(), quantity) != names.end();
 }
 
@@ -83,7 +140,7 @@ std::string json_text(const scenario::Program& program, const scenario::State& s
     if (wanted(quantity.name)) json["quantities"][quantity.name] = {{"value", quantity.value}, {"unit", quantity.unit}};
   }
   for (const auto& table : program.tables_of(state)) {
-    if (table.name != "analyses" && table.name != "tips") continue;
+    if (table.name != "analyses" && table.name != "tips" && !table.name.starts_with("line_")) continue;
     auto rows = nlohmann::ordered_json::array();
     for (const auto& row : table.rows) {
       nlohmann::ordered_json one;
@@ -104,9 +161,20 @@ std::string plain_text(const scenario::Program& program, const scenario::State& 
   return text;
 }
 
+Result<void> write_results(const scenario::Program& program, const scenario::State& state, const Options& options) {
+  for (const auto& table : program.tables_of(state)) {
+    if (!options.out || table.name != "line_command") continue;
+    DOBRA_TRY_VOID(io::write_file(options.out->string(), scenario::csv_text(table)));
+  }
+  if (options.picture) DOBRA_TRY_VOID(dobra::cli::draw(program.picture_of(state), *options.picture, dobra::cli::Drawer::Cairo));
+  return {};
+}
+
 Result<int> job(dobra::cli::Session& session, const std::string& operation, const Options& options) {
+  if (options.picture) DOBRA_TRY_VOID(dobra::cli::check_ending(*options.picture, dobra::cli::Drawer::Cairo));
   DOBRA_TRY(const scenario::Document document, document_of(session, operation, options));
   DOBRA_TRY(const scenario::Run run, dobra::cli::run_steps(session, document));
+  DOBRA_TRY_VOID(write_results(session.program, run.states.back(), options));
   if (session.options.format == dobra::cli::OutputFormat::Json) {
     DOBRA_TRY_VOID(dobra::cli::print(json_text(session.program, run.states.back())));
   } else if (session.options.verbosity != dobra::cli::Verbosity::Quiet) {
@@ -125,6 +193,13 @@ dobra::cli::Command command(const std::string& name, const std::string& operatio
               app.add_option("--max-cycles", options->max_cycles, "Stop after so many cycles")->type_name("N");
             }
             if (operation == "crack") app.add_option("--contour", options->contour, "Outer radius of the ring of the integrals")->type_name("R");
+            app.add_option("--line", options->line, "Displacements and stresses along a line")->type_name("X0,Y0,X1,Y1");
+            app.add_option("--samples", options->samples, "Points of the line; 101 by default")->type_name("N");
+            app.add_option("--out", options->out, "Write the line as CSV")->type_name("FILE");
+            app.add_option("--probe", options->probes, "The same at a point; may be given again")->type_name("X,Y");
+            app.add_option("--picture", options->picture, "Draw a field on the deformed shape")->type_name("FILE.svg|pdf|png");
+            app.add_option("--field", options->field, "What the picture shows; von_mises by default")->check(CLI::IsMember(core::field_names()))->type_name("NAME");
+            app.add_option("--deformation", options->deformation, "Times the displacements drawn; 0 none")->type_name("FACTOR");
             return [operation, options](dobra::cli::Session& session) { return job(session, operation, *options); };
           }};
 }

@@ -162,26 +162,4 @@ void add_analysis_outputs(const Model& model, std::vector<dobra::scenario::Outpu
                      }});
 }
 
-void add_analysis_panel(const Model& model, dobra::scene::Picture& picture) {
-  if (model.analyses.empty()) return;
-  const Analysis& analysis = *model.analyses.back();
-  const mesh::TriangleMesh corners = triangle_mesh_of(analysis.meshed->mesh);
-  const auto stresses = fem::nodal_mean(analysis.meshed->mesh, analysis.fields.front().recovered.at_element_nodes);
-  dobra::scene::Mesh content{.points = corners.points, .values_at = dobra::scene::ValuesAt::Points};
-  for (const auto& t : corners.triangles) {
-    content.triangles.push_back({static_cast<std::uint32_t>(t[0].index()), static_cast<std::uint32_t>(t[1].index()), static_cast<std::uint32_t>(t[2].index())});
-  }
-  double greatest = 0.0;
-  for (const auto& stress : stresses) {
-    content.values.push_back(fem::von_mises(stress, analysis.problem.materials.begin()->second));
-    greatest = std::max(greatest, content.values.back());
-  }
-  content.scale = {dobra::base::translated("von Mises stress [Pa]"), dobra::scene::ColorMapName::Viridis, 0.0, greatest > 0.0 ? greatest : 1.0};
-  dobra::scene::Panel panel{.key = "analysis"};
-  panel.title = fmt::format("{}: eta {:.2f} %, {} {}", analysis.solution.cases.front().name, 100.0 * analysis.eta,
-                            analysis.solution.statistics.unknowns, dobra::base::translated("unknowns"));
-  panel.layers.push_back({"stress", dobra::base::translated("Stress"), {.line_width = 0.0}, std::move(content), true, dobra::scene::InLegend::No});
-  picture.panels.push_back(std::move(panel));
-}
-
 }  // namespace quebra::core

@@ -52,6 +52,5 @@ dobra::base::Result<Analysis> analyse(std::shared_ptr<const Meshed> meshed, cons
 void add_analysis_quantities(const Model& model, std::vector<dobra::scenario::Quantity>& quantities);
 void add_analysis_tables(const Model& model, std::vector<dobra::scenario::DataTable>& tables);
 void add_analysis_outputs(const Model& model, std::vector<dobra::scenario::Output>& outputs);
-void add_analysis_panel(const Model& model, dobra::scene::Picture& picture);
 
 }  // namespace quebra::core

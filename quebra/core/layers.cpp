@@ -69,11 +69,6 @@ bool only_triangles(const mesh::ElementMesh& mesh) {
   return std::all_of(mesh.types.begin(), mesh.types.end(), [](mesh::ElementType type) { return type == mesh::ElementType::T3; });
 }
 
-/// Outlines thin out as elements get many, so that they do not hide the colours.
-double line_width(const mesh::ElementMesh& mesh) {
-  return std::clamp(25.0 / std::sqrt(static_cast<double>(mesh.element_count()) + 1.0), 0.05, 0.5);
-}
-
 io::MeshFields quality_fields(const mesh::ElementMesh& mesh) {
   io::MeshField field{"alpha", 1, {}};
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
@@ -91,22 +86,6 @@ io::MeshFields quality_fields(const mesh::ElementMesh& mesh) {
   return {{}, {std::move(field)}};
 }
 
-/// The triangles that draw an element: those of its corners and, of second order, of its mid-sides too.
-void add_triangles(const mesh::ElementMesh& mesh, std::size_t element, std::vector<std::array<std::uint32_t, 3>>& triangles) {
-  const auto nodes = mesh.nodes_of(mesh::ElementId(element));
-  const auto add = [&](std::initializer_list<std::size_t> corners) {
-    std::array<std::uint32_t, 3> triangle{};
-    std::transform(corners.begin(), corners.end(), triangle.begin(), [&](std::size_t i) { return static_cast<std::uint32_t>(nodes[i].index()); });
-    triangles.push_back(triangle);
-  };
-  switch (mesh.types[element]) {
-    case mesh::ElementType::T3: return add({0, 1, 2});
-    case mesh::ElementType::Q4: add({0, 1, 2}); return add({0, 2, 3});
-    case mesh::ElementType::T6: add({0, 3, 5}); add({3, 1, 4}); add({5, 4, 2}); return add({3, 4, 5});
-    case mesh::ElementType::Q8: add({0, 4, 7}); add({4, 1, 5}); add({5, 2, 6}); add({6, 3, 7}); add({4, 5, 7}); return add({5, 6, 7});
-  }
-}
-
 /// The outline of every element once, mid-sides included.
 scene::Layer outline_layer(const mesh::ElementMesh& mesh) {
   scene::Lines lines;
@@ -120,7 +99,7 @@ scene::Layer outline_layer(const mesh::ElementMesh& mesh) {
     lines.lines.push_back(std::move(outline));
     lines.ids.push_back(static_cast<std::uint32_t>(e));
   }
-  const double width = line_width(mesh);
+  const double width = outline_width(mesh);
   scene::Layer layer{"elements", translated("Elements"), {.line = mesh_line, .line_width = width}, std::move(lines)};
   layer.in_legend = scene::InLegend::No;
   return layer;
@@ -137,7 +116,7 @@ scene::Layer mesh_layer(const mesh::ElementMesh& mesh) {
   }
   content.scale = {translated("quality alpha"), scene::ColorMapName::Quality, 0.5, 1.0};
   // Triangles alone are drawn with their outlines; of other elements the outlines are a layer of their own.
-  const double width = only_triangles(mesh) ? line_width(mesh) : 0.0;
+  const double width = only_triangles(mesh) ? outline_width(mesh) : 0.0;
   return {"mesh", translated("Mesh"), {.line = mesh_line, .line_width = width}, std::move(content), true, scene::InLegend::No};
 }
 
@@ -200,6 +179,25 @@ void add_quality(std::vector<scenario::Quantity>& quantities, const std::string&
 }
 
 }  // namespace
+
+double outline_width(const mesh::ElementMesh& mesh) {
+  return std::clamp(25.0 / std::sqrt(static_cast<double>(mesh.element_count()) + 1.0), 0.05, 0.5);
+}
+
+void add_triangles(const mesh::ElementMesh& mesh, std::size_t element, std::vector<std::array<std::uint32_t, 3>>& triangles) {
+  const auto nodes = mesh.nodes_of(mesh::ElementId(element));
+  const auto add = [&](std::initializer_list<std::size_t> corners) {
+    std::array<std::uint32_t, 3> triangle{};
+    std::transform(corners.begin(), corners.end(), triangle.begin(), [&](std::size_t i) { return static_cast<std::uint32_t>(nodes[i].index()); });
+    triangles.push_back(triangle);
+  };
+  switch (mesh.types[element]) {
+    case mesh::ElementType::T3: return add({0, 1, 2});
+    case mesh::ElementType::Q4: add({0, 1, 2}); return add({0, 2, 3});
+    case mesh::ElementType::T6: add({0, 3, 5}); add({3, 1, 4}); add({5, 4, 2}); return add({3, 4, 5});
+    case mesh::ElementType::Q8: add({0, 4, 7}); add({4, 1, 5}); add({5, 2, 6}); add({6, 3, 7}); add({4, 5, 7}); return add({5, 6, 7});
+  }
+}
 
 scene::Picture picture_of(const Model& model) {
   scene::Picture picture;

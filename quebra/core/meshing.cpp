@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "quebra/core/domain.h"
+#include "quebra/core/half_crack.h"
 #include "quebra/core/tip_rosettes.h"
 #include "quebra/core/zone.h"
 #include "shared/mesh/lips.h"
@@ -184,8 +185,9 @@ std::map<std::string, MiddleOfCurve> bent_sides(const Domain& domain) {
 }
 
 /// From the triangles to the elements that the user asked for.
-Result<ElementMesh> elements_of(const TriangleMesh& triangles, const Domain& domain, const MeshParams& params,
+Result<ElementMesh> elements_of(const TriangleMesh& triangles, const Model& model, const MeshParams& params,
                                 const std::vector<TipRosette>& rosettes, std::vector<std::string>& remarks) {
+  const Domain& domain = model.domain;
   ElementMesh mesh = element_mesh_of(triangles);
   DOBRA_TRY_VOID(fill(mesh, rosettes));
   mesh.region_names = domain.region_names;
@@ -200,6 +202,7 @@ Result<ElementMesh> elements_of(const TriangleMesh& triangles, const Domain& dom
   if (!cracks.empty()) {
     DOBRA_TRY(mesh, open_lips(std::move(mesh), cracks));
   }
+  DOBRA_TRY_VOID(name_half_tips(mesh, model.half_tips));
   if (params.quadrilaterals == Quadrilaterals::Yes) mesh = recombine(mesh);
   if (params.order == Order::First) return mesh;
   SecondOrder second = to_second_order(std::move(mesh), bent_sides(domain));
@@ -239,7 +242,7 @@ Result<Meshed> mesh_domain(const Model& model, const MeshParams& params, std::sp
     if (params.order != Order::Second || params.quadrilaterals == Quadrilaterals::Yes) {
       return dobra::base::Error{dobra::base::ErrorCode::BadValue, "rosettes are made of triangles of second order: give order = \"2\" and no quadrilaterals"};
     }
-    DOBRA_TRY(rosettes, tip_rosettes(model.domain, {.sectors = params.sectors, .radius = params.tip_radius}));
+    DOBRA_TRY(rosettes, tip_rosettes(model.domain, model.half_tips, {.sectors = params.sectors, .radius = params.tip_radius}));
   }
   dobra::mesh::MeshOptions options;
   options.engine = params.engine;
@@ -256,7 +259,7 @@ Result<Meshed> mesh_domain(const Model& model, const MeshParams& params, std::sp
   options.points.max_triangles = static_cast<std::size_t>(params.max_elements);
   DOBRA_TRY(const TriangleMesh triangles, dobra::mesh::triangulate(input, options, progress));
   done("triangulate");
-  DOBRA_TRY(meshed.mesh, elements_of(triangles, model.domain, params, rosettes, remarks));
+  DOBRA_TRY(meshed.mesh, elements_of(triangles, model, params, rosettes, remarks));
   done("elements");
   meshed.quality = dobra::mesh::quality_of(triangles);
   done("quality");

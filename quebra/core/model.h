@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "quebra/core/curve.h"
+#include "shared/fem/rosette.h"
 #include "shared/mesh/element_mesh.h"
 #include "shared/mesh/quality.h"
 
@@ -86,6 +87,16 @@ struct Finding {
   std::string mend;   ///< What was done; "left as it is: ..." with what to do by hand.
 };
 
+/// The tip of a crack of which the model holds one lip, on a line of symmetry (half_crack.h).
+struct HalfTip {
+  std::string name;       ///< "LIP_start" or "LIP_end".
+  std::size_t lip = 0;    ///< Curve behind the tip,
+  std::size_t line = 0;   ///< and the one ahead.
+  dobra::geom::Point at;
+  dobra::geom::Vector ahead;
+  dobra::fem::RosetteHalf half = dobra::fem::RosetteHalf::Left;  ///< Where the material is.
+};
+
 /// How long a part of the work took, s.
 struct PhaseTime {
   std::string phase;
@@ -101,16 +112,27 @@ struct Meshed {
   std::vector<PhaseTime> seconds;    ///< Not part of any report: the same run gives the same bytes.
 };
 
+/// Where results are read: along a line, or at a point (results.h).
+struct Samples {
+  std::string name;
+  std::vector<dobra::geom::Point> points;  ///< One: a probe.
+  std::vector<double> s;                   ///< Distance of each from the start, m.
+};
+
 struct Analysis;       // analysis.h
+struct ViewParams;     // result_picture.h
 struct ProblemParams;  // problem.h
 
 struct Model {
   Domain domain;
   std::vector<Constraint> constraints;
   std::vector<Zone> zones;
+  std::vector<HalfTip> half_tips;
   std::vector<std::shared_ptr<const Meshed>> meshes;  ///< In the order made; each mesh step adds one.
   std::shared_ptr<const ProblemParams> problem;  ///< Materials, supports, loads; none until a step gives them.
   std::vector<std::shared_ptr<const Analysis>> analyses;  ///< In the order made.
+  std::vector<Samples> samples;
+  std::vector<std::shared_ptr<const ViewParams>> views;  ///< Pictures of results; one of the default if there are none.
   std::vector<std::string> remarks;
   std::vector<Finding> findings;  ///< If the input was repaired.
 };

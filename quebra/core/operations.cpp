@@ -4,9 +4,11 @@
 #include "quebra/core/analysis.h"
 #include "quebra/core/constraint.h"
 #include "quebra/core/fracture.h"
+#include "quebra/core/half_crack.h"
 #include "quebra/core/input.h"
 #include "quebra/core/layers.h"
 #include "quebra/core/meshing.h"
+#include "quebra/core/result_picture.h"
 #include "quebra/core/zone.h"
 
 namespace quebra::core {
@@ -46,6 +48,8 @@ scenario::Program make_program() {
           "constraints", "Offset constraints", "Offset curves of a boundary, as internal constraints that grade the mesh.", add_constraints),
       scenario::make_operation<Model, ZoneParams>(
           "zone", "Zone of small elements", "Elements of a given size within a given distance of curves, cracks or points.", add_zone),
+      scenario::make_operation<Model, HalfCrackParams>(
+          "half_crack", "Half of a crack", "A curve of the boundary is one lip of a crack on a line of symmetry.", add_half_crack),
       scenario::make_operation<Model, MeshParams>(
           "mesh", "Mesh", "Divides the boundary and fills the domain with triangles: quadtree for the sizes, Delaunay for the shapes.", add_mesh),
       problem_operation(),
@@ -55,17 +59,21 @@ scenario::Program make_program() {
           "adapt", "Adapt", "Meshes and analyses until the error asked for is met.", adapt),
       scenario::make_operation<Model, FractureParams>(
           "crack", "Stress intensity factors", "K_I and K_II by three methods, J, T and kink angles at every crack tip.", add_tips),
+      scenario::make_operation<Model, LineParams>("line", "Results along a line", "Displacements and stresses along a line, as a table.", add_line),
+      scenario::make_operation<Model, ProbeParams>("probe", "Results at a point", "Displacements and stresses at a point.", add_probe),
+      scenario::make_operation<Model, ViewParams>("view", "Picture of a field", "A field on the deformed shape: colours, contours, mesh, extremes.", add_view),
   };
   program.picture_of = [](const scenario::State& state) {
     const Model& model = scenario::model_of<Model>(state);
     scene::Picture picture = picture_of(model);
-    add_analysis_panel(model, picture);
+    add_views(model, picture);
     return picture;
   };
   program.quantities_of = [](const scenario::State& state) {
     const Model& model = scenario::model_of<Model>(state);
     auto quantities = quantities_of(model);
     add_analysis_quantities(model, quantities);
+    add_sample_quantities(model, quantities);
     return quantities;
   };
   program.remarks_of = [](const scenario::State& state) { return scenario::model_of<Model>(state).remarks; };
@@ -73,6 +81,7 @@ scenario::Program make_program() {
     const Model& model = scenario::model_of<Model>(state);
     auto tables = tables_of(model);
     add_analysis_tables(model, tables);
+    add_sample_tables(model, tables);
     return tables;
   };
   program.outputs_of = [](const scenario::State& state) {

@@ -13,6 +13,7 @@ using dobra::base::ErrorCode;
 using dobra::base::Place;
 using dobra::base::Result;
 using dobra::fem::CrackEnd;
+using dobra::fem::Rosette;
 using dobra::geom::Point;
 using dobra::mesh::MeshInput;
 using dobra::mesh::NodeId;
@@ -47,7 +48,7 @@ Result<void> check_room(const Domain& domain, const std::vector<TipRosette>& ros
         return trouble("overlaps that of '" + rosettes[k].crack + "'");
     }
     for (const Curve& curve : domain.curves) {
-      if (curve.name == rosettes[i].crack) continue;
+      if (curve.name == rosettes[i].crack || curve.name == rosettes[i].ahead) continue;
       const auto line = trace(curve).line;
       for (std::size_t s = 0; s < line.segment_count(); ++s) {
         if (distance(line.segment(s), rosette.tip) < rosette.outer_radius()) return trouble("reaches '" + curve.name + "'");
@@ -57,9 +58,54 @@ Result<void> check_room(const Domain& domain, const std::vector<TipRosette>& ros
   return {};
 }
 
+/// The curve runs straight from its end at s (0 or its length) for `reach`, and twice as long in all.
+Result<void> check_straight(const Curve& curve, double s, Point spoke, double reach, double radius) {
+  const double all = length(curve);
+  const Point end = point(curve, s);
+  if (reach < 0.5 * all && distance(spoke, point(curve, std::abs(s - reach))) <= straightness * radius) return {};
+  return Error{ErrorCode::BadDomain,
+               fmt::format("the rosette of radius {:.4g} does not fit: the crack, and a line of symmetry ahead, must be straight in it, and twice as long; make it smaller", reach),
+               Place{.item = "crack '" + curve.name + "'", .x = end.x, .y = end.y}};
+}
+
+Result<TipRosette> half_rosette(const Domain& domain, const HalfTip& tip, dobra::fem::RosetteOptions options, double automatic) {
+  const Curve& lip = domain.curves[tip.lip];
+  const Curve& line = domain.curves[tip.line];
+  if (!(options.radius > 0.0)) options.radius = automatic;
+  DOBRA_TRY(auto rosette, dobra::fem::make_rosette(tip.at, tip.ahead, options));
+  const double reach = rosette.outer_radius();
+  const auto end_of = [&](const Curve& curve) { return point(curve, 0.0) == tip.at ? 0.0 : length(curve); };
+  const auto& rim = rosette.rings.back();
+  DOBRA_TRY_VOID(check_straight(lip, end_of(lip), rim.front(), reach, options.radius));
+  DOBRA_TRY_VOID(check_straight(line, end_of(line), rim[rim.size() / 2], reach, options.radius));
+  const CrackEnd end = end_of(lip) == 0.0 ? CrackEnd::Start : CrackEnd::End;
+  return TipRosette{lip.name, end, std::move(rosette), line.name, tip.half};
+}
+
+/// A rim as nodes of the input and edges of a set of its own.
+struct Rim {
+  NodeId behind;                ///< Where the crack ends on it,
+  std::optional<NodeId> ahead;  ///< and, of a half, the line of symmetry.
+};
+
+Rim add_rim(MeshInput& input, const TipRosette& tip, std::string name) {
+  input.sets.push_back({std::move(name), dobra::mesh::EdgeKind::Boundary});
+  const auto set = static_cast<std::uint32_t>(input.sets.size() - 1);
+  const std::size_t first = input.points.size();
+  const bool whole = tip.ahead.empty();
+  const auto& ring = tip.rosette.rings.back();
+  const std::vector<Point> points = whole ? std::vector<Point>(ring.begin(), ring.end() - 1) : rim_of(tip.rosette, tip.half);
+  input.points.insert(input.points.end(), points.begin(), points.end());
+  const std::size_t count = points.size();
+  for (std::size_t i = 0; i + (whole ? 0 : 1) < count; ++i) input.edges.push_back({{NodeId(first + i), NodeId(first + (i + 1) % count)}, set});
+  if (whole) return {NodeId(first), std::nullopt};
+  const NodeId last(first + count - 1);
+  return tip.half == dobra::fem::RosetteHalf::Left ? Rim{last, NodeId(first)} : Rim{NodeId(first), last};
+}
+
 }  // namespace
 
-Result<std::vector<TipRosette>> tip_rosettes(const Domain& domain, const dobra::fem::RosetteOptions& options) {
+Result<std::vector<TipRosette>> tip_rosettes(const Domain& domain, const std::vector<HalfTip>& half_tips, const dobra::fem::RosetteOptions& options) {
   std::vector<TipRosette> rosettes;
   for (std::size_t c = 0; c < domain.curves.size(); ++c) {
     const Curve& curve = domain.curves[c];
@@ -74,16 +120,14 @@ Result<std::vector<TipRosette>> tip_rosettes(const Domain& domain, const dobra::
       const double s = end == CrackEnd::Start ? 0.0 : all;
       const auto ahead = end == CrackEnd::Start ? -direction(curve, s) : direction(curve, s);
       DOBRA_TRY(auto rosette, dobra::fem::make_rosette(point(curve, s), ahead, own));
-      const double reach = rosette.outer_radius();
-      const Point rim = rosette.rings.back().front();
-      const Point on_curve = point(curve, std::abs(s - std::min(reach, all)));
-      if (reach >= 0.5 * all || distance(rim, on_curve) > straightness * own.radius) {
-        return Error{ErrorCode::BadDomain,
-                     fmt::format("the rosette of radius {:.4g} does not fit: the crack must be straight in it, and twice as long; make it smaller", reach),
-                     Place{.item = "crack '" + curve.name + "'", .x = rosette.tip.x, .y = rosette.tip.y}};
-      }
+      DOBRA_TRY_VOID(check_straight(curve, s, rosette.rings.back().front(), rosette.outer_radius(), own.radius));
       rosettes.push_back({curve.name, end, std::move(rosette)});
     }
+  }
+  for (const HalfTip& tip : half_tips) {
+    const auto tips = std::count_if(half_tips.begin(), half_tips.end(), [&](const HalfTip& other) { return other.lip == tip.lip; });
+    DOBRA_TRY(auto rosette, half_rosette(domain, tip, options, automatic_radius * length(domain.curves[tip.lip]) / static_cast<double>(tips)));
+    rosettes.push_back(std::move(rosette));
   }
   DOBRA_TRY_VOID(check_room(domain, rosettes));
   return rosettes;
@@ -91,37 +135,36 @@ Result<std::vector<TipRosette>> tip_rosettes(const Domain& domain, const dobra::
 
 void cut_out(MeshInput& input, const std::vector<TipRosette>& rosettes) {
   for (std::size_t r = 0; r < rosettes.size(); ++r) {
-    const auto& [crack, end, rosette] = rosettes[r];
+    const Rosette& rosette = rosettes[r].rosette;
     const double reach = rosette.outer_radius();
-    const auto set = static_cast<std::uint32_t>(
-        std::find_if(input.sets.begin(), input.sets.end(), [&](const auto& s) { return s.name == crack; }) - input.sets.begin());
     // A node just outside the rim would make a sliver of an edge: it goes too.
     const double step = reach / static_cast<double>(rosette.rings.size());
     const auto inside = [&](NodeId node) { return distance(input.points[node.index()], rosette.tip) < reach + 0.3 * step; };
-    const auto rim = NodeId(input.points.size());
-    for (auto point = rosette.rings.back().begin(); point + 1 != rosette.rings.back().end(); ++point) input.points.push_back(*point);
-    std::erase_if(input.edges, [&](auto& edge) {
-      if (edge.set != set) return false;
-      const bool first = inside(edge.nodes[0]);
-      const bool second = inside(edge.nodes[1]);
-      if (first && second) return true;
-      if (first) edge.nodes[0] = rim;
-      if (second) edge.nodes[1] = rim;
-      return false;
-    });
-    input.sets.push_back({rim_name(r), dobra::mesh::EdgeKind::Boundary});
-    const std::size_t count = rosette.rings.back().size() - 1;
-    for (std::size_t i = 0; i < count; ++i) {
-      input.edges.push_back({{NodeId(rim.index() + i), NodeId(rim.index() + (i + 1) % count)},
-                             static_cast<std::uint32_t>(input.sets.size() - 1)});
-    }
+    const auto cut = [&](const std::string& curve, NodeId rim) {
+      const auto set = static_cast<std::uint32_t>(
+          std::find_if(input.sets.begin(), input.sets.end(), [&](const auto& s) { return s.name == curve; }) - input.sets.begin());
+      std::erase_if(input.edges, [&](auto& edge) {
+        if (edge.set != set) return false;
+        const bool first = inside(edge.nodes[0]);
+        const bool second = inside(edge.nodes[1]);
+        if (first && second) return true;
+        if (first) edge.nodes[0] = rim;
+        if (second) edge.nodes[1] = rim;
+        return false;
+      });
+    };
+    const Rim rim = add_rim(input, rosettes[r], rim_name(r));
+    cut(rosettes[r].crack, rim.behind);
+    if (rim.ahead) cut(rosettes[r].ahead, *rim.ahead);
   }
   // A region's seed in a hole moves out of it, beside the crack.
   for (auto& seed : input.regions) {
     for (const TipRosette& r : rosettes) {
       const auto& rim = r.rosette.rings.back();
+      const std::size_t quarter = rim.size() / 4;
+      const bool left = !r.ahead.empty() && r.half == dobra::fem::RosetteHalf::Left;
       if (distance(seed.at, r.rosette.tip) <= 1.01 * r.rosette.outer_radius())
-        seed.at = r.rosette.tip + 1.02 * (rim[rim.size() / 4] - r.rosette.tip);
+        seed.at = r.rosette.tip + 1.02 * (rim[left ? rim.size() - 1 - quarter : quarter] - r.rosette.tip);
     }
   }
   // Points that no edge has any more would be nodes in the holes.
@@ -152,7 +195,8 @@ Result<void> fill(dobra::mesh::ElementMesh& mesh, const std::vector<TipRosette>&
   for (std::size_t r = 0; r < rosettes.size(); ++r) {
     const auto rim = mesh.side_sets.extract(rim_name(r));
     const std::int32_t region = mesh.regions[rim.mapped().front().element.index()];
-    DOBRA_TRY_VOID(dobra::fem::fill_rosette(mesh, rosettes[r].rosette, rosettes[r].crack, rosettes[r].end, region));
+    const auto& [crack, end, rosette, ahead, half] = rosettes[r];
+    DOBRA_TRY_VOID(ahead.empty() ? fill_rosette(mesh, rosette, crack, end, region) : fill_half_rosette(mesh, rosette, half, crack, ahead, region));
   }
   return {};
 }

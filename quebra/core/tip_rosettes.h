@@ -13,15 +13,18 @@
 namespace quebra::core {
 
 struct TipRosette {
-  std::string crack;
+  std::string crack;  ///< Or the only lip.
   dobra::fem::CrackEnd end = dobra::fem::CrackEnd::End;
   dobra::fem::Rosette rosette;
+  std::string ahead = {};  ///< Curve ahead of a half crack; empty: a whole one.
+  dobra::fem::RosetteHalf half = dobra::fem::RosetteHalf::Left;
 };
 
-/// One for each end of a crack that lies inside the material.
+/// One for each end of a crack that lies inside the material, then one for each tip of a half crack.
 /// @param options  a radius of 0 takes 1/40 of the length of the crack a tip.
 /// @error BadDomain naming the crack: two rosettes overlap, one reaches a boundary, or the crack is not straight in it.
-dobra::base::Result<std::vector<TipRosette>> tip_rosettes(const Domain& domain, const dobra::fem::RosetteOptions& options);
+dobra::base::Result<std::vector<TipRosette>> tip_rosettes(const Domain& domain, const std::vector<HalfTip>& half_tips,
+                                                          const dobra::fem::RosetteOptions& options);
 
 /// Makes a hole of each rosette in the mesher's input, and lets the cracks end on its rim.
 void cut_out(dobra::mesh::MeshInput& input, const std::vector<TipRosette>& rosettes);

@@ -38,6 +38,9 @@ std::map<mesh::NodeId, std::vector<Vector>> normals_of(const ElementMesh& mesh,
         const geom::Point p = mesh.point(nodes[k]);
         tangent = tangent + shape.d_xi[k] * Vector{p.x, p.y};
       }
+      // At a crack tip with quarter points the parabola stands still; its side is straight.
+      const Vector chord = mesh.point(nodes[1]) - mesh.point(nodes[0]);
+      if (length(tangent) < negligible * length(chord)) tangent = chord;
       const Vector normal = normalised(right_of(tangent));
       auto& known = normals[nodes[i]];
       const auto alike =

@@ -74,7 +74,7 @@ double room_of(const ElementMesh& mesh, const TipFrame& frame, const Surrounding
   };
   const auto on_crack = [&](mesh::NodeId node) {
     const Vector v = frame.local(mesh.point(node) - frame.at);
-    return v.x <= 0.0 && std::abs(v.y) <= straightness * (std::abs(v.x) + frame.length);
+    return (v.x <= 0.0 || frame.lips != Lips::Both) && std::abs(v.y) <= straightness * (std::abs(v.x) + frame.length);
   };
   for (const auto& side : around.boundary) {
     const auto nodes = side_nodes(mesh, side);
@@ -103,13 +103,24 @@ base::Result<TipFrame> frame_of(const ElementMesh& mesh, const Materials& materi
     if (mesh.regions[e] != mesh.regions[frame.left.element.index()])
       return bad(frame, "two materials meet at the tip; the intensity factors of an interface are not known here");
   }
-  const Point left = mesh.point(side_nodes(mesh, frame.left)[0]);
-  const Point right = mesh.point(side_nodes(mesh, frame.right)[1]);
+  Point left = mesh.point(side_nodes(mesh, frame.left)[0]);
+  Point right = mesh.point(side_nodes(mesh, frame.right)[1]);
+  const bool left_ahead = dot(left - frame.at, tip.direction) > 0.0;
+  const bool right_ahead = dot(right - frame.at, tip.direction) > 0.0;
+  if (left_ahead != right_ahead) {  // one lip, and the line of symmetry ahead
+    frame.lips = right_ahead ? Lips::OnlyLeft : Lips::OnlyRight;
+    if (left_ahead) {
+      std::swap(frame.left, frame.right);
+      std::swap(left, right);
+    }
+    right = frame.at - (right - frame.at);
+  }
   frame.length = distance(left, frame.at);
   frame.tip.direction = normalised((frame.at - left) + (frame.at - right));
   for (const Point p : {left, right}) {
     if (std::abs(frame.local(p - frame.at).y) > straightness * frame.length)
-      return bad(frame, "the lips do not end in one straight line");
+      return bad(frame, frame.lips == Lips::Both ? "the lips do not end in one straight line"
+                                                 : "the line of symmetry does not go straight on ahead of the lip");
   }
   frame.material = materials.at(mesh.regions[frame.left.element.index()]);
   frame.quarter = is_quarter(mesh, frame.left, tip.node) && is_quarter(mesh, frame.right, tip.node);
@@ -126,11 +137,18 @@ struct Openings {
 Openings openings_of(const ElementMesh& mesh, const TipFrame& frame, std::span<const Vector> u) {
   const auto left = side_nodes(mesh, frame.left);
   const auto right = side_nodes(mesh, frame.right);
+  if (frame.lips != Lips::Both) {
+    const auto opening = [&](mesh::NodeId node) {
+      return Vector{0.0, 2.0 * frame.local(u[node.index()] - u[frame.tip.node.index()]).y};
+    };
+    return {opening(left[0] == frame.tip.node ? left[1] : left[0]), opening(left[2])};
+  }
   return {frame.local(u[left[0].index()] - u[right[1].index()]), frame.local(u[left[2].index()] - u[right[2].index()])};
 }
 
-/// The side that runs straight ahead from the tip, of the element on its left.
+/// The side that runs straight ahead from the tip, of the element on its left, or of the only one.
 std::optional<mesh::ElementSide> side_ahead(const ElementMesh& mesh, const TipFrame& frame) {
+  if (frame.lips != Lips::Both) return frame.right;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     for (std::uint32_t i = 0; i < mesh::corner_count(mesh.types[e]); ++i) {
       const mesh::ElementSide side{mesh::ElementId(e), i};
@@ -199,7 +217,7 @@ std::array<double, most_nodes> weights_of(const ElementGeometry& element, Point 
 /// In the frame of the tip.
 Gradient turned(const Gradient& g, const TipFrame& frame) {
   const Vector e1 = frame.tip.direction;
-  const Vector e2 = left_of(e1);
+  const Vector e2 = frame.up();
   const auto component = [&](Vector a, Vector b) {  // a . (grad u) b
     return a.x * (g[0] * b.x + g[1] * b.y) + a.y * (g[2] * b.x + g[3] * b.y);
   };
@@ -274,7 +292,8 @@ void add_lip(const ElementMesh& mesh, mesh::ElementSide side, const Traction& tr
     const Vector t = frame.local(traction(at, normal));
     sum[0] -= length * value * dot(t, along);
     // The left lip runs towards the tip, the right one away from it.
-    const Point place{frame.local(at - frame.at).x, tangent.x > 0.0 ? 0.0 : -0.0};
+    const bool upper = tangent.x > 0.0 || frame.lips != Lips::Both;
+    const Point place{frame.local(at - frame.at).x, upper ? 0.0 : -0.0};
     for (std::size_t k = 0; k < auxiliary.size(); ++k) {
       const Gradient g = tip_field(place, auxiliary[k], frame.material).gradient;
       sum[k + 1] -= length * value * (t.x * g[0] + t.y * g[2]);
@@ -285,7 +304,7 @@ void add_lip(const ElementMesh& mesh, mesh::ElementSide side, const Traction& tr
 /// The traction on a lip at the tip, in its frame, Pa.
 Vector lip_traction(const ElementMesh& mesh, const LoadCase& load, const TipFrame& frame, mesh::ElementSide lip) {
   Vector sum;
-  const Vector outward = (lip == frame.left ? -1.0 : 1.0) * left_of(frame.tip.direction);
+  const Vector outward = (lip == frame.left ? -1.0 : 1.0) * frame.up();
   for (const SideLoad& side_load : load.sides) {
     const auto sides = find_sides(mesh, side_load.where).value();
     if (std::find(sides.begin(), sides.end(), lip) != sides.end())
@@ -296,6 +315,20 @@ Vector lip_traction(const ElementMesh& mesh, const LoadCase& load, const TipFram
 
 double relative_distance(const Intensity& a, const Intensity& b) {
   return std::hypot(a.one - b.one, a.two - b.two) / std::hypot(b.one, b.two);
+}
+
+/// A single lip is half a crack only if the line ahead of it stays where it is across.
+base::Result<void> check_symmetry(const ElementMesh& mesh, const TipFrame& frame, std::span<const Vector> u) {
+  if (frame.lips == Lips::Both) return {};
+  const auto across = [&](mesh::ElementSide side) {
+    double most = 0.0;
+    for (const mesh::NodeId node : side_nodes(mesh, side)) {
+      if (node.valid()) most = std::max(most, std::abs(frame.local(u[node.index()] - u[frame.tip.node.index()]).y));
+    }
+    return most;
+  };
+  if (across(frame.right) <= straightness * across(frame.left)) return {};
+  return bad(frame, "the line of symmetry ahead of the lip is not held across; give it a support with normal = 0");
 }
 
 }  // namespace
@@ -328,7 +361,8 @@ base::Result<Intensity> crack_closure(const ElementMesh& mesh, const Problem& pr
   const auto ahead = side_ahead(mesh, frame);
   if (!ahead) return bad(frame, "crack closure needs an element side straight ahead of the tip");
   const auto nodes = side_nodes(mesh, *ahead);
-  if (std::abs(distance(mesh.point(nodes[1]), frame.at) - frame.length) > 0.01 * frame.length)
+  const std::size_t own = nodes[0] == frame.tip.node ? 0 : 1;  // of the side: the tip
+  if (std::abs(distance(mesh.point(nodes[1 - own]), frame.at) - frame.length) > 0.01 * frame.length)
     return bad(frame, "crack closure needs elements of the same length ahead of the tip and behind it");
   const std::vector<Vector> forces = forces_from_left(mesh, problem, load, frame, u);
   const double thickness = frame.material.thickness;
@@ -337,7 +371,7 @@ base::Result<Intensity> crack_closure(const ElementMesh& mesh, const Problem& pr
   // The load of the lips would follow the crack: what closes it is the stress ahead less that on the lips.
   const Vector lip = lip_traction(mesh, load, frame, frame.left);
   integrate_side(mesh, *ahead, [&](auto, const Shape& shape, Point, Vector, double length) {
-    at_tip = at_tip + (shape.n[0] * length) * lip;
+    at_tip = at_tip + (shape.n[own] * length) * lip;
     at_middle = at_middle + (shape.n[2] * length) * lip;
   });
   const Openings d = openings_of(mesh, frame, u);
@@ -347,8 +381,9 @@ base::Result<Intensity> crack_closure(const ElementMesh& mesh, const Problem& pr
                                       : tip_force * corner + middle_force * middle;
     return work / (2.0 * frame.length);
   };
-  return Intensity{intensity(release(at_tip.y, at_middle.y, d.corner.y, d.middle.y), d.corner.y, frame.material),
-                   intensity(release(at_tip.x, at_middle.x, d.corner.x, d.middle.x), d.corner.x, frame.material)};
+  const double one = intensity(release(at_tip.y, at_middle.y, d.corner.y, d.middle.y), d.corner.y, frame.material);
+  if (frame.lips != Lips::Both) return Intensity{one, 0.0};
+  return Intensity{one, intensity(release(at_tip.x, at_middle.x, d.corner.x, d.middle.x), d.corner.x, frame.material)};
 }
 
 base::Result<Contour> contour_of(const TipFrame& frame, std::optional<double> outer) {
@@ -383,12 +418,17 @@ DomainIntegrals domain_integrals(const ElementMesh& mesh, const LoadCase& load, 
     const auto sides = find_sides(mesh, side_load.where).value();
     for (const mesh::ElementSide side : sides) {
       const auto nodes = side_nodes(mesh, side);
-      // Inside the contour there is no boundary but the lips.
-      if (std::min(distance(mesh.point(nodes[0]), frame.at), distance(mesh.point(nodes[1]), frame.at)) < contour.outer)
+      // Inside the contour there is no boundary but the lips, and a line of symmetry, whose supports take its loads.
+      const double ahead = frame.local(midpoint(mesh.point(nodes[0]), mesh.point(nodes[1])) - frame.at).x;
+      if (ahead < 0.0 && std::min(distance(mesh.point(nodes[0]), frame.at), distance(mesh.point(nodes[1]), frame.at)) < contour.outer)
         add_lip(mesh, side, side_load.traction, frame, contour, u, sum);
     }
   }
   const double modulus = effective_modulus(frame.material);
+  if (frame.lips != Lips::Both) {  // the other half is the mirror image
+    const double across = -lip_traction(mesh, load, frame, frame.left).y;
+    return {2.0 * sum[0], {modulus * sum[1], 0.0}, 2.0 * modulus * sum[3] + across};
+  }
   // The force at the tip feels the stress across the crack that loaded lips carry, as if it were along it.
   const double across =
       0.5 * (lip_traction(mesh, load, frame, frame.right).y - lip_traction(mesh, load, frame, frame.left).y);
@@ -400,6 +440,7 @@ base::Result<std::vector<TipResult>> crack_tips(const ElementMesh& mesh, const P
   DOBRA_TRY(const std::vector<TipFrame> frames, tip_frames(mesh, problem.materials));
   std::vector<TipResult> results;
   for (const TipFrame& frame : frames) {
+    DOBRA_TRY_VOID(check_symmetry(mesh, frame, u));
     DOBRA_TRY(const Contour contour, contour_of(frame, outer));
     TipResult result{.name = frame.tip.name, .at = frame.at, .ahead = frame.tip.direction, .contour = contour};
     result.domain = domain_integrals(mesh, load, frame, contour, u);

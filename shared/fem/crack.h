@@ -4,7 +4,9 @@
 // three is the confidence. Page: docs/algorithms/crack.md.
 // Source: [shih1976] (DCT), [raju1987] (closure), [nikishkov1987], [yau1980] (integrals), [kfouri1986] (T-stress).
 //
-// In the frame of a tip x points ahead and y to the left of the crack's direction of travel.
+// In the frame of a tip x points ahead and y to the left of the crack's direction of travel. In a symmetric half of a
+// model the crack has one lip, and the boundary goes straight on ahead of the tip as a line of symmetry: y then points
+// into the material, K_II is 0, and the other half counts as the mirror image.
 
 #include <optional>
 #include <string>
@@ -16,21 +18,27 @@
 
 namespace dobra::fem {
 
+enum class Lips : std::uint8_t { Both, OnlyLeft, OnlyRight };
+
 /// Where a tip and the elements of its lips are.
 struct TipFrame {
   mesh::CrackTip tip;
   geom::Point at;
   Material material = {};
-  mesh::ElementSide left = {};   ///< Side of the left lip that ends in the tip.
-  mesh::ElementSide right = {};  ///< Side of the right lip that begins in the tip.
+  Lips lips = Lips::Both;
+  mesh::ElementSide left = {};   ///< Side of the left lip that ends in the tip; of the only lip.
+  mesh::ElementSide right = {};  ///< Side of the right lip that begins in the tip; ahead of the tip if there is one lip.
   double length = 0.0;           ///< Of the side of the left lip, m.
   bool quarter = false;          ///< Both sides have their mid-side node at a quarter.
   double room =
       0.0;  ///< Radius of the greatest disc round the tip with nothing in it but the straight end of the crack, m.
-  [[nodiscard]] geom::Vector local(geom::Vector v) const { return {dot(v, tip.direction), cross(tip.direction, v)}; }
+  /// Unit, along y of the frame.
+  [[nodiscard]] geom::Vector up() const { return (lips == Lips::OnlyRight ? -1.0 : 1.0) * left_of(tip.direction); }
+  [[nodiscard]] geom::Vector local(geom::Vector v) const { return {dot(v, tip.direction), dot(v, up())}; }
 };
 /// One a tip of the mesh, in their order.
-/// @error BadCrack with the place: no lips at the tip, lips that are not straight, elements of two materials at it.
+/// @error BadCrack with the place: no lips at the tip, lips (or lip and line ahead) that are not straight, elements of two
+/// materials at it.
 base::Result<std::vector<TipFrame>> tip_frames(const mesh::ElementMesh& mesh, const Materials& materials);
 
 /// @error BadCrack: the elements at the tip are not quarter-point ones (the formula would be wrong by 60 %).
@@ -76,7 +84,7 @@ struct TipResult {
   Kink g_theta = {};
 };
 /// All of it, for every tip, in their order.
-/// @error those of tip_frames and contour_of
+/// @error those of tip_frames and contour_of; BadCrack: the line ahead of a single lip moves across.
 base::Result<std::vector<TipResult>> crack_tips(const mesh::ElementMesh& mesh, const Problem& problem,
                                                 const LoadCase& load, std::span<const geom::Vector> u,
                                                 std::optional<double> outer = std::nullopt);

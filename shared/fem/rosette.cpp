@@ -42,56 +42,94 @@ base::Result<Rosette> make_rosette(Point tip, Vector ahead, const RosetteOptions
   return rosette;
 }
 
-base::Result<void> fill_rosette(mesh::ElementMesh& mesh, const Rosette& rosette, const std::string& crack, CrackEnd end,
-                                std::int32_t region) {
+namespace {
+
+/// The sides of filled sectors on their first and last spoke, from the tip outwards.
+struct Spokes {
+  std::vector<mesh::ElementSide> first;
+  std::vector<mesh::ElementSide> last;
+};
+
+/// Triangles of the sectors `first` .. `last` - 1; all of them close into a ring.
+base::Result<Spokes> fill_sectors(mesh::ElementMesh& mesh, const Rosette& rosette, std::size_t first, std::size_t last,
+                                  const std::string& crack, std::int32_t region) {
   using mesh::ElementType;
   using mesh::NodeId;
   const std::size_t sectors = rosette.rings.front().size() - 1;
+  const bool closed = last - first == sectors;
   std::map<Point, NodeId> known;
   for (std::size_t n = 0; n < mesh.points.size(); ++n) known.try_emplace(mesh.points[n], n);
   std::vector<std::vector<NodeId>> rings{std::vector<NodeId>(sectors + 1, NodeId(mesh.points.size()))};  // the tip
   mesh.points.push_back(rosette.tip);
   for (const auto& points : rosette.rings) {
     const bool outermost = &points == &rosette.rings.back();
-    std::vector<NodeId> ring;
-    for (std::size_t i = 0; i < sectors; ++i) {
+    std::vector<NodeId> ring(sectors + 1);
+    for (std::size_t i = first; i <= last; ++i) {
+      if (closed && i == last) {
+        ring[i] = ring[first];
+        continue;
+      }
       const auto found = known.find(points[i]);
       if (outermost && found == known.end())
         return Error{ErrorCode::BadCrack, "the mesh has no node on the ring of the rosette",
                      base::Place{.item = "crack '" + crack + "'", .x = points[i].x, .y = points[i].y}};
-      ring.push_back(outermost ? found->second : NodeId(mesh.points.size()));
+      ring[i] = outermost ? found->second : NodeId(mesh.points.size());
       if (!outermost) mesh.points.push_back(points[i]);
     }
-    ring.push_back(ring.front());
     rings.push_back(std::move(ring));
   }
-  std::vector<mesh::ElementSide> lips;  // from the tip outwards
-  const std::size_t lip_sector = end == CrackEnd::End ? sectors - 1 : 0;
+  Spokes spokes;
   for (std::size_t k = 0; k + 1 < rings.size(); ++k) {
     const auto& in = rings[k];
     const auto& out = rings[k + 1];
-    for (std::size_t i = 0; i < sectors; ++i) {
+    for (std::size_t i = first; i < last; ++i) {
       // The diagonals on the right of the crack's line mirror those on its left: a symmetric problem keeps K_II = 0.
       const bool mirrored = k > 0 && 2 * i < sectors;
-      const auto first =
+      const auto inner =
           add_element(mesh, ElementType::T3, std::vector{in[i], out[i], mirrored ? in[i + 1] : out[i + 1]}, region);
-      const auto last = k == 0 ? first
-                               : add_element(mesh, ElementType::T3,
-                                             std::vector{mirrored ? out[i] : in[i], out[i + 1], in[i + 1]}, region);
-      if (i != lip_sector) continue;
-      if (end == CrackEnd::Start) {
-        lips.push_back({first, 0});
-      } else {
-        lips.push_back({last, k == 0 ? 2U : 1U});
-      }
+      const auto outer = k == 0 ? inner
+                                : add_element(mesh, ElementType::T3,
+                                              std::vector{mirrored ? out[i] : in[i], out[i + 1], in[i + 1]}, region);
+      if (i == first) spokes.first.push_back({inner, 0});
+      if (i + 1 == last) spokes.last.push_back({outer, k == 0 ? 2U : 1U});
     }
   }
+  return spokes;
+}
+
+}  // namespace
+
+base::Result<void> fill_rosette(mesh::ElementMesh& mesh, const Rosette& rosette, const std::string& crack, CrackEnd end,
+                                std::int32_t region) {
+  const std::size_t sectors = rosette.rings.front().size() - 1;
+  DOBRA_TRY(const Spokes spokes, fill_sectors(mesh, rosette, 0, sectors, crack, region));
   auto& set = mesh.side_sets[crack];
   if (end == CrackEnd::Start) {
-    set.insert(set.begin(), lips.begin(), lips.end());
+    set.insert(set.begin(), spokes.first.begin(), spokes.first.end());
   } else {
-    set.insert(set.end(), lips.rbegin(), lips.rend());
+    set.insert(set.end(), spokes.last.rbegin(), spokes.last.rend());
   }
+  return {};
+}
+
+std::vector<Point> rim_of(const Rosette& rosette, RosetteHalf half) {
+  const auto& ring = rosette.rings.back();
+  const auto middle = ring.begin() + static_cast<std::ptrdiff_t>(ring.size() / 2);  // straight ahead
+  return half == RosetteHalf::Left ? std::vector<Point>(middle, ring.end()) : std::vector<Point>(ring.begin(), middle + 1);
+}
+
+base::Result<void> fill_half_rosette(mesh::ElementMesh& mesh, const Rosette& rosette, RosetteHalf half,
+                                     const std::string& lip, const std::string& ahead, std::int32_t region) {
+  const std::size_t sectors = rosette.rings.front().size() - 1;
+  const bool left = half == RosetteHalf::Left;
+  DOBRA_TRY(const Spokes spokes,
+            fill_sectors(mesh, rosette, left ? sectors / 2 : 0, left ? sectors : sectors / 2, lip, region));
+  const auto append = [&](const std::string& name, const std::vector<mesh::ElementSide>& sides) {
+    auto& set = mesh.side_sets[name];
+    set.insert(set.end(), sides.begin(), sides.end());
+  };
+  append(left ? ahead : lip, spokes.first);
+  append(left ? lip : ahead, spokes.last);
   return {};
 }
 

@@ -41,6 +41,16 @@ enum class CrackEnd : std::uint8_t { Start, End };
 base::Result<void> fill_rosette(mesh::ElementMesh& mesh, const Rosette& rosette, const std::string& crack, CrackEnd end,
                                 std::int32_t region);
 
+/// Which half of a rosette lies in the material, if its tip lies on a straight boundary that is a line of symmetry: left
+/// or right of the way ahead.
+enum class RosetteHalf : std::uint8_t { Left, Right };
+/// The points of the outermost ring that bound that half, from one end on the boundary to the other, anticlockwise.
+std::vector<geom::Point> rim_of(const Rosette& rosette, RosetteHalf half);
+/// Fills one half as fill_rosette fills a whole; its sides on the boundary go to the side sets `lip` and `ahead`.
+/// @error BadCrack with the place: a point of the ring is no node.
+base::Result<void> fill_half_rosette(mesh::ElementMesh& mesh, const Rosette& rosette, RosetteHalf half,
+                                     const std::string& lip, const std::string& ahead, std::int32_t region);
+
 /// Moves the mid-side nodes of the sides that end in a crack tip to a quarter of the side from the tip.
 /// @return how many nodes were moved.
 /// @error  BadCrack with the place: an element at a tip is not quadratic, or two tips share a side.

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <mutex>
 
+#include "shared/fem/process_group.h"
+
 namespace dobra::fem {
 namespace {
 
@@ -38,8 +40,12 @@ Error failed(MUMPS_INT code, MUMPS_INT detail, const char* what) {
 
 struct Factorisation::Instance {
   DMUMPS_STRUC_C mumps{};
+  int id = 0;  ///< Among the instances of all processes.
   void run(MUMPS_INT job) {
     const std::lock_guard lock(mumps_mutex());
+    static int instances = 0;
+    if (job == -1) id = ++instances;
+    announce_job(id, job);
     mumps.job = job;
     dmumps_c(&mumps);
   }
@@ -64,7 +70,7 @@ base::Result<Factorisation> Factorisation::make(const SymmetricMatrix& matrix, c
   Factorisation result;
   result.instance_.reset(new Instance);
   Instance& instance = *result.instance_;
-  instance.mumps.comm_fortran = -987654;  // "MPI_COMM_WORLD" of the sequential build
+  instance.mumps.comm_fortran = -987654;  // MPI_COMM_WORLD, of the sequential build too
   instance.mumps.par = 1;
   instance.mumps.sym = 1;
   instance.run(-1);

@@ -1,0 +1,43 @@
+#pragma once
+// A field of an analysis as a picture: colours and contours on the deformed shape, the mesh, the shape before, and where the
+// field is greatest and least.
+
+#include <optional>
+
+#include "quebra/core/results.h"
+#include "shared/scene/layer.h"
+
+namespace quebra::core {
+
+enum class Shown { Yes, No };
+
+struct ViewParams {
+  FieldName field = FieldName::VonMises;
+  std::string load_case;
+  std::optional<double> deformation;
+  int contours = 9;
+  Shown mesh = Shown::Yes;
+  Shown extremes = Shown::Yes;
+
+  template <class D>
+  static void describe(D& d) {
+    d.choice("field", &ViewParams::field, field_names(), {.title = "Field", .help = "von Mises, stresses, principal stresses, displacements, or the error of each element."});
+    d.field("case", &ViewParams::load_case, {.title = "Load case", .help = "The first by default."});
+    d.field("deformation", &ViewParams::deformation, {.title = "Deformation", .help = "Times the displacements that are drawn: 1 true, 0 none; by default they are a twentieth of the size.", .at_least = 0});
+    d.field("contours", &ViewParams::contours, {.title = "Contours", .help = "Number of lines.", .at_least = 0, .at_most = 100});
+    d.choice("mesh", &ViewParams::mesh, {"yes", "no"}, {.title = "Mesh"});
+    d.choice("extremes", &ViewParams::extremes, {"yes", "no"}, {.title = "Extremes", .help = "Marks the greatest and the least value."});
+  }
+};
+
+/// Adds a picture of the last analysis. @error BadValue: no analysis, no such case.
+dobra::base::Result<Model> add_view(const Model& model, const ViewParams& params, const dobra::scenario::Context& context,
+                                    const dobra::base::Progress& progress);
+
+/// @pre load_case < analysis.fields.size()
+dobra::scene::Panel view_panel(const Analysis& analysis, std::size_t load_case, const ViewParams& params);
+
+/// The views of a model in place of its meshes; without views that of the default beside them.
+void add_views(const Model& model, dobra::scene::Picture& picture);
+
+}  // namespace quebra::core
