@@ -250,14 +250,18 @@ bool RuledStack::along_band(geom::Point p, Cell& cell, Strip& at) const {
   const std::uint32_t count = band.count;
   at = strip(cell);
   for (int jump = 0; jump <= most_jumps; ++jump) {
+    int travel = 0;  // a ruling that has just been passed need not be looked at again
     for (int step = 0; step < most_steps; ++step) {
       const geom::Vector along = at.right.top - at.left.top;
-      if (cell.first > 0 && is_beyond(at.left.top, at.left.bottom, -along, 1.0, p, tolerance_)) {
+      if (travel <= 0 && cell.first > 0 && is_beyond(at.left.top, at.left.bottom, -along, 1.0, p, tolerance_)) {
         --cell.first;
         at = cell.first == 0 ? strip(cell) : Strip{ruling(band, cell.first - 1), at.left};
-      } else if (cell.first < count && is_beyond(at.right.top, at.right.bottom, along, -1.0, p, tolerance_)) {
+        travel = -1;
+      } else if (travel >= 0 && cell.first < count &&
+                 is_beyond(at.right.top, at.right.bottom, along, -1.0, p, tolerance_)) {
         ++cell.first;
         at = cell.first == count ? strip(cell) : Strip{at.right, ruling(band, cell.first)};
+        travel = 1;
       } else {
         return true;
       }
@@ -365,8 +369,7 @@ Spot RuledStack::outside(geom::Point p, Strip& at) const {
 Spot RuledStack::locate(geom::Point p, Cell hint, Strip& at) const {
   Cell cell = hint;
   const bool known = hint.second < bands_.size() && hint.first < ruling_count(hint.second) && hint.first > 0;
-  if (known && walk(p, cell, at) && !is_outer(cell) && !beyond_upper(at, p) && !beyond_lower(at, p) &&
-      !doubtful(cell)) {
+  if (known && walk(p, cell, at) && !is_outer(cell) && holds(at, p) && !doubtful(cell)) {
     to_first(p, cell, at);
     return {cell, 0.0, Foot::InColumn};
   }
@@ -409,8 +412,9 @@ StripPlace RuledStack::place_in(const Strip& at, geom::Point p) {
   const geom::Vector down = g + best.across * h;
   const double area = geom::cross(across, down);
   if (area != 0.0 && least < infinity) {
-    best.across += geom::cross(off, down) / area;
-    best.down += geom::cross(across, off) / area;
+    const double per_area = 1.0 / area;
+    best.across += geom::cross(off, down) * per_area;
+    best.down += geom::cross(across, off) * per_area;
   }
   return best;
 }
