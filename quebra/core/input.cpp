@@ -7,7 +7,7 @@
 
 #include "quebra/core/repair.h"
 #include "quebra/core/sketch_file.h"
-#include "shared/geom/cubic_path.h"
+#include "shared/geom/drawn_curve.h"
 
 namespace quebra::core {
 namespace {
@@ -26,14 +26,8 @@ Error lacking(const CurveParams& params, const char* what) {
 }
 
 Result<Curve> make_spline(const CurveParams& params) {
-  using dobra::geom::SplineEnds;
-  std::vector<Point> points = params.points;
-  const bool closed = points.size() > 3 && points.front() == points.back();
-  if (closed) points.pop_back();
-  const SplineEnds ends = closed ? SplineEnds::Closed : SplineEnds::Natural;
-  if (points.size() < 2) return lacking(params, "needs two `points` or more");
-  const std::vector<double> knots = chord_length_knots(points, ends);
-  DOBRA_TRY(dobra::geom::CubicPath path, cubic_spline(points, knots, ends));
+  if (params.points.size() < 2) return lacking(params, "needs two `points` or more");
+  DOBRA_TRY(dobra::geom::CubicPath path, dobra::geom::spline_through(params.points));
   DOBRA_TRY(Smooth smooth, Smooth::make(std::move(path)));
   return Curve{params.name, params.role, std::move(smooth), {}};
 }

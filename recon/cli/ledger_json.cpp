@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "recon/core/report.h"
+#include "recon/core/section_faces.h"
 
 namespace recon::cli {
 
@@ -28,6 +29,12 @@ const core::UnitRow* layer_below(const core::Model& model, std::size_t horizon) 
   const auto units = core::ledger_units(model.section, restoration.order);
   for (std::size_t i = 0; i < units.size(); ++i) {
     if (units[i].upper == horizon) return &restoration.ledger.units[i];
+  }
+  if (!model.section.faces) return nullptr;
+  for (const core::RockUnit& unit : model.section.faces->units) {
+    for (const core::UnitRow& row : restoration.ledger.units) {
+      if (unit.top == horizon && !unit.whole && row.name == unit.name) return &row;
+    }
   }
   return nullptr;
 }

@@ -47,7 +47,7 @@ class InputTables {
 std::string key_of(const io::Feature& feature) {
   if (feature.type == io::FeatureType::Points) return "marker";
   if (feature.type == io::FeatureType::Polygons) return feature.kind == "border" ? "border" : "polygon";
-  for (const char* kind : {"fault", "pin", "loose", "border"}) {
+  for (const char* kind : {"fault", "pin", "loose", "border", "topography", "datum"}) {
     if (feature.kind == kind) return kind;
   }
   if (feature.kind == "unit") return "polygon";  // a line that is to close

@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <sstream>
 
-#include "shared/base/text.h"
-#include "shared/io/file.h"
+#include "shared/io/line_files.h"
 
 namespace recon::core {
 
@@ -27,36 +25,36 @@ class ErrorSum {
   double most_ = 0.0;
 };
 
-base::Error bad_line(const std::string& file, std::size_t line, std::string message) {
-  return {base::ErrorCode::BadFormat, std::move(message), base::Place{.file = file, .line = line}};
-}
-
-base::Result<UncertainPolygon> read_polygon(const std::string& file, double unit) {
-  DOBRA_TRY(const std::string text, dobra::io::read_text(file));
-  UncertainPolygon polygon;
-  std::istringstream lines(text);
-  std::string line;
-  for (std::size_t number = 1; std::getline(lines, line); ++number) {
-    for (char& c : line) {
-      if (c == ',' || c == ';' || c == '\t' || c == '\r') c = ' ';
-    }
-    std::istringstream words(line);
-    std::vector<double> values;
-    std::string word;
-    while (words >> word) {
-      if (word.front() == '#') break;
-      const std::optional<double> value = base::parse_number(word);
-      if (!value || !std::isfinite(*value)) return bad_line(file, number, fmt::format("'{}' is not a number", word));
-      values.push_back(*value);
-    }
-    if (values.empty()) continue;
-    if (values.size() < 2) return bad_line(file, number, "a vertex needs x and y");
-    polygon.points.push_back({unit * values[0], unit * values[1]});
-    const bool has_errors = values.size() >= 4;
-    polygon.errors.push_back(has_errors ? unit * geom::Vector{std::abs(values[2]), std::abs(values[3])}
-                                        : geom::Vector{});
+base::Result<UncertainPolygon> read_polygon(const std::string& file, double unit, const AreaBalanceParams& params) {
+  dobra::io::LineOptions options;
+  options.unit = unit;
+  options.coordinates = dobra::io::Coordinates::Section;
+  options.text.closing = dobra::io::Closing::KeepOpen;
+  options.text.blank_lines = dobra::io::BlankLines::Ignore;
+  for (const double column : params.columns)
+    (options.text.columns.size() < 2 ? options.text.columns : options.text.extra_columns)
+        .push_back(fmt::format("{}", column));
+  if (params.columns.size() != 2 && params.columns.size() != 4) {
+    return base::Error{base::ErrorCode::BadValue, "columns needs two numbers, x and y, or four, x, y and their errors"};
   }
-  if (polygon.points.size() < 3) return bad_line(file, 1, "a polygon needs three vertices");
+  DOBRA_TRY(const dobra::io::LineWork work, dobra::io::read_any_lines(file, options));
+  const base::Place place{.file = file};
+  if (work.features.size() != 1 || work.features[0].parts.size() != 1) {
+    return base::Error{base::ErrorCode::BadFormat, "the file holds more than one line; keep the polygon alone", place};
+  }
+  UncertainPolygon polygon;
+  polygon.points = work.features[0].parts[0].points;
+  polygon.errors.resize(polygon.points.size());
+  if (!work.features[0].extras.empty()) {
+    const std::vector<double>& errors = work.features[0].extras[0];
+    for (std::size_t i = 0; i < polygon.points.size(); ++i)
+      polygon.errors[i] = unit * geom::Vector{std::abs(errors[2 * i]), std::abs(errors[2 * i + 1])};
+  }
+  if (polygon.points.size() > 1 && polygon.points.front() == polygon.points.back()) {
+    polygon.points.pop_back();
+    polygon.errors.pop_back();
+  }
+  if (polygon.points.size() < 3) return base::Error{base::ErrorCode::BadFormat, "a polygon needs three vertices", place};
   return polygon;
 }
 
@@ -131,7 +129,7 @@ AreaBalance balance_area(const UncertainPolygon& polygon, WithError thickness_1,
 
 base::Result<AreaBalance> balance_area(const AreaBalanceParams& params, const dobra::scenario::Context& context) {
   const double unit = metres_per_unit(params.unit);
-  DOBRA_TRY(const UncertainPolygon polygon, read_polygon((context.folder / params.file).string(), unit));
+  DOBRA_TRY(const UncertainPolygon polygon, read_polygon((context.folder / params.file).string(), unit, params));
   std::vector<WithError> thickness;
   for (const std::size_t end : {0, 1}) {
     DOBRA_TRY(const double value, one_of(params.thickness, end, unit, "thickness"));

@@ -16,6 +16,7 @@ namespace recon::core {
 /// Parameters of the step `area_balance`.
 struct AreaBalanceParams {
   std::string file;
+  std::vector<double> columns = {1.0, 2.0, 3.0, 4.0};
   LengthUnit unit = LengthUnit::Metre;
   std::vector<double> thickness;
   std::vector<double> thickness_error;
@@ -26,8 +27,10 @@ struct AreaBalanceParams {
   static void describe(D& d) {
     d.file("file", &AreaBalanceParams::file,
            {.title = "Polygon",
-            .help = "Text with columns x, y and, for errors, dx, dy; one vertex a line.",
+            .help = "Text with columns x, y and, for errors, dx, dy; one vertex a line. Or a polygon in any other format.",
             .presence = dobra::scenario::Presence::Required});
+    d.field("columns", &AreaBalanceParams::columns,
+            {.title = "Columns of x, y, dx and dy", .help = "In a text file, counted from 1; two leave the errors out."});
     d.choice("unit", &AreaBalanceParams::unit, {"m", "km", "ft"},
              {.title = "Unit of the file and of the lengths here"});
     d.field("thickness", &AreaBalanceParams::thickness,

@@ -6,6 +6,7 @@
 
 #include "shared/geom/intersect.h"
 #include "shared/geom/spatial_index.h"
+#include "shared/io/raster.h"
 
 namespace recon::core {
 
@@ -24,9 +25,9 @@ base::Result<void> check_names(const std::vector<HorizonInput>& inputs, const ch
 }
 
 /// As `read_line`, with the kind of thing in the place of errors.
-base::Result<ReadLine> read_item(const HorizonInput& input, const char* kind, const Convention& convention,
+base::Result<ReadLine> read_item(const HorizonInput& input, const char* kind, const ReadSettings& settings,
                                  const dobra::scenario::Context& context, std::vector<std::string>& remarks) {
-  auto read = read_line(input, convention, context);
+  auto read = read_line(input, settings, context);
   const std::string item = fmt::format("{} '{}'", kind, input.name);
   if (!read) {
     base::Error error = read.error();
@@ -44,9 +45,9 @@ base::Place source_of(const HorizonInput& input) {
 }
 
 /// A closed line of that kind.
-base::Result<geom::Polyline> read_polygon(const HorizonInput& input, const char* kind, const Convention& convention,
+base::Result<geom::Polyline> read_polygon(const HorizonInput& input, const char* kind, const ReadSettings& settings,
                                           const dobra::scenario::Context& context, std::vector<std::string>& remarks) {
-  DOBRA_TRY(ReadLine line, read_item(input, kind, convention, context, remarks));
+  DOBRA_TRY(ReadLine line, read_item(input, kind, settings, context, remarks));
   auto contour = closed_contour(std::move(line.line));
   if (contour) return contour;
   base::Error error = contour.error();
@@ -133,9 +134,11 @@ base::Result<void> check_units(const Section& section, const SectionInput& input
     return refuse(fmt::format("horizon '{}'", horizon.name), horizon.source, box, horizon.line.points.front());
   }
   for (const SectionLine& line : section.lines) {
-    const auto& inputs = line.kind == LineKind::Fault ? input.faults
-                         : line.kind == LineKind::Pin ? input.pins
-                                                      : input.loose_lines;
+    const auto& inputs = line.kind == LineKind::Fault        ? input.faults
+                         : line.kind == LineKind::Pin        ? input.pins
+                         : line.kind == LineKind::Topography ? input.topographies
+                         : line.kind == LineKind::Datum      ? input.datums
+                                                             : input.loose_lines;
     const geom::Box box = line.line.box();
     if (says_unit(inputs, line.name) || !seems_of_another_unit(box, largest)) continue;
     return refuse(fmt::format("{} '{}'", kind_name(line.kind), line.name), line.source, box, line.line.points.front());
@@ -148,25 +151,30 @@ base::Result<void> check_units(const Section& section, const SectionInput& input
   return {};
 }
 
-base::Result<void> read_items(const SectionInput& input, const dobra::scenario::Context& context, ReadSection& read) {
+base::Result<void> read_items(const SectionInput& input, const ReadSettings& settings,
+                              const dobra::scenario::Context& context, ReadSection& read) {
   Section& section = read.section;
   struct Lines {
     const std::vector<HorizonInput>& inputs;
     LineKind kind;
   };
   for (const Lines& lines : {Lines{input.faults, LineKind::Fault}, Lines{input.pins, LineKind::Pin},
-                             Lines{input.loose_lines, LineKind::Loose}}) {
+                             Lines{input.loose_lines, LineKind::Loose}, Lines{input.topographies, LineKind::Topography},
+                             Lines{input.datums, LineKind::Datum}}) {
     const char* kind = kind_name(lines.kind);
     DOBRA_TRY_VOID(check_names(lines.inputs, kind));
     for (const HorizonInput& wanted : lines.inputs) {
-      DOBRA_TRY(ReadLine line, read_item(wanted, kind, section.convention, context, read.remarks));
+      DOBRA_TRY(ReadLine line, read_item(wanted, kind, settings, context, read.remarks));
+      const bool runs_right = lines.kind == LineKind::Topography || lines.kind == LineKind::Datum;
+      if (runs_right && line.line.points.front().x > line.line.points.back().x)
+        line.line = geom::reversed(std::move(line.line));
       section.lines.push_back(
           {LineId(section.lines.size()), lines.kind, wanted.name, std::move(line.line), source_of(wanted)});
     }
   }
   DOBRA_TRY_VOID(check_names(input.units, "unit"));
   for (const HorizonInput& wanted : input.units) {
-    DOBRA_TRY(geom::Polyline contour, read_polygon(wanted, "unit", section.convention, context, read.remarks));
+    DOBRA_TRY(geom::Polyline contour, read_polygon(wanted, "unit", settings, context, read.remarks));
     section.units.push_back({UnitId(section.units.size()), wanted.name, std::move(contour), source_of(wanted)});
   }
   if (input.borders.size() > 1) {
@@ -174,7 +182,7 @@ base::Result<void> read_items(const SectionInput& input, const dobra::scenario::
                        base::Place{.item = fmt::format("border '{}'", input.borders[1].name)}};
   }
   for (const HorizonInput& wanted : input.borders) {
-    DOBRA_TRY(section.border, read_polygon(wanted, "border", section.convention, context, read.remarks));
+    DOBRA_TRY(section.border, read_polygon(wanted, "border", settings, context, read.remarks));
   }
   DOBRA_TRY_VOID(check_names(input.markers, "marker"));
   for (const HorizonInput& wanted : input.markers) {
@@ -182,12 +190,43 @@ base::Result<void> read_items(const SectionInput& input, const dobra::scenario::
     if (wanted.file.empty() && wanted.points.size() == 1) {  // a single pick is no line
       points.push_back(to_section(wanted.points.front(), section.convention));
     } else {
-      DOBRA_TRY(ReadLine line, read_item(wanted, "marker", section.convention, context, read.remarks));
+      DOBRA_TRY(ReadLine line, read_item(wanted, "marker", settings, context, read.remarks));
       points = std::move(line.line.points);
     }
     section.markers.push_back({MarkerId(section.markers.size()), wanted.name, std::move(points), source_of(wanted)});
   }
   return check_units(section, input);
+}
+
+base::Result<void> read_backdrops(const SectionInput& input, const dobra::scenario::Context& context,
+                                  Section& section) {
+  for (const BackdropInput& wanted : input.backdrops) {
+    base::Place place;
+    place.file = (context.folder / wanted.file).string();
+    place.item = fmt::format("backdrop '{}'", wanted.name);
+    auto raster = dobra::io::read_raster(place.file);
+    if (!raster) return base::located(raster.error(), place);
+    std::vector<geom::Point> corners = wanted.corners;
+    if (corners.empty() && raster->box) corners = {raster->box->low, raster->box->high};
+    if (corners.size() != 2) {
+      return base::Error{base::ErrorCode::BadSection,
+                         corners.empty()
+                             ? "the picture does not say where it lies; give corners = [[x, z], [x, z]], lower left and "
+                               "upper right, or a world file beside it"
+                             : "corners needs two points: lower left and upper right",
+                         place};
+    }
+    geom::Box box;
+    for (const geom::Point corner : corners) box.add(to_section(corner, section.convention));
+    if (!(box.width() > 0.0 && box.height() > 0.0)) {
+      return base::Error{base::ErrorCode::BadSection, "the corners of the picture lie on one line; give two opposite ones",
+                         place};
+    }
+    section.backdrops.push_back({wanted.name,
+                                 {std::make_shared<const dobra::scene::Pixels>(std::move(raster->pixels)), box, wanted.opacity},
+                                 place});
+  }
+  return {};
 }
 
 }  // namespace recon::core

@@ -10,7 +10,12 @@ namespace recon::core {
 /// @error BadSection: a polygon that does not close or that crosses itself, two things of a kind with the same name;
 /// and
 ///        those of read_line, each with the item and the place.
-base::Result<void> read_items(const SectionInput& input, const dobra::scenario::Context& context, ReadSection& read);
+base::Result<void> read_items(const SectionInput& input, const ReadSettings& settings,
+                              const dobra::scenario::Context& context, ReadSection& read);
+
+/// Adds the pictures behind the section.
+/// @error BadSection: a picture without a place; those of io::read_raster; each with the file and the item.
+base::Result<void> read_backdrops(const SectionInput& input, const dobra::scenario::Context& context, Section& section);
 
 /// Whether something is about a thousand times as small or large as the section, and would lie where the section is if
 /// it were a thousand times as large or small: metres and kilometres mixed.

@@ -6,9 +6,9 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
+#include "recon/core/section_faces.h"
 #include "shared/base/parallel.h"
 #include "shared/base/text.h"
 
@@ -23,18 +23,12 @@ constexpr scene::Color grid_color{126, 147, 168, 255};
 constexpr scene::Color rung_color{176, 190, 203, 255};
 constexpr scene::Color fault_color{150, 20, 30, 255};
 constexpr scene::Color pin_color{40, 40, 40, 255};
+constexpr scene::Color surface_color{92, 70, 30, 255};
 /// More rungs than this would be a grey area: then every k-th is shown.
 constexpr std::size_t most_rungs = 160;
 /// Sections longer than this many times their height stand one above the other, where they have the whole width of the
 /// page.
 constexpr double wide = 5.0;
-/// Sizes of text as parts of the width of a plot, beside the other panel and alone in its row.
-struct TextShare {
-  double line;       ///< From label to label.
-  double character;  ///< Width of one.
-};
-constexpr TextShare in_row{15.0 / 290.0, 4.8 / 290.0};
-constexpr TextShare in_column{11.0 / 620.0, 4.8 / 490.0};  // the shorter panel beside a colour bar is so wide
 
 scene::Layer lines_layer(std::string key, std::string title, scene::Style style, std::vector<geom::Polyline> lines) {
   return {std::move(key), std::move(title), style, scene::Lines{std::move(lines), {}}, true, scene::InLegend::Yes};
@@ -85,16 +79,65 @@ void add_units(scene::Panel& panel, const Section& section, const std::vector<Le
   }
 }
 
-scene::Dash dash_of(LineKind kind) { return kind == LineKind::Fault ? scene::Dash::Solid : scene::Dash::Dashed; }
+/// Units that are measured by their faces: the rows of the ledger after those of `units`.
+void add_face_units(scene::Panel& panel, const Section& section, const Ledger& ledger, std::size_t first,
+                    std::vector<geom::Polyline> UnitRow::*faces) {
+  for (std::size_t i = first; i < ledger.units.size(); ++i) {
+    const UnitRow& row = ledger.units[i];
+    scene::Color color = unit_color(i);
+    for (const RockUnit& unit : section.faces->units) {
+      if (unit.name == row.name && unit.top) color = unit_color(section.horizons[*unit.top].id.index());
+    }
+    scene::Layer layer = region_layer("unit_" + std::to_string(i), row.name, color, {});
+    std::get<scene::Regions>(layer.content).regions = {scene::Region{row.*faces}};
+    panel.layers.push_back(std::move(layer));
+  }
+}
+
+/// So that a picture behind them is seen.
+void make_translucent(scene::Panel& panel) {
+  for (scene::Layer& layer : panel.layers) {
+    if (layer.style.fill) layer.style.fill->alpha = 110;
+  }
+}
+
+/// Pictures behind the section.
+void add_backdrops(scene::Panel& panel, const Section& section) {
+  for (std::size_t i = 0; i < section.backdrops.size(); ++i) {
+    const Backdrop& backdrop = section.backdrops[i];
+    panel.layers.push_back(
+        {"backdrop_" + std::to_string(i), backdrop.name, {}, backdrop.image, true, scene::InLegend::No});
+  }
+}
+
+/// Of a line that is no bed; one that is eroded has the colour of its horizon.
+scene::Style style_of(const SectionLine& line, const Section& section) {
+  scene::Style style;
+  style.line = pin_color;
+  style.line_width = 0.9;
+  style.dash = scene::Dash::Dashed;
+  if (line.kind == LineKind::Fault || line.kind == LineKind::Topography) {
+    style.line = line.kind == LineKind::Fault ? fault_color : surface_color;
+    style.line_width = 1.8;
+    style.dash = scene::Dash::Solid;
+  } else if (line.kind == LineKind::Datum) {
+    style.dash = scene::Dash::Dotted;
+  } else if (line.kind == LineKind::Eroded) {
+    const Horizon* horizon = find_horizon(section, line.name);
+    if (horizon != nullptr) style.line = horizon_color(horizon->id);
+    style.line_width = 1.2;
+  }
+  return style;
+}
 
 /// Faults, pin and loose lines, markers.
 void add_items(scene::Panel& panel, const Section& section) {
   for (const SectionLine& line : section.lines) {
-    scene::Style style;
-    style.line = line.kind == LineKind::Fault ? fault_color : pin_color;
-    style.line_width = line.kind == LineKind::Fault ? 1.8 : 0.9;
-    style.dash = dash_of(line.kind);
-    scene::Layer layer = lines_layer("line_" + std::to_string(line.id.index()), line.name, style, {line.line});
+    const bool eroded = line.kind == LineKind::Eroded;
+    scene::Layer layer =
+        lines_layer("line_" + std::to_string(line.id.index()),
+                    eroded ? fmt::format("{} ({})", line.name, translated("eroded")) : line.name,
+                    style_of(line, section), {line.line});
     std::get<scene::Lines>(layer.content).ids = {static_cast<std::uint32_t>(line.id.index())};
     panel.layers.push_back(std::move(layer));
   }
@@ -155,8 +198,7 @@ void add_column(scene::Panel& panel, const Section& section, const std::vector<L
                 const std::vector<UnitRow>& rows) {
   const geom::Box box = scene::extent(panel);
   const double width = 0.035 * box.width();
-  const double left = box.high.x + 0.015 * box.width();
-  if (panel.extent) panel.extent->add(geom::Point{left + 2.0 * width, box.centre().y});
+  const double left = box.low.x - 0.015 * box.width() - width;  // names stand on the right
   double top = section.horizons.empty() ? box.high.y : box_of(section).high.y;
   for (std::size_t i = 0; i < units.size(); ++i) {
     if (!rows[i].thickness_after || !units[i].upper) continue;
@@ -247,27 +289,20 @@ void add_horizons(scene::Panel& panel, const Section& section) {
   }
 }
 
-/// Names at the right ends, moved apart vertically where they would cover each other; and room for them on the right.
-void add_names(scene::Panel& panel, const Section& section, const TextShare& share) {
+/// Names at the right ends; the layout makes room for them. The highest choose first, the others stand below.
+void add_names(scene::Panel& panel, const Section& section) {
   std::vector<const Horizon*> order;
   for (const Horizon& horizon : section.horizons) order.push_back(&horizon);
   const auto end_of = [](const Horizon* horizon) { return horizon->line.points.back(); };
-  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return end_of(a).y > end_of(b).y; });
-  const double width = std::max(box_of(section).width(), 1.5 * box_of(section).height());
-  geom::Box room = scene::extent(panel);
-  double limit = std::numeric_limits<double>::infinity();
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return end_of(a).y < end_of(b).y; });
   for (const Horizon* horizon : order) {
-    const geom::Point at{end_of(horizon).x + 0.008 * width, std::min(end_of(horizon).y, limit)};
-    limit = at.y - share.line * width;
-    room.add(geom::Point{at.x + share.character * width * static_cast<double>(horizon->name.size()),
-                         at.y - 0.5 * share.line * width});
     scene::Style style;
     style.line = horizon_color(horizon->id);
     style.text_size = 8.0;
     panel.layers.push_back({"name_" + std::to_string(horizon->id.index()), horizon->name, style,
-                            scene::Labels{{{at, horizon->name, scene::Anchor::Right}}}, true, scene::InLegend::No});
+                            scene::Labels{{{end_of(horizon), horizon->name, scene::Anchor::Right}}}, true,
+                            scene::InLegend::No});
   }
-  panel.extent = room.grown(0.03 * width);
 }
 
 /// A line along the normal at the pin, from a little above the base down to the deepest curve.
@@ -321,6 +356,7 @@ scene::Color horizon_color(HorizonId id) {
 scene::Picture picture_of(const Model& model) {
   scene::Picture picture;
   scene::Panel before = panel("deformed", translated("Deformed section"));
+  add_backdrops(before, model.section);
   std::vector<LedgerUnit> units;
   if (model.restoration) {
     const Restoration& restoration = *model.restoration;
@@ -329,28 +365,31 @@ scene::Picture picture_of(const Model& model) {
                             restoration.params.method == RestoreMethod::Shear ||
                             restoration.params.method == RestoreMethod::Variable;
     add_units(before, model.section, units);
+    add_face_units(before, model.section, restoration.ledger, units.size(), &UnitRow::faces_before);
     add_dilatation(before, restoration.ledger.field, !keeps_area);
     add_ellipses(before, restoration.ledger.strains, 0.008 * box_of(model.section).diagonal());
   } else {
     add_units(before, model.section, ledger_units(model.section, {}));
   }
+  if (!model.section.backdrops.empty()) make_translucent(before);
   if (model.source) add_grid(before, model.source->grid, "source_grid");
   add_items(before, model.section);
   add_horizons(before, model.section);
   const geom::Box box = scene::extent(before);
   if (box.width() > wide * box.height()) picture.arrangement = scene::Arrangement::Column;
-  const bool side_by_side = model.target && picture.arrangement == scene::Arrangement::Row;
-  const TextShare& share = side_by_side ? in_row : in_column;
   if (model.target) {
     const Target& target = *model.target;
     const ColumnPoint pin = target.map.locate(target.source_pin).at;
     const double deepest = model.source->options.distances.back();
     const geom::Polyline source_pin = pin_line(target.map.source(), pin, deepest);
     add_pin(before, source_pin);
-    add_names(before, model.section, share);
+    add_names(before, model.section);
     scene::Panel after =
         panel("restored", model.restoration ? translated("Restored section") : translated("Target grid"));
-    if (model.restoration) add_units(after, model.restoration->section, units);
+    if (model.restoration) {
+      add_units(after, model.restoration->section, units);
+      add_face_units(after, model.section, model.restoration->ledger, units.size(), &UnitRow::faces_after);
+    }
     add_grid(after, restored_grid(model), "target_grid");
     if (model.restoration) {
       add_items(after, model.restoration->section);
@@ -364,7 +403,7 @@ scene::Picture picture_of(const Model& model) {
     add_pin(after, goes_to_target_grid(model) ? pin_line(target.map.target(), pin, deepest)
                                               : images_of({source_pin}, model.restoration->map).front());
     if (model.restoration) {
-      add_names(after, model.restoration->section, share);
+      add_names(after, model.restoration->section);
       add_column(after, model.restoration->section, units, model.restoration->ledger.units);
       add_ledger(picture, model);
     }
@@ -376,7 +415,7 @@ scene::Picture picture_of(const Model& model) {
     }
     picture.panels = {std::move(before), std::move(after)};
   } else {
-    add_names(before, model.section, share);
+    add_names(before, model.section);
     picture.panels = {std::move(before)};
   }
   return picture;

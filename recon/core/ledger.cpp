@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "recon/core/face_ledger.h"
 #include "recon/core/segment_tree.h"
 #include "shared/base/parallel.h"
 #include "shared/mesh/triangulate.h"
@@ -198,6 +199,7 @@ std::vector<LedgerUnit> ledger_units(const Section& section, const std::vector<H
   for (std::size_t i = 0; i + 1 < order.size(); ++i) {
     const std::size_t upper = index_of(order[i]);
     const std::size_t lower = index_of(order[i + 1]);
+    if (!is_whole_unit(section, upper, lower)) continue;  // measured by its faces
     units.push_back(
         {fmt::format("{} - {}", section.horizons[upper].name, section.horizons[lower].name), {}, upper, lower});
   }

@@ -45,6 +45,8 @@ struct UnitRow {
   std::optional<Range> thickness_after;
   std::optional<Range> dilatation;  ///< det F - 1, by area.
   geom::Polyline contour_after;     ///< Of a polygon of the section: its image.
+  std::vector<geom::Polyline> faces_before;  ///< Of a unit that is not all that lies between two horizons: its faces ...
+  std::vector<geom::Polyline> faces_after;   ///< ... and their images.
 };
 
 /// det F - 1 on small triangles of the deformed section.

@@ -76,19 +76,22 @@ base::Result<const io::Feature*> chosen(const std::vector<io::Feature>& features
 
 }  // namespace
 
-base::Result<ReadLine> line_of_file(const HorizonInput& input, const std::string& path, const Convention& convention) {
+base::Result<ReadLine> line_of_file(const HorizonInput& input, const std::string& path, const ReadSettings& settings) {
   io::LineOptions options;
   options.text.separator = static_cast<io::Separator>(input.separator);
   options.text.blank_lines = io::BlankLines::Ignore;
   options.text.closing = io::Closing::KeepOpen;
   DOBRA_TRY(options.text.columns, columns_of(input));
-  set_convention(input, convention, options);
+  set_convention(input, settings.convention, options);
+  options.trace = settings.trace;
+  options.fold_axis = settings.fold_axis;
+  options.plane_tolerance = settings.plane_tolerance;
   if (input.order == PointOrder::AlongCurve) options.repair.order = io::PointOrder::AlongTheCurve;
   if (input.drop_duplicates > 0.0) options.repair.duplicates = input.drop_duplicates;
   if (input.join_gaps > 0.0) options.repair.gaps = input.join_gaps;
   DOBRA_TRY(const io::LineWork work, io::read_any_lines(path, options));
   DOBRA_TRY(const io::Feature* feature, chosen(work.features, input.feature));
-  ReadLine read{line_of(*feature), work.remarks};
+  ReadLine read{line_of(*feature), work.remarks, work.trace};
   for (const io::Repair& repair : work.repairs) read.remarks.push_back(io::to_string(repair));
   return read;
 }

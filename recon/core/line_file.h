@@ -11,6 +11,6 @@ namespace recon::core {
 /// whose name is `input.feature`. Where there is no line, the contour of a polygon (its first point repeated at the
 /// end) or the points of a points feature.
 /// @error BadSection: none, or several to choose from; BadValue: columns; those of read_any_lines.
-base::Result<ReadLine> line_of_file(const HorizonInput& input, const std::string& path, const Convention& convention);
+base::Result<ReadLine> line_of_file(const HorizonInput& input, const std::string& path, const ReadSettings& settings);
 
 }  // namespace recon::core

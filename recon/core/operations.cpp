@@ -5,6 +5,7 @@
 #include "recon/core/report.h"
 #include "recon/core/section_check.h"
 #include "recon/core/section_faces.h"
+#include "recon/core/topography.h"
 
 namespace recon::core {
 
@@ -30,7 +31,8 @@ base::Result<Model> run_grid(const Model& model, const GridParams& params, const
   next.target.reset();
   next.restoration.reset();
   next.monte_carlo.reset();
-  DOBRA_TRY(next.source, make_source_grid(model.section, params, progress));
+  DOBRA_TRY(next.section, with_topography_as_horizon(model.section, params.top));
+  DOBRA_TRY(next.source, make_source_grid(next.section, params, progress));
   return next;
 }
 

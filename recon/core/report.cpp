@@ -1,5 +1,6 @@
 #include "recon/core/report.h"
 
+#include "recon/core/section_faces.h"
 #include "shared/base/text.h"
 #include "shared/io/file.h"
 #include "shared/io/geojson.h"
@@ -221,6 +222,13 @@ std::vector<scenario::Quantity> quantities_of(const Model& model) {
     for (const Horizon& horizon : model.section.horizons) {
       quantities.push_back({"horizon." + horizon.name + ".length_before", geom::length(horizon.line), "m"});
     }
+  }
+  if (model.section.faces) {
+    double units = 0.0;
+    for (const RockUnit& unit : model.section.faces->units) units += unit.area;
+    quantities.push_back({"section.area", model.section.faces->area, "m2"});
+    quantities.push_back({"section.units_area", units, "m2"});
+    quantities.push_back({"section.misfits", number(model.section.faces->misfits.size()), ""});
   }
   if (model.source) add_grid_quantities(*model.source, quantities);
   if (model.target) {

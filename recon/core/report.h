@@ -12,7 +12,7 @@
 namespace recon::core {
 
 /// Quantities that expectations refer to:
-///   horizon.NAME.length_before                     always
+///   horizon.NAME.length_before, section.area, section.units_area (their sum), section.misfits   always
 ///   grid.curves, .rungs, .vanished, .deepest, .last_distance         after grid
 ///   target.curves, .extended; columns                               after target
 ///   horizon.NAME.* and top.* (the columns of the table line_length), shortening, shortening_percent, points,

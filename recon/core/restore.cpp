@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "recon/core/face_ledger.h"
 #include "shared/base/parallel.h"
 
 namespace recon::core {
@@ -47,10 +48,16 @@ void remark_on(const std::string& name, const MappedLine& mapped, std::vector<st
   }
 }
 
-/// Everything but horizons and unit polygons, which the ledger maps.
+/// Everything but horizons and unit polygons, which the ledger maps. Datums stay; what is eroded is not restored.
 void carry_the_rest(const SectionMap& map, Section& section) {
-  base::parallel_for(section.lines.size(),
-                     [&](std::size_t i) { section.lines[i].line = map.forward(section.lines[i].line).after; });
+  base::parallel_for(section.lines.size(), [&](std::size_t i) {
+    SectionLine& line = section.lines[i];
+    if (line.kind != LineKind::Datum) line.line = map.forward(line.line).after;
+  });
+  std::erase_if(section.lines, [](const SectionLine& line) { return line.kind == LineKind::Eroded; });
+  section.backdrops.clear();
+  section.border.reset();
+  section.faces.reset();
   for (Marker& marker : section.markers) {
     for (geom::Point& p : marker.points) p = map.forward(p).at;
   }
@@ -170,6 +177,7 @@ base::Result<Restoration> restore(const Section& section, const SourceGrid& sour
   restoration.order = order_of(section, source.top, restoration.lines);
   DOBRA_TRY(restoration.ledger,
             draw_up(section, ledger_units(section, restoration.order), restoration.lines, map, {}, progress));
+  measure_faces(section, map, restoration.ledger);
   for (std::size_t i = 0; i < section.units.size(); ++i)
     restoration.section.units[i].contour = restoration.ledger.units[i].contour_after;
   measure_lean(section, restoration);

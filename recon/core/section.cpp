@@ -46,6 +46,12 @@ const char* kind_name(LineKind kind) {
       return "pin";
     case LineKind::Loose:
       return "loose";
+    case LineKind::Topography:
+      return "topography";
+    case LineKind::Datum:
+      return "datum";
+    case LineKind::Eroded:
+      return "eroded";
     case LineKind::Fault:
       break;
   }

@@ -11,6 +11,7 @@
 #include "shared/base/error.h"
 #include "shared/base/id.h"
 #include "shared/geom/polyline.h"
+#include "shared/scene/layer.h"
 
 namespace recon::core {
 
@@ -44,7 +45,9 @@ using LineId = base::Id<LineTag>;
 using UnitId = base::Id<UnitTag>;
 using MarkerId = base::Id<MarkerTag>;
 
-enum class LineKind { Fault, Pin, Loose };
+/// Topography: the surface of today; Datum: what the section may be restored to; Eroded: the part of a horizon that lay
+/// above the topography.
+enum class LineKind { Fault, Pin, Loose, Topography, Datum, Eroded };
 
 /// A line that is no bed: it is carried with the section, but not part of the balance.
 struct SectionLine {
@@ -71,6 +74,13 @@ struct Marker {
   base::Place source;
 };
 
+/// A picture behind the section: a scan, a seismic line.
+struct Backdrop {
+  std::string name;
+  dobra::scene::Image image;
+  base::Place source;
+};
+
 enum class VerticalAxis { Up, Down };
 enum class LengthUnit { Metre, Kilometre, Foot };
 
@@ -90,6 +100,7 @@ struct Section {
   std::vector<SectionLine> lines;
   std::vector<Unit> units;
   std::vector<Marker> markers;
+  std::vector<Backdrop> backdrops;
   std::optional<geom::Polyline> border;  ///< What belongs to the section: closed, anticlockwise.
   /// Units, meetings of horizons and misfits of polygons, made when the section was read (section_faces.h).
   std::shared_ptr<const SectionFaces> faces;
@@ -106,13 +117,13 @@ std::vector<std::string> horizon_names(const Section& section);
 /// A place to zoom to.
 base::Place place_at(geom::Point p, std::string item = {});
 
-/// "fault", "pin", "loose".
+/// "fault", "pin", "loose", "topography", "datum", "eroded".
 const char* kind_name(LineKind kind);
 
 /// The polygon between two lines that run the same way: along the first, back along the second, anticlockwise.
 geom::Polyline contour_between(const geom::Polyline& upper, const geom::Polyline& lower);
 
-/// Box round everything in the section.
+/// Box round everything in the section but backdrops.
 geom::Box box_of(const Section& section);
 
 double metres_per_unit(LengthUnit unit);

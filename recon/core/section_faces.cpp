@@ -34,26 +34,31 @@ double swept(const geom::Polyline& line, geom::Point about) {
   return sum;
 }
 
-/// Straight lines between the ends of horizons that follow each other, left and right. An end that lies on another
-/// horizon or on a fault is no end of the section.
+/// Straight lines between the ends of horizons that follow each other, left and right, from the topography on. An end
+/// that lies on another horizon or on a fault is no end of the section.
 std::vector<geom::Polyline> connectors(const Section& section, const std::vector<std::size_t>& order,
+                                       const std::vector<const SectionLine*>& surfaces, std::size_t first_surface,
                                        const Arrangement& arrangement) {
   const Subdivision& sub = arrangement.subdivision();
-  const auto is_free = [&](geom::Point p, std::size_t horizon) {
+  const auto is_free = [&](geom::Point p, std::size_t own) {
     const auto v = sub.vertex_at(p);
     for (const HalfEdgeId h : sub.round(*v)) {
       const std::vector<std::uint32_t>& lines = arrangement.lines_on(Structure::edge(h));
-      if (lines.size() > 1 || lines.front() != horizon) return false;
+      if (lines.size() > 1 || lines.front() != own) return false;
     }
     return true;
   };
   std::vector<geom::Polyline> lines;
   std::optional<geom::Point> left, right;
-  const auto join = [&](std::optional<geom::Point>& last, geom::Point end, std::size_t horizon) {
-    if (!is_free(end, horizon)) return;
+  const auto join = [&](std::optional<geom::Point>& last, geom::Point end, std::size_t own) {
+    if (!is_free(end, own)) return;
     if (last && *last != end) lines.push_back({{*last, end}, false});
     last = end;
   };
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    join(left, surfaces[i]->line.points.front(), first_surface + i);
+    join(right, surfaces[i]->line.points.back(), first_surface + i);
+  }
   for (const std::size_t horizon : order) {
     join(left, section.horizons[horizon].line.points.front(), horizon);
     join(right, section.horizons[horizon].line.points.back(), horizon);
@@ -162,16 +167,29 @@ class Units {
                 : unit.top            ? name(*unit.top)
                 : unit.base           ? "above " + name(*unit.base)
                                       : "without a horizon";
-    const Bounds bounds = bounds_of(faces.front());
-    const auto all_of = [&](const std::map<std::size_t, std::size_t>& side) {
-      return side.size() == 1 && side.begin()->second == lengths_[side.begin()->first];
-    };
-    unit.whole = faces.size() == 1 && all_of(bounds.over) && all_of(bounds.under) && sub_.loops(faces[0]).size() == 1;
+    unit.whole = is_whole(unit, faces);
     for (const FaceId f : faces) {
       std::vector<geom::Polyline> contours = contours_of(sub_, f);
       unit.contours.insert(unit.contours.end(), contours.begin(), contours.end());
     }
     return unit;
+  }
+
+  /// Faults may cut it: all of the top over its faces, all of the base under them, no other horizon, no face left out.
+  [[nodiscard]] bool is_whole(const RockUnit& unit, const std::vector<FaceId>& faces) const {
+    Bounds all;
+    for (const FaceId f : faces) {
+      const Bounds bounds = bounds_of(f);
+      for (const auto& [rank, count] : bounds.over) all.over[rank] += count;
+      for (const auto& [rank, count] : bounds.under) all.under[rank] += count;
+    }
+    const auto all_of = [&](const std::map<std::size_t, std::size_t>& side) {
+      return side.size() == 1 && side.begin()->second == lengths_[side.begin()->first];
+    };
+    if (!unit.top || !unit.base || !all_of(all.over) || !all_of(all.under)) return false;
+    const geom::Polyline contour =
+        contour_between(section_.horizons[*unit.top].line, section_.horizons[*unit.base].line);
+    return std::abs(geom::signed_area(contour) - unit.area) <= 1e-9 * unit.area;
   }
 
   const Section& section_;
@@ -273,25 +291,35 @@ base::Result<SectionFaces> faces_of(const Section& section) {
   for (const SectionLine& line : section.lines) {
     if (line.kind == LineKind::Fault) lines.push_back(line.line);
   }
+  std::vector<const SectionLine*> surfaces;
+  const std::size_t first_surface = lines.size();
+  for (const SectionLine& line : section.lines) {
+    if (line.kind != LineKind::Topography) continue;
+    surfaces.push_back(&line);
+    lines.push_back(line.line);
+  }
   DOBRA_TRY(Arrangement arrangement, Arrangement::make(lines));
   const auto ring = static_cast<std::uint32_t>(lines.size());
-  lines = section.border ? std::vector<geom::Polyline>{*section.border} : connectors(section, order, arrangement);
+  lines = section.border ? std::vector<geom::Polyline>{*section.border}
+                         : connectors(section, order, surfaces, first_surface, arrangement);
   for (const geom::Polyline& line : lines) DOBRA_TRY_VOID(arrangement.add(line));
   const Subdivision& sub = arrangement.subdivision();
   SectionFaces made;
   DOBRA_TRY(made.meetings, meetings_in(section, arrangement));
+  std::set<FaceId> air;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    for (const HalfEdgeId h : arrangement.path(static_cast<std::uint32_t>(first_surface + i))) air.insert(sub.face(h));
+  }
   std::vector<FaceId> faces;
-  if (section.border) {
-    const std::vector<bool> within = faces_within(arrangement, ring);
-    for (const FaceId f : sub.faces()) {
-      if (within[f.index()]) faces.push_back(f);
+  const std::vector<bool> within = section.border ? faces_within(arrangement, ring) : std::vector<bool>();
+  made.area = section.border ? geom::signed_area(*section.border) : -topo::area(sub, Structure::unbounded());
+  for (const FaceId f : sub.faces()) {
+    if (f == Structure::unbounded() || (section.border && !within[f.index()])) continue;
+    if (air.count(f) > 0) {
+      made.area -= topo::area(sub, f);
+    } else {
+      faces.push_back(f);
     }
-    made.area = geom::signed_area(*section.border);
-  } else {
-    for (const FaceId f : sub.faces()) {
-      if (f != Structure::unbounded()) faces.push_back(f);
-    }
-    made.area = -topo::area(sub, Structure::unbounded());
   }
   made.units = Units(section, arrangement, order).of(faces);
   DOBRA_TRY(made.misfits, misfits_of(section));

@@ -27,7 +27,7 @@ struct RockUnit {
   std::size_t faces = 0;                 ///< Faults and horizons that end cut a unit into several.
   std::vector<geom::Polyline> contours;  ///< Of its faces: anticlockwise, holes clockwise.
   double area = 0.0;                     ///< m2
-  /// One face with the whole top over it, the whole base under it and nothing else: contour_between of the two.
+  /// Its faces are all that lies between the two, contour_between, cut by faults at most.
   bool whole = false;
 };
 
@@ -47,9 +47,9 @@ struct SectionFaces {
 };
 
 /// The border is the section's own, or made of its first and last horizon and straight lines between the ends of
-/// neighbours.
+/// neighbours (with a topography: from there on); what lies above a topography is air.
 /// @pre   no horizon meets itself.
-/// @error BadSection: a border that the horizons leave without a face; those of topo::insert.
+/// @error those of topo::insert.
 /// @cost  O(n log n) for n points.
 base::Result<SectionFaces> faces_of(const Section& section);
 

@@ -139,8 +139,27 @@ base::Result<geom::Polyline> horizon_line(const Section& section, const SourceGr
   return params.shape == TargetShape::Regional ? regional_of(horizon->line) : horizon->line;
 }
 
+base::Result<ReadLine> datum_line(const Section& section, const TargetParams& params) {
+  std::vector<std::string> names;
+  for (const SectionLine& line : section.lines) {
+    if (line.kind != LineKind::Datum) continue;
+    names.push_back(line.name);
+    if (params.datum == line.name) return ReadLine{line.line, {}};
+  }
+  if (params.datum.empty() && names.size() == 1) {
+    TargetParams named = params;
+    named.datum = names.front();
+    return datum_line(section, named);
+  }
+  return base::Error{base::ErrorCode::BadSection,
+                     params.datum.empty()
+                         ? fmt::format("the section has {} datums; name one with datum = \"...\"", names.size())
+                         : fmt::format("there is no datum '{}'{}", params.datum, base::did_you_mean(params.datum, names))};
+}
+
 base::Result<ReadLine> given_line(const Section& section, const SourceGrid& source, const TargetParams& params,
                                   const dobra::scenario::Context& context) {
+  if (params.shape == TargetShape::Datum) return datum_line(section, params);
   if (params.shape != TargetShape::Line) {
     DOBRA_TRY(geom::Polyline line, horizon_line(section, source, params));
     return ReadLine{std::move(line), {}};
@@ -151,7 +170,7 @@ base::Result<ReadLine> given_line(const Section& section, const SourceGrid& sour
   input.points = params.points;
   input.feature = params.feature;
   // Points in a step are section coordinates already; a file follows the convention of the section's files.
-  return read_line(input, params.file.empty() ? Convention{} : section.convention, context);
+  return read_line(input, {.convention = params.file.empty() ? Convention{} : section.convention}, context);
 }
 
 base::Result<Pinned> line_target(const Section& section, const SourceGrid& source, geom::Point pin,

@@ -12,7 +12,7 @@
 
 namespace recon::core {
 
-enum class TargetShape { Flat, Line, Horizon, Regional };
+enum class TargetShape { Flat, Line, Horizon, Regional, Datum };
 enum class TargetDirection { LeftToRight, AsGiven };
 
 /// Parameters of the step `target`.
@@ -25,14 +25,15 @@ struct TargetParams {
   std::string file;
   std::string feature;
   std::string horizon;
+  std::string datum;
   TargetDirection direction = TargetDirection::LeftToRight;
   template <class D>
   static void describe(D& d) {
     d.choice(
-        "shape", &TargetParams::shape, {"flat", "line", "horizon", "regional"},
+        "shape", &TargetParams::shape, {"flat", "line", "horizon", "regional", "datum"},
         {.title = "Shape",
          .help = "flat: a horizontal datum; line: the points or the file; horizon: another horizon's line; regional: "
-                 "the straight line that fits a horizon best."});
+                 "the straight line that fits a horizon best; datum: one of the section's [[input.datum]]."});
     d.field("elevation", &TargetParams::elevation,
             {.title = "Elevation of the datum", .help = "By default that of the top at the pin.", .unit = "m"});
     d.field("pin", &TargetParams::pin,
@@ -48,6 +49,7 @@ struct TargetParams {
             {.title = "Feature", .help = "Name of the line in a GeoJSON file with several."});
     d.field("horizon", &TargetParams::horizon,
             {.title = "Horizon of the target", .help = "For horizon and regional; regional: by default the top."});
+    d.field("datum", &TargetParams::datum, {.title = "Datum", .help = "Its name; by default the only one."});
     d.choice(
         "direction", &TargetParams::direction, {"left_to_right", "as_given"},
         {.title = "Direction of the line", .help = "as_given: its first point goes with the left end of the top."});

@@ -29,7 +29,9 @@ struct LineOptionTexts {
   std::optional<double> duplicates;
   std::optional<double> gaps;
   std::optional<double> snap;
+  std::optional<double> edges;
   std::optional<double> slivers;
+  std::string fold_axis;
   bool operator==(const LineOptionTexts&) const = default;
 };
 void add_line_options(CLI::App& app, LineOptionTexts& texts);

@@ -38,13 +38,24 @@ std::vector<std::string> list_of(const std::string& text) {
   return words;
 }
 
-Result<io::Trace> trace_of(const std::string& text) {
+Result<std::vector<double>> numbers_of(const std::string& option, const std::string& text) {
   std::vector<double> numbers;
   for (const std::string& word : list_of(text)) {
     const auto value = base::parse_number(word);
-    if (!value) return bad_usage("--trace", fmt::format("'{}' is not a number", word));
+    if (!value) return bad_usage(option, fmt::format("'{}' is not a number", word));
     numbers.push_back(*value);
   }
+  return numbers;
+}
+
+Result<io::FoldAxis> fold_axis_of(const std::string& text) {
+  DOBRA_TRY(const std::vector<double> numbers, numbers_of("--fold-axis", text));
+  if (numbers.size() != 2) return bad_usage("--fold-axis", "give two numbers: trend and plunge in degrees");
+  return io::FoldAxis{base::Angle::from_degrees(numbers[0]), base::Angle::from_degrees(numbers[1])};
+}
+
+Result<io::Trace> trace_of(const std::string& text) {
+  DOBRA_TRY(const std::vector<double> numbers, numbers_of("--trace", text));
   if (numbers.size() != 4) return bad_usage("--trace", "give four numbers: x and y of its beginning and its end");
   return io::trace_between({numbers[0], numbers[1]}, {numbers[2], numbers[3]});
 }
@@ -70,6 +81,9 @@ void add_line_options(CLI::App& app, LineOptionTexts& texts) {
   app.add_option("--trace", texts.trace,
                  "The plane of 3D lines: x0,y0,x1,y1 in metres; found by least squares otherwise")
       ->type_name("LIST");
+  app.add_option("--fold-axis", texts.fold_axis,
+                 "3D lines down the plunge of a fold: trend,plunge of its axis in degrees")
+      ->type_name("T,P");
   app.add_option("--plane-tolerance", texts.plane_tolerance,
                  "Largest distance of 3D lines from their plane, as a part of the length; 0.001 by default")
       ->type_name("X");
@@ -86,6 +100,9 @@ void add_line_options(CLI::App& app, LineOptionTexts& texts) {
   app.add_option("--join-gaps", texts.gaps, "Repair: join parts of one name whose ends are nearer than this")
       ->type_name("M");
   app.add_option("--snap", texts.snap, "Repair: move ends nearer than this to a fault onto it")->type_name("M");
+  app.add_option("--edges", texts.edges,
+                 "Repair: move vertices of polygons nearer than this to a line or another polygon onto it")
+      ->type_name("M");
   app.add_option("--slivers", texts.slivers, "Repair: remove polygons and spikes thinner than this")->type_name("M");
 }
 
@@ -107,6 +124,9 @@ Result<io::LineOptions> line_options(const LineOptionTexts& texts) {
   if (!texts.trace.empty()) {
     DOBRA_TRY(options.trace, trace_of(texts.trace));
   }
+  if (!texts.fold_axis.empty()) {
+    DOBRA_TRY(options.fold_axis, fold_axis_of(texts.fold_axis));
+  }
   if (!texts.y_axis.empty()) {
     DOBRA_TRY(const std::size_t direction, choice("--y-axis", texts.y_axis, {"up", "down"}));
     options.y_direction = static_cast<io::YDirection>(direction);
@@ -121,6 +141,7 @@ Result<io::LineOptions> line_options(const LineOptionTexts& texts) {
   options.repair.duplicates = texts.duplicates;
   options.repair.gaps = texts.gaps;
   options.repair.snap = texts.snap;
+  options.repair.edges = texts.edges;
   options.repair.slivers = texts.slivers;
   return options;
 }

@@ -30,6 +30,8 @@ struct Feature {
   std::string kind = {};  ///< Property "kind", such as "horizon" or "fault"; empty if there is none.
   std::vector<std::pair<std::string, PropertyValue>> properties = {};  ///< The others, in file order.
   std::vector<std::vector<double>> heights = {};  ///< Empty, or the third coordinate of every point of every part.
+  /// Empty, or for every part the extra columns of a text, point after point; of lines as they were read, without repairs.
+  std::vector<std::vector<double>> extras = {};
   base::Place source = {};  ///< File and line, or file and item. Where it came from does not count in comparisons.
 
   friend bool operator==(const Feature& a, const Feature& b) {

@@ -10,6 +10,7 @@
 
 #include "shared/base/result.h"
 #include "shared/io/repair.h"
+#include "shared/io/section_plane.h"
 #include "shared/io/text_points.h"
 
 namespace dobra::io {
@@ -38,6 +39,7 @@ struct LineOptions {
       .columns = {}, .blank_lines = BlankLines::SplitLines, .closing = Closing::WhenFirstPointRepeats};
   Coordinates coordinates = Coordinates::Detect;
   std::optional<Trace> trace = std::nullopt;  ///< The plane of 3D lines, m; fitted by least squares otherwise.
+  std::optional<FoldAxis> fold_axis = std::nullopt;  ///< 3D lines are projected along it onto the profile of the fold.
   double plane_tolerance = 1e-3;  ///< Largest misfit of the plane as a part of the length of the section, > 0.
   std::optional<YDirection> y_direction = std::nullopt;  ///< As the file says, else up.
   double y_reference = 0.0;                              ///< Down: y = y_reference - value, in units of the file.

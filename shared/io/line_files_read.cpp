@@ -92,6 +92,7 @@ Result<Features> features_of_text(std::string_view text, const std::string& file
     feature.source = Place{.file = file, .line = read.begins[i]};
     feature.parts.push_back(std::move(read.lines[i]));
     if (!read.heights.empty()) feature.heights.push_back(std::move(read.heights[i]));
+    if (!read.extras.empty()) feature.extras.push_back(std::move(read.extras[i]));
     if (auto normal = normalise(feature, {0}); !normal) return base::located(normal.error(), feature.source);
     features.features.push_back(std::move(feature));
   }
@@ -140,6 +141,15 @@ Result<void> check_options(const LineOptions& options) {
     return refuse(fmt::format("the tolerance of the plane is {}; give a number above 0", options.plane_tolerance));
   }
   if (!std::isfinite(options.y_reference)) return refuse("the reference of y is not finite; give a number");
+  const RepairOptions& repairs = options.repair;
+  const bool moves_points = repairs.order != PointOrder::AsGiven || repairs.duplicates || repairs.gaps || repairs.snap ||
+                            repairs.slivers || repairs.edges;
+  if (!options.text.extra_columns.empty() && moves_points)
+    return refuse("extra columns belong to points as they were read; leave out the repairs");
+  if (!options.text.extra_columns.empty() && options.text.closing != Closing::KeepOpen)
+    return refuse("extra columns belong to open lines; keep them open");
+  if (options.fold_axis && !(std::abs(options.fold_axis->plunge.degrees()) < 90.0))
+    return refuse("the plunge of the fold axis must lie between -90 and 90 degrees");
   return {};
 }
 
@@ -182,6 +192,15 @@ Result<void> to_metres(Features& raw, double unit, double height_unit, const std
     }
   }
   return {};
+}
+
+// Down-plunge: every point along the fold axis to the plane across it.
+Result<void> lay_along(Features& raw, const FoldAxis& axis, LineWork& work, const std::string& file) {
+  work.remarks.push_back(
+      fmt::format("{}: projected along the fold axis {:.4g}/{:.4g} onto the profile across it; x runs towards {:.4g} "
+                  "degrees",
+                  file, axis.trend.degrees(), axis.plunge.degrees(), std::fmod(axis.trend.degrees() + 90.0, 360.0)));
+  return project_along(raw.features, axis);
 }
 
 Result<void> lay(Features& raw, const LineOptions& options, LineWork& work, const std::string& file) {
@@ -253,6 +272,12 @@ Result<LineWork> finish(Features raw, const std::string& file, LineFormat format
   if (auto checked = check_options(options); !checked) return base::located(checked.error(), Place{.file = file});
   DOBRA_TRY_VOID(check_answers(raw, options, file));
   DOBRA_TRY(const bool map, is_map(raw, options, file));
+  if (!map && options.fold_axis) {
+    return Error{ErrorCode::BadFormat,
+                 "lines without heights cannot be projected along a fold axis; give the three columns x, y and height, "
+                 "or leave the axis out",
+                 Place{.file = file}};
+  }
   if (!map && has_heights(raw)) {
     if (!is_flat(raw)) work.remarks.push_back(fmt::format("{}: third coordinates dropped", file));
     for (Feature& feature : raw.features) {
@@ -271,7 +296,8 @@ Result<LineWork> finish(Features raw, const std::string& file, LineFormat format
     work.remarks.push_back(fmt::format("{}: its unit is {} m, as the file says", file, work.unit));
   }
   if (map) {
-    if (auto laid = lay(raw, options, work, file); !laid) return base::located(laid.error(), Place{.file = file});
+    const auto laid = options.fold_axis ? lay_along(raw, *options.fold_axis, work, file) : lay(raw, options, work, file);
+    if (!laid) return base::located(laid.error(), Place{.file = file});
   }
   work.features = std::move(raw.features);
   auto repaired = repair(work.features, options.repair);

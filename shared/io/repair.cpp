@@ -309,6 +309,118 @@ void snap_ends(std::vector<Feature>& features, double tolerance, Repairs& repair
   }
 }
 
+// --- edges that polygons share
+
+/// The sides of some parts, to be asked for the nearest one, and to take new vertices.
+class Sides {
+ public:
+  void add(Polyline& part) { parts_.push_back(&part); }
+  void build() {
+    std::vector<geom::Box> boxes;
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+      for (std::size_t s = 0; s < parts_[k]->segment_count(); ++s) {
+        boxes.push_back(parts_[k]->segment(s).box());
+        sides_.emplace_back(k, s);
+      }
+    }
+    index_ = geom::SpatialIndex(boxes);
+  }
+
+  struct Foot {
+    std::size_t part = 0;
+    std::size_t side = 0;
+    Point at;
+    bool vertex = false;  ///< There is one already.
+  };
+  /// The nearest vertex within the tolerance, without one the nearest place on a side.
+  [[nodiscard]] std::optional<Foot> foot(Point p, double tolerance) const {
+    std::optional<Foot> found;
+    double nearest = tolerance;
+    geom::Box box;
+    box.add(p);
+    index_.for_each_overlapping(box.grown(tolerance), [&](std::size_t i) {
+      const auto [k, s] = sides_[i];
+      const geom::Segment side = parts_[k]->segment(s);
+      const auto offer = [&](Point at, bool vertex) {
+        const double distance = geom::distance(p, at);
+        const bool better = !found || vertex > found->vertex || (vertex == found->vertex && distance < nearest);
+        if (distance >= tolerance || !better) return;
+        nearest = distance;
+        found = Foot{k, s, at, vertex};
+      };
+      offer(side.from, true);
+      offer(side.to, true);
+      offer(geom::interpolate(side.from, side.to, geom::nearest_fraction(side, p)), false);
+    });
+    return found;
+  }
+  /// The side of the foot is to pass through `at`.
+  void take(const Foot& foot, Point at) { taken_.push_back({foot.part, foot.side, at}); }
+  /// Puts what was taken into the parts.
+  void finish() {
+    // From the last side on, so that the others keep their numbers; along a side from its end.
+    std::sort(taken_.begin(), taken_.end(), [&](const Foot& a, const Foot& b) {
+      if (a.part != b.part) return a.part < b.part;
+      if (a.side != b.side) return a.side > b.side;
+      const Point from = parts_[a.part]->points[a.side];
+      return geom::distance(from, a.at) > geom::distance(from, b.at);
+    });
+    for (const Foot& foot : taken_) {
+      std::vector<Point>& points = parts_[foot.part]->points;
+      points.insert(points.begin() + static_cast<std::ptrdiff_t>(foot.side) + 1, foot.at);
+    }
+    for (Polyline* part : parts_) *part = geom::without_repeated_points(std::move(*part));
+  }
+
+ private:
+  std::vector<Polyline*> parts_;
+  std::vector<std::pair<std::size_t, std::size_t>> sides_;
+  std::vector<Foot> taken_;
+  geom::SpatialIndex index_;
+};
+
+void share_edges(std::vector<Feature>& features, double tolerance, Repairs& repairs) {
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    if (features[i].type != FeatureType::Polygons) continue;
+    Sides others, own;
+    for (std::size_t j = 0; j < features.size(); ++j) {
+      if (features[j].type != FeatureType::Lines && (features[j].type != FeatureType::Polygons || j >= i)) continue;
+      for (Polyline& part : features[j].parts) others.add(part);
+    }
+    others.build();
+    Repair done{"edge", label_of(features[i], i + 1), {}, {}, 0.0};
+    std::size_t count = 0;
+    for (Polyline& part : features[i].parts) {
+      for (Point& p : part.points) {
+        const auto foot = others.foot(p, tolerance);
+        if (!foot) continue;
+        if (!foot->vertex) others.take(*foot, foot->at);
+        if (p == foot->at) continue;
+        if (count++ == 0) done.at = foot->at;
+        done.moved = std::max(done.moved, geom::distance(p, foot->at));
+        p = foot->at;
+      }
+      own.add(part);
+    }
+    others.finish();
+    own.build();
+    // The other way round: the polygon passes through vertices of the others that lie beside its sides.
+    for (std::size_t j = 0; j < features.size(); ++j) {
+      if (features[j].type != FeatureType::Lines && (features[j].type != FeatureType::Polygons || j >= i)) continue;
+      for (const Polyline& part : features[j].parts) {
+        for (const Point p : part.points) {
+          const auto foot = own.foot(p, tolerance);
+          if (foot && !foot->vertex) own.take(*foot, p);
+        }
+      }
+    }
+    own.finish();
+    if (count == 0) continue;
+    done.text = fmt::format("{} {} moved onto edges that it shares", count, count == 1 ? "vertex" : "vertices");
+    repairs.push_back(std::move(done));
+  }
+}
+
 // --- slivers
 
 double distance_to_segment(Point p, Point a, Point b) {
@@ -371,7 +483,8 @@ void remove_slivers(std::vector<Feature>& features, double width, Repairs& repai
 
 Result<void> check(const RepairOptions& options) {
   for (const auto& [value, name] : {std::pair{options.duplicates, "duplicates"}, std::pair{options.gaps, "gaps"},
-                                    std::pair{options.snap, "snap"}, std::pair{options.slivers, "slivers"}}) {
+                                    std::pair{options.snap, "snap"}, std::pair{options.edges, "edges"},
+                                    std::pair{options.slivers, "slivers"}}) {
     if (!value || (std::isfinite(*value) && *value > 0.0)) continue;
     return Error{ErrorCode::InvalidOption,
                  fmt::format("the tolerance of the repair '{}' is {}; give a length above 0 m", name, *value)};
@@ -388,6 +501,7 @@ Result<std::vector<Repair>> repair(std::vector<Feature>& features, const RepairO
   if (options.duplicates) drop_duplicates(features, *options.duplicates, repairs);
   if (options.gaps) join_gaps(features, *options.gaps, repairs);
   if (options.snap) snap_ends(features, *options.snap, repairs);
+  if (options.edges) share_edges(features, *options.edges, repairs);
   if (options.slivers) remove_slivers(features, *options.slivers, repairs);
   return repairs;
 }

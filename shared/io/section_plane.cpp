@@ -86,15 +86,18 @@ Trace with_misfit(Trace trace, const std::vector<Feature>& features) {
   return trace;
 }
 
-Result<void> lay_into_plane(std::vector<Feature>& features, const Trace& trace) {
-  const Vector along{trace.east, trace.north};
+namespace {
+
+/// Puts every point where `place` says, by its place on the map and its height.
+template <class Place>
+Result<void> lay_each(std::vector<Feature>& features, const Place& place) {
   for (std::size_t k = 0; k < features.size(); ++k) {
     Feature& feature = features[k];
     const std::vector<std::size_t> rings = rings_of(feature);
     for (std::size_t i = 0; i < feature.parts.size(); ++i) {
       for (std::size_t j = 0; j < feature.parts[i].points.size(); ++j) {
         Point& p = feature.parts[i].points[j];
-        p = {geom::dot(p - Point{trace.x, trace.y}, along), feature.heights[i][j]};
+        p = place(p, feature.heights[i][j]);
       }
     }
     feature.heights.clear();
@@ -103,6 +106,28 @@ Result<void> lay_into_plane(std::vector<Feature>& features, const Trace& trace) 
     }
   }
   return {};
+}
+
+}  // namespace
+
+Result<void> lay_into_plane(std::vector<Feature>& features, const Trace& trace) {
+  const Vector along{trace.east, trace.north};
+  return lay_each(features, [&](Point p, double height) {
+    return Point{geom::dot(p - Point{trace.x, trace.y}, along), height};
+  });
+}
+
+Result<void> project_along(std::vector<Feature>& features, const FoldAxis& axis) {
+  const double trend = axis.trend.radians();
+  const double plunge = axis.plunge.radians();
+  // Unit vectors of the plane (east, north, up): across the axis on the level, and across both.
+  const Vector level{std::cos(trend), -std::sin(trend)};
+  const Vector rise{std::sin(plunge) * std::sin(trend), std::sin(plunge) * std::cos(trend)};
+  const double upwards = std::cos(plunge);
+  return lay_each(features, [&](Point p, double height) {
+    const Vector place = p - Point{};
+    return Point{geom::dot(place, level), geom::dot(place, rise) + upwards * height};
+  });
 }
 
 std::vector<Feature> out_of_plane(std::vector<Feature> features, const Trace& trace) {

@@ -2,6 +2,7 @@
 // Lines on a vertical plane in space, as sections come out of 3D programs: the plane is found by least squares, its
 // misfit told, and the lines are laid into it; the trace takes them back. Page: docs/algorithms/section_plane.md.
 
+#include "shared/base/angle.h"
 #include "shared/base/result.h"
 #include "shared/io/feature.h"
 
@@ -24,6 +25,17 @@ Trace with_misfit(Trace trace, const std::vector<Feature>& features);
 /// Lays the features into the plane: x along the trace, y the height; heights are dropped.
 /// @error DegenerateCurve with the feature and the place: nothing but one point is left of a line.
 base::Result<void> lay_into_plane(std::vector<Feature>& features, const Trace& trace);
+
+/// The axis of a cylindrical fold: the way that its hinge line goes down.
+struct FoldAxis {
+  base::Angle trend;   ///< From north, clockwise.
+  base::Angle plunge;  ///< Below the horizontal, between -90 and 90 degrees.
+};
+
+/// Lays the features into the plane across the axis, each point along the axis, as if one looked down the plunge: x is
+/// horizontal, towards trend + 90 degrees, y the steepest way up in the plane; the place 0, 0, 0 becomes 0, 0.
+/// @error as lay_into_plane.  Source: [ragan2009] for the construction.
+base::Result<void> project_along(std::vector<Feature>& features, const FoldAxis& axis);
 
 /// The reverse: map coordinates and heights.
 std::vector<Feature> out_of_plane(std::vector<Feature> features, const Trace& trace);

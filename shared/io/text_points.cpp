@@ -95,6 +95,7 @@ struct Columns {
   std::size_t y = 2;
   std::size_t z = 0;
   std::vector<std::size_t> names;
+  std::vector<std::size_t> extras;
   std::size_t kind = 0;
 };
 
@@ -176,6 +177,9 @@ Result<Columns> resolve(const TextPointsOptions& options, const std::vector<Word
   }
   for (const std::string& name : options.name_columns) {
     DOBRA_TRY(made.names.emplace_back(), column_of(name, header, "name"));
+  }
+  for (const std::string& name : options.extra_columns) {
+    DOBRA_TRY(made.extras.emplace_back(), column_of(name, header, "extra"));
   }
   if (!options.name_columns.empty() || !has_header) return made;
   for (std::size_t i = 0; i < header.size(); ++i) {
@@ -298,6 +302,13 @@ class Reader {
     }
     line.points.push_back(point);
     if (columns_.z > 0) line.heights.push_back(z);
+    for (const std::size_t column : columns_.extras) {
+      if (column > fields_.size()) {
+        line.extras.push_back(0.0);
+        continue;
+      }
+      DOBRA_TRY(line.extras.emplace_back(), number(column, "an extra column"));
+    }
     return {};
   }
 
@@ -308,6 +319,7 @@ class Reader {
     std::size_t begin = 0;
     std::vector<Point> points;
     std::vector<double> heights;
+    std::vector<double> extras;
   };
 
   // The line that the current row belongs to.
@@ -319,7 +331,7 @@ class Reader {
     for (std::size_t i = first; i < open_.size(); ++i) {
       if (open_[i].name == name && open_[i].kind == kind) return open_[i];
     }
-    open_.push_back({name, kind, lines_.number(), {}, {}});
+    open_.push_back({name, kind, lines_.number(), {}, {}, {}});
     return open_.back();
   }
 
@@ -340,8 +352,10 @@ class Reader {
     const bool closed = options_.closing == Closing::WhenFirstPointRepeats && points.size() > 3 && returns;
     if (closed) points.pop_back();
     if (closed && !line.heights.empty()) line.heights.pop_back();
+    if (closed) line.extras.resize(line.extras.size() - columns_.extras.size());
     points_.lines.push_back({std::move(points), closed});
     if (columns_.z > 0) points_.heights.push_back(std::move(line.heights));
+    if (!columns_.extras.empty()) points_.extras.push_back(std::move(line.extras));
     points_.names.push_back(std::move(line.name));
     points_.kinds.push_back(std::move(line.kind));
     points_.begins.push_back(line.begin);

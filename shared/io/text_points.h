@@ -30,6 +30,8 @@ struct TextPointsOptions {
   /// Columns, as above, whose texts together name a line: it ends where they change. A header's "name" and "kind" are
   /// name and kind of themselves where this is empty.
   std::vector<std::string> name_columns = {};
+  /// Further columns of numbers, as above, such as errors; a row that is too short has 0 there.
+  std::vector<std::string> extra_columns = {};
   Rows rows = Rows::Consecutive;
   BlankLines blank_lines = BlankLines::Ignore;  ///< SplitLines: a blank line ends a line of points.
   Closing closing = Closing::KeepOpen;
@@ -38,6 +40,7 @@ struct TextPointsOptions {
 struct TextPoints {
   std::vector<geom::Polyline> lines;         ///< Each has at least two distinct points, none repeated in a row.
   std::vector<std::vector<double>> heights;  ///< One a point, or empty without a third column.
+  std::vector<std::vector<double>> extras;   ///< Of every point one number an extra column, or empty without them.
   std::vector<std::string> names;            ///< One a line; empty texts without name columns.
   std::vector<std::string> kinds;            ///< One a line; empty texts without a column "kind".
   std::vector<std::size_t> begins;           ///< For each line, the number of its first line in the file.

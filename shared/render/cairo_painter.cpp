@@ -107,7 +107,47 @@ class LayerPainter {
 
   void operator()(const scene::Labels&) const {}  // the layout has placed them as marks
 
+  void operator()(const scene::Image& content) const {
+    if (!content.pixels || content.pixels->rgba.empty()) return;
+    const scene::Pixels& pixels = *content.pixels;
+    const auto width = static_cast<int>(pixels.width);
+    const auto height = static_cast<int>(pixels.height);
+    cairo_surface_t* surface = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height);
+    if (cairo_surface_status(surface) == CAIRO_STATUS_SUCCESS) {
+      copy_premultiplied(pixels, surface);
+      const Point upper_left = place_.transform.to_page({content.box.low.x, content.box.high.y});
+      const Point lower_right = place_.transform.to_page({content.box.high.x, content.box.low.y});
+      cairo_save(context_);
+      cairo_translate(context_, upper_left.x, upper_left.y);
+      cairo_scale(context_, (lower_right.x - upper_left.x) / width, (lower_right.y - upper_left.y) / height);
+      cairo_set_source_surface(context_, surface, 0.0, 0.0);
+      cairo_pattern_set_extend(cairo_get_source(context_), CAIRO_EXTEND_PAD);
+      cairo_rectangle(context_, 0.0, 0.0, width, height);
+      cairo_clip(context_);
+      cairo_paint_with_alpha(context_, content.opacity);
+      cairo_restore(context_);
+    }
+    cairo_surface_destroy(surface);
+  }
+
  private:
+  /// cairo wants its colours times their opacity, in one number a pixel.
+  static void copy_premultiplied(const scene::Pixels& pixels, cairo_surface_t* surface) {
+    cairo_surface_flush(surface);
+    unsigned char* const rows = cairo_image_surface_get_data(surface);
+    const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface));
+    for (std::size_t y = 0; y < pixels.height; ++y) {
+      auto* row = reinterpret_cast<std::uint32_t*>(rows + y * stride);
+      for (std::size_t x = 0; x < pixels.width; ++x) {
+        const std::uint8_t* p = pixels.rgba.data() + 4 * (y * pixels.width + x);
+        const std::uint32_t alpha = p[3];
+        const auto part = [&](std::uint32_t channel) { return (channel * alpha + 127) / 255; };
+        row[x] = alpha << 24U | part(p[0]) << 16U | part(p[1]) << 8U | part(p[2]);
+      }
+    }
+    cairo_surface_mark_dirty(surface);
+  }
+
   void fill_mesh(const scene::Mesh& content) const {
     const geom::Box window = place_.transform.to_world(place_.plot);
     const std::vector<scene::ColoredArea> areas = scene::areas_of(content, style_.fill, window);

@@ -3,6 +3,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkFloatArray.h>
+#include <vtkImageData.h>
 #include <vtkLookupTable.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -10,6 +11,7 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkShaderProperty.h>
+#include <vtkTexture.h>
 #include <vtkTypeInt64Array.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -133,6 +135,41 @@ class ActorMaker {
   }
 
   void operator()(const scene::Labels&) {}  // the layout has placed them as marks
+
+  void operator()(const scene::Image& content) {
+    if (!content.pixels || content.pixels->rgba.empty()) return;
+    const scene::Pixels& pixels = *content.pixels;
+    const auto width = static_cast<int>(pixels.width);
+    const auto height = static_cast<int>(pixels.height);
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(width, height, 1);
+    image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+    for (int y = 0; y < height; ++y) {  // VTK counts rows from the bottom
+      const std::uint8_t* row = pixels.rgba.data() + 4 * pixels.width * static_cast<std::size_t>(height - 1 - y);
+      std::copy(row, row + 4 * pixels.width, static_cast<std::uint8_t*>(image->GetScalarPointer(0, y, 0)));
+    }
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkFloatArray> places;
+    places->SetNumberOfComponents(2);
+    Cells cells;
+    const geom::Box& box = content.box;
+    for (const Point at : {Point{0, 0}, Point{1, 0}, Point{1, 1}, Point{0, 1}}) {
+      cells.add(insert(*points, {at.x > 0.5 ? box.high.x : box.low.x, at.y > 0.5 ? box.high.y : box.low.y}, depth_));
+      places->InsertNextTuple2(at.x, at.y);
+    }
+    cells.end();
+    vtkNew<vtkPolyData> data;
+    data->SetPoints(points);
+    data->SetPolys(cells.array());
+    data->GetPointData()->SetTCoords(places);
+    vtkNew<vtkTexture> texture;
+    texture->SetInputData(image);
+    texture->InterpolateOn();
+    texture->SetColorModeToDirectScalars();
+    vtkActor& actor = add(data, Color{255, 255, 255});
+    actor.SetTexture(texture);
+    actor.GetProperty()->SetOpacity(content.opacity);
+  }
 
  private:
   vtkIdType insert(vtkPoints& points, Point p, double depth) const {

@@ -41,7 +41,8 @@ std::optional<Entry> entry_of(const Layer& layer) {
     return std::nullopt;
   }
   Entry entry{layer.title, Swatch::Line, layer.style, {}};
-  if (std::holds_alternative<Labels>(layer.content)) return std::nullopt;
+  if (std::holds_alternative<Labels>(layer.content) || std::holds_alternative<Image>(layer.content))
+    return std::nullopt;
   if (std::holds_alternative<Markers>(layer.content)) entry.swatch = Swatch::Marker;
   if (std::holds_alternative<Regions>(layer.content)) entry.swatch = Swatch::Area;
   if (const auto* mesh = std::get_if<Mesh>(&layer.content)) {
@@ -289,15 +290,34 @@ void add_labels(const Panel& panel, const PanelLayout& place, const TextMeasure&
       mark.color = layer.style.line;
       mark.at = at + offset_of(label.anchor, mark.size, 3.0);
       if (!keep_inside(mark, place.plot.grown(-2.0))) continue;
-      const geom::Box box = box_of(Mark{mark}).grown(1.0);
-      if (std::any_of(taken.begin(), taken.end(), [&](const geom::Box& other) { return other.overlaps(box); }))
-        continue;
+      geom::Box box = box_of(Mark{mark}).grown(1.0);
+      if (label.anchor == Anchor::Left || label.anchor == Anchor::Right) {
+        const geom::Box place_of = below_others(box, taken);
+        mark.at.y += place_of.low.y - box.low.y;
+        box = place_of;
+      }
+      const auto overlaps = [&](const geom::Box& other) { return other.overlaps(box); };
+      if (box.high.y > place.plot.high.y || std::any_of(taken.begin(), taken.end(), overlaps)) continue;
       taken.push_back(box);
       // Light behind the text keeps it readable over lines, in every drawer alike.
       marks.push_back(BoxMark{box, Color{255, 255, 255, 190}, {}, 0.0});
       marks.push_back(std::move(mark));
     }
   }
+}
+
+geom::Box below_others(geom::Box name, const std::vector<geom::Box>& taken) {
+  constexpr int most_moves = 16;
+  constexpr double gap = 0.01;
+  for (int k = 0; k < most_moves; ++k) {
+    double free_from = name.low.y;
+    for (const geom::Box& other : taken) {
+      if (other.overlaps(name)) free_from = std::max(free_from, other.high.y + gap);
+    }
+    if (free_from == name.low.y) break;
+    name = {{name.low.x, free_from}, {name.high.x, free_from + name.height()}};
+  }
+  return name;
 }
 
 void add_axes(const PanelLayout& place, const std::vector<Tick>& x_ticks, const std::vector<Tick>& y_ticks,

@@ -54,6 +54,10 @@ std::string unit_of(const std::string& axis_title);
 /// `taken`.
 void add_labels(const Panel& panel, const PanelLayout& place, const TextMeasure& measure, std::vector<Mark>& marks);
 
+/// The box of a name beside the end of a line, moved down until it overlaps none of `taken`; in page
+/// coordinates.
+geom::Box below_others(geom::Box name, const std::vector<geom::Box>& taken);
+
 /// Frame, ticks and tick labels of a plot. Labels stand left of it and below it.
 void add_axes(const PanelLayout& place, const std::vector<Tick>& x_ticks, const std::vector<Tick>& y_ticks,
               const Font& font, const TextMeasure& measure, std::vector<Mark>& marks);

@@ -23,6 +23,7 @@ struct ExtentOf {
     for (const Label& label : content.labels) box.add(label.at);
     return box;
   }
+  geom::Box operator()(const Image& content) const { return content.box; }
 };
 
 }  // namespace

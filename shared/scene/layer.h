@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -95,13 +96,27 @@ struct Labels {
   std::vector<Label> labels{};
 };
 
+/// A picture of width * height pixels, row by row from the top, four bytes each: red, green, blue, opacity.
+struct Pixels {
+  std::size_t width = 0;
+  std::size_t height = 0;
+  std::vector<std::uint8_t> rgba{};
+};
+
+/// Pixels stretched over a box of the world: a scanned section, a seismic line.
+struct Image {
+  std::shared_ptr<const Pixels> pixels{};
+  geom::Box box{};
+  double opacity = 1.0;  ///< 0 .. 1, times that of the pixels.
+};
+
 enum class InLegend { Yes, No };
 
 struct Layer {
   std::string key{};    ///< Stable, unique in its panel: "source_grid". Visibility and picks refer to it.
   std::string title{};  ///< As shown in the tree of layers and the legend; translated.
   Style style{};
-  std::variant<Lines, Markers, Regions, Mesh, Labels> content;
+  std::variant<Lines, Markers, Regions, Mesh, Labels, Image> content;
   bool visible = true;
   InLegend in_legend = InLegend::Yes;
 };

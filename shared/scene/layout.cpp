@@ -21,6 +21,7 @@ namespace {
 constexpr double panel_gap = 16.0;
 constexpr double bar_gap = 18.0;
 constexpr double least_bar = 90.0;
+constexpr double label_room = 8.0;  // gaps beside a label, points
 constexpr double most_bar = 280.0;
 
 /// A panel on its way to the page. left, right, top, bottom: the room round its plot, points.
@@ -63,6 +64,7 @@ class Arranger {
   [[nodiscard]] double panels_height() const;
   void align_rooms();
   void size_plots_to_content();
+  bool make_room_for_names(double scale);
   void size_plots_to_page();
   [[nodiscard]] double scale_that_fits(double width, double height) const;
   bool update_rooms();
@@ -200,11 +202,47 @@ double Arranger::scale_that_fits(double width, double height) const {
   return std::max(scale, options_.least_plot / largest);
 }
 
+/// Names beside the ends of lines are as large at every scale: what is shown grows until they are in it, also those
+/// that have to stand below others. True if it grew.
+bool Arranger::make_room_for_names(double scale) {
+  bool grew = false;
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    if (i < views_.size() && views_[i].has_value()) continue;
+    geom::Box& shown = blocks_[i].shown;
+    const double up = scale * blocks_[i].exaggeration;
+    const geom::Box before = shown;
+    std::vector<geom::Box> taken;  // page, from the world's origin
+    const std::vector<Layer>& layers = picture_.panels[i].layers;
+    for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer) {
+      const auto* content = std::get_if<Labels>(&layer->content);
+      if (!layer->visible || content == nullptr) continue;
+      for (const Label& label : content->labels) {
+        if (label.anchor != Anchor::Left && label.anchor != Anchor::Right) continue;
+        const TextSize size = measure_(label.text, {layer->style.text_size, Weight::Regular});
+        const double width = size.width + label_room;
+        if (width / scale > 0.5 * before.width()) continue;  // wider than what it names: it has to stand over that
+        const double x = label.anchor == Anchor::Right ? label.at.x * scale : label.at.x * scale - width;
+        const double y = -label.at.y * up;
+        const double half = 0.5 * size.height() + 1.0;
+        taken.push_back(below_others({{x, y - half}, {x + width, y + half}}, taken));
+        shown.low.x = std::min(shown.low.x, x / scale);
+        shown.high.x = std::max(shown.high.x, (x + width) / scale);
+        shown.low.y = std::min(shown.low.y, -(taken.back().high.y + 2.0) / up);
+      }
+    }
+    grew = grew || shown.width() > before.width() * (1.0 + 1e-3) || shown.height() > before.height() * (1.0 + 1e-3);
+  }
+  return grew;
+}
+
 void Arranger::size_plots_to_content() {
   if (blocks_.empty()) return;
   const double width = page_.width - 2.0 * options_.margin;
   const double height = page_.height - 2.0 * options_.margin - header() - footer();
-  const double scale = picture_.points_per_unit.value_or(scale_that_fits(width, height));
+  constexpr int at_most = 8;  // each round needs less than the one before
+  double scale = picture_.points_per_unit.value_or(scale_that_fits(width, height));
+  for (int i = 0; i < at_most && make_room_for_names(scale); ++i)
+    scale = picture_.points_per_unit.value_or(scale_that_fits(width, height));
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
     Block& block = blocks_[i];
     const bool viewed = i < views_.size() && views_[i].has_value();

@@ -49,6 +49,7 @@ class Picker {
   }
 
   Found operator()(const Labels&) const { return std::nullopt; }
+  Found operator()(const Image&) const { return std::nullopt; }  // what is drawn on it is meant
 
  private:
   /// Of equal distances the last wins: it is drawn on top.

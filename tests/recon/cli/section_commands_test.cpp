@@ -1,9 +1,11 @@
 #include "recon/cli/section_commands.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "recon/core/operations.h"
 #include "tests/support/command_line.h"
+#include "tests/support/tiff.h"
 
 namespace recon::cli {
 namespace {
@@ -110,6 +112,40 @@ TEST_F(SectionCommands, ErrorBarsComeOnRequest) {
   const Json json = restored({section(), "--draws", "50", "--pick-error", "0.5", "--seed", "7"});
   EXPECT_EQ(json["error_bars"]["draws"], 50);
   EXPECT_FALSE(json["error_bars"]["quantities"].empty());
+}
+
+TEST_F(SectionCommands, ABackdropIsDrawnBehindTheDeformedSectionOnly) {
+  ASSERT_FALSE(
+      put("scan.tif", dobra::test::tiff(2, 2, 3, std::string("\xFF\0\0\0\xFF\0\0\0\xFF\x10\x20\x30", 12))).empty());
+  const std::string head =
+      "dobra = 1\nprogram = \"recon\"\n[input]\ny_axis = \"down\"\n"
+      "[[input.horizon]]\nname = \"top\"\npoints = [[0, 0], [50, -10], [100, 0]]\n"
+      "[[input.horizon]]\nname = \"base\"\npoints = [[0, 20], [50, 10], [100, 20]]\n"
+      "[[input.backdrop]]\nname = \"scan\"\nfile = \"scan.tif\"\n";
+  const std::string placed = put("placed.toml", head + "corners = [[-10, 40], [110, -20]]\n");
+  ASSERT_EQ(call({"restore", placed, "--out", path("sheet.svg")}).code, 0);
+  const std::string svg = text("sheet.svg");
+  const std::size_t image = svg.find("<image");
+  ASSERT_NE(image, std::string::npos);
+  EXPECT_EQ(svg.find("<image", image + 1), std::string::npos);
+  refuses({"restore", put("nowhere.toml", head)}, 3, {"scan.tif", "backdrop 'scan'", "corners"});
+}
+
+TEST_F(SectionCommands, TopographyCutsWhatIsErodedAndADatumIsATarget) {
+  const std::string scenario = put("eroded.toml",
+                                   "dobra = 1\nprogram = \"recon\"\n"
+                                   "[[input.horizon]]\nname = \"top\"\npoints = [[0, 0], [50, 10], [100, 0]]\n"
+                                   "[[input.horizon]]\nname = \"base\"\npoints = [[0, -20], [50, -10], [100, -20]]\n"
+                                   "[[input.topography]]\nname = \"today\"\npoints = [[-10, 5], [40, 5], [110, 20]]\n"
+                                   "[[input.datum]]\nname = \"sea\"\npoints = [[-50, 3], [200, 3]]\n");
+  const Json base = restored({scenario, "--top", "base", "--geometry"});
+  bool told = false;
+  for (const auto& remark : base["remarks"])
+    told = told || remark.get<std::string>().find("lie above the topography 'today'") != std::string::npos;
+  EXPECT_TRUE(told);
+  for (const auto& entry : base["restored"]) EXPECT_NE(entry["kind"], "eroded");
+  ASSERT_EQ(call({"restore", scenario, "--top", "base", "--out", path("sheet.svg")}).code, 0);
+  EXPECT_NE(text("sheet.svg").find("top (eroded)"), std::string::npos);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -196,6 +197,128 @@ TEST_F(Input, AGeoJsonFileWithSeveralLinesNeedsAName) {
   expect_error(input, ErrorCode::BadSection, "2 lines to choose from");
   input.horizons[0].feature = "secnd";
   expect_error(input, ErrorCode::BadSection, "did you mean 'second'?");
+}
+
+TEST_F(Input, AHorizonMayBeDrawnAsACurve) {
+  SectionInput input;
+  input.horizons = {from_points("s", {{0, 0}, {50, 10}, {100, 0}}), from_points("b", {{0, -20}, {50, 0}, {100, -20}}),
+                    from_points("h", {{0, -40}, {100, -40}}), from_points("r", {{0, -70}, {50, -50}, {100, -70}})};
+  input.horizons[0].curve = geom::DrawnAs::Spline;
+  input.horizons[1].curve = geom::DrawnAs::Bezier;
+  input.horizons[2].curve = geom::DrawnAs::Hermite;
+  input.horizons[2].tangents = {{100, 30}, {100, 30}};
+  input.horizons[3].curve = geom::DrawnAs::RationalBezier;
+  input.horizons[3].weights = {1, 0.5, 1};
+  input.curve_angle = base::Angle::from_degrees(1.0);
+  const auto result = read(input);
+  ASSERT_TRUE(result) << to_string(result.error());
+  const auto& horizons = result->section.horizons;
+  for (const Horizon& horizon : horizons) EXPECT_GT(horizon.line.points.size(), 10u) << horizon.name;
+  EXPECT_LT(geom::distance(horizons[0].line, {50, 10}), 1e-2);
+  EXPECT_NEAR(horizons[1].line.box().high.y, -10.0, 1e-2);  // half way to the vertex
+  EXPECT_NEAR(horizons[3].line.box().high.y, -70.0 + 20.0 / 3.0, 1e-2);
+  input.horizons[3].weights.pop_back();
+  expect_error(input, ErrorCode::InvalidOption, "horizon 'r'");
+}
+
+TEST_F(Input, ACurveFollowsTheConventionOfTheFiles) {
+  SectionInput up, down;
+  up.horizons = {from_points("h", {{0, -1000}, {2000, -3000}})};
+  up.horizons[0].curve = geom::DrawnAs::Hermite;
+  up.horizons[0].tangents = {{3000, 0}, {3000, -500}};
+  down = up;
+  down.y_axis = VerticalAxis::Down;
+  down.unit = LengthUnit::Kilometre;
+  down.horizons[0].points = {{0, 1}, {2, 3}};
+  down.horizons[0].tangents = {{3, 0}, {3, 0.5}};
+  const auto a = read(up);
+  const auto b = read(down);
+  ASSERT_TRUE(a && b);
+  ASSERT_EQ(a->section.horizons[0].line.points.size(), b->section.horizons[0].line.points.size());
+  for (std::size_t i = 0; i < a->section.horizons[0].line.points.size(); ++i)
+    EXPECT_LT(geom::distance(a->section.horizons[0].line.points[i], b->section.horizons[0].line.points[i]), 1e-9);
+}
+
+TEST_F(Input, EndsSnapToFaultsPolygonsShareEdgesAndSliversGo) {
+  SectionInput input;
+  input.horizons = {from_points("a", {{0, 0}, {49.8, 0}}), from_points("b", {{50.1, -5}, {100, -5}})};
+  input.faults = {from_points("F", {{50, 20}, {50, -40}})};
+  input.units = {from_points("U", {{0, -20}, {49.9, -20}, {50.1, 0}, {0, 0.1}}),
+                 from_points("thin", {{60, -30}, {90, -30}, {90, -30.01}, {60, -30.01}})};
+  input.snap_to_faults = 0.5;
+  input.share_edges = 0.5;
+  input.slivers = 0.2;
+  const auto result = read(input);
+  ASSERT_TRUE(result) << to_string(result.error());
+  const Section& section = result->section;
+  const geom::Point ends[] = {section.horizons[0].line.points.back(), section.horizons[1].line.points.front()};
+  EXPECT_LT(geom::distance(ends[0], {50, 0}), 1e-12);
+  EXPECT_LT(geom::distance(ends[1], {50, -5}), 1e-12);
+  for (const geom::Point end : ends) {  // the fault has the very point
+    const auto& fault = section.lines[0].line.points;
+    EXPECT_EQ(std::count(fault.begin(), fault.end(), end), 1);
+  }
+  ASSERT_EQ(section.units.size(), 1u);
+  EXPECT_NEAR(geom::signed_area(section.units[0].contour), 1000.0, 1e-9);
+  EXPECT_EQ(section.lines[0].line.points.size(), 5u);  // its own two, and three that others share
+  int told = 0;
+  for (const std::string& remark : result->remarks) {
+    for (const char* const what : {"snap: ", "edge: ", "sliver: "}) told += remark.find(what) == 0 ? 1 : 0;
+  }
+  EXPECT_EQ(told, 4);
+}
+
+TEST_F(Input, LinesInSpaceOfSeveralFilesNeedTheirTrace) {
+  write("a.csv", "x,y,h\n1000,2000,-5\n1300,2400,-6\n1600,2800,-5\n");
+  write("b.csv", "x,y,h\n1060,2080,-15\n1300,2400,-16\n1540,2720,-15\n");
+  SectionInput input;
+  input.horizons = {from_file("a", "a.csv"), from_file("b", "b.csv")};
+  for (HorizonInput& horizon : input.horizons) horizon.columns = {1, 2, 3};
+  expect_error(input, ErrorCode::Unclear, "trace = [x0, y0, x1, y1]");
+  input.trace = {1000, 2000, 1600, 2800};
+  const auto result = read(input);
+  ASSERT_TRUE(result) << to_string(result.error());
+  EXPECT_NEAR(result->section.horizons[0].line.points[1].x, 500.0, 1e-9);
+  EXPECT_NEAR(result->section.horizons[1].line.points[0].x, 100.0, 1e-9);
+  input.trace = {1000, 2000, 1000};
+  expect_error(input, ErrorCode::BadValue, "four numbers");
+}
+
+TEST_F(Input, APlungingFoldIsReadDownThePlunge) {
+  const char* data = std::getenv("DOBRA_TEST_DATA");
+  if (data == nullptr) GTEST_SKIP() << "DOBRA_TEST_DATA is not set";
+  const std::string folder = std::string(data) + "/sections/broadhaven_fold/";
+  // The profile as it was published: parts of layer 1 one after the other.
+  std::ifstream profile(folder + "derived_profile_m/profile.csv");
+  std::vector<geom::Point> expected;
+  for (std::string row; std::getline(profile, row);) {
+    double x = 0.0, z = 0.0;
+    int layer = 0, part = 0, number = 0;
+    if (std::sscanf(row.c_str(), "%d,%d,%d,%lf,%lf", &layer, &part, &number, &x, &z) == 5 && layer == 1)
+      expected.push_back({x, z});
+  }
+  SectionInput input;
+  input.horizons = {from_file("layer1", folder + "layer1.txt")};
+  input.horizons[0].columns = {1, 2, 3};
+  input.fold_axis = {261, 10};
+  input.self_crossings = SelfCrossings::Refuse;
+  const auto line = read_line(input.horizons[0], read_settings(input).value(), {});
+  ASSERT_TRUE(line) << to_string(line.error());
+  ASSERT_EQ(line->line.points.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_NEAR(line->line.points[i].x, expected[i].x, 5.1e-5);
+    EXPECT_NEAR(line->line.points[i].y, expected[i].y, 5.1e-5);
+  }
+}
+
+TEST_F(Input, ABackdropNeedsAPlace) {
+  SectionInput input;
+  input.horizons = {from_points("a", {{0, 0}, {100, 0}})};
+  BackdropInput backdrop;
+  backdrop.name = "scan";
+  backdrop.file = "none.png";
+  input.backdrops = {backdrop};
+  expect_error(input, ErrorCode::FileNotFound, "backdrop 'scan'");
 }
 
 }  // namespace

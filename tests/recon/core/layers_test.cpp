@@ -5,6 +5,7 @@
 #include <set>
 
 #include "recon/core/operations.h"
+#include "shared/scene/layout.h"
 #include "tests/recon/core/shapes.h"
 
 namespace recon::core {
@@ -71,13 +72,19 @@ TEST(Layers, KeysAreUniqueInEachPanel) {
 
 TEST(Layers, NamesOfNearHorizonsAreMovedApart) {
   const scene::Picture picture = picture_of(restored_model());
-  for (const scene::Panel& panel : picture.panels) {
-    std::vector<double> heights;
-    for (std::size_t h = 0; h < 3; ++h) {
-      heights.push_back(std::get<scene::Labels>(find(panel, "name_" + std::to_string(h))->content).labels[0].at.y);
+  const scene::TextMeasure measure = scene::approximate_text_measure();
+  const scene::Layout made = scene::layout(picture, scene::suggested_page(picture, 720.0, measure), {}, measure);
+  for (std::size_t k = 0; k < picture.panels.size(); ++k) {
+    std::vector<scene::TextMark> names;  // from the top down
+    for (const char* const name : {"top", "bed1", "bed2"}) {
+      for (const scene::Mark& mark : made.marks) {
+        const auto* text = std::get_if<scene::TextMark>(&mark);
+        if (text != nullptr && text->text == name && made.panels[k].plot.contains(text->at)) names.push_back(*text);
+      }
     }
-    EXPECT_GT(heights[1] - heights[2], 15.0);  // the beds are only 5 m apart
-    EXPECT_GT(heights[0] - heights[1], 15.0);
+    ASSERT_EQ(names.size(), 3u);
+    for (std::size_t i = 1; i < names.size(); ++i)  // the beds are only 5 m apart
+      EXPECT_GE(names[i].at.y - names[i - 1].at.y, names[i].size.height());
   }
 }
 

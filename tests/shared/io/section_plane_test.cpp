@@ -94,5 +94,30 @@ TEST(SectionPlane, PointsOverOnePlaceHaveNoPlane) {
   EXPECT_FALSE(trace_between({1, 1}, {1, 1}).ok());
 }
 
+TEST(SectionPlane, DownThePlungeACylindricalFoldIsItsProfile) {
+  // A fold with axis 120/25: the same profile at every place along it.
+  const double trend = 120.0 * 3.14159265358979323846 / 180.0;
+  const double plunge = 25.0 * 3.14159265358979323846 / 180.0;
+  const double axis[] = {std::sin(trend) * std::cos(plunge), std::cos(trend) * std::cos(plunge), -std::sin(plunge)};
+  const double level[] = {std::cos(trend), -std::sin(trend), 0.0};
+  const double rise[] = {std::sin(plunge) * std::sin(trend), std::sin(plunge) * std::cos(trend), std::cos(plunge)};
+  Feature feature{.parts = {{}}, .heights = {{}}};
+  std::vector<Point> profile;
+  for (int i = 0; i < 50; ++i) {
+    const Point p{0.2 * i, std::sin(0.2 * i)};
+    const double along = 40.0 * std::cos(7.0 * i);
+    const auto at = [&](int k) { return p.x * level[k] + p.y * rise[k] + along * axis[k]; };
+    feature.parts[0].points.push_back({at(0), at(1)});
+    feature.heights[0].push_back(at(2));
+    profile.push_back(p);
+  }
+  std::vector<Feature> features{feature};
+  ASSERT_TRUE(project_along(features, {base::Angle::from_degrees(120.0), base::Angle::from_degrees(25.0)}).ok());
+  ASSERT_EQ(features[0].parts[0].points.size(), profile.size());
+  for (std::size_t i = 0; i < profile.size(); ++i)
+    EXPECT_LT(geom::distance(features[0].parts[0].points[i], profile[i]), 1e-12);
+  EXPECT_TRUE(features[0].heights.empty());
+}
+
 }  // namespace
 }  // namespace dobra::io

@@ -223,5 +223,22 @@ TEST(Corpus, EveryContourOfTheCorpusIsRead) {
   }
 }
 
+TEST(TextPoints, ExtraColumnsComeWithTheirPointsAndAShortRowHasNought) {
+  TextPointsOptions options;
+  options.extra_columns = {"3", "4"};
+  const auto read = parse_text_points("0 0 1 2 tag\n5 1 3 4\n5 1 3 4\n9 9\n", "f", options);
+  ASSERT_TRUE(read.ok()) << base::to_string(read.error());
+  EXPECT_EQ(read->lines[0].points.size(), 3U);
+  EXPECT_THAT(read->extras, ElementsAre(ElementsAre(1, 2, 3, 4, 0, 0)));
+  const auto bad = parse_text_points("0 0 1 2\n5 1 x 4\n", "f", options);
+  ASSERT_FALSE(bad.ok());
+  EXPECT_EQ(bad.error().place->line, 2U);
+  EXPECT_EQ(bad.error().place->column, 5U);
+  options.extra_columns = {"dx"};
+  const auto named = parse_text_points("x,z,dx\n0,0,7\n1,1,8\n", "f", options);
+  ASSERT_TRUE(named.ok()) << base::to_string(named.error());
+  EXPECT_THAT(named->extras, ElementsAre(ElementsAre(7, 8)));
+}
+
 }  // namespace
 }  // namespace dobra::io

@@ -225,5 +225,34 @@ TEST(Cairo, TextThatIsNoUtf8DoesNotSpoilThePicture) {
   EXPECT_THAT(read(folder.path() / "a.svg"), HasSubstr("se\uFFFD\uFFFDo"));
 }
 
+TEST(Cairo, AnImageLiesOverItsBoxTheRightWayUp) {
+  const test::ScratchFolder folder;
+  scene::Picture picture;
+  scene::Layer layer;
+  layer.key = "backdrop";
+  auto pixels = std::make_shared<scene::Pixels>();
+  *pixels = {2, 2, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 0, 0, 0, 0}};  // red green / blue nothing
+  layer.content = scene::Image{pixels, {{100.0, 0.0}, {300.0, 200.0}}, 1.0};
+  scene::Panel panel;
+  panel.layers = {layer};
+  panel.axes = {"", ""};
+  panel.extent = geom::Box{{0.0, -100.0}, {400.0, 300.0}};
+  picture.panels = {panel};
+  ASSERT_TRUE(write_png(picture, folder.path() / "a.png", scene::PageSize{400.0, 400.0}, 1.0));
+  const scene::Layout layout = scene::layout(picture, {400.0, 400.0}, {}, cairo_text_measure());
+  const test::Pixels seen = test::read_png(folder.path() / "a.png");
+  const auto at = [&](double x, double y) {
+    const geom::Point p = layout.panels[0].transform.to_page({x, y});
+    return seen.at(static_cast<int>(p.x), static_cast<int>(p.y));
+  };
+  EXPECT_EQ(at(110, 190), (std::array<double, 3>{255, 0, 0}));
+  EXPECT_EQ(at(290, 190), (std::array<double, 3>{0, 255, 0}));
+  EXPECT_EQ(at(110, 10), (std::array<double, 3>{0, 0, 255}));
+  EXPECT_EQ(at(290, 10), (std::array<double, 3>{255, 255, 255}));
+  EXPECT_EQ(at(350, 100), (std::array<double, 3>{255, 255, 255}));
+  ASSERT_TRUE(write_svg(picture, folder.path() / "a.svg"));
+  EXPECT_NE(read(folder.path() / "a.svg").find("<image"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace dobra::render

@@ -137,5 +137,31 @@ TEST_F(VtkOffscreen, TextIsMeasuredNearlyAsByCairo) {
   }
 }
 
+TEST_F(VtkOffscreen, AnImageLooksAsCairoDrawsIt) {
+  scene::Picture picture;
+  scene::Layer layer;
+  layer.key = "backdrop";
+  auto pixels = std::make_shared<scene::Pixels>();
+  pixels->width = pixels->height = 16;
+  for (std::uint8_t y = 0; y < 16; ++y) {
+    for (std::uint8_t x = 0; x < 16; ++x) {
+      for (const int channel : {16 * x, 16 * y, 128, 255}) pixels->rgba.push_back(static_cast<std::uint8_t>(channel));
+    }
+  }
+  layer.content = scene::Image{pixels, {{100.0, 0.0}, {300.0, 200.0}}, 0.8};
+  scene::Panel panel;
+  panel.layers = {layer};
+  panel.axes = {"", ""};
+  panel.extent = geom::Box{{0.0, -100.0}, {400.0, 300.0}};
+  picture.panels = {panel};
+  const scene::PageSize page{400.0, 400.0};
+  ASSERT_TRUE(write_png(picture, folder_.path() / "cairo.png", page, 1.0));
+  ASSERT_TRUE(write_png_vtk(picture, folder_.path() / "vtk.png", page, 1.0));
+  double mean = 0.0;
+  const auto a = test::read_png(folder_.path() / "cairo.png");
+  const auto b = test::read_png(folder_.path() / "vtk.png");
+  EXPECT_LT(largest_difference(a, b, 12, 12, mean), 20.0);
+}
+
 }  // namespace
 }  // namespace dobra::render

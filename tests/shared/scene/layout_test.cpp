@@ -259,5 +259,32 @@ TEST(Layout, ExtentIsThatOfTheVisibleLayersOrAsGiven) {
   EXPECT_EQ(extent(panel), *panel.extent);
 }
 
+TEST(Layout, NamesBesideTheEndsOfLinesHaveRoomAndStandBelowEachOther) {
+  for (const char* const name : {"A", "a horizon with a long name"}) {
+    Picture picture{"", {Panel{"a", "Names"}}, Arrangement::Row};
+    Panel& panel = picture.panels[0];
+    for (int i = 5; i-- > 0;) {  // the last layer, the highest line, chooses first
+      const double z = -0.5 * i;
+      const std::string text = name + std::to_string(i);
+      panel.layers.push_back({"line" + text, text, Style{}, Lines{{{{{0.0, z}, {1000.0, z}}, false}}, {}}});
+      panel.layers.push_back({"name" + text, text, Style{}, Labels{{{{1000.0, z}, text, Anchor::Right}}}});
+    }
+    const Layout made = laid_out(picture);
+    expect_tidy(made, name);
+    std::vector<double> heights;
+    const double end = made.panels[0].transform.to_page({1000.0, 0.0}).x;
+    for (int i = 0; i < 5; ++i) {
+      for (const TextMark* text : texts_of(made)) {
+        if (text->text != name + std::to_string(i) || text->at.x < end) continue;
+        EXPECT_GE(text->at.x - 0.5 * text->size.width, end);
+        EXPECT_LE(text->at.x + 0.5 * text->size.width, made.panels[0].plot.high.x);
+        heights.push_back(text->at.y);
+      }
+    }
+    ASSERT_EQ(heights.size(), 5u) << name;
+    EXPECT_TRUE(std::is_sorted(heights.begin(), heights.end())) << name;
+  }
+}
+
 }  // namespace
 }  // namespace dobra::scene

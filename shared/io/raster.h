@@ -1,0 +1,26 @@
+#pragma once
+// Pictures as pixels: PNG, JPEG and TIFF through GDAL, with the place that they say they have (GeoTIFF, or
+// a world file beside them). Source: [gdal].
+
+#include <optional>
+#include <string>
+
+#include "shared/base/result.h"
+#include "shared/scene/layer.h"
+
+namespace dobra::io {
+
+struct Raster {
+  scene::Pixels pixels;
+  std::optional<geom::Box> box;  ///< What it covers, in the coordinates of the file; nothing if it does not say.
+};
+
+struct RasterOptions {
+  std::size_t most_pixels = 4'000'000;  ///< A larger picture is read coarser.
+};
+
+/// Grey, palette and colour pictures, with transparency where they have it.
+/// @error FileNotFound; BadFormat: no picture, not eight bits a channel, or turned against the axes.
+base::Result<Raster> read_raster(const std::string& path, const RasterOptions& options = {});
+
+}  // namespace dobra::io

@@ -1,0 +1,86 @@
+#include "shared/scene/text_table.h"
+
+#include <gtest/gtest.h>
+
+namespace dobra::scene {
+namespace {
+
+const Font font{9.0, Weight::Regular};
+
+const TextTable ledger{
+    "Beds", {"horizon", "before [m]", "[%]"}, {{"Upper Sandstone", "6827.2", "+0.00"}, {"Marl", "6.1", "-12.25"}}};
+
+std::vector<TextMark> texts_of(const Furniture& made) {
+  std::vector<TextMark> texts;
+  for (const Mark& mark : made.marks) {
+    if (const auto* text = std::get_if<TextMark>(&mark)) texts.push_back(*text);
+  }
+  return texts;
+}
+
+const TextMark& text(const std::vector<TextMark>& texts, const std::string& wanted) {
+  for (const TextMark& mark : texts) {
+    if (mark.text == wanted) return mark;
+  }
+  ADD_FAILURE() << "no text " << wanted;
+  return texts.front();
+}
+
+double left(const TextMark& mark) { return mark.at.x - 0.5 * mark.size.width; }
+double right(const TextMark& mark) { return mark.at.x + 0.5 * mark.size.width; }
+
+TEST(TextTable, TheFirstColumnStandsToTheLeftAndTheOthersToTheRight) {
+  const auto texts = texts_of(text_table(ledger, font, approximate_text_measure()));
+  EXPECT_NEAR(left(text(texts, "horizon")), left(text(texts, "Upper Sandstone")), 1e-9);
+  EXPECT_NEAR(left(text(texts, "Marl")), left(text(texts, "Upper Sandstone")), 1e-9);
+  EXPECT_NEAR(right(text(texts, "6827.2")), right(text(texts, "6.1")), 1e-9);
+  EXPECT_NEAR(right(text(texts, "before [m]")), right(text(texts, "6.1")), 1e-9);
+  EXPECT_NEAR(right(text(texts, "-12.25")), right(text(texts, "[%]")), 1e-9);
+}
+
+TEST(TextTable, NoCellOverlapsAnotherAndAllLieWithinTheTable) {
+  const Furniture made = text_table(ledger, font, approximate_text_measure());
+  std::vector<geom::Box> boxes;
+  for (const TextMark& mark : texts_of(made)) boxes.push_back(box_of(Mark{mark}));
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    EXPECT_GE(boxes[i].low.x, -1e-9);
+    EXPECT_LE(boxes[i].high.x, made.width + 1e-9);
+    EXPECT_LE(boxes[i].high.y, made.height + 1e-9);
+    for (std::size_t j = i + 1; j < boxes.size(); ++j) EXPECT_FALSE(boxes[i].overlaps(boxes[j])) << i << ' ' << j;
+  }
+}
+
+TEST(TextTable, RowsFollowUnderTheRule) {
+  const Furniture made = text_table(ledger, font, approximate_text_measure());
+  double rule = 0.0;
+  for (const Mark& mark : made.marks) {
+    if (const auto* line = std::get_if<LineMark>(&mark)) rule = line->from.y;
+  }
+  const auto texts = texts_of(made);
+  EXPECT_LT(text(texts, "Beds").at.y, text(texts, "horizon").at.y);
+  EXPECT_LT(text(texts, "horizon").at.y, rule);
+  EXPECT_LT(rule, text(texts, "Upper Sandstone").at.y);
+  EXPECT_LT(text(texts, "Upper Sandstone").at.y, text(texts, "Marl").at.y);
+}
+
+TEST(TextTable, ATableWithoutRowsOrWithShortRowsIsDrawnAllTheSame) {
+  const TextTable empty{"Nothing", {"a", "b"}, {}};
+  EXPECT_EQ(texts_of(text_table(empty, font, approximate_text_measure())).size(), 3u);
+  const TextTable shorter{"", {"a", "b"}, {{"only"}}};
+  EXPECT_EQ(texts_of(text_table(shorter, font, approximate_text_measure())).size(), 3u);
+}
+
+TEST(TextTable, TablesAndNotesStandUnderEachOtherInTheMiddle) {
+  Picture picture;
+  picture.tables = {ledger, {"Units", {"unit"}, {{"A - B"}}}};
+  picture.notes = {"Both states to the same scale."};
+  const Furniture made = tables_and_notes(picture, 500.0, font, approximate_text_measure());
+  const auto texts = texts_of(made);
+  EXPECT_LT(text(texts, "Marl").at.y, text(texts, "Units").at.y);
+  EXPECT_LT(text(texts, "A - B").at.y, text(texts, "Both states to the same scale.").at.y);
+  EXPECT_NEAR(text(texts, "Units").at.x, 0.5 * made.width, 1e-9);
+  EXPECT_EQ(tables_and_notes({}, 500.0, font, approximate_text_measure()).height, 0.0);
+}
+
+}  // namespace
+}  // namespace dobra::scene
