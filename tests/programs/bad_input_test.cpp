@@ -202,6 +202,17 @@ TEST_F(Programs, TipsCloserThanTheirRosettesAreNamedWithTheirPlace) {
                  3, {"crack 'two'", "overlaps that of 'one'", "make it smaller", "(at 2, 2)"});
 }
 
+TEST_F(Programs, SolveWritesLinesAndPicturesAndRefusesHalfAnOrder) {
+  const std::string example = "quebra solve " DOBRA_SOURCE_DIR "/resources/examples/quebra/edge_crack.toml --quiet";
+  EXPECT_EQ(call(example + " --line 0,0.5,1,0.5 --samples 11 --out " + path("line.csv").string() + " --picture " + path("s.svg").string() + " --field s_yy").code, 0);
+  const std::string line = read(path("line.csv"));
+  EXPECT_EQ(std::count(line.begin(), line.end(), '\n'), 12);
+  EXPECT_EQ(line.rfind("case,s [m],x [m],y [m],u_x [m],", 0), 0U) << line;
+  EXPECT_NE(read(path("s.svg")).find("<svg"), std::string::npos);
+  for (const char* const wrong : {" --line 0,0,1", " --out x.csv", " --field s_xx", " --samples 3", " --probe 1", " --picture x.abc"}) EXPECT_EQ(call(example + wrong).code, 2) << wrong;
+  EXPECT_EQ(call(example + " --probe 9,9").code, 3);
+}
+
 TEST_F(Programs, WrongUsageEndsWithTwo) {
   EXPECT_EQ(call("recon run").code, 2);
   EXPECT_EQ(call("quebra run a.toml --no-such-option").code, 2);
