@@ -69,7 +69,7 @@ void integrate(const SizeAlong& size, double size_from, double to, double size_t
   const double middle = 0.5 * (from + to);
   const double size_middle = size(middle);
   const auto [least, greatest] = std::minmax({size_from, size_middle, size_to});
-  if (greatest > alike * least && to - from > least) {
+  if (greatest > alike * least && to - from > least && from < middle && middle < to) {
     integrate(size, size_from, middle, size_middle, sum);
     integrate(size, size_middle, to, size_to, sum);
     return;

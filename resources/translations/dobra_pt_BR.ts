@@ -1063,5 +1063,541 @@
         <source>How far the zone reaches to either side.</source>
         <translation>Até onde a zona vai, para cada lado.</translation>
     </message>
+    <message>
+        <source>Rosettes</source>
+        <translation>Rosetas</translation>
+    </message>
+    <message>
+        <source>Quarter-point elements round each crack tip; needs order 2.</source>
+        <translation>Elementos de quarto de ponto em volta de cada ponta de trinca; pede ordem 2.</translation>
+    </message>
+    <message>
+        <source>Sectors</source>
+        <translation>Setores</translation>
+    </message>
+    <message>
+        <source>Of a rosette, even.</source>
+        <translation>De uma roseta, número par.</translation>
+    </message>
+    <message>
+        <source>Tip elements</source>
+        <translation>Elementos da ponta</translation>
+    </message>
+    <message>
+        <source>Length of the quarter-point elements; 0 takes 1/40 of the crack.</source>
+        <translation>Comprimento dos elementos de quarto de ponto; 0 toma 1/40 da trinca.</translation>
+    </message>
+    <message>
+        <source>QUEBRA</source>
+        <translation>QUEBRA</translation>
+    </message>
+    <message>
+        <source>Materials, supports, loads</source>
+        <translation>Materiais, apoios, cargas</translation>
+    </message>
+    <message>
+        <source>Half of a crack</source>
+        <translation>Metade de uma trinca</translation>
+    </message>
+    <message>
+        <source>Analyse</source>
+        <translation>Analisar</translation>
+    </message>
+    <message>
+        <source>Adapt</source>
+        <translation>Adaptar</translation>
+    </message>
+    <message>
+        <source>Stress intensity factors</source>
+        <translation>Fatores de intensidade de tensão</translation>
+    </message>
+    <message>
+        <source>Results along a line</source>
+        <translation>Resultados ao longo de uma linha</translation>
+    </message>
+    <message>
+        <source>Results at a point</source>
+        <translation>Resultados em um ponto</translation>
+    </message>
+    <message>
+        <source>Picture of a field</source>
+        <translation>Figura de um campo</translation>
+    </message>
+    <message>
+        <source>The elastic problem, by the names of regions, curves and points.</source>
+        <translation>O problema elástico, pelos nomes de regiões, curvas e pontos.</translation>
+    </message>
+    <message>
+        <source>A curve of the boundary is one lip of a crack on a line of symmetry.</source>
+        <translation>Uma curva do contorno é um lábio de uma trinca sobre uma linha de simetria.</translation>
+    </message>
+    <message>
+        <source>Displacements, stresses and their error on the last mesh.</source>
+        <translation>Deslocamentos, tensões e seu erro na última malha.</translation>
+    </message>
+    <message>
+        <source>Meshes and analyses until the error asked for is met.</source>
+        <translation>Gera malhas e analisa até atingir o erro pedido.</translation>
+    </message>
+    <message>
+        <source>K_I and K_II by three methods, J, T and kink angles at every crack tip.</source>
+        <translation>K_I e K_II por três métodos, J, T e ângulos de desvio em cada ponta de trinca.</translation>
+    </message>
+    <message>
+        <source>Displacements and stresses along a line, as a table.</source>
+        <translation>Deslocamentos e tensões ao longo de uma linha, em tabela.</translation>
+    </message>
+    <message>
+        <source>Displacements and stresses at a point.</source>
+        <translation>Deslocamentos e tensões em um ponto.</translation>
+    </message>
+    <message>
+        <source>A field on the deformed shape: colours, contours, mesh, extremes.</source>
+        <translation>Um campo na forma deformada: cores, isolinhas, malha, extremos.</translation>
+    </message>
+    <message>
+        <source>Error asked for</source>
+        <translation>Erro pedido</translation>
+    </message>
+    <message>
+        <source>In the energy norm.</source>
+        <translation>Na norma da energia.</translation>
+    </message>
+    <message>
+        <source>Rule of sizes</source>
+        <translation>Regra de tamanhos</translation>
+    </message>
+    <message>
+        <source>optimal: fewest elements; equal: the same error in each.</source>
+        <translation>optimal: o menor número de elementos; equal: o mesmo erro em cada um.</translation>
+    </message>
+    <message>
+        <source>Most cycles</source>
+        <translation>Máximo de ciclos</translation>
+    </message>
+    <message>
+        <source>First size</source>
+        <translation>Primeiro tamanho</translation>
+    </message>
+    <message>
+        <source>And greatest; 0 takes 1/8 of the domain&apos;s diagonal.</source>
+        <translation>E o maior; 0 toma 1/8 da diagonal do domínio.</translation>
+    </message>
+    <message>
+        <source>Least size</source>
+        <translation>Menor tamanho</translation>
+    </message>
+    <message>
+        <source>Quarter-point elements at crack tips; they keep their size.</source>
+        <translation>Elementos de quarto de ponto nas pontas das trincas; mantêm seu tamanho.</translation>
+    </message>
+    <message>
+        <source>von Mises stress</source>
+        <translation>Tensão de von Mises</translation>
+    </message>
+    <message>
+        <source>Stress sigma_x</source>
+        <translation>Tensão sigma_x</translation>
+    </message>
+    <message>
+        <source>Stress sigma_y</source>
+        <translation>Tensão sigma_y</translation>
+    </message>
+    <message>
+        <source>Stress tau_xy</source>
+        <translation>Tensão tau_xy</translation>
+    </message>
+    <message>
+        <source>Greatest principal stress</source>
+        <translation>Maior tensão principal</translation>
+    </message>
+    <message>
+        <source>Least principal stress</source>
+        <translation>Menor tensão principal</translation>
+    </message>
+    <message>
+        <source>Displacement along x</source>
+        <translation>Deslocamento em x</translation>
+    </message>
+    <message>
+        <source>Displacement along y</source>
+        <translation>Deslocamento em y</translation>
+    </message>
+    <message>
+        <source>Displacement</source>
+        <translation>Deslocamento</translation>
+    </message>
+    <message>
+        <source>Error of each element</source>
+        <translation>Erro de cada elemento</translation>
+    </message>
+    <message>
+        <source>Extremes</source>
+        <translation>Extremos</translation>
+    </message>
+    <message>
+        <source>Extreme values</source>
+        <translation>Valores extremos</translation>
+    </message>
+    <message>
+        <source>displacements</source>
+        <translation>deslocamentos</translation>
+    </message>
+    <message>
+        <source>Contours</source>
+        <translation>Isolinhas</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Antes</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>máx</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>mín</translation>
+    </message>
+    <message>
+        <source>line: a chain of points; polygon: closed; arc: centre and two points, or centre, radius, start, sweep; circle: centre and radius; spline: smooth through the points, closed if the last repeats the first.</source>
+        <translation>line: uma cadeia de pontos; polygon: fechada; arc: centro e dois pontos, ou centro, raio, início e varredura; circle: centro e raio; spline: suave pelos pontos, fechada se o último repete o primeiro.</translation>
+    </message>
+    <message>
+        <source>line: a chain of points; arc: centre and two points; spline: smooth through the points.</source>
+        <translation>line: uma cadeia de pontos; arc: centro e dois pontos; spline: suave pelos pontos.</translation>
+    </message>
+    <message>
+        <source>Of an arc.</source>
+        <translation>De um arco.</translation>
+    </message>
+    <message>
+        <source>Number of element sides along each lip; 0 leaves it to the sizes.</source>
+        <translation>Número de lados de elementos em cada lábio; 0 deixa por conta dos tamanhos.</translation>
+    </message>
+    <message>
+        <source>Length of the element sides along the lips; 0 leaves it to the mesh step.</source>
+        <translation>Comprimento dos lados dos elementos nos lábios; 0 deixa por conta da etapa de malha.</translation>
+    </message>
+    <message>
+        <source>Of the elements there; 0: no wish.</source>
+        <translation>Dos elementos nesse lugar; 0: sem exigência.</translation>
+    </message>
+    <message>
+        <source>inside: where the domain is, and all round a crack; left or right of the base&apos;s direction.</source>
+        <translation>inside: onde está o domínio, e em toda a volta de uma trinca; left ou right: à esquerda ou à direita do sentido da base.</translation>
+    </message>
+    <message>
+        <source>ring: as far apart as the curve is from its neighbours; base: as the divided base has them.</source>
+        <translation>ring: tão espaçados quanto a curva dista das vizinhas; base: como na base dividida.</translation>
+    </message>
+    <message>
+        <source>Lip</source>
+        <translation>Lábio</translation>
+    </message>
+    <message>
+        <source>Curve of the boundary; its tips are NAME_start and NAME_end where the boundary goes straight on. Give what lies ahead a support with normal = 0.</source>
+        <translation>Curva do contorno; suas pontas são NOME_start e NOME_end, onde o contorno segue em linha reta. Dê ao que está à frente um apoio com normal = 0.</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Região</translation>
+    </message>
+    <message>
+        <source>Empty: every region that has no material of its own.</source>
+        <translation>Vazio: toda região sem material próprio.</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus</source>
+        <translation>Módulo de Young</translation>
+    </message>
+    <message>
+        <source>Poisson&apos;s ratio</source>
+        <translation>Coeficiente de Poisson</translation>
+    </message>
+    <message>
+        <source>Below 0.5 in plane strain.</source>
+        <translation>Menor que 0,5 em deformação plana.</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Espessura</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Onde</translation>
+    </message>
+    <message>
+        <source>Name of a curve, a lip or a point.</source>
+        <translation>Nome de uma curva, de um lábio ou de um ponto.</translation>
+    </message>
+    <message>
+        <source>Along x</source>
+        <translation>Em x</translation>
+    </message>
+    <message>
+        <source>Prescribed displacement; 0 holds, nothing leaves free.</source>
+        <translation>Deslocamento prescrito; 0 prende, vazio deixa livre.</translation>
+    </message>
+    <message>
+        <source>Along y</source>
+        <translation>Em y</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>Através</translation>
+    </message>
+    <message>
+        <source>Along the outward normal of the curve; 0 is a line of symmetry.</source>
+        <translation>Na normal externa da curva; 0 é uma linha de simetria.</translation>
+    </message>
+    <message>
+        <source>Along x, formula</source>
+        <translation>Em x, fórmula</translation>
+    </message>
+    <message>
+        <source>Of x and y; with y or y_formula.</source>
+        <translation>De x e y; com y ou y_formula.</translation>
+    </message>
+    <message>
+        <source>Along y, formula</source>
+        <translation>Em y, fórmula</translation>
+    </message>
+    <message>
+        <source>Of x and y; with x or x_formula.</source>
+        <translation>De x e y; com x ou x_formula.</translation>
+    </message>
+    <message>
+        <source>node: a spring at each node, N/m; bed: along a curve, N/m3.</source>
+        <translation>node: uma mola em cada nó, N/m; bed: ao longo de uma curva, N/m3.</translation>
+    </message>
+    <message>
+        <source>Stiffness along x</source>
+        <translation>Rigidez em x</translation>
+    </message>
+    <message>
+        <source>Stiffness along y</source>
+        <translation>Rigidez em y</translation>
+    </message>
+    <message>
+        <source>Name of a curve whose nodes all move alike along `axis`.</source>
+        <translation>Nome de uma curva cujos nós se movem todos igualmente em `axis`.</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Eixo</translation>
+    </message>
+    <message>
+        <source>Or: sum of coefficient times displacement of these points = value.</source>
+        <translation>Ou: soma de coeficiente vezes deslocamento destes pontos = value.</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Eixos</translation>
+    </message>
+    <message>
+        <source>&quot;x&quot; or &quot;y&quot;, one a point.</source>
+        <translation>&quot;x&quot; ou &quot;y&quot;, um por ponto.</translation>
+    </message>
+    <message>
+        <source>Coefficients</source>
+        <translation>Coeficientes</translation>
+    </message>
+    <message>
+        <source>One a point.</source>
+        <translation>Um por ponto.</translation>
+    </message>
+    <message>
+        <source>Name of a curve or lip; of a point (force); of a region, or empty for all (body).</source>
+        <translation>Nome de uma curva ou lábio; de um ponto (force); de uma região, ou vazio para todas (body).</translation>
+    </message>
+    <message>
+        <source>traction x, y in Pa; pressure: value in Pa, presses on the material (opens a crack by its two lips); force x, y in N at each node; body x, y in N/m3; stress: the exact tractions of a stress field given by formulas; kirsch, l_shape: those of the plate with a hole of `radius` at the origin under a tension `value`, or of the corner of 270 degrees at the origin.</source>
+        <translation>traction: x, y em Pa; pressure: value em Pa, comprime o material (abre uma trinca pelos dois lábios); force: x, y em N em cada nó; body: x, y em N/m3; stress: as trações exatas de um campo de tensões dado por fórmulas; kirsch, l_shape: as da placa com furo de `radius` na origem sob tração `value`, ou as do canto de 270 graus na origem.</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>Of a linear traction, pressure or body force: x, y, value hold here, x_to, y_to, value_to at `to`.</source>
+        <translation>De uma tração, pressão ou força de volume linear: x, y, value valem aqui, x_to, y_to, value_to em `to`.</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Até</translation>
+    </message>
+    <message>
+        <source>x at the end</source>
+        <translation>x no fim</translation>
+    </message>
+    <message>
+        <source>y at the end</source>
+        <translation>y no fim</translation>
+    </message>
+    <message>
+        <source>Value at the end</source>
+        <translation>Valor no fim</translation>
+    </message>
+    <message>
+        <source>x, formula</source>
+        <translation>x, fórmula</translation>
+    </message>
+    <message>
+        <source>Of x, y, and of the outward normal nx, ny on a curve: &quot;3 * (1 - y^2)&quot;.</source>
+        <translation>De x, y, e da normal externa nx, ny em uma curva: &quot;3 * (1 - y^2)&quot;.</translation>
+    </message>
+    <message>
+        <source>y, formula</source>
+        <translation>y, fórmula</translation>
+    </message>
+    <message>
+        <source>Value, formula</source>
+        <translation>Valor, fórmula</translation>
+    </message>
+    <message>
+        <source>Of a pressure.</source>
+        <translation>De uma pressão.</translation>
+    </message>
+    <message>
+        <source>sigma_x, formula</source>
+        <translation>sigma_x, fórmula</translation>
+    </message>
+    <message>
+        <source>Of x and y (stress).</source>
+        <translation>De x e y (stress).</translation>
+    </message>
+    <message>
+        <source>sigma_y, formula</source>
+        <translation>sigma_y, fórmula</translation>
+    </message>
+    <message>
+        <source>tau_xy, formula</source>
+        <translation>tau_xy, fórmula</translation>
+    </message>
+    <message>
+        <source>Bisector</source>
+        <translation>Bissetriz</translation>
+    </message>
+    <message>
+        <source>Direction from the corner into the material (l_shape).</source>
+        <translation>Direção do canto para dentro do material (l_shape).</translation>
+    </message>
+    <message>
+        <source>Load case</source>
+        <translation>Caso de carga</translation>
+    </message>
+    <message>
+        <source>Settlement</source>
+        <translation>Recalque</translation>
+    </message>
+    <message>
+        <source>Multiplies prescribed displacements and values of ties in this case; 0: supports stand still.</source>
+        <translation>Multiplica deslocamentos prescritos e valores de vínculos neste caso; 0: os apoios ficam parados.</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Plano</translation>
+    </message>
+    <message>
+        <source>Materials</source>
+        <translation>Materiais</translation>
+    </message>
+    <message>
+        <source>Supports</source>
+        <translation>Apoios</translation>
+    </message>
+    <message>
+        <source>Springs</source>
+        <translation>Molas</translation>
+    </message>
+    <message>
+        <source>Ties</source>
+        <translation>Vínculos</translation>
+    </message>
+    <message>
+        <source>Equations between displacements.</source>
+        <translation>Equações entre deslocamentos.</translation>
+    </message>
+    <message>
+        <source>Loads</source>
+        <translation>Cargas</translation>
+    </message>
+    <message>
+        <source>Of one load case or several.</source>
+        <translation>De um ou mais casos de carga.</translation>
+    </message>
+    <message>
+        <source>Load cases</source>
+        <translation>Casos de carga</translation>
+    </message>
+    <message>
+        <source>Only those with settings of their own, or without loads.</source>
+        <translation>Só os que têm ajustes próprios, ou não têm cargas.</translation>
+    </message>
+    <message>
+        <source>Contour</source>
+        <translation>Contorno da integral</translation>
+    </message>
+    <message>
+        <source>Outer radius of the ring of the integrals; by default the largest that fits.</source>
+        <translation>Raio externo do anel das integrais; por omissão o maior que cabe.</translation>
+    </message>
+    <message>
+        <source>Memory</source>
+        <translation>Memória</translation>
+    </message>
+    <message>
+        <source>Most that the factorisation may take; 0 takes what the machine has.</source>
+        <translation>O máximo que a fatoração pode tomar; 0 toma o que a máquina tem.</translation>
+    </message>
+    <message>
+        <source>Names the table: line_LABEL.csv.</source>
+        <translation>Dá nome à tabela: line_LABEL.csv.</translation>
+    </message>
+    <message>
+        <source>Both ends included; those outside the material are left out.</source>
+        <translation>Com as duas pontas; os que ficam fora do material são omitidos.</translation>
+    </message>
+    <message>
+        <source>Names the quantities: probe.LABEL.CASE.von_mises.</source>
+        <translation>Dá nome às grandezas: probe.LABEL.CASE.von_mises.</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Campo</translation>
+    </message>
+    <message>
+        <source>von Mises, stresses, principal stresses, displacements, or the error of each element.</source>
+        <translation>von Mises, tensões, tensões principais, deslocamentos, ou o erro de cada elemento.</translation>
+    </message>
+    <message>
+        <source>The first by default.</source>
+        <translation>O primeiro por omissão.</translation>
+    </message>
+    <message>
+        <source>Deformation</source>
+        <translation>Deformação</translation>
+    </message>
+    <message>
+        <source>Times the displacements that are drawn: 1 true, 0 none; by default they are a twentieth of the size.</source>
+        <translation>Quantas vezes os deslocamentos são desenhados: 1 real, 0 nenhum; por omissão medem um vigésimo do tamanho.</translation>
+    </message>
+    <message>
+        <source>Number of lines.</source>
+        <translation>Número de linhas.</translation>
+    </message>
+    <message>
+        <source>Marks the greatest and the least value.</source>
+        <translation>Marca o maior e o menor valor.</translation>
+    </message>
 </context>
 </TS>

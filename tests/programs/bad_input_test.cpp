@@ -174,6 +174,55 @@ TEST_F(Programs, AnUnknownCurveGetsASuggestion) {
   quebra_refuses("[[step]]\noperation = \"constraints\"\ncurves = [\"plaet\"]\n", 3, {"plaet", "did you mean 'plate'"});
 }
 
+// The analysis: each fault with its line or its place. The plate's text has six lines.
+const std::string problem = "[[step]]\noperation = \"problem\"\n";
+const std::string steel = "[[step.material]]\nyoung = 1.0\n";
+const std::string solve = "[[step]]\noperation = \"mesh\"\nsize = 1.0\norder = \"2\"\n[[step]]\noperation = \"analyse\"\n";
+
+TEST_F(Programs, APlateWithoutSupportsIsNamedWithHowItCanMove) {
+  quebra_refuses(problem + steel + "[[step.load]]\nwhere = \"plate\"\nx = 1.0\n" + solve, 3, {"supports", "is not held", "along x, along y and turn", "support it"});
+}
+
+TEST_F(Programs, AMissingMaterialIsNamedWithItsRegionAndPlace) {
+  quebra_refuses("[[input.curve]]\nname = \"seam\"\nrole = \"internal\"\npoints = [[0, 2], [4, 2]]\n[[input.region]]\nname = \"soft\"\npoint = [2, 1]\n[[input.region]]\nname = \"hard\"\npoint = [2, 3]\n" + problem +
+                     "[[step.material]]\nregion = \"hard\"\nyoung = 1.0\n" + solve,
+                 3, {"scenario.toml", "region 'soft' has no material", "(at "});
+}
+
+TEST_F(Programs, ANegativeThicknessIsNamedWithItsLine) {
+  quebra_refuses(problem + "[[step.material]]\nyoung = 1.0\nthickness = -0.1\n" + solve, 3, {"scenario.toml:11", "thickness", "-0.1"});
+}
+
+TEST_F(Programs, APoissonRatioOfAHalfOrMoreIsNamedWithItsLine) {
+  quebra_refuses(problem + "[[step.material]]\nyoung = 1.0\npoisson = 0.6\n" + solve, 3, {"scenario.toml:11", "poisson", "0.6"});
+  quebra_refuses(problem + "state = \"strain\"\n[[step.material]]\nyoung = 1.0\npoisson = 0.5\n" + solve, 3, {"scenario.toml:10", "material 1", "0.5"});
+}
+
+TEST_F(Programs, ALoadOnAMissingCurveGetsASuggestionAndItsLine) {
+  quebra_refuses(problem + steel + "[[step.load]]\nwhere = \"plaet\"\nx = 1.0\n" + solve, 3, {"scenario.toml:11", "load 1", "'plaet'", "did you mean 'plate'"});
+}
+
+TEST_F(Programs, ACrackOutsideIsNamedWithItsPlace) {
+  quebra_refuses("[[input.crack]]\nname = \"flaw\"\npoints = [[5, 5], [6, 6]]\n[[step]]\noperation = \"mesh\"\n", 3, {"flaw", "outside", "5"});
+}
+
+TEST_F(Programs, TipsCloserThanTheirRosettesAreNamedWithTheirPlace) {
+  quebra_refuses("[[input.crack]]\nname = \"one\"\npoints = [[0.5, 2], [1.9, 2]]\n[[input.crack]]\nname = \"two\"\npoints = [[2.0, 2], [3.5, 2]]\n"
+                 "[[step]]\noperation = \"mesh\"\norder = \"2\"\nrosettes = \"yes\"\n",
+                 3, {"crack 'two'", "overlaps that of 'one'", "make it smaller", "(at 2, 2)"});
+}
+
+TEST_F(Programs, SolveWritesLinesAndPicturesAndRefusesHalfAnOrder) {
+  const std::string example = "quebra solve " DOBRA_SOURCE_DIR "/resources/examples/quebra/edge_crack.toml --quiet";
+  EXPECT_EQ(call(example + " --line 0,0.5,1,0.5 --samples 11 --out " + path("line.csv").string() + " --picture " + path("s.svg").string() + " --field s_yy").code, 0);
+  const std::string line = read(path("line.csv"));
+  EXPECT_EQ(std::count(line.begin(), line.end(), '\n'), 12);
+  EXPECT_EQ(line.rfind("case,s [m],x [m],y [m],u_x [m],", 0), 0U) << line;
+  EXPECT_NE(read(path("s.svg")).find("<svg"), std::string::npos);
+  for (const char* const wrong : {" --line 0,0,1", " --out x.csv", " --field s_xx", " --samples 3", " --probe 1", " --picture x.abc"}) EXPECT_EQ(call(example + wrong).code, 2) << wrong;
+  EXPECT_EQ(call(example + " --probe 9,9").code, 3);
+}
+
 TEST_F(Programs, WrongUsageEndsWithTwo) {
   EXPECT_EQ(call("recon run").code, 2);
   EXPECT_EQ(call("quebra run a.toml --no-such-option").code, 2);
