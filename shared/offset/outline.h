@@ -1,8 +1,7 @@
 #pragma once
 // The raw outline at distance D: lines and arcs that lie to the right of the base, and to the right of the base travelled
-// backwards (its left side), which only serve to cut. Everything is symbolic: a piece knows the site (segment or corner) it is
-// parallel to, and an end knows whether it is the natural one or a crossing with another site, so that its place can be had
-// in doubles or in Real.
+// backwards (its left side), which only serve to cut. Everything is symbolic: a piece knows the site (segment or corner) it is parallel
+// to, and an end whether it is natural or a crossing with another site, so that its place can be had in doubles or in Real.
 
 #include <cmath>
 #include <limits>
@@ -105,7 +104,7 @@ class Outline {
   [[nodiscard]] Flat start_of(Site s) const;
   [[nodiscard]] Flat end_of(Site s) const;
   [[nodiscard]] Flat centre(Site s) const { return to<double>(s.step); }
-  class Ends;  // these two are in outline_ends.h
+  class Ends;  // it and Lead are in outline_ends.h
 
   /// True if p lies nearer than D - margin to the segment, or as deep in a mitre at one of its ends.
   [[nodiscard]] bool deep_inside(Flat p, std::uint32_t step, double margin) const {
