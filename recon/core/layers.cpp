@@ -84,7 +84,7 @@ void add_face_units(scene::Panel& panel, const Section& section, const Ledger& l
                     std::vector<geom::Polyline> UnitRow::*faces) {
   for (std::size_t i = first; i < ledger.units.size(); ++i) {
     const UnitRow& row = ledger.units[i];
-    scene::Color color = unit_color(i);
+    scene::Color color{226, 226, 226, 255};  // no horizon over it
     for (const RockUnit& unit : section.faces->units) {
       if (unit.name == row.name && unit.top) color = unit_color(section.horizons[*unit.top].id.index());
     }

@@ -432,7 +432,7 @@ class Reader {
 std::string one_line(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == '{' || c == '}'; }, ' ');
-  return text;
+  return std::string(trimmed(text));  // as it is read again
 }
 
 // The opening of an object, up to its first vertex.
