@@ -61,6 +61,7 @@ Result<Quadtree> Quadtree::build(std::span<const SizedEdge> edges, const Quadtre
 void Quadtree::split(QuadCellId id) {
   const Cell parent = cells_[id.index()];
   DOBRA_CHECK(!parent.first_child.valid() && parent.level < max_level);
+  index_.clear();
   const auto level = static_cast<std::uint8_t>(parent.level + 1);
   const std::uint32_t width = width_of(level);
   cells_[id.index()].first_child = QuadCellId(cells_.size());
@@ -105,7 +106,8 @@ bool Quadtree::refine_to_level(std::uint32_t level, std::size_t max_cells) {
 }
 
 QuadCellId Quadtree::leaf_at_grid(std::uint32_t x, std::uint32_t y) const {
-  QuadCellId id(0);
+  constexpr std::uint32_t shift = max_level - index_level;
+  QuadCellId id = index_.empty() ? QuadCellId(0) : index_[((y >> shift) << index_level) | (x >> shift)];
   while (!is_leaf(id)) {
     const std::uint32_t bit = width_of(cell(id).level + 1U);
     const std::uint32_t k = ((x & bit) != 0 ? 1U : 0U) + ((y & bit) != 0 ? 2U : 0U);
@@ -129,6 +131,22 @@ QuadCellId Quadtree::leaf_across(QuadCellId id, Direction direction) const {
       break;
   }
   return c.y + width == full ? QuadCellId() : leaf_at_grid(c.x, c.y + width);
+}
+
+void Quadtree::index_leaves() {
+  index_.assign(std::size_t{1} << (2 * index_level), QuadCellId(0));
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    const Cell& c = cells_[i];
+    if (c.level > index_level || (c.level < index_level && c.first_child.valid())) continue;
+    const std::uint32_t width = 1U << (index_level - c.level);
+    const std::uint32_t x = c.x >> (max_level - index_level);
+    const std::uint32_t y = c.y >> (max_level - index_level);
+    for (std::uint32_t row = y; row < y + width; ++row) {
+      for (std::uint32_t column = x; column < x + width; ++column) {
+        index_[(row << index_level) | column] = QuadCellId(i);
+      }
+    }
+  }
 }
 
 void Quadtree::balance() {

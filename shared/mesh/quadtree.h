@@ -80,6 +80,8 @@ class Quadtree {
   [[nodiscard]] geom::Box box(QuadCellId id) const;
   /// The leaf that holds p; for a point outside the root, the leaf nearest in each coordinate.
   [[nodiscard]] QuadCellId leaf_at(geom::Point p) const;
+  /// Makes leaf_at begin at a coarse grid instead of the root, until the tree changes. For many questions.
+  void index_leaves();
   /// Side of that leaf: the size that the tree asks for at p, m.
   [[nodiscard]] double size_at(geom::Point p) const { return side(leaf_at(p)); }
   /// Leaves across one side: one of equal or larger size, or the smaller ones along it; none at the border of the root.
@@ -93,7 +95,10 @@ class Quadtree {
   [[nodiscard]] QuadCellId leaf_at_grid(std::uint32_t x, std::uint32_t y) const;
   [[nodiscard]] QuadCellId leaf_across(QuadCellId id, Direction direction) const;
 
+  static constexpr std::uint32_t index_level = 6;
+
   std::vector<Cell> cells_;
+  std::vector<QuadCellId> index_;  ///< The cell of level index_level, or the leaf above, at each place; or empty.
   geom::Point origin_;
   double root_side_ = 0.0;
 };

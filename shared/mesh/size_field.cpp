@@ -50,9 +50,9 @@ Result<SizeField> SizeField::build(std::span<const SizedEdge> edges, std::span<c
   if (largest == 0.0) {
     for (const SizedEdge& edge : edges) largest = std::max(largest, edge.segment.length());
   }
+  tree.index_leaves();
   SizeField field(std::move(tree));
-  field.number_corners();
-  field.sizes_.assign(field.corner_points_.size(), largest);
+  field.sizes_.assign(field.number_corners(), largest);
   const auto ask = [&](Point p, double size) {
     const QuadCellId leaf = field.tree_.leaf_at(p);
     // A size below the finest cell would hold over the whole of it, and call for millions of elements there.
@@ -70,7 +70,7 @@ Result<SizeField> SizeField::build(std::span<const SizedEdge> edges, std::span<c
   return field;
 }
 
-void SizeField::number_corners() {
+std::uint32_t SizeField::number_corners() {
   // Leaves share corners: they are found again by hashing their place on the finest grid.
   const std::vector<QuadCellId> leaves = tree_.leaves();
   struct Slot {
@@ -80,6 +80,7 @@ void SizeField::number_corners() {
   std::vector<Slot> slots(std::bit_ceil(4 * leaves.size()));
   const auto shift = static_cast<std::uint32_t>(std::countl_zero(slots.size()) + 1);
   corners_.resize(tree_.cell_count());
+  std::uint32_t count = 0;
   for (const QuadCellId leaf : leaves) {
     const Quadtree::Cell& cell = tree_.cell(leaf);
     const std::uint32_t width = 1U << (Quadtree::max_level - cell.level);
@@ -90,12 +91,12 @@ void SizeField::number_corners() {
       std::size_t at = (place * 0x9e3779b97f4a7c15ULL) >> shift;
       while (slots[at].place != place && ~slots[at].place != 0) at = (at + 1) & (slots.size() - 1);
       if (slots[at].place != place) {
-        slots[at] = {place, static_cast<std::uint32_t>(corner_points_.size())};
-        corner_points_.push_back(tree_.position(x, y));
+        slots[at] = {place, count++};
       }
       corners_[leaf.index()][k] = slots[at].corner;
     }
   }
+  return count;
 }
 
 // Dijkstra over the graph whose arcs are the sides and diagonals of the leaves.

@@ -44,13 +44,13 @@ class SizeField {
 
  private:
   explicit SizeField(Quadtree tree) : tree_(std::move(tree)) {}
-  void number_corners();
+  /// @return how many there are.
+  std::uint32_t number_corners();
   void spread(double slope, double largest);
 
   Quadtree tree_;
   std::vector<std::array<std::uint32_t, 4>> corners_;  ///< One a cell; meaningful for leaves.
-  std::vector<geom::Point> corner_points_;
-  std::vector<double> sizes_;  ///< One a corner.
+  std::vector<double> sizes_;                          ///< One a corner.
 };
 
 /// Reads sizes one after the other at points near each other: remembers the last leaf.

@@ -20,7 +20,7 @@ struct MeshOptions {
   Engine engine = Engine::Front;  ///< What places the interior nodes.
   SizeFieldOptions sizes = {};    ///< Growth 1.3; no element larger than the longest given edge.
   FrontalOptions points = {};     ///< Where points may be put; limit on the number of triangles.
-  SmoothOptions smoothing = {.enough = 0.94, .rescue = 0.9};  ///< Of each round.
+  SmoothOptions smoothing = {.enough = 0.925, .rescue = 0.9};  ///< Of each round.
   int rounds = 3;  ///< Rounds of flips and smoothing after the points are placed; 0 for none.
 };
 

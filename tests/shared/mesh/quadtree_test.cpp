@@ -93,5 +93,19 @@ TEST(Quadtree, RefusesAFactorOfZeroTooManyCellsAndNoLength) {
   EXPECT_EQ(Quadtree::build({}).error().code, base::ErrorCode::CannotMesh);
 }
 
+TEST(Quadtree, AnIndexedTreeFindsTheSameLeaves) {
+  Quadtree tree({{0, 0}, {3, 2}});
+  for (const geom::Point p : test::random_points(200, 3)) tree.refine_at({3.0 * p.x, 2.0 * p.y}, 0.3 * p.x * p.y, 1.0);
+  Quadtree indexed = tree;
+  indexed.index_leaves();
+  for (const geom::Point p : test::random_points(2000, 4)) {
+    const geom::Point at{4.0 * p.x - 0.5, 4.0 * p.y - 1.0};
+    EXPECT_EQ(indexed.leaf_at(at), tree.leaf_at(at));
+  }
+  tree.refine_at({1.5, 1.0}, 1e-4, 1.0);
+  indexed.refine_at({1.5, 1.0}, 1e-4, 1.0);
+  EXPECT_EQ(indexed.leaf_at({1.5, 1.0}), tree.leaf_at({1.5, 1.0}));
+}
+
 }  // namespace
 }  // namespace dobra::mesh
