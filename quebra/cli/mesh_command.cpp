@@ -12,9 +12,11 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "quebra/core/layers.h"
 #include "quebra/core/model.h"
 #include "shared/base/text.h"
 #include "shared/cli/commands.h"
+#include "shared/cli/pictures.h"
 #include "shared/cli/staging.h"
 #include "shared/io/mesh_file.h"
 #include "shared/scenario/runner.h"
@@ -41,7 +43,7 @@ struct Options {
   bool quads = false;
   bool repair = false;
   std::vector<std::string> bands, zones;
-  std::optional<std::filesystem::path> out;
+  std::optional<std::filesystem::path> out, histogram;
 };
 
 /// The parts of "a:b:c".
@@ -183,6 +185,7 @@ Result<void> write_out(Session& session, const std::filesystem::path& out, const
 
 Result<int> mesh_job(Session& session, const Options& options) {
   if (options.out) DOBRA_TRY_VOID(io::check_mesh_ending(options.out->string()));
+  if (options.histogram) DOBRA_TRY_VOID(dobra::cli::check_ending(*options.histogram, dobra::cli::Drawer::Cairo));
   DOBRA_TRY(const scenario::Document document, document_of(session, options));
   const auto start = std::chrono::steady_clock::now();
   const auto since = [](auto from) { return std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count(); };
@@ -202,6 +205,7 @@ Result<int> mesh_job(Session& session, const Options& options) {
     DOBRA_TRY_VOID(write_out(session, *options.out, meshed.mesh));
     figures.seconds.push_back({"write", since(begin)});
   }
+  if (options.histogram) DOBRA_TRY_VOID(dobra::cli::draw(core::histogram_picture(meshed), *options.histogram, dobra::cli::Drawer::Cairo));
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   figures.peak_memory = static_cast<std::size_t>(usage.ru_maxrss) * 1024;
@@ -242,6 +246,7 @@ Command mesh_command() {
                 ->allow_extra_args(false)
                 ->type_name("ZONE");
             app.add_option("--out", options->out, fmt::format("File to write: {}", fmt::join(io::mesh_endings(), " ")))->type_name("FILE");
+            app.add_option("--histogram", options->histogram, "Draw how many elements have which quality alpha")->type_name("FILE.svg|pdf|png");
             return [options](Session& session) { return mesh_job(session, *options); };
           }};
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "quebra/core/repair.h"
 #include "shared/base/text.h"
@@ -13,6 +14,7 @@
 #include "shared/io/mesh_file.h"
 #include "shared/io/node_ele.h"
 #include "shared/io/vtu.h"
+#include "shared/scene/color_map.h"
 
 namespace quebra::core {
 namespace {
@@ -197,6 +199,36 @@ void add_triangles(const mesh::ElementMesh& mesh, std::size_t element, std::vect
     case mesh::ElementType::T6: add({0, 3, 5}); add({3, 1, 4}); add({5, 4, 2}); return add({3, 4, 5});
     case mesh::ElementType::Q8: add({0, 4, 7}); add({4, 1, 5}); add({5, 2, 6}); add({6, 3, 7}); add({4, 5, 7}); return add({5, 6, 7});
   }
+}
+
+scene::Picture histogram_picture(const Meshed& meshed) {
+  const auto& bins = meshed.quality.histogram;
+  const double all = static_cast<double>(std::accumulate(bins.begin(), bins.end(), std::size_t{0}));
+  const double width = 1.0 / static_cast<double>(bins.size());
+  const auto& q = meshed.quality;
+  scene::Panel panel{.key = "histogram", .title = {}, .axes = {translated("alpha"), translated("share of the elements")}, .layers = {}};
+  panel.title = fmt::format("{}: {} {}", meshed.name, meshed.mesh.element_count(), translated("elements"));
+  double highest = 0.0;
+  for (std::size_t i = 0; i < bins.size(); ++i) {
+    if (bins[i] == 0) continue;
+    const double left = static_cast<double>(i) * width;
+    const double share = static_cast<double>(bins[i]) / all;
+    highest = std::max(highest, share);
+    const geom::Polyline bar{{{left, 0.0}, {left + width, 0.0}, {left + width, share}, {left, share}}, true};
+    const scene::Color color = scene::color_of({{}, scene::ColorMapName::Quality, 0.5, 1.0}, left + 0.5 * width);
+    scene::Layer layer{fmt::format("bin_{}", i), fmt::format("{:.2f} - {:.2f}", left, left + width), {.line = ink, .line_width = 0.5, .fill = color}, scene::Regions{{{{bar}}}}};
+    layer.in_legend = scene::InLegend::No;
+    panel.layers.push_back(std::move(layer));
+  }
+  const auto mark = [&](const char* key, const std::string& title, double alpha, scene::Dash dash) {
+    panel.layers.push_back({key, title, {.line = ink, .line_width = 1.0, .dash = dash}, scene::Lines{{{{{alpha, 0.0}, {alpha, highest}}, false}}}});
+  };
+  mark("mean", fmt::format("{} {:.3f}", translated("mean"), q.alpha_mean), q.alpha_mean, scene::Dash::Dashed);
+  mark("least", fmt::format("{} {:.3f}", translated("least"), q.alpha_min), q.alpha_min, scene::Dash::Dotted);
+  panel.extent = geom::Box{{0.0, 0.0}, {1.0, highest}};
+  scene::Picture picture;
+  picture.panels.push_back(std::move(panel));
+  return picture;
 }
 
 scene::Picture picture_of(const Model& model) {

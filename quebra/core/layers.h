@@ -13,6 +13,9 @@ std::vector<dobra::scenario::Quantity> quantities_of(const Model& model);
 std::vector<dobra::scenario::DataTable> tables_of(const Model& model);
 std::vector<dobra::scenario::Output> outputs_of(const std::shared_ptr<const Model>& model);
 
+/// How many of the elements have which quality: bars over alpha as high as their share of all, 0 .. 1; both axes to one scale.
+dobra::scene::Picture histogram_picture(const Meshed& meshed);
+
 /// The triangles that draw an element: those of its corners and, of second order, of its mid-sides too.
 void add_triangles(const dobra::mesh::ElementMesh& mesh, std::size_t element, std::vector<std::array<std::uint32_t, 3>>& triangles);
 /// Outlines thin out as elements get many, so that they do not hide the colours; points.

@@ -87,6 +87,8 @@ std::string explained(const mu::ParserError& error, std::span<const std::string>
       return fmt::format("'{}' lacks an argument", error.GetToken());
     case mu::ecTOO_MANY_PARAMS:
       return fmt::format("'{}' has an argument too many", error.GetToken());
+    case mu::ecEXPRESSION_TOO_LONG:
+      return "the formula is too long";
     case mu::ecMISSING_ELSE_CLAUSE:
       return "the choice lacks its ':'";
     default:
@@ -139,9 +141,10 @@ class Formula::Evaluators {
 };
 
 Result<Formula> Formula::make(const std::string& text, std::span<const std::string> names) {
+  const std::string shown = text.size() > 100 ? text.substr(0, 97) + "..." : text;
   const auto wrong = [&](std::size_t at, const std::string& what) {
     return Error{ErrorCode::BadValue,
-                 fmt::format("formula '{}', character {}: {}", text, std::min(at, text.size()) + 1, what)};
+                 fmt::format("formula '{}', character {}: {}", shown, std::min(at, text.size()) + 1, what)};
   };
   if (const std::size_t at = assignment_in(text); at != std::string_view::npos)
     return wrong(at, "'=' is not expected here; a comparison is '=='");

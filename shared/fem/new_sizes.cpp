@@ -10,10 +10,10 @@ namespace {
 
 using mesh::ElementMesh;
 
-/// The recovered stresses, polynomials too, see about 0.7 of the error of an element at a singular vertex (effectivity
-/// of the L-shape where those elements bear most of the error): such elements are made 0.7^(1/lambda) of what the seen
+/// The recovered stresses, polynomials too, see about 0.65 of the error of an element at a singular vertex (effectivity
+/// of the L-shape where those elements bear most of the error): such elements are made 0.65^(1/lambda) of what the seen
 /// part asks for, and the others need not pay for it.
-constexpr double for_the_unseen = 0.5;
+constexpr double for_the_unseen = 0.45;
 
 /// The exponent of the error in the size of each element: p, or lambda near a singular vertex.
 std::vector<double> error_exponents(const ElementMesh& mesh, const std::vector<SingularVertex>& singular, int rings) {

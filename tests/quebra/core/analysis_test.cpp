@@ -84,11 +84,12 @@ TEST(Analysis, QUE_f_TheLoopReachesFivePercentWithAndWithoutConstraintsAndTheStr
   std::string plate = kirsch;
   plate.replace(plate.find("width = 4.0"), 11, "width = 5.0");
   const std::string bands = "[[step]]\noperation = \"constraints\"\ncurves = [\"hole\"]\ncount = 6\ndistance = 0.065\nfactor = 1.3\n";
-  for (const char* const order : {"1", "2"}) {
+  // The first mesh of T6 meets 5 % at once, whatever its stresses (2.76 at the hole): 0.5 % is asked of it.
+  for (const auto& [order, target] : {std::pair{"1", 5.0}, std::pair{"2", 0.5}}) {
     for (const std::size_t count : {0U, 6U}) {
-      const scenario::Run done = run(plate + (count > 0 ? bands : "") + adapt_step(5.0, std::string("turn = 22.5\norder = \"") + order + "\"\n"));
+      const scenario::Run done = run(plate + (count > 0 ? bands : "") + adapt_step(target, std::string("turn = 22.5\norder = \"") + order + "\"\n"));
       const auto values = figures(done);
-      EXPECT_LE(values.at("eta"), 5.0) << order << count;
+      EXPECT_LE(values.at("eta"), target) << order << count;
       EXPECT_LE(values.at("cycles"), 6.0) << order << count;
       const Analysis& first = *last(done).analyses.front();
       const Analysis& analysis = *last(done).analyses.back();
@@ -124,6 +125,7 @@ TEST(Analysis, TheReEntrantCornerReachesTheErrorAskedForWithBothRules) {
       const auto values = figures(done);
       EXPECT_LE(values.at("eta"), target) << rule;
       EXPECT_NEAR(values.at("case.load.energy"), 60.619, 60.619 * 2.0 * std::pow(0.01 * target, 2)) << rule;
+      printf("[ figures  ] corner, %s to %g %%: effectivity %.3f\n", rule, target, effectivity(last(done), 60.619));
       EXPECT_GT(effectivity(last(done), 60.619), 0.8) << rule << ' ' << target;
       EXPECT_LT(effectivity(last(done), 60.619), 1.1) << rule << ' ' << target;
     }
