@@ -225,7 +225,7 @@ scene::Picture histogram_picture(const Meshed& meshed) {
   };
   mark("mean", fmt::format("{} {:.3f}", translated("mean"), q.alpha_mean), q.alpha_mean, scene::Dash::Dashed);
   mark("least", fmt::format("{} {:.3f}", translated("least"), q.alpha_min), q.alpha_min, scene::Dash::Dotted);
-  panel.extent = geom::Box{{0.0, 0.0}, {1.0, highest}};
+  panel.extent = geom::Box{{0.0, 0.0}, {1.0, 1.05 * highest}};
   scene::Picture picture;
   picture.panels.push_back(std::move(panel));
   return picture;
