@@ -91,19 +91,26 @@ std::string text_of(LineWork work, LineFormat format) {
   return *std::move(text);
 }
 
-/// What was read from a text of ours is written as the same text. (The first text may hold what the format cannot: a
-/// blank at the end of a name, a line that is a ring.)
+/// All points over one place of the map have no plane.
+bool over_one_place(const LineWork& work) {
+  dobra::geom::Box box;
+  for (const auto& feature : work.features) {
+    for (const auto& part : feature.parts) box.add(part.box());
+  }
+  return !(box.width() > 0.0);
+}
+
+/// What is written reads back as what gives the same text. (What the format cannot hold is changed on writing, aloud.)
 void check_round_trip(const LineWork& work, LineFormat format) {
   LineOptions options;
   options.format = format;
   options.coordinates = format == LineFormat::GeoJson ? dobra::io::Coordinates::Section : dobra::io::Coordinates::Map;
-  const auto first = dobra::io::parse_any_lines(text_of(work, format), "f", options);
-  if (!first.ok()) return;  // all points over one place have no plane
-  const std::string text = text_of(*first, format);
-  const auto second = dobra::io::parse_any_lines(text, "f", options);
-  if (second.ok() && text_of(*second, format) == text) return;
+  if (over_one_place(work) && format != LineFormat::GeoJson) return;
+  const std::string text = text_of(work, format);
+  const auto again = dobra::io::parse_any_lines(text, "f", options);
+  if (again.ok() && text_of(*again, format) == text) return;
   std::fprintf(stderr, "--- text\n%s--- again\n%s\n", text.c_str(),
-               second.ok() ? text_of(*second, format).c_str() : second.error().message.c_str());
+               again.ok() ? text_of(*again, format).c_str() : again.error().message.c_str());
   std::abort();
 }
 

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tests/support/tiff.h"
+
 namespace recon::core {
 namespace {
 
@@ -72,8 +74,9 @@ TEST_F(Input, HorizonsComeFromTextCsvGeoJsonAndPoints) {
 }
 
 TEST_F(Input, HorizonsComeFromGocadMoveAndDrawings) {
-  write("a.pl", "GOCAD PLine 1\nHEADER {\nname:a\n}\nGOCAD_ORIGINAL_COORDINATE_SYSTEM\nAXIS_UNIT m m m\nZPOSITIVE "
-                "Depth\nEND_ORIGINAL_COORDINATE_SYSTEM\nVRTX 1 0 0 5\nVRTX 2 10 0 6\nSEG 1 2\nEND\n");
+  write("a.pl",
+        "GOCAD PLine 1\nHEADER {\nname:a\n}\nGOCAD_ORIGINAL_COORDINATE_SYSTEM\nAXIS_UNIT m m m\nZPOSITIVE "
+        "Depth\nEND_ORIGINAL_COORDINATE_SYSTEM\nVRTX 1 0 0 5\nVRTX 2 10 0 6\nSEG 1 2\nEND\n");
   write("b.pl", "GOCAD PLine 1\nVRTX 1 0 0 15\nVRTX 2 10 0 16\nSEG 1 2\nEND\n");
   write("c.asc", "0\t0\t-25\tc\t1\n10\t0\t-26\tc\t1\n\n0\t0\t-35\td\t2\n10\t0\t-36\td\t2\n");
   write("e.csv", "0,-47\n10,-46\n3,-45\n7,-45\n");
@@ -319,6 +322,38 @@ TEST_F(Input, ABackdropNeedsAPlace) {
   backdrop.file = "none.png";
   input.backdrops = {backdrop};
   expect_error(input, ErrorCode::FileNotFound, "backdrop 'scan'");
+  write("scan.tif", dobra::test::tiff(1, 2, 1, "\x40\x80"));
+  input.backdrops[0].file = "scan.tif";
+  expect_error(input, ErrorCode::BadSection,
+               "scan.tif: backdrop 'scan': the picture does not say where it lies; give corners = [[x, z], [x, z]], "
+               "lower left and upper right, or a world file beside it");
+  write("scan.tfw", "50\n3\n3\n-25\n1025\n-112.5\n");
+  expect_error(input, ErrorCode::BadFormat, "turn it upright first");
+}
+
+TEST_F(Input, ABackdropLiesWhereItsWorldFileSaysAlsoInASectionOfDepths) {
+  write("scan.tif", dobra::test::tiff(1, 2, 1, "\x40\x80"));
+  write("scan.tfw", "50\n0\n0\n-25\n1025\n-112.5\n");
+  SectionInput input;
+  input.horizons = {from_points("a", {{0, 0}, {100, 0}})};
+  BackdropInput backdrop;
+  backdrop.name = "scan";
+  backdrop.file = "scan.tif";
+  input.backdrops = {backdrop};
+  const auto up = read(input);
+  ASSERT_TRUE(up) << to_string(up.error());
+  const dobra::scene::Image& image = up->section.backdrops.at(0).image;
+  EXPECT_EQ(image.box.low, (geom::Point{1000, -150}));
+  EXPECT_EQ(image.box.high, (geom::Point{1050, -100}));
+  EXPECT_EQ(image.pixels->rgba[0], 0x40);
+  input.y_axis =
+      VerticalAxis::Down;  // the world file's y is a depth then: of the first row 0 .. 25, of the second 25 .. 50
+  write("scan.tfw", "50\n0\n0\n25\n1025\n12.5\n");
+  const auto down = read(input);
+  ASSERT_TRUE(down) << to_string(down.error());
+  EXPECT_EQ(down->section.backdrops.at(0).image.box.low, (geom::Point{1000, -50}));
+  EXPECT_EQ(down->section.backdrops.at(0).image.box.high, (geom::Point{1050, 0}));
+  EXPECT_EQ(down->section.backdrops.at(0).image.pixels->rgba[0], 0x40);
 }
 
 }  // namespace
