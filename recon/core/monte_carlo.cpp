@@ -123,7 +123,8 @@ class Draws {
       numbers.insert(numbers.end(), {areas.before, areas.after});
       numbers[2] = std::max(numbers[2], 100.0 * std::abs(areas.after - areas.before) / areas.before);
     };
-    for (const LedgerUnit& unit : units_) add(areas_between(lines[*unit.upper], lines[*unit.lower], method.map));
+    for (const LedgerUnit& unit : units_)
+      add(areas_between(lines[*unit.upper], lines[*unit.lower], method.map_of_ends()));
     for (const TracedUnit& unit : traced_) {
       const std::span of_unit = std::span(contours).subspan(unit.first, unit.count);
       add({area_of(of_unit), area_of(images_of(of_unit, method.map))});

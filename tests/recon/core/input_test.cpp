@@ -314,6 +314,71 @@ TEST_F(Input, APlungingFoldIsReadDownThePlunge) {
   }
 }
 
+TEST_F(Input, LinesOfOneNameAreThePiecesOfAHorizonNumberedFromTheLeft) {
+  // Right of the fault first, and drawn from right to left; the fault is in one piece.
+  write("faulted.csv", "x,z,name\n10,-3,Top\n5,-2,Top\n\n0,0,Top\n4,0,Top\n\n4.5,1,F\n4.5,-3,F\n");
+  SectionInput input;
+  input.horizons = {from_file("Sand", "faulted.csv"), from_points("Base", {{0, -5}, {10, -5}})};
+  input.horizons[0].feature = "Top";
+  input.faults = {from_file("F", "faulted.csv")};
+  input.faults[0].feature = "F";
+  const auto made = read(input);
+  ASSERT_TRUE(made) << to_string(made.error());
+  const auto& horizons = made->section.horizons;
+  ASSERT_EQ(horizons.size(), 3u);
+  EXPECT_EQ(horizons[0].name, "Sand (1)");
+  EXPECT_EQ(horizons[0].line.points, (std::vector<geom::Point>{{0, 0}, {4, 0}}));
+  EXPECT_EQ(horizons[1].name, "Sand (2)");
+  EXPECT_EQ(horizons[1].line.points, (std::vector<geom::Point>{{5, -2}, {10, -3}}));
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(horizons[i].id, HorizonId(i));
+  EXPECT_EQ(horizons[1].piece_of, "Sand");
+  EXPECT_EQ(whole_name(horizons[1]), "Sand");
+  EXPECT_EQ(horizons[2].piece_of, "");
+  const auto told = [](const std::string& remark) {
+    return remark.find(
+               "horizon 'Sand' is in 2 pieces, numbered from the left: 'Sand (1)' from (0, 0) to (4, 0), "
+               "'Sand (2)' from (5, -2) to (10, -3)") != std::string::npos;
+  };
+  EXPECT_EQ(std::count_if(made->remarks.begin(), made->remarks.end(), told), 1);
+  const auto open = [](const std::string& remark) {
+    return remark.find("ends at (4, 0), 0.5 m from the nearest fault") != std::string::npos;
+  };
+  EXPECT_EQ(std::count_if(made->remarks.begin(), made->remarks.end(), open), 1);
+  input.snap_to_faults = 1.0;
+  const auto snapped = read(input);
+  ASSERT_TRUE(snapped) << to_string(snapped.error());
+  for (const std::string& remark : snapped->remarks)
+    EXPECT_EQ(remark.find("run together"), std::string::npos) << remark;
+  input.snap_to_faults = 0.0;
+  // What must be one line says so; what is near is joined as the user wishes.
+  input.faults[0].feature = "Top";
+  expect_error(input, ErrorCode::BadSection, "the line is in 2 pieces; join them into one");
+  input.faults.clear();
+  input.horizons[0].join_gaps = 3.0;
+  EXPECT_EQ(read(input)->section.horizons.size(), 2u);
+  input.horizons[0].join_gaps = 0.0;
+  input.horizons[1].name = "Sand (2)";
+  expect_error(input, ErrorCode::BadSection, "a piece of another horizon has this name already");
+}
+
+TEST_F(Input, PartsOfOneLineArePiecesTooAndAScenarioMaySayIt) {
+  write("parts.geojson", R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{"name":"bed"},
+    "geometry":{"type":"MultiLineString","coordinates":[[[6,1],[9,2]],[[0,3],[5,2]]]}}]})");
+  SectionInput input;
+  input.horizons = {from_file("a", "parts.geojson"), from_points("b left", {{0, 0}, {4, 0}}),
+                    from_points("b right", {{5, -1}, {9, -1}})};
+  input.horizons[1].piece_of = input.horizons[2].piece_of = "b";
+  const auto made = read(input);
+  ASSERT_TRUE(made) << to_string(made.error());
+  std::vector<std::string> names, wholes;
+  for (const Horizon& horizon : made->section.horizons) {
+    names.push_back(horizon.name);
+    wholes.push_back(whole_name(horizon));
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"a (1)", "a (2)", "b left", "b right"}));
+  EXPECT_EQ(wholes, (std::vector<std::string>{"a", "a", "b", "b"}));
+}
+
 TEST_F(Input, ABackdropNeedsAPlace) {
   SectionInput input;
   input.horizons = {from_points("a", {{0, 0}, {100, 0}})};
