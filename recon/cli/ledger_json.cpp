@@ -91,6 +91,11 @@ std::string restoration_json(const core::Model& model, Geometry geometry) {
     }
     ledger.push_back(std::move(entry));
   }
+  for (const core::LineLength& row : core::totals_of(restoration.lengths)) {
+    Json entry = {{"name", row.name}, {"kind", "horizon_in_pieces"}};
+    add_cells(core::cells_of(row), entry);
+    ledger.push_back(std::move(entry));
+  }
   for (const core::UnitRow& row : restoration.ledger.units) {
     if (model.section.units.empty()) break;
     Json entry = {{"name", row.name}, {"kind", "unit"}};
@@ -116,7 +121,12 @@ std::string restoration_table(const core::Model& model) {
   const core::Restoration& restoration = *model.restoration;
   std::string text = fmt::format("{:<28} {:>12} {:>12} {:>8} {:>12} {:>8}\n", "horizon", "before [m]", "after [m]",
                                  "[%]", "shorter [m]", "[%]");
-  for (const core::LineLength& row : restoration.lengths) {
+  std::vector<core::LineLength> rows = restoration.lengths;
+  for (core::LineLength& total : core::totals_of(restoration.lengths)) {
+    total.name += ", all pieces";
+    rows.push_back(std::move(total));
+  }
+  for (const core::LineLength& row : rows) {
     text += fmt::format("{:<28} {:>12.3f} {:>12.3f} {:>8.3f} {:>12.3f} {:>8.3f}\n", row.name, row.length_before,
                         row.length_after, row.change_percent, row.shortening, row.shortening_percent);
   }

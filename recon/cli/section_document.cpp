@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "shared/cli/session.h"
@@ -20,13 +21,15 @@ using dobra::geom::Point;
 /// The tables of an input by their key, in the order of the file.
 class InputTables {
  public:
-  void add(const std::string& key, std::string name, std::vector<Point> points) {
+  /// @param piece_of  the horizon that it is a piece of, if it is one.
+  void add(const std::string& key, std::string name, std::vector<Point> points, const std::string& piece_of) {
     // Names must differ within a kind; a file may repeat them.
     const std::string wanted = name;
     for (int copy = 2; !names_.insert(key + '\n' + name).second; ++copy) name = fmt::format("{} ({})", wanted, copy);
     scenario::Table row;
     row.set("name", name);
     row.set("points", std::move(points));
+    if (!piece_of.empty()) row.set("piece_of", piece_of);
     for (auto& [known, rows] : tables_) {
       if (known != key) continue;
       rows.push_back(std::move(row));
@@ -54,6 +57,57 @@ std::string key_of(const io::Feature& feature) {
   return "horizon";
 }
 
+std::string name_of(const io::Feature& feature, std::size_t index) {
+  return feature.name.empty() ? fmt::format("feature {}", index + 1) : feature.name;
+}
+
+struct Place {
+  double from_left = 0.0;
+  std::size_t feature = 0;
+  std::size_t part = 0;
+};
+
+/// Where the pieces of each horizon stand, from the left: lines of one name, and the parts of one line.
+std::map<std::string, std::vector<Place>> pieces_of(const std::vector<io::Feature>& features) {
+  std::map<std::string, std::vector<Place>> pieces;
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    if (key_of(features[i]) != "horizon") continue;
+    for (std::size_t part = 0; part < features[i].parts.size(); ++part)
+      pieces[name_of(features[i], i)].push_back({features[i].parts[part].box().centre().x, i, part});
+  }
+  for (auto& [name, places] : pieces) {
+    std::stable_sort(places.begin(), places.end(),
+                     [](const Place& a, const Place& b) { return a.from_left < b.from_left; });
+  }
+  return pieces;
+}
+
+InputTables tables_of(const std::vector<io::Feature>& features, dobra::cli::Session& session) {
+  const auto pieces = pieces_of(features);
+  InputTables tables;
+  std::set<std::string> told;
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    const std::string whole = name_of(features[i], i);
+    for (std::size_t part = 0; part < features[i].parts.size(); ++part) {
+      std::vector<Point> points = features[i].parts[part].points;
+      if (features[i].parts[part].closed) points.push_back(points.front());  // it says that it closes
+      const auto found = pieces.find(whole);
+      if (key_of(features[i]) != "horizon" || found->second.size() == 1) {
+        tables.add(key_of(features[i]), whole, std::move(points), {});
+        continue;
+      }
+      const auto at = std::find_if(found->second.begin(), found->second.end(),
+                                   [&](const Place& p) { return p.feature == i && p.part == part; });
+      tables.add("horizon", fmt::format("{} ({})", whole, at - found->second.begin() + 1), std::move(points), whole);
+      if (told.insert(whole).second) {
+        session.note(fmt::format("horizon '{0}' is in {1} pieces, numbered from the left: '{0} (1)' to '{0} ({1})'",
+                                 whole, found->second.size()));
+      }
+    }
+  }
+  return tables;
+}
+
 }  // namespace
 
 base::Result<scenario::Document> section_document(dobra::cli::Session& session, const SectionFile& section) {
@@ -71,21 +125,10 @@ base::Result<scenario::Document> section_document(dobra::cli::Session& session, 
   DOBRA_TRY(const io::LineWork work, io::read_any_lines(section.file, options));
   for (const std::string& remark : work.remarks) session.note(remark);
   for (const io::Repair& repair : work.repairs) session.note(io::to_string(repair));
-  InputTables tables;
-  std::size_t number = 0;
-  for (const io::Feature& feature : work.features) {
-    ++number;
-    const std::string name = feature.name.empty() ? fmt::format("feature {}", number) : feature.name;
-    for (const dobra::geom::Polyline& part : feature.parts) {
-      std::vector<Point> points = part.points;
-      if (part.closed) points.push_back(points.front());  // it says that it closes
-      tables.add(key_of(feature), name, std::move(points));
-    }
-  }
   scenario::Document document;
   document.program = "recon";
   document.title = section.file;
-  tables.write(document.input);
+  tables_of(work.features, session).write(document.input);
   return document;
 }
 

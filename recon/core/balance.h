@@ -25,9 +25,16 @@ struct LineLength {
   double depth_min = 0.0;           ///< To the top, along its normal, negative above it.
   double depth_mean = 0.0;          ///< Weighted by length.
   double depth_max = 0.0;
+  std::string piece_of = {};  ///< See Horizon.
 };
 
 LineLength line_length(const Horizon& horizon, const MappedLine& mapped);
+
+/// Horizons as wholes: the rows of pieces summed up where the first of them stands (the id is that one's), others as
+/// they are.
+std::vector<LineLength> whole_beds(const std::vector<LineLength>& rows);
+/// Those of them that are in pieces.
+std::vector<LineLength> totals_of(const std::vector<LineLength>& rows);
 
 /// The criteria of balance, each in percent, and the verdict: all of them within the tolerance.
 struct Balance {
@@ -41,7 +48,7 @@ struct Balance {
 };
 
 /// How far the shortening of the beds differs, in percent of the longest restored bed. Beds that reach less far than
-/// others do not count as shorter by that.
+/// others do not count as shorter by that. Horizons in pieces count as wholes.
 double inconsistency_percent(const std::vector<LineLength>& lengths);
 
 }  // namespace recon::core

@@ -2,19 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
-#include "recon/core/section_faces.h"
 #include "shared/base/parallel.h"
 
 namespace recon::core {
 
 namespace {
-
-double area_of(const std::vector<geom::Polyline>& contours) {
-  double area = 0.0;
-  for (const geom::Polyline& contour : contours) area += geom::signed_area(contour);
-  return area;
-}
 
 bool is_between(const RockUnit& unit, std::size_t one, std::size_t other) {
   return unit.whole && ((unit.top == one && unit.base == other) || (unit.top == other && unit.base == one));
@@ -28,17 +22,33 @@ bool is_whole_unit(const Section& section, std::size_t one, std::size_t other) {
   return std::any_of(units.begin(), units.end(), [&](const RockUnit& unit) { return is_between(unit, one, other); });
 }
 
+std::vector<RockUnit> units_by_faces(const Section& section) {
+  std::vector<RockUnit> units;
+  if (!section.faces || !section.units.empty()) return units;
+  std::copy_if(section.faces->units.begin(), section.faces->units.end(), std::back_inserter(units),
+               [](const RockUnit& unit) { return !unit.whole; });
+  return units;
+}
+
+std::vector<geom::Polyline> images_of(std::span<const geom::Polyline> contours, const SectionMap& map) {
+  return base::parallel_map<geom::Polyline>(contours.size(),
+                                            [&](std::size_t i) { return map.forward(contours[i]).after; });
+}
+
+double area_of(std::span<const geom::Polyline> contours) {
+  double area = 0.0;
+  for (const geom::Polyline& contour : contours) area += geom::signed_area(contour);
+  return std::abs(area);
+}
+
 void measure_faces(const Section& section, const SectionMap& map, Ledger& ledger) {
-  if (!section.faces || !section.units.empty()) return;
-  for (const RockUnit& unit : section.faces->units) {
-    if (unit.whole) continue;
+  for (const RockUnit& unit : units_by_faces(section)) {
     UnitRow row;
     row.name = unit.name;
     row.faces_before = unit.contours;
-    row.faces_after = base::parallel_map<geom::Polyline>(
-        unit.contours.size(), [&](std::size_t i) { return map.forward(unit.contours[i]).after; });
+    row.faces_after = images_of(row.faces_before, map);
     row.area_before = unit.area;
-    row.area_after = std::abs(area_of(row.faces_after));
+    row.area_after = area_of(row.faces_after);
     row.change_percent = unit.area == 0.0 ? 0.0 : 100.0 * (row.area_after - row.area_before) / row.area_before;
     ledger.units.push_back(std::move(row));
   }

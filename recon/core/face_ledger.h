@@ -2,7 +2,10 @@
 // Areas of units by their faces: where faults, truncated beds, topography or a border make a unit other than all that
 // lies between two horizons. Page: docs/algorithms/units.md
 
+#include <span>
+
 #include "recon/core/ledger.h"
+#include "recon/core/section_faces.h"
 
 namespace recon::core {
 
@@ -10,8 +13,15 @@ namespace recon::core {
 /// the section has no faces.
 bool is_whole_unit(const Section& section, std::size_t one, std::size_t other);
 
+/// The units that are not such; none where the section has polygons or no faces.
+std::vector<RockUnit> units_by_faces(const Section& section);
+
+/// Images of closed contours, and the area that contours enclose, holes running the other way, m2.
+std::vector<geom::Polyline> images_of(std::span<const geom::Polyline> contours, const SectionMap& map);
+double area_of(std::span<const geom::Polyline> contours);
+
 /// Adds the units that are not such at the end of the ledger: areas of their faces and of the faces' images; without
-/// thickness and det F. Nothing where the section has polygons or no faces.
+/// thickness and det F.
 void measure_faces(const Section& section, const SectionMap& map, Ledger& ledger);
 
 }  // namespace recon::core

@@ -201,6 +201,12 @@ base::Result<const Horizon*> top_of(const Section& section, const GridParams& pa
     return base::Error{base::ErrorCode::BadSection, "the section has no horizon to be the top"};
   const Horizon* top = params.top.empty() ? &section.horizons.front() : find_horizon(section, params.top);
   if (top != nullptr) return top;
+  for (const Horizon& horizon : section.horizons) {
+    if (horizon.piece_of != params.top) continue;
+    return base::Error{base::ErrorCode::BadSection,
+                       fmt::format("horizon '{}' is in pieces, and the top is one line; name the piece, such as '{}'",
+                                   params.top, horizon.name)};
+  }
   return base::Error{base::ErrorCode::BadSection, fmt::format("there is no horizon '{}' to be the top{}", params.top,
                                                               base::did_you_mean(params.top, horizon_names(section)))};
 }

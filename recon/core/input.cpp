@@ -1,9 +1,11 @@
 #include "recon/core/input.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "recon/core/crossings.h"
 #include "recon/core/items.h"
@@ -22,34 +24,34 @@ base::Error bad(base::ErrorCode code, std::string message, std::string item) {
   return {code, std::move(message), place};
 }
 
-base::Result<ReadLine> read_any(const HorizonInput& input, const ReadSettings& settings,
-                                const dobra::scenario::Context& context) {
+base::Result<ReadPieces> read_any(const HorizonInput& input, const ReadSettings& settings,
+                                  const dobra::scenario::Context& context) {
   if (input.file.empty() == input.points.empty()) {
     return base::Error{base::ErrorCode::MissingKey, input.file.empty()
                                                         ? "a line needs file = \"...\" or points = [...]"
                                                         : "a line has both file and points; keep one of them"};
   }
   if (input.file.empty()) {
-    ReadLine read;
-    for (const geom::Point p : input.points) read.line.points.push_back(to_section(p, settings.convention));
+    ReadPieces read{{geom::Polyline{}}, {}};
+    for (const geom::Point p : input.points) read.pieces[0].points.push_back(to_section(p, settings.convention));
     return read;
   }
   const std::string path = (context.folder / input.file).string();
   base::Place place;
   place.file = path;
-  auto read = line_of_file(input, path, settings);
+  auto read = lines_of_file(input, path, settings);
   if (!read) return base::located(read.error(), place);
   return read;
 }
 
 /// The chords of the curve that was drawn by the points.
-base::Result<void> draw(const HorizonInput& input, const ReadSettings& settings, ReadLine& read) {
-  geom::DrawnCurve curve{read.line.points, {}, input.weights};
+base::Result<void> draw(const HorizonInput& input, const ReadSettings& settings, geom::Polyline& line) {
+  geom::DrawnCurve curve{line.points, {}, input.weights};
   const geom::Point origin = to_section({}, settings.convention);
   for (const geom::Point t : input.tangents) curve.tangents.push_back(to_section(t, settings.convention) - origin);
   DOBRA_TRY(geom::Polyline drawn, geom::drawn(curve, input.curve, settings.curves));
   if (drawn.closed) drawn.points.push_back(drawn.points.front());
-  read.line.points = std::move(drawn.points);
+  line.points = std::move(drawn.points);
   return {};
 }
 
@@ -76,20 +78,35 @@ base::Result<ReadSettings> read_settings(const SectionInput& input) {
   return settings;
 }
 
-base::Result<ReadLine> read_line(const HorizonInput& input, const ReadSettings& settings,
-                                 const dobra::scenario::Context& context) {
+base::Result<ReadPieces> read_pieces(const HorizonInput& input, const ReadSettings& settings,
+                                     const dobra::scenario::Context& context) {
   base::Place item;
   item.item = fmt::format("horizon '{}'", input.name);
   auto read = read_any(input, settings, context);
   if (!read) return base::located(read.error(), item);
-  if (auto made = draw(input, settings, *read); !made) return base::located(made.error(), item);
-  const std::size_t before = read->line.points.size();
-  read->line.closed = false;
-  read->line = geom::without_repeated_points(std::move(read->line));
-  if (read->line.points.size() < before)
-    read->remarks.push_back(fmt::format("{} repeated points dropped", before - read->line.points.size()));
-  if (auto valid = geom::validate(read->line); !valid) return base::located(valid.error(), item);
+  for (geom::Polyline& line : read->pieces) {
+    if (auto made = draw(input, settings, line); !made) return base::located(made.error(), item);
+    const std::size_t before = line.points.size();
+    line.closed = false;
+    line = geom::without_repeated_points(std::move(line));
+    if (line.points.size() < before)
+      read->remarks.push_back(fmt::format("{} repeated points dropped", before - line.points.size()));
+    if (auto valid = geom::validate(line); !valid) return base::located(valid.error(), item);
+  }
   return read;
+}
+
+base::Result<ReadLine> read_line(const HorizonInput& input, const ReadSettings& settings,
+                                 const dobra::scenario::Context& context) {
+  DOBRA_TRY(ReadPieces read, read_pieces(input, settings, context));
+  if (read.pieces.size() == 1) return ReadLine{std::move(read.pieces.front()), std::move(read.remarks), read.trace};
+  base::Place place;
+  place.file = input.file;
+  place.item = fmt::format("horizon '{}'", input.name);
+  return base::Error{base::ErrorCode::BadSection,
+                     fmt::format("the line is in {} pieces; join them into one (join_gaps = ...), or keep one of them",
+                                 read.pieces.size()),
+                     place};
 }
 
 namespace {
@@ -141,7 +158,7 @@ base::Result<void> treat_self_crossings(Horizon& horizon, SelfCrossings wish, st
 namespace {
 
 /// Lines in space of several files lie in one plane only if they are told which.
-base::Result<void> check_planes(const HorizonInput& input, const ReadLine& read, const ReadSettings& settings,
+base::Result<void> check_planes(const HorizonInput& input, const ReadPieces& read, const ReadSettings& settings,
                                 std::optional<dobra::io::Trace>& plane) {
   if (!read.trace || settings.trace) return {};
   const bool same = !plane || (plane->x == read.trace->x && plane->y == read.trace->y &&
@@ -157,6 +174,62 @@ base::Result<void> check_planes(const HorizonInput& input, const ReadLine& read,
                      place};
 }
 
+/// The horizons that one input gives: pieces are numbered from the left.
+std::vector<Horizon> horizons_of(const HorizonInput& wanted, std::vector<geom::Polyline> pieces,
+                                 std::vector<std::string>& remarks) {
+  for (geom::Polyline& line : pieces) {
+    if (line.points.front().x > line.points.back().x) line = geom::reversed(std::move(line));
+  }
+  std::stable_sort(pieces.begin(), pieces.end(), [](const geom::Polyline& a, const geom::Polyline& b) {
+    return a.box().centre().x < b.box().centre().x;
+  });
+  std::vector<Horizon> horizons;
+  std::vector<std::string> told;
+  for (geom::Polyline& line : pieces) {
+    Horizon horizon{HorizonId(), wanted.name, std::move(line), {}, wanted.piece_of};
+    horizon.source.file = wanted.file;
+    if (pieces.size() > 1) {
+      horizon.piece_of = whole_name(horizon);
+      horizon.name = fmt::format("{} ({})", wanted.name, horizons.size() + 1);
+      const geom::Point from = horizon.line.points.front();
+      const geom::Point to = horizon.line.points.back();
+      told.push_back(
+          fmt::format("'{}' from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g})", horizon.name, from.x, from.y, to.x, to.y));
+    }
+    horizons.push_back(std::move(horizon));
+  }
+  if (pieces.size() > 1) {
+    remarks.push_back(
+        fmt::format("horizon '{}' is in {} pieces, numbered from the left: {}; join_gaps joins those "
+                    "whose ends are near",
+                    wanted.name, pieces.size(), fmt::join(told, ", ")));
+  }
+  return horizons;
+}
+
+/// Ends between pieces that lie on no fault: the units above and below run together there.
+void tell_open_ends(const Section& section, std::vector<std::string>& remarks) {
+  const double near = 1e-9 * box_of(section).diagonal();
+  for (const Horizon& horizon : section.horizons) {
+    for (const LineEnd end : {LineEnd::First, LineEnd::Last}) {
+      if (is_outermost(section, horizon, end)) continue;
+      const geom::Point p = end == LineEnd::First ? horizon.line.points.front() : horizon.line.points.back();
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const SectionLine& line : section.lines) {
+        if (line.kind == LineKind::Fault || line.kind == LineKind::Topography)
+          nearest = std::min(nearest, geom::distance(line.line, p));
+      }
+      if (nearest <= near) continue;
+      const std::string gap =
+          std::isfinite(nearest) ? fmt::format("{:.4g} m from the nearest fault", nearest) : std::string("on no fault");
+      remarks.push_back(
+          fmt::format("horizon '{}' ends at ({:.6g}, {:.6g}), {}, so that the units above and below it run "
+                      "together there; snap_to_faults moves ends that are near onto the fault",
+                      horizon.name, p.x, p.y, gap));
+    }
+  }
+}
+
 }  // namespace
 
 base::Result<ReadSection> read_section(const SectionInput& input, const dobra::scenario::Context& context,
@@ -169,23 +242,26 @@ base::Result<ReadSection> read_section(const SectionInput& input, const dobra::s
   for (std::size_t i = 0; i < input.horizons.size(); ++i) {
     DOBRA_TRY_VOID(progress.check());
     const HorizonInput& wanted = input.horizons[i];
-    DOBRA_TRY(ReadLine read, read_line(wanted, settings, context));
+    DOBRA_TRY(ReadPieces read, read_pieces(wanted, settings, context));
     DOBRA_TRY_VOID(check_planes(wanted, read, settings, plane));
     for (const std::string& remark : read.remarks) {
       result.remarks.push_back(fmt::format("horizon '{}': {}", wanted.name, remark));
     }
-    Horizon horizon{HorizonId(i), wanted.name, std::move(read.line), {}};
-    horizon.source.file = wanted.file;
-    if (horizon.line.points.front().x > horizon.line.points.back().x)
-      horizon.line = geom::reversed(std::move(horizon.line));
-    DOBRA_TRY_VOID(treat_self_crossings(horizon, input.self_crossings, result.remarks));
-    result.section.horizons.push_back(std::move(horizon));
+    for (Horizon& horizon : horizons_of(wanted, std::move(read.pieces), result.remarks)) {
+      horizon.id = HorizonId(result.section.horizons.size());
+      if (const Horizon* same = find_horizon(result.section, horizon.name))
+        return bad(base::ErrorCode::BadSection, "a piece of another horizon has this name already; change one of them",
+                   fmt::format("horizon '{}'", same->name));
+      DOBRA_TRY_VOID(treat_self_crossings(horizon, input.self_crossings, result.remarks));
+      result.section.horizons.push_back(std::move(horizon));
+    }
     progress.report(static_cast<double>(i + 1) / static_cast<double>(input.horizons.size()), wanted.name);
   }
   DOBRA_TRY_VOID(read_items(input, settings, context, result));
   DOBRA_TRY_VOID(read_backdrops(input, context, result.section));
   DOBRA_TRY_VOID(mend(input, result));
   if (input.above_topography == AboveTopography::Leave) DOBRA_TRY_VOID(cut_at_topography(result));
+  tell_open_ends(result.section, result.remarks);
   DOBRA_TRY(SectionFaces faces, faces_of(result.section));
   for (std::string& remark : remarks_of(faces, result.section)) result.remarks.push_back(std::move(remark));
   result.section.faces = std::make_shared<const SectionFaces>(std::move(faces));

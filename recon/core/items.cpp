@@ -207,24 +207,28 @@ base::Result<void> read_backdrops(const SectionInput& input, const dobra::scenar
     auto raster = dobra::io::read_raster(place.file);
     if (!raster) return base::located(raster.error(), place);
     std::vector<geom::Point> corners = wanted.corners;
-    if (corners.empty() && raster->box) corners = {raster->box->low, raster->box->high};
+    if (corners.empty() && raster->box) {
+      corners = {raster->box->low, raster->box->high};
+      if (section.convention.y_axis == VerticalAxis::Down) dobra::io::turn_upside_down(raster->pixels);
+    }
     if (corners.size() != 2) {
-      return base::Error{base::ErrorCode::BadSection,
-                         corners.empty()
-                             ? "the picture does not say where it lies; give corners = [[x, z], [x, z]], lower left and "
-                               "upper right, or a world file beside it"
-                             : "corners needs two points: lower left and upper right",
-                         place};
+      return base::Error{
+          base::ErrorCode::BadSection,
+          corners.empty() ? "the picture does not say where it lies; give corners = [[x, z], [x, z]], lower left and "
+                            "upper right, or a world file beside it"
+                          : "corners needs two points: lower left and upper right",
+          place};
     }
     geom::Box box;
     for (const geom::Point corner : corners) box.add(to_section(corner, section.convention));
     if (!(box.width() > 0.0 && box.height() > 0.0)) {
-      return base::Error{base::ErrorCode::BadSection, "the corners of the picture lie on one line; give two opposite ones",
-                         place};
+      return base::Error{base::ErrorCode::BadSection,
+                         "the corners of the picture lie on one line; give two opposite ones", place};
     }
-    section.backdrops.push_back({wanted.name,
-                                 {std::make_shared<const dobra::scene::Pixels>(std::move(raster->pixels)), box, wanted.opacity},
-                                 place});
+    section.backdrops.push_back(
+        {wanted.name,
+         {std::make_shared<const dobra::scene::Pixels>(std::move(raster->pixels)), box, wanted.opacity},
+         place});
   }
   return {};
 }

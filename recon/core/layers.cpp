@@ -134,10 +134,9 @@ scene::Style style_of(const SectionLine& line, const Section& section) {
 void add_items(scene::Panel& panel, const Section& section) {
   for (const SectionLine& line : section.lines) {
     const bool eroded = line.kind == LineKind::Eroded;
-    scene::Layer layer =
-        lines_layer("line_" + std::to_string(line.id.index()),
-                    eroded ? fmt::format("{} ({})", line.name, translated("eroded")) : line.name,
-                    style_of(line, section), {line.line});
+    scene::Layer layer = lines_layer("line_" + std::to_string(line.id.index()),
+                                     eroded ? fmt::format("{} ({})", line.name, translated("eroded")) : line.name,
+                                     style_of(line, section), {line.line});
     std::get<scene::Lines>(layer.content).ids = {static_cast<std::uint32_t>(line.id.index())};
     panel.layers.push_back(std::move(layer));
   }
@@ -214,7 +213,16 @@ void add_column(scene::Panel& panel, const Section& section, const std::vector<L
   }
 }
 
-std::string percent_text(double value) { return fmt::format("{:+.2f}", value); }
+/// A change that rounds to nothing has no sign.
+std::string percent_text(double value) {
+  std::string text = fmt::format("{:+.2f}", value);
+  return text == "-0.00" || text == "+0.00" ? "0.00" : text;
+}
+
+/// Decimals that give the largest of the numbers in a table five figures.
+int decimals_for(double largest) {
+  return largest > 0.0 ? std::clamp(4 - static_cast<int>(std::floor(std::log10(largest))), 0, 9) : 0;
+}
 
 /// The ledger as tables, and what is to be said about it.
 void add_ledger(scene::Picture& picture, const Model& model) {
@@ -223,21 +231,34 @@ void add_ledger(scene::Picture& picture, const Model& model) {
                         {translated("horizon"), translated("length before [m]"), translated("after [m]"),
                          translated("change [%]"), translated("shortening [m]"), translated("[%]")},
                         {}};
-  for (const LineLength& row : restoration.lengths) {
-    beds.rows.push_back({row.name, fmt::format("{:.1f}", row.length_before), fmt::format("{:.1f}", row.length_after),
-                         percent_text(row.change_percent), fmt::format("{:.1f}", row.shortening),
+  std::vector<LineLength> rows = restoration.lengths;
+  for (LineLength& total : totals_of(restoration.lengths)) {
+    total.name += fmt::format(" ({})", translated("all pieces"));
+    rows.push_back(std::move(total));
+  }
+  double longest = 0.0;
+  for (const LineLength& row : rows) longest = std::max({longest, row.length_before, row.length_after});
+  const auto metres = [decimals = decimals_for(longest)](double value) {
+    return fmt::format("{:.{}f}", value, decimals);
+  };
+  for (const LineLength& row : rows) {
+    beds.rows.push_back({row.name, metres(row.length_before), metres(row.length_after),
+                         percent_text(row.change_percent), metres(row.shortening),
                          percent_text(row.shortening_percent)});
   }
   scene::TextTable units{translated("Units"),
-                         {translated("unit"), translated("area before [m2]"), translated("after [m2]"),
+                         {translated("unit"), translated("area before [m\u00b2]"), translated("after [m\u00b2]"),
                           translated("change [%]"), translated("thickness before [m]"), translated("after [m]")},
                          {}};
-  const auto mean = [](const std::optional<Range>& range) {
-    return range ? fmt::format("{:.1f}", range->mean) : std::string("-");
+  const auto mean = [&](const std::optional<Range>& range) { return range ? metres(range->mean) : std::string("-"); };
+  double largest = 0.0;
+  for (const UnitRow& row : restoration.ledger.units) largest = std::max({largest, row.area_before, row.area_after});
+  const auto area = [decimals = decimals_for(largest)](double value) {
+    return fmt::format("{:.{}f}", value, decimals);
   };
   for (const UnitRow& row : restoration.ledger.units) {
-    units.rows.push_back({row.name, fmt::format("{:.4g}", row.area_before), fmt::format("{:.4g}", row.area_after),
-                          percent_text(row.change_percent), mean(row.thickness_before), mean(row.thickness_after)});
+    units.rows.push_back({row.name, area(row.area_before), area(row.area_after), percent_text(row.change_percent),
+                          mean(row.thickness_before), mean(row.thickness_after)});
   }
   picture.tables = {std::move(beds)};
   if (!units.rows.empty()) picture.tables.push_back(std::move(units));
@@ -277,31 +298,57 @@ Grid restored_grid(const Model& model) {
   return grid;
 }
 
-void add_horizons(scene::Panel& panel, const Section& section) {
+/// Horizons with their pieces, each list in the order of the section.
+std::vector<std::vector<const Horizon*>> whole_horizons(const Section& section) {
+  std::vector<std::vector<const Horizon*>> wholes;
   for (const Horizon& horizon : section.horizons) {
+    const auto same = [&](const auto& whole) { return whole_name(*whole.front()) == whole_name(horizon); };
+    const auto found = std::find_if(wholes.begin(), wholes.end(), same);
+    if (found != wholes.end())
+      found->push_back(&horizon);
+    else
+      wholes.push_back({&horizon});
+  }
+  return wholes;
+}
+
+void add_horizons(scene::Panel& panel, const Section& section) {
+  for (const std::vector<const Horizon*>& pieces : whole_horizons(section)) {
+    const Horizon& first = *pieces.front();
     scene::Style style;
-    style.line = horizon_color(horizon.id);
+    style.line = horizon_color(first.id);
     style.line_width = 1.6;
-    scene::Layer layer =
-        lines_layer("horizon_" + std::to_string(horizon.id.index()), horizon.name, style, {horizon.line});
-    std::get<scene::Lines>(layer.content).ids = {static_cast<std::uint32_t>(horizon.id.index())};
-    panel.layers.push_back(std::move(layer));
+    scene::Lines lines;
+    for (const Horizon* piece : pieces) {
+      lines.lines.push_back(piece->line);
+      lines.ids.push_back(static_cast<std::uint32_t>(piece->id.index()));
+    }
+    panel.layers.push_back({"horizon_" + std::to_string(first.id.index()), whole_name(first), style, std::move(lines),
+                            true, scene::InLegend::Yes});
   }
 }
 
 /// Names at the right ends; the layout makes room for them. The highest choose first, the others stand below.
 void add_names(scene::Panel& panel, const Section& section) {
-  std::vector<const Horizon*> order;
-  for (const Horizon& horizon : section.horizons) order.push_back(&horizon);
-  const auto end_of = [](const Horizon* horizon) { return horizon->line.points.back(); };
-  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return end_of(a).y < end_of(b).y; });
-  for (const Horizon* horizon : order) {
+  struct Name {
+    const Horizon* first;
+    geom::Point at;
+  };
+  std::vector<Name> names;
+  for (const std::vector<const Horizon*>& pieces : whole_horizons(section)) {
+    const Horizon* last = *std::max_element(pieces.begin(), pieces.end(), [](const Horizon* a, const Horizon* b) {
+      return a->line.points.back().x < b->line.points.back().x;
+    });
+    names.push_back({pieces.front(), last->line.points.back()});
+  }
+  std::stable_sort(names.begin(), names.end(), [](const Name& a, const Name& b) { return a.at.y < b.at.y; });
+  for (const Name& name : names) {
     scene::Style style;
-    style.line = horizon_color(horizon->id);
+    style.line = horizon_color(name.first->id);
     style.text_size = 8.0;
-    panel.layers.push_back({"name_" + std::to_string(horizon->id.index()), horizon->name, style,
-                            scene::Labels{{{end_of(horizon), horizon->name, scene::Anchor::Right}}}, true,
-                            scene::InLegend::No});
+    const std::string& text = whole_name(*name.first);
+    panel.layers.push_back({"name_" + std::to_string(name.first->id.index()), text, style,
+                            scene::Labels{{{name.at, text, scene::Anchor::Right}}}, true, scene::InLegend::No});
   }
 }
 

@@ -138,12 +138,12 @@ void add_strains(const DilatationField& field, const SectionMap& map, const Ledg
   }
 }
 
-Part part_between(const Bed& upper, const Bed& lower, const std::string& name, const SectionMap& map,
+Part part_between(const Bed& upper, const Bed& lower, const std::string& name, const SectionMap& ends,
                   const LedgerOptions& options) {
   Part part;
   UnitRow& row = part.row;
   row.name = name;
-  const UnitAreas areas = areas_between(*upper.line, *lower.line, map);
+  const UnitAreas areas = areas_between(*upper.line, *lower.line, ends);
   row.area_before = areas.before;
   row.area_after = areas.after;
   row.thickness_before = thickness_between(upper.before, lower.line->before);
@@ -206,13 +206,23 @@ std::vector<LedgerUnit> ledger_units(const Section& section, const std::vector<H
   return units;
 }
 
-UnitAreas areas_between(const MappedLine& upper, const MappedLine& lower, const SectionMap& map) {
+UnitAreas areas_between(const MappedLine& upper, const MappedLine& lower, const SectionMap& ends) {
   // Only the two ends are lines that are not mapped yet.
-  const auto image_of = [&](geom::Point from, geom::Point to) {
-    return map.forward(geom::Polyline{{from, to}, false}).after.points;
+  const auto image_of = [&](const MappedLine& from, const MappedLine& to, auto end) {
+    geom::Polyline image = ends.forward(geom::Polyline{{end(from.before), end(to.before)}, false}).after;
+    const std::vector<double> arc = geom::arc_lengths(image);
+    const geom::Vector at_from = end(from.after) - image.points.front();
+    const geom::Vector at_to = end(to.after) - image.points.back();
+    for (std::size_t i = 0; i < arc.size(); ++i) {
+      const double part = arc.back() > 0.0 ? arc[i] / arc.back() : 0.0;
+      image.points[i] = image.points[i] + (1.0 - part) * at_from + part * at_to;
+    }
+    return image.points;
   };
-  const std::vector<geom::Point> right = image_of(upper.before.points.back(), lower.before.points.back());
-  const std::vector<geom::Point> left = image_of(lower.before.points.front(), upper.before.points.front());
+  const std::vector<geom::Point> right =
+      image_of(upper, lower, [](const geom::Polyline& line) { return line.points.back(); });
+  const std::vector<geom::Point> left =
+      image_of(lower, upper, [](const geom::Polyline& line) { return line.points.front(); });
   geom::Polyline after;
   after.points.reserve(upper.after.points.size() + right.size() + lower.after.points.size() + left.size());
   after.points = upper.after.points;
@@ -224,8 +234,8 @@ UnitAreas areas_between(const MappedLine& upper, const MappedLine& lower, const 
 }
 
 base::Result<Ledger> draw_up(const Section& section, const std::vector<LedgerUnit>& units,
-                             const std::vector<MappedLine>& lines, const SectionMap& map, const LedgerOptions& options,
-                             const base::Progress& progress) {
+                             const std::vector<MappedLine>& lines, const SectionMap& map, const SectionMap& ends,
+                             const LedgerOptions& options, const base::Progress& progress) {
   std::vector<Part> parts(units.size());
   const bool between_beds = std::any_of(units.begin(), units.end(), [](const LedgerUnit& u) { return !u.unit; });
   const auto beds = base::parallel_map<Bed>(between_beds ? lines.size() : 0, [&](std::size_t i) {
@@ -235,7 +245,7 @@ base::Result<Ledger> draw_up(const Section& section, const std::vector<LedgerUni
     if (progress.cancelled()) return;
     const LedgerUnit& unit = units[i];
     parts[i] = unit.unit ? part_of_polygon(section.units[unit.unit->index()], map, options)
-                         : part_between(beds[*unit.upper], beds[*unit.lower], unit.name, map, options);
+                         : part_between(beds[*unit.upper], beds[*unit.lower], unit.name, ends, options);
     if (parts[i].error) return;
     UnitRow& row = parts[i].row;
     row.change_percent = percent(row.area_after - row.area_before, row.area_before);

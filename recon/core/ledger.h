@@ -45,8 +45,9 @@ struct UnitRow {
   std::optional<Range> thickness_after;
   std::optional<Range> dilatation;  ///< det F - 1, by area.
   geom::Polyline contour_after;     ///< Of a polygon of the section: its image.
-  std::vector<geom::Polyline> faces_before;  ///< Of a unit that is not all that lies between two horizons: its faces ...
-  std::vector<geom::Polyline> faces_after;   ///< ... and their images.
+  std::vector<geom::Polyline>
+      faces_before;                         ///< Of a unit that is not all that lies between two horizons: its faces ...
+  std::vector<geom::Polyline> faces_after;  ///< ... and their images.
 };
 
 /// det F - 1 on small triangles of the deformed section.
@@ -69,16 +70,18 @@ struct Ledger {
 };
 
 /// @param lines  the mapped horizons, in the order of the section.
+/// @param ends   how the ends of units go (MethodMap::map_of_ends).
 /// @error Cancelled; errors of the mesher for a polygon.
 base::Result<Ledger> draw_up(const Section& section, const std::vector<LedgerUnit>& units,
-                             const std::vector<MappedLine>& lines, const SectionMap& map, const LedgerOptions& options,
-                             const base::Progress& progress);
+                             const std::vector<MappedLine>& lines, const SectionMap& map, const SectionMap& ends,
+                             const LedgerOptions& options, const base::Progress& progress);
 
 struct UnitAreas {
   double before = 0.0;
   double after = 0.0;
 };
-/// Of what lies between two mapped lines, m2; their ends are joined straight before and by the map's image after.
-UnitAreas areas_between(const MappedLine& upper, const MappedLine& lower, const SectionMap& map);
+/// Of what lies between two mapped lines, m2; their ends are joined straight before and by the image of that after,
+/// shifted (each place by its part) so that it meets both lines where they are not the map's own images.
+UnitAreas areas_between(const MappedLine& upper, const MappedLine& lower, const SectionMap& ends);
 
 }  // namespace recon::core

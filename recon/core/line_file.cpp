@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "shared/base/text.h"
@@ -40,14 +41,9 @@ void set_convention(const HorizonInput& input, const Convention& convention, io:
   }
 }
 
-geom::Polyline line_of(const io::Feature& feature) {
-  geom::Polyline line = feature.parts.front();
-  if (line.closed) line.points.push_back(line.points.front());
-  line.closed = false;
-  return line;
-}
-
-base::Result<const io::Feature*> chosen(const std::vector<io::Feature>& features, const std::string& wanted) {
+/// The lines of that name, or without a name all there are if they share one.
+base::Result<std::vector<const io::Feature*>> chosen(const std::vector<io::Feature>& features,
+                                                     const std::string& wanted) {
   std::vector<const io::Feature*> found;
   std::vector<std::string> names;
   for (const auto type : {io::FeatureType::Lines, io::FeatureType::Polygons, io::FeatureType::Points}) {
@@ -62,21 +58,20 @@ base::Result<const io::Feature*> chosen(const std::vector<io::Feature>& features
     return base::Error{base::ErrorCode::BadSection,
                        fmt::format("the file has no line named '{}'{}", wanted, base::did_you_mean(wanted, names))};
   }
-  if (found.size() > 1) {
+  const std::string& name = found.front()->name;
+  const bool one = std::all_of(found.begin(), found.end(), [&](const io::Feature* f) { return f->name == name; });
+  if (found.size() > 1 && (name.empty() || !one)) {
     return base::Error{
         base::ErrorCode::BadSection,
         fmt::format("the file has {} lines to choose from; name one with feature = \"...\"", found.size())};
   }
-  if (found.front()->parts.size() != 1) {
-    return base::Error{base::ErrorCode::BadSection,
-                       fmt::format("the line is in {} parts; join them into one", found.front()->parts.size())};
-  }
-  return found.front();
+  return found;
 }
 
 }  // namespace
 
-base::Result<ReadLine> line_of_file(const HorizonInput& input, const std::string& path, const ReadSettings& settings) {
+base::Result<ReadPieces> lines_of_file(const HorizonInput& input, const std::string& path,
+                                       const ReadSettings& settings) {
   io::LineOptions options;
   options.text.separator = static_cast<io::Separator>(input.separator);
   options.text.blank_lines = io::BlankLines::Ignore;
@@ -89,9 +84,22 @@ base::Result<ReadLine> line_of_file(const HorizonInput& input, const std::string
   if (input.order == PointOrder::AlongCurve) options.repair.order = io::PointOrder::AlongTheCurve;
   if (input.drop_duplicates > 0.0) options.repair.duplicates = input.drop_duplicates;
   if (input.join_gaps > 0.0) options.repair.gaps = input.join_gaps;
-  DOBRA_TRY(const io::LineWork work, io::read_any_lines(path, options));
-  DOBRA_TRY(const io::Feature* feature, chosen(work.features, input.feature));
-  ReadLine read{line_of(*feature), work.remarks, work.trace};
+  DOBRA_TRY(io::LineWork work, io::read_any_lines(path, options));
+  const auto named = [](const io::Feature& feature) { return !feature.name.empty(); };
+  if (work.format == io::LineFormat::Text && std::any_of(work.features.begin(), work.features.end(), named)) {
+    // Where rows have names a blank line ends a piece; elsewhere it says nothing.
+    options.text.blank_lines = io::BlankLines::SplitLines;
+    DOBRA_TRY(work, io::read_any_lines(path, options));
+  }
+  DOBRA_TRY(const std::vector<const io::Feature*> features, chosen(work.features, input.feature));
+  ReadPieces read{{}, work.remarks, work.trace};
+  for (const io::Feature* feature : features) {
+    for (geom::Polyline piece : feature->parts) {
+      if (piece.closed) piece.points.push_back(piece.points.front());
+      piece.closed = false;
+      read.pieces.push_back(std::move(piece));
+    }
+  }
   for (const io::Repair& repair : work.repairs) read.remarks.push_back(io::to_string(repair));
   return read;
 }

@@ -45,6 +45,10 @@ struct MethodMap {
   /// measured them.
   std::vector<std::pair<HorizonId, MappedLine>> lines;
   std::vector<std::string> remarks;
+  /// How the ends of units go, where not as the map says: under flexural slip along horizons the beds between two of
+  /// them slip too, so that corners of the target bend the ends.
+  std::optional<SectionMap> ends = std::nullopt;
+  [[nodiscard]] const SectionMap& map_of_ends() const { return ends ? *ends : map; }
 };
 
 /// Where all horizons go, in the order of the section: as the method knows it (those lines are moved out of it), or

@@ -8,6 +8,8 @@
 #include <numeric>
 
 #include "recon/core/counter_random.h"
+#include "recon/core/face_ledger.h"
+#include "recon/core/picks.h"
 #include "shared/base/parallel.h"
 
 namespace recon::core {
@@ -25,9 +27,19 @@ class Draws {
   Draws(const Section& section, const SourceGrid& source, const Target& target, const RestoreParams& restore,
         const MonteCarloParams& params)
       : section_(section), source_(source), target_(target), restore_(restore), params_(params) {
-    correlation_ = params.correlation.value_or(box_of(section).width() / 20.0);
-    units_ = ledger_units(section, horizons_in_order(section, source, target));
-    std::erase_if(units_, [](const LedgerUnit& unit) { return unit.unit.has_value(); });
+    for (LedgerUnit& unit : ledger_units(section, horizons_in_order(section, source, target))) {
+      if (!unit.unit) units_.push_back(std::move(unit));
+    }
+    std::vector<geom::Polyline> contours;
+    const auto add = [&](const std::string& name, const std::vector<geom::Polyline>& of_unit) {
+      traced_.push_back({name, contours.size(), of_unit.size()});
+      contours.insert(contours.end(), of_unit.begin(), of_unit.end());
+    };
+    for (const Unit& unit : section.units) add(unit.name, {unit.contour});
+    for (const RockUnit& unit : units_by_faces(section)) add(unit.name, unit.contours);
+    picks_.emplace(section, std::move(contours),
+                   PickErrors{params.pick_error, params.correlation.value_or(box_of(section).width() / 20.0),
+                              static_cast<std::uint64_t>(params.seed)});
     for (const char* name :
          {"shortening", "greatest_change_percent", "greatest_area_change_percent", "inconsistency_percent"}) {
       names_.push_back({name, std::string_view(name).ends_with("percent") ? "%" : "m"});
@@ -37,10 +49,8 @@ class Draws {
       names_.push_back({"horizon." + horizon.name + ".length_after", "m"});
       names_.push_back({"horizon." + horizon.name + ".change_percent", "%"});
     }
-    for (const LedgerUnit& unit : units_) {
-      names_.push_back({"unit." + unit.name + ".area_before", "m2"});
-      names_.push_back({"unit." + unit.name + ".area_after", "m2"});
-    }
+    for (const LedgerUnit& unit : units_) name_areas(unit.name);
+    for (const TracedUnit& unit : traced_) name_areas(unit.name);
   }
 
   [[nodiscard]] const std::vector<Name>& names() const { return names_; }
@@ -50,8 +60,8 @@ class Draws {
     Section section;
     section.convention = section_.convention;
     section.horizons = section_.horizons;
-    for (std::size_t h = 0; h < section.horizons.size(); ++h)
-      disturb(section.horizons[h].line, number, static_cast<std::uint32_t>(h));
+    Picks::Draw drawn = picks_->draw(number);
+    for (std::size_t h = 0; h < section.horizons.size(); ++h) section.horizons[h].line = std::move(drawn.horizons[h]);
     auto source = make_base(section, source_.params, source_.side);
     if (!source) return {};
     auto target = place_target(section, *source, target_params(number), {});
@@ -60,39 +70,28 @@ class Draws {
     restore.angle = restore.angle + normal(number, angle_stream) * params_.angle_error;
     auto made = make_method_map(section, *source, *target, method_params(restore));
     if (!made) return {};
-    return measure(section, *made, target->map);
+    return measure(section, drawn.contours, *made, target->map);
   }
 
  private:
-  // Streams of random numbers beside those of the horizons.
+  /// A unit that is measured by its contours.
+  struct TracedUnit {
+    std::string name;
+    std::size_t first = 0;  ///< Of them ...
+    std::size_t count = 0;  ///< ... so many.
+  };
+
+  void name_areas(const std::string& unit) {
+    names_.push_back({"unit." + unit + ".area_before", "m2"});
+    names_.push_back({"unit." + unit + ".area_after", "m2"});
+  }
+
+  // Streams of random numbers beside those of the lines.
   static constexpr std::uint32_t pin_stream = 0xFFFFFFFFU;
   static constexpr std::uint32_t angle_stream = 0xFFFFFFFEU;
 
   [[nodiscard]] double normal(std::uint32_t number, std::uint32_t stream) const {
     return normal_pair({number, stream, 0, 0}, static_cast<std::uint64_t>(params_.seed))[0];
-  }
-
-  /// Normal errors at every correlation length along the line, between them in proportion, each of the same deviation.
-  void disturb(geom::Polyline& line, std::uint32_t number, std::uint32_t stream) const {
-    if (params_.pick_error == 0.0) return;
-    const std::vector<double> arc = geom::arc_lengths(line);
-    const auto at_node = [&](std::uint32_t node) {
-      const auto pair = normal_pair({number, stream, node, 1}, static_cast<std::uint64_t>(params_.seed));
-      return geom::Vector{pair[0], pair[1]};
-    };
-    std::uint32_t node = 0;
-    geom::Vector left = at_node(0);
-    geom::Vector right = at_node(1);
-    for (std::size_t i = 0; i < arc.size(); ++i) {
-      const double place = arc[i] / correlation_;
-      for (; place >= node + 1.0; ++node) {
-        left = right;
-        right = at_node(node + 2);
-      }
-      const double t = place - node;
-      const double scale = params_.pick_error / std::hypot(1.0 - t, t);
-      line.points[i] = line.points[i] + scale * ((1.0 - t) * left + t * right);
-    }
   }
 
   [[nodiscard]] TargetParams target_params(std::uint32_t number) const {
@@ -107,7 +106,8 @@ class Draws {
     return params;
   }
 
-  [[nodiscard]] std::vector<double> measure(const Section& section, MethodMap& method, const ColumnMap& grid) const {
+  [[nodiscard]] std::vector<double> measure(const Section& section, const std::vector<geom::Polyline>& contours,
+                                            MethodMap& method, const ColumnMap& grid) const {
     const std::vector<MappedLine> lines = map_horizons(method, section, grid);
     std::vector<double> numbers(4);
     std::vector<LineLength> lengths;
@@ -119,10 +119,15 @@ class Draws {
       numbers[1] = std::max(numbers[1], std::abs(row.change_percent));
       numbers.insert(numbers.end(), {row.length_before, row.length_after, row.change_percent});
     }
-    for (const LedgerUnit& unit : units_) {
-      const UnitAreas areas = areas_between(lines[*unit.upper], lines[*unit.lower], method.map);
+    const auto add = [&](const UnitAreas& areas) {
       numbers.insert(numbers.end(), {areas.before, areas.after});
       numbers[2] = std::max(numbers[2], 100.0 * std::abs(areas.after - areas.before) / areas.before);
+    };
+    for (const LedgerUnit& unit : units_)
+      add(areas_between(lines[*unit.upper], lines[*unit.lower], method.map_of_ends()));
+    for (const TracedUnit& unit : traced_) {
+      const std::span of_unit = std::span(contours).subspan(unit.first, unit.count);
+      add({area_of(of_unit), area_of(images_of(of_unit, method.map))});
     }
     numbers[3] = inconsistency_percent(lengths);
     numbers.push_back(is_balanced(restore_, numbers[1], numbers[2], numbers[3]) ? 1.0 : 0.0);
@@ -134,8 +139,9 @@ class Draws {
   const Target& target_;
   const RestoreParams& restore_;
   const MonteCarloParams& params_;
-  double correlation_ = 1.0;
-  std::vector<LedgerUnit> units_;
+  std::vector<LedgerUnit> units_;   ///< Between two horizons.
+  std::vector<TracedUnit> traced_;  ///< Polygons, or faces.
+  std::optional<Picks> picks_;
   std::vector<Name> names_;
 };
 

@@ -49,6 +49,8 @@ void add_restored_quantities(const Model& model, std::vector<scenario::Quantity>
     tears += line.tears.size();
     torn += row.torn;
   }
+  for (const LineLength& row : totals_of(restoration.lengths))
+    add_cells("horizon." + row.name + ".", cells_of(row), quantities);
   for (const UnitRow& row : restoration.ledger.units) add_cells("unit." + row.name + ".", cells_of(row), quantities);
   quantities.push_back({"points", number(points), ""});
   quantities.push_back({"points_outside", number(outside), ""});
@@ -290,6 +292,8 @@ std::vector<scenario::DataTable> tables_of(const Model& model) {
   std::vector<scenario::DataTable> tables;
   if (model.restoration) {
     tables.push_back(row_table("line_length", "horizon", model.restoration->lengths));
+    if (const auto totals = totals_of(model.restoration->lengths); !totals.empty())
+      tables.push_back(row_table("horizons_in_pieces", "horizon", totals));
     tables.push_back(row_table("units", "unit", model.restoration->ledger.units));
     tables.push_back(strain_table(model.restoration->ledger.strains));
   }

@@ -175,8 +175,8 @@ base::Result<Restoration> restore(const Section& section, const SourceGrid& sour
     remark_on(section.horizons[i].name, restoration.lines[i], restoration.remarks);
   carry_the_rest(map, restoration.section);
   restoration.order = order_of(section, source.top, restoration.lines);
-  DOBRA_TRY(restoration.ledger,
-            draw_up(section, ledger_units(section, restoration.order), restoration.lines, map, {}, progress));
+  DOBRA_TRY(restoration.ledger, draw_up(section, ledger_units(section, restoration.order), restoration.lines, map,
+                                        made.ends ? *made.ends : map, {}, progress));
   measure_faces(section, map, restoration.ledger);
   for (std::size_t i = 0; i < section.units.size(); ++i)
     restoration.section.units[i].contour = restoration.ledger.units[i].contour_after;

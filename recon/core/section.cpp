@@ -2,6 +2,20 @@
 
 namespace recon::core {
 
+const std::string& whole_name(const Horizon& horizon) {
+  return horizon.piece_of.empty() ? horizon.name : horizon.piece_of;
+}
+
+bool is_outermost(const Section& section, const Horizon& horizon, LineEnd end) {
+  if (horizon.piece_of.empty()) return true;
+  for (const Horizon& other : section.horizons) {
+    if (other.piece_of != horizon.piece_of) continue;
+    if (end == LineEnd::First && other.line.points.front().x < horizon.line.points.front().x) return false;
+    if (end == LineEnd::Last && other.line.points.back().x > horizon.line.points.back().x) return false;
+  }
+  return true;
+}
+
 const Horizon* find_horizon(const Section& section, const std::string& name) {
   for (const Horizon& horizon : section.horizons) {
     if (horizon.name == name) return &horizon;

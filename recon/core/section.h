@@ -30,7 +30,14 @@ struct Horizon {
   std::string name;
   geom::Polyline line;  ///< Open, n >= 2 distinct points, m, free of self-crossings.
   base::Place source;   ///< The file, or the place in the scenario, that it came from.
+  /// The horizon that faults or the topography have cut it from, as one of several pieces; empty where it is whole.
+  std::string piece_of = {};
 };
+
+/// What a horizon and its pieces are called together.
+const std::string& whole_name(const Horizon& horizon);
+
+enum class LineEnd { First, Last };
 
 struct LineTag {
   static constexpr const char* prefix = "line";
@@ -106,6 +113,9 @@ struct Section {
   std::shared_ptr<const SectionFaces> faces;
   Convention convention;  ///< Of the files it was read from; further files of the scenario follow it.
 };
+
+/// Whether no other piece of the same horizon reaches farther to the left (First) or to the right (Last).
+bool is_outermost(const Section& section, const Horizon& horizon, LineEnd end);
 
 /// @return the horizon of that name, or nullptr.
 const Horizon* find_horizon(const Section& section, const std::string& name);

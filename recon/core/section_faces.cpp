@@ -35,7 +35,7 @@ double swept(const geom::Polyline& line, geom::Point about) {
 }
 
 /// Straight lines between the ends of horizons that follow each other, left and right, from the topography on. An end
-/// that lies on another horizon or on a fault is no end of the section.
+/// that lies on another horizon or on a fault is no end of the section, nor is one between two pieces of a horizon.
 std::vector<geom::Polyline> connectors(const Section& section, const std::vector<std::size_t>& order,
                                        const std::vector<const SectionLine*>& surfaces, std::size_t first_surface,
                                        const Arrangement& arrangement) {
@@ -59,9 +59,10 @@ std::vector<geom::Polyline> connectors(const Section& section, const std::vector
     join(left, surfaces[i]->line.points.front(), first_surface + i);
     join(right, surfaces[i]->line.points.back(), first_surface + i);
   }
-  for (const std::size_t horizon : order) {
-    join(left, section.horizons[horizon].line.points.front(), horizon);
-    join(right, section.horizons[horizon].line.points.back(), horizon);
+  for (const std::size_t index : order) {
+    const Horizon& horizon = section.horizons[index];
+    if (is_outermost(section, horizon, LineEnd::First)) join(left, horizon.line.points.front(), index);
+    if (is_outermost(section, horizon, LineEnd::Last)) join(right, horizon.line.points.back(), index);
   }
   return lines;
 }

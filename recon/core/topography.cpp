@@ -79,6 +79,7 @@ class Cutter {
     std::vector<Horizon> below;
     for (const Horizon& horizon : section_.horizons) {
       DOBRA_TRY(const std::vector<Piece> pieces, pieces_of(horizon.line, section_.lines[surface].line));
+      const auto below_count = std::count_if(pieces.begin(), pieces.end(), [](const Piece& p) { return !p.above; });
       double eroded = 0.0;
       std::size_t kept = 0;
       for (const Piece& piece : pieces) {
@@ -90,6 +91,7 @@ class Cutter {
         }
         Horizon part = horizon;
         part.line = piece.line;
+        if (below_count > 1) part.piece_of = whole_name(horizon);
         if (++kept > 1) {
           part.id = HorizonId(next_id_++);
           part.name = fmt::format("{} ({})", horizon.name, kept);

@@ -1599,5 +1599,545 @@
         <source>Marks the greatest and the least value.</source>
         <translation>Marca o maior e o menor valor.</translation>
     </message>
+    <message>
+        <source>Polygon</source>
+        <translation>Polígono</translation>
+    </message>
+    <message>
+        <source>Columns of x, y, dx and dy</source>
+        <translation>Colunas de x, y, dx e dy</translation>
+    </message>
+    <message>
+        <source>Unit of the file and of the lengths here</source>
+        <translation>Unidade do arquivo e dos comprimentos aqui</translation>
+    </message>
+    <message>
+        <source>Thickness before shortening</source>
+        <translation>Espessura antes do encurtamento</translation>
+    </message>
+    <message>
+        <source>Their errors</source>
+        <translation>Seus erros</translation>
+    </message>
+    <message>
+        <source>Vertices that bound the present width</source>
+        <translation>Vértices que limitam a largura atual</translation>
+    </message>
+    <message>
+        <source>Present width</source>
+        <translation>Largura atual</translation>
+    </message>
+    <message>
+        <source>Its error</source>
+        <translation>Seu erro</translation>
+    </message>
+    <message>
+        <source>Text with columns x, y and, for errors, dx, dy; one vertex a line. Or a polygon in any other format.</source>
+        <translation>Texto com colunas x, y e, para os erros, dx, dy; um vértice por linha. Ou um polígono em qualquer outro formato.</translation>
+    </message>
+    <message>
+        <source>In a text file, counted from 1; two leave the errors out.</source>
+        <translation>Em um arquivo de texto, contadas a partir de 1; com duas, sem erros.</translation>
+    </message>
+    <message>
+        <source>At the two ends, or one for both.</source>
+        <translation>Nas duas extremidades, ou uma só para ambas.</translation>
+    </message>
+    <message>
+        <source>Two numbers counted from 1; the distance along x between them.</source>
+        <translation>Dois números contados a partir de 1; a distância entre eles ao longo de x.</translation>
+    </message>
+    <message>
+        <source>Instead of width_points; by default that of the polygon.</source>
+        <translation>Em vez de width_points; por padrão, a do polígono.</translation>
+    </message>
+    <message>
+        <source>With width_points the errors of the vertices are used.</source>
+        <translation>Com width_points usam-se os erros dos vértices.</translation>
+    </message>
+    <message>
+        <source>Horizon of the target</source>
+        <translation>Horizonte do alvo</translation>
+    </message>
+    <message>
+        <source>Datum</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>flat: a horizontal datum; line: the points or the file; horizon: another horizon&apos;s line; regional: the straight line that fits a horizon best; datum: one of the section&apos;s [[input.datum]].</source>
+        <translation>flat: um datum horizontal; line: os pontos ou o arquivo; horizon: a linha de outro horizonte; regional: a reta que melhor se ajusta a um horizonte; datum: um dos [[input.datum]] da seção.</translation>
+    </message>
+    <message>
+        <source>For horizon and regional; regional: by default the top.</source>
+        <translation>Para horizon e regional; regional: por padrão, o topo.</translation>
+    </message>
+    <message>
+        <source>Its name; by default the only one.</source>
+        <translation>Seu nome; por padrão, o único.</translation>
+    </message>
+    <message>
+        <source>Confidence</source>
+        <translation>Confiança</translation>
+    </message>
+    <message>
+        <source>Horizons that cross</source>
+        <translation>Horizontes que se cruzam</translation>
+    </message>
+    <message>
+        <source>Greatest difference of shortening between the beds of a balanced section.</source>
+        <translation>Maior diferença de encurtamento entre as camadas de uma seção balanceada.</translation>
+    </message>
+    <message>
+        <source>Of the intervals of the fit.</source>
+        <translation>Dos intervalos do ajuste.</translation>
+    </message>
+    <message>
+        <source>Unit of the file</source>
+        <translation>Unidade do arquivo</translation>
+    </message>
+    <message>
+        <source>Order of the points</source>
+        <translation>Ordem dos pontos</translation>
+    </message>
+    <message>
+        <source>Drop points nearer than</source>
+        <translation>Descartar pontos mais próximos que</translation>
+    </message>
+    <message>
+        <source>Join gaps below</source>
+        <translation>Unir lacunas menores que</translation>
+    </message>
+    <message>
+        <source>Drawn as</source>
+        <translation>Desenhado como</translation>
+    </message>
+    <message>
+        <source>Tangents</source>
+        <translation>Tangentes</translation>
+    </message>
+    <message>
+        <source>Weights</source>
+        <translation>Pesos</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Imagem</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Opacidade</translation>
+    </message>
+    <message>
+        <source>Exaggeration in the data</source>
+        <translation>Exagero nos dados</translation>
+    </message>
+    <message>
+        <source>Faults</source>
+        <translation>Falhas</translation>
+    </message>
+    <message>
+        <source>Pin lines</source>
+        <translation>Linhas de pino</translation>
+    </message>
+    <message>
+        <source>Loose lines</source>
+        <translation>Linhas soltas</translation>
+    </message>
+    <message>
+        <source>Unit polygons</source>
+        <translation>Polígonos de unidades</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Marcadores</translation>
+    </message>
+    <message>
+        <source>Border</source>
+        <translation>Limite da seção</translation>
+    </message>
+    <message>
+        <source>Topography</source>
+        <translation>Topografia</translation>
+    </message>
+    <message>
+        <source>Datums</source>
+        <translation>Linhas de datum</translation>
+    </message>
+    <message>
+        <source>Backdrop pictures</source>
+        <translation>Imagens de fundo</translation>
+    </message>
+    <message>
+        <source>Horizons above the topography</source>
+        <translation>Horizontes acima da topografia</translation>
+    </message>
+    <message>
+        <source>Turn of a chord of a curve</source>
+        <translation>Giro de uma corda de uma curva</translation>
+    </message>
+    <message>
+        <source>Longest chord of a curve</source>
+        <translation>Maior corda de uma curva</translation>
+    </message>
+    <message>
+        <source>Snap ends to faults</source>
+        <translation>Ajustar extremidades às falhas</translation>
+    </message>
+    <message>
+        <source>Make polygons share edges</source>
+        <translation>Fazer os polígonos compartilharem lados</translation>
+    </message>
+    <message>
+        <source>Remove slivers</source>
+        <translation>Remover lascas</translation>
+    </message>
+    <message>
+        <source>Trace of the section</source>
+        <translation>Traço da seção</translation>
+    </message>
+    <message>
+        <source>Fold axis</source>
+        <translation>Eixo da dobra</translation>
+    </message>
+    <message>
+        <source>Lines in space off their plane</source>
+        <translation>Linhas no espaço fora de seu plano</translation>
+    </message>
+    <message>
+        <source>Text, CSV, GeoJSON, DXF, GOCAD, MOVE, Shapefile, GeoPackage or WKT; instead of points.</source>
+        <translation>Texto, CSV, GeoJSON, DXF, GOCAD, MOVE, Shapefile, GeoPackage ou WKT; em vez de pontos.</translation>
+    </message>
+    <message>
+        <source>Name of the line in a file that holds several.</source>
+        <translation>Nome da linha em um arquivo que contém várias.</translation>
+    </message>
+    <message>
+        <source>In a text file, counted from 1; three for map coordinates with heights.</source>
+        <translation>Em um arquivo de texto, contadas a partir de 1; três para coordenadas de mapa com altitudes.</translation>
+    </message>
+    <message>
+        <source>section: as for all files, or as the file itself says.</source>
+        <translation>section: como em todos os arquivos, ou como o próprio arquivo diz.</translation>
+    </message>
+    <message>
+        <source>along_curve: unordered points are put in order, with a remark.</source>
+        <translation>along_curve: pontos fora de ordem são ordenados, com uma observação.</translation>
+    </message>
+    <message>
+        <source>0: none but equal ones.</source>
+        <translation>0: apenas os iguais.</translation>
+    </message>
+    <message>
+        <source>Parts of the same name whose ends are nearer become one line; 0: none.</source>
+        <translation>Partes de mesmo nome cujas extremidades estão mais próximas tornam-se uma só linha; 0: nenhuma.</translation>
+    </message>
+    <message>
+        <source>What the points mean: line, corners; hermite, points with tangents; spline, natural through the points (closed if the last repeats the first); bezier, rational_bezier and b_spline, vertices.</source>
+        <translation>O que os pontos significam: line, cantos; hermite, pontos com tangentes; spline, natural pelos pontos (fechada se o último repete o primeiro); bezier, rational_bezier e b_spline, vértices.</translation>
+    </message>
+    <message>
+        <source>Of curve = &quot;hermite&quot;, one a point: derivatives along a piece.</source>
+        <translation>De curve = &quot;hermite&quot;, uma por ponto: derivadas ao longo de um trecho.</translation>
+    </message>
+    <message>
+        <source>Of curve = &quot;rational_bezier&quot;, one a point, above 0.</source>
+        <translation>De curve = &quot;rational_bezier&quot;, um por ponto, acima de 0.</translation>
+    </message>
+    <message>
+        <source>PNG, JPEG or TIFF.</source>
+        <translation>PNG, JPEG ou TIFF.</translation>
+    </message>
+    <message>
+        <source>The lower left and the upper right one, in the coordinates of the section&apos;s files; by default as the GeoTIFF or its world file says.</source>
+        <translation>O inferior esquerdo e o superior direito, nas coordenadas dos arquivos da seção; por padrão, como diz o GeoTIFF ou seu world file.</translation>
+    </message>
+    <message>
+        <source>The files hold z this many times too large; it is divided by this.</source>
+        <translation>Os arquivos contêm z aumentado tantas vezes; é dividido por este valor.</translation>
+    </message>
+    <message>
+        <source>One polygon round what belongs to the section; by default it reaches from the first horizon to the last, between their ends.</source>
+        <translation>Um polígono em torno do que pertence à seção; por padrão, vai do primeiro horizonte ao último, entre suas extremidades.</translation>
+    </message>
+    <message>
+        <source>Lines that the step target may name.</source>
+        <translation>Linhas que a etapa target pode citar.</translation>
+    </message>
+    <message>
+        <source>leave: what is eroded is drawn dashed and not restored; restore: the whole horizon is.</source>
+        <translation>leave: o que foi erodido é tracejado e não é restaurado; restore: o horizonte inteiro é restaurado.</translation>
+    </message>
+    <message>
+        <source>Ends of horizons nearer to a fault than this are moved onto it, with a remark; 0: none.</source>
+        <translation>Extremidades de horizontes mais próximas de uma falha que isto são movidas para ela, com uma observação; 0: nenhuma.</translation>
+    </message>
+    <message>
+        <source>Their vertices nearer than this to a line or another polygon are moved onto it; 0: none.</source>
+        <translation>Seus vértices mais próximos que isto de uma linha ou de outro polígono são movidos para ele; 0: nenhum.</translation>
+    </message>
+    <message>
+        <source>Polygons and spikes of polygons thinner than this are removed, with a remark; 0: none.</source>
+        <translation>Polígonos e pontas de polígonos mais finos que isto são removidos, com uma observação; 0: nenhum.</translation>
+    </message>
+    <message>
+        <source>Of files with lines in space: x0, y0, x1, y1 on the map, in metres; found by least squares where one file holds them all.</source>
+        <translation>De arquivos com linhas no espaço: x0, y0, x1, y1 no mapa, em metros; por mínimos quadrados quando um só arquivo contém todas.</translation>
+    </message>
+    <message>
+        <source>Of files with lines in space: trend and plunge in degrees; they are projected down the plunge.</source>
+        <translation>De arquivos com linhas no espaço: direção e caimento em graus; são projetadas segundo o caimento.</translation>
+    </message>
+    <message>
+        <source>At most this part of the length.</source>
+        <translation>No máximo esta fração do comprimento.</translation>
+    </message>
+    <message>
+        <source>Direction of shear</source>
+        <translation>Direção do cisalhamento</translation>
+    </message>
+    <message>
+        <source>Base horizon</source>
+        <translation>Horizonte da base</translation>
+    </message>
+    <message>
+        <source>Restored thickness</source>
+        <translation>Espessura restaurada</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Estado</translation>
+    </message>
+    <message>
+        <source>Where the map is not single-valued</source>
+        <translation>Onde o mapa não é unívoco</translation>
+    </message>
+    <message>
+        <source>Surfaces of slip</source>
+        <translation>Superfícies de deslizamento</translation>
+    </message>
+    <message>
+        <source>What is kept: constant thickness; variable thickness with its area; the part of the thickness; flexural slip, every bed its length; simple shear; the length of every horizon.</source>
+        <translation>O que se conserva: espessura constante; espessura variável com sua área; a fração da espessura; deslizamento flexural, cada camada seu comprimento; cisalhamento simples; o comprimento de cada horizonte.</translation>
+    </message>
+    <message>
+        <source>From the vertical, positive towards +x upwards; 0 is vertical shear.</source>
+        <translation>A partir da vertical, positiva para +x para cima; 0 é cisalhamento vertical.</translation>
+    </message>
+    <message>
+        <source>Of proportional thickness; by default the farthest from the top.</source>
+        <translation>Da espessura proporcional; por padrão, o mais distante do topo.</translation>
+    </message>
+    <message>
+        <source>Of proportional thickness; by default such that the area stays.</source>
+        <translation>Da espessura proporcional; por padrão, a que conserva a área.</translation>
+    </message>
+    <message>
+        <source>0: deformed, 100: restored; between: on the way.</source>
+        <translation>0: deformada, 100: restaurada; entre eles: a caminho.</translation>
+    </message>
+    <message>
+        <source>nearest: the nearest segment of the top, with a remark; refuse: an error with the place.</source>
+        <translation>nearest: o segmento mais próximo do topo, com uma observação; refuse: um erro com o lugar.</translation>
+    </message>
+    <message>
+        <source>Of flexural slip: every horizon keeps its length, or every parallel of the top and all areas.</source>
+        <translation>Do deslizamento flexural: cada horizonte conserva seu comprimento, ou cada paralela do topo e todas as áreas.</translation>
+    </message>
+    <message>
+        <source>Greatest change of a bed&apos;s length or a unit&apos;s area in a balanced section.</source>
+        <translation>Maior variação do comprimento de uma camada ou da área de uma unidade em uma seção balanceada.</translation>
+    </message>
+    <message>
+        <source>Where the section reaches beyond the top</source>
+        <translation>Onde a seção ultrapassa o topo</translation>
+    </message>
+    <message>
+        <source>Beyond the top at most</source>
+        <translation>Além do topo, no máximo</translation>
+    </message>
+    <message>
+        <source>refuse: an error with the place; continue: the grid goes on straight there.</source>
+        <translation>refuse: um erro com o lugar; continue: ali a grade prossegue em linha reta.</translation>
+    </message>
+    <message>
+        <source>So much of the top&apos;s width goes without saying: traces of one section seldom end at one line.</source>
+        <translation>Tanto da largura do topo é aceito sem aviso: os traços de uma seção raramente terminam em uma mesma linha.</translation>
+    </message>
+    <message>
+        <source>Draws</source>
+        <translation>Sorteios</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Semente</translation>
+    </message>
+    <message>
+        <source>Error of picks</source>
+        <translation>Erro dos pontos digitalizados</translation>
+    </message>
+    <message>
+        <source>Correlation length</source>
+        <translation>Comprimento de correlação</translation>
+    </message>
+    <message>
+        <source>Error of the pin&apos;s x</source>
+        <translation>Erro do x do pino</translation>
+    </message>
+    <message>
+        <source>Error of the direction of shear</source>
+        <translation>Erro da direção do cisalhamento</translation>
+    </message>
+    <message>
+        <source>The same seed gives the same numbers.</source>
+        <translation>A mesma semente dá os mesmos números.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of x and z.</source>
+        <translation>Desvio-padrão de x e z.</translation>
+    </message>
+    <message>
+        <source>Errors of picks nearer than this along a horizon are alike; by default a twentieth of the section.</source>
+        <translation>Erros de pontos mais próximos que isto ao longo de um horizonte são semelhantes; por padrão, um vigésimo da seção.</translation>
+    </message>
+    <message>
+        <source>Of a pin that is given.</source>
+        <translation>De um pino que foi dado.</translation>
+    </message>
+    <message>
+        <source>RECON</source>
+        <translation>RECON</translation>
+    </message>
+    <message>
+        <source>Error bars</source>
+        <translation>Barras de erro</translation>
+    </message>
+    <message>
+        <source>Restores the section again and again with picks, pin and angle drawn from their errors.</source>
+        <translation>Restaura a seção repetidas vezes com pontos, pino e ângulo sorteados conforme seus erros.</translation>
+    </message>
+    <message>
+        <source>Balance</source>
+        <translation>Balanceamento</translation>
+    </message>
+    <message>
+        <source>Bed lengths, excess areas and the depth of the detachment of the section as it is.</source>
+        <translation>Comprimentos das camadas, áreas em excesso e profundidade do descolamento da seção como está.</translation>
+    </message>
+    <message>
+        <source>Area balance</source>
+        <translation>Balanceamento de áreas</translation>
+    </message>
+    <message>
+        <source>Shortening from the area of a section and the thickness that its layers had, with errors.</source>
+        <translation>Encurtamento a partir da área de uma seção e da espessura que suas camadas tinham, com erros.</translation>
+    </message>
+    <message>
+        <source>eroded</source>
+        <translation>erodido</translation>
+    </message>
+    <message>
+        <source>det F - 1 [%]</source>
+        <translation>det F - 1 [%]</translation>
+    </message>
+    <message>
+        <source>Change of area</source>
+        <translation>Variação de área</translation>
+    </message>
+    <message>
+        <source>Strain ellipses</source>
+        <translation>Elipses de deformação</translation>
+    </message>
+    <message>
+        <source>Beds</source>
+        <translation>Camadas</translation>
+    </message>
+    <message>
+        <source>horizon</source>
+        <translation>horizonte</translation>
+    </message>
+    <message>
+        <source>length before [m]</source>
+        <translation>comprimento antes [m]</translation>
+    </message>
+    <message>
+        <source>after [m]</source>
+        <translation>depois [m]</translation>
+    </message>
+    <message>
+        <source>change [%]</source>
+        <translation>variação [%]</translation>
+    </message>
+    <message>
+        <source>shortening [m]</source>
+        <translation>encurtamento [m]</translation>
+    </message>
+    <message>
+        <source>[%]</source>
+        <translation>[%]</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Unidades</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>unidade</translation>
+    </message>
+    <message>
+        <source>area before [m²]</source>
+        <translation>área antes [m²]</translation>
+    </message>
+    <message>
+        <source>after [m²]</source>
+        <translation>depois [m²]</translation>
+    </message>
+    <message>
+        <source>thickness before [m]</source>
+        <translation>espessura antes [m]</translation>
+    </message>
+    <message>
+        <source>Verdict: </source>
+        <translation>Veredito: </translation>
+    </message>
+    <message>
+        <source>Both states to the same scale, no vertical exaggeration.</source>
+        <translation>Os dois estados na mesma escala, sem exagero vertical.</translation>
+    </message>
+    <message>
+        <source>x [m]</source>
+        <translation>x [m]</translation>
+    </message>
+    <message>
+        <source>z [m]</source>
+        <translation>z [m]</translation>
+    </message>
+    <message>
+        <source>Format version.</source>
+        <translation>Versão do formato.</translation>
+    </message>
+    <message>
+        <source>recon or quebra.</source>
+        <translation>recon ou quebra.</translation>
+    </message>
+    <message>
+        <source>Piece of the horizon</source>
+        <translation>Trecho do horizonte</translation>
+    </message>
+    <message>
+        <source>Name of the horizon that faults have cut this piece from; the pieces add up in the ledger.</source>
+        <translation>Nome do horizonte do qual as falhas separaram este trecho; os trechos são somados no balanço.</translation>
+    </message>
+    <message>
+        <source>all pieces</source>
+        <translation>todos os trechos</translation>
+    </message>
+    <message>
+        <source>The grid stands on the top with fewer points, nowhere farther from it than this; unsteady lines need it.</source>
+        <translation>A grade apoia-se no topo com menos pontos, em nenhum lugar mais longe dele que isto; linhas irregulares precisam disto.</translation>
+    </message>
+    <message>
+        <source>refuse: an error with the place; allow: every point goes by the grid all the same, and the units by their faces.</source>
+        <translation>refuse: um erro com o lugar; allow: ainda assim cada ponto segue a grade, e as unidades, suas faces.</translation>
+    </message>
 </context>
 </TS>

@@ -206,6 +206,7 @@ class Reader {
     const std::size_t begin = lines_.number();
     std::string_view rest = lines_.line();
     std::size_t open = rest.find('{');
+    bool alone = false;  // on a line of its own an entry has no others behind it
     while (open == std::string_view::npos) {
       if (!lines_.next()) return unclosed(begin);
       rest = lines_.line();
@@ -214,21 +215,22 @@ class Reader {
     rest.remove_prefix(open + 1);
     while (true) {
       const std::size_t close = rest.find('}');
-      name_in(rest.substr(0, close));
+      name_in(rest.substr(0, close), alone);
       if (close != std::string_view::npos) return {};
       if (!lines_.next()) return unclosed(begin);
       rest = lines_.line();
+      alone = true;
     }
   }
 
-  void name_in(std::string_view entry) {
+  void name_in(std::string_view entry, bool alone) {
     entry = trimmed(entry);
     if (entry.starts_with('*')) entry.remove_prefix(1);
     if (!lower(entry.substr(0, 4)).starts_with("name")) return;
     entry = trimmed(entry.substr(4));
     if (entry.empty() || (entry[0] != ':' && entry[0] != '=')) return;
     entry.remove_prefix(1);
-    object_->name = trimmed(entry.substr(0, entry.find(" *")));  // further settings may follow in the same line
+    object_->name = trimmed(alone ? entry : entry.substr(0, entry.find(" *")));
   }
 
   Result<void> skip_braces() {
@@ -429,24 +431,19 @@ class Reader {
   std::string unknown_unit_;
 };
 
-std::string one_line(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == '{' || c == '}'; }, ' ');
-  return std::string(trimmed(text));  // as it is read again
-}
-
 // The opening of an object, up to its first vertex.
 std::string opening(const Feature& feature, std::string_view type) {
   std::string text = fmt::format(
       "GOCAD {} 1\nHEADER {{\nname:{}\n}}\nGOCAD_ORIGINAL_COORDINATE_SYSTEM\nNAME Default\nAXIS_NAME \"X\" \"Y\" "
       "\"Z\"\nAXIS_UNIT \"m\" \"m\" \"m\"\nZPOSITIVE Elevation\nEND_ORIGINAL_COORDINATE_SYSTEM\n",
-      type, one_line(feature.name));
+      type, gocad_name(feature.name));
   for (const auto& [key, value] : feature.properties) {
     const auto* name = std::get_if<std::string>(&value);
-    if (key == "geological_feature" && name != nullptr) text += "GEOLOGICAL_FEATURE " + one_line(*name) + '\n';
+    if (key == "geological_feature" && name != nullptr) text += "GEOLOGICAL_FEATURE " + gocad_name(*name) + '\n';
   }
-  std::string kind = feature.kind == "horizon" || lower(feature.kind) == "top" ? "top" : one_line(feature.kind);
-  std::replace(kind.begin(), kind.end(), ' ', '_');
+  std::string kind = feature.kind == "horizon" || lower(feature.kind) == "top" ? "top" : gocad_name(feature.kind);
+  std::replace_if(
+      kind.begin(), kind.end(), [](unsigned char c) { return std::isspace(c) != 0; }, '_');
   if (!kind.empty()) text += "GEOLOGICAL_TYPE " + kind + '\n';
   return text;
 }
@@ -475,6 +472,13 @@ void append_path(std::string& text, const Feature& feature, std::size_t part, st
 }
 
 }  // namespace
+
+std::string gocad_name(std::string name) {
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == '\0' || c == '\n' || c == '\r' || c == '{' || c == '}'; },
+      ' ');
+  return std::string(trimmed(name));
+}
 
 Result<Features> parse_gocad(std::string_view text, const std::string& file) {
   DOBRA_TRY_VOID(check_text(text, file));

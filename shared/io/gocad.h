@@ -23,6 +23,9 @@ base::Result<Features> parse_gocad(std::string_view text, const std::string& fil
 /// @error FileNotFound, NotAFile, CannotRead, and those of parse_gocad.
 base::Result<Features> read_gocad(const std::string& path);
 
+/// A name as a GOCAD header can hold it and as it is read again: on one line, without braces or blanks at its ends.
+std::string gocad_name(std::string name);
+
 /// One PLine a line feature and polygon ring, one VSet a Points feature; heights are elevations in metres; every digit
 /// kept. What is read from this text gives the same text again. Holes of polygons become rings like others; of the
 /// properties only "geological_feature" is kept.

@@ -92,13 +92,23 @@ Keeps keeps(LineFormat format) {
   return {true, true, true, true};
 }
 
+/// A name as it is read back.
+std::string name_in(LineFormat format, const std::string& name) {
+  if (format == LineFormat::MoveAscii) return move_name(name);
+  if (format == LineFormat::Gocad) return gocad_name(name);
+  return name;
+}
+
 void remark_losses(std::span<const Feature> features, LineFormat format, std::vector<std::string>& remarks) {
   const Keeps kept = keeps(format);
   std::size_t names = 0;
   std::size_t properties = 0;
   std::size_t holes = 0;
   std::size_t points = 0;
+  std::vector<std::string> renamed;
   for (const Feature& feature : features) {
+    if (std::string name = name_in(format, feature.name); name != feature.name)
+      renamed.push_back(fmt::format("{} becomes {}", shown(feature.name), shown(name)));
     names += feature.name.empty() && feature.kind.empty() ? 0 : 1;
     for (const auto& [key, value] : feature.properties) {
       const bool own = (format == LineFormat::MoveAscii && (key == "id" || key == "attribute")) ||
@@ -110,6 +120,11 @@ void remark_losses(std::span<const Feature> features, LineFormat format, std::ve
   }
   const char* name = line_formats()[static_cast<std::size_t>(format)].name;
   if (!kept.names && names > 0) remarks.push_back(fmt::format("names and kinds are not kept in {}", name));
+  if (!renamed.empty()) {
+    remarks.push_back(
+        fmt::format("{} names hold what {} cannot, a line break, a tab, a brace or a blank at an end: {}{}",
+                    renamed.size(), name, renamed.front(), renamed.size() > 1 ? ", ..." : ""));
+  }
   if (!kept.properties && properties > 0) {
     remarks.push_back(fmt::format("{} properties are not kept in {}", properties, name));
   }

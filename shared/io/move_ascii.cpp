@@ -161,14 +161,13 @@ std::string property(const Feature& feature, std::string_view wanted) {
   return {};
 }
 
-// As it can stand between tabs and is read again: without blanks at its ends.
-std::string cell(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c == '\t' || c == '\n' || c == '\r'; }, ' ');
-  return std::string(trimmed(text));
-}
-
 }  // namespace
+
+std::string move_name(std::string name) {
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == '\0' || c == '\t' || c == '\n' || c == '\r'; }, ' ');
+  return std::string(trimmed(name));
+}
 
 Result<Features> parse_move_ascii(std::string_view text, const std::string& file) {
   DOBRA_TRY_VOID(check_text(text, file));
@@ -185,10 +184,10 @@ Result<std::string> move_ascii(std::span<const Feature> given) {
   std::string text;
   for (std::size_t i = 0; i < features.size(); ++i) {
     const Feature& feature = features[i];
-    std::string id = cell(property(feature, "id"));
+    std::string id = move_name(property(feature, "id"));
     if (id.empty()) id = fmt::format("{}", i + 1);
     const std::string attribute = feature.kind.empty() ? property(feature, "attribute") : feature.kind;
-    const std::string tail = '\t' + cell(feature.name) + '\t' + id + '\t' + cell(attribute) + '\n';
+    const std::string tail = '\t' + move_name(feature.name) + '\t' + id + '\t' + move_name(attribute) + '\n';
     for (std::size_t part = 0; part < feature.parts.size(); ++part) {
       const std::vector<geom::Point>& points = feature.parts[part].points;
       DOBRA_TRY_VOID(check_finite(points, item_of(i + 1, feature)));

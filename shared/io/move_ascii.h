@@ -20,6 +20,9 @@ base::Result<Features> parse_move_ascii(std::string_view text, const std::string
 /// @error FileNotFound, NotAFile, CannotRead, and those of parse_move_ascii.
 base::Result<Features> read_move_ascii(const std::string& path);
 
+/// A name as it can stand between tabs and is read again: on one line, without blanks at its ends.
+std::string move_name(std::string name);
+
 /// One block a part, every digit kept. What is read from this text gives the same text again. Holes of polygons become
 /// rings like others; only name, id and attribute (or kind) are kept.
 /// @pre   every feature has heights.

@@ -4,6 +4,7 @@
 #include <gdal_frmts.h>
 #include <gdal_priv.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -73,9 +74,25 @@ void apply_palette(const GDALColorTable& palette, scene::Pixels& pixels) {
   }
 }
 
-Result<std::optional<geom::Box>> box_of(GDALDataset& data, const std::string& path) {
+void mirror(scene::Pixels& pixels) {
+  for (std::size_t row = 0; row < pixels.height; ++row) {
+    for (std::size_t left = 0, right = pixels.width - 1; left < right; ++left, --right) {
+      const auto pixel = [&](std::size_t column) { return pixels.rgba.begin() + 4 * (row * pixels.width + column); };
+      std::swap_ranges(pixel(left), pixel(left) + 4, pixel(right));
+    }
+  }
+}
+
+/// Reads where the picture lies, and brings its pixels into the order of the axes.
+Result<void> place(GDALDataset& data, const std::string& path, Raster& raster) {
   double t[6];
-  if (data.GetGeoTransform(t) != CE_None) return std::optional<geom::Box>();
+  if (data.GetGeoTransform(t) != CE_None) {
+    if (data.GetGCPCount() == 0) return {};
+    return bad(path,
+               fmt::format("the picture is tied to the ground by {} control points only; rectify it first, or give "
+                           "its corners and leave the control points out",
+                           data.GetGCPCount()));
+  }
   if (t[2] != 0.0 || t[4] != 0.0) {
     return bad(path, "the picture is turned against the axes of the section; turn it upright first");
   }
@@ -84,10 +101,12 @@ Result<std::optional<geom::Box>> box_of(GDALDataset& data, const std::string& pa
   if (!geom::is_finite(corner) || !geom::is_finite(opposite) || corner.x == opposite.x || corner.y == opposite.y) {
     return bad(path, "the place that the picture gives has no extent; give its corners");
   }
-  geom::Box box;
-  box.add(corner);
-  box.add(opposite);
-  return std::optional(box);
+  raster.box.emplace();
+  raster.box->add(corner);
+  raster.box->add(opposite);
+  if (t[5] > 0.0) turn_upside_down(raster.pixels);
+  if (t[1] < 0.0) mirror(raster.pixels);
+  return {};
 }
 
 }  // namespace
@@ -118,8 +137,16 @@ Result<Raster> read_raster(const std::string& path, const RasterOptions& options
   pixels.rgba.assign(4 * pixels.width * pixels.height, 255);
   for (int channel = 0; channel < 4; ++channel) DOBRA_TRY_VOID(read_channel(*data, path, channel, pixels));
   if (const GDALColorTable* palette = data->GetRasterBand(1)->GetColorTable()) apply_palette(*palette, pixels);
-  DOBRA_TRY(raster.box, box_of(*data, path));
+  DOBRA_TRY_VOID(place(*data, path, raster));
   return raster;
+}
+
+void turn_upside_down(scene::Pixels& pixels) {
+  const std::size_t width = 4 * pixels.width;
+  for (std::size_t row = 0; row < pixels.height / 2; ++row) {
+    const auto upper = pixels.rgba.begin() + row * width;
+    std::swap_ranges(upper, upper + width, pixels.rgba.end() - (row + 1) * width);
+  }
 }
 
 }  // namespace dobra::io

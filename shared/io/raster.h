@@ -12,7 +12,9 @@ namespace dobra::io {
 
 struct Raster {
   scene::Pixels pixels;
-  std::optional<geom::Box> box;  ///< What it covers, in the coordinates of the file; nothing if it does not say.
+  /// What it covers, in the coordinates of the file; nothing if it does not say. The first row of pixels is at the
+  /// greatest y, the first column at the least x, however the file has them.
+  std::optional<geom::Box> box;
 };
 
 struct RasterOptions {
@@ -22,5 +24,8 @@ struct RasterOptions {
 /// Grey, palette and colour pictures, with transparency where they have it.
 /// @error FileNotFound; BadFormat: no picture, not eight bits a channel, or turned against the axes.
 base::Result<Raster> read_raster(const std::string& path, const RasterOptions& options = {});
+
+/// The last row first.
+void turn_upside_down(scene::Pixels& pixels);
 
 }  // namespace dobra::io

@@ -339,7 +339,8 @@ class Sides {
     geom::Box box;
     box.add(p);
     index_.for_each_overlapping(box.grown(tolerance), [&](std::size_t i) {
-      const auto [k, s] = sides_[i];
+      const std::size_t k = sides_[i].first;  // clang 14 captures no bindings
+      const std::size_t s = sides_[i].second;
       const geom::Segment side = parts_[k]->segment(s);
       const auto offer = [&](Point at, bool vertex) {
         const double distance = geom::distance(p, at);

@@ -91,19 +91,44 @@ std::string text_of(LineWork work, LineFormat format) {
   return *std::move(text);
 }
 
-/// What was read from a text of ours is written as the same text. (The first text may hold what the format cannot: a
-/// blank at the end of a name, a line that is a ring.)
+/// All points over one place of the map have no plane.
+bool over_one_place(const LineWork& work) {
+  dobra::geom::Box box;
+  for (const auto& feature : work.features) {
+    for (const auto& part : feature.parts) box.add(part.box());
+  }
+  return !(box.width() > 0.0);
+}
+
+/// Lines that come back to their first point are polygons in MOVE files.
+bool has_rings(const LineWork& work) {
+  for (const auto& feature : work.features) {
+    for (const auto& part : feature.parts) {
+      if (!part.closed && part.points.size() > 2 && part.points.front() == part.points.back()) return true;
+    }
+  }
+  return false;
+}
+
+/// What is written reads back as what gives the same text. What MOVE and GOCAD cannot hold is changed on writing,
+/// aloud. A property of GeoJSON takes one type for all features when it is read, so there the second text is compared.
 void check_round_trip(const LineWork& work, LineFormat format) {
+  const bool json = format == LineFormat::GeoJson;
+  if (over_one_place(work) && !json) return;
   LineOptions options;
   options.format = format;
-  options.coordinates = format == LineFormat::GeoJson ? dobra::io::Coordinates::Section : dobra::io::Coordinates::Map;
-  const auto first = dobra::io::parse_any_lines(text_of(work, format), "f", options);
-  if (!first.ok()) return;  // all points over one place have no plane
-  const std::string text = text_of(*first, format);
-  const auto second = dobra::io::parse_any_lines(text, "f", options);
-  if (second.ok() && text_of(*second, format) == text) return;
+  options.coordinates = json ? dobra::io::Coordinates::Section : dobra::io::Coordinates::Map;
+  std::string text = text_of(work, format);
+  auto again = dobra::io::parse_any_lines(text, "f", options);
+  const bool changed = json || (format == LineFormat::MoveAscii && has_rings(work));
+  if (changed && !json && !again.ok()) return;  // a polygon without area
+  if (changed && again.ok()) {
+    text = text_of(*again, format);
+    again = dobra::io::parse_any_lines(text, "f", options);
+  }
+  if (again.ok() && text_of(*again, format) == text) return;
   std::fprintf(stderr, "--- text\n%s--- again\n%s\n", text.c_str(),
-               second.ok() ? text_of(*second, format).c_str() : second.error().message.c_str());
+               again.ok() ? text_of(*again, format).c_str() : again.error().message.c_str());
   std::abort();
 }
 

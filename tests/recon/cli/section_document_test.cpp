@@ -30,12 +30,22 @@ TEST_F(SectionDocument, EveryKindOfLineGoesToItsTable) {
   EXPECT_TRUE(dobra::scenario::check(*made, core::program()));
 }
 
-TEST_F(SectionDocument, ANameThatComesTwiceGetsANumber) {
-  const auto made = document(put("twice.csv", "x,z,name\n0,0,A\n9,0,A\n\n0,-5,A\n9,-5,A\n"));
+TEST_F(SectionDocument, AHorizonWhoseNameComesTwiceIsInPiecesFromTheLeft) {
+  const std::string file = put("twice.csv",
+                               "x,z,name,kind\n6,0,A,\n9,0,A,\n\n0,-5,A,\n5,-5,A,\n\n5,1,F,fault\n5,0,F,fault\n"
+                               "\n5,-1,F,fault\n5,-6,F,fault\n\n0,2,Top,\n9,2,Top,\n");
+  const auto made = document(file);
   ASSERT_TRUE(made) << to_string(made.error());
   const auto text = dobra::scenario::document_text(*made);
-  EXPECT_NE(text.find("\"A\""), std::string::npos);
-  EXPECT_NE(text.find("\"A (2)\""), std::string::npos);
+  EXPECT_NE(text.find("\"A (2)\"\npoints = [[6.0, 0.0]"), std::string::npos) << text;
+  EXPECT_NE(text.find("\"A (1)\"\npoints = [[0.0, -5.0]"), std::string::npos) << text;
+  EXPECT_NE(text.find("piece_of = \"A\""), std::string::npos);
+  EXPECT_NE(text.find("\"F (2)\""), std::string::npos);  // no horizon: another of the name
+  EXPECT_TRUE(dobra::scenario::check(*made, core::program()));
+  const auto run = call({"restore", file, "--top", "Top", "--json"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.out.find("\"horizon_in_pieces\""), std::string::npos);
+  EXPECT_NE(run.err.find("horizon 'A' is in 2 pieces, numbered from the left: 'A (1)' to 'A (2)'"), std::string::npos);
 }
 
 TEST_F(SectionDocument, AScenarioLendsItsInputAndTakesNoLineOptions) {

@@ -6,10 +6,13 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <numbers>
 
 #include "recon/core/counter_random.h"
 #include "recon/core/operations.h"
+#include "recon/core/picks.h"
 #include "shared/base/parallel.h"
 #include "tests/recon/core/shapes.h"
 
@@ -196,6 +199,108 @@ TEST(Balance, TheSpreadOfAnEndPickIsTheSpreadOfTheWidth) {
     EXPECT_NEAR(s.mean, 1000.0, 0.1);
     EXPECT_NEAR(s.high - s.low, 2.0 * 1.96 * std::sqrt(2.0), 0.25);
   }
+}
+
+/// Two straight beds, 10 long, at 0 and -4, with what the caller adds, restored as they are.
+Model flat_section(const std::function<void(Section&)>& add) {
+  Model model;
+  model.section = test::section_of({{{{0, 0}, {10, 0}}, false}, {{{0, -4}, {10, -4}}, false}});
+  add(model.section);
+  GridParams grid;
+  grid.count = 1;
+  const Model with_target = run_target(run_grid(model, grid, {}, {}).value(), {}, {}, {}).value();
+  auto restored = run_restore(with_target, {}, {}, {});
+  EXPECT_TRUE(restored) << to_string(restored.error());
+  return *restored;
+}
+
+std::map<std::string, Spread> drawn(const Model& model, double pick_error, int draws = 4000) {
+  MonteCarloParams params;
+  params.draws = draws;
+  params.pick_error = pick_error;
+  params.correlation = 0.5;  // far less than between two picks
+  const auto run = run_monte_carlo(model, params, {}, {});
+  EXPECT_TRUE(run) << to_string(run.error());
+  std::map<std::string, Spread> spreads;
+  for (const Spread& s : run->monte_carlo->spreads) spreads[s.name] = s;
+  return spreads;
+}
+
+TEST(Balance, TheAreaOfARectangleOfFourPicksHasTheSpreadOfTheShoelaceFormula) {
+  // dA/dx = +-b/2, dA/dz = +-a/2 at each of four corners, and four products of errors: s^2 (a^2 + b^2) + 2 s^4.
+  const double a = 6.0, b = 3.0, s = 0.3;
+  const Model model = flat_section([&](Section& section) {
+    section.units.push_back(
+        {UnitId(0), "sand", {{{2, -3.5}, {2 + a, -3.5}, {2 + a, -3.5 + b}, {2, -3.5 + b}}, true}, {}});
+  });
+  const auto spreads = drawn(model, s);
+  ASSERT_TRUE(spreads.count("unit.sand.area_before"));
+  const Spread& area = spreads.at("unit.sand.area_before");
+  const double deviation = std::sqrt(s * s * (a * a + b * b) + 2.0 * s * s * s * s);
+  EXPECT_NEAR(area.deviation, deviation, 0.04 * deviation);
+  EXPECT_NEAR(area.mean, a * b, 4.0 * deviation / std::sqrt(4000.0));
+  EXPECT_FALSE(spreads.count("unit.top - bed1.area_before"));  // polygons are the units then
+}
+
+TEST(Balance, PolygonsThatShareAnEdgeShareItInEveryDraw) {
+  // What is between two beds in two polygons: the sum does not feel the edge between them.
+  const auto left_and_right = [](Section& section) {
+    section.units.push_back({UnitId(0), "left", {{{0, -4}, {5, -4}, {5, 0}, {0, 0}}, true}, {}});
+    section.units.push_back({UnitId(1), "right", {{{10, 0}, {5, 0}, {5, -4}, {10, -4}}, true}, {}});
+  };
+  const Model model = flat_section(left_and_right);
+  Section section = model.section;
+  const Picks picks(section, {section.units[0].contour, section.units[1].contour}, {0.2, 0.5, 7});
+  for (std::uint32_t number = 0; number < 20; ++number) {
+    const Picks::Draw draw = picks.draw(number);
+    EXPECT_EQ(draw.contours[0].points[1], draw.contours[1].points[2]);
+    EXPECT_EQ(draw.contours[0].points[2], draw.contours[1].points[1]);
+    EXPECT_EQ(draw.contours[0].points[3], draw.horizons[0].points.front());  // with the horizon's end
+    EXPECT_NE(draw.contours[0].points[1], section.units[0].contour.points[1]);
+  }
+}
+
+TEST(Balance, UnitsByFacesHaveErrorBarsToo) {
+  // A border from x = 2 to 8 leaves of each bed the piece between; its mean height is that of the bed at x = 5, half of
+  // each end: s^2 / 2 a bed, so 6 s for the area between the two, and 6 s / sqrt(2) for the one down to the border.
+  const double s = 0.01;
+  const Model model = flat_section([](Section& section) {
+    section.border = geom::Polyline{{{2, -5}, {8, -5}, {8, 1}, {2, 1}}, true};
+  });
+  const auto spreads = drawn(model, s);
+  ASSERT_TRUE(spreads.count("unit.top - bed1.area_before"));
+  EXPECT_NEAR(spreads.at("unit.top - bed1.area_before").mean, 24.0, 0.01);
+  EXPECT_NEAR(spreads.at("unit.top - bed1.area_before").deviation, 6.0 * s, 0.04 * 6.0 * s);
+  EXPECT_NEAR(spreads.at("unit.bed1.area_before").deviation, 6.0 * s / std::sqrt(2.0), 0.04 * 6.0 * s);
+  // Without errors the same numbers as the ledger's.
+  const auto still = drawn(model, 0.0, 3);
+  for (const UnitRow& row : model.restoration->ledger.units) {
+    EXPECT_NEAR(still.at("unit." + row.name + ".area_before").mean, row.area_before, 1e-12) << row.name;
+    EXPECT_NEAR(still.at("unit." + row.name + ".area_after").mean, row.area_after, 1e-12) << row.name;
+  }
+}
+
+TEST(Balance, WhereAFaultCutsABedTheDrawnLinesMeet) {
+  // A vertical fault at x = 4 between two beds and a border: the piece left of it is 2 wide; the fault's two picks move
+  // it by s / sqrt(2) in the mean over the height of 4, the beds by their heights at x = 3.
+  const double s = 0.01;
+  const Model model = flat_section([](Section& section) {
+    section.border = geom::Polyline{{{2, -5}, {8, -5}, {8, 1}, {2, 1}}, true};
+    section.lines.push_back({LineId(0), LineKind::Fault, "F", {{{4, 0}, {4, -4}}, false}, {}});
+  });
+  const geom::Polyline left{{{2, 0}, {2, -4}, {4, -4}, {4, 0}}, true};
+  const Picks picks(model.section, {left}, {s, 0.5, 3});
+  double squares = 0.0;
+  const int draws = 4000;
+  for (int i = 0; i < draws; ++i) {
+    const Picks::Draw draw = picks.draw(static_cast<std::uint32_t>(i));
+    const double area = geom::signed_area(draw.contours[0]);
+    squares += (area - 8.0) * (area - 8.0);
+    EXPECT_NEAR(draw.contours[0].points[0].x, 2.0, 1e-12);  // along the border
+  }
+  const double beds = 2.0 * (0.7 * 0.7 + 0.3 * 0.3) * 4.0;  // two beds, 2 wide
+  const double expected = s * std::sqrt(beds + 16.0 / 2.0);
+  EXPECT_NEAR(std::sqrt(squares / draws), expected, 0.04 * expected);
 }
 
 TEST(Balance, ErrorBarsNeedARestoration) {

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tests/support/tiff.h"
+
 namespace recon::core {
 namespace {
 
@@ -72,8 +74,9 @@ TEST_F(Input, HorizonsComeFromTextCsvGeoJsonAndPoints) {
 }
 
 TEST_F(Input, HorizonsComeFromGocadMoveAndDrawings) {
-  write("a.pl", "GOCAD PLine 1\nHEADER {\nname:a\n}\nGOCAD_ORIGINAL_COORDINATE_SYSTEM\nAXIS_UNIT m m m\nZPOSITIVE "
-                "Depth\nEND_ORIGINAL_COORDINATE_SYSTEM\nVRTX 1 0 0 5\nVRTX 2 10 0 6\nSEG 1 2\nEND\n");
+  write("a.pl",
+        "GOCAD PLine 1\nHEADER {\nname:a\n}\nGOCAD_ORIGINAL_COORDINATE_SYSTEM\nAXIS_UNIT m m m\nZPOSITIVE "
+        "Depth\nEND_ORIGINAL_COORDINATE_SYSTEM\nVRTX 1 0 0 5\nVRTX 2 10 0 6\nSEG 1 2\nEND\n");
   write("b.pl", "GOCAD PLine 1\nVRTX 1 0 0 15\nVRTX 2 10 0 16\nSEG 1 2\nEND\n");
   write("c.asc", "0\t0\t-25\tc\t1\n10\t0\t-26\tc\t1\n\n0\t0\t-35\td\t2\n10\t0\t-36\td\t2\n");
   write("e.csv", "0,-47\n10,-46\n3,-45\n7,-45\n");
@@ -311,6 +314,71 @@ TEST_F(Input, APlungingFoldIsReadDownThePlunge) {
   }
 }
 
+TEST_F(Input, LinesOfOneNameAreThePiecesOfAHorizonNumberedFromTheLeft) {
+  // Right of the fault first, and drawn from right to left; the fault is in one piece.
+  write("faulted.csv", "x,z,name\n10,-3,Top\n5,-2,Top\n\n0,0,Top\n4,0,Top\n\n4.5,1,F\n4.5,-3,F\n");
+  SectionInput input;
+  input.horizons = {from_file("Sand", "faulted.csv"), from_points("Base", {{0, -5}, {10, -5}})};
+  input.horizons[0].feature = "Top";
+  input.faults = {from_file("F", "faulted.csv")};
+  input.faults[0].feature = "F";
+  const auto made = read(input);
+  ASSERT_TRUE(made) << to_string(made.error());
+  const auto& horizons = made->section.horizons;
+  ASSERT_EQ(horizons.size(), 3u);
+  EXPECT_EQ(horizons[0].name, "Sand (1)");
+  EXPECT_EQ(horizons[0].line.points, (std::vector<geom::Point>{{0, 0}, {4, 0}}));
+  EXPECT_EQ(horizons[1].name, "Sand (2)");
+  EXPECT_EQ(horizons[1].line.points, (std::vector<geom::Point>{{5, -2}, {10, -3}}));
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(horizons[i].id, HorizonId(i));
+  EXPECT_EQ(horizons[1].piece_of, "Sand");
+  EXPECT_EQ(whole_name(horizons[1]), "Sand");
+  EXPECT_EQ(horizons[2].piece_of, "");
+  const auto told = [](const std::string& remark) {
+    return remark.find(
+               "horizon 'Sand' is in 2 pieces, numbered from the left: 'Sand (1)' from (0, 0) to (4, 0), "
+               "'Sand (2)' from (5, -2) to (10, -3)") != std::string::npos;
+  };
+  EXPECT_EQ(std::count_if(made->remarks.begin(), made->remarks.end(), told), 1);
+  const auto open = [](const std::string& remark) {
+    return remark.find("ends at (4, 0), 0.5 m from the nearest fault") != std::string::npos;
+  };
+  EXPECT_EQ(std::count_if(made->remarks.begin(), made->remarks.end(), open), 1);
+  input.snap_to_faults = 1.0;
+  const auto snapped = read(input);
+  ASSERT_TRUE(snapped) << to_string(snapped.error());
+  for (const std::string& remark : snapped->remarks)
+    EXPECT_EQ(remark.find("run together"), std::string::npos) << remark;
+  input.snap_to_faults = 0.0;
+  // What must be one line says so; what is near is joined as the user wishes.
+  input.faults[0].feature = "Top";
+  expect_error(input, ErrorCode::BadSection, "the line is in 2 pieces; join them into one");
+  input.faults.clear();
+  input.horizons[0].join_gaps = 3.0;
+  EXPECT_EQ(read(input)->section.horizons.size(), 2u);
+  input.horizons[0].join_gaps = 0.0;
+  input.horizons[1].name = "Sand (2)";
+  expect_error(input, ErrorCode::BadSection, "a piece of another horizon has this name already");
+}
+
+TEST_F(Input, PartsOfOneLineArePiecesTooAndAScenarioMaySayIt) {
+  write("parts.geojson", R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{"name":"bed"},
+    "geometry":{"type":"MultiLineString","coordinates":[[[6,1],[9,2]],[[0,3],[5,2]]]}}]})");
+  SectionInput input;
+  input.horizons = {from_file("a", "parts.geojson"), from_points("b left", {{0, 0}, {4, 0}}),
+                    from_points("b right", {{5, -1}, {9, -1}})};
+  input.horizons[1].piece_of = input.horizons[2].piece_of = "b";
+  const auto made = read(input);
+  ASSERT_TRUE(made) << to_string(made.error());
+  std::vector<std::string> names, wholes;
+  for (const Horizon& horizon : made->section.horizons) {
+    names.push_back(horizon.name);
+    wholes.push_back(whole_name(horizon));
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"a (1)", "a (2)", "b left", "b right"}));
+  EXPECT_EQ(wholes, (std::vector<std::string>{"a", "a", "b", "b"}));
+}
+
 TEST_F(Input, ABackdropNeedsAPlace) {
   SectionInput input;
   input.horizons = {from_points("a", {{0, 0}, {100, 0}})};
@@ -319,6 +387,38 @@ TEST_F(Input, ABackdropNeedsAPlace) {
   backdrop.file = "none.png";
   input.backdrops = {backdrop};
   expect_error(input, ErrorCode::FileNotFound, "backdrop 'scan'");
+  write("scan.tif", dobra::test::tiff(1, 2, 1, "\x40\x80"));
+  input.backdrops[0].file = "scan.tif";
+  expect_error(input, ErrorCode::BadSection,
+               "scan.tif: backdrop 'scan': the picture does not say where it lies; give corners = [[x, z], [x, z]], "
+               "lower left and upper right, or a world file beside it");
+  write("scan.tfw", "50\n3\n3\n-25\n1025\n-112.5\n");
+  expect_error(input, ErrorCode::BadFormat, "turn it upright first");
+}
+
+TEST_F(Input, ABackdropLiesWhereItsWorldFileSaysAlsoInASectionOfDepths) {
+  write("scan.tif", dobra::test::tiff(1, 2, 1, "\x40\x80"));
+  write("scan.tfw", "50\n0\n0\n-25\n1025\n-112.5\n");
+  SectionInput input;
+  input.horizons = {from_points("a", {{0, 0}, {100, 0}})};
+  BackdropInput backdrop;
+  backdrop.name = "scan";
+  backdrop.file = "scan.tif";
+  input.backdrops = {backdrop};
+  const auto up = read(input);
+  ASSERT_TRUE(up) << to_string(up.error());
+  const dobra::scene::Image& image = up->section.backdrops.at(0).image;
+  EXPECT_EQ(image.box.low, (geom::Point{1000, -150}));
+  EXPECT_EQ(image.box.high, (geom::Point{1050, -100}));
+  EXPECT_EQ(image.pixels->rgba[0], 0x40);
+  input.y_axis =
+      VerticalAxis::Down;  // the world file's y is a depth then: of the first row 0 .. 25, of the second 25 .. 50
+  write("scan.tfw", "50\n0\n0\n25\n1025\n12.5\n");
+  const auto down = read(input);
+  ASSERT_TRUE(down) << to_string(down.error());
+  EXPECT_EQ(down->section.backdrops.at(0).image.box.low, (geom::Point{1000, -50}));
+  EXPECT_EQ(down->section.backdrops.at(0).image.box.high, (geom::Point{1050, 0}));
+  EXPECT_EQ(down->section.backdrops.at(0).image.pixels->rgba[0], 0x40);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <string>
 
 #include "recon/core/operations.h"
 #include "shared/scene/layout.h"
@@ -86,6 +87,36 @@ TEST(Layers, NamesOfNearHorizonsAreMovedApart) {
     for (std::size_t i = 1; i < names.size(); ++i)  // the beds are only 5 m apart
       EXPECT_GE(names[i].at.y - names[i - 1].at.y, names[i].size.height());
   }
+}
+
+TEST(Layers, PiecesOfAHorizonAreOneLayerWithOneName) {
+  Model model;
+  model.section =
+      test::section_of({{{{0, 0}, {10, 0}}, false}, {{{0, -2}, {4, -2}}, false}, {{{6, -3}, {10, -3}}, false}});
+  model.section.horizons[1].piece_of = model.section.horizons[2].piece_of = "bed";
+  const scene::Panel panel = picture_of(model).panels.at(0);
+  const scene::Layer* bed = find(panel, "horizon_1");
+  ASSERT_NE(bed, nullptr);
+  EXPECT_EQ(bed->title, "bed");
+  EXPECT_EQ(std::get<scene::Lines>(bed->content).lines.size(), 2u);
+  EXPECT_EQ(std::get<scene::Lines>(bed->content).ids, (std::vector<std::uint32_t>{1, 2}));
+  EXPECT_EQ(find(panel, "horizon_2"), nullptr);
+  const scene::Layer* name = find(panel, "name_1");
+  ASSERT_NE(name, nullptr);
+  EXPECT_EQ(std::get<scene::Labels>(name->content).labels.at(0).at, (geom::Point{10, -3}));
+}
+
+TEST(Layers, NumbersOfTheSheetHaveFiveFiguresAndNoExponent) {
+  const scene::Picture picture = picture_of(restored_model());  // about 1570 m long, 80 000 and 8000 m2
+  ASSERT_EQ(picture.tables.size(), 2u);
+  EXPECT_EQ(picture.tables[0].rows[0][1], "1570.8");
+  EXPECT_EQ(picture.tables[0].rows[0][3], "0.00");  // the top keeps its length, without a sign
+  for (const scene::TextTable& table : picture.tables) {
+    for (const auto& row : table.rows) {
+      for (std::size_t i = 1; i < row.size(); ++i) EXPECT_EQ(row[i].find('e'), std::string::npos) << row[i];
+    }
+  }
+  EXPECT_EQ(picture.tables[1].rows[0][1].find('.'), std::string::npos) << picture.tables[1].rows[0][1];
 }
 
 TEST(Layers, ALongLowSectionStandsOverItsRestoration) {

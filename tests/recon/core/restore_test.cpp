@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "recon/core/operations.h"
+#include "recon/core/report.h"
 #include "shared/base/parallel.h"
 #include "tests/recon/core/shapes.h"
 
@@ -148,6 +151,76 @@ TEST(Restore, ACancelledRestorationSaysSo) {
   const auto result = run_restore(*model, {}, {}, base::Progress(token, nullptr));
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, base::ErrorCode::Cancelled);
+}
+
+/// A flat top over a bed that a fault with a throw of 1 cuts at x = 5.
+Section faulted() {
+  Section section =
+      test::section_of({{{{0, 0}, {10, 0}}, false}, {{{0, -2}, {5, -2}}, false}, {{{5, -3}, {10, -3}}, false}});
+  section.horizons[1].name = "bed (1)";
+  section.horizons[2].name = "bed (2)";
+  section.horizons[1].piece_of = section.horizons[2].piece_of = "bed";
+  section.lines.push_back({LineId(0), LineKind::Fault, "F", {{{5, -1}, {5, -4}}, false}, {}});
+  return section;
+}
+
+Model ready(const Section& section) {
+  Model model;
+  model.section = section;
+  GridParams grid;
+  grid.count = 1;
+  return run_target(run_grid(model, grid, {}, {}).value(), {}, {}, {}).value();
+}
+
+TEST(Restore, ThePiecesOfAFaultedHorizonAreRestoredEachAndAddUp) {
+  Section section = faulted();
+  section.horizons[0].line.points = {{0, 0}, {5, 1}, {10, 0}};  // unfolding it lengthens what lies on the inside
+  RestoreParams constant;
+  const auto run = run_restore(ready(section), constant, {}, {});
+  ASSERT_TRUE(run) << to_string(run.error());
+  const Restoration& restoration = *run->restoration;
+  ASSERT_EQ(restoration.lengths.size(), 3u);
+  const std::vector<LineLength> totals = totals_of(restoration.lengths);
+  ASSERT_EQ(totals.size(), 1u);
+  const LineLength& left = restoration.lengths[1];
+  const LineLength& right = restoration.lengths[2];
+  EXPECT_EQ(totals[0].name, "bed");
+  EXPECT_DOUBLE_EQ(totals[0].length_before, 10.0);
+  EXPECT_DOUBLE_EQ(totals[0].length_after, left.length_after + right.length_after);
+  EXPECT_DOUBLE_EQ(totals[0].shortening, left.shortening + right.shortening);
+  EXPECT_DOUBLE_EQ(totals[0].depth_mean, 0.5 * (left.depth_mean + right.depth_mean));
+  EXPECT_EQ(whole_beds(restoration.lengths).size(), 2u);
+  // The same numbers in the tables; beds agree as wholes, not piece by piece.
+  const auto quantities = quantities_of(*run);
+  const auto found = std::find_if(quantities.begin(), quantities.end(),
+                                  [](const auto& q) { return q.name == "horizon.bed.length_after"; });
+  ASSERT_NE(found, quantities.end());
+  EXPECT_DOUBLE_EQ(found->value, totals[0].length_after);
+  const double most = std::max(restoration.lengths[0].length_after, totals[0].length_after);
+  EXPECT_NEAR(restoration.balance.inconsistency_percent,
+              100.0 * std::abs(restoration.lengths[0].shortening - totals[0].shortening) / most, 1e-9);
+}
+
+TEST(Restore, MethodsThatTakeWholeBedsRefuseAHorizonInPieces) {
+  const Model model = ready(faulted());
+  RestoreParams params;
+  for (const RestoreMethod method : {RestoreMethod::Flexural, RestoreMethod::Proportional, RestoreMethod::LineLength}) {
+    params.method = method;
+    const auto refused = run_restore(model, params, {}, {});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().place->item, "horizon 'bed (1)'");
+    EXPECT_NE(refused.error().message.find("it is a piece of 'bed'"), std::string::npos);
+  }
+  params.method = RestoreMethod::Flexural;
+  params.beds = SlipBeds::Parallel;
+  EXPECT_TRUE(run_restore(model, params, {}, {}));
+  Model start;
+  start.section = faulted();
+  GridParams grid;
+  grid.top = "bed";
+  const auto no_top = run_grid(start, grid, {}, {});
+  ASSERT_FALSE(no_top);
+  EXPECT_NE(no_top.error().message.find("name the piece, such as 'bed (1)'"), std::string::npos);
 }
 
 }  // namespace

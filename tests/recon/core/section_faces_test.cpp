@@ -182,5 +182,31 @@ TEST(SectionFaces, AThousandTimesTooSmallIsAnotherUnitOnlyWhereItWouldFit) {
   EXPECT_FALSE(seems_of_another_unit({{100, -300}, {4000, 0}}, section));
 }
 
+TEST(SectionFaces, PiecesOfAFaultedHorizonBoundTheUnitsOfTheirBlocks) {
+  // Top whole, a bed and a base cut by a vertical fault at x = 6 with a throw of 1; blocks 6 and 4 wide.
+  Section section = test::section_of({{{{0, 0}, {10, 0}}, false},
+                                      {{{0, -2}, {6, -2}}, false},
+                                      {{{6, -3}, {10, -3}}, false},
+                                      {{{0, -4}, {6, -4}}, false},
+                                      {{{6, -5}, {10, -5}}, false}});
+  const char* names[] = {"top", "bed (1)", "bed (2)", "base (1)", "base (2)"};
+  for (std::size_t i = 0; i < 5; ++i) {
+    section.horizons[i].name = names[i];
+    if (i > 0) section.horizons[i].piece_of = i < 3 ? "bed" : "base";
+  }
+  section.lines.push_back(fault({{6, 0}, {6, -5}}));
+  const SectionFaces made = faces(section);
+  EXPECT_NEAR(made.area, 6.0 * 4.0 + 4.0 * 5.0, 1e-12);
+  EXPECT_NEAR(sum_of(made), made.area, 1e-12);
+  const auto area_of = [&](const std::string& name) {
+    for (const RockUnit& unit : made.units) {
+      if (unit.name == name) return unit.area;
+    }
+    return -1.0;
+  };
+  EXPECT_NEAR(area_of("bed (1) - base (1)"), 12.0, 1e-12);
+  EXPECT_NEAR(area_of("bed (2) - base (2)"), 8.0, 1e-12);
+}
+
 }  // namespace
 }  // namespace recon::core

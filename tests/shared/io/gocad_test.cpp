@@ -125,6 +125,15 @@ TEST(Gocad, WhatIsWrittenReadsBackToTheSameText) {
   EXPECT_EQ(*gocad(read.features), text);
 }
 
+TEST(Gocad, ANameWithAStarIsKeptWhereItStandsAlone) {
+  Feature bed{
+      .parts = {{{{0, 0}, {1, 0}}, false}}, .name = "Top *upper: {Sand}\t", .kind = "bed set", .heights = {{0, 0}}};
+  const Features read = parsed(*gocad(std::vector{bed}));
+  EXPECT_EQ(read.features[0].name, "Top *upper:  Sand");
+  EXPECT_EQ(read.features[0].name, gocad_name(bed.name));
+  EXPECT_EQ(read.features[0].kind, "bed_set");
+}
+
 TEST(Gocad, BadInputIsRefusedWithItsPlace) {
   EXPECT_THAT(refusal("VRTX 1 0 0 0\n"), HasSubstr("f.pl:1:1: 'VRTX' stands outside any GOCAD object"));
   EXPECT_THAT(refusal("GOCAD PLine 1\nVRTX 1 0 x 0\nEND\n"), HasSubstr("f.pl:2:10: y 'x' is not a number"));

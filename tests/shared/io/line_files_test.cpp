@@ -61,6 +61,21 @@ TEST(LineFiles, EveryFormatThatIsTextReadsBackToTheSameText) {
   }
 }
 
+TEST(LineFiles, NamesThatAFormatCannotHoldAreTold) {
+  LineWork work;
+  work.features = {Feature{.parts = {{{{0, 0}, {1, 0}}, false}}, .name = "Top {A}"},
+                   Feature{.parts = {{{{0, 1}, {1, 1}}, false}}, .name = "Top\tB"}};
+  const auto told = [&](LineFormat format) {
+    std::vector<std::string> remarks;
+    EXPECT_TRUE(lines_text(work, {.format = format}, remarks));
+    return remarks;
+  };
+  EXPECT_THAT(told(LineFormat::Gocad), testing::ElementsAre(testing::HasSubstr("1 names hold what gocad cannot")));
+  EXPECT_THAT(told(LineFormat::Gocad), testing::ElementsAre(testing::HasSubstr("'Top {A}' becomes 'Top  A'")));
+  EXPECT_THAT(told(LineFormat::MoveAscii), testing::ElementsAre(testing::HasSubstr("becomes 'Top B'")));
+  EXPECT_THAT(told(LineFormat::GeoJson), testing::ElementsAre());
+}
+
 TEST(LineFiles, GeoPackageAndShapefileGiveTheSameValues) {
   const test::TemporaryFolder folder;
   LineWork given = example();

@@ -1,0 +1,81 @@
+#pragma once
+// What a scenario says of one line of the section: [[input.horizon]], [[input.fault]], [[input.pin]], ...
+
+#include <string>
+#include <vector>
+
+#include "shared/geom/drawn_curve.h"
+#include "shared/scenario/field.h"
+
+namespace recon::core {
+
+namespace geom = dobra::geom;
+
+enum class FieldSeparator { Detect, Blank, Tab, Comma, Semicolon };
+/// Section: as for the whole section, or where that says nothing, as the file itself says.
+enum class LineAxis { Section, Up, Down };
+enum class LineUnit { Section, Metre, Kilometre, Foot };
+enum class PointOrder { AsGiven, AlongCurve };
+
+/// One [[input.horizon]].
+struct HorizonInput {
+  std::string name;
+  std::string file;
+  std::vector<geom::Point> points;
+  std::string feature;
+  std::string piece_of;
+  std::vector<double> columns = {1.0, 2.0};
+  FieldSeparator separator = FieldSeparator::Detect;
+  LineAxis y_axis = LineAxis::Section;
+  LineUnit unit = LineUnit::Section;
+  PointOrder order = PointOrder::AsGiven;
+  double drop_duplicates = 0.0;
+  double join_gaps = 0.0;
+  geom::DrawnAs curve = geom::DrawnAs::Line;
+  std::vector<geom::Point> tangents;
+  std::vector<double> weights;
+  template <class D>
+  static void describe(D& d) {
+    d.field("name", &HorizonInput::name, {.title = "Name", .presence = dobra::scenario::Presence::Required});
+    d.file("file", &HorizonInput::file,
+           {.title = "File",
+            .help = "Text, CSV, GeoJSON, DXF, GOCAD, MOVE, Shapefile, GeoPackage or WKT; instead of points."});
+    d.field("points", &HorizonInput::points,
+            {.title = "Points", .help = "The line itself, [[x, y], ...]; instead of a file."});
+    d.field("feature", &HorizonInput::feature,
+            {.title = "Feature", .help = "Name of the line in a file that holds several."});
+    d.field("piece_of", &HorizonInput::piece_of,
+            {.title = "Piece of the horizon",
+             .help = "Name of the horizon that faults have cut this piece from; the pieces add up in the ledger."});
+    d.field("columns", &HorizonInput::columns,
+            {.title = "Columns of x and y",
+             .help = "In a text file, counted from 1; three for map coordinates with heights."});
+    d.choice("separator", &HorizonInput::separator, {"detect", "blank", "tab", "comma", "semicolon"},
+             {.title = "Separator", .help = "Between the columns of a text file."});
+    d.choice("y_axis", &HorizonInput::y_axis, {"section", "up", "down"},
+             {.title = "Second coordinate grows", .help = "section: as for all files, or as the file itself says."});
+    d.choice("unit", &HorizonInput::unit, {"section", "m", "km", "ft"},
+             {.title = "Unit of the file", .help = "section: as for all files, or as the file itself says."});
+    d.choice(
+        "order", &HorizonInput::order, {"as_given", "along_curve"},
+        {.title = "Order of the points", .help = "along_curve: unordered points are put in order, with a remark."});
+    d.field("drop_duplicates", &HorizonInput::drop_duplicates,
+            {.title = "Drop points nearer than", .help = "0: none but equal ones.", .unit = "m", .at_least = 0.0});
+    d.field("join_gaps", &HorizonInput::join_gaps,
+            {.title = "Join gaps below",
+             .help = "Parts of the same name whose ends are nearer become one line; 0: none.",
+             .unit = "m",
+             .at_least = 0.0});
+    d.choice(
+        "curve", &HorizonInput::curve, {"line", "hermite", "spline", "bezier", "b_spline", "rational_bezier"},
+        {.title = "Drawn as",
+         .help = "What the points mean: line, corners; hermite, points with tangents; spline, natural through the "
+                 "points (closed if the last repeats the first); bezier, rational_bezier and b_spline, vertices."});
+    d.field("tangents", &HorizonInput::tangents,
+            {.title = "Tangents", .help = "Of curve = \"hermite\", one a point: derivatives along a piece."});
+    d.field("weights", &HorizonInput::weights,
+            {.title = "Weights", .help = "Of curve = \"rational_bezier\", one a point, above 0."});
+  }
+};
+
+}  // namespace recon::core
