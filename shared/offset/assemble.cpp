@@ -147,6 +147,16 @@ std::vector<Trimmer::Chain> Trimmer::assemble() {
   return result;
 }
 
+/// Pieces with natural starts of the most usual kinds. The first one that is none.
+std::uint32_t Trimmer::write_plain(PieceWriter& writer, std::uint32_t first, std::uint32_t last) const {
+  const Piece* const pieces = pieces_.data();
+  const Outline::Starts starts(outline_);
+  return writer.add_many(first, last, [=](std::uint32_t k, geom::Point& from, Site& site) {
+    site = pieces[k].site();
+    return pieces[k].trim_a == Piece::none && starts.find(site, from);
+  });
+}
+
 /// A closed chain starts where its lowest base segment does.
 OffsetPiece Trimmer::output(const Chain& chain) const {
   const std::span<const Section> sections(sections_.data() + chain.first, sections_.data() + chain.last);
@@ -165,9 +175,10 @@ OffsetPiece Trimmer::output(const Chain& chain) const {
   Outline::Ends ends(outline_);
   // A section that goes on in the piece where the one before stopped adds nothing there.
   const auto write_section = [&](const Section& s, std::uint32_t previous, std::uint32_t first, std::uint32_t last) {
-    for (std::uint32_t k = first; k <= last; ++k) {
-      if (k == s.first && k == previous) continue;
-      write(k == s.first ? flat(nodes_[s.from].at) : place_of(pieces_[k], true, ends), k);
+    if (first == s.first && first != previous) write(flat(nodes_[s.from].at), first);
+    for (std::uint32_t k = first == s.first ? first + 1 : first; k <= last; ++k) {
+      k = write_plain(writer, k, last + 1);
+      if (k <= last) write(place_of(pieces_[k], true, ends), k);
     }
   };
   if (!chain.closed) {

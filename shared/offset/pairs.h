@@ -93,7 +93,7 @@ class Pairing {
   std::vector<ChainTree::Leaf> leaves_;  // of the groups
   std::vector<char> alone_;
   std::vector<std::uint32_t> crowd_;  // groups that are not
-  std::array<Bunch, 128> cache_;
+  std::vector<Bunch> cache_;
   Bunch spare_;
   const Bunch* latest_ = nullptr;
   Bunch scissors_;

@@ -67,10 +67,13 @@ void Trimmer::make_sections() {
     add_section(open);
     open = {k, k, to, none};
   };
+  const auto amidst = [hot_of = hot_of_.data(), pieces = pieces_.data()](std::uint32_t k) {
+    return hot_of[k] == none && pieces[k].linked() && pieces[k + 1].linked();
+  };
   for (std::uint32_t k = 0; k < wanted_; ++k) {
     if (k % 1024 == 0 && progress_.cancelled()) return;
+    while (k > 0 && k + 1 < wanted_ && amidst(k)) ++k;
     const std::uint32_t hot = hot_of_[k];
-    if (hot == none && k > 0 && k + 1 < wanted_ && pieces_[k].linked() && pieces_[k + 1].linked()) continue;  // amidst a section
     if (k == 0 || !pieces_[k].linked()) {
       std::uint32_t from = start_node(k);
       if (from == none) from = new_node(end_of<Real>(pieces_[k], true).at);
