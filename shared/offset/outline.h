@@ -3,7 +3,6 @@
 // backwards (its left side), which only serve to cut. Everything is symbolic: a piece knows the site (segment or corner) it is parallel
 // to, and an end whether it is natural or a crossing with another site, so that its place can be had in doubles or in Real.
 
-#include <cmath>
 #include <limits>
 #include <type_traits>
 #include <vector>
@@ -98,14 +97,14 @@ class Outline {
     Flat end, start;
   };
   [[nodiscard]] Junction junction(std::uint32_t step) const;
-  struct Lead;
+  struct Lead;  // it, Starts and Ends are in outline_ends.h
   [[nodiscard]] Lead lead(std::uint32_t step) const;
   /// Natural ends in doubles.
   [[nodiscard]] Flat start_of(Site s) const;
   [[nodiscard]] Flat end_of(Site s) const;
   [[nodiscard]] Flat centre(Site s) const { return to<double>(s.step); }
-  class Ends;  // it, Starts and Lead are in outline_ends.h
   class Starts;
+  class Ends;
 
   /// True if p lies nearer than D - margin to the segment, or as deep in a mitre at one of its ends.
   [[nodiscard]] bool deep_inside(Flat p, std::uint32_t step, double margin) const {

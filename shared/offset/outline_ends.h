@@ -2,6 +2,7 @@
 // What is asked of nearly every piece, inline: natural ends in doubles, for pieces in the order of the walk, of which
 // neighbours share a junction; and whether line simply follows line.
 
+#include "shared/offset/block.h"
 #include "shared/offset/outline.h"
 
 namespace dobra::offset {
@@ -37,6 +38,22 @@ class Outline::Starts {
       start = points_[i] + d_ * geom::right_of(headings_[i]);
     }
     return true;
+  }
+
+  /// The same for the 16 steps of a block from `first` on, D being below its plain_below, and no mitre far: all starts in a row. What is
+  /// at the start of the first step is not known to be plain.
+  /// @param arcs  four bits a step: the first one where an arc is at its end.
+  bool find_block(std::uint32_t first, std::uint64_t arcs, geom::Point* start) const {
+    geom::Point* const first_start = start;
+    static constexpr double sign[] = {0, -1, 0, 1, 0, 0};  // of a Corner
+    static constexpr std::uint32_t back[] = {0, 1, 0, 1, 0, 0};
+    for (std::uint32_t i = first; i < first + Block::size; ++i, arcs >>= 4) {
+      const auto kind = static_cast<std::size_t>(corners_[i]);
+      const geom::Vector u = headings_[i - back[kind]];
+      *start++ = points_[i] + d_ * geom::right_of(u) + (sign[kind] * (d_ * half_tans_[i])) * u;
+      if ((arcs & 1) != 0) *start++ = points_[i + 1] + d_ * geom::right_of(headings_[i]);
+    }
+    return find({first, Role::Line}, *first_start);
   }
 
  private:

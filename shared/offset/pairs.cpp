@@ -187,8 +187,16 @@ void Pairing::pair_own(const ChainTree& tree) {
   bool stop = false;
   tree.for_each_pair([&](std::size_t a, std::size_t b) {
     if (++asked % 1024 == 0) stop = stop || progress_.cancelled();
-    if (!stop) pair_groups(crowd_[a], crowd_[b]);
+    if (!stop && !goes_straight_on(crowd_[a], crowd_[b])) pair_groups(crowd_[a], crowd_[b]);
   });
+}
+
+/// They are a connected part (or one is) that bends too little to meet itself.
+bool Pairing::goes_straight_on(std::size_t a, std::size_t b) const {
+  if (!leaves_[a].connected) return false;
+  if (a == b) return clearance_.bends_little(block_of(a));
+  return b == a + 1 && leaves_[b].connected && leaves_[b].linked && block_of(b) == block_of(a) + 1 &&
+         clearance_.bends_little_with_next(block_of(a));
 }
 
 /// Those that nothing but their neighbours may meet.

@@ -68,6 +68,7 @@ class Pairing {
   /// The groups that others than their neighbours may meet.
   [[nodiscard]] ChainTree crowd_tree();
   void pair_own(const ChainTree& tree);
+  [[nodiscard]] bool goes_straight_on(std::size_t a, std::size_t b) const;
   void pair_alone();
   void pair_groups(std::size_t a, std::size_t b);
   [[nodiscard]] std::uint32_t block_of(std::size_t group) const {

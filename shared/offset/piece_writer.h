@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "shared/offset/base_curve.h"
+#include "shared/offset/block.h"
 #include "shared/offset/piece.h"
 
 namespace dobra::offset {
@@ -60,6 +61,30 @@ class PieceWriter {
       piece_.edges.resize(piece_.points.size());
     }
     return k;
+  }
+  /// The pieces of all 16 steps from `first` on: starts(point) sets so many points or returns false, arcs as in Outline::Starts. False, and
+  /// nothing is written, where it is not so simple.
+  template <class Starts>
+  bool add_block(std::uint32_t first, std::uint64_t arcs, std::size_t count, const Starts& starts) {
+    const std::size_t size = piece_.points.size();
+    if (lengthened_ || size == 0) return false;
+    piece_.points.resize(size + count);
+    bool failed = !starts(piece_.points.data() + size);
+    for (std::size_t k = size; k < size + count; ++k) {
+      piece_.points[k] = base_.user(piece_.points[k]);
+      failed |= piece_.points[k] == piece_.points[k - 1];
+    }
+    if (failed) {
+      piece_.points.resize(size);
+      return false;
+    }
+    piece_.edges.resize(size + count);
+    OffsetEdge* edge = piece_.edges.data() + size;
+    for (std::uint32_t step = first; step < first + Block::size; ++step, arcs >>= 4) {
+      *edge++ = OffsetEdge::line(base_.source[step]);
+      if ((arcs & 1) != 0) *edge++ = OffsetEdge::arc(base_.source[step]);
+    }
+    return true;
   }
   /// Ends an open curve at p.
   OffsetPiece finish_open(geom::Point p) {

@@ -176,9 +176,8 @@ std::uint32_t Pass::glide(std::uint32_t step, std::uint32_t last, std::uint64_t 
 
 /// The lines of 16 steps, and the arcs after those where this has bits, four a step.
 void Pass::append_block(std::uint32_t first, std::uint64_t arcs) {
-  constexpr std::uint64_t any = 0x1111111111111111;
   const std::size_t size = made_.pieces.size();
-  if ((arcs & any) == 0) {
+  if (arcs == 0) {
     static const std::vector<Piece> lines = [] {
       std::vector<Piece> made;
       for (std::uint32_t step = 0; step < Block::size; ++step) made.push_back(Piece::linked_to({step, Role::Line}));
@@ -202,7 +201,7 @@ std::uint32_t Pass::glide_blocks(std::uint32_t step) {
     const Block& block = blocks_[step / Block::size];
     if (!(d_ < block.plain_below) || known_.word(step / Block::size) != block.absent) break;
     if (step > first && step % 4096 == 0) break;  // progress is to be asked
-    append_block(step, ~block.absent >> 1);
+    append_block(step, block.arcs());
     heat_ = 0;
   }
   if (step > first) settle();
