@@ -147,6 +147,40 @@ std::vector<Trimmer::Chain> Trimmer::assemble() {
   return result;
 }
 
+/// Pieces with natural starts of the most usual kinds. The first one that is none.
+std::uint32_t Trimmer::write_plain(PieceWriter& writer, std::uint32_t first, std::uint32_t last) const {
+  const Piece* const pieces = pieces_.data();
+  const Outline::Starts starts(outline_);
+  const auto find_start = [=](std::uint32_t k, geom::Point& from, Site& site) {
+    site = pieces[k].site();
+    return pieces[k].trim_a == Piece::none && starts.find(site, from);
+  };
+  for (std::uint32_t k = first; k < last;) {
+    const Block& block = clearance_.blocks()[pieces[k].step() / Block::size];
+    const std::uint32_t count = block.piece_count();
+    if (is_whole_block(block, k, last) && writer.add_block(pieces[k].step(), block.arcs(), count, [&](geom::Point* start) {
+          return starts.find_block(pieces[k].step(), block.arcs(), start);
+        })) {
+      k += count;
+      continue;
+    }
+    const std::uint32_t stop = std::min(last, k + Block::size - pieces[k].step() % Block::size);
+    const std::uint32_t next = writer.add_many(k, stop, find_start);
+    if (next < stop) return next;
+    k = next;
+  }
+  return last;
+}
+
+/// All pieces of a plain block begin with piece k, and none is cut.
+bool Trimmer::is_whole_block(const Block& block, std::uint32_t k, std::uint32_t last) const {
+  const Piece& first = pieces_[k];
+  const std::uint32_t count = block.piece_count();
+  if (!(outline_.distance() < block.plain_below) || clearance_.has_far_mitres() || k + count > last) return false;
+  if (first.step() % Block::size != 0 || !first.is_line() || pieces_[k + count - 1].step() != first.step() + Block::size - 1) return false;
+  return std::all_of(&first, &first + count, [](const Piece& p) { return p.trim_a == Piece::none; });
+}
+
 /// A closed chain starts where its lowest base segment does.
 OffsetPiece Trimmer::output(const Chain& chain) const {
   const std::span<const Section> sections(sections_.data() + chain.first, sections_.data() + chain.last);
@@ -165,9 +199,10 @@ OffsetPiece Trimmer::output(const Chain& chain) const {
   Outline::Ends ends(outline_);
   // A section that goes on in the piece where the one before stopped adds nothing there.
   const auto write_section = [&](const Section& s, std::uint32_t previous, std::uint32_t first, std::uint32_t last) {
-    for (std::uint32_t k = first; k <= last; ++k) {
-      if (k == s.first && k == previous) continue;
-      write(k == s.first ? flat(nodes_[s.from].at) : place_of(pieces_[k], true, ends), k);
+    if (first == s.first && first != previous) write(flat(nodes_[s.from].at), first);
+    for (std::uint32_t k = first == s.first ? first + 1 : first; k <= last; ++k) {
+      k = write_plain(writer, k, last + 1);
+      if (k <= last) write(place_of(pieces_[k], true, ends), k);
     }
   };
   if (!chain.closed) {

@@ -38,6 +38,32 @@ Clearance::Clearance(const BaseCurve& base, const OffsetOptions& options) : base
   add_mitres(options);
   blocks_.reserve((count + Block::size - 1) / Block::size);
   for (std::size_t i = 0; i < count; i += Block::size) add_block(i, std::min<std::size_t>(count, i + Block::size));
+  bends_.reserve(blocks_.size());
+  for (std::size_t i = 0; i < count; i += Block::size) {
+    const bool own = within_half_turn(i, std::min<std::size_t>(count, i + Block::size));
+    const bool both = own && i + Block::size < count && within_half_turn(i, std::min<std::size_t>(count, i + 2 * Block::size));
+    bends_.push_back(static_cast<std::uint8_t>((own ? 1 : 0) + (both ? 2 : 0)));
+  }
+}
+
+/// Segments, and the ones before and after them. No proof is sought where it is near to half a turn.
+bool Clearance::within_half_turn(std::size_t first, std::size_t last) const {
+  const std::size_t start = first > 0 ? first - 1 : 0;
+  const std::size_t end = std::min(base_.segment_count(), last + 1);
+  if (base_.closed && (first == 0 || last == base_.segment_count())) return false;
+  Flat right = flat(base_.headings[start]);
+  Flat left = right;
+  for (std::size_t i = start + 1; i < end; ++i) {
+    const Flat u = flat(base_.headings[i]);
+    if (cross(right, u) < 0) right = u;
+    if (cross(left, u) > 0) left = u;
+  }
+  const Flat middle = right + left;
+  const double least = 1e-3 * (std::abs(middle.x) + std::abs(middle.y));
+  for (std::size_t i = start; i < end; ++i) {
+    if (!(dot(flat(base_.headings[i]), middle) > least)) return false;
+  }
+  return true;
 }
 
 void Clearance::add_block(std::size_t first, std::size_t last) {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "shared/offset/block.h"
-#include "shared/offset/box_tree.h"
+#include "shared/offset/box_tree_search.h"
 #include "shared/offset/outline.h"
 
 namespace dobra::offset {
@@ -27,6 +27,11 @@ class Clearance {
   [[nodiscard]] bool has_mitres() const { return !mitres_.empty(); }
   /// Above what places of the outline at distance d, in doubles, are wrong by: the tips of mitres grow with their half tangents.
   [[nodiscard]] double margin(double d) const { return 1e-14 * (base_.size + d * (1 + greatest_mitre_)); }
+
+  /// The directions of a block, or of it and the next one, corners at both ends included, lie within less than half a turn: what is
+  /// connected of its right side does not meet itself. Finer than Block::directions.
+  [[nodiscard]] bool bends_little(std::size_t block) const { return (bends_[block] & 1) != 0; }
+  [[nodiscard]] bool bends_little_with_next(std::size_t block) const { return (bends_[block] & 2) != 0; }
 
   /// Finds out what is_alone and is_harmless tell. Worth its cost where several distances share it.
   /// @param least, greatest  distances.  @cost some 0.3 us a segment where the base keeps far from itself.
@@ -65,6 +70,7 @@ class Clearance {
   void add_block(std::size_t first, std::size_t last);
   [[nodiscard]] std::uint64_t absent_pieces(std::size_t first, std::size_t last) const;
   [[nodiscard]] double plain_below(std::size_t first, std::size_t last) const;
+  [[nodiscard]] bool within_half_turn(std::size_t first, std::size_t last) const;
   void add_mitres(const OffsetOptions& options);
   [[nodiscard]] double squared_distance(std::size_t segment, Flat p) const;
   /// Segments of a leaf, until visit(segment) returns true.
@@ -90,6 +96,7 @@ class Clearance {
   std::vector<Block> blocks_;
   BoxTree tree_;            // of leaves
   BoxTree mitres_;          // of (mitre - corner) / D, of the same leaves; empty if there is none
+  std::vector<std::uint8_t> bends_;  // of blocks, by bits: see bends_little
   std::vector<Gaps> gaps_;  // of blocks; empty where nobody asked
   double greatest_mitre_ = 0;  // half tangent
 };

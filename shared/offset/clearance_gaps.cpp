@@ -120,6 +120,8 @@ std::pair<double, double> Clearance::gaps_about(std::size_t block, double floor,
   if (last + Block::size < n) measure_one(last - 1, last + Block::size);
   if (first > Block::size) measure_one(first, first - Block::size - 1);
   static_assert(run == leaf_size && Block::size == run * BoxTree::width);
+  FloatBox own_boxes[Block::size];
+  for (std::size_t i = first; i < last; ++i) own_boxes[i - first] = box(i);
   const auto look = [&](std::size_t leaf) {
     const std::size_t other = leaf * run;
     const double& least = apart(first, other, Block::size) ? far : near;
@@ -129,8 +131,7 @@ std::pair<double, double> Clearance::gaps_about(std::size_t block, double floor,
       FloatBox others[run];
       for (std::size_t j = other; j < end; ++j) others[j - other] = box(j);
       for (std::size_t i = own_run; i < std::min(last, own_run + run); ++i) {
-        const FloatBox of_i = box(i);
-        for (std::size_t j = other; j < end; ++j) measure(i, of_i, j, others[j - other]);
+        for (std::size_t j = other; j < end; ++j) measure(i, own_boxes[i - first], j, others[j - other]);
       }
     }
     return far < floor * floor;

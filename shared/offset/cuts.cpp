@@ -89,8 +89,10 @@ void Trimmer::warm() {
   hot_of_.assign(pieces_.size(), none);
   if (pairs_.empty()) return;
   for (const auto& [i, j] : pairs_) hot_of_[i] = hot_of_[j] = 0;
-  for (std::uint32_t k = 0; k < pieces_.size(); ++k) {
-    if (hot_of_[k] == none) continue;
+  for (auto found = hot_of_.begin();; ++found) {
+    found = std::find(found, hot_of_.end(), 0U);
+    if (found == hot_of_.end()) break;
+    const auto k = static_cast<std::uint32_t>(found - hot_of_.begin());
     const auto hot = static_cast<std::uint32_t>(hot_.size());
     const bool linked = k > 0 && pieces_[k].linked() && hot > 0 && hot_.back().piece == k - 1;
     HotPiece made{shape<Real>(pieces_[k]), k, none, none, k < wanted_};

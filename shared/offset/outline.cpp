@@ -97,7 +97,7 @@ Outline::Junction Outline::junction(std::uint32_t step) const {
     const Flat u = flat(base_.headings[step]);
     const Flat foot = p + d_ * right_of(u);
     const double t = base_.half_tans[at];
-    if (!meets(t, base_.spans[step], base_.spans[at])) return {Corner::Apart, foot, next};
+    if (!meets(d_, t, base_.spans[step], base_.spans[at])) return {Corner::Apart, foot, next};
     const Flat meet = foot - (d_ * t) * u;
     return {Corner::Meet, meet, meet};
   }

@@ -3,7 +3,6 @@
 // backwards (its left side), which only serve to cut. Everything is symbolic: a piece knows the site (segment or corner) it is parallel
 // to, and an end whether it is natural or a crossing with another site, so that its place can be had in doubles or in Real.
 
-#include <cmath>
 #include <limits>
 #include <type_traits>
 #include <vector>
@@ -98,13 +97,14 @@ class Outline {
     Flat end, start;
   };
   [[nodiscard]] Junction junction(std::uint32_t step) const;
-  struct Lead;
+  struct Lead;  // it, Starts and Ends are in outline_ends.h
   [[nodiscard]] Lead lead(std::uint32_t step) const;
   /// Natural ends in doubles.
   [[nodiscard]] Flat start_of(Site s) const;
   [[nodiscard]] Flat end_of(Site s) const;
   [[nodiscard]] Flat centre(Site s) const { return to<double>(s.step); }
-  class Ends;  // it and Lead are in outline_ends.h
+  class Starts;
+  class Ends;
 
   /// True if p lies nearer than D - margin to the segment, or as deep in a mitre at one of its ends.
   [[nodiscard]] bool deep_inside(Flat p, std::uint32_t step, double margin) const {
@@ -124,8 +124,8 @@ class Outline {
   [[nodiscard]] bool deep_in_mitre(Flat q, std::uint32_t step, bool at_end, double margin) const;
   /// At an inner corner: beyond the bisector each line is nearer than D to the other segment, provided that this reaches so far.
   /// Where it only just does, the answer no is the safe one: it leaves it to the cuts.
-  [[nodiscard]] bool meets(double half_tan, double span, double next) const {
-    const double reach = d_ * half_tan * (1 + 1e-12);
+  static bool meets(double d, double half_tan, double span, double next) {
+    const double reach = d * half_tan * (1 + 1e-12);
     return reach < span && reach < next;
   }
 
@@ -144,7 +144,7 @@ inline Corner Outline::corner(std::uint32_t step) const {
   const double t = base_.half_tans[at];
   if (step >= n_) kind = kind == Corner::Meet || std::isinf(t) ? Corner::Arc : Corner::Meet;
   if (kind != Corner::Meet) return kind;
-  return meets(t, span(step), span(after(step))) ? Corner::Meet : Corner::Apart;
+  return meets(d_, t, span(step), span(after(step))) ? Corner::Meet : Corner::Apart;
 }
 
 }  // namespace dobra::offset

@@ -2,13 +2,73 @@
 // What is asked of nearly every piece, inline: natural ends in doubles, for pieces in the order of the walk, of which
 // neighbours share a junction; and whether line simply follows line.
 
+#include "shared/offset/block.h"
 #include "shared/offset/outline.h"
 
 namespace dobra::offset {
 
+/// Natural starts of lines and first arcs of the right side in doubles, for very many in a row: no detours, and all that is asked of the
+/// base at hand.
+class Outline::Starts {
+ public:
+  explicit Starts(const Outline& outline)
+      : points_(outline.base_.points.data()),
+        headings_(outline.base_.headings.data()),
+        half_tans_(outline.base_.half_tans.data()),
+        spans_(outline.base_.spans.data()),
+        corners_(outline.corners_.data()),
+        d_(outline.d_),
+        inner_(outline.n_ < 2 ? 0 : outline.n_ - 2) {}
+  /// False at the ends of the walk, and where the corner is not of a usual kind.
+  bool find(Site s, geom::Point& start) const {
+    const std::uint32_t i = s.step;
+    if (i - 1 >= inner_ || s.role > Role::Arc) return false;
+    if (s.role == Role::Arc) {
+      start = points_[i + 1] + d_ * geom::right_of(headings_[i]);
+      return true;
+    }
+    const Corner kind = corners_[i];
+    const double t = half_tans_[i];
+    if (kind == Corner::Tangent || (kind == Corner::Mitre && t > 16)) return false;
+    if (kind == Corner::Mitre || (kind == Corner::Meet && meets(d_, t, spans_[i - 1], spans_[i]))) {
+      const geom::Vector u = headings_[i - 1];
+      const double reach = d_ * t;
+      start = points_[i] + d_ * geom::right_of(u) + (kind == Corner::Mitre ? reach : -reach) * u;
+    } else {
+      start = points_[i] + d_ * geom::right_of(headings_[i]);
+    }
+    return true;
+  }
+
+  /// The same for the 16 steps of a block from `first` on, D being below its plain_below, and no mitre far: all starts in a row. What is
+  /// at the start of the first step is not known to be plain.
+  /// @param arcs  four bits a step: the first one where an arc is at its end.
+  bool find_block(std::uint32_t first, std::uint64_t arcs, geom::Point* start) const {
+    geom::Point* const first_start = start;
+    static constexpr double sign[] = {0, -1, 0, 1, 0, 0};  // of a Corner
+    static constexpr std::uint32_t back[] = {0, 1, 0, 1, 0, 0};
+    for (std::uint32_t i = first; i < first + Block::size; ++i, arcs >>= 4) {
+      const auto kind = static_cast<std::size_t>(corners_[i]);
+      const geom::Vector u = headings_[i - back[kind]];
+      *start++ = points_[i] + d_ * geom::right_of(u) + (sign[kind] * (d_ * half_tans_[i])) * u;
+      if ((arcs & 1) != 0) *start++ = points_[i + 1] + d_ * geom::right_of(headings_[i]);
+    }
+    return find({first, Role::Line}, *first_start);
+  }
+
+ private:
+  const geom::Point* points_;
+  const geom::Vector* headings_;
+  const double* half_tans_;
+  const double* spans_;
+  const Corner* corners_;
+  double d_;
+  std::uint32_t inner_;  // from 1 on so many steps
+};
+
 class Outline::Ends {
  public:
-  explicit Ends(const Outline& outline) : outline_(outline) {}
+  explicit Ends(const Outline& outline) : outline_(outline), starts_(outline) {}
   [[nodiscard]] Flat start_of(Site s);
   [[nodiscard]] Flat end_of(Site s);
 
@@ -20,27 +80,14 @@ class Outline::Ends {
     return junction_;
   }
   const Outline& outline_;
+  const Starts starts_;
   std::uint32_t step_ = std::numeric_limits<std::uint32_t>::max();
   Junction junction_{};
 };
 
 inline Flat Outline::Ends::start_of(Site s) {
-  if (s.step == 0 || s.step >= outline_.n_) return other_start_of(s);
-  // Mostly so: the right side, without the detours.
-  const BaseCurve& base = outline_.base_;
-  const double d = outline_.d_;
-  if (s.role == Role::Arc) return flat(base.end(s.step)) + d * right_of(flat(base.headings[s.step]));
-  const Corner kind = outline_.corners_[s.step];
-  if (s.role != Role::Line || kind == Corner::Tangent) return other_start_of(s);
-  const Flat p = flat(base.points[s.step]);
-  const double t = base.half_tans[s.step];
-  const bool mitre = kind == Corner::Mitre;
-  if (mitre && t > 16) return other_start_of(s);
-  if (mitre || (kind == Corner::Meet && outline_.meets(t, base.spans[s.step - 1], base.spans[s.step]))) {
-    const Flat u = flat(base.headings[s.step - 1]);
-    return p + d * right_of(u) + (mitre ? d * t : -(d * t)) * u;
-  }
-  return p + d * right_of(flat(base.headings[s.step]));
+  geom::Point start;
+  return starts_.find(s, start) ? flat(start) : other_start_of(s);
 }
 
 /// The line of a step and the corner at its end, where that is a plain one: none, an inner one that leaves a length of
@@ -56,7 +103,7 @@ inline Outline::Lead Outline::lead(std::uint32_t step) const {
   const Corner kind = corners_[at];
   const double t = base_.half_tans[at];
   const double span = base_.spans[step];
-  const bool plain = kind == Corner::Meet  ? meets(t, span, base_.spans[at])
+  const bool plain = kind == Corner::Meet  ? meets(d_, t, span, base_.spans[at])
                      : kind == Corner::Arc ? t <= 1
                                            : kind == Corner::Straight || kind == Corner::Mitre;
   if (!plain) return {false, kind, 0};

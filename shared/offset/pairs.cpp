@@ -23,6 +23,7 @@ Pairing::Pairing(const Outline& outline, const Clearance& clearance, Survivors& 
 Pairing::Pairs Pairing::run(const Buried& known, Buried* found) {
   if (wanted_ == 0) return {};
   make_groups();
+  cache_.resize(std::min<std::size_t>(128, groups_.size()));
   const ChainTree tree = crowd_tree();
   pair_own(tree);
   pair_alone();
@@ -48,7 +49,7 @@ Pairing::Shape Pairing::shape(Site site, std::uint32_t piece, Flat a, Flat b) co
   return made;
 }
 
-/// A linked piece starts where the one before it ends.
+/// A linked piece starts where the one before it ends; its start is had more easily.
 template <class Visit>
 void Pairing::each_shape(const Group& group, const Visit& visit) const {
   Flat end{};
@@ -56,7 +57,8 @@ void Pairing::each_shape(const Group& group, const Visit& visit) const {
   for (std::uint32_t k = group.first; k < group.last; ++k) {
     const Piece& p = chain_.pieces[k];
     const Flat start = k > group.first && p.linked() ? end : chain_.start(ends, p);
-    end = chain_.end(ends, p);
+    const bool goes_on = k + 1 < wanted_ && chain_.pieces[k + 1].linked();
+    end = goes_on ? chain_.start(ends, chain_.pieces[k + 1]) : chain_.end(ends, p);
     visit(shape(p.site(), k, start, end));
   }
 }
@@ -69,8 +71,9 @@ void Pairing::make_groups() {
     const std::uint32_t block = pieces[first].step() / Block::size;
     std::uint32_t last = first + 1;
     bool connected = true;
-    for (; last < wanted_ && pieces[last].step() / Block::size == block; ++last)
-      connected = connected && pieces[last].linked();
+    for (const Piece* piece = pieces.data() + last; last < wanted_ && piece->step() / Block::size == block; ++last, ++piece) {
+      connected &= piece->linked();
+    }
     ChainTree::Leaf leaf{blocks[block].box(false, d, margin_), blocks[block].directions, connected,
                          pieces[first].linked() && first > 0};
     if (last - first < few) {
@@ -184,8 +187,16 @@ void Pairing::pair_own(const ChainTree& tree) {
   bool stop = false;
   tree.for_each_pair([&](std::size_t a, std::size_t b) {
     if (++asked % 1024 == 0) stop = stop || progress_.cancelled();
-    if (!stop) pair_groups(crowd_[a], crowd_[b]);
+    if (!stop && !goes_straight_on(crowd_[a], crowd_[b])) pair_groups(crowd_[a], crowd_[b]);
   });
+}
+
+/// They are a connected part (or one is) that bends too little to meet itself.
+bool Pairing::goes_straight_on(std::size_t a, std::size_t b) const {
+  if (!leaves_[a].connected) return false;
+  if (a == b) return clearance_.bends_little(block_of(a));
+  return b == a + 1 && leaves_[b].connected && leaves_[b].linked && block_of(b) == block_of(a) + 1 &&
+         clearance_.bends_little_with_next(block_of(a));
 }
 
 /// Those that nothing but their neighbours may meet.

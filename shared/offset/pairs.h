@@ -68,6 +68,7 @@ class Pairing {
   /// The groups that others than their neighbours may meet.
   [[nodiscard]] ChainTree crowd_tree();
   void pair_own(const ChainTree& tree);
+  [[nodiscard]] bool goes_straight_on(std::size_t a, std::size_t b) const;
   void pair_alone();
   void pair_groups(std::size_t a, std::size_t b);
   [[nodiscard]] std::uint32_t block_of(std::size_t group) const {
@@ -93,7 +94,7 @@ class Pairing {
   std::vector<ChainTree::Leaf> leaves_;  // of the groups
   std::vector<char> alone_;
   std::vector<std::uint32_t> crowd_;  // groups that are not
-  std::array<Bunch, 128> cache_;
+  std::vector<Bunch> cache_;
   Bunch spare_;
   const Bunch* latest_ = nullptr;
   Bunch scissors_;

@@ -1,13 +1,18 @@
 #pragma once
 // Writes a curve of lines and arcs as an OffsetPiece, in the user's coordinates.
 
+#include <algorithm>
+
 #include "shared/offset/base_curve.h"
+#include "shared/offset/block.h"
+#include "shared/offset/piece.h"
 
 namespace dobra::offset {
 
 class PieceWriter {
  public:
-  PieceWriter(const BaseCurve& base, Join join) : base_(base), keeps_arcs_(join == Join::Round) {
+  PieceWriter(const BaseCurve& base, Join join)
+      : base_(base), keeps_arcs_(join == Join::Round), lengthened_(!base.closed && base.renumbered) {
     piece_.side = base.mirrored ? Side::LeftOfTravel : Side::RightOfTravel;
   }
 
@@ -20,11 +25,66 @@ class PieceWriter {
   /// A point, from which an arc about the end of base segment `segment` leaves. Arcs of one corner become one. Where an end was
   /// lengthened (base_curve.cpp) the base does not turn but by rounding, and there is no arc.
   void add_arc(geom::Point from, std::size_t segment) {
-    if (!base_.closed && segment + 1 < base_.source.size() && base_.source[segment] == base_.source[segment + 1]) {
+    if (lengthened_ && segment + 1 < base_.source.size() && base_.source[segment] == base_.source[segment + 1]) {
       return add_line(from, segment);
     }
     const OffsetEdge edge = OffsetEdge::arc(base_.source[segment]);
     if (piece_.edges.empty() || piece_.edges.back() != edge) add(from, edge);
+  }
+  /// Many of them: start_of(k, from, site) gives the point that piece k leaves, and its site, line or first arc, or returns false. The
+  /// first piece that is not written.
+  template <class StartOf>
+  std::uint32_t add_many(std::uint32_t k, std::uint32_t last, const StartOf& start_of) {
+    constexpr std::uint32_t part = 256;  // near when it is written
+    const geom::Point origin = base_.origin;
+    const double up = base_.mirrored ? -1 : 1;
+    const std::uint32_t* const source = base_.source.data();
+    for (bool going = !lengthened_ && !piece_.points.empty(); going && k < last;) {
+      const std::size_t size = piece_.points.size();
+      const std::uint32_t stop = std::min(last, k + part);
+      piece_.points.resize(size + (stop - k));
+      piece_.edges.resize(size + (stop - k));
+      geom::Point* point = piece_.points.data() + size;
+      OffsetEdge* edge = piece_.edges.data() + size;
+      geom::Point from;
+      Site site{};
+      for (; k < stop; ++k) {
+        going = start_of(k, from, site);
+        if (!going) break;
+        const geom::Point q{from.x + origin.x, up * from.y + origin.y};
+        const std::uint32_t segment = source[site.step];
+        if (q == point[-1]) --point, --edge;
+        *point++ = q;
+        *edge++ = site.role == Role::Arc ? OffsetEdge::arc(segment) : OffsetEdge::line(segment);
+      }
+      piece_.points.resize(static_cast<std::size_t>(point - piece_.points.data()));
+      piece_.edges.resize(piece_.points.size());
+    }
+    return k;
+  }
+  /// The pieces of all 16 steps from `first` on: starts(point) sets so many points or returns false, arcs as in Outline::Starts. False, and
+  /// nothing is written, where it is not so simple.
+  template <class Starts>
+  bool add_block(std::uint32_t first, std::uint64_t arcs, std::size_t count, const Starts& starts) {
+    const std::size_t size = piece_.points.size();
+    if (lengthened_ || size == 0) return false;
+    piece_.points.resize(size + count);
+    bool failed = !starts(piece_.points.data() + size);
+    for (std::size_t k = size; k < size + count; ++k) {
+      piece_.points[k] = base_.user(piece_.points[k]);
+      failed |= piece_.points[k] == piece_.points[k - 1];
+    }
+    if (failed) {
+      piece_.points.resize(size);
+      return false;
+    }
+    piece_.edges.resize(size + count);
+    OffsetEdge* edge = piece_.edges.data() + size;
+    for (std::uint32_t step = first; step < first + Block::size; ++step, arcs >>= 4) {
+      *edge++ = OffsetEdge::line(base_.source[step]);
+      if ((arcs & 1) != 0) *edge++ = OffsetEdge::arc(base_.source[step]);
+    }
+    return true;
   }
   /// Ends an open curve at p.
   OffsetPiece finish_open(geom::Point p) {
@@ -65,7 +125,8 @@ class PieceWriter {
   }
 
   const BaseCurve& base_;
-  bool keeps_arcs_;  // chord bevels are the chords of what is left of their arcs
+  const bool keeps_arcs_;  // chord bevels are the chords of what is left of their arcs
+  const bool lengthened_;  // the base may be
   OffsetPiece piece_;
 };
 

@@ -67,10 +67,18 @@ void Trimmer::make_sections() {
     add_section(open);
     open = {k, k, to, none};
   };
+  // From a linked piece to the next one that may be cut, or that the next one does not follow: amidst a section.
+  std::size_t next_hot = 0;
+  const auto skip = [&, pieces = pieces_.data()](std::uint32_t k) {
+    while (next_hot < hot_.size() && hot_[next_hot].piece < k) ++next_hot;
+    const std::uint32_t stop = std::min(wanted_ - 1, next_hot < hot_.size() ? hot_[next_hot].piece : wanted_);
+    while (k < stop && pieces[k + 1].linked()) ++k;
+    return k;
+  };
   for (std::uint32_t k = 0; k < wanted_; ++k) {
     if (k % 1024 == 0 && progress_.cancelled()) return;
+    if (k > 0 && pieces_[k].linked()) k = skip(k);
     const std::uint32_t hot = hot_of_[k];
-    if (hot == none && k > 0 && k + 1 < wanted_ && pieces_[k].linked() && pieces_[k + 1].linked()) continue;  // amidst a section
     if (k == 0 || !pieces_[k].linked()) {
       std::uint32_t from = start_node(k);
       if (from == none) from = new_node(end_of<Real>(pieces_[k], true).at);

@@ -53,10 +53,8 @@ class Pass {
     tail_a_ = start(tail);
     tail_b_ = end(tail);
   }
-  void append(Site site) {
-    made_.pieces.push_back(Piece(site));
-    made_.pieces.back().link(true);
-  }
+  void append(Site site) { made_.pieces.push_back(Piece::linked_to(site)); }
+  void append_block(std::uint32_t first, std::uint64_t arcs);
   void push(Site site, Flat a, Flat b, bool linked);
   void pop();
   void close();
@@ -176,6 +174,25 @@ std::uint32_t Pass::glide(std::uint32_t step, std::uint32_t last, std::uint64_t 
   return step;
 }
 
+/// The lines of 16 steps, and the arcs after those where this has bits, four a step.
+void Pass::append_block(std::uint32_t first, std::uint64_t arcs) {
+  const std::size_t size = made_.pieces.size();
+  if (arcs == 0) {
+    static const std::vector<Piece> lines = [] {
+      std::vector<Piece> made;
+      for (std::uint32_t step = 0; step < Block::size; ++step) made.push_back(Piece::linked_to({step, Role::Line}));
+      return made;
+    }();
+    made_.pieces.insert(made_.pieces.end(), lines.begin(), lines.end());
+    for (std::size_t k = size; k < size + Block::size; ++k) made_.pieces[k].move_on(first);
+    return;
+  }
+  for (std::uint32_t step = first; step < first + Block::size; ++step, arcs >>= 4) {
+    append({step, Role::Line});
+    if ((arcs & 1) != 0) append({step, Role::Arc});
+  }
+}
+
 /// The same for whole blocks, all of whose pieces are there.
 std::uint32_t Pass::glide_blocks(std::uint32_t step) {
   if (!goes_on()) return step;
@@ -184,11 +201,7 @@ std::uint32_t Pass::glide_blocks(std::uint32_t step) {
     const Block& block = blocks_[step / Block::size];
     if (!(d_ < block.plain_below) || known_.word(step / Block::size) != block.absent) break;
     if (step > first && step % 4096 == 0) break;  // progress is to be asked
-    std::uint64_t arcs = ~block.absent >> 1;
-    for (std::uint32_t k = step; k < step + Block::size; ++k, arcs >>= 4) {
-      append(Site{k, Role::Line});
-      if ((arcs & 1) != 0) append(Site{k, Role::Arc});
-    }
+    append_block(step, block.arcs());
     heat_ = 0;
   }
   if (step > first) settle();
@@ -433,9 +446,12 @@ void Pass::close() {
   }
 }
 
-/// Long connected parts are what the pass understood; queries are for the short ones.
+/// Long connected parts are what the pass understood; queries are for the short ones. What lies between two free pieces near each other
+/// is likely to be free as well.
 void Pass::cull() {
   constexpr std::size_t short_fragment = 64;
+  constexpr std::size_t stride = 4;
+  const auto cover = [&](const Piece& p) { return !p.examined() && is_covered(p.site(), start(p), end(p)); };
   auto& pieces = made_.pieces;
   const std::size_t count = pieces.size();
   std::size_t last_kept = count;
@@ -452,12 +468,17 @@ void Pass::cull() {
       first = last;
       continue;
     }
+    std::size_t free_to = first;
+    std::size_t covered = count;
     for (std::size_t k = first; k < last; ++k) {
       Piece piece = pieces[k];
       if (is_short && ++asked % 1024 == 0 && progress_.cancelled()) return;
-      if (is_short && !piece.examined() && is_covered(piece.site(), start(piece), end(piece))) {
-        dropped = true;
-        continue;
+      if (is_short && k >= free_to) {
+        if (k == covered || cover(piece)) {
+          dropped = true;
+          continue;
+        }
+        for (covered = k + stride; covered < last && !cover(pieces[covered]); covered += stride) free_to = covered + 1;
       }
       piece.link(piece.linked() && !dropped);
       dropped = false;

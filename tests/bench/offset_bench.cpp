@@ -1,15 +1,16 @@
 // Speed of the offset engine against two marks in the same run: "raw", writing the untrimmed offset vertices of the same
 // base (the least that any method does), and GEOS (one-sided or polygon buffer, whichever the base calls for). One thread.
 // Arguments: size; 13 distances. Counters: raw and geos are the time ratios (ours / raw, GEOS / ours); peak_bytes
-// is the heap above input and output, per base point. tests/bench/offset_table.py makes a table of a run, with the exponents of time in n.
-// The best of several runs counts, and memory once taken stays with the process, for all three: what the system takes to hand out pages
-// tells nothing about them.
-// Figures belong in docs/algorithms/offset.md.
+// is the heap above input and output, per base point, geos_runs how many runs of GEOS count. tests/bench/offset_table.py makes a table of a
+// run, with the exponents of time in n. The median of at least five runs counts, for all three (GEOS: of one where that takes more than 2 s),
+// and memory once taken stays with the process: what the system takes to hand out pages tells nothing about them.
+// Single rows: --benchmark_filter='^gear_in/1000/' (family and size; any regular expression). Figures belong in docs/algorithms/offset.md.
 
 #include <benchmark/benchmark.h>
 #include <geos_c.h>
 #include <malloc.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
@@ -137,11 +138,18 @@ struct Family {
 /// Of this process on the processor: with one thread the time taken, whatever else the machine does.
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 double seconds_since(double start) { return processor_seconds() - start; }
+double median(std::vector<double> seconds) {
+  const auto middle = seconds.begin() + static_cast<std::ptrdiff_t>(seconds.size() / 2);
+  std::nth_element(seconds.begin(), middle, seconds.end());
+  return *middle;
+}
+/// Runs of ours, and of raw.
+constexpr int runs_of(std::size_t n) { return n < 5000 ? 51 : 7; }
 
 /// One foot point a segment: a square root, a division and 20 bytes of result.
 double raw_seconds(const Polyline& base, const std::vector<double>& distances) {
-  double best = 1e300;
-  for (int repeat = 0; repeat < (base.points.size() < 100'000 ? 30 : 3); ++repeat) {
+  std::vector<double> runs;
+  while (runs.size() < static_cast<std::size_t>(runs_of(base.points.size()))) {
     const auto start = processor_seconds();
     std::vector<OffsetPiece> curves;
     for (const double d : distances) {
@@ -158,13 +166,13 @@ double raw_seconds(const Polyline& base, const std::vector<double>& distances) {
       curves.push_back(std::move(piece));
     }
     benchmark::DoNotOptimize(curves.data());
-    best = std::min(best, seconds_since(start));
+    runs.push_back(seconds_since(start));
   }
-  return best;
+  return median(std::move(runs));
 }
 
-/// All distances with GEOS at the same arc tolerance; 0 if the first takes more than its share of 10 s.
-double geos_seconds(const Polyline& base, const Family& family, const std::vector<double>& distances) {
+/// All distances with GEOS at the same arc tolerance, each run; none if the first takes more than 10 s.
+std::vector<double> geos_runs(const Polyline& base, const Family& family, const std::vector<double>& distances) {
   const GEOSContextHandle_t geos = GEOS_init_r();
   const std::size_t count = base.points.size() + (base.closed ? 1 : 0);
   GEOSCoordSequence* const points = GEOSCoordSeq_create_r(geos, static_cast<unsigned>(count), 2);
@@ -190,12 +198,12 @@ double geos_seconds(const Polyline& base, const Family& family, const std::vecto
     }
     return seconds_since(start);
   };
-  double seconds = once();
-  const auto start = processor_seconds();
-  for (int repeat = 1; repeat < 20 && seconds_since(start) < 1.0 && seconds < 1.0; ++repeat) seconds = std::min(seconds, once());
+  std::vector<double> runs{once()};
+  while (runs.front() < 2.0 && runs.size() < 5) runs.push_back(once());
   GEOSGeom_destroy_r(geos, input);
   GEOS_finish_r(geos);
-  return seconds > 10.0 ? 0.0 : seconds;
+  if (runs.front() > 10.0) runs.clear();
+  return runs;
 }
 
 void offset_family(benchmark::State& state, const Family& family) {
@@ -207,12 +215,12 @@ void offset_family(benchmark::State& state, const Family& family) {
   OffsetOptions options;
   options.side = family.side;
   options.join = family.join;
-  double seconds = 1e300;
+  std::vector<double> runs;
   std::size_t pieces = 0;
   for (auto _ : state) {
     const auto start = processor_seconds();
     const auto curves = offset::offset(base, distances, options);
-    seconds = std::min(seconds, seconds_since(start));
+    runs.push_back(seconds_since(start));
     if (!curves.ok()) return state.SkipWithError(curves.error().message.c_str());
     pieces = 0;
     for (const auto& curve : *curves) pieces += curve.pieces.size();
@@ -224,10 +232,12 @@ void offset_family(benchmark::State& state, const Family& family) {
   std::size_t output = 0;
   for (const auto& piece : one->front().pieces) output += 16 * piece.points.capacity() + 4 * piece.edges.capacity();
   const double points = static_cast<double>(base.points.size());
+  const double seconds = median(std::move(runs));
   state.counters["ns_point_curve"] = seconds / 13 / points * 1e9;
   state.counters["raw"] = seconds / raw_seconds(base, distances);
-  const double geos = n <= family.greatest_geos ? geos_seconds(base, family, distances) : 0.0;
-  state.counters["geos"] = geos / seconds;  // 0: not asked, or more than 10 s
+  const std::vector<double> geos = n <= family.greatest_geos ? geos_runs(base, family, distances) : std::vector<double>{};
+  state.counters["geos"] = geos.empty() ? 0.0 : median(geos) / seconds;  // 0: not asked, or more than 10 s
+  state.counters["geos_runs"] = static_cast<double>(geos.size());
   state.counters["peak_bytes"] = static_cast<double>(highest - std::min(highest, output)) / points;
   state.counters["pieces"] = static_cast<double>(pieces);
 }
@@ -266,7 +276,7 @@ int main(int count, char** arguments) {
   for (const Family& family : families) {
     for (std::size_t n = 1000; n <= family.greatest; n *= 10) {
       auto* const entry = benchmark::RegisterBenchmark(family.name, [&family](benchmark::State& state) { offset_family(state, family); });
-      entry->Arg(static_cast<std::int64_t>(n))->Unit(benchmark::kMillisecond)->Iterations(n > 1000 ? 7 : 50);
+      entry->Arg(static_cast<std::int64_t>(n))->Unit(benchmark::kMillisecond)->Iterations(runs_of(n));
     }
   }
   benchmark::Initialize(&count, arguments);

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The cost table of docs/algorithms/offset.md from one run of the benchmark:
-build/bench/bin/offset_bench --benchmark_out=ob.json --benchmark_out_format=json && tests/bench/offset_table.py ob.json"""
+build/bench/bin/offset_bench --benchmark_out=ob.json --benchmark_out_format=json && tests/bench/offset_table.py ob.json
+(1): GEOS ran once, as one run took more than 2 s; else medians of at least five runs."""
 import json
 import math
 import sys
@@ -34,5 +35,6 @@ for name, points in runs.items():
     first, last = size(name, points[0][0]), size(name, points[-1][0])
     exponent = 1 + math.log(ns[-1] / ns[0]) / math.log(last / first) if last > first else float("nan")
     row = lambda key: ", ".join(short(b[key]) for _, b in points)
+    geos = ", ".join(short(b["geos"]) + (" (1)" if b["geos_runs"] == 1 else "") for _, b in points)
     sizes = ", ".join(f"1e{round(math.log10(n))}" for n, _ in points)
-    print(f"| {name} | {sizes} | {row('ns_point_curve')} | {row('raw')} | {row('geos')} | {exponent:.2f} | {row('peak_bytes')} |")
+    print(f"| {name} | {sizes} | {row('ns_point_curve')} | {row('raw')} | {geos} | {exponent:.2f} | {row('peak_bytes')} |")

@@ -1,6 +1,6 @@
 // Nothing that a look at all boxes finds may be missed; what is reported beyond it may only be near.
 
-#include "shared/offset/box_tree.h"
+#include "shared/offset/box_tree_search.h"
 
 #include <gtest/gtest.h>
 
