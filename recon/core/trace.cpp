@@ -20,8 +20,8 @@ namespace {
 ///      emit that place in both cells (a tear).
 /// Map: `locate(p, hint)`, `enter(cell)`: what the map needs to know of the cell for the next two, `beyond(entered,
 /// p)`: metres beyond each side of a cell, linear along straight lines, `carry(entered, p)`, `keeps(spot, p, nearest)`,
-/// `back(image, hint)`, `hint_back(cell)`, `is_outer(cell)`, `bends()`, `tolerances()`. Where `beyond` is dear: `sides`,
-/// and `beyond(entered, side, p)` of one. `first_holds`: see look_ahead.
+/// `back(image, hint)`, `hint_back(cell)`, `is_outer(cell)`, `bends()`, `tolerances()`. Where `beyond` is dear:
+/// `sides`, and `beyond(entered, side, p)` of one. `first_holds`: see look_ahead.
 template <class Map>
 class Tracer {
  public:
