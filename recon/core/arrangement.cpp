@@ -1,24 +1,94 @@
 #include "recon/core/arrangement.h"
 
 #include <algorithm>
+#include <iterator>
 #include <unordered_map>
 
 #include "shared/topo/insert.h"
 
 namespace recon::core {
 
-base::Result<Arrangement> Arrangement::make(std::span<const geom::Polyline> lines) {
+base::Result<Arrangement> Arrangement::make(std::vector<geom::Polyline> lines) {
   Arrangement made;
-  for (const geom::Polyline& line : lines) DOBRA_TRY_VOID(made.add(line));
+  DOBRA_TRY_VOID(made.add(std::move(lines)));
   return made;
 }
 
-base::Result<void> Arrangement::add(const geom::Polyline& line) {
-  const auto number = static_cast<std::uint32_t>(lines_.size());
-  DOBRA_TRY(const topo::Inserted inserted, topo::insert(subdivision_, line));
-  for (const topo::HalfEdgeId h : inserted.path) own(topo::Structure::edge(h), number);
-  lines_.push_back(line);
+base::Result<void> Arrangement::add(std::vector<geom::Polyline> lines) {
+  const auto old = static_cast<std::uint32_t>(lines_.size());
+  stretches_.add(lines);
+  for (std::uint32_t i = 0; i < old; ++i) refine(i);
+  std::move(lines.begin(), lines.end(), std::back_inserter(lines_));
+  for (std::uint32_t i = old; i < lines_.size(); ++i) DOBRA_TRY_VOID(draw(i));
+  DOBRA_CHECK(chords_stand());
   return {};
+}
+
+base::Result<void> Arrangement::draw(std::uint32_t line) {
+  const std::vector<Stretch>& stretches = drawn_.emplace_back(stretches_.of(line));
+  geom::Polyline drawn{{}, lines_[line].closed};
+  for (const Stretch stretch : stretches) drawn.points.push_back(vertex_of(line, stretch.first));
+  if (!drawn.closed && !stretches.empty()) drawn.points.push_back(lines_[line].points.back());
+  DOBRA_TRY(const topo::Inserted inserted, topo::insert(subdivision_, stretches.empty() ? lines_[line] : drawn));
+  for (const topo::HalfEdgeId h : inserted.path) own(topo::Structure::edge(h), line);
+  mark_chords(line);
+  return {};
+}
+
+/// Gives the line the vertices between its stretches that have been cut.
+void Arrangement::refine(std::uint32_t line) {
+  std::vector<Stretch> now = stretches_.of(line);
+  if (now.size() == drawn_[line].size()) return;
+  auto part = now.begin();
+  for (const Stretch old : drawn_[line]) {
+    if (part->last < old.last) {
+      topo::HalfEdgeId h = chord_of(line, old);
+      chords_[topo::Structure::edge(h).index()] = {};
+      for (; part->last < old.last; ++part) {
+        const topo::EdgeId edge = topo::Structure::edge(h);
+        subdivision_.split(edge, vertex_of(line, part->last));
+        if (topo::Structure::half_edge(edge) == h) h = subdivision_.next(h);  // otherwise h is what is left of it
+      }
+    }
+    ++part;
+  }
+  drawn_[line] = std::move(now);
+  mark_chords(line);
+}
+
+void Arrangement::mark_chords(std::uint32_t line) {
+  for (const Stretch stretch : drawn_[line]) {
+    if (stretch.is_segment()) continue;
+    const topo::HalfEdgeId h = chord_of(line, stretch);
+    DOBRA_CHECK(h.valid());
+    const std::size_t edge = topo::Structure::edge(h).index();
+    if (edge >= chords_.size()) chords_.resize(edge + edge / 2 + 1);
+    chords_[edge] = {line, stretch};
+  }
+}
+
+/// Is every stretch the edge that it was drawn as?
+bool Arrangement::chords_stand() const {
+  for (std::uint32_t line = 0; line < drawn_.size(); ++line) {
+    for (const Stretch stretch : drawn_[line]) {
+      if (stretch.is_segment()) continue;
+      const topo::HalfEdgeId h = chord_of(line, stretch);
+      if (!h.valid() || lines_on(topo::Structure::edge(h)).size() != 1) return false;
+    }
+  }
+  return true;
+}
+
+geom::Point Arrangement::vertex_of(std::uint32_t line, std::uint32_t vertex) const {
+  const std::vector<geom::Point>& points = lines_[line].points;
+  return points[vertex == points.size() ? 0 : vertex];
+}
+
+/// From the first vertex of the stretch to the last one.
+topo::HalfEdgeId Arrangement::chord_of(std::uint32_t line, Stretch stretch) const {
+  const auto from = subdivision_.vertex_at(vertex_of(line, stretch.first));
+  const auto to = subdivision_.vertex_at(vertex_of(line, stretch.last));
+  return from && to ? subdivision_.between(*from, *to) : topo::HalfEdgeId();
 }
 
 void Arrangement::own(topo::EdgeId edge, std::uint32_t line) {
@@ -40,15 +110,44 @@ bool Arrangement::runs_along(topo::EdgeId edge, std::uint32_t line) const {
   return std::binary_search(owners.begin(), owners.end(), line);
 }
 
+void Arrangement::append(topo::HalfEdgeId h, std::vector<geom::Point>& points) const {
+  const std::size_t edge = topo::Structure::edge(h).index();
+  const Chord chord = edge < chords_.size() ? chords_[edge] : Chord{};
+  const geom::Point origin = subdivision_.point(subdivision_.origin(h));
+  points.push_back(origin);
+  const auto [first, last] = chord.stretch;
+  if (last == 0) return;
+  const std::vector<geom::Point>& line = lines_[chord.line].points;
+  const auto inner = [&](std::uint32_t i) { return line.begin() + i; };
+  if (origin == line[first]) {
+    points.insert(points.end(), inner(first + 1), inner(last));
+  } else {
+    points.insert(points.end(), std::reverse_iterator(inner(last)), std::reverse_iterator(inner(first + 1)));
+  }
+}
+
+double Arrangement::area(topo::FaceId face) const {
+  double area = 0.0;
+  for (const topo::LoopId loop : subdivision_.loops(face)) {
+    geom::Polyline contour{{}, true};
+    for (const topo::HalfEdgeId h : subdivision_.half_edges(loop)) append(h, contour.points);
+    area += geom::signed_area(contour);
+  }
+  return area;
+}
+
 std::vector<topo::HalfEdgeId> Arrangement::path(std::uint32_t line) const {
   const geom::Polyline& course = lines_[line];
   const auto start = subdivision_.vertex_at(course.points.front());
   std::vector<topo::HalfEdgeId> path;
   if (!start) return path;
   const auto next_of = [&](topo::VertexId v, topo::HalfEdgeId arrived) {
-    for (const topo::HalfEdgeId h : subdivision_.round(v)) {
+    const topo::HalfEdgeId first = subdivision_.leaving(v);
+    for (topo::HalfEdgeId h = first; h.valid();) {
       const bool back = arrived.valid() && h == topo::Structure::twin(arrived);
       if (!back && runs_along(topo::Structure::edge(h), line)) return h;
+      h = subdivision_.turned(h);
+      if (h == first) break;
     }
     return topo::HalfEdgeId();
   };
@@ -107,8 +206,7 @@ class Passage {
 }  // namespace
 
 base::Result<LineMeeting> meeting_of(const geom::Polyline& first, const geom::Polyline& second) {
-  const geom::Polyline lines[] = {first, second};
-  DOBRA_TRY(const Arrangement arrangement, Arrangement::make(lines));
+  DOBRA_TRY(const Arrangement arrangement, Arrangement::make({first, second}));
   const topo::Subdivision& sub = arrangement.subdivision();
   const Passage passage(arrangement, 1);
   LineMeeting meeting;

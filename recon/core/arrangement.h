@@ -1,12 +1,13 @@
 #pragma once
 // The lines of a section as one planar subdivision, each edge of which knows the lines that run along it: what
-// crossings, units and gaps are found with. Page: docs/algorithms/units.md
+// crossings, units and gaps are found with. A stretch of a line that runs free of everything else is one straight edge
+// (stretches.h), whose course is asked for. Page: docs/algorithms/units.md
 
 #include <cstdint>
 #include <map>
-#include <span>
 #include <vector>
 
+#include "recon/core/stretches.h"
 #include "shared/base/result.h"
 #include "shared/geom/polyline.h"
 #include "shared/topo/subdivision.h"
@@ -20,21 +21,38 @@ namespace topo = dobra::topo;
 class Arrangement {
  public:
   /// All lines in; they are numbered as they stand. Vertices of the lines stay where they are, to the last bit.
-  /// @error those of topo::insert.  @cost O(log n + crossings) a segment.
-  static base::Result<Arrangement> make(std::span<const geom::Polyline> lines);
+  /// @error those of topo::insert.
+  /// @cost  O(n) for n points, and O(log n + crossings) for every segment that runs close to another line.
+  static base::Result<Arrangement> make(std::vector<geom::Polyline> lines);
 
-  /// One more line.
-  base::Result<void> add(const geom::Polyline& line);
+  /// Further lines.
+  base::Result<void> add(std::vector<geom::Polyline> lines);
 
   [[nodiscard]] const topo::Subdivision& subdivision() const { return subdivision_; }
   /// Numbers of the lines along an edge, ascending.
   [[nodiscard]] const std::vector<std::uint32_t>& lines_on(topo::EdgeId edge) const;
   [[nodiscard]] bool runs_along(topo::EdgeId edge, std::uint32_t line) const;
+  /// Appends the course of a half-edge: its points from its origin on, without its target.
+  void append(topo::HalfEdgeId h, std::vector<geom::Point>& points) const;
+  /// Of a face, along the courses of its edges, m2; of the unbounded face minus that of all others.
+  [[nodiscard]] double area(topo::FaceId face) const;
   /// The half-edges of a line from its first point to its last, or once round.
   /// @pre the line does not meet itself, but for its ends where it is closed.
   [[nodiscard]] std::vector<topo::HalfEdgeId> path(std::uint32_t line) const;
 
  private:
+  /// A stretch that is one edge.
+  struct Chord {
+    std::uint32_t line = 0;
+    Stretch stretch;  ///< Empty: the edge is no chord.
+  };
+
+  base::Result<void> draw(std::uint32_t line);
+  void refine(std::uint32_t line);
+  void mark_chords(std::uint32_t line);
+  [[nodiscard]] bool chords_stand() const;
+  [[nodiscard]] geom::Point vertex_of(std::uint32_t line, std::uint32_t vertex) const;
+  [[nodiscard]] topo::HalfEdgeId chord_of(std::uint32_t line, Stretch stretch) const;
   void own(topo::EdgeId edge, std::uint32_t line);
 
   topo::Subdivision subdivision_;
@@ -42,6 +60,9 @@ class Arrangement {
   std::vector<std::vector<std::uint32_t>> sets_{{}};
   std::map<std::vector<std::uint32_t>, std::uint32_t> set_number_;
   std::vector<geom::Polyline> lines_;
+  Stretches stretches_;
+  std::vector<std::vector<Stretch>> drawn_;  ///< Of each line.
+  std::vector<Chord> chords_;                ///< By edge.
 };
 
 /// Where a first line meets a second one.

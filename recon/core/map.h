@@ -77,6 +77,7 @@ class ColumnMap {
   [[nodiscard]] Located locate(geom::Point p) const { return source_.locate(p, tolerances_.side); }
   /// The point of that name on the target.
   [[nodiscard]] geom::Point image(const ColumnPoint& name) const { return carry_name(name); }
+  using Hint = Cell;
   /// Where a single point goes. O(log n).  @param hint  the cell of a point near it; becomes that of this one.
   [[nodiscard]] geom::Point map(geom::Point p, Cell& hint) const {
     hint = locate(p, hint).cell;
@@ -96,6 +97,7 @@ class ColumnMap {
   [[nodiscard]] std::array<double, 4> beyond(Cell cell, geom::Point p) const;
   [[nodiscard]] Carried carry(Cell cell, geom::Point p) const;
   [[nodiscard]] bool keeps(const Spot& spot, geom::Point p, const Spot& nearest) const;
+  [[nodiscard]] static Hint hint_back(Cell cell) { return cell; }
   [[nodiscard]] geom::Point back(geom::Point image, Cell& hint) const;
   [[nodiscard]] bool is_outer(Cell cell) const { return source_.is_outer(ColumnId(cell.first)); }
   [[nodiscard]] bool bends() const { return law_ != ColumnLaw::Slip; }

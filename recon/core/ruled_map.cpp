@@ -35,10 +35,9 @@ Carried RuledMap::carry(const Entered& at, geom::Point p) {
           RuledStack::point_at(at.to, place)};
 }
 
-geom::Point RuledMap::across(const RuledStack& from, const RuledStack& to, geom::Point p, Cell& hint) {
-  RuledStack::Strip at;
-  hint = from.locate(p, hint, at).cell;
-  return RuledStack::point_at(to.strip(hint), RuledStack::place_in(at, p));
+geom::Point RuledMap::across(const RuledStack& from, const RuledStack& to, geom::Point p, Hint& hint) {
+  from.locate(p, hint);
+  return RuledStack::point_at(to.strip(hint.cell), RuledStack::place_in(hint.at, p));
 }
 
 }  // namespace recon::core

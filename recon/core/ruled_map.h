@@ -35,8 +35,11 @@ class RuledMap {
   [[nodiscard]] RuledMap swapped() const;
   /// The middle of the first strip that is folded over (its sides cross, or it is turned round), in the source.
   [[nodiscard]] std::optional<geom::Point> folded() const { return from_->folded(); }
-  /// Where a single point goes.  @param hint  the cell of a point near it; becomes that of this one.
-  [[nodiscard]] geom::Point map(geom::Point p, Cell& hint) const { return across(*from_, *to_, p, hint); }
+  /// What is known of a point near the next one.
+  using Hint = RuledStack::Held;
+  [[nodiscard]] Hint hint(Cell cell) const { return from_->held(cell); }
+  /// Where a single point goes.  @param hint  of a point near it; becomes that of this one.
+  [[nodiscard]] geom::Point map(geom::Point p, Hint& hint) const { return across(*from_, *to_, p, hint); }
 
   // What Tracer asks (trace.cpp). Cell: strip 0 .. n + 1 of a band, band.
   struct Entered {
@@ -46,23 +49,27 @@ class RuledMap {
   };
   [[nodiscard]] Entered enter(Cell cell) const { return {cell, from_->strip(cell), to_->strip(cell)}; }
   [[nodiscard]] Spot locate(geom::Point p, Cell hint) const {
-    RuledStack::Strip at;
-    return from_->locate(p, hint, at);
+    Hint near = from_->held(hint);
+    return from_->locate(p, near);
   }
-  [[nodiscard]] std::array<double, 4> beyond(const Entered& at, geom::Point p) const {
-    return from_->beyond(at.cell, at.from, p);
+  static constexpr std::size_t sides = 4;
+  static constexpr bool first_holds =
+      true;  ///< Of the strips that hold a point within the tolerance the first is taken.
+  [[nodiscard]] double beyond(const Entered& at, std::size_t side, geom::Point p) const {
+    return from_->beyond(at.cell, at.from, side, p);
   }
   [[nodiscard]] static Carried carry(const Entered& at, geom::Point p);
   [[nodiscard]] static bool keeps(const Spot& spot, geom::Point, const Spot& nearest) {
     return nearest.foot == Foot::InColumn && spot.foot == Foot::InColumn;
   }
-  [[nodiscard]] geom::Point back(geom::Point image, Cell& hint) const { return across(*to_, *from_, image, hint); }
+  [[nodiscard]] Hint hint_back(Cell cell) const { return to_->held(cell); }
+  [[nodiscard]] geom::Point back(geom::Point image, Hint& hint) const { return across(*to_, *from_, image, hint); }
   [[nodiscard]] bool is_outer(Cell cell) const { return from_->is_outer(cell); }
   [[nodiscard]] static bool bends() { return true; }
   [[nodiscard]] const TraceTolerances& tolerances() const { return tolerances_; }
 
  private:
-  static geom::Point across(const RuledStack& from, const RuledStack& to, geom::Point p, Cell& hint);
+  static geom::Point across(const RuledStack& from, const RuledStack& to, geom::Point p, Hint& hint);
 
   std::shared_ptr<const RuledStack> from_;
   std::shared_ptr<const RuledStack> to_;

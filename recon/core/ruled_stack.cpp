@@ -51,6 +51,11 @@ std::vector<Rulings::Corners> rulings_between(const std::vector<double>& upper, 
                                                      at.lower < last_lower ? lower[at.lower + 1] : infinity)) {
     while (at.upper < last_upper && upper[at.upper + 1] <= next + least) ++at.upper;
     while (at.lower < last_lower && lower[at.lower + 1] <= next + least) ++at.lower;
+    const double top = upper[at.upper];
+    const double bottom = lower[at.lower];
+    at.part = bottom > top + least   ? (bottom - top) / (upper[at.upper + 1] - top)
+              : top > bottom + least ? -(top - bottom) / (lower[at.lower + 1] - bottom)
+                                     : 0.0;
     rulings.push_back(at);
     if (at.upper == last_upper && at.lower == last_lower) break;
   }
@@ -92,6 +97,19 @@ Rulings::Rulings(std::vector<std::vector<double>> places) : u(std::move(places))
   });
 }
 
+[[gnu::always_inline]] inline RuledStack::Ruling RuledStack::ruling(const Band& band, std::uint32_t i) const {
+  const Rulings::Corners at = band.rulings[i];
+  const geom::Point* top = band.top + at.upper;
+  const geom::Point* bottom = band.bottom + at.lower;
+  Ruling ends{*top, *bottom};
+  if (at.part > 0.0) {
+    ends.top = geom::interpolate(top[0], top[1], at.part);
+  } else if (at.part < 0.0) {
+    ends.bottom = geom::interpolate(bottom[0], bottom[1], -at.part);
+  }
+  return ends;
+}
+
 RuledStack::RuledStack(std::shared_ptr<const Rulings> rulings, std::vector<std::vector<geom::Point>> points, double by,
                        double tolerance)
     : rulings_(std::move(rulings)), points_(std::move(points)), tolerance_(tolerance) {
@@ -107,7 +125,7 @@ RuledStack::RuledStack(std::shared_ptr<const Rulings> rulings, std::vector<std::
   right_ = reaching(right_, points_.front().back() - points_.front()[points_.front().size() - 2]);
   for (std::size_t k = 0; k + 1 < points_.size(); ++k) {
     bands_.push_back({rulings_->bands[k].data(), static_cast<std::uint32_t>(rulings_->bands[k].size()),
-                      rulings_->u[k].data(), rulings_->u[k + 1].data(), points_[k].data(), points_[k + 1].data()});
+                      points_[k].data(), points_[k + 1].data()});
   }
   build_blocks();
   top_ = tree_of(points_.front());
@@ -147,20 +165,6 @@ void RuledStack::build_blocks() {
     boxes_.visit(fold.grown(4.0 * tolerance_),
                  [&](std::size_t band, std::size_t block) { doubtful_[band * count + block] = 1; });
   }
-}
-
-RuledStack::Ruling RuledStack::ruling(const Band& band, std::uint32_t i) const {
-  const auto [upper, lower] = band.rulings[i];
-  const double top = band.upper[upper];
-  const double bottom = band.lower[lower];
-  Ruling ends{band.top[upper], band.bottom[lower]};
-  if (bottom > top + rulings_->least) {
-    ends.top = geom::interpolate(ends.top, band.top[upper + 1], (bottom - top) / (band.upper[upper + 1] - top));
-  } else if (top > bottom + rulings_->least) {
-    ends.bottom =
-        geom::interpolate(ends.bottom, band.bottom[lower + 1], (top - bottom) / (band.lower[lower + 1] - bottom));
-  }
-  return ends;
 }
 
 RuledStack::Strip RuledStack::strip(Cell cell) const {
@@ -232,74 +236,111 @@ bool RuledStack::holds(const Strip& at, geom::Point p) const {
          !beyond_lower(at, p);
 }
 
-std::array<double, 4> RuledStack::beyond(Cell cell, const Strip& at, geom::Point p) const {
+double RuledStack::beyond(Cell cell, const Strip& at, std::size_t side, geom::Point p) const {
   const geom::Vector along = at.right.top - at.left.top;
-  return {cell.first == 0 ? -infinity : metres_beyond(at.left.top, at.left.bottom, -along, 1.0, p, tolerance_),
-          cell.first == ruling_count(cell.second)
-              ? -infinity
-              : metres_beyond(at.right.top, at.right.bottom, along, -1.0, p, tolerance_),
-          cell.second == 0 ? -infinity : -right_of_line(at.left.top, at.right.top, p),
-          cell.second + 1 == bands_.size() ? -infinity : right_of_line(at.left.bottom, at.right.bottom, p)};
+  switch (side) {
+    case 0:
+      return cell.first == 0 ? -infinity : metres_beyond(at.left.top, at.left.bottom, -along, 1.0, p, tolerance_);
+    case 1:
+      return cell.first == ruling_count(cell.second)
+                 ? -infinity
+                 : metres_beyond(at.right.top, at.right.bottom, along, -1.0, p, tolerance_);
+    case 2:
+      return cell.second == 0 ? -infinity : -right_of_line(at.left.top, at.right.top, p);
+    default:
+      return cell.second + 1 == bands_.size() ? -infinity : right_of_line(at.left.bottom, at.right.bottom, p);
+  }
 }
 
-/// Along the band to the strip between whose rulings p lies; false if there is no end to it.
-bool RuledStack::along_band(geom::Point p, Cell& cell, Strip& at) const {
-  constexpr int most_steps = 8;  // before the place is estimated
-  constexpr int most_jumps = 12;
+/// A few strips along the band towards p; Never: not there yet.  @pre `at` is the strip of `cell`.
+RuledStack::End RuledStack::step_along(geom::Point p, Cell& cell, Strip& at) const {
+  constexpr int most_steps = 8;
   const Band& band = bands_[cell.second];
-  const std::uint32_t count = band.count;
-  at = strip(cell);
-  for (int jump = 0; jump <= most_jumps; ++jump) {
-    int travel = 0;  // a ruling that has just been passed need not be looked at again
+  const auto beyond_left = [&] {
+    return is_beyond(at.left.top, at.left.bottom, at.left.top - at.right.top, 1.0, p, tolerance_);
+  };
+  const auto beyond_right = [&] {
+    return is_beyond(at.right.top, at.right.bottom, at.right.top - at.left.top, -1.0, p, tolerance_);
+  };
+  // A ruling that has just been passed is not looked at again; where it has no length each strip judges for itself.
+  const auto arrived = [&](const Ruling& passed) {
+    return geom::length_squared(passed.bottom - passed.top) > tolerance_ * tolerance_ ? End::Inside : End::Beside;
+  };
+  if (cell.first > 0 && beyond_left()) {
     for (int step = 0; step < most_steps; ++step) {
-      const geom::Vector along = at.right.top - at.left.top;
-      if (travel <= 0 && cell.first > 0 && is_beyond(at.left.top, at.left.bottom, -along, 1.0, p, tolerance_)) {
-        --cell.first;
-        at = cell.first == 0 ? strip(cell) : Strip{ruling(band, cell.first - 1), at.left};
-        travel = -1;
-      } else if (travel >= 0 && cell.first < count &&
-                 is_beyond(at.right.top, at.right.bottom, along, -1.0, p, tolerance_)) {
-        ++cell.first;
-        at = cell.first == count ? strip(cell) : Strip{at.right, ruling(band, cell.first)};
-        travel = 1;
-      } else {
-        return true;
+      at.right = at.left;
+      if (--cell.first == 0) {
+        at = strip(cell);
+        return End::Beside;
       }
+      at.left = ruling(band, cell.first - 1);
+      if (!beyond_left()) return arrived(at.right);
     }
-    if (cell.first == 0 || cell.first == count) continue;
-    const std::array<double, 4> out = beyond(cell, at, p);
-    const double width = -out[0] - out[1];
+    return End::Never;
+  }
+  if (cell.first == band.count) return End::Beside;
+  if (!beyond_right()) return cell.first > 0 ? End::Inside : End::Beside;
+  for (int step = 0; step < most_steps; ++step) {
+    at.left = at.right;
+    if (++cell.first == band.count) {
+      at = strip(cell);
+      return End::Beside;
+    }
+    at.right = ruling(band, cell.first);
+    if (!beyond_right()) return arrived(at.left);
+  }
+  return End::Never;
+}
+
+/// Along the band to the strip between whose rulings p lies; far ahead by the place that p should have.
+/// @pre `at` is the strip of `cell`.
+RuledStack::End RuledStack::along_band(geom::Point p, Cell& cell, Strip& at) const {
+  constexpr int most_leaps = 12;
+  for (int leap = 0; leap <= most_leaps; ++leap) {
+    const End end = step_along(p, cell, at);
+    if (end != End::Never) return end;
+    const double before = beyond(cell, at, 0, p);
+    const double width = -before - beyond(cell, at, 1, p);
     if (!(width > 0.0)) continue;
     const double from = rulings_->place(cell.second, cell.first - 1);
     const double to = rulings_->place(cell.second, cell.first);
-    cell.first = std::clamp<std::uint32_t>(strip_of(cell.second, from - out[0] / width * (to - from)), 1, count - 1);
+    const std::uint32_t last = ruling_count(cell.second) - 1;
+    cell.first = std::clamp<std::uint32_t>(strip_of(cell.second, from - before / width * (to - from)), 1, last);
     at = strip(cell);
   }
-  return false;
+  return End::Never;
 }
 
-/// From strip to strip towards p; true once no side has p beyond it. Above the first line and below the last one the
+/// From strip to strip towards p, until no side has p beyond it. Above the first line and below the last one the
 /// rulings go on.
-bool RuledStack::walk(geom::Point p, Cell& cell, Strip& at) const {
+RuledStack::End RuledStack::walk(geom::Point p, Cell& cell, Strip& at) const {
   const std::size_t bands = bands_.size();
   for (std::size_t turn = 0; turn < 16 + 2 * bands; ++turn) {
-    if (!along_band(p, cell, at)) return false;
-    const bool up = cell.second > 0 && beyond_upper(at, p);
-    const bool down = !up && cell.second + 1 < bands && beyond_lower(at, p);
-    if (!up && !down) return true;
-    const double middle = middle_of(cell);
-    cell.second = up ? cell.second - 1 : cell.second + 1;
-    cell.first = strip_of(cell.second, middle);
+    const End end = along_band(p, cell, at);
+    if (end == End::Never) return end;
+    const bool up = beyond_upper(at, p);
+    const bool down = beyond_lower(at, p);
+    if (up && cell.second > 0) {
+      const double middle = middle_of(cell);
+      cell.first = strip_of(--cell.second, middle);
+      at = strip(cell);
+    } else if (down && cell.second + 1 < bands) {
+      const double middle = middle_of(cell);
+      cell.first = strip_of(++cell.second, middle);
+      at = strip(cell);
+    } else {
+      return up || down ? End::Beside : end;
+    }
   }
-  return false;
+  return End::Never;
 }
 
 /// Of the strips that hold p within the tolerance, the first: so that the way there does not matter.
 void RuledStack::to_first(geom::Point p, Cell& cell, Strip& at) const {
   while (cell.second > 0 && !is_right_of(at.left.top, at.right.top, p, tolerance_)) {
     Cell above{strip_of(cell.second - 1, middle_of(cell)), cell.second - 1};
-    Strip there;
-    if (!along_band(p, above, there) || is_outer(above) || !holds(there, p)) break;
+    Strip there = strip(above);
+    if (along_band(p, above, there) == End::Never || is_outer(above) || !holds(there, p)) break;
     cell = above;
     at = there;
   }
@@ -361,20 +402,27 @@ Spot RuledStack::outside(geom::Point p, Strip& at) const {
     }
   }
   const Cell nearest = cell;
-  if (walk(p, cell, at)) return {cell, std::sqrt(squared), Foot::InColumn};
+  at = strip(cell);
+  if (walk(p, cell, at) != End::Never) return {cell, std::sqrt(squared), Foot::InColumn};
   at = strip(nearest);
   return {nearest, std::sqrt(squared), Foot::NoColumn};
 }
 
-Spot RuledStack::locate(geom::Point p, Cell hint, Strip& at) const {
-  Cell cell = hint;
-  const bool known = hint.second < bands_.size() && hint.first < ruling_count(hint.second) && hint.first > 0;
-  if (known && walk(p, cell, at) && !is_outer(cell) && holds(at, p) && !doubtful(cell)) {
+Spot RuledStack::locate(geom::Point p, Held& near) const {
+  auto& [cell, at] = near;
+  const End end = knows(cell) ? walk(p, cell, at) : End::Never;
+  const bool inside = end == End::Inside || (end == End::Beside && !is_outer(cell) && holds(at, p));
+  if (inside && !doubtful(cell)) {
     to_first(p, cell, at);
     return {cell, 0.0, Foot::InColumn};
   }
-  if (const auto first = first_holder(p, at)) return {*first, 0.0, Foot::InColumn};
-  return outside(p, at);
+  if (const auto first = first_holder(p, at)) {
+    cell = *first;
+    return {cell, 0.0, Foot::InColumn};
+  }
+  const Spot spot = outside(p, at);
+  cell = spot.cell;
+  return spot;
 }
 
 /// With e = T1 - T0, g = B0 - T0, h = (B1 - B0) - e and d = p - T0: p is on the line across at `down` = v where
@@ -395,7 +443,7 @@ StripPlace RuledStack::place_in(const Strip& at, geom::Point p) {
   // The roots in a form that does not cancel; of the two, the one nearer to the quadrangle.
   const double root = std::sqrt(std::max(0.0, b * b - 4.0 * a * c));
   const double q = -0.5 * (b + (b < 0.0 ? -root : root));
-  StripPlace best{across_at(0.0), 0.0};  // of a strip without height
+  StripPlace best;
   double least = infinity;
   const auto consider = [&](double v) {
     const double u = across_at(v);
@@ -406,12 +454,13 @@ StripPlace RuledStack::place_in(const Strip& at, geom::Point p) {
   };
   if (q != 0.0) consider(c / q);
   if (least > 0.0 && a != 0.0) consider(q / a);
+  if (least == infinity) return {across_at(0.0), 0.0};  // a strip without height
   // One step of Newton takes away what the square root has lost.
   const geom::Vector off = (d - best.down * g) - best.across * (e + best.down * h);
   const geom::Vector across = e + best.down * h;
   const geom::Vector down = g + best.across * h;
   const double area = geom::cross(across, down);
-  if (area != 0.0 && least < infinity) {
+  if (area != 0.0) {
     const double per_area = 1.0 / area;
     best.across += geom::cross(off, down) * per_area;
     best.down += geom::cross(across, off) * per_area;

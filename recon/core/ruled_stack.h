@@ -29,10 +29,11 @@ namespace recon::core {
 
 /// What both states of a stack have in common: places, and which corners each ruling stands between.
 struct Rulings {
-  /// Last corners of the two lines at or before the ruling.
+  /// Last corners of the two lines at or before the ruling, and how far behind one of them it stands.
   struct Corners {
     std::uint32_t upper = 0;
     std::uint32_t lower = 0;
+    double part = 0.0;  ///< Of the segment behind `upper`; negative: minus that of the segment behind `lower`.
   };
   std::vector<std::vector<double>> u;              ///< Of the corners of each line; increasing.
   std::vector<std::vector<Corners>> bands;         ///< One between two lines: its rulings, from first to last place.
@@ -73,12 +74,19 @@ class RuledStack {
   /// The middle of the first strip that is folded over: its sides cross, or it is turned round.
   [[nodiscard]] std::optional<geom::Point> folded() const { return folded_; }
   /// Cells: strip 0 .. n + 1 of a band, band; 0 and n + 1 lie beyond the ends.
-  /// @param at  becomes the strip.
-  [[nodiscard]] Spot locate(geom::Point p, Cell hint, Strip& at) const;
   [[nodiscard]] Strip strip(Cell cell) const;
+  /// A cell and its strip.
+  struct Held {
+    Cell cell;
+    Strip at;
+  };
+  [[nodiscard]] Held held(Cell cell) const { return {cell, knows(cell) ? strip(cell) : Strip{}}; }
+  /// @param near  that of a point near p; becomes that of p.
+  Spot locate(geom::Point p, Held& near) const;
   [[nodiscard]] bool is_outer(Cell cell) const { return cell.first == 0 || cell.first == ruling_count(cell.second); }
-  /// Metres beyond the left and right ruling, the upper and the lower line; -infinity where there is nothing to cross.
-  [[nodiscard]] std::array<double, 4> beyond(Cell cell, const Strip& at, geom::Point p) const;
+  /// Metres beyond the left ruling (side 0), the right one, the upper line or the lower one (3); -infinity where there
+  /// is nothing to cross.
+  [[nodiscard]] double beyond(Cell cell, const Strip& at, std::size_t side, geom::Point p) const;
   /// The name of p in a strip, wherever p lies, and the point of that name.
   [[nodiscard]] static StripPlace place_in(const Strip& at, geom::Point p);
   [[nodiscard]] static geom::Point point_at(const Strip& at, StripPlace place) {
@@ -91,15 +99,23 @@ class RuledStack {
   struct Band {
     const Rulings::Corners* rulings = nullptr;
     std::uint32_t count = 0;  ///< Of rulings.
-    const double* upper = nullptr;
-    const double* lower = nullptr;
     const geom::Point* top = nullptr;
     const geom::Point* bottom = nullptr;
   };
   [[nodiscard]] std::uint32_t ruling_count(std::size_t band) const { return bands_[band].count; }
   [[nodiscard]] Ruling ruling(const Band& band, std::uint32_t i) const;
-  [[nodiscard]] bool walk(geom::Point p, Cell& cell, Strip& at) const;
-  [[nodiscard]] bool along_band(geom::Point p, Cell& cell, Strip& at) const;
+  /// How a walk ends.
+  enum class End {
+    Inside,  ///< In a strip that holds p.
+    Beside,  ///< In a strip that has p beyond no side that leads on; it may not hold p.
+    Never,
+  };
+  [[nodiscard]] End walk(geom::Point p, Cell& cell, Strip& at) const;
+  [[nodiscard]] End along_band(geom::Point p, Cell& cell, Strip& at) const;
+  [[nodiscard]] End step_along(geom::Point p, Cell& cell, Strip& at) const;
+  [[nodiscard]] bool knows(Cell cell) const {
+    return cell.second < bands_.size() && cell.first > 0 && cell.first < ruling_count(cell.second);
+  }
   [[nodiscard]] bool beyond_upper(const Strip& at, geom::Point p) const;
   [[nodiscard]] bool beyond_lower(const Strip& at, geom::Point p) const;
   [[nodiscard]] bool holds(const Strip& at, geom::Point p) const;

@@ -13,7 +13,7 @@
 #include <limits>
 #include <set>
 
-#include "shared/topo/adjacency.h"
+#include "shared/base/parallel.h"
 
 namespace recon::core {
 
@@ -93,21 +93,22 @@ std::vector<bool> faces_within(const Arrangement& arrangement, std::uint32_t rin
 }
 
 /// The contours of a face without edges that have it on both sides (faults that end in it).
-std::vector<geom::Polyline> contours_of(const Subdivision& sub, FaceId f) {
+std::vector<geom::Polyline> contours_of(const Arrangement& arrangement, FaceId f) {
+  const Subdivision& sub = arrangement.subdivision();
   const auto inner = [&](HalfEdgeId h) { return sub.face(Structure::twin(h)) == f; };
   std::vector<geom::Polyline> contours;
   std::set<HalfEdgeId> used;
   for (const topo::LoopId loop : sub.loops(f)) {
     for (const HalfEdgeId start : sub.half_edges(loop)) {
-      if (inner(start) || !used.insert(start).second) continue;
-      geom::Polyline contour{{sub.point(sub.origin(start))}, true};
-      for (HalfEdgeId h = start;;) {
+      if (inner(start) || used.contains(start)) continue;
+      geom::Polyline contour{{}, true};
+      HalfEdgeId h = start;
+      do {
+        used.insert(h);
+        arrangement.append(h, contour.points);
         h = sub.next(h);
         while (inner(h)) h = sub.next(Structure::twin(h));
-        if (h == start) break;
-        used.insert(h);
-        contour.points.push_back(sub.point(sub.origin(h)));
-      }
+      } while (h != start);
       contours.push_back(std::move(contour));
     }
   }
@@ -123,13 +124,14 @@ struct Bounds {
 class Units {
  public:
   Units(const Section& section, const Arrangement& arrangement, const std::vector<std::size_t>& order)
-      : section_(section), sub_(arrangement.subdivision()), order_(order) {
+      : section_(section), arrangement_(arrangement), order_(order) {
+    const Subdivision& sub = arrangement.subdivision();
     for (std::size_t rank = 0; rank < order.size(); ++rank) {
       const std::vector<HalfEdgeId> path = arrangement.path(static_cast<std::uint32_t>(order[rank]));
       lengths_.push_back(path.size());
       for (const HalfEdgeId h : path) {
-        ++bounds_[sub_.face(h)].under[rank];
-        ++bounds_[sub_.face(Structure::twin(h))].over[rank];
+        ++bounds_[sub.face(h)].under[rank];
+        ++bounds_[sub.face(Structure::twin(h))].over[rank];
       }
     }
   }
@@ -141,9 +143,9 @@ class Units {
       const Bounds bounds = bounds_of(f);
       by_top[bounds.over.empty() ? -1 : static_cast<std::ptrdiff_t>(bounds.over.rbegin()->first)].push_back(f);
     }
-    std::vector<RockUnit> units;
-    for (const auto& [top, members] : by_top) units.push_back(unit_of(top, members));
-    return units;
+    const std::vector<std::pair<std::ptrdiff_t, std::vector<FaceId>>> groups(by_top.begin(), by_top.end());
+    return base::parallel_map<RockUnit>(groups.size(),
+                                        [&](std::size_t i) { return unit_of(groups[i].first, groups[i].second); });
   }
 
  private:
@@ -158,7 +160,7 @@ class Units {
     for (const FaceId f : faces) {
       const Bounds bounds = bounds_of(f);
       if (!bounds.under.empty()) base = std::min(base, bounds.under.begin()->first);
-      unit.area += topo::area(sub_, f);
+      unit.area += arrangement_.area(f);
     }
     unit.faces = faces.size();
     if (top >= 0) unit.top = order_[static_cast<std::size_t>(top)];
@@ -170,7 +172,7 @@ class Units {
                                       : "without a horizon";
     unit.whole = is_whole(unit, faces);
     for (const FaceId f : faces) {
-      std::vector<geom::Polyline> contours = contours_of(sub_, f);
+      std::vector<geom::Polyline> contours = contours_of(arrangement_, f);
       unit.contours.insert(unit.contours.end(), contours.begin(), contours.end());
     }
     return unit;
@@ -194,7 +196,7 @@ class Units {
   }
 
   const Section& section_;
-  const Subdivision& sub_;
+  const Arrangement& arrangement_;
   const std::vector<std::size_t>& order_;
   std::vector<std::size_t> lengths_;  ///< Half-edges of each horizon, by rank.
   std::map<FaceId, Bounds> bounds_;
@@ -233,10 +235,11 @@ base::Result<std::vector<Misfit>> misfits_of(const Section& section) {
   std::vector<geom::Polyline> rings;
   for (const Unit& unit : section.units) rings.push_back(unit.contour);
   if (section.border) rings.push_back(*section.border);
-  DOBRA_TRY(const Arrangement arrangement, Arrangement::make(rings));
+  const std::size_t ring_count = rings.size();
+  DOBRA_TRY(const Arrangement arrangement, Arrangement::make(std::move(rings)));
   const Subdivision& sub = arrangement.subdivision();
   std::vector<std::vector<bool>> within;
-  for (std::uint32_t i = 0; i < rings.size(); ++i) within.push_back(faces_within(arrangement, i));
+  for (std::uint32_t i = 0; i < ring_count; ++i) within.push_back(faces_within(arrangement, i));
   for (const FaceId f : sub.faces()) {
     if (f == Structure::unbounded()) continue;
     if (section.border && !within.back()[f.index()]) continue;
@@ -245,7 +248,7 @@ base::Result<std::vector<Misfit>> misfits_of(const Section& section) {
       if (within[i][f.index()]) holders.push_back(section.units[i].name);
     }
     if (holders.size() == 1) continue;
-    Misfit misfit{holders.empty() ? "gap" : "overlap", fmt::format("{}", fmt::join(holders, ", ")), topo::area(sub, f),
+    Misfit misfit{holders.empty() ? "gap" : "overlap", fmt::format("{}", fmt::join(holders, ", ")), arrangement.area(f),
                   sub.point(sub.origin(sub.first(sub.outer_loop(f))))};
     if (holders.empty()) {
       std::set<std::string> neighbours;
@@ -267,8 +270,8 @@ std::vector<std::size_t> stack_order(const Section& section) {
   std::vector<std::size_t> order(count);
   if (count == 0) return order;
   const geom::Point about = section.horizons.front().line.points.front();
-  std::vector<double> areas;
-  for (const Horizon& horizon : section.horizons) areas.push_back(swept(horizon.line, about));
+  const auto areas =
+      base::parallel_map<double>(count, [&](std::size_t i) { return swept(section.horizons[i].line, about); });
   std::vector<std::size_t> over(count, 0);  // how many horizons lie over each
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t j = i + 1; j < count; ++j) {
@@ -299,11 +302,11 @@ base::Result<SectionFaces> faces_of(const Section& section) {
     surfaces.push_back(&line);
     lines.push_back(line.line);
   }
-  DOBRA_TRY(Arrangement arrangement, Arrangement::make(lines));
   const auto ring = static_cast<std::uint32_t>(lines.size());
-  lines = section.border ? std::vector<geom::Polyline>{*section.border}
-                         : connectors(section, order, surfaces, first_surface, arrangement);
-  for (const geom::Polyline& line : lines) DOBRA_TRY_VOID(arrangement.add(line));
+  if (section.border) lines.push_back(*section.border);
+  DOBRA_TRY(Arrangement arrangement, Arrangement::make(std::move(lines)));
+  if (!section.border)
+    DOBRA_TRY_VOID(arrangement.add(connectors(section, order, surfaces, first_surface, arrangement)));
   const Subdivision& sub = arrangement.subdivision();
   SectionFaces made;
   DOBRA_TRY(made.meetings, meetings_in(section, arrangement));
@@ -313,11 +316,11 @@ base::Result<SectionFaces> faces_of(const Section& section) {
   }
   std::vector<FaceId> faces;
   const std::vector<bool> within = section.border ? faces_within(arrangement, ring) : std::vector<bool>();
-  made.area = section.border ? geom::signed_area(*section.border) : -topo::area(sub, Structure::unbounded());
+  made.area = section.border ? geom::signed_area(*section.border) : -arrangement.area(Structure::unbounded());
   for (const FaceId f : sub.faces()) {
     if (f == Structure::unbounded() || (section.border && !within[f.index()])) continue;
     if (air.count(f) > 0) {
-      made.area -= topo::area(sub, f);
+      made.area -= arrangement.area(f);
     } else {
       faces.push_back(f);
     }

@@ -1,7 +1,7 @@
 #include "recon/core/section_map.h"
 
 #include <algorithm>
-#include <atomic>
+#include <type_traits>
 
 #include "shared/base/parallel.h"
 
@@ -12,14 +12,14 @@ namespace {
 /// Points that one task maps, each starting from the cell of the one before.
 constexpr std::size_t chunk = 4096;
 
-template <class One>
+template <class Hint, class One>
 base::Result<void> in_chunks(std::span<const geom::Point> points, std::span<geom::Point> images,
                              const base::Progress& progress, const One& one) {
   DOBRA_CHECK(points.size() == images.size());
   const std::size_t chunks = (points.size() + chunk - 1) / chunk;
   base::parallel_for(chunks, [&](std::size_t c) {
     if (progress.cancelled()) return;
-    Cell hint;
+    Hint hint{};
     const std::size_t end = std::min(points.size(), (c + 1) * chunk);
     for (std::size_t i = c * chunk; i < end; ++i) images[i] = one(points[i], hint);
   });
@@ -40,15 +40,20 @@ MappedPoint SectionMap::forward(geom::Point p) const {
 }
 
 geom::Point SectionMap::inverse(geom::Point p) const {
-  Cell hint;
-  return std::visit([&](const auto& map) { return map.back(p, hint); }, map_);
+  return std::visit(
+      [&](const auto& map) {
+        auto hint = map.hint_back({});
+        return map.back(p, hint);
+      },
+      map_);
 }
 
 base::Result<void> SectionMap::forward(std::span<const geom::Point> points, std::span<geom::Point> images,
                                        const base::Progress& progress) const {
   return std::visit(
       [&](const auto& map) {
-        return in_chunks(points, images, progress, [&](geom::Point p, Cell& hint) { return map.map(p, hint); });
+        using Hint = typename std::decay_t<decltype(map)>::Hint;
+        return in_chunks<Hint>(points, images, progress, [&](geom::Point p, Hint& hint) { return map.map(p, hint); });
       },
       map_);
 }
@@ -57,7 +62,8 @@ base::Result<void> SectionMap::inverse(std::span<const geom::Point> points, std:
                                        const base::Progress& progress) const {
   return std::visit(
       [&](const auto& map) {
-        return in_chunks(points, images, progress, [&](geom::Point p, Cell& hint) { return map.back(p, hint); });
+        using Hint = typename std::decay_t<decltype(map)>::Hint;
+        return in_chunks<Hint>(points, images, progress, [&](geom::Point p, Hint& hint) { return map.back(p, hint); });
       },
       map_);
 }

@@ -38,6 +38,7 @@ class ShearMap {
   [[nodiscard]] ShearMap swapped() const;
   /// The map on the way: `part` (0 .. 1) of every displacement.
   [[nodiscard]] ShearMap part(double part) const;
+  using Hint = Cell;
   /// Where a single point goes.  @param hint  the cell of a point near it; becomes that of this one.
   [[nodiscard]] geom::Point map(geom::Point p, Cell& hint) const {
     hint = locate(p, hint).cell;
@@ -51,6 +52,7 @@ class ShearMap {
   [[nodiscard]] std::array<double, 2> beyond(Cell cell, geom::Point p) const;
   [[nodiscard]] Carried carry(Cell cell, geom::Point p) const;
   [[nodiscard]] static bool keeps(const Spot&, geom::Point, const Spot&) { return true; }
+  [[nodiscard]] static Hint hint_back(Cell cell) { return cell; }
   [[nodiscard]] geom::Point back(geom::Point image, Cell& hint) const;
   [[nodiscard]] bool is_outer(Cell cell) const;
   [[nodiscard]] static bool bends() { return false; }

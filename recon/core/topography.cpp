@@ -32,8 +32,7 @@ bool lies_above(geom::Point p, const geom::Polyline& surface) {
 
 /// A line in pieces between the places where it meets the surface, which gets those places as vertices.
 base::Result<std::vector<Piece>> pieces_of(const geom::Polyline& line, geom::Polyline& surface) {
-  const geom::Polyline lines[] = {line, surface};
-  DOBRA_TRY(const Arrangement arrangement, Arrangement::make(lines));
+  DOBRA_TRY(const Arrangement arrangement, Arrangement::make({line, surface}));
   const topo::Subdivision& sub = arrangement.subdivision();
   const auto on_surface = [&](topo::VertexId v) {
     const auto round = sub.round(v);
@@ -41,13 +40,14 @@ base::Result<std::vector<Piece>> pieces_of(const geom::Polyline& line, geom::Pol
                        [&](topo::HalfEdgeId h) { return arrangement.runs_along(topo::Structure::edge(h), 1); });
   };
   std::vector<Piece> pieces(1);
-  for (const topo::HalfEdgeId h : arrangement.path(0)) {
-    std::vector<geom::Point>& points = pieces.back().line.points;
-    if (points.empty()) points.push_back(sub.point(sub.origin(h)));
-    points.push_back(sub.point(sub.target(h)));
-    if (on_surface(sub.target(h))) pieces.emplace_back();
+  const std::vector<topo::HalfEdgeId> path = arrangement.path(0);
+  for (const topo::HalfEdgeId h : path) {
+    arrangement.append(h, pieces.back().line.points);
+    if (!on_surface(sub.target(h)) && h != path.back()) continue;
+    pieces.back().line.points.push_back(sub.point(sub.target(h)));
+    pieces.emplace_back();
   }
-  std::erase_if(pieces, [](const Piece& piece) { return piece.line.points.empty(); });
+  pieces.pop_back();
   std::vector<Piece> joined;
   for (Piece& piece : pieces) {
     const std::size_t middle = piece.line.segment_count() / 2;
@@ -61,10 +61,9 @@ base::Result<std::vector<Piece>> pieces_of(const geom::Polyline& line, geom::Pol
     }
   }
   geom::Polyline cut;
-  for (const topo::HalfEdgeId h : arrangement.path(1)) {
-    if (cut.points.empty()) cut.points.push_back(sub.point(sub.origin(h)));
-    cut.points.push_back(sub.point(sub.target(h)));
-  }
+  const std::vector<topo::HalfEdgeId> surface_path = arrangement.path(1);
+  for (const topo::HalfEdgeId h : surface_path) arrangement.append(h, cut.points);
+  cut.points.push_back(sub.point(sub.target(surface_path.back())));
   surface = std::move(cut);
   return joined;
 }

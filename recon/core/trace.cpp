@@ -20,7 +20,8 @@ namespace {
 ///      emit that place in both cells (a tear).
 /// Map: `locate(p, hint)`, `enter(cell)`: what the map needs to know of the cell for the next two, `beyond(entered,
 /// p)`: metres beyond each side of a cell, linear along straight lines, `carry(entered, p)`, `keeps(spot, p, nearest)`,
-/// `back(image, hint)`, `is_outer(cell)`, `bends()`, `tolerances()`.
+/// `back(image, hint)`, `hint_back(cell)`, `is_outer(cell)`, `bends()`, `tolerances()`. Where `beyond` is dear:
+/// `sides`, and `beyond(entered, side, p)` of one. `first_holds`: see look_ahead.
 template <class Map>
 class Tracer {
  public:
@@ -35,7 +36,7 @@ class Tracer {
     result_.given.reserve(count);
     spot_ = map_.locate(line.points.front(), {});
     cell_ = map_.enter(spot_.cell);
-    back_hint_ = spot_.cell;
+    back_hint_ = map_.hint_back(spot_.cell);
     given(line.points.front(), map_.carry(cell_, line.points.front()));
     for (std::size_t i = 1; i < count; ++i) piece(line.points[i - 1], line.points[i]);
     return std::move(result_);
@@ -102,13 +103,22 @@ class Tracer {
 
   /// Where, not before `from`, the piece leaves the cell; 1 if it does not.
   [[nodiscard]] double exit_after(double from, geom::Point a, geom::Point b) const {
-    const auto at_a = map_.beyond(cell_, a);
-    const auto at_b = map_.beyond(cell_, b);
     double out = 1.0;
-    for (std::size_t side = 0; side < at_a.size(); ++side) {
-      const double start = at_a[side];
-      const double end = at_b[side];
-      if (end > tolerances_.side && end > start) out = std::min(out, -start / (end - start));
+    if constexpr (requires { Map::sides; }) {  // most sides are not passed: no need to know how far a is from them
+      for (std::size_t side = 0; side < Map::sides; ++side) {
+        const double end = map_.beyond(cell_, side, b);
+        if (!(end > tolerances_.side)) continue;
+        const double start = map_.beyond(cell_, side, a);
+        if (end > start) out = std::min(out, -start / (end - start));
+      }
+    } else {
+      const auto at_a = map_.beyond(cell_, a);
+      const auto at_b = map_.beyond(cell_, b);
+      for (std::size_t side = 0; side < at_a.size(); ++side) {
+        const double start = at_a[side];
+        const double end = at_b[side];
+        if (end > tolerances_.side && end > start) out = std::min(out, -start / (end - start));
+      }
     }
     return std::clamp(out, from, 1.0);
   }
@@ -121,6 +131,16 @@ class Tracer {
       (map_.keeps(spot_, p, map_.locate(p, spot_.cell)) ? from : to) = middle;
     }
     return from;
+  }
+
+  /// Where cells before a side hold what lies beside it within the tolerance, the next one is found beyond that.
+  [[nodiscard]] double look_ahead(geom::Point a, geom::Point b) const {
+    double step = smallest_step;
+    if constexpr (requires { Map::first_holds; }) {
+      const double length = geom::distance(a, b);
+      while (step < 1.0 && step * length <= tolerances_.side) step *= 2.0;
+    }
+    return step;
   }
 
   /// The cell of the place a little after u.
@@ -146,7 +166,8 @@ class Tracer {
 
   void piece(geom::Point a, geom::Point b) {
     const Spot at_end = map_.locate(b, spot_.cell);
-    double step = smallest_step;  // how far ahead the next cell is looked up
+    const double first_step = look_ahead(a, b);
+    double step = first_step;  // how far ahead the next cell is looked up
     double u = 0.0;
     while (true) {
       double out = exit_after(u, a, b);
@@ -186,7 +207,7 @@ class Tracer {
       cross(out, p, old, now, next, next_cell);
       if (out + step >= 1.0) break;
       u = out;
-      step = stuck ? 2.0 * step : smallest_step;
+      step = stuck ? 2.0 * step : first_step;
     }
     Carried end = map_.carry(cell_, b);
     bend_to(b, end);
@@ -203,9 +224,9 @@ class Tracer {
   const Map& map_;
   TraceTolerances tolerances_;
   MappedLine result_;
-  Spot spot_;       ///< Where the walk is.
-  Entered cell_;    ///< Its cell.
-  Cell back_hint_;  ///< For the map back.
+  Spot spot_;                     ///< Where the walk is.
+  Entered cell_;                  ///< Its cell.
+  typename Map::Hint back_hint_;  ///< For the map back.
 };
 
 /// Columns laid out straight: (place along the base, depth). No line is torn by it but on the medial axis.
@@ -233,7 +254,9 @@ class Unrolled {
   [[nodiscard]] bool keeps(const Spot& spot, geom::Point p, const Spot& nearest) const {
     return columns_keep(columns_, spot, p, nearest, tolerances_.side);
   }
-  [[nodiscard]] static geom::Point back(geom::Point image, Cell&) { return image; }
+  using Hint = Cell;
+  [[nodiscard]] static Hint hint_back(Cell cell) { return cell; }
+  [[nodiscard]] static geom::Point back(geom::Point image, Hint&) { return image; }
   [[nodiscard]] bool is_outer(Cell cell) const { return columns_.is_outer(ColumnId(cell.first)); }
   [[nodiscard]] static bool bends() { return false; }
   [[nodiscard]] const TraceTolerances& tolerances() const { return tolerances_; }

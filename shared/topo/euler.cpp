@@ -208,10 +208,13 @@ void Subdivision::move_enclosed_loops(FaceId from, FaceId to, LoopId by, LoopId 
   }
   if (l.valid()) {
     candidates.clear();
-    lone_tree_.visit(box, [&](std::uint32_t v, const geom::Segment&) { candidates.push_back(lone_loop(VertexId(v))); });
+    const auto offer = [&](LoopId c) {  // neighbours in the tree are mostly of one loop
+      if (face(c) == from && (candidates.empty() || candidates.back() != c)) candidates.push_back(c);
+    };
+    lone_tree_.visit(box, [&](std::uint32_t v, const geom::Segment&) { offer(lone_loop(VertexId(v))); });
     edge_tree_.visit(box, [&](std::uint32_t e, const geom::Segment&) {
-      candidates.push_back(loop(half_edge(EdgeId(e))));
-      candidates.push_back(loop(twin(half_edge(EdgeId(e)))));
+      offer(loop(half_edge(EdgeId(e))));
+      offer(loop(twin(half_edge(EdgeId(e)))));
     });
     std::sort(candidates.begin(), candidates.end());
     candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());

@@ -65,8 +65,10 @@ std::optional<Cell> first_holder(const RuledMap& map, std::size_t bands, geom::P
   for (std::uint32_t band = 0; band < bands; ++band) {
     for (std::uint32_t strip = 1; !map.is_outer({strip, band}); ++strip) {
       const auto at = map.enter({strip, band});
-      const auto out = map.beyond(at, p);
-      if (*std::max_element(out.begin(), out.end()) > map.tolerances().side) continue;
+      bool beyond = false;
+      for (std::size_t side = 0; side < RuledMap::sides; ++side)
+        beyond = beyond || map.beyond(at, side, p) > map.tolerances().side;
+      if (beyond) continue;
       // Above the first line and below the last one, `beyond` knows no limit.
       const double down = map.carry(at, p).name.depth - band;
       if (down >= -1e-9 && down <= 1.0 + 1e-9) return Cell{strip, band};
@@ -107,7 +109,7 @@ TEST(RuledMap, WhereStripsAreFoldedOverTheHintDoesNotMatterEither) {
       const Spot alone = map.locate(p, {});
       const geom::Point image = map.carry(map.enter(alone.cell), p).image;
       for (int i = 0; i < 4; ++i) {
-        Cell hint{strip(random), band(random)};
+        RuledMap::Hint hint = map.hint({strip(random), band(random)});
         EXPECT_EQ(map.map(p, hint), image) << p << " seed " << seed;
       }
     }
@@ -120,7 +122,7 @@ TEST(RuledMap, CornersGoToTheirImagesAndAllComeBack) {
     const std::vector<RuledLine> lines = stack({.lines = 5, .lean = 0.1}, seed);
     const RuledMap map(lines);
     const RuledMap back = map.swapped();
-    Cell hint;
+    RuledMap::Hint hint;
     for (const RuledLine& line : lines) {
       for (std::size_t i = 0; i < line.from.size(); ++i)
         EXPECT_LT(geom::distance(map.map(line.from[i], hint), line.to[i]), 1e-9);
@@ -129,7 +131,7 @@ TEST(RuledMap, CornersGoToTheirImagesAndAllComeBack) {
     ASSERT_FALSE(back.folded());
     for (const geom::Point p : points_in(lines, 0.0, 500, seed)) {
       if (!first_holder(map, lines.size() - 1, p)) continue;
-      Cell there;
+      RuledMap::Hint there;
       const geom::Point image = map.map(p, hint);
       EXPECT_LT(geom::distance(back.map(image, there), p), 1e-9) << p;
       EXPECT_LT(geom::distance(map.back(image, there), p), 1e-9) << p;
@@ -161,10 +163,10 @@ TEST(RuledMap, BedsThatMeetArePassedOver) {
   EXPECT_FALSE(map.folded());
   for (const Cell hint : {Cell{}, Cell{1, 0}, Cell{2, 0}, Cell{1, 1}, Cell{2, 1}}) {
     for (const double x : {0.5, 4.999, 5.0, 5.001, 7.5, 9.9}) {
-      Cell near = hint;
+      RuledMap::Hint near = map.hint(hint);
       EXPECT_LT(geom::distance(map.map({x, 0.0}, near), {x, 0.0}), 1e-9) << x;
     }
-    Cell near = hint;
+    RuledMap::Hint near = map.hint(hint);
     EXPECT_LT(geom::distance(map.map({7.5, -2}, near), {7.5, -2.25}), 1e-9);
   }
 }
