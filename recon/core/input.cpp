@@ -124,6 +124,15 @@ base::Result<void> check_names(const SectionInput& input) {
       return bad(base::ErrorCode::BadSection, "two horizons have this name; change one of them",
                  fmt::format("horizon '{}'", name));
     }
+    const std::string& whole = input.horizons[i].piece_of;
+    const auto is_whole = [&](const HorizonInput& other) { return other.name == whole; };
+    if (!whole.empty() && std::any_of(input.horizons.begin(), input.horizons.end(), is_whole)) {
+      return bad(base::ErrorCode::BadSection,
+                 fmt::format("piece_of names '{0}', which is a horizon itself; give that one another name and "
+                             "piece_of = \"{0}\" too",
+                             whole),
+                 fmt::format("horizon '{}'", name));
+    }
   }
   return {};
 }
@@ -207,7 +216,7 @@ std::vector<Horizon> horizons_of(const HorizonInput& wanted, std::vector<geom::P
   return horizons;
 }
 
-/// Ends between pieces that lie on no fault: the units above and below run together there.
+/// Ends between pieces that lie on no fault and no other horizon: the units above and below run together there.
 void tell_open_ends(const Section& section, std::vector<std::string>& remarks) {
   const double near = 1e-9 * box_of(section).diagonal();
   for (const Horizon& horizon : section.horizons) {
@@ -219,7 +228,10 @@ void tell_open_ends(const Section& section, std::vector<std::string>& remarks) {
         if (line.kind == LineKind::Fault || line.kind == LineKind::Topography)
           nearest = std::min(nearest, geom::distance(line.line, p));
       }
-      if (nearest <= near) continue;
+      const auto is_truncated_by = [&](const Horizon& other) {
+        return whole_name(other) != whole_name(horizon) && geom::distance(other.line, p) <= near;
+      };
+      if (nearest <= near || std::any_of(section.horizons.begin(), section.horizons.end(), is_truncated_by)) continue;
       const std::string gap =
           std::isfinite(nearest) ? fmt::format("{:.4g} m from the nearest fault", nearest) : std::string("on no fault");
       remarks.push_back(

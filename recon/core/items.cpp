@@ -204,10 +204,13 @@ base::Result<void> read_backdrops(const SectionInput& input, const dobra::scenar
     base::Place place;
     place.file = (context.folder / wanted.file).string();
     place.item = fmt::format("backdrop '{}'", wanted.name);
-    auto raster = dobra::io::read_raster(place.file);
+    dobra::io::RasterOptions options;
+    using Place = dobra::io::RasterOptions::Place;
+    options.place = wanted.corners.empty() ? Place::AsTheFileSays : Place::GivenByTheCaller;
+    auto raster = dobra::io::read_raster(place.file, options);
     if (!raster) return base::located(raster.error(), place);
     std::vector<geom::Point> corners = wanted.corners;
-    if (corners.empty() && raster->box) {
+    if (raster->box) {
       corners = {raster->box->low, raster->box->high};
       if (section.convention.y_axis == VerticalAxis::Down) dobra::io::turn_upside_down(raster->pixels);
     }

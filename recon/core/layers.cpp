@@ -123,8 +123,7 @@ scene::Style style_of(const SectionLine& line, const Section& section) {
   } else if (line.kind == LineKind::Datum) {
     style.dash = scene::Dash::Dotted;
   } else if (line.kind == LineKind::Eroded) {
-    const Horizon* horizon = find_horizon(section, line.name);
-    if (horizon != nullptr) style.line = horizon_color(horizon->id);
+    if (const Horizon* first = first_piece(section, line.name)) style.line = horizon_color(first->id);
     style.line_width = 1.2;
   }
   return style;
@@ -443,7 +442,8 @@ scene::Picture picture_of(const Model& model) {
       add_horizons(after, model.restoration->section);
     } else {
       scene::Style style;
-      style.line = horizon_color(model.source->top);
+      const Horizon* top = find_horizon(model.section, model.source->top);
+      style.line = horizon_color(top != nullptr ? first_piece(model.section, whole_name(*top))->id : model.source->top);
       style.line_width = 1.6;
       after.layers.push_back(lines_layer("target", translated("Target"), style, {target.map.target().base_line()}));
     }

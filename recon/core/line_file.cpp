@@ -89,7 +89,10 @@ base::Result<ReadPieces> lines_of_file(const HorizonInput& input, const std::str
   if (work.format == io::LineFormat::Text && std::any_of(work.features.begin(), work.features.end(), named)) {
     // Where rows have names a blank line ends a piece; elsewhere it says nothing.
     options.text.blank_lines = io::BlankLines::SplitLines;
-    DOBRA_TRY(work, io::read_any_lines(path, options));
+    if (auto split = io::read_any_lines(path, options))
+      work = std::move(*split);
+    else
+      work.remarks.push_back("blank lines are not taken for the ends of pieces, since a single row stands between two");
   }
   DOBRA_TRY(const std::vector<const io::Feature*> features, chosen(work.features, input.feature));
   ReadPieces read{{}, work.remarks, work.trace};
@@ -100,6 +103,7 @@ base::Result<ReadPieces> lines_of_file(const HorizonInput& input, const std::str
       read.pieces.push_back(std::move(piece));
     }
   }
+  if (read.pieces.empty()) return base::Error{base::ErrorCode::BadSection, "the line has no points; take it out"};
   for (const io::Repair& repair : work.repairs) read.remarks.push_back(io::to_string(repair));
   return read;
 }

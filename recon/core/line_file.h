@@ -10,7 +10,7 @@ namespace recon::core {
 /// The line that `input` names in the file at `path`, in section coordinates: the only one of the file, or the one
 /// whose name is `input.feature`; in pieces where several lines of the file have that name. Where there is no line, the
 /// contour of a polygon (its first point repeated at the end) or the points of a points feature.
-/// @error BadSection: none, or several to choose from; BadValue: columns; those of read_any_lines.
+/// @error BadSection: none, one without points, or several to choose from; BadValue: columns; those of read_any_lines.
 base::Result<ReadPieces> lines_of_file(const HorizonInput& input, const std::string& path,
                                        const ReadSettings& settings);
 

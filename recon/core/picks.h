@@ -39,6 +39,7 @@ class Picks {
     std::size_t line = 0;
     std::size_t segment = 0;
     double part = 0.0;
+    bool inside = false;  ///< Not at an end of the segment.
   };
   struct Vertex {
     geom::Point at;

@@ -6,6 +6,13 @@ const std::string& whole_name(const Horizon& horizon) {
   return horizon.piece_of.empty() ? horizon.name : horizon.piece_of;
 }
 
+const Horizon* first_piece(const Section& section, const std::string& whole) {
+  for (const Horizon& horizon : section.horizons) {
+    if (whole_name(horizon) == whole) return &horizon;
+  }
+  return nullptr;
+}
+
 bool is_outermost(const Section& section, const Horizon& horizon, LineEnd end) {
   if (horizon.piece_of.empty()) return true;
   for (const Horizon& other : section.horizons) {

@@ -37,6 +37,9 @@ struct Horizon {
 /// What a horizon and its pieces are called together.
 const std::string& whole_name(const Horizon& horizon);
 
+/// The first horizon, or piece of one, that is called so together with its pieces; null if there is none.
+const Horizon* first_piece(const Section& section, const std::string& whole);
+
 enum class LineEnd { First, Last };
 
 struct LineTag {

@@ -85,15 +85,20 @@ class Cutter {
         if (piece.above) {
           eroded += geom::length(piece.line);
           section_.lines.push_back(
-              {LineId(section_.lines.size()), LineKind::Eroded, horizon.name, piece.line, horizon.source});
+              {LineId(section_.lines.size()), LineKind::Eroded, whole_name(horizon), piece.line, horizon.source});
           continue;
         }
         Horizon part = horizon;
         part.line = piece.line;
-        if (below_count > 1) part.piece_of = whole_name(horizon);
-        if (++kept > 1) {
-          part.id = HorizonId(next_id_++);
+        if (++kept > 1) part.id = HorizonId(next_id_++);
+        if (below_count > 1) {
+          part.piece_of = whole_name(horizon);
           part.name = fmt::format("{} ({})", horizon.name, kept);
+          if (find_horizon(section_, part.name) != nullptr)
+            return base::Error{
+                base::ErrorCode::BadSection,
+                "a part of another horizon below the topography has this name already; change one of them",
+                place_at(part.line.points.front(), fmt::format("horizon '{}'", part.name))};
         }
         below.push_back(std::move(part));
       }

@@ -137,7 +137,7 @@ Result<Raster> read_raster(const std::string& path, const RasterOptions& options
   pixels.rgba.assign(4 * pixels.width * pixels.height, 255);
   for (int channel = 0; channel < 4; ++channel) DOBRA_TRY_VOID(read_channel(*data, path, channel, pixels));
   if (const GDALColorTable* palette = data->GetRasterBand(1)->GetColorTable()) apply_palette(*palette, pixels);
-  DOBRA_TRY_VOID(place(*data, path, raster));
+  if (options.place == RasterOptions::Place::AsTheFileSays) DOBRA_TRY_VOID(place(*data, path, raster));
   return raster;
 }
 

@@ -18,6 +18,8 @@ struct Raster {
 };
 
 struct RasterOptions {
+  enum class Place { AsTheFileSays, GivenByTheCaller };
+  Place place = Place::AsTheFileSays;   ///< GivenByTheCaller: what the file says is not asked, rows stay as they are.
   std::size_t most_pixels = 4'000'000;  ///< A larger picture is read coarser.
 };
 

@@ -377,6 +377,36 @@ TEST_F(Input, PartsOfOneLineArePiecesTooAndAScenarioMaySayIt) {
   }
   EXPECT_EQ(names, (std::vector<std::string>{"a (1)", "a (2)", "b left", "b right"}));
   EXPECT_EQ(wholes, (std::vector<std::string>{"a", "a", "b", "b"}));
+  input.horizons[1].name = "b";
+  input.horizons[1].piece_of.clear();
+  expect_error(input, ErrorCode::BadSection, "piece_of names 'b', which is a horizon itself");
+}
+
+TEST_F(Input, APieceThatEndsOnAnotherHorizonIsNotOpen) {
+  SectionInput input;  // a channel whose base cuts the bed
+  input.horizons = {from_points("bed left", {{0, 0}, {2, 0}}), from_points("bed right", {{8, 0}, {10, 0}}),
+                    from_points("channel", {{0, 2}, {2, 0}, {5, -1}, {8, 0}, {10, 2}})};
+  input.horizons[0].piece_of = input.horizons[1].piece_of = "bed";
+  const auto closed = read(input);
+  ASSERT_TRUE(closed) << to_string(closed.error());
+  const auto told = [](const std::string& remark) { return remark.find("run together") != std::string::npos; };
+  EXPECT_EQ(std::count_if(closed->remarks.begin(), closed->remarks.end(), told), 0);
+  input.horizons[0].points[1].x = 1.0;
+  const auto open = read(input);
+  EXPECT_EQ(std::count_if(open->remarks.begin(), open->remarks.end(), told), 1);
+}
+
+TEST_F(Input, ASingleRowBetweenBlankLinesIsNoPiece) {
+  write("rows.csv", "x,z,name\n0,0,Top\n\n4,0,Top\n\n5,-1,Top\n");
+  SectionInput input;
+  input.horizons = {from_file("Top", "rows.csv")};
+  const auto made = read(input);
+  ASSERT_TRUE(made) << to_string(made.error());
+  ASSERT_EQ(made->section.horizons.size(), 1u);
+  EXPECT_EQ(made->section.horizons[0].line.points.size(), 3u);
+  write("empty.wkt", "LINESTRING EMPTY\n");
+  input.horizons[0] = from_file("Top", "empty.wkt");
+  EXPECT_FALSE(read(input));
 }
 
 TEST_F(Input, ABackdropNeedsAPlace) {
@@ -394,6 +424,15 @@ TEST_F(Input, ABackdropNeedsAPlace) {
                "lower left and upper right, or a world file beside it");
   write("scan.tfw", "50\n3\n3\n-25\n1025\n-112.5\n");
   expect_error(input, ErrorCode::BadFormat, "turn it upright first");
+  // With corners nobody asks where the file lies, or in which order its rows are.
+  input.backdrops[0].corners = {{0, -10}, {20, 0}};
+  for (const char* world : {"50\n3\n3\n-25\n1025\n-112.5\n", "50\n0\n0\n25\n1025\n12.5\n"}) {
+    write("scan.tfw", world);
+    const auto placed = read(input);
+    ASSERT_TRUE(placed) << to_string(placed.error());
+    EXPECT_EQ(placed->section.backdrops.at(0).image.box.low, (geom::Point{0, -10}));
+    EXPECT_EQ(placed->section.backdrops.at(0).image.pixels->rgba[0], 0x40);
+  }
 }
 
 TEST_F(Input, ABackdropLiesWhereItsWorldFileSaysAlsoInASectionOfDepths) {

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "recon/core/operations.h"
+#include "recon/core/report.h"
 #include "recon/core/section_faces.h"
 #include "tests/recon/core/shapes.h"
 
@@ -35,7 +38,8 @@ TEST(Topography, WhatLiesAboveIsErodedAndTheHorizonFallsIntoItsParts) {
   ASSERT_TRUE(read) << to_string(read.error());
   const Section& section = read->section;
   ASSERT_EQ(section.horizons.size(), 3u);
-  EXPECT_EQ(section.horizons[0].name, "A");
+  EXPECT_EQ(section.horizons[0].name, "A (1)");
+  EXPECT_EQ(section.horizons[0].piece_of, "A");
   EXPECT_EQ(section.horizons[0].id, HorizonId(0));
   EXPECT_EQ(section.horizons[0].line.points.back(), (geom::Point{25, 5}));
   EXPECT_EQ(section.horizons[1].name, "A (2)");
@@ -49,6 +53,32 @@ TEST(Topography, WhatLiesAboveIsErodedAndTheHorizonFallsIntoItsParts) {
   ASSERT_FALSE(read->remarks.empty());
   EXPECT_EQ(read->remarks[0].find("horizon 'A': 50.9902 m of 101.98 m lie above the topography 'today'"), 0u)
       << read->remarks[0];
+}
+
+TEST(Topography, EveryPartAndTheirSumHaveANameOfTheirOwn) {
+  SectionInput input = eroded();
+  Model model;
+  model.section = read_section(input, {}, {})->section;
+  GridParams grid;
+  grid.top = "A";
+  const auto whole = run_grid(model, grid, {}, {});
+  ASSERT_FALSE(whole);
+  EXPECT_NE(to_string(whole.error()).find("name the piece, such as 'A (1)'"), std::string::npos);
+  grid.top = "B";
+  const auto target = run_target(run_grid(model, grid, {}, {}).value(), {}, {}, {});
+  ASSERT_TRUE(target) << to_string(target.error());
+  const auto restored = run_restore(*target, {}, {}, {});
+  ASSERT_TRUE(restored) << to_string(restored.error());
+  std::map<std::string, double> found;
+  for (const auto& quantity : quantities_of(*restored)) {
+    EXPECT_TRUE(found.emplace(quantity.name, quantity.value).second) << quantity.name << " is there twice";
+  }
+  EXPECT_NEAR(found.at("horizon.A.length_before"),
+              found.at("horizon.A (1).length_before") + found.at("horizon.A (2).length_before"), 1e-9);
+  input.horizons[1].name = "A (2)";
+  const auto taken = read_section(input, {}, {});
+  ASSERT_FALSE(taken);
+  EXPECT_NE(to_string(taken.error()).find("has this name already"), std::string::npos);
 }
 
 TEST(Topography, TheAreasBelowItAddUp) {
