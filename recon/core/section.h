@@ -37,9 +37,6 @@ struct Horizon {
 /// What a horizon and its pieces are called together.
 const std::string& whole_name(const Horizon& horizon);
 
-/// The first horizon, or piece of one, that is called so together with its pieces; null if there is none.
-const Horizon* first_piece(const Section& section, const std::string& whole);
-
 enum class LineEnd { First, Last };
 
 struct LineTag {
@@ -120,6 +117,8 @@ struct Section {
 /// Whether no other piece of the same horizon reaches farther to the left (First) or to the right (Last).
 bool is_outermost(const Section& section, const Horizon& horizon, LineEnd end);
 
+/// The first horizon, or piece of one, that is called so together with its pieces; null if there is none.
+const Horizon* first_piece(const Section& section, const std::string& whole);
 /// @return the horizon of that name, or nullptr.
 const Horizon* find_horizon(const Section& section, const std::string& name);
 /// @return the horizon of that id, or nullptr.
