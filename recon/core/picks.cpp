@@ -56,20 +56,14 @@ void Picks::anchor(const std::vector<geom::Polyline>& contours, std::size_t poly
     const geom::Box reach = lines_[line].box().grown(near);
     const SegmentTree tree(segments_of(lines_[line]));
     for (Vertex& vertex : contours_ | std::views::join) {
-      // A corner of one polygon in the middle of an edge of another moves with that edge, whichever comes first.
-      const bool by_corner = vertex.first && vertex.first->line >= polygons && !vertex.first->inside;
-      const bool taken = vertex.second || (vertex.first && line >= polygons && !by_corner);
+      const bool taken = vertex.second || (vertex.first && line >= polygons);
       // Corners of polygons are picks, whatever the border cuts off.
       const bool ruled_out = polygons < lines_.size() && border_ == line;
       if (taken || ruled_out || !reach.contains(vertex.at)) continue;
       const auto found = tree.nearest(vertex.at, [](std::size_t) { return true; });
       if (!found || found->distance() > near) continue;
-      const geom::Segment segment = tree.segment(found->index);
-      const bool inside =
-          geom::distance(segment.from, vertex.at) > near && geom::distance(segment.to, vertex.at) > near;
-      if (by_corner && !inside) continue;
-      const Anchor at{line, found->index, geom::nearest_fraction(segment, vertex.at), inside};
-      (vertex.first && !by_corner ? vertex.second : vertex.first) = at;
+      const Anchor at{line, found->index, geom::nearest_fraction(tree.segment(found->index), vertex.at)};
+      (vertex.first ? vertex.second : vertex.first) = at;
     }
   }
 }

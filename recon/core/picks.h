@@ -29,7 +29,8 @@ class Picks {
   };
   /// A vertex on one line moves with it. Where two lines meet, it goes to where the moved lines meet (with the first if
   /// they run alike); the border of the section stays. A polygon's vertex that lies on no other line moves by the
-  /// polygon's own errors.
+  /// polygon's own errors: a corner in the middle of an edge of another polygon may leave that edge in a draw
+  /// (`share_edges` gives the edge a vertex there).
   /// @cost O(vertices)
   [[nodiscard]] Draw draw(std::uint32_t number) const;
 
@@ -39,7 +40,6 @@ class Picks {
     std::size_t line = 0;
     std::size_t segment = 0;
     double part = 0.0;
-    bool inside = false;  ///< Not at an end of the segment.
   };
   struct Vertex {
     geom::Point at;

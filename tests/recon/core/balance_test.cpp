@@ -260,26 +260,6 @@ TEST(Balance, PolygonsThatShareAnEdgeShareItInEveryDraw) {
   }
 }
 
-TEST(Balance, ACornerOfAPolygonInTheMiddleOfAnEdgeStaysOnIt) {
-  const geom::Polyline lower{{{0, -4}, {5, -4}, {5, -2}, {0, -2}}, true};
-  const geom::Polyline right{{{10, 0}, {5, 0}, {5, -4}, {10, -4}}, true};
-  for (const bool lower_first : {true, false}) {
-    const auto polygons = [&](Section& section) {
-      section.units.push_back({UnitId(0), "one", lower_first ? lower : right, {}});
-      section.units.push_back({UnitId(1), "other", lower_first ? right : lower, {}});
-    };
-    const Section section = flat_section(polygons).section;
-    const Picks picks(section, {section.units[0].contour, section.units[1].contour}, {0.2, 0.5, 7});
-    for (std::uint32_t number = 0; number < 20; ++number) {
-      const Picks::Draw draw = picks.draw(number);
-      const auto& of_lower = draw.contours[lower_first ? 0 : 1].points;
-      const auto& of_right = draw.contours[lower_first ? 1 : 0].points;
-      EXPECT_NEAR(geom::distance(geom::Segment{of_right[1], of_right[2]}, of_lower[2]), 0.0, 1e-12);
-      EXPECT_NE(of_lower[2], lower.points[2]);
-    }
-  }
-}
-
 TEST(Balance, UnitsByFacesHaveErrorBarsToo) {
   // A border from x = 2 to 8 leaves of each bed the piece between; its mean height is that of the bed at x = 5, half of
   // each end: s^2 / 2 a bed, so 6 s for the area between the two, and 6 s / sqrt(2) for the one down to the border.
