@@ -21,7 +21,8 @@ namespace {
 constexpr double panel_gap = 16.0;
 constexpr double bar_gap = 18.0;
 constexpr double least_bar = 90.0;
-constexpr double label_room = 8.0;  // gaps beside a label, points
+constexpr double label_room = 8.0;   // gaps beside a label, points
+constexpr int most_name_rounds = 8;  // each needs less room than the one before
 constexpr double most_bar = 280.0;
 
 /// A panel on its way to the page. left, right, top, bottom: the room round its plot, points.
@@ -239,9 +240,8 @@ void Arranger::size_plots_to_content() {
   if (blocks_.empty()) return;
   const double width = page_.width - 2.0 * options_.margin;
   const double height = page_.height - 2.0 * options_.margin - header() - footer();
-  constexpr int at_most = 8;  // each round needs less than the one before
   double scale = picture_.points_per_unit.value_or(scale_that_fits(width, height));
-  for (int i = 0; i < at_most && make_room_for_names(scale); ++i)
+  for (int i = 0; i < most_name_rounds && make_room_for_names(scale); ++i)
     scale = picture_.points_per_unit.value_or(scale_that_fits(width, height));
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
     Block& block = blocks_[i];
@@ -258,7 +258,6 @@ void Arranger::size_plots_to_page() {
   const double gaps = panel_gap * (count - 1.0);
   const double width = page_.width - 2.0 * options_.margin - bars_width();
   const double height = page_.height - 2.0 * options_.margin - header() - footer();
-  double scale = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
     Block& block = blocks_[i];
     const double cell_width = row() ? (width - gaps) / count : width;
@@ -270,10 +269,19 @@ void Arranger::size_plots_to_page() {
       scales_.clear();
       return size_plots_to_page();
     }
-    if (block.shown.empty()) continue;
-    const View whole = fit(block.shown, block.plot_width, block.plot_height, block.exaggeration);
-    scale = std::min(scale, 1.0 / whole.world_per_point);
   }
+  const auto scale_that_fits_plots = [&] {
+    double scale = std::numeric_limits<double>::infinity();
+    for (const Block& block : blocks_) {
+      if (block.shown.empty()) continue;
+      const View whole = fit(block.shown, block.plot_width, block.plot_height, block.exaggeration);
+      scale = std::min(scale, 1.0 / whole.world_per_point);
+    }
+    return scale;
+  };
+  double scale = scale_that_fits_plots();
+  for (int i = 0; i < most_name_rounds && std::isfinite(scale) && make_room_for_names(scale); ++i)
+    scale = scale_that_fits_plots();
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
     Block& block = blocks_[i];
     const bool viewed = i < views_.size() && views_[i].has_value();

@@ -269,20 +269,22 @@ TEST(Layout, NamesBesideTheEndsOfLinesHaveRoomAndStandBelowEachOther) {
       panel.layers.push_back({"line" + text, text, Style{}, Lines{{{{{0.0, z}, {1000.0, z}}, false}}, {}}});
       panel.layers.push_back({"name" + text, text, Style{}, Labels{{{{1000.0, z}, text, Anchor::Right}}}});
     }
-    const Layout made = laid_out(picture);
-    expect_tidy(made, name);
-    std::vector<double> heights;
-    const double end = made.panels[0].transform.to_page({1000.0, 0.0}).x;
-    for (int i = 0; i < 5; ++i) {
-      for (const TextMark* text : texts_of(made)) {
-        if (text->text != name + std::to_string(i) || text->at.x < end) continue;
-        EXPECT_GE(text->at.x - 0.5 * text->size.width, end);
-        EXPECT_LE(text->at.x + 0.5 * text->size.width, made.panels[0].plot.high.x);
-        heights.push_back(text->at.y);
+    // On a page, and in a window whose view is the whole panel.
+    for (const Layout& made : {laid_out(picture), layout(picture, {900.0, 700.0}, {}, measure, {Plots::FillPage})}) {
+      expect_tidy(made, name);
+      std::vector<double> heights;
+      const double end = made.panels[0].transform.to_page({1000.0, 0.0}).x;
+      for (int i = 0; i < 5; ++i) {
+        for (const TextMark* text : texts_of(made)) {
+          if (text->text != name + std::to_string(i) || text->at.x < end) continue;
+          EXPECT_GE(text->at.x - 0.5 * text->size.width, end);
+          EXPECT_LE(text->at.x + 0.5 * text->size.width, made.panels[0].plot.high.x);
+          heights.push_back(text->at.y);
+        }
       }
+      ASSERT_EQ(heights.size(), 5u) << name;
+      EXPECT_TRUE(std::is_sorted(heights.begin(), heights.end())) << name;
     }
-    ASSERT_EQ(heights.size(), 5u) << name;
-    EXPECT_TRUE(std::is_sorted(heights.begin(), heights.end())) << name;
   }
 }
 
