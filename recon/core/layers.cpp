@@ -218,9 +218,10 @@ std::string percent_text(double value) {
   return text == "-0.00" || text == "+0.00" ? "0.00" : text;
 }
 
-/// Decimals that give the largest of the numbers in a table five figures.
-int decimals_for(double largest) {
-  return largest > 0.0 ? std::clamp(4 - static_cast<int>(std::floor(std::log10(largest))), 0, 9) : 0;
+/// With as many decimals as give the largest number of its table five figures.
+std::string fixed(double value, double largest) {
+  const int decimals = largest > 0.0 ? std::clamp(4 - static_cast<int>(std::floor(std::log10(largest))), 0, 9) : 0;
+  return fmt::format("{:.{}f}", value, decimals);
 }
 
 /// The ledger as tables, and what is to be said about it.
@@ -237,9 +238,7 @@ void add_ledger(scene::Picture& picture, const Model& model) {
   }
   double longest = 0.0;
   for (const LineLength& row : rows) longest = std::max({longest, row.length_before, row.length_after});
-  const auto metres = [decimals = decimals_for(longest)](double value) {
-    return fmt::format("{:.{}f}", value, decimals);
-  };
+  const auto metres = [&](double value) { return fixed(value, longest); };
   for (const LineLength& row : rows) {
     beds.rows.push_back({row.name, metres(row.length_before), metres(row.length_after),
                          percent_text(row.change_percent), metres(row.shortening),
@@ -252,9 +251,7 @@ void add_ledger(scene::Picture& picture, const Model& model) {
   const auto mean = [&](const std::optional<Range>& range) { return range ? metres(range->mean) : std::string("-"); };
   double largest = 0.0;
   for (const UnitRow& row : restoration.ledger.units) largest = std::max({largest, row.area_before, row.area_after});
-  const auto area = [decimals = decimals_for(largest)](double value) {
-    return fmt::format("{:.{}f}", value, decimals);
-  };
+  const auto area = [&](double value) { return fixed(value, largest); };
   for (const UnitRow& row : restoration.ledger.units) {
     units.rows.push_back({row.name, area(row.area_before), area(row.area_after), percent_text(row.change_percent),
                           mean(row.thickness_before), mean(row.thickness_after)});

@@ -25,7 +25,8 @@ namespace recon::core {
 ///   area_balance
 std::vector<dobra::scenario::Quantity> quantities_of(const Model& model);
 
-/// line_length, horizons_in_pieces (their sums), units, strain after restore; error_bars after monte_carlo; area_depth after balance.
+/// line_length, horizons_in_pieces (their sums), units, strain after restore; error_bars after monte_carlo; area_depth
+/// after balance.
 std::vector<dobra::scenario::DataTable> tables_of(const Model& model);
 
 std::vector<std::string> remarks_of(const Model& model);
