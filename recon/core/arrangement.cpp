@@ -19,8 +19,18 @@ base::Result<void> Arrangement::add(std::vector<geom::Polyline> lines) {
   stretches_.add(lines);
   for (std::uint32_t i = 0; i < old; ++i) refine(i);
   std::move(lines.begin(), lines.end(), std::back_inserter(lines_));
-  for (std::uint32_t i = old; i < lines_.size(); ++i) DOBRA_TRY_VOID(draw(i));
-  DOBRA_CHECK(chords_stand());
+  DOBRA_TRY_VOID(draw_from(old));
+  if (chords_stand()) return {};
+  // Rounded crossings have drawn lines, which drew others, beyond the margin: now every segment stands for itself.
+  stretches_.cut_all();
+  subdivision_ = {};
+  drawn_.clear();
+  chords_.clear();
+  return draw_from(0);
+}
+
+base::Result<void> Arrangement::draw_from(std::uint32_t first) {
+  for (std::uint32_t line = first; line < lines_.size(); ++line) DOBRA_TRY_VOID(draw(line));
   return {};
 }
 
@@ -60,7 +70,7 @@ void Arrangement::mark_chords(std::uint32_t line) {
   for (const Stretch stretch : drawn_[line]) {
     if (stretch.is_segment()) continue;
     const topo::HalfEdgeId h = chord_of(line, stretch);
-    DOBRA_CHECK(h.valid());
+    if (!h.valid()) continue;  // chords_stand will tell
     const std::size_t edge = topo::Structure::edge(h).index();
     if (edge >= chords_.size()) chords_.resize(edge + edge / 2 + 1);
     chords_[edge] = {line, stretch};

@@ -47,6 +47,7 @@ class Arrangement {
     Stretch stretch;  ///< Empty: the edge is no chord.
   };
 
+  base::Result<void> draw_from(std::uint32_t first);
   base::Result<void> draw(std::uint32_t line);
   void refine(std::uint32_t line);
   void mark_chords(std::uint32_t line);
