@@ -23,8 +23,10 @@ struct Outcome {
 
 class CommandLine : public testing::Test {
  protected:
-  CommandLine(const scenario::Program& program, std::vector<cli::Command> commands)
-      : program_(program), commands_(std::move(commands)) {
+  /// The first words come before those of each call.
+  CommandLine(const scenario::Program& program, std::vector<cli::Command> commands,
+              std::vector<std::string> first_words = {})
+      : program_(program), commands_(std::move(commands)), first_words_(std::move(first_words)) {
     std::string pattern = (std::filesystem::temp_directory_path() / "dobra_command_XXXXXX").string();
     root_ = mkdtemp(pattern.data());
   }
@@ -39,6 +41,7 @@ class CommandLine : public testing::Test {
   [[nodiscard]] std::string text(const std::string& name) const { return io::read_text(path(name)).value(); }
 
   [[nodiscard]] Outcome call(std::vector<std::string> args) const {
+    args.insert(args.begin(), first_words_.begin(), first_words_.end());
     args.insert(args.begin(), program_.name);
     std::vector<char*> argv;
     for (std::string& arg : args) argv.push_back(arg.data());
@@ -71,6 +74,7 @@ class CommandLine : public testing::Test {
  private:
   const scenario::Program& program_;
   std::vector<cli::Command> commands_;
+  std::vector<std::string> first_words_;
   std::filesystem::path root_;
 };
 

@@ -7,12 +7,7 @@
 namespace recon::core {
 namespace {
 
-HorizonInput item(const std::string& name, std::vector<geom::Point> points) {
-  HorizonInput input;
-  input.name = name;
-  input.points = std::move(points);
-  return input;
-}
+using test::item;
 
 SectionInput one_horizon() {
   SectionInput input;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "recon/core/columns.h"
+#include "recon/core/line_input.h"
 #include "recon/core/model.h"
 
 namespace recon::core::test {
@@ -60,6 +61,14 @@ inline std::vector<geom::Point> given_images(const MappedLine& mapped) {
   std::vector<geom::Point> points;
   for (const std::size_t i : mapped.given) points.push_back(mapped.after.points[i]);
   return points;
+}
+
+/// One line of a section as the input has it.
+inline HorizonInput item(const std::string& name, std::vector<geom::Point> points) {
+  HorizonInput input;
+  input.name = name;
+  input.points = std::move(points);
+  return input;
 }
 
 }  // namespace recon::core::test

@@ -12,12 +12,7 @@
 namespace recon::core {
 namespace {
 
-HorizonInput item(const std::string& name, std::vector<geom::Point> points) {
-  HorizonInput input;
-  input.name = name;
-  input.points = std::move(points);
-  return input;
-}
+using test::item;
 
 /// An anticline of 100 m whose crest was eroded at z = 5.
 SectionInput eroded() {

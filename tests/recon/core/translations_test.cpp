@@ -4,23 +4,15 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <regex>
 #include <set>
-#include <sstream>
 
 #include "recon/core/operations.h"
+#include "shared/io/file.h"
 
 namespace recon::core {
 namespace {
-
-std::string content(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  std::ostringstream all;
-  all << in.rdbuf();
-  return all.str();
-}
 
 std::string unescaped(std::string text) {
   for (const auto& [entity, sign] :
@@ -34,7 +26,8 @@ std::string unescaped(std::string text) {
 
 /// Source texts and their translations.
 std::map<std::string, std::string> brazilian() {
-  const std::string ts = content(std::filesystem::path(DOBRA_SOURCE_DIR) / "resources/translations/dobra_pt_BR.ts");
+  const std::string ts =
+      dobra::io::read_text(std::filesystem::path(DOBRA_SOURCE_DIR) / "resources/translations/dobra_pt_BR.ts").value();
   std::map<std::string, std::string> texts;
   const auto between = [&](const std::string& open, const std::string& close, std::size_t& at) {
     const std::size_t begin = ts.find(open, at);
@@ -76,7 +69,8 @@ TEST(Translations, EveryTextOfPicturesIsInBrazilianPortuguese) {
   std::size_t seen = 0;
   for (const auto& entry :
        std::filesystem::directory_iterator(std::filesystem::path(DOBRA_SOURCE_DIR) / "recon/core")) {
-    const std::string source = std::regex_replace(content(entry.path()), std::regex(R"(\\u00b2)"), "²");
+    const std::string source =
+        std::regex_replace(dobra::io::read_text(entry.path()).value(), std::regex(R"(\\u00b2)"), "²");
     for (std::sregex_iterator match(source.begin(), source.end(), call); match != std::sregex_iterator(); ++match) {
       const std::string text = (*match)[1];
       ++seen;

@@ -1,79 +1,32 @@
 #include "shared/cli/convert_command.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "shared/cli/line_picture.h"
-#include "shared/io/file.h"
+#include "tests/support/command_line.h"
 #include "tests/support/fake_program.h"
 
 namespace dobra::cli {
 namespace {
 
-namespace fs = std::filesystem;
 using Json = nlohmann::json;
 using geom::Point;
 
-struct Outcome {
-  int code = 0;
-  std::string out;
-  std::string err;
-};
-
-class ConvertCommand : public ::testing::Test {
+class ConvertCommand : public test::CommandLine {
  protected:
-  ConvertCommand() {
-    std::string pattern = (fs::temp_directory_path() / "dobra_convert_XXXXXX").string();
-    root_ = mkdtemp(pattern.data());
-  }
-  ~ConvertCommand() override { fs::remove_all(root_); }
+  ConvertCommand() : CommandLine(fake::program(), {convert_command()}, {"convert"}) {}
 
-  [[nodiscard]] std::string path(const std::string& name) const { return (root_ / name).string(); }
-  [[nodiscard]] std::string put(const std::string& name, const std::string& text) const {
-    std::ofstream(root_ / name, std::ios::binary) << text;
-    return path(name);
-  }
-  [[nodiscard]] std::string text(const std::string& name) const { return io::read_text(path(name)).value(); }
-  [[nodiscard]] static Outcome call(std::vector<std::string> args) {
-    args.insert(args.begin(), {"fake", "convert"});
-    std::vector<char*> argv;
-    for (std::string& arg : args) argv.push_back(arg.data());
-    argv.push_back(nullptr);
-    ::testing::internal::CaptureStdout();
-    ::testing::internal::CaptureStderr();
-    Outcome outcome;
-    outcome.code = run_program(fake::program(), static_cast<int>(args.size()), argv.data(), {}, {convert_command()});
-    outcome.out = ::testing::internal::GetCapturedStdout();
-    outcome.err = ::testing::internal::GetCapturedStderr();
-    return outcome;
-  }
-  /// A refusal: one line that holds `wanted`, nothing on standard output, nothing written.
-  void refuses(const std::vector<std::string>& args, int code, const std::string& wanted) const {
-    const auto count = [&] { return std::distance(fs::directory_iterator(root_), fs::directory_iterator()); };
-    const auto before = count();
-    const Outcome outcome = call(args);
-    EXPECT_EQ(outcome.code, code) << outcome.err;
-    EXPECT_NE(outcome.err.find(wanted), std::string::npos) << wanted << "\n" << outcome.err;
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    EXPECT_EQ(outcome.out, "");
-    EXPECT_EQ(count(), before);
-  }
   [[nodiscard]] std::string section() const {
     return put("section.csv",
                "x,z,name,kind\n0,-10,top,horizon\n95,-12,top,horizon\n\n101,-30,F,fault\n99,10,F,fault\n\n"
                "0,-10,U,unit\n50,-10,U,unit\n50,0,U,unit\n0,-10,U,unit\n");
   }
-
-  fs::path root_;
 };
 
 TEST_F(ConvertCommand, OneFormatBecomesAnotherByTheEndings) {
-  const Outcome made = call({section(), path("a.gpkg")});
+  const test::Outcome made = call({section(), path("a.gpkg")});
   EXPECT_EQ(made.code, 0) << made.err;
   EXPECT_EQ(made.out, path("a.gpkg") + '\n');
   for (const char* name : {"a.pl", "a.asc", "a.dxf", "a.geojson", "b.csv"}) {
@@ -87,7 +40,7 @@ TEST_F(ConvertCommand, OneFormatBecomesAnotherByTheEndings) {
 }
 
 TEST_F(ConvertCommand, TheReportSaysWhatWasReadRepairedAndWritten) {
-  const Outcome outcome = call({section(), path("a.geojson"), "--snap", "6", "--json"});
+  const test::Outcome outcome = call({section(), path("a.geojson"), "--snap", "6", "--json"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const Json report = Json::parse(outcome.out, nullptr, false);
   EXPECT_EQ(report["read"]["format"], "text");
@@ -142,24 +95,24 @@ TEST_F(ConvertCommand, PicturesAndDrawingsAreToATrueScale) {
     if (of_square) longest = std::max(longest, std::abs(x1 - x0) + std::abs(y1 - y0));
   }
   EXPECT_NEAR(longest, 0.2 * 72.0 / 0.0254, 0.01);
-  refuses({square, path("b.svg"), "--scale", "1:0.1"}, 4, "--scale 1:5");
+  refuses({square, path("b.svg"), "--scale", "1:0.1"}, 4, {"--scale 1:5"});
 }
 
 TEST_F(ConvertCommand, WrongUsageAndBadInputAreToldInOneLine) {
   const std::string file = section();
-  refuses({file, path("a.xyz")}, 2, ".gpkg .svg .pdf .png; or give --to NAME");
-  refuses({file, path("a.csv"), "--y-axis", "dwn"}, 2, "did you mean 'down'?");
-  refuses({file, path("a.csv"), "--unit", "rod"}, 2, "--unit");
-  refuses({file, path("a.csv"), "--from", "gocat"}, 2, "did you mean 'gocad'?");
-  refuses({file, path("a.csv"), "--trace", "1,2,3"}, 2, "--trace");
-  refuses({file, path("a.csv"), "--scale", "1:100"}, 2, "--scale is for");
-  refuses({file, path("a.svg"), "--scale", "100"}, 2, "give a scale such as 1:10000");
-  refuses({file, path("a.csv"), "--only", "dots"}, 2, "--only");
-  refuses({file, path("a.csv"), "--snap", "-1"}, 2, "give a length above 0 m");
-  refuses({path("none.csv"), path("a.csv")}, 3, "there is no such file");
-  refuses({put("three.txt", "0 1 2\n3 4 5\n"), path("a.csv")}, 3, "--columns 1,2");
-  refuses({put("bad.csv", "0,1\n2,x\n"), path("a.csv")}, 3, "bad.csv:2:3");
-  refuses({file, path("a.shp")}, 2, "--only lines");
+  refuses({file, path("a.xyz")}, 2, {".gpkg .svg .pdf .png; or give --to NAME"});
+  refuses({file, path("a.csv"), "--y-axis", "dwn"}, 2, {"did you mean 'down'?"});
+  refuses({file, path("a.csv"), "--unit", "rod"}, 2, {"--unit"});
+  refuses({file, path("a.csv"), "--from", "gocat"}, 2, {"did you mean 'gocad'?"});
+  refuses({file, path("a.csv"), "--trace", "1,2,3"}, 2, {"--trace"});
+  refuses({file, path("a.csv"), "--scale", "1:100"}, 2, {"--scale is for"});
+  refuses({file, path("a.svg"), "--scale", "100"}, 2, {"give a scale such as 1:10000"});
+  refuses({file, path("a.csv"), "--only", "dots"}, 2, {"--only"});
+  refuses({file, path("a.csv"), "--snap", "-1"}, 2, {"give a length above 0 m"});
+  refuses({path("none.csv"), path("a.csv")}, 3, {"there is no such file"});
+  refuses({put("three.txt", "0 1 2\n3 4 5\n"), path("a.csv")}, 3, {"--columns 1,2"});
+  refuses({put("bad.csv", "0,1\n2,x\n"), path("a.csv")}, 3, {"bad.csv:2:3"});
+  refuses({file, path("a.shp")}, 2, {"--only lines"});
 }
 
 }  // namespace

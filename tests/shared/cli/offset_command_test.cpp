@@ -1,10 +1,7 @@
 #include "shared/cli/offset_command.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "shared/cli/offset_report.h"
@@ -12,60 +9,24 @@
 #include "shared/io/geojson.h"
 #include "shared/io/text_points.h"
 #include "shared/io/wkt.h"
+#include "tests/support/command_line.h"
 #include "tests/support/fake_program.h"
 
 namespace dobra::cli {
 namespace {
 
-namespace fs = std::filesystem;
 using Json = nlohmann::json;
 using geom::Point;
 
-struct Outcome {
-  int code = 0;
-  std::string out;
-  std::string err;
-};
-
-class OffsetCommand : public ::testing::Test {
+class OffsetCommand : public test::CommandLine {
  protected:
-  OffsetCommand() {
-    std::string pattern = (fs::temp_directory_path() / "dobra_offset_XXXXXX").string();
-    root_ = mkdtemp(pattern.data());
-  }
-  ~OffsetCommand() override { fs::remove_all(root_); }
+  OffsetCommand() : CommandLine(fake::program(), {offset_command()}, {"offset"}) {}
 
-  [[nodiscard]] std::string path(const std::string& name) const { return (root_ / name).string(); }
-  [[nodiscard]] std::string put(const std::string& name, const std::string& text) const {
-    std::ofstream(root_ / name, std::ios::binary) << text;
-    return path(name);
-  }
-  [[nodiscard]] static Outcome call(std::vector<std::string> args) {
-    args.insert(args.begin(), {"fake", "offset"});
-    std::vector<char*> argv;
-    for (std::string& arg : args) argv.push_back(arg.data());
-    argv.push_back(nullptr);
-    ::testing::internal::CaptureStdout();
-    ::testing::internal::CaptureStderr();
-    Outcome outcome;
-    outcome.code = run_program(fake::program(), static_cast<int>(args.size()), argv.data(), {}, {offset_command()});
-    outcome.out = ::testing::internal::GetCapturedStdout();
-    outcome.err = ::testing::internal::GetCapturedStderr();
-    return outcome;
-  }
-  [[nodiscard]] static Json json(std::vector<std::string> args) {
+  [[nodiscard]] Json json(std::vector<std::string> args) const {
     args.push_back("--json");
-    const Outcome outcome = call(std::move(args));
+    const test::Outcome outcome = call(std::move(args));
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     return Json::parse(outcome.out, nullptr, false);
-  }
-  /// A refusal: one line that holds `wanted`, nothing on standard output.
-  static void refuses(const std::vector<std::string>& args, int code, const std::string& wanted) {
-    const Outcome outcome = call(args);
-    EXPECT_EQ(outcome.code, code) << outcome.err;
-    EXPECT_NE(outcome.err.find(wanted), std::string::npos) << wanted << "\n" << outcome.err;
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    EXPECT_EQ(outcome.out, "");
   }
   [[nodiscard]] std::string segment() const { return put("segment.csv", "x,y\n0,0\n10,0\n"); }
   [[nodiscard]] std::string corner() const { return put("corner.txt", "0 0\n4 0\n4 4\n"); }
@@ -77,9 +38,6 @@ class OffsetCommand : public ::testing::Test {
         R"({"type":"Feature","properties":{"name":"top"},"geometry":{"type":"LineString","coordinates":[[0,0],[10,0]]}},)"
         R"({"type":"Feature","properties":{"name":"base"},"geometry":{"type":"LineString","coordinates":[[0,-9],[6,-9]]}}]})");
   }
-
- private:
-  fs::path root_;
 };
 
 TEST_F(OffsetCommand, OFF_a_SegmentLeftToRightIsOffsetBelow) {
@@ -102,7 +60,7 @@ TEST_F(OffsetCommand, OFF_b_CornerHasLengthTenOutsideAndSixInside) {
 }
 
 TEST_F(OffsetCommand, OFF_h_SquareInsetBeyondHalfWidthIsEmptyAndReported) {
-  const Outcome outcome = call({square(), "--distance", "1", "--count", "5", "--side", "left", "--json"});
+  const test::Outcome outcome = call({square(), "--distance", "1", "--count", "5", "--side", "left", "--json"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const Json curves = Json::parse(outcome.out)["curves"];
   ASSERT_EQ(curves.size(), 5U);
@@ -168,12 +126,12 @@ TEST_F(OffsetCommand, SeveralCurvesAreReportedOneAfterTheOtherByName) {
 }
 
 TEST_F(OffsetCommand, WithoutJsonAndFileATableIsPrinted) {
-  const Outcome one = call({square(), "--distance", "1", "--side", "left"});
+  const test::Outcome one = call({square(), "--distance", "1", "--side", "left"});
   EXPECT_EQ(one.code, 0) << one.err;
   EXPECT_EQ(one.out,
             "      distance        pieces        points        length          area\n"
             "             1             1             4            32            64\n");
-  const Outcome several = call({two(), "--distance", "1"});
+  const test::Outcome several = call({two(), "--distance", "1"});
   EXPECT_NE(several.out.find("\nbase                1             1             2             6             -\n"),
             std::string::npos)
       << several.out;
@@ -181,51 +139,51 @@ TEST_F(OffsetCommand, WithoutJsonAndFileATableIsPrinted) {
 
 TEST_F(OffsetCommand, WrongUsageNamesTheOption) {
   const std::string file = segment();
-  refuses({file}, 2, "--distance D");
-  refuses({file, "--count", "3"}, 2, "--distance D");
-  refuses({file, "--distances", "1,2", "--count", "3"}, 2, "--distances");
-  refuses({file, "--distances", "1,2", "--distance", "3"}, 2, "--distances");
-  refuses({file, "--distances", "1,2", "--factor", "3"}, 2, "--distances");
-  refuses({file, "--distance", "1", "--count", "0"}, 2, "--count");
-  refuses({file, "--distance", "1", "--count", "-2"}, 2, "--count");
-  refuses({file, "--distance", "1", "--count", "1.5"}, 2, "--count");
-  refuses({file, "--distance", "1", "--count", "some"}, 2, "--count");
-  refuses({file, "--distance", "0"}, 2, "--distance");
-  refuses({file, "--distance", "-1"}, 2, "--distance");
-  refuses({file, "--distance", "nan"}, 2, "--distance");
-  refuses({file, "--distance", "inf"}, 2, "--distance");
-  refuses({file, "--distance", "one"}, 2, "'one' is not a number");
-  refuses({file, "--distance", "1", "--factor", "0"}, 2, "--factor");
-  refuses({file, "--distances", "1,,2"}, 2, "--distances: '' is not a number");
-  refuses({file, "--distances", "1,-2"}, 2, "--distances: -2 must be above 0");
-  refuses({file, "--distances", ""}, 2, "--distances");
-  refuses({file, "--distance", "1", "--side", "rihgt"}, 2, "did you mean 'right'?");
-  refuses({file, "--distance", "1", "--join", "x"}, 2, "--join");
-  refuses({file, "--distance", "1", "--ends", "x"}, 2, "--ends");
-  refuses({file, "--distance", "1", "--mitre-limit", "0.5"}, 2, "--mitre-limit");
-  refuses({file, "--distance", "1", "--mitre-limit", "3", "--join", "round"}, 2, "--mitre-limit");
-  refuses({file, "--distance", "1", "--arc-tolerance", "0.6"}, 2, "--arc-tolerance");
-  refuses({two(), "--distance", "1", "--curve", "bse"}, 2, "did you mean 'base'?");
-  refuses({two(), "--distance", "1", "--curve", "3"}, 2, "--curve");
-  refuses({file, "--distance", "1", "--out", path("a.shp")}, 2, "--out");
-  EXPECT_FALSE(fs::exists(path("a.shp")));
+  refuses({file}, 2, {"--distance D"});
+  refuses({file, "--count", "3"}, 2, {"--distance D"});
+  refuses({file, "--distances", "1,2", "--count", "3"}, 2, {"--distances"});
+  refuses({file, "--distances", "1,2", "--distance", "3"}, 2, {"--distances"});
+  refuses({file, "--distances", "1,2", "--factor", "3"}, 2, {"--distances"});
+  refuses({file, "--distance", "1", "--count", "0"}, 2, {"--count"});
+  refuses({file, "--distance", "1", "--count", "-2"}, 2, {"--count"});
+  refuses({file, "--distance", "1", "--count", "1.5"}, 2, {"--count"});
+  refuses({file, "--distance", "1", "--count", "some"}, 2, {"--count"});
+  refuses({file, "--distance", "0"}, 2, {"--distance"});
+  refuses({file, "--distance", "-1"}, 2, {"--distance"});
+  refuses({file, "--distance", "nan"}, 2, {"--distance"});
+  refuses({file, "--distance", "inf"}, 2, {"--distance"});
+  refuses({file, "--distance", "one"}, 2, {"'one' is not a number"});
+  refuses({file, "--distance", "1", "--factor", "0"}, 2, {"--factor"});
+  refuses({file, "--distances", "1,,2"}, 2, {"--distances: '' is not a number"});
+  refuses({file, "--distances", "1,-2"}, 2, {"--distances: -2 must be above 0"});
+  refuses({file, "--distances", ""}, 2, {"--distances"});
+  refuses({file, "--distance", "1", "--side", "rihgt"}, 2, {"did you mean 'right'?"});
+  refuses({file, "--distance", "1", "--join", "x"}, 2, {"--join"});
+  refuses({file, "--distance", "1", "--ends", "x"}, 2, {"--ends"});
+  refuses({file, "--distance", "1", "--mitre-limit", "0.5"}, 2, {"--mitre-limit"});
+  refuses({file, "--distance", "1", "--mitre-limit", "3", "--join", "round"}, 2, {"--mitre-limit"});
+  refuses({file, "--distance", "1", "--arc-tolerance", "0.6"}, 2, {"--arc-tolerance"});
+  refuses({two(), "--distance", "1", "--curve", "bse"}, 2, {"did you mean 'base'?"});
+  refuses({two(), "--distance", "1", "--curve", "3"}, 2, {"--curve"});
+  refuses({file, "--distance", "1", "--out", path("a.shp")}, 2, {"--out"});
+  EXPECT_FALSE(std::filesystem::exists(path("a.shp")));
 }
 
 TEST_F(OffsetCommand, BadInputNamesTheFile) {
-  refuses({path("none.csv"), "--distance", "1"}, 3, "none.csv");
-  refuses({put("a.xyz", "0 0\n1 1\n"), "--distance", "1"}, 3, ".geojson");
-  refuses({put("empty.csv", ""), "--distance", "1"}, 3, "empty.csv");
-  refuses({put("word.csv", "0 0\n1 one\n2 0\n"), "--distance", "1"}, 3, "word.csv:2");
-  refuses({put("short.dxf", "0\nSECTION\n2\nENTITIES\n"), "--distance", "1"}, 3, "short.dxf:4");
-  refuses({segment(), "--distance", "1", "--closed"}, 3, "segment.csv: curve 1: ");
-  refuses({segment(), "--distance", "1e200", "--count", "9", "--factor", "1e200"}, 3, "--count");
-  refuses({segment(), "--distance", "1", "--out", path("no/where.csv")}, 4, "/no: cannot be written");
+  refuses({path("none.csv"), "--distance", "1"}, 3, {"none.csv"});
+  refuses({put("a.xyz", "0 0\n1 1\n"), "--distance", "1"}, 3, {".geojson"});
+  refuses({put("empty.csv", ""), "--distance", "1"}, 3, {"empty.csv"});
+  refuses({put("word.csv", "0 0\n1 one\n2 0\n"), "--distance", "1"}, 3, {"word.csv:2"});
+  refuses({put("short.dxf", "0\nSECTION\n2\nENTITIES\n"), "--distance", "1"}, 3, {"short.dxf:4"});
+  refuses({segment(), "--distance", "1", "--closed"}, 3, {"segment.csv: curve 1: "});
+  refuses({segment(), "--distance", "1e200", "--count", "9", "--factor", "1e200"}, 3, {"--count"});
+  refuses({segment(), "--distance", "1", "--out", path("no/where.csv")}, 4, {"/no: cannot be written"});
 }
 
 TEST_F(OffsetCommand, ExchangeFilesReadBackAsTheSameCurves) {
   const std::string base = square();
   const auto write = [&](const std::string& name) {
-    const Outcome outcome = call({base, "--distances", "1,2,7", "--side", "left", "--out", path(name)});
+    const test::Outcome outcome = call({base, "--distances", "1,2,7", "--side", "left", "--out", path(name)});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.out, path(name) + '\n');
   };
@@ -273,7 +231,7 @@ TEST_F(OffsetCommand, AHoleBetweenArmsIsAHoleOfThePolygon) {
 
 TEST_F(OffsetCommand, VerifyJudgesTheCurvesAndSaysSo) {
   const std::string file = put("l.csv", "0,0\n6,0\n6,2\n2,2\n2,6\n0,6\n");
-  const Outcome right = call({file, "--closed", "--side", "left", "--distances", "0.25,0.9", "--verify"});
+  const test::Outcome right = call({file, "--closed", "--side", "left", "--distances", "0.25,0.9", "--verify"});
   EXPECT_EQ(right.code, 0);
   EXPECT_NE(right.err.find("verified 12 edges"), std::string::npos) << right.err;
   EXPECT_NE(right.err.find("nothing is wrong"), std::string::npos) << right.err;
@@ -286,7 +244,8 @@ TEST_F(OffsetCommand, VerifyJudgesTheCurvesAndSaysSo) {
   ASSERT_TRUE(verify_offset(base, {}, {offset::OffsetCurve{1.0, {piece}, 0}}, verdict).ok());
   EXPECT_EQ(verdict.edges, 1U);
   ASSERT_GE(verdict.findings.size(), 1U);
-  EXPECT_TRUE(verdict.findings[0].starts_with("top: distance 1.0: off its parallel: 0.5 where ")) << verdict.findings[0];
+  EXPECT_TRUE(verdict.findings[0].starts_with("top: distance 1.0: off its parallel: 0.5 where "))
+      << verdict.findings[0];
 }
 
 TEST_F(OffsetCommand, PicturesAreWrittenAndShowBaseAndDistances) {

@@ -5,25 +5,18 @@
 #include <QLocale>
 #include <QRegularExpression>
 #include <QTranslator>
-#include <fstream>
-#include <sstream>
 
 #include "shared/base/text.h"
+#include "shared/io/file.h"
 
 namespace dobra::gui {
 namespace {
 
-std::string content(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  std::ostringstream all;
-  all << in.rdbuf();
-  return all.str();
-}
-
 class Brazilian {
  public:
   Brazilian() {
-    if (translator.load(QLocale("pt_BR"), "dobra", "_", ":/translations")) QCoreApplication::installTranslator(&translator);
+    if (translator.load(QLocale("pt_BR"), "dobra", "_", ":/translations"))
+      QCoreApplication::installTranslator(&translator);
   }
   ~Brazilian() { QCoreApplication::removeTranslator(&translator); }
   QTranslator translator;
@@ -34,9 +27,10 @@ TEST(Text, EveryWordOfTheWindowIsTranslated) {
   const QRegularExpression call(R"re((?<![A-Za-z_.>])text\(\s*"((?:[^"\\]|\\.)*)")re");
   std::size_t seen = 0;
   std::size_t same = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(DOBRA_SOURCE_DIR) / "shared/gui")) {
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::filesystem::path(DOBRA_SOURCE_DIR) / "shared/gui")) {
     if (entry.path().extension() != ".cpp") continue;
-    auto match = call.globalMatch(QString::fromStdString(content(entry.path())));
+    auto match = call.globalMatch(QString::fromStdString(io::read_text(entry.path()).value()));
     while (match.hasNext()) {
       const std::string words = match.next().captured(1).toStdString();
       ++seen;
