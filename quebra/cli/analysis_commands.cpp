@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "quebra/core/convergence.h"
 #include "quebra/core/results.h"
 #include "quebra/core/validation.h"
 #include "shared/base/text.h"
@@ -41,7 +42,8 @@ struct Options {
   std::vector<std::string> probes;
   std::optional<std::int64_t> samples;
   std::optional<double> deformation;
-  std::optional<std::filesystem::path> out, picture;
+  std::optional<std::int64_t> analysis;
+  std::optional<std::filesystem::path> out, picture, curve;
 };
 
 scenario::Step step_of(const std::string& operation) {
@@ -80,7 +82,8 @@ Result<std::vector<geom::Point>> points_in(const std::string& option, const std:
 Result<void> add_result_steps(const Options& options, scenario::Document& document) {
   if (options.out && options.line.empty()) return Error{ErrorCode::BadUsage, "--out is the file of the line: give --line x0,y0,x1,y1"};
   if (options.samples && options.line.empty()) return Error{ErrorCode::BadUsage, "--samples is of a line: give --line x0,y0,x1,y1"};
-  if (!options.picture && (!options.field.empty() || options.deformation)) return Error{ErrorCode::BadUsage, "--field and --deformation are of a picture: give --picture FILE"};
+  if (!options.picture && (!options.field.empty() || options.deformation || options.analysis))
+    return Error{ErrorCode::BadUsage, "--field, --cycle and --deformation are of a picture: give --picture FILE"};
   if (!options.line.empty()) {
     DOBRA_TRY(const auto ends, points_in("--line", options.line, 2));
     scenario::Step step = step_of("line");
@@ -100,6 +103,7 @@ Result<void> add_result_steps(const Options& options, scenario::Document& docume
   if (options.picture) {
     scenario::Step step = step_of("view");
     if (!options.field.empty()) step.params.set("field", options.field);
+    if (options.analysis) step.params.set("analysis", *options.analysis);
     if (options.deformation) step.params.set("deformation", *options.deformation);
     document.steps.push_back(std::move(step));
   }
@@ -167,11 +171,14 @@ Result<void> write_results(const scenario::Program& program, const scenario::Sta
     DOBRA_TRY_VOID(io::write_file(options.out->string(), scenario::csv_text(table)));
   }
   if (options.picture) DOBRA_TRY_VOID(dobra::cli::draw(program.picture_of(state), *options.picture, dobra::cli::Drawer::Cairo));
+  if (options.curve) DOBRA_TRY_VOID(dobra::cli::draw(core::convergence_picture(scenario::model_of<core::Model>(state)), *options.curve, dobra::cli::Drawer::Cairo));
   return {};
 }
 
 Result<int> job(dobra::cli::Session& session, const std::string& operation, const Options& options) {
-  if (options.picture) DOBRA_TRY_VOID(dobra::cli::check_ending(*options.picture, dobra::cli::Drawer::Cairo));
+  for (const auto& file : {options.picture, options.curve}) {
+    if (file) DOBRA_TRY_VOID(dobra::cli::check_ending(*file, dobra::cli::Drawer::Cairo));
+  }
   DOBRA_TRY(const scenario::Document document, document_of(session, operation, options));
   DOBRA_TRY(const scenario::Run run, dobra::cli::run_steps(session, document));
   DOBRA_TRY_VOID(write_results(session.program, run.states.back(), options));
@@ -191,6 +198,8 @@ dobra::cli::Command command(const std::string& name, const std::string& operatio
               app.add_option("--target", options->target, "Error asked for in the energy norm, such as 5%")->type_name("PERCENT");
               app.add_option("--rule", options->rule, "Rule of the new sizes")->check(CLI::IsMember({"optimal", "equal"}))->type_name("RULE");
               app.add_option("--max-cycles", options->max_cycles, "Stop after so many cycles")->type_name("N");
+              app.add_option("--curve", options->curve, "Draw the error of each cycle against the unknowns")->type_name("FILE.svg|pdf|png");
+              app.add_option("--cycle", options->analysis, "Which cycle the picture shows; the last by default")->type_name("N");
             }
             if (operation == "crack") app.add_option("--contour", options->contour, "Outer radius of the ring of the integrals")->type_name("R");
             app.add_option("--line", options->line, "Displacements and stresses along a line")->type_name("X0,Y0,X1,Y1");

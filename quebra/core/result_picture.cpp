@@ -217,12 +217,18 @@ void add_extremes(const Drawing& drawing, std::vector<scene::Layer>& layers) {
   layers.push_back({"extreme_values", translated("Extreme values"), {.line = ink, .text_size = 10.0}, std::move(labels), true, scene::InLegend::No});
 }
 
+const Analysis& analysis_of(const Model& model, const ViewParams& params) {
+  return params.analysis == 0 ? *model.analyses.back() : *model.analyses[static_cast<std::size_t>(params.analysis) - 1];
+}
+
 }  // namespace
 
 Result<Model> add_view(const Model& model, const ViewParams& params, const dobra::scenario::Context&, const dobra::base::Progress&) {
   if (model.analyses.empty()) return Error{ErrorCode::BadValue, "there is no analysis: put a step 'analyse' or 'adapt' before"};
+  if (static_cast<std::size_t>(params.analysis) > model.analyses.size())
+    return Error{ErrorCode::BadValue, fmt::format("there is no analysis {}: they are numbered from 1 to {}", params.analysis, model.analyses.size())};
   std::vector<std::string> names;
-  for (const auto& own : model.analyses.back()->solution.cases) names.push_back(own.name);
+  for (const auto& own : analysis_of(model, params).solution.cases) names.push_back(own.name);
   if (!params.load_case.empty() && std::find(names.begin(), names.end(), params.load_case) == names.end())
     return Error{ErrorCode::BadValue, fmt::format("there is no load case '{}'{}", params.load_case, dobra::base::did_you_mean(params.load_case, names))};
   Model result = model;
@@ -241,6 +247,7 @@ scene::Panel view_panel(const Analysis& analysis, std::size_t load_case, const V
 
   scene::Panel panel{.key = "analysis"};
   panel.title = fmt::format("{}: {}", analysis.solution.cases[load_case].name, title_of(params.field));
+  if (params.analysis > 0) panel.title = analysis.meshed->name + ", " + panel.title;
   if (factor > 0.0) panel.title += fmt::format(", {} x {:g}", translated("displacements"), factor);
   panel.title += fmt::format("; eta {:.2g} %", 100.0 * analysis.fields[load_case].estimate.eta);
   const auto add = [&](const char* key, std::string title, const scene::Style& style, auto content, scene::InLegend legend) {
@@ -267,19 +274,19 @@ scene::Panel view_panel(const Analysis& analysis, std::size_t load_case, const V
 
 void add_views(const Model& model, scene::Picture& picture) {
   if (model.analyses.empty()) return;
-  const Analysis& analysis = *model.analyses.back();
-  const auto index_of = [&](const std::string& name) {
+  const auto panel_of = [&](const ViewParams& view) {
+    const Analysis& analysis = analysis_of(model, view);
     const auto& cases = analysis.solution.cases;
-    const auto found = std::find_if(cases.begin(), cases.end(), [&](const auto& own) { return own.name == name; });
-    return found == cases.end() ? std::size_t{0} : static_cast<std::size_t>(found - cases.begin());
+    const auto found = std::find_if(cases.begin(), cases.end(), [&](const auto& own) { return own.name == view.load_case; });
+    return view_panel(analysis, found == cases.end() ? std::size_t{0} : static_cast<std::size_t>(found - cases.begin()), view);
   };
   if (model.views.empty()) {
-    picture.panels.push_back(view_panel(analysis, 0, {}));
+    picture.panels.push_back(panel_of({}));
     return;
   }
   picture.panels.clear();
   for (const auto& view : model.views) {
-    picture.panels.push_back(view_panel(analysis, index_of(view->load_case), *view));
+    picture.panels.push_back(panel_of(*view));
     picture.panels.back().key = fmt::format("view_{}", picture.panels.size());
   }
 }

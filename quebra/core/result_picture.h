@@ -14,6 +14,7 @@ enum class Shown { Yes, No };
 struct ViewParams {
   FieldName field = FieldName::VonMises;
   std::string load_case;
+  int analysis = 0;
   std::optional<double> deformation;
   int contours = 9;
   Shown mesh = Shown::Yes;
@@ -23,6 +24,7 @@ struct ViewParams {
   static void describe(D& d) {
     d.choice("field", &ViewParams::field, field_names(), {.title = "Field", .help = "von Mises, stresses, principal stresses, displacements, or the error of each element."});
     d.field("case", &ViewParams::load_case, {.title = "Load case", .help = "The first by default."});
+    d.field("analysis", &ViewParams::analysis, {.title = "Analysis", .help = "Its number, the cycle of an adaptive loop: 1 is the first; 0 takes the last.", .at_least = 0});
     d.field("deformation", &ViewParams::deformation, {.title = "Deformation", .help = "Times the displacements that are drawn: 1 true, 0 none; by default they are a twentieth of the size.", .at_least = 0});
     d.field("contours", &ViewParams::contours, {.title = "Contours", .help = "Number of lines.", .at_least = 0, .at_most = 100});
     d.choice("mesh", &ViewParams::mesh, {"yes", "no"}, {.title = "Mesh"});
@@ -30,7 +32,7 @@ struct ViewParams {
   }
 };
 
-/// Adds a picture of the last analysis. @error BadValue: no analysis, no such case.
+/// Adds a picture of an analysis. @error BadValue: no analysis, none of this number, no such case.
 dobra::base::Result<Model> add_view(const Model& model, const ViewParams& params, const dobra::scenario::Context& context,
                                     const dobra::base::Progress& progress);
 

@@ -121,9 +121,15 @@ struct Layer {
   InLegend in_legend = InLegend::Yes;
 };
 
+enum class AxisScale {
+  Linear,
+  Log10
+};  ///< Log10: coordinates are decimal logarithms, ticks say of what; there is no scale bar.
+
 struct Axes {
   std::string x_title = "x [m]";
   std::string y_title = "y [m]";
+  AxisScale scale = AxisScale::Linear;
 };
 
 /// One view on a plane, drawn to scale (no exaggeration unless stated).

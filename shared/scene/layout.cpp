@@ -297,10 +297,11 @@ bool Arranger::update_room(std::size_t i) {
   const Transform transform = transform_of(block.view, plot, block.exaggeration);
   const geom::Box world = transform.to_world(plot);
   const double line = measure_("0", tick_font_).height();
-  block.x_ticks = ticks_that_fit(world.low.x, world.high.x, block.plot_width, 8.0, 40.0,
-                                 [&](const std::string& text) { return measure_(text, tick_font_).width; });
+  const auto fit = panel.axes.scale == AxisScale::Log10 ? logarithmic_ticks_that_fit : ticks_that_fit;
+  block.x_ticks = fit(world.low.x, world.high.x, block.plot_width, 8.0, 40.0,
+                      [&](const std::string& text) { return measure_(text, tick_font_).width; });
   block.y_ticks =
-      ticks_that_fit(world.low.y, world.high.y, block.plot_height, 6.0, 26.0, [&](const std::string&) { return line; });
+      fit(world.low.y, world.high.y, block.plot_height, 6.0, 26.0, [&](const std::string&) { return line; });
   block.y_title = turned_heading(panel.axes.y_title, block.plot_height, axis_font_, measure_);
   double widest = 0.0;
   for (const Tick& tick : block.y_ticks) widest = std::max(widest, measure_(tick.label, tick_font_).width);
@@ -346,7 +347,7 @@ bool Arranger::update_rooms() {
 void Arranger::update_bottom(const PageSize& room) {
   const double width = room.width - 2.0 * options_.margin;
   scale_bar_ = {};
-  bool common = !blocks_.empty();
+  bool common = !blocks_.empty() && picture_.panels.front().axes.scale == AxisScale::Linear;
   for (const Block& block : blocks_) {
     common = common && block.exaggeration == 1.0 && block.view.world_per_point == blocks_.front().view.world_per_point;
   }

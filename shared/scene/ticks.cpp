@@ -41,6 +41,15 @@ std::vector<Tick> ticks_of_step(double low, double high, double step) {
   return ticks;
 }
 
+bool keep_apart(const std::vector<Tick>& ticks, double points_per_unit, double gap, double spacing,
+                const std::function<double(const std::string&)>& room) {
+  for (std::size_t i = 1; i < ticks.size(); ++i) {
+    const double apart = (ticks[i].value - ticks[i - 1].value) * points_per_unit;
+    if (apart < spacing || apart < 0.5 * (room(ticks[i - 1].label) + room(ticks[i].label)) + gap) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::string tick_label(double value, int decimals) {
@@ -75,14 +84,27 @@ std::vector<Tick> ticks_that_fit(double low, double high, double length, double 
   auto at_most = static_cast<std::size_t>(std::clamp(length / spacing + 1.0, 1.0, 100.0));
   for (; at_most > 1; --at_most) {
     std::vector<Tick> ticks = nice_ticks(low, high, at_most);
-    bool fits = true;
-    for (std::size_t i = 1; i < ticks.size() && fits; ++i) {
-      const double apart = (ticks[i].value - ticks[i - 1].value) / (high - low) * length;
-      fits = apart >= spacing && apart >= 0.5 * (room(ticks[i - 1].label) + room(ticks[i].label)) + gap;
-    }
-    if (fits) return ticks;
+    if (keep_apart(ticks, length / (high - low), gap, spacing, room)) return ticks;
   }
   return nice_ticks(low, high, 1);
+}
+
+std::vector<Tick> logarithmic_ticks_that_fit(double low, double high, double length, double gap, double spacing,
+                                             const std::function<double(const std::string&)>& room) {
+  for (int every = 0; every <= 308; ++every) {  // 0: three a decade
+    std::vector<Tick> ticks;
+    for (double decade = std::floor(low); decade <= high; decade += 1.0) {
+      if (every > 1 && std::fmod(decade, every) != 0.0) continue;
+      for (const double digit : {1.0, 2.0, 5.0}) {
+        const double at = decade + std::log10(digit);
+        if (at < low || at > high || (every > 0 && digit > 1.0)) continue;
+        ticks.push_back({at, fmt::format("{:g}", digit * std::pow(10.0, decade))});
+      }
+    }
+    if (ticks.empty()) break;
+    if (keep_apart(ticks, length / (high - low), gap, spacing, room)) return ticks;
+  }
+  return ticks_that_fit(low, high, length, gap, spacing, room);
 }
 
 }  // namespace dobra::scene

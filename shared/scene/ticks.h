@@ -25,6 +25,12 @@ std::vector<Tick> nice_ticks(double low, double high, std::size_t at_most);
 std::vector<Tick> ticks_that_fit(double low, double high, double length, double gap, double spacing,
                                  const std::function<double(const std::string&)>& room);
 
+/// The same for decimal logarithms: ticks at those of 1, 2 and 5 times the powers of ten, of these powers alone where
+/// that is too dense, or of every so many of them, labelled with the numbers themselves. Steps of the logarithm where
+/// no such number lies within.
+std::vector<Tick> logarithmic_ticks_that_fit(double low, double high, double length, double gap, double spacing,
+                                             const std::function<double(const std::string&)>& room);
+
 /// The largest 1, 2 or 5 times a power of ten that is not above `value`.  @pre value > 0.
 double nice_below(double value);
 

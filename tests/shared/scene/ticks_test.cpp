@@ -46,6 +46,17 @@ TEST(Ticks, NiceBelowIsTheLargestStepNotAbove) {
   EXPECT_DOUBLE_EQ(nice_below(0.5), 0.5);
 }
 
+TEST(Ticks, OfLogarithmsNameTheNumbersThemselves) {
+  const auto room = [](const std::string& text) { return 6.0 * static_cast<double>(text.size()); };
+  const auto over = [&](double low, double high, double length) {
+    return labels(logarithmic_ticks_that_fit(low, high, length, 8.0, 20.0, room));
+  };
+  EXPECT_THAT(over(-0.5, 1.1, 300.0), testing::ElementsAre("0.5", "1", "2", "5", "10"));
+  EXPECT_THAT(over(2.0, 5.0, 150.0), testing::ElementsAre("100", "1000", "10000", "100000"));
+  EXPECT_THAT(over(0.0, 6.0, 70.0), testing::ElementsAre("1", "1000", "1e+06"));
+  EXPECT_FALSE(over(3.1, 3.2, 300.0).empty());  // no such number within
+}
+
 TEST(Ticks, LabelsThatFitKeepTheirGap) {
   const auto room = [](const std::string& text) { return 6.0 * static_cast<double>(text.size()); };
   for (const double length : {20.0, 60.0, 150.0, 700.0}) {
