@@ -232,7 +232,7 @@ OffsetPiece Trimmer::output(const Chain& chain) const {
     const std::size_t at = (best + i) % size;
     write_section(sections[at], before(at), sections[at].first, sections[at].last);
   }
-  return writer.finish_closed();
+  return writer.finish_closed(outline_.distance());
 }
 
 }  // namespace dobra::offset

@@ -2,6 +2,7 @@
 // Writes a curve of lines and arcs as an OffsetPiece, in the user's coordinates.
 
 #include <algorithm>
+#include <cmath>
 
 #include "shared/offset/base_curve.h"
 #include "shared/offset/block.h"
@@ -53,6 +54,7 @@ class PieceWriter {
         if (!going) break;
         const geom::Point q{from.x + origin.x, up * from.y + origin.y};
         const std::uint32_t segment = source[site.step];
+        if (point - piece_.points.data() > 1 && q == point[-2] && !is_curved(edge[-1]) && !is_curved(edge[-2])) --point, --edge;
         if (q == point[-1]) --point, --edge;
         *point++ = q;
         *edge++ = site.role == Role::Arc ? OffsetEdge::arc(segment) : OffsetEdge::line(segment);
@@ -96,26 +98,53 @@ class PieceWriter {
     }
     return piece_.points.size() < 2 ? OffsetPiece{} : finish();
   }
-  OffsetPiece finish_closed() {
+  /// Closes the curve, which is at this distance. What is no wider than the rounding of its points is nothing: whether that
+  /// leaves an area would depend on where the base starts and which way it runs.
+  OffsetPiece finish_closed(double distance) {
     piece_.closed = true;
-    if (piece_.points.size() > 1 && piece_.points.front() == piece_.points.back()) {
-      piece_.points.pop_back();
-      piece_.edges.pop_back();
-    }
-    // Two arcs make a lens; two lines make nothing.
-    const bool round = !piece_.edges.empty() && keeps_arcs_ && (piece_.edges.front().is_arc() || piece_.edges.back().is_arc());
-    return piece_.points.size() < (round ? 2 : 3) ? OffsetPiece{} : finish();
+    while (piece_.points.size() > 1 && (piece_.points.front() == piece_.points.back() || is_spike(piece_.points.front()))) drop_last();
+    return is_sliver(distance) ? OffsetPiece{} : finish();
   }
 
  private:
   void add(geom::Point p, OffsetEdge edge) {
     const geom::Point q = base_.user(p);
+    if (is_spike(q)) drop_last();
     if (!piece_.points.empty() && piece_.points.back() == q) {
       piece_.edges.back() = edge;
       return;
     }
     piece_.points.push_back(q);
     piece_.edges.push_back(edge);
+  }
+  void drop_last() {
+    piece_.points.pop_back();
+    piece_.edges.pop_back();
+  }
+  [[nodiscard]] bool is_curved(OffsetEdge edge) const { return keeps_arcs_ && edge.is_arc(); }
+  /// Would the way to q go back over the last edge? Two arcs there and back make a lens, two lines nothing.
+  [[nodiscard]] bool is_spike(geom::Point q) const {
+    const std::size_t n = piece_.points.size();
+    return n > 1 && piece_.points[n - 2] == q && !is_curved(piece_.edges[n - 2]) && !is_curved(piece_.edges[n - 1]);
+  }
+  /// Arcs bend away from what is thin: one that does by more than rounding tells that this is not.
+  [[nodiscard]] bool is_sliver(double distance) const {
+    const std::size_t n = piece_.points.size();
+    if (n == 0) return true;
+    double greatest = distance, length = 0.0, sagitta = 0.0;
+    long double area = 0.0L;
+    const geom::Point start = piece_.points.front();
+    for (std::size_t i = 0; i < n; ++i) {
+      const geom::Point p = piece_.points[i];
+      const geom::Vector side = piece_.points[i + 1 == n ? 0 : i + 1] - p;
+      const double squared = geom::dot(side, side);
+      if (is_curved(piece_.edges[i])) sagitta = std::max(sagitta, squared / (8.0 * distance));
+      greatest = std::max({greatest, std::abs(p.x), std::abs(p.y), std::abs(p.x - base_.origin.x), std::abs(p.y - base_.origin.y)});
+      length += std::sqrt(squared);
+      area += geom::cross(p - start, side);
+    }
+    const double rounding = 0x1p-48 * greatest;
+    return sagitta <= rounding && std::abs(static_cast<double>(area)) <= rounding * length;
   }
   OffsetPiece finish() {
     if (!keeps_arcs_) {

@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
+#include "shared/offset/arcs.h"
 #include "shared/offset/offset.h"
+#include "shared/offset/verify.h"
 #include "tests/support/corpus.h"
 #include "tests/support/offset_oracle.h"
 #include "tests/support/random_curves.h"
@@ -226,6 +229,78 @@ void scaled(const Given& given) {
   }
 }
 INVARIANCE_TEST(ScaledInputScalesTheOutput, scaled)
+
+/// A block with slits of width 3 cut into it from one side, turned so that their widths are rounded.
+Polyline slits(int count, double angle) {
+  Polyline base{{{0, 0}, {12, 0}}, true};
+  for (int i = 0; i < count; ++i) {
+    const double low = 3.0 * (2 * i + 1);
+    for (const Point p : {Point{12, low}, {3, low}, {3, low + 3}, {12, low + 3}}) base.points.push_back(p);
+  }
+  const double top = 3.0 * (2 * count + 1);
+  base.points.push_back({12, top});
+  base.points.push_back({0, top});
+  for (Point& p : base.points) p = {p.x * std::cos(angle) - p.y * std::sin(angle), p.x * std::sin(angle) + p.y * std::cos(angle)};
+  return base;
+}
+
+TEST(OffsetInvariance, WhatIsNoWiderThanRoundingIsGoneFromEveryStartAndInBothDirections) {
+  const double distance[] = {1.5};
+  for (const int count : {1, 2, 3}) {
+    for (int turn = 0; turn < 40; ++turn) {
+      const Polyline base = slits(count, 0.157 * turn);
+      for (const Join join : {Join::Mitre, Join::Bisector, Join::Round, Join::Bevel}) {
+        for (const Side side : {Side::RightOfTravel, Side::LeftOfTravel}) {
+          OffsetOptions options;
+          options.join = join;
+          options.side = side;
+          const auto pieces_of = [&](const Polyline& from, Side of) {
+            options.side = of;
+            const auto curves = offset(from, distance, options);
+            EXPECT_TRUE(curves.ok());
+            return curves ? curves->front().pieces : std::vector<OffsetPiece>{};
+          };
+          const auto length_of = [&](const std::vector<OffsetPiece>& pieces, const Polyline& from) {
+            double sum = 0.0;
+            for (const OffsetPiece& piece : pieces) sum += length(piece, from);
+            return sum;
+          };
+          const auto pieces = pieces_of(base, side);
+          const double whole = length_of(pieces, base);
+          const std::string said = std::to_string(count) + " slits, turn " + std::to_string(turn) + ", join " + std::to_string(int(join)) + ", side " + std::to_string(int(side));
+          const Polyline back = geom::reversed(base);
+          const auto other = pieces_of(back, side == Side::RightOfTravel ? Side::LeftOfTravel : Side::RightOfTravel);
+          EXPECT_EQ(other.size(), pieces.size()) << said;
+          EXPECT_NEAR(length_of(other, back), whole, 1e-9) << said;
+          for (std::size_t start = 1; start < base.points.size(); start += 3) {
+            Polyline from = base;
+            std::rotate(from.points.begin(), from.points.begin() + static_cast<std::ptrdiff_t>(start), from.points.end());
+            const auto same = pieces_of(from, side);
+            EXPECT_EQ(same.size(), pieces.size()) << said << ", start " << start;
+            EXPECT_NEAR(length_of(same, from), whole, 1e-9) << said << ", start " << start;
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(OffsetInvariance, ACurveDoesNotGoThereAndBack) {
+  const Polyline base{{{0, 0}, {8.5916189678614554, 8.3775941362113784}, {5.7990875891243299, 11.241467125498531}, {-0.64462663677176213, 4.958271523339997},
+                       {-3.4371580155088881, 7.8221445126271485}, {3.0065562103872034, 14.105340114785683}, {0.21402483165007702, 16.969213104072836},
+                       {-8.3775941362113784, 8.5916189678614554}}, true};
+  const double distance[] = {2.0000000000000004};
+  for (const Polyline& from : {base, geom::reversed(base)}) {
+    OffsetOptions options;
+    options.side = from == base ? Side::RightOfTravel : Side::LeftOfTravel;
+    const auto curves = offset(from, distance, options);
+    ASSERT_TRUE(curves.ok());
+    ASSERT_EQ(curves->front().pieces.size(), 1u);
+    EXPECT_EQ(curves->front().pieces[0].points.size(), 5u);
+    const auto verified = verify(from, options, curves->front());
+    EXPECT_TRUE(verified.ok() && verified->ok());
+  }
+}
 
 }  // namespace
 }  // namespace dobra::offset
