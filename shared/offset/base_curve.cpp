@@ -109,12 +109,14 @@ void measure_blocks(BaseCurve& base) {
   base.blocks.reserve(count / BaseCurve::block_size + 1);
   base.least_outer = std::numeric_limits<double>::infinity();
   for (std::size_t first = 0; first < count; first += BaseCurve::block_size) {
-    BaseCurve::Block block{std::numeric_limits<double>::infinity(), 0.0};
+    BaseCurve::Block block{std::numeric_limits<double>::infinity(), 0.0, 0};
     for (std::size_t i = first; i < std::min(count, first + BaseCurve::block_size); ++i) {
       const double before = base.turn[i] == Turn::Inner ? base.half_tans[i] : 0.0;
       const double after = base.turn[i + 1] == Turn::Inner ? base.half_tans[i + 1] : 0.0;
       block.regular_below = std::min(block.regular_below, (base.spans[i] - margin) / (before + after + 1e-300));
+      block.sites |= BaseCurve::line_bit(i);
       if (base.turn[i] != Turn::Outer) continue;
+      block.sites |= BaseCurve::corner_bit(i);
       block.greatest_outer = std::max(block.greatest_outer, base.half_tans[i]);
       base.least_outer = std::min(base.least_outer, base.half_tans[i]);
     }

@@ -31,8 +31,11 @@ struct BaseCurve {
   struct Block {
     double regular_below;   ///< Below this distance the inner corners leave a length of each of the block's parallels.
     double greatest_outer;  ///< Half tangent of the sharpest outer corner at the start of one of the block's segments, or 0.
+    std::uint32_t sites;    ///< Bit k: there is a segment first + k; bit 16 + k: its start is an outer corner.
   };
   static constexpr std::size_t block_size = 16;
+  static constexpr std::uint32_t line_bit(std::size_t i) { return std::uint32_t{1} << (i % block_size); }
+  static constexpr std::uint32_t corner_bit(std::size_t i) { return line_bit(i) << block_size; }
   std::vector<Block> blocks;  ///< Open curves: of so many segments each.
   double least_outer = 0;     ///< Least half tangent of an outer corner; infinity if there is none.
   double size = 0;                ///< Greatest coordinate.

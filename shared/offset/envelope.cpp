@@ -171,10 +171,11 @@ std::vector<OffsetPiece> between_caps(Stacked& curve, const BaseCurve& base, con
 
 }  // namespace
 
-std::vector<OffsetPiece> monotone_offset(const BaseCurve& base, Vector forward, double distance, const OffsetOptions& options) {
+std::vector<OffsetPiece> monotone_offset(const BaseCurve& base, Vector forward, double distance, const OffsetOptions& options,
+                                         PillsLeft& left) {
   const Filling filling(options);
   const Finisher finisher(base, options.join);
-  Stacked curve = stack_pills(base, forward, distance, filling);
+  Stacked curve = stack_pills(base, forward, distance, filling, left);
   if (!filling.only_arcs() && add_cut_mitres(curve, base, forward, distance, filling)) {
     drop_covered_arcs(curve, base, filling);
     return between_caps(curve, base, finisher);

@@ -8,7 +8,7 @@
 
 #include <optional>
 
-#include "shared/offset/base_curve.h"
+#include "shared/offset/pill_stack.h"
 
 namespace dobra::offset {
 
@@ -16,9 +16,11 @@ namespace dobra::offset {
 std::optional<geom::Vector> monotone_direction(const BaseCurve& base);
 
 /// @param forward  monotone_direction(base).
+/// @param left     see stack_pills.
 /// @return the curve; nothing if nothing of it is left; several pieces if mitres come out below the ends.
 /// @pre    base open.
 /// @cost   O(n + k log k), k = corners whose mitres are cut but not hidden by a single pill.
-std::vector<OffsetPiece> monotone_offset(const BaseCurve& base, geom::Vector forward, double distance, const OffsetOptions& options);
+std::vector<OffsetPiece> monotone_offset(const BaseCurve& base, geom::Vector forward, double distance, const OffsetOptions& options,
+                                         PillsLeft& left);
 
 }  // namespace dobra::offset

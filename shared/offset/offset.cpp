@@ -126,10 +126,15 @@ Prepared prepared(const geom::Polyline& curve, BaseCurve base, const OffsetOptio
   return made;
 }
 
-/// What the engine finds out about buried pieces at one distance, for greater ones. Null where nobody needs it.
+/// What the engine finds out at one distance about pieces that are hidden, for greater ones.
+struct Hidden {
+  std::optional<Buried> pieces;  ///< Of a base that is not monotone.
+  PillsLeft pills;               ///< Of one that is.
+};
+/// Null where nobody needs it.
 struct Memory {
-  const Buried* known = nullptr;
-  Buried* found = nullptr;
+  const Hidden* known = nullptr;
+  Hidden* found = nullptr;
 };
 
 OffsetCurve treated(const Prepared& input, double distance, const OffsetOptions& options, const base::Progress& progress,
@@ -138,14 +143,16 @@ OffsetCurve treated(const Prepared& input, double distance, const OffsetOptions&
   OffsetCurve curve;
   curve.distance = distance;
   if (!input.clearance) {
-    curve.pieces = monotone_offset(base, *input.forward, distance, options);
+    PillsLeft left = memory.known ? memory.known->pills : all_pills(base);
+    curve.pieces = monotone_offset(base, *input.forward, distance, options, left);
+    if (memory.found) memory.found->pills = std::move(left);
     keep_longest(curve, *input.curve);
     return curve;
   }
   const bool one_sided = input.simple && input.clearance->tells_sides(distance);
   const Outline::Sides sides = one_sided ? Outline::Sides::Right : Outline::Sides::Both;
   Trimmer trimmer(base, *input.clearance, sides, distance, options, progress);
-  curve.pieces = memory.known ? trimmer.run(*memory.known, memory.found) : trimmer.run();
+  curve.pieces = memory.known ? trimmer.run(*memory.known->pieces, memory.found ? &*memory.found->pieces : nullptr) : trimmer.run();
   if (input.simple) std::erase_if(curve.pieces, [](const OffsetPiece& piece) { return !piece.closed; });
   if (!base.closed) keep_longest(curve, *input.curve);
   return curve;
@@ -158,19 +165,20 @@ OffsetCurve curve_at(const Prepared& input, double distance, const OffsetOptions
                                                    : treated(input, distance, options, progress, memory);
 }
 
-/// Runs body(k, found) for all distances, ascending in rounds of 1, 1, 1, 2, 2, 3, 3, ...: what the last of a round finds buried, those of
-/// the later rounds need not look at again.
-template <class Body>
-void ascending(std::span<const double> distances, Buried& known, const Body& body) {
+/// Runs body(k, memory) for all distances, ascending in rounds: what the last of a round finds hidden, those of the later rounds
+/// need not look at again.
+/// @param width  how many distances a round has, by its number.
+template <class Width, class Body>
+void ascending(std::span<const double> distances, Hidden known, const Width& width, const Body& body) {
   std::vector<std::size_t> order(distances.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return distances[a] < distances[b]; });
-  std::size_t width = 1;
-  std::size_t round = 0;
-  for (std::size_t first = 0; first < order.size(); first += width, width = 1 + ++round / 2) {
-    const std::size_t last = std::min(order.size(), first + width);
+  std::size_t last = 0;
+  for (std::size_t round = 0; last < order.size(); ++round) {
+    const std::size_t first = last;
+    last = std::min(order.size(), first + width(round));
     const bool more = last < order.size();
-    std::optional<Buried> found;
+    std::optional<Hidden> found;
     if (more) found.emplace(known);
     base::parallel_for(last - first, [&](std::size_t i) {
       body(order[first + i], Memory{&known, more && first + i + 1 == last ? &*found : nullptr});
@@ -241,8 +249,10 @@ Result<std::vector<OffsetCurve>> offset_near_one(const geom::Polyline& curve, st
   std::vector<Result<OffsetCurve>> results(distances.size(), Result<OffsetCurve>(OffsetCurve{}));
   const auto keep = [&](std::size_t k, Memory memory) { results[k] = one(k, memory); };
   if (input.clearance) {
-    Buried known(input.base, *input.clearance);
-    ascending(distances, known, keep);
+    ascending(distances, {Buried(input.base, *input.clearance), {}}, [](std::size_t round) { return 1 + round / 2; }, keep);
+  } else if (input.forward) {
+    // The first hides most.
+    ascending(distances, {std::nullopt, all_pills(input.base)}, [](std::size_t round) { return 1 + round; }, keep);
   } else {
     base::parallel_for(distances.size(), [&](std::size_t k) { keep(k, {}); });
   }

@@ -34,9 +34,16 @@ struct Stacked {
   std::vector<std::uint64_t> cut;  ///< Bit i: corner i is to be mitred, but its arc is not wholly on the envelope.
 };
 
+/// What of the pills may be on their envelope: for each block of the base the bits of its lines, and of its corners' arcs (as
+/// BaseCurve::Block::sites). What is not on it at one distance is not at any greater one: of a point at a distance D' from the
+/// base the way to its foot is free, and at D of it there would be a point of the curve at D.
+using PillsLeft = std::vector<std::uint32_t>;
+PillsLeft all_pills(const BaseCurve& base);
+
+/// @param left  what a smaller distance has left (all_pills, if there is none); on return what this one leaves.
 /// @pre base open, fewer than `mitred` segments, monotone in direction `forward`.
 /// @cost O(n): 3 ns a segment where nothing is hidden, else some 30 ns.
-Stacked stack_pills(const BaseCurve& base, geom::Vector forward, double distance, const Filling& filling);
+Stacked stack_pills(const BaseCurve& base, geom::Vector forward, double distance, const Filling& filling, PillsLeft& left);
 
 /// What is nearer than this to touching counts as touching, and what touches as hidden: a little above what rounding does to
 /// the places compared, so that exact coincidences leave no edges that only rounding made.

@@ -189,7 +189,8 @@ class Judge {
   }
   [[nodiscard]] bool monotone() const { return forward_.has_value(); }
   [[nodiscard]] std::vector<OffsetPiece> curves() const {
-    return monotone_offset(base_, *forward_, d_, options_of(fill_));
+    PillsLeft left = all_pills(base_);
+    return monotone_offset(base_, *forward_, d_, options_of(fill_), left);
   }
   /// What rounding of the coordinates allows, and a part in 1e12 of D.
   [[nodiscard]] double tolerance(Point p) const {
@@ -418,6 +419,47 @@ TEST(Envelope, OfRoughGraphsLeavesOutOnlyMitresThatOthersHide) {
         ASSERT_TRUE(verified.ok());
         for (const auto& finding : verified->findings) {
           ADD_FAILURE() << "seed " << seed << ", " << fill.name << ", D " << curve.distance << ": " << to_string(finding);
+        }
+      }
+    }
+  }
+}
+
+/// Long steep flanks, and clusters of short steps: pockets that greater distances jump over.
+Polyline jagged_graph(std::uint32_t seed) {
+  std::mt19937 random(seed);
+  const std::size_t count = 3 + random() % 120;
+  std::normal_distribution<double> normal;
+  Polyline graph;
+  Point p{0, 0};
+  for (std::size_t i = 0; i < count; ++i) {
+    graph.points.push_back(p);
+    const bool far = random() % 4 == 0;
+    const double rise = normal(random);
+    p = seed % 2 == 0 ? p + geom::Vector{far ? 2.0 : 0.01, (far ? 5.0 : 0.02) * rise}
+                      : p + geom::Vector{random() % 9 == 0 ? 1.001 : 0.001, far ? 10 * rise : 0.0};
+  }
+  if (seed % 3 == 0) rotate(graph, 0.01 * (seed % 600));
+  return graph;
+}
+
+/// What smaller distances have hidden is left out at greater ones (PillsLeft): that changes nothing.
+TEST(Envelope, DistancesTogetherGiveTheCurvesThatEachGivesAlone) {
+  for (std::uint32_t seed = 0; seed < 800; ++seed) {
+    const Polyline graph = seed % 4 == 0 ? random_graph(seed) : jagged_graph(seed);
+    std::vector<double> distances;
+    for (int k = 1; k <= 9; ++k) distances.push_back(0.02 * (1 + seed % 50) * k);
+    for (const Join join : {Join::Round, Join::Mitre}) {
+      OffsetOptions options;
+      options.join = join;
+      options.side = seed % 5 < 2 ? Side::LeftOfTravel : Side::RightOfTravel;
+      const auto together = offset(graph, distances, options).value();
+      for (std::size_t k = 0; k < distances.size(); ++k) {
+        const OffsetCurve alone = offset(graph, {&distances[k], 1}, options).value().front();
+        ASSERT_EQ(together[k].pieces.size(), alone.pieces.size()) << "seed " << seed << " D " << distances[k];
+        for (std::size_t i = 0; i < alone.pieces.size(); ++i) {
+          EXPECT_EQ(together[k].pieces[i].edges, alone.pieces[i].edges) << "seed " << seed << " D " << distances[k];
+          EXPECT_NEAR(length(together[k].pieces[i], graph), length(alone.pieces[i], graph), 1e-9 * (1 + distances[k]));
         }
       }
     }
