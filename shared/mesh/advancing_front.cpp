@@ -151,6 +151,7 @@ Advancer::Advancer(Kernel& kernel, const SizeField& field, const FrontalOptions&
       grid_(field, std::min<std::size_t>(static_cast<std::size_t>(0.6 * expected_), options.max_triangles)),
       front_(front) {
   front_ = {};
+  make_room(kernel, field, options);
   add_seeds();
   add_nodes();
   add_walls();
