@@ -259,7 +259,7 @@ Result<void> GapFiller::triangulate(const Progress& progress) {
   }
 }
 
-/// Into the cells that the front has replaced as long as there are such, then behind the others.
+/// The last of the cells go into those that the front has replaced, as long as there are such.
 void GapFiller::copy() {
   if (sides_.empty()) return;
   const Kernel& gaps = gaps_.kernel;
@@ -267,26 +267,31 @@ void GapFiller::copy() {
   for (Kernel::Cell c = 0; c < kernel_.cell_count(); ++c) {
     if (kernel_.cell(c).region == replaced_region) spare.push_back(c);
   }
-  std::size_t count = 0;
-  for (Kernel::Cell c = 0; c < gaps.cell_count(); ++c) count += gaps.cell(c).region >= 0 ? 1 : 0;
+  std::vector<Kernel::Cell> inside;
+  for (Kernel::Cell c = 0; c < gaps.cell_count(); ++c) {
+    if (gaps.cell(c).region >= 0) inside.push_back(c);
+  }
+  const std::size_t appended = inside.size() - std::min(inside.size(), spare.size());
   kernel_.reserve(kernel_.vertex_count() + gaps.vertex_count() - global_point_.size(),
-                  kernel_.cell_count() + count - std::min(count, spare.size()));
+                  kernel_.cell_count() + appended);
   std::vector<Kernel::Vertex> global(gaps.vertex_count(), none);
   for (std::size_t p = 0; p < global_point_.size(); ++p) global[gaps_.vertex_of_point[p]] = global_point_[p];
   for (Kernel::Vertex v = 0; v < gaps.vertex_count(); ++v) {
     if (global[v] == none) global[v] = kernel_.add_vertex(gaps.point(v));
   }
   std::vector<Kernel::Cell> copied(gaps.cell_count(), none);
-  std::size_t used = 0;
-  const auto add = [&](Kernel::Vertex a, Kernel::Vertex b, Kernel::Vertex c, std::int32_t region) {
-    if (used == spare.size()) return kernel_.add_triangle(a, b, c, region);
-    kernel_.replace_triangle(spare[used], a, b, c, region);
-    return spare[used++];
-  };
-  for (Kernel::Cell c = 0; c < gaps.cell_count(); ++c) {
-    const Kernel::Triangle& cell = gaps.cell(c);
-    if (cell.region < 0) continue;
-    copied[c] = add(global[cell.vertex[0]], global[cell.vertex[1]], global[cell.vertex[2]], cell.region);
+  for (std::size_t i = 0; i < inside.size(); ++i) {
+    const Kernel::Cell from = inside[i < appended ? i : inside.size() - 1 - (i - appended)];
+    const auto& [vertex, twin, region, mark] = gaps.cell(from);
+    const std::array<Kernel::Vertex, 3> corner{global[vertex[0]], global[vertex[1]], global[vertex[2]]};
+    if (i < appended) {
+      copied[from] = kernel_.add_triangle(corner[0], corner[1], corner[2], region);
+    } else {
+      copied[from] = spare[i - appended];
+      kernel_.replace_triangle(copied[from], corner[0], corner[1], corner[2], region);
+    }
+  }
+  for (const Kernel::Cell c : inside) {
     for (std::uint32_t i = 0; i < 3; ++i) {
       const Kernel::Half e = Kernel::half(c, i);
       const Kernel::Half f = gaps.twin(e);
