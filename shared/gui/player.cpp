@@ -60,7 +60,8 @@ void Player::go_on() {
   const OutcomePtr& outcome = session_.outcome();
   const scenario::Step& step = session_.document().steps[part_ - 1];
   const bool failed = !outcome->run.complete();
-  const bool at_work = !failed && session_.program().find_operation(step.operation)->at_work(outcome->run.states.back());
+  const bool at_work =
+      !failed && session_.program().find_operation(step.operation)->at_work(outcome->run.states.back());
   if (!at_work) {
     forget();
     // The rest of the document, now that its watched step is done.

@@ -1,6 +1,6 @@
 #pragma once
-// Watching an operation at work: shows it after so many steps, one picture after the other, by running the document with
-// the parameter that stops it there (scenario::Operation::stop_after). The document itself stays as it is, so that
+// Watching an operation at work: shows it after so many steps, one picture after the other, by running the document
+// with the parameter that stops it there (scenario::Operation::stop_after). The document itself stays as it is, so that
 // nothing of this is in its history.
 
 #include <QObject>

@@ -272,8 +272,7 @@ void GapFiller::copy() {
     if (gaps.cell(c).region >= 0) inside.push_back(c);
   }
   const std::size_t appended = inside.size() - std::min(inside.size(), spare.size());
-  kernel_.reserve(kernel_.vertex_count() + gaps.vertex_count() - global_point_.size(),
-                  kernel_.cell_count() + appended);
+  kernel_.reserve(kernel_.vertex_count() + gaps.vertex_count() - global_point_.size(), kernel_.cell_count() + appended);
   std::vector<Kernel::Vertex> global(gaps.vertex_count(), none);
   for (std::size_t p = 0; p < global_point_.size(); ++p) global[gaps_.vertex_of_point[p]] = global_point_[p];
   for (Kernel::Vertex v = 0; v < gaps.vertex_count(); ++v) {

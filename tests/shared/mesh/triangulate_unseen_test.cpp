@@ -46,7 +46,8 @@ double least_alpha_away_from(const std::vector<Point>& corners, const TriangleMe
     const Point b = mesh.point(t[1]);
     const Point c = mesh.point(t[2]);
     const double reach = 6.0 * std::max({geom::distance(a, b), geom::distance(b, c), geom::distance(c, a)});
-    const bool near = std::any_of(corners.begin(), corners.end(), [&](Point p) { return geom::distance(a, p) < reach; });
+    const bool near =
+        std::any_of(corners.begin(), corners.end(), [&](Point p) { return geom::distance(a, p) < reach; });
     if (!near) least = std::min(least, alpha(a, b, c));
   }
   return least;
@@ -100,7 +101,8 @@ void expect_floor(const std::string& name, const MeshInput& drawn, const MeshOpt
   }
 }
 
-/// A plate of 10 x 10 with a hole at each place, radius r, whose sides are `fine` long; the outline has sides of `coarse`.
+/// A plate of 10 x 10 with a hole at each place, radius r, whose sides are `fine` long; the outline has sides of
+/// `coarse`.
 MeshInput holed_plate(const std::vector<std::pair<Point, double>>& holes, double fine, double coarse) {
   MeshInput input;
   const int sides = static_cast<int>(std::ceil(10.0 / coarse));
