@@ -38,12 +38,12 @@ using dobra::cli::Session;
 struct Options {
   dobra::cli::ScenarioOptions scenario;
   std::optional<double> size, growth, turn;
-  std::optional<std::int64_t> smoothing, max_elements;
+  std::optional<std::int64_t> smoothing, max_elements, stop_after;
   std::string order, engine;
   bool quads = false;
   bool repair = false;
   std::vector<std::string> bands, zones;
-  std::optional<std::filesystem::path> out, histogram;
+  std::optional<std::filesystem::path> out, histogram, picture;
 };
 
 /// The parts of "a:b:c".
@@ -101,6 +101,7 @@ void set_parameters(const Options& options, scenario::Table& params) {
   set("turn", options.turn);
   set("smoothing", options.smoothing);
   set("max_elements", options.max_elements);
+  set("stop_after", options.stop_after);
   if (!options.engine.empty()) params.set("engine", options.engine);
   if (!options.order.empty()) params.set("order", options.order);
   if (options.quads) params.set("quads", std::string("yes"));
@@ -146,9 +147,11 @@ struct Figures {
 };
 
 Figures figures_of(const scenario::Program& program, const scenario::State& state) {
-  constexpr std::array wanted{"elements", "quadrilaterals", "nodes", "tips", "area", "alpha_mean", "alpha_90", "alpha_min", "min_angle", "max_angle", "gradation_p95"};
+  constexpr std::array wanted{"work.steps", "work.triangles", "work.front", "elements", "quadrilaterals", "nodes", "tips", "area", "alpha_mean", "alpha_90", "alpha_min", "min_angle", "max_angle", "gradation_p95"};
   Figures figures;
+  const bool at_work = scenario::model_of<core::Model>(state).work != nullptr;
   for (const scenario::Quantity& quantity : program.quantities_of(state)) {
+    if (at_work != quantity.name.starts_with("work.")) continue;
     if (std::find(wanted.begin(), wanted.end(), quantity.name) != wanted.end()) figures.values.push_back(quantity);
   }
   return figures;
@@ -186,6 +189,7 @@ Result<void> write_out(Session& session, const std::filesystem::path& out, const
 Result<int> mesh_job(Session& session, const Options& options) {
   if (options.out) DOBRA_TRY_VOID(io::check_mesh_ending(options.out->string()));
   if (options.histogram) DOBRA_TRY_VOID(dobra::cli::check_ending(*options.histogram, dobra::cli::Drawer::Cairo));
+  if (options.picture) DOBRA_TRY_VOID(dobra::cli::check_ending(*options.picture, dobra::cli::Drawer::Cairo));
   DOBRA_TRY(const scenario::Document document, document_of(session, options));
   const auto start = std::chrono::steady_clock::now();
   const auto since = [](auto from) { return std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count(); };
@@ -193,7 +197,11 @@ Result<int> mesh_job(Session& session, const Options& options) {
   const double all = since(start);
   const scenario::State& state = run.states.back();
   const core::Model& model = scenario::model_of<core::Model>(state);
-  const core::Meshed& meshed = *model.meshes.back();
+  if (model.work && (options.out || options.histogram)) {
+    return Error{ErrorCode::CannotMesh, "the mesh is not done, so there is none to write: raise --stop-after, or leave it out; --picture draws the work"};
+  }
+  const core::Meshed stopped;
+  const core::Meshed& meshed = model.work ? stopped : *model.meshes.back();
 
   Figures figures = figures_of(session.program, state);
   double known = 0.0;
@@ -206,6 +214,7 @@ Result<int> mesh_job(Session& session, const Options& options) {
     figures.seconds.push_back({"write", since(begin)});
   }
   if (options.histogram) DOBRA_TRY_VOID(dobra::cli::draw(core::histogram_picture(meshed), *options.histogram, dobra::cli::Drawer::Cairo));
+  if (options.picture) DOBRA_TRY_VOID(dobra::cli::draw(session.program.picture_of(state), *options.picture, dobra::cli::Drawer::Cairo));
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   figures.peak_memory = static_cast<std::size_t>(usage.ru_maxrss) * 1024;
@@ -246,6 +255,10 @@ Command mesh_command() {
                 ->allow_extra_args(false)
                 ->type_name("ZONE");
             app.add_option("--out", options->out, fmt::format("File to write: {}", fmt::join(io::mesh_endings(), " ")))->type_name("FILE");
+            app.add_option("--stop-after", options->stop_after, "Stop the engine after this many steps, one side of its front or one node each; see --picture")
+                ->check(CLI::PositiveNumber)
+                ->type_name("N");
+            app.add_option("--picture", options->picture, "Draw the mesh; with --stop-after the triangles made so far and the front")->type_name("FILE.svg|pdf|png");
             app.add_option("--histogram", options->histogram, "Draw how many elements have which quality alpha")->type_name("FILE.svg|pdf|png");
             return [options](Session& session) { return mesh_job(session, *options); };
           }};

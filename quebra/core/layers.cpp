@@ -26,6 +26,7 @@ using scene::Color;
 constexpr Color ink{38, 50, 56};
 constexpr Color constraint_blue{13, 71, 161};
 constexpr Color crack_red{198, 40, 40};
+constexpr Color front_orange{230, 81, 0};
 constexpr Color material{236, 239, 241};
 constexpr Color mesh_line{55, 71, 79, 150};
 
@@ -66,6 +67,9 @@ scene::Layer constraint_layer(const std::vector<Constraint>& constraints) {
   for (const Constraint& constraint : constraints) lines.lines.push_back(constraint.line);
   return {"constraints", translated("Offset constraints"), {.line = constraint_blue, .line_width = 1.2}, std::move(lines)};
 }
+
+/// Outlines thin out as elements get many.
+double width_among(std::size_t elements) { return std::clamp(25.0 / std::sqrt(static_cast<double>(elements) + 1.0), 0.05, 0.5); }
 
 bool only_triangles(const mesh::ElementMesh& mesh) {
   return std::all_of(mesh.types.begin(), mesh.types.end(), [](mesh::ElementType type) { return type == mesh::ElementType::T3; });
@@ -150,6 +154,27 @@ scene::Panel mesh_panel(const Model& model, const Meshed& meshed, std::size_t nu
   return panel;
 }
 
+/// Triangles made so far, and the front in its own colour.
+scene::Panel work_panel(const Model& model, const MeshWork& work) {
+  scene::Panel panel{.key = "work", .title = {}, .axes = {}, .layers = {}};
+  panel.title = fmt::format("{}: {} {}, {} {}", work.name, work.steps, translated("steps"), work.triangles.size(), translated("triangles"));
+  panel.layers.push_back(domain_layer(model.domain));
+  scene::Mesh content;
+  content.points = work.points;
+  content.values_at = scene::ValuesAt::Triangles;
+  for (const mesh::Corners& t : work.triangles) {
+    content.triangles.push_back({static_cast<std::uint32_t>(t[0].index()), static_cast<std::uint32_t>(t[1].index()), static_cast<std::uint32_t>(t[2].index())});
+    content.values.push_back(mesh::alpha(work.points[t[0].index()], work.points[t[1].index()], work.points[t[2].index()]));
+  }
+  content.scale = {translated("quality alpha"), scene::ColorMapName::Quality, 0.5, 1.0};
+  panel.layers.push_back({"mesh", translated("Mesh"), {.line = mesh_line, .line_width = width_among(work.triangles.size())}, std::move(content), true, scene::InLegend::No});
+  add_curves(model.domain, panel.layers);
+  scene::Lines front;
+  for (const geom::Segment& side : work.front) front.lines.push_back({{side.from, side.to}, false});
+  panel.layers.push_back({"front", translated("Front"), {.line = front_orange, .line_width = 2.0}, std::move(front)});
+  return panel;
+}
+
 /// Elements with alpha in each of the bins of MeshQuality::histogram, as a table.
 scenario::DataTable histogram(const Meshed& meshed) {
   scenario::DataTable table{"alpha_histogram", {"alpha_from", "alpha_to", "elements"}, {}};
@@ -182,9 +207,7 @@ void add_quality(std::vector<scenario::Quantity>& quantities, const std::string&
 
 }  // namespace
 
-double outline_width(const mesh::ElementMesh& mesh) {
-  return std::clamp(25.0 / std::sqrt(static_cast<double>(mesh.element_count()) + 1.0), 0.05, 0.5);
-}
+double outline_width(const mesh::ElementMesh& mesh) { return width_among(mesh.element_count()); }
 
 void add_triangles(const mesh::ElementMesh& mesh, std::size_t element, std::vector<std::array<std::uint32_t, 3>>& triangles) {
   const auto nodes = mesh.nodes_of(mesh::ElementId(element));
@@ -234,9 +257,11 @@ scene::Picture histogram_picture(const Meshed& meshed) {
 scene::Picture picture_of(const Model& model) {
   scene::Picture picture;
   const std::size_t n = model.meshes.size();
-  if (n == 0) picture.panels.push_back(domain_panel(model));
+  if (n == 0 && !model.work) picture.panels.push_back(domain_panel(model));
   // The two last meshes side by side: before and after.
-  for (std::size_t i = n > 2 ? n - 2 : 0; i < n; ++i) picture.panels.push_back(mesh_panel(model, *model.meshes[i], i + 1));
+  const std::size_t shown = model.work ? 1 : 2;
+  for (std::size_t i = n > shown ? n - shown : 0; i < n; ++i) picture.panels.push_back(mesh_panel(model, *model.meshes[i], i + 1));
+  if (model.work) picture.panels.push_back(work_panel(model, *model.work));
   return picture;
 }
 
@@ -252,6 +277,11 @@ std::vector<scenario::Quantity> quantities_of(const Model& model) {
   quantities.push_back({"offset_constraints", static_cast<double>(model.constraints.size()), ""});
   for (std::size_t i = 0; i < model.constraints.size(); ++i) {
     quantities.push_back({fmt::format("constraint.{}.distance", model.constraints[i].name), model.constraints[i].distance, "m"});
+  }
+  if (model.work) {
+    quantities.push_back({"work.steps", static_cast<double>(model.work->steps), ""});
+    quantities.push_back({"work.triangles", static_cast<double>(model.work->triangles.size()), ""});
+    quantities.push_back({"work.front", static_cast<double>(model.work->front.size()), ""});
   }
   if (!model.meshes.empty()) add_quality(quantities, "", *model.meshes.back());
   for (std::size_t i = 0; i < model.meshes.size(); ++i) add_quality(quantities, fmt::format("mesh.{}.", i + 1), *model.meshes[i]);

@@ -227,50 +227,91 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-}  // namespace
-
-Result<Meshed> mesh_domain(const Model& model, const MeshParams& params, std::span<const dobra::mesh::SizeRequest> sizes,
-                           std::vector<std::string>& remarks, const dobra::base::Progress& progress) {
-  const double size = params.size > 0.0 ? params.size : model.domain.box().diagonal() / 20.0;
-  const std::vector<Constraint> none;
-  const auto& constraints = params.constraints == UseConstraints::Yes ? model.constraints : none;
-  Stopwatch watch;
-  Meshed meshed;
-  const auto done = [&](const char* phase) { meshed.seconds.push_back({phase, watch.lap()}); };
+/// What the mesher is given.
+struct Prepared {
+  MeshInput input;
+  dobra::mesh::MeshOptions options;
   std::vector<TipRosette> rosettes;
+};
+
+const std::vector<Constraint>& obeyed(const Model& model, const MeshParams& params) {
+  static const std::vector<Constraint> none;
+  return params.constraints == UseConstraints::Yes ? model.constraints : none;
+}
+
+Result<Prepared> prepare(const Model& model, const MeshParams& params, std::span<const dobra::mesh::SizeRequest> sizes) {
+  const double size = params.size > 0.0 ? params.size : model.domain.box().diagonal() / 20.0;
+  const auto& constraints = obeyed(model, params);
+  Prepared prepared;
   if (params.rosettes == UseRosettes::Yes) {
     if (params.order != Order::Second || params.quadrilaterals == Quadrilaterals::Yes) {
       return dobra::base::Error{dobra::base::ErrorCode::BadValue, "rosettes are made of triangles of second order: give order = \"2\" and no quadrilaterals"};
     }
-    DOBRA_TRY(rosettes, tip_rosettes(model.domain, model.half_tips, {.sectors = params.sectors, .radius = params.tip_radius}));
+    DOBRA_TRY(prepared.rosettes, tip_rosettes(model.domain, model.half_tips, {.sectors = params.sectors, .radius = params.tip_radius}));
   }
-  dobra::mesh::MeshOptions options;
+  dobra::mesh::MeshOptions& options = prepared.options;
   options.engine = params.engine;
   options.sizes.growth = params.growth;
   options.sizes.max_size = params.size;
-  DivideOptions divide{.size = size, .turn = params.turn, .growth = params.growth};
-  // Curves that pass something finer are divided again, so that sizes grow along them as they do inside.
-  DOBRA_TRY(const auto field, dobra::mesh::size_field_of(mesh_input(model, constraints, sizes, rosettes, divide), options.sizes));
-  divide.limit = [&field](Point p) { return field.size_at(p); };
-  MeshInput input = mesh_input(model, constraints, sizes, rosettes, divide);
-  cut_out(input, rosettes);
-  done("divide");
   options.smoothing.passes = params.smoothing;
   options.points.max_triangles = static_cast<std::size_t>(params.max_elements);
-  DOBRA_TRY(const TriangleMesh triangles, dobra::mesh::triangulate(input, options, progress));
+  DivideOptions divide{.size = size, .turn = params.turn, .growth = params.growth};
+  // Curves that pass something finer are divided again, so that sizes grow along them as they do inside.
+  DOBRA_TRY(const auto field, dobra::mesh::size_field_of(mesh_input(model, constraints, sizes, prepared.rosettes, divide), options.sizes));
+  divide.limit = [&field](Point p) { return field.size_at(p); };
+  prepared.input = mesh_input(model, constraints, sizes, prepared.rosettes, divide);
+  cut_out(prepared.input, prepared.rosettes);
+  return prepared;
+}
+
+std::string name_of_next(const Model& model, const MeshParams& params) {
+  return !params.label.empty() ? params.label : fmt::format("Mesh {}", model.meshes.size() + 1);
+}
+
+/// The engine after `params.stop_after` steps; nothing if it is done by then.
+Result<std::shared_ptr<const MeshWork>> work_on(const Model& model, const MeshParams& params, const dobra::base::Progress& progress) {
+  DOBRA_TRY(const Prepared prepared, prepare(model, params, {}));
+  DOBRA_TRY(dobra::mesh::Mesher mesher, dobra::mesh::Mesher::start(prepared.input, prepared.options, progress));
+  for (int step = 0; step < params.stop_after && !mesher.done(); ++step) DOBRA_TRY_VOID(mesher.step(1, progress));
+  if (mesher.done()) return std::shared_ptr<const MeshWork>();
+  dobra::mesh::Mesher::View view = mesher.view();
+  return std::make_shared<const MeshWork>(MeshWork{name_of_next(model, params), static_cast<std::size_t>(params.stop_after), std::move(view.triangles.points),
+                                                   std::move(view.triangles.triangles), std::move(view.front)});
+}
+
+}  // namespace
+
+Result<Meshed> mesh_domain(const Model& model, const MeshParams& params, std::span<const dobra::mesh::SizeRequest> sizes,
+                           std::vector<std::string>& remarks, const dobra::base::Progress& progress) {
+  const auto& constraints = obeyed(model, params);
+  Stopwatch watch;
+  Meshed meshed;
+  const auto done = [&](const char* phase) { meshed.seconds.push_back({phase, watch.lap()}); };
+  DOBRA_TRY(const Prepared prepared, prepare(model, params, sizes));
+  done("divide");
+  DOBRA_TRY(const TriangleMesh triangles, dobra::mesh::triangulate(prepared.input, prepared.options, progress));
   done("triangulate");
-  DOBRA_TRY(meshed.mesh, elements_of(triangles, model, params, rosettes, remarks));
+  DOBRA_TRY(meshed.mesh, elements_of(triangles, model, params, prepared.rosettes, remarks));
   done("elements");
   meshed.quality = dobra::mesh::quality_of(triangles);
   done("quality");
   for (const Constraint& constraint : constraints) meshed.constraint_edges += triangles.constraint_sets.at(constraint.name).size();
-  meshed.name = !params.label.empty() ? params.label : fmt::format("Mesh {}", model.meshes.size() + 1);
+  meshed.name = name_of_next(model, params);
   meshed.constraints = constraints.size();
   return meshed;
 }
 
 Result<Model> add_mesh(const Model& model, const MeshParams& params, const dobra::scenario::Context&, const dobra::base::Progress& progress) {
   Model result = model;
+  result.work.reset();
+  if (params.stop_after > 0) {
+    DOBRA_TRY(result.work, work_on(model, params, progress));
+    if (result.work) {
+      result.remarks.push_back(fmt::format("{} was stopped after {} steps, with {} triangles and {} sides in its front; stop_after = 0 finishes it", result.work->name,
+                                           result.work->steps, result.work->triangles.size(), result.work->front.size()));
+      return result;
+    }
+  }
   DOBRA_TRY(Meshed meshed, mesh_domain(model, params, {}, result.remarks, progress));
   result.meshes.push_back(std::make_shared<const Meshed>(std::move(meshed)));
   return result;

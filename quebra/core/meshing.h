@@ -32,6 +32,7 @@ struct MeshParams {
   UseRosettes rosettes = UseRosettes::No;
   int sectors = 16;
   double tip_radius = 0.0;
+  int stop_after = 0;
 
   template <class D>
   static void describe(D& d) {
@@ -48,6 +49,7 @@ struct MeshParams {
     d.choice("rosettes", &MeshParams::rosettes, {"no", "yes"}, {.title = "Rosettes", .help = "Quarter-point elements round each crack tip; needs order 2."});
     d.field("sectors", &MeshParams::sectors, {.title = "Sectors", .help = "Of a rosette, even.", .at_least = 6, .at_most = 360});
     d.field("tip_radius", &MeshParams::tip_radius, {.title = "Tip elements", .help = "Length of the quarter-point elements; 0 takes 1/40 of the crack.", .unit = "m", .at_least = 0});
+    d.field("stop_after", &MeshParams::stop_after, {.title = "Stop after", .help = "Steps of the engine, one side of its front or one node each: shows it at work. 0: it goes on until the mesh is done.", .at_least = 0});
   }
 };
 
@@ -57,7 +59,7 @@ struct MeshParams {
 dobra::base::Result<Meshed> mesh_domain(const Model& model, const MeshParams& params, std::span<const dobra::mesh::SizeRequest> sizes,
                                         std::vector<std::string>& remarks, const dobra::base::Progress& progress);
 
-/// Adds one mesh to the model.
+/// Adds one mesh to the model; or, if the engine is stopped before it is done, what it has made so far.
 /// @error those of mesh::triangulate, with the place.
 dobra::base::Result<Model> add_mesh(const Model& model, const MeshParams& params, const dobra::scenario::Context& context,
                                     const dobra::base::Progress& progress);

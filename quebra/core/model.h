@@ -112,6 +112,15 @@ struct Meshed {
   std::vector<PhaseTime> seconds;    ///< Not part of any report: the same run gives the same bytes.
 };
 
+/// An engine that was stopped before its mesh was done: to be looked at.
+struct MeshWork {
+  std::string name;
+  std::size_t steps = 0;
+  std::vector<dobra::geom::Point> points;
+  std::vector<dobra::mesh::Corners> triangles;  ///< Those made so far; engine "delaunay": a mesh of the domain.
+  std::vector<dobra::geom::Segment> front;      ///< The sides from which it would go on.
+};
+
 /// Where results are read: along a line, or at a point (results.h).
 struct Samples {
   std::string name;
@@ -129,6 +138,7 @@ struct Model {
   std::vector<Zone> zones;
   std::vector<HalfTip> half_tips;
   std::vector<std::shared_ptr<const Meshed>> meshes;  ///< In the order made; each mesh step adds one.
+  std::shared_ptr<const MeshWork> work;  ///< If the last mesh step was stopped; none when a mesh is done.
   std::shared_ptr<const ProblemParams> problem;  ///< Materials, supports, loads; none until a step gives them.
   std::vector<std::shared_ptr<const Analysis>> analyses;  ///< In the order made.
   std::vector<Samples> samples;

@@ -37,6 +37,28 @@ scenario::Operation problem_operation() {
   return operation;
 }
 
+bool mesher_at_work(const scenario::State& state) { return scenario::model_of<Model>(state).work != nullptr; }
+
+scenario::Operation mesh_operation() {
+  auto operation = scenario::make_operation<Model, MeshParams>(
+      "mesh", "Mesh", "Divides the boundary and fills the domain with triangles: quadtree for the sizes, Delaunay for the shapes.", add_mesh);
+  operation.stop_after = "stop_after";
+  operation.at_work = mesher_at_work;
+  return operation;
+}
+
+/// Nothing but another mesh may follow a mesh that is not done.
+scenario::Operation after_a_whole_mesh(scenario::Operation operation) {
+  operation.run = [run = operation.run](const scenario::State& state, const scenario::Table& table, const scenario::Context& context,
+                                        const base::Progress& progress) -> base::Result<scenario::State> {
+    if (mesher_at_work(state)) {
+      return base::Error{base::ErrorCode::CannotMesh, "the mesh before this step was stopped before it was done: set its stop_after to 0"};
+    }
+    return run(state, table, context, progress);
+  };
+  return operation;
+}
+
 scenario::Program make_program() {
   scenario::Program program;
   program.name = "quebra";
@@ -50,8 +72,7 @@ scenario::Program make_program() {
           "zone", "Zone of small elements", "Elements of a given size within a given distance of curves, cracks or points.", add_zone),
       scenario::make_operation<Model, HalfCrackParams>(
           "half_crack", "Half of a crack", "A curve of the boundary is one lip of a crack on a line of symmetry.", add_half_crack),
-      scenario::make_operation<Model, MeshParams>(
-          "mesh", "Mesh", "Divides the boundary and fills the domain with triangles: quadtree for the sizes, Delaunay for the shapes.", add_mesh),
+      mesh_operation(),
       problem_operation(),
       scenario::make_operation<Model, AnalyseParams>(
           "analyse", "Analyse", "Displacements, stresses and their error on the last mesh.", add_analysis),
@@ -63,6 +84,9 @@ scenario::Program make_program() {
       scenario::make_operation<Model, ProbeParams>("probe", "Results at a point", "Displacements and stresses at a point.", add_probe),
       scenario::make_operation<Model, ViewParams>("view", "Picture of a field", "A field on the deformed shape: colours, contours, mesh, extremes.", add_view),
   };
+  for (scenario::Operation& operation : program.operations) {
+    if (operation.name != "mesh") operation = after_a_whole_mesh(std::move(operation));
+  }
   program.picture_of = [](const scenario::State& state) {
     const Model& model = scenario::model_of<Model>(state);
     scene::Picture picture = picture_of(model);

@@ -544,6 +544,50 @@
         <translation>Maior tamanho</translation>
     </message>
     <message>
+        <source>Stop after</source>
+        <translation>Parar depois de</translation>
+    </message>
+    <message>
+        <source>Steps of the engine, one side of its front or one node each: shows it at work. 0: it goes on until the mesh is done.</source>
+        <translation>Passos do gerador, um lado da sua frente ou um nó cada: mostra-o trabalhando. 0: continua até a malha estar pronta.</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Frente</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>passos</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Assistir</translation>
+    </message>
+    <message>
+        <source>Watch it work</source>
+        <translation>Assistir ao trabalho</translation>
+    </message>
+    <message>
+        <source>One step more</source>
+        <translation>Mais um passo</translation>
+    </message>
+    <message>
+        <source>Stop watching</source>
+        <translation>Parar de assistir</translation>
+    </message>
+    <message>
+        <source>At work: after %1 steps</source>
+        <translation>Trabalhando: depois de %1 passos</translation>
+    </message>
+    <message>
+        <source>no step of this document can be watched</source>
+        <translation>nenhum passo deste documento pode ser assistido</translation>
+    </message>
+    <message>
+        <source>write watch play, pause, stop or step COUNT</source>
+        <translation>escreva watch play, pause, stop ou step COUNT</translation>
+    </message>
+    <message>
         <source>Greatest turn</source>
         <translation>Maior giro</translation>
     </message>

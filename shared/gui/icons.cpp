@@ -114,6 +114,22 @@ void draw_warning(QPainter& p) {
   p.drawPoint(QPointF(12, 18));
 }
 
+/// A picture with a triangle on it: the work is looked at, not run.
+void draw_play(QPainter& p) {
+  p.drawRect(QRectF(3, 4, 18, 16));
+  fill(p, blue, polygon({{9, 8}, {16.5, 12}, {9, 16}}));
+}
+void draw_pause(QPainter& p) {
+  p.drawRect(QRectF(3, 4, 18, 16));
+  fill(p, blue, polygon({{8, 8}, {10.7, 8}, {10.7, 16}, {8, 16}}));
+  fill(p, blue, polygon({{13.3, 8}, {16, 8}, {16, 16}, {13.3, 16}}));
+}
+void draw_step(QPainter& p) {
+  p.drawRect(QRectF(3, 4, 18, 16));
+  fill(p, blue, polygon({{7, 8}, {13.5, 12}, {7, 16}}));
+  fill(p, blue, polygon({{14.5, 8}, {17, 8}, {17, 16}, {14.5, 16}}));
+}
+
 Draw drawing_of(Symbol symbol) {
   switch (symbol) {
     case Symbol::Open: return draw_open;
@@ -133,6 +149,9 @@ Draw drawing_of(Symbol symbol) {
     case Symbol::Running: return draw_running;
     case Symbol::Pending: return draw_pending;
     case Symbol::Warning: return draw_warning;
+    case Symbol::Play: return draw_play;
+    case Symbol::Pause: return draw_pause;
+    case Symbol::Step: return draw_step;
   }
   return draw_pending;
 }

@@ -13,6 +13,7 @@
 #include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <set>
 
 #include "shared/gui/edit.h"
@@ -39,6 +40,9 @@ struct MainWindow::Actions {
   QAction* run = nullptr;
   QAction* cancel = nullptr;
   QAction* about = nullptr;
+  QAction* play = nullptr;
+  QAction* step = nullptr;
+  QAction* stop = nullptr;
 };
 
 namespace {
@@ -65,13 +69,14 @@ QString dragged_file(const QMimeData& data) {
 }  // namespace
 
 MainWindow::MainWindow(const scenario::Program& program, std::string about)
-    : program_(program), about_(std::move(about)), session_(program), actions_(std::make_unique<Actions>()) {
+    : program_(program), about_(std::move(about)), session_(program), player_(session_), actions_(std::make_unique<Actions>()) {
   setWindowIcon(application_icon());
   setAcceptDrops(true);
   resize(1280, 800);
   make_center();
   make_docks();
   make_actions();
+  make_player_actions();
   make_status_bar();
   connect_session();
   show_document();
@@ -185,6 +190,50 @@ void MainWindow::make_actions() {
   bar->addSeparator();
   place(a.run, Symbol::Run);
   place(a.cancel, Symbol::Cancel);
+}
+
+/// Only in a program with something to watch.
+void MainWindow::make_player_actions() {
+  const auto& operations = program_.operations;
+  if (std::all_of(operations.begin(), operations.end(), [](const auto& operation) { return operation.stop_after.empty(); })) return;
+  Actions& a = *actions_;
+  QToolBar* bar = addToolBar(text("Watch"));
+  bar->setObjectName("watch_bar");
+  bar->setMovable(false);
+  bar->setIconSize({22, 22});
+  const auto add = [&](const QString& words, Symbol symbol, const QKeySequence& keys, auto&& action) {
+    QAction* made = bar->addAction(icon(symbol), words);
+    made->setShortcut(keys);
+    made->setToolTip(QString("%1 (%2)").arg(words, keys.toString(QKeySequence::NativeText)));
+    connect(made, &QAction::triggered, this, action);
+    return made;
+  };
+  a.play = add(text("Watch it work"), Symbol::Play, QKeySequence(Qt::Key_F6), [this] {
+    if (player_.playing()) player_.pause();
+    else player_.play(watched_part());
+  });
+  a.step = add(text("One step more"), Symbol::Step, QKeySequence(Qt::Key_F7), [this] { player_.step(watched_part()); });
+  a.stop = add(text("Stop watching"), Symbol::Cancel, QKeySequence(Qt::Key_F8), [this] { player_.stop(); });
+  connect(&player_, &Player::changed, this, &MainWindow::show_player);
+  connect(steps_, &StepList::selected_changed, this, &MainWindow::show_player);
+}
+
+std::size_t MainWindow::watched_part() const {
+  const std::size_t selected = steps_->selected();
+  if (player_.can_watch(selected)) return selected;
+  std::size_t part = session_.document().steps.size();
+  while (part > 0 && !player_.can_watch(part)) --part;
+  return part;
+}
+
+void MainWindow::show_player() {
+  if (actions_->play == nullptr) return;
+  const bool can = watched_part() > 0;
+  actions_->play->setEnabled(can);
+  actions_->play->setIcon(icon(player_.playing() ? Symbol::Pause : Symbol::Play));
+  actions_->step->setEnabled(can && !player_.playing());
+  actions_->stop->setEnabled(player_.watching());
+  if (player_.watching()) said_->setText(text("At work: after %1 steps").arg(player_.steps()));
 }
 
 void MainWindow::make_status_bar() {
@@ -361,6 +410,7 @@ void MainWindow::show_document() {
     results_->clear();
   }
   show_form();
+  show_player();
 }
 
 void MainWindow::show_form() {
@@ -405,6 +455,7 @@ void MainWindow::show_run_started() {
     view_->clear_place();
   }
   actions_->cancel->setEnabled(true);
+  if (player_.watching()) return;  // Many short runs, one after the other.
   progress_->setValue(0);
   progress_->setFormat(text("running"));
   progress_->show();
@@ -436,7 +487,7 @@ void MainWindow::show_outcome() {
   if (outcome.run.error) {
     show_error(*outcome.run.error);
     mark_error();
-  } else {
+  } else if (!player_.watching()) {
     said_->setText(text("Done in %1 s").arg(outcome.seconds, 0, 'f', outcome.seconds < 1 ? 2 : 1));
   }
 }

@@ -5,6 +5,7 @@
 #include <QMainWindow>
 #include <filesystem>
 
+#include "shared/gui/player.h"
 #include "shared/gui/session.h"
 #include "shared/gui/step_list.h"
 
@@ -40,6 +41,9 @@ class MainWindow : public QMainWindow {
   void select(std::size_t part);
 
   [[nodiscard]] Session& session() { return session_; }
+  [[nodiscard]] Player& player() { return player_; }
+  /// The step that the player would show: the one selected, else the last that can be watched; 0 if there is none.
+  [[nodiscard]] std::size_t watched_part() const;
   [[nodiscard]] VtkWidget& view() { return *view_; }
   [[nodiscard]] LayerTree& layers() { return *layers_; }
   [[nodiscard]] StepList& steps() { return *steps_; }
@@ -58,6 +62,8 @@ class MainWindow : public QMainWindow {
   void make_actions();
   void make_status_bar();
   void connect_session();
+  void make_player_actions();
+  void show_player();
 
   void ask_open();
   bool ask_save();
@@ -80,6 +86,7 @@ class MainWindow : public QMainWindow {
   const scenario::Program& program_;
   std::string about_;
   Session session_;
+  Player player_;
   std::unique_ptr<Actions> actions_;
   VtkWidget* view_ = nullptr;
   QLabel* hint_ = nullptr;  ///< What to do where there is nothing to see yet.

@@ -32,7 +32,7 @@ const std::map<std::string, std::size_t>& commands() {
       {"wait", 1}, {"select", 2}, {"set", 2},     {"undo", 1},         {"redo", 1},       {"save", 1},
       {"fit", 1},  {"hide", 2},   {"show", 2},    {"save-picture", 2}, {"screenshot", 2}, {"zoom", 4},
       {"add", 2},  {"remove", 1}, {"quit", 1},    {"report", 2},       {"go-to-error", 1},
-         {"expect-error", 2}};
+      {"expect-error", 2}, {"watch", 2}};
   return all;
 }
 
@@ -154,6 +154,8 @@ Result<void> Script::execute(const Line& line) {
   } else if (command == "go-to-error") {
     if (window_.error_bar().message().isEmpty()) return failure(text("there is no error to go to"));
     emit window_.error_bar().show_asked();
+  } else if (command == "watch") {
+    return watch(line);
   } else if (command == "expect-error") {
     const QString said = window_.error_bar().message();
     if (!said.contains(QString::fromStdString(line.rest))) {
@@ -175,6 +177,20 @@ Result<void> Script::select(const std::string& part) {
     return {};
   }
   return failure(text("no step '%1'; there are %2").arg(QString::fromStdString(part)).arg(steps.size()));
+}
+
+Result<void> Script::watch(const Line& line) {
+  Player& player = window_.player();
+  const std::size_t part = window_.watched_part();
+  if (part == 0) return failure(text("no step of this document can be watched"));
+  const std::string& what = line.words[1];
+  const std::optional<double> count = line.words.size() > 2 ? base::parse_number(line.words[2]) : 1.0;
+  if (what == "play") player.play(part);
+  else if (what == "pause") player.pause();
+  else if (what == "stop") player.stop();
+  else if (what == "step" && count && *count >= 1.0) player.step(part, static_cast<std::size_t>(*count));
+  else return failure(text("write watch play, pause, stop or step COUNT"));
+  return {};
 }
 
 Result<void> Script::zoom(const Line& line) {

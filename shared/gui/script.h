@@ -6,6 +6,7 @@
 //   go-to-error             presses Show in the error bar
 //   hide LAYER, show LAYER  key, or panel/key                zoom FACTOR X Y    X, Y in 0..1 of the view from its top left
 //   add OPERATION           behind the selected part         remove             the selected step
+//   watch play|pause|stop   the operation at work             watch step COUNT  so many steps more
 //   report PATH             report.json of the last run       quit              without asking
 // "#" begins a comment. At the end without quit the window stays open. PATH is relative to the current folder.
 
@@ -46,6 +47,7 @@ class Script : public QObject {
   base::Result<void> execute(const Line& line);
   base::Result<void> select(const std::string& part);
   base::Result<void> zoom(const Line& line);
+  base::Result<void> watch(const Line& line);
   base::Result<void> write_report(const std::filesystem::path& file);
 
   std::vector<Line> lines_;

@@ -75,6 +75,11 @@ void Session::cancel() {
   worker_.cancel();
 }
 
+void Session::look_at(scenario::Document document) {
+  pause_.stop();
+  worker_.request(std::make_shared<const scenario::Document>(std::move(document)));
+}
+
 void Session::finish(const OutcomePtr& outcome) {
   outcome_ = outcome;
   emit run_finished();

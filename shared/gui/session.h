@@ -39,6 +39,8 @@ class Session : public QObject {
   void redo();
   void run();
   void cancel();
+  /// Runs a document that is not the one being edited, to be looked at until the next run.
+  void look_at(scenario::Document document);
 
   /// How many parts (input included) from the first on are the same in both documents.
   static std::size_t common_parts(const scenario::Document& a, const scenario::Document& b);

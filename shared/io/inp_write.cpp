@@ -23,7 +23,8 @@ using mesh::NodeId;
 
 namespace {
 
-constexpr std::size_t longest_label = 70;  // of the 80 that Abaqus and CalculiX take; leaves room for "_2"
+constexpr std::size_t longest_label = 80;  // that Abaqus and CalculiX take
+constexpr std::size_t cut_label = 70;      // of one that is longer; leaves room for "_2"
 constexpr std::size_t numbers_a_line = 8;
 
 std::string upper(std::string text) {
@@ -35,12 +36,13 @@ std::string upper(std::string text) {
 class Labels {
  public:
   std::string take(const std::string& name) {
-    std::string label = name.substr(0, longest_label);
+    std::string label = name;
     for (char& c : label) {
       const auto u = static_cast<unsigned char>(c);
       if (u >= 0x80U || (!std::isalnum(u) && c != '_' && c != '-')) c = '_';
     }
     if (label.empty() || !std::isalpha(static_cast<unsigned char>(label[0]))) label.insert(0, "S_");
+    if (label.size() > longest_label) label.resize(cut_label);
     std::string unique = label;
     for (int i = 2; !used_.insert(upper(unique)).second; ++i) unique = fmt::format("{}_{}", label, i);
     return unique;

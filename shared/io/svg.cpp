@@ -279,7 +279,7 @@ class Reader {
     std::size_t number = 0;
     for (SvgPath& path : *read) {
       ++number;
-      path.name = id == tag_.attributes.end() ? fmt::format("path {}", svg_.paths.size() + 1)
+      path.name = id == tag_.attributes.end() || id->second.empty() ? fmt::format("path {}", svg_.paths.size() + 1)
                   : number == 1               ? id->second
                                               : fmt::format("{} ({})", id->second, number);
       path.place = place();

@@ -52,7 +52,8 @@ class SizeQueue {
     std::uint32_t stamp;
   };
   void push(double size, Entry entry) {
-    const auto bits = std::bit_cast<std::uint64_t>(size);
+    // Equal sizes are the same but for rounding: no class may begin at one that users like, as a power of two.
+    const auto bits = std::bit_cast<std::uint64_t>(size * (1.0 + 1e-9));
     const auto key = static_cast<std::size_t>(bits >> 50U);
     if (classes_.empty()) first_key_ = key;
     if (key < first_key_) {
@@ -140,6 +141,7 @@ class Advancer final : public FillEngine {
   std::vector<SideId> side_of_;     ///< One a vertex: a side that starts there, if its `from` still says so.
   std::vector<std::uint8_t> safe_;  ///< One a vertex of the input.
   SizeQueue queue_;
+  std::uint16_t generation_ = 0;  ///< Of sides that are made now.
   bool done_ = false;
 };
 
@@ -151,6 +153,7 @@ Advancer::Advancer(Kernel& kernel, const SizeField& field, const FrontalOptions&
       grid_(field, std::min<std::size_t>(static_cast<std::size_t>(0.6 * expected_), options.max_triangles)),
       front_(front) {
   front_ = {};
+  make_room(kernel, field, options);
   add_seeds();
   add_nodes();
   add_walls();
@@ -260,7 +263,8 @@ void Advancer::start() {
 // ---- the linked front ----
 
 void Advancer::enqueue(SideId s) {
-  const Side& side = front_.sides[s];
+  Side& side = front_.sides[s];
+  side.generation = generation_;
   queue_.push(size_[side.from], {s, side.stamp});
 }
 
@@ -425,7 +429,7 @@ SideId Advancer::raise(SideId s, Kernel::Vertex v) {
   sides[s].paired = false;
   ++sides[s].stamp;
   const std::uint32_t stamp = sides[n].stamp + 1;
-  sides[n] = {v, after, s, stamp, Kernel::half(cell, 1), sides[s].region, 0, false};
+  sides[n] = {v, after, s, stamp, Kernel::half(cell, 1), sides[s].region, 0, false, 0};
   sides[after].previous = n;
   side_of_[v] = n;
   return n;
@@ -552,9 +556,12 @@ Result<void> Advancer::step(std::size_t count, const Progress& progress) {
       done_ = true;
       return {};
     }
-    if (front_.sides[entry.side].stamp != entry.stamp || front_.sides[entry.side].from == Side::free) continue;
+    const Side& side = front_.sides[entry.side];
+    if (side.stamp != entry.stamp || side.from == Side::free) continue;
+    front_.generation = side.generation;
+    generation_ = static_cast<std::uint16_t>(std::min(side.generation + 1, 0xffff));
     if (may_close(entry.side, corner_cosine, least_alpha) ||
-        may_close(front_.sides[entry.side].previous, corner_cosine, least_alpha)) {
+        may_close(side.previous, corner_cosine, least_alpha)) {
       close_corners(entry.side);
       continue;
     }

@@ -25,11 +25,13 @@ struct FrontSide {
   std::int32_t region = 0;
   DelaunayKernel::Mark mark = 0;
   bool paired = false;
+  std::uint16_t generation = 0;  ///< 0 for marked sides; else one more than that of the side whose turn made this one.
 };
 
 struct Front {
   std::vector<FrontSide> sides;
   std::vector<DelaunayKernel::Vertex> loose;  ///< Nodes of the domain that lie on no marked side.
+  std::uint16_t generation = 0;               ///< Of the side whose turn was the last.
 
   [[nodiscard]] DelaunayKernel::Vertex to(const FrontSide& side) const { return sides[side.next].from; }
 };

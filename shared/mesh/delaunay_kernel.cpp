@@ -39,11 +39,15 @@ DelaunayKernel::Vertex DelaunayKernel::add_vertex(Point p) {
 
 DelaunayKernel::Cell DelaunayKernel::add_triangle(Vertex a, Vertex b, Vertex c, std::int32_t region) {
   const Cell cell = add_cell(region);
-  cells_[cell].vertex = {a, b, c};
+  replace_triangle(cell, a, b, c, region);
+  return cell;
+}
+
+void DelaunayKernel::replace_triangle(Cell cell, Vertex a, Vertex b, Vertex c, std::int32_t region) {
+  cells_[cell] = {{a, b, c}, {none, none, none}, region, {}};
   half_of_[a] = half(cell, 0);
   half_of_[b] = half(cell, 1);
   half_of_[c] = half(cell, 2);
-  return cell;
 }
 
 void DelaunayKernel::remove_cells(std::int32_t region) {
@@ -78,10 +82,10 @@ DelaunayKernel::Cell DelaunayKernel::add_cell(std::int32_t region) {
   return static_cast<Cell>(cells_.size() - 1);
 }
 
-void DelaunayKernel::reserve(std::size_t points) {
+void DelaunayKernel::reserve(std::size_t points, std::size_t cells) {
   points_.reserve(points);
   half_of_.reserve(points);
-  cells_.reserve(2 * points + 2);
+  cells_.reserve(cells);
 }
 
 void DelaunayKernel::set_mark(Half e, Mark mark) { link(e, twin(e), mark); }

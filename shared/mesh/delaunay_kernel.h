@@ -56,7 +56,7 @@ class DelaunayKernel {
   void start(geom::Point a, geom::Point b, geom::Point c);
   /// Takes over a finished triangulation (no ghosts): anticlockwise corners; no side is marked.
   void take(std::vector<geom::Point> points, std::span<const std::array<Vertex, 3>> corners);
-  void reserve(std::size_t points);
+  void reserve(std::size_t points, std::size_t cells);
 
   /// Walks from cell `start`. Blocked only with Walls::Stop. @cost O(sqrt n) cells, O(1) from a near cell.
   Location locate(geom::Point p, Cell start, Walls walls);
@@ -76,6 +76,8 @@ class DelaunayKernel {
   /// For meshers that build triangles by themselves; the triangulation is whole again when every side has its twin.
   Vertex add_vertex(geom::Point p);
   Cell add_triangle(Vertex a, Vertex b, Vertex c, std::int32_t region);
+  /// The same in place of a cell to which no side of another cell leads.
+  void replace_triangle(Cell cell, Vertex a, Vertex b, Vertex c, std::int32_t region);
   /// Makes `e` and `f` the two halves of one side.
   void link(Half e, Half f, Mark mark);
   /// Removes the cells of `region`, to which no side of another cell leads; others take their places.

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <numbers>
+
 #include "shared/mesh/advancing_front.h"
 #include "shared/mesh/front_gaps.h"
 #include "shared/mesh/frontal_points.h"
@@ -12,6 +15,7 @@ using base::Error;
 using base::ErrorCode;
 using base::Progress;
 using base::Result;
+using geom::Point;
 
 namespace {
 
@@ -55,7 +59,47 @@ class FrontEngine final : public FillEngine {
   Stage stage_ = Stage::Rows;
 };
 
+/// Triangles of the sizes wanted in the triangle a, b, c: halved while the sizes at its corners differ much.
+double expected_in(SizeSampler& sizes, Point a, Point b, Point c, int depth) {
+  constexpr double alike = 1.5;
+  constexpr int deepest = 12;
+  const double ha = sizes.at(a);
+  const double hb = sizes.at(b);
+  const double hc = sizes.at(c);
+  if (depth < deepest && std::max({ha, hb, hc}) > alike * std::min({ha, hb, hc})) {
+    const double ab = geom::length_squared(b - a);
+    const double bc = geom::length_squared(c - b);
+    const double ca = geom::length_squared(a - c);
+    if (bc > ab && bc >= ca) return expected_in(sizes, b, c, a, depth);
+    if (ca > ab) return expected_in(sizes, c, a, b, depth);
+    const Point m = geom::midpoint(a, b);
+    return expected_in(sizes, a, m, c, depth + 1) + expected_in(sizes, m, b, c, depth + 1);
+  }
+  const double h = (ha + hb + hc) / 3.0;
+  return 2.0 / std::numbers::sqrt3 * geom::cross(b - a, c - a) / (h * h);
+}
+
 }  // namespace
+
+std::size_t make_room(DelaunayKernel& kernel, const SizeField& field, const FrontalOptions& options) {
+  constexpr double reserve = 1.12;  // Meshes have up to a tenth more.
+  SizeSampler sizes(field);
+  double expected = 0.0;
+  std::size_t outside = 0;
+  for (DelaunayKernel::Cell c = 0; c < kernel.cell_count(); ++c) {
+    const DelaunayKernel::Triangle& cell = kernel.cell(c);
+    const auto corner = [&](std::size_t i) { return kernel.point(cell.vertex[i]); };
+    if (cell.region < 0) {
+      ++outside;
+    } else {
+      expected += reserve * expected_in(sizes, corner(0), corner(1), corner(2), 0);
+    }
+  }
+  const auto inside = static_cast<std::size_t>(std::min(expected, static_cast<double>(options.max_triangles)));
+  const std::size_t cells = std::max(kernel.cell_count(), outside + inside);
+  kernel.reserve(kernel.vertex_count() + (cells - kernel.cell_count()) / 2, cells);
+  return cells;
+}
 
 std::unique_ptr<FillEngine> make_engine(Engine engine, DelaunayKernel& kernel, const SizeField& field,
                                         const FrontalOptions& options) {

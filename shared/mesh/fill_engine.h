@@ -50,6 +50,11 @@ class FillEngine {
 std::unique_ptr<FillEngine> make_engine(Engine engine, DelaunayKernel& kernel, const SizeField& field,
                                         const FrontalOptions& options);
 
+/// Makes room for the triangles of the sizes wanted into which the cells with region >= 0 will be divided: arrays that
+/// double whenever they are full take up to three times as much as they hold.
+/// @return about how many cells there will be.  @cost O(cells)
+std::size_t make_room(DelaunayKernel& kernel, const SizeField& field, const FrontalOptions& options);
+
 /// @error TooManyElements with advice if `triangles` are more than the options allow.
 base::Result<void> check_limit(std::size_t triangles, const FrontalOptions& options);
 

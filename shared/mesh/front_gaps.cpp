@@ -1,5 +1,6 @@
 #include "shared/mesh/front_gaps.h"
 
+#include <algorithm>
 #include <unordered_map>
 
 #include "shared/geom/intersect.h"
@@ -136,6 +137,8 @@ class GapFiller final : public FillEngine {
 
 void GapFiller::take_front() {
   std::vector<std::uint32_t> number(front_.sides.size(), none);
+  const auto standing = [](const FrontSide& side) { return side.from != FrontSide::free; };
+  sides_.reserve(static_cast<std::size_t>(std::count_if(front_.sides.begin(), front_.sides.end(), standing)));
   for (std::uint32_t s = 0; s < front_.sides.size(); ++s) {
     const FrontSide& side = front_.sides[s];
     if (side.from == FrontSide::free) continue;
@@ -148,7 +151,7 @@ void GapFiller::take_front() {
     (front_.sides[s].paired ? side.partner : side.back) =
         front_.sides[s].paired ? number[front_.sides[s].back] : front_.sides[s].back;
   }
-  front_.sides = {};
+  front_.sides = std::vector<FrontSide>();
 }
 
 void GapFiller::collect() {
@@ -256,19 +259,38 @@ Result<void> GapFiller::triangulate(const Progress& progress) {
   }
 }
 
+/// The last of the cells go into those that the front has replaced, as long as there are such.
 void GapFiller::copy() {
+  if (sides_.empty()) return;
   const Kernel& gaps = gaps_.kernel;
+  std::vector<Kernel::Cell> spare;
+  for (Kernel::Cell c = 0; c < kernel_.cell_count(); ++c) {
+    if (kernel_.cell(c).region == replaced_region) spare.push_back(c);
+  }
+  std::vector<Kernel::Cell> inside;
+  for (Kernel::Cell c = 0; c < gaps.cell_count(); ++c) {
+    if (gaps.cell(c).region >= 0) inside.push_back(c);
+  }
+  const std::size_t appended = inside.size() - std::min(inside.size(), spare.size());
+  kernel_.reserve(kernel_.vertex_count() + gaps.vertex_count() - global_point_.size(), kernel_.cell_count() + appended);
   std::vector<Kernel::Vertex> global(gaps.vertex_count(), none);
   for (std::size_t p = 0; p < global_point_.size(); ++p) global[gaps_.vertex_of_point[p]] = global_point_[p];
   for (Kernel::Vertex v = 0; v < gaps.vertex_count(); ++v) {
     if (global[v] == none) global[v] = kernel_.add_vertex(gaps.point(v));
   }
   std::vector<Kernel::Cell> copied(gaps.cell_count(), none);
-  for (Kernel::Cell c = 0; c < gaps.cell_count(); ++c) {
-    const Kernel::Triangle& cell = gaps.cell(c);
-    if (cell.region < 0) continue;
-    copied[c] =
-        kernel_.add_triangle(global[cell.vertex[0]], global[cell.vertex[1]], global[cell.vertex[2]], cell.region);
+  for (std::size_t i = 0; i < inside.size(); ++i) {
+    const Kernel::Cell from = inside[i < appended ? i : inside.size() - 1 - (i - appended)];
+    const auto& [vertex, twin, region, mark] = gaps.cell(from);
+    const std::array<Kernel::Vertex, 3> corner{global[vertex[0]], global[vertex[1]], global[vertex[2]]};
+    if (i < appended) {
+      copied[from] = kernel_.add_triangle(corner[0], corner[1], corner[2], region);
+    } else {
+      copied[from] = spare[i - appended];
+      kernel_.replace_triangle(copied[from], corner[0], corner[1], corner[2], region);
+    }
+  }
+  for (const Kernel::Cell c : inside) {
     for (std::uint32_t i = 0; i < 3; ++i) {
       const Kernel::Half e = Kernel::half(c, i);
       const Kernel::Half f = gaps.twin(e);
@@ -297,6 +319,7 @@ Result<void> GapFiller::step(std::size_t count, const Progress& progress) {
   } else if (!points_->done()) {
     return points_->step(count, progress.part(0.2, 1.0));
   } else {
+    points_.reset();
     copy();
     kernel_.remove_cells(replaced_region);
     if (retreated_) kernel_.renew_half_of();

@@ -86,13 +86,18 @@ class PointPlacer final : public FillEngine {
 PointPlacer::PointPlacer(Kernel& kernel, const SizeField& field, const FrontalOptions& options)
     : kernel_(kernel), sizes_(field), options_(options) {
   const auto initial = static_cast<Kernel::Cell>(kernel_.cell_count());
+  const std::size_t expected = make_room(kernel, field, options);
+  state_.reserve(expected);
+  ratio_.reserve(expected);
+  version_.reserve(expected);
+  visited_.reserve(expected);
   for (Kernel::Cell c = 0; c < initial; ++c) rate(c);
   for (Kernel::Cell c = 0; c < initial; ++c) enqueue(c);
 }
 
 void PointPlacer::rate(Kernel::Cell c) {
   if (c >= state_.size()) {
-    const std::size_t size = std::max<std::size_t>(kernel_.cell_count(), 2 * state_.size());
+    const std::size_t size = kernel_.cell_count();
     state_.resize(size, State::Outside);
     ratio_.resize(size, 0.0);
     version_.resize(size, 0);

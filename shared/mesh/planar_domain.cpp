@@ -79,7 +79,7 @@ Result<void> insert_points(const MeshInput& input, PlanarDomain& domain, const P
   std::array<std::uint32_t, 3> first{order[0], order[second], order[third]};
   if (turn == geom::Sign::Negative) std::swap(first[1], first[2]);
   Kernel& kernel = domain.kernel;
-  kernel.reserve(points.size());
+  kernel.reserve(points.size(), 2 * points.size() + 2);
   kernel.start(points[first[0]], points[first[1]], points[first[2]]);
   for (std::uint32_t i = 0; i < 3; ++i) domain.vertex_of_point[first[i]] = i;
   Kernel::Cell near = 0;

@@ -1,6 +1,7 @@
 #include "shared/mesh/quadtree.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "shared/base/check.h"
 
@@ -55,6 +56,7 @@ Result<Quadtree> Quadtree::build(std::span<const SizedEdge> edges, const Quadtre
   if (coarsest < max_level && !tree.refine_to_level(coarsest, options.max_cells)) return too_many;
   tree.balance();
   if (tree.cells_.size() > options.max_cells) return too_many;
+  tree.cells_.shrink_to_fit();
   return tree;
 }
 
@@ -106,8 +108,8 @@ bool Quadtree::refine_to_level(std::uint32_t level, std::size_t max_cells) {
 }
 
 QuadCellId Quadtree::leaf_at_grid(std::uint32_t x, std::uint32_t y) const {
-  constexpr std::uint32_t shift = max_level - index_level;
-  QuadCellId id = index_.empty() ? QuadCellId(0) : index_[((y >> shift) << index_level) | (x >> shift)];
+  const std::uint32_t shift = max_level - index_level_;
+  QuadCellId id = index_.empty() ? QuadCellId(0) : index_[((y >> shift) << index_level_) | (x >> shift)];
   while (!is_leaf(id)) {
     const std::uint32_t bit = width_of(cell(id).level + 1U);
     const std::uint32_t k = ((x & bit) != 0 ? 1U : 0U) + ((y & bit) != 0 ? 2U : 0U);
@@ -134,16 +136,18 @@ QuadCellId Quadtree::leaf_across(QuadCellId id, Direction direction) const {
 }
 
 void Quadtree::index_leaves() {
-  index_.assign(std::size_t{1} << (2 * index_level), QuadCellId(0));
+  // No more places than cells.
+  index_level_ = std::min(finest_index, (static_cast<std::uint32_t>(std::bit_width(cells_.size())) - 1U) / 2U);
+  index_.assign(std::size_t{1} << (2 * index_level_), QuadCellId(0));
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     const Cell& c = cells_[i];
-    if (c.level > index_level || (c.level < index_level && c.first_child.valid())) continue;
-    const std::uint32_t width = 1U << (index_level - c.level);
-    const std::uint32_t x = c.x >> (max_level - index_level);
-    const std::uint32_t y = c.y >> (max_level - index_level);
+    if (c.level > index_level_ || (c.level < index_level_ && c.first_child.valid())) continue;
+    const std::uint32_t width = 1U << (index_level_ - c.level);
+    const std::uint32_t x = c.x >> (max_level - index_level_);
+    const std::uint32_t y = c.y >> (max_level - index_level_);
     for (std::uint32_t row = y; row < y + width; ++row) {
       for (std::uint32_t column = x; column < x + width; ++column) {
-        index_[(row << index_level) | column] = QuadCellId(i);
+        index_[(row << index_level_) | column] = QuadCellId(i);
       }
     }
   }

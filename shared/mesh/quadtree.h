@@ -95,10 +95,11 @@ class Quadtree {
   [[nodiscard]] QuadCellId leaf_at_grid(std::uint32_t x, std::uint32_t y) const;
   [[nodiscard]] QuadCellId leaf_across(QuadCellId id, Direction direction) const;
 
-  static constexpr std::uint32_t index_level = 6;
+  static constexpr std::uint32_t finest_index = 6;
 
   std::vector<Cell> cells_;
-  std::vector<QuadCellId> index_;  ///< The cell of level index_level, or the leaf above, at each place; or empty.
+  std::vector<QuadCellId> index_;  ///< The cell of level index_level_, or the leaf above, at each place; or empty.
+  std::uint32_t index_level_ = 0;
   geom::Point origin_;
   double root_side_ = 0.0;
 };

@@ -40,6 +40,9 @@ struct Operation {
   std::string help;   ///< One or two sentences.
   std::vector<Field> fields;
   std::function<base::Result<State>(const State&, const Table&, const Context&, const base::Progress&)> run;
+  /// The parameter that stops the work after so many steps, so that it can be watched; empty if there is none.
+  std::string stop_after{};
+  std::function<bool(const State&)> at_work{};  ///< Whether it was stopped so, and not done.
 };
 
 /// Wraps `Result<Model> run(const Model&, const Params&, const Context&, const Progress&)`.

@@ -75,6 +75,27 @@ TEST_P(Windows, GUI_c_MissingFileWithAScriptEndsWithThree) {
   EXPECT_NE(read("said").find("missing.toml"), std::string::npos) << read("said");
 }
 
+TEST(WindowOfQuebra, TheMesherIsWatchedStepByStepAndTheDocumentStaysAsItIs) {
+  std::string name = (std::filesystem::temp_directory_path() / "dobra_watch_XXXXXX").string();
+  const std::filesystem::path folder = mkdtemp(name.data());
+  const auto path = [&](const char* file) { return (folder / file).string(); };
+  const auto read = [&](const char* file) {
+    std::ifstream in(path(file), std::ios::binary);
+    return std::string{std::istreambuf_iterator<char>(in), {}};
+  };
+  std::ofstream(path("plate.toml")) << "dobra = 1\nprogram = \"quebra\"\n\n[input]\nspecimen = \"plate_with_hole\"\n\n[[step]]\noperation = \"mesh\"\nsize = 0.5\n";
+  std::ofstream(path("script.txt")) << "wait\nreport " << path("first.json") << "\nwatch step 100\nwait\nreport " << path("work.json") << "\nscreenshot "
+                                    << path("work.png") << "\nwatch step 20\nwait\nwatch stop\nwait\nreport " << path("last.json") << "\nsave " << path("saved.toml")
+                                    << "\nquit\n";
+  const std::string command = "ASAN_OPTIONS=detect_leaks=0 xvfb-run -a " + std::string(DOBRA_BIN_DIR) + "/quebra " + path("plate.toml") + " --script " + path("script.txt");
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  EXPECT_NE(read("work.json").find("work.front"), std::string::npos);
+  EXPECT_GT(read("work.png").size(), 10000u);
+  EXPECT_EQ(read("last.json"), read("first.json"));
+  EXPECT_EQ(read("saved.toml").find("stop_after"), std::string::npos);
+  std::filesystem::remove_all(folder);
+}
+
 TEST_P(Windows, WithoutADisplayTheMessageSaysWhatToDo) {
   EXPECT_EQ(run("env -u DISPLAY -u WAYLAND_DISPLAY " + program(GetParam()) + " " + example(GetParam()).string() + " 2> " + path("said")), 4);
   EXPECT_NE(read("said").find("DISPLAY"), std::string::npos) << read("said");

@@ -2,7 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
+#include <algorithm>
+#include <numbers>
 
 #include "shared/geom/predicates.h"
 #include "shared/mesh/front_gaps.h"
@@ -96,6 +97,45 @@ TEST(AdvancingFront, BothSidesOfAConstraintAndItsTipsAreReached) {
     marked += kernel.mark(e) != 0 ? 1U : 0U;
   }
   EXPECT_EQ(marked, 2U * (80U + 5U));
+}
+
+/// One line a turn: the generation of the side whose turn it was, and the node that it made, if any.
+struct Turn {
+  int generation = 0;
+  Kernel::Vertex node = Kernel::none;
+};
+std::vector<Turn> log_of_turns(Started& started, const FrontalOptions& options = {}) {
+  Front front;
+  const auto engine = advancing_front(started.domain.kernel, started.field, options, front);
+  std::vector<Turn> log;
+  while (true) {
+    const std::size_t before = started.domain.kernel.vertex_count();
+    EXPECT_TRUE(engine->step(1, {}));
+    if (engine->done()) return log;
+    const bool made = started.domain.kernel.vertex_count() > before;
+    log.push_back({front.generation, made ? static_cast<Kernel::Vertex>(before) : Kernel::none});
+  }
+}
+
+TEST(AdvancingFront, SUR_j_OnASquareAllSidesOfALevelAreUsedBeforeAnyOfTheNext) {
+  for (const int segments : {25, 32, 60}) {
+    Started s = start(test::square(1.0, segments));
+    const std::vector<Turn> log = log_of_turns(s);
+    EXPECT_EQ(log.front().generation, 0);
+    EXPECT_GT(log.back().generation, segments / 2);
+    const double height = 0.5 * std::numbers::sqrt3 / segments;
+    double deepest = 0.0;
+    for (std::size_t i = 1; i < log.size(); ++i) {
+      ASSERT_GE(log[i].generation, log[i - 1].generation);
+      ASSERT_LE(log[i].generation, log[i - 1].generation + 1);
+      if (log[i].node == Kernel::none) continue;
+      // What the generations are for: the front moves in layers; where those of two sides of the square meet it lags.
+      const Point p = s.domain.kernel.point(log[i].node);
+      const double depth = std::min({p.x, p.y, 1.0 - p.x, 1.0 - p.y}) / height;
+      EXPECT_GT(depth, deepest - 6.0) << "row " << depth << " after row " << deepest;
+      deepest = std::max(deepest, depth);
+    }
+  }
 }
 
 TEST(AdvancingFront, LimitAndCancelEndIt) {

@@ -207,6 +207,25 @@ inline MeshInput read_contour(const std::filesystem::path& file) {
   return input;
 }
 
+/// `input` with its edges cut into pieces no longer than `size`.
+inline MeshInput divided(const MeshInput& input, double size) {
+  MeshInput result = input;
+  result.edges.clear();
+  for (const InputEdge& edge : input.edges) {
+    const Point a = input.points[edge.nodes[0].index()];
+    const Point b = input.points[edge.nodes[1].index()];
+    const int pieces = std::max(1, static_cast<int>(std::ceil(geom::distance(a, b) / size)));
+    NodeId from = edge.nodes[0];
+    for (int i = 1; i <= pieces; ++i) {
+      const NodeId to = i < pieces ? NodeId(result.points.size()) : edge.nodes[1];
+      if (i < pieces) result.points.push_back(geom::interpolate(a, b, static_cast<double>(i) / pieces));
+      result.edges.push_back({{from, to}, edge.set});
+      from = to;
+    }
+  }
+  return result;
+}
+
 inline base::Result<void> run_to_end(FillEngine& engine, const base::Progress& progress = {}) {
   while (!engine.done()) DOBRA_TRY_VOID(engine.step(1000, progress));
   return {};

@@ -145,25 +145,6 @@ TEST(Triangulate, AConstraintThatTouchesTheBoundaryAtAVertexIsJoinedToIt) {
   EXPECT_DOUBLE_EQ(area(mesh), 1.0);
 }
 
-/// `input` with its edges cut into pieces no longer than `size`.
-MeshInput divided(const MeshInput& input, double size) {
-  MeshInput result = input;
-  result.edges.clear();
-  for (const InputEdge& edge : input.edges) {
-    const Point a = input.points[edge.nodes[0].index()];
-    const Point b = input.points[edge.nodes[1].index()];
-    const int pieces = std::max(1, static_cast<int>(std::ceil(geom::distance(a, b) / size)));
-    NodeId from = edge.nodes[0];
-    for (int i = 1; i <= pieces; ++i) {
-      const NodeId to = i < pieces ? NodeId(result.points.size()) : edge.nodes[1];
-      if (i < pieces) result.points.push_back(geom::interpolate(a, b, static_cast<double>(i) / pieces));
-      result.edges.push_back({{from, to}, edge.set});
-      from = to;
-    }
-  }
-  return result;
-}
-
 /// A crack of three sides, and a constraint beside it, in the widest triangle of the domain.
 void add_crack_and_constraint(MeshInput& input) {
   const TriangleMesh plain = constrained_delaunay(input, Outside::Remove).value().mesh;
@@ -221,7 +202,7 @@ TEST_P(TriangulateContours, EveryContourWithACrackAndAConstraintMeshesAtThreeSiz
     std::size_t before = 0;
     for (const double size : {0.1 * extent, 0.03 * extent, 0.01 * extent}) {
       SCOPED_TRACE(file.path().filename().string() + " size " + std::to_string(size));
-      const MeshInput input = divided(outline, size);
+      const MeshInput input = test::divided(outline, size);
       MeshOptions options;
       options.engine = GetParam();
       options.sizes.max_size = size;

@@ -1,0 +1,72 @@
+// The mesh step: the engine stopped on its way, and how good the meshes of specimens are, which no constant of the mesher
+// was chosen on.
+
+#include "quebra/core/meshing.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "quebra/core/specimen.h"
+#include "tests/support/quebra_scenarios.h"
+
+namespace quebra::core {
+namespace {
+
+std::string mesh_of(const std::string& specimen, const std::string& parameters) {
+  return "[input]\nspecimen = \"" + specimen + "\"\n[[step]]\noperation = \"mesh\"\n" + parameters;
+}
+
+TEST(Meshing, AnEngineStoppedOnItsWayIsShownWithItsFront) {
+  for (const std::string engine : {"front", "delaunay"}) {
+    std::size_t before = 0;
+    for (const int steps : {1, 50, 200}) {
+      const auto run = test::run(mesh_of("plate_with_hole", "size = 0.4\nengine = \"" + engine + "\"\nstop_after = " + std::to_string(steps) + "\n"));
+      ASSERT_TRUE(run.complete());
+      const Model& model = test::last(run);
+      ASSERT_TRUE(model.work);
+      EXPECT_TRUE(model.meshes.empty());
+      EXPECT_EQ(model.work->steps, static_cast<std::size_t>(steps));
+      EXPECT_GE(model.work->triangles.size(), before);
+      before = model.work->triangles.size();
+      EXPECT_GT(model.work->front.size(), 20U);
+      const auto picture = program().picture_of(run.states.back());
+      EXPECT_EQ(picture.panels.back().key, "work");
+      EXPECT_EQ(picture.panels.back().layers.back().key, "front");
+      EXPECT_EQ(test::figures(run).at("work.front"), static_cast<double>(model.work->front.size()));
+    }
+    EXPECT_GT(before, 100U);
+  }
+}
+
+TEST(Meshing, MoreStepsThanAreNeededGiveTheWholeMesh) {
+  const auto stopped = test::run(mesh_of("l_shape", "stop_after = 1000000\n"));
+  const auto whole = test::run(mesh_of("l_shape", ""));
+  EXPECT_FALSE(test::last(stopped).work);
+  EXPECT_EQ(test::last(stopped).meshes.back()->mesh.points, test::last(whole).meshes.back()->mesh.points);
+}
+
+TEST(Meshing, NothingButAMeshFollowsAMeshThatIsNotDone) {
+  const std::string stopped = mesh_of("l_shape", "stop_after = 5\n");
+  EXPECT_NE(test::trouble(stopped + "[[step]]\noperation = \"analyse\"\n").find("stop_after"), std::string::npos);
+  const auto again = test::run(stopped + "[[step]]\noperation = \"mesh\"\n");
+  EXPECT_FALSE(test::last(again).work);
+  EXPECT_EQ(test::last(again).meshes.size(), 1U);
+}
+
+TEST(Meshing, SpecimensKeepTheFloorsOfQualityWithBothEngines) {
+  for (const std::string& name : specimen_names()) {
+    if (name == "none") continue;
+    for (const std::string engine : {"front", "delaunay"}) {
+      const auto run = test::run(mesh_of(name, "engine = \"" + engine + "\"\n"));
+      ASSERT_TRUE(run.complete()) << name;
+      const auto& q = test::last(run).meshes.back()->quality;
+      std::printf("| %s | %s | %zu | %.4f | %.2f %% | %.3f |\n", name.c_str(), engine.c_str(), q.triangles, q.alpha_mean, 100.0 * q.alpha_90, q.alpha_min);
+      EXPECT_GE(q.alpha_min, 0.6) << name << " " << engine;
+      EXPECT_GE(q.alpha_mean, 0.93) << name << " " << engine;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace quebra::core
