@@ -71,7 +71,7 @@ Result<Verdict> of_elements(const Options& options) {
 
 Result<int> check_job(Session& session, const Options& options) {
   const std::string ending = io::ending_of(options.file);
-  DOBRA_TRY(const Verdict verdict, ending == ".obj" || ending == ".off" ? of_polygons(options) : of_elements(options));
+  DOBRA_TRY(const Verdict verdict, ending == ".obj" || ending == ".off" || ending == ".ply" ? of_polygons(options) : of_elements(options));
   if (session.options.format == dobra::cli::OutputFormat::Json) {
     Json json = verdict.counts;
     json["faults"] = verdict.faults;
@@ -93,7 +93,7 @@ Result<int> check_job(Session& session, const Options& options) {
 Command check_command() {
   return {"check", "Say what is wrong with a mesh file", [](CLI::App& app) -> Job {
             const auto options = std::make_shared<Options>();
-            app.add_option("file", options->file, "Polygon mesh (.obj .off), or elements (.vtu .msh .msh2 .inp .bdf .nas .nf .ele)")
+            app.add_option("file", options->file, "Polygon mesh (.obj .off .ply), or elements (.vtu .msh .msh2 .inp .bdf .nas .nf .ele .stl)")
                 ->required()
                 ->type_name("FILE");
             app.add_flag("--closed", options->closed, "The polygon mesh is to be closed: an edge of one face is a fault");

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -16,6 +17,7 @@
 #include "quebra/core/model.h"
 #include "shared/base/text.h"
 #include "shared/cli/commands.h"
+#include "shared/cli/convert_command.h"
 #include "shared/cli/pictures.h"
 #include "shared/cli/staging.h"
 #include "shared/io/mesh_file.h"
@@ -42,6 +44,8 @@ struct Options {
   std::string order, engine;
   bool quads = false;
   bool repair = false;
+  bool closed = false;
+  dobra::cli::LineOptionTexts lines;
   std::vector<std::string> bands, zones;
   std::optional<std::filesystem::path> out, histogram, picture;
 };
@@ -62,14 +66,22 @@ Result<double> number_in(const std::string& option, const std::string& word) {
   return Error{ErrorCode::BadUsage, fmt::format("{}: '{}' is not a number", option, word)};
 }
 
+/// A whole number from 1 on that steps can hold.
+Result<std::int64_t> count_in(const std::string& option, const std::string& word) {
+  DOBRA_TRY(const double value, number_in(option, word));
+  constexpr double most = 1e6;
+  if (value >= 1.0 && value <= most && value == std::floor(value)) return static_cast<std::int64_t>(value);
+  return Error{ErrorCode::BadUsage, fmt::format("{}: '{}' is not a whole number from 1 to {:.0f}", option, word, most)};
+}
+
 /// CURVES:COUNT:DISTANCE[:FACTOR]
 Result<scenario::Step> band_step(const std::string& text) {
   const auto parts = parts_of(text, ':');
   if (parts.size() < 3 || parts.size() > 4) return Error{ErrorCode::BadUsage, fmt::format("--bands {}: give CURVES:COUNT:DISTANCE[:FACTOR]", text)};
   scenario::Step step{.operation = "constraints", .name = {}, .params = {}, .comment = {}, .place = {}};
   step.params.set("curves", parts_of(parts[0], '+'));
-  DOBRA_TRY(const double count, number_in("--bands", parts[1]));
-  step.params.set("count", static_cast<std::int64_t>(count));
+  DOBRA_TRY(const std::int64_t count, count_in("--bands", parts[1]));
+  step.params.set("count", count);
   DOBRA_TRY(const double distance, number_in("--bands", parts[2]));
   step.params.set("distance", distance);
   if (parts.size() > 3) {
@@ -107,6 +119,33 @@ void set_parameters(const Options& options, scenario::Table& params) {
   if (options.quads) params.set("quads", std::string("yes"));
 }
 
+/// The options about files of lines as keys of the input, once they are judged as those of `convert` are.
+Result<void> set_lines(const Options& options, scenario::Table& input) {
+  const dobra::cli::LineOptionTexts& texts = options.lines;
+  DOBRA_TRY(const io::LineOptions lines, dobra::cli::line_options(texts));
+  const dobra::cli::LineOptionTexts none;
+  const auto set = [&](const char* key, const std::string& text, const std::string& unsaid) {
+    if (text != unsaid) input.set(key, text);
+  };
+  set("format", texts.format, "");
+  set("columns", texts.columns, "");
+  set("name_columns", texts.name_columns, "");
+  set("separator", texts.separator, none.separator);
+  set("coordinates", texts.coordinates, none.coordinates);
+  set("y_axis", texts.y_axis, "");
+  set("unit", texts.unit, "");
+  if (lines.trace) {
+    const io::Trace& t = *lines.trace;
+    input.set("trace", std::vector<double>{t.x, t.y, t.x + t.east, t.y + t.north});
+  }
+  if (lines.fold_axis) input.set("fold_axis", std::vector<double>{lines.fold_axis->trend.degrees(), lines.fold_axis->plunge.degrees()});
+  if (texts.plane_tolerance) input.set("plane_tolerance", *texts.plane_tolerance);
+  if (texts.reference) input.set("reference", *texts.reference);
+  if (texts.exaggeration) input.set("exaggeration", *texts.exaggeration);
+  if (options.closed) input.set("closed", std::string("yes"));
+  return {};
+}
+
 /// The scenario, or a document whose input is the file.
 Result<scenario::Document> document_of(Session& session, const Options& options) {
   scenario::Document document;
@@ -119,6 +158,7 @@ Result<scenario::Document> document_of(Session& session, const Options& options)
       DOBRA_TRY(document, scenario::with_value(std::move(document), session.program, assignment));
     }
   }
+  DOBRA_TRY_VOID(set_lines(options, document.input));
   if (options.repair) document.input.set("repair", std::string("yes"));
   auto last = std::find_if(document.steps.rbegin(), document.steps.rend(), [](const auto& step) { return step.operation == "mesh"; });
   if (last == document.steps.rend()) {
@@ -213,13 +253,20 @@ Result<int> mesh_job(Session& session, const Options& options) {
     DOBRA_TRY_VOID(write_out(session, *options.out, meshed.mesh));
     figures.seconds.push_back({"write", since(begin)});
   }
+  std::vector<std::string> remarks = model.remarks;
+  if (options.out) {
+    for (std::string& loss : io::losses(options.out->string(), meshed.mesh)) {
+      session.note(loss);
+      remarks.push_back(std::move(loss));
+    }
+  }
   if (options.histogram) DOBRA_TRY_VOID(dobra::cli::draw(core::histogram_picture(meshed), *options.histogram, dobra::cli::Drawer::Cairo));
   if (options.picture) DOBRA_TRY_VOID(dobra::cli::draw(session.program.picture_of(state), *options.picture, dobra::cli::Drawer::Cairo));
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   figures.peak_memory = static_cast<std::size_t>(usage.ru_maxrss) * 1024;
   if (session.options.format == dobra::cli::OutputFormat::Json) {
-    DOBRA_TRY_VOID(dobra::cli::print(json_text(figures, model.remarks)));
+    DOBRA_TRY_VOID(dobra::cli::print(json_text(figures, remarks)));
   } else if (session.options.verbosity != dobra::cli::Verbosity::Quiet) {
     DOBRA_TRY_VOID(dobra::cli::print(table_text(figures)));
   }
@@ -248,6 +295,8 @@ Command mesh_command() {
             app.add_option("--order", options->order, "Order of the elements: 1 (default) or 2")->check(CLI::IsMember({"1", "2"}))->type_name("1|2");
             app.add_flag("--quads", options->quads, "Join pairs of triangles to quadrilaterals where that gives a good shape");
             app.add_flag("--repair", options->repair, "Mend repeated points, spikes, doubles, gaps and crossings of the input, and list each");
+            app.add_flag("--closed", options->closed, "Every line of the file is an outline, whose last point need not repeat the first");
+            dobra::cli::add_line_reading_options(app, options->lines);
             app.add_option("--bands", options->bands, "Offset curves as constraints: CURVE[+CURVE]:COUNT:DISTANCE[:FACTOR]; may be repeated")
                 ->allow_extra_args(false)
                 ->type_name("BANDS");

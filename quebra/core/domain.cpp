@@ -6,9 +6,12 @@
 #include <map>
 #include <optional>
 
+#include "quebra/core/areas.h"
 #include "quebra/core/ends.h"
 #include "quebra/core/faces.h"
 #include "quebra/core/junctions.h"
+#include "quebra/core/repair.h"
+#include "quebra/core/roles.h"
 #include "shared/geom/spatial_index.h"
 
 namespace quebra::core {
@@ -99,6 +102,33 @@ void find_depths(Domain& domain) {
   }
 }
 
+/// No curve bounds the domain: which ends come nearest to each other, and what to do.
+Error nothing_closes(const Domain& domain, Place place) {
+  const double size = domain.box().diagonal();
+  std::string nearest;
+  const std::vector<End> ends = open_ends(domain.curves);
+  for (const auto& [gap, a, b] : near_ends(ends, 0.1 * size)) {
+    if (!(gap > 0.0)) continue;
+    const std::string& one = domain.curves[ends[a].curve].name;
+    const std::string& two = domain.curves[ends[b].curve].name;
+    nearest = fmt::format("the ends nearest to each other, of {}, are {:.3g} m apart: close that gap, or give --repair (repair = \"yes\"), which closes gaps up to {:.3g} m; ",
+                          one == two ? fmt::format("'{}'", one) : fmt::format("'{}' and '{}'", one, two), gap, RepairOptions{}.gap * size);
+    place = at_point(place, ends[a].at);
+    break;
+  }
+  return {ErrorCode::BadDomain, fmt::format("no curve closes, so nothing bounds the domain; {}if each line is an outline without its last side, give --closed (closed = \"yes\")", nearest), place};
+}
+
+/// The loops of the boundary curves, each with its depth.
+Result<void> find_loops(Domain& domain, const std::vector<Place>& places) {
+  const Joints joints = joints_of(domain.curves);
+  DOBRA_TRY_VOID(check_joints(joints, domain.curves, places));
+  domain.loops = follow_loops(domain.curves, joints);
+  if (domain.loops.empty()) return nothing_closes(domain, places.front());
+  find_depths(domain);
+  return {};
+}
+
 Result<void> check_roles(const Domain& domain, const std::vector<Place>& places) {
   const Inside inside(domain);
   for (const auto& loop : domain.loops) {
@@ -169,13 +199,11 @@ bool Inside::operator()(Point p) const {
 Result<Domain> make_domain(Sketch sketch, const DomainOptions& options) {
   const std::vector<Place>& places = sketch.places;
   if (sketch.curves.empty()) return Error{ErrorCode::BadDomain, "the domain has no curve; add [[input.curve]], a file or a specimen"};
-  Domain domain;
-  domain.curves = std::move(sketch.curves);
-  domain.points = std::move(sketch.points);
-  const double size = domain.box().diagonal();
-  const double tolerance = options.join_tolerance * size;
-  for (std::size_t i = 0; i < domain.curves.size(); ++i) {
-    const Curve& curve = domain.curves[i];
+  Box box;
+  for (const Curve& curve : sketch.curves) box.add(trace(curve).line.box());
+  const double tolerance = options.join_tolerance * box.diagonal();
+  for (std::size_t i = 0; i < sketch.curves.size(); ++i) {
+    const Curve& curve = sketch.curves[i];
     if (length(curve) <= tolerance) {
       return Error{ErrorCode::DegenerateCurve, fmt::format("curve '{}' has no length; remove it", curve.name),
                    at_point(places[i], start_of(curve))};
@@ -185,17 +213,19 @@ Result<Domain> make_domain(Sketch sketch, const DomainOptions& options) {
                    at_point(places[i], start_of(curve))};
     }
   }
-  join_ends(domain.curves, tolerance);
-  const Joints joints = joints_of(domain.curves);
-  DOBRA_TRY_VOID(check_joints(joints, domain.curves, places));
-  domain.loops = follow_loops(domain.curves, joints);
-  if (domain.loops.empty()) {
-    return Error{ErrorCode::BadDomain, "the domain has only internal lines; add a closed boundary", places.front()};
+  part_shared_sides(sketch, tolerance);
+  find_roles(sketch, tolerance);
+  Domain domain;
+  domain.curves = std::move(sketch.curves);
+  domain.points = std::move(sketch.points);
+  DOBRA_TRY_VOID(find_loops(domain, places));
+  if (sketch.hole_points) {
+    DOBRA_TRY_VOID(apply_hole_points(domain, *sketch.hole_points));
+    DOBRA_TRY_VOID(find_loops(domain, places));
   }
   DOBRA_TRY_VOID(find_junctions(domain, places, tolerance));
-  find_depths(domain);
   DOBRA_TRY_VOID(check_roles(domain, places));
-  DOBRA_TRY_VOID(find_faces(domain, sketch.regions));
+  DOBRA_TRY_VOID(find_faces(domain, sketch.regions, sketch.areas));
   return domain;
 }
 

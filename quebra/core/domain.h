@@ -1,6 +1,9 @@
 #pragma once
 // From curves to a domain: ends that meet are joined, curves become loops, loops get their depth, and what is wrong is named.
 
+#include <optional>
+#include <set>
+
 #include "quebra/core/model.h"
 #include "shared/base/result.h"
 
@@ -12,6 +15,20 @@ struct RegionName {
   dobra::geom::Point at;
 };
 
+/// A polygon of the user's file: the material inside it takes its name.
+struct Area {
+  std::string name;                ///< Of the region; empty: none.
+  std::vector<std::string> rings;  ///< Names of the curves of its contour and its holes.
+  std::vector<dobra::geom::Polyline> outline;  ///< The same as they were read: inside is what an odd number of them holds.
+};
+
+/// Loops of these curves inside others are holes only where a point says so (.poly); else they divide material from material.
+struct HolePoints {
+  std::set<std::string> curves;  ///< By name.
+  std::vector<dobra::geom::Point> at;
+  dobra::base::Place place;  ///< The file.
+};
+
 /// What a domain is made of.
 struct Sketch {
   std::vector<Curve> curves;
@@ -19,10 +36,13 @@ struct Sketch {
   std::vector<RegionName> regions;
   std::vector<NamedPoint> points;
   std::vector<std::string> remarks;
+  std::set<std::string> without_role = {};  ///< Curves, by name, whose file tells no roles: they are found once ends are joined.
+  std::optional<HolePoints> hole_points = std::nullopt;
+  std::vector<Area> areas = {};  ///< A region named by `regions` keeps that name.
 };
 
 struct DomainOptions {
-  double join_tolerance = 1e-9;  ///< Ends nearer than this fraction of the domain's diagonal are one point.
+  double join_tolerance = 1e-7;  ///< Ends nearer than this fraction of the domain's diagonal are one point.
 };
 
 /// Cracks and internal lines may cross, branch and end on other curves: every meeting becomes a junction.

@@ -1,6 +1,7 @@
 #include "quebra/core/ends.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <tuple>
 
@@ -77,8 +78,15 @@ void join_ends(std::vector<Curve>& curves, double tolerance) {
     const std::size_t b = root(pair.b);
     same_as[std::max(a, b)] = std::min(a, b);
   }
+  // Lines move to arcs rather than arcs to lines: an arc keeps its centre, and can follow but a little.
+  std::map<std::size_t, Point> target;
+  for (const bool arcs : {true, false}) {
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      if (std::holds_alternative<Arc>(curves[ends[i].curve].shape) == arcs) target.try_emplace(root(i), ends[i].at);
+    }
+  }
   for (std::size_t i = 0; i < ends.size(); ++i) {
-    const Point to = ends[root(i)].at;
+    const Point to = target.at(root(i));
     if (to != ends[i].at) move_end(curves[ends[i].curve], ends[i].last, to);
   }
 }

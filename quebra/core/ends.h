@@ -30,7 +30,8 @@ std::vector<NearEnds> near_ends(const std::vector<End>& ends, double tolerance);
 /// curve, would end there.
 bool move_end(Curve& curve, bool last, dobra::geom::Point to);
 
-/// Makes ends that lie within `tolerance` of each other the same point: the first of them in the order of the curves.
+/// Makes ends that lie within `tolerance` of each other the same point: that of an arc, or else the first of them in the order
+/// of the curves.
 void join_ends(std::vector<Curve>& curves, double tolerance);
 
 }  // namespace quebra::core

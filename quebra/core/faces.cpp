@@ -56,6 +56,25 @@ double area_of(const std::vector<Segment>& sides) {
   return 0.5 * twice;
 }
 
+/// The area of least extent that holds p; null if none does.
+const Area* smallest_round(std::span<const Area> areas, Point p) {
+  const Area* best = nullptr;
+  double least = 0.0;
+  for (const Area& area : areas) {
+    bool inside = false;
+    double extent = 0.0;
+    for (const Polyline& ring : area.outline) {
+      if (!ring.box().contains(p)) continue;
+      if (locate(ring, p) == dobra::geom::Side::Inside) inside = !inside;
+      extent = std::max(extent, std::abs(signed_area(ring)));
+    }
+    if (!inside || (best != nullptr && extent >= least)) continue;
+    best = &area;
+    least = extent;
+  }
+  return best;
+}
+
 Error bad_name(ErrorCode code, const RegionName& name, const char* what) {
   Place place;
   place.item = fmt::format("region '{}'", name.name);
@@ -95,7 +114,7 @@ Point inner_point(std::span<const Segment> sides) {
   return best;
 }
 
-Result<void> find_faces(Domain& domain, std::span<const RegionName> names) {
+Result<void> find_faces(Domain& domain, std::span<const RegionName> names, std::span<const Area> areas) {
   Subdivision subdivision;
   for (std::size_t c = 0; c < domain.curves.size(); ++c) {
     if (domain.curves[c].role == Role::Crack) continue;
@@ -124,6 +143,14 @@ Result<void> find_faces(Domain& domain, std::span<const RegionName> names) {
       return bad_name(ErrorCode::BadValue, name, "another region has its point in the same part of the material; divide them by an internal line");
     }
     face->second.region = tag->second;
+  }
+  for (const Area& area : areas) {
+    for (auto& [id, face] : faces) {
+      if (face.region != 0 || area.name.empty() || smallest_round(areas, face.inside) != &area) continue;
+      const auto [tag, is_new] = tags.try_emplace(area.name, next + 1);
+      if (is_new) domain.region_names[++next] = area.name;
+      face.region = tag->second;
+    }
   }
   for (auto& [id, face] : faces) {
     if (face.region == 0) face.region = ++next;

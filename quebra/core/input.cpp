@@ -5,6 +5,7 @@
 #include <iterator>
 #include <set>
 
+#include "quebra/core/flaws.h"
 #include "quebra/core/repair.h"
 #include "quebra/core/sketch_file.h"
 #include "shared/geom/drawn_curve.h"
@@ -128,6 +129,7 @@ Result<void> add_curve(Sketch& sketch, const CurveParams& params, double tip_siz
 
 Result<Model> read_input(const InputParams& params, const dobra::scenario::Table& table,
                          const dobra::scenario::Context& context) {
+  const auto append = [](auto& to, auto& from) { to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end())); };
   Sketch sketch;
   if (params.specimen != SpecimenKind::None) {
     const SpecimenParams specimen{params.specimen, params.width, params.height, params.radius, params.crack, params.position, params.angle};
@@ -137,13 +139,17 @@ Result<Model> read_input(const InputParams& params, const dobra::scenario::Table
     sketch.places.assign(sketch.curves.size(), table.place("specimen"));
   }
   if (!params.file.empty()) {
-    DOBRA_TRY(Sketch file, read_sketch((context.folder / params.file).string()));
-    const auto append = [](auto& to, auto& from) { to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end())); };
+    const auto options = sketch_options(params);
+    if (!options) return located(options.error(), table.place("file"));
+    DOBRA_TRY(Sketch file, read_sketch((context.folder / params.file).string(), *options));
     append(sketch.curves, file.curves);
     append(sketch.places, file.places);
     append(sketch.regions, file.regions);
     append(sketch.points, file.points);
     append(sketch.remarks, file.remarks);
+    sketch.without_role = std::move(file.without_role);
+    sketch.hole_points = std::move(file.hole_points);
+    sketch.areas = std::move(file.areas);
   }
   for (std::size_t i = 0; i < params.curves.size(); ++i) {
     const auto& curve = params.curves[i];
@@ -161,12 +167,14 @@ Result<Model> read_input(const InputParams& params, const dobra::scenario::Table
     DOBRA_TRY(Repaired repaired, repair(std::move(sketch)));
     sketch = std::move(repaired.sketch);
     model.findings = std::move(repaired.findings);
-    for (const Finding& finding : model.findings) {
-      sketch.remarks.push_back(fmt::format("{} at ({:.6g}, {:.6g}) of {}: {}", name_of(finding.wrong), finding.at.x, finding.at.y, finding.curve, finding.mend));
-    }
   }
-  model.remarks = sketch.remarks;
+  model.remarks = std::move(sketch.remarks);
   DOBRA_TRY(model.domain, make_domain(std::move(sketch), {params.join_tolerance}));
+  std::vector<Finding> flaws = flaws_of(model.domain);
+  append(model.findings, flaws);
+  for (const Finding& finding : model.findings) {
+    model.remarks.push_back(fmt::format("{} at ({:.6g}, {:.6g}) of {}: {}", name_of(finding.wrong), finding.at.x, finding.at.y, finding.curve, finding.mend));
+  }
   return model;
 }
 

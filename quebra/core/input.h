@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "quebra/core/domain.h"
+#include "quebra/core/line_input.h"
 #include "quebra/core/specimen.h"
 #include "shared/base/progress.h"
 #include "shared/scenario/program.h"
@@ -104,12 +105,12 @@ struct PointParams {
   }
 };
 
-struct InputParams {
+struct InputParams : LineInput {
   SpecimenKind specimen = SpecimenKind::None;
   std::optional<double> width, height, radius, crack, position;
   std::optional<dobra::base::Angle> angle;
   std::string file;
-  double join_tolerance = 1e-9;
+  double join_tolerance = DomainOptions{}.join_tolerance;
   Repair repair = Repair::No;
   std::vector<CurveParams> curves;
   std::vector<CrackParams> cracks;
@@ -125,10 +126,11 @@ struct InputParams {
     d.field("crack_length", &InputParams::crack, {.title = "Crack length", .help = "As its handbook formula has it: a whole edge crack, half a centre crack.", .unit = "m", .at_least = 0});
     d.field("position", &InputParams::position, {.title = "Position", .help = "Of the notch of pmma_beam, from the middle.", .unit = "m"});
     d.field("angle", &InputParams::angle, {.title = "Crack angle", .help = "Of a centre crack, anticlockwise from +x.", .unit = "deg", .at_least = -180, .at_most = 180});
-    d.file("file", &InputParams::file, {.title = "File", .help = "Geometry (.poly .geo .geojson .dxf .wkt .txt .csv) or a mesh whose boundary is meant (.msh .inp .vtu .bdf .nf .ele)."});
+    d.file("file", &InputParams::file, {.title = "File", .help = "Geometry (.poly .geo .svg .geojson .dxf .wkt .txt .csv and other lines) or a mesh whose boundary is meant (.msh .inp .vtu .bdf .nf .ele)."});
+    LineInput::describe_in<InputParams>(d);
     d.field("join_tolerance", &InputParams::join_tolerance,
             {.title = "Join tolerance", .help = "Ends of curves nearer than this fraction of the domain's diagonal are one point.", .at_least = 0, .at_most = 0.01});
-    d.choice("repair", &InputParams::repair, {"no", "yes"}, {.title = "Repair", .help = "Mends repeated points, spikes, doubles, gaps and crossings of boundaries, and lists each with its place."});
+    d.choice("repair", &InputParams::repair, {"no", "yes"}, {.title = "Repair", .help = "Mends repeated points, spikes, doubles, gaps, slivers and crossings of boundaries, and lists each with its place."});
     d.tables("curve", &InputParams::curves, {.title = "Curves", .help = "The boundary, in any order and direction; internal lines."});
     d.tables("crack", &InputParams::cracks, {.title = "Cracks", .help = "Their two lips come apart; they may branch, cross and reach the boundary."});
     d.tables("region", &InputParams::regions, {.title = "Regions", .help = "Names of the parts that loops and internal lines enclose."});

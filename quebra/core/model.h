@@ -78,7 +78,7 @@ struct Constraint {
 };
 
 /// What was wrong with the drawn geometry (repair.h).
-enum class Wrong { RepeatedPoint, NearlyRepeatedPoint, NoExtent, CurveTwice, Spike, Gap, Crossing };
+enum class Wrong { RepeatedPoint, NearlyRepeatedPoint, NoExtent, CurveTwice, Spike, Gap, Crossing, Sliver };
 
 struct Finding {
   Wrong wrong = Wrong::RepeatedPoint;
@@ -144,7 +144,7 @@ struct Model {
   std::vector<Samples> samples;
   std::vector<std::shared_ptr<const ViewParams>> views;  ///< Pictures of results; one of the default if there are none.
   std::vector<std::string> remarks;
-  std::vector<Finding> findings;  ///< If the input was repaired.
+  std::vector<Finding> findings;  ///< What was repaired, and what looks wrong and was left.
 };
 
 }  // namespace quebra::core

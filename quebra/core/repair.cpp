@@ -10,13 +10,17 @@
 #include <numeric>
 #include <set>
 
+#include "quebra/core/areas.h"
 #include "quebra/core/ends.h"
 #include "quebra/core/faces.h"
+#include "quebra/core/roles.h"
+#include "quebra/core/snap.h"
 #include "shared/geom/intersect.h"
 #include "shared/geom/spatial_index.h"
 #include "shared/topo/insert.h"
 
-// 1 points of each curve. 2 spikes. 3 curves drawn twice. 4 gaps. 5 crossings: groups of closed boundaries that meet are put
+// 1 points of each curve. 2 spikes; polygons that share sides are parted, what nearly touches is made to. 3 curves drawn twice. 4 gaps; then roles, where the
+// file tells none. 5 crossings: groups of closed boundaries that meet are put
 // into a subdivision; faces inside and outside are told apart; the edges between the two are walked as new loops.
 
 namespace quebra::core {
@@ -50,8 +54,11 @@ class Repairer {
         drop(i);
       }
     }
+    part_shared_sides(repaired_.sketch, options_.same_point * size_);
+    merge_near();
     drop_doubles();
     close_gaps();
+    find_roles(repaired_.sketch, DomainOptions{}.join_tolerance * size_);
     DOBRA_TRY_VOID(rebuild_crossings());
     return std::move(repaired_);
   }
@@ -87,9 +94,16 @@ class Repairer {
     }
     remove_spikes(kept, own->closed, name);
     own->points = std::move(kept);
-    if (own->points.size() >= (own->closed ? 3U : 2U)) return true;
+    if (own->points.size() >= (own->closed ? 3U : 2U) && !(own->closed && thin(own->points, least))) return true;
     found(Wrong::NoExtent, own->points.empty() ? Point{} : own->points.front(), name, "the curve is left out");
     return false;
+  }
+
+  /// Whether all points lie within `width` of the line from the first to the one farthest from it.
+  static bool thin(const std::vector<Point>& points, double width) {
+    const Point first = points.front();
+    const Point far = *std::max_element(points.begin(), points.end(), [&](Point a, Point b) { return distance(first, a) < distance(first, b); });
+    return std::all_of(points.begin(), points.end(), [&](Point p) { return distance(dobra::geom::Segment{first, far}, p) <= width; });
   }
 
   void remove_spikes(std::vector<Point>& points, bool closed, const std::string& name) {
@@ -107,6 +121,22 @@ class Repairer {
       found(lengths > 0.0 ? Wrong::Spike : Wrong::RepeatedPoint, points[i], name, "its point is left out");
       points.erase(points.begin() + static_cast<std::ptrdiff_t>(i));
       i = i > 0 ? i - 1 : 0;
+    }
+  }
+
+  /// Boundaries that run so close to each other that nothing fits between become one line there.
+  void merge_near() {
+    std::vector<Polyline*> lines;
+    std::vector<std::size_t> owner;
+    for (std::size_t i = 0; i < curves().size(); ++i) {
+      if (!bounds(curves()[i]) || line(i) == nullptr || !line(i)->closed) continue;
+      lines.push_back(line(i));
+      owner.push_back(i);
+    }
+    for (const Snap& snap : snap_together(lines, options_.same_point * size_)) {
+      if (snap.gap == 0.0) continue;
+      found(Wrong::Sliver, snap.at, curves()[owner[snap.line]].name + ", " + curves()[owner[snap.other]].name,
+            fmt::format("the two curves, {:.3g} m apart there, pass one point", snap.gap));
     }
   }
 
@@ -208,15 +238,38 @@ class Repairer {
     return groups;
   }
 
-  /// +1 for an outline, -1 for a hole: by its role, or by how many closed boundaries outside its group it lies in.
+  static bool holds_all_of(const Polyline& outer, const Polyline& inner) {
+    if (std::abs(signed_area(inner)) >= std::abs(signed_area(outer))) return false;
+    const auto in = [&](Point p) { return locate(outer, p) != dobra::geom::Side::Outside; };
+    for (std::size_t i = 0; i < inner.segment_count(); ++i) {
+      if (!in(inner.points[i]) || !in(midpoint(inner.segment(i).from, inner.segment(i).to))) return false;
+    }
+    return true;
+  }
+
+  /// +1 for an outline, -1 for a hole: by its role, or by how many closed boundaries it lies in; of its own group those that hold all of it.
   int sign_of(std::size_t curve, const std::set<std::size_t>& group) {
     if (curves()[curve].role == Role::Hole) return -1;
     int depth = 0;
     for (std::size_t c = 0; c < curves().size(); ++c) {
-      if (group.contains(c) || !bounds(curves()[c]) || !closed(curves()[c])) continue;
+      if (c == curve || !bounds(curves()[c]) || !closed(curves()[c])) continue;
+      if (group.contains(c)) {
+        depth += holds_all_of(*line(c), *line(curve)) ? 1 : 0;
+        continue;
+      }
       if (locate(trace(curves()[c]).line, line(curve)->points.front()) == dobra::geom::Side::Inside) ++depth;
     }
     return depth % 2 == 0 ? 1 : -1;
+  }
+
+  /// Hole points of loops that were cut out of an outline have no loop any more.
+  void forget_holes_cut_out(const std::set<std::size_t>& gone, const std::vector<Curve>& made) {
+    if (!repaired_.sketch.hole_points) return;
+    const auto in = [](const Curve& curve, Point p) { return locate(std::get<Polyline>(curve.shape), p) == dobra::geom::Side::Inside; };
+    std::erase_if(repaired_.sketch.hole_points->at, [&](Point p) {
+      return std::any_of(gone.begin(), gone.end(), [&](std::size_t c) { return in(curves()[c], p); }) &&
+             std::none_of(made.begin(), made.end(), [&](const Curve& curve) { return in(curve, p); });
+    });
   }
 
   Result<void> rebuild_crossings() {
@@ -237,6 +290,7 @@ class Repairer {
       gone.insert(group.begin(), group.end());
     }
     if (gone.empty()) return {};
+    forget_holes_cut_out(gone, made);
     const auto places = repaired_.sketch.places;
     for (auto c = gone.rbegin(); c != gone.rend(); ++c) drop(*c);
     for (Curve& curve : made) {
@@ -293,6 +347,8 @@ class Repairer {
         const std::size_t owner = curve_of.at(edge.index());
         Curve curve = curves()[owner];
         if (++used[owner] > 1) curve.name += fmt::format("_{}", used[owner]);
+        auto& holes = repaired_.sketch.hole_points;
+        if (holes && holes->curves.contains(curves()[owner].name)) holes->curves.insert(curve.name);
         curve.role = Role::Boundary;
         curve.shape = std::move(loop);
         loops.push_back(std::move(curve));
@@ -317,6 +373,7 @@ const char* name_of(Wrong wrong) {
     case Wrong::Spike: return "spike";
     case Wrong::Gap: return "gap";
     case Wrong::Crossing: return "crossing";
+    case Wrong::Sliver: return "sliver";
   }
   return "";
 }

@@ -1,6 +1,6 @@
 #pragma once
 // Finds what is wrong with drawn geometry, says where, and mends what can be mended without a guess: repeated and nearly
-// repeated points, curves drawn twice, spikes, gaps between ends, boundaries that cross themselves or each other. Crossing
+// repeated points, curves drawn twice, spikes, slivers, gaps between ends, boundaries that cross themselves or each other. Crossing
 // boundaries are rebuilt on the planar subdivision: outlines are united, holes are cut out.
 // Page: docs/algorithms/domain_repair.md.
 

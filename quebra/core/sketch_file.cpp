@@ -1,10 +1,9 @@
 #include "quebra/core/sketch_file.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
@@ -13,10 +12,11 @@
 #include "quebra/core/svg_sketch.h"
 #include "shared/base/text.h"
 #include "shared/io/curves.h"
+#include "shared/io/dxf.h"
+#include "shared/io/dxf_paths.h"
 #include "shared/io/file.h"
 #include "shared/io/mesh_file.h"
 #include "shared/io/poly.h"
-#include "shared/topo/insert.h"
 
 namespace quebra::core {
 namespace {
@@ -94,112 +94,57 @@ class Chains {
   std::map<std::uint32_t, std::vector<std::size_t>> at_;
 };
 
-/// Number of the innermost contour that holds p; nothing if none does.
-std::optional<std::size_t> innermost(const Domain& domain, const std::vector<Polyline>& contours, Point p) {
-  std::optional<std::size_t> found;
-  for (std::size_t i = 0; i < contours.size(); ++i) {
-    if (found && domain.loops[*found].depth > domain.loops[i].depth) continue;
-    if (locate(contours[i], p) == dobra::geom::Side::Inside) found = i;
-  }
-  return found;
-}
-
-/// In a .poly file a loop inside a loop is a hole only where a hole point says so; else it divides material from material.
-Result<void> apply_holes(std::vector<Curve>& curves, const dobra::io::PolyFile& file, const Place& place) {
-  DOBRA_TRY(const Domain domain, make_domain({curves, std::vector<Place>(curves.size(), place), {}, {}, {}}));
-  std::vector<Polyline> contours;
-  for (const auto& loop : domain.loops) contours.push_back(contour(domain, loop));
-  std::vector<bool> is_void(domain.loops.size(), false);
-  for (const Point hole : file.holes) {
-    const auto loop = innermost(domain, contours, hole);
-    if (!loop) {
-      Place at = place;
-      at.x = hole.x;
-      at.y = hole.y;
-      return Error{ErrorCode::OutsideDomain, "a hole point lies outside every loop; move it inside or remove it", at};
-    }
-    is_void[*loop] = true;
-  }
-  for (std::size_t i = 0; i < domain.loops.size(); ++i) {
-    bool surrounded_by_void = true;
-    int depth = -1;
-    for (std::size_t j = 0; j < domain.loops.size(); ++j) {
-      if (j == i || domain.loops[j].depth >= domain.loops[i].depth || domain.loops[j].depth < depth) continue;
-      if (locate(contours[j], contours[i].points.front()) != dobra::geom::Side::Inside) continue;
-      depth = domain.loops[j].depth;
-      surrounded_by_void = is_void[j];
-    }
-    if (surrounded_by_void != is_void[i]) continue;
-    for (const auto& side : domain.loops[i].sides) curves[side.curve].role = Role::Internal;
-  }
-  return {};
-}
-
-Result<Sketch> from_poly(const std::string& path) {
-  DOBRA_TRY(const dobra::io::PolyFile file, dobra::io::read_poly(path));
+/// @param holes  whether hole points, rather than nesting, tell what is a hole.
+Sketch sketch_of(const dobra::io::PolyFile& file, const std::string& path, bool holes) {
   Sketch sketch;
   sketch.curves = Chains(file).curves();
+  for (const Curve& curve : sketch.curves) sketch.without_role.insert(curve.name);
   Place place;
   place.file = path;
-  if (!sketch.curves.empty()) DOBRA_TRY_VOID(apply_holes(sketch.curves, file, place));
+  if (holes) sketch.hole_points = HolePoints{sketch.without_role, file.holes, place};
   for (const auto& region : file.regions) sketch.regions.push_back({fmt::format("region_{}", dobra::base::number_text(region.attribute)), region.at});
   return sketch;
 }
 
 // --- curves without roles -----------------------------------------------------------------------------------------------
 
-/// Open curves whose ends all meet one other curve bound the domain; chains with a free end do not.
-void find_roles(std::vector<Curve>& curves) {
-  std::map<Point, std::vector<std::size_t>> at;
-  const auto ends = [&](std::size_t i) {
-    const auto& points = std::get<Polyline>(curves[i].shape).points;
-    return std::array{points.front(), points.back()};
-  };
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    if (closed(curves[i])) continue;
-    for (const Point end : ends(i)) at[end].push_back(i);
-  }
-  std::vector<std::size_t> loose;
-  const auto drop = [&](std::size_t i) {
-    curves[i].role = Role::Internal;
-    for (const Point end : ends(i)) {
-      auto& meeting = at[end];
-      meeting.erase(std::find(meeting.begin(), meeting.end(), i));
-      if (meeting.size() == 1) loose.push_back(meeting.front());
+/// A drawing with its arcs as they are drawn; nothing where chords must do, or no drawing.
+Result<std::optional<Sketch>> true_curves(const std::string& path, const dobra::io::Curves& read, const SketchOptions& options) {
+  const dobra::io::LineOptions& lines = options.lines;
+  if (read.format != dobra::io::LineFormat::Dxf || lines.coordinates == dobra::io::Coordinates::Map) return std::optional<Sketch>();
+  DOBRA_TRY(const std::string text, dobra::io::read_text(path));
+  auto paths = dobra::io::dxf_paths(text, path);
+  if (!paths) return std::optional<Sketch>();
+  const bool down = read.y_direction == dobra::io::YDirection::Down;
+  const double up = (down ? -1.0 : 1.0) * read.unit / lines.exaggeration;
+  const double base = down ? lines.y_reference * read.unit / lines.exaggeration : 0.0;
+  for (auto& outline : *paths) {
+    for (auto& piece : outline.pieces) {
+      for (Point* p : {&piece.from, &piece.to, &piece.centre}) *p = {p->x * read.unit, base + p->y * up};
+      for (auto* v : {&piece.u, &piece.v}) *v = {v->x * read.unit, v->y * up};
     }
-  };
-  for (const auto& [end, meeting] : at) {
-    if (meeting.size() == 1) loose.push_back(meeting.front());
+    if (options.open_lines == OpenLines::Close && !outline.closed && outline.pieces.size() > 1) {
+      outline.pieces.push_back({dobra::io::SvgPieceKind::Line, outline.pieces.back().to, outline.pieces.front().from, {}, {}, {}, {}, 0.0, 0.0});
+      outline.closed = true;
+    }
   }
-  while (!loose.empty()) {
-    const std::size_t i = loose.back();
-    loose.pop_back();
-    if (curves[i].role == Role::Boundary) drop(i);
+  DOBRA_TRY(Sketch sketch, sketch_of_paths(*paths));
+  for (Curve& curve : sketch.curves) {
+    curve.role = Role::Boundary;
+    sketch.without_role.insert(curve.name);
   }
-  // Where three or more still meet, what borders on the outside bounds the domain and the rest divides it.
-  std::set<std::size_t> branched;
-  for (const auto& [end, meeting] : at) {
-    if (meeting.size() > 2) branched.insert(meeting.begin(), meeting.end());
+  for (Area& area : sketch.areas) {
+    if (area.name.starts_with("curve ")) area.name.clear();
   }
-  if (branched.empty()) return;
-  dobra::topo::Subdivision subdivision;
-  std::map<std::size_t, dobra::topo::HalfEdgeId> half;
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    if (curves[i].role != Role::Boundary) continue;
-    const auto inserted = insert(subdivision, std::get<Polyline>(curves[i].shape));
-    if (inserted && !inserted->path.empty()) half[i] = inserted->path.front();
-  }
-  for (const auto& [i, h] : half) {
-    if (closed(curves[i]) || !subdivision.contains(dobra::topo::Subdivision::edge(h))) continue;
-    const auto outside = dobra::topo::Subdivision::unbounded();
-    const bool chain_of_loop = !branched.contains(i) && subdivision.face(h) != subdivision.face(dobra::topo::Subdivision::twin(h));
-    const bool rim = subdivision.face(h) == outside || subdivision.face(dobra::topo::Subdivision::twin(h)) == outside;
-    if (!rim && !chain_of_loop) curves[i].role = Role::Internal;
-  }
+  sketch.remarks = read.remarks;
+  std::erase_if(sketch.remarks, [](const std::string& remark) { return remark.ends_with(dobra::io::read_as_chords); });
+  return std::optional(std::move(sketch));
 }
 
-Result<Sketch> from_curves(const std::string& path) {
-  DOBRA_TRY(dobra::io::Curves read, dobra::io::read_curves(path));
+Result<Sketch> from_curves(const std::string& path, const SketchOptions& options) {
+  DOBRA_TRY(dobra::io::Curves read, dobra::io::read_curves(path, options.lines));
+  DOBRA_TRY(auto exact, true_curves(path, read, options));
+  if (exact) return *std::move(exact);
   Sketch sketch;
   sketch.remarks = std::move(read.remarks);
   std::map<std::string, int> used;
@@ -207,10 +152,29 @@ Result<Sketch> from_curves(const std::string& path) {
     // Names may repeat in a file; sets of the mesh must not.
     const int number = ++used[curve.name];
     if (number > 1) curve.name += fmt::format(" ({})", number);
+    if (options.open_lines == OpenLines::Close && curve.line.points.size() > 2) curve.line.closed = true;
+    if (curve.polygon) {
+      if (sketch.areas.size() <= *curve.polygon) sketch.areas.resize(*curve.polygon + 1);
+      Area& area = sketch.areas[*curve.polygon];
+      area.name = curve.feature;
+      area.rings.push_back(curve.name);
+      area.outline.push_back(curve.line);
+    }
+    sketch.without_role.insert(curve.name);
     sketch.curves.push_back({std::move(curve.name), Role::Boundary, std::move(curve.line), {}});
   }
-  find_roles(sketch.curves);
   return sketch;
+}
+
+/// Text: a graph with its counts, or lines of points.
+Result<Sketch> from_text(const std::string& path, const SketchOptions& options) {
+  DOBRA_TRY(const std::string text, dobra::io::read_text(path));
+  if (const auto graph = dobra::io::counted_graph(text)) {
+    Sketch sketch = sketch_of(*graph, path, false);
+    sketch.remarks.push_back(fmt::format("{}: read as {} points and the {} segments between them", path, graph->nodes.points.size(), graph->segments.size()));
+    return sketch;
+  }
+  return from_curves(path, options);
 }
 
 // --- meshes ---------------------------------------------------------------------------------------------------------------
@@ -269,22 +233,43 @@ Sketch from_mesh(const dobra::mesh::ElementMesh& mesh) {
   return sketch;
 }
 
-Result<Sketch> read_by_ending(const std::string& path) {
-  const std::string ending = dobra::io::ending_of(path);
-  if (ending == ".poly") return from_poly(path);
+/// Files that tell their own units, axes and outlines.
+Result<Sketch> read_as_it_stands(const std::string& path, const std::string& ending) {
+  if (ending == ".poly") {
+    DOBRA_TRY(const dobra::io::PolyFile file, dobra::io::read_poly(path));
+    return sketch_of(file, path, true);
+  }
   if (ending == ".geo") return read_geo_sketch(path);
   if (ending == ".svg") return read_svg_sketch(path);
-  if (!dobra::io::is_mesh_ending(ending)) return from_curves(path);
   DOBRA_TRY(auto contents, dobra::io::read_mesh(path));
   Sketch sketch = from_mesh(contents.mesh);
   sketch.remarks = std::move(contents.remarks);
   return sketch;
 }
 
+Result<Sketch> read_by_ending(const std::string& path, const SketchOptions& options) {
+  const std::string ending = dobra::io::ending_of(path);
+  Place place;
+  place.file = path;
+  const bool drawing = ending == ".poly" || ending == ".geo" || ending == ".svg" || dobra::io::is_mesh_ending(ending);
+  if (drawing && options.chosen) {
+    return Error{ErrorCode::BadValue, fmt::format("units, axes, columns and closing are asked of files of lines only, not of {} files; leave these options out", ending), place};
+  }
+  if (drawing) return read_as_it_stands(path, ending);
+  if (!options.lines.format && !dobra::io::line_format_of(path)) {
+    return Error{ErrorCode::UnknownFormat,
+                 fmt::format("the ending of the name tells no format; geometry is read from .poly .geo .svg {}, the boundary of a mesh from {}",
+                             fmt::join(dobra::io::line_endings(), " "), fmt::join(dobra::io::mesh_read_endings(), " ")),
+                 place};
+  }
+  return ending == ".txt" && !options.lines.format ? from_text(path, options) : from_curves(path, options);
+}
+
 }  // namespace
 
-Result<Sketch> read_sketch(const std::string& path) {
-  DOBRA_TRY(Sketch sketch, read_by_ending(path));
+Result<Sketch> read_sketch(const std::string& path, const SketchOptions& options) {
+  DOBRA_TRY_VOID(dobra::io::check_readable(path));
+  DOBRA_TRY(Sketch sketch, read_by_ending(path, options));
   Place place;
   place.file = path;
   if (sketch.places.empty()) sketch.places.assign(sketch.curves.size(), place);

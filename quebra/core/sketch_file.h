@@ -5,12 +5,22 @@
 #include <string>
 
 #include "quebra/core/domain.h"
+#include "shared/io/line_files.h"
 
 namespace quebra::core {
 
-/// By the ending of the name: .poly, .geo, .svg, .msh, .inp, .vtu, .bdf .nas, .nf, .ele, or a format of io::read_curves. Of curves
-/// without roles, closed ones and chains that close bound the domain, the others are internal lines.
-/// @error UnknownFormat naming what is read; those of the readers; OutsideDomain for a hole point outside.
-dobra::base::Result<Sketch> read_sketch(const std::string& path);
+enum class OpenLines { AsDrawn, Close };
+
+struct SketchOptions {
+  dobra::io::LineOptions lines = {};            ///< Of files of lines: units, axes, columns; what neither they nor the file tell is asked.
+  OpenLines open_lines = OpenLines::AsDrawn;    ///< Close: every line is an outline whose last side is left out.
+  bool chosen = false;                          ///< Whether the user chose any of these.
+};
+
+/// By the ending of the name: .poly, .geo, .svg, .msh, .inp, .vtu, .bdf .nas, .nf, .ele, or a format of io::read_curves; a .txt may be
+/// the graph of io::counted_graph. Curves without roles are left to make_domain: closed ones and chains that close bound the
+/// domain, the others are internal lines.
+/// @error FileNotFound, NotAFile; UnknownFormat naming what is read; BadValue for options that the format does not ask; those of the readers.
+dobra::base::Result<Sketch> read_sketch(const std::string& path, const SketchOptions& options = {});
 
 }  // namespace quebra::core

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "quebra/core/cubics.h"
-#include "shared/io/svg.h"
 
 namespace quebra::core {
 namespace {
@@ -77,11 +76,29 @@ Result<std::vector<Shape>> shapes_of(const SvgPath& path) {
 
 Result<Sketch> read_svg_sketch(const std::string& path) {
   DOBRA_TRY(dobra::io::SvgFile file, dobra::io::read_svg(path));
-  Sketch sketch;
+  DOBRA_TRY(Sketch sketch, sketch_of_paths(file.paths));
   sketch.remarks = std::move(file.remarks);
-  for (const SvgPath& outline : file.paths) {
+  // Shapes without an id name no material.
+  for (Area& area : sketch.areas) {
+    if (area.name.starts_with("path ")) area.name.clear();
+  }
+  return sketch;
+}
+
+Result<Sketch> sketch_of_paths(const std::vector<SvgPath>& paths) {
+  Sketch sketch;
+  dobra::base::Place last_element;
+  for (const SvgPath& outline : paths) {
     auto shapes = shapes_of(outline);
     if (!shapes) return located(shapes.error(), outline.place);
+    if (shapes->size() == 1 && closed({{}, Role::Boundary, shapes->front(), {}})) {
+      // Further outlines of one element are holes in it.
+      const bool further = !sketch.areas.empty() && outline.place.line > 0 && last_element.line == outline.place.line && last_element.column == outline.place.column;
+      if (!further) sketch.areas.push_back({outline.name, {}, {}});
+      sketch.areas.back().rings.push_back(outline.name);
+      sketch.areas.back().outline.push_back(trace({{}, Role::Boundary, shapes->front(), {}}).line);
+      last_element = outline.place;
+    }
     for (std::size_t i = 0; i < shapes->size(); ++i) {
       std::string name = shapes->size() == 1 ? outline.name : fmt::format("{}_{}", outline.name, i + 1);
       sketch.curves.push_back(

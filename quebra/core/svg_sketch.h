@@ -3,8 +3,10 @@
 // internal lines.
 
 #include <string>
+#include <vector>
 
 #include "quebra/core/domain.h"
+#include "shared/io/svg.h"
 
 namespace quebra::core {
 
@@ -12,5 +14,8 @@ namespace quebra::core {
 /// curves of their own. A path of several curves calls them NAME_1, NAME_2 ...
 /// @error those of io::read_svg; DegenerateCurve with the place of the element.
 dobra::base::Result<Sketch> read_svg_sketch(const std::string& path);
+
+/// The same of paths from another format, without remarks.
+dobra::base::Result<Sketch> sketch_of_paths(const std::vector<dobra::io::SvgPath>& paths);
 
 }  // namespace quebra::core

@@ -752,6 +752,98 @@
         <translation>Cada intervalo é este número de vezes o anterior.</translation>
     </message>
     <message>
+        <source>Closed</source>
+        <translation>Fechadas</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Formato</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Colunas</translation>
+    </message>
+    <message>
+        <source>Columns of names</source>
+        <translation>Colunas de nomes</translation>
+    </message>
+    <message>
+        <source>Coordinates</source>
+        <translation>Coordenadas</translation>
+    </message>
+    <message>
+        <source>Trace</source>
+        <translation>Traço</translation>
+    </message>
+    <message>
+        <source>Plane tolerance</source>
+        <translation>Tolerância do plano</translation>
+    </message>
+    <message>
+        <source>Heights grow</source>
+        <translation>Alturas crescem</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referência</translation>
+    </message>
+    <message>
+        <source>Exaggeration</source>
+        <translation>Exagero</translation>
+    </message>
+    <message>
+        <source>yes: every line of the file is an outline, whose last point need not repeat the first.</source>
+        <translation>yes: cada linha do arquivo é um contorno, cujo último ponto não precisa repetir o primeiro.</translation>
+    </message>
+    <message>
+        <source>Of a file of lines (text, wkt, geojson, dxf, move, gocad, shapefile, geopackage); by its ending otherwise.</source>
+        <translation>De um arquivo de linhas (text, wkt, geojson, dxf, move, gocad, shapefile, geopackage); senão, pela terminação do nome.</translation>
+    </message>
+    <message>
+        <source>Of a text: numbers or headers of x and y, such as &quot;1,2&quot;; of x, y and height for lines in space.</source>
+        <translation>De um texto: números ou cabeçalhos de x e y, como &quot;1,2&quot;; de x, y e altura para linhas no espaço.</translation>
+    </message>
+    <message>
+        <source>Of a text: the columns whose words name a line.</source>
+        <translation>De um texto: as colunas cujas palavras dão nome a uma linha.</translation>
+    </message>
+    <message>
+        <source>Of the columns of a text.</source>
+        <translation>Das colunas de um texto.</translation>
+    </message>
+    <message>
+        <source>section: x and y as they stand; map: lines on a vertical plane in space.</source>
+        <translation>section: x e y como estão; map: linhas sobre um plano vertical no espaço.</translation>
+    </message>
+    <message>
+        <source>The plane of lines in space: x and y of its beginning and its end; found by least squares otherwise.</source>
+        <translation>O plano de linhas no espaço: x e y do seu começo e do seu fim; senão, achado por mínimos quadrados.</translation>
+    </message>
+    <message>
+        <source>Trend and plunge of the axis along which lines in space are projected.</source>
+        <translation>Direção e caimento do eixo ao longo do qual linhas no espaço são projetadas.</translation>
+    </message>
+    <message>
+        <source>Largest distance of lines in space from their plane, as a part of the length.</source>
+        <translation>Maior distância de linhas no espaço ao seu plano, como parte do comprimento.</translation>
+    </message>
+    <message>
+        <source>As the file says, else up.</source>
+        <translation>Como diz o arquivo; senão, para cima.</translation>
+    </message>
+    <message>
+        <source>With y_axis = &quot;down&quot;: the value at height 0, in units of the file.</source>
+        <translation>Com y_axis = &quot;down&quot;: o valor na altura 0, nas unidades do arquivo.</translation>
+    </message>
+    <message>
+        <source>Of the coordinates in the file; as the file says, else m.</source>
+        <translation>Das coordenadas no arquivo; como diz o arquivo, senão m.</translation>
+    </message>
+    <message>
+        <source>Heights are stored this many times too large.</source>
+        <translation>As alturas estão guardadas este número de vezes maiores.</translation>
+    </message>
+    <message>
         <source>Ends of curves nearer than this fraction of the domain&apos;s diagonal are one point.</source>
         <translation>Pontas de curvas mais próximas que esta fração da diagonal do domínio são um só ponto.</translation>
     </message>
@@ -1036,12 +1128,12 @@
         <translation>De uma trinca central, no sentido anti-horário a partir de +x.</translation>
     </message>
     <message>
-        <source>Geometry (.poly .geo .geojson .dxf .wkt .txt .csv) or a mesh whose boundary is meant (.msh .inp .vtu .bdf .nf .ele).</source>
-        <translation>Geometria (.poly .geo .geojson .dxf .wkt .txt .csv) ou uma malha cujo contorno se quer (.msh .inp .vtu .bdf .nf .ele).</translation>
+        <source>Geometry (.poly .geo .svg .geojson .dxf .wkt .txt .csv and other lines) or a mesh whose boundary is meant (.msh .inp .vtu .bdf .nf .ele).</source>
+        <translation>Geometria (.poly .geo .svg .geojson .dxf .wkt .txt .csv e outras linhas) ou uma malha cujo contorno se quer (.msh .inp .vtu .bdf .nf .ele).</translation>
     </message>
     <message>
-        <source>Mends repeated points, spikes, doubles, gaps and crossings of boundaries, and lists each with its place.</source>
-        <translation>Conserta pontos repetidos, espinhos, duplicatas, vãos e cruzamentos de contornos, e lista cada um com o seu lugar.</translation>
+        <source>Mends repeated points, spikes, doubles, gaps, slivers and crossings of boundaries, and lists each with its place.</source>
+        <translation>Conserta pontos repetidos, espinhos, duplicatas, vãos, lascas e cruzamentos de contornos, e lista cada um com o seu lugar.</translation>
     </message>
     <message>
         <source>Their two lips come apart; they may branch, cross and reach the boundary.</source>

@@ -34,6 +34,8 @@ struct LineOptionTexts {
   std::string fold_axis;
   bool operator==(const LineOptionTexts&) const = default;
 };
+/// Formats, columns, units, axes and planes; `add_line_options` adds the repairs to them.
+void add_line_reading_options(CLI::App& app, LineOptionTexts& texts);
 void add_line_options(CLI::App& app, LineOptionTexts& texts);
 /// @error BadUsage naming the option.
 base::Result<io::LineOptions> line_options(const LineOptionTexts& texts);

@@ -61,14 +61,14 @@ Result<io::Trace> trace_of(const std::string& text) {
 }
 
 Result<double> unit_of(const std::string& text) {
-  DOBRA_TRY(const std::size_t unit, choice("--unit", text, {"m", "km", "ft", "cm", "mm"}));
-  constexpr double metres[] = {1.0, 1000.0, 0.3048, 0.01, 0.001};
+  DOBRA_TRY(const std::size_t unit, choice("--unit", text, {"m", "km", "ft", "in", "cm", "mm"}));
+  constexpr double metres[] = {1.0, 1000.0, 0.3048, 0.0254, 0.01, 0.001};
   return metres[unit];
 }
 
 }  // namespace
 
-void add_line_options(CLI::App& app, LineOptionTexts& texts) {
+void add_line_reading_options(CLI::App& app, LineOptionTexts& texts) {
   app.add_option("--from", texts.format, "Format of the input; by the ending of its name otherwise")->type_name("NAME");
   app.add_option("--columns", texts.columns, "Text: columns of x and height, or of x, y and height; numbers or headers")
       ->type_name("LIST");
@@ -91,9 +91,13 @@ void add_line_options(CLI::App& app, LineOptionTexts& texts) {
       ->type_name("up|down");
   app.add_option("--reference", texts.reference, "With --y-axis down: the value at height 0; 0 by default")
       ->type_name("Y");
-  app.add_option("--unit", texts.unit, "m, km, ft, cm or mm; as the file says otherwise, else m")->type_name("NAME");
+  app.add_option("--unit", texts.unit, "m, km, ft, in, cm or mm; as the file says otherwise, else m")->type_name("NAME");
   app.add_option("--exaggeration", texts.exaggeration, "Heights are stored this many times too large; 1 by default")
       ->type_name("X");
+}
+
+void add_line_options(CLI::App& app, LineOptionTexts& texts) {
+  add_line_reading_options(app, texts);
   app.add_flag("--order", texts.order, "Repair: put unordered points in order along their curve");
   app.add_option("--duplicates", texts.duplicates, "Repair: drop points nearer than this to the one before")
       ->type_name("M");

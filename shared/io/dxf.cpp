@@ -204,7 +204,7 @@ class DrawingReader {
     const auto say = [&](const std::string& remark) { features_.remarks.push_back(file_ + ": " + remark); };
     for (const auto& [type, count] : left_out_)
       say(fmt::format("{} of type {} left out: only lines are read", count, type));
-    if (found.curved > 0) say(fmt::format("{} arcs or splines read as chords", found.curved));
+    if (found.curved > 0) say(fmt::format("{} {}", found.curved, read_as_chords));
     for (const std::string& warning : messages.warnings) say(warning);
     features_.stated = found.stated;
     const bool flat = std::all_of(features_.features.begin(), features_.features.end(),

@@ -12,6 +12,9 @@
 
 namespace dobra::io {
 
+/// How the remark ends that tells of entities which are not held as they were drawn.
+inline constexpr std::string_view read_as_chords = "arcs or splines read as chords";
+
 /// The lines of a drawing, one feature an entity, in drawing units (taken as metres), x right and y up.
 /// A layer is both kind and name: the first entity of layer "TOP" is "TOP", the next "TOP 2"; layer "0", which stands
 /// for none, gives neither. Closed entities, and those whose last point repeats the first, are Polygons of one

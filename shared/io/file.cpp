@@ -101,18 +101,23 @@ std::string ending_of(const std::filesystem::path& file) {
   return ending;
 }
 
-base::Result<std::string> read_bytes(const std::filesystem::path& file) {
-  Descriptor in(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
-  if (in.number() < 0) {
+base::Result<void> check_readable(const std::filesystem::path& file) {
+  struct stat status {};
+  if (::stat(file.c_str(), &status) != 0) {
     if (errno == ENOENT || errno == ENOTDIR) return Error{ErrorCode::FileNotFound, "there is no such file", at(file)};
     return Error{ErrorCode::CannotRead, fmt::format("cannot be read: {}", reason(errno)), at(file)};
   }
+  if (S_ISDIR(status.st_mode)) return Error{ErrorCode::NotAFile, "is a folder; give a file", at(file)};
+  return {};
+}
+
+base::Result<std::string> read_bytes(const std::filesystem::path& file) {
+  DOBRA_TRY_VOID(check_readable(file));
+  Descriptor in(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  if (in.number() < 0) return Error{ErrorCode::CannotRead, fmt::format("cannot be read: {}", reason(errno)), at(file)};
   struct stat status {};
-  if (::fstat(in.number(), &status) == 0 && S_ISDIR(status.st_mode)) {
-    return Error{ErrorCode::NotAFile, "is a folder; give a file", at(file)};
-  }
   std::string bytes;
-  if (S_ISREG(status.st_mode)) bytes.reserve(static_cast<std::size_t>(status.st_size));
+  if (::fstat(in.number(), &status) == 0 && S_ISREG(status.st_mode)) bytes.reserve(static_cast<std::size_t>(status.st_size));
   std::string buffer(std::size_t{1} << 16, '\0');
   for (;;) {
     const ssize_t got = ::read(in.number(), buffer.data(), buffer.size());

@@ -15,6 +15,10 @@ namespace dobra::io {
 /// The ending of a file's name with its dot, in small letters: ".csv"; empty if there is none.
 std::string ending_of(const std::filesystem::path& file);
 
+/// Whether there is something to read: what is said of a name before its ending is judged.
+/// @error FileNotFound, NotAFile (a directory).
+base::Result<void> check_readable(const std::filesystem::path& file);
+
 /// The bytes of a regular file (or of a pipe).
 /// @error FileNotFound, NotAFile (a directory), CannotRead with the system's reason.
 base::Result<std::string> read_bytes(const std::filesystem::path& file);

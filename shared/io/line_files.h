@@ -24,6 +24,8 @@ struct LineFormatNames {
   std::vector<std::string> endings;  ///< The first one is what it is written with.
 };
 const std::vector<LineFormatNames>& line_formats();
+/// All endings of all of them, each with its dot.
+std::vector<std::string> line_endings();
 /// By the ending of a name, capitals or not. @error UnknownFormat, naming the endings.
 base::Result<LineFormat> line_format_of(const std::string& path);
 

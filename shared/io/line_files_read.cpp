@@ -4,10 +4,10 @@
 // 4. Repairs.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <numbers>
 
 #include "shared/io/dxf.h"
@@ -41,19 +41,20 @@ const std::vector<LineFormatNames>& line_formats() {
   return formats;
 }
 
+std::vector<std::string> line_endings() {
+  std::vector<std::string> all;
+  for (const LineFormatNames& names : line_formats()) all.insert(all.end(), names.endings.begin(), names.endings.end());
+  return all;
+}
+
 Result<LineFormat> line_format_of(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return c < 128 ? static_cast<char>(std::tolower(c)) : static_cast<char>(c); });
-  std::string all;
+  const std::string ending = ending_of(path);
   for (const LineFormatNames& names : line_formats()) {
-    for (const std::string& known : names.endings) {
-      if (known == ending) return names.format;
-      all += (all.empty() ? "" : " ") + known;
-    }
+    if (std::find(names.endings.begin(), names.endings.end(), ending) != names.endings.end()) return names.format;
   }
   return Error{ErrorCode::UnknownFormat,
-               fmt::format("the ending of the name tells no format of lines; known are {}", all), Place{.file = path}};
+               fmt::format("the ending of the name tells no format of lines; known are {}", fmt::join(line_endings(), " ")),
+               Place{.file = path}};
 }
 
 namespace {
@@ -71,7 +72,25 @@ std::optional<Question> question_of_columns(const TextPoints& read) {
                               read.column_count, header)};
 }
 
-Result<Features> features_of_text(std::string_view text, const std::string& file, const LineOptions& options) {
+// The outlines of poly2tri's test files: a line HOLE stands before each inner one. It becomes a blank line, which parts lines.
+std::string without_hole_words(std::string_view text, std::size_t& count) {
+  std::string result(text);
+  for (std::size_t begin = 0; begin < result.size();) {
+    const std::size_t end = std::min(result.find('\n', begin), result.size());
+    const std::string_view line = std::string_view(result).substr(begin, end - begin);
+    const std::size_t word = line.find_first_not_of(" \t\r");
+    if (word != std::string_view::npos && line.substr(word, line.find_last_not_of(" \t\r") - word + 1) == "HOLE") {
+      result.replace(begin + word, 4, "    ");
+      ++count;
+    }
+    begin = end + 1;
+  }
+  return result;
+}
+
+Result<Features> features_of_text(std::string_view given, const std::string& file, const LineOptions& options) {
+  std::size_t holes = 0;
+  const std::string text = without_hole_words(given, holes);
   TextPointsOptions wanted = options.text;
   const bool chosen = !wanted.columns.empty();
   if (!chosen) wanted.columns = {"1", "2"};
@@ -81,6 +100,7 @@ Result<Features> features_of_text(std::string_view text, const std::string& file
   }
   DOBRA_TRY(TextPoints read, parse_text_points(text, file, wanted));
   Features features{{}, std::move(read.remarks)};
+  if (holes > 0) features.remarks.push_back(fmt::format("{}: {} lines HOLE taken for the beginnings of further lines", file, holes));
   if (!chosen && options.coordinates == Coordinates::Detect) {
     if (auto question = question_of_columns(read)) features.stated.questions.push_back(*std::move(question));
   }
@@ -346,6 +366,7 @@ Result<LineWork> parse_any_lines(std::string_view text, const std::string& file,
 }
 
 Result<LineWork> read_any_lines(const std::string& path, const LineOptions& options) {
+  DOBRA_TRY_VOID(check_readable(path));
   DOBRA_TRY(const LineFormat format, chosen_format(path, options.format));
   if (format == LineFormat::Shapefile || format == LineFormat::GeoPackage) {
     DOBRA_TRY(Features raw, read_ogr_file(path));

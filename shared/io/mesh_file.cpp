@@ -11,10 +11,12 @@
 #include "shared/io/bdf.h"
 #include "shared/io/file.h"
 #include "shared/io/inp.h"
+#include "shared/io/mesh_polygons.h"
 #include "shared/io/mesh_sides.h"
 #include "shared/io/msh.h"
 #include "shared/io/neutral.h"
 #include "shared/io/node_ele.h"
+#include "shared/io/polygon_file.h"
 #include "shared/io/vtu.h"
 #include "shared/mesh/surface_text.h"
 
@@ -33,10 +35,20 @@ Result<void> write_pair(const std::string& path, const ElementMesh& mesh) {
   return write_node_ele(std::filesystem::path(path).replace_extension().string(), mesh);
 }
 
-template <mesh::SurfaceFormat format>
-Result<void> write_surface(const std::string& path, const ElementMesh& mesh) {
+template <PolygonFormat format>
+Result<void> write_polygons(const std::string& path, const ElementMesh& mesh) {
   DOBRA_TRY_VOID(check_writable(mesh));
-  return write_text(path, mesh::surface_text(triangle_mesh_of(mesh), format));
+  return write_file(path, polygons_text(polygons_of(mesh), format));
+}
+
+Result<void> write_stl(const std::string& path, const ElementMesh& mesh) {
+  DOBRA_TRY_VOID(check_writable(mesh));
+  return write_text(path, mesh::surface_text(triangle_mesh_of(mesh), mesh::SurfaceFormat::Stl));
+}
+
+Result<void> write_graph(const std::string& path, const ElementMesh& mesh) {
+  DOBRA_TRY_VOID(check_writable(mesh));
+  return write_poly(path, poly_of(mesh));
 }
 
 const std::vector<std::pair<std::string, Write>>& writers() {
@@ -54,10 +66,11 @@ const std::vector<std::pair<std::string, Write>>& writers() {
        }},
       {".node", write_pair},
       {".ele", write_pair},
-      {".obj", write_surface<mesh::SurfaceFormat::Obj>},
-      {".ply", write_surface<mesh::SurfaceFormat::Ply>},
-      {".stl", write_surface<mesh::SurfaceFormat::Stl>},
-      {".off", write_surface<mesh::SurfaceFormat::Off>}};
+      {".poly", write_graph},
+      {".obj", write_polygons<PolygonFormat::Obj>},
+      {".ply", write_polygons<PolygonFormat::Ply>},
+      {".stl", write_stl},
+      {".off", write_polygons<PolygonFormat::Off>}};
   return table;
 }
 
@@ -80,6 +93,19 @@ Result<MeshContents> read_pair(const std::string& path) {
   return MeshContents{std::move(mesh), {}};
 }
 
+Result<MeshContents> read_polygon_elements(const std::string& path) {
+  DOBRA_TRY(const mesh::PolygonMesh polygons, read_polygons(path));
+  DOBRA_TRY(ElementMesh mesh, elements_of(polygons, path));
+  return MeshContents{std::move(mesh), {}};
+}
+
+Result<MeshContents> read_stl(const std::string& path) {
+  DOBRA_TRY(const std::string text, read_text(path));
+  const auto triangles = mesh::surface_mesh(text, mesh::SurfaceFormat::Stl);
+  if (!triangles) return base::located(triangles.error(), {.file = path});
+  return MeshContents{element_mesh_of(*triangles), {}};
+}
+
 using Read = Result<MeshContents> (*)(const std::string& path);
 
 const std::vector<std::pair<std::string, Read>>& readers() {
@@ -87,7 +113,9 @@ const std::vector<std::pair<std::string, Read>>& readers() {
       {".vtu", contents_of<read_vtu>},    {".msh", contents_of<read_msh>},
       {".msh2", contents_of<read_msh>},   {".inp", contents_of<read_inp>},
       {".bdf", contents_of<read_bdf>},    {".nas", contents_of<read_bdf>},
-      {".nf", contents_of<read_neutral>}, {".ele", read_pair}};
+      {".nf", contents_of<read_neutral>}, {".ele", read_pair},
+      {".obj", read_polygon_elements},    {".off", read_polygon_elements},
+      {".ply", read_polygon_elements},    {".stl", read_stl}};
   return table;
 }
 
@@ -108,6 +136,12 @@ Result<void> check_mesh_ending(const std::string& path) {
                fmt::format("{}: meshes are written to files that end in {}", path, fmt::join(mesh_endings(), " "))};
 }
 
+std::vector<std::string> mesh_read_endings() {
+  std::vector<std::string> endings;
+  for (const auto& [ending, read] : readers()) endings.push_back(ending);
+  return endings;
+}
+
 bool is_mesh_ending(const std::string& ending) {
   return std::any_of(readers().begin(), readers().end(), [&](const auto& entry) { return entry.first == ending; });
 }
@@ -118,12 +152,29 @@ Result<MeshContents> read_mesh(const std::string& path) {
     if (known == ending) return read(path);
   }
   return Error{ErrorCode::UnknownFormat,
-               fmt::format("{}: meshes are read from .vtu .msh .msh2 .inp .bdf .nas .nf .ele", path)};
+               fmt::format("{}: meshes are read from {}", path, fmt::join(mesh_read_endings(), " "))};
 }
 
 Result<void> write_mesh(const std::string& path, const ElementMesh& mesh) {
   DOBRA_TRY_VOID(check_mesh_ending(path));
   return writer_of(path)(path, mesh);
+}
+
+std::vector<std::string> losses(const std::string& path, const ElementMesh& mesh) {
+  const std::string ending = ending_of(path);
+  std::vector<std::string> remarks;
+  const auto say = [&](std::string what) { remarks.push_back(fmt::format("{}: {}", path, what)); };
+  const bool second = std::any_of(mesh.types.begin(), mesh.types.end(), mesh::is_quadratic);
+  const auto quads = std::count_if(mesh.types.begin(), mesh.types.end(), [](auto type) { return mesh::corner_count(type) == 4; });
+  const bool surface = ending == ".obj" || ending == ".ply" || ending == ".off" || ending == ".stl";
+  if (surface && second) say(fmt::format("a {} file holds corners only; the nodes at mid-sides are left out", ending));
+  if (surface) say(fmt::format("a {} file holds no names; sets and regions are left out", ending));
+  if (ending == ".stl" && quads > 0) say(fmt::format("an .stl file holds triangles only; {} quadrilaterals are cut in two", quads));
+  if (ending == ".poly") say("a .poly file holds the lines of the geometry: elements, named points and the lips of cracks are left out, side sets are marked 1, 2 ... in the order of their names");
+  if (ending == ".msh" || ending == ".msh2") {
+    for (const auto& [name, written] : msh_renamings(mesh)) say(fmt::format("the name '{}' is written as '{}': names in a .msh stand in quotes, on one line", name, written));
+  }
+  return remarks;
 }
 
 }  // namespace dobra::io

@@ -14,7 +14,9 @@ struct MeshContents {
   std::vector<std::string> remarks;  ///< What was left out, one line each.
 };
 
-/// Whether read_mesh reads it: .vtu .msh .msh2 .inp .bdf .nas .nf .ele (with its .node beside it).
+/// The endings that read_mesh knows, each with its dot.
+std::vector<std::string> mesh_read_endings();
+/// Whether read_mesh reads it.
 bool is_mesh_ending(const std::string& ending);
 
 /// By the ending.
@@ -28,8 +30,11 @@ const std::vector<std::string>& mesh_endings();
 base::Result<void> check_mesh_ending(const std::string& path);
 
 /// .vtu .msh (4.1) .msh2 (2.2) .inp .bdf .nas (large field) .nf; .node and .ele (both are written, whichever is named);
-/// .obj .ply .stl .off: the corners as triangles, without sets.
+/// .poly: the lines of the geometry (mesh_polygons.h); .obj .ply .off: the corners as polygons, .stl as triangles, without sets.
 /// @error BadUsage for another ending; those of the writers.
 base::Result<void> write_mesh(const std::string& path, const mesh::ElementMesh& mesh);
+
+/// What write_mesh leaves out or renames for the format of that ending, one line each, for the user.
+std::vector<std::string> losses(const std::string& path, const mesh::ElementMesh& mesh);
 
 }  // namespace dobra::io

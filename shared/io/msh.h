@@ -6,6 +6,7 @@
 // Names in the file: a side set keeps its name as a physical curve, a node set as a physical point. A region is a
 // physical surface: its name under its tag, or "region:TAG" ("region:TAG:NAME" for a tag that is not above 0).
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,11 +24,15 @@ struct MshContents {
 enum class MshVersion { V22, V41 };
 
 /// The text of a .msh with every digit. Node and element tags are the positions in the mesh, from 1.
-/// @error NotFinite; CannotMesh: no elements; InvalidOption: a name with a quote or a line end.
+/// Names stand in quotes on one line: a quote in a name becomes ', a line end a blank (msh_renamings says which).
+/// @error NotFinite; CannotMesh: no elements.
 base::Result<std::string> msh_text(const mesh::ElementMesh& mesh, MshVersion version = MshVersion::V41);
 /// @error those of msh_text, CannotWrite
 base::Result<void> write_msh(const std::string& path, const mesh::ElementMesh& mesh,
                              MshVersion version = MshVersion::V41);
+
+/// The names of sets and regions that a .msh cannot hold, and what stands there instead.
+std::map<std::string, std::string> msh_renamings(const mesh::ElementMesh& mesh);
 
 /// A .msh of version 4.1 or 2.2, ASCII; ours or gmsh's. Nodes and elements come in the order of their tags, elements
 /// anticlockwise. A surface outside physical groups gives region 0; lines outside are left out.

@@ -11,6 +11,7 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <utility>
 #include <span>
 
 #include "shared/base/text.h"
@@ -87,16 +88,63 @@ std::string nodes_text(const SetEdge& edge) {
   return nodes_text(std::span(nodes).first(edge.middle.valid() ? 3 : 2));
 }
 
-Result<void> check_names(const ElementMesh& mesh) {
-  const auto check = [](const std::string& name) -> Result<void> {
-    if (name.find_first_of("\"\r\n") == std::string::npos && !name.empty()) return {};
-    return Error{ErrorCode::InvalidOption,
-                 fmt::format("set name {} cannot stand in a .msh; use one without quotes and line ends", shown(name))};
+/// A name as it can stand between quotes.
+std::string quotable(const std::string& name) {
+  std::string result = name.empty() ? "_" : name;
+  std::replace(result.begin(), result.end(), '"', '\'');
+  std::replace(result.begin(), result.end(), '\r', ' ');
+  std::replace(result.begin(), result.end(), '\n', ' ');
+  return result;
+}
+
+/// The quotable names of one kind of sets, no two alike.
+class Names {
+ public:
+  explicit Names(const std::vector<std::string>& all) {
+    for (const std::string& name : all) {
+      if (quotable(name) == name) used_.insert(name);
+    }
+    for (const std::string& name : all) {
+      if (quotable(name) == name) continue;
+      std::string free = quotable(name);
+      for (int i = 2; !used_.insert(free).second; ++i) free = fmt::format("{}_{}", quotable(name), i);
+      renamed_.emplace(name, std::move(free));
+    }
+  }
+  [[nodiscard]] std::string of(const std::string& name) const {
+    const auto found = renamed_.find(name);
+    return found == renamed_.end() ? name : found->second;
+  }
+  [[nodiscard]] const std::map<std::string, std::string>& renamed() const { return renamed_; }
+
+ private:
+  std::set<std::string> used_;
+  std::map<std::string, std::string> renamed_;
+};
+
+struct AllNames {
+  Names sides, nodes, regions;
+};
+AllNames names_of(const ElementMesh& mesh) {
+  const auto keys = [](const auto& sets) {
+    std::vector<std::string> names;
+    for (const auto& [name, members] : sets) names.push_back(name);
+    return names;
   };
-  for (const auto& [name, sides] : mesh.side_sets) DOBRA_TRY_VOID(check(name));
-  for (const auto& [tag, name] : mesh.region_names) DOBRA_TRY_VOID(check(name));
-  for (const auto& [name, nodes] : mesh.node_sets) DOBRA_TRY_VOID(check(name));
-  return {};
+  std::vector<std::string> regions;
+  for (const auto& [tag, name] : mesh.region_names) regions.push_back(name);
+  return {Names(keys(mesh.side_sets)), Names(keys(mesh.node_sets)), Names(regions)};
+}
+
+ElementMesh renamed(ElementMesh mesh, const AllNames& names) {
+  const auto rename = [](auto& sets, const Names& all) {
+    auto old = std::exchange(sets, {});
+    for (auto& [name, members] : old) sets.emplace(all.of(name), std::move(members));
+  };
+  rename(mesh.side_sets, names.sides);
+  rename(mesh.node_sets, names.nodes);
+  for (auto& [tag, name] : mesh.region_names) name = names.regions.of(name);
+  return mesh;
 }
 
 // Step 1.
@@ -344,9 +392,20 @@ void write_version_22(const Model& model, std::string& text) {
 
 }  // namespace
 
+std::map<std::string, std::string> msh_renamings(const ElementMesh& mesh) {
+  AllNames names = names_of(mesh);
+  std::map<std::string, std::string> all = names.sides.renamed();
+  all.insert(names.nodes.renamed().begin(), names.nodes.renamed().end());
+  all.insert(names.regions.renamed().begin(), names.regions.renamed().end());
+  return all;
+}
+
 Result<std::string> msh_text(const ElementMesh& mesh, MshVersion version) {
   DOBRA_TRY_VOID(check_writable(mesh));
-  DOBRA_TRY_VOID(check_names(mesh));
+  const AllNames names = names_of(mesh);
+  if (!names.sides.renamed().empty() || !names.nodes.renamed().empty() || !names.regions.renamed().empty()) {
+    return msh_text(renamed(mesh, names), version);
+  }
   Model model = numbered(mesh);
   std::string text = fmt::format("$MeshFormat\n{} 0 8\n$EndMeshFormat\n", version == MshVersion::V22 ? "2.2" : "4.1");
   write_names(model, text);

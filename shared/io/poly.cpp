@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <optional>
+#include <sstream>
 
 #include "shared/base/text.h"
 #include "shared/io/file.h"
@@ -113,6 +116,34 @@ Result<PolyFile> read_poly(const std::string& path) {
     return parse_poly(text, path, &nodes);
   }
   return parse_poly(text, path);
+}
+
+std::optional<PolyFile> counted_graph(std::string_view text) {
+  std::vector<geom::Point> rows;
+  Lines lines(text);
+  while (lines.next()) {
+    std::istringstream words{std::string(lines.line())};
+    std::string x, y, more;
+    if (!(words >> x)) continue;
+    if (!(words >> y) || words >> more) return std::nullopt;
+    const auto first = base::parse_number(x);
+    const auto second = base::parse_number(y);
+    if (!first || !second || !is_finite(geom::Point{*first, *second})) return std::nullopt;
+    rows.push_back({*first, *second});
+  }
+  const auto whole = [](double value) { return value >= 0.0 && value < 4e9 && value == std::floor(value); };
+  if (rows.empty() || !whole(rows[0].x) || !whole(rows[0].y)) return std::nullopt;
+  const auto points = static_cast<std::size_t>(rows[0].x);
+  const auto segments = static_cast<std::size_t>(rows[0].y);
+  if (points < 3 || segments < 3 || rows.size() != 1 + points + segments) return std::nullopt;
+  PolyFile graph;
+  const auto links = rows.begin() + 1 + static_cast<std::ptrdiff_t>(points);
+  graph.nodes.points.assign(rows.begin() + 1, links);
+  for (auto link = links; link != rows.end(); ++link) {
+    if (!whole(link->x) || !whole(link->y) || std::max(link->x, link->y) >= rows[0].x || link->x == link->y) return std::nullopt;
+    graph.segments.push_back({static_cast<std::uint32_t>(link->x), static_cast<std::uint32_t>(link->y)});
+  }
+  return graph;
 }
 
 Result<std::string> poly_text(const PolyFile& poly) {

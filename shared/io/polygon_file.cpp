@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <limits>
 
+#include "shared/base/text.h"
 #include "shared/io/file.h"
 #include "shared/io/scan.h"
 
@@ -100,13 +102,106 @@ Result<PolygonMesh> parse_off(std::string_view text, const std::string& file) {
   return mesh;
 }
 
+namespace {
+
+/// An element of the header of a .ply: how many records of which numbers follow.
+struct PlyElement {
+  std::string name;
+  std::size_t count = 0;
+  std::vector<std::string> properties;  ///< Names; "list" for one of a list.
+};
+
+Result<std::vector<PlyElement>> ply_header(Records& records) {
+  DOBRA_TRY_VOID(records.expect("ply"));
+  if (records.word(0) != "ply") return records.error(0, "a .ply file begins with ply");
+  std::vector<PlyElement> elements;
+  for (;;) {
+    DOBRA_TRY_VOID(records.expect("end_header"));
+    const std::string_view word = records.word(0);
+    if (word == "end_header") return elements;
+    if (word == "format" && records.size() > 1 && records.word(1) != "ascii") {
+      return records.error(1, "a binary .ply is not read; save it as ascii");
+    }
+    if (word == "element") {
+      if (records.size() < 3) return records.error(0, "an element needs a name and a number");
+      DOBRA_TRY(const std::size_t count, records.count(2, "the number of records", most_items));
+      elements.push_back({std::string(records.word(1)), count, {}});
+    } else if (word == "property") {
+      if (elements.empty() || records.size() < 3) return records.error(0, "a property belongs to an element");
+      const bool list = records.word(1) == "list";
+      elements.back().properties.emplace_back(list ? "list" : records.word(2));
+    }
+  }
+}
+
+Result<std::vector<std::uint32_t>> ply_face(const Records& records, std::size_t at, std::size_t points) {
+  if (at >= records.size()) return records.error(0, "the face has no corners");
+  DOBRA_TRY(const std::size_t corners, records.count(at, "the number of corners", records.size() - at - 1));
+  std::vector<std::uint32_t> face;
+  for (std::size_t i = at + 1; i <= at + corners; ++i) {
+    DOBRA_TRY(const std::size_t corner, records.count(i, "the corner", most_items));
+    if (corner >= points) return records.error(i, fmt::format("there is no point {}", corner));
+    face.push_back(static_cast<std::uint32_t>(corner));
+  }
+  return face;
+}
+
+}  // namespace
+
+Result<PolygonMesh> parse_ply(std::string_view text, const std::string& file) {
+  DOBRA_TRY_VOID(check_text(text, file));
+  Records records(text, file);
+  DOBRA_TRY(const std::vector<PlyElement> elements, ply_header(records));
+  PolygonMesh mesh;
+  for (const PlyElement& element : elements) {
+    const auto column = [&](std::string_view name) {
+      const auto& all = element.properties;
+      return static_cast<std::size_t>(std::find(all.begin(), all.end(), name) - all.begin());
+    };
+    for (std::size_t i = 0; i < element.count; ++i) {
+      DOBRA_TRY_VOID(records.expect(fmt::format("{} {} of {}", element.name, i + 1, element.count)));
+      if (element.name == "vertex") {
+        Point3 point;
+        DOBRA_TRY(point.x, records.number(column("x"), "x"));
+        DOBRA_TRY(point.y, records.number(column("y"), "y"));
+        DOBRA_TRY(point.z, records.number(column("z"), "z"));
+        mesh.points.push_back(point);
+      } else if (element.name == "face") {
+        DOBRA_TRY(auto face, ply_face(records, column("list"), mesh.points.size()));
+        mesh.faces.push_back(std::move(face));
+      }
+    }
+  }
+  return mesh;
+}
+
+std::string polygons_text(const PolygonMesh& mesh, PolygonFormat format) {
+  const bool obj = format == PolygonFormat::Obj;
+  std::string text;
+  if (format == PolygonFormat::Off) text = fmt::format("OFF\n{} {} 0\n", mesh.points.size(), mesh.faces.size());
+  if (format == PolygonFormat::Ply) {
+    text = fmt::format("ply\nformat ascii 1.0\nelement vertex {}\nproperty double x\nproperty double y\nproperty double z\n"
+                       "element face {}\nproperty list uchar int vertex_indices\nend_header\n",
+                       mesh.points.size(), mesh.faces.size());
+  }
+  for (const Point3& p : mesh.points) {
+    text += fmt::format("{}{} {} {}\n", obj ? "v " : "", base::number_text(p.x), base::number_text(p.y), base::number_text(p.z));
+  }
+  for (const auto& face : mesh.faces) {
+    text += obj ? std::string("f") : fmt::format("{}", face.size());
+    for (const std::uint32_t corner : face) text += fmt::format(" {}", corner + (obj ? 1 : 0));
+    text += '\n';
+  }
+  return text;
+}
+
 Result<PolygonMesh> read_polygons(const std::string& path) {
   const std::string ending = ending_of(path);
-  if (ending != ".obj" && ending != ".off") {
-    return Error{ErrorCode::UnknownFormat, fmt::format("{}: polygon meshes are read from .obj and .off", path)};
+  if (ending != ".obj" && ending != ".off" && ending != ".ply") {
+    return Error{ErrorCode::UnknownFormat, fmt::format("{}: polygon meshes are read from .obj, .off and .ply", path)};
   }
   DOBRA_TRY(const std::string text, read_text(path));
-  return ending == ".obj" ? parse_obj(text, path) : parse_off(text, path);
+  return ending == ".obj" ? parse_obj(text, path) : ending == ".off" ? parse_off(text, path) : parse_ply(text, path);
 }
 
 }  // namespace dobra::io

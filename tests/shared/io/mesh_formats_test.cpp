@@ -194,11 +194,21 @@ TEST(Msh, AMeshMadeByGmshIsRead) {
 TEST(Msh, MeshesThatCannotBeWrittenAreRefused) {
   EXPECT_EQ(msh_text(ElementMesh{}).error().code, ErrorCode::CannotMesh);
   ElementMesh mesh = test::example_mesh(3);
-  mesh.node_sets["a \"b\""] = {NodeId(0)};
-  EXPECT_EQ(msh_text(mesh).error().code, ErrorCode::InvalidOption);
-  mesh = test::example_mesh(3);
   mesh.points[0].y = NAN;
   EXPECT_EQ(msh_text(mesh).error().code, ErrorCode::NotFinite);
+}
+
+TEST(Msh, NamesThatCannotStandInQuotesAreRenamed) {
+  ElementMesh mesh = test::example_mesh(3);
+  mesh.node_sets["a \"b\""] = {NodeId(0)};
+  mesh.node_sets["a 'b'"] = {NodeId(1)};
+  EXPECT_EQ(msh_renamings(mesh), (std::map<std::string, std::string>{{"a \"b\"", "a 'b'_2"}}));
+  for (const MshVersion version : {MshVersion::V22, MshVersion::V41}) {
+    const auto read = parse_msh(msh_text(mesh, version).value(), "m.msh");
+    ASSERT_TRUE(read.ok()) << base::to_string(read.error());
+    EXPECT_EQ(read->mesh.node_sets.at("a 'b'_2"), std::vector{NodeId(0)});
+    EXPECT_EQ(read->mesh.node_sets.at("a 'b'"), std::vector{NodeId(1)});
+  }
 }
 
 TEST(Msh, BadTextIsRefusedWithItsPlace) {

@@ -1,0 +1,20 @@
+#pragma once
+// What looks wrong in a domain that can be meshed all the same: lines that nearly close, and parts of curves that run closer to each
+// other than the mesh can follow well (slivers).  Page: docs/algorithms/domain_repair.md.
+
+#include <vector>
+
+#include "quebra/core/model.h"
+
+namespace quebra::core {
+
+struct FlawOptions {
+  double near_end = 0.01;   ///< Gaps of chains of internal lines that would close, as a fraction of the domain's diagonal.
+  double sliver = 1e-3;     ///< Parts of curves nearer to each other than this fraction of the sides there are slivers.
+  double side = 0.05;       ///< Sides count as no longer than this fraction of the diagonal, as the mesher's own size is.
+};
+
+/// Each with its place and what to do; nothing is changed.  @cost O(n log n)
+std::vector<Finding> flaws_of(const Domain& domain, const FlawOptions& options = {});
+
+}  // namespace quebra::core
