@@ -29,7 +29,7 @@ TEST(ElementQuality, ABentTriangleIsFoundByItsJacobian) {
   mesh.side_sets["bottom"] = {{ElementId(0), 0}};
   EXPECT_EQ(element_quality_of(mesh).jacobian_min, 1.0);
   EXPECT_FALSE(element_quality_of(mesh).worst_jacobian.valid());
-  // The mid-side of the bottom moved up by m: the determinant is 1 - 4 m at both ends of the side, 1 + 4 m ... between.
+  // The mid-side of the bottom moved up by m: the determinant is 1 - 4 m at its right end, 1 at the left.
   const double m = 0.1;
   const auto bent = to_second_order(mesh, {{"bottom", [m](geom::Point a, geom::Point b) { return midpoint(a, b) + geom::Vector{0, m}; }}});
   const ElementQuality quality = element_quality_of(bent.mesh);
