@@ -41,13 +41,13 @@ struct Options {
   dobra::cli::ScenarioOptions scenario;
   std::optional<double> size, growth, turn;
   std::optional<std::int64_t> smoothing, max_elements, stop_after;
-  std::string order, engine;
+  std::string order, engine, size_formula, background_field, division;
   bool quads = false;
   bool repair = false;
   bool closed = false;
   dobra::cli::LineOptionTexts lines;
   std::vector<std::string> bands, zones;
-  std::optional<std::filesystem::path> out, histogram, picture;
+  std::optional<std::filesystem::path> out, histogram, picture, size_field, background;
 };
 
 /// The parts of "a:b:c".
@@ -114,8 +114,16 @@ void set_parameters(const Options& options, scenario::Table& params) {
   set("smoothing", options.smoothing);
   set("max_elements", options.max_elements);
   set("stop_after", options.stop_after);
-  if (!options.engine.empty()) params.set("engine", options.engine);
-  if (!options.order.empty()) params.set("order", options.order);
+  const auto set_text = [&](const char* key, const std::string& text) {
+    if (!text.empty()) params.set(key, text);
+  };
+  set_text("engine", options.engine);
+  set_text("order", options.order);
+  set_text("size_formula", options.size_formula);
+  set_text("background_field", options.background_field);
+  set_text("division", options.division);
+  // Named from where the user stands, not from the scenario's folder.
+  if (options.background) params.set("background", std::filesystem::absolute(*options.background).string());
   if (options.quads) params.set("quads", std::string("yes"));
 }
 
@@ -187,7 +195,7 @@ struct Figures {
 };
 
 Figures figures_of(const scenario::Program& program, const scenario::State& state) {
-  constexpr std::array wanted{"work.steps", "work.triangles", "work.front", "elements", "quadrilaterals", "nodes", "tips", "area", "alpha_mean", "alpha_90", "alpha_min", "min_angle", "max_angle", "gradation_p95"};
+  constexpr std::array wanted{"work.steps", "work.triangles", "work.front", "elements", "quadrilaterals", "nodes", "tips", "area", "alpha_mean", "alpha_90", "alpha_min", "min_angle", "max_angle", "gradation_p95", "jacobian_min", "quad_shape_mean", "quad_shape_min"};
   Figures figures;
   const bool at_work = scenario::model_of<core::Model>(state).work != nullptr;
   for (const scenario::Quantity& quantity : program.quantities_of(state)) {
@@ -228,8 +236,9 @@ Result<void> write_out(Session& session, const std::filesystem::path& out, const
 
 Result<int> mesh_job(Session& session, const Options& options) {
   if (options.out) DOBRA_TRY_VOID(io::check_mesh_ending(options.out->string()));
-  if (options.histogram) DOBRA_TRY_VOID(dobra::cli::check_ending(*options.histogram, dobra::cli::Drawer::Cairo));
-  if (options.picture) DOBRA_TRY_VOID(dobra::cli::check_ending(*options.picture, dobra::cli::Drawer::Cairo));
+  for (const auto& file : {options.histogram, options.picture, options.size_field}) {
+    if (file) DOBRA_TRY_VOID(dobra::cli::check_ending(*file, dobra::cli::Drawer::Cairo));
+  }
   DOBRA_TRY(const scenario::Document document, document_of(session, options));
   const auto start = std::chrono::steady_clock::now();
   const auto since = [](auto from) { return std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count(); };
@@ -262,6 +271,7 @@ Result<int> mesh_job(Session& session, const Options& options) {
   }
   if (options.histogram) DOBRA_TRY_VOID(dobra::cli::draw(core::histogram_picture(meshed), *options.histogram, dobra::cli::Drawer::Cairo));
   if (options.picture) DOBRA_TRY_VOID(dobra::cli::draw(session.program.picture_of(state), *options.picture, dobra::cli::Drawer::Cairo));
+  if (options.size_field) DOBRA_TRY_VOID(dobra::cli::draw(core::size_field_picture(model, meshed), *options.size_field, dobra::cli::Drawer::Cairo));
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   figures.peak_memory = static_cast<std::size_t>(usage.ru_maxrss) * 1024;
@@ -284,7 +294,13 @@ Command mesh_command() {
             app.add_option("--set", options->scenario.assignments, "Change a value, such as input.width=2; may be repeated")
                 ->allow_extra_args(false)
                 ->type_name("PATH=VALUE");
-            app.add_option("--size", options->size, "Greatest length of element sides")->type_name("H");
+            app.add_option("--size", options->size, "Target length of element sides: on curves none is longer, inside a few are by half")->type_name("H");
+            app.add_option("--size-formula", options->size_formula, "Target length as a formula of x and y, such as \"0.1 + 0.05 * hypot(x, y)\"")->type_name("F");
+            app.add_option("--background", options->background, "Mesh whose element sizes are wanted, or a field of it")->type_name("FILE");
+            app.add_option("--background-field", options->background_field, "Field at the points of the background mesh (.vtu) that holds the sizes")->type_name("NAME");
+            app.add_option("--division", options->division, "Of curves: even (default), as few sides as meet size and turn, or halving (SUR-2), 2:1 along a curve")
+                ->check(CLI::IsMember({"even", "halving"}))
+                ->type_name("even|halving");
             app.add_option("--growth", options->growth, "Most by which sizes grow from one element to the next; 1.3 by default")->type_name("G");
             app.add_option("--turn", options->turn, "Degrees that one side may turn along an arc; 15 by default")->type_name("DEG");
             app.add_option("--smoothing", options->smoothing, "Passes of smoothing; 3 by default")->type_name("N");
@@ -309,6 +325,7 @@ Command mesh_command() {
                 ->type_name("N");
             app.add_option("--picture", options->picture, "Draw the mesh; with --stop-after the triangles made so far and the front")->type_name("FILE.svg|pdf|png");
             app.add_option("--histogram", options->histogram, "Draw how many elements have which quality alpha")->type_name("FILE.svg|pdf|png");
+            app.add_option("--size-field", options->size_field, "Draw the sizes that the mesh was to have, and the quadtree that carries them")->type_name("FILE.svg|pdf|png");
             return [options](Session& session) { return mesh_job(session, *options); };
           }};
 }

@@ -78,7 +78,7 @@ Result<Model> adapt(const Model& model, const AdaptParams& params, const dobra::
   if (!model.problem) return Error{ErrorCode::BadValue, "there is nothing to analyse: put a step 'problem' with materials, supports and loads before"};
   Model result = model;
   const double size = params.size > 0.0 ? params.size : model.domain.box().diagonal() / 8.0;
-  MeshParams meshing{.label = {}, .size = size, .turn = params.turn, .growth = params.growth, .constraints = params.constraints, .order = params.order, .rosettes = params.rosettes};
+  MeshParams meshing{.label = {}, .size = size, .division = params.division, .turn = params.turn, .growth = params.growth, .constraints = params.constraints, .order = params.order, .rosettes = params.rosettes};
   std::vector<mesh::SizeRequest> sizes;
   double before = 1.0;
   for (int cycle = 1;; ++cycle) {

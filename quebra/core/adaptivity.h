@@ -17,6 +17,7 @@ struct AdaptParams {
   double min_size = 0.0;
   double growth = 1.3;
   dobra::base::Angle turn = dobra::base::Angle::from_degrees(30.0);
+  DivisionRule division = DivisionRule::Even;
   Order order = Order::Second;
   UseConstraints constraints = UseConstraints::Yes;
   UseRosettes rosettes = UseRosettes::No;
@@ -30,6 +31,7 @@ struct AdaptParams {
     d.field("min_size", &AdaptParams::min_size, {.title = "Least size", .unit = "m", .at_least = 0});
     d.field("growth", &AdaptParams::growth, {.title = "Growth", .help = "Most by which sizes may grow from one element to the next.", .above = 1, .at_most = 10});
     d.field("turn", &AdaptParams::turn, {.title = "Greatest turn", .help = "That one element side on an arc may span.", .unit = "deg", .above = 0, .at_most = 90});
+    d.choice("division", &AdaptParams::division, {"even", "halving"}, {.title = "Division of curves", .help = "even: as few sides as meet the sizes; halving: sides halved until they do, 2:1 along a curve."});
     d.choice("order", &AdaptParams::order, {"1", "2"}, {.title = "Order"});
     d.choice("constraints", &AdaptParams::constraints, {"yes", "no"}, {.title = "Obey constraints"});
     d.choice("rosettes", &AdaptParams::rosettes, {"no", "yes"}, {.title = "Rosettes", .help = "Quarter-point elements at crack tips; they keep their size."});

@@ -22,7 +22,8 @@
 //   3 the offset is cut where it meets the boundary, and the parts outside the domain are dropped;
 //   4 lengthened parts that end inside the domain are taken back;
 //     (round a crack: 2' both sides' offsets are closed by half circles round its tips, and 4 falls away)
-//   5 what is left gets nodes at the wanted spacing, and its ends become nodes of the boundary.
+//   5 band.h: what is left gives way to other bands, gets nodes at the wanted spacing, and its ends become nodes of the
+//     boundary.
 
 namespace quebra::core {
 namespace {
@@ -36,9 +37,6 @@ using dobra::geom::Point;
 using dobra::geom::Polyline;
 using dobra::geom::Segment;
 using dobra::geom::Vector;
-
-/// Vertices of an offset curve that turn by less are smooth: nodes need not stand there.
-constexpr double corner_cosine = 0.94;  // about 20 degrees
 
 // --- 1 the base -------------------------------------------------------------------------------------------------------
 
@@ -70,9 +68,10 @@ Result<std::vector<Domain::Side>> sides_in_order(const Domain& domain, const std
   return Error{ErrorCode::BadValue, "the base curves do not follow each other round one loop; use a step for each"};
 }
 
-Polyline divided(const Curve& curve, double size) {
+Result<Polyline> divided(const Curve& curve, double size) {
   Polyline line{{}, closed(curve)};
-  for (const double s : divide(curve, {}, {.size = size})) line.points.push_back(point(curve, s));
+  DOBRA_TRY(const std::vector<double> nodes, divide(curve, {}, {.size = size}));
+  line.points = points(curve, nodes);
   if (line.closed) line.points.pop_back();
   return line;
 }
@@ -89,7 +88,10 @@ Result<Polyline> base_line(const Domain& domain, const ConstraintParams& params)
   const double size = domain.box().diagonal() / 20.0;
   for (const auto& side : sides) {
     const Curve& curve = domain.curves[side.curve];
-    Polyline line = params.spacing == Spacing::Base ? divided(curve, size) : trace(curve).line;
+    Polyline line = trace(curve).line;
+    if (params.spacing == Spacing::Base) {
+      DOBRA_TRY(line, divided(curve, size));
+    }
     if (line.closed) return line;
     if (side.backwards) line = reversed(std::move(line));
     base.points.insert(base.points.end(), line.points.begin(), line.points.end());
@@ -255,64 +257,6 @@ void take_back(Piece& piece, std::uint32_t last) {
   points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(drop));
 }
 
-// --- 5 nodes ----------------------------------------------------------------------------------------------------------
-
-/// The same line with vertices only at its ends, its corners, and evenly between them about `spacing` apart.
-Polyline respaced(const Polyline& line, double spacing) {
-  const std::size_t n = line.points.size();
-  std::vector<std::size_t> kept;
-  for (std::size_t i = 0; i < n; ++i) {
-    const bool is_end = !line.closed && (i == 0 || i + 1 == n);
-    if (!is_end) {
-      const Vector in = normalised(line.points[i] - line.points[(i + n - 1) % n]);
-      const Vector out = normalised(line.points[(i + 1) % n] - line.points[i]);
-      if (dot(in, out) > corner_cosine) continue;
-    }
-    kept.push_back(i);
-  }
-  if (kept.empty()) kept.push_back(0);
-  const std::vector<double> arc = arc_lengths(line);
-  const std::size_t runs = line.closed ? kept.size() : kept.size() - 1;
-  Polyline result{{}, line.closed};
-  for (std::size_t run = 0; run < runs; ++run) {
-    const double from = arc[kept[run]];
-    const double to = run + 1 < kept.size() ? arc[kept[run + 1]] : arc.back() + arc[kept.front()];
-    const int least = line.closed && runs == 1 ? 3 : 1;
-    const int pieces = std::max(least, static_cast<int>(std::ceil((to - from) / spacing - 0.25)));
-    for (int i = 0; i < pieces; ++i) {
-      const double s = from + (to - from) * i / pieces;
-      result.points.push_back(i == 0 ? line.points[kept[run]] : point_at(line, arc, s > arc.back() ? s - arc.back() : s));
-    }
-  }
-  if (!line.closed) result.points.push_back(line.points.back());
-  return result;
-}
-
-/// The node of the boundary where a constraint ends: the corner, where that is near.
-Point settle(const Domain& domain, Constraint::Foot& foot, double spacing) {
-  const Curve& curve = domain.curves[foot.curve];
-  for (const double corner : corners(curve)) {
-    if (std::abs(corner - foot.s) < 0.3 * spacing) foot.s = corner;
-  }
-  return point(curve, foot.s);
-}
-
-Constraint make_constraint(const Domain& domain, Piece piece, double distance, double spacing, Spacing kind) {
-  Constraint result;
-  result.distance = distance;
-  result.spacing = spacing;
-  result.line = kind == Spacing::Ring ? respaced(piece.line, spacing) : std::move(piece.line);
-  if (piece.start) {
-    result.line.points.front() = settle(domain, *piece.start, spacing);
-    result.feet.push_back(*piece.start);
-  }
-  if (piece.end) {
-    result.line.points.back() = settle(domain, *piece.end, spacing);
-    result.feet.push_back(*piece.end);
-  }
-  return result;
-}
-
 /// Steps 2 to 4 for one distance.
 Result<std::vector<Piece>> pieces_beside(const Polyline& base, double distance, const Cutter& cutter) {
   const Polyline lengthened_base = lengthened(base, 2.0 * distance);
@@ -347,6 +291,16 @@ bool on_boundary(const Domain& domain, std::size_t crack, Point end) {
   return false;
 }
 
+/// The crack, lengthened by so much at an end on the boundary.
+Polyline reaching_out(const Domain& domain, std::size_t crack, double by) {
+  Polyline base = trace(domain.curves[crack]).line;
+  const std::array opens{on_boundary(domain, crack, base.points.front()), on_boundary(domain, crack, base.points.back())};
+  if (opens[0]) base.points.insert(base.points.begin(), base.points[0] + by * normalised(base.points[0] - base.points[1]));
+  const std::size_t n = base.points.size();
+  if (opens[1]) base.points.push_back(base.points[n - 1] + by * normalised(base.points[n - 1] - base.points[n - 2]));
+  return base;
+}
+
 /// The half circle round a tip from the end of one side's offset to the start of the other's, without both.
 void add_cap(std::vector<Point>& contour, Point tip, Vector ahead, double distance) {
   constexpr int pieces = 18;
@@ -360,11 +314,9 @@ void add_cap(std::vector<Point>& contour, Point tip, Vector ahead, double distan
 /// not reach from end to end (a crack that bends more sharply than the distance). An end on the boundary is lengthened so
 /// that the contour closes outside.
 Result<std::optional<Polyline>> round_crack(const Domain& domain, std::size_t crack, double distance) {
-  Polyline base = trace(domain.curves[crack]).line;
-  const std::array opens{on_boundary(domain, crack, base.points.front()), on_boundary(domain, crack, base.points.back())};
-  if (opens[0]) base.points.insert(base.points.begin(), base.points[0] + 2.0 * distance * normalised(base.points[0] - base.points[1]));
-  const std::size_t n = base.points.size();
-  if (opens[1]) base.points.push_back(base.points[n - 1] + 2.0 * distance * normalised(base.points[n - 1] - base.points[n - 2]));
+  const Curve& curve = domain.curves[crack];
+  const std::array opens{on_boundary(domain, crack, point(curve, 0.0)), on_boundary(domain, crack, point(curve, length(curve)))};
+  const Polyline base = reaching_out(domain, crack, 2.0 * distance);
   std::vector<Point> contour;
   const std::array both{base, reversed(base)};
   for (const Polyline& side : both) {
@@ -396,14 +348,17 @@ Result<Model> add_constraints(const Model& model, const ConstraintParams& params
                               const dobra::base::Progress& progress) {
   const Domain& domain = model.domain;
   const auto crack = crack_of(domain, params);
-  Polyline base;
+  Band band{.curves = params.curves, .source = {}, .tube = crack ? Tube::Round : Tube::Beside, .kind = params.spacing, .distances = {}, .spacings = {}, .lines = {}};
   if (!crack) {
-    DOBRA_TRY(base, base_line(domain, params));
-    base = facing(std::move(base), params.side, domain);
+    DOBRA_TRY(band.source, base_line(domain, params));
+    band.source = facing(std::move(band.source), params.side, domain);
+    const auto curve = curve_named(domain, params.curves.front());
+    if (curve && domain.curves[*curve].role != Role::Boundary && domain.curves[*curve].role != Role::Hole) band.tube = Tube::Right;
   }
-  DOBRA_TRY(const std::vector<double> distances, dobra::offset::distances({static_cast<std::size_t>(params.count), params.distance, params.factor}));
+  DOBRA_TRY(band.distances, dobra::offset::distances({static_cast<std::size_t>(params.count), params.distance, params.factor}));
+  const std::vector<double>& distances = band.distances;
+  if (crack) band.source = reaching_out(domain, *crack, 2.0 * distances.back());
   const Cutter cutter(domain);
-
   Model result = model;
   for (std::size_t k = 0; k < distances.size(); ++k) {
     DOBRA_TRY_VOID(progress.check());
@@ -413,22 +368,31 @@ Result<Model> add_constraints(const Model& model, const ConstraintParams& params
       DOBRA_TRY(const std::optional<Polyline> contour, round_crack(domain, *crack, distances[k]));
       if (contour) pieces = cutter.cut(*contour, std::vector<std::uint32_t>(contour->segment_count(), 0));
     } else {
-      DOBRA_TRY(pieces, pieces_beside(base, distances[k], cutter));
+      DOBRA_TRY(pieces, pieces_beside(band.source, distances[k], cutter));
     }
     const double before = k == 0 ? 0.0 : distances[k - 1];
     const double after = params.factor * distances[k] + params.distance;
-    const double spacing = params.spacing_factor * 0.5 * (after - before);
-    std::size_t number = 0;
-    for (Piece& piece : pieces) {
-      if (piece.line.segment_count() == 0) continue;
-      Constraint made = make_constraint(domain, std::move(piece), distances[k], spacing, params.spacing);
-      made.name = fmt::format("{}_{}{}", params.curves.front(), k + 1, number == 0 ? "" : fmt::format("_{}", number + 1));
-      ++number;
-      result.constraints.push_back(std::move(made));
-    }
-    if (number == 0) {
+    band.spacings.push_back(params.spacing_factor * 0.5 * (after - before));
+    std::erase_if(pieces, [](const Piece& piece) { return piece.line.segment_count() == 0; });
+    for (Piece& piece : pieces) band.lines.push_back({std::move(piece.line), k, piece.start, piece.end});
+    if (pieces.empty()) {
       result.remarks.push_back(fmt::format("constraint {} of '{}' at distance {:.6g} {} and is left out", k + 1, params.curves.front(), distances[k],
                                            crack ? "does not go round the crack in one piece inside the domain" : "lies wholly outside the domain"));
+    }
+  }
+  result.bands.push_back(std::make_shared<const Band>(std::move(band)));
+  result.constraints = constraints_of(domain, result.bands);
+  // The first piece of every curve has its plain name.
+  const auto has = [](const std::vector<Constraint>& constraints, const std::string& name) {
+    return std::any_of(constraints.begin(), constraints.end(), [&](const Constraint& constraint) { return constraint.name == name; });
+  };
+  const std::vector<Constraint> alone = constraints_of(domain, std::span(&result.bands.back(), 1));
+  for (const auto& each : result.bands) {
+    for (std::size_t k = 0; k < each->distances.size(); ++k) {
+      const std::string name = fmt::format("{}_{}", each->curves.front(), k + 1);
+      if ((has(model.constraints, name) || has(alone, name)) && !has(result.constraints, name)) {
+        result.remarks.push_back(fmt::format("constraint '{}' lies nearer to another band's source everywhere and is left out", name));
+      }
     }
   }
   return result;

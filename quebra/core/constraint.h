@@ -5,18 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "quebra/core/model.h"
+#include "quebra/core/band.h"
 #include "shared/base/progress.h"
 #include "shared/scenario/program.h"
 
 namespace quebra::core {
 
 enum class BandSide { Inside, Left, Right };
-
-enum class Spacing {
-  Ring,  ///< Nodes as far apart as the curve is from its two neighbours, on the mean.
-  Base,  ///< Nodes where the offset of the divided base has them.
-};
 
 struct ConstraintParams {
   std::vector<std::string> curves;
@@ -40,7 +35,8 @@ struct ConstraintParams {
   }
 };
 
-/// Adds the constraints; pieces outside the domain are cut away, and a curve of which nothing is left gets a remark.
+/// Adds the constraints; pieces outside the domain are cut away, bands give way to each other (band.h), and a curve of which
+/// nothing is left gets a remark.
 /// @error BadValue for an unknown curve, or curves that do not follow each other.
 dobra::base::Result<Model> add_constraints(const Model& model, const ConstraintParams& params,
                                            const dobra::scenario::Context& context, const dobra::base::Progress& progress);

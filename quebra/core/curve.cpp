@@ -1,5 +1,7 @@
 #include "quebra/core/curve.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,21 +16,28 @@ using dobra::geom::Arc;
 using dobra::geom::Point;
 using dobra::geom::Polyline;
 
-/// Two distances nearer than this fraction of the curve are the same node.
+using dobra::base::Error;
+using dobra::base::ErrorCode;
+using dobra::base::Result;
+
+/// Two distances nearer than this fraction of the curve are the same node; limits are met up to it.
 constexpr double same_node = 1e-9;
+/// Sizes wanted by a field are met up to this factor: it is made of chords, which are shorter than the curve.
+constexpr double near_enough = 1.05;
 
 /// Local size at distance s: the curve's own, bounded near the stops and where a smooth curve turns fast.
 class SizeAlong {
  public:
   SizeAlong(const Curve& curve, double own, const std::vector<Stop>& stops, const DivideOptions& options)
       : curve_(curve), own_(own), options_(options) {
-    if (curve.division.segments == 0) smooth_ = std::get_if<Smooth>(&curve.shape);
+    if (options.rule == DivisionRule::Even) smooth_ = std::get_if<Smooth>(&curve.shape);
     if (const auto* line = std::get_if<Polyline>(&curve.shape)) arc_lengths_ = dobra::geom::arc_lengths(*line);
     for (const Stop& stop : stops) {
       if (stop.size > 0.0) sized_.push_back(stop);
     }
   }
-  [[nodiscard]] double operator()(double s) const {
+  /// What the curve itself allows: never exceeded.
+  [[nodiscard]] double own(double s) const {
     double size = own_;
     if (smooth_ != nullptr) {
       const auto& chords = smooth_->chords();
@@ -36,6 +45,11 @@ class SizeAlong {
       const auto i = static_cast<std::size_t>(above - chords.s.begin()) - 1;
       if (chords.turn[i] > 0.0) size = std::min(size, (chords.s[i + 1] - chords.s[i]) * options_.turn.radians() / chords.turn[i]);
     }
+    return size;
+  }
+  /// With the wishes of stops and of the field.
+  [[nodiscard]] double operator()(double s) const {
+    double size = own(s);
     for (const Stop& stop : sized_) size = std::min(size, stop.size + (options_.growth - 1.0) * std::abs(s - stop.s));
     if (options_.limit) size = std::min(size, options_.limit(at(s)));
     return size;
@@ -63,7 +77,8 @@ struct Integral {
 
 /// Adds the interval up to `to`, halved wherever the size changes much within it: a size that is small at one end only,
 /// by any factor, is seen.
-void integrate(const SizeAlong& size, double size_from, double to, double size_to, Integral& sum) {
+template <class Size>
+void integrate(const Size& size, double size_from, double to, double size_to, Integral& sum) {
   constexpr double alike = 1.5;
   const double from = sum.s.back();
   const double middle = 0.5 * (from + to);
@@ -78,8 +93,9 @@ void integrate(const SizeAlong& size, double size_from, double to, double size_t
   sum.value.push_back(sum.value.back() + (to - from) / size_middle);
 }
 
-/// Nodes strictly between `from` and `to`, so that each piece has about the same integral of ds / size.
-void divide_piece(double from, double to, const SizeAlong& size, std::vector<double>& nodes) {
+/// The integral from `from` to `to`: about the number of pieces.
+template <class Size>
+Integral integral_of(double from, double to, const Size& size) {
   constexpr int samples = 256;
   Integral integral{{from}};
   double before = size(from);
@@ -89,29 +105,138 @@ void divide_piece(double from, double to, const SizeAlong& size, std::vector<dou
     integrate(size, before, s, here, integral);
     before = here;
   }
+  return integral;
+}
+
+Error too_many(const Curve& curve, double pieces, const DivideOptions& options) {
+  const double size = length(curve) / pieces;
+  return {ErrorCode::TooManyElements,
+          fmt::format("curve '{}', {:.6g} m long, would get about {:.3g} sides of {:.3g} m on the mean, more than the {} elements allowed; use a greater size, or raise max_elements",
+                      curve.name, length(curve), pieces, size, options.most)};
+}
+
+/// Nodes strictly between `from` and `to`, so that each piece has the same integral of ds / size.
+Result<void> divide_evenly(const Curve& curve, double from, double to, const SizeAlong& size, const DivideOptions& options, std::vector<double>& nodes) {
+  const auto own = [&](double s) { return size.own(s); };
+  Integral integral = integral_of(from, to, size);
+  // Wishes that the curve's own pieces meet well enough change nothing; others are met in full, and so is the own size.
+  if (Integral alone = integral_of(from, to, own); integral.value.back() <= near_enough * alone.value.back()) integral = std::move(alone);
   const double total = integral.value.back();
-  const int pieces = std::max(1, static_cast<int>(std::ceil(total - 0.25)));
-  for (int piece = 1; piece < pieces; ++piece) {
-    const double wanted = total * piece / pieces;
+  if (!(static_cast<double>(nodes.size()) + total <= static_cast<double>(options.most))) return too_many(curve, static_cast<double>(nodes.size()) + total, options);
+  const auto pieces = static_cast<std::size_t>(std::max(1.0, std::ceil(total * (1.0 - same_node))));
+  for (std::size_t piece = 1; piece < pieces; ++piece) {
+    const double wanted = total * static_cast<double>(piece) / static_cast<double>(pieces);
     const auto above = std::lower_bound(integral.value.begin(), integral.value.end(), wanted);
     const auto i = static_cast<std::size_t>(above - integral.value.begin()) - 1;
     const double inside = (wanted - integral.value[i]) / (integral.value[i + 1] - integral.value[i]);
     nodes.push_back(integral.s[i] + inside * (integral.s[i + 1] - integral.s[i]));
   }
+  return {};
 }
 
-/// `segments` pieces between `from` and `to` whose lengths grow geometrically to `ratio` times the first.
-void divide_exactly(double from, double to, int segments, double ratio, std::vector<double>& nodes) {
-  const double growth = segments > 1 ? std::pow(ratio, 1.0 / (segments - 1)) : 1.0;
-  double piece = 1.0;
-  double total = 0.0;
-  for (int i = 0; i < segments; ++i, piece *= growth) total += piece;
-  piece = 1.0;
-  double travelled = 0.0;
-  for (int i = 1; i < segments; ++i, piece *= growth) {
-    travelled += piece;
-    nodes.push_back(from + (to - from) * travelled / total);
+/// The same by the discretiser of requirement SUR-2.
+Result<void> divide_by_halves(const Curve& curve, double from, double to, const SizeAlong& size, const DivideOptions& options, std::vector<double>& nodes) {
+  const double pieces = static_cast<double>(nodes.size()) + integral_of(from, to, size).value.back();
+  if (!(pieces <= static_cast<double>(options.most))) return too_many(curve, pieces, options);
+  const auto at = [&](double t) { return from + t * (to - from); };
+  const bool straight = std::holds_alternative<Polyline>(curve.shape);
+  const dobra::geom::Vector along = straight ? direction(curve, at(0.5)) : dobra::geom::Vector{};
+  const dobra::geom::CurveFunctions functions{.point = [&](double t) { return point(curve, at(t)); },
+                                              .tangent = [&](double t) { return straight ? along : direction(curve, at(t)); },
+                                              .length = [&](double t0, double t1) { return (t1 - t0) * (to - from); }};
+  dobra::geom::DiscretiseOptions limits{.max_angle = options.turn, .max_length = size.own(from)};
+  limits.max_length_over = [&](double t0, double t1) {
+    constexpr int samples = 8;
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i <= samples; ++i) least = std::min(least, size(at(t0 + (t1 - t0) * i / samples)));
+    return near_enough * least;
+  };
+  DOBRA_TRY(const auto found, dobra::geom::discretise(functions, limits));
+  for (std::size_t i = 1; i + 1 < found.parameters.size(); ++i) nodes.push_back(at(found.parameters[i]));
+  return {};
+}
+
+/// Halves every piece of more than twice a neighbour's length, until there is none.
+void balance(std::vector<double>& nodes, bool closed) {
+  constexpr double most = 2.0 * (1.0 + 1e-6);
+  for (bool changed = true; changed;) {
+    changed = false;
+    std::vector<double> finer{nodes.front()};
+    const std::size_t pieces = nodes.size() - 1;
+    const auto piece = [&](std::size_t i) { return nodes[i + 1] - nodes[i]; };
+    for (std::size_t i = 0; i < pieces; ++i) {
+      double least = std::numeric_limits<double>::infinity();
+      if (i > 0 || closed) least = std::min(least, piece((i + pieces - 1) % pieces));
+      if (i + 1 < pieces || closed) least = std::min(least, piece((i + 1) % pieces));
+      if (piece(i) > most * least) {
+        finer.push_back(0.5 * (nodes[i] + nodes[i + 1]));
+        changed = true;
+      }
+      finer.push_back(nodes[i + 1]);
+    }
+    nodes = std::move(finer);
   }
+}
+
+/// `segments` pieces along a curve whose lengths grow geometrically to `ratio` times the first: distance after u of them.
+class Progression {
+ public:
+  Progression(double length, std::size_t segments, double ratio)
+      : length_(length), n_(static_cast<double>(segments)), growth_(segments > 1 ? std::pow(ratio, 1.0 / (n_ - 1.0)) : 1.0) {
+    // Growth too slow to be told from none.
+    if (std::abs(n_ * std::log(growth_)) < 1e-9) growth_ = 1.0;
+  }
+  [[nodiscard]] double distance(double u) const {
+    if (growth_ == 1.0) return length_ * u / n_;
+    return length_ * std::expm1(u * std::log(growth_)) / std::expm1(n_ * std::log(growth_));
+  }
+  /// Its inverse.
+  [[nodiscard]] double pieces(double s) const {
+    if (growth_ == 1.0) return n_ * s / length_;
+    return std::log1p(s / length_ * std::expm1(n_ * std::log(growth_))) / std::log(growth_);
+  }
+  [[nodiscard]] double longest() const { return std::max(distance(1.0), length_ - distance(n_ - 1.0)); }
+
+ private:
+  double length_, n_, growth_;
+};
+
+/// As many pieces as it takes for the longest to be `size`.
+std::size_t segments_for(double length, double size, double ratio) {
+  const double bias = std::abs(ratio - 1.0) < 1e-9 ? 1.0 : std::max(ratio, 1.0 / ratio);
+  const double above_mean = bias > 1.0 ? bias * std::log(bias) / (bias - 1.0) : 1.0;
+  auto segments = static_cast<std::size_t>(std::max(1.0, std::floor(length / size * above_mean) - 3.0));
+  while (Progression(length, segments, ratio).longest() > size * (1.0 + same_node)) ++segments;
+  return segments;
+}
+
+/// Just `segments` pieces in all: each stop takes the number that is nearest to its place in the progression, one piece
+/// at least between two stops, and the pieces between two stops share what lies between them in the progression's proportions.
+Result<std::vector<double>> divide_explicitly(const Curve& curve, const std::vector<double>& stops, std::size_t segments) {
+  const std::size_t runs = stops.size() - 1;
+  if (segments < runs) {
+    return Error{ErrorCode::BadValue, fmt::format("curve '{}' has {} pieces between its corners and the nodes that others need on it; {} segments cannot follow them: give {} or more",
+                                                  curve.name, runs, segments, runs)};
+  }
+  if (curve.role == Role::Crack && segments < 2) {
+    return Error{ErrorCode::BadValue, fmt::format("crack '{}' of one segment could not open; give it 2 or more", curve.name)};
+  }
+  const Progression progression(stops.back(), segments, curve.division.ratio);
+  std::vector<double> nodes{0.0};
+  std::size_t number = 0;
+  for (std::size_t run = 1; run <= runs; ++run) {
+    const double u_from = progression.pieces(stops[run - 1]);
+    const double u_to = progression.pieces(stops[run]);
+    const auto nearest = static_cast<std::size_t>(std::max(0.0, std::round(u_to)));
+    const std::size_t next = run == runs ? segments : std::clamp(nearest, number + 1, segments - (runs - run));
+    for (std::size_t i = number + 1; i < next; ++i) {
+      const double share = static_cast<double>(i - number) / static_cast<double>(next - number);
+      nodes.push_back(progression.distance(u_from + share * (u_to - u_from)));
+    }
+    nodes.push_back(stops[run]);
+    number = next;
+  }
+  return nodes;
 }
 
 }  // namespace
@@ -223,44 +348,44 @@ Trace trace(const Curve& curve) {
   return result;
 }
 
-std::vector<double> divide(const Curve& curve, std::vector<Stop> stops, const DivideOptions& options) {
+bool explicit_division(const Curve& curve, std::span<const Stop> stops) {
+  if (curve.division.segments == 0 && curve.division.ratio == 1.0) return false;
   const double total = length(curve);
-  const auto before = [](const Stop& a, const Stop& b) { return a.s < b.s; };
-  const Division& said = curve.division;
+  return std::none_of(stops.begin(), stops.end(), [&](const Stop& stop) { return stop.size > 0.0 && stop.s > 0.0 && stop.s < total; });
+}
 
-  double own = options.size;
-  if (said.segments > 0) own = total / said.segments;
-  if (said.size > 0.0) own = said.size;
+Result<std::vector<double>> divide(const Curve& curve, std::vector<Stop> stops, const DivideOptions& options) {
+  const double total = length(curve);
+  const Division& said = curve.division;
+  double own = said.size > 0.0 ? said.size : options.size;
   const auto* const arc = std::get_if<Arc>(&curve.shape);
-  if (arc != nullptr && said.segments == 0) own = std::min(own, arc->radius() * options.turn.radians() * (1.0 + same_node));
+  const double turn_size = arc != nullptr ? arc->radius() * options.turn.radians() * (1.0 + same_node) : own;
+  const bool explicitly = explicit_division(curve, stops);
+  if (!explicitly && said.segments > 0) own = total / said.segments;
+  if (said.segments == 0 && (explicitly || options.rule == DivisionRule::Even)) own = std::min(own, turn_size);
 
   if (curve.tip_size > 0.0) {
     stops.push_back({0.0, curve.tip_size});
     stops.push_back({total, curve.tip_size});
   }
-  for (const double s : corners(curve)) stops.push_back({s, 0.0});
-  std::stable_sort(stops.begin(), stops.end(), before);
-  const SizeAlong size(curve, own, stops, options);
-
-  std::vector<double> nodes;
-  // Sizes at the ends and further stops there do not cut the curve.
-  const bool one_piece = std::all_of(stops.begin(), stops.end(), [&](const Stop& stop) { return stop.s <= 0.0 || stop.s >= total; });
-  for (const Stop& stop : stops) {
-    const double s = std::clamp(stop.s, 0.0, total);
-    if (nodes.empty()) {
-      nodes.push_back(s);
-      continue;
-    }
-    const double from = nodes.back();
-    if (s - from <= same_node * total) continue;
-    if (one_piece && said.segments > 0) {
-      divide_exactly(from, s, said.segments, said.ratio, nodes);
-    } else {
-      divide_piece(from, s, size, nodes);
-    }
-    nodes.push_back(s);
+  std::vector<double> cuts = corners(curve);
+  for (const Stop& stop : stops) cuts.push_back(std::clamp(stop.s, 0.0, total));
+  std::sort(cuts.begin(), cuts.end());
+  cuts.erase(std::unique(cuts.begin(), cuts.end(), [&](double a, double b) { return b - a <= same_node * total; }), cuts.end());
+  cuts.back() = total;
+  if (explicitly) {
+    const double least = said.segments > 0 ? said.segments : total / own;
+    if (least > static_cast<double>(options.most)) return too_many(curve, least, options);
+    return divide_explicitly(curve, cuts, said.segments > 0 ? static_cast<std::size_t>(said.segments) : segments_for(total, own, said.ratio));
   }
-  nodes.back() = total;
+  const SizeAlong size(curve, own, stops, options);
+  std::vector<double> nodes{0.0};
+  const auto divide_run = options.rule == DivisionRule::Even ? divide_evenly : divide_by_halves;
+  for (std::size_t run = 1; run < cuts.size(); ++run) {
+    DOBRA_TRY_VOID(divide_run(curve, cuts[run - 1], cuts[run], size, options, nodes));
+    nodes.push_back(cuts[run]);
+  }
+  if (options.rule == DivisionRule::Halving) balance(nodes, closed(curve));
   if (curve.role == Role::Crack && nodes.size() == 2) nodes.insert(nodes.begin() + 1, 0.5 * total);
   return nodes;
 }

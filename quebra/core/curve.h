@@ -58,8 +58,8 @@ class Smooth {
 /// How a curve is to be divided, where the user said so.
 struct Division {
   int segments = 0;    ///< 0: not said.
-  double size = 0.0;   ///< Length of a piece, m; 0: not said.
-  double ratio = 1.0;  ///< Last piece to first piece, for `segments`.
+  double size = 0.0;   ///< Greatest length of a piece, m; 0: not said.
+  double ratio = 1.0;  ///< Last piece to first piece; without `segments` as many as it takes for `size`.
 };
 
 struct Curve {
@@ -96,16 +96,32 @@ struct Stop {
   double size = 0.0;  ///< m; 0: no wish.
 };
 
+enum class DivisionRule {
+  Even,     ///< As few pieces as meet the limits, alike or growing evenly.
+  Halving,  ///< SUR-2: equal pieces no longer than the size, each halved until it is short and turns little; 2:1 along the curve.
+};
+
 struct DivideOptions {
   double size = 0.0;                  ///< Longest piece, m, where the curve says nothing else; > 0.
   dobra::base::Angle turn = dobra::base::Angle::from_degrees(15.0);  ///< Most that a piece of an arc may turn.
   double growth = 1.3;                ///< Most by which sizes grow from one piece to the next away from a stop; > 1.
-  std::function<double(dobra::geom::Point)> limit = {};  ///< Greatest size at a point, such as a size field's; empty: none.
+  std::function<double(dobra::geom::Point)> limit = {};  ///< Size wanted at a point, such as a size field's; empty: none.
+  DivisionRule rule = DivisionRule::Even;
+  std::size_t most = 20'000'000;      ///< Pieces; more are refused before any is made.
 };
 
 /// Distances of the nodes along a curve, ascending, from 0 to length (both included): every corner and stop is one, and
-/// the pieces between follow the sizes; a crack has two pieces at least, or it could not open. Exactly `segments` pieces where the curve says so and has neither corners nor stops.
+/// the pieces between follow the sizes. No piece is longer than the size or turns by more than `turn`; `limit` is met to
+/// a twentieth. A crack has two pieces at least, or it could not open.
+/// Where the curve says `segments` or a `ratio`, that alone counts: just so many pieces over all its corners and stops,
+/// growing evenly; unless a stop inside the curve has a size of its own (explicit_division).
+/// Page: docs/algorithms/discretise.md.
+/// @error BadValue: fewer segments than there are straight pieces between corners and stops; TooManyElements with the
+///        curve's name, both before any piece is made.
 /// @cost O(number of pieces)
-std::vector<double> divide(const Curve& curve, std::vector<Stop> stops, const DivideOptions& options);
+dobra::base::Result<std::vector<double>> divide(const Curve& curve, std::vector<Stop> stops, const DivideOptions& options);
+
+/// Whether `segments` and `ratio` of the curve are obeyed: they are said, and no stop inside the curve has a size.
+bool explicit_division(const Curve& curve, std::span<const Stop> stops);
 
 }  // namespace quebra::core

@@ -14,6 +14,7 @@
 #include "shared/io/mesh_file.h"
 #include "shared/io/node_ele.h"
 #include "shared/io/vtu.h"
+#include "shared/mesh/order2.h"
 #include "shared/scene/color_map.h"
 
 namespace quebra::core {
@@ -75,21 +76,20 @@ bool only_triangles(const mesh::ElementMesh& mesh) {
   return std::all_of(mesh.types.begin(), mesh.types.end(), [](mesh::ElementType type) { return type == mesh::ElementType::T3; });
 }
 
+/// At each element: its shape, and of second order its Jacobian too.
 io::MeshFields quality_fields(const mesh::ElementMesh& mesh) {
-  io::MeshField field{"alpha", 1, {}};
+  io::MeshFields fields;
+  io::MeshField shape{only_triangles(mesh) ? "alpha" : "shape", 1, {}};
+  io::MeshField jacobian{"scaled_jacobian", 1, {}};
+  bool bent = false;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    const auto nodes = mesh.nodes_of(mesh::ElementId(e));
-    double least = mesh::alpha(mesh.point(nodes[0]), mesh.point(nodes[1]), mesh.point(nodes[2]));
-    // Of a quadrilateral: the worst of its four corner triangles, 1 for a square.
-    if (mesh::corner_count(mesh.types[e]) == 4) {
-      for (std::size_t i = 0; i < 4; ++i) {
-        least = std::min(least, mesh::alpha(mesh.point(nodes[i]), mesh.point(nodes[(i + 1) % 4]), mesh.point(nodes[(i + 2) % 4])));
-      }
-      least = std::min(1.0, least * 2.0 / std::numbers::sqrt3);
-    }
-    field.values.push_back(least);
+    shape.values.push_back(mesh::shape_of(mesh, mesh::ElementId(e)));
+    bent = bent || mesh::node_count(mesh.types[e]) != mesh::corner_count(mesh.types[e]);
+    jacobian.values.push_back(mesh::scaled_jacobian_bound(mesh, mesh::ElementId(e)));
   }
-  return {{}, {std::move(field)}};
+  fields.at_elements.push_back(std::move(shape));
+  if (bent) fields.at_elements.push_back(std::move(jacobian));
+  return fields;
 }
 
 /// The outline of every element once, mid-sides included.
@@ -120,7 +120,7 @@ scene::Layer mesh_layer(const mesh::ElementMesh& mesh) {
     add_triangles(mesh, e, content.triangles);
     content.values.resize(content.triangles.size(), values[e]);
   }
-  content.scale = {translated("quality alpha"), scene::ColorMapName::Quality, 0.5, 1.0};
+  content.scale = {only_triangles(mesh) ? translated("quality alpha") : translated("quality (alpha, shape of quadrilaterals)"), scene::ColorMapName::Quality, 0.5, 1.0};
   // Triangles alone are drawn with their outlines; of other elements the outlines are a layer of their own.
   const double width = only_triangles(mesh) ? outline_width(mesh) : 0.0;
   return {"mesh", translated("Mesh"), {.line = mesh_line, .line_width = width}, std::move(content), true, scene::InLegend::No};
@@ -131,6 +131,40 @@ scene::Layer node_layer(const mesh::ElementMesh& mesh) {
   layer.visible = false;
   layer.in_legend = scene::InLegend::No;
   return layer;
+}
+
+/// Sizes wanted, over the domain; hidden.
+scene::Layer size_layer(const Meshed& meshed) {
+  scene::Mesh content;
+  content.points = meshed.mesh.points;
+  content.values_at = scene::ValuesAt::Points;
+  mesh::SizeSampler sampler(*meshed.sizes);
+  for (const geom::Point p : content.points) content.values.push_back(sampler.at(p));
+  for (std::size_t e = 0; e < meshed.mesh.element_count(); ++e) add_triangles(meshed.mesh, e, content.triangles);
+  const auto [least, greatest] = std::minmax_element(content.values.begin(), content.values.end());
+  constexpr double many = 20.0;
+  content.scale = {translated("size [m]"), scene::ColorMapName::Viridis, *least, *greatest};
+  if (*greatest > many * *least) {
+    content.scale = {translated("log10 of size [m]"), scene::ColorMapName::Viridis, std::log10(*least), std::log10(*greatest)};
+    for (double& value : content.values) value = std::log10(value);
+  } else if (*greatest - *least <= 1e-6 * *greatest) {
+    content.scale.high = *least * (1.0 + 1e-3);
+  }
+  return {"size_field", translated("Size field"), {.line_width = 0.0}, std::move(content), false};
+}
+
+/// Leaves of the tree that carries the sizes, as far as they touch the domain's box; hidden.
+scene::Layer quadtree_layer(const Domain& domain, const mesh::SizeField& sizes) {
+  const geom::Box all = domain.box();
+  const mesh::Quadtree& tree = sizes.quadtree();
+  scene::Lines lines;
+  for (const mesh::QuadCellId leaf : tree.leaves()) {
+    const geom::Box box = tree.box(leaf);
+    if (!box.overlaps(all)) continue;
+    lines.lines.push_back({{box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}}, true});
+  }
+  const double width = std::clamp(25.0 / std::sqrt(static_cast<double>(lines.lines.size()) + 1.0), 0.05, 0.5);
+  return {"quadtree", translated("Quadtree of the sizes"), {.line = mesh_line, .line_width = width}, std::move(lines), false};
 }
 
 scene::Panel domain_panel(const Model& model) {
@@ -151,6 +185,10 @@ scene::Panel mesh_panel(const Model& model, const Meshed& meshed, std::size_t nu
   }
   add_curves(model.domain, panel.layers);
   panel.layers.push_back(node_layer(meshed.mesh));
+  if (meshed.sizes) {
+    panel.layers.push_back(size_layer(meshed));
+    panel.layers.push_back(quadtree_layer(model.domain, *meshed.sizes));
+  }
   return panel;
 }
 
@@ -175,10 +213,9 @@ scene::Panel work_panel(const Model& model, const MeshWork& work) {
   return panel;
 }
 
-/// Elements with alpha in each of the bins of MeshQuality::histogram, as a table.
-scenario::DataTable histogram(const Meshed& meshed) {
-  scenario::DataTable table{"alpha_histogram", {"alpha_from", "alpha_to", "elements"}, {}};
-  const auto& bins = meshed.quality.histogram;
+/// Elements in each of the bins of a measure, as a table.
+scenario::DataTable histogram(const std::string& measure, const std::array<std::size_t, 20>& bins) {
+  scenario::DataTable table{measure + "_histogram", {measure + "_from", measure + "_to", "elements"}, {}};
   for (std::size_t i = 0; i < bins.size(); ++i) {
     const double n = static_cast<double>(bins.size());
     table.rows.push_back({static_cast<double>(i) / n, static_cast<double>(i + 1) / n, static_cast<double>(bins[i])});
@@ -201,6 +238,11 @@ void add_quality(std::vector<scenario::Quantity>& quantities, const std::string&
   add("min_angle", q.angle_min.degrees(), "deg");
   add("max_angle", q.angle_max.degrees(), "deg");
   add("gradation_p95", q.gradation_p95);
+  add("jacobian_min", meshed.elements.jacobian_min);
+  if (meshed.elements.quadrilaterals > 0) {
+    add("quad_shape_mean", meshed.elements.shape_mean);
+    add("quad_shape_min", meshed.elements.shape_min);
+  }
   add("constraints", static_cast<double>(meshed.constraints));
   add("constraint_edges", static_cast<double>(meshed.constraint_edges));
 }
@@ -248,7 +290,28 @@ scene::Picture histogram_picture(const Meshed& meshed) {
   };
   mark("mean", fmt::format("{} {:.3f}", translated("mean"), q.alpha_mean), q.alpha_mean, scene::Dash::Dashed);
   mark("least", fmt::format("{} {:.3f}", translated("least"), q.alpha_min), q.alpha_min, scene::Dash::Dotted);
+  // Of bent elements and quadrilaterals the least scaled Jacobian on the same axis, both from 0 to 1.
+  if (meshed.elements.worst_jacobian.valid()) {
+    const double least = meshed.elements.jacobian_min;
+    mark("jacobian", fmt::format("{} {:.3f}", translated("least scaled Jacobian"), least), least, scene::Dash::Solid);
+  }
   panel.extent = geom::Box{{0.0, 0.0}, {1.0, 1.05 * highest}};
+  scene::Picture picture;
+  picture.panels.push_back(std::move(panel));
+  return picture;
+}
+
+scene::Picture size_field_picture(const Model& model, const Meshed& meshed) {
+  scene::Panel panel = mesh_panel(model, meshed, 1);
+  panel.title = fmt::format("{}: {}", meshed.name, translated("sizes wanted"));
+  // The field below, the tree and the curves above it.
+  const auto is_below = [](const scene::Layer& layer) { return layer.key == "size_field" || layer.key == "quadtree"; };
+  std::stable_partition(panel.layers.begin(), panel.layers.end(), is_below);
+  for (scene::Layer& layer : panel.layers) {
+    if (is_below(layer)) layer.visible = true;
+    if (layer.key == "mesh" || layer.key == "elements") layer.visible = false;
+  }
+  panel.extent = model.domain.box();
   scene::Picture picture;
   picture.panels.push_back(std::move(panel));
   return picture;
@@ -298,16 +361,18 @@ std::vector<scenario::DataTable> tables_of(const Model& model) {
     tables.push_back(std::move(findings));
   }
   scenario::DataTable table{"quality",
-                            {"mesh", "elements", "nodes", "alpha_mean", "alpha_90 [%]", "alpha_min", "min_angle [deg]", "max_angle [deg]", "gradation_p95", "constraints"},
+                            {"mesh", "elements", "nodes", "alpha_mean", "alpha_90 [%]", "alpha_min", "min_angle [deg]", "max_angle [deg]", "gradation_p95", "constraints", "jacobian_min", "quadrilaterals", "quad_shape_min"},
                             {}};
   for (const auto& meshed : model.meshes) {
     const auto& q = meshed->quality;
     table.rows.push_back({meshed->name, static_cast<double>(meshed->mesh.element_count()), static_cast<double>(meshed->mesh.points.size()), q.alpha_mean, 100.0 * q.alpha_90,
-                          q.alpha_min, q.angle_min.degrees(), q.angle_max.degrees(), q.gradation_p95, static_cast<double>(meshed->constraints)});
+                          q.alpha_min, q.angle_min.degrees(), q.angle_max.degrees(), q.gradation_p95, static_cast<double>(meshed->constraints),
+                          meshed->elements.jacobian_min, static_cast<double>(meshed->elements.quadrilaterals), meshed->elements.shape_min});
   }
   if (table.rows.empty()) return tables;
   tables.push_back(std::move(table));
-  tables.push_back(histogram(*model.meshes.back()));
+  tables.push_back(histogram("alpha", model.meshes.back()->quality.histogram));
+  tables.push_back(histogram("scaled_jacobian", model.meshes.back()->elements.jacobians));
   return tables;
 }
 

@@ -16,6 +16,10 @@ std::vector<dobra::scenario::Output> outputs_of(const std::shared_ptr<const Mode
 /// How many of the elements have which quality: bars over alpha as high as their share of all, 0 .. 1; both axes to one scale.
 dobra::scene::Picture histogram_picture(const Meshed& meshed);
 
+/// The sizes that a mesh was to have, with the quadtree that carries them. The window and `picture_of` have both as hidden
+/// layers "size_field" and "quadtree".  @pre meshed.sizes
+dobra::scene::Picture size_field_picture(const Model& model, const Meshed& meshed);
+
 /// The triangles that draw an element: those of its corners and, of second order, of its mid-sides too.
 void add_triangles(const dobra::mesh::ElementMesh& mesh, std::size_t element, std::vector<std::array<std::uint32_t, 3>>& triangles);
 /// Outlines thin out as elements get many, so that they do not hide the colours; points.

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <utility>
 
 #include "quebra/core/domain.h"
@@ -21,6 +22,7 @@
 namespace quebra::core {
 namespace {
 
+using dobra::base::Error;
 using dobra::base::Result;
 using dobra::geom::Arc;
 using dobra::geom::Point;
@@ -106,14 +108,14 @@ EdgeKind kind_of(Role role) {
   return EdgeKind::Constraint;
 }
 
-MeshInput mesh_input(const Model& model, const std::vector<Constraint>& constraints, std::span<const dobra::mesh::SizeRequest> sizes,
-                     const std::vector<TipRosette>& rosettes, const DivideOptions& options) {
+Result<MeshInput> mesh_input(const Model& model, const std::vector<Constraint>& constraints, std::span<const dobra::mesh::SizeRequest> sizes,
+                             const std::vector<TipRosette>& rosettes, const DivideOptions& options) {
   const Domain& domain = model.domain;
   InputBuilder builder;
   for (std::size_t c = 0; c < domain.curves.size(); ++c) {
     const Curve& curve = domain.curves[c];
     const auto set = builder.add_set(curve.name, kind_of(curve.role));
-    const std::vector<double> s = divide(curve, stops_on(c, domain, constraints), options);
+    DOBRA_TRY(const std::vector<double> s, divide(curve, stops_on(c, domain, constraints), options));
     const std::vector<Point> nodes = nodes_on(domain, c, s);
     for (std::size_t i = 1; i < nodes.size(); ++i) builder.edge(nodes[i - 1], nodes[i], set);
     if (curve.tip_size > 0.0) {
@@ -140,6 +142,43 @@ MeshInput mesh_input(const Model& model, const std::vector<Constraint>& constrai
   MeshInput input = builder.take();
   for (const Face& face : domain.faces) input.regions.push_back({face.inside, face.region});
   return input;
+}
+
+/// Curves that cannot keep the subdivision they ask for.
+void remark_on_divisions(const Domain& domain, const std::vector<Constraint>& constraints, std::vector<std::string>& remarks) {
+  for (std::size_t c = 0; c < domain.curves.size(); ++c) {
+    const Curve& curve = domain.curves[c];
+    if ((curve.division.segments == 0 && curve.division.ratio == 1.0) || explicit_division(curve, stops_on(c, domain, constraints))) continue;
+    remarks.push_back(fmt::format("`segments` and `ratio` of curve '{}' give way to the sizes of the offset constraints or points on it", curve.name));
+  }
+}
+
+Error too_many(double triangles, const std::string& of, const MeshParams& params) {
+  return {dobra::base::ErrorCode::TooManyElements,
+          fmt::format("{} makes about {:.3g} triangles, more than the {} allowed; use greater sizes{}, or raise max_elements", of, triangles, params.max_elements,
+                      params.size > 0.0 ? fmt::format(" (about {:.3g} times)", std::sqrt(triangles / params.max_elements)) : "")};
+}
+
+/// What an estimate may err by: only what is surely too much is refused before it is tried.
+constexpr double sure = 1.25;
+
+/// Refuses a uniform size that is too small, before anything is divided.
+Result<void> check_size(const Domain& domain, const MeshParams& params) {
+  if (!(params.size > 0.0)) return {};
+  double area = 0.0;
+  for (const Face& face : domain.faces) area += face.area;
+  const double triangles = 4.0 / std::numbers::sqrt3 * area / (params.size * params.size);
+  if (triangles <= sure * params.max_elements) return {};
+  return too_many(triangles, fmt::format("a size of {:.6g} m over {:.6g} m2", params.size, area), params);
+}
+
+/// The same for sizes that vary.
+Result<void> check_field(const dobra::mesh::SizeField& field, const Domain& domain, const MeshParams& params) {
+  if (field.estimated_triangles() <= sure * params.max_elements) return {};
+  const Inside inside(domain);
+  const double triangles = field.estimated_triangles([&](Point p) { return inside(p); });
+  if (triangles <= sure * params.max_elements) return {};
+  return too_many(triangles, "what curves, points, zones, formula and background ask for", params);
 }
 
 /// The middle between two neighbouring nodes of a curve that bends.
@@ -239,8 +278,11 @@ const std::vector<Constraint>& obeyed(const Model& model, const MeshParams& para
   return params.constraints == UseConstraints::Yes ? model.constraints : none;
 }
 
-Result<Prepared> prepare(const Model& model, const MeshParams& params, std::span<const dobra::mesh::SizeRequest> sizes) {
-  const double size = params.size > 0.0 ? params.size : model.domain.box().diagonal() / 20.0;
+Result<Prepared> prepare(const Model& model, const MeshParams& params, std::span<const dobra::mesh::SizeRequest> sizes, const SizeSource& source,
+                         std::vector<std::string>& remarks) {
+  // A formula or a background mesh alone says what is wanted.
+  const double size = params.size > 0.0 ? params.size : model.domain.box().diagonal() / (source.empty() ? 20.0 : 1.0);
+  DOBRA_TRY_VOID(check_size(model.domain, params));
   const auto& constraints = obeyed(model, params);
   Prepared prepared;
   if (params.rosettes == UseRosettes::Yes) {
@@ -253,13 +295,19 @@ Result<Prepared> prepare(const Model& model, const MeshParams& params, std::span
   options.engine = params.engine;
   options.sizes.growth = params.growth;
   options.sizes.max_size = params.size;
+  options.sizes.function = source.function();
   options.smoothing.passes = params.smoothing;
   options.points.max_triangles = static_cast<std::size_t>(params.max_elements);
-  DivideOptions divide{.size = size, .turn = params.turn, .growth = params.growth};
+  DivideOptions divide{.size = size, .turn = params.turn, .growth = params.growth, .limit = {}, .rule = params.division, .most = static_cast<std::size_t>(params.max_elements)};
   // Curves that pass something finer are divided again, so that sizes grow along them as they do inside.
-  DOBRA_TRY(const auto field, dobra::mesh::size_field_of(mesh_input(model, constraints, sizes, prepared.rosettes, divide), options.sizes));
+  DOBRA_TRY(const MeshInput coarse, mesh_input(model, constraints, sizes, prepared.rosettes, divide));
+  const auto built = dobra::mesh::size_field_of(coarse, options.sizes);
+  DOBRA_TRY_VOID(source.check());
+  DOBRA_TRY(const auto field, built);
+  DOBRA_TRY_VOID(check_field(field, model.domain, params));
   divide.limit = [&field](Point p) { return field.size_at(p); };
-  prepared.input = mesh_input(model, constraints, sizes, prepared.rosettes, divide);
+  DOBRA_TRY(prepared.input, mesh_input(model, constraints, sizes, prepared.rosettes, divide));
+  remark_on_divisions(model.domain, constraints, remarks);
   cut_out(prepared.input, prepared.rosettes);
   return prepared;
 }
@@ -269,8 +317,9 @@ std::string name_of_next(const Model& model, const MeshParams& params) {
 }
 
 /// The engine after `params.stop_after` steps; nothing if it is done by then.
-Result<std::shared_ptr<const MeshWork>> work_on(const Model& model, const MeshParams& params, const dobra::base::Progress& progress) {
-  DOBRA_TRY(const Prepared prepared, prepare(model, params, {}));
+Result<std::shared_ptr<const MeshWork>> work_on(const Model& model, const MeshParams& params, const SizeSource& source, const dobra::base::Progress& progress) {
+  std::vector<std::string> remarks;  // of the finished mesh only
+  DOBRA_TRY(const Prepared prepared, prepare(model, params, {}, source, remarks));
   DOBRA_TRY(dobra::mesh::Mesher mesher, dobra::mesh::Mesher::start(prepared.input, prepared.options, progress));
   for (int step = 0; step < params.stop_after && !mesher.done(); ++step) DOBRA_TRY_VOID(mesher.step(1, progress));
   if (mesher.done()) return std::shared_ptr<const MeshWork>();
@@ -282,18 +331,23 @@ Result<std::shared_ptr<const MeshWork>> work_on(const Model& model, const MeshPa
 }  // namespace
 
 Result<Meshed> mesh_domain(const Model& model, const MeshParams& params, std::span<const dobra::mesh::SizeRequest> sizes,
-                           std::vector<std::string>& remarks, const dobra::base::Progress& progress) {
+                           std::vector<std::string>& remarks, const dobra::base::Progress& progress, const SizeSource& source) {
   const auto& constraints = obeyed(model, params);
   Stopwatch watch;
   Meshed meshed;
   const auto done = [&](const char* phase) { meshed.seconds.push_back({phase, watch.lap()}); };
-  DOBRA_TRY(const Prepared prepared, prepare(model, params, sizes));
+  DOBRA_TRY(const Prepared prepared, prepare(model, params, sizes, source, remarks));
   done("divide");
-  DOBRA_TRY(const TriangleMesh triangles, dobra::mesh::triangulate(prepared.input, prepared.options, progress));
+  DOBRA_TRY(auto mesher, dobra::mesh::Mesher::start(prepared.input, prepared.options, progress));
+  constexpr std::size_t between_checks = 8192;
+  while (!mesher.done()) DOBRA_TRY_VOID(mesher.step(between_checks, progress));
+  const TriangleMesh triangles = mesher.mesh();
+  meshed.sizes = std::make_shared<const dobra::mesh::SizeField>(mesher.sizes());
   done("triangulate");
   DOBRA_TRY(meshed.mesh, elements_of(triangles, model, params, prepared.rosettes, remarks));
   done("elements");
   meshed.quality = dobra::mesh::quality_of(triangles);
+  meshed.elements = dobra::mesh::element_quality_of(meshed.mesh);
   done("quality");
   for (const Constraint& constraint : constraints) meshed.constraint_edges += triangles.constraint_sets.at(constraint.name).size();
   meshed.name = name_of_next(model, params);
@@ -301,18 +355,19 @@ Result<Meshed> mesh_domain(const Model& model, const MeshParams& params, std::sp
   return meshed;
 }
 
-Result<Model> add_mesh(const Model& model, const MeshParams& params, const dobra::scenario::Context&, const dobra::base::Progress& progress) {
+Result<Model> add_mesh(const Model& model, const MeshParams& params, const dobra::scenario::Context& context, const dobra::base::Progress& progress) {
   Model result = model;
   result.work.reset();
+  DOBRA_TRY(const SizeSource source, SizeSource::make(model.domain, params.size_formula, params.background, params.background_field, context));
   if (params.stop_after > 0) {
-    DOBRA_TRY(result.work, work_on(model, params, progress));
+    DOBRA_TRY(result.work, work_on(model, params, source, progress));
     if (result.work) {
       result.remarks.push_back(fmt::format("{} was stopped after {} steps, with {} triangles and {} sides in its front; stop_after = 0 finishes it", result.work->name,
                                            result.work->steps, result.work->triangles.size(), result.work->front.size()));
       return result;
     }
   }
-  DOBRA_TRY(Meshed meshed, mesh_domain(model, params, {}, result.remarks, progress));
+  DOBRA_TRY(Meshed meshed, mesh_domain(model, params, {}, result.remarks, progress, source));
   result.meshes.push_back(std::make_shared<const Meshed>(std::move(meshed)));
   return result;
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "quebra/core/model.h"
+#include "quebra/core/size_source.h"
 #include "shared/base/progress.h"
 #include "shared/mesh/fill_engine.h"
 #include "shared/mesh/mesh_input.h"
@@ -21,6 +22,10 @@ enum class UseRosettes { No, Yes };
 struct MeshParams {
   std::string label;
   double size = 0.0;
+  std::string size_formula = {};
+  std::string background = {};
+  std::string background_field = {};
+  DivisionRule division = DivisionRule::Even;
   dobra::base::Angle turn = dobra::base::Angle::from_degrees(15.0);
   double growth = 1.3;
   dobra::mesh::Engine engine = dobra::mesh::Engine::Front;
@@ -37,7 +42,11 @@ struct MeshParams {
   template <class D>
   static void describe(D& d) {
     d.field("label", &MeshParams::label, {.title = "Label", .help = "Stands above the picture of this mesh."});
-    d.field("size", &MeshParams::size, {.title = "Greatest size", .help = "Of element sides; 0 takes 1/20 of the domain's diagonal on the boundary and the longest side inside.", .unit = "m", .at_least = 0});
+    d.field("size", &MeshParams::size, {.title = "Target size", .help = "Of element sides: on curves none is longer, inside they are about as long, a few by half. 0 takes 1/20 of the domain's diagonal on the boundary and the longest side inside, or the formula or background mesh alone.", .unit = "m", .at_least = 0});
+    d.field("size_formula", &MeshParams::size_formula, {.title = "Size by formula", .help = "Of x and y: \"0.1 + 0.05 * hypot(x, y)\"; the least of all sizes counts.", .unit = "m"});
+    d.file("background", &MeshParams::background, {.title = "Background mesh", .help = "Its elements' sizes, or those of a field of it, are wanted (.vtu .msh .inp .bdf .nf .ele)."});
+    d.field("background_field", &MeshParams::background_field, {.title = "Background field", .help = "Name of the field at the points of a .vtu that holds sizes in m; empty: the sizes of the elements."});
+    d.choice("division", &MeshParams::division, {"even", "halving"}, {.title = "Division of curves", .help = "even: as few sides as meet size and turn; halving: sides halved until they do, 2:1 along a curve."});
     d.field("turn", &MeshParams::turn, {.title = "Greatest turn", .help = "That one element side on an arc may span.", .unit = "deg", .above = 0, .at_most = 90});
     d.field("growth", &MeshParams::growth, {.title = "Growth", .help = "Most by which sizes may grow from one element to the next.", .above = 1, .at_most = 10});
     d.choice("engine", &MeshParams::engine, {"front", "delaunay"}, {.title = "Engine", .help = "What places the nodes inside: rows from the boundary inwards, or one by one in a Delaunay triangulation, which is slower."});
@@ -53,14 +62,16 @@ struct MeshParams {
   }
 };
 
-/// Meshes the domain of a model with `sizes` wanted inside, beside those that the model asks for itself.
+/// Meshes the domain of a model with `sizes` wanted inside, and `source` everywhere, beside those that the model asks for
+/// itself: the least of them counts, growth bounded.
 /// @param remarks  what the user should know is added to it.
-/// @error those of add_mesh
+/// @error those of divide and mesh::triangulate, with the place; BadValue for sizes of the source that are not greater than
+///        0; TooManyElements before any work if the sizes make more elements than allowed.
 dobra::base::Result<Meshed> mesh_domain(const Model& model, const MeshParams& params, std::span<const dobra::mesh::SizeRequest> sizes,
-                                        std::vector<std::string>& remarks, const dobra::base::Progress& progress);
+                                        std::vector<std::string>& remarks, const dobra::base::Progress& progress, const SizeSource& source = {});
 
 /// Adds one mesh to the model; or, if the engine is stopped before it is done, what it has made so far.
-/// @error those of mesh::triangulate, with the place.
+/// @error those of mesh_domain, SizeSource::make.
 dobra::base::Result<Model> add_mesh(const Model& model, const MeshParams& params, const dobra::scenario::Context& context,
                                     const dobra::base::Progress& progress);
 

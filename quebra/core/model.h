@@ -9,7 +9,9 @@
 #include "quebra/core/curve.h"
 #include "shared/fem/rosette.h"
 #include "shared/mesh/element_mesh.h"
+#include "shared/mesh/element_quality.h"
 #include "shared/mesh/quality.h"
+#include "shared/mesh/size_field.h"
 
 namespace quebra::core {
 
@@ -107,6 +109,8 @@ struct Meshed {
   std::string name;
   dobra::mesh::ElementMesh mesh;
   dobra::mesh::MeshQuality quality;  ///< Of the triangles, before they were joined to quadrilaterals or bent.
+  dobra::mesh::ElementQuality elements;  ///< Of the elements as they are.
+  std::shared_ptr<const dobra::mesh::SizeField> sizes;  ///< That the mesher obeyed.
   std::size_t constraints = 0;       ///< How many constraints it obeys.
   std::size_t constraint_edges = 0;  ///< Sides along them.
   std::vector<PhaseTime> seconds;    ///< Not part of any report: the same run gives the same bytes.
@@ -129,12 +133,14 @@ struct Samples {
 };
 
 struct Analysis;       // analysis.h
+struct Band;           // band.h
 struct ViewParams;     // result_picture.h
 struct ProblemParams;  // problem.h
 
 struct Model {
   Domain domain;
-  std::vector<Constraint> constraints;
+  std::vector<std::shared_ptr<const Band>> bands;  ///< In the order given.
+  std::vector<Constraint> constraints;             ///< What is left of them all.
   std::vector<Zone> zones;
   std::vector<HalfTip> half_tips;
   std::vector<std::shared_ptr<const Meshed>> meshes;  ///< In the order made; each mesh step adds one.

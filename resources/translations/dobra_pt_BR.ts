@@ -472,6 +472,50 @@
         <translation>alfa médio</translation>
     </message>
     <message>
+        <source>Size by formula</source>
+        <translation>Tamanho por fórmula</translation>
+    </message>
+    <message>
+        <source>Background mesh</source>
+        <translation>Malha de fundo</translation>
+    </message>
+    <message>
+        <source>Background field</source>
+        <translation>Campo da malha de fundo</translation>
+    </message>
+    <message>
+        <source>Division of curves</source>
+        <translation>Divisão das curvas</translation>
+    </message>
+    <message>
+        <source>Size field</source>
+        <translation>Campo de tamanhos</translation>
+    </message>
+    <message>
+        <source>Quadtree of the sizes</source>
+        <translation>Quadtree dos tamanhos</translation>
+    </message>
+    <message>
+        <source>size [m]</source>
+        <translation>tamanho [m]</translation>
+    </message>
+    <message>
+        <source>log10 of size [m]</source>
+        <translation>log10 do tamanho [m]</translation>
+    </message>
+    <message>
+        <source>sizes wanted</source>
+        <translation>tamanhos desejados</translation>
+    </message>
+    <message>
+        <source>least scaled Jacobian</source>
+        <translation>menor jacobiano escalado</translation>
+    </message>
+    <message>
+        <source>quality (alpha, shape of quadrilaterals)</source>
+        <translation>qualidade (alfa, forma dos quadriláteros)</translation>
+    </message>
+    <message>
         <source>quality alpha</source>
         <translation>qualidade alfa</translation>
     </message>
@@ -540,8 +584,8 @@
         <translation>Primeira distância</translation>
     </message>
     <message>
-        <source>Greatest size</source>
-        <translation>Maior tamanho</translation>
+        <source>Target size</source>
+        <translation>Tamanho desejado</translation>
     </message>
     <message>
         <source>Stop after</source>

@@ -66,7 +66,9 @@ bool winds_about(const CurveFunctions& curve, double t0, double t1, const Discre
 
 bool fine_enough(const CurveFunctions& curve, double t0, double t1, const DiscretiseOptions& options) {
   const double excess = 1.0 + options.slack;
-  return curve.length(t0, t1) <= excess * options.max_length &&
+  const double length = curve.length(t0, t1);
+  if (options.max_length_over && !(length <= excess * options.max_length_over(t0, t1))) return false;
+  return length <= excess * options.max_length &&
          tangent_turn(curve, t0, t1) <= excess * options.max_angle && !winds_about(curve, t0, t1, options);
 }
 

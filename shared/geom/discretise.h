@@ -20,6 +20,9 @@ struct DiscretiseOptions {
   base::Angle max_angle = base::Angle::from_degrees(10.0);  ///< theta_max: greatest turn of the tangent over a segment.
   /// D_max: greatest length of the curve over a segment, m.
   double max_length = std::numeric_limits<double>::infinity();
+  /// Greatest length over a segment from t0 to t1 where that varies along the curve, such as the least of a size field
+  /// there; empty: max_length alone. It only bisects: step i goes by max_length.
+  std::function<double(double t0, double t1)> max_length_over = {};
   double slack = 1e-9;         ///< Relative excess over both limits that is taken for rounding.
   std::size_t max_depth = 32;  ///< Bisections of one initial segment; a corner would need them without end.
 };

@@ -107,6 +107,15 @@ bool Quadtree::refine_to_level(std::uint32_t level, std::size_t max_cells) {
   return true;
 }
 
+bool Quadtree::refine_where(const std::function<bool(QuadCellId)>& wanted, std::size_t max_cells) {
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    if (cells_[i].first_child.valid() || cells_[i].level == max_level || !wanted(QuadCellId(i))) continue;
+    if (cells_.size() + 4 > max_cells) return false;
+    split(QuadCellId(i));
+  }
+  return true;
+}
+
 QuadCellId Quadtree::leaf_at_grid(std::uint32_t x, std::uint32_t y) const {
   const std::uint32_t shift = max_level - index_level_;
   QuadCellId id = index_.empty() ? QuadCellId(0) : index_[((y >> shift) << index_level_) | (x >> shift)];

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <queue>
+#include <utility>
 
 namespace dobra::mesh {
 
@@ -30,6 +31,37 @@ Result<void> validate(std::span<const SizeRequest> requests, const SizeFieldOpti
   return {};
 }
 
+/// Cells of a function alone; a formula that asks for more asks for too much.
+constexpr std::size_t most_cells_of_function = 500'000;
+
+/// Whether the function must be seen more closely than by the corners of this cell.
+bool follows_badly(const Quadtree& tree, QuadCellId id, const SizeFunction& function, double largest) {
+  constexpr std::uint32_t first_look = 5;  // a grid of 32 x 32 cells
+  constexpr double unnoticed = 0.1;
+  const geom::Box box = tree.box(id);
+  if (function.concerns && !function.concerns(box)) return false;
+  if (tree.cell(id).level < first_look) return true;
+  std::array<std::array<double, 3>, 3> size{};
+  double least = largest;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const Point p{box.low.x + 0.5 * static_cast<double>(i) * box.width(), box.low.y + 0.5 * static_cast<double>(j) * box.height()};
+      size[i][j] = std::min(largest, function.at(p));
+      least = std::min(least, size[i][j]);
+    }
+  }
+  if (tree.side(id) <= 0.5 * least) return false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const std::array<std::size_t, 2> left = i == 1 ? std::array<std::size_t, 2>{0, 2} : std::array{i, i};
+      const std::array<std::size_t, 2> low = j == 1 ? std::array<std::size_t, 2>{0, 2} : std::array{j, j};
+      const double between = 0.25 * (size[left[0]][low[0]] + size[left[1]][low[0]] + size[left[0]][low[1]] + size[left[1]][low[1]]);
+      if (std::abs(between - size[i][j]) > unnoticed * size[i][j]) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 Result<SizeField> SizeField::build(std::span<const SizedEdge> edges, std::span<const SizeRequest> requests,
@@ -45,11 +77,15 @@ Result<SizeField> SizeField::build(std::span<const SizedEdge> edges, std::span<c
   for (const SizeRequest& request : requests) {
     tree.refine_at(request.at, request.size, tree_options.refinement_factor);
   }
-  if (!requests.empty()) tree.balance();
   double largest = options.max_size;
   if (largest == 0.0) {
     for (const SizedEdge& edge : edges) largest = std::max(largest, edge.segment.length());
   }
+  const SizeFunction& function = options.function;
+  if (function.at && !tree.refine_where([&](QuadCellId id) { return follows_badly(tree, id, function, largest); }, tree.cell_count() + most_cells_of_function)) {
+    return Error{ErrorCode::TooManyElements, "the sizes asked for everywhere are too small, or change too fast, for a tree of half a million cells: use greater ones"};
+  }
+  if (!requests.empty() || function.at) tree.balance();
   tree.index_leaves();
   SizeField field(std::move(tree));
   field.sizes_.assign(field.number_corners(), largest);
@@ -66,8 +102,21 @@ Result<SizeField> SizeField::build(std::span<const SizedEdge> edges, std::span<c
     if (length > 0.0) ask(geom::midpoint(edge.segment.from, edge.segment.to), length);
   }
   for (const SizeRequest& request : requests) ask(request.at, request.size);
+  if (function.at) field.ask_function(function);
   field.spread(options.growth - 1.0, largest);
   return field;
+}
+
+void SizeField::ask_function(const SizeFunction& function) {
+  std::vector<std::uint8_t> asked(sizes_.size(), 0);
+  for (const QuadCellId leaf : tree_.leaves()) {
+    const geom::Box box = tree_.box(leaf);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::uint32_t corner = corners_[leaf.index()][k];
+      if (std::exchange(asked[corner], std::uint8_t{1}) != 0) continue;
+      sizes_[corner] = std::min(sizes_[corner], function.at({(k & 1U) != 0 ? box.high.x : box.low.x, (k >> 1U) != 0 ? box.high.y : box.low.y}));
+    }
+  }
 }
 
 std::uint32_t SizeField::number_corners() {
@@ -159,6 +208,27 @@ double SizeField::estimated_triangles() const {
     sum += (tree_.side(leaf) / mean) * (tree_.side(leaf) / mean);
   }
   return sum * 4.0 / std::numbers::sqrt3;
+}
+
+double SizeField::estimated_triangles(const std::function<bool(Point)>& inside) const {
+  constexpr std::size_t places = 4096;
+  const double all = estimated_triangles() * std::numbers::sqrt3 / 4.0;
+  double passed = 0.0;
+  std::size_t looked = 0;
+  std::size_t found = 0;
+  for (const QuadCellId leaf : tree_.leaves()) {
+    const std::array<double, 4> size = corner_sizes(leaf);
+    const double side = tree_.side(leaf);
+    const double per_length = side / (0.25 * (size[0] + size[1] + size[2] + size[3]));
+    passed += per_length * per_length;
+    // As many places in a leaf as its share of the triangles, spread by the golden ratio.
+    const geom::Box box = tree_.box(leaf);
+    for (; (static_cast<double>(looked) + 0.5) / places * all <= passed && looked < places; ++looked) {
+      const auto spread = [&](double factor) { return std::fmod(0.5 + static_cast<double>(looked) * factor, 1.0); };
+      if (inside({box.low.x + spread(0.7548776662466927) * side, box.low.y + spread(0.5698402909980532) * side})) ++found;
+    }
+  }
+  return looked == 0 ? 0.0 : 4.0 / std::numbers::sqrt3 * all * static_cast<double>(found) / static_cast<double>(looked);
 }
 
 }  // namespace dobra::mesh

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <limits>
 #include <span>
 #include <vector>
@@ -17,9 +18,16 @@
 
 namespace dobra::mesh {
 
+/// Sizes wanted everywhere: by a formula, or as another mesh has them.
+struct SizeFunction {
+  std::function<double(geom::Point)> at = {};               ///< m, > 0; infinite: no wish there. Empty: no function.
+  std::function<bool(const geom::Box&)> concerns = {};      ///< False of a box in which sizes do not matter; empty: all do.
+};
+
 struct SizeFieldOptions {
   double growth = 1.3;    ///< Greatest ratio of the sizes of neighbouring elements, > 1.
   double max_size = 0.0;  ///< Upper bound, m; 0 takes the longest input edge.
+  SizeFunction function = {};  ///< Followed to a tenth, as far as growth allows.
   /// Of the tree that carries the sizes: interior cells are not bounded, sizes are; and where growth is slow the cells
   /// may be larger than the edges, see `build`.
   QuadtreeOptions quadtree = {.interior = InteriorCells::Free};
@@ -41,11 +49,14 @@ class SizeField {
   [[nodiscard]] const std::array<std::uint32_t, 4>& corners(QuadCellId leaf) const { return corners_[leaf.index()]; }
   /// About how many triangles fill the tree's square at these sizes: to refuse an impossible request in time.
   [[nodiscard]] double estimated_triangles() const;
+  /// The same for the part of the square where `inside` holds, from some thousands of places.
+  [[nodiscard]] double estimated_triangles(const std::function<bool(geom::Point)>& inside) const;
 
  private:
   explicit SizeField(Quadtree tree) : tree_(std::move(tree)) {}
   /// @return how many there are.
   std::uint32_t number_corners();
+  void ask_function(const SizeFunction& function);
   void spread(double slope, double largest);
 
   Quadtree tree_;

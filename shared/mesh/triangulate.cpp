@@ -82,6 +82,8 @@ Result<Mesher> Mesher::start(const MeshInput& input, const MeshOptions& options,
 
 Mesher::Stage Mesher::stage() const { return state_->stage; }
 
+const SizeField& Mesher::sizes() const { return state_->field; }
+
 Result<void> Mesher::step(std::size_t count, const Progress& progress) {
   State& s = *state_;
   DOBRA_CHECK(!done());

@@ -42,6 +42,7 @@ class Mesher {
   base::Result<void> step(std::size_t count, const base::Progress& progress = {});
   [[nodiscard]] Stage stage() const;
   [[nodiscard]] bool done() const { return stage() == Stage::Done; }
+  [[nodiscard]] const SizeField& sizes() const;
   [[nodiscard]] View view() const;
   /// What triangulate returns.  @pre done
   [[nodiscard]] TriangleMesh mesh() const;

@@ -103,7 +103,7 @@ TEST(Divide, GivesJustTheSegmentsAskedFor) {
   Curve side = line("side", {{0, 0}, {5, 0}});
   side.division.segments = 5;
   const std::vector<double> expected{0, 1, 2, 3, 4, 5};
-  const auto nodes = divide(side, {}, {.size = 10});
+  const auto nodes = divide(side, {}, {.size = 10}).value();
   ASSERT_EQ(nodes.size(), expected.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) EXPECT_NEAR(nodes[i], expected[i], 1e-14);
 }
@@ -111,7 +111,7 @@ TEST(Divide, GivesJustTheSegmentsAskedFor) {
 TEST(Divide, RatioIsLastToFirst) {
   Curve side = line("side", {{0, 0}, {7, 0}});
   side.division = {.segments = 3, .size = 0.0, .ratio = 4.0};
-  const auto nodes = divide(side, {}, {.size = 10});
+  const auto nodes = divide(side, {}, {.size = 10}).value();
   ASSERT_EQ(nodes.size(), 4U);
   EXPECT_NEAR(nodes[1], 1.0, 1e-12);
   EXPECT_NEAR(nodes[2], 3.0, 1e-12);
@@ -119,14 +119,14 @@ TEST(Divide, RatioIsLastToFirst) {
 
 TEST(Divide, ArcsTurnByNoMoreThanAsked) {
   const Curve hole = circle("hole", {0, 0}, 1);
-  const auto nodes = divide(hole, {}, {.size = 100, .turn = dobra::base::Angle::from_degrees(15)});
+  const auto nodes = divide(hole, {}, {.size = 100, .turn = dobra::base::Angle::from_degrees(15)}).value();
   EXPECT_EQ(nodes.size(), 25U);
   EXPECT_DOUBLE_EQ(nodes.back(), 2 * std::numbers::pi);
 }
 
 TEST(Divide, StopsAreNodesAndSizesGrowAwayFromThem) {
   const Curve side = line("side", {{0, 0}, {4, 0}});
-  const auto nodes = divide(side, {{1.0, 0.1}}, {.size = 1.0, .growth = 1.3});
+  const auto nodes = divide(side, {{1.0, 0.1}}, {.size = 1.0, .growth = 1.3}).value();
   EXPECT_TRUE(std::find(nodes.begin(), nodes.end(), 1.0) != nodes.end());
   double before = 0.0;
   for (std::size_t i = 1; i < nodes.size(); ++i) {

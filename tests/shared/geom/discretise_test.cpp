@@ -55,6 +55,22 @@ TEST(Discretise, LimitsThatDivideTheCurveExactlyAreMetWithoutAnExtraBisection) {
   EXPECT_EQ(discretise(arc(90), limits(std::numbers::pi / 6, 90))->points.size(), 4U);
 }
 
+TEST(Discretise, ALengthThatVariesOnlyBisects) {
+  DiscretiseOptions options = limits(0.3, 90);
+  options.max_length_over = [](double t0, double) { return t0 < 0.3 ? 0.05 : 1.0; };
+  const auto line = graph([](double) { return 3.0; }, [](double) { return 0.0; });
+  const auto found = *discretise(line, options);
+  for (std::size_t i = 0; i + 1 < found.parameters.size(); ++i) {
+    const double length = found.parameters[i + 1] - found.parameters[i];
+    if (found.parameters[i] < 0.3) {
+      EXPECT_NEAR(length, 0.25 / 8, 1e-12);
+    }
+    if (found.parameters[i] >= 0.5) {
+      EXPECT_NEAR(length, 0.25, 1e-12);
+    }
+  }
+}
+
 TEST(Discretise, EndPointsAreExactAndParametersAscend) {
   const Point from{0.3 + 0.1, 0.7};
   const Point to{0.3, 0.7 + 0.1};

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "shared/mesh/triangulate.h"
@@ -71,6 +72,23 @@ TEST(SizeField, SmallerGrowthMeansMoreTriangles) {
   const double gentle = size_field_of(test::que_d(), {.growth = 1.1}).value().estimated_triangles();
   const double steep = size_field_of(test::que_d(), {.growth = 1.5}).value().estimated_triangles();
   EXPECT_GT(gentle, steep);
+}
+
+TEST(SizeField, AFunctionIsFollowedToATenthAndWhereItConcerns) {
+  SizeFieldOptions options{.growth = 1.5};
+  const auto wanted = [](geom::Point p) { return 0.01 + 0.2 * std::hypot(p.x - 0.4, p.y - 0.7); };
+  options.function.at = wanted;
+  const SizeField field = size_field_of(test::square(1.0, 2), options).value();
+  for (const geom::Point p : test::random_points(1000, 7)) EXPECT_NEAR(field.size_at(p), wanted(p), 0.15 * wanted(p));
+  options.function.concerns = [](const geom::Box& box) { return box.high.x > 0.8; };
+  EXPECT_LT(size_field_of(test::square(1.0, 2), options).value().quadtree().cell_count(), field.quadtree().cell_count() / 2);
+}
+
+TEST(SizeField, TheEstimateCountsWhatIsInside) {
+  const SizeField field = size_field_of(test::square(1.0, 40)).value();
+  const double all = field.estimated_triangles([](geom::Point) { return true; });
+  EXPECT_NEAR(all, field.estimated_triangles(), 1e-9 * all);
+  EXPECT_NEAR(field.estimated_triangles([](geom::Point p) { return p.x < 0.25; }), 0.25 * all, 0.03 * all);
 }
 
 TEST(SizeField, RefusesImpossibleOptions) {
