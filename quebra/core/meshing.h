@@ -47,7 +47,7 @@ struct MeshParams {
     d.choice("quads", &MeshParams::quadrilaterals, {"no", "yes"}, {.title = "Quadrilaterals", .help = "Joins pairs of triangles where that gives a good shape."});
     d.choice("rosettes", &MeshParams::rosettes, {"no", "yes"}, {.title = "Rosettes", .help = "Quarter-point elements round each crack tip; needs order 2."});
     d.field("sectors", &MeshParams::sectors, {.title = "Sectors", .help = "Of a rosette, even.", .at_least = 6, .at_most = 360});
-    d.field("tip_radius", &MeshParams::tip_radius, {.title = "Tip elements", .help = "Length of the quarter-point elements; 0 takes 1/40 of the crack.", .unit = "m", .at_least = 0});
+    d.field("tip_radius", &MeshParams::tip_radius, {.title = "Tip elements", .help = "Length of the quarter-point elements; 0 takes 1/80 of the room round the tip: straight end of the crack, ligament, other tips.", .unit = "m", .at_least = 0});
   }
 };
 
