@@ -30,7 +30,7 @@ struct MeshParams {
   Order order = Order::First;
   Quadrilaterals quadrilaterals = Quadrilaterals::No;
   UseRosettes rosettes = UseRosettes::No;
-  int sectors = 16;
+  int sectors = 20;
   double tip_radius = 0.0;
 
   template <class D>
