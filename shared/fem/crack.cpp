@@ -518,9 +518,10 @@ void compare_methods(const ElementMesh& mesh, const Problem& problem, const Load
   take(crack_closure(mesh, problem, load, frame, u), result.closure);
   if (missing.empty()) return;
   const bool alone = !result.correlation && !result.closure;
-  result.remarks.push_back(
-      fmt::format("crack tip '{}': {} ({}); mesh with rosettes = \"yes\" and order = \"2\"", frame.tip.name,
-                  alone ? "K by one method only, which nothing confirms" : "K by two methods only", missing));
+  result.remarks.push_back(fmt::format(
+      "crack tip '{}': {} ({}){}; mesh with rosettes = \"yes\" and order = \"2\"", frame.tip.name,
+      alone ? "K by one method only, which nothing confirms" : "K by two methods only", missing,
+      frame.quarter ? "" : "; these elements do not hold the singularity, so K may be off by several percent"));
 }
 
 /// Kink angles, or why there are none.
