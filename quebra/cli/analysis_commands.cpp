@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "quebra/core/convergence.h"
+#include "quebra/core/fracture.h"
 #include "quebra/core/results.h"
 #include "quebra/core/validation.h"
 #include "shared/base/text.h"
@@ -21,7 +22,7 @@
 #include "shared/scenario/table_text.h"
 
 // 1. The document: options become parameters of its last step of the command's operation, which is added if there is none
-// (crack: analyse before it), and steps behind it. 2. It is run as `quebra run` would. 3. Quantities, tables and remarks are
+// (crack: analyse before it, and rosettes in the mesh), and steps behind it. 2. It is run as `quebra run` would. 3. Quantities, tables and remarks are
 // printed, the line and the picture written.
 
 namespace quebra::cli {
@@ -126,6 +127,9 @@ Result<scenario::Document> document_of(dobra::cli::Session& session, const std::
   if (options.max_cycles) last->params.set("max_cycles", *options.max_cycles);
   if (options.contour) last->params.set("contour", *options.contour);
   document.steps.erase(last.base(), document.steps.end());
+  if (operation == "crack") {
+    if (const std::string done = core::ask_for_rosettes(document); !done.empty()) session.note(done);
+  }
   DOBRA_TRY_VOID(add_result_steps(options, document));
   DOBRA_TRY_VOID(scenario::check(document, session.program));
   return document;
@@ -148,7 +152,10 @@ std::string json_text(const scenario::Program& program, const scenario::State& s
     auto rows = nlohmann::ordered_json::array();
     for (const auto& row : table.rows) {
       nlohmann::ordered_json one;
-      for (std::size_t i = 0; i < row.size(); ++i) std::visit([&](const auto& value) { one[table.columns[i]] = value; }, row[i]);
+      for (std::size_t i = 0; i < row.size(); ++i) {
+        std::visit([&](const auto& value) { one[table.columns[i]] = value; }, row[i]);
+        if (one[table.columns[i]] == "") one[table.columns[i]] = nullptr;  // not known
+      }
       rows.push_back(std::move(one));
     }
     json[table.name] = std::move(rows);
@@ -243,7 +250,7 @@ dobra::cli::Command validate_command() {
 std::vector<dobra::cli::Command> analysis_commands() {
   return {command("solve", "analyse", "Analyse the last mesh of a scenario"),
           command("adapt", "adapt", "Mesh and analyse a scenario until the error asked for is met"),
-          command("crack", "crack", "Stress intensity factors at the crack tips of a scenario"),
+          command("crack", "crack", "Stress intensity factors at the crack tips of a scenario, on a mesh with rosettes unless it says otherwise"),
           validate_command()};
 }
 

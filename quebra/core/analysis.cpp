@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "quebra/core/deck.h"
+#include "quebra/core/results.h"
 #include "shared/base/text.h"
 #include "shared/io/file.h"
 #include "shared/io/vtu.h"
@@ -38,22 +39,16 @@ Extremes extremes_of(const Analysis& analysis, std::size_t c) {
   return greatest;
 }
 
-void add_tip_quantities(const fem::TipResult& tip, const std::string& prefix, std::vector<dobra::scenario::Quantity>& quantities) {
-  const auto add = [&](const char* name, double value, const char* unit) { quantities.push_back({prefix + name, value, unit}); };
-  add("K_I", tip.domain.k.one, "Pa m^0.5");
-  add("K_II", tip.domain.k.two, "Pa m^0.5");
-  if (tip.closure) add("closure.K_I", tip.closure->one, "Pa m^0.5");
-  if (tip.closure) add("closure.K_II", tip.closure->two, "Pa m^0.5");
-  if (tip.correlation) add("correlation.K_I", tip.correlation->one, "Pa m^0.5");
-  if (tip.correlation) add("correlation.K_II", tip.correlation->two, "Pa m^0.5");
-  add("spread", 100.0 * tip.spread, "%");
-  add("J", tip.domain.j, "J/m2");
-  add("G", tip.release, "J/m2");
-  add("T", tip.domain.t_stress, "Pa");
-  add("contour", tip.contour.outer, "m");
-  add("kink.sigma_theta", tip.sigma_theta.angle.degrees(), "deg");
-  add("kink.s_theta", tip.s_theta.angle.degrees(), "deg");
-  add("kink.g_theta", tip.g_theta.angle.degrees(), "deg");
+/// The mean at each node of what the elements round it have there.
+std::vector<double> mean_at_nodes(const mesh::ElementMesh& m, const std::vector<double>& at_element_nodes) {
+  std::vector<double> sums(m.points.size());
+  std::vector<double> counts(m.points.size());
+  for (std::size_t k = 0; k < m.nodes.size(); ++k) {
+    sums[m.nodes[k].index()] += at_element_nodes[k];
+    counts[m.nodes[k].index()] += 1.0;
+  }
+  for (std::size_t i = 0; i < sums.size(); ++i) sums[i] /= std::max(counts[i], 1.0);
+  return sums;
 }
 
 dobra::io::MeshFields fields_of(const Analysis& analysis) {
@@ -67,6 +62,9 @@ dobra::io::MeshFields fields_of(const Analysis& analysis) {
       s.values.insert(s.values.end(), v.begin(), v.end());
     fields.at_points.push_back(std::move(u));
     fields.at_points.push_back(std::move(s));
+    for (const FieldName name : {FieldName::VonMises, FieldName::Principal1, FieldName::Principal2})
+      fields.at_points.push_back({result.name + ' ' + field_names()[static_cast<std::size_t>(name)], 1,
+                                  mean_at_nodes(analysis.meshed->mesh, field_at_element_nodes(analysis, c, name))});
     fields.at_elements.push_back({result.name + " error", 1, analysis.fields[c].estimate.elements});
   }
   return fields;
@@ -125,10 +123,6 @@ void add_analysis_quantities(const Model& model, std::vector<dobra::scenario::Qu
       quantities.push_back({prefix + "point." + name + ".u_y", u.y, "m"});
     }
   }
-  for (std::size_t c = 0; c < analysis.tips.size(); ++c) {
-    for (const auto& tip : analysis.tips[c])
-      add_tip_quantities(tip, fmt::format("tip.{}.{}.", analysis.solution.cases[c].name, tip.name), quantities);
-  }
 }
 
 void add_analysis_tables(const Model& model, std::vector<dobra::scenario::DataTable>& tables) {
@@ -139,16 +133,6 @@ void add_analysis_tables(const Model& model, std::vector<dobra::scenario::DataTa
                            static_cast<double>(analysis->solution.statistics.unknowns), 100.0 * analysis->eta, analysis->solution.cases.front().energy});
   }
   tables.push_back(std::move(cycles));
-  const Analysis& last = *model.analyses.back();
-  if (last.tips.empty()) return;
-  dobra::scenario::DataTable tips{"tips", {"case", "tip", "x [m]", "y [m]", "K_I [Pa m^0.5]", "K_II [Pa m^0.5]", "spread [%]", "J [J/m2]", "T [Pa]", "kink [deg]"}, {}};
-  for (std::size_t c = 0; c < last.tips.size(); ++c) {
-    for (const auto& tip : last.tips[c]) {
-      tips.rows.push_back({last.solution.cases[c].name, tip.name, tip.at.x, tip.at.y, tip.domain.k.one, tip.domain.k.two, 100.0 * tip.spread, tip.domain.j,
-                           tip.domain.t_stress, tip.sigma_theta.angle.degrees()});
-    }
-  }
-  tables.push_back(std::move(tips));
 }
 
 void add_analysis_outputs(const Model& model, std::vector<dobra::scenario::Output>& outputs) {

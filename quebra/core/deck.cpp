@@ -20,9 +20,37 @@ using dobra::base::Place;
 using dobra::base::Result;
 using dobra::io::twenty_columns;
 
+/// The material of plane strain whose stresses and strains in the plane are those of `material`.
+fem::Material in_plane_strain(fem::Material material) {
+  if (material.state == fem::PlaneState::Strain) return material;
+  const double nu = material.poisson;
+  material.young *= (1.0 + 2.0 * nu) / ((1.0 + nu) * (1.0 + nu));
+  material.poisson = nu / (1.0 + nu);
+  material.state = fem::PlaneState::Strain;
+  return material;
+}
+
 std::string material_text(std::int32_t region, const fem::Material& material) {
-  return fmt::format("*MATERIAL, NAME=MATERIAL_{0}\n*ELASTIC\n{1}, {2}\n*SOLID SECTION, ELSET=REGION_{0}, MATERIAL=MATERIAL_{0}\n{3}\n", region,
-                     twenty_columns(material.young), twenty_columns(material.poisson), twenty_columns(material.thickness));
+  const fem::Material own = in_plane_strain(material);
+  std::string text;
+  if (material.state == fem::PlaneState::Stress) {
+    text = fmt::format(
+        "** Plane stress, E = {}, nu = {}. CalculiX has no such elements (its CPS are a layer of solids, sheared where its thickness varies):\n"
+        "** in plane strain E (1 + 2 nu) / (1 + nu)^2 and nu / (1 + nu) give the same displacements, strains and stresses in the plane, exactly.\n"
+        "** Only the stress across, S33, is not that of the sheet: there it is 0. For Abaqus, CPS elements with the first pair are the same.\n",
+        twenty_columns(material.young), twenty_columns(material.poisson));
+  }
+  return text + fmt::format("*MATERIAL, NAME=MATERIAL_{0}\n*ELASTIC\n{1}, {2}\n*SOLID SECTION, ELSET=REGION_{0}, MATERIAL=MATERIAL_{0}\n{3}\n", region,
+                            twenty_columns(own.young), twenty_columns(own.poisson), twenty_columns(own.thickness));
+}
+
+/// Plane stress with nu <= -0.5 has no equal in plane strain.
+std::optional<Error> without_equal(const fem::Problem& problem) {
+  for (const auto& [region, material] : problem.materials) {
+    if (material.state == fem::PlaneState::Stress && material.poisson <= -0.5)
+      return Error{ErrorCode::InvalidOption, "a deck holds plane stress as plane strain, which cannot be done for nu <= -0.5", Place{.item = fmt::format("material of region {}", region)}};
+  }
+  return std::nullopt;
 }
 
 /// Supports of one displacement by node and axis; further ones of the same displacement say the same (the solver checks).
@@ -116,6 +144,7 @@ Result<std::string> springs_text(const dobra::mesh::ElementMesh& mesh, const std
 }  // namespace
 
 std::optional<Error> deck_gap(const dobra::mesh::ElementMesh& mesh, const fem::Problem& problem) {
+  if (const auto gap = without_equal(problem)) return gap;
   const auto constraints = fem::constraints_of(mesh, problem);
   const auto sprung = sprung_by(mesh, problem.springs);
   if (!sprung) return sprung.error();
@@ -124,12 +153,12 @@ std::optional<Error> deck_gap(const dobra::mesh::ElementMesh& mesh, const fem::P
 }
 
 Result<std::string> deck_text(const dobra::mesh::ElementMesh& mesh, const fem::Problem& problem) {
+  if (auto gap = without_equal(problem)) return *std::move(gap);
   const std::vector<fem::DofConstraint> constraints = fem::constraints_of(mesh, problem);
   const Held held = held_by(constraints);
   DOBRA_TRY(const auto sprung, sprung_by(mesh, problem.springs));
   DOBRA_TRY(const Equations equations, equations_of(constraints, held, sprung, mesh.points.size()));
-  const bool strain = problem.materials.begin()->second.state == fem::PlaneState::Strain;
-  DOBRA_TRY(std::string text, dobra::io::inp_text(mesh, {.element = strain ? dobra::io::InpElement::PlaneStrain : dobra::io::InpElement::PlaneStress}));
+  DOBRA_TRY(std::string text, dobra::io::inp_text(mesh, {.element = dobra::io::InpElement::PlaneStrain}));
   const std::set<std::int32_t> regions(mesh.regions.begin(), mesh.regions.end());
   for (const std::int32_t region : regions) text += material_text(region, problem.materials.at(region));
   text += value_nodes_text(mesh.points.size(), equations.values.size()) + equations.text;

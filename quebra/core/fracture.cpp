@@ -1,25 +1,127 @@
 #include "quebra/core/fracture.h"
 
-namespace quebra::core {
+#include <fmt/format.h>
 
+#include <algorithm>
+
+namespace quebra::core {
+namespace {
+
+namespace fem = dobra::fem;
+namespace scenario = dobra::scenario;
 using dobra::base::Error;
 using dobra::base::ErrorCode;
 
-dobra::base::Result<Model> add_tips(const Model& model, const FractureParams& params, const dobra::scenario::Context&,
+/// One figure of a tip: its quantity's name, its unit, its value if it has one.
+struct Figure {
+  const char* name;
+  const char* unit;
+  std::optional<double> value;
+};
+
+std::vector<Figure> figures_of(const fem::TipResult& tip) {
+  const char* const k = "Pa m^0.5";
+  const auto one = [](const std::optional<fem::Intensity>& i) { return i ? std::optional(i->one) : std::nullopt; };
+  const auto two = [](const std::optional<fem::Intensity>& i) { return i ? std::optional(i->two) : std::nullopt; };
+  const auto angle = [&](fem::Kink fem::TipResult::Kinks::* kink) { return tip.kinks ? std::optional((*tip.kinks.*kink).angle.degrees()) : std::nullopt; };
+  using Kinks = fem::TipResult::Kinks;
+  return {{"K_I", k, tip.domain.k.one},
+          {"K_II", k, tip.domain.k.two},
+          {"closure.K_I", k, one(tip.closure)},
+          {"closure.K_II", k, two(tip.closure)},
+          {"correlation.K_I", k, one(tip.correlation)},
+          {"correlation.K_II", k, two(tip.correlation)},
+          {"spread", "%", tip.spread ? std::optional(100.0 * *tip.spread) : std::nullopt},
+          {"J", "J/m2", tip.domain.j},
+          {"G", "J/m2", tip.release},
+          {"T", "Pa", tip.domain.t_stress},
+          {"contour", "m", tip.contour.outer},
+          {"kink.sigma_theta", "deg", angle(&Kinks::sigma_theta)},
+          {"kink.s_theta", "deg", angle(&Kinks::s_theta)},
+          {"kink.g_theta", "deg", angle(&Kinks::g_theta)}};
+}
+
+}  // namespace
+
+dobra::base::Result<Model> add_tips(const Model& model, const FractureParams& params, const scenario::Context&,
                                     const dobra::base::Progress& progress) {
   if (model.analyses.empty()) return Error{ErrorCode::BadValue, "there is no analysis: put a step 'analyse' or 'adapt' before"};
   Analysis analysis = *model.analyses.back();
   const auto& mesh = analysis.meshed->mesh;
   if (mesh.tips.empty()) return Error{ErrorCode::BadValue, "the mesh has no crack tips; give the input a crack that ends inside the material"};
   analysis.tips.clear();
+  Model result = model;
   for (std::size_t c = 0; c < analysis.problem.cases.size(); ++c) {
     DOBRA_TRY_VOID(progress.check());
-    DOBRA_TRY(auto tips, dobra::fem::crack_tips(mesh, analysis.problem, analysis.problem.cases[c], analysis.solution.cases[c].displacements, params.contour));
+    DOBRA_TRY(auto tips, fem::crack_tips(mesh, analysis.problem, analysis.problem.cases[c], analysis.solution.cases[c].displacements, params.contour));
+    for (const auto& tip : tips) {
+      for (const std::string& remark : tip.remarks)
+        result.remarks.push_back(analysis.problem.cases.size() == 1 ? remark : fmt::format("load case '{}': {}", analysis.problem.cases[c].name, remark));
+    }
     analysis.tips.push_back(std::move(tips));
   }
-  Model result = model;
   result.analyses.back() = std::make_shared<const Analysis>(std::move(analysis));
   return result;
+}
+
+std::string ask_for_rosettes(scenario::Document& document) {
+  auto& steps = document.steps;
+  const auto crack = std::find_if(steps.rbegin(), steps.rend(), [](const auto& step) { return step.operation == "crack"; });
+  const auto mesh = std::find_if(crack, steps.rend(), [](const auto& step) { return step.operation == "mesh" || step.operation == "adapt"; });
+  const auto give = [](scenario::Table& params) {
+    params.set("order", std::string("2"));
+    params.set("rosettes", std::string("yes"));
+  };
+  if (mesh == steps.rend()) {
+    scenario::Step step{.operation = "mesh", .name = {}, .params = {}, .comment = {}, .place = {}};
+    give(step.params);
+    const auto analyse = std::find_if(steps.begin(), steps.end(), [](const auto& s) { return s.operation == "analyse"; });
+    steps.insert(analyse != steps.end() ? analyse : crack.base() - 1, std::move(step));
+    return "the scenario has no mesh: one with rosettes of quarter-point elements at the tips is made";
+  }
+  const auto says = [&](const char* key, const char* value) {
+    const scenario::Value* found = mesh->params.find(key);
+    return found != nullptr && *found == scenario::Value(std::string(value));
+  };
+  if (mesh->params.find("rosettes") != nullptr || says("order", "1") || says("quads", "yes")) return {};
+  give(mesh->params);
+  return fmt::format("step '{}' puts rosettes of quarter-point elements at the tips; rosettes = \"no\" there leaves them out", mesh->operation);
+}
+
+void add_tip_quantities(const Model& model, std::vector<scenario::Quantity>& quantities) {
+  if (model.analyses.empty()) return;
+  const Analysis& analysis = *model.analyses.back();
+  for (std::size_t c = 0; c < analysis.tips.size(); ++c) {
+    for (const auto& tip : analysis.tips[c]) {
+      for (const Figure& figure : figures_of(tip)) {
+        if (figure.value) quantities.push_back({fmt::format("tip.{}.{}.{}", analysis.solution.cases[c].name, tip.name, figure.name), *figure.value, figure.unit});
+      }
+    }
+  }
+}
+
+void add_tip_tables(const Model& model, std::vector<scenario::DataTable>& tables) {
+  if (model.analyses.empty() || model.analyses.back()->tips.empty()) return;
+  const Analysis& analysis = *model.analyses.back();
+  scenario::DataTable table{"tips", {"case", "tip", "x [m]", "y [m]"}, {}};
+  for (std::size_t c = 0; c < analysis.tips.size(); ++c) {
+    for (const auto& tip : analysis.tips[c]) {
+      const auto figures = figures_of(tip);
+      if (table.rows.empty()) {
+        for (const Figure& figure : figures) table.columns.push_back(fmt::format("{} [{}]", figure.name, figure.unit));
+      }
+      auto& row = table.rows.emplace_back();
+      row.reserve(table.columns.size());
+      row.emplace_back(analysis.solution.cases[c].name);
+      row.emplace_back(tip.name);
+      for (const double place : {tip.at.x, tip.at.y}) row.emplace_back(place);
+      for (const Figure& figure : figures) {
+        if (figure.value) row.emplace_back(*figure.value);
+        else row.emplace_back(std::string());
+      }
+    }
+  }
+  tables.push_back(std::move(table));
 }
 
 }  // namespace quebra::core

@@ -2,7 +2,11 @@
 // Stress intensity factors of the last analysis, at every crack tip and for every load case.
 // Page: docs/algorithms/crack.md.
 
+#include <string>
+#include <vector>
+
 #include "quebra/core/analysis.h"
+#include "shared/scenario/document.h"
 
 namespace quebra::core {
 
@@ -18,5 +22,14 @@ struct FractureParams {
 /// @error BadValue: no analysis, or no tip in its mesh; those of fem::crack_tips.
 dobra::base::Result<Model> add_tips(const Model& model, const FractureParams& params, const dobra::scenario::Context& context,
                                     const dobra::base::Progress& progress);
+
+/// Who asks for K wants rosettes: the last `mesh` or `adapt` step before the last `crack` step gets them, and second order,
+/// unless it says otherwise itself by `rosettes`, order = "1" or quads = "yes"; a document without either gets a mesh step.
+/// @return what was done, for the user; empty if nothing.
+std::string ask_for_rosettes(dobra::scenario::Document& document);
+
+/// What the crack steps of a model add to its quantities and tables.
+void add_tip_quantities(const Model& model, std::vector<dobra::scenario::Quantity>& quantities);
+void add_tip_tables(const Model& model, std::vector<dobra::scenario::DataTable>& tables);
 
 }  // namespace quebra::core

@@ -35,7 +35,7 @@ struct MeshParams {
   Order order = Order::First;
   Quadrilaterals quadrilaterals = Quadrilaterals::No;
   UseRosettes rosettes = UseRosettes::No;
-  int sectors = 16;
+  int sectors = 20;
   double tip_radius = 0.0;
   int stop_after = 0;
 
@@ -57,7 +57,7 @@ struct MeshParams {
     d.choice("quads", &MeshParams::quadrilaterals, {"no", "yes"}, {.title = "Quadrilaterals", .help = "Joins pairs of triangles where that gives a good shape."});
     d.choice("rosettes", &MeshParams::rosettes, {"no", "yes"}, {.title = "Rosettes", .help = "Quarter-point elements round each crack tip; needs order 2."});
     d.field("sectors", &MeshParams::sectors, {.title = "Sectors", .help = "Of a rosette, even.", .at_least = 6, .at_most = 360});
-    d.field("tip_radius", &MeshParams::tip_radius, {.title = "Tip elements", .help = "Length of the quarter-point elements; 0 takes 1/40 of the crack.", .unit = "m", .at_least = 0});
+    d.field("tip_radius", &MeshParams::tip_radius, {.title = "Tip elements", .help = "Length of the quarter-point elements; 0 takes 1/80 of the room round the tip: straight end of the crack, ligament, other tips.", .unit = "m", .at_least = 0});
     d.field("stop_after", &MeshParams::stop_after, {.title = "Stop after", .help = "Steps of the engine, one side of its front or one node each: shows it at work. 0: it goes on until the mesh is done.", .at_least = 0});
   }
 };

@@ -97,6 +97,7 @@ scenario::Program make_program() {
     const Model& model = scenario::model_of<Model>(state);
     auto quantities = quantities_of(model);
     add_analysis_quantities(model, quantities);
+    add_tip_quantities(model, quantities);
     add_sample_quantities(model, quantities);
     return quantities;
   };
@@ -105,6 +106,7 @@ scenario::Program make_program() {
     const Model& model = scenario::model_of<Model>(state);
     auto tables = tables_of(model);
     add_analysis_tables(model, tables);
+    add_tip_tables(model, tables);
     add_sample_tables(model, tables);
     return tables;
   };

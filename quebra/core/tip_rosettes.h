@@ -21,7 +21,8 @@ struct TipRosette {
 };
 
 /// One for each end of a crack that lies inside the material, then one for each tip of a half crack.
-/// @param options  a radius of 0 takes 1/40 of the length of the crack a tip.
+/// @param options  a radius of 0 takes 1/80 of the room round the tip: to the nearest other curve or tip, and as far as the
+/// crack runs straight.
 /// @error BadDomain naming the crack: two rosettes overlap, one reaches a boundary, or the crack is not straight in it.
 dobra::base::Result<std::vector<TipRosette>> tip_rosettes(const Domain& domain, const std::vector<HalfTip>& half_tips,
                                                           const dobra::fem::RosetteOptions& options);

@@ -1264,8 +1264,8 @@
         <translation>Elementos da ponta</translation>
     </message>
     <message>
-        <source>Length of the quarter-point elements; 0 takes 1/40 of the crack.</source>
-        <translation>Comprimento dos elementos de quarto de ponto; 0 toma 1/40 da trinca.</translation>
+        <source>Length of the quarter-point elements; 0 takes 1/80 of the room round the tip: straight end of the crack, ligament, other tips.</source>
+        <translation>Comprimento dos elementos de quarto de ponto; 0 toma 1/80 do espaço em volta da ponta: fim reto da trinca, ligamento, outras pontas.</translation>
     </message>
     <message>
         <source>QUEBRA</source>

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 
 #include "shared/fem/assemble.h"
@@ -24,6 +25,8 @@ constexpr double pi = std::numbers::pi;
 constexpr double straightness = 1e-6;
 /// The largest contour stays this far inside what limits it, so that a whole ring of elements is clear of it.
 constexpr double room_used = 0.95;
+/// Lips overlap, and K_I closes, by more than this fraction of the rest: less is noise of the mesh.
+constexpr double noise = 1e-3;
 
 Error bad(const TipFrame& frame, std::string message) {
   return {ErrorCode::BadCrack, std::move(message),
@@ -128,7 +131,7 @@ base::Result<TipFrame> frame_of(const ElementMesh& mesh, const Materials& materi
   return frame;
 }
 
-/// Openings (y) and slidings (x) between the lips in the frame of the tip.
+/// Openings (y) and slidings (x) between the lips in the frame of the tip; none in the middle of sides of first order.
 struct Openings {
   Vector corner;
   Vector middle;
@@ -139,11 +142,14 @@ Openings openings_of(const ElementMesh& mesh, const TipFrame& frame, std::span<c
   const auto right = side_nodes(mesh, frame.right);
   if (frame.lips != Lips::Both) {
     const auto opening = [&](mesh::NodeId node) {
+      if (!node.valid()) return Vector{};
       return Vector{0.0, 2.0 * frame.local(u[node.index()] - u[frame.tip.node.index()]).y};
     };
     return {opening(left[0] == frame.tip.node ? left[1] : left[0]), opening(left[2])};
   }
-  return {frame.local(u[left[0].index()] - u[right[1].index()]), frame.local(u[left[2].index()] - u[right[2].index()])};
+  const Vector corner = frame.local(u[left[0].index()] - u[right[1].index()]);
+  if (!left[2].valid()) return {corner, {}};
+  return {corner, frame.local(u[left[2].index()] - u[right[2].index()])};
 }
 
 /// The side that runs straight ahead from the tip, of the element on its left, or of the only one.
@@ -313,6 +319,62 @@ Vector lip_traction(const ElementMesh& mesh, const LoadCase& load, const TipFram
   return sum;
 }
 
+/// What closes a crack, as a traction on the left of its line: of loads on both lips the mean, for the stress ahead
+/// jumps by no load of one lip alone.
+Vector closing_traction(const ElementMesh& mesh, const LoadCase& load, const TipFrame& frame) {
+  const Vector left = lip_traction(mesh, load, frame, frame.left);
+  if (frame.lips != Lips::Both) return left;
+  return 0.5 * (left - lip_traction(mesh, load, frame, frame.right));
+}
+
+/// Where the lips of a crack pass through each other deepest, if they do.
+struct Overlap {
+  double depth = 0.0;  ///< m
+  Point at;
+};
+
+/// Walks along both lips from the tip as far as they face each other; of a single lip as far as it is straight.
+std::optional<Overlap> overlap_of(const ElementMesh& mesh, const TipFrame& frame,
+                                  const std::vector<mesh::ElementSide>& boundary, std::span<const Vector> u) {
+  std::map<mesh::NodeId, mesh::ElementSide> ending, starting;
+  for (const auto& side : boundary) {
+    const auto nodes = side_nodes(mesh, side);
+    starting.try_emplace(nodes[0], side);
+    ending.try_emplace(nodes[1], side);
+  }
+  const bool whole = frame.lips == Lips::Both;
+  const bool backwards = frame.lips == Lips::OnlyRight;  // the only lip begins in the tip
+  Overlap deepest;
+  double greatest = 0.0;
+  // Whether the two still face each other.
+  const auto look = [&](mesh::NodeId left, mesh::NodeId right, Vector into_left) {
+    if (!left.valid()) return true;
+    const Point at = mesh.point(left);
+    if (whole ? mesh.point(right) != at : std::abs(frame.local(at - frame.at).y) > straightness * frame.length)
+      return false;
+    const Vector apart = whole ? u[left.index()] - u[right.index()]
+                               : 2.0 * dot(u[left.index()] - u[frame.tip.node.index()], into_left) * into_left;
+    greatest = std::max(greatest, length(apart));
+    if (-dot(apart, into_left) > deepest.depth) deepest = {-dot(apart, into_left), at};
+    return true;
+  };
+  mesh::ElementSide left = frame.left;
+  mesh::ElementSide right = frame.right;
+  for (std::size_t step = 0; step < boundary.size(); ++step) {
+    const auto on_left = side_nodes(mesh, left);
+    const auto on_right = side_nodes(mesh, right);
+    const mesh::NodeId far = on_left[backwards ? 1 : 0];
+    const Vector into_left = whole ? left_of(normalised(mesh.point(on_left[1]) - mesh.point(on_left[0]))) : frame.up();
+    if (!look(far, on_right[1], into_left) || !look(on_left[2], on_right[2], into_left)) break;
+    const auto next = (backwards ? starting : ending).find(far);
+    const auto next_right = starting.find(on_right[1]);
+    if (far == on_right[1] || next == (backwards ? starting : ending).end() || next_right == starting.end()) break;
+    left = next->second;
+    if (whole) right = next_right->second;
+  }
+  return deepest.depth > noise * greatest ? std::optional(deepest) : std::nullopt;
+}
+
 double relative_distance(const Intensity& a, const Intensity& b) {
   return std::hypot(a.one - b.one, a.two - b.two) / std::hypot(b.one, b.two);
 }
@@ -369,7 +431,7 @@ base::Result<Intensity> crack_closure(const ElementMesh& mesh, const Problem& pr
   Vector at_tip = -1.0 / thickness * frame.local(forces[frame.tip.node.index()]);
   Vector at_middle = -1.0 / thickness * frame.local(forces[nodes[2].index()]);
   // The load of the lips would follow the crack: what closes it is the stress ahead less that on the lips.
-  const Vector lip = lip_traction(mesh, load, frame, frame.left);
+  const Vector lip = closing_traction(mesh, load, frame);
   integrate_side(mesh, *ahead, [&](auto, const Shape& shape, Point, Vector, double length) {
     at_tip = at_tip + (shape.n[own] * length) * lip;
     at_middle = at_middle + (shape.n[2] * length) * lip;
@@ -420,7 +482,8 @@ DomainIntegrals domain_integrals(const ElementMesh& mesh, const LoadCase& load, 
       const auto nodes = side_nodes(mesh, side);
       // Inside the contour there is no boundary but the lips, and a line of symmetry, whose supports take its loads.
       const double ahead = frame.local(midpoint(mesh.point(nodes[0]), mesh.point(nodes[1])) - frame.at).x;
-      if (ahead < 0.0 && std::min(distance(mesh.point(nodes[0]), frame.at), distance(mesh.point(nodes[1]), frame.at)) < contour.outer)
+      if (ahead < 0.0 &&
+          std::min(distance(mesh.point(nodes[0]), frame.at), distance(mesh.point(nodes[1]), frame.at)) < contour.outer)
         add_lip(mesh, side, side_load.traction, frame, contour, u, sum);
     }
   }
@@ -435,9 +498,63 @@ DomainIntegrals domain_integrals(const ElementMesh& mesh, const LoadCase& load, 
   return {sum[0], {0.5 * modulus * sum[1], 0.5 * modulus * sum[2]}, modulus * sum[3] + across};
 }
 
+namespace {
+
+/// The methods beside the interaction integral, and what keeps one from taking part.
+void compare_methods(const ElementMesh& mesh, const Problem& problem, const LoadCase& load, const TipFrame& frame,
+                     std::span<const Vector> u, TipResult& result) {
+  const Intensity k = result.domain.k;
+  std::string missing;
+  const auto take = [&](const base::Result<Intensity>& other, std::optional<Intensity>& own) {
+    if (!other) {
+      missing += (missing.empty() ? "" : "; ") + other.error().message;
+      return;
+    }
+    own = *other;
+    if (k.one != 0.0 || k.two != 0.0)
+      result.spread = std::max(result.spread.value_or(0.0), relative_distance(*other, k));
+  };
+  take(displacement_correlation(mesh, frame, u), result.correlation);
+  take(crack_closure(mesh, problem, load, frame, u), result.closure);
+  if (missing.empty()) return;
+  const bool alone = !result.correlation && !result.closure;
+  result.remarks.push_back(fmt::format(
+      "crack tip '{}': {} ({}){}; mesh with rosettes = \"yes\" and order = \"2\"", frame.tip.name,
+      alone ? "K by one method only, which nothing confirms" : "K by two methods only", missing,
+      frame.quarter ? "" : "; these elements do not hold the singularity, so K may be off by several percent"));
+}
+
+/// Kink angles, or why there are none.
+void look_for_contact(const ElementMesh& mesh, const TipFrame& frame, const std::vector<mesh::ElementSide>& boundary,
+                      std::span<const Vector> u, TipResult& result) {
+  const Intensity k = result.domain.k;
+  const double size = std::hypot(k.one, k.two);
+  const auto overlap = overlap_of(mesh, frame, boundary, u);
+  const auto rounded = [&](double x) { return std::abs(x) < 1e-9 * frame.length ? 0.0 : x; };
+  const Openings openings = openings_of(mesh, frame, u);
+  const bool closed = k.one < -noise * size || openings.corner.y < -noise * length(openings.corner) ||
+                      openings.middle.y < -noise * length(openings.middle);
+  if (overlap || closed) {
+    result.remarks.push_back(
+        fmt::format("crack tip '{}': closed: {}; contact is not modelled, so K and J are not those of lips that press "
+                    "on each other{}",
+                    frame.tip.name,
+                    overlap ? fmt::format("the lips overlap by up to {:.3g} at ({:.6g}, {:.6g})", overlap->depth,
+                                          rounded(overlap->at.x), rounded(overlap->at.y))
+                            : fmt::format("K_I is {:.4g}", k.one),
+                    closed ? ", and no kink angle is given" : ""));
+  }
+  if (closed || size == 0.0) return;
+  result.kinks = {kink_of(KinkCriterion::SigmaTheta, k, frame.material),
+                  kink_of(KinkCriterion::STheta, k, frame.material), kink_of(KinkCriterion::GTheta, k, frame.material)};
+}
+
+}  // namespace
+
 base::Result<std::vector<TipResult>> crack_tips(const ElementMesh& mesh, const Problem& problem, const LoadCase& load,
                                                 std::span<const Vector> u, std::optional<double> outer) {
   DOBRA_TRY(const std::vector<TipFrame> frames, tip_frames(mesh, problem.materials));
+  const std::vector<mesh::ElementSide> boundary = surroundings_of(mesh).boundary;
   std::vector<TipResult> results;
   for (const TipFrame& frame : frames) {
     DOBRA_TRY_VOID(check_symmetry(mesh, frame, u));
@@ -447,15 +564,9 @@ base::Result<std::vector<TipResult>> crack_tips(const ElementMesh& mesh, const P
     const Contour half{0.5 * contour.inner, 0.5 * contour.outer};
     result.inner_j = domain_integrals(mesh, load, frame, half, u).j;
     const Intensity k = result.domain.k;
-    if (const auto correlation = displacement_correlation(mesh, frame, u)) result.correlation = *correlation;
-    if (const auto closure = crack_closure(mesh, problem, load, frame, u)) result.closure = *closure;
-    for (const auto& other : {result.correlation, result.closure}) {
-      if (other) result.spread = std::max(result.spread, relative_distance(*other, k));
-    }
+    compare_methods(mesh, problem, load, frame, u, result);
     result.release = (k.one * k.one + k.two * k.two) / effective_modulus(frame.material);
-    result.sigma_theta = kink_of(KinkCriterion::SigmaTheta, k, frame.material);
-    result.s_theta = kink_of(KinkCriterion::STheta, k, frame.material);
-    result.g_theta = kink_of(KinkCriterion::GTheta, k, frame.material);
+    look_for_contact(mesh, frame, boundary, u, result);
     results.push_back(std::move(result));
   }
   return results;

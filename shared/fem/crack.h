@@ -26,10 +26,11 @@ struct TipFrame {
   geom::Point at;
   Material material = {};
   Lips lips = Lips::Both;
-  mesh::ElementSide left = {};   ///< Side of the left lip that ends in the tip; of the only lip.
-  mesh::ElementSide right = {};  ///< Side of the right lip that begins in the tip; ahead of the tip if there is one lip.
-  double length = 0.0;           ///< Of the side of the left lip, m.
-  bool quarter = false;          ///< Both sides have their mid-side node at a quarter.
+  mesh::ElementSide left = {};  ///< Side of the left lip that ends in the tip; of the only lip.
+  mesh::ElementSide right =
+      {};                ///< Side of the right lip that begins in the tip; ahead of the tip if there is one lip.
+  double length = 0.0;   ///< Of the side of the left lip, m.
+  bool quarter = false;  ///< Both sides have their mid-side node at a quarter.
   double room =
       0.0;  ///< Radius of the greatest disc round the tip with nothing in it but the straight end of the crack, m.
   /// Unit, along y of the frame.
@@ -37,8 +38,8 @@ struct TipFrame {
   [[nodiscard]] geom::Vector local(geom::Vector v) const { return {dot(v, tip.direction), dot(v, up())}; }
 };
 /// One a tip of the mesh, in their order.
-/// @error BadCrack with the place: no lips at the tip, lips (or lip and line ahead) that are not straight, elements of two
-/// materials at it.
+/// @error BadCrack with the place: no lips at the tip, lips (or lip and line ahead) that are not straight, elements of
+/// two materials at it.
 base::Result<std::vector<TipFrame>> tip_frames(const mesh::ElementMesh& mesh, const Materials& materials);
 
 /// @error BadCrack: the elements at the tip are not quarter-point ones (the formula would be wrong by 60 %).
@@ -78,12 +79,16 @@ struct TipResult {
   std::optional<Intensity> correlation = {};  ///< Nothing where the elements do not allow it.
   std::optional<Intensity> closure = {};
   double release = 0.0;  ///< G = (K_I^2 + K_II^2) / E' of the interaction integral, J/m2.
-  double spread = 0.0;   ///< Greatest distance of another method's K from the interaction integral's, relative.
-  Kink sigma_theta = {};
-  Kink s_theta = {};
-  Kink g_theta = {};
+  /// Greatest distance of another method's K from the interaction integral's, relative; nothing if there is no other.
+  std::optional<double> spread = {};
+  /// Where it turns; nothing if it is closed, or not loaded.
+  struct Kinks {
+    Kink sigma_theta, s_theta, g_theta;
+  };
+  std::optional<Kinks> kinks = {};
+  std::vector<std::string> remarks = {};  ///< What the user should know: methods left out and why, lips that overlap.
 };
-/// All of it, for every tip, in their order.
+/// All of it, for every tip, in their order. A crack whose lips overlap has its remark: contact is not modelled.
 /// @error those of tip_frames and contour_of; BadCrack: the line ahead of a single lip moves across.
 base::Result<std::vector<TipResult>> crack_tips(const mesh::ElementMesh& mesh, const Problem& problem,
                                                 const LoadCase& load, std::span<const geom::Vector> u,
