@@ -1164,6 +1164,22 @@
         <translation>Na norma da energia.</translation>
     </message>
     <message>
+        <source>Mind peaks</source>
+        <translation>Cuidar dos picos</translation>
+    </message>
+    <message>
+        <source>Asks for the same error in the elements round each peak of stress: the whole may meet it with a peak that does not.</source>
+        <translation>Pede o mesmo erro nos elementos em volta de cada pico de tensão: o todo pode atendê-lo com um pico que não o atende.</translation>
+    </message>
+    <message>
+        <source>First tip elements</source>
+        <translation>Primeiros elementos de ponta</translation>
+    </message>
+    <message>
+        <source>Length of the quarter-point elements of the first mesh; 0 takes 1/40 of the crack.</source>
+        <translation>Comprimento dos elementos de quarto de ponto da primeira malha; 0 toma 1/40 da trinca.</translation>
+    </message>
+    <message>
         <source>Rule of sizes</source>
         <translation>Regra de tamanhos</translation>
     </message>
@@ -1188,8 +1204,8 @@
         <translation>Menor tamanho</translation>
     </message>
     <message>
-        <source>Quarter-point elements at crack tips; they keep their size.</source>
-        <translation>Elementos de quarto de ponto nas pontas das trincas; mantêm seu tamanho.</translation>
+        <source>Quarter-point elements at crack tips; smaller ones if they hold too much of the error.</source>
+        <translation>Elementos de quarto de ponto nas pontas das trincas; menores se retêm erro demais.</translation>
     </message>
     <message>
         <source>von Mises stress</source>
