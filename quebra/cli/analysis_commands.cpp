@@ -37,7 +37,7 @@ struct Options {
   std::string rule;
   std::optional<std::int64_t> max_cycles;
   std::optional<double> contour;
-  std::string line, field;
+  std::string line, field, range;
   std::vector<std::string> probes;
   std::optional<std::int64_t> samples;
   std::optional<double> deformation;
@@ -80,7 +80,7 @@ Result<std::vector<geom::Point>> points_in(const std::string& option, const std:
 Result<void> add_result_steps(const Options& options, scenario::Document& document) {
   if (options.out && options.line.empty()) return Error{ErrorCode::BadUsage, "--out is the file of the line: give --line x0,y0,x1,y1"};
   if (options.samples && options.line.empty()) return Error{ErrorCode::BadUsage, "--samples is of a line: give --line x0,y0,x1,y1"};
-  if (!options.picture && (!options.field.empty() || options.deformation)) return Error{ErrorCode::BadUsage, "--field and --deformation are of a picture: give --picture FILE"};
+  if (!options.picture && (!options.field.empty() || !options.range.empty() || options.deformation)) return Error{ErrorCode::BadUsage, "--field, --range and --deformation are of a picture: give --picture FILE"};
   if (!options.line.empty()) {
     DOBRA_TRY(const auto ends, points_in("--line", options.line, 2));
     scenario::Step step = step_of("line");
@@ -100,6 +100,7 @@ Result<void> add_result_steps(const Options& options, scenario::Document& docume
   if (options.picture) {
     scenario::Step step = step_of("view");
     if (!options.field.empty()) step.params.set("field", options.field);
+    if (!options.range.empty()) step.params.set("range", options.range);
     if (options.deformation) step.params.set("deformation", *options.deformation);
     document.steps.push_back(std::move(step));
   }
@@ -199,6 +200,7 @@ dobra::cli::Command command(const std::string& name, const std::string& operatio
             app.add_option("--probe", options->probes, "The same at a point; may be given again")->type_name("X,Y");
             app.add_option("--picture", options->picture, "Draw a field on the deformed shape")->type_name("FILE.svg|pdf|png");
             app.add_option("--field", options->field, "What the picture shows; von_mises by default")->check(CLI::IsMember(core::field_names()))->type_name("NAME");
+            app.add_option("--range", options->range, "Colours for 99.5 % of the area, or for all of it")->check(CLI::IsMember({"field", "full"}))->type_name("RANGE");
             app.add_option("--deformation", options->deformation, "Times the displacements drawn; 0 none")->type_name("FACTOR");
             return [operation, options](dobra::cli::Session& session) { return job(session, operation, *options); };
           }};

@@ -10,12 +10,14 @@
 namespace quebra::core {
 
 enum class Shown { Yes, No };
+enum class ColorRange { Field, Full };
 
 struct ViewParams {
   FieldName field = FieldName::VonMises;
   std::string load_case;
   std::optional<double> deformation;
   int contours = 9;
+  ColorRange range = ColorRange::Field;
   Shown mesh = Shown::Yes;
   Shown extremes = Shown::Yes;
 
@@ -25,6 +27,7 @@ struct ViewParams {
     d.field("case", &ViewParams::load_case, {.title = "Load case", .help = "The first by default."});
     d.field("deformation", &ViewParams::deformation, {.title = "Deformation", .help = "Times the displacements that are drawn: 1 true, 0 none; by default they are a twentieth of the size.", .at_least = 0});
     d.field("contours", &ViewParams::contours, {.title = "Contours", .help = "Number of lines.", .at_least = 0, .at_most = 100});
+    d.choice("range", &ViewParams::range, {"field", "full"}, {.title = "Range of colours", .help = "field: what 99.5 % of the area has, if a peak (a crack tip) stands out of it; full: from the least to the greatest value."});
     d.choice("mesh", &ViewParams::mesh, {"yes", "no"}, {.title = "Mesh"});
     d.choice("extremes", &ViewParams::extremes, {"yes", "no"}, {.title = "Extremes", .help = "Marks the greatest and the least value."});
   }

@@ -61,7 +61,7 @@ void add_corners(std::vector<ValidationCase>& cases) {
 
 /// Stress at a point: the hole holds little of the energy, so the error asked for is small.
 void add_holes(std::vector<ValidationCase>& cases) {
-  constexpr std::array<std::array<double, 2>, 5> table{{{0.1, 3.035}, {0.2, 3.152}, {0.4, 3.746}, {0.5, 4.346}, {0.7, 6.983}}};
+  constexpr std::array<std::array<double, 2>, 6> table{{{0.05, 3.008}, {0.1, 3.035}, {0.2, 3.152}, {0.4, 3.746}, {0.5, 4.346}, {0.7, 6.983}}};
   for (const auto& [d, kt] : table) {
     const std::string input = fmt::format("specimen = \"quarter_plate\"\nwidth = 4.0\nheight = 1.0\nradius = {}\n", d);
     cases.push_back({fmt::format("Finite plate with a hole, d/W = {}, Kt", d),
@@ -96,7 +96,7 @@ std::string beam(double a) {
 }
 
 void add_standard_specimens(std::vector<ValidationCase>& cases) {
-  constexpr std::array<std::array<double, 2>, 5> table{{{0.3, 5.621}, {0.4, 7.279}, {0.5, 9.659}, {0.6, 13.654}, {0.7, 21.55}}};
+  constexpr std::array<std::array<double, 2>, 6> table{{{0.3, 5.621}, {0.4, 7.279}, {0.45, 8.340}, {0.5, 9.659}, {0.6, 13.654}, {0.7, 21.55}}};
   for (const auto& [a, compact] : table) {
     const std::string pins = fmt::format("specimen = \"compact_tension\"\nwidth = 1.0\ncrack_length = {}\n", a) + point("anchor", 1, 0) + point("guide", 1, 0.6);
     cases.push_back({fmt::format("Compact tension, a/W = {}", a),
@@ -118,6 +118,7 @@ void add_mixed_modes(std::vector<ValidationCase>& cases) {
                                            material(1.0, 0.3) + held + pulled, crack_steps(1.0));
   cases.push_back({"Inclined centre crack, 45 degrees, K_I", inclined, "tip.load.crack_end.K_I", 1.0 / std::sqrt(pi), 0.5062, 2e-3, "fracture.md 3.8 a"});
   cases.push_back({"Inclined centre crack, 45 degrees, K_II", inclined, "tip.load.crack_end.K_II", 1.0 / std::sqrt(pi), 0.5046, 2e-3, "fracture.md 3.8 a"});
+  cases.push_back({"Inclined centre crack, 45 degrees, kink", inclined, "tip.load.crack_end.kink.sigma_theta", 1.0, 53.13, 3e-3, "Erdogan, Sih 1963; fracture.md 3.8 a"});
   const std::string sheared = scenario_of(line("bottom", "[[0, 0], [7, 0]]") + line("right", "[[7, 0], [7, 16]]") + line("top", "[[7, 16], [0, 16]]") +
                                               line("left", "[[0, 16], [0, 0]]") + "[[input.crack]]\nname = \"crack\"\npoints = [[0, 8], [3.5, 8]]\n",
                                           "strain", material(3e7, 0.25) + support("bottom", "x = 0.0\ny = 0.0") + load("top", "x = 1.0"), crack_steps(0.5));

@@ -1180,6 +1180,26 @@
         <translation>Comprimento dos elementos de quarto de ponto da primeira malha; 0 toma 1/40 da trinca.</translation>
     </message>
     <message>
+        <source>Range of colours</source>
+        <translation>Faixa de cores</translation>
+    </message>
+    <message>
+        <source>field: what 99.5 % of the area has, if a peak (a crack tip) stands out of it; full: from the least to the greatest value.</source>
+        <translation>field: o que 99,5 % da área tem, se um pico (uma ponta de trinca) se destaca; full: do menor ao maior valor.</translation>
+    </message>
+    <message>
+        <source>colours</source>
+        <translation>cores</translation>
+    </message>
+    <message>
+        <source>of the area</source>
+        <translation>da área</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>a</translation>
+    </message>
+    <message>
         <source>Rule of sizes</source>
         <translation>Regra de tamanhos</translation>
     </message>
