@@ -185,19 +185,29 @@ Result<Model> adapt(const Model& model, const AdaptParams& params, const dobra::
   Wishes wishes;
   Peaks peaks;
   Reached before{1.0, 1.0};
+  int done = 0;
+  if (params.from == StartFrom::Last) {
+    if (model.analyses.empty() || model.analyses.back()->cycle == 0) return Error{ErrorCode::BadValue, "there is no cycle to go on from: put a step 'adapt' before, or begin with the first"};
+    const Analysis& last = *model.analyses.back();
+    peaks.see(last, params.peaks, result.remarks);
+    before = {last.eta, peaks.worst()};
+    if (before.met(params.target)) return result;
+    done = last.cycle;
+    DOBRA_TRY(wishes, wishes_of(last, params, peaks, size));
+  }
   for (int cycle = 1;; ++cycle) {
     const auto part = progress.part((cycle - 1.0) / params.max_cycles, static_cast<double>(cycle) / params.max_cycles);
-    meshing.label = fmt::format("Cycle {}", cycle);
+    meshing.label = fmt::format("Cycle {}", done + cycle);
     if (wishes.tip_radius > 0.0) meshing.tip_radius = wishes.tip_radius;
     DOBRA_TRY(Meshed meshed, mesh_domain(result, meshing, wishes.sizes, result.remarks, part.part(0.0, 0.3)));
     result.meshes.push_back(std::make_shared<const Meshed>(std::move(meshed)));
     DOBRA_TRY(Analysis analysis, analyse(result.meshes.back(), *model.problem, 0.0, part.part(0.3, 1.0)));
-    analysis.cycle = cycle;
+    analysis.cycle = done + cycle;
     peaks.see(analysis, params.peaks, result.remarks);
     const Reached now{analysis.eta, peaks.worst()};
     result.analyses.push_back(std::make_shared<const Analysis>(std::move(analysis)));
     if (now.met(params.target)) return result;
-    if (cycle > 1 && now.stalls(before, params.target)) {
+    if (done + cycle > 1 && now.stalls(before, params.target)) {
       result.remarks.push_back(fmt::format("{} and stalls above the {:.3g} % asked for; allow smaller elements", now.text(), params.target));
       return result;
     }

@@ -221,6 +221,13 @@ void add_extremes(const Drawing& drawing, std::pair<double, double> range, std::
   layers.push_back({"extreme_values", translated("Extreme values"), {.line = ink, .text_size = 10.0}, std::move(labels), true, scene::InLegend::No});
 }
 
+/// The analysis that a view shows; null: there is no such cycle.
+const Analysis* analysis_of(const Model& model, const ViewParams& params) {
+  if (params.cycle == 0) return model.analyses.back().get();
+  const auto found = std::find_if(model.analyses.rbegin(), model.analyses.rend(), [&](const auto& own) { return own->cycle == params.cycle; });
+  return found == model.analyses.rend() ? nullptr : found->get();
+}
+
 }  // namespace
 
 Result<Model> add_view(const Model& model, const ViewParams& params, const dobra::scenario::Context&, const dobra::base::Progress&) {
@@ -229,6 +236,7 @@ Result<Model> add_view(const Model& model, const ViewParams& params, const dobra
   for (const auto& own : model.analyses.back()->solution.cases) names.push_back(own.name);
   if (!params.load_case.empty() && std::find(names.begin(), names.end(), params.load_case) == names.end())
     return Error{ErrorCode::BadValue, fmt::format("there is no load case '{}'{}", params.load_case, dobra::base::did_you_mean(params.load_case, names))};
+  if (analysis_of(model, params) == nullptr) return Error{ErrorCode::BadValue, fmt::format("there is no cycle {}: the last is {}", params.cycle, model.analyses.back()->cycle)};
   Model result = model;
   result.views.push_back(std::make_shared<const ViewParams>(params));
   return result;
@@ -283,7 +291,8 @@ void add_views(const Model& model, scene::Picture& picture) {
   }
   picture.panels.clear();
   for (const auto& view : model.views) {
-    picture.panels.push_back(view_panel(analysis, index_of(view->load_case), *view));
+    const Analysis* const own = analysis_of(model, *view);
+    picture.panels.push_back(view_panel(own != nullptr ? *own : analysis, index_of(view->load_case), *view));
     picture.panels.back().key = fmt::format("view_{}", picture.panels.size());
   }
 }

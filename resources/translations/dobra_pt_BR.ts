@@ -1200,6 +1200,22 @@
         <translation>a</translation>
     </message>
     <message>
+        <source>Begin with</source>
+        <translation>Começar com</translation>
+    </message>
+    <message>
+        <source>first: a mesh of the first size; last: the mesh after the last cycle so far. With most cycles 1 that is one cycle at a time.</source>
+        <translation>first: uma malha do primeiro tamanho; last: a malha depois do último ciclo feito. Com no máximo 1 ciclo, é um ciclo por vez.</translation>
+    </message>
+    <message>
+        <source>Cycle</source>
+        <translation>Ciclo</translation>
+    </message>
+    <message>
+        <source>Of the adaptive loop; 0: the last analysis.</source>
+        <translation>Do laço adaptativo; 0: a última análise.</translation>
+    </message>
+    <message>
         <source>Rule of sizes</source>
         <translation>Regra de tamanhos</translation>
     </message>
