@@ -130,7 +130,7 @@ Result<scenario::Document> document_of(dobra::cli::Session& session, const std::
 
 /// Figures of the mesh are `quebra mesh`'s business.
 bool wanted(const std::string& quantity) {
-  constexpr std::array names{"elements", "nodes", "unknowns", "cycles", "eta"};
+  constexpr std::array names{"elements", "nodes", "unknowns", "cycles", "eta", "peak_eta"};
   return quantity.starts_with("case.") || quantity.starts_with("tip.") || quantity.starts_with("probe.") ||
          std::find(names.begin(), names.end(), quantity) != names.end();
 }
