@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
+#include <string>
+#include <vector>
 
-#include "shared/fem/singular_vertices.h"
+#include "shared/fem/new_sizes.h"
+
 
 namespace quebra::core {
 namespace {
@@ -24,52 +26,153 @@ constexpr double least_gain = 0.02;
 /// The sizes aim this much lower than the error asked for: what the mesher makes of them comes out a little above.
 constexpr double aim = 0.95;
 
-/// Elements that touch a tip: with a rosette they stay as they are.
-std::vector<std::uint8_t> touching_tips(const mesh::ElementMesh& mesh) {
-  std::set<mesh::NodeId> tips;
-  for (const mesh::CrackTip& tip : mesh.tips) tips.insert(tip.node);
-  std::vector<std::uint8_t> frozen(mesh.element_count(), 0);
-  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    const auto nodes = mesh.nodes_of(mesh::ElementId(e));
-    frozen[e] = std::any_of(nodes.begin(), nodes.end(), [&](mesh::NodeId node) { return tips.contains(node); }) ? 1 : 0;
+/// Rings of elements in the rosettes that the mesher makes.
+constexpr int rosette_rings = 3;
+/// A peak whose error falls more slowly than this power of the size is no peak but a place of infinite stress.
+constexpr double least_rate = 0.5;
+
+Vector from_origin(dobra::geom::Point p) { return p - dobra::geom::Point{}; }
+
+/// How far a cycle got, as fractions.
+struct Reached {
+  double whole = 0.0;
+  double peak = 0.0;
+  [[nodiscard]] bool met(double percent) const { return 100.0 * std::max(whole, peak) <= percent; }
+  /// Nothing that is not met got better.
+  [[nodiscard]] bool stalls(const Reached& before, double percent) const {
+    const auto stuck = [&](double now, double then) { return 100.0 * now <= percent || now > (1.0 - least_gain) * then; };
+    return stuck(whole, before.whole) && stuck(peak, before.peak);
   }
-  return frozen;
+  [[nodiscard]] std::string text() const {
+    const std::string error = fmt::format("the error is {:.3g} %", 100.0 * whole);
+    return peak > 0.0 ? error + fmt::format(", {:.3g} % round the peaks of stress,", 100.0 * peak) : error;
+  }
+};
+
+/// What one cycle asks of the next mesh.
+struct Wishes {
+  std::vector<mesh::SizeRequest> sizes;
+  double tip_radius = 0.0;  ///< Of the rosettes; 0: as before.
+};
+
+/// The length of the elements at a tip.
+double tip_size(const mesh::ElementMesh& own, mesh::NodeId tip) {
+  double size = 0.0;
+  for (std::size_t e = 0; e < own.element_count(); ++e) {
+    const auto corners = own.nodes_of(mesh::ElementId(e)).first(mesh::corner_count(own.types[e]));
+    if (std::find(corners.begin(), corners.end(), tip) == corners.end()) continue;
+    for (const mesh::NodeId node : corners) size = std::max(size, distance(own.point(node), own.point(tip)));
+  }
+  return size;
 }
 
-Result<std::vector<mesh::SizeRequest>> next_sizes(const Analysis& analysis, const AdaptParams& params, double first_size) {
+/// A peak of a cycle, to see in the next whether its error falls.
+struct PeakSeen {
+  dobra::geom::Point at;
+  double size = 0.0;
+  double eta = 0.0;
+};
+
+/// The peaks that the loop minds, over the cycles.
+class Peaks {
+ public:
+  /// Looks at the peaks of an analysis: those whose error did not fall are left out from now on, with a remark.
+  void see(const Analysis& analysis, MindPeaks mind, std::vector<std::string>& remarks) {
+    if (mind == MindPeaks::No) return;
+    const mesh::ElementMesh& own = analysis.meshed->mesh;
+    std::vector<PeakSeen> now;
+    worst_ = 0.0;
+    for (const CaseFields& fields : analysis.fields) {
+      for (const fem::HotSpot& spot : fields.peaks) {
+        const PeakSeen peak{own.point(spot.node), tip_size(own, spot.node), spot.eta};
+        if (ignored(peak.at)) continue;
+        const auto before = std::find_if(seen_.begin(), seen_.end(), [&](const PeakSeen& old) { return distance(old.at, peak.at) < 0.5 * old.size; });
+        if (before != seen_.end() && peak.size < 0.7 * before->size && peak.eta > before->eta * std::pow(peak.size / before->size, least_rate)) {
+          remarks.push_back(fmt::format("the stress at ({:.6g}, {:.6g}) does not settle as the elements get smaller: it is infinite there, and is not minded", peak.at.x, peak.at.y));
+          ignored_.push_back(*before);
+          continue;
+        }
+        worst_ = std::max(worst_, peak.eta);
+        now.push_back(peak);
+      }
+    }
+    seen_ = std::move(now);
+  }
+  [[nodiscard]] bool ignored(dobra::geom::Point at) const {
+    return std::any_of(ignored_.begin(), ignored_.end(), [&](const PeakSeen& old) { return distance(old.at, at) < old.size; });
+  }
+  [[nodiscard]] double worst() const { return worst_; }
+
+ private:
+  std::vector<PeakSeen> seen_;
+  std::vector<PeakSeen> ignored_;
+  double worst_ = 0.0;
+};
+
+/// Sizes of the elements round the peaks that are not trusted, not above those of `least`.
+void add_peaks(const Analysis& analysis, const Peaks& peaks, double target, const fem::NewSizeOptions& options, std::vector<double>& least) {
   const mesh::ElementMesh& own = analysis.meshed->mesh;
+  std::map<mesh::NodeId, double> etas;
+  for (const CaseFields& fields : analysis.fields) {
+    for (const fem::HotSpot& spot : fields.peaks) {
+      if (spot.eta > target && !peaks.ignored(own.point(spot.node))) etas[spot.node] = std::max(etas[spot.node], spot.eta);
+    }
+  }
+  if (etas.empty()) return;
+  for (std::size_t e = 0; e < own.element_count(); ++e) {
+    for (const mesh::NodeId node : own.nodes_of(mesh::ElementId(e))) {
+      const auto found = etas.find(node);
+      if (found == etas.end()) continue;
+      const double order = mesh::is_quadratic(own.types[e]) ? 2.0 : 1.0;
+      const double factor = std::max(options.least_factor, std::pow(aim * target / found->second, 1.0 / order));
+      least[e] = std::min(least[e], std::max(options.min_size, factor * fem::element_size(own, e)));
+    }
+  }
+}
+
+Result<Wishes> wishes_of(const Analysis& analysis, const AdaptParams& params, const Peaks& peaks, double first_size) {
+  const mesh::ElementMesh& own = analysis.meshed->mesh;
+  const bool rosettes = params.rosettes == UseRosettes::Yes;
   fem::NewSizeOptions options{.target = aim * params.target / 100.0,
                               .rule = params.rule == RuleOfSizes::Optimal ? fem::SizeRule::Optimal : fem::SizeRule::EqualError,
                               .min_size = params.min_size,
-                              .max_size = std::max(first_size, params.min_size)};
-  if (params.rosettes == UseRosettes::Yes) options.frozen = touching_tips(own);
-  const auto singular = fem::singular_vertices(own, analysis.problem);
+                              .max_size = std::max(first_size, params.min_size),
+                              .singular_rings = rosettes ? rosette_rings : 1};
   std::vector<double> least(own.element_count(), options.max_size);
   for (const CaseFields& fields : analysis.fields) {
-    DOBRA_TRY(const auto sizes, fem::new_sizes(own, fields.estimate, singular, options));
+    DOBRA_TRY(const auto sizes, fem::new_sizes(own, fields.estimate, analysis.singular, options));
     for (std::size_t e = 0; e < sizes.size(); ++e) least[e] = std::min(least[e], sizes[e]);
   }
+  if (params.peaks == MindPeaks::Yes) add_peaks(analysis, peaks, params.target / 100.0, options, least);
   // The elements round a singular vertex ask there, and all for the least of their sizes: the field is alike all round.
-  std::set<mesh::NodeId> vertices;
-  for (const fem::SingularVertex& vertex : singular) vertices.insert(vertex.node);
   std::map<mesh::NodeId, double> at_vertices;
-  std::vector<mesh::SizeRequest> requests;
+  for (const fem::SingularVertex& vertex : analysis.singular) at_vertices[vertex.node] = options.max_size;
+  Wishes wishes;
   for (std::size_t e = 0; e < own.element_count(); ++e) {
-    if (!options.frozen.empty() && options.frozen[e] != 0) continue;
-    Vector sum;
-    const auto nodes = own.nodes_of(mesh::ElementId(e));
-    const std::size_t corners = mesh::corner_count(own.types[e]);
-    const auto touched = std::find_if(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(corners), [&](mesh::NodeId node) { return vertices.contains(node); });
-    if (touched != nodes.begin() + static_cast<std::ptrdiff_t>(corners)) {
-      double& size = at_vertices.try_emplace(*touched, least[e]).first->second;
+    const auto corners = own.nodes_of(mesh::ElementId(e)).first(mesh::corner_count(own.types[e]));
+    const auto touched = std::find_if(corners.begin(), corners.end(), [&](mesh::NodeId node) { return at_vertices.contains(node); });
+    if (touched != corners.end()) {
+      double& size = at_vertices.at(*touched);
       size = std::min(size, least[e]);
       continue;
     }
-    for (std::size_t i = 0; i < corners; ++i) sum = sum + (own.point(nodes[i]) - dobra::geom::Point{});
-    requests.push_back({dobra::geom::Point{} + sum / static_cast<double>(corners), least[e]});
+    Vector sum;
+    for (const mesh::NodeId node : corners) sum = sum + from_origin(own.point(node));
+    wishes.sizes.push_back({dobra::geom::Point{} + sum / static_cast<double>(corners.size()), least[e]});
   }
-  for (const auto& [node, size] : at_vertices) requests.push_back({own.point(node), size});
-  return requests;
+  for (const auto& [node, size] : at_vertices) wishes.sizes.push_back({own.point(node), size});
+  if (!rosettes) return wishes;
+  // A rosette shrinks as a whole, all alike, by what the elements at the tips are asked to; it never grows.
+  for (const mesh::CrackTip& tip : own.tips) {
+    double now = 0.0;
+    for (std::size_t e = 0; e < own.element_count(); ++e) {
+      const auto corners = own.nodes_of(mesh::ElementId(e)).first(mesh::corner_count(own.types[e]));
+      if (std::find(corners.begin(), corners.end(), tip.node) != corners.end()) now = std::max(now, fem::element_size(own, e));
+    }
+    const double radius = tip_size(own, tip.node) * std::min(1.0, at_vertices.at(tip.node) / now);
+    wishes.tip_radius = wishes.tip_radius > 0.0 ? std::min(wishes.tip_radius, radius) : radius;
+  }
+  return wishes;
 }
 
 }  // namespace
@@ -77,30 +180,44 @@ Result<std::vector<mesh::SizeRequest>> next_sizes(const Analysis& analysis, cons
 Result<Model> adapt(const Model& model, const AdaptParams& params, const dobra::scenario::Context&, const dobra::base::Progress& progress) {
   if (!model.problem) return Error{ErrorCode::BadValue, "there is nothing to analyse: put a step 'problem' with materials, supports and loads before"};
   Model result = model;
+  result.short_of_target = false;
   const double size = params.size > 0.0 ? params.size : model.domain.box().diagonal() / 8.0;
-  MeshParams meshing{.label = {}, .size = size, .division = params.division, .turn = params.turn, .growth = params.growth, .constraints = params.constraints, .order = params.order, .rosettes = params.rosettes};
-  std::vector<mesh::SizeRequest> sizes;
-  double before = 1.0;
+  MeshParams meshing{.label = {}, .size = size, .division = params.division, .turn = params.turn, .growth = params.growth, .constraints = params.constraints, .order = params.order, .rosettes = params.rosettes, .tip_radius = params.tip_radius};
+  Wishes wishes;
+  Peaks peaks;
+  Reached before{1.0, 1.0};
+  int done = 0;
+  if (params.from == StartFrom::Last) {
+    if (model.analyses.empty() || model.analyses.back()->cycle == 0) return Error{ErrorCode::BadValue, "there is no cycle to go on from: put a step 'adapt' before, or begin with the first"};
+    const Analysis& last = *model.analyses.back();
+    peaks.see(last, params.peaks, result.remarks);
+    before = {last.eta, peaks.worst()};
+    if (before.met(params.target)) return result;
+    done = last.cycle;
+    DOBRA_TRY(wishes, wishes_of(last, params, peaks, size));
+  }
+  const auto stop_short = [&](std::string why) {
+    result.short_of_target = true;
+    result.remarks.push_back(std::move(why));
+    return result;
+  };
   for (int cycle = 1;; ++cycle) {
     const auto part = progress.part((cycle - 1.0) / params.max_cycles, static_cast<double>(cycle) / params.max_cycles);
-    meshing.label = fmt::format("Cycle {}", cycle);
-    DOBRA_TRY(Meshed meshed, mesh_domain(result, meshing, sizes, result.remarks, part.part(0.0, 0.3)));
+    meshing.label = fmt::format("Cycle {}", done + cycle);
+    if (wishes.tip_radius > 0.0) meshing.tip_radius = wishes.tip_radius;
+    DOBRA_TRY(Meshed meshed, mesh_domain(result, meshing, wishes.sizes, result.remarks, part.part(0.0, 0.3)));
     result.meshes.push_back(std::make_shared<const Meshed>(std::move(meshed)));
     DOBRA_TRY(Analysis analysis, analyse(result.meshes.back(), *model.problem, 0.0, part.part(0.3, 1.0)));
-    analysis.cycle = cycle;
-    const double eta = analysis.eta;
+    analysis.cycle = done + cycle;
+    peaks.see(analysis, params.peaks, result.remarks);
+    const Reached now{analysis.eta, peaks.worst()};
     result.analyses.push_back(std::make_shared<const Analysis>(std::move(analysis)));
-    if (100.0 * eta <= params.target) return result;
-    if (cycle > 1 && eta > (1.0 - least_gain) * before) {
-      result.remarks.push_back(fmt::format("the error stalls at {:.3g} %, above the {:.3g} % asked for; allow smaller elements", 100.0 * eta, params.target));
-      return result;
-    }
-    if (cycle == params.max_cycles) {
-      result.remarks.push_back(fmt::format("after {} cycles the error is {:.3g} %, above the {:.3g} % asked for; allow more", cycle, 100.0 * eta, params.target));
-      return result;
-    }
-    before = eta;
-    DOBRA_TRY(sizes, next_sizes(*result.analyses.back(), params, size));
+    if (now.met(params.target)) return result;
+    if (done + cycle > 1 && now.stalls(before, params.target))
+      return stop_short(fmt::format("{} and stalls above the {:.3g} % asked for; allow smaller elements", now.text(), params.target));
+    if (cycle == params.max_cycles) return stop_short(fmt::format("after {} cycles {}, above the {:.3g} % asked for; allow more", cycle, now.text(), params.target));
+    before = now;
+    DOBRA_TRY(wishes, wishes_of(*result.analyses.back(), params, peaks, size));
   }
 }
 

@@ -7,6 +7,7 @@
 #include "quebra/core/deck.h"
 #include "quebra/core/results.h"
 #include "shared/base/text.h"
+#include "shared/fem/singular_vertices.h"
 #include "shared/io/file.h"
 #include "shared/io/vtu.h"
 
@@ -78,10 +79,23 @@ Result<Analysis> analyse(std::shared_ptr<const Meshed> meshed, const ProblemPara
   Analysis analysis{.meshed = meshed};
   DOBRA_TRY(analysis.problem, problem_of(mesh, params));
   DOBRA_TRY(analysis.solution, fem::solve(mesh, analysis.problem, {.memory_limit = memory}, progress.part(0.0, 0.8)));
+  analysis.singular = fem::singular_vertices(mesh, analysis.problem);
+  const auto corners = fem::free_corners(mesh, analysis.problem);
   for (const auto& result : analysis.solution.cases) {
-    CaseFields fields{fem::recover_stress(mesh, analysis.problem.materials, result.displacements), {}};
-    fields.estimate = fem::estimate_error(mesh, analysis.problem.materials, result.displacements, fields.recovered);
+    const auto& u = result.displacements;
+    const auto& materials = analysis.problem.materials;
+    CaseFields fields{fem::recover_stress(mesh, materials, u), {}};
+    auto zones = fem::singular_zones(mesh, materials, analysis.singular, u, fields.recovered);
+    // Of the free corners those whose stress shows it count as singular too.
+    for (auto& zone : fem::singular_zones(mesh, materials, corners, u, fields.recovered)) {
+      const bool known = std::any_of(analysis.singular.begin(), analysis.singular.end(), [&](const auto& vertex) { return vertex.node == zone.vertex.node; });
+      if (!known) analysis.singular.push_back(zone.vertex);
+      zones.push_back(std::move(zone));
+    }
+    fields.estimate = fem::estimate_error(mesh, materials, u, fields.recovered, zones);
+    fields.peaks = fem::hot_spots(mesh, analysis.problem, u, fields.recovered, fields.estimate, analysis.singular);
     analysis.eta = std::max(analysis.eta, fields.estimate.eta);
+    for (const fem::HotSpot& spot : fields.peaks) analysis.peak_eta = std::max(analysis.peak_eta, spot.eta);
     analysis.fields.push_back(std::move(fields));
   }
   return analysis;
@@ -104,6 +118,7 @@ void add_analysis_quantities(const Model& model, std::vector<dobra::scenario::Qu
   quantities.push_back({"unknowns", static_cast<double>(analysis.solution.statistics.unknowns), ""});
   quantities.push_back({"cycles", static_cast<double>(analysis.cycle), ""});
   quantities.push_back({"eta", 100.0 * analysis.eta, "%"});
+  quantities.push_back({"peak_eta", 100.0 * analysis.peak_eta, "%"});
   for (std::size_t c = 0; c < analysis.solution.cases.size(); ++c) {
     const auto& result = analysis.solution.cases[c];
     const std::string prefix = "case." + result.name + ".";
@@ -127,10 +142,10 @@ void add_analysis_quantities(const Model& model, std::vector<dobra::scenario::Qu
 
 void add_analysis_tables(const Model& model, std::vector<dobra::scenario::DataTable>& tables) {
   if (model.analyses.empty()) return;
-  dobra::scenario::DataTable cycles{"analyses", {"mesh", "cycle", "elements", "unknowns", "eta [%]", "energy [J]"}, {}};
+  dobra::scenario::DataTable cycles{"analyses", {"mesh", "cycle", "elements", "unknowns", "eta [%]", "peak eta [%]", "energy [J]"}, {}};
   for (const auto& analysis : model.analyses) {
     cycles.rows.push_back({analysis->meshed->name, static_cast<double>(analysis->cycle), static_cast<double>(analysis->meshed->mesh.element_count()),
-                           static_cast<double>(analysis->solution.statistics.unknowns), 100.0 * analysis->eta, analysis->solution.cases.front().energy});
+                           static_cast<double>(analysis->solution.statistics.unknowns), 100.0 * analysis->eta, 100.0 * analysis->peak_eta, analysis->solution.cases.front().energy});
   }
   tables.push_back(std::move(cycles));
 }

@@ -10,6 +10,7 @@
 #include "quebra/core/problem.h"
 #include "shared/fem/crack.h"
 #include "shared/fem/estimate.h"
+#include "shared/fem/hot_spots.h"
 #include "shared/scenario/program.h"
 
 namespace quebra::core {
@@ -27,14 +28,17 @@ struct AnalyseParams {
 struct CaseFields {
   dobra::fem::RecoveredStress recovered;
   dobra::fem::ErrorEstimate estimate;
+  std::vector<dobra::fem::HotSpot> peaks = {};  ///< Greatest stress first.
 };
 
 struct Analysis {
   std::shared_ptr<const Meshed> meshed;
   dobra::fem::Problem problem = {};
   dobra::fem::Solution solution = {};
+  std::vector<dobra::fem::SingularVertex> singular = {};
   std::vector<CaseFields> fields = {};  ///< One a case.
   double eta = 0.0;                ///< Greatest of the cases.
+  double peak_eta = 0.0;           ///< Greatest of the elements round a peak of stress; 0: no peak.
   int cycle = 0;                   ///< Of an adaptive loop, from 1; 0: not of one.
   std::vector<std::vector<dobra::fem::TipResult>> tips = {};  ///< By case; empty until the crack step.
 };

@@ -165,9 +165,11 @@ scene::Lines boundary_of(const mesh::ElementMesh& mesh, const std::vector<Point>
 }
 
 /// The range of colours: all of the values, unless a peak (a crack tip) stands out of what nearly all of the area has.
-std::pair<double, double> range_of(const Drawing& drawing) {
-  constexpr double nearly_all = 0.98;
-  constexpr double stands_out = 1.5;
+std::pair<double, double> range_of(const Drawing& drawing, ColorRange range) {
+  constexpr double nearly_all = 0.995;
+  constexpr double stands_out = 0.5;
+  const auto [least, greatest] = std::minmax_element(drawing.values.begin(), drawing.values.end());
+  if (range == ColorRange::Full) return {*least, *greatest};
   struct Part {
     double value, area;
   };
@@ -186,10 +188,9 @@ std::pair<double, double> range_of(const Drawing& drawing) {
     }
     return parts.back().value;
   };
-  const auto [least, greatest] = std::minmax_element(drawing.values.begin(), drawing.values.end());
   const double low = value_at(1.0 - nearly_all), high = value_at(nearly_all);
   const double room = stands_out * (high - low);
-  return {std::max(*least, low - room), std::min(*greatest, high + room)};
+  return {*least < low - room ? low : *least, *greatest > high + room ? high : *greatest};
 }
 
 scene::Scale color_scale(const ViewParams& params, double least, double greatest) {
@@ -202,7 +203,7 @@ scene::Scale color_scale(const ViewParams& params, double least, double greatest
   return scale;
 }
 
-void add_extremes(const Drawing& drawing, std::vector<scene::Layer>& layers) {
+void add_extremes(const Drawing& drawing, std::pair<double, double> range, std::vector<scene::Layer>& layers) {
   const auto [least, greatest] = std::minmax_element(drawing.values.begin(), drawing.values.end());
   scene::Markers markers;
   scene::Labels labels;
@@ -213,22 +214,28 @@ void add_extremes(const Drawing& drawing, std::vector<scene::Layer>& layers) {
     // Towards the middle, where there is room.
     labels.labels.push_back({p, fmt::format("{} {:.4g}", translated(word), *at), p.x < box.centre().x ? scene::Anchor::Right : scene::Anchor::Left});
   }
-  layers.push_back({"extremes", translated("Extremes"), {.line = ink, .marker_size = 6.0}, std::move(markers), true, scene::InLegend::No});
+  std::string title = fmt::format("{}: {:.4g} {} {:.4g}", translated("Extremes"), *least, translated("to"), *greatest);
+  if (range.first > *least || range.second < *greatest)
+    title += fmt::format("; {} {:.4g} {} {:.4g} (99.5 % {})", translated("colours"), range.first, translated("to"), range.second, translated("of the area"));
+  layers.push_back({"extremes", std::move(title), {.line = ink, .marker_size = 6.0}, std::move(markers), true, scene::InLegend::Yes});
   layers.push_back({"extreme_values", translated("Extreme values"), {.line = ink, .text_size = 10.0}, std::move(labels), true, scene::InLegend::No});
 }
 
-const Analysis& analysis_of(const Model& model, const ViewParams& params) {
-  return params.analysis == 0 ? *model.analyses.back() : *model.analyses[static_cast<std::size_t>(params.analysis) - 1];
+/// The analysis that a view shows; null: there is no such cycle.
+const Analysis* analysis_of(const Model& model, const ViewParams& params) {
+  if (params.cycle == 0) return model.analyses.back().get();
+  const auto found = std::find_if(model.analyses.rbegin(), model.analyses.rend(), [&](const auto& own) { return own->cycle == params.cycle; });
+  return found == model.analyses.rend() ? nullptr : found->get();
 }
 
 }  // namespace
 
 Result<Model> add_view(const Model& model, const ViewParams& params, const dobra::scenario::Context&, const dobra::base::Progress&) {
   if (model.analyses.empty()) return Error{ErrorCode::BadValue, "there is no analysis: put a step 'analyse' or 'adapt' before"};
-  if (static_cast<std::size_t>(params.analysis) > model.analyses.size())
-    return Error{ErrorCode::BadValue, fmt::format("there is no analysis {}: they are numbered from 1 to {}", params.analysis, model.analyses.size())};
+  const Analysis* const shown = analysis_of(model, params);
+  if (shown == nullptr) return Error{ErrorCode::BadValue, fmt::format("there is no cycle {}: the last is {}", params.cycle, model.analyses.back()->cycle)};
   std::vector<std::string> names;
-  for (const auto& own : analysis_of(model, params).solution.cases) names.push_back(own.name);
+  for (const auto& own : shown->solution.cases) names.push_back(own.name);
   if (!params.load_case.empty() && std::find(names.begin(), names.end(), params.load_case) == names.end())
     return Error{ErrorCode::BadValue, fmt::format("there is no load case '{}'{}", params.load_case, dobra::base::did_you_mean(params.load_case, names))};
   Model result = model;
@@ -242,7 +249,7 @@ scene::Panel view_panel(const Analysis& analysis, std::size_t load_case, const V
   std::vector<Point> moved = mesh.points;
   for (std::size_t n = 0; n < moved.size(); ++n) moved[n] = moved[n] + factor * analysis.solution.cases[load_case].displacements[n];
   const Drawing drawing = drawing_of(mesh, moved, field_at_element_nodes(analysis, load_case, params.field));
-  const auto [least, greatest] = range_of(drawing);
+  const auto [least, greatest] = range_of(drawing, params.range);
   const scene::Scale scale = color_scale(params, least, greatest);
 
   scene::Panel panel{.key = "analysis"};
@@ -268,14 +275,14 @@ scene::Panel view_panel(const Analysis& analysis, std::size_t load_case, const V
   }
   if (factor > 0.0) add("before", translated("Before"), {.line = before_grey, .line_width = 0.9, .dash = scene::Dash::Dashed}, boundary_of(mesh, mesh.points), scene::InLegend::Yes);
   add("boundary", translated("Boundary"), {.line = ink, .line_width = 1.4}, boundary_of(mesh, moved), scene::InLegend::Yes);
-  if (params.extremes == Shown::Yes && params.field != FieldName::Error) add_extremes(drawing, panel.layers);
+  if (params.extremes == Shown::Yes && params.field != FieldName::Error) add_extremes(drawing, {scale.low, scale.high}, panel.layers);
   return panel;
 }
 
 void add_views(const Model& model, scene::Picture& picture) {
   if (model.analyses.empty()) return;
   const auto panel_of = [&](const ViewParams& view) {
-    const Analysis& analysis = analysis_of(model, view);
+    const Analysis& analysis = *analysis_of(model, view);
     const auto& cases = analysis.solution.cases;
     const auto found = std::find_if(cases.begin(), cases.end(), [&](const auto& own) { return own.name == view.load_case; });
     return view_panel(analysis, found == cases.end() ? std::size_t{0} : static_cast<std::size_t>(found - cases.begin()), view);

@@ -10,13 +10,15 @@
 namespace quebra::core {
 
 enum class Shown { Yes, No };
+enum class ColorRange { Field, Full };
 
 struct ViewParams {
   FieldName field = FieldName::VonMises;
   std::string load_case;
-  int analysis = 0;
+  int cycle = 0;
   std::optional<double> deformation;
   int contours = 9;
+  ColorRange range = ColorRange::Field;
   Shown mesh = Shown::Yes;
   Shown extremes = Shown::Yes;
 
@@ -24,15 +26,16 @@ struct ViewParams {
   static void describe(D& d) {
     d.choice("field", &ViewParams::field, field_names(), {.title = "Field", .help = "von Mises, stresses, principal stresses, displacements, or the error of each element."});
     d.field("case", &ViewParams::load_case, {.title = "Load case", .help = "The first by default."});
-    d.field("analysis", &ViewParams::analysis, {.title = "Analysis", .help = "Its number, the cycle of an adaptive loop: 1 is the first; 0 takes the last.", .at_least = 0});
+    d.field("cycle", &ViewParams::cycle, {.title = "Cycle", .help = "Of the adaptive loop; 0: the last analysis.", .at_least = 0});
     d.field("deformation", &ViewParams::deformation, {.title = "Deformation", .help = "Times the displacements that are drawn: 1 true, 0 none; by default they are a twentieth of the size.", .at_least = 0});
     d.field("contours", &ViewParams::contours, {.title = "Contours", .help = "Number of lines.", .at_least = 0, .at_most = 100});
+    d.choice("range", &ViewParams::range, {"field", "full"}, {.title = "Range of colours", .help = "field: what 99.5 % of the area has, if a peak (a crack tip) stands out of it; full: from the least to the greatest value."});
     d.choice("mesh", &ViewParams::mesh, {"yes", "no"}, {.title = "Mesh"});
     d.choice("extremes", &ViewParams::extremes, {"yes", "no"}, {.title = "Extremes", .help = "Marks the greatest and the least value."});
   }
 };
 
-/// Adds a picture of an analysis. @error BadValue: no analysis, none of this number, no such case.
+/// Adds a picture of the last analysis, or of a cycle. @error BadValue: no analysis, no such case or cycle.
 dobra::base::Result<Model> add_view(const Model& model, const ViewParams& params, const dobra::scenario::Context& context,
                                     const dobra::base::Progress& progress);
 

@@ -1344,6 +1344,58 @@
         <translation>Na norma da energia.</translation>
     </message>
     <message>
+        <source>Mind peaks</source>
+        <translation>Cuidar dos picos</translation>
+    </message>
+    <message>
+        <source>Asks for the same error in the elements round each peak of stress: the whole may meet it with a peak that does not.</source>
+        <translation>Pede o mesmo erro nos elementos em volta de cada pico de tensão: o todo pode atendê-lo com um pico que não o atende.</translation>
+    </message>
+    <message>
+        <source>First tip elements</source>
+        <translation>Primeiros elementos de ponta</translation>
+    </message>
+    <message>
+        <source>Length of the quarter-point elements of the first mesh; 0 takes 1/40 of the crack.</source>
+        <translation>Comprimento dos elementos de quarto de ponto da primeira malha; 0 toma 1/40 da trinca.</translation>
+    </message>
+    <message>
+        <source>Range of colours</source>
+        <translation>Faixa de cores</translation>
+    </message>
+    <message>
+        <source>field: what 99.5 % of the area has, if a peak (a crack tip) stands out of it; full: from the least to the greatest value.</source>
+        <translation>field: o que 99,5 % da área tem, se um pico (uma ponta de trinca) se destaca; full: do menor ao maior valor.</translation>
+    </message>
+    <message>
+        <source>colours</source>
+        <translation>cores</translation>
+    </message>
+    <message>
+        <source>of the area</source>
+        <translation>da área</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>a</translation>
+    </message>
+    <message>
+        <source>Begin with</source>
+        <translation>Começar com</translation>
+    </message>
+    <message>
+        <source>first: a mesh of the first size; last: the mesh after the last cycle so far. With most cycles 1 that is one cycle at a time.</source>
+        <translation>first: uma malha do primeiro tamanho; last: a malha depois do último ciclo feito. Com no máximo 1 ciclo, é um ciclo por vez.</translation>
+    </message>
+    <message>
+        <source>Cycle</source>
+        <translation>Ciclo</translation>
+    </message>
+    <message>
+        <source>Of the adaptive loop; 0: the last analysis.</source>
+        <translation>Do laço adaptativo; 0: a última análise.</translation>
+    </message>
+    <message>
         <source>Rule of sizes</source>
         <translation>Regra de tamanhos</translation>
     </message>
@@ -1368,8 +1420,8 @@
         <translation>Menor tamanho</translation>
     </message>
     <message>
-        <source>Quarter-point elements at crack tips; they keep their size.</source>
-        <translation>Elementos de quarto de ponto nas pontas das trincas; mantêm seu tamanho.</translation>
+        <source>Quarter-point elements at crack tips; smaller ones if they hold too much of the error.</source>
+        <translation>Elementos de quarto de ponto nas pontas das trincas; menores se retêm erro demais.</translation>
     </message>
     <message>
         <source>von Mises stress</source>

@@ -9,8 +9,12 @@
 namespace dobra::fem {
 
 ErrorEstimate estimate_error(const mesh::ElementMesh& mesh, const Materials& materials, std::span<const geom::Vector> u,
-                             const RecoveredStress& recovered) {
+                             const RecoveredStress& recovered, std::span<const SingularZone> zones) {
   ErrorEstimate estimate;
+  std::vector<const SingularZone*> zone_of(mesh.element_count(), nullptr);
+  for (const SingularZone& zone : zones) {
+    for (const std::uint32_t e : zone.elements) zone_of[e] = &zone;
+  }
   estimate.elements = base::parallel_map<double>(
       mesh.element_count(),
       [&](std::size_t e) {
@@ -22,9 +26,11 @@ ErrorEstimate estimate_error(const mesh::ElementMesh& mesh, const Materials& mat
         double sum = 0.0;
         for (std::size_t g = 0; g < points.size(); ++g) {
           const Mapped m = map(element.points(), shapes[g]);
-          Voigt difference = stress_at(element, d, m, u);
+          const Voigt own = stress_at(element, d, m, u);
+          Voigt difference = zone_of[e] != nullptr ? zone_of[e]->stress(m.at) : Voigt{};
           for (std::size_t k = 0; k < 3; ++k) {
-            difference[k] = -difference[k];
+            difference[k] -= own[k];
+            if (zone_of[e] != nullptr) continue;
             for (std::size_t a = 0; a < element.count; ++a)
               difference[k] += m.n[a] * recovered.at_element_nodes[mesh.first[e] + a][k];
           }

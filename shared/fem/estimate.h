@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "shared/fem/recover.h"
+#include "shared/fem/singular_field.h"
 
 namespace dobra::fem {
 
@@ -17,9 +18,10 @@ struct ErrorEstimate {
   double eta = 0.0;              ///< 0..1
 };
 
+/// @param zones  elements in them are held against the zone's stress, which is infinite at its vertex.
 /// @cost O(n), in parallel
 ErrorEstimate estimate_error(const mesh::ElementMesh& mesh, const Materials& materials, std::span<const geom::Vector> u,
-                             const RecoveredStress& recovered);
+                             const RecoveredStress& recovered, std::span<const SingularZone> zones = {});
 
 /// The true ||e|| of a solution under loads alone (supports that do not move), from the exact strain energy, sqrt(J).
 double true_error(double exact_energy, double energy);

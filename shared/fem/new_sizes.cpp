@@ -10,11 +10,6 @@ namespace {
 
 using mesh::ElementMesh;
 
-/// The recovered stresses, polynomials too, see about 0.65 of the error of an element at a singular vertex (effectivity
-/// of the L-shape where those elements bear most of the error): such elements are made 0.65^(1/lambda) of what the seen
-/// part asks for, and the others need not pay for it.
-constexpr double for_the_unseen = 0.45;
-
 /// The exponent of the error in the size of each element: p, or lambda near a singular vertex.
 std::vector<double> error_exponents(const ElementMesh& mesh, const std::vector<SingularVertex>& singular, int rings) {
   std::vector<double> exponents(mesh.element_count());
@@ -95,8 +90,7 @@ base::Result<std::vector<double>> new_sizes(const ElementMesh& mesh, const Error
     const bool frozen = !options.frozen.empty() && options.frozen[i] != 0;
     const bool at_vertex = exponents[i] < 1.0;
     const double least = at_vertex ? options.least_singular_factor : options.least_factor;
-    const double factor = at_vertex ? for_the_unseen * factors[i] : factors[i];
-    sizes[i] = frozen ? now : now * std::clamp(factor, least, options.most_factor);
+    sizes[i] = frozen ? now : now * std::clamp(factors[i], least, options.most_factor);
     if (frozen) continue;
     if (options.max_size > 0.0) sizes[i] = std::min(sizes[i], options.max_size);
     sizes[i] = std::max(sizes[i], options.min_size);

@@ -16,12 +16,6 @@ enum class SizeRule : std::uint8_t {
   Optimal,     ///< Fewest elements whose predicted errors add up to eta_t: sum of r_i^-2 least.
 };
 
-/// A node where the stresses are infinite: displacements go as r^exponent.
-struct SingularVertex {
-  mesh::NodeId node;
-  double exponent = 0.5;  ///< 0.5 a crack tip; corner_exponent() for others.
-};
-
 struct NewSizeOptions {
   double target = 0.05;  ///< eta asked for, 0..1.
   SizeRule rule = SizeRule::Optimal;

@@ -20,4 +20,9 @@ double clamped_corner_exponent(base::Angle interior, const Material& material);
 /// @pre  check(mesh, problem)  @cost O(n)
 std::vector<SingularVertex> singular_vertices(const mesh::ElementMesh& mesh, const Problem& problem);
 
+/// Free corners that point out of the material: where the tractions of their faces do not fit together (a sheared face
+/// beside a free one) the stress stays finite but depends on the direction from which one comes. Exponent 1.
+/// @pre  check(mesh, problem)  @cost O(n)
+std::vector<SingularVertex> free_corners(const mesh::ElementMesh& mesh, const Problem& problem);
+
 }  // namespace dobra::fem

@@ -84,8 +84,7 @@ TEST(Analysis, QUE_f_TheLoopReachesFivePercentWithAndWithoutConstraintsAndTheStr
   std::string plate = kirsch;
   plate.replace(plate.find("width = 4.0"), 11, "width = 5.0");
   const std::string bands = "[[step]]\noperation = \"constraints\"\ncurves = [\"hole\"]\ncount = 6\ndistance = 0.065\nfactor = 1.3\n";
-  // The first mesh of T6 meets 5 % at once, whatever its stresses (2.76 at the hole): 1 % is asked of it.
-  for (const auto& [order, target] : {std::pair{"1", 5.0}, std::pair{"2", 1.0}}) {
+  for (const auto& [order, target] : {std::pair{"1", 5.0}, std::pair{"2", 5.0}, std::pair{"2", 1.0}}) {
     for (const std::size_t count : {0U, 6U}) {
       const scenario::Run done = run(plate + (count > 0 ? bands : "") + adapt_step(target, std::string("turn = 22.5\norder = \"") + order + "\"\n"));
       const auto values = figures(done);

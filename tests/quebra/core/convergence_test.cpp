@@ -58,7 +58,7 @@ TEST(Convergence, TheCurveHasAPointForEveryCycleAndTheBestRateItsSlope) {
 }
 
 TEST(Convergence, EveryCycleCanBeDrawn) {
-  const std::string view = "[[step]]\noperation = \"view\"\nanalysis = ";
+  const std::string view = "[[step]]\noperation = \"view\"\ncycle = ";
   const auto done = run(l_shape + view + "1\n" + view + "2\n" + view + "0\n");
   const scene::Picture picture = program().picture_of(done.states.back());
   ASSERT_EQ(picture.panels.size(), 3u);
@@ -68,7 +68,7 @@ TEST(Convergence, EveryCycleCanBeDrawn) {
   EXPECT_LT(triangles(0), triangles(1));
   EXPECT_EQ(triangles(0), 4 * last(done).meshes[0]->mesh.element_count());
   EXPECT_EQ(triangles(2), 4 * last(done).meshes.back()->mesh.element_count());
-  EXPECT_THAT(trouble(l_shape + view + "40\n"), HasSubstr("there is no analysis 40: they are numbered from 1 to"));
+  EXPECT_THAT(trouble(l_shape + view + "40\n"), HasSubstr("there is no cycle 40: the last is"));
 }
 
 }  // namespace

@@ -128,6 +128,31 @@ TEST(Results, AViewShowsItsFieldOnTheDeformedShape) {
   EXPECT_THAT(picture.panels[0].title, HasSubstr("x 10"));
 }
 
+TEST(Results, ATipDoesNotSwampTheColoursUnlessAllOfTheRangeIsAskedFor) {
+  const std::string crack = "[input]\nspecimen = \"single_edge_notch\"\n[[input.point]]\nname = \"anchor\"\npoint = [1, 0]\n[[input.point]]\nname = \"guide\"\npoint = [1, -1.5]\n"
+                            "[[step]]\noperation = \"problem\"\n[[step.material]]\nyoung = 1.0\n[[step.support]]\nwhere = \"anchor\"\nx = 0.0\ny = 0.0\n[[step.support]]\nwhere = \"guide\"\nx = 0.0\n"
+                            "[[step.load]]\nwhere = \"top\"\ny = 1.0\n[[step.load]]\nwhere = \"bottom\"\ny = -1.0\n"
+                            "[[step]]\noperation = \"mesh\"\nsize = 0.1\norder = \"2\"\nrosettes = \"yes\"\n[[step]]\noperation = \"analyse\"\n";
+  const Analysis analysis = *last(run(crack)).analyses.back();
+  const auto shown = [&](ColorRange range) {
+    ViewParams params;
+    params.range = range;
+    const scene::Panel panel = view_panel(analysis, 0, params);
+    std::pair<scene::Scale, std::string> found;
+    for (const scene::Layer& layer : panel.layers) {
+      if (layer.key == "field") found.first = std::get<scene::Mesh>(layer.content).scale;
+      if (layer.key == "extremes") found.second = layer.title;
+    }
+    return found;
+  };
+  const auto [field, said] = shown(ColorRange::Field);
+  const auto [full, nothing_said] = shown(ColorRange::Full);
+  EXPECT_LT(field.high, 0.3 * full.high);
+  EXPECT_GT(field.high, 2.0);
+  EXPECT_THAT(said, HasSubstr("99.5 % of the area"));
+  EXPECT_THAT(nothing_said, testing::Not(HasSubstr("99.5 %")));
+}
+
 TEST(Results, FaultsAreNamed) {
   EXPECT_THAT(trouble(moved() + "[[step]]\noperation = \"probe\"\nat = [1, 1]\n"), HasSubstr("there is no analysis"));
   EXPECT_THAT(trouble(moved() + solve + "[[step]]\noperation = \"probe\"\nat = [0.1, 0.1]\n"), HasSubstr("'probe': the point does not lie in the material (at 0.1, 0.1)"));

@@ -45,13 +45,25 @@ TEST(SingularVertices, CornersClampsAndRollersAreFoundAndNothingElse) {
   EXPECT_EQ(singular_vertices(mesh, problem).size(), 1U);
 }
 
+TEST(SingularVertices, ASupportAtOnePointHoldsNoFaceWhateverTheElement) {
+  for (const ElementType type : all_types) {
+    ElementMesh mesh = l_shape(type, 2);
+    name_node(mesh, "corner", {-1, -1});
+    name_node(mesh, "far", {-1, 1});
+    const Problem problem{.materials = {{0, {.young = 1.0, .poisson = 0.3}}},
+                          .supports = {{.where = "corner", .x = 0.0, .y = 0.0}, {.where = "far", .x = 0.0}}};
+    EXPECT_EQ(singular_vertices(mesh, problem).size(), 1U) << name_of(type);
+  }
+}
+
 TEST(SingularVertices, ARollerThatEndsOnAStraightFaceIsACrackTip) {
   ElementMesh mesh = mapped_grid(ElementType::T6, 4, 2, unit_square);
   auto& ahead = mesh.side_sets["ahead"];
   for (const mesh::ElementSide side : mesh.side_sets.at("bottom")) {
     if (mesh.point(side_nodes(mesh, side)[0]).x > 0.49) ahead.push_back(side);
   }
-  const Problem problem{.materials = {{0, {.young = 1.0, .poisson = 0.3}}}, .supports = {{.where = "ahead", .normal = 0.0}}};
+  const Problem problem{.materials = {{0, {.young = 1.0, .poisson = 0.3}}},
+                        .supports = {{.where = "ahead", .normal = 0.0}}};
   EXPECT_NEAR(exponent_at(mesh, problem, {0.5, 0}), 0.5, 1e-9);
   EXPECT_EQ(singular_vertices(mesh, problem).size(), 1U);
 }

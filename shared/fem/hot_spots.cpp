@@ -1,0 +1,128 @@
+#include "shared/fem/hot_spots.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "shared/fem/stress.h"
+
+namespace dobra::fem {
+namespace {
+
+using mesh::ElementMesh;
+using mesh::NodeId;
+
+/// Peaks below this share of the greatest are left alone.
+constexpr double share_of_greatest = 0.8;
+
+/// One must descend by this share of the height to get from a peak to a higher place: less is a bump on a slope, as
+/// there are some on the way to a crack tip.
+constexpr double least_prominence = 0.1;
+
+/// Nodes where the stress is infinite.
+std::vector<char> infinite_at(const ElementMesh& mesh, const Problem& problem,
+                              std::span<const SingularVertex> singular) {
+  std::vector<char> infinite(mesh.points.size(), 0);
+  for (const SingularVertex& vertex : singular) {
+    if (vertex.exponent < 1.0) infinite[vertex.node.index()] = 1;
+  }
+  const auto add = [&](const std::string& where) {
+    const auto found = mesh.node_sets.find(where);
+    if (found == mesh.node_sets.end() || mesh.side_sets.contains(where)) return;
+    for (const NodeId node : found->second) infinite[node.index()] = 1;
+  };
+  for (const LoadCase& load_case : problem.cases) {
+    for (const PointLoad& load : load_case.points) add(load.where);
+  }
+  for (const Support& support : problem.supports) add(support.where);
+  for (const Spring& spring : problem.springs) add(spring.where);
+  return infinite;
+}
+
+/// How far one must descend from each node to get to a higher one; only of the tops of hills, 0 elsewhere.
+class Hills {
+ public:
+  Hills(const ElementMesh& mesh, std::vector<double> heights)
+      : heights_(std::move(heights)), hill_(heights_.size(), none), prominence_(heights_.size(), 0.0) {
+    std::vector<std::vector<std::size_t>> neighbours(heights_.size());
+    std::vector<std::size_t> order;
+    for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+      const auto corners = mesh.nodes_of(mesh::ElementId(e)).first(mesh::corner_count(mesh.types[e]));
+      for (std::size_t i = 0; i < corners.size(); ++i) {
+        const std::size_t a = corners[i].index(), b = corners[(i + 1) % corners.size()].index();
+        neighbours[a].push_back(b);
+        neighbours[b].push_back(a);
+      }
+    }
+    for (std::size_t n = 0; n < heights_.size(); ++n) {
+      if (!neighbours[n].empty()) order.push_back(n);
+    }
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return heights_[a] > heights_[b]; });
+    // The water falls: islands come up, and join.
+    for (const std::size_t n : order) {
+      hill_[n] = n;
+      for (const std::size_t other : neighbours[n]) {
+        if (hill_[other] == none) continue;
+        const std::size_t a = top(n), b = top(other);
+        if (a == b) continue;
+        const auto [lower, higher] = heights_[a] < heights_[b] || a == n ? std::pair{a, b} : std::pair{b, a};
+        prominence_[lower] = heights_[lower] - heights_[n];
+        hill_[lower] = higher;
+      }
+    }
+    for (const std::size_t n : order) {
+      if (hill_[n] == n) prominence_[n] = heights_[n];
+    }
+  }
+  [[nodiscard]] double prominence(std::size_t node) const { return prominence_[node]; }
+
+ private:
+  static constexpr std::size_t none = ~std::size_t{0};
+  std::size_t top(std::size_t n) {
+    while (hill_[n] != n) n = hill_[n] = hill_[hill_[n]];
+    return n;
+  }
+  std::vector<double> heights_;
+  std::vector<std::size_t> hill_;
+  std::vector<double> prominence_;
+};
+
+}  // namespace
+
+std::vector<HotSpot> hot_spots(const ElementMesh& mesh, const Problem& problem, std::span<const geom::Vector> u,
+                               const RecoveredStress& recovered, const ErrorEstimate& estimate,
+                               std::span<const SingularVertex> singular) {
+  const std::size_t count = mesh.points.size();
+  std::vector<double> stress(count, 0.0), error(count, 0.0), energy(count, 0.0);
+  const std::vector<double> energies = element_energies(mesh, problem.materials, u);
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    const auto corners = mesh.nodes_of(mesh::ElementId(e)).first(mesh::corner_count(mesh.types[e]));
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const std::size_t n = corners[i].index();
+      stress[n] = std::max(
+          stress[n], von_mises(recovered.at_element_nodes[mesh.first[e] + i], problem.materials.at(mesh.regions[e])));
+      error[n] += estimate.elements[e] * estimate.elements[e];
+      energy[n] += energies[e];
+    }
+  }
+  const std::vector<char> infinite = infinite_at(mesh, problem, singular);
+  std::vector<double> heights = stress;
+  for (std::size_t n = 0; n < count; ++n) {
+    if (infinite[n] != 0) heights[n] = std::numeric_limits<double>::infinity();
+  }
+  const Hills hills(mesh, heights);
+  std::vector<HotSpot> spots;
+  double greatest = 0.0;
+  for (std::size_t n = 0; n < count; ++n) {
+    if (infinite[n] != 0 || !(hills.prominence(n) > least_prominence * stress[n])) continue;
+    spots.push_back({NodeId(n), stress[n], std::sqrt(error[n] / (energy[n] + error[n]))});
+    greatest = std::max(greatest, stress[n]);
+  }
+  std::erase_if(spots, [&](const HotSpot& spot) { return spot.stress < share_of_greatest * greatest; });
+  std::stable_sort(spots.begin(), spots.end(), [](const HotSpot& a, const HotSpot& b) { return a.stress > b.stress; });
+  return spots;
+}
+
+}  // namespace dobra::fem
