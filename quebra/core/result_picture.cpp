@@ -254,7 +254,7 @@ scene::Panel view_panel(const Analysis& analysis, std::size_t load_case, const V
 
   scene::Panel panel{.key = "analysis"};
   panel.title = fmt::format("{}: {}", analysis.solution.cases[load_case].name, title_of(params.field));
-  if (params.analysis > 0) panel.title = analysis.meshed->name + ", " + panel.title;
+  if (params.cycle > 0) panel.title = analysis.meshed->name + ", " + panel.title;
   if (factor > 0.0) panel.title += fmt::format(", {} x {:g}", translated("displacements"), factor);
   panel.title += fmt::format("; eta {:.2g} %", 100.0 * analysis.fields[load_case].estimate.eta);
   const auto add = [&](const char* key, std::string title, const scene::Style& style, auto content, scene::InLegend legend) {
