@@ -186,6 +186,17 @@ void note_empty(Session& session, const OffsetFamily& family) {
   }
 }
 
+/// Rings of one polygon follow each other.
+void note_rings(Session& session, const std::vector<io::NamedCurve>& bases) {
+  const auto next = std::adjacent_find(
+      bases.begin(), bases.end(),
+      [](const io::NamedCurve& a, const io::NamedCurve& b) { return a.polygon && a.polygon == b.polygon; });
+  if (next == bases.end()) return;
+  session.note(
+      fmt::format("{}: a polygon of several rings; each ring is a base of its own, whose curves do not mind the others",
+                  next->name));
+}
+
 /// @param verdict  of the verifier, if the user wants it.
 Result<std::vector<OffsetFamily>> families_of(Session& session, const Options& options,
                                               const std::vector<double>& distances,
@@ -193,6 +204,7 @@ Result<std::vector<OffsetFamily>> families_of(Session& session, const Options& o
   DOBRA_TRY(io::Curves read, io::read_curves(options.file));
   for (const std::string& remark : read.remarks) session.note(remark);
   DOBRA_TRY(std::vector<io::NamedCurve> bases, chosen(std::move(read.curves), options.curve));
+  note_rings(session, bases);
   const base::Progress progress = session.progress();
   std::vector<OffsetFamily> families;
   const double total = static_cast<double>(bases.size());
@@ -229,8 +241,9 @@ Result<void> write_out(Session& session, const std::filesystem::path& out, const
 /// Says what the verifier found; the exit code.
 int announce(Session& session, const OffsetVerdict& verdict) {
   for (const std::string& finding : verdict.findings) session.error_line(finding);
-  session.note(fmt::format("verified {} edges, and {} places where the curves must be: {}", verdict.edges, verdict.samples,
-                           verdict.findings.empty() ? "nothing is wrong" : fmt::format("{} findings", verdict.findings.size())));
+  session.note(
+      fmt::format("verified {} edges, and {} places where the curves must be: {}", verdict.edges, verdict.samples,
+                  verdict.findings.empty() ? "nothing is wrong" : fmt::format("{} findings", verdict.findings.size())));
   return verdict.findings.empty() ? 0 : 1;
 }
 
@@ -258,7 +271,8 @@ Command offset_command() {
   return {
       "offset", "Curves parallel to the curves of a file", [](CLI::App& app) -> Job {
         const auto options = std::make_shared<Options>();
-        app.add_option("file", options->file, "Curves: .txt .csv .tsv .dat .wkt .geojson .json .dxf .asc .pl .shp .gpkg")
+        app.add_option("file", options->file,
+                       "Curves: .txt .csv .tsv .dat .wkt .geojson .json .dxf .asc .pl .shp .gpkg")
             ->required()
             ->type_name("FILE");
         add_distance_options(app, *options);

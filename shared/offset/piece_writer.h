@@ -2,7 +2,6 @@
 // Writes a curve of lines and arcs as an OffsetPiece, in the user's coordinates.
 
 #include <algorithm>
-#include <cmath>
 
 #include "shared/offset/base_curve.h"
 #include "shared/offset/block.h"
@@ -89,22 +88,10 @@ class PieceWriter {
     return true;
   }
   /// Ends an open curve at p.
-  OffsetPiece finish_open(geom::Point p) {
-    const geom::Point q = base_.user(p);
-    if (!piece_.points.empty() && piece_.points.back() == q) {
-      piece_.edges.pop_back();
-    } else {
-      piece_.points.push_back(q);
-    }
-    return piece_.points.size() < 2 ? OffsetPiece{} : finish();
-  }
+  OffsetPiece finish_open(geom::Point p);
   /// Closes the curve, which is at this distance. What is no wider than the rounding of its points is nothing: whether that
   /// leaves an area would depend on where the base starts and which way it runs.
-  OffsetPiece finish_closed(double distance) {
-    piece_.closed = true;
-    while (piece_.points.size() > 1 && (piece_.points.front() == piece_.points.back() || is_spike(piece_.points.front()))) drop_last();
-    return is_sliver(distance) ? OffsetPiece{} : finish();
-  }
+  OffsetPiece finish_closed(double distance);
 
  private:
   void add(geom::Point p, OffsetEdge edge) {
@@ -127,31 +114,8 @@ class PieceWriter {
     const std::size_t n = piece_.points.size();
     return n > 1 && piece_.points[n - 2] == q && !is_curved(piece_.edges[n - 2]) && !is_curved(piece_.edges[n - 1]);
   }
-  /// Arcs bend away from what is thin: one that does by more than rounding tells that this is not.
-  [[nodiscard]] bool is_sliver(double distance) const {
-    const std::size_t n = piece_.points.size();
-    if (n == 0) return true;
-    double greatest = distance, length = 0.0, sagitta = 0.0;
-    long double area = 0.0L;
-    const geom::Point start = piece_.points.front();
-    for (std::size_t i = 0; i < n; ++i) {
-      const geom::Point p = piece_.points[i];
-      const geom::Vector side = piece_.points[i + 1 == n ? 0 : i + 1] - p;
-      const double squared = geom::dot(side, side);
-      if (is_curved(piece_.edges[i])) sagitta = std::max(sagitta, squared / (8.0 * distance));
-      greatest = std::max({greatest, std::abs(p.x), std::abs(p.y), std::abs(p.x - base_.origin.x), std::abs(p.y - base_.origin.y)});
-      length += std::sqrt(squared);
-      area += geom::cross(p - start, side);
-    }
-    const double rounding = 0x1p-48 * greatest;
-    return sagitta <= rounding && std::abs(static_cast<double>(area)) <= rounding * length;
-  }
-  OffsetPiece finish() {
-    if (!keeps_arcs_) {
-      for (OffsetEdge& edge : piece_.edges) edge = OffsetEdge::line(edge.base_edge());
-    }
-    return std::move(piece_);
-  }
+  [[nodiscard]] bool is_sliver(double distance) const;
+  OffsetPiece finish();
 
   const BaseCurve& base_;
   const bool keeps_arcs_;  // chord bevels are the chords of what is left of their arcs

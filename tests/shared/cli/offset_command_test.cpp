@@ -211,6 +211,14 @@ TEST_F(OffsetCommand, OpenCurvesAreWrittenAsLinesInTheirOrder) {
   }
 }
 
+TEST_F(OffsetCommand, RingsOfOnePolygonAreBasesOfTheirOwnAndANoteSaysSo) {
+  const std::string holed = put("holed.wkt", "POLYGON ((0 0, 10 0, 10 10, 0 10, 0 0), (3 3, 3 6, 6 6, 6 3, 3 3))");
+  const test::Outcome outcome = call({holed, "--distance", "2", "--side", "left"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_NE(outcome.err.find("each ring is a base of its own"), std::string::npos) << outcome.err;
+  EXPECT_EQ(call({square(), "--distance", "2", "--side", "left"}).err, "");
+}
+
 TEST_F(OffsetCommand, AHoleBetweenArmsIsAHoleOfThePolygon) {
   // A ring with a slit 1 wide: at 0.6 outside the slit closes and the inner square of side 8 becomes a hole of 6.8.
   const std::string ring =

@@ -1,0 +1,56 @@
+#include "shared/offset/piece_writer.h"
+
+#include <cmath>
+
+namespace dobra::offset {
+
+OffsetPiece PieceWriter::finish_open(geom::Point p) {
+  const geom::Point q = base_.user(p);
+  if (!piece_.points.empty() && piece_.points.back() == q) {
+    piece_.edges.pop_back();
+  } else {
+    piece_.points.push_back(q);
+  }
+  return piece_.points.size() < 2 ? OffsetPiece{} : finish();
+}
+
+OffsetPiece PieceWriter::finish_closed(double distance) {
+  piece_.closed = true;
+  while (piece_.points.size() > 1 &&
+         (piece_.points.front() == piece_.points.back() || is_spike(piece_.points.front()))) {
+    drop_last();
+  }
+  return is_sliver(distance) ? OffsetPiece{} : finish();
+}
+
+/// Arcs bend away from what is thin: one that does by more than rounding tells that this is not.
+bool PieceWriter::is_sliver(double distance) const {
+  const std::size_t n = piece_.points.size();
+  if (n == 0) return true;
+  double greatest = distance;
+  double length = 0.0;
+  double sagitta = 0.0;
+  long double area = 0.0L;
+  const geom::Point start = piece_.points.front();
+  const geom::Point origin = base_.origin;
+  for (std::size_t i = 0; i < n; ++i) {
+    const geom::Point p = piece_.points[i];
+    const geom::Vector side = piece_.points[i + 1 == n ? 0 : i + 1] - p;
+    const double squared = geom::dot(side, side);
+    if (is_curved(piece_.edges[i])) sagitta = std::max(sagitta, squared / (8.0 * distance));
+    greatest = std::max({greatest, std::abs(p.x), std::abs(p.y), std::abs(p.x - origin.x), std::abs(p.y - origin.y)});
+    length += std::sqrt(squared);
+    area += geom::cross(p - start, side);
+  }
+  const double rounding = 0x1p-48 * greatest;
+  return sagitta <= rounding && std::abs(static_cast<double>(area)) <= rounding * length;
+}
+
+OffsetPiece PieceWriter::finish() {
+  if (!keeps_arcs_) {
+    for (OffsetEdge& edge : piece_.edges) edge = OffsetEdge::line(edge.base_edge());
+  }
+  return std::move(piece_);
+}
+
+}  // namespace dobra::offset

@@ -1,0 +1,76 @@
+#include "quebra/cli/analysis_commands.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "quebra/core/operations.h"
+#include "tests/support/command_line.h"
+
+namespace quebra::cli {
+namespace {
+
+using Json = nlohmann::json;
+
+class AnalysisCommands : public dobra::test::CommandLine {
+ protected:
+  AnalysisCommands() : CommandLine(core::program(), analysis_commands()) {}
+  [[nodiscard]] std::string l_shape() const {
+    return put("l.toml", R"(dobra = 1
+program = "quebra"
+[input]
+specimen = "l_shape"
+[[step]]
+operation = "problem"
+[[step.material]]
+young = 1e5
+[[step.support]]
+where = "bottom"
+x = 0.0
+y = 0.0
+[[step.load]]
+where = "right"
+y = 10.0
+)");
+  }
+  [[nodiscard]] bool exists(const std::string& name) const { return std::filesystem::exists(path(name)); }
+};
+
+TEST_F(AnalysisCommands, ALoopThatMissesItsTargetEndsWithOne) {
+  const auto missed = call({"adapt", l_shape(), "--target", "1%", "--max-cycles", "1", "--json"});
+  EXPECT_EQ(missed.code, 1) << missed.err;
+  EXPECT_EQ(Json::parse(missed.out)["reached"], false);
+  EXPECT_FALSE(Json::parse(missed.out)["remarks"].empty());
+  const auto met = call({"adapt", l_shape(), "--target", "20%", "--json"});
+  EXPECT_EQ(met.code, 0) << met.err;
+  EXPECT_EQ(Json::parse(met.out)["reached"], true);
+}
+
+TEST_F(AnalysisCommands, TheCurveAndAnyCycleAreDrawn) {
+  const auto drawn = call({"adapt", l_shape(), "--target", "10%", "--curve", path("curve.svg"), "--picture", path("first.svg"), "--cycle", "1"});
+  EXPECT_EQ(drawn.code, 0) << drawn.err;
+  EXPECT_NE(text("curve.svg").find("</svg>"), std::string::npos);
+  EXPECT_NE(text("first.svg").find("</svg>"), std::string::npos);
+  refuses({"adapt", l_shape(), "--cycle", "1"}, 2, {"--cycle", "give --picture FILE"});
+  refuses({"adapt", l_shape(), "--curve", path("curve.xyz")}, 2, {".svg .pdf .png"});
+  refuses({"adapt", l_shape(), "--target", "20%", "--picture", path("none.svg"), "--cycle", "9"}, 3, {"there is no cycle 9"});
+  EXPECT_FALSE(exists("none.svg"));
+}
+
+TEST_F(AnalysisCommands, ALineAndAProbeAreRead) {
+  const std::string scenario = l_shape();
+  const auto read = call({"adapt", scenario, "--target", "20%", "--line", "10,60,40,60", "--samples", "4", "--out", path("line.csv"), "--probe", "10,60", "--json"});
+  ASSERT_EQ(read.code, 0) << read.err;
+  const Json json = Json::parse(read.out);
+  ASSERT_EQ(json["line_command"].size(), 4u);
+  EXPECT_EQ(json["line_command"][0]["u_x [m]"], json["quantities"]["probe.1.load.u_x"]["value"]);
+  const std::string lines = text("line.csv");
+  EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 5);
+  refuses({"adapt", scenario, "--out", path("line2.csv")}, 2, {"--line"});
+  refuses({"adapt", scenario, "--probe", "10"}, 2, {"--probe 10", "x,y"});
+}
+
+}  // namespace
+}  // namespace quebra::cli
