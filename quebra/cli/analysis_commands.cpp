@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "quebra/core/analysis.h"
 #include "quebra/core/convergence.h"
 #include "quebra/core/fracture.h"
 #include "quebra/core/results.h"
@@ -104,8 +105,8 @@ Result<void> add_result_steps(const Options& options, scenario::Document& docume
   if (options.picture) {
     scenario::Step step = step_of("view");
     if (!options.field.empty()) step.params.set("field", options.field);
-      if (!options.range.empty()) step.params.set("range", options.range);
-      if (options.cycle) step.params.set("cycle", *options.cycle);
+    if (!options.range.empty()) step.params.set("range", options.range);
+    if (options.cycle) step.params.set("cycle", *options.cycle);
     if (options.deformation) step.params.set("deformation", *options.deformation);
     document.steps.push_back(std::move(step));
   }
@@ -181,7 +182,12 @@ Result<void> write_results(const scenario::Program& program, const scenario::Sta
     DOBRA_TRY_VOID(io::write_file(options.out->string(), scenario::csv_text(table)));
   }
   if (options.picture) DOBRA_TRY_VOID(dobra::cli::draw(program.picture_of(state), *options.picture, dobra::cli::Drawer::Cairo));
-  if (options.curve) DOBRA_TRY_VOID(dobra::cli::draw(core::convergence_picture(scenario::model_of<core::Model>(state)), *options.curve, dobra::cli::Drawer::Cairo));
+  if (options.curve) {
+    const auto& model = scenario::model_of<core::Model>(state);
+    if (std::none_of(model.analyses.begin(), model.analyses.end(), [](const auto& own) { return own->eta > 0.0; }))
+      return Error{ErrorCode::BadValue, "--curve: there is no error to draw: that of every cycle is 0"};
+    DOBRA_TRY_VOID(dobra::cli::draw(core::convergence_picture(model), *options.curve, dobra::cli::Drawer::Cairo));
+  }
   return {};
 }
 

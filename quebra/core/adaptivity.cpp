@@ -10,7 +10,6 @@
 
 #include "shared/fem/new_sizes.h"
 
-
 namespace quebra::core {
 namespace {
 
@@ -26,8 +25,6 @@ constexpr double least_gain = 0.02;
 /// The sizes aim this much lower than the error asked for: what the mesher makes of them comes out a little above.
 constexpr double aim = 0.95;
 
-/// Rings of elements in the rosettes that the mesher makes.
-constexpr int rosette_rings = 3;
 /// A peak whose error falls more slowly than this power of the size is no peak but a place of infinite stress.
 constexpr double least_rate = 0.5;
 
@@ -68,6 +65,7 @@ double tip_size(const mesh::ElementMesh& own, mesh::NodeId tip) {
 
 /// A peak of a cycle, to see in the next whether its error falls.
 struct PeakSeen {
+  std::size_t load_case = 0;
   dobra::geom::Point at;
   double size = 0.0;
   double eta = 0.0;
@@ -82,11 +80,13 @@ class Peaks {
     const mesh::ElementMesh& own = analysis.meshed->mesh;
     std::vector<PeakSeen> now;
     worst_ = 0.0;
-    for (const CaseFields& fields : analysis.fields) {
-      for (const fem::HotSpot& spot : fields.peaks) {
-        const PeakSeen peak{own.point(spot.node), tip_size(own, spot.node), spot.eta};
+    for (std::size_t c = 0; c < analysis.fields.size(); ++c) {
+      for (const fem::HotSpot& spot : analysis.fields[c].peaks) {
+        const PeakSeen peak{c, own.point(spot.node), tip_size(own, spot.node), spot.eta};
         if (ignored(peak.at)) continue;
-        const auto before = std::find_if(seen_.begin(), seen_.end(), [&](const PeakSeen& old) { return distance(old.at, peak.at) < 0.5 * old.size; });
+        const auto before = std::find_if(seen_.begin(), seen_.end(), [&](const PeakSeen& old) {
+          return old.load_case == c && distance(old.at, peak.at) < 0.5 * old.size;
+        });
         if (before != seen_.end() && peak.size < 0.7 * before->size && peak.eta > before->eta * std::pow(peak.size / before->size, least_rate)) {
           remarks.push_back(fmt::format("the stress at ({:.6g}, {:.6g}) does not settle as the elements get smaller: it is infinite there, and is not minded", peak.at.x, peak.at.y));
           ignored_.push_back(*before);
@@ -137,7 +137,7 @@ Result<Wishes> wishes_of(const Analysis& analysis, const AdaptParams& params, co
                               .rule = params.rule == RuleOfSizes::Optimal ? fem::SizeRule::Optimal : fem::SizeRule::EqualError,
                               .min_size = params.min_size,
                               .max_size = std::max(first_size, params.min_size),
-                              .singular_rings = rosettes ? rosette_rings : 1};
+                              .singular_rings = rosettes ? fem::RosetteOptions{}.rings : 1};
   std::vector<double> least(own.element_count(), options.max_size);
   for (const CaseFields& fields : analysis.fields) {
     DOBRA_TRY(const auto sizes, fem::new_sizes(own, fields.estimate, analysis.singular, options));
@@ -190,7 +190,11 @@ Result<Model> adapt(const Model& model, const AdaptParams& params, const dobra::
   if (params.from == StartFrom::Last) {
     if (model.analyses.empty() || model.analyses.back()->cycle == 0) return Error{ErrorCode::BadValue, "there is no cycle to go on from: put a step 'adapt' before, or begin with the first"};
     const Analysis& last = *model.analyses.back();
-    peaks.see(last, params.peaks, result.remarks);
+    // What the cycles before saw; they have told it.
+    std::size_t i = model.analyses.size() - 1;
+    while (i > 0 && model.analyses[i]->cycle > 1 && model.analyses[i - 1]->cycle == model.analyses[i]->cycle - 1) --i;
+    std::vector<std::string> told;
+    for (; i < model.analyses.size(); ++i) peaks.see(*model.analyses[i], params.peaks, told);
     before = {last.eta, peaks.worst()};
     if (before.met(params.target)) return result;
     done = last.cycle;

@@ -42,7 +42,7 @@ struct AdaptParams {
     d.choice("order", &AdaptParams::order, {"1", "2"}, {.title = "Order"});
     d.choice("constraints", &AdaptParams::constraints, {"yes", "no"}, {.title = "Obey constraints"});
     d.choice("rosettes", &AdaptParams::rosettes, {"no", "yes"}, {.title = "Rosettes", .help = "Quarter-point elements at crack tips; smaller ones if they hold too much of the error."});
-    d.field("tip_radius", &AdaptParams::tip_radius, {.title = "First tip elements", .help = "Length of the quarter-point elements of the first mesh; 0 takes 1/40 of the crack.", .unit = "m", .at_least = 0});
+    d.field("tip_radius", &AdaptParams::tip_radius, {.title = "First tip elements", .help = "Length of the quarter-point elements of the first mesh; 0 takes 1/80 of the room round each tip.", .unit = "m", .at_least = 0});
   }
 };
 

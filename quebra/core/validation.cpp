@@ -130,7 +130,7 @@ void add_straight_cracks(std::vector<ValidationCase>& cases) {
     const double p = 0.5 * pi * a;
     const double tada = std::sqrt(std::tan(p) / p) * (0.752 + 2.02 * a + 0.37 * std::pow(1 - std::sin(p), 3)) / std::cos(p);
     cases.push_back({"3.5", name + ", K_I, handbook", edge_crack(a), "tip.load.crack_end.K_I", unit, tada, a < 0.15 ? 6e-3 : 5e-3, "Tada, Paris, Irwin",
-                     a < 0.15 ? "the formula is said to be within 0.5 %; here it is 0.56 % above the fine mesh of fracture.md" : ""});
+                     a < 0.15 ? "the formula is said to be within 0.5 %; here it is 0.56 % above the reference of the list" : ""});
     const double polynomial = 1.122 - 0.231 * a + 10.55 * a * a - 21.71 * a * a * a + 30.382 * a * a * a * a;
     cases.push_back({"3.5", name + ", K_I, polynomial", edge_crack(a), "tip.load.crack_end.K_I", unit, polynomial, 5e-3, "Gross and Brown, in Tada, Paris, Irwin"});
   }
@@ -207,7 +207,7 @@ void add_mixed_modes(std::vector<ValidationCase>& cases) {
   add_by_three_methods(cases, {"3.8 b", "Edge crack under shear", sheared, "K_I", 1.0, 34.01, "list of references 3.8 b"});
   add_by_three_methods(cases, {"3.8 b", "Edge crack under shear", sheared, "K_II", 1.0, 4.536, "list of references 3.8 b"});
   cases.push_back({"3.8 b", "Edge crack under shear, K_I, published", sheared, "tip.load.crack_end.K_I", 1.0, 34.0, 1.5e-3, "Moes, Dolbow, Belytschko 1999", "three digits"});
-  cases.push_back({"3.8 b", "Edge crack under shear, K_II, published", sheared, "tip.load.crack_end.K_II", 1.0, 4.55, 5e-3, "Moes, Dolbow, Belytschko 1999", "three digits; fracture.md has 4.536"});
+  cases.push_back({"3.8 b", "Edge crack under shear, K_II, published", sheared, "tip.load.crack_end.K_II", 1.0, 4.55, 5e-3, "Moes, Dolbow, Belytschko 1999", "three digits; the list of references has 4.536"});
   constexpr std::array<std::array<double, 3>, 2> edge{{{0.2, 0.6247, 0.3205}, {0.4, 1.162, 0.5627}}};
   for (const auto& [a, one, two] : edge) {
     const double c = a * std::sqrt(0.5);

@@ -1356,8 +1356,8 @@
         <translation>Primeiros elementos de ponta</translation>
     </message>
     <message>
-        <source>Length of the quarter-point elements of the first mesh; 0 takes 1/40 of the crack.</source>
-        <translation>Comprimento dos elementos de quarto de ponto da primeira malha; 0 toma 1/40 da trinca.</translation>
+        <source>Length of the quarter-point elements of the first mesh; 0 takes 1/80 of the room round each tip.</source>
+        <translation>Comprimento dos elementos de quarto de ponto da primeira malha; 0 toma 1/80 do espaço em torno de cada ponta.</translation>
     </message>
     <message>
         <source>Range of colours</source>
@@ -1374,6 +1374,30 @@
     <message>
         <source>of the area</source>
         <translation>da área</translation>
+    </message>
+    <message>
+        <source>Error of each cycle</source>
+        <translation>Erro de cada ciclo</translation>
+    </message>
+    <message>
+        <source>best rate</source>
+        <translation>melhor taxa</translation>
+    </message>
+    <message>
+        <source>estimated error</source>
+        <translation>erro estimado</translation>
+    </message>
+    <message>
+        <source>unknowns</source>
+        <translation>incógnitas</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Grade</translation>
+    </message>
+    <message>
+        <source>analyses</source>
+        <translation>análises</translation>
     </message>
     <message>
         <source>to</source>

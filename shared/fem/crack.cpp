@@ -541,7 +541,7 @@ void look_for_contact(const ElementMesh& mesh, const TipFrame& frame, const std:
                     frame.tip.name,
                     overlap ? fmt::format("the lips overlap by up to {:.3g} at ({:.6g}, {:.6g})", overlap->depth,
                                           rounded(overlap->at.x), rounded(overlap->at.y))
-                            : fmt::format("K_I is {:.4g}", k.one),
+                            : k.one < 0.0 ? fmt::format("K_I is {:.4g}", k.one) : "the lips meet at the tip",
                     closed ? ", and no kink angle is given" : ""));
   }
   if (closed || size == 0.0) return;

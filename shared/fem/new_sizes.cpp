@@ -87,11 +87,9 @@ base::Result<std::vector<double>> new_sizes(const ElementMesh& mesh, const Error
   std::vector<double> sizes(count);
   for (std::size_t i = 0; i < count; ++i) {
     const double now = element_size(mesh, i);
-    const bool frozen = !options.frozen.empty() && options.frozen[i] != 0;
     const bool at_vertex = exponents[i] < 1.0;
     const double least = at_vertex ? options.least_singular_factor : options.least_factor;
-    sizes[i] = frozen ? now : now * std::clamp(factors[i], least, options.most_factor);
-    if (frozen) continue;
+    sizes[i] = now * std::clamp(factors[i], least, options.most_factor);
     if (options.max_size > 0.0) sizes[i] = std::min(sizes[i], options.max_size);
     sizes[i] = std::max(sizes[i], options.min_size);
   }

@@ -27,7 +27,6 @@ struct NewSizeOptions {
   double min_size = 0.0;   ///< m; 0: none.
   double max_size = 0.0;   ///< m; 0: none.
   int singular_rings = 1;  ///< Elements this near a singular vertex (1: those that touch it) follow its exponent.
-  std::vector<std::uint8_t> frozen = {};  ///< One flag an element that keeps its size (rosettes); empty: none.
 };
 
 /// The size of an element: the side of the equilateral triangle, or of the square, of its area, m.

@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -287,6 +289,17 @@ x = 1.0
   EXPECT_LE(values.at("eta"), 1.0);
   EXPECT_LE(values.at("cycles"), 6.0);
   EXPECT_THAT(last(done).remarks, testing::Contains(HasSubstr("the stress at (1, 1) does not settle")));
+  // Cycle by cycle it is not minded either, and told once.
+  const std::string one = "[[step]]\noperation = \"adapt\"\ntarget = 1.0\nmax_cycles = 1\n";
+  const std::size_t cycles = last(done).analyses.size();
+  std::string steps = plate + one;
+  for (std::size_t i = 1; i < cycles + 1; ++i) steps += one + "from = \"last\"\n";
+  const scenario::Run stepped = run(steps);
+  ASSERT_TRUE(stepped.complete()) << to_string(*stepped.error);
+  ASSERT_EQ(last(stepped).analyses.size(), cycles);
+  EXPECT_EQ(last(stepped).analyses.back()->eta, last(done).analyses.back()->eta);
+  const auto& remarks = last(stepped).remarks;
+  EXPECT_EQ(std::count_if(remarks.begin(), remarks.end(), [](const std::string& text) { return text.find("does not settle") != std::string::npos; }), 1);
 }
 
 }  // namespace
