@@ -47,10 +47,12 @@ class Source {
   explicit Source(const Band& band) : band_(band) {
     std::vector<Box> boxes;
     for (std::size_t i = 0; i < band.source.segment_count(); ++i) boxes.push_back(band.source.segment(i).box());
+    for (const Box& box : boxes) box_.add(box);
     index_ = dobra::geom::SpatialIndex(boxes);
   }
 
   [[nodiscard]] const std::string& name() const { return band_.curves.front(); }
+  [[nodiscard]] const Box& box() const { return box_; }
   /// How far p is outside the tube of this radius; infinite if that is above `farthest`, or where the tube does not lie.
   [[nodiscard]] double outside(Point p, double radius, double farthest) const {
     constexpr double nothing = std::numeric_limits<double>::infinity();
@@ -69,6 +71,7 @@ class Source {
 
  private:
   const Band& band_;
+  Box box_;
   dobra::geom::SpatialIndex index_;
 };
 
@@ -105,16 +108,19 @@ class CommonPoints {
     for (std::int64_t i = x - 1; i <= x + 1; ++i) {
       for (std::int64_t j = y - 1; j <= y + 1; ++j) {
         const auto found = points_.find({i, j});
-        if (found != points_.end() && distance(found->second, p) <= tolerance_) return found->second;
+        if (found == points_.end()) continue;
+        for (const Point known : found->second) {
+          if (distance(known, p) <= tolerance_) return known;
+        }
       }
     }
-    points_.try_emplace({x, y}, p);
+    points_[{x, y}].push_back(p);
     return p;
   }
 
  private:
   double tolerance_;
-  std::map<std::pair<std::int64_t, std::int64_t>, Point> points_;
+  std::map<std::pair<std::int64_t, std::int64_t>, std::vector<Point>> points_;
 };
 
 /// The curve with its crossings as vertices, and soft ones between so that none are farther apart than `step`.
@@ -306,7 +312,9 @@ std::vector<bool> kept_edges(const Line& line, std::span<const std::shared_ptr<c
   if (line.curve->start) crossing.front() = true;
   if (line.curve->end) crossing.back() = true;
   const double spacing = band.spacings[line.curve->rank];
+  const Box reach = line.curve->line.box().grown(too_near * spacing);
   for (const Source& wall : walls) {
+    if (!reach.overlaps(wall.box())) continue;
     const bool own = std::find(band.curves.begin(), band.curves.end(), wall.name()) != band.curves.end();
     if (!own) judge.drop(wall, 0.0, wall_share * spacing, true, kept);
   }

@@ -380,6 +380,12 @@ Result<Model> add_constraints(const Model& model, const ConstraintParams& params
                                            crack ? "does not go round the crack in one piece inside the domain" : "lies wholly outside the domain"));
     }
   }
+  constexpr double most_nodes = 2e6;
+  double nodes = 0.0;
+  for (const BandCurve& curve : band.lines) nodes += dobra::geom::length(curve.line) / band.spacings[curve.rank];
+  if (!(nodes <= most_nodes)) {
+    return Error{ErrorCode::TooManyElements, fmt::format("the offset constraints of '{}' would get some {:.3g} nodes; give a greater distance, a factor of 1 or more, or fewer curves", params.curves.front(), nodes)};
+  }
   result.bands.push_back(std::make_shared<const Band>(std::move(band)));
   result.constraints = constraints_of(domain, result.bands);
   // The first piece of every curve has its plain name.

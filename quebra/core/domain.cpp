@@ -107,14 +107,17 @@ Error nothing_closes(const Domain& domain, Place place) {
   const double size = domain.box().diagonal();
   std::string nearest;
   const std::vector<End> ends = open_ends(domain.curves);
-  for (const auto& [gap, a, b] : near_ends(ends, 0.1 * size)) {
-    if (!(gap > 0.0)) continue;
-    const std::string& one = domain.curves[ends[a].curve].name;
-    const std::string& two = domain.curves[ends[b].curve].name;
-    nearest = fmt::format("the ends nearest to each other, of {}, are {:.3g} m apart: close that gap, or give --repair (repair = \"yes\"), which closes gaps up to {:.3g} m; ",
-                          one == two ? fmt::format("'{}'", one) : fmt::format("'{}' and '{}'", one, two), gap, RepairOptions{}.gap * size);
-    place = at_point(place, ends[a].at);
-    break;
+  // Only the nearest pair is wanted: of many ends few are looked at.
+  for (double limit = 1e-4 * size; nearest.empty() && limit < 0.2 * size; limit *= 10.0) {
+    for (const auto& [gap, a, b] : near_ends(ends, limit)) {
+      if (!(gap > 0.0)) continue;
+      const std::string& one = domain.curves[ends[a].curve].name;
+      const std::string& two = domain.curves[ends[b].curve].name;
+      nearest = fmt::format("the ends nearest to each other, of {}, are {:.3g} m apart: close that gap, or give --repair (repair = \"yes\"), which closes gaps up to {:.3g} m; ",
+                            one == two ? fmt::format("'{}'", one) : fmt::format("'{}' and '{}'", one, two), gap, RepairOptions{}.gap * size);
+      place = at_point(place, ends[a].at);
+      break;
+    }
   }
   return {ErrorCode::BadDomain, fmt::format("no curve closes, so nothing bounds the domain; {}if each line is an outline without its last side, give --closed (closed = \"yes\")", nearest), place};
 }

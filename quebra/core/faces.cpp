@@ -144,13 +144,16 @@ Result<void> find_faces(Domain& domain, std::span<const RegionName> names, std::
     }
     face->second.region = tag->second;
   }
-  for (const Area& area : areas) {
-    for (auto& [id, face] : faces) {
-      if (face.region != 0 || area.name.empty() || smallest_round(areas, face.inside) != &area) continue;
-      const auto [tag, is_new] = tags.try_emplace(area.name, next + 1);
-      if (is_new) domain.region_names[++next] = area.name;
-      face.region = tag->second;
-    }
+  std::map<const Area*, std::vector<Face*>> within;
+  for (auto& [id, face] : faces) {
+    if (const Area* const area = face.region == 0 ? smallest_round(areas, face.inside) : nullptr) within[area].push_back(&face);
+  }
+  for (const Area& area : areas) {  // tags in the order of the areas
+    const auto found = area.name.empty() ? within.end() : within.find(&area);
+    if (found == within.end()) continue;
+    const auto [tag, is_new] = tags.try_emplace(area.name, next + 1);
+    if (is_new) domain.region_names[++next] = area.name;
+    for (Face* const face : found->second) face->region = tag->second;
   }
   for (auto& [id, face] : faces) {
     if (face.region == 0) face.region = ++next;

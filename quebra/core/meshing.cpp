@@ -321,6 +321,7 @@ Result<std::shared_ptr<const MeshWork>> work_on(const Model& model, const MeshPa
   std::vector<std::string> remarks;  // of the finished mesh only
   DOBRA_TRY(const Prepared prepared, prepare(model, params, {}, source, remarks));
   DOBRA_TRY(dobra::mesh::Mesher mesher, dobra::mesh::Mesher::start(prepared.input, prepared.options, progress));
+  DOBRA_TRY_VOID(source.check());
   for (int step = 0; step < params.stop_after && !mesher.done(); ++step) DOBRA_TRY_VOID(mesher.step(1, progress));
   if (mesher.done()) return std::shared_ptr<const MeshWork>();
   dobra::mesh::Mesher::View view = mesher.view();
@@ -338,11 +339,15 @@ Result<Meshed> mesh_domain(const Model& model, const MeshParams& params, std::sp
   const auto done = [&](const char* phase) { meshed.seconds.push_back({phase, watch.lap()}); };
   DOBRA_TRY(const Prepared prepared, prepare(model, params, sizes, source, remarks));
   done("divide");
-  DOBRA_TRY(auto mesher, dobra::mesh::Mesher::start(prepared.input, prepared.options, progress));
-  constexpr std::size_t between_checks = 8192;
-  while (!mesher.done()) DOBRA_TRY_VOID(mesher.step(between_checks, progress));
-  const TriangleMesh triangles = mesher.mesh();
-  meshed.sizes = std::make_shared<const dobra::mesh::SizeField>(mesher.sizes());
+  TriangleMesh triangles;
+  {  // The mesher's memory is given back before the elements are made.
+    DOBRA_TRY(auto mesher, dobra::mesh::Mesher::start(prepared.input, prepared.options, progress));
+    DOBRA_TRY_VOID(source.check());
+    constexpr std::size_t between_checks = 8192;
+    while (!mesher.done()) DOBRA_TRY_VOID(mesher.step(between_checks, progress));
+    triangles = mesher.mesh();
+    meshed.sizes = std::make_shared<const dobra::mesh::SizeField>(mesher.sizes());
+  }
   done("triangulate");
   DOBRA_TRY(meshed.mesh, elements_of(triangles, model, params, prepared.rosettes, remarks));
   done("elements");

@@ -128,7 +128,9 @@ Result<std::optional<Sketch>> true_curves(const std::string& path, const dobra::
       outline.closed = true;
     }
   }
-  DOBRA_TRY(Sketch sketch, sketch_of_paths(*paths));
+  auto made = sketch_of_paths(*paths);
+  if (!made) return std::optional<Sketch>();  // the chords that have been read will do
+  Sketch sketch = *std::move(made);
   for (Curve& curve : sketch.curves) {
     curve.role = Role::Boundary;
     sketch.without_role.insert(curve.name);

@@ -13,7 +13,13 @@ Player::Player(Session& session, QObject* parent) : QObject(parent), session_(se
   pause_.setInterval(between_pictures);
   connect(&pause_, &QTimer::timeout, this, [this] { show(part_, steps_ + std::max<std::size_t>(1, steps_ / 8)); });
   connect(&session_, &Session::run_finished, this, &Player::go_on);
-  connect(&session_, &Session::document_changed, this, &Player::forget);
+  connect(&session_, &Session::document_changed, this, [this] {
+    if (watching()) {
+      stop();
+    } else {
+      forget();
+    }
+  });
 }
 
 bool Player::can_watch(std::size_t part) const {

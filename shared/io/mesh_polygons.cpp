@@ -146,12 +146,15 @@ class Graph {
     }
     while (!open.empty()) {
       geom::Polyline loop{{}, true};
-      std::optional<Link> at = *open.begin();
-      while (at) {
-        open.erase(*at);
+      const Link start = *open.begin();
+      // It stays open until the walk is back: where loops touch, the way on may be the one that it began with.
+      std::optional<Link> at = start;
+      do {
+        if (*at != start) open.erase(*at);
         loop.points.push_back(poly_.nodes.points[(*at)[0]]);
         at = next(*at, open);
-      }
+      } while (at && *at != start);
+      open.erase(start);
       if (signed_area(loop) < 0.0) poly_.holes.push_back(point_inside(loop));
     }
   }

@@ -116,8 +116,10 @@ TEST(Band, AMuchFinerBandStaysWholeAndTheCoarseOneEndsAtIt) {
 }
 
 TEST(Band, ACurveThatGivesWayEverywhereGetsARemark) {
-  const auto done = test::run(plate + hole("small", 4, 0.2) + hole("big", 6.2, 1.5) + bands("small", 1, 0.3) + bands("big", 1, 0.45));
-  ASSERT_TRUE(done.complete());
+  const auto done = test::run(plate + hole("small", 4.5, 0.05) + hole("big", 6.2, 1.5) + bands("small", 1, 0.3) + bands("big", 1, 0.59));
+  ASSERT_TRUE(done.complete()) << to_string(*done.error);
+  const auto& remarks = test::last(done).remarks;
+  EXPECT_TRUE(std::any_of(remarks.begin(), remarks.end(), [](const std::string& text) { return text.find("small_1") != std::string::npos; }));
   const auto apart = test::run(plate + bands("plate", 3, 0.6) + bands("plate", 3, 0.6));
   EXPECT_TRUE(apart.complete()) << "the same curves twice are the user's";
 }
