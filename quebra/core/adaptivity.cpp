@@ -42,7 +42,7 @@ struct Reached {
   }
   [[nodiscard]] std::string text() const {
     const std::string error = fmt::format("the error is {:.3g} %", 100.0 * whole);
-    return peak > 0.0 ? error + fmt::format(", {:.3g} % round the peaks of stress,", 100.0 * peak) : error;
+    return peak > 0.0 ? error + fmt::format(", {:.3g} % round the peaks of stress", 100.0 * peak) : error;
   }
 };
 

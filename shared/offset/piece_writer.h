@@ -53,7 +53,6 @@ class PieceWriter {
         if (!going) break;
         const geom::Point q{from.x + origin.x, up * from.y + origin.y};
         const std::uint32_t segment = source[site.step];
-        if (point - piece_.points.data() > 1 && q == point[-2] && !is_curved(edge[-1]) && !is_curved(edge[-2])) --point, --edge;
         if (q == point[-1]) --point, --edge;
         *point++ = q;
         *edge++ = site.role == Role::Arc ? OffsetEdge::arc(segment) : OffsetEdge::line(segment);
@@ -89,14 +88,14 @@ class PieceWriter {
   }
   /// Ends an open curve at p.
   OffsetPiece finish_open(geom::Point p);
-  /// Closes the curve, which is at this distance. What is no wider than the rounding of its points is nothing: whether that
-  /// leaves an area would depend on where the base starts and which way it runs.
+  /// Closes the curve, which is at this distance. Ways there and back that are no wider than the rounding of their points go,
+  /// and so does the whole curve if it is not wider: what they enclose would depend on where the base starts and which way it
+  /// runs.
   OffsetPiece finish_closed(double distance);
 
  private:
   void add(geom::Point p, OffsetEdge edge) {
     const geom::Point q = base_.user(p);
-    if (is_spike(q)) drop_last();
     if (!piece_.points.empty() && piece_.points.back() == q) {
       piece_.edges.back() = edge;
       return;
@@ -109,12 +108,16 @@ class PieceWriter {
     piece_.edges.pop_back();
   }
   [[nodiscard]] bool is_curved(OffsetEdge edge) const { return keeps_arcs_ && edge.is_arc(); }
-  /// Would the way to q go back over the last edge? Two arcs there and back make a lens, two lines nothing.
-  [[nodiscard]] bool is_spike(geom::Point q) const {
-    const std::size_t n = piece_.points.size();
-    return n > 1 && piece_.points[n - 2] == q && !is_curved(piece_.edges[n - 2]) && !is_curved(piece_.edges[n - 1]);
-  }
-  [[nodiscard]] bool is_sliver(double distance) const;
+  /// What the closed curve measures, with the rounding of its points.
+  struct Measure {
+    double rounding = 0.0;
+    double length = 0.0;
+    double area = 0.0;
+    double sagitta = 0.0;   ///< Greatest of its arcs.
+    bool turns_back = false;  ///< Somewhere it may go back over where it came from.
+  };
+  [[nodiscard]] Measure measure(double distance) const;
+  void drop_hairs(double rounding);
   OffsetPiece finish();
 
   const BaseCurve& base_;

@@ -46,13 +46,15 @@ TEST(Mpi, TwoProcessesFindWhatOneFinds) {
   ASSERT_GT(one.size(), 20U);
   for (const auto& [name, quantity] : one.items()) {
     const double a = quantity.at("value"), b = both.at(name).at("value");
-    EXPECT_NEAR(a, b, 1e-9 * std::max(1.0, std::abs(a))) << name;
+    // Two of the three criteria look for the place of a flat extreme, which half of the digits determine.
+    const bool sought = name.ends_with(".s_theta") || name.ends_with(".g_theta");
+    EXPECT_NEAR(a, b, (sought ? 1e-6 : 1e-9) * std::max(1.0, std::abs(a))) << name;
   }
 }
 
 TEST(Mpi, ManyFactorisationsAndErrorsEndTheGroup) {
   // An adaptive loop factorises once a cycle; a scenario without supports fails in the first process only.
-  const Outcome loop = call(two + DOBRA_BIN_DIR "/mpi/quebra adapt " DOBRA_SOURCE_DIR "/resources/examples/quebra/edge_crack.toml --target 3% --max-cycles 3 --json --quiet");
+  const Outcome loop = call(two + DOBRA_BIN_DIR "/mpi/quebra adapt " DOBRA_SOURCE_DIR "/resources/examples/quebra/edge_crack.toml --target 3% --max-cycles 4 --json --quiet");
   EXPECT_EQ(loop.code, 0) << loop.out;
   const Outcome missing = call(two + DOBRA_BIN_DIR "/mpi/quebra solve none.toml");
   EXPECT_EQ(missing.code, 3) << missing.out;

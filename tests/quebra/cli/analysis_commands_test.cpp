@@ -54,7 +54,7 @@ TEST_F(AnalysisCommands, TheCurveAndAnyCycleAreDrawn) {
   EXPECT_NE(text("curve.svg").find("</svg>"), std::string::npos);
   EXPECT_NE(text("first.svg").find("</svg>"), std::string::npos);
   refuses({"adapt", l_shape(), "--cycle", "1"}, 2, {"--cycle", "give --picture FILE"});
-  refuses({"adapt", l_shape(), "--curve", path("curve.xyz")}, 2, {".svg .pdf .png"});
+  refuses({"adapt", l_shape(), "--curve", path("curve.xyz")}, 2, {"curve.xyz", ".svg, .pdf or .png"});
   refuses({"adapt", l_shape(), "--target", "20%", "--picture", path("none.svg"), "--cycle", "9"}, 3, {"there is no cycle 9"});
   EXPECT_FALSE(exists("none.svg"));
 }
