@@ -88,9 +88,8 @@ class PieceWriter {
   }
   /// Ends an open curve at p.
   OffsetPiece finish_open(geom::Point p);
-  /// Closes the curve, which is at this distance. Ways there and back that are no wider than the rounding of their points go,
-  /// and so does the whole curve if it is not wider: what they enclose would depend on where the base starts and which way it
-  /// runs.
+  /// Closes the curve, which is at this distance. What is no wider than the rounding of its points is nothing: whether that
+  /// leaves an area would depend on where the base starts and which way it runs.
   OffsetPiece finish_closed(double distance);
 
  private:
@@ -103,21 +102,7 @@ class PieceWriter {
     piece_.points.push_back(q);
     piece_.edges.push_back(edge);
   }
-  void drop_last() {
-    piece_.points.pop_back();
-    piece_.edges.pop_back();
-  }
-  [[nodiscard]] bool is_curved(OffsetEdge edge) const { return keeps_arcs_ && edge.is_arc(); }
-  /// What the closed curve measures, with the rounding of its points.
-  struct Measure {
-    double rounding = 0.0;
-    double length = 0.0;
-    double area = 0.0;
-    double sagitta = 0.0;   ///< Greatest of its arcs.
-    bool turns_back = false;  ///< Somewhere it may go back over where it came from.
-  };
-  [[nodiscard]] Measure measure(double distance) const;
-  void drop_hairs(double rounding);
+  [[nodiscard]] bool is_sliver(double distance) const;
   OffsetPiece finish();
 
   const BaseCurve& base_;

@@ -9,7 +9,6 @@
 
 #include "shared/offset/arcs.h"
 #include "shared/offset/offset.h"
-#include "shared/offset/verify.h"
 #include "tests/support/corpus.h"
 #include "tests/support/offset_oracle.h"
 #include "tests/support/random_curves.h"
@@ -282,23 +281,6 @@ TEST(OffsetInvariance, WhatIsNoWiderThanRoundingIsGoneFromEveryStartAndInBothDir
         }
       }
     }
-  }
-}
-
-TEST(OffsetInvariance, ACurveDoesNotGoThereAndBack) {
-  const Polyline base{{{0, 0}, {8.5916189678614554, 8.3775941362113784}, {5.7990875891243299, 11.241467125498531}, {-0.64462663677176213, 4.958271523339997},
-                       {-3.4371580155088881, 7.8221445126271485}, {3.0065562103872034, 14.105340114785683}, {0.21402483165007702, 16.969213104072836},
-                       {-8.3775941362113784, 8.5916189678614554}}, true};
-  const double distance[] = {2.0000000000000004};
-  for (const Polyline& from : {base, geom::reversed(base)}) {
-    OffsetOptions options;
-    options.side = from == base ? Side::RightOfTravel : Side::LeftOfTravel;
-    const auto curves = offset(from, distance, options);
-    ASSERT_TRUE(curves.ok());
-    ASSERT_EQ(curves->front().pieces.size(), 1u);
-    EXPECT_EQ(curves->front().pieces[0].points.size(), 5u);
-    const auto verified = verify(from, options, curves->front());
-    EXPECT_TRUE(verified.ok() && verified->ok());
   }
 }
 
