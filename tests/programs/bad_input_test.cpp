@@ -208,7 +208,7 @@ TEST_F(Programs, ACrackOutsideIsNamedWithItsPlace) {
 
 TEST_F(Programs, TipsCloserThanTheirRosettesAreNamedWithTheirPlace) {
   quebra_refuses("[[input.crack]]\nname = \"one\"\npoints = [[0.5, 2], [1.9, 2]]\n[[input.crack]]\nname = \"two\"\npoints = [[2.0, 2], [3.5, 2]]\n"
-                 "[[step]]\noperation = \"mesh\"\norder = \"2\"\nrosettes = \"yes\"\ntip_radius = 0.05\n",
+                 "[[step]]\noperation = \"mesh\"\norder = \"2\"\nrosettes = \"yes\"\ntip_radius = 0.03\n",
                  3, {"crack 'two'", "overlaps that of 'one'", "make it smaller", "(at 2, 2)"});
 }
 

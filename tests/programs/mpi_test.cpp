@@ -54,7 +54,7 @@ TEST(Mpi, TwoProcessesFindWhatOneFinds) {
 
 TEST(Mpi, ManyFactorisationsAndErrorsEndTheGroup) {
   // An adaptive loop factorises once a cycle; a scenario without supports fails in the first process only.
-  const Outcome loop = call(two + DOBRA_BIN_DIR "/mpi/quebra adapt " DOBRA_SOURCE_DIR "/resources/examples/quebra/edge_crack.toml --target 3% --max-cycles 4 --json --quiet");
+  const Outcome loop = call(two + DOBRA_BIN_DIR "/mpi/quebra adapt " DOBRA_SOURCE_DIR "/resources/examples/quebra/edge_crack.toml --target 3% --max-cycles 8 --json --quiet");
   EXPECT_EQ(loop.code, 0) << loop.out;
   const Outcome missing = call(two + DOBRA_BIN_DIR "/mpi/quebra solve none.toml");
   EXPECT_EQ(missing.code, 3) << missing.out;
