@@ -68,8 +68,7 @@ base::Result<std::vector<double>> new_sizes(const ElementMesh& mesh, const Error
                                             const NewSizeOptions& options) {
   const auto wrong = [](const char* message) { return base::Error{base::ErrorCode::InvalidOption, message}; };
   if (!(options.target > 0.0 && options.target < 1.0)) return wrong("the target of the error must lie between 0 and 1");
-  if (!(options.least_factor > 0.0 && options.least_factor <= 1.0 && options.most_factor >= 1.0 &&
-        options.least_singular_factor > 0.0 && options.least_singular_factor <= 1.0))
+  if (!(options.least_factor > 0.0 && options.least_factor <= 1.0 && options.most_factor >= 1.0))
     return wrong("the factors of the size must hold 0 < least <= 1 <= most");
   if (options.max_size > 0.0 && options.min_size > options.max_size)
     return wrong("the least size must not be above the greatest");
@@ -87,9 +86,7 @@ base::Result<std::vector<double>> new_sizes(const ElementMesh& mesh, const Error
   std::vector<double> sizes(count);
   for (std::size_t i = 0; i < count; ++i) {
     const double now = element_size(mesh, i);
-    const bool at_vertex = exponents[i] < 1.0;
-    const double least = at_vertex ? options.least_singular_factor : options.least_factor;
-    sizes[i] = now * std::clamp(factors[i], least, options.most_factor);
+    sizes[i] = now * std::clamp(factors[i], options.least_factor, options.most_factor);
     if (options.max_size > 0.0) sizes[i] = std::min(sizes[i], options.max_size);
     sizes[i] = std::max(sizes[i], options.min_size);
   }

@@ -20,9 +20,6 @@ struct NewSizeOptions {
   double target = 0.05;  ///< eta asked for, 0..1.
   SizeRule rule = SizeRule::Optimal;
   double least_factor = 0.25;  ///< Of the present size, in one step.
-  /// The same for elements near a singular vertex, whose error is known to go as h^lambda: it takes sizes many orders
-  /// below the others' to balance it, which a quarter a step would be long to reach.
-  double least_singular_factor = 0.1;
   double most_factor = 2.0;
   double min_size = 0.0;   ///< m; 0: none.
   double max_size = 0.0;   ///< m; 0: none.
