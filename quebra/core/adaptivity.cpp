@@ -109,13 +109,14 @@ class Peaks {
   double worst_ = 0.0;
 };
 
-/// Sizes of the elements round the peaks that are not trusted, not above those of `least`.
+/// Sizes of the elements round the peaks, not above those of `least`: those of a peak that is met too, or the next mesh would
+/// lose it again.
 void add_peaks(const Analysis& analysis, const Peaks& peaks, double target, const fem::NewSizeOptions& options, std::vector<double>& least) {
   const mesh::ElementMesh& own = analysis.meshed->mesh;
   std::map<mesh::NodeId, double> etas;
   for (const CaseFields& fields : analysis.fields) {
     for (const fem::HotSpot& spot : fields.peaks) {
-      if (spot.eta > target && !peaks.ignored(own.point(spot.node))) etas[spot.node] = std::max(etas[spot.node], spot.eta);
+      if (!peaks.ignored(own.point(spot.node))) etas[spot.node] = std::max(etas[spot.node], spot.eta);
     }
   }
   if (etas.empty()) return;
@@ -124,7 +125,7 @@ void add_peaks(const Analysis& analysis, const Peaks& peaks, double target, cons
       const auto found = etas.find(node);
       if (found == etas.end()) continue;
       const double order = mesh::is_quadratic(own.types[e]) ? 2.0 : 1.0;
-      const double factor = std::max(options.least_factor, std::pow(aim * target / found->second, 1.0 / order));
+      const double factor = std::clamp(std::pow(aim * target / found->second, 1.0 / order), options.least_factor, options.most_factor);
       least[e] = std::min(least[e], std::max(options.min_size, factor * fem::element_size(own, e)));
     }
   }

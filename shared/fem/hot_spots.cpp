@@ -20,10 +20,7 @@ constexpr double share_of_greatest = 0.8;
 /// there are some on the way to a crack tip.
 constexpr double least_prominence = 0.1;
 
-/// Elements this near a place of infinite stress (1: those that touch it) have its errors, which look like peaks.
-constexpr int rings_of_infinity = 3;
-
-/// Nodes where the stress is infinite, or as near to such a place as makes no difference.
+/// Nodes where the stress is infinite.
 std::vector<char> infinite_at(const ElementMesh& mesh, const Problem& problem,
                               std::span<const SingularVertex> singular) {
   std::vector<char> infinite(mesh.points.size(), 0);
@@ -40,14 +37,6 @@ std::vector<char> infinite_at(const ElementMesh& mesh, const Problem& problem,
   }
   for (const Support& support : problem.supports) add(support.where);
   for (const Spring& spring : problem.springs) add(spring.where);
-  for (int ring = 0; ring < rings_of_infinity; ++ring) {
-    const std::vector<char> inner = infinite;
-    for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-      const auto nodes = mesh.nodes_of(mesh::ElementId(e));
-      if (std::none_of(nodes.begin(), nodes.end(), [&](NodeId node) { return inner[node.index()] != 0; })) continue;
-      for (const NodeId node : nodes) infinite[node.index()] = 1;
-    }
-  }
   return infinite;
 }
 
