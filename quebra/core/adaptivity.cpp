@@ -24,6 +24,8 @@ using dobra::geom::Vector;
 constexpr double least_gain = 0.02;
 /// The sizes aim this much lower than the error asked for: what the mesher makes of them comes out a little above.
 constexpr double aim = 0.95;
+/// The same round a peak, where a few elements decide.
+constexpr double aim_at_peaks = 0.7;
 
 /// A peak whose error falls more slowly than this power of the size is no peak but a place of infinite stress.
 constexpr double least_rate = 0.5;
@@ -125,7 +127,7 @@ void add_peaks(const Analysis& analysis, const Peaks& peaks, double target, cons
       const auto found = etas.find(node);
       if (found == etas.end()) continue;
       const double order = mesh::is_quadratic(own.types[e]) ? 2.0 : 1.0;
-      const double factor = std::clamp(std::pow(aim * target / found->second, 1.0 / order), options.least_factor, options.most_factor);
+      const double factor = std::clamp(std::pow(aim_at_peaks * target / found->second, 1.0 / order), options.least_factor, options.most_factor);
       least[e] = std::min(least[e], std::max(options.min_size, factor * fem::element_size(own, e)));
     }
   }
