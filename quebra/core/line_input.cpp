@@ -23,20 +23,9 @@ Result<io::LineFormat> format_of(const std::string& name) {
   return Error{ErrorCode::BadValue, fmt::format("format: unknown '{}'; give {}", name, fmt::join(names, ", "))};
 }
 
-std::vector<std::string> list_of(const std::string& text) {
-  std::vector<std::string> words;
-  for (std::size_t begin = 0; !text.empty() && begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    words.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return words;
-}
-
 }  // namespace
 
 Result<SketchOptions> sketch_options(const LineInput& input) {
-  constexpr std::array metres{1.0, 1.0, 1000.0, 0.3048, 0.0254, 0.01, 0.001};
   const LineInput none;
   SketchOptions options;
   options.open_lines = input.closed;
@@ -44,8 +33,8 @@ Result<SketchOptions> sketch_options(const LineInput& input) {
   if (!input.format.empty()) {
     DOBRA_TRY(lines.format, format_of(input.format));
   }
-  lines.text.columns = list_of(input.columns);
-  lines.text.name_columns = list_of(input.name_columns);
+  lines.text.columns = io::words_between_commas(input.columns);
+  lines.text.name_columns = io::words_between_commas(input.name_columns);
   lines.text.separator = input.separator;
   lines.coordinates = input.coordinates;
   if (!input.trace.empty()) {
@@ -59,7 +48,7 @@ Result<SketchOptions> sketch_options(const LineInput& input) {
   lines.plane_tolerance = input.plane_tolerance.value_or(lines.plane_tolerance);
   if (input.y_axis != FileAxis::File) lines.y_direction = input.y_axis == FileAxis::Up ? io::YDirection::Up : io::YDirection::Down;
   lines.y_reference = input.reference.value_or(lines.y_reference);
-  if (input.unit != FileUnit::File) lines.unit = metres[static_cast<std::size_t>(input.unit)];
+  if (input.unit != FileUnit::File) lines.unit = io::file_unit_metres[static_cast<std::size_t>(input.unit) - 1];
   lines.exaggeration = input.exaggeration.value_or(lines.exaggeration);
   options.chosen = input.closed != none.closed || !input.format.empty() || !input.columns.empty() || !input.name_columns.empty() ||
                    input.separator != none.separator || input.coordinates != none.coordinates || !input.trace.empty() || !input.fold_axis.empty() ||

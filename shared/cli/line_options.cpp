@@ -28,19 +28,9 @@ Result<std::size_t> choice(const std::string& option, const std::string& word, c
   return bad_usage(option, fmt::format("unknown '{}'{}", word, hint));
 }
 
-std::vector<std::string> list_of(const std::string& text) {
-  std::vector<std::string> words;
-  for (std::size_t begin = 0; !text.empty() && begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    words.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return words;
-}
-
 Result<std::vector<double>> numbers_of(const std::string& option, const std::string& text) {
   std::vector<double> numbers;
-  for (const std::string& word : list_of(text)) {
+  for (const std::string& word : io::words_between_commas(text)) {
     const auto value = base::parse_number(word);
     if (!value) return bad_usage(option, fmt::format("'{}' is not a number", word));
     numbers.push_back(*value);
@@ -61,9 +51,8 @@ Result<io::Trace> trace_of(const std::string& text) {
 }
 
 Result<double> unit_of(const std::string& text) {
-  DOBRA_TRY(const std::size_t unit, choice("--unit", text, {"m", "km", "ft", "in", "cm", "mm"}));
-  constexpr double metres[] = {1.0, 1000.0, 0.3048, 0.0254, 0.01, 0.001};
-  return metres[unit];
+  DOBRA_TRY(const std::size_t unit, choice("--unit", text, {io::file_units.begin(), io::file_units.end()}));
+  return io::file_unit_metres[unit];
 }
 
 }  // namespace
@@ -118,8 +107,8 @@ Result<io::LineOptions> line_options(const LineOptionTexts& texts) {
     DOBRA_TRY(const std::size_t format, choice("--from", texts.format, names));
     options.format = io::line_formats()[format].format;
   }
-  options.text.columns = list_of(texts.columns);
-  options.text.name_columns = list_of(texts.name_columns);
+  options.text.columns = io::words_between_commas(texts.columns);
+  options.text.name_columns = io::words_between_commas(texts.name_columns);
   DOBRA_TRY(const std::size_t separator,
             choice("--separator", texts.separator, {"detect", "blank", "tab", "comma", "semicolon"}));
   options.text.separator = static_cast<io::Separator>(separator);

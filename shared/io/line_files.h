@@ -3,6 +3,7 @@
 // Coordinates become section coordinates (x right, y up, metres) by options or by what the file says itself; what
 // neither says is asked, never guessed. Page: docs/user/import.md.
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -33,6 +34,13 @@ base::Result<LineFormat> line_format_of(const std::string& path);
 /// dropped. Map: a place on the map, and the third one is the height: the section's plane is fitted, or given.
 /// Detect: Map where a file has heights other than 0.
 enum class Coordinates { Detect, Section, Map };
+
+/// The units that files of lines may be in, as users name them, and their metres; in one order.
+inline constexpr std::array<const char*, 6> file_units{"m", "km", "ft", "in", "cm", "mm"};
+inline constexpr std::array<double, 6> file_unit_metres{1.0, 1000.0, 0.3048, 0.0254, 0.01, 0.001};
+
+/// "a,b" as a, b; empty text gives none.
+std::vector<std::string> words_between_commas(const std::string& text);
 
 struct LineOptions {
   std::optional<LineFormat> format = std::nullopt;  ///< By the ending of the name otherwise.

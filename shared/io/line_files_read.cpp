@@ -365,6 +365,16 @@ Result<LineWork> parse_any_lines(std::string_view text, const std::string& file,
   return finish(std::move(raw), file, format, options);
 }
 
+std::vector<std::string> words_between_commas(const std::string& text) {
+  std::vector<std::string> words;
+  for (std::size_t begin = 0; !text.empty() && begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    words.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return words;
+}
+
 Result<LineWork> read_any_lines(const std::string& path, const LineOptions& options) {
   DOBRA_TRY_VOID(check_readable(path));
   DOBRA_TRY(const LineFormat format, chosen_format(path, options.format));

@@ -24,6 +24,22 @@ inline dobra::scenario::Run run(const std::string& text) {
 
 inline const Model& last(const dobra::scenario::Run& run) { return dobra::scenario::model_of<Model>(run.states.back()); }
 
+/// The engineering L of the reference list: clamped below, sheared on the right; energy 60.619 J.
+inline const std::string sheared_l = R"([input]
+specimen = "l_shape"
+[[step]]
+operation = "problem"
+[[step.material]]
+young = 100000.0
+[[step.support]]
+where = "bottom"
+x = 0.0
+y = 0.0
+[[step.load]]
+where = "right"
+y = 10.0
+)";
+
 /// The quantities of the last state by name.
 inline std::map<std::string, double> figures(const dobra::scenario::Run& run) {
   EXPECT_TRUE(run.complete()) << to_string(*run.error);

@@ -8,6 +8,7 @@
 
 #include "quebra/core/operations.h"
 #include "tests/support/command_line.h"
+#include "tests/support/quebra_scenarios.h"
 
 namespace quebra::cli {
 namespace {
@@ -18,22 +19,7 @@ class AnalysisCommands : public dobra::test::CommandLine {
  protected:
   AnalysisCommands() : CommandLine(core::program(), analysis_commands()) {}
   [[nodiscard]] std::string l_shape() const {
-    return put("l.toml", R"(dobra = 1
-program = "quebra"
-[input]
-specimen = "l_shape"
-[[step]]
-operation = "problem"
-[[step.material]]
-young = 1e5
-[[step.support]]
-where = "bottom"
-x = 0.0
-y = 0.0
-[[step.load]]
-where = "right"
-y = 10.0
-)");
+    return put("l.toml", "dobra = 1\nprogram = \"quebra\"\n" + core::test::sheared_l);
   }
   [[nodiscard]] bool exists(const std::string& name) const { return std::filesystem::exists(path(name)); }
 };

@@ -102,20 +102,7 @@ TEST(Analysis, QUE_f_TheLoopReachesFivePercentWithAndWithoutConstraintsAndTheStr
   }
 }
 
-const std::string corner = R"([input]
-specimen = "l_shape"
-[[step]]
-operation = "problem"
-[[step.material]]
-young = 100000.0
-[[step.support]]
-where = "bottom"
-x = 0.0
-y = 0.0
-[[step.load]]
-where = "right"
-y = 10.0
-)";
+const std::string& corner = sheared_l;
 
 TEST(Analysis, TheReEntrantCornerReachesTheErrorAskedForWithBothRules) {
   for (const char* const rule : {"optimal", "equal"}) {

@@ -16,23 +16,7 @@ namespace scene = dobra::scene;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-const std::string l_shape = R"([input]
-specimen = "l_shape"
-[[step]]
-operation = "problem"
-[[step.material]]
-young = 1e5
-[[step.support]]
-where = "bottom"
-x = 0.0
-y = 0.0
-[[step.load]]
-where = "right"
-y = 10.0
-[[step]]
-operation = "adapt"
-target = 3.0
-)";
+const std::string l_shape = sheared_l + "[[step]]\noperation = \"adapt\"\ntarget = 3.0\n";
 
 const scene::Layer& layer(const scene::Panel& panel, const std::string& key) {
   return *std::find_if(panel.layers.begin(), panel.layers.end(), [&](const scene::Layer& own) { return own.key == key; });

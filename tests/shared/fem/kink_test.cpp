@@ -44,6 +44,16 @@ TEST(Kink, PureOpeningGoesStraightOnWithItsOwnIntensity) {
   }
 }
 
+TEST(Kink, AFlatExtremeIsFoundToAllDigits) {
+  // Near pure opening the angle grows with the sliding share; values alone tell it to 1e-8 only, which is 1 % of it at
+  // 1e-6.
+  for (const KinkCriterion c : {KinkCriterion::STheta, KinkCriterion::GTheta}) {
+    const double factor = degrees(c, 1.0, 1e-3) / 1e-3;
+    for (const double two : {1e-4, 1e-5, 1e-6})
+      EXPECT_NEAR(degrees(c, 1.0, two) / two, factor, 2e-3 * std::abs(factor)) << two;
+  }
+}
+
 TEST(Kink, InPlaneStressALittleShearTurnsTheCrackALittle) {
   const Material sheet{.young = 1.0, .poisson = 0.3, .state = PlaneState::Stress};
   EXPECT_NEAR(degrees(KinkCriterion::STheta, 3.5, -1e-5, sheet), 0.0, 0.01);
