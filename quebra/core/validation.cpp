@@ -170,8 +170,8 @@ void add_beams(std::vector<ValidationCase>& cases) {
     add_by_three_methods(cases, {"3.7 beam", name, text, "K_I", 1.0, fine, fine_mesh});
     if (a <= 0.6) {
       const double f = 1.090 - 1.735 * a + 8.20 * a * a - 14.18 * a * a * a + 14.57 * a * a * a * a;
-      cases.push_back({"3.7 beam", name + ", K_I, handbook", text, "tip.load.crack_end.K_I", 1.0 / (6.0 * std::sqrt(pi * a)), f, 6e-3, "Tada, Paris, Irwin, after Brown and Srawley 1966 (0.2 %)",
-                       "the formula is 0.3 to 0.5 % above the fine mesh from 0.45 on"});
+      cases.push_back({"3.7 beam", name + ", K_I, handbook", text, "tip.load.crack_end.K_I", 1.0 / (6.0 * std::sqrt(pi * a)), f, a == 0.55 ? 6e-3 : 5e-3, "Tada, Paris, Irwin, after Brown and Srawley 1966 (0.2 %)",
+                       a == 0.55 ? "0.504 %: the formula is there farthest above the fine mesh" : ""});
     }
     // Points of support and load, span 4 W. What the beam is longer than its span does not matter (4.02 to 8 W: 0.003 %).
     const bool high = a > 0.3 && a < 0.7;
