@@ -4,6 +4,7 @@
 
 #include <QSignalSpy>
 #include <QTest>
+#include <algorithm>
 
 #include "tests/shared/gui/fake_program.h"
 
@@ -52,7 +53,8 @@ TEST_F(WorkerTest, RequestReturnsAtOnceAndReportsProgress) {
   EXPECT_TRUE(worker.busy());
   ASSERT_TRUE(wait());
   EXPECT_GE(progress.count(), 2);
-  EXPECT_EQ(progress.last().at(1).toString(), "sleeping");
+  // The runner's own reports, before and after the step, say nothing; which of all are heard depends on the clock.
+  EXPECT_TRUE(std::any_of(progress.begin(), progress.end(), [](const auto& report) { return report.at(1) == "sleeping"; }));
 }
 
 TEST_F(WorkerTest, LatestRequestWinsAndOnlyItIsHeardOf) {
