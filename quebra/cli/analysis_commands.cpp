@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "quebra/cli/rule_options.h"
 #include "quebra/core/analysis.h"
 #include "quebra/core/convergence.h"
 #include "quebra/core/fracture.h"
@@ -36,6 +37,7 @@ using base::Result;
 
 struct Options {
   dobra::cli::ScenarioOptions scenario;
+  RuleOptions rules;
   std::string target;
   std::string rule;
   std::optional<std::int64_t> max_cycles;
@@ -127,6 +129,7 @@ Result<scenario::Document> document_of(dobra::cli::Session& session, const std::
   }
   if (!options.rule.empty()) last->params.set("rule", options.rule);
   if (options.max_cycles) last->params.set("max_cycles", *options.max_cycles);
+  set_rules(options.rules, last->params);
   if (options.contour) last->params.set("contour", *options.contour);
   document.steps.erase(last.base(), document.steps.end());
   if (operation == "crack") {
@@ -215,6 +218,7 @@ dobra::cli::Command command(const std::string& name, const std::string& operatio
               app.add_option("--target", options->target, "Error asked for in the energy norm, such as 5%")->type_name("PERCENT");
               app.add_option("--rule", options->rule, "Rule of the new sizes")->check(CLI::IsMember({"optimal", "equal"}))->type_name("RULE");
               app.add_option("--max-cycles", options->max_cycles, "Stop after so many cycles")->type_name("N");
+              add_rule_options(app, options->rules, "Target length of the first mesh, and the greatest");
               app.add_option("--curve", options->curve, "Draw the error of each cycle against the unknowns")->type_name("FILE.svg|pdf|png");
               app.add_option("--cycle", options->cycle, "Which cycle the picture shows; the last by default")->type_name("N");
             }

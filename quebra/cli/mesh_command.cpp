@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "quebra/cli/rule_options.h"
 #include "quebra/core/layers.h"
 #include "quebra/core/model.h"
 #include "shared/base/text.h"
@@ -39,15 +40,14 @@ using dobra::cli::Session;
 
 struct Options {
   dobra::cli::ScenarioOptions scenario;
-  std::optional<double> size, growth, turn;
-  std::optional<std::int64_t> smoothing, max_elements, stop_after;
-  std::string order, engine, size_formula, background_field, division;
+  RuleOptions rules;
+  std::optional<std::int64_t> stop_after;
   bool quads = false;
   bool repair = false;
   bool closed = false;
   dobra::cli::LineOptionTexts lines;
   std::vector<std::string> bands, zones;
-  std::optional<std::filesystem::path> out, histogram, picture, size_field, background;
+  std::optional<std::filesystem::path> out, histogram, picture, size_field;
 };
 
 /// The parts of "a:b:c".
@@ -104,29 +104,6 @@ Result<scenario::Step> zone_step(const std::string& text) {
   return step;
 }
 
-void set_parameters(const Options& options, scenario::Table& params) {
-  const auto set = [&](const char* key, const auto& value) {
-    if (value) params.set(key, *value);
-  };
-  set("size", options.size);
-  set("growth", options.growth);
-  set("turn", options.turn);
-  set("smoothing", options.smoothing);
-  set("max_elements", options.max_elements);
-  set("stop_after", options.stop_after);
-  const auto set_text = [&](const char* key, const std::string& text) {
-    if (!text.empty()) params.set(key, text);
-  };
-  set_text("engine", options.engine);
-  set_text("order", options.order);
-  set_text("size_formula", options.size_formula);
-  set_text("background_field", options.background_field);
-  set_text("division", options.division);
-  // Named from where the user stands, not from the scenario's folder.
-  if (options.background) params.set("background", std::filesystem::absolute(*options.background).string());
-  if (options.quads) params.set("quads", std::string("yes"));
-}
-
 /// The options about files of lines as keys of the input, once they are judged as those of `convert` are.
 Result<void> set_lines(const Options& options, scenario::Table& input) {
   const dobra::cli::LineOptionTexts& texts = options.lines;
@@ -173,7 +150,9 @@ Result<scenario::Document> document_of(Session& session, const Options& options)
     document.steps.push_back({.operation = "mesh", .name = {}, .params = {}, .comment = {}, .place = {}});
     last = document.steps.rbegin();
   }
-  set_parameters(options, last->params);
+  set_rules(options.rules, last->params);
+  if (options.stop_after) last->params.set("stop_after", *options.stop_after);
+  if (options.quads) last->params.set("quads", std::string("yes"));
   // Steps behind the last mesh say nothing about it.
   document.steps.erase(last.base(), document.steps.end());
   for (const std::string& text : options.bands) {
@@ -294,21 +273,7 @@ Command mesh_command() {
             app.add_option("--set", options->scenario.assignments, "Change a value, such as input.width=2; may be repeated")
                 ->allow_extra_args(false)
                 ->type_name("PATH=VALUE");
-            app.add_option("--size", options->size, "Target length of element sides: on curves none is longer, inside a few are by half")->type_name("H");
-            app.add_option("--size-formula", options->size_formula, "Target length as a formula of x and y, such as \"0.1 + 0.05 * hypot(x, y)\"")->type_name("F");
-            app.add_option("--background", options->background, "Mesh whose element sizes are wanted, or a field of it")->type_name("FILE");
-            app.add_option("--background-field", options->background_field, "Field at the points of the background mesh (.vtu) that holds the sizes")->type_name("NAME");
-            app.add_option("--division", options->division, "Of curves: even (default), as few sides as meet size and turn, or halving (SUR-2), 2:1 along a curve")
-                ->check(CLI::IsMember({"even", "halving"}))
-                ->type_name("even|halving");
-            app.add_option("--growth", options->growth, "Most by which sizes grow from one element to the next; 1.3 by default")->type_name("G");
-            app.add_option("--turn", options->turn, "Degrees that one side may turn along an arc; 15 by default")->type_name("DEG");
-            app.add_option("--smoothing", options->smoothing, "Passes of smoothing; 3 by default")->type_name("N");
-            app.add_option("--max-elements", options->max_elements, "Stop with advice beyond this number")->type_name("N");
-            app.add_option("--engine", options->engine, "What places the nodes inside: front (default) or delaunay")
-                ->check(CLI::IsMember({"front", "delaunay"}))
-                ->type_name("front|delaunay");
-            app.add_option("--order", options->order, "Order of the elements: 1 (default) or 2")->check(CLI::IsMember({"1", "2"}))->type_name("1|2");
+            add_rule_options(app, options->rules, "Target length of element sides: on curves none is longer, inside a few are by half");
             app.add_flag("--quads", options->quads, "Join pairs of triangles to quadrilaterals where that gives a good shape");
             app.add_flag("--repair", options->repair, "Mend repeated points, spikes, doubles, gaps and crossings of the input, and list each");
             app.add_flag("--closed", options->closed, "Every line of the file is an outline, whose last point need not repeat the first");

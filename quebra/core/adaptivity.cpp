@@ -180,12 +180,16 @@ Result<Wishes> wishes_of(const Analysis& analysis, const AdaptParams& params, co
 
 }  // namespace
 
-Result<Model> adapt(const Model& model, const AdaptParams& params, const dobra::scenario::Context&, const dobra::base::Progress& progress) {
+Result<Model> adapt(const Model& model, const AdaptParams& params, const dobra::scenario::Context& context, const dobra::base::Progress& progress) {
   if (!model.problem) return Error{ErrorCode::BadValue, "there is nothing to analyse: put a step 'problem' with materials, supports and loads before"};
   Model result = model;
   result.short_of_target = false;
-  const double size = params.size > 0.0 ? params.size : model.domain.box().diagonal() / 8.0;
-  MeshParams meshing{.label = {}, .size = size, .division = params.division, .turn = params.turn, .growth = params.growth, .constraints = params.constraints, .order = params.order, .rosettes = params.rosettes, .tip_radius = params.tip_radius};
+  DOBRA_TRY(const SizeSource source, SizeSource::make(model.domain, params.size_formula, params.background, params.background_field, context));
+  // The greatest that a cycle may ask for. A formula or a background mesh alone says what is wanted at first.
+  const double size = params.size > 0.0 ? params.size : model.domain.box().diagonal() / (source.empty() ? 8.0 : 1.0);
+  MeshParams meshing;
+  static_cast<MeshRules&>(meshing) = params;
+  meshing.size = source.empty() ? size : params.size;
   Wishes wishes;
   Peaks peaks;
   Reached before{1.0, 1.0};
@@ -212,7 +216,7 @@ Result<Model> adapt(const Model& model, const AdaptParams& params, const dobra::
     const auto part = progress.part((cycle - 1.0) / params.max_cycles, static_cast<double>(cycle) / params.max_cycles);
     meshing.label = fmt::format("Cycle {}", done + cycle);
     if (wishes.tip_radius > 0.0) meshing.tip_radius = wishes.tip_radius;
-    DOBRA_TRY(Meshed meshed, mesh_domain(result, meshing, wishes.sizes, result.remarks, part.part(0.0, 0.3)));
+    DOBRA_TRY(Meshed meshed, mesh_domain(result, meshing, wishes.sizes, result.remarks, part.part(0.0, 0.3), source));
     result.meshes.push_back(std::make_shared<const Meshed>(std::move(meshed)));
     DOBRA_TRY(Analysis analysis, analyse(result.meshes.back(), *model.problem, 0.0, part.part(0.3, 1.0)));
     analysis.cycle = done + cycle;

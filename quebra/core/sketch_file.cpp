@@ -120,7 +120,7 @@ Result<std::optional<Sketch>> true_curves(const std::string& path, const dobra::
   const double base = down ? lines.y_reference * read.unit / lines.exaggeration : 0.0;
   for (auto& outline : *paths) {
     for (auto& piece : outline.pieces) {
-      for (Point* p : {&piece.from, &piece.to, &piece.centre}) *p = {p->x * read.unit, base + p->y * up};
+      for (Point* p : {&piece.from, &piece.to, &piece.control[0], &piece.control[1], &piece.centre}) *p = {p->x * read.unit, base + p->y * up};
       for (auto* v : {&piece.u, &piece.v}) *v = {v->x * read.unit, v->y * up};
     }
     if (options.open_lines == OpenLines::Close && !outline.closed && outline.pieces.size() > 1) {

@@ -23,37 +23,50 @@ using Shape = decltype(Curve::shape);
 /// Half axes that differ by less, as a fraction, and are as near to a right angle, make a circle.
 constexpr double round = 1e-9;
 
-Result<void> add_bent(const SvgPiece& piece, std::vector<Shape>& shapes) {
-  if (piece.kind == SvgPieceKind::Arc) {
-    const double size = length_squared(piece.u) + length_squared(piece.v);
-    const bool circular = std::abs(length_squared(piece.u) - length_squared(piece.v)) <= round * size &&
-                          std::abs(dot(piece.u, piece.v)) <= round * size;
-    if (circular) {
-      const bool anticlockwise = (cross(piece.u, piece.v) > 0.0) == (piece.sweep > 0.0);
-      DOBRA_TRY(Arc arc, Arc::from_ends(piece.centre, piece.from, piece.to,
-                                        anticlockwise ? Orientation::Anticlockwise : Orientation::Clockwise, 1e-6));
-      shapes.emplace_back(std::move(arc));
-      return {};
-    }
-    DOBRA_TRY(auto path, ellipse_arc({piece.centre, piece.u, piece.v, piece.start, piece.sweep}, piece.from, piece.to));
-    DOBRA_TRY(Smooth smooth, Smooth::make(std::move(path)));
-    shapes.emplace_back(std::move(smooth));
+Result<void> add_arc(const SvgPiece& piece, std::vector<Shape>& shapes) {
+  const double size = length_squared(piece.u) + length_squared(piece.v);
+  const bool circular = std::abs(length_squared(piece.u) - length_squared(piece.v)) <= round * size &&
+                        std::abs(dot(piece.u, piece.v)) <= round * size;
+  if (circular) {
+    const bool anticlockwise = (cross(piece.u, piece.v) > 0.0) == (piece.sweep > 0.0);
+    DOBRA_TRY(Arc arc, Arc::from_ends(piece.centre, piece.from, piece.to,
+                                      anticlockwise ? Orientation::Anticlockwise : Orientation::Clockwise, 1e-6));
+    shapes.emplace_back(std::move(arc));
     return {};
   }
-  DOBRA_TRY(auto path, bezier({piece.from, piece.control[0], piece.control[1], piece.to}));
+  DOBRA_TRY(auto path, ellipse_arc({piece.centre, piece.u, piece.v, piece.start, piece.sweep}, piece.from, piece.to));
   DOBRA_TRY(Smooth smooth, Smooth::make(std::move(path)));
   shapes.emplace_back(std::move(smooth));
   return {};
+}
+
+/// The cubics from `piece` on that are one curve. @return the piece after them
+Result<std::size_t> add_cubics(const std::vector<SvgPiece>& pieces, std::size_t piece, std::vector<Shape>& shapes) {
+  std::vector<Point> chain{pieces[piece].from};
+  do {
+    chain.insert(chain.end(), {pieces[piece].control[0], pieces[piece].control[1], pieces[piece].to});
+    ++piece;
+  } while (piece < pieces.size() && pieces[piece].goes_on);
+  DOBRA_TRY(auto path, bezier(std::move(chain)));
+  DOBRA_TRY(Smooth smooth, Smooth::make(std::move(path)));
+  shapes.emplace_back(std::move(smooth));
+  return piece;
 }
 
 /// The curves of a path, in order.
 Result<std::vector<Shape>> shapes_of(const SvgPath& path) {
   std::vector<Shape> shapes;
   Polyline* line = nullptr;
-  for (const SvgPiece& piece : path.pieces) {
-    if (piece.kind != SvgPieceKind::Line) {
-      DOBRA_TRY_VOID(add_bent(piece, shapes));
-      line = nullptr;
+  for (std::size_t i = 0; i < path.pieces.size();) {
+    const SvgPiece& piece = path.pieces[i];
+    if (piece.kind != SvgPieceKind::Line) line = nullptr;
+    if (piece.kind == SvgPieceKind::Cubic) {
+      DOBRA_TRY(i, add_cubics(path.pieces, i, shapes));
+      continue;
+    }
+    ++i;
+    if (piece.kind == SvgPieceKind::Arc) {
+      DOBRA_TRY_VOID(add_arc(piece, shapes));
       continue;
     }
     if (line == nullptr) {

@@ -1248,8 +1248,8 @@
         <translation>Rosetas</translation>
     </message>
     <message>
-        <source>Quarter-point elements round each crack tip; needs order 2.</source>
-        <translation>Elementos de quarto de ponto em volta de cada ponta de trinca; pede ordem 2.</translation>
+        <source>Quarter-point elements round each crack tip; needs order 2. A loop makes them smaller if they hold too much of the error.</source>
+        <translation>Elementos de quarto de ponto em volta de cada ponta de trinca; pede ordem 2. Um laço adaptativo os diminui se retêm erro demais.</translation>
     </message>
     <message>
         <source>Sectors</source>
@@ -1264,8 +1264,8 @@
         <translation>Elementos da ponta</translation>
     </message>
     <message>
-        <source>Length of the quarter-point elements; 0 takes 1/80 of the room round the tip: straight end of the crack, ligament, other tips.</source>
-        <translation>Comprimento dos elementos de quarto de ponto; 0 toma 1/80 do espaço em volta da ponta: fim reto da trinca, ligamento, outras pontas.</translation>
+        <source>Length of the quarter-point elements, of the first mesh in a loop; 0 takes 1/80 of the room round the tip: straight end of the crack, ligament, other tips.</source>
+        <translation>Comprimento dos elementos de quarto de ponto, da primeira malha num laço adaptativo; 0 toma 1/80 do espaço em volta da ponta: fim reto da trinca, ligamento, outras pontas.</translation>
     </message>
     <message>
         <source>QUEBRA</source>
@@ -1352,14 +1352,6 @@
         <translation>Pede o mesmo erro nos elementos em volta de cada pico de tensão: o todo pode atendê-lo com um pico que não o atende.</translation>
     </message>
     <message>
-        <source>First tip elements</source>
-        <translation>Primeiros elementos de ponta</translation>
-    </message>
-    <message>
-        <source>Length of the quarter-point elements of the first mesh; 0 takes 1/80 of the room round each tip.</source>
-        <translation>Comprimento dos elementos de quarto de ponto da primeira malha; 0 toma 1/80 do espaço em torno de cada ponta.</translation>
-    </message>
-    <message>
         <source>Range of colours</source>
         <translation>Faixa de cores</translation>
     </message>
@@ -1436,16 +1428,16 @@
         <translation>Primeiro tamanho</translation>
     </message>
     <message>
-        <source>And greatest; 0 takes 1/8 of the domain&apos;s diagonal.</source>
-        <translation>E o maior; 0 toma 1/8 da diagonal do domínio.</translation>
+        <source>And greatest; 0 takes 1/8 of the domain&apos;s diagonal, or the formula or background mesh alone.</source>
+        <translation>E o maior; 0 toma 1/8 da diagonal do domínio, ou só a fórmula ou a malha de fundo.</translation>
     </message>
     <message>
         <source>Least size</source>
         <translation>Menor tamanho</translation>
     </message>
     <message>
-        <source>Quarter-point elements at crack tips; smaller ones if they hold too much of the error.</source>
-        <translation>Elementos de quarto de ponto nas pontas das trincas; menores se retêm erro demais.</translation>
+        <source>That the loop asks for by itself.</source>
+        <translation>Que o laço pede por si.</translation>
     </message>
     <message>
         <source>von Mises stress</source>

@@ -9,10 +9,11 @@
 // Every predicate goes through the same stages, each tried only if the one before could not tell:
 //   1. the determinant in doubles against its error bound; for two products, their signs;
 //   2. the determinant of the rounded differences, exactly, against the error of that rounding;
+//   2' (incircle) the same plus what the errors of the differences add to first order, against the terms left out;
 //   3. the determinant of the exact differences, exactly;
 //   3' in place of 2 and 3 where numbers are so large or small that an expansion might overflow or underflow:
 //   ProductSum.
-// Bounds A and B are those of [shewchuk1997predicates] for the same order of operations.
+// Bounds A and B are those of [shewchuk1997predicates] for the same order of operations; C is a little wider than there.
 
 namespace dobra::geom {
 namespace {
@@ -22,6 +23,9 @@ constexpr double cross_bound_a = (3.0 + 16.0 * half_ulp) * half_ulp;
 constexpr double cross_bound_b = (2.0 + 12.0 * half_ulp) * half_ulp;
 constexpr double circle_bound_a = (10.0 + 96.0 * half_ulp) * half_ulp;
 constexpr double circle_bound_b = (4.0 + 48.0 * half_ulp) * half_ulp;
+constexpr double circle_bound_c = 64.0 * half_ulp * half_ulp;
+/// Of the sum that stage 2' compares.
+constexpr double result_bound = 4.0 * half_ulp;
 /// Above this size of a sum of two products, what underflow takes from the products is far below the bounds.
 constexpr double safe_sum = 0x1p-900;
 
@@ -84,6 +88,14 @@ auto circle_determinant(const CircleTerms<N>& t) {
          lifted(t.cx, t.cy) * (t.ax * t.by - t.bx * t.ay);
 }
 
+/// What errors of the differences u, v, w add to circle_determinant, to first order.
+double first_order(Vector u, Vector v, Vector w, Vector u_error, Vector v_error, Vector w_error) {
+  const auto part = [](Vector p, Vector q, Vector r, Vector p_error, Vector q_error, Vector r_error) {
+    return length_squared(p) * (cross(q_error, r) + cross(q, r_error)) + 2.0 * dot(p, p_error) * cross(q, r);
+  };
+  return part(u, v, w, u_error, v_error, w_error) + part(v, w, u, v_error, w_error, u_error) + part(w, u, v, w_error, u_error, v_error);
+}
+
 /// Stage 3' of incircle: the 4 x 4 determinant with rows (x, y, x^2 + y^2, 1), written out over all permutations.
 Sign circle_sign_any_range(const std::array<Point, 4>& p) {
   ProductSum total;
@@ -132,7 +144,12 @@ Sign incircle(Point a, Point b, Point c, Point d) {
   const auto one = [](double value) { return Expansion<1>(value); };
   const auto of_rounded =
       circle_determinant(CircleTerms<1>{one(ad.x), one(ad.y), one(bd.x), one(bd.y), one(cd.x), one(cd.y)});
-  if (std::abs(of_rounded.estimate()) > circle_bound_b * permanent) return of_rounded.sign();
+  const double rounded = of_rounded.estimate();
+  if (std::abs(rounded) > circle_bound_b * permanent) return of_rounded.sign();
+
+  const auto error = [&](Point p) { return Vector{two_sum(p.x, -d.x).low, two_sum(p.y, -d.y).low}; };
+  const double corrected = rounded + first_order(ad, bd, cd, error(a), error(b), error(c));
+  if (std::abs(corrected) > circle_bound_c * permanent + result_bound * std::abs(rounded)) return sign_of(corrected);
 
   const CircleTerms<2> exact{difference(a.x, d.x), difference(a.y, d.y), difference(b.x, d.x),
                              difference(b.y, d.y), difference(c.x, d.x), difference(c.y, d.y)};

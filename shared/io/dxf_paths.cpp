@@ -151,6 +151,84 @@ bool is_level_zero(const Entity& entity) {
   });
 }
 
+/// A B-spline of degree 1 to 3.
+struct Spline {
+  std::size_t degree = 0;
+  std::vector<double> knots;
+  std::vector<Point> control;
+
+  /// The blossom of the polynomial between knots k and k + 1: its Bezier points are those of arguments at these knots.
+  [[nodiscard]] Point blossom(std::size_t k, const std::array<double, 3>& arguments) const {
+    std::array<Point, 4> d{};
+    for (std::size_t i = 0; i <= degree; ++i) d[i] = control[k - degree + i];
+    for (std::size_t r = 1; r <= degree; ++r) {
+      for (std::size_t i = 0; i + r <= degree; ++i) {
+        const double low = knots[k - degree + r + i], high = knots[k + 1 + i];
+        d[i] = interpolate(d[i], d[i + 1], (arguments[r - 1] - low) / (high - low));
+      }
+    }
+    return d[0];
+  }
+};
+
+/// Nothing for a spline that is rational, of another degree, given by fit points alone, or not consistent.
+std::optional<Spline> spline_of(const Entity& entity) {
+  Spline spline;
+  std::vector<double> weights;
+  for (const auto& [code, value] : entity.pairs) {
+    const double number = base::parse_number(value).value_or(0.0);
+    if (code == 40) spline.knots.push_back(number);
+    if (code == 41) weights.push_back(number);
+    if (code == 10) spline.control.push_back({number, 0.0});
+    if (code == 20 && !spline.control.empty()) spline.control.back().y = number;
+  }
+  const double degree = entity.number(71);
+  if (degree != 1.0 && degree != 2.0 && degree != 3.0) return std::nullopt;
+  spline.degree = static_cast<std::size_t>(degree);
+  const bool fits = spline.control.size() > spline.degree && spline.knots.size() == spline.control.size() + spline.degree + 1;
+  const bool ascending = std::is_sorted(spline.knots.begin(), spline.knots.end());
+  const bool rational = std::any_of(weights.begin(), weights.end(), [&](double weight) { return weight != weights.front(); });
+  if (!fits || !ascending || rational) return std::nullopt;
+  return spline;
+}
+
+/// Whether `piece` leaves in the direction in which `before` arrives.
+bool is_smooth(const SvgPiece& before, const SvgPiece& piece) {
+  if (before.kind != SvgPieceKind::Cubic || piece.kind != SvgPieceKind::Cubic) return false;
+  constexpr double parallel = 1e-9;
+  const Vector u = before.to - before.control[1];
+  const Vector v = piece.control[0] - piece.from;
+  return dot(u, v) > 0.0 && std::abs(cross(u, v)) <= parallel * length(u) * length(v);
+}
+
+std::optional<SvgPath> spline_path(const Entity& entity) {
+  const auto spline = spline_of(entity);
+  if (!spline) return std::nullopt;
+  SvgPath path;
+  double extent = 0.0;
+  for (std::size_t k = spline->degree; k < spline->control.size(); ++k) {
+    const double a = spline->knots[k], b = spline->knots[k + 1];
+    if (!(a < b)) continue;
+    const Point from = path.pieces.empty() ? spline->blossom(k, {a, a, a}) : path.pieces.back().to;
+    SvgPiece piece = straight(from, spline->blossom(k, {b, b, b}));
+    extent += distance(piece.from, piece.to);
+    if (spline->degree > 1) piece.kind = SvgPieceKind::Cubic;
+    if (spline->degree == 2) {
+      const Point corner = spline->blossom(k, {a, b, b});
+      piece.control = {interpolate(piece.from, corner, 2.0 / 3.0), interpolate(piece.to, corner, 2.0 / 3.0)};
+    }
+    if (spline->degree == 3) piece.control = {spline->blossom(k, {a, a, b}), spline->blossom(k, {a, b, b})};
+    piece.goes_on = !path.pieces.empty() && is_smooth(path.pieces.back(), piece);
+    path.pieces.push_back(piece);
+  }
+  if (path.pieces.empty()) return std::nullopt;
+  constexpr double same = 1e-9;
+  path.closed = path.pieces.size() > 1 && distance(path.pieces.front().from, path.pieces.back().to) <= same * extent;
+  if (path.closed) path.pieces.back().to = path.pieces.front().from;
+  if ((entity.flags() & 1) != 0 && !path.closed) return std::nullopt;
+  return path;
+}
+
 /// The path of an entity but POLYLINE; nothing for another type.
 std::optional<SvgPath> path_of(const Entity& entity) {
   SvgPath path;
@@ -171,6 +249,8 @@ std::optional<SvgPath> path_of(const Entity& entity) {
     path.closed = sweep >= full_turn;
   } else if (entity.type == "LWPOLYLINE") {
     path = path_through(vertices_of(entity), (entity.flags() & 1) != 0);
+  } else if (entity.type == "SPLINE") {
+    return spline_path(entity);
   } else {
     return std::nullopt;
   }
@@ -206,8 +286,8 @@ std::optional<std::vector<SvgPath>> dxf_paths(std::string_view text, const std::
       path = path_of(entity);
     }
     if (!path || path->pieces.empty()) return std::nullopt;
-    if (entity.facing() < 0 && entity.type != "LINE" && entity.type != "ELLIPSE") mirror(*path);
-    bent = bent || std::any_of(path->pieces.begin(), path->pieces.end(), [](const SvgPiece& piece) { return piece.kind == SvgPieceKind::Arc; });
+    if (entity.facing() < 0 && entity.type != "LINE" && entity.type != "ELLIPSE" && entity.type != "SPLINE") mirror(*path);
+    bent = bent || std::any_of(path->pieces.begin(), path->pieces.end(), [](const SvgPiece& piece) { return piece.kind != SvgPieceKind::Line; });
     const std::string layer = entity.layer();
     const bool unnamed = layer.empty() || layer == "0";
     const std::size_t number = unnamed ? 0 : ++used[layer];

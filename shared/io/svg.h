@@ -26,6 +26,7 @@ struct SvgPiece {
   geom::Vector v;
   double start = 0.0;
   double sweep = 0.0;
+  bool goes_on = false;  ///< Of a cubic: one curve with the cubic before it.
 };
 
 /// A subpath: each piece starts where the one before ends.

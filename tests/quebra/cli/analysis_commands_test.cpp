@@ -34,6 +34,21 @@ TEST_F(AnalysisCommands, ALoopThatMissesItsTargetEndsWithOne) {
   EXPECT_EQ(Json::parse(met.out)["reached"], true);
 }
 
+TEST_F(AnalysisCommands, OptionsOfMeshesAreThoseOfTheLoopToo) {
+  const auto elements = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words{"adapt", l_shape(), "--target", "60%", "--json"};
+    words.insert(words.end(), more.begin(), more.end());
+    const auto done = call(words);
+    EXPECT_EQ(done.code, 0) << done.err;
+    return Json::parse(done.out)["quantities"]["elements"]["value"].get<double>();
+  };
+  const double few = elements({});
+  EXPECT_GT(elements({"--size", "8"}), 2.0 * few);
+  EXPECT_GT(elements({"--size-formula", "4 + 0.1 * x"}), 2.0 * few);
+  refuses({"adapt", l_shape(), "--size-formula", "x - 50"}, 3, {"size_formula", "greater than 0"});
+  refuses({"adapt", l_shape(), "--engine", "magic"}, 2, {"--engine"});
+}
+
 TEST_F(AnalysisCommands, TheCurveAndAnyCycleAreDrawn) {
   const auto drawn = call({"adapt", l_shape(), "--target", "10%", "--curve", path("curve.svg"), "--picture", path("first.svg"), "--cycle", "1"});
   EXPECT_EQ(drawn.code, 0) << drawn.err;

@@ -65,6 +65,50 @@ TEST(SizeSource, FormulasAreRefusedWithTheirPlace) {
   EXPECT_THAT(trouble("0.2 + 0.199999999 * sin(100000 * x)"), HasSubstr("too small, or change too fast"));
 }
 
+/// A sheared L, and a loop of at most `cycles` on it.
+std::string loop(int cycles, const std::string& rules) {
+  return test::sheared_l + "[[step]]\noperation = \"adapt\"\ntarget = 3\nmax_cycles = " + std::to_string(cycles) + "\n" + rules;
+}
+
+TEST(SizeSource, QUE_4_ALoopBeginsWithTheMeshThatAMeshStepMakesByTheSameRules) {
+  const std::string rules = "size_formula = \"4 + 0.1 * hypot(x - 100, y - 100)\"\nengine = \"delaunay\"\nsmoothing = 1\ngrowth = 1.2\ndivision = \"halving\"\nturn = 20\norder = \"2\"\n";
+  const auto looped = test::run(loop(1, rules));
+  const auto meshed = test::run(test::sheared_l + mesh_step(rules));
+  ASSERT_FALSE(test::last(looped).meshes.empty());
+  ASSERT_TRUE(meshed.complete()) << to_string(*meshed.error);
+  const mesh::ElementMesh& first = test::last(looped).meshes.front()->mesh;
+  const mesh::ElementMesh& same = test::last(meshed).meshes.front()->mesh;
+  EXPECT_EQ(first.element_count(), same.element_count());
+  EXPECT_EQ(first.points, same.points);
+}
+
+TEST(SizeSource, QUE_4_NoCycleOfALoopHasGreaterSizesThanFormulaAndBackgroundMeshAsk) {
+  const auto wanted = [](Point p) { return 4 + 0.1 * std::hypot(p.x - 100, p.y - 100); };
+  const std::string formula = "size_formula = \"4 + 0.1 * hypot(x - 100, y - 100)\"\n";
+  const auto done = test::run(loop(3, formula));
+  ASSERT_TRUE(done.complete()) << to_string(*done.error);
+  const Model& model = test::last(done);
+  ASSERT_GE(model.meshes.size(), 2u);
+  for (const auto& own : model.meshes) {
+    for (const Point at : {Point{10, 10}, Point{40, 80}, Point{90, 90}}) EXPECT_LE(own->sizes->size_at(at), 1.1 * wanted(at)) << own->name;
+  }
+  EXPECT_LT(agreement(model.meshes.back()->mesh, wanted).first, 1.08);
+
+  const auto file = std::filesystem::temp_directory_path() / "dobra_loop_background.msh";
+  ASSERT_TRUE(io::write_mesh(file.string(), model.meshes.front()->mesh).ok());
+  const auto again = test::run(loop(1, "background = \"" + file.string() + "\"\n"));
+  std::filesystem::remove(file);
+  ASSERT_FALSE(test::last(again).meshes.empty());
+  const double ratio = static_cast<double>(test::last(again).meshes.front()->mesh.element_count()) / static_cast<double>(model.meshes.front()->mesh.element_count());
+  EXPECT_NEAR(ratio, 1.0, 0.2);
+}
+
+TEST(SizeSource, ALoopRefusesWhatAMeshStepRefuses) {
+  EXPECT_THAT(test::trouble(loop(1, "size_formula = \"10 - x\"\n")), HasSubstr("gives the size"));
+  EXPECT_THAT(test::trouble(loop(1, "background_field = \"h\"\n")), HasSubstr("give `background` too"));
+  EXPECT_THAT(test::trouble(loop(1, "size = 1\nmax_elements = 100\n")), HasSubstr("more than the 100 allowed"));
+}
+
 class BackgroundMesh : public ::testing::Test {
  protected:
   void SetUp() override {

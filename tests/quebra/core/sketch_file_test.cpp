@@ -166,6 +166,51 @@ TEST_F(DrawnFile, AnEllipseIsFollowedByCubics) {
   EXPECT_NEAR(mesh::area(model.meshes.at(0)->mesh), std::numbers::pi * 4.5, 1e-4);
 }
 
+/// The B-spline of the cubic polynomial through knots: x = t, and y = t (4 - t) / 2 at t of 0 to 4, by its blossom.
+std::string dxf_spline(std::size_t degree, const std::vector<double>& knots, const std::string& weights = "") {
+  std::string text = "0\nSPLINE\n8\narch\n210\n0\n220\n0\n230\n1\n70\n8\n71\n" + std::to_string(degree) + "\n";
+  for (const double knot : knots) text += "40\n" + std::to_string(knot) + "\n";
+  text += weights;
+  for (std::size_t i = 1; i + degree < knots.size(); ++i) {
+    double sum = 0.0, products = 0.0;
+    for (std::size_t j = i; j < i + degree; ++j) {
+      sum += knots[j];
+      for (std::size_t k = j + 1; k < i + degree; ++k) products += knots[j] * knots[k];
+    }
+    const double n = static_cast<double>(degree);
+    char point[96];
+    std::snprintf(point, sizeof point, "10\n%.17g\n20\n%.17g\n30\n0\n", sum / n, 2.0 * sum / n - products / (n * (n - 1.0)));
+    text += point;
+  }
+  return text;
+}
+
+TEST_F(DrawnFile, SplinesOfADrawingStaySplines) {
+  for (const std::size_t degree : {2U, 3U}) {
+    std::vector<double> knots(degree + 1, 0.0);
+    knots.insert(knots.end(), {1.0, 2.5, 3.0});
+    knots.insert(knots.end(), degree + 1, 4.0);
+    write("arch.dxf", dxf(dxf_spline(degree, knots) + dxf_line(4, 0, 0, 0)));
+    const Model model = good("file = \"arch.dxf\"\n[[step]]\noperation = \"mesh\"\nsize = 0.25\norder = \"2\"\n");
+    ASSERT_EQ(model.domain.curves.size(), 2U) << "one curve over all knots";
+    const auto* smooth = std::get_if<Smooth>(&model.domain.curves[0].shape);
+    ASSERT_NE(smooth, nullptr);
+    for (const double s : {0.3, 1.9, 3.3, 4.8}) {
+      const geom::Point p = smooth->point(s);
+      EXPECT_NEAR(p.y, 0.5 * p.x * (4.0 - p.x), 1e-12) << degree;
+    }
+    EXPECT_NEAR(mesh::area(model.meshes.at(0)->mesh), 16.0 / 3.0, 1e-4);
+    EXPECT_THAT(model.remarks, testing::Each(testing::Not(HasSubstr("chords"))));
+  }
+}
+
+TEST_F(DrawnFile, ASplineThatIsNoCubicIsReadAsChordsAndSaysSo) {
+  const std::vector<double> knots{0, 0, 0, 0, 4, 4, 4, 4};
+  const std::string weights = "41\n1\n41\n2\n41\n2\n41\n1\n";
+  write("arch.dxf", dxf(dxf_spline(3, knots, weights) + dxf_line(4, 0, 0, 0)));
+  EXPECT_THAT(good("file = \"arch.dxf\"\n").remarks, testing::Contains(HasSubstr("arcs or splines read as chords")));
+}
+
 // --- .poly ----------------------------------------------------------------------------------------------------------------
 
 TEST_F(DrawnFile, RepairRunsBeforeTheHolesOfAPolyAreLookedAt) {

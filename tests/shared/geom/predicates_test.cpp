@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <random>
 
 #include "tests/shared/geom/exact.h"
 
@@ -78,6 +80,28 @@ TEST(Predicates, GridOfNeighbouringDoublesRoundACircleIsDecidedExactly) {
     }
   }
   EXPECT_GT(zeros, 0);
+}
+
+TEST(Predicates, PointsOfOneCircleRoundedToDoublesAreDecidedExactly) {
+  // As a hole's sides give them: far from the origin and near it, wide apart and in a short arc.
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  std::array<int, 3> signs{};
+  for (int i = 0; i < 600; ++i) {
+    const Point centre{i % 3 == 0 ? 0.0 : 1e3 * unit(random), i % 3 == 0 ? 0.0 : unit(random)};
+    const double radius = 0.1 + 10.0 * unit(random);
+    const double arc = i % 2 == 0 ? 6.0 : 1e-3;
+    std::array<Point, 4> p{};
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double angle = arc * (static_cast<double>(k) + unit(random)) / 4.0;
+      p[k] = {centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle)};
+    }
+    const Sign sign = incircle(p[0], p[1], p[2], p[3]);
+    ASSERT_EQ(sign, exact_incircle(p[0], p[1], p[2], p[3])) << i;
+    ++signs[sign == Sign::Negative ? 0 : sign == Sign::Zero ? 1 : 2];
+  }
+  EXPECT_GT(signs[0], 200);
+  EXPECT_GT(signs[2], 200);
 }
 
 class PredicatesExponents : public ::testing::TestWithParam<std::pair<int, int>> {};
