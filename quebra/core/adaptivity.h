@@ -11,7 +11,7 @@ enum class RuleOfSizes { Optimal, Equal };
 enum class MindPeaks { Yes, No };
 enum class StartFrom { First, Last };
 
-struct AdaptParams {
+struct AdaptParams : EstimateParams {
   double target = 5.0;
   RuleOfSizes rule = RuleOfSizes::Optimal;
   MindPeaks peaks = MindPeaks::Yes;
@@ -43,6 +43,7 @@ struct AdaptParams {
     d.choice("constraints", &AdaptParams::constraints, {"yes", "no"}, {.title = "Obey constraints"});
     d.choice("rosettes", &AdaptParams::rosettes, {"no", "yes"}, {.title = "Rosettes", .help = "Quarter-point elements at crack tips; smaller ones if they hold too much of the error."});
     d.field("tip_radius", &AdaptParams::tip_radius, {.title = "First tip elements", .help = "Length of the quarter-point elements of the first mesh; 0 takes 1/80 of the room round each tip.", .unit = "m", .at_least = 0});
+    EstimateParams::describe_in<AdaptParams>(d);
   }
 };
 
