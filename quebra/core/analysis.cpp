@@ -71,6 +71,9 @@ dobra::io::MeshFields fields_of(const Analysis& analysis) {
   return fields;
 }
 
+/// Of the energy, round points with a force: an estimate of what is left would say nothing.
+constexpr double most_left_out = 0.95;
+
 /// The exact energy tells the error of loads that act on supports which stand still.
 Result<void> check_exact(const fem::Problem& problem, const ProblemParams& params, const std::vector<double>& exact) {
   if (exact.empty()) return {};
@@ -116,6 +119,8 @@ Result<Analysis> analyse(const Domain& domain, std::shared_ptr<const Meshed> mes
       for (const LoadedPoint& point : fields.loaded) left_out.push_back({point.at, point.radius});
     }
     fields.estimate = fem::estimate_error(mesh, materials, u, fields.recovered, zones, left_out);
+    if (fields.estimate.left_out > most_left_out)
+      return Error{ErrorCode::BadValue, fmt::format("the surroundings of the points {} hold {:.3g} % of the energy, and nothing is left to judge: give a smaller point_radius", names_of(fields.loaded), 100.0 * fields.estimate.left_out)};
     if (!judged.exact_energy.empty()) fields.exact_energy = judged.exact_energy[analysis.fields.size()];
     fields.peaks = fem::hot_spots(mesh, analysis.problem, u, fields.recovered, fields.estimate, analysis.singular);
     analysis.eta = std::max(analysis.eta, fields.estimate.eta);

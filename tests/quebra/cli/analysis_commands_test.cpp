@@ -39,9 +39,9 @@ TEST_F(AnalysisCommands, RunAndSolveEndWithOneTooIfALoopMissesItsTarget) {
   const auto scenario = [&](double target) {
     return put("loop.toml", "dobra = 1\nprogram = \"quebra\"\n" + core::test::sheared_l + "[[step]]\noperation = \"adapt\"\nmax_cycles = 1\ntarget = " + std::to_string(target) + "\n");
   };
-  for (const std::string command : {"run", "probe"}) {
+  for (const std::string command : {"run", "solve"}) {
     const auto words = [&](const std::string& file) {
-      return command == "run" ? std::vector<std::string>{"run", file, "--out", path("out"), "--pictures", "none", "--json"} : std::vector<std::string>{"adapt", file, "--probe", "10,60", "--json"};
+      return command == "run" ? std::vector<std::string>{"run", file, "--out", path("out"), "--pictures", "none", "--json"} : std::vector<std::string>{"solve", file, "--json"};
     };
     const auto missed = call(words(scenario(1.0)));
     EXPECT_EQ(missed.code, 1) << missed.err;

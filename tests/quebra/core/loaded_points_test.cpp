@@ -20,7 +20,6 @@ using namespace dobra;
 using namespace test;
 using testing::Contains;
 using testing::HasSubstr;
-using testing::Not;
 
 /// Lower half of a square with a force of 1 N downwards in the middle of its upper edge, and Flamant's tractions on the rest.
 std::string half_plane(const std::string& at_the_load) {
@@ -111,6 +110,7 @@ TEST(LoadedPoints, AreToldAndCountIfTheUserAsksForIt) {
   const scenario::Run once = run(pressed + "[[step]]\noperation = \"mesh\"\nsize = 0.05\n[[step]]\noperation = \"analyse\"\npoint_radius = 0.2\n");
   EXPECT_THAT(last(once).remarks, Contains(HasSubstr("of radius 0.2 m hold")));
   EXPECT_GT(figures(once).at("case.load.left_out"), 5.0);
+  EXPECT_THAT(trouble(pressed + adapt + "point_radius = 3.0\n"), HasSubstr("hold 100 % of the energy, and nothing is left to judge: give a smaller point_radius"));
 }
 
 TEST(LoadedPoints, SupportsWithoutAReactionAndPointsOfHeldCurvesAreNone) {
