@@ -8,6 +8,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <type_traits>
+#include <variant>
 
 #include "quebra/core/analysis.h"
 #include "quebra/core/convergence.h"
@@ -176,13 +178,17 @@ std::string cycles_text(const scenario::Program& program, const scenario::State&
   for (const auto& table : program.tables_of(state)) {
     if (table.name != "analyses" || table.rows.size() < 2) continue;
     const auto cell = [](const auto& value) {
-      if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>) return fmt::format("{:>18.7g}", value);
-      else return fmt::format("{:>18}", value);
+      if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>) return fmt::format("{:>20.7g}", value);
+      else return fmt::format("{:>20}", value);
     };
-    for (std::size_t i = 1; i < table.columns.size(); ++i) text += fmt::format("{:>18}", table.columns[i]);
+    std::vector<std::size_t> known;  // columns with a value; the first is the name, which says the cycle again
+    for (std::size_t i = 1; i < table.columns.size(); ++i) {
+      if (std::any_of(table.rows.begin(), table.rows.end(), [&](const auto& row) { return std::visit(cell, row[i]).back() != ' '; })) known.push_back(i);
+    }
+    for (const std::size_t i : known) text += fmt::format("{:>20}", table.columns[i]);
     text += '\n';
     for (const auto& row : table.rows) {
-      for (std::size_t i = 1; i < row.size(); ++i) text += std::visit(cell, row[i]);
+      for (const std::size_t i : known) text += std::visit(cell, row[i]);
       text += '\n';
     }
   }
