@@ -8,6 +8,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <type_traits>
+#include <variant>
 
 #include "quebra/cli/rule_options.h"
 #include "quebra/core/analysis.h"
@@ -41,6 +43,7 @@ struct Options {
   std::string target;
   std::string rule;
   std::optional<std::int64_t> max_cycles;
+  std::vector<double> exact_energy;
   std::optional<double> contour;
   std::string line, field, range;
   std::vector<std::string> probes;
@@ -83,8 +86,9 @@ Result<std::vector<geom::Point>> points_in(const std::string& option, const std:
 }
 
 /// Lines, probes and pictures that the options ask for, as steps.
-Result<void> add_result_steps(const Options& options, scenario::Document& document) {
+Result<void> add_result_steps(const Options& options, dobra::cli::OutputFormat format, scenario::Document& document) {
   if (options.out && options.line.empty()) return Error{ErrorCode::BadUsage, "--out is the file of the line: give --line x0,y0,x1,y1"};
+  if (!options.line.empty() && !options.out && format != dobra::cli::OutputFormat::Json) return Error{ErrorCode::BadUsage, "--line: say where it goes, --out FILE.csv, or --json"};
   if (options.samples && options.line.empty()) return Error{ErrorCode::BadUsage, "--samples is of a line: give --line x0,y0,x1,y1"};
   if (!options.picture && (!options.field.empty() || !options.range.empty() || options.cycle || options.deformation))
     return Error{ErrorCode::BadUsage, "--field, --range, --cycle and --deformation are of a picture: give --picture FILE"};
@@ -130,12 +134,13 @@ Result<scenario::Document> document_of(dobra::cli::Session& session, const std::
   if (!options.rule.empty()) last->params.set("rule", options.rule);
   if (options.max_cycles) last->params.set("max_cycles", *options.max_cycles);
   set_rules(options.rules, last->params);
+  if (!options.exact_energy.empty()) last->params.set("exact_energy", options.exact_energy);
   if (options.contour) last->params.set("contour", *options.contour);
   document.steps.erase(last.base(), document.steps.end());
   if (operation == "crack") {
     if (const std::string done = core::ask_for_rosettes(document); !done.empty()) session.note(done);
   }
-  DOBRA_TRY_VOID(add_result_steps(options, document));
+  DOBRA_TRY_VOID(add_result_steps(options, session.options.format, document));
   DOBRA_TRY_VOID(scenario::check(document, session.program));
   return document;
 }
@@ -165,14 +170,36 @@ std::string json_text(const scenario::Program& program, const scenario::State& s
     }
     json[table.name] = std::move(rows);
   }
-  const auto& model = scenario::model_of<core::Model>(state);
-  if (!model.analyses.empty() && model.analyses.back()->cycle > 0) json["reached"] = !model.short_of_target;
+  if (const auto reached = scenario::reached(program, state)) json["reached"] = *reached;
   json["remarks"] = program.remarks_of(state);
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
 }
 
-std::string plain_text(const scenario::Program& program, const scenario::State& state) {
+/// A row a cycle, of a loop of several.
+std::string cycles_text(const scenario::Program& program, const scenario::State& state) {
   std::string text;
+  for (const auto& table : program.tables_of(state)) {
+    if (table.name != "analyses" || table.rows.size() < 2) continue;
+    const auto cell = [](const auto& value) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>) return fmt::format("{:>20.7g}", value);
+      else return fmt::format("{:>20}", value);
+    };
+    std::vector<std::size_t> known;  // columns with a value; the first is the name, which says the cycle again
+    for (std::size_t i = 1; i < table.columns.size(); ++i) {
+      if (std::any_of(table.rows.begin(), table.rows.end(), [&](const auto& row) { return std::visit(cell, row[i]).back() != ' '; })) known.push_back(i);
+    }
+    for (const std::size_t i : known) text += fmt::format("{:>20}", table.columns[i]);
+    text += '\n';
+    for (const auto& row : table.rows) {
+      for (const std::size_t i : known) text += std::visit(cell, row[i]);
+      text += '\n';
+    }
+  }
+  return text;
+}
+
+std::string plain_text(const scenario::Program& program, const scenario::State& state) {
+  std::string text = cycles_text(program, state);
   for (const auto& quantity : program.quantities_of(state)) {
     if (wanted(quantity.name)) text += fmt::format("{:<44}{:.8g} {}\n", quantity.name, quantity.value, quantity.unit);
   }
@@ -207,7 +234,7 @@ Result<int> job(dobra::cli::Session& session, const std::string& operation, cons
     DOBRA_TRY_VOID(dobra::cli::print(plain_text(session.program, run.states.back())));
   }
   // As an expectation that is not met; the remark that says why is told with the others.
-  return operation == "adapt" && scenario::model_of<core::Model>(run.states.back()).short_of_target ? 1 : 0;
+  return scenario::reached(session.program, run.states.back()) == false ? 1 : 0;
 }
 
 dobra::cli::Command command(const std::string& name, const std::string& operation, const std::string& help) {
@@ -222,6 +249,7 @@ dobra::cli::Command command(const std::string& name, const std::string& operatio
               app.add_option("--curve", options->curve, "Draw the error of each cycle against the unknowns")->type_name("FILE.svg|pdf|png");
               app.add_option("--cycle", options->cycle, "Which cycle the picture shows; the last by default")->type_name("N");
             }
+            if (operation != "crack") app.add_option("--exact-energy", options->exact_energy, "Strain energy where it is known: tells the true error and the effectivity; again for each further load case")->allow_extra_args(false)->type_name("J");
             if (operation == "crack") app.add_option("--contour", options->contour, "Outer radius of the ring of the integrals")->type_name("R");
             app.add_option("--line", options->line, "Displacements and stresses along a line")->type_name("X0,Y0,X1,Y1");
             app.add_option("--samples", options->samples, "Points of the line; 101 by default")->type_name("N");

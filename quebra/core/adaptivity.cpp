@@ -30,7 +30,15 @@ constexpr double aim_at_peaks = 0.7;
 /// A peak whose error falls more slowly than this power of the size is no peak but a place of infinite stress.
 constexpr double least_rate = 0.5;
 
-Vector from_origin(dobra::geom::Point p) { return p - dobra::geom::Point{}; }
+/// Size of the elements at a loaded point, of the radius of its neighbourhood.
+constexpr double elements_across = 0.5;
+
+dobra::geom::Point centre_of(const mesh::ElementMesh& own, std::size_t element) {
+  const auto corners = own.nodes_of(mesh::ElementId(element)).first(mesh::corner_count(own.types[element]));
+  Vector sum;
+  for (const mesh::NodeId node : corners) sum = sum + (own.point(node) - dobra::geom::Point{});
+  return dobra::geom::Point{} + sum / static_cast<double>(corners.size());
+}
 
 /// How far a cycle got, as fractions.
 struct Reached {
@@ -46,12 +54,6 @@ struct Reached {
     const std::string error = fmt::format("the error is {:.3g} %", 100.0 * whole);
     return peak > 0.0 ? error + fmt::format(", {:.3g} % round the peaks of stress", 100.0 * peak) : error;
   }
-};
-
-/// What one cycle asks of the next mesh.
-struct Wishes {
-  std::vector<mesh::SizeRequest> sizes;
-  double tip_radius = 0.0;  ///< Of the rosettes; 0: as before.
 };
 
 /// The length of the elements at a tip.
@@ -76,9 +78,9 @@ struct PeakSeen {
 /// The peaks that the loop minds, over the cycles.
 class Peaks {
  public:
-  /// Looks at the peaks of an analysis: those whose error did not fall are left out from now on, with a remark.
-  void see(const Analysis& analysis, MindPeaks mind, std::vector<std::string>& remarks) {
-    if (mind == MindPeaks::No) return;
+  /// Looks at the peaks of an analysis: those above the target whose error did not fall are left out from now on, with a remark.
+  void see(const Analysis& analysis, const AdaptParams& params, std::vector<std::string>& remarks) {
+    if (params.peaks == MindPeaks::No) return;
     const mesh::ElementMesh& own = analysis.meshed->mesh;
     std::vector<PeakSeen> now;
     worst_ = 0.0;
@@ -89,7 +91,7 @@ class Peaks {
         const auto before = std::find_if(seen_.begin(), seen_.end(), [&](const PeakSeen& old) {
           return old.load_case == c && distance(old.at, peak.at) < 0.5 * old.size;
         });
-        if (before != seen_.end() && peak.size < 0.7 * before->size && peak.eta > before->eta * std::pow(peak.size / before->size, least_rate)) {
+        if (100.0 * peak.eta > params.target && before != seen_.end() && peak.size < 0.7 * before->size && peak.eta > before->eta * std::pow(peak.size / before->size, least_rate)) {
           remarks.push_back(fmt::format("the stress at ({:.6g}, {:.6g}) does not settle as the elements get smaller: it is infinite there, and is not minded", peak.at.x, peak.at.y));
           ignored_.push_back(*before);
           continue;
@@ -133,7 +135,21 @@ void add_peaks(const Analysis& analysis, const Peaks& peaks, double target, cons
   }
 }
 
-Result<Wishes> wishes_of(const Analysis& analysis, const AdaptParams& params, const Peaks& peaks, double first_size) {
+/// Elements in a neighbourhood that is left out have no error to go by: they stay as they are, and become small enough to
+/// tell the neighbourhood from the rest.
+void add_loaded_points(const Analysis& analysis, double min_size, std::vector<double>& least, std::vector<mesh::SizeRequest>& sizes) {
+  const mesh::ElementMesh& own = analysis.meshed->mesh;
+  for (const CaseFields& fields : analysis.fields) {
+    for (const LoadedPoint& point : fields.loaded) {
+      sizes.push_back({point.at, std::max(min_size, elements_across * point.radius)});
+      for (std::size_t e = 0; e < own.element_count(); ++e) {
+        if (distance(centre_of(own, e), point.at) < point.radius) least[e] = std::min(least[e], fem::element_size(own, e));
+      }
+    }
+  }
+}
+
+Result<MeshWishes> wishes_of(const Analysis& analysis, const AdaptParams& params, const Peaks& peaks, double first_size) {
   const mesh::ElementMesh& own = analysis.meshed->mesh;
   const bool rosettes = params.rosettes == UseRosettes::Yes;
   fem::NewSizeOptions options{.target = aim * params.target / 100.0,
@@ -141,16 +157,17 @@ Result<Wishes> wishes_of(const Analysis& analysis, const AdaptParams& params, co
                               .min_size = params.min_size,
                               .max_size = std::max(first_size, params.min_size),
                               .singular_rings = rosettes ? fem::RosetteOptions{}.rings : 1};
+  MeshWishes wishes;
   std::vector<double> least(own.element_count(), options.max_size);
   for (const CaseFields& fields : analysis.fields) {
     DOBRA_TRY(const auto sizes, fem::new_sizes(own, fields.estimate, analysis.singular, options));
     for (std::size_t e = 0; e < sizes.size(); ++e) least[e] = std::min(least[e], sizes[e]);
   }
   if (params.peaks == MindPeaks::Yes) add_peaks(analysis, peaks, params.target / 100.0, options, least);
+  if (analysis.point_forces == PointForces::LeaveOut) add_loaded_points(analysis, params.min_size, least, wishes.sizes);
   // The elements round a singular vertex ask there, and all for the least of their sizes: the field is alike all round.
   std::map<mesh::NodeId, double> at_vertices;
   for (const fem::SingularVertex& vertex : analysis.singular) at_vertices[vertex.node] = options.max_size;
-  Wishes wishes;
   for (std::size_t e = 0; e < own.element_count(); ++e) {
     const auto corners = own.nodes_of(mesh::ElementId(e)).first(mesh::corner_count(own.types[e]));
     const auto touched = std::find_if(corners.begin(), corners.end(), [&](mesh::NodeId node) { return at_vertices.contains(node); });
@@ -159,21 +176,18 @@ Result<Wishes> wishes_of(const Analysis& analysis, const AdaptParams& params, co
       size = std::min(size, least[e]);
       continue;
     }
-    Vector sum;
-    for (const mesh::NodeId node : corners) sum = sum + from_origin(own.point(node));
-    wishes.sizes.push_back({dobra::geom::Point{} + sum / static_cast<double>(corners.size()), least[e]});
+    wishes.sizes.push_back({centre_of(own, e), least[e]});
   }
   for (const auto& [node, size] : at_vertices) wishes.sizes.push_back({own.point(node), size});
   if (!rosettes) return wishes;
-  // A rosette shrinks as a whole, all alike, by what the elements at the tips are asked to; it never grows.
+  // A rosette shrinks as a whole, by what the elements at its tip are asked to; it never grows.
   for (const mesh::CrackTip& tip : own.tips) {
     double now = 0.0;
     for (std::size_t e = 0; e < own.element_count(); ++e) {
       const auto corners = own.nodes_of(mesh::ElementId(e)).first(mesh::corner_count(own.types[e]));
       if (std::find(corners.begin(), corners.end(), tip.node) != corners.end()) now = std::max(now, fem::element_size(own, e));
     }
-    const double radius = tip_size(own, tip.node) * std::min(1.0, at_vertices.at(tip.node) / now);
-    wishes.tip_radius = wishes.tip_radius > 0.0 ? std::min(wishes.tip_radius, radius) : radius;
+    wishes.tips.push_back({own.point(tip.node), tip_size(own, tip.node) * std::min(1.0, at_vertices.at(tip.node) / now)});
   }
   return wishes;
 }
@@ -190,7 +204,7 @@ Result<Model> adapt(const Model& model, const AdaptParams& params, const dobra::
   MeshParams meshing;
   static_cast<MeshRules&>(meshing) = params;
   meshing.size = source.empty() ? size : params.size;
-  Wishes wishes;
+  MeshWishes wishes;
   Peaks peaks;
   Reached before{1.0, 1.0};
   int done = 0;
@@ -201,32 +215,33 @@ Result<Model> adapt(const Model& model, const AdaptParams& params, const dobra::
     std::size_t i = model.analyses.size() - 1;
     while (i > 0 && model.analyses[i]->cycle > 1 && model.analyses[i - 1]->cycle == model.analyses[i]->cycle - 1) --i;
     std::vector<std::string> told;
-    for (; i < model.analyses.size(); ++i) peaks.see(*model.analyses[i], params.peaks, told);
+    for (; i < model.analyses.size(); ++i) peaks.see(*model.analyses[i], params, told);
     before = {last.eta, peaks.worst()};
     if (before.met(params.target)) return result;
     done = last.cycle;
     DOBRA_TRY(wishes, wishes_of(last, params, peaks, size));
+    for (const std::string& told_before : remarks_on(last)) std::erase(result.remarks, told_before);
   }
-  const auto stop_short = [&](std::string why) {
-    result.short_of_target = true;
-    result.remarks.push_back(std::move(why));
+  const auto finish = [&](const std::string& why) {
+    for (std::string& remark : remarks_on(*result.analyses.back())) result.remarks.push_back(std::move(remark));
+    result.short_of_target = !why.empty();
+    if (!why.empty()) result.remarks.push_back(why);
     return result;
   };
   for (int cycle = 1;; ++cycle) {
     const auto part = progress.part((cycle - 1.0) / params.max_cycles, static_cast<double>(cycle) / params.max_cycles);
     meshing.label = fmt::format("Cycle {}", done + cycle);
-    if (wishes.tip_radius > 0.0) meshing.tip_radius = wishes.tip_radius;
-    DOBRA_TRY(Meshed meshed, mesh_domain(result, meshing, wishes.sizes, result.remarks, part.part(0.0, 0.3), source));
+    DOBRA_TRY(Meshed meshed, mesh_domain(result, meshing, wishes, result.remarks, part.part(0.0, 0.3), source));
     result.meshes.push_back(std::make_shared<const Meshed>(std::move(meshed)));
-    DOBRA_TRY(Analysis analysis, analyse(result.meshes.back(), *model.problem, 0.0, part.part(0.3, 1.0)));
+    DOBRA_TRY(Analysis analysis, analyse(model.domain, result.meshes.back(), *model.problem, 0.0, params, part.part(0.3, 1.0)));
     analysis.cycle = done + cycle;
-    peaks.see(analysis, params.peaks, result.remarks);
+    peaks.see(analysis, params, result.remarks);
     const Reached now{analysis.eta, peaks.worst()};
     result.analyses.push_back(std::make_shared<const Analysis>(std::move(analysis)));
-    if (now.met(params.target)) return result;
+    if (now.met(params.target)) return finish("");
     if (done + cycle > 1 && now.stalls(before, params.target))
-      return stop_short(fmt::format("{} and stalls above the {:.3g} % asked for; allow smaller elements", now.text(), params.target));
-    if (cycle == params.max_cycles) return stop_short(fmt::format("after {} cycles {}, above the {:.3g} % asked for; allow more", cycle, now.text(), params.target));
+      return finish(fmt::format("{} and stalls above the {:.3g} % asked for; allow smaller elements", now.text(), params.target));
+    if (cycle == params.max_cycles) return finish(fmt::format("after {} cycles {}, above the {:.3g} % asked for; allow more", cycle, now.text(), params.target));
     before = now;
     DOBRA_TRY(wishes, wishes_of(*result.analyses.back(), params, peaks, size));
   }

@@ -11,7 +11,7 @@ enum class RuleOfSizes { Optimal, Equal };
 enum class MindPeaks { Yes, No };
 enum class StartFrom { First, Last };
 
-struct AdaptParams : MeshRules {
+struct AdaptParams : MeshRules, EstimateParams {
   AdaptParams() {
     turn = dobra::base::Angle::from_degrees(30.0);
     order = Order::Second;
@@ -35,6 +35,7 @@ struct AdaptParams : MeshRules {
     d.field("size", &AdaptParams::size, {.title = "First size", .help = "And greatest; 0 takes 1/8 of the domain's diagonal, or the formula or background mesh alone.", .unit = "m", .at_least = 0});
     d.field("min_size", &AdaptParams::min_size, {.title = "Least size", .help = "That the loop asks for by itself.", .unit = "m", .at_least = 0});
     MeshRules::describe_in<AdaptParams>(d);
+    EstimateParams::describe_in<AdaptParams>(d);
   }
 };
 

@@ -71,14 +71,35 @@ dobra::io::MeshFields fields_of(const Analysis& analysis) {
   return fields;
 }
 
+/// Of the energy, round points with a force: an estimate of what is left would say nothing.
+constexpr double most_left_out = 0.95;
+
+/// The exact energy tells the error of loads that act on supports which stand still.
+Result<void> check_exact(const fem::Problem& problem, const ProblemParams& params, const std::vector<double>& exact) {
+  if (exact.empty()) return {};
+  const auto bad = [](std::string message) { return Error{ErrorCode::BadValue, std::move(message)}; };
+  if (exact.size() != problem.cases.size()) return bad(fmt::format("exact_energy has {} values for {} load cases; give one a case, in their order", exact.size(), problem.cases.size()));
+  for (std::size_t c = 0; c < exact.size(); ++c) {
+    if (!(exact[c] > 0.0)) return bad("exact_energy must be greater than 0");
+    if (problem.cases[c].settlement != 0.0 && moves(params)) return bad("exact_energy tells the error only where supports stand still; here a support or a tie prescribes a displacement");
+  }
+  return {};
+}
+
 }  // namespace
 
-Result<Analysis> analyse(std::shared_ptr<const Meshed> meshed, const ProblemParams& params, double memory,
+Result<Analysis> analyse(const Domain& domain, std::shared_ptr<const Meshed> meshed, const ProblemParams& params, double memory, const EstimateParams& judged,
                          const dobra::base::Progress& progress) {
   const mesh::ElementMesh& mesh = meshed->mesh;
-  Analysis analysis{.meshed = meshed};
+  Analysis analysis{.meshed = meshed, .point_forces = judged.point_forces};
   DOBRA_TRY(analysis.problem, problem_of(mesh, params));
-  DOBRA_TRY(analysis.solution, fem::solve(mesh, analysis.problem, {.memory_limit = memory}, progress.part(0.0, 0.8)));
+  DOBRA_TRY_VOID(check_exact(analysis.problem, params, judged.exact_energy));
+  auto solved = fem::solve(mesh, analysis.problem, {.memory_limit = memory}, progress.part(0.0, 0.8));
+  if (!solved) {
+    if (solved.error().code == ErrorCode::InvalidOption) DOBRA_TRY_VOID(check_finite_loads(mesh, params, analysis.problem));
+    return solved.error();
+  }
+  analysis.solution = *std::move(solved);
   analysis.singular = fem::singular_vertices(mesh, analysis.problem);
   const auto corners = fem::free_corners(mesh, analysis.problem);
   for (const auto& result : analysis.solution.cases) {
@@ -92,7 +113,15 @@ Result<Analysis> analyse(std::shared_ptr<const Meshed> meshed, const ProblemPara
       if (!known) analysis.singular.push_back(zone.vertex);
       zones.push_back(std::move(zone));
     }
-    fields.estimate = fem::estimate_error(mesh, materials, u, fields.recovered, zones);
+    fields.loaded = loaded_points(domain, mesh, params, analysis.problem, result, judged.point_radius);
+    std::vector<fem::Disc> left_out;
+    if (judged.point_forces == PointForces::LeaveOut) {
+      for (const LoadedPoint& point : fields.loaded) left_out.push_back({point.at, point.radius});
+    }
+    fields.estimate = fem::estimate_error(mesh, materials, u, fields.recovered, zones, left_out);
+    if (fields.estimate.left_out > most_left_out)
+      return Error{ErrorCode::BadValue, fmt::format("the surroundings of the points {} hold {:.3g} % of the energy, and nothing is left to judge: give a smaller point_radius", names_of(fields.loaded), 100.0 * fields.estimate.left_out)};
+    if (!judged.exact_energy.empty()) fields.exact_energy = judged.exact_energy[analysis.fields.size()];
     fields.peaks = fem::hot_spots(mesh, analysis.problem, u, fields.recovered, fields.estimate, analysis.singular);
     analysis.eta = std::max(analysis.eta, fields.estimate.eta);
     for (const fem::HotSpot& spot : fields.peaks) analysis.peak_eta = std::max(analysis.peak_eta, spot.eta);
@@ -101,12 +130,47 @@ Result<Analysis> analyse(std::shared_ptr<const Meshed> meshed, const ProblemPara
   return analysis;
 }
 
+std::optional<Truth> truth_of(const Analysis& analysis, std::size_t load_case) {
+  constexpr double digits = 1e-9;  // of the energy, that a solution has
+  const CaseFields& fields = analysis.fields[load_case];
+  if (!fields.exact_energy || !fields.loaded.empty()) return std::nullopt;
+  const double exact = *fields.exact_energy, found = analysis.solution.cases[load_case].energy;
+  if (found > (1.0 + digits) * exact) return std::nullopt;
+  Truth truth{fem::true_error(exact, found)};
+  if (exact - found > digits * exact) truth.effectivity = fields.estimate.error / truth.error;
+  return truth;
+}
+
+std::vector<std::string> remarks_on(const Analysis& analysis) {
+  std::vector<std::string> remarks;
+  for (std::size_t c = 0; c < analysis.fields.size(); ++c) {
+    const CaseFields& fields = analysis.fields[c];
+    const std::string of = analysis.fields.size() > 1 ? fmt::format("load case '{}': ", analysis.solution.cases[c].name) : std::string();
+    const auto& loaded = fields.loaded;
+    if (fields.exact_energy && !truth_of(analysis, c)) {
+      remarks.push_back(loaded.empty() ? fmt::format("{}the energy found, {:.9g} J, is above the exact one given, {:.9g} J, which cannot be that of this problem", of, analysis.solution.cases[c].energy, *fields.exact_energy)
+                                       : of + "the exact energy given is not compared: that of a force at a point is infinite");
+    }
+    if (loaded.empty()) continue;
+    const auto [least, greatest] = std::minmax_element(loaded.begin(), loaded.end(), [](const LoadedPoint& a, const LoadedPoint& b) { return a.radius < b.radius; });
+    const std::string radius = least->radius == greatest->radius ? fmt::format("{:.3g} m", least->radius) : fmt::format("{:.3g} to {:.3g} m", least->radius, greatest->radius);
+    if (analysis.point_forces == PointForces::LeaveOut) {
+      remarks.push_back(fmt::format("{}forces at single points ({}) have an infinite energy: their surroundings of radius {} hold {:.2g} % of the energy and are left out of the error", of, names_of(loaded), radius,
+                                    100.0 * fields.estimate.left_out));
+    } else {
+      remarks.push_back(fmt::format("{}forces at single points ({}) have an infinite energy, which no mesh meets: spread them over a curve, or leave their surroundings out of the error with point_forces = \"leave_out\"", of, names_of(loaded)));
+    }
+  }
+  return remarks;
+}
+
 Result<Model> add_analysis(const Model& model, const AnalyseParams& params, const dobra::scenario::Context&,
                            const dobra::base::Progress& progress) {
   if (!model.problem) return Error{ErrorCode::BadValue, "there is nothing to analyse: put a step 'problem' with materials, supports and loads before"};
   if (model.meshes.empty()) return Error{ErrorCode::BadValue, "there is no mesh to analyse: put a step 'mesh' before"};
-  DOBRA_TRY(Analysis analysis, analyse(model.meshes.back(), *model.problem, params.memory, progress));
+  DOBRA_TRY(Analysis analysis, analyse(model.domain, model.meshes.back(), *model.problem, params.memory, params, progress));
   Model result = model;
+  for (std::string& remark : remarks_on(analysis)) result.remarks.push_back(std::move(remark));
   if (const auto gap = deck_gap(analysis.meshed->mesh, analysis.problem)) result.remarks.push_back("analysis.inp is not written: " + to_string(*gap));
   result.analyses.push_back(std::make_shared<const Analysis>(std::move(analysis)));
   return result;
@@ -127,6 +191,11 @@ void add_analysis_quantities(const Model& model, std::vector<dobra::scenario::Qu
     quantities.push_back({prefix + "energy", result.energy, "J"});
     quantities.push_back({prefix + "eta", 100.0 * analysis.fields[c].estimate.eta, "%"});
     quantities.push_back({prefix + "error", analysis.fields[c].estimate.error, "J^0.5"});
+    if (!analysis.fields[c].loaded.empty()) quantities.push_back({prefix + "left_out", 100.0 * analysis.fields[c].estimate.left_out, "%"});
+    if (const auto truth = truth_of(analysis, c)) {
+      quantities.push_back({prefix + "true_error", truth->error, "J^0.5"});
+      if (truth->effectivity) quantities.push_back({prefix + "effectivity", *truth->effectivity, ""});
+    }
     quantities.push_back({prefix + "max_displacement", moved, "m"});
     const Extremes extremes = extremes_of(analysis, c);
     quantities.push_back({prefix + "max_von_mises", extremes.von_mises, "Pa"});
@@ -142,10 +211,19 @@ void add_analysis_quantities(const Model& model, std::vector<dobra::scenario::Qu
 
 void add_analysis_tables(const Model& model, std::vector<dobra::scenario::DataTable>& tables) {
   if (model.analyses.empty()) return;
-  dobra::scenario::DataTable cycles{"analyses", {"mesh", "cycle", "elements", "unknowns", "eta [%]", "peak eta [%]", "energy [J]"}, {}};
+  dobra::scenario::DataTable cycles{"analyses", {"mesh", "cycle", "elements", "unknowns", "eta [%]", "peak eta [%]", "energy [J]", "true error [J^0.5]", "effectivity"}, {}};
   for (const auto& analysis : model.analyses) {
-    cycles.rows.push_back({analysis->meshed->name, static_cast<double>(analysis->cycle), static_cast<double>(analysis->meshed->mesh.element_count()),
-                           static_cast<double>(analysis->solution.statistics.unknowns), 100.0 * analysis->eta, 100.0 * analysis->peak_eta, analysis->solution.cases.front().energy});
+    auto& row = cycles.rows.emplace_back();
+    row.reserve(cycles.columns.size());
+    row.emplace_back(analysis->meshed->name);
+    for (const double value : {static_cast<double>(analysis->cycle), static_cast<double>(analysis->meshed->mesh.element_count()), static_cast<double>(analysis->solution.statistics.unknowns),
+                               100.0 * analysis->eta, 100.0 * analysis->peak_eta, analysis->solution.cases.front().energy})
+      row.emplace_back(value);
+    const auto truth = truth_of(*analysis, 0);
+    for (const auto& known : {truth ? std::optional(truth->error) : std::nullopt, truth ? truth->effectivity : std::nullopt}) {
+      if (known) row.emplace_back(*known);
+      else row.emplace_back(std::string());
+    }
   }
   tables.push_back(std::move(cycles));
 }

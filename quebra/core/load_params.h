@@ -25,6 +25,7 @@ struct LoadParams {
   double radius = 1.0;
   dobra::base::Angle bisector = dobra::base::Angle::from_degrees(135.0);
   std::string load_case = "load";
+  dobra::base::Place place = {};  ///< Of its table in the scenario.
 
   template <class D>
   static void describe(D& d) {

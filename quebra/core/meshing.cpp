@@ -12,7 +12,6 @@
 
 #include "quebra/core/domain.h"
 #include "quebra/core/half_crack.h"
-#include "quebra/core/tip_rosettes.h"
 #include "quebra/core/zone.h"
 #include "shared/mesh/lips.h"
 #include "shared/mesh/order2.h"
@@ -108,6 +107,13 @@ EdgeKind kind_of(Role role) {
   return EdgeKind::Constraint;
 }
 
+/// How many pieces of a side meet the sizes wanted along it.
+int pieces_of(const Segment& side, const std::function<double(Point)>& wanted) {
+  double size = side.length();
+  for (const double f : {0.25, 0.5, 0.75}) size = std::min(size, wanted(interpolate(side.from, side.to, f)));
+  return std::max(1, static_cast<int>(std::lround(side.length() / size)));
+}
+
 Result<MeshInput> mesh_input(const Model& model, const std::vector<Constraint>& constraints, std::span<const dobra::mesh::SizeRequest> sizes,
                              const std::vector<TipRosette>& rosettes, const DivideOptions& options) {
   const Domain& domain = model.domain;
@@ -127,7 +133,11 @@ Result<MeshInput> mesh_input(const Model& model, const std::vector<Constraint>& 
     const auto set = builder.add_set(constraint.name, EdgeKind::Constraint);
     for (std::size_t i = 0; i < constraint.line.segment_count(); ++i) {
       const auto [from, to] = constraint.line.segment(i);
-      builder.edge(from, to, set);
+      // A cycle of the adaptive loop asks for sizes below those of the constraint.
+      const int pieces = sizes.empty() || !options.limit ? 1 : pieces_of({from, to}, options.limit);
+      const bool swapped = to < from;  // the same points from both ends
+      const auto at = [&](int k) { return k == 0 ? from : k == pieces ? to : swapped ? interpolate(to, from, static_cast<double>(pieces - k) / pieces) : interpolate(from, to, static_cast<double>(k) / pieces); };
+      for (int k = 0; k < pieces; ++k) builder.edge(at(k), at(k + 1), set);
     }
   }
   for (const NamedPoint& named : domain.points) {
@@ -278,7 +288,7 @@ const std::vector<Constraint>& obeyed(const Model& model, const MeshParams& para
   return params.constraints == UseConstraints::Yes ? model.constraints : none;
 }
 
-Result<Prepared> prepare(const Model& model, const MeshParams& params, std::span<const dobra::mesh::SizeRequest> sizes, const SizeSource& source,
+Result<Prepared> prepare(const Model& model, const MeshParams& params, const MeshWishes& wishes, const SizeSource& source,
                          std::vector<std::string>& remarks) {
   // A formula or a background mesh alone says what is wanted.
   const double size = params.size > 0.0 ? params.size : model.domain.box().diagonal() / (source.empty() ? 20.0 : 1.0);
@@ -289,7 +299,7 @@ Result<Prepared> prepare(const Model& model, const MeshParams& params, std::span
     if (params.order != Order::Second || params.quadrilaterals == Quadrilaterals::Yes) {
       return dobra::base::Error{dobra::base::ErrorCode::BadValue, "rosettes are made of triangles of second order: give order = \"2\" and no quadrilaterals"};
     }
-    DOBRA_TRY(prepared.rosettes, tip_rosettes(model.domain, model.half_tips, {.sectors = params.sectors, .radius = params.tip_radius}));
+    DOBRA_TRY(prepared.rosettes, tip_rosettes(model.domain, model.half_tips, {.sectors = params.sectors, .radius = params.tip_radius}, wishes.tips));
   }
   dobra::mesh::MeshOptions& options = prepared.options;
   options.engine = params.engine;
@@ -300,15 +310,15 @@ Result<Prepared> prepare(const Model& model, const MeshParams& params, std::span
   options.points.max_triangles = static_cast<std::size_t>(params.max_elements);
   DivideOptions divide{.size = size, .turn = params.turn, .growth = params.growth, .limit = {}, .rule = params.division, .most = static_cast<std::size_t>(params.max_elements)};
   // Curves that pass something finer are divided again, so that sizes grow along them as they do inside.
-  DOBRA_TRY(const MeshInput coarse, mesh_input(model, constraints, sizes, prepared.rosettes, divide));
+  DOBRA_TRY(const MeshInput coarse, mesh_input(model, constraints, wishes.sizes, prepared.rosettes, divide));
   const auto built = dobra::mesh::size_field_of(coarse, options.sizes);
   DOBRA_TRY_VOID(source.check());
   DOBRA_TRY(const auto field, built);
   DOBRA_TRY_VOID(check_field(field, model.domain, params));
   divide.limit = [&field](Point p) { return field.size_at(p); };
-  DOBRA_TRY(prepared.input, mesh_input(model, constraints, sizes, prepared.rosettes, divide));
+  DOBRA_TRY(prepared.input, mesh_input(model, constraints, wishes.sizes, prepared.rosettes, divide));
   remark_on_divisions(model.domain, constraints, remarks);
-  cut_out(prepared.input, prepared.rosettes);
+  DOBRA_TRY_VOID(cut_out(prepared.input, prepared.rosettes));
   return prepared;
 }
 
@@ -331,13 +341,13 @@ Result<std::shared_ptr<const MeshWork>> work_on(const Model& model, const MeshPa
 
 }  // namespace
 
-Result<Meshed> mesh_domain(const Model& model, const MeshParams& params, std::span<const dobra::mesh::SizeRequest> sizes,
+Result<Meshed> mesh_domain(const Model& model, const MeshParams& params, const MeshWishes& wishes,
                            std::vector<std::string>& remarks, const dobra::base::Progress& progress, const SizeSource& source) {
   const auto& constraints = obeyed(model, params);
   Stopwatch watch;
   Meshed meshed;
   const auto done = [&](const char* phase) { meshed.seconds.push_back({phase, watch.lap()}); };
-  DOBRA_TRY(const Prepared prepared, prepare(model, params, sizes, source, remarks));
+  DOBRA_TRY(const Prepared prepared, prepare(model, params, wishes, source, remarks));
   done("divide");
   TriangleMesh triangles;
   {  // The mesher's memory is given back before the elements are made.

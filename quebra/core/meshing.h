@@ -7,6 +7,7 @@
 
 #include "quebra/core/model.h"
 #include "quebra/core/size_source.h"
+#include "quebra/core/tip_rosettes.h"
 #include "shared/base/progress.h"
 #include "shared/mesh/fill_engine.h"
 #include "shared/mesh/mesh_input.h"
@@ -75,12 +76,18 @@ struct MeshParams : MeshRules {
   }
 };
 
-/// Meshes the domain of a model with `sizes` wanted inside, and `source` everywhere, beside those that the model asks for
+/// What a cycle of the adaptive loop asks of the next mesh.
+struct MeshWishes {
+  std::vector<dobra::mesh::SizeRequest> sizes = {};
+  std::vector<TipRadius> tips = {};  ///< Rosettes; a tip that is not among them takes params.tip_radius.
+};
+
+/// Meshes the domain of a model with `wishes` inside, and `source` everywhere, beside those that the model asks for
 /// itself: the least of them counts, growth bounded.
 /// @param remarks  what the user should know is added to it.
 /// @error those of divide and mesh::triangulate, with the place; BadValue for sizes of the source that are not greater than
 ///        0; TooManyElements before any work if the sizes make more elements than allowed.
-dobra::base::Result<Meshed> mesh_domain(const Model& model, const MeshParams& params, std::span<const dobra::mesh::SizeRequest> sizes,
+dobra::base::Result<Meshed> mesh_domain(const Model& model, const MeshParams& params, const MeshWishes& wishes,
                                         std::vector<std::string>& remarks, const dobra::base::Progress& progress, const SizeSource& source = {});
 
 /// Adds one mesh to the model; or, if the engine is stopped before it is done, what it has made so far.

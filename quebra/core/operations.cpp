@@ -1,5 +1,7 @@
 #include "quebra/core/operations.h"
 
+#include <algorithm>
+
 #include "quebra/core/adaptivity.h"
 #include "quebra/core/analysis.h"
 #include "quebra/core/constraint.h"
@@ -21,6 +23,18 @@ base::Result<scenario::State> input(const scenario::Table& table, const scenario
   return scenario::make_state(std::move(model));
 }
 
+/// The lines of the loads, for what only shows on a mesh: a formula that has no value somewhere.
+scenario::State with_lines(const scenario::State& state, const scenario::Table& table) {
+  Model model = scenario::model_of<Model>(state);
+  ProblemParams problem = *model.problem;
+  if (const scenario::Value* rows = table.find("load")) {
+    const auto& tables = std::get<std::vector<scenario::Table>>(*rows);
+    for (std::size_t i = 0; i < tables.size(); ++i) problem.loads[i].place = tables[i].own_place;
+  }
+  model.problem = std::make_shared<const ProblemParams>(std::move(problem));
+  return scenario::make_state(std::move(model));
+}
+
 /// set_problem, whose errors get the line of the table that they are about.
 scenario::Operation problem_operation() {
   auto operation = scenario::make_operation<Model, ProblemParams>(
@@ -28,7 +42,7 @@ scenario::Operation problem_operation() {
   operation.run = [run = operation.run](const scenario::State& state, const scenario::Table& table, const scenario::Context& context,
                                         const base::Progress& progress) -> base::Result<scenario::State> {
     auto result = run(state, table, context, progress);
-    if (result) return result;
+    if (result) return with_lines(*result, table);
     const auto fault = fault_of(scenario::model_of<Model>(state).domain, scenario::from_table<ProblemParams>(table));
     const scenario::Value* rows = fault ? table.find(fault->key) : nullptr;
     if (rows == nullptr) return result;
@@ -100,6 +114,11 @@ scenario::Program make_program() {
     add_tip_quantities(model, quantities);
     add_sample_quantities(model, quantities);
     return quantities;
+  };
+  program.reached_of = [](const scenario::State& state) -> std::optional<bool> {
+    const Model& model = scenario::model_of<Model>(state);
+    const bool adapted = std::any_of(model.analyses.begin(), model.analyses.end(), [](const auto& analysis) { return analysis->cycle > 0; });
+    return adapted ? std::optional(!model.short_of_target) : std::nullopt;
   };
   program.remarks_of = [](const scenario::State& state) { return scenario::model_of<Model>(state).remarks; };
   program.tables_of = [](const scenario::State& state) {

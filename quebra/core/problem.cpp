@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "shared/base/formula.h"
 #include "shared/base/text.h"
+#include "shared/fem/assemble.h"
 #include "shared/fem/exact_fields.h"
 
 // 1. Rows of the scenario become functions and values (support_of, load_of ...), which also judge them.
@@ -52,6 +54,25 @@ Result<void> check_linear(const LoadParams& load) {
   return {};
 }
 
+/// What is given but would not count.
+Result<void> check_keys(const LoadParams& load) {
+  const auto refuse = [](bool given, const char* message) -> Result<void> { return given ? Result<void>(bad(message)) : Result<void>{}; };
+  const auto both = [](double number, const std::string& formula) { return number != 0.0 && !formula.empty(); };
+  DOBRA_TRY_VOID(refuse(both(load.x, load.x_formula) || both(load.y, load.y_formula) || both(load.value, load.value_formula), "a load is a number or a formula, not both: leave x, y or value out where x_formula, y_formula or value_formula stands"));
+  const bool vector = load.x != 0.0 || load.y != 0.0, value = load.value != 0.0;
+  switch (load.kind) {
+    case LoadKind::Traction:
+    case LoadKind::Body: DOBRA_TRY_VOID(refuse(load.value_to != 0.0, "`value_to` is of a pressure; give x_to and y_to here")); break;
+    case LoadKind::Pressure: DOBRA_TRY_VOID(refuse(load.x_to != 0.0 || load.y_to != 0.0, "a pressure has no direction: give `value_to`, not x_to and y_to")); break;
+    case LoadKind::Force: DOBRA_TRY_VOID(refuse(value, "`value` is of a pressure; give x and y here")); break;
+    case LoadKind::Stress: DOBRA_TRY_VOID(refuse(vector || value, "a load of kind = \"stress\" is given by stress_xx, stress_yy and stress_xy alone: leave x, y and value out")); break;
+    case LoadKind::Kirsch: DOBRA_TRY_VOID(refuse(vector, "a load of kind = \"kirsch\" is given by `value` and `radius`: leave x and y out")); break;
+    case LoadKind::Corner: DOBRA_TRY_VOID(refuse(vector || value, "a load of kind = \"l_shape\" is given by `bisector` alone: leave x, y and value out")); break;
+  }
+  DOBRA_TRY_VOID(refuse(load.kind != LoadKind::Kirsch && load.radius != LoadParams{}.radius, "`radius` is of kind = \"kirsch\""));
+  return refuse(load.kind != LoadKind::Corner && load.bisector.radians() != LoadParams{}.bisector.radians(), "`bisector` is of kind = \"l_shape\"");
+}
+
 /// x, y of a traction or body force: constant, linear or by formulas.
 Result<PlaceFunction> vector_of(const LoadParams& load) {
   if (!load.value_formula.empty() || load.value != 0.0) return bad("`value` is of a pressure; give x and y here");
@@ -90,6 +111,7 @@ struct Load {
 
 Result<Load> load_of(const LoadParams& load) {
   DOBRA_TRY_VOID(check_linear(load));
+  DOBRA_TRY_VOID(check_keys(load));
   const bool stress = !load.stress_xx.empty() || !load.stress_yy.empty() || !load.stress_xy.empty();
   if (stress != (load.kind == LoadKind::Stress)) return bad(stress ? "stress_xx, stress_yy and stress_xy are of kind = \"stress\"" : "a load of kind = \"stress\" needs stress_xx, stress_yy or stress_xy");
   const bool plain = load.kind == LoadKind::Force || load.kind == LoadKind::Stress || load.kind == LoadKind::Kirsch || load.kind == LoadKind::Corner;
@@ -128,6 +150,7 @@ Result<fem::Support> support_of(const SupportParams& params) {
     return support;
   }
   if ((params.x && !params.x_formula.empty()) || (params.y && !params.y_formula.empty())) return bad("a displacement is a number or a formula, not both");
+  if (params.normal) return bad("a support with a formula prescribes both displacements: leave `normal` out");
   if ((!params.x && params.x_formula.empty()) || (!params.y && params.y_formula.empty())) return bad("a support with a formula prescribes both: give x or x_formula, and y or y_formula");
   DOBRA_TRY(const auto x, number_or(params.x.value_or(0.0), params.x_formula));
   DOBRA_TRY(const auto y, number_or(params.y.value_or(0.0), params.y_formula));
@@ -236,6 +259,36 @@ Result<std::int32_t> region_of(const mesh::ElementMesh& mesh, const std::string&
   return bad(fmt::format("there is no region '{}'{}", name, dobra::base::did_you_mean(name, names)));
 }
 
+std::optional<ProblemFault> material_twice(const std::vector<MaterialParams>& materials) {
+  for (std::size_t i = 0; i < materials.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (materials[k].region != materials[i].region) continue;
+      const std::string region = materials[i].region.empty() ? std::string("every region without a material of its own") : fmt::format("region '{}'", materials[i].region);
+      return ProblemFault{"material", i, bad(fmt::format("{} has a material already, number {} of the step; leave one out", region, k + 1))};
+    }
+  }
+  return std::nullopt;
+}
+
+/// Names of the cases that loads name.
+std::vector<std::string> loaded_cases(const ProblemParams& params) {
+  std::vector<std::string> names;
+  for (const LoadParams& row : params.loads) {
+    if (std::find(names.begin(), names.end(), row.load_case) == names.end()) names.push_back(row.load_case);
+  }
+  return names;
+}
+
+Result<void> check_case(const ProblemParams& params, std::size_t row) {
+  const CaseParams& own = params.cases[row];
+  for (std::size_t k = 0; k < row; ++k) {
+    if (params.cases[k].name == own.name) return bad(fmt::format("load case '{}' has its settings already, in number {} of the step; leave one out", own.name, k + 1));
+  }
+  const auto names = loaded_cases(params);
+  if (std::find(names.begin(), names.end(), own.name) != names.end() || (moves(params) && own.settlement != 0.0)) return {};
+  return bad(fmt::format("nothing acts in load case '{}': no load is of it{}", own.name, dobra::base::did_you_mean(own.name, names)));
+}
+
 Result<fem::Materials> materials_of(const mesh::ElementMesh& mesh, const ProblemParams& params) {
   fem::Materials materials;
   const auto state = params.state == Plane::Stress ? fem::PlaneState::Stress : fem::PlaneState::Strain;
@@ -268,7 +321,26 @@ fem::LoadCase& case_of(fem::Problem& problem, const std::string& name) {
   return problem.cases.emplace_back(fem::LoadCase{.name = name});
 }
 
+Result<void> add_load(const mesh::ElementMesh& mesh, const LoadParams& row, fem::LoadCase& own) {
+  DOBRA_TRY(const Load load, load_of(row));
+  if (load.traction) own.sides.push_back({row.where, load.traction});
+  if (load.force) own.points.push_back({row.where, *load.force});
+  if (!load.body) return {};
+  fem::BodyForce body{.force = load.body};
+  if (!row.where.empty()) {
+    DOBRA_TRY(body.region, region_of(mesh, row.where));
+  }
+  own.bodies.push_back(std::move(body));
+  return {};
+}
+
 }  // namespace
+
+bool moves(const ProblemParams& params) {
+  const auto moved = [](const std::optional<double>& value) { return value.value_or(0.0) != 0.0; };
+  return std::any_of(params.supports.begin(), params.supports.end(), [&](const SupportParams& row) { return moved(row.x) || moved(row.y) || moved(row.normal) || !row.x_formula.empty() || !row.y_formula.empty(); }) ||
+         std::any_of(params.ties.begin(), params.ties.end(), [](const TieParams& row) { return row.value != 0.0; });
+}
 
 std::optional<ProblemFault> fault_of(const Domain& domain, const ProblemParams& params) {
   const Names names = names_of(domain);
@@ -284,6 +356,10 @@ std::optional<ProblemFault> fault_of(const Domain& domain, const ProblemParams& 
   judge("spring", params.springs, by_name);
   judge("tie", params.ties, by_name);
   judge("load", params.loads, by_name);
+  if (!fault) fault = material_twice(params.materials);
+  for (std::size_t i = 0; i < params.cases.size() && !fault; ++i) {
+    if (const auto result = check_case(params, i); !result) fault = ProblemFault{"case", i, result.error()};
+  }
   if (!fault) {
     if (auto error = missing_material(domain, params)) fault = ProblemFault{"", 0, *std::move(error)};
   }
@@ -298,6 +374,11 @@ Result<Model> set_problem(const Model& model, const ProblemParams& params, const
     return error;
   }
   Model result = model;
+  const auto names = loaded_cases(params);
+  for (const CaseParams& own : params.cases) {
+    const std::string meant = std::find(names.begin(), names.end(), own.name) != names.end() ? std::string() : dobra::base::did_you_mean(own.name, names);
+    if (!meant.empty()) result.remarks.push_back(fmt::format("no load is of load case '{}', only prescribed displacements act in it{}", own.name, meant));
+  }
   result.problem = std::make_shared<const ProblemParams>(params);
   return result;
 }
@@ -316,20 +397,27 @@ Result<fem::Problem> problem_of(const mesh::ElementMesh& mesh, const ProblemPara
     problem.ties.insert(problem.ties.end(), ties.begin(), ties.end());
   }
   for (const CaseParams& row : params.cases) case_of(problem, row.name).settlement = row.settlement;
-  for (const LoadParams& row : params.loads) {
-    DOBRA_TRY(const Load load, load_of(row));
-    fem::LoadCase& own = case_of(problem, row.load_case);
-    if (load.traction) own.sides.push_back({row.where, load.traction});
-    if (load.force) own.points.push_back({row.where, *load.force});
-    if (!load.body) continue;
-    fem::BodyForce body{.force = load.body};
-    if (!row.where.empty()) {
-      DOBRA_TRY(body.region, region_of(mesh, row.where));
-    }
-    own.bodies.push_back(std::move(body));
-  }
+  for (const LoadParams& row : params.loads) DOBRA_TRY_VOID(add_load(mesh, row, case_of(problem, row.load_case)));
   if (problem.cases.empty()) problem.cases.emplace_back();  // prescribed displacements alone
   return problem;
+}
+
+Result<void> check_finite_loads(const mesh::ElementMesh& mesh, const ProblemParams& params, const fem::Problem& problem) {
+  for (std::size_t i = 0; i < params.loads.size(); ++i) {
+    const LoadParams& row = params.loads[i];
+    fem::LoadCase alone;
+    DOBRA_TRY_VOID(add_load(mesh, row, alone));
+    const auto forces = fem::load_vector(mesh, problem, alone);
+    for (std::size_t n = 0; n < forces.size(); ++n) {
+      if (std::isfinite(forces[n].x) && std::isfinite(forces[n].y)) continue;
+      Place place = row.place;
+      place.item = fmt::format("load {}", i + 1);
+      place.x = mesh.points[n].x;
+      place.y = mesh.points[n].y;
+      return Error{ErrorCode::BadValue, fmt::format("the load{} of case '{}' has no finite value here", row.where.empty() ? "" : " on '" + row.where + "'", row.load_case), place};
+    }
+  }
+  return {};
 }
 
 }  // namespace quebra::core

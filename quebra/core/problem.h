@@ -117,7 +117,13 @@ std::optional<ProblemFault> fault_of(const Domain& domain, const ProblemParams& 
 dobra::base::Result<Model> set_problem(const Model& model, const ProblemParams& params, const dobra::scenario::Context& context,
                                        const dobra::base::Progress& progress);
 
+/// Whether a support or tie prescribes a displacement that is not 0.
+bool moves(const ProblemParams& params);
+
 /// The problem on one mesh. @error a name that the mesh has not, with a suggestion.
 dobra::base::Result<dobra::fem::Problem> problem_of(const dobra::mesh::ElementMesh& mesh, const ProblemParams& params);
+
+/// Each load by itself: @error that of the first whose formula has no finite value somewhere, with its line and the place.
+dobra::base::Result<void> check_finite_loads(const dobra::mesh::ElementMesh& mesh, const ProblemParams& params, const dobra::fem::Problem& problem);
 
 }  // namespace quebra::core

@@ -188,9 +188,12 @@ std::pair<double, double> range_of(const Drawing& drawing, ColorRange range) {
     }
     return parts.back().value;
   };
-  const double low = value_at(1.0 - nearly_all), high = value_at(nearly_all);
-  const double room = stands_out * (high - low);
-  return {*least < low - room ? low : *least, *greatest > high + room ? high : *greatest};
+  const double rest = 1.0 - nearly_all;
+  const double room = stands_out * (value_at(nearly_all) - value_at(rest));
+  const bool below = *least < value_at(rest) - room, above = *greatest > value_at(nearly_all) + room;
+  // What is cut off is the same part of the area, whether at one end or half of it at each.
+  const double cut = below && above ? 0.5 * rest : rest;
+  return {below ? value_at(cut) : *least, above ? value_at(1.0 - cut) : *greatest};
 }
 
 scene::Scale color_scale(const ViewParams& params, double least, double greatest) {

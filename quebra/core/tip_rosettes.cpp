@@ -141,7 +141,14 @@ Rim add_rim(MeshInput& input, const TipRosette& tip, std::string name) {
 
 }  // namespace
 
-Result<std::vector<TipRosette>> tip_rosettes(const Domain& domain, const std::vector<HalfTip>& half_tips, const dobra::fem::RosetteOptions& options) {
+Result<std::vector<TipRosette>> tip_rosettes(const Domain& domain, const std::vector<HalfTip>& half_tips, const dobra::fem::RosetteOptions& options,
+                                             std::span<const TipRadius> radii) {
+  const auto options_at = [&](Point tip) {
+    dobra::fem::RosetteOptions own = options;
+    const auto found = std::find_if(radii.begin(), radii.end(), [&](const TipRadius& other) { return other.tip == tip; });
+    if (found != radii.end()) own.radius = found->radius;
+    return own;
+  };
   std::vector<TipRosette> rosettes;
   for (std::size_t c = 0; c < domain.curves.size(); ++c) {
     const Curve& curve = domain.curves[c];
@@ -151,9 +158,9 @@ Result<std::vector<TipRosette>> tip_rosettes(const Domain& domain, const std::ve
     if (is_tip(domain, c, point(curve, 0.0))) ends.push_back(CrackEnd::Start);
     if (is_tip(domain, c, point(curve, all))) ends.push_back(CrackEnd::End);
     for (const CrackEnd end : ends) {
-      dobra::fem::RosetteOptions own = options;
       const double s = end == CrackEnd::Start ? 0.0 : all;
       const auto ahead = end == CrackEnd::Start ? -direction(curve, s) : direction(curve, s);
+      dobra::fem::RosetteOptions own = options_at(point(curve, s));
       if (!(own.radius > 0.0)) own.radius = automatic_radius * room_at(domain, curve, s, ahead, ends.size(), {});
       DOBRA_TRY(auto rosette, dobra::fem::make_rosette(point(curve, s), ahead, own));
       DOBRA_TRY_VOID(check_straight(curve, s, rosette.rings.back().front(), rosette.outer_radius(), own.radius));
@@ -161,14 +168,14 @@ Result<std::vector<TipRosette>> tip_rosettes(const Domain& domain, const std::ve
     }
   }
   for (const HalfTip& tip : half_tips) {
-    DOBRA_TRY(auto rosette, half_rosette(domain, half_tips, tip, options));
+    DOBRA_TRY(auto rosette, half_rosette(domain, half_tips, tip, options_at(tip.at)));
     rosettes.push_back(std::move(rosette));
   }
   DOBRA_TRY_VOID(check_room(domain, rosettes));
   return rosettes;
 }
 
-void cut_out(MeshInput& input, const std::vector<TipRosette>& rosettes) {
+Result<void> cut_out(MeshInput& input, std::vector<TipRosette>& rosettes) {
   for (std::size_t r = 0; r < rosettes.size(); ++r) {
     const Rosette& rosette = rosettes[r].rosette;
     const double reach = rosette.outer_radius();
@@ -210,6 +217,17 @@ void cut_out(MeshInput& input, const std::vector<TipRosette>& rosettes) {
   };
   std::vector<bool> used(input.points.size(), false);
   for (const auto& edge : input.edges) used[edge.nodes[0].index()] = used[edge.nodes[1].index()] = true;
+  for (const auto& [name, nodes] : input.node_sets) {
+    for (const NodeId node : nodes) {
+      const Point at = input.points[node.index()];
+      if (used[node.index()] || !in_a_hole(at)) continue;
+      const auto nearest = std::min_element(rosettes.begin(), rosettes.end(), [&](const TipRosette& a, const TipRosette& b) { return distance(a.rosette.tip, at) < distance(b.rosette.tip, at); });
+      if (nearest->rosette.tip != at)
+        return Error{ErrorCode::BadDomain, fmt::format("lies in the rosette of radius {:.4g} at the tip of '{}', whose nodes are its own; move it, or make the tip's elements smaller (tip_radius)", nearest->rosette.outer_radius(), nearest->crack),
+                     Place{.item = "point '" + name + "'", .x = at.x, .y = at.y}};
+      nearest->names.push_back(name);
+    }
+  }
   std::vector<NodeId> renamed(input.points.size());
   std::vector<Point> kept;
   for (std::size_t i = 0; i < input.points.size(); ++i) {
@@ -223,14 +241,17 @@ void cut_out(MeshInput& input, const std::vector<TipRosette>& rosettes) {
     for (NodeId& node : nodes) node = renamed[node.index()];
     std::erase_if(nodes, [](NodeId node) { return !node.valid(); });
   }
+  std::erase_if(input.node_sets, [](const auto& set) { return set.second.empty(); });
   std::erase_if(input.sizes, [&](const auto& request) { return in_a_hole(request.at); });
+  return {};
 }
 
 Result<void> fill(dobra::mesh::ElementMesh& mesh, const std::vector<TipRosette>& rosettes) {
   for (std::size_t r = 0; r < rosettes.size(); ++r) {
     const auto rim = mesh.side_sets.extract(rim_name(r));
     const std::int32_t region = mesh.regions[rim.mapped().front().element.index()];
-    const auto& [crack, end, rosette, ahead, half] = rosettes[r];
+    const auto& [crack, end, rosette, ahead, half, names] = rosettes[r];
+    for (const std::string& name : names) mesh.node_sets[name].push_back(NodeId(mesh.points.size()));  // fill begins with the tip
     DOBRA_TRY_VOID(ahead.empty() ? fill_rosette(mesh, rosette, crack, end, region) : fill_half_rosette(mesh, rosette, half, crack, ahead, region));
   }
   return {};

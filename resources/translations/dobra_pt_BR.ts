@@ -1352,6 +1352,30 @@
         <translation>Pede o mesmo erro nos elementos em volta de cada pico de tensão: o todo pode atendê-lo com um pico que não o atende.</translation>
     </message>
     <message>
+        <source>Forces at points</source>
+        <translation>Forças em pontos</translation>
+    </message>
+    <message>
+        <source>Radius round points</source>
+        <translation>Raio em torno dos pontos</translation>
+    </message>
+    <message>
+        <source>Exact energy</source>
+        <translation>Energia exata</translation>
+    </message>
+    <message>
+        <source>Strain energy where it is known, one a load case in their order: the true error and the effectivity of the estimate are told. Only with supports that stand still.</source>
+        <translation>Energia de deformação onde é conhecida, uma por caso de carga, na ordem deles: informa o erro verdadeiro e a efetividade da estimativa. Só com apoios que não se movem.</translation>
+    </message>
+    <message>
+        <source>Of those surroundings; 0 takes 1/20 of the room round each: thickness of the material, other boundaries, cracks.</source>
+        <translation>Desse entorno; 0 toma 1/20 do espaço em torno de cada um: espessura do material, outros contornos, trincas.</translation>
+    </message>
+    <message>
+        <source>leave_out: the surroundings of points with a force or reaction of their own, where the energy is infinite, do not count for the error; count: they do, and no mesh meets a small error.</source>
+        <translation>leave_out: o entorno de pontos com força ou reação própria, onde a energia é infinita, não conta para o erro; count: conta, e nenhuma malha atinge um erro pequeno.</translation>
+    </message>
+    <message>
         <source>Range of colours</source>
         <translation>Faixa de cores</translation>
     </message>

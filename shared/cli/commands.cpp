@@ -106,7 +106,7 @@ base::Result<int> run_job(Session& session, const RunOptions& options) {
   } else if (session.options.verbosity != Verbosity::Quiet) {
     DOBRA_TRY_VOID(print(summary(document, options, files, verdicts.size(), failures)));
   }
-  return failures > 0 ? 1 : 0;
+  return failures > 0 || scenario::reached(session.program, run.states.back()) == false ? 1 : 0;
 }
 
 base::Result<int> render_job(Session& session, const RenderOptions& options) {

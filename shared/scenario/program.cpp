@@ -45,6 +45,10 @@ const Operation* Program::find_operation(const std::string& operation) const {
   return found == operations.end() ? nullptr : &*found;
 }
 
+std::optional<bool> reached(const Program& program, const State& state) {
+  return program.reached_of ? program.reached_of(state) : std::nullopt;
+}
+
 base::Result<const Operation*> operation_of(const Document& document, std::size_t number, const Program& program) {
   const Step& step = document.steps.at(number - 1);
   if (const Operation* operation = program.find_operation(step.operation)) return operation;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -87,12 +88,18 @@ struct Program {
   std::function<scene::Picture(const State&)> picture_of;
   std::function<std::vector<Quantity>(const State&)> quantities_of;
   std::function<std::vector<std::string>(const State&)> remarks_of;  ///< What the user should know: repairs, limits.
+  /// Whether the steps reached what they were asked to (an error, say); nothing if nothing was asked. `run` ends with 1
+  /// otherwise.
+  std::function<std::optional<bool>(const State&)> reached_of{};
   std::function<std::vector<DataTable>(const State&)> tables_of;
   std::function<std::vector<Output>(const State&)>
       outputs_of;  ///< Exchange files, without tables, report and pictures.
 
   [[nodiscard]] const Operation* find_operation(const std::string& operation) const;
 };
+
+/// That of a state, or nothing.
+std::optional<bool> reached(const Program& program, const State& state);
 
 /// The operation of step `number` (1-based).
 /// @error UnknownOperation, with a suggestion and the step's place.

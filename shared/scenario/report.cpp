@@ -133,6 +133,9 @@ std::string report_json(const Document& document, const Program& program, const 
   report["version"] = DOBRA_VERSION;
   report["title"] = document.title;
   report["complete"] = run.complete();
+  if (run.complete()) {
+    if (const auto met = reached(program, run.states.back())) report["reached"] = *met;
+  }
   if (!run.states.empty()) {
     report["input"]["values"] = json_of(document.input, program.input_fields);
     add_findings(program, run, 0, report["input"]);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -47,6 +48,42 @@ TEST_F(AnalysisCommands, OptionsOfMeshesAreThoseOfTheLoopToo) {
   EXPECT_GT(elements({"--size-formula", "4 + 0.1 * x"}), 2.0 * few);
   refuses({"adapt", l_shape(), "--size-formula", "x - 50"}, 3, {"size_formula", "greater than 0"});
   refuses({"adapt", l_shape(), "--engine", "magic"}, 2, {"--engine"});
+}
+
+TEST_F(AnalysisCommands, RunAndSolveEndWithOneTooIfALoopMissesItsTarget) {
+  const auto scenario = [&](double target) {
+    return put("loop.toml", "dobra = 1\nprogram = \"quebra\"\n" + core::test::sheared_l + "[[step]]\noperation = \"adapt\"\nmax_cycles = 1\ntarget = " + std::to_string(target) + "\n");
+  };
+  for (const std::string command : {"run", "solve"}) {
+    const auto words = [&](const std::string& file) {
+      return command == "run" ? std::vector<std::string>{"run", file, "--out", path("out"), "--pictures", "none", "--json"} : std::vector<std::string>{"solve", file, "--json"};
+    };
+    const auto missed = call(words(scenario(1.0)));
+    EXPECT_EQ(missed.code, 1) << missed.err;
+    EXPECT_EQ(Json::parse(missed.out)["reached"], false);
+    const auto met = call(words(scenario(50.0)));
+    EXPECT_EQ(met.code, 0) << met.err;
+    EXPECT_EQ(Json::parse(met.out)["reached"], true);
+  }
+}
+
+TEST_F(AnalysisCommands, AKnownEnergyTellsTheEffectivityOfEveryCycle) {
+  const auto told = call({"adapt", l_shape(), "--target", "5%", "--exact-energy", "60.619", "--json"});
+  ASSERT_EQ(told.code, 0) << told.err;
+  const Json json = Json::parse(told.out);
+  ASSERT_GT(json["analyses"].size(), 1u);
+  for (const Json& row : json["analyses"]) {
+    const double error = std::sqrt(2.0 * (60.619 - row["energy [J]"].get<double>()));
+    EXPECT_NEAR(row["true error [J^0.5]"].get<double>(), error, 1e-9);
+    EXPECT_NEAR(row["effectivity"].get<double>(), 1.0, 0.25);
+  }
+  EXPECT_EQ(json["quantities"]["case.load.effectivity"]["value"], json["analyses"].back()["effectivity"]);
+  const auto plain = call({"adapt", l_shape(), "--target", "5%", "--exact-energy", "60.619"});
+  EXPECT_NE(plain.out.find("effectivity"), std::string::npos);
+  const auto wrong = call({"adapt", l_shape(), "--target", "5%", "--exact-energy", "6.0619", "--json"});
+  EXPECT_NE(Json::parse(wrong.out)["remarks"].dump().find("is above the exact one given"), std::string::npos);
+  refuses({"adapt", l_shape(), "--exact-energy", "1", "--exact-energy", "2"}, 3, {"2 values for 1 load cases"});
+  refuses({"adapt", l_shape(), "--line", "10,60,40,60"}, 2, {"--line", "--out FILE.csv, or --json"});
 }
 
 TEST_F(AnalysisCommands, TheCurveAndAnyCycleAreDrawn) {

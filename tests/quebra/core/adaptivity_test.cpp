@@ -302,5 +302,27 @@ x = 1.0
   EXPECT_EQ(std::count_if(remarks.begin(), remarks.end(), [](const std::string& text) { return text.find("does not settle") != std::string::npos; }), 1);
 }
 
+TEST(Adaptivity, EveryTipHasARosetteOfItsOwn) {
+  // A long crack and one of a tenth: what the short one needs is not asked of the long one.
+  const std::string plate = "[input]\nspecimen = \"single_edge_notch\"\n[[input.crack]]\nname = \"short\"\npoints = [[0, 1], [0.05, 1]]\n" + point("anchor", 1, 0) + point("guide", 1, -1.5) + problem +
+                            support("anchor", "x = 0.0\ny = 0.0") + support("guide", "x = 0.0") + load("top", "y = 1.0") + load("bottom", "y = -1.0");
+  const scenario::Run done = run(plate + adapt_step(0.3, "rosettes = \"yes\"\ntip_radius = 0.008\npeaks = \"no\"\n"));
+  EXPECT_LE(figures(done).at("eta"), 0.3);
+  const auto& mesh = last(done).analyses.back()->meshed->mesh;
+  std::vector<double> radii;
+  for (const mesh::CrackTip& tip : mesh.tips) {
+    double radius = 0.0;
+    for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+      const auto corners = mesh.nodes_of(mesh::ElementId(e)).first(3);
+      if (std::find(corners.begin(), corners.end(), tip.node) == corners.end()) continue;
+      for (const mesh::NodeId node : corners) radius = std::max(radius, distance(mesh.point(node), mesh.point(tip.node)));
+    }
+    radii.push_back(radius);
+    printf("[ figures  ] %s: tip elements of %.3g\n", tip.name.c_str(), radius);
+  }
+  ASSERT_EQ(radii.size(), 2U);
+  EXPECT_GT(std::max(radii[0], radii[1]), 2.0 * std::min(radii[0], radii[1]));
+}
+
 }  // namespace
 }  // namespace quebra::core

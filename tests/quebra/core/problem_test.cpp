@@ -173,8 +173,34 @@ TEST(Problem, EachFaultIsNamedWithTheLineOfItsTable) {
   EXPECT_THAT(fault("[[step.tie]]\npoints = [\"tip\"]\naxes = [\"z\"]\ncoefficients = [1.0]\n"), HasSubstr("'z' is no axis"));
   EXPECT_THAT(fault("[[step.tie]]\naxis = \"x\"\n"), HasSubstr("needs `where`, a curve, or `points`"));
   EXPECT_THAT(fault("[[step.material]]\nregion = \"steel\"\nyoung = 1.0\n"), HasSubstr("there is no region 'steel'"));
-  EXPECT_THAT(fault(clamped + load("right", "x_formula = \"1 / (y - y)\"")), HasSubstr("a load of case 'load' has no finite value here"));
+  EXPECT_THAT(fault(clamped + load("right", "x_formula = \"1 / (y - y)\"")), HasSubstr("load 1: the load on 'right' of case 'load' has no finite value here"));
   EXPECT_THAT(fault("[[step.support]]\nwhere = \"left\"\nx_formula = \"log(-1)\"\ny = 0.0\n" + load("right", "x = 1.0")), HasSubstr("support of 'left': prescribes a displacement that has no finite value"));
+}
+
+TEST(Problem, WhatWouldBeLostIsRefusedWithItsLine) {
+  const auto refused = [](const std::string& more, const std::string& line_of, const char* why) {
+    const std::string text = strip + clamped + more;
+    const std::string error = trouble(text);
+    EXPECT_THAT(error, HasSubstr(why));
+    // `trouble` puts two lines before.
+    const auto line = 3 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.rfind(line_of)), '\n');
+    EXPECT_THAT(error, HasSubstr("test.toml:" + std::to_string(line))) << error;
+  };
+  refused("[[step.material]]\nyoung = 1.0\n", "[[step.material]]", "has a material already, number 1");
+  refused(load("right", "x = 2.0\nx_formula = \"y\""), "[[step.load]]", "a number or a formula, not both");
+  refused(load("right", "kind = \"pressure\"\nvalue = 2.0\nvalue_formula = \"y\""), "[[step.load]]", "a number or a formula, not both");
+  refused("[[step.support]]\nwhere = \"right\"\nx = 1.0\nx_formula = \"y\"\ny = 0.0\n", "[[step.support]]", "a number or a formula, not both");
+  refused("[[step.support]]\nwhere = \"right\"\nnormal = 1.0\nx_formula = \"y\"\ny = 0.0\n", "[[step.support]]", "leave `normal` out");
+  refused(load("tip", "kind = \"force\"\nvalue = 2.0"), "[[step.load]]", "`value` is of a pressure");
+  refused(load("right", "kind = \"stress\"\nstress_xx = \"1\"\nx = 2.0"), "[[step.load]]", "leave x, y and value out");
+  refused(load("right", "x = 2.0\nradius = 0.5"), "[[step.load]]", "`radius` is of kind");
+  refused(load("right", "x = 2.0\ncase = \"water\"") + "[[step.case]]\nname = \"watre\"\nsettlement = 0.0\n", "[[step.case]]", "nothing acts in load case 'watre': no load is of it; did you mean 'water'?");
+  refused(load("right", "x = 2.0") + "[[step.case]]\nname = \"load\"\n[[step.case]]\nname = \"load\"\n", "[[step.case]]", "has its settings already");
+  refused(load("right", "x = 2.0") + "[[step.case]]\nname = \"load\"\nsettlment = 0.0\n", "settlment", "did you mean 'settlement'?");
+  refused(load("top", "y = 1.0") + load("right", "x_formula = \"1 / (y - 1) + 1 / (y - y)\"") + solve, "[[step.load]]", "load 2: the load on 'right' of case 'load' has no finite value here");
+  // Where prescribed displacements act a case may be without loads; a name near another's is told.
+  const Model told = last(run(strip + clamped + "[[step.support]]\nwhere = \"right\"\nx = 0.02\n" + load("top", "y = 1.0\ncase = \"water\"") + "[[step.case]]\nname = \"watre\"\n"));
+  EXPECT_THAT(told.remarks, testing::Contains(HasSubstr("no load is of load case 'watre'")));
 }
 
 }  // namespace

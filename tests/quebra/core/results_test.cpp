@@ -162,5 +162,28 @@ TEST(Results, FaultsAreNamed) {
   EXPECT_THAT(trouble(moved() + solve + "[[step]]\noperation = \"view\"\ncase = \"laod\"\n"), HasSubstr("there is no load case 'laod'; did you mean 'load'?"));
 }
 
+TEST(Results, ColoursCoverTheShareOfTheAreaThatTheLegendSaysAtBothEndsTogether) {
+  // Shear round a tip stands out above and below.
+  const scenario::Run done = run("[input]\nspecimen = \"single_edge_notch\"\n[[input.point]]\nname = \"anchor\"\npoint = [1, 0]\n[[input.point]]\nname = \"guide\"\npoint = [1, -1.5]\n[[step]]\noperation = \"problem\"\n[[step.material]]\nyoung = 1.0\n"
+                                 "[[step.support]]\nwhere = \"anchor\"\nx = 0.0\ny = 0.0\n[[step.support]]\nwhere = \"guide\"\nx = 0.0\n[[step.load]]\nwhere = \"top\"\ny = 1.0\n[[step.load]]\nwhere = \"bottom\"\ny = -1.0\n"
+                                 "[[step]]\noperation = \"mesh\"\nsize = 0.1\norder = \"2\"\nrosettes = \"yes\"\n[[step]]\noperation = \"analyse\"\n");
+  ViewParams shear;
+  shear.field = FieldName::StressXY;
+  shear.deformation = 0.0;
+  const scene::Panel panel = view_panel(*last(done).analyses.back(), 0, shear);
+  const auto layer = [&](const char* key) { return std::find_if(panel.layers.begin(), panel.layers.end(), [&](const auto& own) { return own.key == key; }); };
+  const auto& colours = std::get<scene::Mesh>(layer("field")->content);
+  double all = 0.0, inside = 0.0;
+  for (const auto& [a, b, c] : colours.triangles) {
+    const double area = std::abs(cross(colours.points[b] - colours.points[a], colours.points[c] - colours.points[a]));
+    const double value = (colours.values[a] + colours.values[b] + colours.values[c]) / 3.0;
+    all += area;
+    if (value >= colours.scale.low && value <= colours.scale.high) inside += area;
+  }
+  EXPECT_NE(layer("extremes")->title.find("99.5 % of the area"), std::string::npos) << layer("extremes")->title;
+  EXPECT_GE(inside, 0.995 * all);
+  EXPECT_LT(inside, all);
+}
+
 }  // namespace
 }  // namespace quebra::core

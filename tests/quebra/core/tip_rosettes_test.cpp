@@ -83,5 +83,18 @@ TEST(TipRosettes, ARadiusThatDoesNotFitIsRefusedWithItsPlace) {
   EXPECT_THAT(trouble(plate("points = [[-1, 0], [1, 0], [1.1, 0.1]]\n") + mesh("tip_radius = 0.1\n") + steps), HasSubstr("must be straight in it"));
 }
 
+TEST(TipRosettes, APointInOneIsRefusedAndOneAtTheTipKeepsItsName) {
+  const auto with = [](double x) { return "[input]\nspecimen = \"single_edge_notch\"\n[[input.point]]\nname = \"gauge\"\npoint = [" + std::to_string(x) + ", 0]\n[[step]]\noperation = \"mesh\"\norder = \"2\"\nrosettes = \"yes\"\ntip_radius = 0.02\n"; };
+  for (const double x : {0.52, 0.48}) {
+    const std::string error = trouble(with(x));
+    EXPECT_NE(error.find("point 'gauge': lies in the rosette of radius 0.06 at the tip of 'crack'"), std::string::npos) << error;
+  }
+  const dobra::scenario::Run named = run(with(0.5));
+  const auto& mesh = last(named).meshes.back()->mesh;
+  ASSERT_EQ(mesh.node_sets.at("gauge").size(), 1U);
+  EXPECT_EQ(mesh.point(mesh.node_sets.at("gauge").front()), (dobra::geom::Point{0.5, 0.0}));
+  EXPECT_EQ(mesh.node_sets.at("gauge").front(), mesh.tips.front().node);
+}
+
 }  // namespace
 }  // namespace quebra::core

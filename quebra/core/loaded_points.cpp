@@ -1,0 +1,168 @@
+#include "quebra/core/loaded_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "quebra/core/domain.h"
+
+namespace quebra::core {
+namespace {
+
+namespace fem = dobra::fem;
+namespace mesh = dobra::mesh;
+using dobra::geom::Point;
+using dobra::geom::Vector;
+
+/// Of the room round a point.
+constexpr double share_of_room = 1.0 / 20.0;
+/// Forces that can add less than this to eta are not minded.
+constexpr double felt = 1e-3;
+
+/// Where along a curve a point of the domain lies on it.
+std::vector<double> places_on(const Domain& domain, std::size_t c, Point p) {
+  std::vector<double> places;
+  const Curve& curve = domain.curves[c];
+  if (point(curve, 0.0) == p) places.push_back(0.0);
+  if (point(curve, length(curve)) == p) places.push_back(length(curve));
+  for (const Junction& junction : domain.junctions) {
+    if (junction.curve == c && junction.at == p) places.push_back(junction.s);
+  }
+  return places;
+}
+
+/// Length of the material along a line from p, to one side or the other; nothing if it leaves the domain at once.
+double across(const Domain& domain, Point p, Vector direction) {
+  const double size = domain.box().diagonal();
+  const double none = std::numeric_limits<double>::infinity();
+  const Inside inside(domain);
+  double best = none;
+  for (const Vector d : {direction, -direction}) {
+    double hit = size;
+    for (const Curve& curve : domain.curves) {
+      if (curve.role != Role::Boundary && curve.role != Role::Hole) continue;
+      const auto line = trace(curve).line;
+      for (std::size_t i = 0; i < line.segment_count(); ++i) {
+        const auto [from, to] = line.segment(i);
+        const Vector side = to - from;
+        const double slope = cross(d, side);
+        if (slope == 0.0) continue;
+        const double t = cross(from - p, side) / slope, f = cross(from - p, d) / slope;
+        if (f >= 0.0 && f <= 1.0 && t > 1e-4 * size) hit = std::min(hit, t);
+      }
+    }
+    if (inside(p + 0.5 * hit * d)) best = std::min(best, hit);
+  }
+  return best;
+}
+
+/// The nodes of a place that is a point, or of one that is a curve.
+std::vector<mesh::NodeId> nodes_at(const mesh::ElementMesh& own, const std::string& where, bool curve) {
+  if (own.side_sets.contains(where) != curve) return {};
+  const auto nodes = fem::find_nodes(own, where);
+  return nodes ? *nodes : std::vector<mesh::NodeId>{};
+}
+
+}  // namespace
+
+double radius_round(const Domain& domain, Point at) {
+  double room = domain.box().diagonal();
+  // Of a loop through the point only what lies across counts: a corner beside it is nothing.
+  std::set<std::size_t> own_loop;
+  for (const Domain::Loop& loop : domain.loops) {
+    if (std::none_of(loop.sides.begin(), loop.sides.end(), [&](const Domain::Side& side) { return !places_on(domain, side.curve, at).empty(); })) continue;
+    for (const Domain::Side& side : loop.sides) own_loop.insert(side.curve);
+  }
+  std::vector<Vector> ways;  // along the boundary away from the point
+  for (std::size_t c = 0; c < domain.curves.size(); ++c) {
+    const Curve& curve = domain.curves[c];
+    if (curve.role == Role::Internal) continue;
+    const double all = length(curve);
+    const auto places = places_on(domain, c, at);
+    if (places.empty()) {
+      if (own_loop.contains(c)) continue;
+      room = std::min(room, distance(trace(curve).line, at));
+      continue;
+    }
+    if (curve.role == Role::Crack) {
+      for (const double end : {0.0, all}) {
+        if (const double gap = distance(point(curve, end), at); gap > 0.0) room = std::min(room, gap);
+      }
+      continue;
+    }
+    for (const double s : places) {
+      const double step = 1e-3 * all;
+      if (s >= step) ways.push_back(normalised(point(curve, s - step) - at));
+      if (s <= all - step) ways.push_back(normalised(point(curve, s + step) - at));
+    }
+  }
+  if (ways.size() == 2) {
+    const Vector sum = ways[0] + ways[1];
+    room = std::min(room, across(domain, at, length(sum) > 0.1 ? normalised(sum) : left_of(ways[0])));
+  }
+  return share_of_room * room;
+}
+
+std::vector<LoadedPoint> loaded_points(const Domain& domain, const mesh::ElementMesh& own, const ProblemParams& params, const fem::Problem& problem,
+                                       const fem::CaseResult& result, double radius) {
+  // 1. Points that are loaded or held, with what acts on them.
+  std::map<mesh::NodeId, LoadedPoint> found;
+  const auto add = [&](const std::string& where, const auto& force_on) {
+    for (const mesh::NodeId node : nodes_at(own, where, false)) {
+      LoadedPoint& point = found.try_emplace(node, LoadedPoint{.name = where, .at = own.point(node), .force = {}}).first->second;
+      point.force = point.force + force_on(node);
+    }
+  };
+  const auto held = [](mesh::NodeId) { return Vector{}; };
+  for (const auto& row : params.supports) add(row.where, held);
+  for (const auto& row : params.ties) {
+    for (const std::string& point : row.points) add(point, held);
+  }
+  for (const auto& row : params.springs) {
+    add(row.where, [&](mesh::NodeId node) {
+      const Vector u = result.displacements[node.index()];
+      return Vector{-row.x * u.x, -row.y * u.y};
+    });
+  }
+  for (const auto& row : params.loads) {
+    if (row.kind == LoadKind::Force && row.load_case == result.name) add(row.where, [&](mesh::NodeId) { return Vector{row.x, row.y}; });
+  }
+  for (auto& [node, point] : found) point.force = point.force + result.reactions[node.index()];
+  // 2. Along an axis that a curve through the point holds, the reaction is a part of what is spread along the curve.
+  const auto spread = [&](const std::string& where, bool x, bool y) {
+    for (const mesh::NodeId node : nodes_at(own, where, true)) {
+      const auto point = found.find(node);
+      if (point != found.end()) point->second.force = {x ? 0.0 : point->second.force.x, y ? 0.0 : point->second.force.y};
+    }
+  };
+  for (const auto& row : params.supports) {
+    const bool both = row.normal || !row.x_formula.empty() || !row.y_formula.empty();
+    spread(row.where, row.x || both, row.y || both);
+  }
+  for (const auto& row : params.ties) spread(row.where, row.axis == TieAxis::X, row.axis == TieAxis::Y);
+  // 3. Those that the energy feels.
+  std::map<mesh::NodeId, double> stiffness;  // E t
+  for (std::size_t e = 0; e < own.element_count(); ++e) {
+    const fem::Material& material = problem.materials.at(own.regions[e]);
+    for (const mesh::NodeId node : own.nodes_of(mesh::ElementId(e))) {
+      if (found.contains(node)) stiffness[node] = material.young * material.thickness;
+    }
+  }
+  std::vector<LoadedPoint> points;
+  for (auto& [node, point] : found) {
+    if (!(length(point.force) > felt * std::sqrt(stiffness[node] * 2.0 * result.energy))) continue;
+    point.radius = radius > 0.0 ? radius : radius_round(domain, point.at);
+    points.push_back(std::move(point));
+  }
+  return points;
+}
+
+std::string names_of(const std::vector<LoadedPoint>& points) {
+  std::string text;
+  for (const LoadedPoint& own : points) text += (text.empty() ? "'" : ", '") + own.name + "'";
+  return text;
+}
+
+}  // namespace quebra::core
