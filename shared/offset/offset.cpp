@@ -1,6 +1,8 @@
 #include "shared/offset/offset.h"
 
 #include <algorithm>
+#include <atomic>
+#include <cassert>
 #include <memory>
 #include <mutex>
 #include <numeric>
@@ -14,6 +16,7 @@
 #include "shared/offset/envelope.h"
 #include "shared/offset/sections.h"
 #include "shared/offset/stepper.h"
+#include "shared/offset/verify.h"
 
 namespace dobra::offset {
 
@@ -264,6 +267,23 @@ Result<std::vector<OffsetCurve>> offset_near_one(const geom::Polyline& curve, st
   return curves;
 }
 
+/// For debug builds, two independent proofs of a curve: that no edge is too near (clearance), and that the raw outline parts inside and
+/// outside at each (winding). Of small bases whose numbers have digits left to judge, for less than a second of a process.
+[[maybe_unused]] bool proved(const geom::Polyline& curve, const OffsetOptions& options, const std::vector<OffsetCurve>& made) {
+  constexpr std::int64_t greatest = 300;       // points of a base
+  static std::atomic<std::int64_t> left{4000};  // of all curves together
+  const auto cost = static_cast<std::int64_t>(curve.points.size());
+  return cost > greatest || std::ranges::all_of(made, [&](const OffsetCurve& one) {
+    const auto has_digits = [&](double v) { return v == 0 || (std::abs(v) < 1e6 * one.distance && std::abs(v) > 1e-6 * one.distance); };
+    const auto judged = std::ranges::all_of(curve.points, [&](geom::Point p) { return has_digits(p.x) && has_digits(p.y); });
+    if (!judged || left.fetch_sub(cost) < cost) return true;
+    const auto verified = verify(curve, options, one);
+    return verified.ok() && std::ranges::none_of(verified->findings, [](const Finding& f) {
+      return f.kind == FindingKind::TooNear || f.kind == FindingKind::InMitre || f.kind == FindingKind::Winding;
+    });
+  });
+}
+
 }  // namespace
 
 Result<std::vector<OffsetCurve>> offset(const geom::Polyline& curve, std::span<const double> distances,
@@ -271,7 +291,11 @@ Result<std::vector<OffsetCurve>> offset(const geom::Polyline& curve, std::span<c
   DOBRA_TRY_VOID(check(options, distances));
   const int extent = extent_of(curve);
   DOBRA_TRY_VOID(check_proportion(extent, distances));
-  if (std::abs(extent) <= greatest_exponent) return offset_near_one(curve, distances, options, progress);
+  if (std::abs(extent) <= greatest_exponent) {
+    auto curves = offset_near_one(curve, distances, options, progress);
+    assert(!curves.ok() || proved(curve, options, *curves));
+    return curves;
+  }
   const auto scale = [](geom::Point& p, int by) { p = {std::ldexp(p.x, by), std::ldexp(p.y, by)}; };
   geom::Polyline scaled = curve;
   std::vector<double> scaled_distances(distances.begin(), distances.end());

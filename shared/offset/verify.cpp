@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "shared/base/text.h"
+#include "shared/offset/arcs.h"
 #include "shared/offset/verify_exact.h"
 #include "shared/offset/verify_model.h"
 
@@ -30,11 +31,13 @@ class Generators {
     const std::uint32_t base_edge = edge_.segment;
     edge_.segment = Model::none;
     if (base_edge >= model_.first_of.size() || model_.first_of[base_edge] == Model::none) return never;
-    if (!edge_.arc) try_parallels(base_edge);
+    if (!edge_.arc && !model_.paper) try_parallels(base_edge);
     for (std::size_t i = model_.first_of[base_edge]; i < model_.count() && model_.source[i] == base_edge; ++i) {
+      if (model_.paper && !edge_.arc) try_raw(i);
       if (!model_.closed && i + 1 == model_.count()) continue;
       const CornerKind kind = model_.corners[model_.end_index(i)].kind;
-      if (kind == CornerKind::Arc && edge_.arc == model_.round) try_arc(i);
+      if (kind == CornerKind::Arc && model_.paper && !edge_.arc) try_raw_chords(i);
+      if (kind == CornerKind::Arc && edge_.arc == model_.round && !model_.paper) try_arc(i);
       if (kind == CornerKind::Tangent && !edge_.arc) try_tangent(i);
     }
     return least_;
@@ -66,6 +69,33 @@ class Generators {
       edge_.line = true;
       edge_.chord = false;
       edge_.outward = model_.normal(best);
+    });
+  }
+  void try_raw(std::size_t i) {
+    const auto [from, to] = model_.raw_edge(i);
+    const auto off = [&, from = from, to = to](Wide p) { return size(nearest_on(from, to, p) - p); };
+    const bool backwards = dot(to - from, model_.along[i]) < 0;
+    keep(i, std::max(off(edge_.a), off(edge_.b)), [&] {
+      edge_.line = true;
+      edge_.chord = false;
+      edge_.outward = backwards ? -model_.normal(i) : model_.normal(i);
+    });
+  }
+  /// One from normal to normal, or, for Join::Round, several.
+  void try_raw_chords(std::size_t i) {
+    const Wide centre = model_.to(i);
+    const Wide first = centre + model_.d * model_.normal(i);
+    const Wide last = centre + model_.d * model_.normal(model_.after(i));
+    const auto off = [&](Wide p) {
+      if (!model_.round) return size(nearest_on(first, last, p) - p);
+      if (!in_sector(centre, first, last, p)) return std::min(size(p - first), size(p - last));
+      const long double r = size(p - centre);
+      return std::max({0.0L, r - model_.d, model_.d * (1 - static_cast<long double>(default_arc_tolerance)) - r});
+    };
+    keep(i, std::max(off(edge_.a), off(edge_.b)), [&] {
+      edge_.line = false;
+      edge_.chord = true;
+      edge_.centre = centre;
     });
   }
   void try_tangent(std::size_t i) {
@@ -344,11 +374,10 @@ Result<Verification> verify(const geom::Polyline& base, const OffsetOptions& opt
   Verification found;
   for (std::size_t i = 0; i < curve.pieces.size(); ++i) well_formed(curve.pieces[i], i, options, found);
   if (!found.ok()) return found;  // nothing else can be asked of it
-  const bool paper = options.ends == Ends::Paper && !base.closed;
   const std::vector<SeenEdge> edges = see(model, curve, verify_options, found);
   if (model.raw) return found;
   check_crossings(model, curve, edges, found);
-  if (paper) return found;
+  if (model.paper) return found;
   check_clearance(model, edges, verify_options, found);
   check_missing(model, curve, edges, verify_options, found);
   check_winding(model, edges, found);

@@ -57,8 +57,8 @@ struct Verification {
 
 /// Judges `curve`, one result of offset(base, ..., options).
 /// The tip of a mitre that pokes through a thin part of a contour that does not meet itself is on the wrong side: not asked for.
-/// Not all rules hold everywhere: Untreated is judged by (e) and its vertices only, Ends::Paper by these and (b); where pieces were
-/// dropped, nothing is asked to be there (c).
+/// Not all rules hold everywhere: Untreated is judged by (e) and its vertices only, Ends::Paper by (b) and whether its vertices lie on
+/// the raw edges that it names, which go from corner to corner; where pieces were dropped, nothing is asked to be there (c).
 /// @error those of the base: NotFinite, DegenerateCurve; InvalidOption if the distance is not above 0.
 /// @cost  O((n + m) log n) for n base and m result points, where what is within D of a place is not crowded.
 base::Result<Verification> verify(const geom::Polyline& base, const OffsetOptions& options, const OffsetCurve& curve,

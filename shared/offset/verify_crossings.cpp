@@ -122,7 +122,8 @@ class CrossingCheck {
     }
   }
   void lines(const SeenEdge& e, const SeenEdge& f) {
-    if (!neighbours(e, f) && along_each_other(e, f)) return;
+    // To the paper's subdivision two that differ by rounding are two.
+    if (!model_.paper && !neighbours(e, f) && along_each_other(e, f)) return;
     const geom::Intersection meet = geom::intersect({narrow(e.a), narrow(e.b)}, {narrow(f.a), narrow(f.b)});
     if (meet.kind == geom::IntersectionKind::None) return;
     if (meet.kind == geom::IntersectionKind::Overlap) return overlap(e, f, wide(meet.start.point), wide(meet.end.point));

@@ -1,6 +1,7 @@
 #include "shared/offset/verify_exact.h"
 
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace dobra::offset::judge {
@@ -51,6 +52,8 @@ class Sum {
   }
   [[nodiscard]] bool positive() const { return !terms_.empty() && terms_.back() > 0; }
   [[nodiscard]] bool zero() const { return terms_.empty(); }
+  /// Rounded.
+  [[nodiscard]] long double value() const { return std::accumulate(terms_.begin(), terms_.end(), 0.0L); }
   /// Neither so great nor so small that its fourth powers' last digits are lost.
   [[nodiscard]] bool safe() const {
     for (const double term : terms_) {
@@ -93,5 +96,7 @@ bool parallel(geom::Point a, geom::Point b, geom::Point p, geom::Point q) {
   const Step second(p, q);
   return first.safe() && second.safe() && cross(first, second).zero();
 }
+
+long double cross_of(geom::Point a, geom::Point b, geom::Point p, geom::Point q) { return cross(Step(a, b), Step(p, q)).value(); }
 
 }  // namespace dobra::offset::judge

@@ -16,4 +16,7 @@ Room beside_line(geom::Point a, geom::Point b, geom::Point p, double d);
 /// Exactly.
 bool parallel(geom::Point a, geom::Point b, geom::Point p, geom::Point q);
 
+/// cross(b - a, q - p), rounded once, if no product of coordinates leaves the range of doubles.
+long double cross_of(geom::Point a, geom::Point b, geom::Point p, geom::Point q);
+
 }  // namespace dobra::offset::judge

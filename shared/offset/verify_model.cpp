@@ -6,6 +6,7 @@
 
 #include "shared/geom/intersect.h"
 #include "shared/geom/polyline.h"
+#include "shared/offset/verify_exact.h"
 
 namespace dobra::offset::judge {
 
@@ -118,6 +119,7 @@ Result<Model> Model::make(const geom::Polyline& base, const OffsetOptions& optio
   made.mirrored = options.side == Side::LeftOfTravel;
   made.round = options.join == Join::Round;
   made.raw = options.treatment == Treatment::Untreated;
+  made.paper = options.ends == Ends::Paper && !base.closed && !made.raw;
   made.d = distance;
   double greatest = 0;
   for (std::size_t i = 0; i < base.points.size(); ++i) {
@@ -161,6 +163,10 @@ Result<Model> Model::make(const geom::Polyline& base, const OffsetOptions& optio
   made.first_of.assign(base.points.size(), none);
   for (std::size_t i = made.source.size(); i-- > 0;) made.first_of[made.source[i]] = static_cast<std::uint32_t>(i);
   made.measure(options);
+  // A subdivision leads edges through vertices that are a few units in the last place of its greatest coordinate away.
+  for (std::size_t i = 0; made.paper && i < made.count(); ++i) {
+    for (const Wide p : made.raw_edge(i)) made.rounding = std::max(made.rounding, 0x1p-49L * std::max(std::abs(p.x), std::abs(p.y)));
+  }
   made.find_mitres();
   made.find_out_if_simple();
   return made;
@@ -183,7 +189,12 @@ void Model::measure(const OffsetOptions& options) {
     Corner& corner = corners[at];
     const geom::Sign turn = geom::orient2d(places[in], places[at], places[end_index(at)]);
     const long double cosine = dot(along[in], along[at]);
-    const long double sine = std::abs(precise_cross(to(in) - from(in), to(at) - from(at))) / (span[in] * span[at]);
+    long double across = precise_cross(to(in) - from(in), to(at) - from(at));
+    // Next to a U-turn nothing of it may be left, if the places have digits of very different sizes.
+    if (cosine < 0 && std::abs(across) < 0x1p-20L * span[in] * span[at]) {
+      across = cross_of(places[in], places[at], places[at], places[end_index(at)]);
+    }
+    const long double sine = std::abs(across) / (span[in] * span[at]);
     corner.kind = CornerKind::Straight;
     if (turn == geom::Sign::Zero && cosine > 0) continue;
     corner.half_tan = cosine > 0 ? sine / (1 + cosine) : (1 - cosine) / sine;
@@ -223,6 +234,12 @@ long double Model::reach(std::size_t at) const {
   if (corners[at].kind == CornerKind::Mitre) return d * t;
   if (corners[at].kind != CornerKind::Tangent) return 0;
   return std::isinf(t) ? d : d * (t / (1 + std::sqrt(1 + t * t)));  // tan of a quarter of the turn
+}
+
+std::array<Wide, 2> Model::raw_edge(std::size_t i) const {
+  const auto back = [&](std::size_t at) { return corners[at].kind == CornerKind::Inner ? d * corners[at].half_tan : -reach(at); };
+  const Wide aside = d * normal(i);
+  return {from(i) + back(i) * along[i] + aside, to(i) - back(end_index(i)) * along[i] + aside};
 }
 
 void Model::find_mitres() {

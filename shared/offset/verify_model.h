@@ -2,6 +2,7 @@
 // What the verifier knows of a base: segments, corners, mitres and the raw outline, with 64-bit mantissas.
 // Everything is seen from the right side: for the left one base and result are mirrored (y becomes -y).
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -38,6 +39,7 @@ class Model {
   bool mirrored = false;
   bool round = false;  ///< Arcs of corners come out as they are, not as their chords.
   bool raw = false;  ///< Untreated: parallels may run backwards and beyond their corners.
+  bool paper = false;  ///< Made of the paper's raw edges, whole or cut.
   long double d = 0;
   long double rounding = 0;             ///< Of one coordinate of the base, m.
   std::vector<geom::Point> places;      ///< Mirrored, exact but for extended ends.
@@ -61,6 +63,8 @@ class Model {
   [[nodiscard]] Wide normal(std::size_t i) const { return right_of(along[i]); }
   /// How far the raw parallel goes on beyond a corner.
   [[nodiscard]] long double reach(std::size_t corner) const;
+  /// The paper's, from corner to corner: where inner corners are near each other beyond both normals, and backwards.
+  [[nodiscard]] std::array<Wide, 2> raw_edge(std::size_t i) const;
   [[nodiscard]] Wide nearest(std::size_t segment, Wide p) const { return nearest_on(from(segment), to(segment), p); }
   [[nodiscard]] Wide seen(geom::Point p) const { return {p.x, mirrored ? -p.y : p.y}; }
   [[nodiscard]] geom::Point user(Wide p) const { return narrow({p.x, mirrored ? -p.y : p.y}); }

@@ -71,7 +71,7 @@ class MissingCheck {
       // Chords stand for their arcs.
       SeenEdge whole = edge;
       whole.arc = edge.arc || edge.chord;
-      boxes.push_back(edge.segment == Model::none ? geom::Box{} : box_of(whole));
+      boxes.push_back(edge.segment == Model::none ? geom::Box{} : box_of(whole).grown(static_cast<double>(off_by(edge))));
     }
     tree_ = BoxTree(boxes);
   }
@@ -103,6 +103,8 @@ class MissingCheck {
   }
 
  private:
+  /// By how much rounding moves an edge, if one of its ends is a far mitre's.
+  [[nodiscard]] long double off_by(const SeenEdge& edge) const { return edge.rounding - model_.rounding; }
   static std::vector<Element> walk_of(const Model& model) {
     std::vector<Element> walk;
     for (std::size_t i = 0; i < model.count() && model.simple; ++i) walk.push_back({model.from(i), model.to(i), {}, false});
@@ -116,15 +118,16 @@ class MissingCheck {
     if (view_.of(p, foot, out, corners) != Sight::Free || pokes_through(p)) return;
     ++found_.samples;
     const long double allowed = 100 * ambiguity_ + 0x1p-60L * size(p);  // far mitres
-    long double least = 1e300L;
+    bool there = false;
     tree_.each([&](const geom::Box& box) { return gap(box, p) <= allowed; },
                [&](std::size_t k) {
-                 least = std::min(least, distance(edges_[k], p, model_.d));
-                 return least <= allowed;
+                 there = there || distance(edges_[k], p, model_.d) <= allowed + off_by(edges_[k]);
+                 return there;
                });
-    if (least <= allowed) return;
+    if (there) return;
+    long double least = 1e300L;
     for (const SeenEdge& edge : edges_) {
-      if (edge.segment != Model::none) least = std::min(least, distance(edge, p, model_.d));
+      if (edge.segment != Model::none) least = std::min(least, distance(edge, p, model_.d) - off_by(edge));
     }
     const bool none = least > 1e299L;
     found_.findings.push_back({FindingKind::Missing, model_.user(p), none ? std::numeric_limits<double>::infinity() : static_cast<double>(least),

@@ -1,9 +1,9 @@
 #pragma once
 // What a fuzz target makes its input from; 0 once the bytes are used up.
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 
 namespace dobra::fuzz {
 
@@ -18,11 +18,9 @@ class Bytes {
   }
   int whole() { return static_cast<std::int8_t>(byte()); }
   double raw() {
-    unsigned char bits[sizeof(double)];
-    for (unsigned char& b : bits) b = byte();
-    double value = 0;
-    std::memcpy(&value, bits, sizeof value);
-    return value;
+    std::uint64_t bits = 0;
+    for (int at = 0; at < 64; at += 8) bits |= std::uint64_t{byte()} << at;
+    return std::bit_cast<double>(bits);
   }
 
  private:

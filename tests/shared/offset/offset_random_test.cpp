@@ -30,16 +30,17 @@ Polyline lengthened(const Polyline& base, double by) {
 
 /// What the lengths say against the curve; nothing where they agree.
 std::string judge_length(const RandomCase& c, const OffsetOptions& options, const OffsetCurve& curve) {
-  const Polyline base = options.ends == Ends::Extended ? lengthened(c.base, options.extension * c.distance)
+  const double distance = curve.distance;
+  const Polyline base = options.ends == Ends::Extended ? lengthened(c.base, options.extension * distance)
                                                        : geom::without_repeated_points(c.base);
-  const double truth = support::LengthOracle(base, c.distance, options).length();
+  const double truth = support::LengthOracle(base, distance, options).length();
   double got = 0;
   double longest = 0;
   for (const OffsetPiece& piece : curve.pieces) {
     got += length(piece, c.base);
     longest = std::max(longest, length(piece, c.base));
   }
-  const double slack = 1e-8 * (c.distance + truth);
+  const double slack = 1e-8 * (distance + truth);
   const std::string said = "length " + std::to_string(got) + ", " + std::to_string(truth) + " by brute force";
   if (got > truth + slack) return said;
   const auto lacks = [&](double least) {
@@ -50,8 +51,8 @@ std::string judge_length(const RandomCase& c, const OffsetOptions& options, cons
   if (lacks(truth).empty()) return {};
   // Closed pieces that are no wider than the rounding of their points are left out: a little farther from the base there are none.
   const geom::Box box = base.box();
-  const double greatest = std::max({std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x), std::abs(box.high.y)}) + c.distance;
-  return lacks(support::LengthOracle(base, c.distance + 0x1p-46 * greatest, options).length());
+  const double greatest = std::max({std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x), std::abs(box.high.y)}) + distance;
+  return lacks(support::LengthOracle(base, distance + 0x1p-46 * greatest, options).length());
 }
 
 /// By the number of edges to the right of p; p is not near any.
@@ -65,11 +66,8 @@ bool is_inside(const Polyline& contour, Point p) {
   return inside;
 }
 
-/// Everything that is wrong with the curve of one case.
-std::string judge(const RandomCase& c, const OffsetOptions& options) {
-  const auto result = offset(c.base, std::vector<double>{c.distance}, options);
-  if (!result.ok()) return result.error().message;
-  const OffsetCurve& curve = result->front();
+/// Everything that is wrong with one curve of a case.
+std::string judge(const RandomCase& c, const OffsetOptions& options, const OffsetCurve& curve) {
   const auto verified = verify(c.base, options, curve);
   if (!verified.ok()) return verified.error().message;
   std::string wrong;
@@ -81,8 +79,19 @@ std::string judge(const RandomCase& c, const OffsetOptions& options) {
     const bool inwards = (options.side == Side::LeftOfTravel) == (geom::signed_area(c.base) > 0);
     if (options.join != Join::Bevel && is_inside(c.base, piece.points.front()) != inwards) wrong += "a piece on the wrong side; ";
   }
-  if (options.join != Join::Bevel && c.base.points.size() < 130) wrong += judge_length(c, options, curve);
+  // Brute force takes its time. The paper's rule leaves tails that it knows nothing of.
+  const bool measured = options.ends != Ends::Paper && (curve.distance == c.distance || curve.distance == 2 * c.distance);
+  if (measured && options.join != Join::Bevel && c.base.points.size() < 130) wrong += judge_length(c, options, curve);
   return wrong;
+}
+
+/// What one distance hides the greater ones leave out, so there are several, in any order; ties at one are ties at the others too.
+/// With other ends each has a base, or a subdivision, of its own.
+std::vector<double> distances_of(const RandomCase& c, std::uint32_t seed, Ends ends) {
+  if (ends != Ends::Trimmed) return {c.distance};
+  std::vector<double> distances{0.5 * c.distance, c.distance, 1.5 * c.distance, 2 * c.distance};
+  std::rotate(distances.begin(), distances.begin() + seed % 4, distances.end());
+  return distances;
 }
 
 /// Both sides, all joins and ends of one seed; the kind if something failed.
@@ -92,17 +101,25 @@ std::string judge_seed(std::uint32_t seed) {
   bool failed = false;
   for (const Side side : {Side::RightOfTravel, Side::LeftOfTravel}) {
     for (const Join join : {Join::Mitre, Join::Bisector, Join::Round, Join::Bevel}) {
-      for (const Ends ends : {Ends::Trimmed, Ends::Extended}) {
-        if (ends == Ends::Extended && c.base.closed) continue;
+      for (const Ends ends : {Ends::Trimmed, Ends::Extended, Ends::Paper}) {
+        if (ends != Ends::Trimmed && c.base.closed) continue;
+        if (ends == Ends::Paper && join == Join::Bisector) continue;  // no digits are left round tips 1e10 D away
         OffsetOptions options;
         options.side = side;
         options.join = join;
         options.ends = ends;
-        const std::string wrong = judge(c, options);
-        if (wrong.empty()) continue;
-        failed = true;
-        ADD_FAILURE() << "seed " << seed << " (" << c.kind << ") side " << int(side) << " join " << int(join) << " ends "
-                      << int(ends) << " D " << c.distance << " n " << c.base.points.size() << ": " << wrong;
+        const auto curves = offset(c.base, distances_of(c, seed, ends), options);
+        if (!curves.ok()) {
+          ADD_FAILURE() << "seed " << seed << ": " << curves.error().message;
+          return c.kind;
+        }
+        for (const OffsetCurve& curve : *curves) {
+          const std::string wrong = judge(c, options, curve);
+          if (wrong.empty()) continue;
+          failed = true;
+          ADD_FAILURE() << "seed " << seed << " (" << c.kind << ") side " << int(side) << " join " << int(join) << " ends "
+                        << int(ends) << " D " << curve.distance << " n " << c.base.points.size() << ": " << wrong;
+        }
       }
     }
   }
@@ -113,7 +130,7 @@ TEST(OffsetRandom, NoRandomPolylineFails) {
   const char* cases = std::getenv("DOBRA_RANDOM_CASES");
   const char* start = std::getenv("DOBRA_RANDOM_FIRST");
   const std::uint32_t first = start ? static_cast<std::uint32_t>(std::atoi(start)) : 0;
-  const std::uint32_t count = cases ? static_cast<std::uint32_t>(std::atoi(cases)) : 170;
+  const std::uint32_t count = cases ? static_cast<std::uint32_t>(std::atoi(cases)) : 100;
   std::map<std::string, std::size_t> failed;
   for (std::uint32_t seed = first; seed < first + count; ++seed) {
     if (const std::string kind = judge_seed(seed); !kind.empty()) ++failed[kind];

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace dobra::offset {
 namespace {
@@ -293,6 +294,57 @@ TEST(Verify, UntreatedCurvesAreJudgedByTheirParallelsOnly) {
   const OffsetCurve nothing{0.5, {piece(false, {{0, 0.5}, {3.5, 0.5}, {3.5, 0.5}, {0, 0.5}}, {line(0), line(1), line(2)}, Side::LeftOfTravel)}, 0};
   EXPECT_TRUE(clean(judged(narrow, nothing, options)));
   EXPECT_EQ(count(judged(narrow, nothing, left()), FindingKind::Malformed), 1U);
+}
+
+TEST(Verify, PapersEdgesGoFromCornerToCornerEvenBeyondTheirSegments) {
+  const Polyline base{{{0, 0}, {2, -5}, {-12, 0}, {6, -5}, {8, 0}}, false};  // the third corner's bisector point lies 28 D away
+  for (const Join join : {Join::Mitre, Join::Bisector, Join::Round, Join::Bevel}) {
+    OffsetOptions options = with(join);
+    options.ends = Ends::Paper;
+    const auto made = offset(base, std::vector<double>{1.0}, options);
+    ASSERT_TRUE(made.ok());
+    EXPECT_TRUE(clean(judged(base, made->front(), options)));
+    OffsetCurve moved = made->front();
+    moved.pieces[0].points[1].x += 1e-9;
+    EXPECT_GT(count(judged(base, moved, options), FindingKind::OffParallel), 0U);
+    OffsetCurve renamed = made->front();
+    renamed.pieces[0].edges[0] = line(1);
+    EXPECT_GT(count(judged(base, renamed, options), FindingKind::OffParallel), 0U);
+  }
+}
+
+TEST(Verify, FarTipsAreJudgedByTheirOwnRounding) {
+  struct Case {
+    Polyline base;
+    double distance;
+  };
+  int tips = 0;
+  // On a grid of triangles, where rounding turns back corners; and between places whose digits are of very different sizes.
+  const double h = std::sqrt(3.0) / 2;
+  const Case cases[] = {{{{{6, 2 * h}, {0, 0}, {4.5, h}, {5.5, h}, {3, 0}, {4, 2 * h}, {6.5, 2.598076211353316}, {4.5, h}, {2.5, 4.3301270189221928},
+                           {3, 4 * h}, {2, 4 * h}, {2, 0}, {2, 0}, {3, 0}}, false}, 2},
+                        {{{{6, 8e-9}, {3, 0.03}, {6, 7e-9}}, true}, 0.75}};
+  for (const Case& c : cases) {
+    for (const Side side : {Side::RightOfTravel, Side::LeftOfTravel}) {
+      OffsetOptions options = with(Join::Bisector);
+      options.side = side;
+      const auto made = offset(c.base, std::vector<double>{c.distance}, options);
+      ASSERT_TRUE(made.ok());
+      EXPECT_TRUE(clean(judged(c.base, made->front(), options)));
+      OffsetCurve moved = made->front();
+      bool far = false;
+      for (OffsetPiece& piece : moved.pieces) {
+        for (Point& p : piece.points) {
+          if (std::abs(p.x) < 1e6) continue;
+          p.x *= 1.001;
+          far = true;
+        }
+      }
+      EXPECT_EQ(judged(c.base, moved, options).ok(), !far);
+      tips += far;
+    }
+  }
+  EXPECT_EQ(tips, 2);
 }
 
 TEST(Verify, BadBasesAndDistancesAreRefused) {
