@@ -44,9 +44,12 @@ dobra::geom::Point centre_of(const mesh::ElementMesh& own, std::size_t element) 
 struct Reached {
   double whole = 0.0;
   double peak = 0.0;
+  double left_out = 0.0;  ///< Of the energy, at loaded points.
   [[nodiscard]] bool met(double percent) const { return 100.0 * std::max(whole, peak) <= percent; }
-  /// Nothing that is not met got better.
+  /// Nothing that is not met got better, and both are judged over the same domain.
   [[nodiscard]] bool stalls(const Reached& before, double percent) const {
+    constexpr double same = 0.05;
+    if (std::abs(left_out - before.left_out) > same) return false;
     const auto stuck = [&](double now, double then) { return 100.0 * now <= percent || now > (1.0 - least_gain) * then; };
     return stuck(whole, before.whole) && stuck(peak, before.peak);
   }
@@ -55,6 +58,12 @@ struct Reached {
     return peak > 0.0 ? error + fmt::format(", {:.3g} % round the peaks of stress", 100.0 * peak) : error;
   }
 };
+
+double left_out_of(const Analysis& analysis) {
+  double most = 0.0;
+  for (const CaseFields& fields : analysis.fields) most = std::max(most, fields.estimate.left_out);
+  return most;
+}
 
 /// The length of the elements at a tip.
 double tip_size(const mesh::ElementMesh& own, mesh::NodeId tip) {
@@ -206,7 +215,8 @@ Result<Model> adapt(const Model& model, const AdaptParams& params, const dobra::
   meshing.size = source.empty() ? size : params.size;
   MeshWishes wishes;
   Peaks peaks;
-  Reached before{1.0, 1.0};
+  Reached before{1.0, 1.0, 0.0};
+  const bool short_before = params.from == StartFrom::First && model.short_of_target;
   int done = 0;
   if (params.from == StartFrom::Last) {
     if (model.analyses.empty() || model.analyses.back()->cycle == 0) return Error{ErrorCode::BadValue, "there is no cycle to go on from: put a step 'adapt' before, or begin with the first"};
@@ -216,15 +226,17 @@ Result<Model> adapt(const Model& model, const AdaptParams& params, const dobra::
     while (i > 0 && model.analyses[i]->cycle > 1 && model.analyses[i - 1]->cycle == model.analyses[i]->cycle - 1) --i;
     std::vector<std::string> told;
     for (; i < model.analyses.size(); ++i) peaks.see(*model.analyses[i], params, told);
-    before = {last.eta, peaks.worst()};
+    before = {last.eta, peaks.worst(), left_out_of(last)};
     if (before.met(params.target)) return result;
     done = last.cycle;
     DOBRA_TRY(wishes, wishes_of(last, params, peaks, size));
     for (const std::string& told_before : remarks_on(last)) std::erase(result.remarks, told_before);
+    std::erase_if(result.remarks, [&](const std::string& told_before) { return told_before == model.why_short; });
   }
   const auto finish = [&](const std::string& why) {
     for (std::string& remark : remarks_on(*result.analyses.back())) result.remarks.push_back(std::move(remark));
-    result.short_of_target = !why.empty();
+    result.short_of_target = short_before || !why.empty();
+    result.why_short = why;
     if (!why.empty()) result.remarks.push_back(why);
     return result;
   };
@@ -236,7 +248,7 @@ Result<Model> adapt(const Model& model, const AdaptParams& params, const dobra::
     DOBRA_TRY(Analysis analysis, analyse(model.domain, result.meshes.back(), *model.problem, 0.0, params, part.part(0.3, 1.0)));
     analysis.cycle = done + cycle;
     peaks.see(analysis, params, result.remarks);
-    const Reached now{analysis.eta, peaks.worst()};
+    const Reached now{analysis.eta, peaks.worst(), left_out_of(analysis)};
     result.analyses.push_back(std::make_shared<const Analysis>(std::move(analysis)));
     if (now.met(params.target)) return finish("");
     if (done + cycle > 1 && now.stalls(before, params.target))

@@ -78,10 +78,14 @@ constexpr double most_left_out = 0.95;
 Result<void> check_exact(const fem::Problem& problem, const ProblemParams& params, const std::vector<double>& exact) {
   if (exact.empty()) return {};
   const auto bad = [](std::string message) { return Error{ErrorCode::BadValue, std::move(message)}; };
-  if (exact.size() != problem.cases.size()) return bad(fmt::format("exact_energy has {} values for {} load cases; give one a case, in their order", exact.size(), problem.cases.size()));
+  if (exact.size() != problem.cases.size()) {
+    std::string names;
+    for (const auto& own : problem.cases) names += (names.empty() ? "" : ", ") + own.name;
+    return bad(fmt::format("exact_energy has {} values for {} load cases; give one a case, in the order {}", exact.size(), problem.cases.size(), names));
+  }
   for (std::size_t c = 0; c < exact.size(); ++c) {
     if (!(exact[c] > 0.0)) return bad("exact_energy must be greater than 0");
-    if (problem.cases[c].settlement != 0.0 && moves(params)) return bad("exact_energy tells the error only where supports stand still; here a support or a tie prescribes a displacement");
+    if (problem.cases[c].settlement != 0.0 && moves(params)) return bad("exact_energy tells the error only where supports stand still; here a support or a tie prescribes a displacement, or a formula of one");
   }
   return {};
 }
@@ -120,9 +124,9 @@ Result<Analysis> analyse(const Domain& domain, std::shared_ptr<const Meshed> mes
     }
     fields.estimate = fem::estimate_error(mesh, materials, u, fields.recovered, zones, left_out);
     if (fields.estimate.left_out > most_left_out)
-      return Error{ErrorCode::BadValue, fmt::format("the surroundings of the points {} hold {:.3g} % of the energy, and nothing is left to judge: give a smaller point_radius", names_of(fields.loaded), 100.0 * fields.estimate.left_out)};
+      return Error{ErrorCode::BadValue, fmt::format("the surroundings of the points {} hold {:.3g} % of the energy, and nothing is left to judge: give a smaller point_radius, or point_forces = \"count\"", names_of(fields.loaded), 100.0 * fields.estimate.left_out)};
     if (!judged.exact_energy.empty()) fields.exact_energy = judged.exact_energy[analysis.fields.size()];
-    fields.peaks = fem::hot_spots(mesh, analysis.problem, u, fields.recovered, fields.estimate, analysis.singular);
+    fields.peaks = fem::hot_spots(mesh, analysis.problem, u, fields.recovered, fields.estimate, analysis.singular, left_out);
     analysis.eta = std::max(analysis.eta, fields.estimate.eta);
     for (const fem::HotSpot& spot : fields.peaks) analysis.peak_eta = std::max(analysis.peak_eta, spot.eta);
     analysis.fields.push_back(std::move(fields));

@@ -33,12 +33,12 @@ std::vector<double> places_on(const Domain& domain, std::size_t c, Point p) {
   return places;
 }
 
-/// Length of the material along a line from p, to one side or the other; nothing if it leaves the domain at once.
+/// Length of the material along a line from p, to one side or the other; infinite if it leaves the domain at once.
 double across(const Domain& domain, Point p, Vector direction) {
+  constexpr double beyond = 1e-9;  // a side, so that no line slips through between two
   const double size = domain.box().diagonal();
-  const double none = std::numeric_limits<double>::infinity();
   const Inside inside(domain);
-  double best = none;
+  double best = std::numeric_limits<double>::infinity();
   for (const Vector d : {direction, -direction}) {
     double hit = size;
     for (const Curve& curve : domain.curves) {
@@ -50,7 +50,7 @@ double across(const Domain& domain, Point p, Vector direction) {
         const double slope = cross(d, side);
         if (slope == 0.0) continue;
         const double t = cross(from - p, side) / slope, f = cross(from - p, d) / slope;
-        if (f >= 0.0 && f <= 1.0 && t > 1e-4 * size) hit = std::min(hit, t);
+        if (f >= -beyond && f <= 1.0 + beyond && t > 1e-4 * size) hit = std::min(hit, t);
       }
     }
     if (inside(p + 0.5 * hit * d)) best = std::min(best, hit);
@@ -63,6 +63,19 @@ std::vector<mesh::NodeId> nodes_at(const mesh::ElementMesh& own, const std::stri
   if (own.side_sets.contains(where) != curve) return {};
   const auto nodes = fem::find_nodes(own, where);
   return nodes ? *nodes : std::vector<mesh::NodeId>{};
+}
+
+/// The force on a point without what acts along the normals of the curve of this name there.
+Vector without_normals(const Domain& domain, const std::string& where, const LoadedPoint& loaded) {
+  Vector force = loaded.force;
+  for (std::size_t c = 0; c < domain.curves.size(); ++c) {
+    if (domain.curves[c].name != where) continue;
+    for (const double s : places_on(domain, c, loaded.at)) {
+      const Vector along = direction(domain.curves[c], s);
+      force = dot(force, along) * along;
+    }
+  }
+  return force;
 }
 
 }  // namespace
@@ -93,9 +106,9 @@ double radius_round(const Domain& domain, Point at) {
       continue;
     }
     for (const double s : places) {
-      const double step = 1e-3 * all;
-      if (s >= step) ways.push_back(normalised(point(curve, s - step) - at));
-      if (s <= all - step) ways.push_back(normalised(point(curve, s + step) - at));
+      const double step = 1e-6 * all;
+      if (s > 0.0) ways.push_back(normalised(point(curve, s - std::min(step, s)) - at));
+      if (s < all) ways.push_back(normalised(point(curve, s + std::min(step, all - s)) - at));
     }
   }
   if (ways.size() == 2) {
@@ -130,18 +143,22 @@ std::vector<LoadedPoint> loaded_points(const Domain& domain, const mesh::Element
     if (row.kind == LoadKind::Force && row.load_case == result.name) add(row.where, [&](mesh::NodeId) { return Vector{row.x, row.y}; });
   }
   for (auto& [node, point] : found) point.force = point.force + result.reactions[node.index()];
-  // 2. Along an axis that a curve through the point holds, the reaction is a part of what is spread along the curve.
-  const auto spread = [&](const std::string& where, bool x, bool y) {
+  // 2. Along a direction that a curve through the point holds, the reaction is a part of what is spread along the curve.
+  const auto spread = [&](const std::string& where, const auto& left) {
     for (const mesh::NodeId node : nodes_at(own, where, true)) {
       const auto point = found.find(node);
-      if (point != found.end()) point->second.force = {x ? 0.0 : point->second.force.x, y ? 0.0 : point->second.force.y};
+      if (point != found.end()) point->second.force = left(point->second);
     }
   };
+  const auto spread_along = [&](const std::string& where, bool x, bool y) {
+    spread(where, [x, y](const LoadedPoint& point) { return Vector{x ? 0.0 : point.force.x, y ? 0.0 : point.force.y}; });
+  };
   for (const auto& row : params.supports) {
-    const bool both = row.normal || !row.x_formula.empty() || !row.y_formula.empty();
-    spread(row.where, row.x || both, row.y || both);
+    if (row.normal) spread(row.where, [&](const LoadedPoint& point) { return without_normals(domain, row.where, point); });
+    const bool both = !row.x_formula.empty() || !row.y_formula.empty();
+    spread_along(row.where, row.x || both, row.y || both);
   }
-  for (const auto& row : params.ties) spread(row.where, row.axis == TieAxis::X, row.axis == TieAxis::Y);
+  for (const auto& row : params.ties) spread_along(row.where, row.axis == TieAxis::X, row.axis == TieAxis::Y);
   // 3. Those that the energy feels.
   std::map<mesh::NodeId, double> stiffness;  // E t
   for (std::size_t e = 0; e < own.element_count(); ++e) {
@@ -161,7 +178,10 @@ std::vector<LoadedPoint> loaded_points(const Domain& domain, const mesh::Element
 
 std::string names_of(const std::vector<LoadedPoint>& points) {
   std::string text;
-  for (const LoadedPoint& own : points) text += (text.empty() ? "'" : ", '") + own.name + "'";
+  std::set<std::string> named;  // a point on a crack has two nodes
+  for (const LoadedPoint& own : points) {
+    if (named.insert(own.name).second) text += (text.empty() ? "'" : ", '") + own.name + "'";
+  }
   return text;
 }
 

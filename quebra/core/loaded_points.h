@@ -21,11 +21,11 @@ struct LoadedPoint {
 };
 
 /// The radius of a point's neighbourhood: 1/20 of the room, that is of the thickness of the material across the boundary
-/// there, and of the distance to other boundaries and cracks.
+/// there, and of the distance to other loops and cracks. A notch in the same loop beside the point does not count.
 double radius_round(const Domain& domain, dobra::geom::Point at);
 
-/// The points of a load case whose force F can add more than 0.1 % to eta: F > 0.001 sqrt(E t) ||u||. What acts along an axis
-/// that a curve through the point holds is spread along that curve and no force at a point (`normal` holds both axes).
+/// The points of a load case whose force F can add more than 0.1 % to eta: F > 0.001 sqrt(E t) ||u||. What acts along an axis,
+/// or a normal, that a curve through the point holds is spread along that curve and no force at a point.
 /// @param radius  of all; 0: radius_round.
 std::vector<LoadedPoint> loaded_points(const Domain& domain, const dobra::mesh::ElementMesh& mesh, const ProblemParams& params, const dobra::fem::Problem& problem,
                                        const dobra::fem::CaseResult& result, double radius);

@@ -118,7 +118,8 @@ struct Model {
   std::shared_ptr<const MeshWork> work;  ///< If the last mesh step was stopped; none when a mesh is done.
   std::shared_ptr<const ProblemParams> problem;  ///< Materials, supports, loads; none until a step gives them.
   std::vector<std::shared_ptr<const Analysis>> analyses;  ///< In the order made.
-  bool short_of_target = false;  ///< The last adaptive loop ended above the error asked for; a remark says why.
+  bool short_of_target = false;  ///< An adaptive loop ended above the error asked for; a remark says why,
+  std::string why_short = {};    ///< that of the last loop here too, which a loop from its last cycle takes back.
   std::vector<Samples> samples;
   std::vector<std::shared_ptr<const ViewParams>> views;  ///< Pictures of results; one of the default if there are none.
   std::vector<std::string> remarks;

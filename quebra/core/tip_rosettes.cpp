@@ -210,22 +210,22 @@ Result<void> cut_out(MeshInput& input, std::vector<TipRosette>& rosettes) {
     }
   }
   // Points that no edge has any more would be nodes in the holes.
-  const auto in_a_hole = [&](Point p) {
-    return std::any_of(rosettes.begin(), rosettes.end(), [&](const TipRosette& r) {
-      return distance(p, r.rosette.tip) < r.rosette.outer_radius() * (1.0 + 0.3);
-    });
+  const auto hole_of = [](const TipRosette& r) { return r.rosette.outer_radius() * (1.0 + 0.3); };
+  const auto holding = [&](Point p) {
+    return std::find_if(rosettes.begin(), rosettes.end(), [&](const TipRosette& r) { return distance(p, r.rosette.tip) < hole_of(r); });
   };
+  const auto in_a_hole = [&](Point p) { return holding(p) != rosettes.end(); };
   std::vector<bool> used(input.points.size(), false);
   for (const auto& edge : input.edges) used[edge.nodes[0].index()] = used[edge.nodes[1].index()] = true;
   for (const auto& [name, nodes] : input.node_sets) {
     for (const NodeId node : nodes) {
       const Point at = input.points[node.index()];
-      if (used[node.index()] || !in_a_hole(at)) continue;
-      const auto nearest = std::min_element(rosettes.begin(), rosettes.end(), [&](const TipRosette& a, const TipRosette& b) { return distance(a.rosette.tip, at) < distance(b.rosette.tip, at); });
-      if (nearest->rosette.tip != at)
-        return Error{ErrorCode::BadDomain, fmt::format("lies in the rosette of radius {:.4g} at the tip of '{}', whose nodes are its own; move it, or make the tip's elements smaller (tip_radius)", nearest->rosette.outer_radius(), nearest->crack),
+      const auto own = holding(at);
+      if (used[node.index()] || own == rosettes.end()) continue;
+      if (own->rosette.tip != at)
+        return Error{ErrorCode::BadDomain, fmt::format("lies within {:.4g} of the tip of '{}', where the nodes are those of its rosette; move it, or make the tip's elements smaller (tip_radius)", hole_of(*own), own->crack),
                      Place{.item = "point '" + name + "'", .x = at.x, .y = at.y}};
-      nearest->names.push_back(name);
+      own->names.push_back(name);
     }
   }
   std::vector<NodeId> renamed(input.points.size());

@@ -93,7 +93,7 @@ class Hills {
 
 std::vector<HotSpot> hot_spots(const ElementMesh& mesh, const Problem& problem, std::span<const geom::Vector> u,
                                const RecoveredStress& recovered, const ErrorEstimate& estimate,
-                               std::span<const SingularVertex> singular) {
+                               std::span<const SingularVertex> singular, std::span<const Disc> left_out) {
   const std::size_t count = mesh.points.size();
   std::vector<double> stress(count, 0.0), error(count, 0.0), energy(count, 0.0);
   const std::vector<double> energies = element_energies(mesh, problem.materials, u);
@@ -116,7 +116,8 @@ std::vector<HotSpot> hot_spots(const ElementMesh& mesh, const Problem& problem, 
   std::vector<HotSpot> spots;
   double greatest = 0.0;
   for (std::size_t n = 0; n < count; ++n) {
-    if (infinite[n] != 0 || !(hills.prominence(n) > least_prominence * stress[n])) continue;
+    if (infinite[n] != 0 || std::ranges::any_of(left_out, [&](const Disc& disc) { return disc.holds(mesh.points[n]); })) continue;
+    if (!(hills.prominence(n) > least_prominence * stress[n])) continue;
     spots.push_back({NodeId(n), stress[n], std::sqrt(error[n] / (energy[n] + error[n]))});
     greatest = std::max(greatest, stress[n]);
   }

@@ -209,7 +209,9 @@ std::optional<SvgPath> spline_path(const Entity& entity) {
   for (std::size_t k = spline->degree; k < spline->control.size(); ++k) {
     const double a = spline->knots[k], b = spline->knots[k + 1];
     if (!(a < b)) continue;
-    const Point from = path.pieces.empty() ? spline->blossom(k, {a, a, a}) : path.pieces.back().to;
+    const Point begin = spline->blossom(k, {a, a, a});
+    const Point from = path.pieces.empty() ? begin : path.pieces.back().to;
+    if (distance(from, begin) > 1e-9 * (extent + distance(from, begin))) return std::nullopt;  // it jumps
     SvgPiece piece = straight(from, spline->blossom(k, {b, b, b}));
     extent += distance(piece.from, piece.to);
     if (spline->degree > 1) piece.kind = SvgPieceKind::Cubic;

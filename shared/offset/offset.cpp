@@ -273,7 +273,8 @@ Result<std::vector<OffsetCurve>> offset_near_one(const geom::Polyline& curve, st
   constexpr std::int64_t greatest = 300;       // points of a base
   static std::atomic<std::int64_t> left{4000};  // of all curves together
   const auto cost = static_cast<std::int64_t>(curve.points.size());
-  return cost > greatest || std::ranges::all_of(made, [&](const OffsetCurve& one) {
+  return cost > greatest || options.join == Join::Bisector ||  // whose tips may be as far as they like
+          std::ranges::all_of(made, [&](const OffsetCurve& one) {
     const auto has_digits = [&](double v) { return v == 0 || (std::abs(v) < 1e6 * one.distance && std::abs(v) > 1e-6 * one.distance); };
     const auto judged = std::ranges::all_of(curve.points, [&](geom::Point p) { return has_digits(p.x) && has_digits(p.y); });
     if (!judged || left.fetch_sub(cost) < cost) return true;

@@ -92,7 +92,8 @@ class Generators {
       const long double r = size(p - centre);
       return std::max({0.0L, r - model_.d, model_.d * (1 - static_cast<long double>(default_arc_tolerance)) - r});
     };
-    keep(i, std::max(off(edge_.a), off(edge_.b)), [&] {
+    const Wide middle = edge_.a + 0.5L * (edge_.b - edge_.a);
+    keep(i, std::max({off(edge_.a), off(edge_.b), off(middle)}), [&] {
       edge_.line = false;
       edge_.chord = true;
       edge_.centre = centre;

@@ -67,6 +67,17 @@ TEST_F(AnalysisCommands, RunAndSolveEndWithOneTooIfALoopMissesItsTarget) {
   }
 }
 
+TEST_F(AnalysisCommands, ALoopThatMissesIsNotForgivenByAnEasierOneButByGoingOn) {
+  const auto ends_with = [&](const std::string& second) {
+    const std::string loop = "[[step]]\noperation = \"adapt\"\n";
+    return call({"run", put("twice.toml", "dobra = 1\nprogram = \"quebra\"\n" + core::test::sheared_l + loop + "max_cycles = 1\ntarget = 5.0\n" + loop + second), "--out", path("out"), "--pictures", "none", "--json"});
+  };
+  EXPECT_EQ(ends_with("target = 50.0\n").code, 1);
+  const auto on = ends_with("target = 5.0\nfrom = \"last\"\n");
+  EXPECT_EQ(on.code, 0);
+  EXPECT_EQ(Json::parse(on.out)["remarks"].dump().find("above the 5 % asked for"), std::string::npos);
+}
+
 TEST_F(AnalysisCommands, AKnownEnergyTellsTheEffectivityOfEveryCycle) {
   const auto told = call({"adapt", l_shape(), "--target", "5%", "--exact-energy", "60.619", "--json"});
   ASSERT_EQ(told.code, 0) << told.err;
