@@ -40,25 +40,6 @@ dobra::geom::Point centre_of(const mesh::ElementMesh& own, std::size_t element) 
   return dobra::geom::Point{} + sum / static_cast<double>(corners.size());
 }
 
-/// How far a cycle got, as fractions.
-struct Reached {
-  double whole = 0.0;
-  double peak = 0.0;
-  double left_out = 0.0;  ///< Of the energy, at loaded points.
-  [[nodiscard]] bool met(double percent) const { return 100.0 * std::max(whole, peak) <= percent; }
-  /// Nothing that is not met got better, and both are judged over the same domain.
-  [[nodiscard]] bool stalls(const Reached& before, double percent) const {
-    constexpr double same = 0.05;
-    if (std::abs(left_out - before.left_out) > same) return false;
-    const auto stuck = [&](double now, double then) { return 100.0 * now <= percent || now > (1.0 - least_gain) * then; };
-    return stuck(whole, before.whole) && stuck(peak, before.peak);
-  }
-  [[nodiscard]] std::string text() const {
-    const std::string error = fmt::format("the error is {:.3g} %", 100.0 * whole);
-    return peak > 0.0 ? error + fmt::format(", {:.3g} % round the peaks of stress", 100.0 * peak) : error;
-  }
-};
-
 double left_out_of(const Analysis& analysis) {
   double most = 0.0;
   for (const CaseFields& fields : analysis.fields) most = std::max(most, fields.estimate.left_out);
@@ -82,6 +63,7 @@ struct PeakSeen {
   dobra::geom::Point at;
   double size = 0.0;
   double eta = 0.0;
+  std::optional<double> eta_before = {};  ///< In the cycle before, if it was there.
 };
 
 /// The peaks that the loop minds, over the cycles.
@@ -92,10 +74,10 @@ class Peaks {
     if (params.peaks == MindPeaks::No) return;
     const mesh::ElementMesh& own = analysis.meshed->mesh;
     std::vector<PeakSeen> now;
-    worst_ = 0.0;
+    worst_.reset();
     for (std::size_t c = 0; c < analysis.fields.size(); ++c) {
       for (const fem::HotSpot& spot : analysis.fields[c].peaks) {
-        const PeakSeen peak{c, own.point(spot.node), tip_size(own, spot.node), spot.eta};
+        PeakSeen peak{c, own.point(spot.node), tip_size(own, spot.node), spot.eta};
         if (ignored(peak.at)) continue;
         const auto before = std::find_if(seen_.begin(), seen_.end(), [&](const PeakSeen& old) {
           return old.load_case == c && distance(old.at, peak.at) < 0.5 * old.size;
@@ -105,7 +87,8 @@ class Peaks {
           ignored_.push_back(*before);
           continue;
         }
-        worst_ = std::max(worst_, peak.eta);
+        if (before != seen_.end()) peak.eta_before = before->eta;
+        if (!worst_ || peak.eta > worst_->eta) worst_ = peak;
         now.push_back(peak);
       }
     }
@@ -114,12 +97,31 @@ class Peaks {
   [[nodiscard]] bool ignored(dobra::geom::Point at) const {
     return std::any_of(ignored_.begin(), ignored_.end(), [&](const PeakSeen& old) { return distance(old.at, at) < old.size; });
   }
-  [[nodiscard]] double worst() const { return worst_; }
+  [[nodiscard]] const std::optional<PeakSeen>& worst() const { return worst_; }
 
  private:
   std::vector<PeakSeen> seen_;
   std::vector<PeakSeen> ignored_;
-  double worst_ = 0.0;
+  std::optional<PeakSeen> worst_;
+};
+
+/// How far a cycle got.
+struct Reached {
+  double whole = 0.0;             ///< Fractions.
+  std::optional<PeakSeen> peak;   ///< That of the greatest error.
+  double left_out = 0.0;          ///< Of the energy, at loaded points.
+  [[nodiscard]] bool met(double percent) const { return 100.0 * std::max(whole, peak ? peak->eta : 0.0) <= percent; }
+  /// Of what is not met nothing got better, nothing came up, and both are judged over the same domain.
+  [[nodiscard]] bool stalls(const Reached& before, double percent) const {
+    constexpr double same = 0.05;
+    if (std::abs(left_out - before.left_out) > same) return false;
+    const auto gains = [&](double now, std::optional<double> then) { return 100.0 * now > percent && (!then || now <= (1.0 - least_gain) * *then); };
+    return !gains(whole, before.whole) && !(peak && gains(peak->eta, peak->eta_before));
+  }
+  [[nodiscard]] std::string text() const {
+    const std::string error = fmt::format("the error is {:.3g} %", 100.0 * whole);
+    return peak ? error + fmt::format(", {:.3g} % round the peak of stress at ({:.6g}, {:.6g})", 100.0 * peak->eta, peak->at.x, peak->at.y) : error;
+  }
 };
 
 /// Sizes of the elements round the peaks, not above those of `least`: those of a peak that is met too, or the next mesh would
@@ -215,7 +217,7 @@ Result<Model> adapt(const Model& model, const AdaptParams& params, const dobra::
   meshing.size = source.empty() ? size : params.size;
   MeshWishes wishes;
   Peaks peaks;
-  Reached before{1.0, 1.0, 0.0};
+  Reached before{1.0, {}, 0.0};
   const bool short_before = params.from == StartFrom::First && model.short_of_target;
   int done = 0;
   if (params.from == StartFrom::Last) {
@@ -252,7 +254,7 @@ Result<Model> adapt(const Model& model, const AdaptParams& params, const dobra::
     result.analyses.push_back(std::make_shared<const Analysis>(std::move(analysis)));
     if (now.met(params.target)) return finish("");
     if (done + cycle > 1 && now.stalls(before, params.target))
-      return finish(fmt::format("{} and stalls above the {:.3g} % asked for; allow smaller elements", now.text(), params.target));
+      return finish(fmt::format("{} and stalls above the {:.3g} % asked for{}", now.text(), params.target, params.min_size > 0.0 ? "; allow smaller elements" : ""));
     if (cycle == params.max_cycles) return finish(fmt::format("after {} cycles {}, above the {:.3g} % asked for; allow more", cycle, now.text(), params.target));
     before = now;
     DOBRA_TRY(wishes, wishes_of(*result.analyses.back(), params, peaks, size));

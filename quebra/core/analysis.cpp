@@ -151,6 +151,7 @@ std::vector<std::string> remarks_on(const Analysis& analysis) {
     const CaseFields& fields = analysis.fields[c];
     const std::string of = analysis.fields.size() > 1 ? fmt::format("load case '{}': ", analysis.solution.cases[c].name) : std::string();
     const auto& loaded = fields.loaded;
+    if (analysis.solution.cases[c].energy == 0.0) remarks.push_back(of + "nothing acts: no load, and no support that moves, so all displacements are 0");
     if (fields.exact_energy && !truth_of(analysis, c)) {
       remarks.push_back(loaded.empty() ? fmt::format("{}the energy found, {:.9g} J, is above the exact one given, {:.9g} J, which cannot be that of this problem", of, analysis.solution.cases[c].energy, *fields.exact_energy)
                                        : of + "the exact energy given is not compared: that of a force at a point is infinite");

@@ -324,5 +324,18 @@ TEST(Adaptivity, EveryTipHasARosetteOfItsOwn) {
   EXPECT_GT(std::max(radii[0], radii[1]), 2.0 * std::min(radii[0], radii[1]));
 }
 
+TEST(Adaptivity, APeakThatComesUpOrMovesIsNoStall) {
+  const std::string disc = "[input]\nspecimen = \"brazilian_disc\"\nangle = 20.0\n[[step]]\noperation = \"problem\"\n[[step.material]]\nyoung = 1000.0\npoisson = 0.3\n"
+                           "[[step.support]]\nwhere = \"load_lower\"\nx = 0.0\ny = 0.0\n[[step.support]]\nwhere = \"load_upper\"\nx = 0.0\n[[step.load]]\nwhere = \"load_upper\"\nkind = \"force\"\ny = -1.0\n";
+  const std::string plate = "[input]\nspecimen = \"quarter_plate\"\nwidth = 4.0\nradius = 1.0\n[[step]]\noperation = \"problem\"\nstate = \"stress\"\n[[step.material]]\nyoung = 1000.0\npoisson = 0.3\n"
+                            "[[step.support]]\nwhere = \"left\"\nnormal = 0.0\n[[step.support]]\nwhere = \"bottom\"\nnormal = 0.0\n"
+                            "[[step.load]]\nwhere = \"right\"\nkind = \"kirsch\"\nvalue = 1.0\nradius = 1.0\n[[step.load]]\nwhere = \"top\"\nkind = \"kirsch\"\nvalue = 1.0\nradius = 1.0\n";
+  for (const double target : {7.0, 6.0, 5.0}) EXPECT_FALSE(last(run(disc + adapt_step(target))).short_of_target) << target;
+  for (const double target : {10.0, 8.0, 5.0}) {
+    for (const char* const rule : {"rule = \"equal\"\n", "rule = \"optimal\"\n"})
+      EXPECT_FALSE(last(run(plate + adapt_step(target, std::string("order = \"1\"\n") + rule))).short_of_target) << target << ' ' << rule;
+  }
+}
+
 }  // namespace
 }  // namespace quebra::core
