@@ -119,8 +119,12 @@ Error too_many(const Curve& curve, double pieces, const DivideOptions& options) 
 Result<void> divide_evenly(const Curve& curve, double from, double to, const SizeAlong& size, const DivideOptions& options, std::vector<double>& nodes) {
   const auto own = [&](double s) { return size.own(s); };
   Integral integral = integral_of(from, to, size);
-  // Wishes that the curve's own pieces meet well enough change nothing; others are met in full, and so is the own size.
-  if (Integral alone = integral_of(from, to, own); integral.value.back() <= near_enough * alone.value.back()) integral = std::move(alone);
+  // Wishes that the curve's own pieces meet well enough, at each of its ends too, change nothing; others are met in full, and
+  // so is the own size.
+  constexpr double unnoticed = 0.5;  // pieces, of those that lead from a finer neighbour
+  Integral alone = integral_of(from, to, own);
+  const double more = integral.value.back() - alone.value.back();
+  if (more <= std::min((near_enough - 1.0) * alone.value.back(), unnoticed)) integral = std::move(alone);
   const double total = integral.value.back();
   if (!(static_cast<double>(nodes.size()) + total <= static_cast<double>(options.most))) return too_many(curve, static_cast<double>(nodes.size()) + total, options);
   const auto pieces = static_cast<std::size_t>(std::max(1.0, std::ceil(total * (1.0 - same_node))));

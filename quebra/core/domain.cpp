@@ -204,6 +204,9 @@ Result<Domain> make_domain(Sketch sketch, const DomainOptions& options) {
   if (sketch.curves.empty()) return Error{ErrorCode::BadDomain, "the domain has no curve; add [[input.curve]], a file or a specimen"};
   Box box;
   for (const Curve& curve : sketch.curves) box.add(trace(curve).line.box());
+  constexpr double least_size = 1e-100;  // products of three lengths stay far from underflow
+  const double extent = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
+  if (extent > 0.0 && extent < least_size) return Error{ErrorCode::BadDomain, fmt::format("the domain is only {:.3g} m large; use smaller units", extent), places.front()};
   const double tolerance = options.join_tolerance * box.diagonal();
   for (std::size_t i = 0; i < sketch.curves.size(); ++i) {
     const Curve& curve = sketch.curves[i];

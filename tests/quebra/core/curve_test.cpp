@@ -81,6 +81,15 @@ TEST(Curve, NoSideOfABoundaryIsLongerThanTheSizeAndInsideFewAreByMuch) {
   }
 }
 
+TEST(Curve, ALongSideLeadsFromTheFineSidesOfItsNeighbour) {
+  for (const double length : {3.0, 12.0, 14.0, 40.0}) {
+    const std::string l = std::to_string(length);
+    const auto values = figures(run("[input]\n[[input.curve]]\nname = \"left\"\nsize = 0.00625\npoints = [[0, 1], [0, 0]]\n[[input.curve]]\nname = \"rest\"\npoints = [[0, 0], [" + l + ", 0], [" + l +
+                                  ", 1], [0, 1]]\n[[step]]\noperation = \"mesh\"\nsize = 0.1\n"));
+    EXPECT_GT(values.at("alpha_min"), 0.7) << length;
+  }
+}
+
 TEST(Curve, SegmentsAndRatioAreObeyedOverCornersOrRefused) {
   const Curve chain{"chain", Role::Boundary, Polyline{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, false}, {.segments = 30, .size = 0.0, .ratio = 3.0}};
   const auto nodes = divide(chain, {}, {.size = 0.1}).value();

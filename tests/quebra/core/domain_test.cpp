@@ -32,6 +32,15 @@ dobra::base::Result<Domain> make(const std::vector<Curve>& curves) {
   return make_domain({curves, places, {}, {}, {}});
 }
 
+TEST(Domain, OneTooSmallForProductsOfLengthsIsRefused) {
+  for (const double size : {1e-110, 1e-200, 1e-300}) {
+    const auto domain = make({square("rim", 0.0, size)});
+    ASSERT_FALSE(domain.ok()) << size;
+    EXPECT_NE(domain.error().message.find("use smaller units"), std::string::npos) << to_string(domain.error());
+  }
+  EXPECT_TRUE(make({square("rim", 0.0, 1e-90)}).ok());
+}
+
 TEST(Domain, CurvesInAnyOrderAndDirectionBecomeOneLoop) {
   const auto domain = make({line("a", {{0, 0}, {1, 0}}), line("c", {{0, 1}, {1, 1}}), line("d", {{0, 1}, {0, 0}}), line("b", {{1, 0}, {1, 1}})});
   ASSERT_TRUE(domain.ok()) << to_string(domain.error());
