@@ -84,7 +84,7 @@ TEST(Curve, NoSideOfABoundaryIsLongerThanTheSizeAndInsideFewAreByMuch) {
 TEST(Curve, ALongSideLeadsFromTheFineSidesOfItsNeighbour) {
   for (const double length : {3.0, 12.0, 14.0, 40.0}) {
     const std::string l = std::to_string(length);
-    const auto values = figures(run("[input]\n[[input.curve]]\nname = \"left\"\nsize = 0.00625\npoints = [[0, 1], [0, 0]]\n[[input.curve]]\nname = \"rest\"\npoints = [[0, 0], [" + l + ", 0], [" + l +
+    const auto values = test::figures(test::run("[input]\n[[input.curve]]\nname = \"left\"\nsize = 0.00625\npoints = [[0, 1], [0, 0]]\n[[input.curve]]\nname = \"rest\"\npoints = [[0, 0], [" + l + ", 0], [" + l +
                                   ", 1], [0, 1]]\n[[step]]\noperation = \"mesh\"\nsize = 0.1\n"));
     EXPECT_GT(values.at("alpha_min"), 0.7) << length;
   }
