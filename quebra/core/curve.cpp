@@ -345,8 +345,14 @@ Trace trace(const Curve& curve) {
     return result;
   }
   const Arc& arc = std::get<Arc>(curve.shape);
-  // Cannot fail: an Arc has a positive length, no corner, and the angle is positive.
-  auto pieces = dobra::geom::discretise(arc, {.max_angle = trace_turn}).value();
+  // An arc turns evenly: of the halves that discretise() makes all are fine enough at once, and need not be looked at.
+  double count = 1.0;
+  while (std::abs(arc.sweep().radians()) > count * (1.0 + dobra::geom::DiscretiseOptions{}.slack) * trace_turn.radians()) count *= 2.0;
+  dobra::geom::Discretisation pieces;
+  for (double i = 0.0; i <= count; ++i) {
+    pieces.parameters.push_back(i / count);
+    pieces.points.push_back(arc.point(i / count));
+  }
   Trace result{pieces.polyline(), std::move(pieces.parameters)};
   for (double& s : result.s) s *= arc.length();
   return result;

@@ -91,17 +91,6 @@ std::vector<Domain::Loop> follow_loops(const std::vector<Curve>& curves, const J
   return loops;
 }
 
-void find_depths(Domain& domain) {
-  std::vector<Polyline> contours;
-  for (const auto& loop : domain.loops) contours.push_back(contour(domain, loop));
-  for (std::size_t i = 0; i < contours.size(); ++i) {
-    for (std::size_t j = 0; j < contours.size(); ++j) {
-      if (i == j || !contours[j].box().contains(contours[i].points.front())) continue;
-      if (dobra::geom::locate(contours[j], contours[i].points.front()) == dobra::geom::Side::Inside) ++domain.loops[i].depth;
-    }
-  }
-}
-
 /// No curve bounds the domain: which ends come nearest to each other, and what to do.
 Error nothing_closes(const Domain& domain, Place place) {
   const double size = domain.box().diagonal();
@@ -123,17 +112,19 @@ Error nothing_closes(const Domain& domain, Place place) {
 }
 
 /// The loops of the boundary curves, each with its depth.
-Result<void> find_loops(Domain& domain, const std::vector<Place>& places) {
+Result<Inside> find_loops(Domain& domain, const std::vector<Place>& places) {
   const Joints joints = joints_of(domain.curves);
   DOBRA_TRY_VOID(check_joints(joints, domain.curves, places));
   domain.loops = follow_loops(domain.curves, joints);
   if (domain.loops.empty()) return nothing_closes(domain, places.front());
-  find_depths(domain);
-  return {};
+  Inside inside(domain);
+  for (std::size_t i = 0; i < domain.loops.size(); ++i) {
+    domain.loops[i].depth = static_cast<int>(inside.loops_around(inside.contours()[i].points.front()).size());
+  }
+  return inside;
 }
 
-Result<void> check_roles(const Domain& domain, const std::vector<Place>& places) {
-  const Inside inside(domain);
+Result<void> check_roles(const Domain& domain, const Inside& inside, const std::vector<Place>& places) {
   for (const auto& loop : domain.loops) {
     for (const auto& side : loop.sides) {
       const Curve& curve = domain.curves[side.curve];
@@ -186,17 +177,30 @@ Polyline contour(const Domain& domain, const Domain::Loop& loop) {
 }
 
 Inside::Inside(const Domain& domain) {
-  for (const auto& loop : domain.loops) contours_.push_back(contour(domain, loop));
+  std::vector<Box> boxes;
+  for (const auto& loop : domain.loops) {
+    contours_.push_back(contour(domain, loop));
+    boxes.push_back(contours_.back().box());
+  }
+  boxes_ = dobra::geom::SpatialIndex(boxes);
 }
 
 bool Inside::operator()(Point p) const {
   bool inside = false;
-  for (const Polyline& contour : contours_) {
-    const auto side = dobra::geom::locate(contour, p);
-    if (side == dobra::geom::Side::Boundary) return false;
+  bool on_boundary = false;
+  boxes_.for_each_overlapping({p, p}, [&](std::size_t loop) {
+    const auto side = dobra::geom::locate(contours_[loop], p);
+    on_boundary = side == dobra::geom::Side::Boundary;
     if (side == dobra::geom::Side::Inside) inside = !inside;
-  }
-  return inside;
+    return on_boundary ? dobra::geom::Visit::Stop : dobra::geom::Visit::Continue;
+  });
+  return inside && !on_boundary;
+}
+
+std::vector<std::size_t> Inside::loops_around(Point p) const {
+  std::vector<std::size_t> loops = boxes_.overlapping({p, p});
+  std::erase_if(loops, [&](std::size_t loop) { return dobra::geom::locate(contours_[loop], p) != dobra::geom::Side::Inside; });
+  return loops;
 }
 
 Result<Domain> make_domain(Sketch sketch, const DomainOptions& options) {
@@ -224,14 +228,14 @@ Result<Domain> make_domain(Sketch sketch, const DomainOptions& options) {
   Domain domain;
   domain.curves = std::move(sketch.curves);
   domain.points = std::move(sketch.points);
-  DOBRA_TRY_VOID(find_loops(domain, places));
+  DOBRA_TRY(Inside inside, find_loops(domain, places));
   if (sketch.hole_points) {
-    DOBRA_TRY_VOID(apply_hole_points(domain, *sketch.hole_points));
-    DOBRA_TRY_VOID(find_loops(domain, places));
+    DOBRA_TRY_VOID(apply_hole_points(domain, inside, *sketch.hole_points));
+    DOBRA_TRY(inside, find_loops(domain, places));
   }
   DOBRA_TRY_VOID(find_junctions(domain, places, tolerance));
-  DOBRA_TRY_VOID(check_roles(domain, places));
-  DOBRA_TRY_VOID(find_faces(domain, sketch.regions, sketch.areas));
+  DOBRA_TRY_VOID(check_roles(domain, inside, places));
+  DOBRA_TRY_VOID(find_faces(domain, inside, sketch.regions, sketch.areas));
   return domain;
 }
 

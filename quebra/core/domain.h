@@ -6,6 +6,8 @@
 
 #include "quebra/core/model.h"
 #include "shared/base/result.h"
+#include "shared/geom/polyline.h"
+#include "shared/geom/spatial_index.h"
 
 namespace quebra::core {
 
@@ -58,10 +60,16 @@ class Inside {
  public:
   explicit Inside(const Domain& domain);
   /// True if p is strictly inside: in an odd number of loops and on none.
+  /// @cost O(log loops) and the sides of the contours whose boxes hold p.
   [[nodiscard]] bool operator()(dobra::geom::Point p) const;
+  /// Numbers of the loops that p lies strictly inside, ascending; the same cost.
+  [[nodiscard]] std::vector<std::size_t> loops_around(dobra::geom::Point p) const;
+  /// One a loop, in their order.
+  [[nodiscard]] const std::vector<dobra::geom::Polyline>& contours() const { return contours_; }
 
  private:
   std::vector<dobra::geom::Polyline> contours_;
+  dobra::geom::SpatialIndex boxes_;
 };
 
 }  // namespace quebra::core

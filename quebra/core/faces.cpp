@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "shared/geom/spatial_index.h"
 #include "shared/topo/insert.h"
 #include "shared/topo/locate.h"
 
@@ -88,8 +89,10 @@ Error bad_name(ErrorCode code, const RegionName& name, const char* what) {
 // Of the middles of what horizontal lines have inside, the farthest from all sides.
 Point inner_point(std::span<const Segment> sides) {
   constexpr int lines = 15;
-  Box box;
-  for (const Segment& side : sides) box.add(side.from);
+  std::vector<Box> boxes;
+  for (const Segment& side : sides) boxes.push_back(side.box());
+  const dobra::geom::SpatialIndex index(boxes);
+  const Box box = index.box();
   Point best = sides.front().from;
   double clearance = -1.0;
   for (int k = 0; k < lines; ++k) {
@@ -103,8 +106,9 @@ Point inner_point(std::span<const Segment> sides) {
     for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
       const Point p{0.5 * (crossings[i] + crossings[i + 1]), y};
       if (0.5 * (crossings[i + 1] - crossings[i]) <= clearance) continue;
-      double least = 0.5 * (crossings[i + 1] - crossings[i]);
-      for (const Segment& side : sides) least = std::min(least, distance(side, p));
+      const double half_width = 0.5 * (crossings[i + 1] - crossings[i]);
+      const auto nearest = index.nearest(p, [&](std::size_t side) { return distance(sides[side], p); }, half_width);
+      const double least = nearest ? nearest->distance : half_width;
       if (least > clearance) {
         clearance = least;
         best = p;
@@ -114,14 +118,13 @@ Point inner_point(std::span<const Segment> sides) {
   return best;
 }
 
-Result<void> find_faces(Domain& domain, std::span<const RegionName> names, std::span<const Area> areas) {
+Result<void> find_faces(Domain& domain, const Inside& inside, std::span<const RegionName> names, std::span<const Area> areas) {
   Subdivision subdivision;
   for (std::size_t c = 0; c < domain.curves.size(); ++c) {
     if (domain.curves[c].role == Role::Crack) continue;
     const auto inserted = insert(subdivision, chords(domain, c));
     if (!inserted) return inserted.error();
   }
-  const Inside inside(domain);
   std::map<FaceId, Face> faces;
   for (const FaceId id : subdivision.faces()) {
     if (id == Subdivision::unbounded()) continue;

@@ -9,9 +9,9 @@
 
 namespace quebra::core {
 
-/// Fills domain.faces and domain.region_names. Cracks divide nothing. A part without a name takes that of the smallest area round it.
+/// Fills domain.faces and domain.region_names. Cracks divide nothing; `inside` is of the domain. A part without a name takes that of the smallest area round it.
 /// @error OutsideDomain with the place for a name whose point is not inside the material; BadValue for two names in one part.
-dobra::base::Result<void> find_faces(Domain& domain, std::span<const RegionName> names, std::span<const Area> areas = {});
+dobra::base::Result<void> find_faces(Domain& domain, const Inside& inside, std::span<const RegionName> names, std::span<const Area> areas = {});
 
 /// A point well inside what the directed sides enclose on their left. @pre some side
 dobra::geom::Point inner_point(std::span<const dobra::geom::Segment> sides);

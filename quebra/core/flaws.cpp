@@ -113,7 +113,7 @@ struct Clearance {
 
 class Slivers {
  public:
-  Slivers(const Domain& domain, const FlawOptions& options) : domain_(domain), options_(options), size_(domain.box().diagonal()) {
+  Slivers(const Domain& domain, const FlawOptions& options, double size) : domain_(domain), options_(options), size_(size) {
     for (const Junction& junction : domain.junctions) junctions_[junction.at].insert(junction.curve);
   }
 
@@ -247,8 +247,9 @@ class Slivers {
 }  // namespace
 
 std::vector<Finding> flaws_of(const Domain& domain, const FlawOptions& options) {
-  std::vector<Finding> findings = NearlyClosed(domain, options.near_end * domain.box().diagonal()).run();
-  std::vector<Finding> slivers = Slivers(domain, options).run();
+  const double size = domain.box().diagonal();
+  std::vector<Finding> findings = NearlyClosed(domain, options.near_end * size).run();
+  std::vector<Finding> slivers = Slivers(domain, options, size).run();
   findings.insert(findings.end(), std::make_move_iterator(slivers.begin()), std::make_move_iterator(slivers.end()));
   return findings;
 }

@@ -94,12 +94,11 @@ class Ends {
   std::map<Point, std::vector<std::size_t>> at_;
 };
 
-/// Number of the innermost contour that holds p; nothing if none does.
-std::optional<std::size_t> innermost(const Domain& domain, const std::vector<Polyline>& contours, Point p) {
+/// Number of the innermost loop of those; nothing if there are none.
+std::optional<std::size_t> innermost(const Domain& domain, const std::vector<std::size_t>& loops) {
   std::optional<std::size_t> found;
-  for (std::size_t i = 0; i < contours.size(); ++i) {
-    if (found && domain.loops[*found].depth > domain.loops[i].depth) continue;
-    if (locate(contours[i], p) == Side::Inside) found = i;
+  for (const std::size_t i : loops) {
+    if (!found || domain.loops[*found].depth <= domain.loops[i].depth) found = i;
   }
   return found;
 }
@@ -116,16 +115,14 @@ void find_roles(Sketch& sketch, double tolerance) {
   sketch.without_role.clear();
 }
 
-Result<void> apply_hole_points(Domain& domain, const HolePoints& holes) {
-  std::vector<Polyline> contours;
-  for (const auto& loop : domain.loops) contours.push_back(contour(domain, loop));
+Result<void> apply_hole_points(Domain& domain, const Inside& inside, const HolePoints& holes) {
   const auto own = [&](const Domain::Loop& loop) {
     return std::all_of(loop.sides.begin(), loop.sides.end(), [&](const auto& side) { return holes.curves.contains(domain.curves[side.curve].name); });
   };
   std::vector<bool> is_void(domain.loops.size(), false);
   for (std::size_t i = 0; i < domain.loops.size(); ++i) is_void[i] = !own(domain.loops[i]) && domain.loops[i].depth % 2 == 1;
   for (const Point hole : holes.at) {
-    const auto loop = innermost(domain, contours, hole);
+    const auto loop = innermost(domain, inside.loops_around(hole));
     if (!loop) {
       Place at = holes.place;
       at.x = hole.x;
@@ -135,14 +132,10 @@ Result<void> apply_hole_points(Domain& domain, const HolePoints& holes) {
     is_void[*loop] = true;
   }
   for (std::size_t i = 0; i < domain.loops.size(); ++i) {
-    bool surrounded_by_void = true;
-    int depth = -1;
-    for (std::size_t j = 0; j < domain.loops.size(); ++j) {
-      if (j == i || domain.loops[j].depth >= domain.loops[i].depth || domain.loops[j].depth < depth) continue;
-      if (locate(contours[j], contours[i].points.front()) != Side::Inside) continue;
-      depth = domain.loops[j].depth;
-      surrounded_by_void = is_void[j];
-    }
+    auto around = inside.loops_around(inside.contours()[i].points.front());
+    std::erase_if(around, [&](std::size_t j) { return domain.loops[j].depth >= domain.loops[i].depth; });
+    const auto surrounding = innermost(domain, around);
+    const bool surrounded_by_void = !surrounding || is_void[*surrounding];
     if (surrounded_by_void != is_void[i] || !own(domain.loops[i])) continue;
     for (const auto& side : domain.loops[i].sides) domain.curves[side.curve].role = Role::Internal;
   }

@@ -12,8 +12,8 @@ namespace quebra::core {
 void find_roles(Sketch& sketch, double tolerance);
 
 /// Loops of a .poly that no hole point makes a hole divide material from material: their curves become internal.
-/// The loops of the domain are those of before and must be followed anew. @pre loops have their depth
+/// The loops of the domain are those of before and must be followed anew. @pre loops have their depth; `inside` is of them
 /// @error OutsideDomain for a hole point that lies in no loop.
-dobra::base::Result<void> apply_hole_points(Domain& domain, const HolePoints& holes);
+dobra::base::Result<void> apply_hole_points(Domain& domain, const Inside& inside, const HolePoints& holes);
 
 }  // namespace quebra::core

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shared/geom/discretise.h"
 #include "shared/mesh/size_field.h"
 #include "tests/support/quebra_scenarios.h"
 
@@ -22,6 +23,22 @@ std::vector<double> pieces(const std::vector<double>& nodes) {
   std::vector<double> result;
   for (std::size_t i = 1; i < nodes.size(); ++i) result.push_back(nodes[i] - nodes[i - 1]);
   return result;
+}
+
+TEST(Curve, ArcsAreTracedThroughThePointsOfDiscretise) {
+  for (const double degrees : {0.01, 1.0, 2.0, 2.0 + 1e-6, 4.0, -45.0, 64.0, 90.0, -128.0, 179.0, 256.0, 359.9, 360.0, -360.0}) {
+    for (const Point centre : {Point{0, 0}, Point{5e5, 6e6}}) {
+      for (const double radius : {1e-3, 0.3, 1e4}) {
+        const auto arc = geom::Arc::from_angles(centre, radius, Angle::from_degrees(17), Angle::from_degrees(degrees)).value();
+        const auto pieces = geom::discretise(arc, {.max_angle = trace_turn}).value();
+        const Trace traced = trace({"arc", Role::Boundary, arc, {}});
+        EXPECT_EQ(traced.line.closed, pieces.polyline().closed) << degrees;
+        ASSERT_EQ(traced.line.points, pieces.polyline().points) << degrees << " of radius " << radius;
+        ASSERT_EQ(traced.s.size(), pieces.parameters.size());
+        for (std::size_t i = 0; i < traced.s.size(); ++i) EXPECT_EQ(traced.s[i], pieces.parameters[i] * arc.length());
+      }
+    }
+  }
 }
 
 TEST(Curve, SUR_b_TheMesherDividesAQuarterCircleByHalvesAsRequired) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <string>
 
 namespace quebra::core {
 namespace {
@@ -61,6 +62,45 @@ TEST(Domain, LoopsInsideLoopsAlternate) {
   EXPECT_TRUE(inside({5, 5}));
   EXPECT_FALSE(inside({11, 5}));
   EXPECT_FALSE(inside({0, 5})) << "the boundary is not inside";
+}
+
+TEST(Domain, ThousandsOfHolesAndIslandsInThemKeepTheirDepth) {
+  constexpr int n = 50;
+  std::vector<Curve> curves{polygon("rim", {{0, 0}, {n + 1.0, 0}, {n + 1.0, n + 1.0}, {0, n + 1.0}})};
+  for (int i = 0; i < n * n; ++i) {
+    const double x = 1 + i % n, y = 1 + i / n;
+    const auto diamond = [&](double r) { return std::vector<Point>{{x + r, y}, {x, y + r}, {x - r, y}, {x, y - r}}; };
+    curves.push_back(polygon("hole" + std::to_string(i), diamond(0.4)));
+    if (i % 3 == 0) curves.push_back(polygon("island" + std::to_string(i), diamond(0.2)));
+  }
+  const auto domain = make(curves);
+  ASSERT_TRUE(domain.ok()) << to_string(domain.error());
+  ASSERT_EQ(domain->loops.size(), curves.size());
+  const Inside inside(*domain);
+  double area = 0.0;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    ASSERT_EQ(domain->loops[i].sides.size(), 1U);
+    EXPECT_EQ(domain->loops[i].sides[0].curve, i);
+    const int depth = curves[i].name == "rim" ? 0 : curves[i].name.starts_with("hole") ? 1 : 2;
+    ASSERT_EQ(domain->loops[i].depth, depth) << curves[i].name;
+    if (depth == 0) continue;
+    const auto& p = std::get<Polyline>(curves[i].shape).points;
+    const Point centre = midpoint(p[0], p[2]);
+    const bool island = depth == 2 || (i + 1 < curves.size() && curves[i + 1].name.starts_with("island"));
+    ASSERT_EQ(inside(centre), island) << curves[i].name;
+    const std::size_t hole = depth == 1 ? i : i - 1;
+    std::vector<std::size_t> around{0, hole};
+    if (island) around.push_back(hole + 1);
+    ASSERT_EQ(inside.loops_around(centre), around);
+    ASSERT_FALSE(inside(p[0])) << "the boundary is not inside";
+  }
+  for (const Face& face : domain->faces) {
+    EXPECT_TRUE(inside(face.inside));
+    area += face.area;
+  }
+  constexpr int islands = (n * n + 2) / 3;
+  EXPECT_EQ(domain->faces.size(), 1U + islands);
+  EXPECT_NEAR(area, (n + 1.0) * (n + 1.0) - n * n * 0.32 + islands * 0.08, 1e-9);
 }
 
 TEST(Domain, EndsWithinTheToleranceAreOnePoint) {
