@@ -31,8 +31,16 @@ struct InpContents {
   std::vector<std::string> remarks;  ///< Keywords left out, one line each.
 };
 
+/// A name that a label cannot hold (letters, digits, _ and -, at most 80), or that another set has already but for its
+/// cases, and what stands there instead. Sets of elements (regions) and of nodes (node and side sets) may share a name.
+struct InpRenaming {
+  std::string kind;  ///< "region", "set of sides", "set of nodes"
+  std::string name, label;
+};
+std::vector<InpRenaming> inp_renamings(const mesh::ElementMesh& mesh);
+
 /// The text of a deck's mesh part; node and element numbers are the positions in the mesh, from 1. Characters that a
-/// label cannot hold become '_', and a comment line says so.
+/// label cannot hold become '_'; a comment line and inp_renamings say so.
 /// @error NotFinite; CannotMesh: no elements; InvalidOption: a set that refers to what does not exist.
 base::Result<std::string> inp_text(const mesh::ElementMesh& mesh, const InpOptions& options = {});
 /// @error those of inp_text, CannotWrite

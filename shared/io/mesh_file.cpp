@@ -17,6 +17,7 @@
 #include "shared/io/neutral.h"
 #include "shared/io/node_ele.h"
 #include "shared/io/polygon_file.h"
+#include "shared/io/scan.h"
 #include "shared/io/vtu.h"
 #include "shared/mesh/surface_text.h"
 
@@ -173,6 +174,15 @@ std::vector<std::string> losses(const std::string& path, const ElementMesh& mesh
   if (ending == ".poly") say("a .poly file holds the lines of the geometry: elements, named points and the lips of cracks are left out, side sets are marked 1, 2 ... in the order of their names");
   if (ending == ".msh" || ending == ".msh2") {
     for (const auto& [name, written] : msh_renamings(mesh)) say(fmt::format("the name '{}' is written as '{}': names in a .msh stand in quotes, on one line", name, written));
+  }
+  if (ending == ".inp") {
+    for (const auto& [kind, name, label] : inp_renamings(mesh)) {
+      say(fmt::format("the {} {} is written as {}: labels are letters, digits, _ and -, begin with a letter, are no longer than 80 and differ not only by cases", kind, shown(name), label));
+    }
+  }
+  const bool named = !mesh.side_sets.empty() || !mesh.node_sets.empty() || !mesh.region_names.empty();
+  if ((ending == ".node" || ending == ".ele") && named) {
+    say("a .node and .ele pair holds no names: sets of nodes and names of regions are left out, nodes of side sets are marked 1, 2 ... in the order of their names");
   }
   return remarks;
 }
