@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "shared/base/result.h"
+#include "shared/io/file_elements.h"
 #include "shared/mesh/element_mesh.h"
 
 namespace dobra::io {
@@ -29,6 +30,7 @@ struct InpOptions {
 struct InpContents {
   mesh::ElementMesh mesh;
   std::vector<std::string> remarks;  ///< Keywords left out, one line each.
+  FileElements elements = {};
 };
 
 /// A name that a label cannot hold (letters, digits, _ and -, at most 80), or that another set has already but for its
