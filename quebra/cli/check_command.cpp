@@ -5,12 +5,14 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "shared/io/file.h"
 #include "shared/io/mesh_file.h"
 #include "shared/io/polygon_file.h"
+#include "shared/io/scan.h"
 #include "shared/mesh/mesh_check.h"
 
 namespace quebra::cli {
@@ -28,9 +30,11 @@ struct Options {
   bool closed = false;
 };
 
-/// Counts and faults of the mesh in the file.
+/// Counts, sets and faults of the mesh in the file.
 struct Verdict {
   Json counts;
+  Json sets = Json::array();
+  std::vector<std::string> remarks;
   std::vector<std::string> faults;
 };
 
@@ -54,10 +58,27 @@ Result<Verdict> of_polygons(const Options& options) {
   return verdict;
 }
 
+/// Name, kind and count of every set and region.
+Json sets_of(const mesh::ElementMesh& mesh) {
+  Json sets = Json::array();
+  std::map<std::int32_t, std::size_t> regions;
+  for (const std::int32_t region : mesh.regions) ++regions[region];
+  for (const auto& [tag, count] : regions) {
+    const auto name = mesh.region_names.find(tag);
+    sets.push_back({{"name", name == mesh.region_names.end() ? fmt::format("{}", tag) : name->second}, {"kind", "region"}, {"count", count}});
+  }
+  for (const auto& [name, sides] : mesh.side_sets) sets.push_back({{"name", name}, {"kind", "sides"}, {"count", sides.size()}});
+  for (const auto& [name, nodes] : mesh.node_sets) sets.push_back({{"name", name}, {"kind", "nodes"}, {"count", nodes.size()}});
+  return sets;
+}
+
 Result<Verdict> of_elements(const Options& options) {
   DOBRA_TRY(const io::MeshContents contents, io::read_mesh(options.file));
   Verdict verdict;
   verdict.counts = {{"nodes", contents.mesh.points.size()}, {"elements", contents.mesh.element_count()}};
+  verdict.sets = sets_of(contents.mesh);
+  verdict.remarks = contents.remarks;
+  for (const base::Error& inverted : io::inverted_elements(contents)) verdict.faults.push_back(base::to_string(inverted));
   if (const auto good = mesh::check(contents.mesh); !good) {
     verdict.faults.push_back(base::to_string(good.error()));
     return verdict;
@@ -72,15 +93,21 @@ Result<Verdict> of_elements(const Options& options) {
 Result<int> check_job(Session& session, const Options& options) {
   const std::string ending = io::ending_of(options.file);
   DOBRA_TRY(const Verdict verdict, ending == ".obj" || ending == ".off" || ending == ".ply" ? of_polygons(options) : of_elements(options));
+  for (const std::string& remark : verdict.remarks) session.note(remark);
   if (session.options.format == dobra::cli::OutputFormat::Json) {
     Json json = verdict.counts;
+    json["sets"] = verdict.sets;
     json["faults"] = verdict.faults;
+    json["remarks"] = verdict.remarks;
     DOBRA_TRY_VOID(dobra::cli::print(json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n'));
   } else {
     std::string text;
     for (const std::string& fault : verdict.faults) text += fault + '\n';
     if (session.options.verbosity != dobra::cli::Verbosity::Quiet) {
       for (const auto& [name, value] : verdict.counts.items()) text += fmt::format("{:<14}{}\n", name, value.dump());
+      for (const Json& set : verdict.sets) {
+        text += fmt::format("{:<14}{} {}\n", set["kind"].get<std::string>(), set["count"].get<std::size_t>(), io::shown(set["name"].get<std::string>()));
+      }
       text += fmt::format("{:<14}{}\n", "faults", verdict.faults.size());
     }
     DOBRA_TRY_VOID(dobra::cli::print(text));

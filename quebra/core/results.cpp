@@ -60,11 +60,15 @@ Result<Model> with_samples(const Model& model, Samples samples, const std::strin
     return Error{ErrorCode::BadValue, fmt::format("there is a line or probe '{}' already; give this one another `label`", samples.name)};
   const auto& mesh = model.analyses.back()->meshed->mesh;
   const auto boxes = fem::element_boxes(mesh);
-  if (std::none_of(samples.points.begin(), samples.points.end(), [&](Point p) { return fem::locate(mesh, boxes, p).has_value(); })) {
+  const auto inside = std::count_if(samples.points.begin(), samples.points.end(), [&](Point p) { return fem::locate(mesh, boxes, p).has_value(); });
+  if (inside == 0) {
     const Point at = samples.points.front();
     return Error{ErrorCode::BadValue, what + " does not lie in the material", Place{.item = "'" + samples.name + "'", .x = at.x, .y = at.y}};
   }
   Model result = model;
+  if (const std::size_t outside = samples.points.size() - static_cast<std::size_t>(inside); outside > 0) {
+    result.remarks.push_back(fmt::format("line '{}': {} of its {} points lie outside the material and are left out", samples.name, outside, samples.points.size()));
+  }
   result.samples.push_back(std::move(samples));
   return result;
 }

@@ -392,7 +392,8 @@ class Reader {
         set.push_back({nodes[0], nodes[1]});
       }
     }
-    finish(mesh, edges);
+    for (const Element& element : elements_) contents_.elements.numbers.push_back(element.id);
+    contents_.elements.turned = finish(mesh, edges).turned;
     return std::move(contents_);
   }
 

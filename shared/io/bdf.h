@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "shared/base/result.h"
+#include "shared/io/file_elements.h"
 #include "shared/mesh/element_mesh.h"
 
 namespace dobra::io {
@@ -24,6 +25,7 @@ enum class BdfField { Small, Large };
 struct BdfContents {
   mesh::ElementMesh mesh;
   std::vector<std::string> remarks;  ///< Cards left out, one line each.
+  FileElements elements = {};
 };
 
 /// @error NotFinite; CannotMesh: no elements; InvalidOption: a set that refers to what does not exist, a name with a

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "shared/base/result.h"
+#include "shared/io/file_elements.h"
 #include "shared/mesh/element_mesh.h"
 
 namespace dobra::io {
@@ -29,10 +30,19 @@ struct InpOptions {
 struct InpContents {
   mesh::ElementMesh mesh;
   std::vector<std::string> remarks;  ///< Keywords left out, one line each.
+  FileElements elements = {};
 };
 
+/// A name that a label cannot hold (letters, digits, _ and -, at most 80), or that another set has already but for its
+/// cases, and what stands there instead. Sets of elements (regions) and of nodes (node and side sets) may share a name.
+struct InpRenaming {
+  std::string kind;  ///< "region", "set of sides", "set of nodes"
+  std::string name, label;
+};
+std::vector<InpRenaming> inp_renamings(const mesh::ElementMesh& mesh);
+
 /// The text of a deck's mesh part; node and element numbers are the positions in the mesh, from 1. Characters that a
-/// label cannot hold become '_', and a comment line says so.
+/// label cannot hold become '_'; a comment line and inp_renamings say so.
 /// @error NotFinite; CannotMesh: no elements; InvalidOption: a set that refers to what does not exist.
 base::Result<std::string> inp_text(const mesh::ElementMesh& mesh, const InpOptions& options = {});
 /// @error those of inp_text, CannotWrite

@@ -222,7 +222,9 @@ class Reader {
       if (surfaces_.contains(name)) continue;  // The nodes of a surface, derived from it.
       for (const std::size_t node : nodes) mesh.node_sets[name].push_back(NodeId(node));
     }
-    finish(mesh, surfaces_);
+    contents_.elements.numbers.resize(mesh.element_count());
+    for (const auto& [number, position] : element_index_) contents_.elements.numbers[position] = number;
+    contents_.elements.turned = finish(mesh, surfaces_).turned;
   }
 
   Records records_;

@@ -52,6 +52,28 @@ class Labels {
   std::set<std::string> used_{"NALL", "EALL"};
 };
 
+// Sets of elements have names of their own; those of sides and of nodes are both node sets.
+struct AllLabels {
+  std::map<std::int32_t, std::string> regions;       // REGION_TAG
+  std::map<std::int32_t, std::string> region_names;  // of those that have a name
+  std::map<std::string, std::string> sides, nodes;
+};
+
+AllLabels labels_of(const ElementMesh& mesh) {
+  AllLabels all;
+  Labels elements, nodes;
+  // The tags come first: the reader knows them by their label.
+  for (const std::int32_t region : std::set<std::int32_t>(mesh.regions.begin(), mesh.regions.end())) {
+    all.regions[region] = elements.take(fmt::format("REGION_{}", region));
+  }
+  for (const auto& [region, name] : mesh.region_names) {
+    if (all.regions.contains(region)) all.region_names[region] = elements.take(name);
+  }
+  for (const auto& [name, sides] : mesh.side_sets) all.sides[name] = nodes.take(name);
+  for (const auto& [name, set] : mesh.node_sets) all.nodes[name] = nodes.take(name);
+  return all;
+}
+
 template <class Range>
 void write_list(const Range& numbers, std::string& text) {
   std::size_t i = 0;
@@ -92,7 +114,7 @@ std::string type_name(mesh::ElementType type, InpElement element) {
   return fmt::format("{}{}", family, mesh::node_count(type));
 }
 
-void write_elements(const ElementMesh& mesh, const InpOptions& options, Labels& labels, std::string& text) {
+void write_elements(const ElementMesh& mesh, const InpOptions& options, const AllLabels& labels, std::string& text) {
   std::map<std::int32_t, std::vector<std::size_t>> regions;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     if (e == 0 || mesh.types[e] != mesh.types[e - 1]) {
@@ -104,14 +126,13 @@ void write_elements(const ElementMesh& mesh, const InpOptions& options, Labels& 
     regions[mesh.regions[e]].push_back(e);
   }
   for (const auto& [region, elements] : regions) {
-    const std::string label = labels.take(fmt::format("REGION_{}", region));
+    const std::string& label = labels.regions.at(region);
     text += fmt::format("*ELSET, ELSET={}\n", label);
     write_list(elements, text);
-    const auto named = mesh.region_names.find(region);
-    if (named == mesh.region_names.end()) continue;
-    const std::string name = labels.take(named->second);
-    write_renaming(named->second, name, text);
-    text += fmt::format("*ELSET, ELSET={}\n{}\n", name, label);
+    const auto named = labels.region_names.find(region);
+    if (named == labels.region_names.end()) continue;
+    write_renaming(mesh.region_names.at(region), named->second, text);
+    text += fmt::format("*ELSET, ELSET={}\n{}\n", named->second, label);
   }
 }
 
@@ -139,6 +160,21 @@ std::string twenty_columns(double value) {
   return exact;
 }
 
+std::vector<InpRenaming> inp_renamings(const ElementMesh& mesh) {
+  const AllLabels labels = labels_of(mesh);
+  std::vector<InpRenaming> renamings;
+  for (const auto& [region, label] : labels.region_names) {
+    if (mesh.region_names.at(region) != label) renamings.push_back({"region", mesh.region_names.at(region), label});
+  }
+  for (const auto& [name, label] : labels.sides) {
+    if (name != label) renamings.push_back({"set of sides", name, label});
+  }
+  for (const auto& [name, label] : labels.nodes) {
+    if (name != label) renamings.push_back({"set of nodes", name, label});
+  }
+  return renamings;
+}
+
 Result<std::string> inp_text(const ElementMesh& mesh, const InpOptions& options) {
   DOBRA_TRY_VOID(check_writable(mesh));
   const auto number = [&](double value) {
@@ -148,11 +184,11 @@ Result<std::string> inp_text(const ElementMesh& mesh, const InpOptions& options)
   for (std::size_t n = 0; n < mesh.points.size(); ++n) {
     text += fmt::format("{}, {}, {}, 0.0\n", n + 1, number(mesh.points[n].x), number(mesh.points[n].y));
   }
-  Labels labels;
+  const AllLabels labels = labels_of(mesh);
   write_elements(mesh, options, labels, text);
-  for (const auto& [name, sides] : mesh.side_sets) write_sides(mesh, name, labels.take(name), sides, text);
+  for (const auto& [name, sides] : mesh.side_sets) write_sides(mesh, name, labels.sides.at(name), sides, text);
   for (const auto& [name, nodes] : mesh.node_sets) {
-    const std::string label = labels.take(name);
+    const std::string& label = labels.nodes.at(name);
     write_renaming(name, label, text);
     if (nodes.empty()) continue;
     text += fmt::format("*NSET, NSET={}\n", label);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <utility>
 
 #include "shared/io/bdf.h"
@@ -17,6 +18,7 @@
 #include "shared/io/neutral.h"
 #include "shared/io/node_ele.h"
 #include "shared/io/polygon_file.h"
+#include "shared/io/scan.h"
 #include "shared/io/vtu.h"
 #include "shared/mesh/surface_text.h"
 
@@ -25,6 +27,7 @@ namespace dobra::io {
 using base::Error;
 using base::ErrorCode;
 using base::Result;
+using mesh::ElementId;
 using mesh::ElementMesh;
 
 namespace {
@@ -84,13 +87,25 @@ Write writer_of(const std::string& path) {
 template <auto read>
 Result<MeshContents> contents_of(const std::string& path) {
   DOBRA_TRY(auto all, read(path));
-  if constexpr (requires { all.remarks; }) return MeshContents{std::move(all.mesh), std::move(all.remarks)};
-  return MeshContents{std::move(all.mesh), {}};
+  MeshContents contents;
+  contents.mesh = std::move(all.mesh);
+  if constexpr (requires { all.remarks; }) contents.remarks = std::move(all.remarks);
+  if constexpr (requires { all.elements; }) contents.elements = std::move(all.elements);
+  return contents;
 }
 
 Result<MeshContents> read_pair(const std::string& path) {
-  DOBRA_TRY(ElementMesh mesh, read_node_ele(std::filesystem::path(path).replace_extension().string()));
-  return MeshContents{std::move(mesh), {}};
+  const std::string stem = std::filesystem::path(path).replace_extension().string();
+  DOBRA_TRY(const NodeFile nodes, read_node(stem + ".node"));
+  DOBRA_TRY(const EleFile triangles, read_ele(stem + ".ele", nodes));
+  MeshContents contents{mesh_of(nodes, triangles), {}};
+  for (std::size_t e = 0; e < triangles.count(); ++e) {
+    contents.elements.numbers.push_back(nodes.first_number + e);
+    // Turning keeps the first corner and swaps the others.
+    const bool kept = contents.mesh.nodes_of(ElementId(e))[1].index() == triangles.nodes[e * triangles.nodes_each + 1];
+    if (!kept) contents.elements.turned.emplace_back(e);
+  }
+  return contents;
 }
 
 Result<MeshContents> read_polygon_elements(const std::string& path) {
@@ -149,10 +164,48 @@ bool is_mesh_ending(const std::string& ending) {
 Result<MeshContents> read_mesh(const std::string& path) {
   const std::string ending = ending_of(path);
   for (const auto& [known, read] : readers()) {
-    if (known == ending) return read(path);
+    if (known != ending) continue;
+    DOBRA_TRY(MeshContents contents, read(path));
+    if (const std::size_t turned = contents.elements.turned.size(); turned > 0) {
+      contents.remarks.push_back(fmt::format("{}: {} of {} elements run clockwise and are turned round", path, turned, contents.mesh.element_count()));
+    }
+    return contents;
   }
   return Error{ErrorCode::UnknownFormat,
                fmt::format("{}: meshes are read from {}", path, fmt::join(mesh_read_endings(), " "))};
+}
+
+std::vector<Error> inverted_elements(const MeshContents& contents) {
+  const ElementMesh& mesh = contents.mesh;
+  std::vector<std::uint8_t> clockwise(mesh.element_count(), 0);
+  for (const ElementId element : contents.elements.turned) clockwise[element.index()] = 1;
+  struct Count {
+    std::size_t all = 0, clockwise = 0;
+  };
+  std::map<std::int32_t, Count> regions;
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    Count& own = regions[mesh.regions[e]];
+    ++own.all;
+    own.clockwise += clockwise[e];
+  }
+  const Count whole{mesh.element_count(), contents.elements.turned.size()};
+  std::vector<Error> errors;
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    const Count& own = regions[mesh.regions[e]];
+    const Count& others = own.all == 1 ? whole : own;
+    const bool most = 2 * others.clockwise > others.all;
+    if ((clockwise[e] != 0) == most) continue;
+    const auto nodes = mesh.nodes_of(ElementId(e)).first(mesh::corner_count(mesh.types[e]));
+    base::Place place;
+    place.item = fmt::format("element {} of the file", contents.elements.numbers.empty() ? e + 1 : contents.elements.numbers[e]);
+    place.x = place.y = 0.0;
+    for (const mesh::NodeId node : nodes) {
+      *place.x += mesh.point(node).x / static_cast<double>(nodes.size());
+      *place.y += mesh.point(node).y / static_cast<double>(nodes.size());
+    }
+    errors.push_back({ErrorCode::CannotMesh, fmt::format("it is inverted: its corners run {}, those of most others {}", most ? "anticlockwise" : "clockwise", most ? "clockwise" : "anticlockwise"), place});
+  }
+  return errors;
 }
 
 Result<void> write_mesh(const std::string& path, const ElementMesh& mesh) {
@@ -173,6 +226,15 @@ std::vector<std::string> losses(const std::string& path, const ElementMesh& mesh
   if (ending == ".poly") say("a .poly file holds the lines of the geometry: elements, named points and the lips of cracks are left out, side sets are marked 1, 2 ... in the order of their names");
   if (ending == ".msh" || ending == ".msh2") {
     for (const auto& [name, written] : msh_renamings(mesh)) say(fmt::format("the name '{}' is written as '{}': names in a .msh stand in quotes, on one line", name, written));
+  }
+  if (ending == ".inp") {
+    for (const auto& [kind, name, label] : inp_renamings(mesh)) {
+      say(fmt::format("the {} {} is written as {}: labels are letters, digits, _ and -, begin with a letter, are no longer than 80 and differ not only by cases", kind, shown(name), label));
+    }
+  }
+  const bool named = !mesh.side_sets.empty() || !mesh.node_sets.empty() || !mesh.region_names.empty();
+  if ((ending == ".node" || ending == ".ele") && named) {
+    say("a .node and .ele pair holds no names: sets of nodes and names of regions are left out, nodes of side sets are marked 1, 2 ... in the order of their names");
   }
   return remarks;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "shared/base/result.h"
+#include "shared/io/file_elements.h"
 #include "shared/mesh/element_mesh.h"
 
 namespace dobra::io {
@@ -12,6 +13,7 @@ namespace dobra::io {
 struct MeshContents {
   mesh::ElementMesh mesh;
   std::vector<std::string> remarks;  ///< What was left out, one line each.
+  FileElements elements = {};
 };
 
 /// The endings that read_mesh knows, each with its dot.
@@ -19,9 +21,14 @@ std::vector<std::string> mesh_read_endings();
 /// Whether read_mesh reads it.
 bool is_mesh_ending(const std::string& ending);
 
-/// By the ending.
+/// By the ending. Elements come anticlockwise; a remark counts those that were turned.
 /// @error UnknownFormat for another ending; those of the readers.
 base::Result<MeshContents> read_mesh(const std::string& path);
+
+/// Elements that ran against most others of their region (an only element of its region: of the mesh) in the file, each
+/// with its number there and its place. A region that is clockwise as a whole is none: other programs allow that, and a
+/// remark of read_mesh tells it.
+std::vector<base::Error> inverted_elements(const MeshContents& contents);
 
 /// The endings that write_mesh knows, each with its dot.
 const std::vector<std::string>& mesh_endings();

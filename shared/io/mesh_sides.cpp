@@ -25,7 +25,8 @@ std::uint64_t key_of(NodeId from, NodeId to) {
   return (static_cast<std::uint64_t>(from.index()) << 32U) | static_cast<std::uint64_t>(to.index());
 }
 
-void turn_anticlockwise(ElementMesh& mesh) {
+std::vector<ElementId> turn_anticlockwise(ElementMesh& mesh) {
+  std::vector<ElementId> turned;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const auto corners = static_cast<std::ptrdiff_t>(mesh::corner_count(mesh.types[e]));
     const auto node = mesh.nodes.begin() + mesh.first[e];
@@ -38,9 +39,11 @@ void turn_anticlockwise(ElementMesh& mesh) {
       if (!clockwise) break;
     }
     if (!clockwise) continue;
+    turned.emplace_back(e);
     std::reverse(node + 1, node + corners);
     if (mesh::is_quadratic(mesh.types[e])) std::reverse(node + corners, node + 2 * corners);
   }
+  return turned;
 }
 
 }  // namespace
@@ -88,10 +91,9 @@ Result<void> check_writable(const ElementMesh& mesh) {
   return {};
 }
 
-std::size_t finish(ElementMesh& mesh, const EdgeSets& sets) {
-  turn_anticlockwise(mesh);
+Finished finish(ElementMesh& mesh, const EdgeSets& sets) {
+  Finished done{0, turn_anticlockwise(mesh)};
   const MeshSides sides(mesh);
-  std::size_t lost = 0;
   for (const auto& [name, edges] : sets) {
     auto& set = mesh.side_sets[name];
     for (const Edge& edge : edges) {
@@ -100,12 +102,12 @@ std::size_t finish(ElementMesh& mesh, const EdgeSets& sets) {
       if (side) {
         set.push_back(*side);
       } else {
-        ++lost;
+        ++done.lost;
       }
     }
   }
   mesh::restore_tips(mesh);
-  return lost;
+  return done;
 }
 
 Result<void> check_names(const ElementMesh& mesh, std::string_view forbidden, std::string_view where,

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "shared/base/result.h"
+#include "shared/io/file_elements.h"
 #include "shared/mesh/element_mesh.h"
 
 namespace dobra::io {
@@ -19,6 +20,7 @@ namespace dobra::io {
 struct MshContents {
   mesh::ElementMesh mesh;
   std::vector<std::string> remarks;  ///< What was left out, one line each.
+  FileElements elements = {};
 };
 
 enum class MshVersion { V22, V41 };

@@ -271,6 +271,7 @@ class Reader {
       own.clear();
       for (std::size_t k = 0; k < element.kind->nodes; ++k) own.emplace_back(element.nodes[k]);
       mesh::add_element(mesh, element.kind->element, own, region(element.entity));
+      contents_.elements.numbers.push_back(element.tag);
     }
     EdgeSets sets;
     for (const Element& element : elements_[1]) {
@@ -283,9 +284,11 @@ class Reader {
         mesh.node_sets[name_of(0, group)].push_back(NodeId(element.nodes[0]));
       }
     }
-    if (const std::size_t lost = finish(mesh, sets); lost > 0) {
+    Finished done = finish(mesh, sets);
+    contents_.elements.turned = std::move(done.turned);
+    if (done.lost > 0) {
       contents_.remarks.push_back(
-          fmt::format("{}: {} lines that are no side of an element are left out", records_.file(), lost));
+          fmt::format("{}: {} lines that are no side of an element are left out", records_.file(), done.lost));
     }
   }
 

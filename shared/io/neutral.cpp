@@ -267,7 +267,10 @@ class Reader {
       const auto material = materials_.find(element.material);
       if (material != materials_.end()) file_.materials[region] = material->second;
     }
-    finish(file_.mesh, side_sets_);
+    if (elements_.begin()->first != 1 || elements_.rbegin()->first != elements_.size()) {
+      for (const auto& [id, element] : elements_) file_.elements.numbers.push_back(id);
+    }
+    file_.elements.turned = finish(file_.mesh, side_sets_).turned;
     return std::move(file_);
   }
 

@@ -14,6 +14,7 @@
 #include <string_view>
 
 #include "shared/base/result.h"
+#include "shared/io/file_elements.h"
 #include "shared/mesh/element_mesh.h"
 
 namespace dobra::io {
@@ -28,6 +29,7 @@ struct NeutralFile {
   mesh::ElementMesh mesh;
   std::map<std::int32_t, NeutralMaterial> materials;  ///< By region; those of NeutralMaterial where none is given.
   double thickness = 1.0;                             ///< m.
+  FileElements elements = {};                         ///< Of what was read.
   friend bool operator==(const NeutralFile&, const NeutralFile&) = default;
 };
 

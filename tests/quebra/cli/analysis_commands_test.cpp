@@ -117,6 +117,14 @@ TEST_F(AnalysisCommands, ALineAndAProbeAreRead) {
   EXPECT_EQ(json["line_command"][0]["u_x [m]"], json["quantities"]["probe.1.load.u_x"]["value"]);
   const std::string lines = text("line.csv");
   EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 5);
+  const auto partly = call({"adapt", scenario, "--target", "20%", "--line", "-30,60,10,60", "--samples", "5", "--json"});
+  ASSERT_EQ(partly.code, 0) << partly.err;
+  const Json some = Json::parse(partly.out);
+  const std::string remark = "line 'command': 3 of its 5 points lie outside the material and are left out";
+  EXPECT_EQ(some["line_command"].size(), 2u);
+  EXPECT_NE(some["remarks"].dump().find(remark), std::string::npos);
+  EXPECT_NE(partly.err.find(remark), std::string::npos) << partly.err;
+  EXPECT_EQ(json["remarks"].dump().find("outside the material"), std::string::npos);
   refuses({"adapt", scenario, "--out", path("line2.csv")}, 2, {"--line"});
   refuses({"adapt", scenario, "--probe", "10"}, 2, {"--probe 10", "x,y"});
 }

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <random>
 
@@ -10,6 +11,7 @@
 #include "shared/io/base64.h"
 #include "shared/io/file.h"
 #include "shared/io/inp.h"
+#include "shared/io/mesh_file.h"
 #include "shared/io/msh.h"
 #include "shared/io/vtu.h"
 #include "tests/shared/io/io_examples.h"
@@ -282,6 +284,37 @@ TEST(Inp, NamesThatALabelCannotHoldAreChangedAndStayApart) {
   for (const auto& [name, nodes] : read->mesh.node_sets) names.push_back(name);
   EXPECT_THAT(names, ElementsAre("A_B", "S_1", "a_b_2", "a_b_3", std::string(70, 'x')));
   EXPECT_THAT(*inp_text(mesh), HasSubstr("** 'a b' is written as a_b_2\n"));
+}
+
+TEST(Inp, ASetMayHaveTheNameOfARegionAndEveryOtherRenamingIsTold) {
+  ElementMesh mesh = test::example_mesh(3);
+  const std::int32_t region = mesh.regions.front();
+  mesh.region_names = {{region, "A"}};
+  mesh.side_sets = {{"A", {{mesh::ElementId(0), 0}}}, {"my rim", {{mesh::ElementId(0), 1}}}};
+  mesh.node_sets = {{"a", {NodeId(0)}}, {"P", {NodeId(1)}}};
+  mesh.tips.clear();
+  const auto read = parse_inp(*inp_text(mesh), "f");
+  ASSERT_TRUE(read.ok()) << base::to_string(read.error());
+  EXPECT_EQ(read->mesh.region_names, mesh.region_names);
+  EXPECT_EQ(read->mesh.regions, mesh.regions);
+  EXPECT_EQ(read->mesh.side_sets.at("A"), mesh.side_sets.at("A"));
+  EXPECT_EQ(read->mesh.node_sets.at("a_2"), mesh.node_sets.at("a"));
+  EXPECT_EQ(read->mesh.node_sets.at("P"), mesh.node_sets.at("P"));
+  const auto told = losses("m.inp", mesh);
+  EXPECT_THAT(told, ElementsAre(HasSubstr("m.inp: the set of sides 'my rim' is written as my_rim"), HasSubstr("the set of nodes 'a' is written as a_2")));
+  EXPECT_THAT(losses("m.vtu", mesh), IsEmpty());
+  EXPECT_THAT(losses("m.ele", mesh), ElementsAre(HasSubstr("holds no names")));
+}
+
+TEST(Inp, ARegionWithTheLabelOfAnotherTagLeavesTheTagsAsTheyAre) {
+  ElementMesh mesh = test::example_mesh(3);
+  std::fill(mesh.regions.begin(), mesh.regions.end(), 1);
+  mesh.regions.back() = 2;
+  mesh.region_names = {{1, "REGION_2"}};
+  const auto read = parse_inp(*inp_text(mesh), "f");
+  ASSERT_TRUE(read.ok()) << base::to_string(read.error());
+  EXPECT_EQ(read->mesh.regions, mesh.regions);
+  EXPECT_THAT(losses("m.inp", mesh), testing::Contains(HasSubstr("the region 'REGION_2' is written as REGION_2_2")));
 }
 
 TEST(Inp, ADeckOfAnotherProgramIsRead) {
