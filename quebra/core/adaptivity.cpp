@@ -228,12 +228,13 @@ Result<Model> adapt(const Model& model, const AdaptParams& params, const dobra::
     while (i > 0 && model.analyses[i]->cycle > 1 && model.analyses[i - 1]->cycle == model.analyses[i]->cycle - 1) --i;
     std::vector<std::string> told;
     for (; i < model.analyses.size(); ++i) peaks.see(*model.analyses[i], params, told);
+    std::erase(result.remarks, model.why_short);
+    result.why_short.clear();
     before = {last.eta, peaks.worst(), left_out_of(last)};
     if (before.met(params.target)) return result;
     done = last.cycle;
     DOBRA_TRY(wishes, wishes_of(last, params, peaks, size));
     for (const std::string& told_before : remarks_on(last)) std::erase(result.remarks, told_before);
-    std::erase_if(result.remarks, [&](const std::string& told_before) { return told_before == model.why_short; });
   }
   const auto finish = [&](const std::string& why) {
     for (std::string& remark : remarks_on(*result.analyses.back())) result.remarks.push_back(std::move(remark));
