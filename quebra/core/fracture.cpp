@@ -41,6 +41,20 @@ std::vector<Figure> figures_of(const fem::TipResult& tip) {
           {"kink.g_theta", "deg", angle(&Kinks::g_theta)}};
 }
 
+/// What the user should know of the tips; of one that no load case has figures of, once.
+void add_tip_remarks(const Analysis& analysis, std::vector<std::string>& remarks) {
+  for (std::size_t c = 0; c < analysis.tips.size(); ++c) {
+    const std::string of = analysis.tips.size() == 1 ? std::string() : fmt::format("load case '{}': ", analysis.problem.cases[c].name);
+    for (std::size_t t = 0; t < analysis.tips[c].size(); ++t) {
+      const fem::TipResult& tip = analysis.tips[c][t];
+      for (const std::string& remark : tip.remarks) remarks.push_back(of + remark);
+      if (!tip.refused) continue;
+      const bool always = std::all_of(analysis.tips.begin(), analysis.tips.end(), [&](const auto& tips) { return tips[t].refused && tips[t].refused->message == tip.refused->message; });
+      if (!always || c == 0) remarks.push_back(fmt::format("{}crack tip '{}' at ({:.6g}, {:.6g}) has no K: {}", always ? "" : of, tip.name, tip.at.x, tip.at.y, tip.refused->message));
+    }
+  }
+}
+
 }  // namespace
 
 dobra::base::Result<Model> add_tips(const Model& model, const FractureParams& params, const scenario::Context&,
@@ -50,16 +64,14 @@ dobra::base::Result<Model> add_tips(const Model& model, const FractureParams& pa
   const auto& mesh = analysis.meshed->mesh;
   if (mesh.tips.empty()) return Error{ErrorCode::BadValue, "the mesh has no crack tips; give the input a crack that ends inside the material"};
   analysis.tips.clear();
-  Model result = model;
   for (std::size_t c = 0; c < analysis.problem.cases.size(); ++c) {
     DOBRA_TRY_VOID(progress.check());
-    DOBRA_TRY(auto tips, fem::crack_tips(mesh, analysis.problem, analysis.problem.cases[c], analysis.solution.cases[c].displacements, params.contour));
-    for (const auto& tip : tips) {
-      for (const std::string& remark : tip.remarks)
-        result.remarks.push_back(analysis.problem.cases.size() == 1 ? remark : fmt::format("load case '{}': {}", analysis.problem.cases[c].name, remark));
-    }
-    analysis.tips.push_back(std::move(tips));
+    analysis.tips.push_back(fem::crack_tips(mesh, analysis.problem, analysis.problem.cases[c], analysis.solution.cases[c].displacements, params.contour));
   }
+  const auto all_refused = [](const auto& tips) { return std::all_of(tips.begin(), tips.end(), [](const auto& tip) { return tip.refused.has_value(); }); };
+  if (std::all_of(analysis.tips.begin(), analysis.tips.end(), all_refused)) return *analysis.tips.front().front().refused;
+  Model result = model;
+  add_tip_remarks(analysis, result.remarks);
   result.analyses.back() = std::make_shared<const Analysis>(std::move(analysis));
   return result;
 }
@@ -93,6 +105,7 @@ void add_tip_quantities(const Model& model, std::vector<scenario::Quantity>& qua
   const Analysis& analysis = *model.analyses.back();
   for (std::size_t c = 0; c < analysis.tips.size(); ++c) {
     for (const auto& tip : analysis.tips[c]) {
+      if (tip.refused) continue;
       for (const Figure& figure : figures_of(tip)) {
         if (figure.value) quantities.push_back({fmt::format("tip.{}.{}.{}", analysis.solution.cases[c].name, tip.name, figure.name), *figure.value, figure.unit});
       }
@@ -109,6 +122,7 @@ void add_tip_tables(const Model& model, std::vector<scenario::DataTable>& tables
       const auto figures = figures_of(tip);
       if (table.rows.empty()) {
         for (const Figure& figure : figures) table.columns.push_back(fmt::format("{} [{}]", figure.name, figure.unit));
+        table.columns.emplace_back("reason");
       }
       auto& row = table.rows.emplace_back();
       row.reserve(table.columns.size());
@@ -116,12 +130,22 @@ void add_tip_tables(const Model& model, std::vector<scenario::DataTable>& tables
       row.emplace_back(tip.name);
       for (const double place : {tip.at.x, tip.at.y}) row.emplace_back(place);
       for (const Figure& figure : figures) {
-        if (figure.value) row.emplace_back(*figure.value);
+        if (figure.value && !tip.refused) row.emplace_back(*figure.value);
         else row.emplace_back(std::string());
       }
+      row.emplace_back(tip.refused ? tip.refused->message : std::string());
     }
   }
   tables.push_back(std::move(table));
+}
+
+std::optional<bool> tips_reached(const Model& model) {
+  std::optional<bool> reached;
+  for (const auto& analysis : model.analyses) {
+    for (const auto& tips : analysis->tips)
+      reached = reached.value_or(true) && std::none_of(tips.begin(), tips.end(), [](const auto& tip) { return tip.refused.has_value(); });
+  }
+  return reached;
 }
 
 }  // namespace quebra::core

@@ -19,7 +19,8 @@ struct FractureParams {
   }
 };
 
-/// @error BadValue: no analysis, or no tip in its mesh; those of fem::crack_tips.
+/// A tip that cannot be analysed is listed with the reason, and a remark says it.
+/// @error BadValue: no analysis, or no tip in its mesh; no tip that can be analysed: the reason of the first.
 dobra::base::Result<Model> add_tips(const Model& model, const FractureParams& params, const dobra::scenario::Context& context,
                                     const dobra::base::Progress& progress);
 
@@ -31,5 +32,7 @@ std::string ask_for_rosettes(dobra::scenario::Document& document);
 /// What the crack steps of a model add to its quantities and tables.
 void add_tip_quantities(const Model& model, std::vector<dobra::scenario::Quantity>& quantities);
 void add_tip_tables(const Model& model, std::vector<dobra::scenario::DataTable>& tables);
+/// Whether the crack steps gave every tip its K; nothing if there was none.
+std::optional<bool> tips_reached(const Model& model);
 
 }  // namespace quebra::core

@@ -118,7 +118,9 @@ scenario::Program make_program() {
   program.reached_of = [](const scenario::State& state) -> std::optional<bool> {
     const Model& model = scenario::model_of<Model>(state);
     const bool adapted = std::any_of(model.analyses.begin(), model.analyses.end(), [](const auto& analysis) { return analysis->cycle > 0; });
-    return adapted ? std::optional(!model.short_of_target) : std::nullopt;
+    const auto tips = tips_reached(model);
+    if (!adapted) return tips;
+    return !model.short_of_target && tips.value_or(true);
   };
   program.remarks_of = [](const scenario::State& state) { return scenario::model_of<Model>(state).remarks; };
   program.tables_of = [](const scenario::State& state) {

@@ -395,13 +395,10 @@ base::Result<void> check_symmetry(const ElementMesh& mesh, const TipFrame& frame
 
 }  // namespace
 
-base::Result<std::vector<TipFrame>> tip_frames(const ElementMesh& mesh, const Materials& materials) {
+std::vector<base::Result<TipFrame>> tip_frames(const ElementMesh& mesh, const Materials& materials) {
   const Surroundings around = surroundings_of(mesh);
-  std::vector<TipFrame> frames;
-  for (const mesh::CrackTip& tip : mesh.tips) {
-    DOBRA_TRY(TipFrame frame, frame_of(mesh, materials, tip, around));
-    frames.push_back(std::move(frame));
-  }
+  std::vector<base::Result<TipFrame>> frames;
+  for (const mesh::CrackTip& tip : mesh.tips) frames.push_back(frame_of(mesh, materials, tip, around));
   return frames;
 }
 
@@ -549,25 +546,34 @@ void look_for_contact(const ElementMesh& mesh, const TipFrame& frame, const std:
                   kink_of(KinkCriterion::STheta, k, frame.material), kink_of(KinkCriterion::GTheta, k, frame.material)};
 }
 
+base::Result<TipResult> tip_result(const ElementMesh& mesh, const Problem& problem, const LoadCase& load,
+                                   const TipFrame& frame, const std::vector<mesh::ElementSide>& boundary,
+                                   std::span<const Vector> u, std::optional<double> outer) {
+  DOBRA_TRY_VOID(check_symmetry(mesh, frame, u));
+  DOBRA_TRY(const Contour contour, contour_of(frame, outer));
+  TipResult result{.name = frame.tip.name, .at = frame.at, .ahead = frame.tip.direction, .contour = contour};
+  result.domain = domain_integrals(mesh, load, frame, contour, u);
+  const Contour half{0.5 * contour.inner, 0.5 * contour.outer};
+  result.inner_j = domain_integrals(mesh, load, frame, half, u).j;
+  const Intensity k = result.domain.k;
+  compare_methods(mesh, problem, load, frame, u, result);
+  result.release = (k.one * k.one + k.two * k.two) / effective_modulus(frame.material);
+  look_for_contact(mesh, frame, boundary, u, result);
+  return result;
+}
+
 }  // namespace
 
-base::Result<std::vector<TipResult>> crack_tips(const ElementMesh& mesh, const Problem& problem, const LoadCase& load,
-                                                std::span<const Vector> u, std::optional<double> outer) {
-  DOBRA_TRY(const std::vector<TipFrame> frames, tip_frames(mesh, problem.materials));
+std::vector<TipResult> crack_tips(const ElementMesh& mesh, const Problem& problem, const LoadCase& load,
+                                  std::span<const Vector> u, std::optional<double> outer) {
+  const auto frames = tip_frames(mesh, problem.materials);
   const std::vector<mesh::ElementSide> boundary = surroundings_of(mesh).boundary;
   std::vector<TipResult> results;
-  for (const TipFrame& frame : frames) {
-    DOBRA_TRY_VOID(check_symmetry(mesh, frame, u));
-    DOBRA_TRY(const Contour contour, contour_of(frame, outer));
-    TipResult result{.name = frame.tip.name, .at = frame.at, .ahead = frame.tip.direction, .contour = contour};
-    result.domain = domain_integrals(mesh, load, frame, contour, u);
-    const Contour half{0.5 * contour.inner, 0.5 * contour.outer};
-    result.inner_j = domain_integrals(mesh, load, frame, half, u).j;
-    const Intensity k = result.domain.k;
-    compare_methods(mesh, problem, load, frame, u, result);
-    result.release = (k.one * k.one + k.two * k.two) / effective_modulus(frame.material);
-    look_for_contact(mesh, frame, boundary, u, result);
-    results.push_back(std::move(result));
+  for (std::size_t t = 0; t < frames.size(); ++t) {
+    const mesh::CrackTip& tip = mesh.tips[t];
+    auto own = frames[t] ? tip_result(mesh, problem, load, *frames[t], boundary, u, outer) : frames[t].error();
+    if (own) results.push_back(*std::move(own));
+    else results.push_back({.name = tip.name, .at = mesh.point(tip.node), .ahead = tip.direction, .refused = own.error()});
   }
   return results;
 }

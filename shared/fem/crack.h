@@ -37,10 +37,10 @@ struct TipFrame {
   [[nodiscard]] geom::Vector up() const { return (lips == Lips::OnlyRight ? -1.0 : 1.0) * left_of(tip.direction); }
   [[nodiscard]] geom::Vector local(geom::Vector v) const { return {dot(v, tip.direction), dot(v, up())}; }
 };
-/// One a tip of the mesh, in their order.
-/// @error BadCrack with the place: no lips at the tip, lips (or lip and line ahead) that are not straight, elements of
-/// two materials at it.
-base::Result<std::vector<TipFrame>> tip_frames(const mesh::ElementMesh& mesh, const Materials& materials);
+/// One a tip of the mesh, in their order: a tip that has none does not cost the others theirs.
+/// @error of a tip, BadCrack with the place: no lips at it, lips (or lip and line ahead) that are not straight, elements
+/// of two materials.
+std::vector<base::Result<TipFrame>> tip_frames(const mesh::ElementMesh& mesh, const Materials& materials);
 
 /// @error BadCrack: the elements at the tip are not quarter-point ones (the formula would be wrong by 60 %).
 base::Result<Intensity> displacement_correlation(const mesh::ElementMesh& mesh, const TipFrame& frame,
@@ -87,11 +87,12 @@ struct TipResult {
   };
   std::optional<Kinks> kinks = {};
   std::vector<std::string> remarks = {};  ///< What the user should know: methods left out and why, lips that overlap.
+  /// Why the tip has no figures; nothing but name, place and direction counts then. Those of tip_frames and contour_of;
+  /// BadCrack: the line ahead of a single lip moves across.
+  std::optional<base::Error> refused = {};
 };
 /// All of it, for every tip, in their order. A crack whose lips overlap has its remark: contact is not modelled.
-/// @error those of tip_frames and contour_of; BadCrack: the line ahead of a single lip moves across.
-base::Result<std::vector<TipResult>> crack_tips(const mesh::ElementMesh& mesh, const Problem& problem,
-                                                const LoadCase& load, std::span<const geom::Vector> u,
-                                                std::optional<double> outer = std::nullopt);
+std::vector<TipResult> crack_tips(const mesh::ElementMesh& mesh, const Problem& problem, const LoadCase& load,
+                                  std::span<const geom::Vector> u, std::optional<double> outer = std::nullopt);
 
 }  // namespace dobra::fem

@@ -35,6 +35,22 @@ std::string strip(double a, int sign = 1) {
          "[[step.load]]\nwhere = \"top\"\n" + force + "[[step.load]]\nwhere = \"bottom\"\n" + against;
 }
 
+/// A plate 4 by 4, clamped below, pulled above, with an edge crack 1 deep on the left and one `deep` on the right;
+/// `more` goes into the input, `loads` into the problem.
+std::string two_cracks(const std::string& more, double deep, const std::string& loads = "") {
+  const auto curve = [](const std::string& name, double from, double to, double y) {
+    return "[[input.crack]]\nname = \"" + name + "\"\npoints = [[" + std::to_string(from) + ", " + std::to_string(y) + "], [" + std::to_string(to) + ", " + std::to_string(y) + "]]\n";
+  };
+  return "[input]\n[[input.curve]]\nname = \"bottom\"\npoints = [[0.0, 0.0], [4.0, 0.0]]\n[[input.curve]]\nname = \"right\"\npoints = [[4.0, 0.0], [4.0, 4.0]]\n"
+         "[[input.curve]]\nname = \"top\"\npoints = [[4.0, 4.0], [0.0, 4.0]]\n[[input.curve]]\nname = \"left\"\npoints = [[0.0, 4.0], [0.0, 0.0]]\n" +
+         curve("edge", 0.0, 1.0, 2.5) + curve("other", 4.0, 4.0 - deep, 1.5) + more +
+         "[[step]]\noperation = \"problem\"\n[[step.material]]\nyoung = 1.0\npoisson = 0.3\n[[step.support]]\nwhere = \"bottom\"\nx = 0.0\ny = 0.0\n"
+         "[[step.load]]\nwhere = \"top\"\ny = 1.0\n" + loads;
+}
+/// A strip on the right, which a crack 1.5 deep ends on.
+const std::string interface =
+    "[[input.curve]]\nname = \"seam\"\nrole = \"internal\"\npoints = [[2.5, 0.0], [2.5, 4.0]]\n[[input.region]]\nname = \"strip\"\npoint = [3.9, 0.1]\n";
+
 dobra::scenario::Document document(const std::string& text) {
   return dobra::scenario::parse_document("dobra = 1\nprogram = \"quebra\"\n" + text, "test.toml").value();
 }
@@ -92,7 +108,46 @@ TEST(Fracture, AClosedCrackHasARemarkAndNoKinkAngles) {
   EXPECT_THAT(program().remarks_of(done.states.back()), testing::Contains(HasSubstr("closed: the lips overlap")));
   const auto tables = program().tables_of(done.states.back());
   const auto tips = std::find_if(tables.begin(), tables.end(), [](const auto& table) { return table.name == "tips"; });
-  EXPECT_EQ(std::get<std::string>(tips->rows[0].back()), "");
+  const auto kink = std::find(tips->columns.begin(), tips->columns.end(), "kink.g_theta [deg]");
+  ASSERT_NE(kink, tips->columns.end());
+  EXPECT_EQ(std::get<std::string>(tips->rows[0][static_cast<std::size_t>(kink - tips->columns.begin())]), "");
+}
+
+TEST(Fracture, OneTipWithoutKDoesNotCostTheOthersTheirs) {
+  const auto alone = figures(run(two_cracks("", 1.5) + rosettes + analyse + crack));
+  // One tip on an interface of two alike materials; then one whose crack is too short for the contour.
+  const auto done = run(two_cracks(interface, 1.5) + rosettes + analyse + crack);
+  const auto values = figures(done);
+  EXPECT_NEAR(values.at("tip.load.edge_end.K_I") / alone.at("tip.load.edge_end.K_I"), 1.0, 2e-3);
+  EXPECT_FALSE(values.contains("tip.load.other_end.K_I"));
+  EXPECT_TRUE(alone.contains("tip.load.other_end.K_I"));
+  const auto& analysed = *last(done).analyses.back();
+  ASSERT_EQ(analysed.tips[0].size(), 2U);
+  EXPECT_EQ(analysed.tips[0][1].at, (dobra::geom::Point{2.5, 1.5}));
+  EXPECT_THAT(analysed.tips[0][1].refused->message, HasSubstr("two materials meet at the tip"));
+  EXPECT_THAT(program().remarks_of(done.states.back()), testing::Contains(HasSubstr("crack tip 'other_end' at (2.5, 1.5) has no K: two materials meet at the tip")));
+  EXPECT_EQ(dobra::scenario::reached(program(), done.states.back()), false);
+
+  const auto outer = run(two_cracks("", 0.3) + rosettes + analyse + crack + "contour = 0.4\n");
+  EXPECT_TRUE(figures(outer).contains("tip.load.edge_end.K_I"));
+  EXPECT_THAT(last(outer).analyses.back()->tips[0][1].refused->message, HasSubstr("leaves the straight end of the crack"));
+  EXPECT_EQ(dobra::scenario::reached(program(), outer.states.back()), false);
+  EXPECT_THAT(trouble(two_cracks("", 0.3) + rosettes + analyse + crack + "contour = 1.4\n"), testing::AllOf(HasSubstr("edge_end"), HasSubstr("leaves the straight end")));
+}
+
+TEST(Fracture, ATipWithoutKInEveryLoadCaseHasOneRemark) {
+  const auto done = run(two_cracks(interface, 1.5, "[[step.load]]\ncase = \"more\"\nwhere = \"top\"\ny = 2.0\n") + rosettes + analyse + crack);
+  const auto remarks = program().remarks_of(done.states.back());
+  EXPECT_EQ(std::count_if(remarks.begin(), remarks.end(), [](const std::string& remark) { return remark.find("has no K") != std::string::npos; }), 1);
+  const auto tables = program().tables_of(done.states.back());
+  const auto tips = std::find_if(tables.begin(), tables.end(), [](const auto& table) { return table.name == "tips"; });
+  ASSERT_EQ(tips->rows.size(), 4U);
+  EXPECT_EQ(tips->columns.back(), "reason");
+  for (const auto& row : tips->rows) {
+    const bool refused = std::get<std::string>(row[1]) == "other_end";
+    EXPECT_EQ(!std::get<std::string>(row.back()).empty(), refused);
+    EXPECT_EQ(std::holds_alternative<double>(row[4]), !refused);
+  }
 }
 
 TEST(Fracture, TheVtuHasVonMisesAndPrincipalStresses) {

@@ -22,8 +22,8 @@ TipResult tip_of(const ElementMesh& mesh, const Problem& problem, std::optional<
   const auto solution = solve(mesh, problem);
   EXPECT_TRUE(solution.ok()) << (solution ? "" : to_string(solution.error()));
   const auto tips = crack_tips(mesh, problem, problem.cases[0], solution->cases[0].displacements, outer);
-  EXPECT_TRUE(tips.ok()) << (tips ? "" : to_string(tips.error()));
-  return tips->front();
+  EXPECT_FALSE(tips.front().refused) << to_string(*tips.front().refused);
+  return tips.front();
 }
 
 /// Edge crack of length a in a strip 1 wide and 2 `height` high, from (0, 0); sides: 0 bottom, 1 and 2 right, 3 top, 4
@@ -126,7 +126,7 @@ TipResult bent_beam(double a, double& energy) {
   problem.cases[0].points = {{"top", {0, -1.0}}};
   const Solution solution = solve(mesh, problem).value();
   energy = solution.cases[0].energy;
-  return crack_tips(mesh, problem, problem.cases[0], solution.cases[0].displacements).value().front();
+  return crack_tips(mesh, problem, problem.cases[0], solution.cases[0].displacements).front();
 }
 
 TEST(Crack, ABeamInThreePointBendingFollowsTheHandbookAndTheStandard) {
@@ -209,7 +209,7 @@ TEST(Crack, AnInclinedCentreCrackHasItsClosedFormAndKinkAngles) {
                     .supports = {{.where = "anchor", .x = 0.0, .y = 0.0}, {.where = "guide", .y = 0.0}}};
     problem.cases[0].sides = {{"side 0", uniform({0, -1})}, {"side 2", uniform({0, 1})}};
     const auto u = solve(mesh, problem).value().cases[0].displacements;
-    const auto tips = crack_tips(mesh, problem, problem.cases[0], u).value();
+    const auto tips = crack_tips(mesh, problem, problem.cases[0], u);
     ASSERT_EQ(tips.size(), 2U);
     for (const TipResult& tip : tips) {
       const double unit = std::sqrt(pi * a);
@@ -280,7 +280,7 @@ TEST(Crack, LipsThatOverlapAwayFromAnOpenTipAreSaidTo) {
   Problem problem{.materials = {{0, sheet}}, .supports = {{.where = "side 0", .x = 0.0, .y = 0.0}}};
   problem.cases[0].sides = {{"side 2", [](Point p, Vector) { return Vector{0.0, p.x}; }}};
   const auto u = solve(mesh, problem).value().cases[0].displacements;
-  const auto tips = crack_tips(mesh, problem, problem.cases[0], u).value();
+  const auto tips = crack_tips(mesh, problem, problem.cases[0], u);
   ASSERT_EQ(tips.size(), 2U);
   for (const TipResult& tip : tips) {
     EXPECT_EQ(tip.domain.k.one > 0.0, tip.at.x > 0.0);
@@ -360,7 +360,7 @@ TEST(Crack, WithoutQuarterPointsDisplacementCorrelationIsRefusedAndClosureStillW
   EXPECT_NEAR(tip.spread.value(), std::abs(tip.closure->one / tip.domain.k.one - 1.0), 1e-6);
   EXPECT_THAT(tip.remarks, testing::ElementsAre(HasSubstr("K by two methods only (displacement correlation needs")));
   EXPECT_NEAR(tip.closure->one / std::sqrt(0.5 * pi), 2.824, 0.02 * 2.824);
-  const TipFrame frame = tip_frames(mesh, problem.materials)->front();
+  const TipFrame frame = tip_frames(mesh, problem.materials).front().value();
   const std::vector<Vector> u(mesh.points.size());
   EXPECT_THAT(to_string(displacement_correlation(mesh, frame, u).error()),
               HasSubstr("crack tip 'crack 0_end': displacement correlation needs quarter-point"));
@@ -368,7 +368,7 @@ TEST(Crack, WithoutQuarterPointsDisplacementCorrelationIsRefusedAndClosureStillW
 
 TEST(Crack, TheContourStaysInsideTheStraightEndOfTheCrackOrIsRefused) {
   ElementMesh mesh = cracked_plate(edge_crack(0.4));
-  const TipFrame frame = tip_frames(mesh, {{0, sheet}})->front();
+  const TipFrame frame = tip_frames(mesh, {{0, sheet}}).front().value();
   EXPECT_NEAR(frame.room, 0.4, 1e-9);  // as far as the mouth
   EXPECT_NEAR(contour_of(frame)->outer, 0.38, 1e-9);
   EXPECT_THAT(to_string(contour_of(frame, 0.41).error()), HasSubstr("leaves the straight end of the crack"));
@@ -381,10 +381,9 @@ TEST(Crack, AMaterialInterfaceLimitsTheContourAndMayNotMeetTheTip) {
     if (mesh.point(mesh.nodes_of(mesh::ElementId(e))[0]).x > 0.55) mesh.regions[e] = 1;
   }
   const auto frames = tip_frames(mesh, {{0, sheet}, {1, sheet}});
-  ASSERT_TRUE(frames.ok());
-  EXPECT_LT(frames->front().room, 0.3);
-  mesh.regions[frames->front().right.element.index()] = 1;
-  EXPECT_THAT(to_string(tip_frames(mesh, {{0, sheet}, {1, sheet}}).error()),
+  EXPECT_LT(frames.front()->room, 0.3);
+  mesh.regions[frames.front()->right.element.index()] = 1;
+  EXPECT_THAT(to_string(tip_frames(mesh, {{0, sheet}, {1, sheet}}).front().error()),
               HasSubstr("two materials meet at the tip"));
 }
 
@@ -431,10 +430,9 @@ TEST(Rosette, BothEndsOfACrackAreFilledAndOpened) {
   ASSERT_TRUE(check(mesh).ok());
   EXPECT_NEAR(area(mesh), 4.0, 1e-12);
   ASSERT_EQ(mesh.tips.size(), 2U);
-  const auto frames = tip_frames(mesh, {{0, sheet}}).value();
-  for (const TipFrame& frame : frames) {
-    EXPECT_TRUE(frame.quarter);
-    EXPECT_NEAR(frame.length, 0.02, 1e-12);
+  for (const auto& frame : tip_frames(mesh, {{0, sheet}})) {
+    EXPECT_TRUE(frame->quarter);
+    EXPECT_NEAR(frame->length, 0.02, 1e-12);
   }
 }
 
