@@ -26,7 +26,7 @@
 #include "shared/scenario/table_text.h"
 
 // 1. The document: options become parameters of its last step of the command's operation, which is added if there is none
-// (crack: analyse before it, and rosettes in the mesh), and steps behind it. 2. It is run as `quebra run` would. 3. Quantities, tables and remarks are
+// (adapt: with the rules of the last mesh; crack: analyse before it, and rosettes in the mesh), and steps behind it. 2. It is run as `quebra run` would. 3. Quantities, tables and remarks are
 // printed, the line and the picture written.
 
 namespace quebra::cli {
@@ -119,12 +119,30 @@ Result<void> add_result_steps(const Options& options, dobra::cli::OutputFormat f
   return {};
 }
 
+/// A loop that the scenario has no step of obeys what its last mesh step says, as far as a loop knows it. @return what it takes, for the user.
+std::string as_the_mesh(const dobra::cli::Session& session, const scenario::Document& document, scenario::Table& loop) {
+  const auto mesh = std::find_if(document.steps.rbegin(), document.steps.rend(), [](const auto& step) { return step.operation == "mesh"; });
+  if (mesh == document.steps.rend()) return {};
+  const auto& known = session.program.find_operation("adapt")->fields;
+  std::string taken;
+  for (const auto& entry : mesh->params.entries()) {
+    if (std::none_of(known.begin(), known.end(), [&](const scenario::Field& field) { return field.key == entry.key; })) continue;
+    loop.set(entry.key, entry.value, entry.place);
+    taken += (taken.empty() ? "" : ", ") + entry.key;
+  }
+  return taken.empty() ? taken : fmt::format("the loop takes {} of step {} (mesh); options and a step 'adapt' say otherwise", taken, document.steps.rend() - mesh);
+}
+
 Result<scenario::Document> document_of(dobra::cli::Session& session, const std::string& operation, const Options& options) {
   DOBRA_TRY(scenario::Document document, dobra::cli::load(session, options.scenario));
   if (operation == "crack" && !has_step(document, "analyse") && !has_step(document, "adapt")) document.steps.push_back(step_of("analyse"));
   auto last = std::find_if(document.steps.rbegin(), document.steps.rend(), [&](const auto& step) { return step.operation == operation; });
   if (last == document.steps.rend()) {
-    document.steps.push_back(step_of(operation));
+    scenario::Step step = step_of(operation);
+    if (operation == "adapt") {
+      if (const std::string taken = as_the_mesh(session, document, step.params); !taken.empty()) session.note(taken);
+    }
+    document.steps.push_back(std::move(step));
     last = document.steps.rbegin();
   }
   if (!options.target.empty()) {

@@ -50,6 +50,90 @@ TEST_F(AnalysisCommands, OptionsOfMeshesAreThoseOfTheLoopToo) {
   refuses({"adapt", l_shape(), "--engine", "magic"}, 2, {"--engine"});
 }
 
+TEST_F(AnalysisCommands, ALoopWithoutAStepOfItsOwnObeysTheMeshStep) {
+  const std::string example = DOBRA_SOURCE_DIR "/resources/examples/quebra/edge_crack.toml";
+  const auto met = call({"adapt", example, "--target", "2%", "--json"});
+  ASSERT_EQ(met.code, 0) << met.err;
+  EXPECT_EQ(Json::parse(met.out)["quantities"]["cycles"]["value"], 1);  // six without rosettes
+  EXPECT_NE(met.err.find("the loop takes size, order, rosettes of step 2 (mesh)"), std::string::npos) << met.err;
+  // Options win.
+  const auto coarse = call({"adapt", example, "--target", "50%", "--size", "0.5", "--json"});
+  const auto fine = call({"adapt", example, "--target", "50%", "--json"});
+  const auto elements = [](const auto& done) { return Json::parse(done.out)["quantities"]["elements"]["value"].template get<double>(); };
+  EXPECT_LT(elements(coarse), elements(fine));
+  // A step of the loop's own says all.
+  const std::string own = put("own.toml", "dobra = 1\nprogram = \"quebra\"\n" + core::test::sheared_l + "[[step]]\noperation = \"mesh\"\nsize = 2.0\n[[step]]\noperation = \"adapt\"\ntarget = 60.0\n");
+  const auto done = call({"adapt", own, "--json"});
+  EXPECT_EQ(done.err.find("the loop takes"), std::string::npos) << done.err;
+  EXPECT_LT(elements(done), 500.0);
+}
+
+TEST_F(AnalysisCommands, ATipWithoutKEndsWithOneAndLeavesTheOthersTheirs) {
+  const std::string plate = put("plate.toml", R"(dobra = 1
+program = "quebra"
+[input]
+[[input.curve]]
+name = "bottom"
+points = [[0.0, 0.0], [4.0, 0.0]]
+[[input.curve]]
+name = "rest"
+points = [[4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [0.0, 0.0]]
+[[input.curve]]
+name = "seam"
+role = "internal"
+points = [[2.5, 0.0], [2.5, 4.0]]
+[[input.crack]]
+name = "edge"
+points = [[0.0, 2.5], [1.0, 2.5]]
+[[input.crack]]
+name = "other"
+points = [[4.0, 1.5], [2.5, 1.5]]
+[[input.region]]
+name = "strip"
+point = [3.9, 0.1]
+[[step]]
+operation = "problem"
+[[step.material]]
+young = 1.0
+[[step.support]]
+where = "bottom"
+x = 0.0
+y = 0.0
+[[step.load]]
+where = "edge_left"
+kind = "pressure"
+value = 1.0
+[[step.load]]
+where = "edge_right"
+kind = "pressure"
+value = 1.0
+)");
+  const std::string crack = "[[step]]\noperation = \"crack\"\n";
+  const std::string whole = put("whole.toml", text("plate.toml") + "[[step]]\noperation = \"mesh\"\norder = \"2\"\nrosettes = \"yes\"\n[[step]]\noperation = \"analyse\"\n" + crack);
+  const std::string loop = put("loop.toml", text("plate.toml") + "[[step]]\noperation = \"adapt\"\nrosettes = \"yes\"\ntarget = 50.0\n" + crack);
+  for (const std::string& file : {plate, loop}) {
+    const auto done = call({"crack", file, "--json"});
+    EXPECT_EQ(done.code, 1) << done.err;
+    const Json json = Json::parse(done.out);
+    EXPECT_EQ(json["reached"], false);
+    EXPECT_GT(json["quantities"]["tip.load.edge_end.K_I"]["value"], 0.0);
+    ASSERT_EQ(json["tips"].size(), 2u);
+    EXPECT_GT(json["tips"][0]["K_I [Pa m^0.5]"], 0.0);
+    EXPECT_FALSE(json["tips"][0].contains("reason"));
+    const Json& refused = json["tips"][1];
+    EXPECT_EQ(refused["tip"], "other_end");
+    EXPECT_EQ(refused["x [m]"], 2.5);
+    EXPECT_NE(refused["reason"].get<std::string>().find("two materials meet at the tip"), std::string::npos);
+    EXPECT_EQ(refused.size(), 5u) << refused;  // case, tip, x, y, reason
+    EXPECT_NE(done.err.find("crack tip 'other_end' at (2.5, 1.5) has no K: two materials meet"), std::string::npos) << done.err;
+  }
+  const auto ran = call({"run", whole, "--out", path("out"), "--pictures", "none", "--json"});
+  EXPECT_EQ(ran.code, 1) << ran.err;
+  EXPECT_EQ(Json::parse(ran.out)["reached"], false);
+  EXPECT_NE(text("out/tips.csv").find("two materials meet at the tip"), std::string::npos);
+  EXPECT_EQ(call({"adapt", loop, "--json"}).code, 0);  // no K asked for
+}
+
 TEST_F(AnalysisCommands, RunAndSolveEndWithOneTooIfALoopMissesItsTarget) {
   const auto scenario = [&](double target) {
     return put("loop.toml", "dobra = 1\nprogram = \"quebra\"\n" + core::test::sheared_l + "[[step]]\noperation = \"adapt\"\nmax_cycles = 1\ntarget = " + std::to_string(target) + "\n");
