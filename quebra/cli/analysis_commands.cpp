@@ -195,7 +195,7 @@ std::string json_text(const scenario::Program& program, const scenario::State& s
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
 }
 
-/// A row a cycle, of a loop of several.
+/// A row a cycle and load case, of a loop of several.
 std::string cycles_text(const scenario::Program& program, const scenario::State& state) {
   std::string text;
   for (const auto& table : program.tables_of(state)) {
@@ -269,7 +269,7 @@ dobra::cli::Command command(const std::string& name, const std::string& operatio
               app.add_option("--curve", options->curve, "Draw the error of each cycle against the unknowns")->type_name("FILE.svg|pdf|png");
               app.add_option("--cycle", options->cycle, "Which cycle the picture shows; the last by default")->type_name("N");
             }
-            if (operation != "crack") app.add_option("--exact-energy", options->exact_energy, "Strain energy where it is known: tells the true error and the effectivity; again for each further load case")->allow_extra_args(false)->type_name("J");
+            if (operation != "crack") app.add_option("--exact-energy", options->exact_energy, "Strain energy where it is known: tells the true error and the effectivity; again for each further load case, 0 for one of which it is not known")->allow_extra_args(false)->type_name("J");
             if (operation == "crack") app.add_option("--contour", options->contour, "Outer radius of the ring of the integrals")->type_name("R");
             app.add_option("--line", options->line, "Displacements and stresses along a line")->type_name("X0,Y0,X1,Y1");
             app.add_option("--samples", options->samples, "Points of the line; 101 by default")->type_name("N");

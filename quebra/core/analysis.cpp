@@ -71,6 +71,13 @@ dobra::io::MeshFields fields_of(const Analysis& analysis) {
   return fields;
 }
 
+/// Greatest of the elements round a peak of stress of a case; 0: no peak.
+double peak_eta_of(const CaseFields& fields) {
+  double most = 0.0;
+  for (const fem::HotSpot& spot : fields.peaks) most = std::max(most, spot.eta);
+  return most;
+}
+
 /// Of the energy, round points with a force: an estimate of what is left would say nothing.
 constexpr double most_left_out = 0.95;
 
@@ -81,12 +88,14 @@ Result<void> check_exact(const fem::Problem& problem, const ProblemParams& param
   if (exact.size() != problem.cases.size()) {
     std::string names;
     for (const auto& own : problem.cases) names += (names.empty() ? "" : ", ") + own.name;
-    return bad(fmt::format("exact_energy has {} values for {} load cases; give one a case, in the order {}", exact.size(), problem.cases.size(), names));
+    return bad(fmt::format("exact_energy has {} values for {} load cases; give one a case, in the order {}; 0 where it is not known", exact.size(), problem.cases.size(), names));
   }
   for (std::size_t c = 0; c < exact.size(); ++c) {
-    if (!(exact[c] > 0.0)) return bad("exact_energy must be greater than 0");
+    if (!(exact[c] >= 0.0)) return bad(fmt::format("the exact_energy of load case '{}' is less than 0", problem.cases[c].name));
+    if (exact[c] == 0.0) continue;  // not known
     if (problem.cases[c].settlement != 0.0 && moves(params)) return bad("exact_energy tells the error only where supports stand still; here a support or a tie prescribes a displacement, or a formula of one");
   }
+  if (*std::max_element(exact.begin(), exact.end()) == 0.0) return bad("exact_energy is 0, not known, for every load case: leave it out");
   return {};
 }
 
@@ -125,10 +134,10 @@ Result<Analysis> analyse(const Domain& domain, std::shared_ptr<const Meshed> mes
     fields.estimate = fem::estimate_error(mesh, materials, u, fields.recovered, zones, left_out);
     if (fields.estimate.left_out > most_left_out)
       return Error{ErrorCode::BadValue, fmt::format("the surroundings of the points {} hold {:.3g} % of the energy, and nothing is left to judge: give a smaller point_radius, or point_forces = \"count\"", names_of(fields.loaded), 100.0 * fields.estimate.left_out)};
-    if (!judged.exact_energy.empty()) fields.exact_energy = judged.exact_energy[analysis.fields.size()];
+    if (!judged.exact_energy.empty() && judged.exact_energy[analysis.fields.size()] > 0.0) fields.exact_energy = judged.exact_energy[analysis.fields.size()];
     fields.peaks = fem::hot_spots(mesh, analysis.problem, u, fields.recovered, fields.estimate, analysis.singular, left_out);
     analysis.eta = std::max(analysis.eta, fields.estimate.eta);
-    for (const fem::HotSpot& spot : fields.peaks) analysis.peak_eta = std::max(analysis.peak_eta, spot.eta);
+    analysis.peak_eta = std::max(analysis.peak_eta, peak_eta_of(fields));
     analysis.fields.push_back(std::move(fields));
   }
   return analysis;
@@ -147,11 +156,13 @@ std::optional<Truth> truth_of(const Analysis& analysis, std::size_t load_case) {
 
 std::vector<std::string> remarks_on(const Analysis& analysis) {
   std::vector<std::string> remarks;
+  const bool some_exact = std::any_of(analysis.fields.begin(), analysis.fields.end(), [](const CaseFields& fields) { return fields.exact_energy.has_value(); });
   for (std::size_t c = 0; c < analysis.fields.size(); ++c) {
     const CaseFields& fields = analysis.fields[c];
     const std::string of = analysis.fields.size() > 1 ? fmt::format("load case '{}': ", analysis.solution.cases[c].name) : std::string();
     const auto& loaded = fields.loaded;
     if (analysis.solution.cases[c].energy == 0.0) remarks.push_back(of + "nothing acts: no load, and no support that moves, so all displacements are 0");
+    if (some_exact && !fields.exact_energy) remarks.push_back(of + "its exact energy is not given, so its true error and the effectivity are not known");
     if (fields.exact_energy && !truth_of(analysis, c)) {
       remarks.push_back(loaded.empty() ? fmt::format("{}the energy found, {:.9g} J, is above the exact one given, {:.9g} J, which cannot be that of this problem", of, analysis.solution.cases[c].energy, *fields.exact_energy)
                                        : of + "the exact energy given is not compared: that of a force at a point is infinite");
@@ -216,18 +227,23 @@ void add_analysis_quantities(const Model& model, std::vector<dobra::scenario::Qu
 
 void add_analysis_tables(const Model& model, std::vector<dobra::scenario::DataTable>& tables) {
   if (model.analyses.empty()) return;
-  dobra::scenario::DataTable cycles{"analyses", {"mesh", "cycle", "elements", "unknowns", "eta [%]", "peak eta [%]", "energy [J]", "true error [J^0.5]", "effectivity"}, {}};
+  dobra::scenario::DataTable cycles{"analyses", {"mesh", "case", "cycle", "elements", "unknowns", "eta [%]", "peak eta [%]", "energy [J]", "true error [J^0.5]", "effectivity"}, {}};
   for (const auto& analysis : model.analyses) {
-    auto& row = cycles.rows.emplace_back();
-    row.reserve(cycles.columns.size());
-    row.emplace_back(analysis->meshed->name);
-    for (const double value : {static_cast<double>(analysis->cycle), static_cast<double>(analysis->meshed->mesh.element_count()), static_cast<double>(analysis->solution.statistics.unknowns),
-                               100.0 * analysis->eta, 100.0 * analysis->peak_eta, analysis->solution.cases.front().energy})
-      row.emplace_back(value);
-    const auto truth = truth_of(*analysis, 0);
-    for (const auto& known : {truth ? std::optional(truth->error) : std::nullopt, truth ? truth->effectivity : std::nullopt}) {
-      if (known) row.emplace_back(*known);
-      else row.emplace_back(std::string());
+    for (std::size_t c = 0; c < analysis->fields.size(); ++c) {
+      const fem::CaseResult& solved = analysis->solution.cases[c];
+      const CaseFields& fields = analysis->fields[c];
+      auto& row = cycles.rows.emplace_back();
+      row.reserve(cycles.columns.size());
+      row.emplace_back(analysis->meshed->name);
+      row.emplace_back(solved.name);
+      for (const double value : {static_cast<double>(analysis->cycle), static_cast<double>(analysis->meshed->mesh.element_count()), static_cast<double>(analysis->solution.statistics.unknowns),
+                                 100.0 * fields.estimate.eta, 100.0 * peak_eta_of(fields), solved.energy})
+        row.emplace_back(value);
+      const auto truth = truth_of(*analysis, c);
+      for (const auto& known : {truth ? std::optional(truth->error) : std::nullopt, truth ? truth->effectivity : std::nullopt}) {
+        if (known) row.emplace_back(*known);
+        else row.emplace_back(std::string());
+      }
     }
   }
   tables.push_back(std::move(cycles));

@@ -28,7 +28,7 @@ struct EstimateParams {
   static void describe_in(D& d) {
     d.choice("point_forces", of<P>(&EstimateParams::point_forces), {"leave_out", "count"}, {.title = "Forces at points", .help = "leave_out: the surroundings of points with a force or reaction of their own, where the energy is infinite, do not count for the error; count: they do, and no mesh meets a small error."});
     d.field("point_radius", of<P>(&EstimateParams::point_radius), {.title = "Radius round points", .help = "Of those surroundings; 0 takes 1/20 of the room round each: thickness of the material, other boundaries, cracks.", .unit = "m", .at_least = 0});
-    d.field("exact_energy", of<P>(&EstimateParams::exact_energy), {.title = "Exact energy", .help = "Strain energy where it is known, one a load case in their order: the true error and the effectivity of the estimate are told. Only with supports that stand still.", .unit = "J"});
+    d.field("exact_energy", of<P>(&EstimateParams::exact_energy), {.title = "Exact energy", .help = "Strain energy where it is known, one a load case in their order, 0 where it is not: the true error and the effectivity of the estimate are told. Only with supports that stand still.", .unit = "J"});
   }
 
  private:

@@ -1364,8 +1364,8 @@
         <translation>Energia exata</translation>
     </message>
     <message>
-        <source>Strain energy where it is known, one a load case in their order: the true error and the effectivity of the estimate are told. Only with supports that stand still.</source>
-        <translation>Energia de deformação onde é conhecida, uma por caso de carga, na ordem deles: informa o erro verdadeiro e a efetividade da estimativa. Só com apoios que não se movem.</translation>
+        <source>Strain energy where it is known, one a load case in their order, 0 where it is not: the true error and the effectivity of the estimate are told. Only with supports that stand still.</source>
+        <translation>Energia de deformação onde é conhecida, uma por caso de carga, na ordem deles, 0 onde não é: informa o erro verdadeiro e a efetividade da estimativa. Só com apoios que não se movem.</translation>
     </message>
     <message>
         <source>Of those surroundings; 0 takes 1/20 of the room round each: thickness of the material, other boundaries, cracks.</source>

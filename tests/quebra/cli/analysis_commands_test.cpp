@@ -183,6 +183,42 @@ TEST_F(AnalysisCommands, AKnownEnergyTellsTheEffectivityOfEveryCycle) {
   refuses({"adapt", l_shape(), "--line", "10,60,40,60"}, 2, {"--line", "--out FILE.csv, or --json"});
 }
 
+TEST_F(AnalysisCommands, EveryLoadCaseHasItsRowsInTheTableOfCycles) {
+  const std::string two = put("two.toml", "dobra = 1\nprogram = \"quebra\"\n" + core::test::sheared_l + "[[step.load]]\nwhere = \"right\"\ny = 20.0\ncase = \"twice\"\n");
+  const auto loop = [&](const std::vector<std::string>& energies) {
+    std::vector<std::string> words{"adapt", two, "--target", "5%", "--json"};
+    for (const std::string& energy : energies) words.insert(words.end(), {"--exact-energy", energy});
+    return call(words);
+  };
+  const auto told = loop({"60.619", "242.476"});
+  ASSERT_EQ(told.code, 0) << told.err;
+  const Json rows = Json::parse(told.out)["analyses"];
+  ASSERT_GT(rows.size(), 2u);
+  ASSERT_EQ(rows.size() % 2, 0u);
+  for (std::size_t i = 0; i < rows.size(); i += 2) {  // the same problem, loaded twice as much
+    const Json &once = rows[i], &twice = rows[i + 1];
+    EXPECT_EQ(once["case"], "load");
+    EXPECT_EQ(twice["case"], "twice");
+    EXPECT_EQ(once["cycle"], twice["cycle"]);
+    const auto number = [](const Json& row, const char* key) { return row[key].get<double>(); };
+    EXPECT_NEAR(number(twice, "energy [J]") / number(once, "energy [J]"), 4.0, 1e-9);
+    EXPECT_NEAR(number(once, "true error [J^0.5]"), std::sqrt(2.0 * (60.619 - number(once, "energy [J]"))), 1e-9);
+    EXPECT_NEAR(number(twice, "true error [J^0.5]") / number(once, "true error [J^0.5]"), 2.0, 1e-6);
+    EXPECT_NEAR(number(twice, "effectivity") / number(once, "effectivity"), 1.0, 1e-6);
+    EXPECT_NEAR(number(twice, "eta [%]") / number(once, "eta [%]"), 1.0, 1e-9);
+  }
+  const auto one = loop({"0", "242.476"});
+  ASSERT_EQ(one.code, 0) << one.err;
+  const Json some = Json::parse(one.out);
+  EXPECT_TRUE(some["analyses"][0]["effectivity"].is_null());
+  EXPECT_EQ(some["analyses"][1]["effectivity"], rows[1]["effectivity"]);
+  EXPECT_NE(some["remarks"].dump().find("load case 'load': its exact energy is not given"), std::string::npos) << some["remarks"];
+  EXPECT_EQ(some["remarks"].dump().find("load case 'twice'"), std::string::npos);
+  refuses({"adapt", two, "--exact-energy", "1"}, 3, {"1 values for 2 load cases", "load, twice", "0 where it is not known"});
+  refuses({"adapt", two, "--exact-energy", "0", "--exact-energy", "0"}, 3, {"for every load case"});
+  refuses({"adapt", two, "--exact-energy", "1", "--exact-energy=-1"}, 3, {"load case 'twice'", "less than 0"});
+}
+
 TEST_F(AnalysisCommands, TheCurveAndAnyCycleAreDrawn) {
   const auto drawn = call({"adapt", l_shape(), "--target", "10%", "--curve", path("curve.svg"), "--picture", path("first.svg"), "--cycle", "1"});
   EXPECT_EQ(drawn.code, 0) << drawn.err;
