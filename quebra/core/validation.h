@@ -20,6 +20,9 @@ struct ValidationCase {
   double tolerance = 0.0;  ///< Relative.
   std::string source;
   std::string note = {};   ///< Why the tolerance is wider than that of its kind.
+  /// If there is one, the scenario of a coarser mesh: the value is then the rate at which the quantity falls with the size of
+  /// the elements, sizes as 1 / sqrt(unknowns).
+  std::string coarse = {};
 };
 std::vector<ValidationCase> validation_cases();
 
