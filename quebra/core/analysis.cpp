@@ -7,6 +7,7 @@
 #include "quebra/core/deck.h"
 #include "quebra/core/results.h"
 #include "shared/base/text.h"
+#include "shared/fem/assemble.h"
 #include "shared/fem/singular_vertices.h"
 #include "shared/io/file.h"
 #include "shared/io/vtu.h"
@@ -69,6 +70,22 @@ dobra::io::MeshFields fields_of(const Analysis& analysis) {
     fields.at_elements.push_back({result.name + " error", 1, analysis.fields[c].estimate.elements});
   }
   return fields;
+}
+
+/// What the forces that act at each node of a curve come to, and the load that is spread over it.
+std::vector<std::string> forces_on_curves(const Analysis& analysis, std::size_t c) {
+  const mesh::ElementMesh& m = analysis.meshed->mesh;
+  std::vector<std::string> remarks;
+  for (const fem::PointLoad& load : analysis.problem.cases[c].points) {
+    if (!m.side_sets.contains(load.where)) continue;
+    const double count = static_cast<double>(fem::find_nodes(m, load.where).value().size());
+    double area = 0.0;  // that a traction acts on
+    for (const Vector force : fem::load_vector(m, analysis.problem, {.sides = {{load.where, fem::uniform({1.0, 0.0})}}})) area += force.x;
+    const auto [x, y] = load.force;
+    remarks.push_back(fmt::format("the force on '{}' acts at each of its {:.0f} nodes: ({:.6g}, {:.6g}) N in all, more on a finer mesh; for ({:.6g}, {:.6g}) N spread over the curve give kind = \"traction\", x = {:.6g}, y = {:.6g}",
+                                  load.where, count, count * x, count * y, x, y, x / area, y / area));
+  }
+  return remarks;
 }
 
 /// Greatest of the elements round a peak of stress of a case; 0: no peak.
@@ -161,6 +178,7 @@ std::vector<std::string> remarks_on(const Analysis& analysis) {
     const CaseFields& fields = analysis.fields[c];
     const std::string of = analysis.fields.size() > 1 ? fmt::format("load case '{}': ", analysis.solution.cases[c].name) : std::string();
     const auto& loaded = fields.loaded;
+    for (const std::string& remark : forces_on_curves(analysis, c)) remarks.push_back(of + remark);
     if (analysis.solution.cases[c].energy == 0.0) remarks.push_back(of + "nothing acts: no load, and no support that moves, so all displacements are 0");
     if (some_exact && !fields.exact_energy) remarks.push_back(of + "its exact energy is not given, so its true error and the effectivity are not known");
     if (fields.exact_energy && !truth_of(analysis, c)) {

@@ -262,5 +262,21 @@ TEST(Analysis, BadInputIsNamed) {
   EXPECT_THAT(trouble(centre_crack + rosettes + "order = \"2\"\ntip_radius = 0.5\n"), HasSubstr("crack 'crack': the rosette of radius"));
 }
 
+TEST(Analysis, AForceOnACurveHasARemarkWithItsResultantAndTheTractionThatSpreadsIt) {
+  const std::string head = "[input]\nspecimen = \"l_shape\"\n[[step]]\noperation = \"problem\"\n[[step.material]]\nyoung = 1.0\nthickness = 0.5\n[[step.support]]\nwhere = \"bottom\"\nx = 0.0\ny = 0.0\n[[step.load]]\nwhere = \"right\"\n";
+  const std::string steps = "[[step]]\noperation = \"mesh\"\nsize = 10.0\n[[step]]\noperation = \"analyse\"\n";
+  const auto done = run(head + "kind = \"force\"\ny = 100.0\n" + steps);
+  const auto& mesh = last(done).meshes.back()->mesh;
+  const double nodes = static_cast<double>(dobra::fem::find_nodes(mesh, "right")->size());
+  const std::string wanted = fmt::format("the force on 'right' acts at each of its {} nodes: (0, {}) N in all, more on a finer mesh; for (0, 100) N spread over the curve give kind = \"traction\", x = 0, y = 4", nodes, 100 * nodes);
+  EXPECT_THAT(program().remarks_of(done.states.back()), testing::Contains(wanted));  // 100 N / (50 m x 0.5 m)
+  // That traction has the resultant.
+  const auto spread = run(head + "y = 4.0\n" + steps);
+  double sum = 0.0;
+  for (const auto reaction : last(spread).analyses.back()->solution.cases[0].reactions) sum += reaction.y;
+  EXPECT_NEAR(sum, -100.0, 1e-9);
+  EXPECT_THAT(program().remarks_of(spread.states.back()), testing::Not(testing::Contains(testing::HasSubstr("acts at each of its"))));
+}
+
 }  // namespace
 }  // namespace quebra::core
