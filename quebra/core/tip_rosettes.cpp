@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace quebra::core {
 namespace {
@@ -67,6 +68,38 @@ double room_at(const Domain& domain, const Curve& own, double s, Vector ahead, s
   return room;
 }
 
+std::string tip_name(const TipRosette& tip) { return tip.crack + (tip.end == CrackEnd::Start ? "_start" : "_end"); }
+
+/// Rounded down to three digits, for a limit that is to be kept.
+double floored(double value) {
+  const double digit = std::pow(10.0, std::floor(std::log10(value)) - 2.0);
+  return std::floor(value / digit) * digit;
+}
+
+/// No two rosettes overlap.
+Result<void> check_distances(const std::vector<TipRosette>& rosettes) {
+  double fits = std::numeric_limits<double>::infinity();  // rings of one radius at all tips
+  const TipRosette *first = nullptr, *second = nullptr;
+  for (std::size_t i = 0; i < rosettes.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      const Rosette &a = rosettes[k].rosette, &b = rosettes[i].rosette;
+      const double apart = distance(a.tip, b.tip);
+      if (apart >= a.outer_radius() + b.outer_radius()) continue;
+      const double rings = a.outer_radius() / distance(a.tip, a.rings.front().front());
+      if (0.5 * apart / rings >= fits) continue;
+      fits = 0.5 * apart / rings;
+      first = &rosettes[k];
+      second = &rosettes[i];
+    }
+  }
+  if (first == nullptr) return {};
+  const Point at = second->rosette.tip;
+  return Error{ErrorCode::BadDomain,
+               fmt::format("its rosette of radius {:.4g} overlaps that of '{}', of radius {:.4g}: the tips are {:.4g} m apart; a tip_radius of up to {:.3g} m keeps them apart, and 0 finds one by itself", second->rosette.outer_radius(), tip_name(*first),
+                           first->rosette.outer_radius(), distance(at, first->rosette.tip), floored(fits)),
+               Place{.item = "crack tip '" + tip_name(*second) + "'", .x = at.x, .y = at.y}};
+}
+
 Result<void> check_room(const Domain& domain, const std::vector<TipRosette>& rosettes) {
   for (std::size_t i = 0; i < rosettes.size(); ++i) {
     const auto& rosette = rosettes[i].rosette;
@@ -74,10 +107,6 @@ Result<void> check_room(const Domain& domain, const std::vector<TipRosette>& ros
       return Error{ErrorCode::BadDomain, fmt::format("the rosette of radius {:.4g} {}; make it smaller", rosette.outer_radius(), what),
                    Place{.item = "crack '" + rosettes[i].crack + "'", .x = rosette.tip.x, .y = rosette.tip.y}};
     };
-    for (std::size_t k = 0; k < i; ++k) {
-      if (distance(rosette.tip, rosettes[k].rosette.tip) < rosette.outer_radius() + rosettes[k].rosette.outer_radius())
-        return trouble("overlaps that of '" + rosettes[k].crack + "'");
-    }
     for (const Curve& curve : domain.curves) {
       if (curve.name == rosettes[i].crack || curve.name == rosettes[i].ahead) continue;
       const auto line = trace(curve).line;
@@ -89,14 +118,21 @@ Result<void> check_room(const Domain& domain, const std::vector<TipRosette>& ros
   return {};
 }
 
-/// The curve runs straight from its end at s (0 or its length) for `reach`, and twice as long in all.
-Result<void> check_straight(const Curve& curve, double s, Point spoke, double reach, double radius) {
-  const double all = length(curve);
-  const Point end = point(curve, s);
-  if (reach < 0.5 * all && distance(spoke, point(curve, std::abs(s - reach))) <= straightness * radius) return {};
-  return Error{ErrorCode::BadDomain,
-               fmt::format("the rosette of radius {:.4g} does not fit: the crack, and a line of symmetry ahead, must be straight in it, and twice as long; make it smaller", reach),
-               Place{.item = "crack '" + curve.name + "'", .x = end.x, .y = end.y}};
+/// Crack, and line of symmetry ahead, run straight from the tip as far as the rosette reaches, and twice as long in all.
+Result<void> check_straight(const Domain& domain, const TipRosette& tip) {
+  const auto& [at, rings] = tip.rosette;
+  const double reach = tip.rosette.outer_radius(), radius = distance(at, rings.front().front());
+  for (const Curve& curve : domain.curves) {
+    if (curve.name != tip.crack && curve.name != tip.ahead) continue;
+    const bool from_start = curve.name == tip.crack ? tip.end == CrackEnd::Start : point(curve, 0.0) == at;
+    const Point spoke = curve.name == tip.crack ? rings.back().front() : rings.back()[rings.back().size() / 2];
+    const double all = length(curve);
+    if (reach < 0.5 * all && distance(spoke, point(curve, from_start ? reach : all - reach)) <= straightness * radius) continue;
+    return Error{ErrorCode::BadDomain,
+                 fmt::format("the rosette of radius {:.4g} does not fit: the crack, and a line of symmetry ahead, must be straight in it, and twice as long; make it smaller", reach),
+                 Place{.item = "crack '" + curve.name + "'", .x = at.x, .y = at.y}};
+  }
+  return {};
 }
 
 Result<TipRosette> half_rosette(const Domain& domain, const std::vector<HalfTip>& tips, const HalfTip& tip, dobra::fem::RosetteOptions options) {
@@ -109,12 +145,7 @@ Result<TipRosette> half_rosette(const Domain& domain, const std::vector<HalfTip>
                                                  length(line) / static_cast<double>(with(&HalfTip::line)));
   }
   DOBRA_TRY(auto rosette, dobra::fem::make_rosette(tip.at, tip.ahead, options));
-  const double reach = rosette.outer_radius();
-  const auto end_of = [&](const Curve& curve) { return point(curve, 0.0) == tip.at ? 0.0 : length(curve); };
-  const auto& rim = rosette.rings.back();
-  DOBRA_TRY_VOID(check_straight(lip, end_of(lip), rim.front(), reach, options.radius));
-  DOBRA_TRY_VOID(check_straight(line, end_of(line), rim[rim.size() / 2], reach, options.radius));
-  const CrackEnd end = end_of(lip) == 0.0 ? CrackEnd::Start : CrackEnd::End;
+  const CrackEnd end = point(lip, 0.0) == tip.at ? CrackEnd::Start : CrackEnd::End;
   return TipRosette{lip.name, end, std::move(rosette), line.name, tip.half};
 }
 
@@ -163,7 +194,6 @@ Result<std::vector<TipRosette>> tip_rosettes(const Domain& domain, const std::ve
       dobra::fem::RosetteOptions own = options_at(point(curve, s));
       if (!(own.radius > 0.0)) own.radius = automatic_radius * room_at(domain, curve, s, ahead, ends.size(), {});
       DOBRA_TRY(auto rosette, dobra::fem::make_rosette(point(curve, s), ahead, own));
-      DOBRA_TRY_VOID(check_straight(curve, s, rosette.rings.back().front(), rosette.outer_radius(), own.radius));
       rosettes.push_back({curve.name, end, std::move(rosette)});
     }
   }
@@ -171,6 +201,8 @@ Result<std::vector<TipRosette>> tip_rosettes(const Domain& domain, const std::ve
     DOBRA_TRY(auto rosette, half_rosette(domain, half_tips, tip, options_at(tip.at)));
     rosettes.push_back(std::move(rosette));
   }
+  DOBRA_TRY_VOID(check_distances(rosettes));
+  for (const TipRosette& tip : rosettes) DOBRA_TRY_VOID(check_straight(domain, tip));
   DOBRA_TRY_VOID(check_room(domain, rosettes));
   return rosettes;
 }

@@ -73,7 +73,7 @@ struct TipResult {
   std::string name;
   geom::Point at;
   geom::Vector ahead;
-  Contour contour;
+  Contour contour = {};
   DomainIntegrals domain = {};
   double inner_j = 0.0;                       ///< J of a contour of half the size: how much it depends on the path.
   std::optional<Intensity> correlation = {};  ///< Nothing where the elements do not allow it.

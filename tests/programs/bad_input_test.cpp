@@ -209,7 +209,7 @@ TEST_F(Programs, ACrackOutsideIsNamedWithItsPlace) {
 TEST_F(Programs, TipsCloserThanTheirRosettesAreNamedWithTheirPlace) {
   quebra_refuses("[[input.crack]]\nname = \"one\"\npoints = [[0.5, 2], [1.9, 2]]\n[[input.crack]]\nname = \"two\"\npoints = [[2.0, 2], [3.5, 2]]\n"
                  "[[step]]\noperation = \"mesh\"\norder = \"2\"\nrosettes = \"yes\"\ntip_radius = 0.03\n",
-                 3, {"crack 'two'", "overlaps that of 'one'", "make it smaller", "(at 2, 2)"});
+                 3, {"crack tip 'two_start'", "overlaps that of 'one_end'", "the tips are 0.1 m apart", "up to 0.0166 m", "(at 2, 2)"});
 }
 
 TEST_F(Programs, SolveWritesLinesAndPicturesAndRefusesHalfAnOrder) {

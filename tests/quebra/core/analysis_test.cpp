@@ -2,6 +2,7 @@
 
 #include "quebra/core/analysis.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -83,6 +83,18 @@ TEST(TipRosettes, ARadiusThatDoesNotFitIsRefusedWithItsPlace) {
   EXPECT_THAT(trouble(plate("points = [[-1, 0], [1, 0], [1.1, 0.1]]\n") + mesh("tip_radius = 0.1\n") + steps), HasSubstr("must be straight in it"));
 }
 
+TEST(TipRosettes, OverlappingOnesNameTheTipsTheirDistanceAndTheGreatestRadiusThatKeepsThemApart) {
+  // Straight cracks of 0.9 with 0.2 between: rosettes of 0.6 reach beyond the half of each too, but that is not the trouble.
+  const auto two = [](const std::string& radius) {
+    return plate("points = [[-1, 0], [-0.1, 0]]\n[[input.crack]]\nname = \"next\"\npoints = [[0.1, 0], [1, 0]]\n") + mesh("tip_radius = " + radius + "\n") + steps;
+  };
+  EXPECT_THAT(trouble(two("0.2")), testing::AllOf(HasSubstr("crack tip 'next_start'"), HasSubstr("radius 0.6 overlaps that of 'crack_end', of radius 0.6: the tips are 0.2 m apart"), HasSubstr("up to 0.0333 m")));
+  EXPECT_TRUE(figures(run(two("0.0333"))).contains("tip.load.next_start.K_I"));
+  EXPECT_THAT(trouble(two("0.0334")), HasSubstr("the tips are 0.2 m apart"));
+  // The two ends of one crack.
+  EXPECT_THAT(trouble(plate("points = [[-0.1, 0], [0.1, 0]]\n") + mesh("tip_radius = 0.05\n") + steps), testing::AllOf(HasSubstr("'crack_end'"), HasSubstr("that of 'crack_start'"), HasSubstr("0.2 m apart")));
+}
+
 TEST(TipRosettes, APointInOneIsRefusedAndOneAtTheTipKeepsItsName) {
   const auto with = [](double x) { return "[input]\nspecimen = \"single_edge_notch\"\n[[input.point]]\nname = \"gauge\"\npoint = [" + std::to_string(x) + ", 0]\n[[step]]\noperation = \"mesh\"\norder = \"2\"\nrosettes = \"yes\"\ntip_radius = 0.02\n"; };
   for (const double x : {0.52, 0.48}) {
