@@ -22,19 +22,29 @@ using dobra::base::ErrorCode;
 using dobra::base::Result;
 using dobra::geom::Vector;
 
-/// Greatest von Mises and principal stress at the nodes.
+/// Greatest von Mises and principal stress at the nodes, those round points with a force included.
 struct Extremes {
   double von_mises = 0.0;
   double principal = 0.0;
+  dobra::geom::Point at;   ///< Of the von Mises stress.
+  double elsewhere = 0.0;  ///< The greatest von Mises stress that is not round a point with a force.
 };
 
 Extremes extremes_of(const Analysis& analysis, std::size_t c) {
   Extremes greatest;
   const mesh::ElementMesh& m = analysis.meshed->mesh;
   const auto& stresses = analysis.fields[c].recovered.at_element_nodes;
+  const auto& loaded = analysis.fields[c].loaded;
   for (std::size_t e = 0; e < m.element_count(); ++e) {
     for (std::size_t k = m.first[e]; k < m.first[e + 1]; ++k) {
-      greatest.von_mises = std::max(greatest.von_mises, fem::von_mises(stresses[k], analysis.problem.materials.at(m.regions[e])));
+      const double mises = fem::von_mises(stresses[k], analysis.problem.materials.at(m.regions[e]));
+      const dobra::geom::Point at = m.point(m.nodes[k]);
+      if (mises > greatest.von_mises) {
+        greatest.von_mises = mises;
+        greatest.at = at;
+      }
+      const auto holds = [&](const LoadedPoint& point) { return distance(point.at, at) < point.radius; };
+      if (mises > greatest.elsewhere && std::none_of(loaded.begin(), loaded.end(), holds)) greatest.elsewhere = mises;
       greatest.principal = std::max(greatest.principal, fem::principal(stresses[k]).greatest);
     }
   }
@@ -126,7 +136,7 @@ Result<Analysis> analyse(const Domain& domain, std::shared_ptr<const Meshed> mes
   DOBRA_TRY_VOID(check_exact(analysis.problem, params, judged.exact_energy));
   auto solved = fem::solve(mesh, analysis.problem, {.memory_limit = memory}, progress.part(0.0, 0.8));
   if (!solved) {
-    if (solved.error().code == ErrorCode::InvalidOption) DOBRA_TRY_VOID(check_finite_loads(mesh, params, analysis.problem));
+    if (solved.error().code == ErrorCode::InvalidOption) DOBRA_TRY_VOID(check_finite(mesh, params, analysis.problem));
     return solved.error();
   }
   analysis.solution = *std::move(solved);
@@ -186,6 +196,10 @@ std::vector<std::string> remarks_on(const Analysis& analysis) {
                                        : of + "the exact energy given is not compared: that of a force at a point is infinite");
     }
     if (loaded.empty()) continue;
+    if (const Extremes extremes = extremes_of(analysis, c); extremes.von_mises > extremes.elsewhere) {
+      remarks.push_back(fmt::format("{}max_von_mises, {:.4g} Pa at ({:.6g}, {:.6g}), is that of a force at a single point, which grows without end as the elements get smaller; away from such points it is {:.4g} Pa", of, extremes.von_mises,
+                                    extremes.at.x, extremes.at.y, extremes.elsewhere));
+    }
     const auto [least, greatest] = std::minmax_element(loaded.begin(), loaded.end(), [](const LoadedPoint& a, const LoadedPoint& b) { return a.radius < b.radius; });
     const std::string radius = least->radius == greatest->radius ? fmt::format("{:.3g} m", least->radius) : fmt::format("{:.3g} to {:.3g} m", least->radius, greatest->radius);
     if (analysis.point_forces == PointForces::LeaveOut) {

@@ -23,14 +23,18 @@ base::Result<scenario::State> input(const scenario::Table& table, const scenario
   return scenario::make_state(std::move(model));
 }
 
-/// The lines of the loads, for what only shows on a mesh: a formula that has no value somewhere.
+/// The lines of supports and loads, for what only shows on a mesh: a formula that has no value somewhere.
 scenario::State with_lines(const scenario::State& state, const scenario::Table& table) {
   Model model = scenario::model_of<Model>(state);
   ProblemParams problem = *model.problem;
-  if (const scenario::Value* rows = table.find("load")) {
+  const auto give_lines = [&](const char* key, auto& own) {
+    const scenario::Value* rows = table.find(key);
+    if (rows == nullptr) return;
     const auto& tables = std::get<std::vector<scenario::Table>>(*rows);
-    for (std::size_t i = 0; i < tables.size(); ++i) problem.loads[i].place = tables[i].own_place;
-  }
+    for (std::size_t i = 0; i < tables.size(); ++i) own[i].place = tables[i].own_place;
+  };
+  give_lines("support", problem.supports);
+  give_lines("load", problem.loads);
   model.problem = std::make_shared<const ProblemParams>(std::move(problem));
   return scenario::make_state(std::move(model));
 }

@@ -402,7 +402,24 @@ Result<fem::Problem> problem_of(const mesh::ElementMesh& mesh, const ProblemPara
   return problem;
 }
 
-Result<void> check_finite_loads(const mesh::ElementMesh& mesh, const ProblemParams& params, const fem::Problem& problem) {
+Result<void> check_finite(const mesh::ElementMesh& mesh, const ProblemParams& params, const fem::Problem& problem) {
+  const auto trouble = [&](Place place, std::string item, Point at, std::string message) {
+    place.item = std::move(item);
+    place.x = at.x;
+    place.y = at.y;
+    return Error{ErrorCode::BadValue, std::move(message), std::move(place)};
+  };
+  for (std::size_t i = 0; i < params.supports.size(); ++i) {
+    const fem::Support& support = problem.supports[i];
+    if (!support.field) continue;
+    DOBRA_TRY(const auto nodes, fem::find_nodes(mesh, support.where));
+    for (const mesh::NodeId node : nodes) {
+      const Point at = mesh.point(node);
+      const Vector u = support.field(at);
+      if (!std::isfinite(u.x) || !std::isfinite(u.y))
+        return trouble(params.supports[i].place, fmt::format("support {}", i + 1), at, fmt::format("the support on '{}' prescribes a displacement that has no finite value here", support.where));
+    }
+  }
   for (std::size_t i = 0; i < params.loads.size(); ++i) {
     const LoadParams& row = params.loads[i];
     fem::LoadCase alone;
@@ -410,11 +427,7 @@ Result<void> check_finite_loads(const mesh::ElementMesh& mesh, const ProblemPara
     const auto forces = fem::load_vector(mesh, problem, alone);
     for (std::size_t n = 0; n < forces.size(); ++n) {
       if (std::isfinite(forces[n].x) && std::isfinite(forces[n].y)) continue;
-      Place place = row.place;
-      place.item = fmt::format("load {}", i + 1);
-      place.x = mesh.points[n].x;
-      place.y = mesh.points[n].y;
-      return Error{ErrorCode::BadValue, fmt::format("the load{} of case '{}' has no finite value here", row.where.empty() ? "" : " on '" + row.where + "'", row.load_case), place};
+      return trouble(row.place, fmt::format("load {}", i + 1), mesh.points[n], fmt::format("the load{} of case '{}' has no finite value here", row.where.empty() ? "" : " on '" + row.where + "'", row.load_case));
     }
   }
   return {};

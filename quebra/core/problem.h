@@ -33,6 +33,7 @@ struct SupportParams {
   std::string where;
   std::optional<double> x, y, normal;
   std::string x_formula, y_formula;
+  dobra::base::Place place = {};  ///< Of its table in the scenario.
 
   template <class D>
   static void describe(D& d) {
@@ -123,7 +124,7 @@ bool moves(const ProblemParams& params);
 /// The problem on one mesh. @error a name that the mesh has not, with a suggestion.
 dobra::base::Result<dobra::fem::Problem> problem_of(const dobra::mesh::ElementMesh& mesh, const ProblemParams& params);
 
-/// Each load by itself: @error that of the first whose formula has no finite value somewhere, with its line and the place.
-dobra::base::Result<void> check_finite_loads(const dobra::mesh::ElementMesh& mesh, const ProblemParams& params, const dobra::fem::Problem& problem);
+/// Each support and load by itself: @error that of the first whose formula has no finite value somewhere, with its line and the place.
+dobra::base::Result<void> check_finite(const dobra::mesh::ElementMesh& mesh, const ProblemParams& params, const dobra::fem::Problem& problem);
 
 }  // namespace quebra::core

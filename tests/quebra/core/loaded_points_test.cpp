@@ -170,5 +170,22 @@ TEST(LoadedPoints, ThreePointBendReachesFivePercent) {
   }
 }
 
+TEST(LoadedPoints, TheGreatestStressOfAForceAtAPointIsToldWithThatElsewhere) {
+  const auto remark_of = [](double size) {
+    const auto done = run(pressed + "[[step]]\noperation = \"mesh\"\norder = \"2\"\nsize = " + std::to_string(size) + "\n[[step]]\noperation = \"analyse\"\n");
+    std::string found;
+    for (const std::string& remark : program().remarks_of(done.states.back())) found += remark.starts_with("max_von_mises") ? remark : "";
+    return std::pair(found, figures(done).at("case.load.max_von_mises"));
+  };
+  const auto [coarse, most] = remark_of(0.1);
+  EXPECT_THAT(coarse, HasSubstr("at (0, 0), is that of a force at a single point"));
+  const auto [fine, more] = remark_of(0.02);
+  EXPECT_GT(more, 2.0 * most);
+  const auto elsewhere = [](const std::string& remark) { return std::stod(remark.substr(remark.rfind("it is ") + 6)); };
+  // Flamant's stress 2 F / (pi r) at the radius left out, on a mesh that has nodes near it.
+  const double radius = radius_round(last(run(pressed)).domain, {0, 0});
+  EXPECT_NEAR(elsewhere(fine), 2.0 / std::numbers::pi / radius, 0.3 * elsewhere(fine));
+}
+
 }  // namespace
 }  // namespace quebra::core

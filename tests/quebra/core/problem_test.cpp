@@ -174,7 +174,7 @@ TEST(Problem, EachFaultIsNamedWithTheLineOfItsTable) {
   EXPECT_THAT(fault("[[step.tie]]\naxis = \"x\"\n"), HasSubstr("needs `where`, a curve, or `points`"));
   EXPECT_THAT(fault("[[step.material]]\nregion = \"steel\"\nyoung = 1.0\n"), HasSubstr("there is no region 'steel'"));
   EXPECT_THAT(fault(clamped + load("right", "x_formula = \"1 / (y - y)\"")), HasSubstr("load 1: the load on 'right' of case 'load' has no finite value here"));
-  EXPECT_THAT(fault("[[step.support]]\nwhere = \"left\"\nx_formula = \"log(-1)\"\ny = 0.0\n" + load("right", "x = 1.0")), HasSubstr("support of 'left': prescribes a displacement that has no finite value"));
+  EXPECT_THAT(fault("[[step.support]]\nwhere = \"left\"\nx_formula = \"log(-1)\"\ny = 0.0\n" + load("right", "x = 1.0")), HasSubstr("support 1: the support on 'left' prescribes a displacement that has no finite value here"));
 }
 
 TEST(Problem, WhatWouldBeLostIsRefusedWithItsLine) {
@@ -198,6 +198,7 @@ TEST(Problem, WhatWouldBeLostIsRefusedWithItsLine) {
   refused(load("right", "x = 2.0") + "[[step.case]]\nname = \"load\"\n[[step.case]]\nname = \"load\"\n", "[[step.case]]", "has its settings already");
   refused(load("right", "x = 2.0") + "[[step.case]]\nname = \"load\"\nsettlment = 0.0\n", "settlment", "did you mean 'settlement'?");
   refused(load("top", "y = 1.0") + load("right", "x_formula = \"1 / (y - 1) + 1 / (y - y)\"") + solve, "[[step.load]]", "load 2: the load on 'right' of case 'load' has no finite value here");
+  refused("[[step.support]]\nwhere = \"right\"\nx_formula = \"log(-y)\"\ny = 0.0\n" + solve, "[[step.support]]", "support 2: the support on 'right' prescribes a displacement that has no finite value here");
   // Where prescribed displacements act a case may be without loads; a name near another's is told.
   const Model told = last(run(strip + clamped + "[[step.support]]\nwhere = \"right\"\nx = 0.02\n" + load("top", "y = 1.0\ncase = \"water\"") + "[[step.case]]\nname = \"watre\"\n"));
   EXPECT_THAT(told.remarks, testing::Contains(HasSubstr("no load is of load case 'watre'")));
