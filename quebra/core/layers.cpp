@@ -47,7 +47,7 @@ void add_curves(const Domain& domain, std::vector<scene::Layer>& layers) {
   const auto add = [&](const char* key, std::string title, const scene::Style& style, scene::Lines lines) {
     if (!lines.lines.empty()) layers.push_back({key, std::move(title), style, std::move(lines)});
   };
-  add("boundary", translated("Boundary"), {.line = ink, .line_width = 1.8}, curves_of(domain, [](Role role) { return role == Role::Boundary || role == Role::Hole; }));
+  add("boundary", translated("Boundary"), {.line = ink, .line_width = boundary_width}, curves_of(domain, [](Role role) { return role == Role::Boundary || role == Role::Hole; }));
   add("internal", translated("Internal lines"), {.line = ink, .line_width = 1.0}, curves_of(domain, [](Role role) { return role == Role::Internal; }));
   add("cracks", translated("Cracks"), {.line = crack_red, .line_width = 1.8}, curves_of(domain, [](Role role) { return role == Role::Crack; }));
   scene::Markers markers;
@@ -85,7 +85,7 @@ io::MeshFields quality_fields(const mesh::ElementMesh& mesh) {
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     shape.values.push_back(mesh::shape_of(mesh, mesh::ElementId(e)));
     bent = bent || mesh::node_count(mesh.types[e]) != mesh::corner_count(mesh.types[e]);
-    jacobian.values.push_back(mesh::scaled_jacobian_bound(mesh, mesh::ElementId(e)));
+    jacobian.values.push_back(mesh::is_quarter_point(mesh, mesh::ElementId(e)) ? 0.0 : mesh::scaled_jacobian_bound(mesh, mesh::ElementId(e)));
   }
   fields.at_elements.push_back(std::move(shape));
   if (bent) fields.at_elements.push_back(std::move(jacobian));
@@ -239,6 +239,7 @@ void add_quality(std::vector<scenario::Quantity>& quantities, const std::string&
   add("max_angle", q.angle_max.degrees(), "deg");
   add("gradation_p95", q.gradation_p95);
   add("jacobian_min", meshed.elements.jacobian_min);
+  if (meshed.elements.quarter_points > 0) add("quarter_point_elements", static_cast<double>(meshed.elements.quarter_points));
   if (meshed.elements.quadrilaterals > 0) {
     add("quad_shape_mean", meshed.elements.shape_mean);
     add("quad_shape_min", meshed.elements.shape_min);

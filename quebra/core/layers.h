@@ -22,6 +22,8 @@ dobra::scene::Picture size_field_picture(const Model& model, const Meshed& meshe
 
 /// The triangles that draw an element: those of its corners and, of second order, of its mid-sides too.
 void add_triangles(const dobra::mesh::ElementMesh& mesh, std::size_t element, std::vector<std::array<std::uint32_t, 3>>& triangles);
+/// The boundary in pictures of meshes and of results, which then share one entry of the legend; points.
+constexpr double boundary_width = 1.8;
 /// Outlines thin out as elements get many, so that they do not hide the colours; points.
 double outline_width(const dobra::mesh::ElementMesh& mesh);
 

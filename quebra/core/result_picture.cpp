@@ -219,7 +219,7 @@ void add_extremes(const Drawing& drawing, std::pair<double, double> range, std::
   }
   std::string title = fmt::format("{}: {:.4g} {} {:.4g}", translated("Extremes"), *least, translated("to"), *greatest);
   if (range.first > *least || range.second < *greatest)
-    title += fmt::format("; {} {:.4g} {} {:.4g} (99.5 % {})", translated("colours"), range.first, translated("to"), range.second, translated("of the area"));
+    title += fmt::format("; {} {:.4g} {} {:.4g} (99.5\u00a0% {})", translated("colours"), range.first, translated("to"), range.second, translated("of the area"));
   layers.push_back({"extremes", std::move(title), {.line = ink, .marker_size = 6.0}, std::move(markers), true, scene::InLegend::Yes});
   layers.push_back({"extreme_values", translated("Extreme values"), {.line = ink, .text_size = 10.0}, std::move(labels), true, scene::InLegend::No});
 }
@@ -258,8 +258,8 @@ scene::Panel view_panel(const Analysis& analysis, std::size_t load_case, const V
   scene::Panel panel{.key = "analysis"};
   panel.title = fmt::format("{}: {}", analysis.solution.cases[load_case].name, title_of(params.field));
   if (params.cycle > 0) panel.title = analysis.meshed->name + ", " + panel.title;
-  if (factor > 0.0) panel.title += fmt::format(", {} x {:g}", translated("displacements"), factor);
-  panel.title += fmt::format("; eta {:.2g} %", 100.0 * analysis.fields[load_case].estimate.eta);
+  if (factor > 0.0) panel.title += fmt::format(", {}\u00a0x\u00a0{:g}", translated("displacements"), factor);
+  panel.title += fmt::format("; eta\u00a0{:.2g}\u00a0%", 100.0 * analysis.fields[load_case].estimate.eta);
   const auto add = [&](const char* key, std::string title, const scene::Style& style, auto content, scene::InLegend legend) {
     panel.layers.push_back({key, std::move(title), style, std::move(content), true, legend});
   };
@@ -277,7 +277,7 @@ scene::Panel view_panel(const Analysis& analysis, std::size_t load_case, const V
     add("contours", translated("Contours"), {.line = contour_line, .line_width = 0.8}, std::move(contours), scene::InLegend::No);
   }
   if (factor > 0.0) add("before", translated("Before"), {.line = before_grey, .line_width = 0.9, .dash = scene::Dash::Dashed}, boundary_of(mesh, mesh.points), scene::InLegend::Yes);
-  add("boundary", translated("Boundary"), {.line = ink, .line_width = 1.4}, boundary_of(mesh, moved), scene::InLegend::Yes);
+  add("boundary", translated("Boundary"), {.line = ink, .line_width = boundary_width}, boundary_of(mesh, moved), scene::InLegend::Yes);
   if (params.extremes == Shown::Yes && params.field != FieldName::Error) add_extremes(drawing, {scale.low, scale.high}, panel.layers);
   return panel;
 }

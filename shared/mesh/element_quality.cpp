@@ -38,6 +38,10 @@ ElementQuality element_quality_of(const ElementMesh& mesh) {
       sum += shape;
       quality.shape_min = std::min(quality.shape_min, shape);
     }
+    if (is_quarter_point(mesh, element)) {
+      ++quality.quarter_points;
+      continue;
+    }
     const double jacobian = mesh.types[e] == ElementType::T3 ? 1.0 : scaled_jacobian_bound(mesh, element);
     // Rounding of straight elements is no distortion.
     if (jacobian < quality.jacobian_min && jacobian < 1.0 - 1e-12) {

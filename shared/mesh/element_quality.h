@@ -21,6 +21,7 @@ struct ElementQuality {
   std::size_t quadrilaterals = 0;
   double shape_mean = 1.0;  ///< Of the quadrilaterals; 1 without any.
   double shape_min = 1.0;
+  std::size_t quarter_points = 0;  ///< Elements with quarter points (order2.h), which the figures below leave out.
   double jacobian_min = 1.0;  ///< Least scaled_jacobian_bound (order2.h): 1 where all elements are straight triangles.
   ElementId worst_jacobian;   ///< Its element; none if that is 1.
   /// Elements by scaled_jacobian_bound, bins of 0.05 from 0; inverted ones in the first.

@@ -152,6 +152,23 @@ double scaled_jacobian_bound(const ElementMesh& mesh, ElementId element) {
   return triangle ? triangle_bound(shape) / (2.0 * straight) : quadrilateral_bound(shape) / (0.25 * straight);
 }
 
+bool is_quarter_point(const ElementMesh& mesh, ElementId element) {
+  constexpr double rounding = 1e-6;
+  const ElementType type = mesh.types[element.index()];
+  if (!is_quadratic(type)) return false;
+  const auto nodes = mesh.nodes_of(element);
+  const std::size_t n = corner_count(type);
+  const auto at_quarter = [&](std::size_t corner, std::size_t other, std::size_t middle) {
+    const Point from = mesh.point(nodes[corner]), to = mesh.point(nodes[other]);
+    return distance(mesh.point(nodes[middle]), geom::interpolate(from, to, 0.25)) <= rounding * distance(from, to);
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t before = (i + n - 1) % n;
+    if (at_quarter(i, (i + 1) % n, n + i) && at_quarter(i, before, n + before)) return true;
+  }
+  return false;
+}
+
 SecondOrder to_second_order(ElementMesh linear, const std::map<std::string, MiddleOfCurve>& curves) {
   SecondOrder result{with_midpoints(linear), 0, {}};
   ElementMesh& mesh = result.mesh;

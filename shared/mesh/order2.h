@@ -33,4 +33,8 @@ SecondOrder to_second_order(ElementMesh mesh, const std::map<std::string, Middle
 /// 1 for straight-sided triangles. A lower bound, exact for T3 and T6 where the least is at a corner.  @cost O(1)
 double scaled_jacobian_bound(const ElementMesh& mesh, ElementId element);
 
+/// Whether both sides at a corner of an element of second order have their mid-side node at a quarter from it: the
+/// Jacobian is then 0 there, on purpose, and the bound its rounding.
+bool is_quarter_point(const ElementMesh& mesh, ElementId element);
+
 }  // namespace dobra::mesh

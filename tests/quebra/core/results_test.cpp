@@ -149,8 +149,8 @@ TEST(Results, ATipDoesNotSwampTheColoursUnlessAllOfTheRangeIsAskedFor) {
   const auto [full, nothing_said] = shown(ColorRange::Full);
   EXPECT_LT(field.high, 0.3 * full.high);
   EXPECT_GT(field.high, 2.0);
-  EXPECT_THAT(said, HasSubstr("99.5 % of the area"));
-  EXPECT_THAT(nothing_said, testing::Not(HasSubstr("99.5 %")));
+  EXPECT_THAT(said, HasSubstr("99.5\u00a0% of the area"));
+  EXPECT_THAT(nothing_said, testing::Not(HasSubstr("99.5\u00a0%")));
 }
 
 TEST(Results, FaultsAreNamed) {
@@ -180,7 +180,7 @@ TEST(Results, ColoursCoverTheShareOfTheAreaThatTheLegendSaysAtBothEndsTogether) 
     all += area;
     if (value >= colours.scale.low && value <= colours.scale.high) inside += area;
   }
-  EXPECT_NE(layer("extremes")->title.find("99.5 % of the area"), std::string::npos) << layer("extremes")->title;
+  EXPECT_NE(layer("extremes")->title.find("99.5\u00a0% of the area"), std::string::npos) << layer("extremes")->title;
   EXPECT_GE(inside, 0.995 * all);
   EXPECT_LT(inside, all);
 }

@@ -39,5 +39,29 @@ TEST(ElementQuality, ABentTriangleIsFoundByItsJacobian) {
   EXPECT_EQ(quality.jacobians[19], 1U);
 }
 
+TEST(ElementQuality, QuarterPointElementsAreCountedAndTheirJacobianIsNoFlaw) {
+  ElementMesh mesh;
+  mesh.points = {{0, 0}, {1, 0.1}, {-0.1, 1}, {1, 1}};
+  mesh.types = {ElementType::T3, ElementType::T3};
+  mesh.first = {0, 3, 6};
+  mesh.nodes = {NodeId(0), NodeId(1), NodeId(2), NodeId(1), NodeId(3), NodeId(2)};
+  mesh.regions = {0, 0};
+  ElementMesh second = to_second_order(mesh, {}).mesh;
+  EXPECT_FALSE(is_quarter_point(second, ElementId(0)));
+  const auto nodes = second.nodes_of(ElementId(0));
+  second.points[nodes[3].index()] = geom::interpolate(mesh.points[0], mesh.points[1], 0.25);
+  EXPECT_FALSE(is_quarter_point(second, ElementId(0))) << "one side alone";
+  second.points[nodes[5].index()] = geom::interpolate(mesh.points[0], mesh.points[2], 0.25);
+  EXPECT_TRUE(is_quarter_point(second, ElementId(0)));
+  EXPECT_FALSE(is_quarter_point(second, ElementId(1)));
+  EXPECT_NEAR(scaled_jacobian_bound(second, ElementId(0)), 0.0, 1e-12);
+  const ElementQuality quality = element_quality_of(second);
+  EXPECT_EQ(quality.quarter_points, 1U);
+  EXPECT_EQ(quality.jacobian_min, 1.0);
+  EXPECT_FALSE(quality.worst_jacobian.valid());
+  EXPECT_EQ(quality.jacobians[19], 1U);
+  EXPECT_EQ(quality.jacobians[0], 0U);
+}
+
 }  // namespace
 }  // namespace dobra::mesh
