@@ -118,7 +118,7 @@ TEST(Fracture, OneTipWithoutKDoesNotCostTheOthersTheirs) {
   // One tip on an interface of two alike materials; then one whose crack is too short for the contour.
   const auto done = run(two_cracks(interface, 1.5) + rosettes + analyse + crack);
   const auto values = figures(done);
-  EXPECT_NEAR(values.at("tip.load.edge_end.K_I") / alone.at("tip.load.edge_end.K_I"), 1.0, 2e-3);
+  EXPECT_NEAR(values.at("tip.load.edge_end.K_I") / alone.at("tip.load.edge_end.K_I"), 1.0, 1e-2);
   EXPECT_FALSE(values.contains("tip.load.other_end.K_I"));
   EXPECT_TRUE(alone.contains("tip.load.other_end.K_I"));
   const auto& analysed = *last(done).analyses.back();

@@ -198,7 +198,7 @@ TEST(Problem, WhatWouldBeLostIsRefusedWithItsLine) {
   refused(load("right", "x = 2.0") + "[[step.case]]\nname = \"load\"\n[[step.case]]\nname = \"load\"\n", "[[step.case]]", "has its settings already");
   refused(load("right", "x = 2.0") + "[[step.case]]\nname = \"load\"\nsettlment = 0.0\n", "settlment", "did you mean 'settlement'?");
   refused(load("top", "y = 1.0") + load("right", "x_formula = \"1 / (y - 1) + 1 / (y - y)\"") + solve, "[[step.load]]", "load 2: the load on 'right' of case 'load' has no finite value here");
-  refused("[[step.support]]\nwhere = \"right\"\nx_formula = \"log(-y)\"\ny = 0.0\n" + solve, "[[step.support]]", "support 2: the support on 'right' prescribes a displacement that has no finite value here");
+  refused("[[step.support]]\nwhere = \"right\"\nx_formula = \"log(-y)\"\ny = 0.0\n" + solve, "[[step.support]]", "support 3: the support on 'right' prescribes a displacement that has no finite value here");
   // Where prescribed displacements act a case may be without loads; a name near another's is told.
   const Model told = last(run(strip + clamped + "[[step.support]]\nwhere = \"right\"\nx = 0.02\n" + load("top", "y = 1.0\ncase = \"water\"") + "[[step.case]]\nname = \"watre\"\n"));
   EXPECT_THAT(told.remarks, testing::Contains(HasSubstr("no load is of load case 'watre'")));
