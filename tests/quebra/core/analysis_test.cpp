@@ -260,7 +260,7 @@ TEST(Analysis, BadInputIsNamed) {
   EXPECT_THAT(trouble(corner + solve + "[[step]]\noperation = \"crack\"\n"), HasSubstr("the mesh has no crack tips"));
   const std::string rosettes = "[[step]]\noperation = \"mesh\"\nrosettes = \"yes\"\n";
   EXPECT_THAT(trouble(centre_crack + rosettes), HasSubstr("give order = \"2\""));
-  EXPECT_THAT(trouble(centre_crack + rosettes + "order = \"2\"\ntip_radius = 0.5\n"), HasSubstr("crack 'crack': the rosette of radius"));
+  EXPECT_THAT(trouble(centre_crack + rosettes + "order = \"2\"\ntip_radius = 0.5\n"), HasSubstr("crack tip 'crack_end': its rosette of radius 1.5 overlaps that of 'crack_start'"));
 }
 
 TEST(Analysis, AForceOnACurveHasARemarkWithItsResultantAndTheTractionThatSpreadsIt) {
