@@ -572,8 +572,12 @@ std::vector<TipResult> crack_tips(const ElementMesh& mesh, const Problem& proble
   for (std::size_t t = 0; t < frames.size(); ++t) {
     const mesh::CrackTip& tip = mesh.tips[t];
     auto own = frames[t] ? tip_result(mesh, problem, load, *frames[t], boundary, u, outer) : frames[t].error();
-    if (own) results.push_back(*std::move(own));
-    else results.push_back({.name = tip.name, .at = mesh.point(tip.node), .ahead = tip.direction, .refused = own.error()});
+    if (own) {
+      results.push_back(*std::move(own));
+      continue;
+    }
+    results.push_back(
+        {.name = tip.name, .at = mesh.point(tip.node), .ahead = tip.direction, .refused = own.error()});
   }
   return results;
 }

@@ -38,8 +38,8 @@ struct TipFrame {
   [[nodiscard]] geom::Vector local(geom::Vector v) const { return {dot(v, tip.direction), dot(v, up())}; }
 };
 /// One a tip of the mesh, in their order: a tip that has none does not cost the others theirs.
-/// @error of a tip, BadCrack with the place: no lips at it, lips (or lip and line ahead) that are not straight, elements
-/// of two materials.
+/// @error of a tip, BadCrack with the place: no lips at it, lips (or lip and line ahead) that are not straight,
+/// elements of two materials.
 std::vector<base::Result<TipFrame>> tip_frames(const mesh::ElementMesh& mesh, const Materials& materials);
 
 /// @error BadCrack: the elements at the tip are not quarter-point ones (the formula would be wrong by 60 %).
