@@ -60,6 +60,8 @@ struct Domain {
   std::map<std::int32_t, std::string> region_names;
 
   [[nodiscard]] dobra::geom::Box box() const;
+  /// As of lone_circles, of these curves and points.
+  [[nodiscard]] std::vector<std::uint8_t> lone_circles(double margin) const;
 };
 
 /// An offset curve inside the domain, along which the mesh must have edges.
