@@ -15,7 +15,7 @@ class App;
 namespace quebra::cli {
 
 struct RuleOptions {
-  std::optional<double> size, growth, turn;
+  std::optional<double> size, growth, turn, narrow;
   std::optional<std::int64_t> smoothing, max_elements;
   std::optional<std::filesystem::path> background;
   std::string order, engine, size_formula, background_field, division;

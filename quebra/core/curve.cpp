@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "shared/geom/discretise.h"
+#include "shared/geom/spatial_index.h"
 
 namespace quebra::core {
 namespace {
@@ -294,6 +295,24 @@ Point Smooth::point(double s) const {
 
 dobra::geom::Vector Smooth::direction(double s) const { return normalised(path_.tangent(parameter(std::clamp(s, 0.0, length())))); }
 
+Result<Smooth> Smooth::part(double from, double to) const {
+  const double first = from <= 0.0 ? 0.0 : parameter(from);
+  const double last = to >= length() ? 1.0 : parameter(to);
+  std::vector<dobra::geom::HermiteCubic> cubics;
+  std::vector<double> knots{first};
+  for (std::size_t k = 0; k + 1 < knots_.size(); ++k) {
+    const double span = knots_[k + 1] - knots_[k];
+    const double u = std::clamp((first - knots_[k]) / span, 0.0, 1.0);
+    const double v = std::clamp((last - knots_[k]) / span, 0.0, 1.0);
+    if (!(v - u > same_node)) continue;
+    const auto cubic = bezier_of(path_.cubics()[k]);
+    cubics.push_back({cubic.point(u), cubic.point(v), (v - u) * cubic.tangent(u), (v - u) * cubic.tangent(v)});
+    knots.push_back(knots_[k] + v * span);
+  }
+  if (cubics.empty()) return Error{ErrorCode::DegenerateCurve, "a part of a curve has no length"};
+  return make({std::move(cubics), std::move(knots)});
+}
+
 double length(const Curve& curve) {
   if (const auto* arc = std::get_if<Arc>(&curve.shape)) return arc->length();
   if (const auto* smooth = std::get_if<Smooth>(&curve.shape)) return smooth->length();
@@ -356,6 +375,64 @@ Trace trace(const Curve& curve) {
   Trace result{pieces.polyline(), std::move(pieces.parameters)};
   for (double& s : result.s) s *= arc.length();
   return result;
+}
+
+dobra::geom::Box box_of(const Curve& curve) {
+  if (const auto* arc = std::get_if<Arc>(&curve.shape)) return arc->box();
+  if (const auto* smooth = std::get_if<Smooth>(&curve.shape)) return dobra::geom::box_of(smooth->chords().points);
+  return std::get<Polyline>(curve.shape).box();
+}
+
+std::vector<std::uint8_t> lone_circles(std::span<const Curve> curves, std::span<const Point> points, double margin) {
+  std::vector<dobra::geom::Box> boxes;
+  std::vector<std::size_t> owner;
+  const auto add = [&](const dobra::geom::Box& box, std::size_t curve) {
+    boxes.push_back(box);
+    owner.push_back(curve);
+  };
+  std::vector<std::uint8_t> lone(curves.size(), 0);
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    const auto* const arc = std::get_if<Arc>(&curves[c].shape);
+    if (arc == nullptr) {
+      const Trace along = trace(curves[c]);
+      for (std::size_t i = 0; i < along.line.segment_count(); ++i) add(along.line.segment(i).box(), c);
+      continue;
+    }
+    lone[c] = arc->closed() ? 1 : 0;
+    constexpr int parts = 16;
+    const double bulge = arc->radius() * (1.0 - std::cos(0.5 * arc->sweep().radians() / parts));
+    for (int i = 0; i < parts; ++i) add(dobra::geom::Segment{arc->point(1.0 * i / parts), arc->point((i + 1.0) / parts)}.box().grown(bulge), c);
+  }
+  for (const Point p : points) add({p, p}, curves.size());
+  const dobra::geom::SpatialIndex index(boxes);
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    if (lone[c] == 0) continue;
+    index.for_each_overlapping(box_of(curves[c]).grown(margin), [&](std::size_t i) {
+      if (owner[i] != c) lone[c] = 0;
+      return owner[i] != c ? dobra::geom::Visit::Stop : dobra::geom::Visit::Continue;
+    });
+  }
+  return lone;
+}
+
+std::optional<std::array<double, 2>> meeting(const Curve& one, double s, const Curve& two, double t, double tolerance) {
+  const bool straight = std::holds_alternative<Polyline>(one.shape) && std::holds_alternative<Polyline>(two.shape);
+  if (straight) return std::array{s, t};
+  const double first = length(one), second = length(two);
+  for (int step = 0; step < 30; ++step) {
+    const dobra::geom::Vector gap = point(two, t) - point(one, s);
+    const dobra::geom::Vector u = direction(one, s);
+    const dobra::geom::Vector v = direction(two, t);
+    const double turn = cross(u, v);
+    if (std::abs(turn) < 1e-9) break;
+    const double ds = cross(gap, v) / turn;
+    const double dt = cross(gap, u) / turn;
+    s = std::clamp(s + ds, 0.0, first);
+    t = std::clamp(t + dt, 0.0, second);
+    if (std::abs(ds) + std::abs(dt) < 1e-15 * (first + second)) break;
+  }
+  if (distance(point(one, s), point(two, t)) > tolerance) return std::nullopt;
+  return std::array{s, t};
 }
 
 bool explicit_division(const Curve& curve, std::span<const Stop> stops) {

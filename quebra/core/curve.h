@@ -2,7 +2,10 @@
 // One curve of a domain: a chain of straight pieces, a circular arc or a smooth chain of cubics, measured by the distance
 // travelled along it.
 
+#include <array>
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
@@ -37,6 +40,8 @@ class Smooth {
   [[nodiscard]] dobra::geom::Point point(double s) const;
   [[nodiscard]] dobra::geom::Vector direction(double s) const;
   [[nodiscard]] const dobra::geom::CubicPath& path() const { return path_; }
+  /// What lies between two distances, from < to.  @error those of make.
+  [[nodiscard]] dobra::base::Result<Smooth> part(double from, double to) const;
 
   struct Chords {
     std::vector<dobra::geom::Point> points;
@@ -89,6 +94,17 @@ struct Trace {
   std::vector<double> s;  ///< One a vertex; one more, the length, for a closed line.
 };
 Trace trace(const Curve& curve);
+
+/// Of its trace, or the true box of an arc.
+dobra::geom::Box box_of(const Curve& curve);
+
+/// Marks full circles in whose box, grown by the margin, there is nothing else: neither another curve nor one of the points.
+/// @cost O(n log n) for n pieces of polylines and splines, and sixteenths of arcs.
+std::vector<std::uint8_t> lone_circles(std::span<const Curve> curves, std::span<const dobra::geom::Point> points, double margin);
+
+/// Distances along two curves where they truly meet, by Newton's method from s and t, where their traces do; nothing if they
+/// stay farther apart than the tolerance.
+std::optional<std::array<double, 2>> meeting(const Curve& one, double s, const Curve& two, double t, double tolerance);
 
 /// A wanted node on a curve, and the size of the pieces beside it.
 struct Stop {

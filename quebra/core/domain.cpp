@@ -160,8 +160,14 @@ Result<void> check_roles(const Domain& domain, const Inside& inside, const std::
 
 Box Domain::box() const {
   Box box;
-  for (const Curve& curve : curves) box.add(trace(curve).line.box());
+  for (const Curve& curve : curves) box.add(box_of(curve));
   return box;
+}
+
+std::vector<std::uint8_t> Domain::lone_circles(double margin) const {
+  std::vector<Point> at;
+  for (const NamedPoint& named : points) at.push_back(named.at);
+  return core::lone_circles(curves, at, margin);
 }
 
 Polyline contour(const Domain& domain, const Domain::Loop& loop) {
@@ -207,7 +213,7 @@ Result<Domain> make_domain(Sketch sketch, const DomainOptions& options) {
   const std::vector<Place>& places = sketch.places;
   if (sketch.curves.empty()) return Error{ErrorCode::BadDomain, "the domain has no curve; add [[input.curve]], a file or a specimen"};
   Box box;
-  for (const Curve& curve : sketch.curves) box.add(trace(curve).line.box());
+  for (const Curve& curve : sketch.curves) box.add(box_of(curve));
   constexpr double least_size = 1e-100;  // products of three lengths stay far from underflow
   const double extent = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
   if (extent > 0.0 && extent < least_size) return Error{ErrorCode::BadDomain, fmt::format("the domain is only {:.3g} m large; use smaller units", extent), places.front()};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "shared/geom/spatial_index.h"
 #include "shared/topo/insert.h"
@@ -17,45 +18,13 @@ using dobra::base::Error;
 using dobra::base::ErrorCode;
 using dobra::base::Place;
 using dobra::base::Result;
+using dobra::geom::Arc;
 using dobra::geom::Box;
 using dobra::geom::Point;
 using dobra::geom::Polyline;
 using dobra::geom::Segment;
 using dobra::topo::FaceId;
 using dobra::topo::Subdivision;
-
-/// The chords of a curve, through its junctions.
-Polyline chords(const Domain& domain, std::size_t curve) {
-  Trace along = trace(domain.curves[curve]);
-  if (along.line.closed) {
-    along.line.points.push_back(along.line.points.front());
-    along.line.closed = false;
-  }
-  std::vector<std::pair<double, Point>> nodes;
-  for (std::size_t i = 0; i < along.line.points.size(); ++i) nodes.emplace_back(along.s[i], along.line.points[i]);
-  for (const Junction& junction : domain.junctions) {
-    if (junction.curve == curve) nodes.emplace_back(junction.s, junction.at);
-  }
-  std::stable_sort(nodes.begin(), nodes.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  Polyline line;
-  for (const auto& [s, p] : nodes) line.points.push_back(p);
-  return without_repeated_points(std::move(line));
-}
-
-std::vector<Segment> sides_of(const Subdivision& subdivision, FaceId face) {
-  std::vector<Segment> sides;
-  for (const auto loop : subdivision.loops(face)) {
-    for (const auto half : subdivision.half_edges(loop)) sides.push_back(subdivision.segment(half));
-  }
-  return sides;
-}
-
-double area_of(const std::vector<Segment>& sides) {
-  double twice = 0.0;
-  const Point origin = sides.front().from;
-  for (const Segment& side : sides) twice += cross(side.from - origin, side.to - origin);
-  return 0.5 * twice;
-}
 
 /// The area of least extent that holds p; null if none does.
 const Area* smallest_round(std::span<const Area> areas, Point p) {
@@ -85,6 +54,38 @@ Error bad_name(ErrorCode code, const RegionName& name, const char* what) {
 }
 
 }  // namespace
+
+Polyline chords(const Domain& domain, std::size_t curve) {
+  Trace along = trace(domain.curves[curve]);
+  if (along.line.closed) {
+    along.line.points.push_back(along.line.points.front());
+    along.line.closed = false;
+  }
+  std::vector<std::pair<double, Point>> nodes;
+  for (std::size_t i = 0; i < along.line.points.size(); ++i) nodes.emplace_back(along.s[i], along.line.points[i]);
+  for (const Junction& junction : domain.junctions) {
+    if (junction.curve == curve) nodes.emplace_back(junction.s, junction.at);
+  }
+  std::stable_sort(nodes.begin(), nodes.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  Polyline line;
+  for (const auto& [s, p] : nodes) line.points.push_back(p);
+  return without_repeated_points(std::move(line));
+}
+
+std::vector<Segment> sides_of(const Subdivision& subdivision, FaceId face) {
+  std::vector<Segment> sides;
+  for (const auto loop : subdivision.loops(face)) {
+    for (const auto half : subdivision.half_edges(loop)) sides.push_back(subdivision.segment(half));
+  }
+  return sides;
+}
+
+double area_of(std::span<const Segment> sides) {
+  double twice = 0.0;
+  const Point origin = sides.front().from;
+  for (const Segment& side : sides) twice += cross(side.from - origin, side.to - origin);
+  return 0.5 * twice;
+}
 
 // Of the middles of what horizontal lines have inside, the farthest from all sides.
 Point inner_point(std::span<const Segment> sides) {
@@ -118,12 +119,47 @@ Point inner_point(std::span<const Segment> sides) {
   return best;
 }
 
+namespace {
+
+/// Marks round holes in whose box there is nothing else, no region's point either.
+std::vector<std::uint8_t> lone_holes(const Domain& domain, std::span<const RegionName> names) {
+  constexpr double rounding = 1e-9;
+  std::vector<Point> points;
+  for (const RegionName& name : names) points.push_back(name.at);
+  for (const NamedPoint& named : domain.points) points.push_back(named.at);
+  const std::vector<std::uint8_t> lone = lone_circles(domain.curves, points, rounding * domain.box().diagonal());
+  std::vector<std::uint8_t> holes(lone.size(), 0);
+  for (const Domain::Loop& loop : domain.loops) {
+    if (loop.sides.size() == 1 && loop.depth % 2 == 1) holes[loop.sides.front().curve] = lone[loop.sides.front().curve];
+  }
+  return holes;
+}
+
+/// The octagon round a circle, within its box.
+Polyline octagon_round(const Arc& circle) {
+  const double reach = circle.radius() / std::cos(std::numbers::pi / 8.0);
+  Polyline octagon{{}, true};
+  for (int i = 0; i < 8; ++i) {
+    const double angle = (i + 0.5) * std::numbers::pi / 4.0;
+    octagon.points.push_back(circle.centre() + reach * dobra::geom::Vector{std::cos(angle), std::sin(angle)});
+  }
+  return octagon;
+}
+
+}  // namespace
+
 Result<void> find_faces(Domain& domain, const Inside& inside, std::span<const RegionName> names, std::span<const Area> areas) {
   Subdivision subdivision;
+  // Round holes that nothing is near to may as well be octagons, but for the area between.
+  const std::vector<std::uint8_t> lone = lone_holes(domain, names);
+  std::vector<std::pair<dobra::topo::HalfEdgeId, double>> between;
   for (std::size_t c = 0; c < domain.curves.size(); ++c) {
     if (domain.curves[c].role == Role::Crack) continue;
-    const auto inserted = insert(subdivision, chords(domain, c));
+    const Polyline line = lone[c] != 0 ? octagon_round(std::get<Arc>(domain.curves[c].shape)) : chords(domain, c);
+    const auto inserted = insert(subdivision, line);
     if (!inserted) return inserted.error();
+    if (lone[c] == 0) continue;
+    between.emplace_back(inserted->path.front(), signed_area(line) - std::abs(signed_area(trace(domain.curves[c]).line)));
   }
   std::map<FaceId, Face> faces;
   for (const FaceId id : subdivision.faces()) {
@@ -131,6 +167,11 @@ Result<void> find_faces(Domain& domain, const Inside& inside, std::span<const Re
     const auto sides = sides_of(subdivision, id);
     const Point p = inner_point(sides);
     if (inside(p)) faces[id] = {0, p, area_of(sides)};
+  }
+  for (const auto& [half, area] : between) {
+    for (const auto side : {half, Subdivision::twin(half)}) {
+      if (const auto face = faces.find(subdivision.face(side)); face != faces.end()) face->second.area += area;
+    }
   }
   std::map<std::string, std::int32_t> tags;
   std::int32_t next = 0;

@@ -30,7 +30,7 @@ using dobra::geom::Segment;
 /// Chains of internal lines that would close if their nearest free ends met.
 class NearlyClosed {
  public:
-  NearlyClosed(const Domain& domain, double limit) : domain_(domain), limit_(limit), chain_(domain.curves.size()) {
+  NearlyClosed(const Domain& domain, double limit, bool repaired) : domain_(domain), limit_(limit), repaired_(repaired), chain_(domain.curves.size()) {
     std::iota(chain_.begin(), chain_.end(), std::size_t{0});
   }
 
@@ -87,13 +87,16 @@ class NearlyClosed {
   [[nodiscard]] Finding finding(const End& a, const End& b, double gap) const {
     const std::string& one = domain_.curves[a.curve].name;
     const std::string names = a.curve == b.curve ? one : one + ", " + domain_.curves[b.curve].name;
-    return {Wrong::Gap, a.at, names,
-            fmt::format("left as it is: a gap of {:.3g} m, so that this chain is taken for an internal line and bounds nothing; close it, or give --repair (repair = "
-                        "\"yes\"), which closes gaps up to {:.3g} m", gap, RepairOptions{}.gap * domain_.box().diagonal())};
+    const double closes = RepairOptions{}.gap * domain_.box().diagonal();
+    const std::string what = fmt::format("a gap of {:.3g} m, so that this chain is taken for an internal line and bounds nothing", gap);
+    if (!repaired_) return {Wrong::Gap, a.at, names, fmt::format("left as it is: {}; close it, or give --repair (repair = \"yes\"), which closes gaps up to {:.3g} m", what, closes)};
+    const std::string why = gap > closes ? fmt::format("wider than the {:.3g} m that --repair closes", closes) : "between lines that the file calls internal, which --repair leaves";
+    return {Wrong::Gap, a.at, names, fmt::format("not repaired: {}; it is {}: close it by hand", what, why)};
   }
 
   const Domain& domain_;
   double limit_;
+  bool repaired_;
   std::vector<std::size_t> chain_;  ///< Union of curves, by the least.
 };
 
@@ -119,7 +122,12 @@ class Slivers {
 
   std::vector<Finding> run() {
     std::vector<Box> boxes;
+    const std::vector<std::uint8_t> lone = domain_.lone_circles(options_.sliver * options_.side * size_);
     for (std::size_t c = 0; c < domain_.curves.size(); ++c) {
+      if (lone[c] != 0) {  // nothing is near
+        counts_.push_back(0);
+        continue;
+      }
       const Trace along = trace(domain_.curves[c]);
       counts_.push_back(along.line.segment_count());
       for (std::size_t i = 0; i < counts_.back(); ++i) {
@@ -230,9 +238,10 @@ class Slivers {
     const std::string what = wedge        ? fmt::format("two sides of {:.3g} m that leave one point are no more than {:.3g} m apart", local, least.distance)
                              : short_side ? fmt::format("two points are {:.3g} m apart between sides of {:.3g} m", least.distance, local)
                                           : fmt::format("two sides of {:.3g} m come within {:.3g} m of each other", local, least.distance);
+    const double merges = RepairOptions{}.same_point * size_;
     entry->second.finding = {short_side ? Wrong::NearlyRepeatedPoint : Wrong::Sliver, least.at, same ? one : one + ", " + domain_.curves[b.curve].name,
-                             fmt::format("left as it is: {}, and elements must be as small there; move them apart or let them touch; --repair (repair = "
-                                         "\"yes\") makes one of what is nearer than {:.3g} m", what, RepairOptions{}.same_point * size_)};
+                             options_.repaired ? fmt::format("not repaired: {}, and elements must be as small there; move them apart or let them touch: --repair makes one only of what is nearer than {:.3g} m", what, merges)
+                                               : fmt::format("left as it is: {}, and elements must be as small there; move them apart or let them touch; --repair (repair = \"yes\") makes one of what is nearer than {:.3g} m", what, merges)};
   }
 
   const Domain& domain_;
@@ -248,7 +257,7 @@ class Slivers {
 
 std::vector<Finding> flaws_of(const Domain& domain, const FlawOptions& options) {
   const double size = domain.box().diagonal();
-  std::vector<Finding> findings = NearlyClosed(domain, options.near_end * size).run();
+  std::vector<Finding> findings = NearlyClosed(domain, options.near_end * size, options.repaired).run();
   std::vector<Finding> slivers = Slivers(domain, options, size).run();
   findings.insert(findings.end(), std::make_move_iterator(slivers.begin()), std::make_move_iterator(slivers.end()));
   return findings;

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 #include <set>
 
+#include "quebra/core/crack_flaws.h"
 #include "quebra/core/flaws.h"
 #include "quebra/core/repair.h"
 #include "quebra/core/sketch_file.h"
@@ -125,6 +127,18 @@ Result<void> add_curve(Sketch& sketch, const CurveParams& params, double tip_siz
   return {};
 }
 
+std::string text_of(const Finding& finding) {
+  return fmt::format("{} at ({:.6g}, {:.6g}) of {}: {}", name_of(finding.wrong), finding.at.x, finding.at.y, finding.curve, finding.mend);
+}
+
+/// What was repaired may be why there is no domain: a domain may vanish.
+Error with_findings(Error error, const std::vector<Finding>& findings) {
+  constexpr std::size_t most = 5;
+  for (std::size_t i = 0; i < std::min(most, findings.size()); ++i) error.message += fmt::format("{}{}", i == 0 ? "; repaired before: " : "; ", text_of(findings[i]));
+  if (findings.size() > most) error.message += fmt::format("; and {} more", findings.size() - most);
+  return error;
+}
+
 }  // namespace
 
 Result<Model> read_input(const InputParams& params, const dobra::scenario::Table& table,
@@ -169,11 +183,16 @@ Result<Model> read_input(const InputParams& params, const dobra::scenario::Table
     model.findings = std::move(repaired.findings);
   }
   model.remarks = std::move(sketch.remarks);
-  DOBRA_TRY(model.domain, make_domain(std::move(sketch), {params.join_tolerance}));
-  std::vector<Finding> flaws = flaws_of(model.domain);
+  const CrackEnds drawn = crack_ends(sketch);
+  auto domain = make_domain(std::move(sketch), {params.join_tolerance});
+  if (!domain) return with_findings(domain.error(), model.findings);
+  model.domain = *std::move(domain);
+  std::vector<Finding> flaws = flaws_of(model.domain, {.repaired = params.repair == Repair::Yes});
   append(model.findings, flaws);
+  std::vector<Finding> cracks = crack_flaws(model.domain, drawn);
+  append(model.findings, cracks);
   for (const Finding& finding : model.findings) {
-    model.remarks.push_back(fmt::format("{} at ({:.6g}, {:.6g}) of {}: {}", name_of(finding.wrong), finding.at.x, finding.at.y, finding.curve, finding.mend));
+    model.remarks.push_back(text_of(finding));
   }
   return model;
 }

@@ -43,9 +43,14 @@ class Finder {
   Finder(Domain& domain, const std::vector<Place>& places, double tolerance)
       : domain_(domain), places_(places), tolerance_(tolerance) {
     std::vector<Box> boxes;
+    const std::vector<std::uint8_t> lone = domain.lone_circles(tolerance);
     for (std::size_t c = 0; c < domain.curves.size(); ++c) {
-      const Trace along = trace(domain.curves[c]);
       lengths_.push_back(length(domain.curves[c]));
+      if (lone[c] != 0) {  // meets nothing
+        counts_.push_back(0);
+        continue;
+      }
+      const Trace along = trace(domain.curves[c]);
       counts_.push_back(along.line.segment_count());
       double sagitta = 0.0;
       if (!straight(domain.curves[c])) sagitta = 0.25 * trace_turn.radians() * lengths_[c] / static_cast<double>(counts_[c]);
@@ -161,25 +166,7 @@ class Finder {
     const auto along = [&](const Chord& chord) {
       return chord.s_from + nearest_fraction(chord.segment, at) * (chord.s_to - chord.s_from);
     };
-    double s = along(a);
-    double t = along(b);
-    const Curve& one = domain_.curves[a.curve];
-    const Curve& two = domain_.curves[b.curve];
-    if (straight(one) && straight(two)) return std::array{s, t};
-    for (int step = 0; step < 30; ++step) {
-      const Vector gap = point(two, t) - point(one, s);
-      const Vector u = direction(one, s);
-      const Vector v = direction(two, t);
-      const double turn = cross(u, v);
-      if (std::abs(turn) < 1e-9) break;
-      const double ds = cross(gap, v) / turn;
-      const double dt = cross(gap, u) / turn;
-      s = std::clamp(s + ds, 0.0, lengths_[a.curve]);
-      t = std::clamp(t + dt, 0.0, lengths_[b.curve]);
-      if (std::abs(ds) + std::abs(dt) < 1e-15 * (lengths_[a.curve] + lengths_[b.curve])) break;
-    }
-    if (distance(point(one, s), point(two, t)) > tolerance_) return std::nullopt;
-    return std::array{s, t};
+    return meeting(domain_.curves[a.curve], along(a), domain_.curves[b.curve], along(b), tolerance_);
   }
 
   [[nodiscard]] std::optional<Point> end_near(std::size_t curve, double s) const {

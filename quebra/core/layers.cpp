@@ -384,7 +384,7 @@ std::vector<scenario::Output> outputs_of(const std::shared_ptr<const Model>& mod
       {"mesh.vtu", [meshed](const auto& path) { return io::write_vtu(path.string(), meshed->mesh, quality_fields(meshed->mesh)); }},
   };
   for (const char* const name : {"mesh.msh", "mesh.inp", "mesh.bdf", "mesh.nf"}) {
-    outputs.push_back({name, [meshed](const auto& path) { return io::write_mesh(path.string(), meshed->mesh); }});
+    outputs.push_back({name, [meshed](const auto& path) { return io::write_mesh(path.string(), meshed->mesh); }, io::losses(name, meshed->mesh)});
   }
   // These hold triangles of one order only.
   if (const auto elements = io::ele_file_of(meshed->mesh)) {

@@ -12,6 +12,7 @@
 
 #include "quebra/core/domain.h"
 #include "quebra/core/half_crack.h"
+#include "quebra/core/narrow.h"
 #include "quebra/core/zone.h"
 #include "shared/mesh/lips.h"
 #include "shared/mesh/order2.h"
@@ -154,12 +155,32 @@ Result<MeshInput> mesh_input(const Model& model, const std::vector<Constraint>& 
   return input;
 }
 
+/// One a curve: whether it keeps the subdivision it asks for.
+std::vector<std::uint8_t> keeping(const Domain& domain, const std::vector<Constraint>& constraints) {
+  std::vector<std::uint8_t> keeps;
+  for (std::size_t c = 0; c < domain.curves.size(); ++c) {
+    const Division& said = domain.curves[c].division;
+    const bool asks = said.segments > 0 || said.ratio != 1.0;
+    keeps.push_back(asks && explicit_division(domain.curves[c], stops_on(c, domain, constraints)) ? 1 : 0);
+  }
+  return keeps;
+}
+
 /// Curves that cannot keep the subdivision they ask for.
-void remark_on_divisions(const Domain& domain, const std::vector<Constraint>& constraints, std::vector<std::string>& remarks) {
+void remark_on_divisions(const Domain& domain, const std::vector<std::uint8_t>& keeps, std::vector<std::string>& remarks) {
   for (std::size_t c = 0; c < domain.curves.size(); ++c) {
     const Curve& curve = domain.curves[c];
-    if ((curve.division.segments == 0 && curve.division.ratio == 1.0) || explicit_division(curve, stops_on(c, domain, constraints))) continue;
+    if ((curve.division.segments == 0 && curve.division.ratio == 1.0) || keeps[c] != 0) continue;
     remarks.push_back(fmt::format("`segments` and `ratio` of curve '{}' give way to the sizes of the offset constraints or points on it", curve.name));
+  }
+}
+
+/// Curves that keep theirs though something comes nearer than their sides are long.
+void remark_on_kept(const Domain& domain, const std::vector<NarrowPlaces::Kept>& all, std::vector<std::string>& remarks) {
+  for (const auto& kept : all) {
+    const std::string beside = kept.beside == domain.curves.size() ? "a point" : kept.beside == kept.curve ? "another part of it" : fmt::format("'{}'", domain.curves[kept.beside].name);
+    remarks.push_back(fmt::format("curve '{}' keeps its {}, with sides of {:.3g} m at ({:.6g}, {:.6g}), {:.3g} m from {}: elements between are as flat; divide it more finely or leave its subdivision to `narrow`",
+                                  domain.curves[kept.curve].name, domain.curves[kept.curve].division.segments > 0 ? "`segments`" : "`ratio`", kept.side, kept.at.x, kept.at.y, kept.width, beside));
   }
 }
 
@@ -188,7 +209,7 @@ Result<void> check_field(const dobra::mesh::SizeField& field, const Domain& doma
   const Inside inside(domain);
   const double triangles = field.estimated_triangles([&](Point p) { return inside(p); });
   if (triangles <= sure * params.max_elements) return {};
-  return too_many(triangles, "what curves, points, zones, formula and background ask for", params);
+  return too_many(triangles, "what curves, points, zones, narrow places (`narrow = 0` leaves them), formula and background ask for", params);
 }
 
 /// The middle between two neighbouring nodes of a curve that bends.
@@ -309,15 +330,31 @@ Result<Prepared> prepare(const Model& model, const MeshParams& params, const Mes
   options.smoothing.passes = params.smoothing;
   options.points.max_triangles = static_cast<std::size_t>(params.max_elements);
   DivideOptions divide{.size = size, .turn = params.turn, .growth = params.growth, .limit = {}, .rule = params.division, .most = static_cast<std::size_t>(params.max_elements)};
-  // Curves that pass something finer are divided again, so that sizes grow along them as they do inside.
-  DOBRA_TRY(const MeshInput coarse, mesh_input(model, constraints, wishes.sizes, prepared.rosettes, divide));
-  const auto built = dobra::mesh::size_field_of(coarse, options.sizes);
-  DOBRA_TRY_VOID(source.check());
-  DOBRA_TRY(const auto field, built);
-  DOBRA_TRY_VOID(check_field(field, model.domain, params));
-  divide.limit = [&field](Point p) { return field.size_at(p); };
-  DOBRA_TRY(prepared.input, mesh_input(model, constraints, wishes.sizes, prepared.rosettes, divide));
-  remark_on_divisions(model.domain, constraints, remarks);
+  DOBRA_TRY(MeshInput coarse, mesh_input(model, constraints, wishes.sizes, prepared.rosettes, divide));
+  const std::vector<std::uint8_t> keeps = keeping(model.domain, constraints);
+  remark_on_divisions(model.domain, keeps, remarks);
+  NarrowOptions narrow{.across = params.narrow};
+  NarrowPlaces places = narrow_places(model.domain, coarse, keeps, narrow);
+  remark_on_kept(model.domain, places.kept, remarks);
+  // Curves that pass something finer are divided again, so that sizes grow along them as they do inside; and once more if
+  // bent ones turn out to come nearer to others than their first chords did.
+  constexpr int most_divisions = 3;
+  std::vector<dobra::mesh::SizeRequest> narrow_sizes;
+  for (int division = 0; division < most_divisions; ++division) {
+    coarse.sizes.insert(coarse.sizes.end(), places.sizes.begin(), places.sizes.end());
+    narrow_sizes.insert(narrow_sizes.end(), places.sizes.begin(), places.sizes.end());
+    const auto built = dobra::mesh::size_field_of(coarse, options.sizes);
+    DOBRA_TRY_VOID(source.check());
+    DOBRA_TRY(const auto field, built);
+    DOBRA_TRY_VOID(check_field(field, model.domain, params));
+    divide.limit = [&field](Point p) { return field.size_at(p); };
+    DOBRA_TRY(prepared.input, mesh_input(model, constraints, wishes.sizes, prepared.rosettes, divide));
+    if (places.sizes.empty()) break;
+    narrow.smallest = 0.1;  // of sides that are short there by now
+    places = narrow_places(model.domain, prepared.input, keeps, narrow);
+    if (places.sizes.empty()) break;
+  }
+  prepared.input.sizes.insert(prepared.input.sizes.end(), narrow_sizes.begin(), narrow_sizes.end());
   DOBRA_TRY_VOID(cut_out(prepared.input, prepared.rosettes));
   return prepared;
 }

@@ -26,6 +26,7 @@ struct MeshRules {
   DivisionRule division = DivisionRule::Even;
   dobra::base::Angle turn = dobra::base::Angle::from_degrees(15.0);
   double growth = 1.3;
+  double narrow = 1.0;
   dobra::mesh::Engine engine = dobra::mesh::Engine::Front;
   int smoothing = 3;
   int max_elements = 20000000;
@@ -43,6 +44,7 @@ struct MeshRules {
     d.choice("division", of<P>(&MeshRules::division), {"even", "halving"}, {.title = "Division of curves", .help = "even: as few sides as meet size and turn; halving: sides halved until they do, 2:1 along a curve."});
     d.field("turn", of<P>(&MeshRules::turn), {.title = "Greatest turn", .help = "That one element side on an arc may span.", .unit = "deg", .above = 0, .at_most = 90});
     d.field("growth", of<P>(&MeshRules::growth), {.title = "Growth", .help = "Most by which sizes may grow from one element to the next.", .above = 1, .at_most = 10});
+    d.field("narrow", of<P>(&MeshRules::narrow), {.title = "Across narrow places", .help = "Elements wanted across the material where curves, crack tips or points come near each other: sides there are divided as finely. 0: sides are as long as elsewhere.", .at_least = 0, .at_most = 20});
     d.choice("engine", of<P>(&MeshRules::engine), {"front", "delaunay"}, {.title = "Engine", .help = "What places the nodes inside: rows from the boundary inwards, or one by one in a Delaunay triangulation, which is slower."});
     d.field("smoothing", of<P>(&MeshRules::smoothing), {.title = "Smoothing passes", .at_least = 0, .at_most = 100});
     d.field("max_elements", of<P>(&MeshRules::max_elements), {.title = "Most elements", .help = "The mesher stops with advice beyond it.", .at_least = 1});

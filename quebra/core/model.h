@@ -60,6 +60,8 @@ struct Domain {
   std::map<std::int32_t, std::string> region_names;
 
   [[nodiscard]] dobra::geom::Box box() const;
+  /// As of lone_circles, of these curves and points.
+  [[nodiscard]] std::vector<std::uint8_t> lone_circles(double margin) const;
 };
 
 /// An offset curve inside the domain, along which the mesh must have edges.
@@ -77,7 +79,7 @@ struct Constraint {
 };
 
 /// What was wrong with the drawn geometry (repair.h).
-enum class Wrong { RepeatedPoint, NearlyRepeatedPoint, NoExtent, CurveTwice, Spike, Gap, Crossing, Sliver };
+enum class Wrong { RepeatedPoint, NearlyRepeatedPoint, NoExtent, CurveTwice, Spike, Gap, Crossing, Sliver, NearlyTouching, CutThrough };
 
 struct Finding {
   Wrong wrong = Wrong::RepeatedPoint;

@@ -636,6 +636,14 @@
         <translation>Maior giro</translation>
     </message>
     <message>
+        <source>Across narrow places</source>
+        <translation>Nos trechos estreitos</translation>
+    </message>
+    <message>
+        <source>Elements wanted across the material where curves, crack tips or points come near each other: sides there are divided as finely. 0: sides are as long as elsewhere.</source>
+        <translation>Elementos desejados através do material onde curvas, pontas de trincas ou pontos se aproximam: ali os lados são divididos com essa finura. 0: os lados são tão longos quanto no resto.</translation>
+    </message>
+    <message>
         <source>Growth</source>
         <translation>Crescimento</translation>
     </message>

@@ -59,6 +59,7 @@ base::Result<void> write_results(Session& session, const RunOptions& options, co
     for (const scenario::Output& output : program.outputs_of(state)) {
       DOBRA_TRY_VOID(session.check());
       DOBRA_TRY_VOID(output.write(staging.path(output.file_name)));
+      for (const std::string& loss : output.losses) session.note(loss);
     }
   }
   if (program.picture_of) DOBRA_TRY_VOID(write_pictures(session, options, program.picture_of(state), staging));

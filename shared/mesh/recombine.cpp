@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <tuple>
+#include <utility>
 
 #include "shared/geom/predicates.h"
 
@@ -71,17 +73,85 @@ std::vector<Pair> pairs_of(const ElementMesh& mesh, double least_quality) {
   return pairs;
 }
 
+constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+/// Which pair each triangle is taken in: first the best pairs, then more of them along alternating paths.
+class Matching {
+ public:
+  Matching(const std::vector<Pair>& pairs, std::size_t elements) : pairs_(pairs), pair_of_(elements, none), first_(elements + 1, 0) {
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const std::size_t one = pairs[i].first.element.index(), two = pairs[i].second.element.index();
+      if (pair_of_[one] == none && pair_of_[two] == none) pair_of_[one] = pair_of_[two] = i;
+      ++first_[one + 1];
+      ++first_[two + 1];
+    }
+    for (std::size_t e = 0; e < elements; ++e) first_[e + 1] += first_[e];
+    pairs_at_.resize(first_.back());
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      pairs_at_[next[pairs[i].first.element.index()]++] = i;
+      pairs_at_[next[pairs[i].second.element.index()]++] = i;
+    }
+  }
+
+  std::vector<std::size_t> run() {
+    reached_.assign(pair_of_.size(), none);
+    from_.resize(pair_of_.size());
+    for (std::size_t e = 0; e < pair_of_.size(); ++e) {
+      if (pair_of_[e] == none && first_[e] < first_[e + 1]) extend(e);
+    }
+    return std::move(pair_of_);
+  }
+
+ private:
+  [[nodiscard]] std::size_t partner(std::size_t pair, std::size_t element) const {
+    const std::size_t one = pairs_[pair].first.element.index();
+    return one == element ? pairs_[pair].second.element.index() : one;
+  }
+
+  /// The shortest way from a free triangle to another, over pairs by turns not taken and taken: all of them change. Ways
+  /// that pass a triangle twice, which a blossom would need, are not sought, nor is far away.
+  void extend(std::size_t free) {
+    constexpr std::size_t most = 1000;  // triangles
+    std::vector<std::size_t> open{free};
+    reached_[free] = free;
+    for (std::size_t k = 0; k < open.size() && k < most; ++k) {
+      const std::size_t e = open[k];
+      for (std::size_t i = first_[e]; i < first_[e + 1]; ++i) {
+        const std::size_t pair = pairs_at_[i];
+        const std::size_t other = partner(pair, e);
+        if (reached_[other] == free) continue;
+        if (pair_of_[other] == none) return change(free, e, pair);
+        const std::size_t beyond = partner(pair_of_[other], other);
+        if (reached_[beyond] == free) continue;
+        reached_[other] = reached_[beyond] = free;
+        from_[beyond] = {e, pair};
+        open.push_back(beyond);
+      }
+    }
+  }
+
+  /// Takes `pair` of triangle e and, back to `free`, what was not taken.
+  void change(std::size_t free, std::size_t e, std::size_t pair) {
+    for (;;) {
+      pair_of_[partner(pair, e)] = pair_of_[e] = pair;
+      if (e == free) return;
+      std::tie(e, pair) = from_[e];
+    }
+  }
+
+  const std::vector<Pair>& pairs_;
+  std::vector<std::size_t> pair_of_;
+  std::vector<std::size_t> first_, pairs_at_;  ///< Of each triangle the pairs it may be in, the best first.
+  std::vector<std::size_t> reached_;           ///< From which free triangle last.
+  std::vector<std::pair<std::size_t, std::size_t>> from_;  ///< The triangle before, and the pair with its neighbour.
+};
+
 }  // namespace
 
 ElementMesh recombine(const ElementMesh& mesh, const RecombineOptions& options) {
   const std::vector<Pair> pairs = pairs_of(mesh, options.least_quality);
-  constexpr std::size_t none = static_cast<std::size_t>(-1);
-  std::vector<std::size_t> pair_of(mesh.element_count(), none);
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    std::size_t& one = pair_of[pairs[i].first.element.index()];
-    std::size_t& two = pair_of[pairs[i].second.element.index()];
-    if (one == none && two == none) one = two = i;
-  }
+  const std::vector<std::size_t> pair_of = Matching(pairs, mesh.element_count()).run();
   ElementMesh result;
   result.points = mesh.points;
   result.region_names = mesh.region_names;

@@ -77,6 +77,7 @@ struct DataTable {
 struct Output {
   std::string file_name;
   std::function<base::Result<void>(const std::filesystem::path&)> write;
+  std::vector<std::string> losses = {};  ///< What the file leaves out or renames, a line each, for the user.
 };
 
 struct Program {

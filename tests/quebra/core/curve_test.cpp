@@ -158,5 +158,23 @@ TEST(Curve, ASizeThatIsMuchTooSmallIsRefusedBeforeAnyWork) {
   EXPECT_NE(test::trouble(square + "[[input.curve]]\nname = \"seam\"\nrole = \"internal\"\npoints = [[0.2, 0.2], [0.8, 0.8]]\nsize = 1e-9\n[[step]]\noperation = \"mesh\"\n").find("curve 'seam'"), std::string::npos);
 }
 
+TEST(Curve, CirclesWithNothingInTheirBoxesAreLone) {
+  const auto circle = [](dobra::geom::Point centre, double radius) { return Curve{"c", Role::Hole, dobra::geom::Arc::circle(centre, radius).value(), {}}; };
+  const auto half = dobra::geom::Arc::from_angles({20, 0}, 1.0, dobra::base::Angle::from_degrees(0), dobra::base::Angle::from_degrees(180)).value();
+  const std::vector<Curve> curves{circle({0, 0}, 1.0),    // lone
+                                  circle({5, 0}, 1.0),    // 0.1 from the next
+                                  circle({7.1, 0}, 1.0),
+                                  circle({10, 0}, 1.0),   // holds a point
+                                  circle({15, 0}, 2.0),   // holds the next one, which is alone in its box
+                                  circle({15, 0}, 1.0),
+                                  {"half", Role::Boundary, half, {}},
+                                  circle({0, 0}, 100.0),  // round all
+                                  {"rim", Role::Boundary, dobra::geom::Polyline{{{-200, -200}, {200, -200}, {200, 200}, {-200, 200}}, true}, {}}};
+  const std::vector<dobra::geom::Point> points{{10.9, 0.9}};
+  using Marks = std::vector<std::uint8_t>;
+  EXPECT_EQ(lone_circles(curves, points, 0.01), (Marks{1, 1, 1, 0, 0, 1, 0, 0, 0}));
+  EXPECT_EQ(lone_circles(curves, points, 0.11), (Marks{1, 0, 0, 0, 0, 1, 0, 0, 0}));
+}
+
 }  // namespace
 }  // namespace quebra::core

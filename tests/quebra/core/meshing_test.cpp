@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 
 #include "quebra/core/specimen.h"
@@ -64,6 +65,20 @@ TEST(Meshing, SpecimensKeepTheFloorsOfQualityWithBothEngines) {
       std::printf("| %s | %s | %zu | %.4f | %.2f %% | %.3f |\n", name.c_str(), engine.c_str(), q.triangles, q.alpha_mean, 100.0 * q.alpha_90, q.alpha_min);
       EXPECT_GE(q.alpha_min, 0.6) << name << " " << engine;
       EXPECT_GE(q.alpha_mean, 0.93) << name << " " << engine;
+    }
+  }
+}
+
+TEST(Meshing, PairsAlongAlternatingPathsLeaveFewTriangles) {
+  for (const std::string name : {"quarter_plate", "l_shape", "compact_tension"}) {
+    for (const std::string engine : {"front", "delaunay"}) {
+      const auto run = test::run(mesh_of(name, "quads = \"yes\"\nengine = \"" + engine + "\"\n"));
+      ASSERT_TRUE(run.complete()) << name;
+      const auto& meshed = *test::last(run).meshes.back();
+      ASSERT_TRUE(check(meshed.mesh).ok()) << name;
+      const auto left = std::count(meshed.mesh.types.begin(), meshed.mesh.types.end(), dobra::mesh::ElementType::T3);
+      EXPECT_LE(static_cast<double>(left), 0.08 * static_cast<double>(meshed.mesh.element_count())) << name << " " << engine;  // pairs by quality alone: 0.17 to 0.26
+      EXPECT_NEAR(area(meshed.mesh), meshed.quality.area, 1e-9 * meshed.quality.area) << name;
     }
   }
 }

@@ -166,6 +166,18 @@ TEST(QuebraProgram, QUE_i_EveryExportReadsBackWithTheSameCounts) {
   fs::remove_all(folder);
 }
 
+TEST(QuebraProgram, ExportsThatRenameSetsTellIt) {
+  const auto done = run(parse("[[input.curve]]\nname = \"left side\"\nkind = \"polygon\"\npoints = [[0, 0], [4, 0], [4, 4]]\n[[step]]\noperation = \"mesh\"\nsize = 1.0\n"));
+  for (const auto& output : program().outputs_of(done.states.back())) {
+    if (output.file_name != "mesh.inp") {
+      EXPECT_TRUE(output.losses.empty()) << output.file_name << output.losses.front();
+      continue;
+    }
+    ASSERT_EQ(output.losses.size(), 1U);
+    EXPECT_NE(output.losses.front().find("left side"), std::string::npos) << output.losses.front();
+  }
+}
+
 TEST(QuebraProgram, APolyFileWithAHoleIsMeshedWithoutTheHole) {
   const fs::path folder = fs::temp_directory_path() / "dobra_quebra_poly";
   fs::create_directories(folder);

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+
+#include "tests/support/quebra_scenarios.h"
 
 namespace quebra::core {
 namespace {
@@ -94,13 +97,78 @@ TEST(Repair, ABowTieBecomesTwoLoopsThatTouch) {
   EXPECT_NEAR(area_of(repaired), 2.0, 1e-12);
 }
 
+/// A closed spline round (4, 2), alike on both sides of x = 4.
+Curve blob(Role role) {
+  const std::vector<Point> through{{3, 2}, {4, 1}, {5, 2}, {4, 3}};
+  using dobra::geom::SplineEnds;
+  auto path = dobra::geom::cubic_spline(through, dobra::geom::uniform_knots(4, SplineEnds::Closed), SplineEnds::Closed).value();
+  return {"blob", role, Smooth::make(std::move(path)).value(), {}};
+}
+
+TEST(Repair, ArcsAndSplinesThatCrossStayWhatTheyAre) {
+  const Curve square = polygon("a", {{0, 0}, {4, 0}, {4, 4}, {0, 4}});
+  const auto circle = [](Role role) { return Curve{"circle", role, Arc::circle({4, 2}, 1.0).value(), {}}; };
+  constexpr double half_disc = 1.5707963267948966;
+  constexpr double traced = 3e-4;  // areas are those of chords
+  const Repaired united = mended({square, circle(Role::Boundary)});
+  ASSERT_EQ(kinds(united), (std::vector{Wrong::Crossing}));
+  EXPECT_NEAR(area_of(united), 16.0 + half_disc, traced);
+  std::size_t arcs = 0;
+  for (const Curve& curve : united.sketch.curves) {
+    const auto* arc = std::get_if<Arc>(&curve.shape);
+    if (arc == nullptr) continue;
+    ++arcs;
+    EXPECT_NEAR(arc->length(), 2.0 * half_disc, 1e-9);
+  }
+  EXPECT_EQ(arcs, 1U);
+  EXPECT_NEAR(area_of(mended({square, circle(Role::Hole)})), 16.0 - half_disc, traced);
+  const double half_blob = 0.5 * std::abs(signed_area(trace(blob(Role::Hole)).line));
+  EXPECT_NEAR(area_of(mended({square, blob(Role::Boundary)})), 16.0 + half_blob, traced);
+  EXPECT_NEAR(area_of(mended({square, blob(Role::Hole)})), 16.0 - half_blob, traced);
+}
+
+TEST(Repair, LoopsOfSeveralCurvesThatCrossAreRebuilt) {
+  const Repaired repaired = mended({line("low", {{0, 0}, {4, 0}, {4, 4}}), line("high", {{4, 4}, {0, 4}, {0, 0}}), {"disc", Role::Boundary, Arc::circle({0, 2}, 1.0).value(), {}}});
+  EXPECT_EQ(kinds(repaired), (std::vector{Wrong::Crossing}));
+  EXPECT_NEAR(area_of(repaired), 16.0 + 1.5707963267948966, 3e-4);
+}
+
+TEST(Repair, CurvesWhoseChordsAloneCrossAreNone) {
+  // The chords of the inner circle reach over those of the outer one, turned by half a chord, by less than they stand off it.
+  using dobra::base::Angle;
+  const auto outer = Arc::circle({0, 0}, 1.0).value();
+  const auto inner = Arc::from_angles({0, 0}, 0.99998, Angle::from_degrees(0.7), Angle::from_degrees(360)).value();
+  const Repaired repaired = mended({{"outer", Role::Boundary, outer, {}}, {"inner", Role::Hole, inner, {}}});
+  EXPECT_TRUE(repaired.findings.empty());
+  EXPECT_EQ(repaired.sketch.curves.size(), 2U);
+}
+
 TEST(Repair, WhatItCannotMendIsNamedAndLeft) {
-  const auto circle = Arc::circle({2, 0}, 1.0).value();
-  const Repaired repaired = mended({polygon("a", {{-1, -1}, {2, -1}, {2, 2}, {-1, 2}}), {"circle", Role::Boundary, circle, {}}});
+  const Repaired repaired = mended({polygon("a", {{-1, -1}, {2, -1}, {2, 2}, {-1, 2}}), line("bar", {{-3, 0}, {3, 0}})});
   ASSERT_EQ(kinds(repaired), (std::vector{Wrong::Crossing}));
-  EXPECT_EQ(repaired.findings[0].curve, "a, circle");
+  EXPECT_EQ(repaired.findings[0].curve, "a, bar");
   EXPECT_NE(repaired.findings[0].mend.find("left as it is"), std::string::npos);
   EXPECT_EQ(repaired.sketch.curves.size(), 2U);
+}
+
+TEST(Repair, ADomainThatVanishesTellsWhatWasRepaired) {
+  const std::string thin = "[[input.curve]]\nname = \"thin\"\nkind = \"polygon\"\npoints = [[0, 0], [1, 0], [1, 1e-9]]\n";
+  const std::string message = test::trouble("[input]\nrepair = \"yes\"\n" + thin);
+  EXPECT_NE(message.find("repaired before: "), std::string::npos) << message;
+  EXPECT_NE(message.find("of thin: "), std::string::npos) << message;
+}
+
+TEST(Repair, WhatRepairLeavesIsNotOfferedToRepair) {
+  const std::string open = "[[input.curve]]\nname = \"rim\"\nkind = \"polygon\"\npoints = [[0, 0], [4, 0], [4, 4], [0, 4]]\n"
+                           "[[input.curve]]\nname = \"ring\"\nkind = \"line\"\nrole = \"internal\"\npoints = [[1, 1], [3, 1], [3, 3], [1, 3], [1, 1.02]]\n";
+  for (const std::string repair : {"no", "yes"}) {
+    const auto run = test::run("[input]\nrepair = \"" + repair + "\"\n" + open);
+    ASSERT_TRUE(run.complete());
+    ASSERT_EQ(test::last(run).findings.size(), 1U);
+    const std::string& mend = test::last(run).findings[0].mend;
+    EXPECT_EQ(mend.starts_with("not repaired: "), repair == "yes") << mend;
+    EXPECT_EQ(mend.find("or give --repair") == std::string::npos, repair == "yes") << mend;
+  }
 }
 
 }  // namespace

@@ -1,0 +1,124 @@
+#include "quebra/core/narrow.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "quebra/core/meshing.h"
+#include "tests/support/quebra_scenarios.h"
+
+namespace quebra::core {
+namespace {
+
+const std::string rim = R"(
+[[input.curve]]
+name = "rim"
+kind = "polygon"
+points = [[0, 0], [4, 0], [4, 4], [0, 4]]
+)";
+
+std::string hole(const std::string& name, double x, double radius) {
+  return "[[input.curve]]\nname = \"" + name + "\"\nkind = \"circle\"\nrole = \"hole\"\ncentre = [" + std::to_string(x) +
+         ", 2.0]\nradius = " + std::to_string(radius) + "\n";
+}
+
+std::string line(const std::string& name, const std::string& points) {
+  return "[[input.curve]]\nname = \"" + name + "\"\nkind = \"line\"\nrole = \"internal\"\npoints = " + points + "\n";
+}
+
+std::string crack(const std::string& points) { return "[[input.crack]]\nname = \"crack\"\npoints = " + points + "\n"; }
+
+std::string meshed(const std::string& size, const std::string& more = "") {
+  return "[[step]]\noperation = \"mesh\"\nsize = " + size + "\n" + more;
+}
+
+Model model_of(const std::string& text) {
+  const auto run = test::run(text);
+  EXPECT_TRUE(run.complete()) << text << (run.error ? to_string(*run.error) : "");
+  return run.complete() ? test::last(run) : Model{};
+}
+
+const dobra::mesh::MeshQuality& quality(const Model& model) { return model.meshes.back()->quality; }
+
+/// Two holes, a tip above a side, a crack along one, near polygons, near lines, a point beside a side, a slot.
+const std::vector<std::pair<std::string, std::string>> narrow_ones = {
+    {"holes 0.05 apart", rim + hole("a", 1.475, 0.5) + hole("b", 2.525, 0.5)},
+    {"holes 0.001 apart", rim + hole("a", 1.4995, 0.5) + hole("b", 2.5005, 0.5)},
+    {"tip 0.1 above a side", rim + crack("[[2, 0.1], [2, 2]]")},
+    {"crack 0.1 above a side", rim + crack("[[1, 0.1], [3, 0.1]]")},
+    {"lines that lean on each other", rim + line("a", "[[1, 2], [3, 2]]") + line("b", "[[1.5, 2.07], [3.2, 2.3]]")},
+    {"point beside a side", rim + "[[input.point]]\nname = \"gauge\"\npoint = [1.2, 3.95]\n"},
+    {"hole near the rim", rim + hole("a", 3.45, 0.5)},
+};
+
+TEST(Narrow, NarrowPlacesGetGoodElementsWithBothEngines) {
+  for (const auto& [name, input] : narrow_ones) {
+    for (const std::string engine : {"front", "delaunay"}) {
+      const Model fine = model_of(input + meshed("0.5", "engine = \"" + engine + "\"\n"));
+      const Model off = model_of(input + meshed("0.5", "narrow = 0.0\nengine = \"" + engine + "\"\n"));
+      ASSERT_FALSE(fine.meshes.empty());
+      ASSERT_FALSE(off.meshes.empty());
+      std::printf("| %s | %s | %zu | %.3f | %zu | %.3f |\n", name.c_str(), engine.c_str(), quality(off).triangles, quality(off).alpha_min,
+                  quality(fine).triangles, quality(fine).alpha_min);
+      EXPECT_GE(quality(fine).alpha_min, 0.55) << name << " " << engine;
+      EXPECT_LT(quality(off).alpha_min, quality(fine).alpha_min) << name << " " << engine;
+      EXPECT_LE(quality(fine).triangles, 2500U) << name;  // growth leads away again
+    }
+  }
+}
+
+/// The narrow places of a text, of its curves divided at `size`.
+std::size_t mesh_count(const std::string& input, const std::string& size, const std::string& more = "") {
+  return quality(model_of(input + meshed(size, more))).triangles;
+}
+
+TEST(Narrow, WhatIsNotNarrowIsMeshedAsWithout) {
+  const std::vector<std::pair<std::string, std::string>> wide = {
+      {"plate with a hole", rim + hole("a", 2.0, 0.5)},
+      {"a slot is narrow outside the material", rim + "[[input.curve]]\nname = \"slot\"\nkind = \"polygon\"\nrole = \"hole\"\npoints = [[1, 1], [3, 1], [3, 3], [1, 3]]\n"},
+      {"an edge crack's lips coincide", rim + crack("[[0, 2], [2, 2]]")},
+      {"a corner of 20 degrees is an input angle", "[[input.curve]]\nname = \"rim\"\nkind = \"polygon\"\npoints = [[0, 0], [4, 0], [4, 1.4559]]\n"},
+      {"lines that leave a point at 15 degrees", rim + line("a", "[[1, 2], [3, 2]]") + line("b", "[[1, 2], [3, 2.5359]]")},
+  };
+  for (const auto& [name, input] : wide) EXPECT_EQ(mesh_count(input, "0.25"), mesh_count(input, "0.25", "narrow = 0.0\n")) << name;
+}
+
+TEST(Narrow, AcrossAHoleIsNotThroughTheMaterial) {
+  const std::string slit = rim + "[[input.curve]]\nname = \"slot\"\nkind = \"polygon\"\nrole = \"hole\"\npoints = [[1, 2], [3, 2], [3, 2.3], [1, 2.3]]\n";
+  // The slot's ends are 0.3 long, so that its sides are 0.3 at its corners either way.
+  EXPECT_EQ(mesh_count(slit, "0.5"), mesh_count(slit, "0.5", "narrow = 0.0\n"));
+}
+
+TEST(Narrow, MoreElementsAcrossOnDemand) {
+  const std::string input = rim + hole("a", 1.4, 0.5) + hole("b", 2.6, 0.5);
+  const std::size_t one = mesh_count(input, "0.5");
+  const std::size_t four = mesh_count(input, "0.5", "narrow = 4.0\n");
+  EXPECT_GT(four, one + one / 2);
+}
+
+TEST(Narrow, PlacesBelowTheSmallestAreLeftAndTold) {
+  const Model model = model_of("[[input.curve]]\nname = \"rim\"\nkind = \"polygon\"\npoints = [[0, 0], [4, 0], [4, 4], [2.0001, 4], [2, 0.00001], [1.9999, 4], [0, 4]]\n" + meshed("0.5"));
+  EXPECT_LT(quality(model).triangles, 2000U);
+  EXPECT_FALSE(model.findings.empty());
+}
+
+TEST(Narrow, AnExplicitSubdivisionIsKeptAndTold) {
+  const std::string input = "[[input.curve]]\nname = \"rim\"\nkind = \"polygon\"\npoints = [[0, 0], [4, 0], [4, 4], [0, 4]]\nsegments = 16\n" + crack("[[2, 0.1], [2, 2]]");
+  const Model model = model_of(input + meshed("0.5"));
+  EXPECT_EQ(model.meshes.back()->mesh.side_sets.at("rim").size(), 16U);
+  ASSERT_EQ(model.remarks.size(), 1U);
+  EXPECT_NE(model.remarks[0].find("keeps its `segments`"), std::string::npos) << model.remarks[0];
+  EXPECT_NE(model.remarks[0].find("0.1 m from 'crack'"), std::string::npos) << model.remarks[0];
+}
+
+TEST(Narrow, SizesFollowTheWidthAlongAChannel) {
+  const auto run = test::run("[[input.curve]]\nname = \"rim\"\nkind = \"polygon\"\npoints = [[0, 0], [4, 0], [4, 0.02], [0, 0.02]]\n" + meshed("0.5"));
+  ASSERT_TRUE(run.complete());
+  const auto& q = quality(test::last(run));
+  EXPECT_GE(q.alpha_min, 0.55);
+  EXPECT_GE(q.triangles, 250U);  // 4 / 0.02 long, about one across
+  EXPECT_LE(q.triangles, 1000U);
+}
+
+}  // namespace
+}  // namespace quebra::core
