@@ -1,6 +1,7 @@
 #include "shared/offset/cover.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace dobra::offset {
 
@@ -34,6 +35,15 @@ void Buried::set_reach(Site s, double d) {
   if (!has_reach(s)) return;
   if (reaches_.empty()) reaches_.assign(2 * std::size_t{n_}, 0);
   reaches_[reach_place(s)] = static_cast<std::uint16_t>(std::bit_cast<std::uint32_t>(static_cast<float>(d)) >> 16);
+}
+
+Cover::Cover(const Outline& outline, const Clearance& clearance)
+    : outline_(outline),
+      clearance_(clearance),
+      d_(outline.distance()),
+      margin_(clearance.margin(outline.distance())),
+      cells_per_length_(8 / d_) {
+  recent_.fill(Clearance::none);
 }
 
 /// The disc that touches the base there shrinks until it holds nothing else.
@@ -72,12 +82,40 @@ bool Cover::by_recent(Site s, Flat a, Flat b) {
   return false;
 }
 
-/// A step whose set holds p deep inside; none if there is none.
+std::size_t Cover::cell_of(Flat p) const {
+  const auto index = [&](double x) {
+    const double cell = std::floor(x * cells_per_length_);
+    return std::abs(cell) < 1e15 ? static_cast<std::size_t>(static_cast<std::int64_t>(cell)) % cells_across : 0;
+  };
+  return index(p.x) * cells_across + index(p.y);
+}
+
+/// A step noted for a place's cell whose set holds it deep inside; none if there is none.
+std::uint32_t Cover::noted(Flat p) const {
+  if (cells_.empty()) return Clearance::none;
+  for (const std::uint32_t step : cells_[cell_of(p)]) {
+    if (step != Clearance::none && deep(p, step)) return step;
+  }
+  return Clearance::none;
+}
+
+void Cover::note(Flat p, std::uint32_t step) {
+  if (cells_.empty()) cells_.assign(cells_across * cells_across, Cell{Clearance::none, Clearance::none});
+  Cell& cell = cells_[cell_of(p)];
+  cell = {step, cell[0]};
+}
+
+/// The same for any step.
 std::uint32_t Cover::find(Flat p) {
+  if (const std::uint32_t step = noted(p); step != Clearance::none) return step;
   const double r = d_ - 4 * margin_;
   std::uint32_t found = clearance_.find_nearer(p, r);
   if (found == Clearance::none) found = clearance_.find_mitre(p, outline_, r);
-  if (found == Clearance::none) free_ = p;
+  if (found == Clearance::none) {
+    free_ = p;
+  } else {
+    note(p, found);
+  }
   return found;
 }
 
@@ -90,30 +128,53 @@ Flat Cover::middle(Site s, Flat a, Flat b) const {
 
 bool Cover::covers(Site s, Flat a, Flat b) {
   if (by_recent(s, a, b)) return true;
-  const Flat m = middle(s, a, b);
-  for (const Flat p : {m, a, b}) {
-    const std::uint32_t step = find(p);
-    if (step == Clearance::none) return false;
+  const std::array<Flat, 3> places{middle(s, a, b), a, b};
+  std::array<std::uint32_t, 3> held{};
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    held[k] = find(places[k]);
+    if (held[k] == Clearance::none) return false;
+    if (!in_set(s, a, b, held[k])) continue;
+    remember(held[k]);
+    return true;
+  }
+  constexpr int depth = 10;
+  return between(s, a, held[1], places[0], held[0], depth) && between(s, places[0], held[0], b, held[2], depth);
+}
+
+/// The part from a to b, each of which is held by a step's set.
+bool Cover::between(Site s, Flat a, std::uint32_t holds_a, Flat b, std::uint32_t holds_b, int depth) {
+  for (const std::uint32_t step : {holds_a, holds_b}) {
     if (!in_set(s, a, b, step)) continue;
     remember(step);
     return true;
   }
-  return halves(s, a, m, b, 5);
+  if (depth == 0) return false;
+  const Flat m = middle(s, a, b);
+  if (in_set(s, a, m, holds_a)) return between(s, m, holds_a, b, holds_b, depth - 1);
+  if (in_set(s, m, b, holds_b)) return between(s, a, holds_a, m, holds_b, depth - 1);
+  const std::uint32_t step = find(m);
+  return step != Clearance::none && between(s, a, holds_a, m, step, depth - 1) &&
+         between(s, m, step, b, holds_b, depth - 1);
 }
 
-bool Cover::halves(Site s, Flat a, Flat m, Flat b, int depth) {
-  const auto half = [&](Flat p, Flat q) {
-    if (by_recent(s, p, q)) return true;
-    const Flat k = middle(s, p, q);
-    const std::uint32_t step = find(k);
-    if (step == Clearance::none) return false;
-    if (in_set(s, p, q, step)) {
-      remember(step);
-      return true;
+bool Cover::shorten(Flat& a, Flat& b) { return advance(a, b) && advance(b, a); }
+
+/// From set to set, each of which is left before the next one is asked for.
+bool Cover::advance(Flat& from, Flat to) {
+  constexpr int most_sets = 8;
+  constexpr int halvings = 6;
+  std::uint32_t step = noted(from);
+  for (int k = 0; k < most_sets; ++k) {
+    if (step == Clearance::none || !deep(from, step)) return true;
+    if (deep(to, step)) return false;
+    Flat out = to;
+    for (int h = 0; h < halvings; ++h) {
+      const Flat m = 0.5 * (from + out);
+      (deep(m, step) ? from : out) = m;
     }
-    return depth > 0 && halves(s, p, k, q, depth - 1);
-  };
-  return half(a, m) && half(m, b);
+    step = noted(out);
+  }
+  return true;
 }
 
 }  // namespace dobra::offset

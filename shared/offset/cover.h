@@ -1,7 +1,8 @@
 #pragma once
 // Proofs that a piece of the raw outline lies in U. The proof of one segment: pill and mitres at its ends make a convex set, so
 // both ends of a line in it (for an arc, the crossing of its end tangents too) prove the whole. What buried one piece most likely
-// buries the next: the last few such segments are tried before the tree is asked. All proofs keep a margin above rounding.
+// buries the next, and what held a place its surroundings: the last few such segments and those noted for the place's
+// cell are tried before the tree is asked. All proofs keep a margin above rounding.
 
 #include <array>
 #include <bit>
@@ -58,10 +59,7 @@ class Buried {
 
 class Cover {
  public:
-  Cover(const Outline& outline, const Clearance& clearance)
-      : outline_(outline), clearance_(clearance), d_(outline.distance()), margin_(clearance.margin(outline.distance())) {
-    recent_.fill(Clearance::none);
-  }
+  Cover(const Outline& outline, const Clearance& clearance);
   [[nodiscard]] double margin() const { return margin_; }
   [[nodiscard]] bool deep(Flat p, std::uint32_t step) const { return margin_ < d_ && outline_.deep_inside(p, step, margin_); }
   /// The part of a piece from a to b lies in the set of one step.
@@ -73,6 +71,8 @@ class Cover {
   bool by_recent(Site s, Flat a, Flat b);
   /// The same for any number of segments.
   bool covers(Site s, Flat a, Flat b);
+  /// Takes off both ends of a line what is easily seen to lie in U. False if nothing is left.
+  bool shorten(Flat& a, Flat& b);
   /// Of the piece asked for last, not covered: up to which distance some place of it stays free; by doubles. Mitres do not count.
   [[nodiscard]] double free_until(Site s) const;
   void remember(std::uint32_t step);
@@ -86,15 +86,24 @@ class Cover {
   }
 
  private:
+  static constexpr std::size_t cells_across = 64;
+  /// Steps whose sets held places in a part of the plane, the last one first.
+  using Cell = std::array<std::uint32_t, 2>;
+  [[nodiscard]] std::size_t cell_of(Flat p) const;
+  [[nodiscard]] std::uint32_t noted(Flat p) const;
+  void note(Flat p, std::uint32_t step);
   [[nodiscard]] std::uint32_t find(Flat p);
-  bool halves(Site s, Flat a, Flat middle, Flat b, int depth);
+  bool between(Site s, Flat a, std::uint32_t holds_a, Flat b, std::uint32_t holds_b, int depth);
+  bool advance(Flat& from, Flat to);
   [[nodiscard]] Flat middle(Site s, Flat a, Flat b) const;
 
   const Outline& outline_;
   const Clearance& clearance_;
   double d_, margin_;
   std::array<std::uint32_t, 4> recent_;
-  Flat free_;  // the last place found free
+  double cells_per_length_;
+  std::vector<Cell> cells_;  // of a square that repeats itself over the plane; empty until something is noted
+  Flat free_;                // the last place found free
 };
 
 }  // namespace dobra::offset

@@ -11,17 +11,20 @@ constexpr std::uint32_t few = 8;               // pieces of a group whose own bo
 constexpr std::uint32_t buried = 0xfffffffeU;  // scissors that need not be made
 }  // namespace
 
-Pairing::Pairing(const Outline& outline, const Clearance& clearance, Survivors& chain, const base::Progress& progress)
+Pairing::Pairing(const Outline& outline, const Clearance& clearance, Survivors& chain, Cover& cover,
+                 const base::Progress& progress)
     : outline_(outline),
       clearance_(clearance),
       base_(outline.base()),
       chain_(chain),
+      cover_(cover),
       progress_(progress),
       wanted_(static_cast<std::uint32_t>(chain.pieces.size())),
       margin_(10 * clearance.margin(outline.distance())) {}
 
 Pairing::Pairs Pairing::run(const Buried& known, Buried* found) {
   if (wanted_ == 0) return {};
+  if (clearance_.has_mitres()) find_parts();
   make_groups();
   cache_.resize(std::min<std::size_t>(128, groups_.size()));
   const ChainTree tree = crowd_tree();
@@ -49,17 +52,46 @@ Pairing::Shape Pairing::shape(Site site, std::uint32_t piece, Flat a, Flat b) co
   return made;
 }
 
+/// A line that reaches far to the tip of a mitre: it crosses very many others, most of them in vain.
+bool Pairing::is_long(const Piece& piece) const {
+  if (piece.site().role != Role::Line) return false;
+  const auto far = [&](std::uint32_t step) {
+    const Corner kind = outline_.corner(step);
+    return kind == Corner::Tangent || (kind == Corner::Mitre && outline_.half_tan(step) > 0.5);
+  };
+  return far(outline_.before(piece.step())) || far(piece.step());
+}
+
+void Pairing::find_parts() {
+  Outline::Ends ends(outline_);
+  for (std::uint32_t k = 0; k < wanted_; ++k) {
+    const Piece& p = chain_.pieces[k];
+    if (!is_long(p)) continue;
+    Part part{k, false, chain_.start(ends, p), chain_.end(ends, p)};
+    const Flat a = part.a;
+    const Flat b = part.b;
+    part.empty = !cover_.shorten(part.a, part.b);
+    if (part.empty || part.a.x != a.x || part.a.y != a.y || part.b.x != b.x || part.b.y != b.y) parts_.push_back(part);
+  }
+}
+
 /// A linked piece starts where the one before it ends; its start is had more easily.
 template <class Visit>
 void Pairing::each_shape(const Group& group, const Visit& visit) const {
   Flat end{};
   Outline::Ends ends(outline_);
+  auto part = std::ranges::lower_bound(parts_, group.first, {}, &Part::piece);
   for (std::uint32_t k = group.first; k < group.last; ++k) {
     const Piece& p = chain_.pieces[k];
     const Flat start = k > group.first && p.linked() ? end : chain_.start(ends, p);
     const bool goes_on = k + 1 < wanted_ && chain_.pieces[k + 1].linked();
     end = goes_on ? chain_.start(ends, chain_.pieces[k + 1]) : chain_.end(ends, p);
-    visit(shape(p.site(), k, start, end));
+    if (part == parts_.end() || part->piece != k) {
+      visit(shape(p.site(), k, start, end));
+      continue;
+    }
+    if (!part->empty) visit(shape(p.site(), k, part->a, part->b));
+    ++part;
   }
 }
 
@@ -76,7 +108,8 @@ void Pairing::make_groups() {
     }
     ChainTree::Leaf leaf{blocks[block].box(false, d, margin_), blocks[block].directions, connected,
                          pieces[first].linked() && first > 0};
-    if (last - first < few) {
+    const auto part = std::ranges::lower_bound(parts_, first, {}, &Part::piece);
+    if (last - first < few || (part != parts_.end() && part->piece < last)) {
       leaf.box = {};
       each_shape({first, last}, [&](const Shape& p) { leaf.box.add(p.box); });
     }
@@ -260,7 +293,7 @@ void Pairing::make_scissors(std::uint32_t block, const Buried& known) {
   add_runs(scissors_);
 }
 
-void Pairing::cut_with(const Bunch& near, Cover& cover, Buried* found) {
+void Pairing::cut_with(const Bunch& near, Buried* found) {
   each_overlap(scissors_, near, [&](std::size_t i0, std::size_t i1, std::size_t j0, std::size_t j1) {
     for (std::size_t i = i0; i < i1; ++i) {
       Shape& p = scissors_.shapes[i];
@@ -272,8 +305,8 @@ void Pairing::cut_with(const Bunch& near, Cover& cover, Buried* found) {
             (q.site.step == p.site.step || q.site.step == outline_.after(p.site.step))) {
           continue;
         }
-        if (p.piece == none && cover.covers(p.site, p.a, p.b)) {
-          if (found != nullptr) found->add(p.site, cover.killer());
+        if (p.piece == none && cover_.covers(p.site, p.a, p.b)) {
+          if (found != nullptr) found->add(p.site, cover_.killer());
           p.piece = buried;
           continue;
         }
@@ -349,26 +382,25 @@ Pairing::Pairs Pairing::near_blocks(const ChainTree& tree) const {
   return near;
 }
 
-void Pairing::cut_by_caps(const ChainTree& tree, const Buried& known, Cover& cover, Buried* found) {
+void Pairing::cut_by_caps(const ChainTree& tree, const Buried& known, Buried* found) {
   const auto n = static_cast<std::uint32_t>(base_.segment_count());
   for (const std::uint32_t step : {n - 1, 2 * n - 1}) {
     scissors_.shapes.clear();
     add_scissors(step, outline_.junction(outline_.before(step)), outline_.junction(step), known);
     std::erase_if(scissors_.shapes, [](const Shape& p) { return p.site.role == Role::Line; });
     add_runs(scissors_);
-    tree.for_each_overlap(scissors_.box, [&](std::size_t i) { cut_with(cached(crowd_[i]), cover, found); });
+    tree.for_each_overlap(scissors_.box, [&](std::size_t i) { cut_with(cached(crowd_[i]), found); });
     const std::uint32_t block = outline_.segment(step) / Block::size;
     for (std::size_t g = 0; g < groups_.size(); ++g) {
       const std::uint32_t own = block_of(g);
-      if (alone_[g] && own + 1 >= block && own <= block + 1) cut_with(cached(g), cover, found);
+      if (alone_[g] && own + 1 >= block && own <= block + 1) cut_with(cached(g), found);
     }
   }
 }
 
 void Pairing::pair_scissors(const ChainTree& tree, const Buried& known, Buried* found) {
   if (outline_.sides() == Outline::Sides::Right) return;
-  Cover cover(outline_, clearance_);
-  if (!base_.closed) cut_by_caps(tree, known, cover, found);
+  if (!base_.closed) cut_by_caps(tree, known, found);
   const Pairs near = near_blocks(tree);
   std::uint32_t made = none;
   std::uint32_t judged = none;
@@ -384,7 +416,7 @@ void Pairing::pair_scissors(const ChainTree& tree, const Buried& known, Buried* 
     }
     if (made != block) make_scissors(block, known);
     made = block;
-    cut_with(cached(group), cover, found);
+    cut_with(cached(group), found);
   }
 }
 

@@ -20,7 +20,9 @@ class Pairing {
  public:
   using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
   /// @param chain  the survivors of the right side; gets the scissors.
-  Pairing(const Outline& outline, const Clearance& clearance, Survivors& chain, const base::Progress& progress);
+  /// @param cover  the one that found them.
+  Pairing(const Outline& outline, const Clearance& clearance, Survivors& chain, Cover& cover,
+          const base::Progress& progress);
 
   /// Indices of pieces, the first one of the right side; linked neighbours are no pair. Incomplete if progress was
   /// cancelled.
@@ -52,6 +54,8 @@ class Pairing {
   };
 
   void make_groups();
+  void find_parts();
+  [[nodiscard]] bool is_long(const Piece& piece) const;
   [[nodiscard]] Shape shape(Site site, std::uint32_t piece, Flat a, Flat b) const;
   template <class Visit>
   void each_shape(const Group& group, const Visit& visit) const;
@@ -75,21 +79,30 @@ class Pairing {
     return chain_.pieces[groups_[group].first].step() / Block::size;
   }
   [[nodiscard]] Pairs near_blocks(const ChainTree& tree) const;
-  void cut_by_caps(const ChainTree& tree, const Buried& known, Cover& cover, Buried* found);
+  void cut_by_caps(const ChainTree& tree, const Buried& known, Buried* found);
   [[nodiscard]] bool sides_apart(std::uint32_t block) const;
   void pair_scissors(const ChainTree& tree, const Buried& known, Buried* found);
   void make_scissors(std::uint32_t block, const Buried& known);
   void add_scissors(std::uint32_t step, const Outline::Junction& before, const Outline::Junction& after,
                     const Buried& known);
-  void cut_with(const Bunch& near, Cover& cover, Buried* found);
+  void cut_with(const Bunch& near, Buried* found);
 
   const Outline& outline_;
   const Clearance& clearance_;
   const BaseCurve& base_;
   Survivors& chain_;
+  Cover& cover_;
   const base::Progress& progress_;
   const std::uint32_t wanted_;  // the pieces before this one are of the right side, the others are scissors
   const double margin_;
+  /// What is left of a long line when what surely lies in U is taken off its ends: what crosses that is not asked for,
+  /// as no piece becomes valid or invalid there.
+  struct Part {
+    std::uint32_t piece;
+    bool empty;
+    Flat a, b;
+  };
+  std::vector<Part> parts_;  // in order of the pieces
   std::vector<Group> groups_;
   std::vector<ChainTree::Leaf> leaves_;  // of the groups
   std::vector<char> alone_;

@@ -13,16 +13,17 @@ Trimmer::Trimmer(const BaseCurve& base, const Clearance& clearance, Outline::Sid
       clearance_(clearance),
       options_(options),
       outline_(base, clearance.corners(), sides, distance),
+      cover_(outline_, clearance),
       validity_(outline_, clearance),
       progress_(progress) {}
 
 std::vector<OffsetPiece> Trimmer::run() { return run(Buried(base_, clearance_), nullptr); }
 
 std::vector<OffsetPiece> Trimmer::run(const Buried& known, Buried* found) {
-  chain_ = survivors(outline_, clearance_, known, found, progress_);
+  chain_ = survivors(outline_, clearance_, cover_, known, found, progress_);
   wanted_ = static_cast<std::uint32_t>(pieces_.size());
   if (wanted_ == 0) return {};
-  pairs_ = Pairing(outline_, clearance_, chain_, progress_).run(known, found);
+  pairs_ = Pairing(outline_, clearance_, chain_, cover_, progress_).run(known, found);
   if (progress_.cancelled()) return {};
   warm();
   for (std::size_t k = 0; k < pairs_.size(); ++k) {

@@ -118,6 +118,7 @@ class Trimmer {
   const Clearance& clearance_;
   const OffsetOptions& options_;
   const Outline outline_;
+  Cover cover_;
   Validity validity_;
   const base::Progress& progress_;
   Survivors chain_;

@@ -20,11 +20,12 @@ namespace {
 
 class Pass {
  public:
-  Pass(const Outline& outline, const Clearance& clearance, const Buried& known, Buried* found, const base::Progress& progress)
+  Pass(const Outline& outline, const Clearance& clearance, Cover& cover, const Buried& known, Buried* found,
+       const base::Progress& progress)
       : outline_(outline),
         blocks_(clearance.blocks()),
         d_(outline.distance()),
-        cover_(outline, clearance),
+        cover_(cover),
         margin_(cover_.margin()),
         known_(known),
         found_(found),
@@ -80,7 +81,7 @@ class Pass {
   const Outline& outline_;
   const std::vector<Block>& blocks_;
   const double d_;
-  Cover cover_;
+  Cover& cover_;
   const double margin_;
   const Buried& known_;
   Buried* const found_;
@@ -493,9 +494,9 @@ void Pass::cull() {
 
 }  // namespace
 
-Survivors survivors(const Outline& outline, const Clearance& clearance, const Buried& known, Buried* found,
-                    const base::Progress& progress) {
-  return Pass(outline, clearance, known, found, progress).run();
+Survivors survivors(const Outline& outline, const Clearance& clearance, Cover& cover, const Buried& known,
+                    Buried* found, const base::Progress& progress) {
+  return Pass(outline, clearance, cover, known, found, progress).run();
 }
 
 }  // namespace dobra::offset

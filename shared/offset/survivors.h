@@ -30,12 +30,13 @@ struct Survivors {
   }
 };
 
+/// @param cover  of the same outline; remembers.
 /// @param known  what need not be looked at again.
 /// @param found  gets what is found to lie in U; may be null.
 /// @return       nothing if progress was cancelled.
 /// @cost         O(n) on smooth bases, some 15 ns a segment; a clearance query a segment and 0.1 to 1 us on rough ones.
-Survivors survivors(const Outline& outline, const Clearance& clearance, const Buried& known, Buried* found,
-                    const base::Progress& progress);
+Survivors survivors(const Outline& outline, const Clearance& clearance, Cover& cover, const Buried& known,
+                    Buried* found, const base::Progress& progress);
 
 /// Removes a line that is cut from both sides beyond its middle: every point of it is nearer than D to one neighbour or the other.
 /// @param size  what is left of it.

@@ -199,7 +199,9 @@ base::Result<scene::Panel> tier_1() {
   DOBRA_TRY(const offset::BaseCurve base, offset::prepare(line, offset::Side::RightOfTravel));
   const offset::Clearance clearance(base, {.join = offset::Join::Round});
   const offset::Outline outline(base, clearance.corners(), offset::Outline::Sides::Both, d);
-  const offset::Survivors left = offset::survivors(outline, clearance, offset::Buried(base, clearance), nullptr, {});
+  offset::Cover cover(outline, clearance);
+  const offset::Buried none(base, clearance);
+  const offset::Survivors left = offset::survivors(outline, clearance, cover, none, nullptr, {});
   std::vector<geom::Polyline> survivors;
   for (const offset::Piece& p : left.pieces) {
     survivors.push_back(drawn(base, outline, p.site(), left.start(outline, p), left.end(outline, p)));

@@ -1,5 +1,5 @@
-// Whatever crosses must be paired: judged by looking at all pieces of the raw outline that survive, two by two. And
-// what is kept from smaller distances must not change the curves.
+// Whatever crosses must be paired, but where the place lies in U: judged by looking at all pieces of the raw outline
+// that survive, two by two. And what is kept from smaller distances must not change the curves.
 
 #include "shared/offset/pairs.h"
 
@@ -36,9 +36,10 @@ Drawn drawn(const Outline& outline, Site site, std::uint32_t piece, Flat a, Flat
   return made;
 }
 
-/// True if chords cross, and not only just.
-bool cross_each_other(const Drawn& p, const Drawn& q, double slack) {
-  if (!p.box.overlaps(q.box)) return false;
+/// Where chords cross, and not only just.
+std::vector<Flat> crossings(const Drawn& p, const Drawn& q, double slack) {
+  std::vector<Flat> found;
+  if (!p.box.overlaps(q.box)) return found;
   for (std::size_t i = 0; i + 1 < p.points.size(); ++i) {
     for (std::size_t j = 0; j + 1 < q.points.size(); ++j) {
       const Flat u = p.points[i + 1] - p.points[i];
@@ -48,8 +49,20 @@ bool cross_each_other(const Drawn& p, const Drawn& q, double slack) {
       const double c = cross(v, p.points[i] - q.points[j]) / length(v);
       const double d = cross(v, p.points[i + 1] - q.points[j]) / length(v);
       if (std::min(a, b) < -slack && std::max(a, b) > slack && std::min(c, d) < -slack && std::max(c, d) > slack)
-        return true;
+        found.push_back(p.points[i] + (c / (c - d)) * u);
     }
+  }
+  return found;
+}
+
+/// True if a step's set holds a place of two pieces deep inside; not those whose arcs the pieces are: chords lie in them.
+bool in_a_set(const Outline& outline, Flat at, const Drawn& p, const Drawn& q) {
+  const auto is_own = [&](std::uint32_t step, Site s) {
+    return (s.role == Role::Arc || s.role == Role::SecondArc) && (step == s.step || step == outline.after(s.step));
+  };
+  for (std::uint32_t step = 0; step < outline.base().segment_count(); ++step) {
+    if (is_own(step, p.site) || is_own(step, q.site)) continue;
+    if (outline.deep_inside(at, step, 1e-13 * outline.distance())) return true;
   }
   return false;
 }
@@ -98,9 +111,10 @@ void compare(const geom::Polyline& curve, double distance, const OffsetOptions& 
   const Outline outline(*base, clearance.corners(), Outline::Sides::Both, distance);
   const Buried known(*base, clearance);
   const base::Progress progress;
-  Survivors chain = survivors(outline, clearance, known, nullptr, progress);
+  Cover cover(outline, clearance);
+  Survivors chain = survivors(outline, clearance, cover, known, nullptr, progress);
   const auto wanted = static_cast<std::uint32_t>(chain.pieces.size());
-  const Pairing::Pairs pairs = Pairing(outline, clearance, chain, progress).run(known, nullptr);
+  const Pairing::Pairs pairs = Pairing(outline, clearance, chain, cover, progress).run(known, nullptr);
   const std::set<std::pair<std::uint32_t, std::uint32_t>> paired(pairs.begin(), pairs.end());
   std::set<std::pair<std::uint32_t, std::uint32_t>> sites;  // piece of the curve, site of the other side
   for (const auto& [i, j] : pairs) {
@@ -116,14 +130,20 @@ void compare(const geom::Polyline& curve, double distance, const OffsetOptions& 
   for (const Drawn& p : own) {
     for (const Drawn& q : own) {
       if (q.piece <= p.piece || (q.piece == p.piece + 1 && chain.pieces[q.piece].linked())) continue;
-      if (!cross_each_other(p, q, slack)) continue;
-      ++there;
-      if (!paired.contains({p.piece, q.piece})) ++missed;
+      const bool is_paired = paired.contains({p.piece, q.piece});
+      for (const Flat at : crossings(p, q, slack)) {
+        ++there;
+        if (!is_paired && !in_a_set(outline, at, p, q)) ++missed;
+      }
     }
     for (const Drawn& q : others) {
-      if (!cross_each_other(p, q, slack) || is_buried(outline, q)) continue;
-      ++there;
-      if (!sites.contains({p.piece, packed(q.site)})) ++missed;
+      const std::vector<Flat> places = crossings(p, q, slack);
+      if (places.empty() || is_buried(outline, q)) continue;
+      const bool is_paired = sites.contains({p.piece, packed(q.site)});
+      for (const Flat at : places) {
+        ++there;
+        if (!is_paired && !in_a_set(outline, at, p, q)) ++missed;
+      }
     }
   }
 }
@@ -148,6 +168,36 @@ TEST(Pairs, EveryCrossingOfSurvivingPiecesIsPaired) {
   }
   EXPECT_GT(there, 1000U);
   RecordProperty("crossings", static_cast<int>(there));
+}
+
+TEST(Pairs, WhatIsTakenOffTheEndsOfLinesLiesInU) {
+  std::size_t shortened = 0;
+  for (std::uint32_t seed = 0; seed < 4 * support::random_kinds; ++seed) {
+    const support::RandomCase c = support::random_case(seed);
+    if (!geom::validate(c.base).ok() || c.kind == "near U-turns") continue;
+    const OffsetOptions options{.join = Join::Mitre};
+    const auto base = prepare(c.base, options.side);
+    ASSERT_TRUE(base.ok());
+    const Clearance clearance(*base, options);
+    const Outline outline(*base, clearance.corners(), Outline::Sides::Both, 2 * c.distance);
+    Cover cover(outline, clearance);
+    const Survivors chain = survivors(outline, clearance, cover, Buried(*base, clearance), nullptr, {});
+    for (const Piece& piece : chain.pieces) {
+      if (piece.site().role != Role::Line) continue;
+      const Flat a = chain.start(outline, piece);
+      const Flat b = chain.end(outline, piece);
+      Flat from = a;
+      Flat to = b;
+      const bool left = cover.shorten(from, to);
+      const auto check = [&](Flat p, Flat q) {
+        shortened += length(q - p) > 0;
+        if (length(q - p) > 0) EXPECT_TRUE(is_buried(outline, drawn(outline, piece.site(), 0, p, q))) << "seed " << seed;
+      };
+      check(a, left ? from : b);
+      if (left) check(to, b);
+    }
+  }
+  EXPECT_GT(shortened, 100U);
 }
 
 TEST(Pairs, DistancesTogetherGiveTheCurvesThatEachGivesAlone) {
