@@ -46,13 +46,18 @@ bool is_quarter(const ElementMesh& mesh, mesh::ElementSide side, mesh::NodeId ti
   return distance(mesh.point(middle), geom::interpolate(at, far, 0.25)) < straightness * distance(at, far);
 }
 
-/// What lies round the tips: boundary sides and interfaces.
+/// Regions may differ in name only.
+bool same_material(const ElementMesh& mesh, const Materials& materials, std::size_t a, std::size_t b) {
+  return mesh.regions[a] == mesh.regions[b] || materials.at(mesh.regions[a]) == materials.at(mesh.regions[b]);
+}
+
+/// What lies round the tips: boundary sides and interfaces of materials.
 struct Surroundings {
   std::vector<mesh::ElementSide> boundary;
   std::vector<mesh::ElementSide> interfaces;
 };
 
-Surroundings surroundings_of(const ElementMesh& mesh) {
+Surroundings surroundings_of(const ElementMesh& mesh, const Materials& materials) {
   Surroundings result;
   const auto neighbours = neighbours_of(mesh);
   std::size_t at = 0;
@@ -61,7 +66,7 @@ Surroundings surroundings_of(const ElementMesh& mesh) {
       const mesh::ElementSide side{mesh::ElementId(e), i};
       if (!neighbours[at].element.valid()) {
         result.boundary.push_back(side);
-      } else if (mesh.regions[neighbours[at].element.index()] != mesh.regions[e]) {
+      } else if (!same_material(mesh, materials, neighbours[at].element.index(), e)) {
         result.interfaces.push_back(side);
       }
     }
@@ -103,7 +108,7 @@ base::Result<TipFrame> frame_of(const ElementMesh& mesh, const Materials& materi
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const auto nodes = mesh.nodes_of(mesh::ElementId(e));
     if (std::find(nodes.begin(), nodes.end(), tip.node) == nodes.end()) continue;
-    if (mesh.regions[e] != mesh.regions[frame.left.element.index()])
+    if (!same_material(mesh, materials, e, frame.left.element.index()))
       return bad(frame, "two materials meet at the tip; the intensity factors of an interface are not known here");
   }
   Point left = mesh.point(side_nodes(mesh, frame.left)[0]);
@@ -396,7 +401,7 @@ base::Result<void> check_symmetry(const ElementMesh& mesh, const TipFrame& frame
 }  // namespace
 
 std::vector<base::Result<TipFrame>> tip_frames(const ElementMesh& mesh, const Materials& materials) {
-  const Surroundings around = surroundings_of(mesh);
+  const Surroundings around = surroundings_of(mesh, materials);
   std::vector<base::Result<TipFrame>> frames;
   for (const mesh::CrackTip& tip : mesh.tips) frames.push_back(frame_of(mesh, materials, tip, around));
   return frames;
@@ -567,7 +572,7 @@ base::Result<TipResult> tip_result(const ElementMesh& mesh, const Problem& probl
 std::vector<TipResult> crack_tips(const ElementMesh& mesh, const Problem& problem, const LoadCase& load,
                                   std::span<const Vector> u, std::optional<double> outer) {
   const auto frames = tip_frames(mesh, problem.materials);
-  const std::vector<mesh::ElementSide> boundary = surroundings_of(mesh).boundary;
+  const std::vector<mesh::ElementSide> boundary = surroundings_of(mesh, problem.materials).boundary;
   std::vector<TipResult> results;
   for (std::size_t t = 0; t < frames.size(); ++t) {
     const mesh::CrackTip& tip = mesh.tips[t];

@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include "shared/base/check.h"
+#include "shared/geom/intersect.h"
 
 namespace dobra::offset {
 
@@ -80,6 +81,70 @@ bool Stepper::on_trail(VertexId v) const {
   return false;
 }
 
+/// What is this near is taken to touch, as the subdivision itself draws it together.
+double Stepper::rounding(Point p) const {
+  const double margin = subdivision_.margin(p);
+  return std::isfinite(margin) ? 0x1p-8 * margin : 0.0;
+}
+
+/// The vertex of a raw point: one of the curve so far, if it is there but for rounding. Edges of the curve that pass it
+/// by no more are led through it, so that the region that closes there is seen now, and not noticed by nobody when what
+/// comes later is rounded to the same place.
+Result<VertexId> Stepper::arrive(Point p) {
+  const double near = rounding(p);
+  std::vector<EdgeId> passing;
+  VertexId there;
+  subdivision_.edge_tree().visit({p, p}, near, [&](std::uint32_t item, const geom::Segment& s) {
+    const HalfEdgeId h = Subdivision::half_edge(EdgeId(item));
+    if (mark(EdgeId(item)).trail == none || geom::distance(s, p) > near) return;
+    bool at_end = false;
+    for (const VertexId v : {subdivision_.origin(h), subdivision_.target(h)}) {
+      const double away = geom::distance(subdivision_.point(v), p);
+      if (away > near) continue;
+      at_end = true;
+      const double least = there.valid() ? geom::distance(subdivision_.point(there), p) : near;
+      if (away < least || !there.valid() || (away == least && v < there)) there = v;
+    }
+    if (!at_end) passing.push_back(EdgeId(item));
+  });
+  if (there.valid()) p = subdivision_.point(there);
+  std::sort(passing.begin(), passing.end());
+  for (const EdgeId e : passing) {
+    if (subdivision_.contains(e)) DOBRA_TRY_VOID(lead_through(e, p));
+  }
+  return topo::insert(subdivision_, p);
+}
+
+Result<void> Stepper::lead_through(EdgeId e, Point p) {
+  const Mark marked = mark(e);
+  const geom::Segment s = subdivision_.segment(e);
+  DOBRA_TRY_VOID(topo::remove(subdivision_, e, topo::Bare::Keep));
+  DOBRA_TRY(const topo::Inserted parts, topo::insert(subdivision_, geom::Polyline{{s.from, p, s.to}, false}));
+  for (const HalfEdgeId h : parts.path) {
+    const EdgeId part = Subdivision::edge(h);
+    if (mark(part).trail == none) subdivision_.attribute(part) = marked;
+  }
+  return {};
+}
+
+/// A raw edge through the vertices of the curve so far that it passes by rounding only.
+geom::Polyline Stepper::way_of(const geom::Segment& edge) const {
+  const double near = std::max(rounding(edge.from), rounding(edge.to));
+  std::vector<Point> passed;
+  subdivision_.edge_tree().visit(edge, near, [&](std::uint32_t item, const geom::Segment& s) {
+    if (mark(EdgeId(item)).trail == none) return;
+    for (const Point q : {s.from, s.to}) {
+      const bool inside = geom::distance(q, edge.from) > near && geom::distance(q, edge.to) > near;
+      if (inside && geom::distance(edge, q) <= near) passed.push_back(q);
+    }
+  });
+  geom::sort_along(edge, passed);
+  geom::Polyline way{{edge.from}, false};
+  way.points.insert(way.points.end(), passed.begin(), passed.end());
+  way.points.push_back(edge.to);
+  return way;
+}
+
 /// The curve so far from one of its vertices to a later one. Walked backwards, so that what is walked is what a region
 /// is made of.
 std::vector<HalfEdgeId> Stepper::trail(VertexId from, VertexId to) const {
@@ -108,10 +173,11 @@ Result<Stepper::Step> Stepper::step() {
   Step step;
   step.base_segment = base_.source[base_segment(raw)];
   step.edge = {base_.user(chain_.points[next_]), base_.user(chain_.points[last])};
-  const geom::Segment edge{raw_point(next_), raw_point(last)};
+  DOBRA_TRY(const VertexId to, arrive(raw_point(last)));
+  const geom::Segment edge{subdivision_.point(end_), subdivision_.point(to)};
   ++next_;
   if (edge.from != edge.to) {
-    DOBRA_TRY(const topo::Inserted inserted, topo::insert(subdivision_, edge));
+    DOBRA_TRY(const topo::Inserted inserted, topo::insert(subdivision_, way_of(edge)));
     step.inserted = inserted.edges;
     step.formed = inserted.faces;
     const std::span<const HalfEdgeId> path = inserted.path;

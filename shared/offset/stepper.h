@@ -57,6 +57,10 @@ class Stepper {
   [[nodiscard]] std::uint32_t base_segment(std::uint32_t raw) const { return chain_.segment[raw]; }
   [[nodiscard]] Mark mark(topo::EdgeId e) const;
   [[nodiscard]] bool on_trail(topo::VertexId v) const;
+  [[nodiscard]] double rounding(geom::Point p) const;
+  base::Result<topo::VertexId> arrive(geom::Point p);
+  base::Result<void> lead_through(topo::EdgeId e, geom::Point p);
+  [[nodiscard]] geom::Polyline way_of(const geom::Segment& edge) const;
   [[nodiscard]] std::vector<topo::HalfEdgeId> trail(topo::VertexId from, topo::VertexId to) const;
   void advance(topo::HalfEdgeId h, std::uint32_t raw, std::span<const topo::HalfEdgeId> ahead, Step& step);
   [[nodiscard]] bool spurious(std::span<const topo::HalfEdgeId> region) const;

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "shared/offset/arcs.h"
+#include "shared/offset/verify.h"
 #include "shared/topo/validate.h"
 
 namespace dobra::offset {
@@ -170,6 +171,22 @@ TEST(Stepper, IsATreeAfterEveryStepOfAnOpenCurveAndSoundAfterAll) {
     }
     for (const std::string& wrong : topo::violations(stepper.subdivision())) ADD_FAILURE() << wrong;
     EXPECT_LE(stepper.result().pieces.size(), 1U);
+  }
+}
+
+/// Raw edges that start or run on earlier ones but for rounding: unless the region closes at once, what comes later is
+/// rounded to the same place, and edges stay that run against their base.
+TEST(Stepper, RegionsCloseWhereTheCurveTouchesItselfButForRounding) {
+  const Polyline twice{{{0, 0}, {13, 6}, {-2, 0}, {4, 0}, {0, 0}, {13, 6}, {-2, 8}, {4, -14}}, false};
+  for (const Side side : {Side::LeftOfTravel, Side::RightOfTravel}) {
+    for (const Join join : {Join::Mitre, Join::Bevel, Join::Round}) {
+      OffsetOptions options{.side = side, .join = join};
+      options.mitre_limit = 1.0;
+      options.ends = Ends::Paper;
+      const auto verified = verify(twice, options, engine(twice, 0.5, options));
+      ASSERT_TRUE(verified.ok());
+      EXPECT_TRUE(verified->ok()) << to_string(verified->findings.front());
+    }
   }
 }
 
