@@ -28,8 +28,9 @@ std::map<std::size_t, double> touched(const Domain& domain, std::size_t crack, P
   for (const Junction& junction : domain.junctions) {
     if (junction.at == at && junction.curve != crack) gaps[junction.curve] = distance(point(domain.curves[junction.curve], junction.s), drawn);
   }
+  // Ends of open curves and the vertex where a closed one closes are no junctions of theirs.
   for (std::size_t c = 0; c < domain.curves.size(); ++c) {
-    if (c == crack || closed(domain.curves[c])) continue;
+    if (c == crack) continue;
     const auto ends = ends_of(domain.curves[c]);
     if (ends[0] == at || ends[1] == at) gaps[c] = distance(at, drawn);
   }
@@ -107,7 +108,9 @@ class Parts {
     std::map<FaceId, std::string> name;
     for (const Face& face : domain_.faces) {
       const auto where = dobra::topo::locate(subdivision_, face.inside);
-      const FaceId id = where.where == dobra::topo::Where::Edge ? beside(where.edge).first : where.face;
+      FaceId id = where.face;
+      if (where.where == dobra::topo::Where::Edge) id = beside(where.edge).first;
+      if (where.where == dobra::topo::Where::Vertex) id = subdivision_.face(subdivision_.leaving(where.vertex));
       const auto named = domain_.region_names.find(face.region);
       if (faces.contains(id)) name[faces.at(id)] = named == domain_.region_names.end() ? fmt::format("region {}", face.region) : fmt::format("region '{}'", named->second);
     }

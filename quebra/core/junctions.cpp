@@ -82,19 +82,59 @@ class Finder {
   }
 
  private:
+  /// The distance along a curve that is nearest to p, from s on.
+  [[nodiscard]] double nearest(std::size_t curve, double s, Point p) const {
+    const Curve& c = domain_.curves[curve];
+    if (straight(c)) return s;
+    for (int step = 0; step < 20; ++step) {
+      const double ahead = dot(p - point(c, s), direction(c, s));
+      s = std::clamp(s + ahead, 0.0, lengths_[curve]);
+      if (std::abs(ahead) <= 1e-15 * lengths_[curve]) break;
+    }
+    return s;
+  }
+  [[nodiscard]] double nearest_of(const Chord& chord, Point p) const {
+    return nearest(chord.curve, chord.s_from + nearest_fraction(chord.segment, p) * (chord.s_to - chord.s_from), p);
+  }
+
   /// The distance along the chord's curve that is nearest to p, if that is within the tolerance.
   [[nodiscard]] std::optional<double> nearest(const Chord& chord, Point p) const {
-    const Curve& curve = domain_.curves[chord.curve];
-    double s = chord.s_from + nearest_fraction(chord.segment, p) * (chord.s_to - chord.s_from);
-    if (!straight(curve)) {
-      for (int step = 0; step < 20; ++step) {
-        const double ahead = dot(p - point(curve, s), direction(curve, s));
-        s = std::clamp(s + ahead, 0.0, lengths_[chord.curve]);
-        if (std::abs(ahead) <= 1e-15 * lengths_[chord.curve]) break;
-      }
-    }
-    if (distance(point(curve, s), p) > tolerance_) return std::nullopt;
+    const double s = nearest_of(chord, p);
+    if (distance(point(domain_.curves[chord.curve], s), p) > tolerance_) return std::nullopt;
     return s;
+  }
+
+  /// How the direction of a curve turns with s, by differences.
+  [[nodiscard]] Vector turning(std::size_t curve, double s) const {
+    const double step = 1e-5 * lengths_[curve];
+    const double from = std::max(s - step, 0.0), to = std::min(s + step, lengths_[curve]);
+    return (direction(domain_.curves[curve], to) - direction(domain_.curves[curve], from)) / (to - from);
+  }
+
+  /// Distances along both curves where they touch without crossing, away from their ends: Newton's method to where they
+  /// are parallel, one right above the other.
+  [[nodiscard]] std::optional<std::array<double, 2>> contact(const Chord& a, const Chord& b) const {
+    const Curve& one = domain_.curves[a.curve];
+    const Curve& two = domain_.curves[b.curve];
+    double s = nearest_of(a, midpoint(b.segment.from, b.segment.to)), t = nearest_of(b, point(one, s));
+    for (int step = 0; step < 30; ++step) {
+      const Vector u = direction(one, s), v = direction(two, t), gap = point(two, t) - point(one, s);
+      const double parallel = cross(u, v), above = dot(gap, u);
+      const Vector du = turning(a.curve, s), dv = turning(b.curve, t);
+      // Of both by s and t.
+      const double ps = cross(du, v), pt = cross(u, dv), as = dot(gap, du) - 1.0, at = dot(v, u);
+      const double determinant = ps * at - pt * as;
+      if (!(std::abs(determinant) > 1e-9 * (std::abs(ps) + std::abs(pt)))) return std::nullopt;
+      const double ds = (pt * above - at * parallel) / determinant, dt = (as * parallel - ps * above) / determinant;
+      s = std::clamp(s + ds, 0.0, lengths_[a.curve]);
+      t = std::clamp(t + dt, 0.0, lengths_[b.curve]);
+      if (std::abs(ds) + std::abs(dt) < 1e-14 * (lengths_[a.curve] + lengths_[b.curve])) break;
+    }
+    constexpr double rounding = 1e-5, tangent = 1e-6;  // of the tolerance; sine
+    if (distance(point(one, s), point(two, t)) > rounding * tolerance_) return std::nullopt;
+    if (std::abs(cross(direction(one, s), direction(two, t))) > tangent) return std::nullopt;
+    if (end_near(a.curve, s) && end_near(b.curve, t) && !(closed(one) && closed(two))) return std::nullopt;
+    return std::array{s, t};
   }
 
   void settle_on_others(std::size_t curve, double s) {
@@ -135,25 +175,36 @@ class Finder {
   }
 
   Result<void> meet(const Chord& a, const Chord& b) {
+    const bool both_bound = bounds(domain_.curves[a.curve]) && bounds(domain_.curves[b.curve]);
+    if (both_bound && a.curve != b.curve && !(straight(domain_.curves[a.curve]) && straight(domain_.curves[b.curve]))) {
+      if (const auto s = contact(a, b)) {
+        join(a, b, *s, point(domain_.curves[a.curve], (*s)[0]));
+        return {};
+      }
+    }
     const auto meeting = intersect(a.segment, b.segment);
     if (meeting.kind == IntersectionKind::None) return {};
     const Point at = meeting.start.point;
     if (meeting.kind == IntersectionKind::Overlap) return crossing(a, b, at);
     const bool at_ends = meeting.start.on_first != At::Interior && meeting.start.on_second != At::Interior;
-    const bool both_bound = bounds(domain_.curves[a.curve]) && bounds(domain_.curves[b.curve]);
     // Loops may touch in a vertex; chords of one curve meet in the vertex between them.
     if (at_ends && (both_bound || follow_each_other(a, b) || (is_end(a.curve, at) && is_end(b.curve, at)))) return {};
     if (both_bound || a.curve == b.curve) return crossing(a, b, at);
     const auto s = refined(a, b, at);
     if (!s) return {};
-    auto p = end_near(a.curve, (*s)[0]);
-    if (!p) p = end_near(b.curve, (*s)[1]);
-    if (!p) p = known(a.curve, (*s)[0]);
-    if (!p) p = known(b.curve, (*s)[1]);
-    if (!p) p = straight(domain_.curves[a.curve]) && straight(domain_.curves[b.curve]) ? at : point(domain_.curves[a.curve], (*s)[0]);
-    put(a.curve, (*s)[0], *p);
-    put(b.curve, (*s)[1], *p);
+    const bool exact = straight(domain_.curves[a.curve]) && straight(domain_.curves[b.curve]);
+    join(a, b, *s, exact ? at : point(domain_.curves[a.curve], (*s)[0]));
     return {};
+  }
+
+  /// Both curves pass one point where they meet: an end, junction or vertex of one of them if there is any, `at` if not.
+  void join(const Chord& a, const Chord& b, const std::array<double, 2>& s, Point at) {
+    auto p = end_near(a.curve, s[0]);
+    if (!p) p = end_near(b.curve, s[1]);
+    if (!p) p = known(a.curve, s[0]);
+    if (!p) p = known(b.curve, s[1]);
+    put(a.curve, s[0], p.value_or(at));
+    put(b.curve, s[1], p.value_or(at));
   }
 
   [[nodiscard]] bool is_end(std::size_t curve, Point p) const {

@@ -146,16 +146,15 @@ class Repairer {
   void drop_doubles() {
     std::map<std::vector<Point>, std::string> known;
     for (std::size_t i = 0; i < curves().size();) {
-      const Polyline* const own = line(i);
-      std::vector<Point> key;
-      if (own != nullptr) key = own->points;
+      std::vector<Point> key = line(i) != nullptr ? line(i)->points : trace(curves()[i]).line.points;
+      const Point start = key.front();
       std::sort(key.begin(), key.end());
-      const auto [first, is_new] = known.try_emplace(key, curves()[i].name);
-      if (own == nullptr || is_new) {
+      const auto [first, is_new] = known.try_emplace(std::move(key), curves()[i].name);
+      if (is_new) {
         ++i;
         continue;
       }
-      found(Wrong::CurveTwice, own->points.front(), first->second + ", " + curves()[i].name, "the second is left out");
+      found(Wrong::CurveTwice, start, first->second + ", " + curves()[i].name, "the second is left out");
       drop(i);
     }
   }

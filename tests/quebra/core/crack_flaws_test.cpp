@@ -60,5 +60,15 @@ TEST(CrackFlaws, TwoCracksAndAHoleCutToo) {
   EXPECT_THAT(remarks[0], HasSubstr("6 m2 of region 'top' and region 2"));
 }
 
+TEST(CrackFlaws, ACutFromTheVertexWhereTheRimClosesIsToldToo) {
+  for (const char* const points : {"[[0, 0], [4, 4]]", "[[4, 4], [0, 0]]", "[[0, 0], [4, 2]]"})
+    EXPECT_THAT(remarks_of(square + crack(points)), ElementsAre(HasSubstr("2 parts")));
+}
+
+TEST(CrackFlaws, PartsWhereTwoCracksMeetHaveTheirRegion) {
+  const auto remarks = remarks_of(square + crack("[[0, 2], [2, 2]]") + "[[input.crack]]\nname = \"other\"\npoints = [[2, 2], [4, 2]]\n");
+  EXPECT_THAT(remarks, ElementsAre(HasSubstr("8 m2 of region 1; 8 m2 of region 1")));
+}
+
 }  // namespace
 }  // namespace quebra::core

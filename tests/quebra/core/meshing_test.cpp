@@ -3,10 +3,13 @@
 
 #include "quebra/core/meshing.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "quebra/core/specimen.h"
 #include "tests/support/quebra_scenarios.h"
@@ -80,6 +83,23 @@ TEST(Meshing, PairsAlongAlternatingPathsLeaveFewTriangles) {
       EXPECT_LE(static_cast<double>(left), 0.08 * static_cast<double>(meshed.mesh.element_count())) << name << " " << engine;  // pairs by quality alone: 0.17 to 0.26
       EXPECT_NEAR(area(meshed.mesh), meshed.quality.area, 1e-9 * meshed.quality.area) << name;
     }
+  }
+}
+
+/// Rounded apart by 1e-16 the contact would have two nodes, and flat triangles between them.
+TEST(Meshing, RoundHolesThatTouchShareANode) {
+  const auto circle = [](const std::string& name, double x, double y) {
+    return "[[input.curve]]\nname = \"" + name + "\"\nkind = \"circle\"\nradius = 1.0\ncentre = [" + fmt::format("{}, {}", x, y) + "]\n";
+  };
+  const std::string rim = "[input]\n[[input.curve]]\nname = \"rim\"\nkind = \"polygon\"\npoints = [[0, 0], [10, 0], [10, 10], [0, 10]]\n";
+  for (const double turned : {0.0, 0.25, 0.5, 1.0}) {
+    const double x = 2.0 * std::cos(turned * std::numbers::pi), y = 2.0 * std::sin(turned * std::numbers::pi);
+    const auto run = test::run(rim + circle("one", 4.0, 4.0) + circle("two", 4.0 + x, 4.0 + y) + "[[step]]\noperation = \"mesh\"\n");
+    ASSERT_TRUE(run.complete()) << (run.error ? to_string(*run.error) : "");
+    const auto& mesh = test::last(run).meshes.back()->mesh;
+    const dobra::geom::Point contact{4.0 + 0.5 * x, 4.0 + 0.5 * y};
+    EXPECT_EQ(std::count_if(mesh.points.begin(), mesh.points.end(), [&](auto p) { return distance(p, contact) < 1e-6; }), 1) << turned;
+    EXPECT_GT(test::figures(run).at("alpha_min"), 0.2) << turned;
   }
 }
 

@@ -171,5 +171,14 @@ TEST(Repair, WhatRepairLeavesIsNotOfferedToRepair) {
   }
 }
 
+TEST(Repair, ACircleDrawnTwiceIsOne) {
+  const std::string circle = "kind = \"circle\"\nradius = 1.0\ncentre = [0, 0]\n";
+  const auto run = test::run("[input]\nrepair = \"yes\"\n[[input.curve]]\nname = \"one\"\n" + circle + "[[input.curve]]\nname = \"two\"\n" + circle);
+  ASSERT_TRUE(run.complete()) << (run.error ? to_string(*run.error) : "");
+  EXPECT_EQ(test::last(run).domain.curves.size(), 1U);
+  ASSERT_EQ(test::last(run).findings.size(), 1U);
+  EXPECT_EQ(test::last(run).findings[0].wrong, Wrong::CurveTwice);
+}
+
 }  // namespace
 }  // namespace quebra::core
