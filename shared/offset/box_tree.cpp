@@ -16,7 +16,11 @@ BoxTree::BoxTree(const std::vector<FloatBox>& boxes) {
     n.high_x[item % width] = box.high_x;
     n.high_y[item % width] = box.high_y;
   };
-  for (std::size_t i = 0; i < boxes.size(); ++i) set(levels_[0], i, boxes[i]);
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    set(levels_[0], i, boxes[i]);
+    if (boxes[i].empty()) continue;
+    greatest_ = std::max({greatest_, -boxes[i].low_x, -boxes[i].low_y, boxes[i].high_x, boxes[i].high_y});
+  }
   for (std::size_t l = 1; l < levels_.size(); ++l) {
     for (std::size_t i = 0; i < levels_[l].items; ++i) {
       FloatBox box;

@@ -64,6 +64,7 @@ class BoxTree {
   template <class Holds, class Visit>
   bool any_below(Open top, const Holds& holds, Visit& visit) const;
 
+  float greatest_ = 0;  // coordinate of a box
   std::vector<Node> nodes_;
   std::vector<Level> levels_;  // from the items up
 };

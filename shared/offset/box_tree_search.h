@@ -38,7 +38,7 @@ bool BoxTree::any_within(Flat q, double reach, Visit&& visit) const {
     along = along > zero ? along : zero;
     const Four gap = across * across + along * along;
     const std::size_t from = count;
-    for (std::size_t k = 0; k < children(at); ++k) {
+    for (std::size_t k = 0, end = children(at); k < end; ++k) {
       if (!(gap[k] <= squared)) continue;
       open[count] = {at.level, width * at.node + k};
       gaps[count] = gap[k];
@@ -100,12 +100,13 @@ bool BoxTree::any_held(const BoxTree& other, Flat q, double d, Visit&& visit) co
   const auto x = static_cast<float>(q.x);
   const auto y = static_cast<float>(q.y);
   const auto scale = static_cast<float>(d);
-  // What is not there is an inverted box without end. Sums out of the range of floats hold everything.
-  const auto beyond = [](Four low, Four by, float at) {
-    const Four sum = low + by;
-    const auto size = [](Four v) { return v > -v ? v : -v; };
-    return sum - 4e-7F * (size(low) + size(by) + (at > 0 ? at : -at)) - 1e-37F > at;
-  };
+  // Far above what roundings, of doubles and of floats, make of any sum; without end where one might leave the range of
+  // floats: that holds everything.
+  const float slack = 4e-7F * (greatest_ + scale * other.greatest_ + std::abs(x) + std::abs(y)) + 1e-37F;
+  const float low_x = x - slack;
+  const float low_y = y - slack;
+  const float high_x = x + slack;
+  const float high_y = y + slack;
   Open open[deepest];
   std::size_t count = 0;
   open[count++] = {levels_.size() - 1, 0};
@@ -114,10 +115,12 @@ bool BoxTree::any_held(const BoxTree& other, Flat q, double d, Visit&& visit) co
     const std::size_t node = levels_[at.level].first + at.node;
     const Node& n = nodes_[node];
     const Node& w = other.nodes_[node];
-    const auto out = beyond(n.low_x, scale * w.low_x, x) | beyond(-n.high_x, -scale * w.high_x, -x) |
-                     beyond(n.low_y, scale * w.low_y, y) | beyond(-n.high_y, -scale * w.high_y, -y);
-    for (std::size_t k = 0; k < children(at); ++k) {
-      if (out[k] || w.low_x[k] > w.high_x[k]) continue;
+    // What is not there is an inverted box without end.
+    const auto out = (n.low_x + scale * w.low_x > high_x) | (n.high_x + scale * w.high_x < low_x) |
+                     (n.low_y + scale * w.low_y > high_y) | (n.high_y + scale * w.high_y < low_y) |
+                     (w.low_x > w.high_x);
+    for (std::size_t k = 0, end = children(at); k < end; ++k) {
+      if (out[k]) continue;
       if (at.level > 0) {
         open[count++] = {at.level - 1, width * at.node + k};
       } else if (visit(width * at.node + k)) {

@@ -163,9 +163,10 @@ void Clearance::add_mitres(const OffsetOptions& options) {
     const Flat u = flat(base_.headings[i]);
     const Flat v = flat(base_.headings[base_.after(i)]);
     const double t = base_.half_tans[at];
+    has_long_mitres_ = has_long_mitres_ || is_long(at);
     if (corners_[at] == Corner::Mitre) greatest_mitre_ = std::max(greatest_mitre_, t);
     const double q = corners_[at] == Corner::Mitre ? t : std::isinf(t) ? 1 : t / (1 + std::sqrt(1 + t * t));
-    for (const Flat w : {Flat{0, 0}, right_of(u), right_of(v), right_of(u) + q * u, right_of(v) - q * v}) add(box, w);
+    for (const Flat w : {right_of(u), right_of(v), right_of(u) + q * u, right_of(v) - q * v}) add(box, w);
   }
   mitres_ = BoxTree(boxes);
 }

@@ -25,6 +25,11 @@ class Clearance {
   [[nodiscard]] const std::vector<Block>& blocks() const { return blocks_; }
   /// True if some corner has a mitre on the right side.
   [[nodiscard]] bool has_mitres() const { return !mitres_.empty(); }
+  /// A corner's mitre reaches far beyond the pills beside it.
+  [[nodiscard]] bool is_long(std::size_t corner) const {
+    return corners_[corner] == Corner::Tangent || (corners_[corner] == Corner::Mitre && base_.half_tans[corner] > 0.5);
+  }
+  [[nodiscard]] bool has_long_mitres() const { return has_long_mitres_; }
   /// Above what places of the outline at distance d, in doubles, are wrong by: the tips of mitres grow with their half tangents.
   [[nodiscard]] double margin(double d) const { return 1e-14 * (base_.size + d * (1 + greatest_mitre_)); }
 
@@ -53,6 +58,7 @@ class Clearance {
 
   /// The step before a mitre of the outline that holds q, nearer than r to all its outer lines' own side, by doubles; none if there
   /// is none.
+  /// @pre no segment is nearer to q than r, but for roundings
   [[nodiscard]] std::uint32_t find_mitre(Flat q, const Outline& outline, double r) const;
 
   /// Segments that may be nearer to q than `reach`, until visit(segment) returns true.
@@ -62,6 +68,7 @@ class Clearance {
   template <class Visit>
   void each_in(const FloatBox& box, Visit&& visit) const;
   /// Ends of segments whose mitre may hold q at distance d, until visit(segment) returns true.
+  /// @pre no segment is nearer to q than d, but for those that have nothing to say, and for roundings
   template <class Visit>
   bool any_mitre(Flat q, double d, Visit&& visit) const;
 
@@ -95,10 +102,11 @@ class Clearance {
   std::vector<Corner> corners_;
   std::vector<Block> blocks_;
   BoxTree tree_;            // of leaves
-  BoxTree mitres_;          // of (mitre - corner) / D, of the same leaves; empty if there is none
+  BoxTree mitres_;          // of (mitre outside its corner's disc - corner) / D, of the same leaves, if any
   std::vector<std::uint8_t> bends_;  // of blocks, by bits: see bends_little
   std::vector<Gaps> gaps_;  // of blocks; empty where nobody asked
   double greatest_mitre_ = 0;  // half tangent
+  bool has_long_mitres_ = false;
 };
 
 template <class Visit>

@@ -10,7 +10,8 @@ Buried::Buried(const BaseCurve& base, const Clearance& clearance)
       corners_(&clearance.corners()),
       n_(static_cast<std::uint32_t>(base.segment_count())),
       words_((n_ + 15) / 16),
-      bits_(2 * words_, 0) {
+      bits_(2 * words_, 0),
+      left_of_(words_, 0) {
   if (clearance.has_mitres()) hints_.assign(n_, none);
   for (std::size_t i = 0; i < words_; ++i) bits_[i] = clearance.blocks()[i].absent;
 }

@@ -33,6 +33,9 @@ class Buried {
   [[nodiscard]] bool likely_free(Site s, double d) const {
     return has_reach(s) && !reaches_.empty() && d < std::bit_cast<float>(std::uint32_t{reaches_[reach_place(s)]} << 16);
   }
+  /// All that the left side has about a block but caps.
+  [[nodiscard]] bool holds_left_of(std::size_t block) const { return left_of_[block] != 0; }
+  void add_left_of(std::size_t block) { left_of_[block] = 1; }
   /// Once some place of it is known to be free up to d.
   void set_reach(Site s, double d);
   /// How many were added.
@@ -53,6 +56,7 @@ class Buried {
   std::size_t words_;
   std::size_t count_ = 0;
   std::vector<std::uint64_t> bits_;
+  std::vector<char> left_of_;  // of blocks
   std::vector<std::uint32_t> hints_;
   std::vector<std::uint16_t> reaches_;  // upper halves of floats; of the lines and arcs of the right side; empty where nothing was looked for
 };

@@ -28,6 +28,7 @@ struct FloatBox {
   [[nodiscard]] bool overlaps(const FloatBox& other) const {
     return (low_x <= other.high_x) & (other.low_x <= high_x) & (low_y <= other.high_y) & (other.low_y <= high_y);
   }
+  [[nodiscard]] bool empty() const { return low_x > high_x; }
   [[nodiscard]] float size() const { return (high_x - low_x) + (high_y - low_y); }
 
  private:

@@ -144,7 +144,7 @@ Flat Outline::Ends::end_of(Site s) {
 bool Outline::deep_in_mitre(Flat q, std::uint32_t step, bool at_end, double margin) const {
   const std::uint32_t at = at_end ? step : before(step);
   if (at >= n_ || is_cap(at)) return false;
-  const Corner kind = corner(at);
+  const Corner kind = corners_[base_.end_index(at)];
   if (kind != Corner::Mitre && kind != Corner::Tangent) return false;
   const double limit = d_ - margin;
   const Flat v = along<double>(at_end ? after(step) : at);

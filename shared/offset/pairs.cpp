@@ -9,6 +9,7 @@ namespace dobra::offset {
 namespace {
 constexpr std::uint32_t few = 8;               // pieces of a group whose own boxes are looked at
 constexpr std::uint32_t buried = 0xfffffffeU;  // scissors that need not be made
+constexpr std::uint32_t open = 0xfffffffdU;    // scissors that are needed where they meet something
 }  // namespace
 
 Pairing::Pairing(const Outline& outline, const Clearance& clearance, Survivors& chain, Cover& cover,
@@ -24,7 +25,7 @@ Pairing::Pairing(const Outline& outline, const Clearance& clearance, Survivors& 
 
 Pairing::Pairs Pairing::run(const Buried& known, Buried* found) {
   if (wanted_ == 0) return {};
-  if (clearance_.has_mitres()) find_parts();
+  if (clearance_.has_long_mitres()) find_parts();
   make_groups();
   cache_.resize(std::min<std::size_t>(128, groups_.size()));
   const ChainTree tree = crowd_tree();
@@ -56,8 +57,7 @@ Pairing::Shape Pairing::shape(Site site, std::uint32_t piece, Flat a, Flat b) co
 bool Pairing::is_long(const Piece& piece) const {
   if (piece.site().role != Role::Line) return false;
   const auto far = [&](std::uint32_t step) {
-    const Corner kind = outline_.corner(step);
-    return kind == Corner::Tangent || (kind == Corner::Mitre && outline_.half_tan(step) > 0.5);
+    return !outline_.is_cap(step) && clearance_.is_long(outline_.corner_point(step));
   };
   return far(outline_.before(piece.step())) || far(piece.step());
 }
@@ -280,6 +280,7 @@ void Pairing::add_scissors(std::uint32_t step, const Outline::Junction& before, 
 void Pairing::make_scissors(std::uint32_t block, const Buried& known) {
   const auto n = static_cast<std::uint32_t>(base_.segment_count());
   scissors_.shapes.clear();
+  met_.fill(0);
   const std::uint32_t low = 2 * n - std::min(n, (block + 1) * Block::size);
   const std::uint32_t high = 2 * n - block * Block::size;
   Outline::Junction before = outline_.junction(outline_.before(low));
@@ -293,8 +294,31 @@ void Pairing::make_scissors(std::uint32_t block, const Buried& known) {
   add_runs(scissors_);
 }
 
+/// False of scissors that lie in U: they cut nothing valid.
+bool Pairing::judge(Shape& shape, Buried* found) {
+  if (shape.piece != none) return shape.piece != buried;
+  shape.piece = cover_.covers(shape.site, shape.a, shape.b) ? buried : open;
+  if (shape.piece == open) return true;
+  if (found != nullptr) found->add(shape.site, cover_.killer());
+  return false;
+}
+
+/// Of a run that comes near many pieces: what is left of it has a smaller box.
+void Pairing::judge_run(std::size_t run, Buried* found) {
+  scissors_.runs[run] = {};
+  const std::size_t last = std::min(run_size * (run + 1), scissors_.shapes.size());
+  for (std::size_t k = run_size * run; k < last; ++k) {
+    if (judge(scissors_.shapes[k], found)) scissors_.runs[run].add(scissors_.shapes[k].box);
+  }
+  scissors_.box = {};
+  for (std::size_t k = 0; k < scissors_.run_count(); ++k) scissors_.box.add(scissors_.runs[k]);
+}
+
 void Pairing::cut_with(const Bunch& near, Buried* found) {
+  constexpr std::uint8_t patience = 3;
   each_overlap(scissors_, near, [&](std::size_t i0, std::size_t i1, std::size_t j0, std::size_t j1) {
+    std::uint8_t& met = met_[i0 / run_size];
+    if (met < patience && ++met == patience) judge_run(i0 / run_size, found);
     for (std::size_t i = i0; i < i1; ++i) {
       Shape& p = scissors_.shapes[i];
       for (std::size_t j = j0; j < j1 && p.piece != buried; ++j) {
@@ -305,12 +329,8 @@ void Pairing::cut_with(const Bunch& near, Buried* found) {
             (q.site.step == p.site.step || q.site.step == outline_.after(p.site.step))) {
           continue;
         }
-        if (p.piece == none && cover_.covers(p.site, p.a, p.b)) {
-          if (found != nullptr) found->add(p.site, cover_.killer());
-          p.piece = buried;
-          continue;
-        }
-        if (p.piece == none) {
+        if (!judge(p, found)) continue;
+        if (p.piece == open) {
           p.piece = static_cast<std::uint32_t>(chain_.pieces.size());
           chain_.pieces.push_back(Piece(p.site));
         }
@@ -349,13 +369,13 @@ bool Pairing::sides_apart(std::uint32_t block) const {
 }
 
 /// Blocks whose other side comes near a group: block, group; in order.
-Pairing::Pairs Pairing::near_blocks(const ChainTree& tree) const {
+Pairing::Pairs Pairing::near_blocks(const ChainTree& tree, const Buried& known) const {
   const auto& blocks = clearance_.blocks();
   const double d = outline_.distance();
   std::vector<ChainTree::Leaf> leaves;
   std::vector<std::uint32_t> of_leaf;
   for (std::uint32_t k = 0; k < blocks.size(); ++k) {
-    if (clearance_.is_harmless(k, d) || clearance_.is_alone(k, d)) continue;
+    if (clearance_.is_harmless(k, d) || clearance_.is_alone(k, d) || known.holds_left_of(k)) continue;
     leaves.push_back({blocks[k].box(true, d, margin_), 0, false, false});
     of_leaf.push_back(k);
   }
@@ -366,7 +386,7 @@ Pairing::Pairs Pairing::near_blocks(const ChainTree& tree) const {
   // What is alone has only neighbours.
   const auto count = static_cast<std::uint32_t>(blocks.size());
   const auto add = [&](std::uint32_t k, std::uint32_t g) {
-    if (clearance_.is_harmless(k, d) || !(alone_[g] || clearance_.is_alone(k, d))) return;
+    if (clearance_.is_harmless(k, d) || known.holds_left_of(k) || !(alone_[g] || clearance_.is_alone(k, d))) return;
     if (blocks[k].box(true, d, margin_).overlaps(leaves_[g].box)) near.emplace_back(k, g);
   };
   for (std::uint32_t g = 0; g < groups_.size(); ++g) {
@@ -388,6 +408,7 @@ void Pairing::cut_by_caps(const ChainTree& tree, const Buried& known, Buried* fo
     scissors_.shapes.clear();
     add_scissors(step, outline_.junction(outline_.before(step)), outline_.junction(step), known);
     std::erase_if(scissors_.shapes, [](const Shape& p) { return p.site.role == Role::Line; });
+    met_.fill(0);
     add_runs(scissors_);
     tree.for_each_overlap(scissors_.box, [&](std::size_t i) { cut_with(cached(crowd_[i]), found); });
     const std::uint32_t block = outline_.segment(step) / Block::size;
@@ -401,7 +422,7 @@ void Pairing::cut_by_caps(const ChainTree& tree, const Buried& known, Buried* fo
 void Pairing::pair_scissors(const ChainTree& tree, const Buried& known, Buried* found) {
   if (outline_.sides() == Outline::Sides::Right) return;
   if (!base_.closed) cut_by_caps(tree, known, found);
-  const Pairs near = near_blocks(tree);
+  const Pairs near = near_blocks(tree, known);
   std::uint32_t made = none;
   std::uint32_t judged = none;
   bool parted = false;
@@ -416,7 +437,8 @@ void Pairing::pair_scissors(const ChainTree& tree, const Buried& known, Buried* 
     }
     if (made != block) make_scissors(block, known);
     made = block;
-    cut_with(cached(group), found);
+    if (scissors_.box.overlaps(leaves_[group].box)) cut_with(cached(group), found);
+    if (scissors_.box.empty() && found != nullptr) found->add_left_of(block);
   }
 }
 

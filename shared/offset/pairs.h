@@ -78,7 +78,7 @@ class Pairing {
   [[nodiscard]] std::uint32_t block_of(std::size_t group) const {
     return chain_.pieces[groups_[group].first].step() / Block::size;
   }
-  [[nodiscard]] Pairs near_blocks(const ChainTree& tree) const;
+  [[nodiscard]] Pairs near_blocks(const ChainTree& tree, const Buried& known) const;
   void cut_by_caps(const ChainTree& tree, const Buried& known, Buried* found);
   [[nodiscard]] bool sides_apart(std::uint32_t block) const;
   void pair_scissors(const ChainTree& tree, const Buried& known, Buried* found);
@@ -86,6 +86,8 @@ class Pairing {
   void add_scissors(std::uint32_t step, const Outline::Junction& before, const Outline::Junction& after,
                     const Buried& known);
   void cut_with(const Bunch& near, Buried* found);
+  bool judge(Shape& shape, Buried* found);
+  void judge_run(std::size_t run, Buried* found);
 
   const Outline& outline_;
   const Clearance& clearance_;
@@ -111,6 +113,7 @@ class Pairing {
   Bunch spare_;
   const Bunch* latest_ = nullptr;
   Bunch scissors_;
+  std::array<std::uint8_t, 3 * Block::size / run_size> met_{};  // runs that each of its runs met, until judged
   Pairs pairs_;
 };
 

@@ -109,5 +109,20 @@ TEST(BoxTree, FindsAllThatHoldAPlaceWhenGrown) {
   }
 }
 
+TEST(BoxTree, HoldsAllPlacesWhereItGrowsBeyondTheRangeOfFloats) {
+  const BoxTree tree(boxes_of(20, 1.0, 0.0));
+  std::vector<FloatBox> by = boxes_of(20, 0.3, 2.0);
+  by[7] = {};
+  const BoxTree growth(by);
+  for (const double d : {1e38, 1e60}) {
+    for (const Flat q : {Flat{0, 0}, Flat{-1e37, 3}, Flat{2, 1e50}}) {
+      std::set<std::size_t> seen;
+      tree.any_held(growth, q, d, [&](std::size_t i) { return !seen.insert(i).second; });
+      EXPECT_EQ(seen.size(), 19U);
+      EXPECT_FALSE(seen.contains(7));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace dobra::offset

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 namespace dobra::offset {
 namespace {
@@ -76,6 +77,42 @@ TEST(Clearance, NoBlockThatBendsByMoreThanAQuarterTurnNearItselfIsHarmless) {
   EXPECT_TRUE(clearance.is_harmless(0, 1.0));
   EXPECT_FALSE(clearance.is_harmless(2, 0.25));
   EXPECT_TRUE(clearance.is_harmless(4, 1.0));
+}
+
+TEST(Clearance, FindsAMitreExactlyWhereOneHoldsAPlaceThatNoSegmentIsNear) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> coordinate(0, 10);
+  Polyline zigzag;
+  for (int k = 0; k < 60; ++k) zigzag.points.push_back({coordinate(random), coordinate(random)});
+  const auto base = prepare(zigzag, Side::RightOfTravel);
+  ASSERT_TRUE(base.ok());
+  const OffsetOptions options{.join = Join::Mitre};
+  const Clearance clearance(*base, options);
+  std::size_t held = 0;
+  std::size_t free = 0;
+  std::uniform_real_distribution<double> around(-20, 20);
+  for (const double d : {0.1, 0.5, 3.0}) {
+    const Outline outline(*base, clearance.corners(), Outline::Sides::Both, d);
+    for (int k = 0; k < 20000; ++k) {
+      const Flat q{around(random), around(random)};
+      if (clearance.find_nearer(q, d) != Clearance::none) continue;
+      bool inside = false;
+      for (std::uint32_t i = 0; i + 1 < base->segment_count(); ++i) {
+        const Corner kind = clearance.corners()[i + 1];
+        if (kind != Corner::Mitre && kind != Corner::Tangent) continue;
+        const Flat u = flat(base->headings[i]);
+        const Flat v = flat(base->headings[i + 1]);
+        const Flat to = q - flat(base->points[i + 1]);
+        const bool cut = kind == Corner::Tangent && dot(to, unit(right_of(u) + right_of(v))) >= d;
+        const double h = dot(to, right_of(u));  // behind the segment is not in the convex set of its step
+        inside |= dot(to, u) >= 0 && dot(to, v) <= 0 && h > 0 && h < d && dot(to, right_of(v)) < d && !cut;
+      }
+      EXPECT_EQ(clearance.find_mitre(q, outline, d) != Clearance::none, inside) << q.x << " " << q.y << " D " << d;
+      (inside ? held : free) += 1;
+    }
+  }
+  EXPECT_GT(held, 500U);
+  EXPECT_GT(free, 500U);
 }
 
 }  // namespace
