@@ -8,6 +8,8 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
+#include <set>
 #include <utility>
 
 #include "quebra/core/domain.h"
@@ -175,12 +177,36 @@ void remark_on_divisions(const Domain& domain, const std::vector<std::uint8_t>& 
   }
 }
 
+/// What comes near a place that nothing was asked for.
+std::string beside(const NarrowPlaces::Left& left, const Domain& domain) {
+  if (left.beside == domain.curves.size()) return "a point";
+  return left.beside == left.curve ? "another part of it" : fmt::format("'{}'", domain.curves[left.beside].name);
+}
+
 /// Curves that keep theirs though something comes nearer than their sides are long.
-void remark_on_kept(const Domain& domain, const std::vector<NarrowPlaces::Kept>& all, std::vector<std::string>& remarks) {
+void remark_on_kept(const Domain& domain, const std::vector<NarrowPlaces::Left>& all, std::vector<std::string>& remarks) {
   for (const auto& kept : all) {
-    const std::string beside = kept.beside == domain.curves.size() ? "a point" : kept.beside == kept.curve ? "another part of it" : fmt::format("'{}'", domain.curves[kept.beside].name);
     remarks.push_back(fmt::format("curve '{}' keeps its {}, with sides of {:.3g} m at ({:.6g}, {:.6g}), {:.3g} m from {}: elements between are as flat; divide it more finely or leave its subdivision to `narrow`",
-                                  domain.curves[kept.curve].name, domain.curves[kept.curve].division.segments > 0 ? "`segments`" : "`ratio`", kept.side, kept.at.x, kept.at.y, kept.width, beside));
+                                  domain.curves[kept.curve].name, domain.curves[kept.curve].division.segments > 0 ? "`segments`" : "`ratio`", kept.side, kept.at.x, kept.at.y, kept.width, beside(kept, domain)));
+  }
+}
+
+/// Places that are too narrow to ask for sides as short: once for both of their curves, and not where a sliver is told.
+void remark_on_slight(const Model& model, const std::vector<NarrowPlaces::Left>& all, std::vector<std::string>& remarks) {
+  std::set<std::pair<std::size_t, std::size_t>> told;
+  const auto& curves = model.domain.curves;
+  for (const auto& slight : all) {
+    const bool known = std::any_of(model.findings.begin(), model.findings.end(), [&](const Finding& finding) {
+      if (finding.wrong != Wrong::Sliver) return false;
+      if (distance(finding.at, slight.at) <= slight.side) return true;
+      if (slight.beside == curves.size()) return false;
+      const std::string& one = curves[slight.curve].name;
+      const std::string& two = curves[slight.beside].name;
+      return finding.curve == one + ", " + two || finding.curve == two + ", " + one;
+    });
+    if (known || !told.insert(std::minmax({slight.curve, slight.beside})).second) continue;
+    remarks.push_back(fmt::format("curve '{}', with sides of {:.3g} m at ({:.6g}, {:.6g}), is {:.3g} m from {}: too near for `narrow`, and elements between are flat; use a smaller size there, or close the gap",
+                                  curves[slight.curve].name, slight.side, slight.at.x, slight.at.y, slight.width, beside(slight, model.domain)));
   }
 }
 
@@ -333,12 +359,26 @@ Result<Prepared> prepare(const Model& model, const MeshParams& params, const Mes
   DOBRA_TRY(MeshInput coarse, mesh_input(model, constraints, wishes.sizes, prepared.rosettes, divide));
   const std::vector<std::uint8_t> keeps = keeping(model.domain, constraints);
   remark_on_divisions(model.domain, keeps, remarks);
-  NarrowOptions narrow{.across = params.narrow};
-  NarrowPlaces places = narrow_places(model.domain, coarse, keeps, narrow);
+  NarrowOptions narrow{.across = params.narrow, .size = [size](Point) { return size; }};
+  std::optional<dobra::mesh::SizeField> elsewhere;
+  prepared.input = coarse;
+  if (!source.empty() && params.narrow > 0.0) {  // What is narrow depends on the sizes that it gives.
+    const auto built = dobra::mesh::size_field_of(coarse, options.sizes);
+    DOBRA_TRY_VOID(source.check());
+    DOBRA_TRY(elsewhere, built);
+    DOBRA_TRY_VOID(check_field(*elsewhere, model.domain, params));
+    narrow.size = divide.limit = [&elsewhere](Point p) { return elsewhere->size_at(p); };
+    DOBRA_TRY(prepared.input, mesh_input(model, constraints, wishes.sizes, prepared.rosettes, divide));
+  }
+  NarrowPlaces places = narrow_places(model.domain, prepared.input, keeps, narrow);
   remark_on_kept(model.domain, places.kept, remarks);
-  // Curves that pass something finer are divided again, so that sizes grow along them as they do inside; and once more if
+  constexpr double steep = 1.7;
+  if (!places.sizes.empty() && params.growth > steep) {
+    remarks.push_back(fmt::format("growth = {:.3g} leads away from narrow places so fast that elements beside them are flat; use {} or less", params.growth, steep));
+  }
+  // Curves that pass something finer are divided again, so that sizes grow along them as they do inside; and again while
   // bent ones turn out to come nearer to others than their first chords did.
-  constexpr int most_divisions = 3;
+  constexpr int most_divisions = 8;
   std::vector<dobra::mesh::SizeRequest> narrow_sizes;
   for (int division = 0; division < most_divisions; ++division) {
     coarse.sizes.insert(coarse.sizes.end(), places.sizes.begin(), places.sizes.end());
@@ -351,9 +391,12 @@ Result<Prepared> prepare(const Model& model, const MeshParams& params, const Mes
     DOBRA_TRY(prepared.input, mesh_input(model, constraints, wishes.sizes, prepared.rosettes, divide));
     if (places.sizes.empty()) break;
     narrow.smallest = 0.1;  // of sides that are short there by now
+    narrow.floor = 1e-3 * size;
+    narrow.points = false;
     places = narrow_places(model.domain, prepared.input, keeps, narrow);
     if (places.sizes.empty()) break;
   }
+  remark_on_slight(model, places.slight, remarks);
   prepared.input.sizes.insert(prepared.input.sizes.end(), narrow_sizes.begin(), narrow_sizes.end());
   DOBRA_TRY_VOID(cut_out(prepared.input, prepared.rosettes));
   return prepared;

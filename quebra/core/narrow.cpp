@@ -13,7 +13,8 @@
 
 // 1. Sides of the curves, told which side of them is material; points of no side. 2. For each side those that come
 // nearer than its length, through the material, and not because they meet at a small angle. 3. Where there are any, the
-// side is halved until its parts are about as long as they are far from them: each asks for that size.
+// side is halved until its parts are about as long as they are far from them: each asks for that size, or several along
+// and across it if more elements than one are wanted there. 4. Points ask for the distance to the nearest other one.
 
 namespace quebra::core {
 namespace {
@@ -26,8 +27,8 @@ using dobra::mesh::MeshInput;
 
 struct Side {
   Segment segment;
-  std::size_t from = 0, to = 0;  ///< Points of the input.
-  std::size_t curve = 0;         ///< None of a point: the number of curves.
+  std::size_t from = 0, to = 0;    ///< Points of the input.
+  std::size_t curve = 0;           ///< None of a point: the number of curves.
   bool left = true, right = true;  ///< Where the material is.
 };
 
@@ -120,11 +121,75 @@ class Chains {
   std::vector<std::vector<End>> ends_;  ///< One a root.
 };
 
+/// Ways along the curves: sides that follow each other at nodes where no third one ends, round corners too. Made when
+/// first asked.
+class Ways {
+ public:
+  explicit Ways(const std::vector<Side>& sides) : sides_(sides) {}
+
+  /// Length of the way along the curves from a place on side a to one on side b; infinite if there is none.
+  double along(std::size_t a, Point here, std::size_t b, Point there) {
+    if (place_.empty()) make();
+    if (place_[a].run != place_[b].run) return std::numeric_limits<double>::infinity();
+    const double way = std::abs(at(a, here) - at(b, there));
+    const double round = round_[place_[a].run];
+    return round > 0.0 ? std::min(way, round - way) : way;
+  }
+
+ private:
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  struct Place {
+    std::size_t run = none;
+    double from = 0.0, to = 0.0;  ///< Way to both ends of the side.
+  };
+
+  [[nodiscard]] double at(std::size_t side, Point p) const {
+    const Place& place = place_[side];
+    return place.from + (place.to - place.from) * nearest_fraction(sides_[side].segment, p);
+  }
+
+  void make() {
+    place_.resize(sides_.size());
+    std::map<std::size_t, std::vector<std::size_t>> at_node;
+    for (std::size_t i = 0; i < sides_.size(); ++i) {
+      at_node[sides_[i].from].push_back(i);
+      if (sides_[i].to != sides_[i].from) at_node[sides_[i].to].push_back(i);
+    }
+    const auto walk = [&](std::size_t side, std::size_t node) {
+      const std::size_t first = node;
+      double way = 0.0;
+      while (place_[side].run == none) {
+        const bool forward = sides_[side].from == node;
+        const double end = way + sides_[side].segment.length();
+        place_[side] = {round_.size(), forward ? way : end, forward ? end : way};
+        way = end;
+        node = forward ? sides_[side].to : sides_[side].from;
+        const auto& meeting = at_node[node];
+        if (meeting.size() == 2) side = meeting[0] == side ? meeting[1] : meeting[0];
+      }
+      round_.push_back(node == first ? way : 0.0);
+    };
+    for (const auto& [node, meeting] : at_node) {
+      if (meeting.size() == 2) continue;
+      for (const std::size_t side : meeting) {
+        if (place_[side].run == none) walk(side, node);
+      }
+    }
+    for (std::size_t i = 0; i < sides_.size(); ++i) {
+      if (place_[i].run == none) walk(i, sides_[i].from);
+    }
+  }
+
+  const std::vector<Side>& sides_;
+  std::vector<Place> place_;
+  std::vector<double> round_;  ///< One a run: its length if it is closed, or 0.
+};
+
 class Finder {
  public:
   Finder(const Domain& domain, const MeshInput& divided, std::span<const std::uint8_t> keeps,
          const NarrowOptions& options)
-      : keeps_(keeps), options_(options), chains_(sides_) {
+      : keeps_(keeps), options_(options), chains_(sides_), ways_(sides_) {
     make_sides(domain, divided);
     std::vector<Box> boxes;
     for (const Side& side : sides_) boxes.push_back(side.segment.box());
@@ -134,11 +199,12 @@ class Finder {
   NarrowPlaces run() {
     std::vector<std::size_t> beside;
     for (std::size_t i = 0; i < sides_.size(); ++i) {
-      const double reach = reach_of(sides_[i].segment.length());
-      if (!(reach > 0.0)) continue;
+      const Segment& side = sides_[i].segment;
+      if (!(side.length() > 0.0)) continue;
       beside.clear();
-      index_.for_each_overlapping(sides_[i].segment.box().grown(reach), [&](std::size_t j) {
-        if (!adjacent(sides_[i], sides_[j]) && narrow(i, j, sides_[i].segment, reach)) beside.push_back(j);
+      const double reach = std::max(reach_of(side.length()), wide_reach_of(side));
+      index_.for_each_overlapping(side.box().grown(reach), [&](std::size_t j) {
+        if (!adjacent(sides_[i], sides_[j]) && narrow(i, j, side)) beside.push_back(j);
       });
       if (beside.empty()) continue;
       std::sort(beside.begin(), beside.end());
@@ -148,7 +214,9 @@ class Finder {
         ask(i, sides_[i].segment, beside);
       }
     }
-    for (const auto& [curve, kept] : kept_) places_.kept.push_back(kept);
+    ask_points();
+    for (const auto& [curve, left] : kept_) places_.kept.push_back(left);
+    for (const auto& [curve, left] : slight_) places_.slight.push_back(left);
     return std::move(places_);
   }
 
@@ -184,7 +252,13 @@ class Finder {
   }
 
   /// Below this distance something is too near to a part of a side of this length.
-  [[nodiscard]] double reach_of(double length) const { return length * options_.across / options_.enough; }
+  [[nodiscard]] double reach_of(double length) const { return length * found_at() / options_.enough; }
+  [[nodiscard]] double found_at() const { return std::min(1.0, options_.across); }
+  /// The same where more elements than one are wanted across: as far as elements are larger than the place elsewhere.
+  [[nodiscard]] double wide_reach_of(const Segment& part) const {
+    if (!(options_.across > 1.0) || !options_.size) return 0.0;
+    return std::min(options_.across * part.length(), options_.size(midpoint(part.from, part.to))) / options_.enough;
+  }
   static bool adjacent(const Side& a, const Side& b) {
     return a.from == b.from || a.from == b.to || a.to == b.from || a.to == b.to;
   }
@@ -199,10 +273,14 @@ class Finder {
     return side.left ? turn > 0.0 : turn < 0.0;
   }
 
-  /// How near side j comes to a part of side i, if that is nearer than `reach` and makes a narrow place.
-  std::optional<Near> narrow(std::size_t i, std::size_t j, const Segment& part, double reach) {
+  /// How near side j comes to a part of side i, if that makes a narrow place.
+  std::optional<Near> narrow(std::size_t i, std::size_t j, const Segment& part) {
     const Near near = nearest(part, sides_[j].segment);
-    if (!(near.distance > 0.0) || near.distance >= reach) return std::nullopt;
+    if (!(near.distance > 0.0)) return std::nullopt;
+    if (near.distance >= reach_of(part.length()) &&
+        (near.distance >= wide_reach_of(part) || round_a_corner(i, j, near))) {
+      return std::nullopt;
+    }
     if (!through_material(sides_[i], near.here, near.there)) return std::nullopt;
     if (!through_material(sides_[j], near.there, near.here)) return std::nullopt;
     // Beside what stays coarse finer sides are of no use.
@@ -212,24 +290,33 @@ class Finder {
   }
 
   void ask(std::size_t i, const Segment& part, const std::vector<std::size_t>& beside) {
-    const double least = options_.smallest * sides_[i].segment.length();
+    const double side = sides_[i].segment.length();
+    const double least = std::min(options_.smallest * side, options_.floor);
     const double length = part.length();
-    const double reach = reach_of(length);
     std::vector<std::size_t> near_ones;
     Near best{std::numeric_limits<double>::infinity(), {}, {}};
+    std::size_t nearest_side = 0;
     for (const std::size_t j : beside) {
-      const auto near = narrow(i, j, part, reach);
+      const auto near = narrow(i, j, part);
       if (!near) continue;
-      const Segment& other = sides_[j].segment;
-      if (distance(other, part.from) < least && distance(other, part.to) < least) return;
       near_ones.push_back(j);
-      if (near->distance < best.distance) best = *near;
+      if (near->distance >= best.distance) continue;
+      best = *near;
+      nearest_side = j;
     }
-    if (near_ones.empty() || length < least) return;
-    const double size = best.distance / options_.across;
+    if (near_ones.empty()) return;
+    const bool slight = length < least || std::any_of(near_ones.begin(), near_ones.end(), [&](std::size_t j) {
+                          const Segment& other = sides_[j].segment;
+                          return distance(other, part.from) < least && distance(other, part.to) < least;
+                        });
+    if (slight) {
+      if (best.distance < least) leave(slight_, i, nearest_side, best);
+      return;
+    }
     // Half of it would be short enough.
-    if (length <= 2.0 * options_.enough * size && best.distance >= least) {
-      places_.sizes.push_back({best.here, size});
+    if (length * found_at() <= 2.0 * options_.enough * best.distance && best.distance >= least) {
+      places_.sizes.push_back({best.here, best.distance / found_at()});
+      if (options_.across > 1.0) ask_across(i, part, best.distance, near_ones);
       return;
     }
     const Point middle = midpoint(part.from, part.to);
@@ -237,14 +324,71 @@ class Finder {
     ask(i, {middle, part.to}, near_ones);
   }
 
-  void keep(std::size_t i, const std::vector<std::size_t>& beside) {
-    const Side& side = sides_[i];
-    for (const std::size_t j : beside) {
-      const Near near = nearest(side.segment, sides_[j].segment);
-      const NarrowPlaces::Kept found{side.curve, sides_[j].curve, near.here, near.distance, side.segment.length()};
-      const auto [entry, is_new] = kept_.try_emplace(side.curve, found);
-      if (!is_new && found.width * entry->second.side < entry->second.width * found.side) entry->second = found;
+  /// Asks for several elements across a place of this width, beside a part that is about as long.
+  void ask_across(std::size_t i, const Segment& part, double width, const std::vector<std::size_t>& beside) {
+    const double spacing = 2.0 * options_.enough;  // in sizes: they grow between
+    const auto pieces = static_cast<std::size_t>(std::ceil(options_.across * part.length() / (spacing * width)));
+    const auto end = [&](std::size_t k) {
+      return interpolate(part.from, part.to, static_cast<double>(k) / static_cast<double>(pieces));
+    };
+    for (std::size_t k = 0; k < pieces; ++k) {
+      Near best{std::numeric_limits<double>::infinity(), {}, {}};
+      for (const std::size_t j : beside) {
+        const Near near = nearest({end(k), end(k + 1)}, sides_[j].segment);
+        if (near.distance > 0.0 && near.distance < best.distance && !round_a_corner(i, j, near)) best = near;
+      }
+      if (!std::isfinite(best.distance)) continue;
+      const auto steps = static_cast<std::size_t>(std::ceil(options_.across / spacing));
+      for (std::size_t step = 0; step < steps; ++step) {
+        const double f = static_cast<double>(step) / static_cast<double>(steps);
+        places_.sizes.push_back({interpolate(best.here, best.there, f), best.distance / options_.across});
+      }
     }
+  }
+
+  /// Whether the way along the curves is not much longer than the straight one: round a bend or a corner there is no
+  /// width to count elements across.
+  bool round_a_corner(std::size_t i, std::size_t j, const Near& near) {
+    constexpr double much = 3.0;  // 2.9 at a corner of 40 degrees, between places as far from it
+    return ways_.along(i, near.here, j, near.there) < much * near.distance ||
+           chains_.wedge(i, j, near, std::numbers::pi);
+  }
+
+  /// Points that no side passes through ask for their distance to the nearest other one.
+  void ask_points() {
+    if (!options_.points || !options_.size) return;
+    std::vector<std::size_t> points;
+    std::vector<Box> boxes;
+    for (std::size_t i = 0; i < sides_.size(); ++i) {
+      if (sides_[i].from != sides_[i].to) continue;
+      points.push_back(i);
+      boxes.push_back(sides_[i].segment.box());
+    }
+    const dobra::geom::SpatialIndex index(boxes);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const Point p = sides_[points[k]].segment.from;
+      const auto other = index.nearest(
+          p,
+          [&](std::size_t m) {
+            return m == k ? std::numeric_limits<double>::infinity() : distance(p, sides_[points[m]].segment.from);
+          },
+          reach_of(options_.size(p)));
+      if (other && other->distance > 0.0) places_.sizes.push_back({p, other->distance / options_.across});
+    }
+  }
+
+  void keep(std::size_t i, const std::vector<std::size_t>& beside) {
+    for (const std::size_t j : beside) {
+      const Near near = nearest(sides_[i].segment, sides_[j].segment);
+      if (near.distance < reach_of(sides_[i].segment.length())) leave(kept_, i, j, near);
+    }
+  }
+
+  void leave(std::map<std::size_t, NarrowPlaces::Left>& left, std::size_t i, std::size_t j, const Near& near) {
+    const Side& side = sides_[i];
+    const NarrowPlaces::Left found{side.curve, sides_[j].curve, near.here, near.distance, side.segment.length()};
+    const auto [entry, is_new] = left.try_emplace(side.curve, found);
+    if (!is_new && found.width * entry->second.side < entry->second.width * found.side) entry->second = found;
   }
 
   std::span<const std::uint8_t> keeps_;
@@ -252,8 +396,9 @@ class Finder {
   std::vector<Side> sides_;
   dobra::geom::SpatialIndex index_;
   Chains chains_;
+  Ways ways_;
   NarrowPlaces places_;
-  std::map<std::size_t, NarrowPlaces::Kept> kept_;
+  std::map<std::size_t, NarrowPlaces::Left> kept_, slight_;
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "quebra/core/narrow.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -28,9 +29,15 @@ std::string line(const std::string& name, const std::string& points) {
 
 std::string crack(const std::string& points) { return "[[input.crack]]\nname = \"crack\"\npoints = " + points + "\n"; }
 
+std::string point(const std::string& name, const std::string& at) { return "[[input.point]]\nname = \"" + name + "\"\npoint = " + at + "\n"; }
+
+std::string polygon(const std::string& points) { return "[[input.curve]]\nname = \"rim\"\nkind = \"polygon\"\npoints = " + points + "\n"; }
+
 std::string meshed(const std::string& size, const std::string& more = "") {
   return "[[step]]\noperation = \"mesh\"\nsize = " + size + "\n" + more;
 }
+
+std::string across(int elements) { return "narrow = " + std::to_string(elements) + ".0\n"; }
 
 Model model_of(const std::string& text) {
   const auto run = test::run(text);
@@ -49,6 +56,8 @@ const std::vector<std::pair<std::string, std::string>> narrow_ones = {
     {"lines that lean on each other", rim + line("a", "[[1, 2], [3, 2]]") + line("b", "[[1.5, 2.07], [3.2, 2.3]]")},
     {"point beside a side", rim + "[[input.point]]\nname = \"gauge\"\npoint = [1.2, 3.95]\n"},
     {"hole near the rim", rim + hole("a", 3.45, 0.5)},
+    {"points 0.003 apart", rim + point("a", "[2, 2]") + point("b", "[2.003, 2]")},
+    {"three points 0.02 apart", rim + point("a", "[2, 2]") + point("b", "[2.02, 2]") + point("c", "[2.04, 2]")},
 };
 
 TEST(Narrow, NarrowPlacesGetGoodElementsWithBothEngines) {
@@ -92,8 +101,82 @@ TEST(Narrow, AcrossAHoleIsNotThroughTheMaterial) {
 TEST(Narrow, MoreElementsAcrossOnDemand) {
   const std::string input = rim + hole("a", 1.4, 0.5) + hole("b", 2.6, 0.5);
   const std::size_t one = mesh_count(input, "0.5");
-  const std::size_t four = mesh_count(input, "0.5", "narrow = 4.0\n");
-  EXPECT_GT(four, one + one / 2);
+  // The sides of the holes are shorter than these 0.2 m as they bend; elements elsewhere are larger.
+  const std::size_t four = mesh_count(input, "0.5", across(4));
+  EXPECT_GT(four, one + one / 8);
+  EXPECT_GT(mesh_count(input, "0.5", across(8)), 3 * four / 2);
+}
+
+TEST(Narrow, WhatIsNarrowDoesNotDependOnTheElementsAskedFor) {
+  const std::vector<std::pair<std::string, std::string>> wide = {
+      {"square", rim},
+      {"disc", "[[input.curve]]\nname = \"o\"\nkind = \"circle\"\ncentre = [0, 0]\nradius = 2\n"},
+      {"oval", "[[input.curve]]\nname = \"o\"\nkind = \"spline\"\nrole = \"boundary\"\npoints = [[4, 0], [2.8, 1.4], [0, 2], [-2.8, 1.4], [-4, 0], [-2.8, -1.4], [0, -2], [2.8, -1.4], [4, 0]]\n"},
+      {"plate with a hole", rim + hole("a", 2.0, 0.5)},
+      {"cut corner", polygon("[[0, 0], [3.8, 0], [4, 0.2], [4, 4], [0, 4]]")},
+      {"crack from side to side", rim + crack("[[0, 2], [4, 2]]")},
+      {"crack with a short kink", rim + crack("[[1, 2], [1.8, 2], [1.8, 2.1], [2.6, 2.1]]")},
+  };
+  for (const auto& [name, input] : wide) {
+    const std::size_t one = mesh_count(input, "0.4");
+    for (const int more : {2, 3, 20}) EXPECT_EQ(mesh_count(input, "0.4", across(more)), one) << name << " " << more;
+  }
+  // Nor on the length of sides that a formula has yet to divide.
+  const std::string formula = "[[step]]\noperation = \"mesh\"\nsize_formula = \"0.4\"\n";
+  const std::string plate = rim + hole("a", 2.0, 0.5);
+  EXPECT_EQ(quality(model_of(plate + formula + across(20))).triangles, quality(model_of(plate + formula)).triangles);
+}
+
+TEST(Narrow, AsManyElementsAcrossAsAskedFor) {
+  // The widths are not far above the smallest that is asked for, a thousandth of the side.
+  for (const double width : {0.02, 0.0008}) {
+    const std::string strip = polygon(fmt::format("[[0, 0], [1, 0], [1, {0}], [0, {0}]]", width));
+    for (const int n : {1, 2, 3, 5}) {
+      if (width < 0.01 && n == 5) continue;
+      const double ideal = 4.0 / std::sqrt(3.0) * n * n / width;
+      const auto count = static_cast<double>(mesh_count(strip, "0.5", across(n)));
+      EXPECT_GT(count, 0.7 * ideal) << width << " " << n;
+      EXPECT_LT(count, 1.4 * ideal) << width << " " << n;
+    }
+  }
+  const std::string cracks = rim + crack("[[1, 2], [3, 2]]") + "[[input.crack]]\nname = \"other\"\npoints = [[1, 2.02], [3, 2.02]]\n";
+  std::size_t before = 0;
+  for (const int n : {1, 2, 3, 4, 6}) {
+    const Model model = model_of(cracks + meshed("0.5", across(n)));
+    EXPECT_GT(quality(model).triangles, before + before / 4) << n;
+    EXPECT_GE(quality(model).alpha_min, 0.55) << n;
+    before = quality(model).triangles;
+  }
+}
+
+TEST(Narrow, BentSidesThatFirstChordsKeepApartAreSeen) {
+  const std::string input = rim + hole("a", 0.50005, 0.5);
+  for (const std::string turn : {"15.0", "30.0", "45.0"}) {
+    const Model model = model_of(input + meshed("0.25", "turn = " + turn + "\n"));
+    EXPECT_GE(quality(model).alpha_min, 0.55) << turn;
+    EXPECT_TRUE(model.remarks.empty()) << turn << model.remarks[0];
+  }
+}
+
+TEST(Narrow, WhatIsTooNarrowIsTold) {
+  const Model strip = model_of(polygon("[[0, 0], [4, 0], [4, 0.0003], [0, 0.0003]]") + meshed("0.5"));
+  EXPECT_LT(quality(strip).triangles, 200U);
+  ASSERT_EQ(strip.remarks.size(), 1U);
+  EXPECT_NE(strip.remarks[0].find("curve 'rim', with sides of 0.5 m at ("), std::string::npos) << strip.remarks[0];
+  EXPECT_NE(strip.remarks[0].find("is 0.0003 m from another part of it: too near for `narrow`"), std::string::npos) << strip.remarks[0];
+  // Told already as a sliver of the domain.
+  const Model film = model_of(rim + line("a", "[[0, 2], [4, 2]]") + line("b", "[[0, 2.0002], [4, 2.0002]]") + meshed("0.5"));
+  ASSERT_EQ(film.remarks.size(), 1U) << film.remarks[1];
+  EXPECT_NE(film.remarks[0].find("sliver at (0, 2) of a, b"), std::string::npos) << film.remarks[0];
+}
+
+TEST(Narrow, SteepGrowthIsTold) {
+  const std::string input = rim + hole("a", 1.475, 0.5) + hole("b", 2.525, 0.5);
+  const Model model = model_of(input + meshed("0.5", "growth = 2.0\n"));
+  ASSERT_EQ(model.remarks.size(), 1U);
+  EXPECT_NE(model.remarks[0].find("growth = 2 leads away from narrow places"), std::string::npos) << model.remarks[0];
+  EXPECT_TRUE(model_of(rim + meshed("0.5", "growth = 2.0\n")).remarks.empty());
+  EXPECT_TRUE(model_of(input + meshed("0.5", "growth = 1.6\n")).remarks.empty());
 }
 
 TEST(Narrow, PlacesBelowTheSmallestAreLeftAndTold) {
@@ -109,6 +192,12 @@ TEST(Narrow, AnExplicitSubdivisionIsKeptAndTold) {
   ASSERT_EQ(model.remarks.size(), 1U);
   EXPECT_NE(model.remarks[0].find("keeps its `segments`"), std::string::npos) << model.remarks[0];
   EXPECT_NE(model.remarks[0].find("0.1 m from 'crack'"), std::string::npos) << model.remarks[0];
+}
+
+TEST(Narrow, PointsThatAFormulaAlreadyMakesRoomForAskForNothing) {
+  const std::string points = point("a", "[2, 2]") + point("b", "[2.2, 2]");
+  const std::string formula = "[[step]]\noperation = \"mesh\"\nsize_formula = \"0.2\"\nnarrow = ";
+  EXPECT_EQ(quality(model_of(rim + points + formula + "1.0\n")).triangles, quality(model_of(rim + points + formula + "0.0\n")).triangles);
 }
 
 TEST(Narrow, SizesFollowTheWidthAlongAChannel) {
