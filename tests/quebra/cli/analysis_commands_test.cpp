@@ -95,6 +95,9 @@ point = [3.9, 0.1]
 operation = "problem"
 [[step.material]]
 young = 1.0
+[[step.material]]
+region = "strip"
+young = 2.0
 [[step.support]]
 where = "bottom"
 x = 0.0
