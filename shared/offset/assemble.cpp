@@ -157,7 +157,7 @@ std::uint32_t Trimmer::write_plain(PieceWriter& writer, std::uint32_t first, std
   };
   for (std::uint32_t k = first; k < last;) {
     const Block& block = clearance_.blocks()[pieces[k].step() / Block::size];
-    const std::uint32_t count = block.piece_count();
+    const std::uint32_t count = block.piece_count;
     if (is_whole_block(block, k, last) && writer.add_block(pieces[k].step(), block.arcs(), count, [&](geom::Point* start) {
           return starts.find_block(pieces[k].step(), block.arcs(), start);
         })) {
@@ -175,7 +175,7 @@ std::uint32_t Trimmer::write_plain(PieceWriter& writer, std::uint32_t first, std
 /// All pieces of a plain block begin with piece k, and none is cut.
 bool Trimmer::is_whole_block(const Block& block, std::uint32_t k, std::uint32_t last) const {
   const Piece& first = pieces_[k];
-  const std::uint32_t count = block.piece_count();
+  const std::uint32_t count = block.piece_count;
   if (!(outline_.distance() < block.plain_below) || clearance_.has_far_mitres() || k + count > last) return false;
   if (first.step() % Block::size != 0 || !first.is_line() || pieces_[k + count - 1].step() != first.step() + Block::size - 1) return false;
   return std::all_of(&first, &first + count, [](const Piece& p) { return p.trim_a == Piece::none; });

@@ -1,7 +1,6 @@
 #pragma once
 // 16 segments of the base at a time: boxes for any distance, and up to which one nothing needs a look.
 
-#include <bit>
 #include <cstdint>
 
 #include "shared/offset/float_box.h"
@@ -17,7 +16,7 @@ struct Block {
   std::uint64_t absent;       ///< Pieces that the right side does not have, four bits a segment, by Role.
   /// Of its first arcs, four bits a segment.
   [[nodiscard]] std::uint64_t arcs() const { return (~absent >> 1) & 0x1111111111111111; }
-  [[nodiscard]] std::uint32_t piece_count() const { return 64 - static_cast<std::uint32_t>(std::popcount(absent)); }
+  std::uint32_t piece_count;  ///< Those that it has.
   double plain_below;         ///< Below this distance line follows line there, or an arc of at most a right angle between.
   /// Box of all pieces of the raw outline on one side.
   [[nodiscard]] FloatBox box(bool on_left, double d, double margin) const {

@@ -1,6 +1,7 @@
 #include "shared/offset/clearance.h"
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 
 #include "shared/offset/chain_tree.h"
@@ -39,10 +40,12 @@ Clearance::Clearance(const BaseCurve& base, const OffsetOptions& options) : base
   blocks_.reserve((count + Block::size - 1) / Block::size);
   for (std::size_t i = 0; i < count; i += Block::size) add_block(i, std::min<std::size_t>(count, i + Block::size));
   bends_.reserve(blocks_.size());
-  for (std::size_t i = 0; i < count; i += Block::size) {
-    const bool own = within_half_turn(i, std::min<std::size_t>(count, i + Block::size));
-    const bool both = own && i + Block::size < count && within_half_turn(i, std::min<std::size_t>(count, i + 2 * Block::size));
-    bends_.push_back(static_cast<std::uint8_t>((own ? 1 : 0) + (both ? 2 : 0)));
+  const auto bends_little = [&](std::size_t b, std::size_t many) {  // finer, where the directions do not tell
+    if (b + many > blocks_.size() || ChainTree::fits_half_plane(blocks_[b].directions | blocks_[b + many - 1].directions)) return false;
+    return within_half_turn(b * Block::size, std::min<std::size_t>(count, (b + many) * Block::size));
+  };
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    bends_.push_back(static_cast<std::uint8_t>((bends_little(b, 1) ? 1 : 0) + (bends_little(b, 2) ? 2 : 0)));
   }
 }
 
@@ -114,6 +117,7 @@ void Clearance::add_block(std::size_t first, std::size_t last) {
     corner(i, base_.after(i), base_.end_index(i));
   }
   block.absent = absent_pieces(first, last);
+  block.piece_count = 64 - static_cast<std::uint32_t>(std::popcount(block.absent));
   block.plain_below = plain_below(first, last);
   block.points = points.box();
   block.right = right.box();

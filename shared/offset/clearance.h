@@ -34,7 +34,7 @@ class Clearance {
   [[nodiscard]] double margin(double d) const { return 1e-14 * (base_.size + d * (1 + greatest_mitre_)); }
 
   /// The directions of a block, or of it and the next one, corners at both ends included, lie within less than half a turn: what is
-  /// connected of its right side does not meet itself. Finer than Block::directions.
+  /// connected of its right side does not meet itself. Told only where Block::directions are too coarse to do so.
   [[nodiscard]] bool bends_little(std::size_t block) const { return (bends_[block] & 1) != 0; }
   [[nodiscard]] bool bends_little_with_next(std::size_t block) const { return (bends_[block] & 2) != 0; }
 

@@ -10,7 +10,8 @@ namespace dobra::offset {
 
 namespace {
 
-constexpr std::size_t run = 4;  // segments
+constexpr std::size_t run = 4;       // segments
+constexpr double enough = 0.999;  // of a squared gap
 
 double box_gap(const FloatBox& a, const FloatBox& b) {
   const double x = std::max({a.low_x - b.high_x, b.low_x - a.high_x, 0.0F});
@@ -36,7 +37,7 @@ double Clearance::squared_gap_of(std::size_t i, std::size_t j) const {
   const Flat b = flat(base_.end(i));
   const Flat c = flat(base_.start(j));
   const Flat d = flat(base_.end(j));
-  if (cross(b - a, c - a) * cross(b - a, d - a) <= 0 && cross(d - c, a - c) * cross(d - c, b - c) <= 0) return 0;
+  if (cross(b - a, c - a) * cross(b - a, d - a) < 0 && cross(d - c, a - c) * cross(d - c, b - c) < 0) return 0;
   return std::min({squared_distance(i, c), squared_distance(i, d), squared_distance(j, a), squared_distance(j, b)});
 }
 
@@ -47,7 +48,7 @@ void Clearance::find_gaps(double least, double greatest) {
     if (corners_[at] == Corner::Tangent) reach = std::max(reach, 1.5);
   }
   const double floor = 2 * reach * least;
-  const double ceiling = 2 * reach * greatest * (1 + 1e-5);  // so that it counts at the greatest too
+  const double ceiling = 2 * reach * greatest * (1 + 1e-3);  // so that it counts at the greatest too
   gaps_.assign(blocks_.size(), {});
   if (blocks_.size() < 2) return;
   std::vector<std::uint64_t> directions;
@@ -104,14 +105,11 @@ std::pair<double, double> Clearance::gaps_about(std::size_t block, double floor,
   };
   double far = ceiling * ceiling;
   double near = far;
-  const auto measure = [&](std::size_t i, const FloatBox& of_i, std::size_t j, const FloatBox& of_j) {
-    const bool beyond = apart(i, j, Block::size);
-    if ((!beyond && !apart(i, j, run)) || box_gap(of_i, of_j) >= (beyond ? far : near)) return;
-    const double squared = squared_gap_of(i, j);
+  const auto note = [&](bool beyond, double squared) {
     near = std::min(near, squared);
     if (beyond) far = std::min(far, squared);
   };
-  const auto measure_one = [&](std::size_t i, std::size_t j) { measure(i, box(i), j, box(j)); };
+  const auto measure_one = [&](std::size_t i, std::size_t j) { note(apart(i, j, Block::size), squared_gap_of(i, j)); };
   // Likely the nearest ones: the ends of the next runs but one, and blocks.
   for (std::size_t i = first; i < last; i += run) {
     if (i + 2 * run < n) measure_one(i + run - 1, i + 2 * run);
@@ -120,18 +118,28 @@ std::pair<double, double> Clearance::gaps_about(std::size_t block, double floor,
   if (last + Block::size < n) measure_one(last - 1, last + Block::size);
   if (first > Block::size) measure_one(first, first - Block::size - 1);
   static_assert(run == leaf_size && Block::size == run * BoxTree::width);
-  FloatBox own_boxes[Block::size];
-  for (std::size_t i = first; i < last; ++i) own_boxes[i - first] = box(i);
   const auto look = [&](std::size_t leaf) {
     const std::size_t other = leaf * run;
-    const double& least = apart(first, other, Block::size) ? far : near;
+    const bool beyond = apart(first, other, Block::size);
+    const double& least = beyond ? far : near;
+    const FloatBox of_other = tree_.box(leaf);
+    const std::size_t end = std::min(n, other + run);
     for (std::size_t own_run = first; own_run < last; own_run += run) {
-      if (!apart(own_run, other, run) || box_gap(tree_.box(own_run / run), tree_.box(leaf)) >= least) continue;
-      const std::size_t end = std::min(n, other + run);
+      if (!apart(own_run, other, run)) continue;
+      // Where boxes tell nearly as much, what they tell will do.
+      const double of_boxes = box_gap(tree_.box(own_run / run), of_other);
+      if (of_boxes >= least) continue;
+      if (of_boxes >= enough * least) {
+        note(beyond, of_boxes);
+        continue;
+      }
       FloatBox others[run];
       for (std::size_t j = other; j < end; ++j) others[j - other] = box(j);
       for (std::size_t i = own_run; i < std::min(last, own_run + run); ++i) {
-        for (std::size_t j = other; j < end; ++j) measure(i, own_boxes[i - first], j, others[j - other]);
+        const FloatBox of_i = box(i);
+        for (std::size_t j = other; j < end; ++j) {
+          if (box_gap(of_i, others[j - other]) < least) note(beyond, squared_gap_of(i, j));
+        }
       }
     }
     return far < floor * floor;

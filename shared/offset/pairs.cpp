@@ -101,11 +101,11 @@ void Pairing::make_groups() {
   const double d = outline_.distance();
   for (std::uint32_t first = 0; first < wanted_;) {
     const std::uint32_t block = pieces[first].step() / Block::size;
-    std::uint32_t last = first + 1;
-    bool connected = true;
-    for (const Piece* piece = pieces.data() + last; last < wanted_ && piece->step() / Block::size == block; ++last, ++piece) {
-      connected &= piece->linked();
+    std::uint32_t last = std::min(wanted_, first + blocks[block].piece_count);  // if it has all of them
+    if (pieces[last - 1].step() / Block::size != block) {
+      for (last = first + 1; pieces[last].step() / Block::size == block;) ++last;
     }
+    const bool connected = next_gap(pieces.data(), first + 1, last) == last;
     ChainTree::Leaf leaf{blocks[block].box(false, d, margin_), blocks[block].directions, connected,
                          pieces[first].linked() && first > 0};
     const auto part = std::ranges::lower_bound(parts_, first, {}, &Part::piece);
@@ -412,9 +412,10 @@ void Pairing::cut_by_caps(const ChainTree& tree, const Buried& known, Buried* fo
     add_runs(scissors_);
     tree.for_each_overlap(scissors_.box, [&](std::size_t i) { cut_with(cached(crowd_[i]), found); });
     const std::uint32_t block = outline_.segment(step) / Block::size;
-    for (std::size_t g = 0; g < groups_.size(); ++g) {
-      const std::uint32_t own = block_of(g);
-      if (alone_[g] && own + 1 >= block && own <= block + 1) cut_with(cached(g), found);
+    const auto before = [&](const Group& group) { return chain_.pieces[group.first].step() / Block::size + 1 < block; };
+    const auto first = std::ranges::partition_point(groups_, before) - groups_.begin();
+    for (auto g = static_cast<std::size_t>(first); g < groups_.size() && block_of(g) <= block + 1; ++g) {
+      if (alone_[g]) cut_with(cached(g), found);
     }
   }
 }

@@ -53,4 +53,15 @@ class Piece {
   std::uint32_t code_;
 };
 
+/// The first of the pieces k .. last - 1 that does not start where the one before it ends; `last` if there is none.
+inline std::size_t next_gap(const Piece* pieces, std::size_t k, std::size_t last) {
+  constexpr std::size_t many = 8;
+  for (bool linked = true; linked && k + many <= last;) {
+    for (std::size_t i = 0; i < many; ++i) linked &= pieces[k + i].linked();
+    if (linked) k += many;
+  }
+  while (k < last && pieces[k].linked()) ++k;
+  return k;
+}
+
 }  // namespace dobra::offset

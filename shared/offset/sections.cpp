@@ -70,11 +70,10 @@ void Trimmer::make_sections() {
   };
   // From a linked piece to the next one that may be cut, or that the next one does not follow: amidst a section.
   std::size_t next_hot = 0;
-  const auto skip = [&, pieces = pieces_.data()](std::uint32_t k) {
+  const auto skip = [&](std::uint32_t k) {
     while (next_hot < hot_.size() && hot_[next_hot].piece < k) ++next_hot;
     const std::uint32_t stop = std::min(wanted_ - 1, next_hot < hot_.size() ? hot_[next_hot].piece : wanted_);
-    while (k < stop && pieces[k + 1].linked()) ++k;
-    return k;
+    return k < stop ? static_cast<std::uint32_t>(next_gap(pieces_.data(), k + 1, stop + 1)) - 1 : k;
   };
   for (std::uint32_t k = 0; k < wanted_; ++k) {
     if (k % 1024 == 0 && progress_.cancelled()) return;

@@ -177,17 +177,6 @@ std::uint32_t Pass::glide(std::uint32_t step, std::uint32_t last, std::uint64_t 
 
 /// The lines of 16 steps, and the arcs after those where this has bits, four a step.
 void Pass::append_block(std::uint32_t first, std::uint64_t arcs) {
-  const std::size_t size = made_.pieces.size();
-  if (arcs == 0) {
-    static const std::vector<Piece> lines = [] {
-      std::vector<Piece> made;
-      for (std::uint32_t step = 0; step < Block::size; ++step) made.push_back(Piece::linked_to({step, Role::Line}));
-      return made;
-    }();
-    made_.pieces.insert(made_.pieces.end(), lines.begin(), lines.end());
-    for (std::size_t k = size; k < size + Block::size; ++k) made_.pieces[k].move_on(first);
-    return;
-  }
   for (std::uint32_t step = first; step < first + Block::size; ++step, arcs >>= 4) {
     append({step, Role::Line});
     if ((arcs & 1) != 0) append({step, Role::Arc});
@@ -460,8 +449,7 @@ void Pass::cull() {
   bool dropped = false;
   std::size_t asked = 0;
   for (std::size_t first = 0; first < count;) {
-    std::size_t last = first + 1;
-    while (last < count && pieces[last].linked()) ++last;
+    const std::size_t last = next_gap(pieces.data(), first + 1, count);
     const bool is_short = last - first < short_fragment && last - first < count;
     if (!is_short && kept == first && !dropped) {
       kept = last;
