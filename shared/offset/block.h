@@ -7,6 +7,11 @@
 
 namespace dobra::offset {
 
+/// Box of the raw outline at distance d, given those of the base and of (outline - base) / D.
+inline FloatBox outline_box(const FloatBox& base, const FloatBox& by, double d, double margin) {
+  return {{base.low_x + d * by.low_x, base.low_y + d * by.low_y}, {base.high_x + d * by.high_x, base.high_y + d * by.high_y}, margin};
+}
+
 /// 16 segments in a row, with the corners at both ends of each.
 struct Block {
   static constexpr std::uint32_t size = 16;
@@ -20,8 +25,7 @@ struct Block {
   double plain_below;         ///< Below this distance line follows line there, or an arc of at most a right angle between.
   /// Box of all pieces of the raw outline on one side.
   [[nodiscard]] FloatBox box(bool on_left, double d, double margin) const {
-    const FloatBox& w = on_left ? left : right;
-    return {{points.low_x + d * w.low_x, points.low_y + d * w.low_y}, {points.high_x + d * w.high_x, points.high_y + d * w.high_y}, margin};
+    return outline_box(points, on_left ? left : right, d, margin);
   }
 };
 

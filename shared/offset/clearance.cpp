@@ -38,6 +38,7 @@ Clearance::Clearance(const BaseCurve& base, const OffsetOptions& options) : base
   tree_ = BoxTree(boxes);
   add_mitres(options);
   blocks_.reserve((count + Block::size - 1) / Block::size);
+  left_.reserve((count + leaf_size - 1) / leaf_size);
   for (std::size_t i = 0; i < count; i += Block::size) add_block(i, std::min<std::size_t>(count, i + Block::size));
   bends_.reserve(blocks_.size());
   const auto bends_little = [&](std::size_t b, std::size_t many) {  // finer, where the directions do not tell
@@ -86,9 +87,16 @@ void Clearance::add_block(std::size_t first, std::size_t last) {
     if (kind == Corner::Arc || kind == Corner::Mitre || kind == Corner::Tangent) {
       block.directions |= std::isinf(t) ? ~std::uint64_t{0} : ChainTree::directions_of(u, v);
     }
-    if (t <= 1) {  // the crossing of its tangents holds the arc on either side
-      const bool outer = kind != Corner::Meet;
-      (outer ? right : left).add((outer ? right_of(u) : left_of(u)) + t * u);
+    const bool outer = kind != Corner::Meet;
+    Hull& side = outer ? right : left;
+    if (t <= 1) {  // the crossing of its tangents holds the arc
+      side.add((outer ? right_of(u) : left_of(u)) + t * u);
+    } else if (t < 1e6) {  // its extreme points
+      const Flat n = outer ? right_of(u) : right_of(v);
+      const Flat m = outer ? right_of(v) : right_of(u);
+      for (const Flat e : {Flat{1, 0}, Flat{0, 1}, Flat{-1, 0}, Flat{0, -1}}) {
+        if (cross(n, e) >= 0 && cross(e, m) >= 0) side.add(outer ? e : -e);
+      }
     } else {
       for (const Flat n : {Flat{-1, -1}, Flat{1, 1}}) {
         right.add(n);
@@ -102,26 +110,31 @@ void Clearance::add_block(std::size_t first, std::size_t last) {
       right.add(right_of(v) - q * v);
     }
   };
-  if (base_.has_before(first)) {  // on the left side its arc belongs to the block, from one normal to the other
-    both(right_of(flat(base_.headings[base_.before(first)])));
-    corner(base_.before(first), first, first);
-  }
+  // On the left side a segment's arc is the one at its start.
   for (std::size_t i = first; i < last; ++i) {
     const Flat u = flat(base_.headings[i]);
+    if (base_.has_before(i)) {
+      both(right_of(flat(base_.headings[base_.before(i)])));
+      corner(base_.before(i), i, i);
+    }
     points.add(flat(base_.start(i)));
     points.add(flat(base_.end(i)));
     both(right_of(u));
     block.directions |= ChainTree::directions_of(u, u);
-    if (!base_.has_after(i)) continue;
-    both(right_of(flat(base_.headings[base_.after(i)])));
-    corner(i, base_.after(i), base_.end_index(i));
+    if ((i + 1) % leaf_size != 0 && i + 1 != last) continue;
+    left_.push_back(left.box());
+    block.left.add(left_.back());
+    left = {};
+  }
+  if (base_.has_after(last - 1)) {
+    both(right_of(flat(base_.headings[base_.after(last - 1)])));
+    corner(last - 1, base_.after(last - 1), base_.end_index(last - 1));
   }
   block.absent = absent_pieces(first, last);
   block.piece_count = 64 - static_cast<std::uint32_t>(std::popcount(block.absent));
   block.plain_below = plain_below(first, last);
   block.points = points.box();
   block.right = right.box();
-  block.left = left.box();
   blocks_.push_back(block);
 }
 

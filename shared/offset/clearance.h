@@ -33,6 +33,16 @@ class Clearance {
   /// Above what places of the outline at distance d, in doubles, are wrong by: the tips of mitres grow with their half tangents.
   [[nodiscard]] double margin(double d) const { return 1e-14 * (base_.size + d * (1 + greatest_mitre_)); }
 
+  /// Leaves are four segments in a row: those of a block, and a box of what the outline at distance d has on the left side of one, but caps.
+  static constexpr std::size_t leaf_size = 4;
+  [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> leaves_of(std::uint32_t block) const {
+    constexpr auto many = static_cast<std::uint32_t>(Block::size / leaf_size);
+    return {block * many, std::min((block + 1) * many, static_cast<std::uint32_t>(left_.size()))};
+  }
+  [[nodiscard]] FloatBox left_box(std::uint32_t leaf, double d, double margin) const {
+    return outline_box(tree_.box(leaf), left_[leaf], d, margin);
+  }
+
   /// The directions of a block, or of it and the next one, corners at both ends included, lie within less than half a turn: what is
   /// connected of its right side does not meet itself. Told only where Block::directions are too coarse to do so.
   [[nodiscard]] bool bends_little(std::size_t block) const { return (bends_[block] & 1) != 0; }
@@ -73,7 +83,6 @@ class Clearance {
   bool any_mitre(Flat q, double d, Visit&& visit) const;
 
  private:
-  static constexpr std::size_t leaf_size = 4;
   void add_block(std::size_t first, std::size_t last);
   [[nodiscard]] std::uint64_t absent_pieces(std::size_t first, std::size_t last) const;
   [[nodiscard]] double plain_below(std::size_t first, std::size_t last) const;
@@ -102,6 +111,7 @@ class Clearance {
   std::vector<Corner> corners_;
   std::vector<Block> blocks_;
   BoxTree tree_;            // of leaves
+  std::vector<FloatBox> left_;  // of the same leaves; as Block::left
   BoxTree mitres_;          // of (mitre outside its corner's disc - corner) / D, of the same leaves, if any
   std::vector<std::uint8_t> bends_;  // of blocks, by bits: see bends_little
   std::vector<Gaps> gaps_;  // of blocks; empty where nobody asked

@@ -1,6 +1,7 @@
 #include "shared/offset/pairs.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "shared/offset/outline_ends.h"
 
@@ -276,13 +277,14 @@ void Pairing::add_scissors(std::uint32_t step, const Outline::Junction& before, 
   }
 }
 
-/// But for the caps.
-void Pairing::make_scissors(std::uint32_t block, const Buried& known) {
+/// What the other side has along four segments, but for the caps.
+void Pairing::make_scissors(std::uint32_t leaf, const Buried& known) {
+  constexpr auto size = static_cast<std::uint32_t>(Clearance::leaf_size);
   const auto n = static_cast<std::uint32_t>(base_.segment_count());
   scissors_.shapes.clear();
   met_.fill(0);
-  const std::uint32_t low = 2 * n - std::min(n, (block + 1) * Block::size);
-  const std::uint32_t high = 2 * n - block * Block::size;
+  const std::uint32_t low = 2 * n - std::min(n, (leaf + 1) * size);
+  const std::uint32_t high = 2 * n - leaf * size;
   Outline::Junction before = outline_.junction(outline_.before(low));
   for (std::uint32_t step = low; step < high; ++step) {
     const Outline::Junction after = outline_.junction(step);
@@ -424,22 +426,39 @@ void Pairing::pair_scissors(const ChainTree& tree, const Buried& known, Buried* 
   if (outline_.sides() == Outline::Sides::Right) return;
   if (!base_.closed) cut_by_caps(tree, known, found);
   const Pairs near = near_blocks(tree, known);
-  std::uint32_t made = none;
-  std::uint32_t judged = none;
-  bool parted = false;
-  for (std::size_t k = 0; k < near.size(); ++k) {
-    if (k % 256 == 0 && progress_.cancelled()) return;
-    const auto [block, group] = near[k];
-    const std::uint32_t other = chain_.pieces[groups_[group].first].step() / Block::size;
-    if (other + 1 >= block && other <= block + 1) {
-      if (judged != block) parted = sides_apart(block);
-      judged = block;
-      if (parted) continue;
+  std::size_t asked = 0;
+  for (auto first = near.begin(); first != near.end();) {
+    const std::uint32_t block = first->first;
+    const auto last = std::find_if(first, near.end(), [&](const auto& pair) { return pair.first != block; });
+    std::optional<bool> apart;
+    const auto parted = [&](std::uint32_t group) {
+      if (block_of(group) + 1 < block || block_of(group) > block + 1) return false;
+      if (!apart) apart = sides_apart(block);
+      return *apart;
+    };
+    const auto [low, high] = clearance_.leaves_of(block);
+    std::uint32_t left = high - low;
+    for (std::uint32_t leaf = low; leaf < high; ++leaf) {
+      const FloatBox around = clearance_.left_box(leaf, outline_.distance(), margin_);
+      bool made = false;
+      for (auto pair = first; pair != last; ++pair) {
+        if (++asked % 1024 == 0 && progress_.cancelled()) return;
+        const std::uint32_t group = pair->second;
+        if (!around.overlaps(leaves_[group].box) || parted(group)) continue;
+        const Bunch& pieces = cached(group);
+        if (!made) {
+          if (!pieces.overlaps(around)) continue;
+          make_scissors(leaf, known);
+          made = true;
+        }
+        cut_with(pieces, found);
+        if (!scissors_.box.empty()) continue;
+        --left;
+        break;
+      }
     }
-    if (made != block) make_scissors(block, known);
-    made = block;
-    if (scissors_.box.overlaps(leaves_[group].box)) cut_with(cached(group), found);
-    if (scissors_.box.empty() && found != nullptr) found->add_left_of(block);
+    if (left == 0 && found != nullptr) found->add_left_of(block);
+    first = last;
   }
 }
 

@@ -48,6 +48,10 @@ class Pairing {
     std::vector<Shape> shapes;
     std::array<FloatBox, 3 * Block::size / run_size> runs;  ///< Of so many shapes each.
     [[nodiscard]] std::size_t run_count() const { return (shapes.size() + run_size - 1) / run_size; }
+    /// Some run does.
+    [[nodiscard]] bool overlaps(const FloatBox& other) const {
+      return box.overlaps(other) && std::any_of(runs.begin(), runs.begin() + run_count(), [&](const FloatBox& r) { return r.overlaps(other); });
+    }
   };
   struct Group {
     std::uint32_t first, last;  ///< Pieces.
@@ -82,7 +86,7 @@ class Pairing {
   void cut_by_caps(const ChainTree& tree, const Buried& known, Buried* found);
   [[nodiscard]] bool sides_apart(std::uint32_t block) const;
   void pair_scissors(const ChainTree& tree, const Buried& known, Buried* found);
-  void make_scissors(std::uint32_t block, const Buried& known);
+  void make_scissors(std::uint32_t leaf, const Buried& known);
   void add_scissors(std::uint32_t step, const Outline::Junction& before, const Outline::Junction& after,
                     const Buried& known);
   void cut_with(const Bunch& near, Buried* found);
