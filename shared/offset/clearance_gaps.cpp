@@ -10,7 +10,7 @@ namespace dobra::offset {
 
 namespace {
 
-constexpr std::size_t run = 4;       // segments
+constexpr std::size_t run = 4;    // segments
 constexpr double enough = 0.999;  // of a squared gap
 
 double box_gap(const FloatBox& a, const FloatBox& b) {

@@ -79,6 +79,49 @@ TEST(Clearance, NoBlockThatBendsByMoreThanAQuarterTurnNearItselfIsHarmless) {
   EXPECT_TRUE(clearance.is_harmless(4, 1.0));
 }
 
+/// Arcs of more than a right angle, and exact ways back, included.
+TEST(Clearance, BoxesHoldTheOutlineOfTheirSegmentsOnBothSides) {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> coordinate(0, 10);
+  Polyline zigzag;
+  for (int k = 0; k < 70; ++k) zigzag.points.push_back({coordinate(random), coordinate(random)});
+  zigzag.points.insert(zigzag.points.begin() + 30, zigzag.points[28]);
+  for (const bool closed : {false, true}) {
+    zigzag.closed = closed;
+    const auto base = prepare(zigzag, Side::RightOfTravel);
+    ASSERT_TRUE(base.ok());
+    for (const Join join : {Join::Round, Join::Mitre}) {
+      const OffsetOptions options{.join = join};
+      const Clearance clearance(*base, options);
+      for (const double d : {0.1, 3.0}) {
+        const Outline outline(*base, clearance.corners(), Outline::Sides::Both, d);
+        const auto held = [&](std::uint32_t step, Flat p) {
+          const std::uint32_t segment = outline.segment(step);
+          const bool on_left = step >= base->segment_count();
+          const FloatBox place(p, p, 0);
+          EXPECT_TRUE(clearance.blocks()[segment / Block::size].box(on_left, d, 1e-9).overlaps(place)) << "step " << step;
+          if (!on_left) return;
+          const auto leaf = segment / static_cast<std::uint32_t>(Clearance::leaf_size);
+          EXPECT_TRUE(clearance.left_box(leaf, d, 1e-9).overlaps(place)) << "step " << step;
+        };
+        for (std::uint32_t step = 0; step < outline.step_count(); ++step) {
+          held(step, outline.start_of({step, Role::Line}));
+          held(step, outline.end_of({step, Role::Line}));
+          if (outline.corner(step) != Corner::Arc || outline.is_cap(step)) continue;
+          const Flat from = right_of(outline.along<double>(step));
+          const Flat to = right_of(outline.along<double>(outline.after(step)));
+          const double turn = std::isinf(outline.half_tan(step)) ? std::acos(-1.0) : 2 * std::atan(outline.half_tan(step));
+          EXPECT_NEAR(std::cos(turn), dot(from, to), 1e-9);
+          for (int k = 0; k <= 32; ++k) {
+            const double t = turn * k / 32;
+            held(step, outline.centre({step, Role::Arc}) + d * (std::cos(t) * from + std::sin(t) * left_of(from)));
+          }
+        }
+      }
+    }
+  }
+}
+
 TEST(Clearance, FindsAMitreExactlyWhereOneHoldsAPlaceThatNoSegmentIsNear) {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> coordinate(0, 10);
