@@ -14,8 +14,12 @@ constexpr std::size_t run = 4;    // segments
 constexpr double enough = 0.999;  // of a squared gap
 
 double box_gap(const FloatBox& a, const FloatBox& b) {
-  const double x = std::max({a.low_x - b.high_x, b.low_x - a.high_x, 0.0F});
-  const double y = std::max({a.low_y - b.high_y, b.low_y - a.high_y, 0.0F});
+  const auto greatest = [](float l, float r) {
+    const float either = l > r ? l : r;
+    return either > 0 ? either : 0;
+  };
+  const double x = greatest(a.low_x - b.high_x, b.low_x - a.high_x);
+  const double y = greatest(a.low_y - b.high_y, b.low_y - a.high_y);
   return x * x + y * y;
 }
 
