@@ -380,31 +380,28 @@ bool Pass::buried_by_tail(Site site, Flat a, Flat b) {
 
 void Pass::add(Site site, Flat a, Flat b) {
   auto& pieces = made_.pieces;
-  while (site.role == Role::Line && !pieces.empty() && kills(site.step, pieces.back().site(), tail_a_, tail_b_)) {
-    bury(pieces.back().site());
-    pop();
-  }
-  bool linked = false;
-  if (!pieces.empty()) {
-    linked = goes_on();
-    if (!linked && buried_by_tail(site, a, b)) return bury(site);
-  }
-  bool examined = false;
-  if (!linked && heat_ >= rough) {
-    if (is_covered(site, a, b)) return;
-    examined = true;
-  }
+  bool linked = goes_on();
   std::uint32_t trim = Piece::none;
-  if (!linked && !pieces.empty()) {
-    if (const std::optional<Flat> p = cut(pieces.back().site(), tail_a_, tail_b_, site, a, b)) {
+  while (!linked && !pieces.empty()) {
+    const Site tail = pieces.back().site();
+    if (cover_.deep(tail_a_, site.step)) {
+      if (!kills(site.step, tail, tail_a_, tail_b_)) break;
+      bury(tail);
+      pop();
+    } else if (const std::optional<Flat> p = cut(tail, tail_a_, tail_b_, site, a, b)) {
       pieces.back().trim_b = static_cast<std::uint32_t>(made_.trims.size());
       made_.trims.push_back({*p, packed(site)});
       trim = static_cast<std::uint32_t>(made_.trims.size());
-      made_.trims.push_back({*p, packed(pieces.back().site())});
+      made_.trims.push_back({*p, packed(tail)});
       a = *p;
       linked = true;
+    } else {
+      break;
     }
   }
+  if (!linked && !pieces.empty() && buried_by_tail(site, a, b)) return bury(site);
+  const bool examined = !linked && heat_ >= rough;
+  if (examined && is_covered(site, a, b)) return;
   push(site, a, b, linked);
   pieces.back().trim_a = trim;
   if (examined) pieces.back().mark_examined();
