@@ -7,7 +7,7 @@
 namespace dobra::offset {
 
 namespace {
-constexpr std::uint32_t few = 8;               // pieces of a group whose own boxes are looked at
+constexpr std::uint32_t few = 12;              // pieces of a group whose own boxes and directions are looked at
 constexpr std::uint32_t buried = 0xfffffffeU;  // scissors that need not be made
 constexpr std::uint32_t open = 0xfffffffdU;    // scissors that are needed where they meet something
 }  // namespace
@@ -95,6 +95,14 @@ void Pairing::each_shape(const Group& group, const Visit& visit) const {
   }
 }
 
+/// See ChainTree.
+std::uint64_t Pairing::directions_of(const Shape& p) const {
+  if (p.site.role == Role::Bevel) return ~std::uint64_t{0};
+  if (!p.is_arc()) return ChainTree::directions_of(outline_.along<double>(p.site.step), outline_.along<double>(p.site.step));
+  const Flat c = outline_.centre(p.site);
+  return ChainTree::directions_of(left_of(p.a - c), left_of(p.b - c));
+}
+
 void Pairing::make_groups() {
   const auto& blocks = clearance_.blocks();
   const auto& pieces = chain_.pieces;
@@ -109,9 +117,15 @@ void Pairing::make_groups() {
     ChainTree::Leaf leaf{blocks[block].box(false, d, margin_), blocks[block].directions, connected,
                          pieces[first].linked() && first > 0};
     const auto part = std::ranges::lower_bound(parts_, first, {}, &Part::piece);
-    if (last - first < few || (part != parts_.end() && part->piece < last)) {
+    const bool parted = part != parts_.end() && part->piece < last;
+    if (last - first < few || parted) {
       leaf.box = {};
-      each_shape({first, last}, [&](const Shape& p) { leaf.box.add(p.box); });
+      std::uint64_t directions = 0;
+      each_shape({first, last}, [&](const Shape& p) {
+        leaf.box.add(p.box);
+        directions |= directions_of(p);
+      });
+      if (!parted) leaf.directions &= directions;
     }
     leaves_.push_back(leaf);
     alone_.push_back(clearance_.is_alone(block, d));
