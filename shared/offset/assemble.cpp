@@ -201,7 +201,7 @@ OffsetPiece Trimmer::output(const Chain& chain) const {
   const auto write_section = [&](const Section& s, std::uint32_t previous, std::uint32_t first, std::uint32_t last) {
     if (first == s.first && first != previous) write(flat(nodes_[s.from].at), first);
     for (std::uint32_t k = first == s.first ? first + 1 : first; k <= last; ++k) {
-      k = write_plain(writer, k, last + 1);
+      if (pieces_[k].trim_a == Piece::none) k = write_plain(writer, k, last + 1);
       if (k <= last) write(place_of(pieces_[k], true, ends), k);
     }
   };
