@@ -34,7 +34,6 @@ class Pass {
   Survivors run();
 
  private:
-  static constexpr int rough = 12;  // of 16 raw pieces that do not simply go on
   [[nodiscard]] std::size_t alive_count() const;
   void walk();
   [[nodiscard]] std::uint32_t glide_blocks(std::uint32_t step);
@@ -49,15 +48,18 @@ class Pass {
   }
   /// After pieces were appended without their places.
   void settle() {
-    const Piece& tail = made_.pieces.back();
-    previous_ = packed(tail.site());
-    tail_a_ = start(tail);
-    tail_b_ = end(tail);
+    previous_ = packed(made_.pieces.back().site());
+    placed_ = false;
+  }
+  void place_tail() {
+    if (placed_) return;
+    tail_a_ = start(made_.pieces.back());
+    tail_b_ = end(made_.pieces.back());
+    placed_ = true;
   }
   void append(Site site) { made_.pieces.push_back(Piece::linked_to(site)); }
   void append_block(std::uint32_t first, std::uint64_t arcs);
   void push(Piece piece, Flat a, Flat b);
-  void pop();
   void close();
   void cull();
   void bury(Site site) const {
@@ -97,9 +99,9 @@ class Pass {
   Buried* const found_;
   const base::Progress& progress_;
   Survivors made_;
-  Flat tail_a_, tail_b_;                      // of the last piece
+  Flat tail_a_, tail_b_;                      // of the last piece, once it is placed
+  bool placed_ = false;
   std::uint32_t previous_ = Piece::none;      // the raw piece before, packed, if it ends where the next one starts
-  int heat_ = 0;                              // how rough it was lately, 0 .. 16
 };
 
 std::size_t Pass::alive_count() const {
@@ -178,7 +180,6 @@ std::uint32_t Pass::glide(std::uint32_t step, std::uint32_t last, std::uint64_t 
     if (arc && (dead & 2) != 0) break;
     append(Site{step, Role::Line});
     if (arc) append(Site{step, Role::Arc});
-    heat_ = std::max(0, heat_ - (arc ? 2 : 1));
   }
   if (step == first) return step;
   settle();
@@ -213,7 +214,6 @@ std::uint32_t Pass::glide_blocks(std::uint32_t step) {
     if (!(d_ < block.plain_below) || known_.word(step / Block::size) != block.absent) break;
     if (step > first && step % 4096 == 0) break;  // progress is to be asked
     append_block(step, block.arcs());
-    heat_ = 0;
   }
   if (step > first) settle();
   return step;
@@ -259,9 +259,7 @@ inline void Pass::add_line(std::uint32_t step, const Outline::Junction& before, 
   // Up to the bisector a line is outside the next segment's pill, so that there is nothing to look for.
   if (goes_on() && after.kind != Corner::Apart && dot(b - a, outline_.along<double>(step)) > margin_) {
     push(Piece::linked_to(line), a, b);
-    heat_ -= heat_ > 0;
   } else {
-    heat_ += heat_ < 16;
     if (!is_dead_line(line, a, b, before.kind, after.kind)) add(line, a, b);
   }
   previous_ = after.kind == Corner::Apart ? Piece::none : packed(line);
@@ -276,10 +274,8 @@ void Pass::add_corner(std::uint32_t step, const Outline::Junction& junction, std
     }
     if (goes_on()) {
       push(Piece::linked_to(site), a, b);
-      heat_ -= heat_ > 0;
-    } else {
-      heat_ += heat_ < 16;
-      add(site, a, b);
+      } else {
+        add(site, a, b);
     }
     previous_ = packed(site);
   };
@@ -378,13 +374,7 @@ void Pass::push(Piece piece, Flat a, Flat b) {
   made_.pieces.push_back(piece);
   tail_a_ = a;
   tail_b_ = b;
-}
-
-void Pass::pop() {
-  made_.pieces.pop_back();
-  if (made_.pieces.empty()) return;
-  tail_a_ = start(made_.pieces.back());
-  tail_b_ = end(made_.pieces.back());
+  placed_ = true;
 }
 
 /// The disc of a corner lies in the pills beside it.
@@ -398,11 +388,13 @@ void Pass::add(Site site, Flat a, Flat b) {
   Piece head(site);
   head.link(goes_on());
   while (!head.linked() && !pieces.empty()) {
+    place_tail();
     Piece& tail = pieces.back();
     if (cover_.deep(tail_a_, site.step)) {
       if (!kills(site.step, tail.site(), tail_a_, tail_b_)) break;
       bury(tail.site());
-      pop();
+      pieces.pop_back();
+      placed_ = false;
     } else if (const std::optional<Flat> p = cut(tail, part(tail.site(), tail_a_, tail_b_), head, part(site, a, b))) {
       a = *p;
     } else {
@@ -411,10 +403,8 @@ void Pass::add(Site site, Flat a, Flat b) {
   }
   if (!head.linked()) {
     if (!pieces.empty() && buried_by_tail(site, a, b)) return bury(site);
-    if (heat_ >= rough) {
-      if (is_covered(site, a, b)) return;
-      head.mark_examined();
-    }
+    if (is_covered(site, a, b)) return;
+    head.mark_examined();
   }
   push(head, a, b);
 }
