@@ -60,14 +60,27 @@ OffsetCurve untreated(const BaseCurve& base, double distance, const OffsetOption
   return curve;
 }
 
+double chord_length(const OffsetPiece& piece) {
+  double sum = piece.closed ? geom::distance(piece.points.front(), piece.points.back()) : 0.0;
+  for (std::size_t i = 1; i < piece.points.size(); ++i) sum += geom::distance(piece.points[i - 1], piece.points[i]);
+  return sum;
+}
+
 /// An open base keeps its longest piece.
 void keep_longest(OffsetCurve& curve, const geom::Polyline& base) {
   if (curve.pieces.size() < 2) return;
-  const auto best = std::max_element(curve.pieces.begin(), curve.pieces.end(), [&](const auto& a, const auto& b) {
-    return length(a, base) < length(b, base);
-  });
+  std::vector<double> lengths;
+  for (const OffsetPiece& piece : curve.pieces) lengths.push_back(chord_length(piece));
+  // Arcs turn by half a turn at most: they are not 1.6 times as long as their chords.
+  const double enough = std::ranges::max(lengths) / 1.6;
+  if (std::ranges::count_if(lengths, [&](double l) { return l >= enough; }) > 1) {
+    for (std::size_t k = 0; k < lengths.size(); ++k) {
+      if (lengths[k] >= enough) lengths[k] = length(curve.pieces[k], base);
+    }
+  }
+  const auto best = std::ranges::max_element(lengths) - lengths.begin();
   curve.dropped = curve.pieces.size() - 1;
-  OffsetPiece kept = std::move(*best);
+  OffsetPiece kept = std::move(curve.pieces[static_cast<std::size_t>(best)]);
   curve.pieces.clear();
   curve.pieces.push_back(std::move(kept));
 }
