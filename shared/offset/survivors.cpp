@@ -245,8 +245,9 @@ bool Pass::is_dead_line(Site site, Flat a, Flat b, Corner before, Corner after) 
     return true;
   }
   const std::uint32_t hint = known_.hint(step);
-  const bool dead = (before == Corner::Apart && kills(outline_.before(step), site, a, b)) ||
-                    (after == Corner::Apart && kills(outline_.after(step), site, a, b)) ||
+  const bool near = before != Corner::Mitre && after != Corner::Mitre;  // the tip of a mitre is seldom in a pill beside it
+  const bool dead = (near && before == Corner::Apart && kills(outline_.before(step), site, a, b)) ||
+                    (near && after == Corner::Apart && kills(outline_.after(step), site, a, b)) ||
                     (hint != Buried::none && kills(hint, site, a, b));
   if (dead) bury(site);
   return dead;
