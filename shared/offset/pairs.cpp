@@ -98,7 +98,8 @@ void Pairing::each_shape(const Group& group, const Visit& visit) const {
 /// See ChainTree.
 std::uint64_t Pairing::directions_of(const Shape& p) const {
   if (p.site.role == Role::Bevel) return ~std::uint64_t{0};
-  if (!p.is_arc()) return ChainTree::directions_of(outline_.along<double>(p.site.step), outline_.along<double>(p.site.step));
+  const Flat u = outline_.along<double>(p.site.step);
+  if (!p.is_arc()) return ChainTree::directions_of(u, u);
   const Flat c = outline_.centre(p.site);
   return ChainTree::directions_of(left_of(p.a - c), left_of(p.b - c));
 }
@@ -107,6 +108,7 @@ void Pairing::make_groups() {
   const auto& blocks = clearance_.blocks();
   const auto& pieces = chain_.pieces;
   const double d = outline_.distance();
+  const bool places_tell = 100 * margin_ < d;  // which way an arc's ends point, far better than to a bit
   for (std::uint32_t first = 0; first < wanted_;) {
     const std::uint32_t block = pieces[first].step() / Block::size;
     std::uint32_t last = first + 1;
@@ -125,7 +127,7 @@ void Pairing::make_groups() {
         leaf.box.add(p.box);
         directions |= directions_of(p);
       });
-      if (!parted) leaf.directions &= directions;
+      if (!parted && places_tell) leaf.directions &= directions;
     }
     leaves_.push_back(leaf);
     alone_.push_back(clearance_.is_alone(block, d));

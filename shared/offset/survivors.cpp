@@ -245,7 +245,8 @@ bool Pass::is_dead_line(Site site, Flat a, Flat b, Corner before, Corner after) 
     return true;
   }
   const std::uint32_t hint = known_.hint(step);
-  const bool near = before != Corner::Mitre && after != Corner::Mitre;  // the tip of a mitre is seldom in a pill beside it
+  // The tip of a mitre is seldom in a pill beside it.
+  const bool near = before != Corner::Mitre && after != Corner::Mitre;
   const bool dead = (near && before == Corner::Apart && kills(outline_.before(step), site, a, b)) ||
                     (near && after == Corner::Apart && kills(outline_.after(step), site, a, b)) ||
                     (hint != Buried::none && kills(hint, site, a, b));
@@ -260,8 +261,8 @@ inline void Pass::add_line(std::uint32_t step, const Outline::Junction& before, 
   // Up to the bisector a line is outside the next segment's pill, so that there is nothing to look for.
   if (goes_on() && after.kind != Corner::Apart && dot(b - a, outline_.along<double>(step)) > margin_) {
     push(Piece::linked_to(line), a, b);
-  } else {
-    if (!is_dead_line(line, a, b, before.kind, after.kind)) add(line, a, b);
+  } else if (!is_dead_line(line, a, b, before.kind, after.kind)) {
+    add(line, a, b);
   }
   previous_ = after.kind == Corner::Apart ? Piece::none : packed(line);
 }
@@ -275,8 +276,8 @@ void Pass::add_corner(std::uint32_t step, const Outline::Junction& junction, std
     }
     if (goes_on()) {
       push(Piece::linked_to(site), a, b);
-      } else {
-        add(site, a, b);
+    } else {
+      add(site, a, b);
     }
     previous_ = packed(site);
   };
