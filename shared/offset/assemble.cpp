@@ -147,37 +147,23 @@ std::vector<Trimmer::Chain> Trimmer::assemble() {
   return result;
 }
 
-/// Pieces with natural starts of the most usual kinds. The first one that is none.
-std::uint32_t Trimmer::write_plain(PieceWriter& writer, std::uint32_t first, std::uint32_t last) const {
-  const Piece* const pieces = pieces_.data();
-  const Outline::Starts starts(outline_);
-  const auto find_start = [=](std::uint32_t k, geom::Point& from, Site& site) {
-    site = pieces[k].site();
-    return pieces[k].trim_a == Piece::none && starts.find(site, from);
+/// All pieces of a plain block, if its first one is piece k. How many.
+std::uint32_t Trimmer::write_block(PieceWriter& writer, std::uint32_t k, std::uint32_t last) const {
+  const std::uint32_t step = pieces_[k].step();
+  const Block& block = clearance_.blocks()[step / Block::size];
+  const std::uint32_t count = block.piece_count;
+  const auto starts = [&](geom::Point* start) {
+    return Outline::Starts(outline_).find_block(step, block.arcs(), start);
   };
-  for (std::uint32_t k = first; k < last;) {
-    const Block& block = clearance_.blocks()[pieces[k].step() / Block::size];
-    const std::uint32_t count = block.piece_count;
-    if (is_whole_block(block, k, last) && writer.add_block(pieces[k].step(), block.arcs(), count, [&](geom::Point* start) {
-          return starts.find_block(pieces[k].step(), block.arcs(), start);
-        })) {
-      k += count;
-      continue;
-    }
-    const std::uint32_t stop = std::min(last, k + Block::size - pieces[k].step() % Block::size);
-    const std::uint32_t next = writer.add_many(k, stop, find_start);
-    if (next < stop) return next;
-    k = next;
-  }
-  return last;
+  return is_whole_block(block, k, last) && writer.add_block(step, block.arcs(), count, starts) ? count : 0;
 }
 
-/// All pieces of a plain block begin with piece k, and none is cut.
+/// All pieces of a plain block begin with piece k, which is of its first step, and none is cut.
 bool Trimmer::is_whole_block(const Block& block, std::uint32_t k, std::uint32_t last) const {
   const Piece& first = pieces_[k];
   const std::uint32_t count = block.piece_count;
   if (!(outline_.distance() < block.plain_below) || clearance_.has_far_mitres() || k + count > last) return false;
-  if (first.step() % Block::size != 0 || !first.is_line() || pieces_[k + count - 1].step() != first.step() + Block::size - 1) return false;
+  if (!first.is_line() || pieces_[k + count - 1].step() != first.step() + Block::size - 1) return false;
   return std::all_of(&first, &first + count, [](const Piece& p) { return p.trim_a == Piece::none; });
 }
 
@@ -200,9 +186,11 @@ OffsetPiece Trimmer::output(const Chain& chain) const {
   // A section that goes on in the piece where the one before stopped adds nothing there.
   const auto write_section = [&](const Section& s, std::uint32_t previous, std::uint32_t first, std::uint32_t last) {
     if (first == s.first && first != previous) write(flat(nodes_[s.from].at), first);
-    for (std::uint32_t k = first == s.first ? first + 1 : first; k <= last; ++k) {
-      k = write_plain(writer, k, last + 1);
-      if (k <= last) write(place_of(pieces_[k], true, ends), k);
+    for (std::uint32_t k = first == s.first ? first + 1 : first; k <= last;) {
+      const bool may_begin = pieces_[k].step() % Block::size == 0;
+      const std::uint32_t written = may_begin ? write_block(writer, k, last + 1) : 0;
+      if (written == 0) write(place_of(pieces_[k], true, ends), k);
+      k += std::max(written, 1U);
     }
   };
   if (!chain.closed) {

@@ -71,9 +71,7 @@ class Cover {
     if (!deep(a, step) || !deep(b, step)) return false;
     return s.role == Role::Line || s.role == Role::Bevel || deep(tangent_corner(s, a, b), step);
   }
-  /// The same for one of the last segments that buried something.
-  bool by_recent(Site s, Flat a, Flat b);
-  /// The same for any number of segments.
+  /// The same for any number of steps.
   bool covers(Site s, Flat a, Flat b);
   /// Takes off both ends of a line what is easily seen to lie in U. False if nothing is left.
   bool shorten(Flat& a, Flat& b);
@@ -97,6 +95,8 @@ class Cover {
   [[nodiscard]] std::uint32_t noted(Flat p) const;
   void note(Flat p, std::uint32_t step);
   [[nodiscard]] std::uint32_t find(Flat p);
+  /// See in_set, for one of the last steps that buried something.
+  bool by_recent(Site s, Flat a, Flat b);
   bool between(Site s, Flat a, std::uint32_t holds_a, Flat b, std::uint32_t holds_b, int depth);
   bool advance(Flat& from, Flat to);
   [[nodiscard]] Flat middle(Site s, Flat a, Flat b) const;

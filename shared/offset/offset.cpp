@@ -60,14 +60,27 @@ OffsetCurve untreated(const BaseCurve& base, double distance, const OffsetOption
   return curve;
 }
 
+double chord_length(const OffsetPiece& piece) {
+  double sum = piece.closed ? geom::distance(piece.points.front(), piece.points.back()) : 0.0;
+  for (std::size_t i = 1; i < piece.points.size(); ++i) sum += geom::distance(piece.points[i - 1], piece.points[i]);
+  return sum;
+}
+
 /// An open base keeps its longest piece.
 void keep_longest(OffsetCurve& curve, const geom::Polyline& base) {
   if (curve.pieces.size() < 2) return;
-  const auto best = std::max_element(curve.pieces.begin(), curve.pieces.end(), [&](const auto& a, const auto& b) {
-    return length(a, base) < length(b, base);
-  });
+  std::vector<double> lengths;
+  for (const OffsetPiece& piece : curve.pieces) lengths.push_back(chord_length(piece));
+  // Arcs turn by half a turn at most: they are not 1.6 times as long as their chords.
+  const double enough = std::ranges::max(lengths) / 1.6;
+  if (std::ranges::count_if(lengths, [&](double l) { return l >= enough; }) > 1) {
+    for (std::size_t k = 0; k < lengths.size(); ++k) {
+      if (lengths[k] >= enough) lengths[k] = length(curve.pieces[k], base);
+    }
+  }
+  const auto best = std::ranges::max_element(lengths) - lengths.begin();
   curve.dropped = curve.pieces.size() - 1;
-  OffsetPiece kept = std::move(*best);
+  OffsetPiece kept = std::move(curve.pieces[static_cast<std::size_t>(best)]);
   curve.pieces.clear();
   curve.pieces.push_back(std::move(kept));
 }
@@ -79,29 +92,25 @@ bool meets_itself(const BaseCurve& base) {
   for (const double t : base.half_tans) {
     if (std::isinf(t)) return true;
   }
-  const auto box = [&](std::size_t i) {
-    const geom::Box b = geom::Segment{base.start(i), base.end(i)}.box();
-    return FloatBox(flat(b.low), flat(b.high), 0.0);
-  };
+  std::vector<FloatBox> boxes;
+  boxes.reserve(count);
   std::vector<ChainTree::Leaf> leaves;
   leaves.reserve(count / leaf + 1);
   for (std::size_t i = 0; i < count; ++i) {
+    const geom::Box b = geom::Segment{base.start(i), base.end(i)}.box();
+    boxes.emplace_back(flat(b.low), flat(b.high), 0.0);
     const Flat u = flat(base.headings[i]);
-    if (i % leaf == 0) leaves.push_back({box(i), 0, true, i > 0});
-    leaves.back().box.add(box(i));
+    if (i % leaf == 0) leaves.push_back({boxes[i], 0, true, i > 0});
+    leaves.back().box.add(boxes[i]);
     leaves.back().directions |= ChainTree::directions_of(u, u);
   }
   bool meets = false;
   ChainTree(leaves).for_each_pair([&](std::size_t a, std::size_t b) {
     if (meets) return;
-    FloatBox boxes[leaf];  // of b
-    const std::size_t end = std::min(leaf * (b + 1), count);
-    for (std::size_t j = leaf * b; j < end; ++j) boxes[j - leaf * b] = box(j);
     for (std::size_t i = leaf * a; i < std::min(leaf * (a + 1), count); ++i) {
-      const FloatBox own = box(i);
-      if (!own.overlaps(leaves[b].box)) continue;
-      for (std::size_t j = std::max(i + 2, leaf * b); j < end; ++j) {
-        if (!own.overlaps(boxes[j - leaf * b]) || (i == 0 && j + 1 == count)) continue;
+      if (!boxes[i].overlaps(leaves[b].box)) continue;
+      for (std::size_t j = std::max(i + 2, leaf * b); j < std::min(leaf * (b + 1), count); ++j) {
+        if (!boxes[i].overlaps(boxes[j]) || (i == 0 && j + 1 == count)) continue;
         meets = meets || geom::intersect({base.start(i), base.end(i)}, {base.start(j), base.end(j)}).kind !=
                              geom::IntersectionKind::None;
       }

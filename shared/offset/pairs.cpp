@@ -8,7 +8,7 @@
 namespace dobra::offset {
 
 namespace {
-constexpr std::uint32_t few = 8;               // pieces of a group whose own boxes are looked at
+constexpr std::uint32_t few = 12;              // pieces of a group whose own boxes and directions are looked at
 constexpr std::uint32_t buried = 0xfffffffeU;  // scissors that need not be made
 constexpr std::uint32_t open = 0xfffffffdU;    // scissors that are needed where they meet something
 }  // namespace
@@ -96,10 +96,20 @@ void Pairing::each_shape(const Group& group, const Visit& visit) const {
   }
 }
 
+/// See ChainTree.
+std::uint64_t Pairing::directions_of(const Shape& p) const {
+  if (p.site.role == Role::Bevel) return ~std::uint64_t{0};
+  const Flat u = outline_.along<double>(p.site.step);
+  if (!p.is_arc()) return ChainTree::directions_of(u, u);
+  const Flat c = outline_.centre(p.site);
+  return ChainTree::directions_of(left_of(p.a - c), left_of(p.b - c));
+}
+
 void Pairing::make_groups() {
   const auto& blocks = clearance_.blocks();
   const auto& pieces = chain_.pieces;
   const double d = outline_.distance();
+  const bool places_tell = 100 * margin_ < d;  // which way an arc's ends point, far better than to a bit
   for (std::uint32_t first = 0; first < wanted_;) {
     const std::uint32_t block = pieces[first].step() / Block::size;
     std::uint32_t last = std::min(wanted_, first + blocks[block].piece_count);  // if it has all of them
@@ -110,9 +120,15 @@ void Pairing::make_groups() {
     ChainTree::Leaf leaf{blocks[block].box(false, d, margin_), blocks[block].directions, connected,
                          pieces[first].linked() && first > 0};
     const auto part = std::ranges::lower_bound(parts_, first, {}, &Part::piece);
-    if (last - first < few || (part != parts_.end() && part->piece < last)) {
+    const bool parted = part != parts_.end() && part->piece < last;
+    if (last - first < few || parted) {
       leaf.box = {};
-      each_shape({first, last}, [&](const Shape& p) { leaf.box.add(p.box); });
+      std::uint64_t directions = 0;
+      each_shape({first, last}, [&](const Shape& p) {
+        leaf.box.add(p.box);
+        directions |= directions_of(p);
+      });
+      if (!parted && places_tell) leaf.directions &= directions;
     }
     leaves_.push_back(leaf);
     alone_.push_back(clearance_.is_alone(block, d));

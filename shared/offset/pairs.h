@@ -61,6 +61,7 @@ class Pairing {
   void find_parts();
   [[nodiscard]] bool is_long(const Piece& piece) const;
   [[nodiscard]] Shape shape(Site site, std::uint32_t piece, Flat a, Flat b) const;
+  [[nodiscard]] std::uint64_t directions_of(const Shape& p) const;
   template <class Visit>
   void each_shape(const Group& group, const Visit& visit) const;
   void load(std::size_t group, Bunch& bunch) const;

@@ -27,22 +27,21 @@ OffsetPiece PieceWriter::finish_closed(double distance) {
 bool PieceWriter::is_sliver(double distance) const {
   const std::size_t n = piece_.points.size();
   if (n == 0) return true;
+  // Of places near the base: a mitre's tip may lie much farther, and what reaches there is no slit.
+  const double rounding =
+      0x1p-48 * (base_.size + distance + std::max(std::abs(base_.origin.x), std::abs(base_.origin.y)));
   double length = 0.0;
-  double sagitta = 0.0;
   long double area = 0.0L;
   const geom::Point start = piece_.points.front();
   for (std::size_t i = 0; i < n; ++i) {
     const geom::Point p = piece_.points[i];
     const geom::Vector side = piece_.points[i + 1 == n ? 0 : i + 1] - p;
     const double squared = geom::dot(side, side);
-    if (keeps_arcs_ && piece_.edges[i].is_arc()) sagitta = std::max(sagitta, squared / (8.0 * distance));
+    if (keeps_arcs_ && piece_.edges[i].is_arc() && squared / (8.0 * distance) > rounding) return false;
     length += std::sqrt(squared);
     area += geom::cross(p - start, side);
   }
-  // Of places near the base: a mitre's tip may lie much farther, and what reaches there is no slit.
-  const double rounding =
-      0x1p-48 * (base_.size + distance + std::max(std::abs(base_.origin.x), std::abs(base_.origin.y)));
-  return sagitta <= rounding && std::abs(static_cast<double>(area)) <= rounding * length;
+  return std::abs(static_cast<double>(area)) <= rounding * length;
 }
 
 OffsetPiece PieceWriter::finish() {

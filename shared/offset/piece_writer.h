@@ -31,37 +31,6 @@ class PieceWriter {
     const OffsetEdge edge = OffsetEdge::arc(base_.source[segment]);
     if (piece_.edges.empty() || piece_.edges.back() != edge) add(from, edge);
   }
-  /// Many of them: start_of(k, from, site) gives the point that piece k leaves, and its site, line or first arc, or returns false. The
-  /// first piece that is not written.
-  template <class StartOf>
-  std::uint32_t add_many(std::uint32_t k, std::uint32_t last, const StartOf& start_of) {
-    constexpr std::uint32_t part = 256;  // near when it is written
-    const geom::Point origin = base_.origin;
-    const double up = base_.mirrored ? -1 : 1;
-    const std::uint32_t* const source = base_.source.data();
-    for (bool going = !lengthened_ && !piece_.points.empty(); going && k < last;) {
-      const std::size_t size = piece_.points.size();
-      const std::uint32_t stop = std::min(last, k + part);
-      piece_.points.resize(size + (stop - k));
-      piece_.edges.resize(size + (stop - k));
-      geom::Point* point = piece_.points.data() + size;
-      OffsetEdge* edge = piece_.edges.data() + size;
-      geom::Point from;
-      Site site{};
-      for (; k < stop; ++k) {
-        going = start_of(k, from, site);
-        if (!going) break;
-        const geom::Point q{from.x + origin.x, up * from.y + origin.y};
-        const std::uint32_t segment = source[site.step];
-        if (q == point[-1]) --point, --edge;
-        *point++ = q;
-        *edge++ = site.role == Role::Arc ? OffsetEdge::arc(segment) : OffsetEdge::line(segment);
-      }
-      piece_.points.resize(static_cast<std::size_t>(point - piece_.points.data()));
-      piece_.edges.resize(piece_.points.size());
-    }
-    return k;
-  }
   /// The pieces of all 16 steps from `first` on: starts(point) sets so many points or returns false, arcs as in Outline::Starts. False, and
   /// nothing is written, where it is not so simple.
   template <class Starts>

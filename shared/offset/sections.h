@@ -101,7 +101,7 @@ class Trimmer {
   [[nodiscard]] Vec arriving(const Section& section) const;
   [[nodiscard]] OffsetPiece output(const Chain& chain) const;
   [[nodiscard]] bool is_whole_block(const Block& block, std::uint32_t k, std::uint32_t last) const;
-  std::uint32_t write_plain(PieceWriter& writer, std::uint32_t first, std::uint32_t last) const;
+  std::uint32_t write_block(PieceWriter& writer, std::uint32_t k, std::uint32_t last) const;
   [[nodiscard]] std::uint32_t node(Vec p, std::uint32_t i = none, std::uint32_t j = none);
   [[nodiscard]] Vec centre(Site s) const { return outline_.to<Real>(s.step); }
   [[nodiscard]] Vec direction(Site s) const;

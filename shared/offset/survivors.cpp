@@ -34,7 +34,6 @@ class Pass {
   Survivors run();
 
  private:
-  static constexpr int rough = 12;  // of 16 raw pieces that do not simply go on
   [[nodiscard]] std::size_t alive_count() const;
   void walk();
   [[nodiscard]] std::uint32_t glide_blocks(std::uint32_t step);
@@ -49,31 +48,44 @@ class Pass {
   }
   /// After pieces were appended without their places.
   void settle() {
-    const Piece& tail = made_.pieces.back();
-    previous_ = packed(tail.site());
-    tail_a_ = start(tail);
-    tail_b_ = end(tail);
+    previous_ = packed(made_.pieces.back().site());
+    placed_ = false;
+  }
+  void place_tail() {
+    if (placed_) return;
+    tail_a_ = start(made_.pieces.back());
+    tail_b_ = end(made_.pieces.back());
+    placed_ = true;
   }
   void append(Site site) { made_.pieces.push_back(Piece::linked_to(site)); }
   void append_block(std::uint32_t first, std::uint64_t arcs);
-  void push(Site site, Flat a, Flat b, bool linked);
-  void pop();
+  void push(Piece piece, Flat a, Flat b);
   void close();
   void cull();
   void bury(Site site) const {
     if (found_ != nullptr) found_->add(site, cover_.killer());
   }
   [[nodiscard]] bool is_covered(Site site, Flat a, Flat b);
-  [[nodiscard]] bool likely_by_recent(Site site, Flat a, Flat b) {
-    return heat_ >= rough && !known_.likely_free(site, d_) && cover_.by_recent(site, a, b);
-  }
   [[nodiscard]] bool kills(std::uint32_t step, Site site, Flat a, Flat b);
   [[nodiscard]] bool is_dead_line(Site site, Flat a, Flat b, Corner before, Corner after);
   [[nodiscard]] bool buried_by_tail(Site site, Flat a, Flat b);
-  [[nodiscard]] std::optional<Flat> cut(Site tail, Flat tail_a, Flat tail_b, Site head, Flat head_a, Flat head_b) const;
-  [[nodiscard]] std::optional<Flat> crossing(Site tail, Flat tail_a, Flat tail_b, Site head, Flat head_a, Flat head_b) const;
-  [[nodiscard]] bool in_range(Site site, Flat a, Flat b, Flat p) const;
-  [[nodiscard]] bool holds(Site holder, Flat p, double margin) const;
+  /// What is left of a piece, with all that a cut asks for.
+  struct Part {
+    Site site;
+    bool line;
+    Flat a, b;
+    Flat centre;  ///< Of an arc.
+  };
+  [[nodiscard]] Part part(Site site, Flat a, Flat b) const {
+    const bool line = is_line(site);
+    return {site, line, a, b, line ? Flat{} : outline_.centre(site)};
+  }
+  [[nodiscard]] Part part(const Piece& p) const { return part(p.site(), start(p), end(p)); }
+  std::optional<Flat> cut(Piece& tail, const Part& left_of_tail, Piece& head, const Part& left_of_head);
+  [[nodiscard]] std::optional<Flat> place_of_cut(const Part& tail, const Part& head) const;
+  [[nodiscard]] std::optional<Flat> crossing(const Part& tail, const Part& head) const;
+  [[nodiscard]] bool in_range(const Part& part, Flat p) const;
+  [[nodiscard]] bool holds(const Part& holder, Flat p, double margin) const;
   [[nodiscard]] Flat start(const Piece& p) const { return made_.start(outline_, p); }
   [[nodiscard]] Flat end(const Piece& p) const { return made_.end(outline_, p); }
   static bool is_line(Site s) { return s.role == Role::Line || s.role == Role::Bevel; }
@@ -87,9 +99,9 @@ class Pass {
   Buried* const found_;
   const base::Progress& progress_;
   Survivors made_;
-  Flat tail_a_, tail_b_;                      // of the last piece
+  Flat tail_a_, tail_b_;                      // of the last piece, once it is placed
+  bool placed_ = false;
   std::uint32_t previous_ = Piece::none;      // the raw piece before, packed, if it ends where the next one starts
-  int heat_ = 0;                              // how rough it was lately, 0 .. 16
 };
 
 std::size_t Pass::alive_count() const {
@@ -143,16 +155,16 @@ void Pass::walk() {
       stale = true;
       continue;
     }
-    if (stale) before = outline_.junction(outline_.before(step));
-    stale = false;
     const Outline::Junction after = outline_.junction(step);
     if ((dead & 1) == 0) {
+      if (stale) before = outline_.junction(outline_.before(step));
       add_line(step, before, after);
     } else {
       previous_ = Piece::none;
     }
     if (after.kind >= Corner::Tangent && !outline_.is_cap(step)) add_corner(step, after, dead);
     before = after;
+    stale = false;
   }
 }
 
@@ -168,7 +180,6 @@ std::uint32_t Pass::glide(std::uint32_t step, std::uint32_t last, std::uint64_t 
     if (arc && (dead & 2) != 0) break;
     append(Site{step, Role::Line});
     if (arc) append(Site{step, Role::Arc});
-    heat_ = std::max(0, heat_ - (arc ? 2 : 1));
   }
   if (step == first) return step;
   settle();
@@ -192,7 +203,6 @@ std::uint32_t Pass::glide_blocks(std::uint32_t step) {
     if (!(d_ < block.plain_below) || known_.word(step / Block::size) != block.absent) break;
     if (step > first && step % 4096 == 0) break;  // progress is to be asked
     append_block(step, block.arcs());
-    heat_ = 0;
   }
   if (step > first) settle();
   return step;
@@ -224,9 +234,11 @@ bool Pass::is_dead_line(Site site, Flat a, Flat b, Corner before, Corner after) 
     return true;
   }
   const std::uint32_t hint = known_.hint(step);
-  const bool dead = (before == Corner::Apart && kills(outline_.before(step), site, a, b)) ||
-                    (after == Corner::Apart && kills(outline_.after(step), site, a, b)) ||
-                    (hint != Buried::none && kills(hint, site, a, b)) || likely_by_recent(site, a, b);
+  // The tip of a mitre is seldom in a pill beside it.
+  const bool near = before != Corner::Mitre && after != Corner::Mitre;
+  const bool dead = (near && before == Corner::Apart && kills(outline_.before(step), site, a, b)) ||
+                    (near && after == Corner::Apart && kills(outline_.after(step), site, a, b)) ||
+                    (hint != Buried::none && kills(hint, site, a, b));
   if (dead) bury(site);
   return dead;
 }
@@ -237,11 +249,9 @@ inline void Pass::add_line(std::uint32_t step, const Outline::Junction& before, 
   const Flat b = after.end;
   // Up to the bisector a line is outside the next segment's pill, so that there is nothing to look for.
   if (goes_on() && after.kind != Corner::Apart && dot(b - a, outline_.along<double>(step)) > margin_) {
-    push(line, a, b, true);
-    heat_ -= heat_ > 0;
-  } else {
-    heat_ += heat_ < 16;
-    if (!is_dead_line(line, a, b, before.kind, after.kind)) add(line, a, b);
+    push(Piece::linked_to(line), a, b);
+  } else if (!is_dead_line(line, a, b, before.kind, after.kind)) {
+    add(line, a, b);
   }
   previous_ = after.kind == Corner::Apart ? Piece::none : packed(line);
 }
@@ -254,15 +264,9 @@ void Pass::add_corner(std::uint32_t step, const Outline::Junction& junction, std
       return;
     }
     if (goes_on()) {
-      push(site, a, b, true);
-      heat_ -= heat_ > 0;
+      push(Piece::linked_to(site), a, b);
     } else {
-      heat_ += heat_ < 16;
-      if (likely_by_recent(site, a, b)) {
-        bury(site);
-      } else {
-        add(site, a, b);
-      }
+      add(site, a, b);
     }
     previous_ = packed(site);
   };
@@ -278,87 +282,90 @@ void Pass::add_corner(std::uint32_t step, const Outline::Junction& junction, std
 }
 
 /// True if p lies nearer than D - margin to the line's segment, or in the disc of the arc.
-bool Pass::holds(Site holder, Flat p, double margin) const {
+inline bool Pass::holds(const Part& holder, Flat p, double margin) const {
   if (!(margin < d_)) return false;
-  if (is_line(holder)) return outline_.deep_inside(p, holder.step, margin);
-  const Flat q = p - outline_.centre(holder);
+  if (holder.line) return outline_.deep_inside(p, holder.site.step, margin);
+  const Flat q = p - holder.centre;
   return dot(q, q) < (d_ - margin) * (d_ - margin);
 }
 
 /// True if p is between the ends, and so far from both that they keep their order.
-bool Pass::in_range(Site site, Flat a, Flat b, Flat p) const {
+inline bool Pass::in_range(const Part& part, Flat p) const {
   const double slack = 16 * margin_;
-  if (is_line(site)) {
-    const Flat whole = b - a;
-    const double t = dot(p - a, whole);
+  if (part.line) {
+    const Flat whole = part.b - part.a;
+    const double t = dot(p - part.a, whole);
     const double least = slack * (std::abs(whole.x) + std::abs(whole.y));
     return t > least && t < dot(whole, whole) - least;
   }
-  const Flat c = outline_.centre(site);
-  return cross(a - c, p - c) > slack * d_ && cross(p - c, b - c) > slack * d_;
+  const Flat c = part.centre;
+  return cross(part.a - c, p - c) > slack * d_ && cross(p - c, part.b - c) > slack * d_;
 }
 
 /// Where the tail, going on, enters the pill (disc) of the head, if that is on the head itself.
-std::optional<Flat> Pass::crossing(Site tail, Flat tail_a, Flat tail_b, Site head, Flat head_a, Flat head_b) const {
+inline std::optional<Flat> Pass::crossing(const Part& tail, const Part& head) const {
   Flat p;
-  if (is_line(tail) && is_line(head)) {
-    const Flat u = head_b - head_a;
-    const double before = cross(u, tail_a - head_a);
-    const double after = cross(u, tail_b - head_a);
+  if (tail.line && head.line) {
+    const Flat u = head.b - head.a;
+    const double before = cross(u, tail.a - head.a);
+    const double after = cross(u, tail.b - head.a);
     if (!(before < 0 && after > 0)) return std::nullopt;
-    p = tail_a + (before / (before - after)) * (tail_b - tail_a);
-  } else if (is_line(tail)) {
-    const Flat u = unit(tail_b - tail_a);
-    const Flat to = outline_.centre(head) - tail_a;
+    p = tail.a + (before / (before - after)) * (tail.b - tail.a);
+  } else if (tail.line) {
+    const Flat u = unit(tail.b - tail.a);
+    const Flat to = head.centre - tail.a;
     const double across = cross(u, to);
     if (!(std::abs(across) < d_)) return std::nullopt;
-    p = tail_a + (dot(u, to) - std::sqrt((d_ - across) * (d_ + across))) * u;
-  } else if (is_line(head)) {
-    const Flat u = unit(head_b - head_a);
-    const Flat to = outline_.centre(tail) - head_a;
+    p = tail.a + (dot(u, to) - std::sqrt((d_ - across) * (d_ + across))) * u;
+  } else if (head.line) {
+    const Flat u = unit(head.b - head.a);
+    const Flat to = tail.centre - head.a;
     const double across = cross(u, to);
     if (!(std::abs(across) < d_)) return std::nullopt;
-    p = head_a + (dot(u, to) + std::sqrt((d_ - across) * (d_ + across))) * u;
+    p = head.a + (dot(u, to) + std::sqrt((d_ - across) * (d_ + across))) * u;
   } else {
-    const Flat c = outline_.centre(tail);
-    const Flat to = outline_.centre(head) - c;
+    const Flat to = head.centre - tail.centre;
     const double gap = length(to);
     if (!(gap > margin_ && gap < 2 * d_)) return std::nullopt;
-    p = c + 0.5 * to + (std::sqrt((d_ - 0.5 * gap) * (d_ + 0.5 * gap)) / gap) * right_of(to);
+    p = tail.centre + 0.5 * to + (std::sqrt((d_ - 0.5 * gap) * (d_ + 0.5 * gap)) / gap) * right_of(to);
   }
-  if (!in_range(tail, tail_a, tail_b, p) || !in_range(head, head_a, head_b, p)) return std::nullopt;
+  if (!in_range(tail, p) || !in_range(head, p)) return std::nullopt;
   return p;
 }
 
 /// Where both are cut, if what that removes lies in the other's pill.
-std::optional<Flat> Pass::cut(Site tail, Flat tail_a, Flat tail_b, Site head, Flat head_a, Flat head_b) const {
-  if (tail.role == Role::Bevel || head.role == Role::Bevel) return std::nullopt;
-  if (!holds(head, tail_b, margin_) || !holds(tail, head_a, margin_)) return std::nullopt;
-  const std::optional<Flat> p = crossing(tail, tail_a, tail_b, head, head_a, head_b);
+std::optional<Flat> Pass::place_of_cut(const Part& tail, const Part& head) const {
+  if (tail.site.role == Role::Bevel || head.site.role == Role::Bevel) return std::nullopt;
+  if (!holds(head, tail.b, margin_) || !holds(tail, head.a, margin_)) return std::nullopt;
+  const std::optional<Flat> p = crossing(tail, head);
   if (!p) return std::nullopt;
   // An arc may leave a convex set and come back: its middle must be in it as well.
-  const auto middle_held = [&](Site arc, Flat a, Flat b, Site holder) {
-    if (is_line(arc)) return true;
-    const Flat c = outline_.centre(arc);
+  const auto middle_held = [&](const Part& arc, Flat a, Flat b, const Part& holder) {
+    if (arc.line) return true;
+    const Flat c = arc.centre;
     const Flat sum = (a - c) + (b - c);
     return holds(holder, c + (d_ / length(sum)) * sum, 0);
   };
-  if (!middle_held(tail, *p, tail_b, head) || !middle_held(head, head_a, *p, tail)) return std::nullopt;
+  if (!middle_held(tail, *p, tail.b, head) || !middle_held(head, head.a, *p, tail)) return std::nullopt;
   return p;
 }
 
-void Pass::push(Site site, Flat a, Flat b, bool linked) {
-  made_.pieces.push_back(Piece(site));
-  made_.pieces.back().link(linked);
-  tail_a_ = a;
-  tail_b_ = b;
+std::optional<Flat> Pass::cut(Piece& tail, const Part& left_of_tail, Piece& head, const Part& left_of_head) {
+  const std::optional<Flat> p = place_of_cut(left_of_tail, left_of_head);
+  if (!p) return p;
+  tail.trim_b = static_cast<std::uint32_t>(made_.trims.size());
+  made_.trims.push_back({*p, packed(head.site())});
+  head.trim_a = static_cast<std::uint32_t>(made_.trims.size());
+  made_.trims.push_back({*p, packed(tail.site())});
+  head.link(true);
+  return p;
 }
 
-void Pass::pop() {
-  made_.pieces.pop_back();
-  if (made_.pieces.empty()) return;
-  tail_a_ = start(made_.pieces.back());
-  tail_b_ = end(made_.pieces.back());
+void Pass::push(Piece piece, Flat a, Flat b) {
+  made_.pieces.push_back(piece);
+  tail_a_ = a;
+  tail_b_ = b;
+  placed_ = true;
 }
 
 /// The disc of a corner lies in the pills beside it.
@@ -369,34 +376,28 @@ bool Pass::buried_by_tail(Site site, Flat a, Flat b) {
 
 void Pass::add(Site site, Flat a, Flat b) {
   auto& pieces = made_.pieces;
-  while (site.role == Role::Line && !pieces.empty() && kills(site.step, pieces.back().site(), tail_a_, tail_b_)) {
-    bury(pieces.back().site());
-    pop();
-  }
-  bool linked = false;
-  if (!pieces.empty()) {
-    linked = goes_on();
-    if (!linked && buried_by_tail(site, a, b)) return bury(site);
-  }
-  bool examined = false;
-  if (!linked && heat_ >= rough) {
-    if (is_covered(site, a, b)) return;
-    examined = true;
-  }
-  std::uint32_t trim = Piece::none;
-  if (!linked && !pieces.empty()) {
-    if (const std::optional<Flat> p = cut(pieces.back().site(), tail_a_, tail_b_, site, a, b)) {
-      pieces.back().trim_b = static_cast<std::uint32_t>(made_.trims.size());
-      made_.trims.push_back({*p, packed(site)});
-      trim = static_cast<std::uint32_t>(made_.trims.size());
-      made_.trims.push_back({*p, packed(pieces.back().site())});
+  Piece head(site);
+  head.link(goes_on());
+  while (!head.linked() && !pieces.empty()) {
+    place_tail();
+    Piece& tail = pieces.back();
+    if (cover_.deep(tail_a_, site.step)) {
+      if (!kills(site.step, tail.site(), tail_a_, tail_b_)) break;
+      bury(tail.site());
+      pieces.pop_back();
+      placed_ = false;
+    } else if (const std::optional<Flat> p = cut(tail, part(tail.site(), tail_a_, tail_b_), head, part(site, a, b))) {
       a = *p;
-      linked = true;
+    } else {
+      break;
     }
   }
-  push(site, a, b, linked);
-  pieces.back().trim_a = trim;
-  if (examined) pieces.back().mark_examined();
+  if (!head.linked()) {
+    if (!pieces.empty() && buried_by_tail(site, a, b)) return bury(site);
+    if (is_covered(site, a, b)) return;
+    head.mark_examined();
+  }
+  push(head, a, b);
 }
 
 /// The seam of the walk: its last pieces and its first ones.
@@ -426,13 +427,7 @@ void Pass::close() {
       head.site() == Site{outline_.after(unpacked(previous_).step), Role::Line}) {
     head.link(true);
   } else if (whole) {
-    if (const std::optional<Flat> p = cut(tail.site(), start(tail), end(tail), head.site(), start(head), end(head))) {
-      tail.trim_b = static_cast<std::uint32_t>(made_.trims.size());
-      made_.trims.push_back({*p, packed(head.site())});
-      head.trim_a = static_cast<std::uint32_t>(made_.trims.size());
-      made_.trims.push_back({*p, packed(tail.site())});
-      head.link(true);
-    }
+    cut(tail, part(tail), head, part(head));
   }
 }
 
