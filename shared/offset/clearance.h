@@ -5,6 +5,7 @@
 // sorting. Decisions are not taken here (validity.h).
 
 #include <algorithm>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -57,6 +58,15 @@ class Clearance {
   /// as far as that is connected. Caps do not count.
   [[nodiscard]] bool is_harmless(std::size_t block, double d) const { return !gaps_.empty() && d < gaps_[block].harmless; }
 
+  /// The greatest of these distances at which a straight way leads out from both ends of the base, D from all else; 0 if there is none.
+  /// Where there is one, there are such ways at all smaller distances.  @pre the base is open  @cost O(log n) a distance
+  [[nodiscard]] double find_ways_out(std::span<const double> distances) const;
+  /// What the outline at distance d has on the left side of the base cuts nothing valid on the right, but for caps.
+  [[nodiscard]] bool parts_sides(double d) const { return d <= parted_up_to_; }
+  /// @pre there are ways out at d, the base does not meet itself, and there are no mitres: if left and right met at a valid place, the disc
+  /// about it would hold none of the base and close a loop with it about one end, which has a way out.
+  void part_sides(double d) { parted_up_to_ = d; }
+
   /// Doubles are near enough to places of the outline at distance d to tell on which side of a simple contour the free ones are.
   [[nodiscard]] bool tells_sides(double d) const { return !has_mitres() || 100 * margin(d) < d; }
 
@@ -104,6 +114,7 @@ class Clearance {
     double alone = 0;
     double harmless = 0;
   };
+  [[nodiscard]] bool has_way_out(bool from_last, double d) const;
   [[nodiscard]] double squared_gap_of(std::size_t i, std::size_t j) const;
   [[nodiscard]] std::pair<double, double> gaps_about(std::size_t block, double floor, double ceiling) const;
 
@@ -115,6 +126,7 @@ class Clearance {
   BoxTree mitres_;          // of (mitre outside its corner's disc - corner) / D, of the same leaves, if any
   std::vector<std::uint8_t> bends_;  // of blocks, by bits: see bends_little
   std::vector<Gaps> gaps_;  // of blocks; empty where nobody asked
+  double parted_up_to_ = 0;    // a distance
   double greatest_mitre_ = 0;  // half tangent
   bool has_long_mitres_ = false;
 };

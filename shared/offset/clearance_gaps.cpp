@@ -35,6 +35,49 @@ bool within_quarter(std::uint64_t directions) {
 
 }  // namespace
 
+/// True if from an end of the base a straight way leads out that keeps D from it: all places on it that are nearer than D have the end
+/// itself as their nearest base point. The way starts into a disc of radius D that touches the end and holds none of the base.
+bool Clearance::has_way_out(bool from_last, double d) const {
+  const std::size_t own = from_last ? base_.segment_count() - 1 : 0;
+  const Flat end = flat(from_last ? base_.end(own) : base_.start(own));
+  const Flat ahead = flat(from_last ? base_.headings[own] : -base_.headings[own]);
+  const double reach = (1 + 1e-9) * d + 1e-12 * (base_.size + d);
+  constexpr int tries = 13;  // directions up to 78 degrees from straight on, the straightest first: the end's own segment lies behind
+  for (int k = 0; k < tries; ++k) {
+    const double turn = (k % 2 == 0 ? 1 : -1) * 0.2269 * ((k + 1) / 2);
+    const Flat way = std::cos(turn) * ahead + std::sin(turn) * left_of(ahead);
+    const Flat first = end + reach * way;
+    const auto may_block = [&](const FloatBox& box) {
+      const Flat half{0.5 * (double{box.high_x} - box.low_x), 0.5 * (double{box.high_y} - box.low_y)};
+      const Flat middle = Flat{box.low_x, box.low_y} + half - first;
+      const double along = std::abs(way.x) * half.x + std::abs(way.y) * half.y;
+      const double across = std::abs(way.y) * half.x + std::abs(way.x) * half.y;
+      return dot(middle, way) + along > -1.001 * reach && std::abs(cross(middle, way)) - across < 1.001 * reach;
+    };
+    const auto blocks = [&](std::size_t i) {
+      if (i == own) return false;
+      const Flat a = flat(base_.start(i)) - first;
+      const Flat b = flat(base_.end(i)) - first;
+      const double limit = reach * reach;
+      const auto near = [&](Flat p) { return dot(p, way) < 0 ? dot(p, p) < limit : cross(p, way) * cross(p, way) < limit; };
+      if (near(a) || near(b) || squared_distance(i, first) < limit) return true;
+      const double at_a = cross(way, a);
+      const double at_b = cross(way, b);
+      return (at_a < 0) != (at_b < 0) && dot(a + (at_a / (at_a - at_b)) * (b - a), way) >= 0;
+    };
+    if (!tree_.any_held(may_block, [&](std::size_t leaf) { return any_of_leaf(leaf, blocks); })) return true;
+  }
+  return false;
+}
+
+double Clearance::find_ways_out(std::span<const double> distances) const {
+  double found = 0;
+  for (const double d : distances) {
+    if (d > found && has_way_out(false, d) && has_way_out(true, d)) found = d;
+  }
+  return found;
+}
+
 /// Zero if they cross.
 double Clearance::squared_gap_of(std::size_t i, std::size_t j) const {
   const Flat a = flat(base_.start(i));

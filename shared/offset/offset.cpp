@@ -85,7 +85,7 @@ void keep_longest(OffsetCurve& curve, const geom::Polyline& base) {
   curve.pieces.push_back(std::move(kept));
 }
 
-/// True if a closed base crosses or touches itself. @cost O(n) where it is smooth
+/// True if the base crosses or touches itself. @cost O(n) where it is smooth
 bool meets_itself(const BaseCurve& base) {
   constexpr std::size_t leaf = 16;
   const std::size_t count = base.segment_count();
@@ -110,7 +110,7 @@ bool meets_itself(const BaseCurve& base) {
     for (std::size_t i = leaf * a; i < std::min(leaf * (a + 1), count); ++i) {
       if (!boxes[i].overlaps(leaves[b].box)) continue;
       for (std::size_t j = std::max(i + 2, leaf * b); j < std::min(leaf * (b + 1), count); ++j) {
-        if (!boxes[i].overlaps(boxes[j]) || (i == 0 && j + 1 == count)) continue;
+        if (!boxes[i].overlaps(boxes[j]) || (base.closed && i == 0 && j + 1 == count)) continue;
         meets = meets || geom::intersect({base.start(i), base.end(i)}, {base.start(j), base.end(j)}).kind !=
                              geom::IntersectionKind::None;
       }
@@ -204,7 +204,12 @@ void add_clearance(Prepared& input, std::span<const double> distances, const Off
   if (options.treatment != Treatment::Treated || input.forward) return;
   auto made = std::make_unique<Clearance>(input.base, options);
   constexpr std::size_t several = 4;
-  if (!input.simple && distances.size() >= several) made->find_gaps(std::ranges::min(distances), std::ranges::max(distances));
+  if (!input.simple && distances.size() >= several) {
+    const double greatest = std::ranges::max(distances);
+    const double free = input.base.closed || made->has_mitres() ? 0 : made->find_ways_out(distances);
+    if (free > 0 && !meets_itself(input.base)) made->part_sides(free);
+    if (!made->parts_sides(greatest)) made->find_gaps(std::ranges::min(distances), greatest);
+  }
   input.clearance = std::move(made);
 }
 

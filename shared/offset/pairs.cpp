@@ -441,6 +441,7 @@ void Pairing::cut_by_caps(const ChainTree& tree, const Buried& known, Buried* fo
 void Pairing::pair_scissors(const ChainTree& tree, const Buried& known, Buried* found) {
   if (outline_.sides() == Outline::Sides::Right) return;
   if (!base_.closed) cut_by_caps(tree, known, found);
+  if (clearance_.parts_sides(outline_.distance())) return;
   const Pairs near = near_blocks(tree, known);
   std::size_t asked = 0;
   for (auto first = near.begin(); first != near.end();) {
