@@ -2,7 +2,7 @@
 // Second step of tier 0 (envelope.h): mitres of corners whose arcs are not whole on the pills' envelope. A tip may come out below
 // a pill that hides the corner's arc, so these kites are looked at by themselves. First the lowest of each stretch are laid over
 // the pills' curve; nearly all others are then above all of the curve within D of their corner, which takes one comparison to
-// tell, or in one pill, or above the parts of the curve over which they stand. The lower boundaries of what is left are reduced
+// tell, or above the parts of the curve over which they stand. The lower boundaries of what is left are reduced
 // to their envelope by halving, and that is laid over the curve in its turn.
 
 #include "shared/offset/pill_stack.h"
