@@ -70,8 +70,10 @@ struct Kite {
 
 class MitreEnvelope {
  public:
-  MitreEnvelope(Stacked& stacked, const BaseCurve& base, Vector forward, double distance, const Filling& filling)
+  MitreEnvelope(Stacked& stacked, const BaseCurve& base, Vector forward, double distance, const Filling& filling,
+                const PillsLeft& left)
       : cut_(stacked.cut),
+        left_(left),
         base_(base),
         axis_{forward},
         d_(distance),
@@ -83,10 +85,12 @@ class MitreEnvelope {
 
  private:
   [[nodiscard]] Kite kite(std::size_t corner) const;
-  [[nodiscard]] double lowest_of(std::size_t corner) const;
+  [[nodiscard, gnu::always_inline]] inline double lowest_of(std::size_t corner) const;
   [[nodiscard]] bool is_above_curve(const Kite& kite, std::size_t& hint) const;
   [[nodiscard]] bool is_above_part(Point p, std::size_t k) const;
-  std::vector<Span> lowest_kites();
+  [[nodiscard]] std::vector<std::uint32_t> with_arcs() const;
+  [[nodiscard]] std::vector<std::uint32_t> lowest() const;
+  std::vector<Span> first_kites();
   std::vector<Span> other_kites();
   void add(const Kite& kite, LowerEnvelope& envelope) const;
   static std::uint64_t bit(std::size_t corner) { return std::uint64_t{1} << (corner % 64); }
@@ -99,6 +103,7 @@ class MitreEnvelope {
   }
 
   std::vector<std::uint64_t>& cut_;
+  const PillsLeft& left_;
   const BaseCurve& base_;
   const Axis axis_;
   const double d_;
@@ -130,28 +135,36 @@ double MitreEnvelope::lowest_of(std::size_t corner) const {
   return axis_.y(base_.points[corner]) - d_ * down;
 }
 
-/// The envelope of the lowest kites, one from each stretch of the axis and each few kites.
-std::vector<Span> MitreEnvelope::lowest_kites() {
-  LowerEnvelope envelope(touching_);
+/// Cut corners of whose arcs a part is on the curve: there their mitres come out, unless others hide them.
+std::vector<std::uint32_t> MitreEnvelope::with_arcs() const {
+  constexpr std::size_t size = BaseCurve::block_size;
+  std::vector<std::uint32_t> corners;
+  for (std::size_t b = 0; b < left_.size(); ++b) {
+    const auto cut = static_cast<std::uint32_t>(cut_[b * size / 64] >> (b * size % 64));
+    for (std::uint32_t bits = cut & left_[b] >> size; bits != 0; bits &= bits - 1) {
+      corners.push_back(static_cast<std::uint32_t>(b * size) + static_cast<std::uint32_t>(std::countr_zero(bits)));
+    }
+  }
+  return corners;
+}
+
+/// Those with the lowest kites, one from each stretch of the axis.
+std::vector<std::uint32_t> MitreEnvelope::lowest() const {
+  std::vector<std::uint32_t> corners;
   constexpr double stretch = 0.25;  // of D
-  constexpr int few = 4;
-  int seen = few;
   double end = -std::numeric_limits<double>::infinity();
   std::size_t lowest = 0;
   double least = 0;
   const auto release = [&] {
-    if (lowest == 0) return;
-    cut_[lowest / 64] &= ~bit(lowest);
-    add(kite(lowest), envelope);
+    if (lowest != 0) corners.push_back(static_cast<std::uint32_t>(lowest));
   };
   for_each_cut([&](std::size_t corner) {
     const double own = lowest_of(corner);
     const double x = axis_.x(base_.points[corner]);
-    if (x > end && ++seen > few) {
+    if (x > end) {
       release();
       lowest = corner;
       least = own;
-      seen = 1;
       end = x + stretch * d_;
     } else if (own < least) {
       lowest = corner;
@@ -159,6 +172,21 @@ std::vector<Span> MitreEnvelope::lowest_kites() {
     }
   });
   release();
+  return corners;
+}
+
+/// The envelope of kites that hide most of the others: where many corners are cut for each arc left, long tips do.
+std::vector<Span> MitreEnvelope::first_kites() {
+  constexpr std::size_t many = 8;
+  std::vector<std::uint32_t> corners = with_arcs();
+  std::size_t cut = 0;
+  for (const std::uint64_t word : cut_) cut += static_cast<std::size_t>(std::popcount(word));
+  if (cut > many * corners.size()) corners = lowest();
+  LowerEnvelope envelope(touching_);
+  for (const std::uint32_t corner : corners) {
+    cut_[corner / 64] &= ~bit(corner);
+    add(kite(corner), envelope);
+  }
   return envelope.finish();
 }
 
@@ -231,20 +259,21 @@ void MitreEnvelope::add(const Kite& kite, LowerEnvelope& envelope) const {
 }
 
 bool MitreEnvelope::run() {
-  const std::vector<Span> lowest = lowest_kites();
-  curve_.lay(lowest);
+  const std::vector<Span> first = first_kites();
+  curve_.lay(first);
   const std::vector<Span> others = other_kites();
   curve_.lay(others);
-  if (!lowest.empty() || !others.empty()) return true;
+  if (!first.empty() || !others.empty()) return true;
   curve_.take_off_caps();  // all are hidden
   return false;
 }
 
 }  // namespace
 
-bool add_cut_mitres(Stacked& stacked, const BaseCurve& base, Vector forward, double distance, const Filling& filling) {
+bool add_cut_mitres(Stacked& stacked, const BaseCurve& base, Vector forward, double distance, const Filling& filling,
+                    const PillsLeft& left) {
   if (std::all_of(stacked.cut.begin(), stacked.cut.end(), [](std::uint64_t word) { return word == 0; })) return false;
-  return MitreEnvelope(stacked, base, forward, distance, filling).run();
+  return MitreEnvelope(stacked, base, forward, distance, filling, left).run();
 }
 
 }  // namespace dobra::offset
