@@ -100,108 +100,102 @@ Point CurveOverlay::meet(std::uint32_t a, std::uint32_t b, double x, double y) c
   return near - (off_first / sine) * second.along + (off_second / sine) * first.along;
 }
 
-namespace {
-
-OffsetEdge edge_of(std::uint32_t site) {
-  const std::size_t segment = segment_of(site);
-  return kind_of(site) == SiteKind::Line ? OffsetEdge::line(segment) : OffsetEdge::arc(segment | mitred);
+CurveOverlay::Part CurveOverlay::part(std::size_t k) const {
+  return {k, site(k), x_of(k), axis_.y(curve_.points[k]), x_of(k + 1), axis_.y(curve_.points[k + 1])};
 }
 
-}  // namespace
+CurveOverlay::Part CurveOverlay::part_after(const Part& own) const {
+  const Point end = curve_.points[own.k + 2];
+  return {own.k + 1, site(own.k + 1), own.x1, own.y1, axis_.x(end), axis_.y(end)};
+}
 
-void CurveOverlay::compare(const Span& w, std::size_t k, double x0, double x1) {
-  const std::uint32_t own = site(k);
-  if (own == w.site) return take_curve(k, x0);
-  if (own != cap_site && kind_of(own) == SiteKind::Arc) {
-    const std::size_t i = segment_of(own);
+void CurveOverlay::compare(const Span& w, const Part& own, double x0, double x1) {
+  if (own.site == w.site) return take_curve(own, x0);
+  if (own.site == cap_site || kind_of(own.site) == SiteKind::Arc) {
+    const std::size_t i = segment_of(own.site);
     const std::size_t j = segment_of(w.site);
     const bool touches = i == j || (kind_of(w.site) == SiteKind::Line && j == i + 1);
-    if (touches && i + 1 < base_.segment_count()) return take_kite(w, k, x0);  // a mitre is below its own arc
+    if (touches && i + 1 < base_.segment_count()) return take_kite(w, own, x0);  // a mitre is below its own arc
+    return compare_with_arc(w, own, x0, x1);
   }
-  if (kind_of(own) == SiteKind::Line || kind_of(own) == SiteKind::Bevel) return compare_with_line(w, k, x0, x1);
-  compare_with_arc(w, k, x0, x1);
+  compare_with_line(w, own, x0, x1);
 }
 
-void CurveOverlay::compare_with_line(const Span& w, std::size_t k, double x0, double x1) {
-  const Span own{x_of(k), axis_.y(curve_.points[k]), x_of(k + 1), axis_.y(curve_.points[k + 1]), 0};
+void CurveOverlay::compare_with_line(const Span& w, const Part& own, double x0, double x1) {
   const double before = w.at(x0) - own.at(x0);
   const double after = w.at(x1) - own.at(x1);
-  if (before >= -touching_ && after >= -touching_) return take_curve(k, x0);
-  if (before <= touching_ && after <= touching_) return take_kite(w, k, x0);
+  if (before >= -touching_ && after >= -touching_) return take_curve(own, x0);
+  if (before <= touching_ && after <= touching_) return take_kite(w, own, x0);
   const double x = std::clamp(x0 + (x1 - x0) * (before / (before - after)), x0, x1);
   const double y = w.at(x);
   if (before < 0) {
-    const Point at = meet(w.site, site(k), x, y);
-    take_kite(w, k, x0);
-    take_curve(k, x, &at);
+    const Point at = meet(w.site, own.site, x, y);
+    take_kite(w, own, x0);
+    take_curve(own, x, &at);
   } else {
-    const Point at = meet(site(k), w.site, x, y);
-    take_curve(k, x0);
-    take_kite(w, k, x, &at);
+    const Point at = meet(own.site, w.site, x, y);
+    take_curve(own, x0);
+    take_kite(w, own, x, &at);
   }
 }
 
 /// The arc is lower between the places where the line enters its disc and leaves it.
-void CurveOverlay::compare_with_arc(const Span& w, std::size_t k, double x0, double x1) {
-  const Point c = centre(site(k));
-  const Line own = line(w.site);
-  const double off = geom::cross(own.along, c - own.on);
-  if (off >= d_ - touching_) return take_kite(w, k, x0);
+void CurveOverlay::compare_with_arc(const Span& w, const Part& own, double x0, double x1) {
+  const Point c = centre(own.site);
+  const Line over = line(w.site);
+  const double off = geom::cross(over.along, c - over.on);
+  if (off >= d_ - touching_) return take_kite(w, own, x0);
   const double half = std::sqrt(std::max(0.0, (d_ - off) * (d_ + off)));
-  const Point middle = c - off * geom::left_of(own.along);
-  const Point in = middle - half * own.along;
-  const Point out = middle + half * own.along;
   const double margin = touching_ * std::min(d_ / half, 1e9);  // the nearer to touching, the less certain are these places
+  const double ahead = geom::dot(axis_.forward, over.along);
+  const double aside = geom::cross(axis_.forward, over.along);
+  const double middle = axis_.x(c) + off * aside;
+  const double in = middle - half * ahead;
+  const double out = middle + half * ahead;
   // Through the upper half of the circle lines come from above, or leave upwards.
-  const bool comes = geom::cross(axis_.forward, in - c) > 0 || axis_.x(in) <= x0 + margin;
-  const bool leaves = geom::cross(axis_.forward, out - c) > 0 || axis_.x(out) >= x1 - margin;
-  if ((!comes && axis_.x(in) >= x1 - margin) || (!leaves && axis_.x(out) <= x0 + margin)) return take_kite(w, k, x0);
+  const bool comes = -half * aside > off * ahead || in <= x0 + margin;
+  const bool leaves = half * aside > off * ahead || out >= x1 - margin;
+  if ((!comes && in >= x1 - margin) || (!leaves && out <= x0 + margin)) return take_kite(w, own, x0);
+  const auto place = [&](double along) { return c - off * geom::left_of(over.along) + along * over.along; };
   if (comes) {
-    take_curve(k, x0);
+    take_curve(own, x0);
   } else {
-    take_kite(w, k, x0);
-    take_curve(k, axis_.x(in), &in);
+    const Point at = place(-half);
+    take_kite(w, own, x0);
+    take_curve(own, in, &at);
   }
-  if (!leaves) take_kite(w, k, axis_.x(out), &out);
+  if (!leaves) {
+    const Point at = place(half);
+    take_kite(w, own, out, &at);
+  }
 }
 
-/// From x on, within part k, the kite is lower. `at`: where it crosses that part, if it does so there.
-void CurveOverlay::take_kite(const Span& w, std::size_t k, double x, const Point* at) {
-  if (on_kite_) {
-    if (last_.site != w.site) insert(meet(last_.site, w.site, x, w.at(x)), edge_of(w.site));
-    last_ = w;
-    return;
-  }
-  on_kite_ = true;
-  last_ = w;
+void CurveOverlay::enter_kite(const Span& w, const Part& own, double x, const Point* at) {
   const std::size_t start = added_points_.size();
+  const bool at_start = at == nullptr && x <= own.x0;
+  const std::size_t first = at_start ? own.k : own.k + 1;
+  edits_.push_back({first, first, start, start});
   if (at != nullptr) {
-    edits_.push_back({k + 1, k + 1, start, start});
-    return insert(*at, edge_of(w.site));
+    insert(*at, edge_of(w.site));
+  } else if (!at_start) {
+    insert(axis_.point(x, w.at(x)), edge_of(w.site));
+  } else if (own.k == 0 || site(own.k - 1) != w.site) {
+    insert(curve_.points[own.k], edge_of(w.site));
   }
-  if (x <= x_of(k)) {
-    edits_.push_back({k, k, start, start});
-    if (k == 0 || site(k - 1) != w.site) insert(curve_.points[k], edge_of(w.site));
-    return;
-  }
-  edits_.push_back({k + 1, k + 1, start, start});
-  insert(axis_.point(x, w.at(x)), edge_of(w.site));
 }
 
-/// From x on part k of the curve is lower, or nothing else is there.
-void CurveOverlay::take_curve(std::size_t k, double x, const Point* at) {
-  if (!on_kite_) return;
-  on_kite_ = false;
+void CurveOverlay::leave_kite(const Part& own, double x, const Point* at) {
   Edit& edit = edits_.back();
-  edit.last = k + 1;
+  edit.last = own.k + 1;
   if (at != nullptr) {
-    insert(*at, curve_.edges[k]);
-  } else if (x <= x_of(k)) {
-    if (site(k) != last_.site) edit.last = k;
+    insert(*at, curve_.edges[own.k]);
+  } else if (x <= own.x0) {
+    if (own.site != kite_->site) edit.last = own.k;
   } else {
-    insert(axis_.point(x, last_.at(x)), curve_.edges[k]);
+    insert(axis_.point(x, kite_->at(x)), curve_.edges[own.k]);
   }
   edit.to = added_points_.size();
+  kite_ = nullptr;
 }
 
 void CurveOverlay::lay(const std::vector<Span>& pieces) {
@@ -211,20 +205,23 @@ void CurveOverlay::lay(const std::vector<Span>& pieces) {
     curve_.edges.insert(curve_.edges.begin(), OffsetEdge::arc(start_cap));
     ++parts_;
   }
-  std::size_t k = 0;
-  double x = 0;
+  Part own = part(0);
+  double x = -std::numeric_limits<double>::infinity();
   for (const Span& w : pieces) {
-    if (on_kite_ && w.x0 > x) take_curve(k, x);
-    x = w.x0;
-    k = part_at(x, k);
+    if (w.x0 > x) {
+      take_curve(own, x);
+      x = w.x0;
+      own = part(part_at(x, own.k));
+    }
     while (x < w.x1) {
-      const double end = k + 1 < parts_ ? std::min(w.x1, x_of(k + 1)) : w.x1;
-      if (end > x) compare(w, k, x, end);
+      const bool ends = own.k + 1 < parts_ && own.x1 <= w.x1;
+      const double end = ends ? own.x1 : w.x1;
+      if (end > x) compare(w, own, x, end);
       x = std::max(x, end);
-      if (k + 1 < parts_ && x_of(k + 1) <= x) ++k;
+      if (ends) own = part_after(own);
     }
   }
-  if (on_kite_) take_curve(k, x);
+  take_curve(own, x);
   apply_edits();
 }
 

@@ -28,6 +28,11 @@ struct Axis {
   }
 };
 
+constexpr OffsetEdge edge_of(std::uint32_t site) {
+  const std::size_t segment = segment_of(site);
+  return kind_of(site) == SiteKind::Line ? OffsetEdge::line(segment) : OffsetEdge::arc(segment | mitred);
+}
+
 class CurveOverlay {
  public:
   /// Ends `stacked` by its tip and the arc about the last point of the base, and changes it from then on.
@@ -58,16 +63,40 @@ class CurveOverlay {
     std::size_t first, last;  ///< These parts go ...
     std::size_t from, to;     ///< ... and these added ones take their place.
   };
+  struct Part {  ///< Of the curve; of an arc the chord.
+    std::size_t k;
+    std::uint32_t site;
+    double x0, y0, x1, y1;
+    [[nodiscard]] double at(double x) const {
+      if (x <= x0) return y0;
+      return x >= x1 ? y1 : y0 + (y1 - y0) * ((x - x0) / (x1 - x0));
+    }
+  };
   struct Line {
     geom::Point on;
     geom::Vector along;
   };
 
-  void compare(const Span& w, std::size_t k, double x0, double x1);
-  void compare_with_line(const Span& w, std::size_t k, double x0, double x1);
-  void compare_with_arc(const Span& w, std::size_t k, double x0, double x1);
-  void take_kite(const Span& w, std::size_t k, double x, const geom::Point* at = nullptr);
-  void take_curve(std::size_t k, double x, const geom::Point* at = nullptr);
+  [[nodiscard]] Part part(std::size_t k) const;
+  [[nodiscard]] Part part_after(const Part& own) const;
+  void compare(const Span& w, const Part& own, double x0, double x1);
+  void compare_with_line(const Span& w, const Part& own, double x0, double x1);
+  void compare_with_arc(const Span& w, const Part& own, double x0, double x1);
+  /// From x on, within the part, the kite is lower. `at`: where it crosses that part, if it does so there.
+  void take_kite(const Span& w, const Part& own, double x, const geom::Point* at = nullptr) {
+    if (kite_ == nullptr) {
+      enter_kite(w, own, x, at);
+    } else if (kite_->site != w.site) {
+      insert(meet(kite_->site, w.site, x, w.at(x)), edge_of(w.site));
+    }
+    kite_ = &w;
+  }
+  /// From x on the part of the curve is lower, or nothing else is there.
+  void take_curve(const Part& own, double x, const geom::Point* at = nullptr) {
+    if (kite_ != nullptr) leave_kite(own, x, at);
+  }
+  void enter_kite(const Span& w, const Part& own, double x, const geom::Point* at);
+  void leave_kite(const Part& own, double x, const geom::Point* at);
   void insert(geom::Point p, OffsetEdge edge) {
     added_points_.push_back(p);
     added_edges_.push_back(edge);
@@ -92,8 +121,7 @@ class CurveOverlay {
   std::vector<Edit> edits_;
   std::vector<geom::Point> added_points_;
   std::vector<OffsetEdge> added_edges_;
-  bool on_kite_ = false;
-  Span last_{};  // the span taken last
+  const Span* kite_ = nullptr;  // what the curve has come to run along, if it is a kite
 };
 
 }  // namespace dobra::offset

@@ -176,7 +176,7 @@ std::vector<OffsetPiece> monotone_offset(const BaseCurve& base, Vector forward, 
   const Filling filling(options);
   const Finisher finisher(base, options.join);
   Stacked curve = stack_pills(base, forward, distance, filling, left);
-  if (!filling.only_arcs() && add_cut_mitres(curve, base, forward, distance, filling)) {
+  if (!filling.only_arcs() && add_cut_mitres(curve, base, forward, distance, filling, left)) {
     drop_covered_arcs(curve, base, filling);
     return between_caps(curve, base, finisher);
   }

@@ -19,7 +19,7 @@ std::optional<geom::Vector> monotone_direction(const BaseCurve& base);
 /// @param left     see stack_pills.
 /// @return the curve; nothing if nothing of it is left; several pieces if mitres come out below the ends.
 /// @pre    base open.
-/// @cost   O(n + k log k), k = corners whose mitres are cut but not hidden by a single pill.
+/// @cost   O(n + k log k), k = corners whose mitres are cut but come out below part of the curve.
 std::vector<OffsetPiece> monotone_offset(const BaseCurve& base, geom::Vector forward, double distance, const OffsetOptions& options,
                                          PillsLeft& left);
 

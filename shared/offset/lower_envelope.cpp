@@ -36,12 +36,10 @@ class Merger {
  private:
   void emit(const Span& s, double x0, double x1) {
     if (!(x1 > x0)) return;
-    const double y1 = s.at(x1);
     if (!out_.empty() && out_.back().site == s.site && out_.back().x1 == x0) {
       out_.back().x1 = x1;
-      out_.back().y1 = y1;
     } else {
-      out_.push_back({x0, s.at(x0), x1, y1, s.site});
+      out_.push_back({x0, x1, s.x, s.y, s.slope, s.site});
     }
   }
   void emit_lower(const Span& a, const Span& b, double x0, double x1) {
@@ -60,12 +58,6 @@ class Merger {
 
 }  // namespace
 
-void LowerEnvelope::add(const std::vector<Span>& graph) {
-  levels_.push_back({spans_.size(), 0});
-  spans_.insert(spans_.end(), graph.begin(), graph.end());
-  while (levels_.size() > 1 && levels_[levels_.size() - 2].order == levels_.back().order) merge_last_two();
-}
-
 std::vector<Span> LowerEnvelope::finish() {
   while (levels_.size() > 1) merge_last_two();
   return std::move(spans_);
@@ -80,8 +72,10 @@ void LowerEnvelope::merge_last_two() {
   // Graphs in order overlap with the end of the ones before and the start of the ones after.
   const double low = b->x0;
   const double high = (b - 1)->x1;
-  const auto from = std::partition_point(a, b, [&](const Span& s) { return s.x1 <= low; });
-  const auto to = std::partition_point(b, spans_.end(), [&](const Span& s) { return s.x0 < high; });
+  auto from = b;
+  while (from != a && (from - 1)->x1 > low) --from;
+  auto to = b;
+  while (to != spans_.end() && to->x0 < high) ++to;
   if (from == b || to == b) return;
   merged_.clear();
   Merger(merged_, touching_).merge(&*from, &*b, &*b, &*b + (to - b));

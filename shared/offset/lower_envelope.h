@@ -6,15 +6,13 @@
 
 namespace dobra::offset {
 
-/// A straight piece of a graph over [x0, x1].
+/// A straight piece of a graph over [x0, x1], on the line through (x, y).
 struct Span {
-  double x0, y0, x1, y1;
+  double x0, x1;
+  double x, y, slope;
   std::uint32_t site;  ///< What it is a part of.
 
-  [[nodiscard]] double at(double x) const {
-    if (x <= x0) return y0;
-    return x >= x1 ? y1 : y0 + (y1 - y0) * ((x - x0) / (x1 - x0));
-  }
+  [[nodiscard]] double at(double place) const { return y + slope * (place - x); }
 };
 
 /// Graphs in order of place; each may have gaps. Kept as the envelopes of 1, 2, 4, ... of them, so that a graph takes part in
@@ -23,8 +21,12 @@ class LowerEnvelope {
  public:
   /// @param touching  of two spans that are nowhere further apart the first stays.
   explicit LowerEnvelope(double touching) : touching_(touching) {}
-  /// @param graph  spans in order of x, disjoint.
-  void add(const std::vector<Span>& graph);
+  /// A graph is started, its spans are added in order of x, disjoint, and it is ended.
+  void start_graph() { levels_.push_back({spans_.size(), 0}); }
+  void add(const Span& span) { spans_.push_back(span); }
+  void end_graph() {
+    while (levels_.size() > 1 && levels_[levels_.size() - 2].order == levels_.back().order) merge_last_two();
+  }
   /// Spans in order of x, disjoint.
   std::vector<Span> finish();
 

@@ -16,7 +16,7 @@ namespace {
 /// Greatest height of a curve near places that are asked for in ascending order: each point comes and goes once.
 class SlidingTop {
  public:
-  SlidingTop(const CurveOverlay& curve, double distance) : curve_(curve), d_(distance) {}
+  SlidingTop(const CurveOverlay& curve, double distance) : curve_(curve), d_(distance), leaves_(curve.x_of(1)) {}
   [[nodiscard]] double within(double x);
 
  private:
@@ -30,7 +30,7 @@ class SlidingTop {
   std::size_t first_ = 0;
   std::size_t low_ = 0;   // the part where the reach starts
   std::size_t high_ = 0;  // the first point beyond it
-  double leaves_ = -std::numeric_limits<double>::infinity();  // where part low_ ends
+  double leaves_;  // where part low_ ends
   double reach_ = -std::numeric_limits<double>::infinity();   // of the last point
 };
 
@@ -38,8 +38,9 @@ class SlidingTop {
 double SlidingTop::within(double x) {
   if (x - d_ < curve_.x_of(0)) return std::numeric_limits<double>::infinity();
   if (x - d_ >= leaves_) {
-    low_ = curve_.part_at(x - d_, low_);
-    leaves_ = low_ + 1 <= curve_.parts() ? curve_.x_of(low_ + 1) : std::numeric_limits<double>::infinity();
+    while (x - d_ >= leaves_) {
+      leaves_ = ++low_ < curve_.parts() ? curve_.x_of(low_ + 1) : std::numeric_limits<double>::infinity();
+    }
     if (high_ < low_) {
       high_ = low_;
       reach_ = -std::numeric_limits<double>::infinity();
@@ -69,8 +70,10 @@ struct Kite {
 
 class MitreEnvelope {
  public:
-  MitreEnvelope(Stacked& stacked, const BaseCurve& base, Vector forward, double distance, const Filling& filling)
+  MitreEnvelope(Stacked& stacked, const BaseCurve& base, Vector forward, double distance, const Filling& filling,
+                const PillsLeft& left)
       : cut_(stacked.cut),
+        left_(left),
         base_(base),
         axis_{forward},
         d_(distance),
@@ -82,14 +85,14 @@ class MitreEnvelope {
 
  private:
   [[nodiscard]] Kite kite(std::size_t corner) const;
-  [[nodiscard]] double lowest_of(std::size_t corner) const;
-  [[nodiscard]] bool in_pill(const Kite& kite, std::size_t segment) const;
-  [[nodiscard]] std::size_t pill_below(const Kite& kite, std::size_t& hint) const;
+  [[nodiscard, gnu::always_inline]] inline double lowest_of(std::size_t corner) const;
   [[nodiscard]] bool is_above_curve(const Kite& kite, std::size_t& hint) const;
   [[nodiscard]] bool is_above_part(Point p, std::size_t k) const;
-  std::vector<Span> lowest_kites();
+  [[nodiscard]] std::vector<std::uint32_t> with_arcs() const;
+  [[nodiscard]] std::vector<std::uint32_t> lowest() const;
+  std::vector<Span> first_kites();
   std::vector<Span> other_kites();
-  void add_spans(const Kite& kite, std::vector<Span>& spans) const;
+  void add(const Kite& kite, LowerEnvelope& envelope) const;
   static std::uint64_t bit(std::size_t corner) { return std::uint64_t{1} << (corner % 64); }
   template <class Use> void for_each_cut(Use&& use) const {
     for (std::size_t word = 0; word < cut_.size(); ++word) {
@@ -100,6 +103,7 @@ class MitreEnvelope {
   }
 
   std::vector<std::uint64_t>& cut_;
+  const PillsLeft& left_;
   const BaseCurve& base_;
   const Axis axis_;
   const double d_;
@@ -131,55 +135,36 @@ double MitreEnvelope::lowest_of(std::size_t corner) const {
   return axis_.y(base_.points[corner]) - d_ * down;
 }
 
-/// Pills are convex, so what has its corners in one lies in it.
-bool MitreEnvelope::in_pill(const Kite& kite, std::size_t segment) const {
-  const Vector u = base_.headings[segment];
-  const Point p = base_.points[segment];
-  const double span = base_.spans[segment];
-  for (const std::size_t k : {1, 2, 0, 3}) {  // the tip is what comes out as a rule
-    const Vector to = kite.at[k] - p;
-    const double h = geom::cross(u, to);
-    const double s = geom::dot(u, to);
-    const double beyond = s < 0 ? s : std::max(0.0, s - span);
-    if (!(h * h + beyond * beyond < d_ * d_)) return false;
+/// Cut corners of whose arcs a part is on the curve: there their mitres come out, unless others hide them.
+std::vector<std::uint32_t> MitreEnvelope::with_arcs() const {
+  constexpr std::size_t size = BaseCurve::block_size;
+  std::vector<std::uint32_t> corners;
+  for (std::size_t b = 0; b < left_.size(); ++b) {
+    const auto cut = static_cast<std::uint32_t>(cut_[b * size / 64] >> (b * size % 64));
+    for (std::uint32_t bits = cut & left_[b] >> size; bits != 0; bits &= bits - 1) {
+      corners.push_back(static_cast<std::uint32_t>(b * size) + static_cast<std::uint32_t>(std::countr_zero(bits)));
+    }
   }
-  return true;
+  return corners;
 }
 
-/// The pill that the curve runs along at the tip.
-std::size_t MitreEnvelope::pill_below(const Kite& kite, std::size_t& hint) const {
-  hint = curve_.part_at(axis_.x(kite.at[1]), hint);
-  const std::uint32_t of = curve_.site(hint);
-  return of == cap_site ? 0 : segment_of(of);
-}
-
-/// The envelope of the lowest kites, one from each stretch of the axis and each few kites.
-std::vector<Span> MitreEnvelope::lowest_kites() {
-  LowerEnvelope envelope(touching_);
-  std::vector<Span> spans;
+/// Those with the lowest kites, one from each stretch of the axis.
+std::vector<std::uint32_t> MitreEnvelope::lowest() const {
+  std::vector<std::uint32_t> corners;
   constexpr double stretch = 0.25;  // of D
-  constexpr int few = 4;
-  int seen = few;
   double end = -std::numeric_limits<double>::infinity();
   std::size_t lowest = 0;
   double least = 0;
-  std::size_t hint = 0;
   const auto release = [&] {
-    if (lowest == 0) return;
-    cut_[lowest / 64] &= ~bit(lowest);
-    const Kite made = kite(lowest);
-    if (in_pill(made, pill_below(made, hint))) return;
-    add_spans(made, spans);
-    envelope.add(spans);
+    if (lowest != 0) corners.push_back(static_cast<std::uint32_t>(lowest));
   };
   for_each_cut([&](std::size_t corner) {
     const double own = lowest_of(corner);
     const double x = axis_.x(base_.points[corner]);
-    if (x > end && ++seen > few) {
+    if (x > end) {
       release();
       lowest = corner;
       least = own;
-      seen = 1;
       end = x + stretch * d_;
     } else if (own < least) {
       lowest = corner;
@@ -187,33 +172,34 @@ std::vector<Span> MitreEnvelope::lowest_kites() {
     }
   });
   release();
+  return corners;
+}
+
+/// The envelope of kites that hide most of the others: where many corners are cut for each arc left, long tips do.
+std::vector<Span> MitreEnvelope::first_kites() {
+  constexpr std::size_t many = 8;
+  std::vector<std::uint32_t> corners = with_arcs();
+  std::size_t cut = 0;
+  for (const std::uint64_t word : cut_) cut += static_cast<std::size_t>(std::popcount(word));
+  if (cut > many * corners.size()) corners = lowest();
+  LowerEnvelope envelope(touching_);
+  for (const std::uint32_t corner : corners) {
+    cut_[corner / 64] &= ~bit(corner);
+    add(kite(corner), envelope);
+  }
   return envelope.finish();
 }
 
 /// The envelope of those that are left and come out below the curve.
 std::vector<Span> MitreEnvelope::other_kites() {
   LowerEnvelope envelope(touching_);
-  std::vector<Span> spans;
-  constexpr int patience = 8;
-  std::size_t killer = 0;
   std::size_t hint = 0;
-  int failures = 0;
   SlidingTop top(curve_, d_);
   for_each_cut([&](std::size_t corner) {
     if (lowest_of(corner) >= top.within(axis_.x(base_.points[corner]))) return;
     const Kite made = kite(corner);
-    // Tried while it serves, then now and then: looking for a pill costs more than trying one.
-    const bool another = failures % patience == 0;
-    bool hidden = (another || failures < patience) && in_pill(made, killer);
-    if (!hidden && another) {
-      killer = pill_below(made, hint);
-      hidden = in_pill(made, killer);
-    }
-    failures = hidden ? 0 : failures + 1;
-    if (hidden) return;
     if (is_above_curve(made, hint)) return;
-    add_spans(made, spans);
-    envelope.add(spans);
+    add(made, envelope);
   });
   cut_ = {};
   return envelope.finish();
@@ -255,32 +241,39 @@ bool MitreEnvelope::is_above_part(Point p, std::size_t k) const {
   return geom::cross(curve_.point(k + 1) - curve_.point(k), p - curve_.point(k)) >= 0;
 }
 
-void MitreEnvelope::add_spans(const Kite& kite, std::vector<Span>& spans) const {
-  spans.clear();
-  const auto add = [&](Point a, Point b, std::uint32_t of) {
-    const Span s{axis_.x(a), axis_.y(a), axis_.x(b), axis_.y(b), of};
-    if (s.x1 > s.x0 && (spans.empty() || spans.back().x1 <= s.x0)) spans.push_back(s);
+void MitreEnvelope::add(const Kite& kite, LowerEnvelope& envelope) const {
+  envelope.start_graph();
+  double x0 = axis_.x(kite.at[0]);
+  double y0 = axis_.y(kite.at[0]);
+  const auto add_to = [&](Point end, std::uint32_t of) {
+    const double x1 = axis_.x(end);
+    const double y1 = axis_.y(end);
+    if (x1 > x0) envelope.add({x0, x1, x1, y1, (y1 - y0) / (x1 - x0), of});
+    x0 = std::max(x0, x1);
+    y0 = y1;
   };
-  add(kite.at[0], kite.at[1], site_of(SiteKind::Line, kite.corner - 1));
-  if (kite.bevelled) add(kite.at[1], kite.at[2], site_of(SiteKind::Bevel, kite.corner - 1));
-  add(kite.at[2], kite.at[3], site_of(SiteKind::Line, kite.corner));
+  add_to(kite.at[1], site_of(SiteKind::Line, kite.corner - 1));
+  if (kite.bevelled) add_to(kite.at[2], site_of(SiteKind::Bevel, kite.corner - 1));
+  add_to(kite.at[3], site_of(SiteKind::Line, kite.corner));
+  envelope.end_graph();
 }
 
 bool MitreEnvelope::run() {
-  const std::vector<Span> lowest = lowest_kites();
-  curve_.lay(lowest);
+  const std::vector<Span> first = first_kites();
+  curve_.lay(first);
   const std::vector<Span> others = other_kites();
   curve_.lay(others);
-  if (!lowest.empty() || !others.empty()) return true;
+  if (!first.empty() || !others.empty()) return true;
   curve_.take_off_caps();  // all are hidden
   return false;
 }
 
 }  // namespace
 
-bool add_cut_mitres(Stacked& stacked, const BaseCurve& base, Vector forward, double distance, const Filling& filling) {
+bool add_cut_mitres(Stacked& stacked, const BaseCurve& base, Vector forward, double distance, const Filling& filling,
+                    const PillsLeft& left) {
   if (std::all_of(stacked.cut.begin(), stacked.cut.end(), [](std::uint64_t word) { return word == 0; })) return false;
-  return MitreEnvelope(stacked, base, forward, distance, filling).run();
+  return MitreEnvelope(stacked, base, forward, distance, filling, left).run();
 }
 
 }  // namespace dobra::offset
