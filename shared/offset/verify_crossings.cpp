@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "shared/geom/intersect.h"
 #include "shared/offset/verify_exact.h"
@@ -147,7 +148,7 @@ class CrossingCheck {
   void overlap(const SeenEdge& e, const SeenEdge& f, Wide from, Wide to) {
     const long double long_by = size(to - from);
     if (long_by <= allowed_) return;
-    if (dot(e.b - e.a, f.b - f.a) < 0 && room_between(e, f)) return;
+    if (dot(e.b - e.a, f.b - f.a) < 0 && (room_between(e, f) || room_beyond(e, f, from) || room_beyond(e, f, to))) return;
     report(FindingKind::Touching, e, from, long_by);
   }
   /// Between their two base segments, at one end of the slit at least: where it narrows by less than a rounding, the end of the free
@@ -172,6 +173,25 @@ class CrossingCheck {
              (at_end ? between_points(narrow(q), place(end), d) : beside_line(place(i), place(model_.end_index(i)), place(end), d)) != Room::None;
     }
     return some;
+  }
+  /// At a place where both lines go on to the tips of mitres, beyond the ends of their segments: slits that are closed by less than a
+  /// rounding may open there. True if it cannot be told.
+  [[nodiscard]] bool room_beyond(const SeenEdge& e, const SeenEdge& f, Wide place) const {
+    if (e.segment == Model::none || f.segment == Model::none) return false;
+    const Wide from = model_.from(e.segment);
+    const Wide along = unit(model_.to(e.segment) - from);
+    const Wide first = model_.from(f.segment) - from;
+    const Wide second = model_.to(f.segment) - from;
+    const long double near = dot(along, first);
+    const long double far = dot(along, second);
+    const long double at = dot(along, place - from);
+    const auto [low, high] = std::minmax({0.0L, dot(along, model_.to(e.segment) - from), near, far});
+    if (near == far || (at >= low && at <= high)) return false;
+    const long double least = std::min(std::abs(cross(along, first)), std::abs(cross(along, second))) - 2 * model_.d;
+    if (least < -1e-15L * model_.d - 4 * allowed_) return false;
+    const long double part = (at - near) / (far - near);
+    const long double room = std::abs(cross(along, (1 - part) * first + part * second)) - 2 * model_.d;
+    return room > -16 * std::numeric_limits<long double>::epsilon() * (1 + std::abs(part)) * (size(first) + size(second));
   }
   void one_circle(const SeenEdge& e, const SeenEdge& f) {
     const Path p(e, model_.d);

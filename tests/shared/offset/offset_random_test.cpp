@@ -140,7 +140,7 @@ TEST(OffsetRandom, NoRandomPolylineFails) {
 
 TEST(OffsetRandom, SeedsThatOnceFailedPass) {
   for (const std::uint32_t seed : {197U, 299U, 344U, 381U, 469U, 996U, 1163U, 1274U, 2251U, 2286U, 2468U, 2662U, 3649U, 4210U, 4740U, 5841U, 6896U,
-                                   700172U, 700359U, 700427U, 710225U, 740281U, 742039U}) {
+                                   700172U, 700359U, 700427U, 710225U, 740281U, 742039U, 9931544U}) {
     judge_seed(seed);
   }
 }
