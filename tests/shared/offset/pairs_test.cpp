@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
 #include <set>
 
 #include "shared/offset/arcs.h"
@@ -199,6 +200,52 @@ TEST(Pairs, WhatIsTakenOffTheEndsOfLinesLiesInU) {
     }
   }
   EXPECT_GT(shortened, 100U);
+}
+
+/// Part of a rough ring or spiral, which does not meet itself.
+geom::Polyline rough_bow(std::uint32_t seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> any(0, 1);
+  geom::Polyline made;
+  const double turn = 3 + 6 * any(random);  // up to one and a half
+  const double outwards = 0.3 + 2 * any(random);
+  const double rough = 0.6 * any(random);
+  for (double t = 0; t < turn; t += 0.02 + 0.1 * any(random)) {
+    const double r = 5 + outwards * t + rough * (any(random) - 0.5);
+    made.points.push_back({r * std::cos(t), r * std::sin(t)});
+  }
+  return made;
+}
+
+/// Four distances together find out first whether the two sides can meet; one alone tries them against each other.
+TEST(Pairs, SidesOfAnOpenBaseAreLeftApartOnlyWhereThatChangesNoCurve) {
+  std::size_t parted = 0;
+  std::size_t not_parted = 0;
+  std::size_t dropped = 0;
+  for (std::uint32_t seed = 0; seed < 400; ++seed) {
+    const geom::Polyline bow = rough_bow(seed);
+    const double d = 0.2 + 0.03 * (seed % 60);
+    const std::vector<double> distances{d, 1.3 * d, 1.7 * d, 2 * d};
+    for (const Side side : {Side::RightOfTravel, Side::LeftOfTravel}) {
+      const OffsetOptions options{.side = side, .join = Join::Round};
+      const auto base = prepare(bow, side);
+      ASSERT_TRUE(base.ok());
+      (Clearance(*base, options).find_ways_out(distances) > 0 ? parted : not_parted) += 1;
+      const auto together = offset(bow, distances, options);
+      ASSERT_TRUE(together.ok());
+      for (std::size_t k = 0; k < distances.size(); ++k) {
+        const auto alone = offset(bow, std::vector<double>{distances[k]}, options);
+        ASSERT_TRUE(alone.ok());
+        ASSERT_EQ((*together)[k].pieces.size(), alone->front().pieces.size()) << "seed " << seed << " D " << distances[k];
+        EXPECT_EQ((*together)[k].pieces.front().edges, alone->front().pieces.front().edges) << "seed " << seed << " D " << distances[k];
+        EXPECT_EQ((*together)[k].dropped, alone->front().dropped) << "seed " << seed << " D " << distances[k];
+        dropped += alone->front().dropped;
+      }
+    }
+  }
+  EXPECT_GT(parted, 100U);
+  EXPECT_GT(not_parted, 50U);
+  EXPECT_GT(dropped, 50U);
 }
 
 TEST(Pairs, DistancesTogetherGiveTheCurvesThatEachGivesAlone) {
