@@ -339,9 +339,9 @@ std::optional<Flat> Pass::place_of_cut(const Part& tail, const Part& head) const
   if (!holds(head, tail.b, margin_) || !holds(tail, head.a, margin_)) return std::nullopt;
   const std::optional<Flat> p = crossing(tail, head);
   if (!p) return std::nullopt;
-  // An arc may leave a convex set and come back: its middle must be in it as well.
+  // An arc may leave a convex set and come back: its middle must be in it as well. A disc of the same radius it leaves for more than half a turn.
   const auto middle_held = [&](const Part& arc, Flat a, Flat b, const Part& holder) {
-    if (arc.line) return true;
+    if (arc.line || !holder.line) return true;
     const Flat c = arc.centre;
     const Flat sum = (a - c) + (b - c);
     return holds(holder, c + (d_ / length(sum)) * sum, 0);
