@@ -1,7 +1,6 @@
 // Speed of the offset engine against two marks in the same run: "raw", writing the untrimmed offset vertices of the same
 // base (the least that any method does), and GEOS (one-sided or polygon buffer, whichever the base calls for). One thread.
-// Arguments: size; 13 distances. Counters: raw and geos are the time ratios (ours / raw, GEOS / ours); asked that of one search of the base
-// for each raw edge and of raw, free the share of raw edges so found free; peak_bytes
+// Arguments: size; 13 distances. Counters: raw and geos are the time ratios (ours / raw, GEOS / ours); raw_ns that of raw; peak_bytes
 // is the heap above input and output, per base point, geos_runs how many runs of GEOS count. tests/bench/offset_table.py makes a table of a
 // run, with the exponents of time in n. The median of at least five runs counts, for all three (GEOS: of one where that takes more than 2 s),
 // and memory once taken stays with the process: what the system takes to hand out pages tells nothing about them.
@@ -20,7 +19,6 @@
 #include <random>
 
 #include "shared/base/parallel.h"
-#include "shared/offset/clearance.h"
 #include "shared/offset/offset.h"
 #include "tests/bench/heap.h"
 
@@ -188,32 +186,6 @@ double raw_seconds(const Polyline& base, const std::vector<double>& distances) {
   return median(std::move(runs));
 }
 
-/// One question for each raw edge: is anything nearer to its middle than D? What deciding each edge of its own would cost at least, in
-/// doubles and without any crossing; the share of those that are free.
-struct Asked {
-  double seconds = 0;
-  double free = 0;
-};
-Asked ask_each(const Polyline& curve, const Family& family, const std::vector<double>& distances, const OffsetOptions& options) {
-  const auto base = prepare(curve, family.side);
-  const Clearance clearance(*base, options);
-  std::vector<double> runs;
-  std::size_t free = 0;
-  while (runs.size() < static_cast<std::size_t>(runs_of(curve.points.size()))) {
-    const auto start = processor_seconds();
-    free = 0;
-    for (const double d : distances) {
-      for (std::size_t i = 0; i < base->segment_count(); ++i) {
-        const Point middle = geom::interpolate(base->start(i), base->end(i), 0.5);
-        free += clearance.find_nearer(flat(middle + d * geom::right_of(base->headings[i])), d * (1 - 1e-9)) == Clearance::none;
-      }
-    }
-    benchmark::DoNotOptimize(free);
-    runs.push_back(seconds_since(start));
-  }
-  return {median(std::move(runs)), static_cast<double>(free) / static_cast<double>(distances.size() * base->segment_count())};
-}
-
 /// All distances with GEOS at the same arc tolerance, each run; none if the first takes longer than the family's patience.
 std::vector<double> geos_runs(const Polyline& base, const Family& family, const std::vector<double>& distances) {
   const GEOSContextHandle_t geos = GEOS_init_r();
@@ -280,9 +252,6 @@ void offset_family(benchmark::State& state, const Family& family) {
   const double raw = raw_seconds(base, distances);
   state.counters["raw"] = seconds / raw;
   state.counters["raw_ns"] = raw / 13 / points * 1e9;
-  const Asked asked = ask_each(base, family, distances, options);
-  state.counters["asked"] = asked.seconds / raw;
-  state.counters["free"] = asked.free;
   const std::vector<double> geos = n <= family.greatest_geos ? geos_runs(base, family, distances) : std::vector<double>{};
   state.counters["geos"] = geos.empty() ? 0.0 : median(geos) / seconds;  // 0: not asked, or took too long
   state.counters["geos_runs"] = static_cast<double>(geos.size());

@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
-"""The two tables of docs/algorithms/offset.md from one run of the benchmark:
+"""The table of docs/algorithms/offset.md from one run of the benchmark:
 build/bench/bin/offset_bench --benchmark_out=ob.json --benchmark_out_format=json && tests/bench/offset_table.py ob.json
-Of the second table: raw points in ns, one search of the base for each raw edge against them, and how many of the edges it finds free.
 (1): GEOS ran once, as one run took more than 2 s; else medians of at least five runs."""
 import json
 import math
@@ -39,12 +38,3 @@ for name, points in runs.items():
     geos = ", ".join(short(b["geos"]) + (" (1)" if b["geos_runs"] == 1 else "") for _, b in points)
     sizes = ", ".join(f"1e{round(math.log10(n))}" for n, _ in points)
     print(f"| {name} | {sizes} | {row('ns_point_curve')} | {row('raw')} | {geos} | {exponent:.2f} | {row('peak_bytes')} |")
-
-print()
-print("| family | n | raw points, ns | one search a raw edge, x raw | ours, x raw | free raw edges |")
-print("|---|---|---|---|---|---|")
-for name, points in runs.items():
-    row = lambda key: ", ".join(short(b[key]) for _, b in points)
-    sizes = ", ".join(f"1e{round(math.log10(n))}" for n, _ in points)
-    free = ", ".join(f"{100 * b['free']:.0f} %" for _, b in points)
-    print(f"| {name} | {sizes} | {row('raw_ns')} | {row('asked')} | {row('raw')} | {free} |")
