@@ -5,11 +5,12 @@
 
 namespace dobra::offset {
 
-Buried::Buried(const BaseCurve& base, const Clearance& clearance)
+Buried::Buried(const BaseCurve& base, const Clearance& clearance, double greatest)
     : base_(&base),
       corners_(&clearance.corners()),
       n_(static_cast<std::uint32_t>(base.segment_count())),
       words_((n_ + 15) / 16),
+      greatest_(greatest),
       bits_(2 * words_, 0),
       left_of_(words_, 0) {
   if (clearance.has_mitres()) hints_.assign(n_, none);
@@ -23,9 +24,9 @@ bool Buried::for_ever(Site s) const {
   return !(base_->has_before(s.step) && long_end(s.step)) && !(base_->has_after(s.step) && long_end(base_->end_index(s.step)));
 }
 
-void Buried::add(Site s, std::uint32_t killer) {
+void Buried::add(Site s, std::uint32_t killer, bool tips_stay) {
   ++count_;
-  if (for_ever(s)) {
+  if (tips_stay || for_ever(s)) {
     bits_[place(s)] |= std::uint64_t{1} << shift(s);
   } else if (s.role == Role::Line) {
     hints_[s.step] = killer;
@@ -47,22 +48,49 @@ Cover::Cover(const Outline& outline, const Clearance& clearance)
   recent_.fill(Clearance::none);
 }
 
-/// The disc that touches the base there shrinks until it holds nothing else.
+/// The place moves on with the distance r, straight out of the base or along with the tip of a mitre (not too far, as
+/// others' tips may hide that): its disc shrinks until it holds nothing.
 double Cover::free_until(Site s) const {
-  const bool line = s.role == Role::Line || s.role == Role::Bevel;
-  const Flat n = line ? right_of(outline_.along<double>(s.step)) : (1 / d_) * (free_ - outline_.centre(s));
-  const Flat foot = free_ - d_ * n;
-  double r = 4 * d_;
+  const Flat own = outline_.from<double>(s.step);
+  const Flat u = outline_.along<double>(s.step);
+  const double at = dot(free_ - own, u);
+  Flat foot = outline_.to<double>(s.step);
+  if (s.role == Role::Line && at < outline_.span(s.step)) foot = at > 0 ? free_ - d_ * right_of(u) : own;
+  const Flat w = (1 / d_) * (free_ - foot);
+  const double beyond = std::max(0.0, dot(w, w) - 1);
+  double r = (beyond > 1e-3 ? 2 : 4) * d_;
   for (int k = 0; k < 8 && r > d_; ++k) {
-    const Flat c = foot + r * n;
+    const Flat c = foot + r * w;
     const std::uint32_t step = clearance_.find_nearer(c, 0.97 * r);
     if (step == Clearance::none) return 0.97 * r;
-    const Flat u = outline_.along<double>(step);
+    const Flat v = outline_.along<double>(step);
     const Flat from = outline_.from<double>(step);
-    const Flat x = from + std::clamp(dot(c - from, u), 0.0, outline_.span(step)) * u - foot;
-    r = std::min(0.97 * r, dot(x, x) / (2 * dot(x, n)));
+    const Flat x = from + std::clamp(dot(c - from, v), 0.0, outline_.span(step)) * v - foot;
+    const double out = dot(x, w);
+    r = std::min(0.97 * r, dot(x, x) / (out + std::sqrt(std::max(0.0, out * out - beyond * dot(x, x)))));
   }
   return r;
+}
+
+/// A step's set is an intersection of half-planes m . (x - c) < D: a tip c' + D w that lies in it at two distances does
+/// so at all between, and where |w| = 1, as at the foot of the tip, at all greater ones.
+bool Cover::tips_stay(std::uint32_t step, double d) const {
+  const std::uint32_t by = killer();
+  const BaseCurve& base = outline_.base();
+  const Outline last(base, clearance_.corners(), outline_.sides(), d);
+  const double margin = clearance_.margin(d);
+  const Flat u = outline_.along<double>(step);
+  const Flat n = right_of(u);
+  const auto stays = [&](std::size_t at, Flat out) {
+    if (clearance_.corners()[at] != Corner::Mitre) return clearance_.corners()[at] != Corner::Tangent;
+    const double t = base.half_tans[at];
+    if (t > 16) return false;  // a rounded direction misses
+    const Flat c = flat(base.points[at]);
+    const Flat w = n + t * out;
+    return last.deep_inside(c + d * w, by, margin) && deep(c + d_ * w, by) && deep(c + d_ * n, by);
+  };
+  return d >= d_ && by != Clearance::none && (!base.has_before(step) || stays(step, -u)) &&
+         (!base.has_after(step) || stays(base.end_index(step), u));
 }
 
 void Cover::remember(std::uint32_t step) {

@@ -13,17 +13,22 @@
 namespace dobra::offset {
 
 /// Pieces that lie in U at some distance and so at all greater ones: p + D n nearer than D to some q means n . (q - p) >
-/// |q - p|^2 / 2D. Not so for the far ends of mitres; for their lines the segment that buried them is remembered, to be tried first.
+/// |q - p|^2 / 2D. Not so for the far ends of mitres, unless what buried them does so at the greatest distance too; else it is
+/// remembered, to be tried first.
 class Buried {
  public:
   static constexpr std::uint32_t none = 0xffffffffU;
-  Buried(const BaseCurve& base, const Clearance& clearance);
+  /// @param greatest  of the distances to come.
+  Buried(const BaseCurve& base, const Clearance& clearance, double greatest = 0);
+  [[nodiscard]] double greatest() const { return greatest_; }
 
   /// All four roles of 16 steps of the right side; those that no piece has count as buried.
   [[nodiscard]] std::uint64_t word(std::size_t block) const { return bits_[block]; }
   [[nodiscard]] bool holds(Site s) const { return (bits_[place(s)] >> shift(s)) & 1U; }
-  /// Once a piece is known to lie in U.
-  void add(Site s, std::uint32_t killer);
+  /// What lies in U at one distance does so at all greater ones, whatever it is hidden by.
+  [[nodiscard]] bool for_ever(Site s) const;
+  /// Once a piece is known to lie in U. @param tips_stay  see Cover::tips_stay.
+  void add(Site s, std::uint32_t killer, bool tips_stay = false);
   /// The same where nobody knows by what: remembered only if it holds for all greater distances.
   void add(Site s) {
     if (!holds(s) && for_ever(s)) add(s, none);
@@ -46,7 +51,6 @@ class Buried {
   [[nodiscard]] std::uint32_t shift(Site s) const {
     return 4 * ((s.step < n_ ? s.step : s.step - n_) % 16) + static_cast<std::uint32_t>(s.role);
   }
-  [[nodiscard]] bool for_ever(Site s) const;
   [[nodiscard]] bool has_reach(Site s) const { return s.step < n_ && (s.role == Role::Line || s.role == Role::Arc); }
   static std::size_t reach_place(Site s) { return 2 * std::size_t{s.step} + static_cast<std::size_t>(s.role); }
 
@@ -54,6 +58,7 @@ class Buried {
   const std::vector<Corner>* corners_;
   std::uint32_t n_;
   std::size_t words_;
+  double greatest_;
   std::size_t count_ = 0;
   std::vector<std::uint64_t> bits_;
   std::vector<char> left_of_;  // of blocks
@@ -77,6 +82,8 @@ class Cover {
   bool shorten(Flat& a, Flat& b);
   /// Of the piece asked for last, not covered: up to which distance some place of it stays free; by doubles. Mitres do not count.
   [[nodiscard]] double free_until(Site s) const;
+  /// Of a line that lies in U: what goes on from its segment to tips of mitres lies in the killer's set up to distance d.
+  [[nodiscard]] bool tips_stay(std::uint32_t step, double d) const;
   void remember(std::uint32_t step);
   /// The last one.
   [[nodiscard]] std::uint32_t killer() const { return recent_[0]; }

@@ -73,10 +73,8 @@ Contact<T> Trimmer::end_of(const Piece& piece, bool start) const {
 }
 
 template <class T>
-Shape<T> Trimmer::shape(const Piece& piece) const {
+Shape<T> Trimmer::shape(const Piece& piece, const Contact<T>& a, const Contact<T>& b) const {
   Shape<T> made = whole<T>(piece.site());
-  const Contact<T> a = end_of<T>(piece, true);
-  const Contact<T> b = end_of<T>(piece, false);
   made.a = a.at;
   made.b = b.at;
   made.slide = std::max({made.slide, a.slide, b.slide});
@@ -89,13 +87,16 @@ void Trimmer::warm() {
   hot_of_.assign(pieces_.size(), none);
   if (pairs_.empty()) return;
   for (const auto& [i, j] : pairs_) hot_of_[i] = hot_of_[j] = 0;
+  Contact<Real> end;
   for (auto found = hot_of_.begin();; ++found) {
     found = std::find(found, hot_of_.end(), 0U);
     if (found == hot_of_.end()) break;
     const auto k = static_cast<std::uint32_t>(found - hot_of_.begin());
     const auto hot = static_cast<std::uint32_t>(hot_.size());
     const bool linked = k > 0 && pieces_[k].linked() && hot > 0 && hot_.back().piece == k - 1;
-    HotPiece made{shape<Real>(pieces_[k]), k, none, none, k < wanted_};
+    const Contact<Real> start = linked ? end : end_of<Real>(pieces_[k], true);
+    end = end_of<Real>(pieces_[k], false);
+    HotPiece made{shape(pieces_[k], start, end), k, none, none, k < wanted_};
     made.node_a = linked ? hot_.back().node_b : node(made.shape.a, hot, start_of);
     const bool seam = k + 1 == wanted_ && k > 0 && pieces_[0].linked() && hot_of_[0] != none;
     made.node_b = seam ? hot_[hot_of_[0]].node_a : node(made.shape.b, hot, end_of_piece);
@@ -151,7 +152,9 @@ void Trimmer::add_cut(std::uint32_t hot, std::uint32_t node, double slide) {
 
 const Shape<High>& Trimmer::fine_shape(std::uint32_t hot) {
   const auto found = fine_shapes_.find(hot);
-  return found != fine_shapes_.end() ? found->second : fine_shapes_.emplace(hot, shape<High>(pieces_[hot_[hot].piece])).first->second;
+  if (found != fine_shapes_.end()) return found->second;
+  const Piece& piece = pieces_[hot_[hot].piece];
+  return fine_shapes_.emplace(hot, shape(piece, end_of<High>(piece, true), end_of<High>(piece, false))).first->second;
 }
 
 const VecOf<High>& Trimmer::fine(std::uint32_t node) {

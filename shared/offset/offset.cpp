@@ -266,7 +266,8 @@ Result<std::vector<OffsetCurve>> offset_near_one(const geom::Polyline& curve, st
   std::vector<Result<OffsetCurve>> results(distances.size(), Result<OffsetCurve>(OffsetCurve{}));
   const auto keep = [&](std::size_t k, Memory memory) { results[k] = one(k, memory); };
   if (input.clearance) {
-    ascending(distances, {Buried(input.base, *input.clearance), {}}, [](std::size_t round) { return 1 + round / 3; }, keep);
+    const double greatest = std::ranges::max(distances);
+    ascending(distances, {Buried(input.base, *input.clearance, greatest), {}}, [](std::size_t round) { return 1 + round / 3; }, keep);
   } else if (input.forward) {
     // The first hides most.
     ascending(distances, {std::nullopt, all_pills(input.base)}, [](std::size_t round) { return 1 + round; }, keep);

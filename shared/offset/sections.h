@@ -66,7 +66,7 @@ class Trimmer {
   template <class T>
   [[nodiscard]] Shape<T> whole(Site s) const;
   template <class T>
-  [[nodiscard]] Shape<T> shape(const Piece& piece) const;
+  [[nodiscard]] Shape<T> shape(const Piece& piece, const Contact<T>& a, const Contact<T>& b) const;
   template <class T>
   [[nodiscard]] Contact<T> end_of(const Piece& piece, bool start) const;
   [[nodiscard]] double error_of(Site s) const;

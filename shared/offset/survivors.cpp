@@ -63,7 +63,9 @@ class Pass {
   void close();
   void cull();
   void bury(Site site) const {
-    if (found_ != nullptr) found_->add(site, cover_.killer());
+    if (found_ == nullptr) return;
+    const bool tips = site.role == Role::Line && !known_.for_ever(site);
+    found_->add(site, cover_.killer(), tips && cover_.tips_stay(site.step, known_.greatest()));
   }
   [[nodiscard]] bool is_covered(Site site, Flat a, Flat b);
   [[nodiscard]] bool kills(std::uint32_t step, Site site, Flat a, Flat b);

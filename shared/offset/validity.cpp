@@ -129,8 +129,11 @@ bool Validity::pokes_through(Flat q, Site own) const {
   }
   const geom::Point c = base.points[corner];
   const geom::Point p{q.x, q.y};
+  // Nothing is nearer than D to the place itself: only the rest of the way may cross the base.
+  const Flat back = flat(c) - q;
+  const Flat far = q + std::min(1.0, 0.99 * outline_.distance() / length(back)) * back;
   FloatBox way(flat(c), flat(c), 0);
-  way.add(FloatBox(q, q, 0));
+  way.add(FloatBox(far, far, 0));
   bool across = false;
   clearance_.each_in(way, [&](std::size_t i) {
     if (i == corner || base.end_index(i) == corner) return;
