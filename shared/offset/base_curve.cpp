@@ -72,35 +72,41 @@ inline geom::Sign turn_sign(Point a, Point b, Point c) {
 
 void measure(BaseCurve& base) {
   const std::size_t count = base.points.size() - (base.closed ? 0 : 1);
-  base.headings.reserve(count);
-  base.spans.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const geom::Vector along = base.end(i) - base.start(i);
-    double span = std::sqrt(along.x * along.x + along.y * along.y);
-    if (!(span > 1e-150 && span < 1e150)) span = geom::length(along);  // squares out of range
-    base.spans.push_back(span);
-    base.headings.push_back({along.x / span, along.y / span});
-  }
+  base.headings.resize(count);
+  base.spans.resize(count);
   base.turn.assign(base.points.size(), Turn::Straight);
   base.half_tans.assign(base.points.size(), 0);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!base.has_after(i)) continue;
-    const std::size_t corner = base.end_index(i);
-    const geom::Vector u = base.headings[i];
-    const geom::Vector v = base.headings[base.after(i)];
-    const geom::Sign sign = turn_sign(base.start(i), base.end(i), base.end(base.after(i)));
+  const auto segment = [&](std::size_t i, Point from, Point to) {
+    const geom::Vector along = to - from;
+    double span = std::sqrt(along.x * along.x + along.y * along.y);
+    if (!(span > 1e-150 && span < 1e150)) span = geom::length(along);  // squares out of range
+    base.spans[i] = span;
+    base.headings[i] = {along.x / span, along.y / span};
+  };
+  // Between two segments.
+  const auto corner = [&](std::size_t before, std::size_t after, std::size_t at, Point next) {
+    const geom::Vector u = base.headings[before];
+    const geom::Vector v = base.headings[after];
+    const geom::Sign sign = turn_sign(base.points[before], base.points[at], next);
     const double cosine = geom::dot(u, v);
-    if (sign == geom::Sign::Zero && cosine > 0) continue;
-    base.turn[corner] = sign == geom::Sign::Negative ? Turn::Inner : Turn::Outer;
+    if (sign == geom::Sign::Zero && cosine > 0) return;
+    base.turn[at] = sign == geom::Sign::Negative ? Turn::Inner : Turn::Outer;
     const double sine = std::abs(geom::cross(u, v));
     if (sign == geom::Sign::Zero) {
-      base.half_tans[corner] = std::numeric_limits<double>::infinity();
+      base.half_tans[at] = std::numeric_limits<double>::infinity();
     } else if (cosine > 0) {
-      base.half_tans[corner] = sine / (1 + cosine);
+      base.half_tans[at] = sine / (1 + cosine);
     } else {
-      base.half_tans[corner] = static_cast<double>(base.half_tan_as<Real>(corner));  // near a U-turn the sine has few digits
+      base.half_tans[at] = static_cast<double>(base.half_tan_as<Real>(at));  // near a U-turn the sine has few digits
     }
-  }
+  };
+  const std::size_t last = base.points.size() - 1;
+  for (std::size_t i = 0; i < last; ++i) segment(i, base.points[i], base.points[i + 1]);
+  for (std::size_t i = 1; i < last; ++i) corner(i - 1, i, i, base.points[i + 1]);
+  if (!base.closed) return;
+  segment(last, base.points[last], base.points[0]);
+  corner(last - 1, last, last, base.points[0]);
+  corner(last, 0, 0, base.points[1]);
 }
 
 void measure_blocks(BaseCurve& base) {
@@ -134,8 +140,8 @@ Result<BaseCurve> prepare(const geom::Polyline& curve, Side side, double extensi
     }
   }
   BaseCurve base;
-  base.points.reserve(curve.points.size());
-  base.source.reserve(curve.points.size());
+  base.points.resize(curve.points.size());
+  base.source.resize(curve.points.size());
   base.closed = curve.closed;
   base.mirrored = side == Side::LeftOfTravel;
   const geom::Box box = curve.box();
@@ -145,16 +151,16 @@ Result<BaseCurve> prepare(const geom::Polyline& curve, Side side, double extensi
     base.size = std::max({base.size, std::abs(v.x), std::abs(v.y)});
   }
   const Grid grid(base.size);
+  std::size_t kept = 0;  // repeated points once, by the last of them
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
     const Point p = grid.nearest({curve.points[i].x - base.origin.x, curve.points[i].y - base.origin.y});
     const Point q{p.x, base.mirrored ? -p.y : p.y};
-    if (!base.points.empty() && base.points.back() == q) {
-      base.source.back() = static_cast<std::uint32_t>(i);
-      continue;
-    }
-    base.points.push_back(q);
-    base.source.push_back(static_cast<std::uint32_t>(i));
+    kept += kept == 0 || base.points[kept - 1] != q ? 1 : 0;
+    base.points[kept - 1] = q;
+    base.source[kept - 1] = static_cast<std::uint32_t>(i);
   }
+  base.points.resize(kept);
+  base.source.resize(kept);
   if (base.closed && base.points.size() > 1 && base.points.front() == base.points.back()) {
     base.points.pop_back();
     base.source.pop_back();
