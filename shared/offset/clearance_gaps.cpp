@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "shared/offset/chain_tree.h"
 #include "shared/offset/clearance.h"
@@ -41,7 +42,7 @@ bool Clearance::has_way_out(bool from_last, double d) const {
   const std::size_t own = from_last ? base_.segment_count() - 1 : 0;
   const Flat end = flat(from_last ? base_.end(own) : base_.start(own));
   const Flat ahead = flat(from_last ? base_.headings[own] : -base_.headings[own]);
-  const double reach = (1 + 1e-9) * d + 1e-12 * (base_.size + d);
+  const double reach = 1.01 * d + 1e-12 * base_.size;  // well beyond D, so that rounding tells nothing near the end either
   constexpr int tries = 13;  // directions up to 78 degrees from straight on, the straightest first: the end's own segment lies behind
   for (int k = 0; k < tries; ++k) {
     const double turn = (k % 2 == 0 ? 1 : -1) * 0.2269 * ((k + 1) / 2);

@@ -1,5 +1,6 @@
 #include "shared/offset/piece_writer.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace dobra::offset {

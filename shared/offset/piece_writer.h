@@ -1,11 +1,8 @@
 #pragma once
 // Writes a curve of lines and arcs as an OffsetPiece, in the user's coordinates.
 
-#include <algorithm>
-
 #include "shared/offset/base_curve.h"
 #include "shared/offset/block.h"
-#include "shared/offset/piece.h"
 
 namespace dobra::offset {
 
