@@ -30,11 +30,15 @@ constexpr scene::Color surface_color{92, 70, 30, 255};
 constexpr std::size_t most_rungs = 160;
 /// The room for plots on a sheet, points: which arrangement of two gives the larger scale.
 constexpr double sheet_width = 760.0;
-constexpr double sheet_height = 290.0;
+constexpr double sheet_height = 240.0;
 /// With more horizons than this the legend has only the units, each of which has the colour of the horizon above it.
 constexpr std::size_t most_horizons_in_legend = 12;
 /// More lines or markers of one kind than this share an entry of the legend.
 constexpr std::size_t most_of_a_kind = 3;
+/// A column of more units has neither outlines nor names: the legend has them.
+constexpr std::size_t most_names_of_column = 24;
+/// More horizons than this are drawn with thin lines.
+constexpr std::size_t most_thick_horizons = 20;
 /// Strain ellipses are cut off here: at so many radii of the circle.
 constexpr double longest_ellipse = 6.0;
 /// From this length on, m, axes are in kilometres.
@@ -289,6 +293,7 @@ void add_column(scene::Panel& panel, const Section& section, const Palette& pale
   const double width = 0.035 * box.width();
   const double left = box.low.x - 0.015 * box.width() - width;
   scene::Labels names;
+  const bool few = units.size() <= most_names_of_column;
   double top = section.horizons.empty() ? box.high.y : box_of(section).high.y;
   for (std::size_t i = 0; i < units.size(); ++i) {
     if (!rows[i].thickness_after || !units[i].upper) continue;
@@ -297,9 +302,9 @@ void add_column(scene::Panel& panel, const Section& section, const Palette& pale
     scene::Layer bed = region_layer("column_" + std::to_string(i), units[i].name, style,
                                     {{{left, bottom}, {left + width, bottom}, {left + width, top}, {left, top}}, true});
     bed.style.line = pin_color;
-    bed.style.line_width = 0.5;
+    bed.style.line_width = few ? 0.5 : 0.0;
     bed.in_legend = scene::InLegend::No;
-    names.labels.push_back({{left, 0.5 * (top + bottom)}, units[i].name, scene::Anchor::Left});
+    if (few) names.labels.push_back({{left, 0.5 * (top + bottom)}, units[i].name, scene::Anchor::Left});
     panel.layers.push_back(std::move(bed));
     top = bottom;
   }
@@ -417,7 +422,7 @@ void add_horizons(scene::Panel& panel, const Section& section, const Palette& pa
     const Horizon& first = *pieces.front();
     scene::Style style;
     style.line = palette.of(whole_name(first)).line;
-    style.line_width = 1.6;
+    style.line_width = wholes.size() <= most_thick_horizons ? 1.6 : 0.8;
     scene::Lines lines;
     for (const Horizon* piece : pieces) {
       lines.lines.push_back(piece->line);

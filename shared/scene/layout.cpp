@@ -25,8 +25,8 @@ constexpr double name_margin = 2.0;  // of names within their plot, points
 constexpr double names_in_height = 7.0;
 constexpr double points_per_metre = 72.0 / 0.0254;
 // Parts of a sheet's height that legend and tables may take.
-constexpr double legend_share = 0.2;
-constexpr double table_share = 0.2;
+constexpr double legend_share = 0.16;
+constexpr double table_share = 0.22;
 constexpr int most_name_rounds = 8;  // each needs less room than the one before
 constexpr double most_bar = 280.0;
 
@@ -96,6 +96,7 @@ class Arranger {
   bool update_rooms();
   bool update_room(std::size_t i);
   void update_bottom(const PageSize& room);
+  [[nodiscard]] bool shares_x_axis(std::size_t i) const;
   [[nodiscard]] Font title_font() const { return {options_.text_size + 1.0, Weight::Bold}; }
   [[nodiscard]] double end_letters_width(const Panel& panel) const;
   void place_end_letters(const Panel& panel, const geom::Box& plot, Layout& made) const;
@@ -356,7 +357,7 @@ bool Arranger::update_room(std::size_t i) {
     left = std::max(left, half - x);
     right = std::max(right, x + half - block.plot_width);
   }
-  std::string x_title = panel.axes.x_title;
+  std::string x_title = shares_x_axis(i) ? "" : panel.axes.x_title;
   if (block.exaggeration != 1.0) {
     x_title += fmt::format("{}({} {:g}\u00d7)", x_title.empty() ? "" : "   ", base::translated("vertical exaggeration"),
                            block.exaggeration);
@@ -387,6 +388,12 @@ double Arranger::end_letters_width(const Panel& panel) const {
   return width;
 }
 
+/// Panels over each other on a sheet have the title of their common axis below the last.
+bool Arranger::shares_x_axis(std::size_t i) const {
+  return on_paper() && !row() && i + 1 < blocks_.size() &&
+         picture_.panels[i].axes.x_title == picture_.panels[i + 1].axes.x_title;
+}
+
 bool Arranger::update_rooms() {
   bool grew = false;
   for (std::size_t i = 0; i < blocks_.size(); ++i) grew = update_room(i) || grew;
@@ -411,7 +418,7 @@ void Arranger::update_bottom(const PageSize& room) {
   }
   const double beside = scale_bar_.width > 0.0 ? scale_bar_.width + 24.0 : 0.0;
   const double most = on_paper() ? legend_share * paper_height(page_.width) : std::numeric_limits<double>::infinity();
-  legend_ = legend(picture_, {width - beside, most}, axis_font_, measure_);
+  legend_ = legend(picture_, {width - beside, most}, on_paper() ? tick_font_ : axis_font_, measure_);
   const bool crowded = room.height - legend_.height < 0.6 * room.height;
   if (options_.plots == Plots::FillPage && crowded) legend_ = {};
 }

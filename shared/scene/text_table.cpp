@@ -11,11 +11,12 @@ namespace dobra::scene {
 
 namespace {
 
-constexpr double column_gap = 14.0;
+constexpr double column_gap = 10.0;
 constexpr double row_gap = 2.5;
 constexpr double block_gap = 10.0;
 constexpr std::size_t least_rows = 3;
-constexpr double table_gap = 40.0;  // between tables that stand side by side
+constexpr double cut_share = 0.6;  // of the room, for tables that are cut anyway
+constexpr double table_gap = 26.0;  // between tables that stand side by side
 
 void add(Furniture& made, const Furniture& part, geom::Vector by) {
   for (const Mark& mark : part.marks) made.marks.push_back(moved(mark, by));
@@ -109,8 +110,9 @@ Tables tables_of(const Picture& picture, const PageSize& room, const Font& font,
   made.furniture = arranged(parts, beside);
   // Every row less is a line less, of which the first says how many are left out.
   const double line = measure("0", font).height() + row_gap;
-  for (std::size_t kept = longest; made.furniture.height > room.height && kept > least_rows;) {
-    const double lines = (made.furniture.height - room.height) / line / static_cast<double>(parts.size());
+  const double most = made.furniture.height > room.height ? cut_share * room.height : room.height;
+  for (std::size_t kept = longest; made.furniture.height > most && kept > least_rows;) {
+    const double lines = (made.furniture.height - most) / line / static_cast<double>(parts.size());
     kept -= std::min(kept - least_rows, static_cast<std::size_t>(std::max(1.0, std::floor(lines))));
     made.cut = true;
     parts = make(kept);

@@ -19,7 +19,7 @@ struct Tables {
   Furniture furniture;
   bool cut = false;  ///< Rows are left out.
 };
-/// @param height  above which rows are left out, of every table as many as of the longest; at least three remain.
+/// @param room  tables that are higher are cut, all to the same number of rows, to 0.6 of it; three rows always remain.
 Tables tables_of(const Picture& picture, const PageSize& room, const Font& font, const TextMeasure& measure);
 
 /// The notes of a picture under each other.
