@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <map>
 #include <set>
 #include <string>
 
@@ -153,10 +154,12 @@ Section pieces_of_beds(int count) {
 TEST(Layers, ThirtyBedsInPiecesHaveThirtyColours) {
   Model model;
   model.section = pieces_of_beds(30);
-  std::set<std::array<int, 3>> colors;
-  for (const scene::Layer& layer : picture_of(model).panels[0].layers) {
+  std::map<std::array<int, 3>, std::string> colors;
+  const scene::Picture picture = picture_of(model);
+  for (const scene::Layer& layer : picture.panels[0].layers) {
     if (!layer.key.starts_with("horizon_")) continue;
-    colors.insert({layer.style.line.red, layer.style.line.green, layer.style.line.blue});
+    const std::array<int, 3> color{layer.style.line.red, layer.style.line.green, layer.style.line.blue};
+    EXPECT_TRUE(colors.emplace(color, layer.title).second) << layer.title << " and " << colors.at(color);
   }
   EXPECT_EQ(colors.size(), 30u);
 }
