@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 #include "shared/base/check.h"
 #include "shared/base/text.h"
@@ -39,6 +41,8 @@ struct Block {
   Furniture title;
   Furniture x_title;
   Furniture y_title;
+  std::vector<Scale> bars;  ///< At its right; empty if all panels share theirs.
+  double bars_width = 0.0;
   std::vector<Tick> x_ticks;
   std::vector<Tick> y_ticks;
   [[nodiscard]] double width() const { return left + plot_width + right; }
@@ -56,8 +60,15 @@ class Arranger {
   [[nodiscard]] PageSize content() const;
 
  private:
-  [[nodiscard]] bool row() const { return picture_.arrangement == Arrangement::Row || blocks_.size() < 2; }
-  [[nodiscard]] double bars_width() const;
+  [[nodiscard]] std::size_t rows() const { return (blocks_.size() + columns_ - 1) / columns_; }
+  /// The greatest of `size` in each column, or in each row.
+  [[nodiscard]] std::vector<double> in_columns(double (Block::*size)() const) const;
+  [[nodiscard]] std::vector<double> in_rows(double (Block::*size)() const) const;
+  [[nodiscard]] std::size_t best_columns() const;
+  void settle();
+  [[nodiscard]] double bars_width(const std::vector<Scale>& bars, double height) const;
+  [[nodiscard]] double bars_width() const { return bars_width(scales_, bar_height()); }
+  [[nodiscard]] double bars_title(const std::vector<Scale>& bars) const;
   [[nodiscard]] double bar_height() const;
   [[nodiscard]] double header() const { return title_.height > 0.0 ? title_.height + 8.0 : 0.0; }
   [[nodiscard]] double footer() const;
@@ -72,7 +83,7 @@ class Arranger {
   bool update_room(std::size_t i);
   void update_bottom(const PageSize& room);
   void place_panel(std::size_t i, geom::Point corner, Layout& made) const;
-  void place_bars(double x, double y, Layout& made) const;
+  void place_bars(const std::vector<Scale>& bars, double height, geom::Point corner, Layout& made) const;
   void place_footer(double y, Layout& made) const;
   static void put(const Furniture& furniture, geom::Point corner, std::vector<Mark>& marks);
 
@@ -83,8 +94,9 @@ class Arranger {
   LayoutOptions options_;
   Font axis_font_;
   Font tick_font_;
-  std::vector<Block> blocks_;
-  std::vector<Scale> scales_;
+  std::vector<Block> blocks_;  ///< Row by row.
+  std::size_t columns_ = 1;
+  std::vector<Scale> scales_;  ///< At the right of all panels, where all have the same; else those of each are beside it.
   Furniture title_;
   Furniture legend_;
   Furniture scale_bar_;
@@ -100,8 +112,7 @@ Arranger::Arranger(const Picture& picture, const PageSize& page, std::span<const
       measure_(measure),
       options_(options),
       axis_font_{options.text_size, Weight::Regular},
-      tick_font_{options.text_size - 1.0, Weight::Regular},
-      scales_(scales_of(picture)) {
+      tick_font_{options.text_size - 1.0, Weight::Regular} {
   title_ = heading(picture.title, page.width - 2.0 * options.margin, {options.text_size + 4.0, Weight::Bold}, measure);
   for (std::size_t i = 0; i < picture.panels.size(); ++i) {
     const Panel& panel = picture.panels[i];
@@ -117,26 +128,55 @@ Arranger::Arranger(const Picture& picture, const PageSize& page, std::span<const
   }
   if (options.plots == Plots::ToContent)
     tables_ = tables_and_notes(picture, page.width - 2.0 * options.margin, tick_font_, measure);
-  for (const Scale& scale : scales_) {
+  const std::size_t count = std::max<std::size_t>(blocks_.size(), 1);
+  columns_ = picture.arrangement == Arrangement::Column ? 1 : count;
+  bool common = true;
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    blocks_[i].bars = scales_of(picture.panels[i]);
+    if (!blocks_[i].bars.empty() && scales_.empty()) scales_ = blocks_[i].bars;
+    common = common && (blocks_[i].bars.empty() || same_scales(blocks_[i].bars, scales_));
+  }
+  if (!common) scales_.clear();
+  for (Block& block : blocks_) {
+    if (common) block.bars.clear();
+  }
+  bar_title_height_ = bars_title(scales_);
+}
+
+std::vector<double> Arranger::in_columns(double (Block::*size)() const) const {
+  std::vector<double> sizes(std::min(columns_, blocks_.size()), 0.0);
+  for (std::size_t i = 0; i < blocks_.size(); ++i) sizes[i % columns_] = std::max(sizes[i % columns_], (blocks_[i].*size)());
+  return sizes;
+}
+
+std::vector<double> Arranger::in_rows(double (Block::*size)() const) const {
+  std::vector<double> sizes(rows(), 0.0);
+  for (std::size_t i = 0; i < blocks_.size(); ++i) sizes[i / columns_] = std::max(sizes[i / columns_], (blocks_[i].*size)());
+  return sizes;
+}
+
+double Arranger::bars_title(const std::vector<Scale>& bars) const {
+  double highest = 0.0;
+  for (const Scale& scale : bars) {
     double title_height = 0.0;
     color_bar(scale, least_bar, axis_font_, measure_, title_height);
-    bar_title_height_ = std::max(bar_title_height_, title_height);
+    highest = std::max(highest, title_height);
   }
+  return highest;
 }
+
+double bar_height_beside(double plot_height) { return std::clamp(plot_height, least_bar, most_bar); }
 
 double Arranger::bar_height() const {
   double height = 0.0;
-  for (const Block& block : blocks_) height = std::max(height, block.plot_height);
-  if (!row() && !blocks_.empty()) height = blocks_.front().plot_height;
-  return std::clamp(height, least_bar, most_bar);
+  for (std::size_t i = 0; i < std::min(columns_, blocks_.size()); ++i) height = std::max(height, blocks_[i].plot_height);
+  return bar_height_beside(height);
 }
 
-double Arranger::bars_width() const {
+double Arranger::bars_width(const std::vector<Scale>& bars, double height) const {
   double width = 0.0;
   double title_height = 0.0;
-  for (const Scale& scale : scales_) {
-    width += bar_gap + color_bar(scale, bar_height(), axis_font_, measure_, title_height).width;
-  }
+  for (const Scale& scale : bars) width += bar_gap + color_bar(scale, height, axis_font_, measure_, title_height).width;
   return width;
 }
 
@@ -145,16 +185,16 @@ double Arranger::footer() const {
   return (height > 0.0 ? height + 12.0 : 0.0) + (tables_.height > 0.0 ? tables_.height + 12.0 : 0.0);
 }
 
-double Arranger::panels_width() const {
-  double width = 0.0;
-  for (const Block& block : blocks_) width = row() ? width + block.width() : std::max(width, block.width());
-  return width + (row() && !blocks_.empty() ? panel_gap * static_cast<double>(blocks_.size() - 1) : 0.0);
+/// All sizes and the gaps between them.
+double with_gaps(const std::vector<double>& sizes) {
+  const double gaps = sizes.empty() ? 0.0 : panel_gap * static_cast<double>(sizes.size() - 1);
+  return std::accumulate(sizes.begin(), sizes.end(), gaps);
 }
 
+double Arranger::panels_width() const { return with_gaps(in_columns(&Block::width)); }
+
 double Arranger::panels_height() const {
-  double height = 0.0;
-  for (const Block& block : blocks_) height = row() ? std::max(height, block.height()) : height + block.height();
-  if (!row()) height += panel_gap * static_cast<double>(blocks_.size() - 1);
+  double height = with_gaps(in_rows(&Block::height));
   if (!scales_.empty()) {
     const double above = blocks_.empty() ? bar_title_height_ : blocks_.front().top;
     height = std::max(height, above + bar_height() + 10.0);
@@ -164,42 +204,61 @@ double Arranger::panels_height() const {
 
 /// Plots of a row begin at one height, plots of a column at one distance from the left.
 void Arranger::align_rooms() {
-  double left = 0.0;
-  double top = scales_.empty() ? 0.0 : bar_title_height_;
-  for (const Block& block : blocks_) {
-    left = std::max(left, block.left);
-    top = std::max(top, block.top);
+  std::vector<double> left(columns_, 0.0);
+  std::vector<double> top(rows(), 0.0);
+  if (!top.empty()) top.front() = bar_title_height_;
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    left[i % columns_] = std::max(left[i % columns_], blocks_[i].left);
+    top[i / columns_] = std::max(top[i / columns_], blocks_[i].top);
   }
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
-    if (!row()) blocks_[i].left = left;
-    if (row() || i == 0) blocks_[i].top = std::max(blocks_[i].top, row() ? top : bar_title_height_);
+    blocks_[i].left = left[i % columns_];
+    blocks_[i].top = top[i / columns_];
   }
+}
+
+/// Something that takes `fixed` points and `growing` world units.
+struct Extent {
+  double fixed = 0.0;
+  double growing = 0.0;
+};
+
+/// The largest scale at which the widest of each group together take `room`: Newton's method, from above, on a convex
+/// function of straight pieces.
+double scale_filling(double room, const std::vector<std::vector<Extent>>& groups) {
+  double scale = 1e12;
+  for (std::size_t k = 0; k < 16; ++k) {
+    Extent sum;
+    for (const std::vector<Extent>& group : groups) {
+      const auto size = [&](const Extent& e) { return e.fixed + scale * e.growing; };
+      const auto widest = std::max_element(group.begin(), group.end(), [&](const auto& a, const auto& b) { return size(a) < size(b); });
+      sum.fixed += widest->fixed;
+      sum.growing += widest->growing;
+    }
+    const double next = (room - sum.fixed) / sum.growing;
+    if (!(next < scale)) break;
+    scale = next;
+    if (scale <= 0.0) break;
+  }
+  return scale;
 }
 
 /// The largest points per world unit at which all panels fit; too little room gives the smallest sensible one.
 double Arranger::scale_that_fits(double width, double height) const {
-  double across = width - bars_width();
-  double up = height;
-  double wide = 0.0;
-  double high = 0.0;
-  double scale = std::numeric_limits<double>::infinity();
+  std::vector<std::vector<Extent>> columns(columns_);
+  std::vector<std::vector<Extent>> lines(rows());
   double largest = 0.0;
-  for (const Block& block : blocks_) {
-    const double w = block.shown.width();
-    const double h = block.shown.height() * block.exaggeration;
-    largest = std::max({largest, w, h});
-    wide += w;
-    high += h;
-    if (row()) {
-      across -= block.left + block.right;
-      scale = std::min(scale, (height - block.top - block.bottom) / h);
-    } else {
-      up -= block.top + block.bottom;
-      scale = std::min(scale, (width - bars_width() - block.left - block.right) / w);
-    }
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    const Block& block = blocks_[i];
+    const Extent across{block.left + block.right, block.shown.width()};
+    const Extent up{block.top + block.bottom, block.shown.height() * block.exaggeration};
+    columns[i % columns_].push_back(across);
+    lines[i / columns_].push_back(up);
+    largest = std::max({largest, across.growing, up.growing});
   }
-  const double gaps = panel_gap * static_cast<double>(blocks_.size() - 1);
-  scale = std::min(scale, row() ? (across - gaps) / wide : (up - gaps) / high);
+  const double gaps = with_gaps(std::vector<double>(columns.size(), 0.0));
+  const double scale = std::min(scale_filling(width - bars_width() - gaps, columns),
+                                scale_filling(height - with_gaps(std::vector<double>(lines.size(), 0.0)), lines));
   return std::max(scale, options_.least_plot / largest);
 }
 
@@ -254,19 +313,24 @@ void Arranger::size_plots_to_content() {
 
 void Arranger::size_plots_to_page() {
   if (blocks_.empty()) return;
-  const double count = static_cast<double>(blocks_.size());
-  const double gaps = panel_gap * (count - 1.0);
   const double width = page_.width - 2.0 * options_.margin - bars_width();
   const double height = page_.height - 2.0 * options_.margin - header() - footer();
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
     Block& block = blocks_[i];
-    const double cell_width = row() ? (width - gaps) / count : width;
-    const double cell_height = row() ? height : (height - gaps) / count;
+    const auto cell = [](double all, std::size_t count) {
+      return (all + panel_gap) / static_cast<double>(count) - panel_gap;
+    };
+    const double cell_width = cell(width, columns_);
+    const double cell_height = cell(height, rows());
     block.plot_width = std::max(cell_width - block.left - block.right, options_.least_plot);
     block.plot_height = std::max(cell_height - block.top - block.bottom, options_.least_plot);
     // A window too narrow for plots and colour bars keeps the plots.
-    if (cell_width - block.left - block.right < options_.least_plot && !scales_.empty()) {
+    if (cell_width - block.left - block.right < options_.least_plot && !(scales_.empty() && block.bars.empty())) {
       scales_.clear();
+      for (Block& own : blocks_) {
+        own.bars.clear();
+        own.right -= own.bars_width;
+      }
       return size_plots_to_page();
     }
   }
@@ -321,13 +385,15 @@ bool Arranger::update_room(std::size_t i) {
     x_title += fmt::format("{}({} {:g}\u00d7)", x_title.empty() ? "" : "   ", base::translated("vertical exaggeration"),
                            block.exaggeration);
   }
-  const double width = std::max(left + block.plot_width + right, block.width());
+  block.bars_width = std::max(block.bars_width, bars_width(block.bars, bar_height_beside(block.plot_height)));
+  if (block.bars.empty()) block.bars_width = 0.0;
+  const double width = std::max(left + block.plot_width + right, block.width() - block.bars_width);
   block.x_title = heading(x_title, width, axis_font_, measure_);
   block.title = heading(panel.title, width, {options_.text_size + 1.0, Weight::Bold}, measure_);
-  const double bottom =
-      tick_length + tick_gap + line + (block.x_title.height > 0.0 ? tick_gap : 0.0) + block.x_title.height;
-  const double top = std::max(block.title.height + 6.0, 0.5 * line + 1.0);
-  right = std::max(right, std::max(block.title.width, block.x_title.width) - left - block.plot_width);
+  double bottom = tick_length + tick_gap + line + (block.x_title.height > 0.0 ? tick_gap : 0.0) + block.x_title.height;
+  const double top = std::max({block.title.height + 6.0, 0.5 * line + 1.0, bars_title(block.bars)});
+  right = std::max(right, std::max(block.title.width, block.x_title.width) - left - block.plot_width) + block.bars_width;
+  if (!block.bars.empty()) bottom = std::max(bottom, bar_height_beside(block.plot_height) + 12.0 - block.plot_height);
   const Block old = block;
   block.left = std::max(block.left, left);
   block.right = std::max(block.right, right);
@@ -347,7 +413,8 @@ bool Arranger::update_rooms() {
 void Arranger::update_bottom(const PageSize& room) {
   const double width = room.width - 2.0 * options_.margin;
   scale_bar_ = {};
-  bool common = !blocks_.empty() && picture_.panels.front().axes.scale == AxisScale::Linear;
+  bool common = !blocks_.empty();
+  for (const Panel& panel : picture_.panels) common = common && panel.axes.scale == AxisScale::Linear;
   for (const Block& block : blocks_) {
     common = common && block.exaggeration == 1.0 && block.view.world_per_point == blocks_.front().view.world_per_point;
   }
@@ -362,7 +429,40 @@ void Arranger::update_bottom(const PageSize& room) {
   if (options_.plots == Plots::FillPage && crowded) legend_ = {};
 }
 
+/// As many columns as give the largest scale, in windows the squarest cells: what is shown there must not move the panels.
+std::size_t Arranger::best_columns() const {
+  std::size_t best = columns_;
+  double most = 0.0;
+  for (std::size_t columns = blocks_.size(); columns > 0; --columns) {
+    if (options_.plots == Plots::FillPage) {
+      const double rows = std::ceil(static_cast<double>(blocks_.size()) / static_cast<double>(columns));
+      const double aspect = page_.width / static_cast<double>(columns) / (page_.height / rows);
+      const double squareness = std::min(aspect, 1.0 / aspect);
+      if (squareness > most) best = columns;
+      most = std::max(most, squareness);
+      continue;
+    }
+    Arranger trial(*this);
+    trial.columns_ = columns;
+    trial.settle();
+    const PageSize content = trial.content();
+    const bool fits = content.height <= page_.height + 0.5 && content.width <= page_.width + 0.5;
+    // What does not fit counts only among others that do not.
+    const double scale = (fits ? 1.0 : 1e-6) / trial.blocks_.front().view.world_per_point;
+    if (scale > 1.02 * most) {
+      best = columns;
+      most = scale;
+    }
+  }
+  return best;
+}
+
 void Arranger::arrange() {
+  if (picture_.arrangement == Arrangement::Grid && blocks_.size() > 1) columns_ = best_columns();
+  settle();
+}
+
+void Arranger::settle() {
   constexpr int at_most = 12;
   for (int i = 0; i < at_most; ++i) {
     if (options_.plots == Plots::FillPage) {
@@ -410,7 +510,7 @@ void Arranger::place_panel(std::size_t i, geom::Point corner, Layout& made) cons
   // Titles stand over the middle of the plot, moved inwards where they would leave the panel.
   const auto centred = [&](double width) {
     const double wanted = place.plot.centre().x - 0.5 * width;
-    return std::max(corner.x, std::min(wanted, corner.x + block.width() - width));
+    return std::max(corner.x, std::min(wanted, corner.x + block.width() - block.bars_width - width));
   };
   put(block.title, {centred(block.title.width), place.plot.low.y - block.title.height - 5.0}, made.marks);
   const double x_title_y = place.plot.high.y + tick_length + tick_gap + measure_("0", tick_font_).height() + tick_gap;
@@ -421,14 +521,17 @@ void Arranger::place_panel(std::size_t i, geom::Point corner, Layout& made) cons
   const double y_title_x =
       fixed ? corner.x : place.plot.low.x - tick_length - 2.0 * tick_gap - widest - block.y_title.width;
   put(block.y_title, {y_title_x, place.plot.centre().y - 0.5 * block.y_title.height}, made.marks);
+  const double bars_x = corner.x + block.width() - block.bars_width;
+  place_bars(block.bars, bar_height_beside(block.plot_height), {bars_x, place.plot.low.y}, made);
 }
 
-void Arranger::place_bars(double x, double y, Layout& made) const {
-  for (const Scale& scale : scales_) {
+/// Bars side by side, each `height` high from the height of `corner` down.
+void Arranger::place_bars(const std::vector<Scale>& bars, double height, geom::Point corner, Layout& made) const {
+  for (const Scale& scale : bars) {
     double title_height = 0.0;
-    const Furniture bar = color_bar(scale, bar_height(), axis_font_, measure_, title_height);
-    put(bar, {x + bar_gap, y - title_height}, made.marks);
-    x += bar_gap + bar.width;
+    const Furniture bar = color_bar(scale, height, axis_font_, measure_, title_height);
+    put(bar, corner + geom::Vector{bar_gap, -title_height}, made.marks);
+    corner.x += bar_gap + bar.width;
   }
 }
 
@@ -452,16 +555,16 @@ Layout Arranger::place() const {
   put(title_, {0.5 * (made.page.width - title_.width), y}, made.marks);
   y += header();
   const double left = 0.5 * (made.page.width - panels_width() - bars_width());
+  const std::vector<double> widths = in_columns(&Block::width);
+  const std::vector<double> heights = in_rows(&Block::height);
   geom::Point corner{left, y};
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
     place_panel(i, corner, made);
-    if (row()) {
-      corner.x += blocks_[i].width() + panel_gap;
-    } else {
-      corner.y += blocks_[i].height() + panel_gap;
-    }
+    corner.x += widths[i % columns_] + panel_gap;
+    if ((i + 1) % columns_ == 0) corner = {left, corner.y + heights[i / columns_] + panel_gap};
   }
-  if (!scales_.empty() && !made.panels.empty()) place_bars(left + panels_width(), made.panels.front().plot.low.y, made);
+  if (!made.panels.empty())
+    place_bars(scales_, bar_height(), {left + panels_width(), made.panels.front().plot.low.y}, made);
   place_footer(y + panels_height() + 12.0, made);
   return made;
 }
