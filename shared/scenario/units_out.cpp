@@ -96,7 +96,7 @@ std::size_t end_of_number(const std::string& text, std::size_t at) {
 }
 
 /// The unit that stands at `at` behind a blank, the longest that is known; empty if none does.
-std::string unit_behind(const std::string& text, std::size_t at, const UnitSystem& units) {
+std::string unit_behind(const std::string& text, std::size_t at) {
   if (at >= text.size() || text[at] != ' ') return {};
   for (const char* unit : {"Pa sqrt(m)", "J/m2", "N/m3", "N/m", "m2", "Pa", "m", "N", "J"}) {
     const std::string_view behind = std::string_view(text).substr(at + 1);
@@ -181,7 +181,7 @@ std::string message_in_units(const std::string& message, const UnitSystem& units
     }
     if (!quoted) {
       if (const auto point = point_at(message, i)) {
-        const std::string unit = unit_behind(message, point->end, units);
+        const std::string unit = unit_behind(message, point->end);
         const std::string of = unit.empty() ? "m" : unit;
         made += fmt::format("({}, {})", number_in(point->x, of, units), number_in(point->y, of, units));
         if (!unit.empty()) made += " " + units.unit(unit);
@@ -190,7 +190,7 @@ std::string message_in_units(const std::string& message, const UnitSystem& units
       }
       if (begins_number(message, i)) {
         const std::size_t end = end_of_number(message, i);
-        const std::string unit = unit_behind(message, end, units);
+        const std::string unit = unit_behind(message, end);
         const std::string number = message.substr(i, end - i);
         made += unit.empty() ? number : number_in(number, unit, units) + " " + units.unit(unit);
         i = end + (unit.empty() ? 0 : unit.size() + 1);
