@@ -49,6 +49,8 @@ struct RestoreOptions {
   std::optional<std::int64_t> seed;
   bool geometry = false;
   std::optional<std::filesystem::path> out;
+  std::string colors;
+  std::string orientation;
 };
 
 struct BalanceOptions {
@@ -95,6 +97,8 @@ scenario::Step step(const char* operation, scenario::Table params) {
 
 Result<scenario::Document> restore_document(Session& session, const RestoreOptions& options) {
   DOBRA_TRY(scenario::Document document, section_document(session, options.section));
+  if (!options.colors.empty()) document.input.set("colours", as_seen_from(document, options.colors));
+  set(document.input, "orientation", options.orientation);
   scenario::Table grid;
   set(grid, "top", options.top);
   set(grid, "simplify", options.simplify);
@@ -145,7 +149,8 @@ Result<void> write_out(Session& session, const std::filesystem::path& out, scena
   const auto path = staging.path(out.filename().string());
   const auto written = out.extension() == ".toml"
                            ? scenario::write_document(document, path)
-                           : dobra::cli::draw(session.program.picture_of(state), path, dobra::cli::Drawer::Cairo);
+                           : dobra::cli::draw(dobra::cli::picture_of(session.program, document, state), path,
+                                              dobra::cli::Drawer::Cairo);
   if (!written) return staging.for_user(written.error());
   DOBRA_TRY_VOID(session.check());
   DOBRA_TRY_VOID(staging.commit());
@@ -259,6 +264,12 @@ dobra::cli::Command restore_command() {
             ->type_name("D");
         add_error_options(app, *options);
         app.add_flag("--geometry", options->geometry, "With --json: the restored lines too");
+        app.add_option("--colours", options->colors,
+                       "A table (.csv .toml) of name, colour, pattern, age and lithology of units and lines")
+            ->type_name("FILE");
+        app.add_option("--orientation", options->orientation,
+                       "Compass points over the ends, such as \"W - E\"; told by the plane of lines in space")
+            ->type_name("ENDS");
         app.add_option("--out", options->out, "Picture (.svg .pdf .png) or scenario (.toml) to write")
             ->type_name("FILE");
         return [options](Session& session) { return restore_job(session, *options); };

@@ -127,8 +127,13 @@ base::Result<scenario::Document> section_document(dobra::cli::Session& session, 
   for (const io::Repair& repair : work.repairs) session.note(io::to_string(repair));
   scenario::Document document;
   document.program = "recon";
-  document.title = section.file;
+  document.title = std::filesystem::path(section.file).stem().string();
   tables_of(work.features, session).write(document.input);
+  if (work.trace || options.fold_axis) {
+    const auto [left, right] =
+        io::ends_of(options.fold_axis ? io::azimuth_of(*options.fold_axis) : io::azimuth_of(*work.trace));
+    document.input.set("orientation", fmt::format("{} - {}", left, right));
+  }
   return document;
 }
 

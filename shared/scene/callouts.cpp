@@ -108,7 +108,7 @@ std::optional<Candidate> best_place(geom::Point at, const TextSize& size, const 
 
 }  // namespace
 
-void add_callouts(const Panel& panel, const PanelLayout& place, const TextMeasure& measure, std::vector<geom::Box>& taken,
+void add_callouts(const Panel& panel, const PanelLayout& place, const TextMeasure& measure, std::vector<geom::Box> taken,
                   std::vector<Mark>& marks) {
   for (const Layer& layer : panel.layers) {
     const auto* content = std::get_if<Labels>(&layer.content);

@@ -12,6 +12,7 @@
 namespace dobra::scene {
 namespace {
 
+constexpr double bar_gap = 18.0;
 constexpr double bar_width = 13.0;
 constexpr double arrow_height = 10.0;
 constexpr double widest_title = 110.0;
@@ -146,6 +147,24 @@ Furniture color_bar(const Scale& scale, double height, const Font& font, const T
     write({y, tick.label});
   }
   made.height = box.high.y + std::max(passes_low(scale) ? arrow_height : 0.0, half_line);
+  return made;
+}
+
+ColorBars color_bars(const std::vector<Scale>& scales, double height, const Font& font, const TextMeasure& measure) {
+  std::vector<std::pair<Furniture, double>> bars;
+  ColorBars made;
+  for (const Scale& scale : scales) {
+    double title_height = 0.0;
+    Furniture bar = color_bar(scale, height, font, measure, title_height);
+    made.title_height = std::max(made.title_height, title_height);
+    bars.emplace_back(std::move(bar), title_height);
+  }
+  for (const auto& [bar, title_height] : bars) {
+    const geom::Vector by{made.all.width + bar_gap, made.title_height - title_height};
+    for (const Mark& mark : bar.marks) made.all.marks.push_back(moved(mark, by));
+    made.all.width = by.x + bar.width;
+    made.all.height = std::max(made.all.height, by.y + bar.height);
+  }
   return made;
 }
 
