@@ -8,6 +8,7 @@
 
 #include "shared/base/text.h"
 #include "shared/io/file.h"
+#include "shared/io/line_kinds.h"
 #include "shared/io/scan.h"
 
 namespace dobra::io {
@@ -18,8 +19,6 @@ using base::Place;
 using base::Result;
 
 namespace {
-
-constexpr std::array<std::string_view, 4> known_kinds{"horizon", "fault", "unit", "marker"};
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \r\v\f");
@@ -108,9 +107,8 @@ class Reader {
     feature.source = Place{.file = file_, .line = begin_};
     feature.name = name_;
     if (!id_.empty()) feature.properties.emplace_back("id", id_value());
-    if (std::find(known_kinds.begin(), known_kinds.end(), attribute_) != known_kinds.end() && !varies_)
-      feature.kind = attribute_;
-    else if (!attribute_.empty() && !varies_)
+    feature.kind = varies_ ? "" : known_kind(attribute_).value_or("");
+    if (feature.kind.empty() && !attribute_.empty() && !varies_)
       feature.properties.emplace_back("attribute", attribute_);
     varying_ += varies_ ? 1 : 0;
     const std::size_t count = heights_.size();
