@@ -166,7 +166,7 @@ Result<void> check_kinds(const std::vector<Feature>& features) {
     Place place = feature.source;
     place.item = item_of(i + 1, feature);
     return Error{ErrorCode::BadFormat,
-                 fmt::format("unknown kind {}{}; correct it, or give kinds by names (--kind 'F*=fault', in a scenario kind = ['F*=fault'])",
+                 fmt::format("unknown kind {}{} (--kind 'F*=fault', in scenarios kind = [\"F*=fault\"], gives kinds by names)",
                              shown(feature.kind), kind_hint(feature.kind)),
                  place};
   }
