@@ -290,7 +290,8 @@ dobra::cli::Command restore_command() {
             ->type_name("D");
         add_error_options(app, *options);
         app.add_flag("--geometry", options->geometry, "With --json: the restored lines too");
-        app.add_option("--out", options->out, "Picture (.svg .pdf .png), restored lines (.geojson .dxf .csv ...) or scenario (.toml) to write")
+        app.add_option("--out", options->out,
+                       "Picture (.svg .pdf .png), restored lines (.geojson .dxf .csv ...) or scenario (.toml) to write")
             ->type_name("FILE");
         return [options](Session& session) { return restore_job(session, *options); };
       }};

@@ -44,11 +44,12 @@ base::Result<std::string> table_of(const io::Feature& feature, std::size_t numbe
   if (!polygon || table == "polygon" || table == "border") return table;
   base::Place place = feature.source;
   place.item = io::item_of(number, feature);
-  return base::Error{base::ErrorCode::BadFormat,
-                     fmt::format("a polygon cannot be of kind '{}', which is a line; give it kind 'unit' or 'border', or "
-                                 "do not repeat its first point at the end",
-                                 feature.kind),
-                     place};
+  return base::Error{
+      base::ErrorCode::BadFormat,
+      fmt::format("a polygon cannot be of kind '{}', which is a line; give it kind 'unit' or 'border', or "
+                  "do not repeat its first point at the end",
+                  feature.kind),
+      place};
 }
 
 std::string name_of(const io::Feature& feature, std::size_t index) {
@@ -102,9 +103,10 @@ class Importer {
       made_.remarks.push_back(fmt::format("'{}': points of kind '{}' are taken as a marker", made.name, feature.kind));
     if (feature.type == io::FeatureType::Polygons && geom::signed_area(made.line) < 0.0) {
       const geom::Point at = made.line.points.front();
-      made_.remarks.push_back(fmt::format("unit '{}': its hole at ({:.6g}, {:.6g}) is left out; what fills it is a "
-                                          "polygon of its own",
-                                          made.name, at.x, at.y));
+      made_.remarks.push_back(
+          fmt::format("unit '{}': its hole at ({:.6g}, {:.6g}) is left out; what fills it is a "
+                      "polygon of its own",
+                      made.name, at.x, at.y));
       return;
     }
     if (made.line.closed) made.line.points.push_back(made.line.points.front());  // it says that it closes

@@ -12,8 +12,9 @@ namespace recon::core {
 
 /// One line of the section, and the list of [input] that it belongs to.
 struct ImportedLine {
-  std::string table;  ///< "horizon", "fault", "pin", "loose", "topography", "datum", "eroded", "polygon", "border", "marker".
-  std::string name;   ///< Unlike those before it in the table.
+  std::string
+      table;  ///< "horizon", "fault", "pin", "loose", "topography", "datum", "eroded", "polygon", "border", "marker".
+  std::string name;  ///< Unlike those before it in the table.
   std::string piece_of;
   geom::Polyline line;  ///< In section coordinates, as one draws it: polygons repeat their first point.
   base::Place source;

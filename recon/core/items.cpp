@@ -176,7 +176,8 @@ base::Result<void> read_items(const SectionInput& input, const ReadSettings& set
   DOBRA_TRY_VOID(check_names(input.units, "unit"));
   for (const HorizonInput& wanted : input.units) {
     DOBRA_TRY(geom::Polyline contour, read_polygon(wanted, "unit", settings, context, read.remarks));
-    section.units.push_back({UnitId(section.units.size()), wanted.name, std::move(contour), source_of(wanted), wanted.piece_of});
+    section.units.push_back(
+        {UnitId(section.units.size()), wanted.name, std::move(contour), source_of(wanted), wanted.piece_of});
   }
   if (input.borders.size() > 1) {
     return base::Error{base::ErrorCode::BadSection, "a section has one border; keep one [[input.border]]",

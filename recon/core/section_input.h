@@ -89,8 +89,7 @@ struct SectionInput {
                       "first horizon to the last, between their ends."});
     d.tables("topography", &SectionInput::topographies, {.title = "Topography"});
     d.tables("datum", &SectionInput::datums, {.title = "Datums", .help = "Lines that the step target may name."});
-    d.tables("eroded", &SectionInput::eroded,
-             {.title = "Eroded lines", .help = "Drawn dashed and not restored."});
+    d.tables("eroded", &SectionInput::eroded, {.title = "Eroded lines", .help = "Drawn dashed and not restored."});
     d.tables("lines", &SectionInput::lines,
              {.title = "Files of many lines", .help = "Each line becomes what its kind says, a horizon without one."});
     d.field("horizons_from_units", &SectionInput::horizons_from_units,

@@ -183,7 +183,8 @@ class Maker {
     for (std::size_t i = 0; runs.size() > 2 && i < runs.size(); ++i) {
       const Step& before = loop.steps[runs[(i + runs.size() - 1) % runs.size()].first];
       const Step& behind = loop.steps[runs[(i + 1) % runs.size()].first];
-      if (loop.steps[runs[i].first].role != Role::None || before.role != Role::Top || behind.role != Role::Top) continue;
+      if (loop.steps[runs[i].first].role != Role::None || before.role != Role::Top || behind.role != Role::Top)
+        continue;
       if (sum_over(loop.steps, runs[i], &Step::length) > owners_.tolerance()) continue;
       const auto from = loop.steps.begin() + static_cast<std::ptrdiff_t>(runs[i].first);
       const auto to = loop.steps.begin() + static_cast<std::ptrdiff_t>(runs[i].last);
@@ -260,9 +261,10 @@ class Maker {
 
   void split_at_turns(std::size_t unit, std::size_t beyond, std::vector<geom::Point> points) {
     const geom::Point place = add_parts(unit, std::move(points));
-    remarks_.push_back(fmt::format("unit '{0}' ends within unit '{1}' at ({2:.6g}, {3:.6g}): its edge there is horizon "
-                                   "'{0}' above and 'base of {0}' below",
-                                   owners_.names()[unit], owners_.names()[beyond], place.x, place.y));
+    remarks_.push_back(
+        fmt::format("unit '{0}' ends within unit '{1}' at ({2:.6g}, {3:.6g}): its edge there is horizon "
+                    "'{0}' above and 'base of {0}' below",
+                    owners_.names()[unit], owners_.names()[beyond], place.x, place.y));
   }
 
   /// Parts between the ends of the line and where it reaches farthest: those that run to the right have the unit below.
@@ -277,7 +279,8 @@ class Maker {
     const auto [low, high] = std::minmax_element(points.begin(), points.end(), less);
     const double start = points.front().x;
     const auto turn = high->x - start >= start - low->x ? high : low;
-    for (const std::vector<geom::Point>& part : {std::vector(points.begin(), turn + 1), std::vector(turn, points.end())}) {
+    for (const std::vector<geom::Point>& part :
+         {std::vector(points.begin(), turn + 1), std::vector(turn, points.end())}) {
       if (part.size() < 2) continue;
       const bool top = part.back().x > part.front().x;
       add((top ? "" : "base of ") + owners_.names()[unit], part);
@@ -291,7 +294,8 @@ class Maker {
     geom::Polyline line{{points.front()}, false};
     for (std::size_t i = 1; i < points.size(); ++i) {
       const bool end = i + 1 == points.size();
-      while (end && line.points.size() > 1 && geom::distance(line.points.back(), points[i]) <= near) line.points.pop_back();
+      while (end && line.points.size() > 1 && geom::distance(line.points.back(), points[i]) <= near)
+        line.points.pop_back();
       if (geom::distance(line.points.back(), points[i]) > near) line.points.push_back(points[i]);
     }
     return line;
@@ -365,9 +369,10 @@ base::Result<void> add_horizons_of_units(double tolerance, ReadSection& read) {
   Maker maker(owners, section);
   std::vector<Horizon> horizons = horizons_of(maker.run());
   if (horizons.empty()) {
-    return bad(fmt::format("horizons_from_units: no two units lie on each other along an edge that is no fault; where "
-                           "gaps are wider than {:.4g} m, give share_edges (--edges M)",
-                           bridged));
+    return bad(
+        fmt::format("horizons_from_units: no two units lie on each other along an edge that is no fault; where "
+                    "gaps are wider than {:.4g} m, give share_edges (--edges M)",
+                    bridged));
   }
   std::vector<std::string> told;
   const std::size_t given = section.horizons.size();

@@ -170,10 +170,10 @@ void UnitOwners::give_gaps(const std::vector<FaceId>& gaps) {
   }
   for (std::size_t i = 0; i < gaps.size(); ++i) owner_[gaps[i].index()] = given[i];
   if (gaps.empty()) return;
-  remarks_.push_back(
-      fmt::format("gaps thinner than {:.4g} m between units ({:.4g} m2 in all, the first at ({:.6g}, {:.6g})) are bridged "
-                  "for the horizons; share_edges closes them",
-                  tolerance_, area, place.x, place.y));
+  remarks_.push_back(fmt::format(
+      "gaps thinner than {:.4g} m between units ({:.4g} m2 in all, the first at ({:.6g}, {:.6g})) are bridged "
+      "for the horizons; share_edges closes them",
+      tolerance_, area, place.x, place.y));
 }
 
 /// Polygons of one name, of one piece_of, and "K2p_1", "K2p_2" where no two of them have an edge in common.
@@ -224,9 +224,8 @@ std::size_t UnitOwners::unit(FaceId face) const {
 
 bool UnitOwners::on_barrier(EdgeId edge) const {
   const std::vector<std::uint32_t>& lines = arrangement_.lines_on(edge);
-  return std::any_of(lines.begin(), lines.end(), [&](std::uint32_t line) {
-    return line >= polygons_ && line < polygons_ + barriers_.size();
-  });
+  return std::any_of(lines.begin(), lines.end(),
+                     [&](std::uint32_t line) { return line >= polygons_ && line < polygons_ + barriers_.size(); });
 }
 
 bool UnitOwners::near_barrier(EdgeId edge) const {

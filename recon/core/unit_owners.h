@@ -1,7 +1,7 @@
 #pragma once
 // Whose every place of a section is that is drawn as polygons: the faces between their edges, faults and topographies,
-// each with its unit. Gaps and overlaps that are thin belong to one of their neighbours; polygons that are pieces of one
-// unit are one. Page: docs/algorithms/units.md, "Horizons from units".
+// each with its unit. Gaps and overlaps that are thin belong to one of their neighbours; polygons that are pieces of
+// one unit are one. Page: docs/algorithms/units.md, "Horizons from units".
 
 #include <limits>
 #include <string>
@@ -45,8 +45,8 @@ class UnitOwners {
   double tolerance_ = 0.0;
   Arrangement arrangement_;
   std::size_t polygons_ = 0;
-  std::vector<geom::Polyline> barriers_;  ///< Lines `polygons_`, `polygons_` + 1, ... of the arrangement.
-  std::vector<double> areas_;             ///< Of the polygons.
+  std::vector<geom::Polyline> barriers_;             ///< Lines `polygons_`, `polygons_` + 1, ... of the arrangement.
+  std::vector<double> areas_;                        ///< Of the polygons.
   std::vector<std::vector<std::uint32_t>> holders_;  ///< Polygons that a face lies in, by face.
   std::vector<std::vector<double>> common_;          ///< Areas that two polygons have in common.
   std::vector<std::size_t> owner_;                   ///< Polygon, by face.

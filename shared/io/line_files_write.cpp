@@ -157,11 +157,11 @@ void remark_losses(std::span<const Feature> features, LineFormat format, std::ve
     }
   }
   if (!renamed.empty()) {
-    remarks.push_back(
-        fmt::format("{} names hold what {} cannot, {}: {}", renamed.size(), name,
-                    format == LineFormat::Dxf ? R"(a control character, a blank at an end or one of <>/\":;?*|=,`)"
-                                              : "a line break, a tab, a brace or a blank at an end",
-                    up_to_ten(renamed)));
+    remarks.push_back(fmt::format("{} names hold what {} cannot, {}: {}", renamed.size(), name,
+                                  format == LineFormat::Dxf
+                                      ? R"(a control character, a blank at an end or one of <>/\":;?*|=,`)"
+                                      : "a line break, a tab, a brace or a blank at an end",
+                                  up_to_ten(renamed)));
   }
   if (!kept.properties && properties > 0) {
     remarks.push_back(fmt::format("{} properties are not kept in {}", properties, name));

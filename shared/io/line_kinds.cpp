@@ -27,21 +27,26 @@ struct KindWords {
 
 const std::vector<KindWords>& all_kinds() {
   static const std::vector<KindWords> kinds{
-      {"horizon", {"horizon", "horizonte", "bed", "bedding", "layer", "camada", "acamamento", "top", "contact", "contato",
-                   "unconformity", "discordancia"}},
-      {"growth", {"growth", "growth bed", "growth horizon", "growth strata", "crescimento", "camada de crescimento",
-                  "horizonte de crescimento", "estrato de crescimento", "syntectonic", "syn tectonic", "sintectonico"}},
-      {"fault", {"fault", "falha", "thrust", "thrust fault", "normal fault", "reverse fault", "strike slip fault",
-                 "detachment", "empurrao", "falha de empurrao", "falha normal", "falha inversa", "falha reversa",
-                 "falha transcorrente", "descolamento"}},
+      {"horizon",
+       {"horizon", "horizonte", "bed", "bedding", "layer", "camada", "acamamento", "top", "contact", "contato",
+        "unconformity", "discordancia"}},
+      {"growth",
+       {"growth", "growth bed", "growth horizon", "growth strata", "crescimento", "camada de crescimento",
+        "horizonte de crescimento", "estrato de crescimento", "syntectonic", "syn tectonic", "sintectonico"}},
+      {"fault",
+       {"fault", "falha", "thrust", "thrust fault", "normal fault", "reverse fault", "strike slip fault", "detachment",
+        "empurrao", "falha de empurrao", "falha normal", "falha inversa", "falha reversa", "falha transcorrente",
+        "descolamento"}},
       {"pin", {"pin", "pin line", "pinline", "pino", "linha de pino"}},
       {"loose", {"loose", "loose line", "solta", "linha solta"}},
-      {"topography", {"topography", "topografia", "terrain", "terreno", "ground", "ground surface", "topographic profile",
-                      "perfil topografico", "relevo"}},
+      {"topography",
+       {"topography", "topografia", "terrain", "terreno", "ground", "ground surface", "topographic profile",
+        "perfil topografico", "relevo"}},
       {"datum", {"datum", "reference", "referencia", "nivel de referencia"}},
       {"eroded", {"eroded", "erodido", "erodida"}},
-      {"unit", {"unit", "unidade", "polygon", "poligono", "formation", "formacao", "member", "membro", "rock unit",
-                "geological unit", "unidade geologica"}},
+      {"unit",
+       {"unit", "unidade", "polygon", "poligono", "formation", "formacao", "member", "membro", "rock unit",
+        "geological unit", "unidade geologica"}},
       {"border", {"border", "boundary", "borda", "limite", "contorno", "frame", "moldura"}},
       {"marker", {"marker", "marcador", "marco", "pick", "point", "ponto", "well pick", "well marker", "fossil"}}};
   return kinds;
@@ -110,7 +115,8 @@ Result<KindRule> kind_rule(const std::string& text) {
   const std::string word = text.substr(sign + 1);
   const auto kind = known_kind(word);
   if (!kind)
-    return Error{ErrorCode::InvalidOption, fmt::format("{}: unknown kind {}{}", shown(text), shown(word), kind_hint(word))};
+    return Error{ErrorCode::InvalidOption,
+                 fmt::format("{}: unknown kind {}{}", shown(text), shown(word), kind_hint(word))};
   return KindRule{text.substr(0, sign), *kind};
 }
 
@@ -165,10 +171,11 @@ Result<void> check_kinds(const std::vector<Feature>& features) {
     if (feature.kind.empty() || known_kind(feature.kind)) continue;
     Place place = feature.source;
     place.item = item_of(i + 1, feature);
-    return Error{ErrorCode::BadFormat,
-                 fmt::format("unknown kind {}{} (--kind 'F*=fault', in scenarios kind = [\"F*=fault\"], gives kinds by names)",
-                             shown(feature.kind), kind_hint(feature.kind)),
-                 place};
+    return Error{
+        ErrorCode::BadFormat,
+        fmt::format("unknown kind {}{} (--kind 'F*=fault', in scenarios kind = [\"F*=fault\"], gives kinds by names)",
+                    shown(feature.kind), kind_hint(feature.kind)),
+        place};
   }
   return {};
 }

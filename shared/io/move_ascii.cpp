@@ -184,7 +184,8 @@ Result<std::string> move_ascii(std::span<const Feature> given) {
     const Feature& feature = features[i];
     std::string id = move_name(property(feature, "id"));
     if (id.empty()) id = fmt::format("{}", i + 1);
-    const std::string attribute = feature.kind.empty() ? property(feature, "attribute") : feature.kind;
+    std::string attribute = feature.kind.empty() ? property(feature, "attribute") : feature.kind;
+    attribute = known_kind(attribute).value_or(attribute);  // as it is read back
     const std::string tail = '\t' + move_name(feature.name) + '\t' + id + '\t' + move_name(attribute) + '\n';
     for (std::size_t part = 0; part < feature.parts.size(); ++part) {
       const std::vector<geom::Point>& points = feature.parts[part].points;

@@ -34,8 +34,8 @@ struct TextPointsOptions {
   Header header = Header::Detect;
   /// The columns of x and y, or of x, y and a height: numbers from 1, or names that stand in the header.
   std::vector<std::string> columns = {"1", "2"};
-  /// Columns, as above, whose texts together name a line: it ends where they change. A header's "name" and "kind" (capitals or not) are
-  /// name and kind of themselves where this is empty.
+  /// Columns, as above, whose texts together name a line: it ends where they change. A header's "name" and "kind"
+  /// (capitals or not) are name and kind of themselves where this is empty.
   std::vector<std::string> name_columns = {};
   /// Further columns of numbers, as above, such as errors; a row that is too short has 0 there.
   std::vector<std::string> extra_columns = {};

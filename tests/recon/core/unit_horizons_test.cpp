@@ -59,7 +59,8 @@ TEST(UnitHorizons, AFaultCutsTopsIntoPiecesAndItsEdgesAreNone) {
   // The fault x = 50 + 0.1 z, drawn as the polygons' edges are, beside them, and as a line that goes on.
   for (const double beside : {0.0, 0.04, -0.06}) {
     SectionInput input;
-    input.units = {item("A_1", {{0, 0}, {50, 0}, {52, 20}, {0, 20}}), item("B_1", {{0, -20}, {48, -20}, {50, 0}, {0, 0}}),
+    input.units = {item("A_1", {{0, 0}, {50, 0}, {52, 20}, {0, 20}}),
+                   item("B_1", {{0, -20}, {48, -20}, {50, 0}, {0, 0}}),
                    item("A_2", {{49, -10}, {100, -10}, {100, 20}, {52, 20}, {50, 0}}),
                    item("B_2", {{47, -30}, {100, -30}, {100, -10}, {49, -10}, {48, -20}})};
     input.faults = {item("F", {{53 + beside, 30}, {46 + beside, -40}})};
@@ -100,7 +101,8 @@ TEST(UnitHorizons, EdgesDrawnTwiceWithGapsAndOverlapsGiveOneHorizonFromSideToSid
       const geom::Polyline& line = read.section.horizons[i].line;
       EXPECT_EQ(line.points.front().x, 0.0);
       EXPECT_EQ(line.points.back().x, 1000.0);
-      for (const Point p : line.points) EXPECT_NEAR(p.y, surface(i + 1, p.x), error + 0.7) << seed;  // 0.65: a chord's rise
+      for (const Point p : line.points)
+        EXPECT_NEAR(p.y, surface(i + 1, p.x), error + 0.7) << seed;  // 0.65: a chord's rise
       EXPECT_LT(geom::length(line), 1030.0);
     }
   }
@@ -108,7 +110,8 @@ TEST(UnitHorizons, EdgesDrawnTwiceWithGapsAndOverlapsGiveOneHorizonFromSideToSid
 
 TEST(UnitHorizons, AGapWiderThanTheToleranceIsNoEdgeAndAGivenToleranceBridgesIt) {
   SectionInput input;
-  input.units = {item("A", {{0, 2}, {100, 2}, {100, 20}, {0, 20}}), item("B", {{0, -20}, {100, -20}, {100, 0}, {0, 0}})};
+  input.units = {item("A", {{0, 2}, {100, 2}, {100, 20}, {0, 20}}),
+                 item("B", {{0, -20}, {100, -20}, {100, 0}, {0, 0}})};
   EXPECT_NE(refusal_of(input).find("share_edges"), std::string::npos);
   input.share_edges = 3.0;
   EXPECT_EQ(names_of(read_of(input)), Names{"B"});
@@ -116,7 +119,8 @@ TEST(UnitHorizons, AGapWiderThanTheToleranceIsNoEdgeAndAGivenToleranceBridgesIt)
 
 TEST(UnitHorizons, AUnitWithinAnotherHasATopAndABase) {
   SectionInput input;
-  input.units = {item("lens", {{30, 0}, {50, -5}, {70, 0}, {50, 5}}), item("A", {{0, -20}, {100, -20}, {100, 20}, {0, 20}}),
+  input.units = {item("lens", {{30, 0}, {50, -5}, {70, 0}, {50, 5}}),
+                 item("A", {{0, -20}, {100, -20}, {100, 20}, {0, 20}}),
                  item("B", {{0, -40}, {100, -40}, {100, -20}, {0, -20}})};
   const ReadSection read = read_of(input);
   ASSERT_EQ(names_of(read), (Names{"lens", "base of lens", "B"}));
@@ -173,7 +177,8 @@ TEST(UnitHorizons, WhatCannotBeMadeIsRefused) {
   none.horizons = {item("A", {{0, 0}, {100, 0}})};
   EXPECT_NE(refusal_of(none).find("no polygon"), std::string::npos);
   SectionInput twice;
-  twice.units = {item("A", {{0, 0}, {100, 0}, {100, 20}, {0, 20}}), item("B", {{0, -20}, {100, -20}, {100, 0}, {0, 0}})};
+  twice.units = {item("A", {{0, 0}, {100, 0}, {100, 20}, {0, 20}}),
+                 item("B", {{0, -20}, {100, -20}, {100, 0}, {0, 0}})};
   twice.horizons = {item("B", {{0, -5}, {100, -5}})};
   EXPECT_NE(refusal_of(twice).find("horizon 'B'"), std::string::npos);
   SectionInput along;  // the one edge that they share is a fault

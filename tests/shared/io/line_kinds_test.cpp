@@ -8,16 +8,35 @@ namespace dobra::io {
 namespace {
 
 TEST(LineKinds, WordsOfBothLanguagesMeanAKindWhateverTheirCapitalsAccentsAndBlanks) {
-  for (const auto& [word, kind] :
-       {std::pair("fault", "fault"), {"Fault", "fault"}, {"FALHA", "fault"}, {"Falhas", "fault"},
-        {"thrust_fault", "fault"}, {" Falha de Empurrão ", "fault"}, {"Horizonte", "horizon"}, {"horizontes", "horizon"},
-        {"BEDS", "horizon"}, {"Pino", "pin"}, {"Pin-Line", "pin"}, {"loose", "loose"}, {"Linha solta", "loose"},
-        {"Topografia", "topography"}, {"topography", "topography"}, {"Datum", "datum"}, {"Nível de referência", "datum"},
-        {"erodido", "eroded"}, {"Unidades", "unit"}, {"FORMAÇÃO", "unit"}, {"Limite", "border"}, {"marcadores", "marker"},
-        {"Marker", "marker"}, {"Crescimento", "growth"}, {"growth strata", "growth"}}) {
+  for (const auto& [word, kind] : {std::pair("fault", "fault"),
+                                   {"Fault", "fault"},
+                                   {"FALHA", "fault"},
+                                   {"Falhas", "fault"},
+                                   {"thrust_fault", "fault"},
+                                   {" Falha de Empurrão ", "fault"},
+                                   {"Horizonte", "horizon"},
+                                   {"horizontes", "horizon"},
+                                   {"BEDS", "horizon"},
+                                   {"Pino", "pin"},
+                                   {"Pin-Line", "pin"},
+                                   {"loose", "loose"},
+                                   {"Linha solta", "loose"},
+                                   {"Topografia", "topography"},
+                                   {"topography", "topography"},
+                                   {"Datum", "datum"},
+                                   {"Nível de referência", "datum"},
+                                   {"erodido", "eroded"},
+                                   {"Unidades", "unit"},
+                                   {"FORMAÇÃO", "unit"},
+                                   {"Limite", "border"},
+                                   {"marcadores", "marker"},
+                                   {"Marker", "marker"},
+                                   {"Crescimento", "growth"},
+                                   {"growth strata", "growth"}}) {
     EXPECT_EQ(known_kind(word), std::optional<std::string>(kind)) << word;
   }
-  for (const char* word : {"", "Falt", "not a fault", "s", "es", "0", "faultline 3"}) EXPECT_FALSE(known_kind(word)) << word;
+  for (const char* word : {"", "Falt", "not a fault", "s", "es", "0", "faultline 3"})
+    EXPECT_FALSE(known_kind(word)) << word;
 }
 
 TEST(LineKinds, AMisspeltWordIsAnsweredWithTheNearestOrWithAll) {
@@ -27,8 +46,15 @@ TEST(LineKinds, AMisspeltWordIsAnsweredWithTheNearestOrWithAll) {
 }
 
 TEST(LineKinds, PatternsFitAsInAShell) {
-  for (const auto& [pattern, name] : {std::pair("F*", "F1"), {"F*", "F"}, {"*", ""}, {"*", "x"}, {"?1", "F1"},
-                                      {"*fault*", "a fault here"}, {"a*b*c", "aXbYbZc"}, {"**", "x"}, {"a=b", "a=b"}}) {
+  for (const auto& [pattern, name] : {std::pair("F*", "F1"),
+                                      {"F*", "F"},
+                                      {"*", ""},
+                                      {"*", "x"},
+                                      {"?1", "F1"},
+                                      {"*fault*", "a fault here"},
+                                      {"a*b*c", "aXbYbZc"},
+                                      {"**", "x"},
+                                      {"a=b", "a=b"}}) {
     EXPECT_TRUE(fits(pattern, name)) << pattern << ' ' << name;
   }
   for (const auto& [pattern, name] :
@@ -49,8 +75,8 @@ TEST(LineKinds, TheFirstRuleThatFitsGoesBeforeTheFileAndOneThatFitsNothingIsTold
   LineOptions options;
   options.kinds = {*kind_rule("F1=pin"), *kind_rule("F*=fault"), *kind_rule("G*=datum"), *kind_rule("F1=loose")};
   const auto read = parse_any_lines(
-      "x,z,Name,KIND\n0,0,F1,Horizonte\n1,0,F1,Horizonte\n0,1,F2,\n1,1,F2,\n0,2,A,Horizonte\n1,2,A,Horizonte\n", "f.csv",
-      options);
+      "x,z,Name,KIND\n0,0,F1,Horizonte\n1,0,F1,Horizonte\n0,1,F2,\n1,1,F2,\n0,2,A,Horizonte\n1,2,A,Horizonte\n",
+      "f.csv", options);
   ASSERT_TRUE(read) << to_string(read.error());
   EXPECT_EQ(read->features[0].kind, "pin");
   EXPECT_EQ(read->features[1].kind, "fault");
