@@ -53,6 +53,8 @@ struct RestoreOptions {
   std::optional<std::int64_t> seed;
   bool geometry = false;
   std::optional<std::filesystem::path> out;
+  std::string colors;
+  std::string orientation;
 };
 
 struct BalanceOptions {
@@ -101,6 +103,8 @@ scenario::Step step(const char* operation, scenario::Table params) {
 
 Result<scenario::Document> restore_document(Session& session, const RestoreOptions& options) {
   DOBRA_TRY(scenario::Document document, section_document(session, options.section));
+  if (!options.colors.empty()) document.input.set("colours", as_seen_from(document, options.colors));
+  set(document.input, "orientation", options.orientation);
   scenario::Table grid;
   set(grid, "top", options.top);
   set(grid, "simplify", options.simplify);
@@ -168,7 +172,8 @@ Result<void> write_out(Session& session, const std::filesystem::path& out, scena
   if (kind == OutKind::Scenario) {
     written = scenario::write_document(document, path);
   } else if (kind == OutKind::Picture) {
-    written = dobra::cli::draw(session.program.picture_of(state), path, dobra::cli::Drawer::Cairo);
+    written = dobra::cli::draw(dobra::cli::picture_of(session.program, document, state), path,
+                               dobra::cli::Drawer::Cairo);
   } else {
     io::LineWork work;
     work.features = core::restored_features(scenario::model_of<core::Model>(state).restoration->section);
@@ -290,6 +295,12 @@ dobra::cli::Command restore_command() {
             ->type_name("D");
         add_error_options(app, *options);
         app.add_flag("--geometry", options->geometry, "With --json: the restored lines too");
+        app.add_option("--colours", options->colors,
+                       "A table (.csv .toml) of name, colour, pattern, age and lithology of units and lines")
+            ->type_name("FILE");
+        app.add_option("--orientation", options->orientation,
+                       "Compass points over the ends, such as \"W - E\"; told by the plane of lines in space")
+            ->type_name("ENDS");
         app.add_option("--out", options->out,
                        "Picture (.svg .pdf .png), restored lines (.geojson .dxf .csv ...) or scenario (.toml) to write")
             ->type_name("FILE");

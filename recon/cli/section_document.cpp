@@ -52,11 +52,16 @@ base::Result<scenario::Document> section_document(dobra::cli::Session& session, 
   for (const io::Repair& repair : work.repairs) session.note(io::to_string(repair));
   scenario::Document document;
   document.program = "recon";
-  document.title = section.file;
+  document.title = std::filesystem::path(section.file).stem().string();
   DOBRA_TRY(core::Import import, core::import_lines(work.features));
   for (const std::string& remark : import.remarks) session.note(remark);
   write_tables(std::move(import.lines), document.input);
   if (section.horizons_from_units) document.input.set("horizons_from_units", true);
+  if (work.trace || options.fold_axis) {
+    const auto [left, right] =
+        io::ends_of(options.fold_axis ? io::azimuth_of(*options.fold_axis) : io::azimuth_of(*work.trace));
+    document.input.set("orientation", fmt::format("{} - {}", left, right));
+  }
   return document;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "recon/core/crossings.h"
 #include "recon/core/import.h"
@@ -15,6 +16,7 @@
 #include "recon/core/section_faces.h"
 #include "recon/core/topography.h"
 #include "recon/core/unit_horizons.h"
+#include "shared/scenario/color_table.h"
 
 namespace recon::core {
 
@@ -245,6 +247,49 @@ void tell_open_ends(const Section& section, std::vector<std::string>& remarks) {
   }
 }
 
+/// The compass points over the ends: as the scenario says, or as the plane of the lines in space runs.
+base::Result<void> set_ends(const SectionInput& input, const ReadSettings& settings,
+                            const std::optional<dobra::io::Trace>& plane, Section& section) {
+  if (!input.orientation.empty()) {
+    const std::size_t dash = input.orientation.find('-');
+    const auto word = [](std::string text) {
+      text.erase(0, text.find_first_not_of(' '));
+      text.erase(text.find_last_not_of(' ') + 1);
+      return text;
+    };
+    section.left_end = word(input.orientation.substr(0, dash));
+    if (dash != std::string::npos) section.right_end = word(input.orientation.substr(dash + 1));
+    if (!section.left_end.empty() && !section.right_end.empty()) return {};
+    return bad(base::ErrorCode::BadValue,
+               fmt::format("orientation = \"{}\" needs two ends, such as \"W - E\" or \"SSW - NNE\"", input.orientation),
+               "input");
+  }
+  std::pair<std::string, std::string> ends;
+  if (settings.fold_axis) ends = dobra::io::ends_of(dobra::io::azimuth_of(*settings.fold_axis));
+  else if (settings.trace) ends = dobra::io::ends_of(dobra::io::azimuth_of(*settings.trace));
+  else if (plane) ends = dobra::io::ends_of(dobra::io::azimuth_of(*plane));
+  std::tie(section.left_end, section.right_end) = ends;
+  return {};
+}
+
+/// The table of colours, with remarks on names that only one of the two has.
+base::Result<void> read_colors(const std::string& path, ReadSection& read) {
+  DOBRA_TRY(dobra::scene::ColorTable table, dobra::scenario::read_color_table(path));
+  std::vector<std::string> names;
+  for (const Horizon& horizon : read.section.horizons) names.push_back(whole_name(horizon));
+  for (const Unit& unit : read.section.units) names.push_back(unit.name);
+  if (read.section.units.empty()) {
+    for (const RockUnit& unit : read.section.faces->units) names.push_back(unit.name);
+  }
+  // Faults and the like may be in the table, but need not be.
+  for (const SectionLine& line : read.section.lines) {
+    if (dobra::scene::entry_for(table, line.name, line.name) != nullptr) names.push_back(line.name);
+  }
+  for (std::string& remark : dobra::scene::remarks_on(table, names)) read.remarks.push_back(std::move(remark));
+  read.section.colors = std::make_shared<const dobra::scene::ColorTable>(std::move(table));
+  return {};
+}
+
 }  // namespace
 
 base::Result<ReadSection> read_section(const SectionInput& given, const dobra::scenario::Context& context,
@@ -273,6 +318,7 @@ base::Result<ReadSection> read_section(const SectionInput& given, const dobra::s
     }
     progress.report(static_cast<double>(i + 1) / static_cast<double>(input.horizons.size()), wanted.name);
   }
+  DOBRA_TRY_VOID(set_ends(input, settings, plane, result.section));
   DOBRA_TRY_VOID(read_items(input, settings, context, result));
   DOBRA_TRY_VOID(read_backdrops(input, context, result.section));
   DOBRA_TRY_VOID(mend(input, result));
@@ -282,6 +328,7 @@ base::Result<ReadSection> read_section(const SectionInput& given, const dobra::s
   DOBRA_TRY(SectionFaces faces, faces_of(result.section));
   for (std::string& remark : remarks_of(faces, result.section)) result.remarks.push_back(std::move(remark));
   result.section.faces = std::make_shared<const SectionFaces>(std::move(faces));
+  if (!input.colors.empty()) DOBRA_TRY_VOID(read_colors((context.folder / input.colors).string(), result));
   return result;
 }
 

@@ -62,6 +62,8 @@ struct SectionInput {
   std::vector<LinesInput> lines;
   std::vector<HorizonInput> eroded;
   bool horizons_from_units = false;
+  std::string colors;
+  std::string orientation;
   template <class D>
   static void describe(D& d) {
     d.choice("y_axis", &SectionInput::y_axis, {"up", "down"},
@@ -127,6 +129,12 @@ struct SectionInput {
              .help = "Of files with lines in space: trend and plunge in degrees; they are projected down the plunge."});
     d.field("plane_tolerance", &SectionInput::plane_tolerance,
             {.title = "Lines in space off their plane", .help = "At most this part of the length.", .above = 0.0});
+    d.file("colours", &SectionInput::colors,
+           {.title = "Table of colours",
+            .help = "CSV or TOML: name, colour, pattern, age and lithology of units and lines."});
+    d.field("orientation", &SectionInput::orientation,
+            {.title = "Orientation",
+             .help = "What stands over the left and the right end, such as W - E; told by the plane of lines in space."});
   }
 };
 

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "shared/geom/spatial_index.h"
+#include "shared/scene/unit_colors.h"
 
 namespace recon::core {
 
@@ -53,20 +54,6 @@ std::vector<geom::Polyline> bridges(const std::vector<geom::Polyline>& rings, do
     }
   }
   return made;
-}
-
-/// "K2p" of "K2p_1", "K2p-2", "K2p 3" and "K2p (4)"; empty where no number stands at the end.
-std::string stem_of(std::string name) {
-  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-  const bool bracket = name.ends_with(')');
-  if (bracket) name.pop_back();
-  const std::size_t full = name.size();
-  while (!name.empty() && is_digit(name.back())) name.pop_back();
-  if (name.size() == full || name.empty() || (bracket && name.back() != '(')) return {};
-  if (bracket) name.pop_back();
-  const std::size_t stem = name.find_last_not_of("_- ");
-  if (stem == std::string::npos || (!bracket && stem + 1 == name.size())) return {};
-  return name.substr(0, stem + 1);
 }
 
 }  // namespace
@@ -187,23 +174,19 @@ void UnitOwners::unite_pieces(const Section& section) {
     if (a == b || a == nobody || b == nobody || on_barrier(e) || near_barrier(e)) continue;
     shared[std::minmax(a, b)] += geom::length(geom::Polyline{course(h), false});
   }
+  std::vector<std::string> drawn;
+  for (const Unit& unit : section.units) drawn.push_back(unit.piece_of.empty() ? unit.name : unit.piece_of);
+  const std::vector<std::string> wholes = dobra::scene::whole_names(drawn);
   std::map<std::string, std::vector<std::size_t>> by_name;
-  for (std::size_t i = 0; i < polygons_; ++i) {
-    const Unit& unit = section.units[i];
-    const std::string stem = stem_of(unit.name);
-    by_name[!unit.piece_of.empty() ? unit.piece_of : stem.empty() ? unit.name : stem].push_back(i);
-  }
+  for (std::size_t i = 0; i < polygons_; ++i) by_name[wholes[i]].push_back(i);
   std::vector<std::string> name(polygons_);
   for (const auto& [stem, members] : by_name) {
     const auto touch = std::find_if(shared.begin(), shared.end(), [&](const auto& pair) {
       const auto has = [&](std::size_t i) { return std::find(members.begin(), members.end(), i) != members.end(); };
       return pair.second > 3.0 * tolerance_ && has(pair.first.first) && has(pair.first.second);
     });
-    const bool one = members.size() > 1 && touch == shared.end() && members.size() < polygons_;
-    for (const std::size_t i : members) {
-      const Unit& unit = section.units[i];
-      name[i] = !unit.piece_of.empty() ? unit.piece_of : one ? stem : unit.name;
-    }
+    const bool one = members.size() > 1 && touch == shared.end();
+    for (const std::size_t i : members) name[i] = one ? stem : drawn[i];
     if (members.size() < 2) continue;
     std::vector<std::string> told;
     for (const std::size_t i : members) told.push_back('\'' + section.units[i].name + '\'');

@@ -2440,6 +2440,58 @@
         <translation>z [m]</translation>
     </message>
     <message>
+        <source>... {} more</source>
+        <translation>... mais {}</translation>
+    </message>
+    <message>
+        <source>... {} more rows, in the tables (CSV) and the report</source>
+        <translation>... mais {} linhas, nas tabelas (CSV) e no relatório</translation>
+    </message>
+    <message>
+        <source>continued</source>
+        <translation>continuação</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Linhas</translation>
+    </message>
+    <message>
+        <source>Eroded</source>
+        <translation>Erodido</translation>
+    </message>
+    <message>
+        <source>strain ellipses are longer than they are drawn; the greatest stretch and its place:</source>
+        <translation>elipses de deformação são mais longas do que se desenha; o maior estiramento e seu lugar:</translation>
+    </message>
+    <message>
+        <source>Names of the column</source>
+        <translation>Nomes da coluna</translation>
+    </message>
+    <message>
+        <source>x [km]</source>
+        <translation>x [km]</translation>
+    </message>
+    <message>
+        <source>z [km]</source>
+        <translation>z [km]</translation>
+    </message>
+    <message>
+        <source>Table of colours</source>
+        <translation>Tabela de cores</translation>
+    </message>
+    <message>
+        <source>CSV or TOML: name, colour, pattern, age and lithology of units and lines.</source>
+        <translation>CSV ou TOML: name (nome), colour (cor), pattern (padrão), age (idade) e lithology (litologia) de unidades e linhas.</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>Orientação</translation>
+    </message>
+    <message>
+        <source>What stands over the left and the right end, such as W - E; told by the plane of lines in space.</source>
+        <translation>O que fica sobre o fim esquerdo e o direito, como W - E; o plano de linhas no espaço o diz.</translation>
+    </message>
+    <message>
         <source>Format version.</source>
         <translation>Versão do formato.</translation>
     </message>

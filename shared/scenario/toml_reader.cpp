@@ -317,6 +317,27 @@ base::Result<ScenarioTables> read_scenario_tables(const std::string& text, const
   return out;
 }
 
+base::Result<std::vector<Table>> read_rows(const std::string& text, const std::string& file, const std::string& key) {
+  const toml::parse_result parsed = toml::parse(text, file);
+  if (!parsed) {
+    return Error{ErrorCode::BadSyntax, syntax_message(parsed.error()), place_at(parsed.error().source(), file)};
+  }
+  Comments comments(text, parsed.table());
+  Reader reader(file, &comments);
+  std::vector<Table> rows;
+  for (auto&& [name, node] : parsed.table()) {
+    const auto* array = node.as_array();
+    const bool tables = array != nullptr && !array->empty() &&
+                        std::all_of(array->begin(), array->end(), [](const toml::node& row) { return row.is_table(); });
+    if (name.str() != key || !tables) {
+      return Error{ErrorCode::UnknownKey, fmt::format("'{}' is not known here; write [[{}]] tables", name.str(), key),
+                   place_at(name.source(), file)};
+    }
+    DOBRA_TRY(rows, reader.rows(*array, key));
+  }
+  return rows;
+}
+
 base::Result<Value> read_value(const std::string& text) {
   const toml::parse_result parsed = toml::parse("value = " + text);
   if (!parsed) return Error{ErrorCode::BadSyntax, syntax_message(parsed.error())};

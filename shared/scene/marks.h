@@ -46,6 +46,7 @@ struct BoxMark {
   std::optional<Color> fill;
   Color line{};
   double line_width = 0.0;  ///< 0: no outline.
+  Pattern pattern = Pattern::None;
 };
 
 struct DiscMark {
