@@ -165,15 +165,29 @@ class Maker {
     }
   }
 
-  /// Over all that two units have in common the one is above the other, or over this stretch, or it turns.
-  [[nodiscard]] Role role_of(const Loop& loop, Run run) const {
+  /// Over all that two units have in common the one is above the other, or over this stretch, or it turns, or it has no
+  /// upper side.
+  [[nodiscard]] Role role_of(const Loop& loop, Run run) {
     const Slant all = slants_.at({loop.unit, loop.steps[run.first].beyond});
     if (std::abs(all.right) >= least_slant * all.across && all.across > 0.0)
       return all.right > 0.0 ? Role::Top : Role::None;
     const double right = sum_over(loop.steps, run, &Step::right);
     const double across = sum_over(loop.steps, run, &Step::across);
     if (std::abs(right) >= least_slant * across && across > 0.0) return right > 0.0 ? Role::Top : Role::None;
-    return geom::signed_area({points_of(loop, run), true}) < 0.0 ? Role::Turns : Role::None;
+    const std::vector<geom::Point> points = points_of(loop, run);
+    double reach = 0.0;
+    for (const geom::Point p : points) reach = std::max(reach, std::abs(p.x - points.front().x));
+    if (geom::distance(points.front(), points.back()) <= 2.0 * reach)
+      return geom::signed_area({points, true}) < 0.0 ? Role::Turns : Role::None;
+    tell_upright(loop.unit, loop.steps[run.first].beyond, points.front());
+    return Role::None;
+  }
+
+  void tell_upright(std::size_t unit, std::size_t beyond, geom::Point place) {
+    if (unit > beyond) return;  // told from the other side
+    remarks_.push_back(fmt::format("the edge between '{}' and '{}' at ({:.6g}, {:.6g}) stands upright: it is the top of "
+                                   "neither, and no horizon",
+                                   owners_.names()[unit], owners_.names()[beyond], place.x, place.y));
   }
 
   /// A bit of another edge between two tops, no longer than what is untidy.

@@ -143,6 +143,16 @@ TEST(UnitHorizons, AnOverturnedLimbStaysInItsHorizon) {
   EXPECT_EQ(read.section.horizons[0].line.points, edge);
 }
 
+TEST(UnitHorizons, AnUprightEdgeIsTheTopOfNeitherAndIsTold) {
+  SectionInput input;
+  input.units = {item("west", {{0, 0}, {50, 0}, {51, 10}, {49, 20}, {51, 30}, {50, 40}, {0, 40}}),
+                 item("east", {{50, 0}, {100, 0}, {100, 40}, {50, 40}, {51, 30}, {49, 20}, {51, 10}}),
+                 item("base", {{0, -20}, {100, -20}, {100, 0}, {50, 0}, {0, 0}})};
+  const ReadSection read = read_of(input);
+  EXPECT_EQ(names_of(read), Names{"base"});
+  EXPECT_TRUE(tells(read, "the edge between 'west' and 'east'"));
+}
+
 TEST(UnitHorizons, PolygonsThatMeetInAPointAreApart) {
   SectionInput input;
   input.units = {item("T", {{0, 0}, {50, 0}, {100, 0}, {100, 10}, {0, 10}}), item("M_1", {{0, 0}, {0, -10}, {50, 0}}),
