@@ -218,6 +218,9 @@ Result<int> mesh_job(Session& session, const Options& options) {
   for (const auto& file : {options.histogram, options.picture, options.size_field}) {
     if (file) DOBRA_TRY_VOID(dobra::cli::check_ending(*file, dobra::cli::Drawer::Cairo));
   }
+  for (const auto& file : {options.out, options.histogram, options.picture, options.size_field}) {
+    if (file) DOBRA_TRY_VOID(dobra::cli::check_writable(*file));
+  }
   DOBRA_TRY(const scenario::Document document, document_of(session, options));
   const auto start = std::chrono::steady_clock::now();
   const auto since = [](auto from) { return std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count(); };

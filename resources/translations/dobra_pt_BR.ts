@@ -2044,6 +2044,54 @@
         <translation>Maior corda de uma curva</translation>
     </message>
     <message>
+        <source>Text, CSV, GeoJSON, DXF, GOCAD, MOVE, Shapefile, GeoPackage or WKT.</source>
+        <translation>Texto, CSV, GeoJSON, DXF, GOCAD, MOVE, Shapefile, GeoPackage ou WKT.</translation>
+    </message>
+    <message>
+        <source>Kinds by names</source>
+        <translation>Tipos pelos nomes</translation>
+    </message>
+    <message>
+        <source>Such as &apos;F*=fault&apos;; the first that fits a name goes before the kind that the file gives.</source>
+        <translation>Como &apos;F*=falha&apos;; o primeiro que serve a um nome vale mais que o tipo que o arquivo dá.</translation>
+    </message>
+    <message>
+        <source>Columns of x and height</source>
+        <translation>Colunas de x e altura</translation>
+    </message>
+    <message>
+        <source>In a text file: numbers from 1 or headers; three for x, y and height of map coordinates.</source>
+        <translation>Em um arquivo de texto: números a partir de 1 ou cabeçalhos; três para x, y e altura de coordenadas de mapa.</translation>
+    </message>
+    <message>
+        <source>In a text file: a line ends where their texts change.</source>
+        <translation>Em um arquivo de texto: uma linha termina onde seus textos mudam.</translation>
+    </message>
+    <message>
+        <source>Eroded lines</source>
+        <translation>Linhas erodidas</translation>
+    </message>
+    <message>
+        <source>Drawn dashed and not restored.</source>
+        <translation>Desenhadas tracejadas e não restauradas.</translation>
+    </message>
+    <message>
+        <source>Files of many lines</source>
+        <translation>Arquivos de várias linhas</translation>
+    </message>
+    <message>
+        <source>Each line becomes what its kind says, a horizon without one.</source>
+        <translation>Cada linha torna-se o que seu tipo diz; sem tipo, um horizonte.</translation>
+    </message>
+    <message>
+        <source>Horizons from units</source>
+        <translation>Horizontes a partir de unidades</translation>
+    </message>
+    <message>
+        <source>Edges that polygons share become horizons, named by the unit below; none along faults.</source>
+        <translation>Lados que polígonos compartilham tornam-se horizontes com o nome da unidade abaixo; nenhum ao longo de falhas.</translation>
+    </message>
+    <message>
         <source>Snap ends to faults</source>
         <translation>Ajustar extremidades às falhas</translation>
     </message>

@@ -113,6 +113,7 @@ base::Result<int> run_job(Session& session, const RunOptions& options) {
 base::Result<int> render_job(Session& session, const RenderOptions& options) {
   const Drawer drawer = options.drawer == "vtk" ? Drawer::Vtk : Drawer::Cairo;
   DOBRA_TRY_VOID(check_ending(options.out, drawer));
+  DOBRA_TRY_VOID(check_writable(options.out));
   DOBRA_TRY(const scenario::Document document, load(session, options.scenario));
   DOBRA_TRY(Staging staging, Staging::open(options.out.parent_path(), TargetFolder::MustExist));
   DOBRA_TRY(const scenario::Run run, run_steps(session, document));

@@ -19,6 +19,7 @@
 
 #include "shared/io/file.h"
 #include "shared/io/gdal.h"
+#include "shared/io/line_kinds.h"
 #include "shared/io/ogr_features.h"
 #include "shared/io/scan.h"
 
@@ -192,7 +193,8 @@ class DrawingReader {
       std::vector<double>& heights = parts.lines.heights[i];
       Feature feature;
       feature.type = returns_to_start(line, heights) ? FeatureType::Polygons : FeatureType::Lines;
-      feature.kind = layer;
+      feature.kind = known_kind(layer).value_or("");
+      if (!layer.empty()) feature.properties.emplace_back("layer", layer);
       feature.name = name_on(layer, used_);
       feature.parts.push_back(std::move(line));
       feature.heights.push_back(std::move(heights));
