@@ -9,11 +9,13 @@
 #include <tuple>
 
 #include "recon/core/crossings.h"
+#include "recon/core/import.h"
 #include "recon/core/items.h"
 #include "recon/core/line_file.h"
 #include "recon/core/mend.h"
 #include "recon/core/section_faces.h"
 #include "recon/core/topography.h"
+#include "recon/core/unit_horizons.h"
 #include "shared/scenario/color_table.h"
 
 namespace recon::core {
@@ -28,6 +30,7 @@ base::Error bad(base::ErrorCode code, std::string message, std::string item) {
 
 base::Result<ReadPieces> read_any(const HorizonInput& input, const ReadSettings& settings,
                                   const dobra::scenario::Context& context) {
+  if (input.placed) return ReadPieces{{input.placed->line}, {}, input.placed->trace};
   if (input.file.empty() == input.points.empty()) {
     return base::Error{base::ErrorCode::MissingKey, input.file.empty()
                                                         ? "a line needs file = \"...\" or points = [...]"
@@ -289,11 +292,12 @@ base::Result<void> read_colors(const std::string& path, ReadSection& read) {
 
 }  // namespace
 
-base::Result<ReadSection> read_section(const SectionInput& input, const dobra::scenario::Context& context,
+base::Result<ReadSection> read_section(const SectionInput& given, const dobra::scenario::Context& context,
                                        const base::Progress& progress) {
-  DOBRA_TRY_VOID(check_names(input));
-  DOBRA_TRY(const ReadSettings settings, read_settings(input));
+  DOBRA_TRY(const ReadSettings settings, read_settings(given));
   ReadSection result;
+  DOBRA_TRY(const SectionInput input, with_lines_of_files(given, settings, context, result.remarks));
+  DOBRA_TRY_VOID(check_names(input));
   result.section.convention = settings.convention;
   std::optional<dobra::io::Trace> plane;
   for (std::size_t i = 0; i < input.horizons.size(); ++i) {
@@ -318,6 +322,7 @@ base::Result<ReadSection> read_section(const SectionInput& input, const dobra::s
   DOBRA_TRY_VOID(read_items(input, settings, context, result));
   DOBRA_TRY_VOID(read_backdrops(input, context, result.section));
   DOBRA_TRY_VOID(mend(input, result));
+  if (input.horizons_from_units) DOBRA_TRY_VOID(add_horizons_of_units(input.share_edges, result));
   if (input.above_topography == AboveTopography::Leave) DOBRA_TRY_VOID(cut_at_topography(result));
   tell_open_ends(result.section, result.remarks);
   DOBRA_TRY(SectionFaces faces, faces_of(result.section));

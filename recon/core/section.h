@@ -71,6 +71,7 @@ struct Unit {
   std::string name;
   geom::Polyline contour;  ///< Closed, simple, anticlockwise.
   base::Place source;
+  std::string piece_of = {};  ///< The unit that it is one of several pieces of; empty where it is whole.
 };
 
 /// Points that belong together: picks of a well, a fossil, a growth line.

@@ -59,6 +59,9 @@ struct SectionInput {
   std::vector<double> trace;
   std::vector<double> fold_axis;
   double plane_tolerance = 1e-3;
+  std::vector<LinesInput> lines;
+  std::vector<HorizonInput> eroded;
+  bool horizons_from_units = false;
   std::string colors;
   std::string orientation;
   template <class D>
@@ -88,6 +91,12 @@ struct SectionInput {
                       "first horizon to the last, between their ends."});
     d.tables("topography", &SectionInput::topographies, {.title = "Topography"});
     d.tables("datum", &SectionInput::datums, {.title = "Datums", .help = "Lines that the step target may name."});
+    d.tables("eroded", &SectionInput::eroded, {.title = "Eroded lines", .help = "Drawn dashed and not restored."});
+    d.tables("lines", &SectionInput::lines,
+             {.title = "Files of many lines", .help = "Each line becomes what its kind says, a horizon without one."});
+    d.field("horizons_from_units", &SectionInput::horizons_from_units,
+            {.title = "Horizons from units",
+             .help = "Edges that polygons share become horizons, named by the unit below; none along faults."});
     d.tables("backdrop", &SectionInput::backdrops, {.title = "Backdrop pictures"});
     d.choice("above_topography", &SectionInput::above_topography, {"leave", "restore"},
              {.title = "Horizons above the topography",

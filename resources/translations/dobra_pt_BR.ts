@@ -500,10 +500,6 @@
         <translation>tamanho [m]</translation>
     </message>
     <message>
-        <source>log10 of size [m]</source>
-        <translation>log10 do tamanho [m]</translation>
-    </message>
-    <message>
         <source>sizes wanted</source>
         <translation>tamanhos desejados</translation>
     </message>
@@ -888,8 +884,8 @@
         <translation>Com y_axis = &quot;down&quot;: o valor na altura 0, nas unidades do arquivo.</translation>
     </message>
     <message>
-        <source>Of the coordinates in the file; as the file says, else m.</source>
-        <translation>Das coordenadas no arquivo; como diz o arquivo, senão m.</translation>
+        <source>Of the coordinates in the file; as the file says, else as the scenario.</source>
+        <translation>Das coordenadas no arquivo; como diz o arquivo, senão como o cenário.</translation>
     </message>
     <message>
         <source>Heights are stored this many times too large.</source>
@@ -1392,14 +1388,6 @@
         <translation>field: o que 99,5 % da área tem, se um pico (uma ponta de trinca) se destaca; full: do menor ao maior valor.</translation>
     </message>
     <message>
-        <source>colours</source>
-        <translation>cores</translation>
-    </message>
-    <message>
-        <source>of the area</source>
-        <translation>da área</translation>
-    </message>
-    <message>
         <source>Error of each cycle</source>
         <translation>Erro de cada ciclo</translation>
     </message>
@@ -1422,10 +1410,6 @@
     <message>
         <source>analyses</source>
         <translation>análises</translation>
-    </message>
-    <message>
-        <source>to</source>
-        <translation>a</translation>
     </message>
     <message>
         <source>Begin with</source>
@@ -2058,6 +2042,54 @@
     <message>
         <source>Longest chord of a curve</source>
         <translation>Maior corda de uma curva</translation>
+    </message>
+    <message>
+        <source>Text, CSV, GeoJSON, DXF, GOCAD, MOVE, Shapefile, GeoPackage or WKT.</source>
+        <translation>Texto, CSV, GeoJSON, DXF, GOCAD, MOVE, Shapefile, GeoPackage ou WKT.</translation>
+    </message>
+    <message>
+        <source>Kinds by names</source>
+        <translation>Tipos pelos nomes</translation>
+    </message>
+    <message>
+        <source>Such as &apos;F*=fault&apos;; the first that fits a name goes before the kind that the file gives.</source>
+        <translation>Como &apos;F*=falha&apos;; o primeiro que serve a um nome vale mais que o tipo que o arquivo dá.</translation>
+    </message>
+    <message>
+        <source>Columns of x and height</source>
+        <translation>Colunas de x e altura</translation>
+    </message>
+    <message>
+        <source>In a text file: numbers from 1 or headers; three for x, y and height of map coordinates.</source>
+        <translation>Em um arquivo de texto: números a partir de 1 ou cabeçalhos; três para x, y e altura de coordenadas de mapa.</translation>
+    </message>
+    <message>
+        <source>In a text file: a line ends where their texts change.</source>
+        <translation>Em um arquivo de texto: uma linha termina onde seus textos mudam.</translation>
+    </message>
+    <message>
+        <source>Eroded lines</source>
+        <translation>Linhas erodidas</translation>
+    </message>
+    <message>
+        <source>Drawn dashed and not restored.</source>
+        <translation>Desenhadas tracejadas e não restauradas.</translation>
+    </message>
+    <message>
+        <source>Files of many lines</source>
+        <translation>Arquivos de várias linhas</translation>
+    </message>
+    <message>
+        <source>Each line becomes what its kind says, a horizon without one.</source>
+        <translation>Cada linha torna-se o que seu tipo diz; sem tipo, um horizonte.</translation>
+    </message>
+    <message>
+        <source>Horizons from units</source>
+        <translation>Horizontes a partir de unidades</translation>
+    </message>
+    <message>
+        <source>Edges that polygons share become horizons, named by the unit below; none along faults.</source>
+        <translation>Lados que polígonos compartilham tornam-se horizontes com o nome da unidade abaixo; nenhum ao longo de falhas.</translation>
     </message>
     <message>
         <source>Snap ends to faults</source>

@@ -113,6 +113,7 @@ base::Result<int> run_job(Session& session, const RunOptions& options) {
 base::Result<int> render_job(Session& session, const RenderOptions& options) {
   const Drawer drawer = options.drawer == "vtk" ? Drawer::Vtk : Drawer::Cairo;
   DOBRA_TRY_VOID(check_ending(options.out, drawer));
+  DOBRA_TRY_VOID(check_writable(options.out));
   DOBRA_TRY(const scenario::Document document, load(session, options.scenario));
   DOBRA_TRY(Staging staging, Staging::open(options.out.parent_path(), TargetFolder::MustExist));
   DOBRA_TRY(const scenario::Run run, run_steps(session, document));
@@ -139,11 +140,13 @@ void add_scenario_options(CLI::App& app, ScenarioOptions& options) {
   app.add_option("--set", options.assignments, "Change a value, such as steps.2.distance=0.4; may be repeated")
       ->allow_extra_args(false)
       ->type_name("PATH=VALUE");
+  app.add_flag("--si", options.si, "Results in m, N, Pa, whatever the units of the scenario");
 }
 
 base::Result<scenario::Document> load(Session& session, const ScenarioOptions& options) {
   DOBRA_TRY(scenario::Document document, scenario::read_document(options.file));
   DOBRA_TRY_VOID(scenario::check_program(document, session.program));
+  if (options.si) document.result_units = scenario::UnitSystem();
   for (const std::string& assignment : options.assignments) {
     DOBRA_TRY(document, scenario::with_value(std::move(document), session.program, assignment));
   }

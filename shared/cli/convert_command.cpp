@@ -191,10 +191,12 @@ Error of_usage(Error error) {
 Result<int> convert_job(Session& session, const Options& options) {
   DOBRA_TRY(const io::LineOptions line_settings, line_options(options.lines));
   DOBRA_TRY(const Target target, target_of(options));
+  DOBRA_TRY_VOID(check_writable(options.output));
   auto read = io::read_any_lines(options.input, line_settings);
   if (!read) return of_usage(read.error());
   io::LineWork& work = *read;
   if (auto kept = keep_only(work, options.only); !kept) return base::located(kept.error(), {.file = options.input});
+  if (const auto kinds = io::check_kinds(work.features); !kinds) work.remarks.push_back(base::to_string(kinds.error()));
   if (target.colors) {
     for (std::string& remark : scene::remarks_on(*target.colors, drawn_names(work)))
       work.remarks.push_back(std::move(remark));

@@ -87,6 +87,14 @@ Trace with_misfit(Trace trace, const std::vector<Feature>& features) {
   return trace;
 }
 
+double length_along(const Trace& trace, const std::vector<Feature>& features) {
+  geom::Box along;
+  for_each_point(features, [&](Point p) {
+    along.add(Point{geom::dot({trace.east, trace.north}, p - Point{trace.x, trace.y}), 0.0});
+  });
+  return along.width();
+}
+
 namespace {
 
 /// Puts every point where `place` says, by its place on the map and its height.

@@ -25,6 +25,9 @@ base::Result<Trace> trace_between(geom::Point from, geom::Point to);
 /// `trace` with the misfits of these features. @pre every feature has heights.
 Trace with_misfit(Trace trace, const std::vector<Feature>& features);
 
+/// How far the features reach along the trace, from the first point to the last, m.
+double length_along(const Trace& trace, const std::vector<Feature>& features);
+
 /// Lays the features into the plane: x along the trace, y the height; heights are dropped.
 /// @error DegenerateCurve with the feature and the place: nothing but one point is left of a line.
 base::Result<void> lay_into_plane(std::vector<Feature>& features, const Trace& trace);

@@ -35,6 +35,18 @@ std::vector<Feature> lines_on(double degrees, double off, std::vector<Feature>* 
   return features;
 }
 
+TEST(SectionPlane, TheLengthIsThatOfTheSectionWhereverTheTraceBegins) {
+  for (const double degrees : {0.0, 90.0, 37.0}) {
+    const std::vector<Feature> features = lines_on(degrees, 0.0);
+    const Trace fitted = *fit_trace(features);
+    EXPECT_NEAR(length_along(fitted, features), 9950.0, 1e-5) << degrees;
+    Trace from_afar = fitted;
+    from_afar.x -= 1e6 * fitted.east;
+    from_afar.y -= 1e6 * fitted.north;
+    EXPECT_NEAR(length_along(from_afar, features), 9950.0, 1e-5) << degrees;
+  }
+}
+
 TEST(SectionPlane, AnExactPlaneIsFoundAndTheLinesComeBack) {
   for (const double degrees : {0.0, 30.0, 89.9, 90.0, -45.0, 10.0}) {
     std::vector<Feature> expected;
