@@ -17,10 +17,10 @@ namespace {
 
 namespace scene = dobra::scene;
 
-Model restored_model() {
+Model restored_model(double depth = 50.0) {
   const geom::Polyline top = test::arc(1000.0);
   Model model;
-  model.section = test::section_of({top, test::parallel(top, 50.0), test::parallel(top, 55.0)});
+  model.section = test::section_of({top, test::parallel(top, depth), test::parallel(top, depth + 5.0)});
   GridParams grid;
   grid.count = 4;
   model = run_grid(model, grid, {}, {}).value();
@@ -35,10 +35,10 @@ const scene::Layer* find(const scene::Panel& panel, const std::string& key) {
   return nullptr;
 }
 
-TEST(Layers, REC_j_TheDeformedAndTheRestoredSectionStandSideBySideWithTheirGrids) {
+TEST(Layers, REC_j_TheDeformedAndTheRestoredSectionStandOnOneSheetWithTheirGrids) {
   const scene::Picture picture = picture_of(restored_model());
   ASSERT_EQ(picture.panels.size(), 2u);
-  EXPECT_EQ(picture.arrangement, scene::Arrangement::Row);
+  EXPECT_EQ(picture.paper, scene::Paper::A4Landscape);
   EXPECT_EQ(picture.panels[0].title, "Deformed section");
   EXPECT_EQ(picture.panels[1].title, "Restored section");
   for (const scene::Panel& panel : picture.panels) {
@@ -131,6 +131,11 @@ TEST(Layers, ALongLowSectionStandsOverItsRestoration) {
       test::section_of({{{{0, 0}, {5000, 90}, {9000, 0}}, false}, {{{0, -80}, {5000, 0}, {9000, -80}}, false}});
   model = run_target(run_grid(model, {}, {}, {}).value(), {}, {}, {}).value();
   EXPECT_EQ(picture_of(model).arrangement, scene::Arrangement::Column);
+}
+
+TEST(Layers, AThickSectionStandsBesideItsRestoration) {
+  EXPECT_EQ(picture_of(restored_model(700.0)).arrangement, scene::Arrangement::Row);
+  EXPECT_EQ(picture_of(restored_model()).arrangement, scene::Arrangement::Column);
 }
 
 TEST(Layers, BeforeTheTargetThereIsOnePanel) {
