@@ -22,7 +22,9 @@ using dobra::geom::Point;
 class InputTables {
  public:
   /// @param piece_of  the horizon that it is a piece of, if it is one.
-  void add(const std::string& key, std::string name, std::vector<Point> points, const std::string& piece_of) {
+  /// @param role  "growth", or nothing.
+  void add(const std::string& key, std::string name, std::vector<Point> points, const std::string& piece_of,
+           const std::string& role) {
     // Names must differ within a kind; a file may repeat them.
     const std::string wanted = name;
     for (int copy = 2; !names_.insert(key + '\n' + name).second; ++copy) name = fmt::format("{} ({})", wanted, copy);
@@ -30,6 +32,7 @@ class InputTables {
     row.set("name", name);
     row.set("points", std::move(points));
     if (!piece_of.empty()) row.set("piece_of", piece_of);
+    if (!role.empty()) row.set("role", role);
     for (auto& [known, rows] : tables_) {
       if (known != key) continue;
       rows.push_back(std::move(row));
@@ -88,17 +91,18 @@ InputTables tables_of(const std::vector<io::Feature>& features, dobra::cli::Sess
   std::set<std::string> told;
   for (std::size_t i = 0; i < features.size(); ++i) {
     const std::string whole = name_of(features[i], i);
+    const std::string role = features[i].kind == "growth" ? "growth" : "";
     for (std::size_t part = 0; part < features[i].parts.size(); ++part) {
       std::vector<Point> points = features[i].parts[part].points;
       if (features[i].parts[part].closed) points.push_back(points.front());  // it says that it closes
       const auto found = pieces.find(whole);
       if (key_of(features[i]) != "horizon" || found->second.size() == 1) {
-        tables.add(key_of(features[i]), whole, std::move(points), {});
+        tables.add(key_of(features[i]), whole, std::move(points), {}, role);
         continue;
       }
       const auto at = std::find_if(found->second.begin(), found->second.end(),
                                    [&](const Place& p) { return p.feature == i && p.part == part; });
-      tables.add("horizon", fmt::format("{} ({})", whole, at - found->second.begin() + 1), std::move(points), whole);
+      tables.add("horizon", fmt::format("{} ({})", whole, at - found->second.begin() + 1), std::move(points), whole, role);
       if (told.insert(whole).second) {
         session.note(fmt::format("horizon '{0}' is in {1} pieces, numbered from the left: '{0} (1)' to '{0} ({1})'",
                                  whole, found->second.size()));
