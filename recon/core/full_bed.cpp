@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <tuple>
 
 #include "shared/offset/arcs.h"
 
@@ -65,6 +66,7 @@ struct Parallel {
   BedPart whole;
   double at = 0.0;     ///< Of the end, m.
   double depth = 0.0;  ///< Below the guide, m.
+  double beside = 0.0;  ///< How far the end lies off it, m: it has no parallel there if that is more than rounding.
 };
 
 class Completer {
@@ -195,19 +197,8 @@ class Completer {
     return &*guides_[bed];
   }
 
-  /// The next bed towards the top that reaches the pin in one line, and covers the end.
-  const Guide& guide_at(geom::Point end) {
-    std::size_t bed = bed_;
-    while (bed != top_bed_) {
-      bed = bed > top_bed_ ? bed - 1 : bed + 1;
-      const Guide* found = guide(bed);
-      if (found != nullptr && !found->columns.is_outer(found->columns.find(end, tolerance_).column)) return *found;
-    }
-    return top_guide_;
-  }
-
-  base::Result<Parallel> parallel(const Piece& piece, geom::Point end) {
-    const Guide& guide = guide_at(end);
+  /// The parallel through an end, at the depth that the end has below the guide.
+  base::Result<Parallel> parallel_of(const Guide& guide, geom::Point end) const {
     Parallel made;
     made.guide = &guide;
     made.depth = guide.columns.locate(end, tolerance_).at.depth;
@@ -222,13 +213,27 @@ class Completer {
       if (!curves.front().pieces.empty())
         made.whole = part_of(dobra::offset::chords(curves.front().pieces.front(), guide.line).polyline);
     }
-    const auto [at, distance] = nearest_on(made.whole, end);
-    made.at = at;
-    if (distance <= 1e4 * tolerance_) return made;
+    std::tie(made.at, made.beside) = nearest_on(made.whole, end);
+    return made;
+  }
+
+  /// Of the next bed towards the top that reaches the pin in one line, covers the end and has a parallel there.
+  base::Result<Parallel> parallel(const Piece& piece, geom::Point end) {
+    Parallel made;
+    for (std::size_t bed = bed_;;) {
+      if (bed != top_bed_) bed = bed > top_bed_ ? bed - 1 : bed + 1;
+      const Guide* found = guide(bed);
+      const bool is_last = bed == top_bed_;
+      if (found != nullptr && (is_last || !found->columns.is_outer(found->columns.find(end, tolerance_).column))) {
+        DOBRA_TRY(made, parallel_of(*found, end));
+        if (made.beside <= 1e4 * tolerance_) return made;
+      }
+      if (is_last) break;
+    }
     return cannot(piece, end,
                   fmt::format("it ends here, {:.6g} m from '{}', where that has no parallel (beyond its medial axis), so "
                               "that its missing part cannot be told; lengthen it, or take another method",
-                              made.depth, guide.name));
+                              made.depth, made.guide->name));
   }
 
   /// Where a missing part comes to the pin line, which lies before the end (-1) or behind it (+1).
@@ -253,13 +258,12 @@ class Completer {
     bed.id = pieces.front().id;
     const auto pinned = std::find_if(pieces.begin(), pieces.end(), [](const Piece& p) { return p.pin.has_value(); });
     const bool reaches = pinned != pieces.end();
-    std::size_t before = 0;  // so many pieces lie before the pin, or begin there
+    // So many pieces lie before the pin, or before the one that it holds. Beside a corner the pin line may leave its
+    // column, so that a piece may stand on both sides of the pin and yet not meet its line.
+    std::size_t before = 0;
     while (before < pieces.size() && (reaches ? pieces.begin() + static_cast<std::ptrdiff_t>(before) != pinned
-                                              : pieces[before].last <= pin_arc_ + tolerance_))
+                                              : pieces[before].first + pieces[before].last <= 2.0 * pin_arc_))
       ++before;
-    if (!reaches && before < pieces.size() && pieces[before].first < pin_arc_ - tolerance_) {
-      return cannot(pieces[before], pin_.at(), "the pin line does not meet it, though it lies on both sides; move the pin");
-    }
     DOBRA_TRY_VOID(add_start(pieces.front(), !reaches && before == 0, bed));
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       if (reaches && i == before) {

@@ -115,7 +115,9 @@ std::vector<geom::Polyline> random_fold(std::mt19937& random, double& size) {
 }
 
 TEST(FullBed, CuttingAnyPartOffABedOfAParallelFoldMovesNothingOfWhatRemains) {
-  for (unsigned seed = 1; seed <= 40; ++seed) {
+  const char* cases = std::getenv("DOBRA_RANDOM_CASES");
+  const unsigned most = cases != nullptr ? static_cast<unsigned>(std::stoul(cases)) : 40;
+  for (unsigned seed = 1; seed <= most; ++seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> unit(0.0, 1.0);
     double size = 0.0;
@@ -162,6 +164,115 @@ TEST(FullBed, CuttingAnyPartOffABedOfAParallelFoldMovesNothingOfWhatRemains) {
       }
     }
   }
+}
+
+/// An anticline with a gap over its crest: the bed is eroded there, and the pin stands in the gap.
+TEST(FullBed, PiecesOnBothSidesOfAPinInTheirGapAreLaidOutEachAtItsOwnDepth) {
+  const geom::Polyline top{{{0, 0}, {1000, 0}, {1400, 300}, {1800, 0}, {3000, 0}}, false};
+  const geom::Polyline bed = test::parallel(top, 200.0);
+  const geom::Polyline deeper = test::parallel(top, 260.0);
+  Section section = test::section_of({top, bed, bed});
+  section.horizons[1].line.points = {bed.points[0], bed.points[1]};
+  section.horizons[2].line.points = {deeper.points[3], deeper.points[4]};
+  section.horizons[1].name = "bed (1)";
+  section.horizons[2].name = "bed (2)";
+  section.horizons[1].piece_of = section.horizons[2].piece_of = "bed";
+  // X = s - 2 h tan(t/2) over each kink between the pin (the crest) and the end, restoration.md 2.3.
+  const double turn = std::atan2(300, 400);
+  const double limb = 500.0;
+  const auto flat = restored(section, RestoreMethod::Flexural, 1400.0);
+  ASSERT_TRUE(flat) << to_string(flat.error());
+  const double crest = std::tan(turn), foot = std::tan(0.5 * turn);  // half of the crest's turn 2 t lies on each side
+  const double left = 1400.0 - (limb - 200.0 * crest + 200.0 * foot);
+  const double right = 1400.0 + (limb - 260.0 * crest + 260.0 * foot);
+  EXPECT_LT(geom::distance(flat->lines[1].after.points.back(), {left, 300.0 - 200.0}), 1e-9);
+  EXPECT_LT(geom::distance(flat->lines[2].after.points.front(), {right, 300.0 - 260.0}), 1e-9);
+  EXPECT_EQ(flat->remarks.front().find("horizon 'bed' does not reach the pin"), 0u) << flat->remarks.front();
+}
+
+TEST(FullBed, ABedThatPinchesOutOnTheTopEndsWhereItDoes) {
+  // The top itself stands for what is missing: the integral of 1 - kappa 0.
+  const geom::Polyline top{{{0, 0}, {1000, 0}, {1400, 300}, {3000, 300}}, false};
+  Section section = test::section_of({top, {{{1800, 300}, {2000, 250}, {3000, 250}}, false}});
+  for (const RestoreMethod method : bed_methods) {
+    const auto flat = restored(section, method, 0.0);
+    ASSERT_TRUE(flat) << to_string(flat.error());
+    EXPECT_LT(geom::distance(flat->lines[1].after.points.front(), {1900, 0}), 1e-9) << method_name(method);
+    EXPECT_NEAR(flat->lengths[1].length_after, flat->lengths[1].length_before, 1e-9);
+  }
+}
+
+TEST(FullBed, OverturnedBedsAreCutLikeOthers) {
+  // Both limbs of the second fold dip the same way. The third parallel begins on the overturned limb.
+  const geom::Polyline top{{{0, 0}, {2000, 0}, {3500, 900}, {3000, -900}, {5000, -1200}, {8000, -1200}}, false};
+  const geom::Polyline bed = test::parallel(top, 100.0);
+  for (const double from : {0.2, 0.45, 0.7}) {
+    for (const double pin : {1000.0, 6000.0}) {
+      Section section = test::section_of({top, bed, test::parallel(top, 160.0)});
+      const auto all = restored(section, RestoreMethod::Flexural, pin);
+      section.horizons[1].line = cut(bed, from * geom::length(bed), 0.9 * geom::length(bed));
+      const auto part = restored(section, RestoreMethod::Flexural, pin);
+      ASSERT_TRUE(all && part) << to_string((all ? part : all).error());
+      for (const std::size_t h : {0u, 1u, 2u}) expect_same(*all, h, part->lines[h], 1e4, fmt::format("{} {}", from, pin));
+    }
+  }
+}
+
+TEST(FullBed, ABentTargetMovesNothingOfWhatRemainsEither) {
+  std::mt19937 random(77);
+  double size = 0.0;
+  const std::vector<geom::Polyline> lines = random_fold(random, size);
+  Section section = test::section_of(lines);
+  Model model;
+  model.section = section;
+  GridParams grid;
+  grid.count = 1;
+  TargetParams target;
+  target.shape = TargetShape::Line;
+  target.points = {{-4000, 100}, {1200, 0}, {2500, 300}, {9000, 0}};
+  target.pin = 1500.0;
+  target.target_pin = geom::Point{1200, 0};
+  RestoreParams params;
+  params.method = RestoreMethod::Flexural;
+  const auto run = [&] { return run_restore(*run_target(*run_grid(model, grid, {}, {}), target, {}, {}), params, {}, {}); };
+  const auto all = run();
+  model.section.horizons[2].line = cut(lines[2], 0.55 * geom::length(lines[2]), 0.8 * geom::length(lines[2]));
+  const auto part = run();
+  ASSERT_TRUE(all && part);
+  for (const std::size_t h : {0u, 1u, 2u, 3u})
+    expect_same(*all->restoration, h, part->restoration->lines[h], size, "bent");
+  for (const UnitRow& row : part->restoration->ledger.units)
+    EXPECT_NEAR(row.area_after, row.area_before, 0.01 * row.area_before) << row.name;
+}
+
+TEST(DefaultPin, StandsAtTheLeftmostPlaceWhereAllBedsAre) {
+  const auto place = [](const std::vector<geom::Polyline>& lines) {
+    Model model;
+    model.section = test::section_of(lines);
+    GridParams grid;
+    grid.count = 1;
+    grid.top = "top";
+    const auto made = run_target(*run_grid(model, grid, {}, {}), {}, {}, {});
+    EXPECT_TRUE(made) << to_string(made.error());
+    return *made->target;
+  };
+  const geom::Polyline top{{{0, 0}, {2000, 0}}, false};
+  const Target left = place({top, {{{0, -100}, {2000, -100}}, false}});
+  EXPECT_EQ(left.source_pin, (geom::Point{0, 0}));
+  EXPECT_TRUE(left.remarks.empty());
+  const Target all = place({top, {{{0, -100}, {1500, -100}}, false}, {{{800, -200}, {2000, -200}}, false}});
+  EXPECT_EQ(all.source_pin, (geom::Point{800, 0}));
+  // No place has both: the first that has as many as any, which is said.
+  const Target most = place({top,
+                             {{{0, -100}, {500, -100}}, false},
+                             {{{700, -150}, {2000, -150}}, false},
+                             {{{900, -200}, {2000, -200}}, false}});
+  EXPECT_EQ(most.source_pin, (geom::Point{900, 0}));
+  ASSERT_EQ(most.remarks.size(), 1u);
+  EXPECT_NE(most.remarks.front().find("1 of them are not: 'bed1'"), std::string::npos) << most.remarks.front();
+  // Above the top, which is then travelled from the right.
+  const Target above = place({top, {{{300, 100}, {2000, 100}}, false}, {{{600, 200}, {2000, 200}}, false}});
+  EXPECT_NEAR(above.source_pin.x, 600.0, 1e-9);
 }
 
 }  // namespace
