@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "recon/core/face_ledger.h"
+#include "recon/core/percent.h"
 #include "shared/base/parallel.h"
 
 namespace recon::core {
@@ -100,11 +101,12 @@ std::string verdict_text(const Restoration& restoration) {
   const Balance& balance = restoration.balance;
   std::string text = balance.balanced ? "balanced" : "not balanced";
   if (!balance.worst.empty()) {
-    text += fmt::format(": the greatest change of a bed's length is {:.4g} % (horizon '{}')",
-                        balance.greatest_change_percent, balance.worst);
+    text += fmt::format(": the greatest change of a bed's length is {} % (horizon '{}')",
+                        percent_text(balance.greatest_change_percent), balance.worst);
   }
   if (!balance.worst_unit.empty()) {
-    text += fmt::format(", of a unit's area {:.4g} % ('{}')", balance.greatest_area_change_percent, balance.worst_unit);
+    text += fmt::format(", of a unit's area {} % ('{}')", percent_text(balance.greatest_area_change_percent),
+                        balance.worst_unit);
   }
   return text + fmt::format("; {}; the tolerance is {:.4g} %", consistency_text(balance.consistency),
                             restoration.params.tolerance);
