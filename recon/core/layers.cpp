@@ -9,10 +9,12 @@
 #include <numbers>
 #include <utility>
 
+#include "recon/core/palette.h"
 #include "recon/core/section_faces.h"
 #include "shared/base/parallel.h"
 #include "shared/base/text.h"
 #include "shared/scene/unit_colors.h"
+#include "shared/scene/view.h"
 
 namespace recon::core {
 
@@ -41,6 +43,8 @@ constexpr std::size_t most_names_of_column = 24;
 constexpr std::size_t most_thick_horizons = 20;
 /// Strain ellipses are cut off here: at so many radii of the circle.
 constexpr double longest_ellipse = 6.0;
+/// What is shown round the section, a part of its diagonal.
+constexpr double border_of_section = 0.07;
 /// From this length on, m, axes are in kilometres.
 constexpr double long_section = 10000.0;
 
@@ -73,31 +77,6 @@ scene::Layer region_layer(std::string key, std::string title, const scene::UnitS
   return {std::move(key), std::move(title),    style, scene::Regions{{{{std::move(contour)}}}, {}},
           true,           scene::InLegend::Yes};
 }
-
-/// How the horizons of a section, the rock below each, and its polygons are drawn: by their places in the section, and
-/// polygons by those of their names; pieces of one horizon or unit alike.
-class Palette {
- public:
-  explicit Palette(const Section& section) {
-    for (const Horizon& horizon : section.horizons) horizons_.emplace(whole_name(horizon), horizons_.size());
-    std::vector<std::string> names;
-    for (const Unit& unit : section.units) names.push_back(unit.name);
-    wholes_ = scene::whole_names(names);
-    numbers_ = scene::numbers_of(wholes_);
-  }
-
-  [[nodiscard]] scene::UnitStyle of(const std::string& whole) const {
-    const auto found = horizons_.find(whole);
-    return scene::unit_style(found == horizons_.end() ? 0 : found->second);
-  }
-  [[nodiscard]] scene::UnitStyle of(UnitId unit) const { return scene::unit_style(numbers_[unit.index()]); }
-  [[nodiscard]] const std::string& whole_of(UnitId unit) const { return wholes_[unit.index()]; }
-
- private:
-  std::map<std::string, std::size_t> horizons_;
-  std::vector<std::string> wholes_;
-  std::vector<std::size_t> numbers_;
-};
 
 /// Units filled: the polygons of the section, or what lies between neighbouring horizons.
 void add_units(scene::Panel& panel, const Section& section, const Palette& palette,
@@ -289,12 +268,12 @@ std::string note_on_ellipses(const std::vector<Strain>& strains) {
 /// The units as they lie on each other, each with its mean restored thickness, beside the section to the same scale.
 void add_column(scene::Panel& panel, const Section& section, const Palette& palette,
                 const std::vector<LedgerUnit>& units, const std::vector<UnitRow>& rows) {
-  const geom::Box box = scene::extent(panel);
-  const double width = 0.035 * box.width();
-  const double left = box.low.x - 0.015 * box.width() - width;
+  const geom::Box box = box_of(section);
+  const double width = 0.03 * box.width();
+  const double left = box.low.x - 0.03 * box.width() - width;
   scene::Labels names;
   const bool few = units.size() <= most_names_of_column;
-  double top = section.horizons.empty() ? box.high.y : box_of(section).high.y;
+  double top = box.high.y;
   for (std::size_t i = 0; i < units.size(); ++i) {
     if (!rows[i].thickness_after || !units[i].upper) continue;
     const double bottom = top - rows[i].thickness_after->mean;
@@ -495,6 +474,19 @@ scene::Panel panel(std::string key, std::string title, const Section& section) {
   return made;
 }
 
+/// The section with what of grid and pin lies near it: images of the grid may go far astray.
+geom::Box part_to_show(const scene::Panel& panel) {
+  geom::Box section;
+  for (const scene::Layer& layer : panel.layers) {
+    const bool aid = layer.key.find("_grid") != std::string::npos || layer.key.starts_with("pin");
+    if (!aid && layer.key != "ellipses") section.add(scene::extent(layer));
+  }
+  const geom::Box near = section.grown(border_of_section * section.diagonal());
+  const geom::Box all = scene::comfortable(scene::extent(panel));
+  return {{std::max(near.low.x, all.low.x), std::max(near.low.y, all.low.y)},
+          {std::min(near.high.x, all.high.x), std::min(near.high.y, all.high.y)}};
+}
+
 /// Beside or above each other: as both have the larger scale on a sheet.
 scene::Arrangement arrangement_of(const std::vector<scene::Panel>& panels) {
   geom::Vector row;
@@ -509,10 +501,6 @@ scene::Arrangement arrangement_of(const std::vector<scene::Panel>& panels) {
 }
 
 }  // namespace
-
-scene::Color horizon_color(const Section& section, const Horizon& horizon) {
-  return Palette(section).of(whole_name(horizon)).line;
-}
 
 scene::Picture picture_of(const Model& model) {
   scene::Picture picture;
@@ -577,6 +565,9 @@ scene::Picture picture_of(const Model& model) {
       if (known) layer.in_legend = scene::InLegend::No;
     }
     picture.panels = {std::move(before), std::move(after)};
+    if (model.restoration) {
+      for (scene::Panel& shown : picture.panels) shown.extent = part_to_show(shown);
+    }
     picture.arrangement = arrangement_of(picture.panels);
   } else {
     add_names(before, model.section, palette);

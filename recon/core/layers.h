@@ -11,7 +11,4 @@ namespace recon::core {
 /// horizon layers have the horizon's id. Drawn by the section's table of colours where it has one.
 dobra::scene::Picture picture_of(const Model& model);
 
-/// The usual colour of a horizon, the same in every panel, and of its pieces.
-dobra::scene::Color horizon_color(const Section& section, const Horizon& horizon);
-
 }  // namespace recon::core

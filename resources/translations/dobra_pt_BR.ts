@@ -500,10 +500,6 @@
         <translation>tamanho [m]</translation>
     </message>
     <message>
-        <source>log10 of size [m]</source>
-        <translation>log10 do tamanho [m]</translation>
-    </message>
-    <message>
         <source>sizes wanted</source>
         <translation>tamanhos desejados</translation>
     </message>
@@ -888,8 +884,8 @@
         <translation>Com y_axis = &quot;down&quot;: o valor na altura 0, nas unidades do arquivo.</translation>
     </message>
     <message>
-        <source>Of the coordinates in the file; as the file says, else m.</source>
-        <translation>Das coordenadas no arquivo; como diz o arquivo, senão m.</translation>
+        <source>Of the coordinates in the file; as the file says, else as the scenario.</source>
+        <translation>Das coordenadas no arquivo; como diz o arquivo, senão como o cenário.</translation>
     </message>
     <message>
         <source>Heights are stored this many times too large.</source>
@@ -1392,14 +1388,6 @@
         <translation>field: o que 99,5 % da área tem, se um pico (uma ponta de trinca) se destaca; full: do menor ao maior valor.</translation>
     </message>
     <message>
-        <source>colours</source>
-        <translation>cores</translation>
-    </message>
-    <message>
-        <source>of the area</source>
-        <translation>da área</translation>
-    </message>
-    <message>
         <source>Error of each cycle</source>
         <translation>Erro de cada ciclo</translation>
     </message>
@@ -1422,10 +1410,6 @@
     <message>
         <source>analyses</source>
         <translation>análises</translation>
-    </message>
-    <message>
-        <source>to</source>
-        <translation>a</translation>
     </message>
     <message>
         <source>Begin with</source>

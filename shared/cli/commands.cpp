@@ -140,11 +140,13 @@ void add_scenario_options(CLI::App& app, ScenarioOptions& options) {
   app.add_option("--set", options.assignments, "Change a value, such as steps.2.distance=0.4; may be repeated")
       ->allow_extra_args(false)
       ->type_name("PATH=VALUE");
+  app.add_flag("--si", options.si, "Results in m, N, Pa, whatever the units of the scenario");
 }
 
 base::Result<scenario::Document> load(Session& session, const ScenarioOptions& options) {
   DOBRA_TRY(scenario::Document document, scenario::read_document(options.file));
   DOBRA_TRY_VOID(scenario::check_program(document, session.program));
+  if (options.si) document.result_units = scenario::UnitSystem();
   for (const std::string& assignment : options.assignments) {
     DOBRA_TRY(document, scenario::with_value(std::move(document), session.program, assignment));
   }

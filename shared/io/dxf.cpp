@@ -89,6 +89,7 @@ struct Survey {
 // Of $INSUNITS; 0 and 6 (metres) say nothing that has to be done.
 void note_unit(std::string_view value, StatedConvention& stated) {
   if (value == "2") stated.unit = 0.3048;
+  if (value == "6") stated.unit = 1.0;
   if (value == "7") stated.unit = 1000.0;
   constexpr std::string_view known[] = {"0", "2", "6", "7"};
   if (std::find(std::begin(known), std::end(known), value) != std::end(known)) return;

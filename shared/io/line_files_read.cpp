@@ -318,10 +318,14 @@ Result<LineWork> finish(Features raw, const std::string& file, LineFormat format
     work.remarks.push_back(fmt::format("{}: its heights are depths, as the file says", file));
   }
   DOBRA_TRY_VOID(turn_up(raw.features, options, work.y_direction));
-  work.unit = options.unit.value_or(raw.stated.unit.value_or(1.0));
+  work.unit = options.unit.value_or(raw.stated.unit.value_or(options.silent_unit));
   const double height_unit = options.unit.value_or(raw.stated.height_unit.value_or(work.unit));
   if (work.unit != 1.0 || height_unit != 1.0) DOBRA_TRY_VOID(to_metres(raw, work.unit, height_unit, file));
-  if (!options.unit && work.unit != 1.0) {
+  if (options.unit && raw.stated.unit && *options.unit != *raw.stated.unit) {
+    work.remarks.push_back(fmt::format("{}: the file says that its unit is {} m; it is taken as {} m, as asked for", file,
+                                       *raw.stated.unit, *options.unit));
+  }
+  if (!options.unit && raw.stated.unit && work.unit != 1.0) {
     work.remarks.push_back(fmt::format("{}: its unit is {} m, as the file says", file, work.unit));
   }
   if (map) {

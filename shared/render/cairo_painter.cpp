@@ -280,6 +280,13 @@ class MarkPainter {
     cairo_fill(context_);
   }
 
+  void operator()(const scene::TriangleMark& mark) const {
+    for (const Point& corner : mark.corners) cairo_line_to(context_, corner.x, corner.y);
+    cairo_close_path(context_);
+    set_color(context_, mark.fill);
+    cairo_fill(context_);
+  }
+
   void operator()(const scene::GradientMark& mark) const {
     const bool up = mark.direction == scene::GradientMark::Direction::Up;
     cairo_pattern_t* pattern = up ? cairo_pattern_create_linear(0.0, mark.box.high.y, 0.0, mark.box.low.y)

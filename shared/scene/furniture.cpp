@@ -7,7 +7,6 @@
 #include <span>
 
 #include "shared/base/text.h"
-#include "shared/scene/color_map.h"
 
 namespace dobra::scene {
 namespace {
@@ -15,7 +14,6 @@ namespace {
 constexpr double swatch_width = 24.0;
 constexpr double swatch_gap = 6.0;
 constexpr double column_gap = 18.0;
-constexpr double bar_width = 13.0;
 
 enum class Swatch { Line, Marker, Area, Mesh, Values };
 
@@ -27,7 +25,8 @@ struct Entry {
 };
 
 bool same_scale(const Scale& a, const Scale& b) {
-  return a.title == b.title && a.map == b.map && a.low == b.low && a.high == b.high;
+  return a.title == b.title && a.map == b.map && a.low == b.low && a.high == b.high && a.ticks == b.ticks &&
+         a.least == b.least && a.greatest == b.greatest;
 }
 
 bool same_entry(const Entry& a, const Entry& b) {
@@ -168,6 +167,7 @@ std::string number_of(double value) {
 
 geom::Vector offset_of(Anchor anchor, const TextSize& size, double gap) {
   switch (anchor) {
+    case Anchor::Callout:
     case Anchor::Centre:
       return {0.0, 0.0};
     case Anchor::Left:
@@ -207,8 +207,9 @@ class LabelPlacer {
   /// Places a label that has room; names beside ends wait for each other.
   void add(const Label& label, const Style& style) {
     const geom::Point at = place_.transform.to_page(label.at);
-    if (!place_.plot.contains(at) || label.text.empty()) return;
-    TextMark mark = text_mark(label.text, at, {style.text_size, Weight::Regular}, measure_);
+    const std::string text = text_of(label);
+    if (label.anchor == Anchor::Callout || !place_.plot.contains(at) || text.empty()) return;
+    TextMark mark = text_mark(text, at, {style.text_size, Weight::Regular}, measure_);
     mark.color = style.line;
     if (label.anchor == Anchor::Left || label.anchor == Anchor::Right) {
       names_.push_back(name_place(label, at, mark.size));
@@ -218,6 +219,9 @@ class LabelPlacer {
     mark.at = at + offset_of(label.anchor, mark.size, 3.0);
     if (keep_inside(mark, inner_)) put(std::move(mark));
   }
+
+  /// Of the labels placed so far.
+  [[nodiscard]] const std::vector<geom::Box>& taken() const { return taken_; }
 
   void place_names() {
     double line = 0.0;
@@ -310,49 +314,25 @@ Furniture legend(const Picture& picture, const PageSize& room, const Font& font,
   return table.furniture(measure);
 }
 
-std::vector<Scale> scales_of(const Picture& picture) {
+std::vector<Scale> scales_of(const Panel& panel) {
   std::vector<Scale> scales;
-  for (const Panel& panel : picture.panels) {
-    for (const Layer& layer : panel.layers) {
-      const auto* mesh = std::get_if<Mesh>(&layer.content);
-      if (!layer.visible || mesh == nullptr || mesh->values_at == ValuesAt::None || mesh->triangles.empty()) continue;
-      const bool known =
-          std::any_of(scales.begin(), scales.end(), [&](const Scale& s) { return same_scale(s, mesh->scale); });
-      if (!known) scales.push_back(mesh->scale);
-    }
+  for (const Layer& layer : panel.layers) {
+    const auto* mesh = std::get_if<Mesh>(&layer.content);
+    if (!layer.visible || mesh == nullptr || mesh->values_at == ValuesAt::None || mesh->triangles.empty()) continue;
+    const bool known =
+        std::any_of(scales.begin(), scales.end(), [&](const Scale& s) { return same_scale(s, mesh->scale); });
+    if (!known) scales.push_back(mesh->scale);
   }
   return scales;
 }
 
-Furniture color_bar(const Scale& scale, double height, const Font& font, const TextMeasure& measure,
-                    double& title_height) {
-  Furniture made = heading(scale.title, 110.0, font, measure);
-  const Font small{font.size - 1.0, Weight::Regular};
-  const double half_line = 0.5 * measure("0", small).height();
-  // A tick label at the upper end of the bar reaches half a line above it.
-  const double top = made.height + half_line + 2.0;
-  title_height = top;
-  const geom::Box bar{{0.0, top}, {bar_width, top + height}};
-  made.marks.push_back(GradientMark{bar, scale.map, GradientMark::Direction::Up});
-  made.marks.push_back(BoxMark{bar, std::nullopt, frame_color, 0.75});
-  const double low = std::min(scale.low, scale.high);
-  const double high = std::max(scale.low, scale.high);
-  const auto line_height = [&](const std::string& label) { return measure(label, small).height(); };
-  for (const Tick& tick : ticks_that_fit(low, high, height, 4.0, 22.0, line_height)) {
-    const double y = bar.high.y - (high > low ? (tick.value - scale.low) / (scale.high - scale.low) : 0.5) * height;
-    made.marks.push_back(LineMark{{bar_width, y}, {bar_width + tick_length, y}, frame_color, 0.75, Dash::Solid});
-    TextMark label = text_mark(tick.label, {bar_width + tick_length + tick_gap, y}, small, measure);
-    label.at.x += 0.5 * label.size.width;
-    made.width = std::max(made.width, label.at.x + 0.5 * label.size.width);
-    made.marks.push_back(std::move(label));
-  }
-  // The title stands flush left with the bar.
-  for (Mark& mark : made.marks) {
-    auto* text = std::get_if<TextMark>(&mark);
-    if (text != nullptr && text->at.y < made.height) text->at.x = 0.5 * text->size.width;
-  }
-  made.height = bar.high.y + half_line;
-  return made;
+bool same_scales(const std::vector<Scale>& a, const std::vector<Scale>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_scale);
+}
+
+std::string text_of(const Label& label) {
+  if (!label.value) return label.text;
+  return label.text + (label.text.empty() ? "" : " ") + short_number(*label.value);
 }
 
 Furniture scale_bar(double points_per_unit, const std::string& unit, const std::string& ratio, const Font& font,
@@ -395,6 +375,7 @@ void add_labels(const Panel& panel, const PanelLayout& place, const TextMeasure&
     }
     placer.place_names();
   }
+  add_callouts(panel, place, measure, placer.taken(), marks);
 }
 
 std::vector<std::optional<geom::Box>> places_of_names(const Panel& panel, const Transform& transform, double widest,

@@ -68,12 +68,19 @@ enum class ColorMapName {
   Quality
 };  ///< Quality: red (bad) over yellow to blue-green (good).
 
+/// Log10: numbers are decimal logarithms, ticks say of what. Diagram: the axes are no lengths. Only linear axes have a
+/// scale bar.
+enum class AxisScale { Linear, Log10, Diagram };
+
 /// How numbers become colours; values outside the range take its ends.
 struct Scale {
   std::string title{};  ///< Such as "alpha" or "sigma_x [MPa]"; stands above the colour bar.
   ColorMapName map = ColorMapName::Viridis;
   double low = 0.0;
   double high = 1.0;
+  AxisScale ticks = AxisScale::Linear;
+  /// Of the values, where they are to be said at the ends of the bar; an end that they pass is an arrow.
+  std::optional<double> least = std::nullopt, greatest = std::nullopt;
 };
 
 enum class ValuesAt { None, Triangles, Points };
@@ -87,13 +94,15 @@ struct Mesh {
   Scale scale{};
 };
 
-/// Where the text stands with respect to its point.
-enum class Anchor { Centre, Left, Right, Above, Below };
+/// Where the text stands with respect to its point. Callout: in the nearest room where it hides no line of the legend, no
+/// marker and no other label, at the end of a leader.
+enum class Anchor { Centre, Left, Right, Above, Below, Callout };
 
 struct Label {
   geom::Point at;
   std::string text{};
   Anchor anchor = Anchor::Centre;
+  std::optional<double> value = std::nullopt;  ///< Written behind the text, in the unit of the panel's colours.
 };
 
 struct Labels {
@@ -130,11 +139,6 @@ struct Layer {
 /// What the legend calls a layer.
 inline const std::string& legend_name(const Layer& layer) { return layer.legend.empty() ? layer.title : layer.legend; }
 
-enum class AxisScale {
-  Linear,
-  Log10
-};  ///< Log10: coordinates are decimal logarithms, ticks say of what; there is no scale bar.
-
 struct Axes {
   std::string x_title = "x [m]";
   std::string y_title = "y [m]";
@@ -154,7 +158,8 @@ struct Panel {
   std::string right_end{};
 };
 
-enum class Arrangement { Row, Column };
+/// Grid: as many rows and columns as make the panels largest.
+enum class Arrangement { Row, Column, Grid };
 
 /// Words and numbers in rows, shown below the plots of a file; windows show them elsewhere.
 struct TextTable {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "recon/core/operations.h"
+#include "recon/core/palette.h"
 #include "shared/scene/layout.h"
 #include "tests/recon/core/shapes.h"
 
@@ -60,8 +61,9 @@ TEST(Layers, AHorizonHasTheSameColourAndIdInBothPanelsAndADifferentOneFromItsNei
     ASSERT_TRUE(before != nullptr && after != nullptr);
     EXPECT_EQ(before->style.line, after->style.line);
     EXPECT_EQ(std::get<scene::Lines>(before->content).ids, std::get<scene::Lines>(after->content).ids);
-    EXPECT_EQ(before->style.line, horizon_color(model.section, model.section.horizons[h]));
-    EXPECT_NE(before->style.line, horizon_color(model.section, model.section.horizons[(h + 1) % 3]));
+    const Palette palette(model.section);
+    EXPECT_EQ(before->style.line, palette.of(model.section.horizons[h].name).line);
+    EXPECT_NE(before->style.line, palette.of(model.section.horizons[(h + 1) % 3].name).line);
     EXPECT_EQ(before->in_legend, scene::InLegend::Yes);
     EXPECT_EQ(after->in_legend, scene::InLegend::No);
   }
@@ -197,6 +199,18 @@ TEST(Layers, AnEllipseBeyondMeasureIsCutOffAndTold) {
   EXPECT_LT(ellipses.back().box().diagonal(), 0.15 * box_of(model.section).diagonal());
   ASSERT_EQ(picture.notes.size(), notes + 1);
   EXPECT_NE(picture.notes.back().find("414, (12.5, -3)"), std::string::npos) << picture.notes.back();
+}
+
+TEST(Layers, AGridThatGoesAstrayDoesNotMakeTheSectionSmall) {
+  Model model = restored_model();
+  const geom::Box section = box_of(model.restoration->section);
+  model.source->grid.rungs.push_back({{{500, 0}, {500, -90000}}, false});
+  for (const scene::Panel& panel : picture_of(model).panels) {
+    ASSERT_TRUE(panel.extent);
+    EXPECT_LT(panel.extent->diagonal(), 1.5 * section.diagonal());
+  }
+  const geom::Box shown = *picture_of(model).panels[1].extent;
+  EXPECT_TRUE(shown.contains(section.low) && shown.contains(section.high));
 }
 
 TEST(Layers, FaultsAreNamedInTheSectionAndManyShareAnEntryOfTheLegend) {

@@ -117,9 +117,12 @@ TEST_F(ConvertCommand, PicturesGiveEachUnitItsColourAndPiecesOneEntry) {
       EXPECT_TRUE(fills.insert(key(*layer.style.fill)).second) << layer.title;
       pieces[layer.title] = regions->regions.size();
     }
-    if (std::holds_alternative<scene::Lines>(layer.content) && layer.title.starts_with("bed"))
+    if (std::holds_alternative<scene::Lines>(layer.content) && layer.title.starts_with("bed")) {
       EXPECT_TRUE(beds.insert(key(layer.style.line)).second) << layer.title;
-    if (layer.title.starts_with("F")) EXPECT_EQ(scene::legend_name(layer), "Faults");
+    }
+    if (layer.title.starts_with("F")) {
+      EXPECT_EQ(scene::legend_name(layer), "Faults");
+    }
   }
   EXPECT_EQ(fills.size(), 31U);
   EXPECT_EQ(beds.size(), 9U);
