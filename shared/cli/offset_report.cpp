@@ -112,11 +112,16 @@ DrawnOffset drawn(const offset::OffsetCurve& curve, const geom::Polyline& base, 
   DrawnOffset made;
   made.distance = curve.distance;
   made.dropped = curve.dropped;
+  const auto is_closed = [](const offset::OffsetPiece& piece) { return piece.closed; };
+  const bool closed = curve.pieces.empty() ? base.closed : std::all_of(curve.pieces.begin(), curve.pieces.end(), is_closed);
+  if (closed) made.area = 0.0;
   made.dropped_length = curve.dropped_length;
   for (const offset::OffsetPiece& piece : curve.pieces) {
     made.length += offset::length(piece, base);
+    if (made.area) *made.area += offset::signed_area(piece, base);
     made.lines.push_back(offset::chords(piece, base, tolerance).polyline);
   }
+  if (made.area) made.area = std::abs(*made.area);
   return made;
 }
 

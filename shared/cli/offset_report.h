@@ -17,7 +17,8 @@ namespace dobra::cli {
 struct DrawnOffset {
   double distance = 0.0;
   double length = 0.0;         ///< Of all pieces, m.
-  /// What the pieces enclose, m2: outer contours minus holes; nothing for curves.
+  /// What the pieces enclose, m2: outer contours minus holes. 0 where nothing remains of a closed base; nothing where a
+  /// piece (or, without pieces, the base) is open.
   std::optional<double> area;
   std::vector<geom::Polyline> lines;
   std::size_t dropped = 0;      ///< Pieces of an open line that were left out,
