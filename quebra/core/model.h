@@ -9,6 +9,7 @@
 #include "quebra/core/curve.h"
 #include "quebra/core/meshed.h"
 #include "shared/fem/rosette.h"
+#include "shared/scenario/units.h"
 
 namespace quebra::core {
 
@@ -112,6 +113,7 @@ struct ProblemParams;  // problem.h
 
 struct Model {
   Domain domain;
+  dobra::scenario::UnitSystem units;  ///< In which pictures, quantities, tables and exchange files are to be; all else is SI.
   std::vector<std::shared_ptr<const Band>> bands;  ///< In the order given.
   std::vector<Constraint> constraints;             ///< What is left of them all.
   std::vector<Zone> zones;

@@ -19,6 +19,7 @@
 
 #include "shared/io/file.h"
 #include "shared/io/gdal.h"
+#include "shared/io/line_kinds.h"
 #include "shared/io/ogr_features.h"
 #include "shared/io/scan.h"
 
@@ -88,6 +89,7 @@ struct Survey {
 // Of $INSUNITS; 0 and 6 (metres) say nothing that has to be done.
 void note_unit(std::string_view value, StatedConvention& stated) {
   if (value == "2") stated.unit = 0.3048;
+  if (value == "6") stated.unit = 1.0;
   if (value == "7") stated.unit = 1000.0;
   constexpr std::string_view known[] = {"0", "2", "6", "7"};
   if (std::find(std::begin(known), std::end(known), value) != std::end(known)) return;
@@ -192,7 +194,8 @@ class DrawingReader {
       std::vector<double>& heights = parts.lines.heights[i];
       Feature feature;
       feature.type = returns_to_start(line, heights) ? FeatureType::Polygons : FeatureType::Lines;
-      feature.kind = layer;
+      feature.kind = known_kind(layer).value_or("");
+      if (!layer.empty()) feature.properties.emplace_back("layer", layer);
       feature.name = name_on(layer, used_);
       feature.parts.push_back(std::move(line));
       feature.heights.push_back(std::move(heights));

@@ -102,6 +102,10 @@ base::Result<std::size_t> normalise(Feature& feature, const std::vector<std::siz
 base::Result<std::size_t> normalise_sound(Feature& feature, const std::vector<std::size_t>& ring_of_polygon,
                                           const std::string& where, std::vector<std::string>& remarks);
 
+/// Before `normalise`: that rings of a polygon do not repeat their first point at the end, and where the first of them
+/// is closed; empty where all do.
+std::string open_rings(const Feature& feature);
+
 /// Leaves x and y alone of a feature with heights, as normalise would have given it without them.
 /// @error DegenerateCurve with the place.
 base::Result<void> drop_heights(Feature& feature);
