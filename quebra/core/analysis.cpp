@@ -99,7 +99,7 @@ std::vector<std::string> forces_on_curves(const Analysis& analysis, std::size_t 
     double area = 0.0;  // that a traction acts on
     for (const Vector force : fem::load_vector(m, analysis.problem, {.sides = {{load.where, fem::uniform({1.0, 0.0})}}})) area += force.x;
     const auto [x, y] = load.force;
-    remarks.push_back(fmt::format("the force on '{}' acts at each of its {:.0f} nodes: ({:.6g}, {:.6g}) N in all, more on a finer mesh; for ({:.6g}, {:.6g}) N spread over the curve give kind = \"traction\", x = {:.6g}, y = {:.6g}",
+    remarks.push_back(fmt::format("the force on '{}' acts at each of its {:.0f} nodes: ({:.6g}, {:.6g}) N in all, more on a finer mesh; for ({:.6g}, {:.6g}) N spread over the curve give kind = \"traction\", x = {:.6g} Pa, y = {:.6g} Pa",
                                   load.where, count, count * x, count * y, x, y, x / area, y / area));
   }
   return remarks;

@@ -80,7 +80,8 @@ std::string restoration_json(const core::Model& model, Geometry geometry) {
                {"percent", restoration.params.percent}};
   Json ledger = Json::array();
   for (std::size_t i = 0; i < restoration.lengths.size(); ++i) {
-    Json entry = {{"name", restoration.lengths[i].name}, {"kind", "horizon"}};
+    const bool growth = restoration.lengths[i].role == core::BedRole::Growth;
+    Json entry = {{"name", restoration.lengths[i].name}, {"kind", growth ? "growth" : "horizon"}};
     add_cells(core::cells_of(restoration.lengths[i]), entry);
     const core::UnitRow* layer = layer_below(model, i);
     entry["layer"] = layer != nullptr ? Json(layer->name) : Json(nullptr);
@@ -106,7 +107,7 @@ std::string restoration_json(const core::Model& model, Geometry geometry) {
   const core::Balance& balance = restoration.balance;
   json["greatest_length_change_percent"] = balance.greatest_change_percent;
   json["greatest_area_change_percent"] = balance.greatest_area_change_percent;
-  json["inconsistency_percent"] = balance.inconsistency_percent;
+  json["inconsistency_percent"] = balance.consistency.worst.percent;
   json["tolerance_percent"] = restoration.params.tolerance;
   json["lean_left"] = restoration.lean_left;
   json["lean_right"] = restoration.lean_right;
@@ -175,7 +176,7 @@ std::string balance_json(const core::Model& model) {
                         {"hinge_thickness", layer.fold.hinge_thickness}});
     }
     json["layers"] = std::move(layers);
-    json["inconsistency_percent"] = model.area_depth->inconsistency_percent;
+    json["inconsistency_percent"] = model.area_depth->consistency.worst.percent;
     json["tolerance_percent"] = model.area_depth->params.tolerance;
     json["verdict"] = model.area_depth->balanced ? "balanced" : "not balanced";
   }

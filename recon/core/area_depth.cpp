@@ -6,7 +6,6 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
-#include "recon/core/percent.h"
 
 namespace recon::core {
 
@@ -16,15 +15,16 @@ BedBalance bed_of(const Horizon& horizon) {
   BedBalance bed;
   bed.horizon = horizon.id;
   bed.name = horizon.name;
-  bed.length = geom::length(horizon.line);
+  const BedLength measured = bed_length(horizon.line);
+  bed.length = measured.length;
   const geom::Point first = horizon.line.points.front();
   const geom::Point last = horizon.line.points.back();
-  bed.width = geom::distance(first, last);
+  bed.width = measured.regional();
   bed.level = 0.5 * (first.y + last.y);
   geom::Polyline closed = horizon.line;
   closed.closed = true;
   bed.excess_area = -geom::signed_area(closed);  // left to right above the regional is clockwise
-  bed.shortening = bed.length - bed.width;
+  bed.shortening = measured.shortening();
   if (bed.shortening > 1e-12 * bed.length) bed.depth = bed.excess_area / bed.shortening;
   return bed;
 }
@@ -85,16 +85,11 @@ base::Result<AreaDepth> area_depth(const Section& section, const BalanceParams& 
                     result.layers.back().name, class_name(fold->value), fold->index, fold->dips.degrees()));
   }
   result.fit = fit_area_depth(levels, areas, params.confidence);
-  const auto less = [](const BedBalance& a, const BedBalance& b) { return a.shortening < b.shortening; };
-  const auto [least, greatest] = std::minmax_element(result.beds.begin(), result.beds.end(), less);
-  double longest = 0.0;
-  for (const BedBalance& bed : result.beds) longest = std::max(longest, bed.length);
-  result.inconsistency_percent = 100.0 * (greatest->shortening - least->shortening) / longest;
-  result.balanced = result.inconsistency_percent <= params.tolerance;
-  result.remarks.push_back(fmt::format(
-      "{}: shortening differs by {} % between beds ('{}' has most, '{}' least); the tolerance is {:.4g} %",
-      result.balanced ? "balanced" : "not balanced", percent_text(result.inconsistency_percent), greatest->name, least->name,
-      params.tolerance));
+  result.consistency = consistency_of(section.horizons);
+  result.balanced = result.consistency.worst.percent <= params.tolerance;
+  result.remarks.push_back(fmt::format("{}: {}; the tolerance is {:.4g} %",
+                                       result.balanced ? "balanced" : "not balanced",
+                                       consistency_text(result.consistency), params.tolerance));
   if (!result.fit) {
     result.remarks.push_back(
         "no detachment can be told: the horizons' regionals are at one level, or no area is in excess");

@@ -11,6 +11,7 @@
 #include "recon/core/fold_class.h"
 #include "recon/core/section.h"
 #include "recon/core/section_check.h"
+#include "recon/core/shortening.h"
 #include "shared/base/result.h"
 
 namespace recon::core {
@@ -68,7 +69,7 @@ struct AreaDepth {
   std::vector<BedBalance> beds;
   std::vector<LayerClass> layers;      ///< Those that are folded enough to have a class.
   std::optional<AreaDepthFit> fit;     ///< Nothing with one level.
-  double inconsistency_percent = 0.0;  ///< Greatest less least shortening, of the longest bed.
+  Consistency consistency;             ///< Of the shortening of the beds, as `restore` has it too.
   bool balanced = false;
   std::vector<std::string> remarks;
 };

@@ -30,6 +30,13 @@ std::vector<RockUnit> units_by_faces(const Section& section) {
   return units;
 }
 
+BedRole role_of(const Section& section, std::optional<std::size_t> one, std::optional<std::size_t> other) {
+  for (const auto& horizon : {one, other}) {
+    if (horizon && section.horizons[*horizon].role == BedRole::Growth) return BedRole::Growth;
+  }
+  return BedRole::Judged;
+}
+
 std::vector<geom::Polyline> images_of(std::span<const geom::Polyline> contours, const SectionMap& map) {
   return base::parallel_map<geom::Polyline>(contours.size(),
                                             [&](std::size_t i) { return map.forward(contours[i]).after; });
@@ -45,6 +52,7 @@ void measure_faces(const Section& section, const SectionMap& map, Ledger& ledger
   for (const RockUnit& unit : units_by_faces(section)) {
     UnitRow row;
     row.name = unit.name;
+    row.role = role_of(section, unit.top, unit.base);
     row.faces_before = unit.contours;
     row.faces_after = images_of(row.faces_before, map);
     row.area_before = unit.area;

@@ -248,6 +248,7 @@ base::Result<Ledger> draw_up(const Section& section, const std::vector<LedgerUni
                          : part_between(beds[*unit.upper], beds[*unit.lower], unit.name, ends, options);
     if (parts[i].error) return;
     UnitRow& row = parts[i].row;
+    if (!unit.unit) row.role = role_of(section, unit.upper, unit.lower);
     row.change_percent = percent(row.area_after - row.area_before, row.area_before);
     RangeSum dilatation;
     evaluate(parts[i].field, map, dilatation);

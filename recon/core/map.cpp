@@ -157,7 +157,9 @@ std::vector<ColumnMap::LaidPoint> ColumnMap::lay(const std::vector<double>& arc,
   for (std::size_t i = 0, vertex = start; i < pieces; ++i) {
     const std::size_t next = up ? vertex + 1 : vertex - 1;
     const double length = std::abs(arc[next] - arc[vertex]);
-    const double drop = std::clamp(names[next].depth - depth, -length, length);
+    // Over a jump of the bed, which has no length, it falls at once.
+    const double limit = length > 1e-10 * arc.back() ? length : infinity;
+    const double drop = std::clamp(names[next].depth - depth, -limit, limit);
     const double along = std::sqrt(std::max(0.0, length * length - drop * drop));
     double left_to_go = 1.0;
     while (true) {

@@ -31,12 +31,12 @@ class Draws {
       if (!unit.unit) units_.push_back(std::move(unit));
     }
     std::vector<geom::Polyline> contours;
-    const auto add = [&](const std::string& name, const std::vector<geom::Polyline>& of_unit) {
-      traced_.push_back({name, contours.size(), of_unit.size()});
+    const auto add = [&](const std::string& name, const std::vector<geom::Polyline>& of_unit, BedRole role) {
+      traced_.push_back({name, contours.size(), of_unit.size(), role});
       contours.insert(contours.end(), of_unit.begin(), of_unit.end());
     };
-    for (const Unit& unit : section.units) add(unit.name, {unit.contour});
-    for (const RockUnit& unit : units_by_faces(section)) add(unit.name, unit.contours);
+    for (const Unit& unit : section.units) add(unit.name, {unit.contour}, BedRole::Judged);
+    for (const RockUnit& unit : units_by_faces(section)) add(unit.name, unit.contours, role_of(section, unit.top, unit.base));
     picks_.emplace(section, std::move(contours),
                    PickErrors{params.pick_error, params.correlation.value_or(box_of(section).width() / 20.0),
                               static_cast<std::uint64_t>(params.seed)});
@@ -79,6 +79,7 @@ class Draws {
     std::string name;
     std::size_t first = 0;  ///< Of them ...
     std::size_t count = 0;  ///< ... so many.
+    BedRole role = BedRole::Judged;
   };
 
   void name_areas(const std::string& unit) {
@@ -110,26 +111,26 @@ class Draws {
                                             MethodMap& method, const ColumnMap& grid) const {
     const std::vector<MappedLine> lines = map_horizons(method, section, grid);
     std::vector<double> numbers(4);
-    std::vector<LineLength> lengths;
     for (std::size_t i = 0; i < lines.size(); ++i) {
       const Horizon& horizon = section.horizons[i];
-      lengths.push_back(line_length(horizon, lines[i]));
-      const LineLength& row = lengths.back();
+      const LineLength row = line_length(horizon, lines[i]);
       if (horizon.id == source_.top) numbers[0] = row.shortening;
-      numbers[1] = std::max(numbers[1], std::abs(row.change_percent));
+      if (row.role == BedRole::Judged) numbers[1] = std::max(numbers[1], std::abs(row.change_percent));
       numbers.insert(numbers.end(), {row.length_before, row.length_after, row.change_percent});
     }
-    const auto add = [&](const UnitAreas& areas) {
+    const auto add = [&](const UnitAreas& areas, BedRole role) {
       numbers.insert(numbers.end(), {areas.before, areas.after});
+      if (role == BedRole::Growth) return;
       numbers[2] = std::max(numbers[2], 100.0 * std::abs(areas.after - areas.before) / areas.before);
     };
     for (const LedgerUnit& unit : units_)
-      add(areas_between(lines[*unit.upper], lines[*unit.lower], method.map_of_ends()));
+      add(areas_between(lines[*unit.upper], lines[*unit.lower], method.map_of_ends()),
+          role_of(section, unit.upper, unit.lower));
     for (const TracedUnit& unit : traced_) {
       const std::span of_unit = std::span(contours).subspan(unit.first, unit.count);
-      add({area_of(of_unit), area_of(images_of(of_unit, method.map))});
+      add({area_of(of_unit), area_of(images_of(of_unit, method.map))}, unit.role);
     }
-    numbers[3] = inconsistency_percent(lengths);
+    numbers[3] = consistency_of(section.horizons).worst.percent;
     numbers.push_back(is_balanced(restore_, numbers[1], numbers[2], numbers[3]) ? 1.0 : 0.0);
     return numbers;
   }

@@ -63,7 +63,7 @@ void add_restored_quantities(const Model& model, std::vector<scenario::Quantity>
   const Balance& balance = restoration.balance;
   quantities.push_back({"greatest_change_percent", balance.greatest_change_percent, "%"});
   quantities.push_back({"greatest_area_change_percent", balance.greatest_area_change_percent, "%"});
-  quantities.push_back({"inconsistency_percent", balance.inconsistency_percent, "%"});
+  quantities.push_back({"inconsistency_percent", balance.consistency.worst.percent, "%"});
   quantities.push_back({"balanced", balance.balanced ? 1.0 : 0.0, ""});
 }
 
@@ -90,7 +90,7 @@ void add_balance_quantities(const Model& model, std::vector<scenario::Quantity>&
       quantities.push_back({"detachment_error", fit->detachment_error, "m"});
       quantities.push_back({"r_squared", fit->r_squared, ""});
     }
-    quantities.push_back({"bed_inconsistency_percent", model.area_depth->inconsistency_percent, "%"});
+    quantities.push_back({"bed_inconsistency_percent", model.area_depth->consistency.worst.percent, "%"});
   }
   if (model.area_balance) {
     const AreaBalance& balance = *model.area_balance;

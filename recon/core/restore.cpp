@@ -77,36 +77,39 @@ base::Result<void> refuse_doubt(const Section& section, const std::vector<Mapped
   return {};
 }
 
-Balance judge(const Restoration& restoration) {
+Balance judge(const Section& section, const Restoration& restoration) {
   Balance balance;
   for (const LineLength& row : restoration.lengths) {
+    if (row.role == BedRole::Growth) continue;
     if (!balance.worst.empty() && std::abs(row.change_percent) <= balance.greatest_change_percent) continue;
     balance.greatest_change_percent = std::abs(row.change_percent);
     balance.worst = row.name;
   }
   for (const UnitRow& row : restoration.ledger.units) {
+    if (row.role == BedRole::Growth) continue;
     if (!balance.worst_unit.empty() && std::abs(row.change_percent) <= balance.greatest_area_change_percent) continue;
     balance.greatest_area_change_percent = std::abs(row.change_percent);
     balance.worst_unit = row.name;
   }
-  balance.inconsistency_percent = inconsistency_percent(restoration.lengths);
+  balance.consistency = consistency_of(section.horizons);
   balance.balanced = is_balanced(restoration.params, balance.greatest_change_percent,
-                                 balance.greatest_area_change_percent, balance.inconsistency_percent);
+                                 balance.greatest_area_change_percent, balance.consistency.worst.percent);
   return balance;
 }
 
 std::string verdict_text(const Restoration& restoration) {
   const Balance& balance = restoration.balance;
-  std::string text =
-      fmt::format("{}: the greatest change of a bed's length is {} % (horizon '{}')",
-                  balance.balanced ? "balanced" : "not balanced", percent_text(balance.greatest_change_percent),
-                  balance.worst);
+  std::string text = balance.balanced ? "balanced" : "not balanced";
+  if (!balance.worst.empty()) {
+    text += fmt::format(": the greatest change of a bed's length is {} % (horizon '{}')",
+                        percent_text(balance.greatest_change_percent), balance.worst);
+  }
   if (!balance.worst_unit.empty()) {
     text += fmt::format(", of a unit's area {} % ('{}')", percent_text(balance.greatest_area_change_percent),
                         balance.worst_unit);
   }
-  return text + fmt::format("; shortening differs by {} % between beds; the tolerance is {:.4g} %",
-                            percent_text(balance.inconsistency_percent), restoration.params.tolerance);
+  return text + fmt::format("; {}; the tolerance is {:.4g} %", consistency_text(balance.consistency),
+                            restoration.params.tolerance);
 }
 
 /// As horizons_in_order, from the depths that are known by now.
@@ -147,9 +150,8 @@ void measure_lean(const Section& section, Restoration& restoration) {
 
 bool is_balanced(const RestoreParams& params, double length_change_percent, double area_change_percent,
                  double inconsistency_percent) {
-  const bool keeps_lengths = params.method == RestoreMethod::Flexural || params.method == RestoreMethod::LineLength;
   return length_change_percent <= params.tolerance && area_change_percent <= params.tolerance &&
-         (!keeps_lengths || inconsistency_percent <= params.tolerance);
+         inconsistency_percent <= params.tolerance;
 }
 
 MethodParams method_params(const RestoreParams& params) {
@@ -184,7 +186,7 @@ base::Result<Restoration> restore(const Section& section, const SourceGrid& sour
   for (std::size_t i = 0; i < section.units.size(); ++i)
     restoration.section.units[i].contour = restoration.ledger.units[i].contour_after;
   measure_lean(section, restoration);
-  restoration.balance = judge(restoration);
+  restoration.balance = judge(section, restoration);
   restoration.remarks.push_back(what_it_keeps(params.method));
   restoration.remarks.push_back(verdict_text(restoration));
   progress.report(1.0, "restored");

@@ -71,7 +71,8 @@ struct RestoreParams {
 /// What make_method_map takes of them.
 MethodParams method_params(const RestoreParams& params);
 
-/// Methods that keep the length of every bed cannot fail by it: there the beds must agree with each other.
+/// All within the tolerance. Methods that keep the length of every bed cannot fail by that; beds that do not agree with
+/// each other do not balance by any method.
 bool is_balanced(const RestoreParams& params, double length_change_percent, double area_change_percent,
                  double inconsistency_percent);
 

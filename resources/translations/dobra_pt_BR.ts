@@ -1012,8 +1012,16 @@
         <translation>Vértices de uma linha ou polígono; primeiro e último ponto de um arco.</translation>
     </message>
     <message>
-        <source>Where the top is held; by default its left end.</source>
-        <translation>Onde o topo é preso; por padrão sua ponta esquerda.</translation>
+        <source>Role in the balance</source>
+        <translation>Papel no balanço</translation>
+    </message>
+    <message>
+        <source>growth: a horizon laid down while the section deformed; it is listed, not judged.</source>
+        <translation>growth: um horizonte depositado durante a deformação da seção; é listado, não julgado.</translation>
+    </message>
+    <message>
+        <source>Where the top is held; by default the leftmost place where all horizons are.</source>
+        <translation>Onde o topo é preso; por padrão o lugar mais à esquerda em que estão todos os horizontes.</translation>
     </message>
     <message>
         <source>as_given: its first point goes with the left end of the top.</source>

@@ -18,17 +18,6 @@ constexpr double largest_page = 20.0;  ///< m; beyond, PDF readers and printers 
 constexpr double long_section = 10000.0;   ///< m; from here on axes are in kilometres
 constexpr std::size_t most_of_a_kind = 3;  ///< faults, or points, with entries of their own in the legend
 
-/// What a feature says that it is a piece of; empty if nothing.
-std::string said_unit(const io::Feature& feature) {
-  for (const char* const key : {"piece_of", "unit", "formation"}) {
-    for (const auto& [name, value] : feature.properties) {
-      const auto* text = std::get_if<std::string>(&value);
-      if (name == key && text != nullptr && !text->empty()) return *text;
-    }
-  }
-  return {};
-}
-
 bool is_bed(const io::Feature& feature) {
   return feature.type == io::FeatureType::Lines && (feature.kind.empty() || feature.kind == "horizon");
 }
@@ -81,7 +70,7 @@ class LinePicture {
     const bool areas = !places.empty() && work_.features[places[0]].type == io::FeatureType::Polygons;
     const std::vector<std::string> wholes = areas ? scene::whole_names(names) : names;
     for (std::size_t k = 0; k < places.size(); ++k) {
-      const std::string said = said_unit(work_.features[places[k]]);
+      const std::string said = io::stated_unit(work_.features[places[k]]);
       wholes_[places[k]] = said.empty() ? wholes[k] : said;
     }
   }
@@ -199,7 +188,7 @@ std::vector<std::string> drawn_names(const io::LineWork& work) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < work.features.size(); ++i) {
     const io::Feature& feature = work.features[i];
-    const std::string said = said_unit(feature);
+    const std::string said = io::stated_unit(feature);
     names.push_back(!said.empty() ? said : feature.name.empty() ? fmt::format("{}", i + 1) : feature.name);
   }
   return names;

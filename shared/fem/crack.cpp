@@ -455,7 +455,7 @@ base::Result<Contour> contour_of(const TipFrame& frame, std::optional<double> ou
   if (radius > frame.room)
     return bad(
         frame,
-        fmt::format("the contour of radius {:.4g} leaves the straight end of the crack, or meets a boundary or another "
+        fmt::format("the contour of radius {:.4g} m leaves the straight end of the crack, or meets a boundary or another "
                     "material: at most {:.4g}",
                     radius, frame.room));
   if (radius < 2.0 * frame.length)

@@ -25,7 +25,9 @@ inline constexpr std::string_view read_as_chords = "arcs or splines read as chor
 /// @error EmptyFile; BadFormat with the line: binary, a group code or a coordinate that is no number, the end missing
 ///        (a file cut short), no section ENTITIES; NotFinite, DegenerateCurve: the place's item is the entity.
 /// @cost  O(file size).
-base::Result<Features> parse_dxf(std::string_view text, const std::string& file, Heights heights = Heights::Drop);
+/// @param faulty  Skip: degenerate entities are left out with a remark.
+base::Result<Features> parse_dxf(std::string_view text, const std::string& file, Heights heights = Heights::Drop,
+                                 Faulty faulty = Faulty::Refuse);
 /// @error FileNotFound, NotAFile, CannotRead, and those of parse_dxf.
 base::Result<Features> read_dxf(const std::string& path, Heights heights = Heights::Drop);
 

@@ -260,7 +260,7 @@ TEST(Analysis, BadInputIsNamed) {
   EXPECT_THAT(trouble(corner + solve + "[[step]]\noperation = \"crack\"\n"), HasSubstr("the mesh has no crack tips"));
   const std::string rosettes = "[[step]]\noperation = \"mesh\"\nrosettes = \"yes\"\n";
   EXPECT_THAT(trouble(centre_crack + rosettes), HasSubstr("give order = \"2\""));
-  EXPECT_THAT(trouble(centre_crack + rosettes + "order = \"2\"\ntip_radius = 0.5\n"), HasSubstr("crack tip 'crack_end': its rosette of radius 1.5 overlaps that of 'crack_start'"));
+  EXPECT_THAT(trouble(centre_crack + rosettes + "order = \"2\"\ntip_radius = 0.5\n"), HasSubstr("crack tip 'crack_end': its rosette of radius 1.5 m overlaps that of 'crack_start'"));
 }
 
 TEST(Analysis, AForceOnACurveHasARemarkWithItsResultantAndTheTractionThatSpreadsIt) {
@@ -269,7 +269,7 @@ TEST(Analysis, AForceOnACurveHasARemarkWithItsResultantAndTheTractionThatSpreads
   const auto done = run(head + "kind = \"force\"\ny = 100.0\n" + steps);
   const auto& mesh = last(done).meshes.back()->mesh;
   const double nodes = static_cast<double>(dobra::fem::find_nodes(mesh, "right")->size());
-  const std::string wanted = fmt::format("the force on 'right' acts at each of its {} nodes: (0, {}) N in all, more on a finer mesh; for (0, 100) N spread over the curve give kind = \"traction\", x = 0, y = 4", nodes, 100 * nodes);
+  const std::string wanted = fmt::format("the force on 'right' acts at each of its {} nodes: (0, {}) N in all, more on a finer mesh; for (0, 100) N spread over the curve give kind = \"traction\", x = 0 Pa, y = 4 Pa", nodes, 100 * nodes);
   EXPECT_THAT(program().remarks_of(done.states.back()), testing::Contains(wanted));  // 100 N / (50 m x 0.5 m)
   // That traction has the resultant.
   const auto spread = run(head + "y = 4.0\n" + steps);
