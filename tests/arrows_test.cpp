@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <filesystem>
 #include <fstream>
@@ -115,6 +116,32 @@ TEST(Arrows, AnIncludeAgainstThemIsNoticed) {
   EXPECT_FALSE(objection("shared/render", "QWidget").empty());
   EXPECT_TRUE(objection("shared/offset", "shared/geom/point.h").empty());
   EXPECT_TRUE(objection("recon/gui", "QWidget").empty());
+}
+
+/// A path of one machine in a source, a test or a page is found on no other.
+TEST(Arrows, NoFileNamesAFolderOutsideTheTree) {
+  const fs::path root = DOBRA_SOURCE_DIR;
+  const std::set<std::string> read{".h", ".cpp", ".md", ".txt", ".cmake", ".toml", ".py", ".json"};
+  // In two parts, or this file would name them.
+  const std::array<std::string, 4> folders{std::string("/wo") + "rk/", std::string("/ho") + "me/", std::string("/ro") + "ot/", std::string("/Us") + "ers/"};
+  std::size_t files = 0;
+  for (const char* top : {"shared", "recon", "quebra", "tests", "docs", "resources", "scripts"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
+      if (!entry.is_regular_file() || (!read.contains(entry.path().extension().string()) && std::string(top) != "scripts")) continue;
+      ++files;
+      std::ifstream stream(entry.path());
+      std::size_t number = 0;
+      for (std::string line; std::getline(stream, line);) {
+        ++number;
+        for (const std::string& folder : folders) {
+          const std::size_t at = line.find(folder);
+          const bool begins = at != std::string::npos && (at == 0 || std::string(" \"'(=<`").find(line[at - 1]) != std::string::npos);
+          EXPECT_FALSE(begins) << fs::relative(entry.path(), root).generic_string() << ':' << number << ": " << line;
+        }
+      }
+    }
+  }
+  EXPECT_GT(files, 500U);
 }
 
 }  // namespace
