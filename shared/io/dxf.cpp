@@ -85,17 +85,20 @@ struct Survey {
   StatedConvention stated;
 };
 
-// Of $INSUNITS; 0 and 6 (metres) say nothing that has to be done.
+// Of $INSUNITS; 0 (unitless) and 6 (metres) say nothing that has to be done.
 void note_unit(std::string_view value, StatedConvention& stated) {
-  if (value == "2") stated.unit = 0.3048;
-  if (value == "7") stated.unit = 1000.0;
-  constexpr std::string_view known[] = {"0", "2", "6", "7"};
-  if (std::find(std::begin(known), std::end(known), value) != std::end(known)) return;
-  const char* name = value == "1" ? " (inches)" : value == "4" ? " (millimetres)" : "";
-  stated.questions.push_back(
-      {Question::About::Unit, fmt::format("the drawing gives $INSUNITS = {}{}, which many programs write by "
-                                          "themselves; say what one unit is: unit = m, km or ft (--unit)",
-                                          shown(value), name)});
+  constexpr std::pair<std::string_view, double> known[] = {{"0", 1.0},     {"6", 1.0},    {"1", 0.0254},  {"2", 0.3048},
+                                                           {"4", 0.001},   {"5", 0.01},   {"7", 1000.0},  {"3", 1609.344},
+                                                           {"10", 0.9144}, {"14", 0.1}};
+  const auto* unit = std::find_if(std::begin(known), std::end(known), [&](const auto& own) { return own.first == value; });
+  if (unit == std::end(known)) {
+    stated.questions.push_back({Question::About::Unit,
+                                fmt::format("the drawing gives $INSUNITS = {}, a unit that is not known here; say what one "
+                                            "unit is: unit = m, km, ft, in, cm or mm (--unit)",
+                                            shown(value))});
+  } else if (unit->second != 1.0) {
+    stated.unit = unit->second;
+  }
 }
 
 // Judges the whole text.
