@@ -79,7 +79,7 @@ struct Constraint {
 };
 
 /// What was wrong with the drawn geometry (repair.h).
-enum class Wrong { RepeatedPoint, NearlyRepeatedPoint, NoExtent, CurveTwice, Spike, Gap, Crossing, Sliver, NearlyTouching, CutThrough };
+enum class Wrong { RepeatedPoint, NearlyRepeatedPoint, NoExtent, CurveTwice, Spike, Gap, Crossing, Sliver, NearlyTouching, CutThrough, Outside, Apart };
 
 struct Finding {
   Wrong wrong = Wrong::RepeatedPoint;
