@@ -13,6 +13,9 @@ std::vector<dobra::scenario::Quantity> quantities_of(const Model& model);
 std::vector<dobra::scenario::DataTable> tables_of(const Model& model);
 std::vector<dobra::scenario::Output> outputs_of(const std::shared_ptr<const Model>& model);
 
+/// The domain with the names of its curves, lips, points and regions, each where it belongs.
+dobra::scene::Picture names_picture(const Model& model);
+
 /// How many of the elements have which quality: bars over alpha as high as their share of all, 0 .. 1; both axes to one scale.
 dobra::scene::Picture histogram_picture(const Meshed& meshed);
 
