@@ -281,6 +281,9 @@ Result<int> job(dobra::cli::Session& session, const std::string& operation, cons
   for (const auto& file : {options.picture, options.curve}) {
     if (file) DOBRA_TRY_VOID(dobra::cli::check_ending(*file, dobra::cli::Drawer::Cairo));
   }
+  for (const auto& file : {options.out, options.picture, options.curve}) {
+    if (file) DOBRA_TRY_VOID(dobra::cli::check_writable(*file));
+  }
   DOBRA_TRY(const scenario::Document document, document_of(session, operation, options));
   DOBRA_TRY(const scenario::Run run, dobra::cli::run_steps(session, document));
   DOBRA_TRY_VOID(write_results(session.program, run.states.back(), options));
@@ -321,13 +324,17 @@ dobra::cli::Command command(const std::string& name, const std::string& operatio
 
 /// The validation book: a line for every case, files if asked for; exit code 1 if a value misses its tolerance.
 Result<int> validate_job(dobra::cli::Session& session, const std::optional<std::filesystem::path>& out) {
-  DOBRA_TRY(const auto results, core::validate(core::validation_cases(), session.progress()));
+  std::optional<dobra::cli::Staging> staging;  // opened before the work, so that a bad folder is known at once
   if (out) {
-    DOBRA_TRY(dobra::cli::Staging staging, dobra::cli::Staging::open(*out, dobra::cli::TargetFolder::Create));
-    DOBRA_TRY_VOID(io::write_file(staging.path("validation.csv"), core::validation_csv(results)));
-    DOBRA_TRY_VOID(io::write_file(staging.path("validation.json"), core::validation_json(results)));
-    DOBRA_TRY_VOID(io::write_file(staging.path("validation.html"), core::validation_html(results)));
-    DOBRA_TRY_VOID(staging.commit());
+    DOBRA_TRY(dobra::cli::Staging opened, dobra::cli::Staging::open(*out, dobra::cli::TargetFolder::Create));
+    staging.emplace(std::move(opened));
+  }
+  DOBRA_TRY(const auto results, core::validate(core::validation_cases(), session.progress()));
+  if (staging) {
+    DOBRA_TRY_VOID(io::write_file(staging->path("validation.csv"), core::validation_csv(results)));
+    DOBRA_TRY_VOID(io::write_file(staging->path("validation.json"), core::validation_json(results)));
+    DOBRA_TRY_VOID(io::write_file(staging->path("validation.html"), core::validation_html(results)));
+    DOBRA_TRY_VOID(staging->commit());
   }
   if (session.options.verbosity != dobra::cli::Verbosity::Quiet) {
     const bool json = session.options.format == dobra::cli::OutputFormat::Json;

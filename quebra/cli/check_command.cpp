@@ -18,6 +18,7 @@
 #include "quebra/core/model.h"
 #include "quebra/core/selection.h"
 #include "shared/cli/pictures.h"
+#include "shared/cli/staging.h"
 #include "shared/io/file.h"
 #include "shared/io/mesh_file.h"
 #include "shared/io/polygon_file.h"
@@ -116,11 +117,20 @@ std::string shape_name(const core::Curve& curve) {
   return "spline";
 }
 
-Json json_of(geom::Point p) { return Json::array({p.x, p.y}); }
+/// Places and lengths in the units of the scenario.
+class InUnits {
+ public:
+  explicit InUnits(const scenario::UnitSystem& units) : units_(units) {}
+  Json operator()(geom::Point p) const { return Json::array({(*this)(p.x), (*this)(p.y)}); }
+  double operator()(double value, const char* unit = "m") const { return units_.from_si(value, unit); }
 
-Json json_of(const core::Curve& curve) {
+ private:
+  const scenario::UnitSystem& units_;
+};
+
+Json json_of(const core::Curve& curve, const InUnits& in_units) {
   const double all = length(curve);
-  Json json{{"name", curve.name}, {"kind", role_name(curve.role)}, {"shape", shape_name(curve)}, {"length", all}, {"from", json_of(point(curve, 0.0))}, {"to", json_of(point(curve, all))}};
+  Json json{{"name", curve.name}, {"kind", role_name(curve.role)}, {"shape", shape_name(curve)}, {"length", in_units(all)}, {"from", in_units(point(curve, 0.0))}, {"to", in_units(point(curve, all))}};
   if (curve.role == core::Role::Crack) {
     json["lips"] = {curve.name + "_left", curve.name + "_right"};
     json["tips"] = {curve.name + "_start", curve.name + "_end"};
@@ -132,9 +142,10 @@ Json json_of(const core::Curve& curve) {
 /// The names that steps may use, each with its place.
 Verdict of_domain(const core::Model& model) {
   const core::Domain& domain = model.domain;
+  const InUnits in_units(model.units);
   Verdict verdict;
   verdict.counts = {{"curves", domain.curves.size()}, {"loops", domain.loops.size()}, {"parts", domain.faces.size()}};
-  for (const core::Curve& curve : domain.curves) verdict.curves.push_back(json_of(curve));
+  for (const core::Curve& curve : domain.curves) verdict.curves.push_back(json_of(curve, in_units));
   // Sides of an outline have no names: they are found by their place.
   constexpr std::size_t few = 12;
   const auto parts = core::boundary_parts(domain);
@@ -145,24 +156,24 @@ Verdict of_domain(const core::Model& model) {
     sides = count;
     if (count > 1 && count <= few) {
       sides = Json::array();
-      for (std::size_t k = i; k < i + count; ++k) sides.push_back({{"from", json_of(parts[k].start)}, {"to", json_of(parts[k].end)}});
+      for (std::size_t k = i; k < i + count; ++k) sides.push_back({{"from", in_units(parts[k].start)}, {"to", in_units(parts[k].end)}});
     }
     i += count;
   }
   for (const core::NamedPoint& point : domain.points) {
-    if (!point.name.empty()) verdict.points.push_back({{"name", point.name}, {"at", json_of(point.at)}});
+    if (!point.name.empty()) verdict.points.push_back({{"name", point.name}, {"at", in_units(point.at)}});
   }
   for (const auto& [tag, name] : domain.region_names) {
     double area = 0.0;
     for (const core::Face& face : domain.faces) area += face.region == tag ? face.area : 0.0;
-    verdict.regions.push_back({{"name", name}, {"area", area}});
+    verdict.regions.push_back({{"name", name}, {"area", in_units(area, "m2")}});
   }
-  verdict.remarks = model.remarks;
   return verdict;
 }
 
 /// A scenario's input, or a file of geometry.
 Result<Verdict> of_geometry(Session& session, const Options& options) {
+  if (options.picture) DOBRA_TRY_VOID(dobra::cli::check_writable(*options.picture));
   DOBRA_TRY(scenario::Document document, document_of(session, options.input));
   document.steps.clear();
   document.expects.clear();
@@ -171,8 +182,10 @@ Result<Verdict> of_geometry(Session& session, const Options& options) {
   const scenario::Run run = runner.run(document, session.progress());
   if (run.error) return *run.error;
   const auto& model = scenario::model_of<core::Model>(run.states.back());
-  if (options.picture) DOBRA_TRY_VOID(dobra::cli::draw(core::names_picture(model), *options.picture, dobra::cli::Drawer::Cairo));
-  return of_domain(model);
+  if (options.picture) DOBRA_TRY_VOID(dobra::cli::draw(in_units(core::names_picture(model), model.units), *options.picture, dobra::cli::Drawer::Cairo));
+  Verdict verdict = of_domain(model);
+  verdict.remarks = session.program.remarks_of(run.states.back());
+  return verdict;
 }
 
 std::string place_text(const Json& at) { return fmt::format("({:.6g}, {:.6g})", at[0].get<double>(), at[1].get<double>()); }

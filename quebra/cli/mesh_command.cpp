@@ -166,9 +166,9 @@ std::string table_text(const Figures& figures) {
   return text + fmt::format("{:<16}{:.1f} MB\n", "peak memory", static_cast<double>(figures.peak_memory) / 1e6);
 }
 
-Result<void> write_out(Session& session, const std::filesystem::path& out, const mesh::ElementMesh& mesh) {
+Result<void> write_out(Session& session, const std::filesystem::path& out, const mesh::ElementMesh& mesh, const scenario::UnitSystem& units) {
   DOBRA_TRY(dobra::cli::Staging staging, dobra::cli::Staging::open(out.parent_path(), dobra::cli::TargetFolder::MustExist));
-  if (const auto written = io::write_mesh(staging.path(out.filename().string()).string(), mesh); !written) return staging.for_user(written.error());
+  if (const auto written = core::write_mesh(staging.path(out.filename().string()).string(), mesh, units); !written) return staging.for_user(written.error());
   DOBRA_TRY_VOID(session.check());
   DOBRA_TRY_VOID(staging.commit());
   return {};
@@ -178,6 +178,9 @@ Result<int> mesh_job(Session& session, const Options& options) {
   if (options.out) DOBRA_TRY_VOID(io::check_mesh_ending(options.out->string()));
   for (const auto& file : {options.histogram, options.picture, options.size_field}) {
     if (file) DOBRA_TRY_VOID(dobra::cli::check_ending(*file, dobra::cli::Drawer::Cairo));
+  }
+  for (const auto& file : {options.out, options.histogram, options.picture, options.size_field}) {
+    if (file) DOBRA_TRY_VOID(dobra::cli::check_writable(*file));
   }
   DOBRA_TRY(const scenario::Document document, mesh_document_of(session, options));
   const auto start = std::chrono::steady_clock::now();
@@ -199,10 +202,10 @@ Result<int> mesh_job(Session& session, const Options& options) {
   figures.seconds.insert(figures.seconds.end(), meshed.seconds.begin(), meshed.seconds.end());
   if (options.out) {
     const auto begin = std::chrono::steady_clock::now();
-    DOBRA_TRY_VOID(write_out(session, *options.out, meshed.mesh));
+    DOBRA_TRY_VOID(write_out(session, *options.out, meshed.mesh, model.units));
     figures.seconds.push_back({"write", since(begin)});
   }
-  std::vector<std::string> remarks = model.remarks;
+  std::vector<std::string> remarks = session.program.remarks_of(state);
   if (options.out) {
     for (std::string& loss : io::losses(options.out->string(), meshed.mesh)) {
       session.note(loss);
@@ -211,7 +214,7 @@ Result<int> mesh_job(Session& session, const Options& options) {
   }
   if (options.histogram) DOBRA_TRY_VOID(dobra::cli::draw(core::histogram_picture(meshed), *options.histogram, dobra::cli::Drawer::Cairo));
   if (options.picture) DOBRA_TRY_VOID(dobra::cli::draw(session.program.picture_of(state), *options.picture, dobra::cli::Drawer::Cairo));
-  if (options.size_field) DOBRA_TRY_VOID(dobra::cli::draw(core::size_field_picture(model, meshed), *options.size_field, dobra::cli::Drawer::Cairo));
+  if (options.size_field) DOBRA_TRY_VOID(dobra::cli::draw(in_units(core::size_field_picture(model, meshed), model.units), *options.size_field, dobra::cli::Drawer::Cairo));
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   figures.peak_memory = static_cast<std::size_t>(usage.ru_maxrss) * 1024;

@@ -5,13 +5,13 @@
 #include <algorithm>
 
 #include "quebra/core/deck.h"
+#include "quebra/core/layers.h"
 #include "quebra/core/results.h"
 #include "quebra/core/selection.h"
 #include "shared/base/text.h"
 #include "shared/fem/assemble.h"
 #include "shared/fem/singular_vertices.h"
 #include "shared/io/file.h"
-#include "shared/io/vtu.h"
 
 namespace quebra::core {
 namespace {
@@ -64,7 +64,7 @@ std::vector<double> mean_at_nodes(const mesh::ElementMesh& m, const std::vector<
   return sums;
 }
 
-dobra::io::MeshFields fields_of(const Analysis& analysis) {
+dobra::io::MeshFields fields_of(const Analysis& analysis, const dobra::scenario::UnitSystem& units) {
   dobra::io::MeshFields fields;
   for (std::size_t c = 0; c < analysis.solution.cases.size(); ++c) {
     const auto& result = analysis.solution.cases[c];
@@ -79,6 +79,13 @@ dobra::io::MeshFields fields_of(const Analysis& analysis) {
       fields.at_points.push_back({result.name + ' ' + field_names()[static_cast<std::size_t>(name)], 1,
                                   mean_at_nodes(analysis.meshed->mesh, field_at_element_nodes(analysis, c, name))});
     fields.at_elements.push_back({result.name + " error", 1, analysis.fields[c].estimate.elements});
+  }
+  if (units.si()) return fields;
+  for (auto* at : {&fields.at_points, &fields.at_elements}) {
+    for (dobra::io::MeshField& field : *at) {
+      const char* const si = field.name.ends_with(" displacement") ? "m" : field.name.ends_with(" error") ? "J^0.5" : "Pa";
+      for (double& value : field.values) value = units.from_si(value, si);
+    }
   }
   return fields;
 }
@@ -291,10 +298,11 @@ void add_analysis_tables(const Model& model, std::vector<dobra::scenario::DataTa
 void add_analysis_outputs(const Model& model, std::vector<dobra::scenario::Output>& outputs) {
   if (model.analyses.empty()) return;
   const std::shared_ptr<const Analysis> analysis = model.analyses.back();
-  outputs.push_back({"results.vtu", [analysis](const auto& path) { return dobra::io::write_vtu(path.string(), analysis->meshed->mesh, fields_of(*analysis)); }});
+  const dobra::scenario::UnitSystem units = model.units;
+  outputs.push_back({"results.vtu", [analysis, units](const auto& path) { return write_vtu(path.string(), analysis->meshed->mesh, fields_of(*analysis, units), units); }});
   if (deck_gap(analysis->meshed->mesh, analysis->problem)) return;  // a remark says so
-  outputs.push_back({"analysis.inp", [analysis](const auto& path) -> Result<void> {
-                       DOBRA_TRY(const std::string text, deck_text(analysis->meshed->mesh, analysis->problem));
+  outputs.push_back({"analysis.inp", [analysis, units](const auto& path) -> Result<void> {
+                       DOBRA_TRY(const std::string text, deck_text(analysis->meshed->mesh, analysis->problem, units));
                        return dobra::io::write_file(path, text);
                      }});
 }

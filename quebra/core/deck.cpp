@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "quebra/core/layers.h"
 #include "shared/fem/constraints.h"
 #include "shared/io/inp.h"
 
@@ -124,14 +125,14 @@ Result<std::set<std::uint32_t>> sprung_by(const dobra::mesh::ElementMesh& mesh, 
 }
 
 /// Springs from the nodes to the ground.
-Result<std::string> springs_text(const dobra::mesh::ElementMesh& mesh, const std::vector<fem::Spring>& springs) {
+Result<std::string> springs_text(const dobra::mesh::ElementMesh& mesh, const std::vector<fem::Spring>& springs, const dobra::scenario::UnitSystem& units) {
   std::string text;
   std::size_t element = mesh.element_count();
   std::size_t number = 0;
   for (const fem::Spring& spring : springs) {
     DOBRA_TRY(const auto nodes, fem::find_nodes(mesh, spring.where));
     for (const int axis : {1, 2}) {
-      const double stiffness = axis == 1 ? spring.x : spring.y;
+      const double stiffness = units.from_si(axis == 1 ? spring.x : spring.y, "N/m");
       if (stiffness == 0.0) continue;
       text += fmt::format("*ELEMENT, TYPE=SPRING1, ELSET=SPRING_{}\n", ++number);
       for (const auto node : nodes) text += fmt::format("{}, {}\n", ++element, node.index() + 1);
@@ -152,28 +153,35 @@ std::optional<Error> deck_gap(const dobra::mesh::ElementMesh& mesh, const fem::P
   return equations ? std::nullopt : std::optional(equations.error());
 }
 
-Result<std::string> deck_text(const dobra::mesh::ElementMesh& mesh, const fem::Problem& problem) {
+Result<std::string> deck_text(const dobra::mesh::ElementMesh& mesh, const fem::Problem& problem, const dobra::scenario::UnitSystem& units) {
   if (auto gap = without_equal(problem)) return *std::move(gap);
   const std::vector<fem::DofConstraint> constraints = fem::constraints_of(mesh, problem);
   const Held held = held_by(constraints);
   DOBRA_TRY(const auto sprung, sprung_by(mesh, problem.springs));
   DOBRA_TRY(const Equations equations, equations_of(constraints, held, sprung, mesh.points.size()));
-  DOBRA_TRY(std::string text, dobra::io::inp_text(mesh, {.element = dobra::io::InpElement::PlaneStrain}));
+  DOBRA_TRY(std::string text, dobra::io::inp_text(in_units(mesh, units), {.element = dobra::io::InpElement::PlaneStrain}));
+  text = "** " + note_of(units) + '\n' + text;
+  const auto in = [&units](double value, const char* si) { return twenty_columns(units.from_si(value, si)); };
   const std::set<std::int32_t> regions(mesh.regions.begin(), mesh.regions.end());
-  for (const std::int32_t region : regions) text += material_text(region, problem.materials.at(region));
+  for (const std::int32_t region : regions) {
+    fem::Material material = problem.materials.at(region);
+    material.young = units.from_si(material.young, "Pa");
+    material.thickness = units.from_si(material.thickness, "m");
+    text += material_text(region, material);
+  }
   text += value_nodes_text(mesh.points.size(), equations.values.size()) + equations.text;
-  DOBRA_TRY(const std::string springs, springs_text(mesh, problem.springs));
+  DOBRA_TRY(const std::string springs, springs_text(mesh, problem.springs, units));
   text += springs;
   for (const fem::LoadCase& load : problem.cases) {
     text += fmt::format("*STEP\n*STATIC\n** {}\n*BOUNDARY, OP=NEW\n", load.name);
-    for (const auto& [dof, value] : held) text += fmt::format("{0}, {1}, {1}, {2}\n", dof / 2 + 1, dof % 2 + 1, twenty_columns(load.settlement * value));
+    for (const auto& [dof, value] : held) text += fmt::format("{0}, {1}, {1}, {2}\n", dof / 2 + 1, dof % 2 + 1, in(load.settlement * value, "m"));
     for (std::size_t i = 0; i < equations.values.size(); ++i)
-      text += fmt::format("{0}, 1, 1, {1}\n", mesh.points.size() + i + 1, twenty_columns(load.settlement * equations.values[i]));
+      text += fmt::format("{0}, 1, 1, {1}\n", mesh.points.size() + i + 1, in(load.settlement * equations.values[i], "m"));
     text += "*CLOAD, OP=NEW\n";
     const auto forces = fem::load_vector(mesh, problem, load);
     for (std::size_t n = 0; n < forces.size(); ++n) {
-      if (forces[n].x != 0.0) text += fmt::format("{}, 1, {}\n", n + 1, twenty_columns(forces[n].x));
-      if (forces[n].y != 0.0) text += fmt::format("{}, 2, {}\n", n + 1, twenty_columns(forces[n].y));
+      if (forces[n].x != 0.0) text += fmt::format("{}, 1, {}\n", n + 1, in(forces[n].x, "N"));
+      if (forces[n].y != 0.0) text += fmt::format("{}, 2, {}\n", n + 1, in(forces[n].y, "N"));
     }
     text += "*NODE PRINT, NSET=NALL\nU\n*NODE FILE\nU\n*EL FILE\nS\n*END STEP\n";
   }

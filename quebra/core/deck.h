@@ -11,13 +11,14 @@
 
 #include "shared/base/result.h"
 #include "shared/fem/problem.h"
+#include "shared/scenario/units.h"
 
 namespace quebra::core {
 
 /// What the format has no words for: beds of springs, ties whose every displacement has a spring, plane stress with nu <= -0.5.
 std::optional<dobra::base::Error> deck_gap(const dobra::mesh::ElementMesh& mesh, const dobra::fem::Problem& problem);
 
-/// @error that of deck_gap
-dobra::base::Result<std::string> deck_text(const dobra::mesh::ElementMesh& mesh, const dobra::fem::Problem& problem);
+/// The deck in `units`, which it says at its head. @error that of deck_gap
+dobra::base::Result<std::string> deck_text(const dobra::mesh::ElementMesh& mesh, const dobra::fem::Problem& problem, const dobra::scenario::UnitSystem& units = {});
 
 }  // namespace quebra::core

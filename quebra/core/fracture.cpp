@@ -20,7 +20,7 @@ struct Figure {
 };
 
 std::vector<Figure> figures_of(const fem::TipResult& tip) {
-  const char* const k = "Pa m^0.5";
+  const char* const k = "Pa sqrt(m)";
   const auto one = [](const std::optional<fem::Intensity>& i) { return i ? std::optional(i->one) : std::nullopt; };
   const auto two = [](const std::optional<fem::Intensity>& i) { return i ? std::optional(i->two) : std::nullopt; };
   const auto angle = [&](fem::Kink fem::TipResult::Kinks::* kink) { return tip.kinks ? std::optional((*tip.kinks.*kink).angle.degrees()) : std::nullopt; };

@@ -156,8 +156,12 @@ void take_sizes(const GeoFile& file, const GeoCurve& geo, Curve& curve) {
 
 }  // namespace
 
-Result<Sketch> read_geo_sketch(const std::string& path) {
+Result<Sketch> read_geo_sketch(const std::string& path, double unit) {
   DOBRA_TRY(GeoFile file, dobra::io::read_geo(path));
+  for (auto& [tag, point] : file.points) {
+    point.at = {unit * point.at.x, unit * point.at.y};
+    point.size *= unit;
+  }
   const auto uses = surfaces_at(file);
   std::set<std::int64_t> embedded, ends;
   for (const auto& [dimension, tag] : file.embedded) {

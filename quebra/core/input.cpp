@@ -153,8 +153,9 @@ Result<Model> read_input(const InputParams& params, const dobra::scenario::Table
     sketch.places.assign(sketch.curves.size(), table.place("specimen"));
   }
   if (!params.file.empty()) {
-    const auto options = sketch_options(params);
+    auto options = sketch_options(params);
     if (!options) return located(options.error(), table.place("file"));
+    options->silent_unit = options->lines.silent_unit = context.units.to_si(1.0, "m");
     DOBRA_TRY(Sketch file, read_sketch((context.folder / params.file).string(), *options));
     append(sketch.curves, file.curves);
     append(sketch.places, file.places);
@@ -165,6 +166,8 @@ Result<Model> read_input(const InputParams& params, const dobra::scenario::Table
     sketch.hole_points = std::move(file.hole_points);
     sketch.areas = std::move(file.areas);
   }
+  if (params.file.empty() && params.unit != FileUnit::File)
+    return Error{ErrorCode::BadValue, "`unit` is of the coordinates in `file`, and there is no file; numbers of the scenario are in the units of `unit_system`", table.place("unit")};
   for (std::size_t i = 0; i < params.curves.size(); ++i) {
     const auto& curve = params.curves[i];
     DOBRA_TRY_VOID(add_curve(sketch, curve, 0.0, place_of(table, "curve", i, fmt::format("curve '{}'", curve.name))));
@@ -177,6 +180,7 @@ Result<Model> read_input(const InputParams& params, const dobra::scenario::Table
   for (const PointParams& point : params.points) sketch.points.push_back({point.name, point.point, point.size});
   DOBRA_TRY_VOID(check_names(sketch.curves, sketch.places));
   Model model;
+  model.units = context.shown_units;
   if (params.repair == Repair::Yes) {
     DOBRA_TRY(Repaired repaired, repair(std::move(sketch)));
     sketch = std::move(repaired.sketch);
@@ -187,6 +191,7 @@ Result<Model> read_input(const InputParams& params, const dobra::scenario::Table
   auto domain = make_domain(std::move(sketch), {params.join_tolerance});
   if (!domain) return with_findings(domain.error(), model.findings);
   model.domain = *std::move(domain);
+  model.domain.unit = context.units.to_si(1.0, "m");
   std::vector<Finding> flaws = flaws_of(model.domain, {.repaired = params.repair == Repair::Yes});
   append(model.findings, flaws);
   std::vector<Finding> cracks = crack_flaws(model.domain, drawn);

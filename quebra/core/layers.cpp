@@ -143,9 +143,11 @@ scene::Layer size_layer(const Meshed& meshed) {
   for (std::size_t e = 0; e < meshed.mesh.element_count(); ++e) add_triangles(meshed.mesh, e, content.triangles);
   const auto [least, greatest] = std::minmax_element(content.values.begin(), content.values.end());
   constexpr double many = 20.0;
-  content.scale = {translated("size [m]"), scene::ColorMapName::Viridis, *least, *greatest};
+  content.scale = {.title = translated("size [m]"), .map = scene::ColorMapName::Viridis, .low = *least, .high = *greatest, .least = *least, .greatest = *greatest};
   if (*greatest > many * *least) {
-    content.scale = {translated("log10 of size [m]"), scene::ColorMapName::Viridis, std::log10(*least), std::log10(*greatest)};
+    scene::Scale& scale = content.scale;
+    scale.ticks = scene::AxisScale::Log10;
+    for (double* end : {&scale.low, &scale.high, &*scale.least, &*scale.greatest}) *end = std::log10(*end);
     for (double& value : content.values) value = std::log10(value);
   } else if (*greatest - *least <= 1e-6 * *greatest) {
     content.scale.high = *least * (1.0 + 1e-3);
@@ -153,14 +155,15 @@ scene::Layer size_layer(const Meshed& meshed) {
   return {"size_field", translated("Size field"), {.line_width = 0.0}, std::move(content), false};
 }
 
-/// Leaves of the tree that carries the sizes, as far as they touch the domain's box; hidden.
+/// Leaves of the tree that carries the sizes, as far as they lie in the domain's box; hidden.
 scene::Layer quadtree_layer(const Domain& domain, const mesh::SizeField& sizes) {
   const geom::Box all = domain.box();
   const mesh::Quadtree& tree = sizes.quadtree();
   scene::Lines lines;
   for (const mesh::QuadCellId leaf : tree.leaves()) {
-    const geom::Box box = tree.box(leaf);
+    geom::Box box = tree.box(leaf);
     if (!box.overlaps(all)) continue;
+    box = {{std::max(box.low.x, all.low.x), std::max(box.low.y, all.low.y)}, {std::min(box.high.x, all.high.x), std::min(box.high.y, all.high.y)}};
     lines.lines.push_back({{box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}}, true});
   }
   const double width = std::clamp(25.0 / std::sqrt(static_cast<double>(lines.lines.size()) + 1.0), 0.05, 0.5);
@@ -294,7 +297,7 @@ scene::Picture histogram_picture(const Meshed& meshed) {
   const double all = static_cast<double>(std::accumulate(bins.begin(), bins.end(), std::size_t{0}));
   const double width = 1.0 / static_cast<double>(bins.size());
   const auto& q = meshed.quality;
-  scene::Panel panel{.key = "histogram", .title = {}, .axes = {translated("alpha"), translated("share of the elements")}, .layers = {}};
+  scene::Panel panel{.key = "histogram", .title = {}, .axes = {translated("alpha"), translated("share of the elements"), scene::AxisScale::Diagram}, .layers = {}};
   panel.title = fmt::format("{}: {} {}", meshed.name, meshed.mesh.element_count(), translated("elements"));
   double highest = 0.0;
   for (std::size_t i = 0; i < bins.size(); ++i) {
@@ -334,7 +337,6 @@ scene::Picture size_field_picture(const Model& model, const Meshed& meshed) {
     if (is_below(layer)) layer.visible = true;
     if (layer.key == "mesh" || layer.key == "elements") layer.visible = false;
   }
-  panel.extent = model.domain.box();
   scene::Picture picture;
   picture.panels.push_back(std::move(panel));
   return picture;
@@ -342,6 +344,7 @@ scene::Picture size_field_picture(const Model& model, const Meshed& meshed) {
 
 scene::Picture picture_of(const Model& model) {
   scene::Picture picture;
+  picture.arrangement = scene::Arrangement::Grid;
   const std::size_t n = model.meshes.size();
   if (n == 0 && !model.work) picture.panels.push_back(domain_panel(model));
   // The two last meshes side by side: before and after.
@@ -399,19 +402,42 @@ std::vector<scenario::DataTable> tables_of(const Model& model) {
   return tables;
 }
 
+mesh::ElementMesh in_units(mesh::ElementMesh mesh, const scenario::UnitSystem& units) {
+  if (units.si()) return mesh;
+  for (geom::Point& p : mesh.points) p = {units.from_si(p.x, "m"), units.from_si(p.y, "m")};
+  return mesh;
+}
+
+std::string note_of(const scenario::UnitSystem& units) { return "units: " + units.text(); }
+
+base::Result<void> write_mesh(const std::string& path, const mesh::ElementMesh& mesh, const scenario::UnitSystem& units) {
+  DOBRA_TRY_VOID(io::write_mesh(path, in_units(mesh, units)));
+  return io::add_note(path, note_of(units));
+}
+
+base::Result<void> write_vtu(const std::string& path, const mesh::ElementMesh& mesh, const io::MeshFields& fields, const scenario::UnitSystem& units) {
+  DOBRA_TRY_VOID(io::write_vtu(path, in_units(mesh, units), fields));
+  return io::add_note(path, note_of(units));
+}
+
 std::vector<scenario::Output> outputs_of(const std::shared_ptr<const Model>& model) {
   if (model->meshes.empty()) return {};
   const std::shared_ptr<const Meshed> meshed = model->meshes.back();
+  const scenario::UnitSystem units = model->units;
   std::vector<scenario::Output> outputs = {
-      {"mesh.vtu", [meshed](const auto& path) { return io::write_vtu(path.string(), meshed->mesh, quality_fields(meshed->mesh)); }},
+      {"mesh.vtu", [meshed, units](const auto& path) { return write_vtu(path.string(), meshed->mesh, quality_fields(meshed->mesh), units); }},
   };
   for (const char* const name : {"mesh.msh", "mesh.inp", "mesh.bdf", "mesh.nf"}) {
-    outputs.push_back({name, [meshed](const auto& path) { return io::write_mesh(path.string(), meshed->mesh); }, io::losses(name, meshed->mesh)});
+    outputs.push_back({name, [meshed, units](const auto& path) { return write_mesh(path.string(), meshed->mesh, units); }, io::losses(name, meshed->mesh)});
   }
   // These hold triangles of one order only.
-  if (const auto elements = io::ele_file_of(meshed->mesh)) {
-    outputs.push_back({"mesh.node", [meshed](const auto& path) { return io::write_text(path, io::node_text(io::node_file_of(meshed->mesh))); }});
-    outputs.push_back({"mesh.ele", [elements](const auto& path) { return io::write_text(path, io::ele_text(*elements)); }});
+  if (io::ele_file_of(meshed->mesh)) {
+    const auto write = [meshed, units](const auto& path, const auto& text_of) -> base::Result<void> {
+      DOBRA_TRY_VOID(io::write_text(path, text_of(in_units(meshed->mesh, units))));
+      return io::add_note(path.string(), note_of(units));
+    };
+    outputs.push_back({"mesh.node", [write](const auto& path) { return write(path, [](const auto& mesh) { return io::node_text(io::node_file_of(mesh)); }); }});
+    outputs.push_back({"mesh.ele", [write](const auto& path) { return write(path, [](const auto& mesh) { return io::ele_text(*io::ele_file_of(mesh)); }); }});
   }
   return outputs;
 }

@@ -38,7 +38,7 @@ struct LineInput {
     d.field("plane_tolerance", of<P>(&LineInput::plane_tolerance), {.title = "Plane tolerance", .help = "Largest distance of lines in space from their plane, as a part of the length.", .above = 0});
     d.choice("y_axis", of<P>(&LineInput::y_axis), {"file", "up", "down"}, {.title = "Heights grow", .help = "As the file says, else up."});
     d.field("reference", of<P>(&LineInput::reference), {.title = "Reference", .help = "With y_axis = \"down\": the value at height 0, in units of the file."});
-    d.choice("unit", of<P>(&LineInput::unit), {"file", "m", "km", "ft", "in", "cm", "mm"}, {.title = "Unit", .help = "Of the coordinates in the file; as the file says, else m."});
+    d.choice("unit", of<P>(&LineInput::unit), {"file", "m", "km", "ft", "in", "cm", "mm"}, {.title = "Unit", .help = "Of the coordinates in the file; as the file says, else as the scenario."});
     d.field("exaggeration", of<P>(&LineInput::exaggeration), {.title = "Exaggeration", .help = "Heights are stored this many times too large.", .above = 0});
   }
 

@@ -9,6 +9,7 @@
 #include "quebra/core/curve.h"
 #include "quebra/core/meshed.h"
 #include "shared/fem/rosette.h"
+#include "shared/scenario/units.h"
 
 namespace quebra::core {
 
@@ -58,6 +59,7 @@ struct Domain {
   std::vector<NamedPoint> points;
   std::vector<Face> faces;
   std::map<std::int32_t, std::string> region_names;
+  double unit = 1.0;  ///< Of the coordinates in conditions on places (selection.h), m.
 
   [[nodiscard]] dobra::geom::Box box() const;
   /// As of lone_circles, of these curves and points.
@@ -112,6 +114,7 @@ struct ProblemParams;  // problem.h
 
 struct Model {
   Domain domain;
+  dobra::scenario::UnitSystem units;  ///< In which pictures, quantities, tables and exchange files are to be; all else is SI.
   std::vector<std::shared_ptr<const Band>> bands;  ///< In the order given.
   std::vector<Constraint> constraints;             ///< What is left of them all.
   std::vector<Zone> zones;

@@ -24,7 +24,8 @@ base::Result<scenario::State> input(const scenario::Table& table, const scenario
 }
 
 /// The lines of supports and loads, for what only shows on a mesh: a formula that has no value somewhere.
-scenario::State with_lines(const scenario::State& state, const scenario::Table& table) {
+/// And in other units than SI it says what a thickness is that was left out.
+scenario::State with_lines(const scenario::State& state, const scenario::Table& table, const scenario::UnitSystem& units) {
   Model model = scenario::model_of<Model>(state);
   ProblemParams problem = *model.problem;
   const auto give_lines = [&](const char* key, auto& own) {
@@ -35,6 +36,12 @@ scenario::State with_lines(const scenario::State& state, const scenario::Table& 
   };
   give_lines("support", problem.supports);
   give_lines("load", problem.loads);
+  const scenario::Value* const materials = table.find("material");
+  if (!units.si() && materials != nullptr) {
+    const auto& rows = std::get<std::vector<scenario::Table>>(*materials);
+    if (std::any_of(rows.begin(), rows.end(), [](const scenario::Table& row) { return row.find("thickness") == nullptr; }))
+      model.remarks.push_back("a material has no `thickness`: it is 1 m");
+  }
   model.problem = std::make_shared<const ProblemParams>(std::move(problem));
   return scenario::make_state(std::move(model));
 }
@@ -46,7 +53,7 @@ scenario::Operation problem_operation() {
   operation.run = [run = operation.run](const scenario::State& state, const scenario::Table& table, const scenario::Context& context,
                                         const base::Progress& progress) -> base::Result<scenario::State> {
     auto result = run(state, table, context, progress);
-    if (result) return with_lines(*result, table);
+    if (result) return with_lines(*result, table, context.units);
     const auto fault = fault_of(scenario::model_of<Model>(state).domain, scenario::from_table<ProblemParams>(table));
     const scenario::Value* rows = fault ? table.find(fault->key) : nullptr;
     if (rows == nullptr) return result;
@@ -77,10 +84,21 @@ scenario::Operation after_a_whole_mesh(scenario::Operation operation) {
   return operation;
 }
 
+/// Columns of words that tell lengths and places.
+void turn_messages(std::vector<scenario::DataTable>& tables, const scenario::UnitSystem& units) {
+  for (scenario::DataTable& table : tables) {
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+      if (table.columns[i] != "mend" && table.columns[i] != "reason") continue;
+      for (auto& row : table.rows) row[i] = scenario::message_in_units(std::get<std::string>(row[i]), units);
+    }
+  }
+}
+
 scenario::Program make_program() {
   scenario::Program program;
   program.name = "quebra";
   program.title = "QUEBRA";
+  program.takes_units = scenario::TakesUnits::Any;
   program.input_fields = scenario::fields_of<InputParams>();
   program.read_input = input;
   program.operations = {
@@ -109,7 +127,7 @@ scenario::Program make_program() {
     const Model& model = scenario::model_of<Model>(state);
     scene::Picture picture = picture_of(model);
     add_views(model, picture);
-    return picture;
+    return in_units(std::move(picture), model.units);
   };
   program.quantities_of = [](const scenario::State& state) {
     const Model& model = scenario::model_of<Model>(state);
@@ -117,7 +135,7 @@ scenario::Program make_program() {
     add_analysis_quantities(model, quantities);
     add_tip_quantities(model, quantities);
     add_sample_quantities(model, quantities);
-    return quantities;
+    return in_units(std::move(quantities), model.units);
   };
   program.reached_of = [](const scenario::State& state) -> std::optional<bool> {
     const Model& model = scenario::model_of<Model>(state);
@@ -126,14 +144,20 @@ scenario::Program make_program() {
     if (!adapted) return tips;
     return !model.short_of_target && tips.value_or(true);
   };
-  program.remarks_of = [](const scenario::State& state) { return scenario::model_of<Model>(state).remarks; };
+  program.remarks_of = [](const scenario::State& state) {
+    const Model& model = scenario::model_of<Model>(state);
+    std::vector<std::string> remarks = model.remarks;
+    for (std::string& remark : remarks) remark = scenario::message_in_units(remark, model.units);
+    return remarks;
+  };
   program.tables_of = [](const scenario::State& state) {
     const Model& model = scenario::model_of<Model>(state);
     auto tables = tables_of(model);
     add_analysis_tables(model, tables);
     add_tip_tables(model, tables);
     add_sample_tables(model, tables);
-    return tables;
+    turn_messages(tables, model.units);
+    return in_units(std::move(tables), model.units);
   };
   program.outputs_of = [](const scenario::State& state) {
     auto outputs = outputs_of(std::static_pointer_cast<const Model>(state));

@@ -56,8 +56,8 @@ struct SpringParams {
   static void describe(D& d) {
     d.field("where", &SpringParams::where, {.title = "Where", .help = "Name of a curve, a lip or a point; or a condition, such as \"x = 0 and y > 1\".", .presence = dobra::scenario::Presence::Required});
     d.choice("kind", &SpringParams::kind, {"node", "bed"}, {.title = "Kind", .help = "node: a spring at each node, N/m; bed: along a curve, N/m3."});
-    d.field("x", &SpringParams::x, {.title = "Stiffness along x", .at_least = 0});
-    d.field("y", &SpringParams::y, {.title = "Stiffness along y", .at_least = 0});
+    d.field("x", &SpringParams::x, {.title = "Stiffness along x", .unit = "N/m, N/m3 if kind = bed", .at_least = 0});
+    d.field("y", &SpringParams::y, {.title = "Stiffness along y", .unit = "N/m, N/m3 if kind = bed", .at_least = 0});
   }
 };
 

@@ -25,7 +25,7 @@ using dobra::geom::Point;
 using dobra::geom::Polyline;
 
 constexpr scene::Color ink{38, 50, 56};
-constexpr scene::Color before_grey{120, 144, 156};
+constexpr scene::Color before_grey{84, 110, 122};
 constexpr scene::Color mesh_line{38, 50, 56, 70};
 constexpr scene::Color contour_line{255, 255, 255, 210};
 /// Displacements are drawn this long, of the size of the model, unless asked otherwise.
@@ -196,32 +196,30 @@ std::pair<double, double> range_of(const Drawing& drawing, ColorRange range) {
   return {below ? value_at(cut) : *least, above ? value_at(1.0 - cut) : *greatest};
 }
 
-scene::Scale color_scale(const ViewParams& params, double least, double greatest) {
-  scene::Scale scale{fmt::format("{} [{}]", title_of(params.field), unit_of(params.field)), scene::ColorMapName::Viridis, least, greatest};
-  if (least < 0.0 && greatest > 0.0) {  // as much blue as red
-    const double most = std::max(-least, greatest);
-    scale = {scale.title, scene::ColorMapName::CoolWarm, -most, most};
+scene::Scale color_scale(const ViewParams& params, const Drawing& drawing, std::pair<double, double> range) {
+  const auto [least, greatest] = std::minmax_element(drawing.values.begin(), drawing.values.end());
+  scene::Scale scale{.title = fmt::format("{} [{}]", title_of(params.field), unit_of(params.field)), .map = scene::ColorMapName::Viridis, .low = range.first, .high = range.second, .least = *least, .greatest = *greatest};
+  if (range.first < 0.0 && range.second > 0.0) {  // as much blue as red
+    scale.map = scene::ColorMapName::CoolWarm;
+    scale.high = std::max(-range.first, range.second);
+    scale.low = -scale.high;
   }
   if (!(scale.high > scale.low)) scale.high = scale.low + std::max(1.0, std::abs(scale.low));
   return scale;
 }
 
-void add_extremes(const Drawing& drawing, std::pair<double, double> range, std::vector<scene::Layer>& layers) {
+/// Where the greatest and the least value are, each once.
+void add_extremes(const Drawing& drawing, std::vector<scene::Layer>& layers) {
   const auto [least, greatest] = std::minmax_element(drawing.values.begin(), drawing.values.end());
   scene::Markers markers;
   scene::Labels labels;
-  const dobra::geom::Box box = dobra::geom::box_of(drawing.points);
   for (const auto& [at, word] : {std::pair{greatest, "max"}, std::pair{least, "min"}}) {
     const Point p = drawing.points[static_cast<std::size_t>(at - drawing.values.begin())];
     markers.points.push_back(p);
-    // Towards the middle, where there is room.
-    labels.labels.push_back({p, fmt::format("{} {:.4g}", translated(word), *at), p.x < box.centre().x ? scene::Anchor::Right : scene::Anchor::Left});
+    labels.labels.push_back({p, translated(word), scene::Anchor::Callout, *at});
   }
-  std::string title = fmt::format("{}: {:.4g} {} {:.4g}", translated("Extremes"), *least, translated("to"), *greatest);
-  if (range.first > *least || range.second < *greatest)
-    title += fmt::format("; {} {:.4g} {} {:.4g} (99.5\u00a0% {})", translated("colours"), range.first, translated("to"), range.second, translated("of the area"));
-  layers.push_back({"extremes", std::move(title), {.line = ink, .marker_size = 6.0}, std::move(markers), true, scene::InLegend::Yes});
-  layers.push_back({"extreme_values", translated("Extreme values"), {.line = ink, .text_size = 10.0}, std::move(labels), true, scene::InLegend::No});
+  layers.push_back({"extremes", translated("Extremes"), {.line = ink, .marker_size = 6.0}, std::move(markers), true, scene::InLegend::Yes});
+  layers.push_back({"extreme_values", translated("Extreme values"), {.line = ink, .text_size = 9.0}, std::move(labels), true, scene::InLegend::No});
 }
 
 /// The analysis that a view shows; null: there is no such cycle.
@@ -253,12 +251,12 @@ scene::Panel view_panel(const Analysis& analysis, std::size_t load_case, const V
   for (std::size_t n = 0; n < moved.size(); ++n) moved[n] = moved[n] + factor * analysis.solution.cases[load_case].displacements[n];
   const Drawing drawing = drawing_of(mesh, moved, field_at_element_nodes(analysis, load_case, params.field));
   const auto [least, greatest] = range_of(drawing, params.range);
-  const scene::Scale scale = color_scale(params, least, greatest);
+  const scene::Scale scale = color_scale(params, drawing, {least, greatest});
 
   scene::Panel panel{.key = "analysis"};
   panel.title = fmt::format("{}: {}", analysis.solution.cases[load_case].name, title_of(params.field));
   if (params.cycle > 0) panel.title = analysis.meshed->name + ", " + panel.title;
-  if (factor > 0.0) panel.title += fmt::format(", {}\u00a0x\u00a0{:g}", translated("displacements"), factor);
+  if (factor > 0.0) panel.title += fmt::format(", {}\u00a0\u00d7\u00a0{:g}", translated("displacements"), factor);
   panel.title += fmt::format("; eta\u00a0{:.2g}\u00a0%", 100.0 * analysis.fields[load_case].estimate.eta);
   const auto add = [&](const char* key, std::string title, const scene::Style& style, auto content, scene::InLegend legend) {
     panel.layers.push_back({key, std::move(title), style, std::move(content), true, legend});
@@ -278,7 +276,7 @@ scene::Panel view_panel(const Analysis& analysis, std::size_t load_case, const V
   }
   if (factor > 0.0) add("before", translated("Before"), {.line = before_grey, .line_width = 0.9, .dash = scene::Dash::Dashed}, boundary_of(mesh, mesh.points), scene::InLegend::Yes);
   add("boundary", translated("Boundary"), {.line = ink, .line_width = boundary_width}, boundary_of(mesh, moved), scene::InLegend::Yes);
-  if (params.extremes == Shown::Yes && params.field != FieldName::Error) add_extremes(drawing, {scale.low, scale.high}, panel.layers);
+  if (params.extremes == Shown::Yes && params.field != FieldName::Error) add_extremes(drawing, panel.layers);
   return panel;
 }
 

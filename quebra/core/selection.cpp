@@ -82,6 +82,7 @@ class Condition {
   static Result<Condition> make(const Domain& domain, const std::string& text) {
     Condition condition;
     condition.tolerance_ = tolerance * domain.box().diagonal();
+    condition.unit_ = domain.unit;
     for (const std::string& alternative : split(text, "or")) {
       auto& all = condition.alternatives_.emplace_back();
       for (const std::string& one : split(alternative, "and")) {
@@ -103,7 +104,7 @@ class Condition {
   [[nodiscard]] bool holds(const Comparison& one, Point p) const {
     double least = std::numeric_limits<double>::infinity(), greatest = -least;
     for (const auto& [dx, dy] : {std::array{0.0, 0.0}, {1.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}) {
-      const std::array at{p.x + dx * tolerance_, p.y + dy * tolerance_};
+      const std::array at{(p.x + dx * tolerance_) / unit_, (p.y + dy * tolerance_) / unit_};
       const double difference = one.left.at(at) - one.right.at(at);
       if (std::isnan(difference)) continue;
       least = std::min(least, difference);
@@ -119,6 +120,7 @@ class Condition {
 
   std::vector<std::vector<Comparison>> alternatives_;
   double tolerance_ = 0.0;
+  double unit_ = 1.0;
 };
 
 /// Distances along a part that are asked: both ends, places near them, and between.

@@ -30,7 +30,7 @@ struct Selection {
   std::vector<dobra::geom::Point> corners;
 };
 
-/// Conditions are formulas of x and y with = < <= > >= between them, joined by `and`, those by `or`. A place that is
+/// Conditions are formulas of x and y, in units of Domain::unit, with = < <= > >= between them, joined by `and`, those by `or`. A place that is
 /// nearer than 1e-6 of the domain's diagonal to where a condition holds meets it; < and <= are therefore the same.
 /// @error BadValue: what cannot be read; a condition that holds nowhere, with what the boundary has; one that holds for
 ///        a stretch of a part only, with its place.

@@ -112,18 +112,25 @@ std::vector<double> element_sizes(const ElementMesh& mesh) {
   return sum;
 }
 
-Result<Background> read_background(const std::string& path, const std::string& name) {
+/// @param unit  metres in one unit of the file.
+Result<Background> read_background(const std::string& path, const std::string& name, double unit) {
+  const auto scale = [unit](ElementMesh& mesh) {
+    for (Point& p : mesh.points) p = {unit * p.x, unit * p.y};
+  };
   if (name.empty()) {
-    DOBRA_TRY(const auto contents, dobra::io::read_mesh(path));
+    DOBRA_TRY(auto contents, dobra::io::read_mesh(path));
+    scale(contents.mesh);
     return Background(contents.mesh, element_sizes(contents.mesh));
   }
   if (!path.ends_with(".vtu")) return Error{ErrorCode::BadValue, fmt::format("'{}' holds no fields; give a .vtu with the field '{}', or leave background_field empty to take the sizes of the elements", path, name)};
   DOBRA_TRY(auto contents, dobra::io::read_vtu(path));
+  scale(contents.mesh);
   std::vector<std::string> names;
   for (auto& field : contents.fields.at_points) {
     if (field.components == 1) names.push_back(field.name);
     if (field.name != name || field.components != 1) continue;
     for (std::size_t i = 0; i < field.values.size(); ++i) {
+      field.values[i] *= unit;
       if (!is_size(field.values[i])) return no_size(fmt::format("field '{}' of '{}'", name, path), field.values[i], contents.mesh.points[i]);
     }
     return Background(contents.mesh, std::move(field.values));
@@ -176,7 +183,7 @@ Result<SizeSource> SizeSource::make(const Domain& domain, const std::string& for
   if (formula.empty() && background.empty()) return source;
   source.wishes_ = std::make_shared<Wishes>(domain);
   if (!background.empty()) {
-    DOBRA_TRY(source.wishes_->background, read_background((context.folder / background).string(), field));
+    DOBRA_TRY(source.wishes_->background, read_background((context.folder / background).string(), field, context.units.to_si(1.0, "m")));
   }
   if (formula.empty()) return source;
   static const std::vector<std::string> names{"x", "y"};

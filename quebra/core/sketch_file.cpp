@@ -120,8 +120,8 @@ Result<std::optional<Sketch>> true_curves(const std::string& path, const dobra::
   const double base = down ? lines.y_reference * read.unit / lines.exaggeration : 0.0;
   for (auto& outline : *paths) {
     for (auto& piece : outline.pieces) {
-      for (Point* p : {&piece.from, &piece.to, &piece.control[0], &piece.control[1], &piece.centre}) *p = {p->x * read.unit, base + p->y * up};
-      for (auto* v : {&piece.u, &piece.v}) *v = {v->x * read.unit, v->y * up};
+      scale(piece, read.unit, up);
+      for (Point* p : {&piece.from, &piece.to, &piece.control[0], &piece.control[1], &piece.centre}) p->y += base;
     }
     if (options.open_lines == OpenLines::Close && !outline.closed && outline.pieces.size() > 1) {
       outline.pieces.push_back({dobra::io::SvgPieceKind::Line, outline.pieces.back().to, outline.pieces.front().from, {}, {}, {}, {}, 0.0, 0.0});
@@ -168,10 +168,21 @@ Result<Sketch> from_curves(const std::string& path, const SketchOptions& options
   return sketch;
 }
 
+void scale(std::vector<Point>& points, double unit) {
+  for (Point& p : points) p = {unit * p.x, unit * p.y};
+}
+
+void scale(dobra::io::PolyFile& file, double unit) {
+  scale(file.nodes.points, unit);
+  scale(file.holes, unit);
+  for (auto& region : file.regions) region.at = {unit * region.at.x, unit * region.at.y};
+}
+
 /// Text: a graph with its counts, or lines of points.
 Result<Sketch> from_text(const std::string& path, const SketchOptions& options) {
   DOBRA_TRY(const std::string text, dobra::io::read_text(path));
-  if (const auto graph = dobra::io::counted_graph(text)) {
+  if (auto graph = dobra::io::counted_graph(text)) {
+    scale(*graph, options.silent_unit);
     Sketch sketch = sketch_of(*graph, path, false);
     sketch.remarks.push_back(fmt::format("{}: read as {} points and the {} segments between them", path, graph->nodes.points.size(), graph->segments.size()));
     return sketch;
@@ -235,15 +246,17 @@ Sketch from_mesh(const dobra::mesh::ElementMesh& mesh) {
   return sketch;
 }
 
-/// Files that tell their own units, axes and outlines.
-Result<Sketch> read_as_it_stands(const std::string& path, const std::string& ending) {
+/// Files that tell their own axes and outlines. @param unit  metres in one of theirs.
+Result<Sketch> read_as_it_stands(const std::string& path, const std::string& ending, double unit) {
   if (ending == ".poly") {
-    DOBRA_TRY(const dobra::io::PolyFile file, dobra::io::read_poly(path));
+    DOBRA_TRY(dobra::io::PolyFile file, dobra::io::read_poly(path));
+    scale(file, unit);
     return sketch_of(file, path, true);
   }
-  if (ending == ".geo") return read_geo_sketch(path);
-  if (ending == ".svg") return read_svg_sketch(path);
+  if (ending == ".geo") return read_geo_sketch(path, unit);
+  if (ending == ".svg") return read_svg_sketch(path, unit);
   DOBRA_TRY(auto contents, dobra::io::read_mesh(path));
+  scale(contents.mesh.points, unit);
   Sketch sketch = from_mesh(contents.mesh);
   sketch.remarks = std::move(contents.remarks);
   return sketch;
@@ -257,7 +270,7 @@ Result<Sketch> read_by_ending(const std::string& path, const SketchOptions& opti
   if (drawing && options.chosen) {
     return Error{ErrorCode::BadValue, fmt::format("units, axes, columns and closing are asked of files of lines only, not of {} files; leave these options out", ending), place};
   }
-  if (drawing) return read_as_it_stands(path, ending);
+  if (drawing) return read_as_it_stands(path, ending, options.silent_unit);
   if (!options.lines.format && !dobra::io::line_format_of(path)) {
     return Error{ErrorCode::UnknownFormat,
                  fmt::format("the ending of the name tells no format; geometry is read from .poly .geo .svg {}, the boundary of a mesh from {}",

@@ -14,6 +14,7 @@ enum class OpenLines { AsDrawn, Close };
 struct SketchOptions {
   dobra::io::LineOptions lines = {};            ///< Of files of lines: units, axes, columns; what neither they nor the file tell is asked.
   OpenLines open_lines = OpenLines::AsDrawn;    ///< Close: every line is an outline whose last side is left out.
+  double silent_unit = 1.0;                     ///< Metres in one unit of a file that does not say.
   bool chosen = false;                          ///< Whether the user chose any of these.
 };
 

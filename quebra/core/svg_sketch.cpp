@@ -87,8 +87,16 @@ Result<std::vector<Shape>> shapes_of(const SvgPath& path) {
 
 }  // namespace
 
-Result<Sketch> read_svg_sketch(const std::string& path) {
+void scale(SvgPiece& piece, double x, double y) {
+  for (Point* p : {&piece.from, &piece.to, &piece.control[0], &piece.control[1], &piece.centre}) *p = {p->x * x, p->y * y};
+  for (auto* v : {&piece.u, &piece.v}) *v = {v->x * x, v->y * y};
+}
+
+Result<Sketch> read_svg_sketch(const std::string& path, double unit) {
   DOBRA_TRY(dobra::io::SvgFile file, dobra::io::read_svg(path));
+  for (SvgPath& outline : file.paths) {
+    for (SvgPiece& piece : outline.pieces) scale(piece, unit, unit);
+  }
   DOBRA_TRY(Sketch sketch, sketch_of_paths(file.paths));
   sketch.remarks = std::move(file.remarks);
   // Shapes without an id name no material.

@@ -1,6 +1,7 @@
 #include "recon/cli/section_commands.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -9,16 +10,19 @@
 #include "recon/cli/ledger_json.h"
 #include "recon/cli/section_document.h"
 #include "recon/core/model.h"
+#include "recon/core/report.h"
 #include "shared/base/text.h"
 #include "shared/cli/commands.h"
 #include "shared/cli/pictures.h"
 #include "shared/cli/staging.h"
+#include "shared/io/line_files.h"
 
 namespace recon::cli {
 
 namespace {
 
 namespace base = dobra::base;
+namespace io = dobra::io;
 namespace scenario = dobra::scenario;
 using base::Result;
 using dobra::cli::Job;
@@ -49,6 +53,8 @@ struct RestoreOptions {
   std::optional<std::int64_t> seed;
   bool geometry = false;
   std::optional<std::filesystem::path> out;
+  std::string colors;
+  std::string orientation;
 };
 
 struct BalanceOptions {
@@ -68,6 +74,8 @@ void add_section_options(CLI::App& app, SectionFile& options) {
       ->required()
       ->type_name("FILE");
   dobra::cli::add_line_options(app, options.lines);
+  app.add_flag("--horizons-from-units", options.horizons_from_units,
+               "Edges that polygons share become horizons, named by the unit below");
 }
 
 template <class T>
@@ -95,6 +103,8 @@ scenario::Step step(const char* operation, scenario::Table params) {
 
 Result<scenario::Document> restore_document(Session& session, const RestoreOptions& options) {
   DOBRA_TRY(scenario::Document document, section_document(session, options.section));
+  if (!options.colors.empty()) document.input.set("colours", as_seen_from(document, options.colors));
+  set(document.input, "orientation", options.orientation);
   scenario::Table grid;
   set(grid, "top", options.top);
   set(grid, "simplify", options.simplify);
@@ -137,24 +147,50 @@ Result<scenario::Document> restore_document(Session& session, const RestoreOptio
   return document;
 }
 
-/// A picture, or the scenario itself (.toml) to go on with.
+/// What --out is, by its ending.
+enum class OutKind { Scenario, Picture, Lines };
+
+Result<OutKind> out_kind(const std::filesystem::path& out) {
+  if (out.extension() == ".toml") return OutKind::Scenario;
+  if (dobra::cli::check_ending(out, dobra::cli::Drawer::Cairo)) return OutKind::Picture;
+  if (io::line_format_of(out.string())) return OutKind::Lines;
+  return base::Error{base::ErrorCode::BadUsage,
+                     fmt::format("--out {}: give a picture (.svg .pdf .png), a scenario (.toml), or a file of the "
+                                 "restored lines ({})",
+                                 out.string(), fmt::join(io::line_endings(), " "))};
+}
+
+/// A picture, the scenario itself to go on with, or the restored lines.
 Result<void> write_out(Session& session, const std::filesystem::path& out, scenario::Document document,
                        const scenario::State& state) {
+  DOBRA_TRY(const OutKind kind, out_kind(out));
   DOBRA_TRY(dobra::cli::Staging staging,
             dobra::cli::Staging::open(out.parent_path(), dobra::cli::TargetFolder::MustExist));
   const auto path = staging.path(out.filename().string());
-  const auto written = out.extension() == ".toml"
-                           ? scenario::write_document(document, path)
-                           : dobra::cli::draw(session.program.picture_of(state), path, dobra::cli::Drawer::Cairo);
+  std::vector<std::string> losses;
+  Result<void> written;
+  if (kind == OutKind::Scenario) {
+    written = scenario::write_document(document, path);
+  } else if (kind == OutKind::Picture) {
+    written = dobra::cli::draw(dobra::cli::picture_of(session.program, document, state), path,
+                               dobra::cli::Drawer::Cairo);
+  } else {
+    io::LineWork work;
+    work.features = core::restored_features(scenario::model_of<core::Model>(state).restoration->section);
+    written = io::write_any_lines(path.string(), work, {}, losses);
+  }
   if (!written) return staging.for_user(written.error());
+  for (const std::string& loss : losses) session.note(loss);
   DOBRA_TRY_VOID(session.check());
   DOBRA_TRY_VOID(staging.commit());
   return {};
 }
 
 Result<int> restore_job(Session& session, const RestoreOptions& options) {
-  if (options.out && options.out->extension() != ".toml")
-    DOBRA_TRY_VOID(dobra::cli::check_ending(*options.out, dobra::cli::Drawer::Cairo));
+  if (options.out) {
+    DOBRA_TRY_VOID(out_kind(*options.out));
+    DOBRA_TRY_VOID(dobra::cli::check_writable(*options.out));
+  }
   DOBRA_TRY(const scenario::Document document, restore_document(session, options));
   DOBRA_TRY_VOID(scenario::check(document, session.program));
   DOBRA_TRY(const scenario::Run run, dobra::cli::run_steps(session, document));
@@ -259,7 +295,14 @@ dobra::cli::Command restore_command() {
             ->type_name("D");
         add_error_options(app, *options);
         app.add_flag("--geometry", options->geometry, "With --json: the restored lines too");
-        app.add_option("--out", options->out, "Picture (.svg .pdf .png) or scenario (.toml) to write")
+        app.add_option("--colours", options->colors,
+                       "A table (.csv .toml) of name, colour, pattern, age and lithology of units and lines")
+            ->type_name("FILE");
+        app.add_option("--orientation", options->orientation,
+                       "Compass points over the ends, such as \"W - E\"; told by the plane of lines in space")
+            ->type_name("ENDS");
+        app.add_option("--out", options->out,
+                       "Picture (.svg .pdf .png), restored lines (.geojson .dxf .csv ...) or scenario (.toml) to write")
             ->type_name("FILE");
         return [options](Session& session) { return restore_job(session, *options); };
       }};

@@ -12,12 +12,13 @@ namespace recon::cli {
 struct SectionFile {
   std::string file;
   dobra::cli::LineOptionTexts lines;
+  bool horizons_from_units = false;
 };
 
 /// A document of RECON with an input and without steps; what was changed on reading becomes notes of the session.
-/// @param section a scenario (.toml), or lines in any format of read_any_lines, whose property kind (horizon, fault,
-///                pin, loose, unit, border, topography, datum) says what each one is, a horizon where there is none; polygons are units, points markers.
-/// @error those of the readers; BadUsage for options of lines beside a scenario, which has its own.
+/// @param section a scenario (.toml), or lines in any format of read_any_lines, whose kinds say what each
+///                one is (core::import_lines).
+/// @error those of the readers and of import_lines; BadUsage for options of lines beside a scenario, which has its own.
 dobra::base::Result<dobra::scenario::Document> section_document(dobra::cli::Session& session,
                                                                 const SectionFile& section);
 

@@ -6,6 +6,8 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
+#include "recon/core/percent.h"
+
 namespace recon::core {
 
 namespace {
@@ -90,8 +92,8 @@ base::Result<AreaDepth> area_depth(const Section& section, const BalanceParams& 
   result.inconsistency_percent = 100.0 * (greatest->shortening - least->shortening) / longest;
   result.balanced = result.inconsistency_percent <= params.tolerance;
   result.remarks.push_back(fmt::format(
-      "{}: shortening differs by {:.4g} % between beds ('{}' has most, '{}' least); the tolerance is {:.4g} %",
-      result.balanced ? "balanced" : "not balanced", result.inconsistency_percent, greatest->name, least->name,
+      "{}: shortening differs by {} % between beds ('{}' has most, '{}' least); the tolerance is {:.4g} %",
+      result.balanced ? "balanced" : "not balanced", percent_text(result.inconsistency_percent), greatest->name, least->name,
       params.tolerance));
   if (!result.fit) {
     result.remarks.push_back(

@@ -180,6 +180,29 @@ std::vector<topo::HalfEdgeId> Arrangement::path(std::uint32_t line) const {
   return (area > 0.0) == (geom::signed_area(course) > 0.0) ? path : turned;
 }
 
+std::vector<bool> Arrangement::faces_within(std::uint32_t ring) const {
+  std::size_t highest = 0;
+  for (const topo::FaceId f : subdivision_.faces()) highest = std::max(highest, f.index());
+  std::vector<bool> within(highest + 1, false);
+  std::vector<topo::FaceId> open;
+  const auto enter = [&](topo::FaceId f) {
+    if (within[f.index()] || f == topo::Structure::unbounded()) return;
+    within[f.index()] = true;
+    open.push_back(f);
+  };
+  for (const topo::HalfEdgeId h : path(ring)) enter(subdivision_.face(h));
+  while (!open.empty()) {
+    const topo::FaceId f = open.back();
+    open.pop_back();
+    for (const topo::LoopId loop : subdivision_.loops(f)) {
+      for (const topo::HalfEdgeId h : subdivision_.half_edges(loop)) {
+        if (!runs_along(topo::Structure::edge(h), ring)) enter(subdivision_.face(topo::Structure::twin(h)));
+      }
+    }
+  }
+  return within;
+}
+
 namespace {
 
 /// How a first line passes a second one: at each vertex that they share.

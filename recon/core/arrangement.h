@@ -40,6 +40,9 @@ class Arrangement {
   /// @pre the line does not meet itself, but for its ends where it is closed.
   [[nodiscard]] std::vector<topo::HalfEdgeId> path(std::uint32_t line) const;
 
+  /// By face, whether it lies on the left-hand side of a closed line: beside it, or to be reached from there.
+  [[nodiscard]] std::vector<bool> faces_within(std::uint32_t ring) const;
+
  private:
   /// A stretch that is one edge.
   struct Chord {

@@ -6,13 +6,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "recon/core/crossings.h"
+#include "recon/core/import.h"
 #include "recon/core/items.h"
 #include "recon/core/line_file.h"
 #include "recon/core/mend.h"
 #include "recon/core/section_faces.h"
 #include "recon/core/topography.h"
+#include "recon/core/unit_horizons.h"
+#include "shared/scenario/color_table.h"
 
 namespace recon::core {
 
@@ -26,6 +30,7 @@ base::Error bad(base::ErrorCode code, std::string message, std::string item) {
 
 base::Result<ReadPieces> read_any(const HorizonInput& input, const ReadSettings& settings,
                                   const dobra::scenario::Context& context) {
+  if (input.placed) return ReadPieces{{input.placed->line}, {}, input.placed->trace};
   if (input.file.empty() == input.points.empty()) {
     return base::Error{base::ErrorCode::MissingKey, input.file.empty()
                                                         ? "a line needs file = \"...\" or points = [...]"
@@ -242,13 +247,57 @@ void tell_open_ends(const Section& section, std::vector<std::string>& remarks) {
   }
 }
 
+/// The compass points over the ends: as the scenario says, or as the plane of the lines in space runs.
+base::Result<void> set_ends(const SectionInput& input, const ReadSettings& settings,
+                            const std::optional<dobra::io::Trace>& plane, Section& section) {
+  if (!input.orientation.empty()) {
+    const std::size_t dash = input.orientation.find('-');
+    const auto word = [](std::string text) {
+      text.erase(0, text.find_first_not_of(' '));
+      text.erase(text.find_last_not_of(' ') + 1);
+      return text;
+    };
+    section.left_end = word(input.orientation.substr(0, dash));
+    if (dash != std::string::npos) section.right_end = word(input.orientation.substr(dash + 1));
+    if (!section.left_end.empty() && !section.right_end.empty()) return {};
+    return bad(base::ErrorCode::BadValue,
+               fmt::format("orientation = \"{}\" needs two ends, such as \"W - E\" or \"SSW - NNE\"", input.orientation),
+               "input");
+  }
+  std::pair<std::string, std::string> ends;
+  if (settings.fold_axis) ends = dobra::io::ends_of(dobra::io::azimuth_of(*settings.fold_axis));
+  else if (settings.trace) ends = dobra::io::ends_of(dobra::io::azimuth_of(*settings.trace));
+  else if (plane) ends = dobra::io::ends_of(dobra::io::azimuth_of(*plane));
+  std::tie(section.left_end, section.right_end) = ends;
+  return {};
+}
+
+/// The table of colours, with remarks on names that only one of the two has.
+base::Result<void> read_colors(const std::string& path, ReadSection& read) {
+  DOBRA_TRY(dobra::scene::ColorTable table, dobra::scenario::read_color_table(path));
+  std::vector<std::string> names;
+  for (const Horizon& horizon : read.section.horizons) names.push_back(whole_name(horizon));
+  for (const Unit& unit : read.section.units) names.push_back(unit.name);
+  if (read.section.units.empty()) {
+    for (const RockUnit& unit : read.section.faces->units) names.push_back(unit.name);
+  }
+  // Faults and the like may be in the table, but need not be.
+  for (const SectionLine& line : read.section.lines) {
+    if (dobra::scene::entry_for(table, line.name, line.name) != nullptr) names.push_back(line.name);
+  }
+  for (std::string& remark : dobra::scene::remarks_on(table, names)) read.remarks.push_back(std::move(remark));
+  read.section.colors = std::make_shared<const dobra::scene::ColorTable>(std::move(table));
+  return {};
+}
+
 }  // namespace
 
-base::Result<ReadSection> read_section(const SectionInput& input, const dobra::scenario::Context& context,
+base::Result<ReadSection> read_section(const SectionInput& given, const dobra::scenario::Context& context,
                                        const base::Progress& progress) {
-  DOBRA_TRY_VOID(check_names(input));
-  DOBRA_TRY(const ReadSettings settings, read_settings(input));
+  DOBRA_TRY(const ReadSettings settings, read_settings(given));
   ReadSection result;
+  DOBRA_TRY(const SectionInput input, with_lines_of_files(given, settings, context, result.remarks));
+  DOBRA_TRY_VOID(check_names(input));
   result.section.convention = settings.convention;
   std::optional<dobra::io::Trace> plane;
   for (std::size_t i = 0; i < input.horizons.size(); ++i) {
@@ -269,14 +318,17 @@ base::Result<ReadSection> read_section(const SectionInput& input, const dobra::s
     }
     progress.report(static_cast<double>(i + 1) / static_cast<double>(input.horizons.size()), wanted.name);
   }
+  DOBRA_TRY_VOID(set_ends(input, settings, plane, result.section));
   DOBRA_TRY_VOID(read_items(input, settings, context, result));
   DOBRA_TRY_VOID(read_backdrops(input, context, result.section));
   DOBRA_TRY_VOID(mend(input, result));
+  if (input.horizons_from_units) DOBRA_TRY_VOID(add_horizons_of_units(input.share_edges, result));
   if (input.above_topography == AboveTopography::Leave) DOBRA_TRY_VOID(cut_at_topography(result));
   tell_open_ends(result.section, result.remarks);
   DOBRA_TRY(SectionFaces faces, faces_of(result.section));
   for (std::string& remark : remarks_of(faces, result.section)) result.remarks.push_back(std::move(remark));
   result.section.faces = std::make_shared<const SectionFaces>(std::move(faces));
+  if (!input.colors.empty()) DOBRA_TRY_VOID(read_colors((context.folder / input.colors).string(), result));
   return result;
 }
 

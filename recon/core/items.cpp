@@ -138,6 +138,7 @@ base::Result<void> check_units(const Section& section, const SectionInput& input
                          : line.kind == LineKind::Pin        ? input.pins
                          : line.kind == LineKind::Topography ? input.topographies
                          : line.kind == LineKind::Datum      ? input.datums
+                         : line.kind == LineKind::Eroded     ? input.eroded
                                                              : input.loose_lines;
     const geom::Box box = line.line.box();
     if (says_unit(inputs, line.name) || !seems_of_another_unit(box, largest)) continue;
@@ -160,7 +161,7 @@ base::Result<void> read_items(const SectionInput& input, const ReadSettings& set
   };
   for (const Lines& lines : {Lines{input.faults, LineKind::Fault}, Lines{input.pins, LineKind::Pin},
                              Lines{input.loose_lines, LineKind::Loose}, Lines{input.topographies, LineKind::Topography},
-                             Lines{input.datums, LineKind::Datum}}) {
+                             Lines{input.datums, LineKind::Datum}, Lines{input.eroded, LineKind::Eroded}}) {
     const char* kind = kind_name(lines.kind);
     DOBRA_TRY_VOID(check_names(lines.inputs, kind));
     for (const HorizonInput& wanted : lines.inputs) {
@@ -175,7 +176,8 @@ base::Result<void> read_items(const SectionInput& input, const ReadSettings& set
   DOBRA_TRY_VOID(check_names(input.units, "unit"));
   for (const HorizonInput& wanted : input.units) {
     DOBRA_TRY(geom::Polyline contour, read_polygon(wanted, "unit", settings, context, read.remarks));
-    section.units.push_back({UnitId(section.units.size()), wanted.name, std::move(contour), source_of(wanted)});
+    section.units.push_back(
+        {UnitId(section.units.size()), wanted.name, std::move(contour), source_of(wanted), wanted.piece_of});
   }
   if (input.borders.size() > 1) {
     return base::Error{base::ErrorCode::BadSection, "a section has one border; keep one [[input.border]]",
@@ -187,7 +189,9 @@ base::Result<void> read_items(const SectionInput& input, const ReadSettings& set
   DOBRA_TRY_VOID(check_names(input.markers, "marker"));
   for (const HorizonInput& wanted : input.markers) {
     std::vector<geom::Point> points;
-    if (wanted.file.empty() && wanted.points.size() == 1) {  // a single pick is no line
+    if (wanted.placed && wanted.placed->line.points.size() == 1) {  // a single pick is no line
+      points = wanted.placed->line.points;
+    } else if (wanted.file.empty() && wanted.points.size() == 1) {
       points.push_back(to_section(wanted.points.front(), section.convention));
     } else {
       DOBRA_TRY(ReadLine line, read_item(wanted, "marker", settings, context, read.remarks));

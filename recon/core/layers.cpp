@@ -3,14 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <utility>
 
+#include "recon/core/palette.h"
 #include "recon/core/section_faces.h"
 #include "shared/base/parallel.h"
 #include "shared/base/text.h"
+#include "shared/scene/unit_colors.h"
+#include "shared/scene/view.h"
 
 namespace recon::core {
 
@@ -26,9 +30,23 @@ constexpr scene::Color pin_color{40, 40, 40, 255};
 constexpr scene::Color surface_color{92, 70, 30, 255};
 /// More rungs than this would be a grey area: then every k-th is shown.
 constexpr std::size_t most_rungs = 160;
-/// Sections longer than this many times their height stand one above the other, where they have the whole width of the
-/// page.
-constexpr double wide = 5.0;
+/// The room for plots on a sheet, points: which arrangement of two gives the larger scale.
+constexpr double sheet_width = 760.0;
+constexpr double sheet_height = 240.0;
+/// With more horizons than this the legend has only the units, each of which has the colour of the horizon above it.
+constexpr std::size_t most_horizons_in_legend = 12;
+/// More lines or markers of one kind than this share an entry of the legend.
+constexpr std::size_t most_of_a_kind = 3;
+/// A column of more units has neither outlines nor names: the legend has them.
+constexpr std::size_t most_names_of_column = 24;
+/// More horizons than this are drawn with thin lines.
+constexpr std::size_t most_thick_horizons = 20;
+/// Strain ellipses are cut off here: at so many radii of the circle.
+constexpr double longest_ellipse = 6.0;
+/// What is shown round the section, a part of its diagonal.
+constexpr double border_of_section = 0.07;
+/// From this length on, m, axes are in kilometres.
+constexpr double long_section = 10000.0;
 
 scene::Layer lines_layer(std::string key, std::string title, scene::Style style, std::vector<geom::Polyline> lines) {
   return {std::move(key), std::move(title), style, scene::Lines{std::move(lines), {}}, true, scene::InLegend::Yes};
@@ -51,44 +69,45 @@ void add_grid(scene::Panel& panel, const Grid& grid, const std::string& key) {
   panel.layers.push_back(lines_layer(key, translated("Offset curves"), style, std::move(curves)));
 }
 
-/// `color` with so much white that lines on it stay readable.
-scene::Color tint(scene::Color color) {
-  const auto paler = [](std::uint8_t channel) { return static_cast<std::uint8_t>(255 - (255 - channel) / 4); };
-  return {paler(color.red), paler(color.green), paler(color.blue), 255};
-}
-
-scene::Layer region_layer(std::string key, std::string title, scene::Color fill, geom::Polyline contour) {
+scene::Layer region_layer(std::string key, std::string title, const scene::UnitStyle& unit, geom::Polyline contour) {
   scene::Style style;
   style.line_width = 0.0;
-  style.fill = fill;
+  style.fill = unit.fill;
+  style.pattern = unit.pattern;
   return {std::move(key), std::move(title),    style, scene::Regions{{{{std::move(contour)}}}, {}},
           true,           scene::InLegend::Yes};
 }
 
-scene::Color unit_color(std::size_t number) { return tint(horizon_color(HorizonId(number))); }
-
 /// Units filled: the polygons of the section, or what lies between neighbouring horizons.
-void add_units(scene::Panel& panel, const Section& section, const std::vector<LedgerUnit>& units) {
+void add_units(scene::Panel& panel, const Section& section, const Palette& palette,
+               const std::vector<LedgerUnit>& units) {
   for (std::size_t i = 0; i < units.size(); ++i) {
     const LedgerUnit& unit = units[i];
-    geom::Polyline contour =
-        unit.unit ? section.units[unit.unit->index()].contour
-                  : contour_between(section.horizons[*unit.upper].line, section.horizons[*unit.lower].line);
-    const std::size_t color = unit.unit ? i : section.horizons[*unit.upper].id.index();
-    panel.layers.push_back(region_layer("unit_" + std::to_string(i), unit.name, unit_color(color), std::move(contour)));
+    const std::string key = "unit_" + std::to_string(i);
+    if (unit.unit) {
+      panel.layers.push_back(
+          region_layer(key, unit.name, palette.of(*unit.unit), section.units[unit.unit->index()].contour));
+      panel.layers.back().legend = palette.whole_of(*unit.unit);
+      continue;
+    }
+    const Horizon& upper = section.horizons[*unit.upper];
+    const Horizon& lower = section.horizons[*unit.lower];
+    panel.layers.push_back(
+        region_layer(key, unit.name, palette.of(whole_name(upper)), contour_between(upper.line, lower.line)));
+    panel.layers.back().legend = fmt::format("{} - {}", whole_name(upper), whole_name(lower));
   }
 }
 
 /// Units that are measured by their faces: the rows of the ledger after those of `units`.
-void add_face_units(scene::Panel& panel, const Section& section, const Ledger& ledger, std::size_t first,
-                    std::vector<geom::Polyline> UnitRow::*faces) {
+void add_face_units(scene::Panel& panel, const Section& section, const Palette& palette, const Ledger& ledger,
+                    std::size_t first, std::vector<geom::Polyline> UnitRow::*faces) {
   for (std::size_t i = first; i < ledger.units.size(); ++i) {
     const UnitRow& row = ledger.units[i];
-    scene::Color color{226, 226, 226, 255};  // no horizon over it
+    scene::UnitStyle style{{226, 226, 226, 255}, {}};  // no horizon over it
     for (const RockUnit& unit : section.faces->units) {
-      if (unit.name == row.name && unit.top) color = unit_color(section.horizons[*unit.top].id.index());
+      if (unit.name == row.name && unit.top) style = palette.of(whole_name(section.horizons[*unit.top]));
     }
-    scene::Layer layer = region_layer("unit_" + std::to_string(i), row.name, color, {});
+    scene::Layer layer = region_layer("unit_" + std::to_string(i), row.name, style, {});
     std::get<scene::Regions>(layer.content).regions = {scene::Region{row.*faces}};
     panel.layers.push_back(std::move(layer));
   }
@@ -111,7 +130,7 @@ void add_backdrops(scene::Panel& panel, const Section& section) {
 }
 
 /// Of a line that is no bed; one that is eroded has the colour of its horizon.
-scene::Style style_of(const SectionLine& line, const Section& section) {
+scene::Style style_of(const SectionLine& line, const Palette& palette) {
   scene::Style style;
   style.line = pin_color;
   style.line_width = 0.9;
@@ -123,27 +142,67 @@ scene::Style style_of(const SectionLine& line, const Section& section) {
   } else if (line.kind == LineKind::Datum) {
     style.dash = scene::Dash::Dotted;
   } else if (line.kind == LineKind::Eroded) {
-    if (const Horizon* first = first_piece(section, line.name)) style.line = horizon_color(first->id);
+    style.line = palette.of(line.name).line;
     style.line_width = 1.2;
   }
   return style;
 }
 
+/// What many lines of a kind are called together in the legend.
+std::string kind_title(LineKind kind) {
+  switch (kind) {
+    case LineKind::Fault:
+      return translated("Faults");
+    case LineKind::Pin:
+      return translated("Pin lines");
+    case LineKind::Datum:
+      return translated("Datums");
+    case LineKind::Eroded:
+      return translated("Eroded");
+    case LineKind::Topography:
+      return translated("Topography");
+    case LineKind::Loose:
+      break;
+  }
+  return translated("Lines");
+}
+
+/// The name of a fault over its upper end.
+scene::Layer fault_name(const SectionLine& line) {
+  const std::vector<geom::Point>& points = line.line.points;
+  const geom::Point top = points.front().y > points.back().y ? points.front() : points.back();
+  scene::Style style;
+  style.line = fault_color;
+  style.text_size = 8.0;
+  return {"fault_name_" + std::to_string(line.id.index()), line.name, style,
+          scene::Labels{{{top, line.name, scene::Anchor::Above}}}, true, scene::InLegend::No};
+}
+
 /// Faults, pin and loose lines, markers.
-void add_items(scene::Panel& panel, const Section& section) {
+void add_items(scene::Panel& panel, const Section& section, const Palette& palette) {
+  std::map<LineKind, std::size_t> count;
+  for (const SectionLine& line : section.lines) ++count[line.kind];
+  bool eroded_told = false;
   for (const SectionLine& line : section.lines) {
     const bool eroded = line.kind == LineKind::Eroded;
+    const bool many = count[line.kind] > most_of_a_kind;
     scene::Layer layer = lines_layer("line_" + std::to_string(line.id.index()),
                                      eroded ? fmt::format("{} ({})", line.name, translated("eroded")) : line.name,
-                                     style_of(line, section), {line.line});
+                                     style_of(line, palette), {line.line});
     std::get<scene::Lines>(layer.content).ids = {static_cast<std::uint32_t>(line.id.index())};
+    if (many) layer.legend = kind_title(line.kind);
+    // Each has the colour of its horizon: the first stands for all.
+    if (many && eroded && std::exchange(eroded_told, true)) layer.in_legend = scene::InLegend::No;
     panel.layers.push_back(std::move(layer));
+    if (line.kind == LineKind::Fault) panel.layers.push_back(fault_name(line));
   }
   for (const Marker& marker : section.markers) {
     scene::Style style;
     style.line = pin_color;
-    panel.layers.push_back({"marker_" + std::to_string(marker.id.index()), marker.name, style,
-                            scene::Markers{marker.points, {}}, true, scene::InLegend::Yes});
+    scene::Layer layer{"marker_" + std::to_string(marker.id.index()), marker.name,          style,
+                       scene::Markers{marker.points, {}},             true,                 scene::InLegend::Yes};
+    if (section.markers.size() > most_of_a_kind) layer.legend = translated("Markers");
+    panel.layers.push_back(std::move(layer));
   }
 }
 
@@ -179,8 +238,8 @@ void add_ellipses(scene::Panel& panel, const std::vector<Strain>& strains, doubl
     const double s = std::sin(strain.direction.radians());
     for (int i = 0; i < 48; ++i) {
       const double angle = 2.0 * std::numbers::pi * i / 48.0;
-      const double along = size * strain.greatest * std::cos(angle);
-      const double across = size * strain.least * std::sin(angle);
+      const double along = size * std::min(strain.greatest, longest_ellipse) * std::cos(angle);
+      const double across = size * std::min(strain.least, longest_ellipse) * std::sin(angle);
       ellipse.points.push_back(strain.at + geom::Vector{along * c - across * s, along * s + across * c});
     }
     ellipses.push_back(std::move(ellipse));
@@ -191,29 +250,52 @@ void add_ellipses(scene::Panel& panel, const std::vector<Strain>& strains, doubl
   panel.layers.push_back(lines_layer("ellipses", translated("Strain ellipses"), style, std::move(ellipses)));
 }
 
+/// What is to be said of ellipses that are cut off; empty if none is.
+std::string note_on_ellipses(const std::vector<Strain>& strains) {
+  const Strain* longest = nullptr;
+  std::size_t cut = 0;
+  for (const Strain& strain : strains) {
+    if (strain.greatest <= longest_ellipse) continue;
+    ++cut;
+    if (longest == nullptr || strain.greatest > longest->greatest) longest = &strain;
+  }
+  if (longest == nullptr) return {};
+  return fmt::format("{} {} {:.4g}, ({:.6g}, {:.6g}).", cut,
+                     translated("strain ellipses are longer than they are drawn; the greatest stretch and its place:"),
+                     longest->greatest, longest->at.x, longest->at.y);
+}
+
 /// The units as they lie on each other, each with its mean restored thickness, beside the section to the same scale.
-void add_column(scene::Panel& panel, const Section& section, const std::vector<LedgerUnit>& units,
-                const std::vector<UnitRow>& rows) {
-  const geom::Box box = scene::extent(panel);
-  const double width = 0.035 * box.width();
-  const double left = box.low.x - 0.015 * box.width() - width;  // names stand on the right
-  double top = section.horizons.empty() ? box.high.y : box_of(section).high.y;
+void add_column(scene::Panel& panel, const Section& section, const Palette& palette,
+                const std::vector<LedgerUnit>& units, const std::vector<UnitRow>& rows) {
+  const geom::Box box = box_of(section);
+  const double width = 0.03 * box.width();
+  const double left = box.low.x - 0.03 * box.width() - width;
+  scene::Labels names;
+  const bool few = units.size() <= most_names_of_column;
+  double top = box.high.y;
   for (std::size_t i = 0; i < units.size(); ++i) {
     if (!rows[i].thickness_after || !units[i].upper) continue;
     const double bottom = top - rows[i].thickness_after->mean;
-    const std::size_t color = section.horizons[*units[i].upper].id.index();
-    scene::Layer bed = region_layer("column_" + std::to_string(i), units[i].name, unit_color(color),
+    const scene::UnitStyle style = palette.of(whole_name(section.horizons[*units[i].upper]));
+    scene::Layer bed = region_layer("column_" + std::to_string(i), units[i].name, style,
                                     {{{left, bottom}, {left + width, bottom}, {left + width, top}, {left, top}}, true});
     bed.style.line = pin_color;
-    bed.style.line_width = 0.5;
+    bed.style.line_width = few ? 0.5 : 0.0;
     bed.in_legend = scene::InLegend::No;
+    if (few) names.labels.push_back({{left, 0.5 * (top + bottom)}, units[i].name, scene::Anchor::Left});
     panel.layers.push_back(std::move(bed));
     top = bottom;
   }
+  scene::Style text;
+  text.line = pin_color;
+  text.text_size = 7.0;
+  panel.layers.push_back(
+      {"column_names", translated("Names of the column"), text, std::move(names), true, scene::InLegend::No});
 }
 
 /// A change that rounds to nothing has no sign.
-std::string percent_text(double value) {
+std::string change_text(double value) {
   std::string text = fmt::format("{:+.2f}", value);
   return text == "-0.00" || text == "+0.00" ? "0.00" : text;
 }
@@ -241,8 +323,8 @@ void add_ledger(scene::Picture& picture, const Model& model) {
   const auto metres = [&](double value) { return fixed(value, longest); };
   for (const LineLength& row : rows) {
     beds.rows.push_back({row.name, metres(row.length_before), metres(row.length_after),
-                         percent_text(row.change_percent), metres(row.shortening),
-                         percent_text(row.shortening_percent)});
+                         change_text(row.change_percent), metres(row.shortening),
+                         change_text(row.shortening_percent)});
   }
   scene::TextTable units{translated("Units"),
                          {translated("unit"), translated("area before [m\u00b2]"), translated("after [m\u00b2]"),
@@ -253,7 +335,7 @@ void add_ledger(scene::Picture& picture, const Model& model) {
   for (const UnitRow& row : restoration.ledger.units) largest = std::max({largest, row.area_before, row.area_after});
   const auto area = [&](double value) { return fixed(value, largest); };
   for (const UnitRow& row : restoration.ledger.units) {
-    units.rows.push_back({row.name, area(row.area_before), area(row.area_after), percent_text(row.change_percent),
+    units.rows.push_back({row.name, area(row.area_before), area(row.area_after), change_text(row.change_percent),
                           mean(row.thickness_before), mean(row.thickness_after)});
   }
   picture.tables = {std::move(beds)};
@@ -262,6 +344,8 @@ void add_ledger(scene::Picture& picture, const Model& model) {
   sentence.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence.front())));
   picture.notes = {sentence + '.', fmt::format("{}{}. {}", translated("Verdict: "), restoration.remarks.back(),
                                                translated("Both states to the same scale, no vertical exaggeration."))};
+  const std::string ellipses = note_on_ellipses(restoration.ledger.strains);
+  if (!ellipses.empty()) picture.notes.push_back(ellipses);
 }
 
 /// Lines through the map, thinned to what a page can show.
@@ -308,24 +392,28 @@ std::vector<std::vector<const Horizon*>> whole_horizons(const Section& section) 
   return wholes;
 }
 
-void add_horizons(scene::Panel& panel, const Section& section) {
-  for (const std::vector<const Horizon*>& pieces : whole_horizons(section)) {
+void add_horizons(scene::Panel& panel, const Section& section, const Palette& palette) {
+  const auto wholes = whole_horizons(section);
+  const auto is_unit = [](const scene::Layer& layer) { return layer.key.starts_with("unit_"); };
+  const bool units = std::any_of(panel.layers.begin(), panel.layers.end(), is_unit);
+  const bool listed = !units || wholes.size() <= most_horizons_in_legend;
+  for (const std::vector<const Horizon*>& pieces : wholes) {
     const Horizon& first = *pieces.front();
     scene::Style style;
-    style.line = horizon_color(first.id);
-    style.line_width = 1.6;
+    style.line = palette.of(whole_name(first)).line;
+    style.line_width = wholes.size() <= most_thick_horizons ? 1.6 : 0.8;
     scene::Lines lines;
     for (const Horizon* piece : pieces) {
       lines.lines.push_back(piece->line);
       lines.ids.push_back(static_cast<std::uint32_t>(piece->id.index()));
     }
     panel.layers.push_back({"horizon_" + std::to_string(first.id.index()), whole_name(first), style, std::move(lines),
-                            true, scene::InLegend::Yes});
+                            true, listed ? scene::InLegend::Yes : scene::InLegend::No});
   }
 }
 
 /// Names at the right ends; the layout makes room for them. The highest choose first, the others stand below.
-void add_names(scene::Panel& panel, const Section& section) {
+void add_names(scene::Panel& panel, const Section& section, const Palette& palette) {
   struct Name {
     const Horizon* first;
     geom::Point at;
@@ -340,7 +428,7 @@ void add_names(scene::Panel& panel, const Section& section) {
   std::stable_sort(names.begin(), names.end(), [](const Name& a, const Name& b) { return a.at.y < b.at.y; });
   for (const Name& name : names) {
     scene::Style style;
-    style.line = horizon_color(name.first->id);
+    style.line = palette.of(whole_name(*name.first)).line;
     style.text_size = 8.0;
     const std::string& text = whole_name(*name.first);
     panel.layers.push_back({"name_" + std::to_string(name.first->id.index()), text, style,
@@ -374,31 +462,51 @@ void add_pin(scene::Panel& panel, const geom::Polyline& line) {
                           scene::InLegend::No});
 }
 
-scene::Panel panel(std::string key, std::string title) {
+scene::Panel panel(std::string key, std::string title, const Section& section) {
   scene::Panel made;
   made.key = std::move(key);
   made.title = std::move(title);
   made.axes = {translated("x [m]"), translated("z [m]")};
+  if (box_of(section).width() >= long_section) made.axes = {translated("x [km]"), translated("z [km]")};
+  if (box_of(section).width() >= long_section) made.axes.unit = 1000.0;
+  made.left_end = section.left_end;
+  made.right_end = section.right_end;
   return made;
+}
+
+/// The section with what of grid and pin lies near it: images of the grid may go far astray.
+geom::Box part_to_show(const scene::Panel& panel) {
+  geom::Box section;
+  for (const scene::Layer& layer : panel.layers) {
+    const bool aid = layer.key.find("_grid") != std::string::npos || layer.key.starts_with("pin");
+    if (!aid && layer.key != "ellipses") section.add(scene::extent(layer));
+  }
+  const geom::Box near = section.grown(border_of_section * section.diagonal());
+  const geom::Box all = scene::comfortable(scene::extent(panel));
+  return {{std::max(near.low.x, all.low.x), std::max(near.low.y, all.low.y)},
+          {std::min(near.high.x, all.high.x), std::min(near.high.y, all.high.y)}};
+}
+
+/// Beside or above each other: as both have the larger scale on a sheet.
+scene::Arrangement arrangement_of(const std::vector<scene::Panel>& panels) {
+  geom::Vector row;
+  geom::Vector column;
+  for (const scene::Panel& panel : panels) {
+    const geom::Box box = scene::extent(panel);
+    row = {row.x + box.width(), std::max(row.y, box.height())};
+    column = {std::max(column.x, box.width()), column.y + box.height()};
+  }
+  const auto scale = [](geom::Vector size) { return std::min(sheet_width / size.x, sheet_height / size.y); };
+  return scale(column) > scale(row) ? scene::Arrangement::Column : scene::Arrangement::Row;
 }
 
 }  // namespace
 
-scene::Color horizon_color(HorizonId id) {
-  static constexpr std::array<scene::Color, 8> palette{{{176, 58, 46, 255},
-                                                        {205, 133, 32, 255},
-                                                        {66, 122, 72, 255},
-                                                        {28, 122, 135, 255},
-                                                        {106, 76, 147, 255},
-                                                        {128, 84, 50, 255},
-                                                        {190, 70, 122, 255},
-                                                        {46, 76, 150, 255}}};
-  return palette[id.index() % palette.size()];
-}
-
 scene::Picture picture_of(const Model& model) {
   scene::Picture picture;
-  scene::Panel before = panel("deformed", translated("Deformed section"));
+  picture.paper = scene::Paper::A4Landscape;
+  const Palette palette(model.section);
+  scene::Panel before = panel("deformed", translated("Deformed section"), model.section);
   add_backdrops(before, model.section);
   std::vector<LedgerUnit> units;
   if (model.restoration) {
@@ -407,61 +515,65 @@ scene::Picture picture_of(const Model& model) {
     const bool keeps_area = restoration.params.method == RestoreMethod::Flexural ||
                             restoration.params.method == RestoreMethod::Shear ||
                             restoration.params.method == RestoreMethod::Variable;
-    add_units(before, model.section, units);
-    add_face_units(before, model.section, restoration.ledger, units.size(), &UnitRow::faces_before);
+    add_units(before, model.section, palette, units);
+    add_face_units(before, model.section, palette, restoration.ledger, units.size(), &UnitRow::faces_before);
     add_dilatation(before, restoration.ledger.field, !keeps_area);
     add_ellipses(before, restoration.ledger.strains, 0.008 * box_of(model.section).diagonal());
   } else {
-    add_units(before, model.section, ledger_units(model.section, {}));
+    add_units(before, model.section, palette, ledger_units(model.section, {}));
   }
   if (!model.section.backdrops.empty()) make_translucent(before);
   if (model.source) add_grid(before, model.source->grid, "source_grid");
-  add_items(before, model.section);
-  add_horizons(before, model.section);
-  const geom::Box box = scene::extent(before);
-  if (box.width() > wide * box.height()) picture.arrangement = scene::Arrangement::Column;
+  add_items(before, model.section, palette);
+  add_horizons(before, model.section, palette);
   if (model.target) {
     const Target& target = *model.target;
     const ColumnPoint pin = target.map.locate(target.source_pin).at;
     const double deepest = model.source->options.distances.back();
     const geom::Polyline source_pin = pin_line(target.map.source(), pin, deepest);
     add_pin(before, source_pin);
-    add_names(before, model.section);
+    add_names(before, model.section, palette);
     scene::Panel after =
-        panel("restored", model.restoration ? translated("Restored section") : translated("Target grid"));
+        panel("restored", model.restoration ? translated("Restored section") : translated("Target grid"), model.section);
     if (model.restoration) {
-      add_units(after, model.restoration->section, units);
-      add_face_units(after, model.section, model.restoration->ledger, units.size(), &UnitRow::faces_after);
+      add_units(after, model.restoration->section, palette, units);
+      add_face_units(after, model.section, palette, model.restoration->ledger, units.size(), &UnitRow::faces_after);
     }
     add_grid(after, restored_grid(model), "target_grid");
     if (model.restoration) {
-      add_items(after, model.restoration->section);
-      add_horizons(after, model.restoration->section);
+      add_items(after, model.restoration->section, palette);
+      add_horizons(after, model.restoration->section, palette);
     } else {
       scene::Style style;
       const Horizon* top = find_horizon(model.section, model.source->top);
-      style.line = horizon_color(top != nullptr ? first_piece(model.section, whole_name(*top))->id : model.source->top);
+      if (top != nullptr) style.line = palette.of(whole_name(*top)).line;
       style.line_width = 1.6;
       after.layers.push_back(lines_layer("target", translated("Target"), style, {target.map.target().base_line()}));
     }
     add_pin(after, goes_to_target_grid(model) ? pin_line(target.map.target(), pin, deepest)
                                               : images_of({source_pin}, model.restoration->map).front());
     if (model.restoration) {
-      add_names(after, model.restoration->section);
-      add_column(after, model.restoration->section, units, model.restoration->ledger.units);
+      add_names(after, model.restoration->section, palette);
+      add_column(after, model.restoration->section, palette, units, model.restoration->ledger.units);
       add_ledger(picture, model);
     }
     // The legend of the first panel stands for both.
     for (scene::Layer& layer : after.layers) {
-      const bool known = std::any_of(before.layers.begin(), before.layers.end(),
-                                     [&](const auto& l) { return l.title == layer.title; });
+      const bool known = std::any_of(before.layers.begin(), before.layers.end(), [&](const auto& l) {
+        return scene::legend_name(l) == scene::legend_name(layer);
+      });
       if (known) layer.in_legend = scene::InLegend::No;
     }
     picture.panels = {std::move(before), std::move(after)};
+    if (model.restoration) {
+      for (scene::Panel& shown : picture.panels) shown.extent = part_to_show(shown);
+    }
+    picture.arrangement = arrangement_of(picture.panels);
   } else {
-    add_names(before, model.section);
+    add_names(before, model.section, palette);
     picture.panels = {std::move(before)};
   }
+  if (model.section.colors) scene::paint(picture, *model.section.colors);
   return picture;
 }
 

@@ -7,11 +7,8 @@
 
 namespace recon::core {
 
-/// One panel before the step target, two from then on: side by side, a section that is long and low one above the
-/// other. Items of horizon layers have the horizon's id.
+/// One panel before the step target, two from then on, arranged so that both are as large as can be on a sheet. Items of
+/// horizon layers have the horizon's id. Drawn by the section's table of colours where it has one.
 dobra::scene::Picture picture_of(const Model& model);
-
-/// The colour of a horizon, the same in every panel; eight are told apart, then they repeat.
-dobra::scene::Color horizon_color(HorizonId id);
 
 }  // namespace recon::core

@@ -27,8 +27,13 @@ base::Result<std::vector<std::string>> columns_of(const HorizonInput& input) {
   return columns;
 }
 
-// What neither the line nor the section sets is left to the file.
-void set_convention(const HorizonInput& input, const Convention& convention, io::LineOptions& options) {
+/// How the lines of a file are placed, and the repairs of their points. What neither the input of the line nor that of
+/// the section sets is left to the file.
+template <class Input>
+io::LineOptions options_of(const Input& input, const ReadSettings& settings) {
+  const Convention& convention = settings.convention;
+  io::LineOptions options;
+  options.text.separator = static_cast<io::Separator>(input.separator);
   if (input.y_axis == LineAxis::Up) options.y_direction = io::YDirection::Up;
   const bool section_down = input.y_axis == LineAxis::Section && convention.y_axis == VerticalAxis::Down;
   if (input.y_axis == LineAxis::Down || section_down) options.y_direction = io::YDirection::Down;
@@ -39,6 +44,13 @@ void set_convention(const HorizonInput& input, const Convention& convention, io:
   } else if (convention.unit != LengthUnit::Metre) {
     options.unit = metres_per_unit(convention.unit);
   }
+  options.trace = settings.trace;
+  options.fold_axis = settings.fold_axis;
+  options.plane_tolerance = settings.plane_tolerance;
+  if (input.order == PointOrder::AlongCurve) options.repair.order = io::PointOrder::AlongTheCurve;
+  if (input.drop_duplicates > 0.0) options.repair.duplicates = input.drop_duplicates;
+  if (input.join_gaps > 0.0) options.repair.gaps = input.join_gaps;
+  return options;
 }
 
 /// The lines of that name, or without a name all there are if they share one.
@@ -70,20 +82,25 @@ base::Result<std::vector<const io::Feature*>> chosen(const std::vector<io::Featu
 
 }  // namespace
 
+base::Result<io::LineWork> work_of_file(const LinesInput& input, const std::string& path,
+                                        const ReadSettings& settings) {
+  io::LineOptions options = options_of(input, settings);
+  if (!input.columns.empty()) options.text.columns = input.columns;
+  options.text.name_columns = input.name_columns;
+  for (const std::string& text : input.kind) {
+    auto rule = io::kind_rule(text);
+    if (!rule) return base::Error{base::ErrorCode::BadValue, "kind: " + rule.error().message};
+    options.kinds.push_back(std::move(*rule));
+  }
+  return io::read_any_lines(path, options);
+}
+
 base::Result<ReadPieces> lines_of_file(const HorizonInput& input, const std::string& path,
                                        const ReadSettings& settings) {
-  io::LineOptions options;
-  options.text.separator = static_cast<io::Separator>(input.separator);
+  io::LineOptions options = options_of(input, settings);
   options.text.blank_lines = io::BlankLines::Ignore;
   options.text.closing = io::Closing::KeepOpen;
   DOBRA_TRY(options.text.columns, columns_of(input));
-  set_convention(input, settings.convention, options);
-  options.trace = settings.trace;
-  options.fold_axis = settings.fold_axis;
-  options.plane_tolerance = settings.plane_tolerance;
-  if (input.order == PointOrder::AlongCurve) options.repair.order = io::PointOrder::AlongTheCurve;
-  if (input.drop_duplicates > 0.0) options.repair.duplicates = input.drop_duplicates;
-  if (input.join_gaps > 0.0) options.repair.gaps = input.join_gaps;
   DOBRA_TRY(io::LineWork work, io::read_any_lines(path, options));
   const auto named = [](const io::Feature& feature) { return !feature.name.empty(); };
   if (work.format == io::LineFormat::Text && std::any_of(work.features.begin(), work.features.end(), named)) {

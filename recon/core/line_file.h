@@ -4,6 +4,7 @@
 #include <string>
 
 #include "recon/core/input.h"
+#include "shared/io/line_files.h"
 
 namespace recon::core {
 
@@ -13,5 +14,10 @@ namespace recon::core {
 /// @error BadSection: none, one without points, or several to choose from; BadValue: columns; those of read_any_lines.
 base::Result<ReadPieces> lines_of_file(const HorizonInput& input, const std::string& path,
                                        const ReadSettings& settings);
+
+/// All lines of the file at `path`, with their kinds by the rules of `input`.
+/// @error BadValue: a rule that is none; those of read_any_lines.
+base::Result<dobra::io::LineWork> work_of_file(const LinesInput& input, const std::string& path,
+                                               const ReadSettings& settings);
 
 }  // namespace recon::core

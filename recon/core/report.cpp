@@ -144,6 +144,8 @@ void add_feature(io::FeatureType type, const std::string& name, const char* kind
   features.push_back(std::move(feature));
 }
 
+}  // namespace
+
 std::vector<io::Feature> restored_features(const Section& section) {
   std::vector<io::Feature> features;
   for (const Horizon& horizon : section.horizons)
@@ -156,6 +158,8 @@ std::vector<io::Feature> restored_features(const Section& section) {
     add_feature(io::FeatureType::Points, marker.name, "marker", marker.id.index(), {marker.points, false}, features);
   return features;
 }
+
+namespace {
 
 scenario::DataTable strain_table(const std::vector<Strain>& strains) {
   scenario::DataTable table{

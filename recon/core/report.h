@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "recon/core/model.h"
+#include "shared/io/feature.h"
 #include "shared/scenario/program.h"
 
 namespace recon::core {
@@ -40,6 +41,9 @@ struct RowCell {
 std::vector<RowCell> cells_of(const UnitRow& row);
 std::vector<RowCell> cells_of(const BedBalance& row);
 std::vector<RowCell> cells_of(const LineLength& row);
+
+/// All lines, polygons and points of a section with their names, kinds and ids, but for those of no length.
+std::vector<dobra::io::Feature> restored_features(const Section& section);
 
 /// source_grid.geojson, target_grid.geojson, restored.geojson, restored.csv: as far as the model has them.
 std::vector<dobra::scenario::Output> outputs_of(const std::shared_ptr<const Model>& model);

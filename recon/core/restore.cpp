@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "recon/core/face_ledger.h"
+#include "recon/core/percent.h"
 #include "shared/base/parallel.h"
 
 namespace recon::core {
@@ -97,13 +98,15 @@ Balance judge(const Restoration& restoration) {
 std::string verdict_text(const Restoration& restoration) {
   const Balance& balance = restoration.balance;
   std::string text =
-      fmt::format("{}: the greatest change of a bed's length is {:.4g} % (horizon '{}')",
-                  balance.balanced ? "balanced" : "not balanced", balance.greatest_change_percent, balance.worst);
+      fmt::format("{}: the greatest change of a bed's length is {} % (horizon '{}')",
+                  balance.balanced ? "balanced" : "not balanced", percent_text(balance.greatest_change_percent),
+                  balance.worst);
   if (!balance.worst_unit.empty()) {
-    text += fmt::format(", of a unit's area {:.4g} % ('{}')", balance.greatest_area_change_percent, balance.worst_unit);
+    text += fmt::format(", of a unit's area {} % ('{}')", percent_text(balance.greatest_area_change_percent),
+                        balance.worst_unit);
   }
-  return text + fmt::format("; shortening differs by {:.4g} % between beds; the tolerance is {:.4g} %",
-                            balance.inconsistency_percent, restoration.params.tolerance);
+  return text + fmt::format("; shortening differs by {} % between beds; the tolerance is {:.4g} %",
+                            percent_text(balance.inconsistency_percent), restoration.params.tolerance);
 }
 
 /// As horizons_in_order, from the depths that are known by now.

@@ -11,7 +11,7 @@
 #include "shared/base/error.h"
 #include "shared/base/id.h"
 #include "shared/geom/polyline.h"
-#include "shared/scene/layer.h"
+#include "shared/scene/unit_colors.h"
 
 namespace recon::core {
 
@@ -71,6 +71,7 @@ struct Unit {
   std::string name;
   geom::Polyline contour;  ///< Closed, simple, anticlockwise.
   base::Place source;
+  std::string piece_of = {};  ///< The unit that it is one of several pieces of; empty where it is whole.
 };
 
 /// Points that belong together: picks of a well, a fossil, a growth line.
@@ -112,6 +113,9 @@ struct Section {
   /// Units, meetings of horizons and misfits of polygons, made when the section was read (section_faces.h).
   std::shared_ptr<const SectionFaces> faces;
   Convention convention;  ///< Of the files it was read from; further files of the scenario follow it.
+  std::shared_ptr<const dobra::scene::ColorTable> colors;  ///< As the user gave them, or null.
+  std::string left_end;                                    ///< Compass point over the left end; empty: not known.
+  std::string right_end;
 };
 
 /// Whether no other piece of the same horizon reaches farther to the left (First) or to the right (Last).

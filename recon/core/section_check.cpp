@@ -2,26 +2,38 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "recon/core/section_faces.h"
 
 namespace recon::core {
 
 base::Result<void> refuse_crossings(const Section& section, const SectionFaces& faces) {
+  std::vector<const HorizonMeeting*> crossings;
   for (const HorizonMeeting& pair : faces.meetings) {
-    if (pair.meeting.crossings == 0) continue;
-    const Horizon& first = *find_horizon(section, pair.first);
-    const Horizon& second = *find_horizon(section, pair.second);
-    base::Place place = place_at(pair.meeting.place, fmt::format("horizon '{}'", first.name));
-    place.file = first.source.file;
-    const std::size_t count = pair.meeting.crossings;
-    return base::Error{
-        base::ErrorCode::BadSection,
-        fmt::format("the line crosses horizon '{}' at {}; correct one of them, or set crossings = \"allow\" "
-                    "(--crossings allow) to go on as they are",
-                    second.name, count == 1 ? "one place" : fmt::format("{} places", count)),
-        place};
+    if (pair.meeting.crossings > 0) crossings.push_back(&pair);
   }
-  return {};
+  if (crossings.empty()) return {};
+  const auto name_of = [&](HorizonId id) { return find_horizon(section, id)->name; };
+  const LineMeeting& meeting = crossings.front()->meeting;
+  const Horizon& first = *find_horizon(section, crossings.front()->first);
+  base::Place place = place_at(meeting.place, fmt::format("horizon '{}'", first.name));
+  place.file = first.source.file;
+  std::string more;
+  constexpr std::size_t most = 10;
+  for (std::size_t i = 1; i < std::min(crossings.size(), most); ++i) {
+    const geom::Point at = crossings[i]->meeting.place;
+    more += fmt::format("{} '{}' crosses '{}' at ({:.6g}, {:.6g})", i == 1 ? "; so do others:" : ",",
+                        name_of(crossings[i]->first), name_of(crossings[i]->second), at.x, at.y);
+  }
+  if (crossings.size() > most) more += fmt::format(", and {} pairs more", crossings.size() - most);
+  return base::Error{
+      base::ErrorCode::BadSection,
+      fmt::format("the line crosses horizon '{}' at {}{}; correct them, or set crossings = \"allow\" (--crossings "
+                  "allow) to go on as they are",
+                  name_of(crossings.front()->second),
+                  meeting.crossings == 1 ? "one place" : fmt::format("{} places", meeting.crossings), more),
+      place};
 }
 
 base::Result<void> refuse_lines_outside(const Section& section) {

@@ -13,7 +13,7 @@ enum class Crossings { Refuse, Allow };
 inline constexpr const char* crossings_help =
     "refuse: an error with the place; allow: every point goes by the grid all the same, and the units by their faces.";
 
-/// @error BadSection with the first place where one horizon passes to the other side of another; the names of both.
+/// @error BadSection where horizons pass to the other side of each other: the first place and up to ten pairs.
 base::Result<void> refuse_crossings(const Section& section, const SectionFaces& faces);
 
 /// @error BadSection: a pin or loose line that lies beside all horizons, with its place.

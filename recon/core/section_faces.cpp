@@ -67,31 +67,6 @@ std::vector<geom::Polyline> connectors(const Section& section, const std::vector
   return lines;
 }
 
-/// Which faces lie on the left-hand side of a closed line: those beside it, and what can be reached from them.
-std::vector<bool> faces_within(const Arrangement& arrangement, std::uint32_t ring) {
-  const Subdivision& sub = arrangement.subdivision();
-  std::size_t highest = 0;
-  for (const FaceId f : sub.faces()) highest = std::max(highest, f.index());
-  std::vector<bool> within(highest + 1, false);
-  std::vector<FaceId> open;
-  const auto enter = [&](FaceId f) {
-    if (within[f.index()] || f == Structure::unbounded()) return;
-    within[f.index()] = true;
-    open.push_back(f);
-  };
-  for (const HalfEdgeId h : arrangement.path(ring)) enter(sub.face(h));
-  while (!open.empty()) {
-    const FaceId f = open.back();
-    open.pop_back();
-    for (const topo::LoopId loop : sub.loops(f)) {
-      for (const HalfEdgeId h : sub.half_edges(loop)) {
-        if (!arrangement.runs_along(Structure::edge(h), ring)) enter(sub.face(Structure::twin(h)));
-      }
-    }
-  }
-  return within;
-}
-
 /// The contours of a face without edges that have it on both sides (faults that end in it).
 std::vector<geom::Polyline> contours_of(const Arrangement& arrangement, FaceId f) {
   const Subdivision& sub = arrangement.subdivision();
@@ -239,7 +214,7 @@ base::Result<std::vector<Misfit>> misfits_of(const Section& section) {
   DOBRA_TRY(const Arrangement arrangement, Arrangement::make(std::move(rings)));
   const Subdivision& sub = arrangement.subdivision();
   std::vector<std::vector<bool>> within;
-  for (std::uint32_t i = 0; i < ring_count; ++i) within.push_back(faces_within(arrangement, i));
+  for (std::uint32_t i = 0; i < ring_count; ++i) within.push_back(arrangement.faces_within(i));
   for (const FaceId f : sub.faces()) {
     if (f == Structure::unbounded()) continue;
     if (section.border && !within.back()[f.index()]) continue;
@@ -315,7 +290,7 @@ base::Result<SectionFaces> faces_of(const Section& section) {
     for (const HalfEdgeId h : arrangement.path(static_cast<std::uint32_t>(first_surface + i))) air.insert(sub.face(h));
   }
   std::vector<FaceId> faces;
-  const std::vector<bool> within = section.border ? faces_within(arrangement, ring) : std::vector<bool>();
+  const std::vector<bool> within = section.border ? arrangement.faces_within(ring) : std::vector<bool>();
   made.area = section.border ? geom::signed_area(*section.border) : -arrangement.area(Structure::unbounded());
   for (const FaceId f : sub.faces()) {
     if (f == Structure::unbounded() || (section.border && !within[f.index()])) continue;

@@ -59,6 +59,11 @@ struct SectionInput {
   std::vector<double> trace;
   std::vector<double> fold_axis;
   double plane_tolerance = 1e-3;
+  std::vector<LinesInput> lines;
+  std::vector<HorizonInput> eroded;
+  bool horizons_from_units = false;
+  std::string colors;
+  std::string orientation;
   template <class D>
   static void describe(D& d) {
     d.choice("y_axis", &SectionInput::y_axis, {"up", "down"},
@@ -86,6 +91,12 @@ struct SectionInput {
                       "first horizon to the last, between their ends."});
     d.tables("topography", &SectionInput::topographies, {.title = "Topography"});
     d.tables("datum", &SectionInput::datums, {.title = "Datums", .help = "Lines that the step target may name."});
+    d.tables("eroded", &SectionInput::eroded, {.title = "Eroded lines", .help = "Drawn dashed and not restored."});
+    d.tables("lines", &SectionInput::lines,
+             {.title = "Files of many lines", .help = "Each line becomes what its kind says, a horizon without one."});
+    d.field("horizons_from_units", &SectionInput::horizons_from_units,
+            {.title = "Horizons from units",
+             .help = "Edges that polygons share become horizons, named by the unit below; none along faults."});
     d.tables("backdrop", &SectionInput::backdrops, {.title = "Backdrop pictures"});
     d.choice("above_topography", &SectionInput::above_topography, {"leave", "restore"},
              {.title = "Horizons above the topography",
@@ -118,6 +129,12 @@ struct SectionInput {
              .help = "Of files with lines in space: trend and plunge in degrees; they are projected down the plunge."});
     d.field("plane_tolerance", &SectionInput::plane_tolerance,
             {.title = "Lines in space off their plane", .help = "At most this part of the length.", .above = 0.0});
+    d.file("colours", &SectionInput::colors,
+           {.title = "Table of colours",
+            .help = "CSV or TOML: name, colour, pattern, age and lithology of units and lines."});
+    d.field("orientation", &SectionInput::orientation,
+            {.title = "Orientation",
+             .help = "What stands over the left and the right end, such as W - E; told by the plane of lines in space."});
   }
 };
 

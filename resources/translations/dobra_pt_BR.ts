@@ -500,10 +500,6 @@
         <translation>tamanho [m]</translation>
     </message>
     <message>
-        <source>log10 of size [m]</source>
-        <translation>log10 do tamanho [m]</translation>
-    </message>
-    <message>
         <source>sizes wanted</source>
         <translation>tamanhos desejados</translation>
     </message>
@@ -888,8 +884,8 @@
         <translation>Com y_axis = &quot;down&quot;: o valor na altura 0, nas unidades do arquivo.</translation>
     </message>
     <message>
-        <source>Of the coordinates in the file; as the file says, else m.</source>
-        <translation>Das coordenadas no arquivo; como diz o arquivo, senão m.</translation>
+        <source>Of the coordinates in the file; as the file says, else as the scenario.</source>
+        <translation>Das coordenadas no arquivo; como diz o arquivo, senão como o cenário.</translation>
     </message>
     <message>
         <source>Heights are stored this many times too large.</source>
@@ -1392,14 +1388,6 @@
         <translation>field: o que 99,5 % da área tem, se um pico (uma ponta de trinca) se destaca; full: do menor ao maior valor.</translation>
     </message>
     <message>
-        <source>colours</source>
-        <translation>cores</translation>
-    </message>
-    <message>
-        <source>of the area</source>
-        <translation>da área</translation>
-    </message>
-    <message>
         <source>Error of each cycle</source>
         <translation>Erro de cada ciclo</translation>
     </message>
@@ -1422,10 +1410,6 @@
     <message>
         <source>analyses</source>
         <translation>análises</translation>
-    </message>
-    <message>
-        <source>to</source>
-        <translation>a</translation>
     </message>
     <message>
         <source>Begin with</source>
@@ -2060,6 +2044,54 @@
         <translation>Maior corda de uma curva</translation>
     </message>
     <message>
+        <source>Text, CSV, GeoJSON, DXF, GOCAD, MOVE, Shapefile, GeoPackage or WKT.</source>
+        <translation>Texto, CSV, GeoJSON, DXF, GOCAD, MOVE, Shapefile, GeoPackage ou WKT.</translation>
+    </message>
+    <message>
+        <source>Kinds by names</source>
+        <translation>Tipos pelos nomes</translation>
+    </message>
+    <message>
+        <source>Such as &apos;F*=fault&apos;; the first that fits a name goes before the kind that the file gives.</source>
+        <translation>Como &apos;F*=falha&apos;; o primeiro que serve a um nome vale mais que o tipo que o arquivo dá.</translation>
+    </message>
+    <message>
+        <source>Columns of x and height</source>
+        <translation>Colunas de x e altura</translation>
+    </message>
+    <message>
+        <source>In a text file: numbers from 1 or headers; three for x, y and height of map coordinates.</source>
+        <translation>Em um arquivo de texto: números a partir de 1 ou cabeçalhos; três para x, y e altura de coordenadas de mapa.</translation>
+    </message>
+    <message>
+        <source>In a text file: a line ends where their texts change.</source>
+        <translation>Em um arquivo de texto: uma linha termina onde seus textos mudam.</translation>
+    </message>
+    <message>
+        <source>Eroded lines</source>
+        <translation>Linhas erodidas</translation>
+    </message>
+    <message>
+        <source>Drawn dashed and not restored.</source>
+        <translation>Desenhadas tracejadas e não restauradas.</translation>
+    </message>
+    <message>
+        <source>Files of many lines</source>
+        <translation>Arquivos de várias linhas</translation>
+    </message>
+    <message>
+        <source>Each line becomes what its kind says, a horizon without one.</source>
+        <translation>Cada linha torna-se o que seu tipo diz; sem tipo, um horizonte.</translation>
+    </message>
+    <message>
+        <source>Horizons from units</source>
+        <translation>Horizontes a partir de unidades</translation>
+    </message>
+    <message>
+        <source>Edges that polygons share become horizons, named by the unit below; none along faults.</source>
+        <translation>Lados que polígonos compartilham tornam-se horizontes com o nome da unidade abaixo; nenhum ao longo de falhas.</translation>
+    </message>
+    <message>
         <source>Snap ends to faults</source>
         <translation>Ajustar extremidades às falhas</translation>
     </message>
@@ -2390,6 +2422,58 @@
     <message>
         <source>z [m]</source>
         <translation>z [m]</translation>
+    </message>
+    <message>
+        <source>... {} more</source>
+        <translation>... mais {}</translation>
+    </message>
+    <message>
+        <source>... {} more rows, in the tables (CSV) and the report</source>
+        <translation>... mais {} linhas, nas tabelas (CSV) e no relatório</translation>
+    </message>
+    <message>
+        <source>continued</source>
+        <translation>continuação</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Linhas</translation>
+    </message>
+    <message>
+        <source>Eroded</source>
+        <translation>Erodido</translation>
+    </message>
+    <message>
+        <source>strain ellipses are longer than they are drawn; the greatest stretch and its place:</source>
+        <translation>elipses de deformação são mais longas do que se desenha; o maior estiramento e seu lugar:</translation>
+    </message>
+    <message>
+        <source>Names of the column</source>
+        <translation>Nomes da coluna</translation>
+    </message>
+    <message>
+        <source>x [km]</source>
+        <translation>x [km]</translation>
+    </message>
+    <message>
+        <source>z [km]</source>
+        <translation>z [km]</translation>
+    </message>
+    <message>
+        <source>Table of colours</source>
+        <translation>Tabela de cores</translation>
+    </message>
+    <message>
+        <source>CSV or TOML: name, colour, pattern, age and lithology of units and lines.</source>
+        <translation>CSV ou TOML: name (nome), colour (cor), pattern (padrão), age (idade) e lithology (litologia) de unidades e linhas.</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>Orientação</translation>
+    </message>
+    <message>
+        <source>What stands over the left and the right end, such as W - E; told by the plane of lines in space.</source>
+        <translation>O que fica sobre o fim esquerdo e o direito, como W - E; o plano de linhas no espaço o diz.</translation>
     </message>
     <message>
         <source>Format version.</source>

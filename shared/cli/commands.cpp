@@ -46,8 +46,8 @@ base::Result<void> write_pictures(Session& session, const RunOptions& options, c
   return {};
 }
 
-base::Result<void> write_results(Session& session, const RunOptions& options, const scenario::State& state,
-                                 const std::string& report, const Staging& staging) {
+base::Result<void> write_results(Session& session, const RunOptions& options, const scenario::Document& document,
+                                 const scenario::State& state, const std::string& report, const Staging& staging) {
   const scenario::Program& program = session.program;
   DOBRA_TRY_VOID(io::write_file(staging.path("report.json"), report));
   if (program.tables_of) {
@@ -62,7 +62,7 @@ base::Result<void> write_results(Session& session, const RunOptions& options, co
       for (const std::string& loss : output.losses) session.note(loss);
     }
   }
-  if (program.picture_of) DOBRA_TRY_VOID(write_pictures(session, options, program.picture_of(state), staging));
+  if (program.picture_of) DOBRA_TRY_VOID(write_pictures(session, options, picture_of(program, document, state), staging));
   return session.check();
 }
 
@@ -96,7 +96,7 @@ base::Result<int> run_job(Session& session, const RunOptions& options) {
   DOBRA_TRY(Staging staging, Staging::open(options.out, TargetFolder::Create));
   DOBRA_TRY(const scenario::Run run, run_steps(session, document));
   const std::string report = scenario::report_json(document, session.program, run);
-  if (const auto written = write_results(session, options, run.states.back(), report, staging); !written) {
+  if (const auto written = write_results(session, options, document, run.states.back(), report, staging); !written) {
     return staging.for_user(written.error());
   }
   DOBRA_TRY(const std::vector<std::string> files, staging.commit());
@@ -113,12 +113,13 @@ base::Result<int> run_job(Session& session, const RunOptions& options) {
 base::Result<int> render_job(Session& session, const RenderOptions& options) {
   const Drawer drawer = options.drawer == "vtk" ? Drawer::Vtk : Drawer::Cairo;
   DOBRA_TRY_VOID(check_ending(options.out, drawer));
+  DOBRA_TRY_VOID(check_writable(options.out));
   DOBRA_TRY(const scenario::Document document, load(session, options.scenario));
   DOBRA_TRY(Staging staging, Staging::open(options.out.parent_path(), TargetFolder::MustExist));
   DOBRA_TRY(const scenario::Run run, run_steps(session, document));
   const std::string name = options.out.filename().string();
   const auto width = options.width > 0.0 ? std::optional(options.width) : std::nullopt;
-  if (const auto drawn = draw(session.program.picture_of(run.states.back()), staging.path(name), drawer, width);
+  if (const auto drawn = draw(picture_of(session.program, document, run.states.back()), staging.path(name), drawer, width);
       !drawn) {
     return staging.for_user(drawn.error());
   }
@@ -139,11 +140,13 @@ void add_scenario_options(CLI::App& app, ScenarioOptions& options) {
   app.add_option("--set", options.assignments, "Change a value, such as steps.2.distance=0.4; may be repeated")
       ->allow_extra_args(false)
       ->type_name("PATH=VALUE");
+  app.add_flag("--si", options.si, "Results in m, N, Pa, whatever the units of the scenario");
 }
 
 base::Result<scenario::Document> load(Session& session, const ScenarioOptions& options) {
   DOBRA_TRY(scenario::Document document, scenario::read_document(options.file));
   DOBRA_TRY_VOID(scenario::check_program(document, session.program));
+  if (options.si) document.result_units = scenario::UnitSystem();
   for (const std::string& assignment : options.assignments) {
     DOBRA_TRY(document, scenario::with_value(std::move(document), session.program, assignment));
   }

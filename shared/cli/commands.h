@@ -20,6 +20,7 @@ Command operations_command();
 /// FILE and --set, as `run` has them.
 struct ScenarioOptions {
   std::filesystem::path file;
+  bool si = false;  ///< Results in SI.
   std::vector<std::string> assignments;
 };
 void add_scenario_options(CLI::App& app, ScenarioOptions& options);

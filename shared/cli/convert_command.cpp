@@ -12,6 +12,7 @@
 #include "shared/cli/line_picture.h"
 #include "shared/cli/pictures.h"
 #include "shared/cli/staging.h"
+#include "shared/scenario/color_table.h"
 
 namespace dobra::cli {
 namespace {
@@ -29,6 +30,7 @@ struct Options {
   std::string to_coordinates = "detect";
   std::string only;
   std::string scale;
+  std::string colors;
 };
 
 constexpr const char* type_names[] = {"points", "lines", "polygons"};
@@ -38,6 +40,7 @@ struct Target {
   bool picture = false;
   io::LineWriteOptions lines;
   std::optional<double> scale;  ///< 1:n, the n.
+  std::optional<scene::ColorTable> colors;
 };
 
 Result<Target> target_of(const Options& options) {
@@ -67,6 +70,10 @@ Result<Target> target_of(const Options& options) {
   if (where == "map") target.lines.coordinates = io::Coordinates::Map;
   if (where != "detect" && where != "section" && where != "map") {
     return Error{ErrorCode::BadUsage, fmt::format("--to-coordinates: unknown '{}'; give section or map", where)};
+  }
+  if (!options.colors.empty()) {
+    if (!target.picture) return Error{ErrorCode::BadUsage, "--colours is for .svg, .pdf and .png"};
+    DOBRA_TRY(target.colors, scenario::read_color_table(options.colors));
   }
   if (options.scale.empty()) return target;
   const bool ratio = options.scale.starts_with("1:");
@@ -110,7 +117,8 @@ Result<void> write(const Options& options, const Target& target, io::LineWork& w
   const std::filesystem::path file = staging.path(options.output.filename().string());
   base::Result<void> written;
   if (target.picture) {
-    written = draw_lines(work, file, target.scale);
+    const std::string title = std::filesystem::path(options.input).stem().string();
+    written = draw_lines(work, file, {title, target.scale, target.colors});
   } else if (target.scale) {
     written = io::write_any_lines(file.string(), on_paper(work, *target.scale), target.lines, work.remarks);
   } else {
@@ -183,10 +191,16 @@ Error of_usage(Error error) {
 Result<int> convert_job(Session& session, const Options& options) {
   DOBRA_TRY(const io::LineOptions line_settings, line_options(options.lines));
   DOBRA_TRY(const Target target, target_of(options));
+  DOBRA_TRY_VOID(check_writable(options.output));
   auto read = io::read_any_lines(options.input, line_settings);
   if (!read) return of_usage(read.error());
   io::LineWork& work = *read;
   if (auto kept = keep_only(work, options.only); !kept) return base::located(kept.error(), {.file = options.input});
+  if (const auto kinds = io::check_kinds(work.features); !kinds) work.remarks.push_back(base::to_string(kinds.error()));
+  if (target.colors) {
+    for (std::string& remark : scene::remarks_on(*target.colors, drawn_names(work)))
+      work.remarks.push_back(std::move(remark));
+  }
   DOBRA_TRY_VOID(session.check());
   if (auto written = write(options, target, work); !written) return of_usage(written.error());
   for (const std::string& remark : work.remarks) session.note(remark);
@@ -218,6 +232,9 @@ Command convert_command() {
             ->type_name("NAME");
         app.add_option("--only", options->only, "Only lines, polygons or points")->type_name("NAME");
         app.add_option("--scale", options->scale, "Pictures and DXF to a true scale such as 1:10000")->type_name("1:N");
+        app.add_option("--colours", options->colors,
+                       "Pictures: a table (.csv .toml) of name, colour, pattern, age and lithology of units and lines")
+            ->type_name("FILE");
         return [options](Session& session) { return convert_job(session, *options); };
       }};
 }

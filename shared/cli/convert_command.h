@@ -32,6 +32,7 @@ struct LineOptionTexts {
   std::optional<double> edges;
   std::optional<double> slivers;
   std::string fold_axis;
+  std::vector<std::string> kinds;
   bool operator==(const LineOptionTexts&) const = default;
 };
 /// Formats, columns, units, axes and planes; `add_line_options` adds the repairs to them.

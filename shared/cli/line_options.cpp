@@ -87,6 +87,11 @@ void add_line_reading_options(CLI::App& app, LineOptionTexts& texts) {
 
 void add_line_options(CLI::App& app, LineOptionTexts& texts) {
   add_line_reading_options(app, texts);
+  app.add_option("--kind", texts.kinds,
+                 "Kinds by names, such as 'F*=fault'; may be repeated, and the first that fits a name counts")
+      ->take_all()
+      ->allow_extra_args(false)
+      ->type_name("PATTERN=KIND");
   app.add_flag("--order", texts.order, "Repair: put unordered points in order along their curve");
   app.add_option("--duplicates", texts.duplicates, "Repair: drop points nearer than this to the one before")
       ->type_name("M");
@@ -126,6 +131,11 @@ Result<io::LineOptions> line_options(const LineOptionTexts& texts) {
   }
   if (!texts.unit.empty()) {
     DOBRA_TRY(options.unit, unit_of(texts.unit));
+  }
+  for (const std::string& text : texts.kinds) {
+    auto rule = io::kind_rule(text);
+    if (!rule) return bad_usage("--kind", rule.error().message);
+    options.kinds.push_back(std::move(*rule));
   }
   options.plane_tolerance = texts.plane_tolerance.value_or(options.plane_tolerance);
   options.y_reference = texts.reference.value_or(options.y_reference);

@@ -7,6 +7,8 @@
 #include <string>
 
 #include "shared/base/result.h"
+#include "shared/scenario/document.h"
+#include "shared/scenario/program.h"
 #include "shared/scene/layer.h"
 
 namespace dobra::cli {
@@ -21,6 +23,10 @@ base::Result<std::set<PictureKind>> picture_kinds(const std::string& list);
 
 /// picture.svg, picture.pdf, picture.png, picture_vtk.png
 std::string picture_file_name(PictureKind kind);
+
+/// The picture of a state; a sheet is called after its document, or after the document's file.
+scene::Picture picture_of(const scenario::Program& program, const scenario::Document& document,
+                          const scenario::State& state);
 
 /// Draws in the format that the ending of the file says.
 /// @param width  of the page in points; the drawer's usual one by default. The height follows from the content.

@@ -90,20 +90,30 @@ void sweep(const fs::path& target) {
 
 }  // namespace
 
+base::Result<void> check_writable(const fs::path& file) {
+  DOBRA_TRY(const Way way, way_to(file));
+  if (way == Way::Rename) {
+    DOBRA_TRY_VOID(Staging::open(file.parent_path(), TargetFolder::MustExist));
+  } else if (::access(file.c_str(), W_OK) != 0) {
+    return io::cannot_write(file, errno);
+  }
+  return {};
+}
+
 base::Result<Staging> Staging::open(const fs::path& target, TargetFolder mode) {
   static std::atomic<unsigned> count{0};
   Staging staging;
   staging.target_ = target.empty() ? fs::path(".") : target;
   struct stat status {};
   const bool exists = ::stat(staging.target_.c_str(), &status) == 0;
-  if (exists && !S_ISDIR(status.st_mode)) return io::cannot_write(target, ENOTDIR);
-  if (!exists && mode == TargetFolder::MustExist) return io::cannot_write(target, errno);
+  if (exists && !S_ISDIR(status.st_mode)) return io::cannot_write(staging.target_, ENOTDIR);
+  if (!exists && mode == TargetFolder::MustExist) return io::cannot_write(staging.target_, errno);
   if (!exists) {
     DOBRA_TRY(staging.created_, make_folders(staging.target_));
   }
   sweep(staging.target_);
   const fs::path folder = staging.target_ / fmt::format("{}{}-{}", prefix, ::getpid(), count++);
-  if (::mkdir(folder.c_str(), 0777) != 0) return io::cannot_write(target, errno);
+  if (::mkdir(folder.c_str(), 0777) != 0) return io::cannot_write(staging.target_, errno);
   staging.folder_ = folder;
   staging.lock_ = lock(folder);
   return staging;

@@ -13,6 +13,11 @@ namespace dobra::cli {
 
 enum class TargetFolder { Create, MustExist };
 
+/// Whether a file can be written there, to be asked before long work: its folder is there and can be written, and so
+/// can what stands in its place.
+/// @error CannotWrite naming the file or the folder.
+base::Result<void> check_writable(const std::filesystem::path& file);
+
 class Staging {
  public:
   /// @error CannotWrite naming the folder that cannot be made or written.

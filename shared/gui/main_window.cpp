@@ -427,7 +427,7 @@ void MainWindow::show_form() {
                                 : text("%1 has no such operation.").arg(QString::fromStdString(program_.title));
     identity = from_path(document.file) + "#" + QString::number(part) + QString::fromStdString(step.operation);
   }
-  form_->show_part(identity, title, help, fields_of(document, program_, part), table_of(document, part), document.folder());
+  form_->show_part(identity, title, help, scenario::fields_in(fields_of(document, program_, part), document.units), table_of(document, part), document.folder());
   mark_error();
 }
 

@@ -39,7 +39,7 @@ constexpr int unit_column = 2;
 constexpr int reset_column = 3;
 
 QString unit_of(const Field& field) {
-  return field.kind == Kind::Degrees ? QString::fromUtf8("°") : QString::fromUtf8(field.options.unit);
+  return field.kind == Kind::Degrees ? QString::fromUtf8("°") : QString::fromStdString(field.options.unit);
 }
 
 QString number(double value) {

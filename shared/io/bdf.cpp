@@ -79,7 +79,8 @@ std::optional<double> nastran_value(std::string text) {
 class Writer {
  public:
   void card(const std::string& name, const std::vector<std::string>& fields) {
-    const bool large = std::any_of(fields.begin(), fields.end(), [](const std::string& field) { return field.size() > small; });
+    const auto is_long = [](const std::string& field) { return field.size() > small; };
+    const bool large = std::any_of(fields.begin(), fields.end(), is_long);
     const std::size_t width = large ? 16 : small;
     const std::size_t a_line = large ? 4 : 8;
     text += fmt::format("{:<8}", large ? name + '*' : name);

@@ -19,6 +19,7 @@
 
 #include "shared/io/file.h"
 #include "shared/io/gdal.h"
+#include "shared/io/line_kinds.h"
 #include "shared/io/ogr_features.h"
 #include "shared/io/scan.h"
 
@@ -85,20 +86,22 @@ struct Survey {
   StatedConvention stated;
 };
 
-// Of $INSUNITS; 0 (unitless) and 6 (metres) say nothing that has to be done.
+// Of $INSUNITS.
 void note_unit(std::string_view value, StatedConvention& stated) {
-  constexpr std::pair<std::string_view, double> known[] = {{"0", 1.0},     {"6", 1.0},    {"1", 0.0254},  {"2", 0.3048},
-                                                           {"4", 0.001},   {"5", 0.01},   {"7", 1000.0},  {"3", 1609.344},
-                                                           {"10", 0.9144}, {"14", 0.1}};
-  const auto* unit = std::find_if(std::begin(known), std::end(known), [&](const auto& own) { return own.first == value; });
-  if (unit == std::end(known)) {
-    stated.questions.push_back({Question::About::Unit,
-                                fmt::format("the drawing gives $INSUNITS = {}, a unit that is not known here; say what one "
-                                            "unit is: unit = m, km, ft, in, cm or mm (--unit)",
-                                            shown(value))});
-  } else if (unit->second != 1.0) {
+  if (value == "0") return;  // unitless
+  constexpr std::pair<std::string_view, double> known[] = {{"6", 1.0},    {"1", 0.0254},   {"2", 0.3048},
+                                                           {"4", 0.001},  {"5", 0.01},     {"7", 1000.0},
+                                                           {"10", 0.9144}, {"14", 0.1},     {"3", 1609.344}};
+  const auto has_value = [&](const auto& own) { return own.first == value; };
+  const auto* unit = std::find_if(std::begin(known), std::end(known), has_value);
+  if (unit != std::end(known)) {
     stated.unit = unit->second;
+    return;
   }
+  stated.questions.push_back({Question::About::Unit,
+                              fmt::format("the drawing gives $INSUNITS = {}, a unit that is not known here; say what "
+                                          "one unit is: unit = m, km, ft, in, cm or mm (--unit)",
+                                          shown(value))});
 }
 
 // Judges the whole text.
@@ -194,7 +197,8 @@ class DrawingReader {
       std::vector<double>& heights = parts.lines.heights[i];
       Feature feature;
       feature.type = returns_to_start(line, heights) ? FeatureType::Polygons : FeatureType::Lines;
-      feature.kind = layer;
+      feature.kind = known_kind(layer).value_or("");
+      if (!layer.empty()) feature.properties.emplace_back("layer", layer);
       feature.name = name_on(layer, used_);
       feature.parts.push_back(std::move(line));
       feature.heights.push_back(std::move(heights));

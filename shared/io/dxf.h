@@ -16,11 +16,12 @@ namespace dobra::io {
 inline constexpr std::string_view read_as_chords = "arcs or splines read as chords";
 
 /// The lines of a drawing, one feature an entity, in drawing units (taken as metres), x right and y up.
-/// A layer is both kind and name: the first entity of layer "TOP" is "TOP", the next "TOP 2"; layer "0", which stands
-/// for none, gives neither. Closed entities, and those whose last point repeats the first, are Polygons of one
-/// anticlockwise contour; the others are Lines in the order of drawing. Heights (an elevation too) are kept where one
-/// is not 0, or dropped. A remark says what was dropped: third coordinates, repeated points, entities that are no lines
-/// (texts, points, hatches, ...). `stated` says the unit of $INSUNITS, and asks where it is none of mm, cm, dm, m, km, in, ft, yd and mi.
+/// A layer is the name, and the property "layer": the first entity of layer "TOP" is "TOP", the next "TOP 2"; layer
+/// "0", which stands for none, gives neither. The kind is that of the layer where its name is one (known_kind). Closed
+/// entities, and those whose last point repeats the first, are Polygons of one anticlockwise contour; the others are
+/// Lines in the order of drawing. Heights (an elevation too) are kept where one is not 0, or dropped. A remark says
+/// what was dropped: third coordinates, repeated points, entities that are no lines (texts, points, hatches, ...).
+/// `stated` says the unit of $INSUNITS, and asks where it is none of mm, cm, dm, m, km, in, ft, yd and mi.
 /// @error EmptyFile; BadFormat with the line: binary, a group code or a coordinate that is no number, the end missing
 ///        (a file cut short), no section ENTITIES; NotFinite, DegenerateCurve: the place's item is the entity.
 /// @cost  O(file size).
@@ -33,5 +34,8 @@ base::Result<Features> read_dxf(const std::string& path, Heights heights = Heigh
 /// polygons become contours like others.
 /// @error NotFinite
 base::Result<std::string> dxf(std::span<const Feature> features);
+
+/// The layer that a feature is written to: its name without what the format forbids; "0" without a name.
+std::string dxf_layer(const Feature& feature);
 
 }  // namespace dobra::io

@@ -12,13 +12,22 @@ using base::Result;
 
 namespace {
 
-// A layer as readers take it: no character that the format forbids in names.
-std::string layer_of(const Feature& feature) {
-  // A reader numbers further lines of a layer ("TOP 2") and keeps the layer as their kind.
-  const bool numbered = !feature.kind.empty() && feature.name.starts_with(feature.kind + ' ') &&
-                        feature.name.find_first_not_of("0123456789", feature.kind.size() + 1) == std::string::npos &&
-                        feature.name.size() > feature.kind.size() + 1;
-  std::string layer = numbered ? feature.kind : feature.name;
+std::string layer_property(const Feature& feature) {
+  for (const auto& [key, value] : feature.properties) {
+    if (const auto* text = std::get_if<std::string>(&value); key == "layer" && text != nullptr) return *text;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string dxf_layer(const Feature& feature) {
+  // A reader numbers further lines of a layer ("TOP 2") and keeps the layer as a property.
+  const std::string read = layer_property(feature);
+  const bool numbered = !read.empty() && feature.name.starts_with(read + ' ') &&
+                        feature.name.find_first_not_of("0123456789", read.size() + 1) == std::string::npos &&
+                        feature.name.size() > read.size() + 1;
+  std::string layer = numbered ? read : feature.name;
   for (char& c : layer) {
     if (static_cast<unsigned char>(c) < 0x20U ||
         std::string_view("<>/\\\":;?*|=,`").find(c) != std::string_view::npos) {
@@ -29,6 +38,8 @@ std::string layer_of(const Feature& feature) {
   layer.erase(layer.find_last_not_of(' ') + 1);
   return layer.empty() ? "0" : layer;
 }
+
+namespace {
 
 void append_coordinates(std::string& text, geom::Point point, double height) {
   for (const auto& [code, value] : {std::pair{10, point.x}, std::pair{20, point.y}, std::pair{30, height}}) {
@@ -65,7 +76,7 @@ void append_part(std::string& text, const Feature& feature, std::size_t part, co
 std::string tables(std::span<const Feature> features) {
   std::vector<std::string> layers{"0"};
   for (const Feature& feature : features) {
-    const std::string layer = layer_of(feature);
+    const std::string layer = dxf_layer(feature);
     if (std::find(layers.begin(), layers.end(), layer) == layers.end()) layers.push_back(layer);
   }
   std::string text = fmt::format(
@@ -86,7 +97,7 @@ Result<std::string> dxf(std::span<const Feature> given) {
   std::string text =
       "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1009\n0\nENDSEC\n" + tables(features) + "0\nSECTION\n2\nENTITIES\n";
   for (std::size_t i = 0; i < features.size(); ++i) {
-    const std::string layer = layer_of(features[i]);
+    const std::string layer = dxf_layer(features[i]);
     for (std::size_t part = 0; part < features[i].parts.size(); ++part) {
       DOBRA_TRY_VOID(check_finite(features[i].parts[part].points, item_of(i + 1, features[i])));
       append_part(text, features[i], part, layer);

@@ -129,6 +129,20 @@ Result<std::size_t> normalise(Feature& feature, const std::vector<std::size_t>& 
   return dropped;
 }
 
+std::string open_rings(const Feature& feature) {
+  if (feature.type != FeatureType::Polygons) return {};
+  std::vector<const Polyline*> open;
+  for (const Polyline& ring : feature.parts) {
+    if (!ring.points.empty() && ring.points.front() != ring.points.back()) open.push_back(&ring);
+  }
+  if (open.empty()) return {};
+  const geom::Point from = open.front()->points.back();
+  const geom::Point to = open.front()->points.front();
+  const std::string count = open.size() == 1 ? "a ring does" : fmt::format("{} rings do", open.size());
+  return fmt::format("{} not end at the first point; closed from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}){}", count, from.x,
+                     from.y, to.x, to.y, open.size() == 1 ? "" : " and so on");
+}
+
 std::vector<std::size_t> rings_of(const Feature& feature) {
   std::vector<std::size_t> rings;
   for (std::size_t i = 0; i < feature.parts.size(); ++i) {

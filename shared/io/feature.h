@@ -83,6 +83,10 @@ enum class Heights { Drop, Keep };
 /// @error                  NotFinite, DegenerateCurve with the place.
 base::Result<std::size_t> normalise(Feature& feature, const std::vector<std::size_t>& ring_of_polygon);
 
+/// Before `normalise`: that rings of a polygon do not repeat their first point at the end, and where the first of them
+/// is closed; empty where all do.
+std::string open_rings(const Feature& feature);
+
 /// Leaves x and y alone of a feature with heights, as normalise would have given it without them.
 /// @error DegenerateCurve with the place.
 base::Result<void> drop_heights(Feature& feature);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "shared/base/result.h"
+#include "shared/io/line_kinds.h"
 #include "shared/io/repair.h"
 #include "shared/io/section_plane.h"
 #include "shared/io/text_points.h"
@@ -53,8 +54,10 @@ struct LineOptions {
   double plane_tolerance = 1e-3;  ///< Largest misfit of the plane as a part of the length of the section, > 0.
   std::optional<YDirection> y_direction = std::nullopt;  ///< As the file says, else up.
   double y_reference = 0.0;                              ///< Down: y = y_reference - value, in units of the file.
-  std::optional<double> unit = std::nullopt;             ///< Metres in one unit; as the file says, else 1.
+  std::optional<double> unit = std::nullopt;             ///< Metres in one unit; as the file says, else silent_unit.
+  double silent_unit = 1.0;                              ///< Metres in one unit where nobody says.
   double exaggeration = 1.0;                             ///< Heights are stored this many times too large, > 0.
+  std::vector<KindRule> kinds = {};  ///< Kinds by names; the first rule that fits goes before what the file says.
   RepairOptions repair = {};
 };
 

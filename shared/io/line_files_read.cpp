@@ -61,9 +61,24 @@ namespace {
 
 // --- text
 
+// Whether the header says that the first two columns are x and height (as in what is written here), or that the third
+// holds names, which may be numbers.
+bool names_its_columns(const TextPoints& read, const TextPointsOptions& options) {
+  static constexpr std::array<std::string_view, 1> x_word{"x"};
+  static constexpr std::array<std::string_view, 1> z_word{"z"};
+  const std::vector<std::string>& names = options.name_columns;
+  const auto is_third = [&](const std::string& column) {
+    return column == "3" || (read.header.size() > 2 && column == read.header[2]);
+  };
+  if (std::any_of(names.begin(), names.end(), is_third)) return true;
+  if (read.header.size() < 3) return false;
+  return (is_word(read.header[0], x_word) && is_word(read.header[1], z_word)) ||
+         is_word(read.header[2], text_name_words) || is_word(read.header[2], text_kind_words);
+}
+
 // A third column of numbers may be the height of map coordinates, or anything else.
-std::optional<Question> question_of_columns(const TextPoints& read) {
-  if (!read.third_is_number) return std::nullopt;
+std::optional<Question> question_of_columns(const TextPoints& read, const TextPointsOptions& options) {
+  if (!read.third_is_number || names_its_columns(read, options)) return std::nullopt;
   std::string header;
   for (const std::string& name : read.header) header += (header.empty() ? ": " : ", ") + name;
   return Question{Question::About::Coordinates,
@@ -102,7 +117,7 @@ Result<Features> features_of_text(std::string_view given, const std::string& fil
   Features features{{}, std::move(read.remarks)};
   if (holes > 0) features.remarks.push_back(fmt::format("{}: {} lines HOLE taken for the beginnings of further lines", file, holes));
   if (!chosen && options.coordinates == Coordinates::Detect) {
-    if (auto question = question_of_columns(read)) features.stated.questions.push_back(*std::move(question));
+    if (auto question = question_of_columns(read, wanted)) features.stated.questions.push_back(*std::move(question));
   }
   for (std::size_t i = 0; i < read.lines.size(); ++i) {
     Feature feature;
@@ -230,14 +245,7 @@ Result<void> lay(Features& raw, const LineOptions& options, LineWork& work, cons
     DOBRA_TRY(work.trace, fit_trace(raw.features));
   }
   const Trace& trace = *work.trace;
-  double length = 0.0;
-  for (const Feature& feature : raw.features) {
-    for (const geom::Polyline& part : feature.parts) {
-      for (const Point p : part.points) {
-        length = std::max(length, std::abs(geom::dot({trace.east, trace.north}, p - Point{trace.x, trace.y})));
-      }
-    }
-  }
+  const double length = length_along(trace, raw.features);
   const std::string misfit = fmt::format(
       "the points lie up to {:.4g} m off the plane (root mean square {:.4g} m, "
       "length {:.6g} m)",
@@ -289,6 +297,7 @@ Result<LineWork> finish(Features raw, const std::string& file, LineFormat format
   if (raw.features.empty()) {
     return Error{ErrorCode::BadFormat, "there is no line, polygon or point in the file", Place{.file = file}};
   }
+  set_kinds(raw.features, options.kinds, file, work.remarks);
   if (auto checked = check_options(options); !checked) return base::located(checked.error(), Place{.file = file});
   DOBRA_TRY_VOID(check_answers(raw, options, file));
   DOBRA_TRY(const bool map, is_map(raw, options, file));
@@ -309,10 +318,14 @@ Result<LineWork> finish(Features raw, const std::string& file, LineFormat format
     work.remarks.push_back(fmt::format("{}: its heights are depths, as the file says", file));
   }
   DOBRA_TRY_VOID(turn_up(raw.features, options, work.y_direction));
-  work.unit = options.unit.value_or(raw.stated.unit.value_or(1.0));
+  work.unit = options.unit.value_or(raw.stated.unit.value_or(options.silent_unit));
   const double height_unit = options.unit.value_or(raw.stated.height_unit.value_or(work.unit));
   if (work.unit != 1.0 || height_unit != 1.0) DOBRA_TRY_VOID(to_metres(raw, work.unit, height_unit, file));
-  if (!options.unit && work.unit != 1.0) {
+  if (options.unit && raw.stated.unit && *options.unit != *raw.stated.unit) {
+    work.remarks.push_back(fmt::format("{}: the file says that its unit is {} m; it is taken as {} m, as asked for", file,
+                                       *raw.stated.unit, *options.unit));
+  }
+  if (!options.unit && raw.stated.unit && work.unit != 1.0) {
     work.remarks.push_back(fmt::format("{}: its unit is {} m, as the file says", file, work.unit));
   }
   if (map) {

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -8,6 +9,7 @@
 #include "shared/io/geojson.h"
 #include "shared/io/gocad.h"
 #include "shared/io/line_files.h"
+#include "shared/io/line_kinds.h"
 #include "shared/io/move_ascii.h"
 #include "shared/io/ogr_file.h"
 #include "shared/io/scan.h"
@@ -67,7 +69,6 @@ Result<std::string> text_of(std::span<const Feature> given, bool map) {
 // --- what a format cannot hold
 
 struct Keeps {
-  bool names;
   bool properties;
   bool holes;
   bool points;
@@ -76,54 +77,91 @@ struct Keeps {
 Keeps keeps(LineFormat format) {
   switch (format) {
     case LineFormat::Text:
-      return {true, false, false, false};
+      return {false, false, false};
     case LineFormat::Wkt:
-      return {false, false, true, true};
+      return {false, true, true};
     case LineFormat::Dxf:
-      return {true, false, false, false};
+      return {false, false, false};
     case LineFormat::MoveAscii:
     case LineFormat::Gocad:
-      return {true, false, false, true};
+      return {false, false, true};
     case LineFormat::GeoJson:
     case LineFormat::Shapefile:
     case LineFormat::GeoPackage:
       break;
   }
-  return {true, true, true, true};
+  return {true, true, true};
 }
 
 /// A name as it is read back.
-std::string name_in(LineFormat format, const std::string& name) {
-  if (format == LineFormat::MoveAscii) return move_name(name);
-  if (format == LineFormat::Gocad) return gocad_name(name);
-  return name;
+std::string name_in(LineFormat format, const Feature& feature) {
+  if (format == LineFormat::MoveAscii) return move_name(feature.name);
+  if (format == LineFormat::Gocad) return gocad_name(feature.name);
+  if (format != LineFormat::Dxf || feature.name.empty()) return feature.name;
+  const std::string layer = dxf_layer(feature);
+  return feature.name.starts_with(layer + ' ') ? feature.name : layer;  // "TOP 2" is on layer TOP
+}
+
+/// The layer of a drawing that the name of its line begins with.
+bool layer_is_in_name(const Feature& feature, const PropertyValue& value) {
+  const auto* layer = std::get_if<std::string>(&value);
+  return layer != nullptr && feature.name.starts_with(*layer);
+}
+
+/// Features whose names or kinds are lost: "'A' (horizon)".
+std::vector<std::string> unnamed_in(LineFormat format, std::span<const Feature> features) {
+  std::vector<std::string> lost;
+  for (const Feature& feature : features) {
+    const bool kind_kept = format != LineFormat::Wkt && known_kind(dxf_layer(feature)) == feature.kind;
+    const std::string kind = feature.kind.empty() || kind_kept ? "" : fmt::format("({})", feature.kind);
+    const bool name_lost = format == LineFormat::Wkt && !feature.name.empty();
+    if (!name_lost && kind.empty()) continue;
+    const std::string name = feature.name.empty() ? "one without a name" : shown(feature.name);
+    lost.push_back(kind.empty() ? name : name + ' ' + kind);
+  }
+  return lost;
+}
+
+/// Up to ten of them, and how many there are in all.
+std::string up_to_ten(const std::vector<std::string>& all) {
+  constexpr std::size_t most = 10;
+  if (all.size() <= most) return fmt::format("{}", fmt::join(all, ", "));
+  return fmt::format("{}, ... ({} in all)", fmt::join(all.begin(), all.begin() + most, ", "), all.size());
 }
 
 void remark_losses(std::span<const Feature> features, LineFormat format, std::vector<std::string>& remarks) {
   const Keeps kept = keeps(format);
-  std::size_t names = 0;
   std::size_t properties = 0;
   std::size_t holes = 0;
   std::size_t points = 0;
   std::vector<std::string> renamed;
   for (const Feature& feature : features) {
-    if (std::string name = name_in(format, feature.name); name != feature.name)
+    if (std::string name = name_in(format, feature); name != feature.name)
       renamed.push_back(fmt::format("{} becomes {}", shown(feature.name), shown(name)));
-    names += feature.name.empty() && feature.kind.empty() ? 0 : 1;
     for (const auto& [key, value] : feature.properties) {
       const bool own = (format == LineFormat::MoveAscii && (key == "id" || key == "attribute")) ||
-                       (format == LineFormat::Gocad && key == "geological_feature");
+                       (format == LineFormat::Gocad && key == "geological_feature") ||
+                       (key == "layer" && layer_is_in_name(feature, value));
       properties += own ? 0 : 1;
     }
     for (const geom::Polyline& part : feature.parts) holes += part.closed && geom::signed_area(part) < 0.0 ? 1 : 0;
     points += feature.type == FeatureType::Points ? 1 : 0;
   }
   const char* name = line_formats()[static_cast<std::size_t>(format)].name;
-  if (!kept.names && names > 0) remarks.push_back(fmt::format("names and kinds are not kept in {}", name));
+  if (format == LineFormat::Wkt || format == LineFormat::Dxf) {
+    if (const auto lost = unnamed_in(format, features); !lost.empty()) {
+      remarks.push_back(format == LineFormat::Wkt
+                            ? fmt::format("names and kinds are not kept in wkt: {}", up_to_ten(lost))
+                            : fmt::format("kinds are not kept in dxf: {}; on reading, --kind 'NAME*=KIND' gives them",
+                                          up_to_ten(lost)));
+    }
+  }
   if (!renamed.empty()) {
-    remarks.push_back(
-        fmt::format("{} names hold what {} cannot, a line break, a tab, a brace or a blank at an end: {}{}",
-                    renamed.size(), name, renamed.front(), renamed.size() > 1 ? ", ..." : ""));
+    remarks.push_back(fmt::format("{} names hold what {} cannot, {}: {}", renamed.size(), name,
+                                  format == LineFormat::Dxf
+                                      ? R"(a control character, a blank at an end or one of <>/\":;?*|=,`)"
+                                      : "a line break, a tab, a brace or a blank at an end",
+                                  up_to_ten(renamed)));
   }
   if (!kept.properties && properties > 0) {
     remarks.push_back(fmt::format("{} properties are not kept in {}", properties, name));

@@ -175,6 +175,31 @@ Result<MeshContents> read_mesh(const std::string& path) {
                fmt::format("{}: meshes are read from {}", path, fmt::join(mesh_read_endings(), " "))};
 }
 
+Result<void> add_note(const std::string& path, const std::string& note) {
+  struct Form {
+    const char* ending;
+    const char* behind;  ///< What the comment follows; empty: nothing.
+    const char* comment;
+  };
+  constexpr Form forms[] = {{".vtu", "\n", "<!-- {} -->\n"},
+                            {".msh", "$EndMeshFormat\n", "$Comments\n{}\n$EndComments\n"},
+                            {".msh2", "$EndMeshFormat\n", "$Comments\n{}\n$EndComments\n"},
+                            {".inp", "", "** {}\n"},
+                            {".bdf", "", "$ {}\n"},
+                            {".nas", "", "$ {}\n"},
+                            {".node", "", "# {}\n"},
+                            {".ele", "", "# {}\n"},
+                            {".poly", "", "# {}\n"},
+                            {".obj", "", "# {}\n"}};
+  const std::string ending = ending_of(path);
+  const auto* form = std::find_if(std::begin(forms), std::end(forms), [&](const Form& own) { return ending == own.ending; });
+  if (form == std::end(forms)) return {};
+  DOBRA_TRY(std::string text, read_text(path));
+  const std::size_t at = text.find(form->behind);
+  if (at == std::string::npos) return {};
+  return write_text(path, text.insert(at + std::string(form->behind).size(), fmt::format(fmt::runtime(form->comment), note)));
+}
+
 std::vector<Error> inverted_elements(const MeshContents& contents) {
   const ElementMesh& mesh = contents.mesh;
   std::vector<std::uint8_t> clockwise(mesh.element_count(), 0);

@@ -41,6 +41,10 @@ base::Result<void> check_mesh_ending(const std::string& path);
 /// @error BadUsage for another ending; those of the writers.
 base::Result<void> write_mesh(const std::string& path, const mesh::ElementMesh& mesh);
 
+/// Puts a comment at the head of a mesh file, where its format has comments (.vtu .msh .inp .bdf .node .ele .poly .obj).
+/// @error those of read_text and write_text.
+base::Result<void> add_note(const std::string& path, const std::string& note);
+
 /// What write_mesh leaves out or renames for the format of that ending, one line each, for the user.
 std::vector<std::string> losses(const std::string& path, const mesh::ElementMesh& mesh);
 

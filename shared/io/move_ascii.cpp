@@ -8,6 +8,7 @@
 
 #include "shared/base/text.h"
 #include "shared/io/file.h"
+#include "shared/io/line_kinds.h"
 #include "shared/io/scan.h"
 
 namespace dobra::io {
@@ -18,8 +19,6 @@ using base::Place;
 using base::Result;
 
 namespace {
-
-constexpr std::array<std::string_view, 4> known_kinds{"horizon", "fault", "unit", "marker"};
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \r\v\f");
@@ -108,9 +107,8 @@ class Reader {
     feature.source = Place{.file = file_, .line = begin_};
     feature.name = name_;
     if (!id_.empty()) feature.properties.emplace_back("id", id_value());
-    if (std::find(known_kinds.begin(), known_kinds.end(), attribute_) != known_kinds.end() && !varies_)
-      feature.kind = attribute_;
-    else if (!attribute_.empty() && !varies_)
+    feature.kind = varies_ ? "" : known_kind(attribute_).value_or("");
+    if (feature.kind.empty() && !attribute_.empty() && !varies_)
       feature.properties.emplace_back("attribute", attribute_);
     varying_ += varies_ ? 1 : 0;
     const std::size_t count = heights_.size();
@@ -186,7 +184,8 @@ Result<std::string> move_ascii(std::span<const Feature> given) {
     const Feature& feature = features[i];
     std::string id = move_name(property(feature, "id"));
     if (id.empty()) id = fmt::format("{}", i + 1);
-    const std::string attribute = feature.kind.empty() ? property(feature, "attribute") : feature.kind;
+    std::string attribute = feature.kind.empty() ? property(feature, "attribute") : feature.kind;
+    attribute = known_kind(attribute).value_or(attribute);  // as it is read back
     const std::string tail = '\t' + move_name(feature.name) + '\t' + id + '\t' + move_name(attribute) + '\n';
     for (std::size_t part = 0; part < feature.parts.size(); ++part) {
       const std::vector<geom::Point>& points = feature.parts[part].points;

@@ -118,6 +118,8 @@ Result<void> add_ogr_feature(const OGRFeature& source, std::size_t number, const
   if (three_dimensional && heights == Heights::Drop) {
     result.remarks.push_back(fmt::format("{}: {}: third coordinates dropped", file, place.item));
   }
+  if (const std::string open = open_rings(feature); !open.empty())
+    result.remarks.push_back(fmt::format("{}: {}: {}", file, place.item, open));
   const Result<std::size_t> repeated = normalise(feature, rings);
   if (!repeated) return base::located(repeated.error(), place);
   if (*repeated > 0) {

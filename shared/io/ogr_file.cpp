@@ -51,7 +51,7 @@ void note_system(OGRLayer& layer, StatedConvention& stated) {
     return;
   }
   const double unit = system->GetLinearUnits(nullptr);
-  if (std::isfinite(unit) && unit > 0.0 && unit != 1.0) stated.unit = unit;
+  if (std::isfinite(unit) && unit > 0.0) stated.unit = unit;
 }
 
 bool is_empty(const Feature& feature) { return feature.parts.empty() || feature.parts[0].points.empty(); }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace dobra::io {
@@ -86,6 +87,14 @@ Trace with_misfit(Trace trace, const std::vector<Feature>& features) {
   return trace;
 }
 
+double length_along(const Trace& trace, const std::vector<Feature>& features) {
+  geom::Box along;
+  for_each_point(features, [&](Point p) {
+    along.add(Point{geom::dot({trace.east, trace.north}, p - Point{trace.x, trace.y}), 0.0});
+  });
+  return along.width();
+}
+
 namespace {
 
 /// Puts every point where `place` says, by its place on the map and its height.
@@ -129,6 +138,18 @@ Result<void> project_along(std::vector<Feature>& features, const FoldAxis& axis)
     return Point{geom::dot(place, level), geom::dot(place, rise) + upwards * height};
   });
 }
+
+std::pair<std::string, std::string> ends_of(base::Angle azimuth) {
+  static constexpr std::array<const char*, 16> points{"N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE",
+                                                      "S", "SSW", "SW", "WSW", "W", "WNW", "NW", "NNW"};
+  const auto sixteenth = static_cast<long>(std::lround(azimuth.degrees() / 22.5));
+  const auto towards = static_cast<std::size_t>((sixteenth % 16 + 16) % 16);
+  return {points[(towards + 8) % 16], points[towards]};
+}
+
+base::Angle azimuth_of(const Trace& trace) { return base::Angle::from_radians(std::atan2(trace.east, trace.north)); }
+
+base::Angle azimuth_of(const FoldAxis& axis) { return axis.trend + base::Angle::from_degrees(90.0); }
 
 std::vector<Feature> out_of_plane(std::vector<Feature> features, const Trace& trace) {
   for (Feature& feature : features) {

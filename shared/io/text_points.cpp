@@ -183,8 +183,8 @@ Result<Columns> resolve(const TextPointsOptions& options, const std::vector<Word
   }
   if (!options.name_columns.empty() || !has_header) return made;
   for (std::size_t i = 0; i < header.size(); ++i) {
-    if (header[i].text == "name") made.names = {i + 1};
-    if (header[i].text == "kind") made.kind = i + 1;
+    if (is_word(header[i].text, text_name_words)) made.names = {i + 1};
+    if (is_word(header[i].text, text_kind_words)) made.kind = i + 1;
   }
   return made;
 }
@@ -375,6 +375,13 @@ class Reader {
 };
 
 }  // namespace
+
+bool is_word(std::string_view text, std::span<const std::string_view> words) {
+  const auto same = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; };
+  return std::any_of(words.begin(), words.end(), [&](std::string_view word) {
+    return std::equal(text.begin(), text.end(), word.begin(), word.end(), same);
+  });
+}
 
 Result<TextPoints> parse_text_points(std::string_view text, const std::string& file, const TextPointsOptions& options) {
   DOBRA_TRY_VOID(check_text(text, file));

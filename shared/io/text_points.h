@@ -2,6 +2,7 @@
 // Lines as columns of numbers: "x y", CSV, TSV and the like, one point a line. Digitised sections come this way.
 // Comment lines start with '#'; LF, CRLF and CR line ends and a byte order mark are read; the decimal sign is '.'.
 
+#include <array>
 #include <span>
 #include <string>
 #include <string_view>
@@ -22,13 +23,19 @@ enum class Rows { Consecutive, Gathered };
 /// Whether a last point equal to the first closes the line (the repeated point is then dropped).
 enum class Closing { KeepOpen, WhenFirstPointRepeats };
 
+/// How a header calls the columns of names and of kinds, capitals or not.
+inline constexpr std::array<std::string_view, 2> text_name_words{"name", "nome"};
+inline constexpr std::array<std::string_view, 1> text_kind_words{"kind"};
+/// Capitals do not count.
+bool is_word(std::string_view text, std::span<const std::string_view> words);
+
 struct TextPointsOptions {
   Separator separator = Separator::Detect;  ///< Blank: any run of spaces and tabs.
   Header header = Header::Detect;
   /// The columns of x and y, or of x, y and a height: numbers from 1, or names that stand in the header.
   std::vector<std::string> columns = {"1", "2"};
-  /// Columns, as above, whose texts together name a line: it ends where they change. A header's "name" and "kind" are
-  /// name and kind of themselves where this is empty.
+  /// Columns, as above, whose texts together name a line: it ends where they change. A header's "name" and "kind"
+  /// (capitals or not) are name and kind of themselves where this is empty.
   std::vector<std::string> name_columns = {};
   /// Further columns of numbers, as above, such as errors; a row that is too short has 0 there.
   std::vector<std::string> extra_columns = {};

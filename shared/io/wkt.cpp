@@ -46,6 +46,7 @@ class Reader {
       skip_blanks();
       if (peek() == ';') ++at_;
     }
+    result.remarks = std::move(open_);
     if (dropped_coordinates_ > 0) {
       result.remarks.push_back(
           fmt::format("{}: third and further coordinates of {} points dropped", file_, dropped_coordinates_));
@@ -113,6 +114,8 @@ class Reader {
     at_ = before;
     std::vector<std::size_t> ring_of_polygon;
     if (auto read = body(*kind, feature, ring_of_polygon); !read) return read.error();
+    if (const std::string open = open_rings(feature); !open.empty())
+      open_.push_back(fmt::format("{}:{}: {}", file_, start.line, open));
     Result<std::size_t> repeated = normalise(feature, ring_of_polygon);
     if (!repeated) return base::located(repeated.error(), start);
     repeated_ += *repeated;
@@ -189,6 +192,7 @@ class Reader {
   std::size_t at_ = 0;
   std::size_t dropped_coordinates_ = 0;
   std::size_t repeated_ = 0;
+  std::vector<std::string> open_;  ///< Remarks on rings that were closed.
 };
 
 std::string points_text(const Polyline& part) {

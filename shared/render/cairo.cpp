@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,15 +27,32 @@ cairo_status_t append(void* bytes, const unsigned char* data, unsigned int count
 
 scene::Layout layout_of(const scene::Picture& picture, const std::optional<scene::PageSize>& page) {
   const scene::TextMeasure measure = cairo_text_measure();
-  return scene::layout(picture, page ? *page : scene::suggested_page(picture, usual_width, measure), {}, measure);
+  const double width = scene::usual_width(picture);
+  return scene::layout(picture, page ? *page : scene::suggested_page(picture, width, measure), {}, measure);
 }
 
-/// Paints on a surface and ends it; the status of whatever failed first.
-cairo_status_t paint_on(const Surface& surface, const scene::Picture& picture, const scene::Layout& layout,
+/// The pages of a document. Those on paper have its format, also where a picture by itself would be lower.
+std::vector<scene::Layout> pages_of(const scene::Picture& picture, const std::optional<scene::PageSize>& page) {
+  if (picture.paper == scene::Paper::ToContent) return {layout_of(picture, page)};
+  const scene::TextMeasure measure = cairo_text_measure();
+  scene::LayoutOptions options;
+  options.long_tables = scene::LongTables::NextPages;
+  const double width = page ? page->width : scene::a4_landscape.width;
+  const scene::PageSize paper{width, width / scene::a4_landscape.width * scene::a4_landscape.height};
+  std::vector<scene::Layout> pages{scene::layout(picture, paper, {}, measure, options)};
+  if (!pages.front().tables_on_next_pages) return pages;
+  for (scene::Layout& further : scene::table_pages(picture, paper, measure, options)) pages.push_back(std::move(further));
+  return pages;
+}
+
+/// Paints the first page with the picture, and further ones, and ends the surface; the status of whatever failed first.
+cairo_status_t paint_on(const Surface& surface, const scene::Picture& picture, std::span<const scene::Layout> pages,
                         TextAs text) {
   const Context context(cairo_create(surface.get()), cairo_destroy);
-  paint(context.get(), picture, layout, text);
-  cairo_show_page(context.get());
+  for (const scene::Layout& page : pages) {
+    paint(context.get(), &page == &pages.front() ? picture : scene::Picture{}, page, text);
+    cairo_show_page(context.get());
+  }
   cairo_surface_finish(surface.get());
   const cairo_status_t status = cairo_status(context.get());
   return status == CAIRO_STATUS_SUCCESS ? cairo_surface_status(surface.get()) : status;
@@ -141,7 +159,7 @@ base::Result<void> write_svg(const scene::Picture& picture, const std::filesyste
   std::string bytes;
   const Surface surface(cairo_svg_surface_create_for_stream(append, &bytes, layout.page.width, layout.page.height),
                         cairo_surface_destroy);
-  const cairo_status_t status = paint_on(surface, picture, layout, TextAs::NotDrawn);
+  const cairo_status_t status = paint_on(surface, picture, {&layout, 1}, TextAs::NotDrawn);
   if (status != CAIRO_STATUS_SUCCESS) return cannot_draw(path, cairo_status_to_string(status));
   bytes = with_own_numbers(bytes);
   add_svg_text(layout, bytes);
@@ -150,16 +168,17 @@ base::Result<void> write_svg(const scene::Picture& picture, const std::filesyste
 
 base::Result<void> write_pdf(const scene::Picture& picture, const std::filesystem::path& path,
                              const std::optional<scene::PageSize>& page) {
-  const scene::Layout layout = layout_of(picture, page);
+  const std::vector<scene::Layout> pages = pages_of(picture, page);
+  const scene::PageSize& size = pages.front().page;
   std::string bytes;
-  const Surface surface(cairo_pdf_surface_create_for_stream(append, &bytes, layout.page.width, layout.page.height),
+  const Surface surface(cairo_pdf_surface_create_for_stream(append, &bytes, size.width, size.height),
                         cairo_surface_destroy);
   // cairo puts the time of day here by itself; the same picture must give the same bytes.
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
   if (!picture.title.empty()) {
     cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, picture.title.c_str());
   }
-  const cairo_status_t status = paint_on(surface, picture, layout, TextAs::Glyphs);
+  const cairo_status_t status = paint_on(surface, picture, pages, TextAs::Glyphs);
   if (status != CAIRO_STATUS_SUCCESS) return cannot_draw(path, cairo_status_to_string(status));
   return io::write_file(path, bytes);
 }

@@ -10,9 +10,8 @@
 
 namespace dobra::render {
 
-/// Without a page, the picture takes suggested_page() of this width, points.
-constexpr double usual_width = 720.0;
-
+/// Without a page, the picture takes suggested_page() of its usual_width(). A PDF on A4Landscape has pages of that
+/// format, the tables on further ones where they are too long for the first.
 /// Each writes the whole file or none.
 /// @error  CannotWrite naming the file; CannotDraw if cairo fails or the picture would be too large for it.
 /// @cost   O(points + triangles).

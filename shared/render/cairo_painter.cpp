@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "shared/render/cairo_pattern.h"
 #include "shared/scene/color_map.h"
 #include "shared/scene/fill.h"
 
@@ -83,7 +84,9 @@ class LayerPainter {
       if (!style_.fill) break;
       for (const geom::Polyline& contour : region.contours) add_loop(contour.points);
       set_color(context_, *style_.fill);
-      cairo_fill(context_);
+      cairo_fill_preserve(context_);
+      fill_with_pattern(context_, style_.pattern);
+      cairo_new_path(context_);
     }
     if (style_.line_width <= 0.0) return;
     for (const scene::Region& region : content.regions) {
@@ -258,7 +261,9 @@ class MarkPainter {
     if (mark.fill) {
       add_box(context_, mark.box);
       set_color(context_, *mark.fill);
-      cairo_fill(context_);
+      cairo_fill_preserve(context_);
+      fill_with_pattern(context_, mark.pattern);
+      cairo_new_path(context_);
     }
     if (mark.line_width <= 0.0) return;
     add_box(context_, mark.box);
@@ -271,6 +276,13 @@ class MarkPainter {
   void operator()(const scene::DiscMark& mark) const {
     cairo_new_sub_path(context_);
     cairo_arc(context_, mark.centre.x, mark.centre.y, 0.5 * mark.diameter, 0.0, 2.0 * std::numbers::pi);
+    set_color(context_, mark.fill);
+    cairo_fill(context_);
+  }
+
+  void operator()(const scene::TriangleMark& mark) const {
+    for (const Point& corner : mark.corners) cairo_line_to(context_, corner.x, corner.y);
+    cairo_close_path(context_);
     set_color(context_, mark.fill);
     cairo_fill(context_);
   }

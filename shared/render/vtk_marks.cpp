@@ -94,6 +94,11 @@ class Shapes {
     for (int i = 0; i < sides; ++i) add_triangle({middle, rim(i), rim(i + 1)}, {mark.fill, mark.fill, mark.fill});
   }
 
+  void operator()(const scene::TriangleMark& mark) {
+    add_triangle({pixel(mark.corners[0]), pixel(mark.corners[1]), pixel(mark.corners[2])},
+                 {mark.fill, mark.fill, mark.fill});
+  }
+
   void operator()(const scene::GradientMark& mark) {
     constexpr int parts = 64;
     const geom::Box all = pixels(mark.box);

@@ -141,7 +141,7 @@ base::Result<void> write_pixels(vtkGenericOpenGLRenderWindow& window, int width,
 base::Result<void> write_png_vtk(const scene::Picture& picture, const std::filesystem::path& path,
                                  const std::optional<scene::PageSize>& page, double pixels_per_point) {
   const scene::TextMeasure measure = vtk_text_measure(pixels_per_point);
-  const scene::PageSize asked = page ? *page : scene::suggested_page(picture, usual_width, measure);
+  const scene::PageSize asked = page ? *page : scene::suggested_page(picture, scene::usual_width(picture), measure);
   const scene::PageSize size = scene::layout(picture, asked, {}, measure).page;
   const double width = std::ceil(size.width * pixels_per_point);
   const double height = std::ceil(size.height * pixels_per_point);

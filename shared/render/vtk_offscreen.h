@@ -10,7 +10,7 @@
 namespace dobra::render {
 
 /// The picture as the window draws it, as a PNG file that is written whole or not at all.
-/// @param page              by default suggested_page() of 720 points.
+/// @param page              by default suggested_page() of the picture's usual width.
 /// @param pixels_per_point  2 is 144 dots an inch.
 /// @error  CannotDraw if EGL or OpenGL 3.2 is not there, or the picture is larger than OpenGL can draw; CannotWrite.
 base::Result<void> write_png_vtk(const scene::Picture& picture, const std::filesystem::path& path,

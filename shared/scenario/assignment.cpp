@@ -72,8 +72,12 @@ base::Result<Document> with_value(Document document, const Program& program, con
     DOBRA_TRY_VOID(assign(document.input, program.input_fields, path, 1, text, assignment));
     return document;
   }
+  if (path.size() == 1 && (path[0] == "unit_system" || path[0] == "result_units")) {
+    if (const auto set = set_units(document, path[0], text); !set) return Error{set.error().code, "--set " + set.error().message};
+    return document;
+  }
   if (path[0] != "steps") {
-    static const std::vector<std::string> roots = {"input", "steps"};
+    static const std::vector<std::string> roots = {"input", "steps", "unit_system", "result_units"};
     std::string hint = base::did_you_mean(path[0], roots);
     if (hint.empty()) hint = "; a path starts with input or steps";
     return bad_usage(assignment, fmt::format("unknown path '{}'{}", path[0], hint));

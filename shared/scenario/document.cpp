@@ -28,7 +28,9 @@ std::vector<Field> top_fields() {
   Field version{"dobra", Kind::Integer, {.help = "Format version.", .presence = Presence::Required}, {}, {}, {}};
   Field program{"program", Kind::Text, {.help = "recon or quebra.", .presence = Presence::Required}, {}, {}, {}};
   Field title{"title", Kind::Text, {}, {}, {}, {}};
-  return {version, program, title};
+  Field units{"unit_system", Kind::Text, {.help = "Of every number of the file."}, {}, {}, {}};
+  Field results{"result_units", Kind::Text, {.help = "Of the results, where they are to differ."}, {}, {}, {}};
+  return {version, program, title, units, results};
 }
 
 base::Result<void> read_top(const Table& top, Document& document) {
@@ -43,6 +45,12 @@ base::Result<void> read_top(const Table& top, Document& document) {
   document.program = std::get<std::string>(*top.find("program"));
   if (const Value* title = top.find("title")) document.title = std::get<std::string>(*title);
   document.comment = top.comment;
+  for (const char* key : {"unit_system", "result_units"}) {
+    const Value* text = top.find(key);
+    if (text == nullptr) continue;
+    if (const auto set = set_units(document, key, std::get<std::string>(*text)); !set)
+      return base::located(set.error(), top.place(key));
+  }
   return {};
 }
 
@@ -172,6 +180,8 @@ std::string document_text(const Document& document) {
   out += entry_toml("dobra", Document::current_version);
   out += entry_toml("program", document.program);
   if (!document.title.empty()) out += entry_toml("title", document.title);
+  if (!document.units.si()) out += entry_toml("unit_system", document.units.text());
+  if (document.result_units) out += entry_toml("result_units", document.result_units->text());
   if (!document.input.empty() || !document.input_comment.empty()) {
     out += '\n' + comment_toml(document.input_comment) + "[input]\n" + table_toml(document.input, "input");
   }
@@ -187,6 +197,14 @@ std::string document_text(const Document& document) {
 
 base::Result<void> write_document(const Document& document, const std::filesystem::path& file) {
   return io::write_file(file, document_text(document));
+}
+
+base::Result<void> set_units(Document& document, const std::string& key, const std::string& text) {
+  const auto made = UnitSystem::make(text);
+  if (!made) return Error{made.error().code, key + made.error().message};
+  if (key == "unit_system") document.units = *made;
+  else document.result_units = *made;
+  return {};
 }
 
 std::string step_label(const Document& document, std::size_t number) {

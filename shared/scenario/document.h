@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "shared/base/result.h"
+#include "shared/scenario/units.h"
 #include "shared/scenario/value.h"
 
 namespace dobra::scenario {
@@ -38,6 +39,8 @@ struct Document {
 
   std::string program;  ///< "recon" or "quebra".
   std::string title;
+  UnitSystem units;                        ///< Of every number of the document.
+  std::optional<UnitSystem> result_units;  ///< Of the results, where they are to differ.
   Table input;  ///< Nested tables ([[input.horizon]]) are values of kind Tables.
   std::vector<Step> steps;
   std::vector<Expect> expects;
@@ -46,6 +49,7 @@ struct Document {
   std::string end_comment;     ///< Comment lines after everything else.
   std::filesystem::path file;  ///< Where it was read from or saved to; empty if neither.
 
+  [[nodiscard]] const UnitSystem& shown_units() const { return result_units ? *result_units : units; }
   /// Relative paths in the document start here.
   [[nodiscard]] std::filesystem::path folder() const { return file.parent_path(); }
 };
@@ -66,6 +70,9 @@ std::string document_text(const Document& document);
 /// Writes aside, then renames.
 /// @error CannotWrite
 base::Result<void> write_document(const Document& document, const std::filesystem::path& file);
+
+/// Sets unit_system or result_units, whichever `key` is. @error that of UnitSystem::make, naming the key.
+base::Result<void> set_units(Document& document, const std::string& key, const std::string& text);
 
 /// "step 2 (grid)", as steps are called in messages. @param number 1-based.
 std::string step_label(const Document& document, std::size_t number);

@@ -323,7 +323,7 @@ std::string field_summary(const Field& field) {
   if (options.above) out += " > " + plain(*options.above);
   if (options.at_least) out += " >= " + plain(*options.at_least);
   if (options.at_most) out += (options.above || options.at_least ? " and <= " : " <= ") + plain(*options.at_most);
-  if (options.unit[0] != '\0') out += fmt::format(" [{}]", options.unit);
+  if (!options.unit.empty()) out += fmt::format(" [{}]", options.unit);
   if (options.presence == Presence::Required) return out + ", required";
   if (field.default_value) out += ", default " + value_toml(*field.default_value);
   return out;

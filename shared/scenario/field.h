@@ -37,7 +37,8 @@ enum class Presence { Optional, Required };
 struct FieldOptions {
   const char* title = "";                         ///< Short, shown in forms; English source text.
   const char* help = "";                          ///< One sentence.
-  const char* unit = "";                          ///< "m", "MPa"; empty if none.
+  /// Of the number in SI, "m", "Pa"; empty if none. One that goes by a choice is written "Pa, N if kind = force".
+  std::string unit = "";
   std::optional<double> above = std::nullopt;     ///< Exclusive lower bound.
   std::optional<double> at_least = std::nullopt;  ///< Inclusive lower bound.
   std::optional<double> at_most = std::nullopt;   ///< Inclusive upper bound.

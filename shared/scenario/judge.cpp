@@ -43,6 +43,20 @@ Verdict judge_one(const Expect& expect, const std::vector<Quantity>& quantities)
   return verdict;
 }
 
+/// An expectation, which is in the units of the document, in those of the results.
+Expect in_result_units(Expect expect, const std::vector<Quantity>& quantities, const Document& document) {
+  const auto quantity =
+      std::find_if(quantities.begin(), quantities.end(), [&](const Quantity& q) { return q.name == expect.quantity; });
+  if (!document.result_units || quantity == quantities.end()) return expect;
+  const std::string si = document.shown_units().si_of(quantity->unit);
+  const auto turned = [&](double value) { return document.shown_units().from_si(document.units.to_si(value, si), si); };
+  for (std::optional<double>* value : {&expect.value, &expect.at_least, &expect.at_most}) {
+    if (*value) *value = turned(**value);
+  }
+  expect.tolerance = turned(expect.tolerance);
+  return expect;
+}
+
 }  // namespace
 
 std::vector<Verdict> judge(const Document& document, const Program& program, const Run& run) {
@@ -56,7 +70,8 @@ std::vector<Verdict> judge(const Document& document, const Program& program, con
       verdicts.push_back(std::move(verdict));
       continue;
     }
-    verdicts.push_back(judge_one(expect, program.quantities_of(run.states[*step])));
+    const std::vector<Quantity> quantities = program.quantities_of(run.states[*step]);
+    verdicts.push_back(judge_one(in_result_units(expect, quantities, document), quantities));
   }
   return verdicts;
 }

@@ -62,9 +62,12 @@ base::Result<const Operation*> operation_of(const Document& document, std::size_
 }
 
 base::Result<void> check_program(const Document& document, const Program& program) {
-  if (document.program == program.name) return {};
   base::Place place;
   place.file = document.file.string();
+  if (document.program == program.name) {
+    if (program.takes_units == TakesUnits::Any || (document.units.si() && document.shown_units().si())) return {};
+    return Error{ErrorCode::BadValue, fmt::format("unit_system and result_units are of scenarios of quebra; those of {} are in metres: leave them out", program.name), place};
+  }
   return Error{ErrorCode::WrongProgram,
                fmt::format("this scenario is for '{}', not for '{}'; run it with {}", document.program, program.name,
                            document.program),

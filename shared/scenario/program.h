@@ -32,6 +32,8 @@ const Model& model_of(const State& state) {
 /// What surrounds a run.
 struct Context {
   std::filesystem::path folder;  ///< Relative file names start here.
+  UnitSystem units = {};         ///< Of the document, and so of files that do not say theirs. Parameters come in SI.
+  UnitSystem shown_units = {};   ///< In which pictures, quantities, tables and exchange files are to be.
 };
 
 /// One thing that a user can do to a model: a pure function of the model and the parameters.
@@ -80,9 +82,12 @@ struct Output {
   std::vector<std::string> losses = {};  ///< What the file leaves out or renames, a line each, for the user.
 };
 
+enum class TakesUnits { SiOnly, Any };
+
 struct Program {
   std::string name;   ///< "recon"
   std::string title;  ///< "RECON"
+  TakesUnits takes_units = TakesUnits::SiOnly;
   std::vector<Field> input_fields;
   std::function<base::Result<State>(const Table& input, const Context&, const base::Progress&)> read_input;
   std::vector<Operation> operations;

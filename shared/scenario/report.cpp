@@ -132,12 +132,14 @@ std::string report_json(const Document& document, const Program& program, const 
   report["program"] = program.name;
   report["version"] = DOBRA_VERSION;
   report["title"] = document.title;
+  if (!document.units.si()) report["unit_system"] = document.units.text();
+  if (document.result_units) report["result_units"] = document.result_units->text();
   report["complete"] = run.complete();
   if (run.complete()) {
     if (const auto met = reached(program, run.states.back())) report["reached"] = *met;
   }
   if (!run.states.empty()) {
-    report["input"]["values"] = json_of(document.input, program.input_fields);
+    report["input"]["values"] = json_of(document.input, fields_in(program.input_fields, document.units));
     add_findings(program, run, 0, report["input"]);
   }
   report["steps"] = Json::array();
@@ -145,7 +147,7 @@ std::string report_json(const Document& document, const Program& program, const 
     const Step& step = document.steps[k - 1];
     Json json = {{"operation", step.operation}, {"name", step.name}};
     const Operation* operation = program.find_operation(step.operation);
-    json["values"] = json_of(step.params, operation->fields);
+    json["values"] = json_of(step.params, fields_in(operation->fields, document.units));
     add_findings(program, run, k, json);
     report["steps"].push_back(std::move(json));
   }

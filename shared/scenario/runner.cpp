@@ -58,6 +58,10 @@ std::string key_of(std::uint64_t before, const std::string& what, const Table& t
                      file_marks(table, fields, folder));
 }
 
+std::string input_key(const Context& context) {
+  return fmt::format("{} {} {}", context.folder.string(), context.units.text(), context.shown_units.text());
+}
+
 base::Place input_place(const Document& document) {
   base::Place place = document.input.own_place;
   if (place.file.empty()) place.file = document.file.string();
@@ -109,11 +113,12 @@ Run Runner::run(const Document& document, const base::Progress& progress) {
   computed_ = 0;
   ++runs_;
   std::uint64_t before = 0;
-  const Context context{document.folder()};
+  const Context context{document.folder(), document.units, document.shown_units()};
   const double total = static_cast<double>(document.steps.size() + 1);
   const auto fail = [&](std::size_t step, Error error) {
     run.failed_step = step;
-    run.error = base::located(std::move(error), step == 0 ? input_place(document) : step_place(document, step));
+    run.error = base::located(in_units(std::move(error), document.units),
+                              step == 0 ? input_place(document) : step_place(document, step));
   };
 
   /// State number k, 0 being the input.
@@ -130,15 +135,16 @@ Run Runner::run(const Document& document, const base::Progress& progress) {
     const Table& table = k == 0 ? document.input : document.steps[k - 1].params;
     const std::vector<Field>& fields = k == 0 ? program_.input_fields : operation->fields;
     const std::string key =
-        key_of(before, k == 0 ? context.folder.string() : operation->name, table, fields, context.folder);
+        key_of(before, k == 0 ? input_key(context) : operation->name, table, fields, context.folder);
     if (const State* known = recall(key, before)) {
       run.states.push_back(*known);
       return {};
     }
     const base::Progress part = progress.part(static_cast<double>(k) / total, static_cast<double>(k + 1) / total);
     part.report(0.0, k == 0 ? "input" : operation->title);
-    DOBRA_TRY(State state, k == 0 ? program_.read_input(table, context, part)
-                                  : operation->run(run.states.back(), table, context, part));
+    const Table si = in_si(table, fields, document.units);
+    DOBRA_TRY(State state, k == 0 ? program_.read_input(si, context, part)
+                                  : operation->run(run.states.back(), si, context, part));
     remember(key, state, before);
     run.states.push_back(std::move(state));
     return {};

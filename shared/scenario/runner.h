@@ -66,7 +66,7 @@ std::vector<Verdict> judge(const Document& document, const Program& program, con
 /// tables of the last state, expectations. Same run, same bytes: no times, no paths outside the document.
 std::string report_json(const Document& document, const Program& program, const Run& run);
 
-/// Changes one value: "steps.2.distance=0.4", "steps.NAME.distance=0.4", "input.depth=down".
+/// Changes one value: "steps.2.distance=0.4", "steps.NAME.distance=0.4", "input.depth=down", "unit_system=mm, N, MPa".
 /// @error BadUsage with a suggestion, BadValue.
 base::Result<Document> with_value(Document document, const Program& program, const std::string& assignment);
 

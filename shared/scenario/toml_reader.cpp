@@ -260,7 +260,8 @@ Error wrong_form(const toml::node& node, const std::string& file, std::string me
 
 base::Result<void> read_part(Reader& reader, const toml::key& key, const toml::node& node, const std::string& file,
                              ScenarioTables& out) {
-  static const std::array<std::string, 6> known = {"dobra", "program", "title", "input", "step", "expect"};
+  static const std::array<std::string, 8> known = {"dobra",        "program", "title", "unit_system",
+                                                   "result_units", "input",   "step",  "expect"};
   const std::string name(key.str());
   if (std::find(known.begin(), known.end(), name) == known.end()) {
     std::string message =
@@ -315,6 +316,27 @@ base::Result<ScenarioTables> read_scenario_tables(const std::string& text, const
   }
   out.end_comment = comments.end();
   return out;
+}
+
+base::Result<std::vector<Table>> read_rows(const std::string& text, const std::string& file, const std::string& key) {
+  const toml::parse_result parsed = toml::parse(text, file);
+  if (!parsed) {
+    return Error{ErrorCode::BadSyntax, syntax_message(parsed.error()), place_at(parsed.error().source(), file)};
+  }
+  Comments comments(text, parsed.table());
+  Reader reader(file, &comments);
+  std::vector<Table> rows;
+  for (auto&& [name, node] : parsed.table()) {
+    const auto* array = node.as_array();
+    const bool tables = array != nullptr && !array->empty() &&
+                        std::all_of(array->begin(), array->end(), [](const toml::node& row) { return row.is_table(); });
+    if (name.str() != key || !tables) {
+      return Error{ErrorCode::UnknownKey, fmt::format("'{}' is not known here; write [[{}]] tables", name.str(), key),
+                   place_at(name.source(), file)};
+    }
+    DOBRA_TRY(rows, reader.rows(*array, key));
+  }
+  return rows;
 }
 
 base::Result<Value> read_value(const std::string& text) {

@@ -23,6 +23,10 @@ struct ScenarioTables {
 /// tables, mixed lists).
 base::Result<ScenarioTables> read_scenario_tables(const std::string& text, const std::string& file);
 
+/// The tables under [[key]] of a file that holds nothing else.
+/// @error BadSyntax; UnknownKey for anything else at the top; BadValue as above.
+base::Result<std::vector<Table>> read_rows(const std::string& text, const std::string& file, const std::string& key);
+
 /// One value as it would stand behind "key = ".
 /// @error BadSyntax, BadValue
 base::Result<Value> read_value(const std::string& text);

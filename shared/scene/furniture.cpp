@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
-#include "shared/scene/color_map.h"
+#include "shared/base/text.h"
 
 namespace dobra::scene {
 namespace {
@@ -13,7 +14,6 @@ namespace {
 constexpr double swatch_width = 24.0;
 constexpr double swatch_gap = 6.0;
 constexpr double column_gap = 18.0;
-constexpr double bar_width = 13.0;
 
 enum class Swatch { Line, Marker, Area, Mesh, Values };
 
@@ -25,22 +25,24 @@ struct Entry {
 };
 
 bool same_scale(const Scale& a, const Scale& b) {
-  return a.title == b.title && a.map == b.map && a.low == b.low && a.high == b.high;
+  return a.title == b.title && a.map == b.map && a.low == b.low && a.high == b.high && a.ticks == b.ticks &&
+         a.least == b.least && a.greatest == b.greatest;
 }
 
 bool same_entry(const Entry& a, const Entry& b) {
   const Style& s = a.style;
   const Style& t = b.style;
   return a.title == b.title && a.swatch == b.swatch && s.line == t.line && s.line_width == t.line_width &&
-         s.dash == t.dash && s.fill == t.fill && s.marker_size == t.marker_size && a.scale.map == b.scale.map;
+         s.dash == t.dash && s.fill == t.fill && s.pattern == t.pattern && s.marker_size == t.marker_size &&
+         a.scale.map == b.scale.map;
 }
 
 /// What stands for a layer in the legend; nothing for labels and for layers without content.
 std::optional<Entry> entry_of(const Layer& layer) {
-  if (!layer.visible || layer.in_legend == InLegend::No || layer.title.empty() || extent(layer).empty()) {
+  if (!layer.visible || layer.in_legend == InLegend::No || legend_name(layer).empty() || extent(layer).empty()) {
     return std::nullopt;
   }
-  Entry entry{layer.title, Swatch::Line, layer.style, {}};
+  Entry entry{legend_name(layer), Swatch::Line, layer.style, {}};
   if (std::holds_alternative<Labels>(layer.content) || std::holds_alternative<Image>(layer.content))
     return std::nullopt;
   if (std::holds_alternative<Markers>(layer.content)) entry.swatch = Swatch::Marker;
@@ -80,7 +82,7 @@ void add_swatch(const Entry& entry, geom::Point left, std::vector<Mark>& marks) 
       marks.push_back(DiscMark{middle, std::min(style.marker_size, 9.0), style.line});
       return;
     case Swatch::Area:
-      marks.push_back(BoxMark{box, style.fill, style.line, width});
+      marks.push_back(BoxMark{box, style.fill, style.line, width, style.pattern});
       return;
     case Swatch::Values:
       marks.push_back(GradientMark{box, entry.scale.map, GradientMark::Direction::Right});
@@ -96,6 +98,68 @@ void add_swatch(const Entry& entry, geom::Point left, std::vector<Mark>& marks) 
   }
 }
 
+/// The entries of a legend in columns of equal width, read downwards.
+class LegendTable {
+ public:
+  LegendTable(const std::vector<Entry>& entries, const PageSize& room, const Font& font, const TextMeasure& measure)
+      : entries_(entries), font_(font), line_(measure("A", font).height()) {
+    double widest = 0.0;
+    std::size_t most_lines = 1;
+    for (const Entry& entry : entries) {
+      Font smaller = font;
+      lines_.push_back(wrapped(entry.title, std::max(room.width - lead, 40.0), smaller, measure));
+      fonts_.push_back(smaller);
+      for (const std::string& line : lines_.back()) widest = std::max(widest, measure(line, smaller).width);
+      most_lines = std::max(most_lines, lines_.back().size());
+    }
+    column_ = lead + widest + column_gap;
+    row_ = std::max(line_ + 1.0, line_ * static_cast<double>(most_lines)) + 3.0;
+    const auto columns = static_cast<std::size_t>(std::max(1.0, std::floor((room.width + column_gap) / column_)));
+    rows_ = (entries.size() + columns - 1) / columns;
+    if ((static_cast<double>(rows_) * row_ - 3.0) > room.height)
+      rows_ = static_cast<std::size_t>(std::max(1.0, std::floor((room.height + 3.0) / row_)));
+    shown_ = std::min(entries.size(), rows_ * columns);
+    if (shown_ < entries.size()) --shown_;  // the last place says how many more there are
+  }
+
+  [[nodiscard]] bool holds_all() const { return shown_ == entries_.size(); }
+
+  [[nodiscard]] Furniture furniture(const TextMeasure& measure) const {
+    Furniture made;
+    const std::size_t places = shown_ + (holds_all() ? 0 : 1);
+    for (std::size_t i = 0; i < places; ++i) {
+      const geom::Point left{static_cast<double>(i / rows_) * column_,
+                             static_cast<double>(i % rows_) * row_ + 0.5 * (row_ - 3.0)};
+      if (i < shown_) add_swatch(entries_[i], left, made.marks);
+      const std::vector<std::string> more{
+          fmt::format(fmt::runtime(base::translated("... {} more")), entries_.size() - shown_)};
+      const std::vector<std::string>& lines = i < shown_ ? lines_[i] : more;
+      double y = left.y - 0.5 * line_ * static_cast<double>(lines.size() - 1);
+      for (const std::string& line : lines) {
+        TextMark mark = text_mark(line, {left.x + (i < shown_ ? lead : 0.0), y}, i < shown_ ? fonts_[i] : font_, measure);
+        mark.at.x += 0.5 * mark.size.width;
+        made.marks.push_back(std::move(mark));
+        y += line_;
+      }
+    }
+    made.width = static_cast<double>((places + rows_ - 1) / rows_) * column_ - column_gap;
+    made.height = static_cast<double>(std::min(rows_, places)) * row_ - 3.0;
+    return made;
+  }
+
+ private:
+  static constexpr double lead = swatch_width + swatch_gap;
+  std::span<const Entry> entries_;
+  Font font_;
+  double line_;
+  std::vector<std::vector<std::string>> lines_;
+  std::vector<Font> fonts_;
+  double column_ = 0.0;
+  double row_ = 0.0;
+  std::size_t rows_ = 1;
+  std::size_t shown_ = 0;
+};
+
 std::string number_of(double value) {
   const std::string text = fmt::format("{:.6g}", value);
   return text.front() == '-' ? "\u2212" + text.substr(1) : text;
@@ -103,6 +167,7 @@ std::string number_of(double value) {
 
 geom::Vector offset_of(Anchor anchor, const TextSize& size, double gap) {
   switch (anchor) {
+    case Anchor::Callout:
     case Anchor::Centre:
       return {0.0, 0.0};
     case Anchor::Left:
@@ -117,6 +182,14 @@ geom::Vector offset_of(Anchor anchor, const TextSize& size, double gap) {
   return {0.0, 0.0};
 }
 
+/// A name has this much room round it, and moves at most so many of its heights.
+constexpr double name_border = 3.0;
+constexpr double name_reach = 3.5;
+
+NamePlace name_place(const Label& label, geom::Point at, const TextSize& size) {
+  return {at, label.anchor, size.width + 2.0 * name_border, size.height() + 2.0};
+}
+
 /// Moves a text that sticks out of `plot` inwards; false if it has no room in it at all.
 bool keep_inside(TextMark& mark, const geom::Box& plot) {
   const geom::Box box = box_of(Mark{mark});
@@ -125,6 +198,75 @@ bool keep_inside(TextMark& mark, const geom::Box& plot) {
   mark.at.y += std::max(0.0, plot.low.y - box.low.y) - std::max(0.0, box.high.y - plot.high.y);
   return true;
 }
+
+class LabelPlacer {
+ public:
+  LabelPlacer(const PanelLayout& place, const TextMeasure& measure, std::vector<Mark>& marks)
+      : place_(place), inner_(place.plot.grown(-2.0)), measure_(measure), marks_(marks) {}
+
+  /// Places a label that has room; names beside ends wait for each other.
+  void add(const Label& label, const Style& style) {
+    const geom::Point at = place_.transform.to_page(label.at);
+    const std::string text = text_of(label);
+    if (label.anchor == Anchor::Callout || !place_.plot.contains(at) || text.empty()) return;
+    TextMark mark = text_mark(text, at, {style.text_size, Weight::Regular}, measure_);
+    mark.color = style.line;
+    if (label.anchor == Anchor::Left || label.anchor == Anchor::Right) {
+      names_.push_back(name_place(label, at, mark.size));
+      waiting_.push_back(std::move(mark));
+      return;
+    }
+    mark.at = at + offset_of(label.anchor, mark.size, 3.0);
+    if (keep_inside(mark, inner_)) put(std::move(mark));
+  }
+
+  /// Of the labels placed so far.
+  [[nodiscard]] const std::vector<geom::Box>& taken() const { return taken_; }
+
+  void place_names() {
+    double line = 0.0;
+    for (NamePlace& name : names_) {
+      line = std::max(line, name.height);
+      // Where it would be cut off it stands over its end.
+      const double off = std::max(0.0, name.end.x + name.width - inner_.high.x);
+      if (name.side == Anchor::Right) name.end.x -= off;
+      if (name.side == Anchor::Left) name.end.x += std::max(0.0, inner_.low.x - name.end.x + name.width);
+    }
+    const auto boxes = places_of_names(names_, name_reach * line, inner_.low.y, inner_.high.y);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      if (!boxes[i]) continue;
+      TextMark& mark = waiting_[i];
+      const geom::Point end = mark.at;
+      mark.at = boxes[i]->centre();
+      if (keep_inside(mark, inner_)) put(std::move(mark), end);
+    }
+    names_.clear();
+    waiting_.clear();
+  }
+
+ private:
+  void put(TextMark mark, std::optional<geom::Point> end = std::nullopt) {
+    const geom::Box box = box_of(Mark{mark}).grown(1.0);
+    const auto overlaps = [&](const geom::Box& other) { return other.overlaps(box); };
+    if (std::any_of(taken_.begin(), taken_.end(), overlaps)) return;
+    taken_.push_back(box);
+    if (end && std::abs(mark.at.y - end->y) > 0.5 * box.height()) {
+      const geom::Point to{end->x < box.low.x ? box.low.x : std::min(box.high.x, end->x), mark.at.y};
+      marks_.push_back(LineMark{*end, to, mark.color, 0.5, Dash::Solid});
+    }
+    // Light behind the text keeps it readable over lines, in every drawer alike.
+    marks_.push_back(BoxMark{box, Color{255, 255, 255, 190}, {}, 0.0});
+    marks_.push_back(std::move(mark));
+  }
+
+  const PanelLayout& place_;
+  geom::Box inner_;
+  const TextMeasure& measure_;
+  std::vector<Mark>& marks_;
+  std::vector<geom::Box> taken_;
+  std::vector<NamePlace> names_;
+  std::vector<TextMark> waiting_;
+};
 
 }  // namespace
 
@@ -163,100 +305,43 @@ Furniture turned_heading(const std::string& text, double height, Font font, cons
   return made;
 }
 
-Furniture legend(const Picture& picture, double width, const Font& font, const TextMeasure& measure) {
-  struct Cell {
-    std::vector<std::string> lines;
-    Font font;
-  };
+Furniture legend(const Picture& picture, const PageSize& room, const Font& font, const TextMeasure& measure) {
   const std::vector<Entry> entries = entries_of(picture);
-  Furniture made;
-  if (entries.empty()) return made;
-  const double lead = swatch_width + swatch_gap;
-  std::vector<Cell> cells;
-  double widest = 0.0;
-  for (const Entry& entry : entries) {
-    Cell cell{{}, font};
-    cell.lines = wrapped(entry.title, std::max(width - lead, 40.0), cell.font, measure);
-    for (const std::string& line : cell.lines) widest = std::max(widest, measure(line, cell.font).width);
-    cells.push_back(std::move(cell));
-  }
-  const double column = lead + widest + column_gap;
-  const auto most = static_cast<std::size_t>(std::max(1.0, std::floor((width + column_gap) / column)));
-  const std::size_t rows = (entries.size() + most - 1) / most;
-  const std::size_t columns = (entries.size() + rows - 1) / rows;
-  made.width = static_cast<double>(columns) * column - column_gap;
-  for (std::size_t first = 0; first < entries.size(); first += columns) {
-    double row_height = 0.0;
-    for (std::size_t i = first; i < std::min(first + columns, entries.size()); ++i) {
-      const double x = static_cast<double>(i - first) * column;
-      const double line_height = measure("A", cells[i].font).height();
-      const double height = std::max(12.0, line_height * static_cast<double>(cells[i].lines.size()));
-      add_swatch(entries[i], {x, made.height + 0.5 * height}, made.marks);
-      double y = made.height + 0.5 * (height - line_height * static_cast<double>(cells[i].lines.size() - 1));
-      for (const std::string& line : cells[i].lines) {
-        TextMark mark = text_mark(line, {x + lead, y}, cells[i].font, measure);
-        mark.at.x += 0.5 * mark.size.width;
-        made.marks.push_back(std::move(mark));
-        y += line_height;
-      }
-      row_height = std::max(row_height, height);
-    }
-    made.height += row_height + 3.0;
-  }
-  made.height -= 3.0;
-  return made;
+  if (entries.empty()) return {};
+  LegendTable table(entries, room, font, measure);
+  // Small print before anything is left out.
+  if (!table.holds_all()) table = LegendTable(entries, room, {std::min(font.size, 7.0), font.weight}, measure);
+  return table.furniture(measure);
 }
 
-std::vector<Scale> scales_of(const Picture& picture) {
+std::vector<Scale> scales_of(const Panel& panel) {
   std::vector<Scale> scales;
-  for (const Panel& panel : picture.panels) {
-    for (const Layer& layer : panel.layers) {
-      const auto* mesh = std::get_if<Mesh>(&layer.content);
-      if (!layer.visible || mesh == nullptr || mesh->values_at == ValuesAt::None || mesh->triangles.empty()) continue;
-      const bool known =
-          std::any_of(scales.begin(), scales.end(), [&](const Scale& s) { return same_scale(s, mesh->scale); });
-      if (!known) scales.push_back(mesh->scale);
-    }
+  for (const Layer& layer : panel.layers) {
+    const auto* mesh = std::get_if<Mesh>(&layer.content);
+    if (!layer.visible || mesh == nullptr || mesh->values_at == ValuesAt::None || mesh->triangles.empty()) continue;
+    const bool known =
+        std::any_of(scales.begin(), scales.end(), [&](const Scale& s) { return same_scale(s, mesh->scale); });
+    if (!known) scales.push_back(mesh->scale);
   }
   return scales;
 }
 
-Furniture color_bar(const Scale& scale, double height, const Font& font, const TextMeasure& measure,
-                    double& title_height) {
-  Furniture made = heading(scale.title, 110.0, font, measure);
-  const Font small{font.size - 1.0, Weight::Regular};
-  const double half_line = 0.5 * measure("0", small).height();
-  // A tick label at the upper end of the bar reaches half a line above it.
-  const double top = made.height + half_line + 2.0;
-  title_height = top;
-  const geom::Box bar{{0.0, top}, {bar_width, top + height}};
-  made.marks.push_back(GradientMark{bar, scale.map, GradientMark::Direction::Up});
-  made.marks.push_back(BoxMark{bar, std::nullopt, frame_color, 0.75});
-  const double low = std::min(scale.low, scale.high);
-  const double high = std::max(scale.low, scale.high);
-  const auto line_height = [&](const std::string& label) { return measure(label, small).height(); };
-  for (const Tick& tick : ticks_that_fit(low, high, height, 4.0, 22.0, line_height)) {
-    const double y = bar.high.y - (high > low ? (tick.value - scale.low) / (scale.high - scale.low) : 0.5) * height;
-    made.marks.push_back(LineMark{{bar_width, y}, {bar_width + tick_length, y}, frame_color, 0.75, Dash::Solid});
-    TextMark label = text_mark(tick.label, {bar_width + tick_length + tick_gap, y}, small, measure);
-    label.at.x += 0.5 * label.size.width;
-    made.width = std::max(made.width, label.at.x + 0.5 * label.size.width);
-    made.marks.push_back(std::move(label));
-  }
-  // The title stands flush left with the bar.
-  for (Mark& mark : made.marks) {
-    auto* text = std::get_if<TextMark>(&mark);
-    if (text != nullptr && text->at.y < made.height) text->at.x = 0.5 * text->size.width;
-  }
-  made.height = bar.high.y + half_line;
-  return made;
+bool same_scales(const std::vector<Scale>& a, const std::vector<Scale>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_scale);
 }
 
-Furniture scale_bar(double points_per_world, const std::string& unit, const Font& font, const TextMeasure& measure) {
+std::string text_of(const Label& label) {
+  if (!label.value) return label.text;
+  return label.text + (label.text.empty() ? "" : " ") + short_number(*label.value);
+}
+
+Furniture scale_bar(double points_per_unit, const std::string& unit, const std::string& ratio, const Font& font,
+                    const TextMeasure& measure) {
   Furniture made;
-  const double world = nice_below(100.0 / points_per_world);
-  const double length = world * points_per_world;
-  TextMark text = text_mark(number_of(world) + (unit.empty() ? "" : " " + unit), {0.0, 6.0}, font, measure);
+  const double units = nice_below(100.0 / points_per_unit);
+  const double length = units * points_per_unit;
+  const std::string after = ratio.empty() ? "" : "   " + ratio;
+  TextMark text = text_mark(number_of(units) + (unit.empty() ? "" : " " + unit) + after, {0.0, 6.0}, font, measure);
   text.at.x = length + swatch_gap + 0.5 * text.size.width;
   made.width = length + swatch_gap + text.size.width;
   made.height = std::max(12.0, text.size.height());
@@ -277,47 +362,38 @@ std::string unit_of(const std::string& axis_title) {
 }
 
 void add_labels(const Panel& panel, const PanelLayout& place, const TextMeasure& measure, std::vector<Mark>& marks) {
-  std::vector<geom::Box> taken;
-  // Topmost layers choose first.
-  for (std::size_t i = panel.layers.size(); i-- > 0;) {
-    const Layer& layer = panel.layers[i];
-    const auto* content = std::get_if<Labels>(&layer.content);
-    if (!layer.visible || content == nullptr) continue;
-    for (const Label& label : content->labels) {
-      const geom::Point at = place.transform.to_page(label.at);
-      if (!place.plot.contains(at) || label.text.empty()) continue;
-      TextMark mark = text_mark(label.text, at, {layer.style.text_size, Weight::Regular}, measure);
-      mark.color = layer.style.line;
-      mark.at = at + offset_of(label.anchor, mark.size, 3.0);
-      if (!keep_inside(mark, place.plot.grown(-2.0))) continue;
-      geom::Box box = box_of(Mark{mark}).grown(1.0);
-      if (label.anchor == Anchor::Left || label.anchor == Anchor::Right) {
-        const geom::Box place_of = below_others(box, taken);
-        mark.at.y += place_of.low.y - box.low.y;
-        box = place_of;
+  LabelPlacer placer(place, measure, marks);
+  // Topmost layers choose first, names beside ends before all others.
+  for (const bool beside : {true, false}) {
+    for (std::size_t i = panel.layers.size(); i-- > 0;) {
+      const auto* content = std::get_if<Labels>(&panel.layers[i].content);
+      if (!panel.layers[i].visible || content == nullptr) continue;
+      for (const Label& label : content->labels) {
+        if ((label.anchor == Anchor::Left || label.anchor == Anchor::Right) == beside)
+          placer.add(label, panel.layers[i].style);
       }
-      const auto overlaps = [&](const geom::Box& other) { return other.overlaps(box); };
-      if (box.high.y > place.plot.high.y || std::any_of(taken.begin(), taken.end(), overlaps)) continue;
-      taken.push_back(box);
-      // Light behind the text keeps it readable over lines, in every drawer alike.
-      marks.push_back(BoxMark{box, Color{255, 255, 255, 190}, {}, 0.0});
-      marks.push_back(std::move(mark));
     }
+    placer.place_names();
   }
+  add_callouts(panel, place, measure, placer.taken(), marks);
 }
 
-geom::Box below_others(geom::Box name, const std::vector<geom::Box>& taken) {
-  constexpr int most_moves = 16;
-  constexpr double gap = 0.01;
-  for (int k = 0; k < most_moves; ++k) {
-    double free_from = name.low.y;
-    for (const geom::Box& other : taken) {
-      if (other.overlaps(name)) free_from = std::max(free_from, other.high.y + gap);
+std::vector<std::optional<geom::Box>> places_of_names(const Panel& panel, const Transform& transform, double widest,
+                                                      double low, double high, const TextMeasure& measure) {
+  std::vector<NamePlace> names;
+  double line = 0.0;
+  for (auto layer = panel.layers.rbegin(); layer != panel.layers.rend(); ++layer) {
+    const auto* content = std::get_if<Labels>(&layer->content);
+    if (!layer->visible || content == nullptr) continue;
+    for (const Label& label : content->labels) {
+      if (label.anchor != Anchor::Left && label.anchor != Anchor::Right) continue;
+      const TextSize size = measure(label.text, {layer->style.text_size, Weight::Regular});
+      if (label.text.empty() || size.width > widest) continue;  // wider than what it names: it has to stand over that
+      names.push_back(name_place(label, transform.to_page(label.at), size));
+      line = std::max(line, size.height());
     }
-    if (free_from == name.low.y) break;
-    name = {{name.low.x, free_from}, {name.high.x, free_from + name.height()}};
   }
-  return name;
+  return places_of_names(names, name_reach * line, low, high);
 }
 
 void add_axes(const PanelLayout& place, const std::vector<Tick>& x_ticks, const std::vector<Tick>& y_ticks,

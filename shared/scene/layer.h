@@ -26,6 +26,9 @@ struct Color {
 
 enum class Dash { Solid, Dashed, Dotted };
 
+/// What is drawn over the fill of regions, in thin dark lines: the usual signs of rocks. Cairo draws them.
+enum class Pattern { None, Dots, Bricks, Dashes, Hatch, BackHatch, CrossHatch, Circles, Crosses, Vees };
+
 /// Sizes are typographic points (1/72 inch) on paper and device-independent pixels on a screen.
 struct Style {
   Color line{};             ///< Colour of lines, outlines, markers and text.
@@ -34,6 +37,7 @@ struct Style {
   std::optional<Color> fill = std::nullopt;  ///< Interior of regions.
   double marker_size = 5.0;                  ///< Diameter of markers.
   double text_size = 9.0;
+  Pattern pattern = Pattern::None;  ///< Over the interior of regions.
 };
 
 /// Open or closed lines. Item i of every content has the identity `ids[i]`, or i where ids is empty.
@@ -64,12 +68,19 @@ enum class ColorMapName {
   Quality
 };  ///< Quality: red (bad) over yellow to blue-green (good).
 
+/// Log10: numbers are decimal logarithms, ticks say of what. Diagram: the axes are no lengths. Only linear axes have a
+/// scale bar.
+enum class AxisScale { Linear, Log10, Diagram };
+
 /// How numbers become colours; values outside the range take its ends.
 struct Scale {
   std::string title{};  ///< Such as "alpha" or "sigma_x [MPa]"; stands above the colour bar.
   ColorMapName map = ColorMapName::Viridis;
   double low = 0.0;
   double high = 1.0;
+  AxisScale ticks = AxisScale::Linear;
+  /// Of the values, where they are to be said at the ends of the bar; an end that they pass is an arrow.
+  std::optional<double> least = std::nullopt, greatest = std::nullopt;
 };
 
 enum class ValuesAt { None, Triangles, Points };
@@ -83,13 +94,15 @@ struct Mesh {
   Scale scale{};
 };
 
-/// Where the text stands with respect to its point.
-enum class Anchor { Centre, Left, Right, Above, Below };
+/// Where the text stands with respect to its point. Callout: in the nearest room where it hides no line of the legend, no
+/// marker and no other label, at the end of a leader.
+enum class Anchor { Centre, Left, Right, Above, Below, Callout };
 
 struct Label {
   geom::Point at;
   std::string text{};
   Anchor anchor = Anchor::Centre;
+  std::optional<double> value = std::nullopt;  ///< Written behind the text, in the unit of the panel's colours.
 };
 
 struct Labels {
@@ -119,17 +132,18 @@ struct Layer {
   std::variant<Lines, Markers, Regions, Mesh, Labels, Image> content;
   bool visible = true;
   InLegend in_legend = InLegend::Yes;
+  /// What the legend calls it, once for all layers of that name and style: the unit of several pieces. Empty: title.
+  std::string legend{};
 };
 
-enum class AxisScale {
-  Linear,
-  Log10
-};  ///< Log10: coordinates are decimal logarithms, ticks say of what; there is no scale bar.
+/// What the legend calls a layer.
+inline const std::string& legend_name(const Layer& layer) { return layer.legend.empty() ? layer.title : layer.legend; }
 
 struct Axes {
   std::string x_title = "x [m]";
   std::string y_title = "y [m]";
   AxisScale scale = AxisScale::Linear;
+  double unit = 1.0;  ///< World lengths in one unit of linear ticks and of the scale bar: 1000 for "x [km]".
 };
 
 /// One view on a plane, drawn to scale (no exaggeration unless stated).
@@ -140,9 +154,12 @@ struct Panel {
   std::vector<Layer> layers{};                     ///< Drawn in this order, the last on top.
   double vertical_exaggeration = 1.0;              ///< Display only; stated beside the axes when not 1.
   std::optional<geom::Box> extent = std::nullopt;  ///< What to show; by default all of the visible layers.
+  std::string left_end{};                          ///< Stands over the left end of the plot: "W".
+  std::string right_end{};
 };
 
-enum class Arrangement { Row, Column };
+/// Grid: as many rows and columns as make the panels largest.
+enum class Arrangement { Row, Column, Grid };
 
 /// Words and numbers in rows, shown below the plots of a file; windows show them elsewhere.
 struct TextTable {
@@ -150,6 +167,10 @@ struct TextTable {
   std::vector<std::string> columns{};
   std::vector<std::vector<std::string>> rows{};  ///< As many cells as columns.
 };
+
+/// A4Landscape: the page is never higher than that format for its width (usually that of A4), whatever there is to
+/// tell; the scale is a round 1:n for a world in metres, and stated; long legends and tables are cut.
+enum class Paper { ToContent, A4Landscape };
 
 /// All panels of a picture share one scale, so that lengths compare across them.
 struct Picture {
@@ -161,6 +182,7 @@ struct Picture {
   std::optional<double> points_per_unit = std::nullopt;
   std::vector<TextTable> tables{};   ///< Below the legend, in files only.
   std::vector<std::string> notes{};  ///< One line each (wrapped), below the tables.
+  Paper paper = Paper::ToContent;    ///< Of files only.
 };
 
 /// Smallest box round everything in a layer, visible or not; empty if there is nothing.

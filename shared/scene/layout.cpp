@@ -9,25 +9,31 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "shared/base/check.h"
 #include "shared/base/text.h"
 #include "shared/scene/furniture.h"
+#include "shared/scene/grid.h"
+#include "shared/scene/paper.h"
 #include "shared/scene/text_table.h"
 
 namespace dobra::scene {
 namespace {
 
-constexpr double panel_gap = 16.0;
-constexpr double bar_gap = 18.0;
 constexpr double least_bar = 90.0;
-constexpr double label_room = 8.0;   // gaps beside a label, points
+constexpr double name_margin = 2.0;  // of names within their plot, points
+constexpr double names_in_height = 7.0;
+// Parts of a sheet's height that legend and tables may take.
+constexpr double legend_share = 0.16;
+constexpr double table_share = 0.22;
 constexpr int most_name_rounds = 8;  // each needs less room than the one before
 constexpr double most_bar = 280.0;
 
 /// A panel on its way to the page. left, right, top, bottom: the room round its plot, points.
 struct Block {
-  geom::Box shown;  ///< World.
+  geom::Box content;  ///< World: what has to be shown ...
+  geom::Box shown;    ///< ... and with the names beside it.
   double exaggeration = 1.0;
   double left = 0.0;
   double right = 0.0;
@@ -39,6 +45,8 @@ struct Block {
   Furniture title;
   Furniture x_title;
   Furniture y_title;
+  std::vector<Scale> bars;  ///< At its right; empty if all panels share theirs.
+  double bars_width = 0.0;
   std::vector<Tick> x_ticks;
   std::vector<Tick> y_ticks;
   [[nodiscard]] double width() const { return left + plot_width + right; }
@@ -56,8 +64,21 @@ class Arranger {
   [[nodiscard]] PageSize content() const;
 
  private:
-  [[nodiscard]] bool row() const { return picture_.arrangement == Arrangement::Row || blocks_.size() < 2; }
-  [[nodiscard]] double bars_width() const;
+  [[nodiscard]] Grid grid() const { return {blocks_.size(), columns_}; }
+  /// One a block.
+  [[nodiscard]] std::vector<double> widths() const;
+  [[nodiscard]] std::vector<double> heights() const;
+  [[nodiscard]] std::size_t best_columns() const;
+  void settle();
+  [[nodiscard]] ColorBars bars(const std::vector<Scale>& scales, double plot_height) const {
+    return color_bars(scales, std::clamp(plot_height, least_bar, most_bar), axis_font_, measure_);
+  }
+  [[nodiscard]] ColorBars shared_bars() const { return bars(scales_, bar_height()); }
+  [[nodiscard]] bool on_paper() const {
+    return picture_.paper == Paper::A4Landscape && options_.plots == Plots::ToContent;
+  }
+  [[nodiscard]] double text_width() const { return page_.width - 2.0 * options_.margin; }
+  void make_tables();
   [[nodiscard]] double bar_height() const;
   [[nodiscard]] double header() const { return title_.height > 0.0 ? title_.height + 8.0 : 0.0; }
   [[nodiscard]] double footer() const;
@@ -68,11 +89,15 @@ class Arranger {
   bool make_room_for_names(double scale);
   void size_plots_to_page();
   [[nodiscard]] double scale_that_fits(double width, double height) const;
+  [[nodiscard]] double scale_of_page() const;
   bool update_rooms();
   bool update_room(std::size_t i);
   void update_bottom(const PageSize& room);
+  [[nodiscard]] bool shares_x_axis(std::size_t i) const;
+  [[nodiscard]] Font title_font() const { return {options_.text_size + 1.0, Weight::Bold}; }
+  [[nodiscard]] double end_letters_width(const Panel& panel) const;
+  void place_end_letters(const Panel& panel, const geom::Box& plot, Layout& made) const;
   void place_panel(std::size_t i, geom::Point corner, Layout& made) const;
-  void place_bars(double x, double y, Layout& made) const;
   void place_footer(double y, Layout& made) const;
   static void put(const Furniture& furniture, geom::Point corner, std::vector<Mark>& marks);
 
@@ -83,12 +108,15 @@ class Arranger {
   LayoutOptions options_;
   Font axis_font_;
   Font tick_font_;
-  std::vector<Block> blocks_;
-  std::vector<Scale> scales_;
+  std::vector<Block> blocks_;  ///< Row by row.
+  std::size_t columns_ = 1;
+  std::vector<Scale> scales_;  ///< At the right of all panels, where all have the same; else those of each are beside it.
   Furniture title_;
   Furniture legend_;
   Furniture scale_bar_;
-  Furniture tables_;  ///< With the notes; empty in windows.
+  Furniture tables_;  ///< And the notes: empty in windows.
+  Furniture notes_;
+  bool tables_on_next_pages_ = false;
   double bar_title_height_ = 0.0;
 };
 
@@ -100,8 +128,7 @@ Arranger::Arranger(const Picture& picture, const PageSize& page, std::span<const
       measure_(measure),
       options_(options),
       axis_font_{options.text_size, Weight::Regular},
-      tick_font_{options.text_size - 1.0, Weight::Regular},
-      scales_(scales_of(picture)) {
+      tick_font_{options.text_size - 1.0, Weight::Regular} {
   title_ = heading(picture.title, page.width - 2.0 * options.margin, {options.text_size + 4.0, Weight::Bold}, measure);
   for (std::size_t i = 0; i < picture.panels.size(); ++i) {
     const Panel& panel = picture.panels[i];
@@ -109,52 +136,68 @@ Arranger::Arranger(const Picture& picture, const PageSize& page, std::span<const
     const bool viewed = i < views.size() && views[i].has_value();
     if (!viewed) block.shown = panel.extent && !panel.extent->empty() ? *panel.extent : comfortable(extent(panel));
     if (!viewed && !(block.shown.width() > 0.0 && block.shown.height() > 0.0)) block.shown = comfortable(block.shown);
+    block.content = block.shown;
     block.exaggeration = panel.vertical_exaggeration;
     block.left = 40.0;
     block.bottom = 30.0;
     block.top = block.right = 4.0;
     blocks_.push_back(std::move(block));
   }
-  if (options.plots == Plots::ToContent)
-    tables_ = tables_and_notes(picture, page.width - 2.0 * options.margin, tick_font_, measure);
-  for (const Scale& scale : scales_) {
-    double title_height = 0.0;
-    color_bar(scale, least_bar, axis_font_, measure_, title_height);
-    bar_title_height_ = std::max(bar_title_height_, title_height);
+  if (options.plots == Plots::ToContent) make_tables();
+  const std::size_t count = std::max<std::size_t>(blocks_.size(), 1);
+  columns_ = picture.arrangement == Arrangement::Column ? 1 : count;
+  bool common = true;
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    blocks_[i].bars = scales_of(picture.panels[i]);
+    if (!blocks_[i].bars.empty() && scales_.empty()) scales_ = blocks_[i].bars;
+    common = common && (blocks_[i].bars.empty() || same_scales(blocks_[i].bars, scales_));
   }
+  if (!common) scales_.clear();
+  for (Block& block : blocks_) {
+    if (common) block.bars.clear();
+  }
+  bar_title_height_ = shared_bars().title_height;
+}
+
+std::vector<double> Arranger::widths() const {
+  std::vector<double> sizes;
+  for (const Block& block : blocks_) sizes.push_back(block.width());
+  return sizes;
+}
+
+std::vector<double> Arranger::heights() const {
+  std::vector<double> sizes;
+  for (const Block& block : blocks_) sizes.push_back(block.height());
+  return sizes;
+}
+
+/// Tables and notes; on paper they leave the greater part of the page to the plots.
+void Arranger::make_tables() {
+  const double endless = std::numeric_limits<double>::infinity();
+  const Font font{on_paper() ? options_.text_size - 2.0 : options_.text_size - 1.0, Weight::Regular};
+  notes_ = notes_of(picture_, text_width(), font, measure_);
+  const double most = on_paper() ? table_share * paper_height(page_.width) : endless;
+  Tables tables = tables_of(picture_, {text_width(), most}, font, measure_);
+  tables_on_next_pages_ = tables.cut && options_.long_tables == LongTables::NextPages;
+  if (!tables_on_next_pages_) tables_ = std::move(tables.furniture);
 }
 
 double Arranger::bar_height() const {
   double height = 0.0;
-  for (const Block& block : blocks_) height = std::max(height, block.plot_height);
-  if (!row() && !blocks_.empty()) height = blocks_.front().plot_height;
+  for (std::size_t i = 0; i < std::min(columns_, blocks_.size()); ++i) height = std::max(height, blocks_[i].plot_height);
   return std::clamp(height, least_bar, most_bar);
-}
-
-double Arranger::bars_width() const {
-  double width = 0.0;
-  double title_height = 0.0;
-  for (const Scale& scale : scales_) {
-    width += bar_gap + color_bar(scale, bar_height(), axis_font_, measure_, title_height).width;
-  }
-  return width;
 }
 
 double Arranger::footer() const {
   const double height = std::max(legend_.height, scale_bar_.height);
-  return (height > 0.0 ? height + 12.0 : 0.0) + (tables_.height > 0.0 ? tables_.height + 12.0 : 0.0);
+  const auto with_gap = [](double high) { return high > 0.0 ? high + 12.0 : 0.0; };
+  return with_gap(height) + with_gap(tables_.height) + with_gap(notes_.height);
 }
 
-double Arranger::panels_width() const {
-  double width = 0.0;
-  for (const Block& block : blocks_) width = row() ? width + block.width() : std::max(width, block.width());
-  return width + (row() && !blocks_.empty() ? panel_gap * static_cast<double>(blocks_.size() - 1) : 0.0);
-}
+double Arranger::panels_width() const { return with_gaps(grid().in_columns(widths())); }
 
 double Arranger::panels_height() const {
-  double height = 0.0;
-  for (const Block& block : blocks_) height = row() ? std::max(height, block.height()) : height + block.height();
-  if (!row()) height += panel_gap * static_cast<double>(blocks_.size() - 1);
+  double height = with_gaps(grid().in_rows(heights()));
   if (!scales_.empty()) {
     const double above = blocks_.empty() ? bar_title_height_ : blocks_.front().top;
     height = std::max(height, above + bar_height() + 10.0);
@@ -164,72 +207,60 @@ double Arranger::panels_height() const {
 
 /// Plots of a row begin at one height, plots of a column at one distance from the left.
 void Arranger::align_rooms() {
-  double left = 0.0;
-  double top = scales_.empty() ? 0.0 : bar_title_height_;
-  for (const Block& block : blocks_) {
-    left = std::max(left, block.left);
-    top = std::max(top, block.top);
-  }
+  std::vector<double> left;
+  std::vector<double> top;
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
-    if (!row()) blocks_[i].left = left;
-    if (row() || i == 0) blocks_[i].top = std::max(blocks_[i].top, row() ? top : bar_title_height_);
+    left.push_back(blocks_[i].left);
+    top.push_back(i < columns_ ? std::max(blocks_[i].top, bar_title_height_) : blocks_[i].top);
+  }
+  left = grid().in_columns(left);
+  top = grid().in_rows(top);
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    blocks_[i].left = left[grid().column_of(i)];
+    blocks_[i].top = top[grid().row_of(i)];
   }
 }
 
 /// The largest points per world unit at which all panels fit; too little room gives the smallest sensible one.
 double Arranger::scale_that_fits(double width, double height) const {
-  double across = width - bars_width();
-  double up = height;
-  double wide = 0.0;
-  double high = 0.0;
-  double scale = std::numeric_limits<double>::infinity();
+  std::vector<Stretch> across;
+  std::vector<Stretch> down;
   double largest = 0.0;
   for (const Block& block : blocks_) {
-    const double w = block.shown.width();
-    const double h = block.shown.height() * block.exaggeration;
-    largest = std::max({largest, w, h});
-    wide += w;
-    high += h;
-    if (row()) {
-      across -= block.left + block.right;
-      scale = std::min(scale, (height - block.top - block.bottom) / h);
-    } else {
-      up -= block.top + block.bottom;
-      scale = std::min(scale, (width - bars_width() - block.left - block.right) / w);
-    }
+    across.push_back({block.left + block.right, block.shown.width()});
+    down.push_back({block.top + block.bottom, block.shown.height() * block.exaggeration});
+    largest = std::max({largest, across.back().growing, down.back().growing});
   }
-  const double gaps = panel_gap * static_cast<double>(blocks_.size() - 1);
-  scale = std::min(scale, row() ? (across - gaps) / wide : (up - gaps) / high);
+  const double scale =
+      std::min(grid().scale_across(width - shared_bars().all.width, across), grid().scale_down(height, down));
   return std::max(scale, options_.least_plot / largest);
 }
 
-/// Names beside the ends of lines are as large at every scale: what is shown grows until they are in it, also those
-/// that have to stand below others. True if it grew.
+/// The scale that the picture asks for, or at which all panels fit: on paper a round one.
+double Arranger::scale_of_page() const {
+  if (picture_.points_per_unit) return *picture_.points_per_unit;
+  const double height = page_.height - 2.0 * options_.margin - header() - footer();
+  const double scale = scale_that_fits(text_width(), height);
+  return on_paper() ? points_per_metre / round_ratio(scale) : scale;
+}
+
+/// Names beside the ends of lines are as large at every scale: what is shown grows to the sides until they are in it,
+/// and in height only where it is lower than a few of them. True if it grew.
 bool Arranger::make_room_for_names(double scale) {
   bool grew = false;
+  const double few = 0.5 * names_in_height * measure_("0", axis_font_).height();
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
     if (i < views_.size() && views_[i].has_value()) continue;
     geom::Box& shown = blocks_[i].shown;
-    const double up = scale * blocks_[i].exaggeration;
+    const geom::Box& content = blocks_[i].content;
     const geom::Box before = shown;
-    std::vector<geom::Box> taken;  // page, from the world's origin
-    const std::vector<Layer>& layers = picture_.panels[i].layers;
-    for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer) {
-      const auto* content = std::get_if<Labels>(&layer->content);
-      if (!layer->visible || content == nullptr) continue;
-      for (const Label& label : content->labels) {
-        if (label.anchor != Anchor::Left && label.anchor != Anchor::Right) continue;
-        const TextSize size = measure_(label.text, {layer->style.text_size, Weight::Regular});
-        const double width = size.width + label_room;
-        if (width / scale > 0.5 * before.width()) continue;  // wider than what it names: it has to stand over that
-        const double x = label.anchor == Anchor::Right ? label.at.x * scale : label.at.x * scale - width;
-        const double y = -label.at.y * up;
-        const double half = 0.5 * size.height() + 1.0;
-        taken.push_back(below_others({{x, y - half}, {x + width, y + half}}, taken));
-        shown.low.x = std::min(shown.low.x, x / scale);
-        shown.high.x = std::max(shown.high.x, (x + width) / scale);
-        shown.low.y = std::min(shown.low.y, -(taken.back().high.y + 2.0) / up);
-      }
+    const Transform transform{{}, {}, scale, scale * blocks_[i].exaggeration};
+    const double middle = transform.to_page(content.centre()).y;
+    const double half = std::max(0.5 * content.height() * transform.points_per_y + name_margin, few);
+    const double widest = 0.5 * content.width() * scale;
+    for (const auto& name :
+         places_of_names(picture_.panels[i], transform, widest, middle - half, middle + half, measure_)) {
+      if (name) shown.add(transform.to_world(name->grown(name_margin)));
     }
     grew = grew || shown.width() > before.width() * (1.0 + 1e-3) || shown.height() > before.height() * (1.0 + 1e-3);
   }
@@ -238,11 +269,8 @@ bool Arranger::make_room_for_names(double scale) {
 
 void Arranger::size_plots_to_content() {
   if (blocks_.empty()) return;
-  const double width = page_.width - 2.0 * options_.margin;
-  const double height = page_.height - 2.0 * options_.margin - header() - footer();
-  double scale = picture_.points_per_unit.value_or(scale_that_fits(width, height));
-  for (int i = 0; i < most_name_rounds && make_room_for_names(scale); ++i)
-    scale = picture_.points_per_unit.value_or(scale_that_fits(width, height));
+  double scale = scale_of_page();
+  for (int i = 0; i < most_name_rounds && make_room_for_names(scale); ++i) scale = scale_of_page();
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
     Block& block = blocks_[i];
     const bool viewed = i < views_.size() && views_[i].has_value();
@@ -254,19 +282,24 @@ void Arranger::size_plots_to_content() {
 
 void Arranger::size_plots_to_page() {
   if (blocks_.empty()) return;
-  const double count = static_cast<double>(blocks_.size());
-  const double gaps = panel_gap * (count - 1.0);
-  const double width = page_.width - 2.0 * options_.margin - bars_width();
+  const double width = page_.width - 2.0 * options_.margin - shared_bars().all.width;
   const double height = page_.height - 2.0 * options_.margin - header() - footer();
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
     Block& block = blocks_[i];
-    const double cell_width = row() ? (width - gaps) / count : width;
-    const double cell_height = row() ? height : (height - gaps) / count;
+    const auto cell = [](double all, std::size_t count) {
+      return (all + panel_gap) / static_cast<double>(count) - panel_gap;
+    };
+    const double cell_width = cell(width, columns_);
+    const double cell_height = cell(height, grid().rows());
     block.plot_width = std::max(cell_width - block.left - block.right, options_.least_plot);
     block.plot_height = std::max(cell_height - block.top - block.bottom, options_.least_plot);
     // A window too narrow for plots and colour bars keeps the plots.
-    if (cell_width - block.left - block.right < options_.least_plot && !scales_.empty()) {
+    if (cell_width - block.left - block.right < options_.least_plot && !(scales_.empty() && block.bars.empty())) {
       scales_.clear();
+      for (Block& own : blocks_) {
+        own.bars.clear();
+        own.right -= own.bars_width;
+      }
       return size_plots_to_page();
     }
   }
@@ -298,10 +331,13 @@ bool Arranger::update_room(std::size_t i) {
   const geom::Box world = transform.to_world(plot);
   const double line = measure_("0", tick_font_).height();
   const auto fit = panel.axes.scale == AxisScale::Log10 ? logarithmic_ticks_that_fit : ticks_that_fit;
-  block.x_ticks = fit(world.low.x, world.high.x, block.plot_width, 8.0, 40.0,
+  const double unit = panel.axes.unit;
+  block.x_ticks = fit(world.low.x / unit, world.high.x / unit, block.plot_width, 8.0, 40.0,
                       [&](const std::string& text) { return measure_(text, tick_font_).width; });
-  block.y_ticks =
-      fit(world.low.y, world.high.y, block.plot_height, 6.0, 26.0, [&](const std::string&) { return line; });
+  block.y_ticks = fit(world.low.y / unit, world.high.y / unit, block.plot_height, 6.0, 26.0,
+                      [&](const std::string&) { return line; });
+  for (Tick& tick : block.x_ticks) tick.value *= unit;
+  for (Tick& tick : block.y_ticks) tick.value *= unit;
   block.y_title = turned_heading(panel.axes.y_title, block.plot_height, axis_font_, measure_);
   double widest = 0.0;
   for (const Tick& tick : block.y_ticks) widest = std::max(widest, measure_(tick.label, tick_font_).width);
@@ -316,24 +352,43 @@ bool Arranger::update_room(std::size_t i) {
     left = std::max(left, half - x);
     right = std::max(right, x + half - block.plot_width);
   }
-  std::string x_title = panel.axes.x_title;
+  std::string x_title = shares_x_axis(i) ? "" : panel.axes.x_title;
   if (block.exaggeration != 1.0) {
     x_title += fmt::format("{}({} {:g}\u00d7)", x_title.empty() ? "" : "   ", base::translated("vertical exaggeration"),
                            block.exaggeration);
   }
-  const double width = std::max(left + block.plot_width + right, block.width());
+  const ColorBars own_bars = bars(block.bars, block.plot_height);
+  block.bars_width = block.bars.empty() ? 0.0 : std::max(block.bars_width, own_bars.all.width);
+  const double width = std::max(left + block.plot_width + right, block.width() - block.bars_width);
   block.x_title = heading(x_title, width, axis_font_, measure_);
-  block.title = heading(panel.title, width, {options_.text_size + 1.0, Weight::Bold}, measure_);
-  const double bottom =
-      tick_length + tick_gap + line + (block.x_title.height > 0.0 ? tick_gap : 0.0) + block.x_title.height;
-  const double top = std::max(block.title.height + 6.0, 0.5 * line + 1.0);
-  right = std::max(right, std::max(block.title.width, block.x_title.width) - left - block.plot_width);
+  const double ends = end_letters_width(panel);
+  block.title = heading(panel.title, std::max(width - 2.0 * ends, 40.0), title_font(), measure_);
+  double bottom = tick_length + tick_gap + line + (block.x_title.height > 0.0 ? tick_gap : 0.0) + block.x_title.height;
+  const double over = std::max(block.title.height, ends > 0.0 ? measure_("W", title_font()).height() : 0.0);
+  const double top = std::max({over + 6.0, 0.5 * line + 1.0, own_bars.title_height});
+  right = std::max(right, std::max(block.title.width, block.x_title.width) - left - block.plot_width) + block.bars_width;
+  if (!block.bars.empty()) bottom = std::max(bottom, own_bars.all.height - own_bars.title_height + 8.0 - block.plot_height);
   const Block old = block;
   block.left = std::max(block.left, left);
   block.right = std::max(block.right, right);
   block.top = std::max(block.top, top);
   block.bottom = std::max(block.bottom, bottom);
   return block.left > old.left || block.right > old.right || block.top > old.top || block.bottom > old.bottom;
+}
+
+/// Room for the wider of the two, with a gap; 0 without any.
+double Arranger::end_letters_width(const Panel& panel) const {
+  double width = 0.0;
+  for (const std::string* text : {&panel.left_end, &panel.right_end}) {
+    if (!text->empty()) width = std::max(width, measure_(*text, title_font()).width + 8.0);
+  }
+  return width;
+}
+
+/// Panels over each other on a sheet have the title of their common axis below the last.
+bool Arranger::shares_x_axis(std::size_t i) const {
+  return on_paper() && columns_ == 1 && i + 1 < blocks_.size() &&
+         picture_.panels[i].axes.x_title == picture_.panels[i + 1].axes.x_title;
 }
 
 bool Arranger::update_rooms() {
@@ -347,22 +402,59 @@ bool Arranger::update_rooms() {
 void Arranger::update_bottom(const PageSize& room) {
   const double width = room.width - 2.0 * options_.margin;
   scale_bar_ = {};
-  bool common = !blocks_.empty() && picture_.panels.front().axes.scale == AxisScale::Linear;
+  bool common = !blocks_.empty();
+  for (const Panel& panel : picture_.panels) common = common && panel.axes.scale == AxisScale::Linear;
   for (const Block& block : blocks_) {
     common = common && block.exaggeration == 1.0 && block.view.world_per_point == blocks_.front().view.world_per_point;
   }
   if (common) {
-    const std::string unit = unit_of(picture_.panels.front().axes.x_title);
-    scale_bar_ = scale_bar(1.0 / blocks_.front().view.world_per_point, unit, axis_font_, measure_);
+    const Axes& axes = picture_.panels.front().axes;
+    const double scale = 1.0 / blocks_.front().view.world_per_point;
+    scale_bar_ = scale_bar(scale * axes.unit, unit_of(axes.x_title), on_paper() ? ratio_text(scale) : "", axis_font_,
+                           measure_);
     if (scale_bar_.width > 0.4 * width) scale_bar_ = {};
   }
   const double beside = scale_bar_.width > 0.0 ? scale_bar_.width + 24.0 : 0.0;
-  legend_ = legend(picture_, width - beside, axis_font_, measure_);
+  const double most = on_paper() ? legend_share * paper_height(page_.width) : std::numeric_limits<double>::infinity();
+  legend_ = legend(picture_, {width - beside, most}, on_paper() ? tick_font_ : axis_font_, measure_);
   const bool crowded = room.height - legend_.height < 0.6 * room.height;
   if (options_.plots == Plots::FillPage && crowded) legend_ = {};
 }
 
+/// As many columns as give the largest scale, in windows the squarest cells: what is shown there must not move the panels.
+std::size_t Arranger::best_columns() const {
+  std::size_t best = columns_;
+  double most = 0.0;
+  for (std::size_t columns = blocks_.size(); columns > 0; --columns) {
+    if (options_.plots == Plots::FillPage) {
+      const double rows = std::ceil(static_cast<double>(blocks_.size()) / static_cast<double>(columns));
+      const double aspect = page_.width / static_cast<double>(columns) / (page_.height / rows);
+      const double squareness = std::min(aspect, 1.0 / aspect);
+      if (squareness > most) best = columns;
+      most = std::max(most, squareness);
+      continue;
+    }
+    Arranger trial(*this);
+    trial.columns_ = columns;
+    trial.settle();
+    const PageSize content = trial.content();
+    const bool fits = content.height <= page_.height + 0.5 && content.width <= page_.width + 0.5;
+    // What does not fit counts only among others that do not.
+    const double scale = (fits ? 1.0 : 1e-6) / trial.blocks_.front().view.world_per_point;
+    if (scale > 1.02 * most) {
+      best = columns;
+      most = scale;
+    }
+  }
+  return best;
+}
+
 void Arranger::arrange() {
+  if (picture_.arrangement == Arrangement::Grid && blocks_.size() > 1) columns_ = best_columns();
+  settle();
+}
+
+void Arranger::settle() {
   constexpr int at_most = 12;
   for (int i = 0; i < at_most; ++i) {
     if (options_.plots == Plots::FillPage) {
@@ -384,10 +476,10 @@ void Arranger::arrange() {
 }
 
 PageSize Arranger::content() const {
-  const double body = panels_width() + bars_width();
+  const double body = panels_width() + shared_bars().all.width;
   const double foot =
       legend_.width + (scale_bar_.width > 0.0 ? scale_bar_.width + (legend_.width > 0.0 ? 24.0 : 0.0) : 0.0);
-  return {std::max({body, foot, title_.width, tables_.width}) + 2.0 * options_.margin,
+  return {std::max({body, foot, title_.width, tables_.width, notes_.width}) + 2.0 * options_.margin,
           header() + panels_height() + footer() + 2.0 * options_.margin};
 }
 
@@ -410,9 +502,10 @@ void Arranger::place_panel(std::size_t i, geom::Point corner, Layout& made) cons
   // Titles stand over the middle of the plot, moved inwards where they would leave the panel.
   const auto centred = [&](double width) {
     const double wanted = place.plot.centre().x - 0.5 * width;
-    return std::max(corner.x, std::min(wanted, corner.x + block.width() - width));
+    return std::max(corner.x, std::min(wanted, corner.x + block.width() - block.bars_width - width));
   };
   put(block.title, {centred(block.title.width), place.plot.low.y - block.title.height - 5.0}, made.marks);
+  place_end_letters(panel, place.plot, made);
   const double x_title_y = place.plot.high.y + tick_length + tick_gap + measure_("0", tick_font_).height() + tick_gap;
   put(block.x_title, {centred(block.x_title.width), x_title_y}, made.marks);
   double widest = 0.0;
@@ -421,14 +514,19 @@ void Arranger::place_panel(std::size_t i, geom::Point corner, Layout& made) cons
   const double y_title_x =
       fixed ? corner.x : place.plot.low.x - tick_length - 2.0 * tick_gap - widest - block.y_title.width;
   put(block.y_title, {y_title_x, place.plot.centre().y - 0.5 * block.y_title.height}, made.marks);
+  const ColorBars own_bars = bars(block.bars, block.plot_height);
+  put(own_bars.all, {corner.x + block.width() - block.bars_width, place.plot.low.y - own_bars.title_height}, made.marks);
 }
 
-void Arranger::place_bars(double x, double y, Layout& made) const {
-  for (const Scale& scale : scales_) {
-    double title_height = 0.0;
-    const Furniture bar = color_bar(scale, bar_height(), axis_font_, measure_, title_height);
-    put(bar, {x + bar_gap, y - title_height}, made.marks);
-    x += bar_gap + bar.width;
+/// Over the corners of the plot.
+void Arranger::place_end_letters(const Panel& panel, const geom::Box& plot, Layout& made) const {
+  for (const bool left : {true, false}) {
+    const std::string& text = left ? panel.left_end : panel.right_end;
+    if (text.empty()) continue;
+    TextMark mark = text_mark(text, {}, title_font(), measure_);
+    const double half = 0.5 * mark.size.width;
+    mark.at = {left ? plot.low.x + half : plot.high.x - half, plot.low.y - 5.0 - 0.5 * mark.size.height()};
+    made.marks.push_back(std::move(mark));
   }
 }
 
@@ -438,12 +536,16 @@ void Arranger::place_footer(double y, Layout& made) const {
   put(legend_, {x, y}, made.marks);
   x += legend_.width + between;
   put(scale_bar_, {x, y}, made.marks);
-  const double above = std::max(legend_.height, scale_bar_.height);
-  put(tables_, {0.5 * (made.page.width - tables_.width), y + (above > 0.0 ? above + 12.0 : 0.0)}, made.marks);
+  const auto below = [](double height) { return height > 0.0 ? height + 12.0 : 0.0; };
+  y += below(std::max(legend_.height, scale_bar_.height));
+  put(tables_, {0.5 * (made.page.width - tables_.width), y}, made.marks);
+  y += below(tables_.height);
+  put(notes_, {0.5 * (made.page.width - notes_.width), y}, made.marks);
 }
 
 Layout Arranger::place() const {
   Layout made;
+  made.tables_on_next_pages = tables_on_next_pages_;
   const PageSize needed = content();
   const bool fill = options_.plots == Plots::FillPage;
   made.page = fill ? page_ : PageSize{std::max(page_.width, needed.width), std::max(page_.height, needed.height)};
@@ -451,17 +553,17 @@ Layout Arranger::place() const {
   if (!fill) y += 0.5 * (made.page.height - needed.height);
   put(title_, {0.5 * (made.page.width - title_.width), y}, made.marks);
   y += header();
-  const double left = 0.5 * (made.page.width - panels_width() - bars_width());
+  const double left = 0.5 * (made.page.width - panels_width() - shared_bars().all.width);
+  const std::vector<double> across = grid().in_columns(widths());
+  const std::vector<double> down = grid().in_rows(heights());
   geom::Point corner{left, y};
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
     place_panel(i, corner, made);
-    if (row()) {
-      corner.x += blocks_[i].width() + panel_gap;
-    } else {
-      corner.y += blocks_[i].height() + panel_gap;
-    }
+    corner.x += across[grid().column_of(i)] + panel_gap;
+    if ((i + 1) % columns_ == 0) corner = {left, corner.y + down[grid().row_of(i)] + panel_gap};
   }
-  if (!scales_.empty() && !made.panels.empty()) place_bars(left + panels_width(), made.panels.front().plot.low.y, made);
+  if (!made.panels.empty())
+    put(shared_bars().all, {left + panels_width(), made.panels.front().plot.low.y - bar_title_height_}, made.marks);
   place_footer(y + panels_height() + 12.0, made);
   return made;
 }
@@ -480,6 +582,12 @@ PageSize suggested_page(const Picture& picture, double width, const TextMeasure&
                         const LayoutOptions& options) {
   constexpr double tallest = 1.4;
   constexpr double blank = 0.97;  // a page that would be emptier than this is made narrower
+  if (picture.paper == Paper::A4Landscape) {
+    const PageSize paper{width, paper_height(width)};
+    Arranger arranger(picture, paper, {}, measure, options);
+    arranger.arrange();
+    return {width, std::min(paper.height, std::ceil(arranger.content().height))};
+  }
   PageSize page{width, tallest * width};
   PageSize needed;
   for (int i = 0; i < 3; ++i) {

@@ -19,6 +19,14 @@ struct PageSize {
   double height = 540.0;
 };
 
+constexpr PageSize a4_landscape{841.89, 595.28};
+
+/// The width of a file's page if nobody asks for another.
+double usual_width(const Picture& picture);
+
+/// What becomes of tables that are too long for the page of a picture on A4Landscape.
+enum class LongTables { Cut, NextPages };
+
 /// How large the plots are: as their content asks (files), or all that the page leaves (windows).
 enum class Plots { ToContent, FillPage };
 
@@ -27,6 +35,7 @@ struct LayoutOptions {
   double margin = 10.0;      ///< Blank border of the page, points.
   double text_size = 9.0;    ///< Axis titles, legend; tick labels are one point smaller, titles larger.
   double least_plot = 48.0;  ///< Width and height that a plot has at least, points.
+  LongTables long_tables = LongTables::Cut;
 };
 
 struct PanelLayout {
@@ -39,6 +48,8 @@ struct Layout {
   PageSize page;                    ///< At least the one asked for: it grows rather than cut anything off.
   std::vector<PanelLayout> panels;  ///< In the order of the picture.
   std::vector<Mark> marks;          ///< Drawn in this order, over the layers: labels, frames, ticks, text, legend.
+  /// LongTables::NextPages: the tables have no room here and are not drawn; table_pages has them.
+  bool tables_on_next_pages = false;
 };
 
 /// @param page   a request: with Plots::ToContent the page grows where the content cannot be made small enough; with
@@ -51,7 +62,16 @@ struct Layout {
 Layout layout(const Picture& picture, const PageSize& page, std::span<const std::optional<View>> views,
               const TextMeasure& measure, const LayoutOptions& options = {});
 
-/// The page, not wider than `width` nor higher than 1.4 times that if it can be helped, that the picture fills.
+/// Pages of that size with all tables of a picture, in columns, and no plot.
+std::vector<Layout> table_pages(const Picture& picture, const PageSize& page, const TextMeasure& measure,
+                                const LayoutOptions& options = {});
+
+/// The smallest round n for which a world in metres, drawn to 1:n, is not larger than at this scale: 1, 1.25, 1.5, 2,
+/// 2.5, 3, 4, 5, 6 or 7.5 times a power of ten.  @pre points_per_metre > 0.
+double round_ratio(double points_per_metre);
+
+/// The page, not wider than `width` nor higher than 1.4 times that if it can be helped, that the picture fills; for
+/// A4Landscape of that width and at most as high as the format.
 PageSize suggested_page(const Picture& picture, double width, const TextMeasure& measure,
                         const LayoutOptions& options = {});
 

@@ -24,6 +24,7 @@ struct BoxOf {
   geom::Box operator()(const DiscMark& mark) const {
     return geom::Box{mark.centre, mark.centre}.grown(0.5 * mark.diameter);
   }
+  geom::Box operator()(const TriangleMark& mark) const { return geom::box_of(mark.corners); }
   geom::Box operator()(const GradientMark& mark) const { return mark.box; }
   geom::Box operator()(const TextMark& mark) const {
     geom::Vector half{0.5 * mark.size.width, 0.5 * mark.size.height()};
@@ -40,6 +41,9 @@ struct Move {
   }
   void operator()(BoxMark& mark) const { mark.box = {mark.box.low + by, mark.box.high + by}; }
   void operator()(DiscMark& mark) const { mark.centre = mark.centre + by; }
+  void operator()(TriangleMark& mark) const {
+    for (geom::Point& corner : mark.corners) corner = corner + by;
+  }
   void operator()(GradientMark& mark) const { mark.box = {mark.box.low + by, mark.box.high + by}; }
   void operator()(TextMark& mark) const { mark.at = mark.at + by; }
 };

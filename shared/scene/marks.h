@@ -2,6 +2,7 @@
 // What stands on the page round and over the plots: plain primitives in page coordinates (points, y down), the same for
 // every drawer, so that a window and a file look alike. Also how a drawer says how large its text is.
 
+#include <array>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -46,11 +47,17 @@ struct BoxMark {
   std::optional<Color> fill;
   Color line{};
   double line_width = 0.0;  ///< 0: no outline.
+  Pattern pattern = Pattern::None;
 };
 
 struct DiscMark {
   geom::Point centre;
   double diameter = 5.0;
+  Color fill{};
+};
+
+struct TriangleMark {
+  std::array<geom::Point, 3> corners;
   Color fill{};
 };
 
@@ -71,7 +78,7 @@ struct TextMark {
   TextSize size{};                                 ///< As measured.
 };
 
-using Mark = std::variant<LineMark, BoxMark, DiscMark, GradientMark, TextMark>;
+using Mark = std::variant<LineMark, BoxMark, DiscMark, TriangleMark, GradientMark, TextMark>;
 
 /// `text` fit for drawing: bytes that are not UTF-8 and control characters become U+FFFD.
 std::string readable(std::string_view text);

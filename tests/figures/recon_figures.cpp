@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "recon/core/layers.h"
+#include "recon/core/palette.h"
 #include "recon/core/operations.h"
 #include "tests/figures/figures.h"
 
@@ -69,7 +69,7 @@ scene::Panel unfold_panel(const std::string& title, const core::Section& section
                           double depth) {
   std::vector<scene::Layer> layers{shaded_columns(columns, depth)};
   for (const core::Horizon& horizon : section.horizons) {
-    layers.push_back(lines(horizon.name, stroke(core::horizon_color(horizon.id), 1.8), {horizon.line}));
+    layers.push_back(lines(horizon.name, stroke(core::Palette(section).of(horizon.name).line, 1.8), {horizon.line}));
   }
   return panel(title, std::move(layers), 0.25, section_axes);
 }

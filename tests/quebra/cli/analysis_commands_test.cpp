@@ -121,7 +121,7 @@ value = 1.0
     EXPECT_EQ(json["reached"], false);
     EXPECT_GT(json["quantities"]["tip.load.edge_end.K_I"]["value"], 0.0);
     ASSERT_EQ(json["tips"].size(), 2u);
-    EXPECT_GT(json["tips"][0]["K_I [Pa m^0.5]"], 0.0);
+    EXPECT_GT(json["tips"][0]["K_I [Pa sqrt(m)]"], 0.0);
     EXPECT_FALSE(json["tips"][0].contains("reason"));
     const Json& refused = json["tips"][1];
     EXPECT_EQ(refused["tip"], "other_end");

@@ -138,19 +138,13 @@ TEST(Results, ATipDoesNotSwampTheColoursUnlessAllOfTheRangeIsAskedFor) {
     ViewParams params;
     params.range = range;
     const scene::Panel panel = view_panel(analysis, 0, params);
-    std::pair<scene::Scale, std::string> found;
-    for (const scene::Layer& layer : panel.layers) {
-      if (layer.key == "field") found.first = std::get<scene::Mesh>(layer.content).scale;
-      if (layer.key == "extremes") found.second = layer.title;
-    }
-    return found;
+    return std::get<scene::Mesh>(panel.layers.front().content).scale;
   };
-  const auto [field, said] = shown(ColorRange::Field);
-  const auto [full, nothing_said] = shown(ColorRange::Full);
+  const scene::Scale field = shown(ColorRange::Field), full = shown(ColorRange::Full);
   EXPECT_LT(field.high, 0.3 * full.high);
   EXPECT_GT(field.high, 2.0);
-  EXPECT_THAT(said, HasSubstr("99.5\u00a0% of the area"));
-  EXPECT_THAT(nothing_said, testing::Not(HasSubstr("99.5\u00a0%")));
+  EXPECT_GT(*field.greatest, field.high) << "which the bar then says";
+  EXPECT_EQ(*full.greatest, full.high);
 }
 
 TEST(Results, FaultsAreNamed) {
@@ -180,7 +174,7 @@ TEST(Results, ColoursCoverTheShareOfTheAreaThatTheLegendSaysAtBothEndsTogether) 
     all += area;
     if (value >= colours.scale.low && value <= colours.scale.high) inside += area;
   }
-  EXPECT_NE(layer("extremes")->title.find("99.5\u00a0% of the area"), std::string::npos) << layer("extremes")->title;
+  EXPECT_GT(*colours.scale.greatest, colours.scale.high);
   EXPECT_GE(inside, 0.995 * all);
   EXPECT_LT(inside, all);
 }

@@ -133,6 +133,14 @@ TEST(Selection, SupportsAndLoadsByPlaceGiveTheExactBar) {
   }
 }
 
+TEST(Selection, ConditionsAreInTheUnitsOfTheScenario) {
+  const std::string millimetres = "unit_system = \"mm, N, MPa\"\n[[input.curve]]\nname = \"outline\"\nkind = \"polygon\"\npoints = [[0, 0], [4000, 0], [4000, 2000], [0, 2000]]\n";
+  const Domain domain = domain_of(millimetres);
+  EXPECT_NEAR(selected(domain, "x = 4000"), 2.0, 1e-12);
+  EXPECT_NEAR(selected(domain, "hypot(x, y) >= 2000 and y = 2000"), 4.0, 1e-12);
+  EXPECT_THAT(refusal(domain, "x = 4"), HasSubstr("holds for no side"));
+}
+
 TEST(Selection, OnlyTheSidesOfThePartAreInItsSet) {
   // Half of the top by a point at its middle, and an arc between two points of a hole.
   const std::string input = plate + "[[input.point]]\nname = \"p\"\npoint = [2, 2]\n[[input.point]]\nname = \"e\"\npoint = [2.5, 1]\n[[input.point]]\nname = \"w\"\npoint = [1.5, 1]\n";

@@ -169,7 +169,12 @@ TEST(SizeSource, TheSizesAreDrawnAsHiddenLayersAndAsAPicture) {
   EXPECT_FALSE(find(picture, "mesh")->visible);
   // 80 : 1, so the colours go by powers of ten.
   const auto& content = std::get<scene::Mesh>(field->content);
-  EXPECT_EQ(content.scale.title, "log10 of size [m]");
+  EXPECT_EQ(content.scale.title, "size [m]");
+  EXPECT_EQ(content.scale.ticks, scene::AxisScale::Log10);
+  const geom::Box shown = extent(picture.panels[0]), box = model.domain.box();
+  EXPECT_EQ(shown.low, box.low);
+  EXPECT_EQ(shown.high, box.high) << "the tree ends with the domain";
+  EXPECT_FALSE(picture.panels[0].extent.has_value()) << "and there is room round it";
   EXPECT_NEAR(content.scale.low, -2.0, 0.05);
   EXPECT_NEAR(content.scale.high, std::log10(0.81), 0.05);
 }

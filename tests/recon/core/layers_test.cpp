@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <set>
 #include <string>
 
 #include "recon/core/operations.h"
+#include "recon/core/palette.h"
 #include "shared/scene/layout.h"
 #include "tests/recon/core/shapes.h"
 
@@ -50,7 +52,8 @@ TEST(Layers, REC_j_TheDeformedAndTheRestoredSectionStandSideBySideWithTheirGrids
 }
 
 TEST(Layers, AHorizonHasTheSameColourAndIdInBothPanelsAndADifferentOneFromItsNeighbours) {
-  const scene::Picture picture = picture_of(restored_model());
+  const Model model = restored_model();
+  const scene::Picture picture = picture_of(model);
   for (std::size_t h = 0; h < 3; ++h) {
     const std::string key = "horizon_" + std::to_string(h);
     const scene::Layer* before = find(picture.panels[0], key);
@@ -58,7 +61,9 @@ TEST(Layers, AHorizonHasTheSameColourAndIdInBothPanelsAndADifferentOneFromItsNei
     ASSERT_TRUE(before != nullptr && after != nullptr);
     EXPECT_EQ(before->style.line, after->style.line);
     EXPECT_EQ(std::get<scene::Lines>(before->content).ids, std::get<scene::Lines>(after->content).ids);
-    EXPECT_NE(before->style.line, horizon_color(HorizonId(h + 1)));
+    const Palette palette(model.section);
+    EXPECT_EQ(before->style.line, palette.of(model.section.horizons[h].name).line);
+    EXPECT_NE(before->style.line, palette.of(model.section.horizons[(h + 1) % 3].name).line);
     EXPECT_EQ(before->in_legend, scene::InLegend::Yes);
     EXPECT_EQ(after->in_legend, scene::InLegend::No);
   }
@@ -131,6 +136,122 @@ TEST(Layers, BeforeTheTargetThereIsOnePanel) {
   Model model;
   model.section = test::section_of({test::arc()});
   EXPECT_EQ(picture_of(model).panels.size(), 1u);
+}
+
+/// `count` beds of 10 km, each in three pieces.
+Section pieces_of_beds(int count) {
+  std::vector<geom::Polyline> lines;
+  for (int i = 0; i < count; ++i) {
+    for (int k = 0; k < 3; ++k) lines.push_back({{{4000.0 * k, -50.0 * i}, {4000.0 * k + 3500.0, -50.0 * i}}, false});
+  }
+  Section section = test::section_of(lines);
+  for (std::size_t i = 0; i < section.horizons.size(); ++i)
+    section.horizons[i].piece_of = "bed" + std::to_string(i / 3);
+  return section;
+}
+
+TEST(Layers, ThirtyBedsInPiecesHaveThirtyColours) {
+  Model model;
+  model.section = pieces_of_beds(30);
+  std::set<std::array<int, 3>> colors;
+  for (const scene::Layer& layer : picture_of(model).panels[0].layers) {
+    if (!layer.key.starts_with("horizon_")) continue;
+    colors.insert({layer.style.line.red, layer.style.line.green, layer.style.line.blue});
+  }
+  EXPECT_EQ(colors.size(), 30u);
+}
+
+TEST(Layers, ALongSectionHasKilometresOnItsAxes) {
+  Model model;
+  model.section = pieces_of_beds(2);
+  const scene::Axes axes = picture_of(model).panels[0].axes;
+  EXPECT_EQ(axes.x_title, "x [km]");
+  EXPECT_EQ(axes.y_title, "z [km]");
+  EXPECT_EQ(axes.unit, 1000.0);
+}
+
+TEST(Layers, PolygonsHaveTheColourOfTheirUnitAndPiecesShareIt) {
+  Model model;
+  for (const char* const name : {"K2p_1", "J3b", "K2p_2", "T1"}) {
+    const double x = 10.0 * static_cast<double>(model.section.units.size());
+    model.section.units.push_back({UnitId(model.section.units.size()), name,
+                                   {{{x, 0}, {x + 9, 0}, {x + 9, 5}, {x, 5}}, true}, {}});
+  }
+  const scene::Panel panel = picture_of(model).panels[0];
+  const auto fill = [&](int i) { return find(panel, "unit_" + std::to_string(i))->style.fill; };
+  EXPECT_EQ(fill(0), fill(2));
+  EXPECT_EQ(find(panel, "unit_0")->legend, "K2p");
+  EXPECT_EQ(find(panel, "unit_2")->legend, "K2p");
+  EXPECT_NE(fill(0), fill(1));
+  EXPECT_NE(fill(0), fill(3));
+  EXPECT_NE(fill(1), fill(3));
+}
+
+TEST(Layers, AnEllipseBeyondMeasureIsCutOffAndTold) {
+  Model model = restored_model();
+  Strain extreme = model.restoration->ledger.strains.at(0);
+  extreme.greatest = 414.0;
+  extreme.at = {12.5, -3.0};
+  const std::size_t notes = picture_of(model).notes.size();
+  model.restoration->ledger.strains.push_back(extreme);
+  const scene::Picture picture = picture_of(model);
+  const auto& ellipses = std::get<scene::Lines>(find(picture.panels[0], "ellipses")->content).lines;
+  EXPECT_LT(ellipses.back().box().diagonal(), 0.15 * box_of(model.section).diagonal());
+  ASSERT_EQ(picture.notes.size(), notes + 1);
+  EXPECT_NE(picture.notes.back().find("414, (12.5, -3)"), std::string::npos) << picture.notes.back();
+}
+
+TEST(Layers, AGridThatGoesAstrayDoesNotMakeTheSectionSmall) {
+  Model model = restored_model();
+  const geom::Box section = box_of(model.restoration->section);
+  model.source->grid.rungs.push_back({{{500, 0}, {500, -90000}}, false});
+  for (const scene::Panel& panel : picture_of(model).panels) {
+    ASSERT_TRUE(panel.extent);
+    EXPECT_LT(panel.extent->diagonal(), 1.5 * section.diagonal());
+  }
+  const geom::Box shown = *picture_of(model).panels[1].extent;
+  EXPECT_TRUE(shown.contains(section.low) && shown.contains(section.high));
+}
+
+TEST(Layers, FaultsAreNamedInTheSectionAndManyShareAnEntryOfTheLegend) {
+  for (const std::size_t count : {2u, 9u}) {
+    Model model;
+    model.section = test::section_of({{{{0, 0}, {100, 0}}, false}});
+    for (std::size_t i = 0; i < count; ++i) {
+      const double x = 10.0 * static_cast<double>(i);
+      model.section.lines.push_back({LineId(i), LineKind::Fault, "F" + std::to_string(i), {{{x, 5}, {x, -50}}, false}, {}});
+    }
+    const scene::Panel panel = picture_of(model).panels[0];
+    EXPECT_EQ(scene::legend_name(*find(panel, "line_1")), count > 3 ? "Faults" : "F1");
+    const auto& name = std::get<scene::Labels>(find(panel, "fault_name_1")->content).labels.at(0);
+    EXPECT_EQ(name.text, "F1");
+    EXPECT_EQ(name.at, (geom::Point{10, 5}));
+  }
+}
+
+TEST(Layers, TheColumnBesideTheSectionNamesItsUnits) {
+  const scene::Picture picture = picture_of(restored_model());
+  const scene::Layer* names = find(picture.panels[1], "column_names");
+  ASSERT_NE(names, nullptr);
+  const auto& labels = std::get<scene::Labels>(names->content).labels;
+  ASSERT_EQ(labels.size(), 2u);
+  EXPECT_EQ(labels[0].text, "top - bed1");
+  EXPECT_GT(labels[0].at.y, labels[1].at.y);
+}
+
+TEST(Layers, ATableOfColoursCountsAndLettersStandOverTheEnds) {
+  Model model = restored_model();
+  model.section.colors = std::make_shared<const scene::ColorTable>(
+      scene::ColorTable{{{"bed1", scene::Color{10, 20, 30}, scene::Pattern::Dots}}});
+  model.section.left_end = "SSW";
+  model.section.right_end = "NNE";
+  for (const scene::Panel& panel : picture_of(model).panels) {
+    EXPECT_EQ(find(panel, "horizon_1")->style.line, (scene::Color{10, 20, 30}));
+    EXPECT_EQ(find(panel, "unit_1")->style.fill, (scene::Color{10, 20, 30}));
+    EXPECT_EQ(find(panel, "unit_1")->style.pattern, scene::Pattern::Dots);
+    EXPECT_EQ(panel.left_end, "SSW");
+    EXPECT_EQ(panel.right_end, "NNE");
+  }
 }
 
 }  // namespace

@@ -1,8 +1,11 @@
 #include "shared/cli/convert_command.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "shared/cli/line_picture.h"
 #include "tests/support/command_line.h"
@@ -71,6 +74,66 @@ TEST_F(ConvertCommand, LinesInSpaceGoIntoTheirPlaneAndBackOntoTheMap) {
   EXPECT_EQ(text("map.csv"), "x,y,z,name\n1000.0,2000.0,-5.0,top\n1300.0,2400.0,-6.0,top\n1600.0,2800.0,-9.0,top\n");
 }
 
+TEST_F(ConvertCommand, ATableOfColoursIsTakenForPicturesAndItsFaultsAreTold) {
+  const std::string table = put("colours.csv", "name,colour,lithology\nU,#010203,limestone\nV,#0a0b0c,\n");
+  const test::Outcome made = call({section(), path("a.svg"), "--colours", table});
+  EXPECT_EQ(made.code, 0) << made.err;
+  EXPECT_NE(made.err.find("nothing of the name 'V'"), std::string::npos) << made.err;
+  EXPECT_NE(made.err.find("does not name 'top'"), std::string::npos) << made.err;
+  EXPECT_NE(text("a.svg").find("rgb(0.392157%, 0.784314%, 1.176471%)"), std::string::npos);
+  EXPECT_NE(text("a.svg").find("U (limestone)"), std::string::npos);
+  EXPECT_NE(text("a.svg").find(">section<"), std::string::npos);  // its title
+  refuses({section(), path("b.svg"), "--colours", put("bad.csv", "name,colour\nU,#1\n")}, 3, {"bad.csv:2: 'U': '#1'"});
+  refuses({section(), path("b.csv"), "--colours", table}, 2, {"--colours is for .svg, .pdf and .png"});
+}
+
+TEST_F(ConvertCommand, PicturesGiveEachUnitItsColourAndPiecesOneEntry) {
+  io::LineWork work;
+  const auto add = [&](const std::string& name, io::FeatureType type, const std::string& kind) -> io::Feature& {
+    const double x = 100.0 * static_cast<double>(work.features.size());
+    io::Feature feature;
+    feature.type = type;
+    feature.name = name;
+    feature.kind = kind;
+    const bool area = type == io::FeatureType::Polygons;
+    feature.parts = {{{{x, 0.0}, {x + 90.0, 0.0}, {x + 90.0, 50.0}}, area}};
+    return work.features.emplace_back(feature);
+  };
+  for (int i = 0; i < 31; ++i) {
+    for (const char* const piece : {"_1", "_2"}) add("K" + std::to_string(i) + "p" + piece, io::FeatureType::Polygons, "");
+  }
+  for (int i = 0; i < 9; ++i) {
+    add("bed" + std::to_string(i), io::FeatureType::Lines, i % 2 == 0 ? "horizon" : "");
+    add("F" + std::to_string(i), io::FeatureType::Lines, "fault");
+  }
+  add("anything", io::FeatureType::Polygons, "").properties = {{"unit", std::string("K3p")}};
+  const scene::Picture picture = line_picture(work);
+  std::set<std::string> fills;
+  std::set<std::string> beds;
+  std::map<std::string, std::size_t> pieces;
+  const auto key = [](scene::Color c) { return fmt::format("{} {} {}", c.red, c.green, c.blue); };
+  for (const scene::Layer& layer : picture.panels[0].layers) {
+    if (const auto* regions = std::get_if<scene::Regions>(&layer.content)) {
+      EXPECT_TRUE(fills.insert(key(*layer.style.fill)).second) << layer.title;
+      pieces[layer.title] = regions->regions.size();
+    }
+    if (std::holds_alternative<scene::Lines>(layer.content) && layer.title.starts_with("bed")) {
+      EXPECT_TRUE(beds.insert(key(layer.style.line)).second) << layer.title;
+    }
+    if (layer.title.starts_with("F")) {
+      EXPECT_EQ(scene::legend_name(layer), "Faults");
+    }
+  }
+  EXPECT_EQ(fills.size(), 31U);
+  EXPECT_EQ(beds.size(), 9U);
+  EXPECT_EQ(pieces["K3p"], 3U);  // with the one that says so itself
+  EXPECT_EQ(pieces["K4p"], 2U);
+  EXPECT_EQ(picture.panels[0].left_end, "");
+  work.trace = io::Trace{.x = 0.0, .y = 0.0, .east = 0.0, .north = 1.0};
+  EXPECT_EQ(line_picture(work).panels[0].left_end, "S");
+  EXPECT_EQ(line_picture(work).panels[0].right_end, "N");
+}
+
 TEST_F(ConvertCommand, PicturesAndDrawingsAreToATrueScale) {
   ASSERT_EQ(call({section(), path("a.dxf"), "--scale", "1:500", "--only", "lines"}).code, 0);
   ASSERT_EQ(call({path("a.dxf"), path("paper.csv")}).code, 0);
@@ -91,7 +154,7 @@ TEST_F(ConvertCommand, PicturesAndDrawingsAreToATrueScale) {
     const std::size_t d = svg.find(" d=\"M ", at);
     if (d == std::string::npos) break;
     if (std::sscanf(svg.c_str() + d, " d=\"M %lf %lf L %lf %lf", &x0, &y0, &x1, &y1) != 4) continue;
-    const bool of_square = svg.substr(at, d - at).find("83.9") != std::string::npos;  // its fill
+    const bool of_square = svg.substr(at, d - at).find("95.68") != std::string::npos;  // its fill
     if (of_square) longest = std::max(longest, std::abs(x1 - x0) + std::abs(y1 - y0));
   }
   EXPECT_NEAR(longest, 0.2 * 72.0 / 0.0254, 0.01);

@@ -144,6 +144,17 @@ TEST_F(StagingTest, ATargetThatIsNoFolderIsNamed) {
   EXPECT_EQ(Staging::open(root / "file" / "x", TargetFolder::Create).error().code, ErrorCode::CannotWrite);
 }
 
+TEST_F(StagingTest, WhetherAFileCanBeWrittenIsKnownWithoutATrace) {
+  put(root / "file", "old");
+  fs::create_directory(root / "folder");
+  for (const fs::path& good : {root / "new.svg", root / "file", fs::path("/dev/null")})
+    EXPECT_TRUE(check_writable(good)) << good;
+  for (const fs::path& bad : {root / "folder", root / "missing" / "x", root / "file" / "x", fs::path("/dev/none/x")})
+    EXPECT_EQ(check_writable(bad).error().code, ErrorCode::CannotWrite) << bad;
+  EXPECT_EQ(count(root), 2U);
+  EXPECT_EQ(*io::read_bytes(root / "file"), "old");
+}
+
 TEST_F(StagingTest, ErrorsNameTheFileWhereTheUserExpectsIt) {
   auto staging = Staging::open(root, TargetFolder::MustExist);
   ASSERT_TRUE(staging.ok());

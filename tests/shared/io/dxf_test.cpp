@@ -38,6 +38,8 @@ std::string lwpolyline(const std::string& layer, int flags) {
 const std::string line_entity =
     pair(0, "LINE") + pair(8, "FAULT") + pair(10, "1") + pair(20, "2") + pair(11, "3") + pair(21, "-4");
 
+using Properties = std::vector<std::pair<std::string, PropertyValue>>;
+
 Features parsed(const std::string& text) {
   auto read = parse_dxf(text, "f");
   EXPECT_TRUE(read.ok()) << base::to_string(read.error());
@@ -54,7 +56,8 @@ TEST(Dxf, APolylineOfR12IsALineInItsOrderNamedByItsLayer) {
   ASSERT_EQ(read.features.size(), 1U);
   EXPECT_EQ(read.features[0].type, FeatureType::Lines);
   EXPECT_EQ(read.features[0].name, "TOP");
-  EXPECT_EQ(read.features[0].kind, "TOP");
+  EXPECT_EQ(read.features[0].kind, "horizon");  // the layer's name is the word of a kind
+  EXPECT_EQ(read.features[0].properties, (Properties{{"layer", "TOP"}}));
   EXPECT_EQ(read.features[0].parts.at(0).points, (std::vector<Point>{{0.5, 10}, {10, 12.25}, {20, 30}}));
   EXPECT_FALSE(read.features[0].parts[0].closed);
   EXPECT_TRUE(read.remarks.empty()) << read.remarks[0];
@@ -78,7 +81,9 @@ TEST(Dxf, FurtherLinesOfALayerAreNumberedAndLayerZeroNamesNothing) {
   EXPECT_EQ(read.features[0].parts[0].points, (std::vector<Point>{{1, 2}, {3, -4}}));
   EXPECT_EQ(read.features[1].name + read.features[1].kind, "");
   EXPECT_EQ(read.features[2].name, "FAULT 2");
-  EXPECT_EQ(read.features[2].kind, "FAULT");
+  EXPECT_EQ(read.features[2].kind, "fault");
+  EXPECT_EQ(read.features[2].properties, (Properties{{"layer", "FAULT"}}));
+  EXPECT_EQ(parsed(drawing(polyline("H4", 0))).features.at(0).kind, "");
 }
 
 TEST(Dxf, LineEndsOfWindowsAndPaddedCodesAreRead) {

@@ -57,8 +57,38 @@ TEST(LineFiles, EveryFormatThatIsTextReadsBackToTheSameText) {
     EXPECT_EQ(*lines_text(*read, {.format = format}, remarks), *text);
     if (format == LineFormat::Wkt) continue;
     EXPECT_EQ(read->features[0].name, "top");
-    EXPECT_EQ(read->features[0].kind, format == LineFormat::Dxf ? "top" : "horizon");
+    EXPECT_EQ(read->features[0].kind, "horizon");
   }
+}
+
+TEST(LineFiles, NamesAndKindsThatWktAndDxfLoseAreNamedUpToTen) {
+  LineWork work;
+  const auto add = [&](const std::string& name, const std::string& kind) {
+    work.features.push_back(Feature{.parts = {{{{0, 0}, {1, 0}}, false}}, .name = name, .kind = kind});
+  };
+  const auto told = [&](LineFormat format) {
+    std::vector<std::string> remarks;
+    EXPECT_TRUE(lines_text(work, {.format = format}, remarks));
+    return remarks.empty() ? std::string("nothing") : remarks.front();
+  };
+  add("", "");
+  EXPECT_EQ(told(LineFormat::Wkt), "nothing");
+  add("A", "");
+  EXPECT_EQ(told(LineFormat::Dxf), "nothing");
+  EXPECT_EQ(told(LineFormat::Wkt), "names and kinds are not kept in wkt: 'A'");
+  add("B", "horizon");
+  add("", "fault");
+  add("falha", "fault");  // a layer that reads back as its kind
+  EXPECT_EQ(told(LineFormat::Wkt).substr(37), "'A', 'B' (horizon), one without a name (fault), 'falha' (fault)");
+  EXPECT_NE(told(LineFormat::Dxf).find("dxf: 'B' (horizon), one without a name (fault); on"), std::string::npos);
+  for (int i = 0; i < 8; ++i) add("C", "pin");
+  EXPECT_EQ(told(LineFormat::Dxf).find("in all"), std::string::npos);  // ten
+  add("D", "pin");
+  EXPECT_NE(told(LineFormat::Dxf).find("'C' (pin), ... (11 in all)"), std::string::npos) << told(LineFormat::Dxf);
+  EXPECT_EQ(told(LineFormat::GeoJson), "nothing");
+  work.features = {};
+  add("a:b", "");
+  EXPECT_NE(told(LineFormat::Dxf).find("'a:b' becomes 'a_b'"), std::string::npos) << told(LineFormat::Dxf);
 }
 
 TEST(LineFiles, NamesThatAFormatCannotHoldAreTold) {

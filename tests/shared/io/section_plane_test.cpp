@@ -35,6 +35,18 @@ std::vector<Feature> lines_on(double degrees, double off, std::vector<Feature>* 
   return features;
 }
 
+TEST(SectionPlane, TheLengthIsThatOfTheSectionWhereverTheTraceBegins) {
+  for (const double degrees : {0.0, 90.0, 37.0}) {
+    const std::vector<Feature> features = lines_on(degrees, 0.0);
+    const Trace fitted = *fit_trace(features);
+    EXPECT_NEAR(length_along(fitted, features), 9950.0, 1e-5) << degrees;
+    Trace from_afar = fitted;
+    from_afar.x -= 1e6 * fitted.east;
+    from_afar.y -= 1e6 * fitted.north;
+    EXPECT_NEAR(length_along(from_afar, features), 9950.0, 1e-5) << degrees;
+  }
+}
+
 TEST(SectionPlane, AnExactPlaneIsFoundAndTheLinesComeBack) {
   for (const double degrees : {0.0, 30.0, 89.9, 90.0, -45.0, 10.0}) {
     std::vector<Feature> expected;
@@ -117,6 +129,16 @@ TEST(SectionPlane, DownThePlungeACylindricalFoldIsItsProfile) {
   for (std::size_t i = 0; i < profile.size(); ++i)
     EXPECT_LT(geom::distance(features[0].parts[0].points[i], profile[i]), 1e-12);
   EXPECT_TRUE(features[0].heights.empty());
+}
+
+TEST(SectionPlane, TheEndsOfASectionHaveTheirCompassPoints) {
+  using Ends = std::pair<std::string, std::string>;
+  EXPECT_EQ(ends_of(base::Angle::from_degrees(90.0)), (Ends{"W", "E"}));
+  EXPECT_EQ(ends_of(base::Angle::from_degrees(-170.0)), (Ends{"N", "S"}));
+  EXPECT_EQ(ends_of(base::Angle::from_degrees(30.0)), (Ends{"SSW", "NNE"}));
+  EXPECT_EQ(ends_of(azimuth_of(Trace{.east = 0.6, .north = -0.8})), (Ends{"NNW", "SSE"}));
+  // Looking down a plunge to the north, x runs to the east.
+  EXPECT_EQ(ends_of(azimuth_of(FoldAxis{base::Angle{}, base::Angle::from_degrees(10.0)})), (Ends{"W", "E"}));
 }
 
 }  // namespace

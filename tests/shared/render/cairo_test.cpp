@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <fstream>
+#include <set>
 #include <sstream>
 #include <thread>
 
@@ -82,6 +83,71 @@ TEST(Cairo, ThePdfDoesNotTellTheTimeOfDay) {
   EXPECT_THAT(pdf.substr(0, 5), "%PDF-");
   EXPECT_NE(pdf.find("%%EOF"), std::string::npos);
   EXPECT_TRUE(pdf == read(folder.path() / "b.pdf"));
+}
+
+/// A sheet with a table of so many rows.
+scene::Picture sheet(std::size_t rows) {
+  scene::Picture picture = test::example_section();
+  picture.paper = scene::Paper::A4Landscape;
+  picture.tables = {{"Beds", {"horizon", "length [m]"}, {}}};
+  for (std::size_t i = 0; i < rows; ++i) picture.tables[0].rows.push_back({"bed " + std::to_string(i), "1000.0"});
+  return picture;
+}
+
+TEST(Cairo, LongTablesGoToFurtherPagesOfThePdfAndAreCutInOtherPictures) {
+  const test::ScratchFolder folder;
+  for (const int rows : {4, 90, 1500}) {
+    const auto further =
+        scene::table_pages(sheet(static_cast<std::size_t>(rows)), scene::a4_landscape, cairo_text_measure());
+    ASSERT_TRUE(write_pdf(sheet(static_cast<std::size_t>(rows)), folder.path() / "a.pdf"));
+    const std::string pdf = read(folder.path() / "a.pdf");
+    const std::string count = "/Count " + std::to_string(rows > 4 ? 1 + further.size() : 1);
+    EXPECT_GE(further.size(), rows > 1000 ? 4U : 1U);
+    EXPECT_NE(pdf.find(count), std::string::npos) << rows << " rows: not " << count;
+    EXPECT_NE(pdf.find("841.89"), std::string::npos);
+    ASSERT_TRUE(write_svg(sheet(static_cast<std::size_t>(rows)), folder.path() / "a.svg"));
+    const std::string svg = read(folder.path() / "a.svg");
+    EXPECT_EQ(svg.find(" more rows") != std::string::npos, rows > 4);
+    EXPECT_NE(svg.find("bed 2<"), std::string::npos);
+  }
+}
+
+TEST(Cairo, PatternsAreDrawnOverTheirAreaAndNowhereElse) {
+  const test::ScratchFolder folder;
+  const auto names = {scene::Pattern::Dots,       scene::Pattern::Bricks,  scene::Pattern::Dashes,
+                      scene::Pattern::Hatch,      scene::Pattern::Circles, scene::Pattern::BackHatch,
+                      scene::Pattern::CrossHatch, scene::Pattern::Crosses, scene::Pattern::Vees};
+  std::set<std::string> seen;
+  for (const scene::Pattern pattern : names) {
+    scene::Picture picture;
+    scene::Panel panel{"p", ""};
+    panel.extent = geom::Box{{0.0, 0.0}, {100.0, 100.0}};
+    scene::Style style{.line_width = 0.0, .fill = scene::Color{200, 220, 240}};
+    style.pattern = pattern;
+    panel.layers.push_back(
+        {"a", "", style, scene::Regions{{{{{{{10.0, 10.0}, {60.0, 10.0}, {60.0, 90.0}, {10.0, 90.0}}, true}}}}, {}}});
+    picture.panels = {panel};
+    const scene::PageSize page{300.0, 300.0};
+    ASSERT_TRUE(write_png(picture, folder.path() / "a.png", page, 1.0));
+    const scene::PanelLayout place = scene::layout(picture, page, {}, cairo_text_measure()).panels[0];
+    const test::Pixels pixels = test::read_png(folder.path() / "a.png");
+    std::size_t dark = 0;
+    std::size_t outside = 0;
+    for (double x = 1.0; x < 99.0; x += 0.4) {
+      for (double y = 1.0; y < 99.0; y += 0.4) {
+        const bool in = x > 11.0 && x < 59.0 && y > 11.0 && y < 89.0;
+        const bool out = x < 9.0 || x > 61.0 || y < 9.0 || y > 91.0;
+        const geom::Point p = place.transform.to_page({x, y});
+        const double red = pixels.at(static_cast<int>(p.x), static_cast<int>(p.y))[0];
+        if (in && red < 190.0) ++dark;
+        if (out && red < 250.0) ++outside;
+      }
+    }
+    EXPECT_GT(dark, 500U) << static_cast<int>(pattern);
+    EXPECT_EQ(outside, 0U) << static_cast<int>(pattern);
+    seen.insert(read(folder.path() / "a.png"));
+  }
+  EXPECT_EQ(seen.size(), names.size());
 }
 
 TEST(Cairo, ThePngShowsTheBedsWhereTheyAre) {

@@ -59,7 +59,7 @@ TEST_F(VtkOffscreen, ThePlotHoldsTheColoursOfItsLayersAtTheirPlace) {
   ASSERT_TRUE(write_png_vtk(picture, folder_.path() / "a.png", std::nullopt, 2.0));
   const scene::TextMeasure measure = vtk_text_measure(2.0);
   const scene::Layout layout =
-      scene::layout(picture, scene::suggested_page(picture, usual_width, measure), {}, measure);
+      scene::layout(picture, scene::suggested_page(picture, scene::usual_width(picture), measure), {}, measure);
   const test::Pixels pixels = test::read_png(folder_.path() / "a.png");
   for (int bed = 0; bed < 3; ++bed) {
     const geom::Point p = layout.panels[1].transform.to_page({500.0 + 1000.0 / 48.0, -100.0 * bed - 25.0});

@@ -288,5 +288,80 @@ TEST(Layout, NamesBesideTheEndsOfLinesHaveRoomAndStandBelowEachOther) {
   }
 }
 
+/// Panels with a mesh, each with colours of its own.
+Picture sheet(std::size_t count, double width, double height) {
+  Picture picture{"", {}, Arrangement::Grid};
+  for (std::size_t i = 0; i < count; ++i) {
+    Panel panel{"p" + std::to_string(i), "load: Displacement along x, displacements \u00d7 5000; eta 1.2 %", {}, {}};
+    Mesh mesh{{{0, 0}, {width, 0}, {width, height}, {0, height}}, {{0, 1, 2}, {0, 2, 3}}, ValuesAt::Points, {0, 1, 2, 3}, {}};
+    mesh.scale = {.title = "field " + std::to_string(i) + " [Pa]", .low = 0.0, .high = 2.0, .least = 0.0, .greatest = 3.0};
+    panel.layers.push_back({"mesh", "", Style{}, mesh, true, InLegend::No});
+    panel.layers.push_back({"edge", "Boundary", Style{}, Lines{{{mesh.points, true}}, {}}});
+    picture.panels.push_back(panel);
+  }
+  return picture;
+}
+
+TEST(Layout, AGridMakesThePanelsAsLargeAsThePageAllows) {
+  for (const std::size_t count : {2U, 3U, 4U, 6U}) {
+    for (const auto& [width, height] : {std::pair{10.0, 4.0}, std::pair{1.0, 3.0}, std::pair{5.0, 5.0}, std::pair{100.0, 1.0}}) {
+      Picture picture = sheet(count, width, height);
+      const Layout made = laid_out(picture);
+      expect_tidy(made, std::to_string(count) + " panels of " + std::to_string(width / height));
+      for (const Arrangement other : {Arrangement::Row, Arrangement::Column}) {
+        picture.arrangement = other;
+        const Layout fixed = laid_out(picture);
+        if (fixed.page.height > 1.4 * 720.0 + 1.0 || fixed.page.width > 720.5) continue;  // it does not fit
+        EXPECT_GE(made.panels[0].transform.points_per_x, 0.97 * fixed.panels[0].transform.points_per_x) << count << ' ' << width / height;
+      }
+    }
+  }
+}
+
+TEST(Layout, ThreeWidePanelsAreStacked) {
+  const Layout made = laid_out(sheet(3, 10.0, 4.0));
+  EXPECT_GT(made.panels[0].plot.width(), 300.0);
+  EXPECT_LT(made.panels[0].plot.high.y, made.panels[1].plot.low.y);
+  EXPECT_LT(made.panels[1].plot.high.y, made.panels[2].plot.low.y);
+}
+
+TEST(Layout, ABarOfOnePanelStandsBesideThatPanel) {
+  for (const std::size_t count : {2U, 3U, 4U}) {
+    for (const Plots plots : {Plots::ToContent, Plots::FillPage}) {
+      const Picture picture = sheet(count, 10.0, 4.0);
+      const Layout made = plots == Plots::ToContent ? laid_out(picture) : layout(picture, {1600.0, 1000.0}, {}, measure, {plots});
+      std::size_t i = 0;
+      for (const Mark& mark : made.marks) {
+        const auto* bar = std::get_if<GradientMark>(&mark);
+        if (bar == nullptr) continue;
+        ASSERT_LT(i, made.panels.size());
+        const geom::Box& plot = made.panels[i++].plot;
+        EXPECT_GT(bar->box.low.x, plot.high.x);
+        EXPECT_LT(bar->box.low.x, plot.high.x + 120.0);
+        EXPECT_NEAR(bar->box.low.y, plot.low.y, 1.0);
+      }
+      EXPECT_EQ(i, count);
+    }
+  }
+}
+
+TEST(Layout, PanelsOfAGridStayWhereTheyAreWhileAViewMoves) {
+  const Picture picture = sheet(3, 10.0, 4.0);
+  const Layout whole = layout(picture, {1200.0, 800.0}, {}, measure, {Plots::FillPage});
+  std::vector<std::optional<View>> views;
+  for (const PanelLayout& panel : whole.panels) views.emplace_back(zoom_at(panel.view, {1.0, 1.0}, 37.0));
+  const Layout near = layout(picture, {1200.0, 800.0}, views, measure, {Plots::FillPage});
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_LT(distance(near.panels[i].plot.low, whole.panels[i].plot.low), 60.0) << i;
+}
+
+TEST(Layout, ADiagramHasNoScaleBar) {
+  Picture picture{"", {Panel{"a", "Bars", {"alpha", "share", AxisScale::Diagram}}}};
+  picture.panels[0].layers.push_back({"l", "mean", Style{}, Lines{{{{{0, 0}, {1, 1}}, false}}, {}}});
+  const auto texts = [&] { return texts_of(laid_out(picture)).size(); };
+  const std::size_t without = texts();
+  picture.panels[0].axes.scale = AxisScale::Linear;
+  EXPECT_EQ(texts(), without + 1);
+}
+
 }  // namespace
 }  // namespace dobra::scene

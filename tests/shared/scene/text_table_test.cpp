@@ -70,16 +70,55 @@ TEST(TextTable, ATableWithoutRowsOrWithShortRowsIsDrawnAllTheSame) {
   EXPECT_EQ(texts_of(text_table(shorter, font, approximate_text_measure())).size(), 3u);
 }
 
-TEST(TextTable, TablesAndNotesStandUnderEachOtherInTheMiddle) {
+Picture with_two_tables(std::size_t rows) {
   Picture picture;
-  picture.tables = {ledger, {"Units", {"unit"}, {{"A - B"}}}};
-  picture.notes = {"Both states to the same scale."};
-  const Furniture made = tables_and_notes(picture, 500.0, font, approximate_text_measure());
-  const auto texts = texts_of(made);
-  EXPECT_LT(text(texts, "Marl").at.y, text(texts, "Units").at.y);
-  EXPECT_LT(text(texts, "A - B").at.y, text(texts, "Both states to the same scale.").at.y);
-  EXPECT_NEAR(text(texts, "Units").at.x, 0.5 * made.width, 1e-9);
-  EXPECT_EQ(tables_and_notes({}, 500.0, font, approximate_text_measure()).height, 0.0);
+  TextTable beds = ledger;
+  for (std::size_t i = beds.rows.size(); i < rows; ++i) beds.rows.push_back({"bed " + std::to_string(i), "1.0", "0.00"});
+  picture.tables = {beds, {"Units", {"unit"}, {{"A - B"}}}};
+  return picture;
+}
+
+TEST(TextTable, TablesStandSideBySideWhereTheyHaveRoomElseUnderEachOther) {
+  const Picture picture = with_two_tables(2);
+  const TextMeasure measure = approximate_text_measure();
+  const auto wide = texts_of(tables_of(picture, {700.0, 500.0}, font, measure).furniture);
+  EXPECT_EQ(text(wide, "Beds").at.y, text(wide, "Units").at.y);
+  EXPECT_LT(right(text(wide, "[%]")), left(text(wide, "Units")));
+  const Tables narrow = tables_of(picture, {250.0, 500.0}, font, measure);
+  EXPECT_LT(text(texts_of(narrow.furniture), "Marl").at.y, text(texts_of(narrow.furniture), "Units").at.y);
+  EXPECT_FALSE(narrow.cut);
+}
+
+TEST(TextTable, LongTablesAreCutAndSayHowManyRowsAreLeftOut) {
+  const TextMeasure measure = approximate_text_measure();
+  for (const std::size_t rows : {12U, 60U, 1000U}) {
+    for (const double height : {90.0, 150.0}) {
+      for (const double width : {250.0, 700.0}) {
+        const Tables made = tables_of(with_two_tables(rows), {width, height}, font, measure);
+        const std::string at = std::to_string(rows) + " rows in " + std::to_string(height);
+        const double least = width > 600.0 ? height : 170.0;  // three rows of each remain whatever happens
+        EXPECT_LE(made.furniture.height, least + 1e-9) << at;
+        std::size_t shown = 0;
+        std::size_t told = 0;
+        for (const TextMark& mark : texts_of(made.furniture)) {
+          shown += mark.text.starts_with("bed ") || mark.text == "Marl" || mark.text == "Upper Sandstone" ? 1 : 0;
+          if (mark.text.starts_with("... ")) told += std::stoul(mark.text.substr(4));
+        }
+        EXPECT_EQ(shown + told, rows) << at;
+        EXPECT_EQ(made.cut, told > 0) << at;
+        EXPECT_GE(shown, 3U) << at;
+      }
+    }
+  }
+}
+
+TEST(TextTable, NotesStandUnderEachOther) {
+  Picture picture;
+  picture.notes = {"Both states to the same scale.", "Verdict: balanced."};
+  const TextMeasure measure = approximate_text_measure();
+  const auto texts = texts_of(notes_of(picture, 500.0, font, measure));
+  EXPECT_LT(text(texts, "Both states to the same scale.").at.y, text(texts, "Verdict: balanced.").at.y);
+  EXPECT_EQ(notes_of({}, 500.0, font, measure).height, 0.0);
 }
 
 }  // namespace

@@ -1,0 +1,22 @@
+#include "recon/core/palette.h"
+
+namespace recon::core {
+
+namespace scene = dobra::scene;
+
+Palette::Palette(const Section& section) {
+  for (const Horizon& horizon : section.horizons) horizons_.emplace(whole_name(horizon), horizons_.size());
+  std::vector<std::string> names;
+  for (const Unit& unit : section.units) names.push_back(unit.name);
+  wholes_ = scene::whole_names(names);
+  numbers_ = scene::numbers_of(wholes_);
+}
+
+scene::UnitStyle Palette::of(const std::string& whole_name) const {
+  const auto found = horizons_.find(whole_name);
+  return scene::unit_style(found == horizons_.end() ? 0 : found->second);
+}
+
+scene::UnitStyle Palette::of(UnitId unit) const { return scene::unit_style(numbers_[unit.index()]); }
+
+}  // namespace recon::core
