@@ -7,6 +7,7 @@
 #include "quebra/core/deck.h"
 #include "quebra/core/layers.h"
 #include "quebra/core/results.h"
+#include "quebra/core/selection.h"
 #include "shared/base/text.h"
 #include "shared/fem/assemble.h"
 #include "shared/fem/singular_vertices.h"
@@ -137,6 +138,12 @@ Result<void> check_exact(const fem::Problem& problem, const ProblemParams& param
 
 Result<Analysis> analyse(const Domain& domain, std::shared_ptr<const Meshed> meshed, const ProblemParams& params, double memory, const EstimateParams& judged,
                          const dobra::base::Progress& progress) {
+  const auto places = places_of(params);
+  if (std::any_of(places.begin(), places.end(), is_condition)) {
+    auto own = std::make_shared<Meshed>(*meshed);
+    DOBRA_TRY(own->mesh, with_sets(domain, meshed->mesh, places));
+    meshed = std::move(own);
+  }
   const mesh::ElementMesh& mesh = meshed->mesh;
   Analysis analysis{.meshed = meshed, .point_forces = judged.point_forces};
   DOBRA_TRY(analysis.problem, problem_of(mesh, params));

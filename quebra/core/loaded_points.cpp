@@ -7,6 +7,7 @@
 #include <set>
 
 #include "quebra/core/domain.h"
+#include "quebra/core/selection.h"
 
 namespace quebra::core {
 namespace {
@@ -68,8 +69,7 @@ std::vector<mesh::NodeId> nodes_at(const mesh::ElementMesh& own, const std::stri
 /// The force on a point without what acts along the normals of the curve of this name there.
 Vector without_normals(const Domain& domain, const std::string& where, const LoadedPoint& loaded) {
   Vector force = loaded.force;
-  for (std::size_t c = 0; c < domain.curves.size(); ++c) {
-    if (domain.curves[c].name != where) continue;
+  for (const std::size_t c : curves_meant(domain, where)) {
     for (const double s : places_on(domain, c, loaded.at)) {
       const Vector along = direction(domain.curves[c], s);
       force = dot(force, along) * along;

@@ -81,15 +81,23 @@ base::Result<void> print(const std::string& text) {
   return {};
 }
 
-Interruption::Interruption(const base::CancelToken& token) {
-  interrupted_token = &token;
+Interruption::Interruption() {
+  if (const base::CancelToken* token = interrupted_token.load()) {
+    token_ = *token;
+    return;
+  }
+  first_ = true;
+  interrupted_token = &token_;
   // Restarting keeps interrupted writes of libraries whole; resetting lets a second Ctrl-C end work that does not
   // listen.
   set_handler(on_interrupt, static_cast<int>(SA_RESTART | SA_RESETHAND));
 }
 
+void Interruption::let_go() { set_handler(SIG_DFL, 0); }
+
 Interruption::~Interruption() {
-  set_handler(SIG_DFL, 0);
+  if (!first_) return;
+  let_go();
   interrupted_token = nullptr;
 }
 

@@ -86,18 +86,22 @@ struct Survey {
   StatedConvention stated;
 };
 
-// Of $INSUNITS; 0 and 6 (metres) say nothing that has to be done.
+// Of $INSUNITS.
 void note_unit(std::string_view value, StatedConvention& stated) {
-  if (value == "2") stated.unit = 0.3048;
-  if (value == "6") stated.unit = 1.0;
-  if (value == "7") stated.unit = 1000.0;
-  constexpr std::string_view known[] = {"0", "2", "6", "7"};
-  if (std::find(std::begin(known), std::end(known), value) != std::end(known)) return;
-  const char* name = value == "1" ? " (inches)" : value == "4" ? " (millimetres)" : "";
-  stated.questions.push_back(
-      {Question::About::Unit, fmt::format("the drawing gives $INSUNITS = {}{}, which many programs write by "
-                                          "themselves; say what one unit is: unit = m, km or ft (--unit)",
-                                          shown(value), name)});
+  if (value == "0") return;  // unitless
+  constexpr std::pair<std::string_view, double> known[] = {{"6", 1.0},    {"1", 0.0254},   {"2", 0.3048},
+                                                           {"4", 0.001},  {"5", 0.01},     {"7", 1000.0},
+                                                           {"10", 0.9144}, {"14", 0.1},     {"3", 1609.344}};
+  const auto has_value = [&](const auto& own) { return own.first == value; };
+  const auto* unit = std::find_if(std::begin(known), std::end(known), has_value);
+  if (unit != std::end(known)) {
+    stated.unit = unit->second;
+    return;
+  }
+  stated.questions.push_back({Question::About::Unit,
+                              fmt::format("the drawing gives $INSUNITS = {}, a unit that is not known here; say what "
+                                          "one unit is: unit = m, km, ft, in, cm or mm (--unit)",
+                                          shown(value))});
 }
 
 // Judges the whole text.
