@@ -217,10 +217,8 @@ std::string json_text(const scenario::Program& program, const scenario::State& s
     for (const auto& row : table.rows) {
       nlohmann::ordered_json one;
       const auto known = [](const auto& cell) { return cell != std::remove_cvref_t<decltype(cell)>(std::string()); };
-      const bool refused = table.columns.back() == "reason" && known(row.back());
       for (std::size_t i = 0; i < row.size(); ++i) {
         if (known(row[i])) std::visit([&](const auto& value) { one[table.columns[i]] = value; }, row[i]);
-        else if (!refused && table.columns[i] != "reason") one[table.columns[i]] = nullptr;  // a tip has figures or a reason
       }
       rows.push_back(std::move(one));
     }

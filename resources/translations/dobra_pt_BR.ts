@@ -2256,8 +2256,8 @@
         <translation>0: deformada, 100: restaurada; entre eles: a caminho.</translation>
     </message>
     <message>
-        <source>nearest: the nearest segment of the top, with a remark; refuse: an error with the place.</source>
-        <translation>nearest: o segmento mais próximo do topo, com uma observação; refuse: um erro com o lugar.</translation>
+        <source>limited: the nearest segment of the top, with a remark, and an error where variable thickness leaves its limits; nearest: without limits; refuse: an error with the place.</source>
+        <translation>limited: o segmento mais próximo do topo, com uma observação, e um erro onde a espessura variável passa dos seus limites; nearest: sem limites; refuse: um erro com o lugar.</translation>
     </message>
     <message>
         <source>Of flexural slip: every horizon keeps its length, or every parallel of the top and all areas.</source>

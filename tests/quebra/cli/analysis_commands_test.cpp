@@ -213,7 +213,7 @@ TEST_F(AnalysisCommands, EveryLoadCaseHasItsRowsInTheTableOfCycles) {
   const auto one = loop({"0", "242.476"});
   ASSERT_EQ(one.code, 0) << one.err;
   const Json some = Json::parse(one.out);
-  EXPECT_TRUE(some["analyses"][0]["effectivity"].is_null());
+  EXPECT_FALSE(some["analyses"][0].contains("effectivity"));
   EXPECT_EQ(some["analyses"][1]["effectivity"], rows[1]["effectivity"]);
   EXPECT_NE(some["remarks"].dump().find("load case 'load': its exact energy is not given"), std::string::npos) << some["remarks"];
   EXPECT_EQ(some["remarks"].dump().find("load case 'twice'"), std::string::npos);

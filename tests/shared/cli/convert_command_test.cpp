@@ -50,7 +50,7 @@ TEST_F(ConvertCommand, TheReportSaysWhatWasReadRepairedAndWritten) {
   EXPECT_EQ(report["read"]["features"].size(), 3U);
   EXPECT_EQ(report["read"]["features"][0],
             Json({{"name", "top"}, {"kind", "horizon"}, {"type", "lines"}, {"parts", 1}, {"points", 2}}));
-  EXPECT_EQ(report["read"]["trace"], Json());
+  EXPECT_FALSE(report["read"].contains("trace"));
   ASSERT_EQ(report["repairs"].size(), 1U);
   EXPECT_EQ(report["repairs"][0]["repair"], "snap");
   EXPECT_NEAR(report["repairs"][0]["moved"].get<double>(), 5.1, 0.1);
