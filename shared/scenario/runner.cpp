@@ -139,7 +139,7 @@ Run Runner::run(const Document& document, const base::Progress& progress) {
     part.report(0.0, k == 0 ? "input" : operation->title);
     DOBRA_TRY(State state, k == 0 ? program_.read_input(table, context, part)
                                   : operation->run(run.states.back(), table, context, part));
-    remember(key, state, before);
+    if (!progress.cancelled()) remember(key, state, before);  // what an interrupted step gave is not its result
     run.states.push_back(std::move(state));
     return {};
   };
