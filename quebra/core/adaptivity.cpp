@@ -24,15 +24,16 @@ using dobra::geom::Vector;
 
 /// A cycle that lowers the error by less has stalled.
 constexpr double least_gain = 0.02;
-/// The estimate was never less than this part of the true error on the specimens measured (docs/algorithms/estimate.md).
-constexpr double least_effectivity = 0.85;
+/// The estimate was never less than this part of the true error on the specimens measured (docs/algorithms/estimate.md): a
+/// few hundred unknowns, or more.
+double least_effectivity(double percent) { return percent > 2.0 ? 0.8 : 0.85; }
 /// The sizes aim this much lower than what counts as reached: what the mesher makes of them comes out a little above.
 constexpr double aim = 0.95;
 /// The same round a peak, where a few elements decide.
 constexpr double aim_at_peaks = 0.7;
-/// No cycle aims at less than this part of the error that it has: what an estimate says of meshes far finer is no
-/// ground to make them, and where the stress is infinite no mesh follows at once.
-constexpr double most_gain = 0.25;
+/// What a cycle aims at, of the error that it has, if the target is farther: what an estimate says of meshes far finer is
+/// no ground to make them, and where the stress is infinite no mesh follows at once.
+constexpr double gain = 0.25;
 
 /// Of the memory allowed, that a mesh is planned for; the memory of a factorisation as a power of its unknowns.
 constexpr double planned_memory = 0.8;
@@ -124,16 +125,16 @@ struct Reached {
   std::optional<PeakSeen> peak;   ///< That of the greatest error.
   double left_out = 0.0;          ///< Of the energy, at loaded points.
   /// Even if the estimate is as low as it was ever seen to be.
-  [[nodiscard]] bool met(double percent) const { return 100.0 * std::max(whole / least_effectivity, peak ? peak->eta : 0.0) <= percent; }
+  [[nodiscard]] bool met(double percent) const { return 100.0 * std::max(whole / least_effectivity(percent), peak ? peak->eta : 0.0) <= percent; }
   /// Of what is not met nothing got better, nothing came up, and both are judged over the same domain.
   [[nodiscard]] bool stalls(const Reached& before, double percent) const {
     constexpr double same = 0.05;
     if (std::abs(left_out - before.left_out) > same) return false;
     const auto gains = [&](double now, std::optional<double> then, double enough) { return 100.0 * now > enough && (!then || now <= (1.0 - least_gain) * *then); };
-    return !gains(whole, before.whole, least_effectivity * percent) && !(peak && gains(peak->eta, peak->eta_before, percent));
+    return !gains(whole, before.whole, least_effectivity(percent) * percent) && !(peak && gains(peak->eta, peak->eta_before, percent));
   }
-  [[nodiscard]] std::string text() const {
-    const std::string error = fmt::format("the error is {:.3g} % (up to {:.3g} %, for the estimate may be low)", 100.0 * whole, 100.0 * whole / least_effectivity);
+  [[nodiscard]] std::string text(double percent) const {
+    const std::string error = fmt::format("the error is {:.3g} % (up to {:.3g} %, for the estimate may be low)", 100.0 * whole, 100.0 * whole / least_effectivity(percent));
     return peak ? error + fmt::format(", {:.3g} % round the peak of stress at ({:.6g}, {:.6g})", 100.0 * peak->eta, peak->at.x, peak->at.y) : error;
   }
 };
@@ -174,9 +175,12 @@ void add_loaded_points(const Analysis& analysis, double min_size, std::vector<do
   }
 }
 
-/// The error that the next mesh is to have, 0..1.
+/// The error that the next mesh is to have, 0..1: the last one's, or on the way there in even steps of about `gain`.
 double aimed_at(const Analysis& analysis, const AdaptParams& params) {
-  return std::max(aim * least_effectivity * params.target / 100.0, most_gain * analysis.eta);
+  const double goal = aim * least_effectivity(params.target) * params.target / 100.0;
+  if (analysis.eta <= goal) return goal;
+  const double steps = std::max(1.0, std::round(std::log(goal / analysis.eta) / std::log(gain)));
+  return analysis.eta * std::pow(goal / analysis.eta, 1.0 / steps);
 }
 
 /// Of the next mesh.
@@ -276,13 +280,13 @@ class Loop {
       const auto part = progress.part((own - 1.0) / params_.max_cycles, static_cast<double>(own) / params_.max_cycles);
       if (const auto cycled = cycle(part); !cycled) {
         if (own == 1) return cycled.error();
-        return finish(fmt::format("cycle {} could not be finished: {}; {} after {} cycles, above the {:.3g} % asked for", done_ + 1, cycled.error().message, before_.text(), done_, params_.target));
+        return finish(fmt::format("cycle {} could not be finished: {}; {} after {} cycles, above the {:.3g} % asked for", done_ + 1, cycled.error().message, before_.text(params_.target), done_, params_.target));
       }
       const Reached now{result_.analyses.back()->eta, peaks_.worst(), left_out_of(*result_.analyses.back())};
       if (now.met(params_.target)) return finish("");
       if (done_ > 1 && now.stalls(before_, params_.target))
-        return finish(fmt::format("{} and stalls above the {:.3g} % asked for{}", now.text(), params_.target, params_.min_size > 0.0 ? "; allow smaller elements" : ""));
-      if (own == params_.max_cycles) return finish(fmt::format("after {} cycles {}, above the {:.3g} % asked for; allow more", own, now.text(), params_.target));
+        return finish(fmt::format("{} and stalls above the {:.3g} % asked for{}", now.text(params_.target), params_.target, params_.min_size > 0.0 ? "; allow smaller elements" : ""));
+      if (own == params_.max_cycles) return finish(fmt::format("after {} cycles {}, above the {:.3g} % asked for; allow more", own, now.text(params_.target), params_.target));
       before_ = now;
     }
   }
@@ -297,7 +301,7 @@ class Loop {
     if (!(allowed > 0.0) || now * std::pow(wanted_.more, memory_power) <= allowed) return std::string();
     const double fits = std::pow(planned_memory * allowed / now, 1.0 / memory_power);
     if (fits < least_growth) {
-      return fmt::format("{} after {} cycles, above the {:.3g} % asked for: the next mesh, of about {:.2g} unknowns, needs about {:.2g} GB, and {:.2g} GB are allowed", before_.text(), done_, params_.target,
+      return fmt::format("{} after {} cycles, above the {:.3g} % asked for: the next mesh, of about {:.2g} unknowns, needs about {:.2g} GB, and {:.2g} GB are allowed", before_.text(params_.target), done_, params_.target,
                          wanted_.more * static_cast<double>(last.solution.statistics.unknowns), now * std::pow(wanted_.more, memory_power) / 1e9, allowed / 1e9);
     }
     for (auto& request : wanted_.mesh.sizes) request.size *= std::sqrt(wanted_.more / fits);

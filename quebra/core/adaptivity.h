@@ -42,7 +42,7 @@ struct AdaptParams : MeshRules, EstimateParams {
 };
 
 /// Adds the mesh and the analysis of every cycle; a remark says why the loop stopped if the target was not reached: reached
-/// means that the estimate is at most 0.85 of it, for the estimate may be low. What stops a cycle after the first (memory, the
+/// means that the estimate is at most 0.8 of it (0.85 of 2 % or less), for the estimate may be low. What stops a cycle after the first (memory, the
 /// user) leaves those before it. Each cycle is reported as a kept line.
 /// Sizes of a formula or background mesh bound those of every cycle from above.
 /// @error BadValue: no problem, or no cycle to go on from; those of SizeSource::make, mesh_domain and analyse

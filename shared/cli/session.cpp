@@ -46,7 +46,7 @@ base::Progress Session::progress() {
   if (options.verbosity == Verbosity::Quiet) return base::Progress(cancel, {});
   using Clock = std::chrono::steady_clock;
   const bool terminal = ::isatty(STDERR_FILENO) != 0;
-  return base::Progress(cancel, [this, terminal, last = Clock::time_point{}](double fraction, const std::string& what) mutable {
+  const auto listen = [this, terminal, last = Clock::time_point{}](double fraction, const std::string& what) mutable {
     if (base::is_kept_line(what)) return error_line(what.substr(0, what.size() - 1));
     if (!terminal) return;
     const auto now = Clock::now();
@@ -55,7 +55,8 @@ base::Progress Session::progress() {
     progress_shown_ = true;
     fmt::print(stderr, "\r\033[K{:3.0f}% {:.60}", 100.0 * fraction, one_line(what));
     std::fflush(stderr);
-  });
+  };
+  return base::Progress(cancel, listen);
 }
 
 void Session::clear_progress() {

@@ -173,7 +173,8 @@ bool mixed_stiffness(const ElementGeometry& element, const Material& material, s
 }  // namespace
 
 bool element_stiffness(const ElementGeometry& element, const Material& material, std::span<Block> blocks) {
-  if (mesh::is_quadratic(element.type) && nearly_incompressible(material)) return mixed_stiffness(element, material, blocks);
+  if (mesh::is_quadratic(element.type) && nearly_incompressible(material))
+    return mixed_stiffness(element, material, blocks);
   const Elasticity d = elasticity(material);
   const Rule rule = stiffness_rule(element);
   const auto points = integration_points(element.type, rule);

@@ -10,6 +10,7 @@
 
 #include "shared/fem/assemble.h"
 #include "shared/fem/exact_fields.h"
+#include "shared/fem/hot_spots.h"
 
 namespace dobra::fem {
 namespace {
@@ -93,25 +94,6 @@ double room_of(const ElementMesh& mesh, const TipFrame& frame, const Surrounding
     if (other.node != frame.tip.node) room = std::min(room, distance(frame.at, mesh.point(other.node)));
   }
   return room;
-}
-
-/// Single nodes with a force of their own, which the integrals would miss: loads, springs, supports and ties.
-std::vector<mesh::NodeId> forced_nodes(const ElementMesh& mesh, const Problem& problem, const LoadCase& load) {
-  std::vector<mesh::NodeId> nodes;
-  const auto add = [&](const std::string& where) {
-    const auto set = mesh.node_sets.find(where);
-    if (set != mesh.node_sets.end()) nodes.insert(nodes.end(), set->second.begin(), set->second.end());
-  };
-  for (const PointLoad& point : load.points) {
-    const auto shares = find_shares(mesh, point.where).value();
-    nodes.insert(nodes.end(), shares.nodes.begin(), shares.nodes.end());
-  }
-  for (const Spring& spring : problem.springs) add(spring.where);
-  for (const Support& support : problem.supports) add(support.where);
-  for (const Tie& tie : problem.ties) {
-    for (const TieTerm& term : tie.terms) nodes.push_back(term.node);
-  }
-  return nodes;
 }
 
 base::Result<TipFrame> frame_of(const ElementMesh& mesh, const Materials& materials, const mesh::CrackTip& tip,
@@ -596,16 +578,11 @@ base::Result<TipResult> tip_result(const ElementMesh& mesh, const Problem& probl
 std::vector<TipResult> crack_tips(const ElementMesh& mesh, const Problem& problem, const LoadCase& load,
                                   std::span<const Vector> u, std::optional<double> outer) {
   auto frames = tip_frames(mesh, problem.materials);
-  const std::vector<mesh::NodeId> forced = forced_nodes(mesh, problem, load);
   const std::vector<mesh::ElementSide> boundary = surroundings_of(mesh, problem.materials).boundary;
   std::vector<TipResult> results;
   for (std::size_t t = 0; t < frames.size(); ++t) {
     const mesh::CrackTip& tip = mesh.tips[t];
-    if (frames[t]) {
-      for (const mesh::NodeId node : forced) {
-        if (node != tip.node) frames[t]->room = std::min(frames[t]->room, distance(mesh.point(node), frames[t]->at));
-      }
-    }
+    if (frames[t]) frames[t]->room = std::min(frames[t]->room, distance_to_force(mesh, problem, tip.node));
     auto own = frames[t] ? tip_result(mesh, problem, load, *frames[t], boundary, u, outer) : frames[t].error();
     if (own) {
       results.push_back(*std::move(own));

@@ -1,9 +1,10 @@
 #pragma once
-// Elements of second order in plane strain of a nearly incompressible material (nu > 0.49). Plain ones lock there: their
-// dilatation has more freedom than their displacements can follow. Here the dilatation is projected, element by element,
-// on linear functions of the place, and a bubble inside (zero on the sides) gives the displacements what they lack; both
-// are eliminated in the element, so that the equations keep their size and stay definite. Page: docs/algorithms/fem.md.
-// Source: [crouzeix1973] (T6; Q8 alike), [zienkiewicz2000fem] (mixed forms, static condensation).
+// Elements of second order in plane strain of a nearly incompressible material (nu > 0.45). Plain ones lock there:
+// their dilatation has more freedom than their displacements can follow. Here the dilatation is projected, element by
+// element, on linear functions of the place, and a bubble inside (zero on the sides) gives the displacements what they
+// lack; both are eliminated in the element, so that the equations keep their size and stay definite.
+// Page: docs/algorithms/fem.md. Source: [crouzeix1973] (T6; Q8 alike), [zienkiewicz2000fem] (mixed forms, static
+// condensation).
 
 #include <array>
 #include <cstdint>
@@ -14,10 +15,13 @@
 
 namespace dobra::fem {
 
-/// Poisson's ratio in plane strain above which elements of second order are mixed, and those of first order are refused.
-inline constexpr double mixed_above = 0.49;
+/// Poisson's ratio in plane strain above which elements of second order are mixed, and those of first refused.
+inline constexpr double mixed_above = 0.45;
 /// The same above which those of first order have a remark.
-inline constexpr double stiff_above = 0.45;
+inline constexpr double stiff_above = 0.4;
+
+/// The greatest in plane strain: nearer to 0.5 the equations are singular to rounding.
+inline constexpr double most_poisson = 0.4999999;
 
 /// Plane strain above `mixed_above`.
 bool nearly_incompressible(const Material& material);
@@ -53,9 +57,9 @@ class MixedElement {
   std::size_t dofs_;  ///< Of the nodes, without the bubble.
   geom::Point centre_;
   double scale_ = 1.0;
-  std::array<Row, most> k_{};             ///< N/m
-  std::array<Row, 3> dilatation_{};       ///< Coefficients of the projected dilatation by displacement.
-  std::array<Row, 2> bubble_{};           ///< Displacements of the bubble by those of the nodes.
+  std::array<Row, most> k_{};        ///< N/m
+  std::array<Row, 3> dilatation_{};  ///< Coefficients of the projected dilatation by displacement.
+  std::array<Row, 2> bubble_{};      ///< Displacements of the bubble by those of the nodes.
 };
 
 /// The bubble's derivatives in x and y, 1/m.

@@ -11,7 +11,8 @@ constexpr std::size_t grain = 256;
 
 }  // namespace
 
-ElementSolution::ElementSolution(const ElementGeometry& element, const Material& material, std::span<const geom::Vector> u)
+ElementSolution::ElementSolution(const ElementGeometry& element, const Material& material,
+                                 std::span<const geom::Vector> u)
     : element_(element), elasticity_(elasticity(material)) {
   for (std::size_t a = 0; a < element.count; ++a) own_[a] = u[element.nodes[a]];
   if (!mesh::is_quadratic(element.type) || !nearly_incompressible(material)) return;

@@ -371,7 +371,7 @@ struct Known {
 
 /// Problems with an energy in closed form.
 std::vector<Known> known_energies() {
-  const std::string kirsch = "[input]\nspecimen = \"quarter_plate\"\nwidth = 4.0\n[[step]]\noperation = \"problem\"\nstate = \"strain\"\n[[step.material]]\nyoung = 1000.0\npoisson = 0.3\n" +
+  const std::string kirsch = "[input]\nspecimen = \"quarter_plate\"\nwidth = 4.0\nradius = 1.0\n[[step]]\noperation = \"problem\"\nstate = \"strain\"\n[[step.material]]\nyoung = 1000.0\npoisson = 0.3\n" +
                              support("left", "normal = 0.0") + support("bottom", "normal = 0.0") + load("right", "kind = \"kirsch\"\nvalue = 1.0\nradius = 1.0") + load("top", "kind = \"kirsch\"\nvalue = 1.0\nradius = 1.0");
   const std::string corner = "[[input.curve]]\nname = \"face_1\"\npoints = [[0, 0], [1, 0]]\n[[input.curve]]\nname = \"loaded\"\npoints = [[1, 0], [1, 1], [-1, 1], [-1, -1], [0, -1]]\n"
                              "[[input.curve]]\nname = \"face_2\"\npoints = [[0, -1], [0, 0]]\n" + point("origin", 0, 0) + point("far", 0, 1) +
@@ -397,12 +397,18 @@ TEST(Adaptivity, WhatIsReachedIsReachedInTruth) {
         EXPECT_LE(true_eta(analysis, known.energy), target) << known.name << ' ' << more << target;
         printf("[ figures  ] %s, %sto %g %%: cycles %zu, unknowns %g, eta %.3f %%, true %.3f %%\n", known.name, *more == 'o' ? "T3 " : *more == 'r' ? "rosettes " : "", target, last(done).analyses.size(), unknowns_of(analysis), 100.0 * analysis.eta,
                true_eta(analysis, known.energy));
-        // Asked for a little less than this very mesh has, one more cycle, which does not change it, must not be called enough.
-        const double less = 100.0 * analysis.eta * 1.05;
-        const scenario::Run once = run(known.text + adapt_step(less, std::string(more) + "max_cycles = 1\n"));
-        if (100.0 * last(once).analyses.back()->eta > 0.85 * less) EXPECT_TRUE(last(once).short_of_target) << known.name << ' ' << less;
       }
     }
+  }
+}
+
+TEST(Adaptivity, AnEstimateBelowTheTargetIsNotReachedWithoutItsMargin) {
+  for (const Known& known : known_energies()) {
+    const auto once = [&](double target) { return run(known.text + "[[step]]\noperation = \"adapt\"\nmax_cycles = 1\ntarget = " + std::to_string(target) + "\n"); };
+    const double eta = figures(once(90.0)).at("eta");
+    const scenario::Run near = once(1.05 * eta);
+    EXPECT_TRUE(last(near).short_of_target) << known.name;
+    EXPECT_THAT(last(near).remarks.back(), HasSubstr("for the estimate may be low")) << known.name;
   }
 }
 

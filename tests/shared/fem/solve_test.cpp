@@ -226,8 +226,7 @@ TEST(Solve, TheBytesDoNotDependOnTheNumberOfThreads) {
 /// A quarter of a thick cylinder, radii 1 and 2, under a pressure of 1 inside; plane strain.
 struct Cylinder {
   Material material;
-  [[nodiscard]] double along() const { return 1.0 / 3.0; }  // sigma_r = A - B / r^2, A = 1/3, B = 4/3
-  [[nodiscard]] double radial(double r) const { return 1.0 / 3.0 - 4.0 / 3.0 / (r * r); }
+  [[nodiscard]] static double radial(double r) { return 1.0 / 3.0 - 4.0 / 3.0 / (r * r); }
   [[nodiscard]] double moved(double r) const {
     const double nu = material.poisson;
     return (1.0 + nu) / material.young * ((1.0 - 2.0 * nu) * r / 3.0 + 4.0 / 3.0 / r);
@@ -255,7 +254,7 @@ BoreErrors at_the_bore(ElementType type, int n, double poisson) {
     const Vector e{mesh.points[i].x, mesh.points[i].y};
     if (std::abs(length(e) - 1.0) > 1e-9) continue;
     const Voigt& s = stresses[i];
-    errors.stress = std::max(errors.stress, std::abs(s[0] * e.x * e.x + s[1] * e.y * e.y + 2.0 * s[2] * e.x * e.y - exact.radial(1.0)));
+    errors.stress = std::max(errors.stress, std::abs(s[0] * e.x * e.x + s[1] * e.y * e.y + 2.0 * s[2] * e.x * e.y - Cylinder::radial(1.0)));
     errors.moved = std::max(errors.moved, std::abs(dot(solution.cases[0].displacements[i], e) / exact.moved(1.0) - 1.0));
   }
   return errors;
@@ -266,18 +265,14 @@ TEST(Solve, ABoreUnderPressureIsRightUpToIncompressibility) {
     for (const double nu : {0.3, 0.45, 0.49, 0.495, 0.4999, 0.49999, 0.4999999}) {
       const auto coarse = at_the_bore(type, 8, nu), fine = at_the_bore(type, 16, nu);
       printf("[ figures  ] bore, %s, nu %.7g: stress off by %.2e and %.2e, displacement by %.1e and %.1e\n", name_of(type), nu, coarse.stress, fine.stress, coarse.moved, fine.moved);
-      EXPECT_LT(coarse.stress, 0.01) << name_of(type) << nu;
-      EXPECT_LT(fine.stress, 0.5 * coarse.stress) << name_of(type) << nu;
+      EXPECT_LT(coarse.stress, 0.016) << name_of(type) << nu;
+      EXPECT_LT(fine.stress, 0.25 * coarse.stress) << name_of(type) << nu;
       EXPECT_LT(coarse.moved, 1e-3) << name_of(type) << nu;
     }
   }
-  for (const double nu : {0.3, 0.45, 0.47, 0.49}) {
-    const auto coarse = at_the_bore(ElementType::T3, 16, nu), fine = at_the_bore(ElementType::T3, 32, nu);
-    printf("[ figures  ] bore, T3, nu %.7g: stress off by %.2e and %.2e, displacement by %.1e and %.1e\n", nu, coarse.stress, fine.stress, coarse.moved, fine.moved);
-  }
 }
 
-TEST(Solve, MixedElementsHoldALinearFieldAndAWeightInRest) {
+TEST(Solve, MixedElementsHoldALinearFieldAndItsEnergy) {
   const Material rubber{.young = 1000.0, .poisson = 0.4999999, .state = PlaneState::Strain};
   for (const ElementType type : {ElementType::T6, ElementType::Q8}) {
     ElementMesh mesh = distorted(type, 7);
@@ -305,11 +300,12 @@ TEST(Solve, ElementsOfFirstOrderAreRefusedWhereTheyLock) {
     const auto solution = [&](double nu, PlaneState state) {
       return solve(mesh, {.materials = {{0, {.young = 1.0, .poisson = nu, .state = state}}}, .supports = {{.where = "left", .x = 0.0, .y = 0.0}}});
     };
-    EXPECT_TRUE(solution(0.49, PlaneState::Strain).ok());
+    EXPECT_TRUE(solution(0.45, PlaneState::Strain).ok());
     EXPECT_TRUE(solution(0.5, PlaneState::Stress).ok());
     const auto near = solution(0.4999999, PlaneState::Strain);
     EXPECT_EQ(near.ok(), mesh::is_quadratic(type)) << name_of(type);
-    if (!near) EXPECT_THAT(to_string(near.error()), HasSubstr("elements of first order lock in plane strain with Poisson's ratio 0.4999999"));
+    const std::string said = near ? "" : to_string(near.error());
+    EXPECT_EQ(said.find("elements of first order lock in plane strain with Poisson's ratio 0.4999999") != std::string::npos, !mesh::is_quadratic(type)) << said;
   }
 }
 
