@@ -179,7 +179,8 @@ void add_loaded_points(const Analysis& analysis, double min_size, std::vector<do
 double aimed_at(const Analysis& analysis, const AdaptParams& params) {
   const double goal = aim * least_effectivity(params.target) * params.target / 100.0;
   if (analysis.eta <= goal) return goal;
-  const double steps = std::max(1.0, std::round(std::log(goal / analysis.eta) / std::log(gain)));
+  constexpr double slack = 0.1;  // a little farther is no step more
+  const double steps = std::max(1.0, std::ceil(std::log(goal / analysis.eta) / std::log(gain) - slack));
   return analysis.eta * std::pow(goal / analysis.eta, 1.0 / steps);
 }
 
