@@ -39,6 +39,8 @@ using base::Error;
 using base::ErrorCode;
 using base::Result;
 
+constexpr int interrupted = 130;  // exit code
+
 struct Options {
   dobra::cli::ScenarioOptions scenario;
   RuleOptions rules;
@@ -275,6 +277,22 @@ Result<void> write_results(const scenario::Program& program, const scenario::Sta
   return {};
 }
 
+/// Runs the steps. A loop that the user stopped keeps its cycles: lines, probes and views behind it are of the last.
+Result<scenario::Run> run_loop(dobra::cli::Session& session, const scenario::Document& document) {
+  scenario::Runner runner(session.program);
+  scenario::Run run = runner.run(document, session.progress());
+  const bool stopped = session.cancel.cancelled() && !run.states.empty() && scenario::reached(session.program, run.states.back()) == false;
+  if (run.error && !stopped) return *run.error;
+  for (std::size_t k = run.states.size(); k <= document.steps.size(); ++k) {
+    const scenario::Step& step = document.steps[k - 1];
+    if (step.operation != "line" && step.operation != "probe" && step.operation != "view") return *run.error;
+    DOBRA_TRY(scenario::State state, session.program.find_operation(step.operation)->run(run.states.back(), step.params, {document.folder()}, {}));
+    run.states.push_back(std::move(state));
+  }
+  dobra::cli::tell(session, run.states.back());
+  return run;
+}
+
 Result<int> job(dobra::cli::Session& session, const std::string& operation, const Options& options) {
   for (const auto& file : {options.picture, options.curve}) {
     if (file) DOBRA_TRY_VOID(dobra::cli::check_ending(*file, dobra::cli::Drawer::Cairo));
@@ -283,13 +301,14 @@ Result<int> job(dobra::cli::Session& session, const std::string& operation, cons
     if (file) DOBRA_TRY_VOID(dobra::cli::check_writable(*file));
   }
   DOBRA_TRY(const scenario::Document document, document_of(session, operation, options));
-  DOBRA_TRY(const scenario::Run run, dobra::cli::run_steps(session, document));
+  DOBRA_TRY(const scenario::Run run, operation == "adapt" ? run_loop(session, document) : dobra::cli::run_steps(session, document));
   DOBRA_TRY_VOID(write_results(session.program, run.states.back(), options));
   if (session.options.format == dobra::cli::OutputFormat::Json) {
     DOBRA_TRY_VOID(dobra::cli::print(json_text(session.program, run.states.back())));
   } else if (session.options.verbosity != dobra::cli::Verbosity::Quiet) {
     DOBRA_TRY_VOID(dobra::cli::print(plain_text(session.program, run.states.back())));
   }
+  if (session.cancel.cancelled()) return interrupted;
   // As an expectation that is not met; the remark that says why is told with the others.
   return scenario::reached(session.program, run.states.back()) == false ? 1 : 0;
 }

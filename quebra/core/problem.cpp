@@ -1,11 +1,14 @@
 #include "quebra/core/problem.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
+#include "quebra/core/junctions.h"
 #include "quebra/core/selection.h"
 #include "shared/base/formula.h"
 #include "shared/base/text.h"
@@ -179,8 +182,9 @@ Result<void> check_tie(const TieParams& tie) {
 struct Names {
   const Domain& domain;
   std::vector<std::string> curves;  ///< Boundary curves, groups of them, lips.
-  std::vector<std::string> points;  ///< Named points and tips.
+  std::vector<std::string> points;  ///< Named points and tips, and the lips' own nodes of points on cracks.
   std::vector<std::string> regions;
+  std::map<std::string, std::vector<std::string>> parted = {};  ///< Points on cracks, with those of their lips.
 };
 
 Names names_of(const Domain& domain) {
@@ -195,8 +199,15 @@ Names names_of(const Domain& domain) {
     for (const char* const tip : {"_start", "_end"}) names.points.push_back(curve.name + tip);
   }
   for (const NamedPoint& point : domain.points) {
-    if (!point.name.empty()) names.points.push_back(point.name);
+    if (point.name.empty()) continue;
+    names.points.push_back(point.name);
+    const auto cracks = cracks_through(domain, point.at);
+    for (const std::size_t crack : cracks) {
+      for (const char* const lip : {"_left", "_right"})
+        names.parted[point.name].push_back(point.name + (cracks.size() > 1 ? "_" + domain.curves[crack].name : "") + lip);
+    }
   }
+  for (const auto& [name, lips] : names.parted) names.points.insert(names.points.end(), lips.begin(), lips.end());
   for (const auto& [tag, name] : domain.region_names) names.regions.push_back(name);
   return names;
 }
@@ -239,7 +250,11 @@ Result<void> check_row(const SpringParams& spring, const Names& names) {
 
 Result<void> check_row(const TieParams& tie, const Names& names) {
   DOBRA_TRY_VOID(check_tie(tie));
-  for (const std::string& point : tie.points) DOBRA_TRY_VOID(known(point, "point", names.points));
+  for (const std::string& point : tie.points) {
+    DOBRA_TRY_VOID(known(point, "point", names.points));
+    if (const auto parted = names.parted.find(point); parted != names.parted.end())
+      return bad(fmt::format("point '{}' lies on a crack and moves with each lip by itself; tie one of '{}'", point, fmt::join(parted->second, "', '")));
+  }
   return tie.where.empty() ? Result<void>{} : known_sides(tie.where, names);
 }
 

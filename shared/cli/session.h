@@ -29,7 +29,8 @@ class Session {
   const CommonOptions options;
   const base::CancelToken cancel;
 
-  /// Draws a line that is written over itself on standard error if that is a terminal, unless quiet.
+  /// Draws a line that is written over itself on standard error if that is a terminal, and writes lines to keep
+  /// (kept_line.h) to it in any case, unless quiet.
   [[nodiscard]] base::Progress progress();
   /// "recon: ..." on one line of standard error, whatever the verbosity.
   void error_line(const std::string& text);

@@ -171,7 +171,7 @@ Run Runner::run(const Document& document, const base::Progress& progress) {
     DOBRA_TRY(State state, k == 0 ? program_.read_input(si, context, part)
                                   : operation->run(run.states.back(), si, context, part));
     DOBRA_TRY_VOID(check_numbers(program_, state));
-    remember(key, state, before);
+    if (!progress.cancelled()) remember(key, state, before);  // what an interrupted step gave is not its result
     run.states.push_back(std::move(state));
     return {};
   };

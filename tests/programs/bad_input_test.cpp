@@ -295,6 +295,29 @@ TEST_F(Programs, ASignalBeforeTheWorkBeginsEndsWith130Too) {
   }
 }
 
+TEST_F(Programs, AnInterruptedLoopEndsWith130AndPrintsItsCycles) {
+  const std::string program = DOBRA_BIN_DIR "/quebra";
+  const std::string example = std::string(DOBRA_SOURCE_DIR) + "/resources/examples/quebra/edge_crack.toml";
+  const fs::path said = path("said"), printed = path("printed");
+  const pid_t child = fork();
+  if (child == 0) {
+    unsetenv("DISPLAY");
+    if (freopen(said.c_str(), "w", stderr) == nullptr || freopen(printed.c_str(), "w", stdout) == nullptr) _exit(98);
+    execl(program.c_str(), "quebra", "adapt", example.c_str(), "--target", "0.001%", "--max-cycles", "50", "--json", nullptr);
+    _exit(99);
+  }
+  for (int i = 0; i < 600 && read(said).find("cycle 2: ") == std::string::npos; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  kill(child, SIGINT);
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  const std::string json = read(printed);
+  EXPECT_NE(json.find("\"Cycle 2\""), std::string::npos) << read(said);
+  EXPECT_NE(json.find("\"reached\": false"), std::string::npos);
+  EXPECT_NE(read(said).find("could not be finished: interrupted"), std::string::npos) << read(said);
+}
+
 TEST_F(Programs, SameInputSameBytesAtAnyNumberOfThreads) {
   for (const std::string program : {"recon", "quebra"}) {
     const std::string example = std::string(DOBRA_SOURCE_DIR) + "/resources/examples/" + (program == "recon" ? "recon/fold.toml" : "quebra/plate_with_hole.toml");
