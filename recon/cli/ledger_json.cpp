@@ -13,8 +13,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// What could not be measured has no key.
 void add_cells(const std::vector<core::RowCell>& cells, Json& json) {
-  for (const core::RowCell& cell : cells) json[cell.name] = cell.value ? Json(*cell.value) : Json(nullptr);
+  for (const core::RowCell& cell : cells) {
+    if (cell.value) json[cell.name] = *cell.value;
+  }
 }
 
 Json points_json(const std::vector<dobra::geom::Point>& points) {
@@ -84,11 +87,9 @@ std::string restoration_json(const core::Model& model, Geometry geometry) {
     Json entry = {{"name", restoration.lengths[i].name}, {"kind", growth ? "growth" : "horizon"}};
     add_cells(core::cells_of(restoration.lengths[i]), entry);
     const core::UnitRow* layer = layer_below(model, i);
-    entry["layer"] = layer != nullptr ? Json(layer->name) : Json(nullptr);
     if (layer != nullptr) {
+      entry["layer"] = layer->name;
       add_cells(core::cells_of(*layer), entry);
-    } else {
-      for (const core::RowCell& cell : core::cells_of(core::UnitRow{})) entry[cell.name] = nullptr;
     }
     ledger.push_back(std::move(entry));
   }
@@ -162,11 +163,10 @@ std::string balance_json(const core::Model& model) {
     }
     json["ledger"] = std::move(ledger);
     if (const auto& fit = model.area_depth->fit) {
-      json["fit"] = {{"displacement", fit->displacement}, {"displacement_error", fit->displacement_error},
-                     {"detachment", fit->detachment},     {"detachment_error", fit->detachment_error},
-                     {"r_squared", fit->r_squared},       {"confidence_percent", model.area_depth->params.confidence}};
-    } else {
-      json["fit"] = nullptr;
+      Json figures = Json::object();
+      add_cells(core::cells_of(*fit), figures);
+      if (fit->displacement_error) figures["confidence_percent"] = model.area_depth->params.confidence;
+      json["fit"] = std::move(figures);
     }
     Json layers = Json::array();
     for (const core::LayerClass& layer : model.area_depth->layers) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "recon/core/area_change.h"
 #include "shared/base/parallel.h"
 
 namespace recon::core {
@@ -58,6 +59,11 @@ void measure_faces(const Section& section, const SectionMap& map, Ledger& ledger
     row.area_before = unit.area;
     row.area_after = area_of(row.faces_after);
     row.change_percent = unit.area == 0.0 ? 0.0 : 100.0 * (row.area_after - row.area_before) / row.area_before;
+    if (const auto change = area_change_in(row.faces_before, map)) {
+      row.dilatation = Range{change->least, 0.01 * row.change_percent, change->greatest};
+      row.least_at = change->least_at;
+      row.greatest_at = change->greatest_at;
+    }
     ledger.units.push_back(std::move(row));
   }
 }

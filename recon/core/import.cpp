@@ -122,7 +122,8 @@ class Importer {
     const std::string wanted = made.name;
     for (int copy = 2; !names_.insert(made.table + '\n' + made.name).second; ++copy)
       made.name = fmt::format("{} ({})", wanted, copy);
-    if (made.name != wanted && made.table == "polygon") made.piece_of = wanted;
+    if (made.table == "polygon") made.piece_of = io::stated_unit(feature);
+    if (made.table == "polygon" && made.piece_of.empty() && made.name != wanted) made.piece_of = wanted;
     made_.lines.push_back(std::move(made));
   }
 

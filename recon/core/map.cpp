@@ -256,6 +256,22 @@ Carried ColumnMap::carry(Cell cell, geom::Point p) const {
   return {name, point_on_bed(target_.frame(column_of(cell.second)), bed, depth)};
 }
 
+double ColumnMap::determinant(Cell cell, geom::Point p) const {
+  if (law_ == ColumnLaw::Slip) return 1.0;
+  const ColumnId column = column_of(cell.first);
+  const ColumnPoint name = source_.name_in(column, p);
+  // The area of a piece of column is that of its name times the length of the offset edge.
+  const auto edge = [&](const Columns& columns, double depth) {
+    const Columns::Frame& frame = columns.frame(column);
+    return columns.is_outer(column) ? 1.0 : frame.length + depth * frame.widening();
+  };
+  if (law_ == ColumnLaw::Thickness) return edge(target_, name.depth) / edge(source_, name.depth);
+  const double rate = area_rate(source_rates_, name);
+  const double goal_rate = area_rate(target_rates_, name);
+  const double depth = depth_of_area(name.depth * (1.0 + 0.5 * rate * name.depth), goal_rate);
+  return edge(target_, depth) / edge(source_, name.depth) * (1.0 + rate * name.depth) / (1.0 + goal_rate * depth);
+}
+
 bool ColumnMap::keeps(const Spot& spot, geom::Point p, const Spot& nearest) const {
   return columns_keep(source_, spot, p, nearest, tolerances_.side);
 }

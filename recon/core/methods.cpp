@@ -118,10 +118,11 @@ base::Result<SectionMap> column_map(const SourceGrid& source, const Target& targ
 }
 
 base::Result<MethodMap> shear_map(const SourceGrid& source, const Target& target, const MethodParams& params) {
+  // The pin slides along the direction of shear to the target, unless it is told where to go.
+  const geom::Point goal = target.params.target_pin ? target.target_pin : target.source_pin;
+  DOBRA_TRY(ShearMap map, ShearMap::make(source.base, target.line, params.shear_angle, target.source_pin, goal));
   MethodMap made;
-  auto map = ShearMap::make(source.base, target.line, params.shear_angle, params.doubt, made.remarks);
-  if (!map) return base::located(map.error(), base::Place{.item = "shear"});
-  made.map = SectionMap(params.percent < 100.0 ? map->part(params.percent / 100.0) : std::move(*map));
+  made.map = SectionMap(params.percent < 100.0 ? map.part(params.percent / 100.0) : std::move(map));
   return made;
 }
 

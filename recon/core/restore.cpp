@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "recon/core/face_ledger.h"
+#include "recon/core/limits.h"
 #include "recon/core/percent.h"
 #include "shared/base/parallel.h"
 
@@ -15,7 +16,36 @@ namespace {
 
 std::string at_text(geom::Point p) { return fmt::format("({:.6g}, {:.6g})", p.x, p.y); }
 
-void remark_on(const std::string& name, const MappedLine& mapped, std::vector<std::string>& remarks) {
+/// What a map is made of, in words.
+struct MapWords {
+  std::string torn;     ///< Where a line jumps.
+  std::string beyond;   ///< Beyond the ends.
+  std::string nowhere;  ///< A point that no cell holds.
+  std::string cell;     ///< Of the target.
+};
+
+MapWords words_of(const SectionMap& map, RestoreMethod method) {
+  if (map.columns() != nullptr) {
+    return {"crosses the medial axis of the top at {} places, where the grid is not single-valued",
+            "the top does not cover the section: {} points of horizon '{}' lie beyond its ends, the first at {}; there "
+            "the grid was continued straight",
+            "column of the grid and went with the nearest segment of the top", "column of the target grid"};
+  }
+  if (method == RestoreMethod::Shear) {
+    return {"is torn by the shear at {} places",
+            "the top does not cover the section along the direction of shear: {} points of horizon '{}' lie beyond its "
+            "ends, the first at {}; there the top was continued straight",
+            "strip of the shear", "strip of the shear"};
+  }
+  return {
+      "passes {} places where rulings between the horizons cross, so that the map is not single-valued",
+      "the horizons that are joined by rulings do not cover the section: {} points of horizon '{}' lie beyond their "
+      "ends, the first at {}; there the last ruling was moved along",
+      "strip between rulings and went with the nearest one", "strip between the restored rulings"};
+}
+
+void remark_on(const std::string& name, const MappedLine& mapped, const MapWords& words,
+               std::vector<std::string>& remarks) {
   if (!mapped.tears.empty()) {
     double torn = 0.0;
     const Tear* widest = &mapped.tears.front();
@@ -23,29 +53,19 @@ void remark_on(const std::string& name, const MappedLine& mapped, std::vector<st
       torn += tear.gap;
       if (tear.gap > widest->gap) widest = &tear;
     }
-    remarks.push_back(
-        fmt::format("horizon '{}' crosses the medial axis of the top at {} places, where the grid is not "
-                    "single-valued: its restored line jumps there by "
-                    "{:.4g} m in all, most at {} by {:.4g} m",
-                    name, mapped.tears.size(), torn, at_text(widest->place), widest->gap));
+    remarks.push_back(fmt::format(
+        "horizon '{}' {}: its restored line jumps there by {:.4g} m in all, most at {} by {:.4g} m", name,
+        fmt::format(fmt::runtime(words.torn), mapped.tears.size()), torn, at_text(widest->place), widest->gap));
   }
   if (mapped.beyond_ends > 0) {
-    remarks.push_back(
-        fmt::format("the top does not cover the section: {} points of horizon '{}' lie beyond its ends, the first at "
-                    "{}; there the grid "
-                    "was continued straight",
-                    mapped.beyond_ends, name, at_text(*mapped.beyond_at)));
+    remarks.push_back(fmt::format(fmt::runtime(words.beyond), mapped.beyond_ends, name, at_text(*mapped.beyond_at)));
   }
-  if (mapped.without_column > 0) {
-    remarks.push_back(
-        fmt::format("horizon '{}': {} points lie in no column of the grid and went with the nearest segment of the top",
-                    name, mapped.without_column));
-  }
+  if (mapped.without_column > 0)
+    remarks.push_back(fmt::format("horizon '{}': {} points lie in no {}", name, mapped.without_column, words.nowhere));
   if (mapped.not_reversible > 0) {
-    remarks.push_back(fmt::format(
-        "horizon '{}': {} restored points belong to another column of the target grid: restoring back would not "
-        "bring them home",
-        name, mapped.not_reversible));
+    remarks.push_back(
+        fmt::format("horizon '{}': {} restored points belong to another {}: restoring back would not bring them home",
+                    name, mapped.not_reversible, words.cell));
   }
 }
 
@@ -176,13 +196,16 @@ base::Result<Restoration> restore(const Section& section, const SourceGrid& sour
     restoration.section.horizons[i].line = restoration.lines[i].after;
     return line_length(section.horizons[i], restoration.lines[i]);
   });
+  const MapWords words = words_of(map, params.method);
   for (std::size_t i = 0; i < section.horizons.size(); ++i)
-    remark_on(section.horizons[i].name, restoration.lines[i], restoration.remarks);
+    remark_on(section.horizons[i].name, restoration.lines[i], words, restoration.remarks);
   carry_the_rest(map, restoration.section);
   restoration.order = order_of(section, source.top, restoration.lines);
   DOBRA_TRY(restoration.ledger, draw_up(section, ledger_units(section, restoration.order), restoration.lines, map,
                                         made.ends ? *made.ends : map, {}, progress));
   measure_faces(section, map, restoration.ledger);
+  DOBRA_TRY_VOID(refuse_not_finite(section, restoration));
+  if (params.outside == Doubt::Limited) DOBRA_TRY_VOID(refuse_beyond_limits(section, source, target, restoration));
   for (std::size_t i = 0; i < section.units.size(); ++i)
     restoration.section.units[i].contour = restoration.ledger.units[i].contour_after;
   measure_lean(section, restoration);

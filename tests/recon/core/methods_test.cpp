@@ -417,21 +417,6 @@ TEST(Methods, DoubtIsRefusedWithThePlaceWhereTheUserWishes) {
   EXPECT_EQ(refused.error().place->item, "horizon 'bed1'");
 }
 
-TEST(Methods, AnOverturnedTopIsRefusedUnderShearOrTakenByItsFirstLimb) {
-  const geom::Polyline top{{{0, 0}, {60, 30}, {80, 20}, {50, 5}, {120, 0}}, false};
-  const Model model = with_target(test::section_of({top, {{{0, -50}, {120, -50}}, false}}));
-  RestoreParams params = by(RestoreMethod::Shear);
-  params.outside = Doubt::Refuse;
-  const auto refused = run_restore(model, params, {}, {});
-  ASSERT_FALSE(refused);
-  EXPECT_NE(refused.error().message.find("overturned"), std::string::npos);
-  EXPECT_EQ(refused.error().place->x, 50.0);
-  params.outside = Doubt::Nearest;
-  const auto taken = run_restore(model, params, {}, {});
-  ASSERT_TRUE(taken);
-  EXPECT_NE(taken->restoration->remarks.front().find("overturned"), std::string::npos);
-}
-
 TEST(Methods, ABedWhoseParallelDoesNotReachThePinIsRefusedWithThePlace) {
   // The pin line of the left limb has left the fold where the bed lies, of which only the right limb is there.
   const geom::Polyline top{{{0, 0}, {45, 90}, {55, 90}, {100, 0}}, false};
