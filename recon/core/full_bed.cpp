@@ -149,8 +149,8 @@ class Completer {
       for (std::size_t i = 1; i < pieces.size(); ++i) {
         if (pieces[i].first >= pieces[i - 1].last - tolerance_) continue;
         return cannot(pieces[i], pieces[i].part.line.points.front(),
-                      fmt::format("it lies above or below '{}', a piece of the same horizon, by {:.4g} m along the top; "
-                                  "restore the blocks one by one, or take a method without beds",
+                      fmt::format("it lies above or below '{}', a piece of the same horizon, by {:.4g} m along the "
+                                  "top; restore the blocks one by one, or take a method without beds",
                                   pieces[i - 1].name, pieces[i - 1].last - pieces[i].first));
       }
       beds_.push_back(std::move(pieces));
@@ -231,8 +231,8 @@ class Completer {
       if (is_last) break;
     }
     return cannot(piece, end,
-                  fmt::format("it ends here, {:.6g} m from '{}', where that has no parallel (beyond its medial axis), so "
-                              "that its missing part cannot be told; lengthen it, or take another method",
+                  fmt::format("it ends here, {:.6g} m from '{}', where that has no parallel (beyond its medial axis), "
+                              "so that its missing part cannot be told; lengthen it, or take another method",
                               made.depth, made.guide->name));
   }
 
@@ -244,8 +244,8 @@ class Completer {
       return side < 0.0 ? std::min(*pin, missing.at) : std::max(*pin, missing.at);
     }
     return cannot(piece, end,
-                  fmt::format("it ends here, before the pin line, and the parallel of '{}' at this depth ({:.6g} m) does "
-                              "not reach that either; move the pin, or take another method",
+                  fmt::format("it ends here, before the pin line, and the parallel of '{}' at this depth ({:.6g} m) "
+                              "does not reach that either; move the pin, or take another method",
                               missing.guide->name, missing.depth));
   }
 

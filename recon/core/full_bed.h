@@ -1,7 +1,7 @@
 #pragma once
 // Beds from end to end of the section, for methods that lay them out by their own length. A bed seldom reaches as far
-// as the others do. What is missing of it is the parallel, at the depth of its end, of the next bed towards the top that
-// reaches the pin: so that what remains of a bed of a parallel fold is laid out as the whole bed would be.
+// as the others do. What is missing of it is the parallel, at the depth of its end, of the next bed towards the top
+// that reaches the pin: so that what remains of a bed of a parallel fold is laid out as the whole bed would be.
 // Page: docs/algorithms/flexural_slip.md
 
 #include <string>

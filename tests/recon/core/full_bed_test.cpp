@@ -213,7 +213,8 @@ TEST(FullBed, OverturnedBedsAreCutLikeOthers) {
       section.horizons[1].line = cut(bed, from * geom::length(bed), 0.9 * geom::length(bed));
       const auto part = restored(section, RestoreMethod::Flexural, pin);
       ASSERT_TRUE(all && part) << to_string((all ? part : all).error());
-      for (const std::size_t h : {0u, 1u, 2u}) expect_same(*all, h, part->lines[h], 1e4, fmt::format("{} {}", from, pin));
+      for (const std::size_t h : {0u, 1u, 2u})
+        expect_same(*all, h, part->lines[h], 1e4, fmt::format("{} {}", from, pin));
     }
   }
 }
@@ -234,7 +235,9 @@ TEST(FullBed, ABentTargetMovesNothingOfWhatRemainsEither) {
   target.target_pin = geom::Point{1200, 0};
   RestoreParams params;
   params.method = RestoreMethod::Flexural;
-  const auto run = [&] { return run_restore(*run_target(*run_grid(model, grid, {}, {}), target, {}, {}), params, {}, {}); };
+  const auto run = [&] {
+    return run_restore(*run_target(*run_grid(model, grid, {}, {}), target, {}, {}), params, {}, {});
+  };
   const auto all = run();
   model.section.horizons[2].line = cut(lines[2], 0.55 * geom::length(lines[2]), 0.8 * geom::length(lines[2]));
   const auto part = run();

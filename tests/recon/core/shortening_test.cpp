@@ -113,8 +113,10 @@ TEST(Shortening, APieceCutOutOfABedChangesNoVerdict) {
   const geom::Polyline top = fold();
   const geom::Polyline bed = test::parallel(top, 150.0);
   Section section = test::section_of({top, bed, bed});
-  section.horizons[1].line.points = {bed.points[0], bed.points[1], geom::interpolate(bed.points[1], bed.points[2], 0.3)};
-  section.horizons[2].line.points = {geom::interpolate(bed.points[3], bed.points[4], 0.5), bed.points[4], bed.points[5]};
+  section.horizons[1].line.points = {bed.points[0], bed.points[1],
+                                     geom::interpolate(bed.points[1], bed.points[2], 0.3)};
+  section.horizons[2].line.points = {geom::interpolate(bed.points[3], bed.points[4], 0.5), bed.points[4],
+                                     bed.points[5]};
   section.horizons[1].piece_of = section.horizons[2].piece_of = "bed";
   EXPECT_LT(agreed_percent(section), 1.0);
   EXPECT_EQ(consistency_of(section.horizons).compared, 1u);
