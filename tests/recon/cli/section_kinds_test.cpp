@@ -199,10 +199,12 @@ TEST_F(SectionKinds, PolygonsOfOneUnitByTheirColumnArePiecesOfIt) {
   add("J2", 0, 0, 50);
   add("J2", 50, 0, 50);  // a boundary of the map's sheets: the unit is one all the same
   add("J1", 0, -10, 100);
+  add("T", 0, -20, 100);
   const std::string file = put("units.geojson", R"({"type":"FeatureCollection","features":[)" + features + "]}");
   const Outcome outcome = call({"restore", file, "--horizons-from-units", "--uncovered", "continue"});
-  EXPECT_NE(outcome.err.find("'feature 1', 'feature 2' are taken as pieces of unit 'J2'"), std::string::npos) << outcome.err;
-  EXPECT_NE(outcome.err.find("1 horizons made of the edges of units: 'J1'"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("'feature 1', 'feature 2' are taken as pieces of unit 'J2'"), std::string::npos)
+      << outcome.err;
+  EXPECT_NE(outcome.err.find("2 horizons made of the edges of units: 'J1', 'T'"), std::string::npos) << outcome.err;
 }
 
 TEST_F(SectionKinds, HorizonsOfUnitsCanBeRestoredAsTops) {
