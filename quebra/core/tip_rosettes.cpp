@@ -95,7 +95,7 @@ Result<void> check_distances(const std::vector<TipRosette>& rosettes) {
   if (first == nullptr) return {};
   const Point at = second->rosette.tip;
   return Error{ErrorCode::BadDomain,
-               fmt::format("its rosette of radius {:.4g} overlaps that of '{}', of radius {:.4g}: the tips are {:.4g} m apart; a tip_radius of up to {:.3g} m keeps them apart, and 0 finds one by itself", second->rosette.outer_radius(), tip_name(*first),
+               fmt::format("its rosette of radius {:.4g} m overlaps that of '{}', of radius {:.4g} m: the tips are {:.4g} m apart; a tip_radius of up to {:.3g} m keeps them apart, and 0 finds one by itself", second->rosette.outer_radius(), tip_name(*first),
                            first->rosette.outer_radius(), distance(at, first->rosette.tip), floored(fits)),
                Place{.item = "crack tip '" + tip_name(*second) + "'", .x = at.x, .y = at.y}};
 }
@@ -104,7 +104,7 @@ Result<void> check_room(const Domain& domain, const std::vector<TipRosette>& ros
   for (std::size_t i = 0; i < rosettes.size(); ++i) {
     const auto& rosette = rosettes[i].rosette;
     const auto trouble = [&](const std::string& what) {
-      return Error{ErrorCode::BadDomain, fmt::format("the rosette of radius {:.4g} {}; make it smaller", rosette.outer_radius(), what),
+      return Error{ErrorCode::BadDomain, fmt::format("the rosette of radius {:.4g} m {}; make it smaller", rosette.outer_radius(), what),
                    Place{.item = "crack '" + rosettes[i].crack + "'", .x = rosette.tip.x, .y = rosette.tip.y}};
     };
     for (const Curve& curve : domain.curves) {
@@ -129,7 +129,7 @@ Result<void> check_straight(const Domain& domain, const TipRosette& tip) {
     const double all = length(curve);
     if (reach < 0.5 * all && distance(spoke, point(curve, from_start ? reach : all - reach)) <= straightness * radius) continue;
     return Error{ErrorCode::BadDomain,
-                 fmt::format("the rosette of radius {:.4g} does not fit: the crack, and a line of symmetry ahead, must be straight in it, and twice as long; make it smaller", reach),
+                 fmt::format("the rosette of radius {:.4g} m does not fit: the crack, and a line of symmetry ahead, must be straight in it, and twice as long; make it smaller", reach),
                  Place{.item = "crack '" + curve.name + "'", .x = at.x, .y = at.y}};
   }
   return {};

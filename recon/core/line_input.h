@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "recon/core/section.h"
 #include "shared/geom/drawn_curve.h"
 #include "shared/io/feature.h"
 #include "shared/scenario/field.h"
@@ -52,6 +53,7 @@ struct HorizonInput {
   std::vector<geom::Point> points;
   std::string feature;
   std::string piece_of;
+  BedRole role = BedRole::Judged;
   std::vector<double> columns = {1.0, 2.0};
   FieldSeparator separator = FieldSeparator::Detect;
   LineAxis y_axis = LineAxis::Section;
@@ -76,6 +78,9 @@ struct HorizonInput {
     d.field("piece_of", &HorizonInput::piece_of,
             {.title = "Piece of the horizon",
              .help = "Name of the horizon that faults have cut this piece from; the pieces add up in the ledger."});
+    d.choice("role", &HorizonInput::role, {"judged", "growth"},
+             {.title = "Role in the balance",
+              .help = "growth: a horizon laid down while the section deformed; it is listed, not judged."});
     d.field("columns", &HorizonInput::columns,
             {.title = "Columns of x and y",
              .help = "In a text file, counted from 1; three for map coordinates with heights."});

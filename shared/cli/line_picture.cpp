@@ -15,7 +15,7 @@ namespace {
 constexpr double points_per_metre = 72.0 / 0.0254;
 constexpr double largest_page = 20.0;  ///< m; beyond, PDF readers and printers give up
 
-constexpr double long_section = 10000.0;  ///< m; from here on axes are in kilometres
+constexpr double long_section = 10000.0;   ///< m; from here on axes are in kilometres
 constexpr std::size_t most_of_a_kind = 3;  ///< faults, or points, with entries of their own in the legend
 
 bool is_bed(const io::Feature& feature) {
@@ -204,8 +204,7 @@ scene::Picture line_picture(const io::LineWork& work) {
   return picture;
 }
 
-base::Result<void> draw_lines(const io::LineWork& work, const std::filesystem::path& file,
-                              const LineDrawing& drawing) {
+base::Result<void> draw_lines(const io::LineWork& work, const std::filesystem::path& file, const LineDrawing& drawing) {
   scene::Picture picture = line_picture(work);
   picture.title = drawing.title;
   if (drawing.colors) scene::paint(picture, *drawing.colors);

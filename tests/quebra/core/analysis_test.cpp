@@ -19,6 +19,7 @@ namespace {
 
 using namespace dobra;
 using namespace test;
+using testing::Contains;
 using testing::HasSubstr;
 
 const std::string kirsch = R"([input]
@@ -249,6 +250,60 @@ TEST(Analysis, QUE_h_ACentreCrackHasItsIntensityAtBothTips) {
   }
 }
 
+/// A bore under a pressure of 1 in a thick ring, plane strain; the radial stress there is -1.
+std::string bore(const char* poisson, const char* order) {
+  return std::string(R"([[input.curve]]
+name = "outer"
+kind = "circle"
+centre = [0, 0]
+radius = 4.0
+[[input.curve]]
+name = "bore"
+kind = "circle"
+role = "hole"
+centre = [0, 0]
+radius = 1.0
+[[input.point]]
+name = "a"
+point = [4, 0]
+[[input.point]]
+name = "b"
+point = [-4, 0]
+[[step]]
+operation = "problem"
+state = "strain"
+[[step.support]]
+where = "a"
+x = 0.0
+y = 0.0
+[[step.support]]
+where = "b"
+y = 0.0
+[[step.load]]
+where = "bore"
+kind = "pressure"
+value = 1.0
+[[step.material]]
+young = 1000.0
+poisson = )") + poisson + "\n[[step]]\noperation = \"mesh\"\nsize = 0.3\norder = \"" + order + "\"\n[[step]]\noperation = \"analyse\"\n[[step]]\noperation = \"probe\"\nlabel = \"wall\"\nat = [1, 0]\n";
+}
+
+TEST(Analysis, NearIncompressibilityABoreIsRightOrRefused) {
+  for (const char* const nu : {"0.3", "0.45", "0.46", "0.49", "0.499", "0.4999999"}) {
+    const double stress = figures(run(bore(nu, "2"))).at("probe.wall.load.s_xx");
+    printf("[ figures  ] bore, T6, nu %s: radial stress %.3f\n", nu, stress);
+    EXPECT_NEAR(stress, -1.0, 0.04) << nu;
+  }
+  for (const char* const nu : {"0.3", "0.4", "0.45"}) {
+    const scenario::Run done = run(bore(nu, "1"));
+    printf("[ figures  ] bore, T3, nu %s: radial stress %.3f\n", nu, figures(done).at("probe.wall.load.s_xx"));
+    const auto told = Contains(HasSubstr("elements of first order begin to lock in plane strain with Poisson's ratio 0.45"));
+    EXPECT_EQ(testing::Value(last(done).remarks, told), std::string(nu) == "0.45") << nu;
+  }
+  for (const char* const nu : {"0.46", "0.4999999"}) EXPECT_THAT(trouble(bore(nu, "1")), HasSubstr("mesh with order = \"2\""));
+  EXPECT_THAT(trouble(bore("0.49999999", "2")), HasSubstr("plane strain needs -1 < nu <= 0.4999999"));
+}
+
 TEST(Analysis, BadInputIsNamed) {
   EXPECT_THAT(trouble("[input]\nspecimen = \"cook\"\n[[step]]\noperation = \"analyse\"\n"), HasSubstr("put a step 'problem'"));
   EXPECT_THAT(trouble(kirsch + "[[step]]\noperation = \"analyse\"\n"), HasSubstr("put a step 'mesh' before"));
@@ -260,7 +315,7 @@ TEST(Analysis, BadInputIsNamed) {
   EXPECT_THAT(trouble(corner + solve + "[[step]]\noperation = \"crack\"\n"), HasSubstr("the mesh has no crack tips"));
   const std::string rosettes = "[[step]]\noperation = \"mesh\"\nrosettes = \"yes\"\n";
   EXPECT_THAT(trouble(centre_crack + rosettes), HasSubstr("give order = \"2\""));
-  EXPECT_THAT(trouble(centre_crack + rosettes + "order = \"2\"\ntip_radius = 0.5\n"), HasSubstr("crack tip 'crack_end': its rosette of radius 1.5 overlaps that of 'crack_start'"));
+  EXPECT_THAT(trouble(centre_crack + rosettes + "order = \"2\"\ntip_radius = 0.5\n"), HasSubstr("crack tip 'crack_end': its rosette of radius 1.5 m overlaps that of 'crack_start'"));
 }
 
 TEST(Analysis, AForceOnACurveHasARemarkWithItsResultantAndTheTractionThatSpreadsIt) {
@@ -269,7 +324,7 @@ TEST(Analysis, AForceOnACurveHasARemarkWithItsResultantAndTheTractionThatSpreads
   const auto done = run(head + "kind = \"force\"\ny = 100.0\n" + steps);
   const auto& mesh = last(done).meshes.back()->mesh;
   const double nodes = static_cast<double>(dobra::fem::find_nodes(mesh, "right")->size());
-  const std::string wanted = fmt::format("the force on 'right' acts at each of its {} nodes: (0, {}) N in all, more on a finer mesh; for (0, 100) N spread over the curve give kind = \"traction\", x = 0, y = 4", nodes, 100 * nodes);
+  const std::string wanted = fmt::format("the force on 'right' acts at each of its {} nodes: (0, {}) N in all, more on a finer mesh; for (0, 100) N spread over the curve give kind = \"traction\", x = 0 Pa, y = 4 Pa", nodes, 100 * nodes);
   EXPECT_THAT(program().remarks_of(done.states.back()), testing::Contains(wanted));  // 100 N / (50 m x 0.5 m)
   // That traction has the resultant.
   const auto spread = run(head + "y = 4.0\n" + steps);

@@ -88,7 +88,7 @@ TEST(HalfCrack, FaultsAreNamed) {
   const std::string input = half_strip(1, false);
   EXPECT_THAT(trouble(input + "[[step]]\noperation = \"half_crack\"\nlip = \"lib\"\n"), HasSubstr("there is no curve 'lib' on the boundary; did you mean 'lip'?"));
   EXPECT_THAT(trouble(input + "[[step]]\noperation = \"half_crack\"\nlip = \"right\"\n"), HasSubstr("curve 'right': the boundary goes straight on at neither end"));
-  EXPECT_THAT(trouble(input + half + "[[step]]\noperation = \"mesh\"\norder = \"2\"\nrosettes = \"yes\"\ntip_radius = 0.2\n"), HasSubstr("the rosette of radius 0.6 does not fit"));
+  EXPECT_THAT(trouble(input + half + "[[step]]\noperation = \"mesh\"\norder = \"2\"\nrosettes = \"yes\"\ntip_radius = 0.2\n"), HasSubstr("the rosette of radius 0.6 m does not fit"));
   const std::string loose = "[[step.support]]\nwhere = \"far\"\nx = 0.0\ny = 0.0\n[[step.load]]\nwhere = \"lip\"\nkind = \"pressure\"\nvalue = 1.0\n";
   EXPECT_THAT(trouble(input + half + problem + loose + crack("rosettes = \"yes\"\n")), HasSubstr("crack tip 'lip_end': the line of symmetry ahead of the lip is not held across"));
 }

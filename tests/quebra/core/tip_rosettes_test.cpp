@@ -88,7 +88,7 @@ TEST(TipRosettes, OverlappingOnesNameTheTipsTheirDistanceAndTheGreatestRadiusTha
   const auto two = [](const std::string& radius) {
     return plate("points = [[-1, 0], [-0.1, 0]]\n[[input.crack]]\nname = \"next\"\npoints = [[0.1, 0], [1, 0]]\n") + mesh("tip_radius = " + radius + "\n") + steps;
   };
-  EXPECT_THAT(trouble(two("0.2")), testing::AllOf(HasSubstr("crack tip 'next_start'"), HasSubstr("radius 0.6 overlaps that of 'crack_end', of radius 0.6: the tips are 0.2 m apart"), HasSubstr("up to 0.0333 m")));
+  EXPECT_THAT(trouble(two("0.2")), testing::AllOf(HasSubstr("crack tip 'next_start'"), HasSubstr("radius 0.6 m overlaps that of 'crack_end', of radius 0.6 m: the tips are 0.2 m apart"), HasSubstr("up to 0.0333 m")));
   EXPECT_TRUE(figures(run(two("0.0333"))).contains("tip.load.next_start.K_I"));
   EXPECT_THAT(trouble(two("0.0334")), HasSubstr("the tips are 0.2 m apart"));
   // The two ends of one crack.
