@@ -7,7 +7,7 @@ namespace scene = dobra::scene;
 Palette::Palette(const Section& section) {
   for (const Horizon& horizon : section.horizons) horizons_.emplace(whole_name(horizon), horizons_.size());
   std::vector<std::string> names;
-  for (const Unit& unit : section.units) names.push_back(unit.name);
+  for (const Unit& unit : section.units) names.push_back(unit.piece_of.empty() ? unit.name : unit.piece_of);
   wholes_ = scene::whole_names(names);
   numbers_ = scene::numbers_of(wholes_);
 }

@@ -224,7 +224,10 @@ int announce(Session& session, const OffsetVerdict& verdict) {
 Result<int> offset_job(Session& session, const Options& options) {
   // Everything about the options first: a wrong one is told before a long file is read.
   DOBRA_TRY(const OffsetPlan plan, plan_of(options));
-  if (options.out) DOBRA_TRY_VOID(check_offset_ending(*options.out));
+  if (options.out) {
+    DOBRA_TRY_VOID(check_offset_ending(*options.out));
+    DOBRA_TRY_VOID(check_writable(*options.out));
+  }
   DOBRA_TRY(const OffsetInput input, offset_input(session, options.file, plan));
   OffsetVerdict verdict;
   DOBRA_TRY(const std::vector<OffsetFamily> families, offset_families(session, options.file, input, plan, verdict));

@@ -8,6 +8,7 @@
 #include "recon/cli/section_commands.h"
 #include "recon/core/operations.h"
 #include "shared/cli/convert_command.h"
+#include "shared/cli/offset_command.h"
 #include "tests/support/command_line.h"
 
 namespace recon::cli {
@@ -19,7 +20,8 @@ using Json = nlohmann::json;
 class SectionKinds : public dobra::test::CommandLine {
  protected:
   SectionKinds()
-      : CommandLine(core::program(), {restore_command(), balance_command(), dobra::cli::convert_command()}) {}
+      : CommandLine(core::program(), {restore_command(), balance_command(), dobra::cli::convert_command(),
+                                      dobra::cli::offset_command()}) {}
 
   /// Two beds and a line F1 of that kind.
   [[nodiscard]] std::string section(const std::string& kind) const {
@@ -148,6 +150,8 @@ TEST_F(SectionKinds, WhereAResultCannotGoIsToldBeforeTheWork) {
   refuses({"restore", bad, "--out", path("dir.svg")}, 4, {"dir.svg", "Is a directory"});
   refuses({"restore", bad, "--out", path("x.zip")}, 2, {"x.zip", ".svg", ".toml", ".dxf"});
   refuses({"convert", path("no such file.csv"), path("not/there.svg")}, 4, {"No such file or directory"});
+  refuses({"offset", path("no such file.csv"), "--distance", "1", "--out", path("not/there.svg")}, 4,
+          {"not", "No such"});
   refuses({"render", put("bad.toml", "dobra = 1\n"), "--out", path("not/there.svg")}, 4, {"not"});
 }
 
@@ -199,10 +203,12 @@ TEST_F(SectionKinds, PolygonsOfOneUnitByTheirColumnArePiecesOfIt) {
   add("J2", 0, 0, 50);
   add("J2", 50, 0, 50);  // a boundary of the map's sheets: the unit is one all the same
   add("J1", 0, -10, 100);
+  add("T", 0, -20, 100);
   const std::string file = put("units.geojson", R"({"type":"FeatureCollection","features":[)" + features + "]}");
   const Outcome outcome = call({"restore", file, "--horizons-from-units", "--uncovered", "continue"});
-  EXPECT_NE(outcome.err.find("'feature 1', 'feature 2' are taken as pieces of unit 'J2'"), std::string::npos) << outcome.err;
-  EXPECT_NE(outcome.err.find("1 horizons made of the edges of units: 'J1'"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("'feature 1', 'feature 2' are taken as pieces of unit 'J2'"), std::string::npos)
+      << outcome.err;
+  EXPECT_NE(outcome.err.find("2 horizons made of the edges of units: 'J1', 'T'"), std::string::npos) << outcome.err;
 }
 
 TEST_F(SectionKinds, HorizonsOfUnitsCanBeRestoredAsTops) {

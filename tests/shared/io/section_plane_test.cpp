@@ -136,7 +136,7 @@ TEST(SectionPlane, TheEndsOfASectionHaveTheirCompassPoints) {
   EXPECT_EQ(ends_of(base::Angle::from_degrees(90.0)), (Ends{"W", "E"}));
   EXPECT_EQ(ends_of(base::Angle::from_degrees(-170.0)), (Ends{"N", "S"}));
   EXPECT_EQ(ends_of(base::Angle::from_degrees(30.0)), (Ends{"SSW", "NNE"}));
-  EXPECT_EQ(ends_of(azimuth_of(Trace{.east = 0.6, .north = -0.8})), (Ends{"NNW", "SSE"}));
+  EXPECT_EQ(ends_of(azimuth_of(Trace{.east = 0.6, .north = -0.8})), (Ends{"NW", "SE"}));
   // Looking down a plunge to the north, x runs to the east.
   EXPECT_EQ(ends_of(azimuth_of(FoldAxis{base::Angle{}, base::Angle::from_degrees(10.0)})), (Ends{"W", "E"}));
 }
