@@ -244,12 +244,13 @@ Result<void> check_size(const geom::Polyline& curve) {
 Result<void> check_proportion(int extent, std::span<const double> distances) {
   for (const double d : distances) {
     const std::string what = "an offset distance is " + base::number_text(d);
+    if (std::abs(std::ilogb(d) - extent) > greatest_proportion) {
+      return Error{ErrorCode::InvalidOption, what + ", but the curve is about " + base::number_text(std::ldexp(1.0, extent)) +
+                                                 " wide; neither may be more than 1e18 times the other"};
+    }
     if (d > greatest_size || d < 1 / greatest_size) {
       return Error{ErrorCode::InvalidOption, what + "; it must lie between 1e-150 and 1e150: use other units"};
     }
-    if (std::abs(std::ilogb(d) - extent) <= greatest_proportion) continue;
-    return Error{ErrorCode::InvalidOption, what + ", but the curve is about " + base::number_text(std::ldexp(1.0, extent)) +
-                                               " wide; neither may be more than 1e18 times the other"};
   }
   return {};
 }

@@ -219,6 +219,15 @@ TEST_F(OffsetCommand, OpenCurvesAreWrittenAsLinesInTheirOrder) {
   }
 }
 
+TEST_F(OffsetCommand, BisectorPointsThatAreCutAreTold) {
+  const std::string file = put("back.csv", "0,0\n10,0\n0,1e-6\n");
+  const test::Outcome outcome = call({file, "--distance", "1", "--join", "bisector"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_NE(outcome.err.find("1 corner turns back so sharply that the bisector point is more than 1000 D away, the first at (10, 0)"),
+            std::string::npos) << outcome.err;
+  EXPECT_EQ(call({corner(), "--distance", "1", "--join", "bisector"}).err, "");
+}
+
 // --- what a GIS user expects
 
 TEST_F(OffsetCommand, OFF_c_APolygonWithHolesStaysOnePolygonWithHoles) {

@@ -1,4 +1,5 @@
 #include "shared/offset/offset.h"
+#include "shared/offset/verify.h"
 
 #include <gtest/gtest.h>
 
@@ -421,7 +422,7 @@ Polyline made_of_eighths() {
   return {{{0, 0}, {6, 0.125}, {6.5, 4}, {3.25, 1.25}, {3.125, 3}, {5, 5.5}, {-1, 5}, {2.75, 3}, {2.5, 1.25}, {-0.5, 4.5}}, true};
 }
 
-TEST(Offset, CurvesAtTheEndsOfTheRangeOfDoublesAreThoseNearOne) {
+TEST(Offset, CurvesAtTheEndsOfTheRangeOfSizesAreThoseNearOne) {
   for (const Join join : {Join::Mitre, Join::Bisector, Join::Round, Join::Bevel}) {
     for (const Side side : {Side::RightOfTravel, Side::LeftOfTravel}) {
       for (const bool closed : {true, false}) {
@@ -431,7 +432,7 @@ TEST(Offset, CurvesAtTheEndsOfTheRangeOfDoublesAreThoseNearOne) {
         Polyline base = made_of_eighths();
         base.closed = closed;
         const auto near_one = run(base, {0.25, 0.75}, options);
-        for (const int exponent : {-960, -600, -130, -61, 61, 130, 600, 1000}) {
+        for (const int exponent : {-490, -400, -130, -61, 61, 130, 400, 480}) {
           Polyline far = base;
           for (Point& p : far.points) p = {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
           const auto curves = run(far, {std::ldexp(0.25, exponent), std::ldexp(0.75, exponent)}, options);
@@ -556,6 +557,24 @@ TEST(Stepper, SplitsADumbbellInTwo) {
   ASSERT_TRUE(stepped.ok());
   EXPECT_EQ(stepped->pieces.size(), 2U);
   EXPECT_NEAR(total_area(*stepped), 5.12, 1e-9);
+}
+
+TEST(Offset, BisectorPointsAreWhereTheyShouldUpToTheLimitAndCutAcrossBeyond) {
+  OffsetOptions options;
+  options.join = Join::Bisector;
+  // Back by an angle whose half has the sine 1 / far: the bisector point is D far away, on the axis.
+  for (const double far : {2.0, 30.0, 999.0, 1001.0, 1e5, 1e9, 1e12}) {
+    const double slope = 1 / std::sqrt(far * far - 1);
+    const geom::Polyline base{{{-10, -10 * slope}, {0, 0}, {-10, 10 * slope}}, false};
+    const auto made = offset(base, {{0.5}}, options);
+    ASSERT_TRUE(made.ok());
+    double reach = 0;
+    for (const geom::Point p : made->front().pieces.at(0).points) reach = std::max(reach, p.x);
+    EXPECT_NEAR(reach, far < bisector_limit ? 0.5 * far : 0.5, 1e-10 * far) << far;
+    const auto judged = verify(base, options, made->front());
+    ASSERT_TRUE(judged.ok());
+    EXPECT_TRUE(judged->ok()) << far << ' ' << (judged->ok() ? "" : to_string(judged->findings[0]));
+  }
 }
 
 }  // namespace

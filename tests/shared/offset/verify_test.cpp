@@ -326,7 +326,8 @@ TEST(Verify, FarTipsAreJudgedByTheirOwnRounding) {
                         {{{{6, 8e-9}, {3, 0.03}, {6, 7e-9}}, true}, 0.75}};
   for (const Case& c : cases) {
     for (const Side side : {Side::RightOfTravel, Side::LeftOfTravel}) {
-      OffsetOptions options = with(Join::Bisector);
+      OffsetOptions options = with(Join::Mitre);
+      options.mitre_limit = 1e18;  // tips as far as they like
       options.side = side;
       const auto made = offset(c.base, std::vector<double>{c.distance}, options);
       ASSERT_TRUE(made.ok());
