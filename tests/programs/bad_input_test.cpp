@@ -281,11 +281,11 @@ TEST_F(Programs, ASignalBeforeTheWorkBeginsEndsWith130Too) {
       _exit(99);
     }
     int writer = -1;  // once the program reads
-    for (int i = 0; i < 10000 && (writer = open(file.c_str(), O_WRONLY | O_NONBLOCK)) < 0; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    for (int i = 0; i < 10000 && (writer = ::open(file.c_str(), O_WRONLY | O_NONBLOCK)) < 0; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     ASSERT_GE(writer, 0) << name;
     kill(child, SIGINT);
     const std::string text = "dobra = 1\nprogram = \"" + name + "\"\n";
-    EXPECT_EQ(write(writer, text.data(), text.size()), static_cast<ssize_t>(text.size()));
+    EXPECT_EQ(::write(writer, text.data(), text.size()), static_cast<ssize_t>(text.size()));
     close(writer);
     int status = 0;
     ASSERT_EQ(waitpid(child, &status, 0), child);
