@@ -9,12 +9,14 @@
 #include "shared/cli/cli.h"
 #include "shared/cli/convert_command.h"
 #include "shared/cli/offset_command.h"
+#include "shared/cli/session.h"
 #include "shared/fem/process_group.h"
 #ifdef DOBRA_WITH_GUI
 #include "quebra/gui/window.h"
 #endif
 
 int main(int argc, char** argv) {
+  const dobra::cli::Interruption interruption;
   dobra::cli::Window window;
 #ifdef DOBRA_WITH_GUI
   std::string script;

@@ -7,11 +7,13 @@
 #include "shared/cli/cli.h"
 #include "shared/cli/convert_command.h"
 #include "shared/cli/offset_command.h"
+#include "shared/cli/session.h"
 #ifdef DOBRA_WITH_GUI
 #include "recon/gui/window.h"
 #endif
 
 int main(int argc, char** argv) {
+  const dobra::cli::Interruption interruption;
   dobra::cli::Window window;
 #ifdef DOBRA_WITH_GUI
   std::string script;

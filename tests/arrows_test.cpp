@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -115,6 +116,34 @@ TEST(Arrows, AnIncludeAgainstThemIsNoticed) {
   EXPECT_FALSE(objection("shared/render", "QWidget").empty());
   EXPECT_TRUE(objection("shared/offset", "shared/geom/point.h").empty());
   EXPECT_TRUE(objection("recon/gui", "QWidget").empty());
+}
+
+/// A path of one machine in a source, a test or a page is found on no other.
+TEST(Arrows, NoFileNamesAFolderOutsideTheTree) {
+  const fs::path root = DOBRA_SOURCE_DIR;
+  const std::set<std::string> read{".h", ".cpp", ".md", ".txt", ".cmake", ".toml", ".py", ".json"};
+  std::vector<std::string> folders;
+  for (const char* name : {"work", "home", "root", "Users"}) folders.push_back(std::string("/") + name + "/");
+  std::size_t files = 0;
+  for (const char* top : {"shared", "recon", "quebra", "tests", "docs", "resources", "scripts"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
+      const bool is_text = read.contains(entry.path().extension().string()) || std::string(top) == "scripts";
+      if (!entry.is_regular_file() || !is_text) continue;
+      ++files;
+      std::ifstream stream(entry.path());
+      std::size_t number = 0;
+      for (std::string line; std::getline(stream, line);) {
+        ++number;
+        for (const std::string& folder : folders) {
+          const std::size_t at = line.find(folder);
+          if (at == std::string::npos) continue;
+          const bool begins = at == 0 || std::string(" \"'(=<`").find(line[at - 1]) != std::string::npos;
+          EXPECT_FALSE(begins) << fs::relative(entry.path(), root).generic_string() << ':' << number << ": " << line;
+        }
+      }
+    }
+  }
+  EXPECT_GT(files, 500U);
 }
 
 }  // namespace

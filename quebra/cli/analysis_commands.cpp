@@ -11,6 +11,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "quebra/cli/input_file.h"
 #include "quebra/cli/rule_options.h"
 #include "quebra/core/analysis.h"
 #include "quebra/core/convergence.h"
@@ -26,8 +27,9 @@
 #include "shared/scenario/table_text.h"
 
 // 1. The document: options become parameters of its last step of the command's operation, which is added if there is none
-// (adapt: with the rules of the last mesh; crack: analyse before it, and rosettes in the mesh), and steps behind it. 2. It is run as `quebra run` would. 3. Quantities, tables and remarks are
-// printed, the line and the picture written.
+// (adapt: with the rules of the last mesh; crack: rosettes in the mesh), as is what that step stands on; probes and lines
+// behind it stay. 2. It is run as `quebra run` would. 3. Quantities, tables and remarks are printed, the line and the
+// picture written.
 
 namespace quebra::cli {
 namespace {
@@ -36,6 +38,8 @@ using namespace dobra;
 using base::Error;
 using base::ErrorCode;
 using base::Result;
+
+constexpr int interrupted = 130;  // exit code
 
 struct Options {
   dobra::cli::ScenarioOptions scenario;
@@ -52,10 +56,6 @@ struct Options {
   std::optional<std::int64_t> cycle;
   std::optional<std::filesystem::path> out, picture, curve;
 };
-
-scenario::Step step_of(const std::string& operation) {
-  return {.operation = operation, .name = {}, .params = {}, .comment = {}, .place = {}};
-}
 
 bool has_step(const scenario::Document& document, const std::string& operation) {
   return std::any_of(document.steps.begin(), document.steps.end(), [&](const auto& step) { return step.operation == operation; });
@@ -133,28 +133,66 @@ std::string as_the_mesh(const dobra::cli::Session& session, const scenario::Docu
   return taken.empty() ? taken : fmt::format("the loop takes {} of step {} (mesh); options and a step 'adapt' say otherwise", taken, document.steps.rend() - mesh);
 }
 
+/// What the command's step stands on and the scenario has not: a mesh for `analyse`, an analysis for `crack`. Before step `at`.
+void add_missing(scenario::Document& document, const std::string& operation, std::size_t& at, StepChanges& changes) {
+  const auto has_before = [&](std::initializer_list<const char*> operations) {
+    return std::any_of(document.steps.begin(), document.steps.begin() + static_cast<std::ptrdiff_t>(at), [&](const auto& step) {
+      return std::find(operations.begin(), operations.end(), step.operation) != operations.end();
+    });
+  };
+  const auto insert = [&](const char* missing, const char* told) {
+    document.steps.insert(document.steps.begin() + static_cast<std::ptrdiff_t>(at++), step_of(missing));
+    changes.added.push_back(told);
+  };
+  if (operation == "crack" && !has_before({"analyse", "adapt"})) insert("analyse", "analyse");
+  // That of `crack` gets rosettes (ask_for_rosettes).
+  if (operation == "analyse" && !has_before({"mesh", "adapt"})) insert("mesh", "mesh, with its defaults");
+}
+
+/// The scenario up to its last step of the operation, which is added if there is none, and the probes and lines behind it.
+/// @return the number of that step, 0-based.
+Result<std::size_t> take_steps(dobra::cli::Session& session, const std::string& operation, scenario::Document& document) {
+  if (!has_step(document, "problem"))
+    return Error{ErrorCode::BadValue, "the scenario has no step 'problem' with materials, supports and loads, so there is nothing to analyse: add one", base::Place{.file = document.file.string()}};
+  StepChanges changes;
+  auto& steps = document.steps;
+  const auto last = std::find_if(steps.rbegin(), steps.rend(), [&](const auto& step) { return step.operation == operation; });
+  std::size_t at = static_cast<std::size_t>(steps.rend() - last);  // behind it
+  const bool is_there = at > 0;
+  if (!is_there) {
+    // Behind everything that it can stand on, before what reads results.
+    constexpr std::array reading{"probe", "line", "view", "crack"};
+    const auto before = std::find_if(steps.rbegin(), steps.rend(), [&](const auto& step) { return std::find(reading.begin(), reading.end(), step.operation) == reading.end(); });
+    at = static_cast<std::size_t>(steps.rend() - before);
+  }
+  leave_out_from(document, at, {"probe", "line"}, changes);
+  if (is_there) {
+    --at;
+  } else {
+    steps.insert(steps.begin() + static_cast<std::ptrdiff_t>(at), step_of(operation));
+    if (operation == "adapt") {
+      if (const std::string taken = as_the_mesh(session, document, steps[at].params); !taken.empty()) session.note(taken);
+    }
+  }
+  add_missing(document, operation, at, changes);
+  if (!is_there) changes.added.push_back(operation);
+  if (const std::string told = text_of(changes, document); !told.empty()) session.note(told);
+  return at;
+}
+
 Result<scenario::Document> document_of(dobra::cli::Session& session, const std::string& operation, const Options& options) {
   DOBRA_TRY(scenario::Document document, dobra::cli::load(session, options.scenario));
-  if (operation == "crack" && !has_step(document, "analyse") && !has_step(document, "adapt")) document.steps.push_back(step_of("analyse"));
-  auto last = std::find_if(document.steps.rbegin(), document.steps.rend(), [&](const auto& step) { return step.operation == operation; });
-  if (last == document.steps.rend()) {
-    scenario::Step step = step_of(operation);
-    if (operation == "adapt") {
-      if (const std::string taken = as_the_mesh(session, document, step.params); !taken.empty()) session.note(taken);
-    }
-    document.steps.push_back(std::move(step));
-    last = document.steps.rbegin();
-  }
+  DOBRA_TRY(const std::size_t at, take_steps(session, operation, document));
+  scenario::Table& params = document.steps[at].params;
   if (!options.target.empty()) {
     DOBRA_TRY(const double target, percent(options.target));
-    last->params.set("target", target);
+    params.set("target", target);
   }
-  if (!options.rule.empty()) last->params.set("rule", options.rule);
-  if (options.max_cycles) last->params.set("max_cycles", *options.max_cycles);
-  set_rules(options.rules, last->params);
-  if (!options.exact_energy.empty()) last->params.set("exact_energy", options.exact_energy);
-  if (options.contour) last->params.set("contour", *options.contour);
-  document.steps.erase(last.base(), document.steps.end());
+  if (!options.rule.empty()) params.set("rule", options.rule);
+  if (options.max_cycles) params.set("max_cycles", *options.max_cycles);
+  set_rules(options.rules, params);
+  if (!options.exact_energy.empty()) params.set("exact_energy", options.exact_energy);
+  if (options.contour) params.set("contour", *options.contour);
   if (operation == "crack") {
     if (const std::string done = core::ask_for_rosettes(document); !done.empty()) session.note(done);
   }
@@ -181,10 +219,8 @@ std::string json_text(const scenario::Program& program, const scenario::State& s
     for (const auto& row : table.rows) {
       nlohmann::ordered_json one;
       const auto known = [](const auto& cell) { return cell != std::remove_cvref_t<decltype(cell)>(std::string()); };
-      const bool refused = table.columns.back() == "reason" && known(row.back());
       for (std::size_t i = 0; i < row.size(); ++i) {
         if (known(row[i])) std::visit([&](const auto& value) { one[table.columns[i]] = value; }, row[i]);
-        else if (!refused && table.columns[i] != "reason") one[table.columns[i]] = nullptr;  // a tip has figures or a reason
       }
       rows.push_back(std::move(one));
     }
@@ -241,6 +277,22 @@ Result<void> write_results(const scenario::Program& program, const scenario::Sta
   return {};
 }
 
+/// Runs the steps. A loop that the user stopped keeps its cycles: lines, probes and views behind it are of the last.
+Result<scenario::Run> run_loop(dobra::cli::Session& session, const scenario::Document& document) {
+  scenario::Runner runner(session.program);
+  scenario::Run run = runner.run(document, session.progress());
+  const bool stopped = session.cancel.cancelled() && !run.states.empty() && scenario::reached(session.program, run.states.back()) == false;
+  if (run.error && !stopped) return *run.error;
+  for (std::size_t k = run.states.size(); k <= document.steps.size(); ++k) {
+    const scenario::Step& step = document.steps[k - 1];
+    if (step.operation != "line" && step.operation != "probe" && step.operation != "view") return *run.error;
+    DOBRA_TRY(scenario::State state, session.program.find_operation(step.operation)->run(run.states.back(), step.params, {document.folder()}, {}));
+    run.states.push_back(std::move(state));
+  }
+  dobra::cli::tell(session, run.states.back());
+  return run;
+}
+
 Result<int> job(dobra::cli::Session& session, const std::string& operation, const Options& options) {
   for (const auto& file : {options.picture, options.curve}) {
     if (file) DOBRA_TRY_VOID(dobra::cli::check_ending(*file, dobra::cli::Drawer::Cairo));
@@ -249,13 +301,14 @@ Result<int> job(dobra::cli::Session& session, const std::string& operation, cons
     if (file) DOBRA_TRY_VOID(dobra::cli::check_writable(*file));
   }
   DOBRA_TRY(const scenario::Document document, document_of(session, operation, options));
-  DOBRA_TRY(const scenario::Run run, dobra::cli::run_steps(session, document));
+  DOBRA_TRY(const scenario::Run run, operation == "adapt" ? run_loop(session, document) : dobra::cli::run_steps(session, document));
   DOBRA_TRY_VOID(write_results(session.program, run.states.back(), options));
   if (session.options.format == dobra::cli::OutputFormat::Json) {
     DOBRA_TRY_VOID(dobra::cli::print(json_text(session.program, run.states.back())));
   } else if (session.options.verbosity != dobra::cli::Verbosity::Quiet) {
     DOBRA_TRY_VOID(dobra::cli::print(plain_text(session.program, run.states.back())));
   }
+  if (session.cancel.cancelled()) return interrupted;
   // As an expectation that is not met; the remark that says why is told with the others.
   return scenario::reached(session.program, run.states.back()) == false ? 1 : 0;
 }

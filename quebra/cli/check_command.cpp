@@ -1,19 +1,30 @@
 #include "quebra/cli/check_command.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <variant>
 
+#include "quebra/cli/input_file.h"
+#include "quebra/core/layers.h"
+#include "quebra/core/model.h"
+#include "quebra/core/selection.h"
+#include "shared/cli/pictures.h"
+#include "shared/cli/staging.h"
 #include "shared/io/file.h"
 #include "shared/io/mesh_file.h"
 #include "shared/io/polygon_file.h"
 #include "shared/io/scan.h"
 #include "shared/mesh/mesh_check.h"
+#include "shared/scenario/runner.h"
 
 namespace quebra::cli {
 namespace {
@@ -26,22 +37,25 @@ using dobra::cli::Session;
 using Json = nlohmann::ordered_json;
 
 struct Options {
-  std::string file;
-  bool closed = false;
+  InputFile input;
+  std::optional<std::filesystem::path> picture;
 };
 
-/// Counts, sets and faults of the mesh in the file.
+/// Counts and faults, sets of a mesh; curves, points and regions of geometry.
 struct Verdict {
   Json counts;
   Json sets = Json::array();
+  Json curves = Json::array();
+  Json points = Json::array();
+  Json regions = Json::array();
   std::vector<std::string> remarks;
   std::vector<std::string> faults;
 };
 
 Result<Verdict> of_polygons(const Options& options) {
-  DOBRA_TRY(const mesh::PolygonMesh polygons, io::read_polygons(options.file));
+  DOBRA_TRY(const mesh::PolygonMesh polygons, io::read_polygons(options.input.scenario.file.string()));
   Verdict verdict;
-  for (auto& finding : check(polygons, options.closed ? mesh::Closedness::Solid : mesh::Closedness::Sheet)) {
+  for (auto& finding : check(polygons, options.input.closed ? mesh::Closedness::Solid : mesh::Closedness::Sheet)) {
     verdict.faults.push_back(std::move(finding.message));
   }
   double furthest = 0.0;
@@ -73,7 +87,7 @@ Json sets_of(const mesh::ElementMesh& mesh) {
 }
 
 Result<Verdict> of_elements(const Options& options) {
-  DOBRA_TRY(const io::MeshContents contents, io::read_mesh(options.file));
+  DOBRA_TRY(const io::MeshContents contents, io::read_mesh(options.input.scenario.file.string()));
   Verdict verdict;
   verdict.counts = {{"nodes", contents.mesh.points.size()}, {"elements", contents.mesh.element_count()}};
   verdict.sets = sets_of(contents.mesh);
@@ -90,26 +104,157 @@ Result<Verdict> of_elements(const Options& options) {
   return verdict;
 }
 
+// --- geometry -------------------------------------------------------------------------------------------------------
+
+const char* role_name(core::Role role) {
+  constexpr std::array names{"boundary", "hole", "internal", "crack"};
+  return names[static_cast<std::size_t>(role)];
+}
+
+std::string shape_name(const core::Curve& curve) {
+  if (const auto* line = std::get_if<geom::Polyline>(&curve.shape)) return line->closed ? "polygon" : "line";
+  if (std::holds_alternative<geom::Arc>(curve.shape)) return closed(curve) ? "circle" : "arc";
+  return "spline";
+}
+
+/// Places and lengths in the units of the scenario.
+class InUnits {
+ public:
+  explicit InUnits(const scenario::UnitSystem& units) : units_(units) {}
+  Json operator()(geom::Point p) const { return Json::array({(*this)(p.x), (*this)(p.y)}); }
+  double operator()(double value, const char* unit = "m") const { return units_.from_si(value, unit); }
+
+ private:
+  const scenario::UnitSystem& units_;
+};
+
+Json json_of(const core::Curve& curve, const InUnits& in_units) {
+  const double all = length(curve);
+  Json json{{"name", curve.name}, {"kind", role_name(curve.role)}, {"shape", shape_name(curve)}, {"length", in_units(all)}, {"from", in_units(point(curve, 0.0))}, {"to", in_units(point(curve, all))}};
+  if (curve.role == core::Role::Crack) {
+    json["lips"] = {curve.name + "_left", curve.name + "_right"};
+    json["tips"] = {curve.name + "_start", curve.name + "_end"};
+  }
+  if (!curve.groups.empty()) json["groups"] = curve.groups;
+  return json;
+}
+
+/// The names that steps may use, each with its place.
+Verdict of_domain(const core::Model& model) {
+  const core::Domain& domain = model.domain;
+  const InUnits in_units(model.units);
+  Verdict verdict;
+  verdict.counts = {{"curves", domain.curves.size()}, {"loops", domain.loops.size()}, {"parts", domain.faces.size()}};
+  for (const core::Curve& curve : domain.curves) verdict.curves.push_back(json_of(curve, in_units));
+  // Sides of an outline have no names: they are found by their place.
+  constexpr std::size_t few = 12;
+  const auto parts = core::boundary_parts(domain);
+  for (std::size_t i = 0; i < parts.size();) {
+    const auto end = std::find_if(parts.begin() + static_cast<std::ptrdiff_t>(i), parts.end(), [&](const auto& part) { return part.curve != parts[i].curve; });
+    const auto count = static_cast<std::size_t>(end - parts.begin()) - i;
+    Json& sides = verdict.curves[parts[i].curve]["sides"];
+    sides = count;
+    if (count > 1 && count <= few) {
+      sides = Json::array();
+      for (std::size_t k = i; k < i + count; ++k) sides.push_back({{"from", in_units(parts[k].start)}, {"to", in_units(parts[k].end)}});
+    }
+    i += count;
+  }
+  for (const core::NamedPoint& point : domain.points) {
+    if (!point.name.empty()) verdict.points.push_back({{"name", point.name}, {"at", in_units(point.at)}});
+  }
+  for (const auto& [tag, name] : domain.region_names) {
+    double area = 0.0;
+    for (const core::Face& face : domain.faces) area += face.region == tag ? face.area : 0.0;
+    verdict.regions.push_back({{"name", name}, {"area", in_units(area, "m2")}});
+  }
+  return verdict;
+}
+
+/// A scenario's input, or a file of geometry.
+Result<Verdict> of_geometry(Session& session, const Options& options) {
+  if (options.picture) DOBRA_TRY_VOID(dobra::cli::check_writable(*options.picture));
+  DOBRA_TRY(scenario::Document document, document_of(session, options.input));
+  document.steps.clear();
+  document.expects.clear();
+  DOBRA_TRY_VOID(scenario::check(document, session.program));
+  scenario::Runner runner(session.program);
+  const scenario::Run run = runner.run(document, session.progress());
+  if (run.error) return *run.error;
+  const auto& model = scenario::model_of<core::Model>(run.states.back());
+  if (options.picture) DOBRA_TRY_VOID(dobra::cli::draw(in_units(core::names_picture(model), model.units), *options.picture, dobra::cli::Drawer::Cairo));
+  Verdict verdict = of_domain(model);
+  verdict.remarks = session.program.remarks_of(run.states.back());
+  return verdict;
+}
+
+std::string place_text(const Json& at) { return fmt::format("({:.6g}, {:.6g})", at[0].get<double>(), at[1].get<double>()); }
+
+/// A line for every curve with its place, below it those of its sides.
+std::string curves_text(const Verdict& verdict) {
+  std::string text;
+  const auto name_of = [](const Json& item) { return io::shown(item["name"].get<std::string>()); };
+  const auto from_to = [](const Json& item) {
+    if (item["from"] == item["to"]) return fmt::format("closed, through {}", place_text(item["from"]));
+    return fmt::format("from {} to {}", place_text(item["from"]), place_text(item["to"]));
+  };
+  for (const Json& curve : verdict.curves) {
+    text += fmt::format("{:<14}{:<9} {:<8} length {:<10.6g} {}\n", name_of(curve), curve["kind"].get<std::string>(), curve["shape"].get<std::string>(), curve["length"].get<double>(), from_to(curve));
+    for (const char* const key : {"lips", "tips", "groups"}) {
+      if (curve.contains(key)) text += fmt::format("  {} {}\n", key, fmt::join(curve[key].get<std::vector<std::string>>(), ", "));
+    }
+    if (!curve.contains("sides") || !curve["sides"].is_array()) continue;
+    for (const Json& side : curve["sides"]) text += fmt::format("  side {}\n", from_to(side));
+  }
+  for (const Json& point : verdict.points) text += fmt::format("{:<14}point     at {}\n", name_of(point), place_text(point["at"]));
+  for (const Json& region : verdict.regions) text += fmt::format("{:<14}region    area {:.6g}\n", name_of(region), region["area"].get<double>());
+  return text;
+}
+
+// --- either ----------------------------------------------------------------------------------------------------------
+
+bool of_mesh(const std::string& ending) { return ending == ".obj" || ending == ".off" || ending == ".ply" || io::is_mesh_ending(ending); }
+
+Result<Verdict> verdict_of(Session& session, const Options& options) {
+  const std::string ending = io::ending_of(options.input.scenario.file.string());
+  if (!of_mesh(ending)) return of_geometry(session, options);
+  if (options.picture) return base::Error{base::ErrorCode::BadUsage, "--picture draws the curves of a scenario or a file of geometry, and this is a mesh; `quebra convert` and `quebra mesh` draw others"};
+  return ending == ".obj" || ending == ".off" || ending == ".ply" ? of_polygons(options) : of_elements(options);
+}
+
+std::string plain_text(const Verdict& verdict) {
+  std::string text;
+  for (const auto& [name, value] : verdict.counts.items()) text += fmt::format("{:<14}{}\n", name, value.dump());
+  for (const Json& set : verdict.sets) {
+    text += fmt::format("{:<14}{} {}\n", set["kind"].get<std::string>(), set["count"].get<std::size_t>(), io::shown(set["name"].get<std::string>()));
+  }
+  return text + curves_text(verdict) + fmt::format("{:<14}{}\n", "faults", verdict.faults.size());
+}
+
+Json json_of(const Verdict& verdict) {
+  Json json = verdict.counts;
+  if (!verdict.curves.empty()) {
+    json["curves"] = verdict.curves;
+    json["points"] = verdict.points;
+    json["regions"] = verdict.regions;
+  } else {
+    json["sets"] = verdict.sets;
+  }
+  json["faults"] = verdict.faults;
+  json["remarks"] = verdict.remarks;
+  return json;
+}
+
 Result<int> check_job(Session& session, const Options& options) {
-  const std::string ending = io::ending_of(options.file);
-  DOBRA_TRY(const Verdict verdict, ending == ".obj" || ending == ".off" || ending == ".ply" ? of_polygons(options) : of_elements(options));
+  if (options.picture) DOBRA_TRY_VOID(dobra::cli::check_ending(*options.picture, dobra::cli::Drawer::Cairo));
+  DOBRA_TRY(const Verdict verdict, verdict_of(session, options));
   for (const std::string& remark : verdict.remarks) session.note(remark);
   if (session.options.format == dobra::cli::OutputFormat::Json) {
-    Json json = verdict.counts;
-    json["sets"] = verdict.sets;
-    json["faults"] = verdict.faults;
-    json["remarks"] = verdict.remarks;
-    DOBRA_TRY_VOID(dobra::cli::print(json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n'));
+    DOBRA_TRY_VOID(dobra::cli::print(json_of(verdict).dump(2, ' ', false, Json::error_handler_t::replace) + '\n'));
   } else {
     std::string text;
     for (const std::string& fault : verdict.faults) text += fault + '\n';
-    if (session.options.verbosity != dobra::cli::Verbosity::Quiet) {
-      for (const auto& [name, value] : verdict.counts.items()) text += fmt::format("{:<14}{}\n", name, value.dump());
-      for (const Json& set : verdict.sets) {
-        text += fmt::format("{:<14}{} {}\n", set["kind"].get<std::string>(), set["count"].get<std::size_t>(), io::shown(set["name"].get<std::string>()));
-      }
-      text += fmt::format("{:<14}{}\n", "faults", verdict.faults.size());
-    }
+    if (session.options.verbosity != dobra::cli::Verbosity::Quiet) text += plain_text(verdict);
     DOBRA_TRY_VOID(dobra::cli::print(text));
   }
   return verdict.faults.empty() ? 0 : 1;
@@ -118,12 +263,15 @@ Result<int> check_job(Session& session, const Options& options) {
 }  // namespace
 
 Command check_command() {
-  return {"check", "Say what is wrong with a mesh file", [](CLI::App& app) -> Job {
+  return {"check", "Say what is wrong with a mesh file; list the names of a scenario or a file of geometry", [](CLI::App& app) -> Job {
             const auto options = std::make_shared<Options>();
-            app.add_option("file", options->file, "Polygon mesh (.obj .off .ply), or elements (.vtu .msh .msh2 .inp .bdf .nas .nf .ele .stl)")
+            app.add_option("file", options->input.scenario.file,
+                           "Polygon mesh (.obj .off .ply), elements (.vtu .msh .msh2 .inp .bdf .nas .nf .ele .stl), a scenario (.toml) or geometry (.poly .geo .svg .geojson .dxf .wkt .txt .csv)")
                 ->required()
                 ->type_name("FILE");
-            app.add_flag("--closed", options->closed, "The polygon mesh is to be closed: an edge of one face is a fault");
+            app.add_flag("--closed", options->input.closed, "The polygon mesh is to be closed: an edge of one face is a fault; of a file of lines: every line is an outline");
+            add_input_options(app, options->input);
+            app.add_option("--picture", options->picture, "Draw the curves with their names")->type_name("FILE.svg|pdf|png");
             return [options](Session& session) { return check_job(session, *options); };
           }};
 }

@@ -13,12 +13,11 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "quebra/cli/input_file.h"
 #include "quebra/cli/rule_options.h"
 #include "quebra/core/layers.h"
 #include "quebra/core/model.h"
 #include "shared/base/text.h"
-#include "shared/cli/commands.h"
-#include "shared/cli/convert_command.h"
 #include "shared/cli/pictures.h"
 #include "shared/cli/staging.h"
 #include "shared/io/mesh_file.h"
@@ -39,13 +38,10 @@ using dobra::cli::Job;
 using dobra::cli::Session;
 
 struct Options {
-  dobra::cli::ScenarioOptions scenario;
+  InputFile input;
   RuleOptions rules;
   std::optional<std::int64_t> stop_after;
   bool quads = false;
-  bool repair = false;
-  bool closed = false;
-  dobra::cli::LineOptionTexts lines;
   std::vector<std::string> bands, zones;
   std::optional<std::filesystem::path> out, histogram, picture, size_field;
 };
@@ -78,7 +74,7 @@ Result<std::int64_t> count_in(const std::string& option, const std::string& word
 Result<scenario::Step> band_step(const std::string& text) {
   const auto parts = parts_of(text, ':');
   if (parts.size() < 3 || parts.size() > 4) return Error{ErrorCode::BadUsage, fmt::format("--bands {}: give CURVES:COUNT:DISTANCE[:FACTOR]", text)};
-  scenario::Step step{.operation = "constraints", .name = {}, .params = {}, .comment = {}, .place = {}};
+  scenario::Step step = step_of("constraints");
   step.params.set("curves", parts_of(parts[0], '+'));
   DOBRA_TRY(const std::int64_t count, count_in("--bands", parts[1]));
   step.params.set("count", count);
@@ -95,7 +91,7 @@ Result<scenario::Step> band_step(const std::string& text) {
 Result<scenario::Step> zone_step(const std::string& text) {
   const auto parts = parts_of(text, ':');
   if (parts.size() != 3) return Error{ErrorCode::BadUsage, fmt::format("--zone {}: give CURVES:SIZE:WIDTH", text)};
-  scenario::Step step{.operation = "zone", .name = {}, .params = {}, .comment = {}, .place = {}};
+  scenario::Step step = step_of("zone");
   step.params.set("curves", parts_of(parts[0], '+'));
   DOBRA_TRY(const double size, number_in("--zone", parts[1]));
   step.params.set("size", size);
@@ -104,57 +100,21 @@ Result<scenario::Step> zone_step(const std::string& text) {
   return step;
 }
 
-/// The options about files of lines as keys of the input, once they are judged as those of `convert` are.
-Result<void> set_lines(const Options& options, scenario::Table& input) {
-  const dobra::cli::LineOptionTexts& texts = options.lines;
-  DOBRA_TRY(const io::LineOptions lines, dobra::cli::line_options(texts));
-  const dobra::cli::LineOptionTexts none;
-  const auto set = [&](const char* key, const std::string& text, const std::string& unsaid) {
-    if (text != unsaid) input.set(key, text);
-  };
-  set("format", texts.format, "");
-  set("columns", texts.columns, "");
-  set("name_columns", texts.name_columns, "");
-  set("separator", texts.separator, none.separator);
-  set("coordinates", texts.coordinates, none.coordinates);
-  set("y_axis", texts.y_axis, "");
-  set("unit", texts.unit, "");
-  if (lines.trace) {
-    const io::Trace& t = *lines.trace;
-    input.set("trace", std::vector<double>{t.x, t.y, t.x + t.east, t.y + t.north});
-  }
-  if (lines.fold_axis) input.set("fold_axis", std::vector<double>{lines.fold_axis->trend.degrees(), lines.fold_axis->plunge.degrees()});
-  if (texts.plane_tolerance) input.set("plane_tolerance", *texts.plane_tolerance);
-  if (texts.reference) input.set("reference", *texts.reference);
-  if (texts.exaggeration) input.set("exaggeration", *texts.exaggeration);
-  if (options.closed) input.set("closed", std::string("yes"));
-  return {};
-}
-
-/// The scenario, or a document whose input is the file.
-Result<scenario::Document> document_of(Session& session, const Options& options) {
-  scenario::Document document;
-  if (options.scenario.file.extension() == ".toml") {
-    DOBRA_TRY(document, dobra::cli::load(session, options.scenario));
-  } else {
-    document.program = session.program.name;
-    document.input.set("file", options.scenario.file.string());
-    for (const std::string& assignment : options.scenario.assignments) {
-      DOBRA_TRY(document, scenario::with_value(std::move(document), session.program, assignment));
-    }
-  }
-  DOBRA_TRY_VOID(set_lines(options, document.input));
-  if (options.repair) document.input.set("repair", std::string("yes"));
-  auto last = std::find_if(document.steps.rbegin(), document.steps.rend(), [](const auto& step) { return step.operation == "mesh"; });
+/// Its last step is the mesh that is asked for; what stands behind says nothing about it.
+Result<scenario::Document> mesh_document_of(Session& session, const Options& options) {
+  DOBRA_TRY(scenario::Document document, document_of(session, options.input));
+  StepChanges changes;
+  const auto last = std::find_if(document.steps.rbegin(), document.steps.rend(), [](const auto& step) { return step.operation == "mesh"; });
   if (last == document.steps.rend()) {
-    document.steps.push_back({.operation = "mesh", .name = {}, .params = {}, .comment = {}, .place = {}});
-    last = document.steps.rbegin();
+    if (!document.file.empty()) changes.added.push_back("mesh, with the options given and else its defaults");
+    document.steps.push_back(step_of("mesh"));
+  } else {
+    leave_out_from(document, static_cast<std::size_t>(document.steps.rend() - last), {}, changes);
   }
-  set_rules(options.rules, last->params);
-  if (options.stop_after) last->params.set("stop_after", *options.stop_after);
-  if (options.quads) last->params.set("quads", std::string("yes"));
-  // Steps behind the last mesh say nothing about it.
-  document.steps.erase(last.base(), document.steps.end());
+  scenario::Table& params = document.steps.back().params;
+  set_rules(options.rules, params);
+  if (options.stop_after) params.set("stop_after", *options.stop_after);
+  if (options.quads) params.set("quads", std::string("yes"));
   for (const std::string& text : options.bands) {
     DOBRA_TRY(scenario::Step step, band_step(text));
     document.steps.insert(document.steps.end() - 1, std::move(step));
@@ -163,6 +123,7 @@ Result<scenario::Document> document_of(Session& session, const Options& options)
     DOBRA_TRY(scenario::Step step, zone_step(text));
     document.steps.insert(document.steps.end() - 1, std::move(step));
   }
+  if (const std::string told = text_of(changes, document); !told.empty()) session.note(told);
   DOBRA_TRY_VOID(scenario::check(document, session.program));
   return document;
 }
@@ -221,7 +182,7 @@ Result<int> mesh_job(Session& session, const Options& options) {
   for (const auto& file : {options.out, options.histogram, options.picture, options.size_field}) {
     if (file) DOBRA_TRY_VOID(dobra::cli::check_writable(*file));
   }
-  DOBRA_TRY(const scenario::Document document, document_of(session, options));
+  DOBRA_TRY(const scenario::Document document, mesh_document_of(session, options));
   const auto start = std::chrono::steady_clock::now();
   const auto since = [](auto from) { return std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count(); };
   DOBRA_TRY(const scenario::Run run, dobra::cli::run_steps(session, document));
@@ -270,17 +231,13 @@ Result<int> mesh_job(Session& session, const Options& options) {
 Command mesh_command() {
   return {"mesh", "Mesh a scenario or a file of geometry", [](CLI::App& app) -> Job {
             const auto options = std::make_shared<Options>();
-            app.add_option("file", options->scenario.file, "Scenario (.toml), geometry (.poly .geo .svg .geojson .dxf .wkt .txt .csv) or a mesh whose boundary is meant")
+            app.add_option("file", options->input.scenario.file, "Scenario (.toml), geometry (.poly .geo .svg .geojson .dxf .wkt .txt .csv) or a mesh whose boundary is meant")
                 ->required()
                 ->type_name("FILE");
-            app.add_option("--set", options->scenario.assignments, "Change a value, such as input.width=2; may be repeated")
-                ->allow_extra_args(false)
-                ->type_name("PATH=VALUE");
+            add_input_options(app, options->input);
             add_rule_options(app, options->rules, "Target length of element sides: on curves none is longer, inside a few are by half");
             app.add_flag("--quads", options->quads, "Join pairs of triangles to quadrilaterals where that gives a good shape");
-            app.add_flag("--repair", options->repair, "Mend repeated points, spikes, doubles, gaps and crossings of the input, and list each");
-            app.add_flag("--closed", options->closed, "Every line of the file is an outline, whose last point need not repeat the first");
-            dobra::cli::add_line_reading_options(app, options->lines);
+            app.add_flag("--closed", options->input.closed, "Every line of the file is an outline, whose last point need not repeat the first");
             app.add_option("--bands", options->bands, "Offset curves as constraints: CURVE[+CURVE]:COUNT:DISTANCE[:FACTOR]; may be repeated")
                 ->allow_extra_args(false)
                 ->type_name("BANDS");

@@ -33,6 +33,7 @@ void add_rule_options(CLI::App& app, RuleOptions& options, const std::string& si
   app.add_option("--order", options.order, "Order of the elements: 1 (default of a mesh) or 2 (of a loop)")
       ->check(CLI::IsMember({"1", "2"}))
       ->type_name("1|2");
+  app.add_flag("--rosettes", options.rosettes, "Quarter-point elements round each crack tip; needs order 2");
 }
 
 void set_rules(const RuleOptions& options, dobra::scenario::Table& params) {
@@ -48,6 +49,7 @@ void set_rules(const RuleOptions& options, dobra::scenario::Table& params) {
   const auto set_text = [&](const char* key, const std::string& text) {
     if (!text.empty()) params.set(key, text);
   };
+  if (options.rosettes) params.set("rosettes", std::string("yes"));
   set_text("engine", options.engine);
   set_text("order", options.order);
   set_text("size_formula", options.size_formula);

@@ -18,6 +18,7 @@ struct RuleOptions {
   std::optional<double> size, growth, turn, narrow;
   std::optional<std::int64_t> smoothing, max_elements;
   std::optional<std::filesystem::path> background;
+  bool rosettes = false;
   std::string order, engine, size_formula, background_field, division;
 };
 

@@ -24,6 +24,7 @@ struct AdaptParams : MeshRules, EstimateParams {
   StartFrom from = StartFrom::First;
   double size = 0.0;
   double min_size = 0.0;
+  double memory = 0.0;
 
   template <class D>
   static void describe(D& d) {
@@ -34,12 +35,15 @@ struct AdaptParams : MeshRules, EstimateParams {
     d.choice("from", &AdaptParams::from, {"first", "last"}, {.title = "Begin with", .help = "first: a mesh of the first size; last: the mesh after the last cycle so far. With most cycles 1 that is one cycle at a time."});
     d.field("size", &AdaptParams::size, {.title = "First size", .help = "And greatest; 0 takes 1/8 of the domain's diagonal, or the formula or background mesh alone.", .unit = "m", .at_least = 0});
     d.field("min_size", &AdaptParams::min_size, {.title = "Least size", .help = "That the loop asks for by itself.", .unit = "m", .at_least = 0});
+    d.field("memory", &AdaptParams::memory, {.title = "Memory", .help = "Most that the factorisation may take; 0 takes what the machine has.", .unit = "B", .at_least = 0});
     MeshRules::describe_in<AdaptParams>(d);
     EstimateParams::describe_in<AdaptParams>(d);
   }
 };
 
-/// Adds the mesh and the analysis of every cycle; a remark says why the loop stopped if the target was not reached.
+/// Adds the mesh and the analysis of every cycle; a remark says why the loop stopped if the target was not reached: reached
+/// means that the estimate is at most 0.8 of it (0.85 of 2 % or less), for the estimate may be low. What stops a cycle after the first (memory, the
+/// user) leaves those before it. Each cycle is reported as a kept line.
 /// Sizes of a formula or background mesh bound those of every cycle from above.
 /// @error BadValue: no problem, or no cycle to go on from; those of SizeSource::make, mesh_domain and analyse
 dobra::base::Result<Model> adapt(const Model& model, const AdaptParams& params, const dobra::scenario::Context& context,

@@ -1,14 +1,17 @@
 #include "quebra/core/analysis.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "quebra/core/deck.h"
 #include "quebra/core/layers.h"
 #include "quebra/core/results.h"
+#include "quebra/core/selection.h"
 #include "shared/base/text.h"
 #include "shared/fem/assemble.h"
+#include "shared/fem/mixed.h"
 #include "shared/fem/singular_vertices.h"
 #include "shared/io/file.h"
 
@@ -105,6 +108,47 @@ std::vector<std::string> forces_on_curves(const Analysis& analysis, std::size_t 
   return remarks;
 }
 
+/// The nodes of a point that a crack parts, and the names of those on one lip; nothing of any other place.
+std::optional<std::string> lips_of(const mesh::ElementMesh& m, const std::string& where) {
+  const auto point = m.node_sets.find(where);
+  if (point == m.node_sets.end() || point->second.size() < 2) return std::nullopt;
+  std::vector<std::string> names;
+  for (const auto& [name, nodes] : m.node_sets) {
+    const bool lip = name.starts_with(where + "_") && (name.ends_with("_left") || name.ends_with("_right"));
+    if (lip && std::all_of(nodes.begin(), nodes.end(), [&](mesh::NodeId node) { return m.point(node) == m.point(point->second.front()); })) names.push_back(name);
+  }
+  return fmt::format("'{}' lies on a crack and has {} nodes ('{}')", where, point->second.size(), fmt::join(names, "', '"));
+}
+
+/// Elements of first order in plane strain on the way to incompressibility.
+std::optional<std::string> locking(const Analysis& analysis) {
+  const mesh::ElementMesh& m = analysis.meshed->mesh;
+  for (std::size_t e = 0; e < m.element_count(); ++e) {
+    const fem::Material& material = analysis.problem.materials.at(m.regions[e]);
+    if (material.state != fem::PlaneState::Strain || material.poisson <= fem::stiff_above || mesh::is_quadratic(m.types[e])) continue;
+    const auto name = m.region_names.find(m.regions[e]);
+    return fmt::format("elements of first order begin to lock in plane strain with Poisson's ratio {:.6g}{}: stresses oscillate and displacements come out small; mesh with order = \"2\"", material.poisson, name != m.region_names.end() ? " (region '" + name->second + "')" : std::string());
+  }
+  return std::nullopt;
+}
+
+/// What acts at points that a crack parts.
+std::vector<std::string> parted_points(const Analysis& analysis, std::size_t c) {
+  const mesh::ElementMesh& m = analysis.meshed->mesh;
+  std::vector<std::string> remarks;
+  for (const fem::PointLoad& load : analysis.problem.cases[c].points) {
+    if (const auto lips = lips_of(m, load.where)) remarks.push_back(fmt::format("{}: each takes an equal part of the force ({:.6g}, {:.6g}) N; name one to load that lip alone", *lips, load.force.x, load.force.y));
+  }
+  if (c > 0) return remarks;
+  for (const fem::Support& support : analysis.problem.supports) {
+    if (const auto lips = lips_of(m, support.where)) remarks.push_back(*lips + ": the support holds all of them; name one to hold that lip alone");
+  }
+  for (const fem::Spring& spring : analysis.problem.springs) {
+    if (const auto lips = lips_of(m, spring.where)) remarks.push_back(*lips + ": each has an equal part of the spring; name one to hold that lip alone");
+  }
+  return remarks;
+}
+
 /// Greatest of the elements round a peak of stress of a case; 0: no peak.
 double peak_eta_of(const CaseFields& fields) {
   double most = 0.0;
@@ -137,6 +181,12 @@ Result<void> check_exact(const fem::Problem& problem, const ProblemParams& param
 
 Result<Analysis> analyse(const Domain& domain, std::shared_ptr<const Meshed> meshed, const ProblemParams& params, double memory, const EstimateParams& judged,
                          const dobra::base::Progress& progress) {
+  const auto places = places_of(params);
+  if (std::any_of(places.begin(), places.end(), is_condition)) {
+    auto own = std::make_shared<Meshed>(*meshed);
+    DOBRA_TRY(own->mesh, with_sets(domain, meshed->mesh, places));
+    meshed = std::move(own);
+  }
   const mesh::ElementMesh& mesh = meshed->mesh;
   Analysis analysis{.meshed = meshed, .point_forces = judged.point_forces};
   DOBRA_TRY(analysis.problem, problem_of(mesh, params));
@@ -190,12 +240,14 @@ std::optional<Truth> truth_of(const Analysis& analysis, std::size_t load_case) {
 
 std::vector<std::string> remarks_on(const Analysis& analysis) {
   std::vector<std::string> remarks;
+  if (auto remark = locking(analysis)) remarks.push_back(*std::move(remark));
   const bool some_exact = std::any_of(analysis.fields.begin(), analysis.fields.end(), [](const CaseFields& fields) { return fields.exact_energy.has_value(); });
   for (std::size_t c = 0; c < analysis.fields.size(); ++c) {
     const CaseFields& fields = analysis.fields[c];
     const std::string of = analysis.fields.size() > 1 ? fmt::format("load case '{}': ", analysis.solution.cases[c].name) : std::string();
     const auto& loaded = fields.loaded;
     for (const std::string& remark : forces_on_curves(analysis, c)) remarks.push_back(of + remark);
+    for (const std::string& remark : parted_points(analysis, c)) remarks.push_back(of + remark);
     if (analysis.solution.cases[c].energy == 0.0) remarks.push_back(of + "nothing acts: no load, and no support that moves, so all displacements are 0");
     if (some_exact && !fields.exact_energy) remarks.push_back(of + "its exact energy is not given, so its true error and the effectivity are not known");
     if (fields.exact_energy && !truth_of(analysis, c)) {

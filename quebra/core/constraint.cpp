@@ -10,7 +10,7 @@
 #include <span>
 
 #include "quebra/core/domain.h"
-#include "shared/base/text.h"
+#include "quebra/core/selection.h"
 #include "shared/geom/intersect.h"
 #include "shared/geom/spatial_index.h"
 #include "shared/offset/distances.h"
@@ -46,7 +46,7 @@ Result<std::size_t> curve_named(const Domain& domain, const std::string& name) {
     if (domain.curves[i].name == name) return i;
     names.push_back(domain.curves[i].name);
   }
-  return Error{ErrorCode::BadValue, fmt::format("there is no curve '{}'{}", name, dobra::base::did_you_mean(name, names))};
+  return Error{ErrorCode::BadValue, fmt::format("there is no curve '{}'{}", name, what_there_is(name, names))};
 }
 
 /// The curves in the order and direction in which a loop travels them.

@@ -377,6 +377,23 @@ Trace trace(const Curve& curve) {
   return result;
 }
 
+ShapeKey shape_key(const Curve& curve) {
+  if (const auto* arc = std::get_if<Arc>(&curve.shape)) {
+    if (arc->closed()) return {{arc->centre(), {arc->radius(), 0.0}}};
+    const auto [low, high] = std::minmax(point(curve, 0.0), point(curve, arc->length()));
+    const double side = cross(high - low, point(curve, 0.5 * arc->length()) - low) > 0.0 ? 1.0 : -1.0;
+    return {{arc->centre(), low}, {high, {side, 0.0}}};
+  }
+  const dobra::geom::Polyline line = trace(curve).line;
+  ShapeKey key;
+  for (std::size_t i = 0; i < line.segment_count(); ++i) {
+    const auto [from, to] = line.segment(i);
+    key.push_back({std::min(from, to), std::max(from, to)});
+  }
+  std::sort(key.begin(), key.end());
+  return key;
+}
+
 dobra::geom::Box box_of(const Curve& curve) {
   if (const auto* arc = std::get_if<Arc>(&curve.shape)) return arc->box();
   if (const auto* smooth = std::get_if<Smooth>(&curve.shape)) return dobra::geom::box_of(smooth->chords().points);

@@ -95,6 +95,11 @@ struct Trace {
 };
 Trace trace(const Curve& curve);
 
+/// Equal for curves that pass the same points, wherever they start and whichever way they run; exact but for splines, of
+/// which the traces count.
+using ShapeKey = std::vector<std::array<dobra::geom::Point, 2>>;
+ShapeKey shape_key(const Curve& curve);
+
 /// Of its trace, or the true box of an arc.
 dobra::geom::Box box_of(const Curve& curve);
 

@@ -9,6 +9,7 @@
 
 #include "quebra/core/layers.h"
 #include "shared/fem/constraints.h"
+#include "shared/fem/mixed.h"
 #include "shared/io/inp.h"
 
 namespace quebra::core {
@@ -50,6 +51,8 @@ std::optional<Error> without_equal(const fem::Problem& problem) {
   for (const auto& [region, material] : problem.materials) {
     if (material.state == fem::PlaneState::Stress && material.poisson <= -0.5)
       return Error{ErrorCode::InvalidOption, "a deck holds plane stress as plane strain, which cannot be done for nu <= -0.5", Place{.item = fmt::format("material of region {}", region)}};
+    if (fem::nearly_incompressible(material))
+      return Error{ErrorCode::InvalidOption, "CalculiX has no mixed elements, and its own lock at this Poisson's ratio in plane strain", Place{.item = fmt::format("material of region {}", region)}};
   }
   return std::nullopt;
 }
@@ -130,13 +133,13 @@ Result<std::string> springs_text(const dobra::mesh::ElementMesh& mesh, const std
   std::size_t element = mesh.element_count();
   std::size_t number = 0;
   for (const fem::Spring& spring : springs) {
-    DOBRA_TRY(const auto nodes, fem::find_nodes(mesh, spring.where));
+    DOBRA_TRY(const fem::Shares shares, fem::find_shares(mesh, spring.where));
     for (const int axis : {1, 2}) {
       const double stiffness = units.from_si(axis == 1 ? spring.x : spring.y, "N/m");
       if (stiffness == 0.0) continue;
       text += fmt::format("*ELEMENT, TYPE=SPRING1, ELSET=SPRING_{}\n", ++number);
-      for (const auto node : nodes) text += fmt::format("{}, {}\n", ++element, node.index() + 1);
-      text += fmt::format("*SPRING, ELSET=SPRING_{}\n{}\n{}\n", number, axis, twenty_columns(stiffness));
+      for (const auto node : shares.nodes) text += fmt::format("{}, {}\n", ++element, node.index() + 1);
+      text += fmt::format("*SPRING, ELSET=SPRING_{}\n{}\n{}\n", number, axis, twenty_columns(shares.each * stiffness));
     }
   }
   return text;

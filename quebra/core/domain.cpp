@@ -91,6 +91,19 @@ std::vector<Domain::Loop> follow_loops(const std::vector<Curve>& curves, const J
   return loops;
 }
 
+Result<void> check_doubles(const std::vector<Curve>& curves, const std::vector<Place>& places) {
+  std::map<ShapeKey, std::size_t> known;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const auto [first, is_new] = known.try_emplace(shape_key(curves[i]), i);
+    if (is_new) continue;
+    return Error{ErrorCode::BadDomain,
+                 fmt::format("curves '{}' and '{}' are identical; remove one of them, or give --repair (repair = \"yes\"), which leaves the second out",
+                             curves[first->second].name, curves[i].name),
+                 at_point(places[i], start_of(curves[i]))};
+  }
+  return {};
+}
+
 /// No curve bounds the domain: which ends come nearest to each other, and what to do.
 Error nothing_closes(const Domain& domain, Place place) {
   const double size = domain.box().diagonal();
@@ -108,7 +121,7 @@ Error nothing_closes(const Domain& domain, Place place) {
       break;
     }
   }
-  return {ErrorCode::BadDomain, fmt::format("no curve closes, so nothing bounds the domain; {}if each line is an outline without its last side, give --closed (closed = \"yes\")", nearest), place};
+  return {ErrorCode::BadDomain, fmt::format("no curve closes, so nothing bounds the domain; {}if sides are drawn past their corners, --repair (repair = \"yes\") cuts them; if each line is an outline without its last side, give --closed (closed = \"yes\")", nearest), place};
 }
 
 /// The loops of the boundary curves, each with its depth.
@@ -230,6 +243,7 @@ Result<Domain> make_domain(Sketch sketch, const DomainOptions& options) {
     }
   }
   part_shared_sides(sketch, tolerance);
+  DOBRA_TRY_VOID(check_doubles(sketch.curves, places));
   find_roles(sketch, tolerance);
   Domain domain;
   domain.curves = std::move(sketch.curves);

@@ -253,6 +253,35 @@ class Slivers {
   std::map<std::pair<std::size_t, std::size_t>, Worst> worst_;
 };
 
+// --- loops outside others ------------------------------------------------------------------------------------------------
+
+/// What lies outside every other loop bounds material of its own, and is easily taken for a hole.
+std::vector<Finding> loops_apart(const Domain& domain) {
+  struct Outer {
+    const Domain::Loop* loop;
+    double area;
+  };
+  std::vector<Outer> outer;
+  for (const Domain::Loop& loop : domain.loops) {
+    if (loop.depth == 0) outer.push_back({&loop, std::abs(signed_area(contour(domain, loop)))});
+  }
+  if (outer.size() < 2) return {};
+  const auto name_of = [&](const Outer& own) { return domain.curves[own.loop->sides.front().curve].name; };
+  std::stable_sort(outer.begin(), outer.end(), [](const Outer& a, const Outer& b) { return a.area > b.area; });
+  constexpr std::size_t most = 5;
+  std::string names;
+  double area = 0.0;
+  for (std::size_t i = 1; i < outer.size(); ++i) {
+    area += outer[i].area;
+    if (i <= most) names += (i == 1 ? "" : ", ") + name_of(outer[i]);
+  }
+  if (outer.size() > most + 1) names += fmt::format(" and {} more", outer.size() - most - 1);
+  const bool one = outer.size() == 2;
+  return {{Wrong::Apart, point(domain.curves[outer[1].loop->sides.front().curve], 0.0), names,
+           fmt::format("left as {}: outside '{}', {} no hole{} but material of {} own, {:.3g} m2 beside {:.3g} m2; move {} inside or remove {} if that is not meant",
+                       one ? "it is" : "they are", name_of(outer[0]), one ? "it is" : "they are", one ? "" : "s", one ? "its" : "their", area, outer[0].area, one ? "it" : "them", one ? "it" : "them")}};
+}
+
 }  // namespace
 
 std::vector<Finding> flaws_of(const Domain& domain, const FlawOptions& options) {
@@ -260,6 +289,8 @@ std::vector<Finding> flaws_of(const Domain& domain, const FlawOptions& options) 
   std::vector<Finding> findings = NearlyClosed(domain, options.near_end * size, options.repaired).run();
   std::vector<Finding> slivers = Slivers(domain, options, size).run();
   findings.insert(findings.end(), std::make_move_iterator(slivers.begin()), std::make_move_iterator(slivers.end()));
+  std::vector<Finding> apart = loops_apart(domain);
+  findings.insert(findings.end(), std::make_move_iterator(apart.begin()), std::make_move_iterator(apart.end()));
   return findings;
 }
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "quebra/core/domain.h"
-#include "shared/base/text.h"
+#include "quebra/core/selection.h"
 
 namespace quebra::core {
 namespace {
@@ -48,7 +48,7 @@ Result<Model> add_half_crack(const Model& model, const HalfCrackParams& params, 
   }
   const auto lip = std::find_if(domain.curves.begin(), domain.curves.end(), [&](const Curve& curve) { return curve.name == params.lip && on_boundary(curve); });
   if (lip == domain.curves.end())
-    return Error{ErrorCode::BadValue, fmt::format("there is no curve '{}' on the boundary{}", params.lip, dobra::base::did_you_mean(params.lip, names))};
+    return Error{ErrorCode::BadValue, fmt::format("there is no curve '{}' on the boundary{}", params.lip, what_there_is(params.lip, names))};
   const auto own = static_cast<std::size_t>(lip - domain.curves.begin());
   const double all = length(*lip);
   const Inside inside(domain);

@@ -191,6 +191,7 @@ Result<Model> read_input(const InputParams& params, const dobra::scenario::Table
   auto domain = make_domain(std::move(sketch), {params.join_tolerance});
   if (!domain) return with_findings(domain.error(), model.findings);
   model.domain = *std::move(domain);
+  model.domain.unit = context.units.to_si(1.0, "m");
   std::vector<Finding> flaws = flaws_of(model.domain, {.repaired = params.repair == Repair::Yes});
   append(model.findings, flaws);
   std::vector<Finding> cracks = crack_flaws(model.domain, drawn);

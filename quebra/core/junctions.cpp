@@ -267,4 +267,34 @@ Result<void> find_junctions(Domain& domain, const std::vector<Place>& places, do
   return Finder(domain, places, tolerance).run();
 }
 
+std::vector<double> places_on(const Domain& domain, std::size_t c, dobra::geom::Point p) {
+  std::vector<double> places;
+  const Curve& curve = domain.curves[c];
+  if (point(curve, 0.0) == p) places.push_back(0.0);
+  if (point(curve, length(curve)) == p) places.push_back(length(curve));
+  for (const Junction& junction : domain.junctions) {
+    if (junction.curve == c && junction.at == p) places.push_back(junction.s);
+  }
+  return places;
+}
+
+std::vector<std::size_t> cracks_through(const Domain& domain, dobra::geom::Point p) {
+  std::vector<std::size_t> cracks;
+  std::size_t ways = 0;  // along cracks, away from the point, and one along the boundary
+  for (std::size_t c = 0; c < domain.curves.size(); ++c) {
+    const Curve& curve = domain.curves[c];
+    if (curve.role == Role::Internal) continue;
+    const auto places = places_on(domain, c, p);
+    if (places.empty()) continue;
+    if (curve.role != Role::Crack) {
+      ways += 1;  // two curves of a corner, or the two ends of one: more than one is as good
+      continue;
+    }
+    cracks.push_back(c);
+    const bool inside = std::any_of(places.begin(), places.end(), [&](double s) { return s > 0.0 && s < length(curve); });
+    ways += inside ? 2 : 1;
+  }
+  return ways > 1 ? cracks : std::vector<std::size_t>{};
+}
+
 }  // namespace quebra::core

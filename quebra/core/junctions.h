@@ -18,4 +18,11 @@ namespace quebra::core {
 /// @cost  O(n log n + meetings) for n chords.
 dobra::base::Result<void> find_junctions(Domain& domain, const std::vector<dobra::base::Place>& places, double tolerance);
 
+/// Where along a curve a point of the domain lies on it: its ends and junctions. @pre find_junctions
+std::vector<double> places_on(const Domain& domain, std::size_t curve, dobra::geom::Point p);
+
+/// The cracks that give a point of the domain a node on each of their lips: those through it, or that end there on the
+/// boundary or on each other. A tip has one node.
+std::vector<std::size_t> cracks_through(const Domain& domain, dobra::geom::Point p);
+
 }  // namespace quebra::core

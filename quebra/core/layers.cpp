@@ -270,6 +270,28 @@ void add_triangles(const mesh::ElementMesh& mesh, std::size_t element, std::vect
   }
 }
 
+scene::Picture names_picture(const Model& model) {
+  const Domain& domain = model.domain;
+  scene::Panel panel = domain_panel(model);
+  scene::Labels curves, points, regions;
+  for (const Curve& curve : domain.curves) curves.labels.push_back({point(curve, 0.5 * length(curve)), curve.name, scene::Anchor::Centre});
+  for (const NamedPoint& point : domain.points) points.labels.push_back({point.at, point.name, scene::Anchor::Right});
+  for (const Face& face : domain.faces) {
+    const auto name = domain.region_names.find(face.region);
+    if (name != domain.region_names.end()) regions.labels.push_back({face.inside, name->second, scene::Anchor::Centre});
+  }
+  constexpr Color region_green{46, 125, 50};
+  const auto add = [&](const char* key, std::string title, Color color, scene::Labels labels) {
+    if (!labels.labels.empty()) panel.layers.push_back({key, std::move(title), {.line = color}, std::move(labels), true, scene::InLegend::No});
+  };
+  add("region_names", translated("Regions"), region_green, std::move(regions));
+  add("point_names", translated("Points"), ink, std::move(points));
+  add("curve_names", translated("Boundary"), constraint_blue, std::move(curves));
+  scene::Picture picture;
+  picture.panels.push_back(std::move(panel));
+  return picture;
+}
+
 scene::Picture histogram_picture(const Meshed& meshed) {
   const auto& bins = meshed.quality.histogram;
   const double all = static_cast<double>(std::accumulate(bins.begin(), bins.end(), std::size_t{0}));

@@ -14,6 +14,9 @@ std::vector<dobra::scenario::Quantity> quantities_of(const Model& model);
 std::vector<dobra::scenario::DataTable> tables_of(const Model& model);
 std::vector<dobra::scenario::Output> outputs_of(const std::shared_ptr<const Model>& model);
 
+/// The domain with the names of its curves, lips, points and regions, each where it belongs.
+dobra::scene::Picture names_picture(const Model& model);
+
 /// A mesh as a file in these units holds it, and the line that says so.
 dobra::mesh::ElementMesh in_units(dobra::mesh::ElementMesh mesh, const dobra::scenario::UnitSystem& units);
 std::string note_of(const dobra::scenario::UnitSystem& units);

@@ -31,7 +31,7 @@ struct LoadParams {
 
   template <class D>
   static void describe(D& d) {
-    d.field("where", &LoadParams::where, {.title = "Where", .help = "Name of a curve or lip; of a point (force); of a region, or empty for all (body)."});
+    d.field("where", &LoadParams::where, {.title = "Where", .help = "Name of a curve or lip, or a condition such as \"x = 0 and y > 1\"; of a point (force); of a region, or empty for all (body)."});
     d.choice("kind", &LoadParams::kind, {"traction", "pressure", "force", "body", "stress", "kirsch", "l_shape"},
              {.title = "Kind", .help = "traction x, y in Pa; pressure: value in Pa, presses on the material (opens a crack by its two lips); force x, y in N at each node; body x, y in N/m3; stress: the exact tractions of a stress field given by formulas; kirsch, l_shape: those of the plate with a hole of `radius` at the origin under a tension `value`, or of the corner of 270 degrees at the origin."});
     d.field("x", &LoadParams::x, {.title = "x", .unit = by_kind});

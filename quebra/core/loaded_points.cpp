@@ -7,6 +7,8 @@
 #include <set>
 
 #include "quebra/core/domain.h"
+#include "quebra/core/junctions.h"
+#include "quebra/core/selection.h"
 
 namespace quebra::core {
 namespace {
@@ -20,18 +22,6 @@ using dobra::geom::Vector;
 constexpr double share_of_room = 1.0 / 20.0;
 /// Forces that can add less than this to eta are not minded.
 constexpr double felt = 1e-3;
-
-/// Where along a curve a point of the domain lies on it.
-std::vector<double> places_on(const Domain& domain, std::size_t c, Point p) {
-  std::vector<double> places;
-  const Curve& curve = domain.curves[c];
-  if (point(curve, 0.0) == p) places.push_back(0.0);
-  if (point(curve, length(curve)) == p) places.push_back(length(curve));
-  for (const Junction& junction : domain.junctions) {
-    if (junction.curve == c && junction.at == p) places.push_back(junction.s);
-  }
-  return places;
-}
 
 /// Length of the material along a line from p, to one side or the other; infinite if it leaves the domain at once.
 double across(const Domain& domain, Point p, Vector direction) {
@@ -68,8 +58,7 @@ std::vector<mesh::NodeId> nodes_at(const mesh::ElementMesh& own, const std::stri
 /// The force on a point without what acts along the normals of the curve of this name there.
 Vector without_normals(const Domain& domain, const std::string& where, const LoadedPoint& loaded) {
   Vector force = loaded.force;
-  for (std::size_t c = 0; c < domain.curves.size(); ++c) {
-    if (domain.curves[c].name != where) continue;
+  for (const std::size_t c : curves_meant(domain, where)) {
     for (const double s : places_on(domain, c, loaded.at)) {
       const Vector along = direction(domain.curves[c], s);
       force = dot(force, along) * along;
@@ -123,9 +112,11 @@ std::vector<LoadedPoint> loaded_points(const Domain& domain, const mesh::Element
   // 1. Points that are loaded or held, with what acts on them.
   std::map<mesh::NodeId, LoadedPoint> found;
   const auto add = [&](const std::string& where, const auto& force_on) {
-    for (const mesh::NodeId node : nodes_at(own, where, false)) {
+    const auto nodes = nodes_at(own, where, false);
+    const double share = 1.0 / static_cast<double>(nodes.size());  // as fem::find_shares
+    for (const mesh::NodeId node : nodes) {
       LoadedPoint& point = found.try_emplace(node, LoadedPoint{.name = where, .at = own.point(node), .force = {}}).first->second;
-      point.force = point.force + force_on(node);
+      point.force = point.force + share * force_on(node);
     }
   };
   const auto held = [](mesh::NodeId) { return Vector{}; };

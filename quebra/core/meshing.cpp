@@ -389,7 +389,8 @@ Result<Prepared> prepare(const Model& model, const MeshParams& params, const Mes
     DOBRA_TRY_VOID(check_field(field, model.domain, params));
     divide.limit = [&field](Point p) { return field.size_at(p); };
     DOBRA_TRY(prepared.input, mesh_input(model, constraints, wishes.sizes, prepared.rosettes, divide));
-    if (places.sizes.empty()) break;
+    if (places.sizes.empty() || places.again.empty()) break;
+    narrow.only = std::move(places.again);
     narrow.smallest = 0.1;  // of sides that are short there by now
     narrow.floor = 1e-3 * size;
     narrow.points = false;

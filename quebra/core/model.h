@@ -59,6 +59,7 @@ struct Domain {
   std::vector<NamedPoint> points;
   std::vector<Face> faces;
   std::map<std::int32_t, std::string> region_names;
+  double unit = 1.0;  ///< Of the coordinates in conditions on places (selection.h), m.
 
   [[nodiscard]] dobra::geom::Box box() const;
   /// As of lone_circles, of these curves and points.
@@ -80,7 +81,7 @@ struct Constraint {
 };
 
 /// What was wrong with the drawn geometry (repair.h).
-enum class Wrong { RepeatedPoint, NearlyRepeatedPoint, NoExtent, CurveTwice, Spike, Gap, Crossing, Sliver, NearlyTouching, CutThrough };
+enum class Wrong { RepeatedPoint, NearlyRepeatedPoint, NoExtent, CurveTwice, Spike, Gap, Crossing, Sliver, NearlyTouching, CutThrough, Outside, Apart };
 
 struct Finding {
   Wrong wrong = Wrong::RepeatedPoint;

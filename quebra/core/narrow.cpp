@@ -49,6 +49,35 @@ Near nearest(const Segment& a, const Segment& b) {
   return best;
 }
 
+/// The sides that end at each node, ascending.
+class Meetings {
+ public:
+  explicit Meetings(const std::vector<Side>& sides) {
+    std::size_t nodes = 0;
+    for (const Side& side : sides) nodes = std::max({nodes, side.from + 1, side.to + 1});
+    first_.resize(nodes + 1, 0);
+    for (const Side& side : sides) {
+      ++first_[side.from + 1];
+      if (side.to != side.from) ++first_[side.to + 1];
+    }
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    sides_.resize(first_.back());
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      sides_[next[sides[i].from]++] = i;
+      if (sides[i].to != sides[i].from) sides_[next[sides[i].to]++] = i;
+    }
+  }
+
+  [[nodiscard]] std::size_t nodes() const { return first_.size() - 1; }
+  [[nodiscard]] std::span<const std::size_t> at(std::size_t node) const {
+    return std::span(sides_).subspan(first_[node], first_[node + 1] - first_[node]);
+  }
+
+ private:
+  std::vector<std::size_t> first_, sides_;
+};
+
 /// Sides that follow each other with small turns, and the corners that such chains end in. Made when first asked.
 class Chains {
  public:
@@ -88,17 +117,14 @@ class Chains {
     const double greatest_turn = std::cos(35.0 * std::numbers::pi / 180.0);
     chain_.resize(sides_.size());
     std::iota(chain_.begin(), chain_.end(), std::size_t{0});
-    std::map<std::size_t, std::vector<std::size_t>> at_node;
-    for (std::size_t i = 0; i < sides_.size(); ++i) {
-      at_node[sides_[i].from].push_back(i);
-      if (sides_[i].to != sides_[i].from) at_node[sides_[i].to].push_back(i);
-    }
+    const Meetings meetings(sides_);
     const auto away = [&](std::size_t side, std::size_t node) {
       const Vector along = sides_[side].segment.vector();
       return sides_[side].from == node ? along : -1.0 * along;
     };
     std::vector<std::pair<std::size_t, std::size_t>> corners;  // node, side
-    for (const auto& [node, meeting] : at_node) {
+    for (std::size_t node = 0; node < meetings.nodes(); ++node) {
+      const auto meeting = meetings.at(node);
       if (meeting.size() == 2) {
         const Vector u = away(meeting[0], node), v = away(meeting[1], node);
         if (-dot(u, v) >= greatest_turn * length(u) * length(v)) {
@@ -150,11 +176,7 @@ class Ways {
 
   void make() {
     place_.resize(sides_.size());
-    std::map<std::size_t, std::vector<std::size_t>> at_node;
-    for (std::size_t i = 0; i < sides_.size(); ++i) {
-      at_node[sides_[i].from].push_back(i);
-      if (sides_[i].to != sides_[i].from) at_node[sides_[i].to].push_back(i);
-    }
+    const Meetings meetings(sides_);
     const auto walk = [&](std::size_t side, std::size_t node) {
       const std::size_t first = node;
       double way = 0.0;
@@ -164,12 +186,13 @@ class Ways {
         place_[side] = {round_.size(), forward ? way : end, forward ? end : way};
         way = end;
         node = forward ? sides_[side].to : sides_[side].from;
-        const auto& meeting = at_node[node];
+        const auto meeting = meetings.at(node);
         if (meeting.size() == 2) side = meeting[0] == side ? meeting[1] : meeting[0];
       }
       round_.push_back(node == first ? way : 0.0);
     };
-    for (const auto& [node, meeting] : at_node) {
+    for (std::size_t node = 0; node < meetings.nodes(); ++node) {
+      const auto meeting = meetings.at(node);
       if (meeting.size() == 2) continue;
       for (const std::size_t side : meeting) {
         if (place_[side].run == none) walk(side, node);
@@ -191,6 +214,7 @@ class Finder {
          const NarrowOptions& options)
       : keeps_(keeps), options_(options), chains_(sides_), ways_(sides_) {
     make_sides(domain, divided);
+    for (const Curve& curve : domain.curves) bent_.push_back(std::holds_alternative<dobra::geom::Polyline>(curve.shape) ? 0 : 1);
     std::vector<Box> boxes;
     for (const Side& side : sides_) boxes.push_back(side.segment.box());
     index_ = dobra::geom::SpatialIndex(boxes);
@@ -198,9 +222,11 @@ class Finder {
 
   NarrowPlaces run() {
     std::vector<std::size_t> beside;
+    const dobra::geom::SpatialIndex only(options_.only);
     for (std::size_t i = 0; i < sides_.size(); ++i) {
       const Segment& side = sides_[i].segment;
       if (!(side.length() > 0.0)) continue;
+      if (!options_.only.empty() && !touches(only, side.box())) continue;
       beside.clear();
       const double reach = std::max(reach_of(side.length()), wide_reach_of(side));
       index_.for_each_overlapping(side.box().grown(reach), [&](std::size_t j) {
@@ -250,6 +276,16 @@ class Finder {
       if (on_edge[p] == 0) sides_.push_back({{divided.points[p], divided.points[p]}, p, p, curves});
     }
   }
+
+  static bool touches(const dobra::geom::SpatialIndex& index, const Box& box) {
+    bool found = false;
+    index.for_each_overlapping(box, [&](std::size_t) {
+      found = true;
+      return dobra::geom::Visit::Stop;
+    });
+    return found;
+  }
+  [[nodiscard]] bool bent(std::size_t side) const { return sides_[side].curve < bent_.size() && bent_[sides_[side].curve] != 0; }
 
   /// Below this distance something is too near to a part of a side of this length.
   [[nodiscard]] double reach_of(double length) const { return length * found_at() / options_.enough; }
@@ -310,12 +346,16 @@ class Finder {
                           return distance(other, part.from) < least && distance(other, part.to) < least;
                         });
     if (slight) {
+      places_.again.push_back(part.box().grown(best.distance));
       if (best.distance < least) leave(slight_, i, nearest_side, best);
       return;
     }
     // Half of it would be short enough.
     if (length * found_at() <= 2.0 * options_.enough * best.distance && best.distance >= least) {
       places_.sizes.push_back({best.here, best.distance / found_at()});
+      if (bent(i) || std::any_of(near_ones.begin(), near_ones.end(), [&](std::size_t j) { return bent(j); })) {
+        places_.again.push_back(part.box().grown(best.distance));
+      }
       if (options_.across > 1.0) ask_across(i, part, best.distance, near_ones);
       return;
     }
@@ -394,6 +434,7 @@ class Finder {
   std::span<const std::uint8_t> keeps_;
   const NarrowOptions& options_;
   std::vector<Side> sides_;
+  std::vector<std::uint8_t> bent_;  ///< One a curve.
   dobra::geom::SpatialIndex index_;
   Chains chains_;
   Ways ways_;

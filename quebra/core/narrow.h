@@ -23,12 +23,16 @@ struct NarrowOptions {
   /// several elements are wanted across so are sides, however short a bend has made them.
   std::function<double(dobra::geom::Point)> size;
   bool points = true;  ///< Whether points ask; once is enough, as no division moves them.
+  std::vector<dobra::geom::Box> only = {};  ///< Sides that touch one of these are looked at; empty: all.
   /// Two sides that meet at a smaller angle are no narrow place as far as that angle makes them near each other.
   dobra::base::Angle input_angle = dobra::base::Angle::from_degrees(40.0);
 };
 
 struct NarrowPlaces {
   std::vector<dobra::mesh::SizeRequest> sizes;
+  /// Where another look at the curves, divided by these sizes, may find more: bent ones come nearer than their chords,
+  /// and what was narrower than `smallest` stands beside shorter sides. What straight sides asked for is settled.
+  std::vector<dobra::geom::Box> again;
   /// A narrow place that nothing is asked for. Of each curve the narrowest, as a fraction of its side there.
   struct Left {
     std::size_t curve = 0, beside = 0;

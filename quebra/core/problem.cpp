@@ -1,11 +1,15 @@
 #include "quebra/core/problem.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
+#include "quebra/core/junctions.h"
+#include "quebra/core/selection.h"
 #include "shared/base/formula.h"
 #include "shared/base/text.h"
 #include "shared/fem/assemble.h"
@@ -176,13 +180,15 @@ Result<void> check_tie(const TieParams& tie) {
 
 /// The names that a mesh of the domain will have.
 struct Names {
+  const Domain& domain;
   std::vector<std::string> curves;  ///< Boundary curves, groups of them, lips.
-  std::vector<std::string> points;  ///< Named points and tips.
+  std::vector<std::string> points;  ///< Named points and tips, and the lips' own nodes of points on cracks.
   std::vector<std::string> regions;
+  std::map<std::string, std::vector<std::string>> parted = {};  ///< Points on cracks, with those of their lips.
 };
 
 Names names_of(const Domain& domain) {
-  Names names;
+  Names names{domain, {}, {}, {}};
   for (const Curve& curve : domain.curves) {
     names.curves.insert(names.curves.end(), curve.groups.begin(), curve.groups.end());
     if (curve.role != Role::Crack) {
@@ -193,20 +199,39 @@ Names names_of(const Domain& domain) {
     for (const char* const tip : {"_start", "_end"}) names.points.push_back(curve.name + tip);
   }
   for (const NamedPoint& point : domain.points) {
-    if (!point.name.empty()) names.points.push_back(point.name);
+    if (point.name.empty()) continue;
+    names.points.push_back(point.name);
+    const auto cracks = cracks_through(domain, point.at);
+    for (const std::size_t crack : cracks) {
+      for (const char* const lip : {"_left", "_right"})
+        names.parted[point.name].push_back(point.name + (cracks.size() > 1 ? "_" + domain.curves[crack].name : "") + lip);
+    }
   }
+  for (const auto& [name, lips] : names.parted) names.points.insert(names.points.end(), lips.begin(), lips.end());
   for (const auto& [tag, name] : domain.region_names) names.regions.push_back(name);
   return names;
 }
 
 Result<void> known(const std::string& name, const char* what, const std::vector<std::string>& names) {
   if (std::find(names.begin(), names.end(), name) != names.end()) return {};
-  return bad(name.empty() ? fmt::format("`where` is missing: the name of a {}", what) : fmt::format("there is no {} '{}'{}", what, name, dobra::base::did_you_mean(name, names)));
+  return bad(name.empty() ? fmt::format("`where` is missing: the name of a {}", what) : fmt::format("there is no {} '{}'{}", what, name, what_there_is(name, names)));
 }
 
-std::vector<std::string> both(std::vector<std::string> a, const std::vector<std::string>& b) {
-  a.insert(a.end(), b.begin(), b.end());
-  return a;
+/// A curve or a lip by its name, or sides by a condition.
+Result<void> known_sides(const std::string& where, const Names& names) {
+  if (!is_condition(where) || std::find(names.curves.begin(), names.curves.end(), where) != names.curves.end()) return known(where, "curve or lip", names.curves);
+  DOBRA_TRY(const Selection selection, select(names.domain, where));
+  if (!selection.parts.empty()) return {};
+  return bad(fmt::format("the condition '{}' holds for corners only, and a whole side is wanted; the boundary has {}", where, listed(names.domain)));
+}
+
+/// The same, or a point, or corners by a condition.
+Result<void> known_place(const std::string& where, const Names& names) {
+  std::vector<std::string> all = names.curves;
+  all.insert(all.end(), names.points.begin(), names.points.end());
+  if (!is_condition(where) || std::find(all.begin(), all.end(), where) != all.end()) return known(where, "curve, lip or point", all);
+  const auto selection = select(names.domain, where);
+  return selection ? Result<void>{} : Result<void>(selection.error());
 }
 
 Result<void> check_row(const MaterialParams& material, const Names& names, Plane state) {
@@ -216,25 +241,28 @@ Result<void> check_row(const MaterialParams& material, const Names& names, Plane
 
 Result<void> check_row(const SupportParams& support, const Names& names) {
   DOBRA_TRY_VOID(support_of(support));
-  return support.normal ? known(support.where, "curve or lip", names.curves) : known(support.where, "curve, lip or point", both(names.curves, names.points));
+  return support.normal ? known_sides(support.where, names) : known_place(support.where, names);
 }
 
 Result<void> check_row(const SpringParams& spring, const Names& names) {
-  if (spring.kind == fem::SpringKind::Foundation) return known(spring.where, "curve or lip", names.curves);
-  return known(spring.where, "curve, lip or point", both(names.curves, names.points));
+  return spring.kind == fem::SpringKind::Foundation ? known_sides(spring.where, names) : known_place(spring.where, names);
 }
 
 Result<void> check_row(const TieParams& tie, const Names& names) {
   DOBRA_TRY_VOID(check_tie(tie));
-  for (const std::string& point : tie.points) DOBRA_TRY_VOID(known(point, "point", names.points));
-  return tie.where.empty() ? Result<void>{} : known(tie.where, "curve or lip", names.curves);
+  for (const std::string& point : tie.points) {
+    DOBRA_TRY_VOID(known(point, "point", names.points));
+    if (const auto parted = names.parted.find(point); parted != names.parted.end())
+      return bad(fmt::format("point '{}' lies on a crack and moves with each lip by itself; tie one of '{}'", point, fmt::join(parted->second, "', '")));
+  }
+  return tie.where.empty() ? Result<void>{} : known_sides(tie.where, names);
 }
 
 Result<void> check_row(const LoadParams& load, const Names& names) {
   DOBRA_TRY_VOID(load_of(load));
-  if (load.kind == LoadKind::Force) return known(load.where, "point, curve or lip", both(names.points, names.curves));
+  if (load.kind == LoadKind::Force) return known_place(load.where, names);
   if (load.kind == LoadKind::Body) return load.where.empty() ? Result<void>{} : known(load.where, "region", names.regions);
-  return known(load.where, "curve or lip", names.curves);
+  return known_sides(load.where, names);
 }
 
 std::optional<Error> missing_material(const Domain& domain, const ProblemParams& params) {
@@ -256,7 +284,7 @@ Result<std::int32_t> region_of(const mesh::ElementMesh& mesh, const std::string&
     if (own == name) return tag;
     names.push_back(own);
   }
-  return bad(fmt::format("there is no region '{}'{}", name, dobra::base::did_you_mean(name, names)));
+  return bad(fmt::format("there is no region '{}'{}", name, what_there_is(name, names)));
 }
 
 std::optional<ProblemFault> material_twice(const std::vector<MaterialParams>& materials) {
@@ -335,6 +363,20 @@ Result<void> add_load(const mesh::ElementMesh& mesh, const LoadParams& row, fem:
 }
 
 }  // namespace
+
+std::vector<std::string> places_of(const ProblemParams& params) {
+  std::vector<std::string> places;
+  const auto add = [&](const auto& rows) {
+    for (const auto& row : rows) places.push_back(row.where);
+  };
+  add(params.supports);
+  add(params.springs);
+  add(params.ties);
+  for (const LoadParams& row : params.loads) {
+    if (row.kind != LoadKind::Body) places.push_back(row.where);
+  }
+  return places;
+}
 
 bool moves(const ProblemParams& params) {
   const auto moved = [](const std::optional<double>& value) { return value.value_or(0.0) != 0.0; };

@@ -37,7 +37,7 @@ struct SupportParams {
 
   template <class D>
   static void describe(D& d) {
-    d.field("where", &SupportParams::where, {.title = "Where", .help = "Name of a curve, a lip or a point.", .presence = dobra::scenario::Presence::Required});
+    d.field("where", &SupportParams::where, {.title = "Where", .help = "Name of a curve, a lip or a point; or a condition, such as \"x = 0 and y > 1\".", .presence = dobra::scenario::Presence::Required});
     d.field("x", &SupportParams::x, {.title = "Along x", .help = "Prescribed displacement; 0 holds, nothing leaves free.", .unit = "m"});
     d.field("y", &SupportParams::y, {.title = "Along y", .unit = "m"});
     d.field("normal", &SupportParams::normal, {.title = "Across", .help = "Along the outward normal of the curve; 0 is a line of symmetry.", .unit = "m"});
@@ -54,7 +54,7 @@ struct SpringParams {
 
   template <class D>
   static void describe(D& d) {
-    d.field("where", &SpringParams::where, {.title = "Where", .help = "Name of a curve, a lip or a point.", .presence = dobra::scenario::Presence::Required});
+    d.field("where", &SpringParams::where, {.title = "Where", .help = "Name of a curve, a lip or a point; or a condition, such as \"x = 0 and y > 1\".", .presence = dobra::scenario::Presence::Required});
     d.choice("kind", &SpringParams::kind, {"node", "bed"}, {.title = "Kind", .help = "node: a spring at each node, N/m; bed: along a curve, N/m3."});
     d.field("x", &SpringParams::x, {.title = "Stiffness along x", .unit = "N/m, N/m3 if kind = bed", .at_least = 0});
     d.field("y", &SpringParams::y, {.title = "Stiffness along y", .unit = "N/m, N/m3 if kind = bed", .at_least = 0});
@@ -73,7 +73,7 @@ struct TieParams {
 
   template <class D>
   static void describe(D& d) {
-    d.field("where", &TieParams::where, {.title = "Where", .help = "Name of a curve whose nodes all move alike along `axis`."});
+    d.field("where", &TieParams::where, {.title = "Where", .help = "Name of a curve, or a condition such as \"y = 2\", whose nodes all move alike along `axis`."});
     d.choice("axis", &TieParams::axis, {"x", "y"}, {.title = "Axis"});
     d.field("points", &TieParams::points, {.title = "Points", .help = "Or: sum of coefficient times displacement of these points = value."});
     d.field("axes", &TieParams::axes, {.title = "Axes", .help = "\"x\" or \"y\", one a point."});
@@ -117,6 +117,9 @@ std::optional<ProblemFault> fault_of(const Domain& domain, const ProblemParams& 
 /// Sets materials, supports and loads. @error that of fault_of, with "load 2" as its item.
 dobra::base::Result<Model> set_problem(const Model& model, const ProblemParams& params, const dobra::scenario::Context& context,
                                        const dobra::base::Progress& progress);
+
+/// What stands under `where` in supports, springs, ties and loads: names and conditions (selection.h).
+std::vector<std::string> places_of(const ProblemParams& params);
 
 /// Whether a support or tie prescribes a displacement that is not 0.
 bool moves(const ProblemParams& params);

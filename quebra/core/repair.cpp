@@ -17,6 +17,7 @@
 #include "quebra/core/faces.h"
 #include "quebra/core/roles.h"
 #include "quebra/core/snap.h"
+#include "quebra/core/stray_lines.h"
 #include "shared/geom/intersect.h"
 #include "shared/geom/spatial_index.h"
 #include "shared/topo/insert.h"
@@ -60,8 +61,11 @@ class Repairer {
     merge_near();
     drop_doubles();
     close_gaps();
+    if (find_rings().empty()) DOBRA_TRY_VOID(cut_at_crossings(repaired_.sketch));
+    const std::set<std::string> without_role = repaired_.sketch.without_role;
     find_roles(repaired_.sketch, DomainOptions{}.join_tolerance * size_);
     DOBRA_TRY_VOID(rebuild_crossings());
+    for (Finding& finding : drop_outside(repaired_.sketch, without_role, {})) repaired_.findings.push_back(std::move(finding));
     return std::move(repaired_);
   }
 
@@ -144,12 +148,10 @@ class Repairer {
 
   // --- 3 ------------------------------------------------------------------------------------------------------------
   void drop_doubles() {
-    std::map<std::vector<Point>, std::string> known;
+    std::map<ShapeKey, std::string> known;
     for (std::size_t i = 0; i < curves().size();) {
-      std::vector<Point> key = line(i) != nullptr ? line(i)->points : trace(curves()[i]).line.points;
-      const Point start = key.front();
-      std::sort(key.begin(), key.end());
-      const auto [first, is_new] = known.try_emplace(std::move(key), curves()[i].name);
+      const Point start = point(curves()[i], 0.0);
+      const auto [first, is_new] = known.try_emplace(shape_key(curves()[i]), curves()[i].name);
       if (is_new) {
         ++i;
         continue;
@@ -583,6 +585,8 @@ const char* name_of(Wrong wrong) {
     case Wrong::Sliver: return "sliver";
     case Wrong::NearlyTouching: return "crack nearly touching";
     case Wrong::CutThrough: return "material cut through";
+    case Wrong::Outside: return "line outside";
+    case Wrong::Apart: return "loop outside";
   }
   return "";
 }

@@ -123,7 +123,8 @@ Result<Sketch> sketch_of_paths(const std::vector<SvgPath>& paths) {
     for (std::size_t i = 0; i < shapes->size(); ++i) {
       std::string name = shapes->size() == 1 ? outline.name : fmt::format("{}_{}", outline.name, i + 1);
       sketch.curves.push_back(
-          {std::move(name), outline.closed ? Role::Boundary : Role::Internal, std::move((*shapes)[i]), {}});
+          {std::move(name), Role::Boundary, std::move((*shapes)[i]), {}});
+      if (!outline.closed) sketch.without_role.insert(sketch.curves.back().name);
       sketch.places.push_back(outline.place);
     }
   }

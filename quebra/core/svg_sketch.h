@@ -1,6 +1,6 @@
 #pragma once
-// Outlines of SVG pictures as a sketch: closed ones bound the domain, loops inside loops are holes; open ones are
-// internal lines.
+// Outlines of SVG pictures as a sketch: closed ones bound the domain, loops inside loops are holes; open ones have no
+// role yet: those that close a chain bound it too, others are internal lines.
 
 #include <string>
 #include <vector>

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "quebra/core/domain.h"
-#include "shared/base/text.h"
+#include "quebra/core/selection.h"
 
 namespace quebra::core {
 namespace {
@@ -43,7 +43,7 @@ Result<Model> add_zone(const Model& model, const ZoneParams& params, const dobra
       names.push_back(curve.name);
       if (curve.name == name) found = &curve;
     }
-    if (found == nullptr) return Error{ErrorCode::BadValue, fmt::format("there is no curve '{}'{}", name, dobra::base::did_you_mean(name, names))};
+    if (found == nullptr) return Error{ErrorCode::BadValue, fmt::format("there is no curve '{}'{}", name, what_there_is(name, names))};
     DOBRA_TRY_VOID(add(result, name, trace(*found).line, params));
   }
   if (!params.points.empty()) DOBRA_TRY_VOID(add(result, fmt::format("zone {}", result.zones.size() + 1), {params.points, false}, params));

@@ -13,8 +13,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// What could not be measured has no key.
 void add_cells(const std::vector<core::RowCell>& cells, Json& json) {
-  for (const core::RowCell& cell : cells) json[cell.name] = cell.value ? Json(*cell.value) : Json(nullptr);
+  for (const core::RowCell& cell : cells) {
+    if (cell.value) json[cell.name] = *cell.value;
+  }
 }
 
 Json points_json(const std::vector<dobra::geom::Point>& points) {
@@ -80,14 +83,13 @@ std::string restoration_json(const core::Model& model, Geometry geometry) {
                {"percent", restoration.params.percent}};
   Json ledger = Json::array();
   for (std::size_t i = 0; i < restoration.lengths.size(); ++i) {
-    Json entry = {{"name", restoration.lengths[i].name}, {"kind", "horizon"}};
+    const bool growth = restoration.lengths[i].role == core::BedRole::Growth;
+    Json entry = {{"name", restoration.lengths[i].name}, {"kind", growth ? "growth" : "horizon"}};
     add_cells(core::cells_of(restoration.lengths[i]), entry);
     const core::UnitRow* layer = layer_below(model, i);
-    entry["layer"] = layer != nullptr ? Json(layer->name) : Json(nullptr);
     if (layer != nullptr) {
+      entry["layer"] = layer->name;
       add_cells(core::cells_of(*layer), entry);
-    } else {
-      for (const core::RowCell& cell : core::cells_of(core::UnitRow{})) entry[cell.name] = nullptr;
     }
     ledger.push_back(std::move(entry));
   }
@@ -106,7 +108,7 @@ std::string restoration_json(const core::Model& model, Geometry geometry) {
   const core::Balance& balance = restoration.balance;
   json["greatest_length_change_percent"] = balance.greatest_change_percent;
   json["greatest_area_change_percent"] = balance.greatest_area_change_percent;
-  json["inconsistency_percent"] = balance.inconsistency_percent;
+  json["inconsistency_percent"] = balance.consistency.worst.percent;
   json["tolerance_percent"] = restoration.params.tolerance;
   json["lean_left"] = restoration.lean_left;
   json["lean_right"] = restoration.lean_right;
@@ -161,11 +163,10 @@ std::string balance_json(const core::Model& model) {
     }
     json["ledger"] = std::move(ledger);
     if (const auto& fit = model.area_depth->fit) {
-      json["fit"] = {{"displacement", fit->displacement}, {"displacement_error", fit->displacement_error},
-                     {"detachment", fit->detachment},     {"detachment_error", fit->detachment_error},
-                     {"r_squared", fit->r_squared},       {"confidence_percent", model.area_depth->params.confidence}};
-    } else {
-      json["fit"] = nullptr;
+      Json figures = Json::object();
+      add_cells(core::cells_of(*fit), figures);
+      if (fit->displacement_error) figures["confidence_percent"] = model.area_depth->params.confidence;
+      json["fit"] = std::move(figures);
     }
     Json layers = Json::array();
     for (const core::LayerClass& layer : model.area_depth->layers) {
@@ -175,7 +176,7 @@ std::string balance_json(const core::Model& model) {
                         {"hinge_thickness", layer.fold.hinge_thickness}});
     }
     json["layers"] = std::move(layers);
-    json["inconsistency_percent"] = model.area_depth->inconsistency_percent;
+    json["inconsistency_percent"] = model.area_depth->consistency.worst.percent;
     json["tolerance_percent"] = model.area_depth->params.tolerance;
     json["verdict"] = model.area_depth->balanced ? "balanced" : "not balanced";
   }

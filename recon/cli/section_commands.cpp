@@ -249,8 +249,9 @@ void add_method_options(CLI::App& app, RestoreOptions& options) {
       ->type_name("NAME");
   app.add_option("--thickness", options.thickness, "Restored thickness of proportional thickness, m")->type_name("T");
   app.add_option("--percent", options.percent, "State on the way: 0 deformed, 100 (default) restored")->type_name("P");
-  app.add_option("--outside", options.outside, "Where the map is not single-valued: nearest (default) or refuse")
-      ->check(CLI::IsMember({"nearest", "refuse"}))
+  app.add_option("--outside", options.outside,
+                 "Where the map is not single-valued: limited (default), nearest (without limits) or refuse")
+      ->check(CLI::IsMember({"limited", "nearest", "refuse"}))
       ->type_name("NAME");
   app.add_option("--uncovered", options.uncovered,
                  "Where the section reaches beyond the ends of the top: refuse (default), or continue straight")

@@ -25,6 +25,7 @@ void write_tables(std::vector<core::ImportedLine> lines, scenario::Table& input)
     row.set("name", std::move(line.name));
     row.set("points", std::move(line.line.points));
     if (!line.piece_of.empty()) row.set("piece_of", std::move(line.piece_of));
+    if (line.role == core::BedRole::Growth) row.set("role", std::string("growth"));
     auto table = std::find_if(tables.begin(), tables.end(), [&](const auto& t) { return t.first == line.table; });
     if (table == tables.end()) table = tables.insert(table, {line.table, {}});
     table->second.push_back(std::move(row));

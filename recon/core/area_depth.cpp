@@ -6,7 +6,6 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
-#include "recon/core/percent.h"
 
 namespace recon::core {
 
@@ -16,17 +15,55 @@ BedBalance bed_of(const Horizon& horizon) {
   BedBalance bed;
   bed.horizon = horizon.id;
   bed.name = horizon.name;
-  bed.length = geom::length(horizon.line);
+  const BedLength measured = bed_length(horizon.line);
+  bed.length = measured.length;
   const geom::Point first = horizon.line.points.front();
   const geom::Point last = horizon.line.points.back();
-  bed.width = geom::distance(first, last);
+  bed.width = measured.regional();
   bed.level = 0.5 * (first.y + last.y);
   geom::Polyline closed = horizon.line;
   closed.closed = true;
   bed.excess_area = -geom::signed_area(closed);  // left to right above the regional is clockwise
-  bed.shortening = bed.length - bed.width;
+  bed.shortening = measured.shortening();
   if (bed.shortening > 1e-12 * bed.length) bed.depth = bed.excess_area / bed.shortening;
   return bed;
+}
+
+/// Whether the lesser part of two pieces' widths lies over the other piece by more than half.
+bool over_each_other(const Horizon& a, const Horizon& b) {
+  const geom::Box one = a.line.box();
+  const geom::Box other = b.line.box();
+  const double common = std::min(one.high.x, other.high.x) - std::max(one.low.x, other.low.x);
+  return common > 0.5 * std::min(one.width(), other.width());
+}
+
+/// Ramsay's class of each layer between neighbours that is folded enough to have one.
+std::vector<LayerClass> layer_classes(const Section& section) {
+  std::vector<std::vector<const Horizon*>> beds;  // with all their pieces
+  for (const Horizon& horizon : section.horizons) {
+    const auto same = [&](const auto& bed) { return whole_name(*bed.front()) == whole_name(horizon); };
+    const auto bed = std::find_if(beds.begin(), beds.end(), same);
+    if (bed != beds.end())
+      bed->push_back(&horizon);
+    else
+      beds.push_back({&horizon});
+  }
+  std::vector<LayerClass> layers;
+  for (std::size_t i = 0; i + 1 < beds.size(); ++i) {
+    for (const Horizon* upper : beds[i]) {
+      for (const Horizon* lower : beds[i + 1]) {
+        if (beds[i].size() + beds[i + 1].size() > 2 && !over_each_other(*upper, *lower)) continue;
+        if (const auto fold = fold_class(upper->line, lower->line))
+          layers.push_back({fmt::format("{} - {}", upper->name, lower->name), *fold});
+      }
+    }
+  }
+  return layers;
+}
+
+/// "+- 3 m", or nothing where no interval is known.
+std::string error_text(const std::optional<double>& error) {
+  return error ? fmt::format(" +- {:.3g}", *error) : std::string();
 }
 
 }  // namespace
@@ -49,9 +86,9 @@ std::optional<AreaDepthFit> fit_area_depth(const std::vector<double>& levels, co
   AreaDepthFit fit;
   fit.displacement = sxy / sxx;
   fit.detachment = mean_level - mean_area / fit.displacement;
-  const double rest = std::max(0.0, syy - sxy * sxy / sxx);
-  fit.r_squared = syy > 0.0 ? 1.0 - rest / syy : 1.0;
   if (levels.size() < 3) return fit;
+  const double rest = std::max(0.0, syy - sxy * sxy / sxx);
+  fit.r_squared = 1.0 - rest / syy;
   const boost::math::students_t student(count - 2.0);
   const double t = boost::math::quantile(student, 0.5 + 0.005 * confidence_percent);
   const double deviation = std::sqrt(rest / (count - 2.0));
@@ -72,29 +109,21 @@ base::Result<AreaDepth> area_depth(const Section& section, const BalanceParams& 
   for (const Horizon& horizon : section.horizons) {
     result.beds.push_back(bed_of(horizon));
     levels.push_back(result.beds.back().level);
-    areas.push_back(result.beds.back().excess_area);
+    const double area = result.beds.back().excess_area;
+    areas.push_back(std::abs(area) > 1e-12 * result.beds.back().length * result.beds.back().length ? area : 0.0);
   }
-  for (std::size_t i = 0; i + 1 < section.horizons.size(); ++i) {
-    const Horizon& upper = section.horizons[i];
-    const Horizon& lower = section.horizons[i + 1];
-    const auto fold = fold_class(upper.line, lower.line);
-    if (!fold) continue;
-    result.layers.push_back({fmt::format("{} - {}", upper.name, lower.name), *fold});
+  result.layers = layer_classes(section);
+  for (const LayerClass& layer : result.layers) {
     result.remarks.push_back(
-        fmt::format("layer '{}' is folded like Ramsay's class {} (index {:.2f}, dips to {:.0f} deg)",
-                    result.layers.back().name, class_name(fold->value), fold->index, fold->dips.degrees()));
+        fmt::format("layer '{}' is folded like Ramsay's class {} (index {:.2f}, dips to {:.0f} deg)", layer.name,
+                    class_name(layer.fold.value), layer.fold.index, layer.fold.dips.degrees()));
   }
   result.fit = fit_area_depth(levels, areas, params.confidence);
-  const auto less = [](const BedBalance& a, const BedBalance& b) { return a.shortening < b.shortening; };
-  const auto [least, greatest] = std::minmax_element(result.beds.begin(), result.beds.end(), less);
-  double longest = 0.0;
-  for (const BedBalance& bed : result.beds) longest = std::max(longest, bed.length);
-  result.inconsistency_percent = 100.0 * (greatest->shortening - least->shortening) / longest;
-  result.balanced = result.inconsistency_percent <= params.tolerance;
-  result.remarks.push_back(fmt::format(
-      "{}: shortening differs by {} % between beds ('{}' has most, '{}' least); the tolerance is {:.4g} %",
-      result.balanced ? "balanced" : "not balanced", percent_text(result.inconsistency_percent), greatest->name, least->name,
-      params.tolerance));
+  result.consistency = consistency_of(section.horizons);
+  result.balanced = result.consistency.worst.percent <= params.tolerance;
+  result.remarks.push_back(fmt::format("{}: {}; the tolerance is {:.4g} %",
+                                       result.balanced ? "balanced" : "not balanced",
+                                       consistency_text(result.consistency), params.tolerance));
   if (!result.fit) {
     result.remarks.push_back(
         "no detachment can be told: the horizons' regionals are at one level, or no area is in excess");
@@ -104,11 +133,12 @@ base::Result<AreaDepth> area_depth(const Section& section, const BalanceParams& 
     const double moved = result.fit->displacement;
     bed.layer_strain = (bed.shortening - moved) / (bed.width + moved);
   }
+  const AreaDepthFit& fit = *result.fit;
   result.remarks.push_back(
-      fmt::format("area-depth-strain: displacement {:.6g} +- {:.3g} m, detachment at z = {:.6g} +- {:.3g} m ({:.4g} % "
-                  "confidence, r2 = {:.4f})",
-                  result.fit->displacement, result.fit->displacement_error, result.fit->detachment,
-                  result.fit->detachment_error, params.confidence, result.fit->r_squared));
+      fmt::format("area-depth-strain: displacement {:.6g}{} m, detachment at z = {:.6g}{} m ({})", fit.displacement,
+                  error_text(fit.displacement_error), fit.detachment, error_text(fit.detachment_error),
+                  fit.r_squared ? fmt::format("{:.4g} % confidence, r2 = {:.4f}", params.confidence, *fit.r_squared)
+                                : std::string("two levels leave no freedom, so that no interval is known")));
   return result;
 }
 

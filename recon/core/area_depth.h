@@ -11,6 +11,7 @@
 #include "recon/core/fold_class.h"
 #include "recon/core/section.h"
 #include "recon/core/section_check.h"
+#include "recon/core/shortening.h"
 #include "shared/base/result.h"
 
 namespace recon::core {
@@ -45,19 +46,21 @@ struct BedBalance {
   double excess_area = 0.0;     ///< Above the regional less below it.
   double shortening = 0.0;      ///< length - width.
   std::optional<double> depth;  ///< excess_area / shortening: of the detachment below the level, by this horizon alone.
-  double layer_strain = 0.0;    ///< (shortening - D) / (width + D): parallel to the bed, negative where it got shorter.
+  std::optional<double> layer_strain;  ///< (shortening - D) / (width + D): parallel to the bed, negative where it got
+                                       ///< shorter; nothing without a fit.
 };
 
 /// Straight line through (level, excess area) with the half-widths of the confidence intervals.
 struct AreaDepthFit {
-  double displacement = 0.0;        ///< D, m
-  double detachment = 0.0;          ///< h_d, elevation, m
-  double displacement_error = 0.0;  ///< Half-widths; 0 with two horizons, which any line fits.
-  double detachment_error = 0.0;
-  double r_squared = 1.0;
+  double displacement = 0.0;                 ///< D, m
+  double detachment = 0.0;                   ///< h_d, elevation, m
+  std::optional<double> displacement_error;  ///< Half-widths; nothing with two horizons, which some line always fits.
+  std::optional<double> detachment_error;
+  std::optional<double> r_squared;  ///< Likewise.
 };
 
-/// The layer between two horizons that follow each other in the section.
+/// The layer between two horizons that follow each other in the section; of horizons in pieces, between two pieces that
+/// lie over each other.
 struct LayerClass {
   std::string name;
   FoldClass fold;
@@ -68,7 +71,7 @@ struct AreaDepth {
   std::vector<BedBalance> beds;
   std::vector<LayerClass> layers;      ///< Those that are folded enough to have a class.
   std::optional<AreaDepthFit> fit;     ///< Nothing with one level.
-  double inconsistency_percent = 0.0;  ///< Greatest less least shortening, of the longest bed.
+  Consistency consistency;             ///< Of the shortening of the beds, as `restore` has it too.
   bool balanced = false;
   std::vector<std::string> remarks;
 };

@@ -7,9 +7,17 @@ namespace recon::core {
 
 namespace {
 
-double width(const geom::Polyline& line) { return std::abs(line.points.back().x - line.points.front().x); }
-
 double percent(double part, double whole) { return whole == 0.0 ? 0.0 : 100.0 * part / whole; }
+
+void set_lengths(LineLength& row) {
+  row.length_before = row.before.length;
+  row.length_after = row.after.length;
+  row.change_percent = percent(row.length_after - row.length_before, row.length_before);
+  row.width_before = row.before.regional();
+  row.width_after = row.after.regional();
+  row.shortening = row.before.shortening();
+  row.shortening_percent = percent(row.shortening, row.length_before);
+}
 
 }  // namespace
 
@@ -18,13 +26,10 @@ LineLength line_length(const Horizon& horizon, const MappedLine& mapped) {
   row.horizon = horizon.id;
   row.name = horizon.name;
   row.piece_of = horizon.piece_of;
-  row.length_before = geom::length(horizon.line);
-  row.length_after = geom::length(mapped.after);
-  row.change_percent = percent(row.length_after - row.length_before, row.length_before);
-  row.width_before = width(horizon.line);
-  row.width_after = width(mapped.after);
-  row.shortening = row.width_after - row.width_before;
-  row.shortening_percent = percent(row.shortening, row.width_after);
+  row.role = horizon.role;
+  row.before = bed_length(horizon.line);
+  row.after = bed_length(mapped.after);
+  set_lengths(row);
   for (const Tear& tear : mapped.tears) row.torn += tear.gap;
 
   row.depth_min = row.depth_max = mapped.names.front().depth;
@@ -50,13 +55,9 @@ void add_piece(const LineLength& piece, LineLength& whole) {
   whole.depth_mean = (whole.depth_mean * whole.length_before + piece.depth_mean * piece.length_before) / length;
   whole.depth_min = std::min(whole.depth_min, piece.depth_min);
   whole.depth_max = std::max(whole.depth_max, piece.depth_max);
-  whole.length_before = length;
-  whole.length_after += piece.length_after;
-  whole.change_percent = percent(whole.length_after - whole.length_before, whole.length_before);
-  whole.width_before += piece.width_before;
-  whole.width_after += piece.width_after;
-  whole.shortening = whole.width_after - whole.width_before;
-  whole.shortening_percent = percent(whole.shortening, whole.width_after);
+  whole.before += piece.before;
+  whole.after += piece.after;
+  set_lengths(whole);
   whole.torn += piece.torn;
 }
 
@@ -81,16 +82,6 @@ std::vector<LineLength> totals_of(const std::vector<LineLength>& rows) {
   std::vector<LineLength> totals = whole_beds(rows);
   std::erase_if(totals, [](const LineLength& bed) { return bed.piece_of.empty(); });
   return totals;
-}
-
-double inconsistency_percent(const std::vector<LineLength>& rows) {
-  if (rows.empty()) return 0.0;
-  const std::vector<LineLength> lengths = whole_beds(rows);
-  const auto less = [](const LineLength& a, const LineLength& b) { return a.shortening < b.shortening; };
-  const auto [least, greatest] = std::minmax_element(lengths.begin(), lengths.end(), less);
-  double longest = 0.0;
-  for (const LineLength& row : lengths) longest = std::max(longest, row.length_after);
-  return percent(greatest->shortening - least->shortening, longest);
 }
 
 }  // namespace recon::core

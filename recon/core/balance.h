@@ -1,16 +1,18 @@
 #pragma once
 // What restoration tells about beds: lengths before and after, shortening, depth to the top, and whether they balance.
+// Shortening is a matter of the section as it is: shortening.h.
 // Source: restoration.md 2.11. Page: docs/algorithms/ledger.md
 
 #include <string>
 #include <vector>
 
 #include "recon/core/section.h"
+#include "recon/core/shortening.h"
 #include "recon/core/trace.h"
 
 namespace recon::core {
 
-/// One horizon. Lengths in metres; widths are distances along x between the two ends.
+/// One horizon. Lengths in metres; widths along the regional, from end to end.
 struct LineLength {
   HorizonId horizon;
   std::string name;
@@ -19,13 +21,16 @@ struct LineLength {
   double change_percent = 0.0;  ///< (after - before) / before: what the method did not keep.
   double width_before = 0.0;
   double width_after = 0.0;
-  double shortening = 0.0;          ///< width_after - width_before; negative for extension.
-  double shortening_percent = 0.0;  ///< Of width_after.
+  double shortening = 0.0;          ///< length_before - width_before: BedLength::shortening.
+  double shortening_percent = 0.0;  ///< Of length_before.
   double torn = 0.0;                ///< Sum of the jumps.
   double depth_min = 0.0;           ///< To the top, along its normal, negative above it.
   double depth_mean = 0.0;          ///< Weighted by length.
   double depth_max = 0.0;
-  std::string piece_of = {};  ///< See Horizon.
+  std::string piece_of = {};        ///< See Horizon.
+  BedRole role = BedRole::Judged;   ///< Likewise.
+  BedLength before;                 ///< What length_before and width_before are of.
+  BedLength after;
 };
 
 LineLength line_length(const Horizon& horizon, const MappedLine& mapped);
@@ -36,19 +41,14 @@ std::vector<LineLength> whole_beds(const std::vector<LineLength>& rows);
 /// Those of them that are in pieces.
 std::vector<LineLength> totals_of(const std::vector<LineLength>& rows);
 
-/// The criteria of balance, each in percent, and the verdict: all of them within the tolerance.
+/// The criteria of balance, each in percent, and the verdict: all of them within the tolerance. Growth is not judged.
 struct Balance {
   bool balanced = false;
   double greatest_change_percent = 0.0;       ///< The largest |change_percent| of a bed's length.
   std::string worst;                          ///< The horizon that has it.
   double greatest_area_change_percent = 0.0;  ///< Likewise of a unit's area.
   std::string worst_unit;
-  double inconsistency_percent =
-      0.0;  ///< Difference of the greatest and the least shortening, of the longest restored bed.
+  Consistency consistency;  ///< Of the shortening of the beds, as `balance` has it too.
 };
-
-/// How far the shortening of the beds differs, in percent of the longest restored bed. Beds that reach less far than
-/// others do not count as shorter by that. Horizons in pieces count as wholes.
-double inconsistency_percent(const std::vector<LineLength>& lengths);
 
 }  // namespace recon::core

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "recon/core/area_change.h"
 #include "shared/base/parallel.h"
 
 namespace recon::core {
@@ -30,6 +31,13 @@ std::vector<RockUnit> units_by_faces(const Section& section) {
   return units;
 }
 
+BedRole role_of(const Section& section, std::optional<std::size_t> one, std::optional<std::size_t> other) {
+  for (const auto& horizon : {one, other}) {
+    if (horizon && section.horizons[*horizon].role == BedRole::Growth) return BedRole::Growth;
+  }
+  return BedRole::Judged;
+}
+
 std::vector<geom::Polyline> images_of(std::span<const geom::Polyline> contours, const SectionMap& map) {
   return base::parallel_map<geom::Polyline>(contours.size(),
                                             [&](std::size_t i) { return map.forward(contours[i]).after; });
@@ -45,11 +53,17 @@ void measure_faces(const Section& section, const SectionMap& map, Ledger& ledger
   for (const RockUnit& unit : units_by_faces(section)) {
     UnitRow row;
     row.name = unit.name;
+    row.role = role_of(section, unit.top, unit.base);
     row.faces_before = unit.contours;
     row.faces_after = images_of(row.faces_before, map);
     row.area_before = unit.area;
     row.area_after = area_of(row.faces_after);
     row.change_percent = unit.area == 0.0 ? 0.0 : 100.0 * (row.area_after - row.area_before) / row.area_before;
+    if (const auto change = area_change_in(row.faces_before, map)) {
+      row.dilatation = Range{change->least, 0.01 * row.change_percent, change->greatest};
+      row.least_at = change->least_at;
+      row.greatest_at = change->greatest_at;
+    }
     ledger.units.push_back(std::move(row));
   }
 }

@@ -16,6 +16,9 @@ bool is_whole_unit(const Section& section, std::size_t one, std::size_t other);
 /// The units that are not such; none where the section has polygons or no faces.
 std::vector<RockUnit> units_by_faces(const Section& section);
 
+/// Of the unit between two horizons (indices; one may be missing).
+BedRole role_of(const Section& section, std::optional<std::size_t> one, std::optional<std::size_t> other);
+
 /// Images of closed contours, and the area that contours enclose, holes running the other way, m2.
 std::vector<geom::Polyline> images_of(std::span<const geom::Polyline> contours, const SectionMap& map);
 double area_of(std::span<const geom::Polyline> contours);

@@ -174,18 +174,17 @@ base::Result<int> count_to_reach(double deepest, double distance, double factor)
                                  most_curves, distance, factor, reached, deepest)};
 }
 
-base::Result<std::vector<double>> distances_for(const GridParams& params, double deepest) {
+/// How deep a grid reaches below a top that has nothing on that side, of the top's extent.
+constexpr double empty_depth = 0.1;
+
+base::Result<std::vector<double>> distances_for(const GridParams& params, double deepest, double extent) {
   int count = params.count;
-  if (!params.distance && deepest <= 0.0) {
-    return base::Error{
-        base::ErrorCode::InvalidOption,
-        "no point of the section lies on that side of the top, so there is no depth to share out; give a distance"};
-  }
-  const double distance = params.distance.value_or(distance_to_reach(deepest, params.factor, count));
+  const double reach = deepest > 0.0 ? deepest : empty_depth * extent;
+  const double distance = params.distance.value_or(distance_to_reach(reach, params.factor, count));
   if (params.distance && params.extent == GridExtent::Base) {
     if (deepest <= 0.0) {
       return base::Error{base::ErrorCode::InvalidOption,
-                         "no point of the section lies on that side of the top; set extent = \"count\""};
+                         "no horizon or unit lies on that side of the top; set extent = \"count\""};
     }
     DOBRA_TRY(count, count_to_reach(deepest, distance, params.factor));
   }
@@ -258,8 +257,9 @@ base::Result<SourceGrid> make_source_grid(const Section& section, const GridPara
                      beyond);
   }
   for (const Unit& unit : section.units) {
-    measure_beyond(unit.contour, places_of(unit.contour, *columns), *columns, fmt::format("unit '{}'", unit.name),
-                   unit.source, beyond);
+    const std::vector<ColumnPoint> of_unit = places_of(unit.contour, *columns);
+    for (const ColumnPoint& at : of_unit) depths.push_back(at.depth);
+    measure_beyond(unit.contour, of_unit, *columns, fmt::format("unit '{}'", unit.name), unit.source, beyond);
   }
   DOBRA_TRY_VOID(refuse_uncovered(beyond, *top, params));
   source.side = side_of(depths, params.side);
@@ -269,7 +269,13 @@ base::Result<SourceGrid> make_source_grid(const Section& section, const GridPara
     DOBRA_TRY(*columns, Columns::along(source.base));
   }
   for (const double depth : depths) source.deepest = std::max(source.deepest, depth);
-  DOBRA_TRY(source.options.distances, distances_for(params, source.deepest));
+  DOBRA_TRY(source.options.distances, distances_for(params, source.deepest, source.base.box().diagonal()));
+  if (source.deepest <= 0.0 && !params.distance) {
+    source.remarks.push_back(
+        fmt::format("no horizon or unit lies on that side of the top; the grid reaches {:.4g} m, a "
+                    "tenth of the top's extent",
+                    source.options.distances.back()));
+  }
   source.options.treatment = params.treatment;
   source.options.join = params.join;
   auto grid = make_grid(source.base, *columns, source.options, progress);

@@ -105,7 +105,7 @@ struct SourceGrid {
   LayerSide side = LayerSide::Below;  ///< As found; never Auto.
   geom::Polyline base;                ///< The top, in the travel direction that has the layers on its right-hand side.
   GridOptions options;
-  double deepest = 0.0;  ///< Greatest depth of a point of the section, m (0 if all lie on or above the top).
+  double deepest = 0.0;  ///< Greatest depth of a horizon or unit, m (0 if all lie on or above the top).
   Grid grid;
   std::vector<std::string> remarks;
 };

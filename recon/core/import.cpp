@@ -98,7 +98,8 @@ class Importer {
 
   void add(std::size_t i, std::size_t part) {
     const io::Feature& feature = features_[i];
-    ImportedLine made{tables_[i], name_of(feature, i), {}, feature.parts[part], feature.source};
+    const BedRole role = io::known_kind(feature.kind) == "growth" ? BedRole::Growth : BedRole::Judged;
+    ImportedLine made{tables_[i], name_of(feature, i), {}, role, feature.parts[part], feature.source};
     if (feature.type == io::FeatureType::Points && !feature.kind.empty() && feature.kind != "marker")
       made_.remarks.push_back(fmt::format("'{}': points of kind '{}' are taken as a marker", made.name, feature.kind));
     if (feature.type == io::FeatureType::Polygons && geom::signed_area(made.line) < 0.0) {
@@ -121,7 +122,8 @@ class Importer {
     const std::string wanted = made.name;
     for (int copy = 2; !names_.insert(made.table + '\n' + made.name).second; ++copy)
       made.name = fmt::format("{} ({})", wanted, copy);
-    if (made.name != wanted && made.table == "polygon") made.piece_of = wanted;
+    if (made.table == "polygon") made.piece_of = io::stated_unit(feature);
+    if (made.table == "polygon" && made.piece_of.empty() && made.name != wanted) made.piece_of = wanted;
     made_.lines.push_back(std::move(made));
   }
 
@@ -163,6 +165,7 @@ base::Result<SectionInput> with_lines_of_files(SectionInput input, const ReadSet
       made.name = std::move(line.name);
       made.file = wanted.file;
       made.piece_of = std::move(line.piece_of);
+      made.role = line.role;
       made.unit = wanted.unit;
       made.placed = PlacedLine{std::move(line.line), work.trace};
       list_of(input, line.table).push_back(std::move(made));

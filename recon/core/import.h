@@ -16,6 +16,7 @@ struct ImportedLine {
       table;  ///< "horizon", "fault", "pin", "loose", "topography", "datum", "eroded", "polygon", "border", "marker".
   std::string name;  ///< Unlike those before it in the table.
   std::string piece_of;
+  BedRole role = BedRole::Judged;
   geom::Polyline line;  ///< In section coordinates, as one draws it: polygons repeat their first point.
   base::Place source;
 };

@@ -200,7 +200,7 @@ std::vector<Horizon> horizons_of(const HorizonInput& wanted, std::vector<geom::P
   std::vector<Horizon> horizons;
   std::vector<std::string> told;
   for (geom::Polyline& line : pieces) {
-    Horizon horizon{HorizonId(), wanted.name, std::move(line), {}, wanted.piece_of};
+    Horizon horizon{HorizonId(), wanted.name, std::move(line), {}, wanted.piece_of, wanted.role};
     horizon.source.file = wanted.file;
     if (pieces.size() > 1) {
       horizon.piece_of = whole_name(horizon);

@@ -33,6 +33,7 @@ constexpr std::size_t most_rungs = 160;
 /// The room for plots on a sheet, points: which arrangement of two gives the larger scale.
 constexpr double sheet_width = 760.0;
 constexpr double sheet_height = 240.0;
+constexpr double clearly = 1.4;
 /// With more horizons than this the legend has only the units, each of which has the colour of the horizon above it.
 constexpr std::size_t most_horizons_in_legend = 12;
 /// More lines or markers of one kind than this share an entry of the legend.
@@ -487,7 +488,7 @@ geom::Box part_to_show(const scene::Panel& panel) {
           {std::min(near.high.x, all.high.x), std::min(near.high.y, all.high.y)}};
 }
 
-/// Beside or above each other: as both have the larger scale on a sheet.
+/// Beside each other, or above each other where that gives a clearly larger scale on a sheet.
 scene::Arrangement arrangement_of(const std::vector<scene::Panel>& panels) {
   geom::Vector row;
   geom::Vector column;
@@ -497,7 +498,7 @@ scene::Arrangement arrangement_of(const std::vector<scene::Panel>& panels) {
     column = {std::max(column.x, box.width()), column.y + box.height()};
   }
   const auto scale = [](geom::Vector size) { return std::min(sheet_width / size.x, sheet_height / size.y); };
-  return scale(column) > scale(row) ? scene::Arrangement::Column : scene::Arrangement::Row;
+  return scale(column) > clearly * scale(row) ? scene::Arrangement::Column : scene::Arrangement::Row;
 }
 
 }  // namespace

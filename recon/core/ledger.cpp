@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
+#include "recon/core/area_change.h"
 #include "recon/core/face_ledger.h"
 #include "recon/core/segment_tree.h"
 #include "shared/base/parallel.h"
@@ -49,7 +51,9 @@ struct Part {
 double triangle_area(geom::Point a, geom::Point b, geom::Point c) { return 0.5 * std::abs(geom::cross(b - a, c - a)); }
 
 /// det F - 1 at the middle of each triangle of `field`; triangles that no cell holds are dropped.
-void evaluate(DilatationField& field, const SectionMap& map, RangeSum& sum) {
+/// @return the mean by area.
+double evaluate(DilatationField& field, const SectionMap& map, std::optional<AreaChange>& extremes) {
+  RangeSum sum;
   std::vector<std::array<std::uint32_t, 3>> kept;
   Cell hint;
   for (const auto& t : field.triangles) {
@@ -57,15 +61,28 @@ void evaluate(DilatationField& field, const SectionMap& map, RangeSum& sum) {
     const geom::Point b = field.points[t[1]];
     const geom::Point c = field.points[t[2]];
     const geom::Point middle{(a.x + b.x + c.x) / 3.0, (a.y + b.y + c.y) / 3.0};
-    const std::optional<Gradient> f = map.gradient(middle, hint);
-    if (!f) continue;
-    const double dilatation = f->determinant() - 1.0;
-    if (!std::isfinite(dilatation)) continue;
+    double determinant = 0.0;
+    if (!map.determinants(middle, {&middle, 1}, {&determinant, 1}, hint) || !std::isfinite(determinant)) continue;
     kept.push_back(t);
-    field.values.push_back(dilatation);
-    sum.add(dilatation, triangle_area(a, b, c));
+    field.values.push_back(determinant - 1.0);
+    include(extremes, field.values.back(), middle);
+    sum.add(field.values.back(), triangle_area(a, b, c));
   }
   field.triangles = std::move(kept);
+  const std::optional<Range> range = sum.range();
+  return range ? range->mean : 0.0;
+}
+
+/// det F - 1 of a unit: on its triangles, and exactly along its contour.
+void measure_dilatation(const geom::Polyline& contour, const std::vector<geom::Polyline>& lines, const SectionMap& map,
+                        Part& part) {
+  std::optional<AreaChange> extremes = area_change_in(std::span(&contour, 1), map, lines);
+  const double mean = evaluate(part.field, map, extremes);
+  if (!extremes) return;
+  UnitRow& row = part.row;
+  row.dilatation = Range{extremes->least, mean, extremes->greatest};
+  row.least_at = extremes->least_at;
+  row.greatest_at = extremes->greatest_at;
 }
 
 /// `count` + 1 places evenly by length along a line, from its first point to its last.
@@ -101,8 +118,8 @@ DilatationField band_between(const std::vector<geom::Point>& upper, const std::v
   return field;
 }
 
-/// Thickness from places on one line to another line, across the beds.
-std::optional<Range> thickness_between(const std::vector<geom::Point>& places, const geom::Polyline& lower) {
+/// From places on one line to another line, across the beds.
+std::optional<Range> thickness_from(const std::vector<geom::Point>& places, const geom::Polyline& lower) {
   std::vector<geom::Segment> segments;
   segments.reserve(lower.segment_count());
   for (std::size_t i = 0; i < lower.segment_count(); ++i) segments.push_back(lower.segment(i));
@@ -146,8 +163,8 @@ Part part_between(const Bed& upper, const Bed& lower, const std::string& name, c
   const UnitAreas areas = areas_between(*upper.line, *lower.line, ends);
   row.area_before = areas.before;
   row.area_after = areas.after;
-  row.thickness_before = thickness_between(upper.before, lower.line->before);
-  row.thickness_after = thickness_between(upper.after, lower.line->after);
+  row.thickness_before = thickness_from(upper.before, lower.line->before);
+  row.thickness_after = thickness_from(upper.after, lower.line->after);
   part.field = band_between(upper.before, lower.before, options.levels);
   return part;
 }
@@ -206,6 +223,10 @@ std::vector<LedgerUnit> ledger_units(const Section& section, const std::vector<H
   return units;
 }
 
+std::optional<Range> thickness_between(const geom::Polyline& upper, const geom::Polyline& lower, int count) {
+  return thickness_from(even_places(upper, count), lower);
+}
+
 UnitAreas areas_between(const MappedLine& upper, const MappedLine& lower, const SectionMap& ends) {
   // Only the two ends are lines that are not mapped yet.
   const auto image_of = [&](const MappedLine& from, const MappedLine& to, auto end) {
@@ -241,6 +262,10 @@ base::Result<Ledger> draw_up(const Section& section, const std::vector<LedgerUni
   const auto beds = base::parallel_map<Bed>(between_beds ? lines.size() : 0, [&](std::size_t i) {
     return Bed{&lines[i], even_places(lines[i].before, options.places), even_places(lines[i].after, options.places)};
   });
+  std::vector<geom::Polyline> rulings_start;  // which a polygon may hold
+  if (!between_beds && map.columns() == nullptr) {
+    for (const MappedLine& line : lines) rulings_start.push_back(line.before);
+  }
   base::parallel_for(units.size(), [&](std::size_t i) {
     if (progress.cancelled()) return;
     const LedgerUnit& unit = units[i];
@@ -248,10 +273,11 @@ base::Result<Ledger> draw_up(const Section& section, const std::vector<LedgerUni
                          : part_between(beds[*unit.upper], beds[*unit.lower], unit.name, ends, options);
     if (parts[i].error) return;
     UnitRow& row = parts[i].row;
+    if (!unit.unit) row.role = role_of(section, unit.upper, unit.lower);
     row.change_percent = percent(row.area_after - row.area_before, row.area_before);
-    RangeSum dilatation;
-    evaluate(parts[i].field, map, dilatation);
-    row.dilatation = dilatation.range();
+    measure_dilatation(unit.unit ? section.units[unit.unit->index()].contour
+                                 : contour_between(lines[*unit.upper].before, lines[*unit.lower].before),
+                       rulings_start, map, parts[i]);
     add_strains(parts[i].field, map, options, parts[i].strains);
   });
   DOBRA_TRY_VOID(progress.check());

@@ -41,9 +41,12 @@ struct UnitRow {
   double area_before = 0.0;
   double area_after = 0.0;
   double change_percent = 0.0;            ///< (after - before) / before.
+  BedRole role = BedRole::Judged;         ///< Growth: one of its horizons is.
   std::optional<Range> thickness_before;  ///< Nothing for polygons.
   std::optional<Range> thickness_after;
-  std::optional<Range> dilatation;  ///< det F - 1, by area.
+  std::optional<Range> dilatation;  ///< det F - 1: its extremes, and its mean by area.
+  geom::Point least_at;             ///< A place where it is least ...
+  geom::Point greatest_at;          ///< ... and greatest.
   geom::Polyline contour_after;     ///< Of a polygon of the section: its image.
   std::vector<geom::Polyline>
       faces_before;                         ///< Of a unit that is not all that lies between two horizons: its faces ...
@@ -75,6 +78,10 @@ struct Ledger {
 base::Result<Ledger> draw_up(const Section& section, const std::vector<LedgerUnit>& units,
                              const std::vector<MappedLine>& lines, const SectionMap& map, const SectionMap& ends,
                              const LedgerOptions& options, const base::Progress& progress);
+
+/// Thickness of what lies between two lines, m, across the beds: at `count` + 1 places evenly along the upper one.
+std::optional<Range> thickness_between(const geom::Polyline& upper, const geom::Polyline& lower,
+                                       int count = LedgerOptions{}.places);
 
 struct UnitAreas {
   double before = 0.0;

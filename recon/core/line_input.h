@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "recon/core/section.h"
 #include "shared/geom/drawn_curve.h"
 #include "shared/io/feature.h"
 #include "shared/scenario/field.h"
@@ -25,6 +26,26 @@ struct PlacedLine {
   std::optional<dobra::io::Trace> trace = std::nullopt;
 };
 
+/// The fields of how the lines of a file are read, and their points repaired.
+template <class Input, class D>
+void describe_reading(D& d) {
+  d.choice("separator", &Input::separator, {"detect", "blank", "tab", "comma", "semicolon"},
+           {.title = "Separator", .help = "Between the columns of a text file."});
+  d.choice("y_axis", &Input::y_axis, {"section", "up", "down"},
+           {.title = "Second coordinate grows", .help = "section: as for all files, or as the file itself says."});
+  d.choice("unit", &Input::unit, {"section", "m", "km", "ft"},
+           {.title = "Unit of the file", .help = "section: as for all files, or as the file itself says."});
+  d.choice("order", &Input::order, {"as_given", "along_curve"},
+           {.title = "Order of the points", .help = "along_curve: unordered points are put in order, with a remark."});
+  d.field("drop_duplicates", &Input::drop_duplicates,
+          {.title = "Drop points nearer than", .help = "0: none but equal ones.", .unit = "m", .at_least = 0.0});
+  d.field("join_gaps", &Input::join_gaps,
+          {.title = "Join gaps below",
+           .help = "Parts of the same name whose ends are nearer become one line; 0: none.",
+           .unit = "m",
+           .at_least = 0.0});
+}
+
 /// One [[input.horizon]].
 struct HorizonInput {
   std::string name;
@@ -32,6 +53,7 @@ struct HorizonInput {
   std::vector<geom::Point> points;
   std::string feature;
   std::string piece_of;
+  BedRole role = BedRole::Judged;
   std::vector<double> columns = {1.0, 2.0};
   FieldSeparator separator = FieldSeparator::Detect;
   LineAxis y_axis = LineAxis::Section;
@@ -56,25 +78,13 @@ struct HorizonInput {
     d.field("piece_of", &HorizonInput::piece_of,
             {.title = "Piece of the horizon",
              .help = "Name of the horizon that faults have cut this piece from; the pieces add up in the ledger."});
+    d.choice("role", &HorizonInput::role, {"judged", "growth"},
+             {.title = "Role in the balance",
+              .help = "growth: a horizon laid down while the section deformed; it is listed, not judged."});
     d.field("columns", &HorizonInput::columns,
             {.title = "Columns of x and y",
              .help = "In a text file, counted from 1; three for map coordinates with heights."});
-    d.choice("separator", &HorizonInput::separator, {"detect", "blank", "tab", "comma", "semicolon"},
-             {.title = "Separator", .help = "Between the columns of a text file."});
-    d.choice("y_axis", &HorizonInput::y_axis, {"section", "up", "down"},
-             {.title = "Second coordinate grows", .help = "section: as for all files, or as the file itself says."});
-    d.choice("unit", &HorizonInput::unit, {"section", "m", "km", "ft"},
-             {.title = "Unit of the file", .help = "section: as for all files, or as the file itself says."});
-    d.choice(
-        "order", &HorizonInput::order, {"as_given", "along_curve"},
-        {.title = "Order of the points", .help = "along_curve: unordered points are put in order, with a remark."});
-    d.field("drop_duplicates", &HorizonInput::drop_duplicates,
-            {.title = "Drop points nearer than", .help = "0: none but equal ones.", .unit = "m", .at_least = 0.0});
-    d.field("join_gaps", &HorizonInput::join_gaps,
-            {.title = "Join gaps below",
-             .help = "Parts of the same name whose ends are nearer become one line; 0: none.",
-             .unit = "m",
-             .at_least = 0.0});
+    describe_reading<HorizonInput>(d);
     d.choice(
         "curve", &HorizonInput::curve, {"line", "hermite", "spline", "bezier", "b_spline", "rational_bezier"},
         {.title = "Drawn as",
@@ -113,22 +123,7 @@ struct LinesInput {
              .help = "In a text file: numbers from 1 or headers; three for x, y and height of map coordinates."});
     d.field("name_columns", &LinesInput::name_columns,
             {.title = "Columns of names", .help = "In a text file: a line ends where their texts change."});
-    d.choice("separator", &LinesInput::separator, {"detect", "blank", "tab", "comma", "semicolon"},
-             {.title = "Separator", .help = "Between the columns of a text file."});
-    d.choice("y_axis", &LinesInput::y_axis, {"section", "up", "down"},
-             {.title = "Second coordinate grows", .help = "section: as for all files, or as the file itself says."});
-    d.choice("unit", &LinesInput::unit, {"section", "m", "km", "ft"},
-             {.title = "Unit of the file", .help = "section: as for all files, or as the file itself says."});
-    d.choice(
-        "order", &LinesInput::order, {"as_given", "along_curve"},
-        {.title = "Order of the points", .help = "along_curve: unordered points are put in order, with a remark."});
-    d.field("drop_duplicates", &LinesInput::drop_duplicates,
-            {.title = "Drop points nearer than", .help = "0: none but equal ones.", .unit = "m", .at_least = 0.0});
-    d.field("join_gaps", &LinesInput::join_gaps,
-            {.title = "Join gaps below",
-             .help = "Parts of the same name whose ends are nearer become one line; 0: none.",
-             .unit = "m",
-             .at_least = 0.0});
+    describe_reading<LinesInput>(d);
   }
 };
 

@@ -157,7 +157,9 @@ std::vector<ColumnMap::LaidPoint> ColumnMap::lay(const std::vector<double>& arc,
   for (std::size_t i = 0, vertex = start; i < pieces; ++i) {
     const std::size_t next = up ? vertex + 1 : vertex - 1;
     const double length = std::abs(arc[next] - arc[vertex]);
-    const double drop = std::clamp(names[next].depth - depth, -length, length);
+    // Over a jump of the bed, which has no length, it falls at once.
+    const double limit = length > 1e-10 * arc.back() ? length : infinity;
+    const double drop = std::clamp(names[next].depth - depth, -limit, limit);
     const double along = std::sqrt(std::max(0.0, length * length - drop * drop));
     double left_to_go = 1.0;
     while (true) {
@@ -252,6 +254,22 @@ Carried ColumnMap::carry(Cell cell, geom::Point p) const {
   double depth = 0.0;
   const double bed = target_bed(source_.frame(column_of(cell.first)), p, depth);
   return {name, point_on_bed(target_.frame(column_of(cell.second)), bed, depth)};
+}
+
+double ColumnMap::determinant(Cell cell, geom::Point p) const {
+  if (law_ == ColumnLaw::Slip) return 1.0;
+  const ColumnId column = column_of(cell.first);
+  const ColumnPoint name = source_.name_in(column, p);
+  // The area of a piece of column is that of its name times the length of the offset edge.
+  const auto edge = [&](const Columns& columns, double depth) {
+    const Columns::Frame& frame = columns.frame(column);
+    return columns.is_outer(column) ? 1.0 : frame.length + depth * frame.widening();
+  };
+  if (law_ == ColumnLaw::Thickness) return edge(target_, name.depth) / edge(source_, name.depth);
+  const double rate = area_rate(source_rates_, name);
+  const double goal_rate = area_rate(target_rates_, name);
+  const double depth = depth_of_area(name.depth * (1.0 + 0.5 * rate * name.depth), goal_rate);
+  return edge(target_, depth) / edge(source_, name.depth) * (1.0 + rate * name.depth) / (1.0 + goal_rate * depth);
 }
 
 bool ColumnMap::keeps(const Spot& spot, geom::Point p, const Spot& nearest) const {

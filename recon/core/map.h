@@ -99,8 +99,10 @@ class ColumnMap {
   [[nodiscard]] bool keeps(const Spot& spot, geom::Point p, const Spot& nearest) const;
   [[nodiscard]] static Hint hint_back(Cell cell) { return cell; }
   [[nodiscard]] geom::Point back(geom::Point image, Cell& hint) const;
-  [[nodiscard]] bool is_outer(Cell cell) const { return source_.is_outer(ColumnId(cell.first)); }
+  [[nodiscard]] bool is_outer(Cell cell, geom::Point) const { return source_.is_outer(ColumnId(cell.first)); }
   [[nodiscard]] bool bends() const { return law_ != ColumnLaw::Slip; }
+  /// det F at a point by the formula of a cell.
+  [[nodiscard]] double determinant(Cell cell, geom::Point p) const;
   [[nodiscard]] const TraceTolerances& tolerances() const { return tolerances_; }
 
  private:

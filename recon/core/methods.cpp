@@ -118,26 +118,12 @@ base::Result<SectionMap> column_map(const SourceGrid& source, const Target& targ
 }
 
 base::Result<MethodMap> shear_map(const SourceGrid& source, const Target& target, const MethodParams& params) {
+  // The pin slides along the direction of shear to the target, unless it is told where to go.
+  const geom::Point goal = target.params.target_pin ? target.target_pin : target.source_pin;
+  DOBRA_TRY(ShearMap map, ShearMap::make(source.base, target.line, params.shear_angle, target.source_pin, goal));
   MethodMap made;
-  auto map = ShearMap::make(source.base, target.line, params.shear_angle, params.doubt, made.remarks);
-  if (!map) return base::located(map.error(), base::Place{.item = "shear"});
-  made.map = SectionMap(params.percent < 100.0 ? map->part(params.percent / 100.0) : std::move(*map));
+  made.map = SectionMap(params.percent < 100.0 ? map.part(params.percent / 100.0) : std::move(map));
   return made;
-}
-
-/// Methods that take every horizon as one bed from end to end.
-base::Result<void> refuse_pieces(const Section& section, RestoreMethod method) {
-  for (const Horizon& horizon : section.horizons) {
-    if (horizon.piece_of.empty()) continue;
-    return base::Error{
-        base::ErrorCode::CannotRestore,
-        fmt::format("it is a piece of '{}', and the method {} takes every horizon as one bed from end to end; restore "
-                    "the blocks one by one, or take another method{}",
-                    horizon.piece_of, method_name(method),
-                    method == RestoreMethod::Flexural ? ", or beds = \"parallel\" (--beds parallel)" : ""),
-        place_at(horizon.line.points.front(), fmt::format("horizon '{}'", horizon.name))};
-  }
-  return {};
 }
 
 }  // namespace
@@ -192,7 +178,6 @@ base::Result<MethodMap> make_method_map(const Section& section, const SourceGrid
   const bool along_horizons =
       params.method == RestoreMethod::Flexural && params.beds == SlipBeds::Horizons && section.horizons.size() > 1;
   if (along_horizons || params.method == RestoreMethod::Proportional || params.method == RestoreMethod::LineLength) {
-    DOBRA_TRY_VOID(refuse_pieces(section, params.method));
     std::optional<Columns> on_the_way;
     if (along_horizons && params.percent < 100.0) {
       DOBRA_TRY(on_the_way, target_on_the_way(target, params.percent / 100.0));

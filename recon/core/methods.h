@@ -17,6 +17,13 @@ namespace recon::core {
 /// What restoration keeps.
 enum class RestoreMethod { Constant, Variable, Proportional, Flexural, Shear, LineLength };
 
+/// What a map does where it is not single-valued. A shear is refused there in any case.
+enum class Doubt {
+  Limited,  ///< As Nearest, within the limits of variable thickness (restore.h).
+  Nearest,  ///< The nearest base segment, with a remark.
+  Refuse,   ///< An error with the place.
+};
+
 /// "constant", "variable", ... as in scenarios.
 const char* method_name(RestoreMethod method);
 /// One sentence on what the method keeps and what it does not.
@@ -35,7 +42,7 @@ struct MethodParams {
   std::string base;         ///< Proportional: the horizon that bounds the layers below; the farthest by default.
   std::optional<double> thickness;  ///< Proportional: of the restored layers, m; by default such that area is kept.
   double percent = 100.0;           ///< 0: as it is; 100: restored; between: the map's own state between the two.
-  Doubt doubt = Doubt::Nearest;
+  Doubt doubt = Doubt::Limited;
   SlipBeds beds = SlipBeds::Horizons;  ///< Flexural; a section with one horizon has parallels only.
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <mutex>
 #include <numeric>
 
@@ -31,12 +32,12 @@ class Draws {
       if (!unit.unit) units_.push_back(std::move(unit));
     }
     std::vector<geom::Polyline> contours;
-    const auto add = [&](const std::string& name, const std::vector<geom::Polyline>& of_unit) {
-      traced_.push_back({name, contours.size(), of_unit.size()});
+    const auto add = [&](const std::string& name, const std::vector<geom::Polyline>& of_unit, BedRole role) {
+      traced_.push_back({name, contours.size(), of_unit.size(), role});
       contours.insert(contours.end(), of_unit.begin(), of_unit.end());
     };
-    for (const Unit& unit : section.units) add(unit.name, {unit.contour});
-    for (const RockUnit& unit : units_by_faces(section)) add(unit.name, unit.contours);
+    for (const Unit& unit : section.units) add(unit.name, {unit.contour}, BedRole::Judged);
+    for (const RockUnit& unit : units_by_faces(section)) add(unit.name, unit.contours, role_of(section, unit.top, unit.base));
     picks_.emplace(section, std::move(contours),
                    PickErrors{params.pick_error, params.correlation.value_or(box_of(section).width() / 20.0),
                               static_cast<std::uint64_t>(params.seed)});
@@ -48,14 +49,21 @@ class Draws {
       names_.push_back({"horizon." + horizon.name + ".length_before", "m"});
       names_.push_back({"horizon." + horizon.name + ".length_after", "m"});
       names_.push_back({"horizon." + horizon.name + ".change_percent", "%"});
+      names_.push_back({"horizon." + horizon.name + ".shortening", "m"});
+      names_.push_back({"horizon." + horizon.name + ".shortening_percent", "%"});
     }
-    for (const LedgerUnit& unit : units_) name_areas(unit.name);
+    for (const LedgerUnit& unit : units_) {
+      name_areas(unit.name);
+      names_.push_back({"unit." + unit.name + ".thickness_mean_before", "m"});
+      names_.push_back({"unit." + unit.name + ".thickness_mean_after", "m"});
+    }
     for (const TracedUnit& unit : traced_) name_areas(unit.name);
   }
 
   [[nodiscard]] const std::vector<Name>& names() const { return names_; }
 
-  /// The numbers of draw `number`, and last whether it balances; empty if it cannot be restored.
+  /// The numbers of draw `number` (not a number where there is nothing to measure), and last whether it balances; empty
+  /// if it cannot be restored.
   [[nodiscard]] std::vector<double> draw(std::uint32_t number) const {
     Section section;
     section.convention = section_.convention;
@@ -79,6 +87,7 @@ class Draws {
     std::string name;
     std::size_t first = 0;  ///< Of them ...
     std::size_t count = 0;  ///< ... so many.
+    BedRole role = BedRole::Judged;
   };
 
   void name_areas(const std::string& unit) {
@@ -110,26 +119,34 @@ class Draws {
                                             MethodMap& method, const ColumnMap& grid) const {
     const std::vector<MappedLine> lines = map_horizons(method, section, grid);
     std::vector<double> numbers(4);
-    std::vector<LineLength> lengths;
     for (std::size_t i = 0; i < lines.size(); ++i) {
       const Horizon& horizon = section.horizons[i];
-      lengths.push_back(line_length(horizon, lines[i]));
-      const LineLength& row = lengths.back();
+      const LineLength row = line_length(horizon, lines[i]);
       if (horizon.id == source_.top) numbers[0] = row.shortening;
-      numbers[1] = std::max(numbers[1], std::abs(row.change_percent));
-      numbers.insert(numbers.end(), {row.length_before, row.length_after, row.change_percent});
+      if (row.role == BedRole::Judged) numbers[1] = std::max(numbers[1], std::abs(row.change_percent));
+      numbers.insert(numbers.end(),
+                     {row.length_before, row.length_after, row.change_percent, row.shortening, row.shortening_percent});
     }
-    const auto add = [&](const UnitAreas& areas) {
+    const auto add = [&](const UnitAreas& areas, BedRole role) {
       numbers.insert(numbers.end(), {areas.before, areas.after});
+      if (role == BedRole::Growth) return;
       numbers[2] = std::max(numbers[2], 100.0 * std::abs(areas.after - areas.before) / areas.before);
     };
-    for (const LedgerUnit& unit : units_)
-      add(areas_between(lines[*unit.upper], lines[*unit.lower], method.map_of_ends()));
+    const auto thickness = [](const geom::Polyline& upper, const geom::Polyline& lower) {
+      const std::optional<Range> range = thickness_between(upper, lower);
+      return range ? range->mean : std::numeric_limits<double>::quiet_NaN();
+    };
+    for (const LedgerUnit& unit : units_) {
+      const MappedLine& upper = lines[*unit.upper];
+      const MappedLine& lower = lines[*unit.lower];
+      add(areas_between(upper, lower, method.map_of_ends()), role_of(section, unit.upper, unit.lower));
+      numbers.insert(numbers.end(), {thickness(upper.before, lower.before), thickness(upper.after, lower.after)});
+    }
     for (const TracedUnit& unit : traced_) {
       const std::span of_unit = std::span(contours).subspan(unit.first, unit.count);
-      add({area_of(of_unit), area_of(images_of(of_unit, method.map))});
+      add({area_of(of_unit), area_of(images_of(of_unit, method.map))}, unit.role);
     }
-    numbers[3] = inconsistency_percent(lengths);
+    numbers[3] = consistency_of(section.horizons).worst.percent;
     numbers.push_back(is_balanced(restore_, numbers[1], numbers[2], numbers[3]) ? 1.0 : 0.0);
     return numbers;
   }
@@ -192,14 +209,18 @@ base::Result<MonteCarlo> monte_carlo(const Section& section, const SourceGrid& s
   std::vector<std::vector<double>> columns(draws.names().size() + 1);
   for (const std::vector<double>& row : rows) {
     if (row.empty()) ++result.failed;
-    for (std::size_t k = 0; k < row.size(); ++k) columns[k].push_back(row[k]);
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      if (!std::isnan(row[k])) columns[k].push_back(row[k]);
+    }
   }
   if (result.failed == count) {
     return base::Error{base::ErrorCode::CannotRestore,
                        "no draw could be restored; are the errors larger than the section allows?"};
   }
-  for (std::size_t k = 0; k < draws.names().size(); ++k)
+  for (std::size_t k = 0; k < draws.names().size(); ++k) {
+    if (columns[k].empty()) continue;
     result.spreads.push_back(spread_of(draws.names()[k], std::move(columns[k])));
+  }
   const std::vector<double>& balanced = columns.back();
   result.balanced_share = std::accumulate(balanced.begin(), balanced.end(), 0.0) / static_cast<double>(balanced.size());
   if (result.failed > 0)

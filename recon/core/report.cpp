@@ -63,7 +63,7 @@ void add_restored_quantities(const Model& model, std::vector<scenario::Quantity>
   const Balance& balance = restoration.balance;
   quantities.push_back({"greatest_change_percent", balance.greatest_change_percent, "%"});
   quantities.push_back({"greatest_area_change_percent", balance.greatest_area_change_percent, "%"});
-  quantities.push_back({"inconsistency_percent", balance.inconsistency_percent, "%"});
+  quantities.push_back({"inconsistency_percent", balance.consistency.worst.percent, "%"});
   quantities.push_back({"balanced", balance.balanced ? 1.0 : 0.0, ""});
 }
 
@@ -84,13 +84,9 @@ void add_balance_quantities(const Model& model, std::vector<scenario::Quantity>&
     for (const LayerClass& layer : model.area_depth->layers)
       quantities.push_back({"layer." + layer.name + ".isogon_index", layer.fold.index, ""});
     if (const auto& fit = model.area_depth->fit) {
-      quantities.push_back({"displacement", fit->displacement, "m"});
-      quantities.push_back({"displacement_error", fit->displacement_error, "m"});
-      quantities.push_back({"detachment", fit->detachment, "m"});
-      quantities.push_back({"detachment_error", fit->detachment_error, "m"});
-      quantities.push_back({"r_squared", fit->r_squared, ""});
+      add_cells("", cells_of(*fit), quantities);
     }
-    quantities.push_back({"bed_inconsistency_percent", model.area_depth->inconsistency_percent, "%"});
+    quantities.push_back({"bed_inconsistency_percent", model.area_depth->consistency.worst.percent, "%"});
   }
   if (model.area_balance) {
     const AreaBalance& balance = *model.area_balance;
@@ -290,6 +286,14 @@ std::vector<RowCell> cells_of(const BedBalance& row) {
           {"excess_area", "m2", row.excess_area},
           {"detachment_depth", "m", row.depth},
           {"layer_strain", "", row.layer_strain}};
+}
+
+std::vector<RowCell> cells_of(const AreaDepthFit& fit) {
+  return {{"displacement", "m", fit.displacement},
+          {"displacement_error", "m", fit.displacement_error},
+          {"detachment", "m", fit.detachment},
+          {"detachment_error", "m", fit.detachment_error},
+          {"r_squared", "", fit.r_squared}};
 }
 
 std::vector<scenario::DataTable> tables_of(const Model& model) {

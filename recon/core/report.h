@@ -21,9 +21,9 @@ namespace recon::core {
 ///   greatest_area_change_percent, inconsistency_percent, lean_left, lean_right, balanced (0 or 1),
 ///   unit.NAME.* (the columns of the table units)                    after restore
 ///   error.QUANTITY.mean, .deviation, .low, .median, .high; error.balanced_share   after monte_carlo
-///   bed.NAME.* (the columns of the table area_depth), displacement, detachment and their _error, r_squared   after
-///   balance area, initial_width, width, area_shortening, area_shortening_percent and their _error, _most   after
-///   area_balance
+///   bed.NAME.* (the columns of the table area_depth), displacement, detachment; of three levels or more
+///   displacement_error, detachment_error, r_squared                 after balance
+///   area, initial_width, width, area_shortening, area_shortening_percent and their _error, _most   after area_balance
 std::vector<dobra::scenario::Quantity> quantities_of(const Model& model);
 
 /// line_length, horizons_in_pieces (their sums), units, strain after restore; error_bars after monte_carlo; area_depth
@@ -41,6 +41,7 @@ struct RowCell {
 std::vector<RowCell> cells_of(const UnitRow& row);
 std::vector<RowCell> cells_of(const BedBalance& row);
 std::vector<RowCell> cells_of(const LineLength& row);
+std::vector<RowCell> cells_of(const AreaDepthFit& fit);
 
 /// All lines, polygons and points of a section with their names, kinds and ids, but for those of no length.
 std::vector<dobra::io::Feature> restored_features(const Section& section);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "recon/core/face_ledger.h"
+#include "recon/core/limits.h"
 #include "recon/core/percent.h"
 #include "shared/base/parallel.h"
 
@@ -15,7 +16,36 @@ namespace {
 
 std::string at_text(geom::Point p) { return fmt::format("({:.6g}, {:.6g})", p.x, p.y); }
 
-void remark_on(const std::string& name, const MappedLine& mapped, std::vector<std::string>& remarks) {
+/// What a map is made of, in words.
+struct MapWords {
+  std::string torn;     ///< Where a line jumps.
+  std::string beyond;   ///< Beyond the ends.
+  std::string nowhere;  ///< A point that no cell holds.
+  std::string cell;     ///< Of the target.
+};
+
+MapWords words_of(const SectionMap& map, RestoreMethod method) {
+  if (map.columns() != nullptr) {
+    return {"crosses the medial axis of the top at {} places, where the grid is not single-valued",
+            "the top does not cover the section: {} points of horizon '{}' lie beyond its ends, the first at {}; there "
+            "the grid was continued straight",
+            "column of the grid and went with the nearest segment of the top", "column of the target grid"};
+  }
+  if (method == RestoreMethod::Shear) {
+    return {"is torn by the shear at {} places",
+            "the top does not cover the section along the direction of shear: {} points of horizon '{}' lie beyond its "
+            "ends, the first at {}; there the top was continued straight",
+            "strip of the shear", "strip of the shear"};
+  }
+  return {
+      "passes {} places where rulings between the horizons cross, so that the map is not single-valued",
+      "the horizons that are joined by rulings do not cover the section: {} points of horizon '{}' lie beyond their "
+      "ends, the first at {}; there the last ruling was moved along",
+      "strip between rulings and went with the nearest one", "strip between the restored rulings"};
+}
+
+void remark_on(const std::string& name, const MappedLine& mapped, const MapWords& words,
+               std::vector<std::string>& remarks) {
   if (!mapped.tears.empty()) {
     double torn = 0.0;
     const Tear* widest = &mapped.tears.front();
@@ -23,29 +53,19 @@ void remark_on(const std::string& name, const MappedLine& mapped, std::vector<st
       torn += tear.gap;
       if (tear.gap > widest->gap) widest = &tear;
     }
-    remarks.push_back(
-        fmt::format("horizon '{}' crosses the medial axis of the top at {} places, where the grid is not "
-                    "single-valued: its restored line jumps there by "
-                    "{:.4g} m in all, most at {} by {:.4g} m",
-                    name, mapped.tears.size(), torn, at_text(widest->place), widest->gap));
+    remarks.push_back(fmt::format(
+        "horizon '{}' {}: its restored line jumps there by {:.4g} m in all, most at {} by {:.4g} m", name,
+        fmt::format(fmt::runtime(words.torn), mapped.tears.size()), torn, at_text(widest->place), widest->gap));
   }
   if (mapped.beyond_ends > 0) {
-    remarks.push_back(
-        fmt::format("the top does not cover the section: {} points of horizon '{}' lie beyond its ends, the first at "
-                    "{}; there the grid "
-                    "was continued straight",
-                    mapped.beyond_ends, name, at_text(*mapped.beyond_at)));
+    remarks.push_back(fmt::format(fmt::runtime(words.beyond), mapped.beyond_ends, name, at_text(*mapped.beyond_at)));
   }
-  if (mapped.without_column > 0) {
-    remarks.push_back(
-        fmt::format("horizon '{}': {} points lie in no column of the grid and went with the nearest segment of the top",
-                    name, mapped.without_column));
-  }
+  if (mapped.without_column > 0)
+    remarks.push_back(fmt::format("horizon '{}': {} points lie in no {}", name, mapped.without_column, words.nowhere));
   if (mapped.not_reversible > 0) {
-    remarks.push_back(fmt::format(
-        "horizon '{}': {} restored points belong to another column of the target grid: restoring back would not "
-        "bring them home",
-        name, mapped.not_reversible));
+    remarks.push_back(
+        fmt::format("horizon '{}': {} restored points belong to another {}: restoring back would not bring them home",
+                    name, mapped.not_reversible, words.cell));
   }
 }
 
@@ -77,36 +97,39 @@ base::Result<void> refuse_doubt(const Section& section, const std::vector<Mapped
   return {};
 }
 
-Balance judge(const Restoration& restoration) {
+Balance judge(const Section& section, const Restoration& restoration) {
   Balance balance;
   for (const LineLength& row : restoration.lengths) {
+    if (row.role == BedRole::Growth) continue;
     if (!balance.worst.empty() && std::abs(row.change_percent) <= balance.greatest_change_percent) continue;
     balance.greatest_change_percent = std::abs(row.change_percent);
     balance.worst = row.name;
   }
   for (const UnitRow& row : restoration.ledger.units) {
+    if (row.role == BedRole::Growth) continue;
     if (!balance.worst_unit.empty() && std::abs(row.change_percent) <= balance.greatest_area_change_percent) continue;
     balance.greatest_area_change_percent = std::abs(row.change_percent);
     balance.worst_unit = row.name;
   }
-  balance.inconsistency_percent = inconsistency_percent(restoration.lengths);
+  balance.consistency = consistency_of(section.horizons);
   balance.balanced = is_balanced(restoration.params, balance.greatest_change_percent,
-                                 balance.greatest_area_change_percent, balance.inconsistency_percent);
+                                 balance.greatest_area_change_percent, balance.consistency.worst.percent);
   return balance;
 }
 
 std::string verdict_text(const Restoration& restoration) {
   const Balance& balance = restoration.balance;
-  std::string text =
-      fmt::format("{}: the greatest change of a bed's length is {} % (horizon '{}')",
-                  balance.balanced ? "balanced" : "not balanced", percent_text(balance.greatest_change_percent),
-                  balance.worst);
+  std::string text = balance.balanced ? "balanced" : "not balanced";
+  if (!balance.worst.empty()) {
+    text += fmt::format(": the greatest change of a bed's length is {} % (horizon '{}')",
+                        percent_text(balance.greatest_change_percent), balance.worst);
+  }
   if (!balance.worst_unit.empty()) {
     text += fmt::format(", of a unit's area {} % ('{}')", percent_text(balance.greatest_area_change_percent),
                         balance.worst_unit);
   }
-  return text + fmt::format("; shortening differs by {} % between beds; the tolerance is {:.4g} %",
-                            percent_text(balance.inconsistency_percent), restoration.params.tolerance);
+  return text + fmt::format("; {}; the tolerance is {:.4g} %", consistency_text(balance.consistency),
+                            restoration.params.tolerance);
 }
 
 /// As horizons_in_order, from the depths that are known by now.
@@ -147,9 +170,8 @@ void measure_lean(const Section& section, Restoration& restoration) {
 
 bool is_balanced(const RestoreParams& params, double length_change_percent, double area_change_percent,
                  double inconsistency_percent) {
-  const bool keeps_lengths = params.method == RestoreMethod::Flexural || params.method == RestoreMethod::LineLength;
   return length_change_percent <= params.tolerance && area_change_percent <= params.tolerance &&
-         (!keeps_lengths || inconsistency_percent <= params.tolerance);
+         inconsistency_percent <= params.tolerance;
 }
 
 MethodParams method_params(const RestoreParams& params) {
@@ -174,17 +196,20 @@ base::Result<Restoration> restore(const Section& section, const SourceGrid& sour
     restoration.section.horizons[i].line = restoration.lines[i].after;
     return line_length(section.horizons[i], restoration.lines[i]);
   });
+  const MapWords words = words_of(map, params.method);
   for (std::size_t i = 0; i < section.horizons.size(); ++i)
-    remark_on(section.horizons[i].name, restoration.lines[i], restoration.remarks);
+    remark_on(section.horizons[i].name, restoration.lines[i], words, restoration.remarks);
   carry_the_rest(map, restoration.section);
   restoration.order = order_of(section, source.top, restoration.lines);
   DOBRA_TRY(restoration.ledger, draw_up(section, ledger_units(section, restoration.order), restoration.lines, map,
                                         made.ends ? *made.ends : map, {}, progress));
   measure_faces(section, map, restoration.ledger);
+  DOBRA_TRY_VOID(refuse_not_finite(section, restoration));
+  if (params.outside == Doubt::Limited) DOBRA_TRY_VOID(refuse_beyond_limits(section, source, target, restoration));
   for (std::size_t i = 0; i < section.units.size(); ++i)
     restoration.section.units[i].contour = restoration.ledger.units[i].contour_after;
   measure_lean(section, restoration);
-  restoration.balance = judge(restoration);
+  restoration.balance = judge(section, restoration);
   restoration.remarks.push_back(what_it_keeps(params.method));
   restoration.remarks.push_back(verdict_text(restoration));
   progress.report(1.0, "restored");

@@ -22,7 +22,7 @@ struct RestoreParams {
   std::string base;
   std::optional<double> thickness;
   double percent = 100.0;
-  Doubt outside = Doubt::Nearest;
+  Doubt outside = Doubt::Limited;
   SlipBeds beds = SlipBeds::Horizons;
   Crossings crossings = Crossings::Refuse;
   double tolerance = 2.0;
@@ -52,9 +52,10 @@ struct RestoreParams {
              .unit = "%",
              .at_least = 0.0,
              .at_most = 100.0});
-    d.choice("outside", &RestoreParams::outside, {"nearest", "refuse"},
+    d.choice("outside", &RestoreParams::outside, {"limited", "nearest", "refuse"},
              {.title = "Where the map is not single-valued",
-              .help = "nearest: the nearest segment of the top, with a remark; refuse: an error with the place."});
+              .help = "limited: the nearest segment of the top, with a remark, and an error where variable thickness "
+                      "leaves its limits; nearest: without limits; refuse: an error with the place."});
     d.choice("beds", &RestoreParams::beds, {"horizons", "parallel"},
              {.title = "Surfaces of slip",
               .help = "Of flexural slip: every horizon keeps its length, or every parallel of the top and all areas."});
@@ -68,10 +69,14 @@ struct RestoreParams {
   }
 };
 
+/// Variable thickness is refused (Doubt::Limited) where an area or a bed's length changes by more than this factor.
+constexpr double greatest_factor = 2.0;
+
 /// What make_method_map takes of them.
 MethodParams method_params(const RestoreParams& params);
 
-/// Methods that keep the length of every bed cannot fail by it: there the beds must agree with each other.
+/// All within the tolerance. Methods that keep the length of every bed cannot fail by that; beds that do not agree with
+/// each other do not balance by any method.
 bool is_balanced(const RestoreParams& params, double length_change_percent, double area_change_percent,
                  double inconsistency_percent);
 

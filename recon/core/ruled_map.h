@@ -64,8 +64,13 @@ class RuledMap {
   }
   [[nodiscard]] Hint hint_back(Cell cell) const { return to_->held(cell); }
   [[nodiscard]] geom::Point back(geom::Point image, Hint& hint) const { return across(*to_, *from_, image, hint); }
-  [[nodiscard]] bool is_outer(Cell cell) const { return from_->is_outer(cell); }
+  [[nodiscard]] bool is_outer(Cell cell, geom::Point) const { return from_->is_outer(cell); }
   [[nodiscard]] static bool bends() { return true; }
+  /// det F at a point by the formula of a cell; not finite where the cell has no area there.
+  [[nodiscard]] static double determinant(const Entered& at, geom::Point p) {
+    const StripPlace place = RuledStack::place_in(at.from, p);
+    return RuledStack::jacobian(at.to, place) / RuledStack::jacobian(at.from, place);
+  }
   [[nodiscard]] const TraceTolerances& tolerances() const { return tolerances_; }
 
  private:

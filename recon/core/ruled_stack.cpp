@@ -468,4 +468,17 @@ StripPlace RuledStack::place_in(const Strip& at, geom::Point p) {
   return best;
 }
 
+double RuledStack::jacobian(const Strip& at, StripPlace place) {
+  const geom::Vector top = at.right.top - at.left.top;
+  const geom::Vector left = at.left.bottom - at.left.top;
+  const geom::Vector change = (at.right.bottom - at.left.bottom) - top;
+  const geom::Vector across = top + place.down * change;
+  const geom::Vector down = left + place.across * change;
+  const double area = geom::cross(across, down);
+  const auto size = [&](geom::Vector v) {
+    return std::abs(v.x) + std::abs(v.y) + std::abs(change.x) + std::abs(change.y);
+  };
+  return std::abs(area) > 1e-12 * size(top) * size(left) ? area : 0.0;
+}
+
 }  // namespace recon::core

@@ -93,6 +93,8 @@ class RuledStack {
     return geom::interpolate(geom::interpolate(at.left.top, at.left.bottom, place.down),
                              geom::interpolate(at.right.top, at.right.bottom, place.down), place.across);
   }
+  /// Area per change of (across, down), m2; linear in both. 0 where two sides meet, to rounding.
+  [[nodiscard]] static double jacobian(const Strip& at, StripPlace place);
 
  private:
   /// A band and its two lines.

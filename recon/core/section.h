@@ -24,6 +24,9 @@ struct HorizonTag {
 /// Stays with a horizon through all steps; names are free to change.
 using HorizonId = base::Id<HorizonTag>;
 
+/// Growth: laid down while the section deformed, so that its length is not to agree with that of older beds.
+enum class BedRole { Judged, Growth };
+
 /// The trace of a bed surface, ordered from its left end to its right end.
 struct Horizon {
   HorizonId id;
@@ -32,6 +35,7 @@ struct Horizon {
   base::Place source;   ///< The file, or the place in the scenario, that it came from.
   /// The horizon that faults or the topography have cut it from, as one of several pieces; empty where it is whole.
   std::string piece_of = {};
+  BedRole role = BedRole::Judged;  ///< What verdicts make of it.
 };
 
 /// What a horizon and its pieces are called together.

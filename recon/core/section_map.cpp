@@ -85,6 +85,10 @@ MappedLine SectionMap::forward(const geom::Polyline& line) const {
   return mapped;
 }
 
+MappedLine SectionMap::through_cells(const geom::Polyline& line) const {
+  return std::visit([&](const auto& map) { return trace(map, line, Traced::Cells); }, map_);
+}
+
 namespace {
 
 template <class Map>
@@ -104,15 +108,25 @@ Gradient SectionMap::gradient(geom::Point p) const {
   return std::visit([&](const auto& map) { return gradient_in(map, map.locate(p, Cell{}).cell, p); }, map_);
 }
 
-std::optional<Gradient> SectionMap::gradient(geom::Point p, Cell& hint) const {
+bool SectionMap::determinants(geom::Point in, std::span<const geom::Point> points, std::span<double> values,
+                              Cell& hint) const {
+  DOBRA_CHECK(points.size() == values.size());
   return std::visit(
-      [&](const auto& map) -> std::optional<Gradient> {
-        const Spot spot = map.locate(p, hint);
+      [&](const auto& map) {
+        const Spot spot = map.locate(in, hint);
         hint = spot.cell;
-        if (spot.foot == Foot::NoColumn) return std::nullopt;
-        return gradient_in(map, spot.cell, p);
+        if (spot.foot == Foot::NoColumn) return false;
+        const auto cell = map.enter(spot.cell);
+        std::transform(points.begin(), points.end(), values.begin(),
+                       [&](geom::Point p) { return map.determinant(cell, p); });
+        return true;
       },
       map_);
+}
+
+bool SectionMap::keeps_areas() const {
+  const ColumnMap* by_columns = columns();
+  return std::holds_alternative<ShearMap>(map_) || (by_columns != nullptr && by_columns->law() == ColumnLaw::Slip);
 }
 
 SectionMap SectionMap::swapped() const {

@@ -50,10 +50,17 @@ class SectionMap {
   /// A line with its image, exact in every cell (trace.h). A closed one comes back closed, and starts where it did.
   [[nodiscard]] MappedLine forward(const geom::Polyline& line) const;
 
+  /// An open line with a vertex wherever it passes from cell to cell (Traced::Cells).
+  [[nodiscard]] MappedLine through_cells(const geom::Polyline& line) const;
+
   /// The gradient of the formula that holds at p, by central differences (exact to rounding where it is affine).
   [[nodiscard]] Gradient gradient(geom::Point p) const;
-  /// The same where a cell holds the point, else nothing. @param hint  for points near each other in turn.
-  [[nodiscard]] std::optional<Gradient> gradient(geom::Point p, Cell& hint) const;
+  /// det F at points by the formula of the cell that holds the point `in`: exact; not finite where that cell has no
+  /// area.
+  /// @param hint  for points near each other in turn. @return false, with no values, if no cell holds `in`.
+  bool determinants(geom::Point in, std::span<const geom::Point> points, std::span<double> values, Cell& hint) const;
+  /// Whether det F is 1 everywhere.
+  [[nodiscard]] bool keeps_areas() const;
   /// The map back as a map of its own, with the columns of the target as its grid. Of Slip, shear and rulings it is the
   /// inverse; of the other laws too, where the point has one foot on either base.
   [[nodiscard]] SectionMap swapped() const;

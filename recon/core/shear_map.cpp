@@ -27,52 +27,44 @@ struct Graph {
   [[nodiscard]] double slope(std::size_t i) const { return (w[i + 1] - w[i]) / (q[i + 1] - q[i]); }
 };
 
-/// Of a line that is passed more than once somewhere, the pass that comes first from its left end.
-base::Result<Graph> graph_of(const geom::Polyline& given, double cosine, double sine, Doubt doubt,
-                             std::vector<std::string>& remarks) {
+/// A piece that advances less than this part of its length runs along the direction of shear.
+constexpr double least_advance = 1e-9;
+
+/// " (it does not at angles from A to B degrees)": where every piece advances; empty if there is no such angle.
+/// A piece (dx, dz) advances where tan a dz < dx.
+std::string sound_angles(const geom::Polyline& line) {
+  double low = -infinity;
+  double high = infinity;
+  for (std::size_t i = 0; i < line.segment_count(); ++i) {
+    const geom::Vector v = line.segment(i).vector();
+    if (v.y > 0.0) high = std::min(high, v.x / v.y);
+    if (v.y < 0.0) low = std::max(low, v.x / v.y);
+    if (v.y == 0.0 && v.x <= 0.0) return {};
+  }
+  // A tenth of a degree within, where the map is not at its limit.
+  const double from = std::ceil(10.0 * base::Angle::from_radians(std::atan(low)).degrees() + 1.0) / 10.0;
+  const double to = std::floor(10.0 * base::Angle::from_radians(std::atan(high)).degrees() - 1.0) / 10.0;
+  return from <= to ? fmt::format(" (it does not at angles from {:.1f} to {:.1f} degrees)", from, to) : std::string();
+}
+
+base::Result<Graph> graph_of(const geom::Polyline& given, double cosine, double sine, const char* item) {
   const auto q_of = [&](geom::Point p) { return cosine * p.x - sine * p.y; };
-  const auto w_of = [&](geom::Point p) { return sine * p.x + cosine * p.y; };
   geom::Polyline line = given;
   if (q_of(line.points.front()) > q_of(line.points.back())) line = geom::reversed(std::move(line));
   Graph graph;
-  std::size_t hidden = 0;
-  std::optional<geom::Point> first_hidden;
   for (std::size_t i = 0; i < line.points.size(); ++i) {
     const geom::Point p = line.points[i];
-    if (graph.q.empty() || q_of(p) > graph.q.back()) {
-      const bool after_hidden = i > 0 && !graph.q.empty() && q_of(line.points[i - 1]) < graph.q.back();
-      if (after_hidden) {  // where the line comes out again: a step, drawn over the least width that doubles resolve
-        const geom::Point before = line.points[i - 1];
-        const double t = (graph.q.back() - q_of(before)) / (q_of(p) - q_of(before));
-        const double step = std::nextafter(graph.q.back(), infinity);
-        if (step < q_of(p)) {
-          graph.q.push_back(step);
-          graph.w.push_back(w_of(geom::interpolate(before, p, t)));
-        }
-      }
-      graph.q.push_back(q_of(p));
-      graph.w.push_back(w_of(p));
-      continue;
+    if (i > 0 && !(q_of(p) - graph.q.back() > least_advance * geom::distance(line.points[i - 1], p))) {
+      std::string angles = sound_angles(line);
+      if (angles.empty()) angles = sound_angles(geom::reversed(line));
+      return base::Error{base::ErrorCode::CannotRestore,
+                         fmt::format("the {} turns against the direction of shear here{}, so that the shear is not "
+                                     "single-valued; choose another angle, a simpler {}, or another method",
+                                     item, angles, item),
+                         place_at(line.points[i - 1], "shear")};
     }
-    ++hidden;
-    if (!first_hidden) first_hidden = p;
-  }
-  if (graph.q.size() < 2) {
-    return base::Error{base::ErrorCode::CannotRestore,
-                       "the line runs along the direction of shear; choose another angle",
-                       place_at(given.points.front())};
-  }
-  if (hidden > 0 && doubt == Doubt::Refuse) {
-    return base::Error{base::ErrorCode::CannotRestore,
-                       "the line is overturned here against the direction of shear, so that the shear is not "
-                       "single-valued; choose another angle, or outside = \"nearest\"",
-                       place_at(*first_hidden)};
-  }
-  if (hidden > 0) {
-    remarks.push_back(
-        fmt::format("{} points of the line are overturned against the direction of shear, the first at ({:.6g}, "
-                    "{:.6g}): there the limb that comes first was taken",
-                    hidden, first_hidden->x, first_hidden->y));
+    graph.q.push_back(q_of(p));
+    graph.w.push_back(sine * p.x + cosine * p.y);
   }
   return graph;
 }
@@ -80,12 +72,14 @@ base::Result<Graph> graph_of(const geom::Polyline& given, double cosine, double 
 }  // namespace
 
 base::Result<ShearMap> ShearMap::make(const geom::Polyline& top, const geom::Polyline& target, base::Angle angle,
-                                      Doubt doubt, std::vector<std::string>& remarks, const MapOptions& options) {
+                                      geom::Point pin, geom::Point goal, const MapOptions& options) {
   ShearMap map;
   map.cosine_ = std::cos(angle.radians());
   map.sine_ = std::sin(angle.radians());
-  DOBRA_TRY(const Graph from, graph_of(top, map.cosine_, map.sine_, doubt, remarks));
-  DOBRA_TRY(const Graph to, graph_of(target, map.cosine_, map.sine_, doubt, remarks));
+  map.travel_ = map.q_of(goal) - map.q_of(pin);
+  DOBRA_TRY(const Graph from, graph_of(top, map.cosine_, map.sine_, "top"));
+  DOBRA_TRY(Graph to, graph_of(target, map.cosine_, map.sine_, "target"));
+  for (double& q : to.q) q -= map.travel_;
   map.first_ = from.q.front();
   map.last_ = from.q.back();
   map.tolerances_ = tolerances_for(top.box(), target.box(), options);
@@ -117,7 +111,11 @@ ShearMap ShearMap::swapped() const {
   for (Strip& strip : back.strips_) {
     std::swap(strip.top, strip.goal);
     std::swap(strip.top_slope, strip.goal_slope);
+    strip.begin += travel_;
   }
+  back.first_ += travel_;
+  back.last_ += travel_;
+  back.travel_ = -travel_;
   return back;
 }
 
@@ -127,6 +125,7 @@ ShearMap ShearMap::part(double part) const {
     strip.goal = (1.0 - part) * strip.top + part * strip.goal;
     strip.goal_slope = (1.0 - part) * strip.top_slope + part * strip.goal_slope;
   }
+  way.travel_ *= part;
   return way;
 }
 
@@ -161,19 +160,19 @@ Carried ShearMap::carry(Cell cell, geom::Point p) const {
   const double top = strip.top + along * strip.top_slope;
   const double goal = strip.goal + along * strip.goal_slope;
   const double depth = top - (sine_ * p.x + cosine_ * p.y);
-  return {{ColumnId(cell.first), along, depth}, shifted(p, goal - top)};
+  return {{ColumnId(cell.first), along, depth}, shifted(p, goal - top, travel_)};
 }
 
 geom::Point ShearMap::back(geom::Point image, Cell& hint) const {
-  hint = locate(image, hint).cell;
+  const geom::Point across = shifted(image, 0.0, -travel_);
+  hint = locate(across, hint).cell;
   const Strip& strip = strips_[hint.first];
-  const double along = q_of(image) - strip.begin;
-  return shifted(image, strip.top - strip.goal + along * (strip.top_slope - strip.goal_slope));
+  const double along = q_of(across) - strip.begin;
+  return shifted(across, strip.top - strip.goal + along * (strip.top_slope - strip.goal_slope), 0.0);
 }
 
-bool ShearMap::is_outer(Cell cell) const {
-  const Strip& strip = strips_[cell.first];
-  return cell.first == 0 || strip.begin >= last_ || strip.begin < first_;
+bool ShearMap::is_outer(Cell, geom::Point p) const {
+  return q_of(p) < first_ - tolerances_.side || q_of(p) > last_ + tolerances_.side;
 }
 
 }  // namespace recon::core

@@ -1,12 +1,11 @@
 #pragma once
 // Simple shear along one direction, vertical or inclined: every point slides along it by as much as the top does there.
 //   q = x cos a - z sin a,  w = x sin a + z cos a      (a: the direction of shear, from the vertical, towards +x
-//   upwards) q' = q,  w' = w + w_target(q) - w_top(q)
+//   upwards) q' = q + travel,  w' = w + w_target(q + travel) - w_top(q)
 // Affine in the strips between the corners of both lines, det F = 1: areas are kept, and thickness along the direction;
 // bed lengths are not. Source: restoration.md 2.5.  Page: docs/algorithms/shear.md
 
 #include <array>
-#include <string>
 #include <vector>
 
 #include "recon/core/map.h"
@@ -16,24 +15,18 @@
 
 namespace recon::core {
 
-/// What a map does where it is not single-valued.
-enum class Doubt {
-  Nearest,  ///< The nearest base segment (a shear: the first pass of the line along its travel), with a remark.
-  Refuse,   ///< An error with the place.
-};
-
 class ShearMap {
  public:
   ShearMap() = default;
 
   /// @param top     open line; its ends go on straight. @param target likewise.
   /// @param angle   of the direction of shear from the vertical, within (-90, 90) degrees.
-  /// @param remarks what was done about overturned parts.
-  /// @error CannotRestore with the place where a line is passed more than once along the direction (Doubt::Refuse), or
-  /// is
-  ///        parallel to it throughout.
+  /// @param from, to  two points; the section moves across the direction of shear by as much as `to` lies beside
+  /// `from`.
+  /// @error CannotRestore with the place where a line turns against the direction, so that it is passed more than once
+  ///        along it, and the angles at which it does not.
   static base::Result<ShearMap> make(const geom::Polyline& top, const geom::Polyline& target, base::Angle angle,
-                                     Doubt doubt, std::vector<std::string>& remarks, const MapOptions& options = {});
+                                     geom::Point from = {}, geom::Point to = {}, const MapOptions& options = {});
 
   [[nodiscard]] ShearMap swapped() const;
   /// The map on the way: `part` (0 .. 1) of every displacement.
@@ -54,8 +47,10 @@ class ShearMap {
   [[nodiscard]] static bool keeps(const Spot&, geom::Point, const Spot&) { return true; }
   [[nodiscard]] static Hint hint_back(Cell cell) { return cell; }
   [[nodiscard]] geom::Point back(geom::Point image, Cell& hint) const;
-  [[nodiscard]] bool is_outer(Cell cell) const;
+  [[nodiscard]] bool is_outer(Cell cell, geom::Point p) const;
   [[nodiscard]] static bool bends() { return false; }
+  /// det F at a point by the formula of a cell.
+  [[nodiscard]] static double determinant(Cell, geom::Point) { return 1.0; }
   [[nodiscard]] const TraceTolerances& tolerances() const { return tolerances_; }
 
  private:
@@ -67,8 +62,8 @@ class ShearMap {
     double goal_slope = 0.0;
   };
   [[nodiscard]] double q_of(geom::Point p) const { return cosine_ * p.x - sine_ * p.y; }
-  [[nodiscard]] geom::Point shifted(geom::Point p, double along) const {
-    return {p.x + along * sine_, p.y + along * cosine_};
+  [[nodiscard]] geom::Point shifted(geom::Point p, double along, double across) const {
+    return {p.x + along * sine_ + across * cosine_, p.y + along * cosine_ - across * sine_};
   }
 
   double cosine_ = 1.0;
@@ -76,6 +71,7 @@ class ShearMap {
   std::vector<Strip> strips_;  ///< Strip 0 lies before the first corner.
   double first_ = 0.0;         ///< q of the two ends of the top.
   double last_ = 0.0;
+  double travel_ = 0.0;
   TraceTolerances tolerances_;
 };
 

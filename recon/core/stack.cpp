@@ -4,146 +4,145 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <iterator>
 #include <numeric>
 
+#include "recon/core/full_bed.h"
 #include "shared/base/parallel.h"
 #include "shared/base/text.h"
-#include "shared/geom/intersect.h"
 
 namespace recon::core {
 
 namespace {
 
-/// Where along `line` the pin line (the normal of the top at the pin) meets it; of several places the nearest to the
-/// pin.
-std::optional<double> pin_on(const geom::Polyline& line, const std::vector<double>& arc, geom::Point pin,
-                             geom::Vector normal, double reach) {
-  const geom::Segment pin_line{pin + -reach * normal, pin + reach * normal};
-  const double rounding = 1e-12 * reach * geom::length(normal);
-  std::optional<double> best;
-  double least = std::numeric_limits<double>::infinity();
-  double before = geom::cross(line.points.front() - pin, normal);
-  for (std::size_t i = 0; i < line.segment_count(); ++i) {
-    const double from = before;
-    before = geom::cross(line.points[i + 1] - pin, normal);
-    if (std::min(from, before) > rounding || std::max(from, before) < -rounding) continue;  // on one side of it
-    const geom::Intersection meeting = geom::intersect(line.segment(i), pin_line);
-    if (meeting.kind == geom::IntersectionKind::None) continue;
-    const double distance = geom::distance(meeting.start.point, pin);
-    if (distance >= least) continue;
-    least = distance;
-    best = arc[i] + geom::distance(line.points[i], meeting.start.point);
-  }
-  return best;
-}
+/// A horizon in its bed: its vertices, and those of them that were given.
+struct LinePart {
+  HorizonId id;
+  std::size_t first = 0;
+  std::size_t last = 0;
+  std::vector<std::size_t> given;  ///< Along travel.
+};
 
-/// One line of a stack, travelling like the base, with a vertex at the pin.
+/// One bed of a stack from end to end, travelling like the base, with a vertex at the pin.
 struct StackLine {
   HorizonId id;
   geom::Polyline line;
-  std::vector<double> arc;
-  std::vector<std::size_t> given;  ///< Where the vertices of the horizon stand, along travel.
-  std::size_t pin_vertex = 0;
-  double pin = 0.0;                ///< Arc length, m.
-  double depth = 0.0;              ///< Of its pin below that of the base, m.
+  std::vector<double> arc;  ///< Where the bed jumps it grows by next to nothing.
+  std::vector<LinePart> parts;
+  std::size_t pin_before = 0;  ///< Vertices at the pin: one, or two where the bed jumps there.
+  std::size_t pin_behind = 0;
+  double depth_before = 0.0;  ///< Of these below the base, m.
+  double depth_behind = 0.0;
   std::vector<ColumnPoint> names;  ///< Flexural: of every vertex.
+
+  [[nodiscard]] double pin() const { return arc[pin_before]; }
+  /// Distance from the pin along the bed, m: negative before it.
+  [[nodiscard]] double from_pin(double at) const { return at > pin() ? at - arc[pin_behind] : at - pin(); }
+  [[nodiscard]] double depth(double at) const { return at > pin() ? depth_behind : depth_before; }
 };
 
-void insert_pin(StackLine& line) {
-  const auto after = std::lower_bound(line.arc.begin(), line.arc.end(), line.pin);
-  line.pin_vertex = static_cast<std::size_t>(std::min(after, line.arc.end() - 1) - line.arc.begin());
-  if (after == line.arc.end() || *after == line.pin) {
-    line.pin = line.arc[line.pin_vertex];
-    return;
-  }
-  const auto i = after - line.arc.begin();
-  line.line.points.insert(line.line.points.begin() + i, geom::point_at(line.line, line.arc, line.pin));
-  line.arc.insert(line.arc.begin() + i, line.pin);
-  for (std::size_t k = line.pin_vertex; k < line.given.size(); ++k) ++line.given[k];
+/// How much the arc length grows over a jump, relative to the length of the bed: places must grow.
+constexpr double jump = 1e-11;
+
+/// The pin as a vertex of a part; one nearer than the tolerance is taken.
+struct PinVertex {
+  std::size_t vertex = 0;
+  bool is_new = false;
+};
+PinVertex insert_pin(BedPart& part, double pin, double tolerance) {
+  const auto after = std::lower_bound(part.arc.begin(), part.arc.end(), pin - tolerance);
+  const auto i = std::min(after, part.arc.end() - 1) - part.arc.begin();
+  if (after == part.arc.end() || *after <= pin + tolerance) return {static_cast<std::size_t>(i), false};
+  part.line.points.insert(part.line.points.begin() + i, geom::point_at(part.line, part.arc, pin));
+  part.arc.insert(part.arc.begin() + i, pin);
+  return {static_cast<std::size_t>(i), true};
 }
 
-/// Gives the line a vertex wherever it crosses a rung of the top, and every vertex its name.
-void measure_depths(StackLine& line, const ColumnMap& grid) {
-  MappedLine traced = measure_along(grid.source(), grid.tolerances(), line.line);
+struct MeasuredPart {
+  std::vector<geom::Point> points;
+  std::vector<ColumnPoint> names;  ///< None, or of every vertex.
+  std::vector<std::size_t> given;  ///< Where the vertices of the part stand.
+};
+
+MeasuredPart as_it_is(const BedPart& part) {
+  MeasuredPart made{part.line.points, {}, std::vector<std::size_t>(part.line.points.size())};
+  std::iota(made.given.begin(), made.given.end(), std::size_t{0});
+  return made;
+}
+
+/// A part with a vertex wherever it crosses a rung of the top, and the name of every vertex.
+MeasuredPart measured(const BedPart& part, const ColumnMap& grid) {
+  const MappedLine traced = measure_along(grid.source(), grid.tolerances(), part.line);
+  MeasuredPart made;
   std::vector<std::size_t> place(traced.before.points.size());  // of traced vertices, once repeated ones are left out
-  line.line.points.clear();
   for (std::size_t i = 0; i < place.size(); ++i) {
     const geom::Point p = traced.before.points[i];
-    if (line.line.points.empty() || line.line.points.back() != p) {
-      line.line.points.push_back(p);
-      line.names.push_back(traced.names[i]);
+    if (made.points.empty() || made.points.back() != p) {
+      made.points.push_back(p);
+      made.names.push_back(traced.names[i]);
     }
-    place[i] = line.line.points.size() - 1;
+    place[i] = made.points.size() - 1;
   }
-  line.arc = geom::arc_lengths(line.line);
-  line.pin_vertex = place[traced.given[line.pin_vertex]];
-  line.pin = line.arc[line.pin_vertex];
-  for (std::size_t& i : line.given) i = place[traced.given[i]];
+  for (const std::size_t i : traced.given) made.given.push_back(place[i]);
+  return made;
 }
 
-/// Of the vertices of the horizon.
-double mean_depth(const StackLine& line) {
-  double sum = 0.0;
-  for (const std::size_t i : line.given) sum += line.names[i].depth;
-  return sum / static_cast<double>(line.given.size());
-}
-
-/// The pin at an end of the base pins the ends of all lines; elsewhere the pin line must meet them.
-enum class PinAt { Start, End, Inside };
-
-PinAt pin_at(const SourceGrid& source, double arc) {
-  const double length = geom::length(source.base);
-  if (arc <= 1e-9 * length) return PinAt::Start;
-  return arc >= (1.0 - 1e-9) * length ? PinAt::End : PinAt::Inside;
-}
-
-/// The normal of the top at the pin; at a corner its rung, as in ColumnMap::slip.
-geom::Vector pin_normal(const Target& target) {
-  const Columns& columns = target.map.source();
-  const ColumnPoint at = target.map.locate(target.source_pin).at;
-  const std::size_t column = std::clamp<std::size_t>(at.column.index(), 1, columns.inner_count());
-  for (const std::size_t rung : {column, column - 1}) {
-    if (geom::distance(columns.foot(rung), target.source_pin) <= target.map.tolerances().tear)
-      return geom::normalised(columns.rung_vector(rung));
+/// Puts a part behind what the line has. @return where its first vertex stands: where a horizon and a missing part
+/// touch they share one, that of the horizon.
+std::size_t append(MeasuredPart made, bool is_horizon, double touching, double jump_length, StackLine& line) {
+  std::vector<geom::Point>& points = line.line.points;
+  const bool touches = !points.empty() && geom::distance(points.back(), made.points.front()) <= touching;
+  if (touches && is_horizon) {
+    points.back() = made.points.front();
+    if (!made.names.empty()) line.names.back() = made.names.front();
   }
-  return geom::right_of(columns.frame(ColumnId(column)).tangent);
+  const double start = line.arc.empty() ? 0.0 : line.arc.back() + (touches ? 0.0 : jump_length);
+  const std::vector<double> arc = geom::arc_lengths({made.points, false});
+  const std::ptrdiff_t skip = touches ? 1 : 0;
+  const std::size_t first = points.size() - (touches ? 1 : 0);
+  points.insert(points.end(), made.points.begin() + skip, made.points.end());
+  for (std::size_t i = touches ? 1 : 0; i < arc.size(); ++i) line.arc.push_back(start + arc[i]);
+  if (!made.names.empty()) line.names.insert(line.names.end(), made.names.begin() + skip, made.names.end());
+  return first;
 }
 
-base::Result<StackLine> stack_line(const Horizon& horizon, const SourceGrid& source, const Target& target,
-                                   geom::Vector normal, PinAt where) {
+StackLine stack_line(FullBed bed, const Target& target, const PinLine& pin, bool with_depths) {
   StackLine line;
-  line.id = horizon.id;
-  line.line = horizon.id == source.top          ? source.base
-              : source.side == LayerSide::Above ? geom::reversed(horizon.line)
-                                                : horizon.line;
-  line.arc = geom::arc_lengths(line.line);
-  line.given.resize(line.arc.size());
-  std::iota(line.given.begin(), line.given.end(), std::size_t{0});
-  if (horizon.id == source.top) {
-    line.pin = target.source_arc;
-  } else if (where != PinAt::Inside) {
-    line.pin = where == PinAt::Start ? 0.0 : line.arc.back();
-  } else {
-    const double reach = 4.0 * (source.base.box().diagonal() + line.line.box().diagonal());
-    const std::optional<double> pin = pin_on(line.line, line.arc, target.source_pin, normal, reach);
-    if (!pin || *pin <= 0.0 || *pin >= line.arc.back()) {
-      return base::Error{base::ErrorCode::CannotRestore,
-                         fmt::format("the pin line does not meet horizon '{}'; move the pin", horizon.name),
-                         place_at(target.source_pin, "pin")};
+  line.id = bed.id;
+  const PinVertex pinned = insert_pin(bed.parts[bed.pin_part], bed.pin_arc, pin.tolerance());
+  double length = 0.0;
+  for (const BedPart& part : bed.parts) length += part.arc.back();
+  for (std::size_t i = 0; i < bed.parts.size(); ++i) {
+    const BedPart& part = bed.parts[i];
+    const bool is_horizon = part.horizon.valid();
+    // Two horizons do not share a vertex, so that each keeps its own.
+    const bool shares = i > 0 && !(is_horizon && bed.parts[i - 1].horizon.valid());
+    MeasuredPart made = with_depths ? measured(part, target.map) : as_it_is(part);
+    std::vector<std::size_t> given = made.given;
+    const std::size_t before = line.line.points.size();
+    const std::size_t first =
+        append(std::move(made), is_horizon, shares ? 1e4 * pin.tolerance() : -1.0, jump * length, line);
+    for (std::size_t& k : given) k += first;
+    if (i == bed.pin_part) {
+      line.pin_before = line.pin_behind = given[pinned.vertex];
+      if (pinned.is_new) given.erase(given.begin() + static_cast<std::ptrdiff_t>(pinned.vertex));
     }
-    line.pin = *pin;
+    // In a gap that holds the pin the bed may jump there.
+    const bool jumps = first == before && line.pin_before + 1 == before;
+    if (i == bed.pin_part + 1 && jumps && !bed.parts[bed.pin_part].horizon.valid()) line.pin_behind = first;
+    if (is_horizon) line.parts.push_back({part.horizon, first, line.line.points.size() - 1, std::move(given)});
   }
-  line.depth = geom::dot(geom::point_at(line.line, line.arc, line.pin) - target.source_pin, normal);
-  insert_pin(line);
+  line.depth_before = pin.depth(line.line.points[line.pin_before]);
+  line.depth_behind = pin.depth(line.line.points[line.pin_behind]);
   return line;
 }
 
 /// Arc length to the common place u: -1 .. 0 before the pin, 0 .. 1 after it (one of the two where the pin is at an
 /// end).
 double place_of(const StackLine& line, double arc) {
-  if (arc == line.pin) return 0.0;
-  return arc < line.pin ? (arc - line.pin) / line.pin : (arc - line.pin) / (line.arc.back() - line.pin);
+  const double pin = line.pin();
+  if (arc == pin) return 0.0;
+  return arc < pin ? (arc - pin) / pin : (arc - pin) / (line.arc.back() - pin);
 }
 
 /// A line of the stack with its image, and what becomes of the vertices of the horizon.
@@ -171,23 +170,25 @@ class RuledBuilder {
       names_.push_back(columns.name_in(line_.names[i].column, p));
   }
 
-  [[nodiscard]] std::size_t pin() const { return place_[line_.pin_vertex]; }
+  [[nodiscard]] std::size_t pin() const { return place_[line_.pin_before]; }
   RuledLine& ruled() { return ruled_; }
 
-  /// As a trace would give it; from left to right whatever the side of the layers.
-  [[nodiscard]] MappedLine mapped(LayerSide side) const {
+  /// A horizon, as a trace would give it; from left to right whatever the side of the layers.
+  [[nodiscard]] MappedLine mapped(const LinePart& part, LayerSide side) const {
+    const auto first = static_cast<std::ptrdiff_t>(place_[part.first]);
+    const auto end = static_cast<std::ptrdiff_t>(place_[part.last]) + 1;
     MappedLine mapped;
-    mapped.before.points = ruled_.from;
-    mapped.after.points = ruled_.to;
-    mapped.names = names_;
-    mapped.given.reserve(line_.given.size());
-    for (const std::size_t i : line_.given) mapped.given.push_back(place_[i]);
+    mapped.before.points.assign(ruled_.from.begin() + first, ruled_.from.begin() + end);
+    mapped.after.points.assign(ruled_.to.begin() + first, ruled_.to.begin() + end);
+    if (!names_.empty()) mapped.names.assign(names_.begin() + first, names_.begin() + end);
+    mapped.given.reserve(part.given.size());
+    for (const std::size_t i : part.given) mapped.given.push_back(place_[i] - place_[part.first]);
     if (side == LayerSide::Above) {
       std::reverse(mapped.before.points.begin(), mapped.before.points.end());
       std::reverse(mapped.after.points.begin(), mapped.after.points.end());
       std::reverse(mapped.names.begin(), mapped.names.end());
       std::reverse(mapped.given.begin(), mapped.given.end());
-      for (std::size_t& i : mapped.given) i = ruled_.u.size() - 1 - i;
+      for (std::size_t& i : mapped.given) i = mapped.before.points.size() - 1 - i;
     }
     return mapped;
   }
@@ -210,18 +211,16 @@ class RuledBuilder {
 class StackBuilder {
  public:
   StackBuilder(const SourceGrid& source, const Target& target, const MethodParams& params, ColumnMap goal)
-      : source_(source),
-        target_(target),
-        params_(params),
-        goal_(std::move(goal)),
-        top_length_(geom::length(source.base)) {}
+      : source_(source), target_(target), params_(params), goal_(std::move(goal)) {}
 
-  base::Result<MethodMap> run(std::vector<StackLine> lines) {
+  base::Result<MethodMap> run(const std::vector<StackLine>& lines) {
     const bool proportional = params_.method == RestoreMethod::Proportional;
     if (proportional) thickness_ = params_.thickness.value_or(mean_thickness(lines));
     MethodMap made;
     std::vector<RuledLine> ruled(lines.size());
-    std::vector<MappedLine> mapped(lines.size());
+    std::vector<std::vector<std::pair<HorizonId, MappedLine>>> mapped(lines.size());
+    top_before_ = lines[top_line(lines)].pin();
+    top_behind_ = lines[top_line(lines)].arc.back() - top_before_;
     base::parallel_for(lines.size(), [&](std::size_t i) {
       const StackLine& line = lines[i];
       RuledBuilder builder(line);
@@ -230,14 +229,14 @@ class StackBuilder {
       } else {
         put_at_depth(line, i == 0, builder);
       }
-      // A simplified base is not the top itself, which then goes through the map.
-      const bool is_horizon = line.id != source_.top || source_.params.simplify == 0.0;
-      if (!proportional && is_horizon) mapped[i] = builder.mapped(source_.side);
+      for (const LinePart& part : line.parts) {
+        // A simplified base is not the top itself, which then goes through the map.
+        const bool is_horizon = part.id != source_.top || source_.params.simplify == 0.0;
+        if (!proportional && is_horizon) mapped[i].emplace_back(part.id, builder.mapped(part, source_.side));
+      }
       ruled[i] = std::move(builder.ruled());
     });
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-      if (!mapped[i].given.empty()) made.lines.emplace_back(lines[i].id, std::move(mapped[i]));
-    }
+    for (auto& of_line : mapped) std::move(of_line.begin(), of_line.end(), std::back_inserter(made.lines));
     const RuledMap map(std::move(ruled));
     if (const auto folded = map.folded()) {
       const std::string message = "the rulings between the horizons cross here, so that the map is not single-valued";
@@ -262,7 +261,7 @@ class StackBuilder {
   /// From the pin to both sides, every piece as long as it is and at its depth.
   void lay_out(const StackLine& line, RuledBuilder& builder) const {
     const Columns& columns = target_.map.source();
-    const auto before = goal_.lay(line.arc, line.names, line.pin_vertex, -1.0);
+    const auto before = goal_.lay(line.arc, line.names, line.pin_before, -1.0);
     for (std::size_t i = before.size(); i-- > 1;) {
       const ColumnMap::LaidPoint& at = before[i];
       if (at.part == 0.0) {
@@ -271,7 +270,7 @@ class StackBuilder {
         builder.add_between(at.vertex, 1.0 - at.part, at.point, columns);
       }
     }
-    for (const ColumnMap::LaidPoint& at : goal_.lay(line.arc, line.names, line.pin_vertex, 1.0)) {
+    for (const ColumnMap::LaidPoint& at : goal_.lay(line.arc, line.names, line.pin_behind, 1.0)) {
       if (at.part == 0.0) {
         builder.add_vertex(at.vertex, at.point);
       } else {
@@ -284,19 +283,29 @@ class StackBuilder {
   void put_at_depth(const StackLine& line, bool is_first, RuledBuilder& builder) const {
     const bool proportional = params_.method == RestoreMethod::Proportional;
     const bool stretched = proportional && !is_first;
-    const double depth = proportional ? (is_first ? 0.0 : thickness_) : line.depth;
-    std::vector<double> corners = goal_.target_corners(stretched ? 0.0 : depth);
+    const auto depth_at = [&](double arc) {
+      return proportional ? (is_first ? 0.0 : thickness_) : line.depth(arc);
+    };
+    // Where the bed jumps at the pin its two sides lie at two depths.
+    std::vector<double> corners;
+    for (const bool behind : {false, true}) {
+      const double pin = line.arc[behind ? line.pin_behind : line.pin_before];
+      const double depth = stretched ? 0.0 : depth_at(behind ? line.arc.back() : line.arc.front());
+      for (const double corner : goal_.target_corners(depth))
+        if (behind ? corner > 0.0 : corner <= 0.0) corners.push_back(pin + corner);
+    }
     std::sort(corners.begin(), corners.end());
     ColumnId hint;
     const auto image = [&](double arc) {
-      return stretched ? below_top(place_of(line, arc), depth, hint) : goal_.target_point(arc - line.pin, depth, hint);
+      return stretched ? below_top(place_of(line, arc), depth_at(arc), hint)
+                       : goal_.target_point(line.from_pin(arc), depth_at(arc), hint);
     };
     auto corner = corners.begin();
     for (std::size_t i = 0; i < line.arc.size(); ++i) {
-      for (; corner != corners.end() && line.pin + *corner < line.arc[i]; ++corner) {
-        const double arc = line.pin + *corner;
-        if (i > 0 && arc > line.arc[i - 1])
-          builder.add_between(i, (arc - line.arc[i - 1]) / (line.arc[i] - line.arc[i - 1]), image(arc), goal_.source());
+      for (; corner != corners.end() && *corner < line.arc[i]; ++corner) {
+        if (i > 0 && *corner > line.arc[i - 1])
+          builder.add_between(i, (*corner - line.arc[i - 1]) / (line.arc[i] - line.arc[i - 1]), image(*corner),
+                              goal_.source());
       }
       builder.add_vertex(i, image(line.arc[i]));
     }
@@ -307,18 +316,26 @@ class StackBuilder {
 
   /// At the same place as u on the top, at a depth along the normal of the target.
   [[nodiscard]] geom::Point below_top(double u, double depth, ColumnId& hint) const {
-    const double pin = target_.source_arc;
-    const geom::Point foot = goal_.target_point(u * (u < 0.0 ? pin : top_length_ - pin), 0.0, hint);
+    const geom::Point foot = goal_.target_point(u * (u < 0.0 ? top_before_ : top_behind_), 0.0, hint);
     ColumnPoint name = goal_.target().locate(foot, goal_.tolerances().side, hint).at;
     name.depth = depth;
     return goal_.target().point(name);
+  }
+
+  [[nodiscard]] std::size_t top_line(const std::vector<StackLine>& lines) const {
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      for (const LinePart& part : lines[i].parts)
+        if (part.id == source_.top) return i;
+    }
+    return 0;
   }
 
   const SourceGrid& source_;
   const Target& target_;
   const MethodParams& params_;
   ColumnMap goal_;  ///< Slip: beds of the target by their distance from the pin.
-  double top_length_ = 0.0;
+  double top_before_ = 0.0;  ///< Of the top from end to end: how far it reaches before and behind the pin, m.
+  double top_behind_ = 0.0;
   double thickness_ = 0.0;
 };
 
@@ -337,6 +354,22 @@ base::Result<std::vector<HorizonId>> top_and_base(const Section& section, const 
   return std::vector{source.top, base_horizon->id};
 }
 
+/// All beds reach to the same sides of the pin, unless a parallel has closed on the way to the end.
+base::Result<void> refuse_closed_ends(const Section& section, const std::vector<StackLine>& lines) {
+  const auto before = [](const StackLine& line) { return line.pin_before > 0; };
+  const auto behind = [](const StackLine& line) { return line.pin_behind + 1 < line.arc.size(); };
+  const bool some_before = std::any_of(lines.begin(), lines.end(), before);
+  const bool some_behind = std::any_of(lines.begin(), lines.end(), behind);
+  for (const StackLine& line : lines) {
+    if (before(line) == some_before && behind(line) == some_behind) continue;
+    const Horizon& horizon = *find_horizon(section, line.id);
+    return base::Error{base::ErrorCode::CannotRestore,
+                       "other horizons go on beyond the pin line where it ends; move the pin",
+                       place_at(line.line.points[line.pin_before], fmt::format("horizon '{}'", horizon.name))};
+  }
+  return {};
+}
+
 }  // namespace
 
 base::Result<MethodMap> make_stack_map(const Section& section, const SourceGrid& source, const Target& target,
@@ -345,36 +378,20 @@ base::Result<MethodMap> make_stack_map(const Section& section, const SourceGrid&
     return base::Error{base::ErrorCode::BadSection,
                        fmt::format("method \"{}\" needs two horizons", method_name(params.method))};
   }
-  const bool flexural = params.method == RestoreMethod::Flexural;
-  std::vector<HorizonId> order;
-  if (flexural) {  // put in order when all are measured
-    for (const Horizon& horizon : section.horizons) order.push_back(horizon.id);
-  } else {
-    order = horizons_in_order(section, source, target);
-  }
-  std::vector<HorizonId> taken = order;
+  std::vector<HorizonId> taken = horizons_in_order(section, source, target);
   if (params.method == RestoreMethod::Proportional) {
-    DOBRA_TRY(taken, top_and_base(section, source, params, order.back()));
+    DOBRA_TRY(taken, top_and_base(section, source, params, taken.back()));
   }
-  const geom::Vector normal = pin_normal(target);
-  const PinAt where = pin_at(source, target.source_arc);
-  auto found = base::parallel_map<std::optional<base::Result<StackLine>>>(taken.size(), [&](std::size_t i) {
-    auto line = stack_line(*find_horizon(section, taken[i]), source, target, normal, where);
-    if (line && flexural) measure_depths(*line, target.map);
-    return line;
-  });
-  std::vector<StackLine> lines;
-  for (auto& line : found) {
-    if (!*line) return line->error();
-    lines.push_back(std::move(**line));
-  }
-  if (flexural) {
-    std::vector<std::pair<double, HorizonId>> depths;
-    for (const StackLine& line : lines) depths.emplace_back(line.id == source.top ? 0.0 : mean_depth(line), line.id);
-    order = in_order(std::move(depths));
-    const auto place = [&](const StackLine& line) { return std::find(order.begin(), order.end(), line.id); };
-    std::sort(lines.begin(), lines.end(), [&](const StackLine& a, const StackLine& b) { return place(a) < place(b); });
-  }
+  std::vector<std::string> remarks;
+  DOBRA_TRY(std::vector<FullBed> beds,
+            full_beds(section, source, target.map.source(), target.source_arc, taken,
+                      params.method == RestoreMethod::Proportional ? BedEnds::OfTheSection : BedEnds::AsTheyAre,
+                      remarks));
+  const PinLine pin(target.map.source(), target.source_arc);
+  const bool flexural = params.method == RestoreMethod::Flexural;
+  const std::vector<StackLine> lines = base::parallel_map<StackLine>(
+      beds.size(), [&](std::size_t i) { return stack_line(std::move(beds[i]), target, pin, flexural); });
+  DOBRA_TRY_VOID(refuse_closed_ends(section, lines));
   ColumnMap goal;
   if (on_the_way) {
     // The matched columns cover the source from its first point, so the pin has the same arc length on both.
@@ -383,7 +400,9 @@ base::Result<MethodMap> make_stack_map(const Section& section, const SourceGrid&
     DOBRA_TRY(goal,
               match_by_length(source.base, target.source_arc, target.line, target.target_arc, {}, ColumnLaw::Slip));
   }
-  return StackBuilder(source, target, params, std::move(goal)).run(std::move(lines));
+  DOBRA_TRY(MethodMap made, StackBuilder(source, target, params, std::move(goal)).run(lines));
+  made.remarks.insert(made.remarks.begin(), remarks.begin(), remarks.end());
+  return made;
 }
 
 }  // namespace recon::core

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "recon/core/items.h"
+#include "recon/core/pin_line.h"
 #include "shared/base/text.h"
 
 namespace recon::core {
@@ -37,12 +38,35 @@ struct Pinned {
   double pin = 0.0;  ///< Arc length, m.
 };
 
-base::Result<Pinned> pin_on_top(const SourceGrid& source, const TargetParams& params,
+/// Where no pin is given; a remark where that is not the left end.
+base::Result<double> place_of_pin(const Section& section, const SourceGrid& source,
+                                  std::vector<std::string>& remarks) {
+  DOBRA_TRY(const DefaultPin pin, default_pin(section, source));
+  const std::vector<double> arc = geom::arc_lengths(source.base);
+  const double x = geom::point_at(source.base, arc, pin.arc).x;
+  if (!pin.off.empty()) {
+    std::string names;
+    for (const HorizonId id : pin.off)
+      names += fmt::format("{}'{}'", names.empty() ? "" : ", ", whole_name(*find_horizon(section, id)));
+    remarks.push_back(fmt::format("no place of the top has all horizons on its pin line; the pin stands at x = {:.6g}, "
+                                  "where {} of them are not: {}",
+                                  x, pin.off.size(), names));
+  } else if (pin.arc != (source.side == LayerSide::Below ? 0.0 : arc.back())) {
+    remarks.push_back(
+        fmt::format("the pin stands at x = {:.6g}, the leftmost place of the top where all horizons are", x));
+  }
+  return pin.arc;
+}
+
+base::Result<Pinned> pin_on_top(const Section& section, const SourceGrid& source, const TargetParams& params,
                                 std::vector<std::string>& remarks) {
   const std::vector<double> arc = geom::arc_lengths(source.base);
   // With the layers above, travel is from right to left.
   const bool left_first = source.side == LayerSide::Below;
-  if (!params.pin) return Pinned{source.base, left_first ? 0.0 : arc.back()};
+  if (!params.pin) {
+    DOBRA_TRY(const double pin, place_of_pin(section, source, remarks));
+    return Pinned{source.base, pin};
+  }
   const std::vector<double> places = arcs_at_x(source.base, arc, *params.pin);
   if (places.empty()) {
     const geom::Box box = source.base.box();
@@ -205,7 +229,7 @@ base::Result<Target> place_target(const Section& section, const SourceGrid& sour
                                   const dobra::scenario::Context& context) {
   Target target;
   target.params = params;
-  DOBRA_TRY(const Pinned top, pin_on_top(source, params, target.remarks));
+  DOBRA_TRY(const Pinned top, pin_on_top(section, source, params, target.remarks));
   const std::vector<double> top_arc = geom::arc_lengths(top.line);
   target.source_pin = geom::point_at(top.line, top_arc, top.pin);
   const bool flat = params.shape == TargetShape::Flat;

@@ -37,7 +37,7 @@ struct TargetParams {
     d.field("elevation", &TargetParams::elevation,
             {.title = "Elevation of the datum", .help = "By default that of the top at the pin.", .unit = "m"});
     d.field("pin", &TargetParams::pin,
-            {.title = "x of the pin", .help = "Where the top is held; by default its left end.", .unit = "m"});
+            {.title = "x of the pin", .help = "Where the top is held; by default the leftmost place where all horizons are.", .unit = "m"});
     d.field("target_pin", &TargetParams::target_pin,
             {.title = "Pin on the target",
              .help = "The point to which the pin goes; by default the one with the same x.",

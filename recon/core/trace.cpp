@@ -20,12 +20,13 @@ namespace {
 ///      emit that place in both cells (a tear).
 /// Map: `locate(p, hint)`, `enter(cell)`: what the map needs to know of the cell for the next two, `beyond(entered,
 /// p)`: metres beyond each side of a cell, linear along straight lines, `carry(entered, p)`, `keeps(spot, p, nearest)`,
-/// `back(image, hint)`, `hint_back(cell)`, `is_outer(cell)`, `bends()`, `tolerances()`. Where `beyond` is dear:
+/// `back(image, hint)`, `hint_back(cell)`, `is_outer(cell, p)`, `bends()`, `tolerances()`. Where `beyond` is dear:
 /// `sides`, and `beyond(entered, side, p)` of one. `first_holds`: see look_ahead.
 template <class Map>
 class Tracer {
  public:
-  explicit Tracer(const Map& map) : map_(map), tolerances_(map.tolerances()) {}
+  explicit Tracer(const Map& map, Traced wanted = Traced::Everything)
+      : map_(map), wanted_(wanted), tolerances_(map.tolerances()) {}
 
   /// @param line n >= 1 points.
   MappedLine run(const geom::Polyline& line) {
@@ -64,11 +65,12 @@ class Tracer {
       ++result_.without_column;
       doubt(p);
     }
-    if (map_.is_outer(spot_.cell)) {
+    if (map_.is_outer(spot_.cell, p)) {
       ++result_.beyond_ends;
       if (!result_.beyond_at) result_.beyond_at = p;
     }
-    if (apart(map_.back(carried.image, back_hint_), p, tolerances_.tear)) ++result_.not_reversible;
+    if (wanted_ == Traced::Everything && apart(map_.back(carried.image, back_hint_), p, tolerances_.tear))
+      ++result_.not_reversible;
   }
 
   void emit(geom::Point p, const Carried& carried) {
@@ -85,7 +87,7 @@ class Tracer {
 
   /// What a curved image between the last vertex and p (still to be emitted) needs.
   void bend_to(geom::Point p, const Carried& carried) {
-    if (!map_.bends()) return;
+    if (wanted_ == Traced::Cells || !map_.bends()) return;
     refine(result_.before.points.back(), result_.after.points.back(), p, carried.image, tolerances_.most_halvings);
   }
 
@@ -222,6 +224,7 @@ class Tracer {
   }
 
   const Map& map_;
+  Traced wanted_;
   TraceTolerances tolerances_;
   MappedLine result_;
   Spot spot_;                     ///< Where the walk is.
@@ -247,7 +250,7 @@ class Unrolled {
   [[nodiscard]] Carried carry(Cell cell, geom::Point p) const {
     const ColumnPoint name = columns_.name_in(ColumnId(cell.first), p);
     const Columns::Frame& frame = columns_.frame(name.column);
-    const double along = is_outer(cell) ? name.along : name.along * frame.length;
+    const double along = is_outer(cell, p) ? name.along : name.along * frame.length;
     const double begin = cell.first > columns_.inner_count() ? frame.arc + frame.length : frame.arc;
     return {name, {begin + along, name.depth}};
   }
@@ -257,7 +260,7 @@ class Unrolled {
   using Hint = Cell;
   [[nodiscard]] static Hint hint_back(Cell cell) { return cell; }
   [[nodiscard]] static geom::Point back(geom::Point image, Hint&) { return image; }
-  [[nodiscard]] bool is_outer(Cell cell) const { return columns_.is_outer(ColumnId(cell.first)); }
+  [[nodiscard]] bool is_outer(Cell cell, geom::Point) const { return columns_.is_outer(ColumnId(cell.first)); }
   [[nodiscard]] static bool bends() { return false; }
   [[nodiscard]] const TraceTolerances& tolerances() const { return tolerances_; }
 
@@ -273,9 +276,15 @@ bool columns_keep(const Columns& columns, const Spot& spot, geom::Point p, const
   return columns.distance_to_base(ColumnId(spot.cell.first), p) <= nearest.distance + tolerance;
 }
 
-MappedLine trace(const ColumnMap& map, const geom::Polyline& line) { return Tracer(map).run(line); }
-MappedLine trace(const RuledMap& map, const geom::Polyline& line) { return Tracer(map).run(line); }
-MappedLine trace(const ShearMap& map, const geom::Polyline& line) { return Tracer(map).run(line); }
+MappedLine trace(const ColumnMap& map, const geom::Polyline& line, Traced wanted) {
+  return Tracer(map, wanted).run(line);
+}
+MappedLine trace(const RuledMap& map, const geom::Polyline& line, Traced wanted) {
+  return Tracer(map, wanted).run(line);
+}
+MappedLine trace(const ShearMap& map, const geom::Polyline& line, Traced wanted) {
+  return Tracer(map, wanted).run(line);
+}
 
 MappedLine measure_along(const Columns& columns, const TraceTolerances& tolerances, const geom::Polyline& line) {
   const Unrolled unrolled(columns, tolerances);

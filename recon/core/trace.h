@@ -66,12 +66,18 @@ class ColumnMap;
 class RuledMap;
 class ShearMap;
 
+/// What is wanted of a trace.
+enum class Traced {
+  Everything,
+  Cells,  ///< Vertices where cells end; images may be bent between them, and are not carried back.
+};
+
 /// A line through a map, with a vertex wherever it crosses from cell to cell; exact in every cell up to the chord
 /// tolerance. O((n + x) log m) for n vertices, x crossings, m cells; mostly O(n + x).
 /// @param line open, n >= 1 points.
-MappedLine trace(const ColumnMap& map, const geom::Polyline& line);
-MappedLine trace(const RuledMap& map, const geom::Polyline& line);
-MappedLine trace(const ShearMap& map, const geom::Polyline& line);
+MappedLine trace(const ColumnMap& map, const geom::Polyline& line, Traced wanted = Traced::Everything);
+MappedLine trace(const RuledMap& map, const geom::Polyline& line, Traced wanted = Traced::Everything);
+MappedLine trace(const ShearMap& map, const geom::Polyline& line, Traced wanted = Traced::Everything);
 
 /// A line through columns: names as above, images (place along the base, depth).
 MappedLine measure_along(const Columns& columns, const TraceTolerances& tolerances, const geom::Polyline& line);

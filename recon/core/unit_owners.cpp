@@ -185,7 +185,9 @@ void UnitOwners::unite_pieces(const Section& section) {
       const auto has = [&](std::size_t i) { return std::find(members.begin(), members.end(), i) != members.end(); };
       return pair.second > 3.0 * tolerance_ && has(pair.first.first) && has(pair.first.second);
     });
-    const bool one = members.size() > 1 && touch == shared.end();
+    const auto is_said = [&](std::size_t i) { return drawn[i] == drawn[members.front()]; };
+    const bool said = std::all_of(members.begin(), members.end(), is_said);
+    const bool one = members.size() > 1 && (said || touch == shared.end());
     for (const std::size_t i : members) name[i] = one ? stem : drawn[i];
     if (members.size() < 2) continue;
     std::vector<std::string> told;

@@ -1012,8 +1012,16 @@
         <translation>Vértices de uma linha ou polígono; primeiro e último ponto de um arco.</translation>
     </message>
     <message>
-        <source>Where the top is held; by default its left end.</source>
-        <translation>Onde o topo é preso; por padrão sua ponta esquerda.</translation>
+        <source>Role in the balance</source>
+        <translation>Papel no balanço</translation>
+    </message>
+    <message>
+        <source>growth: a horizon laid down while the section deformed; it is listed, not judged.</source>
+        <translation>growth: um horizonte depositado durante a deformação da seção; é listado, não julgado.</translation>
+    </message>
+    <message>
+        <source>Where the top is held; by default the leftmost place where all horizons are.</source>
+        <translation>Onde o topo é preso; por padrão o lugar mais à esquerda em que estão todos os horizontes.</translation>
     </message>
     <message>
         <source>as_given: its first point goes with the left end of the top.</source>
@@ -1592,8 +1600,8 @@
         <translation>Onde</translation>
     </message>
     <message>
-        <source>Name of a curve, a lip or a point.</source>
-        <translation>Nome de uma curva, de um lábio ou de um ponto.</translation>
+        <source>Name of a curve, a lip or a point; or a condition, such as &quot;x = 0 and y &gt; 1&quot;.</source>
+        <translation>Nome de uma curva, de um lábio ou de um ponto; ou uma condição, como &quot;x = 0 and y &gt; 1&quot;.</translation>
     </message>
     <message>
         <source>Along x</source>
@@ -1644,8 +1652,8 @@
         <translation>Rigidez em y</translation>
     </message>
     <message>
-        <source>Name of a curve whose nodes all move alike along `axis`.</source>
-        <translation>Nome de uma curva cujos nós se movem todos igualmente em `axis`.</translation>
+        <source>Name of a curve, or a condition such as &quot;y = 2&quot;, whose nodes all move alike along `axis`.</source>
+        <translation>Nome de uma curva, ou uma condição como &quot;y = 2&quot;, cujos nós se movem todos igualmente ao longo de `axis`.</translation>
     </message>
     <message>
         <source>Axis</source>
@@ -1672,8 +1680,8 @@
         <translation>Um por ponto.</translation>
     </message>
     <message>
-        <source>Name of a curve or lip; of a point (force); of a region, or empty for all (body).</source>
-        <translation>Nome de uma curva ou lábio; de um ponto (force); de uma região, ou vazio para todas (body).</translation>
+        <source>Name of a curve or lip, or a condition such as &quot;x = 0 and y &gt; 1&quot;; of a point (force); of a region, or empty for all (body).</source>
+        <translation>Nome de uma curva ou lábio, ou uma condição como &quot;x = 0 and y &gt; 1&quot;; de um ponto (force); de uma região, ou vazio para todas (body).</translation>
     </message>
     <message>
         <source>traction x, y in Pa; pressure: value in Pa, presses on the material (opens a crack by its two lips); force x, y in N at each node; body x, y in N/m3; stress: the exact tractions of a stress field given by formulas; kirsch, l_shape: those of the plate with a hole of `radius` at the origin under a tension `value`, or of the corner of 270 degrees at the origin.</source>
@@ -2248,8 +2256,8 @@
         <translation>0: deformada, 100: restaurada; entre eles: a caminho.</translation>
     </message>
     <message>
-        <source>nearest: the nearest segment of the top, with a remark; refuse: an error with the place.</source>
-        <translation>nearest: o segmento mais próximo do topo, com uma observação; refuse: um erro com o lugar.</translation>
+        <source>limited: the nearest segment of the top, with a remark, and an error where variable thickness leaves its limits; nearest: without limits; refuse: an error with the place.</source>
+        <translation>limited: o segmento mais próximo do topo, com uma observação, e um erro onde a espessura variável passa dos seus limites; nearest: sem limites; refuse: um erro com o lugar.</translation>
     </message>
     <message>
         <source>Of flexural slip: every horizon keeps its length, or every parallel of the top and all areas.</source>

@@ -158,9 +158,8 @@ class CommandLine {
 
   int work(const Job& job) {
     if (flags_.threads > 0) base::set_thread_count(flags_.threads);
-    const base::CancelToken cancel;
-    const Interruption interruption(cancel);
-    Session session(program_, flags_.options(), cancel);
+    Session session(program_, flags_.options(), interruption_.token());
+    if (const auto go_on = session.check(); !go_on) return exit_code_of(session, go_on.error());
     const base::Result<int> done = job(session);
     return done ? *done : exit_code_of(session, done.error());
   }
@@ -177,9 +176,11 @@ class CommandLine {
       place.file = file->string();
       return exit_code_of(session, {ErrorCode::FileNotFound, "there is no such file", place});
     }
+    Interruption::let_go();
     return window_.open(file);
   }
 
+  const Interruption interruption_;
   const scenario::Program& program_;
   const Window& window_;
   Flags flags_;

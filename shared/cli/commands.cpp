@@ -161,16 +161,20 @@ base::Result<scenario::Run> run_steps(Session& session, const scenario::Document
   if (run.error) return *run.error;
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
   session.detail(fmt::format("{} steps in {:.2f} s", document.steps.size(), time.count()));
+  tell(session, run.states.back());
+  return run;
+}
+
+void tell(Session& session, const scenario::State& state) {
   if (session.program.quantities_of) {
-    for (const scenario::Quantity& quantity : session.program.quantities_of(run.states.back())) {
+    for (const scenario::Quantity& quantity : session.program.quantities_of(state)) {
       session.detail(
           fmt::format("{} = {}{}{}", quantity.name, quantity.value, quantity.unit.empty() ? "" : " ", quantity.unit));
     }
   }
   if (session.program.remarks_of) {
-    for (const std::string& remark : session.program.remarks_of(run.states.back())) session.note(remark);
+    for (const std::string& remark : session.program.remarks_of(state)) session.note(remark);
   }
-  return run;
 }
 
 Command run_command() {

@@ -32,4 +32,7 @@ base::Result<scenario::Document> load(Session& session, const ScenarioOptions& o
 /// @error that of the step which failed.
 base::Result<scenario::Run> run_steps(Session& session, const scenario::Document& document);
 
+/// Notes the remarks of a state; its quantities as details.
+void tell(Session& session, const scenario::State& state);
+
 }  // namespace dobra::cli

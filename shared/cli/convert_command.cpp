@@ -146,14 +146,6 @@ std::string report_json(const Options& options, const Target& target, const io::
     for (const geom::Polyline& part : feature.parts) box.add(part.box());
     features.push_back(feature_json(feature));
   }
-  Json trace;
-  if (work.trace) {
-    const io::Trace& t = *work.trace;
-    trace = {{"origin", {t.x, t.y}},
-             {"direction", {t.east, t.north}},
-             {"largest_misfit", t.largest_misfit},
-             {"mean_misfit", t.mean_misfit}};
-  }
   Json repairs = Json::array();
   for (const io::Repair& repair : work.repairs) {
     repairs.push_back({{"repair", repair.what},
@@ -165,20 +157,26 @@ std::string report_json(const Options& options, const Target& target, const io::
   const auto format_name = [](io::LineFormat format) {
     return io::line_formats()[static_cast<std::size_t>(format)].name;
   };
-  const Json json = {{"read",
-                      {{"file", options.input},
-                       {"format", format_name(work.format)},
-                       {"y_axis", work.y_direction == io::YDirection::Down ? "down" : "up"},
-                       {"unit", work.unit},
-                       {"trace", trace},
-                       {"extent", {box.low.x, box.low.y, box.high.x, box.high.y}},
-                       {"features", features}}},
-                     {"repairs", repairs},
-                     {"written",
-                      {{"file", options.output.string()},
-                       {"format", target.picture ? options.output.extension().string().substr(1)
-                                                 : format_name(*target.lines.format)}}},
-                     {"remarks", work.remarks}};
+  Json json = {{"read",
+                {{"file", options.input},
+                 {"format", format_name(work.format)},
+                 {"y_axis", work.y_direction == io::YDirection::Down ? "down" : "up"},
+                 {"unit", work.unit},
+                 {"extent", {box.low.x, box.low.y, box.high.x, box.high.y}},
+                 {"features", features}}},
+               {"repairs", repairs},
+               {"written",
+                {{"file", options.output.string()},
+                 {"format",
+                  target.picture ? options.output.extension().string().substr(1) : format_name(*target.lines.format)}}},
+               {"remarks", work.remarks}};
+  if (work.trace) {
+    const io::Trace& t = *work.trace;
+    json["read"]["trace"] = {{"origin", {t.x, t.y}},
+                             {"direction", {t.east, t.north}},
+                             {"largest_misfit", t.largest_misfit},
+                             {"mean_misfit", t.mean_misfit}};
+  }
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

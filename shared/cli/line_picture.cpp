@@ -15,19 +15,8 @@ namespace {
 constexpr double points_per_metre = 72.0 / 0.0254;
 constexpr double largest_page = 20.0;  ///< m; beyond, PDF readers and printers give up
 
-constexpr double long_section = 10000.0;  ///< m; from here on axes are in kilometres
+constexpr double long_section = 10000.0;   ///< m; from here on axes are in kilometres
 constexpr std::size_t most_of_a_kind = 3;  ///< faults, or points, with entries of their own in the legend
-
-/// What a feature says that it is a piece of; empty if nothing.
-std::string said_unit(const io::Feature& feature) {
-  for (const char* const key : {"piece_of", "unit", "formation"}) {
-    for (const auto& [name, value] : feature.properties) {
-      const auto* text = std::get_if<std::string>(&value);
-      if (name == key && text != nullptr && !text->empty()) return *text;
-    }
-  }
-  return {};
-}
 
 bool is_bed(const io::Feature& feature) {
   return feature.type == io::FeatureType::Lines && (feature.kind.empty() || feature.kind == "horizon");
@@ -81,7 +70,7 @@ class LinePicture {
     const bool areas = !places.empty() && work_.features[places[0]].type == io::FeatureType::Polygons;
     const std::vector<std::string> wholes = areas ? scene::whole_names(names) : names;
     for (std::size_t k = 0; k < places.size(); ++k) {
-      const std::string said = said_unit(work_.features[places[k]]);
+      const std::string said = io::stated_unit(work_.features[places[k]]);
       wholes_[places[k]] = said.empty() ? wholes[k] : said;
     }
   }
@@ -199,7 +188,7 @@ std::vector<std::string> drawn_names(const io::LineWork& work) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < work.features.size(); ++i) {
     const io::Feature& feature = work.features[i];
-    const std::string said = said_unit(feature);
+    const std::string said = io::stated_unit(feature);
     names.push_back(!said.empty() ? said : feature.name.empty() ? fmt::format("{}", i + 1) : feature.name);
   }
   return names;
@@ -215,8 +204,7 @@ scene::Picture line_picture(const io::LineWork& work) {
   return picture;
 }
 
-base::Result<void> draw_lines(const io::LineWork& work, const std::filesystem::path& file,
-                              const LineDrawing& drawing) {
+base::Result<void> draw_lines(const io::LineWork& work, const std::filesystem::path& file, const LineDrawing& drawing) {
   scene::Picture picture = line_picture(work);
   picture.title = drawing.title;
   if (drawing.colors) scene::paint(picture, *drawing.colors);

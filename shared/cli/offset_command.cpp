@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "shared/base/text.h"
-#include "shared/cli/offset_report.h"
+#include "shared/cli/offset_families.h"
 #include "shared/cli/staging.h"
 #include "shared/offset/distances.h"
 
@@ -26,9 +26,12 @@ struct Options {
   std::optional<double> distance;
   std::optional<double> factor;
   std::optional<std::string> distances;
-  std::string side = "right";
+  std::optional<std::string> side;
+  std::optional<std::string> caps;
+  std::optional<std::string> pieces;
+  bool dissolve = false;
   std::string join = "mitre";
-  std::string ends = "trimmed";
+  std::optional<std::string> ends;
   std::optional<double> mitre_limit;
   std::optional<double> arc_tolerance;
   bool untreated = false;
@@ -40,7 +43,11 @@ struct Options {
 
 template <class T>
 using Names = std::map<std::string, T>;
-const Names<offset::Side> side_names = {{"right", offset::Side::RightOfTravel}, {"left", offset::Side::LeftOfTravel}};
+const Names<OffsetSide> side_names = {
+    {"right", OffsetSide::Right}, {"left", OffsetSide::Left}, {"both", OffsetSide::Both}};
+const Names<offset::Cap> cap_names = {
+    {"round", offset::Cap::Round}, {"flat", offset::Cap::Flat}, {"square", offset::Cap::Square}};
+const Names<offset::Keep> piece_names = {{"longest", offset::Keep::LongestPiece}, {"all", offset::Keep::AllPieces}};
 const Names<offset::Join> join_names = {{"mitre", offset::Join::Mitre},
                                         {"bisector", offset::Join::Bisector},
                                         {"round", offset::Join::Round},
@@ -83,8 +90,9 @@ void add_distance_options(CLI::App& app, Options& options) {
   CLI::Option* const list =
       app.add_option("--distances", options.distances, "Distances from the base, such as 0.5,1,2")->type_name("LIST");
   const auto alone = [list](CLI::Option* option) { option->excludes(list); };
-  alone(app.add_option("--distance", options.distance, "Distance of the first curve, d")
-            ->check(positive)
+  const auto other_than_zero = number_that("must not be 0", [](double value) { return value != 0.0; });
+  alone(app.add_option("--distance", options.distance, "Distance of the first curve, d; below 0 polygons shrink")
+            ->check(other_than_zero)
             ->type_name("D"));
   alone(app.add_option("--count", options.count, "Number of curves; 1 by default")->check(whole)->type_name("N"));
   alone(app.add_option("--factor", options.factor, "F of the distances D_k = F D_(k-1) + d; 1 (equal gaps) by default")
@@ -93,9 +101,16 @@ void add_distance_options(CLI::App& app, Options& options) {
 }
 
 void add_shape_options(CLI::App& app, Options& options) {
-  app.add_option("--side", options.side, "Side of travel: right (default) or left")
+  app.add_option("--side", options.side, "Side of travel: right (default; outside of polygons), left, or both as an area")
       ->check(one_of(side_names))
       ->type_name("NAME");
+  app.add_option("--caps", options.caps, "With both sides, at the ends of lines: round (default), flat or square")
+      ->check(one_of(cap_names))
+      ->type_name("NAME");
+  app.add_option("--pieces", options.pieces, "Of the pieces of an open curve on one side: longest (default) or all")
+      ->check(one_of(piece_names))
+      ->type_name("NAME");
+  app.add_flag("--dissolve", options.dissolve, "Join all areas to one; lines get both sides unless --side says otherwise");
   app.add_option("--join", options.join, "At corners: mitre (default), bisector, round or bevel")
       ->check(one_of(join_names))
       ->type_name("NAME");
@@ -122,11 +137,12 @@ Result<std::vector<double>> distances_of(const Options& options) {
     }
     offset::DistanceRule rule;
     rule.count = static_cast<std::size_t>(options.count.value_or(1));
-    rule.initial = *options.distance;
+    rule.initial = std::abs(*options.distance);
     rule.factor = options.factor.value_or(1.0);
     auto distances = offset::distances(rule);
-    if (distances) return distances;
-    return base::located(distances.error(), base::Place{.item = "--count, --distance, --factor"});
+    if (!distances) return base::located(distances.error(), base::Place{.item = "--count, --distance, --factor"});
+    for (double& d : *distances) d = std::copysign(d, *options.distance);
+    return distances;
   }
   std::vector<double> distances;
   const std::string& list = *options.distances;
@@ -135,8 +151,8 @@ Result<std::vector<double>> distances_of(const Options& options) {
     const std::string word = list.substr(begin, end - begin);
     const std::optional<double> value = base::parse_number(word);
     if (!value) return Error{ErrorCode::BadUsage, fmt::format("--distances: '{}' is not a number", word)};
-    if (!std::isfinite(*value) || !(*value > 0.0)) {
-      return Error{ErrorCode::BadUsage, fmt::format("--distances: {} must be above 0", word)};
+    if (!std::isfinite(*value) || *value == 0.0) {
+      return Error{ErrorCode::BadUsage, fmt::format("--distances: {} must be a number other than 0", word)};
     }
     distances.push_back(*value);
     begin = end + 1;
@@ -144,95 +160,53 @@ Result<std::vector<double>> distances_of(const Options& options) {
   return distances;
 }
 
-Result<offset::OffsetOptions> offset_options(const Options& options) {
-  offset::OffsetOptions result;
-  result.side = side_names.at(options.side);
-  result.join = join_names.at(options.join);
-  result.ends = end_names.at(options.ends);
-  if (options.untreated) result.treatment = offset::Treatment::Untreated;
-  if (options.mitre_limit) {
-    if (result.join != offset::Join::Mitre) {
-      return Error{ErrorCode::BadUsage,
-                   fmt::format("--mitre-limit belongs to --join mitre, not to --join {}; leave one out", options.join)};
-    }
-    result.mitre_limit = *options.mitre_limit;
+Error bad_usage(std::string message) { return {ErrorCode::BadUsage, std::move(message)}; }
+
+/// Options that would have no effect are refused.
+Result<void> check_together(const Options& options, const OffsetPlan& plan) {
+  const bool both = plan.side == OffsetSide::Both;
+  const bool areas = both || options.dissolve;
+  if (options.mitre_limit && options.join != "mitre") {
+    return bad_usage(
+        fmt::format("--mitre-limit belongs to --join mitre, not to --join {}; leave one out", options.join));
   }
-  return result;
+  if (options.caps && (!areas || (plan.side && !both))) return bad_usage("--caps belongs to --side both; give both, or leave --caps out");
+  if (areas && options.ends) return bad_usage("--ends is for curves on one side; with both sides give --caps");
+  if (areas && options.pieces) return bad_usage("--pieces is for curves on one side of a line; leave it out");
+  if (areas && options.untreated) return bad_usage("--untreated curves have no area; leave out --side both and --dissolve");
+  const bool negative = std::any_of(plan.distances.begin(), plan.distances.end(), [](double d) { return d < 0.0; });
+  if (negative && plan.side) {
+    return bad_usage("--distance, --distances: one below 0 says that polygons shrink; it must be above 0 with --side");
+  }
+  return {};
 }
 
-/// Those of the file that --curve means: all of that name, or else the one of that number.
-Result<std::vector<io::NamedCurve>> chosen(std::vector<io::NamedCurve> all, const std::optional<std::string>& wanted) {
-  if (!wanted) return all;
-  std::vector<io::NamedCurve> named;
-  std::vector<std::string> names;
-  for (const io::NamedCurve& curve : all) {
-    names.push_back(curve.name);
-    if (curve.name == *wanted) named.push_back(curve);
-  }
-  if (!named.empty()) return named;
-  const std::optional<double> number = base::parse_number(*wanted);
-  if (number && *number >= 1.0 && *number <= static_cast<double>(all.size()) && *number == std::floor(*number)) {
-    return std::vector<io::NamedCurve>{all[static_cast<std::size_t>(*number) - 1]};
-  }
-  return Error{ErrorCode::BadUsage, fmt::format("--curve: there is no curve '{}' among the {} of the file{}", *wanted,
-                                                all.size(), base::did_you_mean(*wanted, names))};
+Result<OffsetPlan> plan_of(const Options& options) {
+  OffsetPlan plan;
+  DOBRA_TRY(plan.distances, distances_of(options));
+  if (options.side) plan.side = side_names.at(*options.side);
+  plan.curves.join = join_names.at(options.join);
+  plan.curves.ends = end_names.at(options.ends.value_or("trimmed"));
+  plan.curves.keep = piece_names.at(options.pieces.value_or("longest"));
+  if (options.untreated) plan.curves.treatment = offset::Treatment::Untreated;
+  plan.curves.mitre_limit = options.mitre_limit.value_or(plan.curves.mitre_limit);
+  plan.cap = cap_names.at(options.caps.value_or("round"));
+  plan.arc_tolerance = options.arc_tolerance.value_or(plan.arc_tolerance);
+  plan.dissolve = options.dissolve ? Dissolve::Yes : Dissolve::No;
+  plan.closing = options.closed ? Closing::Closed : Closing::AsGiven;
+  plan.verify = options.verify;
+  plan.curve = options.curve;
+  DOBRA_TRY_VOID(check_together(options, plan));
+  return plan;
 }
 
-void note_empty(Session& session, const OffsetFamily& family) {
-  for (const DrawnOffset& curve : family.curves) {
-    if (!curve.lines.empty()) continue;
-    session.note(
-        fmt::format("{}: nothing remains at distance {}", family.base.name, base::number_text(curve.distance)));
-  }
-}
-
-/// Rings of one polygon follow each other.
-void note_rings(Session& session, const std::vector<io::NamedCurve>& bases) {
-  const auto next = std::adjacent_find(
-      bases.begin(), bases.end(),
-      [](const io::NamedCurve& a, const io::NamedCurve& b) { return a.polygon && a.polygon == b.polygon; });
-  if (next == bases.end()) return;
-  session.note(
-      fmt::format("{}: a polygon of several rings; each ring is a base of its own, whose curves do not mind the others",
-                  next->name));
-}
-
-/// @param verdict  of the verifier, if the user wants it.
-Result<std::vector<OffsetFamily>> families_of(Session& session, const Options& options,
-                                              const std::vector<double>& distances,
-                                              const offset::OffsetOptions& settings, OffsetVerdict& verdict) {
-  DOBRA_TRY(io::Curves read, io::read_curves(options.file));
-  for (const std::string& remark : read.remarks) session.note(remark);
-  DOBRA_TRY(std::vector<io::NamedCurve> bases, chosen(std::move(read.curves), options.curve));
-  note_rings(session, bases);
-  const base::Progress progress = session.progress();
-  std::vector<OffsetFamily> families;
-  const double total = static_cast<double>(bases.size());
-  for (io::NamedCurve& base_curve : bases) {
-    DOBRA_TRY_VOID(session.check());
-    if (options.closed) {
-      base_curve.line.closed = true;
-      base_curve.line = geom::without_repeated_points(std::move(base_curve.line));
-    }
-    const double done = static_cast<double>(families.size());
-    auto curves =
-        offset::offset(base_curve.line, distances, settings, progress.part(done / total, (done + 1.0) / total));
-    if (!curves) return base::located(curves.error(), base::Place{.file = options.file, .item = base_curve.name});
-    if (options.verify) DOBRA_TRY_VOID(verify_offset(base_curve, settings, *curves, verdict));
-    OffsetFamily family{.base = std::move(base_curve), .treatment = settings.treatment, .curves = {}};
-    const double tolerance = options.arc_tolerance.value_or(offset::default_arc_tolerance);
-    for (const offset::OffsetCurve& curve : *curves) family.curves.push_back(drawn(curve, family.base.line, tolerance));
-    families.push_back(std::move(family));
-    note_empty(session, families.back());
-  }
-  return families;
-}
-
-Result<void> write_out(Session& session, const std::filesystem::path& out, const std::vector<OffsetFamily>& families) {
+Result<void> write_out(Session& session, const std::filesystem::path& out, const std::vector<OffsetFamily>& families,
+                       const std::optional<io::ReferenceSystem>& system) {
   DOBRA_TRY(Staging staging, Staging::open(out.parent_path(), TargetFolder::MustExist));
-  if (const auto written = write_offset(families, staging.path(out.filename().string())); !written) {
-    return staging.for_user(written.error());
-  }
+  std::vector<std::string> remarks;
+  const auto written = write_offset(families, system, staging.path(out.filename().string()), remarks);
+  if (!written) return staging.for_user(written.error());
+  for (const std::string& remark : remarks) session.note(fmt::format("{}: {}", out.string(), remark));
   DOBRA_TRY_VOID(session.check());
   DOBRA_TRY_VOID(staging.commit());
   return {};
@@ -249,12 +223,13 @@ int announce(Session& session, const OffsetVerdict& verdict) {
 
 Result<int> offset_job(Session& session, const Options& options) {
   // Everything about the options first: a wrong one is told before a long file is read.
-  DOBRA_TRY(const std::vector<double> distances, distances_of(options));
-  DOBRA_TRY(const offset::OffsetOptions settings, offset_options(options));
+  DOBRA_TRY(const OffsetPlan plan, plan_of(options));
   if (options.out) DOBRA_TRY_VOID(check_offset_ending(*options.out));
+  DOBRA_TRY(const OffsetInput input, offset_input(session, options.file, plan));
   OffsetVerdict verdict;
-  DOBRA_TRY(const std::vector<OffsetFamily> families, families_of(session, options, distances, settings, verdict));
-  if (options.out) DOBRA_TRY_VOID(write_out(session, *options.out, families));
+  DOBRA_TRY(const std::vector<OffsetFamily> families, offset_families(session, options.file, input, plan, verdict));
+  DOBRA_TRY_VOID(check_numbers(families));
+  if (options.out) DOBRA_TRY_VOID(write_out(session, *options.out, families, input.system));
   if (session.options.format == OutputFormat::Json) {
     DOBRA_TRY_VOID(print(offset_json(families)));
   } else if (!options.out) {
@@ -281,7 +256,7 @@ Command offset_command() {
         app.add_flag("--verify", options->verify, "Judge the curves independently; exit code 1 if anything is wrong");
         app.add_option("--curve", options->curve, "Only the curve of this name or number; all by default")
             ->type_name("NAME|NUMBER");
-        app.add_option("--out", options->out, "File to write: .geojson .wkt .csv .svg .pdf .png")->type_name("FILE");
+        app.add_option("--out", options->out, "File to write: .geojson .gpkg .shp .dxf .wkt .csv .svg .pdf .png")->type_name("FILE");
         return [options](Session& session) { return offset_job(session, *options); };
       }};
 }

@@ -9,9 +9,6 @@
 
 #include "shared/base/text.h"
 #include "shared/cli/pictures.h"
-#include "shared/io/geojson.h"
-#include "shared/io/text_points.h"
-#include "shared/io/wkt.h"
 #include "shared/offset/verify.h"
 #include "shared/scene/color_map.h"
 
@@ -22,7 +19,7 @@ using base::ErrorCode;
 
 namespace {
 
-constexpr std::array<const char*, 3> exchange_endings = {".geojson", ".wkt", ".csv"};
+constexpr std::array<const char*, 6> exchange_endings = {".geojson", ".gpkg", ".shp", ".dxf", ".wkt", ".csv"};
 constexpr std::array<const char*, 3> picture_endings = {".svg", ".pdf", ".png"};
 constexpr std::size_t legend_entries = 12;  ///< More distances than these show only some of them in the legend.
 
@@ -46,11 +43,13 @@ void append_points(std::string& text, const geom::Polyline& line) {
 void append_curve(std::string& text, const OffsetFamily& family, const DrawnOffset& curve, bool with_name) {
   text += '{';
   if (with_name) {
-    const nlohmann::json name = family.base.name;
+    const nlohmann::json name = family.name;
     text += "\"curve\":" + name.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + ',';
   }
-    text += fmt::format("\"distance\":{},\"length\":{},\"area\":{},\"pieces\":[", base::number_text(curve.distance),
-                      base::number_text(curve.length), curve.area ? base::number_text(*curve.area) : "null");
+  text += fmt::format("\"distance\":{},\"length\":{},\"area\":{},\"dropped\":{},\"dropped_length\":{},\"pieces\":[",
+                      base::number_text(curve.distance), base::number_text(curve.length),
+                      curve.area ? base::number_text(*curve.area) : "null", curve.dropped,
+                      base::number_text(curve.dropped_length));
   for (std::size_t i = 0; i < curve.lines.size(); ++i) {
     const geom::Polyline& line = curve.lines[i];
     text += fmt::format("{}{{\"closed\":{},\"points\":", i > 0 ? "," : "", line.closed);
@@ -66,61 +65,26 @@ std::size_t point_count(const DrawnOffset& curve) {
   return count;
 }
 
-/// The smallest contour that has `hole` inside; contours.size() if none has.
-std::size_t contour_round(const geom::Polyline& hole, const std::vector<geom::Polyline>& contours) {
-  std::size_t best = contours.size();
-  double best_area = 0.0;
-  for (std::size_t i = 0; i < contours.size(); ++i) {
-    // A corner of the hole that lies on the contour decides nothing; the next one does.
-    geom::Side side = geom::Side::Boundary;
-    for (const geom::Point p : hole.points) {
-      side = geom::locate(contours[i], p);
-      if (side != geom::Side::Boundary) break;
-    }
-    const double area = geom::signed_area(contours[i]);
-    if (side != geom::Side::Inside || (best < contours.size() && area >= best_area)) continue;
-    best = i;
-    best_area = area;
-  }
-  return best;
-}
-
-/// Pieces as polygons: each contour anticlockwise, followed by its holes clockwise. Nothing if they are no polygons.
-std::optional<std::vector<geom::Polyline>> polygon_parts(const OffsetFamily& family, const DrawnOffset& curve) {
-  if (family.treatment == offset::Treatment::Untreated || !curve.area) return std::nullopt;
-  const bool clockwise_base = geom::signed_area(family.base.line) < 0.0;
-  std::vector<geom::Polyline> contours;
-  std::vector<geom::Polyline> holes;
-  for (const geom::Polyline& drawn_line : curve.lines) {
-    geom::Polyline line = clockwise_base ? geom::reversed(drawn_line) : drawn_line;
-    (geom::signed_area(line) > 0.0 ? contours : holes).push_back(std::move(line));
-  }
-  std::vector<std::vector<geom::Polyline>> holes_of(contours.size());
-  for (geom::Polyline& hole : holes) {
-    const std::size_t outer = contour_round(hole, contours);
-    if (outer == contours.size()) return std::nullopt;
-    holes_of[outer].push_back(std::move(hole));
-  }
-  std::vector<geom::Polyline> parts;
-  for (std::size_t i = 0; i < contours.size(); ++i) {
-    parts.push_back(std::move(contours[i]));
-    std::move(holes_of[i].begin(), holes_of[i].end(), std::back_inserter(parts));
-  }
-  return parts;
-}
-
+/// Numbers of the curve, then what the base had; a property of the base that has the name of one of ours is "source_...".
 io::Feature feature_of(const OffsetFamily& family, const DrawnOffset& curve) {
   io::Feature feature;
-  feature.name = fmt::format("{} at {}", family.base.name, base::number_text(curve.distance));
-  feature.kind = "offset";
-  feature.properties = {{"curve", family.base.name}, {"distance", curve.distance}, {"length", curve.length}};
-  if (curve.area) feature.properties.emplace_back("area", *curve.area);
-  if (auto parts = polygon_parts(family, curve)) {
-    feature.type = io::FeatureType::Polygons;
-    feature.parts = std::move(*parts);
-    return feature;
-  }
+  feature.type = family.content == OffsetContent::Polygons ? io::FeatureType::Polygons : io::FeatureType::Lines;
   feature.parts = curve.lines;
+  feature.name = fmt::format("{} at {}", family.name, base::number_text(curve.distance));
+  feature.kind = "offset";
+  feature.properties = {{"curve", family.name}, {"distance", curve.distance}, {"length", curve.length}};
+  if (curve.area) feature.properties.emplace_back("area", *curve.area);
+  if (curve.dropped > 0) feature.properties.emplace_back("dropped", static_cast<std::int64_t>(curve.dropped));
+  const io::Feature& source = family.source;
+  const auto has = [&](const std::string& key) {
+    return std::any_of(feature.properties.begin(), feature.properties.end(), [&](const auto& p) { return p.first == key; });
+  };
+  const auto add = [&](const std::string& key, const io::PropertyValue& value) {
+    feature.properties.emplace_back(has(key) ? "source_" + key : key, value);
+  };
+  if (!source.kind.empty()) add("source_kind", source.kind);
+  for (const auto& [key, value] : source.properties) add(key, value);
+  if (source.id && !has("id")) add("id", *source.id);
   return feature;
 }
 
@@ -147,12 +111,13 @@ bool in_legend(std::size_t i, std::size_t count) {
 DrawnOffset drawn(const offset::OffsetCurve& curve, const geom::Polyline& base, double tolerance) {
   DrawnOffset made;
   made.distance = curve.distance;
-  made.area = 0.0;
   made.dropped = curve.dropped;
-  if (curve.pieces.empty() && !base.closed) made.area.reset();
+  const auto is_closed = [](const offset::OffsetPiece& piece) { return piece.closed; };
+  const bool closed = curve.pieces.empty() ? base.closed : std::all_of(curve.pieces.begin(), curve.pieces.end(), is_closed);
+  if (closed) made.area = 0.0;
+  made.dropped_length = curve.dropped_length;
   for (const offset::OffsetPiece& piece : curve.pieces) {
     made.length += offset::length(piece, base);
-    if (!piece.closed) made.area.reset();
     if (made.area) *made.area += offset::signed_area(piece, base);
     made.lines.push_back(offset::chords(piece, base, tolerance).polyline);
   }
@@ -160,15 +125,31 @@ DrawnOffset drawn(const offset::OffsetCurve& curve, const geom::Polyline& base, 
   return made;
 }
 
-base::Result<void> verify_offset(const io::NamedCurve& base, const offset::OffsetOptions& options,
-                                 const std::vector<offset::OffsetCurve>& curves, OffsetVerdict& verdict) {
+DrawnOffset drawn(const offset::Area& area, double distance) {
+  return {.distance = distance, .length = area.length, .area = area.area, .lines = area.rings};
+}
+
+base::Result<void> verify_offset(const std::string& name, const geom::Polyline& base,
+                                 const offset::OffsetOptions& options, const std::vector<offset::OffsetCurve>& curves,
+                                 OffsetVerdict& verdict) {
   for (const offset::OffsetCurve& curve : curves) {
-    DOBRA_TRY(const offset::Verification found, offset::verify(base.line, options, curve));
+    DOBRA_TRY(const offset::Verification found, offset::verify(base, options, curve));
     verdict.edges += found.edges;
     verdict.samples += found.samples;
     for (const offset::Finding& finding : found.findings) {
       verdict.findings.push_back(
-          fmt::format("{}: distance {}: {}", base.name, dobra::base::number_text(curve.distance), offset::to_string(finding)));
+          fmt::format("{}: distance {}: {}", name, dobra::base::number_text(curve.distance), offset::to_string(finding)));
+    }
+  }
+  return {};
+}
+
+base::Result<void> check_numbers(const std::vector<OffsetFamily>& families) {
+  for (const OffsetFamily& family : families) {
+    for (const DrawnOffset& curve : family.curves) {
+      if (std::isfinite(curve.length) && std::isfinite(curve.area.value_or(0.0))) continue;
+      return Error{ErrorCode::NotFinite, fmt::format("the length or the area of {} at distance {} is beyond what a number can hold; "
+                                                     "use larger units", family.name, base::number_text(curve.distance))};
     }
   }
   return {};
@@ -194,7 +175,7 @@ std::string offset_table(const std::vector<OffsetFamily>& families) {
   std::size_t width = 0;
   if (families.size() > 1) {
     width = std::string_view("curve").size();
-    for (const OffsetFamily& family : families) width = std::max(width, family.base.name.size());
+    for (const OffsetFamily& family : families) width = std::max(width, family.name.size());
     width += 2;
   }
   const auto row = [&](const std::string& name, auto... cells) {
@@ -202,11 +183,20 @@ std::string offset_table(const std::vector<OffsetFamily>& families) {
     ((text += fmt::format("{:>14}", cells)), ...);
     return text + '\n';
   };
-  std::string text = row("curve", "distance", "pieces", "points", "length", "area");
+  bool dropped = false;
+  for (const OffsetFamily& family : families) {
+    for (const DrawnOffset& curve : family.curves) dropped = dropped || curve.dropped > 0;
+  }
+  const auto with_dropped = [&](std::string line, const std::string& pieces, const std::string& length) {
+    if (dropped) line.insert(line.size() - 1, fmt::format("{:>14}{:>14}", pieces, length));
+    return line;
+  };
+  std::string text = with_dropped(row("curve", "distance", "pieces", "points", "length", "area"), "left out", "their length");
   for (const OffsetFamily& family : families) {
     for (const DrawnOffset& curve : family.curves) {
-      text += row(family.base.name, fmt::format("{:.7g}", curve.distance), curve.lines.size(), point_count(curve),
-                  fmt::format("{:.7g}", curve.length), curve.area ? fmt::format("{:.7g}", *curve.area) : std::string("-"));
+      text += with_dropped(row(family.name, fmt::format("{:.7g}", curve.distance), curve.lines.size(), point_count(curve),
+                  fmt::format("{:.7g}", curve.length), curve.area ? fmt::format("{:.7g}", *curve.area) : std::string("-")),
+                           fmt::format("{}", curve.dropped), fmt::format("{:.7g}", curve.dropped_length));
     }
   }
   return text;
@@ -232,9 +222,11 @@ scene::Picture offset_picture(const std::vector<OffsetFamily>& families) {
     panel.layers.push_back(std::move(layer));
   }
   scene::Lines bases;
-  for (const OffsetFamily& family : families) bases.lines.push_back(family.base.line);
+  for (const OffsetFamily& family : families) {
+    bases.lines.insert(bases.lines.end(), family.bases.begin(), family.bases.end());
+  }
   panel.layers.push_back({.key = "base",
-                          .title = families.size() == 1 ? families.front().base.name : "base curves",
+                          .title = families.size() == 1 ? families.front().name : "base curves",
                           .style = {.line = {20, 20, 24}, .line_width = 2.5},
                           .content = std::move(bases)});
   scene::Picture picture;
@@ -246,22 +238,28 @@ base::Result<void> check_offset_ending(const std::filesystem::path& file) {
   const std::string ending = file.extension().string();
   if (is_one_of(ending, exchange_endings) || is_one_of(ending, picture_endings)) return {};
   return Error{ErrorCode::BadUsage,
-               fmt::format("--out {}: the name must end in .geojson, .wkt, .csv, .svg, .pdf or .png", file.string())};
+               fmt::format("--out {}: the name must end in .geojson, .gpkg, .shp, .dxf, .wkt, .csv, .svg, .pdf or .png", file.string())};
 }
 
-base::Result<void> write_offset(const std::vector<OffsetFamily>& families, const std::filesystem::path& file) {
+base::Result<void> write_offset(const std::vector<OffsetFamily>& families,
+                                const std::optional<io::ReferenceSystem>& system, const std::filesystem::path& file,
+                                std::vector<std::string>& remarks) {
   DOBRA_TRY_VOID(check_offset_ending(file));
   const std::string ending = file.extension().string();
   if (is_one_of(ending, picture_endings)) return draw(offset_picture(families), file, Drawer::Cairo);
-  if (ending == ".geojson") return io::write_geojson(file.string(), features_of(families));
-  if (ending == ".wkt") return io::write_wkt(file.string(), features_of(families));
-  std::vector<geom::Polyline> lines;
-  for (const OffsetFamily& family : families) {
-    for (const DrawnOffset& curve : family.curves) {
-      lines.insert(lines.end(), curve.lines.begin(), curve.lines.end());
-    }
+  io::LineWork work;
+  work.features = features_of(families);
+  const auto is_polygon = [](const io::Feature& f) { return f.type == io::FeatureType::Polygons; };
+  const auto polygons = static_cast<std::size_t>(std::count_if(work.features.begin(), work.features.end(), is_polygon));
+  if (ending == ".shp" && polygons > 0 && polygons < work.features.size()) {
+    return Error{ErrorCode::BadUsage,
+                 "--out: a Shapefile holds either lines or polygons, and these are both; write a .gpkg, or choose with --curve"};
   }
-  return io::write_points_csv(file.string(), lines);
+  const io::LineWriteOptions options{.coordinates = io::Coordinates::Section, .system = system ? &*system : nullptr};
+  DOBRA_TRY_VOID(io::write_any_lines(file.string(), work, options, remarks));
+  const bool keeps_system = ending == ".gpkg" || ending == ".shp" || (ending == ".geojson" && system && !system->code.empty());
+  if (system && !keeps_system) remarks.push_back(fmt::format("the reference system ({}) is not kept in {}", system->name, ending));
+  return {};
 }
 
 }  // namespace dobra::cli

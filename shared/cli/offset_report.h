@@ -6,13 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "shared/io/curves.h"
-#include "shared/offset/arcs.h"
+#include "shared/io/line_files.h"
+#include "shared/offset/area.h"
 #include "shared/scene/layer.h"
 
 namespace dobra::cli {
 
-/// An offset curve as it is given out. Length and area are those of the true arcs; the lines have chords instead.
+/// An offset curve as it is given out. Length and area are those of the true arcs where they are known; the lines have
+/// chords instead.
 struct DrawnOffset {
   double distance = 0.0;
   double length = 0.0;         ///< Of all pieces, m.
@@ -20,18 +21,24 @@ struct DrawnOffset {
   /// piece (or, without pieces, the base) is open.
   std::optional<double> area;
   std::vector<geom::Polyline> lines;
-  std::size_t dropped = 0;
+  std::size_t dropped = 0;      ///< Pieces of an open line that were left out,
+  double dropped_length = 0.0;  ///< and how long they are, m.
 };
 
-/// One curve of the file and the curves parallel to it, by distance.
+enum class OffsetContent { Lines, Polygons };
+
+/// A base of the file (see offset_families.h), and the curves parallel to it or the areas about it, by distance.
 struct OffsetFamily {
-  io::NamedCurve base;
-  offset::Treatment treatment = offset::Treatment::Treated;
-  std::vector<DrawnOffset> curves;
+  std::string name;
+  io::Feature source = {};  ///< Its name, kind, id and properties.
+  std::vector<geom::Polyline> bases = {};
+  OffsetContent content = OffsetContent::Lines;
+  std::vector<DrawnOffset> curves = {};
 };
 
 /// @param tolerance  of the chords, in D; see offset::chords.
 DrawnOffset drawn(const offset::OffsetCurve& curve, const geom::Polyline& base, double tolerance);
+DrawnOffset drawn(const offset::Area& area, double distance);
 
 /// What the verifier has to say about offset curves.
 struct OffsetVerdict {
@@ -41,25 +48,33 @@ struct OffsetVerdict {
 };
 
 /// Adds to `verdict` what offset::verify finds in the curves of one base.  @error those of offset::verify.
-base::Result<void> verify_offset(const io::NamedCurve& base, const offset::OffsetOptions& options,
-                                 const std::vector<offset::OffsetCurve>& curves, OffsetVerdict& verdict);
+base::Result<void> verify_offset(const std::string& name, const geom::Polyline& base,
+                                 const offset::OffsetOptions& options, const std::vector<offset::OffsetCurve>& curves,
+                                 OffsetVerdict& verdict);
 
-/// {"curves":[{"distance":d,"length":L,"area":A or null,"pieces":[{"closed":b,"points":[[x,y],...]}]}],"dropped":n},
-/// one line, every digit; "curve":name comes first in each where there are several families.
+/// @error NotFinite: a length or an area is beyond the range of doubles.
+base::Result<void> check_numbers(const std::vector<OffsetFamily>& families);
+
+/// {"curves":[{"distance":d,"length":L,"area":A or null,"dropped":n,"dropped_length":L,"pieces":[{"closed":b,"points":
+/// [[x,y],...]}]}],"dropped":n}, one line, every digit; "curve":name comes first in each where there are several families.
+/// Of areas each contour comes before its holes.
 std::string offset_json(const std::vector<OffsetFamily>& families);
 
-/// A line a curve: (name,) distance, pieces, points, length, area.
+/// A line a curve: (name,) distance, pieces, points, length, area, and what was left out, if anything was.
 std::string offset_table(const std::vector<OffsetFamily>& families);
 
 /// The base thick, offset curves coloured by distance, on one panel with a legend.
 scene::Picture offset_picture(const std::vector<OffsetFamily>& families);
 
-/// @error BadUsage for an ending that is not .geojson, .wkt, .csv, .svg, .pdf or .png.
+/// @error BadUsage for an ending that is not among these.
 base::Result<void> check_offset_ending(const std::filesystem::path& file);
 
-/// Writes the format that the ending says. Treated closed curves are polygons with holes in .geojson and .wkt;
-/// everything else is lines, whose last point repeats the first where they are closed.
-/// @error those of check_offset_ending; NotFinite, CannotWrite, CannotDraw.
-base::Result<void> write_offset(const std::vector<OffsetFamily>& families, const std::filesystem::path& file);
+/// Writes the format that the ending says. Areas are polygons with holes; everything else is lines, whose last point
+/// repeats the first where they are closed. Ids, properties and the system of the file are kept where the format can.
+/// @param remarks  what it cannot.
+/// @error those of check_offset_ending; BadUsage (lines and polygons in a Shapefile), NotFinite, CannotWrite, CannotDraw.
+base::Result<void> write_offset(const std::vector<OffsetFamily>& families,
+                                const std::optional<io::ReferenceSystem>& system, const std::filesystem::path& file,
+                                std::vector<std::string>& remarks);
 
 }  // namespace dobra::cli

@@ -10,6 +10,7 @@
 #include <chrono>
 #include <cstdio>
 
+#include "shared/base/kept_line.h"
 #include "shared/io/file.h"
 
 namespace dobra::cli {
@@ -42,16 +43,20 @@ Session::Session(const scenario::Program& session_program, CommonOptions session
     : program(session_program), options(session_options), cancel(std::move(session_cancel)) {}
 
 base::Progress Session::progress() {
-  if (options.verbosity == Verbosity::Quiet || ::isatty(STDERR_FILENO) == 0) return base::Progress(cancel, {});
+  if (options.verbosity == Verbosity::Quiet) return base::Progress(cancel, {});
   using Clock = std::chrono::steady_clock;
-  return base::Progress(cancel, [this, last = Clock::time_point{}](double fraction, const std::string& what) mutable {
+  const bool terminal = ::isatty(STDERR_FILENO) != 0;
+  const auto listen = [this, terminal, last = Clock::time_point{}](double fraction, const std::string& what) mutable {
+    if (base::is_kept_line(what)) return error_line(what.substr(0, what.size() - 1));
+    if (!terminal) return;
     const auto now = Clock::now();
     if (now - last < std::chrono::milliseconds(50)) return;
     last = now;
     progress_shown_ = true;
     fmt::print(stderr, "\r\033[K{:3.0f}% {:.60}", 100.0 * fraction, one_line(what));
     std::fflush(stderr);
-  });
+  };
+  return base::Progress(cancel, listen);
 }
 
 void Session::clear_progress() {
@@ -81,15 +86,23 @@ base::Result<void> print(const std::string& text) {
   return {};
 }
 
-Interruption::Interruption(const base::CancelToken& token) {
-  interrupted_token = &token;
+Interruption::Interruption() {
+  if (const base::CancelToken* token = interrupted_token.load()) {
+    token_ = *token;
+    return;
+  }
+  first_ = true;
+  interrupted_token = &token_;
   // Restarting keeps interrupted writes of libraries whole; resetting lets a second Ctrl-C end work that does not
   // listen.
   set_handler(on_interrupt, static_cast<int>(SA_RESTART | SA_RESETHAND));
 }
 
+void Interruption::let_go() { set_handler(SIG_DFL, 0); }
+
 Interruption::~Interruption() {
-  set_handler(SIG_DFL, 0);
+  if (!first_) return;
+  let_go();
   interrupted_token = nullptr;
 }
 

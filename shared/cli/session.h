@@ -29,7 +29,8 @@ class Session {
   const CommonOptions options;
   const base::CancelToken cancel;
 
-  /// Draws a line that is written over itself on standard error if that is a terminal, unless quiet.
+  /// Draws a line that is written over itself on standard error if that is a terminal, and writes lines to keep
+  /// (kept_line.h) to it in any case, unless quiet.
   [[nodiscard]] base::Progress progress();
   /// "recon: ..." on one line of standard error, whatever the verbosity.
   void error_line(const std::string& text);
@@ -49,13 +50,22 @@ class Session {
 /// @error CannotWrite if it is closed or full.
 base::Result<void> print(const std::string& text);
 
-/// While it lives, SIGINT and SIGTERM cancel `token`; a second one ends the program at once. One at a time.
+/// While it lives, SIGINT and SIGTERM cancel its token; a second one ends the program at once. Programs make one first
+/// of all, so that a signal finds it from the start; a further one shares its token.
 class Interruption {
  public:
-  explicit Interruption(const base::CancelToken& token);
+  Interruption();
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
   ~Interruption();
+
+  [[nodiscard]] const base::CancelToken& token() const { return token_; }
+  /// From now on a signal ends the program at once, as where nobody listens: for windows.
+  static void let_go();
+
+ private:
+  base::CancelToken token_;
+  bool first_ = false;
 };
 
 }  // namespace dobra::cli

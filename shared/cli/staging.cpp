@@ -1,14 +1,20 @@
 #include "shared/cli/staging.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <signal.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <string_view>
 #include <system_error>
+#include <utility>
 
+#include "shared/base/text.h"
 #include "shared/io/file.h"
 
 namespace dobra::cli {
@@ -50,6 +56,38 @@ base::Result<Way> way_to(const fs::path& place) {
   return Way::Rename;
 }
 
+constexpr std::string_view prefix = ".staging-";
+
+/// The folder, locked by this process; below 0 if another one has the lock, or there are no locks here.
+int lock(const fs::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0 || ::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return descriptor;
+  ::close(descriptor);
+  return -1;
+}
+
+/// Removes what runs left whose process is gone. The lock is asked too: a process on another machine, or in another
+/// container, has a number that means nothing here.
+void sweep(const fs::path& target) {
+  std::error_code ignored;
+  std::vector<fs::path> stale;
+  for (fs::directory_iterator entry(target, ignored), end; !ignored && entry != end; entry.increment(ignored)) {
+    const std::string name = entry->path().filename().string();
+    if (!name.starts_with(prefix)) continue;
+    const std::string number = name.substr(prefix.size(), name.find('-', prefix.size()) - prefix.size());
+    const auto process = base::parse_number(number);
+    if (!process || !(*process >= 1.0) || *process > 1e9) continue;
+    if (::kill(static_cast<pid_t>(*process), 0) == 0 || errno != ESRCH) continue;
+    stale.push_back(entry->path());
+  }
+  for (const fs::path& folder : stale) {
+    const int own = lock(folder);
+    if (own < 0) continue;
+    fs::remove_all(folder, ignored);
+    ::close(own);
+  }
+}
+
 }  // namespace
 
 base::Result<void> check_writable(const fs::path& file) {
@@ -73,14 +111,19 @@ base::Result<Staging> Staging::open(const fs::path& target, TargetFolder mode) {
   if (!exists) {
     DOBRA_TRY(staging.created_, make_folders(staging.target_));
   }
-  const fs::path folder = staging.target_ / fmt::format(".staging-{}-{}", ::getpid(), count++);
+  sweep(staging.target_);
+  const fs::path folder = staging.target_ / fmt::format("{}{}-{}", prefix, ::getpid(), count++);
   if (::mkdir(folder.c_str(), 0777) != 0) return io::cannot_write(staging.target_, errno);
   staging.folder_ = folder;
+  staging.lock_ = lock(folder);
   return staging;
 }
 
 Staging::Staging(Staging&& other) noexcept
-    : target_(std::move(other.target_)), folder_(std::move(other.folder_)), created_(std::move(other.created_)) {
+    : target_(std::move(other.target_)),
+      folder_(std::move(other.folder_)),
+      lock_(std::exchange(other.lock_, -1)),
+      created_(std::move(other.created_)) {
   other.folder_.clear();
   other.created_.clear();
 }
@@ -88,6 +131,7 @@ Staging::Staging(Staging&& other) noexcept
 Staging::~Staging() {
   std::error_code ignored;
   if (!folder_.empty()) fs::remove_all(folder_, ignored);
+  if (lock_ >= 0) ::close(lock_);
   // Folders that hold something, as after commit(), stay.
   for (auto path = created_.rbegin(); path != created_.rend(); ++path) ::rmdir(path->c_str());
 }

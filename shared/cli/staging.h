@@ -1,6 +1,7 @@
 #pragma once
 // Results are first written into a hidden folder inside their target folder and moved in when all of them are there, so
-// that a run that fails, is interrupted or fills the disk leaves the target as it was.
+// that a run that fails, is interrupted or fills the disk leaves the target as it was. Hidden folders that killed runs
+// left are removed by the next one.
 
 #include <filesystem>
 #include <string>
@@ -42,6 +43,7 @@ class Staging {
   Staging() = default;
   std::filesystem::path target_;
   std::filesystem::path folder_;
+  int lock_ = -1;  ///< Of the folder, as long as this process lives.
   std::vector<std::filesystem::path>
       created_;  ///< Target and its parents, as far as they were made here; the deepest last.
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "shared/base/parallel.h"
+#include "shared/fem/mixed.h"
 
 namespace dobra::fem {
 namespace {
@@ -129,11 +130,11 @@ void add_springs(const ElementMesh& mesh, const Problem& problem, BlockMatrix& m
       add_foundation(mesh, problem, spring, matrix);
       continue;
     }
-    const auto nodes = find_nodes(mesh, spring.where).value();
-    for (const mesh::NodeId node : nodes) {
+    const Shares shares = find_shares(mesh, spring.where).value();
+    for (const mesh::NodeId node : shares.nodes) {
       Block& block = block_at(matrix, node.index(), node.index());
-      block[0] += spring.x;
-      block[3] += spring.y;
+      block[0] += shares.each * spring.x;
+      block[3] += shares.each * spring.y;
     }
   }
 }
@@ -155,9 +156,25 @@ void add_body_force(const ElementMesh& mesh, const Materials& materials, const B
   }
 }
 
+bool mixed_stiffness(const ElementGeometry& element, const Material& material, std::span<Block> blocks) {
+  for (const Shape& shape : shapes_at(element.type, Rule::Curved)) {
+    if (!(map(element.points(), shape).determinant > 0.0)) return false;
+  }
+  const MixedElement mixed(element, material);
+  std::size_t k = 0;
+  for (std::size_t a = 0; a < element.count; ++a) {
+    for (std::size_t b = a; b < element.count; ++b, ++k)
+      blocks[k] = {mixed.stiffness(2 * a, 2 * b), mixed.stiffness(2 * a, 2 * b + 1), mixed.stiffness(2 * a + 1, 2 * b),
+                   mixed.stiffness(2 * a + 1, 2 * b + 1)};
+  }
+  return true;
+}
+
 }  // namespace
 
 bool element_stiffness(const ElementGeometry& element, const Material& material, std::span<Block> blocks) {
+  if (mesh::is_quadratic(element.type) && nearly_incompressible(material))
+    return mixed_stiffness(element, material, blocks);
   const Elasticity d = elasticity(material);
   const Rule rule = stiffness_rule(element);
   const auto points = integration_points(element.type, rule);
@@ -246,8 +263,9 @@ std::vector<Vector> load_vector(const ElementMesh& mesh, const Problem& problem,
     add_side_load(mesh, problem.materials, find_sides(mesh, side.where).value(), side.traction, forces);
   for (const BodyForce& body : load.bodies) add_body_force(mesh, problem.materials, body, forces);
   for (const PointLoad& point : load.points) {
-    const auto nodes = find_nodes(mesh, point.where).value();
-    for (const mesh::NodeId node : nodes) forces[node.index()] = forces[node.index()] + point.force;
+    const Shares shares = find_shares(mesh, point.where).value();
+    for (const mesh::NodeId node : shares.nodes)
+      forces[node.index()] = forces[node.index()] + shares.each * point.force;
   }
   return forces;
 }

@@ -10,6 +10,7 @@
 
 #include "shared/fem/assemble.h"
 #include "shared/fem/exact_fields.h"
+#include "shared/fem/hot_spots.h"
 
 namespace dobra::fem {
 namespace {
@@ -235,6 +236,11 @@ Gradient turned(const Gradient& g, const TipFrame& frame) {
   return {component(e1, e1), component(e1, e2), component(e2, e1), component(e2, e2)};
 }
 
+Voigt turned(const Voigt& s, const TipFrame& frame) {
+  const Gradient turned_stress = turned(Gradient{s[0], s[2], s[2], s[1]}, frame);
+  return {turned_stress[0], turned_stress[3], turned_stress[1]};
+}
+
 /// (s_ij u_i,1 - w d_1j) q,j for stresses s and gradients g.
 double flux(const Voigt& s, const Gradient& g, double w, Vector dq) {
   return (s[0] * g[0] + s[2] * g[2] - w) * dq.x + (s[2] * g[0] + s[1] * g[2]) * dq.y;
@@ -250,7 +256,7 @@ constexpr std::array<TipLoad, 3> auxiliary{TipLoad::Opening, TipLoad::Sliding, T
 
 void add_element(const ElementGeometry& element, const TipFrame& frame, const LoadCase& load, std::int32_t region,
                  const std::array<double, most_nodes>& q, std::span<const Vector> u, Integrals& sum) {
-  const Elasticity d = elasticity(frame.material);
+  const ElementSolution solution(element, frame.material, u);
   const auto points = integration_points(element.type, Rule::Curved);
   const auto shapes = shapes_at(element.type, Rule::Curved);
   for (std::size_t g = 0; g < points.size(); ++g) {
@@ -263,8 +269,8 @@ void add_element(const ElementGeometry& element, const TipFrame& frame, const Lo
       slope = slope + q[a] * Vector{m.d_x[a], m.d_y[a]};
     }
     const Vector dq = frame.local(slope);
-    const Gradient own = turned(gradient_at(element, m, u), frame);
-    const Voigt stress = stress_of(d, strain_of(own));
+    const Gradient own = turned(solution.gradient(m), frame);
+    const Voigt stress = turned(solution.stress(m), frame);
     Vector force;
     for (const BodyForce& body : load.bodies) {
       if (!body.region || *body.region == region) force = force + frame.local(body.force(m.at));
@@ -455,8 +461,8 @@ base::Result<Contour> contour_of(const TipFrame& frame, std::optional<double> ou
   if (radius > frame.room)
     return bad(
         frame,
-        fmt::format("the contour of radius {:.4g} m leaves the straight end of the crack, or meets a boundary or another "
-                    "material: at most {:.4g}",
+        fmt::format("the contour of radius {:.4g} m leaves the straight end of the crack, or meets a boundary, another "
+                    "material or a force at a point: at most {:.4g}",
                     radius, frame.room));
   if (radius < 2.0 * frame.length)
     return bad(frame,
@@ -571,11 +577,12 @@ base::Result<TipResult> tip_result(const ElementMesh& mesh, const Problem& probl
 
 std::vector<TipResult> crack_tips(const ElementMesh& mesh, const Problem& problem, const LoadCase& load,
                                   std::span<const Vector> u, std::optional<double> outer) {
-  const auto frames = tip_frames(mesh, problem.materials);
+  auto frames = tip_frames(mesh, problem.materials);
   const std::vector<mesh::ElementSide> boundary = surroundings_of(mesh, problem.materials).boundary;
   std::vector<TipResult> results;
   for (std::size_t t = 0; t < frames.size(); ++t) {
     const mesh::CrackTip& tip = mesh.tips[t];
+    if (frames[t]) frames[t]->room = std::min(frames[t]->room, distance_to_force(mesh, problem, tip.node));
     auto own = frames[t] ? tip_result(mesh, problem, load, *frames[t], boundary, u, outer) : frames[t].error();
     if (own) {
       results.push_back(*std::move(own));

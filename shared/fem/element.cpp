@@ -130,6 +130,13 @@ Shape shape_at(ElementType type, double xi, double eta) {
   return {};
 }
 
+std::array<double, 2> reference_node(ElementType type, std::size_t i) {
+  constexpr std::array<std::array<double, 2>, 6> triangle{{{0, 0}, {1, 0}, {0, 1}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}}};
+  constexpr std::array<std::array<double, 2>, 8> square{
+      {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}}};
+  return mesh::corner_count(type) == 3 ? triangle[i] : square[i];
+}
+
 std::span<const IntegrationPoint> integration_points(ElementType type, Rule rule) { return table(type, rule).points; }
 std::span<const Shape> shapes_at(ElementType type, Rule rule) { return table(type, rule).shapes; }
 

@@ -32,6 +32,9 @@ struct Shape {
 };
 Shape shape_at(ElementType type, double xi, double eta);
 
+/// Reference coordinates of node i.
+std::array<double, 2> reference_node(ElementType type, std::size_t i);
+
 /// What a rule is for.
 enum class Rule : std::uint8_t {
   Straight,  ///< Stiffness of an element with straight sides and mid-sides in their middle: exact with the fewest

@@ -26,12 +26,13 @@ ErrorEstimate estimate_error(const mesh::ElementMesh& mesh, const Materials& mat
         const ElementGeometry element = geometry_of(mesh, e);
         const Material& material = materials.at(mesh.regions[e]);
         const Elasticity d = elasticity(material);
+        const ElementSolution solution(element, material, u);
         const auto points = integration_points(element.type, Rule::Curved);
         const auto shapes = shapes_at(element.type, Rule::Curved);
         Sums sum;
         for (std::size_t g = 0; g < points.size(); ++g) {
           const Mapped m = map(element.points(), shapes[g]);
-          const Voigt own = stress_at(element, d, m, u);
+          const Voigt own = solution.stress(m);
           const double weight = m.determinant * points[g].weight * material.thickness;
           if (std::any_of(left_out.begin(), left_out.end(), [&](const Disc& disc) { return disc.holds(m.at); })) {
             sum.left_out += weight * energy_product(d, own, own);

@@ -26,4 +26,7 @@ std::vector<HotSpot> hot_spots(const mesh::ElementMesh& mesh, const Problem& pro
                                const RecoveredStress& recovered, const ErrorEstimate& estimate,
                                std::span<const SingularVertex> singular, std::span<const Disc> left_out = {});
 
+/// From a node to the nearest other one with a force of its own, m: of a load, support or spring at a point, or a tie.
+double distance_to_force(const mesh::ElementMesh& mesh, const Problem& problem, mesh::NodeId node);
+
 }  // namespace dobra::fem

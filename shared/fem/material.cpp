@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "shared/base/text.h"
+#include "shared/fem/mixed.h"
 
 namespace dobra::fem {
 
@@ -17,11 +18,11 @@ base::Result<void> check(const Material& material, const std::string& name) {
     return wrong(fmt::format("Young's modulus is {}; it must be positive", base::number_text(young)));
   if (!(thickness > 0.0) || !std::isfinite(thickness))
     return wrong(fmt::format("the thickness is {}; it must be positive", base::number_text(thickness)));
-  if (state == PlaneState::Strain && !(poisson > -1.0 && poisson < 0.5))
+  if (state == PlaneState::Strain && !(poisson > -1.0 && poisson <= most_poisson))
     return wrong(fmt::format(
-        "Poisson's ratio is {}; plane strain needs -1 < nu < 0.5 (an incompressible material cannot be analysed "
+        "Poisson's ratio is {}; plane strain needs -1 < nu <= {} (an incompressible material cannot be analysed "
         "by displacements)",
-        base::number_text(poisson)));
+        base::number_text(poisson), most_poisson));
   if (state == PlaneState::Stress && !(poisson > -1.0 && poisson <= 0.5))
     return wrong(fmt::format("Poisson's ratio is {}; it must be above -1 and at most 0.5", base::number_text(poisson)));
   return {};

@@ -88,7 +88,11 @@ base::Result<std::vector<double>> new_sizes(const ElementMesh& mesh, const Error
   std::vector<double> sizes(count);
   for (std::size_t i = 0; i < count; ++i) {
     const double now = element_size(mesh, i);
-    sizes[i] = now * std::clamp(factors[i], options.least_factor, options.most_factor);
+    const bool singular_one = exponents[i] < (mesh::is_quadratic(mesh.types[i]) ? 2.0 : 1.0);
+    // The equal rule asks for far too little there at once.
+    const bool far = singular_one && options.rule == SizeRule::Optimal;
+    const double least = far ? options.least_factor * options.least_factor : options.least_factor;
+    sizes[i] = now * std::clamp(factors[i], least, options.most_factor);
     if (options.max_size > 0.0) sizes[i] = std::min(sizes[i], options.max_size);
     sizes[i] = std::max(sizes[i], options.min_size);
   }

@@ -19,7 +19,7 @@ enum class SizeRule : std::uint8_t {
 struct NewSizeOptions {
   double target = 0.05;  ///< eta asked for, 0..1.
   SizeRule rule = SizeRule::Optimal;
-  double least_factor = 0.25;  ///< Of the present size, in one step.
+  double least_factor = 0.25;  ///< Of the present size, in one step; its square near a singular vertex.
   double most_factor = 2.0;
   double min_size = 0.0;   ///< m; 0: none.
   double max_size = 0.0;   ///< m; 0: none.

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "shared/base/text.h"
+#include "shared/fem/mixed.h"
 
 namespace dobra::fem {
 namespace {
@@ -35,7 +36,15 @@ base::Result<void> check_materials(const ElementMesh& mesh, const Problem& probl
     DOBRA_TRY_VOID(check(material, name));
   }
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    if (problem.materials.contains(mesh.regions[e])) continue;
+    if (const auto found = problem.materials.find(mesh.regions[e]); found != problem.materials.end()) {
+      if (mesh::is_quadratic(mesh.types[e]) || !nearly_incompressible(found->second)) continue;
+      const geom::Point at = mesh.points[mesh.nodes[mesh.first[e]].index()];
+      return Error{ErrorCode::InvalidOption,
+                   fmt::format("elements of first order lock in plane strain with Poisson's ratio {}, and their stresses "
+                               "mean nothing: mesh with order = \"2\" (above {})",
+                               base::number_text(found->second.poisson), mixed_above),
+                   Place{.item = "materials", .x = at.x, .y = at.y}};
+    }
     const auto named = mesh.region_names.find(mesh.regions[e]);
     const geom::Point at = mesh.points[mesh.nodes[mesh.first[e]].index()];
     return Error{ErrorCode::InvalidOption,
@@ -68,6 +77,12 @@ base::Result<std::vector<mesh::NodeId>> find_nodes(const ElementMesh& mesh, cons
     return unknown(mesh, where, "curve or point", true);
   }
   return std::vector<mesh::NodeId>(nodes.begin(), nodes.end());
+}
+
+base::Result<Shares> find_shares(const ElementMesh& mesh, const std::string& where) {
+  DOBRA_TRY(auto nodes, find_nodes(mesh, where));
+  const double each = mesh.node_sets.contains(where) ? 1.0 / static_cast<double>(nodes.size()) : 1.0;
+  return Shares{std::move(nodes), each};
 }
 
 base::Result<std::vector<Tie>> equal_displacement(const ElementMesh& mesh, const std::string& where, Axis axis) {

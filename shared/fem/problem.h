@@ -27,7 +27,7 @@ struct Support {
 
 /// What the stiffness of a spring counts for.
 enum class SpringKind : std::uint8_t {
-  EachNode,    ///< N/m at each node of the set.
+  EachNode,    ///< N/m at each node of a side set; of a node set in all, as a force.
   Foundation,  ///< N/m3: a bed along the sides of the set.
 };
 
@@ -68,8 +68,8 @@ struct SideLoad {
   Traction traction;
 };
 struct PointLoad {
-  std::string where;   ///< A node set; each of its nodes gets the whole force.
-  geom::Vector force;  ///< N
+  std::string where;   ///< A node set, or a side set.
+  geom::Vector force;  ///< N: of a node set in all, of a side set at each node.
 };
 struct BodyForce {
   std::optional<std::int32_t> region = std::nullopt;    ///< All if none.
@@ -96,6 +96,15 @@ struct Problem {
 base::Result<std::vector<mesh::ElementSide>> find_sides(const mesh::ElementMesh& mesh, const std::string& where);
 /// The nodes of a node set, or of the sides of a side set, ascending.  @error InvalidOption with a suggestion.
 base::Result<std::vector<mesh::NodeId>> find_nodes(const mesh::ElementMesh& mesh, const std::string& where);
+
+/// Where a force or a spring acts, and the part of it that each node takes. A point is one place: where a crack gave it
+/// several nodes they share in equal parts. Each node of a side set takes the whole.
+struct Shares {
+  std::vector<mesh::NodeId> nodes;
+  double each = 1.0;
+};
+/// @error as find_nodes
+base::Result<Shares> find_shares(const mesh::ElementMesh& mesh, const std::string& where);
 
 /// Every region has a material, the materials make sense, all names exist, stiffnesses are not negative.
 /// @error InvalidOption naming what is wrong, with the place of an element where a material is missing.

@@ -95,12 +95,12 @@ void Recovery::sample(const Materials& materials, std::span<const Vector> u) {
       mesh_.element_count(),
       [&](std::size_t e) {
         const ElementGeometry element = geometry_of(mesh_, e);
-        const Elasticity d = elasticity(materials.at(mesh_.regions[e]));
+        const ElementSolution solution(element, materials.at(mesh_.regions[e]), u);
         const auto shapes = shapes_at(element.type, Rule::Sample);
         for (std::size_t g = 0; g < shapes.size(); ++g) {
           const Mapped m = map(element.points(), shapes[g]);
           samples_.points[samples_.first[e] + g] = m.at;
-          samples_.stresses[samples_.first[e] + g] = stress_at(element, d, m, u);
+          samples_.stresses[samples_.first[e] + g] = solution.stress(m);
         }
       },
       grain);

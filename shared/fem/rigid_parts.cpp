@@ -164,6 +164,7 @@ base::Result<void> Motions::judge_group(const std::vector<std::size_t>& members,
     double norm = 0.0;
     for (const auto& [part, values] : *row)
       norm = std::max({norm, std::abs(values[0]), std::abs(values[1]), std::abs(values[2])});
+    if (norm == 0.0) continue;  // between two nodes at one place: rigid motions do not feel it
     for (const auto& [part, values] : *row) {
       for (Eigen::Index i = 0; i < 3; ++i)
         stack(used, column.at(part) + i) = values[static_cast<std::size_t>(i)] / norm;

@@ -142,13 +142,14 @@ struct Samples {
   std::vector<Voigt> recovered;
 };
 
-void add_samples(Samples& samples, const ElementMesh& mesh, const Elasticity& d, std::size_t e,
+void add_samples(Samples& samples, const ElementMesh& mesh, const Material& material, std::size_t e,
                  std::span<const Vector> u, const RecoveredStress& recovered) {
   const ElementGeometry element = geometry_of(mesh, e);
+  const ElementSolution solution(element, material, u);
   for (const Shape& shape : shapes_at(element.type, Rule::Sample)) {
     const Mapped m = map(element.points(), shape);
     samples.points.push_back(m.at);
-    samples.stresses.push_back(stress_at(element, d, m, u));
+    samples.stresses.push_back(solution.stress(m));
     Voigt smooth{};
     for (std::size_t a = 0; a < element.count; ++a) {
       for (std::size_t k = 0; k < 3; ++k) smooth[k] += m.n[a] * recovered.at_element_nodes[mesh.first[e] + a][k];
@@ -237,7 +238,7 @@ std::vector<SingularZone> singular_zones(const ElementMesh& mesh, const Material
     Samples all;
     for (std::size_t ring = 1; ring < rings.size(); ++ring) {
       for (const std::uint32_t e : rings[ring]) {
-        if (mesh.regions[e] == region) add_samples(all, mesh, d, e, u, recovered);
+        if (mesh.regions[e] == region) add_samples(all, mesh, material, e, u, recovered);
       }
     }
     const bool quadratic = mesh::is_quadratic(mesh.types[rings[0].front()]);
@@ -249,7 +250,7 @@ std::vector<SingularZone> singular_zones(const ElementMesh& mesh, const Material
       for (const std::uint32_t e : rings[ring]) {
         if (mesh.regions[e] != region) continue;
         elements.push_back(e);
-        add_samples(own, mesh, d, e, u, recovered);
+        add_samples(own, mesh, material, e, u, recovered);
       }
       if (!nearer(zone, d, own)) break;
       zone.elements.insert(zone.elements.end(), elements.begin(), elements.end());

@@ -70,7 +70,7 @@ void Worker::start(DocumentPtr document) {
     const auto now = Clock::now();
     if (now - *last_report < least_time_between_reports) return;
     *last_report = now;
-    const QString said = QString::fromStdString(what);
+    const QString said = QString::fromStdString(what).trimmed();
     QMetaObject::invokeMethod(this, [this, fraction, said] { emit progress(fraction, said); }, Qt::QueuedConnection);
   });
   QMetaObject::invokeMethod(bench_, [this, document = std::move(document), listener] {

@@ -75,31 +75,37 @@ std::optional<double> nastran_value(std::string text) {
   return base::parse_number(text);
 }
 
+/// Cards in small fields, those in large ones that would lose something.
 class Writer {
  public:
-  explicit Writer(BdfField field) : large_(field == BdfField::Large) {}
-
   void card(const std::string& name, const std::vector<std::string>& fields) {
-    const std::size_t width = large_ ? 16 : 8;
-    const std::size_t a_line = large_ ? 4 : 8;
-    text += fmt::format("{:<8}", large_ ? name + '*' : name);
+    const auto is_long = [](const std::string& field) { return field.size() > small; };
+    const bool large = std::any_of(fields.begin(), fields.end(), is_long);
+    const std::size_t width = large ? 16 : small;
+    const std::size_t a_line = large ? 4 : 8;
+    text += fmt::format("{:<8}", large ? name + '*' : name);
     for (std::size_t i = 0; i < fields.size(); ++i) {
       if (i > 0 && i % a_line == 0) {
         trim();
-        text += fmt::format("\n{:<8}", large_ ? "*" : "+");
+        text += fmt::format("\n{:<8}", large ? "*" : "+");
       }
       text += fmt::format("{:<{}}", fields[i], width);
     }
     trim();
     text += '\n';
   }
-  [[nodiscard]] std::string number(double value) const { return bdf_number(value, large_ ? 16 : 8); }
+  /// As short as it can be: what a large field holds of the value.
+  [[nodiscard]] static std::string number(double value) {
+    std::string whole = bdf_number(value, 16);
+    std::string brief = bdf_number(value, small);
+    return nastran_value(brief) == nastran_value(whole) ? brief : whole;
+  }
 
   std::string text;
 
  private:
+  static constexpr std::size_t small = 8;
   void trim() { text.erase(text.find_last_not_of(' ') + 1); }
-  bool large_;
 };
 
 }  // namespace
@@ -109,10 +115,10 @@ std::string bdf_number(double value, std::size_t width) {
   return rounded(nastran_value(once).value_or(value), width);
 }
 
-Result<std::string> bdf_text(const ElementMesh& mesh, BdfField field) {
+Result<std::string> bdf_text(const ElementMesh& mesh) {
   DOBRA_TRY_VOID(check_writable(mesh));
   DOBRA_TRY_VOID(check_names(mesh, "\r\n", "a .bdf", "one without line ends"));
-  Writer writer(field);
+  Writer writer;
   const std::set<std::int32_t> tags(mesh.regions.begin(), mesh.regions.end());
   std::map<std::int32_t, std::size_t> number;
   for (const std::int32_t tag : tags) {
@@ -150,8 +156,8 @@ Result<std::string> bdf_text(const ElementMesh& mesh, BdfField field) {
   return std::move(writer.text);
 }
 
-Result<void> write_bdf(const std::string& path, const ElementMesh& mesh, BdfField field) {
-  return write_text(path, bdf_text(mesh, field));
+Result<void> write_bdf(const std::string& path, const ElementMesh& mesh) {
+  return write_text(path, bdf_text(mesh));
 }
 
 namespace {

@@ -86,18 +86,22 @@ struct Survey {
   StatedConvention stated;
 };
 
-// Of $INSUNITS; 0 and 6 (metres) say nothing that has to be done.
+// Of $INSUNITS.
 void note_unit(std::string_view value, StatedConvention& stated) {
-  if (value == "2") stated.unit = 0.3048;
-  if (value == "6") stated.unit = 1.0;
-  if (value == "7") stated.unit = 1000.0;
-  constexpr std::string_view known[] = {"0", "2", "6", "7"};
-  if (std::find(std::begin(known), std::end(known), value) != std::end(known)) return;
-  const char* name = value == "1" ? " (inches)" : value == "4" ? " (millimetres)" : "";
-  stated.questions.push_back(
-      {Question::About::Unit, fmt::format("the drawing gives $INSUNITS = {}{}, which many programs write by "
-                                          "themselves; say what one unit is: unit = m, km or ft (--unit)",
-                                          shown(value), name)});
+  if (value == "0") return;  // unitless
+  constexpr std::pair<std::string_view, double> known[] = {{"6", 1.0},    {"1", 0.0254},   {"2", 0.3048},
+                                                           {"4", 0.001},  {"5", 0.01},     {"7", 1000.0},
+                                                           {"10", 0.9144}, {"14", 0.1},     {"3", 1609.344}};
+  const auto has_value = [&](const auto& own) { return own.first == value; };
+  const auto* unit = std::find_if(std::begin(known), std::end(known), has_value);
+  if (unit != std::end(known)) {
+    stated.unit = unit->second;
+    return;
+  }
+  stated.questions.push_back({Question::About::Unit,
+                              fmt::format("the drawing gives $INSUNITS = {}, a unit that is not known here; say what "
+                                          "one unit is: unit = m, km, ft, in, cm or mm (--unit)",
+                                          shown(value))});
 }
 
 // Judges the whole text.
@@ -176,7 +180,8 @@ bool is_level_zero(const std::vector<double>& heights) {
 
 class DrawingReader {
  public:
-  DrawingReader(const std::string& file, Heights heights) : file_(file), heights_(heights) {}
+  DrawingReader(const std::string& file, Heights heights, Faulty faulty)
+      : file_(file), heights_(heights), faulty_(faulty) {}
 
   // Adds the lines of one entity.
   Result<void> add(const OGRFeature& source) {
@@ -212,9 +217,7 @@ class DrawingReader {
     features_.stated = found.stated;
     const bool flat = std::all_of(features_.features.begin(), features_.features.end(),
                                   [](const Feature& f) { return f.heights.empty() || is_level_zero(f.heights[0]); });
-    for (Feature& feature : features_.features) {
-      if (flat) DOBRA_TRY_VOID(drop_heights(feature));
-    }
+    if (flat) DOBRA_TRY_VOID(drop_heights(features_, faulty_));
     return std::move(features_);
   }
 
@@ -225,19 +228,23 @@ class DrawingReader {
     feature.source = Place{.file = file_, .item = item};
     const bool has_heights = !is_level_zero(feature.heights[0]);
     if (heights_ == Heights::Drop) feature.heights.clear();
-    const Result<std::size_t> repeated = normalise(feature, {0});
+    const Result<std::size_t> repeated =
+        faulty_ == Faulty::Refuse
+            ? normalise(feature, {0})
+            : normalise_sound(feature, {0}, fmt::format("{}: {}", file_, item), features_.remarks);
     if (!repeated) return base::located(repeated.error(), feature.source);
     const auto say = [&](const std::string& what) {
       features_.remarks.push_back(fmt::format("{}: {}: {} dropped", file_, item, what));
     };
     if (has_heights && heights_ == Heights::Drop) say("third coordinates");
     if (*repeated > 0) say(fmt::format("{} repeated {}", *repeated, *repeated == 1 ? "point" : "points"));
-    features_.features.push_back(std::move(feature));
+    if (!feature.parts.empty()) features_.features.push_back(std::move(feature));
     return {};
   }
 
   std::string file_;
   Heights heights_;
+  Faulty faulty_;
   std::size_t number_ = 0;
   std::map<std::string, std::size_t> used_;
   std::map<std::string, std::size_t> left_out_;
@@ -246,7 +253,7 @@ class DrawingReader {
 
 }  // namespace
 
-Result<Features> parse_dxf(std::string_view text, const std::string& file, Heights heights) {
+Result<Features> parse_dxf(std::string_view text, const std::string& file, Heights heights, Faulty faulty) {
   DOBRA_TRY_VOID(check_text(text, file));
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   DOBRA_TRY(const Survey found, survey(text, file));
@@ -273,7 +280,7 @@ Result<Features> parse_dxf(std::string_view text, const std::string& file, Heigh
   const GDALDatasetUniquePtr data(
       GDALDataset::Open(memory.name(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, drivers));
   if (!data || messages.failure) return not_read();
-  DrawingReader reader(file, heights);
+  DrawingReader reader(file, heights, faulty);
   for (OGRLayer* layer : data->GetLayers()) {
     layer->ResetReading();
     while (const OGRFeatureUniquePtr source{layer->GetNextFeature()}) DOBRA_TRY_VOID(reader.add(*source));

@@ -21,11 +21,13 @@ inline constexpr std::string_view read_as_chords = "arcs or splines read as chor
 /// entities, and those whose last point repeats the first, are Polygons of one anticlockwise contour; the others are
 /// Lines in the order of drawing. Heights (an elevation too) are kept where one is not 0, or dropped. A remark says
 /// what was dropped: third coordinates, repeated points, entities that are no lines (texts, points, hatches, ...).
-/// `stated` says the unit of $INSUNITS, and asks where it is none of m, km and ft.
+/// `stated` says the unit of $INSUNITS, and asks where it is none of mm, cm, dm, m, km, in, ft, yd and mi.
 /// @error EmptyFile; BadFormat with the line: binary, a group code or a coordinate that is no number, the end missing
 ///        (a file cut short), no section ENTITIES; NotFinite, DegenerateCurve: the place's item is the entity.
 /// @cost  O(file size).
-base::Result<Features> parse_dxf(std::string_view text, const std::string& file, Heights heights = Heights::Drop);
+/// @param faulty  Skip: degenerate entities are left out with a remark.
+base::Result<Features> parse_dxf(std::string_view text, const std::string& file, Heights heights = Heights::Drop,
+                                 Faulty faulty = Faulty::Refuse);
 /// @error FileNotFound, NotAFile, CannotRead, and those of parse_dxf.
 base::Result<Features> read_dxf(const std::string& path, Heights heights = Heights::Drop);
 

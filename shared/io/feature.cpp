@@ -129,6 +129,34 @@ Result<std::size_t> normalise(Feature& feature, const std::vector<std::size_t>& 
   return dropped;
 }
 
+Result<std::size_t> normalise_sound(Feature& feature, const std::vector<std::size_t>& ring_of_polygon,
+                                    const std::string& where, std::vector<std::string>& remarks) {
+  const std::vector<Polyline> parts = std::move(feature.parts);
+  const std::vector<std::vector<double>> heights = std::move(feature.heights);
+  feature.parts.clear();
+  feature.heights.clear();
+  std::size_t dropped = 0;
+  bool contour_gone = false;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::size_t ring = feature.type == FeatureType::Polygons ? ring_of_polygon[i] : 0;
+    if (ring > 0 && contour_gone) continue;
+    Feature one{.type = feature.type, .parts = {parts[i]}};
+    if (!heights.empty()) one.heights = {heights[i]};
+    const Result<std::size_t> repeated = normalise(one, {ring});
+    if (!repeated && repeated.error().code != ErrorCode::DegenerateCurve) return repeated.error();
+    if (ring == 0) contour_gone = !repeated;
+    if (!repeated) {
+      const std::string which = parts.size() > 1 ? fmt::format(": part {}", i + 1) : std::string{};
+      remarks.push_back(fmt::format("{}{}: {}; left out", where, which, base::to_string(repeated.error())));
+      continue;
+    }
+    dropped += *repeated;
+    feature.parts.push_back(std::move(one.parts[0]));
+    if (!heights.empty()) feature.heights.push_back(std::move(one.heights[0]));
+  }
+  return dropped;
+}
+
 std::string open_rings(const Feature& feature) {
   if (feature.type != FeatureType::Polygons) return {};
   std::vector<const Polyline*> open;
@@ -156,6 +184,21 @@ Result<void> drop_heights(Feature& feature) {
   const std::vector<std::size_t> rings = rings_of(feature);
   feature.heights.clear();
   DOBRA_TRY_VOID(normalise(feature, rings));
+  return {};
+}
+
+Result<void> drop_heights(Features& features, Faulty faulty) {
+  for (Feature& feature : features.features) {
+    if (feature.heights.empty()) continue;
+    if (faulty == Faulty::Refuse) {
+      if (auto dropped = drop_heights(feature); !dropped) return base::located(dropped.error(), feature.source);
+      continue;
+    }
+    const std::vector<std::size_t> rings = rings_of(feature);
+    feature.heights.clear();
+    DOBRA_TRY_VOID(normalise_sound(feature, rings, where(feature.source), features.remarks));
+  }
+  if (faulty == Faulty::Skip) std::erase_if(features.features, [](const Feature& f) { return f.parts.empty(); });
   return {};
 }
 
@@ -191,6 +234,11 @@ std::vector<Feature> rings_apart(std::span<const Feature> features) {
     }
   }
   return apart;
+}
+
+std::string where(const Place& place) {
+  if (place.line > 0) return fmt::format("{}:{}", place.file, place.line);
+  return place.item.empty() ? place.file : fmt::format("{}: {}", place.file, place.item);
 }
 
 std::string item_of(std::size_t number, const Feature& feature) {

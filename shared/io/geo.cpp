@@ -68,6 +68,9 @@ class Parser : private GeoExpressions {
     if (word == "EndFor") return end_for(start);
     if (word == "If") return begin_if();
     if (word == "Else" || word == "ElseIf" || word == "EndIf") return end_branch(start);
+    if (word == "Function" || word == "Macro") return define(start);
+    if (word == "Call") return call();
+    if (word == "Return") return return_from(start);
     constexpr std::array ignored{"Transfinite", "Recombine", "SetFactory", "Coherence",         "Color",
                                  "Hide",        "Show",      "Printf",     "Geometry.Tolerance"};
     if (std::find(ignored.begin(), ignored.end(), word) != ignored.end() || word.starts_with("Mesh.") ||
@@ -77,6 +80,7 @@ class Parser : private GeoExpressions {
                         "the OpenCASCADE kernel is not supported; use SetFactory(\"Built-in\") or export the mesh");
       return leave_out(start);
     }
+    if (is("[") && !is("]", 1)) return assign_item(start);
     if (is("=") || is("+=") || is("-=") || is("*=") || is("/=") || ((is("[") || is("(")) && (is("]", 1) || is(")", 1))))
       return assign(start);
     if (is("++") || is("--")) {
@@ -87,7 +91,7 @@ class Parser : private GeoExpressions {
     }
     return error_at(start, fmt::format("the statement {} is not supported; what is read: points, curves, loops, plane "
                                        "surfaces, physical groups, sizes, "
-                                       "Transfinite, variables, For, If",
+                                       "Transfinite, variables, For, If, macros",
                                        shown(word)));
   }
 
@@ -123,6 +127,26 @@ class Parser : private GeoExpressions {
     if (op == "*=") target *= value;
     if (op == "/=") target /= value;
     if (!std::isfinite(target)) return error_at(name, "the variable has no finite value");
+    return expect(";");
+  }
+
+  /// "list[i] = value;": a list grows to hold it.
+  Result<void> assign_item(const GeoToken& name) {
+    DOBRA_TRY_VOID(expect("["));
+    DOBRA_TRY(const double number, expression());
+    DOBRA_TRY_VOID(expect("]"));
+    const bool adds = is("+=");
+    if (!take("+=")) DOBRA_TRY_VOID(expect("="));
+    DOBRA_TRY(const double value, expression());
+    constexpr double most = 1e6;
+    if (!(number >= 0.0) || number >= most || number != std::floor(number))
+      return error_at(name, "the number of an item of a list is a whole one from 0 on");
+    auto& list = lists_[name.text];
+    const auto i = static_cast<std::size_t>(number);
+    if (i >= list.size()) DOBRA_TRY_VOID(spend(number));
+    if (i >= list.size()) list.resize(i + 1, 0.0);
+    list[i] = adds ? list[i] + value : value;
+    if (!std::isfinite(list[i])) return error_at(name, "the item has no finite value");
     return expect(";");
   }
 
@@ -367,6 +391,51 @@ class Parser : private GeoExpressions {
     return error("an If has no EndIf");
   }
 
+  // --- macros
+  struct Call {
+    std::size_t back;  ///< Token behind it.
+    std::size_t loops, ifs;
+  };
+
+  /// "Function name ... Return" or "Macro ...": carried out where it is called.
+  Result<void> define(const GeoToken& start) {
+    if (token().kind != Kind::Word && token().kind != Kind::Text)
+      return error(fmt::format("the name of a macro is due here, not {}", found()));
+    const std::string name = token().text;
+    macros_[name] = ++at_;
+    while (!is("Return") && token().kind != Kind::End) ++at_;
+    if (!take("Return")) return error_at(start, fmt::format("this {} has no Return", start.text));
+    return {};
+  }
+
+  Result<void> call() {
+    const GeoToken name = token();
+    ++at_;
+    DOBRA_TRY_VOID(expect(";"));
+    const auto macro = macros_.find(name.text);
+    if (macro == macros_.end()) {
+      std::vector<std::string> names;
+      for (const auto& [own, begin] : macros_) names.push_back(own);
+      return error_at(name, fmt::format("there is no macro {}{}", shown(name.text), base::did_you_mean(name.text, names)));
+    }
+    if (calls_.size() >= deepest) return error_at(name, "macros call each other too deeply");
+    calls_.push_back({at_, loops_.size(), open_ifs_});
+    at_ = macro->second;
+    return {};
+  }
+
+  Result<void> return_from(const GeoToken& start) {
+    if (calls_.empty()) return error_at(start, "this Return has no Function or Macro");
+    const Call own = calls_.back();
+    if (loops_.size() < own.loops || open_ifs_ < own.ifs)
+      return error_at(start, "this macro ends a For or an If that began outside it");
+    at_ = own.back;
+    loops_.erase(loops_.begin() + static_cast<std::ptrdiff_t>(own.loops), loops_.end());
+    open_ifs_ = own.ifs;
+    calls_.pop_back();
+    return {};
+  }
+
   // --- at the end
   Result<void> check() const {
     if (geo_.curves.empty()) return error("the file holds no curve");
@@ -385,6 +454,8 @@ class Parser : private GeoExpressions {
     return {};
   }
 
+  std::map<std::string, std::size_t> macros_;  ///< First token of each.
+  std::vector<Call> calls_;
   std::vector<Loop> loops_;
   std::size_t open_ifs_ = 0;
   std::vector<GeoToken> group_places_;

@@ -1,6 +1,6 @@
 #pragma once
 // gmsh's geometry files (.geo), built-in kernel, plane: points, lines, circle and ellipse arcs, splines, loops, plane
-// surfaces, physical groups, sizes, divisions; variables, lists and arithmetic; For and If. Source: [gmsh-manual].
+// surfaces, physical groups, sizes, divisions; variables, lists and arithmetic; For, If and macros. Source: [gmsh-manual].
 
 #include <array>
 #include <cstdint>
@@ -48,7 +48,7 @@ struct GeoFile {
 };
 
 /// @error FileNotFound, NotAFile, CannotRead, EmptyFile; BadFormat with line and column for what is wrong or not
-///        supported (volumes, extrusions, the OpenCASCADE kernel, macros, includes).
+///        supported (volumes, extrusions, the OpenCASCADE kernel, includes).
 /// @cost  linear, loops counted as often as they run; at most ten million steps.
 base::Result<GeoFile> read_geo(const std::string& path);
 base::Result<GeoFile> parse_geo(std::string_view text, const std::string& file);

@@ -16,14 +16,16 @@ namespace dobra::io {
 /// features without geometry, repeated points and, unless they are kept, third coordinates are dropped with a remark.
 /// @error EmptyFile; BadFormat: not JSON (line and column), not GeoJSON, an unsupported geometry; NotFinite,
 ///        DegenerateCurve; the place's item is the feature: "feature 3 'top'". @cost O(file size).
-base::Result<Features> parse_geojson(std::string_view text, const std::string& file,
-                                     Heights heights = Heights::Drop);
+/// @param faulty  Skip: degenerate parts and collections are left out with a remark.
+base::Result<Features> parse_geojson(std::string_view text, const std::string& file, Heights heights = Heights::Drop,
+                                     Faulty faulty = Faulty::Refuse);
 /// @error FileNotFound, NotAFile, CannotRead, and those of parse_geojson.
 base::Result<Features> read_geojson(const std::string& path, Heights heights = Heights::Drop);
 
 /// A FeatureCollection, one feature a line, every digit and the heights kept. MULTI forms only where there is more than one part.
+/// @param system  written as the member "crs" of older GeoJSON, which QGIS reads, if it has a code.
 /// @error NotFinite
-base::Result<std::string> geojson(std::span<const Feature> features);
+base::Result<std::string> geojson(std::span<const Feature> features, const ReferenceSystem* system = nullptr);
 /// @error NotFinite, CannotWrite
 base::Result<void> write_geojson(const std::string& path, std::span<const Feature> features);
 

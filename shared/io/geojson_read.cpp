@@ -31,6 +31,10 @@ namespace {
 struct SyntaxCheck : nlohmann::json_sax<nlohmann::json> {
   explicit SyntaxCheck(std::size_t text_size) : size(text_size) {}
   std::size_t size;
+  int objects = 0;  // that are open
+  int arrays = 0;
+  std::size_t ids = 0;         // of features
+  bool states_system = false;  // else OGR takes longitudes and latitudes
   std::size_t offset = 0;  // of the word that offends
   bool at_end = false;
   bool null() override { return true; }
@@ -40,11 +44,16 @@ struct SyntaxCheck : nlohmann::json_sax<nlohmann::json> {
   bool number_float(number_float_t, const string_t&) override { return true; }
   bool string(string_t&) override { return true; }
   bool binary(binary_t&) override { return true; }
-  bool start_object(std::size_t) override { return true; }
-  bool key(string_t&) override { return true; }
-  bool end_object() override { return true; }
-  bool start_array(std::size_t) override { return true; }
-  bool end_array() override { return true; }
+  bool start_object(std::size_t) override { return ++objects, true; }
+  bool key(string_t& word) override {
+    // A feature lies in the array of the root, or is the root.
+    states_system = states_system || (objects == 1 && word == "crs");
+    if (word == "id" && (objects == 1 || (objects == 2 && arrays == 1))) ++ids;
+    return true;
+  }
+  bool end_object() override { return --objects, true; }
+  bool start_array(std::size_t) override { return ++arrays, true; }
+  bool end_array() override { return --arrays, true; }
   bool parse_error(std::size_t position, const std::string& last_token, const nlohmann::detail::exception&) override {
     // A number out of range is refused behind its last digit; the place is its first one.
     const bool number = last_token.find_first_not_of("0123456789+-.eE") == std::string::npos;
@@ -54,9 +63,9 @@ struct SyntaxCheck : nlohmann::json_sax<nlohmann::json> {
   }
 };
 
-Result<void> check_syntax(std::string_view text, const std::string& file) {
+Result<SyntaxCheck> check_syntax(std::string_view text, const std::string& file) {
   SyntaxCheck check(text.size());
-  if (nlohmann::json::sax_parse(text.begin(), text.end(), &check)) return {};
+  if (nlohmann::json::sax_parse(text.begin(), text.end(), &check)) return check;
   const Place place = place_of_byte(text, check.at_end ? text.size() : check.offset, file);
   if (check.at_end) {
     return Error{ErrorCode::BadFormat, "not valid JSON: the file ends too early; it may have been cut short", place};
@@ -68,15 +77,21 @@ Result<void> check_syntax(std::string_view text, const std::string& file) {
 }
 
 Result<Features> read_features(GDALDataset& data, const GdalMessages& messages, const std::string& file,
-                               Heights heights) {
+                               Heights heights, Faulty faulty, const SyntaxCheck& syntax) {
   Features result;
   std::size_t number = 0;
   for (OGRLayer* layer : data.GetLayers()) {
+    if (syntax.states_system) result.stated.system = reference_system(layer->GetSpatialRef());
+    // Words as ids are fields; OGR numbers what has no id.
+    const bool numbered =
+        layer->GetLayerDefn()->GetFieldIndex("id") < 0 && syntax.ids == static_cast<std::size_t>(layer->GetFeatureCount());
     layer->ResetReading();
     while (const OGRFeatureUniquePtr source{layer->GetNextFeature()}) {
       ++number;
       if (messages.failure) break;
-      DOBRA_TRY_VOID(add_ogr_feature(*source, number, file, heights, result));
+      const std::size_t before = result.features.size();
+      DOBRA_TRY_VOID(add_ogr_feature(*source, number, file, heights, faulty, result));
+      if (numbered && result.features.size() > before) result.features.back().id = source->GetFID();
     }
   }
   if (messages.failure) {
@@ -91,10 +106,10 @@ Result<Features> read_features(GDALDataset& data, const GdalMessages& messages, 
 
 }  // namespace
 
-Result<Features> parse_geojson(std::string_view text, const std::string& file, Heights heights) {
+Result<Features> parse_geojson(std::string_view text, const std::string& file, Heights heights, Faulty faulty) {
   DOBRA_TRY_VOID(check_text(text, file));
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  DOBRA_TRY_VOID(check_syntax(text, file));
+  DOBRA_TRY(const SyntaxCheck syntax, check_syntax(text, file));
   static std::once_flag registered;
   std::call_once(registered, [] { RegisterOGRGeoJSON(); });
   const GdalMessages messages;
@@ -109,7 +124,7 @@ Result<Features> parse_geojson(std::string_view text, const std::string& file, H
                              messages.failure ? " (" + *messages.failure + ")" : std::string{}),
                  Place{.file = file}};
   }
-  return read_features(*data, messages, file, heights);
+  return read_features(*data, messages, file, heights, faulty, syntax);
 }
 
 Result<Features> read_geojson(const std::string& path, Heights heights) {

@@ -97,8 +97,13 @@ Result<std::string> properties_text(const Feature& feature) {
 
 }  // namespace
 
-Result<std::string> geojson(std::span<const Feature> features) {
-  std::string text = "{\"type\":\"FeatureCollection\",\"features\":[";
+Result<std::string> geojson(std::span<const Feature> features, const ReferenceSystem* system) {
+  std::string text = "{\"type\":\"FeatureCollection\",";
+  if (const std::size_t colon = system == nullptr ? std::string::npos : system->code.find(':'); colon != std::string::npos) {
+    const std::string urn = "urn:ogc:def:crs:" + system->code.substr(0, colon) + "::" + system->code.substr(colon + 1);
+    text += fmt::format(R"("crs":{{"type":"name","properties":{{"name":{}}}}},)", string_text(urn));
+  }
+  text += "\"features\":[";
   for (std::size_t i = 0; i < features.size(); ++i) {
     const std::string item = fmt::format("feature {} {}", i + 1, shown(features[i].name));
     for (const Polyline& part : features[i].parts) DOBRA_TRY_VOID(check_finite(part.points, item));

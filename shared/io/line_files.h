@@ -59,6 +59,7 @@ struct LineOptions {
   double exaggeration = 1.0;                             ///< Heights are stored this many times too large, > 0.
   std::vector<KindRule> kinds = {};  ///< Kinds by names; the first rule that fits goes before what the file says.
   RepairOptions repair = {};
+  Faulty faulty = Faulty::Refuse;  ///< Skip: as the readers of text, WKT, GeoJSON, DXF and OGR do it.
 };
 
 struct LineWork {
@@ -67,6 +68,7 @@ struct LineWork {
   std::optional<Trace> trace = std::nullopt;  ///< Of 3D lines that were laid into their plane.
   YDirection y_direction = YDirection::Up;    ///< As it was taken.
   double unit = 1.0;                          ///< As it was taken, m.
+  std::optional<ReferenceSystem> system = std::nullopt;  ///< As the file states it; not applied.
   std::vector<Repair> repairs;
   std::vector<std::string> remarks;  ///< What was changed, left out or taken from the file, one line each.
 };
@@ -83,6 +85,8 @@ struct LineWriteOptions {
   /// Section: two coordinates. Map: three, on the trace, or on the plane y = 0 without one. Detect: Map for MOVE and
   /// GOCAD, which have no other, else Section.
   Coordinates coordinates = Coordinates::Detect;
+  /// Kept in GeoJSON (with a code), Shapefile and GeoPackage; for coordinates that are still those of the file.
+  const ReferenceSystem* system = nullptr;
 };
 
 /// The text of a format that is text. Adds a remark for what the format cannot hold.

@@ -128,8 +128,11 @@ Result<Features> features_of_text(std::string_view given, const std::string& fil
     feature.parts.push_back(std::move(read.lines[i]));
     if (!read.heights.empty()) feature.heights.push_back(std::move(read.heights[i]));
     if (!read.extras.empty()) feature.extras.push_back(std::move(read.extras[i]));
-    if (auto normal = normalise(feature, {0}); !normal) return base::located(normal.error(), feature.source);
-    features.features.push_back(std::move(feature));
+    const auto normal = options.faulty == Faulty::Refuse
+                            ? normalise(feature, {0})
+                            : normalise_sound(feature, {0}, where(feature.source), features.remarks);
+    if (!normal) return base::located(normal.error(), feature.source);
+    if (!feature.parts.empty()) features.features.push_back(std::move(feature));
   }
   return features;
 }
@@ -293,6 +296,7 @@ Result<void> turn_up(std::vector<Feature>& features, const LineOptions& options,
 Result<LineWork> finish(Features raw, const std::string& file, LineFormat format, const LineOptions& options) {
   LineWork work;
   work.format = format;
+  work.system = std::move(raw.stated.system);
   work.remarks = std::move(raw.remarks);
   if (raw.features.empty()) {
     return Error{ErrorCode::BadFormat, "there is no line, polygon or point in the file", Place{.file = file}};
@@ -309,9 +313,9 @@ Result<LineWork> finish(Features raw, const std::string& file, LineFormat format
   }
   if (!map && has_heights(raw)) {
     if (!is_flat(raw)) work.remarks.push_back(fmt::format("{}: third coordinates dropped", file));
-    for (Feature& feature : raw.features) {
-      if (auto dropped = drop_heights(feature); !dropped) return base::located(dropped.error(), feature.source);
-    }
+    raw.remarks = std::move(work.remarks);
+    DOBRA_TRY_VOID(drop_heights(raw, options.faulty));
+    work.remarks = std::move(raw.remarks);
   }
   work.y_direction = options.y_direction.value_or(raw.stated.y_direction.value_or(YDirection::Up));
   if (!options.y_direction && work.y_direction == YDirection::Down) {
@@ -349,11 +353,11 @@ Result<Features> parse_format(LineFormat format, std::string_view text, const st
     case LineFormat::Text:
       return features_of_text(text, file, options);
     case LineFormat::Wkt:
-      return parse_wkt(text, file);
+      return parse_wkt(text, file, options.faulty);
     case LineFormat::GeoJson:
-      return parse_geojson(text, file, Heights::Keep);
+      return parse_geojson(text, file, Heights::Keep, options.faulty);
     case LineFormat::Dxf:
-      return parse_dxf(text, file, Heights::Keep);
+      return parse_dxf(text, file, Heights::Keep, options.faulty);
     case LineFormat::MoveAscii:
       return parse_move_ascii(text, file);
     case LineFormat::Gocad:
@@ -392,7 +396,7 @@ Result<LineWork> read_any_lines(const std::string& path, const LineOptions& opti
   DOBRA_TRY_VOID(check_readable(path));
   DOBRA_TRY(const LineFormat format, chosen_format(path, options.format));
   if (format == LineFormat::Shapefile || format == LineFormat::GeoPackage) {
-    DOBRA_TRY(Features raw, read_ogr_file(path));
+    DOBRA_TRY(Features raw, read_ogr_file(path, options.faulty));
     return finish(std::move(raw), path, format, options);
   }
   DOBRA_TRY(const std::string text, read_text(path));

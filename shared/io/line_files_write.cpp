@@ -172,14 +172,15 @@ void remark_losses(std::span<const Feature> features, LineFormat format, std::ve
   }
 }
 
-Result<std::string> text_in(LineFormat format, std::span<const Feature> features, bool map) {
+Result<std::string> text_in(LineFormat format, std::span<const Feature> features, bool map,
+                            const ReferenceSystem* system) {
   switch (format) {
     case LineFormat::Text:
       return text_of(features, map);
     case LineFormat::Wkt:
       return wkt(features);
     case LineFormat::GeoJson:
-      return geojson(features);
+      return geojson(features, system);
     case LineFormat::Dxf:
       return dxf(features);
     case LineFormat::MoveAscii:
@@ -215,7 +216,7 @@ Result<std::string> lines_text(const LineWork& work, const LineWriteOptions& opt
   const LineFormat format = options.format.value_or(work.format);
   DOBRA_TRY(const std::vector<Feature> features, prepared(work, format, options));
   remark_losses(work.features, format, remarks);
-  return text_in(format, features, !features.empty() && !features[0].heights.empty());
+  return text_in(format, features, !features.empty() && !features[0].heights.empty(), options.system);
 }
 
 Result<void> write_any_lines(const std::string& path, const LineWork& work, const LineWriteOptions& options,
@@ -231,7 +232,11 @@ Result<void> write_any_lines(const std::string& path, const LineWork& work, cons
     return write_file(path, *text);
   }
   DOBRA_TRY(const std::vector<Feature> features, prepared(work, format, chosen));
-  return format == LineFormat::Shapefile ? write_shapefile(path, features) : write_geopackage(path, features);
+  DOBRA_TRY(const std::vector<std::string> told, format == LineFormat::Shapefile
+                                                     ? write_shapefile(path, features, chosen.system)
+                                                     : write_geopackage(path, features, chosen.system));
+  remarks.insert(remarks.end(), told.begin(), told.end());
+  return {};
 }
 
 }  // namespace dobra::io

@@ -165,6 +165,16 @@ void set_kinds(std::vector<Feature>& features, const std::vector<KindRule>& rule
   }
 }
 
+std::string stated_unit(const Feature& feature) {
+  for (const char* const key : {"piece_of", "unit", "formation"}) {
+    for (const auto& [name, value] : feature.properties) {
+      const auto* text = std::get_if<std::string>(&value);
+      if (name == key && text != nullptr && !text->empty()) return *text;
+    }
+  }
+  return {};
+}
+
 Result<void> check_kinds(const std::vector<Feature>& features) {
   for (std::size_t i = 0; i < features.size(); ++i) {
     const Feature& feature = features[i];

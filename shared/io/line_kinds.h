@@ -35,4 +35,7 @@ void set_kinds(std::vector<Feature>& features, const std::vector<KindRule>& rule
 /// @error BadFormat: the first feature whose kind is none, with file and line, and a suggestion.
 base::Result<void> check_kinds(const std::vector<Feature>& features);
 
+/// What a feature says that it is a piece of: its property piece_of, unit or formation; empty if nothing.
+std::string stated_unit(const Feature& feature);
+
 }  // namespace dobra::io

@@ -1,5 +1,6 @@
 #include "shared/io/ogr_features.h"
 
+#include <cpl_conv.h>
 #include <fmt/format.h>
 #include <ogrsf_frmts.h>
 
@@ -100,8 +101,24 @@ void add_part(const OGRSimpleCurve& curve, Heights heights, Feature& feature) {
   for (int i = 0; i < count; ++i) kept.push_back(curve.getZ(i));
 }
 
+std::optional<ReferenceSystem> reference_system(const OGRSpatialReference* system) {
+  if (system == nullptr || system->GetName() == nullptr) return std::nullopt;
+  ReferenceSystem made;
+  made.name = system->GetName();
+  if (made.name == "Undefined geographic SRS" || made.name == "Undefined Cartesian SRS") return std::nullopt;
+  char* text = nullptr;
+  const char* const options[] = {"FORMAT=WKT2", nullptr};
+  if (system->exportToWkt(&text, options) == OGRERR_NONE && text != nullptr) made.wkt = text;
+  CPLFree(text);
+  const char* const authority = system->GetAuthorityName(nullptr);
+  const char* const code = system->GetAuthorityCode(nullptr);
+  if (authority != nullptr && code != nullptr) made.code = fmt::format("{}:{}", authority, code);
+  made.degrees = system->IsGeographic() != 0;
+  return made;
+}
+
 Result<void> add_ogr_feature(const OGRFeature& source, std::size_t number, const std::string& file, Heights heights,
-                             Features& result) {
+                             Faulty faulty, Features& result) {
   Feature feature;
   add_properties(source, feature);
   feature.source = Place{.file = file, .item = item_of(number, feature)};
@@ -114,14 +131,21 @@ Result<void> add_ogr_feature(const OGRFeature& source, std::size_t number, const
   const bool three_dimensional = geometry->Is3D();
   std::vector<std::size_t> rings;
   auto added = add_parts(*geometry, three_dimensional ? heights : Heights::Drop, feature, rings);
+  if (!added && faulty == Faulty::Skip) {
+    result.remarks.push_back(fmt::format("{}: {}: {}; left out", file, place.item, added.error().message));
+    return {};
+  }
   if (!added) return base::located(added.error(), place);
   if (three_dimensional && heights == Heights::Drop) {
     result.remarks.push_back(fmt::format("{}: {}: third coordinates dropped", file, place.item));
   }
   if (const std::string open = open_rings(feature); !open.empty())
     result.remarks.push_back(fmt::format("{}: {}: {}", file, place.item, open));
-  const Result<std::size_t> repeated = normalise(feature, rings);
+  const Result<std::size_t> repeated =
+      faulty == Faulty::Refuse ? normalise(feature, rings)
+                               : normalise_sound(feature, rings, fmt::format("{}: {}", file, place.item), result.remarks);
   if (!repeated) return base::located(repeated.error(), place);
+  if (feature.parts.empty()) return {};
   if (*repeated > 0) {
     result.remarks.push_back(fmt::format("{}: {}: {} repeated {} dropped", file, place.item, *repeated,
                                          *repeated == 1 ? "point" : "points"));

@@ -8,6 +8,7 @@
 
 class OGRFeature;
 class OGRSimpleCurve;
+class OGRSpatialReference;
 
 namespace dobra::io {
 
@@ -17,8 +18,12 @@ void add_part(const OGRSimpleCurve& curve, Heights heights, Feature& feature);
 /// Adds one OGR feature to `result`, or a remark where it has no geometry. Its fields name and kind (capitals or not)
 /// are the name and the kind, the others properties.
 /// @param number  its number in the file, from 1.
-/// @error BadFormat (a geometry that is not read), and those of normalise; the place's item is the feature.
+/// @error BadFormat (a geometry that is not read), and those of normalise; the place's item is the feature. With
+///        Faulty::Skip what is so is left out with a remark.
 base::Result<void> add_ogr_feature(const OGRFeature& source, std::size_t number, const std::string& file,
-                                   Heights heights, Features& result);
+                                   Heights heights, Faulty faulty, Features& result);
+
+/// What a system of OGR is to us; nothing for none, and for GeoPackage's words for none.
+std::optional<ReferenceSystem> reference_system(const OGRSpatialReference* system);
 
 }  // namespace dobra::io

@@ -40,14 +40,14 @@ void register_drivers() {
 void note_system(OGRLayer& layer, StatedConvention& stated) {
   const OGRSpatialReference* system = layer.GetSpatialRef();
   if (system == nullptr) return;
-  const char* name = system->GetName();
-  if (system->IsGeographic() != 0) {
-    if (name != nullptr && EQUAL(name, "Undefined geographic SRS")) return;  // GeoPackage's word for none
+  const std::optional<ReferenceSystem> named = reference_system(system);
+  if (!named) return;
+  if (named->degrees) {
     stated.questions.push_back(
         {Question::About::Coordinates,
          fmt::format("the coordinates are in degrees ({}); project the file first, or say that they are section "
                      "coordinates all the same: coordinates = section (--coordinates section)",
-                     name == nullptr ? "unnamed" : name)});
+                     named->name)});
     return;
   }
   const double unit = system->GetLinearUnits(nullptr);
@@ -165,18 +165,23 @@ void set_field(OGRFeature& made, int field, const PropertyValue& value) {
 }
 
 void write_layer(GDALDataset& data, const std::string& name, std::span<const Feature> features, FeatureType type,
-                 bool shapefile) {
+                 bool shapefile, const ReferenceSystem* stated, std::vector<std::string>& remarks) {
   // A GeoPackage layer without a system would be taken for one in degrees.
-  OGRSpatialReference plane;
-  plane.SetLocalCS("Undefined Cartesian SRS");
-  OGRLayer* layer =
-      data.CreateLayer(name.c_str(), shapefile ? nullptr : &plane, ogr_type(type, shapefile, has_heights(features)));
+  OGRSpatialReference system;
+  const bool known = stated != nullptr && system.importFromWkt(stated->wkt.c_str()) == OGRERR_NONE;
+  if (!known) system.SetLocalCS("Undefined Cartesian SRS");
+  system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  OGRLayer* layer = data.CreateLayer(name.c_str(), shapefile && !known ? nullptr : &system,
+                                     ogr_type(type, shapefile, has_heights(features)));
   if (layer == nullptr) return;  // the reason is in the messages
   const std::vector<FieldPlan> plan = fields_of(features, type);
   for (const FieldPlan& field : plan) {
     OGRFieldDefn definition(field.key.c_str(), field.type);
     if (field.type == OFTReal && shapefile) definition.SetWidth(24), definition.SetPrecision(15);
     if (layer->CreateField(&definition) != OGRERR_NONE) return;
+    const OGRFeatureDefn& made = *layer->GetLayerDefn();
+    const std::string written = made.GetFieldDefn(made.GetFieldCount() - 1)->GetNameRef();
+    if (written != field.key) remarks.push_back(fmt::format("field {} is called {}", shown(field.key), shown(written)));
   }
   for (const Feature& feature : features) {
     if (feature.type != type || is_empty(feature)) continue;
@@ -221,8 +226,9 @@ class Aside {
   std::filesystem::path folder_;
 };
 
-Result<void> write_with(const char* driver_name, const std::string& path, std::span<const Feature> features,
-                        const std::vector<FeatureType>& types) {
+Result<std::vector<std::string>> write_with(const char* driver_name, const std::string& path,
+                                            std::span<const Feature> features, const std::vector<FeatureType>& types,
+                                            const ReferenceSystem* system) {
   DOBRA_TRY_VOID(check_features(features));
   register_drivers();
   const std::filesystem::path target(path);
@@ -233,12 +239,14 @@ Result<void> write_with(const char* driver_name, const std::string& path, std::s
   };
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(driver_name);
   const std::string file = (aside.folder() / target.filename()).string();
+  std::vector<std::string> remarks;
   {
     const GDALDatasetUniquePtr data(driver->Create(file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
     if (!data) return failed(messages.failure.value_or("no reason was given"));
     const bool shapefile = std::string_view(driver_name) == "ESRI Shapefile";
     for (const FeatureType type : types) {
-      write_layer(*data, shapefile ? target.stem().string() : layer_name(type), features, type, shapefile);
+      write_layer(*data, shapefile ? target.stem().string() : layer_name(type), features, type, shapefile, system,
+                  remarks);
     }
   }  // closed here: only then is everything written
   if (messages.failure) return failed(*messages.failure);
@@ -247,7 +255,7 @@ Result<void> write_with(const char* driver_name, const std::string& path, std::s
     std::filesystem::rename(entry.path(), target.parent_path() / entry.path().filename(), problem);
     if (problem) return failed(problem.message());
   }
-  return {};
+  return remarks;
 }
 
 std::vector<FeatureType> types_in(std::span<const Feature> features) {
@@ -261,7 +269,7 @@ std::vector<FeatureType> types_in(std::span<const Feature> features) {
 
 }  // namespace
 
-Result<Features> read_ogr_file(const std::string& path) {
+Result<Features> read_ogr_file(const std::string& path, Faulty faulty) {
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) {
     return Error{ErrorCode::FileNotFound, "there is no such file", Place{.file = path}};
@@ -279,20 +287,28 @@ Result<Features> read_ogr_file(const std::string& path) {
   if (!data || messages.failure) return not_read();
   Features result;
   std::size_t number = 0;
+  std::vector<std::optional<ReferenceSystem>> systems;
+  const bool numbered = EQUAL(data->GetDriverName(), "GPKG");  // the records of a Shapefile have places, no numbers
   for (OGRLayer* layer : data->GetLayers()) {
     note_system(*layer, result.stated);
+    systems.push_back(reference_system(layer->GetSpatialRef()));
     layer->ResetReading();
     while (const OGRFeatureUniquePtr source{layer->GetNextFeature()}) {
       if (messages.failure) break;
-      DOBRA_TRY_VOID(add_ogr_feature(*source, ++number, path, Heights::Keep, result));
+      const std::size_t before = result.features.size();
+      DOBRA_TRY_VOID(add_ogr_feature(*source, ++number, path, Heights::Keep, faulty, result));
+      if (numbered && result.features.size() > before) result.features.back().id = source->GetFID();
     }
   }
+  if (!systems.empty() && std::all_of(systems.begin(), systems.end(), [&](const auto& s) { return s == systems[0]; }))
+    result.stated.system = systems[0];
   if (messages.failure) return not_read();
   for (const std::string& warning : messages.warnings) result.remarks.push_back(fmt::format("{}: {}", path, warning));
   return result;
 }
 
-Result<void> write_shapefile(const std::string& path, std::span<const Feature> features) {
+Result<std::vector<std::string>> write_shapefile(const std::string& path, std::span<const Feature> features,
+                                                 const ReferenceSystem* system) {
   const std::vector<FeatureType> types = types_in(features);
   if (types.size() > 1) {
     return Error{ErrorCode::InvalidOption,
@@ -300,11 +316,13 @@ Result<void> write_shapefile(const std::string& path, std::span<const Feature> f
                  "them one by one (--only lines), or a GeoPackage",
                  Place{.file = path}};
   }
-  return write_with("ESRI Shapefile", path, features, types);
+  return write_with("ESRI Shapefile", path, features, types.empty() ? std::vector{FeatureType::Polygons} : types, system);
 }
 
-Result<void> write_geopackage(const std::string& path, std::span<const Feature> features) {
-  return write_with("GPKG", path, features, types_in(features));
+Result<std::vector<std::string>> write_geopackage(const std::string& path, std::span<const Feature> features,
+                                                  const ReferenceSystem* system) {
+  const std::vector<FeatureType> types = types_in(features);
+  return write_with("GPKG", path, features, types.empty() ? std::vector{FeatureType::Polygons} : types, system);
 }
 
 }  // namespace dobra::io

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <optional>
 
 #include "shared/base/text.h"
 #include "shared/io/file.h"
@@ -32,17 +33,22 @@ constexpr std::array kinds{
     Kind{"LINESTRING", FeatureType::Lines, false}, Kind{"MULTILINESTRING", FeatureType::Lines, true},
     Kind{"POLYGON", FeatureType::Polygons, false}, Kind{"MULTIPOLYGON", FeatureType::Polygons, true}};
 
+constexpr std::array<std::string_view, 9> not_read{"GEOMETRYCOLLECTION", "CIRCULARSTRING",    "COMPOUNDCURVE",
+                                                   "CURVEPOLYGON",       "MULTICURVE",        "MULTISURFACE",
+                                                   "TRIANGLE",           "POLYHEDRALSURFACE", "TIN"};
+
 class Reader {
  public:
-  Reader(std::string_view text, const std::string& file) : text_(text), file_(file) {
+  Reader(std::string_view text, const std::string& file, Faulty faulty) : text_(text), file_(file), faulty_(faulty) {
     if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;
   }
 
   Result<Features> run() {
     Features result;
     while (skip_blanks(), at_ < text_.size()) {
-      DOBRA_TRY(Feature feature, geometry());
-      result.features.push_back(std::move(feature));
+      ++number_;
+      DOBRA_TRY(std::optional<Feature> feature, geometry());
+      if (feature) result.features.push_back(*std::move(feature));
       skip_blanks();
       if (peek() == ';') ++at_;
     }
@@ -52,6 +58,7 @@ class Reader {
           fmt::format("{}: third and further coordinates of {} points dropped", file_, dropped_coordinates_));
     }
     if (repeated_ > 0) result.remarks.push_back(fmt::format("{}: {} repeated points dropped", file_, repeated_));
+    result.remarks.insert(result.remarks.end(), left_out_.begin(), left_out_.end());
     return result;
   }
 
@@ -92,12 +99,29 @@ class Reader {
     return result;
   }
 
-  Result<Feature> geometry() {
+  /// Passes over "(...)", whatever stands in it.
+  Result<void> pass_over() {
+    DOBRA_TRY_VOID(take('('));
+    for (int depth = 1; depth > 0; ++at_) {
+      if (at_ >= text_.size()) return expected("')'");
+      depth += text_[at_] == '(' ? 1 : text_[at_] == ')' ? -1 : 0;
+    }
+    return {};
+  }
+
+  /// Nothing where it is left out.
+  Result<std::optional<Feature>> geometry() {
     const Place start = here();
     const std::string name = word();
     const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const Kind& k) { return k.word == name; });
     if (kind == kinds.end()) {
       if (name.empty()) return expected("a geometry such as LINESTRING");
+      if (const bool known = std::find(not_read.begin(), not_read.end(), name) != not_read.end();
+          known && faulty_ == Faulty::Skip) {
+        DOBRA_TRY_VOID(pass_over());
+        left_out_.push_back(fmt::format("{}: {} is not read; left out", here_is(start), name));
+        return std::optional<Feature>();
+      }
       std::vector<std::string> names;
       for (const Kind& k : kinds) names.emplace_back(k.word);
       return Error{ErrorCode::BadFormat,
@@ -110,16 +134,22 @@ class Reader {
     std::size_t before = at_;
     std::string flag = word();
     if (flag == "Z" || flag == "M" || flag == "ZM") before = at_, flag = word();
-    if (flag == "EMPTY") return feature;
+    if (flag == "EMPTY") return std::optional(std::move(feature));
     at_ = before;
     std::vector<std::size_t> ring_of_polygon;
     if (auto read = body(*kind, feature, ring_of_polygon); !read) return read.error();
     if (const std::string open = open_rings(feature); !open.empty())
       open_.push_back(fmt::format("{}:{}: {}", file_, start.line, open));
-    Result<std::size_t> repeated = normalise(feature, ring_of_polygon);
+    const Result<std::size_t> repeated = faulty_ == Faulty::Refuse
+                                             ? normalise(feature, ring_of_polygon)
+                                             : normalise_sound(feature, ring_of_polygon, here_is(start), left_out_);
     if (!repeated) return base::located(repeated.error(), start);
     repeated_ += *repeated;
-    return feature;
+    if (feature.parts.empty()) return std::optional<Feature>();
+    return std::optional(std::move(feature));
+  }
+  [[nodiscard]] std::string here_is(const Place& start) const {
+    return fmt::format("{}: geometry {}", where(start), number_);
   }
 
   Result<void> body(const Kind& kind, Feature& feature, std::vector<std::size_t>& ring_of_polygon) {
@@ -189,7 +219,10 @@ class Reader {
 
   std::string_view text_;
   std::string file_;
+  Faulty faulty_;
   std::size_t at_ = 0;
+  std::size_t number_ = 0;
+  std::vector<std::string> left_out_;
   std::size_t dropped_coordinates_ = 0;
   std::size_t repeated_ = 0;
   std::vector<std::string> open_;  ///< Remarks on rings that were closed.
@@ -232,9 +265,9 @@ std::string geometry_text(const Feature& feature) {
 
 }  // namespace
 
-Result<Features> parse_wkt(std::string_view text, const std::string& file) {
+Result<Features> parse_wkt(std::string_view text, const std::string& file, Faulty faulty) {
   DOBRA_TRY_VOID(check_text(text, file));
-  return Reader(text, file).run();
+  return Reader(text, file, faulty).run();
 }
 
 Result<Features> read_wkt(const std::string& path) {

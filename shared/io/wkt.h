@@ -13,7 +13,8 @@ namespace dobra::io {
 /// The geometries of a text, one after another (a ';' between them may stand). Words in any case; third and fourth
 /// coordinates (Z, M) are dropped with a remark; contours come out anticlockwise, holes clockwise.
 /// @error EmptyFile; BadFormat, NotFinite, DegenerateCurve with line and column.
-base::Result<Features> parse_wkt(std::string_view text, const std::string& file = {});
+/// @param faulty  Skip: degenerate parts, collections and curved geometries are left out with a remark.
+base::Result<Features> parse_wkt(std::string_view text, const std::string& file = {}, Faulty faulty = Faulty::Refuse);
 /// @error FileNotFound, NotAFile, CannotRead, and those of parse_wkt.
 base::Result<Features> read_wkt(const std::string& path);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <set>
 
@@ -125,6 +126,37 @@ std::vector<std::pair<NodeId, NodeId>> split_nodes(ElementMesh& mesh, const Crac
   return copies;
 }
 
+/// The nodes of a set among those of a lip, ascending.
+std::vector<NodeId> on_lip(const ElementMesh& mesh, const std::vector<NodeId>& set,
+                           const std::vector<ElementSide>& lip) {
+  std::set<NodeId> found;
+  for (const ElementSide& side : lip) {
+    for (const NodeId node : side_nodes(mesh, side)) {
+      if (std::find(set.begin(), set.end(), node) != set.end()) found.insert(node);
+    }
+  }
+  return {found.begin(), found.end()};
+}
+
+/// The lips' own nodes of named points, as sets. @pre the lips are side sets
+void name_lips_of_points(ElementMesh& mesh, std::span<const std::string> cracks, const std::set<NodeId>& opened) {
+  std::map<std::string, std::vector<NodeId>> own;
+  for (const auto& [name, nodes] : mesh.node_sets) {
+    if (std::none_of(nodes.begin(), nodes.end(), [&](NodeId node) { return opened.contains(node); })) continue;
+    std::vector<std::string> through;
+    for (const std::string& crack : cracks) {
+      const auto left = mesh.side_sets.find(crack + "_left");
+      if (left != mesh.side_sets.end() && !on_lip(mesh, nodes, left->second).empty()) through.push_back(crack);
+    }
+    for (const std::string& crack : through) {
+      const std::string prefix = through.size() > 1 ? name + "_" + crack : name;
+      for (const char* const lip : {"_left", "_right"})
+        own[prefix + lip] = on_lip(mesh, nodes, mesh.side_sets.at(crack + lip));
+    }
+  }
+  mesh.node_sets.merge(own);  // what the user gave that name keeps it
+}
+
 /// @param ahead  the end of the crack, whose node before it is `behind`.
 CrackTip make_tip(const ElementMesh& mesh, std::string name, NodeId ahead, NodeId behind) {
   return {std::move(name), ahead, geom::normalised(mesh.point(ahead) - mesh.point(behind))};
@@ -175,6 +207,7 @@ Result<ElementMesh> open_lips(ElementMesh mesh, std::span<const std::string> nam
     mesh.side_sets[name + "_left"] = left;
     mesh.side_sets[name + "_right"] = std::move(right);
   }
+  name_lips_of_points(mesh, names, opened);
   return mesh;
 }
 

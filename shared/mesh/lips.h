@@ -16,7 +16,8 @@ namespace dobra::mesh {
 /// @param cracks  names of those side sets. Each is replaced by "NAME_left" (as given) and "NAME_right" (the sides that
 ///                faced them), now boundary sides; a tip at its start or end is the node set "NAME_start", "NAME_end".
 /// @return        the mesh with as many elements and the same coordinates; copies come after the nodes there were, and
-///                a node set that held a node holds its copies too.
+///                a node set that held a node holds its copies too. Those on one lip are the sets "SET_left" and
+///                "SET_right"; where several cracks meet "SET_NAME_left" and "SET_NAME_right" of each.
 /// @error InvalidOption for a name that is no side set; CannotMesh with the place: a crack of a single edge between two
 ///        tips (nothing can open), or one that runs along the boundary; errors of check.
 /// @cost  O(n log n)

@@ -217,10 +217,10 @@ template High BaseCurve::half_tan_as<High>(std::size_t) const;
 Fill fill_of(const BaseCurve& base, std::size_t corner, const OffsetOptions& options) {
   const double t = base.half_tans[corner];
   if (options.join == Join::Round || options.join == Join::Bevel) return Fill::Arc;
-  if (options.join == Join::Bisector) return std::isinf(t) ? Fill::Tangent : Fill::Mitre;
-  const double limit = options.mitre_limit;
+  const double limit = options.tip_limit();
   if (1 + t * t <= limit * limit * (1 + 1e-14)) return Fill::Mitre;  // 1 / cos(angle / 2) <= limit
-  return options.beyond_limit == BeyondLimit::TangentBevel ? Fill::Tangent : Fill::Arc;
+  if (std::isinf(t) && options.u_turn == UTurn::ChordBevel) return Fill::Arc;
+  return options.beyond_tip_limit() == BeyondLimit::TangentBevel ? Fill::Tangent : Fill::Arc;
 }
 
 RawChain raw_chain(const BaseCurve& base, Real distance, const OffsetOptions& options, RawArcs arcs) {

@@ -28,6 +28,8 @@ namespace {
 
 constexpr int greatest_proportion = 60;  // of a distance to the curve's extent, either way, as a power of two
 constexpr int greatest_exponent = 60;     // of the extent: beyond it the engine works on a scaled curve
+/// Of coordinates and distances, m: areas must stay in the range of doubles. The reciprocal is the least extent.
+constexpr double greatest_size = 1e150;
 
 Result<void> check(const OffsetOptions& options, std::span<const double> distances) {
   const auto invalid = [](std::string message) { return Error{ErrorCode::InvalidOption, std::move(message)}; };
@@ -66,9 +68,9 @@ double chord_length(const OffsetPiece& piece) {
   return sum;
 }
 
-/// An open base keeps its longest piece.
-void keep_longest(OffsetCurve& curve, const geom::Polyline& base) {
-  if (curve.pieces.size() < 2) return;
+/// Of an open base, what the options want.
+void keep_wanted(OffsetCurve& curve, const geom::Polyline& base, Keep keep) {
+  if (keep == Keep::AllPieces || curve.pieces.size() < 2) return;
   std::vector<double> lengths;
   for (const OffsetPiece& piece : curve.pieces) lengths.push_back(chord_length(piece));
   // Arcs turn by half a turn at most: they are not 1.6 times as long as their chords.
@@ -80,7 +82,9 @@ void keep_longest(OffsetCurve& curve, const geom::Polyline& base) {
   }
   const auto best = std::ranges::max_element(lengths) - lengths.begin();
   curve.dropped = curve.pieces.size() - 1;
+  for (const OffsetPiece& piece : curve.pieces) curve.dropped_length += length(piece, base);
   OffsetPiece kept = std::move(curve.pieces[static_cast<std::size_t>(best)]);
+  curve.dropped_length -= length(kept, base);
   curve.pieces.clear();
   curve.pieces.push_back(std::move(kept));
 }
@@ -158,7 +162,7 @@ OffsetCurve treated(const Prepared& input, double distance, const OffsetOptions&
     PillsLeft left = memory.known ? memory.known->pills : all_pills(base);
     curve.pieces = monotone_offset(base, *input.forward, distance, options, left);
     if (memory.found) memory.found->pills = std::move(left);
-    keep_longest(curve, *input.curve);
+    keep_wanted(curve, *input.curve, options.keep);
     return curve;
   }
   const bool one_sided = input.simple && input.clearance->tells_sides(distance);
@@ -166,7 +170,7 @@ OffsetCurve treated(const Prepared& input, double distance, const OffsetOptions&
   Trimmer trimmer(base, *input.clearance, sides, distance, options, progress);
   curve.pieces = memory.known ? trimmer.run(*memory.known->pieces, memory.found ? &*memory.found->pieces : nullptr) : trimmer.run();
   if (input.simple) std::erase_if(curve.pieces, [](const OffsetPiece& piece) { return !piece.closed; });
-  if (!base.closed) keep_longest(curve, *input.curve);
+  if (!base.closed) keep_wanted(curve, *input.curve, options.keep);
   return curve;
 }
 
@@ -220,13 +224,32 @@ int extent_of(const geom::Polyline& curve) {
   return half > 0 && std::isfinite(half) ? std::ilogb(half) + 1 : 0;
 }
 
+/// Coordinates whose squares are no doubles are refused.
+Result<void> check_size(const geom::Polyline& curve) {
+  for (const geom::Point p : curve.points) {
+    if (!geom::is_finite(p) || std::max(std::abs(p.x), std::abs(p.y)) <= greatest_size) continue;  // not finite: prepare()
+    return Error{ErrorCode::InvalidOption, "a coordinate of the curve is beyond 1e150; use larger units",
+                 base::Place{.x = p.x, .y = p.y}};
+  }
+  const geom::Box box = curve.box();
+  const double extent = std::max(box.width(), box.height());
+  if (extent > 0 && extent < 1 / greatest_size) {
+    return Error{ErrorCode::InvalidOption, "the curve is less than 1e-150 wide; use smaller units",
+                 base::Place{.x = box.low.x, .y = box.low.y}};
+  }
+  return {};
+}
+
 /// Beyond it no double of the curve can show the base or the distance, and perturbations (high.h) come near the errors.
 Result<void> check_proportion(int extent, std::span<const double> distances) {
   for (const double d : distances) {
+    const std::string what = "an offset distance is " + base::number_text(d);
+    if (d > greatest_size || d < 1 / greatest_size) {
+      return Error{ErrorCode::InvalidOption, what + "; it must lie between 1e-150 and 1e150: use other units"};
+    }
     if (std::abs(std::ilogb(d) - extent) <= greatest_proportion) continue;
-    return Error{ErrorCode::InvalidOption,
-                 "an offset distance is " + base::number_text(d) + ", but the curve is about " +
-                     base::number_text(std::ldexp(1.0, extent)) + " wide; neither may be more than 1e18 times the other"};
+    return Error{ErrorCode::InvalidOption, what + ", but the curve is about " + base::number_text(std::ldexp(1.0, extent)) +
+                                               " wide; neither may be more than 1e18 times the other"};
   }
   return {};
 }
@@ -302,9 +325,15 @@ Result<std::vector<OffsetCurve>> offset_near_one(const geom::Polyline& curve, st
 
 }  // namespace
 
+Result<bool> meets_itself(const geom::Polyline& curve) {
+  DOBRA_TRY(const BaseCurve base, prepare(curve, Side::RightOfTravel));
+  return meets_itself(base);
+}
+
 Result<std::vector<OffsetCurve>> offset(const geom::Polyline& curve, std::span<const double> distances,
                                         const OffsetOptions& options, const base::Progress& progress) {
   DOBRA_TRY_VOID(check(options, distances));
+  DOBRA_TRY_VOID(check_size(curve));
   const int extent = extent_of(curve);
   DOBRA_TRY_VOID(check_proportion(extent, distances));
   if (std::abs(extent) <= greatest_exponent) {

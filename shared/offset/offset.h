@@ -28,15 +28,28 @@ enum class Treatment {
 /// What fills the gap on the outer side of a corner. On the inner side curves meet on the bisector in every case.
 enum class Join {
   Mitre,     ///< The bisector point up to `mitre_limit`, beyond it what `beyond_limit` says.
-  Bisector,  ///< The paper's: always the bisector point, however far (an exact U-turn, which has none, gets a bevel).
+  Bisector,  ///< The paper's: the bisector point up to `bisector_limit`, beyond it as Mitre with TangentBevel.
   Round,     ///< An arc about the corner.
   Bevel,     ///< The chord of that arc; comes nearer to the corner than D.
 };
+
+/// With Join::Bisector: greatest distance of a bisector point from its corner, in D. Farther tips lose digits (a tip L D away
+/// is known to about L^2 units in the last place of the turn), and lines to them cross each other in squared number.
+inline constexpr double bisector_limit = 1e3;
 
 enum class BeyondLimit {
   TangentBevel,  ///< Cut across at distance D from the corner: the curve keeps its distance everywhere.
   ChordBevel,    ///< As Join::Bevel.
 };
+
+/// What fills an exact U-turn, which has no bisector point, with Join::Mitre and Join::Bisector.
+enum class UTurn {
+  TangentBevel,  ///< Cut across at distance D from the corner.
+  ChordBevel,    ///< As Join::Bevel.
+};
+
+/// What of an open base is kept.
+enum class Keep { LongestPiece, AllPieces };
 
 enum class Ends {
   Paper,     ///< Only closed regions are removed, edge by edge; tails nearer than D to the base may stay at open ends.
@@ -50,8 +63,17 @@ struct OffsetOptions {
   Join join = Join::Mitre;
   double mitre_limit = 4.0;  ///< Greatest distance of a mitre from its corner, in D; at least 1.
   BeyondLimit beyond_limit = BeyondLimit::TangentBevel;
+  UTurn u_turn = UTurn::TangentBevel;
   Ends ends = Ends::Trimmed;
   double extension = 1.0;       ///< For Ends::Extended, in D; above 0.
+  Keep keep = Keep::LongestPiece;
+
+  /// Greatest distance of a bisector point from its corner, in D.
+  [[nodiscard]] double tip_limit() const { return join == Join::Bisector ? bisector_limit : mitre_limit; }
+  /// What fills a corner beyond it.
+  [[nodiscard]] BeyondLimit beyond_tip_limit() const {
+    return join == Join::Bisector ? BeyondLimit::TangentBevel : beyond_limit;
+  }
 };
 
 /// An edge of a piece: straight, parallel to a base segment (or the bevel at its end); or an arc about the segment's end.
@@ -80,12 +102,16 @@ struct OffsetPiece {
 
 struct OffsetCurve {
   double distance = 0.0;
-  /// Open base: at most one, the longest. Closed: all, in order of the first base segment in each; those round holes
+  /// Open base: at most one, the longest, unless all are kept. Closed: all, in order of the first base segment in each; those round holes
   /// between arms of the base have the opposite orientation. A closed base that crosses itself may give open ones.
   /// None where the whole curve is nearer to the base than D.
   std::vector<OffsetPiece> pieces;
-  std::size_t dropped = 0;  ///< Further pieces of an open base, left out.
+  std::size_t dropped = 0;      ///< Further pieces of an open base, left out.
+  double dropped_length = 0.0;  ///< Of these, m.
 };
+
+/// True if the curve crosses, touches or runs along itself. @error NotFinite, DegenerateCurve. @cost O(n) where it is smooth
+base::Result<bool> meets_itself(const geom::Polyline& curve);
 
 /// Curves parallel to `curve`.
 /// @param curve      segments, m; repeated points are passed over.

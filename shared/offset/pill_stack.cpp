@@ -12,10 +12,9 @@ using geom::Vector;
 Filling::Filling(const OffsetOptions& options) {
   if (options.join == Join::Round || options.join == Join::Bevel) return;
   mitre_below_ = std::numeric_limits<double>::infinity();
-  if (options.join == Join::Bisector) return;
-  const double limit = options.mitre_limit;
+  const double limit = options.tip_limit();
   if (limit < 1e150) mitre_below_ = std::sqrt(limit * limit * (1 + 1e-14) - 1);  // as fill_of says
-  if (options.beyond_limit == BeyondLimit::TangentBevel) beyond_ = Fill::Tangent;
+  if (options.beyond_tip_limit() == BeyondLimit::TangentBevel) beyond_ = Fill::Tangent;
 }
 
 namespace {

@@ -203,12 +203,13 @@ void Model::measure(const OffsetOptions& options) {
     corner.middle = halfway(along[in], corner.round_left ? -corner.half_tan : corner.half_tan);
     corner.kind = CornerKind::Inner;
     if (turn == geom::Sign::Negative) continue;
-    const long double limit = static_cast<long double>(options.mitre_limit) * static_cast<long double>(options.mitre_limit);
-    const bool within = 1 + corner.half_tan * corner.half_tan <= limit * (1 + 1e-14L);
+    const long double limit = options.tip_limit();
+    const bool within = 1 + corner.half_tan * corner.half_tan <= limit * limit * (1 + 1e-14L);
+    const bool chord = std::isinf(corner.half_tan) && options.u_turn == UTurn::ChordBevel;
     corner.kind = CornerKind::Arc;
-    if (options.join == Join::Mitre && within) corner.kind = CornerKind::Mitre;
-    if (options.join == Join::Mitre && !within && options.beyond_limit == BeyondLimit::TangentBevel) corner.kind = CornerKind::Tangent;
-    if (options.join == Join::Bisector) corner.kind = turn == geom::Sign::Zero ? CornerKind::Tangent : CornerKind::Mitre;
+    if (options.join == Join::Round || options.join == Join::Bevel) continue;
+    if (within) corner.kind = CornerKind::Mitre;
+    if (!within && !chord && options.beyond_tip_limit() == BeyondLimit::TangentBevel) corner.kind = CornerKind::Tangent;
   }
 }
 

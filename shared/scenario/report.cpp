@@ -120,7 +120,7 @@ Json verdict_json(const Verdict& verdict) {
   }
   if (expect.at_least) json["at_least"] = *expect.at_least;
   if (expect.at_most) json["at_most"] = *expect.at_most;
-  json["found"] = verdict.found ? Json(*verdict.found) : Json();
+  if (verdict.found) json["found"] = *verdict.found;
   json["met"] = verdict.met;
   return json;
 }

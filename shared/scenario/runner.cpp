@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "shared/scenario/toml_text.h"
 
@@ -76,6 +77,30 @@ base::Place step_place(const Document& document, std::size_t number) {
   return place;
 }
 
+/// @error CannotSolve naming the first number of a state that is none: reports and tables hold finite numbers only.
+base::Result<void> check_numbers(const Program& program, const State& state) {
+  const auto refuse = [](const std::string& what, double value) {
+    return Error{ErrorCode::CannotSolve,
+                 fmt::format("{} came out as {}, which is no finite number; no result is written", what, value)};
+  };
+  if (program.quantities_of) {
+    for (const Quantity& quantity : program.quantities_of(state)) {
+      if (!std::isfinite(quantity.value)) return refuse(fmt::format("'{}'", quantity.name), quantity.value);
+    }
+  }
+  if (!program.tables_of) return {};
+  for (const DataTable& table : program.tables_of(state)) {
+    for (std::size_t r = 0; r < table.rows.size(); ++r) {
+      for (std::size_t c = 0; c < table.rows[r].size(); ++c) {
+        const double* number = std::get_if<double>(&table.rows[r][c]);
+        if (number == nullptr || std::isfinite(*number)) continue;
+        return refuse(fmt::format("'{}' in row {} of the table '{}'", table.columns[c], r + 1, table.name), *number);
+      }
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 const State* Runner::recall(const std::string& key, std::uint64_t& number) {
@@ -145,7 +170,8 @@ Run Runner::run(const Document& document, const base::Progress& progress) {
     const Table si = in_si(table, fields, document.units);
     DOBRA_TRY(State state, k == 0 ? program_.read_input(si, context, part)
                                   : operation->run(run.states.back(), si, context, part));
-    remember(key, state, before);
+    DOBRA_TRY_VOID(check_numbers(program_, state));
+    if (!progress.cancelled()) remember(key, state, before);  // what an interrupted step gave is not its result
     run.states.push_back(std::move(state));
     return {};
   };

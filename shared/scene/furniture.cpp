@@ -396,6 +396,19 @@ std::vector<std::optional<geom::Box>> places_of_names(const Panel& panel, const 
   return places_of_names(names, name_reach * line, low, high);
 }
 
+void add_end_letters(const Panel& panel, const geom::Box& plot, const Font& font, const TextMeasure& measure,
+                     std::vector<Mark>& marks) {
+  for (const Anchor side : {Anchor::Left, Anchor::Right}) {
+    const std::string& text = side == Anchor::Left ? panel.left_end : panel.right_end;
+    if (text.empty()) continue;
+    TextMark mark = text_mark(text, {}, font, measure);
+    const double half = 0.5 * mark.size.width;
+    mark.at = {side == Anchor::Left ? plot.low.x + half : plot.high.x - half,
+               plot.low.y - 5.0 - 0.5 * mark.size.height()};
+    marks.push_back(std::move(mark));
+  }
+}
+
 void add_axes(const PanelLayout& place, const std::vector<Tick>& x_ticks, const std::vector<Tick>& y_ticks,
               const Font& font, const TextMeasure& measure, std::vector<Mark>& marks) {
   const geom::Box& plot = place.plot;

@@ -87,6 +87,10 @@ void add_callouts(const Panel& panel, const PanelLayout& place, const TextMeasur
 std::vector<std::optional<geom::Box>> places_of_names(const Panel& panel, const Transform& transform, double widest,
                                                       double low, double high, const TextMeasure& measure);
 
+/// The letters of a panel over the corners of its plot.
+void add_end_letters(const Panel& panel, const geom::Box& plot, const Font& font, const TextMeasure& measure,
+                     std::vector<Mark>& marks);
+
 /// Frame, ticks and tick labels of a plot. Labels stand left of it and below it.
 void add_axes(const PanelLayout& place, const std::vector<Tick>& x_ticks, const std::vector<Tick>& y_ticks,
               const Font& font, const TextMeasure& measure, std::vector<Mark>& marks);

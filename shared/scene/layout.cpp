@@ -96,7 +96,6 @@ class Arranger {
   [[nodiscard]] bool shares_x_axis(std::size_t i) const;
   [[nodiscard]] Font title_font() const { return {options_.text_size + 1.0, Weight::Bold}; }
   [[nodiscard]] double end_letters_width(const Panel& panel) const;
-  void place_end_letters(const Panel& panel, const geom::Box& plot, Layout& made) const;
   void place_panel(std::size_t i, geom::Point corner, Layout& made) const;
   void place_footer(double y, Layout& made) const;
   static void put(const Furniture& furniture, geom::Point corner, std::vector<Mark>& marks);
@@ -505,7 +504,7 @@ void Arranger::place_panel(std::size_t i, geom::Point corner, Layout& made) cons
     return std::max(corner.x, std::min(wanted, corner.x + block.width() - block.bars_width - width));
   };
   put(block.title, {centred(block.title.width), place.plot.low.y - block.title.height - 5.0}, made.marks);
-  place_end_letters(panel, place.plot, made);
+  add_end_letters(panel, place.plot, title_font(), measure_, made.marks);
   const double x_title_y = place.plot.high.y + tick_length + tick_gap + measure_("0", tick_font_).height() + tick_gap;
   put(block.x_title, {centred(block.x_title.width), x_title_y}, made.marks);
   double widest = 0.0;
@@ -516,18 +515,6 @@ void Arranger::place_panel(std::size_t i, geom::Point corner, Layout& made) cons
   put(block.y_title, {y_title_x, place.plot.centre().y - 0.5 * block.y_title.height}, made.marks);
   const ColorBars own_bars = bars(block.bars, block.plot_height);
   put(own_bars.all, {corner.x + block.width() - block.bars_width, place.plot.low.y - own_bars.title_height}, made.marks);
-}
-
-/// Over the corners of the plot.
-void Arranger::place_end_letters(const Panel& panel, const geom::Box& plot, Layout& made) const {
-  for (const bool left : {true, false}) {
-    const std::string& text = left ? panel.left_end : panel.right_end;
-    if (text.empty()) continue;
-    TextMark mark = text_mark(text, {}, title_font(), measure_);
-    const double half = 0.5 * mark.size.width;
-    mark.at = {left ? plot.low.x + half : plot.high.x - half, plot.low.y - 5.0 - 0.5 * mark.size.height()};
-    made.marks.push_back(std::move(mark));
-  }
 }
 
 void Arranger::place_footer(double y, Layout& made) const {

@@ -25,8 +25,7 @@ class Flow {
 
   void add(const TextTable& table) {
     for (std::size_t first = 0; first < table.rows.size() || first == 0;) {
-      TextTable part{first == 0 ? table.title
-                                : fmt::format("{} ({})", table.title, base::translated("continued")),
+      TextTable part{first == 0 ? table.title : fmt::format("{} ({})", table.title, base::translated("continued")),
                      table.columns, table.rows};
       const double width = text_table(part, font_, measure_).width;
       const std::size_t room = rows_that_fit(part);

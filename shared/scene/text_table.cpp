@@ -15,11 +15,23 @@ constexpr double column_gap = 10.0;
 constexpr double row_gap = 2.5;
 constexpr double block_gap = 10.0;
 constexpr std::size_t least_rows = 3;
-constexpr double cut_share = 0.6;  // of the room, for tables that are cut anyway
+constexpr std::size_t most_letters = 48;
+constexpr double cut_share = 0.6;   // of the room, for tables that are cut anyway
 constexpr double table_gap = 26.0;  // between tables that stand side by side
 
 void add(Furniture& made, const Furniture& part, geom::Vector by) {
   for (const Mark& mark : part.marks) made.marks.push_back(moved(mark, by));
+}
+
+/// No name makes a table wider than a page.
+std::string elided(const std::string& text) {
+  std::size_t letters = 0;
+  std::size_t cut = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if ((static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80U) continue;  // goes on with a letter
+    if (++letters == most_letters) cut = i;
+  }
+  return letters <= most_letters ? text : text.substr(0, cut) + "\u2026";
 }
 
 Furniture under_each_other(const std::vector<Furniture>& parts, double gap) {
@@ -56,7 +68,8 @@ Furniture text_table(const TextTable& table, const Font& font, const TextMeasure
   std::vector<double> widths;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     double width = measure(table.columns[c], bold).width;
-    for (const auto& row : table.rows) width = std::max(width, c < row.size() ? measure(row[c], font).width : 0.0);
+    for (const auto& row : table.rows)
+      width = std::max(width, c < row.size() ? measure(elided(row[c]), font).width : 0.0);
     widths.push_back(width);
   }
   Furniture made;
@@ -69,7 +82,7 @@ Furniture text_table(const TextTable& table, const Font& font, const TextMeasure
   const auto add_row = [&](const std::vector<std::string>& cells, const Font& how) {
     double x = 0.0;
     for (std::size_t c = 0; c < widths.size() && c < cells.size(); ++c) {
-      TextMark mark = text_mark(cells[c], {}, how, measure);
+      TextMark mark = text_mark(elided(cells[c]), {}, how, measure);
       const double left = c == 0 ? x : x + widths[c] - mark.size.width;
       mark.at = {left + 0.5 * mark.size.width, made.height + 0.5 * line};
       made.marks.push_back(std::move(mark));

@@ -17,20 +17,20 @@ namespace {
 
 // Each fill is as far as can be from those before it, in CIE Lab as all see it and as those with protanopia and
 // deuteranopia do; the lines are the fills at 0.58 of their lightness.
-constexpr std::array<Color, 36> fills{{
-    {244, 190, 110}, {112, 138, 216}, {60, 190, 164}, {255, 203, 242}, {112, 151, 73}, {73, 151, 177},
-    {216, 112, 125}, {203, 229, 177}, {203, 177, 138}, {86, 190, 255}, {164, 177, 216}, {138, 203, 203},
-    {151, 242, 203}, {242, 229, 151}, {216, 138, 99}, {99, 151, 125}, {255, 151, 190}, {190, 151, 229},
-    {177, 125, 151}, {99, 151, 203}, {60, 216, 255}, {203, 151, 151}, {125, 242, 255}, {190, 190, 125},
-    {60, 164, 164}, {190, 203, 177}, {190, 164, 86}, {255, 190, 151}, {190, 138, 112}, {255, 216, 229},
-    {229, 177, 242}, {164, 216, 151}, {99, 242, 216}, {190, 138, 190}, {151, 177, 112}, {99, 164, 242}}};
-constexpr std::array<Color, 36> lines{{
-    {145, 102, 24}, {39, 78, 148}, {0, 111, 90}, {152, 106, 142}, {50, 89, 12}, {0, 89, 113},
-    {143, 47, 65}, {105, 129, 82}, {119, 98, 62}, {0, 109, 168}, {85, 99, 134}, {51, 116, 117},
-    {45, 138, 104}, {135, 127, 54}, {137, 70, 35}, {38, 89, 66}, {164, 69, 108}, {112, 78, 150},
-    {112, 65, 89}, {16, 87, 134}, {0, 125, 161}, {126, 80, 80}, {0, 138, 151}, {105, 107, 47},
-    {0, 97, 98}, {102, 114, 91}, {111, 92, 13}, {155, 100, 65}, {118, 74, 50}, {150, 115, 127},
-    {138, 91, 150}, {75, 124, 65}, {0, 139, 118}, {118, 71, 119}, {77, 102, 42}, {0, 94, 164}}};
+constexpr std::array<Color, 36> fills{
+    {{244, 190, 110}, {112, 138, 216}, {60, 190, 164},  {255, 203, 242}, {112, 151, 73},  {73, 151, 177},
+     {216, 112, 125}, {203, 229, 177}, {203, 177, 138}, {86, 190, 255},  {164, 177, 216}, {138, 203, 203},
+     {151, 242, 203}, {242, 229, 151}, {216, 138, 99},  {99, 151, 125},  {255, 151, 190}, {190, 151, 229},
+     {177, 125, 151}, {99, 151, 203},  {60, 216, 255},  {203, 151, 151}, {125, 242, 255}, {190, 190, 125},
+     {60, 164, 164},  {190, 203, 177}, {190, 164, 86},  {255, 190, 151}, {190, 138, 112}, {255, 216, 229},
+     {229, 177, 242}, {164, 216, 151}, {99, 242, 216},  {190, 138, 190}, {151, 177, 112}, {99, 164, 242}}};
+constexpr std::array<Color, 36> lines{
+    {{145, 102, 24}, {39, 78, 148},  {0, 111, 90},  {152, 106, 142}, {50, 89, 12},   {0, 89, 113},
+     {143, 47, 65},  {105, 129, 82}, {119, 98, 62}, {0, 109, 168},   {85, 99, 134},  {51, 116, 117},
+     {45, 138, 104}, {135, 127, 54}, {137, 70, 35}, {38, 89, 66},    {164, 69, 108}, {112, 78, 150},
+     {112, 65, 89},  {16, 87, 134},  {0, 125, 161}, {126, 80, 80},   {0, 138, 151},  {105, 107, 47},
+     {0, 97, 98},    {102, 114, 91}, {111, 92, 13}, {155, 100, 65},  {118, 74, 50},  {150, 115, 127},
+     {138, 91, 150}, {75, 124, 65},  {0, 139, 118}, {118, 71, 119},  {77, 102, 42},  {0, 94, 164}}};
 constexpr std::array<Pattern, 6> further{Pattern::None,   Pattern::Dots,    Pattern::Hatch,
                                          Pattern::Dashes, Pattern::Crosses, Pattern::BackHatch};
 
@@ -100,8 +100,8 @@ std::vector<std::string> whole_names(std::span<const std::string> names) {
     const auto found = fellows.find(stem);
     const bool fellow = found != fellows.end() && (found->second.size() > 1 || all.contains(stem));
     // Copies of one name are one unit; numbers behind a general word, or behind the only one, are names.
-    const bool numbers_only = !name.ends_with(')') && (is_generic(stem) || found == fellows.end() ||
-                                                       found->second.size() == all.size());
+    const bool numbers_only =
+        !name.ends_with(')') && (is_generic(stem) || found == fellows.end() || found->second.size() == all.size());
     wholes.push_back(fellow && !numbers_only ? stem : name);
   }
   return wholes;
@@ -118,12 +118,13 @@ std::vector<std::size_t> numbers_of(std::span<const std::string> names) {
 
 std::optional<Color> color_of_text(const std::string& text) {
   static const std::map<std::string, Color> known = {
-      {"black", {0, 0, 0}},        {"white", {255, 255, 255}},   {"grey", {128, 128, 128}}, {"gray", {128, 128, 128}},
-      {"red", {220, 40, 40}},      {"green", {60, 150, 60}},     {"blue", {50, 90, 190}},   {"yellow", {250, 230, 80}},
-      {"orange", {240, 150, 50}},  {"brown", {150, 100, 60}},    {"purple", {130, 80, 160}}, {"pink", {245, 170, 190}},
-      {"cyan", {80, 200, 220}},    {"magenta", {200, 60, 160}},  {"beige", {235, 222, 190}}, {"olive", {130, 130, 50}},
-      {"lightgreen", {170, 220, 150}}, {"lightblue", {170, 205, 235}}, {"lightgrey", {211, 211, 211}},
-      {"tan", {210, 180, 140}}};
+      {"black", {0, 0, 0}},           {"white", {255, 255, 255}},      {"grey", {128, 128, 128}},
+      {"gray", {128, 128, 128}},      {"red", {220, 40, 40}},          {"green", {60, 150, 60}},
+      {"blue", {50, 90, 190}},        {"yellow", {250, 230, 80}},      {"orange", {240, 150, 50}},
+      {"brown", {150, 100, 60}},      {"purple", {130, 80, 160}},      {"pink", {245, 170, 190}},
+      {"cyan", {80, 200, 220}},       {"magenta", {200, 60, 160}},     {"beige", {235, 222, 190}},
+      {"olive", {130, 130, 50}},      {"lightgreen", {170, 220, 150}}, {"lightblue", {170, 205, 235}},
+      {"lightgrey", {211, 211, 211}}, {"tan", {210, 180, 140}}};
   const std::string small = small_letters(text);
   if (const auto found = known.find(small); found != known.end()) return found->second;
   std::array<int, 3> parts{};
@@ -161,7 +162,8 @@ Pattern pattern_of_lithology(const std::string& words) {
       {Pattern::Bricks, {"limestone", "dolomit", "dolostone", "chalk", "marble", "carbonate", "calc", "mármore"}},
       {Pattern::Circles, {"conglomerate", "breccia", "gravel", "diamictite", "conglomerado", "brecha", "diamictito"}},
       {Pattern::Dots, {"sandstone", "quartzite", "sand", "arkose", "arenito", "quartzito", "areia"}},
-      {Pattern::Dashes, {"shale", "mudstone", "siltstone", "claystone", "marl", "clay", "folhelho", "siltito", "argil"}},
+      {Pattern::Dashes,
+       {"shale", "mudstone", "siltstone", "claystone", "marl", "clay", "folhelho", "siltito", "argil"}},
       {Pattern::CrossHatch, {"salt", "halite", "gypsum", "anhydrite", "evaporite", "sal", "gipsita", "evaporito"}},
       {Pattern::Crosses, {"granit", "gneiss", "basement", "pluton", "migmatite", "gnaisse", "embasamento"}},
       {Pattern::Vees, {"basalt", "volcan", "tuff", "lava", "andesite", "rhyolite", "vulc", "tufo"}},
@@ -225,15 +227,15 @@ std::vector<std::string> remarks_on(const ColorTable& table, std::span<const std
   std::vector<std::string> unused;
   for (const ColorEntry& entry : table.entries) {
     if (used.contains(&entry)) continue;
-    unused.push_back(fmt::format("'{}'{}", entry.name,
-                                 base::did_you_mean(entry.name, std::vector<std::string>(wholes.begin(), wholes.end()))));
+    unused.push_back(fmt::format(
+        "'{}'{}", entry.name, base::did_you_mean(entry.name, std::vector<std::string>(wholes.begin(), wholes.end()))));
   }
   std::vector<std::string> remarks;
   if (!unused.empty())
     remarks.push_back(fmt::format("colours: the section has nothing of the name {}", fmt::join(unused, ", ")));
   if (!unnamed.empty()) {
-    remarks.push_back(fmt::format("colours: the table does not name '{}'; they keep the usual colours",
-                                  fmt::join(unnamed, "', '")));
+    remarks.push_back(
+        fmt::format("colours: the table does not name '{}'; they keep the usual colours", fmt::join(unnamed, "', '")));
   }
   return remarks;
 }

@@ -46,22 +46,51 @@ Result<Inserted> insert(Subdivision& sub, const Segment& segment) {
   return insert(sub, geom::Polyline{{segment.from, segment.to}, false});
 }
 
-Result<Inserted> insert(Subdivision& sub, const geom::Polyline& curve) {
+namespace {
+
+Result<void> check(const geom::Polyline& curve) {
   for (const Point p : curve.points) DOBRA_TRY_VOID(check_finite(p));
   const bool moves =
       std::any_of(curve.points.begin(), curve.points.end(), [&](Point p) { return p != curve.points[0]; });
-  if (!moves) {
-    Error error{ErrorCode::DegenerateCurve, "a curve of zero length cannot be inserted; give it two distinct points"};
-    if (!curve.points.empty()) error.place = place_of(curve.points.front());
-    return error;
-  }
-  Insertion insertion(sub);
+  if (moves) return {};
+  Error error{ErrorCode::DegenerateCurve, "a curve of zero length cannot be inserted; give it two distinct points"};
+  if (!curve.points.empty()) error.place = place_of(curve.points.front());
+  return error;
+}
+
+Result<void> lead(Subdivision& sub, Insertion& insertion, const geom::Polyline& curve, const base::Progress& progress) {
   VertexId at = insertion.vertex(curve.points.front());
   for (std::size_t i = 1; i < curve.points.size() + (curve.closed ? 1 : 0); ++i) {
+    if (i % 256 == 0) DOBRA_TRY_VOID(progress.check());
     const Point to = curve.points[i % curve.points.size()];
     if (to != sub.point(at)) at = insertion.advance(at, to);
   }
+  return {};
+}
+
+}  // namespace
+
+Result<Inserted> insert(Subdivision& sub, const geom::Polyline& curve) {
+  DOBRA_TRY_VOID(check(curve));
+  Insertion insertion(sub);
+  DOBRA_TRY_VOID(lead(sub, insertion, curve, {}));
   return insertion.finish();
+}
+
+Result<std::vector<std::vector<HalfEdgeId>>> insert(Subdivision& sub, std::span<const geom::Polyline> curves,
+                                                    const base::Progress& progress) {
+  for (const geom::Polyline& curve : curves) DOBRA_TRY_VOID(check(curve));
+  Insertion insertion(sub);
+  std::vector<std::size_t> begins;
+  for (const geom::Polyline& curve : curves) {
+    begins.push_back(insertion.root_count());
+    DOBRA_TRY_VOID(lead(sub, insertion, curve, progress));
+  }
+  begins.push_back(insertion.root_count());
+  static_cast<void>(insertion.finish());
+  std::vector<std::vector<HalfEdgeId>> paths;
+  for (std::size_t i = 0; i < curves.size(); ++i) paths.push_back(insertion.path(begins[i], begins[i + 1]));
+  return paths;
 }
 
 Result<void> remove(Subdivision& sub, EdgeId e, Bare bare) {

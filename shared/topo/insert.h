@@ -5,8 +5,10 @@
 // else is taken out and inserted again through a queue. So no two edges ever cross or overlap, by exact predicates.
 // Page: docs/algorithms/subdivision.md. Source: [cavalcante1991hed]; the queue is ours.
 
+#include <span>
 #include <vector>
 
+#include "shared/base/progress.h"
 #include "shared/base/result.h"
 #include "shared/geom/polyline.h"
 #include "shared/topo/subdivision.h"
@@ -34,6 +36,12 @@ base::Result<Inserted> insert(Subdivision& subdivision, const geom::Segment& seg
 /// Repeated points are passed over.
 /// @error as above; DegenerateCurve if all points are equal.
 base::Result<Inserted> insert(Subdivision& subdivision, const geom::Polyline& curve);
+
+/// Several curves. For each its path, as it is once all of them are in.
+/// @error as above; Cancelled.
+base::Result<std::vector<std::vector<HalfEdgeId>>> insert(Subdivision& subdivision,
+                                                          std::span<const geom::Polyline> curves,
+                                                          const base::Progress& progress = {});
 
 /// What happens to a vertex that loses its last edge.
 enum class Bare { Remove, Keep };

@@ -59,9 +59,8 @@ void Insertion::add(VertexId from, VertexId to) {
 Inserted Insertion::finish() {
   owners_.settle();
   Inserted inserted;
-  inserted.path.reserve(pieces_.size());
+  inserted.path = path(0, roots_.size());
   inserted.edges.reserve(pieces_.size());
-  for (const std::uint32_t root : roots_) expand(root, inserted.path);
   for (const Piece& piece : pieces_) {
     if (piece.fresh && piece.half_edge.valid()) inserted.edges.push_back(Subdivision::edge(piece.half_edge));
   }
@@ -72,6 +71,13 @@ Inserted Insertion::finish() {
     if (sub_.contains(f) && seen.insert(f).second) inserted.faces.push_back(f);
   }
   return inserted;
+}
+
+std::vector<HalfEdgeId> Insertion::path(std::size_t first, std::size_t last) const {
+  std::vector<HalfEdgeId> path;
+  path.reserve(last - first);
+  for (std::size_t i = first; i < last; ++i) expand(roots_[i], path);
+  return path;
 }
 
 std::uint32_t Insertion::make_piece(VertexId from, VertexId to) {

@@ -27,6 +27,10 @@ class Insertion {
   /// From a vertex to a point, which becomes one. @pre they differ
   VertexId advance(VertexId from, geom::Point to);
   Inserted finish();
+  /// How many pieces of work came in so far.
+  [[nodiscard]] std::size_t root_count() const { return roots_.size(); }
+  /// What the pieces of work [first, last) are now.
+  [[nodiscard]] std::vector<HalfEdgeId> path(std::size_t first, std::size_t last) const;
 
  private:
   static constexpr std::uint32_t none = 0xffffffffU;

@@ -8,6 +8,7 @@
 
 #include "quebra/core/operations.h"
 #include "recon/core/operations.h"
+#include "shared/cli/pictures.h"
 #include "shared/render/cairo.h"
 #include "shared/scenario/runner.h"
 #include "tests/figures/figures.h"
@@ -28,7 +29,7 @@ base::Result<void> write_example(const scenario::Program& program, const Folder&
   DOBRA_TRY(const scenario::Document document, scenario::read_document(scenario));
   const scenario::Run run = scenario::Runner(program).run(document);
   if (!run.complete()) return *run.error;
-  return render::write_png(program.picture_of(run.states.back()), file, std::nullopt, 2.0);
+  return render::write_png(cli::picture_of(program, document, run.states.back()), file, std::nullopt, 2.0);
 }
 
 /// Says what went wrong, if anything; how many times something did.

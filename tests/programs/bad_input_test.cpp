@@ -1,7 +1,9 @@
 // What bad input gets: each fault is given to the real programs, which must answer with the exit code of docs/conventions.md
 // and one line that names the place, and leave nothing behind.
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -264,6 +266,56 @@ TEST_F(Programs, AnInterruptedRunEndsWith130AndLeavesNothing) {
   ASSERT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 130);
   EXPECT_TRUE(!fs::exists(out) || fs::is_empty(out));
+}
+
+TEST_F(Programs, ASignalBeforeTheWorkBeginsEndsWith130Too) {
+  // The scenario is a pipe: the program waits in opening it, long before its first step.
+  for (const std::string name : {"quebra", "recon"}) {
+    const fs::path file = path(name + ".toml");
+    ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
+    const std::string program = DOBRA_BIN_DIR "/" + name;
+    const std::string out = path("out " + name).string();
+    const pid_t child = fork();
+    if (child == 0) {
+      execl(program.c_str(), name.c_str(), "run", file.c_str(), "--quiet", "--out", out.c_str(), nullptr);
+      _exit(99);
+    }
+    int writer = -1;  // once the program reads
+    for (int i = 0; i < 10000 && (writer = open(file.c_str(), O_WRONLY | O_NONBLOCK)) < 0; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    ASSERT_GE(writer, 0) << name;
+    kill(child, SIGINT);
+    const std::string text = "dobra = 1\nprogram = \"" + name + "\"\n";
+    EXPECT_EQ(write(writer, text.data(), text.size()), static_cast<ssize_t>(text.size()));
+    close(writer);
+    int status = 0;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFEXITED(status)) << name;
+    EXPECT_EQ(WEXITSTATUS(status), 130) << name;
+    EXPECT_FALSE(fs::exists(out));
+  }
+}
+
+TEST_F(Programs, AnInterruptedLoopEndsWith130AndPrintsItsCycles) {
+  const std::string program = DOBRA_BIN_DIR "/quebra";
+  const std::string example = std::string(DOBRA_SOURCE_DIR) + "/resources/examples/quebra/edge_crack.toml";
+  const fs::path said = path("said"), printed = path("printed");
+  const pid_t child = fork();
+  if (child == 0) {
+    unsetenv("DISPLAY");
+    if (freopen(said.c_str(), "w", stderr) == nullptr || freopen(printed.c_str(), "w", stdout) == nullptr) _exit(98);
+    execl(program.c_str(), "quebra", "adapt", example.c_str(), "--target", "0.001%", "--max-cycles", "50", "--json", nullptr);
+    _exit(99);
+  }
+  for (int i = 0; i < 600 && read(said).find("cycle 2: ") == std::string::npos; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  kill(child, SIGINT);
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  const std::string json = read(printed);
+  EXPECT_NE(json.find("\"Cycle 2\""), std::string::npos) << read(said);
+  EXPECT_NE(json.find("\"reached\": false"), std::string::npos);
+  EXPECT_NE(read(said).find("could not be finished: interrupted"), std::string::npos) << read(said);
 }
 
 TEST_F(Programs, SameInputSameBytesAtAnyNumberOfThreads) {

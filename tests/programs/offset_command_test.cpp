@@ -56,7 +56,7 @@ TEST_F(OffsetPrograms, OFF_a_BothProgramsPrintTheSegmentBelowAndRefuseBadInput) 
     EXPECT_EQ(done.code, 0) << done.said;
     EXPECT_EQ(done.said, "");
     EXPECT_EQ(done.out,
-              "{\"curves\":[{\"distance\":1.0,\"length\":10.0,\"area\":null,\"pieces\":"
+              "{\"curves\":[{\"distance\":1.0,\"length\":10.0,\"area\":null,\"dropped\":0,\"dropped_length\":0.0,\"pieces\":"
               "[{\"closed\":false,\"points\":[[0.0,-1.0],[10.0,-1.0]]}]}],\"dropped\":0}\n");
     const Outcome refused = call(program + " offset " + bad + " --distance 1");
     EXPECT_EQ(refused.code, 3);

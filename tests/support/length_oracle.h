@@ -157,10 +157,9 @@ class LengthOracle {
     if (back) arc(false, p(j), right(u), right(v), angle);
     const Digits half = back ? Digits(0) : cosine > 0 ? Digits(sine / (1 + cosine)) : Digits((1 - cosine) / sine);  // tan(angle / 2)
     const Digits secant = detail::root(Digits(1 + half * half));
-    const bool mitre = !back && (options_.join == offset::Join::Bisector ||
-                                 (options_.join == offset::Join::Mitre && secant <= Digits(options_.mitre_limit) * (1 + Digits(1e-14))));
-    const bool tangent = !mitre && (options_.join == offset::Join::Bisector ||
-                                    (options_.join == offset::Join::Mitre && options_.beyond_limit == offset::BeyondLimit::TangentBevel));
+    const bool tips = options_.join == offset::Join::Bisector || options_.join == offset::Join::Mitre;
+    const bool mitre = !back && tips && secant <= Digits(options_.tip_limit()) * (1 + Digits(1e-14));
+    const bool tangent = !mitre && tips && options_.beyond_tip_limit() == offset::BeyondLimit::TangentBevel;
     if (!mitre && !tangent) return arc(true, p(j), right(u), right(v), angle);
     const Exact middle = back ? u : (1 / secant) * (right(u) + half * u);
     mitres_.push_back({tangent, {p(j), right(u), right(v), middle}, {quick(p(j)), quick(right(u)), quick(right(v)), quick(middle)}});

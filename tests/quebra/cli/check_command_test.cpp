@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "quebra/core/operations.h"
@@ -57,6 +58,71 @@ TEST_F(CheckCommand, SetsAreListedWithKindAndCount) {
   EXPECT_NE(plain.out.find("region        4 'plate'\nsides         1 'base'\nnodes         4 'corners'\n"),
             std::string::npos)
       << plain.out;
+}
+
+TEST_F(CheckCommand, NamesOfAScenarioAreListedWithKindLengthAndPlace) {
+  const std::string file = put("plate.toml", R"(dobra = 1
+program = "quebra"
+[[input.curve]]
+name = "outline"
+kind = "polygon"
+points = [[0, 0], [4, 0], [4, 2], [0, 2]]
+[[input.curve]]
+name = "hole"
+kind = "circle"
+role = "hole"
+centre = [1.0, 1.0]
+radius = 0.5
+[[input.crack]]
+name = "slit"
+points = [[2, 1], [3, 1]]
+[[input.point]]
+name = "gauge"
+point = [3.5, 0.5]
+[[input.region]]
+name = "steel"
+point = [3.5, 0.5]
+[[step]]
+operation = "problem"
+[[step.support]]
+where = "bottom"
+x = 0.0
+)");
+  const auto told = call({"check", file, "--json", "--picture", path("names.svg")});
+  ASSERT_EQ(told.code, 0) << told.err;
+  const Json json = Json::parse(told.out);
+  ASSERT_EQ(json["curves"].size(), 3u);
+  const Json& outline = json["curves"][0];
+  EXPECT_EQ(outline["name"], "outline");
+  EXPECT_EQ(outline["kind"], "boundary");
+  EXPECT_EQ(outline["shape"], "polygon");
+  EXPECT_EQ(outline["length"], 12.0);
+  ASSERT_EQ(outline["sides"].size(), 4u);
+  EXPECT_EQ(outline["sides"][1], (Json{{"from", {4.0, 0.0}}, {"to", {4.0, 2.0}}}));
+  EXPECT_EQ(json["curves"][1]["shape"], "circle");
+  EXPECT_EQ(json["curves"][2]["lips"], (Json{"slit_left", "slit_right"}));
+  EXPECT_EQ(json["curves"][2]["to"], (Json{3.0, 1.0}));
+  EXPECT_EQ(json["points"], Json::array({{{"name", "gauge"}, {"at", {3.5, 0.5}}}}));
+  EXPECT_EQ(json["regions"][0]["name"], "steel");
+  for (const std::string name : {"outline", "hole", "slit", "gauge", "steel"}) EXPECT_NE(text("names.svg").find(name), std::string::npos) << name;
+  const auto plain = call({"check", file});
+  for (const std::string line : {"'outline'", "side from (4, 0) to (4, 2)", "lips slit_left, slit_right", "point     at (3.5, 0.5)"}) EXPECT_NE(plain.out.find(line), std::string::npos) << line << plain.out;
+}
+
+TEST_F(CheckCommand, NamesOfDrawingsAreListedAndBadOnesRefused) {
+  const std::string lines = "<svg><line id=\"bottom\" x1=\"0\" y1=\"0\" x2=\"2\" y2=\"0\"/><line id=\"right\" x1=\"2\" y1=\"0\" x2=\"2\" y2=\"-1\"/>"
+                            "<polyline id=\"rest\" points=\"2,-1 0,-1 0,0\"/><line id=\"seam\" x1=\"1\" y1=\"0\" x2=\"1\" y2=\"-1\"/></svg>";
+  const auto drawn = call({"check", put("plate.svg", lines), "--json"});
+  ASSERT_EQ(drawn.code, 0) << drawn.err;
+  const Json json = Json::parse(drawn.out);
+  EXPECT_EQ(json["parts"], 2);
+  std::map<std::string, std::string> kinds;
+  for (const Json& curve : json["curves"]) kinds[curve["name"]] = curve["kind"];
+  EXPECT_EQ(kinds, (std::map<std::string, std::string>{{"bottom", "boundary"}, {"right", "boundary"}, {"rest", "boundary"}, {"seam", "internal"}}));
+  refuses({"check", path("none.svg")}, 3, {"none.svg"});
+  refuses({"check", put("open.csv", "0,0\n1,0\n1,1\n")}, 3, {"no curve closes", "--closed"});
+  EXPECT_EQ(call({"check", path("open.csv"), "--closed"}).code, 0);
+  refuses({"check", square("1, 1, 2, 5\n2, 2, 3, 5\n3, 3, 4, 5\n4, 4, 1, 5\n"), "--picture", path("m.svg")}, 2, {"--picture"});
 }
 
 }  // namespace

@@ -337,5 +337,109 @@ TEST(Adaptivity, APeakThatComesUpOrMovesIsNoStall) {
   }
 }
 
+const Specimen& specimen(const std::vector<Specimen>& all, const std::string& name) {
+  return *std::find_if(all.begin(), all.end(), [&](const Specimen& own) { return own.name == name; });
+}
+
+TEST(Adaptivity, NoCycleHasManyMoreUnknownsThanTheLast) {
+  // Where the stress is infinite the error falls slowly at first; that is no ground to refine all the rest.
+  const auto all = unseen_specimens();
+  const bool long_ones = std::getenv("DOBRA_LONG_TESTS") != nullptr;
+  for (const char* const name : {"edge crack", "inclined crack in a disc", "Cook's membrane", "hole, d/W 0.3"}) {
+    for (const char* const more : {"", "rosettes = \"yes\"\n"}) {
+      if (*more != 0 && std::string(name).find("crack") == std::string::npos) continue;
+      for (const double target : {5.0, 1.0, 0.1}) {
+        if (target < 1.0 && !long_ones) continue;
+        const scenario::Run done = run(specimen(all, name).text + adapt_step(target, more));
+        const auto& analyses = last(done).analyses;
+        double most = 0.0;
+        for (const auto& analysis : analyses) most = std::max(most, unknowns_of(*analysis));
+        EXPECT_FALSE(last(done).short_of_target) << name << ' ' << more << target;
+        EXPECT_LE(most, 1.5 * unknowns_of(*analyses.back())) << name << ' ' << more << target;
+        EXPECT_LE(analyses.size(), 8U) << name << ' ' << more << target;
+        printf("[ figures  ] %s%s to %g %%: cycles %zu, unknowns %g, at most %g, eta %.3f %%\n", name, *more != 0 ? ", rosettes" : "", target, analyses.size(), unknowns_of(*analyses.back()), most, 100.0 * analyses.back()->eta);
+      }
+    }
+  }
+}
+
+struct Known {
+  const char* name;
+  std::string text;
+  double energy = 0.0;  ///< Exact, J.
+};
+
+/// Problems with an energy in closed form.
+std::vector<Known> known_energies() {
+  const std::string kirsch = "[input]\nspecimen = \"quarter_plate\"\nwidth = 4.0\nradius = 1.0\n[[step]]\noperation = \"problem\"\nstate = \"strain\"\n[[step.material]]\nyoung = 1000.0\npoisson = 0.3\n" +
+                             support("left", "normal = 0.0") + support("bottom", "normal = 0.0") + load("right", "kind = \"kirsch\"\nvalue = 1.0\nradius = 1.0") + load("top", "kind = \"kirsch\"\nvalue = 1.0\nradius = 1.0");
+  const std::string corner = "[[input.curve]]\nname = \"face_1\"\npoints = [[0, 0], [1, 0]]\n[[input.curve]]\nname = \"loaded\"\npoints = [[1, 0], [1, 1], [-1, 1], [-1, -1], [0, -1]]\n"
+                             "[[input.curve]]\nname = \"face_2\"\npoints = [[0, -1], [0, 0]]\n" + point("origin", 0, 0) + point("far", 0, 1) +
+                             "[[step]]\noperation = \"problem\"\nstate = \"strain\"\n[[step.material]]\nyoung = 1.0\n" + support("origin", "x = 0.0\ny = 0.0") + support("far", "x = 0.0") + load("loaded", "kind = \"l_shape\"");
+  return {{"plate with a hole", kirsch, 0.00769365372642}, {"corner of 270 degrees", corner, 4.15454423}, {"crack tip", tip_plate, tip_plate_energy()}};
+}
+
+/// The true error, %.
+double true_eta(const Analysis& analysis, double energy) {
+  return 100.0 * fem::true_error(energy, analysis.solution.cases[0].energy) / std::sqrt(2.0 * energy);
+}
+
+TEST(Adaptivity, WhatIsReachedIsReachedInTruth) {
+  for (const Known& known : known_energies()) {
+    for (const char* const more : {"order = \"1\"\n", "", "rosettes = \"yes\"\n"}) {
+      if (std::string(more).starts_with("rosettes") && known.text != tip_plate) continue;
+      for (const double target : {10.0, 5.0, 2.0, 1.0, 0.5}) {
+        if (std::string(more).starts_with("order") && target < 5.0) continue;
+        const scenario::Run done = run(known.text + adapt_step(target, more));
+        ASSERT_TRUE(done.complete()) << known.name;
+        const Analysis& analysis = *last(done).analyses.back();
+        EXPECT_FALSE(last(done).short_of_target) << known.name << ' ' << more << target;
+        EXPECT_LE(true_eta(analysis, known.energy), target) << known.name << ' ' << more << target;
+        printf("[ figures  ] %s, %sto %g %%: cycles %zu, unknowns %g, eta %.3f %%, true %.3f %%\n", known.name, *more == 'o' ? "T3 " : *more == 'r' ? "rosettes " : "", target, last(done).analyses.size(), unknowns_of(analysis), 100.0 * analysis.eta,
+               true_eta(analysis, known.energy));
+      }
+    }
+  }
+}
+
+TEST(Adaptivity, AnEstimateBelowTheTargetIsNotReachedWithoutItsMargin) {
+  for (const Known& known : known_energies()) {
+    const auto once = [&](double target) { return run(known.text + "[[step]]\noperation = \"adapt\"\nmax_cycles = 1\ntarget = " + std::to_string(target) + "\n"); };
+    const double eta = figures(once(90.0)).at("eta");
+    const scenario::Run near = once(1.05 * eta);
+    EXPECT_TRUE(last(near).short_of_target) << known.name;
+    EXPECT_THAT(last(near).remarks.back(), HasSubstr("for the estimate may be low")) << known.name;
+  }
+}
+
+TEST(Adaptivity, WhatDoesNotFitIntoMemoryLeavesTheCyclesBeforeIt) {
+  const std::string text = sheared_l;
+  const scenario::Run done = run(text + adapt_step(0.05, "memory = 6e6\n"));
+  const auto values = figures(done);
+  EXPECT_TRUE(last(done).short_of_target);
+  EXPECT_GT(last(done).analyses.size(), 1U);
+  EXPECT_LT(values.at("eta"), 5.0);
+  EXPECT_THAT(last(done).remarks.back(), HasSubstr("GB are allowed"));
+  for (const auto& analysis : last(done).analyses) EXPECT_LE(analysis->solution.statistics.memory_estimate, 6e6);
+}
+
+TEST(Adaptivity, WhoStopsTheLoopKeepsItsCyclesAndTheyAreNotRemembered) {
+  const auto document = scenario::parse_document("dobra = 1\nprogram = \"quebra\"\n" + sheared_l + adapt_step(0.5), "test.toml").value();
+  scenario::Runner runner(program());
+  const base::CancelToken token;
+  std::vector<std::string> told;
+  const scenario::Run stopped = runner.run(document, base::Progress(token, [&](double, const std::string& what) {
+    if (what.ends_with('\n')) told.push_back(what);
+    if (told.size() == 2) token.cancel();
+  }));
+  ASSERT_EQ(last(stopped).analyses.size(), 2U);
+  EXPECT_TRUE(last(stopped).short_of_target);
+  EXPECT_THAT(last(stopped).remarks.back(), HasSubstr("cycle 3 could not be finished: interrupted"));
+  EXPECT_THAT(told.front(), HasSubstr("cycle 1: "));
+  const scenario::Run whole = runner.run(document);
+  EXPECT_GT(last(whole).analyses.size(), 2U);
+  EXPECT_FALSE(last(whole).short_of_target);
+}
+
 }  // namespace
 }  // namespace quebra::core

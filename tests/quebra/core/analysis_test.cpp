@@ -19,6 +19,7 @@ namespace {
 
 using namespace dobra;
 using namespace test;
+using testing::Contains;
 using testing::HasSubstr;
 
 const std::string kirsch = R"([input]
@@ -247,6 +248,60 @@ TEST(Analysis, QUE_h_ACentreCrackHasItsIntensityAtBothTips) {
     EXPECT_NEAR(values.at(tip + "K_I"), 1.7835, 0.02 * 1.7835);  // of a long strip; a square plate has 1 % more
     EXPECT_LT(values.at(tip + "spread"), 1.5);
   }
+}
+
+/// A bore under a pressure of 1 in a thick ring, plane strain; the radial stress there is -1.
+std::string bore(const char* poisson, const char* order) {
+  return std::string(R"([[input.curve]]
+name = "outer"
+kind = "circle"
+centre = [0, 0]
+radius = 4.0
+[[input.curve]]
+name = "bore"
+kind = "circle"
+role = "hole"
+centre = [0, 0]
+radius = 1.0
+[[input.point]]
+name = "a"
+point = [4, 0]
+[[input.point]]
+name = "b"
+point = [-4, 0]
+[[step]]
+operation = "problem"
+state = "strain"
+[[step.support]]
+where = "a"
+x = 0.0
+y = 0.0
+[[step.support]]
+where = "b"
+y = 0.0
+[[step.load]]
+where = "bore"
+kind = "pressure"
+value = 1.0
+[[step.material]]
+young = 1000.0
+poisson = )") + poisson + "\n[[step]]\noperation = \"mesh\"\nsize = 0.3\norder = \"" + order + "\"\n[[step]]\noperation = \"analyse\"\n[[step]]\noperation = \"probe\"\nlabel = \"wall\"\nat = [1, 0]\n";
+}
+
+TEST(Analysis, NearIncompressibilityABoreIsRightOrRefused) {
+  for (const char* const nu : {"0.3", "0.45", "0.46", "0.49", "0.499", "0.4999999"}) {
+    const double stress = figures(run(bore(nu, "2"))).at("probe.wall.load.s_xx");
+    printf("[ figures  ] bore, T6, nu %s: radial stress %.3f\n", nu, stress);
+    EXPECT_NEAR(stress, -1.0, 0.04) << nu;
+  }
+  for (const char* const nu : {"0.3", "0.4", "0.45"}) {
+    const scenario::Run done = run(bore(nu, "1"));
+    printf("[ figures  ] bore, T3, nu %s: radial stress %.3f\n", nu, figures(done).at("probe.wall.load.s_xx"));
+    const auto told = Contains(HasSubstr("elements of first order begin to lock in plane strain with Poisson's ratio 0.45"));
+    EXPECT_EQ(testing::Value(last(done).remarks, told), std::string(nu) == "0.45") << nu;
+  }
+  for (const char* const nu : {"0.46", "0.4999999"}) EXPECT_THAT(trouble(bore(nu, "1")), HasSubstr("mesh with order = \"2\""));
+  EXPECT_THAT(trouble(bore("0.49999999", "2")), HasSubstr("plane strain needs -1 < nu <= 0.4999999"));
 }
 
 TEST(Analysis, BadInputIsNamed) {

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "quebra/core/meshing.h"
 #include "tests/support/quebra_scenarios.h"
@@ -207,6 +209,51 @@ TEST(Narrow, SizesFollowTheWidthAlongAChannel) {
   EXPECT_GE(q.alpha_min, 0.55);
   EXPECT_GE(q.triangles, 250U);  // 4 / 0.02 long, about one across
   EXPECT_LE(q.triangles, 1000U);
+}
+
+/// A star-shaped contour with octaves of waves: inlets of every width.
+std::string coast(int count) {
+  std::string points;
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / count;
+    double r = 1.0;
+    for (int k = 3, octave = 0; k < count / 4; k = k * 8 / 5 + 1, ++octave) r += 0.3 * std::pow(3.0 / k, 0.75) * std::sin(k * angle + 2.4 * octave * octave);
+    points += fmt::format("{}[{}, {}]", i == 0 ? "" : ", ", 100.0 * std::max(r, 0.1) * std::cos(angle), 100.0 * std::max(r, 0.1) * std::sin(angle));
+  }
+  return polygon("[" + points + "]");
+}
+
+TEST(Narrow, WhatStraightSidesAskForIsSettledAtOnce) {
+  const Model model = model_of(coast(400) + meshed("5.0"));
+  const Domain& domain = model.domain;
+  // The curves as a mesh without narrow places divides them: every side asks, and none is to be looked at again.
+  dobra::mesh::MeshInput divided;
+  dobra::mesh::add_chain(divided, std::get<dobra::geom::Polyline>(domain.curves[0].shape).points, dobra::mesh::Closure::Closed, {"rim", dobra::mesh::EdgeKind::Boundary});
+  const std::vector<std::uint8_t> keeps(domain.curves.size(), 0);
+  const NarrowPlaces places = narrow_places(domain, divided, keeps);
+  EXPECT_GT(places.sizes.size(), 20U);
+  EXPECT_TRUE(places.slight.empty());
+  EXPECT_TRUE(places.again.empty());
+  // And the mesh is as good as several looks made it.
+  EXPECT_GT(quality(model).alpha_min, 0.2);
+}
+
+TEST(Narrow, NoSideOfTheMeshIsLeftMuchLongerThanItsPlaceIsWide) {
+  for (const int count : {60, 200, 700}) {
+    const Model model = model_of(coast(count) + meshed("8.0"));
+    const auto& own = model.meshes.back()->mesh;
+    dobra::mesh::MeshInput divided;
+    divided.points = own.points;
+    divided.sets.push_back({"rim", dobra::mesh::EdgeKind::Boundary});
+    for (const auto& side : own.side_sets.at("rim")) {
+      const auto nodes = side_nodes(own, side);
+      divided.edges.push_back({{nodes[0], nodes[1]}, 0});
+    }
+    const std::vector<std::uint8_t> keeps(1, 0);
+    NarrowOptions twice;
+    twice.enough = 3.0;  // twice what they are left at
+    EXPECT_TRUE(narrow_places(model.domain, divided, keeps, twice).sizes.empty()) << count;
+  }
 }
 
 }  // namespace

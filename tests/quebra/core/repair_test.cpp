@@ -180,5 +180,80 @@ TEST(Repair, ACircleDrawnTwiceIsOne) {
   EXPECT_EQ(test::last(run).findings[0].wrong, Wrong::CurveTwice);
 }
 
+/// The same of lines of a file that tells no roles.
+Repaired mended_lines(std::vector<Curve> curves) {
+  Sketch sketch;
+  sketch.places.resize(curves.size());
+  for (const Curve& curve : curves) sketch.without_role.insert(curve.name);
+  sketch.curves = std::move(curves);
+  return repair(std::move(sketch)).value();
+}
+
+TEST(Repair, SidesDrawnPastTheirCornersBoundTheDomain) {
+  const std::vector<Curve> frame{line("s", {{-1, 0}, {5, 0}}), line("e", {{4, -1}, {4, 3}}), line("n", {{5, 2}, {-1, 2}}), line("w", {{0, 3}, {0, -1}})};
+  const Repaired repaired = mended_lines(frame);
+  EXPECT_DOUBLE_EQ(area_of(repaired), 8.0);
+  EXPECT_EQ(kinds(repaired), std::vector(8, Wrong::Outside));
+  // One line that crosses itself where it was to close, and a frame with a line across it.
+  const Repaired lasso = mended_lines({line("l", {{0, -1}, {0, 3}, {3, 3}, {3, 0}, {-1, 0}})});
+  EXPECT_DOUBLE_EQ(area_of(lasso), 9.0);
+  std::vector<Curve> divided = frame;
+  divided.push_back(line("seam", {{2, -0.5}, {2, 2.5}}));
+  EXPECT_DOUBLE_EQ(area_of(mended_lines(divided)), 8.0);
+  EXPECT_EQ(make_domain(mended_lines(divided).sketch)->faces.size(), 2U);
+}
+
+TEST(Repair, StrayLinesAndDanglingEdgesOutsideAreLeftOutAndTold) {
+  const Curve plate = polygon("plate", {{0, 0}, {4, 0}, {4, 4}, {0, 4}});
+  const Curve hole = polygon("hole", {{1, 1}, {2, 1}, {2, 2}, {1, 2}});
+  struct Case {
+    std::vector<Point> stray;
+    double left;  ///< Length of what stays.
+  };
+  // Outside, in the hole, across the rim, from a corner outwards, right through plate and hole; inside.
+  for (const auto& [stray, left] : std::vector<Case>{{{{5, 0}, {6, 1}}, 0.0}, {{{1.2, 1.2}, {1.8, 1.8}}, 0.0}, {{{3, 3}, {3, 6}}, 1.0}, {{{4, 4}, {5, 5}}, 0.0}, {{{-1, 1.5}, {5, 1.5}}, 3.0}, {{{3, 1}, {3, 3}}, 2.0}}) {
+    const Repaired repaired = mended_lines({plate, hole, line("stray", stray)});
+    double kept = 0.0;
+    for (const Curve& curve : repaired.sketch.curves) kept += curve.name.starts_with("stray") ? length(curve) : 0.0;
+    EXPECT_NEAR(kept, left, 1e-12);
+    EXPECT_DOUBLE_EQ(area_of(repaired), 15.0);
+    const bool touched = left != 2.0;
+    EXPECT_EQ(kinds(repaired), touched ? std::vector{Wrong::Outside} : std::vector<Wrong>{});
+    if (touched) {
+      EXPECT_EQ(repaired.findings[0].curve, "stray");
+    }
+  }
+  // What the user calls internal is meant.
+  Curve meant = line("meant", {{3, 3}, {3, 6}});
+  meant.role = Role::Internal;
+  const Repaired as_it_is = mended({plate, meant});
+  EXPECT_TRUE(as_it_is.findings.empty());
+  EXPECT_FALSE(make_domain(as_it_is.sketch).ok());
+}
+
+TEST(Repair, IdenticalCurvesAreCalledIdenticalAndOtherOnesAreNot) {
+  const Curve plate = polygon("plate", {{0, 0}, {4, 0}, {4, 4}, {0, 4}});
+  const auto circle = [](const std::string& name, double radius, dobra::geom::Orientation way) { return Curve{name, Role::Boundary, Arc::circle({2, 2}, radius, way).value(), {}}; };
+  using dobra::geom::Orientation;
+  const std::vector<std::vector<Curve>> doubles{{plate, polygon("again", {{0, 4}, {4, 4}, {4, 0}, {0, 0}})},
+                                                {plate, circle("c", 1.0, Orientation::Anticlockwise), circle("d", 1.0, Orientation::Clockwise)},
+                                                {line("a", {{0, 0}, {4, 0}}), line("b", {{4, 0}, {4, 4}, {0, 0}}), line("c", {{4, 0}, {0, 0}})},
+                                                {plate, line("seam", {{1, 0}, {1, 4}}), line("twin", {{1, 4}, {1, 0}})}};
+  for (const auto& curves : doubles) {
+    Sketch sketch;
+    sketch.places.resize(curves.size());
+    sketch.curves = curves;
+    if (curves.back().name == "twin") sketch.curves[1].role = sketch.curves[2].role = Role::Internal;
+    const auto domain = make_domain(sketch);
+    ASSERT_FALSE(domain.ok());
+    EXPECT_NE(domain.error().message.find("are identical"), std::string::npos) << domain.error().message;
+    EXPECT_EQ(kinds(repair(sketch).value()), std::vector{Wrong::CurveTwice});
+  }
+  // The same points in another order are another curve.
+  EXPECT_NE(shape_key(plate), shape_key(polygon("bow", {{0, 0}, {4, 4}, {4, 0}, {0, 4}})));
+  const auto half = [](double start) { return Curve{"h", Role::Boundary, Arc::from_angles({0, 0}, 1.0, dobra::base::Angle::from_degrees(start), dobra::base::Angle::from_degrees(180)).value(), {}}; };
+  EXPECT_NE(shape_key(half(0)), shape_key(half(180)));
+}
+
 }  // namespace
 }  // namespace quebra::core

@@ -310,11 +310,42 @@ TEST_F(DrawnFile, PolygonsThatOverlapAreStillRefused) {
   EXPECT_THAT(refusal("file = \"over.geojson\"\n"), HasSubstr("'a' and 'b' cross or overlap"));
 }
 
+// --- outlines in pieces, loops apart ---
+
+TEST_F(DrawnFile, LinesOfAPictureThatCloseAnOutlineBoundTheDomain) {
+  const auto svg = [](const std::string& elements) { return "<svg>" + elements + "</svg>"; };
+  write("lines.svg", svg("<line x1=\"0\" y1=\"0\" x2=\"2\" y2=\"0\"/><line x1=\"2\" y1=\"0\" x2=\"2\" y2=\"1\"/><line x1=\"2\" y1=\"1\" x2=\"0\" y2=\"1\"/><line x1=\"0\" y1=\"1\" x2=\"0\" y2=\"0\"/>"));
+  EXPECT_NEAR(area_of(good("file = \"lines.svg\"\n")), 2.0, 1e-12);
+  write("half.svg", svg("<path d=\"M 1 0 A 1 1 0 0 1 -1 0\"/><path d=\"M -1 0 L 1 0\"/>"));
+  EXPECT_NEAR(area_of(good("file = \"half.svg\"\n")), 0.5 * std::numbers::pi, 2e-3);
+  // A hole in pieces, and a line that ends inside.
+  write("hole.svg", svg("<rect x=\"0\" y=\"0\" width=\"4\" height=\"4\"/><polyline points=\"1,1 2,1 2,2\"/><polyline points=\"2,2 1,2 1,1\"/><line id=\"slit\" x1=\"3\" y1=\"0\" x2=\"3\" y2=\"2\"/>"));
+  const Model model = good("file = \"hole.svg\"\n");
+  EXPECT_NEAR(area_of(model), 15.0, 1e-12);
+  EXPECT_THAT(names_of(model, Role::Internal), ElementsAre("slit"));
+  write("open.svg", svg("<polyline points=\"0,0 1,0 1,1\"/>"));
+  EXPECT_THAT(refusal("file = \"open.svg\"\n"), HasSubstr("no curve closes"));
+}
+
+TEST_F(DrawnFile, ALoopOutsideThePlateIsTold) {
+  const std::string plate = dxf_square(0, 100, 0, "plate");
+  const auto circle = [](const std::string& layer, double x, double radius) { return "0\nCIRCLE\n8\n" + layer + "\n10\n" + std::to_string(x) + "\n20\n50\n40\n" + std::to_string(radius) + "\n"; };
+  write("outside.dxf", dxf(plate + circle("hole", 150, 20)));
+  const Model model = good("file = \"outside.dxf\"\n");
+  EXPECT_THAT(model.remarks, Contains(testing::AllOf(HasSubstr("loop outside"), HasSubstr("of hole: "), HasSubstr("outside 'plate"), HasSubstr("no hole"))));
+  write("two.dxf", dxf(plate + circle("a", 150, 20) + circle("b", 250, 10) + circle("in", 50, 10)));
+  EXPECT_THAT(good("file = \"two.dxf\"\n").remarks, Contains(testing::AllOf(HasSubstr("a, b: "), testing::Not(HasSubstr("in,")))));
+  write("inside.dxf", dxf(plate + circle("hole", 50, 20)));
+  EXPECT_THAT(good("file = \"inside.dxf\"\n").remarks, testing::Each(testing::Not(HasSubstr("loop outside"))));
+}
+
 // --- units and outlines ---------------------------------------------------------------------------------------------------
 
-TEST_F(DrawnFile, ADrawingInMillimetresIsAskedAboutAndScaled) {
+TEST_F(DrawnFile, ADrawingInMillimetresIsScaledAndToldAndTheOptionGoesBeforeIt) {
   write("mm.dxf", dxf(dxf_square(0, 100, 0, "plate"), "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n"));
-  EXPECT_THAT(refusal("file = \"mm.dxf\"\n"), HasSubstr("--unit"));
+  const Model taken = good("file = \"mm.dxf\"\n");
+  EXPECT_NEAR(area_of(taken), 0.01, 1e-15);
+  EXPECT_THAT(taken.remarks, Contains(HasSubstr("its unit is 0.001 m, as the file says")));
   EXPECT_NEAR(area_of(good("file = \"mm.dxf\"\nunit = \"mm\"\n")), 0.01, 1e-15);
   EXPECT_NEAR(area_of(good("file = \"mm.dxf\"\nunit = \"in\"\n")), 100 * 100 * 0.0254 * 0.0254, 1e-9);
 }

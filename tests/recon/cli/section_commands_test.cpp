@@ -42,6 +42,46 @@ TEST_F(SectionCommands, RestoreAndBalanceTellWhatTheyFound) {
   EXPECT_NE(call({"restore", section()}).out.find("top"), std::string::npos);
 }
 
+TEST_F(SectionCommands, ABedThatDoesNotReachThePinStaysWhereItIs) {
+  const std::string file = put("half.csv", "x,z,name\n0,0,top\n2000,0,top\n800,-200,base\n2000,-200,base\n");
+  for (const std::string method : {"flexural", "line_length", "proportional"}) {
+    for (const std::vector<std::string>& pin : {std::vector<std::string>{}, {"--pin", "0"}, {"--pin", "2000"}}) {
+      std::vector<std::string> args{file, "--top", "top", "--method", method, "--geometry"};
+      args.insert(args.end(), pin.begin(), pin.end());
+      const Json flat = restored(args);
+      EXPECT_EQ(flat["verdict"], "balanced");
+      const Json& base = flat["restored"][1]["points"];
+      EXPECT_NEAR(base.front()[0].get<double>(), 800.0, 1e-9) << method;
+      EXPECT_NEAR(base.back()[0].get<double>(), 2000.0, 1e-9) << method;
+    }
+  }
+}
+
+TEST_F(SectionCommands, RestoreAndBalanceAgreeOnShortening) {
+  const std::string file =
+      put("tent.csv", "x,z,name\n0,0,top\n1000,0,top\n0,-400,base\n500,-239.9219,base\n1000,-400,base\n");
+  const Json balance = Json::parse(call({"balance", file, "--json"}).out);
+  EXPECT_EQ(balance["verdict"], "not balanced");
+  EXPECT_NEAR(balance["inconsistency_percent"].get<double>(), 100.0 * 50.0 / 1050.0, 1e-4);
+  for (const std::string method : {"flexural", "line_length", "constant"}) {
+    const Json flat = restored({file, "--method", method});
+    EXPECT_EQ(flat["verdict"], "not balanced") << method;
+    EXPECT_EQ(flat["inconsistency_percent"], balance["inconsistency_percent"]);
+    for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(flat["ledger"][i]["shortening"], balance["ledger"][i]["shortening"]);
+  }
+}
+
+TEST_F(SectionCommands, GrowthInTheKindColumnIsListedAndNotJudged) {
+  const std::string file = put("growth.csv",
+                               "x,z,name,kind\n0,0,top,growth\n1000,0,top,growth\n0,-400,base,horizon\n"
+                               "500,-239.9219,base,horizon\n1000,-400,base,horizon\n");
+  EXPECT_EQ(Json::parse(call({"balance", file, "--json"}).out)["verdict"], "balanced");
+  const Json flat = restored({file, "--method", "flexural", "--top", "top"});
+  EXPECT_EQ(flat["ledger"][0]["kind"], "growth");
+  EXPECT_EQ(flat["verdict"], "balanced");
+  EXPECT_NE(flat["remarks"].back().get<std::string>().find("not judged, as growth: 'top'"), std::string::npos);
+}
+
 TEST_F(SectionCommands, HorizonsThatCrossAreRefusedWithThePlaceAndBothNames) {
   const std::string file = section("0,-30,low,horizon\n100,30,low,horizon\n");
   for (const std::string command : {"restore", "balance"}) {

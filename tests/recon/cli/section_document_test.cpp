@@ -72,5 +72,35 @@ TEST_F(SectionDocument, ATargetFileHoldsOneLine) {
   EXPECT_NE(to_string(two.error()).find("2 lines in the file"), std::string::npos);
 }
 
+TEST_F(SectionDocument, LinesInSpaceSayWhatStandsOverTheEnds) {
+  const std::string file = put("space.asc", "1000\t2000\t-5\ttop\t1\n1300\t2400\t-6\ttop\t1\n1600\t2800\t-9\ttop\t1\n");
+  dobra::cli::LineOptionTexts lines;
+  lines.trace = "1000,2000,1600,2800";
+  const auto made = document(file, lines);
+  ASSERT_TRUE(made) << to_string(made.error());
+  EXPECT_NE(dobra::scenario::document_text(*made).find("orientation = \"SW - NE\""), std::string::npos);
+  const auto flat = document(put("flat.csv", "x,z,name\n0,0,A\n9,1,A\n"));
+  ASSERT_TRUE(flat);
+  EXPECT_EQ(flat->input.find("orientation"), nullptr);
+}
+
+TEST_F(SectionDocument, ATableOfColoursAndTheOrientationGoToTheSheet) {
+  const std::string file = put("two.csv", "x,z,name\n0,0,A\n90,5,A\n\n0,-9,B\n90,-4,B\n");
+  const std::string table = put("colours.csv", "name,colour,age\nA,#010203,Jurassic\nC,#fff,\n");
+  const auto made = call({"restore", file, "--method", "shear", "--out", path("a.svg"), "--colours", table,
+                          "--orientation", "WSW - ENE"});
+  EXPECT_EQ(made.code, 0) << made.err;
+  EXPECT_NE(made.err.find("nothing of the name 'C'"), std::string::npos) << made.err;
+  EXPECT_NE(made.err.find("does not name 'B'"), std::string::npos) << made.err;
+  for (const char* const wanted : {"rgb(0.392157%,0.784314%,1.176471%)", "A - B (Jurassic)", ">WSW<", ">ENE<", ">two<"})
+    EXPECT_NE(text("a.svg").find(wanted), std::string::npos) << wanted;
+  const auto one = call({"restore", file, "--orientation", "west", "--out", path("b.svg")});
+  EXPECT_EQ(one.code, 3);
+  EXPECT_NE(one.err.find("needs two ends"), std::string::npos) << one.err;
+  const auto bad = call({"restore", file, "--colours", put("bad.csv", "name,colour\nA,blu\n"), "--out", path("b.svg")});
+  EXPECT_EQ(bad.code, 3);
+  EXPECT_NE(bad.err.find("'A': 'blu' is not a colour"), std::string::npos) << bad.err;
+}
+
 }  // namespace
 }  // namespace recon::cli

@@ -1,5 +1,7 @@
 // Kinds of lines, names, outputs: what the sub-commands make of a file of lines, and where they put it.
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -185,6 +187,22 @@ TEST_F(SectionKinds, RingsWithoutClosingPointAreClosedWithOneRemarkThatNamesThem
   EXPECT_NE(call({"convert", put("open.wkt", "POLYGON ((0 0, 9 0, 9 9))\n"), path("b.csv")})
                 .err.find("open.wkt:1: a ring does not end"),
             std::string::npos);
+}
+
+TEST_F(SectionKinds, PolygonsOfOneUnitByTheirColumnArePiecesOfIt) {
+  std::string features;
+  const auto add = [&](const char* unit, double x, double z, double width) {
+    features += fmt::format(
+        R"({}{{"type":"Feature","properties":{{"id":1,"unit":"{}"}},"geometry":{{"type":"Polygon","coordinates":[[[{},{}],[{},{}],[{},{}],[{},{}],[{},{}]]]}}}})",
+        features.empty() ? "" : ",", unit, x, z, x + width, z, x + width, z + 10, x, z + 10, x, z);
+  };
+  add("J2", 0, 0, 50);
+  add("J2", 50, 0, 50);  // a boundary of the map's sheets: the unit is one all the same
+  add("J1", 0, -10, 100);
+  const std::string file = put("units.geojson", R"({"type":"FeatureCollection","features":[)" + features + "]}");
+  const Outcome outcome = call({"restore", file, "--horizons-from-units", "--uncovered", "continue"});
+  EXPECT_NE(outcome.err.find("'feature 1', 'feature 2' are taken as pieces of unit 'J2'"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("1 horizons made of the edges of units: 'J1'"), std::string::npos) << outcome.err;
 }
 
 TEST_F(SectionKinds, HorizonsOfUnitsCanBeRestoredAsTops) {

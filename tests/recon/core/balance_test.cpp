@@ -43,11 +43,11 @@ TEST(Balance, AreaDepthStrainFindsTheDisplacementAndTheDetachmentOfAFold) {
   // The polygons of 2000 chords have 2e-7 less area than the sines.
   EXPECT_NEAR(result->fit->displacement, 600.0, 1e-3);
   EXPECT_NEAR(result->fit->detachment, -750.0, 1e-3);
-  EXPECT_NEAR(result->fit->r_squared, 1.0, 1e-12);
-  EXPECT_LT(result->fit->displacement_error, 1e-3);
+  EXPECT_NEAR(*result->fit->r_squared, 1.0, 1e-12);
+  EXPECT_LT(*result->fit->displacement_error, 1e-3);
   for (const BedBalance& bed : result->beds) {
     EXPECT_NEAR(*bed.depth, bed.excess_area / bed.shortening, 1e-9);
-    EXPECT_GT(bed.layer_strain, -0.15);
+    EXPECT_GT(*bed.layer_strain, -0.15);
   }
 }
 
@@ -58,9 +58,66 @@ TEST(Balance, TheConfidenceOfTheFitIsStudents) {
   EXPECT_NEAR(fit->displacement, 1.6, 1e-12);
   EXPECT_NEAR(fit->detachment, -1.0, 1e-12);
   const double deviation = std::sqrt(3.2 / 2.0);
-  EXPECT_NEAR(fit->displacement_error, 4.302652730 * deviation / std::sqrt(5.0), 1e-8);
-  EXPECT_NEAR(fit->detachment_error, 4.302652730 * deviation / 1.6 * std::sqrt(0.25 + 6.25 / 5.0), 1e-8);
+  EXPECT_NEAR(*fit->displacement_error, 4.302652730 * deviation / std::sqrt(5.0), 1e-8);
+  EXPECT_NEAR(*fit->detachment_error, 4.302652730 * deviation / 1.6 * std::sqrt(0.25 + 6.25 / 5.0), 1e-8);
   EXPECT_FALSE(fit_area_depth({1.0, 1.0}, {2.0, 3.0}, 95.0));
+}
+
+TEST(Balance, TwoLevelsLeaveNoFreedomSoThatNoIntervalIsTold) {
+  const auto fit = fit_area_depth({0.0, 2.0}, {2.0, 5.0}, 95.0);
+  ASSERT_TRUE(fit);
+  EXPECT_NEAR(fit->displacement, 1.5, 1e-12);
+  EXPECT_NEAR(fit->detachment, -4.0 / 3.0, 1e-12);
+  EXPECT_FALSE(fit->displacement_error || fit->detachment_error || fit->r_squared);
+  Section two = detachment_fold(600.0, -750.0);
+  two.horizons.resize(2);
+  const auto result = area_depth(two, {});
+  ASSERT_TRUE(result && result->fit);
+  EXPECT_NEAR(result->fit->detachment, -750.0, 1e-3);
+  EXPECT_NE(result->remarks.back().find("no freedom"), std::string::npos) << result->remarks.back();
+  EXPECT_EQ(result->remarks.back().find("+-"), std::string::npos) << result->remarks.back();
+}
+
+TEST(Balance, AreasOfRoundingTellNoDetachment) {
+  // Whole waves have no area over their regional but what rounding leaves.
+  std::vector<geom::Polyline> lines(3);
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    for (int i = 0; i <= 100; ++i)
+      lines[k].points.push_back(
+          {20.0 * i, 200.0 * std::sin(std::numbers::pi * i / 25.0) - 300.0 * static_cast<double>(k)});
+  }
+  const auto result = area_depth(test::section_of(lines), {});
+  ASSERT_TRUE(result);
+  EXPECT_FALSE(result->fit);
+  EXPECT_FALSE(result->beds[0].layer_strain);
+}
+
+TEST(Balance, LayersLieBetweenHorizonsAndNotBetweenPiecesOfOne) {
+  const auto arc = [](double from, double level) {
+    geom::Polyline line;
+    for (int i = 0; i <= 40; ++i)
+      line.points.push_back({from + 25.0 * i, level + 200.0 * std::sin(std::numbers::pi * i / 40.0)});
+    return line;
+  };
+  const auto names = [&](std::vector<std::string> wholes, const std::vector<double>& from,
+                         const std::vector<double>& level) {
+    std::vector<geom::Polyline> lines;
+    for (std::size_t i = 0; i < from.size(); ++i) lines.push_back(arc(from[i], level[i]));
+    Section section = test::section_of(lines);
+    for (std::size_t i = 0; i < wholes.size(); ++i) {
+      section.horizons[i].piece_of = wholes[i];
+      section.horizons[i].name = wholes[i] + std::to_string(i);
+    }
+    std::vector<std::string> found;
+    const AreaDepth told = area_depth(section, {}).value();
+    for (const LayerClass& layer : told.layers) found.push_back(layer.name);
+    return found;
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(names({"A", "A", "B", "B"}, {0, 1100, 0, 1100}, {0, 50, -200, -150}), (Names{"A0 - B2", "A1 - B3"}));
+  EXPECT_EQ(names({"A", "B", "A", "B"}, {0, 0, 1100, 1100}, {0, -200, 50, -150}), (Names{"A0 - B1", "A2 - B3"}));
+  EXPECT_EQ(names({"A", "A", "B"}, {0, 1100, 1100}, {0, 50, -200}), (Names{"A1 - B2"}));
+  EXPECT_EQ(names({"A", "A"}, {0, 100}, {0, -200}), Names{});  // a thrust doubles it: still no layer
 }
 
 TEST(Balance, ASectionWithoutShorteningHasNoDetachment) {
@@ -154,6 +211,10 @@ TEST(Balance, MonteCarloWithoutErrorsRepeatsTheRestoration) {
   EXPECT_NEAR(find("shortening").mean, once.lengths[0].shortening, 1e-9);
   EXPECT_NEAR(find("horizon.bed2.length_after").mean, once.lengths[2].length_after, 1e-9);
   EXPECT_NEAR(find("unit.top - bed1.area_after").mean, once.ledger.units[0].area_after, 1e-9);
+  EXPECT_NEAR(find("horizon.bed2.shortening").mean, once.lengths[2].shortening, 1e-9);
+  EXPECT_NEAR(find("horizon.bed2.shortening_percent").mean, once.lengths[2].shortening_percent, 1e-9);
+  EXPECT_NEAR(find("unit.top - bed1.thickness_mean_before").mean, once.ledger.units[0].thickness_before->mean, 1e-9);
+  EXPECT_NEAR(find("unit.bed1 - bed2.thickness_mean_after").mean, once.ledger.units[1].thickness_after->mean, 1e-9);
   for (const Spread& s : spreads) EXPECT_NEAR(s.deviation, 0.0, 1e-9) << s.name;
   EXPECT_EQ(result->monte_carlo->balanced_share, once.balance.balanced ? 1.0 : 0.0);
 }

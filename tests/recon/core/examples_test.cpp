@@ -166,7 +166,7 @@ scenario::Document broadhaven(const std::map<int, geom::Polyline>& layers, int u
   return document;
 }
 
-TEST(RealSections, TheBroadhavenFoldUnfoldsByFlexuralSlipWithTopAndBaseTheirLengths) {
+TEST(RealSections, TheBroadhavenFoldUnfoldsByFlexuralSlipWithTopAndBaseTheirLengthsOrIsRefused) {
   const char* data = std::getenv("DOBRA_TEST_DATA");
   if (data == nullptr) GTEST_SKIP() << "DOBRA_TEST_DATA is not set";
   const auto profile = std::filesystem::path(data) / "sections/broadhaven_fold/derived_profile_m/profile.csv";
@@ -174,7 +174,15 @@ TEST(RealSections, TheBroadhavenFoldUnfoldsByFlexuralSlipWithTopAndBaseTheirLeng
   ASSERT_EQ(layers.size(), 9u);
   for (int layer = 1; layer < 9; ++layer) {
     SCOPED_TRACE("layers " + std::to_string(layer) + " and " + std::to_string(layer + 1));
-    expect_lengths_kept(scenario::Runner(program()).run(broadhaven(layers, layer, layer + 1)));
+    const scenario::Run run = scenario::Runner(program()).run(broadhaven(layers, layer, layer + 1));
+    if (layer < 7) {
+      expect_lengths_kept(run);
+      continue;
+    }
+    // Of these the longest parts lie on the two limbs, one beyond the other: nothing tells how far apart they were.
+    ASSERT_FALSE(run.complete());
+    EXPECT_EQ(run.error->code, base::ErrorCode::CannotRestore);
+    EXPECT_TRUE(run.error->place && run.error->place->x) << to_string(*run.error);
   }
 }
 

@@ -89,9 +89,39 @@ TEST(Grid, WithoutADistanceTheCurvesShareTheDepth) {
   ASSERT_EQ(source->options.distances.size(), 3u);
   EXPECT_NEAR(source->options.distances[0], 1.0, 1e-12);
   EXPECT_NEAR(source->options.distances[2], 7.0, 1e-12);
-  const auto nothing = make_source_grid(test::section_of({{{{0, 0}, {10, 0}}, false}}), params, {});
-  ASSERT_FALSE(nothing);
-  EXPECT_EQ(nothing.error().code, base::ErrorCode::InvalidOption);
+}
+
+TEST(Grid, AloneATopHasAGridOfATenthOfItsExtent) {
+  GridParams params;
+  params.count = 3;
+  params.factor = 2.0;
+  const auto alone = make_source_grid(test::section_of({{{{0, 0}, {70, 0}}, false}}), params, {});
+  ASSERT_TRUE(alone) << to_string(alone.error());
+  EXPECT_NEAR(alone->options.distances[0], 1.0, 1e-12);
+  EXPECT_NEAR(alone->options.distances[2], 7.0, 1e-12);
+  EXPECT_EQ(alone->deepest, 0.0);
+  ASSERT_EQ(alone->remarks.size(), 1u);
+  params.extent = GridExtent::Base;
+  params.distance = 1.0;  // to a depth that is not there
+  EXPECT_FALSE(make_source_grid(test::section_of({{{{0, 0}, {70, 0}}, false}}), params, {}));
+}
+
+TEST(Grid, AUnitBelowOrAboveTheTopIsReachedAndTellsTheSide) {
+  GridParams params;
+  params.count = 3;
+  params.factor = 2.0;
+  for (const double sign : {-1.0, 1.0}) {
+    Section section = test::section_of({{{{0, 0}, {10, 0}}, false}});
+    geom::Polyline contour{{{2, sign * 3}, {8, sign * 3}, {8, sign * 7}, {2, sign * 7}}, true};
+    if (sign < 0.0) contour = geom::reversed(std::move(contour));
+    section.units.push_back({UnitId(0), "U", contour, {}});
+    const auto source = make_source_grid(section, params, {});
+    ASSERT_TRUE(source) << to_string(source.error());
+    EXPECT_EQ(source->side, sign < 0.0 ? LayerSide::Below : LayerSide::Above);
+    EXPECT_NEAR(source->deepest, 7.0, 1e-12);
+    EXPECT_NEAR(source->options.distances[2], 7.0, 1e-12);
+    EXPECT_TRUE(source->remarks.empty());
+  }
 }
 
 TEST(Grid, AnUnknownTopIsRefusedWithASuggestion) {

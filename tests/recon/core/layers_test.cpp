@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <map>
 #include <set>
 #include <string>
 
@@ -16,10 +17,10 @@ namespace {
 
 namespace scene = dobra::scene;
 
-Model restored_model() {
+Model restored_model(double depth = 50.0) {
   const geom::Polyline top = test::arc(1000.0);
   Model model;
-  model.section = test::section_of({top, test::parallel(top, 50.0), test::parallel(top, 55.0)});
+  model.section = test::section_of({top, test::parallel(top, depth), test::parallel(top, depth + 5.0)});
   GridParams grid;
   grid.count = 4;
   model = run_grid(model, grid, {}, {}).value();
@@ -34,10 +35,10 @@ const scene::Layer* find(const scene::Panel& panel, const std::string& key) {
   return nullptr;
 }
 
-TEST(Layers, REC_j_TheDeformedAndTheRestoredSectionStandSideBySideWithTheirGrids) {
+TEST(Layers, REC_j_TheDeformedAndTheRestoredSectionStandOnOneSheetWithTheirGrids) {
   const scene::Picture picture = picture_of(restored_model());
   ASSERT_EQ(picture.panels.size(), 2u);
-  EXPECT_EQ(picture.arrangement, scene::Arrangement::Row);
+  EXPECT_EQ(picture.paper, scene::Paper::A4Landscape);
   EXPECT_EQ(picture.panels[0].title, "Deformed section");
   EXPECT_EQ(picture.panels[1].title, "Restored section");
   for (const scene::Panel& panel : picture.panels) {
@@ -132,6 +133,11 @@ TEST(Layers, ALongLowSectionStandsOverItsRestoration) {
   EXPECT_EQ(picture_of(model).arrangement, scene::Arrangement::Column);
 }
 
+TEST(Layers, AThickSectionStandsBesideItsRestoration) {
+  EXPECT_EQ(picture_of(restored_model(700.0)).arrangement, scene::Arrangement::Row);
+  EXPECT_EQ(picture_of(restored_model()).arrangement, scene::Arrangement::Column);
+}
+
 TEST(Layers, BeforeTheTargetThereIsOnePanel) {
   Model model;
   model.section = test::section_of({test::arc()});
@@ -153,10 +159,12 @@ Section pieces_of_beds(int count) {
 TEST(Layers, ThirtyBedsInPiecesHaveThirtyColours) {
   Model model;
   model.section = pieces_of_beds(30);
-  std::set<std::array<int, 3>> colors;
-  for (const scene::Layer& layer : picture_of(model).panels[0].layers) {
+  std::map<std::array<int, 3>, std::string> colors;
+  const scene::Picture picture = picture_of(model);
+  for (const scene::Layer& layer : picture.panels[0].layers) {
     if (!layer.key.starts_with("horizon_")) continue;
-    colors.insert({layer.style.line.red, layer.style.line.green, layer.style.line.blue});
+    const std::array<int, 3> color{layer.style.line.red, layer.style.line.green, layer.style.line.blue};
+    EXPECT_TRUE(colors.emplace(color, layer.title).second) << layer.title << " and " << colors.at(color);
   }
   EXPECT_EQ(colors.size(), 30u);
 }

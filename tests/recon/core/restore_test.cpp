@@ -196,24 +196,42 @@ TEST(Restore, ThePiecesOfAFaultedHorizonAreRestoredEachAndAddUp) {
                                   [](const auto& q) { return q.name == "horizon.bed.length_after"; });
   ASSERT_NE(found, quantities.end());
   EXPECT_DOUBLE_EQ(found->value, totals[0].length_after);
-  const double most = std::max(restoration.lengths[0].length_after, totals[0].length_after);
-  EXPECT_NEAR(restoration.balance.inconsistency_percent,
-              100.0 * std::abs(restoration.lengths[0].shortening - totals[0].shortening) / most, 1e-9);
+  // The top's two limbs, less what the fault leaves out of them, against two flat pieces.
+  EXPECT_NEAR(restoration.balance.consistency.worst.percent, 100.0 * (1.0 - 10.0 / std::sqrt(104.0)), 0.1);
 }
 
-TEST(Restore, MethodsThatTakeWholeBedsRefuseAHorizonInPieces) {
+TEST(Restore, MethodsThatTakeWholeBedsGoOnOverTheGapBetweenPieces) {
   const Model model = ready(faulted());
-  RestoreParams params;
-  for (const RestoreMethod method : {RestoreMethod::Flexural, RestoreMethod::Proportional, RestoreMethod::LineLength}) {
+  for (const RestoreMethod method : {RestoreMethod::Flexural, RestoreMethod::Proportional}) {
+    RestoreParams params;
     params.method = method;
-    const auto refused = run_restore(model, params, {}, {});
-    ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().place->item, "horizon 'bed (1)'");
-    EXPECT_NE(refused.error().message.find("it is a piece of 'bed'"), std::string::npos);
+    const auto made = run_restore(model, params, {}, {});
+    ASSERT_TRUE(made) << to_string(made.error());
+    if (method == RestoreMethod::Proportional) continue;  // one thickness for both
+    for (const MappedLine& line : made->restoration->lines)
+      EXPECT_LT(test::greatest_distance(line.before.points, line.after.points), 1e-9);
   }
+  // Line length brings a bed to one depth, that of the pin.
+  RestoreParams params;
+  params.method = RestoreMethod::LineLength;
+  const auto made = run_restore(model, params, {}, {});
+  ASSERT_TRUE(made) << to_string(made.error());
+  EXPECT_LT(geom::distance(made->restoration->lines[2].after.points.front(), {5, -2}), 1e-9);
+  EXPECT_LT(geom::distance(made->restoration->lines[2].after.points.back(), {10, -2}), 1e-9);
+}
+
+TEST(Restore, PiecesAboveEachOtherAreRefusedByName) {
+  Section section = faulted();
+  section.horizons[2].line.points = {{4, -3}, {10, -3}};  // a reverse fault
+  RestoreParams params;
   params.method = RestoreMethod::Flexural;
+  const auto refused = run_restore(ready(section), params, {}, {});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, base::ErrorCode::CannotRestore);
+  EXPECT_EQ(refused.error().place->item, "horizon 'bed (2)'");
+  EXPECT_NE(refused.error().message.find("'bed (1)', a piece of the same horizon, by 1 m"), std::string::npos);
   params.beds = SlipBeds::Parallel;
-  EXPECT_TRUE(run_restore(model, params, {}, {}));
+  EXPECT_TRUE(run_restore(ready(section), params, {}, {}));
   Model start;
   start.section = faulted();
   GridParams grid;

@@ -63,7 +63,7 @@ std::vector<geom::Point> points_in(const std::vector<RuledLine>& lines, double m
 /// The first strip of all that holds p, by looking at every one; beyond the lines there is none.
 std::optional<Cell> first_holder(const RuledMap& map, std::size_t bands, geom::Point p) {
   for (std::uint32_t band = 0; band < bands; ++band) {
-    for (std::uint32_t strip = 1; !map.is_outer({strip, band}); ++strip) {
+    for (std::uint32_t strip = 1; !map.is_outer({strip, band}, {}); ++strip) {
       const auto at = map.enter({strip, band});
       bool beyond = false;
       for (std::size_t side = 0; side < RuledMap::sides; ++side)
@@ -148,8 +148,8 @@ TEST(RuledMap, OutsideTheStackRulingsGoOnAndTheEndsAreMovedAlong) {
     const geom::Point expected{p.x + 0.5 * p.y, 2.0 * p.y};
     EXPECT_LT(geom::distance(SectionMap(map).forward(p).at, expected), 1e-9) << p;
   }
-  EXPECT_TRUE(map.is_outer(map.locate({-7, -3}, {}).cell));
-  EXPECT_TRUE(map.is_outer(map.locate({30, -1}, {}).cell));
+  EXPECT_TRUE(map.is_outer(map.locate({-7, -3}, {}).cell, {}));
+  EXPECT_TRUE(map.is_outer(map.locate({30, -1}, {}).cell, {}));
 }
 
 TEST(RuledMap, BedsThatMeetArePassedOver) {

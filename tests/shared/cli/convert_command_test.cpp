@@ -50,7 +50,7 @@ TEST_F(ConvertCommand, TheReportSaysWhatWasReadRepairedAndWritten) {
   EXPECT_EQ(report["read"]["features"].size(), 3U);
   EXPECT_EQ(report["read"]["features"][0],
             Json({{"name", "top"}, {"kind", "horizon"}, {"type", "lines"}, {"parts", 1}, {"points", 2}}));
-  EXPECT_EQ(report["read"]["trace"], Json());
+  EXPECT_FALSE(report["read"].contains("trace"));
   ASSERT_EQ(report["repairs"].size(), 1U);
   EXPECT_EQ(report["repairs"][0]["repair"], "snap");
   EXPECT_NEAR(report["repairs"][0]["moved"].get<double>(), 5.1, 0.1);
@@ -80,7 +80,7 @@ TEST_F(ConvertCommand, ATableOfColoursIsTakenForPicturesAndItsFaultsAreTold) {
   EXPECT_EQ(made.code, 0) << made.err;
   EXPECT_NE(made.err.find("nothing of the name 'V'"), std::string::npos) << made.err;
   EXPECT_NE(made.err.find("does not name 'top'"), std::string::npos) << made.err;
-  EXPECT_NE(text("a.svg").find("rgb(0.392157%, 0.784314%, 1.176471%)"), std::string::npos);
+  EXPECT_NE(text("a.svg").find("rgb(0.392157%,0.784314%,1.176471%)"), std::string::npos);
   EXPECT_NE(text("a.svg").find("U (limestone)"), std::string::npos);
   EXPECT_NE(text("a.svg").find(">section<"), std::string::npos);  // its title
   refuses({section(), path("b.svg"), "--colours", put("bad.csv", "name,colour\nU,#1\n")}, 3, {"bad.csv:2: 'U': '#1'"});

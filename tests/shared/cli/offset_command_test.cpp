@@ -1,13 +1,14 @@
 #include "shared/cli/offset_command.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
 #include "shared/cli/offset_report.h"
 #include "shared/io/file.h"
+#include "shared/io/curves.h"
 #include "shared/io/geojson.h"
-#include "shared/io/text_points.h"
 #include "shared/io/wkt.h"
 #include "tests/support/command_line.h"
 #include "tests/support/fake_program.h"
@@ -42,7 +43,7 @@ class OffsetCommand : public test::CommandLine {
 
 TEST_F(OffsetCommand, OFF_a_SegmentLeftToRightIsOffsetBelow) {
   const Json below = json({segment(), "--distance", "1"});
-  EXPECT_EQ(below, Json::parse(R"({"curves":[{"distance":1.0,"length":10.0,"area":null,
+  EXPECT_EQ(below, Json::parse(R"({"curves":[{"distance":1.0,"length":10.0,"area":null,"dropped":0,"dropped_length":0.0,
     "pieces":[{"closed":false,"points":[[0.0,-1.0],[10.0,-1.0]]}]}],"dropped":0})"));
   const Json above = json({put("back.csv", "10,0\n0,0\n"), "--distance", "1"});
   EXPECT_EQ(above["curves"][0]["pieces"][0]["points"], Json::parse("[[10.0,1.0],[0.0,1.0]]"));
@@ -155,7 +156,7 @@ TEST_F(OffsetCommand, WrongUsageNamesTheOption) {
   refuses({file, "--distance", "one"}, 2, {"'one' is not a number"});
   refuses({file, "--distance", "1", "--factor", "0"}, 2, {"--factor"});
   refuses({file, "--distances", "1,,2"}, 2, {"--distances: '' is not a number"});
-  refuses({file, "--distances", "1,-2"}, 2, {"--distances: -2 must be above 0"});
+  refuses({file, "--distances", "1,-2.0"}, 2, {"-2.0 must be above 0 for curve 1, an open line"});
   refuses({file, "--distances", ""}, 2, {"--distances"});
   refuses({file, "--distance", "1", "--side", "rihgt"}, 2, {"did you mean 'right'?"});
   refuses({file, "--distance", "1", "--join", "x"}, 2, {"--join"});
@@ -165,8 +166,15 @@ TEST_F(OffsetCommand, WrongUsageNamesTheOption) {
   refuses({file, "--distance", "1", "--arc-tolerance", "0.6"}, 2, {"--arc-tolerance"});
   refuses({two(), "--distance", "1", "--curve", "bse"}, 2, {"did you mean 'base'?"});
   refuses({two(), "--distance", "1", "--curve", "3"}, 2, {"--curve"});
-  refuses({file, "--distance", "1", "--out", path("a.shp")}, 2, {"--out"});
-  EXPECT_FALSE(std::filesystem::exists(path("a.shp")));
+  refuses({file, "--distance", "1", "--out", path("a.xyz")}, 2, {"--out"});
+  EXPECT_FALSE(std::filesystem::exists(path("a.xyz")));
+  refuses({file, "--distance", "1", "--caps", "flat"}, 2, {"--caps"});
+  refuses({file, "--distance", "1", "--side", "both", "--caps", "rund"}, 2, {"did you mean 'round'?"});
+  refuses({file, "--distance", "1", "--side", "both", "--ends", "extended"}, 2, {"--ends"});
+  refuses({file, "--distance", "1", "--side", "both", "--untreated"}, 2, {"--untreated"});
+  refuses({file, "--distance", "1", "--dissolve", "--pieces", "all"}, 2, {"--pieces"});
+  refuses({file, "--distance", "1", "--dissolve", "--side", "left"}, 2, {"--dissolve", "curve 1"});
+  refuses({square(), "--distance", "-1", "--side", "left"}, 2, {"--distance"});
 }
 
 TEST_F(OffsetCommand, BadInputNamesTheFile) {
@@ -211,12 +219,182 @@ TEST_F(OffsetCommand, OpenCurvesAreWrittenAsLinesInTheirOrder) {
   }
 }
 
-TEST_F(OffsetCommand, RingsOfOnePolygonAreBasesOfTheirOwnAndANoteSaysSo) {
-  const std::string holed = put("holed.wkt", "POLYGON ((0 0, 10 0, 10 10, 0 10, 0 0), (3 3, 3 6, 6 6, 6 3, 3 3))");
-  const test::Outcome outcome = call({holed, "--distance", "2", "--side", "left"});
-  EXPECT_EQ(outcome.code, 0);
-  EXPECT_NE(outcome.err.find("each ring is a base of its own"), std::string::npos) << outcome.err;
-  EXPECT_EQ(call({square(), "--distance", "2", "--side", "left"}).err, "");
+// --- what a GIS user expects
+
+TEST_F(OffsetCommand, OFF_c_APolygonWithHolesStaysOnePolygonWithHoles) {
+  const std::string holed = put("holed.wkt", "POLYGON ((0 0, 10 0, 10 10, 0 10, 0 0), (3 3, 3 7, 7 7, 7 3, 3 3))");
+  const test::Outcome outcome = call({holed, "--distances", "1,-1,2", "--json"});
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(call({holed, "--distances", "1,-1,2", "--out", path("h.wkt")}).code, 0);
+  const Json curves = Json::parse(outcome.out)["curves"];
+  ASSERT_EQ(curves.size(), 3U);
+  const double areas[] = {144 - 4, 64 - 36, 196};
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(curves[k]["area"].get<double>(), areas[k], 1e-9);
+  EXPECT_EQ(curves[0]["pieces"].size(), 2U);
+  EXPECT_EQ(curves[2]["pieces"].size(), 1U);
+  const auto read = io::read_wkt(path("h.wkt"));
+  ASSERT_TRUE(read.ok());
+  ASSERT_EQ(read->features.size(), 3U);
+  EXPECT_EQ(io::polygons_of(read->features[0]), (std::vector<std::pair<std::size_t, std::size_t>>{{0, 2}}));
+  // The left side is the same as a distance below 0.
+  const Json left = json({holed, "--distance", "1", "--side", "left"})["curves"][0];
+  EXPECT_EQ(left["pieces"], curves[1]["pieces"]);
+  const Json band = json({holed, "--distance", "1", "--side", "both"})["curves"][0];
+  EXPECT_NEAR(band["area"].get<double>(), 144 - 4 - (64 - 36), 1e-9);
+}
+
+TEST_F(OffsetCommand, OFF_c_PolygonsOfOneFeatureAreJoinedWhereTheyMeet) {
+  const std::string file =
+      put("multi.wkt", "MULTIPOLYGON (((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 3, 3 3, 3 1, 1 1)), ((6 0, 10 0, 10 4, 6 4, 6 0)))");
+  const Json curves = json({file, "--distances", "0.5,1.5,-0.25"})["curves"];
+  EXPECT_NEAR(curves[0]["area"].get<double>(), 25 - 1 + 25, 1e-9);
+  EXPECT_NEAR(curves[1]["area"].get<double>(), 13 * 7, 1e-9);
+  EXPECT_NEAR(curves[2]["area"].get<double>(), 3.5 * 3.5 - 2.5 * 2.5 + 3.5 * 3.5, 1e-9);
+}
+
+TEST_F(OffsetCommand, OFF_c_BothSidesOfALineHaveTheCapsThatAreAskedFor) {
+  const auto area = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> args = {segment(), "--distance", "2", "--side", "both", "--join", "round"};
+    args.insert(args.end(), more.begin(), more.end());
+    return json(args)["curves"][0]["area"].get<double>();
+  };
+  EXPECT_NEAR(area({}), 40 + 4 * std::acos(-1.0), 1e-9);
+  EXPECT_NEAR(area({"--caps", "flat"}), 40, 1e-9);
+  EXPECT_NEAR(area({"--caps", "square"}), 56, 1e-9);
+}
+
+TEST_F(OffsetCommand, OFF_c_LinesAndPolygonsOfAFileDissolveToOneArea) {
+  const std::string file = put("mixed.wkt", "LINESTRING (0 0, 10 0)\nPOLYGON ((4 -3, 6 -3, 6 3, 4 3, 4 -3))\nLINESTRING (20 0, 30 0)");
+  const test::Outcome outcome = call({file, "--distance", "1", "--dissolve", "--caps", "flat", "--join", "mitre", "--json"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Json curves = Json::parse(outcome.out)["curves"];
+  ASSERT_EQ(curves.size(), 1U);
+  EXPECT_EQ(curves[0]["pieces"].size(), 2U);
+  EXPECT_NEAR(curves[0]["area"].get<double>(), (20 + 4 * 8 - 4 * 2) + 20, 1e-9);
+}
+
+TEST_F(OffsetCommand, EveryPieceOfAnOpenLineIsKeptOnRequestAndElseTheRestIsTold) {
+  // A room above the line, 22 by 20, behind a neck 2 wide.
+  const std::string file = put("room.csv", "-20,0\n4,0\n4,4\n-6,4\n-6,24\n16,24\n16,4\n6,4\n6,0\n60,0\n");
+  const test::Outcome longest = call({file, "--distance", "2", "--json", "--side", "right", "--join", "round"});
+  ASSERT_EQ(longest.code, 0);
+  const Json one = Json::parse(longest.out);
+  const Json all = json({file, "--distance", "2", "--side", "right", "--join", "round", "--pieces", "all"});
+  EXPECT_EQ(one["dropped"], 1);
+  EXPECT_EQ(one["curves"][0]["dropped"], one["dropped"]);
+  EXPECT_EQ(all["dropped"], 0);
+  EXPECT_EQ(all["curves"][0]["pieces"].size(), one["dropped"].get<std::size_t>() + 1);
+  EXPECT_NEAR(all["curves"][0]["length"].get<double>(),
+              one["curves"][0]["length"].get<double>() + one["curves"][0]["dropped_length"].get<double>(), 1e-9);
+  EXPECT_NE(longest.err.find("left out (--pieces all keeps them)"), std::string::npos) << longest.err;
+  const test::Outcome table = call({file, "--distance", "2", "--join", "round"});
+  EXPECT_NE(table.out.find("left out"), std::string::npos) << table.out;
+}
+
+TEST_F(OffsetCommand, OneBadRingOrACollectionIsToldAndTheRestIsDone) {
+  const auto works = [&](const std::string& file, const std::string& told, double area) {
+    const test::Outcome outcome = call({file, "--distance", "1", "--json"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find(told), std::string::npos) << outcome.err;
+    const Json curves = Json::parse(outcome.out)["curves"];
+    ASSERT_EQ(curves.size(), 1U);
+    EXPECT_NEAR(curves[0]["area"].get<double>(), area, 1e-9);
+  };
+  works(put("ring.wkt", "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 2 2, 1 1))"), "part 2", 36);
+  works(put("flat.wkt", "POLYGON ((0 0, 4 0, 2 0, 0 0))\nPOLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))"), "geometry 1", 36);
+  works(put("coll.wkt", "GEOMETRYCOLLECTION (POINT (1 1), LINESTRING (0 0, 1 1));POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))"),
+        "GEOMETRYCOLLECTION is not read", 36);
+  works(put("coll.geojson", R"({"type":"FeatureCollection","features":[
+    {"type":"Feature","properties":{},"geometry":{"type":"GeometryCollection","geometries":[{"type":"Point","coordinates":[1,1]}]}},
+    {"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":[[[0,0],[4,0],[4,4],[0,4],[0,0]]]}}]})"),
+        "GEOMETRYCOLLECTION is not read", 36);
+  works(put("flat.csv", "0,0\n4,0\n2,0\n0,0\n\n0,0\n4,0\n4,4\n0,4\n0,0\n"), "flat.csv:1", 36);
+  refuses({put("none.wkt", "POLYGON ((0 0, 4 0, 2 0, 0 0))"), "--distance", "1"}, 3, {"none.wkt"});
+}
+
+TEST_F(OffsetCommand, AClosedLineStringIsTreatedLikeAClosedLineOfAText) {
+  const Json text = json({put("c.csv", "0,0\n4,0\n4,4\n0,4\n0,0\n"), "--distance", "1"});
+  EXPECT_NEAR(text["curves"][0]["area"].get<double>(), 36, 1e-9);
+  EXPECT_EQ(json({put("c.wkt", "LINESTRING (0 0, 0 4, 4 4, 4 0, 0 0)"), "--distance", "1"})["curves"][0]["area"], 36.0);
+  EXPECT_EQ(json({put("c.geojson", R"({"type":"LineString","coordinates":[[0,0],[4,0],[4,4],[0,4],[0,0]]})"), "--distance", "1"})["curves"],
+            text["curves"]);
+}
+
+TEST_F(OffsetCommand, APolygonThatCrossesItselfIsToldAndTakenAsThoseThatDoNot) {
+  // It crosses itself at (3, 3): right triangles with legs of 3 and 3, and of 3 and 1, all times the root of 2.
+  const test::Outcome outcome = call({put("bow.wkt", "POLYGON ((0 0, 6 6, 6 0, 2 4, 0 0))"), "--distance", "-0.25", "--json"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("crosses or touches itself; taken as 2 polygons"), std::string::npos) << outcome.err;
+  const auto shrunk = [](double a, double b) {
+    const double inradius = std::sqrt(0.5) * (a + b - std::hypot(a, b));
+    return a * b * std::pow(1 - 0.25 / inradius, 2);
+  };
+  EXPECT_NEAR(Json::parse(outcome.out)["curves"][0]["area"].get<double>(), shrunk(3, 3) + shrunk(3, 1), 1e-9);
+}
+
+TEST_F(OffsetCommand, IdAttributesAndReferenceSystemAreKept) {
+  const std::string file = put("parcels.geojson", R"({"type":"FeatureCollection",
+    "crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::31983"}},"features":[
+    {"type":"Feature","id":7,"properties":{"name":"plot","owner_surname":"Reis","area":16},
+     "geometry":{"type":"Polygon","coordinates":[[[0,0],[4,0],[4,4],[0,4],[0,0]]]}}]})");
+  for (const char* name : {"k.geojson", "k.gpkg", "k.shp"}) {
+    const test::Outcome outcome = call({file, "--distance", "1", "--out", path(name)});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err.find("owner_surname") != std::string::npos, std::string(name) == "k.shp") << outcome.err;
+    const auto read = io::read_any_lines(path(name));
+    ASSERT_TRUE(read.ok()) << base::to_string(read.error());
+    ASSERT_EQ(read->features.size(), 1U);
+    const io::Feature& kept = read->features[0];
+    EXPECT_NEAR(geom::signed_area(kept.parts[0]), 36, 1e-9);
+    ASSERT_TRUE(read->system) << name;
+    EXPECT_EQ(read->system->code, "EPSG:31983") << name;
+    const auto value = [&](std::string key) {
+      if (std::string(name) == "k.shp") key.resize(std::min<std::size_t>(key.size(), 10));
+      for (const auto& [known, kept_value] : kept.properties) {
+        if (known == key) return kept_value;
+      }
+      ADD_FAILURE() << name << ": no " << key;
+      return io::PropertyValue{};
+    };
+    EXPECT_EQ(std::get<std::string>(value("owner_surname")), "Reis");
+    EXPECT_EQ(std::get<std::int64_t>(value("id")), 7);
+    EXPECT_EQ(std::get<std::int64_t>(value("source_area")), 16);
+    EXPECT_NEAR(std::get<double>(value("area")), 36, 1e-9);
+  }
+  const test::Outcome lost = call({file, "--distance", "1", "--out", path("k.dxf")});
+  EXPECT_NE(lost.err.find("the reference system (SIRGAS 2000 / UTM zone 23S) is not kept in .dxf"), std::string::npos) << lost.err;
+  EXPECT_EQ(lost.code, 0);
+  const auto drawing = io::read_any_lines(path("k.dxf"));
+  ASSERT_TRUE(drawing.ok());
+  EXPECT_NEAR(std::abs(geom::signed_area(drawing->features[0].parts[0])), 36, 1e-9);
+}
+
+TEST_F(OffsetCommand, LinesAndPolygonsDoNotGoIntoOneShapefile) {
+  const std::string file = put("m.wkt", "LINESTRING (0 0, 10 0)\nPOLYGON ((4 -3, 6 -3, 6 3, 4 3, 4 -3))");
+  refuses({file, "--distance", "1", "--out", path("m.shp")}, 2, {"--out", ".gpkg"});
+  EXPECT_EQ(call({file, "--distance", "1", "--out", path("m.gpkg")}).code, 0);
+  EXPECT_EQ(call({put("s.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))"), "--distance", "-3", "--out", path("n.shp")}).code, 0);
+  EXPECT_TRUE(std::filesystem::exists(path("n.shp")));  // nothing remains, and the file says so
+}
+
+TEST_F(OffsetCommand, OFF_b_SizesWhoseSquaresAreNoNumbersAreRefused) {
+  const std::string tips = "-5 -8,2 8,2.160023e200 1.937208e200,-4 -3,-5 -4,8796093022208 281474976710653";
+  const auto refused = [&](const std::string& line, const std::string& distance, const std::string& why) {
+    refuses({put("wide.wkt", "LINESTRING(" + line + ")"), "--distance", distance, "--side", "left", "--join", "round", "--json"}, 3, {why});
+  };
+  refused(tips, "5.8e197", "beyond 1e150");
+  refused("0 0,1.7e308 0,1.7e308 1.7e308", "1e300", "beyond 1e150");
+  refused("0 0,-1e151 0", "1e150", "beyond 1e150");
+  refused("0 0,4e-160 0", "1e-160", "1e-150");
+  refused("0 0,5e-324 0", "1e-300", "1e-150");
+  refused("0 0,1 0", "1e30", "1e18 times");
+  refused("0 0,1e150 0", "2e150", "between 1e-150 and 1e150");
+  refuses({put("nan.csv", "0,0\nnan,1\n"), "--distance", "1"}, 3, {"nan.csv"});
+  for (const double size : {1e150, 1e-149}) {
+    const Json made = json({put("ok.csv", fmt::format("0,0\n{0},0\n{0},{0}\n0,{0}\n0,0\n", size)), "--distance", fmt::format("{}", size / 4)});
+    const double expected = 2.25 * size * size;
+    EXPECT_NEAR(made["curves"][0]["area"].get<double>(), expected, 1e-12 * expected);
+  }
 }
 
 TEST_F(OffsetCommand, AHoleBetweenArmsIsAHoleOfThePolygon) {
@@ -244,12 +422,12 @@ TEST_F(OffsetCommand, VerifyJudgesTheCurvesAndSaysSo) {
   EXPECT_NE(right.err.find("verified 12 edges"), std::string::npos) << right.err;
   EXPECT_NE(right.err.find("nothing is wrong"), std::string::npos) << right.err;
   // A curve that is wrong on purpose: the library's own are not.
-  const io::NamedCurve base{"top", {{{0, 0}, {10, 0}}, false}};
+  const geom::Polyline base{{{0, 0}, {10, 0}}, false};
   offset::OffsetPiece piece;
   piece.points = {{0, -1}, {10, -1.5}};
   piece.edges = {offset::OffsetEdge::line(0)};
   OffsetVerdict verdict;
-  ASSERT_TRUE(verify_offset(base, {}, {offset::OffsetCurve{1.0, {piece}, 0}}, verdict).ok());
+  ASSERT_TRUE(verify_offset("top", base, {}, {offset::OffsetCurve{1.0, {piece}, 0, 0.0}}, verdict).ok());
   EXPECT_EQ(verdict.edges, 1U);
   ASSERT_GE(verdict.findings.size(), 1U);
   EXPECT_TRUE(verdict.findings[0].starts_with("top: distance 1.0: off its parallel: 0.5 where "))
@@ -271,7 +449,7 @@ TEST_F(OffsetCommand, PicturesAreWrittenAndShowBaseAndDistances) {
 
 TEST_F(OffsetCommand, ALongLegendShowsTheFirstAndTheLastDistance) {
   for (const std::size_t count : {12U, 13U, 24U, 25U, 400U}) {
-    OffsetFamily family{{"base", {{{0, 0}, {1, 0}}, false}}, offset::Treatment::Treated, {}};
+    OffsetFamily family{.name = "base", .bases = {{{{0, 0}, {1, 0}}, false}}};
     for (std::size_t k = 0; k < count; ++k) family.curves.emplace_back().distance = static_cast<double>(k + 1);
     const scene::Picture picture = offset_picture({family});
     const auto& layers = picture.panels.at(0).layers;

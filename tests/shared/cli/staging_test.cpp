@@ -1,9 +1,13 @@
 #include "shared/cli/staging.h"
 
 #include <gtest/gtest.h>
+#include <signal.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <fstream>
 
 #include "shared/io/file.h"
@@ -42,6 +46,48 @@ TEST_F(StagingTest, EverythingIsMovedInAtOnceAndNothingIsLeftBeside) {
   }
   EXPECT_EQ(*io::read_bytes(root / "a" / "b" / "y.txt"), "y");
   EXPECT_EQ(count(root / "a" / "b"), 2U);
+}
+
+TEST_F(StagingTest, FoldersOfProcessesThatAreGoneAreSweptAndNoOthers) {
+  // A child makes one and is killed; another stays while it runs.
+  const auto child_with_staging = [&] {
+    std::array<int, 2> told{};
+    EXPECT_EQ(::pipe(told.data()), 0);
+    const pid_t child = ::fork();
+    if (child == 0) {
+      auto staging = Staging::open(root, TargetFolder::MustExist);
+      if (staging.ok()) put(staging->path("half.txt"), "half");
+      static_cast<void>(!::write(told[1], "x", 1));
+      ::pause();
+      ::_exit(1);
+    }
+    char byte = 0;
+    EXPECT_EQ(::read(told[0], &byte, 1), 1);
+    for (const int end : told) ::close(end);
+    return child;
+  };
+  const auto end = [](pid_t child) {
+    ::kill(child, SIGKILL);
+    ::waitpid(child, nullptr, 0);
+  };
+  const pid_t dead = child_with_staging();
+  const pid_t alive = child_with_staging();
+  end(dead);
+  // What others call alike is theirs.
+  fs::create_directories(root / ".staging-notes");
+  fs::create_directories(root / ".staging-0-0");
+  fs::create_directories(root / ".staging");
+  const auto left_by = [&](pid_t process) {
+    return std::any_of(fs::directory_iterator(root), fs::directory_iterator(), [&](const auto& entry) {
+      return entry.path().filename().string().starts_with(".staging-" + std::to_string(process) + '-');
+    });
+  };
+  EXPECT_TRUE(left_by(dead) && left_by(alive));
+  { const auto next = Staging::open(root, TargetFolder::MustExist); }
+  EXPECT_FALSE(left_by(dead));
+  EXPECT_TRUE(left_by(alive));
+  EXPECT_EQ(count(root), 4U);
+  end(alive);
 }
 
 TEST_F(StagingTest, WhatIsGivenUpLeavesNoFolderBehind) {

@@ -37,13 +37,41 @@ void expect_same_but_rounded(const ElementMesh& read, const ElementMesh& mesh, d
 
 TEST(Bdf, QUE_i_AMeshReadsBackWithAllItsSetsAndTheSecondTextIsTheFirst) {
   for (const ElementMesh& mesh : {test::example_mesh(), test::quadratic_example()}) {
-    for (const BdfField field : {BdfField::Small, BdfField::Large}) {
-      const std::string text = *bdf_text(mesh, field);
-      const auto read = parse_bdf(text, "f");
-      ASSERT_TRUE(read.ok()) << to_string(read.error());
-      expect_same_but_rounded(read->mesh, mesh, field == BdfField::Small ? 2e-6 : 2e-13);
-      EXPECT_EQ(*bdf_text(read->mesh, field), text);
-    }
+    const std::string text = *bdf_text(mesh);
+    const auto read = parse_bdf(text, "f");
+    ASSERT_TRUE(read.ok()) << to_string(read.error());
+    expect_same_but_rounded(read->mesh, mesh, 2e-13);
+    EXPECT_EQ(*bdf_text(read->mesh), text);
+  }
+}
+
+/// A triangle with this corner beside (0, 0) and (1, 0).
+ElementMesh triangle_with(geom::Point corner) {
+  ElementMesh mesh;
+  mesh.points = {{0.0, 0.0}, {1.0, 0.0}, corner};
+  add_element(mesh, mesh::ElementType::T3, {{mesh::NodeId(0), mesh::NodeId(1), mesh::NodeId(2)}}, 1);
+  return mesh;
+}
+
+TEST(Bdf, CardsAreInSmallFieldsWhereTheyHoldTheValueAndInLargeOnesElsewhere) {
+  // Seven digits and a point are eight characters.
+  for (const auto& [corner, line] : std::vector<std::pair<geom::Point, std::string>>{
+           {{0.5, 2.0}, "GRID    3               .5      2.      0.\n"},
+           {{-12.125, 1e-5}, "GRID    3               -12.125 1.-5    0.\n"},
+           {{1234.567, 0.1234567}, "GRID    3               1234.567.12345670.\n"},
+           {{1e6, 4.0}, "GRID    3               1000000.4.      0.\n"}}) {
+    const std::string text = *bdf_text(triangle_with(corner));
+    EXPECT_EQ(text.find('*'), std::string::npos) << text;
+    EXPECT_THAT(text, HasSubstr(line));
+    EXPECT_EQ(parse_bdf(text, "f")->mesh.points[2], corner);
+  }
+  // One digit more and the card is long, alone.
+  for (const geom::Point corner : {geom::Point{1.0 / 3.0, 1.0}, {12345.678, 1.0}, {0.5, 1.2345678}, {0.5, -1e-5 / 7.0}}) {
+    const std::string text = *bdf_text(triangle_with(corner));
+    EXPECT_THAT(text, HasSubstr("\nGRID    2"));
+    EXPECT_THAT(text, HasSubstr("\nGRID*   3"));
+    EXPECT_THAT(text, HasSubstr("\nCTRIA3  1"));
+    EXPECT_LE(distance(parse_bdf(text, "f")->mesh.points[2], corner), 1e-9 * length(corner - geom::Point{}));
   }
 }
 

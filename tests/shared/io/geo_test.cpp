@@ -82,6 +82,39 @@ TEST(Geo, ForAndIfAreCarriedOut) {
   EXPECT_TRUE(file.points.contains(105) && file.points.contains(106));
 }
 
+TEST(Geo, MacrosAreCarriedOutWhereTheyAreCalled) {
+  // A hole, as gmsh's tutorial makes its holes: with the variables that stand when it is called.
+  const std::string hole =
+      "Function Hole\n  c = newp; Point(c) = {x, y, 0};\n  p = newp; Point(p) = {x + r, y, 0};\n"
+      "  q = newp; Point(q) = {x - r, y, 0};\n  l = newl; Circle(l) = {p, c, q}; m = newl; Circle(m) = {q, c, p};\n"
+      "  holes[t] = newll; Curve Loop(holes[t]) = {l, m};\n  If (r > 0.2)\n    big += 1;\n  EndIf\nReturn\n";
+  const GeoFile file = parse(square + "big = 0;\n" + hole +
+                             "r = 0.1;\nFor t In {0:2}\n  x = 0.2 + 0.3 * t; y = 0.5;\n  r += 0.07;\n  Call Hole;\n"
+                             "EndFor\nPlane Surface(20) = {5, holes[]};\nPoint(100) = {big, #holes[], 0};\n");
+  EXPECT_EQ(file.points.at(100).at, (geom::Point{2, 3}));
+  ASSERT_EQ(file.surfaces.at(20).size(), 4U);
+  EXPECT_DOUBLE_EQ(file.points.at(5).at.x, 0.2);
+  EXPECT_DOUBLE_EQ(file.points.at(11).at.x, 0.8);
+  // Macro is the newer word, macros call macros, and what is only defined does nothing.
+  const GeoFile nested = parse(square +
+                               "Macro \"in\"\n n += 1;\nReturn\nMacro out\n Call in; Call in; n *= 10;\nReturn\n"
+                               "Macro never\n n = -1;\nReturn\nn = 1;\nCall out;\nPoint(60) = {n, 0, 0};\n");
+  EXPECT_EQ(nested.points.at(60).at.x, 30.0);
+  for (const auto& [text, says] : std::vector<std::pair<std::string, std::string>>{
+           {"Call hole;\n", "there is no macro 'hole'"},
+           {"Function a\nReturn\nCall b;\n", "did you mean 'a'?"},
+           {"Function a\n x = 1;\n", "this Function has no Return"},
+           {"Return\n", "no Function or Macro"},
+           {"Macro a\n Call a;\nReturn\nCall a;\n", "too deeply"},
+           {"Macro a\n EndFor\nReturn\nFor i In {1:1}\n Call a;\nEndFor\n", "began outside it"},
+           {"l[-1] = 2;\n", "whole one from 0 on"},
+           {"l[1e12] = 2;\n", "whole one from 0 on"}}) {
+    const auto read = parse_geo(square + text, "f");
+    ASSERT_FALSE(read.ok()) << text;
+    EXPECT_THAT(read.error().message, HasSubstr(says)) << text;
+  }
+}
+
 TEST(Geo, WhatIsWrongOrNotSupportedIsNamedWithLineAndColumn) {
   const std::tuple<std::string, std::string, std::string> cases[] = {
       {"Point(1) = {0, 0, 0}\nPoint(2) = {1, 0, 0};\n", "f:2:1", "';' is due here"},

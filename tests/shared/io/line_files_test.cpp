@@ -200,7 +200,14 @@ TEST(LineFiles, WhatAFileLeavesOpenIsAskedWithTheOption) {
     return "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n" + unit +
            "\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n0\nLINE\n8\nA\n10\n1\n20\n2\n11\n3\n21\n4\n0\nENDSEC\n0\nEOF\n";
   };
-  EXPECT_THAT(refusal(parse_any_lines(drawing("1"), "a.dxf", {})), AllOf(HasSubstr("inches"), HasSubstr("--unit")));
+  EXPECT_THAT(refusal(parse_any_lines(drawing("13"), "a.dxf", {})), AllOf(HasSubstr("= '13'"), HasSubstr("--unit")));
+  // Microns are asked about; what is known is taken and told, and an option goes before it.
+  for (const auto& [code, unit] : {std::pair{"1", 0.0254}, {"4", 0.001}, {"5", 0.01}, {"10", 0.9144}}) {
+    const auto told = parse_any_lines(drawing(code), "a.dxf", {});
+    ASSERT_TRUE(told.ok()) << base::to_string(told.error());
+    EXPECT_EQ(told->features[0].parts[0].points[1], (Point{3 * unit, 4 * unit})) << code;
+    EXPECT_THAT(told->remarks.at(0), HasSubstr("as the file says")) << code;
+  }
   EXPECT_EQ(parse_any_lines(drawing("1"), "a.dxf", {.unit = 1000.0})->features[0].parts[0].points[0],
             (Point{1000, 2000}));
   const auto feet = parse_any_lines(drawing("2"), "a.dxf", {});

@@ -2,7 +2,6 @@
 // Inputs that several tests of the mesher share.
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
@@ -12,6 +11,7 @@
 
 #include "shared/mesh/fill_engine.h"
 #include "shared/mesh/mesh_input.h"
+#include "tests/support/corpus.h"
 
 namespace dobra::mesh::test {
 
@@ -174,12 +174,10 @@ inline GradedPlate graded_plate(double triangles) {
   return {large_plate([=](double d) { return smallest + slope * d; }), 1.0 + slope};
 }
 
-/// Where the corpora of the project are; empty if they are not on this machine.
+/// The corpus of contours; empty where DOBRA_TEST_DATA does not name the folder that holds it.
 inline std::filesystem::path contours_folder() {
-  const char* given = std::getenv("DOBRA_TEST_DATA");
-  const std::filesystem::path folder =
-      std::filesystem::path(given != nullptr ? given : "/work/shared/data") / "contours";
-  return std::filesystem::is_directory(folder) ? folder : std::filesystem::path();
+  const auto data = dobra::test::data_folder();
+  return data && std::filesystem::is_directory(*data / "contours") ? *data / "contours" : std::filesystem::path();
 }
 
 /// cdt_*.txt ("points edges", points, index pairs) or a *.dat outline, as one boundary set.

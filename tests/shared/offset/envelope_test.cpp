@@ -70,7 +70,7 @@ struct Filled {
 constexpr Filled all_joins[] = {
     {"round", Join::Round, 4.0, BeyondLimit::TangentBevel},    {"bevel", Join::Bevel, 4.0, BeyondLimit::TangentBevel},
     {"mitre", Join::Mitre, 4.0, BeyondLimit::TangentBevel},    {"chord", Join::Mitre, 1.5, BeyondLimit::ChordBevel},
-    {"short", Join::Mitre, 1.1, BeyondLimit::TangentBevel},    {"bisector", Join::Bisector, 4.0, BeyondLimit::TangentBevel},
+    {"short", Join::Mitre, 1.1, BeyondLimit::TangentBevel},    {"bisector", Join::Bisector, bisector_limit, BeyondLimit::TangentBevel},
 };
 OffsetOptions options_of(const Filled& fill) {
   OffsetOptions options;
@@ -157,7 +157,7 @@ class Region {
     const Real t = dot(u, v) > 0 ? cross(u, v) / (1 + dot(u, v)) : (1 - dot(u, v)) / cross(u, v);
     const Vec first = p + d_ * right_of(u);
     const Vec second = p + d_ * right_of(v);
-    if (fill.join == Join::Bisector || 1 + t * t <= fill.limit * fill.limit) {
+    if (1 + t * t <= fill.limit * fill.limit) {
       kites_.push_back({p, first, first + (d_ * t) * u, second});
     } else if (fill.beyond == BeyondLimit::TangentBevel) {
       const Real q = t / (1 + std::sqrt(1 + t * t));

@@ -53,6 +53,20 @@ TEST(Runner, AChangedStepReRunsItselfAndTheLaterOnesOnly) {
   EXPECT_EQ(runner.computed(), 3U);
 }
 
+TEST(Runner, ANumberThatIsNotFiniteIsAnErrorOfItsStepAndNamed) {
+  Runner runner(fake::program());
+  const scenario::Run run = runner.run(document_of(
+      "[input]\nnumbers = [1, 2, 4]\n[[step]]\noperation = \"scale\"\nfactor = 1e200\n[[step]]\noperation = "
+      "\"scale\"\nname = \"last\"\nfactor = 1e200\n"));
+  ASSERT_TRUE(run.error);
+  EXPECT_EQ(run.failed_step, 2U);
+  EXPECT_EQ(run.states.size(), 2U);
+  EXPECT_EQ(base::exit_code(run.error->code), 4);
+  EXPECT_NE(run.error->message.find("'" + fake::quantities(run.states[0])[0].name + "' came out as inf"),
+            std::string::npos)
+      << run.error->message;
+}
+
 TEST(Runner, NamesAndCommentsDoNotCountAsChanges) {
   Runner runner(fake::program());
   Document document = document_of(two_steps);

@@ -73,7 +73,7 @@ TEST(Names, WhereThereIsNoRoomForAllTheyAreThinnedOutEvenly) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (boxes[i]) kept.push_back(names[i].end.y);
   }
-  EXPECT_GE(kept.size(), 8U);   // 120 points of lines hold twelve names
+  EXPECT_GE(kept.size(), 8U);  // 120 points of lines hold twelve names
   EXPECT_LE(kept.size(), 14U);
   for (std::size_t i = 1; i < kept.size(); ++i) EXPECT_LE(kept[i] - kept[i - 1], 24.0);
 }

@@ -28,8 +28,10 @@ Picture section(double length, double height, int beds, std::size_t rows) {
     for (int i = 0; i < beds; ++i) {
       const double z = -height * i / beds;
       const std::string name = "bed " + std::to_string(i);
-      panel.layers.push_back({"line" + name, name, Style{}, Lines{{{{{0.0, z}, {length, z - height / beds}}, false}}, {}}});
-      panel.layers.push_back({"name" + name, name, Style{}, Labels{{{{length, z - height / beds}, name, Anchor::Right}}}});
+      panel.layers.push_back(
+          {"line" + name, name, Style{}, Lines{{{{{0.0, z}, {length, z - height / beds}}, false}}, {}}});
+      panel.layers.push_back(
+          {"name" + name, name, Style{}, Labels{{{{length, z - height / beds}, name, Anchor::Right}}}});
       panel.layers.push_back({"unit" + name, "unit " + std::to_string(i), Style{.fill = Color{200, 200, 200}},
                               Regions{{{{{{{0.0, z}, {length, z}, {length, z - 1.0}}, true}}}}, {}}});
     }
@@ -95,8 +97,8 @@ TEST(Sheet, TheSectionIsTheMainThingHoweverManyRowsAndEntries) {
       for (const std::size_t rows : {3U, 60U, 700U}) {
         const Picture picture = section(length, height, beds, rows);
         const Layout made = sheet(picture);
-        const std::string what = std::to_string(length) + " m, " + std::to_string(beds) + " beds, " +
-                                 std::to_string(rows) + " rows";
+        const std::string what =
+            std::to_string(length) + " m, " + std::to_string(beds) + " beds, " + std::to_string(rows) + " rows";
         EXPECT_DOUBLE_EQ(made.page.width, a4_landscape.width) << what;
         EXPECT_LE(made.page.height, a4_landscape.height) << what;
         EXPECT_GE(share(made, picture.arrangement), 0.36) << what;
@@ -210,7 +212,8 @@ TEST(Sheet, KilometresStandOnTheAxesAndTheScaleBarOfALongSection) {
   EXPECT_GE(count(made, "20"), 2U);
   EXPECT_EQ(count(made, "20000"), 0U);
   for (const TextMark* text : texts_of(made)) {
-    if (text->text != "20" || text->at.y < made.panels[0].plot.high.y || text->at.y > made.panels[1].plot.low.y) continue;
+    if (text->text != "20" || text->at.y < made.panels[0].plot.high.y || text->at.y > made.panels[1].plot.low.y)
+      continue;
     EXPECT_NEAR(text->at.x, made.panels[0].transform.to_page({20000.0, 0.0}).x, 1e-6);
   }
   const auto has = [&](const std::string& part) {

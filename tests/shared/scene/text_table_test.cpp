@@ -73,7 +73,8 @@ TEST(TextTable, ATableWithoutRowsOrWithShortRowsIsDrawnAllTheSame) {
 Picture with_two_tables(std::size_t rows) {
   Picture picture;
   TextTable beds = ledger;
-  for (std::size_t i = beds.rows.size(); i < rows; ++i) beds.rows.push_back({"bed " + std::to_string(i), "1.0", "0.00"});
+  for (std::size_t i = beds.rows.size(); i < rows; ++i)
+    beds.rows.push_back({"bed " + std::to_string(i), "1.0", "0.00"});
   picture.tables = {beds, {"Units", {"unit"}, {{"A - B"}}}};
   return picture;
 }
@@ -110,6 +111,15 @@ TEST(TextTable, LongTablesAreCutAndSayHowManyRowsAreLeftOut) {
       }
     }
   }
+}
+
+TEST(TextTable, AVeryLongNameIsCutAtALetter) {
+  std::string name;
+  for (int i = 0; i < 300; ++i) name += "\u00e3";
+  const TextTable table{"Beds", {"horizon"}, {{name}, {name.substr(0, 96)}}};
+  const auto texts = texts_of(text_table(table, font, approximate_text_measure()));
+  EXPECT_EQ(texts[2].text, name.substr(0, 94) + "\u2026");
+  EXPECT_EQ(texts[3].text, name.substr(0, 96));  // of 48 letters
 }
 
 TEST(TextTable, NotesStandUnderEachOther) {

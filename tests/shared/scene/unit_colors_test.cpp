@@ -13,8 +13,10 @@ using Triple = std::array<double, 3>;
 using Matrix = std::array<Triple, 3>;
 
 // How colours look in full protanopia and deuteranopia (Machado, Oliveira and Fernandes 2009), in linear light.
-constexpr Matrix protan{{{0.152286, 1.052583, -0.204868}, {0.114503, 0.786281, 0.099216}, {-0.003882, -0.048116, 1.051998}}};
-constexpr Matrix deutan{{{0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}}};
+constexpr Matrix protan{
+    {{0.152286, 1.052583, -0.204868}, {0.114503, 0.786281, 0.099216}, {-0.003882, -0.048116, 1.051998}}};
+constexpr Matrix deutan{
+    {{0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}}};
 constexpr Matrix normal{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
 Triple lab(Color color, const Matrix& vision) {
@@ -120,7 +122,8 @@ Picture picture_of_units() {
 
 TEST(UnitColors, ATableColoursPiecesBedsAndTheRockBelowThem) {
   Picture picture = picture_of_units();
-  paint(picture, {{{"k2P", Color{9, 8, 7}, std::nullopt, "Cretaceous", "limestone"}, {"top", Color{250, 240, 10}, Pattern::Hatch}}});
+  paint(picture, {{{"k2P", Color{9, 8, 7}, std::nullopt, "Cretaceous", "limestone"},
+                   {"top", Color{250, 240, 10}, Pattern::Hatch}}});
   const std::vector<Layer>& layers = picture.panels[0].layers;
   EXPECT_EQ(layers[0].style.fill, (Color{9, 8, 7, 110}));  // as translucent as before
   EXPECT_EQ(layers[0].style.pattern, Pattern::Bricks);

@@ -1,0 +1,44 @@
+#pragma once
+// Beds from end to end of the section, for methods that lay them out by their own length. A bed seldom reaches as far
+// as the others do. What is missing of it is the parallel, at the depth of its end, of the next bed towards the top that
+// reaches the pin: so that what remains of a bed of a parallel fold is laid out as the whole bed would be.
+// Page: docs/algorithms/flexural_slip.md
+
+#include <string>
+#include <vector>
+
+#include "recon/core/grid.h"
+#include "recon/core/pin_line.h"
+#include "recon/core/section.h"
+#include "shared/base/result.h"
+
+namespace recon::core {
+
+/// A piece of a bed, which travels like the top.
+struct BedPart {
+  HorizonId horizon;  ///< Not valid where the bed is missing.
+  geom::Polyline line;
+  std::vector<double> arc;  ///< m
+};
+
+struct FullBed {
+  HorizonId id;                 ///< Of the horizon; of one in pieces that of the first piece along travel.
+  std::vector<BedPart> parts;   ///< In the order of travel. Where the bed jumps one does not begin where the last ends.
+  std::size_t pin_part = 0;     ///< Where the pin line meets it: the part, and ...
+  double pin_arc = 0.0;         ///< ... the arc length along that part, m.
+};
+
+/// Where beds end that reach about as far as the top does.
+enum class BedEnds {
+  AsTheyAre,
+  OfTheSection,  ///< An end nearer to the normal of the top's end than half its depth goes with that end.
+};
+
+/// @param order  the horizons that are taken, from the top of the section down; pieces of one count as one bed.
+/// @return  one a bed, in the order of the first of its horizons; remarks where a bed does not reach the pin.
+/// @error  CannotRestore with the place: pieces of a horizon above each other; a bed that cannot be completed.
+base::Result<std::vector<FullBed>> full_beds(const Section& section, const SourceGrid& source, const Columns& top,
+                                             double pin_arc, const std::vector<HorizonId>& order, BedEnds ends,
+                                             std::vector<std::string>& remarks);
+
+}  // namespace recon::core
