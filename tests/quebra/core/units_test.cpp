@@ -208,7 +208,7 @@ TEST_F(FilesAndUnits, WhatTheFileOrTheKeySaysCountsForTheFileAlone) {
 }
 
 TEST_F(FilesAndUnits, AUnitOfNoFileIsAContradiction) {
-  EXPECT_THAT(test::trouble("unit_system = \"mm, N, MPa\"\n[input]\nspecimen = \"l_shape\"\nunit = \"m\"\n"), HasSubstr("test.toml:6:8: input: `unit` is of the coordinates in `file`"));
+  EXPECT_THAT(test::trouble("unit_system = \"mm, N, MPa\"\n[input]\nspecimen = \"l_shape\"\nunit = \"m\"\n"), HasSubstr("test.toml:6:1: input: `unit` is of the coordinates in `file`"));
 }
 
 TEST_F(FilesAndUnits, ABackgroundMeshIsInTheScenariosUnits) {
