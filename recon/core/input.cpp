@@ -277,7 +277,10 @@ base::Result<void> read_colors(const std::string& path, ReadSection& read) {
   DOBRA_TRY(dobra::scene::ColorTable table, dobra::scenario::read_color_table(path));
   std::vector<std::string> names;
   for (const Horizon& horizon : read.section.horizons) names.push_back(whole_name(horizon));
-  for (const Unit& unit : read.section.units) names.push_back(unit.name);
+  for (const Unit& unit : read.section.units) {
+    const bool by_itself = unit.piece_of.empty() || dobra::scene::entry_for(table, unit.name, unit.name) != nullptr;
+    names.push_back(by_itself ? unit.name : unit.piece_of);
+  }
   if (read.section.units.empty()) {
     for (const RockUnit& unit : read.section.faces->units) names.push_back(unit.name);
   }

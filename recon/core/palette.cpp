@@ -9,6 +9,9 @@ Palette::Palette(const Section& section) {
   std::vector<std::string> names;
   for (const Unit& unit : section.units) names.push_back(unit.piece_of.empty() ? unit.name : unit.piece_of);
   wholes_ = scene::whole_names(names);
+  for (const Unit& unit : section.units) {
+    if (!unit.piece_of.empty()) wholes_[unit.id.index()] = unit.piece_of;
+  }
   numbers_ = scene::numbers_of(wholes_);
 }
 

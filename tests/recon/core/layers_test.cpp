@@ -195,6 +195,23 @@ TEST(Layers, PolygonsHaveTheColourOfTheirUnitAndPiecesShareIt) {
   EXPECT_NE(fill(1), fill(3));
 }
 
+TEST(Layers, PolygonsThatSayTheirUnitAreItsPiecesWhateverTheirNames) {
+  Model model;
+  for (const char* const whole : {"J2", "J1", "J2", ""}) {
+    const std::size_t i = model.section.units.size();
+    const double x = 10.0 * static_cast<double>(i);
+    const geom::Polyline square{{{x, 0}, {x + 9, 0}, {x + 9, 5}, {x, 5}}, true};
+    model.section.units.push_back({UnitId(i), "feature " + std::to_string(i), square, {}, whole});
+  }
+  const scene::Panel panel = picture_of(model).panels[0];
+  const auto unit = [&](int i) { return find(panel, "unit_" + std::to_string(i)); };
+  EXPECT_EQ(unit(0)->style.fill, unit(2)->style.fill);
+  EXPECT_EQ(unit(0)->legend, "J2");
+  EXPECT_EQ(unit(2)->legend, "J2");
+  EXPECT_NE(unit(0)->style.fill, unit(1)->style.fill);
+  EXPECT_EQ(unit(3)->legend, "feature 3");
+}
+
 TEST(Layers, AnEllipseBeyondMeasureIsCutOffAndTold) {
   Model model = restored_model();
   Strain extreme = model.restoration->ledger.strains.at(0);
