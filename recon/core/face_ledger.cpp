@@ -38,6 +38,13 @@ BedRole role_of(const Section& section, std::optional<std::size_t> one, std::opt
   return BedRole::Judged;
 }
 
+BedRole role_of(const Section& section, const RockUnit& unit) {
+  const bool has_surface = std::any_of(section.lines.begin(), section.lines.end(),
+                                       [](const SectionLine& line) { return line.kind == LineKind::Topography; });
+  const bool is_closed = section.border || (unit.base && (unit.top || has_surface));
+  return is_closed ? role_of(section, unit.top, unit.base) : BedRole::Outside;
+}
+
 std::vector<geom::Polyline> images_of(std::span<const geom::Polyline> contours, const SectionMap& map) {
   return base::parallel_map<geom::Polyline>(contours.size(),
                                             [&](std::size_t i) { return map.forward(contours[i]).after; });
@@ -53,7 +60,7 @@ void measure_faces(const Section& section, const SectionMap& map, Ledger& ledger
   for (const RockUnit& unit : units_by_faces(section)) {
     UnitRow row;
     row.name = unit.name;
-    row.role = role_of(section, unit.top, unit.base);
+    row.role = role_of(section, unit);
     row.faces_before = unit.contours;
     row.faces_after = images_of(row.faces_before, map);
     row.area_before = unit.area;

@@ -18,6 +18,9 @@ std::vector<RockUnit> units_by_faces(const Section& section);
 
 /// Of the unit between two horizons (indices; one may be missing).
 BedRole role_of(const Section& section, std::optional<std::size_t> one, std::optional<std::size_t> other);
+/// Likewise of a unit by faces. One with no horizon over it (or none under it) is rock only where the topography or a
+/// border was given to bound it.
+BedRole role_of(const Section& section, const RockUnit& unit);
 
 /// Images of closed contours, and the area that contours enclose, holes running the other way, m2.
 std::vector<geom::Polyline> images_of(std::span<const geom::Polyline> contours, const SectionMap& map);

@@ -41,7 +41,7 @@ struct UnitRow {
   double area_before = 0.0;
   double area_after = 0.0;
   double change_percent = 0.0;            ///< (after - before) / before.
-  BedRole role = BedRole::Judged;         ///< Growth: one of its horizons is.
+  BedRole role = BedRole::Judged;         ///< Growth: one of its horizons is; see face_ledger.h too.
   std::optional<Range> thickness_before;  ///< Nothing for polygons.
   std::optional<Range> thickness_after;
   std::optional<Range> dilatation;  ///< det F - 1: its extremes, and its mean by area.

@@ -37,7 +37,7 @@ class Draws {
       contours.insert(contours.end(), of_unit.begin(), of_unit.end());
     };
     for (const Unit& unit : section.units) add(unit.name, {unit.contour}, BedRole::Judged);
-    for (const RockUnit& unit : units_by_faces(section)) add(unit.name, unit.contours, role_of(section, unit.top, unit.base));
+    for (const RockUnit& unit : units_by_faces(section)) add(unit.name, unit.contours, role_of(section, unit));
     picks_.emplace(section, std::move(contours),
                    PickErrors{params.pick_error, params.correlation.value_or(box_of(section).width() / 20.0),
                               static_cast<std::uint64_t>(params.seed)});
@@ -129,7 +129,7 @@ class Draws {
     }
     const auto add = [&](const UnitAreas& areas, BedRole role) {
       numbers.insert(numbers.end(), {areas.before, areas.after});
-      if (role == BedRole::Growth) return;
+      if (role != BedRole::Judged) return;
       numbers[2] = std::max(numbers[2], 100.0 * std::abs(areas.after - areas.before) / areas.before);
     };
     const auto thickness = [](const geom::Polyline& upper, const geom::Polyline& lower) {

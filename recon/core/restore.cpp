@@ -106,7 +106,7 @@ Balance judge(const Section& section, const Restoration& restoration) {
     balance.worst = row.name;
   }
   for (const UnitRow& row : restoration.ledger.units) {
-    if (row.role == BedRole::Growth) continue;
+    if (row.role != BedRole::Judged) continue;
     if (!balance.worst_unit.empty() && std::abs(row.change_percent) <= balance.greatest_area_change_percent) continue;
     balance.greatest_area_change_percent = std::abs(row.change_percent);
     balance.worst_unit = row.name;

@@ -24,8 +24,12 @@ struct HorizonTag {
 /// Stays with a horizon through all steps; names are free to change.
 using HorizonId = base::Id<HorizonTag>;
 
-/// Growth: laid down while the section deformed, so that its length is not to agree with that of older beds.
-enum class BedRole { Judged, Growth };
+/// What verdicts make of a bed or a unit.
+enum class BedRole {
+  Judged,
+  Growth,   ///< Laid down while the section deformed, so that its length is not to agree with that of older beds.
+  Outside,  ///< Of units only: nothing but a line that the program drew between ends of beds bounds it on one side.
+};
 
 /// The trace of a bed surface, ordered from its left end to its right end.
 struct Horizon {

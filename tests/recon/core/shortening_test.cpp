@@ -3,9 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <memory>
+
 #include "recon/core/area_depth.h"
 #include "recon/core/operations.h"
 #include "recon/core/restore.h"
+#include "recon/core/section_faces.h"
 #include "tests/recon/core/shapes.h"
 
 namespace recon::core {
@@ -120,6 +124,27 @@ TEST(Shortening, APieceCutOutOfABedChangesNoVerdict) {
   section.horizons[1].piece_of = section.horizons[2].piece_of = "bed";
   EXPECT_LT(agreed_percent(section), 1.0);
   EXPECT_EQ(consistency_of(section.horizons).compared, 1u);
+}
+
+TEST(Shortening, WhatOnlyALineBetweenEndsOfBedsClosesIsNotJudged) {
+  // In a syncline the straight line from the top's right end to the short bed's runs above the top.
+  const geom::Polyline top{{{0, 0}, {1000, -500}, {2000, 0}}, false};
+  geom::Polyline bed = test::parallel(top, 100.0);
+  bed.points = {bed.points[0], geom::midpoint(bed.points[0], bed.points[1])};
+  Section section = test::section_of({top, bed});
+  section.faces = std::make_shared<const SectionFaces>(faces_of(section).value());
+  const auto above_top = [](const Restoration& made) {
+    return *std::find_if(made.ledger.units.begin(), made.ledger.units.end(),
+                         [](const UnitRow& row) { return row.name == "above top"; });
+  };
+  const Restoration open = restored(section, RestoreMethod::Flexural);
+  EXPECT_EQ(above_top(open).role, BedRole::Outside);
+  EXPECT_GT(std::abs(above_top(open).change_percent), 2.0);
+  EXPECT_TRUE(open.balance.balanced) << open.balance.worst_unit << " " << open.balance.greatest_area_change_percent;
+  // Within a border that somebody drew it is rock.
+  section.border = geom::Polyline{{{-100, -700}, {2100, -700}, {2100, 100}, {-100, 100}}, true};
+  section.faces = std::make_shared<const SectionFaces>(faces_of(section).value());
+  EXPECT_EQ(above_top(restored(section, RestoreMethod::Flexural)).role, BedRole::Judged);
 }
 
 TEST(Shortening, GrowthIsListedAndNotJudged) {
