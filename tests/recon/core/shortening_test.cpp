@@ -127,10 +127,12 @@ TEST(Shortening, APieceCutOutOfABedChangesNoVerdict) {
 }
 
 TEST(Shortening, WhatOnlyALineBetweenEndsOfBedsClosesIsNotJudged) {
-  // In a syncline the straight line from the top's right end to the short bed's runs above the top.
-  const geom::Polyline top{{{0, 0}, {1000, -500}, {2000, 0}}, false};
-  geom::Polyline bed = test::parallel(top, 100.0);
-  bed.points = {bed.points[0], geom::midpoint(bed.points[0], bed.points[1])};
+  // The straight line from the top's right end to that of the short bed runs above the top.
+  const geom::Polyline top{
+      {{0, 0}, {500, -150}, {1300, 30}, {1900, 150}, {2600, 450}, {2900, 350}, {3400, 150}, {3800, 350}}, false};
+  geom::Polyline bed = test::parallel(top, 130.0);
+  bed.points = {bed.points[0], bed.points[1], bed.points[2], bed.points[3],
+                geom::interpolate(bed.points[3], bed.points[4], 0.15)};
   Section section = test::section_of({top, bed});
   section.faces = std::make_shared<const SectionFaces>(faces_of(section).value());
   const auto above_top = [](const Restoration& made) {
@@ -142,7 +144,7 @@ TEST(Shortening, WhatOnlyALineBetweenEndsOfBedsClosesIsNotJudged) {
   EXPECT_GT(std::abs(above_top(open).change_percent), 2.0);
   EXPECT_TRUE(open.balance.balanced) << open.balance.worst_unit << " " << open.balance.greatest_area_change_percent;
   // Within a border that somebody drew it is rock.
-  section.border = geom::Polyline{{{-100, -700}, {2100, -700}, {2100, 100}, {-100, 100}}, true};
+  section.border = geom::Polyline{{{0, 0}, {0, -700}, {3800, -700}, {3800, 350}, {3800, 700}, {0, 700}}, true};
   section.faces = std::make_shared<const SectionFaces>(faces_of(section).value());
   EXPECT_EQ(above_top(restored(section, RestoreMethod::Flexural)).role, BedRole::Judged);
 }
