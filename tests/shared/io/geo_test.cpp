@@ -102,7 +102,7 @@ TEST(Geo, MacrosAreCarriedOutWhereTheyAreCalled) {
   EXPECT_EQ(nested.points.at(60).at.x, 30.0);
   for (const auto& [text, says] : std::vector<std::pair<std::string, std::string>>{
            {"Call hole;\n", "there is no macro 'hole'"},
-           {"Function a\nReturn\nCall b;\n", "did you mean 'a'?"},
+           {"Function hole\nReturn\nCall hoel;\n", "did you mean 'hole'?"},
            {"Function a\n x = 1;\n", "this Function has no Return"},
            {"Return\n", "no Function or Macro"},
            {"Macro a\n Call a;\nReturn\nCall a;\n", "too deeply"},
