@@ -380,7 +380,9 @@ Trace trace(const Curve& curve) {
 ShapeKey shape_key(const Curve& curve) {
   if (const auto* arc = std::get_if<Arc>(&curve.shape)) {
     if (arc->closed()) return {{arc->centre(), {arc->radius(), 0.0}}};
-    const auto [low, high] = std::minmax(point(curve, 0.0), point(curve, arc->length()));
+    const Point first = point(curve, 0.0);
+    const Point last = point(curve, arc->length());
+    const auto& [low, high] = std::minmax(first, last);
     const double side = cross(high - low, point(curve, 0.5 * arc->length()) - low) > 0.0 ? 1.0 : -1.0;
     return {{arc->centre(), low}, {high, {side, 0.0}}};
   }
