@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "recon/core/report.h"
 #include "recon/core/section_faces.h"
@@ -82,12 +83,14 @@ std::string restoration_json(const core::Model& model, Geometry geometry) {
                {"keeps", core::what_it_keeps(restoration.params.method)},
                {"percent", restoration.params.percent}};
   Json ledger = Json::array();
+  std::set<const core::UnitRow*> layers;
   for (std::size_t i = 0; i < restoration.lengths.size(); ++i) {
     const bool growth = restoration.lengths[i].role == core::BedRole::Growth;
     Json entry = {{"name", restoration.lengths[i].name}, {"kind", growth ? "growth" : "horizon"}};
     add_cells(core::cells_of(restoration.lengths[i]), entry);
     const core::UnitRow* layer = layer_below(model, i);
     if (layer != nullptr) {
+      layers.insert(layer);
       entry["layer"] = layer->name;
       add_cells(core::cells_of(*layer), entry);
     }
@@ -99,8 +102,8 @@ std::string restoration_json(const core::Model& model, Geometry geometry) {
     ledger.push_back(std::move(entry));
   }
   for (const core::UnitRow& row : restoration.ledger.units) {
-    if (model.section.units.empty()) break;
-    Json entry = {{"name", row.name}, {"kind", "unit"}};
+    if (model.section.units.empty() && layers.contains(&row)) continue;
+    Json entry = {{"name", row.name}, {"kind", row.role == core::BedRole::Outside ? "outside" : "unit"}};
     add_cells(core::cells_of(row), entry);
     ledger.push_back(std::move(entry));
   }

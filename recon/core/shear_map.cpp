@@ -50,17 +50,17 @@ std::string sound_angles(const geom::Polyline& line) {
 base::Result<Graph> graph_of(const geom::Polyline& given, double cosine, double sine, const char* item) {
   const auto q_of = [&](geom::Point p) { return cosine * p.x - sine * p.y; };
   geom::Polyline line = given;
-  if (q_of(line.points.front()) > q_of(line.points.back())) line = geom::reversed(std::move(line));
+  // From left to right: a shear beyond the dip would turn the section round, with all pieces in one direction.
+  const geom::Vector along = line.points.back() - line.points.front();
+  if (along.x < 0.0 || (along.x == 0.0 && along.y * sine > 0.0)) line = geom::reversed(std::move(line));
   Graph graph;
   for (std::size_t i = 0; i < line.points.size(); ++i) {
     const geom::Point p = line.points[i];
     if (i > 0 && !(q_of(p) - graph.q.back() > least_advance * geom::distance(line.points[i - 1], p))) {
-      std::string angles = sound_angles(line);
-      if (angles.empty()) angles = sound_angles(geom::reversed(line));
       return base::Error{base::ErrorCode::CannotRestore,
                          fmt::format("the {} turns against the direction of shear here{}, so that the shear is not "
                                      "single-valued; choose another angle, a simpler {}, or another method",
-                                     item, angles, item),
+                                     item, sound_angles(line), item),
                          place_at(line.points[i - 1], "shear")};
     }
     graph.q.push_back(q_of(p));

@@ -93,7 +93,7 @@ TEST(CrackPoints, AForceActsOnceWhateverNodesThePointHas) {
       continue;
     }
     EXPECT_THAT(last(done).remarks, Not(Contains(HasSubstr("lies on a crack")))) << place.name;
-    EXPECT_THAT(trouble(plate + place.input + problem + held + force("p_left", 1, 0) + analyse), HasSubstr("there is no point, curve or lip 'p_left'")) << place.name;
+    EXPECT_THAT(trouble(plate + place.input + problem + held + force("p_left", 1, 0) + analyse), HasSubstr("there is no curve, lip or point 'p_left'")) << place.name;
   }
 }
 

@@ -34,16 +34,15 @@ base::Result<Model> sheared(const std::vector<geom::Polyline>& lines, double deg
   return run_restore(model, params, {}, {});
 }
 
-/// Whether a line across the direction of shear is passed once everywhere: no two pieces with steps of unlike sign.
+/// Whether a line from left to right goes on across the direction of shear everywhere: beyond the dip of all its pieces
+/// they would all go back, and the section would be mirrored.
 bool advances(const geom::Polyline& line, double degrees) {
   const double a = degrees * pi / 180.0;
-  int up = 0, down = 0;
   for (std::size_t i = 0; i < line.segment_count(); ++i) {
     const geom::Vector v = line.segment(i).vector();
-    const double step = std::cos(a) * v.x - std::sin(a) * v.y;
-    (step > 0.0 ? up : down) += 1;
+    if (std::cos(a) * v.x - std::sin(a) * v.y <= 0.0) return false;
   }
-  return up == 0 || down == 0;
+  return true;
 }
 
 bool says(const Model& model, const std::string& part) {
@@ -71,6 +70,19 @@ TEST(ShearMap, ATopThatTurnsAgainstTheDirectionIsRefusedWithThePlace) {
     ASSERT_TRUE(refused.error().place && refused.error().place->x);
     EXPECT_EQ(geom::Point(*refused.error().place->x, *refused.error().place->y), one.at) << one.degrees;
   }
+}
+
+TEST(ShearMap, AShearBeyondTheDipOfTheWholeTopIsRefusedAndMirrorsNothing) {
+  // A monocline of 26.57 degrees: beyond 63.43 degrees all of it runs against the direction.
+  const geom::Polyline ramp{{{0, 0}, {1000, 500}, {2000, 1000}}, false};
+  const geom::Polyline below{{{0, -300}, {2000, 700}}, false};
+  for (const double degrees : {63.5, 70.0, 89.0}) EXPECT_FALSE(sheared({ramp, below}, degrees)) << degrees;
+  const auto made = sheared({ramp, below}, 60.0);
+  ASSERT_TRUE(made) << to_string(made.error());
+  const auto& top = made->restoration->section.horizons[0].line.points;
+  const auto& bed = made->restoration->section.horizons[1].line.points;
+  EXPECT_LT(top.front().x, top.back().x);
+  EXPECT_LT(bed.front().y, top.front().y);
 }
 
 TEST(ShearMap, ATargetThatTurnsAgainstTheDirectionIsRefusedToo) {
