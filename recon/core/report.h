@@ -23,11 +23,13 @@ namespace recon::core {
 ///   error.QUANTITY.mean, .deviation, .low, .median, .high; error.balanced_share   after monte_carlo
 ///   bed.NAME.* (the columns of the table area_depth), displacement, detachment; of three levels or more
 ///   displacement_error, detachment_error, r_squared                 after balance
+///   stages (earlier ones), since_input.horizon.NAME.change_percent, since_input.unit.NAME.change_percent
+///                                                                   of the second stage on
 ///   area, initial_width, width, area_shortening, area_shortening_percent and their _error, _most   after area_balance
 std::vector<dobra::scenario::Quantity> quantities_of(const Model& model);
 
 /// line_length, horizons_in_pieces (their sums), units, strain after restore; error_bars after monte_carlo; area_depth
-/// after balance.
+/// after balance; carried after carry; stages from the second stage on.
 std::vector<dobra::scenario::DataTable> tables_of(const Model& model);
 
 std::vector<std::string> remarks_of(const Model& model);
@@ -46,7 +48,7 @@ std::vector<RowCell> cells_of(const AreaDepthFit& fit);
 /// All lines, polygons and points of a section with their names, kinds and ids, but for those of no length.
 std::vector<dobra::io::Feature> restored_features(const Section& section);
 
-/// source_grid.geojson, target_grid.geojson, restored.geojson, restored.csv: as far as the model has them.
+/// source_grid.geojson, target_grid.geojson, restored.geojson, restored.csv, carried.geojson: as far as the model has them.
 std::vector<dobra::scenario::Output> outputs_of(const std::shared_ptr<const Model>& model);
 
 }  // namespace recon::core

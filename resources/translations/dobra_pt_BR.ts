@@ -736,6 +736,58 @@
         <translation>Lado</translation>
     </message>
     <message>
+        <source>Carried lines</source>
+        <translation>Linhas transportadas</translation>
+    </message>
+    <message>
+        <source>Carried points</source>
+        <translation>Pontos transportados</translation>
+    </message>
+    <message>
+        <source>Section after restoration</source>
+        <translation>Seção após a restauração</translation>
+    </message>
+    <message>
+        <source>In any format of lines, like a horizon&apos;s.</source>
+        <translation>Em qualquer formato de linhas, como o de um horizonte.</translation>
+    </message>
+    <message>
+        <source>Instead of a file: one point, a line, or a polygon whose last point repeats the first.</source>
+        <translation>Em vez de um arquivo: um ponto, uma linha ou um polígono cujo último ponto repete o primeiro.</translation>
+    </message>
+    <message>
+        <source>Points, lines or polygons of one state of the section, carried to another, forward or back.</source>
+        <translation>Pontos, linhas ou polígonos de um estado da seção, transportados para outro, para a frente ou para trás.</translation>
+    </message>
+    <message>
+        <source>Stands on</source>
+        <translation>Apoia-se em</translation>
+    </message>
+    <message>
+        <source>To state</source>
+        <translation>Para o estado</translation>
+    </message>
+    <message>
+        <source>From state</source>
+        <translation>Do estado</translation>
+    </message>
+    <message>
+        <source>Carry</source>
+        <translation>Transportar</translation>
+    </message>
+    <message>
+        <source>0 is the input, k the section after k restorations.</source>
+        <translation>0 é a entrada, k a seção após k restaurações.</translation>
+    </message>
+    <message>
+        <source>By default the last.</source>
+        <translation>Por padrão, o último.</translation>
+    </message>
+    <message>
+        <source>current: the section as the steps before leave it; input: as it was read, which begins anew.</source>
+        <translation>current: a seção como os passos anteriores a deixam; input: como foi lida, o que recomeça.</translation>
+    </message>
+    <message>
         <source>Simplify the top</source>
         <translation>Simplificar o topo</translation>
     </message>
