@@ -340,10 +340,10 @@ void add_analysis_tables(const Model& model, std::vector<dobra::scenario::DataTa
   tables.push_back(std::move(cycles));
 }
 
-void add_analysis_outputs(const Model& model, std::vector<dobra::scenario::Output>& outputs) {
-  if (model.analyses.empty()) return;
-  const std::shared_ptr<const Analysis> analysis = model.analyses.back();
-  const dobra::scenario::UnitSystem units = model.units;
+void add_analysis_outputs(const std::shared_ptr<const Model>& model, std::vector<dobra::scenario::Output>& outputs) {
+  if (model->analyses.empty()) return;
+  const std::shared_ptr<const Analysis> analysis = model->analyses.back();
+  const dobra::scenario::UnitSystem units = model->units;
   outputs.push_back({"results.vtu", [analysis, units](const auto& path) { return write_vtu(path.string(), analysis->meshed->mesh, fields_of(*analysis, units), units); }});
   if (deck_gap(analysis->meshed->mesh, analysis->problem)) return;  // a remark says so
   outputs.push_back({"analysis.inp", [analysis, units](const auto& path) -> Result<void> {

@@ -133,7 +133,7 @@ void add_tip_tables(const Model& model, std::vector<scenario::DataTable>& tables
         if (figure.value && !tip.refused) row.emplace_back(*figure.value);
         else row.emplace_back(std::string());
       }
-      row.emplace_back(tip.refused ? tip.refused->message : std::string());
+      row.emplace_back(tip.refused ? scenario::message_in_units(tip.refused->message, model.units) : std::string());
     }
   }
   tables.push_back(std::move(table));

@@ -342,8 +342,7 @@ scene::Picture size_field_picture(const Model& model, const Meshed& meshed) {
   return picture;
 }
 
-scene::Picture picture_of(const Model& model) {
-  scene::Picture picture;
+void draw(const Model& model, scene::Picture& picture) {
   picture.arrangement = scene::Arrangement::Grid;
   const std::size_t n = model.meshes.size();
   if (n == 0 && !model.work) picture.panels.push_back(domain_panel(model));
@@ -351,11 +350,9 @@ scene::Picture picture_of(const Model& model) {
   const std::size_t shown = model.work ? 1 : 2;
   for (std::size_t i = n > shown ? n - shown : 0; i < n; ++i) picture.panels.push_back(mesh_panel(model, *model.meshes[i], i + 1));
   if (model.work) picture.panels.push_back(work_panel(model, *model.work));
-  return picture;
 }
 
-std::vector<scenario::Quantity> quantities_of(const Model& model) {
-  std::vector<scenario::Quantity> quantities;
+void add_quantities(const Model& model, std::vector<scenario::Quantity>& quantities) {
   quantities.push_back({"curves", static_cast<double>(model.domain.curves.size()), ""});
   quantities.push_back({"loops", static_cast<double>(model.domain.loops.size()), ""});
   const auto& curves = model.domain.curves;
@@ -374,18 +371,20 @@ std::vector<scenario::Quantity> quantities_of(const Model& model) {
   }
   if (!model.meshes.empty()) add_quality(quantities, "", *model.meshes.back());
   for (std::size_t i = 0; i < model.meshes.size(); ++i) add_quality(quantities, fmt::format("mesh.{}.", i + 1), *model.meshes[i]);
-  return quantities;
 }
 
-std::vector<scenario::DataTable> tables_of(const Model& model) {
-  std::vector<scenario::DataTable> tables;
-  if (!model.findings.empty()) {
-    scenario::DataTable findings{"findings", {"what", "x [m]", "y [m]", "curve", "mend"}, {}};
-    for (const Finding& finding : model.findings) {
-      findings.rows.push_back({std::string(name_of(finding.wrong)), finding.at.x, finding.at.y, finding.curve, finding.mend});
-    }
-    tables.push_back(std::move(findings));
+void add_finding_tables(const Model& model, std::vector<scenario::DataTable>& tables) {
+  if (model.findings.empty()) return;
+  scenario::DataTable findings{"findings", {"what", "x [m]", "y [m]", "curve", "mend"}, {}};
+  for (const Finding& finding : model.findings) {
+    findings.rows.push_back({std::string(name_of(finding.wrong)), finding.at.x, finding.at.y, finding.curve,
+                             scenario::message_in_units(finding.mend, model.units)});
   }
+  tables.push_back(std::move(findings));
+}
+
+void add_mesh_tables(const Model& model, std::vector<scenario::DataTable>& tables) {
+  if (model.meshes.empty()) return;
   scenario::DataTable table{"quality",
                             {"mesh", "elements", "nodes", "alpha_mean", "alpha_90 [%]", "alpha_min", "min_angle [deg]", "max_angle [deg]", "gradation_p95", "constraints", "jacobian_min", "quadrilaterals", "quad_shape_min"},
                             {}};
@@ -395,11 +394,9 @@ std::vector<scenario::DataTable> tables_of(const Model& model) {
                           q.alpha_min, q.angle_min.degrees(), q.angle_max.degrees(), q.gradation_p95, static_cast<double>(meshed->constraints),
                           meshed->elements.jacobian_min, static_cast<double>(meshed->elements.quadrilaterals), meshed->elements.shape_min});
   }
-  if (table.rows.empty()) return tables;
   tables.push_back(std::move(table));
   tables.push_back(histogram("alpha", model.meshes.back()->quality.histogram));
   tables.push_back(histogram("scaled_jacobian", model.meshes.back()->elements.jacobians));
-  return tables;
 }
 
 mesh::ElementMesh in_units(mesh::ElementMesh mesh, const scenario::UnitSystem& units) {
@@ -420,13 +417,13 @@ base::Result<void> write_vtu(const std::string& path, const mesh::ElementMesh& m
   return io::add_note(path, note_of(units));
 }
 
-std::vector<scenario::Output> outputs_of(const std::shared_ptr<const Model>& model) {
-  if (model->meshes.empty()) return {};
+void add_mesh_outputs(const std::shared_ptr<const Model>& model, std::vector<scenario::Output>& outputs) {
+  if (model->meshes.empty()) return;
   const std::shared_ptr<const Meshed> meshed = model->meshes.back();
   const scenario::UnitSystem units = model->units;
-  std::vector<scenario::Output> outputs = {
-      {"mesh.vtu", [meshed, units](const auto& path) { return write_vtu(path.string(), meshed->mesh, quality_fields(meshed->mesh), units); }},
-  };
+  outputs.push_back({"mesh.vtu", [meshed, units](const auto& path) {
+                       return write_vtu(path.string(), meshed->mesh, quality_fields(meshed->mesh), units);
+                     }});
   for (const char* const name : {"mesh.msh", "mesh.inp", "mesh.bdf", "mesh.nf"}) {
     outputs.push_back({name, [meshed, units](const auto& path) { return write_mesh(path.string(), meshed->mesh, units); }, io::losses(name, meshed->mesh)});
   }
@@ -439,7 +436,6 @@ std::vector<scenario::Output> outputs_of(const std::shared_ptr<const Model>& mod
     outputs.push_back({"mesh.node", [write](const auto& path) { return write(path, [](const auto& mesh) { return io::node_text(io::node_file_of(mesh)); }); }});
     outputs.push_back({"mesh.ele", [write](const auto& path) { return write(path, [](const auto& mesh) { return io::ele_text(*io::ele_file_of(mesh)); }); }});
   }
-  return outputs;
 }
 
 }  // namespace quebra::core

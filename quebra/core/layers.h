@@ -9,10 +9,14 @@
 
 namespace quebra::core {
 
-dobra::scene::Picture picture_of(const Model& model);
-std::vector<dobra::scenario::Quantity> quantities_of(const Model& model);
-std::vector<dobra::scenario::DataTable> tables_of(const Model& model);
-std::vector<dobra::scenario::Output> outputs_of(const std::shared_ptr<const Model>& model);
+/// The domain, or the last two meshes, or the mesher at work.
+void draw(const Model& model, dobra::scene::Picture& picture);
+void add_quantities(const Model& model, std::vector<dobra::scenario::Quantity>& quantities);
+/// What was found and mended.
+void add_finding_tables(const Model& model, std::vector<dobra::scenario::DataTable>& tables);
+/// What the step mesh has: table of quality, histograms, files of the last mesh.
+void add_mesh_tables(const Model& model, std::vector<dobra::scenario::DataTable>& tables);
+void add_mesh_outputs(const std::shared_ptr<const Model>& model, std::vector<dobra::scenario::Output>& outputs);
 
 /// The domain with the names of its curves, lips, points and regions, each where it belongs.
 dobra::scene::Picture names_picture(const Model& model);
@@ -27,7 +31,7 @@ dobra::base::Result<void> write_vtu(const std::string& path, const dobra::mesh::
 /// How many of the elements have which quality: bars over alpha as high as their share of all, 0 .. 1; both axes to one scale.
 dobra::scene::Picture histogram_picture(const Meshed& meshed);
 
-/// The sizes that a mesh was to have, with the quadtree that carries them. The window and `picture_of` have both as hidden
+/// The sizes that a mesh was to have, with the quadtree that carries them. The window and `draw` have both as hidden
 /// layers "size_field" and "quadtree".  @pre meshed.sizes
 dobra::scene::Picture size_field_picture(const Model& model, const Meshed& meshed);
 

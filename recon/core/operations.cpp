@@ -10,6 +10,7 @@
 namespace recon::core {
 
 namespace scenario = dobra::scenario;
+namespace scene = dobra::scene;
 
 namespace {
 
@@ -141,6 +142,13 @@ scenario::Program make_program() {
   recon.title = "RECON";
   recon.input_fields = scenario::fields_of<SectionInput>();
   recon.read_input = read_input;
+  recon.results = scenario::make_results<Model>({
+      .quantities = [](const Model& model, auto& list) { list = quantities_of(model); },
+      .tables = [](const Model& model, auto& list) { list = tables_of(model); },
+      .remarks = [](const Model& model, auto& list) { list = remarks_of(model); },
+      .outputs = [](const std::shared_ptr<const Model>& model, auto& list) { list = outputs_of(model); },
+      .draw = [](const Model& model, scene::Picture& picture) { picture = picture_of(model); },
+  });
   recon.operations = {
       scenario::make_operation<Model, GridParams>(
           "grid", "Source grid", "Offset curves of the top of the section and the transversals between them.",
@@ -164,13 +172,6 @@ scenario::Program make_program() {
           "area_balance", "Area balance",
           "Shortening from the area of a section and the thickness that its layers had, with errors.",
           run_area_balance)};
-  recon.picture_of = [](const scenario::State& state) { return picture_of(scenario::model_of<Model>(state)); };
-  recon.quantities_of = [](const scenario::State& state) { return quantities_of(scenario::model_of<Model>(state)); };
-  recon.remarks_of = [](const scenario::State& state) { return remarks_of(scenario::model_of<Model>(state)); };
-  recon.tables_of = [](const scenario::State& state) { return tables_of(scenario::model_of<Model>(state)); };
-  recon.outputs_of = [](const scenario::State& state) {
-    return outputs_of(std::static_pointer_cast<const Model>(state));
-  };
   return recon;
 }
 

@@ -83,12 +83,9 @@ base::Result<void> check_numbers(const Program& program, const State& state) {
     return Error{ErrorCode::CannotSolve,
                  fmt::format("{} came out as {}, which is no finite number; no result is written", what, value)};
   };
-  if (program.quantities_of) {
-    for (const Quantity& quantity : program.quantities_of(state)) {
-      if (!std::isfinite(quantity.value)) return refuse(fmt::format("'{}'", quantity.name), quantity.value);
-    }
+  for (const Quantity& quantity : program.quantities_of(state)) {
+    if (!std::isfinite(quantity.value)) return refuse(fmt::format("'{}'", quantity.name), quantity.value);
   }
-  if (!program.tables_of) return {};
   for (const DataTable& table : program.tables_of(state)) {
     for (std::size_t r = 0; r < table.rows.size(); ++r) {
       for (std::size_t c = 0; c < table.rows[r].size(); ++c) {

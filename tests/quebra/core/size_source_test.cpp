@@ -159,7 +159,8 @@ TEST(SizeSource, TheSizesAreDrawnAsHiddenLayersAndAsAPicture) {
     const auto& layers = picture.panels.at(0).layers;
     return std::find_if(layers.begin(), layers.end(), [&](const scene::Layer& layer) { return layer.key == key; });
   };
-  const scene::Picture usual = picture_of(model);
+  scene::Picture usual;
+  draw(model, usual);
   EXPECT_FALSE(find(usual, "size_field")->visible);
   EXPECT_FALSE(find(usual, "quadtree")->visible);
   const scene::Picture picture = size_field_picture(model, *model.meshes.back());
