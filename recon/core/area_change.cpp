@@ -47,7 +47,11 @@ class Search {
 
   /// A piece of a line that lies in the cell.
   void in_cell(const geom::Segment& segment, Cell cell) {
-    if (segment.length() > map_.tolerances().tear) along(segment, cell);
+    const double tear = map_.tolerances().tear;
+    if (geom::length_squared(segment.vector()) <= tear * tear) return;
+    if (map_.columns() == nullptr || map_.columns()->law() != ColumnLaw::Thickness) return along(segment, cell);
+    // One function of the depth, monotone: its ends decide.
+    for (const geom::Point p : {segment.from, segment.to}) count(map_.columns()->determinant(cell, p), p);
   }
 
   void count(double value, geom::Point at) {
@@ -192,11 +196,14 @@ std::vector<char> follow_names(const MappedLine& line, const SectionMap& map, Se
       const Columns::Beyond out = columns.beyond(column, middle);
       return std::max(out.left, out.right);
     };
-    // A vertex on a rung has the name of one of its two columns.
-    ColumnId column = line.names[i].column;
-    const ColumnId other = line.names[i + 1].column;
-    if (other != column && beyond(other) < beyond(column)) column = other;
-    known[i] = beyond(column) < -tolerance ? 1 : 0;  // along a rung it is not the name that says on which side to look
+    // A vertex on a rung has the name of one of its two columns, mostly of that before.
+    ColumnId column = line.names[i + 1].column;
+    bool within = beyond(column) < -tolerance;
+    if (!within && line.names[i].column != column) {
+      column = line.names[i].column;
+      within = beyond(column) < -tolerance;
+    }
+    known[i] = within ? 1 : 0;  // along a rung it is not the name that says on which side to look
     if (known[i] != 0) search.in_cell(piece, {static_cast<std::uint32_t>(column.index()), 0});
   }
   return known;
@@ -219,18 +226,24 @@ std::vector<char> within(const MappedLine& line, const Rulings& rulings, Shared 
   return known;
 }
 
-/// det F of a strip is a ratio of two linear functions of its two fractions: its corners have its extremes.
+/// det F of a strip is a ratio of two linear functions of its two fractions: its corners have its extremes, and there
+/// the area is that of the two sides that meet.
 void count_corners(const RuledMap::Entered& at, double tear, Search& search) {
-  const auto& [left, right] = at.from;
-  for (const double across : {0.0, 1.0}) {
-    const RuledStack::Ruling& ruling = across == 0.0 ? left : right;
-    if (geom::distance(ruling.top, ruling.bottom) <= tear) continue;
-    for (const double down : {0.0, 1.0}) {
-      const double width = down == 0.0 ? geom::distance(left.top, right.top) : geom::distance(left.bottom, right.bottom);
-      if (width <= tear) continue;
-      const StripPlace place{across, down};
-      search.count(RuledStack::jacobian(at.to, place) / RuledStack::jacobian(at.from, place),
-                   down == 0.0 ? ruling.top : ruling.bottom);
+  const auto sides = [](const RuledStack::Strip& strip) {
+    return std::array{strip.right.top - strip.left.top, strip.right.bottom - strip.left.bottom,
+                      strip.left.bottom - strip.left.top, strip.right.bottom - strip.right.top};
+  };
+  const auto before = sides(at.from);
+  const auto after = sides(at.to);
+  std::array<double, 4> squared{};
+  std::transform(before.begin(), before.end(), squared.begin(), [](geom::Vector v) { return geom::length_squared(v); });
+  for (const std::size_t along : {0U, 1U}) {
+    for (const std::size_t ruling : {2U, 3U}) {
+      if (std::min(squared[along], squared[ruling]) <= tear * tear) continue;
+      const double area = geom::cross(before[along], before[ruling]);
+      if (area * area <= 1e-24 * squared[along] * squared[ruling]) continue;  // the two sides lie on one another
+      const RuledStack::Ruling& place = ruling == 2 ? at.from.left : at.from.right;
+      search.count(geom::cross(after[along], after[ruling]) / area, along == 0 ? place.top : place.bottom);
     }
   }
 }
