@@ -180,11 +180,13 @@ class Completer {
     return {};
   }
 
+  /// What uncovered = "continue" does here.
   void tell_continued() const {
+    if (source_.params.uncovered != Uncovered::Continue) return;
     const auto tell = [&](double metres, geom::Point end) {
       if (metres <= 1e4 * tolerance_) return;
-      remarks_.push_back(fmt::format("the top '{}' does not cover the section: it goes on straight for {:.6g} m from its "
-                                     "end at ({:.6g}, {:.6g}), to where the longest bed ends",
+      remarks_.push_back(fmt::format("the top '{}' does not cover the section: it goes on straight for {:.6g} m from "
+                                     "its end at ({:.6g}, {:.6g}), to where the longest bed ends",
                                      top_guide_.name, metres, end.x, end.y));
     };
     tell(-start_, source_.base.points.front());
@@ -258,8 +260,9 @@ class Completer {
     }
     if (made.guide == nullptr) {
       return cannot(piece, end,
-                    fmt::format("it ends here, and the beds above it are growth beds such as '{}', to which its missing "
-                                "part was never parallel; take an older top, lengthen it, or take another method",
+                    fmt::format("it ends here, and the beds above it are growth beds such as '{}', to which its "
+                                "missing part was never parallel; take an older top, lengthen it, or take another "
+                                "method",
                                 top_guide_.name));
     }
     return cannot(piece, end,

@@ -119,7 +119,8 @@ struct Beyond {
 };
 
 /// The farthest point of a line beyond the ends, if it is farther than what is known: beyond the normal of the end, and
-/// beside the top. What lies under the steep limb of a fold, or along the normal of a dipping end, is no lack of the top.
+/// beside the top. What lies under the steep limb of a fold, or along the normal of a dipping end, is no lack of the
+/// top.
 void measure_beyond(const geom::Polyline& line, const std::vector<ColumnPoint>& places, const Columns& columns,
                     const std::string& item, const base::Place& source, Beyond& beyond) {
   const geom::Box top = columns.base_line().box();

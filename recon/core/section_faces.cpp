@@ -392,7 +392,8 @@ std::vector<std::string> remarks_of(const SectionFaces& faces, const Section& se
       if (greatest == nullptr || misfit.area > greatest->area) greatest = &misfit;
     }
     if (count == 0) continue;
-    const std::string all = count == 1 ? "" : fmt::format("{} {}s of {:.4g} m2 in all; the greatest: ", count, what, area);
+    const std::string all =
+        count == 1 ? "" : fmt::format("{} {}s of {:.4g} m2 in all; the greatest: ", count, what, area);
     remarks.push_back(fmt::format("{}{} of {:.4g} m2 between the units {} at ({:.6g}, {:.6g})", all, what,
                                   greatest->area, greatest->between, greatest->place.x, greatest->place.y));
   }

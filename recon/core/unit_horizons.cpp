@@ -90,8 +90,8 @@ class Maker {
                                      owners_.tolerance()));
     }
     if (stubs_ > 0) {
-      remarks_.push_back(fmt::format("{} ends of edges between units turn off by no more than {:.4g} m, where polygons do "
-                                     "not end together, and are cut, the first at ({:.6g}, {:.6g})",
+      remarks_.push_back(fmt::format("{} ends of edges between units turn off by no more than {:.4g} m, where polygons "
+                                     "do not end together, and are cut, the first at ({:.6g}, {:.6g})",
                                      stubs_, owners_.tolerance(), first_stub_.x, first_stub_.y));
     }
     return std::move(made_);
@@ -270,7 +270,7 @@ class Maker {
       while (on + 1 < points.size() && geom::distance(points[i], points[on]) < 3.0 * tolerance) ++on;
       const geom::Vector back = points[i] - points.front();
       const geom::Vector ahead = points[on] - points[i];
-      if (std::abs(geom::cross(back, ahead)) > std::abs(geom::dot(back, ahead)) || geom::dot(back, ahead) < 0.0) stub = i;
+      if (std::abs(geom::cross(back, ahead)) > geom::dot(back, ahead)) stub = i;
     }
     return stub;
   }

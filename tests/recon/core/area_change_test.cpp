@@ -199,7 +199,8 @@ TEST(AreaChange, ItsMeanIsTheQuotientOfTheAreas) {
   const double r = 10.0 * std::cos(pi / 256.0);
   for (const double depth : {0.5, 2.0, 6.0}) {
     const Model model = restored({test::arc(), test::parallel(test::arc(), depth)}, by(RestoreMethod::Constant));
-    EXPECT_NEAR(model.restoration->ledger.units[0].dilatation->mean, 1.0 / (1.0 - depth * 63.0 / 64.0 / (2.0 * r)) - 1.0, 1e-9);
+    const double mean = model.restoration->ledger.units[0].dilatation->mean;
+    EXPECT_NEAR(mean, 1.0 / (1.0 - depth * 63.0 / 64.0 / (2.0 * r)) - 1.0, 1e-9);
   }
 }
 

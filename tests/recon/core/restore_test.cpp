@@ -277,7 +277,8 @@ TEST(Restore, ATornUnitIsToldWithThePlaceAndTheWidth) {
   const std::vector<std::string>& remarks = model->restoration->remarks;
   const auto told = [&](const std::string& name) {
     return std::any_of(remarks.begin(), remarks.end(), [&](const std::string& remark) {
-      return remark.find("unit '" + name + "' crosses the medial axis") == 0 && remark.find("most at (") < remark.size();
+      return remark.find("unit '" + name + "' crosses the medial axis") == 0 &&
+             remark.find("most at (") != std::string::npos;
     });
   };
   EXPECT_TRUE(told("U0"));
