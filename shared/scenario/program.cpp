@@ -52,8 +52,8 @@ namespace {
 template <class List, class Member>
 List gathered(const Program& program, const State& state, Member member) {
   List list;
-  const auto add = [&](const Results& results) {
-    if (results.*member) (results.*member)(state, list);
+  const auto add = [&](const Results& part) {
+    if (part.*member) (part.*member)(state, list);
   };
   add(program.results);
   for (const Operation& operation : program.operations) add(operation.results);
@@ -90,8 +90,8 @@ std::vector<Output> Program::outputs_of(const State& state) const {
 
 std::optional<bool> Program::reached(const State& state) const {
   std::optional<bool> all;
-  const auto ask = [&](const Results& results) {
-    const std::optional<bool> one = results.reached ? results.reached(state) : std::nullopt;
+  const auto ask = [&](const Results& part) {
+    const std::optional<bool> one = part.reached ? part.reached(state) : std::nullopt;
     if (one) all = all.value_or(true) && *one;
   };
   ask(results);
