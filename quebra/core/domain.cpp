@@ -235,7 +235,9 @@ Result<Domain> make_domain(Sketch sketch, const DomainOptions& options) {
   for (std::size_t i = 0; i < sketch.curves.size(); ++i) {
     const Curve& curve = sketch.curves[i];
     if (length(curve) <= tolerance) {
-      return Error{ErrorCode::DegenerateCurve, fmt::format("curve '{}' has no length; remove it", curve.name),
+      const double own = length(curve);
+      const std::string what = own > 0.0 ? fmt::format("is only {:.3g} m long, and points within {:.3g} m (join_tolerance) are one; make it longer or remove it", own, tolerance) : "has no length; remove it";
+      return Error{ErrorCode::DegenerateCurve, fmt::format("curve '{}' {}", curve.name, what),
                    at_point(places[i], start_of(curve))};
     }
     if (curve.role == Role::Crack && closed(curve)) {

@@ -145,8 +145,9 @@ Result<Model> read_input(const InputParams& params, const dobra::scenario::Table
                          const dobra::scenario::Context& context) {
   const auto append = [](auto& to, auto& from) { to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end())); };
   Sketch sketch;
+  const SpecimenParams specimen{params.specimen, params.width, params.height, params.radius, params.crack, params.position, params.angle};
+  if (const auto sizes = check_sizes(specimen); !sizes) return located(sizes.error(), table.place("specimen"));
   if (params.specimen != SpecimenKind::None) {
-    const SpecimenParams specimen{params.specimen, params.width, params.height, params.radius, params.crack, params.position, params.angle};
     auto made = make_specimen(specimen);
     if (!made) return located(made.error(), table.place("specimen"));
     sketch = *std::move(made);
@@ -166,6 +167,9 @@ Result<Model> read_input(const InputParams& params, const dobra::scenario::Table
     sketch.hole_points = std::move(file.hole_points);
     sketch.areas = std::move(file.areas);
   }
+  DOBRA_TRY(const SketchOptions lines, sketch_options(params));
+  if (params.file.empty() && lines.chosen && params.unit == FileUnit::File)
+    return Error{ErrorCode::BadValue, "`format`, `columns`, `separator`, `coordinates`, `y_axis`, `closed` and the like say how `file` is read, and there is no file; remove them"};
   if (params.file.empty() && params.unit != FileUnit::File)
     return Error{ErrorCode::BadValue, "`unit` is of the coordinates in `file`, and there is no file; numbers of the scenario are in the units of `unit_system`", table.place("unit")};
   if (params.gap && params.repair == Repair::No)
