@@ -137,6 +137,19 @@ Result<Inside> find_loops(Domain& domain, const std::vector<Place>& places, cons
   return inside;
 }
 
+/// Leaves out what two holes share. @return whether there is any: the loops must be followed anew.
+bool drop_between_holes(Domain& domain, Sketch& sketch, const Inside& inside) {
+  bool any = false;
+  for (std::size_t i = domain.curves.size(); i-- > 0;) {
+    const Curve& curve = domain.curves[i];
+    if (!sketch.interfaces.contains(curve.name) || inside(point(curve, 0.5 * length(curve)))) continue;
+    domain.curves.erase(domain.curves.begin() + static_cast<std::ptrdiff_t>(i));
+    sketch.places.erase(sketch.places.begin() + static_cast<std::ptrdiff_t>(i));
+    any = true;
+  }
+  return any;
+}
+
 Result<void> check_roles(const Domain& domain, const Inside& inside, const std::vector<Place>& places, const DomainOptions& options) {
   for (const auto& loop : domain.loops) {
     for (const auto& side : loop.sides) {
@@ -252,6 +265,9 @@ Result<Domain> make_domain(Sketch sketch, const DomainOptions& options) {
   domain.curves = std::move(sketch.curves);
   domain.points = std::move(sketch.points);
   DOBRA_TRY(Inside inside, find_loops(domain, places, options));
+  if (drop_between_holes(domain, sketch, inside)) {
+    DOBRA_TRY(inside, find_loops(domain, places, options));
+  }
   if (sketch.hole_points) {
     DOBRA_TRY_VOID(apply_hole_points(domain, inside, *sketch.hole_points));
     DOBRA_TRY(inside, find_loops(domain, places, options));

@@ -40,6 +40,7 @@ struct Sketch {
   std::vector<std::string> remarks;
   std::set<std::string> without_role = {};  ///< Curves, by name, whose file tells no roles: they are found once ends are joined.
   std::optional<HolePoints> hole_points = std::nullopt;
+  std::set<std::string> interfaces = {};  ///< Lines, by name, that two areas share (areas.h): between two holes they divide nothing.
   std::vector<Area> areas = {};  ///< A region named by `regions` keeps that name.
 };
 

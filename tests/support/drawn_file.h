@@ -9,6 +9,7 @@
 #include <sstream>
 #include <string>
 
+#include "quebra/core/model.h"
 #include "quebra/core/operations.h"
 #include "shared/scenario/runner.h"
 
@@ -27,13 +28,16 @@ class DrawnFile : public testing::Test {
   void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name, std::ios::binary) << text; }
   /// The model of an [input] with these lines.
   [[nodiscard]] dobra::base::Result<Model> read(const std::string& input) const {
+    const dobra::scenario::Run run = run_of(input);
+    if (run.error) return *run.error;
+    return dobra::scenario::model_of<Model>(run.states.back());
+  }
+  [[nodiscard]] dobra::scenario::Run run_of(const std::string& input) const {
     auto document = dobra::scenario::parse_document("dobra = 1\nprogram = \"quebra\"\n[input]\n" + input, "test.toml");
     EXPECT_TRUE(document.ok()) << (document ? "" : to_string(document.error()));
     document->file = folder_ / "test.toml";
     dobra::scenario::Runner runner(program());
-    const dobra::scenario::Run run = runner.run(*document);
-    if (run.error) return *run.error;
-    return dobra::scenario::model_of<Model>(run.states.back());
+    return runner.run(*document);
   }
   [[nodiscard]] Model good(const std::string& input) const {
     auto model = read(input);
