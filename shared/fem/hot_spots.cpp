@@ -20,22 +20,6 @@ constexpr double share_of_greatest = 0.8;
 /// there are some on the way to a crack tip.
 constexpr double least_prominence = 0.1;
 
-/// Nodes of points that a load, a support or a spring acts on.
-std::vector<NodeId> forced_nodes(const ElementMesh& mesh, const Problem& problem) {
-  std::vector<NodeId> nodes;
-  const auto add = [&](const std::string& where) {
-    const auto found = mesh.node_sets.find(where);
-    if (found == mesh.node_sets.end() || mesh.side_sets.contains(where)) return;
-    nodes.insert(nodes.end(), found->second.begin(), found->second.end());
-  };
-  for (const LoadCase& load_case : problem.cases) {
-    for (const PointLoad& load : load_case.points) add(load.where);
-  }
-  for (const Support& support : problem.supports) add(support.where);
-  for (const Spring& spring : problem.springs) add(spring.where);
-  return nodes;
-}
-
 /// Nodes where the stress is infinite.
 std::vector<char> infinite_at(const ElementMesh& mesh, const Problem& problem,
                               std::span<const SingularVertex> singular) {
@@ -43,7 +27,9 @@ std::vector<char> infinite_at(const ElementMesh& mesh, const Problem& problem,
   for (const SingularVertex& vertex : singular) {
     if (vertex.exponent < 1.0) infinite[vertex.node.index()] = 1;
   }
-  for (const NodeId node : forced_nodes(mesh, problem)) infinite[node.index()] = 1;
+  for (const LoadCase& load : problem.cases) {
+    for (const NodeId node : single_nodes_acted_on(mesh, problem, load)) infinite[node.index()] = 1;
+  }
   return infinite;
 }
 
@@ -98,6 +84,21 @@ class Hills {
 
 }  // namespace
 
+std::vector<NodeId> single_nodes_acted_on(const ElementMesh& mesh, const Problem& problem, const LoadCase& load) {
+  std::vector<NodeId> nodes;
+  const auto add = [&](const std::string& where) {
+    const auto found = mesh.node_sets.find(where);
+    if (found == mesh.node_sets.end() || mesh.side_sets.contains(where)) return;
+    nodes.insert(nodes.end(), found->second.begin(), found->second.end());
+  };
+  for (const PointLoad& own : load.points) {
+    if (length(own.force) > 0.0) add(own.where);
+  }
+  for (const Support& support : problem.supports) add(support.where);
+  for (const Spring& spring : problem.springs) add(spring.where);
+  return nodes;
+}
+
 std::vector<HotSpot> hot_spots(const ElementMesh& mesh, const Problem& problem, std::span<const geom::Vector> u,
                                const RecoveredStress& recovered, const ErrorEstimate& estimate,
                                std::span<const SingularVertex> singular, std::span<const Disc> left_out) {
@@ -131,18 +132,6 @@ std::vector<HotSpot> hot_spots(const ElementMesh& mesh, const Problem& problem, 
   std::erase_if(spots, [&](const HotSpot& spot) { return spot.stress < share_of_greatest * greatest; });
   std::stable_sort(spots.begin(), spots.end(), [](const HotSpot& a, const HotSpot& b) { return a.stress > b.stress; });
   return spots;
-}
-
-double distance_to_force(const ElementMesh& mesh, const Problem& problem, NodeId node) {
-  std::vector<NodeId> forced = forced_nodes(mesh, problem);
-  for (const Tie& tie : problem.ties) {
-    for (const TieTerm& term : tie.terms) forced.push_back(term.node);
-  }
-  double least = std::numeric_limits<double>::infinity();
-  for (const NodeId other : forced) {
-    if (other != node) least = std::min(least, distance(mesh.point(node), mesh.point(other)));
-  }
-  return least;
 }
 
 }  // namespace dobra::fem

@@ -26,7 +26,7 @@ std::vector<HotSpot> hot_spots(const mesh::ElementMesh& mesh, const Problem& pro
                                const RecoveredStress& recovered, const ErrorEstimate& estimate,
                                std::span<const SingularVertex> singular, std::span<const Disc> left_out = {});
 
-/// From a node to the nearest other one with a force of its own, m: of a load, support or spring at a point, or a tie.
-double distance_to_force(const mesh::ElementMesh& mesh, const Problem& problem, mesh::NodeId node);
+/// Nodes of points that a force of the load case, a support or a spring acts on.
+std::vector<mesh::NodeId> single_nodes_acted_on(const mesh::ElementMesh& mesh, const Problem& problem, const LoadCase& load);
 
 }  // namespace dobra::fem

@@ -296,9 +296,9 @@ TEST_F(AnalysisCommands, StepsThatACommandStandsOnAreAddedAndTold) {
   for (const Case& own : std::vector<Case>{{"crack", mesh + step("crack"), "added: analyse"},
                                            {"crack", step("crack"), "added: analyse"},
                                            {"crack", mesh, "added: analyse, crack"},
-                                           {"solve", "", "added: mesh, with its defaults, analyse"},
+                                           {"solve", "", "added: mesh, of the second order, analyse"},
                                            {"solve", mesh + step("crack"), "step 3 (crack) left out; added: analyse"},
-                                           {"solve", analyse, "added: mesh, with its defaults"}}) {
+                                           {"solve", analyse, "added: mesh, of the second order"}}) {
     const std::string file = put("plate.toml", cracked + own.steps);
     const auto done = call({own.command, file, "--json"});
     EXPECT_EQ(done.code, 0) << own.command << own.steps << done.err;

@@ -95,7 +95,7 @@ TEST(SizeSource, QUE_4_NoCycleOfALoopHasGreaterSizesThanFormulaAndBackgroundMesh
   EXPECT_LT(agreement(model.meshes.back()->mesh, wanted).first, 1.08);
 
   const auto file = std::filesystem::temp_directory_path() / "dobra_loop_background.msh";
-  ASSERT_TRUE(io::write_mesh(file.string(), model.meshes.front()->mesh).ok());
+  ASSERT_TRUE(io::write_mesh(file.string(), model.meshes.front()->mesh, io::InpElement::PlaneStress).ok());
   const auto again = test::run(loop(1, "background = \"" + file.string() + "\"\n"));
   std::filesystem::remove(file);
   ASSERT_FALSE(test::last(again).meshes.empty());
@@ -126,7 +126,7 @@ class BackgroundMesh : public ::testing::Test {
 };
 
 TEST_F(BackgroundMesh, TheSizesOfItsElementsAreWantedAgain) {
-  ASSERT_TRUE(io::write_mesh(path("b.msh"), mesh_).ok());
+  ASSERT_TRUE(io::write_mesh(path("b.msh"), mesh_, io::InpElement::PlaneStress).ok());
   const auto done = test::run(plate + mesh_step("background = \"" + path("b.msh") + "\"\n"));
   ASSERT_TRUE(done.complete()) << to_string(*done.error);
   const auto& again = test::last(done).meshes.back()->mesh;
