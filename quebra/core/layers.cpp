@@ -8,6 +8,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "quebra/core/problem.h"
 #include "quebra/core/repair.h"
 #include "shared/base/text.h"
 #include "shared/io/file.h"

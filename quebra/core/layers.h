@@ -4,6 +4,7 @@
 #include <array>
 
 #include "quebra/core/model.h"
+#include "shared/io/inp.h"
 #include "shared/io/vtu.h"
 #include "shared/scenario/program.h"
 

@@ -530,7 +530,7 @@ void compare_figures(const TipFrame& frame, TipResult& result) {
   const double apart = result.release > 0.0 ? std::abs(result.domain.j / result.release - 1.0) : 0.0;
   const bool j_parts = !result.no_j && apart > most_apart;
   if (!j_parts && !(result.spread.value_or(0.0) > most_apart)) return;
-  std::string text = fmt::format("J, G and K part by more than {:.0f} %:", 100.0 * most_apart);
+  std::string text = fmt::format("the figures part by more than {:.0f} %:", 100.0 * most_apart);
   if (j_parts) text += fmt::format(" J is {:.4g} J/m2 and G {:.4g} J/m2;", result.domain.j, result.release);
   const auto add = [&](const char* method, const Intensity& k) {
     text += fmt::format(" K_I {:.4g} Pa sqrt(m), K_II {:.4g} Pa sqrt(m) by {};", k.one, k.two, method);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "shared/fem/stress.h"
@@ -33,11 +34,17 @@ std::vector<char> infinite_at(const ElementMesh& mesh, const Problem& problem,
   return infinite;
 }
 
-/// How far one must descend from each node to get to a higher one; only of the tops of hills, 0 elsewhere.
+/// How far one must descend from each node to get to a higher one; only of the tops of hills, 0 elsewhere. A top that is
+/// no higher than an infinite hill is as far from its own top is a bump on the slope of that one, and has 0 too.
 class Hills {
  public:
   Hills(const ElementMesh& mesh, std::vector<double> heights)
-      : heights_(std::move(heights)), hill_(heights_.size(), none), prominence_(heights_.size(), 0.0) {
+      : points_(mesh.points),
+        heights_(std::move(heights)),
+        hill_(heights_.size(), none),
+        prominence_(heights_.size(), 0.0),
+        on_slope_(heights_.size(), 0),
+        members_(heights_.size()) {
     std::vector<std::vector<std::size_t>> neighbours(heights_.size());
     std::vector<std::size_t> order;
     for (std::size_t e = 0; e < mesh.element_count(); ++e) {
@@ -56,12 +63,17 @@ class Hills {
     // The water falls: islands come up, and join.
     for (const std::size_t n : order) {
       hill_[n] = n;
+      members_[n] = {n};
+      if (std::isinf(heights_[n])) infinite_[n] = 0.0;
+      const bool is_top = std::ranges::none_of(neighbours[n], [&](std::size_t other) { return hill_[other] != none; });
+      on_slope_[n] = is_top && lies_on_slope(n) ? 1 : 0;
       for (const std::size_t other : neighbours[n]) {
         if (hill_[other] == none) continue;
         const std::size_t a = top(n), b = top(other);
         if (a == b) continue;
         const auto [lower, higher] = heights_[a] < heights_[b] || a == n ? std::pair{a, b} : std::pair{b, a};
         prominence_[lower] = heights_[lower] - heights_[n];
+        join(lower, higher);
         hill_[lower] = higher;
       }
     }
@@ -69,7 +81,7 @@ class Hills {
       if (hill_[n] == n) prominence_[n] = heights_[n];
     }
   }
-  [[nodiscard]] double prominence(std::size_t node) const { return prominence_[node]; }
+  [[nodiscard]] double prominence(std::size_t node) const { return on_slope_[node] != 0 ? 0.0 : prominence_[node]; }
 
  private:
   static constexpr std::size_t none = ~std::size_t{0};
@@ -77,9 +89,27 @@ class Hills {
     while (hill_[n] != n) n = hill_[n] = hill_[hill_[n]];
     return n;
   }
+  /// Whether an infinite hill, as far as it is above water, reaches as far as this node is.
+  [[nodiscard]] bool lies_on_slope(std::size_t n) const {
+    return std::ranges::any_of(infinite_, [&](const auto& own) { return own.first != n && distance(points_[own.first], points_[n]) <= own.second; });
+  }
+  void join(std::size_t lower, std::size_t higher) {
+    for (auto& [node, reach] : infinite_) {
+      const std::size_t own = top(node);
+      if (own != lower && own != higher) continue;
+      for (const std::size_t member : members_[own == lower ? higher : lower]) reach = std::max(reach, distance(points_[node], points_[member]));
+    }
+    if (members_[lower].size() > members_[higher].size()) std::swap(members_[lower], members_[higher]);
+    members_[higher].insert(members_[higher].end(), members_[lower].begin(), members_[lower].end());
+    members_[lower] = {};
+  }
+  const std::vector<geom::Point>& points_;
   std::vector<double> heights_;
   std::vector<std::size_t> hill_;
   std::vector<double> prominence_;
+  std::vector<char> on_slope_;
+  std::vector<std::vector<std::size_t>> members_;  ///< Of each hill above water, by its top.
+  std::map<std::size_t, double> infinite_;         ///< Hills without end that are above water, with how far they reach.
 };
 
 }  // namespace
