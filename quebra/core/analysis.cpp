@@ -196,7 +196,10 @@ std::vector<std::string> left_out_of(const Analysis& analysis, std::size_t c) {
   const double held = analysis.fields[c].estimate.left_out;
   std::vector<std::string> remarks{fmt::format("forces at single points ({}) have an infinite energy: their surroundings of radius {}{} are left out of the error", names_of(loaded), radius,
                                                held >= least_told ? fmt::format(" hold {:.2g} % of the energy and", 100.0 * held) : std::string())};
-  for (const LoadedPoint& point : loaded) {
+  for (std::size_t i = 0; i < loaded.size(); ++i) {
+    const LoadedPoint& point = loaded[i];
+    const auto same = [&](const LoadedPoint& other) { return other.at == point.at; };  // the other lip's
+    if (std::any_of(loaded.begin(), loaded.begin() + static_cast<std::ptrdiff_t>(i), same)) continue;
     const double size = fem::element_size(m, element_at(m, point.at));
     if (size > point.radius) {
       remarks.push_back(fmt::format("the elements at '{}' ({:.6g}, {:.6g}) are of {:.3g} m, larger than its surroundings of {:.3g} m that are left out: the error takes in a part of what is infinite; give the point a size of {:.2g} m", point.name,

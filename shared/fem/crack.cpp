@@ -513,39 +513,6 @@ void compare_methods(const ElementMesh& mesh, const Problem& problem, const Load
       frame.quarter ? "" : "; these elements do not hold the singularity, so K may be off by several percent"));
 }
 
-/// What J, G and K have to say to each other.
-void compare_figures(const TipFrame& frame, TipResult& result) {
-  const std::string of = fmt::format("crack tip '{}' at ({:.6g}, {:.6g}): ", frame.tip.name, frame.at.x, frame.at.y);
-  const Contour& contour = result.contour;
-  if (contour.outer > frame.acted.clear) {
-    result.no_j = fmt::format(
-        "J is not given: its ring of radius {:.4g} m runs through elements at ({:.6g}, {:.6g}), {:.4g} m from the tip, "
-        "where a force or support acts on a single node and the energy is infinite",
-        contour.outer, frame.acted.at.x, frame.acted.at.y, frame.acted.distance);
-    result.remarks.push_back(
-        of + *result.no_j +
-        fmt::format("; G stands for it, or mesh with tip_radius = {:.2g} m and elements as small beside the force",
-                    frame.acted.distance / 40.0));
-  }
-  const double apart = result.release > 0.0 ? std::abs(result.domain.j / result.release - 1.0) : 0.0;
-  const bool j_parts = !result.no_j && apart > most_apart;
-  if (!j_parts && !(result.spread.value_or(0.0) > most_apart)) return;
-  std::string text = fmt::format("the figures part by more than {:.0f} %:", 100.0 * most_apart);
-  if (j_parts) text += fmt::format(" J is {:.4g} J/m2 and G {:.4g} J/m2;", result.domain.j, result.release);
-  const auto add = [&](const char* method, const Intensity& k) {
-    text += fmt::format(" K_I {:.4g} Pa sqrt(m), K_II {:.4g} Pa sqrt(m) by {};", k.one, k.two, method);
-  };
-  add("the interaction integral", result.domain.k);
-  if (result.closure) add("crack closure", *result.closure);
-  if (result.correlation) add("displacement correlation", *result.correlation);
-  const double room = std::min(frame.room, frame.acted.distance);
-  result.remarks.push_back(
-      of + text +
-      fmt::format(" the tip's elements are {:.3g} m long, in a room of {:.3g} m: try tip_radius = {:.2g} m and smaller "
-                  "elements round it",
-                  frame.length, room, std::min(0.5 * frame.length, room / 80.0)));
-}
-
 /// Kink angles, or why there are none.
 void look_for_contact(const ElementMesh& mesh, const TipFrame& frame, const std::vector<mesh::ElementSide>& boundary,
                       std::span<const Vector> u, TipResult& result) {

@@ -109,6 +109,8 @@ struct TipResult {
 };
 /// J and G, or K of two methods, that part by more than this have a remark.
 constexpr double most_apart = 0.02;
+/// Leaves J out where its ring is not clear, and adds remarks on that and on figures that part.
+void compare_figures(const TipFrame& frame, TipResult& result);
 /// All of it, for every tip, in their order. A crack whose lips overlap has its remark: contact is not modelled.
 std::vector<TipResult> crack_tips(const mesh::ElementMesh& mesh, const Problem& problem, const LoadCase& load,
                                   std::span<const geom::Vector> u, std::optional<double> outer = std::nullopt);
