@@ -26,6 +26,7 @@ enum class Lips : std::uint8_t { Both, OnlyLeft, OnlyRight };
 struct NodeActedOn {
   geom::Point at;
   double distance = std::numeric_limits<double>::infinity();  ///< From the tip; 0: a force acts on the tip itself, m.
+  double half_way = std::numeric_limits<double>::infinity();  ///< To the nearest load; supports may bear nothing, m.
   double clear = std::numeric_limits<double>::infinity();     ///< Radius of the disc that no element at such a node reaches into, m.
 };
 
@@ -68,7 +69,7 @@ struct Contour {
 };
 /// The node acted on that is nearest to a tip in a load case. @cost O(n)
 NodeActedOn nearest_acted_on(const mesh::ElementMesh& mesh, const Problem& problem, const LoadCase& load, const TipFrame& frame);
-/// The largest ring in the room of the tip and within half the distance to a node acted on, clear of its elements; if that
+/// The largest ring in the room of the tip and within half the distance to a node with a load, clear of the elements of all nodes acted on; if that
 /// is too small for the tip's elements, the smallest that they allow; or that of `outer`.
 /// @error BadCrack: the room, or `outer`, does not reach twice the size of the tip's elements; `outer` leaves the room, or
 /// holds a node acted on; a force acts on the tip itself.

@@ -18,7 +18,7 @@ using mesh::NodeId;
 
 /// The largest contour stays this far inside what limits it, so that a whole ring of elements is clear of it.
 constexpr double room_used = 0.95;
-/// Of the distance to a node acted on: beyond, its stresses, as 1 / r, spoil J.
+/// Of the distance to a node with a load: beyond, its stresses, as 1 / r, spoil J.
 constexpr double share_of_distance = 0.5;
 /// How far a node of the lip may stray from the crack's line, as a fraction of its distance.
 constexpr double straightness = 1e-6;
@@ -91,7 +91,7 @@ double clear_of(const ElementMesh& mesh, const TipFrame& frame, const std::vecto
 NodeActedOn nearest_acted_on(const ElementMesh& mesh, const Problem& problem, const LoadCase& load, const TipFrame& frame) {
   for (const PointLoad& own : load.points) {
     const auto nodes = find_nodes(mesh, own.where).value();
-    if (length(own.force) > 0.0 && std::find(nodes.begin(), nodes.end(), frame.tip.node) != nodes.end()) return {frame.at, 0.0, 0.0};
+    if (length(own.force) > 0.0 && std::find(nodes.begin(), nodes.end(), frame.tip.node) != nodes.end()) return {frame.at, 0.0, 0.0, 0.0};
   }
   std::vector<NodeId> nodes = single_nodes_acted_on(mesh, problem, load);
   for (const Tie& tie : problem.ties) {
@@ -103,9 +103,17 @@ NodeActedOn nearest_acted_on(const ElementMesh& mesh, const Problem& problem, co
   NodeActedOn nearest;
   for (const NodeId node : nodes) {
     const double own = distance(mesh.point(node), frame.at);
-    if (own < nearest.distance) nearest = {mesh.point(node), own, 0.0};
+    if (own >= nearest.distance) continue;
+    nearest.at = mesh.point(node);
+    nearest.distance = own;
   }
   nearest.clear = clear_of(mesh, frame, nodes);
+  for (const PointLoad& own : load.points) {
+    const auto loaded = find_nodes(mesh, own.where).value();
+    for (const NodeId node : loaded) {
+      if (length(own.force) > 0.0 && std::find(nodes.begin(), nodes.end(), node) != nodes.end()) nearest.half_way = std::min(nearest.half_way, share_of_distance * distance(mesh.point(node), frame.at));
+    }
+  }
   return nearest;
 }
 
@@ -117,7 +125,7 @@ base::Result<Contour> contour_of(const TipFrame& frame, std::optional<double> ou
   const std::string limit = acted.distance < frame.room
                                 ? fmt::format("what acts on the node at ({:.6g}, {:.6g})", acted.at.x, acted.at.y)
                                 : std::string("a boundary, another material, another tip or a bend of the crack");
-  const double wished = std::min({room_used * frame.room, share_of_distance * acted.distance, acted.clear});
+  const double wished = std::min({room_used * frame.room, acted.half_way, acted.clear});
   const double radius = outer.value_or(std::max(wished, std::min(least, room_used * room)));
   if (radius > room)
     return bad(frame, fmt::format("the contour of radius {:.4g} m leaves the straight end of the crack, or meets {}: at most {:.4g} m", radius, limit, room));
