@@ -8,6 +8,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "quebra/core/problem.h"
 #include "quebra/core/repair.h"
 #include "shared/base/text.h"
 #include "shared/io/file.h"
@@ -410,8 +411,12 @@ mesh::ElementMesh in_units(mesh::ElementMesh mesh, const scenario::UnitSystem& u
 
 std::string note_of(const scenario::UnitSystem& units) { return "units: " + units.text(); }
 
-base::Result<void> write_mesh(const std::string& path, const mesh::ElementMesh& mesh, const scenario::UnitSystem& units) {
-  DOBRA_TRY_VOID(io::write_mesh(path, in_units(mesh, units)));
+io::InpElement inp_element_of(const Model& model) {
+  return model.problem && model.problem->state == Plane::Strain ? io::InpElement::PlaneStrain : io::InpElement::PlaneStress;
+}
+
+base::Result<void> write_mesh(const std::string& path, const mesh::ElementMesh& mesh, io::InpElement element, const scenario::UnitSystem& units) {
+  DOBRA_TRY_VOID(io::write_mesh(path, in_units(mesh, units), element));
   return io::add_note(path, note_of(units));
 }
 
@@ -427,8 +432,9 @@ std::vector<scenario::Output> outputs_of(const std::shared_ptr<const Model>& mod
   std::vector<scenario::Output> outputs = {
       {"mesh.vtu", [meshed, units](const auto& path) { return write_vtu(path.string(), meshed->mesh, quality_fields(meshed->mesh), units); }},
   };
+  const io::InpElement element = inp_element_of(*model);
   for (const char* const name : {"mesh.msh", "mesh.inp", "mesh.bdf", "mesh.nf"}) {
-    outputs.push_back({name, [meshed, units](const auto& path) { return write_mesh(path.string(), meshed->mesh, units); }, io::losses(name, meshed->mesh)});
+    outputs.push_back({name, [meshed, element, units](const auto& path) { return write_mesh(path.string(), meshed->mesh, element, units); }, io::losses(name, meshed->mesh)});
   }
   // These hold triangles of one order only.
   if (io::ele_file_of(meshed->mesh)) {
