@@ -238,5 +238,29 @@ TEST(Sheet, MovedNamesHaveALineToTheirEnd) {
   EXPECT_GE(leaders, 4U);
 }
 
+TEST(Sheet, ALegendOfSixtyEntriesIsSetSmallAndHoldsAllInASixthOfThePage) {
+  Picture picture = section(6000.0, 2000.0, 60, 3);
+  for (Panel& panel : picture.panels) {
+    for (Layer& layer : panel.layers) {
+      if (!std::holds_alternative<Regions>(layer.content)) layer.in_legend = InLegend::No;
+      layer.legend = "Formation " + layer.title.substr(layer.title.rfind(' ') + 1);
+    }
+  }
+  const Layout made = sheet(picture);
+  double top = made.page.height;
+  double bottom = 0.0;
+  std::size_t entries = 0;
+  for (const TextMark* text : texts_of(made)) {
+    EXPECT_FALSE(text->text.starts_with("... ")) << text->text;
+    if (!text->text.starts_with("Formation ")) continue;
+    ++entries;
+    top = std::min(top, box_of(Mark{*text}).low.y);
+    bottom = std::max(bottom, box_of(Mark{*text}).high.y);
+  }
+  EXPECT_EQ(entries, 60U);
+  EXPECT_LT(bottom - top, made.page.height / 5.0);
+  expect_no_text_on_another(made, "sixty entries");
+}
+
 }  // namespace
 }  // namespace dobra::scene
