@@ -149,8 +149,8 @@ scene::Layer size_layer(const Meshed& meshed) {
     scale.ticks = scene::AxisScale::Log10;
     for (double* end : {&scale.low, &scale.high, &*scale.least, &*scale.greatest}) *end = std::log10(*end);
     for (double& value : content.values) value = std::log10(value);
-  } else if (*greatest - *least <= 1e-6 * *greatest) {
-    content.scale.high = *least * (1.0 + 1e-3);
+  } else {
+    scene::settle_constant(content, *greatest);
   }
   return {"size_field", translated("Size field"), {.line_width = 0.0}, std::move(content), false};
 }
@@ -270,11 +270,27 @@ void add_triangles(const mesh::ElementMesh& mesh, std::size_t element, std::vect
   }
 }
 
+namespace {
+
+/// The middle of the longest side: away from corners, where curves meet.
+geom::Point place_of_name(const Curve& curve) {
+  const auto* chain = std::get_if<geom::Polyline>(&curve.shape);
+  if (chain == nullptr || chain->segment_count() == 0) return point(curve, 0.5 * length(curve));
+  geom::Segment longest = chain->segment(0);
+  for (std::size_t i = 1; i < chain->segment_count(); ++i) {
+    const geom::Segment side = chain->segment(i);
+    if (side.length() > (1.0 + 1e-9) * longest.length()) longest = side;
+  }
+  return interpolate(longest.from, longest.to, 0.5);
+}
+
+}  // namespace
+
 scene::Picture names_picture(const Model& model) {
   const Domain& domain = model.domain;
   scene::Panel panel = domain_panel(model);
   scene::Labels curves, points, regions;
-  for (const Curve& curve : domain.curves) curves.labels.push_back({point(curve, 0.5 * length(curve)), curve.name, scene::Anchor::Centre});
+  for (const Curve& curve : domain.curves) curves.labels.push_back({place_of_name(curve), curve.name, scene::Anchor::Callout});
   for (const NamedPoint& point : domain.points) points.labels.push_back({point.at, point.name, scene::Anchor::Right});
   for (const Face& face : domain.faces) {
     const auto name = domain.region_names.find(face.region);
