@@ -10,6 +10,7 @@
 
 #include "shared/base/text.h"
 #include "shared/io/file.h"
+#include "shared/io/line_kinds.h"
 #include "shared/io/scan.h"
 
 namespace dobra::io {
@@ -341,10 +342,19 @@ class Reader {
     return {};
   }
 
+  /// A row stands alone where its name or kind differs from those of its neighbours.
+  static std::string lone_point(const Line& line) {
+    if (!line.kind.empty() && !known_kind(line.kind))
+      return fmt::format("unknown kind '{}', in this row only{}", line.kind, kind_hint(line.kind));
+    const std::string name = line.name.empty() ? std::string() : fmt::format(" '{}'", line.name);
+    const std::string kind = line.kind.empty() ? std::string() : fmt::format(" of kind '{}'", line.kind);
+    return fmt::format("a line needs at least two distinct points; this one{}{} has 1", name, kind);
+  }
+
   Result<void> finish(Line line) {
     std::vector<Point>& points = line.points;
     if (points.size() < 2) {
-      return Error{ErrorCode::DegenerateCurve, "a line needs at least two distinct points; this one has 1",
+      return Error{ErrorCode::DegenerateCurve, lone_point(line),
                    Place{.file = file_, .line = line.begin, .x = points[0].x, .y = points[0].y}};
     }
     const bool returns =
