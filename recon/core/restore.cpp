@@ -201,8 +201,9 @@ base::Result<Restoration> restore(const Section& section, const SourceGrid& sour
     remark_on(section.horizons[i].name, restoration.lines[i], words, restoration.remarks);
   carry_the_rest(map, restoration.section);
   restoration.order = order_of(section, source.top, restoration.lines);
-  DOBRA_TRY(restoration.ledger, draw_up(section, ledger_units(section, restoration.order), restoration.lines, map,
-                                        made.ends ? *made.ends : map, {}, progress));
+  const std::vector<LedgerUnit> units = ledger_units(section, restoration.order, source.side);
+  DOBRA_TRY(restoration.ledger,
+            draw_up(section, units, restoration.lines, map, made.ends ? *made.ends : map, {}, progress));
   measure_faces(section, map, restoration.ledger);
   DOBRA_TRY_VOID(refuse_not_finite(section, restoration));
   if (params.outside == Doubt::Limited) DOBRA_TRY_VOID(refuse_beyond_limits(section, source, target, restoration));
