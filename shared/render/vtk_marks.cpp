@@ -18,6 +18,7 @@
 
 #include "shared/render/vtk_scene.h"
 #include "shared/scene/color_map.h"
+#include "shared/scene/pattern.h"
 
 namespace dobra::render {
 namespace {
@@ -72,7 +73,10 @@ class Shapes {
   }
 
   void operator()(const scene::BoxMark& mark) {
-    if (mark.fill) add_box(pixels(mark.box), *mark.fill, *mark.fill, scene::GradientMark::Direction::Up);
+    if (mark.fill) {
+      add_box(pixels(mark.box), *mark.fill, *mark.fill, scene::GradientMark::Direction::Up);
+      add_pattern(mark.box, mark.pattern);
+    }
     if (mark.line_width <= 0.0) return;
     // Sides are as long as to fill the corners.
     const double half = 0.5 * snapped_width(mark.line_width) / scale_;
@@ -136,6 +140,13 @@ class Shapes {
     for (const Point& corner : {pixel(page.low), pixel(page.high)})
       box.add(Point{std::round(corner.x), std::round(corner.y)});
     return box;
+  }
+
+  void add_pattern(const geom::Box& b, scene::Pattern pattern) {
+    const geom::Polyline border{{b.low, {b.high.x, b.low.y}, b.high, {b.low.x, b.high.y}}, true};
+    const double width = scene::pattern_width(pattern);
+    for (const geom::Segment& stroke : scene::parts_inside(scene::pattern_strokes(pattern, b), {border}))
+      add_line(stroke, scene::pattern_ink, width);
   }
 
   [[nodiscard]] double snapped_width(double points) const { return std::max(1.0, std::round(points * scale_)); }
