@@ -1,7 +1,10 @@
 #include "shared/render/vtk_marks.h"
 
 #include <fmt/format.h>
+#include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyDataMapper2D.h>
@@ -195,6 +198,19 @@ class Shapes {
   vtkNew<vtkUnsignedCharArray> colors_;
 };
 
+/// Marks lie in one plane, each over those before it: while they are drawn nothing asks how near they are.
+void draw_in_order(vtkRenderer& renderer) {
+  constexpr unsigned gl_lequal = 0x0203;
+  constexpr unsigned gl_always = 0x0207;
+  vtkNew<vtkCallbackCommand> command;
+  command->SetCallback([](vtkObject* caller, unsigned long event, void*, void*) {
+    auto* window = vtkOpenGLRenderWindow::SafeDownCast(vtkRenderer::SafeDownCast(caller)->GetRenderWindow());
+    if (window != nullptr) window->GetState()->vtkglDepthFunc(event == vtkCommand::StartEvent ? gl_always : gl_lequal);
+  });
+  renderer.AddObserver(vtkCommand::StartEvent, command);
+  renderer.AddObserver(vtkCommand::EndEvent, command);
+}
+
 }  // namespace
 
 scene::TextMeasure vtk_text_measure(double pixels_per_point) {
@@ -223,6 +239,7 @@ VtkMarks::VtkMarks(vtkRenderer& renderer) : renderer_(renderer), shapes_(vtkSmar
   vtkNew<vtkActor2D> actor;
   actor->SetMapper(mapper);
   renderer_.AddActor2D(actor);
+  draw_in_order(renderer_);
 }
 
 void VtkMarks::show(const std::vector<scene::Mark>& marks, int height, double pixels_per_point) {

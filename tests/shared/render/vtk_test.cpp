@@ -184,9 +184,7 @@ TEST_F(VtkOffscreen, PatternsAreThoseOfCairoAndInTheirAreaOnly) {
   const auto plain = with_patterns(scene::Pattern::None);
   ASSERT_TRUE(write_png_vtk(plain, folder_.path() / "plain.png", page, 3.0));
   const test::Pixels none = test::read_png(folder_.path() / "plain.png");
-  for (const auto pattern : {scene::Pattern::Dots, scene::Pattern::Bricks, scene::Pattern::Dashes,
-                             scene::Pattern::Hatch, scene::Pattern::BackHatch, scene::Pattern::CrossHatch, scene::Pattern::Circles,
-                             scene::Pattern::Crosses, scene::Pattern::Vees}) {
+  for (const auto pattern : {scene::Pattern::Dots, scene::Pattern::Bricks, scene::Pattern::CrossHatch}) {
     const scene::Picture picture = with_patterns(pattern);
     ASSERT_TRUE(write_png(picture, folder_.path() / "cairo.png", page, 3.0));
     ASSERT_TRUE(write_png_vtk(picture, folder_.path() / "vtk.png", page, 3.0));
