@@ -205,6 +205,7 @@ scene::Scale color_scale(const ViewParams& params, const Drawing& drawing, std::
     scale.high = std::max(-range.first, range.second);
     scale.low = -scale.high;
   }
+  if (!(scale.high > scale.low)) scale.low = *least, scale.high = *greatest;  // all but a peak is one value
   return scale;
 }
 

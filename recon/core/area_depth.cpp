@@ -7,6 +7,7 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
+#include "recon/core/palette.h"
 
 namespace recon::core {
 
@@ -40,15 +41,7 @@ bool over_each_other(const Horizon& a, const Horizon& b) {
 
 /// Ramsay's class of each layer between neighbours that is folded enough to have one.
 std::vector<LayerClass> layer_classes(const Section& section) {
-  std::vector<std::vector<const Horizon*>> beds;  // with all their pieces
-  for (const Horizon& horizon : section.horizons) {
-    const auto same = [&](const auto& bed) { return whole_name(*bed.front()) == whole_name(horizon); };
-    const auto bed = std::find_if(beds.begin(), beds.end(), same);
-    if (bed != beds.end())
-      bed->push_back(&horizon);
-    else
-      beds.push_back({&horizon});
-  }
+  const auto beds = whole_horizons(section);
   std::vector<LayerClass> layers;
   for (std::size_t i = 0; i + 1 < beds.size(); ++i) {
     for (const Horizon* upper : beds[i]) {
