@@ -2512,6 +2512,10 @@
         <translation>todos os trechos</translation>
     </message>
     <message>
+        <source>pieces</source>
+        <translation>partes</translation>
+    </message>
+    <message>
         <source>The grid stands on the top with fewer points, nowhere farther from it than this; unsteady lines need it.</source>
         <translation>A grade apoia-se no topo com menos pontos, em nenhum lugar mais longe dele que isto; linhas irregulares precisam disto.</translation>
     </message>

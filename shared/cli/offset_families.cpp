@@ -108,9 +108,10 @@ Result<void> mend(Session& session, std::vector<OffsetBase>& bases) {
       std::vector<std::vector<Polyline>>& parts = *mended;
       if (parts.size() != 1 || parts.front() != polygon) {
         const geom::Point at = polygon[0].points[0];
-        session.note(fmt::format("{}: the polygon at ({:.10g}, {:.10g}) crosses or touches itself; taken as {} that do not",
+        session.note(fmt::format("{}: the polygon at ({:.10g}, {:.10g}) crosses or touches itself; taken as {} not",
                                  base.name, at.x, at.y,
-                                 parts.size() == 1 ? "one polygon" : fmt::format("{} polygons", parts.size())));
+                                 parts.size() == 1 ? "one polygon that does"
+                                                   : fmt::format("{} polygons that do", parts.size())));
       }
       std::move(parts.begin(), parts.end(), std::back_inserter(sound));
     }

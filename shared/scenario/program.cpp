@@ -45,6 +45,12 @@ const Operation* Program::find_operation(const std::string& operation) const {
   return found == operations.end() ? nullptr : &*found;
 }
 
+scene::Picture titled(scene::Picture picture, const Document& document) {
+  if (picture.paper != scene::Paper::A4Landscape || !picture.title.empty()) return picture;
+  picture.title = document.title.empty() ? document.file.stem().string() : document.title;
+  return picture;
+}
+
 std::optional<bool> reached(const Program& program, const State& state) {
   return program.reached_of ? program.reached_of(state) : std::nullopt;
 }

@@ -107,6 +107,9 @@ struct Program {
 /// That of a state, or nothing.
 std::optional<bool> reached(const Program& program, const State& state);
 
+/// The picture; a sheet without a title is called after the document, or after the document's file.
+scene::Picture titled(scene::Picture picture, const Document& document);
+
 /// The operation of step `number` (1-based).
 /// @error UnknownOperation, with a suggestion and the step's place.
 base::Result<const Operation*> operation_of(const Document& document, std::size_t number, const Program& program);

@@ -343,6 +343,19 @@ TEST_F(OffsetCommand, APolygonThatCrossesItselfIsToldAndTakenAsThoseThatDoNot) {
   EXPECT_NEAR(Json::parse(outcome.out)["curves"][0]["area"].get<double>(), shrunk(3, 3) + shrunk(3, 1), 1e-9);
 }
 
+TEST_F(OffsetCommand, LoopsOfOneAreaThatRunAgainstEachOtherAreTwoPolygons) {
+  for (const char* const bow : {"POLYGON ((0 0, 10 10, 10 0, 0 10, 0 0))", "POLYGON ((0 0, 0 10, 10 0, 10 10, 0 0))"}) {
+    const test::Outcome outcome = call({put("bow.wkt", bow), "--distance", "-0.25", "--json"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("taken as 2 polygons that do not"), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.err.find("left out"), std::string::npos) << outcome.err;
+    // Two right triangles with hypotenuses of 10.
+    const double inradius = 10 / std::sqrt(2.0) - 5;
+    const double area = Json::parse(outcome.out)["curves"][0]["area"].get<double>();
+    EXPECT_NEAR(area, 2 * 25 * std::pow(1 - 0.25 / inradius, 2), 1e-9);
+  }
+}
+
 TEST_F(OffsetCommand, IdAttributesAndReferenceSystemAreKept) {
   const std::string file = put("parcels.geojson", R"({"type":"FeatureCollection",
     "crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::31983"}},"features":[
