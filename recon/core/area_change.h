@@ -32,4 +32,10 @@ void include(std::optional<AreaChange>& change, double value, geom::Point at);
 std::optional<AreaChange> area_change_in(std::span<const geom::Polyline> contours, const SectionMap& map,
                                          std::span<const geom::Polyline> lines = {});
 
+/// In what lies between two horizons, of which the map says in which cells they lie: the same without looking for them.
+/// A column map names the cell of every vertex of a line that it maps. Of two neighbours in a stack of lines the region
+/// is made of strips, whose corners decide. Only what joins the ends is traced.
+/// @param upper, lower  mapped by this map.
+std::optional<AreaChange> area_change_between(const MappedLine& upper, const MappedLine& lower, const SectionMap& map);
+
 }  // namespace recon::core

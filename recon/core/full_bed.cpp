@@ -22,6 +22,7 @@ struct Piece {
   double first = 0.0;         ///< Places of its ends on the top, m.
   double last = 0.0;
   std::optional<double> pin;  ///< Where the pin line meets it, m.
+  BedRole role = BedRole::Judged;
 };
 
 BedPart part_of(geom::Polyline line, HorizonId horizon = {}) {
@@ -109,6 +110,7 @@ class Completer {
     Piece piece;
     piece.id = horizon.id;
     piece.name = horizon.name;
+    piece.role = horizon.role;
     piece.part = part_of(is_top                              ? source_.base
                          : source_.side == LayerSide::Above ? geom::reversed(horizon.line)
                                                              : horizon.line,
@@ -171,10 +173,24 @@ class Completer {
     std::vector<geom::Point>& points = top_guide_.line.points;
     const geom::Vector first = top_.frame(ColumnId(1)).tangent;
     const geom::Vector last = top_.frame(ColumnId(top_.inner_count())).tangent;
+    tell_continued();
     if (start_ < -tolerance_) points.insert(points.begin(), points.front() + start_ * first);
     if (end_ > length_ + tolerance_) points.push_back(points.back() + (end_ - length_) * last);
     DOBRA_TRY(top_guide_.columns, Columns::along(top_guide_.line));
     return {};
+  }
+
+  /// What uncovered = "continue" does here.
+  void tell_continued() const {
+    if (source_.params.uncovered != Uncovered::Continue) return;
+    const auto tell = [&](double metres, geom::Point end) {
+      if (metres <= 1e4 * tolerance_) return;
+      remarks_.push_back(fmt::format("the top '{}' does not cover the section: it goes on straight for {:.6g} m from "
+                                     "its end at ({:.6g}, {:.6g}), to where the longest bed ends",
+                                     top_guide_.name, metres, end.x, end.y));
+    };
+    tell(-start_, source_.base.points.front());
+    tell(end_ - length_, source_.base.points.back());
   }
 
   /// A bed as a guide, if it is one line and has parallels.
@@ -217,18 +233,37 @@ class Completer {
     return made;
   }
 
+  /// What the place of a missing part decides.
+  enum class Missing {
+    Inside,  ///< Where the rest of the bed goes: it lies between that and the pin.
+    AtEnd,   ///< Only how the rulings go on beyond the bed.
+  };
+
+  /// A bed that was laid down while the section deformed was never parallel to an older one.
+  [[nodiscard]] bool may_guide(std::size_t bed, const Piece& piece, Missing where) const {
+    const bool younger = beds_[bed].front().role == BedRole::Growth && piece.role != BedRole::Growth;
+    return !younger || (bed == top_bed_ && where == Missing::AtEnd);
+  }
+
   /// Of the next bed towards the top that reaches the pin in one line, covers the end and has a parallel there.
-  base::Result<Parallel> parallel(const Piece& piece, geom::Point end) {
+  base::Result<Parallel> parallel(const Piece& piece, geom::Point end, Missing where) {
     Parallel made;
     for (std::size_t bed = bed_;;) {
       if (bed != top_bed_) bed = bed > top_bed_ ? bed - 1 : bed + 1;
-      const Guide* found = guide(bed);
+      const Guide* found = may_guide(bed, piece, where) ? guide(bed) : nullptr;
       const bool is_last = bed == top_bed_;
       if (found != nullptr && (is_last || !found->columns.is_outer(found->columns.find(end, tolerance_).column))) {
         DOBRA_TRY(made, parallel_of(*found, end));
         if (made.beside <= 1e4 * tolerance_) return made;
       }
       if (is_last) break;
+    }
+    if (made.guide == nullptr) {
+      return cannot(piece, end,
+                    fmt::format("it ends here, and the beds above it are growth beds such as '{}', to which its "
+                                "missing part was never parallel; take an older top, lengthen it, or take another "
+                                "method",
+                                top_guide_.name));
     }
     return cannot(piece, end,
                   fmt::format("it ends here, {:.6g} m from '{}', where that has no parallel (beyond its medial axis), "
@@ -292,7 +327,7 @@ class Completer {
   base::Result<void> add_start(const Piece& piece, bool holds_pin, FullBed& bed) {
     const geom::Point end = piece.part.line.points.front();
     if (!holds_pin && (piece.first <= start_ + tolerance_)) return {};
-    DOBRA_TRY(const Parallel missing, parallel(piece, end));
+    DOBRA_TRY(const Parallel missing, parallel(piece, end, holds_pin ? Missing::Inside : Missing::AtEnd));
     if (holds_pin) {
       DOBRA_TRY(bed.pin_arc, pin_on(missing, -1.0, piece, end));
     }
@@ -303,7 +338,7 @@ class Completer {
   base::Result<void> add_end(const Piece& piece, bool holds_pin, FullBed& bed) {
     const geom::Point end = piece.part.line.points.back();
     if (!holds_pin && (piece.last >= end_ - tolerance_)) return {};
-    DOBRA_TRY(const Parallel missing, parallel(piece, end));
+    DOBRA_TRY(const Parallel missing, parallel(piece, end, holds_pin ? Missing::Inside : Missing::AtEnd));
     if (holds_pin) {
       DOBRA_TRY(const double pin, pin_on(missing, 1.0, piece, end));
       bed.pin_part = bed.parts.size();
@@ -317,9 +352,9 @@ class Completer {
   base::Result<void> add_gap_at_pin(const Piece& left, const Piece& right, FullBed& bed) {
     const geom::Point end = left.part.line.points.back();
     const geom::Point start = right.part.line.points.front();
-    DOBRA_TRY(const Parallel after, parallel(left, end));
+    DOBRA_TRY(const Parallel after, parallel(left, end, Missing::Inside));
     DOBRA_TRY(const double from_left, pin_on(after, 1.0, left, end));
-    DOBRA_TRY(const Parallel before, parallel(right, start));
+    DOBRA_TRY(const Parallel before, parallel(right, start, Missing::Inside));
     DOBRA_TRY(const double from_right, pin_on(before, -1.0, right, start));
     add(stretch(after.whole, after.at, from_left), bed.parts);
     bed.pin_part = bed.parts.size() - 1;
@@ -332,7 +367,7 @@ class Completer {
   base::Result<void> add_gap(const Piece& left, const Piece& right, bool behind_pin, FullBed& bed) {
     const geom::Point near = behind_pin ? left.part.line.points.back() : right.part.line.points.front();
     const geom::Point far = behind_pin ? right.part.line.points.front() : left.part.line.points.back();
-    DOBRA_TRY(const Parallel missing, parallel(behind_pin ? right : left, far));
+    DOBRA_TRY(const Parallel missing, parallel(behind_pin ? right : left, far, Missing::Inside));
     ColumnPoint beside = missing.guide->columns.locate(near, tolerance_).at;
     beside.depth = missing.depth;
     const double at = nearest_on(missing.whole, missing.guide->columns.point(beside)).first;

@@ -112,20 +112,22 @@ std::vector<ColumnPoint> places_of(const geom::Polyline& line, const Columns& co
 
 /// What the section has beyond the ends of the top.
 struct Beyond {
-  double distance = 0.0;  ///< Along x, m.
+  double distance = 0.0;  ///< m
   std::string item;
   std::string file;
   geom::Point place;
 };
 
-/// The farthest point of a line beyond the ends, if it is farther than what is known. What lies beyond the last rung
-/// but not beside the top, as under the steep limb of a fold, is no lack of the top.
+/// The farthest point of a line beyond the ends, if it is farther than what is known: beyond the normal of the end, and
+/// beside the top. What lies under the steep limb of a fold, or along the normal of a dipping end, is no lack of the
+/// top.
 void measure_beyond(const geom::Polyline& line, const std::vector<ColumnPoint>& places, const Columns& columns,
                     const std::string& item, const base::Place& source, Beyond& beyond) {
   const geom::Box top = columns.base_line().box();
   for (std::size_t i = 0; i < places.size(); ++i) {
     const geom::Point p = line.points[i];
-    const double distance = std::max(top.low.x - p.x, p.x - top.high.x);
+    const double beside = std::max(top.low.x - p.x, p.x - top.high.x);
+    const double distance = std::min(beside, std::abs(places[i].along));  // metres from the rung
     if (columns.is_outer(places[i].column) && distance > beyond.distance) beyond = {distance, item, source.file, p};
   }
 }

@@ -447,6 +447,22 @@ geom::Polyline pin_line(const Columns& columns, ColumnPoint pin, double deepest)
   return {{at_depth(-above), at_depth(std::max(deepest, above))}, false};
 }
 
+/// What the method holds at the pin: under shear the line along its direction, else the normal of the top.
+geom::Polyline source_pin_line(const Model& model, double deepest) {
+  const Target& target = *model.target;
+  const Columns& columns = target.map.source();
+  geom::Polyline line = pin_line(columns, target.map.locate(target.source_pin).at, deepest);
+  if (!model.restoration || model.restoration->params.method != RestoreMethod::Shear) return line;
+  const double angle = model.restoration->params.angle.radians();
+  const geom::Vector up{std::sin(angle), std::cos(angle)};
+  for (geom::Point& end : line.points) {
+    const double length = geom::distance(end, target.source_pin);
+    const bool upper = (&end == &line.points.front()) == (model.source->side == LayerSide::Below);
+    end = target.source_pin + (upper ? length : -length) * up;
+  }
+  return line;
+}
+
 void add_pin(scene::Panel& panel, const geom::Polyline& line) {
   const geom::Point top = line.points.front();
   const geom::Point bottom = line.points.back();
@@ -531,7 +547,7 @@ scene::Picture picture_of(const Model& model) {
     const Target& target = *model.target;
     const ColumnPoint pin = target.map.locate(target.source_pin).at;
     const double deepest = model.source->options.distances.back();
-    const geom::Polyline source_pin = pin_line(target.map.source(), pin, deepest);
+    const geom::Polyline source_pin = source_pin_line(model, deepest);
     add_pin(before, source_pin);
     add_names(before, model.section, palette);
     scene::Panel after =

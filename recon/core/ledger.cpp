@@ -62,7 +62,10 @@ double evaluate(DilatationField& field, const SectionMap& map, std::optional<Are
     const geom::Point c = field.points[t[2]];
     const geom::Point middle{(a.x + b.x + c.x) / 3.0, (a.y + b.y + c.y) / 3.0};
     double determinant = 0.0;
-    if (!map.determinants(middle, {&middle, 1}, {&determinant, 1}, hint) || !std::isfinite(determinant)) continue;
+    const std::optional<Cell> cell = map.cell_of(middle, hint);
+    if (!cell) continue;
+    map.determinants(*cell, {&middle, 1}, {&determinant, 1});
+    if (!std::isfinite(determinant)) continue;
     kept.push_back(t);
     field.values.push_back(determinant - 1.0);
     include(extremes, field.values.back(), middle);
@@ -73,14 +76,13 @@ double evaluate(DilatationField& field, const SectionMap& map, std::optional<Are
   return range ? range->mean : 0.0;
 }
 
-/// det F - 1 of a unit: on its triangles, and exactly along its contour.
-void measure_dilatation(const geom::Polyline& contour, const std::vector<geom::Polyline>& lines, const SectionMap& map,
-                        Part& part) {
-  std::optional<AreaChange> extremes = area_change_in(std::span(&contour, 1), map, lines);
-  const double mean = evaluate(part.field, map, extremes);
+/// det F - 1 of a unit: on its triangles, its extremes as they are known, and its mean: the change of area, unless the
+/// area after has holes where the unit is torn.
+void measure_dilatation(std::optional<AreaChange> extremes, bool torn, const SectionMap& map, Part& part) {
+  const double sampled = evaluate(part.field, map, extremes);
   if (!extremes) return;
   UnitRow& row = part.row;
-  row.dilatation = Range{extremes->least, mean, extremes->greatest};
+  row.dilatation = Range{extremes->least, torn ? sampled : 0.01 * row.change_percent, extremes->greatest};
   row.least_at = extremes->least_at;
   row.greatest_at = extremes->greatest_at;
 }
@@ -173,7 +175,9 @@ Part part_of_polygon(const Unit& unit, const SectionMap& map, const LedgerOption
   Part part;
   part.row.name = unit.name;
   part.row.area_before = std::abs(geom::signed_area(unit.contour));
-  part.row.contour_after = map.forward(unit.contour).after;
+  MappedLine mapped = map.forward(unit.contour);
+  part.row.contour_after = std::move(mapped.after);
+  part.row.tears = std::move(mapped.tears);
   part.row.area_after = std::abs(geom::signed_area(part.row.contour_after));
   mesh::MeshInput input;
   mesh::add_chain(input, unit.contour.points, mesh::Closure::Closed, {unit.name, mesh::EdgeKind::Boundary});
@@ -275,9 +279,12 @@ base::Result<Ledger> draw_up(const Section& section, const std::vector<LedgerUni
     UnitRow& row = parts[i].row;
     if (!unit.unit) row.role = role_of(section, unit.upper, unit.lower);
     row.change_percent = percent(row.area_after - row.area_before, row.area_before);
-    measure_dilatation(unit.unit ? section.units[unit.unit->index()].contour
-                                 : contour_between(lines[*unit.upper].before, lines[*unit.lower].before),
-                       rulings_start, map, parts[i]);
+    const bool torn =
+        unit.unit ? !row.tears.empty() : !lines[*unit.upper].tears.empty() || !lines[*unit.lower].tears.empty();
+    measure_dilatation(
+        unit.unit ? area_change_in(std::span(&section.units[unit.unit->index()].contour, 1), map, rulings_start)
+                  : area_change_between(lines[*unit.upper], lines[*unit.lower], map),
+        torn, map, parts[i]);
     add_strains(parts[i].field, map, options, parts[i].strains);
   });
   DOBRA_TRY_VOID(progress.check());

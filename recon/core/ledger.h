@@ -47,7 +47,8 @@ struct UnitRow {
   std::optional<Range> dilatation;  ///< det F - 1: its extremes, and its mean by area.
   geom::Point least_at;             ///< A place where it is least ...
   geom::Point greatest_at;          ///< ... and greatest.
-  geom::Polyline contour_after;     ///< Of a polygon of the section: its image.
+  geom::Polyline contour_after;     ///< Of a polygon of the section: its image ...
+  std::vector<Tear> tears;          ///< ... and where that jumps.
   std::vector<geom::Polyline>
       faces_before;                         ///< Of a unit that is not all that lies between two horizons: its faces ...
   std::vector<geom::Polyline> faces_after;  ///< ... and their images.

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "recon/core/bed_order.h"
 #include "recon/core/stack.h"
 #include "shared/base/parallel.h"
 
@@ -128,29 +129,20 @@ base::Result<MethodMap> shear_map(const SourceGrid& source, const Target& target
 
 }  // namespace
 
-std::vector<HorizonId> in_order(std::vector<std::pair<double, HorizonId>> depths) {
-  std::sort(depths.begin(), depths.end());
-  std::vector<HorizonId> order;
-  for (const auto& [depth, id] : depths) order.push_back(id);
-  return order;
-}
-
 std::vector<HorizonId> horizons_in_order(const Section& section, const SourceGrid& source, const Target& target) {
   const Columns& columns = target.map.source();
-  return in_order(base::parallel_map<std::pair<double, HorizonId>>(section.horizons.size(), [&](std::size_t i) {
+  const auto beds = base::parallel_map<NamedBed>(section.horizons.size(), [&](std::size_t i) {
     const Horizon& horizon = section.horizons[i];
-    // The top is exactly at depth 0, whatever the grid's simplification has done to it.
-    double sum = 0.0;
+    NamedBed bed{horizon.id, {}};
     ColumnId hint;
-    if (horizon.id != source.top) {
-      for (const geom::Point p : horizon.line.points) {
-        const Located at = columns.locate(p, target.map.tolerances().side, hint);
-        hint = at.at.column;
-        sum += at.at.depth;
-      }
+    for (const geom::Point p : horizon.line.points) {
+      if (horizon.id == source.top) break;  // whatever the grid's simplification has done to it
+      bed.names.push_back(columns.locate(p, target.map.tolerances().side, hint).at);
+      hint = bed.names.back().column;
     }
-    return std::pair(sum / static_cast<double>(horizon.line.points.size()), horizon.id);
-  }));
+    return bed;
+  });
+  return in_order(beds, columns);
 }
 
 std::vector<MappedLine> map_horizons(MethodMap& method, const Section& section, const ColumnMap& grid,

@@ -73,9 +73,8 @@ std::vector<MappedLine> map_horizons(MethodMap& method, const Section& section, 
 base::Result<MethodMap> make_method_map(const Section& section, const SourceGrid& source, const Target& target,
                                         const MethodParams& params);
 
-/// Horizons by their mean depths.
-std::vector<HorizonId> in_order(std::vector<std::pair<double, HorizonId>> depths);
-/// Horizons from the grid's base down (away from it on the side of the layers), by mean depth; those above it first.
+/// Horizons from the grid's base down (away from it on the side of the layers), by their depth (bed_order.h); those
+/// above it first.
 std::vector<HorizonId> horizons_in_order(const Section& section, const SourceGrid& source, const Target& target);
 
 /// Points `part` of the way from one line to another with as many points: lengths and directions of the segments are

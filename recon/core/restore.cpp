@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "recon/core/bed_order.h"
 #include "recon/core/face_ledger.h"
 #include "recon/core/limits.h"
 #include "recon/core/percent.h"
 #include "shared/base/parallel.h"
+#include "shared/geom/simplify.h"
 
 namespace recon::core {
 
@@ -44,19 +46,21 @@ MapWords words_of(const SectionMap& map, RestoreMethod method) {
       "strip between rulings and went with the nearest one", "strip between the restored rulings"};
 }
 
+std::string tears_text(const std::vector<Tear>& tears, const MapWords& words) {
+  double torn = 0.0;
+  const Tear* widest = &tears.front();
+  for (const Tear& tear : tears) {
+    torn += tear.gap;
+    if (tear.gap > widest->gap) widest = &tear;
+  }
+  return fmt::format("{}: its restored line jumps there by {:.4g} m in all, most at {} by {:.4g} m",
+                     fmt::format(fmt::runtime(words.torn), tears.size()), torn, at_text(widest->place), widest->gap);
+}
+
 void remark_on(const std::string& name, const MappedLine& mapped, const MapWords& words,
                std::vector<std::string>& remarks) {
-  if (!mapped.tears.empty()) {
-    double torn = 0.0;
-    const Tear* widest = &mapped.tears.front();
-    for (const Tear& tear : mapped.tears) {
-      torn += tear.gap;
-      if (tear.gap > widest->gap) widest = &tear;
-    }
-    remarks.push_back(fmt::format(
-        "horizon '{}' {}: its restored line jumps there by {:.4g} m in all, most at {} by {:.4g} m", name,
-        fmt::format(fmt::runtime(words.torn), mapped.tears.size()), torn, at_text(widest->place), widest->gap));
-  }
+  if (!mapped.tears.empty())
+    remarks.push_back(fmt::format("horizon '{}' {}", name, tears_text(mapped.tears, words)));
   if (mapped.beyond_ends > 0) {
     remarks.push_back(fmt::format(fmt::runtime(words.beyond), mapped.beyond_ends, name, at_text(*mapped.beyond_at)));
   }
@@ -69,11 +73,16 @@ void remark_on(const std::string& name, const MappedLine& mapped, const MapWords
   }
 }
 
+/// Where a line passes a corner within rounding, its image has two points that no reader can tell apart.
+geom::Polyline without_doubled_points(geom::Polyline line, const SectionMap& map) {
+  return geom::without_near_points(std::move(line), map.tolerances().side);
+}
+
 /// Everything but horizons and unit polygons, which the ledger maps. Datums stay; what is eroded is not restored.
 void carry_the_rest(const SectionMap& map, Section& section) {
   base::parallel_for(section.lines.size(), [&](std::size_t i) {
     SectionLine& line = section.lines[i];
-    if (line.kind != LineKind::Datum) line.line = map.forward(line.line).after;
+    if (line.kind != LineKind::Datum) line.line = without_doubled_points(map.forward(line.line).after, map);
   });
   std::erase_if(section.lines, [](const SectionLine& line) { return line.kind == LineKind::Eroded; });
   section.backdrops.clear();
@@ -132,16 +141,16 @@ std::string verdict_text(const Restoration& restoration) {
                             restoration.params.tolerance);
 }
 
-/// As horizons_in_order, from the depths that are known by now.
-std::vector<HorizonId> order_of(const Section& section, HorizonId top, const std::vector<MappedLine>& lines) {
-  std::vector<std::pair<double, HorizonId>> depths;
+/// As horizons_in_order, from the names that are known by now.
+std::vector<HorizonId> order_of(const Section& section, HorizonId top, const std::vector<MappedLine>& lines,
+                                const Columns& columns) {
+  std::vector<NamedBed> beds(lines.size());
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    double sum = 0.0;
-    for (const std::size_t k : lines[i].given) sum += lines[i].names[k].depth;
-    const HorizonId id = section.horizons[i].id;
-    depths.emplace_back(id == top ? 0.0 : sum / static_cast<double>(lines[i].given.size()), id);
+    beds[i].id = section.horizons[i].id;
+    if (beds[i].id == top) continue;
+    for (const std::size_t k : lines[i].given) beds[i].names.push_back(lines[i].names[k]);
   }
-  return in_order(std::move(depths));
+  return in_order(beds, columns);
 }
 
 /// tan of the lean of the line through the ends of the top and the farthest bed, outwards positive.
@@ -193,21 +202,25 @@ base::Result<Restoration> restore(const Section& section, const SourceGrid& sour
   if (params.outside == Doubt::Refuse) DOBRA_TRY_VOID(refuse_doubt(section, restoration.lines));
   restoration.section = section;
   restoration.lengths = base::parallel_map<LineLength>(section.horizons.size(), [&](std::size_t i) {
-    restoration.section.horizons[i].line = restoration.lines[i].after;
+    restoration.section.horizons[i].line = without_doubled_points(restoration.lines[i].after, map);
     return line_length(section.horizons[i], restoration.lines[i]);
   });
   const MapWords words = words_of(map, params.method);
   for (std::size_t i = 0; i < section.horizons.size(); ++i)
     remark_on(section.horizons[i].name, restoration.lines[i], words, restoration.remarks);
   carry_the_rest(map, restoration.section);
-  restoration.order = order_of(section, source.top, restoration.lines);
+  restoration.order = order_of(section, source.top, restoration.lines, target.map.source());
   DOBRA_TRY(restoration.ledger, draw_up(section, ledger_units(section, restoration.order), restoration.lines, map,
                                         made.ends ? *made.ends : map, {}, progress));
+  for (const UnitRow& row : restoration.ledger.units) {
+    if (!row.tears.empty())
+      restoration.remarks.push_back(fmt::format("unit '{}' {}", row.name, tears_text(row.tears, words)));
+  }
   measure_faces(section, map, restoration.ledger);
   DOBRA_TRY_VOID(refuse_not_finite(section, restoration));
   if (params.outside == Doubt::Limited) DOBRA_TRY_VOID(refuse_beyond_limits(section, source, target, restoration));
   for (std::size_t i = 0; i < section.units.size(); ++i)
-    restoration.section.units[i].contour = restoration.ledger.units[i].contour_after;
+    restoration.section.units[i].contour = without_doubled_points(restoration.ledger.units[i].contour_after, map);
   measure_lean(section, restoration);
   restoration.balance = judge(section, restoration);
   restoration.remarks.push_back(what_it_keeps(params.method));

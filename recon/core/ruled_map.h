@@ -35,6 +35,7 @@ class RuledMap {
   [[nodiscard]] RuledMap swapped() const;
   /// The middle of the first strip that is folded over (its sides cross, or it is turned round), in the source.
   [[nodiscard]] std::optional<geom::Point> folded() const { return from_->folded(); }
+  [[nodiscard]] const Rulings& rulings() const { return from_->rulings(); }
   /// What is known of a point near the next one.
   using Hint = RuledStack::Held;
   [[nodiscard]] Hint hint(Cell cell) const { return from_->held(cell); }

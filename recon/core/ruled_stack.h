@@ -71,6 +71,7 @@ class RuledStack {
   RuledStack(const RuledStack&) = delete;
   RuledStack& operator=(const RuledStack&) = delete;
 
+  [[nodiscard]] const Rulings& rulings() const { return *rulings_; }
   /// The middle of the first strip that is folded over: its sides cross, or it is turned round.
   [[nodiscard]] std::optional<geom::Point> folded() const { return folded_; }
   /// Cells: strip 0 .. n + 1 of a band, band; 0 and n + 1 lie beyond the ends.

@@ -98,8 +98,10 @@ struct Bounds {
 
 class Units {
  public:
-  Units(const Section& section, const Arrangement& arrangement, const std::vector<std::size_t>& order)
-      : section_(section), arrangement_(arrangement), order_(order) {
+  /// @param faults  lines of the arrangement that are faults: first, and one behind the last.
+  Units(const Section& section, const Arrangement& arrangement, const std::vector<std::size_t>& order,
+        std::pair<std::size_t, std::size_t> faults)
+      : section_(section), arrangement_(arrangement), order_(order), faults_(faults) {
     const Subdivision& sub = arrangement.subdivision();
     for (std::size_t rank = 0; rank < order.size(); ++rank) {
       const std::vector<HalfEdgeId> path = arrangement.path(static_cast<std::uint32_t>(order[rank]));
@@ -113,10 +115,11 @@ class Units {
 
   /// The units that the faces fall into, from the top down.
   [[nodiscard]] std::vector<RockUnit> of(const std::vector<FaceId>& faces) const {
+    const std::map<FaceId, std::size_t> tops = tops_of(faces);
     std::map<std::ptrdiff_t, std::vector<FaceId>> by_top;  // -1: no horizon over it
     for (const FaceId f : faces) {
-      const Bounds bounds = bounds_of(f);
-      by_top[bounds.over.empty() ? -1 : static_cast<std::ptrdiff_t>(bounds.over.rbegin()->first)].push_back(f);
+      const auto top = tops.find(f);
+      by_top[top == tops.end() ? -1 : static_cast<std::ptrdiff_t>(top->second)].push_back(f);
     }
     const std::vector<std::pair<std::ptrdiff_t, std::vector<FaceId>>> groups(by_top.begin(), by_top.end());
     return base::parallel_map<RockUnit>(groups.size(),
@@ -124,6 +127,68 @@ class Units {
   }
 
  private:
+  /// The rank of the horizon over each face. Where a fault is the roof of one, that of what lies over the fault counts,
+  /// unless it belongs below the face.
+  [[nodiscard]] std::map<FaceId, std::size_t> tops_of(const std::vector<FaceId>& faces) const {
+    std::map<FaceId, std::size_t> tops;
+    std::vector<FaceId> open;
+    for (const FaceId f : faces) {
+      const Bounds bounds = bounds_of(f);
+      if (bounds.over.empty()) {
+        open.push_back(f);
+      } else {
+        tops[f] = bounds.over.rbegin()->first;
+      }
+    }
+    for (bool found = true; found;) {  // one fault after the other
+      found = false;
+      for (const FaceId f : open) {
+        const std::optional<FaceId> over = over_fault(f);
+        const auto top = over ? tops.find(*over) : tops.end();
+        if (top == tops.end() || tops.contains(f)) continue;
+        const Bounds bounds = bounds_of(f);
+        if (!bounds.under.empty() && belongs_below(top->second, bounds.under.begin()->first)) continue;
+        tops[f] = top->second;
+        found = true;
+      }
+    }
+    return tops;
+  }
+
+  /// Whether a piece of the horizon lies no higher than the one that a face lies on.
+  [[nodiscard]] bool belongs_below(std::size_t rank, std::size_t under) const {
+    const std::string& whole = whole_name(section_.horizons[order_[rank]]);
+    for (std::size_t k = under; k < order_.size(); ++k) {
+      if (k == rank || whole_name(section_.horizons[order_[k]]) == whole) return true;
+    }
+    return false;
+  }
+
+  /// What lies beyond most of the roof of a face, its edges that have it below, if that is a fault.
+  [[nodiscard]] std::optional<FaceId> over_fault(FaceId f) const {
+    const Subdivision& sub = arrangement_.subdivision();
+    std::map<FaceId, double> widths;
+    double all = 0.0;
+    double under_faults = 0.0;
+    for (const HalfEdgeId h : sub.half_edges(sub.outer_loop(f))) {
+      const double width = sub.point(sub.origin(h)).x - sub.point(sub.target(h)).x;
+      const FaceId beyond = sub.face(Structure::twin(h));
+      if (width <= 0.0 || beyond == f) continue;
+      all += width;
+      const std::vector<std::uint32_t>& lines = arrangement_.lines_on(Structure::edge(h));
+      const bool fault = std::any_of(lines.begin(), lines.end(), [&](std::uint32_t line) {
+        return line >= faults_.first && line < faults_.second;
+      });
+      if (!fault) continue;
+      under_faults += width;
+      widths[beyond] += width;
+    }
+    if (under_faults < 0.9 * all) return std::nullopt;  // open above
+    const auto most = std::max_element(widths.begin(), widths.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    return most != widths.end() && most->second > 0.5 * all ? std::optional(most->first) : std::nullopt;
+  }
+
   [[nodiscard]] Bounds bounds_of(FaceId f) const {
     const auto found = bounds_.find(f);
     return found == bounds_.end() ? Bounds{} : found->second;
@@ -173,6 +238,7 @@ class Units {
   const Section& section_;
   const Arrangement& arrangement_;
   const std::vector<std::size_t>& order_;
+  std::pair<std::size_t, std::size_t> faults_;
   std::vector<std::size_t> lengths_;  ///< Half-edges of each horizon, by rank.
   std::map<FaceId, Bounds> bounds_;
 };
@@ -300,7 +366,7 @@ base::Result<SectionFaces> faces_of(const Section& section) {
       faces.push_back(f);
     }
   }
-  made.units = Units(section, arrangement, order).of(faces);
+  made.units = Units(section, arrangement, order, {section.horizons.size(), first_surface}).of(faces);
   DOBRA_TRY(made.misfits, misfits_of(section));
   return made;
 }
@@ -315,9 +381,21 @@ std::vector<std::string> remarks_of(const SectionFaces& faces, const Section& se
                                   meeting.crossings > 0 ? meeting.crossings : meeting.touches, meeting.place.x,
                                   meeting.place.y));
   }
-  for (const Misfit& misfit : faces.misfits) {
-    remarks.push_back(fmt::format("{} of {:.4g} m2 between the units {} at ({:.6g}, {:.6g})", misfit.what, misfit.area,
-                                  misfit.between, misfit.place.x, misfit.place.y));
+  for (const char* what : {"gap", "overlap"}) {
+    const Misfit* greatest = nullptr;
+    std::size_t count = 0;
+    double area = 0.0;
+    for (const Misfit& misfit : faces.misfits) {
+      if (misfit.what != what) continue;
+      ++count;
+      area += misfit.area;
+      if (greatest == nullptr || misfit.area > greatest->area) greatest = &misfit;
+    }
+    if (count == 0) continue;
+    const std::string all =
+        count == 1 ? "" : fmt::format("{} {}s of {:.4g} m2 in all; the greatest: ", count, what, area);
+    remarks.push_back(fmt::format("{}{} of {:.4g} m2 between the units {} at ({:.6g}, {:.6g})", all, what,
+                                  greatest->area, greatest->between, greatest->place.x, greatest->place.y));
   }
   return remarks;
 }

@@ -108,18 +108,19 @@ Gradient SectionMap::gradient(geom::Point p) const {
   return std::visit([&](const auto& map) { return gradient_in(map, map.locate(p, Cell{}).cell, p); }, map_);
 }
 
-bool SectionMap::determinants(geom::Point in, std::span<const geom::Point> points, std::span<double> values,
-                              Cell& hint) const {
+std::optional<Cell> SectionMap::cell_of(geom::Point p, Cell& hint) const {
+  const Spot spot = std::visit([&](const auto& map) { return map.locate(p, hint); }, map_);
+  hint = spot.cell;
+  return spot.foot == Foot::NoColumn ? std::nullopt : std::optional(spot.cell);
+}
+
+void SectionMap::determinants(Cell cell, std::span<const geom::Point> points, std::span<double> values) const {
   DOBRA_CHECK(points.size() == values.size());
-  return std::visit(
+  std::visit(
       [&](const auto& map) {
-        const Spot spot = map.locate(in, hint);
-        hint = spot.cell;
-        if (spot.foot == Foot::NoColumn) return false;
-        const auto cell = map.enter(spot.cell);
+        const auto entered = map.enter(cell);
         std::transform(points.begin(), points.end(), values.begin(),
-                       [&](geom::Point p) { return map.determinant(cell, p); });
-        return true;
+                       [&](geom::Point p) { return map.determinant(entered, p); });
       },
       map_);
 }

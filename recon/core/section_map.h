@@ -55,10 +55,10 @@ class SectionMap {
 
   /// The gradient of the formula that holds at p, by central differences (exact to rounding where it is affine).
   [[nodiscard]] Gradient gradient(geom::Point p) const;
-  /// det F at points by the formula of the cell that holds the point `in`: exact; not finite where that cell has no
-  /// area.
-  /// @param hint  for points near each other in turn. @return false, with no values, if no cell holds `in`.
-  bool determinants(geom::Point in, std::span<const geom::Point> points, std::span<double> values, Cell& hint) const;
+  /// The cell that holds a point, or nothing.  @param hint  for points near each other in turn.
+  [[nodiscard]] std::optional<Cell> cell_of(geom::Point p, Cell& hint) const;
+  /// det F at points by the formula of a cell: exact; not finite where that cell has no area.
+  void determinants(Cell cell, std::span<const geom::Point> points, std::span<double> values) const;
   /// Whether det F is 1 everywhere.
   [[nodiscard]] bool keeps_areas() const;
   /// The map back as a map of its own, with the columns of the target as its grid. Of Slip, shear and rulings it is the
@@ -68,6 +68,8 @@ class SectionMap {
   [[nodiscard]] const TraceTolerances& tolerances() const;
   /// nullptr for methods without columns.
   [[nodiscard]] const ColumnMap* columns() const { return std::get_if<ColumnMap>(&map_); }
+  /// nullptr for methods without rulings.
+  [[nodiscard]] const RuledMap* ruled() const { return std::get_if<RuledMap>(&map_); }
 
  private:
   std::variant<ColumnMap, ShearMap, RuledMap> map_;

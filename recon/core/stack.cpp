@@ -174,7 +174,8 @@ class RuledBuilder {
   RuledLine& ruled() { return ruled_; }
 
   /// A horizon, as a trace would give it; from left to right whatever the side of the layers.
-  [[nodiscard]] MappedLine mapped(const LinePart& part, LayerSide side) const {
+  /// @param number  of the line in the stack.
+  [[nodiscard]] MappedLine mapped(const LinePart& part, LayerSide side, std::size_t number) const {
     const auto first = static_cast<std::ptrdiff_t>(place_[part.first]);
     const auto end = static_cast<std::ptrdiff_t>(place_[part.last]) + 1;
     MappedLine mapped;
@@ -183,7 +184,9 @@ class RuledBuilder {
     if (!names_.empty()) mapped.names.assign(names_.begin() + first, names_.begin() + end);
     mapped.given.reserve(part.given.size());
     for (const std::size_t i : part.given) mapped.given.push_back(place_[i] - place_[part.first]);
+    mapped.on_stack = OnStack{number, place_[part.first], place_[part.last]};
     if (side == LayerSide::Above) {
+      std::swap(mapped.on_stack->first, mapped.on_stack->last);
       std::reverse(mapped.before.points.begin(), mapped.before.points.end());
       std::reverse(mapped.after.points.begin(), mapped.after.points.end());
       std::reverse(mapped.names.begin(), mapped.names.end());
@@ -232,7 +235,7 @@ class StackBuilder {
       for (const LinePart& part : line.parts) {
         // A simplified base is not the top itself, which then goes through the map.
         const bool is_horizon = part.id != source_.top || source_.params.simplify == 0.0;
-        if (!proportional && is_horizon) mapped[i].emplace_back(part.id, builder.mapped(part, source_.side));
+        if (!proportional && is_horizon) mapped[i].emplace_back(part.id, builder.mapped(part, source_.side, i));
       }
       ruled[i] = std::move(builder.ruled());
     });

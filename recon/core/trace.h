@@ -47,6 +47,15 @@ struct Tear {
   double gap = 0.0;       ///< Between the two images, m.
 };
 
+/// Where a horizon stands in a stack of lines (ruled_map.h): the line, and which of its vertices the first and the last
+/// one of the horizon are (in that order, so that the first may be the greater number).
+struct OnStack {
+  std::size_t line = 0;
+  std::size_t first = 0;
+  std::size_t last = 0;
+  [[nodiscard]] std::size_t vertex(std::size_t i) const { return first <= last ? first + i : first - i; }
+};
+
 /// A line and its image, vertex by vertex.
 struct MappedLine {
   geom::Polyline before;           ///< The given line with a vertex wherever it crosses from cell to cell.
@@ -54,6 +63,7 @@ struct MappedLine {
   std::vector<ColumnPoint> names;  ///< The same number: column, along, depth.
   std::vector<std::size_t> given;  ///< Where the vertices of the given line stand in `before`.
   std::vector<Tear> tears;
+  std::optional<OnStack> on_stack;       ///< Of a horizon that is a line of the map's stack, vertex by vertex.
   std::size_t without_column = 0;        ///< Given vertices that no cell holds; mapped by the nearest base segment.
   std::size_t beyond_ends = 0;           ///< Given vertices beyond the ends of the base.
   std::size_t not_reversible = 0;        ///< Given vertices that the map back does not bring home.

@@ -10,6 +10,7 @@
 
 #include "recon/core/section_faces.h"
 #include "recon/core/unit_owners.h"
+#include "shared/geom/simplify.h"
 
 namespace recon::core {
 
@@ -87,6 +88,11 @@ class Maker {
     if (short_ > 0) {
       remarks_.push_back(fmt::format("{} edges between units are no longer than {:.4g} m and become no horizon", short_,
                                      owners_.tolerance()));
+    }
+    if (stubs_ > 0) {
+      remarks_.push_back(fmt::format("{} ends of edges between units turn off by no more than {:.4g} m, where polygons "
+                                     "do not end together, and are cut, the first at ({:.6g}, {:.6g})",
+                                     stubs_, owners_.tolerance(), first_stub_.x, first_stub_.y));
     }
     return std::move(made_);
   }
@@ -227,6 +233,7 @@ class Maker {
         continue;
       }
       std::vector<geom::Point> points = points_of(loop, run);
+      if (role == Role::Top && run.last - run.first < count) cut_stubs(points);
       if (run.last - run.first < count) {
         if (loop.steps[(run.first + count - 1) % count].barrier) reach_barrier(points, points.begin());
         if (loop.steps[run.last % count].barrier) reach_barrier(points, points.end());
@@ -237,6 +244,35 @@ class Maker {
         add_simple(loop.unit, std::move(points));
       }
     }
+  }
+
+  /// Where an edge ends beside a gap or an overlap it may turn off along the end of that.
+  void cut_stubs(std::vector<geom::Point>& points) {
+    for (int end = 0; end < 2; ++end) {
+      if (const std::size_t stub = stub_of(points); stub > 0) {
+        if (stubs_++ == 0) first_stub_ = points.front();
+        points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(stub));
+      }
+      std::reverse(points.begin(), points.end());
+    }
+  }
+
+  /// How many points at the start of a line lead, within the tolerance, to a place from where it goes on at more than
+  /// 45 degrees to the way there.
+  [[nodiscard]] std::size_t stub_of(const std::vector<geom::Point>& points) const {
+    const double tolerance = owners_.tolerance();
+    std::size_t stub = 0;
+    double length = 0.0;
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+      length += geom::distance(points[i - 1], points[i]);
+      if (length > tolerance) break;
+      std::size_t on = i + 1;
+      while (on + 1 < points.size() && geom::distance(points[i], points[on]) < 3.0 * tolerance) ++on;
+      const geom::Vector back = points[i] - points.front();
+      const geom::Vector ahead = points[on] - points[i];
+      if (std::abs(geom::cross(back, ahead)) > geom::dot(back, ahead)) stub = i;
+    }
+    return stub;
   }
 
   /// An end that an untidy edge along a fault leaves short of it goes on to the fault, which gets the vertex.
@@ -302,21 +338,9 @@ class Maker {
     return *turn;
   }
 
-  /// Where untidy edges meet, points come so near to each other that they tell no direction. The ends stay.
-  [[nodiscard]] geom::Polyline without_near_points(const std::vector<geom::Point>& points) const {
-    const double near = 1e-3 * owners_.tolerance();
-    geom::Polyline line{{points.front()}, false};
-    for (std::size_t i = 1; i < points.size(); ++i) {
-      const bool end = i + 1 == points.size();
-      while (end && line.points.size() > 1 && geom::distance(line.points.back(), points[i]) <= near)
-        line.points.pop_back();
-      if (geom::distance(line.points.back(), points[i]) > near) line.points.push_back(points[i]);
-    }
-    return line;
-  }
-
   void add(const std::string& name, const std::vector<geom::Point>& points) {
-    geom::Polyline line = without_near_points(points);
+    // Where untidy edges meet, points come so near to each other that they tell no direction.
+    geom::Polyline line = geom::without_near_points({points, false}, 1e-3 * owners_.tolerance());
     if (line.points.size() < 2) return;
     if (line.points.front().x > line.points.back().x) line = geom::reversed(std::move(line));
     made_.push_back({name, std::move(line)});
@@ -334,6 +358,8 @@ class Maker {
   std::vector<MadeLine> made_;
   std::vector<std::string> remarks_;
   std::size_t short_ = 0;
+  std::size_t stubs_ = 0;  ///< That were cut.
+  geom::Point first_stub_;
 };
 
 /// Numbered from the left where a name has several lines; from the top of the section down.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "shared/geom/spatial_index.h"
 #include "shared/scene/unit_colors.h"
@@ -20,8 +21,15 @@ using topo::Subdivision;
 
 namespace {
 
+/// A straight line from one ring to another.
+struct Bridge {
+  geom::Polyline line;
+  std::size_t from = 0;
+  std::size_t to = 0;
+};
+
 /// From vertices that lie near another ring straight to it, so that open gaps fall into thin faces.
-std::vector<geom::Polyline> bridges(const std::vector<geom::Polyline>& rings, double tolerance) {
+std::vector<Bridge> bridges(const std::vector<geom::Polyline>& rings, double tolerance) {
   std::vector<geom::Segment> segments;
   std::vector<std::size_t> ring_of;
   std::vector<geom::Box> boxes;
@@ -33,7 +41,7 @@ std::vector<geom::Polyline> bridges(const std::vector<geom::Polyline>& rings, do
     }
   }
   const geom::SpatialIndex index(boxes);
-  std::vector<geom::Polyline> made;
+  std::vector<Bridge> made;
   for (std::size_t i = 0; i < rings.size(); ++i) {
     for (const geom::Point p : rings[i].points) {
       std::map<std::size_t, std::pair<double, std::size_t>> nearest;  // of each other ring
@@ -49,7 +57,7 @@ std::vector<geom::Polyline> bridges(const std::vector<geom::Polyline>& rings, do
         geom::Point to = part <= 0.0 ? s.from : part >= 1.0 ? s.to : geom::interpolate(s.from, s.to, part);
         if (to == p) continue;
         if (part > 0.0 && part < 1.0) to = to + 1e-6 * (to - p);  // across the edge, whatever is rounded
-        if (to != p) made.push_back({{p, to}, false});
+        if (to != p) made.push_back({{{p, to}, false}, i, ring});
       }
     }
   }
@@ -80,7 +88,10 @@ base::Result<void> UnitOwners::draw(const Section& section) {
   }
   std::vector<geom::Polyline> lines = rings;
   lines.insert(lines.end(), barriers_.begin(), barriers_.end());
-  for (geom::Polyline& bridge : bridges(rings, tolerance_)) lines.push_back(std::move(bridge));
+  for (Bridge& bridge : bridges(rings, tolerance_)) {
+    lines.push_back(std::move(bridge.line));
+    bridged_.emplace_back(bridge.from, bridge.to);
+  }
   DOBRA_TRY(arrangement_, Arrangement::make(std::move(lines)));
   return {};
 }
@@ -141,6 +152,27 @@ void UnitOwners::give_faces() {
   give_gaps(gaps);
 }
 
+/// The first polygon beside a gap. One with a single polygon beside it is the end of a gap between those that the
+/// bridges round it join.
+std::size_t UnitOwners::first_beside(FaceId gap) const {
+  const Subdivision& sub = arrangement_.subdivision();
+  std::set<std::size_t> beside;
+  std::set<std::size_t> joined;
+  for (const topo::LoopId loop : sub.loops(gap)) {
+    for (const HalfEdgeId h : sub.half_edges(loop)) {
+      const std::size_t owner = owner_[sub.face(Structure::twin(h)).index()];
+      if (owner != nobody) beside.insert(owner);
+      for (const std::uint32_t line : arrangement_.lines_on(Structure::edge(h))) {
+        if (line < polygons_ + barriers_.size()) continue;
+        const auto [from, to] = bridged_[line - polygons_ - barriers_.size()];
+        joined.insert({from, to});
+      }
+    }
+  }
+  if (beside.size() < 2) beside.insert(joined.begin(), joined.end());
+  return beside.empty() ? nobody : *beside.begin();
+}
+
 /// To the first polygon beside it: the edge of the later one is the one that counts, as where they overlap.
 void UnitOwners::give_gaps(const std::vector<FaceId>& gaps) {
   const Subdivision& sub = arrangement_.subdivision();
@@ -148,10 +180,7 @@ void UnitOwners::give_gaps(const std::vector<FaceId>& gaps) {
   double area = 0.0;
   geom::Point place;
   for (std::size_t i = 0; i < gaps.size(); ++i) {
-    for (const topo::LoopId loop : sub.loops(gaps[i])) {
-      for (const HalfEdgeId h : sub.half_edges(loop))
-        given[i] = std::min(given[i], owner_[sub.face(Structure::twin(h)).index()]);
-    }
+    given[i] = first_beside(gaps[i]);
     if (area == 0.0) place = sub.point(sub.origin(sub.first(sub.outer_loop(gaps[i]))));
     area += arrangement_.area(gaps[i]);
   }

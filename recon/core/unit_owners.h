@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "recon/core/arrangement.h"
@@ -39,6 +40,7 @@ class UnitOwners {
   [[nodiscard]] std::size_t innermost(const std::vector<std::uint32_t>& holders) const;
   [[nodiscard]] double width(topo::FaceId face) const;
   void give_faces();
+  [[nodiscard]] std::size_t first_beside(topo::FaceId gap) const;
   void give_gaps(const std::vector<topo::FaceId>& gaps);
   void unite_pieces(const Section& section);
 
@@ -46,6 +48,7 @@ class UnitOwners {
   Arrangement arrangement_;
   std::size_t polygons_ = 0;
   std::vector<geom::Polyline> barriers_;             ///< Lines `polygons_`, `polygons_` + 1, ... of the arrangement.
+  std::vector<std::pair<std::size_t, std::size_t>> bridged_;  ///< Which polygons the lines behind the barriers join.
   std::vector<double> areas_;                        ///< Of the polygons.
   std::vector<std::vector<std::uint32_t>> holders_;  ///< Polygons that a face lies in, by face.
   std::vector<std::vector<double>> common_;          ///< Areas that two polygons have in common.

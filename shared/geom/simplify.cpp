@@ -84,4 +84,19 @@ base::Result<Polyline> simplify(const Polyline& polyline, const SimplifyOptions&
   return result;
 }
 
+Polyline without_near_points(Polyline polyline, double least) {
+  std::vector<Point> kept;
+  for (const Point p : polyline.points) {
+    if (kept.empty() || distance(kept.back(), p) > least) kept.push_back(p);
+  }
+  if (polyline.closed) {
+    while (kept.size() > 1 && distance(kept.back(), kept.front()) <= least) kept.pop_back();
+  } else if (!kept.empty() && kept.back() != polyline.points.back()) {
+    while (kept.size() > 1 && distance(kept.back(), polyline.points.back()) <= least) kept.pop_back();
+    kept.push_back(polyline.points.back());
+  }
+  polyline.points = std::move(kept);
+  return polyline;
+}
+
 }  // namespace dobra::geom

@@ -17,4 +17,7 @@ struct SimplifyOptions {
 /// @cost  O(n log n) for usual lines, O(n^2) at worst.
 base::Result<Polyline> simplify(const Polyline& polyline, const SimplifyOptions& options);
 
+/// Without points nearer than `least`, m, to the one before. An open chain keeps its ends.
+Polyline without_near_points(Polyline polyline, double least);
+
 }  // namespace dobra::geom

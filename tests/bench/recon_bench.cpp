@@ -81,15 +81,18 @@ BENCHMARK(restore_whole_section)
     ->UseRealTime();
 
 void restore_with_grid_there(benchmark::State& state) {
-  const Model model = start(100, 10000);
+  const auto horizons = static_cast<std::size_t>(state.range(0));
+  const auto points = static_cast<std::size_t>(state.range(1));
+  const Model model = start(horizons, points);
   const Model ready = run_target(run_grid(model, grid_of(20), {}, {}).value(), pinned(5000.0), {}, {}).value();
-  const auto method = static_cast<RestoreMethod>(state.range(0));
+  const auto method = static_cast<RestoreMethod>(state.range(2));
   state.SetLabel(method_name(method));
   for (auto _ : state) benchmark::DoNotOptimize(run_restore(ready, by(method), {}, {}).value());
-  state.SetItemsProcessed(state.iterations() * 1000000);
+  state.SetItemsProcessed(state.iterations() * state.range(0) * state.range(1));
 }
 BENCHMARK(restore_with_grid_there)
-    ->DenseRange(0, 5)
+    ->ArgsProduct({{100}, {10000}, {0, 1, 2, 3, 4, 5}})
+    ->ArgsProduct({{50}, {4001}, {0, 1, 2, 3, 4, 5}})
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime()
     ->UseRealTime();

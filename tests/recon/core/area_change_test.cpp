@@ -171,5 +171,38 @@ TEST(AreaChange, OfAPolygonIsThatOfWhatLiesInIt) {
   EXPECT_NEAR(change->least_at.x, 750.0, 1e-6);
 }
 
+TEST(AreaChange, BetweenHorizonsIsThatAlongTheWholeContour) {
+  // What the map knows of a horizon's cells against a trace of the contour; also of beds that end early.
+  for (const RestoreMethod method :
+       {RestoreMethod::Constant, RestoreMethod::Variable, RestoreMethod::Flexural, RestoreMethod::LineLength}) {
+    for (unsigned seed = 1; seed <= 4; ++seed) {
+      std::vector<geom::Polyline> lines = beds(seed);
+      if (seed > 2) lines[1].points.erase(lines[1].points.begin(), lines[1].points.begin() + 5);
+      if (seed == 4) lines[2].points.resize(17);
+      const Model model = restored(lines, by(method));
+      const Restoration& made = *model.restoration;
+      for (std::size_t i = 0; i + 1 < made.lines.size(); ++i) {
+        const geom::Polyline contour = contour_between(made.lines[i].before, made.lines[i + 1].before);
+        const auto traced = area_change_in(std::span(&contour, 1), made.map);
+        const auto known = area_change_between(made.lines[i], made.lines[i + 1], made.map);
+        const std::string which = std::string(method_name(method)) + ' ' + std::to_string(seed);
+        ASSERT_TRUE(traced && known) << which;
+        EXPECT_NEAR(known->least, traced->least, 1e-6) << which;
+        EXPECT_NEAR(known->greatest, traced->greatest, 1e-6) << which;
+      }
+    }
+  }
+}
+
+TEST(AreaChange, ItsMeanIsTheQuotientOfTheAreas) {
+  // Trapezes of 64 chords, but 63 of whose corners lean, become a rectangle of their upper length.
+  const double r = 10.0 * std::cos(pi / 256.0);
+  for (const double depth : {0.5, 2.0, 6.0}) {
+    const Model model = restored({test::arc(), test::parallel(test::arc(), depth)}, by(RestoreMethod::Constant));
+    const double mean = model.restoration->ledger.units[0].dilatation->mean;
+    EXPECT_NEAR(mean, 1.0 / (1.0 - depth * 63.0 / 64.0 / (2.0 * r)) - 1.0, 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace recon::core

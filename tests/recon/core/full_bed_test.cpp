@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <random>
 
 #include "recon/core/operations.h"
@@ -276,6 +277,48 @@ TEST(DefaultPin, StandsAtTheLeftmostPlaceWhereAllBedsAre) {
   // Above the top, which is then travelled from the right.
   const Target above = place({top, {{{300, 100}, {2000, 100}}, false}, {{{600, 200}, {2000, 200}}, false}});
   EXPECT_NEAR(above.source_pin.x, 600.0, 1e-9);
+}
+
+TEST(FullBed, AGrowthBedIsNoModelForAGapInAnOlderBed) {
+  // An older bed that dips by 30 degrees, with a gap, under a growth bed that dips by 6, under an older bed again.
+  const double dip = std::tan(std::numbers::pi / 6.0);
+  const auto line = [](double z, double slope, double from, double to) {
+    return geom::Polyline{{{from, z - slope * from}, {to, z - slope * to}}, false};
+  };
+  Section section = test::section_of({line(0, dip, 0, 2000), line(-1000, 0.1, 0, 2000), line(-1300, dip, 0, 800),
+                                      line(-1300, dip, 1200, 2000), line(-1300, dip, 0, 2000)});
+  section.horizons[1].role = BedRole::Growth;
+  for (const std::size_t i : {2u, 3u}) section.horizons[i].piece_of = "bed";
+  const auto with = [&](std::vector<std::size_t> kept) {
+    Section some;
+    for (const std::size_t i : kept) some.horizons.push_back(section.horizons[i]);
+    some.horizons.front().name = "top";
+    for (std::size_t i = 0; i < kept.size(); ++i) some.horizons[i].id = HorizonId(i);
+    return some;
+  };
+  for (const RestoreMethod method : bed_methods) {
+    // Under the older top the pieces go where the whole bed goes, whatever lies between.
+    const auto whole = restored(with({0, 4}), method, 0.0);
+    const auto cut = restored(with({0, 1, 2, 3}), method, 0.0);
+    ASSERT_TRUE(whole && cut) << to_string(cut.error());
+    for (const std::size_t i : {2u, 3u}) expect_same(*whole, 1, cut->lines[i], 2000.0, method_name(method));
+    // Under a growth bed alone nothing says how long the gap is.
+    const auto alone = restored(with({1, 2, 3}), method, 0.0);
+    ASSERT_FALSE(alone);
+    EXPECT_NE(to_string(alone.error()).find("growth bed"), std::string::npos) << to_string(alone.error());
+  }
+}
+
+TEST(FullBed, ATopThatGoesOnStraightIsTold) {
+  Section section = test::section_of({{{{0, 0}, {1000, 0}}, false}, {{{-40, -100}, {1030, -100}}, false}});
+  const auto made = restored(section, RestoreMethod::Flexural, 500.0);
+  ASSERT_TRUE(made);
+  const auto tells = [&](const std::string& what) {
+    return std::any_of(made->remarks.begin(), made->remarks.end(),
+                       [&](const std::string& remark) { return remark.find(what) != std::string::npos; });
+  };
+  EXPECT_TRUE(tells("goes on straight for 40 m from its end at (0, 0)"));
+  EXPECT_TRUE(tells("goes on straight for 30 m from its end at (1000, 0)"));
 }
 
 }  // namespace

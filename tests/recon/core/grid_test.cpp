@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "tests/recon/core/shapes.h"
 
 namespace recon::core {
@@ -149,6 +151,30 @@ TEST(Grid, UntreatedRungsHaveTheirFullLength) {
   const auto source = make_source_grid(test::section_of({test::cosine()}), params, {});
   ASSERT_TRUE(source);
   for (const geom::Polyline& rung : source->grid.rungs) EXPECT_GE(geom::length(rung), 2.6 - 1e-12);
+}
+
+TEST(Grid, WhatLiesBeyondTheTopIsMeasuredFromTheNormalOfItsEnd) {
+  // Limbs of 30 degrees, a bed 300 m below: its end on the normal of the top's end lies 150 m beside that.
+  const double dip = std::numbers::pi / 6.0;
+  const geom::Vector along{std::cos(dip), std::sin(dip)};
+  const geom::Vector down{std::sin(dip), -std::cos(dip)};
+  const geom::Point corner{1000, 0};
+  const geom::Point end = corner + 1000.0 * along;
+  for (const double beyond : {0.0, -1e-9, 1e-9, 50.0, 100.0}) {
+    const geom::Point far = end + 300.0 * down + beyond * along;
+    for (const bool mirrored : {false, true}) {
+      std::vector<geom::Polyline> lines{{{{0, 0}, corner, end}, false}, {{{0, -300}, {1080.38, -300}, far}, false}};
+      if (mirrored) {
+        for (geom::Polyline& line : lines) {
+          for (geom::Point& p : line.points) p.x = -p.x;
+          line = geom::reversed(line);
+        }
+      }
+      // 5 % of the top's width of 1866 m are 93.3 m along the bed.
+      const auto source = make_source_grid(test::section_of(lines), params_of(1, 100), {});
+      EXPECT_EQ(source.ok(), beyond < 93.0) << beyond << mirrored;
+    }
+  }
 }
 
 }  // namespace

@@ -279,5 +279,36 @@ TEST(Layers, ATableOfColoursCountsAndLettersStandOverTheEnds) {
   }
 }
 
+TEST(Layers, ThePinLineOfAShearRunsAlongItsDirection) {
+  const geom::Polyline top{{{0, 0}, {600, 60}, {1000, 20}}, false};
+  for (const double sign : {1.0, -1.0}) {  // layers below and above the top
+    for (const double degrees : {0.0, 20.0, -30.0}) {
+      Model model;
+      geom::Polyline bed = top;
+      for (geom::Point& p : bed.points) p.y -= sign * 200.0;
+      model.section = test::section_of({top, bed});
+      GridParams grid;
+      grid.uncovered = Uncovered::Continue;
+      TargetParams target;
+      target.pin = 300.0;
+      RestoreParams params;
+      params.method = RestoreMethod::Shear;
+      params.angle = base::Angle::from_degrees(degrees);
+      model = run_grid(model, grid, {}, {}).value();
+      model = run_target(model, target, {}, {}).value();
+      model = run_restore(model, params, {}, {}).value();
+      const scene::Picture picture = picture_of(model);
+      for (const scene::Panel& panel : picture.panels) {
+        const geom::Polyline line = std::get<scene::Lines>(find(panel, "pin")->content).lines.front();
+        const geom::Vector along = line.points.front() - line.points.back();
+        const geom::Vector shear{std::sin(params.angle.radians()), std::cos(params.angle.radians())};
+        EXPECT_NEAR(geom::cross(geom::normalised(along), shear), 0.0, 1e-9) << sign << ' ' << degrees;
+        EXPECT_GT(sign * along.y, 0.0);
+        EXPECT_LT(geom::distance(line.segment(0), {300, 30}), 1e-9);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace recon::core

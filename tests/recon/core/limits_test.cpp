@@ -142,5 +142,24 @@ TEST(Limits, OtherMethodsAreNotJudgedByTheLimitsOfVariableThickness) {
   }
 }
 
+TEST(Limits, ATornHingeOpensAndDoesNotFoldOverItself) {
+  // The base lies below the centre of the hinge: it is torn there, and passes, but is not balanced.
+  for (const double limb : {15.0, 30.0, 45.0}) {
+    const geom::Polyline top = hinge(30.0, limb, 1.0);
+    const double tangent = std::tan(limb * pi / 180.0);
+    const double crest = -60.0;  // of a chevron whose limbs are parallel to those of the top
+    const double reach = top.points.back().x;
+    const geom::Polyline base{{{-reach, crest - tangent * reach}, {0, crest}, {reach, crest - tangent * reach}}, false};
+    const auto made = run({top, base}, variable());
+    ASSERT_TRUE(made) << to_string(made.error());
+    const Restoration& restoration = *made->restoration;
+    EXPECT_EQ(restoration.lines[1].tears.size(), 1u);
+    const std::vector<geom::Point>& image = restoration.lines[1].after.points;
+    for (std::size_t i = 1; i < image.size(); ++i) EXPECT_GT(image[i].x, image[i - 1].x - 1e-6) << limb;
+    EXPECT_GT(restoration.ledger.units[0].dilatation->least, -0.5);
+    EXPECT_LT(restoration.ledger.units[0].dilatation->mean, restoration.ledger.units[0].dilatation->greatest);
+  }
+}
+
 }  // namespace
 }  // namespace recon::core

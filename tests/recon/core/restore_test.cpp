@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 
 #include "recon/core/operations.h"
 #include "recon/core/report.h"
@@ -239,6 +240,78 @@ TEST(Restore, PiecesAboveEachOtherAreRefusedByName) {
   const auto no_top = run_grid(start, grid, {}, {});
   ASSERT_FALSE(no_top);
   EXPECT_NE(no_top.error().message.find("name the piece, such as 'bed (1)'"), std::string::npos);
+}
+
+TEST(Restore, NoTwoPointsOfARestoredLineAreCloserThanRounding) {
+  // Vertices of parallels lie on the rungs to rounding: a cut there makes a second point.
+  const geom::Polyline top = test::cosine();
+  for (const double depth : {0.1, 0.3, 0.7, 0.85}) {
+    Section section = test::section_of({top, test::parallel(top, depth), test::parallel(top, 0.95)});
+    geom::Polyline ring = test::parallel(top, 0.5 * depth);
+    for (std::size_t i = top.points.size(); i-- > 0;) ring.points.push_back(section.horizons[1].line.points[i]);
+    ring.closed = true;
+    section.units.push_back({UnitId(0), "U", ring, {}});
+    section.lines.push_back({LineId(0), LineKind::Fault, "F", test::parallel(top, 0.2), {}});
+    const auto model = restored(section);
+    ASSERT_TRUE(model) << to_string(model.error());
+    const Section& after = model->restoration->section;
+    for (const geom::Polyline& line : {after.horizons[0].line, after.horizons[1].line, after.horizons[2].line,
+                                       after.units[0].contour, after.lines[0].line}) {
+      for (std::size_t i = 0; i < line.segment_count(); ++i) EXPECT_GT(line.segment(i).length(), 1e-11) << depth;
+    }
+  }
+}
+
+TEST(Restore, ATornUnitIsToldWithThePlaceAndTheWidth) {
+  const double pi = std::numbers::pi;
+  Section section = test::section_of({test::cosine()});
+  const auto unit = [&](double x) {  // at a crest it lies across the medial axis, in a trough beside it
+    return Unit{UnitId(section.units.size()), "U" + std::to_string(section.units.size()),
+                {{{x - 1, -2.2}, {x + 1, -2.2}, {x + 1, -2.0}, {x - 1, -2.0}}, true}, {}};
+  };
+  section.units.push_back(unit(pi));
+  section.units.push_back(unit(2.0 * pi));
+  section.units.push_back(unit(3.0 * pi));
+  const auto model = restored(section);
+  ASSERT_TRUE(model) << to_string(model.error());
+  const std::vector<std::string>& remarks = model->restoration->remarks;
+  const auto told = [&](const std::string& name) {
+    return std::any_of(remarks.begin(), remarks.end(), [&](const std::string& remark) {
+      return remark.find("unit '" + name + "' crosses the medial axis") == 0 &&
+             remark.find("most at (") != std::string::npos;
+    });
+  };
+  EXPECT_TRUE(told("U0"));
+  EXPECT_FALSE(told("U1"));
+  EXPECT_TRUE(told("U2"));
+}
+
+TEST(Restore, BedsAreOrderedByTheirDepthWhereBothAre) {
+  // A wedge, and below it a short bed at its shallow end: the mean depth of that is less than that of the wedge.
+  const geom::Polyline top{{{0, 0}, {1000, 0}}, false};
+  const geom::Polyline wedge{{{0, -100}, {1000, -900}}, false};
+  const auto below = [](double from, double to) {
+    return geom::Polyline{{{from, -150 - 0.8 * from}, {to, -150 - 0.8 * to}}, false};
+  };
+  geom::Polyline dense = wedge;  // many points where it is deep
+  for (int i = 1; i < 100; ++i)
+    dense.points.insert(dense.points.end() - 1, {900.0 + i, -100 - 0.8 * (900.0 + i)});
+  const auto names_of = [&](const std::vector<geom::Polyline>& lines) {
+    const Section section = test::section_of(lines);
+    const auto model = restored(section);
+    EXPECT_TRUE(model) << to_string(model.error());
+    std::vector<std::string> names;
+    for (const HorizonId id : model->restoration->order) names.push_back(find_horizon(section, id)->name);
+    return names;
+  };
+  const std::vector<std::string> as_given{"top", "bed1", "bed2"};
+  EXPECT_EQ(names_of({top, wedge, below(0, 200)}), as_given);
+  EXPECT_EQ(names_of({top, wedge, below(100, 300)}), as_given);
+  EXPECT_EQ(names_of({top, dense, below(0, 1000)}), as_given);
+  EXPECT_EQ(names_of({top, below(0, 200), wedge}), (std::vector<std::string>{"top", "bed2", "bed1"}));
+  // Where two have nothing in common their mean depth says it.
+  EXPECT_EQ(names_of({top, {{{0, -300}, {300, -300}}, false}, {{{500, -200}, {900, -200}}, false}}),
+            (std::vector<std::string>{"top", "bed2", "bed1"}));
 }
 
 }  // namespace

@@ -208,5 +208,68 @@ TEST(SectionFaces, PiecesOfAFaultedHorizonBoundTheUnitsOfTheirBlocks) {
   EXPECT_NEAR(area_of("bed (2) - base (2)"), 8.0, 1e-12);
 }
 
+double area_named(const SectionFaces& made, const std::string& name) {
+  for (const RockUnit& unit : made.units) {
+    if (unit.name == name) return unit.area;
+  }
+  return -1.0;
+}
+
+TEST(SectionFaces, APartUnderAFaultIsNamedByTheHorizonOverTheFault) {
+  // A and B flat, 4 apart; a fault between them from side to side, along the crests of A, in steps, and two faults.
+  const Section layer = test::section_of({{{{0, 0}, {10, 0}}, false}, {{{0, -4}, {10, -4}}, false}});
+  for (const auto& course : std::vector<std::vector<Point>>{
+           {{-1, -2}, {11, -2}}, {{-1, -1}, {11, -3.5}}, {{-1, -2}, {4, -2}, {4.5, -3}, {11, -3}}}) {
+    Section section = layer;
+    section.border = Polyline{{{0, -6}, {10, -6}, {10, 2}, {0, 2}}, true};
+    section.lines.push_back(fault(course));
+    const SectionFaces one = faces(section);
+    EXPECT_NEAR(area_named(one, "top - bed1"), 40.0, 1e-9);
+    EXPECT_NEAR(area_named(one, "above top"), 20.0, 1e-9);
+    EXPECT_NEAR(area_named(one, "bed1"), 20.0, 1e-9);
+    section.lines.push_back(fault({{-1, -3.6}, {11, -3.6}}));
+    EXPECT_NEAR(area_named(faces(section), "top - bed1"), 40.0, 1e-9);
+  }
+  Section folded = test::section_of({{{{0, 0}, {2, 2}, {4, 0}, {6, 2}, {8, 0}, {10, 2}, {12, 0}}, false},
+                                     {{{0, -4}, {2, -2}, {4, -4}, {6, -2}, {8, -4}, {10, -2}, {12, -4}}, false}});
+  folded.lines.push_back(fault({{-1, -2}, {13, -2}}));  // along the crests of the lower one
+  EXPECT_NEAR(area_named(faces(folded), "top - bed1"), 48.0, 1e-9);
+  folded.lines.back() = fault({{-1, 2}, {11, 2}});  // and of the upper one
+  EXPECT_NEAR(area_named(faces(folded), "top - bed1"), 48.0, 1e-9);
+  folded.lines.back() = fault({{-1, -1}, {13, -1}});  // through the limbs
+  EXPECT_NEAR(area_named(faces(folded), "top - bed1"), 48.0, 1e-9);
+}
+
+TEST(SectionFaces, ABedOverAFaultNamesNothingUnderItThatIsYoungerOrOpenAbove) {
+  // A thrust that carries B over A: what lies on A below the thrust is above A.
+  Section section = test::section_of(
+      {{{{0, 4}, {10, 4}}, false}, {{{0, 0}, {10, 0}}, false}, {{{0, -4}, {10, -4}}, false}});
+  section.horizons[0].name = "B (2)";
+  section.horizons[1].name = "A";
+  section.horizons[2].name = "B (1)";
+  for (const std::size_t i : {0u, 2u}) section.horizons[i].piece_of = "B";
+  section.border = Polyline{{{0, -6}, {10, -6}, {10, 6}, {0, 6}}, true};
+  section.lines.push_back(fault({{-1, 1}, {11, 3}}));
+  EXPECT_NEAR(area_named(faces(section), "A - B (1)"), 40.0, 1e-9);
+  EXPECT_EQ(area_named(faces(section), "B (2) - A"), -1.0);
+  EXPECT_NEAR(area_named(faces(section), "B (2)"), 20.0, 1e-9);
+  // A block under a steep fault and mostly under open sky, beside a block where A is higher.
+  Section block = test::section_of({{{{3.3, 3}, {10, 3}}, false}, {{{0, -4}, {10, -4}}, false}});
+  block.border = section.border;
+  block.lines.push_back(fault({{4, -6}, {4, -4}, {3.3, 3}, {3, 6}}));
+  EXPECT_NEAR(area_named(faces(block), "top - bed1"), 7.0 * (6.0 + 6.7) / 2.0, 1e-9);
+}
+
+TEST(SectionFaces, ManyMisfitsAreToldInOneLineWithTheGreatest) {
+  Section section = test::section_of({{{{0, 0}, {10, 0}}, false}, {{{0, -4}, {10, -4}}, false}});
+  section.units = {
+      {UnitId(0), "A", {{{0, -2}, {10, -2}, {10, 0}, {0, 0}}, true}, {}},
+      {UnitId(1), "B", {{{0, -4}, {10, -4}, {10, -2}, {8, -2.5}, {6, -2}, {4, -3}, {0, -2}}, true}, {}}};
+  const std::vector<std::string> told = remarks_of(faces(section), section);
+  ASSERT_EQ(told.size(), 1u);
+  // Triangles of bases 4 and 6, heights 0.5 and 1.
+  EXPECT_EQ(told[0].find("2 gaps of 4 m2 in all; the greatest: gap of 3 m2 between the units A, B at"), 0u) << told[0];
+}
+
 }  // namespace
 }  // namespace recon::core

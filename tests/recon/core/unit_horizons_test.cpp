@@ -1,5 +1,6 @@
 #include "recon/core/unit_horizons.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -195,6 +196,47 @@ TEST(UnitHorizons, WhatCannotBeMadeIsRefused) {
   along.units = {item("A", {{0, 0}, {50, 0}, {50, 20}, {0, 20}}), item("B", {{50, 0}, {100, 0}, {100, 20}, {50, 20}})};
   along.faults = {item("F", {{50, 30}, {50, -10}})};
   EXPECT_NE(refusal_of(along).find("no fault"), std::string::npos);
+}
+
+/// Three layers of 300 m over 1000 m whose shared edges were drawn twice, `gap` apart (negative: one over the other),
+/// with sides that lean, in any order in the file.
+SectionInput layers_with_gaps(double gap_left, double gap_right, double lean, const std::vector<std::size_t>& order) {
+  std::vector<HorizonInput> items;
+  for (const std::size_t i : order) {
+    const double beside = 0.02 * static_cast<double>(i);  // sides that lean are not drawn on one straight line either
+    const auto side = [&](double x, double z) { return Point{x + lean * z + (lean == 0.0 ? 0.0 : beside), z}; };
+    const double top = -300.0 * static_cast<double>(i);
+    const double base = top - 300.0;
+    items.push_back(item(std::string(1, static_cast<char>('Q' + i)),
+                         {side(0, base + gap_left), side(500, base + 20 + 0.5 * (gap_left + gap_right)),
+                          side(1000, base + gap_right), side(1000, top), side(500, top + 20), side(0, top)}));
+  }
+  SectionInput input;
+  input.units = items;
+  return input;
+}
+
+TEST(UnitHorizons, NoEndOfAHorizonTurnsIntoAGap) {
+  for (const double gap : {0.05, 0.4, 1.1, -0.3, -1.0}) {
+    for (const double lean : {0.0, 0.3, -0.5}) {
+      for (const auto& [left, right] : {std::pair(gap, gap), {gap, 0.0}, {0.0, gap}}) {
+        for (const auto& order : std::vector<std::vector<std::size_t>>{{0, 1, 2}, {2, 1, 0}, {1, 2, 0}}) {
+          const ReadSection read = read_of(layers_with_gaps(left, right, lean, order));
+          const std::string which = fmt::format("{} {} {} {}", left, right, lean, order[0]);
+          ASSERT_EQ(names_of(read), (Names{"R", "S"})) << which;
+          for (std::size_t i = 0; i < 2; ++i) {
+            const std::vector<Point>& points = read.section.horizons[i].line.points;
+            const double z = -300.0 * static_cast<double>(i + 1);
+            EXPECT_LE(geom::distance(points.front(), {lean * z, z}), 1.5 * std::abs(gap) + 0.05) << which;
+            EXPECT_LE(geom::distance(points.back(), {1000.0 + lean * z, z}), 1.5 * std::abs(gap) + 0.05) << which;
+            // Edges dip by 0.04 and a little: no piece dips more steeply.
+            for (std::size_t k = 1; k < points.size(); ++k)
+              EXPECT_LT(std::abs(points[k].y - points[k - 1].y), 0.1 * (points[k].x - points[k - 1].x)) << which;
+          }
+        }
+      }
+    }
+  }
 }
 
 }  // namespace
