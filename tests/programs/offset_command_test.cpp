@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -85,6 +86,27 @@ std::string tangle(std::size_t count) {
     text += std::to_string(x) + ',' + std::to_string(y) + '\n';
   }
   return text;
+}
+
+/// A closed contour round a centre that goes forth and back, and crosses itself thousands of times.
+std::string rough_star(std::size_t count) {
+  std::mt19937 random(2);
+  const auto real = [&] { return static_cast<double>(random()) / 2147483648.0 - 1.0; };
+  std::string text;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double angle = 6.283185307 * (static_cast<double>(i) + 6.0 * real()) / static_cast<double>(count);
+    const double radius = 500.0 * (1.0 + 0.3 * real());
+    text += std::to_string(radius * std::cos(angle)) + ',' + std::to_string(radius * std::sin(angle)) + '\n';
+  }
+  return text;
+}
+
+TEST_F(OffsetPrograms, TheTimeOfAContourThatCrossesItselfThousandsOfTimesGrowsWithItsCrossings) {
+  const auto start = std::chrono::steady_clock::now();
+  const Outcome done = call("recon offset " + write("star.csv", rough_star(8192)) + " --closed --distance 1 --join bisector --quiet");
+  EXPECT_EQ(done.code, 0) << done.said;
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  EXPECT_LT(took.count(), 30.0);  // s; some 2 without sanitizers, and minutes where vertices draw pieces from ever farther
 }
 
 TEST_F(OffsetPrograms, ASignalEndsEveryPhaseOfALongRunSoonWith130AndLeavesNoFile) {
