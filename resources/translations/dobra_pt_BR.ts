@@ -1192,6 +1192,14 @@
         <translation>Conserta pontos repetidos, espinhos, duplicatas, vãos, lascas e cruzamentos de contornos, e lista cada um com o seu lugar.</translation>
     </message>
     <message>
+        <source>Widest gap</source>
+        <translation>Maior vão</translation>
+    </message>
+    <message>
+        <source>That repair closes between ends of curves; 1/1000 of the drawing's diagonal by default, 1/10 at most.</source>
+        <translation>Que o conserto fecha entre pontas de curvas; por omissão 1/1000 da diagonal do desenho, no máximo 1/10.</translation>
+    </message>
+    <message>
         <source>Their two lips come apart; they may branch, cross and reach the boundary.</source>
         <translation>As suas duas faces se separam; podem ramificar-se, cruzar-se e chegar ao contorno.</translation>
     </message>

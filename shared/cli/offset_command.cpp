@@ -75,7 +75,8 @@ CLI::Validator number_that(const std::string& rule, bool (*holds)(double)) {
       [rule, holds](std::string& word) {
         const std::optional<double> value = base::parse_number(word);
         if (!value) return fmt::format("'{}' is not a number", word);
-        return std::isfinite(*value) && holds(*value) ? std::string() : fmt::format("{} {}", word, rule);
+        if (!std::isfinite(*value)) return fmt::format("'{}' is not a finite number; it {}", word, rule);
+        return holds(*value) ? std::string() : fmt::format("'{}' {}", word, rule);
       },
       "");
 }

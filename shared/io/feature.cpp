@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shared/geom/predicates.h"
 #include "shared/io/scan.h"
 
 namespace dobra::io {
@@ -121,7 +122,8 @@ Result<std::size_t> normalise(Feature& feature, const std::vector<std::size_t>& 
     if (feature.type != FeatureType::Polygons) continue;
     const double area = geom::signed_area(part);
     if (area == 0.0) {
-      return Error{ErrorCode::DegenerateCurve, "a polygon has no area; correct or remove it",
+      const bool flat = std::all_of(part.points.begin(), part.points.end(), [&](geom::Point p) { return geom::orient2d(part.points[0], part.points[1], p) == geom::Sign::Zero; });
+      return Error{ErrorCode::DegenerateCurve, flat ? "a polygon has no area; correct or remove it" : "a polygon crosses itself so that its parts cancel and it has no area; cut it where it crosses",
                    Place{.x = part.points[0].x, .y = part.points[0].y}};
     }
     if ((area > 0.0) != (ring_of_polygon[i] == 0)) part = geom::reversed(std::move(part));

@@ -76,10 +76,10 @@ base::Result<void> check_program(const Document& document, const Program& progra
 
 base::Result<void> check(const Document& document, const Program& program) {
   DOBRA_TRY_VOID(check_program(document, program));
-  DOBRA_TRY_VOID(check(document.input, program.input_fields, "input"));
+  DOBRA_TRY_VOID(check(document.input, fields_in(program.input_fields, document.units), "input"));
   for (std::size_t number = 1; number <= document.steps.size(); ++number) {
     DOBRA_TRY(const Operation* operation, operation_of(document, number, program));
-    DOBRA_TRY_VOID(check(document.steps[number - 1].params, operation->fields, step_label(document, number)));
+    DOBRA_TRY_VOID(check(document.steps[number - 1].params, fields_in(operation->fields, document.units), step_label(document, number)));
   }
   return check_names(document);
 }

@@ -152,10 +152,10 @@ Run Runner::run(const Document& document, const base::Progress& progress) {
     const Operation* operation = nullptr;
     if (k == 0) {
       DOBRA_TRY_VOID(check_program(document, program_));
-      DOBRA_TRY_VOID(check(document.input, program_.input_fields, "input"));
+      DOBRA_TRY_VOID(check(document.input, fields_in(program_.input_fields, document.units), "input"));
     } else {
       DOBRA_TRY(operation, operation_of(document, k, program_));
-      DOBRA_TRY_VOID(check(document.steps[k - 1].params, operation->fields, step_label(document, k)));
+      DOBRA_TRY_VOID(check(document.steps[k - 1].params, fields_in(operation->fields, document.units), step_label(document, k)));
     }
     const Table& table = k == 0 ? document.input : document.steps[k - 1].params;
     const std::vector<Field>& fields = k == 0 ? program_.input_fields : operation->fields;

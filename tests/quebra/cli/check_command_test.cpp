@@ -36,6 +36,16 @@ TEST_F(CheckCommand, AnInvertedElementIsAFaultWithItsNumberAndPlace) {
   EXPECT_EQ(json["area"], 1.0);
 }
 
+TEST_F(CheckCommand, AGapIsClosedUpToTheLimitGiven) {
+  const std::string open = put("open.geojson", R"({"type":"LineString","coordinates":[[0,0],[10,0],[10,8],[0,8],[0,0.5]]})");
+  refuses({"check", open, "--repair"}, 3, {"a gap of 0.5 m between (0, 0)", "(0, 0.5)", "--gap"});
+  refuses({"check", open, "--gap", "0.6"}, 3, {"give --repair"});
+  refuses({"check", open, "--repair", "--gap", "-1"}, 3, {"'gap' must be greater than 0 m, found -1.0 m"});
+  const auto told = call({"check", open, "--repair", "--gap", "0.6"});
+  EXPECT_EQ(told.code, 0) << told.err;
+  EXPECT_NE(told.err.find("the ends are joined; gaps up to 0.6 m are closed"), std::string::npos) << told.err;
+}
+
 TEST_F(CheckCommand, AClockwiseMeshIsSoundWithARemark) {
   const auto told = call({"check", square("1, 2, 1, 5\n2, 3, 2, 5\n3, 4, 3, 5\n4, 1, 4, 5\n"), "--json"});
   EXPECT_EQ(told.code, 0) << told.err;

@@ -156,6 +156,8 @@ TEST_F(OffsetCommand, WrongUsageNamesTheOption) {
   refuses({file, "--distance", "one"}, 2, {"'one' is not a number"});
   refuses({file, "--distance", "1", "--factor", "0"}, 2, {"--factor"});
   refuses({file, "--distances", "1,,2"}, 2, {"--distances: '' is not a number"});
+  for (const char* value : {"nan", "inf", "-inf"}) refuses({file, "--distance", value}, 2, {"--distance", std::string("'") + value + "' is not a finite number; it must not be 0"});
+  refuses({file, "--distance", "1e400"}, 2, {"'1e400' is not a number"});
   refuses({file, "--distances", "1,-2.0"}, 2, {"-2.0 must be above 0 for curve 1, an open line"});
   refuses({file, "--distances", ""}, 2, {"--distances"});
   refuses({file, "--distance", "1", "--side", "rihgt"}, 2, {"did you mean 'right'?"});

@@ -29,7 +29,7 @@ TEST(Program, InputAndParametersOfEveryStepAreJudgedBeforeAnythingRuns) {
   fake::calls().clear();
   EXPECT_EQ(complaint("[input]\nnumber = 1\n"), "f.toml:4:1: input: unknown key 'number'; did you mean 'numbers'?");
   EXPECT_EQ(complaint("[[step]]\noperation = \"scale\"\n[[step]]\noperation = \"scale\"\nfactor = -1\n"),
-            "f.toml:7:1: step 2 (scale): 'factor' must be greater than 0, found -1");
+            "f.toml:7:1: step 2 (scale): 'factor' must be greater than 0 m, found -1 m");
   EXPECT_EQ(complaint("[[step]]\noperation = \"import\"\n"),
             "f.toml:3:1: step 1 (import): the key 'file' is missing; it must be a file name in quotes");
   EXPECT_TRUE(fake::calls().empty());
