@@ -140,13 +140,17 @@ void add_missing(scenario::Document& document, const std::string& operation, std
       return std::find(operations.begin(), operations.end(), step.operation) != operations.end();
     });
   };
-  const auto insert = [&](const char* missing, const char* told) {
-    document.steps.insert(document.steps.begin() + static_cast<std::ptrdiff_t>(at++), step_of(missing));
+  const auto insert = [&](scenario::Step missing, const char* told) {
+    document.steps.insert(document.steps.begin() + static_cast<std::ptrdiff_t>(at++), std::move(missing));
     changes.added.push_back(told);
   };
-  if (operation == "crack" && !has_before({"analyse", "adapt"})) insert("analyse", "analyse");
+  if (operation == "crack" && !has_before({"analyse", "adapt"})) insert(step_of("analyse"), "analyse");
   // That of `crack` gets rosettes (ask_for_rosettes).
-  if (operation == "analyse" && !has_before({"mesh", "adapt"})) insert("mesh", "mesh, with its defaults");
+  if (operation != "analyse" || has_before({"mesh", "adapt"})) return;
+  // Elements of the first order lock near nu = 0.5.
+  scenario::Step mesh = step_of("mesh");
+  mesh.params.set("order", std::string("2"));
+  insert(std::move(mesh), "mesh, of the second order");
 }
 
 /// The scenario up to its last step of the operation, which is added if there is none, and the probes and lines behind it.

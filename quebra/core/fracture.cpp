@@ -32,7 +32,7 @@ std::vector<Figure> figures_of(const fem::TipResult& tip) {
           {"correlation.K_I", k, one(tip.correlation)},
           {"correlation.K_II", k, two(tip.correlation)},
           {"spread", "%", tip.spread ? std::optional(100.0 * *tip.spread) : std::nullopt},
-          {"J", "J/m2", tip.domain.j},
+          {"J", "J/m2", tip.no_j ? std::nullopt : std::optional(tip.domain.j)},
           {"G", "J/m2", tip.release},
           {"T", "Pa", tip.domain.t_stress},
           {"contour", "m", tip.contour.outer},

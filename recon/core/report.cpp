@@ -1,5 +1,8 @@
 #include "recon/core/report.h"
 
+#include <algorithm>
+
+#include "recon/core/palette.h"
 #include "recon/core/section_faces.h"
 #include "shared/base/text.h"
 #include "shared/io/file.h"
@@ -51,7 +54,13 @@ void add_restored_quantities(const Model& model, std::vector<scenario::Quantity>
   }
   for (const LineLength& row : totals_of(restoration.lengths))
     add_cells("horizon." + row.name + ".", cells_of(row), quantities);
-  for (const UnitRow& row : restoration.ledger.units) add_cells("unit." + row.name + ".", cells_of(row), quantities);
+  const std::vector<UnitRow> units = unit_rows(model);
+  for (const UnitRow& row : units) add_cells("unit." + row.name + ".", cells_of(row), quantities);
+  for (const UnitRow& row : restoration.ledger.units) {
+    const auto same = [&](const UnitRow& unit) { return unit.name == row.name; };
+    if (std::none_of(units.begin(), units.end(), same))
+      add_cells("unit." + row.name + ".", cells_of(row), quantities);
+  }
   quantities.push_back({"points", number(points), ""});
   quantities.push_back({"points_outside", number(outside), ""});
   quantities.push_back({"points_beyond_ends", number(beyond), ""});
@@ -77,6 +86,7 @@ void add_balance_quantities(const Model& model, std::vector<scenario::Quantity>&
       quantities.push_back({prefix + "median", spread.median, spread.unit});
       quantities.push_back({prefix + "high", spread.high, spread.unit});
     }
+    quantities.push_back({"error.failed", number(model.monte_carlo->failed), ""});
     quantities.push_back({"error.balanced_share", model.monte_carlo->balanced_share, ""});
   }
   if (model.area_depth) {
@@ -296,6 +306,43 @@ std::vector<scenario::Quantity> quantities_of(const Model& model) {
   return quantities;
 }
 
+namespace {
+
+/// Adds another piece of the unit.
+void add_piece(const UnitRow& piece, UnitRow& whole) {
+  ++whole.pieces;
+  if (whole.dilatation && piece.dilatation) {
+    Range& all = *whole.dilatation;
+    const Range& more = *piece.dilatation;
+    all.mean = (all.mean * whole.area_before + more.mean * piece.area_before) / (whole.area_before + piece.area_before);
+    all.least = std::min(all.least, more.least);
+    all.greatest = std::max(all.greatest, more.greatest);
+  }
+  whole.area_before += piece.area_before;
+  whole.area_after += piece.area_after;
+  whole.change_percent = 100.0 * (whole.area_after - whole.area_before) / whole.area_before;
+}
+
+}  // namespace
+
+std::vector<UnitRow> unit_rows(const Model& model) {
+  const std::vector<UnitRow>& rows = model.restoration->ledger.units;
+  const Palette palette(model.section);
+  std::vector<UnitRow> wholes;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const bool polygon = i < model.section.units.size();
+    const std::string& name = polygon ? palette.whole_of(model.section.units[i].id) : rows[i].name;
+    const auto whole = std::find_if(wholes.begin(), wholes.end(), [&](const UnitRow& w) { return w.name == name; });
+    if (polygon && whole != wholes.end()) {
+      add_piece(rows[i], *whole);
+      continue;
+    }
+    wholes.push_back(rows[i]);
+    wholes.back().name = name;
+  }
+  return wholes;
+}
+
 std::vector<RowCell> cells_of(const LineLength& row) {
   return {{"length_before", "m", row.length_before},
           {"length_after", "m", row.length_after},
@@ -317,7 +364,9 @@ std::vector<RowCell> cells_of(const UnitRow& row) {
   const auto percent = [&](double Range::*member) {
     return row.dilatation ? std::optional(100.0 * (*row.dilatation).*member) : std::nullopt;
   };
-  return {{"area_before", "m2", row.area_before},
+  const auto pieces = row.pieces > 1 ? std::optional(number(row.pieces)) : std::nullopt;
+  return {{"pieces", "", pieces},
+          {"area_before", "m2", row.area_before},
           {"area_after", "m2", row.area_after},
           {"area_change_percent", "%", row.change_percent},
           {"thickness_min_before", "m", part(row.thickness_before, &Range::least)},
@@ -355,7 +404,7 @@ std::vector<scenario::DataTable> tables_of(const Model& model) {
     tables.push_back(row_table("line_length", "horizon", model.restoration->lengths));
     if (const auto totals = totals_of(model.restoration->lengths); !totals.empty())
       tables.push_back(row_table("horizons_in_pieces", "horizon", totals));
-    tables.push_back(row_table("units", "unit", model.restoration->ledger.units));
+    tables.push_back(row_table("units", "unit", unit_rows(model)));
     tables.push_back(strain_table(model.restoration->ledger.strains));
   }
   if (!model.earlier.empty()) tables.push_back(stages_table(restored_stages(model)));

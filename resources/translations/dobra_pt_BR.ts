@@ -1336,8 +1336,8 @@
         <translation>Elementos da ponta</translation>
     </message>
     <message>
-        <source>Length of the quarter-point elements, of the first mesh in a loop; 0 takes 1/80 of the room round the tip: straight end of the crack, ligament, other tips.</source>
-        <translation>Comprimento dos elementos de quarto de ponto, da primeira malha num laço adaptativo; 0 toma 1/80 do espaço em volta da ponta: fim reto da trinca, ligamento, outras pontas.</translation>
+        <source>Length of the quarter-point elements, of the first mesh in a loop; 0 takes 1/80 of the room round the tip: straight end of the crack, ligament, other tips, named points.</source>
+        <translation>Comprimento dos elementos de quarto de ponto, da primeira malha num laço adaptativo; 0 toma 1/80 do espaço em volta da ponta: fim reto da trinca, ligamento, outras pontas, pontos com nome.</translation>
     </message>
     <message>
         <source>QUEBRA</source>
@@ -2562,6 +2562,10 @@
     <message>
         <source>all pieces</source>
         <translation>todos os trechos</translation>
+    </message>
+    <message>
+        <source>pieces</source>
+        <translation>partes</translation>
     </message>
     <message>
         <source>The grid stands on the top with fewer points, nowhere farther from it than this; unsteady lines need it.</source>

@@ -97,6 +97,13 @@ Result<std::size_t> normalise_3d(Feature& feature, const std::vector<std::size_t
   return dropped;
 }
 
+/// All points on one line. @pre three points or more, the first two unlike.
+bool is_flat(const Polyline& ring) {
+  const std::vector<geom::Point>& p = ring.points;
+  return std::all_of(p.begin() + 2, p.end(),
+                     [&](geom::Point q) { return geom::orient2d(p[0], p[1], q) == geom::Sign::Zero; });
+}
+
 }  // namespace
 
 Result<std::size_t> normalise(Feature& feature, const std::vector<std::size_t>& ring_of_polygon) {
@@ -121,6 +128,7 @@ Result<std::size_t> normalise(Feature& feature, const std::vector<std::size_t>& 
     DOBRA_TRY_VOID(geom::validate(part));
     if (feature.type != FeatureType::Polygons) continue;
     const double area = geom::signed_area(part);
+    if (area == 0.0 && !is_flat(part)) continue;  // crosses itself: what reads it tells, or mends it
     if (area == 0.0) {
       const bool flat = std::all_of(part.points.begin(), part.points.end(), [&](geom::Point p) { return geom::orient2d(part.points[0], part.points[1], p) == geom::Sign::Zero; });
       return Error{ErrorCode::DegenerateCurve, flat ? "a polygon has no area; correct or remove it" : "a polygon crosses itself so that its parts cancel and it has no area; cut it where it crosses",

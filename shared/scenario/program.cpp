@@ -46,6 +46,12 @@ const Operation* Program::find_operation(const std::string& operation) const {
   return found == operations.end() ? nullptr : &*found;
 }
 
+scene::Picture titled(scene::Picture picture, const Document& document) {
+  if (picture.paper != scene::Paper::A4Landscape || !picture.title.empty()) return picture;
+  picture.title = document.title.empty() ? document.file.stem().string() : document.title;
+  return picture;
+}
+
 namespace {
 
 /// One member of the results of all parts of a program, in order.

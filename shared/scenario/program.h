@@ -156,6 +156,9 @@ struct Program {
   [[nodiscard]] const Operation* find_operation(const std::string& operation) const;
 };
 
+/// The picture; a sheet without a title is called after the document, or after the document's file.
+scene::Picture titled(scene::Picture picture, const Document& document);
+
 /// The operation of step `number` (1-based).
 /// @error UnknownOperation, with a suggestion and the step's place.
 base::Result<const Operation*> operation_of(const Document& document, std::size_t number, const Program& program);

@@ -18,6 +18,19 @@ TEST(Program, AScenarioForAnotherProgramIsRefused) {
   EXPECT_EQ(complaint("", "quebra"), "f.toml: this scenario is for 'quebra', not for 'fake'; run it with quebra");
 }
 
+TEST(Program, ASheetWithoutATitleIsCalledAfterItsDocument) {
+  scene::Picture sheet;
+  sheet.paper = scene::Paper::A4Landscape;
+  Document document;
+  document.file = "folder/anticline.toml";
+  EXPECT_EQ(titled(sheet, document).title, "anticline");
+  EXPECT_EQ(titled({}, document).title, "");  // no sheet
+  document.title = "An anticline";
+  EXPECT_EQ(titled(sheet, document).title, "An anticline");
+  sheet.title = "Its own";
+  EXPECT_EQ(titled(sheet, document).title, "Its own");
+}
+
 TEST(Program, AnUnknownOperationGetsASuggestion) {
   EXPECT_EQ(complaint("[[step]]\noperation = \"scael\"\n"),
             "f.toml:3:1: step 1: unknown operation 'scael'; did you mean 'scale'?");
