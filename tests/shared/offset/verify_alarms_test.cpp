@@ -121,7 +121,7 @@ TEST(VerifyAlarms, AVertexThatIsOffByATenMillionthOfTheDistanceIsFound) {
     Point& moved = curve.pieces[0].points[0];
     const double greatest = std::max(std::abs(moved.x), std::abs(moved.y));
     if (!(1e-7 * c.distance > 0x1p-44 * greatest)) continue;  // the fault would drown in rounding
-    moved = moved + geom::Vector{6e-7 * c.distance, 8e-7 * c.distance};
+    moved = moved + geom::Vector{6e-8 * c.distance, 8e-8 * c.distance};
     const auto verified = verify(c.base, c.options, curve);
     ASSERT_TRUE(verified.ok());
     EXPECT_FALSE(verified->coarse);
