@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "recon/core/operations.h"
 #include "recon/core/report.h"
 #include "recon/core/section_faces.h"
 
@@ -119,7 +120,7 @@ std::string restoration_json(const core::Model& model, Geometry geometry) {
   json["lean_left"] = restoration.lean_left;
   json["lean_right"] = restoration.lean_right;
   json["verdict"] = balance.balanced ? "balanced" : "not balanced";
-  json["remarks"] = core::remarks_of(model);
+  json["remarks"] = core::program().remarks_of(dobra::scenario::make_state(model));
   if (model.monte_carlo) json["error_bars"] = error_bars_json(*model.monte_carlo);
   if (geometry == Geometry::Include) json["restored"] = restored_geometry(restoration.section);
   return json.dump(2) + '\n';

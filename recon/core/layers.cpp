@@ -30,7 +30,6 @@ constexpr scene::Color rung_color{176, 190, 203, 255};
 constexpr scene::Color fault_color{150, 20, 30, 255};
 constexpr scene::Color pin_color{40, 40, 40, 255};
 constexpr scene::Color surface_color{92, 70, 30, 255};
-constexpr scene::Color carried_color{190, 30, 140, 255};
 /// More rungs than this would be a grey area: then every k-th is shown.
 constexpr std::size_t most_rungs = 160;
 /// The room for plots on a sheet, points: which arrangement of two gives the larger scale.
@@ -476,34 +475,6 @@ void add_pin(scene::Panel& panel, const geom::Polyline& line) {
                           scene::InLegend::No});
 }
 
-/// What the step carry has carried, in the panel of the state that it is of.
-void add_carried(scene::Panel& panel, const Model& model, std::size_t state) {
-  if (!model.carried) return;
-  const bool before = model.carried->from == state;
-  if (!before && model.carried->to != state) return;
-  scene::Style style;
-  style.line = carried_color;
-  style.line_width = 1.4;
-  scene::Lines lines;
-  std::vector<geom::Point> points;
-  for (const CarriedLine& line : model.carried->lines) {
-    const geom::Polyline& shown = before ? line.before : line.after;
-    if (shown.points.size() == 1) {
-      points.push_back(shown.points.front());
-    } else {
-      lines.lines.push_back(shown);
-    }
-  }
-  if (!lines.lines.empty()) {
-    panel.layers.push_back(
-        {"carried", translated("Carried lines"), style, std::move(lines), true, scene::InLegend::Yes});
-  }
-  if (!points.empty()) {
-    panel.layers.push_back({"carried_points", translated("Carried points"), style,
-                            scene::Markers{std::move(points), {}}, true, scene::InLegend::Yes});
-  }
-}
-
 scene::Panel panel(std::string key, std::string title, const Section& section) {
   scene::Panel made;
   made.key = std::move(key);
@@ -549,8 +520,7 @@ std::string stage_title(const Model& model) {
 
 }  // namespace
 
-scene::Picture picture_of(const Model& model) {
-  scene::Picture picture;
+void draw(const Model& model, scene::Picture& picture) {
   picture.paper = scene::Paper::A4Landscape;
   const Palette palette(model.section);
   scene::Panel before = panel(
@@ -574,7 +544,6 @@ scene::Picture picture_of(const Model& model) {
   if (model.source) add_grid(before, model.source->grid, "source_grid");
   add_items(before, model.section, palette);
   add_horizons(before, model.section, palette);
-  add_carried(before, model, model.earlier.size());
   if (model.target) {
     const Target& target = *model.target;
     const ColumnPoint pin = target.map.locate(target.source_pin).at;
@@ -592,7 +561,6 @@ scene::Picture picture_of(const Model& model) {
     if (model.restoration) {
       add_items(after, model.restoration->section, palette);
       add_horizons(after, model.restoration->section, palette);
-      add_carried(after, model, model.earlier.size() + 1);
     } else {
       scene::Style style;
       const Horizon* top = find_horizon(model.section, model.source->top);
@@ -624,7 +592,6 @@ scene::Picture picture_of(const Model& model) {
     picture.panels = {std::move(before)};
   }
   if (model.section.colors) scene::paint(picture, *model.section.colors);
-  return picture;
 }
 
 }  // namespace recon::core

@@ -36,7 +36,20 @@ base::Result<Model> run_area_balance(const Model& model, const AreaBalanceParams
 base::Result<Model> run_monte_carlo(const Model& model, const MonteCarloParams& params,
                                     const dobra::scenario::Context& context, const base::Progress& progress);
 
-/// RECON, as the shared machinery sees it.
+/// RECON, as the shared machinery sees it. Quantities that expectations refer to:
+///   horizon.NAME.length_before, section.area, section.units_area (their sum), section.misfits   always
+///   grid.curves, .rungs, .vanished, .deepest, .last_distance         after grid
+///   target.curves, .extended; columns                               after target
+///   horizon.NAME.* and top.* (the columns of the table line_length), shortening, shortening_percent, points,
+///   points_outside, points_beyond_ends, points_not_reversible, tears, torn, greatest_change_percent,
+///   greatest_area_change_percent, inconsistency_percent, lean_left, lean_right, balanced (0 or 1),
+///   unit.NAME.* (the columns of the table units), of pieces too     after restore
+///   error.QUANTITY.mean, .deviation, .low, .median, .high; error.failed, error.balanced_share   after monte_carlo
+///   bed.NAME.* (the columns of the table area_depth), displacement, detachment; of three levels or more
+///   displacement_error, detachment_error, r_squared                 after balance
+///   stages (earlier ones), since_input.horizon.NAME.change_percent, since_input.unit.NAME.change_percent
+///                                                                   of the second stage on
+///   area, initial_width, width, area_shortening, area_shortening_percent and their _error, _most   after area_balance
 const dobra::scenario::Program& program();
 
 }  // namespace recon::core

@@ -55,4 +55,13 @@ base::Result<void> refuse_lines_outside(const Section& section) {
   return {};
 }
 
+base::Result<void> check_section(Section& section, Crossings crossings) {
+  if (!section.faces) {
+    DOBRA_TRY(SectionFaces faces, faces_of(section));
+    section.faces = std::make_shared<const SectionFaces>(std::move(faces));
+  }
+  if (crossings == Crossings::Refuse) DOBRA_TRY_VOID(refuse_crossings(section, *section.faces));
+  return refuse_lines_outside(section);
+}
+
 }  // namespace recon::core

@@ -13,6 +13,9 @@ enum class Crossings { Refuse, Allow };
 inline constexpr const char* crossings_help =
     "refuse: an error with the place; allow: every point goes by the grid all the same, and the units by their faces.";
 
+/// Both of what follows; the section gets its faces, if it has none.
+base::Result<void> check_section(Section& section, Crossings crossings);
+
 /// @error BadSection where horizons pass to the other side of each other: the first place and up to ten pairs.
 base::Result<void> refuse_crossings(const Section& section, const SectionFaces& faces);
 

@@ -242,10 +242,10 @@ TEST(Chain, TablesOfTheSecondStageTellWhatChangedSinceTheInput) {
   const auto model = there_and_onto(section, section.horizons.front().line);
   ASSERT_TRUE(model) << to_string(model.error());
   std::vector<std::string> names;
-  for (const auto& table : tables_of(*model)) names.push_back(table.name);
+  for (const auto& table : program().tables_of(dobra::scenario::make_state(*model))) names.push_back(table.name);
   EXPECT_THAT(names, Contains("stages"));
   std::vector<std::string> quantities;
-  for (const auto& quantity : quantities_of(*model)) quantities.push_back(quantity.name);
+  for (const auto& quantity : program().quantities_of(dobra::scenario::make_state(*model))) quantities.push_back(quantity.name);
   EXPECT_THAT(quantities, Contains("since_input.horizon.bed1.change_percent"));
 }
 

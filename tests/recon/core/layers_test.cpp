@@ -17,6 +17,8 @@ namespace {
 
 namespace scene = dobra::scene;
 
+scene::Picture picture_of(const Model& model) { return program().picture_of(dobra::scenario::make_state(model)); }
+
 Model restored_model(double depth = 50.0) {
   const geom::Polyline top = test::arc(1000.0);
   Model model;

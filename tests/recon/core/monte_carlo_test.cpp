@@ -43,7 +43,7 @@ TEST(MonteCarlo, DrawsWhoseAngleIsBeyondTheDipAreCountedAsFailedAndToldInEveryFo
     const std::string count = std::to_string(made.failed) + " of 600 draws could not be restored";
     EXPECT_NE(made.remarks.front().find(count), std::string::npos) << made.remarks.front();
     bool told = false;
-    for (const auto& quantity : quantities_of(*run)) {
+    for (const auto& quantity : program().quantities_of(dobra::scenario::make_state(*run))) {
       EXPECT_TRUE(std::isfinite(quantity.value)) << quantity.name;
       told = told || (quantity.name == "error.failed" && quantity.value == static_cast<double>(made.failed));
     }

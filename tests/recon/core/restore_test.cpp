@@ -192,7 +192,7 @@ TEST(Restore, ThePiecesOfAFaultedHorizonAreRestoredEachAndAddUp) {
   EXPECT_DOUBLE_EQ(totals[0].depth_mean, 0.5 * (left.depth_mean + right.depth_mean));
   EXPECT_EQ(whole_beds(restoration.lengths).size(), 2u);
   // The same numbers in the tables; beds agree as wholes, not piece by piece.
-  const auto quantities = quantities_of(*run);
+  const auto quantities = program().quantities_of(dobra::scenario::make_state(*run));
   const auto found = std::find_if(quantities.begin(), quantities.end(),
                                   [](const auto& q) { return q.name == "horizon.bed.length_after"; });
   ASSERT_NE(found, quantities.end());

@@ -65,7 +65,7 @@ TEST(Topography, EveryPartAndTheirSumHaveANameOfTheirOwn) {
   const auto restored = run_restore(*target, {}, {}, {});
   ASSERT_TRUE(restored) << to_string(restored.error());
   std::map<std::string, double> found;
-  for (const auto& quantity : quantities_of(*restored)) {
+  for (const auto& quantity : program().quantities_of(dobra::scenario::make_state(*restored))) {
     EXPECT_TRUE(found.emplace(quantity.name, quantity.value).second) << quantity.name << " is there twice";
   }
   EXPECT_NEAR(found.at("horizon.A.length_before"),

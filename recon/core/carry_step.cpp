@@ -1,0 +1,121 @@
+#include "recon/core/steps.h"
+
+#include "recon/core/operations.h"
+#include "recon/core/report.h"
+#include "shared/base/text.h"
+#include "shared/io/geojson.h"
+
+namespace recon::core {
+
+namespace scenario = dobra::scenario;
+namespace io = dobra::io;
+
+namespace scene = dobra::scene;
+using base::translated;
+
+namespace {
+
+constexpr scene::Color carried_color{190, 30, 140, 255};
+
+void add_carried_tables(const Model& model, std::vector<scenario::DataTable>& tables) {
+  if (!model.carried) return;
+  const CarriedLines& carried = *model.carried;
+  scenario::DataTable table{
+      "carried", {"line", "x before [m]", "z before [m]", "x after [m]", "z after [m]", "way back misses [m]"}, {}};
+  for (std::size_t l = 0; l < carried.lines.size(); ++l) {
+    const CarriedLine& line = carried.lines[l];
+    for (std::size_t i = 0; i < line.points.size(); ++i) {
+      const geom::Point before = line.before.points[i];
+      const CarriedPoint& after = line.points[i];
+      table.rows.push_back({count_of(l + 1), before.x, before.y, after.at.x, after.at.y, after.misses});
+    }
+  }
+  tables.push_back(std::move(table));
+}
+
+std::vector<io::Feature> carried_features(const CarriedLines& carried) {
+  std::vector<io::Feature> features;
+  for (std::size_t l = 0; l < carried.lines.size(); ++l) {
+    const auto add = [&](const geom::Polyline& line, const char* kind) {
+      const io::FeatureType type = line.closed              ? io::FeatureType::Polygons
+                                   : line.points.size() > 1 ? io::FeatureType::Lines
+                                                            : io::FeatureType::Points;
+      add_feature(type, "line " + std::to_string(l + 1), kind, l, line, features);
+    };
+    add(carried.lines[l].before, "before");
+    add(carried.lines[l].after, "after");
+  }
+  return features;
+}
+
+void add_carried_outputs(const std::shared_ptr<const Model>& model, std::vector<scenario::Output>& outputs) {
+  if (!model->carried) return;
+  outputs.push_back({"carried.geojson", [model](const std::filesystem::path& path) {
+                       return io::write_geojson(path.string(), carried_features(*model->carried));
+                     }});
+}
+
+void add_carried_remarks(const Model& model, std::vector<std::string>& remarks) {
+  if (model.carried) append(model.carried->remarks, remarks);
+}
+
+/// As it is before or after, in the panel of that state.
+void draw_carried(const CarriedLines& carried, bool before, scene::Panel& panel) {
+  scene::Style style;
+  style.line = carried_color;
+  style.line_width = 1.4;
+  scene::Lines lines;
+  std::vector<geom::Point> points;
+  for (const CarriedLine& line : carried.lines) {
+    const geom::Polyline& shown = before ? line.before : line.after;
+    if (shown.points.size() == 1) {
+      points.push_back(shown.points.front());
+    } else {
+      lines.lines.push_back(shown);
+    }
+  }
+  if (!lines.lines.empty()) {
+    panel.layers.push_back(
+        {"carried", translated("Carried lines"), style, std::move(lines), true, scene::InLegend::Yes});
+  }
+  if (!points.empty()) {
+    panel.layers.push_back({"carried_points", translated("Carried points"), style,
+                            scene::Markers{std::move(points), {}}, true, scene::InLegend::Yes});
+  }
+}
+
+/// The panels are the state of the stage in hand and, where it is restored, the one after it.
+void draw_carried(const Model& model, scene::Picture& picture) {
+  if (!model.carried) return;
+  for (std::size_t i = 0; i < picture.panels.size(); ++i) {
+    const std::size_t state = model.earlier.size() + i;
+    const bool before = state == model.carried->from;
+    if (before || state == model.carried->to) draw_carried(*model.carried, before, picture.panels[i]);
+  }
+}
+
+}  // namespace
+
+base::Result<Model> run_carry(const Model& model, const CarryParams& params, const scenario::Context& context,
+                              const base::Progress&) {
+  const std::vector<const Stage*> chain = restored_stages(model);
+  if (chain.empty()) {
+    return base::Error{base::ErrorCode::CannotRestore,
+                       "nothing is restored yet that could carry a line; put a step 'restore' before it"};
+  }
+  Model next = model;
+  DOBRA_TRY(next.carried, carry_lines(chain, params, context));
+  return next;
+}
+
+scenario::Operation carry_step() {
+  return scenario::make_operation<Model, CarryParams>(
+      "carry", "Carry", "Points, lines or polygons of one state of the section, carried to another, forward or back.",
+      run_carry,
+      {.tables = add_carried_tables,
+       .remarks = add_carried_remarks,
+       .outputs = add_carried_outputs,
+       .draw = draw_carried});
+}
+
+}  // namespace recon::core

@@ -1,0 +1,74 @@
+#include "recon/core/steps.h"
+
+#include "recon/core/operations.h"
+#include "recon/core/report.h"
+#include "recon/core/topography.h"
+#include "shared/io/geojson.h"
+
+namespace recon::core {
+
+namespace scenario = dobra::scenario;
+namespace io = dobra::io;
+
+namespace {
+
+/// A new stage in hand with nothing but its section. What a stage gave that was not restored is forgotten.
+base::Result<Model> next_stage(const Model& model, GridFrom from) {
+  Model next;
+  next.remarks = model.remarks;
+  next.area_depth = model.area_depth;
+  next.area_balance = model.area_balance;
+  if (from == GridFrom::Input) {
+    next.section = input_section(model);
+    return next;
+  }
+  next.earlier = model.earlier;
+  if (!model.restoration) {
+    next.section = model.section;
+    return next;
+  }
+  DOBRA_TRY(next.section, section_after(model));
+  next.earlier.push_back(std::make_shared<const Stage>(model));
+  return next;
+}
+
+void add_grid_quantities(const Model& model, std::vector<scenario::Quantity>& quantities) {
+  if (!model.source) return;
+  const SourceGrid& source = *model.source;
+  quantities.push_back({"grid.curves", count_of(source.grid.curves.size()), ""});
+  quantities.push_back({"grid.rungs", count_of(source.grid.rungs.size()), ""});
+  quantities.push_back({"grid.vanished", count_of(source.grid.vanished), ""});
+  quantities.push_back({"grid.deepest", source.deepest, "m"});
+  quantities.push_back({"grid.last_distance", source.options.distances.back(), "m"});
+}
+
+void add_grid_outputs(const std::shared_ptr<const Model>& model, std::vector<scenario::Output>& outputs) {
+  if (!model->source) return;
+  outputs.push_back({"source_grid.geojson", [model](const std::filesystem::path& path) {
+                       const auto pin = model->target ? std::optional(model->target->source_pin) : std::nullopt;
+                       return io::write_geojson(path.string(),
+                                                grid_features(model->source->base, model->source->grid, pin));
+                     }});
+}
+
+void add_grid_remarks(const Model& model, std::vector<std::string>& remarks) {
+  if (model.source) append(model.source->remarks, remarks);
+}
+
+}  // namespace
+
+base::Result<Model> run_grid(const Model& model, const GridParams& params, const scenario::Context&,
+                             const base::Progress& progress) {
+  DOBRA_TRY(Model next, next_stage(model, params.from));
+  DOBRA_TRY(next.section, with_topography_as_horizon(std::move(next.section), params.top));
+  DOBRA_TRY(next.source, make_source_grid(next.section, params, progress));
+  return next;
+}
+
+scenario::Operation grid_step() {
+  return scenario::make_operation<Model, GridParams>(
+      "grid", "Source grid", "Offset curves of the top of the section and the transversals between them.", run_grid,
+      {.quantities = add_grid_quantities, .remarks = add_grid_remarks, .outputs = add_grid_outputs});
+}
+
+}  // namespace recon::core

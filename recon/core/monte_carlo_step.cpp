@@ -1,0 +1,59 @@
+#include "recon/core/steps.h"
+
+#include "recon/core/operations.h"
+#include "recon/core/report.h"
+
+namespace recon::core {
+
+namespace scenario = dobra::scenario;
+
+namespace {
+
+void add_error_quantities(const Model& model, std::vector<scenario::Quantity>& quantities) {
+  if (!model.monte_carlo) return;
+  for (const Spread& spread : model.monte_carlo->spreads) {
+    const std::string prefix = "error." + spread.name + '.';
+    quantities.push_back({prefix + "mean", spread.mean, spread.unit});
+    quantities.push_back({prefix + "deviation", spread.deviation, spread.unit});
+    quantities.push_back({prefix + "low", spread.low, spread.unit});
+    quantities.push_back({prefix + "median", spread.median, spread.unit});
+    quantities.push_back({prefix + "high", spread.high, spread.unit});
+  }
+  quantities.push_back({"error.failed", count_of(model.monte_carlo->failed), ""});
+  quantities.push_back({"error.balanced_share", model.monte_carlo->balanced_share, ""});
+}
+
+void add_error_tables(const Model& model, std::vector<scenario::DataTable>& tables) {
+  if (!model.monte_carlo) return;
+  scenario::DataTable table{"error_bars", {"quantity", "unit", "mean", "deviation", "low", "median", "high"}, {}};
+  for (const Spread& s : model.monte_carlo->spreads)
+    table.rows.push_back({s.name, s.unit, s.mean, s.deviation, s.low, s.median, s.high});
+  tables.push_back(std::move(table));
+}
+
+void add_error_remarks(const Model& model, std::vector<std::string>& remarks) {
+  if (model.monte_carlo) append(model.monte_carlo->remarks, remarks);
+}
+
+}  // namespace
+
+base::Result<Model> run_monte_carlo(const Model& model, const MonteCarloParams& params, const scenario::Context&,
+                                    const base::Progress& progress) {
+  if (!model.restoration) {
+    return base::Error{base::ErrorCode::CannotRestore,
+                       "error bars need a restoration first; put a step 'restore' before it"};
+  }
+  Model next = model;
+  DOBRA_TRY(next.monte_carlo,
+            monte_carlo(model.section, *model.source, *model.target, model.restoration->params, params, progress));
+  return next;
+}
+
+scenario::Operation monte_carlo_step() {
+  return scenario::make_operation<Model, MonteCarloParams>(
+      "monte_carlo", "Error bars",
+      "Restores the section again and again with picks, pin and angle drawn from their errors.", run_monte_carlo,
+      {.quantities = add_error_quantities, .tables = add_error_tables, .remarks = add_error_remarks});
+}
+
+}  // namespace recon::core

@@ -1,0 +1,147 @@
+#include "recon/core/steps.h"
+
+#include "recon/core/operations.h"
+#include "recon/core/report.h"
+#include "recon/core/section_check.h"
+#include "shared/base/text.h"
+#include "shared/io/file.h"
+#include "shared/io/geojson.h"
+
+namespace recon::core {
+
+namespace scenario = dobra::scenario;
+namespace io = dobra::io;
+
+namespace {
+
+void add_restored_quantities(const Model& model, std::vector<scenario::Quantity>& quantities) {
+  if (!model.restoration) return;
+  const Restoration& restoration = *model.restoration;
+  std::size_t points = 0, outside = 0, beyond = 0, not_reversible = 0, tears = 0;
+  double torn = 0.0;
+  for (std::size_t i = 0; i < restoration.lengths.size(); ++i) {
+    const LineLength& row = restoration.lengths[i];
+    add_cells("horizon." + row.name + ".", cells_of(row), quantities);
+    if (row.horizon == model.source->top) {
+      add_cells("top.", cells_of(row), quantities);
+      quantities.push_back({"shortening", row.shortening, "m"});
+      quantities.push_back({"shortening_percent", row.shortening_percent, "%"});
+    }
+    const MappedLine& line = restoration.lines[i];
+    points += line.given.size();
+    outside += line.without_column;
+    beyond += line.beyond_ends;
+    not_reversible += line.not_reversible;
+    tears += line.tears.size();
+    torn += row.torn;
+  }
+  for (const LineLength& row : totals_of(restoration.lengths))
+    add_cells("horizon." + row.name + ".", cells_of(row), quantities);
+  const std::vector<UnitRow> units = unit_rows(model);
+  for (const UnitRow& row : units) add_cells("unit." + row.name + ".", cells_of(row), quantities);
+  for (const UnitRow& row : restoration.ledger.units) {
+    const auto same = [&](const UnitRow& unit) { return unit.name == row.name; };
+    if (std::none_of(units.begin(), units.end(), same))
+      add_cells("unit." + row.name + ".", cells_of(row), quantities);
+  }
+  quantities.push_back({"points", count_of(points), ""});
+  quantities.push_back({"points_outside", count_of(outside), ""});
+  quantities.push_back({"points_beyond_ends", count_of(beyond), ""});
+  quantities.push_back({"points_not_reversible", count_of(not_reversible), ""});
+  quantities.push_back({"tears", count_of(tears), ""});
+  quantities.push_back({"torn", torn, "m"});
+  quantities.push_back({"lean_left", restoration.lean_left, ""});
+  quantities.push_back({"lean_right", restoration.lean_right, ""});
+  const Balance& balance = restoration.balance;
+  quantities.push_back({"greatest_change_percent", balance.greatest_change_percent, "%"});
+  quantities.push_back({"greatest_area_change_percent", balance.greatest_area_change_percent, "%"});
+  quantities.push_back({"inconsistency_percent", balance.consistency.worst.percent, "%"});
+  quantities.push_back({"balanced", balance.balanced ? 1.0 : 0.0, ""});
+}
+
+scenario::DataTable strain_table(const std::vector<Strain>& strains) {
+  scenario::DataTable table{
+      "strain",
+      {"x [m]", "z [m]", "dilatation [%]", "greatest stretch", "least stretch", "direction [deg]", "rotation [deg]"},
+      {}};
+  for (const Strain& s : strains) {
+    table.rows.push_back(
+        {s.at.x, s.at.y, 100.0 * s.dilatation, s.greatest, s.least, s.direction.degrees(), s.rotation.degrees()});
+  }
+  return table;
+}
+
+void add_restored_tables(const Model& model, std::vector<scenario::DataTable>& tables) {
+  if (!model.restoration) return;
+  tables.push_back(row_table("line_length", "horizon", model.restoration->lengths));
+  if (const auto totals = totals_of(model.restoration->lengths); !totals.empty())
+    tables.push_back(row_table("horizons_in_pieces", "horizon", totals));
+  tables.push_back(row_table("units", "unit", unit_rows(model)));
+  tables.push_back(strain_table(model.restoration->ledger.strains));
+}
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+std::string restored_csv(const Restoration& restoration) {
+  std::string text = "horizon,x [m],z [m],x_before [m],z_before [m],depth [m]\n";
+  for (std::size_t h = 0; h < restoration.lines.size(); ++h) {
+    const MappedLine& line = restoration.lines[h];
+    for (std::size_t i = 0; i < line.names.size(); ++i) {
+      text += csv_field(restoration.section.horizons[h].name);
+      const geom::Point after = line.after.points[i];
+      const geom::Point before = line.before.points[i];
+      for (const double value : {after.x, after.y, before.x, before.y, line.names[i].depth})
+        text += ',' + base::number_text(value);
+      text += '\n';
+    }
+  }
+  return text;
+}
+
+void add_restored_outputs(const std::shared_ptr<const Model>& model, std::vector<scenario::Output>& outputs) {
+  using Path = std::filesystem::path;
+  if (!model->restoration) return;
+  outputs.push_back({"restored.geojson", [model](const Path& path) {
+                       return io::write_geojson(path.string(), restored_features(model->restoration->section));
+                     }});
+  outputs.push_back({"restored.csv",
+                     [model](const Path& path) { return io::write_file(path, restored_csv(*model->restoration)); }});
+}
+
+void add_restored_remarks(const Model& model, std::vector<std::string>& remarks) {
+  if (model.restoration) append(model.restoration->remarks, remarks);
+}
+
+}  // namespace
+
+base::Result<Model> run_restore(const Model& model, const RestoreParams& params, const scenario::Context&,
+                                const base::Progress& progress) {
+  if (!model.source || !model.target) {
+    const char* missing =
+        model.source ? "restore needs a target first; put a step 'target' before it"
+                     : "restore needs a source grid and a target first; put the steps 'grid' and 'target' before it";
+    return base::Error{base::ErrorCode::CannotRestore, missing};
+  }
+  Model next = model;
+  next.monte_carlo.reset();
+  next.carried.reset();
+  DOBRA_TRY_VOID(check_section(next.section, params.crossings));
+  DOBRA_TRY(next.restoration, restore(next.section, *model.source, *model.target, params, progress));
+  return next;
+}
+
+scenario::Operation restore_step() {
+  return scenario::make_operation<Model, RestoreParams>(
+      "restore", "Restore", "Carries every point of the section from the source grid to the target grid.", run_restore,
+      {.quantities = add_restored_quantities,
+       .tables = add_restored_tables,
+       .remarks = add_restored_remarks,
+       .outputs = add_restored_outputs});
+}
+
+}  // namespace recon::core
