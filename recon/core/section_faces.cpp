@@ -64,29 +64,49 @@ bool fault_joins(const Section& section, geom::Point from, geom::Point to) {
   });
 }
 
+struct HorizonEnd {
+  std::size_t horizon = 0;
+  LineEnd end = LineEnd::First;
+};
+
+/// The border's left and right sides.
+struct Sides {
+  std::vector<geom::Polyline> lines;
+  std::vector<HorizonEnd> loose;  ///< From which no line leads down.
+};
+
 /// Straight lines between the ends of horizons that follow each other, left and right, from the topography on. An end
 /// that lies on another horizon or on a fault that goes on is no end of the section, nor is one between two pieces of a
 /// horizon.
-std::vector<geom::Polyline> connectors(const Section& section, const std::vector<std::size_t>& order,
-                                       const std::vector<const SectionLine*>& surfaces, std::size_t first_surface,
-                                       const Arrangement& arrangement) {
-  std::vector<geom::Polyline> lines;
-  std::optional<geom::Point> left, right;
-  const auto join = [&](std::optional<geom::Point>& last, geom::Point end, std::size_t own) {
-    if (!is_free(section, arrangement, first_surface, end, own)) return;
-    if (last && *last != end && !fault_joins(section, *last, end)) lines.push_back({{*last, end}, false});
-    last = end;
-  };
-  for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    join(left, surfaces[i]->line.points.front(), first_surface + i);
-    join(right, surfaces[i]->line.points.back(), first_surface + i);
+Sides sides_of(const Section& section, const std::vector<std::size_t>& order,
+               const std::vector<const SectionLine*>& surfaces, std::size_t first_surface,
+               const Arrangement& arrangement) {
+  Sides sides;
+  for (const LineEnd side : {LineEnd::First, LineEnd::Last}) {
+    const auto end_of = [&](const geom::Polyline& line) {
+      return side == LineEnd::First ? line.points.front() : line.points.back();
+    };
+    std::optional<geom::Point> last;
+    std::optional<std::size_t> last_horizon;
+    const auto join = [&](geom::Point end, std::size_t own) {
+      if (!is_free(section, arrangement, first_surface, end, own)) return false;
+      if (last && *last != end && !fault_joins(section, *last, end)) sides.lines.push_back({{*last, end}, false});
+      last = end;
+      return true;
+    };
+    for (std::size_t i = 0; i < surfaces.size(); ++i) join(end_of(surfaces[i]->line), first_surface + i);
+    for (const std::size_t index : order) {
+      const Horizon& horizon = section.horizons[index];
+      if (!is_outermost(section, horizon, side)) continue;
+      if (join(end_of(horizon.line), index)) {
+        last_horizon = index;
+      } else {
+        sides.loose.push_back({index, side});
+      }
+    }
+    if (last_horizon) sides.loose.push_back({*last_horizon, side});
   }
-  for (const std::size_t index : order) {
-    const Horizon& horizon = section.horizons[index];
-    if (is_outermost(section, horizon, LineEnd::First)) join(left, horizon.line.points.front(), index);
-    if (is_outermost(section, horizon, LineEnd::Last)) join(right, horizon.line.points.back(), index);
-  }
-  return lines;
+  return sides;
 }
 
 /// The contours of a face without edges that have it on both sides (faults that end in it).
@@ -265,22 +285,18 @@ class Units {
   std::map<FaceId, Bounds> bounds_;
 };
 
-/// @param meetings  of the horizons: one that crosses another has sides that lie above and below in turn, and is passed
-///                  over.
+/// Loose ends with the outside below, but for those of the lowest horizon.
 std::vector<OpenPlace> open_places(const Section& section, const Arrangement& arrangement,
-                                   const std::vector<std::size_t>& order, const std::vector<HorizonMeeting>& meetings) {
+                                   const std::vector<HorizonEnd>& loose, std::size_t lowest) {
   const Subdivision& sub = arrangement.subdivision();
   std::vector<OpenPlace> open;
-  for (const std::size_t index : order) {
+  for (const auto& [index, end] : loose) {
     const Horizon& horizon = section.horizons[index];
-    const bool crosses = std::any_of(meetings.begin(), meetings.end(), [&](const HorizonMeeting& pair) {
-      return pair.meeting.crossings > 0 && (pair.first == horizon.id || pair.second == horizon.id);
-    });
-    if (crosses || whole_name(horizon) == whole_name(section.horizons[order.back()])) continue;
     const std::vector<HalfEdgeId> path = arrangement.path(static_cast<std::uint32_t>(index));
-    const auto is_open = [&](HalfEdgeId h) { return sub.face(Structure::twin(h)) == Structure::unbounded(); };
-    const auto first = std::find_if(path.begin(), path.end(), is_open);
-    if (first != path.end()) open.push_back({horizon.id, sub.point(sub.origin(*first))});
+    if (path.empty() || whole_name(horizon) == whole_name(section.horizons[lowest])) continue;
+    const HalfEdgeId below = Structure::twin(end == LineEnd::First ? path.front() : path.back());
+    if (sub.face(below) != Structure::unbounded()) continue;
+    open.push_back({horizon.id, sub.point(end == LineEnd::First ? sub.target(below) : sub.origin(below))});
   }
   return open;
 }
@@ -397,10 +413,13 @@ base::Result<SectionFaces> faces_of(const Section& section) {
   const auto ring = static_cast<std::uint32_t>(lines.size());
   if (section.border) lines.push_back(*section.border);
   DOBRA_TRY(Arrangement arrangement, Arrangement::make(std::move(lines)));
-  if (!section.border)
-    DOBRA_TRY_VOID(arrangement.add(connectors(section, order, surfaces, first_surface, arrangement)));
-  const Subdivision& sub = arrangement.subdivision();
   SectionFaces made;
+  if (!section.border) {
+    Sides sides = sides_of(section, order, surfaces, first_surface, arrangement);
+    DOBRA_TRY_VOID(arrangement.add(std::move(sides.lines)));
+    if (!order.empty()) made.open = open_places(section, arrangement, sides.loose, order.back());
+  }
+  const Subdivision& sub = arrangement.subdivision();
   DOBRA_TRY(made.meetings, meetings_in(section, arrangement));
   std::set<FaceId> air;
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
@@ -421,7 +440,6 @@ base::Result<SectionFaces> faces_of(const Section& section) {
     }
   }
   made.units = Units(section, arrangement, order, {section.horizons.size(), first_surface}).of(faces);
-  if (!section.border) made.open = open_places(section, arrangement, order, made.meetings);
   DOBRA_TRY(made.misfits, misfits_of(section));
   return made;
 }
@@ -437,9 +455,8 @@ std::vector<std::string> remarks_of(const SectionFaces& faces, const Section& se
                                   meeting.place.y));
   }
   for (const OpenPlace& open : faces.open) {
-    remarks.push_back(fmt::format("nothing closes the section at its side under horizon '{}' at ({:.6g}, {:.6g}): what "
-                                  "lies there is in no unit of the ledger; give a border, or let the ends of the "
-                                  "horizons lie on no fault that goes on",
+    remarks.push_back(fmt::format("nothing closes the section at its side under the end of horizon '{}' at ({:.6g}, "
+                                  "{:.6g}): what lies there is in no unit of the ledger; give a border",
                                   find_horizon(section, open.under)->name, open.place.x, open.place.y));
   }
   for (const char* what : {"gap", "overlap"}) {

@@ -69,6 +69,7 @@ TEST(SectionFaces, AreasOfTheUnitsAddUpToTheSection) {
     section.lines = {fault({{3.0, 12.0}, {9.0, -4.0}, {14.0, -25.0}}), fault({{1.0, 0.0}, {18.0, -3.0}})};
     const SectionFaces made = faces(section);
     EXPECT_NEAR(sum_of(made) / made.area, 1.0, 1e-12) << "seed " << seed;
+    EXPECT_TRUE(made.open.empty()) << "seed " << seed;
     section.border = Polyline{{{1, -14}, {19, -14}, {19, 9}, {1, 9}}, true};
     const SectionFaces bordered = faces(section);
     EXPECT_EQ(bordered.area, 18.0 * 23.0);
@@ -282,8 +283,15 @@ TEST(SectionFaces, ABorderThatStaysOpenIsToldWithThePlace) {
   EXPECT_NEAR(area_named(made, "bed1 - bed2"), 50.0, 1e-12);
   ASSERT_EQ(made.open.size(), 1U);
   EXPECT_EQ(made.open[0].under, section.horizons[0].id);
-  EXPECT_EQ(made.open[0].place.y, 0.0);
+  EXPECT_EQ(made.open[0].place, (Point{10, 0}));
   EXPECT_TRUE(tells_open(made, section));
+  // The others end on a fault that does not come up to the top.
+  Section below = three_flat({fault({{9.5, -2}, {9.5, -12}})});
+  for (const std::size_t i : {1U, 2U}) below.horizons[i].line.points.back().x = 9.5;
+  const SectionFaces open = faces(below);
+  ASSERT_EQ(open.open.size(), 1U);
+  EXPECT_EQ(open.open[0].place, (Point{10, 0}));
+  EXPECT_NEAR(area_named(open, "bed1 - bed2"), 47.5, 1e-12);
 }
 
 TEST(SectionFaces, APartUnderAFaultIsNamedByTheHorizonOverTheFault) {

@@ -276,6 +276,8 @@ TEST(UnitHorizons, AUnitThatOthersCoverIsTold) {
   const ReadSection read = read_of(input);
   EXPECT_EQ(names_of(read), (Names{"B"}));
   EXPECT_TRUE(tells(read, "unit 'old B' at (0, -20) lies wholly under 'B'"));
+  input.units.erase(input.units.begin());
+  EXPECT_NE(refusal_of(input).find("unit 'old B' at (0, -20) lies wholly under 'B'"), std::string::npos);
 }
 
 }  // namespace
