@@ -36,6 +36,29 @@ double swept(const geom::Polyline& line, geom::Point about) {
   return sum;
 }
 
+/// The lines of a section as its arrangement numbers them: horizons, faults, topographies, the border.
+struct Numbered {
+  std::vector<geom::Polyline> lines;
+  std::vector<const SectionLine*> surfaces;  ///< Topographies.
+  std::size_t first_surface = 0;             ///< Their first number.
+};
+
+Numbered lines_of(const Section& section) {
+  Numbered numbered;
+  for (const Horizon& horizon : section.horizons) numbered.lines.push_back(horizon.line);
+  for (const SectionLine& line : section.lines) {
+    if (line.kind == LineKind::Fault) numbered.lines.push_back(line.line);
+  }
+  numbered.first_surface = numbered.lines.size();
+  for (const SectionLine& line : section.lines) {
+    if (line.kind != LineKind::Topography) continue;
+    numbered.surfaces.push_back(&line);
+    numbered.lines.push_back(line.line);
+  }
+  if (section.border) numbered.lines.push_back(*section.border);
+  return numbered;
+}
+
 /// What one line is drawn in: all faults, the pieces of a horizon, any other line by itself.
 std::string whole_of(const Section& section, std::uint32_t line, std::size_t first_surface) {
   if (line < section.horizons.size()) return "horizon " + whole_name(section.horizons[line]);
@@ -398,21 +421,10 @@ std::vector<std::size_t> stack_order(const Section& section) {
 
 base::Result<SectionFaces> faces_of(const Section& section) {
   const std::vector<std::size_t> order = stack_order(section);
-  std::vector<geom::Polyline> lines;
-  for (const Horizon& horizon : section.horizons) lines.push_back(horizon.line);
-  for (const SectionLine& line : section.lines) {
-    if (line.kind == LineKind::Fault) lines.push_back(line.line);
-  }
-  std::vector<const SectionLine*> surfaces;
-  const std::size_t first_surface = lines.size();
-  for (const SectionLine& line : section.lines) {
-    if (line.kind != LineKind::Topography) continue;
-    surfaces.push_back(&line);
-    lines.push_back(line.line);
-  }
-  const auto ring = static_cast<std::uint32_t>(lines.size());
-  if (section.border) lines.push_back(*section.border);
-  DOBRA_TRY(Arrangement arrangement, Arrangement::make(std::move(lines)));
+  Numbered numbered = lines_of(section);
+  const auto& surfaces = numbered.surfaces;
+  const std::size_t first_surface = numbered.first_surface;
+  DOBRA_TRY(Arrangement arrangement, Arrangement::make(std::move(numbered.lines)));
   SectionFaces made;
   if (!section.border) {
     Sides sides = sides_of(section, order, surfaces, first_surface, arrangement);
@@ -428,7 +440,7 @@ base::Result<SectionFaces> faces_of(const Section& section) {
   std::vector<FaceId> faces;
   std::vector<std::vector<std::uint32_t>> within;
   if (section.border) {
-    DOBRA_TRY(within, arrangement.holders(ring, {border_label}));
+    DOBRA_TRY(within, arrangement.holders(static_cast<std::uint32_t>(first_surface + surfaces.size()), {border_label}));
   }
   made.area = section.border ? geom::signed_area(*section.border) : -arrangement.area(Structure::unbounded());
   for (const FaceId f : sub.faces()) {
