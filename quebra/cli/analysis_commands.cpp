@@ -140,13 +140,17 @@ void add_missing(scenario::Document& document, const std::string& operation, std
       return std::find(operations.begin(), operations.end(), step.operation) != operations.end();
     });
   };
-  const auto insert = [&](const char* missing, const char* told) {
-    document.steps.insert(document.steps.begin() + static_cast<std::ptrdiff_t>(at++), step_of(missing));
+  const auto insert = [&](scenario::Step missing, const char* told) {
+    document.steps.insert(document.steps.begin() + static_cast<std::ptrdiff_t>(at++), std::move(missing));
     changes.added.push_back(told);
   };
-  if (operation == "crack" && !has_before({"analyse", "adapt"})) insert("analyse", "analyse");
+  if (operation == "crack" && !has_before({"analyse", "adapt"})) insert(step_of("analyse"), "analyse");
   // That of `crack` gets rosettes (ask_for_rosettes).
-  if (operation == "analyse" && !has_before({"mesh", "adapt"})) insert("mesh", "mesh, with its defaults");
+  if (operation != "analyse" || has_before({"mesh", "adapt"})) return;
+  // Elements of the first order lock near nu = 0.5.
+  scenario::Step mesh = step_of("mesh");
+  mesh.params.set("order", std::string("2"));
+  insert(std::move(mesh), "mesh, of the second order");
 }
 
 /// The scenario up to its last step of the operation, which is added if there is none, and the probes and lines behind it.
@@ -226,7 +230,7 @@ std::string json_text(const scenario::Program& program, const scenario::State& s
     }
     json[table.name] = std::move(rows);
   }
-  if (const auto reached = scenario::reached(program, state)) json["reached"] = *reached;
+  if (const auto reached = program.reached(state)) json["reached"] = *reached;
   json["remarks"] = program.remarks_of(state);
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
 }
@@ -281,7 +285,7 @@ Result<void> write_results(const scenario::Program& program, const scenario::Sta
 Result<scenario::Run> run_loop(dobra::cli::Session& session, const scenario::Document& document) {
   scenario::Runner runner(session.program);
   scenario::Run run = runner.run(document, session.progress());
-  const bool stopped = session.cancel.cancelled() && !run.states.empty() && scenario::reached(session.program, run.states.back()) == false;
+  const bool stopped = session.cancel.cancelled() && !run.states.empty() && session.program.reached(run.states.back()) == false;
   if (run.error && !stopped) return *run.error;
   for (std::size_t k = run.states.size(); k <= document.steps.size(); ++k) {
     const scenario::Step& step = document.steps[k - 1];
@@ -310,7 +314,7 @@ Result<int> job(dobra::cli::Session& session, const std::string& operation, cons
   }
   if (session.cancel.cancelled()) return interrupted;
   // As an expectation that is not met; the remark that says why is told with the others.
-  return scenario::reached(session.program, run.states.back()) == false ? 1 : 0;
+  return session.program.reached(run.states.back()) == false ? 1 : 0;
 }
 
 dobra::cli::Command command(const std::string& name, const std::string& operation, const std::string& help) {

@@ -48,6 +48,7 @@ void add_input_options(CLI::App& app, InputFile& file) {
       ->allow_extra_args(false)
       ->type_name("PATH=VALUE");
   app.add_flag("--repair", file.repair, "Mend repeated points, spikes, doubles, gaps and crossings of the input, and list each");
+  app.add_option("--gap", file.gap, "Widest gap that --repair closes; 1/1000 of the drawing's diagonal by default")->type_name("W");
   dobra::cli::add_line_reading_options(app, file.lines);
 }
 
@@ -64,6 +65,7 @@ Result<scenario::Document> document_of(dobra::cli::Session& session, const Input
   }
   DOBRA_TRY_VOID(set_lines(file, document.input));
   if (file.repair) document.input.set("repair", std::string("yes"));
+  if (file.gap) document.input.set("gap", *file.gap);
   return document;
 }
 

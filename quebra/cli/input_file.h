@@ -1,6 +1,7 @@
 #pragma once
 // FILE as the sub-commands take it, a scenario or geometry, and which steps of a scenario a sub-command runs.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@ struct InputFile {
   dobra::cli::ScenarioOptions scenario;
   dobra::cli::LineOptionTexts lines;
   bool repair = false;
+  std::optional<double> gap;
   bool closed = false;
 };
 

@@ -166,9 +166,9 @@ std::string table_text(const Figures& figures) {
   return text + fmt::format("{:<16}{:.1f} MB\n", "peak memory", static_cast<double>(figures.peak_memory) / 1e6);
 }
 
-Result<void> write_out(Session& session, const std::filesystem::path& out, const mesh::ElementMesh& mesh, const scenario::UnitSystem& units) {
+Result<void> write_out(Session& session, const std::filesystem::path& out, const mesh::ElementMesh& mesh, const core::Model& model) {
   DOBRA_TRY(dobra::cli::Staging staging, dobra::cli::Staging::open(out.parent_path(), dobra::cli::TargetFolder::MustExist));
-  if (const auto written = core::write_mesh(staging.path(out.filename().string()).string(), mesh, units); !written) return staging.for_user(written.error());
+  if (const auto written = core::write_mesh(staging.path(out.filename().string()).string(), mesh, core::inp_element_of(model), model.units); !written) return staging.for_user(written.error());
   DOBRA_TRY_VOID(session.check());
   DOBRA_TRY_VOID(staging.commit());
   return {};
@@ -202,7 +202,7 @@ Result<int> mesh_job(Session& session, const Options& options) {
   figures.seconds.insert(figures.seconds.end(), meshed.seconds.begin(), meshed.seconds.end());
   if (options.out) {
     const auto begin = std::chrono::steady_clock::now();
-    DOBRA_TRY_VOID(write_out(session, *options.out, meshed.mesh, model.units));
+    DOBRA_TRY_VOID(write_out(session, *options.out, meshed.mesh, model));
     figures.seconds.push_back({"write", since(begin)});
   }
   std::vector<std::string> remarks = session.program.remarks_of(state);

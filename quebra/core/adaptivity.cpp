@@ -31,6 +31,11 @@ double least_effectivity(double percent) { return percent > 2.0 ? 0.8 : 0.85; }
 constexpr double aim = 0.95;
 /// The same round a peak, where a few elements decide.
 constexpr double aim_at_peaks = 0.7;
+/// A peak that was asked to meet the target and did not is aimed at lower by this, so often before it counts as stalled.
+constexpr double lower_aim = 0.7;
+constexpr int most_misses = 3;
+/// A peak within this many times the target is asked to meet it in the next cycle.
+constexpr double in_reach = 4.0;
 /// What a cycle aims at, of the error that it has, if the target is farther: what an estimate says of meshes far finer is
 /// no ground to make them, and where the stress is infinite no mesh follows at once.
 constexpr double gain = 0.25;
@@ -88,6 +93,7 @@ class Peaks {
     if (params.peaks == MindPeaks::No) return;
     const mesh::ElementMesh& own = analysis.meshed->mesh;
     std::vector<PeakSeen> now;
+    const bool asked = worst_ && 100.0 * worst_->eta < in_reach * params.target;
     worst_.reset();
     for (std::size_t c = 0; c < analysis.fields.size(); ++c) {
       for (const fem::HotSpot& spot : analysis.fields[c].peaks) {
@@ -107,7 +113,11 @@ class Peaks {
       }
     }
     seen_ = std::move(now);
+    if (asked && worst_ && 100.0 * worst_->eta > params.target) ++misses_;
   }
+  /// What the next mesh aims at round a peak, of the target.
+  [[nodiscard]] double aim() const { return aim_at_peaks * std::pow(lower_aim, misses_); }
+  [[nodiscard]] bool tried_enough() const { return misses_ >= most_misses; }
   [[nodiscard]] bool ignored(dobra::geom::Point at) const {
     return std::any_of(ignored_.begin(), ignored_.end(), [&](const PeakSeen& old) { return distance(old.at, at) < old.size; });
   }
@@ -117,6 +127,7 @@ class Peaks {
   std::vector<PeakSeen> seen_;
   std::vector<PeakSeen> ignored_;
   std::optional<PeakSeen> worst_;
+  int misses_ = 0;
 };
 
 /// How far a cycle got.
@@ -124,6 +135,7 @@ struct Reached {
   double whole = 0.0;             ///< Fractions.
   std::optional<PeakSeen> peak;   ///< That of the greatest error.
   double left_out = 0.0;          ///< Of the energy, at loaded points.
+  bool tried_enough = false;      ///< Lower aims did not help the peak.
   /// Even if the estimate is as low as it was ever seen to be.
   [[nodiscard]] bool met(double percent) const { return 100.0 * std::max(whole / least_effectivity(percent), peak ? peak->eta : 0.0) <= percent; }
   /// Of what is not met nothing got better, nothing came up, and both are judged over the same domain.
@@ -131,7 +143,7 @@ struct Reached {
     constexpr double same = 0.05;
     if (std::abs(left_out - before.left_out) > same) return false;
     const auto gains = [&](double now, std::optional<double> then, double enough) { return 100.0 * now > enough && (!then || now <= (1.0 - least_gain) * *then); };
-    return !gains(whole, before.whole, least_effectivity(percent) * percent) && !(peak && gains(peak->eta, peak->eta_before, percent));
+    return !gains(whole, before.whole, least_effectivity(percent) * percent) && !(peak && 100.0 * peak->eta > percent && (!tried_enough || gains(peak->eta, peak->eta_before, percent)));
   }
   [[nodiscard]] std::string text(double percent) const {
     const std::string error = fmt::format("the error is {:.3g} % (up to {:.3g} %, for the estimate may be low)", 100.0 * whole, 100.0 * whole / least_effectivity(percent));
@@ -155,7 +167,7 @@ void add_peaks(const Analysis& analysis, const Peaks& peaks, double target, cons
       const auto found = etas.find(node);
       if (found == etas.end()) continue;
       const double order = mesh::is_quadratic(own.types[e]) ? 2.0 : 1.0;
-      const double factor = std::clamp(std::pow(aim_at_peaks * target / found->second, 1.0 / order), options.least_factor, options.most_factor);
+      const double factor = std::clamp(std::pow(peaks.aim() * target / found->second, 1.0 / order), options.least_factor, options.most_factor);
       least[e] = std::min(least[e], std::max(options.min_size, factor * fem::element_size(own, e)));
     }
   }
@@ -261,7 +273,7 @@ class Loop {
     for (; i < analyses.size(); ++i) peaks_.see(*analyses[i], params_, told);
     std::erase(result_.remarks, result_.why_short);
     result_.why_short.clear();
-    before_ = {analyses.back()->eta, peaks_.worst(), left_out_of(*analyses.back())};
+    before_ = {analyses.back()->eta, peaks_.worst(), left_out_of(*analyses.back()), peaks_.tried_enough()};
     if (before_.met(params_.target)) return true;
     done_ = analyses.back()->cycle;
     for (const std::string& told_before : remarks_on(*analyses.back())) std::erase(result_.remarks, told_before);
@@ -283,7 +295,7 @@ class Loop {
         if (own == 1) return cycled.error();
         return finish(fmt::format("cycle {} could not be finished: {}; {} after {} cycles, above the {:.3g} % asked for", done_ + 1, cycled.error().message, before_.text(params_.target), done_, params_.target));
       }
-      const Reached now{result_.analyses.back()->eta, peaks_.worst(), left_out_of(*result_.analyses.back())};
+      const Reached now{result_.analyses.back()->eta, peaks_.worst(), left_out_of(*result_.analyses.back()), peaks_.tried_enough()};
       if (now.met(params_.target)) return finish("");
       if (done_ > 1 && now.stalls(before_, params_.target))
         return finish(fmt::format("{} and stalls above the {:.3g} % asked for{}", now.text(params_.target), params_.target, params_.min_size > 0.0 ? "; allow smaller elements" : ""));

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <numbers>
 
 #include "quebra/core/deck.h"
 #include "quebra/core/layers.h"
@@ -12,8 +13,10 @@
 #include "shared/base/text.h"
 #include "shared/fem/assemble.h"
 #include "shared/fem/mixed.h"
+#include "shared/fem/new_sizes.h"
 #include "shared/fem/singular_vertices.h"
 #include "shared/io/file.h"
+#include "shared/mesh/element_quality.h"
 
 namespace quebra::core {
 namespace {
@@ -24,6 +27,22 @@ using dobra::base::Error;
 using dobra::base::ErrorCode;
 using dobra::base::Result;
 using dobra::geom::Vector;
+
+/// Triangles below have an angle of less than 10 degrees or so.
+constexpr double poor_shape = 0.3;
+/// Of the energy, that is worth a figure.
+constexpr double least_told = 1e-3;
+
+/// The largest element with a node at a place, which has one.
+std::size_t element_at(const mesh::ElementMesh& m, dobra::geom::Point at) {
+  std::size_t largest = m.element_count();
+  for (std::size_t e = 0; e < m.element_count(); ++e) {
+    const auto nodes = m.nodes_of(mesh::ElementId(e));
+    if (std::none_of(nodes.begin(), nodes.end(), [&](mesh::NodeId node) { return m.point(node) == at; })) continue;
+    if (largest == m.element_count() || fem::element_size(m, e) > fem::element_size(m, largest)) largest = e;
+  }
+  return largest;
+}
 
 /// Greatest von Mises and principal stress at the nodes, those round points with a force included.
 struct Extremes {
@@ -149,6 +168,75 @@ std::vector<std::string> parted_points(const Analysis& analysis, std::size_t c) 
   return remarks;
 }
 
+/// Displacements under forces at points, which no mesh settles.
+std::vector<std::string> loaded_displacements(const Analysis& analysis, std::size_t c) {
+  const mesh::ElementMesh& m = analysis.meshed->mesh;
+  std::vector<LoadedPoint> pushed;
+  double growth = 0.0;  // of a straight edge, by Flamant
+  for (const LoadedPoint& point : analysis.fields[c].loaded) {
+    const auto& loads = analysis.problem.cases[c].points;
+    const auto load = std::find_if(loads.begin(), loads.end(), [&](const fem::PointLoad& own) { return own.where == point.name; });
+    if (load == loads.end() || length(load->force) == 0.0) continue;
+    pushed.push_back(point);
+    const std::size_t e = element_at(m, point.at);
+    const fem::Material& material = analysis.problem.materials.at(m.regions[e]);
+    growth = std::max(growth, 2.0 * length(point.force) * std::numbers::ln2 / (std::numbers::pi * fem::effective_modulus(material) * material.thickness));
+  }
+  if (pushed.empty()) return {};
+  return {fmt::format("displacements at {}, and how far a crack opens there, are those under a force at a single point: they grow without end, on a straight edge by up to {:.2g} m each time the elements there are halved; read them away from it, or spread the force",
+                      names_of(pushed), growth)};
+}
+
+/// Of the surroundings of points with a force: what they hold, elements too coarse for them, tips in them.
+std::vector<std::string> left_out_of(const Analysis& analysis, std::size_t c) {
+  const mesh::ElementMesh& m = analysis.meshed->mesh;
+  const auto& loaded = analysis.fields[c].loaded;
+  const auto [least, greatest] = std::minmax_element(loaded.begin(), loaded.end(), [](const LoadedPoint& a, const LoadedPoint& b) { return a.radius < b.radius; });
+  const std::string radius = least->radius == greatest->radius ? fmt::format("{:.3g} m", least->radius) : fmt::format("{:.3g} m to {:.3g} m", least->radius, greatest->radius);
+  const double held = analysis.fields[c].estimate.left_out;
+  std::vector<std::string> remarks{fmt::format("forces at single points ({}) have an infinite energy: their surroundings of radius {}{} are left out of the error", names_of(loaded), radius,
+                                               held >= least_told ? fmt::format(" hold {:.2g} % of the energy and", 100.0 * held) : std::string())};
+  for (std::size_t i = 0; i < loaded.size(); ++i) {
+    const LoadedPoint& point = loaded[i];
+    const auto same = [&](const LoadedPoint& other) { return other.at == point.at; };  // the other lip's
+    if (std::any_of(loaded.begin(), loaded.begin() + static_cast<std::ptrdiff_t>(i), same)) continue;
+    const double size = fem::element_size(m, element_at(m, point.at));
+    if (size > point.radius) {
+      remarks.push_back(fmt::format("the elements at '{}' ({:.6g}, {:.6g}) are of {:.3g} m, larger than its surroundings of {:.3g} m that are left out: the error takes in a part of what is infinite; give the point a size of {:.2g} m", point.name,
+                                    point.at.x, point.at.y, size, point.radius, 0.5 * point.radius));
+    }
+    for (const mesh::CrackTip& tip : m.tips) {
+      const double gap = distance(m.point(tip.node), point.at);
+      if (gap > 0.0 && gap < point.radius)
+        remarks.push_back(fmt::format("the surroundings of '{}', of radius {:.3g} m, hold the crack tip '{}' at ({:.6g}, {:.6g}), where the error is then not judged: give a point_radius below {:.3g} m", point.name, point.radius, tip.name,
+                                      m.point(tip.node).x, m.point(tip.node).y, gap));
+    }
+  }
+  return remarks;
+}
+
+/// Elements whose shape spoils the stresses in them.
+std::optional<std::string> flat_elements(const Analysis& analysis) {
+  const mesh::ElementMesh& m = analysis.meshed->mesh;
+  std::size_t count = 0, worst = 0;
+  double least = poor_shape;
+  for (std::size_t e = 0; e < m.element_count(); ++e) {
+    const double shape = mesh::shape_of(m, mesh::ElementId(e));
+    if (shape >= poor_shape) continue;
+    ++count;
+    if (shape >= least) continue;
+    least = shape;
+    worst = e;
+  }
+  if (count == 0) return std::nullopt;
+  const auto corners = m.nodes_of(mesh::ElementId(worst)).first(mesh::corner_count(m.types[worst]));
+  Vector sum;
+  for (const mesh::NodeId node : corners) sum = sum + (m.point(node) - dobra::geom::Point{});
+  const dobra::geom::Point at = dobra::geom::Point{} + sum / static_cast<double>(corners.size());
+  return fmt::format("{} of {} elements are nearly flat, the worst at ({:.6g}, {:.6g}) with shape {:.2g} (1 is best, below {} is poor): stresses there are not to be trusted; take a smaller size there, a greater `narrow`, or divide the curves more evenly (`segments`)", count,
+                     m.element_count(), at.x, at.y, least, poor_shape);
+}
+
 /// Greatest of the elements round a peak of stress of a case; 0: no peak.
 double peak_eta_of(const CaseFields& fields) {
   double most = 0.0;
@@ -241,6 +329,7 @@ std::optional<Truth> truth_of(const Analysis& analysis, std::size_t load_case) {
 std::vector<std::string> remarks_on(const Analysis& analysis) {
   std::vector<std::string> remarks;
   if (auto remark = locking(analysis)) remarks.push_back(*std::move(remark));
+  if (auto remark = flat_elements(analysis)) remarks.push_back(*std::move(remark));
   const bool some_exact = std::any_of(analysis.fields.begin(), analysis.fields.end(), [](const CaseFields& fields) { return fields.exact_energy.has_value(); });
   for (std::size_t c = 0; c < analysis.fields.size(); ++c) {
     const CaseFields& fields = analysis.fields[c];
@@ -259,11 +348,9 @@ std::vector<std::string> remarks_on(const Analysis& analysis) {
       remarks.push_back(fmt::format("{}max_von_mises, {:.4g} Pa at ({:.6g}, {:.6g}), is that of a force at a single point, which grows without end as the elements get smaller; away from such points it is {:.4g} Pa", of, extremes.von_mises,
                                     extremes.at.x, extremes.at.y, extremes.elsewhere));
     }
-    const auto [least, greatest] = std::minmax_element(loaded.begin(), loaded.end(), [](const LoadedPoint& a, const LoadedPoint& b) { return a.radius < b.radius; });
-    const std::string radius = least->radius == greatest->radius ? fmt::format("{:.3g} m", least->radius) : fmt::format("{:.3g} to {:.3g} m", least->radius, greatest->radius);
+    for (const std::string& remark : loaded_displacements(analysis, c)) remarks.push_back(of + remark);
     if (analysis.point_forces == PointForces::LeaveOut) {
-      remarks.push_back(fmt::format("{}forces at single points ({}) have an infinite energy: their surroundings of radius {} hold {:.2g} % of the energy and are left out of the error", of, names_of(loaded), radius,
-                                    100.0 * fields.estimate.left_out));
+      for (const std::string& remark : left_out_of(analysis, c)) remarks.push_back(of + remark);
     } else {
       remarks.push_back(fmt::format("{}forces at single points ({}) have an infinite energy, which no mesh meets: spread them over a curve, or leave their surroundings out of the error with point_forces = \"leave_out\"", of, names_of(loaded)));
     }
@@ -278,7 +365,6 @@ Result<Model> add_analysis(const Model& model, const AnalyseParams& params, cons
   DOBRA_TRY(Analysis analysis, analyse(model.domain, model.meshes.back(), *model.problem, params.memory, params, progress));
   Model result = model;
   for (std::string& remark : remarks_on(analysis)) result.remarks.push_back(std::move(remark));
-  if (const auto gap = deck_gap(analysis.meshed->mesh, analysis.problem)) result.remarks.push_back("analysis.inp is not written: " + to_string(*gap));
   result.analyses.push_back(std::make_shared<const Analysis>(std::move(analysis)));
   return result;
 }
@@ -340,12 +426,15 @@ void add_analysis_tables(const Model& model, std::vector<dobra::scenario::DataTa
   tables.push_back(std::move(cycles));
 }
 
-void add_analysis_outputs(const Model& model, std::vector<dobra::scenario::Output>& outputs) {
-  if (model.analyses.empty()) return;
-  const std::shared_ptr<const Analysis> analysis = model.analyses.back();
-  const dobra::scenario::UnitSystem units = model.units;
+void add_analysis_outputs(const std::shared_ptr<const Model>& model, std::vector<dobra::scenario::Output>& outputs) {
+  if (model->analyses.empty()) return;
+  const std::shared_ptr<const Analysis> analysis = model->analyses.back();
+  const dobra::scenario::UnitSystem units = model->units;
   outputs.push_back({"results.vtu", [analysis, units](const auto& path) { return write_vtu(path.string(), analysis->meshed->mesh, fields_of(*analysis, units), units); }});
-  if (deck_gap(analysis->meshed->mesh, analysis->problem)) return;  // a remark says so
+  if (const auto gap = deck_gap(analysis->meshed->mesh, analysis->problem)) {
+    outputs.back().losses.push_back("analysis.inp is not written: " + to_string(*gap));
+    return;
+  }
   outputs.push_back({"analysis.inp", [analysis, units](const auto& path) -> Result<void> {
                        DOBRA_TRY(const std::string text, deck_text(analysis->meshed->mesh, analysis->problem, units));
                        return dobra::io::write_file(path, text);

@@ -92,6 +92,6 @@ std::optional<Truth> truth_of(const Analysis& analysis, std::size_t load_case);
 /// What the analyses of a model add to what layers.h says of it.
 void add_analysis_quantities(const Model& model, std::vector<dobra::scenario::Quantity>& quantities);
 void add_analysis_tables(const Model& model, std::vector<dobra::scenario::DataTable>& tables);
-void add_analysis_outputs(const Model& model, std::vector<dobra::scenario::Output>& outputs);
+void add_analysis_outputs(const std::shared_ptr<const Model>& model, std::vector<dobra::scenario::Output>& outputs);
 
 }  // namespace quebra::core

@@ -122,7 +122,9 @@ class Parter {
       Polyline line{{}, count == n};
       for (std::size_t k = 0; k < count + (line.closed ? 0 : 1); ++k) line.points.push_back(ring.line.points[(first + k) % n]);
       const std::string name = other == outside ? own : fmt::format("{}_{}", name_of_area(ring.area), name_of_area(other));
-      pieces.push_back({unused(name), other == outside ? Role::Boundary : Role::Internal, std::move(line), {}});
+      Curve piece{unused(name), other == outside ? Role::Boundary : Role::Internal, std::move(line), {}};
+      if (other != outside) sketch_.interfaces.insert(piece.name);
+      pieces.push_back(std::move(piece));
     };
     std::size_t start = 0;
     while (start < n && beyond[start] == beyond[(start + n - 1) % n]) ++start;

@@ -6,7 +6,7 @@
 
 namespace quebra::core {
 
-/// Cuts the closed straight rings of `sketch.areas` where they begin and cease to be shared by two areas. Vertices nearer than
+/// Fills `sketch.interfaces`. Cuts the closed straight rings of `sketch.areas` where they begin and cease to be shared by two areas. Vertices nearer than
 /// `tolerance` to another area's side count as on it. Areas that lie in each other along a side are left as they are.
 /// @cost O(n log n) for n vertices
 void part_shared_sides(Sketch& sketch, double tolerance);

@@ -376,7 +376,7 @@ Result<Model> add_constraints(const Model& model, const ConstraintParams& params
     std::erase_if(pieces, [](const Piece& piece) { return piece.line.segment_count() == 0; });
     for (Piece& piece : pieces) band.lines.push_back({std::move(piece.line), k, piece.start, piece.end});
     if (pieces.empty()) {
-      result.remarks.push_back(fmt::format("constraint {} of '{}' at distance {:.6g} {} and is left out", k + 1, params.curves.front(), distances[k],
+      result.remarks.push_back(fmt::format("constraint {} of '{}' at distance {:.6g} m {} and is left out", k + 1, params.curves.front(), distances[k],
                                            crack ? "does not go round the crack in one piece inside the domain" : "lies wholly outside the domain"));
     }
   }

@@ -10,6 +10,7 @@
 #include "quebra/core/ends.h"
 #include "quebra/core/faces.h"
 #include "quebra/core/junctions.h"
+#include "quebra/core/open_outline.h"
 #include "quebra/core/repair.h"
 #include "quebra/core/roles.h"
 #include "shared/geom/spatial_index.h"
@@ -105,7 +106,7 @@ Result<void> check_doubles(const std::vector<Curve>& curves, const std::vector<P
 }
 
 /// No curve bounds the domain: which ends come nearest to each other, and what to do.
-Error nothing_closes(const Domain& domain, Place place) {
+Error nothing_closes(const Domain& domain, Place place, const std::optional<RepairOptions>& repaired) {
   const double size = domain.box().diagonal();
   std::string nearest;
   const std::vector<End> ends = open_ends(domain.curves);
@@ -113,23 +114,22 @@ Error nothing_closes(const Domain& domain, Place place) {
   for (double limit = 1e-4 * size; nearest.empty() && limit < 0.2 * size; limit *= 10.0) {
     for (const auto& [gap, a, b] : near_ends(ends, limit)) {
       if (!(gap > 0.0)) continue;
-      const std::string& one = domain.curves[ends[a].curve].name;
-      const std::string& two = domain.curves[ends[b].curve].name;
-      nearest = fmt::format("the ends nearest to each other, of {}, are {:.3g} m apart: close that gap, or give --repair (repair = \"yes\"), which closes gaps up to {:.3g} m; ",
-                            one == two ? fmt::format("'{}'", one) : fmt::format("'{}' and '{}'", one, two), gap, RepairOptions{}.gap * size);
+      nearest = fmt::format("the ends nearest to each other leave {}: {}; ", gap_text(domain.curves, ends[a], ends[b]), gap_advice(gap, size, repaired));
       place = at_point(place, ends[a].at);
       break;
     }
   }
-  return {ErrorCode::BadDomain, fmt::format("no curve closes, so nothing bounds the domain; {}if sides are drawn past their corners, --repair (repair = \"yes\") cuts them; if each line is an outline without its last side, give --closed (closed = \"yes\")", nearest), place};
+  return {ErrorCode::BadDomain, fmt::format("no curve closes, so nothing bounds the domain; {}{}if each line is an outline without its last side, give --closed (closed = \"yes\")", nearest,
+                                             repaired ? "" : "if sides are drawn past their corners, --repair (repair = \"yes\") cuts them; "),
+          place};
 }
 
 /// The loops of the boundary curves, each with its depth.
-Result<Inside> find_loops(Domain& domain, const std::vector<Place>& places) {
+Result<Inside> find_loops(Domain& domain, const std::vector<Place>& places, const DomainOptions& options) {
   const Joints joints = joints_of(domain.curves);
   DOBRA_TRY_VOID(check_joints(joints, domain.curves, places));
   domain.loops = follow_loops(domain.curves, joints);
-  if (domain.loops.empty()) return nothing_closes(domain, places.front());
+  if (domain.loops.empty()) return nothing_closes(domain, places.front(), options.repaired);
   Inside inside(domain);
   for (std::size_t i = 0; i < domain.loops.size(); ++i) {
     domain.loops[i].depth = static_cast<int>(inside.loops_around(inside.contours()[i].points.front()).size());
@@ -137,7 +137,20 @@ Result<Inside> find_loops(Domain& domain, const std::vector<Place>& places) {
   return inside;
 }
 
-Result<void> check_roles(const Domain& domain, const Inside& inside, const std::vector<Place>& places) {
+/// Leaves out what two holes share. @return whether there is any: the loops must be followed anew.
+bool drop_between_holes(Domain& domain, Sketch& sketch, const Inside& inside) {
+  bool any = false;
+  for (std::size_t i = domain.curves.size(); i-- > 0;) {
+    const Curve& curve = domain.curves[i];
+    if (!sketch.interfaces.contains(curve.name) || inside(point(curve, 0.5 * length(curve)))) continue;
+    domain.curves.erase(domain.curves.begin() + static_cast<std::ptrdiff_t>(i));
+    sketch.places.erase(sketch.places.begin() + static_cast<std::ptrdiff_t>(i));
+    any = true;
+  }
+  return any;
+}
+
+Result<void> check_roles(const Domain& domain, const Inside& inside, const std::vector<Place>& places, const DomainOptions& options) {
   for (const auto& loop : domain.loops) {
     for (const auto& side : loop.sides) {
       const Curve& curve = domain.curves[side.curve];
@@ -160,6 +173,7 @@ Result<void> check_roles(const Domain& domain, const Inside& inside, const std::
     for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
       const Point middle = point(curve, 0.5 * (cuts[k] + cuts[k + 1]));
       if (cuts[k + 1] - cuts[k] <= 1e-9 * cuts.back() || inside(middle)) continue;
+      if (auto open = open_outline(domain.curves, places, inside, options.repaired)) return *std::move(open);
       return Error{ErrorCode::OutsideDomain,
                    fmt::format("{} '{}' lies outside the domain{}; trim it at the boundary or remove it",
                                curve.role == Role::Crack ? "crack" : "internal line", curve.name, cuts.size() > 2 ? " in part" : ""),
@@ -234,7 +248,9 @@ Result<Domain> make_domain(Sketch sketch, const DomainOptions& options) {
   for (std::size_t i = 0; i < sketch.curves.size(); ++i) {
     const Curve& curve = sketch.curves[i];
     if (length(curve) <= tolerance) {
-      return Error{ErrorCode::DegenerateCurve, fmt::format("curve '{}' has no length; remove it", curve.name),
+      const double own = length(curve);
+      const std::string what = own > 0.0 ? fmt::format("is only {:.3g} m long, and points within {:.3g} m (join_tolerance) are one; make it longer or remove it", own, tolerance) : "has no length; remove it";
+      return Error{ErrorCode::DegenerateCurve, fmt::format("curve '{}' {}", curve.name, what),
                    at_point(places[i], start_of(curve))};
     }
     if (curve.role == Role::Crack && closed(curve)) {
@@ -248,13 +264,16 @@ Result<Domain> make_domain(Sketch sketch, const DomainOptions& options) {
   Domain domain;
   domain.curves = std::move(sketch.curves);
   domain.points = std::move(sketch.points);
-  DOBRA_TRY(Inside inside, find_loops(domain, places));
+  DOBRA_TRY(Inside inside, find_loops(domain, places, options));
+  if (drop_between_holes(domain, sketch, inside)) {
+    DOBRA_TRY(inside, find_loops(domain, places, options));
+  }
   if (sketch.hole_points) {
     DOBRA_TRY_VOID(apply_hole_points(domain, inside, *sketch.hole_points));
-    DOBRA_TRY(inside, find_loops(domain, places));
+    DOBRA_TRY(inside, find_loops(domain, places, options));
   }
   DOBRA_TRY_VOID(find_junctions(domain, places, tolerance));
-  DOBRA_TRY_VOID(check_roles(domain, inside, places));
+  DOBRA_TRY_VOID(check_roles(domain, inside, places, options));
   DOBRA_TRY_VOID(find_faces(domain, inside, sketch.regions, sketch.areas));
   return domain;
 }

@@ -1,5 +1,7 @@
 #include "quebra/core/ends.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <numeric>
@@ -41,6 +43,11 @@ std::vector<NearEnds> near_ends(const std::vector<End>& ends, double tolerance) 
   }
   std::sort(pairs.begin(), pairs.end(), [](const NearEnds& x, const NearEnds& y) { return std::tie(x.gap, x.a, x.b) < std::tie(y.gap, y.a, y.b); });
   return pairs;
+}
+
+std::string gap_text(const std::vector<Curve>& curves, const End& a, const End& b) {
+  const auto text = [&](const End& end) { return fmt::format("({:.6g}, {:.6g}) of '{}'", end.at.x, end.at.y, curves[end.curve].name); };
+  return fmt::format("a gap of {:.3g} m between {} and {}", distance(a.at, b.at), text(a), text(b));
 }
 
 bool move_end(Curve& curve, bool last, Point to) {

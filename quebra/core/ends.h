@@ -2,6 +2,7 @@
 // Ends of open curves that should be one point: found, and moved. What make_domain joins in silence (below rounding) and what repair
 // joins and reports is the same, with another tolerance.
 
+#include <string>
 #include <vector>
 
 #include "quebra/core/curve.h"
@@ -25,6 +26,9 @@ struct NearEnds {
 };
 /// Nearest first.  @cost O(n log n + pairs near in x)
 std::vector<NearEnds> near_ends(const std::vector<End>& ends, double tolerance);
+
+/// "a gap of 0.4 m between (0, 0) of 'a' and (0, 0.4) of 'b'"
+std::string gap_text(const std::vector<Curve>& curves, const End& a, const End& b);
 
 /// Moves an end of a curve to a point near it. @return false, and nothing is moved, where no arc about its centre, or no smooth
 /// curve, would end there.

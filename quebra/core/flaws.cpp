@@ -13,6 +13,7 @@
 
 #include "quebra/core/domain.h"
 #include "quebra/core/ends.h"
+#include "quebra/core/open_outline.h"
 #include "quebra/core/repair.h"
 #include "shared/geom/intersect.h"
 #include "shared/geom/spatial_index.h"
@@ -30,7 +31,7 @@ using dobra::geom::Segment;
 /// Chains of internal lines that would close if their nearest free ends met.
 class NearlyClosed {
  public:
-  NearlyClosed(const Domain& domain, double limit, bool repaired) : domain_(domain), limit_(limit), repaired_(repaired), chain_(domain.curves.size()) {
+  NearlyClosed(const Domain& domain, double limit, const std::optional<RepairOptions>& repaired) : domain_(domain), limit_(limit), repaired_(repaired), chain_(domain.curves.size()) {
     std::iota(chain_.begin(), chain_.end(), std::size_t{0});
   }
 
@@ -87,16 +88,17 @@ class NearlyClosed {
   [[nodiscard]] Finding finding(const End& a, const End& b, double gap) const {
     const std::string& one = domain_.curves[a.curve].name;
     const std::string names = a.curve == b.curve ? one : one + ", " + domain_.curves[b.curve].name;
-    const double closes = RepairOptions{}.gap * domain_.box().diagonal();
-    const std::string what = fmt::format("a gap of {:.3g} m, so that this chain is taken for an internal line and bounds nothing", gap);
-    if (!repaired_) return {Wrong::Gap, a.at, names, fmt::format("left as it is: {}; close it, or give --repair (repair = \"yes\"), which closes gaps up to {:.3g} m", what, closes)};
-    const std::string why = gap > closes ? fmt::format("wider than the {:.3g} m that --repair closes", closes) : "between lines that the file calls internal, which --repair leaves";
-    return {Wrong::Gap, a.at, names, fmt::format("not repaired: {}; it is {}: close it by hand", what, why)};
+    const double size = domain_.box().diagonal();
+    const std::string what = gap_text(domain_.curves, a, b) + ", so that this chain is taken for an internal line and bounds nothing";
+    if (!repaired_) return {Wrong::Gap, a.at, names, fmt::format("left as it is: {}; {}", what, gap_advice(gap, size, repaired_))};
+    const double closes = gap_limit(*repaired_, size);
+    const std::string why = gap > closes ? gap_advice(gap, size, repaired_) : fmt::format("--repair closes gaps up to {:.3g} m, but none between lines that the file calls internal: close it by hand", closes);
+    return {Wrong::Gap, a.at, names, fmt::format("not repaired: {}; {}", what, why)};
   }
 
   const Domain& domain_;
   double limit_;
-  bool repaired_;
+  const std::optional<RepairOptions>& repaired_;
   std::vector<std::size_t> chain_;  ///< Union of curves, by the least.
 };
 

@@ -32,7 +32,7 @@ std::vector<Figure> figures_of(const fem::TipResult& tip) {
           {"correlation.K_I", k, one(tip.correlation)},
           {"correlation.K_II", k, two(tip.correlation)},
           {"spread", "%", tip.spread ? std::optional(100.0 * *tip.spread) : std::nullopt},
-          {"J", "J/m2", tip.domain.j},
+          {"J", "J/m2", tip.no_j ? std::nullopt : std::optional(tip.domain.j)},
           {"G", "J/m2", tip.release},
           {"T", "Pa", tip.domain.t_stress},
           {"contour", "m", tip.contour.outer},
@@ -133,7 +133,7 @@ void add_tip_tables(const Model& model, std::vector<scenario::DataTable>& tables
         if (figure.value && !tip.refused) row.emplace_back(*figure.value);
         else row.emplace_back(std::string());
       }
-      row.emplace_back(tip.refused ? tip.refused->message : std::string());
+      row.emplace_back(tip.refused ? scenario::message_in_units(tip.refused->message, model.units) : std::string());
     }
   }
   tables.push_back(std::move(table));

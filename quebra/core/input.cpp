@@ -145,8 +145,9 @@ Result<Model> read_input(const InputParams& params, const dobra::scenario::Table
                          const dobra::scenario::Context& context) {
   const auto append = [](auto& to, auto& from) { to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end())); };
   Sketch sketch;
+  const SpecimenParams specimen{params.specimen, params.width, params.height, params.radius, params.crack, params.position, params.angle};
+  if (const auto sizes = check_sizes(specimen); !sizes) return located(sizes.error(), table.place("specimen"));
   if (params.specimen != SpecimenKind::None) {
-    const SpecimenParams specimen{params.specimen, params.width, params.height, params.radius, params.crack, params.position, params.angle};
     auto made = make_specimen(specimen);
     if (!made) return located(made.error(), table.place("specimen"));
     sketch = *std::move(made);
@@ -166,8 +167,13 @@ Result<Model> read_input(const InputParams& params, const dobra::scenario::Table
     sketch.hole_points = std::move(file.hole_points);
     sketch.areas = std::move(file.areas);
   }
+  DOBRA_TRY(const SketchOptions lines, sketch_options(params));
+  if (params.file.empty() && lines.chosen && params.unit == FileUnit::File)
+    return Error{ErrorCode::BadValue, "`format`, `columns`, `separator`, `coordinates`, `y_axis`, `closed` and the like say how `file` is read, and there is no file; remove them"};
   if (params.file.empty() && params.unit != FileUnit::File)
     return Error{ErrorCode::BadValue, "`unit` is of the coordinates in `file`, and there is no file; numbers of the scenario are in the units of `unit_system`", table.place("unit")};
+  if (params.gap && params.repair == Repair::No)
+    return Error{ErrorCode::BadValue, "`gap` is how wide a gap repair closes: give --repair (repair = \"yes\") with it", table.place("gap")};
   for (std::size_t i = 0; i < params.curves.size(); ++i) {
     const auto& curve = params.curves[i];
     DOBRA_TRY_VOID(add_curve(sketch, curve, 0.0, place_of(table, "curve", i, fmt::format("curve '{}'", curve.name))));
@@ -181,18 +187,21 @@ Result<Model> read_input(const InputParams& params, const dobra::scenario::Table
   DOBRA_TRY_VOID(check_names(sketch.curves, sketch.places));
   Model model;
   model.units = context.shown_units;
+  std::optional<RepairOptions> repaired_by;
   if (params.repair == Repair::Yes) {
-    DOBRA_TRY(Repaired repaired, repair(std::move(sketch)));
-    sketch = std::move(repaired.sketch);
-    model.findings = std::move(repaired.findings);
+    repaired_by = RepairOptions{.gap = params.gap};
+    auto repaired = repair(std::move(sketch), *repaired_by);
+    if (!repaired) return repaired.error();
+    sketch = std::move(repaired->sketch);
+    model.findings = std::move(repaired->findings);
   }
   model.remarks = std::move(sketch.remarks);
   const CrackEnds drawn = crack_ends(sketch);
-  auto domain = make_domain(std::move(sketch), {params.join_tolerance});
+  auto domain = make_domain(std::move(sketch), {params.join_tolerance, repaired_by});
   if (!domain) return with_findings(domain.error(), model.findings);
   model.domain = *std::move(domain);
   model.domain.unit = context.units.to_si(1.0, "m");
-  std::vector<Finding> flaws = flaws_of(model.domain, {.repaired = params.repair == Repair::Yes});
+  std::vector<Finding> flaws = flaws_of(model.domain, {.repaired = repaired_by});
   append(model.findings, flaws);
   std::vector<Finding> cracks = crack_flaws(model.domain, drawn);
   append(model.findings, cracks);

@@ -112,6 +112,7 @@ struct InputParams : LineInput {
   std::string file;
   double join_tolerance = DomainOptions{}.join_tolerance;
   Repair repair = Repair::No;
+  std::optional<double> gap;
   std::vector<CurveParams> curves;
   std::vector<CrackParams> cracks;
   std::vector<RegionParams> regions;
@@ -131,6 +132,7 @@ struct InputParams : LineInput {
     d.field("join_tolerance", &InputParams::join_tolerance,
             {.title = "Join tolerance", .help = "Ends of curves nearer than this fraction of the domain's diagonal are one point.", .at_least = 0, .at_most = 0.01});
     d.choice("repair", &InputParams::repair, {"no", "yes"}, {.title = "Repair", .help = "Mends repeated points, spikes, doubles, gaps, slivers and crossings of boundaries, and lists each with its place."});
+    d.field("gap", &InputParams::gap, {.title = "Widest gap", .help = "That repair closes between ends of curves; 1/1000 of the drawing's diagonal by default, 1/10 at most.", .unit = "m", .above = 0});
     d.tables("curve", &InputParams::curves, {.title = "Curves", .help = "The boundary, in any order and direction; internal lines."});
     d.tables("crack", &InputParams::cracks, {.title = "Cracks", .help = "Their two lips come apart; they may branch, cross and reach the boundary."});
     d.tables("region", &InputParams::regions, {.title = "Regions", .help = "Names of the parts that loops and internal lines enclose."});

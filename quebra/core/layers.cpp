@@ -8,6 +8,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "quebra/core/problem.h"
 #include "quebra/core/repair.h"
 #include "shared/base/text.h"
 #include "shared/io/file.h"
@@ -149,8 +150,8 @@ scene::Layer size_layer(const Meshed& meshed) {
     scale.ticks = scene::AxisScale::Log10;
     for (double* end : {&scale.low, &scale.high, &*scale.least, &*scale.greatest}) *end = std::log10(*end);
     for (double& value : content.values) value = std::log10(value);
-  } else if (*greatest - *least <= 1e-6 * *greatest) {
-    content.scale.high = *least * (1.0 + 1e-3);
+  } else {
+    scene::settle_constant(content, *greatest);
   }
   return {"size_field", translated("Size field"), {.line_width = 0.0}, std::move(content), false};
 }
@@ -270,23 +271,39 @@ void add_triangles(const mesh::ElementMesh& mesh, std::size_t element, std::vect
   }
 }
 
+namespace {
+
+/// The middle of the longest side: away from corners, where curves meet.
+geom::Point place_of_name(const Curve& curve) {
+  const auto* chain = std::get_if<geom::Polyline>(&curve.shape);
+  if (chain == nullptr || chain->segment_count() == 0) return point(curve, 0.5 * length(curve));
+  geom::Segment longest = chain->segment(0);
+  for (std::size_t i = 1; i < chain->segment_count(); ++i) {
+    const geom::Segment side = chain->segment(i);
+    if (side.length() > (1.0 + 1e-9) * longest.length()) longest = side;
+  }
+  return interpolate(longest.from, longest.to, 0.5);
+}
+
+}  // namespace
+
 scene::Picture names_picture(const Model& model) {
   const Domain& domain = model.domain;
   scene::Panel panel = domain_panel(model);
   scene::Labels curves, points, regions;
-  for (const Curve& curve : domain.curves) curves.labels.push_back({point(curve, 0.5 * length(curve)), curve.name, scene::Anchor::Centre});
+  for (const Curve& curve : domain.curves) curves.labels.push_back({place_of_name(curve), curve.name, scene::Anchor::Callout});
   for (const NamedPoint& point : domain.points) points.labels.push_back({point.at, point.name, scene::Anchor::Right});
   for (const Face& face : domain.faces) {
     const auto name = domain.region_names.find(face.region);
-    if (name != domain.region_names.end()) regions.labels.push_back({face.inside, name->second, scene::Anchor::Centre});
+    if (name != domain.region_names.end()) regions.labels.push_back({face.inside, name->second, scene::Anchor::Callout});
   }
   constexpr Color region_green{46, 125, 50};
   const auto add = [&](const char* key, std::string title, Color color, scene::Labels labels) {
     if (!labels.labels.empty()) panel.layers.push_back({key, std::move(title), {.line = color}, std::move(labels), true, scene::InLegend::No});
   };
-  add("region_names", translated("Regions"), region_green, std::move(regions));
-  add("point_names", translated("Points"), ink, std::move(points));
   add("curve_names", translated("Boundary"), constraint_blue, std::move(curves));
+  add("point_names", translated("Points"), ink, std::move(points));
+  add("region_names", translated("Regions"), region_green, std::move(regions));
   scene::Picture picture;
   picture.panels.push_back(std::move(panel));
   return picture;
@@ -342,8 +359,7 @@ scene::Picture size_field_picture(const Model& model, const Meshed& meshed) {
   return picture;
 }
 
-scene::Picture picture_of(const Model& model) {
-  scene::Picture picture;
+void draw(const Model& model, scene::Picture& picture) {
   picture.arrangement = scene::Arrangement::Grid;
   const std::size_t n = model.meshes.size();
   if (n == 0 && !model.work) picture.panels.push_back(domain_panel(model));
@@ -351,11 +367,9 @@ scene::Picture picture_of(const Model& model) {
   const std::size_t shown = model.work ? 1 : 2;
   for (std::size_t i = n > shown ? n - shown : 0; i < n; ++i) picture.panels.push_back(mesh_panel(model, *model.meshes[i], i + 1));
   if (model.work) picture.panels.push_back(work_panel(model, *model.work));
-  return picture;
 }
 
-std::vector<scenario::Quantity> quantities_of(const Model& model) {
-  std::vector<scenario::Quantity> quantities;
+void add_quantities(const Model& model, std::vector<scenario::Quantity>& quantities) {
   quantities.push_back({"curves", static_cast<double>(model.domain.curves.size()), ""});
   quantities.push_back({"loops", static_cast<double>(model.domain.loops.size()), ""});
   const auto& curves = model.domain.curves;
@@ -374,18 +388,20 @@ std::vector<scenario::Quantity> quantities_of(const Model& model) {
   }
   if (!model.meshes.empty()) add_quality(quantities, "", *model.meshes.back());
   for (std::size_t i = 0; i < model.meshes.size(); ++i) add_quality(quantities, fmt::format("mesh.{}.", i + 1), *model.meshes[i]);
-  return quantities;
 }
 
-std::vector<scenario::DataTable> tables_of(const Model& model) {
-  std::vector<scenario::DataTable> tables;
-  if (!model.findings.empty()) {
-    scenario::DataTable findings{"findings", {"what", "x [m]", "y [m]", "curve", "mend"}, {}};
-    for (const Finding& finding : model.findings) {
-      findings.rows.push_back({std::string(name_of(finding.wrong)), finding.at.x, finding.at.y, finding.curve, finding.mend});
-    }
-    tables.push_back(std::move(findings));
+void add_finding_tables(const Model& model, std::vector<scenario::DataTable>& tables) {
+  if (model.findings.empty()) return;
+  scenario::DataTable findings{"findings", {"what", "x [m]", "y [m]", "curve", "mend"}, {}};
+  for (const Finding& finding : model.findings) {
+    findings.rows.push_back({std::string(name_of(finding.wrong)), finding.at.x, finding.at.y, finding.curve,
+                             scenario::message_in_units(finding.mend, model.units)});
   }
+  tables.push_back(std::move(findings));
+}
+
+void add_mesh_tables(const Model& model, std::vector<scenario::DataTable>& tables) {
+  if (model.meshes.empty()) return;
   scenario::DataTable table{"quality",
                             {"mesh", "elements", "nodes", "alpha_mean", "alpha_90 [%]", "alpha_min", "min_angle [deg]", "max_angle [deg]", "gradation_p95", "constraints", "jacobian_min", "quadrilaterals", "quad_shape_min"},
                             {}};
@@ -395,11 +411,9 @@ std::vector<scenario::DataTable> tables_of(const Model& model) {
                           q.alpha_min, q.angle_min.degrees(), q.angle_max.degrees(), q.gradation_p95, static_cast<double>(meshed->constraints),
                           meshed->elements.jacobian_min, static_cast<double>(meshed->elements.quadrilaterals), meshed->elements.shape_min});
   }
-  if (table.rows.empty()) return tables;
   tables.push_back(std::move(table));
   tables.push_back(histogram("alpha", model.meshes.back()->quality.histogram));
   tables.push_back(histogram("scaled_jacobian", model.meshes.back()->elements.jacobians));
-  return tables;
 }
 
 mesh::ElementMesh in_units(mesh::ElementMesh mesh, const scenario::UnitSystem& units) {
@@ -410,8 +424,12 @@ mesh::ElementMesh in_units(mesh::ElementMesh mesh, const scenario::UnitSystem& u
 
 std::string note_of(const scenario::UnitSystem& units) { return "units: " + units.text(); }
 
-base::Result<void> write_mesh(const std::string& path, const mesh::ElementMesh& mesh, const scenario::UnitSystem& units) {
-  DOBRA_TRY_VOID(io::write_mesh(path, in_units(mesh, units)));
+io::InpElement inp_element_of(const Model& model) {
+  return model.problem && model.problem->state == Plane::Strain ? io::InpElement::PlaneStrain : io::InpElement::PlaneStress;
+}
+
+base::Result<void> write_mesh(const std::string& path, const mesh::ElementMesh& mesh, io::InpElement element, const scenario::UnitSystem& units) {
+  DOBRA_TRY_VOID(io::write_mesh(path, in_units(mesh, units), element));
   return io::add_note(path, note_of(units));
 }
 
@@ -420,15 +438,16 @@ base::Result<void> write_vtu(const std::string& path, const mesh::ElementMesh& m
   return io::add_note(path, note_of(units));
 }
 
-std::vector<scenario::Output> outputs_of(const std::shared_ptr<const Model>& model) {
-  if (model->meshes.empty()) return {};
+void add_mesh_outputs(const std::shared_ptr<const Model>& model, std::vector<scenario::Output>& outputs) {
+  if (model->meshes.empty()) return;
   const std::shared_ptr<const Meshed> meshed = model->meshes.back();
   const scenario::UnitSystem units = model->units;
-  std::vector<scenario::Output> outputs = {
-      {"mesh.vtu", [meshed, units](const auto& path) { return write_vtu(path.string(), meshed->mesh, quality_fields(meshed->mesh), units); }},
-  };
+  outputs.push_back({"mesh.vtu", [meshed, units](const auto& path) {
+                       return write_vtu(path.string(), meshed->mesh, quality_fields(meshed->mesh), units);
+                     }});
+  const io::InpElement element = inp_element_of(*model);
   for (const char* const name : {"mesh.msh", "mesh.inp", "mesh.bdf", "mesh.nf"}) {
-    outputs.push_back({name, [meshed, units](const auto& path) { return write_mesh(path.string(), meshed->mesh, units); }, io::losses(name, meshed->mesh)});
+    outputs.push_back({name, [meshed, element, units](const auto& path) { return write_mesh(path.string(), meshed->mesh, element, units); }, io::losses(name, meshed->mesh)});
   }
   // These hold triangles of one order only.
   if (io::ele_file_of(meshed->mesh)) {
@@ -439,7 +458,6 @@ std::vector<scenario::Output> outputs_of(const std::shared_ptr<const Model>& mod
     outputs.push_back({"mesh.node", [write](const auto& path) { return write(path, [](const auto& mesh) { return io::node_text(io::node_file_of(mesh)); }); }});
     outputs.push_back({"mesh.ele", [write](const auto& path) { return write(path, [](const auto& mesh) { return io::ele_text(*io::ele_file_of(mesh)); }); }});
   }
-  return outputs;
 }
 
 }  // namespace quebra::core

@@ -162,6 +162,11 @@ std::vector<LoadedPoint> loaded_points(const Domain& domain, const mesh::Element
   for (auto& [node, point] : found) {
     if (!(length(point.force) > felt * std::sqrt(stiffness[node] * 2.0 * result.energy))) continue;
     point.radius = radius > 0.0 ? radius : radius_round(domain, point.at);
+    // The tip of a half crack is a place on the boundary, which the domain knows nothing of.
+    for (const mesh::CrackTip& tip : own.tips) {
+      const double gap = distance(own.point(tip.node), point.at);
+      if (radius <= 0.0 && gap > 0.0) point.radius = std::min(point.radius, share_of_room * gap);
+    }
     points.push_back(std::move(point));
   }
   return points;

@@ -26,7 +26,7 @@ double radius_round(const Domain& domain, dobra::geom::Point at);
 
 /// The points of a load case whose force F can add more than 0.1 % to eta: F > 0.001 sqrt(E t) ||u||. What acts along an axis,
 /// or a normal, that a curve through the point holds is spread along that curve and no force at a point.
-/// @param radius  of all; 0: radius_round.
+/// @param radius  of all; 0: radius_round, and 1/20 of the distance to the tips of the mesh.
 std::vector<LoadedPoint> loaded_points(const Domain& domain, const dobra::mesh::ElementMesh& mesh, const ProblemParams& params, const dobra::fem::Problem& problem,
                                        const dobra::fem::CaseResult& result, double radius);
 

@@ -52,7 +52,7 @@ struct MeshRules {
     d.choice("order", of<P>(&MeshRules::order), {"1", "2"}, {.title = "Order", .help = "2: nodes at mid-sides too, on the true curve."});
     d.choice("rosettes", of<P>(&MeshRules::rosettes), {"no", "yes"}, {.title = "Rosettes", .help = "Quarter-point elements round each crack tip; needs order 2. A loop makes them smaller if they hold too much of the error."});
     d.field("sectors", of<P>(&MeshRules::sectors), {.title = "Sectors", .help = "Of a rosette, even.", .at_least = 6, .at_most = 360});
-    d.field("tip_radius", of<P>(&MeshRules::tip_radius), {.title = "Tip elements", .help = "Length of the quarter-point elements, of the first mesh in a loop; 0 takes 1/80 of the room round the tip: straight end of the crack, ligament, other tips.", .unit = "m", .at_least = 0});
+    d.field("tip_radius", of<P>(&MeshRules::tip_radius), {.title = "Tip elements", .help = "Length of the quarter-point elements, of the first mesh in a loop; 0 takes 1/80 of the room round the tip: straight end of the crack, ligament, other tips, named points.", .unit = "m", .at_least = 0});
   }
 
  private:

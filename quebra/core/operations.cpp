@@ -66,7 +66,8 @@ bool mesher_at_work(const scenario::State& state) { return scenario::model_of<Mo
 
 scenario::Operation mesh_operation() {
   auto operation = scenario::make_operation<Model, MeshParams>(
-      "mesh", "Mesh", "Divides the boundary and fills the domain with triangles: quadtree for the sizes, Delaunay for the shapes.", add_mesh);
+      "mesh", "Mesh", "Divides the boundary and fills the domain with triangles: quadtree for the sizes, Delaunay for the shapes.", add_mesh,
+      {.tables = add_mesh_tables, .outputs = add_mesh_outputs});
   operation.stop_after = "stop_after";
   operation.at_work = mesher_at_work;
   return operation;
@@ -84,14 +85,11 @@ scenario::Operation after_a_whole_mesh(scenario::Operation operation) {
   return operation;
 }
 
-/// Columns of words that tell lengths and places.
-void turn_messages(std::vector<scenario::DataTable>& tables, const scenario::UnitSystem& units) {
-  for (scenario::DataTable& table : tables) {
-    for (std::size_t i = 0; i < table.columns.size(); ++i) {
-      if (table.columns[i] != "mend" && table.columns[i] != "reason") continue;
-      for (auto& row : table.rows) row[i] = scenario::message_in_units(std::get<std::string>(row[i]), units);
-    }
-  }
+scenario::UnitSystem units_of(const scenario::State& state) { return scenario::model_of<Model>(state).units; }
+
+std::optional<bool> adapted_enough(const Model& model) {
+  const bool adapted = std::any_of(model.analyses.begin(), model.analyses.end(), [](const auto& analysis) { return analysis->cycle > 0; });
+  return adapted ? std::optional(!model.short_of_target) : std::nullopt;
 }
 
 scenario::Program make_program() {
@@ -101,6 +99,13 @@ scenario::Program make_program() {
   program.takes_units = scenario::TakesUnits::Any;
   program.input_fields = scenario::fields_of<InputParams>();
   program.read_input = input;
+  program.units_of = units_of;
+  program.results = scenario::make_results<Model>({
+      .quantities = add_quantities,
+      .tables = add_finding_tables,
+      .remarks = [](const Model& model, auto& remarks) { remarks = model.remarks; },
+      .draw = draw,
+  });
   program.operations = {
       scenario::make_operation<Model, ConstraintParams>(
           "constraints", "Offset constraints", "Offset curves of a boundary, as internal constraints that grade the mesh.", add_constraints),
@@ -111,59 +116,23 @@ scenario::Program make_program() {
       mesh_operation(),
       problem_operation(),
       scenario::make_operation<Model, AnalyseParams>(
-          "analyse", "Analyse", "Displacements, stresses and their error on the last mesh.", add_analysis),
+          "analyse", "Analyse", "Displacements, stresses and their error on the last mesh.", add_analysis,
+          {.quantities = add_analysis_quantities, .tables = add_analysis_tables, .outputs = add_analysis_outputs}),
       scenario::make_operation<Model, AdaptParams>(
-          "adapt", "Adapt", "Meshes and analyses until the error asked for is met.", adapt),
+          "adapt", "Adapt", "Meshes and analyses until the error asked for is met.", adapt, {.reached = adapted_enough}),
       scenario::make_operation<Model, FractureParams>(
-          "crack", "Stress intensity factors", "K_I and K_II by three methods, J, T and kink angles at every crack tip.", add_tips),
-      scenario::make_operation<Model, LineParams>("line", "Results along a line", "Displacements and stresses along a line, as a table.", add_line),
-      scenario::make_operation<Model, ProbeParams>("probe", "Results at a point", "Displacements and stresses at a point.", add_probe),
-      scenario::make_operation<Model, ViewParams>("view", "Picture of a field", "A field on the deformed shape: colours, contours, mesh, extremes.", add_view),
+          "crack", "Stress intensity factors", "K_I and K_II by three methods, J, T and kink angles at every crack tip.", add_tips,
+          {.quantities = add_tip_quantities, .tables = add_tip_tables, .reached = tips_reached}),
+      scenario::make_operation<Model, LineParams>("line", "Results along a line", "Displacements and stresses along a line, as a table.", add_line,
+                                                   {.tables = add_sample_tables}),
+      scenario::make_operation<Model, ProbeParams>("probe", "Results at a point", "Displacements and stresses at a point.", add_probe,
+                                                    {.quantities = add_sample_quantities}),
+      scenario::make_operation<Model, ViewParams>("view", "Picture of a field", "A field on the deformed shape: colours, contours, mesh, extremes.", add_view,
+                                                   {.draw = add_views}),
   };
   for (scenario::Operation& operation : program.operations) {
     if (operation.name != "mesh") operation = after_a_whole_mesh(std::move(operation));
   }
-  program.picture_of = [](const scenario::State& state) {
-    const Model& model = scenario::model_of<Model>(state);
-    scene::Picture picture = picture_of(model);
-    add_views(model, picture);
-    return in_units(std::move(picture), model.units);
-  };
-  program.quantities_of = [](const scenario::State& state) {
-    const Model& model = scenario::model_of<Model>(state);
-    auto quantities = quantities_of(model);
-    add_analysis_quantities(model, quantities);
-    add_tip_quantities(model, quantities);
-    add_sample_quantities(model, quantities);
-    return in_units(std::move(quantities), model.units);
-  };
-  program.reached_of = [](const scenario::State& state) -> std::optional<bool> {
-    const Model& model = scenario::model_of<Model>(state);
-    const bool adapted = std::any_of(model.analyses.begin(), model.analyses.end(), [](const auto& analysis) { return analysis->cycle > 0; });
-    const auto tips = tips_reached(model);
-    if (!adapted) return tips;
-    return !model.short_of_target && tips.value_or(true);
-  };
-  program.remarks_of = [](const scenario::State& state) {
-    const Model& model = scenario::model_of<Model>(state);
-    std::vector<std::string> remarks = model.remarks;
-    for (std::string& remark : remarks) remark = scenario::message_in_units(remark, model.units);
-    return remarks;
-  };
-  program.tables_of = [](const scenario::State& state) {
-    const Model& model = scenario::model_of<Model>(state);
-    auto tables = tables_of(model);
-    add_analysis_tables(model, tables);
-    add_tip_tables(model, tables);
-    add_sample_tables(model, tables);
-    turn_messages(tables, model.units);
-    return in_units(std::move(tables), model.units);
-  };
-  program.outputs_of = [](const scenario::State& state) {
-    auto outputs = outputs_of(std::static_pointer_cast<const Model>(state));
-    add_analysis_outputs(scenario::model_of<Model>(state), outputs);
-    return outputs;
-  };
   return program;
 }
 

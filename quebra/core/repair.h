@@ -11,11 +11,8 @@
 
 namespace quebra::core {
 
-struct RepairOptions {
-  double same_point = 1e-7;  ///< Points nearer than this fraction of the drawing's diagonal are one.
-  double gap = 1e-3;         ///< Ends nearer than this fraction that meet nothing are joined.
-  double spike = 0.01;       ///< Corners sharper than this are spikes, degrees.
-};
+/// The widest gap that is closed, m.  @param size  the drawing's diagonal, m
+double gap_limit(const RepairOptions& options, double size);
 
 const char* name_of(Wrong wrong);
 
@@ -25,7 +22,7 @@ struct Repaired {
 };
 
 /// Arcs, splines, cracks and internal lines are left as they are, but for gaps that a straight curve can close.
-/// @error NotFinite.  @cost O(n log n + crossings) for n points.
+/// @error NotFinite; BadDomain for an outline that stays open (stray_lines.h).  @cost O(n log n + crossings) for n points.
 dobra::base::Result<Repaired> repair(Sketch sketch, const RepairOptions& options = {});
 
 }  // namespace quebra::core

@@ -8,6 +8,7 @@
 
 #include "quebra/core/layers.h"
 #include "shared/base/text.h"
+#include "shared/scene/color_map.h"
 
 // 1. Points of the picture: a node once for each region that it belongs to, moved by its displacement. 2. Colours.
 // 3. Contours: where the sides of the drawn triangles pass a level, joined into lines. 4. Outlines, marks, panel.
@@ -204,8 +205,21 @@ scene::Scale color_scale(const ViewParams& params, const Drawing& drawing, std::
     scale.high = std::max(-range.first, range.second);
     scale.low = -scale.high;
   }
-  if (!(scale.high > scale.low)) scale.high = scale.low + std::max(1.0, std::abs(scale.low));
+  if (!(scale.high > scale.low)) scale.low = *least, scale.high = *greatest;  // all but a peak is one value
   return scale;
+}
+
+/// The greatest of the numbers that a field is made of.
+double size_of(const Analysis& analysis, std::size_t load_case, FieldName field) {
+  if (field == FieldName::Error) return analysis.fields[load_case].estimate.norm;
+  const auto greatest = [&](FieldName name) {
+    double most = 0.0;
+    for (const double value : field_at_element_nodes(analysis, load_case, name)) most = std::max(most, std::abs(value));
+    return most;
+  };
+  const bool moved = field == FieldName::DisplacementX || field == FieldName::DisplacementY || field == FieldName::Displacement;
+  if (moved) return greatest(FieldName::Displacement);
+  return std::max(greatest(FieldName::Principal1), greatest(FieldName::Principal2));
 }
 
 /// Where the greatest and the least value are, each once.
@@ -267,16 +281,17 @@ scene::Panel view_panel(const Analysis& analysis, std::size_t load_case, const V
     colors.values.clear();
     for (const std::size_t e : drawing.element) colors.values.push_back(analysis.fields[load_case].estimate.elements[e]);
   }
+  const bool constant = scene::settle_constant(colors, size_of(analysis, load_case, params.field));
   add("field", title_of(params.field), {.line_width = 0.0}, std::move(colors), scene::InLegend::No);
   if (params.mesh == Shown::Yes) add("elements", translated("Elements"), {.line = mesh_line, .line_width = outline_width(mesh)}, sides_of(mesh, moved), scene::InLegend::No);
-  if (params.contours > 0 && params.field != FieldName::Error && greatest > least) {
+  if (params.contours > 0 && params.field != FieldName::Error && !constant) {
     scene::Lines contours;
     for (int i = 1; i <= params.contours; ++i) add_contour(drawing, least + (greatest - least) * i / (params.contours + 1), contours.lines);
     add("contours", translated("Contours"), {.line = contour_line, .line_width = 0.8}, std::move(contours), scene::InLegend::No);
   }
   if (factor > 0.0) add("before", translated("Before"), {.line = before_grey, .line_width = 0.9, .dash = scene::Dash::Dashed}, boundary_of(mesh, mesh.points), scene::InLegend::Yes);
   add("boundary", translated("Boundary"), {.line = ink, .line_width = boundary_width}, boundary_of(mesh, moved), scene::InLegend::Yes);
-  if (params.extremes == Shown::Yes && params.field != FieldName::Error) add_extremes(drawing, panel.layers);
+  if (params.extremes == Shown::Yes && params.field != FieldName::Error && !constant) add_extremes(drawing, panel.layers);
   return panel;
 }
 

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
+#include <regex>
 #include <set>
 
 #include "shared/base/formula.h"
@@ -31,49 +33,70 @@ constexpr double tolerance = 1e-6;
 
 enum class Relation { Equal, Less, Greater };
 
+/// A part of the user's text, and where in it that begins.
+struct Part {
+  std::string text;
+  std::size_t begin = 0;
+};
+
 struct Comparison {
   Formula left, right;
   Relation relation = Relation::Equal;
+  Part part = {};
 };
 
-Error unreadable(const std::string& condition, const std::string& why) {
-  return {ErrorCode::BadValue, fmt::format("the condition '{}' {}; write such as \"x = 0\" or \"y = 2 and x > 1\"", condition, why)};
+Error unreadable(const std::string& condition, std::size_t at, const std::string& why) {
+  return {ErrorCode::BadValue, fmt::format("the condition '{}', character {}: {}; write such as \"x = 0\" or \"y = 2 and x > 1\"", condition, dobra::base::character_number(condition, at), why)};
 }
 
-/// The parts of a text between whole words.
-std::vector<std::string> split(const std::string& text, const std::string& word) {
-  std::vector<std::string> parts{""};
+/// The parts between whole words.
+std::vector<Part> split(const Part& whole, const std::string& word) {
+  std::vector<Part> parts{{"", whole.begin}};
   const std::string separator = ' ' + word + ' ';
-  for (std::size_t i = 0; i < text.size();) {
-    if (text.compare(i, separator.size(), separator) == 0) {
-      parts.emplace_back();
+  for (std::size_t i = 0; i < whole.text.size();) {
+    if (whole.text.compare(i, separator.size(), separator) == 0) {
       i += separator.size();
+      parts.push_back({"", whole.begin + i});
     } else {
-      parts.back() += text[i++];
+      parts.back().text += whole.text[i++];
     }
   }
   return parts;
 }
 
+/// Words and signs that join comparisons in other languages, or stand where nothing is joined.
+Result<void> check_joints(const Part& part, const std::string& condition) {
+  for (const char* sign : {"&&", "||", ";"}) {
+    if (const std::size_t at = part.text.find(sign); at != std::string::npos) return unreadable(condition, part.begin + at, fmt::format("'{}' joins nothing here; comparisons are joined by 'and' and 'or'", sign));
+  }
+  static const std::regex joint("\\b(and|or|not)\\b", std::regex::icase);
+  std::smatch found;
+  if (!std::regex_search(part.text, found, joint)) return {};
+  return unreadable(condition, part.begin + static_cast<std::size_t>(found.position()),
+                    fmt::format("'{}' joins nothing here; 'and' and 'or', in small letters, stand between two comparisons", found.str()));
+}
+
 /// "0 < x <= 2": two comparisons.
-Result<std::vector<Comparison>> comparisons_of(const std::string& text, const std::string& condition) {
+Result<std::vector<Comparison>> comparisons_of(const Part& part, const std::string& condition) {
+  DOBRA_TRY_VOID(check_joints(part, condition));
+  const std::string& text = part.text;
   static const std::vector<std::string> names{"x", "y"};
   std::vector<Formula> formulas;
   std::vector<Relation> relations;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find_first_of("=<>!", begin), text.size());
     const std::string side = text.substr(begin, end - begin);
-    if (side.find_first_not_of(' ') == std::string::npos) return unreadable(condition, "lacks a side of a comparison");
-    DOBRA_TRY(Formula formula, Formula::make(side, names));
+    if (side.find_first_not_of(' ') == std::string::npos) return unreadable(condition, part.begin + begin, "a side of a comparison is missing");
+    DOBRA_TRY(Formula formula, Formula::make(side, names, {"the condition", condition, part.begin + begin}));
     formulas.push_back(std::move(formula));
     if (end == text.size()) break;
-    if (text[end] == '!') return unreadable(condition, "has a '!': a side is named by what holds for it");
+    if (text[end] == '!') return unreadable(condition, part.begin + end, "'!' is not expected: a side is named by what holds for it");
     relations.push_back(text[end] == '=' ? Relation::Equal : text[end] == '<' ? Relation::Less : Relation::Greater);
     begin = end + (text.compare(end + 1, 1, "=") == 0 ? 2 : 1);
   }
-  if (relations.empty()) return unreadable(condition, fmt::format("compares nothing in '{}'", text));
+  if (relations.empty()) return unreadable(condition, part.begin, fmt::format("'{}' compares nothing", text));
   std::vector<Comparison> comparisons;
-  for (std::size_t i = 0; i < relations.size(); ++i) comparisons.push_back({formulas[i], formulas[i + 1], relations[i]});
+  for (std::size_t i = 0; i < relations.size(); ++i) comparisons.push_back({formulas[i], formulas[i + 1], relations[i], part});
   return comparisons;
 }
 
@@ -83,14 +106,28 @@ class Condition {
     Condition condition;
     condition.tolerance_ = tolerance * domain.box().diagonal();
     condition.unit_ = domain.unit;
-    for (const std::string& alternative : split(text, "or")) {
+    for (const Part& alternative : split({text, 0}, "or")) {
       auto& all = condition.alternatives_.emplace_back();
-      for (const std::string& one : split(alternative, "and")) {
+      for (const Part& one : split(alternative, "and")) {
         DOBRA_TRY(const auto comparisons, comparisons_of(one, text));
         all.insert(all.end(), comparisons.begin(), comparisons.end());
       }
     }
     return condition;
+  }
+
+  /// The first comparison that has no finite value at any of those points, "x = 1/0".
+  [[nodiscard]] std::optional<std::string> undefined_at(const std::set<Point>& points) const {
+    for (const auto& all : alternatives_) {
+      for (const Comparison& one : all) {
+        const auto finite = [&](Point p) {
+          const std::array at{p.x / unit_, p.y / unit_};
+          return std::isfinite(one.left.at(at)) && std::isfinite(one.right.at(at));
+        };
+        if (std::none_of(points.begin(), points.end(), finite)) return one.part.text;
+      }
+    }
+    return std::nullopt;
   }
 
   [[nodiscard]] std::size_t alternatives() const { return alternatives_.size(); }
@@ -303,6 +340,7 @@ Result<Selection> select(const Domain& domain, const std::string& condition) {
     }
   }
   if (!selection.corners.empty()) return selection;
+  if (const auto undefined = wanted.undefined_at(at)) return Error{ErrorCode::BadValue, fmt::format("the condition '{}': '{}' has no finite value at any corner of the boundary", condition, *undefined)};
   return Error{ErrorCode::BadValue, fmt::format("the condition '{}' holds for no side and no corner of the boundary, which has {}", condition, listed(domain))};
 }
 

@@ -37,6 +37,7 @@ Error no_size(const std::string& whose, double value, Point at) {
   dobra::base::Place place;
   place.x = at.x;
   place.y = at.y;
+  if (!std::isfinite(value)) return {ErrorCode::BadValue, fmt::format("{} has no finite value here; sizes must be: bound it, as with min(..., 1), or leave out where it is not defined", whose), place};
   return {ErrorCode::BadValue, fmt::format("{} gives the size {:.6g} m here; sizes must be greater than 0: bound it from below, as with max(..., 0.01)", whose, value), place};
 }
 

@@ -1,9 +1,13 @@
 #include "quebra/core/specimen.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace quebra::core {
 namespace {
@@ -18,7 +22,10 @@ using dobra::geom::Point;
 using dobra::geom::Polyline;
 using dobra::geom::Vector;
 
-Error does_not_fit(const std::string& rule) { return {ErrorCode::BadValue, "the specimen's sizes do not fit together: " + rule}; }
+/// @param rule  what the limit is, in words.
+Error does_not_fit(const char* key, double value, double limit, const char* rule) {
+  return {ErrorCode::BadValue, fmt::format("the specimen's sizes do not fit together: `{}` is {:.6g} m and must lie above 0 m and below {:.6g} m, {}", key, value, limit, rule)};
+}
 
 class Drawing {
  public:
@@ -48,7 +55,7 @@ class Drawing {
 
 Result<Sketch> plate_with_hole(const SpecimenParams& p) {
   const double w = p.width.value_or(10.0), h = p.height.value_or(w), r = p.radius.value_or(0.1 * w);
-  if (2.0 * r >= std::min(w, h)) return does_not_fit("the hole must be smaller than the plate");
+  if (2.0 * r >= std::min(w, h)) return does_not_fit("radius", r, 0.5 * std::min(w, h), "half the lesser of width and height");
   Drawing d;
   d.rectangle(-0.5 * w, -0.5 * h, 0.5 * w, 0.5 * h);
   d.hole("hole", {0, 0}, r);
@@ -57,7 +64,7 @@ Result<Sketch> plate_with_hole(const SpecimenParams& p) {
 
 Result<Sketch> quarter_plate(const SpecimenParams& p) {
   const double w = p.width.value_or(5.0), h = p.height.value_or(w), r = p.radius.value_or(0.2 * w);
-  if (r >= std::min(w, h)) return does_not_fit("the hole must be smaller than the plate");
+  if (r >= std::min(w, h)) return does_not_fit("radius", r, std::min(w, h), "the lesser of width and height");
   Drawing d;
   d.line("bottom", {{r, 0}, {w, 0}});
   d.line("right", {{w, 0}, {w, h}});
@@ -85,7 +92,7 @@ Result<Sketch> cook(const SpecimenParams& p) {
 
 Result<Sketch> edge_notches(const SpecimenParams& p, bool both) {
   const double w = p.width.value_or(1.0), h = p.height.value_or(3.0 * w), a = p.crack.value_or(both ? 0.25 * w : 0.5 * w);
-  if (!(a > 0.0) || a >= (both ? 0.5 * w : w)) return does_not_fit("the cracks must leave a ligament: crack below width (two cracks: half of it)");
+  if (!(a > 0.0) || a >= (both ? 0.5 * w : w)) return does_not_fit("crack_length", a, both ? 0.5 * w : w, both ? "half the width: two cracks must leave a ligament" : "the width: the crack must leave a ligament");
   Drawing d;
   d.rectangle(0, -0.5 * h, w, 0.5 * h);
   d.crack("crack", {0, 0}, {a, 0});
@@ -102,9 +109,8 @@ void add_centre_crack(Drawing& d, double half, Angle angle) {
 Result<Sketch> centre_crack(const SpecimenParams& p) {
   const double w = p.width.value_or(20.0), h = p.height.value_or(w), a = p.crack.value_or(0.05 * w);
   const Angle angle = p.angle.value_or(Angle::from_degrees(0.0));
-  if (!(a > 0.0) || a * std::abs(std::cos(angle.radians())) >= 0.5 * w || a * std::abs(std::sin(angle.radians())) >= 0.5 * h) {
-    return does_not_fit("the crack must end inside the plate");
-  }
+  const double longest = std::min(0.5 * w / std::abs(std::cos(angle.radians())), 0.5 * h / std::abs(std::sin(angle.radians())));
+  if (!(a > 0.0) || a >= longest) return does_not_fit("crack_length", a, longest, "half a crack that reaches the edge of the plate");
   Drawing d;
   d.rectangle(-0.5 * w, -0.5 * h, 0.5 * w, 0.5 * h);
   add_centre_crack(d, a, angle);
@@ -114,7 +120,7 @@ Result<Sketch> centre_crack(const SpecimenParams& p) {
 // Load line x = 0; the specimen reaches from -0.25 W to W, and 0.6 W up and down; pins of 0.25 W at y = +-0.275 W.
 Result<Sketch> compact_tension(const SpecimenParams& p) {
   const double w = p.width.value_or(50.0), a = p.crack.value_or(0.5 * w);
-  if (!(a > 0.0) || a >= w) return does_not_fit("the crack must be shorter than W");
+  if (!(a > 0.0) || a >= w) return does_not_fit("crack_length", a, w, "the width W");
   Drawing d;
   d.rectangle(-0.25 * w, -0.6 * w, w, 0.6 * w);
   d.hole("pin_upper", {0, 0.275 * w}, 0.125 * w);
@@ -127,8 +133,8 @@ Result<Sketch> compact_tension(const SpecimenParams& p) {
 
 Result<Sketch> three_point_bend(const SpecimenParams& p) {
   const double w = p.height.value_or(1.0), length = p.width.value_or(4.5 * w), a = p.crack.value_or(0.5 * w);
-  if (!(a > 0.0) || a >= w) return does_not_fit("the crack must be shorter than the beam is high");
-  if (length <= 4.0 * w) return does_not_fit("the beam must be longer than its span, four times the height");
+  if (!(a > 0.0) || a >= w) return does_not_fit("crack_length", a, w, "the height of the beam");
+  if (length <= 4.0 * w) return does_not_fit("height", w, 0.25 * length, "a quarter of the width: the span is four times the height");
   Drawing d;
   d.rectangle(-0.5 * length, 0, 0.5 * length, w);
   d.crack("crack", {0, 0}, {0, a});
@@ -140,13 +146,14 @@ Result<Sketch> three_point_bend(const SpecimenParams& p) {
 
 Result<Sketch> pmma_beam(const SpecimenParams& p) {
   const double from_middle = p.position.value_or(5.0), a = p.crack.value_or(1.5);
-  if (!(a > 0.0) || a >= 8.0 || std::abs(from_middle) >= 9.0) return does_not_fit("the notch must lie between the supports and be shorter than 8");
+  if (!(a > 0.0) || a >= 8.0) return does_not_fit("crack_length", a, 8.0, "the height of the beam");
+  if (std::abs(from_middle) >= 9.0) return does_not_fit("position", std::abs(from_middle), 9.0, "the distance of the supports from the middle");
   const double x = 10.0 - from_middle;
   Drawing d;
   d.rectangle(0, 0, 20, 8);
   for (int i = 0; i < 3; ++i) {
     const double y = 2.75 + 2.0 * i;
-    if (std::abs(x - 6.0) <= 0.25 && a >= y - 0.25) return does_not_fit("the notch must end before the holes");
+    if (std::abs(x - 6.0) <= 0.25 && a >= y - 0.25) return does_not_fit("crack_length", a, y - 0.25, "where the notch meets a hole");
     d.hole(fmt::format("hole_{}", i + 1), {6.0, y}, 0.25);
   }
   d.crack("crack", {x, 0}, {x, a});
@@ -158,7 +165,7 @@ Result<Sketch> pmma_beam(const SpecimenParams& p) {
 
 Result<Sketch> double_cantilever(const SpecimenParams& p) {
   const double w = p.width.value_or(100.0), h = p.height.value_or(0.2 * w), a = p.crack.value_or(0.4 * w);
-  if (!(a > 0.0) || a >= w) return does_not_fit("the crack must be shorter than the beams");
+  if (!(a > 0.0) || a >= w) return does_not_fit("crack_length", a, w, "the width");
   Drawing d;
   d.rectangle(0, -0.5 * h, w, 0.5 * h);
   d.crack("crack", {0, 0}, {a, 0});
@@ -169,7 +176,7 @@ Result<Sketch> double_cantilever(const SpecimenParams& p) {
 
 Result<Sketch> brazilian_disc(const SpecimenParams& p) {
   const double r = p.radius.value_or(1.0), a = p.crack.value_or(0.5 * r);
-  if (a >= r) return does_not_fit("the crack must end inside the disc");
+  if (a >= r) return does_not_fit("crack_length", a, r, "the radius of the disc");
   Drawing d;
   d.arc("rim_right", {0, 0}, {0, -r}, {0, r}, Orientation::Anticlockwise);
   d.arc("rim_left", {0, 0}, {0, r}, {0, -r}, Orientation::Anticlockwise);
@@ -179,6 +186,26 @@ Result<Sketch> brazilian_disc(const SpecimenParams& p) {
   return d.take();
 }
 
+/// The sizes that a specimen takes.
+std::vector<std::string> sizes_of(SpecimenKind kind) {
+  switch (kind) {
+    case SpecimenKind::None: return {};
+    case SpecimenKind::PlateWithHole:
+    case SpecimenKind::QuarterPlate: return {"width", "height", "radius"};
+    case SpecimenKind::LShape:
+    case SpecimenKind::Cook: return {"width"};
+    case SpecimenKind::CompactTension: return {"width", "crack_length"};
+    case SpecimenKind::SingleEdgeNotch:
+    case SpecimenKind::DoubleEdgeNotch:
+    case SpecimenKind::ThreePointBend:
+    case SpecimenKind::DoubleCantilever: return {"width", "height", "crack_length"};
+    case SpecimenKind::CentreCrack: return {"width", "height", "crack_length", "angle"};
+    case SpecimenKind::PmmaBeam: return {"crack_length", "position"};
+    case SpecimenKind::BrazilianDisc: return {"radius", "crack_length", "angle"};
+  }
+  return {};
+}
+
 }  // namespace
 
 std::vector<std::string> specimen_names() {
@@ -186,7 +213,20 @@ std::vector<std::string> specimen_names() {
           "compact_tension", "three_point_bend", "pmma_beam", "double_cantilever", "brazilian_disc"};
 }
 
+Result<void> check_sizes(const SpecimenParams& p) {
+  const std::vector<std::string> taken = sizes_of(p.kind);
+  const std::array<std::pair<const char*, bool>, 6> given{{{"width", p.width.has_value()}, {"height", p.height.has_value()}, {"radius", p.radius.has_value()},
+                                                           {"crack_length", p.crack.has_value()}, {"position", p.position.has_value()}, {"angle", p.angle.has_value()}}};
+  for (const auto& [key, is_given] : given) {
+    if (!is_given || std::find(taken.begin(), taken.end(), key) != taken.end()) continue;
+    const std::string who = p.kind == SpecimenKind::None ? std::string("no `specimen` is named") : fmt::format("'{}' takes {}", specimen_names()[static_cast<std::size_t>(p.kind)], fmt::join(taken, ", "));
+    return Error{ErrorCode::BadValue, fmt::format("`{}` is a size that nothing has: {}; remove it", key, who)};
+  }
+  return {};
+}
+
 Result<Sketch> make_specimen(const SpecimenParams& params) {
+  DOBRA_TRY_VOID(check_sizes(params));
   switch (params.kind) {
     case SpecimenKind::None: break;
     case SpecimenKind::PlateWithHole: return plate_with_hole(params);

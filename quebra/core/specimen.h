@@ -38,7 +38,10 @@ struct SpecimenParams {
   std::optional<dobra::base::Angle> angle;
 };
 
-/// @error BadValue for sizes that do not fit together: a hole or crack that leaves the specimen.
+/// @error BadValue for a size that the specimen does not have, which would be left out in silence.
+dobra::base::Result<void> check_sizes(const SpecimenParams& params);
+
+/// @error those of check_sizes; BadValue for sizes that do not fit together: a hole or crack that leaves the specimen.
 dobra::base::Result<Sketch> make_specimen(const SpecimenParams& params);
 
 }  // namespace quebra::core

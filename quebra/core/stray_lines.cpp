@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "quebra/core/open_outline.h"
 #include "shared/geom/intersect.h"
 #include "shared/topo/insert.h"
 
@@ -56,6 +57,7 @@ class Rim {
   }
 
   [[nodiscard]] bool holds(Point p) const { return inside_(p); }
+  [[nodiscard]] const Inside& inside() const { return inside_; }
 
   /// The line with a vertex wherever it meets a side.
   [[nodiscard]] Polyline cut(const Polyline& line) const {
@@ -147,9 +149,9 @@ Result<void> cut_at_crossings(Sketch& sketch) {
   return {};
 }
 
-std::vector<Finding> drop_outside(Sketch& sketch, const std::set<std::string>& lines, const DomainOptions& options) {
+Result<std::vector<Finding>> drop_outside(Sketch& sketch, const std::set<std::string>& lines, const DomainOptions& options) {
   const auto asked = [&](const Curve& curve) { return curve.role == Role::Internal && !closed(curve) && lines.contains(curve.name); };
-  if (std::none_of(sketch.curves.begin(), sketch.curves.end(), asked)) return {};
+  if (std::none_of(sketch.curves.begin(), sketch.curves.end(), asked)) return std::vector<Finding>{};
   Sketch rim_only;
   rim_only.hole_points = sketch.hole_points;
   for (const Curve& curve : sketch.curves) {
@@ -157,8 +159,9 @@ std::vector<Finding> drop_outside(Sketch& sketch, const std::set<std::string>& l
   }
   rim_only.places.resize(rim_only.curves.size());
   const auto domain = make_domain(std::move(rim_only), options);
-  if (!domain) return {};  // said when all of it is put together
+  if (!domain) return std::vector<Finding>{};  // said when all of it is put together
   const Rim rim(*domain);
+  if (auto open = open_outline(sketch.curves, sketch.places, rim.inside(), options.repaired)) return *std::move(open);
   std::vector<Finding> findings;
   for (std::size_t i = 0; i < sketch.curves.size();) {
     const Curve& curve = sketch.curves[i];

@@ -124,7 +124,7 @@ Result<Sketch> sketch_of_paths(const std::vector<SvgPath>& paths) {
       std::string name = shapes->size() == 1 ? outline.name : fmt::format("{}_{}", outline.name, i + 1);
       sketch.curves.push_back(
           {std::move(name), Role::Boundary, std::move((*shapes)[i]), {}});
-      if (!outline.closed) sketch.without_role.insert(sketch.curves.back().name);
+      sketch.without_role.insert(sketch.curves.back().name);
       sketch.places.push_back(outline.place);
     }
   }

@@ -26,6 +26,8 @@ constexpr double automatic_radius = 1.0 / 80.0;
 /// A crack counts as straight as far as it stays in this slope from its tip: with the automatic radius, an arc then strays
 /// by a hundredth of it.
 constexpr double straight_slope = 0.1;
+/// A named point nearer than this share of the rest of the room is the tip, but for rounding.
+constexpr double least_room = 1e-3;
 /// A curve may stray this far, as a fraction of the radius, from the straight spoke that takes its place.
 constexpr double straightness = 0.02;
 
@@ -44,7 +46,7 @@ bool is_tip(const Domain& domain, std::size_t curve, Point end) {
 }
 
 /// The greatest disc round the end s of a curve (0 or its length) with nothing in it but its straight end: no other curve,
-/// no other part of its own; of the ends of a curve that are both tips each has half.
+/// no other part of its own, no named point, where forces may act; of the ends of a curve that are both tips each has half.
 double room_at(const Domain& domain, const Curve& own, double s, Vector ahead, std::size_t tips, const std::string& line_ahead) {
   const Point tip = point(own, s);
   double room = length(own) / static_cast<double>(tips);
@@ -64,6 +66,11 @@ double room_at(const Domain& domain, const Curve& own, double s, Vector ahead, s
     if (i == 0 || std::abs(cross(back, ahead)) <= straight_slope * dot(back, ahead)) continue;
     s == 0.0 ? limit(line, at, count) : limit(line, 0, at + 1);
     break;
+  }
+  const double least = least_room * room;
+  for (const NamedPoint& named : domain.points) {
+    const double gap = distance(named.at, tip);
+    if (!named.name.empty() && gap > least) room = std::min(room, gap);
   }
   return room;
 }
@@ -255,7 +262,7 @@ Result<void> cut_out(MeshInput& input, std::vector<TipRosette>& rosettes) {
       const auto own = holding(at);
       if (used[node.index()] || own == rosettes.end()) continue;
       if (own->rosette.tip != at)
-        return Error{ErrorCode::BadDomain, fmt::format("lies within {:.4g} of the tip of '{}', where the nodes are those of its rosette; move it, or make the tip's elements smaller (tip_radius)", hole_of(*own), own->crack),
+        return Error{ErrorCode::BadDomain, fmt::format("lies within {:.4g} m of the tip of '{}', where the nodes are those of its rosette; move it, or make the tip's elements smaller (tip_radius)", hole_of(*own), own->crack),
                      Place{.item = "point '" + name + "'", .x = at.x, .y = at.y}};
       own->names.push_back(name);
     }

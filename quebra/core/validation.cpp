@@ -420,6 +420,8 @@ base::Result<std::vector<ValidationResult>> validate(const std::vector<Validatio
       result.value = 2.0 * std::log(coarse.value / fine.value) / std::log(fine.unknowns / coarse.unknowns);
     }
     result.error = std::abs(result.value / cases[i].reference - 1.0);
+    if (!std::isfinite(result.error))
+      return base::Error{base::ErrorCode::CannotSolve, fmt::format("'{}' came out as {} against {}, which is no finite number to judge; no result is written", cases[i].name, result.value, cases[i].reference)};
     results.push_back(std::move(result));
   }
   return results;

@@ -30,7 +30,7 @@ Json points_json(const std::vector<dobra::geom::Point>& points) {
 /// The row of the layer below a horizon, if the units are made from horizons.
 const core::UnitRow* layer_below(const core::Model& model, std::size_t horizon) {
   const core::Restoration& restoration = *model.restoration;
-  const auto units = core::ledger_units(model.section, restoration.order);
+  const auto units = core::ledger_units(model.section, restoration.order, model.source->side);
   for (std::size_t i = 0; i < units.size(); ++i) {
     if (units[i].upper == horizon) return &restoration.ledger.units[i];
   }
@@ -56,7 +56,10 @@ Json restored_geometry(const core::Section& section) {
 }
 
 Json error_bars_json(const core::MonteCarlo& result) {
-  Json json = {{"draws", result.params.draws}, {"seed", result.params.seed}, {"balanced_share", result.balanced_share}};
+  Json json = {{"draws", result.params.draws},
+               {"seed", result.params.seed},
+               {"failed", result.failed},
+               {"balanced_share", result.balanced_share}};
   Json list = Json::array();
   for (const core::Spread& s : result.spreads) {
     list.push_back({{"quantity", s.name},
@@ -83,14 +86,14 @@ std::string restoration_json(const core::Model& model, Geometry geometry) {
                {"keeps", core::what_it_keeps(restoration.params.method)},
                {"percent", restoration.params.percent}};
   Json ledger = Json::array();
-  std::set<const core::UnitRow*> layers;
+  std::set<std::string> layers;
   for (std::size_t i = 0; i < restoration.lengths.size(); ++i) {
     const bool growth = restoration.lengths[i].role == core::BedRole::Growth;
     Json entry = {{"name", restoration.lengths[i].name}, {"kind", growth ? "growth" : "horizon"}};
     add_cells(core::cells_of(restoration.lengths[i]), entry);
     const core::UnitRow* layer = layer_below(model, i);
     if (layer != nullptr) {
-      layers.insert(layer);
+      layers.insert(layer->name);
       entry["layer"] = layer->name;
       add_cells(core::cells_of(*layer), entry);
     }
@@ -101,8 +104,8 @@ std::string restoration_json(const core::Model& model, Geometry geometry) {
     add_cells(core::cells_of(row), entry);
     ledger.push_back(std::move(entry));
   }
-  for (const core::UnitRow& row : restoration.ledger.units) {
-    if (model.section.units.empty() && layers.contains(&row)) continue;
+  for (const core::UnitRow& row : core::unit_rows(model)) {
+    if (model.section.units.empty() && layers.contains(row.name)) continue;
     Json entry = {{"name", row.name}, {"kind", row.role == core::BedRole::Outside ? "outside" : "unit"}};
     add_cells(core::cells_of(row), entry);
     ledger.push_back(std::move(entry));
@@ -137,8 +140,9 @@ std::string restoration_table(const core::Model& model) {
   }
   text += fmt::format("\n{:<28} {:>12} {:>12} {:>8} {:>10} {:>10} {:>10}\n", "unit", "before [m2]", "after [m2]", "[%]",
                       "det F-1 %", "mean", "greatest");
-  for (const core::UnitRow& row : restoration.ledger.units) {
-    text += fmt::format("{:<28} {:>12.6g} {:>12.6g} {:>8.3f}", row.name, row.area_before, row.area_after,
+  for (const core::UnitRow& row : core::unit_rows(model)) {
+    const std::string name = row.pieces > 1 ? fmt::format("{} ({} pieces)", row.name, row.pieces) : row.name;
+    text += fmt::format("{:<28} {:>12.6g} {:>12.6g} {:>8.3f}", name, row.area_before, row.area_after,
                         row.change_percent);
     if (row.dilatation) {
       text += fmt::format(" {:>10.3f} {:>10.3f} {:>10.3f}", 100.0 * row.dilatation->least, 100.0 * row.dilatation->mean,

@@ -1,11 +1,13 @@
 #include "recon/core/area_depth.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
+#include "recon/core/palette.h"
 
 namespace recon::core {
 
@@ -39,15 +41,7 @@ bool over_each_other(const Horizon& a, const Horizon& b) {
 
 /// Ramsay's class of each layer between neighbours that is folded enough to have one.
 std::vector<LayerClass> layer_classes(const Section& section) {
-  std::vector<std::vector<const Horizon*>> beds;  // with all their pieces
-  for (const Horizon& horizon : section.horizons) {
-    const auto same = [&](const auto& bed) { return whole_name(*bed.front()) == whole_name(horizon); };
-    const auto bed = std::find_if(beds.begin(), beds.end(), same);
-    if (bed != beds.end())
-      bed->push_back(&horizon);
-    else
-      beds.push_back({&horizon});
-  }
+  const auto beds = whole_horizons(section);
   std::vector<LayerClass> layers;
   for (std::size_t i = 0; i + 1 < beds.size(); ++i) {
     for (const Horizon* upper : beds[i]) {
@@ -64,6 +58,30 @@ std::vector<LayerClass> layer_classes(const Section& section) {
 /// "+- 3 m", or nothing where no interval is known.
 std::string error_text(const std::optional<double>& error) {
   return error ? fmt::format(" +- {:.3g}", *error) : std::string();
+}
+
+/// What is to be said of detachments that do not lie under what they have folded.
+std::vector<std::string> remarks_on_depth(const AreaDepthFit& fit, const std::vector<BedBalance>& beds) {
+  const auto by_level = [](const BedBalance& a, const BedBalance& b) { return a.level < b.level; };
+  const auto [lowest, highest] = std::minmax_element(beds.begin(), beds.end(), by_level);
+  std::vector<std::string> remarks;
+  if (fit.detachment > lowest->level) {
+    const bool over_all = fit.detachment > highest->level;
+    const BedBalance& bed = over_all ? *highest : *lowest;
+    remarks.push_back(fmt::format(
+        "the detachment at z = {:.6g} m comes out above {} '{}' (z = {:.6g} m), but a detachment lies under the beds "
+        "that it folds; check where the beds end, since their regionals are the lines between their ends",
+        fit.detachment, over_all ? "every regional, the highest that of" : "the regional of", bed.name, bed.level));
+  }
+  std::vector<std::string> names;
+  for (const BedBalance& bed : beds) {
+    if (bed.depth && *bed.depth < 0.0) names.push_back('\'' + bed.name + '\'');
+  }
+  if (!names.empty())
+    remarks.push_back(
+        fmt::format("by itself {} gives a detachment above it: more area lies below its regional than above",
+                    fmt::join(names, ", ")));
+  return remarks;
 }
 
 }  // namespace
@@ -139,6 +157,7 @@ base::Result<AreaDepth> area_depth(const Section& section, const BalanceParams& 
                   error_text(fit.displacement_error), fit.detachment, error_text(fit.detachment_error),
                   fit.r_squared ? fmt::format("{:.4g} % confidence, r2 = {:.4f}", params.confidence, *fit.r_squared)
                                 : std::string("two levels leave no freedom, so that no interval is known")));
+  for (std::string& remark : remarks_on_depth(fit, result.beds)) result.remarks.push_back(std::move(remark));
   return result;
 }
 

@@ -1,6 +1,7 @@
 #include "recon/core/grid.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -197,9 +198,27 @@ base::Result<std::vector<double>> distances_for(const GridParams& params, double
 
 namespace {
 
+/// Why a name is that of no horizon.
+std::string why_no_horizon(const Section& section, const std::string& name) {
+  for (const SectionLine& line : section.lines) {
+    if (line.name == name) return fmt::format(": it is the name of a line of kind '{}'", kind_name(line.kind));
+  }
+  for (const Unit& unit : section.units) {
+    if (unit.name == name || unit.piece_of == name)
+      return fmt::format(": it is a unit whose top is no horizon; the horizons are {}",
+                         fmt::join(horizon_names(section), ", "));
+  }
+  return base::did_you_mean(name, horizon_names(section));
+}
+
 base::Result<const Horizon*> top_of(const Section& section, const GridParams& params) {
-  if (section.horizons.empty())
-    return base::Error{base::ErrorCode::BadSection, "the section has no horizon to be the top"};
+  if (section.horizons.empty()) {
+    return base::Error{base::ErrorCode::BadSection,
+                       fmt::format("the section has no horizon to be the top{}",
+                                   section.units.empty() ? ""
+                                                         : "; the edges that its polygons share become horizons with "
+                                                           "--horizons-from-units (horizons_from_units = true)")};
+  }
   const Horizon* top = params.top.empty() ? &section.horizons.front() : find_horizon(section, params.top);
   if (top != nullptr) return top;
   for (const Horizon& horizon : section.horizons) {
@@ -209,7 +228,7 @@ base::Result<const Horizon*> top_of(const Section& section, const GridParams& pa
                                    params.top, horizon.name)};
   }
   return base::Error{base::ErrorCode::BadSection, fmt::format("there is no horizon '{}' to be the top{}", params.top,
-                                                              base::did_you_mean(params.top, horizon_names(section)))};
+                                                              why_no_horizon(section, params.top))};
 }
 
 base::Place item_of(const Horizon& horizon) {

@@ -18,6 +18,8 @@ enum class LayerSide { Auto, Below, Above };
 enum class Treatment { Treated, Untreated };
 enum class CornerJoin { Mitre, Bisector, Round, Bevel };
 enum class Uncovered { Refuse, Continue };
+/// What a grid stands on after a restoration.
+enum class GridFrom { Current, Input };
 
 /// Parameters of the step `grid`.
 struct GridParams {
@@ -32,6 +34,7 @@ struct GridParams {
   CornerJoin join = CornerJoin::Mitre;
   Uncovered uncovered = Uncovered::Refuse;
   double cover_tolerance = 5.0;
+  GridFrom from = GridFrom::Current;
   template <class D>
   static void describe(D& d) {
     d.field("top", &GridParams::top,
@@ -69,6 +72,9 @@ struct GridParams {
              .help = "So much of the top's width goes without saying: traces of one section seldom end at one line.",
              .unit = "%",
              .at_least = 0.0});
+    d.choice("from", &GridParams::from, {"current", "input"},
+             {.title = "Stands on",
+              .help = "current: the section as the steps before leave it; input: as it was read, which begins anew."});
   }
 };
 

@@ -75,6 +75,12 @@ class Importer {
     for (std::size_t i = 0; i < features_.size(); ++i) {
       for (std::size_t part = 0; part < features_[i].parts.size(); ++part) add(i, part);
     }
+    for (const auto& [item, count] : repeated_) {
+      const auto& [table, name] = item;
+      made_.remarks.push_back(fmt::format("{} {}s are called '{}': from the second on they are '{} (2)' and so on{}",
+                                          count, table, name, name,
+                                          table == "polygon" ? ", pieces of one unit" : ""));
+    }
     return std::move(made_);
   }
 
@@ -122,6 +128,7 @@ class Importer {
     const std::string wanted = made.name;
     for (int copy = 2; !names_.insert(made.table + '\n' + made.name).second; ++copy)
       made.name = fmt::format("{} ({})", wanted, copy);
+    if (made.name != wanted) ++repeated_.try_emplace({made.table, wanted}, 1).first->second;
     if (made.table == "polygon") made.piece_of = io::stated_unit(feature);
     if (made.table == "polygon" && made.piece_of.empty() && made.name != wanted) made.piece_of = wanted;
     made_.lines.push_back(std::move(made));
@@ -131,6 +138,7 @@ class Importer {
   std::vector<std::string> tables_;
   std::map<std::string, std::vector<Place>> pieces_;
   std::set<std::string> names_;
+  std::map<std::pair<std::string, std::string>, std::size_t> repeated_;  ///< How many, by table and name.
   Import made_;
 };
 

@@ -16,6 +16,7 @@
 #include "recon/core/section_faces.h"
 #include "recon/core/topography.h"
 #include "recon/core/unit_horizons.h"
+#include "shared/io/section_ends.h"
 #include "shared/scenario/color_table.h"
 
 namespace recon::core {
@@ -251,18 +252,10 @@ void tell_open_ends(const Section& section, std::vector<std::string>& remarks) {
 base::Result<void> set_ends(const SectionInput& input, const ReadSettings& settings,
                             const std::optional<dobra::io::Trace>& plane, Section& section) {
   if (!input.orientation.empty()) {
-    const std::size_t dash = input.orientation.find('-');
-    const auto word = [](std::string text) {
-      text.erase(0, text.find_first_not_of(' '));
-      text.erase(text.find_last_not_of(' ') + 1);
-      return text;
-    };
-    section.left_end = word(input.orientation.substr(0, dash));
-    if (dash != std::string::npos) section.right_end = word(input.orientation.substr(dash + 1));
-    if (!section.left_end.empty() && !section.right_end.empty()) return {};
-    return bad(base::ErrorCode::BadValue,
-               fmt::format("orientation = \"{}\" needs two ends, such as \"W - E\" or \"SSW - NNE\"", input.orientation),
-               "input");
+    const auto ends = dobra::io::ends_of_text(input.orientation);
+    if (!ends) return bad(ends.error().code, "orientation = " + ends.error().message, "input");
+    std::tie(section.left_end, section.right_end) = *ends;
+    return {};
   }
   std::pair<std::string, std::string> ends;
   if (settings.fold_axis) ends = dobra::io::ends_of(dobra::io::azimuth_of(*settings.fold_axis));

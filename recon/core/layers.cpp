@@ -10,9 +10,11 @@
 #include <utility>
 
 #include "recon/core/palette.h"
+#include "recon/core/report.h"
 #include "recon/core/section_faces.h"
 #include "shared/base/parallel.h"
 #include "shared/base/text.h"
+#include "shared/scene/color_map.h"
 #include "shared/scene/unit_colors.h"
 #include "shared/scene/view.h"
 
@@ -28,13 +30,14 @@ constexpr scene::Color rung_color{176, 190, 203, 255};
 constexpr scene::Color fault_color{150, 20, 30, 255};
 constexpr scene::Color pin_color{40, 40, 40, 255};
 constexpr scene::Color surface_color{92, 70, 30, 255};
+constexpr scene::Color carried_color{190, 30, 140, 255};
 /// More rungs than this would be a grey area: then every k-th is shown.
 constexpr std::size_t most_rungs = 160;
 /// The room for plots on a sheet, points: which arrangement of two gives the larger scale.
 constexpr double sheet_width = 760.0;
 constexpr double sheet_height = 240.0;
 constexpr double clearly = 1.4;
-/// With more horizons than this the legend has only the units, each of which has the colour of the horizon above it.
+/// With more horizons than this the legend has only the units, each by the name of the horizon above it.
 constexpr std::size_t most_horizons_in_legend = 12;
 /// More lines or markers of one kind than this share an entry of the legend.
 constexpr std::size_t most_of_a_kind = 3;
@@ -82,6 +85,7 @@ scene::Layer region_layer(std::string key, std::string title, const scene::UnitS
 /// Units filled: the polygons of the section, or what lies between neighbouring horizons.
 void add_units(scene::Panel& panel, const Section& section, const Palette& palette,
                const std::vector<LedgerUnit>& units) {
+  const bool many = whole_horizons(section).size() > most_horizons_in_legend;
   for (std::size_t i = 0; i < units.size(); ++i) {
     const LedgerUnit& unit = units[i];
     const std::string key = "unit_" + std::to_string(i);
@@ -95,7 +99,8 @@ void add_units(scene::Panel& panel, const Section& section, const Palette& palet
     const Horizon& lower = section.horizons[*unit.lower];
     panel.layers.push_back(
         region_layer(key, unit.name, palette.of(whole_name(upper)), contour_between(upper.line, lower.line)));
-    panel.layers.back().legend = fmt::format("{} - {}", whole_name(upper), whole_name(lower));
+    panel.layers.back().legend =
+        many ? whole_name(upper) : fmt::format("{} - {}", whole_name(upper), whole_name(lower));
   }
 }
 
@@ -222,8 +227,11 @@ void add_dilatation(scene::Panel& panel, const DilatationField& field, bool seen
   // A few cells near the medial axis change without bound; the scale is that of the rest.
   const auto nearly_all = sizes.begin() + static_cast<std::ptrdiff_t>(0.98 * static_cast<double>(sizes.size() - 1));
   std::nth_element(sizes.begin(), nearly_all, sizes.end());
-  const double most = std::max(*nearly_all, 1e-6);
+  constexpr double all = 100.0;  // det F itself, percent
+  const bool noise = *nearly_all <= scene::rounding_part * all;
+  const double most = noise ? *std::max_element(sizes.begin(), sizes.end()) : *nearly_all;
   mesh.scale = {translated("det F - 1 [%]"), scene::ColorMapName::CoolWarm, -most, most};
+  scene::settle_constant(mesh, all);
   scene::Style style;
   style.line_width = 0.0;
   panel.layers.push_back(
@@ -333,10 +341,13 @@ void add_ledger(scene::Picture& picture, const Model& model) {
                          {}};
   const auto mean = [&](const std::optional<Range>& range) { return range ? metres(range->mean) : std::string("-"); };
   double largest = 0.0;
-  for (const UnitRow& row : restoration.ledger.units) largest = std::max({largest, row.area_before, row.area_after});
+  const std::vector<UnitRow> rows_of_units = unit_rows(model);
+  for (const UnitRow& row : rows_of_units) largest = std::max({largest, row.area_before, row.area_after});
   const auto area = [&](double value) { return fixed(value, largest); };
-  for (const UnitRow& row : restoration.ledger.units) {
-    units.rows.push_back({row.name, area(row.area_before), area(row.area_after), change_text(row.change_percent),
+  for (const UnitRow& row : rows_of_units) {
+    const std::string name =
+        row.pieces > 1 ? fmt::format("{} ({} {})", row.name, row.pieces, translated("pieces")) : row.name;
+    units.rows.push_back({name, area(row.area_before), area(row.area_after), change_text(row.change_percent),
                           mean(row.thickness_before), mean(row.thickness_after)});
   }
   picture.tables = {std::move(beds)};
@@ -377,20 +388,6 @@ Grid restored_grid(const Model& model) {
     grid.curves.push_back({curve.distance, images_of(curve.pieces, model.restoration->map)});
   grid.rungs = images_of(model.source->grid.rungs, model.restoration->map);
   return grid;
-}
-
-/// Horizons with their pieces, each list in the order of the section.
-std::vector<std::vector<const Horizon*>> whole_horizons(const Section& section) {
-  std::vector<std::vector<const Horizon*>> wholes;
-  for (const Horizon& horizon : section.horizons) {
-    const auto same = [&](const auto& whole) { return whole_name(*whole.front()) == whole_name(horizon); };
-    const auto found = std::find_if(wholes.begin(), wholes.end(), same);
-    if (found != wholes.end())
-      found->push_back(&horizon);
-    else
-      wholes.push_back({&horizon});
-  }
-  return wholes;
 }
 
 void add_horizons(scene::Panel& panel, const Section& section, const Palette& palette) {
@@ -479,6 +476,34 @@ void add_pin(scene::Panel& panel, const geom::Polyline& line) {
                           scene::InLegend::No});
 }
 
+/// What the step carry has carried, in the panel of the state that it is of.
+void add_carried(scene::Panel& panel, const Model& model, std::size_t state) {
+  if (!model.carried) return;
+  const bool before = model.carried->from == state;
+  if (!before && model.carried->to != state) return;
+  scene::Style style;
+  style.line = carried_color;
+  style.line_width = 1.4;
+  scene::Lines lines;
+  std::vector<geom::Point> points;
+  for (const CarriedLine& line : model.carried->lines) {
+    const geom::Polyline& shown = before ? line.before : line.after;
+    if (shown.points.size() == 1) {
+      points.push_back(shown.points.front());
+    } else {
+      lines.lines.push_back(shown);
+    }
+  }
+  if (!lines.lines.empty()) {
+    panel.layers.push_back(
+        {"carried", translated("Carried lines"), style, std::move(lines), true, scene::InLegend::Yes});
+  }
+  if (!points.empty()) {
+    panel.layers.push_back({"carried_points", translated("Carried points"), style,
+                            scene::Markers{std::move(points), {}}, true, scene::InLegend::Yes});
+  }
+}
+
 scene::Panel panel(std::string key, std::string title, const Section& section) {
   scene::Panel made;
   made.key = std::move(key);
@@ -517,18 +542,24 @@ scene::Arrangement arrangement_of(const std::vector<scene::Panel>& panels) {
   return scale(column) > clearly * scale(row) ? scene::Arrangement::Column : scene::Arrangement::Row;
 }
 
+/// Of the section that the earlier stages have left.
+std::string stage_title(const Model& model) {
+  return fmt::format("{} {}", translated("Section after restoration"), model.earlier.size());
+}
+
 }  // namespace
 
 scene::Picture picture_of(const Model& model) {
   scene::Picture picture;
   picture.paper = scene::Paper::A4Landscape;
   const Palette palette(model.section);
-  scene::Panel before = panel("deformed", translated("Deformed section"), model.section);
+  scene::Panel before = panel(
+      "deformed", model.earlier.empty() ? translated("Deformed section") : stage_title(model), model.section);
   add_backdrops(before, model.section);
   std::vector<LedgerUnit> units;
   if (model.restoration) {
     const Restoration& restoration = *model.restoration;
-    units = ledger_units(model.section, restoration.order);
+    units = ledger_units(model.section, restoration.order, model.source->side);
     const bool keeps_area = restoration.params.method == RestoreMethod::Flexural ||
                             restoration.params.method == RestoreMethod::Shear ||
                             restoration.params.method == RestoreMethod::Variable;
@@ -537,12 +568,13 @@ scene::Picture picture_of(const Model& model) {
     add_dilatation(before, restoration.ledger.field, !keeps_area);
     add_ellipses(before, restoration.ledger.strains, 0.008 * box_of(model.section).diagonal());
   } else {
-    add_units(before, model.section, palette, ledger_units(model.section, {}));
+    add_units(before, model.section, palette, ledger_units(model.section, {}, LayerSide::Below));
   }
   if (!model.section.backdrops.empty()) make_translucent(before);
   if (model.source) add_grid(before, model.source->grid, "source_grid");
   add_items(before, model.section, palette);
   add_horizons(before, model.section, palette);
+  add_carried(before, model, model.earlier.size());
   if (model.target) {
     const Target& target = *model.target;
     const ColumnPoint pin = target.map.locate(target.source_pin).at;
@@ -560,6 +592,7 @@ scene::Picture picture_of(const Model& model) {
     if (model.restoration) {
       add_items(after, model.restoration->section, palette);
       add_horizons(after, model.restoration->section, palette);
+      add_carried(after, model, model.earlier.size() + 1);
     } else {
       scene::Style style;
       const Horizon* top = find_horizon(model.section, model.source->top);

@@ -208,10 +208,11 @@ void join(Part part, Ledger& ledger) {
 
 }  // namespace
 
-std::vector<LedgerUnit> ledger_units(const Section& section, const std::vector<HorizonId>& order) {
+std::vector<LedgerUnit> ledger_units(const Section& section, std::vector<HorizonId> order, LayerSide side) {
   std::vector<LedgerUnit> units;
   for (const Unit& unit : section.units) units.push_back({unit.name, unit.id, {}, {}});
   if (!units.empty()) return units;
+  if (side == LayerSide::Above) std::reverse(order.begin(), order.end());
   const auto index_of = [&](HorizonId id) {
     const auto is = [&](const Horizon& horizon) { return horizon.id == id; };
     return static_cast<std::size_t>(std::find_if(section.horizons.begin(), section.horizons.end(), is) -

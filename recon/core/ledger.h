@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "recon/core/balance.h"
+#include "recon/core/grid.h"
 #include "recon/core/section.h"
 #include "recon/core/section_map.h"
 #include "recon/core/strain.h"
@@ -31,13 +32,15 @@ struct LedgerUnit {
   std::optional<std::size_t> lower;
 };
 
-/// The polygons of the section, or, if it has none, one unit between each two neighbours of `order`.
-std::vector<LedgerUnit> ledger_units(const Section& section, const std::vector<HorizonId>& order);
+/// The polygons of the section, or, if it has none, one unit between each two neighbours, from the top down.
+/// @param order  of the horizons, from the base of the grid to the side on which the layers lie.
+std::vector<LedgerUnit> ledger_units(const Section& section, std::vector<HorizonId> order, LayerSide side);
 
 /// One unit. Areas in m2, thicknesses in metres, across the beds: from points of the upper horizon to the nearest point
 /// of the lower one (not to its ends).
 struct UnitRow {
   std::string name;
+  std::size_t pieces = 1;  ///< So many polygons together.
   double area_before = 0.0;
   double area_after = 0.0;
   double change_percent = 0.0;            ///< (after - before) / before.

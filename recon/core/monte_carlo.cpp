@@ -28,7 +28,7 @@ class Draws {
   Draws(const Section& section, const SourceGrid& source, const Target& target, const RestoreParams& restore,
         const MonteCarloParams& params)
       : section_(section), source_(source), target_(target), restore_(restore), params_(params) {
-    for (LedgerUnit& unit : ledger_units(section, horizons_in_order(section, source, target))) {
+    for (LedgerUnit& unit : ledger_units(section, horizons_in_order(section, source, target), source.side)) {
       if (!unit.unit) units_.push_back(std::move(unit));
     }
     std::vector<geom::Polyline> contours;
@@ -78,7 +78,12 @@ class Draws {
     restore.angle = restore.angle + normal(number, angle_stream) * params_.angle_error;
     auto made = make_method_map(section, *source, *target, method_params(restore));
     if (!made) return {};
-    return measure(section, drawn.contours, *made, target->map);
+    std::vector<double> numbers = measure(section, drawn.contours, *made, target->map);
+    // Only a thickness may be missing: the map has no image of a line whose other numbers are none.
+    for (std::size_t k = 0; k < names_.size(); ++k) {
+      if (!std::isfinite(numbers[k]) && names_[k].name.find(".thickness_") == std::string::npos) return {};
+    }
+    return numbers;
   }
 
  private:
@@ -214,8 +219,9 @@ base::Result<MonteCarlo> monte_carlo(const Section& section, const SourceGrid& s
     }
   }
   if (result.failed == count) {
-    return base::Error{base::ErrorCode::CannotRestore,
-                       "no draw could be restored; are the errors larger than the section allows?"};
+    return base::Error{
+        base::ErrorCode::CannotRestore,
+        fmt::format("none of {} draws could be restored; are the errors larger than the section allows?", count)};
   }
   for (std::size_t k = 0; k < draws.names().size(); ++k) {
     if (columns[k].empty()) continue;

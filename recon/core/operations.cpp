@@ -10,6 +10,7 @@
 namespace recon::core {
 
 namespace scenario = dobra::scenario;
+namespace scene = dobra::scene;
 
 namespace {
 
@@ -23,15 +24,32 @@ base::Result<void> check_section(Section& section, Crossings crossings) {
   return refuse_lines_outside(section);
 }
 
+/// A new stage in hand with nothing but its section. What a stage gave that was not restored is forgotten.
+base::Result<Model> next_stage(const Model& model, GridFrom from) {
+  Model next;
+  next.remarks = model.remarks;
+  next.area_depth = model.area_depth;
+  next.area_balance = model.area_balance;
+  if (from == GridFrom::Input) {
+    next.section = input_section(model);
+    return next;
+  }
+  next.earlier = model.earlier;
+  if (!model.restoration) {
+    next.section = model.section;
+    return next;
+  }
+  DOBRA_TRY(next.section, section_after(model));
+  next.earlier.push_back(std::make_shared<const Stage>(model));
+  return next;
+}
+
 }  // namespace
 
 base::Result<Model> run_grid(const Model& model, const GridParams& params, const scenario::Context&,
                              const base::Progress& progress) {
-  Model next = model;
-  next.target.reset();
-  next.restoration.reset();
-  next.monte_carlo.reset();
-  DOBRA_TRY(next.section, with_topography_as_horizon(model.section, params.top));
+  DOBRA_TRY(Model next, next_stage(model, params.from));
+  DOBRA_TRY(next.section, with_topography_as_horizon(std::move(next.section), params.top));
   DOBRA_TRY(next.source, make_source_grid(next.section, params, progress));
   return next;
 }
@@ -45,6 +63,7 @@ base::Result<Model> run_target(const Model& model, const TargetParams& params, c
   Model next = model;
   next.restoration.reset();
   next.monte_carlo.reset();
+  next.carried.reset();
   DOBRA_TRY(next.target, make_target(model.section, *model.source, params, context, progress));
   return next;
 }
@@ -59,6 +78,7 @@ base::Result<Model> run_restore(const Model& model, const RestoreParams& params,
   }
   Model next = model;
   next.monte_carlo.reset();
+  next.carried.reset();
   DOBRA_TRY_VOID(check_section(next.section, params.crossings));
   DOBRA_TRY(next.restoration, restore(next.section, *model.source, *model.target, params, progress));
   return next;
@@ -66,9 +86,11 @@ base::Result<Model> run_restore(const Model& model, const RestoreParams& params,
 
 base::Result<Model> run_balance(const Model& model, const BalanceParams& params, const scenario::Context&,
                                 const base::Progress&) {
+  Section section = input_section(model);
+  DOBRA_TRY_VOID(check_section(section, params.crossings));
   Model next = model;
-  DOBRA_TRY_VOID(check_section(next.section, params.crossings));
-  DOBRA_TRY(next.area_depth, area_depth(next.section, params));
+  DOBRA_TRY(next.area_depth, area_depth(section, params));
+  if (model.earlier.empty()) next.section = std::move(section);  // it may have got its faces
   return next;
 }
 
@@ -91,6 +113,18 @@ base::Result<Model> run_monte_carlo(const Model& model, const MonteCarloParams& 
   return next;
 }
 
+base::Result<Model> run_carry(const Model& model, const CarryParams& params, const scenario::Context& context,
+                              const base::Progress&) {
+  const std::vector<const Stage*> chain = restored_stages(model);
+  if (chain.empty()) {
+    return base::Error{base::ErrorCode::CannotRestore,
+                       "nothing is restored yet that could carry a line; put a step 'restore' before it"};
+  }
+  Model next = model;
+  DOBRA_TRY(next.carried, carry_lines(chain, params, context));
+  return next;
+}
+
 namespace {
 
 base::Result<scenario::State> read_input(const scenario::Table& table, const scenario::Context& context,
@@ -108,6 +142,13 @@ scenario::Program make_program() {
   recon.title = "RECON";
   recon.input_fields = scenario::fields_of<SectionInput>();
   recon.read_input = read_input;
+  recon.results = scenario::make_results<Model>({
+      .quantities = [](const Model& model, auto& list) { list = quantities_of(model); },
+      .tables = [](const Model& model, auto& list) { list = tables_of(model); },
+      .remarks = [](const Model& model, auto& list) { list = remarks_of(model); },
+      .outputs = [](const std::shared_ptr<const Model>& model, auto& list) { list = outputs_of(model); },
+      .draw = [](const Model& model, scene::Picture& picture) { picture = picture_of(model); },
+  });
   recon.operations = {
       scenario::make_operation<Model, GridParams>(
           "grid", "Source grid", "Offset curves of the top of the section and the transversals between them.",
@@ -118,6 +159,9 @@ scenario::Program make_program() {
       scenario::make_operation<Model, RestoreParams>(
           "restore", "Restore", "Carries every point of the section from the source grid to the target grid.",
           run_restore),
+      scenario::make_operation<Model, CarryParams>(
+          "carry", "Carry", "Points, lines or polygons of one state of the section, carried to another, forward or back.",
+          run_carry),
       scenario::make_operation<Model, MonteCarloParams>(
           "monte_carlo", "Error bars",
           "Restores the section again and again with picks, pin and angle drawn from their errors.", run_monte_carlo),
@@ -128,13 +172,6 @@ scenario::Program make_program() {
           "area_balance", "Area balance",
           "Shortening from the area of a section and the thickness that its layers had, with errors.",
           run_area_balance)};
-  recon.picture_of = [](const scenario::State& state) { return picture_of(scenario::model_of<Model>(state)); };
-  recon.quantities_of = [](const scenario::State& state) { return quantities_of(scenario::model_of<Model>(state)); };
-  recon.remarks_of = [](const scenario::State& state) { return remarks_of(scenario::model_of<Model>(state)); };
-  recon.tables_of = [](const scenario::State& state) { return tables_of(scenario::model_of<Model>(state)); };
-  recon.outputs_of = [](const scenario::State& state) {
-    return outputs_of(std::static_pointer_cast<const Model>(state));
-  };
   return recon;
 }
 

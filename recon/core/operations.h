@@ -10,7 +10,9 @@
 
 namespace recon::core {
 
-/// Source grid on the top of the section. Forgets the target and the restoration that stood on an earlier grid.
+/// Source grid on the top of the current section: what is restored becomes an earlier stage, and the restored section
+/// that of a new one. What was not restored yet is forgotten.
+/// @error those of make_source_grid and section_after.
 base::Result<Model> run_grid(const Model& model, const GridParams& params, const dobra::scenario::Context& context,
                              const base::Progress& progress);
 /// Target geometry and target grid. @error CannotRestore without a grid.
@@ -20,7 +22,11 @@ base::Result<Model> run_target(const Model& model, const TargetParams& params, c
 base::Result<Model> run_restore(const Model& model, const RestoreParams& params,
                                 const dobra::scenario::Context& context, const base::Progress& progress);
 
-/// Excess areas, bed lengths and the detachment of the section as it is.
+/// Points, lines and polygons from one state of the chain to another. @error CannotRestore without a restoration.
+base::Result<Model> run_carry(const Model& model, const CarryParams& params, const dobra::scenario::Context& context,
+                              const base::Progress& progress);
+
+/// Excess areas, bed lengths and the detachment of the section as it was read.
 base::Result<Model> run_balance(const Model& model, const BalanceParams& params,
                                 const dobra::scenario::Context& context, const base::Progress& progress);
 /// Shortening from the area of a polygon with errors.

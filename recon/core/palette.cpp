@@ -1,8 +1,23 @@
 #include "recon/core/palette.h"
 
+#include <algorithm>
+
 namespace recon::core {
 
 namespace scene = dobra::scene;
+
+std::vector<std::vector<const Horizon*>> whole_horizons(const Section& section) {
+  std::vector<std::vector<const Horizon*>> wholes;
+  for (const Horizon& horizon : section.horizons) {
+    const auto same = [&](const auto& whole) { return whole_name(*whole.front()) == whole_name(horizon); };
+    const auto found = std::find_if(wholes.begin(), wholes.end(), same);
+    if (found != wholes.end())
+      found->push_back(&horizon);
+    else
+      wholes.push_back({&horizon});
+  }
+  return wholes;
+}
 
 Palette::Palette(const Section& section) {
   for (const Horizon& horizon : section.horizons) horizons_.emplace(whole_name(horizon), horizons_.size());

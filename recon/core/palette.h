@@ -9,6 +9,9 @@
 
 namespace recon::core {
 
+/// Horizons with their pieces, each list in the order of the section.
+std::vector<std::vector<const Horizon*>> whole_horizons(const Section& section);
+
 /// How the horizons of a section, the rock below each, and its polygons are drawn: horizons by their places in the
 /// section, polygons by those of their names; pieces of one horizon or unit alike.
 class Palette {

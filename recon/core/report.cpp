@@ -1,5 +1,8 @@
 #include "recon/core/report.h"
 
+#include <algorithm>
+
+#include "recon/core/palette.h"
 #include "recon/core/section_faces.h"
 #include "shared/base/text.h"
 #include "shared/io/file.h"
@@ -51,7 +54,13 @@ void add_restored_quantities(const Model& model, std::vector<scenario::Quantity>
   }
   for (const LineLength& row : totals_of(restoration.lengths))
     add_cells("horizon." + row.name + ".", cells_of(row), quantities);
-  for (const UnitRow& row : restoration.ledger.units) add_cells("unit." + row.name + ".", cells_of(row), quantities);
+  const std::vector<UnitRow> units = unit_rows(model);
+  for (const UnitRow& row : units) add_cells("unit." + row.name + ".", cells_of(row), quantities);
+  for (const UnitRow& row : restoration.ledger.units) {
+    const auto same = [&](const UnitRow& unit) { return unit.name == row.name; };
+    if (std::none_of(units.begin(), units.end(), same))
+      add_cells("unit." + row.name + ".", cells_of(row), quantities);
+  }
   quantities.push_back({"points", number(points), ""});
   quantities.push_back({"points_outside", number(outside), ""});
   quantities.push_back({"points_beyond_ends", number(beyond), ""});
@@ -77,6 +86,7 @@ void add_balance_quantities(const Model& model, std::vector<scenario::Quantity>&
       quantities.push_back({prefix + "median", spread.median, spread.unit});
       quantities.push_back({prefix + "high", spread.high, spread.unit});
     }
+    quantities.push_back({"error.failed", number(model.monte_carlo->failed), ""});
     quantities.push_back({"error.balanced_share", model.monte_carlo->balanced_share, ""});
   }
   if (model.area_depth) {
@@ -156,6 +166,50 @@ std::vector<io::Feature> restored_features(const Section& section) {
 }
 
 namespace {
+
+/// Every bed and unit in every state that the chain has gone through, and what changed since the input.
+scenario::DataTable stages_table(const std::vector<const Stage*>& chain) {
+  scenario::DataTable table{"stages", {"state", "kind", "name", "before [m or m2]", "after", "change since input [%]"}, {}};
+  for (std::size_t k = 1; k <= chain.size(); ++k) {
+    const Comparison whole = compare(chain, 0, k);
+    const auto add = [&](const char* kind, const std::vector<Compared>& rows) {
+      for (const Compared& row : rows)
+        table.rows.push_back({number(k), kind, row.name, row.before, row.after, row.change_percent()});
+    };
+    add("horizon", whole.beds);
+    add("unit", whole.units);
+  }
+  return table;
+}
+
+scenario::DataTable carried_table(const CarriedLines& carried) {
+  scenario::DataTable table{
+      "carried", {"line", "x before [m]", "z before [m]", "x after [m]", "z after [m]", "way back misses [m]"}, {}};
+  for (std::size_t l = 0; l < carried.lines.size(); ++l) {
+    const CarriedLine& line = carried.lines[l];
+    for (std::size_t i = 0; i < line.points.size(); ++i) {
+      const geom::Point before = line.before.points[i];
+      const CarriedPoint& after = line.points[i];
+      table.rows.push_back({number(l + 1), before.x, before.y, after.at.x, after.at.y, after.misses});
+    }
+  }
+  return table;
+}
+
+std::vector<io::Feature> carried_features(const CarriedLines& carried) {
+  std::vector<io::Feature> features;
+  for (std::size_t l = 0; l < carried.lines.size(); ++l) {
+    const auto add = [&](const geom::Polyline& line, const char* kind) {
+      const io::FeatureType type = line.closed              ? io::FeatureType::Polygons
+                                   : line.points.size() > 1 ? io::FeatureType::Lines
+                                                            : io::FeatureType::Points;
+      add_feature(type, "line " + std::to_string(l + 1), kind, l, line, features);
+    };
+    add(carried.lines[l].before, "before");
+    add(carried.lines[l].after, "after");
+  }
+  return features;
+}
 
 scenario::DataTable strain_table(const std::vector<Strain>& strains) {
   scenario::DataTable table{
@@ -239,8 +293,54 @@ std::vector<scenario::Quantity> quantities_of(const Model& model) {
     quantities.push_back({"columns", number(model.target->map.source().inner_count()), ""});
   }
   if (model.restoration) add_restored_quantities(model, quantities);
+  if (!model.earlier.empty()) {
+    quantities.push_back({"stages", number(model.earlier.size()), ""});
+    const auto chain = restored_stages(model);
+    const Comparison whole = compare(chain, 0, chain.size());
+    for (const Compared& row : whole.beds)
+      quantities.push_back({"since_input.horizon." + row.name + ".change_percent", row.change_percent(), "%"});
+    for (const Compared& row : whole.units)
+      quantities.push_back({"since_input.unit." + row.name + ".change_percent", row.change_percent(), "%"});
+  }
   add_balance_quantities(model, quantities);
   return quantities;
+}
+
+namespace {
+
+/// Adds another piece of the unit.
+void add_piece(const UnitRow& piece, UnitRow& whole) {
+  ++whole.pieces;
+  if (whole.dilatation && piece.dilatation) {
+    Range& all = *whole.dilatation;
+    const Range& more = *piece.dilatation;
+    all.mean = (all.mean * whole.area_before + more.mean * piece.area_before) / (whole.area_before + piece.area_before);
+    all.least = std::min(all.least, more.least);
+    all.greatest = std::max(all.greatest, more.greatest);
+  }
+  whole.area_before += piece.area_before;
+  whole.area_after += piece.area_after;
+  whole.change_percent = 100.0 * (whole.area_after - whole.area_before) / whole.area_before;
+}
+
+}  // namespace
+
+std::vector<UnitRow> unit_rows(const Model& model) {
+  const std::vector<UnitRow>& rows = model.restoration->ledger.units;
+  const Palette palette(model.section);
+  std::vector<UnitRow> wholes;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const bool polygon = i < model.section.units.size();
+    const std::string& name = polygon ? palette.whole_of(model.section.units[i].id) : rows[i].name;
+    const auto whole = std::find_if(wholes.begin(), wholes.end(), [&](const UnitRow& w) { return w.name == name; });
+    if (polygon && whole != wholes.end()) {
+      add_piece(rows[i], *whole);
+      continue;
+    }
+    wholes.push_back(rows[i]);
+    wholes.back().name = name;
+  }
+  return wholes;
 }
 
 std::vector<RowCell> cells_of(const LineLength& row) {
@@ -264,7 +364,9 @@ std::vector<RowCell> cells_of(const UnitRow& row) {
   const auto percent = [&](double Range::*member) {
     return row.dilatation ? std::optional(100.0 * (*row.dilatation).*member) : std::nullopt;
   };
-  return {{"area_before", "m2", row.area_before},
+  const auto pieces = row.pieces > 1 ? std::optional(number(row.pieces)) : std::nullopt;
+  return {{"pieces", "", pieces},
+          {"area_before", "m2", row.area_before},
           {"area_after", "m2", row.area_after},
           {"area_change_percent", "%", row.change_percent},
           {"thickness_min_before", "m", part(row.thickness_before, &Range::least)},
@@ -302,9 +404,11 @@ std::vector<scenario::DataTable> tables_of(const Model& model) {
     tables.push_back(row_table("line_length", "horizon", model.restoration->lengths));
     if (const auto totals = totals_of(model.restoration->lengths); !totals.empty())
       tables.push_back(row_table("horizons_in_pieces", "horizon", totals));
-    tables.push_back(row_table("units", "unit", model.restoration->ledger.units));
+    tables.push_back(row_table("units", "unit", unit_rows(model)));
     tables.push_back(strain_table(model.restoration->ledger.strains));
   }
+  if (!model.earlier.empty()) tables.push_back(stages_table(restored_stages(model)));
+  if (model.carried) tables.push_back(carried_table(*model.carried));
   if (model.monte_carlo) {
     scenario::DataTable table{"error_bars", {"quantity", "unit", "mean", "deviation", "low", "median", "high"}, {}};
     for (const Spread& s : model.monte_carlo->spreads)
@@ -320,11 +424,16 @@ std::vector<std::string> remarks_of(const Model& model) {
   const auto add = [&](const std::vector<std::string>& more) {
     remarks.insert(remarks.end(), more.begin(), more.end());
   };
+  for (std::size_t k = 0; k < model.earlier.size(); ++k) {
+    for (const std::string& remark : model.earlier[k]->restoration->remarks)
+      remarks.push_back("restoration " + std::to_string(k + 1) + ": " + remark);
+  }
   if (model.source) add(model.source->remarks);
   if (model.target) add(model.target->remarks);
   if (model.restoration) add(model.restoration->remarks);
   if (model.monte_carlo) add(model.monte_carlo->remarks);
   if (model.area_depth) add(model.area_depth->remarks);
+  if (model.carried) add(model.carried->remarks);
   return remarks;
 }
 
@@ -352,6 +461,11 @@ std::vector<scenario::Output> outputs_of(const std::shared_ptr<const Model>& mod
                        }});
     outputs.push_back({"restored.csv",
                        [model](const Path& path) { return io::write_file(path, restored_csv(*model->restoration)); }});
+  }
+  if (model->carried) {
+    outputs.push_back({"carried.geojson", [model](const Path& path) {
+                         return io::write_geojson(path.string(), carried_features(*model->carried));
+                       }});
   }
   return outputs;
 }

@@ -210,8 +210,9 @@ base::Result<Restoration> restore(const Section& section, const SourceGrid& sour
     remark_on(section.horizons[i].name, restoration.lines[i], words, restoration.remarks);
   carry_the_rest(map, restoration.section);
   restoration.order = order_of(section, source.top, restoration.lines, target.map.source());
-  DOBRA_TRY(restoration.ledger, draw_up(section, ledger_units(section, restoration.order), restoration.lines, map,
-                                        made.ends ? *made.ends : map, {}, progress));
+  const std::vector<LedgerUnit> units = ledger_units(section, restoration.order, source.side);
+  DOBRA_TRY(restoration.ledger,
+            draw_up(section, units, restoration.lines, map, made.ends ? *made.ends : map, {}, progress));
   for (const UnitRow& row : restoration.ledger.units) {
     if (!row.tears.empty())
       restoration.remarks.push_back(fmt::format("unit '{}' {}", row.name, tears_text(row.tears, words)));

@@ -736,6 +736,58 @@
         <translation>Lado</translation>
     </message>
     <message>
+        <source>Carried lines</source>
+        <translation>Linhas transportadas</translation>
+    </message>
+    <message>
+        <source>Carried points</source>
+        <translation>Pontos transportados</translation>
+    </message>
+    <message>
+        <source>Section after restoration</source>
+        <translation>Seção após a restauração</translation>
+    </message>
+    <message>
+        <source>In any format of lines, like a horizon&apos;s.</source>
+        <translation>Em qualquer formato de linhas, como o de um horizonte.</translation>
+    </message>
+    <message>
+        <source>Instead of a file: one point, a line, or a polygon whose last point repeats the first.</source>
+        <translation>Em vez de um arquivo: um ponto, uma linha ou um polígono cujo último ponto repete o primeiro.</translation>
+    </message>
+    <message>
+        <source>Points, lines or polygons of one state of the section, carried to another, forward or back.</source>
+        <translation>Pontos, linhas ou polígonos de um estado da seção, transportados para outro, para a frente ou para trás.</translation>
+    </message>
+    <message>
+        <source>Stands on</source>
+        <translation>Apoia-se em</translation>
+    </message>
+    <message>
+        <source>To state</source>
+        <translation>Para o estado</translation>
+    </message>
+    <message>
+        <source>From state</source>
+        <translation>Do estado</translation>
+    </message>
+    <message>
+        <source>Carry</source>
+        <translation>Transportar</translation>
+    </message>
+    <message>
+        <source>0 is the input, k the section after k restorations.</source>
+        <translation>0 é a entrada, k a seção após k restaurações.</translation>
+    </message>
+    <message>
+        <source>By default the last.</source>
+        <translation>Por padrão, o último.</translation>
+    </message>
+    <message>
+        <source>current: the section as the steps before leave it; input: as it was read, which begins anew.</source>
+        <translation>current: a seção como os passos anteriores a deixam; input: como foi lida, o que recomeça.</translation>
+    </message>
+    <message>
         <source>Simplify the top</source>
         <translation>Simplificar o topo</translation>
     </message>
@@ -1192,6 +1244,14 @@
         <translation>Conserta pontos repetidos, espinhos, duplicatas, vãos, lascas e cruzamentos de contornos, e lista cada um com o seu lugar.</translation>
     </message>
     <message>
+        <source>Widest gap</source>
+        <translation>Maior vão</translation>
+    </message>
+    <message>
+        <source>That repair closes between ends of curves; 1/1000 of the drawing's diagonal by default, 1/10 at most.</source>
+        <translation>Que o conserto fecha entre pontas de curvas; por omissão 1/1000 da diagonal do desenho, no máximo 1/10.</translation>
+    </message>
+    <message>
         <source>Their two lips come apart; they may branch, cross and reach the boundary.</source>
         <translation>As suas duas faces se separam; podem ramificar-se, cruzar-se e chegar ao contorno.</translation>
     </message>
@@ -1276,8 +1336,8 @@
         <translation>Elementos da ponta</translation>
     </message>
     <message>
-        <source>Length of the quarter-point elements, of the first mesh in a loop; 0 takes 1/80 of the room round the tip: straight end of the crack, ligament, other tips.</source>
-        <translation>Comprimento dos elementos de quarto de ponto, da primeira malha num laço adaptativo; 0 toma 1/80 do espaço em volta da ponta: fim reto da trinca, ligamento, outras pontas.</translation>
+        <source>Length of the quarter-point elements, of the first mesh in a loop; 0 takes 1/80 of the room round the tip: straight end of the crack, ligament, other tips, named points.</source>
+        <translation>Comprimento dos elementos de quarto de ponto, da primeira malha num laço adaptativo; 0 toma 1/80 do espaço em volta da ponta: fim reto da trinca, ligamento, outras pontas, pontos com nome.</translation>
     </message>
     <message>
         <source>QUEBRA</source>
@@ -2502,6 +2562,10 @@
     <message>
         <source>all pieces</source>
         <translation>todos os trechos</translation>
+    </message>
+    <message>
+        <source>pieces</source>
+        <translation>partes</translation>
     </message>
     <message>
         <source>The grid stands on the top with fewer points, nowhere farther from it than this; unsteady lines need it.</source>

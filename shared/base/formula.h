@@ -7,17 +7,29 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "shared/base/result.h"
 
 namespace dobra::base {
 
+/// What the user wrote, where the formula is a part of it.
+struct FormulaPlace {
+  std::string called = "formula";
+  std::string whole;      ///< Empty: the formula is all.
+  std::size_t begin = 0;  ///< Of the formula in it, bytes.
+};
+
+/// Which character of UTF-8 text, from 1, begins at or holds byte `at`, from 0.
+std::size_t character_number(std::string_view text, std::size_t at);
+
 class Formula {
  public:
   /// @param names  what stands for the values of `at`, in their order.
-  /// @error BadValue with the column (from 1) of what cannot be read; a name that is not known comes with a suggestion.
-  static Result<Formula> make(const std::string& text, std::span<const std::string> names);
+  /// @error BadValue with the column (character from 1) of what cannot be read; a name that is not known comes with a suggestion, or
+  ///        with those there are.
+  static Result<Formula> make(const std::string& text, std::span<const std::string> names, const FormulaPlace& within = {});
 
   /// The value where the names have these values; not finite where the formula is not defined. Any number of threads
   /// may ask at once.

@@ -86,6 +86,7 @@ class CommandLine {
   }
 
   int run(int argc, char** argv) {
+    words_.assign(argv, argv + argc);
     if (const auto word = misspelt_command(argc, argv)) {
       return usage_error(
           program_.name, "",
@@ -133,6 +134,14 @@ class CommandLine {
     return word;
   }
 
+  /// The flag that stands before a word of the command line, as if the word were its value; empty if none does.
+  [[nodiscard]] std::string flag_before(const CLI::App& app, const std::string& word) const {
+    const auto at = std::find(words_.begin(), words_.end(), word);
+    if (at == words_.end() || at == words_.begin()) return {};
+    const CLI::Option* option = app.get_option_no_throw(*(at - 1));
+    return option != nullptr && option->get_items_expected_max() == 0 ? *(at - 1) : std::string();
+  }
+
   /// CLI11's "not expected: --ouut x" with a suggestion for the first of them.
   [[nodiscard]] std::string unexpected(const std::string& message) const {
     const std::size_t colon = message.find(": ");
@@ -141,8 +150,10 @@ class CommandLine {
     std::string word = extras.substr(0, extras.find(' '));
     word = word.substr(0, word.find('='));
     const auto parsed = app_.get_subcommands();
-    return fmt::format("unexpected argument '{}'{}", word,
-                       base::did_you_mean(word, option_names(parsed.empty() ? app_ : *parsed.front())));
+    const CLI::App& app = parsed.empty() ? app_ : *parsed.front();
+    if (const std::string flag = flag_before(app, word); !flag.empty())
+      return fmt::format("unexpected argument '{}': {} before it takes no value", word, flag);
+    return fmt::format("unexpected argument '{}'{}", word, base::did_you_mean(word, option_names(app)));
   }
 
   static int exit_code_of(Session& session, const Error& error) {
@@ -185,6 +196,7 @@ class CommandLine {
   const Window& window_;
   Flags flags_;
   std::string file_;
+  std::vector<std::string> words_;  ///< The command line.
   CLI::App app_;
   std::vector<std::pair<CLI::App*, Job>> jobs_;
 };

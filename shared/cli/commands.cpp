@@ -50,19 +50,14 @@ base::Result<void> write_results(Session& session, const RunOptions& options, co
                                  const scenario::State& state, const std::string& report, const Staging& staging) {
   const scenario::Program& program = session.program;
   DOBRA_TRY_VOID(io::write_file(staging.path("report.json"), report));
-  if (program.tables_of) {
-    for (const scenario::DataTable& table : program.tables_of(state)) {
-      DOBRA_TRY_VOID(io::write_file(staging.path(table.name + ".csv"), scenario::csv_text(table)));
-    }
+  for (const scenario::DataTable& table : program.tables_of(state))
+    DOBRA_TRY_VOID(io::write_file(staging.path(table.name + ".csv"), scenario::csv_text(table)));
+  for (const scenario::Output& output : program.outputs_of(state)) {
+    DOBRA_TRY_VOID(session.check());
+    DOBRA_TRY_VOID(output.write(staging.path(output.file_name)));
+    for (const std::string& loss : output.losses) session.note(loss);
   }
-  if (program.outputs_of) {
-    for (const scenario::Output& output : program.outputs_of(state)) {
-      DOBRA_TRY_VOID(session.check());
-      DOBRA_TRY_VOID(output.write(staging.path(output.file_name)));
-      for (const std::string& loss : output.losses) session.note(loss);
-    }
-  }
-  if (program.picture_of) DOBRA_TRY_VOID(write_pictures(session, options, picture_of(program, document, state), staging));
+  if (program.results.draw) DOBRA_TRY_VOID(write_pictures(session, options, picture_of(program, document, state), staging));
   return session.check();
 }
 
@@ -107,7 +102,7 @@ base::Result<int> run_job(Session& session, const RunOptions& options) {
   } else if (session.options.verbosity != Verbosity::Quiet) {
     DOBRA_TRY_VOID(print(summary(document, options, files, verdicts.size(), failures)));
   }
-  return failures > 0 || scenario::reached(session.program, run.states.back()) == false ? 1 : 0;
+  return failures > 0 || session.program.reached(run.states.back()) == false ? 1 : 0;
 }
 
 base::Result<int> render_job(Session& session, const RenderOptions& options) {
@@ -166,15 +161,11 @@ base::Result<scenario::Run> run_steps(Session& session, const scenario::Document
 }
 
 void tell(Session& session, const scenario::State& state) {
-  if (session.program.quantities_of) {
-    for (const scenario::Quantity& quantity : session.program.quantities_of(state)) {
-      session.detail(
-          fmt::format("{} = {}{}{}", quantity.name, quantity.value, quantity.unit.empty() ? "" : " ", quantity.unit));
-    }
+  for (const scenario::Quantity& quantity : session.program.quantities_of(state)) {
+    session.detail(
+        fmt::format("{} = {}{}{}", quantity.name, quantity.value, quantity.unit.empty() ? "" : " ", quantity.unit));
   }
-  if (session.program.remarks_of) {
-    for (const std::string& remark : session.program.remarks_of(state)) session.note(remark);
-  }
+  for (const std::string& remark : session.program.remarks_of(state)) session.note(remark);
 }
 
 Command run_command() {

@@ -12,6 +12,7 @@
 #include "shared/cli/line_picture.h"
 #include "shared/cli/pictures.h"
 #include "shared/cli/staging.h"
+#include "shared/io/section_ends.h"
 #include "shared/scenario/color_table.h"
 
 namespace dobra::cli {
@@ -31,6 +32,7 @@ struct Options {
   std::string only;
   std::string scale;
   std::string colors;
+  std::string orientation;
 };
 
 constexpr const char* type_names[] = {"points", "lines", "polygons"};
@@ -41,6 +43,7 @@ struct Target {
   io::LineWriteOptions lines;
   std::optional<double> scale;  ///< 1:n, the n.
   std::optional<scene::ColorTable> colors;
+  std::optional<std::pair<std::string, std::string>> ends;
 };
 
 Result<Target> target_of(const Options& options) {
@@ -74,6 +77,12 @@ Result<Target> target_of(const Options& options) {
   if (!options.colors.empty()) {
     if (!target.picture) return Error{ErrorCode::BadUsage, "--colours is for .svg, .pdf and .png"};
     DOBRA_TRY(target.colors, scenario::read_color_table(options.colors));
+  }
+  if (!options.orientation.empty()) {
+    if (!target.picture) return Error{ErrorCode::BadUsage, "--orientation is for .svg, .pdf and .png"};
+    auto ends = io::ends_of_text(options.orientation);
+    if (!ends) return Error{ErrorCode::BadUsage, "--orientation: " + ends.error().message};
+    target.ends = *ends;
   }
   if (options.scale.empty()) return target;
   const bool ratio = options.scale.starts_with("1:");
@@ -118,7 +127,7 @@ Result<void> write(const Options& options, const Target& target, io::LineWork& w
   base::Result<void> written;
   if (target.picture) {
     const std::string title = std::filesystem::path(options.input).stem().string();
-    written = draw_lines(work, file, {title, target.scale, target.colors});
+    written = draw_lines(work, file, {title, target.scale, target.colors, target.ends});
   } else if (target.scale) {
     written = io::write_any_lines(file.string(), on_paper(work, *target.scale), target.lines, work.remarks);
   } else {
@@ -233,6 +242,9 @@ Command convert_command() {
         app.add_option("--colours", options->colors,
                        "Pictures: a table (.csv .toml) of name, colour, pattern, age and lithology of units and lines")
             ->type_name("FILE");
+        app.add_option("--orientation", options->orientation,
+                       "Pictures: compass points over the ends, such as \"W - E\"; told by the plane of lines in space")
+            ->type_name("ENDS");
         return [options](Session& session) { return convert_job(session, *options); };
       }};
 }

@@ -207,6 +207,7 @@ scene::Picture line_picture(const io::LineWork& work) {
 base::Result<void> draw_lines(const io::LineWork& work, const std::filesystem::path& file, const LineDrawing& drawing) {
   scene::Picture picture = line_picture(work);
   picture.title = drawing.title;
+  if (drawing.ends) std::tie(picture.panels[0].left_end, picture.panels[0].right_end) = *drawing.ends;
   if (drawing.colors) scene::paint(picture, *drawing.colors);
   const std::optional<double>& scale = drawing.scale;
   if (scale) {

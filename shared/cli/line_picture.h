@@ -23,6 +23,8 @@ struct LineDrawing {
   /// round scale.
   std::optional<double> scale = std::nullopt;
   std::optional<scene::ColorTable> colors = std::nullopt;
+  /// What stands over the left and the right end; by default the compass points of lines in space.
+  std::optional<std::pair<std::string, std::string>> ends = std::nullopt;
 };
 
 /// Draws with cairo in the format of the ending: .svg, .pdf or .png.

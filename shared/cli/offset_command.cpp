@@ -75,7 +75,8 @@ CLI::Validator number_that(const std::string& rule, bool (*holds)(double)) {
       [rule, holds](std::string& word) {
         const std::optional<double> value = base::parse_number(word);
         if (!value) return fmt::format("'{}' is not a number", word);
-        return std::isfinite(*value) && holds(*value) ? std::string() : fmt::format("{} {}", word, rule);
+        if (!std::isfinite(*value)) return fmt::format("'{}' is not a finite number; it {}", word, rule);
+        return holds(*value) ? std::string() : fmt::format("'{}' {}", word, rule);
       },
       "");
 }
@@ -201,10 +202,10 @@ Result<OffsetPlan> plan_of(const Options& options) {
 }
 
 Result<void> write_out(Session& session, const std::filesystem::path& out, const std::vector<OffsetFamily>& families,
-                       const std::optional<io::ReferenceSystem>& system) {
+                       const OffsetOrigin& origin) {
   DOBRA_TRY(Staging staging, Staging::open(out.parent_path(), TargetFolder::MustExist));
   std::vector<std::string> remarks;
-  const auto written = write_offset(families, system, staging.path(out.filename().string()), remarks);
+  const auto written = write_offset(families, origin, staging.path(out.filename().string()), remarks);
   if (!written) return staging.for_user(written.error());
   for (const std::string& remark : remarks) session.note(fmt::format("{}: {}", out.string(), remark));
   DOBRA_TRY_VOID(session.check());
@@ -212,12 +213,13 @@ Result<void> write_out(Session& session, const std::filesystem::path& out, const
   return {};
 }
 
-/// Says what the verifier found; the exit code.
-int announce(Session& session, const OffsetVerdict& verdict) {
+/// Says what the verifier found, and what it was not asked about; the exit code.
+int announce(Session& session, const OffsetVerdict& verdict, const OffsetPlan& plan) {
   for (const std::string& finding : verdict.findings) session.error_line(finding);
   session.note(
-      fmt::format("verified {} edges, and {} places where the curves must be: {}", verdict.edges, verdict.samples,
-                  verdict.findings.empty() ? "nothing is wrong" : fmt::format("{} findings", verdict.findings.size())));
+      fmt::format("verified {} edges of {} curves, and {} places where they must be: {}", verdict.edges, verdict.curves, verdict.samples,
+                  verdict.findings.empty() ? "nothing is wrong with them" : fmt::format("{} findings", verdict.findings.size())));
+  if (const std::string rest = not_judged(verdict, plan.curves); !rest.empty()) session.note("not judged: " + rest);
   return verdict.findings.empty() ? 0 : 1;
 }
 
@@ -232,7 +234,7 @@ Result<int> offset_job(Session& session, const Options& options) {
   OffsetVerdict verdict;
   DOBRA_TRY(const std::vector<OffsetFamily> families, offset_families(session, options.file, input, plan, verdict));
   DOBRA_TRY_VOID(check_numbers(families));
-  if (options.out) DOBRA_TRY_VOID(write_out(session, *options.out, families, input.system));
+  if (options.out) DOBRA_TRY_VOID(write_out(session, *options.out, families, input.origin));
   if (session.options.format == OutputFormat::Json) {
     DOBRA_TRY_VOID(print(offset_json(families)));
   } else if (!options.out) {
@@ -240,7 +242,7 @@ Result<int> offset_job(Session& session, const Options& options) {
   } else if (session.options.verbosity != Verbosity::Quiet) {
     DOBRA_TRY_VOID(print(options.out->string() + '\n'));
   }
-  return options.verify ? announce(session, verdict) : 0;
+  return options.verify ? announce(session, verdict, plan) : 0;
 }
 
 }  // namespace

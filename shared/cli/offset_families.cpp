@@ -99,24 +99,28 @@ Result<std::vector<OffsetBase>> chosen(std::vector<OffsetBase> all, const std::o
                                                 all.size(), base::did_you_mean(*wanted, names))};
 }
 
-Result<void> mend(Session& session, std::vector<OffsetBase>& bases) {
+/// @return how many polygons were taken as others.
+Result<std::size_t> mend(Session& session, std::vector<OffsetBase>& bases) {
+  std::size_t count = 0;
   for (OffsetBase& base : bases) {
     std::vector<std::vector<Polyline>> sound;
     for (const auto& polygon : base.polygons) {
-      auto mended = offset::mended(polygon);
+      auto mended = offset::mended(polygon, session.progress());
       if (!mended) return base::located(mended.error(), {.item = base.name});
       std::vector<std::vector<Polyline>>& parts = *mended;
       if (parts.size() != 1 || parts.front() != polygon) {
+        ++count;
         const geom::Point at = polygon[0].points[0];
-        session.note(fmt::format("{}: the polygon at ({:.10g}, {:.10g}) crosses or touches itself; taken as {} that do not",
+        session.note(fmt::format("{}: the polygon at ({:.10g}, {:.10g}) crosses or touches itself; taken as {} not",
                                  base.name, at.x, at.y,
-                                 parts.size() == 1 ? "one polygon" : fmt::format("{} polygons", parts.size())));
+                                 parts.size() == 1 ? "one polygon that does"
+                                                   : fmt::format("{} polygons that do", parts.size())));
       }
       std::move(parts.begin(), parts.end(), std::back_inserter(sound));
     }
     base.polygons = std::move(sound);
   }
-  return {};
+  return count;
 }
 
 // --- notes
@@ -136,19 +140,30 @@ std::size_t sharp_turns(const Polyline& line, offset::Side side, geom::Point& fi
   return count;
 }
 
-void note_cut_tips(Session& session, const std::string& name, const Polyline& line, const offset::OffsetOptions& options) {
-  geom::Point at;
-  if (options.join != offset::Join::Bisector) return;
-  const std::size_t count = sharp_turns(line, options.side, at);
-  if (count == 0) return;
-  session.note(fmt::format("{}: {} {} so sharply that the bisector point is more than {} D away, the first at ({:.10g}, {:.10g}); cut "
-                           "across at distance D",
-                           name, count, count == 1 ? "corner turns back" : "corners turn back", offset::bisector_limit,
-                           at.x, at.y));
-}
+/// Of the corners of one base.
+struct CutTips {
+  std::size_t count = 0;
+  geom::Point first = {};
+
+  void add(const Polyline& line, const offset::OffsetOptions& options) {
+    geom::Point at;
+    if (options.join != offset::Join::Bisector) return;
+    const std::size_t more = sharp_turns(line, options.side, at);
+    if (count == 0) first = at;
+    count += more;
+  }
+  void note(Session& session, const std::string& name) const {
+    if (count == 0) return;
+    session.note(fmt::format("{}: {} {} so sharply that the bisector point is more than {} D away, the first at ({:.10g}, {:.10g}); "
+                             "cut across at distance D",
+                             name, count, count == 1 ? "corner turns back" : "corners turn back", offset::bisector_limit,
+                             first.x, first.y));
+  }
+};
 
 void note_curve(Session& session, const OffsetFamily& family, const DrawnOffset& curve) {
-  if (curve.lines.empty()) {
+  const bool left_out = family.content == OffsetContent::Lines && curve.distance < 0.0;  // told already
+  if (curve.lines.empty() && !left_out) {
     session.note(fmt::format("{}: nothing remains at distance {}", family.name, base::number_text(curve.distance)));
   }
   if (curve.dropped == 0) return;
@@ -166,6 +181,15 @@ class Maker {
       : session_(session), plan_(plan), verdict_(verdict) {}
 
   Result<OffsetFamily> run(const OffsetBase& base, const base::Progress& progress) {
+    cut_ = {};
+    DOBRA_TRY(OffsetFamily family, made(base, progress));
+    cut_.note(session_, base.name);
+    verdict_.cut_tips += cut_.count;
+    return family;
+  }
+
+ private:
+  Result<OffsetFamily> made(const OffsetBase& base, const base::Progress& progress) {
     OffsetFamily family{.name = base.name, .source = base.source, .bases = base.lines};
     for (const auto& polygon : base.polygons) family.bases.insert(family.bases.end(), polygon.begin(), polygon.end());
     const bool one_sided = !base.lines.empty() && !both_sides(plan_);
@@ -176,26 +200,43 @@ class Maker {
     DOBRA_TRY(const std::vector<Area> made, areas(base, progress));
     for (std::size_t k = 0; k < made.size(); ++k) family.curves.push_back(drawn(made[k], plan_.distances[k]));
     family.content = OffsetContent::Polygons;
+    verdict_.joined = verdict_.joined || family.bases.size() > 1 || !base.lines.empty();
     return family;
   }
 
- private:
   Result<std::vector<DrawnOffset>> curves(const std::string& name, const Polyline& line, const base::Progress& progress) {
-    for (const double distance : plan_.distances) {
-      if (distance > 0.0) continue;
-      return Error{ErrorCode::BadUsage,
-                   fmt::format("--distance, --distances: {} must be above 0 for {}, {}", base::number_text(distance), name,
-                               line.closed ? "which is untreated; choose --side left"
-                                           : "an open line; choose the other side with --side left or right")};
-    }
+    DOBRA_TRY(const std::vector<double> distances, usable(name, line));
     offset::OffsetOptions settings = plan_.curves;
     settings.side = plan_.side == OffsetSide::Left ? offset::Side::LeftOfTravel : offset::Side::RightOfTravel;
-    note_cut_tips(session_, name, line, settings);
-    DOBRA_TRY(const auto made, offset::offset(line, plan_.distances, settings, progress));
-    if (plan_.verify) DOBRA_TRY_VOID(verify_offset(name, line, settings, made, verdict_));
+    cut_.add(line, settings);
+    DOBRA_TRY(const auto made, offset::offset(line, distances, settings, progress));
+    if (plan_.verify) DOBRA_TRY_VOID(verify_offset(name, line, settings, made, verdict_, session_.progress()));
     std::vector<DrawnOffset> all;
-    for (const offset::OffsetCurve& curve : made) all.push_back(drawn(curve, line, plan_.arc_tolerance));
+    auto next = made.begin();
+    for (const double distance : plan_.distances) {
+      all.push_back(distance > 0.0 ? drawn(*next++, line, plan_.arc_tolerance) : DrawnOffset{.distance = distance});
+    }
     return all;
+  }
+
+  /// The distances above 0. Below it an open line has no inside that could shrink: told.
+  Result<std::vector<double>> usable(const std::string& name, const Polyline& line) {
+    std::vector<double> distances;
+    for (const double distance : plan_.distances) {
+      if (distance > 0.0) {
+        distances.push_back(distance);
+        continue;
+      }
+      if (line.closed) {
+        return Error{ErrorCode::BadUsage,
+                     fmt::format("--distance, --distances: {} must be above 0 for {}, which is untreated; choose --side left",
+                                 base::number_text(distance), name)};
+      }
+      session_.note(fmt::format("{}: an open line has nothing inside that could shrink: left out at distance {}; the other side "
+                                "is --side left", name, base::number_text(distance)));
+      ++verdict_.skipped;
+    }
+    return distances;
   }
 
   /// Of all lines and polygons of a base together, one a distance.
@@ -205,8 +246,8 @@ class Maker {
                                 .cap = plan_.cap,
                                 .arc_tolerance = plan_.arc_tolerance};
     options.judge = [&](const Polyline& ring, const offset::OffsetOptions& settings, const auto& curves) -> Result<void> {
-      note_cut_tips(session_, base.name, ring, settings);
-      return plan_.verify ? verify_offset(base.name, ring, settings, curves, verdict_) : Result<void>();
+      cut_.add(ring, settings);
+      return plan_.verify ? verify_offset(base.name, ring, settings, curves, verdict_, session_.progress()) : Result<void>();
     };
     std::vector<std::vector<Area>> parts;
     const double total = static_cast<double>(base.polygons.size() + base.lines.size());
@@ -221,7 +262,14 @@ class Maker {
       parts.push_back(std::move(made));
     }
     for (const Polyline& line : base.lines) {
-      DOBRA_TRY(auto made, offset::around_line(line, plan_.distances, options, part_of_work()));
+      DOBRA_TRY(const std::vector<double> distances, usable(base.name, line));
+      std::vector<Area> made;
+      if (!distances.empty()) {
+        DOBRA_TRY(made, offset::around_line(line, distances, options, part_of_work()));
+      }
+      for (std::size_t k = 0; k < plan_.distances.size(); ++k) {
+        if (plan_.distances[k] < 0.0) made.insert(made.begin() + static_cast<std::ptrdiff_t>(k), Area{});
+      }
       parts.push_back(std::move(made));
     }
     std::vector<Area> all;
@@ -243,7 +291,20 @@ class Maker {
   Session& session_;
   const OffsetPlan& plan_;
   OffsetVerdict& verdict_;
+  CutTips cut_;
 };
+
+/// A distance below 0 is for polygons: there must be one.
+Result<void> check_signs(const std::vector<OffsetBase>& bases, const OffsetPlan& plan) {
+  const auto negative = std::find_if(plan.distances.begin(), plan.distances.end(), [](double d) { return d < 0.0; });
+  if (negative == plan.distances.end()) return {};
+  for (const OffsetBase& base : bases) {
+    if (!base.polygons.empty()) return {};
+  }
+  return Error{ErrorCode::BadUsage,
+               fmt::format("--distance, --distances: {} must be above 0 for {}, an open line; choose the other side with --side "
+                           "left or right", base::number_text(*negative), bases.front().name)};
+}
 
 Result<OffsetFamily> dissolved(const std::vector<OffsetFamily>& families, const OffsetPlan& plan,
                                const base::Progress& progress) {
@@ -272,14 +333,17 @@ Result<OffsetInput> offset_input(Session& session, const std::string& file, cons
   io::LineOptions options;
   options.coordinates = io::Coordinates::Section;
   options.y_direction = io::YDirection::Up;
-  options.unit = 1.0;
+  options.unit_wanted = io::UnitWanted::OfTheFile;
   options.faulty = io::Faulty::Skip;
   DOBRA_TRY(io::LineWork read, io::read_any_lines(file, options));
   for (const std::string& remark : read.remarks) session.note(remark);
   if (read.system && read.system->degrees) {
     session.note(fmt::format("{}: its coordinates are in degrees ({}), and so are the distances", file, read.system->name));
   }
-  OffsetInput input{{}, std::move(read.system)};
+  if (read.stated_unit && *read.stated_unit != 1.0) {
+    session.note(fmt::format("{}: its unit is {} m, and so is that of the distances", file, *read.stated_unit));
+  }
+  OffsetInput input{{}, {std::move(read.system), read.stated_unit}};
   std::size_t points = 0;
   for (io::Feature& feature : read.features) {
     if (feature.type == io::FeatureType::Points) {
@@ -304,7 +368,9 @@ Result<OffsetInput> offset_input(Session& session, const std::string& file, cons
   }
   DOBRA_TRY(input.bases, chosen(std::move(input.bases), plan.curve));
   if (!untreated(plan)) {
-    if (auto sound = mend(session, input.bases); !sound) return base::located(sound.error(), {.file = file});
+    auto mended = mend(session, input.bases);
+    if (!mended) return base::located(mended.error(), {.file = file});
+    input.mended = *mended;
   }
   return input;
 }
@@ -312,6 +378,8 @@ Result<OffsetInput> offset_input(Session& session, const std::string& file, cons
 Result<std::vector<OffsetFamily>> offset_families(Session& session, const std::string& file, const OffsetInput& input,
                                                   const OffsetPlan& plan, OffsetVerdict& verdict) {
   const base::Progress progress = session.progress();
+  DOBRA_TRY_VOID(check_signs(input.bases, plan));
+  verdict.mended = input.mended;
   Maker maker(session, plan, verdict);
   std::vector<OffsetFamily> families;
   const double total = static_cast<double>(input.bases.size());
@@ -325,6 +393,7 @@ Result<std::vector<OffsetFamily>> offset_families(Session& session, const std::s
   }
   if (plan.dissolve == Dissolve::Yes) {
     DOBRA_TRY(OffsetFamily all, dissolved(families, plan, progress));
+    verdict.joined = verdict.joined || families.size() > 1;
     families.clear();
     families.push_back(std::move(all));
   }

@@ -34,15 +34,17 @@ struct OffsetBase {
 
 struct OffsetInput {
   std::vector<OffsetBase> bases;
-  std::optional<io::ReferenceSystem> system;
+  OffsetOrigin origin = {};
+  std::size_t mended = 0;  ///< Polygons that cross or touch themselves, and are taken as others.
 };
 
 /// The bases of a file, as the plan wants them: each line that goes to one side is a base of its own. What is left out or mended is
 /// told. @error those of io::read_any_lines; BadUsage: there is no such curve.
 base::Result<OffsetInput> offset_input(Session& session, const std::string& file, const OffsetPlan& plan);
 
+/// Where there are polygons, open lines are left out at distances below 0, and this is told.
 /// @param verdict  of the verifier, if the plan wants it.
-/// @error BadUsage (a distance below 0 for an open line); those of offset::offset with the base.
+/// @error BadUsage (a distance below 0 and no polygon); those of offset::offset with the base.
 base::Result<std::vector<OffsetFamily>> offset_families(Session& session, const std::string& file,
                                                         const OffsetInput& input, const OffsetPlan& plan,
                                                         OffsetVerdict& verdict);

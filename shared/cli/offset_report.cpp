@@ -9,6 +9,7 @@
 
 #include "shared/base/text.h"
 #include "shared/cli/pictures.h"
+#include "shared/io/dxf.h"
 #include "shared/offset/verify.h"
 #include "shared/scene/color_map.h"
 
@@ -46,9 +47,9 @@ void append_curve(std::string& text, const OffsetFamily& family, const DrawnOffs
     const nlohmann::json name = family.name;
     text += "\"curve\":" + name.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + ',';
   }
-  text += fmt::format("\"distance\":{},\"length\":{},\"area\":{},\"dropped\":{},\"dropped_length\":{},\"pieces\":[",
+  text += fmt::format("\"distance\":{},\"length\":{},{}\"dropped\":{},\"dropped_length\":{},\"pieces\":[",
                       base::number_text(curve.distance), base::number_text(curve.length),
-                      curve.area ? base::number_text(*curve.area) : "null", curve.dropped,
+                      curve.area ? fmt::format("\"area\":{},", base::number_text(*curve.area)) : "", curve.dropped,
                       base::number_text(curve.dropped_length));
   for (std::size_t i = 0; i < curve.lines.size(); ++i) {
     const geom::Polyline& line = curve.lines[i];
@@ -131,9 +132,13 @@ DrawnOffset drawn(const offset::Area& area, double distance) {
 
 base::Result<void> verify_offset(const std::string& name, const geom::Polyline& base,
                                  const offset::OffsetOptions& options, const std::vector<offset::OffsetCurve>& curves,
-                                 OffsetVerdict& verdict) {
+                                 OffsetVerdict& verdict, const base::Progress& progress) {
   for (const offset::OffsetCurve& curve : curves) {
-    DOBRA_TRY(const offset::Verification found, offset::verify(base, options, curve));
+    DOBRA_TRY(const offset::Verification found, offset::verify(base, options, curve, {}, progress));
+    ++verdict.curves;
+    verdict.coarse += found.coarse ? 1 : 0;
+    verdict.dropped += curve.dropped;
+    verdict.dropped_length += curve.dropped_length;
     verdict.edges += found.edges;
     verdict.samples += found.samples;
     for (const offset::Finding& finding : found.findings) {
@@ -142,6 +147,28 @@ base::Result<void> verify_offset(const std::string& name, const geom::Polyline& 
     }
   }
   return {};
+}
+
+std::string not_judged(const OffsetVerdict& verdict, const offset::OffsetOptions& options) {
+  std::vector<std::string> all;
+  const auto add = [&](std::size_t count, const char* one, const char* more) {
+    if (count > 0) all.push_back(fmt::format("{} {}", count, count == 1 ? one : more));
+  };
+  add(verdict.dropped, "piece left out", "pieces left out");
+  if (verdict.dropped > 0) all.back() += fmt::format(" ({:.6g} m), and whether more of those curves is missing", verdict.dropped_length);
+  add(verdict.cut_tips, "bisector point cut across", "bisector points cut across");
+  add(verdict.skipped, "open line at a distance below 0", "open lines at distances below 0");
+  add(verdict.mended, "polygon that crosses or touches itself, but what it was taken as",
+      "polygons that cross or touch themselves, but what they were taken as");
+  add(verdict.coarse, "curve nearer than 64 roundings of the coordinates, as to touching and missing parts",
+      "curves nearer than 64 roundings of the coordinates, as to touching and missing parts");
+  if (options.treatment == offset::Treatment::Untreated) {
+    all.emplace_back("whether untreated curves keep their distance or cross");
+  } else if (options.ends == offset::Ends::Paper) {
+    all.emplace_back("whether curves with the paper's ends keep their distance or lack anything");
+  }
+  if (verdict.joined) all.emplace_back("what was joined of several curves");
+  return fmt::format("{}", fmt::join(all, "; "));
 }
 
 base::Result<void> check_numbers(const std::vector<OffsetFamily>& families) {
@@ -242,7 +269,7 @@ base::Result<void> check_offset_ending(const std::filesystem::path& file) {
 }
 
 base::Result<void> write_offset(const std::vector<OffsetFamily>& families,
-                                const std::optional<io::ReferenceSystem>& system, const std::filesystem::path& file,
+                                const OffsetOrigin& origin, const std::filesystem::path& file,
                                 std::vector<std::string>& remarks) {
   DOBRA_TRY_VOID(check_offset_ending(file));
   const std::string ending = file.extension().string();
@@ -255,10 +282,17 @@ base::Result<void> write_offset(const std::vector<OffsetFamily>& families,
     return Error{ErrorCode::BadUsage,
                  "--out: a Shapefile holds either lines or polygons, and these are both; write a .gpkg, or choose with --curve"};
   }
-  const io::LineWriteOptions options{.coordinates = io::Coordinates::Section, .system = system ? &*system : nullptr};
+  const auto& system = origin.system;
+  const io::LineWriteOptions options{
+      .coordinates = io::Coordinates::Section, .system = system ? &*system : nullptr, .unit = origin.unit};
   DOBRA_TRY_VOID(io::write_any_lines(file.string(), work, options, remarks));
   const bool keeps_system = ending == ".gpkg" || ending == ".shp" || (ending == ".geojson" && system && !system->code.empty());
   if (system && !keeps_system) remarks.push_back(fmt::format("the reference system ({}) is not kept in {}", system->name, ending));
+  const auto is_unit = [&](const auto& known) { return known.second == origin.unit; };
+  const bool keeps_unit = ending == ".dxf" && std::any_of(io::dxf_units.begin(), io::dxf_units.end(), is_unit);
+  if (origin.unit && !keeps_unit && !system) {
+    remarks.push_back(fmt::format("the unit of the file ({} m) is not kept in {}", *origin.unit, ending));
+  }
   return {};
 }
 

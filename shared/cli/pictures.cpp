@@ -53,10 +53,7 @@ std::string picture_file_name(PictureKind kind) {
 
 scene::Picture picture_of(const scenario::Program& program, const scenario::Document& document,
                           const scenario::State& state) {
-  scene::Picture picture = program.picture_of(state);
-  if (picture.paper != scene::Paper::A4Landscape || !picture.title.empty()) return picture;
-  picture.title = document.title.empty() ? document.file.stem().string() : document.title;
-  return picture;
+  return scenario::titled(program.picture_of(state), document);
 }
 
 base::Result<void> check_ending(const std::filesystem::path& file, Drawer drawer) {

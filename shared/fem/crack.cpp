@@ -10,7 +10,6 @@
 
 #include "shared/fem/assemble.h"
 #include "shared/fem/exact_fields.h"
-#include "shared/fem/hot_spots.h"
 
 namespace dobra::fem {
 namespace {
@@ -24,8 +23,6 @@ constexpr double pi = std::numbers::pi;
 
 /// How far a lip may stray from a straight line, and a quarter point from its place, as a fraction of the length.
 constexpr double straightness = 1e-6;
-/// The largest contour stays this far inside what limits it, so that a whole ring of elements is clear of it.
-constexpr double room_used = 0.95;
 /// Lips overlap, and K_I closes, by more than this fraction of the rest: less is noise of the mesh.
 constexpr double noise = 1e-3;
 
@@ -456,22 +453,6 @@ base::Result<Intensity> crack_closure(const ElementMesh& mesh, const Problem& pr
   return Intensity{one, intensity(release(at_tip.x, at_middle.x, d.corner.x, d.middle.x), d.corner.x, frame.material)};
 }
 
-base::Result<Contour> contour_of(const TipFrame& frame, std::optional<double> outer) {
-  const double radius = outer.value_or(room_used * frame.room);
-  if (radius > frame.room)
-    return bad(
-        frame,
-        fmt::format("the contour of radius {:.4g} m leaves the straight end of the crack, or meets a boundary, another "
-                    "material or a force at a point: at most {:.4g}",
-                    radius, frame.room));
-  if (radius < 2.0 * frame.length)
-    return bad(frame,
-               fmt::format(
-                   "no contour fits: {:.4g} of room round the tip, and its elements are {:.4g} long; make them smaller",
-                   radius, frame.length));
-  return Contour{std::max(0.4 * radius, frame.length), radius};
-}
-
 DomainIntegrals domain_integrals(const ElementMesh& mesh, const LoadCase& load, const TipFrame& frame,
                                  const Contour& contour, std::span<const Vector> u) {
   Integrals sum{};
@@ -547,9 +528,9 @@ void look_for_contact(const ElementMesh& mesh, const TipFrame& frame, const std:
         fmt::format("crack tip '{}': closed: {}; contact is not modelled, so K and J are not those of lips that press "
                     "on each other{}",
                     frame.tip.name,
-                    overlap ? fmt::format("the lips overlap by up to {:.3g} at ({:.6g}, {:.6g})", overlap->depth,
+                    overlap ? fmt::format("the lips overlap by up to {:.3g} m at ({:.6g}, {:.6g})", overlap->depth,
                                           rounded(overlap->at.x), rounded(overlap->at.y))
-                            : k.one < 0.0 ? fmt::format("K_I is {:.4g}", k.one) : "the lips meet at the tip",
+                            : k.one < 0.0 ? fmt::format("K_I is {:.4g} Pa sqrt(m)", k.one) : "the lips meet at the tip",
                     closed ? ", and no kink angle is given" : ""));
   }
   if (closed || size == 0.0) return;
@@ -569,6 +550,7 @@ base::Result<TipResult> tip_result(const ElementMesh& mesh, const Problem& probl
   const Intensity k = result.domain.k;
   compare_methods(mesh, problem, load, frame, u, result);
   result.release = (k.one * k.one + k.two * k.two) / effective_modulus(frame.material);
+  compare_figures(frame, result);
   look_for_contact(mesh, frame, boundary, u, result);
   return result;
 }
@@ -582,7 +564,7 @@ std::vector<TipResult> crack_tips(const ElementMesh& mesh, const Problem& proble
   std::vector<TipResult> results;
   for (std::size_t t = 0; t < frames.size(); ++t) {
     const mesh::CrackTip& tip = mesh.tips[t];
-    if (frames[t]) frames[t]->room = std::min(frames[t]->room, distance_to_force(mesh, problem, tip.node));
+    if (frames[t]) frames[t]->acted = nearest_acted_on(mesh, problem, load, *frames[t]);
     auto own = frames[t] ? tip_result(mesh, problem, load, *frames[t], boundary, u, outer) : frames[t].error();
     if (own) {
       results.push_back(*std::move(own));

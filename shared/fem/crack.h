@@ -8,6 +8,7 @@
 // model the crack has one lip, and the boundary goes straight on ahead of the tip as a line of symmetry: y then points
 // into the material, K_II is 0, and the other half counts as the mirror image.
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,15 @@
 namespace dobra::fem {
 
 enum class Lips : std::uint8_t { Both, OnlyLeft, OnlyRight };
+
+/// The nearest node to a tip that something acts on by itself: a load, support or spring at a point or a tie, or those of an
+/// internal line or on the lips but for their tractions, which the integrals take in.
+struct NodeActedOn {
+  geom::Point at;
+  double distance = std::numeric_limits<double>::infinity();  ///< From the tip; 0: a force acts on the tip itself, m.
+  double half_way = std::numeric_limits<double>::infinity();  ///< To the nearest load; supports may bear nothing, m.
+  double clear = std::numeric_limits<double>::infinity();     ///< Radius of the disc that no element at such a node reaches into, m.
+};
 
 /// Where a tip and the elements of its lips are.
 struct TipFrame {
@@ -33,6 +43,7 @@ struct TipFrame {
   bool quarter = false;  ///< Both sides have their mid-side node at a quarter.
   double room =
       0.0;  ///< Radius of the greatest disc round the tip with nothing in it but the straight end of the crack, m.
+  NodeActedOn acted = {};  ///< Of a load case; tip_frames leaves it out.
   /// Unit, along y of the frame.
   [[nodiscard]] geom::Vector up() const { return (lips == Lips::OnlyRight ? -1.0 : 1.0) * left_of(tip.direction); }
   [[nodiscard]] geom::Vector local(geom::Vector v) const { return {dot(v, tip.direction), dot(v, up())}; }
@@ -56,8 +67,12 @@ struct Contour {
   double inner = 0.0;
   double outer = 0.0;
 };
-/// The largest ring in the room of the tip, or that of `outer`.
-/// @error BadCrack: the room, or `outer`, does not reach twice the size of the tip's elements; `outer` leaves the room.
+/// The node acted on that is nearest to a tip in a load case. @cost O(n)
+NodeActedOn nearest_acted_on(const mesh::ElementMesh& mesh, const Problem& problem, const LoadCase& load, const TipFrame& frame);
+/// The largest ring in the room of the tip and within half the distance to a node with a load, clear of the elements of all nodes acted on; if that
+/// is too small for the tip's elements, the smallest that they allow; or that of `outer`.
+/// @error BadCrack: the room, or `outer`, does not reach twice the size of the tip's elements; `outer` leaves the room, or
+/// holds a node acted on; a force acts on the tip itself.
 base::Result<Contour> contour_of(const TipFrame& frame, std::optional<double> outer = std::nullopt);
 
 struct DomainIntegrals {
@@ -76,6 +91,8 @@ struct TipResult {
   Contour contour = {};
   DomainIntegrals domain = {};
   double inner_j = 0.0;                       ///< J of a contour of half the size: how much it depends on the path.
+  /// Why J counts for nothing: the ring cannot keep clear of a node acted on, where the energy is infinite.
+  std::optional<std::string> no_j = {};
   std::optional<Intensity> correlation = {};  ///< Nothing where the elements do not allow it.
   std::optional<Intensity> closure = {};
   double release = 0.0;  ///< G = (K_I^2 + K_II^2) / E' of the interaction integral, J/m2.
@@ -91,6 +108,10 @@ struct TipResult {
   /// BadCrack: the line ahead of a single lip moves across.
   std::optional<base::Error> refused = {};
 };
+/// J and G, or K of two methods, that part by more than this have a remark.
+constexpr double most_apart = 0.02;
+/// Leaves J out where its ring is not clear, and adds remarks on that and on figures that part.
+void compare_figures(const TipFrame& frame, TipResult& result);
 /// All of it, for every tip, in their order. A crack whose lips overlap has its remark: contact is not modelled.
 std::vector<TipResult> crack_tips(const mesh::ElementMesh& mesh, const Problem& problem, const LoadCase& load,
                                   std::span<const geom::Vector> u, std::optional<double> outer = std::nullopt);

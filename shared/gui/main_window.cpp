@@ -293,7 +293,8 @@ base::Result<void> MainWindow::save_picture(const std::filesystem::path& file) {
   if (!session_.outcome() || !session_.outcome()->picture) {
     return base::Error{base::ErrorCode::CannotDraw, text("there is no picture yet; run the scenario first").toStdString()};
   }
-  return render::write_picture(layers_->chosen(*session_.outcome()->picture), file);
+  return render::write_picture(
+      scenario::titled(layers_->chosen(*session_.outcome()->picture), session_.document()), file);
 }
 
 base::Result<void> MainWindow::save_screenshot(const std::filesystem::path& file) {

@@ -18,8 +18,8 @@ OutcomePtr outcome_of(const DocumentPtr& document, const scenario::Program& prog
   if (!outcome->run.states.empty()) {
     const scenario::State& state = outcome->run.states.back();
     outcome->picture = std::make_shared<const scene::Picture>(program.picture_of(state));
-    if (program.quantities_of) outcome->quantities = program.quantities_of(state);
-    if (program.remarks_of) outcome->remarks = program.remarks_of(state);
+    outcome->quantities = program.quantities_of(state);
+    outcome->remarks = program.remarks_of(state);
   }
   if (outcome->run.complete()) outcome->verdicts = scenario::judge(*document, program, outcome->run);
   outcome->seconds = std::chrono::duration<double>(Clock::now() - begin).count();

@@ -89,12 +89,9 @@ struct Survey {
 // Of $INSUNITS.
 void note_unit(std::string_view value, StatedConvention& stated) {
   if (value == "0") return;  // unitless
-  constexpr std::pair<std::string_view, double> known[] = {{"6", 1.0},    {"1", 0.0254},   {"2", 0.3048},
-                                                           {"4", 0.001},  {"5", 0.01},     {"7", 1000.0},
-                                                           {"10", 0.9144}, {"14", 0.1},     {"3", 1609.344}};
-  const auto has_value = [&](const auto& own) { return own.first == value; };
-  const auto* unit = std::find_if(std::begin(known), std::end(known), has_value);
-  if (unit != std::end(known)) {
+  const auto has_value = [&](const auto& own) { return fmt::format("{}", own.first) == value; };
+  const auto* unit = std::find_if(dxf_units.begin(), dxf_units.end(), has_value);
+  if (unit != dxf_units.end()) {
     stated.unit = unit->second;
     return;
   }

@@ -3,14 +3,21 @@
 // SPLINE and bulges as chords. An own pass over the group codes finds what is broken, with its line; GDAL/OGR then
 // reads the entities, those of inserted blocks included. Source: [gdal].
 
+#include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "shared/base/result.h"
 #include "shared/io/feature.h"
 
 namespace dobra::io {
+
+/// Codes of $INSUNITS that are known here, and metres in one of each.
+inline constexpr std::array<std::pair<int, double>, 9> dxf_units{
+    {{6, 1.0}, {1, 0.0254}, {2, 0.3048}, {4, 0.001}, {5, 0.01}, {7, 1000.0}, {10, 0.9144}, {14, 0.1}, {3, 1609.344}}};
 
 /// How the remark ends that tells of entities which are not held as they were drawn.
 inline constexpr std::string_view read_as_chords = "arcs or splines read as chords";
@@ -34,8 +41,9 @@ base::Result<Features> read_dxf(const std::string& path, Heights heights = Heigh
 /// A drawing of release 12: each part a POLYLINE on the layer of the feature's name, closed ones with the flag; with
 /// heights, 3D polylines that repeat their first point. What is read from this text gives the same text again. Points features are POINTs; holes of
 /// polygons become contours like others.
+/// @param unit  metres in one unit of the drawing: stated as $INSUNITS (of release 2000) if it is among dxf_units.
 /// @error NotFinite
-base::Result<std::string> dxf(std::span<const Feature> features);
+base::Result<std::string> dxf(std::span<const Feature> features, std::optional<double> unit = {});
 
 /// The layer that a feature is written to: its name without what the format forbids; "0" without a name.
 std::string dxf_layer(const Feature& feature);

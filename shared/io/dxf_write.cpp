@@ -90,12 +90,19 @@ std::string tables(std::span<const Feature> features) {
   return text + "0\nENDTAB\n0\nENDSEC\n";
 }
 
+std::string header(std::optional<double> unit) {
+  std::string text = "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1009\n";
+  for (const auto& [code, metres] : dxf_units) {
+    if (unit == metres) text += fmt::format("9\n$INSUNITS\n70\n{}\n", code);
+  }
+  return text + "0\nENDSEC\n";
+}
+
 }  // namespace
 
-Result<std::string> dxf(std::span<const Feature> given) {
+Result<std::string> dxf(std::span<const Feature> given, std::optional<double> unit) {
   const std::vector<Feature> features = rings_apart(given);
-  std::string text =
-      "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1009\n0\nENDSEC\n" + tables(features) + "0\nSECTION\n2\nENTITIES\n";
+  std::string text = header(unit) + tables(features) + "0\nSECTION\n2\nENTITIES\n";
   for (std::size_t i = 0; i < features.size(); ++i) {
     const std::string layer = dxf_layer(features[i]);
     for (std::size_t part = 0; part < features[i].parts.size(); ++part) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shared/geom/predicates.h"
 #include "shared/io/scan.h"
 
 namespace dobra::io {
@@ -96,6 +97,13 @@ Result<std::size_t> normalise_3d(Feature& feature, const std::vector<std::size_t
   return dropped;
 }
 
+/// All points on one line. @pre three points or more, the first two unlike.
+bool is_flat(const Polyline& ring) {
+  const std::vector<geom::Point>& p = ring.points;
+  return std::all_of(p.begin() + 2, p.end(),
+                     [&](geom::Point q) { return geom::orient2d(p[0], p[1], q) == geom::Sign::Zero; });
+}
+
 }  // namespace
 
 Result<std::size_t> normalise(Feature& feature, const std::vector<std::size_t>& ring_of_polygon) {
@@ -121,6 +129,7 @@ Result<std::size_t> normalise(Feature& feature, const std::vector<std::size_t>& 
     if (feature.type != FeatureType::Polygons) continue;
     const double area = geom::signed_area(part);
     if (area == 0.0) {
+      if (!is_flat(part)) continue;  // crosses itself: what reads it tells, or mends it
       return Error{ErrorCode::DegenerateCurve, "a polygon has no area; correct or remove it",
                    Place{.x = part.points[0].x, .y = part.points[0].y}};
     }

@@ -23,7 +23,7 @@ enum class InpElement { PlaneStress, PlaneStrain, Axisymmetric };  ///< CPS3, CP
 enum class InpNumbers { TwentyColumns, Exact };
 
 struct InpOptions {
-  InpElement element = InpElement::PlaneStress;
+  InpElement element;
   InpNumbers numbers = InpNumbers::TwentyColumns;
 };
 
@@ -44,9 +44,9 @@ std::vector<InpRenaming> inp_renamings(const mesh::ElementMesh& mesh);
 /// The text of a deck's mesh part; node and element numbers are the positions in the mesh, from 1. Characters that a
 /// label cannot hold become '_'; a comment line and inp_renamings say so.
 /// @error NotFinite; CannotMesh: no elements; InvalidOption: a set that refers to what does not exist.
-base::Result<std::string> inp_text(const mesh::ElementMesh& mesh, const InpOptions& options = {});
+base::Result<std::string> inp_text(const mesh::ElementMesh& mesh, const InpOptions& options);
 /// @error those of inp_text, CannotWrite
-base::Result<void> write_inp(const std::string& path, const mesh::ElementMesh& mesh, const InpOptions& options = {});
+base::Result<void> write_inp(const std::string& path, const mesh::ElementMesh& mesh, const InpOptions& options);
 
 /// The mesh of a deck; keywords beside those above are left out with a remark.
 /// @error FileNotFound, NotAFile, CannotRead, EmptyFile; BadFormat, NotFinite with line and column; UnknownFormat:

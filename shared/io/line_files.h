@@ -43,6 +43,9 @@ inline constexpr std::array<double, 6> file_unit_metres{1.0, 1000.0, 0.3048, 0.0
 /// "a,b" as a, b; empty text gives none.
 std::vector<std::string> words_between_commas(const std::string& text);
 
+/// Metres: coordinates are turned into metres. OfTheFile: they stay as they are, whatever the unit.
+enum class UnitWanted { Metres, OfTheFile };
+
 struct LineOptions {
   std::optional<LineFormat> format = std::nullopt;  ///< By the ending of the name otherwise.
   /// Columns are chosen by number or header; empty: the first two, asked where there is a third column of numbers.
@@ -60,6 +63,7 @@ struct LineOptions {
   std::vector<KindRule> kinds = {};  ///< Kinds by names; the first rule that fits goes before what the file says.
   RepairOptions repair = {};
   Faulty faulty = Faulty::Refuse;  ///< Skip: as the readers of text, WKT, GeoJSON, DXF and OGR do it.
+  UnitWanted unit_wanted = UnitWanted::Metres;  ///< OfTheFile: `unit` and `silent_unit` are not looked at.
 };
 
 struct LineWork {
@@ -68,6 +72,7 @@ struct LineWork {
   std::optional<Trace> trace = std::nullopt;  ///< Of 3D lines that were laid into their plane.
   YDirection y_direction = YDirection::Up;    ///< As it was taken.
   double unit = 1.0;                          ///< As it was taken, m.
+  std::optional<double> stated_unit = std::nullopt;  ///< Metres in one unit, as the file says.
   std::optional<ReferenceSystem> system = std::nullopt;  ///< As the file states it; not applied.
   std::vector<Repair> repairs;
   std::vector<std::string> remarks;  ///< What was changed, left out or taken from the file, one line each.
@@ -87,6 +92,8 @@ struct LineWriteOptions {
   Coordinates coordinates = Coordinates::Detect;
   /// Kept in GeoJSON (with a code), Shapefile and GeoPackage; for coordinates that are still those of the file.
   const ReferenceSystem* system = nullptr;
+  /// Metres in one unit of the coordinates; kept in DXF, where it is a unit that DXF knows.
+  std::optional<double> unit = std::nullopt;
 };
 
 /// The text of a format that is text. Adds a remark for what the format cannot hold.

@@ -159,7 +159,7 @@ Error unclear(std::string text, const std::string& file) {
 Result<void> check_answers(const Features& raw, const LineOptions& options, const std::string& file) {
   for (const Question& question : raw.stated.questions) {
     const bool answered = question.about == Question::About::YDirection ? options.y_direction.has_value()
-                          : question.about == Question::About::Unit     ? options.unit.has_value()
+                          : question.about == Question::About::Unit     ? options.unit || options.unit_wanted == UnitWanted::OfTheFile
                                                                         : options.coordinates != Coordinates::Detect;
     if (!answered) return unclear(question.text, file);
   }
@@ -304,6 +304,11 @@ Result<LineWork> finish(Features raw, const std::string& file, LineFormat format
   set_kinds(raw.features, options.kinds, file, work.remarks);
   if (auto checked = check_options(options); !checked) return base::located(checked.error(), Place{.file = file});
   DOBRA_TRY_VOID(check_answers(raw, options, file));
+  const auto about_unit = [](const Question& question) { return question.about == Question::About::Unit; };
+  if (options.unit_wanted == UnitWanted::OfTheFile &&
+      std::any_of(raw.stated.questions.begin(), raw.stated.questions.end(), about_unit)) {
+    work.remarks.push_back(fmt::format("{}: the unit that it states is not known here, and is not kept", file));
+  }
   DOBRA_TRY(const bool map, is_map(raw, options, file));
   if (!map && options.fold_axis) {
     return Error{ErrorCode::BadFormat,
@@ -322,8 +327,10 @@ Result<LineWork> finish(Features raw, const std::string& file, LineFormat format
     work.remarks.push_back(fmt::format("{}: its heights are depths, as the file says", file));
   }
   DOBRA_TRY_VOID(turn_up(raw.features, options, work.y_direction));
-  work.unit = options.unit.value_or(raw.stated.unit.value_or(options.silent_unit));
-  const double height_unit = options.unit.value_or(raw.stated.height_unit.value_or(work.unit));
+  work.stated_unit = raw.stated.unit;
+  const bool as_it_is = options.unit_wanted == UnitWanted::OfTheFile;
+  work.unit = as_it_is ? 1.0 : options.unit.value_or(raw.stated.unit.value_or(options.silent_unit));
+  const double height_unit = as_it_is ? 1.0 : options.unit.value_or(raw.stated.height_unit.value_or(work.unit));
   if (work.unit != 1.0 || height_unit != 1.0) DOBRA_TRY_VOID(to_metres(raw, work.unit, height_unit, file));
   if (options.unit && raw.stated.unit && *options.unit != *raw.stated.unit) {
     work.remarks.push_back(fmt::format("{}: the file says that its unit is {} m; it is taken as {} m, as asked for", file,

@@ -173,16 +173,16 @@ void remark_losses(std::span<const Feature> features, LineFormat format, std::ve
 }
 
 Result<std::string> text_in(LineFormat format, std::span<const Feature> features, bool map,
-                            const ReferenceSystem* system) {
+                            const LineWriteOptions& options) {
   switch (format) {
     case LineFormat::Text:
       return text_of(features, map);
     case LineFormat::Wkt:
       return wkt(features);
     case LineFormat::GeoJson:
-      return geojson(features, system);
+      return geojson(features, options.system);
     case LineFormat::Dxf:
-      return dxf(features);
+      return dxf(features, options.unit);
     case LineFormat::MoveAscii:
       return move_ascii(features);
     case LineFormat::Gocad:
@@ -216,7 +216,7 @@ Result<std::string> lines_text(const LineWork& work, const LineWriteOptions& opt
   const LineFormat format = options.format.value_or(work.format);
   DOBRA_TRY(const std::vector<Feature> features, prepared(work, format, options));
   remark_losses(work.features, format, remarks);
-  return text_in(format, features, !features.empty() && !features[0].heights.empty(), options.system);
+  return text_in(format, features, !features.empty() && !features[0].heights.empty(), options);
 }
 
 Result<void> write_any_lines(const std::string& path, const LineWork& work, const LineWriteOptions& options,

@@ -32,39 +32,39 @@ using mesh::ElementMesh;
 
 namespace {
 
-using Write = Result<void> (*)(const std::string& path, const ElementMesh& mesh);
+using Write = Result<void> (*)(const std::string& path, const ElementMesh& mesh, InpElement element);
 
-Result<void> write_pair(const std::string& path, const ElementMesh& mesh) {
+Result<void> write_pair(const std::string& path, const ElementMesh& mesh, InpElement) {
   return write_node_ele(std::filesystem::path(path).replace_extension().string(), mesh);
 }
 
 template <PolygonFormat format>
-Result<void> write_polygons(const std::string& path, const ElementMesh& mesh) {
+Result<void> write_polygons(const std::string& path, const ElementMesh& mesh, InpElement) {
   DOBRA_TRY_VOID(check_writable(mesh));
   return write_file(path, polygons_text(polygons_of(mesh), format));
 }
 
-Result<void> write_stl(const std::string& path, const ElementMesh& mesh) {
+Result<void> write_stl(const std::string& path, const ElementMesh& mesh, InpElement) {
   DOBRA_TRY_VOID(check_writable(mesh));
   return write_text(path, mesh::surface_text(triangle_mesh_of(mesh), mesh::SurfaceFormat::Stl));
 }
 
-Result<void> write_graph(const std::string& path, const ElementMesh& mesh) {
+Result<void> write_graph(const std::string& path, const ElementMesh& mesh, InpElement) {
   DOBRA_TRY_VOID(check_writable(mesh));
   return write_poly(path, poly_of(mesh));
 }
 
 const std::vector<std::pair<std::string, Write>>& writers() {
   static const std::vector<std::pair<std::string, Write>> table = {
-      {".vtu", [](const std::string& path, const ElementMesh& mesh) { return write_vtu(path, mesh); }},
-      {".msh", [](const std::string& path, const ElementMesh& mesh) { return write_msh(path, mesh); }},
+      {".vtu", [](const std::string& path, const ElementMesh& mesh, InpElement) { return write_vtu(path, mesh); }},
+      {".msh", [](const std::string& path, const ElementMesh& mesh, InpElement) { return write_msh(path, mesh); }},
       {".msh2",
-       [](const std::string& path, const ElementMesh& mesh) { return write_msh(path, mesh, MshVersion::V22); }},
-      {".inp", [](const std::string& path, const ElementMesh& mesh) { return write_inp(path, mesh); }},
-      {".bdf", [](const std::string& path, const ElementMesh& mesh) { return write_bdf(path, mesh); }},
-      {".nas", [](const std::string& path, const ElementMesh& mesh) { return write_bdf(path, mesh); }},
+       [](const std::string& path, const ElementMesh& mesh, InpElement) { return write_msh(path, mesh, MshVersion::V22); }},
+      {".inp", [](const std::string& path, const ElementMesh& mesh, InpElement element) { return write_inp(path, mesh, {.element = element}); }},
+      {".bdf", [](const std::string& path, const ElementMesh& mesh, InpElement) { return write_bdf(path, mesh); }},
+      {".nas", [](const std::string& path, const ElementMesh& mesh, InpElement) { return write_bdf(path, mesh); }},
       {".nf",
-       [](const std::string& path, const ElementMesh& mesh) {
+       [](const std::string& path, const ElementMesh& mesh, InpElement) {
          return write_neutral(path, {mesh, {}, 1.0});
        }},
       {".node", write_pair},
@@ -233,9 +233,9 @@ std::vector<Error> inverted_elements(const MeshContents& contents) {
   return errors;
 }
 
-Result<void> write_mesh(const std::string& path, const ElementMesh& mesh) {
+Result<void> write_mesh(const std::string& path, const ElementMesh& mesh, InpElement element) {
   DOBRA_TRY_VOID(check_mesh_ending(path));
-  return writer_of(path)(path, mesh);
+  return writer_of(path)(path, mesh, element);
 }
 
 std::vector<std::string> losses(const std::string& path, const ElementMesh& mesh) {

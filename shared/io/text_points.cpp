@@ -10,6 +10,7 @@
 
 #include "shared/base/text.h"
 #include "shared/io/file.h"
+#include "shared/io/line_kinds.h"
 #include "shared/io/scan.h"
 
 namespace dobra::io {
@@ -341,12 +342,28 @@ class Reader {
     return {};
   }
 
+  /// A row stands alone where its name or kind differs from those of its neighbours, itself or a neighbour misspelt.
+  [[nodiscard]] Error lone_point(const Line& line) const {
+    const auto unknown = [&](const Line& other) {
+      return other.name == line.name && other.points.size() == 1 && !other.kind.empty() && !known_kind(other.kind);
+    };
+    const auto misspelt = std::find_if(open_.begin(), open_.end(), unknown);
+    const Line& lone = misspelt != open_.end() && !unknown(line) ? *misspelt : line;
+    Error error{ErrorCode::DegenerateCurve, {},
+                Place{.file = file_, .line = lone.begin, .x = lone.points[0].x, .y = lone.points[0].y}};
+    if (unknown(lone)) {
+      error.message = fmt::format("unknown kind '{}', in this row only{}", lone.kind, kind_hint(lone.kind));
+      return error;
+    }
+    const std::string name = line.name.empty() ? std::string() : fmt::format(" '{}'", line.name);
+    const std::string kind = line.kind.empty() ? std::string() : fmt::format(" of kind '{}'", line.kind);
+    error.message = fmt::format("a line needs at least two distinct points; this one{}{} has 1", name, kind);
+    return error;
+  }
+
   Result<void> finish(Line line) {
     std::vector<Point>& points = line.points;
-    if (points.size() < 2) {
-      return Error{ErrorCode::DegenerateCurve, "a line needs at least two distinct points; this one has 1",
-                   Place{.file = file_, .line = line.begin, .x = points[0].x, .y = points[0].y}};
-    }
+    if (points.size() < 2) return lone_point(line);
     const bool returns =
         points.front() == points.back() && (line.heights.empty() || line.heights.front() == line.heights.back());
     const bool closed = options_.closing == Closing::WhenFirstPointRepeats && points.size() > 3 && returns;

@@ -124,6 +124,7 @@ Result<Area> joined(std::span<const Area> areas, const base::Progress& progress)
   std::vector<geom::Box> boxes;
   bool apart = true;
   for (const Area& area : areas) {
+    DOBRA_TRY_VOID(progress.check());
     if (area.rings.empty()) continue;
     const geom::Box box = box_of(area);
     for (const geom::Box& other : boxes) apart = apart && !other.overlaps(box);
@@ -145,13 +146,13 @@ std::vector<std::vector<Polyline>> polygons_of(std::span<const Polyline> rings) 
   return polygons;
 }
 
-Result<std::vector<std::vector<Polyline>>> mended(std::span<const Polyline> polygon) {
+Result<std::vector<std::vector<Polyline>>> mended(std::span<const Polyline> polygon, const base::Progress& progress) {
   const std::vector<std::vector<Polyline>> as_given{{polygon.begin(), polygon.end()}};
   if (polygon.size() == 1) {
     DOBRA_TRY(const bool meets, meets_itself(polygon[0]));
     if (!meets) return as_given;
   }
-  DOBRA_TRY(const std::vector<Polyline> rings, topo::region(polygon, topo::Inside::Odd));
+  DOBRA_TRY(const std::vector<Polyline> rings, topo::region(polygon, topo::Inside::Odd, progress));
   if (rings.size() == polygon.size() && point_count(rings) == point_count(polygon)) return as_given;
   return polygons_of(rings);
 }

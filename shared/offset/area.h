@@ -58,7 +58,8 @@ base::Result<Area> joined(std::span<const Area> areas, const base::Progress& pro
 
 /// The polygons of a polygon whose rings may cross or touch themselves or each other: what a way from outside enters by an
 /// odd number of crossings. One that is sound comes back as it is.
-base::Result<std::vector<std::vector<geom::Polyline>>> mended(std::span<const geom::Polyline> polygon);
+base::Result<std::vector<std::vector<geom::Polyline>>> mended(std::span<const geom::Polyline> polygon,
+                                                              const base::Progress& progress = {});
 
 /// Rings of an Area, one polygon after the other.
 std::vector<std::vector<geom::Polyline>> polygons_of(std::span<const geom::Polyline> rings);

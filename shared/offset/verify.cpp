@@ -162,11 +162,12 @@ bool well_formed(const OffsetPiece& piece, std::size_t index, const OffsetOption
 
 }  // namespace
 
-std::vector<SeenEdge> see(const Model& model, const OffsetCurve& curve, const VerifyOptions& options, Verification& found) {
+std::vector<SeenEdge> see(const Model& model, const OffsetCurve& curve, const VerifyOptions& options, Verification& found,
+                          const base::Progress& progress) {
   std::vector<SeenEdge> edges;
   for (std::size_t p = 0; p < curve.pieces.size(); ++p) {
     const OffsetPiece& piece = curve.pieces[p];
-    for (std::size_t i = 0; i < piece.edges.size(); ++i) {
+    for (std::size_t i = 0; i < piece.edges.size() && !progress.cancelled(); ++i) {
       SeenEdge edge;
       edge.a = model.seen(piece.points[i]);
       edge.b = model.seen(piece.points[i + 1 == piece.points.size() ? 0 : i + 1]);
@@ -258,7 +259,7 @@ class ClearanceCheck {
     }
     if (least < limit_) report(FindingKind::TooNear, edge, least, limit_);
     in_mitres(edge);
-    if (edge.line) in_slits(edge);
+    if (edge.line && !model_.coarse()) in_slits(edge);
   }
 
  private:
@@ -359,9 +360,11 @@ class ClearanceCheck {
 
 }  // namespace
 
-void check_clearance(const Model& model, const std::vector<SeenEdge>& edges, const VerifyOptions& options, Verification& found) {
+void check_clearance(const Model& model, const std::vector<SeenEdge>& edges, const VerifyOptions& options, Verification& found,
+                     const base::Progress& progress) {
   ClearanceCheck check(model, options, found);
   for (const SeenEdge& edge : edges) {
+    if (progress.cancelled()) return;
     if (edge.segment != Model::none) check(edge);
   }
 }
@@ -369,19 +372,21 @@ void check_clearance(const Model& model, const std::vector<SeenEdge>& edges, con
 }  // namespace judge
 
 Result<Verification> verify(const geom::Polyline& base, const OffsetOptions& options, const OffsetCurve& curve,
-                            const VerifyOptions& verify_options) {
+                            const VerifyOptions& verify_options, const base::Progress& progress) {
   using namespace judge;
   DOBRA_TRY(Model model, Model::make(base, options, curve.distance));
   Verification found;
   for (std::size_t i = 0; i < curve.pieces.size(); ++i) well_formed(curve.pieces[i], i, options, found);
   if (!found.ok()) return found;  // nothing else can be asked of it
-  const std::vector<SeenEdge> edges = see(model, curve, verify_options, found);
-  if (model.raw) return found;
-  check_crossings(model, curve, edges, found);
-  if (model.paper) return found;
-  check_clearance(model, edges, verify_options, found);
-  check_missing(model, curve, edges, verify_options, found);
-  check_winding(model, edges, found);
+  const std::vector<SeenEdge> edges = see(model, curve, verify_options, found, progress);
+  found.coarse = model.coarse() && !model.raw;
+  if (!model.raw) check_crossings(model, curve, edges, found, progress);
+  if (!model.raw && !model.paper) {
+    check_clearance(model, edges, verify_options, found, progress);
+    if (!model.coarse()) check_missing(model, curve, edges, verify_options, found, progress);
+    check_winding(model, edges, found, progress);
+  }
+  DOBRA_TRY_VOID(progress.check());
   return found;
 }
 

@@ -52,6 +52,10 @@ struct Verification {
   std::vector<Finding> findings;
   std::size_t edges = 0;    ///< Judged.
   std::size_t samples = 0;  ///< Free points of raw parallels that were looked for and had to be there.
+  /// D is below 64 roundings of the coordinates: neither touching nor what is missing was asked for. Ends are looked for
+  /// within 8 roundings, which must be far less than the 2 D between two sides of the base; and the engine leaves out
+  /// closed pieces up to 64 roundings wide, as those round a part of the base by itself are, being 2 D wide.
+  bool coarse = false;
   [[nodiscard]] bool ok() const { return findings.empty(); }
 };
 
@@ -59,10 +63,10 @@ struct Verification {
 /// The tip of a mitre that pokes through a thin part of a contour that does not meet itself is on the wrong side: not asked for.
 /// Not all rules hold everywhere: Untreated is judged by (e) and its vertices only, Ends::Paper by (b) and whether its vertices lie on
 /// the raw edges that it names, which go from corner to corner; where pieces were dropped, nothing is asked to be there (c).
-/// @error those of the base: NotFinite, DegenerateCurve; InvalidOption if the distance is not above 0.
+/// @error those of the base: NotFinite, DegenerateCurve; InvalidOption if the distance is not above 0; Cancelled.
 /// @cost  O((n + m) log n) for n base and m result points, where what is within D of a place is not crowded.
 base::Result<Verification> verify(const geom::Polyline& base, const OffsetOptions& options, const OffsetCurve& curve,
-                                  const VerifyOptions& verify_options = {});
+                                  const VerifyOptions& verify_options = {}, const base::Progress& progress = {});
 
 const char* name_of(FindingKind kind);
 

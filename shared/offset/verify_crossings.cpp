@@ -202,6 +202,7 @@ class CrossingCheck {
     if (both * model_.d > allowed_) report(FindingKind::Touching, e, p.point(std::max(from, 0.0L)), both * model_.d);
   }
   void report(FindingKind kind, const SeenEdge& e, Wide place, long double measured) {
+    if (kind == FindingKind::Touching && model_.coarse()) return;
     found_.findings.push_back({kind, model_.user(place), static_cast<double>(measured), static_cast<double>(allowed_), e.piece, e.edge});
   }
 
@@ -213,7 +214,8 @@ class CrossingCheck {
 
 }  // namespace
 
-void check_crossings(const Model& model, const OffsetCurve& curve, const std::vector<SeenEdge>& edges, Verification& found) {
+void check_crossings(const Model& model, const OffsetCurve& curve, const std::vector<SeenEdge>& edges, Verification& found,
+                     const base::Progress& progress) {
   std::vector<geom::Box> boxes;
   boxes.reserve(edges.size());
   for (const SeenEdge& edge : edges) {
@@ -222,7 +224,7 @@ void check_crossings(const Model& model, const OffsetCurve& curve, const std::ve
   }
   const BoxTree tree(boxes);
   CrossingCheck check(model, curve, found);
-  for (std::size_t i = 0; i < edges.size(); ++i) {
+  for (std::size_t i = 0; i < edges.size() && !progress.cancelled(); ++i) {
     if (boxes[i].empty()) continue;
     tree.each([&](const geom::Box& box) { return box.overlaps(boxes[i]); },
               [&](std::size_t j) {

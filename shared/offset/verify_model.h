@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "shared/base/progress.h"
 #include "shared/base/result.h"
 #include "shared/geom/predicates.h"
 #include "shared/offset/verify.h"
@@ -53,6 +54,8 @@ class Model {
   BoxTree mitre_tree;
   static constexpr std::uint32_t none = 0xffffffffU;
 
+  /// D is so few roundings that one side of the base cannot be told from the other; see Verification::coarse.
+  [[nodiscard]] bool coarse() const { return d < 64 * rounding; }
   [[nodiscard]] std::size_t count() const { return along.size(); }
   [[nodiscard]] std::size_t end_index(std::size_t i) const { return i + 1 == places.size() ? 0 : i + 1; }
   [[nodiscard]] std::size_t after(std::size_t i) const { return i + 1 == count() ? 0 : i + 1; }
@@ -108,13 +111,17 @@ struct SeenEdge {
 };
 
 /// The curve's edges, and all that is wrong with each alone (checks e, and a for vertices).
-std::vector<SeenEdge> see(const Model& model, const OffsetCurve& curve, const VerifyOptions& options, Verification& found);
+/// It and the checks stop early once `progress` is cancelled.
+std::vector<SeenEdge> see(const Model& model, const OffsetCurve& curve, const VerifyOptions& options, Verification& found,
+                          const base::Progress& progress);
 
-void check_clearance(const Model& model, const std::vector<SeenEdge>& edges, const VerifyOptions& options, Verification& found);
-void check_crossings(const Model& model, const OffsetCurve& curve, const std::vector<SeenEdge>& edges, Verification& found);
+void check_clearance(const Model& model, const std::vector<SeenEdge>& edges, const VerifyOptions& options, Verification& found,
+                     const base::Progress& progress);
+void check_crossings(const Model& model, const OffsetCurve& curve, const std::vector<SeenEdge>& edges, Verification& found,
+                     const base::Progress& progress);
 void check_missing(const Model& model, const OffsetCurve& curve, const std::vector<SeenEdge>& edges, const VerifyOptions& options,
-                   Verification& found);
-void check_winding(const Model& model, const std::vector<SeenEdge>& edges, Verification& found);
+                   Verification& found, const base::Progress& progress);
+void check_winding(const Model& model, const std::vector<SeenEdge>& edges, Verification& found, const base::Progress& progress);
 
 geom::Box box_of(const SeenEdge& edge);
 /// Of p from the edge as it is drawn.

@@ -185,20 +185,21 @@ void check_ends(const Model& model, const OffsetCurve& curve, Verification& foun
 }  // namespace
 
 void check_missing(const Model& model, const OffsetCurve& curve, const std::vector<SeenEdge>& edges, const VerifyOptions& options,
-                   Verification& found) {
+                   Verification& found, const base::Progress& progress) {
   check_ends(model, curve, found);
   if (curve.dropped > 0) return;
   MissingCheck check(model, edges, options, found);
-  for (std::size_t i = 0; i < model.count(); ++i) {
+  for (std::size_t i = 0; i < model.count() && !progress.cancelled(); ++i) {
     check.parallel(i);
     if (model.closed || i + 1 < model.count()) check.corner(i);
   }
 }
 
-void check_winding(const Model& model, const std::vector<SeenEdge>& edges, Verification& found) {
+void check_winding(const Model& model, const std::vector<SeenEdge>& edges, Verification& found, const base::Progress& progress) {
   std::vector<Winding> walks;
   for (auto& walk : model.outline()) walks.emplace_back(std::move(walk));
   for (const SeenEdge& edge : edges) {
+    if (progress.cancelled()) return;
     const long double aside = 1e-9L * model.d + 64 * edge.rounding;
     const View view(model, 4 * aside);
     if (edge.segment == Model::none || size(edge.b - edge.a) < 16 * aside || aside > 0.01L * model.d) continue;

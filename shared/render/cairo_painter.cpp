@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "shared/render/cairo_pattern.h"
 #include "shared/scene/color_map.h"
 #include "shared/scene/fill.h"
+#include "shared/scene/pattern.h"
 
 namespace dobra::render {
 namespace {
@@ -52,6 +52,28 @@ std::vector<Point> near_part(std::vector<Point> polygon) {
     polygon = cut(polygon, axis, far_off, -1.0);
   }
   return polygon;
+}
+
+/// Draws the signs over the current path, which stays, under the context's fill rule.
+void fill_with_pattern(cairo_t* context, scene::Pattern pattern) {
+  if (pattern == scene::Pattern::None) return;
+  cairo_path_t* path = cairo_copy_path(context);
+  cairo_save(context);
+  cairo_clip(context);
+  // The clip within the plot: what is far outside is not drawn.
+  geom::Box seen{{0.0, 0.0}, {0.0, 0.0}};
+  cairo_clip_extents(context, &seen.low.x, &seen.low.y, &seen.high.x, &seen.high.y);
+  for (const geom::Segment& stroke : scene::pattern_strokes(pattern, seen)) {
+    cairo_move_to(context, stroke.from.x, stroke.from.y);
+    cairo_line_to(context, stroke.to.x, stroke.to.y);
+  }
+  set_color(context, scene::pattern_ink);
+  cairo_set_line_width(context, scene::pattern_width(pattern));
+  cairo_set_dash(context, nullptr, 0, 0.0);
+  cairo_stroke(context);
+  cairo_restore(context);
+  cairo_append_path(context, path);
+  cairo_path_destroy(path);
 }
 
 class LayerPainter {

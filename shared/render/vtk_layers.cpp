@@ -21,6 +21,7 @@
 #include "shared/scene/color_map.h"
 #include "shared/geom/simplify.h"
 #include "shared/scene/fill.h"
+#include "shared/scene/pattern.h"
 
 namespace dobra::render {
 namespace {
@@ -45,6 +46,23 @@ struct Cells {
     return cells;
   }
 };
+
+/// Makes strokes given in page coordinates the lines of `data`.
+void show_strokes(const std::vector<geom::Segment>& strokes, const scene::Transform& transform, Point origin,
+                  double depth, vtkPolyData& data) {
+  vtkNew<vtkPoints> points;
+  Cells cells;
+  for (const geom::Segment& stroke : strokes) {
+    for (const Point& end : {stroke.from, stroke.to}) {
+      const Point world = transform.to_world(end);
+      cells.add(points->InsertNextPoint(world.x - origin.x, world.y - origin.y, depth));
+    }
+    cells.end();
+  }
+  data.SetPoints(points);
+  data.SetLines(cells.array());
+  data.Modified();
+}
 
 class ActorMaker {
  public:
@@ -99,6 +117,7 @@ class ActorMaker {
       data->SetPoints(points);
       data->SetPolys(cells.array());
       add(data, *style_.fill);
+      add_pattern(content.regions);
     }
     std::vector<geom::Polyline> outlines;
     for (const scene::Region& region : content.regions) {
@@ -295,25 +314,59 @@ class ActorMaker {
     follow_width(add(data, style_.line));
     made_.on_view.emplace_back([data, lines = std::move(lines), style = style_, origin = origin_, depth = depth_](
                                    const scene::PanelLayout& place, double) {
-      vtkNew<vtkPoints> points;
-      Cells cells;
+      std::vector<geom::Segment> strokes;
       const std::vector<double> pattern = scene::dash_lengths(style.dash, style.line_width);
       for (const geom::Polyline* line : lines) {
         // Dashes are measured on the page: they keep their length under zoom and exaggeration.
         geom::Polyline on_page{{}, line->closed};
         for (const Point& p : line->points) on_page.points.push_back(place.transform.to_page(p));
-        for (const geom::Segment& stroke : scene::strokes_of(on_page, pattern, place.plot.grown(style.line_width))) {
-          for (const Point& end : {stroke.from, stroke.to}) {
-            const Point world = place.transform.to_world(end);
-            cells.add(points->InsertNextPoint(world.x - origin.x, world.y - origin.y, depth));
-          }
-          cells.end();
-        }
+        const auto more = scene::strokes_of(on_page, pattern, place.plot.grown(style.line_width));
+        strokes.insert(strokes.end(), more.begin(), more.end());
       }
-      data->SetPoints(points);
-      data->SetLines(cells.array());
-      data->Modified();
+      show_strokes(strokes, place.transform, origin, depth, *data);
     });
+  }
+
+  /// Signs stand on the page, so they are made for what is in sight, whenever that changes.
+  void add_pattern(const std::vector<scene::Region>& regions) {
+    if (style_.pattern == scene::Pattern::None) return;
+    vtkSmartPointer<vtkPolyData> data = vtkSmartPointer<vtkPolyData>::New();
+    vtkActor& actor = add(data, scene::pattern_ink);
+    made_.on_view.emplace_back([&actor, data, &regions, fill = *style_.fill, pattern = style_.pattern,
+                                origin = origin_, depth = depth_ + 0.125](const scene::PanelLayout& place,
+                                                                          double pixels_per_point) {
+      const double pixels = scene::pattern_width(pattern) * pixels_per_point;
+      set_ink(*actor.GetProperty(), fill, scene::pattern_ink, std::min(pixels, 1.0));
+      actor.GetProperty()->SetLineWidth(static_cast<float>(std::max(pixels, 1.0)));
+      std::vector<geom::Segment> strokes;
+      for (const scene::Region& region : regions) {
+        const auto more = pattern_over(region, pattern, place);
+        strokes.insert(strokes.end(), more.begin(), more.end());
+      }
+      show_strokes(strokes, place.transform, origin, depth, *data);
+    });
+  }
+
+  /// Ink over a fill as one opaque colour: what is translucent VTK draws without smoothing, and over later layers.
+  static void set_ink(vtkProperty& property, const Color& fill, const Color& ink, double cover) {
+    const double a = cover * ink.alpha / 255.0;
+    const auto mixed = [a](std::uint8_t below, std::uint8_t above) { return ((1.0 - a) * below + a * above) / 255.0; };
+    property.SetColor(mixed(fill.red, ink.red), mixed(fill.green, ink.green), mixed(fill.blue, ink.blue));
+    property.SetOpacity(1.0);
+  }
+
+  /// What of the signs of a region is in its plot, in page coordinates.
+  static std::vector<geom::Segment> pattern_over(const scene::Region& region, scene::Pattern pattern,
+                                                 const scene::PanelLayout& place) {
+    std::vector<geom::Polyline> on_page = region.contours;
+    geom::Box box;
+    for (geom::Polyline& contour : on_page) {
+      for (Point& p : contour.points) p = place.transform.to_page(p);
+      box.add(contour.box());
+    }
+    const geom::Box seen{{std::max(box.low.x, place.plot.low.x), std::max(box.low.y, place.plot.low.y)},
+                         {std::min(box.high.x, place.plot.high.x), std::min(box.high.y, place.plot.high.y)}};
+    return scene::parts_inside(scene::pattern_strokes(pattern, seen), on_page);
   }
 
   void follow_width(vtkActor& actor) {

@@ -1,7 +1,10 @@
 #include "shared/render/vtk_marks.h"
 
 #include <fmt/format.h>
+#include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyDataMapper2D.h>
@@ -18,6 +21,7 @@
 
 #include "shared/render/vtk_scene.h"
 #include "shared/scene/color_map.h"
+#include "shared/scene/pattern.h"
 
 namespace dobra::render {
 namespace {
@@ -72,7 +76,10 @@ class Shapes {
   }
 
   void operator()(const scene::BoxMark& mark) {
-    if (mark.fill) add_box(pixels(mark.box), *mark.fill, *mark.fill, scene::GradientMark::Direction::Up);
+    if (mark.fill) {
+      add_box(pixels(mark.box), *mark.fill, *mark.fill, scene::GradientMark::Direction::Up);
+      add_pattern(mark.box, mark.pattern);
+    }
     if (mark.line_width <= 0.0) return;
     // Sides are as long as to fill the corners.
     const double half = 0.5 * snapped_width(mark.line_width) / scale_;
@@ -138,6 +145,13 @@ class Shapes {
     return box;
   }
 
+  void add_pattern(const geom::Box& b, scene::Pattern pattern) {
+    const geom::Polyline border{{b.low, {b.high.x, b.low.y}, b.high, {b.low.x, b.high.y}}, true};
+    const double width = scene::pattern_width(pattern);
+    for (const geom::Segment& stroke : scene::parts_inside(scene::pattern_strokes(pattern, b), {border}))
+      add_line(stroke, scene::pattern_ink, width);
+  }
+
   [[nodiscard]] double snapped_width(double points) const { return std::max(1.0, std::round(points * scale_)); }
 
   void add_line(const geom::Segment& page, const Color& color, double width) {
@@ -184,6 +198,19 @@ class Shapes {
   vtkNew<vtkUnsignedCharArray> colors_;
 };
 
+/// Marks lie in one plane, each over those before it: while they are drawn nothing asks how near they are.
+void draw_in_order(vtkRenderer& renderer) {
+  constexpr unsigned gl_lequal = 0x0203;
+  constexpr unsigned gl_always = 0x0207;
+  vtkNew<vtkCallbackCommand> command;
+  command->SetCallback([](vtkObject* caller, unsigned long event, void*, void*) {
+    auto* window = vtkOpenGLRenderWindow::SafeDownCast(vtkRenderer::SafeDownCast(caller)->GetRenderWindow());
+    if (window != nullptr) window->GetState()->vtkglDepthFunc(event == vtkCommand::StartEvent ? gl_always : gl_lequal);
+  });
+  renderer.AddObserver(vtkCommand::StartEvent, command);
+  renderer.AddObserver(vtkCommand::EndEvent, command);
+}
+
 }  // namespace
 
 scene::TextMeasure vtk_text_measure(double pixels_per_point) {
@@ -212,6 +239,7 @@ VtkMarks::VtkMarks(vtkRenderer& renderer) : renderer_(renderer), shapes_(vtkSmar
   vtkNew<vtkActor2D> actor;
   actor->SetMapper(mapper);
   renderer_.AddActor2D(actor);
+  draw_in_order(renderer_);
 }
 
 void VtkMarks::show(const std::vector<scene::Mark>& marks, int height, double pixels_per_point) {

@@ -69,7 +69,7 @@ base::Result<Document> with_value(Document document, const Program& program, con
   const std::vector<std::string> path = split(assignment.substr(0, equals));
   const std::string text = assignment.substr(equals + 1);
   if (path[0] == "input") {
-    DOBRA_TRY_VOID(assign(document.input, program.input_fields, path, 1, text, assignment));
+    DOBRA_TRY_VOID(assign(document.input, fields_in(program.input_fields, document.units), path, 1, text, assignment));
     return document;
   }
   if (path.size() == 1 && (path[0] == "unit_system" || path[0] == "result_units")) {
@@ -93,7 +93,7 @@ base::Result<Document> with_value(Document document, const Program& program, con
                                  document.steps.size(), path.size() > 1 ? base::did_you_mean(path[1], names) : ""));
   }
   DOBRA_TRY(const Operation* operation, operation_of(document, *number, program));
-  DOBRA_TRY_VOID(assign(document.steps[*number - 1].params, operation->fields, path, 2, text, assignment));
+  DOBRA_TRY_VOID(assign(document.steps[*number - 1].params, fields_in(operation->fields, document.units), path, 2, text, assignment));
   return document;
 }
 

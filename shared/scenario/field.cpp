@@ -10,6 +10,7 @@
 #include "shared/io/file.h"
 #include "shared/scenario/toml_reader.h"
 #include "shared/scenario/toml_text.h"
+#include "shared/scenario/units.h"
 
 namespace dobra::scenario {
 namespace {
@@ -101,26 +102,27 @@ std::string range_text(const Field& field) {
 }
 
 /// What is wrong with one number of a field; empty if nothing.
-std::string number_trouble(const Field& field, double number) {
+std::string number_trouble(const Field& field, double number, const std::string& unit) {
   if (!std::isfinite(number)) return "a finite number";
   const FieldOptions& o = field.options;
   const bool inside =
       (!o.above || number > *o.above) && (!o.at_least || number >= *o.at_least) && (!o.at_most || number <= *o.at_most);
-  return inside ? "" : range_text(field);
+  return inside ? "" : range_text(field) + unit;
 }
 
 Error bad_value(std::string message, const base::Place& place) {
   return {ErrorCode::BadValue, std::move(message), place};
 }
 
-base::Result<void> check_numbers(const Value& value, const Value& written, const Field& field,
+/// @param unit  of the numbers, with a blank before it; empty: they have none.
+base::Result<void> check_numbers(const Value& value, const Value& written, const Field& field, const std::string& unit,
                                  const base::Place& place) {
   if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
     for (std::size_t i = 0; i < numbers->size(); ++i) {
-      const std::string trouble = number_trouble(field, (*numbers)[i]);
+      const std::string trouble = number_trouble(field, (*numbers)[i], unit);
       if (!trouble.empty()) {
-        return bad_value(fmt::format("number {} of '{}' must be {}, found {}", i + 1, field.key, trouble,
-                                     base::number_text((*numbers)[i])),
+        return bad_value(fmt::format("number {} of '{}' must be {}, found {}{}", i + 1, field.key, trouble,
+                                     base::number_text((*numbers)[i]), std::isfinite((*numbers)[i]) ? unit : ""),
                          place);
       }
     }
@@ -149,15 +151,15 @@ base::Result<void> check_numbers(const Value& value, const Value& written, const
   }
   if (const auto* real = std::get_if<double>(&value)) number = *real;
   if (number) {
-    const std::string trouble = number_trouble(field, *number);
+    const std::string trouble = number_trouble(field, *number, unit);
     if (!trouble.empty())
-      return bad_value(fmt::format("'{}' must be {}, found {}", field.key, trouble, found(written)), place);
+      return bad_value(fmt::format("'{}' must be {}, found {}{}", field.key, trouble, found(written), std::isfinite(*number) ? unit : ""), place);
   }
   return {};
 }
 
-base::Result<void> check_value(const Value& written, const Field& field, const base::Place& place,
-                               const std::string& where) {
+base::Result<void> check_value(const Value& written, const Field& field, const std::string& unit,
+                               const base::Place& place, const std::string& where) {
   const std::optional<Value> value = as_kind(written, field.kind);
   if (!value)
     return bad_value(fmt::format("'{}' must be {}, found {}", field.key, wanted(field), found(written)), place);
@@ -180,7 +182,7 @@ base::Result<void> check_value(const Value& written, const Field& field, const b
     }
     return {};
   }
-  return check_numbers(*value, written, field, place);
+  return check_numbers(*value, written, field, unit.empty() ? "" : ' ' + unit, place);
 }
 
 base::Result<void> check_known(const Table& table, const std::vector<Field>& fields) {
@@ -200,7 +202,7 @@ base::Result<void> check_all(const Table& table, const std::vector<Field>& field
   DOBRA_TRY_VOID(check_known(table, fields));
   for (const Table::Entry& entry : table.entries()) {
     const auto field = std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.key == entry.key; });
-    DOBRA_TRY_VOID(check_value(entry.value, *field, entry.place, where));
+    DOBRA_TRY_VOID(check_value(entry.value, *field, si_unit(*field, table, fields), entry.place, where));
   }
   for (const Field& field : fields) {
     if (field.options.presence != Presence::Required || table.find(field.key) != nullptr) continue;
@@ -293,6 +295,18 @@ base::Result<void> check(const Table& table, const std::vector<Field>& fields, c
   return base::located(judged.error(), place);
 }
 
+namespace {
+
+/// Whether the text is a number that is greater than any that can be held.
+bool overflows(const std::string& text) {
+  double value = 0.0;
+  const std::size_t start = text.starts_with('+') ? 1 : 0;
+  const auto [end, status] = std::from_chars(text.data() + start, text.data() + text.size(), value);
+  return status == std::errc::result_out_of_range && end == text.data() + text.size();
+}
+
+}  // namespace
+
 base::Result<Value> parse_value(const Field& field, const std::string& text) {
   if (io::first_byte_outside_utf8(text) || text.find('\0') != std::string::npos) {
     return Error{ErrorCode::BadValue, fmt::format("the text given for '{}' is not UTF-8", field.key)};
@@ -301,9 +315,10 @@ base::Result<Value> parse_value(const Field& field, const std::string& text) {
   const std::optional<Value> value = typed(field, free_text ? text : trimmed(text));
   const std::optional<Value> converted = value ? as_kind(*value, field.kind) : std::nullopt;
   if (!converted) {
-    return Error{ErrorCode::BadValue, fmt::format("'{}' must be {}, found '{}'", field.key, wanted(field), text)};
+    const bool number = field.kind == Kind::Number || field.kind == Kind::Degrees;
+    return Error{ErrorCode::BadValue, fmt::format("'{}' must be {}, found '{}'{}", field.key, wanted(field), text, number && overflows(text) ? ", which is beyond 1.8e308" : "")};
   }
-  auto judged = check_value(*converted, field, {}, "");
+  auto judged = check_value(*converted, field, si_unit(field, {}, {field}), {}, "");
   if (!judged) return Error{judged.error().code, judged.error().message};
   return *converted;
 }

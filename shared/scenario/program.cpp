@@ -6,6 +6,7 @@
 #include <set>
 
 #include "shared/base/text.h"
+#include "shared/scenario/units.h"
 
 namespace dobra::scenario {
 namespace {
@@ -45,8 +46,63 @@ const Operation* Program::find_operation(const std::string& operation) const {
   return found == operations.end() ? nullptr : &*found;
 }
 
-std::optional<bool> reached(const Program& program, const State& state) {
-  return program.reached_of ? program.reached_of(state) : std::nullopt;
+scene::Picture titled(scene::Picture picture, const Document& document) {
+  if (picture.paper != scene::Paper::A4Landscape || !picture.title.empty()) return picture;
+  picture.title = document.title.empty() ? document.file.stem().string() : document.title;
+  return picture;
+}
+
+namespace {
+
+/// One member of the results of all parts of a program, in order.
+template <class List, class Member>
+List gathered(const Program& program, const State& state, Member member) {
+  List list;
+  const auto add = [&](const Results& part) {
+    if (part.*member) (part.*member)(state, list);
+  };
+  add(program.results);
+  for (const Operation& operation : program.operations) add(operation.results);
+  return list;
+}
+
+}  // namespace
+
+scene::Picture Program::picture_of(const State& state) const {
+  auto picture = gathered<scene::Picture>(*this, state, &Results::draw);
+  return units_of ? in_units(std::move(picture), units_of(state)) : picture;
+}
+
+std::vector<Quantity> Program::quantities_of(const State& state) const {
+  auto quantities = gathered<std::vector<Quantity>>(*this, state, &Results::quantities);
+  return units_of ? in_units(std::move(quantities), units_of(state)) : quantities;
+}
+
+std::vector<DataTable> Program::tables_of(const State& state) const {
+  auto tables = gathered<std::vector<DataTable>>(*this, state, &Results::tables);
+  return units_of ? in_units(std::move(tables), units_of(state)) : tables;
+}
+
+std::vector<std::string> Program::remarks_of(const State& state) const {
+  auto remarks = gathered<std::vector<std::string>>(*this, state, &Results::remarks);
+  if (!units_of) return remarks;
+  for (std::string& remark : remarks) remark = message_in_units(remark, units_of(state));
+  return remarks;
+}
+
+std::vector<Output> Program::outputs_of(const State& state) const {
+  return gathered<std::vector<Output>>(*this, state, &Results::outputs);
+}
+
+std::optional<bool> Program::reached(const State& state) const {
+  std::optional<bool> all;
+  const auto ask = [&](const Results& part) {
+    const std::optional<bool> one = part.reached ? part.reached(state) : std::nullopt;
+    if (one) all = all.value_or(true) && *one;
+  };
+  ask(results);
+  for (const Operation& operation : operations) ask(operation.results);
+  return all;
 }
 
 base::Result<const Operation*> operation_of(const Document& document, std::size_t number, const Program& program) {
@@ -76,10 +132,10 @@ base::Result<void> check_program(const Document& document, const Program& progra
 
 base::Result<void> check(const Document& document, const Program& program) {
   DOBRA_TRY_VOID(check_program(document, program));
-  DOBRA_TRY_VOID(check(document.input, program.input_fields, "input"));
+  DOBRA_TRY_VOID(check(document.input, fields_in(program.input_fields, document.units), "input"));
   for (std::size_t number = 1; number <= document.steps.size(); ++number) {
     DOBRA_TRY(const Operation* operation, operation_of(document, number, program));
-    DOBRA_TRY_VOID(check(document.steps[number - 1].params, operation->fields, step_label(document, number)));
+    DOBRA_TRY_VOID(check(document.steps[number - 1].params, fields_in(operation->fields, document.units), step_label(document, number)));
   }
   return check_names(document);
 }

@@ -1,6 +1,7 @@
 #pragma once
-// What a program tells the shared machinery (runner, command line, window): its input, its operations, and how a state
-// is drawn, measured and written. Plain functions in a table; the state itself is opaque here.
+// What a program tells the shared machinery (runner, command line, window): its input and its operations, each with what
+// it adds to a state's picture, numbers, tables, remarks and files. Plain functions in a table; the state itself is
+// opaque here.
 
 #include <filesystem>
 #include <functional>
@@ -36,31 +37,6 @@ struct Context {
   UnitSystem shown_units = {};   ///< In which pictures, quantities, tables and exchange files are to be.
 };
 
-/// One thing that a user can do to a model: a pure function of the model and the parameters.
-struct Operation {
-  std::string name;   ///< As in scenario files: "grid".
-  std::string title;  ///< As in menus: "Offset grid".
-  std::string help;   ///< One or two sentences.
-  std::vector<Field> fields;
-  std::function<base::Result<State>(const State&, const Table&, const Context&, const base::Progress&)> run;
-  /// The parameter that stops the work after so many steps, so that it can be watched; empty if there is none.
-  std::string stop_after{};
-  std::function<bool(const State&)> at_work{};  ///< Whether it was stopped so, and not done.
-};
-
-/// Wraps `Result<Model> run(const Model&, const Params&, const Context&, const Progress&)`.
-template <class Model, class Params>
-Operation make_operation(std::string name, std::string title, std::string help,
-                         base::Result<Model> (*run)(const Model&, const Params&, const Context&,
-                                                    const base::Progress&)) {
-  return {std::move(name), std::move(title), std::move(help), fields_of<Params>(),
-          [run](const State& state, const Table& table, const Context& context,
-                const base::Progress& progress) -> base::Result<State> {
-            DOBRA_TRY(Model model, run(model_of<Model>(state), from_table<Params>(table), context, progress));
-            return make_state(std::move(model));
-          }};
-}
-
 /// A number that a state has: what expectations refer to and reports list.
 struct Quantity {
   std::string name;  ///< Dotted, stable: "horizon.top.length_after".
@@ -82,6 +58,79 @@ struct Output {
   std::vector<std::string> losses = {};  ///< What the file leaves out or renames, a line each, for the user.
 };
 
+/// What a state tells of one part of it: each adds its own, and nothing where the state does not have that part. In SI.
+/// Any may be left out.
+struct Results {
+  std::function<void(const State&, std::vector<Quantity>&)> quantities{};
+  std::function<void(const State&, std::vector<DataTable>&)> tables{};
+  std::function<void(const State&, std::vector<std::string>&)> remarks{};  ///< What the user should know: repairs, limits.
+  /// Exchange files, without tables, report and pictures.
+  std::function<void(const State&, std::vector<Output>&)> outputs{};
+  std::function<void(const State&, scene::Picture&)> draw{};
+  /// Whether it reached what it was asked to (an error, say); nothing if nothing was asked. `run` ends with 1 if not.
+  std::function<std::optional<bool>(const State&)> reached{};
+};
+
+/// Results of a program's own type of model.
+template <class Model>
+struct ResultsOf {
+  void (*quantities)(const Model&, std::vector<Quantity>&) = nullptr;
+  void (*tables)(const Model&, std::vector<DataTable>&) = nullptr;
+  void (*remarks)(const Model&, std::vector<std::string>&) = nullptr;
+  void (*outputs)(const std::shared_ptr<const Model>&, std::vector<Output>&) = nullptr;
+  void (*draw)(const Model&, scene::Picture&) = nullptr;
+  std::optional<bool> (*reached)(const Model&) = nullptr;
+};
+
+template <class Model>
+Results make_results(const ResultsOf<Model>& of) {
+  Results results;
+  const auto adder = [](auto add) {
+    return [add](const State& state, auto& list) { add(model_of<Model>(state), list); };
+  };
+  if (of.quantities) results.quantities = adder(of.quantities);
+  if (of.tables) results.tables = adder(of.tables);
+  if (of.remarks) results.remarks = adder(of.remarks);
+  if (of.draw) results.draw = adder(of.draw);
+  if (of.outputs) {
+    results.outputs = [add = of.outputs](const State& state, std::vector<Output>& list) {
+      add(std::static_pointer_cast<const Model>(state), list);
+    };
+  }
+  if (of.reached) results.reached = [ask = of.reached](const State& state) { return ask(model_of<Model>(state)); };
+  return results;
+}
+
+/// One thing that a user can do to a model: a pure function of the model and the parameters.
+struct Operation {
+  std::string name;   ///< As in scenario files: "grid".
+  std::string title;  ///< As in menus: "Offset grid".
+  std::string help;   ///< One or two sentences.
+  std::vector<Field> fields;
+  std::function<base::Result<State>(const State&, const Table&, const Context&, const base::Progress&)> run;
+  /// The parameter that stops the work after so many steps, so that it can be watched; empty if there is none.
+  std::string stop_after{};
+  std::function<bool(const State&)> at_work{};  ///< Whether it was stopped so, and not done.
+  Results results{};                            ///< What of a state this operation has made.
+};
+
+/// Wraps `Result<Model> run(const Model&, const Params&, const Context&, const Progress&)`.
+template <class Model, class Params>
+Operation make_operation(std::string name, std::string title, std::string help,
+                         base::Result<Model> (*run)(const Model&, const Params&, const Context&,
+                                                    const base::Progress&),
+                         const ResultsOf<Model>& results = {}) {
+  return {std::move(name), std::move(title), std::move(help), fields_of<Params>(),
+          [run](const State& state, const Table& table, const Context& context,
+                const base::Progress& progress) -> base::Result<State> {
+            DOBRA_TRY(Model model, run(model_of<Model>(state), from_table<Params>(table), context, progress));
+            return make_state(std::move(model));
+          },
+          {},
+          {},
+          make_results(results)};
+}
+
 enum class TakesUnits { SiOnly, Any };
 
 struct Program {
@@ -91,21 +140,24 @@ struct Program {
   std::vector<Field> input_fields;
   std::function<base::Result<State>(const Table& input, const Context&, const base::Progress&)> read_input;
   std::vector<Operation> operations;
-  std::function<scene::Picture(const State&)> picture_of;
-  std::function<std::vector<Quantity>(const State&)> quantities_of;
-  std::function<std::vector<std::string>(const State&)> remarks_of;  ///< What the user should know: repairs, limits.
-  /// Whether the steps reached what they were asked to (an error, say); nothing if nothing was asked. `run` ends with 1
-  /// otherwise.
-  std::function<std::optional<bool>(const State&)> reached_of{};
-  std::function<std::vector<DataTable>(const State&)> tables_of;
-  std::function<std::vector<Output>(const State&)>
-      outputs_of;  ///< Exchange files, without tables, report and pictures.
+  Results results;  ///< What the input has made, and what all operations have in common.
+  /// The units that pictures, quantities, tables and remarks are turned into; left out: SI.
+  std::function<UnitSystem(const State&)> units_of{};
+
+  // What a state tells in all: the input's part, then that of each operation in the order of the list.
+  [[nodiscard]] scene::Picture picture_of(const State& state) const;
+  [[nodiscard]] std::vector<Quantity> quantities_of(const State& state) const;
+  [[nodiscard]] std::vector<DataTable> tables_of(const State& state) const;
+  [[nodiscard]] std::vector<std::string> remarks_of(const State& state) const;
+  [[nodiscard]] std::vector<Output> outputs_of(const State& state) const;
+  /// No, if one part says so; yes, if one says yes and none no.
+  [[nodiscard]] std::optional<bool> reached(const State& state) const;
 
   [[nodiscard]] const Operation* find_operation(const std::string& operation) const;
 };
 
-/// That of a state, or nothing.
-std::optional<bool> reached(const Program& program, const State& state);
+/// The picture; a sheet without a title is called after the document, or after the document's file.
+scene::Picture titled(scene::Picture picture, const Document& document);
 
 /// The operation of step `number` (1-based).
 /// @error UnknownOperation, with a suggestion and the step's place.

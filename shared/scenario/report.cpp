@@ -74,21 +74,14 @@ Json json_of(const Table& table, const std::vector<Field>& fields) {
   return values;
 }
 
-std::vector<std::string> remarks(const Program& program, const State& state) {
-  return program.remarks_of ? program.remarks_of(state) : std::vector<std::string>{};
-}
-
 void add_findings(const Program& program, const Run& run, std::size_t k, Json& json) {
   Json quantities = Json::object();
-  if (program.quantities_of) {
-    for (const Quantity& quantity : program.quantities_of(run.states[k])) {
-      quantities[quantity.name] = {{"value", quantity.value}, {"unit", quantity.unit}};
-    }
-  }
+  for (const Quantity& quantity : program.quantities_of(run.states[k]))
+    quantities[quantity.name] = {{"value", quantity.value}, {"unit", quantity.unit}};
   json["quantities"] = std::move(quantities);
-  const auto before = k == 0 ? std::vector<std::string>{} : remarks(program, run.states[k - 1]);
+  const auto before = k == 0 ? std::vector<std::string>{} : program.remarks_of(run.states[k - 1]);
   Json fresh = Json::array();
-  for (const std::string& remark : remarks(program, run.states[k])) {
+  for (const std::string& remark : program.remarks_of(run.states[k])) {
     if (std::find(before.begin(), before.end(), remark) == before.end()) fresh.push_back(remark);
   }
   json["remarks"] = std::move(fresh);
@@ -96,7 +89,6 @@ void add_findings(const Program& program, const Run& run, std::size_t k, Json& j
 
 Json tables_json(const Program& program, const State& state) {
   Json tables = Json::object();
-  if (!program.tables_of) return tables;
   for (const DataTable& table : program.tables_of(state)) {
     Json rows = Json::array();
     for (const auto& row : table.rows) {
@@ -136,7 +128,7 @@ std::string report_json(const Document& document, const Program& program, const 
   if (document.result_units) report["result_units"] = document.result_units->text();
   report["complete"] = run.complete();
   if (run.complete()) {
-    if (const auto met = reached(program, run.states.back())) report["reached"] = *met;
+    if (const auto met = program.reached(run.states.back())) report["reached"] = *met;
   }
   if (!run.states.empty()) {
     report["input"]["values"] = json_of(document.input, fields_in(program.input_fields, document.units));

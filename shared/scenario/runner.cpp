@@ -83,12 +83,9 @@ base::Result<void> check_numbers(const Program& program, const State& state) {
     return Error{ErrorCode::CannotSolve,
                  fmt::format("{} came out as {}, which is no finite number; no result is written", what, value)};
   };
-  if (program.quantities_of) {
-    for (const Quantity& quantity : program.quantities_of(state)) {
-      if (!std::isfinite(quantity.value)) return refuse(fmt::format("'{}'", quantity.name), quantity.value);
-    }
+  for (const Quantity& quantity : program.quantities_of(state)) {
+    if (!std::isfinite(quantity.value)) return refuse(fmt::format("'{}'", quantity.name), quantity.value);
   }
-  if (!program.tables_of) return {};
   for (const DataTable& table : program.tables_of(state)) {
     for (std::size_t r = 0; r < table.rows.size(); ++r) {
       for (std::size_t c = 0; c < table.rows[r].size(); ++c) {
@@ -152,10 +149,10 @@ Run Runner::run(const Document& document, const base::Progress& progress) {
     const Operation* operation = nullptr;
     if (k == 0) {
       DOBRA_TRY_VOID(check_program(document, program_));
-      DOBRA_TRY_VOID(check(document.input, program_.input_fields, "input"));
+      DOBRA_TRY_VOID(check(document.input, fields_in(program_.input_fields, document.units), "input"));
     } else {
       DOBRA_TRY(operation, operation_of(document, k, program_));
-      DOBRA_TRY_VOID(check(document.steps[k - 1].params, operation->fields, step_label(document, k)));
+      DOBRA_TRY_VOID(check(document.steps[k - 1].params, fields_in(operation->fields, document.units), step_label(document, k)));
     }
     const Table& table = k == 0 ? document.input : document.steps[k - 1].params;
     const std::vector<Field>& fields = k == 0 ? program_.input_fields : operation->fields;

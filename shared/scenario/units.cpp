@@ -269,6 +269,9 @@ std::vector<Field> fields_in(std::vector<Field> fields, const UnitSystem& units)
     const std::vector<std::string> cases = words_of(field.options.unit, ", ");
     if (field.default_value && field.kind != Kind::Text && derived(cases.front()) != nullptr)
       field.default_value = std::visit(Times{units.in_si(cases.front()).inverse()}, *field.default_value);
+    for (std::optional<double>* const limit : {&field.options.above, &field.options.at_least, &field.options.at_most}) {
+      if (*limit && derived(cases.front()) != nullptr) **limit = units.in_si(cases.front()).inverse().times(**limit);
+    }
     field.options.unit.clear();
     for (const std::string& one : cases) {
       const std::size_t end = std::min(one.find(" if "), one.size());

@@ -57,6 +57,7 @@ class Bar {
   }
 
   [[nodiscard]] std::vector<Tick> ticks() const {
+    if (scale_.low == scale_.high) return {{scale_.low, short_number(number(scale_.low))}};
     const double low = std::min(scale_.low, scale_.high);
     const double high = std::max(scale_.low, scale_.high);
     const auto room = [&](const std::string&) { return 2.0 * half_line_; };
@@ -119,7 +120,10 @@ Furniture color_bar(const Scale& scale, double height, const Font& font, const T
   // A label at the upper end of the bar reaches half a line above it.
   title_height = made.height + std::max(passes_high(scale) ? arrow_height : 0.0, half_line) + 2.0;
   const Bar bar(scale, title_height, height, half_line);
-  made.marks.push_back(GradientMark{bar.box(), scale.map, GradientMark::Direction::Up});
+  if (scale.low == scale.high)
+    made.marks.push_back(BoxMark{bar.box(), color_at(scale.map, 0.5)});
+  else
+    made.marks.push_back(GradientMark{bar.box(), scale.map, GradientMark::Direction::Up});
   made.marks.push_back(BoxMark{bar.box(), std::nullopt, frame_color, 0.75});
   const geom::Box& box = bar.box();
   if (passes_high(scale)) add_arrow(box.low.y, box.low.y - arrow_height, color_at(scale.map, 1.0), made.marks);

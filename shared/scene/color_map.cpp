@@ -80,6 +80,19 @@ double fraction_of(const Scale& scale, double value) {
   return std::clamp((value - scale.low) / width, 0.0, 1.0);
 }
 
+bool settle_constant(Mesh& mesh, double size) {
+  if (mesh.values.empty()) return false;
+  const auto [least, greatest] = std::minmax_element(mesh.values.begin(), mesh.values.end());
+  const double rounding = rounding_part * std::abs(size);
+  if (!(*greatest - *least <= rounding)) return false;
+  const double middle = 0.5 * (*least + *greatest);
+  const double value = std::abs(middle) <= rounding ? 0.0 : middle;
+  std::fill(mesh.values.begin(), mesh.values.end(), value);
+  mesh.scale.low = mesh.scale.high = value;
+  mesh.scale.least = mesh.scale.greatest = std::nullopt;
+  return true;
+}
+
 Color color_of(const Scale& scale, double value) { return color_at(scale.map, fraction_of(scale, value)); }
 
 }  // namespace dobra::scene

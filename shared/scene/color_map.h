@@ -14,6 +14,15 @@ Color color_at(ColorMapName map, double fraction);
 /// NaN.
 double fraction_of(const Scale& scale, double value);
 
+/// Differences below this part of what numbers are made of are rounding.
+constexpr double rounding_part = 1e-7;
+
+/// Gives all values of a field that is constant to rounding one value, 0 where that is rounding itself, and its scale
+/// no width, so that it has one colour and one number; leaves others as they are.
+/// @param size  the greatest of the numbers that the values are made of, as sums and differences.
+/// @return whether it is constant. A field without values is not.
+bool settle_constant(Mesh& mesh, double size);
+
 /// The colour of a value.
 Color color_of(const Scale& scale, double value);
 

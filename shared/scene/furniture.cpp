@@ -11,9 +11,16 @@
 namespace dobra::scene {
 namespace {
 
-constexpr double swatch_width = 24.0;
 constexpr double swatch_gap = 6.0;
-constexpr double column_gap = 18.0;
+constexpr double swatch_height = 10.0;
+
+/// How tightly a legend is set.
+struct Print {
+  Font font;
+  double swatch = 24.0;  ///< Width.
+  double row_gap = 3.0;
+  double column_gap = 18.0;
+};
 
 enum class Swatch { Line, Marker, Area, Mesh, Values };
 
@@ -68,10 +75,11 @@ std::vector<Entry> entries_of(const Picture& picture) {
   return entries;
 }
 
-/// The swatch in a box of swatch_width round the height `y`.
-void add_swatch(const Entry& entry, geom::Point left, std::vector<Mark>& marks) {
+/// The swatch in a box of that size, to the right of `left`.
+void add_swatch(const Entry& entry, geom::Point left, const PageSize& size, std::vector<Mark>& marks) {
   const Style& style = entry.style;
-  const geom::Box box{{left.x, left.y - 5.0}, {left.x + swatch_width, left.y + 5.0}};
+  const double half = 0.5 * size.height;
+  const geom::Box box{{left.x, left.y - half}, {left.x + size.width, left.y + half}};
   const geom::Point middle = box.centre();
   const double width = std::min(style.line_width, 4.0);
   switch (entry.swatch) {
@@ -101,23 +109,23 @@ void add_swatch(const Entry& entry, geom::Point left, std::vector<Mark>& marks) 
 /// The entries of a legend in columns of equal width, read downwards.
 class LegendTable {
  public:
-  LegendTable(const std::vector<Entry>& entries, const PageSize& room, const Font& font, const TextMeasure& measure)
-      : entries_(entries), font_(font), line_(measure("A", font).height()) {
+  LegendTable(const std::vector<Entry>& entries, const PageSize& room, const Print& print, const TextMeasure& measure)
+      : entries_(entries), print_(print), lead_(print.swatch + swatch_gap), line_(measure("A", print.font).height()) {
     double widest = 0.0;
     std::size_t most_lines = 1;
     for (const Entry& entry : entries) {
-      Font smaller = font;
-      lines_.push_back(wrapped(entry.title, std::max(room.width - lead, 40.0), smaller, measure));
+      Font smaller = print.font;
+      lines_.push_back(wrapped(entry.title, std::max(room.width - lead_, 40.0), smaller, measure));
       fonts_.push_back(smaller);
       for (const std::string& line : lines_.back()) widest = std::max(widest, measure(line, smaller).width);
       most_lines = std::max(most_lines, lines_.back().size());
     }
-    column_ = lead + widest + column_gap;
-    row_ = std::max(line_ + 1.0, line_ * static_cast<double>(most_lines)) + 3.0;
-    const auto columns = static_cast<std::size_t>(std::max(1.0, std::floor((room.width + column_gap) / column_)));
+    column_ = lead_ + widest + print.column_gap;
+    row_ = std::max(line_ + 1.0, line_ * static_cast<double>(most_lines)) + print.row_gap;
+    const auto columns = static_cast<std::size_t>(std::max(1.0, std::floor((room.width + print.column_gap) / column_)));
     rows_ = (entries.size() + columns - 1) / columns;
-    if ((static_cast<double>(rows_) * row_ - 3.0) > room.height)
-      rows_ = static_cast<std::size_t>(std::max(1.0, std::floor((room.height + 3.0) / row_)));
+    if ((static_cast<double>(rows_) * row_ - print.row_gap) > room.height)
+      rows_ = static_cast<std::size_t>(std::max(1.0, std::floor((room.height + print.row_gap) / row_)));
     shown_ = std::min(entries.size(), rows_ * columns);
     if (shown_ < entries.size()) --shown_;  // the last place says how many more there are
   }
@@ -129,28 +137,30 @@ class LegendTable {
     const std::size_t places = shown_ + (holds_all() ? 0 : 1);
     for (std::size_t i = 0; i < places; ++i) {
       const geom::Point left{static_cast<double>(i / rows_) * column_,
-                             static_cast<double>(i % rows_) * row_ + 0.5 * (row_ - 3.0)};
-      if (i < shown_) add_swatch(entries_[i], left, made.marks);
+                             static_cast<double>(i % rows_) * row_ + 0.5 * (row_ - print_.row_gap)};
+      const PageSize swatch{print_.swatch, std::min(swatch_height, row_ - print_.row_gap)};
+      if (i < shown_) add_swatch(entries_[i], left, swatch, made.marks);
       const std::vector<std::string> more{
           fmt::format(fmt::runtime(base::translated("... {} more")), entries_.size() - shown_)};
       const std::vector<std::string>& lines = i < shown_ ? lines_[i] : more;
       double y = left.y - 0.5 * line_ * static_cast<double>(lines.size() - 1);
       for (const std::string& line : lines) {
-        TextMark mark = text_mark(line, {left.x + (i < shown_ ? lead : 0.0), y}, i < shown_ ? fonts_[i] : font_, measure);
+        TextMark mark = text_mark(line, {left.x + (i < shown_ ? lead_ : 0.0), y},
+                                  i < shown_ ? fonts_[i] : print_.font, measure);
         mark.at.x += 0.5 * mark.size.width;
         made.marks.push_back(std::move(mark));
         y += line_;
       }
     }
-    made.width = static_cast<double>((places + rows_ - 1) / rows_) * column_ - column_gap;
-    made.height = static_cast<double>(std::min(rows_, places)) * row_ - 3.0;
+    made.width = static_cast<double>((places + rows_ - 1) / rows_) * column_ - print_.column_gap;
+    made.height = static_cast<double>(std::min(rows_, places)) * row_ - print_.row_gap;
     return made;
   }
 
  private:
-  static constexpr double lead = swatch_width + swatch_gap;
   std::span<const Entry> entries_;
-  Font font_;
+  Print print_;
+  double lead_;
   double line_;
   std::vector<std::vector<std::string>> lines_;
   std::vector<Font> fonts_;
@@ -308,9 +318,12 @@ Furniture turned_heading(const std::string& text, double height, Font font, cons
 Furniture legend(const Picture& picture, const PageSize& room, const Font& font, const TextMeasure& measure) {
   const std::vector<Entry> entries = entries_of(picture);
   if (entries.empty()) return {};
-  LegendTable table(entries, room, font, measure);
   // Small print before anything is left out.
-  if (!table.holds_all()) table = LegendTable(entries, room, {std::min(font.size, 7.0), font.weight}, measure);
+  const Print small{{std::min(font.size, 7.0), font.weight}};
+  const Print smallest{{std::min(font.size, 6.0), font.weight}, 14.0, 0.5, 12.0};
+  LegendTable table(entries, room, {font}, measure);
+  if (!table.holds_all()) table = LegendTable(entries, room, small, measure);
+  if (!table.holds_all()) table = LegendTable(entries, room, smallest, measure);
   return table.furniture(measure);
 }
 

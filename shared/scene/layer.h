@@ -26,7 +26,7 @@ struct Color {
 
 enum class Dash { Solid, Dashed, Dotted };
 
-/// What is drawn over the fill of regions, in thin dark lines: the usual signs of rocks. Cairo draws them.
+/// What is drawn over the fill of regions, in thin dark lines: the usual signs of rocks (pattern.h).
 enum class Pattern { None, Dots, Bricks, Dashes, Hatch, BackHatch, CrossHatch, Circles, Crosses, Vees };
 
 /// Sizes are typographic points (1/72 inch) on paper and device-independent pixels on a screen.

@@ -420,11 +420,14 @@ void Arranger::update_bottom(const PageSize& room) {
   if (options_.plots == Plots::FillPage && crowded) legend_ = {};
 }
 
-/// As many columns as give the largest scale, in windows the squarest cells: what is shown there must not move the panels.
+/// As many columns as give the largest scale, on a sheet those asked for unless others are clearly better; in windows the
+/// squarest cells: what is shown there must not move the panels.
 std::size_t Arranger::best_columns() const {
   std::size_t best = columns_;
   double most = 0.0;
-  for (std::size_t columns = blocks_.size(); columns > 0; --columns) {
+  const double clearly = picture_.arrangement == Arrangement::Grid ? 1.02 : 1.2;
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    const std::size_t columns = picture_.arrangement == Arrangement::Column ? i + 1 : blocks_.size() - i;
     if (options_.plots == Plots::FillPage) {
       const double rows = std::ceil(static_cast<double>(blocks_.size()) / static_cast<double>(columns));
       const double aspect = page_.width / static_cast<double>(columns) / (page_.height / rows);
@@ -440,7 +443,7 @@ std::size_t Arranger::best_columns() const {
     const bool fits = content.height <= page_.height + 0.5 && content.width <= page_.width + 0.5;
     // What does not fit counts only among others that do not.
     const double scale = (fits ? 1.0 : 1e-6) / trial.blocks_.front().view.world_per_point;
-    if (scale > 1.02 * most) {
+    if (scale > clearly * most) {
       best = columns;
       most = scale;
     }
@@ -449,7 +452,8 @@ std::size_t Arranger::best_columns() const {
 }
 
 void Arranger::arrange() {
-  if (picture_.arrangement == Arrangement::Grid && blocks_.size() > 1) columns_ = best_columns();
+  const bool free = picture_.arrangement == Arrangement::Grid || on_paper();
+  if (free && blocks_.size() > 1) columns_ = best_columns();
   settle();
 }
 

@@ -61,7 +61,7 @@ Result<void> check(const geom::Polyline& curve) {
 Result<void> lead(Subdivision& sub, Insertion& insertion, const geom::Polyline& curve, const base::Progress& progress) {
   VertexId at = insertion.vertex(curve.points.front());
   for (std::size_t i = 1; i < curve.points.size() + (curve.closed ? 1 : 0); ++i) {
-    if (i % 256 == 1) DOBRA_TRY_VOID(progress.check());
+    DOBRA_TRY_VOID(progress.check());
     const Point to = curve.points[i % curve.points.size()];
     if (to != sub.point(at)) at = insertion.advance(at, to);
   }

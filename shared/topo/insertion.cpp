@@ -47,6 +47,7 @@ VertexId Insertion::advance(VertexId from, Point to) {
 }
 
 void Insertion::add(VertexId from, VertexId to) {
+  detours_ = 0;
   roots_.push_back(make_piece(from, to));
   stack_.push_back(roots_.back());
   while (!stack_.empty()) {

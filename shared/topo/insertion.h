@@ -34,7 +34,7 @@ class Insertion {
 
  private:
   static constexpr std::uint32_t none = 0xffffffffU;
-  static constexpr std::size_t patience = 64;  // detours until snap() doubles
+  static constexpr std::size_t patience = 64;  // detours of a segment until snap() doubles
   struct Part {
     std::uint32_t piece;
     bool reversed;
@@ -100,7 +100,7 @@ class Insertion {
   std::vector<std::any> attributes_;
   std::vector<FaceId> faces_;
   std::vector<Square> squares_;
-  std::size_t detours_ = 0;
+  std::size_t detours_ = 0;  // of the segment at hand
 };
 
 }  // namespace dobra::topo

@@ -21,8 +21,9 @@ namespace {
 
 class Tracer {
  public:
-  Tracer(const Subdivision& sub, std::span<const std::vector<HalfEdgeId>> paths, Inside inside)
-      : sub_(sub), inside_(inside) {
+  /// Stops early once `progress` is cancelled.
+  Tracer(const Subdivision& sub, std::span<const std::vector<HalfEdgeId>> paths, Inside inside, const base::Progress& progress)
+      : sub_(sub), inside_(inside), progress_(progress) {
     for (const auto& path : paths) {
       for (const HalfEdgeId h : path) step_[Subdivision::edge(h).index()] += forward(h) ? 1 : -1;
     }
@@ -30,8 +31,9 @@ class Tracer {
     find_areas();
   }
 
-  std::vector<Polyline> rings() {
+  Result<std::vector<Polyline>> rings() {
     for (const EdgeId e : sub_.edges()) {
+      DOBRA_TRY_VOID(progress_.check());
       for (const HalfEdgeId h : {Subdivision::half_edge(e), Subdivision::twin(Subdivision::half_edge(e))}) {
         if (is_border(h) && !walked_[h.index()]) walk(h);
       }
@@ -67,7 +69,7 @@ class Tracer {
   void number_faces() {
     winding_[Subdivision::unbounded().index()] = 0;
     std::vector<FaceId> open{Subdivision::unbounded()};
-    while (!open.empty()) {
+    while (!open.empty() && !progress_.cancelled()) {
       const FaceId f = open.back();
       open.pop_back();
       round(f, [&](HalfEdgeId h) {
@@ -81,6 +83,7 @@ class Tracer {
 
   void find_areas() {
     for (const FaceId start : sub_.faces()) {
+      if (progress_.cancelled()) return;  // faces may have no number
       if (!is_inside(start) || area_.contains(start.index())) continue;
       const std::size_t number = contours_.size();
       contours_.emplace_back();
@@ -139,6 +142,7 @@ class Tracer {
 
   const Subdivision& sub_;
   Inside inside_;
+  const base::Progress& progress_;
   std::unordered_map<std::size_t, int> step_;     ///< By edge: left of its first half-edge less right of it.
   std::unordered_map<std::size_t, int> winding_;  ///< By face.
   std::unordered_map<std::size_t, std::size_t> area_;
@@ -152,7 +156,7 @@ class Tracer {
 Result<std::vector<Polyline>> region(std::span<const Polyline> rings, Inside inside, const base::Progress& progress) {
   Subdivision sub;
   DOBRA_TRY(const auto paths, insert(sub, rings, progress));
-  return Tracer(sub, paths, inside).rings();
+  return Tracer(sub, paths, inside, progress).rings();
 }
 
 }  // namespace dobra::topo

@@ -1,7 +1,7 @@
 // Speed of the planar subdivision: insertion of n segments, one curve after the other, and point location; GEOS in the
 // same run, which gets all lines at once (node, then polygonise). One thread. Families: offset curves of a smooth curve
 // (no crossings), a skew grid of sqrt(n) lines (n crossings), random short segments (about n crossings), random chords
-// of a square (1.6 sqrt(n) of them, about n / 2 crossings at all angles).
+// of a square (1.6 sqrt(n) of them, about n / 2 crossings at all angles), one contour that crosses itself everywhere.
 // Counters: edges that came out, ns_edge per such edge, geos (GEOS time / ours), bytes_edge on the heap, exponent of
 // time in the number of edges since the size before. Figures belong in docs/algorithms/subdivision.md.
 
@@ -83,6 +83,21 @@ Curves chords(std::size_t n) {
     curves.push_back({{p, on_border(other)}, false});
   }
   return curves;
+}
+
+/// One closed contour round a centre that goes forth and back: crosses itself some times a segment.
+Curves wound(std::size_t n) {
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> at(-1.0, 1.0);
+  const std::size_t count = n / 12;
+  Polyline curve;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double angle = 6.283185307 * (static_cast<double>(i) + 6.0 * at(random)) / static_cast<double>(count);
+    const double radius = 1.0 + 0.3 * at(random);
+    curve.points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  curve.points.push_back(curve.points.front());
+  return {curve};
 }
 
 /// Of this process: the machine may be busy with others.
@@ -177,6 +192,7 @@ DOBRA_FAMILY(offsets);
 DOBRA_FAMILY(grid);
 DOBRA_FAMILY(needles);
 DOBRA_FAMILY(chords);
+DOBRA_FAMILY(wound);
 
 }  // namespace
 

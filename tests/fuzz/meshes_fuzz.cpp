@@ -53,7 +53,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       break;
     case 1:
       go_round(text, [](const std::string& t) { return io::parse_inp(t, "f"); },
-               [](const mesh::ElementMesh& m) { return io::inp_text(m, {.numbers = io::InpNumbers::Exact}); });
+               [](const mesh::ElementMesh& m) { return io::inp_text(m, {.element = io::InpElement::PlaneStress, .numbers = io::InpNumbers::Exact}); });
       break;
     case 2:
       go_round(text, [](const std::string& t) { return io::parse_vtu(t, "f"); }, [](const mesh::ElementMesh& m) { return io::vtu_text(m); });

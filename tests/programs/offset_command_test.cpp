@@ -6,10 +6,15 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <string>
+#include <thread>
 
 namespace {
 
@@ -56,7 +61,7 @@ TEST_F(OffsetPrograms, OFF_a_BothProgramsPrintTheSegmentBelowAndRefuseBadInput) 
     EXPECT_EQ(done.code, 0) << done.said;
     EXPECT_EQ(done.said, "");
     EXPECT_EQ(done.out,
-              "{\"curves\":[{\"distance\":1.0,\"length\":10.0,\"area\":null,\"dropped\":0,\"dropped_length\":0.0,\"pieces\":"
+              "{\"curves\":[{\"distance\":1.0,\"length\":10.0,\"dropped\":0,\"dropped_length\":0.0,\"pieces\":"
               "[{\"closed\":false,\"points\":[[0.0,-1.0],[10.0,-1.0]]}]}],\"dropped\":0}\n");
     const Outcome refused = call(program + " offset " + bad + " --distance 1");
     EXPECT_EQ(refused.code, 3);
@@ -66,6 +71,79 @@ TEST_F(OffsetPrograms, OFF_a_BothProgramsPrintTheSegmentBelowAndRefuseBadInput) 
     EXPECT_EQ(call(program + " offset " + good + " --distance 1 --distances 1,2").code, 2);
     EXPECT_EQ(call(program + " offset " + good + " --distance 1 --out /nowhere/at/all.svg").code, 4);
   }
+}
+
+/// A closed walk that crosses itself everywhere.
+std::string tangle(std::size_t count) {
+  std::mt19937 random(3);
+  const auto step = [&] { return static_cast<double>(random()) / 2147483648.0 - 1.0; };
+  std::string text;
+  double x = 0.0;
+  double y = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    x += step();
+    y += step();
+    text += std::to_string(x) + ',' + std::to_string(y) + '\n';
+  }
+  return text;
+}
+
+/// A closed contour round a centre that goes forth and back, and crosses itself thousands of times.
+std::string rough_star(std::size_t count) {
+  std::mt19937 random(2);
+  const auto real = [&] { return static_cast<double>(random()) / 2147483648.0 - 1.0; };
+  std::string text;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double angle = 6.283185307 * (static_cast<double>(i) + 6.0 * real()) / static_cast<double>(count);
+    const double radius = 500.0 * (1.0 + 0.3 * real());
+    text += std::to_string(radius * std::cos(angle)) + ',' + std::to_string(radius * std::sin(angle)) + '\n';
+  }
+  return text;
+}
+
+TEST_F(OffsetPrograms, TheTimeOfAContourThatCrossesItselfThousandsOfTimesGrowsWithItsCrossings) {
+  const auto start = std::chrono::steady_clock::now();
+  const Outcome done = call("recon offset " + write("star.csv", rough_star(8192)) + " --closed --distance 1 --join bisector --quiet");
+  EXPECT_EQ(done.code, 0) << done.said;
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  EXPECT_LT(took.count(), 30.0);  // s; some 2 without sanitizers, and minutes where vertices draw pieces from ever farther
+}
+
+TEST_F(OffsetPrograms, ASignalEndsEveryPhaseOfALongRunSoonWith130AndLeavesNoFile) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  constexpr double allowed = 10.0;  // s; the machine may be busy
+#else
+  constexpr double allowed = 2.0;
+#endif
+  const std::string file = write("tangle.csv", tangle(30000));
+  std::size_t interrupted = 0;
+  // Reading, mending, offsetting with verification, and joining come one after the other.
+  for (const std::string program : {"recon", "quebra"}) {
+    for (const int wait : {400, 1000, 2500}) {
+      const std::string path = DOBRA_BIN_DIR "/" + program;
+      const std::string out = file + ".geojson";
+      const pid_t child = fork();
+      if (child == 0) {
+        unsetenv("DISPLAY");
+        execl(path.c_str(), program.c_str(), "offset", file.c_str(), "--closed", "--distance", "1", "--join", "round", "--verify",
+              "--dissolve", "--quiet", "--out", out.c_str(), nullptr);
+        _exit(99);
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(wait));
+      const auto asked = std::chrono::steady_clock::now();
+      kill(child, SIGTERM);
+      int status = 0;
+      ASSERT_EQ(waitpid(child, &status, 0), child);
+      const std::chrono::duration<double> after = std::chrono::steady_clock::now() - asked;
+      EXPECT_FALSE(fs::exists(out) && WEXITSTATUS(status) != 0);
+      if (WIFSIGNALED(status)) continue;  // on a busy machine it did not listen yet
+      if (WEXITSTATUS(status) == 0) break;  // it was done before
+      EXPECT_EQ(WEXITSTATUS(status), 130) << program << " " << wait;
+      EXPECT_LT(after.count(), allowed) << program << " after " << wait << " ms";
+      ++interrupted;
+    }
+  }
+  EXPECT_GE(interrupted, 2U);
 }
 
 }  // namespace

@@ -235,11 +235,11 @@ inline const scenario::Program& program() {
         scenario::make_operation<Model, Import>("import", "Import numbers", "Adds the numbers of a file.", import),
         scenario::make_operation<Model, Wait>("wait", "Wait", "Waits, and can be interrupted.", wait),
         scenario::make_operation<Model, Nothing>("fail", "Fail", "Cannot be done.", fail)};
-    p.picture_of = picture;
-    p.quantities_of = quantities;
-    p.remarks_of = [](const scenario::State& state) { return scenario::model_of<Model>(state).remarks; };
-    p.tables_of = tables;
-    p.outputs_of = outputs;
+    p.results.draw = [](const scenario::State& state, scene::Picture& drawn) { drawn = picture(state); };
+    p.results.quantities = [](const scenario::State& state, auto& list) { list = quantities(state); };
+    p.results.remarks = [](const scenario::State& state, auto& list) { list = scenario::model_of<Model>(state).remarks; };
+    p.results.tables = [](const scenario::State& state, auto& list) { list = tables(state); };
+    p.results.outputs = [](const scenario::State& state, auto& list) { list = outputs(state); };
     return p;
   }();
   return fake;

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "quebra/core/operations.h"
+#include "shared/io/file.h"
 #include "tests/support/command_line.h"
 #include "tests/support/quebra_scenarios.h"
 
@@ -296,9 +297,9 @@ TEST_F(AnalysisCommands, StepsThatACommandStandsOnAreAddedAndTold) {
   for (const Case& own : std::vector<Case>{{"crack", mesh + step("crack"), "added: analyse"},
                                            {"crack", step("crack"), "added: analyse"},
                                            {"crack", mesh, "added: analyse, crack"},
-                                           {"solve", "", "added: mesh, with its defaults, analyse"},
+                                           {"solve", "", "added: mesh, of the second order, analyse"},
                                            {"solve", mesh + step("crack"), "step 3 (crack) left out; added: analyse"},
-                                           {"solve", analyse, "added: mesh, with its defaults"}}) {
+                                           {"solve", analyse, "added: mesh, of the second order"}}) {
     const std::string file = put("plate.toml", cracked + own.steps);
     const auto done = call({own.command, file, "--json"});
     EXPECT_EQ(done.code, 0) << own.command << own.steps << done.err;
@@ -314,6 +315,19 @@ TEST_F(AnalysisCommands, StepsThatACommandStandsOnAreAddedAndTold) {
   // Materials and loads cannot be guessed.
   const std::string none = put("none.toml", "dobra = 1\nprogram = \"quebra\"\n[input]\nspecimen = \"l_shape\"\n");
   for (const std::string command : {"solve", "crack", "adapt"}) refuses({command, none}, 3, {"none.toml", "no step 'problem'"});
+}
+
+TEST_F(AnalysisCommands, AMeshThatIsAddedHoldsWhatElementsOfTheFirstOrderDoNot) {
+  for (const std::string poisson : {"0.3", "0.49", "0.4999999"}) {
+    const std::string file = put("bar.toml", "dobra = 1\nprogram = \"quebra\"\n[input]\nspecimen = \"l_shape\"\n" + step("problem", "state = \"strain\"\n[[step.material]]\nyoung = 1.0\npoisson = " + poisson +
+                                 "\n[[step.support]]\nwhere = \"bottom\"\nx = 0.0\ny = 0.0\n[[step.load]]\nwhere = \"right\"\ny = 1.0\n"));
+    const auto done = call({"solve", file, "--json"});
+    EXPECT_EQ(done.code, 0) << poisson << done.err;
+    EXPECT_EQ(done.out.find("analysis.inp"), std::string::npos) << poisson;  // that no file of this command
+    // Who asks for the first order is refused as before.
+    const auto first = call({"solve", put("first.toml", *dobra::io::read_text(file) + step("mesh", "size = 20.0\norder = \"1\"\n"))});
+    EXPECT_EQ(first.code == 0, poisson == "0.3") << poisson << first.err;
+  }
 }
 
 TEST_F(AnalysisCommands, ProbesAndLinesOfTheFileArePrinted) {

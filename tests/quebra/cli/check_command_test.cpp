@@ -1,9 +1,12 @@
 #include "quebra/cli/check_command.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
 
 #include "quebra/core/operations.h"
 #include "tests/support/command_line.h"
@@ -34,6 +37,16 @@ TEST_F(CheckCommand, AnInvertedElementIsAFaultWithItsNumberAndPlace) {
             "element 3 of the file: it is inverted: its corners run clockwise, those of most others anticlockwise (at "
             "0.5, 0.8333333333)");
   EXPECT_EQ(json["area"], 1.0);
+}
+
+TEST_F(CheckCommand, AGapIsClosedUpToTheLimitGiven) {
+  const std::string open = put("open.geojson", R"({"type":"LineString","coordinates":[[0,0],[10,0],[10,8],[0,8],[0,0.5]]})");
+  refuses({"check", open, "--repair"}, 3, {"a gap of 0.5 m between (0, 0)", "(0, 0.5)", "--gap"});
+  refuses({"check", open, "--gap", "0.6"}, 3, {"give --repair"});
+  refuses({"check", open, "--repair", "--gap", "-1"}, 3, {"'gap' must be greater than 0 m, found -1.0 m"});
+  const auto told = call({"check", open, "--repair", "--gap", "0.6"});
+  EXPECT_EQ(told.code, 0) << told.err;
+  EXPECT_NE(told.err.find("the ends are joined; gaps up to 0.6 m are closed"), std::string::npos) << told.err;
 }
 
 TEST_F(CheckCommand, AClockwiseMeshIsSoundWithARemark) {
@@ -107,6 +120,38 @@ x = 0.0
   for (const std::string name : {"outline", "hole", "slit", "gauge", "steel"}) EXPECT_NE(text("names.svg").find(name), std::string::npos) << name;
   const auto plain = call({"check", file});
   for (const std::string line : {"'outline'", "side from (4, 0) to (4, 2)", "lips slit_left, slit_right", "point     at (3.5, 0.5)"}) EXPECT_NE(plain.out.find(line), std::string::npos) << line << plain.out;
+}
+
+/// Middle of a text of an SVG picture; nothing if it is not drawn.
+std::optional<std::pair<double, double>> place_of(const std::string& svg, const std::string& name) {
+  const std::size_t end = svg.find('>' + name + "</text>");
+  if (end == std::string::npos) return std::nullopt;
+  const std::string tag = svg.substr(svg.rfind("<text", end), end - svg.rfind("<text", end));
+  return std::pair{std::stod(tag.substr(tag.find(" x=\"") + 4)), std::stod(tag.substr(tag.find(" y=\"") + 4))};
+}
+
+TEST_F(CheckCommand, EveryNameHasItsPlaceInThePicture) {
+  // A region's name, a crack and a point at one place; curves whose halves of length are corners; many small ones.
+  const auto curve = [](const std::string& name, const std::string& more) { return "[[input.curve]]\nname = \"" + name + "\"\n" + more; };
+  const std::string head = "dobra = 1\nprogram = \"quebra\"\n";
+  const std::string square = curve("outline", "kind = \"polygon\"\npoints = [[0, 0], [4, 0], [4, 4], [0, 4]]\n");
+  const std::string middle = "[[input.crack]]\nname = \"slit\"\npoints = [[1.5, 2], [2.5, 2]]\n[[input.region]]\nname = \"steel\"\npoint = [2, 2.2]\n[[input.point]]\nname = \"gauge\"\npoint = [2, 2.3]\n";
+  std::string holes;
+  std::vector<std::string> many{"outline"};
+  for (int i = 0; i < 5; ++i) {
+    many.push_back("bore_" + std::to_string(i));
+    holes += curve(many.back(), fmt::format("kind = \"circle\"\nrole = \"hole\"\ncentre = [{}, 3.0]\nradius = 0.05\n", 1.0 + 0.2 * i));
+  }
+  for (const auto& [text_of, names] : {std::pair{square + middle, std::vector<std::string>{"outline", "slit", "steel", "gauge"}}, std::pair{square + holes, many}}) {
+    ASSERT_EQ(call({"check", put("names.toml", head + text_of), "--picture", path("names.svg")}).code, 0);
+    const std::string svg = text("names.svg");
+    std::set<std::pair<double, double>> places;
+    for (const std::string& name : names) {
+      const auto place = place_of(svg, name);
+      ASSERT_TRUE(place) << name;
+      EXPECT_TRUE(places.insert(*place).second) << name;
+    }
+  }
 }
 
 TEST_F(CheckCommand, NamesOfDrawingsAreListedAndBadOnesRefused) {

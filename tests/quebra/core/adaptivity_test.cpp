@@ -441,5 +441,41 @@ TEST(Adaptivity, WhoStopsTheLoopKeepsItsCyclesAndTheyAreNotRemembered) {
   EXPECT_FALSE(last(whole).short_of_target);
 }
 
+/// A plate with a hole in plane strain, pulled on two sides.
+std::string holed(double width, double height, double radius) {
+  const auto number = [](double value) { return std::to_string(value); };
+  const std::string x = number(-0.5 * width), y = number(0.5 * height);
+  return "[input]\nspecimen = \"plate_with_hole\"\nwidth = " + number(width) + "\nheight = " + number(height) + "\nradius = " + number(radius) + "\n[[input.point]]\nname = \"a\"\npoint = [" + x + ", -" + y +
+         "]\n[[input.point]]\nname = \"b\"\npoint = [" + x + ", " + y + "]\n[[step]]\noperation = \"problem\"\nstate = \"strain\"\n[[step.material]]\nyoung = 210e9\npoisson = 0.3\n" +
+         "[[step.support]]\nwhere = \"a\"\nx = 0.0\ny = 0.0\n[[step.support]]\nwhere = \"b\"\nx = 0.0\n[[step.load]]\nwhere = \"right\"\nx = 1e6\n[[step.load]]\nwhere = \"left\"\nx = -1e6\n";
+}
+
+TEST(Adaptivity, APeakThatMissesTheTargetByALittleIsAimedAtLower) {
+  for (const auto& [width, height, radius] : {std::tuple{6.0, 3.0, 0.3}, {8.0, 4.0, 0.2}, {12.0, 6.0, 0.6}, {10.0, 10.0, 0.5}}) {
+    const scenario::Run done = run(holed(width, height, radius) + "[[step]]\noperation = \"adapt\"\ntarget = 1.0\n");
+    EXPECT_FALSE(last(done).short_of_target) << width << (last(done).remarks.empty() ? "" : last(done).remarks.back());
+    EXPECT_GT(figures(done).at("peak_eta"), 0.0) << width;  // the hole's peaks are minded
+    EXPECT_LE(figures(done).at("peak_eta"), 1.0) << width;
+  }
+}
+
+TEST(Adaptivity, TheSlopeToACrackTipHasNoPeaksAndAHoleBesideHas) {
+  const std::string strip = "[input]\nspecimen = \"single_edge_notch\"\nwidth = 1.0\nheight = 3.0\ncrack_length = 0.5\n";
+  const std::string hole = "[[input.curve]]\nkind = \"circle\"\nname = \"hole\"\ncentre = [0.5, 0.8]\nradius = 0.05\n";
+  const std::string pulled = "[[input.point]]\nname = \"anchor\"\npoint = [1.0, 0.0]\n[[input.point]]\nname = \"guide\"\npoint = [1.0, -1.5]\n[[step]]\noperation = \"problem\"\n[[step.material]]\nyoung = 1.0\n" +
+                             std::string("[[step.support]]\nwhere = \"anchor\"\nx = 0.0\ny = 0.0\n[[step.support]]\nwhere = \"guide\"\nx = 0.0\n[[step.load]]\nwhere = \"top\"\ny = 1.0\n[[step.load]]\nwhere = \"bottom\"\ny = -1.0\n");
+  for (const auto& [rules, target] : {std::pair{"order = \"1\"\n", "5.0"}, {"", "2.0"}, {"rosettes = \"yes\"\n", "1.0"}}) {
+    const std::string adapt = std::string("[[step]]\noperation = \"adapt\"\ntarget = ") + target + "\n" + rules;
+    const scenario::Run alone = run(strip + pulled + adapt);
+    EXPECT_FALSE(last(alone).short_of_target) << rules;
+    for (const auto& analysis : last(alone).analyses) EXPECT_TRUE(analysis->fields.front().peaks.empty()) << rules << analysis->cycle;
+    const scenario::Run beside = run(strip + hole + pulled + adapt);
+    const auto& peaks = last(beside).analyses.back()->fields.front().peaks;
+    ASSERT_FALSE(peaks.empty()) << rules;
+    const geom::Point at = last(beside).meshes.back()->mesh.point(peaks.front().node);
+    EXPECT_NEAR(distance(at, {0.5, 0.8}), 0.05, 1e-3) << rules;
+  }
+}
+
 }  // namespace
 }  // namespace quebra::core

@@ -334,5 +334,18 @@ TEST(Analysis, AForceOnACurveHasARemarkWithItsResultantAndTheTractionThatSpreads
   EXPECT_THAT(program().remarks_of(spread.states.back()), testing::Not(testing::Contains(testing::HasSubstr("acts at each of its"))));
 }
 
+TEST(Analysis, NearlyFlatElementsAreToldWithTheWorstPlace) {
+  // A strip 1 high with a side of its top divided so finely that long sides below face short ones, or not.
+  const auto remarks = [](const std::string& divisions) {
+    const scenario::Run done = run("[[input.curve]]\nname = \"bottom\"\npoints = [[0, 0], [10, 0]]\nsegments = " + divisions + "\n[[input.curve]]\nname = \"rim\"\npoints = [[10, 0], [10, 0.2], [0, 0.2], [0, 0]]\n" +
+                                   "[[step]]\noperation = \"problem\"\n[[step.material]]\nyoung = 1.0\n[[step.support]]\nwhere = \"bottom\"\nx = 0.0\ny = 0.0\n[[step.load]]\nwhere = \"rim\"\ny = 1.0\n" +
+                                   "[[step]]\noperation = \"mesh\"\nsize = 0.2\nnarrow = 0\n[[step]]\noperation = \"analyse\"\n");
+    EXPECT_TRUE(done.complete()) << to_string(*done.error);
+    return last(done).remarks;
+  };
+  EXPECT_THAT(remarks("2"), testing::Contains(testing::AllOf(testing::HasSubstr("nearly flat, the worst at ("), testing::HasSubstr("take a smaller size there"))));
+  EXPECT_THAT(remarks("50"), testing::Not(testing::Contains(testing::HasSubstr("nearly flat"))));
+}
+
 }  // namespace
 }  // namespace quebra::core

@@ -17,6 +17,7 @@ namespace {
 
 using namespace dobra;
 using namespace test;
+using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
@@ -152,29 +153,77 @@ TEST(CrackPoints, ATieAsksForTheLip) {
 }
 
 /// Cracks of half length 1 in the middle of a plate 40 times as wide, with forces of 1 N on the lips at x = b.
-std::string wedged(double b, const std::string& forces) {
+std::string wedged(double b, const std::string& forces, const std::string& mesh = "size = 8.0\n", const std::string& crack_step = "") {
   return "[[input.curve]]\nname = \"rim\"\nkind = \"polygon\"\npoints = [[-40, -40], [40, -40], [40, 40], [-40, 40]]\n" + crack("a", "[[-1, 0], [1, 0]]") + point("[" + std::to_string(b) + ", 0]") +
          "[[input.point]]\nname = \"anchor\"\npoint = [-40, -40]\n[[input.point]]\nname = \"guide\"\npoint = [40, -40]\n" + problem +
          "[[step.support]]\nwhere = \"anchor\"\nx = 0.0\ny = 0.0\n[[step.support]]\nwhere = \"guide\"\ny = 0.0\n" + forces +
-         "[[step]]\noperation = \"mesh\"\nsize = 8.0\norder = \"2\"\nrosettes = \"yes\"\n[[step]]\noperation = \"analyse\"\n[[step]]\noperation = \"crack\"\n";
+         "[[step]]\noperation = \"mesh\"\norder = \"2\"\nrosettes = \"yes\"\n" + mesh + "[[step]]\noperation = \"analyse\"\n[[step]]\noperation = \"crack\"\n" + crack_step;
 }
+const std::string opened = force("p_left", 0.0, 1.0) + force("p_right", 0.0, -1.0);
+/// K of a crack of half length 1 with wedge forces of 1 N at b, at x = sign.
+double wedge_intensity(double b, double sign) { return std::sqrt((1.0 + sign * b) / (1.0 - sign * b) / std::numbers::pi); }
 
 TEST(CrackPoints, WedgeForcesHaveTheIntensityOfTheirClosedForm) {
-  for (const double b : {0.0, 0.5, -0.25}) {
-    const auto values = figures(run(wedged(b, force("p_left", 0.0, 1.0) + force("p_right", 0.0, -1.0))));
+  for (const double b : {0.0, 0.5, -0.25, 0.9, 0.99}) {
+    const scenario::Run done = run(wedged(b, opened));
+    const auto values = figures(done);
+    EXPECT_THAT(last(done).remarks, Not(Contains(HasSubstr("part by more than")))) << b;
     for (const auto& [tip, sign] : {std::pair{"a_end", 1.0}, {"a_start", -1.0}}) {
-      const double exact = std::sqrt((1.0 + sign * b) / (1.0 - sign * b) / std::numbers::pi);
+      const double exact = wedge_intensity(b, sign);
       const std::string name = std::string("tip.load.") + tip;
       printf("[ figures  ] wedge at %g, %s: K_I %.4f, closed form %.4f, %+.2f %%; spread %.2f %%, contour %.3f\n", b, tip, values.at(name + ".K_I"), exact, 100.0 * (values.at(name + ".K_I") / exact - 1.0),
              values.at(name + ".spread"), values.at(name + ".contour"));
       EXPECT_NEAR(values.at(name + ".K_I"), exact, 0.005 * exact) << b << tip;
       EXPECT_NEAR(values.at(name + ".K_II"), 0.0, 0.005 * exact) << b << tip;
-      EXPECT_LT(values.at(name + ".contour"), 1.0 - sign * b) << b << tip;  // the force is outside
+      EXPECT_NEAR(values.at(name + ".J"), exact * exact / 100.0, 0.01 * exact * exact / 100.0) << b << tip;
+      EXPECT_LE(values.at(name + ".contour"), 0.5 * (1.0 - sign * b) + 1e-9) << b << tip;  // far from the force
+      EXPECT_LT(values.at(name + ".spread"), 1.0) << b << tip;
     }
   }
   // Along the lips: K_II.
   const auto sheared = figures(run(wedged(0.0, force("p_left", 1.0, 0.0) + force("p_right", -1.0, 0.0))));
   EXPECT_NEAR(std::abs(sheared.at("tip.load.a_end.K_II")), std::sqrt(1.0 / std::numbers::pi), 0.005);
+}
+
+TEST(CrackPoints, JIsLeftOutWhereItsRingCannotKeepClearOfTheForce) {
+  // Elements of the tip as long as 1/8 of the way to the force, and a ring that is asked to go nearly there.
+  const scenario::Run near = run(wedged(0.9, opened, "size = 8.0\ntip_radius = 0.0125\n", "contour = 0.095\n"));
+  const auto values = figures(near);
+  EXPECT_FALSE(values.contains("tip.load.a_end.J"));
+  EXPECT_NEAR(values.at("tip.load.a_end.K_I"), wedge_intensity(0.9, 1.0), 0.005 * wedge_intensity(0.9, 1.0));
+  EXPECT_THAT(last(near).remarks, Contains(AllOf(HasSubstr("crack tip 'a_end' at (1, 0)"), HasSubstr("J is not given"), HasSubstr("(0.9, 0), 0.1 m from the tip"))));
+  EXPECT_TRUE(values.contains("tip.load.a_start.J"));  // far from the force
+  EXPECT_THAT(last(near).remarks, Not(Contains(AllOf(HasSubstr("'a_start'"), HasSubstr("J is not given")))));
+  // A ring that would hold the force is refused with its place.
+  const scenario::Run beyond = run(wedged(0.9, opened, "size = 8.0\ntip_radius = 0.0125\n", "contour = 0.2\n"));
+  EXPECT_THAT(last(beyond).remarks, Contains(AllOf(HasSubstr("'a_end' at (1, 0) has no K"), HasSubstr("the node at (0.9, 0): at most 0.1 m"))));
+}
+
+TEST(CrackPoints, AForceOnTheTipItselfIsNoCrackTipAnyMore) {
+  const scenario::Run done = run(wedged(1.0, force("p", 1.0, 0.0)));
+  EXPECT_THAT(last(done).remarks, Contains(AllOf(HasSubstr("'a_end'"), HasSubstr("a force acts on the tip itself"))));
+  EXPECT_TRUE(figures(done).contains("tip.load.a_start.K_I"));
+}
+
+TEST(CrackPoints, NodalForcesAlongALipBoundTheRingToo) {
+  // 1 N at every node of the lip: what the rings hold of them is not known to J.
+  const scenario::Run done = run(wedged(0.0, "[[step.load]]\nkind = \"force\"\nwhere = \"a_left\"\ny = 1.0\n[[step.load]]\nkind = \"force\"\nwhere = \"a_right\"\ny = -1.0\n"));
+  ASSERT_TRUE(done.error.has_value());
+  EXPECT_THAT(to_string(*done.error), HasSubstr("a force acts on the tip itself"));
+}
+
+TEST(CrackPoints, FiguresThatPartAreTold) {
+  // Displacement correlation from elements as long as 1/4 of the way to the force is 5 % off.
+  const scenario::Run coarse = run(wedged(0.95, opened, "size = 8.0\ntip_radius = 0.0125\n"));
+  EXPECT_GT(figures(coarse).at("tip.load.a_end.spread"), 2.0);
+  EXPECT_THAT(last(coarse).remarks, Contains(AllOf(HasSubstr("crack tip 'a_end' at (1, 0)"), HasSubstr("part by more than 2 %"), HasSubstr("by displacement correlation"), HasSubstr("0.0125 m long, in a room of 0.05 m: try tip_radius"))));
+  EXPECT_THAT(last(coarse).remarks, Not(Contains(AllOf(HasSubstr("'a_start'"), HasSubstr("part by more than")))));
+}
+
+TEST(CrackPoints, TheOpeningUnderAForceIsToldToGrowWithoutEnd) {
+  EXPECT_THAT(last(run(wedged(0.5, opened))).remarks, Contains(AllOf(HasSubstr("'p_left'"), HasSubstr("and how far a crack opens there"), HasSubstr("grow without end"))));
+  const std::string spread = "[[step.load]]\nkind = \"pressure\"\nwhere = \"a_left\"\nvalue = 1.0\n[[step.load]]\nkind = \"pressure\"\nwhere = \"a_right\"\nvalue = 1.0\n";
+  EXPECT_THAT(last(run(wedged(0.5, spread))).remarks, Not(Contains(HasSubstr("grow without end"))));
 }
 
 }  // namespace

@@ -129,12 +129,12 @@ TEST(Fracture, OneTipWithoutKDoesNotCostTheOthersTheirs) {
   EXPECT_EQ(analysed.tips[0][1].at, (dobra::geom::Point{2.5, 1.5}));
   EXPECT_THAT(analysed.tips[0][1].refused->message, HasSubstr("two materials meet at the tip"));
   EXPECT_THAT(program().remarks_of(done.states.back()), testing::Contains(HasSubstr("crack tip 'other_end' at (2.5, 1.5) has no K: two materials meet at the tip")));
-  EXPECT_EQ(dobra::scenario::reached(program(), done.states.back()), false);
+  EXPECT_EQ(program().reached(done.states.back()), false);
 
   const auto outer = run(two_cracks("", 0.3) + rosettes + analyse + crack + "contour = 0.4\n");
   EXPECT_TRUE(figures(outer).contains("tip.load.edge_end.K_I"));
   EXPECT_THAT(last(outer).analyses.back()->tips[0][1].refused->message, HasSubstr("leaves the straight end of the crack"));
-  EXPECT_EQ(dobra::scenario::reached(program(), outer.states.back()), false);
+  EXPECT_EQ(program().reached(outer.states.back()), false);
   EXPECT_THAT(trouble(two_cracks("", 0.3) + rosettes + analyse + crack + "contour = 1.4\n"), testing::AllOf(HasSubstr("edge_end"), HasSubstr("leaves the straight end")));
 }
 

@@ -12,8 +12,12 @@
 namespace quebra::core {
 namespace {
 
+using namespace dobra;
 using namespace test;
+using testing::AllOf;
+using testing::Contains;
 using testing::HasSubstr;
+using testing::Not;
 
 std::string line(const std::string& name, const std::string& points) { return "[[input.curve]]\nname = \"" + name + "\"\npoints = " + points + "\n"; }
 
@@ -91,6 +95,28 @@ TEST(HalfCrack, FaultsAreNamed) {
   EXPECT_THAT(trouble(input + half + "[[step]]\noperation = \"mesh\"\norder = \"2\"\nrosettes = \"yes\"\ntip_radius = 0.2\n"), HasSubstr("the rosette of radius 0.6 m does not fit"));
   const std::string loose = "[[step.support]]\nwhere = \"far\"\nx = 0.0\ny = 0.0\n[[step.load]]\nwhere = \"lip\"\nkind = \"pressure\"\nvalue = 1.0\n";
   EXPECT_THAT(trouble(input + half + problem + loose + crack("rosettes = \"yes\"\n")), HasSubstr("crack tip 'lip_end': the line of symmetry ahead of the lip is not held across"));
+}
+
+TEST(HalfCrack, TheSurroundingsOfAForceOnTheLipEndBeforeTheTip) {
+  // Half of a crack of half length 1 with wedge forces at 0.5, in a plate 40 times as wide.
+  const auto pushed = [](const std::string& judged) {
+    return run(line("lip", "[[-1, 0], [1, 0]]") + line("ahead", "[[1, 0], [40, 0]]") + line("rim", "[[40, 0], [40, 40], [-40, 40], [-40, 0]]") + line("behind", "[[-40, 0], [-1, 0]]") +
+               "[[input.point]]\nname = \"p\"\npoint = [0.98, 0]\n[[input.point]]\nname = \"corner\"\npoint = [40, 0]\n" + half + "[[step]]\noperation = \"problem\"\n[[step.material]]\nyoung = 100.0\n" +
+               "[[step.support]]\nwhere = \"ahead\"\nnormal = 0.0\n[[step.support]]\nwhere = \"behind\"\nnormal = 0.0\n[[step.support]]\nwhere = \"corner\"\nx = 0.0\n" +
+               "[[step.load]]\nkind = \"force\"\nwhere = \"p\"\ny = 1.0\n[[step]]\noperation = \"mesh\"\nsize = 8.0\norder = \"2\"\nrosettes = \"yes\"\n[[step]]\noperation = \"analyse\"\n" + judged +
+               "[[step]]\noperation = \"crack\"\n");
+  };
+  const scenario::Run done = pushed("");
+  const auto& loaded = last(done).analyses.back()->fields.front().loaded;
+  ASSERT_EQ(loaded.size(), 1u);
+  EXPECT_NEAR(loaded.front().radius, 0.02 / 20.0, 1e-9);
+  EXPECT_THAT(last(done).remarks, Not(Contains(HasSubstr("hold the crack tip"))));
+  for (const auto& [tip, sign] : {std::pair{"lip_end", 1.0}, {"lip_start", -1.0}}) {
+    const double exact = std::sqrt((1.0 + sign * 0.98) / (1.0 - sign * 0.98) / M_PI);
+    EXPECT_NEAR(figures(done).at(std::string("tip.load.") + tip + ".K_I"), exact, 0.005 * exact) << tip;
+    EXPECT_NEAR(figures(done).at(std::string("tip.load.") + tip + ".J"), exact * exact / 100.0, 0.01 * exact * exact / 100.0) << tip;
+  }
+  EXPECT_THAT(last(pushed("point_radius = 0.05\n")).remarks, Contains(AllOf(HasSubstr("the surroundings of 'p', of radius 0.05 m, hold the crack tip 'lip_end' at (1, 0)"), HasSubstr("below 0.02 m"))));
 }
 
 }  // namespace

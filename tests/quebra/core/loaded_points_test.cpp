@@ -18,8 +18,10 @@ namespace {
 
 using namespace dobra;
 using namespace test;
+using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
+using testing::Not;
 
 /// Lower half of a square with a force of 1 N downwards in the middle of its upper edge, and Flamant's tractions on the rest.
 std::string half_plane(const std::string& at_the_load) {
@@ -185,6 +187,30 @@ TEST(LoadedPoints, TheGreatestStressOfAForceAtAPointIsToldWithThatElsewhere) {
   // Flamant's stress 2 F / (pi r) at the radius left out, on a mesh that has nodes near it.
   const double radius = radius_round(last(run(pressed)).domain, {0, 0});
   EXPECT_NEAR(elsewhere(fine), 2.0 / std::numbers::pi / radius, 0.3 * elsewhere(fine));
+}
+
+TEST(LoadedPoints, TheDisplacementUnderAForceGrowsAsTheRemarkSays) {
+  // Flamant: u grows by 2 F ln 2 / (pi E t) each time the elements are halved.
+  const auto under = [](double size) {
+    const std::string input = pressed;
+    const auto at = input.find("point = [0, 0]\n") + std::string("point = [0, 0]\n").size();
+    const scenario::Run done = run(input.substr(0, at) + "size = " + std::to_string(size) + "\n" + input.substr(at) + "[[step]]\noperation = \"mesh\"\nsize = 0.2\norder = \"2\"\n[[step]]\noperation = \"analyse\"\n");
+    EXPECT_THAT(last(done).remarks, Contains(HasSubstr("on a straight edge by up to 0.44 m each time the elements there are halved"))) << size;
+    return figures(done).at("case.load.point.load.u_y");
+  };
+  const double coarse = under(0.04), middle = under(0.02), fine = under(0.01);
+  printf("[ figures  ] displacement under 1 N: %.4f, %.4f, %.4f\n", coarse, middle, fine);
+  const double growth = 2.0 * std::numbers::ln2 / std::numbers::pi;
+  EXPECT_NEAR(coarse - middle, growth, 0.1 * growth);
+  EXPECT_NEAR(middle - fine, growth, 0.1 * growth);
+}
+
+TEST(LoadedPoints, ElementsTooCoarseForTheirSurroundingsAreTold) {
+  const auto remarks = [](const std::string& mesh, const std::string& judged = "") { return last(run(pressed + "[[step]]\noperation = \"mesh\"\norder = \"2\"\n" + mesh + "[[step]]\noperation = \"analyse\"\n" + judged)).remarks; };
+  const auto coarse = remarks("size = 0.4\n", "point_radius = 0.001\n");
+  EXPECT_THAT(coarse, Contains(AllOf(HasSubstr("the elements at 'load' (0, 0)"), HasSubstr("surroundings of 0.001 m"), HasSubstr("a size of 0.0005 m"))));
+  EXPECT_THAT(coarse, Not(Contains(HasSubstr("hold 0 %"))));
+  EXPECT_THAT(remarks("size = 0.05\n", "point_radius = 0.2\n"), Not(Contains(HasSubstr("the elements at 'load'"))));
 }
 
 }  // namespace

@@ -178,6 +178,45 @@ TEST(QuebraProgram, ExportsThatRenameSetsTellIt) {
   }
 }
 
+TEST(QuebraProgram, ADeckOfTheMeshHasTheElementsOfTheScenario) {
+  const fs::path file = fs::temp_directory_path() / "dobra_quebra_plane.inp";
+  const auto deck = [&](const std::string& problem, const std::string& order) {
+    const auto done = run(parse(square + problem + "[[step]]\noperation = \"mesh\"\nsize = 1.0\norder = \"" + order + "\"\n"));
+    for (const auto& output : program().outputs_of(done.states.back())) {
+      if (output.file_name != "mesh.inp") continue;
+      EXPECT_TRUE(output.write(file).ok());
+    }
+    std::ifstream in(file);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  const auto state = [](const std::string& name) { return "[[step]]\noperation = \"problem\"\nstate = \"" + name + "\"\n[[step.material]]\nyoung = 1.0\npoisson = 0.3\n"; };
+  for (const char* const order : {"1", "2"}) {
+    const std::string nodes = order[0] == '1' ? "3" : "6";
+    EXPECT_NE(deck(state("strain"), order).find("TYPE=CPE" + nodes), std::string::npos) << order;
+    EXPECT_NE(deck(state("stress"), order).find("TYPE=CPS" + nodes), std::string::npos) << order;
+    EXPECT_NE(deck("", order).find("TYPE=CPS" + nodes), std::string::npos) << order;
+  }
+  fs::remove(file);
+}
+
+TEST(QuebraProgram, AnAnalysisThatNoDeckHoldsIsToldWhereTheDeckWouldBeWritten) {
+  const auto outputs = [](const std::string& poisson) {
+    const auto done = run(parse(square + "[[step]]\noperation = \"problem\"\nstate = \"strain\"\n[[step.material]]\nyoung = 1.0\npoisson = " + poisson +
+                                "\n[[step.support]]\nwhere = \"plate\"\nx = 0.0\ny = 0.0\n[[step.load]]\nkind = \"body\"\ny = -1.0\n[[step]]\noperation = \"mesh\"\nsize = 1.0\norder = \"2\"\n[[step]]\noperation = \"analyse\"\n"));
+    for (const std::string& remark : final_model(done).remarks) EXPECT_EQ(remark.find("analysis.inp"), std::string::npos) << remark;  // no command but one that writes files says it
+    std::map<std::string, std::vector<std::string>> losses;
+    for (const auto& output : program().outputs_of(done.states.back())) losses[output.file_name] = output.losses;
+    return losses;
+  };
+  const auto locked = outputs("0.4999");
+  EXPECT_FALSE(locked.contains("analysis.inp"));
+  ASSERT_EQ(locked.at("results.vtu").size(), 1U);
+  EXPECT_EQ(locked.at("results.vtu").front().rfind("analysis.inp is not written: ", 0), 0U);
+  const auto plain = outputs("0.3");
+  EXPECT_TRUE(plain.contains("analysis.inp"));
+  EXPECT_TRUE(plain.at("results.vtu").empty());
+}
+
 TEST(QuebraProgram, APolyFileWithAHoleIsMeshedWithoutTheHole) {
   const fs::path folder = fs::temp_directory_path() / "dobra_quebra_poly";
   fs::create_directories(folder);

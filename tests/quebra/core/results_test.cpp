@@ -1,6 +1,7 @@
 // Lines, probes and pictures of results through the table of operations.
 
 #include "quebra/core/results.h"
+#include <fmt/format.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -128,6 +129,33 @@ TEST(Results, AViewShowsItsFieldOnTheDeformedShape) {
   EXPECT_EQ(greatest.text, "max");
   EXPECT_NEAR(greatest.value.value(), *std::max_element(field.values.begin(), field.values.end()), 1e-12);
   EXPECT_THAT(picture.panels[0].title, HasSubstr("\u00d7\u00a010"));
+}
+
+TEST(Results, StressThatIsConstantToRoundingHasOneColourAndNoExtremes) {
+  // Pulled along x on rollers: sigma_x is the load, everything else is rounding, at any modulus and size.
+  for (const auto& [size, load] : {std::pair{1.0, 1.0}, std::pair{1e3, 3e8}, std::pair{1e-3, 1e-6}}) {
+    const std::string square = fmt::format("[input]\n[[input.curve]]\nname = \"a\"\npoints = [[0, 0], [{0}, 0]]\n[[input.curve]]\nname = \"b\"\npoints = [[{0}, 0], [{0}, {0}]]\n"
+                                           "[[input.curve]]\nname = \"c\"\npoints = [[{0}, {0}], [0, {0}]]\n[[input.curve]]\nname = \"d\"\npoints = [[0, {0}], [0, 0]]\n", size);
+    const Analysis analysis = *last(run(square + fmt::format("[[step]]\noperation = \"problem\"\n[[step.material]]\nyoung = 7e10\npoisson = 0.3\n[[step.support]]\nwhere = \"a\"\ny = 0.0\n"
+                                                             "[[step.support]]\nwhere = \"d\"\nx = 0.0\n[[step.load]]\nwhere = \"b\"\nx = {}\n"
+                                                             "[[step]]\noperation = \"mesh\"\nsize = {}\n[[step]]\noperation = \"analyse\"\n", load, 0.2 * size))).analyses.back();
+    for (const FieldName field : {FieldName::StressX, FieldName::StressY, FieldName::StressXY, FieldName::VonMises, FieldName::Principal2, FieldName::Error}) {
+      ViewParams params;
+      params.field = field;
+      params.contours = 5;
+      const scene::Panel panel = view_panel(analysis, 0, params);
+      const auto& drawn = std::get<scene::Mesh>(panel.layers.front().content);
+      const bool pulled = field == FieldName::StressX || field == FieldName::VonMises;
+      EXPECT_EQ(drawn.scale.low, drawn.scale.high) << panel.title;
+      EXPECT_NEAR(drawn.scale.low, pulled ? load : 0.0, 1e-6 * load) << panel.title;
+      for (const scene::Layer& layer : panel.layers) EXPECT_TRUE(layer.key != "contours" && layer.key != "extremes") << layer.key;
+    }
+    ViewParams across;
+    across.field = FieldName::DisplacementX;
+    const scene::Panel panel = view_panel(analysis, 0, across);
+    const scene::Scale& moved_scale = std::get<scene::Mesh>(panel.layers.front().content).scale;
+    EXPECT_GT(moved_scale.high, moved_scale.low);
+  }
 }
 
 TEST(Results, ATipDoesNotSwampTheColoursUnlessAllOfTheRangeIsAskedFor) {

@@ -75,8 +75,8 @@ TEST(Selection, WhatHoldsNowhereListsWhatThereIs) {
   // A millionth of the diagonal is near enough, ten are not.
   EXPECT_DOUBLE_EQ(selected(domain, "x = 4.000004"), 2.0);
   EXPECT_THAT(refusal(domain, "x = 4.00005"), HasSubstr("holds for no side"));
-  EXPECT_THAT(refusal(domain, "x = "), HasSubstr("lacks a side"));
-  EXPECT_THAT(refusal(domain, "x = 0 and y"), HasSubstr("compares nothing in 'y'"));
+  EXPECT_THAT(refusal(domain, "x = "), HasSubstr("a side of a comparison is missing"));
+  EXPECT_THAT(refusal(domain, "x = 0 and y"), HasSubstr("'y' compares nothing"));
   EXPECT_THAT(refusal(domain, "z = 0"), HasSubstr("'z'"));
   EXPECT_THAT(refusal(domain, "x != 0"), HasSubstr("'!'"));
 }
@@ -93,6 +93,26 @@ TEST(Selection, CornersAreFoundWhereNoSideIs) {
   ASSERT_TRUE(corner.ok());
   EXPECT_TRUE(corner->parts.empty());
   EXPECT_THAT(corner->corners, ElementsAre(Point{0, 0}));
+}
+
+TEST(Selection, WhatCannotBeReadIsNamedWithItsCharacterInTheWholeCondition) {
+  const Domain domain = domain_of(plate);
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"x = foo", "character 5: 'foo' is not known here; there is x, y, pi, e"},
+      {"y = 2 and yy > 1", "character 11: 'yy' is not known"},
+      {"x = nan", "character 5: 'nan' is no finite number"},
+      {"x = 1e400", "character 5: '1e400' is no finite number"},
+      {"x = 0 && y > 1", "character 7: '&&' joins nothing here"},
+      {"x = 0; y = 1", "character 6: ';' joins nothing here"},
+      {"x = 0 AND y = 1", "character 7: 'AND' joins nothing here"},
+      {"x = 0 and", "character 7: 'and' joins nothing here"},
+      {"or x = 0", "character 1: 'or' joins nothing here"},
+      {"x => 0", "character 4: a side of a comparison is missing"},
+      {"x != 0", "character 3: '!'"},
+      {"x = 0 and y", "character 11: 'y' compares nothing"},
+      {"x = 1/0", "'x = 1/0' has no finite value"},
+      {"y = 0 or x = tn(1)", "character 14: 'tn' is not known here; did you mean 'tan'?"}};
+  for (const auto& [condition, wanted] : cases) EXPECT_THAT(refusal(domain, condition), testing::AllOf(HasSubstr("the condition '" + condition + "'"), HasSubstr(wanted)));
 }
 
 // A bar of 4 x 2 under a tension of 3: u = 3 x / E, v = -nu 3 y / E exactly, at any mesh.

@@ -13,57 +13,18 @@
 
 #include "quebra/core/operations.h"
 #include "quebra/core/specimen.h"
-#include "shared/scenario/runner.h"
+#include "tests/support/drawn_file.h"
 
 namespace quebra::core {
 namespace {
 
 using namespace dobra;
-namespace fs = std::filesystem;
+using namespace test;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::UnorderedElementsAre;
-
-class DrawnFile : public testing::Test {
- protected:
-  DrawnFile() {
-    std::string name = (fs::temp_directory_path() / "dobra_sketch_XXXXXX").string();
-    folder_ = mkdtemp(name.data());
-  }
-  ~DrawnFile() override { fs::remove_all(folder_); }
-
-  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name, std::ios::binary) << text; }
-  /// The model of an [input] with these lines.
-  [[nodiscard]] base::Result<Model> read(const std::string& input) const {
-    auto document = scenario::parse_document("dobra = 1\nprogram = \"quebra\"\n[input]\n" + input, "test.toml");
-    EXPECT_TRUE(document.ok()) << (document ? "" : to_string(document.error()));
-    document->file = folder_ / "test.toml";
-    scenario::Runner runner(program());
-    const scenario::Run run = runner.run(*document);
-    if (run.error) return *run.error;
-    return scenario::model_of<Model>(run.states.back());
-  }
-  [[nodiscard]] Model good(const std::string& input) const {
-    auto model = read(input);
-    EXPECT_TRUE(model.ok()) << (model ? "" : to_string(model.error()));
-    return model ? *std::move(model) : Model{};
-  }
-  [[nodiscard]] std::string refusal(const std::string& input) const {
-    const auto model = read(input);
-    EXPECT_FALSE(model.ok()) << input;
-    return model ? "" : to_string(model.error());
-  }
-
-  fs::path folder_;
-};
-
-double area_of(const Model& model) {
-  double area = 0.0;
-  for (const Face& face : model.domain.faces) area += face.area;
-  return area;
-}
 
 std::vector<std::string> names_of(const Model& model, Role role) {
   std::vector<std::string> names;
@@ -73,13 +34,6 @@ std::vector<std::string> names_of(const Model& model, Role role) {
   return names;
 }
 
-std::string dxf(const std::string& entities, const std::string& header = "") { return header + "0\nSECTION\n2\nENTITIES\n" + entities + "0\nENDSEC\n0\nEOF\n"; }
-std::string dxf_line(double x0, double y0, double x1, double y1, const std::string& layer = "0") {
-  std::ostringstream text;
-  text.precision(17);
-  text << "0\nLINE\n8\n" << layer << "\n10\n" << x0 << "\n20\n" << y0 << "\n11\n" << x1 << "\n21\n" << y1 << "\n";
-  return text.str();
-}
 std::string dxf_square(double low, double high, double gap, const std::string& layer) {
   return dxf_line(low, low, high, low, layer) + dxf_line(high, low + gap, high, high, layer) + dxf_line(high, high, low, high, layer) +
          dxf_line(low, high, low, low, layer);
@@ -117,7 +71,7 @@ TEST_F(DrawnFile, AnArcWhoseEndsAreRoundedJoinsItsLines) {
 TEST_F(DrawnFile, AnOutlineThatDoesNotCloseIsRefusedWithThePlaceOrMended) {
   write("gap.geojson", R"({"type":"LineString","coordinates":[[0,0],[1,0],[1,1],[0,1],[0,0.001]]})");
   const std::string text = refusal("file = \"gap.geojson\"\n");
-  EXPECT_THAT(text, HasSubstr("0.001 m apart"));
+  EXPECT_THAT(text, HasSubstr("a gap of 0.001 m between (0, 0) of 'curve 1' and (0, 0.001) of 'curve 1'"));
   EXPECT_THAT(text, HasSubstr("--repair"));
   EXPECT_NEAR(area_of(good("file = \"gap.geojson\"\nrepair = \"yes\"\n")), 1.0, 1e-12);
 }

@@ -99,7 +99,7 @@ TEST(TipRosettes, APointInOneIsRefusedAndOneAtTheTipKeepsItsName) {
   const auto with = [](double x) { return "[input]\nspecimen = \"single_edge_notch\"\n[[input.point]]\nname = \"gauge\"\npoint = [" + std::to_string(x) + ", 0]\n[[step]]\noperation = \"mesh\"\norder = \"2\"\nrosettes = \"yes\"\ntip_radius = 0.02\n"; };
   for (const double x : {0.52, 0.48}) {
     const std::string error = trouble(with(x));
-    EXPECT_NE(error.find("point 'gauge': lies within 0.078 of the tip of 'crack', where the nodes are those of its rosette"), std::string::npos) << error;
+    EXPECT_NE(error.find("point 'gauge': lies within 0.078 m of the tip of 'crack', where the nodes are those of its rosette"), std::string::npos) << error;
   }
   const dobra::scenario::Run named = run(with(0.5));
   const auto& mesh = last(named).meshes.back()->mesh;

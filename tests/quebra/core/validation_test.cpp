@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
+
+#include "tests/support/numbers.h"
 
 namespace quebra::core {
 namespace {
@@ -29,6 +32,8 @@ TEST_P(ValidationBook, MeetsItsTolerances) {
     EXPECT_TRUE(result.met()) << result.what.name << ": " << result.value << " against " << result.what.reference << ", " << 100 * result.error << " %";
   const std::string csv = validation_csv(*results);
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), static_cast<std::ptrdiff_t>(cases.size() + 1));
+  dobra::test::expect_numbers(validation_json(*results), "JSON of " + GetParam());
+  dobra::test::expect_numbers(csv, "CSV of " + GetParam());
   EXPECT_THAT(validation_html(*results), testing::HasSubstr(cases.front().name.substr(0, 4)));
 }
 
@@ -53,6 +58,16 @@ TEST(Validation, AScenarioThatFailsIsNamedAndAWrongSignIsAnError) {
   ValidationCase wrong = validation_cases().front();
   wrong.reference = -wrong.reference;
   EXPECT_NEAR(validate({wrong}, {})->front().error, 2.0, 1e-3);
+  for (const double reference : {0.0, std::nan("")}) {
+    ValidationCase none = wrong;
+    none.reference = reference;
+    const auto judged = validate({none}, {});
+    ASSERT_FALSE(judged.ok());
+    EXPECT_THAT(to_string(judged.error()), testing::HasSubstr(none.name));
+  }
+  ValidationCase rate = wrong;
+  rate.coarse = rate.scenario;  // log 1 / log 1
+  EXPECT_THAT(to_string(validate({rate}, {}).error()), testing::HasSubstr("no finite number"));
   wrong.name = "wrong";
   wrong.quantity = "nothing";
   EXPECT_THAT(to_string(validate({wrong}, {}).error()), testing::HasSubstr("wrong"));

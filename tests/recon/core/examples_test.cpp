@@ -49,6 +49,8 @@ TEST(Examples, FoldMeetsItsExpectations) { expect_met(bundled("fold.toml")); }
 
 TEST(Examples, REC_c_CosineMeetsItsExpectations) { expect_met(bundled("cosine.toml")); }
 
+TEST(Examples, ChainMeetsItsExpectations) { expect_met(bundled("chain.toml")); }
+
 TEST(Examples, TheSameRunGivesTheSameReport) {
   const scenario::Document document = bundled("fold.toml");
   const std::string first = scenario::report_json(document, program(), scenario::Runner(program()).run(document));

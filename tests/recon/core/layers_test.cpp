@@ -279,6 +279,50 @@ TEST(Layers, ATableOfColoursCountsAndLettersStandOverTheEnds) {
   }
 }
 
+TEST(Layers, TheColumnStandsAsTheBedsLieWhenTheLowestIsTheTop) {
+  const geom::Polyline low{{{0.0, 0.0}, {100.0, 0.0}}, false};
+  const geom::Polyline middle{{{0.0, 20.0}, {100.0, 20.0}}, false};
+  const geom::Polyline high{{{0.0, 50.0}, {100.0, 50.0}}, false};
+  Model model;
+  model.section = test::section_of({low, middle, high});
+  GridParams grid;
+  grid.count = 4;
+  model = run_target(run_grid(model, grid, {}, {}).value(), {}, {}, {}).value();
+  const scene::Picture picture = picture_of(run_restore(model, {}, {}, {}).value());
+  const auto& labels = std::get<scene::Labels>(find(picture.panels[1], "column_names")->content).labels;
+  ASSERT_EQ(labels.size(), 2u);
+  EXPECT_EQ(labels[0].text, "bed2 - bed1");
+  EXPECT_EQ(labels[1].text, "bed1 - top");
+  EXPECT_GT(labels[0].at.y, labels[1].at.y);
+  // The rock below the highest bed has its colour.
+  const scene::Layer* unit = find(picture.panels[0], "unit_0");
+  EXPECT_EQ(std::get<scene::Regions>(unit->content).regions[0].contours[0].box().high.y, 50.0);
+  EXPECT_EQ(unit->style.fill, Palette(model.section).of("bed2").fill);
+}
+
+TEST(Layers, AreasThatNothingChangesHaveOneColour) {
+  // By constant thickness flat beds stay: det F is 1 but for rounding, wherever the section lies.
+  for (const double far : {0.0, 7e6, 1e-3}) {
+    Model model;
+    std::vector<geom::Polyline> beds(3);
+    for (int i = 0; i <= 37; ++i) {
+      for (std::size_t bed = 0; bed < beds.size(); ++bed)
+        beds[bed].points.push_back({far + 27.3 * i, -100.7 * static_cast<double>(bed)});
+    }
+    model.section = test::section_of(beds);
+    GridParams grid;
+    grid.count = 4;
+    model = run_target(run_grid(model, grid, {}, {}).value(), {}, {}, {}).value();
+    const scene::Picture picture = picture_of(run_restore(model, {}, {}, {}).value());
+    const auto& mesh = std::get<scene::Mesh>(find(picture.panels[0], "dilatation")->content);
+    EXPECT_EQ(mesh.scale.low, 0.0) << far;
+    EXPECT_EQ(mesh.scale.high, 0.0) << far;
+  }
+  const scene::Picture folded = picture_of(restored_model());
+  const auto& mesh = std::get<scene::Mesh>(find(folded.panels[0], "dilatation")->content);
+  EXPECT_GT(mesh.scale.high, 1e-3);
+}
+
 TEST(Layers, ThePinLineOfAShearRunsAlongItsDirection) {
   const geom::Polyline top{{{0, 0}, {600, 60}, {1000, 20}}, false};
   for (const double sign : {1.0, -1.0}) {  // layers below and above the top

@@ -93,6 +93,21 @@ TEST(Formula, WhatCannotBeReadIsNamedWithItsPlace) {
   EXPECT_THAT(trouble("x = 3"), HasSubstr("character 3: '=' is not expected here"));
   EXPECT_THAT(trouble("x, y"), HasSubstr("',' is not expected here"));
   EXPECT_THAT(trouble(""), HasSubstr("missing at the end"));
+  EXPECT_THAT(trouble("x \u2265 1"), HasSubstr("character 3: '\u2265' is not known here; write '>='"));
+}
+
+TEST(Formula, WordsThatNothingIsNearToGetNoSuggestion) {
+  for (const char* word : {"foo", "lft", "or", "and", "xx", "mm"}) EXPECT_THAT(trouble(word), testing::AllOf(HasSubstr("there is x, y, pi, e"), testing::Not(HasSubstr("did you mean")))) << word;
+  EXPECT_THAT(trouble("X"), HasSubstr("did you mean 'x'?"));
+  EXPECT_THAT(trouble("SIN(x)"), HasSubstr("did you mean 'sin'?"));
+  EXPECT_THAT(trouble("sni(x)"), HasSubstr("did you mean 'sin'?"));
+  for (const char* word : {"nan", "inf", "1e400"}) EXPECT_THAT(trouble(word), HasSubstr("is no finite number")) << word;
+}
+
+TEST(Formula, AnErrorInAPartOfATextCountsFromTheBeginningOfTheText) {
+  const auto read = Formula::make(" foo", names, {"the condition", "\u00e9 = foo", 4});
+  ASSERT_FALSE(read.ok());
+  EXPECT_THAT(read.error().message, HasSubstr("the condition '\u00e9 = foo', character 5: 'foo' is not known"));
 }
 
 }  // namespace

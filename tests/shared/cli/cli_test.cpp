@@ -160,6 +160,11 @@ TEST_F(Cli, WrongUsageIsOneLineWithAHintAndExitCode2) {
   expect_usage({"run", good, "--ouut", out()}, "--out is required; see 'fake run --help'");
   expect_usage({"run", good, "--out", out(), "--quite"},
                "unexpected argument '--quite'; did you mean '--quiet'?; see 'fake run --help'");
+  expect_usage({"run", good, "--out", out(), "--json", "p.png"},
+               "unexpected argument 'p.png': --json before it takes no value; see 'fake run --help'");
+  expect_usage({"run", good, "--out", out(), "-q", "p.png"},
+               "unexpected argument 'p.png': -q before it takes no value; see 'fake run --help'");
+  expect_usage({"run", good, "--out", out(), "p.png"}, "unexpected argument 'p.png'; see 'fake run --help'");
   expect_usage({"rnu", good}, "there is no sub-command and no file 'rnu'; did you mean 'run'?; see 'fake --help'");
   expect_usage({}, "this build has no window; give a sub-command; see 'fake --help'");
   EXPECT_EQ(call({"run", good, "--out", out(), "--threads", "0"}).code, 2);

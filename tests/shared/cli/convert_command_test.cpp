@@ -85,6 +85,15 @@ TEST_F(ConvertCommand, ATableOfColoursIsTakenForPicturesAndItsFaultsAreTold) {
   EXPECT_NE(text("a.svg").find(">section<"), std::string::npos);  // its title
   refuses({section(), path("b.svg"), "--colours", put("bad.csv", "name,colour\nU,#1\n")}, 3, {"bad.csv:2: 'U': '#1'"});
   refuses({section(), path("b.csv"), "--colours", table}, 2, {"--colours is for .svg, .pdf and .png"});
+  for (const char* const scale : {"", "1:500"}) {
+    std::vector<std::string> words{section(), path("e.svg"), "--orientation", " WSW -ENE"};
+    if (*scale != '\0') words.insert(words.end(), {"--scale", scale});
+    EXPECT_EQ(call(words).code, 0);
+    for (const char* const end : {">WSW<", ">ENE<"}) EXPECT_NE(text("e.svg").find(end), std::string::npos) << end;
+  }
+  for (const char* const ends : {"west", "W -", " - E", "-"})
+    refuses({section(), path("b.svg"), "--orientation", ends}, 2, {"--orientation: '", "needs two ends"});
+  refuses({section(), path("b.csv"), "--orientation", "W - E"}, 2, {"--orientation is for .svg, .pdf and .png"});
 }
 
 TEST_F(ConvertCommand, PicturesGiveEachUnitItsColourAndPiecesOneEntry) {

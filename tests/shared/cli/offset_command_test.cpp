@@ -43,7 +43,7 @@ class OffsetCommand : public test::CommandLine {
 
 TEST_F(OffsetCommand, OFF_a_SegmentLeftToRightIsOffsetBelow) {
   const Json below = json({segment(), "--distance", "1"});
-  EXPECT_EQ(below, Json::parse(R"({"curves":[{"distance":1.0,"length":10.0,"area":null,"dropped":0,"dropped_length":0.0,
+  EXPECT_EQ(below, Json::parse(R"({"curves":[{"distance":1.0,"length":10.0,"dropped":0,"dropped_length":0.0,
     "pieces":[{"closed":false,"points":[[0.0,-1.0],[10.0,-1.0]]}]}],"dropped":0})"));
   const Json above = json({put("back.csv", "10,0\n0,0\n"), "--distance", "1"});
   EXPECT_EQ(above["curves"][0]["pieces"][0]["points"], Json::parse("[[10.0,1.0],[0.0,1.0]]"));
@@ -156,6 +156,8 @@ TEST_F(OffsetCommand, WrongUsageNamesTheOption) {
   refuses({file, "--distance", "one"}, 2, {"'one' is not a number"});
   refuses({file, "--distance", "1", "--factor", "0"}, 2, {"--factor"});
   refuses({file, "--distances", "1,,2"}, 2, {"--distances: '' is not a number"});
+  for (const char* value : {"nan", "inf", "-inf"}) refuses({file, "--distance", value}, 2, {"--distance", std::string("'") + value + "' is not a finite number; it must not be 0"});
+  refuses({file, "--distance", "1e400"}, 2, {"'1e400' is not a number"});
   refuses({file, "--distances", "1,-2.0"}, 2, {"-2.0 must be above 0 for curve 1, an open line"});
   refuses({file, "--distances", ""}, 2, {"--distances"});
   refuses({file, "--distance", "1", "--side", "rihgt"}, 2, {"did you mean 'right'?"});
@@ -226,6 +228,51 @@ TEST_F(OffsetCommand, BisectorPointsThatAreCutAreTold) {
   EXPECT_NE(outcome.err.find("1 corner turns back so sharply that the bisector point is more than 1000 D away, the first at (10, 0)"),
             std::string::npos) << outcome.err;
   EXPECT_EQ(call({corner(), "--distance", "1", "--join", "bisector"}).err, "");
+}
+
+TEST_F(OffsetCommand, OfAnOpenLineAmongPolygonsADistanceBelowZeroIsLeftOutAndTold) {
+  const std::string file = put("mixed.wkt", "LINESTRING (20 0, 30 0)\nPOLYGON ((0 0, 10 0, 10 10, 0 10, 0 0))\nLINESTRING (40 0, 50 0)\n");
+  const test::Outcome outcome = call({file, "--distances", "-1,2", "--json"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Json curves = Json::parse(outcome.out)["curves"];
+  ASSERT_EQ(curves.size(), 6U);
+  EXPECT_TRUE(curves[0]["pieces"].empty());
+  EXPECT_EQ(curves[1]["length"], 10.0);
+  EXPECT_NEAR(curves[2]["area"].get<double>(), 64, 1e-12);
+  EXPECT_TRUE(curves[4]["pieces"].empty());
+  for (const char* told : {"curve 1: an open line", "curve 3: an open line", "left out at distance -1"}) {
+    EXPECT_NE(outcome.err.find(told), std::string::npos) << outcome.err;
+  }
+  EXPECT_EQ(outcome.err.find("curve 2"), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find("nothing remains"), std::string::npos) << outcome.err;
+  const test::Outcome dissolved = call({file, "--distance", "-1", "--dissolve", "--json"});
+  ASSERT_EQ(dissolved.code, 0) << dissolved.err;
+  EXPECT_NEAR(Json::parse(dissolved.out)["curves"][0]["area"].get<double>(), 64, 1e-12);
+}
+
+TEST_F(OffsetCommand, JsonOfAnOpenCurveHasNoArea) {
+  EXPECT_FALSE(json({segment(), "--distance", "1"})["curves"][0].contains("area"));
+  EXPECT_TRUE(json({square(), "--distance", "1"})["curves"][0].contains("area"));
+}
+
+TEST_F(OffsetCommand, TheUnitOfADrawingIsKeptAndTold) {
+  const auto drawing = [](const std::string& code) {
+    return "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n" + code +
+           "\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n0\nLINE\n8\nA\n10\n0\n20\n0\n11\n10\n21\n0\n0\nENDSEC\n0\nEOF\n";
+  };
+  for (const auto& [code, metres] : {std::pair{"4", "0.001"}, {"2", "0.3048"}, {"6", ""}, {"0", ""}}) {
+    const test::Outcome outcome = call({put("in.dxf", drawing(code)), "--distance", "2", "--out", path("out.dxf")});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err.find("as asked for"), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.err.find("and so is that of the distances") != std::string::npos, *metres != 0) << outcome.err;
+    const std::string text = *io::read_bytes(path("out.dxf"));
+    EXPECT_EQ(text.find(std::string("$INSUNITS\n70\n") + code + "\n") != std::string::npos, *code != '0') << text;
+    EXPECT_NE(text.find("20\n-2.0\n"), std::string::npos) << text;  // in units of the drawing
+  }
+  const test::Outcome other = call({put("in.dxf", drawing("4")), "--distance", "2", "--out", path("out.wkt")});
+  EXPECT_NE(other.err.find("the unit of the file (0.001 m) is not kept in .wkt"), std::string::npos) << other.err;
+  const test::Outcome odd = call({put("in.dxf", drawing("18")), "--distance", "2", "--out", path("out.dxf")});
+  EXPECT_NE(odd.err.find("is not known here, and is not kept"), std::string::npos) << odd.err;
 }
 
 // --- what a GIS user expects
@@ -341,6 +388,19 @@ TEST_F(OffsetCommand, APolygonThatCrossesItselfIsToldAndTakenAsThoseThatDoNot) {
   EXPECT_NEAR(Json::parse(outcome.out)["curves"][0]["area"].get<double>(), shrunk(3, 3) + shrunk(3, 1), 1e-9);
 }
 
+TEST_F(OffsetCommand, LoopsOfOneAreaThatRunAgainstEachOtherAreTwoPolygons) {
+  for (const char* const bow : {"POLYGON ((0 0, 10 10, 10 0, 0 10, 0 0))", "POLYGON ((0 0, 0 10, 10 0, 10 10, 0 0))"}) {
+    const test::Outcome outcome = call({put("bow.wkt", bow), "--distance", "-0.25", "--json"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("taken as 2 polygons that do not"), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.err.find("left out"), std::string::npos) << outcome.err;
+    // Two right triangles with hypotenuses of 10.
+    const double inradius = 10 / std::sqrt(2.0) - 5;
+    const double area = Json::parse(outcome.out)["curves"][0]["area"].get<double>();
+    EXPECT_NEAR(area, 2 * 25 * std::pow(1 - 0.25 / inradius, 2), 1e-9);
+  }
+}
+
 TEST_F(OffsetCommand, IdAttributesAndReferenceSystemAreKept) {
   const std::string file = put("parcels.geojson", R"({"type":"FeatureCollection",
     "crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::31983"}},"features":[
@@ -441,6 +501,26 @@ TEST_F(OffsetCommand, VerifyJudgesTheCurvesAndSaysSo) {
   ASSERT_GE(verdict.findings.size(), 1U);
   EXPECT_TRUE(verdict.findings[0].starts_with("top: distance 1.0: off its parallel: 0.5 where "))
       << verdict.findings[0];
+}
+
+TEST_F(OffsetCommand, VerifySaysWhatItWasNotAskedAbout) {
+  const auto said = [&](std::vector<std::string> args) {
+    args.insert(args.end(), {"--distance", "1", "--verify"});
+    const test::Outcome outcome = call(args);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("nothing is wrong with them"), std::string::npos) << outcome.err;
+    const std::size_t at = outcome.err.find("not judged: ");
+    return at == std::string::npos ? std::string() : outcome.err.substr(at);
+  };
+  EXPECT_EQ(said({square()}), "");
+  EXPECT_EQ(said({put("back.csv", "0,0\n10,0\n0,1e-6\n"), "--join", "bisector"}), "not judged: 1 bisector point cut across\n");
+  EXPECT_EQ(said({put("bow.wkt", "POLYGON ((0 0, 6 6, 6 0, 2 4, 0 0))"), "--join", "round"}),
+            "not judged: 1 polygon that crosses or touches itself, but what it was taken as; what was joined of several curves\n");
+  // A bulb with a narrow neck: the inside of it is a second piece.
+  const std::string bulb = put("bulb.csv", "-10,0\n-0.5,0\n-0.5,5\n-5,5\n-5,15\n5,15\n5,5\n0.5,5\n0.5,0\n10,0\n");
+  EXPECT_TRUE(said({bulb, "--side", "left"}).empty() != said({bulb, "--side", "right"}).empty());
+  EXPECT_NE((said({bulb, "--side", "left"}) + said({bulb, "--side", "right"})).find("not judged: 1 piece left out ("), std::string::npos);
+  EXPECT_EQ(said({corner(), "--untreated"}), "not judged: whether untreated curves keep their distance or cross\n");
 }
 
 TEST_F(OffsetCommand, PicturesAreWrittenAndShowBaseAndDistances) {

@@ -149,23 +149,19 @@ inline scenario::Program fake_program() {
       make_operation<Waves, StackParams>("stack", "Stack of waves", "Repeats the wave below itself at equal distances.", stack),
       make_operation<Waves, SleepParams>("sleep", "Sleep", "Does nothing for a while.", sleep),
       make_operation<Waves, BreakParams>("break", "Break", "Always fails.", break_at)};
-  program.picture_of = [](const State& state) {
+  program.results.draw = [](const State& state, scene::Picture& picture) {
     const auto& waves = model_of<Waves>(state);
-    return scene::Picture{"Waves", {wave_panel(waves, "before", waves.amplitude), wave_panel(waves, "after", 0.0)}, scene::Arrangement::Column};
+    picture = scene::Picture{"Waves", {wave_panel(waves, "before", waves.amplitude), wave_panel(waves, "after", 0.0)}, scene::Arrangement::Column};
   };
-  program.quantities_of = [](const State& state) {
+  program.results.quantities = [](const State& state, std::vector<Quantity>& quantities) {
     const auto& waves = model_of<Waves>(state);
-    return std::vector<Quantity>{{"wave.amplitude", waves.amplitude, "m"},
+    quantities = {{"wave.amplitude", waves.amplitude, "m"},
                                  {"stack.count", static_cast<double>(waves.count), ""},
                                  {"stack.thickness", waves.count * waves.distance, "m"}};
   };
-  program.remarks_of = [](const State& state) {
-    std::vector<std::string> remarks;
+  program.results.remarks = [](const State& state, std::vector<std::string>& remarks) {
     if (model_of<Waves>(state).count > 10) remarks.push_back("more than ten curves are hard to tell apart");
-    return remarks;
   };
-  program.tables_of = [](const State&) { return std::vector<DataTable>{}; };
-  program.outputs_of = [](const State&) { return std::vector<Output>{}; };
   return program;
 }
 

@@ -176,11 +176,11 @@ TEST(MeshFile, EveryEndingIsWritten) {
   const test::TemporaryFolder folder;
   const ElementMesh mesh = test::example_mesh();
   for (const std::string& ending : mesh_endings()) {
-    ASSERT_TRUE(write_mesh(folder.file("m" + ending), mesh).ok()) << ending;
+    ASSERT_TRUE(write_mesh(folder.file("m" + ending), mesh, InpElement::PlaneStress).ok()) << ending;
     EXPECT_TRUE(read_text(folder.file("m" + ending)).ok()) << ending;
   }
   EXPECT_EQ(read_msh(folder.file("m.msh2"))->mesh, mesh);
-  EXPECT_EQ(write_mesh(folder.file("m.xyz"), mesh).error().code, ErrorCode::BadUsage);
+  EXPECT_EQ(write_mesh(folder.file("m.xyz"), mesh, InpElement::PlaneStress).error().code, ErrorCode::BadUsage);
 }
 
 TEST(SurfaceText, FacesAndPointsReadBack) {

@@ -107,6 +107,15 @@ TEST(Geojson, BadTextIsRefusedWithItsPlace) {
   }
 }
 
+TEST(Geojson, AnErrorNamesNoFileThatTheUserDoesNotKnow) {
+  for (const char* const text : {R"({"a":1})", R"({"type":"Topology"})", R"({"type":"FeatureCollection"})", "{}"}) {
+    const auto read = parse_geojson(text, "f.geojson");
+    if (read.ok()) continue;
+    EXPECT_THAT(base::to_string(read.error()), testing::Not(HasSubstr("vsimem"))) << text;
+  }
+  EXPECT_THAT(base::to_string(parse_geojson(R"({"a":1})", "f.geojson").error()), HasSubstr("(the file not recognized"));
+}
+
 TEST(Geojson, AnErrorNamesTheFeature) {
   const auto read = parse_geojson(
       collection(feature(R"({"type":"LineString","coordinates":[[3,4],[3,4]]})", R"({"name":"b"})")), "f");

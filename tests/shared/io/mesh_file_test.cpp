@@ -36,7 +36,7 @@ TEST(MeshFile, AnInvertedElementIsNamedWithItsNumberAndPlaceInEveryFormatThatTur
   ElementMesh mesh = plain();
   invert(mesh, 6);
   for (const std::string name : {"m.msh", "m.msh2", "m.inp", "m.bdf", "m.nf", "m.ele"}) {
-    ASSERT_TRUE(write_mesh(folder.file(name), mesh).ok()) << name;
+    ASSERT_TRUE(write_mesh(folder.file(name), mesh, InpElement::PlaneStress).ok()) << name;
     const auto read = read_mesh(folder.file(name));
     ASSERT_TRUE(read.ok()) << name << base::to_string(read.error());
     EXPECT_TRUE(mesh::check(read->mesh).ok()) << name;
@@ -56,7 +56,7 @@ TEST(MeshFile, AWholeClockwiseMeshOrRegionIsARemarkAndWhatIsAgainstItAFault) {
   for (const std::string name : {"m.msh2", "m.inp", "m.bdf", "m.nf", "m.ele"}) {
     ElementMesh mesh = plain();
     const auto read_back = [&] {
-      EXPECT_TRUE(write_mesh(folder.file(name), mesh).ok()) << name;
+      EXPECT_TRUE(write_mesh(folder.file(name), mesh, InpElement::PlaneStress).ok()) << name;
       return read_mesh(folder.file(name)).value();
     };
     EXPECT_THAT(inverted_elements(read_back()), IsEmpty()) << name;

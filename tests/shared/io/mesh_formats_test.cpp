@@ -278,12 +278,12 @@ TEST(Inp, NamesThatALabelCannotHoldAreChangedAndStayApart) {
                     {"A_B", {NodeId(2)}},
                     {"1", {NodeId(3)}},
                     {std::string(100, 'x'), {NodeId(4)}}};
-  const auto read = parse_inp(*inp_text(mesh), "f");
+  const auto read = parse_inp(*inp_text(mesh, {.element = InpElement::PlaneStress}), "f");
   ASSERT_TRUE(read.ok()) << base::to_string(read.error());
   std::vector<std::string> names;
   for (const auto& [name, nodes] : read->mesh.node_sets) names.push_back(name);
   EXPECT_THAT(names, ElementsAre("A_B", "S_1", "a_b_2", "a_b_3", std::string(70, 'x')));
-  EXPECT_THAT(*inp_text(mesh), HasSubstr("** 'a b' is written as a_b_2\n"));
+  EXPECT_THAT(*inp_text(mesh, {.element = InpElement::PlaneStress}), HasSubstr("** 'a b' is written as a_b_2\n"));
 }
 
 TEST(Inp, ASetMayHaveTheNameOfARegionAndEveryOtherRenamingIsTold) {
@@ -293,7 +293,7 @@ TEST(Inp, ASetMayHaveTheNameOfARegionAndEveryOtherRenamingIsTold) {
   mesh.side_sets = {{"A", {{mesh::ElementId(0), 0}}}, {"my rim", {{mesh::ElementId(0), 1}}}};
   mesh.node_sets = {{"a", {NodeId(0)}}, {"P", {NodeId(1)}}};
   mesh.tips.clear();
-  const auto read = parse_inp(*inp_text(mesh), "f");
+  const auto read = parse_inp(*inp_text(mesh, {.element = InpElement::PlaneStress}), "f");
   ASSERT_TRUE(read.ok()) << base::to_string(read.error());
   EXPECT_EQ(read->mesh.region_names, mesh.region_names);
   EXPECT_EQ(read->mesh.regions, mesh.regions);
@@ -311,7 +311,7 @@ TEST(Inp, ARegionWithTheLabelOfAnotherTagLeavesTheTagsAsTheyAre) {
   std::fill(mesh.regions.begin(), mesh.regions.end(), 1);
   mesh.regions.back() = 2;
   mesh.region_names = {{1, "REGION_2"}};
-  const auto read = parse_inp(*inp_text(mesh), "f");
+  const auto read = parse_inp(*inp_text(mesh, {.element = InpElement::PlaneStress}), "f");
   ASSERT_TRUE(read.ok()) << base::to_string(read.error());
   EXPECT_EQ(read->mesh.regions, mesh.regions);
   EXPECT_THAT(losses("m.inp", mesh), testing::Contains(HasSubstr("the region 'REGION_2' is written as REGION_2_2")));
@@ -358,10 +358,10 @@ TEST(Inp, BadTextIsRefusedWithItsPlace) {
 }
 
 TEST(Inp, MeshesThatCannotBeWrittenAreRefused) {
-  EXPECT_EQ(inp_text(ElementMesh{}).error().code, ErrorCode::CannotMesh);
+  EXPECT_EQ(inp_text(ElementMesh{}, {.element = InpElement::PlaneStress}).error().code, ErrorCode::CannotMesh);
   ElementMesh mesh = test::example_mesh(3);
   mesh.side_sets["wrong"] = {{mesh::ElementId(0), 3}};
-  EXPECT_EQ(inp_text(mesh).error().code, ErrorCode::InvalidOption);
+  EXPECT_EQ(inp_text(mesh, {.element = InpElement::PlaneStress}).error().code, ErrorCode::InvalidOption);
 }
 
 }  // namespace

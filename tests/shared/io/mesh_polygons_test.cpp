@@ -47,7 +47,7 @@ TEST(MeshPolygons, SurfacesHoldCornersOnlyAndKeepQuadrilaterals) {
   for (const char* ending : {".obj", ".off", ".ply"}) {
     const std::string file = folder.file(std::string("m") + ending);
     const ElementMesh mesh = ring(ElementType::Q8);
-    ASSERT_TRUE(write_mesh(file, mesh).ok()) << ending;
+    ASSERT_TRUE(write_mesh(file, mesh, InpElement::PlaneStress).ok()) << ending;
     const auto polygons = read_polygons(file);
     ASSERT_TRUE(polygons.ok()) << base::to_string(polygons.error());
     EXPECT_EQ(polygons->points.size(), 16U) << ending;
@@ -64,7 +64,7 @@ TEST(MeshPolygons, SurfacesHoldCornersOnlyAndKeepQuadrilaterals) {
 TEST(MeshPolygons, StlIsReadBackAndTellsWhatItCut) {
   const test::TemporaryFolder folder;
   const std::string file = folder.file("m.stl");
-  ASSERT_TRUE(write_mesh(file, ring(ElementType::Q4)).ok());
+  ASSERT_TRUE(write_mesh(file, ring(ElementType::Q4), InpElement::PlaneStress).ok());
   EXPECT_THAT(losses(file, ring(ElementType::Q4)), testing::Contains(HasSubstr("8 quadrilaterals are cut in two")));
   const auto read = read_mesh(file);
   ASSERT_TRUE(read.ok()) << base::to_string(read.error());
@@ -77,7 +77,7 @@ TEST(MeshPolygons, APolyHoldsTheLinesWithAPointInEachHole) {
   ElementMesh mesh = ring(ElementType::Q8);
   mesh.side_sets["bottom"] = {{ElementId(0), 0}, {ElementId(1), 0}, {ElementId(2), 0}};
   mesh.side_sets["seam"] = {{ElementId(0), 1}};
-  ASSERT_TRUE(write_mesh(folder.file("m.poly"), mesh).ok());
+  ASSERT_TRUE(write_mesh(folder.file("m.poly"), mesh, InpElement::PlaneStress).ok());
   const auto poly = read_poly(folder.file("m.poly"));
   ASSERT_TRUE(poly.ok()) << base::to_string(poly.error());
   EXPECT_EQ(poly->nodes.points.size(), 16U);

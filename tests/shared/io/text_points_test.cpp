@@ -240,5 +240,20 @@ TEST(TextPoints, ExtraColumnsComeWithTheirPointsAndAShortRowHasNought) {
   EXPECT_THAT(named->extras, ElementsAre(ElementsAre(7, 8)));
 }
 
+TEST(TextPoints, ARowWhoseKindIsMisspeltIsToldAsThat) {
+  const auto message = [](const std::string& rows) {
+    const auto read = parse_text_points("x,z,name,kind\n" + rows, "f");
+    EXPECT_FALSE(read.ok()) << rows;
+    return read.ok() ? std::string() : base::to_string(read.error());
+  };
+  EXPECT_THAT(message("0,0,top,horizon\n5,1,top,Horizonn\n9,0,top,horizon\n"),
+              testing::AllOf(HasSubstr("f:3"), HasSubstr("unknown kind 'Horizonn', in this row only; did you mean 'horizon'?")));
+  EXPECT_THAT(message("0,0,top,horizon\n5,1,top,horizon\n5,4,F,fautl\n"), HasSubstr("did you mean 'fault'?"));
+  // A kind that there is: the name and the kind are told.
+  EXPECT_THAT(message("0,0,top,horizon\n5,1,top,fault\n9,0,top,horizon\n"),
+              HasSubstr("this one 'top' of kind 'horizon' has 1"));
+  EXPECT_THAT(message("0,0,top,\n5,1,tpo,\n9,0,top,\n"), HasSubstr("this one 'top' has 1"));
+}
+
 }  // namespace
 }  // namespace dobra::io

@@ -163,5 +163,63 @@ TEST_F(VtkOffscreen, AnImageLooksAsCairoDrawsIt) {
   EXPECT_LT(largest_difference(a, b, 12, 12, mean), 20.0);
 }
 
+/// Two areas, one with a hole, and their legend.
+scene::Picture with_patterns(scene::Pattern pattern) {
+  scene::Panel panel{"p", ""};
+  panel.extent = geom::Box{{0.0, 0.0}, {100.0, 60.0}};
+  scene::Style style{.line_width = 0.0, .fill = scene::Color{200, 220, 240}};
+  style.pattern = pattern;
+  const geom::Polyline rim{{{10.0, 5.0}, {95.0, 10.0}, {80.0, 55.0}, {15.0, 50.0}}, true};
+  const geom::Polyline hole{{{40.0, 20.0}, {60.0, 20.0}, {60.0, 40.0}, {40.0, 40.0}}, true};
+  panel.layers.push_back({"a", "unit", style, scene::Regions{{{{rim, hole}}}, {}}});
+  scene::Picture picture;
+  picture.panels = {panel};
+  return picture;
+}
+
+TEST_F(VtkOffscreen, PatternsAreThoseOfCairoAndInTheirAreaOnly) {
+  const scene::PageSize page{360.0, 300.0};
+  const scene::Transform transform =
+      scene::layout(with_patterns(scene::Pattern::Dots), page, {}, vtk_text_measure(3.0)).panels[0].transform;
+  const auto plain = with_patterns(scene::Pattern::None);
+  ASSERT_TRUE(write_png_vtk(plain, folder_.path() / "plain.png", page, 3.0));
+  const test::Pixels none = test::read_png(folder_.path() / "plain.png");
+  for (const auto pattern : {scene::Pattern::Dots, scene::Pattern::Bricks, scene::Pattern::CrossHatch}) {
+    const scene::Picture picture = with_patterns(pattern);
+    ASSERT_TRUE(write_png(picture, folder_.path() / "cairo.png", page, 3.0));
+    ASSERT_TRUE(write_png_vtk(picture, folder_.path() / "vtk.png", page, 3.0));
+    const test::Pixels a = test::read_png(folder_.path() / "cairo.png");
+    const test::Pixels b = test::read_png(folder_.path() / "vtk.png");
+    const auto darkness = [&](const test::Pixels& pixels, geom::Point low, geom::Point high) {
+      double sum = 0.0;
+      std::size_t count = 0;
+      for (double x = low.x; x < high.x; x += 0.2) {
+        for (double y = low.y; y < high.y; y += 0.2, ++count) {
+          const geom::Point p = transform.to_page({x, y});
+          sum += 220.0 - pixels.at(static_cast<int>(3.0 * p.x), static_cast<int>(3.0 * p.y))[1];
+        }
+      }
+      return sum / static_cast<double>(count);
+    };
+    const double by_cairo = darkness(a, {18.0, 12.0}, {38.0, 48.0});
+    EXPECT_GT(by_cairo, 2.0);
+    EXPECT_NEAR(darkness(b, {18.0, 12.0}, {38.0, 48.0}), by_cairo, 0.35 * by_cairo) << static_cast<int>(pattern);
+    EXPECT_LT(darkness(b, {41.0, 21.0}, {59.0, 39.0}), -30.0) << "the hole, pattern " << static_cast<int>(pattern);
+    const scene::Layout own = scene::layout(picture, page, {}, vtk_text_measure(3.0));
+    for (const scene::Mark& mark : own.marks) {
+      const auto* swatch = std::get_if<scene::BoxMark>(&mark);
+      if (swatch == nullptr || swatch->pattern == scene::Pattern::None) continue;
+      double darker = 0.0;
+      for (double x = 3.0 * swatch->box.low.x + 1.0; x < 3.0 * swatch->box.high.x - 1.0; x += 1.0) {
+        for (double y = 3.0 * swatch->box.low.y + 1.0; y < 3.0 * swatch->box.high.y - 1.0; y += 1.0) {
+          const int column = static_cast<int>(x), line = static_cast<int>(y);
+          darker += none.at(column, line)[1] - b.at(column, line)[1];
+        }
+      }
+      EXPECT_GT(darker, 500.0) << "the legend, pattern " << static_cast<int>(pattern);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace dobra::render

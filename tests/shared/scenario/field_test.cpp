@@ -71,7 +71,7 @@ TEST(Field, AWrongTypeSaysWhatIsWantedAndWhatWasFound) {
 
 TEST(Field, RangesAreStated) {
   const std::string start = "f.toml:7:3: step 2 (scale): ";
-  EXPECT_EQ(complaint("factor", 0.0), start + "'factor' must be greater than 0, found 0.0");
+  EXPECT_EQ(complaint("factor", 0.0), start + "'factor' must be greater than 0 m, found 0.0 m");
   EXPECT_EQ(complaint("times", std::int64_t{0}), start + "'times' must be at least 1 and at most 1000, found 0");
   EXPECT_EQ(complaint("times", std::int64_t{1001}), start + "'times' must be at least 1 and at most 1000, found 1001");
   EXPECT_EQ(complaint("times", std::int64_t{3000000000}),
@@ -164,7 +164,7 @@ TEST(Field, WhatTheUserTypesWronglyIsRefusedWithTheReason) {
   };
   EXPECT_EQ(message("factor", "0,4"), "'factor' must be a number, found '0,4'");
   EXPECT_EQ(message("factor", "nan"), "'factor' must be a finite number, found nan");
-  EXPECT_EQ(message("factor", "-1"), "'factor' must be greater than 0, found -1.0");
+  EXPECT_EQ(message("factor", "-1"), "'factor' must be greater than 0 m, found -1.0 m");
   EXPECT_EQ(message("times", "1.5"), "'times' must be a whole number, found '1.5'");
   EXPECT_EQ(message("pin", "1"), "'pin' must be a point [x, y], found '1'");
   EXPECT_EQ(message("pin", "1, 2]\nx = [3"), "'pin' must be a point [x, y], found '1, 2]\nx = [3'");

@@ -18,6 +18,19 @@ TEST(Program, AScenarioForAnotherProgramIsRefused) {
   EXPECT_EQ(complaint("", "quebra"), "f.toml: this scenario is for 'quebra', not for 'fake'; run it with quebra");
 }
 
+TEST(Program, ASheetWithoutATitleIsCalledAfterItsDocument) {
+  scene::Picture sheet;
+  sheet.paper = scene::Paper::A4Landscape;
+  Document document;
+  document.file = "folder/anticline.toml";
+  EXPECT_EQ(titled(sheet, document).title, "anticline");
+  EXPECT_EQ(titled({}, document).title, "");  // no sheet
+  document.title = "An anticline";
+  EXPECT_EQ(titled(sheet, document).title, "An anticline");
+  sheet.title = "Its own";
+  EXPECT_EQ(titled(sheet, document).title, "Its own");
+}
+
 TEST(Program, AnUnknownOperationGetsASuggestion) {
   EXPECT_EQ(complaint("[[step]]\noperation = \"scael\"\n"),
             "f.toml:3:1: step 1: unknown operation 'scael'; did you mean 'scale'?");
@@ -29,7 +42,7 @@ TEST(Program, InputAndParametersOfEveryStepAreJudgedBeforeAnythingRuns) {
   fake::calls().clear();
   EXPECT_EQ(complaint("[input]\nnumber = 1\n"), "f.toml:4:1: input: unknown key 'number'; did you mean 'numbers'?");
   EXPECT_EQ(complaint("[[step]]\noperation = \"scale\"\n[[step]]\noperation = \"scale\"\nfactor = -1\n"),
-            "f.toml:7:1: step 2 (scale): 'factor' must be greater than 0, found -1");
+            "f.toml:7:1: step 2 (scale): 'factor' must be greater than 0 m, found -1 m");
   EXPECT_EQ(complaint("[[step]]\noperation = \"import\"\n"),
             "f.toml:3:1: step 1 (import): the key 'file' is missing; it must be a file name in quotes");
   EXPECT_TRUE(fake::calls().empty());

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "shared/scene/color_map.h"
 #include "shared/scene/furniture.h"
 #include "shared/scene/layout.h"
 
@@ -130,6 +131,43 @@ TEST(Callouts, HideNoHoleNoMarkerAndNoOtherLabel) {
       EXPECT_TRUE(made.panels[0].plot.contains(label.low) && made.panels[0].plot.contains(label.high));
     }
   }
+}
+
+Mesh field(std::vector<double> values) {
+  Mesh mesh;
+  mesh.values_at = ValuesAt::Triangles;
+  mesh.values = std::move(values);
+  mesh.scale = {.low = -1.0, .high = 1.0, .least = -1.0, .greatest = 1.0};
+  return mesh;
+}
+
+TEST(ColorBar, AFieldThatIsConstantToRoundingHasOneColourAndOneNumber) {
+  // Numbers near 100 whose last digits differ, and differences of such numbers.
+  Mesh near = field({100.0, 100.0 + 1e-11, 100.0 - 3e-11});
+  ASSERT_TRUE(settle_constant(near, 100.0));
+  EXPECT_NEAR(near.scale.low, 100.0, 1e-9);
+  Mesh noise = field({1e-9, -2e-9, 5e-10});
+  ASSERT_TRUE(settle_constant(noise, 100.0));
+  for (const Mesh& mesh : {near, noise}) {
+    EXPECT_EQ(mesh.scale.low, mesh.scale.high);
+    for (const double value : mesh.values) EXPECT_EQ(color_of(mesh.scale, value), color_at(mesh.scale.map, 0.5));
+    const Furniture bar = bar_of(mesh.scale);
+    EXPECT_EQ(texts_of(bar.marks), std::vector<std::string>{mesh.scale.low == 0.0 ? "0" : "100"});
+    for (const Mark& mark : bar.marks) EXPECT_FALSE(std::holds_alternative<GradientMark>(mark));
+  }
+}
+
+TEST(ColorBar, AFieldThatVariesIsLeftAsItIs) {
+  for (const double size : {100.0, 1.0, 1e-9}) {  // the same numbers are rounding of large ones and all of small ones
+    Mesh mesh = field({size * 1e-6, -size * 2e-6, 0.0});
+    EXPECT_FALSE(settle_constant(mesh, size));
+    EXPECT_EQ(mesh.values, field({size * 1e-6, -size * 2e-6, 0.0}).values);
+    EXPECT_EQ(mesh.scale.high, 1.0);
+  }
+  Mesh none = field({});
+  EXPECT_FALSE(settle_constant(none, 1.0));
+  Mesh unknown = field({1.0, std::nan("")});
+  EXPECT_FALSE(settle_constant(unknown, 1e-3));
 }
 
 }  // namespace

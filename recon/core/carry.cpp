@@ -1,0 +1,123 @@
+#include "recon/core/carry.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "recon/core/input.h"
+
+namespace recon::core {
+
+namespace {
+
+/// Beyond this part of the line's and its image's box the way back counts as another way.
+constexpr double return_tolerance = 1e-9;
+
+geom::Point through(const std::vector<const Stage*>& chain, std::size_t from, std::size_t to, geom::Point p) {
+  for (; from < to; ++from) p = chain[from]->restoration->map.forward(p).at;
+  for (; from > to; --from) p = chain[from - 1]->restoration->map.inverse(p);
+  return p;
+}
+
+base::Result<std::size_t> state_of(int number, std::size_t restored, const char* key) {
+  if (number >= 0 && static_cast<std::size_t>(number) <= restored) return static_cast<std::size_t>(number);
+  return base::Error{base::ErrorCode::BadValue,
+                     fmt::format("{} = {}: the section has been restored {} times, so take a state from 0 to {}", key,
+                                 number, restored, restored)};
+}
+
+CarriedLine carried_line(const std::vector<const Stage*>& chain, const CarriedLines& states, geom::Polyline line) {
+  if (line.points.size() > 3 && line.points.front() == line.points.back()) {
+    line.points.pop_back();
+    line.closed = true;
+  }
+  CarriedLine carried;
+  for (const geom::Point p : line.points) carried.points.push_back(carry(chain, states.from, states.to, p));
+  carried.after = line.points.size() < 2 ? geom::Polyline{{carried.points.front().at}, false}
+                                         : carry(chain, states.from, states.to, line);
+  carried.before = std::move(line);
+  return carried;
+}
+
+/// What is not to be taken for certain of a line.
+void remark_on(const CarriedLine& line, std::vector<std::string>& remarks) {
+  const auto worst =
+      std::max_element(line.points.begin(), line.points.end(),
+                       [](const CarriedPoint& a, const CarriedPoint& b) { return a.misses < b.misses; });
+  const double size = std::max(line.before.box().diagonal(), line.after.box().diagonal()) +
+                      geom::distance(line.before.points.front(), {});
+  if (worst->misses <= return_tolerance * size) return;
+  const auto count = std::count_if(line.points.begin(), line.points.end(),
+                                   [&](const CarriedPoint& p) { return p.misses > return_tolerance * size; });
+  const geom::Point at = line.before.points[static_cast<std::size_t>(worst - line.points.begin())];
+  remarks.push_back(
+      fmt::format("{} points are carried where a map is not single-valued: the way back misses them, most ({:.6g}, "
+                  "{:.6g}) by {:.4g} m",
+                  count, at.x, at.y, worst->misses));
+}
+
+/// Rows of `first` and `last` that have the same name and are in every stage between.
+template <class Row, class Measure>
+void join_rows(const std::vector<Row>& first, const std::vector<Row>& last, Measure measure,
+               std::vector<Compared>& joined) {
+  for (const Row& row : first) {
+    const auto found = std::find_if(last.begin(), last.end(), [&](const Row& other) { return other.name == row.name; });
+    if (found == last.end()) continue;
+    const auto [before, after] = measure(row, *found);
+    if (before > 0.0) joined.push_back({row.name, before, after});
+  }
+}
+
+}  // namespace
+
+CarriedPoint carry(const std::vector<const Stage*>& chain, std::size_t from, std::size_t to, geom::Point p) {
+  const geom::Point at = through(chain, from, to, p);
+  return {at, geom::distance(through(chain, to, from, at), p)};
+}
+
+geom::Polyline carry(const std::vector<const Stage*>& chain, std::size_t from, std::size_t to, geom::Polyline line) {
+  for (; from < to; ++from) line = chain[from]->restoration->map.forward(line).after;
+  for (; from > to; --from) line = chain[from - 1]->restoration->map.swapped().forward(line).after;
+  return line;
+}
+
+base::Result<CarriedLines> carry_lines(const std::vector<const Stage*>& chain, const CarryParams& params,
+                                       const dobra::scenario::Context& context) {
+  CarriedLines carried;
+  DOBRA_TRY(carried.from, state_of(params.from, chain.size(), "from"));
+  DOBRA_TRY(carried.to, params.to ? state_of(*params.to, chain.size(), "to") : base::Result(chain.size()));
+  if (carried.from == carried.to) {
+    return base::Error{base::ErrorCode::BadValue,
+                       fmt::format("from and to are both state {}; nothing lies between them", carried.from)};
+  }
+  HorizonInput input;
+  input.name = "line";
+  input.file = params.file;
+  input.feature = params.feature;
+  input.points = params.points;
+  const Convention convention = params.file.empty() ? Convention{} : chain.front()->section.convention;
+  if (params.file.empty() && params.points.size() == 1) {
+    carried.lines.push_back(carried_line(chain, carried, {params.points, false}));
+  } else {
+    DOBRA_TRY(ReadPieces read, read_pieces(input, {.convention = convention}, context));
+    carried.remarks = std::move(read.remarks);
+    for (geom::Polyline& piece : read.pieces) carried.lines.push_back(carried_line(chain, carried, std::move(piece)));
+  }
+  for (const CarriedLine& line : carried.lines) remark_on(line, carried.remarks);
+  return carried;
+}
+
+Comparison compare(const std::vector<const Stage*>& chain, std::size_t from, std::size_t to) {
+  const Restoration& first = *chain[from]->restoration;
+  const Restoration& last = *chain[to - 1]->restoration;
+  Comparison comparison;
+  join_rows(first.lengths, last.lengths,
+            [](const LineLength& a, const LineLength& b) { return std::pair(a.length_before, b.length_after); },
+            comparison.beds);
+  join_rows(first.ledger.units, last.ledger.units,
+            [](const UnitRow& a, const UnitRow& b) { return std::pair(a.area_before, b.area_after); },
+            comparison.units);
+  return comparison;
+}
+
+}  // namespace recon::core

@@ -1,0 +1,48 @@
+#include "recon/core/stage.h"
+
+#include <fmt/format.h>
+
+#include "recon/core/crossings.h"
+#include "recon/core/section_faces.h"
+
+namespace recon::core {
+
+namespace {
+
+/// A line of the next section: what no operation on a section can stand on is refused here.
+base::Result<geom::Polyline> tidy(geom::Polyline line, const std::string& item) {
+  const geom::Point start = line.points.front();
+  line = geom::without_repeated_points(std::move(line));
+  if (line.points.size() < (line.closed ? 3U : 2U)) {
+    return base::Error{base::ErrorCode::BadSection, "nothing of it is left after the restoration; take it out before",
+                       place_at(start, item)};
+  }
+  if (const auto crossings = self_crossings(line); !crossings.empty()) {
+    return base::Error{base::ErrorCode::BadSection,
+                       "it crosses itself after the restoration, so that no further step can stand on it; restore with "
+                       "another pin or method, or stand the grid on the input: from = \"input\"",
+                       place_at(crossings.front().place, item)};
+  }
+  return line;
+}
+
+}  // namespace
+
+base::Result<Section> section_after(const Stage& stage) {
+  Section section = stage.restoration->section;
+  for (Horizon& horizon : section.horizons) {
+    DOBRA_TRY(horizon.line, tidy(std::move(horizon.line), fmt::format("horizon '{}'", horizon.name)));
+    if (horizon.line.points.front().x > horizon.line.points.back().x)
+      horizon.line = geom::reversed(std::move(horizon.line));
+  }
+  for (SectionLine& line : section.lines) line.line = geom::without_repeated_points(std::move(line.line));
+  for (Unit& unit : section.units) {
+    DOBRA_TRY(unit.contour, tidy(std::move(unit.contour), fmt::format("unit '{}'", unit.name)));
+    if (geom::signed_area(unit.contour) < 0.0) unit.contour = geom::reversed(std::move(unit.contour));
+  }
+  DOBRA_TRY(SectionFaces faces, faces_of(section));
+  section.faces = std::make_shared<const SectionFaces>(std::move(faces));
+  return section;
+}
+
+}  // namespace recon::core

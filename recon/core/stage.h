@@ -1,0 +1,27 @@
+#pragma once
+// One turn of the chain that a model is: a section, the grid and the target that it was given, and what restoring it
+// gave. The section after it is that of the next stage. Page: docs/algorithms/chain.md
+
+#include <optional>
+
+#include "recon/core/grid.h"
+#include "recon/core/restore.h"
+#include "recon/core/section.h"
+#include "recon/core/target.h"
+
+namespace recon::core {
+
+struct Stage {
+  Section section;                         ///< As it is before the restoration.
+  std::optional<SourceGrid> source;        ///< After the step grid.
+  std::optional<Target> target;            ///< After the step target.
+  std::optional<Restoration> restoration;  ///< After the step restore.
+};
+
+/// The section that a restored stage leaves, fit to be that of the next one: ids, names and roles of the stage's, no
+/// repeated points, every horizon from its left end to its right end, faces of its own.
+/// @pre   the stage has a restoration.
+/// @error BadSection: a restored horizon or unit crosses itself or has no length left, with the place; those of faces_of.
+base::Result<Section> section_after(const Stage& stage);
+
+}  // namespace recon::core
