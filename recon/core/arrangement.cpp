@@ -1,9 +1,15 @@
 #include "recon/core/arrangement.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <map>
+#include <span>
 #include <unordered_map>
 
+#include "recon/core/section.h"
 #include "shared/topo/insert.h"
 
 namespace recon::core {
@@ -15,55 +21,40 @@ base::Result<Arrangement> Arrangement::make(std::vector<geom::Polyline> lines) {
 }
 
 base::Result<void> Arrangement::add(std::vector<geom::Polyline> lines) {
-  const auto old = static_cast<std::uint32_t>(lines_.size());
   stretches_.add(lines);
-  for (std::uint32_t i = 0; i < old; ++i) refine(i);
   std::move(lines.begin(), lines.end(), std::back_inserter(lines_));
-  DOBRA_TRY_VOID(draw_from(old));
+  DOBRA_TRY_VOID(draw());
   if (chords_stand()) return {};
   // Rounded crossings have drawn lines, which drew others, beyond the margin: now every segment stands for itself.
   stretches_.cut_all();
+  return draw();
+}
+
+/// All lines at once: one that comes later may bend earlier ones onto each other, and only the paths in the end tell.
+base::Result<void> Arrangement::draw() {
   subdivision_ = {};
   drawn_.clear();
-  chords_.clear();
-  return draw_from(0);
-}
-
-base::Result<void> Arrangement::draw_from(std::uint32_t first) {
-  for (std::uint32_t line = first; line < lines_.size(); ++line) DOBRA_TRY_VOID(draw(line));
-  return {};
-}
-
-base::Result<void> Arrangement::draw(std::uint32_t line) {
-  const std::vector<Stretch>& stretches = drawn_.emplace_back(stretches_.of(line));
-  geom::Polyline drawn{{}, lines_[line].closed};
-  for (const Stretch stretch : stretches) drawn.points.push_back(vertex_of(line, stretch.first));
-  if (!drawn.closed && !stretches.empty()) drawn.points.push_back(lines_[line].points.back());
-  DOBRA_TRY(const topo::Inserted inserted, topo::insert(subdivision_, stretches.empty() ? lines_[line] : drawn));
-  for (const topo::HalfEdgeId h : inserted.path) own(topo::Structure::edge(h), line);
-  mark_chords(line);
-  return {};
-}
-
-/// Gives the line the vertices between its stretches that have been cut.
-void Arrangement::refine(std::uint32_t line) {
-  std::vector<Stretch> now = stretches_.of(line);
-  if (now.size() == drawn_[line].size()) return;
-  auto part = now.begin();
-  for (const Stretch old : drawn_[line]) {
-    if (part->last < old.last) {
-      topo::HalfEdgeId h = chord_of(line, old);
-      chords_[topo::Structure::edge(h).index()] = {};
-      for (; part->last < old.last; ++part) {
-        const topo::EdgeId edge = topo::Structure::edge(h);
-        subdivision_.split(edge, vertex_of(line, part->last));
-        if (topo::Structure::half_edge(edge) == h) h = subdivision_.next(h);  // otherwise h is what is left of it
-      }
-    }
-    ++part;
+  std::vector<geom::Polyline> curves;
+  for (std::uint32_t line = 0; line < lines_.size(); ++line) {
+    const std::vector<Stretch>& stretches = drawn_.emplace_back(stretches_.of(line));
+    geom::Polyline& curve = curves.emplace_back(geom::Polyline{{}, lines_[line].closed});
+    for (const Stretch stretch : stretches) curve.points.push_back(vertex_of(line, stretch.first));
+    if (!curve.closed && !stretches.empty()) curve.points.push_back(lines_[line].points.back());
+    if (stretches.empty()) curve = lines_[line];
   }
-  drawn_[line] = std::move(now);
-  mark_chords(line);
+  DOBRA_TRY(paths_, topo::insert(subdivision_, curves));
+  std::size_t highest = 0;
+  for (const topo::EdgeId e : subdivision_.edges()) highest = std::max(highest, e.index());
+  lines_on_.assign(highest + 1, {});
+  chords_.assign(highest + 1, {});
+  for (std::uint32_t line = 0; line < lines_.size(); ++line) {
+    for (const topo::HalfEdgeId h : paths_[line]) {
+      std::vector<std::uint32_t>& owners = lines_on_[topo::Structure::edge(h).index()];
+      if (owners.empty() || owners.back() != line) owners.push_back(line);
+    }
+    mark_chords(line);
+  }
+  return {};
 }
 
 void Arrangement::mark_chords(std::uint32_t line) {
@@ -71,9 +62,7 @@ void Arrangement::mark_chords(std::uint32_t line) {
     if (stretch.is_segment()) continue;
     const topo::HalfEdgeId h = chord_of(line, stretch);
     if (!h.valid()) continue;  // chords_stand will tell
-    const std::size_t edge = topo::Structure::edge(h).index();
-    if (edge >= chords_.size()) chords_.resize(edge + edge / 2 + 1);
-    chords_[edge] = {line, stretch};
+    chords_[topo::Structure::edge(h).index()] = {line, stretch};
   }
 }
 
@@ -101,19 +90,7 @@ topo::HalfEdgeId Arrangement::chord_of(std::uint32_t line, Stretch stretch) cons
   return from && to ? subdivision_.between(*from, *to) : topo::HalfEdgeId();
 }
 
-void Arrangement::own(topo::EdgeId edge, std::uint32_t line) {
-  std::vector<std::uint32_t> owners = lines_on(edge);
-  if (std::binary_search(owners.begin(), owners.end(), line)) return;
-  owners.insert(std::upper_bound(owners.begin(), owners.end(), line), line);
-  const auto [known, is_new] = set_number_.try_emplace(owners, static_cast<std::uint32_t>(sets_.size()));
-  if (is_new) sets_.push_back(std::move(owners));
-  subdivision_.attribute(edge) = known->second;
-}
-
-const std::vector<std::uint32_t>& Arrangement::lines_on(topo::EdgeId edge) const {
-  const auto* number = std::any_cast<std::uint32_t>(&subdivision_.attribute(edge));
-  return sets_[number == nullptr ? 0 : *number];
-}
+const std::vector<std::uint32_t>& Arrangement::lines_on(topo::EdgeId edge) const { return lines_on_[edge.index()]; }
 
 bool Arrangement::runs_along(topo::EdgeId edge, std::uint32_t line) const {
   const std::vector<std::uint32_t>& owners = lines_on(edge);
@@ -121,8 +98,7 @@ bool Arrangement::runs_along(topo::EdgeId edge, std::uint32_t line) const {
 }
 
 void Arrangement::append(topo::HalfEdgeId h, std::vector<geom::Point>& points) const {
-  const std::size_t edge = topo::Structure::edge(h).index();
-  const Chord chord = edge < chords_.size() ? chords_[edge] : Chord{};
+  const Chord chord = chords_[topo::Structure::edge(h).index()];
   const geom::Point origin = subdivision_.point(subdivision_.origin(h));
   points.push_back(origin);
   const auto [first, last] = chord.stretch;
@@ -147,60 +123,106 @@ double Arrangement::area(topo::FaceId face) const {
 }
 
 std::vector<topo::HalfEdgeId> Arrangement::path(std::uint32_t line) const {
-  const geom::Polyline& course = lines_[line];
-  const auto start = subdivision_.vertex_at(course.points.front());
   std::vector<topo::HalfEdgeId> path;
-  if (!start) return path;
-  const auto next_of = [&](topo::VertexId v, topo::HalfEdgeId arrived) {
-    const topo::HalfEdgeId first = subdivision_.leaving(v);
-    for (topo::HalfEdgeId h = first; h.valid();) {
-      const bool back = arrived.valid() && h == topo::Structure::twin(arrived);
-      if (!back && runs_along(topo::Structure::edge(h), line)) return h;
-      h = subdivision_.turned(h);
-      if (h == first) break;
+  for (const topo::HalfEdgeId h : paths_[line]) {
+    if (!path.empty() && path.back() == topo::Structure::twin(h)) {
+      path.pop_back();
+    } else {
+      path.push_back(h);
     }
-    return topo::HalfEdgeId();
-  };
-  for (topo::HalfEdgeId h = next_of(*start, {}); h.valid();) {
-    path.push_back(h);
-    const topo::VertexId v = subdivision_.target(h);
-    if (v == *start || path.size() > subdivision_.edge_count()) break;
-    h = next_of(v, h);
   }
-  if (!course.closed || path.empty()) return path;
-  // A ring has no first half-edge of its own: the second point decides the direction.
-  std::vector<topo::HalfEdgeId> turned(path.size());
-  std::transform(path.rbegin(), path.rend(), turned.begin(),
-                 [](topo::HalfEdgeId h) { return topo::Structure::twin(h); });
-  double area = 0.0;
-  for (const topo::HalfEdgeId h : path) {
-    const geom::Segment s = subdivision_.segment(h);
-    area += geom::cross(s.from - course.points.front(), s.to - course.points.front());
-  }
-  return (area > 0.0) == (geom::signed_area(course) > 0.0) ? path : turned;
+  if (!lines_[line].closed) return path;
+  std::size_t spur = 0;  // over the first point
+  while (2 * (spur + 1) < path.size() && path[spur] == topo::Structure::twin(path[path.size() - 1 - spur])) ++spur;
+  return {path.begin() + static_cast<std::ptrdiff_t>(spur), path.end() - static_cast<std::ptrdiff_t>(spur)};
 }
 
-std::vector<bool> Arrangement::faces_within(std::uint32_t ring) const {
-  std::size_t highest = 0;
-  for (const topo::FaceId f : subdivision_.faces()) highest = std::max(highest, f.index());
-  std::vector<bool> within(highest + 1, false);
-  std::vector<topo::FaceId> open;
-  const auto enter = [&](topo::FaceId f) {
-    if (within[f.index()] || f == topo::Structure::unbounded()) return;
-    within[f.index()] = true;
-    open.push_back(f);
-  };
-  for (const topo::HalfEdgeId h : path(ring)) enter(subdivision_.face(h));
-  while (!open.empty()) {
-    const topo::FaceId f = open.back();
-    open.pop_back();
-    for (const topo::LoopId loop : subdivision_.loops(f)) {
-      for (const topo::HalfEdgeId h : subdivision_.half_edges(loop)) {
-        if (!runs_along(topo::Structure::edge(h), ring)) enter(subdivision_.face(topo::Structure::twin(h)));
+namespace {
+
+/// How often rings wind round each face, by ring, zeros left out: from the unbounded face on, each differs from its
+/// neighbours by the rings between them.
+class Windings {
+ public:
+  using Counts = std::map<std::uint32_t, int>;
+
+  Windings(const topo::Subdivision& sub, std::span<const std::vector<topo::HalfEdgeId>> rings) {
+    std::unordered_map<std::size_t, Counts> rise;  // by half-edge: of its left-hand side over the other one
+    for (std::uint32_t ring = 0; ring < rings.size(); ++ring) {
+      for (const topo::HalfEdgeId h : rings[ring]) {
+        ++rise[h.index()][ring];
+        --rise[topo::Structure::twin(h).index()][ring];
+      }
+    }
+    std::vector<topo::FaceId> open{topo::Structure::unbounded()};
+    by_face_.emplace(open.front().index(), Counts());
+    while (!open.empty()) {
+      const topo::FaceId f = open.back();
+      open.pop_back();
+      for (const topo::LoopId loop : sub.loops(f)) {
+        for (const topo::HalfEdgeId h : sub.half_edges(loop)) {
+          const topo::FaceId beyond = sub.face(topo::Structure::twin(h));
+          if (by_face_.contains(beyond.index())) continue;
+          Counts counts = by_face_.at(f.index());
+          if (const auto here = rise.find(h.index()); here != rise.end()) subtract(here->second, counts);
+          by_face_.emplace(beyond.index(), std::move(counts));
+          open.push_back(beyond);
+        }
       }
     }
   }
-  return within;
+
+  [[nodiscard]] const Counts& of(topo::FaceId face) const { return by_face_.at(face.index()); }
+
+ private:
+  static void subtract(const Counts& less, Counts& counts) {
+    for (const auto& [ring, count] : less) {
+      if ((counts[ring] -= count) == 0) counts.erase(ring);
+    }
+  }
+
+  std::unordered_map<std::size_t, Counts> by_face_;
+};
+
+/// What may be missing where all of a ring's edges have been drawn to places within rounding of their own.
+double rounding(const geom::Polyline& ring) {
+  const geom::Box box = ring.box();
+  const double greatest =
+      std::max({std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x), std::abs(box.high.y)});
+  return 0x1p-40 * greatest * geom::length(ring);
+}
+
+}  // namespace
+
+base::Result<std::vector<std::vector<std::uint32_t>>> Arrangement::holders(
+    std::uint32_t first, const std::vector<std::string>& names) const {
+  const Windings windings(subdivision_, std::span(paths_).subspan(first, names.size()));
+  const std::vector<topo::FaceId> faces = subdivision_.faces();
+  std::size_t highest = 0;
+  for (const topo::FaceId f : faces) highest = std::max(highest, f.index());
+  std::vector<std::vector<std::uint32_t>> holders(highest + 1);
+  std::vector<double> areas;
+  for (std::size_t ring = 0; ring < names.size(); ++ring) areas.push_back(geom::signed_area(lines_[first + ring]));
+  std::vector<double> held(names.size(), 0.0);
+  for (const topo::FaceId f : faces) {
+    const Windings::Counts& counts = windings.of(f);
+    const double area = counts.empty() ? 0.0 : this->area(f);
+    for (const auto& [ring, count] : counts) {
+      if ((count > 0) != (areas[ring] > 0.0)) continue;
+      holders[f.index()].push_back(ring);
+      held[ring] += area;
+    }
+  }
+  for (std::size_t ring = 0; ring < names.size(); ++ring) {
+    const geom::Polyline& course = lines_[first + ring];
+    const double area = std::abs(areas[ring]);
+    if (!(std::abs(held[ring] - area) > rounding(course))) continue;
+    return base::Error{base::ErrorCode::CannotRestore,
+                       fmt::format("its area is {:.9g} m2, and {:.9g} m2 where it lies upon the other lines; move its "
+                                   "edges off those that they nearly coincide with, or onto them (share_edges)",
+                                   area, held[ring]),
+                       place_at(course.points.front(), names[ring])};
+  }
+  return holders;
 }
 
 namespace {

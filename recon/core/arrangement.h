@@ -4,7 +4,7 @@
 // (stretches.h), whose course is asked for. Page: docs/algorithms/units.md
 
 #include <cstdint>
-#include <map>
+#include <string>
 #include <vector>
 
 #include "recon/core/stretches.h"
@@ -36,12 +36,15 @@ class Arrangement {
   void append(topo::HalfEdgeId h, std::vector<geom::Point>& points) const;
   /// Of a face, along the courses of its edges, m2; of the unbounded face minus that of all others.
   [[nodiscard]] double area(topo::FaceId face) const;
-  /// The half-edges of a line from its first point to its last, or once round.
-  /// @pre the line does not meet itself, but for its ends where it is closed.
+  /// The half-edges of a line from its first point to its last, or once round. Where rounding leads it into an edge
+  /// and straight back, that is left out.
   [[nodiscard]] std::vector<topo::HalfEdgeId> path(std::uint32_t line) const;
 
-  /// By face, whether it lies on the left-hand side of a closed line: beside it, or to be reached from there.
-  [[nodiscard]] std::vector<bool> faces_within(std::uint32_t ring) const;
+  /// By face, which of the rings it lies within, numbered from 0, ascending: the closed lines `first`, `first` + 1,
+  /// ..., named like "unit 'Q'". A ring that rounding leads back along itself has the faces that it winds round.
+  /// @error CannotRestore where a ring's faces have not its area: they are wrong.
+  [[nodiscard]] base::Result<std::vector<std::vector<std::uint32_t>>> holders(
+      std::uint32_t first, const std::vector<std::string>& names) const;
 
  private:
   /// A stretch that is one edge.
@@ -50,23 +53,19 @@ class Arrangement {
     Stretch stretch;  ///< Empty: the edge is no chord.
   };
 
-  base::Result<void> draw_from(std::uint32_t first);
-  base::Result<void> draw(std::uint32_t line);
-  void refine(std::uint32_t line);
+  base::Result<void> draw();
   void mark_chords(std::uint32_t line);
   [[nodiscard]] bool chords_stand() const;
   [[nodiscard]] geom::Point vertex_of(std::uint32_t line, std::uint32_t vertex) const;
   [[nodiscard]] topo::HalfEdgeId chord_of(std::uint32_t line, Stretch stretch) const;
-  void own(topo::EdgeId edge, std::uint32_t line);
 
   topo::Subdivision subdivision_;
-  /// Attributes of edges are numbers of sets, so that they are copied cheaply where edges are split.
-  std::vector<std::vector<std::uint32_t>> sets_{{}};
-  std::map<std::vector<std::uint32_t>, std::uint32_t> set_number_;
   std::vector<geom::Polyline> lines_;
   Stretches stretches_;
-  std::vector<std::vector<Stretch>> drawn_;  ///< Of each line.
-  std::vector<Chord> chords_;                ///< By edge.
+  std::vector<std::vector<Stretch>> drawn_;           ///< Of each line.
+  std::vector<std::vector<topo::HalfEdgeId>> paths_;  ///< Of each line, all that became of it.
+  std::vector<std::vector<std::uint32_t>> lines_on_;  ///< By edge.
+  std::vector<Chord> chords_;                         ///< By edge.
 };
 
 /// Where a first line meets a second one.

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 
 #include "shared/base/parallel.h"
@@ -24,6 +25,7 @@ using topo::HalfEdgeId;
 using topo::Structure;
 using topo::Subdivision;
 
+constexpr const char* border_label = "the border";
 constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
 /// Twice the area that the line sweeps about the origin `about`.
@@ -34,37 +36,100 @@ double swept(const geom::Polyline& line, geom::Point about) {
   return sum;
 }
 
-/// Straight lines between the ends of horizons that follow each other, left and right, from the topography on. An end
-/// that lies on another horizon or on a fault is no end of the section, nor is one between two pieces of a horizon.
-std::vector<geom::Polyline> connectors(const Section& section, const std::vector<std::size_t>& order,
-                                       const std::vector<const SectionLine*>& surfaces, std::size_t first_surface,
-                                       const Arrangement& arrangement) {
-  const Subdivision& sub = arrangement.subdivision();
-  const auto is_free = [&](geom::Point p, std::size_t own) {
-    const auto v = sub.vertex_at(p);
-    for (const HalfEdgeId h : sub.round(*v)) {
-      const std::vector<std::uint32_t>& lines = arrangement.lines_on(Structure::edge(h));
-      if (lines.size() > 1 || lines.front() != own) return false;
-    }
-    return true;
-  };
+/// The lines of a section as its arrangement numbers them: horizons, faults, topographies, the border.
+struct Numbered {
   std::vector<geom::Polyline> lines;
-  std::optional<geom::Point> left, right;
-  const auto join = [&](std::optional<geom::Point>& last, geom::Point end, std::size_t own) {
-    if (!is_free(end, own)) return;
-    if (last && *last != end) lines.push_back({{*last, end}, false});
-    last = end;
-  };
-  for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    join(left, surfaces[i]->line.points.front(), first_surface + i);
-    join(right, surfaces[i]->line.points.back(), first_surface + i);
+  std::vector<const SectionLine*> surfaces;  ///< Topographies.
+  std::size_t first_surface = 0;             ///< Their first number.
+};
+
+Numbered lines_of(const Section& section) {
+  Numbered numbered;
+  for (const Horizon& horizon : section.horizons) numbered.lines.push_back(horizon.line);
+  for (const SectionLine& line : section.lines) {
+    if (line.kind == LineKind::Fault) numbered.lines.push_back(line.line);
   }
-  for (const std::size_t index : order) {
-    const Horizon& horizon = section.horizons[index];
-    if (is_outermost(section, horizon, LineEnd::First)) join(left, horizon.line.points.front(), index);
-    if (is_outermost(section, horizon, LineEnd::Last)) join(right, horizon.line.points.back(), index);
+  numbered.first_surface = numbered.lines.size();
+  for (const SectionLine& line : section.lines) {
+    if (line.kind != LineKind::Topography) continue;
+    numbered.surfaces.push_back(&line);
+    numbered.lines.push_back(line.line);
   }
-  return lines;
+  if (section.border) numbered.lines.push_back(*section.border);
+  return numbered;
+}
+
+/// What one line is drawn in: all faults, the pieces of a horizon, any other line by itself.
+std::string whole_of(const Section& section, std::uint32_t line, std::size_t first_surface) {
+  if (line < section.horizons.size()) return "horizon " + whole_name(section.horizons[line]);
+  return line < first_surface ? "fault" : std::to_string(line);
+}
+
+/// An end of a line is an end of the section unless something passes there: a line, or two parts that end there.
+bool is_free(const Section& section, const Arrangement& arrangement, std::size_t first_surface, geom::Point end,
+             std::size_t own) {
+  const Subdivision& sub = arrangement.subdivision();
+  std::map<std::string, int> ways;
+  for (const HalfEdgeId h : sub.round(*sub.vertex_at(end))) {
+    for (const std::uint32_t line : arrangement.lines_on(Structure::edge(h))) {
+      if (line != own && ++ways[whole_of(section, line, first_surface)] > 1) return false;
+    }
+  }
+  return true;
+}
+
+/// Whether a fault leads from one place to another, so that it is the border between them.
+bool fault_joins(const Section& section, geom::Point from, geom::Point to) {
+  return std::any_of(section.lines.begin(), section.lines.end(), [&](const SectionLine& line) {
+    const geom::Point first = line.line.points.front();
+    const geom::Point last = line.line.points.back();
+    return line.kind == LineKind::Fault && ((first == from && last == to) || (first == to && last == from));
+  });
+}
+
+struct HorizonEnd {
+  std::size_t horizon = 0;
+  LineEnd end = LineEnd::First;
+};
+
+/// The border's left and right sides.
+struct Sides {
+  std::vector<geom::Polyline> lines;
+  std::vector<HorizonEnd> loose;  ///< From which no line leads down.
+};
+
+/// Straight lines between the ends of horizons that follow each other, left and right, from the topography on. An end
+/// that lies on another horizon or on a fault that goes on is no end of the section, nor is one between two pieces of a
+/// horizon.
+Sides sides_of(const Section& section, const std::vector<std::size_t>& order,
+               const std::vector<const SectionLine*>& surfaces, std::size_t first_surface,
+               const Arrangement& arrangement) {
+  Sides sides;
+  for (const LineEnd side : {LineEnd::First, LineEnd::Last}) {
+    const auto end_of = [&](const geom::Polyline& line) {
+      return side == LineEnd::First ? line.points.front() : line.points.back();
+    };
+    std::optional<geom::Point> last;
+    std::optional<std::size_t> last_horizon;
+    const auto join = [&](geom::Point end, std::size_t own) {
+      if (!is_free(section, arrangement, first_surface, end, own)) return false;
+      if (last && *last != end && !fault_joins(section, *last, end)) sides.lines.push_back({{*last, end}, false});
+      last = end;
+      return true;
+    };
+    for (std::size_t i = 0; i < surfaces.size(); ++i) join(end_of(surfaces[i]->line), first_surface + i);
+    for (const std::size_t index : order) {
+      const Horizon& horizon = section.horizons[index];
+      if (!is_outermost(section, horizon, side)) continue;
+      if (join(end_of(horizon.line), index)) {
+        last_horizon = index;
+      } else {
+        sides.loose.push_back({index, side});
+      }
+    }
+    if (last_horizon) sides.loose.push_back({*last_horizon, side});
+  }
+  return sides;
 }
 
 /// The contours of a face without edges that have it on both sides (faults that end in it).
@@ -243,6 +308,22 @@ class Units {
   std::map<FaceId, Bounds> bounds_;
 };
 
+/// Loose ends with the outside below, but for those of the lowest horizon.
+std::vector<OpenPlace> open_places(const Section& section, const Arrangement& arrangement,
+                                   const std::vector<HorizonEnd>& loose, std::size_t lowest) {
+  const Subdivision& sub = arrangement.subdivision();
+  std::vector<OpenPlace> open;
+  for (const auto& [index, end] : loose) {
+    const Horizon& horizon = section.horizons[index];
+    const std::vector<HalfEdgeId> path = arrangement.path(static_cast<std::uint32_t>(index));
+    if (path.empty() || whole_name(horizon) == whole_name(section.horizons[lowest])) continue;
+    const HalfEdgeId below = Structure::twin(end == LineEnd::First ? path.front() : path.back());
+    if (sub.face(below) != Structure::unbounded()) continue;
+    open.push_back({horizon.id, sub.point(end == LineEnd::First ? sub.target(below) : sub.origin(below))});
+  }
+  return open;
+}
+
 /// Pairs of horizons with a common vertex.
 base::Result<std::vector<HorizonMeeting>> meetings_in(const Section& section, const Arrangement& arrangement) {
   const Subdivision& sub = arrangement.subdivision();
@@ -275,18 +356,21 @@ base::Result<std::vector<Misfit>> misfits_of(const Section& section) {
   if (section.units.empty()) return misfits;
   std::vector<geom::Polyline> rings;
   for (const Unit& unit : section.units) rings.push_back(unit.contour);
-  if (section.border) rings.push_back(*section.border);
-  const std::size_t ring_count = rings.size();
+  std::vector<std::string> names = unit_labels(section);
+  if (section.border) {
+    rings.push_back(*section.border);
+    names.push_back(border_label);
+  }
   DOBRA_TRY(const Arrangement arrangement, Arrangement::make(std::move(rings)));
   const Subdivision& sub = arrangement.subdivision();
-  std::vector<std::vector<bool>> within;
-  for (std::uint32_t i = 0; i < ring_count; ++i) within.push_back(arrangement.faces_within(i));
+  DOBRA_TRY(const auto within, arrangement.holders(0, names));
   for (const FaceId f : sub.faces()) {
     if (f == Structure::unbounded()) continue;
-    if (section.border && !within.back()[f.index()]) continue;
+    const std::vector<std::uint32_t>& rings_round = within[f.index()];
+    if (section.border && (rings_round.empty() || rings_round.back() < section.units.size())) continue;
     std::vector<std::string> holders;
-    for (std::size_t i = 0; i < section.units.size(); ++i) {
-      if (within[i][f.index()]) holders.push_back(section.units[i].name);
+    for (const std::uint32_t i : rings_round) {
+      if (i < section.units.size()) holders.push_back(section.units[i].name);
     }
     if (holders.size() == 1) continue;
     Misfit misfit{holders.empty() ? "gap" : "overlap", fmt::format("{}", fmt::join(holders, ", ")), arrangement.area(f),
@@ -295,7 +379,7 @@ base::Result<std::vector<Misfit>> misfits_of(const Section& section) {
       std::set<std::string> neighbours;
       for (const HalfEdgeId h : sub.half_edges(sub.outer_loop(f))) {
         for (const std::uint32_t line : arrangement.lines_on(Structure::edge(h)))
-          neighbours.insert(line < section.units.size() ? section.units[line].name : std::string("the border"));
+          neighbours.insert(line < section.units.size() ? section.units[line].name : std::string(border_label));
       }
       misfit.between = fmt::format("{}", fmt::join(neighbours, ", "));
     }
@@ -305,6 +389,12 @@ base::Result<std::vector<Misfit>> misfits_of(const Section& section) {
 }
 
 }  // namespace
+
+std::vector<std::string> unit_labels(const Section& section) {
+  std::vector<std::string> labels;
+  for (const Unit& unit : section.units) labels.push_back("unit '" + unit.name + '\'');
+  return labels;
+}
 
 std::vector<std::size_t> stack_order(const Section& section) {
   const std::size_t count = section.horizons.size();
@@ -331,35 +421,30 @@ std::vector<std::size_t> stack_order(const Section& section) {
 
 base::Result<SectionFaces> faces_of(const Section& section) {
   const std::vector<std::size_t> order = stack_order(section);
-  std::vector<geom::Polyline> lines;
-  for (const Horizon& horizon : section.horizons) lines.push_back(horizon.line);
-  for (const SectionLine& line : section.lines) {
-    if (line.kind == LineKind::Fault) lines.push_back(line.line);
-  }
-  std::vector<const SectionLine*> surfaces;
-  const std::size_t first_surface = lines.size();
-  for (const SectionLine& line : section.lines) {
-    if (line.kind != LineKind::Topography) continue;
-    surfaces.push_back(&line);
-    lines.push_back(line.line);
-  }
-  const auto ring = static_cast<std::uint32_t>(lines.size());
-  if (section.border) lines.push_back(*section.border);
-  DOBRA_TRY(Arrangement arrangement, Arrangement::make(std::move(lines)));
-  if (!section.border)
-    DOBRA_TRY_VOID(arrangement.add(connectors(section, order, surfaces, first_surface, arrangement)));
-  const Subdivision& sub = arrangement.subdivision();
+  Numbered numbered = lines_of(section);
+  const auto& surfaces = numbered.surfaces;
+  const std::size_t first_surface = numbered.first_surface;
+  DOBRA_TRY(Arrangement arrangement, Arrangement::make(std::move(numbered.lines)));
   SectionFaces made;
+  if (!section.border) {
+    Sides sides = sides_of(section, order, surfaces, first_surface, arrangement);
+    DOBRA_TRY_VOID(arrangement.add(std::move(sides.lines)));
+    if (!order.empty()) made.open = open_places(section, arrangement, sides.loose, order.back());
+  }
+  const Subdivision& sub = arrangement.subdivision();
   DOBRA_TRY(made.meetings, meetings_in(section, arrangement));
   std::set<FaceId> air;
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     for (const HalfEdgeId h : arrangement.path(static_cast<std::uint32_t>(first_surface + i))) air.insert(sub.face(h));
   }
   std::vector<FaceId> faces;
-  const std::vector<bool> within = section.border ? arrangement.faces_within(ring) : std::vector<bool>();
+  std::vector<std::vector<std::uint32_t>> within;
+  if (section.border) {
+    DOBRA_TRY(within, arrangement.holders(static_cast<std::uint32_t>(first_surface + surfaces.size()), {border_label}));
+  }
   made.area = section.border ? geom::signed_area(*section.border) : -arrangement.area(Structure::unbounded());
   for (const FaceId f : sub.faces()) {
-    if (f == Structure::unbounded() || (section.border && !within[f.index()])) continue;
+    if (f == Structure::unbounded() || (section.border && within[f.index()].empty())) continue;
     if (air.count(f) > 0) {
       made.area -= arrangement.area(f);
     } else {
@@ -380,6 +465,11 @@ std::vector<std::string> remarks_of(const SectionFaces& faces, const Section& se
                                   meeting.crossings > 0 ? "cross" : "meet",
                                   meeting.crossings > 0 ? meeting.crossings : meeting.touches, meeting.place.x,
                                   meeting.place.y));
+  }
+  for (const OpenPlace& open : faces.open) {
+    remarks.push_back(fmt::format("nothing closes the section at its side under the end of horizon '{}' at ({:.6g}, "
+                                  "{:.6g}): what lies there is in no unit of the ledger; give a border",
+                                  find_horizon(section, open.under)->name, open.place.x, open.place.y));
   }
   for (const char* what : {"gap", "overlap"}) {
     const Misfit* greatest = nullptr;

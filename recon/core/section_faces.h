@@ -39,17 +39,24 @@ struct Misfit {
   geom::Point place;
 };
 
+/// A horizon under which the section's made border is open, though another one lies below it.
+struct OpenPlace {
+  HorizonId under;
+  geom::Point place;
+};
+
 struct SectionFaces {
   std::vector<HorizonMeeting> meetings;
   std::vector<RockUnit> units;  ///< From the top down.
   double area = 0.0;            ///< Within the border, m2, found without the faces.
   std::vector<Misfit> misfits;
+  std::vector<OpenPlace> open;
 };
 
 /// The border is the section's own, or made of its first and last horizon and straight lines between the ends of
 /// neighbours (with a topography: from there on); what lies above a topography is air.
 /// @pre   no horizon meets itself.
-/// @error those of topo::insert.
+/// @error those of topo::insert and Arrangement::holders.
 /// @cost  O(n log n) for n points.
 base::Result<SectionFaces> faces_of(const Section& section);
 
@@ -57,7 +64,10 @@ base::Result<SectionFaces> faces_of(const Section& section);
 /// side.
 std::vector<std::size_t> stack_order(const Section& section);
 
-/// One line each: what polygons leave out, and horizons that meet.
+/// The units as errors name them: "unit 'Q'".
+std::vector<std::string> unit_labels(const Section& section);
+
+/// One line each: what polygons leave out, horizons that meet, and where the border is open.
 std::vector<std::string> remarks_of(const SectionFaces& faces, const Section& section);
 
 }  // namespace recon::core

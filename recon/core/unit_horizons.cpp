@@ -411,8 +411,8 @@ base::Result<void> add_horizons_of_units(double tolerance, ReadSection& read) {
   if (horizons.empty()) {
     return bad(
         fmt::format("horizons_from_units: no two units lie on each other along an edge that is no fault; where "
-                    "gaps are wider than {:.4g} m, give share_edges (--edges M)",
-                    bridged));
+                    "gaps are wider than {:.4g} m, give share_edges (--edges M){}{}",
+                    bridged, owners.remarks().empty() ? "" : "; ", fmt::join(owners.remarks(), "; ")));
   }
   std::vector<std::string> told;
   const std::size_t given = section.horizons.size();

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "recon/core/section_faces.h"
 #include "shared/geom/spatial_index.h"
 #include "shared/scene/unit_colors.h"
 
@@ -70,8 +71,9 @@ base::Result<UnitOwners> UnitOwners::make(const Section& section, double toleran
   UnitOwners made;
   made.tolerance_ = tolerance;
   DOBRA_TRY_VOID(made.draw(section));
-  made.find_holders();
+  DOBRA_TRY_VOID(made.find_holders(section));
   made.give_faces();
+  made.tell_covered(section);
   made.unite_pieces(section);
   return made;
 }
@@ -96,20 +98,11 @@ base::Result<void> UnitOwners::draw(const Section& section) {
   return {};
 }
 
-void UnitOwners::find_holders() {
-  const std::vector<FaceId> faces = arrangement_.subdivision().faces();
-  std::size_t highest = 0;
-  for (const FaceId f : faces) highest = std::max(highest, f.index());
-  holders_.resize(highest + 1);
-  owner_.assign(highest + 1, nobody);
+base::Result<void> UnitOwners::find_holders(const Section& section) {
+  DOBRA_TRY(holders_, arrangement_.holders(0, unit_labels(section)));
+  owner_.assign(holders_.size(), nobody);
   common_.assign(polygons_, std::vector<double>(polygons_, 0.0));
-  for (std::uint32_t i = 0; i < polygons_; ++i) {
-    const std::vector<bool> within = arrangement_.faces_within(i);
-    for (const FaceId f : faces) {
-      if (within[f.index()]) holders_[f.index()].push_back(i);
-    }
-  }
-  for (const FaceId f : faces) {
+  for (const FaceId f : arrangement_.subdivision().faces()) {
     const std::vector<std::uint32_t>& holders = holders_[f.index()];
     if (holders.size() < 2) continue;
     const double area = arrangement_.area(f);
@@ -117,6 +110,7 @@ void UnitOwners::find_holders() {
       for (const std::uint32_t j : holders) common_[i][j] += area;
     }
   }
+  return {};
 }
 
 /// A polygon that lies within another is drawn upon it. Others that overlap are untidy edges: the later one counts.
@@ -190,6 +184,23 @@ void UnitOwners::give_gaps(const std::vector<FaceId>& gaps) {
       "gaps thinner than {:.4g} m between units ({:.4g} m2 in all, the first at ({:.6g}, {:.6g})) are bridged "
       "for the horizons; share_edges closes them",
       tolerance_, area, place.x, place.y));
+}
+
+/// Units all of whose faces belong to others.
+void UnitOwners::tell_covered(const Section& section) {
+  const std::set<std::size_t> seen(owner_.begin(), owner_.end());
+  for (std::uint32_t i = 0; i < polygons_; ++i) {
+    if (seen.contains(i)) continue;
+    std::set<std::size_t> over;
+    for (std::size_t f = 0; f < holders_.size(); ++f) {
+      if (std::binary_search(holders_[f].begin(), holders_[f].end(), i)) over.insert(owner_[f]);
+    }
+    std::vector<std::string> names;
+    for (const std::size_t j : over) names.push_back('\'' + section.units[j].name + '\'');
+    const geom::Point at = section.units[i].contour.points.front();
+    remarks_.push_back(fmt::format("unit '{}' at ({:.6g}, {:.6g}) lies wholly under {} and gets no horizon",
+                                   section.units[i].name, at.x, at.y, fmt::join(names, ", ")));
+  }
 }
 
 /// Polygons of one name, of one piece_of, and "K2p_1", "K2p_2" where no two of them have an edge in common.

@@ -19,8 +19,8 @@ class UnitOwners {
 
   /// @param tolerance  gaps and overlaps thinner than this are untidy drawing, m; so are edges nearer than this to a
   ///                   fault that they run along.
-  /// @error those of topo::insert.
-  /// @cost  O(n log n) for n vertices, and O(polygons * faces).
+  /// @error those of topo::insert and Arrangement::holders.
+  /// @cost  O(n log n) for n vertices, and O(polygons^2).
   static base::Result<UnitOwners> make(const Section& section, double tolerance);
 
   [[nodiscard]] const Arrangement& arrangement() const { return arrangement_; }
@@ -36,10 +36,11 @@ class UnitOwners {
 
  private:
   base::Result<void> draw(const Section& section);
-  void find_holders();
+  base::Result<void> find_holders(const Section& section);
   [[nodiscard]] std::size_t innermost(const std::vector<std::uint32_t>& holders) const;
   [[nodiscard]] double width(topo::FaceId face) const;
   void give_faces();
+  void tell_covered(const Section& section);
   [[nodiscard]] std::size_t first_beside(topo::FaceId gap) const;
   void give_gaps(const std::vector<topo::FaceId>& gaps);
   void unite_pieces(const Section& section);

@@ -69,6 +69,7 @@ TEST(SectionFaces, AreasOfTheUnitsAddUpToTheSection) {
     section.lines = {fault({{3.0, 12.0}, {9.0, -4.0}, {14.0, -25.0}}), fault({{1.0, 0.0}, {18.0, -3.0}})};
     const SectionFaces made = faces(section);
     EXPECT_NEAR(sum_of(made) / made.area, 1.0, 1e-12) << "seed " << seed;
+    EXPECT_TRUE(made.open.empty()) << "seed " << seed;
     section.border = Polyline{{{1, -14}, {19, -14}, {19, 9}, {1, 9}}, true};
     const SectionFaces bordered = faces(section);
     EXPECT_EQ(bordered.area, 18.0 * 23.0);
@@ -213,6 +214,84 @@ double area_named(const SectionFaces& made, const std::string& name) {
     if (unit.name == name) return unit.area;
   }
   return -1.0;
+}
+
+/// Three horizons at 0, -4 and -9, from x = 0 to 10.
+Section three_flat(std::vector<SectionLine> lines = {}) {
+  Section section = test::section_of(
+      {{{{0, 0}, {10, 0}}, false}, {{{0, -4}, {10, -4}}, false}, {{{0, -9}, {10, -9}}, false}});
+  section.lines = std::move(lines);
+  return section;
+}
+
+bool tells_open(const SectionFaces& made, const Section& section) {
+  const std::vector<std::string> remarks = remarks_of(made, section);
+  return std::any_of(remarks.begin(), remarks.end(),
+                     [](const std::string& r) { return r.find("nothing closes the section") != std::string::npos; });
+}
+
+void expect_areas(const Section& section, double upper, double lower) {
+  const SectionFaces made = faces(section);
+  EXPECT_NEAR(area_named(made, "top - bed1"), upper, 1e-12);
+  EXPECT_NEAR(area_named(made, "bed1 - bed2"), lower, 1e-12);
+  EXPECT_FALSE(tells_open(made, section));
+}
+
+TEST(SectionFaces, AnEndThatOnlyTouchesTheEndOfAFaultIsAnEndOfTheSection) {
+  for (const auto& course : std::vector<std::vector<Point>>{
+           {{10, 0}, {7, -2}}, {{10, 0}, {12, 3}}, {{10, 0}, {8, -4}}, {{10, 0}, {6, -9}}, {{-2, 2}, {0, 0}},
+           {{10, -4}, {7, -7}}, {{10, -4}, {13, -6}}, {{2, -2}, {0, -4}}, {{10, -9}, {11, -12}}}) {
+    SCOPED_TRACE(course.front().x);
+    expect_areas(three_flat({fault(course)}), 40.0, 50.0);
+  }
+}
+
+TEST(SectionFaces, AFaultFromTheEndOfOneHorizonToTheNextIsTheBorder) {
+  expect_areas(three_flat({fault({{10, 0}, {11, -2}, {10, -4}})}), 42.0, 50.0);
+  expect_areas(three_flat({fault({{10, -4}, {9, -2}, {10, 0}})}), 38.0, 50.0);
+}
+
+TEST(SectionFaces, AFaultThatGoesOnBoundsTheSection) {
+  // x = 10 - z / 2, in one line or two; all horizons end on it.
+  const std::vector<SectionLine> whole{fault({{9.5, 1}, {15, -10}})};
+  const std::vector<SectionLine> parts{fault({{9.5, 1}, {10, 0}}), fault({{10, 0}, {15, -10}})};
+  for (const auto& lines : {whole, parts}) {
+    Section section = three_flat(lines);
+    section.horizons[1].line.points.back().x = 12.0;
+    section.horizons[2].line.points.back().x = 14.5;
+    expect_areas(section, 44.0, 66.25);
+  }
+}
+
+TEST(SectionFaces, HorizonsThatEndTogetherDoNotOpenTheBorderBelow) {
+  Section section = three_flat();
+  section.horizons[1].line.points.back() = {10, 0};
+  expect_areas(section, 20.0, 70.0);
+  // A horizon that crops out at the corner of the section.
+  Section corner = test::section_of({{{{0, 0}, {10, -4}}, false}, {{{0, -9}, {10, -9}}, false}});
+  corner.lines = {fault({{0, 0}, {10, 0}})};
+  corner.lines[0].kind = LineKind::Topography;
+  const SectionFaces made = faces(corner);
+  EXPECT_NEAR(area_named(made, "above top"), 20.0, 1e-12);
+  EXPECT_NEAR(area_named(made, "top - bed1"), 70.0, 1e-12);
+}
+
+TEST(SectionFaces, ABorderThatStaysOpenIsToldWithThePlace) {
+  // The top ends on a fault that goes on and does not come to the next horizon.
+  const Section section = three_flat({fault({{9, 2}, {11, -2}})});
+  const SectionFaces made = faces(section);
+  EXPECT_NEAR(area_named(made, "bed1 - bed2"), 50.0, 1e-12);
+  ASSERT_EQ(made.open.size(), 1U);
+  EXPECT_EQ(made.open[0].under, section.horizons[0].id);
+  EXPECT_EQ(made.open[0].place, (Point{10, 0}));
+  EXPECT_TRUE(tells_open(made, section));
+  // The others end on a fault that does not come up to the top.
+  Section below = three_flat({fault({{9.5, -2}, {9.5, -12}})});
+  for (const std::size_t i : {1U, 2U}) below.horizons[i].line.points.back().x = 9.5;
+  const SectionFaces open = faces(below);
+  ASSERT_EQ(open.open.size(), 1U);
+  EXPECT_EQ(open.open[0].place, (Point{10, 0}));
+  EXPECT_NEAR(area_named(open, "bed1 - bed2"), 47.5, 1e-12);
 }
 
 TEST(SectionFaces, APartUnderAFaultIsNamedByTheHorizonOverTheFault) {

@@ -203,8 +203,7 @@ TEST(UnitHorizons, WhatCannotBeMadeIsRefused) {
 SectionInput layers_with_gaps(double gap_left, double gap_right, double lean, const std::vector<std::size_t>& order) {
   std::vector<HorizonInput> items;
   for (const std::size_t i : order) {
-    const double beside = 0.02 * static_cast<double>(i);  // sides that lean are not drawn on one straight line either
-    const auto side = [&](double x, double z) { return Point{x + lean * z + (lean == 0.0 ? 0.0 : beside), z}; };
+    const auto side = [&](double x, double z) { return Point{x + lean * z, z}; };
     const double top = -300.0 * static_cast<double>(i);
     const double base = top - 300.0;
     items.push_back(item(std::string(1, static_cast<char>('Q' + i)),
@@ -237,6 +236,48 @@ TEST(UnitHorizons, NoEndOfAHorizonTurnsIntoAGap) {
       }
     }
   }
+}
+
+TEST(UnitHorizons, EveryUnitHasItsTopHoweverItsSidesLeanAndItsEdgesOverlap) {
+  std::mt19937_64 random(11);
+  const auto uniform = [&](double from, double to) { return std::uniform_real_distribution<>(from, to)(random); };
+  std::vector<std::size_t> order{0, 1, 2};
+  for (int run = 0; run < 200; ++run) {
+    const double lean = run % 4 == 0 ? -0.8 : run % 4 == 1 ? -0.5 : uniform(-1, 1);
+    const double overlap = run % 8 == 0 ? 0.3 : std::pow(10.0, uniform(-9, 0));
+    const double width = run % 2 == 0 ? 100.0 * std::round(uniform(8, 90)) : uniform(800, 9000);
+    std::shuffle(order.begin(), order.end(), random);
+    SectionInput input;
+    for (const std::size_t i : order) {
+      const double base = -300.0 * static_cast<double>(i + 1);
+      const double top = base + 300.0 + (i == 0 ? 0.0 : run % 3 == 0 ? -overlap : overlap);
+      const auto at = [&](double x, double z) { return Point{x + lean * z, z}; };
+      input.units.push_back(item(std::string(1, static_cast<char>('Q' + i)),
+                                 {at(0, base), at(width, base), at(width, top), at(0, top)}));
+    }
+    const ReadSection read = read_of(input);
+    const std::string which = fmt::format("run {}: lean {} overlap {} width {}", run, lean, overlap, width);
+    ASSERT_EQ(names_of(read), (Names{"R", "S"})) << which;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const std::vector<Point>& points = read.section.horizons[i].line.points;
+      const double z = -300.0 * static_cast<double>(i + 1);
+      EXPECT_LE(geom::distance(points.front(), {lean * z, z}), 1.5 * overlap + 1e-12) << which;
+      EXPECT_LE(geom::distance(points.back(), {width + lean * z, z}), 1.5 * overlap + 1e-12) << which;
+      for (const Point p : points) EXPECT_LE(std::abs(p.y - z), overlap + 1e-12) << which;
+    }
+  }
+}
+
+TEST(UnitHorizons, AUnitThatOthersCoverIsTold) {
+  SectionInput input;
+  input.units = {item("A", {{0, 0}, {100, 0}, {100, 20}, {0, 20}}),
+                 item("old B", {{0, -20}, {100, -20}, {100, 0}, {0, 0}}),
+                 item("B", {{0, -20}, {100, -20}, {100, 0}, {0, 0}})};
+  const ReadSection read = read_of(input);
+  EXPECT_EQ(names_of(read), (Names{"B"}));
+  EXPECT_TRUE(tells(read, "unit 'old B' at (0, -20) lies wholly under 'B'"));
+  input.units.erase(input.units.begin());
+  EXPECT_NE(refusal_of(input).find("unit 'old B' at (0, -20) lies wholly under 'B'"), std::string::npos);
 }
 
 }  // namespace
