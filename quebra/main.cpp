@@ -31,7 +31,8 @@ int main(int argc, char** argv) {
   };
 #endif
   auto commands = quebra::cli::analysis_commands();
-  commands.insert(commands.begin(),
-                  {dobra::cli::offset_command(), quebra::cli::mesh_command(), quebra::cli::check_command(), dobra::cli::convert_command()});
-  return dobra::fem::run_in_group(argc, argv, [&] { return dobra::cli::run_program(quebra::core::program(), argc, argv, window, commands); });
+  commands.insert(commands.begin(), {dobra::cli::offset_command(), quebra::cli::mesh_command(),
+                                     quebra::cli::check_command(), dobra::cli::convert_command()});
+  return dobra::fem::run_in_group(
+      argc, argv, [&] { return dobra::cli::run_program(quebra::core::program(), argc, argv, window, commands); });
 }

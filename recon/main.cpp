@@ -28,6 +28,6 @@ int main(int argc, char** argv) {
   };
 #endif
   return dobra::cli::run_program(recon::core::program(), argc, argv, window,
-                                 {dobra::cli::offset_command(), recon::cli::restore_command(), recon::cli::balance_command(),
-                                  dobra::cli::convert_command()});
+                                 {dobra::cli::offset_command(), recon::cli::restore_command(),
+                                  recon::cli::balance_command(), dobra::cli::convert_command()});
 }

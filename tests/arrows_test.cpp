@@ -75,7 +75,8 @@ std::string objection(const std::string& folder, const std::string& included) {
     if (!reaches(folder, target)) return "is against the arrows";
   }
   if (included.starts_with("vtk") && !may_include_vtk(folder)) return "is VTK outside render and gui";
-  const bool is_qt = included.size() > 1 && included[0] == 'Q' && (std::isupper(included[1]) != 0 || included[1] == 't');
+  const bool is_qt =
+      included.size() > 1 && included[0] == 'Q' && (std::isupper(included[1]) != 0 || included[1] == 't');
   if (is_qt && !may_include_qt(folder)) return "is Qt outside gui";
   return {};
 }

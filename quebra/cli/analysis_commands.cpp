@@ -26,10 +26,10 @@
 #include "shared/scenario/runner.h"
 #include "shared/scenario/table_text.h"
 
-// 1. The document: options become parameters of its last step of the command's operation, which is added if there is none
-// (adapt: with the rules of the last mesh; crack: rosettes in the mesh), as is what that step stands on; probes and lines
-// behind it stay. 2. It is run as `quebra run` would. 3. Quantities, tables and remarks are printed, the line and the
-// picture written.
+// 1. The document: options become parameters of its last step of the command's operation, which is added if there is
+// none (adapt: with the rules of the last mesh; crack: rosettes in the mesh), as is what that step stands on; probes
+// and lines behind it stay. 2. It is run as `quebra run` would. 3. Quantities, tables and remarks are printed, the line
+// and the picture written.
 
 namespace quebra::cli {
 namespace {
@@ -58,7 +58,8 @@ struct Options {
 };
 
 bool has_step(const scenario::Document& document, const std::string& operation) {
-  return std::any_of(document.steps.begin(), document.steps.end(), [&](const auto& step) { return step.operation == operation; });
+  return std::any_of(document.steps.begin(), document.steps.end(),
+                     [&](const auto& step) { return step.operation == operation; });
 }
 
 /// "5%" or "5" or "0.05" would be three readings; percent it is, with or without the sign.
@@ -80,18 +81,24 @@ Result<std::vector<geom::Point>> points_in(const std::string& option, const std:
   }
   std::vector<geom::Point> points;
   for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) points.push_back({numbers[i], numbers[i + 1]});
-  if (numbers.size() != 2 * count || static_cast<std::size_t>(std::count(text.begin(), text.end(), ',')) + 1 != numbers.size())
-    return Error{ErrorCode::BadUsage, fmt::format("{} {}: give {} numbers with commas between, such as {}", option, text, 2 * count, count == 1 ? "x,y" : "x0,y0,x1,y1")};
+  if (numbers.size() != 2 * count ||
+      static_cast<std::size_t>(std::count(text.begin(), text.end(), ',')) + 1 != numbers.size())
+    return Error{ErrorCode::BadUsage, fmt::format("{} {}: give {} numbers with commas between, such as {}", option,
+                                                  text, 2 * count, count == 1 ? "x,y" : "x0,y0,x1,y1")};
   return points;
 }
 
 /// Lines, probes and pictures that the options ask for, as steps.
 Result<void> add_result_steps(const Options& options, dobra::cli::OutputFormat format, scenario::Document& document) {
-  if (options.out && options.line.empty()) return Error{ErrorCode::BadUsage, "--out is the file of the line: give --line x0,y0,x1,y1"};
-  if (!options.line.empty() && !options.out && format != dobra::cli::OutputFormat::Json) return Error{ErrorCode::BadUsage, "--line: say where it goes, --out FILE.csv, or --json"};
-  if (options.samples && options.line.empty()) return Error{ErrorCode::BadUsage, "--samples is of a line: give --line x0,y0,x1,y1"};
+  if (options.out && options.line.empty())
+    return Error{ErrorCode::BadUsage, "--out is the file of the line: give --line x0,y0,x1,y1"};
+  if (!options.line.empty() && !options.out && format != dobra::cli::OutputFormat::Json)
+    return Error{ErrorCode::BadUsage, "--line: say where it goes, --out FILE.csv, or --json"};
+  if (options.samples && options.line.empty())
+    return Error{ErrorCode::BadUsage, "--samples is of a line: give --line x0,y0,x1,y1"};
   if (!options.picture && (!options.field.empty() || !options.range.empty() || options.cycle || options.deformation))
-    return Error{ErrorCode::BadUsage, "--field, --range, --cycle and --deformation are of a picture: give --picture FILE"};
+    return Error{ErrorCode::BadUsage,
+                 "--field, --range, --cycle and --deformation are of a picture: give --picture FILE"};
   if (!options.line.empty()) {
     DOBRA_TRY(const auto ends, points_in("--line", options.line, 2));
     scenario::Step step = step_of("line");
@@ -119,26 +126,33 @@ Result<void> add_result_steps(const Options& options, dobra::cli::OutputFormat f
   return {};
 }
 
-/// A loop that the scenario has no step of obeys what its last mesh step says, as far as a loop knows it. @return what it takes, for the user.
+/// A loop that the scenario has no step of obeys what its last mesh step says, as far as a loop knows it. @return what
+/// it takes, for the user.
 std::string as_the_mesh(const dobra::cli::Session& session, const scenario::Document& document, scenario::Table& loop) {
-  const auto mesh = std::find_if(document.steps.rbegin(), document.steps.rend(), [](const auto& step) { return step.operation == "mesh"; });
+  const auto mesh = std::find_if(document.steps.rbegin(), document.steps.rend(),
+                                 [](const auto& step) { return step.operation == "mesh"; });
   if (mesh == document.steps.rend()) return {};
   const auto& known = session.program.find_operation("adapt")->fields;
   std::string taken;
   for (const auto& entry : mesh->params.entries()) {
-    if (std::none_of(known.begin(), known.end(), [&](const scenario::Field& field) { return field.key == entry.key; })) continue;
+    if (std::none_of(known.begin(), known.end(), [&](const scenario::Field& field) { return field.key == entry.key; }))
+      continue;
     loop.set(entry.key, entry.value, entry.place);
     taken += (taken.empty() ? "" : ", ") + entry.key;
   }
-  return taken.empty() ? taken : fmt::format("the loop takes {} of step {} (mesh); options and a step 'adapt' say otherwise", taken, document.steps.rend() - mesh);
+  return taken.empty() ? taken
+                       : fmt::format("the loop takes {} of step {} (mesh); options and a step 'adapt' say otherwise",
+                                     taken, document.steps.rend() - mesh);
 }
 
-/// What the command's step stands on and the scenario has not: a mesh for `analyse`, an analysis for `crack`. Before step `at`.
+/// What the command's step stands on and the scenario has not: a mesh for `analyse`, an analysis for `crack`. Before
+/// step `at`.
 void add_missing(scenario::Document& document, const std::string& operation, std::size_t& at, StepChanges& changes) {
   const auto has_before = [&](std::initializer_list<const char*> operations) {
-    return std::any_of(document.steps.begin(), document.steps.begin() + static_cast<std::ptrdiff_t>(at), [&](const auto& step) {
-      return std::find(operations.begin(), operations.end(), step.operation) != operations.end();
-    });
+    return std::any_of(document.steps.begin(), document.steps.begin() + static_cast<std::ptrdiff_t>(at),
+                       [&](const auto& step) {
+                         return std::find(operations.begin(), operations.end(), step.operation) != operations.end();
+                       });
   };
   const auto insert = [&](scenario::Step missing, const char* told) {
     document.steps.insert(document.steps.begin() + static_cast<std::ptrdiff_t>(at++), std::move(missing));
@@ -153,20 +167,28 @@ void add_missing(scenario::Document& document, const std::string& operation, std
   insert(std::move(mesh), "mesh, of the second order");
 }
 
-/// The scenario up to its last step of the operation, which is added if there is none, and the probes and lines behind it.
+/// The scenario up to its last step of the operation, which is added if there is none, and the probes and lines behind
+/// it.
 /// @return the number of that step, 0-based.
-Result<std::size_t> take_steps(dobra::cli::Session& session, const std::string& operation, scenario::Document& document) {
+Result<std::size_t> take_steps(dobra::cli::Session& session, const std::string& operation,
+                               scenario::Document& document) {
   if (!has_step(document, "problem"))
-    return Error{ErrorCode::BadValue, "the scenario has no step 'problem' with materials, supports and loads, so there is nothing to analyse: add one", base::Place{.file = document.file.string()}};
+    return Error{ErrorCode::BadValue,
+                 "the scenario has no step 'problem' with materials, supports and loads, so there is nothing to "
+                 "analyse: add one",
+                 base::Place{.file = document.file.string()}};
   StepChanges changes;
   auto& steps = document.steps;
-  const auto last = std::find_if(steps.rbegin(), steps.rend(), [&](const auto& step) { return step.operation == operation; });
+  const auto last =
+      std::find_if(steps.rbegin(), steps.rend(), [&](const auto& step) { return step.operation == operation; });
   std::size_t at = static_cast<std::size_t>(steps.rend() - last);  // behind it
   const bool is_there = at > 0;
   if (!is_there) {
     // Behind everything that it can stand on, before what reads results.
     constexpr std::array reading{"probe", "line", "view", "crack"};
-    const auto before = std::find_if(steps.rbegin(), steps.rend(), [&](const auto& step) { return std::find(reading.begin(), reading.end(), step.operation) == reading.end(); });
+    const auto before = std::find_if(steps.rbegin(), steps.rend(), [&](const auto& step) {
+      return std::find(reading.begin(), reading.end(), step.operation) == reading.end();
+    });
     at = static_cast<std::size_t>(steps.rend() - before);
   }
   leave_out_from(document, at, {"probe", "line"}, changes);
@@ -175,7 +197,8 @@ Result<std::size_t> take_steps(dobra::cli::Session& session, const std::string& 
   } else {
     steps.insert(steps.begin() + static_cast<std::ptrdiff_t>(at), step_of(operation));
     if (operation == "adapt") {
-      if (const std::string taken = as_the_mesh(session, document, steps[at].params); !taken.empty()) session.note(taken);
+      if (const std::string taken = as_the_mesh(session, document, steps[at].params); !taken.empty())
+        session.note(taken);
     }
   }
   add_missing(document, operation, at, changes);
@@ -184,7 +207,8 @@ Result<std::size_t> take_steps(dobra::cli::Session& session, const std::string& 
   return at;
 }
 
-Result<scenario::Document> document_of(dobra::cli::Session& session, const std::string& operation, const Options& options) {
+Result<scenario::Document> document_of(dobra::cli::Session& session, const std::string& operation,
+                                       const Options& options) {
   DOBRA_TRY(scenario::Document document, dobra::cli::load(session, options.scenario));
   DOBRA_TRY(const std::size_t at, take_steps(session, operation, document));
   scenario::Table& params = document.steps[at].params;
@@ -241,12 +265,16 @@ std::string cycles_text(const scenario::Program& program, const scenario::State&
   for (const auto& table : program.tables_of(state)) {
     if (table.name != "analyses" || table.rows.size() < 2) continue;
     const auto cell = [](const auto& value) {
-      if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>) return fmt::format("{:>20.7g}", value);
-      else return fmt::format("{:>20}", value);
+      if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>)
+        return fmt::format("{:>20.7g}", value);
+      else
+        return fmt::format("{:>20}", value);
     };
     std::vector<std::size_t> known;  // columns with a value; the first is the name, which says the cycle again
     for (std::size_t i = 1; i < table.columns.size(); ++i) {
-      if (std::any_of(table.rows.begin(), table.rows.end(), [&](const auto& row) { return std::visit(cell, row[i]).back() != ' '; })) known.push_back(i);
+      if (std::any_of(table.rows.begin(), table.rows.end(),
+                      [&](const auto& row) { return std::visit(cell, row[i]).back() != ' '; }))
+        known.push_back(i);
     }
     for (const std::size_t i : known) text += fmt::format("{:>20}", table.columns[i]);
     text += '\n';
@@ -271,7 +299,8 @@ Result<void> write_results(const scenario::Program& program, const scenario::Sta
     if (!options.out || table.name != "line_command") continue;
     DOBRA_TRY_VOID(io::write_file(options.out->string(), scenario::csv_text(table)));
   }
-  if (options.picture) DOBRA_TRY_VOID(dobra::cli::draw(program.picture_of(state), *options.picture, dobra::cli::Drawer::Cairo));
+  if (options.picture)
+    DOBRA_TRY_VOID(dobra::cli::draw(program.picture_of(state), *options.picture, dobra::cli::Drawer::Cairo));
   if (options.curve) {
     const auto& model = scenario::model_of<core::Model>(state);
     if (std::none_of(model.analyses.begin(), model.analyses.end(), [](const auto& own) { return own->eta > 0.0; }))
@@ -285,12 +314,15 @@ Result<void> write_results(const scenario::Program& program, const scenario::Sta
 Result<scenario::Run> run_loop(dobra::cli::Session& session, const scenario::Document& document) {
   scenario::Runner runner(session.program);
   scenario::Run run = runner.run(document, session.progress());
-  const bool stopped = session.cancel.cancelled() && !run.states.empty() && session.program.reached(run.states.back()) == false;
+  const bool stopped =
+      session.cancel.cancelled() && !run.states.empty() && session.program.reached(run.states.back()) == false;
   if (run.error && !stopped) return *run.error;
   for (std::size_t k = run.states.size(); k <= document.steps.size(); ++k) {
     const scenario::Step& step = document.steps[k - 1];
     if (step.operation != "line" && step.operation != "probe" && step.operation != "view") return *run.error;
-    DOBRA_TRY(scenario::State state, session.program.find_operation(step.operation)->run(run.states.back(), step.params, {document.folder()}, {}));
+    DOBRA_TRY(
+        scenario::State state,
+        session.program.find_operation(step.operation)->run(run.states.back(), step.params, {document.folder()}, {}));
     run.states.push_back(std::move(state));
   }
   dobra::cli::tell(session, run.states.back());
@@ -305,7 +337,8 @@ Result<int> job(dobra::cli::Session& session, const std::string& operation, cons
     if (file) DOBRA_TRY_VOID(dobra::cli::check_writable(*file));
   }
   DOBRA_TRY(const scenario::Document document, document_of(session, operation, options));
-  DOBRA_TRY(const scenario::Run run, operation == "adapt" ? run_loop(session, document) : dobra::cli::run_steps(session, document));
+  DOBRA_TRY(const scenario::Run run,
+            operation == "adapt" ? run_loop(session, document) : dobra::cli::run_steps(session, document));
   DOBRA_TRY_VOID(write_results(session.program, run.states.back(), options));
   if (session.options.format == dobra::cli::OutputFormat::Json) {
     DOBRA_TRY_VOID(dobra::cli::print(json_text(session.program, run.states.back())));
@@ -318,29 +351,47 @@ Result<int> job(dobra::cli::Session& session, const std::string& operation, cons
 }
 
 dobra::cli::Command command(const std::string& name, const std::string& operation, const std::string& help) {
-  return {name, help, [operation](CLI::App& app) -> dobra::cli::Job {
-            const auto options = std::make_shared<Options>();
-            dobra::cli::add_scenario_options(app, options->scenario);
-            if (operation == "adapt") {
-              app.add_option("--target", options->target, "Error asked for in the energy norm, such as 5%")->type_name("PERCENT");
-              app.add_option("--rule", options->rule, "Rule of the new sizes")->check(CLI::IsMember({"optimal", "equal"}))->type_name("RULE");
-              app.add_option("--max-cycles", options->max_cycles, "Stop after so many cycles")->type_name("N");
-              add_rule_options(app, options->rules, "Target length of the first mesh, and the greatest");
-              app.add_option("--curve", options->curve, "Draw the error of each cycle against the unknowns")->type_name("FILE.svg|pdf|png");
-              app.add_option("--cycle", options->cycle, "Which cycle the picture shows; the last by default")->type_name("N");
-            }
-            if (operation != "crack") app.add_option("--exact-energy", options->exact_energy, "Strain energy where it is known: tells the true error and the effectivity; again for each further load case, 0 for one of which it is not known")->allow_extra_args(false)->type_name("J");
-            if (operation == "crack") app.add_option("--contour", options->contour, "Outer radius of the ring of the integrals")->type_name("R");
-            app.add_option("--line", options->line, "Displacements and stresses along a line")->type_name("X0,Y0,X1,Y1");
-            app.add_option("--samples", options->samples, "Points of the line; 101 by default")->type_name("N");
-            app.add_option("--out", options->out, "Write the line as CSV")->type_name("FILE");
-            app.add_option("--probe", options->probes, "The same at a point; may be given again")->type_name("X,Y");
-            app.add_option("--picture", options->picture, "Draw a field on the deformed shape")->type_name("FILE.svg|pdf|png");
-            app.add_option("--field", options->field, "What the picture shows; von_mises by default")->check(CLI::IsMember(core::field_names()))->type_name("NAME");
-            app.add_option("--range", options->range, "Colours for 99.5 % of the area, or for all of it")->check(CLI::IsMember({"field", "full"}))->type_name("RANGE");
-            app.add_option("--deformation", options->deformation, "Times the displacements drawn; 0 none")->type_name("FACTOR");
-            return [operation, options](dobra::cli::Session& session) { return job(session, operation, *options); };
-          }};
+  return {
+      name, help, [operation](CLI::App& app) -> dobra::cli::Job {
+        const auto options = std::make_shared<Options>();
+        dobra::cli::add_scenario_options(app, options->scenario);
+        if (operation == "adapt") {
+          app.add_option("--target", options->target, "Error asked for in the energy norm, such as 5%")
+              ->type_name("PERCENT");
+          app.add_option("--rule", options->rule, "Rule of the new sizes")
+              ->check(CLI::IsMember({"optimal", "equal"}))
+              ->type_name("RULE");
+          app.add_option("--max-cycles", options->max_cycles, "Stop after so many cycles")->type_name("N");
+          add_rule_options(app, options->rules, "Target length of the first mesh, and the greatest");
+          app.add_option("--curve", options->curve, "Draw the error of each cycle against the unknowns")
+              ->type_name("FILE.svg|pdf|png");
+          app.add_option("--cycle", options->cycle, "Which cycle the picture shows; the last by default")
+              ->type_name("N");
+        }
+        if (operation != "crack")
+          app.add_option("--exact-energy", options->exact_energy,
+                         "Strain energy where it is known: tells the true error and the effectivity; again for each "
+                         "further load case, 0 for one of which it is not known")
+              ->allow_extra_args(false)
+              ->type_name("J");
+        if (operation == "crack")
+          app.add_option("--contour", options->contour, "Outer radius of the ring of the integrals")->type_name("R");
+        app.add_option("--line", options->line, "Displacements and stresses along a line")->type_name("X0,Y0,X1,Y1");
+        app.add_option("--samples", options->samples, "Points of the line; 101 by default")->type_name("N");
+        app.add_option("--out", options->out, "Write the line as CSV")->type_name("FILE");
+        app.add_option("--probe", options->probes, "The same at a point; may be given again")->type_name("X,Y");
+        app.add_option("--picture", options->picture, "Draw a field on the deformed shape")
+            ->type_name("FILE.svg|pdf|png");
+        app.add_option("--field", options->field, "What the picture shows; von_mises by default")
+            ->check(CLI::IsMember(core::field_names()))
+            ->type_name("NAME");
+        app.add_option("--range", options->range, "Colours for 99.5 % of the area, or for all of it")
+            ->check(CLI::IsMember({"field", "full"}))
+            ->type_name("RANGE");
+        app.add_option("--deformation", options->deformation, "Times the displacements drawn; 0 none")
+            ->type_name("FACTOR");
+        return [operation, options](dobra::cli::Session& session) { return job(session, operation, *options); };
+      }};
 }
 
 /// The validation book: a line for every case, files if asked for; exit code 1 if a value misses its tolerance.
@@ -375,10 +426,13 @@ dobra::cli::Command validate_command() {
 }  // namespace
 
 std::vector<dobra::cli::Command> analysis_commands() {
-  return {command("solve", "analyse", "Analyse the last mesh of a scenario"),
-          command("adapt", "adapt", "Mesh and analyse a scenario until the error asked for is met"),
-          command("crack", "crack", "Stress intensity factors at the crack tips of a scenario, on a mesh with rosettes unless it says otherwise"),
-          validate_command()};
+  return {
+      command("solve", "analyse", "Analyse the last mesh of a scenario"),
+      command("adapt", "adapt", "Mesh and analyse a scenario until the error asked for is met"),
+      command(
+          "crack", "crack",
+          "Stress intensity factors at the crack tips of a scenario, on a mesh with rosettes unless it says otherwise"),
+      validate_command()};
 }
 
 }  // namespace quebra::cli

@@ -63,7 +63,8 @@ Result<Verdict> of_polygons(const Options& options) {
   for (const auto& face : polygons.faces) {
     corners.clear();
     for (const std::uint32_t corner : face) corners.push_back(polygons.points[corner]);
-    for (const double distance : mesh::distances_from_mean_plane(corners)) furthest = std::max(furthest, std::abs(distance));
+    for (const double distance : mesh::distances_from_mean_plane(corners))
+      furthest = std::max(furthest, std::abs(distance));
   }
   verdict.counts = {{"points", polygons.points.size()},
                     {"edges", mesh::edges_of(polygons).size()},
@@ -79,10 +80,14 @@ Json sets_of(const mesh::ElementMesh& mesh) {
   for (const std::int32_t region : mesh.regions) ++regions[region];
   for (const auto& [tag, count] : regions) {
     const auto name = mesh.region_names.find(tag);
-    sets.push_back({{"name", name == mesh.region_names.end() ? fmt::format("{}", tag) : name->second}, {"kind", "region"}, {"count", count}});
+    sets.push_back({{"name", name == mesh.region_names.end() ? fmt::format("{}", tag) : name->second},
+                    {"kind", "region"},
+                    {"count", count}});
   }
-  for (const auto& [name, sides] : mesh.side_sets) sets.push_back({{"name", name}, {"kind", "sides"}, {"count", sides.size()}});
-  for (const auto& [name, nodes] : mesh.node_sets) sets.push_back({{"name", name}, {"kind", "nodes"}, {"count", nodes.size()}});
+  for (const auto& [name, sides] : mesh.side_sets)
+    sets.push_back({{"name", name}, {"kind", "sides"}, {"count", sides.size()}});
+  for (const auto& [name, nodes] : mesh.node_sets)
+    sets.push_back({{"name", name}, {"kind", "nodes"}, {"count", nodes.size()}});
   return sets;
 }
 
@@ -92,7 +97,8 @@ Result<Verdict> of_elements(const Options& options) {
   verdict.counts = {{"nodes", contents.mesh.points.size()}, {"elements", contents.mesh.element_count()}};
   verdict.sets = sets_of(contents.mesh);
   verdict.remarks = contents.remarks;
-  for (const base::Error& inverted : io::inverted_elements(contents)) verdict.faults.push_back(base::to_string(inverted));
+  for (const base::Error& inverted : io::inverted_elements(contents))
+    verdict.faults.push_back(base::to_string(inverted));
   if (const auto good = mesh::check(contents.mesh); !good) {
     verdict.faults.push_back(base::to_string(good.error()));
     return verdict;
@@ -130,7 +136,8 @@ class InUnits {
 
 Json json_of(const core::Curve& curve, const InUnits& in_units) {
   const double all = length(curve);
-  Json json{{"name", curve.name}, {"kind", role_name(curve.role)}, {"shape", shape_name(curve)}, {"length", in_units(all)}, {"from", in_units(point(curve, 0.0))}, {"to", in_units(point(curve, all))}};
+  Json json{{"name", curve.name},      {"kind", role_name(curve.role)},       {"shape", shape_name(curve)},
+            {"length", in_units(all)}, {"from", in_units(point(curve, 0.0))}, {"to", in_units(point(curve, all))}};
   if (curve.role == core::Role::Crack) {
     json["lips"] = {curve.name + "_left", curve.name + "_right"};
     json["tips"] = {curve.name + "_start", curve.name + "_end"};
@@ -150,13 +157,15 @@ Verdict of_domain(const core::Model& model) {
   constexpr std::size_t few = 12;
   const auto parts = core::boundary_parts(domain);
   for (std::size_t i = 0; i < parts.size();) {
-    const auto end = std::find_if(parts.begin() + static_cast<std::ptrdiff_t>(i), parts.end(), [&](const auto& part) { return part.curve != parts[i].curve; });
+    const auto end = std::find_if(parts.begin() + static_cast<std::ptrdiff_t>(i), parts.end(),
+                                  [&](const auto& part) { return part.curve != parts[i].curve; });
     const auto count = static_cast<std::size_t>(end - parts.begin()) - i;
     Json& sides = verdict.curves[parts[i].curve]["sides"];
     sides = count;
     if (count > 1 && count <= few) {
       sides = Json::array();
-      for (std::size_t k = i; k < i + count; ++k) sides.push_back({{"from", in_units(parts[k].start)}, {"to", in_units(parts[k].end)}});
+      for (std::size_t k = i; k < i + count; ++k)
+        sides.push_back({{"from", in_units(parts[k].start)}, {"to", in_units(parts[k].end)}});
     }
     i += count;
   }
@@ -182,13 +191,17 @@ Result<Verdict> of_geometry(Session& session, const Options& options) {
   const scenario::Run run = runner.run(document, session.progress());
   if (run.error) return *run.error;
   const auto& model = scenario::model_of<core::Model>(run.states.back());
-  if (options.picture) DOBRA_TRY_VOID(dobra::cli::draw(in_units(core::names_picture(model), model.units), *options.picture, dobra::cli::Drawer::Cairo));
+  if (options.picture)
+    DOBRA_TRY_VOID(dobra::cli::draw(in_units(core::names_picture(model), model.units), *options.picture,
+                                    dobra::cli::Drawer::Cairo));
   Verdict verdict = of_domain(model);
   verdict.remarks = session.program.remarks_of(run.states.back());
   return verdict;
 }
 
-std::string place_text(const Json& at) { return fmt::format("({:.6g}, {:.6g})", at[0].get<double>(), at[1].get<double>()); }
+std::string place_text(const Json& at) {
+  return fmt::format("({:.6g}, {:.6g})", at[0].get<double>(), at[1].get<double>());
+}
 
 /// A line for every curve with its place, below it those of its sides.
 std::string curves_text(const Verdict& verdict) {
@@ -199,26 +212,35 @@ std::string curves_text(const Verdict& verdict) {
     return fmt::format("from {} to {}", place_text(item["from"]), place_text(item["to"]));
   };
   for (const Json& curve : verdict.curves) {
-    text += fmt::format("{:<14}{:<9} {:<8} length {:<10.6g} {}\n", name_of(curve), curve["kind"].get<std::string>(), curve["shape"].get<std::string>(), curve["length"].get<double>(), from_to(curve));
+    text += fmt::format("{:<14}{:<9} {:<8} length {:<10.6g} {}\n", name_of(curve), curve["kind"].get<std::string>(),
+                        curve["shape"].get<std::string>(), curve["length"].get<double>(), from_to(curve));
     for (const char* const key : {"lips", "tips", "groups"}) {
-      if (curve.contains(key)) text += fmt::format("  {} {}\n", key, fmt::join(curve[key].get<std::vector<std::string>>(), ", "));
+      if (curve.contains(key))
+        text += fmt::format("  {} {}\n", key, fmt::join(curve[key].get<std::vector<std::string>>(), ", "));
     }
     if (!curve.contains("sides") || !curve["sides"].is_array()) continue;
     for (const Json& side : curve["sides"]) text += fmt::format("  side {}\n", from_to(side));
   }
-  for (const Json& point : verdict.points) text += fmt::format("{:<14}point     at {}\n", name_of(point), place_text(point["at"]));
-  for (const Json& region : verdict.regions) text += fmt::format("{:<14}region    area {:.6g}\n", name_of(region), region["area"].get<double>());
+  for (const Json& point : verdict.points)
+    text += fmt::format("{:<14}point     at {}\n", name_of(point), place_text(point["at"]));
+  for (const Json& region : verdict.regions)
+    text += fmt::format("{:<14}region    area {:.6g}\n", name_of(region), region["area"].get<double>());
   return text;
 }
 
 // --- either ----------------------------------------------------------------------------------------------------------
 
-bool of_mesh(const std::string& ending) { return ending == ".obj" || ending == ".off" || ending == ".ply" || io::is_mesh_ending(ending); }
+bool of_mesh(const std::string& ending) {
+  return ending == ".obj" || ending == ".off" || ending == ".ply" || io::is_mesh_ending(ending);
+}
 
 Result<Verdict> verdict_of(Session& session, const Options& options) {
   const std::string ending = io::ending_of(options.input.scenario.file.string());
   if (!of_mesh(ending)) return of_geometry(session, options);
-  if (options.picture) return base::Error{base::ErrorCode::BadUsage, "--picture draws the curves of a scenario or a file of geometry, and this is a mesh; `quebra convert` and `quebra mesh` draw others"};
+  if (options.picture)
+    return base::Error{base::ErrorCode::BadUsage,
+                       "--picture draws the curves of a scenario or a file of geometry, and this is a mesh; `quebra "
+                       "convert` and `quebra mesh` draw others"};
   return ending == ".obj" || ending == ".off" || ending == ".ply" ? of_polygons(options) : of_elements(options);
 }
 
@@ -226,7 +248,8 @@ std::string plain_text(const Verdict& verdict) {
   std::string text;
   for (const auto& [name, value] : verdict.counts.items()) text += fmt::format("{:<14}{}\n", name, value.dump());
   for (const Json& set : verdict.sets) {
-    text += fmt::format("{:<14}{} {}\n", set["kind"].get<std::string>(), set["count"].get<std::size_t>(), io::shown(set["name"].get<std::string>()));
+    text += fmt::format("{:<14}{} {}\n", set["kind"].get<std::string>(), set["count"].get<std::size_t>(),
+                        io::shown(set["name"].get<std::string>()));
   }
   return text + curves_text(verdict) + fmt::format("{:<14}{}\n", "faults", verdict.faults.size());
 }
@@ -263,15 +286,20 @@ Result<int> check_job(Session& session, const Options& options) {
 }  // namespace
 
 Command check_command() {
-  return {"check", "Say what is wrong with a mesh file; list the names of a scenario or a file of geometry", [](CLI::App& app) -> Job {
+  return {"check", "Say what is wrong with a mesh file; list the names of a scenario or a file of geometry",
+          [](CLI::App& app) -> Job {
             const auto options = std::make_shared<Options>();
             app.add_option("file", options->input.scenario.file,
-                           "Polygon mesh (.obj .off .ply), elements (.vtu .msh .msh2 .inp .bdf .nas .nf .ele .stl), a scenario (.toml) or geometry (.poly .geo .svg .geojson .dxf .wkt .txt .csv)")
+                           "Polygon mesh (.obj .off .ply), elements (.vtu .msh .msh2 .inp .bdf .nas .nf .ele .stl), a "
+                           "scenario (.toml) or geometry (.poly .geo .svg .geojson .dxf .wkt .txt .csv)")
                 ->required()
                 ->type_name("FILE");
-            app.add_flag("--closed", options->input.closed, "The polygon mesh is to be closed: an edge of one face is a fault; of a file of lines: every line is an outline");
+            app.add_flag("--closed", options->input.closed,
+                         "The polygon mesh is to be closed: an edge of one face is a fault; of a file of lines: every "
+                         "line is an outline");
             add_input_options(app, options->input);
-            app.add_option("--picture", options->picture, "Draw the curves with their names")->type_name("FILE.svg|pdf|png");
+            app.add_option("--picture", options->picture, "Draw the curves with their names")
+                ->type_name("FILE.svg|pdf|png");
             return [options](Session& session) { return check_job(session, *options); };
           }};
 }

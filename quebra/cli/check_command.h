@@ -5,8 +5,8 @@
 
 namespace quebra::cli {
 
-/// check FILE: every fault of a polygon mesh (.obj .off), or the first broken rule of a finite-element mesh, with indices; counts
-/// otherwise. Exit code 1 if there is a fault.
+/// check FILE: every fault of a polygon mesh (.obj .off), or the first broken rule of a finite-element mesh, with
+/// indices; counts otherwise. Exit code 1 if there is a fault.
 dobra::cli::Command check_command();
 
 }  // namespace quebra::cli

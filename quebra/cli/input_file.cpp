@@ -33,7 +33,8 @@ Result<void> set_lines(const InputFile& file, scenario::Table& input) {
     const io::Trace& t = *lines.trace;
     input.set("trace", std::vector<double>{t.x, t.y, t.x + t.east, t.y + t.north});
   }
-  if (lines.fold_axis) input.set("fold_axis", std::vector<double>{lines.fold_axis->trend.degrees(), lines.fold_axis->plunge.degrees()});
+  if (lines.fold_axis)
+    input.set("fold_axis", std::vector<double>{lines.fold_axis->trend.degrees(), lines.fold_axis->plunge.degrees()});
   if (texts.plane_tolerance) input.set("plane_tolerance", *texts.plane_tolerance);
   if (texts.reference) input.set("reference", *texts.reference);
   if (texts.exaggeration) input.set("exaggeration", *texts.exaggeration);
@@ -47,8 +48,10 @@ void add_input_options(CLI::App& app, InputFile& file) {
   app.add_option("--set", file.scenario.assignments, "Change a value, such as input.width=2; may be repeated")
       ->allow_extra_args(false)
       ->type_name("PATH=VALUE");
-  app.add_flag("--repair", file.repair, "Mend repeated points, spikes, doubles, gaps and crossings of the input, and list each");
-  app.add_option("--gap", file.gap, "Widest gap that --repair closes; 1/1000 of the drawing's diagonal by default")->type_name("W");
+  app.add_flag("--repair", file.repair,
+               "Mend repeated points, spikes, doubles, gaps and crossings of the input, and list each");
+  app.add_option("--gap", file.gap, "Widest gap that --repair closes; 1/1000 of the drawing's diagonal by default")
+      ->type_name("W");
   dobra::cli::add_line_reading_options(app, file.lines);
 }
 
@@ -73,7 +76,8 @@ scenario::Step step_of(const std::string& operation) {
   return {.operation = operation, .name = {}, .params = {}, .comment = {}, .place = {}};
 }
 
-void leave_out_from(scenario::Document& document, std::size_t first, const std::vector<std::string>& keep, StepChanges& changes) {
+void leave_out_from(scenario::Document& document, std::size_t first, const std::vector<std::string>& keep,
+                    StepChanges& changes) {
   std::vector<scenario::Step> kept;
   for (std::size_t i = first; i < document.steps.size(); ++i) {
     if (std::find(keep.begin(), keep.end(), document.steps[i].operation) != keep.end()) {
@@ -83,13 +87,15 @@ void leave_out_from(scenario::Document& document, std::size_t first, const std::
     }
   }
   document.steps.resize(first);
-  document.steps.insert(document.steps.end(), std::make_move_iterator(kept.begin()), std::make_move_iterator(kept.end()));
+  document.steps.insert(document.steps.end(), std::make_move_iterator(kept.begin()),
+                        std::make_move_iterator(kept.end()));
 }
 
 std::string text_of(const StepChanges& changes, const scenario::Document& document) {
   std::string text;
   if (!changes.left_out.empty()) text = fmt::format("{} left out", fmt::join(changes.left_out, ", "));
-  if (!changes.added.empty()) text += fmt::format("{}added: {}", text.empty() ? "" : "; ", fmt::join(changes.added, ", "));
+  if (!changes.added.empty())
+    text += fmt::format("{}added: {}", text.empty() ? "" : "; ", fmt::join(changes.added, ", "));
   return text.empty() ? text : fmt::format("of the steps of {}: {}", document.file.string(), text);
 }
 

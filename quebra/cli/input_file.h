@@ -34,7 +34,8 @@ struct StepChanges {
 std::string text_of(const StepChanges& changes, const dobra::scenario::Document& document);
 
 /// Leaves out the steps from number `first` (0-based) on, but those of the operations to keep.
-void leave_out_from(dobra::scenario::Document& document, std::size_t first, const std::vector<std::string>& keep, StepChanges& changes);
+void leave_out_from(dobra::scenario::Document& document, std::size_t first, const std::vector<std::string>& keep,
+                    StepChanges& changes);
 
 /// A step with the defaults of its operation.
 dobra::scenario::Step step_of(const std::string& operation);

@@ -73,7 +73,8 @@ Result<std::int64_t> count_in(const std::string& option, const std::string& word
 /// CURVES:COUNT:DISTANCE[:FACTOR]
 Result<scenario::Step> band_step(const std::string& text) {
   const auto parts = parts_of(text, ':');
-  if (parts.size() < 3 || parts.size() > 4) return Error{ErrorCode::BadUsage, fmt::format("--bands {}: give CURVES:COUNT:DISTANCE[:FACTOR]", text)};
+  if (parts.size() < 3 || parts.size() > 4)
+    return Error{ErrorCode::BadUsage, fmt::format("--bands {}: give CURVES:COUNT:DISTANCE[:FACTOR]", text)};
   scenario::Step step = step_of("constraints");
   step.params.set("curves", parts_of(parts[0], '+'));
   DOBRA_TRY(const std::int64_t count, count_in("--bands", parts[1]));
@@ -104,7 +105,8 @@ Result<scenario::Step> zone_step(const std::string& text) {
 Result<scenario::Document> mesh_document_of(Session& session, const Options& options) {
   DOBRA_TRY(scenario::Document document, document_of(session, options.input));
   StepChanges changes;
-  const auto last = std::find_if(document.steps.rbegin(), document.steps.rend(), [](const auto& step) { return step.operation == "mesh"; });
+  const auto last = std::find_if(document.steps.rbegin(), document.steps.rend(),
+                                 [](const auto& step) { return step.operation == "mesh"; });
   if (last == document.steps.rend()) {
     if (!document.file.empty()) changes.added.push_back("mesh, with the options given and else its defaults");
     document.steps.push_back(step_of("mesh"));
@@ -135,7 +137,10 @@ struct Figures {
 };
 
 Figures figures_of(const scenario::Program& program, const scenario::State& state) {
-  constexpr std::array wanted{"work.steps", "work.triangles", "work.front", "elements", "quadrilaterals", "nodes", "tips", "area", "alpha_mean", "alpha_90", "alpha_min", "min_angle", "max_angle", "gradation_p95", "jacobian_min", "quad_shape_mean", "quad_shape_min"};
+  constexpr std::array wanted{"work.steps",      "work.triangles", "work.front", "elements",      "quadrilaterals",
+                              "nodes",           "tips",           "area",       "alpha_mean",    "alpha_90",
+                              "alpha_min",       "min_angle",      "max_angle",  "gradation_p95", "jacobian_min",
+                              "quad_shape_mean", "quad_shape_min"};
   Figures figures;
   const bool at_work = scenario::model_of<core::Model>(state).work != nullptr;
   for (const scenario::Quantity& quantity : program.quantities_of(state)) {
@@ -161,14 +166,20 @@ std::string json_text(const Figures& figures, const std::vector<std::string>& re
 
 std::string table_text(const Figures& figures) {
   std::string text;
-  for (const auto& quantity : figures.values) text += fmt::format("{:<16}{:.6g} {}\n", quantity.name, quantity.value, quantity.unit);
+  for (const auto& quantity : figures.values)
+    text += fmt::format("{:<16}{:.6g} {}\n", quantity.name, quantity.value, quantity.unit);
   for (const auto& [phase, seconds] : figures.seconds) text += fmt::format("{:<16}{:.3f} s\n", phase, seconds);
   return text + fmt::format("{:<16}{:.1f} MB\n", "peak memory", static_cast<double>(figures.peak_memory) / 1e6);
 }
 
-Result<void> write_out(Session& session, const std::filesystem::path& out, const mesh::ElementMesh& mesh, const core::Model& model) {
-  DOBRA_TRY(dobra::cli::Staging staging, dobra::cli::Staging::open(out.parent_path(), dobra::cli::TargetFolder::MustExist));
-  if (const auto written = core::write_mesh(staging.path(out.filename().string()).string(), mesh, core::inp_element_of(model), model.units); !written) return staging.for_user(written.error());
+Result<void> write_out(Session& session, const std::filesystem::path& out, const mesh::ElementMesh& mesh,
+                       const core::Model& model) {
+  DOBRA_TRY(dobra::cli::Staging staging,
+            dobra::cli::Staging::open(out.parent_path(), dobra::cli::TargetFolder::MustExist));
+  if (const auto written = core::write_mesh(staging.path(out.filename().string()).string(), mesh,
+                                            core::inp_element_of(model), model.units);
+      !written)
+    return staging.for_user(written.error());
   DOBRA_TRY_VOID(session.check());
   DOBRA_TRY_VOID(staging.commit());
   return {};
@@ -184,13 +195,17 @@ Result<int> mesh_job(Session& session, const Options& options) {
   }
   DOBRA_TRY(const scenario::Document document, mesh_document_of(session, options));
   const auto start = std::chrono::steady_clock::now();
-  const auto since = [](auto from) { return std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count(); };
+  const auto since = [](auto from) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();
+  };
   DOBRA_TRY(const scenario::Run run, dobra::cli::run_steps(session, document));
   const double all = since(start);
   const scenario::State& state = run.states.back();
   const core::Model& model = scenario::model_of<core::Model>(state);
   if (model.work && (options.out || options.histogram)) {
-    return Error{ErrorCode::CannotMesh, "the mesh is not done, so there is none to write: raise --stop-after, or leave it out; --picture draws the work"};
+    return Error{ErrorCode::CannotMesh,
+                 "the mesh is not done, so there is none to write: raise --stop-after, or leave it out; --picture "
+                 "draws the work"};
   }
   const core::Meshed stopped;
   const core::Meshed& meshed = model.work ? stopped : *model.meshes.back();
@@ -212,9 +227,13 @@ Result<int> mesh_job(Session& session, const Options& options) {
       remarks.push_back(std::move(loss));
     }
   }
-  if (options.histogram) DOBRA_TRY_VOID(dobra::cli::draw(core::histogram_picture(meshed), *options.histogram, dobra::cli::Drawer::Cairo));
-  if (options.picture) DOBRA_TRY_VOID(dobra::cli::draw(session.program.picture_of(state), *options.picture, dobra::cli::Drawer::Cairo));
-  if (options.size_field) DOBRA_TRY_VOID(dobra::cli::draw(in_units(core::size_field_picture(model, meshed), model.units), *options.size_field, dobra::cli::Drawer::Cairo));
+  if (options.histogram)
+    DOBRA_TRY_VOID(dobra::cli::draw(core::histogram_picture(meshed), *options.histogram, dobra::cli::Drawer::Cairo));
+  if (options.picture)
+    DOBRA_TRY_VOID(dobra::cli::draw(session.program.picture_of(state), *options.picture, dobra::cli::Drawer::Cairo));
+  if (options.size_field)
+    DOBRA_TRY_VOID(dobra::cli::draw(in_units(core::size_field_picture(model, meshed), model.units), *options.size_field,
+                                    dobra::cli::Drawer::Cairo));
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   figures.peak_memory = static_cast<std::size_t>(usage.ru_maxrss) * 1024;
@@ -231,26 +250,41 @@ Result<int> mesh_job(Session& session, const Options& options) {
 Command mesh_command() {
   return {"mesh", "Mesh a scenario or a file of geometry", [](CLI::App& app) -> Job {
             const auto options = std::make_shared<Options>();
-            app.add_option("file", options->input.scenario.file, "Scenario (.toml), geometry (.poly .geo .svg .geojson .dxf .wkt .txt .csv) or a mesh whose boundary is meant")
+            app.add_option("file", options->input.scenario.file,
+                           "Scenario (.toml), geometry (.poly .geo .svg .geojson .dxf .wkt .txt .csv) or a mesh whose "
+                           "boundary is meant")
                 ->required()
                 ->type_name("FILE");
             add_input_options(app, options->input);
-            add_rule_options(app, options->rules, "Target length of element sides: on curves none is longer, inside a few are by half");
-            app.add_flag("--quads", options->quads, "Join pairs of triangles to quadrilaterals where that gives a good shape");
-            app.add_flag("--closed", options->input.closed, "Every line of the file is an outline, whose last point need not repeat the first");
-            app.add_option("--bands", options->bands, "Offset curves as constraints: CURVE[+CURVE]:COUNT:DISTANCE[:FACTOR]; may be repeated")
+            add_rule_options(app, options->rules,
+                             "Target length of element sides: on curves none is longer, inside a few are by half");
+            app.add_flag("--quads", options->quads,
+                         "Join pairs of triangles to quadrilaterals where that gives a good shape");
+            app.add_flag("--closed", options->input.closed,
+                         "Every line of the file is an outline, whose last point need not repeat the first");
+            app.add_option("--bands", options->bands,
+                           "Offset curves as constraints: CURVE[+CURVE]:COUNT:DISTANCE[:FACTOR]; may be repeated")
                 ->allow_extra_args(false)
                 ->type_name("BANDS");
-            app.add_option("--zone", options->zones, "Small elements near curves: CURVE[+CURVE]:SIZE:WIDTH; may be repeated")
+            app.add_option("--zone", options->zones,
+                           "Small elements near curves: CURVE[+CURVE]:SIZE:WIDTH; may be repeated")
                 ->allow_extra_args(false)
                 ->type_name("ZONE");
-            app.add_option("--out", options->out, fmt::format("File to write: {}", fmt::join(io::mesh_endings(), " ")))->type_name("FILE");
-            app.add_option("--stop-after", options->stop_after, "Stop the engine after this many steps, one side of its front or one node each; see --picture")
+            app.add_option("--out", options->out, fmt::format("File to write: {}", fmt::join(io::mesh_endings(), " ")))
+                ->type_name("FILE");
+            app.add_option(
+                   "--stop-after", options->stop_after,
+                   "Stop the engine after this many steps, one side of its front or one node each; see --picture")
                 ->check(CLI::PositiveNumber)
                 ->type_name("N");
-            app.add_option("--picture", options->picture, "Draw the mesh; with --stop-after the triangles made so far and the front")->type_name("FILE.svg|pdf|png");
-            app.add_option("--histogram", options->histogram, "Draw how many elements have which quality alpha")->type_name("FILE.svg|pdf|png");
-            app.add_option("--size-field", options->size_field, "Draw the sizes that the mesh was to have, and the quadtree that carries them")->type_name("FILE.svg|pdf|png");
+            app.add_option("--picture", options->picture,
+                           "Draw the mesh; with --stop-after the triangles made so far and the front")
+                ->type_name("FILE.svg|pdf|png");
+            app.add_option("--histogram", options->histogram, "Draw how many elements have which quality alpha")
+                ->type_name("FILE.svg|pdf|png");
+            app.add_option("--size-field", options->size_field,
+                           "Draw the sizes that the mesh was to have, and the quadtree that carries them")
+                ->type_name("FILE.svg|pdf|png");
             return [options](Session& session) { return mesh_job(session, *options); };
           }};
 }

@@ -5,8 +5,8 @@
 
 namespace quebra::cli {
 
-/// mesh FILE: options become the parameters of the operations `constraints`, `zone` and `mesh`; the mesh goes to --out in the
-/// format of its ending, its figures as a table or --json to standard output.
+/// mesh FILE: options become the parameters of the operations `constraints`, `zone` and `mesh`; the mesh goes to --out
+/// in the format of its ending, its figures as a table or --json to standard output.
 dobra::cli::Command mesh_command();
 
 }  // namespace quebra::cli

@@ -22,8 +22,9 @@ void add_rule_options(CLI::App& app, RuleOptions& options, const std::string& si
       ->type_name("G");
   app.add_option("--turn", options.turn, "Degrees that one side may turn along an arc; 15 by default, 30 in a loop")
       ->type_name("DEG");
-  app.add_option("--narrow", options.narrow,
-                 "Elements across places where curves, tips or points come near each other; 1 by default, 0: as elsewhere")
+  app.add_option(
+         "--narrow", options.narrow,
+         "Elements across places where curves, tips or points come near each other; 1 by default, 0: as elsewhere")
       ->type_name("N");
   app.add_option("--smoothing", options.smoothing, "Passes of smoothing; 3 by default")->type_name("N");
   app.add_option("--max-elements", options.max_elements, "Stop with advice beyond this number")->type_name("N");

@@ -24,20 +24,21 @@ using dobra::geom::Vector;
 
 /// A cycle that lowers the error by less has stalled.
 constexpr double least_gain = 0.02;
-/// The estimate was never less than this part of the true error on the specimens measured (docs/algorithms/estimate.md): a
-/// few hundred unknowns, or more.
+/// The estimate was never less than this part of the true error on the specimens measured
+/// (docs/algorithms/estimate.md): a few hundred unknowns, or more.
 double least_effectivity(double percent) { return percent > 2.0 ? 0.8 : 0.85; }
 /// The sizes aim this much lower than what counts as reached: what the mesher makes of them comes out a little above.
 constexpr double aim = 0.95;
 /// The same round a peak, where a few elements decide.
 constexpr double aim_at_peaks = 0.7;
-/// A peak that was asked to meet the target and did not is aimed at lower by this, so often before it counts as stalled.
+/// A peak that was asked to meet the target and did not is aimed at lower by this, so often before it counts as
+/// stalled.
 constexpr double lower_aim = 0.7;
 constexpr int most_misses = 3;
 /// A peak within this many times the target is asked to meet it in the next cycle.
 constexpr double in_reach = 4.0;
-/// What a cycle aims at, of the error that it has, if the target is farther: what an estimate says of meshes far finer is
-/// no ground to make them, and where the stress is infinite no mesh follows at once.
+/// What a cycle aims at, of the error that it has, if the target is farther: what an estimate says of meshes far finer
+/// is no ground to make them, and where the stress is infinite no mesh follows at once.
 constexpr double gain = 0.25;
 
 /// Of the memory allowed, that a mesh is planned for; the memory of a factorisation as a power of its unknowns.
@@ -88,7 +89,8 @@ struct PeakSeen {
 /// The peaks that the loop minds, over the cycles.
 class Peaks {
  public:
-  /// Looks at the peaks of an analysis: those above the target whose error did not fall are left out from now on, with a remark.
+  /// Looks at the peaks of an analysis: those above the target whose error did not fall are left out from now on, with
+  /// a remark.
   void see(const Analysis& analysis, const AdaptParams& params, std::vector<std::string>& remarks) {
     if (params.peaks == MindPeaks::No) return;
     const mesh::ElementMesh& own = analysis.meshed->mesh;
@@ -102,8 +104,12 @@ class Peaks {
         const auto before = std::find_if(seen_.begin(), seen_.end(), [&](const PeakSeen& old) {
           return old.load_case == c && distance(old.at, peak.at) < 0.5 * old.size;
         });
-        if (100.0 * peak.eta > params.target && before != seen_.end() && peak.size < 0.7 * before->size && peak.eta > before->eta * std::pow(peak.size / before->size, least_rate)) {
-          remarks.push_back(fmt::format("the stress at ({:.6g}, {:.6g}) does not settle as the elements get smaller: it is infinite there, and is not minded", peak.at.x, peak.at.y));
+        if (100.0 * peak.eta > params.target && before != seen_.end() && peak.size < 0.7 * before->size &&
+            peak.eta > before->eta * std::pow(peak.size / before->size, least_rate)) {
+          remarks.push_back(
+              fmt::format("the stress at ({:.6g}, {:.6g}) does not settle as the elements get smaller: it is infinite "
+                          "there, and is not minded",
+                          peak.at.x, peak.at.y));
           ignored_.push_back(*before);
           continue;
         }
@@ -119,7 +125,8 @@ class Peaks {
   [[nodiscard]] double aim() const { return aim_at_peaks * std::pow(lower_aim, misses_); }
   [[nodiscard]] bool tried_enough() const { return misses_ >= most_misses; }
   [[nodiscard]] bool ignored(dobra::geom::Point at) const {
-    return std::any_of(ignored_.begin(), ignored_.end(), [&](const PeakSeen& old) { return distance(old.at, at) < old.size; });
+    return std::any_of(ignored_.begin(), ignored_.end(),
+                       [&](const PeakSeen& old) { return distance(old.at, at) < old.size; });
   }
   [[nodiscard]] const std::optional<PeakSeen>& worst() const { return worst_; }
 
@@ -132,28 +139,37 @@ class Peaks {
 
 /// How far a cycle got.
 struct Reached {
-  double whole = 0.0;             ///< Fractions.
-  std::optional<PeakSeen> peak;   ///< That of the greatest error.
-  double left_out = 0.0;          ///< Of the energy, at loaded points.
-  bool tried_enough = false;      ///< Lower aims did not help the peak.
+  double whole = 0.0;            ///< Fractions.
+  std::optional<PeakSeen> peak;  ///< That of the greatest error.
+  double left_out = 0.0;         ///< Of the energy, at loaded points.
+  bool tried_enough = false;     ///< Lower aims did not help the peak.
   /// Even if the estimate is as low as it was ever seen to be.
-  [[nodiscard]] bool met(double percent) const { return 100.0 * std::max(whole / least_effectivity(percent), peak ? peak->eta : 0.0) <= percent; }
+  [[nodiscard]] bool met(double percent) const {
+    return 100.0 * std::max(whole / least_effectivity(percent), peak ? peak->eta : 0.0) <= percent;
+  }
   /// Of what is not met nothing got better, nothing came up, and both are judged over the same domain.
   [[nodiscard]] bool stalls(const Reached& before, double percent) const {
     constexpr double same = 0.05;
     if (std::abs(left_out - before.left_out) > same) return false;
-    const auto gains = [&](double now, std::optional<double> then, double enough) { return 100.0 * now > enough && (!then || now <= (1.0 - least_gain) * *then); };
-    return !gains(whole, before.whole, least_effectivity(percent) * percent) && !(peak && 100.0 * peak->eta > percent && (!tried_enough || gains(peak->eta, peak->eta_before, percent)));
+    const auto gains = [&](double now, std::optional<double> then, double enough) {
+      return 100.0 * now > enough && (!then || now <= (1.0 - least_gain) * *then);
+    };
+    return !gains(whole, before.whole, least_effectivity(percent) * percent) &&
+           !(peak && 100.0 * peak->eta > percent && (!tried_enough || gains(peak->eta, peak->eta_before, percent)));
   }
   [[nodiscard]] std::string text(double percent) const {
-    const std::string error = fmt::format("the error is {:.3g} % (up to {:.3g} %, for the estimate may be low)", 100.0 * whole, 100.0 * whole / least_effectivity(percent));
-    return peak ? error + fmt::format(", {:.3g} % round the peak of stress at ({:.6g}, {:.6g})", 100.0 * peak->eta, peak->at.x, peak->at.y) : error;
+    const std::string error = fmt::format("the error is {:.3g} % (up to {:.3g} %, for the estimate may be low)",
+                                          100.0 * whole, 100.0 * whole / least_effectivity(percent));
+    return peak ? error + fmt::format(", {:.3g} % round the peak of stress at ({:.6g}, {:.6g})", 100.0 * peak->eta,
+                                      peak->at.x, peak->at.y)
+                : error;
   }
 };
 
-/// Sizes of the elements round the peaks, not above those of `least`: those of a peak that is met too, or the next mesh would
-/// lose it again.
-void add_peaks(const Analysis& analysis, const Peaks& peaks, double target, const fem::NewSizeOptions& options, std::vector<double>& least) {
+/// Sizes of the elements round the peaks, not above those of `least`: those of a peak that is met too, or the next mesh
+/// would lose it again.
+void add_peaks(const Analysis& analysis, const Peaks& peaks, double target, const fem::NewSizeOptions& options,
+               std::vector<double>& least) {
   const mesh::ElementMesh& own = analysis.meshed->mesh;
   std::map<mesh::NodeId, double> etas;
   for (const CaseFields& fields : analysis.fields) {
@@ -167,21 +183,24 @@ void add_peaks(const Analysis& analysis, const Peaks& peaks, double target, cons
       const auto found = etas.find(node);
       if (found == etas.end()) continue;
       const double order = mesh::is_quadratic(own.types[e]) ? 2.0 : 1.0;
-      const double factor = std::clamp(std::pow(peaks.aim() * target / found->second, 1.0 / order), options.least_factor, options.most_factor);
+      const double factor = std::clamp(std::pow(peaks.aim() * target / found->second, 1.0 / order),
+                                       options.least_factor, options.most_factor);
       least[e] = std::min(least[e], std::max(options.min_size, factor * fem::element_size(own, e)));
     }
   }
 }
 
-/// Elements in a neighbourhood that is left out have no error to go by: they stay as they are, and become small enough to
-/// tell the neighbourhood from the rest.
-void add_loaded_points(const Analysis& analysis, double min_size, std::vector<double>& least, std::vector<mesh::SizeRequest>& sizes) {
+/// Elements in a neighbourhood that is left out have no error to go by: they stay as they are, and become small enough
+/// to tell the neighbourhood from the rest.
+void add_loaded_points(const Analysis& analysis, double min_size, std::vector<double>& least,
+                       std::vector<mesh::SizeRequest>& sizes) {
   const mesh::ElementMesh& own = analysis.meshed->mesh;
   for (const CaseFields& fields : analysis.fields) {
     for (const LoadedPoint& point : fields.loaded) {
       sizes.push_back({point.at, std::max(min_size, elements_across * point.radius)});
       for (std::size_t e = 0; e < own.element_count(); ++e) {
-        if (distance(centre_of(own, e), point.at) < point.radius) least[e] = std::min(least[e], fem::element_size(own, e));
+        if (distance(centre_of(own, e), point.at) < point.radius)
+          least[e] = std::min(least[e], fem::element_size(own, e));
       }
     }
   }
@@ -205,11 +224,12 @@ struct Wanted {
 Result<Wanted> wishes_of(const Analysis& analysis, const AdaptParams& params, const Peaks& peaks, double first_size) {
   const mesh::ElementMesh& own = analysis.meshed->mesh;
   const bool rosettes = params.rosettes == UseRosettes::Yes;
-  fem::NewSizeOptions options{.target = aimed_at(analysis, params),
-                              .rule = params.rule == RuleOfSizes::Optimal ? fem::SizeRule::Optimal : fem::SizeRule::EqualError,
-                              .min_size = params.min_size,
-                              .max_size = std::max(first_size, params.min_size),
-                              .singular_rings = rosettes ? fem::RosetteOptions{}.rings : 1};
+  fem::NewSizeOptions options{
+      .target = aimed_at(analysis, params),
+      .rule = params.rule == RuleOfSizes::Optimal ? fem::SizeRule::Optimal : fem::SizeRule::EqualError,
+      .min_size = params.min_size,
+      .max_size = std::max(first_size, params.min_size),
+      .singular_rings = rosettes ? fem::RosetteOptions{}.rings : 1};
   Wanted wanted{.more = 0.0};
   MeshWishes& wishes = wanted.mesh;
   std::vector<double> least(own.element_count(), options.max_size);
@@ -220,7 +240,8 @@ Result<Wanted> wishes_of(const Analysis& analysis, const AdaptParams& params, co
   if (params.peaks == MindPeaks::Yes) add_peaks(analysis, peaks, params.target / 100.0, options, least);
   if (analysis.point_forces == PointForces::LeaveOut) add_loaded_points(analysis, params.min_size, least, wishes.sizes);
   for (std::size_t e = 0; e < own.element_count(); ++e) {
-    const double finer = std::min(fem::element_size(own, e) / least[e], 1.0 / options.least_factor);  // graded beyond that
+    const double finer =
+        std::min(fem::element_size(own, e) / least[e], 1.0 / options.least_factor);  // graded beyond that
     wanted.more += finer * finer / static_cast<double>(own.element_count());
   }
   // The elements round a singular vertex ask there, and all for the least of their sizes: the field is alike all round.
@@ -228,7 +249,8 @@ Result<Wanted> wishes_of(const Analysis& analysis, const AdaptParams& params, co
   for (const fem::SingularVertex& vertex : analysis.singular) at_vertices[vertex.node] = options.max_size;
   for (std::size_t e = 0; e < own.element_count(); ++e) {
     const auto corners = own.nodes_of(mesh::ElementId(e)).first(mesh::corner_count(own.types[e]));
-    const auto touched = std::find_if(corners.begin(), corners.end(), [&](mesh::NodeId node) { return at_vertices.contains(node); });
+    const auto touched =
+        std::find_if(corners.begin(), corners.end(), [&](mesh::NodeId node) { return at_vertices.contains(node); });
     if (touched != corners.end()) {
       double& size = at_vertices.at(*touched);
       size = std::min(size, least[e]);
@@ -243,9 +265,11 @@ Result<Wanted> wishes_of(const Analysis& analysis, const AdaptParams& params, co
     double now = 0.0;
     for (std::size_t e = 0; e < own.element_count(); ++e) {
       const auto corners = own.nodes_of(mesh::ElementId(e)).first(mesh::corner_count(own.types[e]));
-      if (std::find(corners.begin(), corners.end(), tip.node) != corners.end()) now = std::max(now, fem::element_size(own, e));
+      if (std::find(corners.begin(), corners.end(), tip.node) != corners.end())
+        now = std::max(now, fem::element_size(own, e));
     }
-    wishes.tips.push_back({own.point(tip.node), tip_size(own, tip.node) * std::min(1.0, at_vertices.at(tip.node) / now)});
+    wishes.tips.push_back(
+        {own.point(tip.node), tip_size(own, tip.node) * std::min(1.0, at_vertices.at(tip.node) / now)});
   }
   return wanted;
 }
@@ -253,7 +277,8 @@ Result<Wanted> wishes_of(const Analysis& analysis, const AdaptParams& params, co
 /// The loop: what it has so far, and what it goes by.
 class Loop {
  public:
-  Loop(const Model& model, const AdaptParams& params, const SizeSource& source) : params_(params), source_(source), result_(model) {
+  Loop(const Model& model, const AdaptParams& params, const SizeSource& source)
+      : params_(params), source_(source), result_(model) {
     // The greatest that a cycle may ask for. A formula or a background mesh alone says what is wanted at first.
     size_ = params.size > 0.0 ? params.size : model.domain.box().diagonal() / (source.empty() ? 8.0 : 1.0);
     static_cast<MeshRules&>(meshing_) = params;
@@ -264,7 +289,9 @@ class Loop {
 
   /// Takes up the last cycle of the model. @return whether it has met the target.
   Result<bool> resume() {
-    if (result_.analyses.empty() || result_.analyses.back()->cycle == 0) return Error{ErrorCode::BadValue, "there is no cycle to go on from: put a step 'adapt' before, or begin with the first"};
+    if (result_.analyses.empty() || result_.analyses.back()->cycle == 0)
+      return Error{ErrorCode::BadValue,
+                   "there is no cycle to go on from: put a step 'adapt' before, or begin with the first"};
     const auto& analyses = result_.analyses;
     // What the cycles before saw; they have told it.
     std::size_t i = analyses.size() - 1;
@@ -293,13 +320,19 @@ class Loop {
       const auto part = progress.part((own - 1.0) / params_.max_cycles, static_cast<double>(own) / params_.max_cycles);
       if (const auto cycled = cycle(part); !cycled) {
         if (own == 1) return cycled.error();
-        return finish(fmt::format("cycle {} could not be finished: {}; {} after {} cycles, above the {:.3g} % asked for", done_ + 1, cycled.error().message, before_.text(params_.target), done_, params_.target));
+        return finish(
+            fmt::format("cycle {} could not be finished: {}; {} after {} cycles, above the {:.3g} % asked for",
+                        done_ + 1, cycled.error().message, before_.text(params_.target), done_, params_.target));
       }
-      const Reached now{result_.analyses.back()->eta, peaks_.worst(), left_out_of(*result_.analyses.back()), peaks_.tried_enough()};
+      const Reached now{result_.analyses.back()->eta, peaks_.worst(), left_out_of(*result_.analyses.back()),
+                        peaks_.tried_enough()};
       if (now.met(params_.target)) return finish("");
       if (done_ > 1 && now.stalls(before_, params_.target))
-        return finish(fmt::format("{} and stalls above the {:.3g} % asked for{}", now.text(params_.target), params_.target, params_.min_size > 0.0 ? "; allow smaller elements" : ""));
-      if (own == params_.max_cycles) return finish(fmt::format("after {} cycles {}, above the {:.3g} % asked for; allow more", own, now.text(params_.target), params_.target));
+        return finish(fmt::format("{} and stalls above the {:.3g} % asked for{}", now.text(params_.target),
+                                  params_.target, params_.min_size > 0.0 ? "; allow smaller elements" : ""));
+      if (own == params_.max_cycles)
+        return finish(fmt::format("after {} cycles {}, above the {:.3g} % asked for; allow more", own,
+                                  now.text(params_.target), params_.target));
       before_ = now;
     }
   }
@@ -314,8 +347,12 @@ class Loop {
     if (!(allowed > 0.0) || now * std::pow(wanted_.more, memory_power) <= allowed) return std::string();
     const double fits = std::pow(planned_memory * allowed / now, 1.0 / memory_power);
     if (fits < least_growth) {
-      return fmt::format("{} after {} cycles, above the {:.3g} % asked for: the next mesh, of about {:.2g} unknowns, needs about {:.2g} GB, and {:.2g} GB are allowed", before_.text(params_.target), done_, params_.target,
-                         wanted_.more * static_cast<double>(last.solution.statistics.unknowns), now * std::pow(wanted_.more, memory_power) / 1e9, allowed / 1e9);
+      return fmt::format(
+          "{} after {} cycles, above the {:.3g} % asked for: the next mesh, of about {:.2g} unknowns, needs about "
+          "{:.2g} GB, and {:.2g} GB are allowed",
+          before_.text(params_.target), done_, params_.target,
+          wanted_.more * static_cast<double>(last.solution.statistics.unknowns),
+          now * std::pow(wanted_.more, memory_power) / 1e9, allowed / 1e9);
     }
     for (auto& request : wanted_.mesh.sizes) request.size *= std::sqrt(wanted_.more / fits);
     return std::string();
@@ -327,13 +364,17 @@ class Loop {
     std::vector<std::string> remarks;
     DOBRA_TRY(Meshed meshed, mesh_domain(result_, meshing_, wanted_.mesh, remarks, progress.part(0.0, 0.3), source_));
     const auto shared = std::make_shared<const Meshed>(std::move(meshed));
-    DOBRA_TRY(Analysis analysis, analyse(result_.domain, shared, *result_.problem, params_.memory, params_, progress.part(0.3, 1.0)));
+    DOBRA_TRY(Analysis analysis,
+              analyse(result_.domain, shared, *result_.problem, params_.memory, params_, progress.part(0.3, 1.0)));
     analysis.cycle = ++done_;
     peaks_.see(analysis, params_, remarks);
     result_.meshes.push_back(shared);
     result_.remarks.insert(result_.remarks.end(), remarks.begin(), remarks.end());
-    const std::string peak = analysis.peak_eta > 0.0 ? fmt::format(", {:.3g} % round peaks", 100.0 * analysis.peak_eta) : std::string();
-    progress.report(1.0, dobra::base::kept_line(fmt::format("cycle {}: {} unknowns, error {:.3g} %{}", done_, analysis.solution.statistics.unknowns, 100.0 * analysis.eta, peak)));
+    const std::string peak =
+        analysis.peak_eta > 0.0 ? fmt::format(", {:.3g} % round peaks", 100.0 * analysis.peak_eta) : std::string();
+    progress.report(
+        1.0, dobra::base::kept_line(fmt::format("cycle {}: {} unknowns, error {:.3g} %{}", done_,
+                                                analysis.solution.statistics.unknowns, 100.0 * analysis.eta, peak)));
     result_.analyses.push_back(std::make_shared<const Analysis>(std::move(analysis)));
     return {};
   }
@@ -360,9 +401,13 @@ class Loop {
 
 }  // namespace
 
-Result<Model> adapt(const Model& model, const AdaptParams& params, const dobra::scenario::Context& context, const dobra::base::Progress& progress) {
-  if (!model.problem) return Error{ErrorCode::BadValue, "there is nothing to analyse: put a step 'problem' with materials, supports and loads before"};
-  DOBRA_TRY(const SizeSource source, SizeSource::make(model.domain, params.size_formula, params.background, params.background_field, context));
+Result<Model> adapt(const Model& model, const AdaptParams& params, const dobra::scenario::Context& context,
+                    const dobra::base::Progress& progress) {
+  if (!model.problem)
+    return Error{ErrorCode::BadValue,
+                 "there is nothing to analyse: put a step 'problem' with materials, supports and loads before"};
+  DOBRA_TRY(const SizeSource source,
+            SizeSource::make(model.domain, params.size_formula, params.background, params.background_field, context));
   return Loop(model, params, source).run(progress);
 }
 

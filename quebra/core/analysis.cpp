@@ -104,7 +104,9 @@ dobra::io::MeshFields fields_of(const Analysis& analysis, const dobra::scenario:
   if (units.si()) return fields;
   for (auto* at : {&fields.at_points, &fields.at_elements}) {
     for (dobra::io::MeshField& field : *at) {
-      const char* const si = field.name.ends_with(" displacement") ? "m" : field.name.ends_with(" error") ? "J^0.5" : "Pa";
+      const char* const si = field.name.ends_with(" displacement") ? "m"
+                             : field.name.ends_with(" error")      ? "J^0.5"
+                                                                   : "Pa";
       for (double& value : field.values) value = units.from_si(value, si);
     }
   }
@@ -119,10 +121,14 @@ std::vector<std::string> forces_on_curves(const Analysis& analysis, std::size_t 
     if (!m.side_sets.contains(load.where)) continue;
     const double count = static_cast<double>(fem::find_nodes(m, load.where).value().size());
     double area = 0.0;  // that a traction acts on
-    for (const Vector force : fem::load_vector(m, analysis.problem, {.sides = {{load.where, fem::uniform({1.0, 0.0})}}})) area += force.x;
+    for (const Vector force :
+         fem::load_vector(m, analysis.problem, {.sides = {{load.where, fem::uniform({1.0, 0.0})}}}))
+      area += force.x;
     const auto [x, y] = load.force;
-    remarks.push_back(fmt::format("the force on '{}' acts at each of its {:.0f} nodes: ({:.6g}, {:.6g}) N in all, more on a finer mesh; for ({:.6g}, {:.6g}) N spread over the curve give kind = \"traction\", x = {:.6g} Pa, y = {:.6g} Pa",
-                                  load.where, count, count * x, count * y, x, y, x / area, y / area));
+    remarks.push_back(fmt::format(
+        "the force on '{}' acts at each of its {:.0f} nodes: ({:.6g}, {:.6g}) N in all, more on a finer mesh; for "
+        "({:.6g}, {:.6g}) N spread over the curve give kind = \"traction\", x = {:.6g} Pa, y = {:.6g} Pa",
+        load.where, count, count * x, count * y, x, y, x / area, y / area));
   }
   return remarks;
 }
@@ -134,9 +140,12 @@ std::optional<std::string> lips_of(const mesh::ElementMesh& m, const std::string
   std::vector<std::string> names;
   for (const auto& [name, nodes] : m.node_sets) {
     const bool lip = name.starts_with(where + "_") && (name.ends_with("_left") || name.ends_with("_right"));
-    if (lip && std::all_of(nodes.begin(), nodes.end(), [&](mesh::NodeId node) { return m.point(node) == m.point(point->second.front()); })) names.push_back(name);
+    if (lip && std::all_of(nodes.begin(), nodes.end(),
+                           [&](mesh::NodeId node) { return m.point(node) == m.point(point->second.front()); }))
+      names.push_back(name);
   }
-  return fmt::format("'{}' lies on a crack and has {} nodes ('{}')", where, point->second.size(), fmt::join(names, "', '"));
+  return fmt::format("'{}' lies on a crack and has {} nodes ('{}')", where, point->second.size(),
+                     fmt::join(names, "', '"));
 }
 
 /// Elements of first order in plane strain on the way to incompressibility.
@@ -144,9 +153,14 @@ std::optional<std::string> locking(const Analysis& analysis) {
   const mesh::ElementMesh& m = analysis.meshed->mesh;
   for (std::size_t e = 0; e < m.element_count(); ++e) {
     const fem::Material& material = analysis.problem.materials.at(m.regions[e]);
-    if (material.state != fem::PlaneState::Strain || material.poisson <= fem::stiff_above || mesh::is_quadratic(m.types[e])) continue;
+    if (material.state != fem::PlaneState::Strain || material.poisson <= fem::stiff_above ||
+        mesh::is_quadratic(m.types[e]))
+      continue;
     const auto name = m.region_names.find(m.regions[e]);
-    return fmt::format("elements of first order begin to lock in plane strain with Poisson's ratio {:.6g}{}: stresses oscillate and displacements come out small; mesh with order = \"2\"", material.poisson, name != m.region_names.end() ? " (region '" + name->second + "')" : std::string());
+    return fmt::format(
+        "elements of first order begin to lock in plane strain with Poisson's ratio {:.6g}{}: stresses oscillate and "
+        "displacements come out small; mesh with order = \"2\"",
+        material.poisson, name != m.region_names.end() ? " (region '" + name->second + "')" : std::string());
   }
   return std::nullopt;
 }
@@ -156,14 +170,19 @@ std::vector<std::string> parted_points(const Analysis& analysis, std::size_t c) 
   const mesh::ElementMesh& m = analysis.meshed->mesh;
   std::vector<std::string> remarks;
   for (const fem::PointLoad& load : analysis.problem.cases[c].points) {
-    if (const auto lips = lips_of(m, load.where)) remarks.push_back(fmt::format("{}: each takes an equal part of the force ({:.6g}, {:.6g}) N; name one to load that lip alone", *lips, load.force.x, load.force.y));
+    if (const auto lips = lips_of(m, load.where))
+      remarks.push_back(
+          fmt::format("{}: each takes an equal part of the force ({:.6g}, {:.6g}) N; name one to load that lip alone",
+                      *lips, load.force.x, load.force.y));
   }
   if (c > 0) return remarks;
   for (const fem::Support& support : analysis.problem.supports) {
-    if (const auto lips = lips_of(m, support.where)) remarks.push_back(*lips + ": the support holds all of them; name one to hold that lip alone");
+    if (const auto lips = lips_of(m, support.where))
+      remarks.push_back(*lips + ": the support holds all of them; name one to hold that lip alone");
   }
   for (const fem::Spring& spring : analysis.problem.springs) {
-    if (const auto lips = lips_of(m, spring.where)) remarks.push_back(*lips + ": each has an equal part of the spring; name one to hold that lip alone");
+    if (const auto lips = lips_of(m, spring.where))
+      remarks.push_back(*lips + ": each has an equal part of the spring; name one to hold that lip alone");
   }
   return remarks;
 }
@@ -175,41 +194,56 @@ std::vector<std::string> loaded_displacements(const Analysis& analysis, std::siz
   double growth = 0.0;  // of a straight edge, by Flamant
   for (const LoadedPoint& point : analysis.fields[c].loaded) {
     const auto& loads = analysis.problem.cases[c].points;
-    const auto load = std::find_if(loads.begin(), loads.end(), [&](const fem::PointLoad& own) { return own.where == point.name; });
+    const auto load =
+        std::find_if(loads.begin(), loads.end(), [&](const fem::PointLoad& own) { return own.where == point.name; });
     if (load == loads.end() || length(load->force) == 0.0) continue;
     pushed.push_back(point);
     const std::size_t e = element_at(m, point.at);
     const fem::Material& material = analysis.problem.materials.at(m.regions[e]);
-    growth = std::max(growth, 2.0 * length(point.force) * std::numbers::ln2 / (std::numbers::pi * fem::effective_modulus(material) * material.thickness));
+    growth = std::max(growth, 2.0 * length(point.force) * std::numbers::ln2 /
+                                  (std::numbers::pi * fem::effective_modulus(material) * material.thickness));
   }
   if (pushed.empty()) return {};
-  return {fmt::format("displacements at {}, and how far a crack opens there, are those under a force at a single point: they grow without end, on a straight edge by up to {:.2g} m each time the elements there are halved; read them away from it, or spread the force",
-                      names_of(pushed), growth)};
+  return {
+      fmt::format("displacements at {}, and how far a crack opens there, are those under a force at a single point: "
+                  "they grow without end, on a straight edge by up to {:.2g} m each time the elements there are "
+                  "halved; read them away from it, or spread the force",
+                  names_of(pushed), growth)};
 }
 
 /// Of the surroundings of points with a force: what they hold, elements too coarse for them, tips in them.
 std::vector<std::string> left_out_of(const Analysis& analysis, std::size_t c) {
   const mesh::ElementMesh& m = analysis.meshed->mesh;
   const auto& loaded = analysis.fields[c].loaded;
-  const auto [least, greatest] = std::minmax_element(loaded.begin(), loaded.end(), [](const LoadedPoint& a, const LoadedPoint& b) { return a.radius < b.radius; });
-  const std::string radius = least->radius == greatest->radius ? fmt::format("{:.3g} m", least->radius) : fmt::format("{:.3g} m to {:.3g} m", least->radius, greatest->radius);
+  const auto [least, greatest] = std::minmax_element(
+      loaded.begin(), loaded.end(), [](const LoadedPoint& a, const LoadedPoint& b) { return a.radius < b.radius; });
+  const std::string radius = least->radius == greatest->radius
+                                 ? fmt::format("{:.3g} m", least->radius)
+                                 : fmt::format("{:.3g} m to {:.3g} m", least->radius, greatest->radius);
   const double held = analysis.fields[c].estimate.left_out;
-  std::vector<std::string> remarks{fmt::format("forces at single points ({}) have an infinite energy: their surroundings of radius {}{} are left out of the error", names_of(loaded), radius,
-                                               held >= least_told ? fmt::format(" hold {:.2g} % of the energy and", 100.0 * held) : std::string())};
+  std::vector<std::string> remarks{
+      fmt::format("forces at single points ({}) have an infinite energy: their surroundings of radius {}{} are left "
+                  "out of the error",
+                  names_of(loaded), radius,
+                  held >= least_told ? fmt::format(" hold {:.2g} % of the energy and", 100.0 * held) : std::string())};
   for (std::size_t i = 0; i < loaded.size(); ++i) {
     const LoadedPoint& point = loaded[i];
     const auto same = [&](const LoadedPoint& other) { return other.at == point.at; };  // the other lip's
     if (std::any_of(loaded.begin(), loaded.begin() + static_cast<std::ptrdiff_t>(i), same)) continue;
     const double size = fem::element_size(m, element_at(m, point.at));
     if (size > point.radius) {
-      remarks.push_back(fmt::format("the elements at '{}' ({:.6g}, {:.6g}) are of {:.3g} m, larger than its surroundings of {:.3g} m that are left out: the error takes in a part of what is infinite; give the point a size of {:.2g} m", point.name,
-                                    point.at.x, point.at.y, size, point.radius, 0.5 * point.radius));
+      remarks.push_back(fmt::format(
+          "the elements at '{}' ({:.6g}, {:.6g}) are of {:.3g} m, larger than its surroundings of {:.3g} m that are "
+          "left out: the error takes in a part of what is infinite; give the point a size of {:.2g} m",
+          point.name, point.at.x, point.at.y, size, point.radius, 0.5 * point.radius));
     }
     for (const mesh::CrackTip& tip : m.tips) {
       const double gap = distance(m.point(tip.node), point.at);
       if (gap > 0.0 && gap < point.radius)
-        remarks.push_back(fmt::format("the surroundings of '{}', of radius {:.3g} m, hold the crack tip '{}' at ({:.6g}, {:.6g}), where the error is then not judged: give a point_radius below {:.3g} m", point.name, point.radius, tip.name,
-                                      m.point(tip.node).x, m.point(tip.node).y, gap));
+        remarks.push_back(
+            fmt::format("the surroundings of '{}', of radius {:.3g} m, hold the crack tip '{}' at ({:.6g}, {:.6g}), "
+                        "where the error is then not judged: give a point_radius below {:.3g} m",
+                        point.name, point.radius, tip.name, m.point(tip.node).x, m.point(tip.node).y, gap));
     }
   }
   return remarks;
@@ -233,8 +267,11 @@ std::optional<std::string> flat_elements(const Analysis& analysis) {
   Vector sum;
   for (const mesh::NodeId node : corners) sum = sum + (m.point(node) - dobra::geom::Point{});
   const dobra::geom::Point at = dobra::geom::Point{} + sum / static_cast<double>(corners.size());
-  return fmt::format("{} of {} elements are nearly flat, the worst at ({:.6g}, {:.6g}) with shape {:.2g} (1 is best, below {} is poor): stresses there are not to be trusted; take a smaller size there, a greater `narrow`, or divide the curves more evenly (`segments`)", count,
-                     m.element_count(), at.x, at.y, least, poor_shape);
+  return fmt::format(
+      "{} of {} elements are nearly flat, the worst at ({:.6g}, {:.6g}) with shape {:.2g} (1 is best, below {} is "
+      "poor): stresses there are not to be trusted; take a smaller size there, a greater `narrow`, or divide the "
+      "curves more evenly (`segments`)",
+      count, m.element_count(), at.x, at.y, least, poor_shape);
 }
 
 /// Greatest of the elements round a peak of stress of a case; 0: no peak.
@@ -254,21 +291,28 @@ Result<void> check_exact(const fem::Problem& problem, const ProblemParams& param
   if (exact.size() != problem.cases.size()) {
     std::string names;
     for (const auto& own : problem.cases) names += (names.empty() ? "" : ", ") + own.name;
-    return bad(fmt::format("exact_energy has {} values for {} load cases; give one a case, in the order {}; 0 where it is not known", exact.size(), problem.cases.size(), names));
+    return bad(fmt::format(
+        "exact_energy has {} values for {} load cases; give one a case, in the order {}; 0 where it is not known",
+        exact.size(), problem.cases.size(), names));
   }
   for (std::size_t c = 0; c < exact.size(); ++c) {
-    if (!(exact[c] >= 0.0)) return bad(fmt::format("the exact_energy of load case '{}' is less than 0", problem.cases[c].name));
+    if (!(exact[c] >= 0.0))
+      return bad(fmt::format("the exact_energy of load case '{}' is less than 0", problem.cases[c].name));
     if (exact[c] == 0.0) continue;  // not known
-    if (problem.cases[c].settlement != 0.0 && moves(params)) return bad("exact_energy tells the error only where supports stand still; here a support or a tie prescribes a displacement, or a formula of one");
+    if (problem.cases[c].settlement != 0.0 && moves(params))
+      return bad(
+          "exact_energy tells the error only where supports stand still; here a support or a tie prescribes a "
+          "displacement, or a formula of one");
   }
-  if (*std::max_element(exact.begin(), exact.end()) == 0.0) return bad("exact_energy is 0, not known, for every load case: leave it out");
+  if (*std::max_element(exact.begin(), exact.end()) == 0.0)
+    return bad("exact_energy is 0, not known, for every load case: leave it out");
   return {};
 }
 
 }  // namespace
 
-Result<Analysis> analyse(const Domain& domain, std::shared_ptr<const Meshed> meshed, const ProblemParams& params, double memory, const EstimateParams& judged,
-                         const dobra::base::Progress& progress) {
+Result<Analysis> analyse(const Domain& domain, std::shared_ptr<const Meshed> meshed, const ProblemParams& params,
+                         double memory, const EstimateParams& judged, const dobra::base::Progress& progress) {
   const auto places = places_of(params);
   if (std::any_of(places.begin(), places.end(), is_condition)) {
     auto own = std::make_shared<Meshed>(*meshed);
@@ -294,7 +338,8 @@ Result<Analysis> analyse(const Domain& domain, std::shared_ptr<const Meshed> mes
     auto zones = fem::singular_zones(mesh, materials, analysis.singular, u, fields.recovered);
     // Of the free corners those whose stress shows it count as singular too.
     for (auto& zone : fem::singular_zones(mesh, materials, corners, u, fields.recovered)) {
-      const bool known = std::any_of(analysis.singular.begin(), analysis.singular.end(), [&](const auto& vertex) { return vertex.node == zone.vertex.node; });
+      const bool known = std::any_of(analysis.singular.begin(), analysis.singular.end(),
+                                     [&](const auto& vertex) { return vertex.node == zone.vertex.node; });
       if (!known) analysis.singular.push_back(zone.vertex);
       zones.push_back(std::move(zone));
     }
@@ -305,9 +350,14 @@ Result<Analysis> analyse(const Domain& domain, std::shared_ptr<const Meshed> mes
     }
     fields.estimate = fem::estimate_error(mesh, materials, u, fields.recovered, zones, left_out);
     if (fields.estimate.left_out > most_left_out)
-      return Error{ErrorCode::BadValue, fmt::format("the surroundings of the points {} hold {:.3g} % of the energy, and nothing is left to judge: give a smaller point_radius, or point_forces = \"count\"", names_of(fields.loaded), 100.0 * fields.estimate.left_out)};
-    if (!judged.exact_energy.empty() && judged.exact_energy[analysis.fields.size()] > 0.0) fields.exact_energy = judged.exact_energy[analysis.fields.size()];
-    fields.peaks = fem::hot_spots(mesh, analysis.problem, u, fields.recovered, fields.estimate, analysis.singular, left_out);
+      return Error{ErrorCode::BadValue,
+                   fmt::format("the surroundings of the points {} hold {:.3g} % of the energy, and nothing is left to "
+                               "judge: give a smaller point_radius, or point_forces = \"count\"",
+                               names_of(fields.loaded), 100.0 * fields.estimate.left_out)};
+    if (!judged.exact_energy.empty() && judged.exact_energy[analysis.fields.size()] > 0.0)
+      fields.exact_energy = judged.exact_energy[analysis.fields.size()];
+    fields.peaks =
+        fem::hot_spots(mesh, analysis.problem, u, fields.recovered, fields.estimate, analysis.singular, left_out);
     analysis.eta = std::max(analysis.eta, fields.estimate.eta);
     analysis.peak_eta = std::max(analysis.peak_eta, peak_eta_of(fields));
     analysis.fields.push_back(std::move(fields));
@@ -330,29 +380,41 @@ std::vector<std::string> remarks_on(const Analysis& analysis) {
   std::vector<std::string> remarks;
   if (auto remark = locking(analysis)) remarks.push_back(*std::move(remark));
   if (auto remark = flat_elements(analysis)) remarks.push_back(*std::move(remark));
-  const bool some_exact = std::any_of(analysis.fields.begin(), analysis.fields.end(), [](const CaseFields& fields) { return fields.exact_energy.has_value(); });
+  const bool some_exact = std::any_of(analysis.fields.begin(), analysis.fields.end(),
+                                      [](const CaseFields& fields) { return fields.exact_energy.has_value(); });
   for (std::size_t c = 0; c < analysis.fields.size(); ++c) {
     const CaseFields& fields = analysis.fields[c];
-    const std::string of = analysis.fields.size() > 1 ? fmt::format("load case '{}': ", analysis.solution.cases[c].name) : std::string();
+    const std::string of =
+        analysis.fields.size() > 1 ? fmt::format("load case '{}': ", analysis.solution.cases[c].name) : std::string();
     const auto& loaded = fields.loaded;
     for (const std::string& remark : forces_on_curves(analysis, c)) remarks.push_back(of + remark);
     for (const std::string& remark : parted_points(analysis, c)) remarks.push_back(of + remark);
-    if (analysis.solution.cases[c].energy == 0.0) remarks.push_back(of + "nothing acts: no load, and no support that moves, so all displacements are 0");
-    if (some_exact && !fields.exact_energy) remarks.push_back(of + "its exact energy is not given, so its true error and the effectivity are not known");
+    if (analysis.solution.cases[c].energy == 0.0)
+      remarks.push_back(of + "nothing acts: no load, and no support that moves, so all displacements are 0");
+    if (some_exact && !fields.exact_energy)
+      remarks.push_back(of + "its exact energy is not given, so its true error and the effectivity are not known");
     if (fields.exact_energy && !truth_of(analysis, c)) {
-      remarks.push_back(loaded.empty() ? fmt::format("{}the energy found, {:.9g} J, is above the exact one given, {:.9g} J, which cannot be that of this problem", of, analysis.solution.cases[c].energy, *fields.exact_energy)
-                                       : of + "the exact energy given is not compared: that of a force at a point is infinite");
+      remarks.push_back(loaded.empty()
+                            ? fmt::format("{}the energy found, {:.9g} J, is above the exact one given, {:.9g} J, which "
+                                          "cannot be that of this problem",
+                                          of, analysis.solution.cases[c].energy, *fields.exact_energy)
+                            : of + "the exact energy given is not compared: that of a force at a point is infinite");
     }
     if (loaded.empty()) continue;
     if (const Extremes extremes = extremes_of(analysis, c); extremes.von_mises > extremes.elsewhere) {
-      remarks.push_back(fmt::format("{}max_von_mises, {:.4g} Pa at ({:.6g}, {:.6g}), is that of a force at a single point, which grows without end as the elements get smaller; away from such points it is {:.4g} Pa", of, extremes.von_mises,
-                                    extremes.at.x, extremes.at.y, extremes.elsewhere));
+      remarks.push_back(
+          fmt::format("{}max_von_mises, {:.4g} Pa at ({:.6g}, {:.6g}), is that of a force at a single point, which "
+                      "grows without end as the elements get smaller; away from such points it is {:.4g} Pa",
+                      of, extremes.von_mises, extremes.at.x, extremes.at.y, extremes.elsewhere));
     }
     for (const std::string& remark : loaded_displacements(analysis, c)) remarks.push_back(of + remark);
     if (analysis.point_forces == PointForces::LeaveOut) {
       for (const std::string& remark : left_out_of(analysis, c)) remarks.push_back(of + remark);
     } else {
-      remarks.push_back(fmt::format("{}forces at single points ({}) have an infinite energy, which no mesh meets: spread them over a curve, or leave their surroundings out of the error with point_forces = \"leave_out\"", of, names_of(loaded)));
+      remarks.push_back(
+          fmt::format("{}forces at single points ({}) have an infinite energy, which no mesh meets: spread them over a "
+                      "curve, or leave their surroundings out of the error with point_forces = \"leave_out\"",
+                      of, names_of(loaded)));
     }
   }
   return remarks;
@@ -360,9 +422,12 @@ std::vector<std::string> remarks_on(const Analysis& analysis) {
 
 Result<Model> add_analysis(const Model& model, const AnalyseParams& params, const dobra::scenario::Context&,
                            const dobra::base::Progress& progress) {
-  if (!model.problem) return Error{ErrorCode::BadValue, "there is nothing to analyse: put a step 'problem' with materials, supports and loads before"};
+  if (!model.problem)
+    return Error{ErrorCode::BadValue,
+                 "there is nothing to analyse: put a step 'problem' with materials, supports and loads before"};
   if (model.meshes.empty()) return Error{ErrorCode::BadValue, "there is no mesh to analyse: put a step 'mesh' before"};
-  DOBRA_TRY(Analysis analysis, analyse(model.domain, model.meshes.back(), *model.problem, params.memory, params, progress));
+  DOBRA_TRY(Analysis analysis,
+            analyse(model.domain, model.meshes.back(), *model.problem, params.memory, params, progress));
   Model result = model;
   for (std::string& remark : remarks_on(analysis)) result.remarks.push_back(std::move(remark));
   result.analyses.push_back(std::make_shared<const Analysis>(std::move(analysis)));
@@ -384,7 +449,8 @@ void add_analysis_quantities(const Model& model, std::vector<dobra::scenario::Qu
     quantities.push_back({prefix + "energy", result.energy, "J"});
     quantities.push_back({prefix + "eta", 100.0 * analysis.fields[c].estimate.eta, "%"});
     quantities.push_back({prefix + "error", analysis.fields[c].estimate.error, "J^0.5"});
-    if (!analysis.fields[c].loaded.empty()) quantities.push_back({prefix + "left_out", 100.0 * analysis.fields[c].estimate.left_out, "%"});
+    if (!analysis.fields[c].loaded.empty())
+      quantities.push_back({prefix + "left_out", 100.0 * analysis.fields[c].estimate.left_out, "%"});
     if (const auto truth = truth_of(analysis, c)) {
       quantities.push_back({prefix + "true_error", truth->error, "J^0.5"});
       if (truth->effectivity) quantities.push_back({prefix + "effectivity", *truth->effectivity, ""});
@@ -404,7 +470,10 @@ void add_analysis_quantities(const Model& model, std::vector<dobra::scenario::Qu
 
 void add_analysis_tables(const Model& model, std::vector<dobra::scenario::DataTable>& tables) {
   if (model.analyses.empty()) return;
-  dobra::scenario::DataTable cycles{"analyses", {"mesh", "case", "cycle", "elements", "unknowns", "eta [%]", "peak eta [%]", "energy [J]", "true error [J^0.5]", "effectivity"}, {}};
+  dobra::scenario::DataTable cycles{"analyses",
+                                    {"mesh", "case", "cycle", "elements", "unknowns", "eta [%]", "peak eta [%]",
+                                     "energy [J]", "true error [J^0.5]", "effectivity"},
+                                    {}};
   for (const auto& analysis : model.analyses) {
     for (std::size_t c = 0; c < analysis->fields.size(); ++c) {
       const fem::CaseResult& solved = analysis->solution.cases[c];
@@ -413,13 +482,18 @@ void add_analysis_tables(const Model& model, std::vector<dobra::scenario::DataTa
       row.reserve(cycles.columns.size());
       row.emplace_back(analysis->meshed->name);
       row.emplace_back(solved.name);
-      for (const double value : {static_cast<double>(analysis->cycle), static_cast<double>(analysis->meshed->mesh.element_count()), static_cast<double>(analysis->solution.statistics.unknowns),
-                                 100.0 * fields.estimate.eta, 100.0 * peak_eta_of(fields), solved.energy})
+      for (const double value :
+           {static_cast<double>(analysis->cycle), static_cast<double>(analysis->meshed->mesh.element_count()),
+            static_cast<double>(analysis->solution.statistics.unknowns), 100.0 * fields.estimate.eta,
+            100.0 * peak_eta_of(fields), solved.energy})
         row.emplace_back(value);
       const auto truth = truth_of(*analysis, c);
-      for (const auto& known : {truth ? std::optional(truth->error) : std::nullopt, truth ? truth->effectivity : std::nullopt}) {
-        if (known) row.emplace_back(*known);
-        else row.emplace_back(std::string());
+      for (const auto& known :
+           {truth ? std::optional(truth->error) : std::nullopt, truth ? truth->effectivity : std::nullopt}) {
+        if (known)
+          row.emplace_back(*known);
+        else
+          row.emplace_back(std::string());
       }
     }
   }
@@ -430,7 +504,9 @@ void add_analysis_outputs(const std::shared_ptr<const Model>& model, std::vector
   if (model->analyses.empty()) return;
   const std::shared_ptr<const Analysis> analysis = model->analyses.back();
   const dobra::scenario::UnitSystem units = model->units;
-  outputs.push_back({"results.vtu", [analysis, units](const auto& path) { return write_vtu(path.string(), analysis->meshed->mesh, fields_of(*analysis, units), units); }});
+  outputs.push_back({"results.vtu", [analysis, units](const auto& path) {
+                       return write_vtu(path.string(), analysis->meshed->mesh, fields_of(*analysis, units), units);
+                     }});
   if (const auto gap = deck_gap(analysis->meshed->mesh, analysis->problem)) {
     outputs.back().losses.push_back("analysis.inp is not written: " + to_string(*gap));
     return;

@@ -8,8 +8,8 @@
 
 #include "quebra/core/snap.h"
 
-// 1. Rings turned so that their area lies on the left. 2. They are made to share vertices (snap.h). 3. A side that two areas pass in
-// opposite directions is shared. 4. Each ring is cut where its neighbour changes.
+// 1. Rings turned so that their area lies on the left. 2. They are made to share vertices (snap.h). 3. A side that two
+// areas pass in opposite directions is shared. 4. Each ring is cut where its neighbour changes.
 
 namespace quebra::core {
 namespace {
@@ -24,7 +24,8 @@ struct Ring {
   Polyline line;
 };
 
-/// The rings of all areas, each with its area on the left; areas with a ring that is not closed and straight are left out.
+/// The rings of all areas, each with its area on the left; areas with a ring that is not closed and straight are left
+/// out.
 std::vector<Ring> rings_of(const Sketch& sketch) {
   std::map<std::string, std::size_t> by_name;
   for (std::size_t c = 0; c < sketch.curves.size(); ++c) by_name.emplace(sketch.curves[c].name, c);
@@ -104,10 +105,12 @@ class Parter {
     return found;
   }
 
-  [[nodiscard]] std::size_t beyond_side(const Ring& ring, std::size_t i, const std::set<std::size_t>& left_alone) const {
+  [[nodiscard]] std::size_t beyond_side(const Ring& ring, std::size_t i,
+                                        const std::set<std::size_t>& left_alone) const {
     const auto [from, to] = ring.line.segment(i);
     const auto back = lefts_.find({to, from});
-    if (back == lefts_.end() || back->second.front() == ring.area || left_alone.contains(back->second.front())) return outside;
+    if (back == lefts_.end() || back->second.front() == ring.area || left_alone.contains(back->second.front()))
+      return outside;
     return back->second.front();
   }
 
@@ -120,8 +123,10 @@ class Parter {
       const std::size_t other = beyond[first];
       if (other != outside && other < ring.area) return;
       Polyline line{{}, count == n};
-      for (std::size_t k = 0; k < count + (line.closed ? 0 : 1); ++k) line.points.push_back(ring.line.points[(first + k) % n]);
-      const std::string name = other == outside ? own : fmt::format("{}_{}", name_of_area(ring.area), name_of_area(other));
+      for (std::size_t k = 0; k < count + (line.closed ? 0 : 1); ++k)
+        line.points.push_back(ring.line.points[(first + k) % n]);
+      const std::string name =
+          other == outside ? own : fmt::format("{}_{}", name_of_area(ring.area), name_of_area(other));
       Curve piece{unused(name), other == outside ? Role::Boundary : Role::Internal, std::move(line), {}};
       if (other != outside) sketch_.interfaces.insert(piece.name);
       pieces.push_back(std::move(piece));

@@ -40,7 +40,8 @@ constexpr double much_finer = 2.0;
 /// Points of crossings nearer than this fraction of the spacing are one.
 constexpr double same_point = 1e-6;
 
-// --- 1 tubes ----------------------------------------------------------------------------------------------------------
+// --- 1 tubes
+// ----------------------------------------------------------------------------------------------------------
 
 class Source {
  public:
@@ -53,11 +54,13 @@ class Source {
 
   [[nodiscard]] const std::string& name() const { return band_.curves.front(); }
   [[nodiscard]] const Box& box() const { return box_; }
-  /// How far p is outside the tube of this radius; infinite if that is above `farthest`, or where the tube does not lie.
+  /// How far p is outside the tube of this radius; infinite if that is above `farthest`, or where the tube does not
+  /// lie.
   [[nodiscard]] double outside(Point p, double radius, double farthest) const {
     constexpr double nothing = std::numeric_limits<double>::infinity();
     const Polyline& line = band_.source;
-    const auto nearest = index_.nearest(p, [&](std::size_t i) { return distance(line.segment(i), p); }, radius + farthest);
+    const auto nearest = index_.nearest(
+        p, [&](std::size_t i) { return distance(line.segment(i), p); }, radius + farthest);
     if (!nearest) return nothing;
     const Segment segment = line.segment(nearest->item);
     if (band_.tube == Tube::Right && cross(segment.vector(), p - segment.from) > 0.0) return nothing;
@@ -83,7 +86,8 @@ std::optional<std::size_t> border(const Band& band, std::size_t rank, const Band
   return std::min(rank, other.distances.size() - 1);
 }
 
-// --- 2 crossings ------------------------------------------------------------------------------------------------------
+// --- 2 crossings
+// ------------------------------------------------------------------------------------------------------
 
 struct Vertex {
   Point at;
@@ -124,7 +128,8 @@ class CommonPoints {
 };
 
 /// The curve with its crossings as vertices, and soft ones between so that none are farther apart than `step`.
-std::vector<Vertex> with_crossings(const Polyline& line, std::vector<std::vector<Point>> crossings, double step, double tolerance) {
+std::vector<Vertex> with_crossings(const Polyline& line, std::vector<std::vector<Point>> crossings, double step,
+                                   double tolerance) {
   std::vector<Vertex> vertices;
   const auto add = [&](const Vertex& vertex) {
     if (vertices.empty() || distance(vertices.back().at, vertex.at) > tolerance) {
@@ -149,7 +154,8 @@ std::vector<Vertex> with_crossings(const Polyline& line, std::vector<std::vector
     }
     add_from(before, segment.to);
   }
-  const bool repeats = line.closed && vertices.size() > 1 && distance(vertices.back().at, vertices.front().at) <= tolerance;
+  const bool repeats =
+      line.closed && vertices.size() > 1 && distance(vertices.back().at, vertices.front().at) <= tolerance;
   if (repeats && vertices.back().crossing) vertices.front() = vertices.back();
   if (repeats) vertices.pop_back();
   if (line.closed) return vertices;
@@ -187,7 +193,8 @@ std::vector<Line> lines_of(std::span<const std::shared_ptr<const Band>> bands) {
       const Chord& a = chords[i];
       const Chord& b = chords[j];
       if (lines[a.line].band == lines[b.line].band) continue;
-      const auto meeting = intersect(lines[a.line].curve->line.segment(a.number), lines[b.line].curve->line.segment(b.number));
+      const auto meeting =
+          intersect(lines[a.line].curve->line.segment(a.number), lines[b.line].curve->line.segment(b.number));
       const auto add = [&](Point p) {
         p = common(p);
         crossings[a.line][a.number].push_back(p);
@@ -205,7 +212,8 @@ std::vector<Line> lines_of(std::span<const std::shared_ptr<const Band>> bands) {
   return lines;
 }
 
-// --- 3 what is kept ---------------------------------------------------------------------------------------------------
+// --- 3 what is kept
+// ---------------------------------------------------------------------------------------------------
 
 /// Judges the edges of one curve against one other band.
 class Judge {
@@ -213,13 +221,15 @@ class Judge {
   Judge(const std::vector<Point>& points, const std::vector<bool>& crossing, bool closed, double spacing)
       : points_(points), crossing_(crossing), spacing_(spacing), runs_(runs(closed)) {}
 
-  /// Takes the edges away (edge i leads from vertex i) that lie in the tube, or too near to its border if this band is the one that yields.
+  /// Takes the edges away (edge i leads from vertex i) that lie in the tube, or too near to its border if this band is
+  /// the one that yields.
   void drop(const Source& other, double radius, double other_spacing, bool yields, std::vector<bool>& kept) const {
     const double near = too_near * std::min(spacing_, other_spacing);
     const double depth = chord_depth * radius;
     std::vector<double> outside;
     outside.reserve(kept.size());
-    for (std::size_t i = 0; i < kept.size(); ++i) outside.push_back(other.outside(midpoint(points_[i], points_[(i + 1) % points_.size()]), radius, near));
+    for (std::size_t i = 0; i < kept.size(); ++i)
+      outside.push_back(other.outside(midpoint(points_[i], points_[(i + 1) % points_.size()]), radius, near));
     for (const auto& [from, to] : runs_) {
       const auto all = [&](auto&& judgement) {
         for (std::size_t i = from; i < to; ++i) {
@@ -255,13 +265,15 @@ class Judge {
     return result;
   }
 
-  void drop_near(const std::vector<double>& outside, double near, std::size_t from, std::size_t to, std::vector<bool>& kept) const {
+  void drop_near(const std::vector<double>& outside, double near, std::size_t from, std::size_t to,
+                 std::vector<bool>& kept) const {
     const std::size_t n = kept.size();
     const std::size_t count = points_.size();
     for (std::size_t i = from; i < to;) {
       double length = 0.0;
       std::size_t end = i;
-      for (; end < to && outside[end % n] < near; ++end) length += distance(points_[end % count], points_[(end + 1) % count]);
+      for (; end < to && outside[end % n] < near; ++end)
+        length += distance(points_[end % count], points_[(end + 1) % count]);
       const bool at_crossing = (i == from && crossing_[from % count]) || (end == to && crossing_[to % count]);
       if (!at_crossing || length > soon_apart * spacing_) {
         for (std::size_t k = i; k < end; ++k) kept[k % n] = false;
@@ -286,11 +298,18 @@ struct Stretch {
 /// The curves of the domain as sources of bands of no width.
 std::vector<Band> walls_of(const Domain& domain) {
   std::vector<Band> walls;
-  for (const Curve& curve : domain.curves) walls.push_back({.curves = {curve.name}, .source = trace(curve).line, .tube = Tube::Round, .distances = {}, .spacings = {}, .lines = {}});
+  for (const Curve& curve : domain.curves)
+    walls.push_back({.curves = {curve.name},
+                     .source = trace(curve).line,
+                     .tube = Tube::Round,
+                     .distances = {},
+                     .spacings = {},
+                     .lines = {}});
   return walls;
 }
 
-std::vector<bool> kept_edges(const Line& line, std::span<const std::shared_ptr<const Band>> bands, const std::vector<Source>& sources, const std::vector<Source>& walls) {
+std::vector<bool> kept_edges(const Line& line, std::span<const std::shared_ptr<const Band>> bands,
+                             const std::vector<Source>& sources, const std::vector<Source>& walls) {
   const Band& band = *bands[line.band];
   const bool closed = line.curve->line.closed;
   std::vector<Point> points;
@@ -308,7 +327,8 @@ std::vector<bool> kept_edges(const Line& line, std::span<const std::shared_ptr<c
     const bool yields = b < line.band || much_finer * bands[b]->distances[0] <= band.distances[0];
     judge.drop(sources[b], bands[b]->distances[*rank], bands[b]->spacings[*rank], yields, kept);
   }
-  // A curve that runs along one of the domain's, too near to it, yields too; one that ends there comes to it at an angle.
+  // A curve that runs along one of the domain's, too near to it, yields too; one that ends there comes to it at an
+  // angle.
   if (line.curve->start) crossing.front() = true;
   if (line.curve->end) crossing.back() = true;
   const double spacing = band.spacings[line.curve->rank];
@@ -331,7 +351,8 @@ std::vector<Stretch> stretches_of(const Line& line, const std::vector<bool>& kep
   Stretch open;
   const auto finish = [&] {
     double length = 0.0;
-    for (std::size_t i = 1; i < open.vertices.size(); ++i) length += distance(open.vertices[i - 1].at, open.vertices[i].at);
+    for (std::size_t i = 1; i < open.vertices.size(); ++i)
+      length += distance(open.vertices[i - 1].at, open.vertices[i].at);
     if (length >= least) result.push_back(std::move(open));
     open = {};
   };
@@ -353,7 +374,8 @@ std::vector<Stretch> stretches_of(const Line& line, const std::vector<bool>& kep
 }
 
 /// What is left of all lines. A crossing that only one line still passes is a vertex like others.
-std::vector<std::vector<Stretch>> stretches_of(const Domain& domain, const std::vector<Line>& lines, std::span<const std::shared_ptr<const Band>> bands) {
+std::vector<std::vector<Stretch>> stretches_of(const Domain& domain, const std::vector<Line>& lines,
+                                               std::span<const std::shared_ptr<const Band>> bands) {
   std::vector<Source> sources;
   for (const auto& band : bands) sources.emplace_back(*band);
   const std::vector<Band> walls = walls_of(domain);
@@ -386,7 +408,8 @@ std::vector<std::vector<Stretch>> stretches_of(const Domain& domain, const std::
   return result;
 }
 
-// --- 4 nodes ----------------------------------------------------------------------------------------------------------
+// --- 4 nodes
+// ----------------------------------------------------------------------------------------------------------
 
 /// The same line with vertices only at its ends, its corners, and evenly between them about `spacing` apart.
 Polyline respaced(const Polyline& line, double spacing) {
@@ -412,7 +435,8 @@ Polyline respaced(const Polyline& line, double spacing) {
     const int pieces = std::max(one_round ? 3 : 1, static_cast<int>(std::ceil((to - from) / spacing - 0.25)));
     for (int i = 0; i < pieces; ++i) {
       const double s = from + (to - from) * i / pieces;
-      result.points.push_back(i == 0 ? line.points[kept[run]] : point_at(line, arc, s > arc.back() ? s - arc.back() : s));
+      result.points.push_back(i == 0 ? line.points[kept[run]]
+                                     : point_at(line, arc, s > arc.back() ? s - arc.back() : s));
     }
   }
   if (!line.closed) result.points.push_back(line.points.back());
@@ -488,7 +512,8 @@ std::vector<Constraint> constraints_of(const Domain& domain, std::span<const std
     for (Stretch& stretch : stretches[k]) {
       const std::size_t piece = ++pieces[{lines[k].band, rank}];
       constraints.push_back(constraint_of(domain, band, *lines[k].curve, std::move(stretch)));
-      constraints.back().name = fmt::format("{}_{}{}", band.curves.front(), rank + 1, piece == 1 ? "" : fmt::format("_{}", piece));
+      constraints.back().name =
+          fmt::format("{}_{}{}", band.curves.front(), rank + 1, piece == 1 ? "" : fmt::format("_{}", piece));
     }
   }
   return constraints;

@@ -44,8 +44,8 @@ struct Band {
   std::vector<BandCurve> lines;
 };
 
-/// What is left of all bands, with nodes at the wanted spacing; ends on the boundary are nodes of it, crossings nodes of
-/// both curves. Names: "hole_1", further pieces "hole_1_2".
+/// What is left of all bands, with nodes at the wanted spacing; ends on the boundary are nodes of it, crossings nodes
+/// of both curves. Names: "hole_1", further pieces "hole_1_2".
 /// @cost O(n log n + crossings) for n chords.
 std::vector<Constraint> constraints_of(const Domain& domain, std::span<const std::shared_ptr<const Band>> bands);
 

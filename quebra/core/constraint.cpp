@@ -13,8 +13,8 @@
 #include "quebra/core/selection.h"
 #include "shared/geom/intersect.h"
 #include "shared/geom/spatial_index.h"
-#include "shared/offset/distances.h"
 #include "shared/offset/arcs.h"
+#include "shared/offset/distances.h"
 
 // Overview
 //   1 the base: the named curves as one chain, followed finely (or as they will be divided);
@@ -38,7 +38,8 @@ using dobra::geom::Polyline;
 using dobra::geom::Segment;
 using dobra::geom::Vector;
 
-// --- 1 the base -------------------------------------------------------------------------------------------------------
+// --- 1 the base
+// -------------------------------------------------------------------------------------------------------
 
 Result<std::size_t> curve_named(const Domain& domain, const std::string& name) {
   std::vector<std::string> names;
@@ -52,10 +53,13 @@ Result<std::size_t> curve_named(const Domain& domain, const std::string& name) {
 /// The curves in the order and direction in which a loop travels them.
 Result<std::vector<Domain::Side>> sides_in_order(const Domain& domain, const std::vector<std::size_t>& wanted) {
   if (wanted.size() == 1) return std::vector<Domain::Side>{{wanted.front(), false}};
-  const auto is_wanted = [&](const Domain::Side& side) { return std::find(wanted.begin(), wanted.end(), side.curve) != wanted.end(); };
+  const auto is_wanted = [&](const Domain::Side& side) {
+    return std::find(wanted.begin(), wanted.end(), side.curve) != wanted.end();
+  };
   for (const auto& loop : domain.loops) {
     const std::size_t n = loop.sides.size();
-    if (static_cast<std::size_t>(std::count_if(loop.sides.begin(), loop.sides.end(), is_wanted)) != wanted.size()) continue;
+    if (static_cast<std::size_t>(std::count_if(loop.sides.begin(), loop.sides.end(), is_wanted)) != wanted.size())
+      continue;
     std::size_t start = 0;
     while (start < n && !(is_wanted(loop.sides[start]) && !is_wanted(loop.sides[(start + n - 1) % n]))) ++start;
     std::vector<Domain::Side> sides;
@@ -110,7 +114,8 @@ Polyline facing(Polyline base, BandSide side, const Domain& domain) {
   return Inside(domain)(right) ? base : reversed(std::move(base));
 }
 
-// --- 2 lengthened ends ------------------------------------------------------------------------------------------------
+// --- 2 lengthened ends
+// ------------------------------------------------------------------------------------------------
 
 Polyline lengthened(Polyline base, double by) {
   if (base.closed) return base;
@@ -122,7 +127,8 @@ Polyline lengthened(Polyline base, double by) {
   return base;
 }
 
-// --- 3 cutting at the boundary ----------------------------------------------------------------------------------------
+// --- 3 cutting at the boundary
+// ----------------------------------------------------------------------------------------
 
 /// A piece of an offset curve inside the domain.
 struct Piece {
@@ -213,7 +219,8 @@ class Cutter {
       if (a.at != b.at) return before_along(segment, a.at, b.at);
       return std::pair{a.foot.curve, a.foot.s} < std::pair{b.foot.curve, b.foot.s};
     });
-    found.erase(std::unique(found.begin(), found.end(), [](const Cut& a, const Cut& b) { return a.at == b.at; }), found.end());
+    found.erase(std::unique(found.begin(), found.end(), [](const Cut& a, const Cut& b) { return a.at == b.at; }),
+                found.end());
     return found;
   }
 
@@ -240,7 +247,8 @@ class Cutter {
   dobra::geom::SpatialIndex index_;
 };
 
-// --- 4 what was lengthened in vain ------------------------------------------------------------------------------------
+// --- 4 what was lengthened in vain
+// ------------------------------------------------------------------------------------
 
 /// Drops the segments at an end inside the domain that come from the lengthening (base edges 0 and `last`).
 void take_back(Piece& piece, std::uint32_t last) {
@@ -279,7 +287,9 @@ bool on_boundary(const Domain& domain, std::size_t crack, Point end) {
   for (std::size_t c = 0; c < domain.curves.size(); ++c) {
     const Role role = domain.curves[c].role;
     if (c == crack || role == Role::Internal || role == Role::Crack) continue;
-    if (!closed(domain.curves[c]) && (point(domain.curves[c], 0.0) == end || point(domain.curves[c], length(domain.curves[c])) == end)) return true;
+    if (!closed(domain.curves[c]) &&
+        (point(domain.curves[c], 0.0) == end || point(domain.curves[c], length(domain.curves[c])) == end))
+      return true;
     for (const Junction& junction : domain.junctions) {
       if (junction.curve == c && junction.at == end) return true;
     }
@@ -294,8 +304,10 @@ bool on_boundary(const Domain& domain, std::size_t crack, Point end) {
 /// The crack, lengthened by so much at an end on the boundary.
 Polyline reaching_out(const Domain& domain, std::size_t crack, double by) {
   Polyline base = trace(domain.curves[crack]).line;
-  const std::array opens{on_boundary(domain, crack, base.points.front()), on_boundary(domain, crack, base.points.back())};
-  if (opens[0]) base.points.insert(base.points.begin(), base.points[0] + by * normalised(base.points[0] - base.points[1]));
+  const std::array opens{on_boundary(domain, crack, base.points.front()),
+                         on_boundary(domain, crack, base.points.back())};
+  if (opens[0])
+    base.points.insert(base.points.begin(), base.points[0] + by * normalised(base.points[0] - base.points[1]));
   const std::size_t n = base.points.size();
   if (opens[1]) base.points.push_back(base.points[n - 1] + by * normalised(base.points[n - 1] - base.points[n - 2]));
   return base;
@@ -310,12 +322,13 @@ void add_cap(std::vector<Point>& contour, Point tip, Vector ahead, double distan
   }
 }
 
-/// The curve all round a crack at a distance: both sides' offsets and half circles round the tips. Nothing if an offset does
-/// not reach from end to end (a crack that bends more sharply than the distance). An end on the boundary is lengthened so
-/// that the contour closes outside.
+/// The curve all round a crack at a distance: both sides' offsets and half circles round the tips. Nothing if an offset
+/// does not reach from end to end (a crack that bends more sharply than the distance). An end on the boundary is
+/// lengthened so that the contour closes outside.
 Result<std::optional<Polyline>> round_crack(const Domain& domain, std::size_t crack, double distance) {
   const Curve& curve = domain.curves[crack];
-  const std::array opens{on_boundary(domain, crack, point(curve, 0.0)), on_boundary(domain, crack, point(curve, length(curve)))};
+  const std::array opens{on_boundary(domain, crack, point(curve, 0.0)),
+                         on_boundary(domain, crack, point(curve, length(curve)))};
   const Polyline base = reaching_out(domain, crack, 2.0 * distance);
   std::vector<Point> contour;
   const std::array both{base, reversed(base)};
@@ -325,7 +338,8 @@ Result<std::optional<Polyline>> round_crack(const Domain& domain, std::size_t cr
     const Polyline drawn = dobra::offset::chords(curves.front().pieces.front(), side).polyline;
     const Point tip = side.points.back();
     const Vector ahead = normalised(tip - side.points[side.points.size() - 2]);
-    if (dobra::geom::distance(drawn.points.back(), tip + distance * right_of(ahead)) > 1e-6 * distance) return std::optional<Polyline>{};
+    if (dobra::geom::distance(drawn.points.back(), tip + distance * right_of(ahead)) > 1e-6 * distance)
+      return std::optional<Polyline>{};
     contour.insert(contour.end(), drawn.points.begin(), drawn.points.end());
     const bool is_tip = !opens[&side == &both[0] ? 1 : 0];
     if (is_tip) add_cap(contour, tip, ahead, distance);
@@ -348,14 +362,22 @@ Result<Model> add_constraints(const Model& model, const ConstraintParams& params
                               const dobra::base::Progress& progress) {
   const Domain& domain = model.domain;
   const auto crack = crack_of(domain, params);
-  Band band{.curves = params.curves, .source = {}, .tube = crack ? Tube::Round : Tube::Beside, .kind = params.spacing, .distances = {}, .spacings = {}, .lines = {}};
+  Band band{.curves = params.curves,
+            .source = {},
+            .tube = crack ? Tube::Round : Tube::Beside,
+            .kind = params.spacing,
+            .distances = {},
+            .spacings = {},
+            .lines = {}};
   if (!crack) {
     DOBRA_TRY(band.source, base_line(domain, params));
     band.source = facing(std::move(band.source), params.side, domain);
     const auto curve = curve_named(domain, params.curves.front());
-    if (curve && domain.curves[*curve].role != Role::Boundary && domain.curves[*curve].role != Role::Hole) band.tube = Tube::Right;
+    if (curve && domain.curves[*curve].role != Role::Boundary && domain.curves[*curve].role != Role::Hole)
+      band.tube = Tube::Right;
   }
-  DOBRA_TRY(band.distances, dobra::offset::distances({static_cast<std::size_t>(params.count), params.distance, params.factor}));
+  DOBRA_TRY(band.distances,
+            dobra::offset::distances({static_cast<std::size_t>(params.count), params.distance, params.factor}));
   const std::vector<double>& distances = band.distances;
   if (crack) band.source = reaching_out(domain, *crack, 2.0 * distances.back());
   const Cutter cutter(domain);
@@ -376,28 +398,34 @@ Result<Model> add_constraints(const Model& model, const ConstraintParams& params
     std::erase_if(pieces, [](const Piece& piece) { return piece.line.segment_count() == 0; });
     for (Piece& piece : pieces) band.lines.push_back({std::move(piece.line), k, piece.start, piece.end});
     if (pieces.empty()) {
-      result.remarks.push_back(fmt::format("constraint {} of '{}' at distance {:.6g} m {} and is left out", k + 1, params.curves.front(), distances[k],
-                                           crack ? "does not go round the crack in one piece inside the domain" : "lies wholly outside the domain"));
+      result.remarks.push_back(fmt::format(
+          "constraint {} of '{}' at distance {:.6g} m {} and is left out", k + 1, params.curves.front(), distances[k],
+          crack ? "does not go round the crack in one piece inside the domain" : "lies wholly outside the domain"));
     }
   }
   constexpr double most_nodes = 2e6;
   double nodes = 0.0;
   for (const BandCurve& curve : band.lines) nodes += dobra::geom::length(curve.line) / band.spacings[curve.rank];
   if (!(nodes <= most_nodes)) {
-    return Error{ErrorCode::TooManyElements, fmt::format("the offset constraints of '{}' would get some {:.3g} nodes; give a greater distance, a factor of 1 or more, or fewer curves", params.curves.front(), nodes)};
+    return Error{ErrorCode::TooManyElements,
+                 fmt::format("the offset constraints of '{}' would get some {:.3g} nodes; give a greater distance, a "
+                             "factor of 1 or more, or fewer curves",
+                             params.curves.front(), nodes)};
   }
   result.bands.push_back(std::make_shared<const Band>(std::move(band)));
   result.constraints = constraints_of(domain, result.bands);
   // The first piece of every curve has its plain name.
   const auto has = [](const std::vector<Constraint>& constraints, const std::string& name) {
-    return std::any_of(constraints.begin(), constraints.end(), [&](const Constraint& constraint) { return constraint.name == name; });
+    return std::any_of(constraints.begin(), constraints.end(),
+                       [&](const Constraint& constraint) { return constraint.name == name; });
   };
   const std::vector<Constraint> alone = constraints_of(domain, std::span(&result.bands.back(), 1));
   for (const auto& each : result.bands) {
     for (std::size_t k = 0; k < each->distances.size(); ++k) {
       const std::string name = fmt::format("{}_{}", each->curves.front(), k + 1);
       if ((has(model.constraints, name) || has(alone, name)) && !has(result.constraints, name)) {
-        result.remarks.push_back(fmt::format("constraint '{}' lies nearer to another band's source everywhere and is left out", name));
+        result.remarks.push_back(
+            fmt::format("constraint '{}' lies nearer to another band's source everywhere and is left out", name));
       }
     }
   }

@@ -1,6 +1,6 @@
 #pragma once
-// Offset curves of a boundary as internal constraints: the mesh gets edges along them, and so refines gently towards it.
-// Source: [carvalho2005offset], QUEBRA 2D.
+// Offset curves of a boundary as internal constraints: the mesh gets edges along them, and so refines gently towards
+// it. Source: [carvalho2005offset], QUEBRA 2D.
 
 #include <string>
 #include <vector>
@@ -24,21 +24,32 @@ struct ConstraintParams {
 
   template <class D>
   static void describe(D& d) {
-    d.field("curves", &ConstraintParams::curves, {.title = "Base curves", .help = "Names of one curve, or of curves that follow each other.",
-                                                  .presence = dobra::scenario::Presence::Required});
+    d.field("curves", &ConstraintParams::curves,
+            {.title = "Base curves",
+             .help = "Names of one curve, or of curves that follow each other.",
+             .presence = dobra::scenario::Presence::Required});
     d.field("count", &ConstraintParams::count, {.title = "Number of curves", .at_least = 1, .at_most = 1000});
-    d.field("distance", &ConstraintParams::distance, {.title = "First distance", .help = "From the base to the first curve.", .unit = "m", .above = 0});
-    d.field("factor", &ConstraintParams::factor, {.title = "Factor", .help = "D_k = factor D_(k-1) + first distance; 1 spaces the curves equally.", .above = 0});
-    d.choice("side", &ConstraintParams::side, {"inside", "left", "right"}, {.title = "Side", .help = "inside: where the domain is, and all round a crack; left or right of the base's direction."});
-    d.choice("spacing", &ConstraintParams::spacing, {"ring", "base"}, {.title = "Nodes", .help = "ring: as far apart as the curve is from its neighbours; base: as the divided base has them."});
-    d.field("spacing_factor", &ConstraintParams::spacing_factor, {.title = "Node spacing", .help = "Multiplies the distance of the nodes (ring).", .above = 0});
+    d.field("distance", &ConstraintParams::distance,
+            {.title = "First distance", .help = "From the base to the first curve.", .unit = "m", .above = 0});
+    d.field(
+        "factor", &ConstraintParams::factor,
+        {.title = "Factor", .help = "D_k = factor D_(k-1) + first distance; 1 spaces the curves equally.", .above = 0});
+    d.choice("side", &ConstraintParams::side, {"inside", "left", "right"},
+             {.title = "Side",
+              .help = "inside: where the domain is, and all round a crack; left or right of the base's direction."});
+    d.choice("spacing", &ConstraintParams::spacing, {"ring", "base"},
+             {.title = "Nodes",
+              .help = "ring: as far apart as the curve is from its neighbours; base: as the divided base has them."});
+    d.field("spacing_factor", &ConstraintParams::spacing_factor,
+            {.title = "Node spacing", .help = "Multiplies the distance of the nodes (ring).", .above = 0});
   }
 };
 
-/// Adds the constraints; pieces outside the domain are cut away, bands give way to each other (band.h), and a curve of which
-/// nothing is left gets a remark.
+/// Adds the constraints; pieces outside the domain are cut away, bands give way to each other (band.h), and a curve of
+/// which nothing is left gets a remark.
 /// @error BadValue for an unknown curve, or curves that do not follow each other.
 dobra::base::Result<Model> add_constraints(const Model& model, const ConstraintParams& params,
-                                           const dobra::scenario::Context& context, const dobra::base::Progress& progress);
+                                           const dobra::scenario::Context& context,
+                                           const dobra::base::Progress& progress);
 
 }  // namespace quebra::core

@@ -32,7 +32,8 @@ scene::Layer grid_layer(const geom::Box& box) {
   };
   each(box.low.x, box.high.x, [&](double x) { lines.lines.push_back({{{x, box.low.y}, {x, box.high.y}}, false}); });
   each(box.low.y, box.high.y, [&](double y) { lines.lines.push_back({{{box.low.x, y}, {box.high.x, y}}, false}); });
-  return {"grid", translated("Grid"), {.line = grid_grey, .line_width = 0.5}, std::move(lines), true, scene::InLegend::No};
+  return {"grid", translated("Grid"), {.line = grid_grey, .line_width = 0.5}, std::move(lines),
+          true,   scene::InLegend::No};
 }
 
 }  // namespace
@@ -40,11 +41,14 @@ scene::Layer grid_layer(const geom::Box& box) {
 scene::Picture convergence_picture(const Model& model) {
   geom::Polyline curve;
   for (const auto& analysis : model.analyses) {
-    if (analysis->eta > 0.0) curve.points.push_back({std::log10(static_cast<double>(analysis->solution.statistics.unknowns)), std::log10(100.0 * analysis->eta)});
+    if (analysis->eta > 0.0)
+      curve.points.push_back(
+          {std::log10(static_cast<double>(analysis->solution.statistics.unknowns)), std::log10(100.0 * analysis->eta)});
   }
   const Analysis& last = *model.analyses.back();
   const auto& types = last.meshed->mesh.types;
-  const double order = std::any_of(types.begin(), types.end(), [](auto type) { return dobra::mesh::is_quadratic(type); }) ? 2.0 : 1.0;
+  const double order =
+      std::any_of(types.begin(), types.end(), [](auto type) { return dobra::mesh::is_quadratic(type); }) ? 2.0 : 1.0;
   geom::Box box = geom::box_of(curve.points);
   box = geom::Box{{box.low.x - 0.2, box.low.y - 0.2}, {box.high.x + 0.2, box.high.y + 0.2}};
   // Through the last cycle, as far as the box goes to the left and above.
@@ -52,12 +56,24 @@ scene::Picture convergence_picture(const Model& model) {
   const double reach = std::min(end.x - box.low.x, (box.high.y - end.y) / (0.5 * order));
   const geom::Polyline best{{{end.x - reach, end.y + 0.5 * order * reach}, end}, false};
 
-  scene::Panel panel{.key = "convergence", .title = translated("Error of each cycle"), .axes = {translated("unknowns"), "eta [%]", scene::AxisScale::Log10}, .layers = {}};
+  scene::Panel panel{.key = "convergence",
+                     .title = translated("Error of each cycle"),
+                     .axes = {translated("unknowns"), "eta [%]", scene::AxisScale::Log10},
+                     .layers = {}};
   panel.layers.push_back(grid_layer(box));
   const std::string rate = order > 1.0 ? "N^-1" : "N^-1/2";
-  panel.layers.push_back({"rate", fmt::format("{} {}", translated("best rate"), rate), {.line = ink, .line_width = 1.0, .dash = scene::Dash::Dashed}, scene::Lines{{best}}});
-  panel.layers.push_back({"curve", translated("estimated error"), {.line = curve_blue, .line_width = 1.6}, scene::Lines{{curve}}});
-  panel.layers.push_back({"cycles", translated("analyses"), {.line = curve_blue, .marker_size = 6.0}, scene::Markers{curve.points, {}}, true, scene::InLegend::No});
+  panel.layers.push_back({"rate",
+                          fmt::format("{} {}", translated("best rate"), rate),
+                          {.line = ink, .line_width = 1.0, .dash = scene::Dash::Dashed},
+                          scene::Lines{{best}}});
+  panel.layers.push_back(
+      {"curve", translated("estimated error"), {.line = curve_blue, .line_width = 1.6}, scene::Lines{{curve}}});
+  panel.layers.push_back({"cycles",
+                          translated("analyses"),
+                          {.line = curve_blue, .marker_size = 6.0},
+                          scene::Markers{curve.points, {}},
+                          true,
+                          scene::InLegend::No});
   panel.extent = box;
   scene::Picture picture;
   picture.panels.push_back(std::move(panel));

@@ -26,7 +26,8 @@ std::array<Point, 2> ends_of(const Curve& curve) { return {point(curve, 0.0), po
 std::map<std::size_t, double> touched(const Domain& domain, std::size_t crack, Point at, Point drawn) {
   std::map<std::size_t, double> gaps;
   for (const Junction& junction : domain.junctions) {
-    if (junction.at == at && junction.curve != crack) gaps[junction.curve] = distance(point(domain.curves[junction.curve], junction.s), drawn);
+    if (junction.at == at && junction.curve != crack)
+      gaps[junction.curve] = distance(point(domain.curves[junction.curve], junction.s), drawn);
   }
   // Ends of open curves and the vertex where a closed one closes are no junctions of theirs.
   for (std::size_t c = 0; c < domain.curves.size(); ++c) {
@@ -59,7 +60,8 @@ class Parts {
  private:
   /// False if the curves cannot be divided, which find_faces has told.
   bool divide() {
-    for (const bool again : {false, true}) {  // edges are split by later curves: whose each is in the end is asked again
+    for (const bool again :
+         {false, true}) {  // edges are split by later curves: whose each is in the end is asked again
       for (std::size_t c = 0; c < domain_.curves.size(); ++c) {
         const bool crack = domain_.curves[c].role == Role::Crack;
         if (again && !crack) continue;
@@ -112,7 +114,9 @@ class Parts {
       if (where.where == dobra::topo::Where::Edge) id = beside(where.edge).first;
       if (where.where == dobra::topo::Where::Vertex) id = subdivision_.face(subdivision_.leaving(where.vertex));
       const auto named = domain_.region_names.find(face.region);
-      if (faces.contains(id)) name[faces.at(id)] = named == domain_.region_names.end() ? fmt::format("region {}", face.region) : fmt::format("region '{}'", named->second);
+      if (faces.contains(id))
+        name[faces.at(id)] = named == domain_.region_names.end() ? fmt::format("region {}", face.region)
+                                                                 : fmt::format("region '{}'", named->second);
     }
     std::map<FaceId, std::set<std::string>> regions;
     for (const auto& [face, part] : cut) {
@@ -121,22 +125,27 @@ class Parts {
     return regions;
   }
 
-  [[nodiscard]] Finding finding(FaceId piece, const std::map<FaceId, double>& parts, const std::map<FaceId, FaceId>& whole, const std::map<FaceId, FaceId>& cut) const {
+  [[nodiscard]] Finding finding(FaceId piece, const std::map<FaceId, double>& parts,
+                                const std::map<FaceId, FaceId>& whole, const std::map<FaceId, FaceId>& cut) const {
     std::set<std::string> cracks;
     Point at;
     for (const auto& [edge, crack] : crack_of_) {
       const dobra::topo::EdgeId id(edge);
       const auto [left, right] = beside(id);
-      if (!area_.contains(left) || !area_.contains(right) || whole.at(left) != piece || cut.at(left) == cut.at(right)) continue;
+      if (!area_.contains(left) || !area_.contains(right) || whole.at(left) != piece || cut.at(left) == cut.at(right))
+        continue;
       const auto side = subdivision_.segment(Subdivision::half_edge(id));
       if (cracks.empty()) at = midpoint(side.from, side.to);
       cracks.insert(domain_.curves[crack].name);
     }
     std::map<FaceId, std::set<std::string>> regions = regions_of(cut);
     std::vector<std::string> texts;
-    for (const auto& [part, area] : parts) texts.push_back(fmt::format("{:.4g} m2 of {}", area, fmt::join(regions[part], " and ")));
+    for (const auto& [part, area] : parts)
+      texts.push_back(fmt::format("{:.4g} m2 of {}", area, fmt::join(regions[part], " and ")));
     return {Wrong::CutThrough, at, fmt::format("{}", fmt::join(cracks, ", ")),
-            fmt::format("left as it is: the material falls into {} parts, {}, and each needs supports of its own; end the crack inside if that is not meant", parts.size(), fmt::join(texts, "; "))};
+            fmt::format("left as it is: the material falls into {} parts, {}, and each needs supports of its own; end "
+                        "the crack inside if that is not meant",
+                        parts.size(), fmt::join(texts, "; "))};
   }
 
   const Domain& domain_;
@@ -165,15 +174,18 @@ std::vector<Finding> crack_flaws(const Domain& domain, const CrackEnds& drawn) {
     const auto known = drawn.find(domain.curves[c].name);
     if (domain.curves[c].role != Role::Crack || known == drawn.end()) continue;
     const auto ends = ends_of(domain.curves[c]);
-    contacts += static_cast<std::size_t>(std::count_if(domain.junctions.begin(), domain.junctions.end(), [&](const Junction& j) { return j.curve == c; }));
+    contacts += static_cast<std::size_t>(std::count_if(domain.junctions.begin(), domain.junctions.end(),
+                                                       [&](const Junction& j) { return j.curve == c; }));
     for (std::size_t k = 0; k < 2; ++k) {
       const auto gaps = touched(domain, c, ends[k], known->second[k]);
       contacts += gaps.size();
       for (const auto& [other, gap] : gaps) {
         if (gap <= rounding * size) continue;
-        findings.push_back({Wrong::NearlyTouching, ends[k], fmt::format("{}, {}", known->first, domain.curves[other].name),
-                            fmt::format("the crack ends {:.3g} m from '{}', is taken to touch it, and opens into it; let it touch, or end it farther away than {:.3g} m (join_tolerance)", gap,
-                                        domain.curves[other].name, DomainOptions{}.join_tolerance * size)});
+        findings.push_back({Wrong::NearlyTouching, ends[k],
+                            fmt::format("{}, {}", known->first, domain.curves[other].name),
+                            fmt::format("the crack ends {:.3g} m from '{}', is taken to touch it, and opens into it; "
+                                        "let it touch, or end it farther away than {:.3g} m (join_tolerance)",
+                                        gap, domain.curves[other].name, DomainOptions{}.join_tolerance * size)});
       }
     }
   }

@@ -1,6 +1,6 @@
 #pragma once
-// What cracks do that a drawing may not mean: open into a curve that they only nearly touch, and cut the material through.
-// Page: docs/algorithms/domain_repair.md.
+// What cracks do that a drawing may not mean: open into a curve that they only nearly touch, and cut the material
+// through. Page: docs/algorithms/domain_repair.md.
 
 #include <array>
 #include <map>

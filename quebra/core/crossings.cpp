@@ -16,9 +16,9 @@
 #include "shared/geom/spatial_index.h"
 #include "shared/topo/insert.h"
 
-// 1. Groups of rings that meet are put into a subdivision, those that bend as chords through the places where they truly meet. 2. Each
-// ring is taken for an outline, a hole or a notch; so faces are inside or outside. 3. The edges between the two are walked as new
-// loops, whose runs along one curve are parts of it.
+// 1. Groups of rings that meet are put into a subdivision, those that bend as chords through the places where they
+// truly meet. 2. Each ring is taken for an outline, a hole or a notch; so faces are inside or outside. 3. The edges
+// between the two are walked as new loops, whose runs along one curve are parts of it.
 
 namespace quebra::core {
 namespace {
@@ -102,7 +102,9 @@ class Crossings {
     std::vector<Polyline> outlines_gone, outlines_made;
     for (const auto& [root, group] : groups) {
       if (!group.can) {
-        found(group, "left as it is: only loops are rebuilt, and of arcs and splines those that cross others at an angle; cut the curves where they cross");
+        found(group,
+              "left as it is: only loops are rebuilt, and of arcs and splines those that cross others at an angle; cut "
+              "the curves where they cross");
         continue;
       }
       DOBRA_TRY(std::vector<Curve> pieces, rebuilt(group, rings, outlines_made));
@@ -209,7 +211,9 @@ class Crossings {
       while (parent[c] != c) c = parent[c] = parent[parent[c]];
       return c;
     };
-    const auto join = [&](std::size_t a, std::size_t b) { parent[std::max(root(a), root(b))] = std::min(root(a), root(b)); };
+    const auto join = [&](std::size_t a, std::size_t b) {
+      parent[std::max(root(a), root(b))] = std::min(root(a), root(b));
+    };
     std::vector<std::uint8_t> on_ring(curves_.size(), 0);
     for (const Ring& ring : rings) {
       for (const auto& side : ring.sides) {
@@ -252,12 +256,14 @@ class Crossings {
 
   enum class Met { Cut, Apart, Cannot };
 
-  /// Notes where two curves meet of which one bends at least. Those that cross themselves or run along each other cannot be cut;
-  /// those whose chords alone meet are apart.
+  /// Notes where two curves meet of which one bends at least. Those that cross themselves or run along each other
+  /// cannot be cut; those whose chords alone meet are apart.
   Met cut(const Chord& a, const Chord& b, Point at, bool point_only) {
     if (line(a.curve) != nullptr && line(b.curve) != nullptr) return Met::Cut;  // the subdivision does
     if (a.curve == b.curve || !point_only) return Met::Cannot;
-    const auto along = [&](const Chord& chord) { return chord.s_from + nearest_fraction(chord.segment, at) * (chord.s_to - chord.s_from); };
+    const auto along = [&](const Chord& chord) {
+      return chord.s_from + nearest_fraction(chord.segment, at) * (chord.s_to - chord.s_from);
+    };
     const auto s = meeting(curves_[a.curve], along(a), curves_[b.curve], along(b), same_point_);
     if (!s) return Met::Apart;
     Point p = point(curves_[a.curve], (*s)[0]);
@@ -304,7 +310,8 @@ class Crossings {
     return true;
   }
 
-  // --- outlines, holes and notches ------------------------------------------------------------------------------------
+  // --- outlines, holes and notches
+  // ------------------------------------------------------------------------------------
 
   /// By its role, or by how many rings it lies in; of its own group those that hold all of it.
   Taken by_depth(const Ring& ring, const std::vector<Ring>& rings, const Group& group) const {
@@ -312,31 +319,38 @@ class Crossings {
     int depth = 0;
     for (const Ring& other : rings) {
       if (&other == &ring) continue;
-      const bool inside = is_of(other, group) ? holds_all_of(other.outline, ring.outline) : locate(other.outline, ring.outline.points.front()) == dobra::geom::Side::Inside;
+      const bool inside = is_of(other, group)
+                              ? holds_all_of(other.outline, ring.outline)
+                              : locate(other.outline, ring.outline.points.front()) == dobra::geom::Side::Inside;
       depth += inside ? 1 : 0;
     }
     return depth % 2 == 0 ? Taken::Outline : Taken::Hole;
   }
 
-  /// Whether the file leaves open what an outline is, and it looks like a hole that reaches across the largest one: it is smaller,
-  /// its centre is not outside, and it holds nothing. Of a .poly the hole points say it.
+  /// Whether the file leaves open what an outline is, and it looks like a hole that reaches across the largest one: it
+  /// is smaller, its centre is not outside, and it holds nothing. Of a .poly the hole points say it.
   bool is_notch(const Verdict& own, const Verdict& largest, const std::vector<Ring>& rings) const {
     const auto unsaid = [&](const Domain::Side& side) { return without_role_.contains(curves_[side.curve].name); };
     if (!std::all_of(own.ring->sides.begin(), own.ring->sides.end(), unsaid)) return false;
     if (sketch_.hole_points) {
       const auto& holes = sketch_.hole_points->at;
-      return std::any_of(holes.begin(), holes.end(), [&](Point p) { return locate(own.ring->outline, p) == dobra::geom::Side::Inside; });
+      return std::any_of(holes.begin(), holes.end(),
+                         [&](Point p) { return locate(own.ring->outline, p) == dobra::geom::Side::Inside; });
     }
     constexpr double most_of_largest = 0.5, on_rim = 0.01;  // the latter of its own size
     if (own.area > most_of_largest * largest.area) return false;
     const Point centre = centroid(own.ring->outline);
     const Polyline& rim = largest.ring->outline;
-    if (locate(rim, centre) == dobra::geom::Side::Outside && distance(rim, centre) > on_rim * std::sqrt(own.area)) return false;
-    return std::none_of(rings.begin(), rings.end(), [&](const Ring& other) { return &other != own.ring && holds_all_of(own.ring->outline, other.outline); });
+    if (locate(rim, centre) == dobra::geom::Side::Outside && distance(rim, centre) > on_rim * std::sqrt(own.area))
+      return false;
+    return std::none_of(rings.begin(), rings.end(), [&](const Ring& other) {
+      return &other != own.ring && holds_all_of(own.ring->outline, other.outline);
+    });
   }
 
   /// One a ring of the group, in the order of `rings`, the largest outline first.
-  std::vector<Verdict> judged(const Group& group, const std::vector<Ring>& rings, const std::vector<Cell>& cells) const {
+  std::vector<Verdict> judged(const Group& group, const std::vector<Ring>& rings,
+                              const std::vector<Cell>& cells) const {
     std::vector<Verdict> verdicts;
     for (const Ring& ring : rings) {
       if (is_of(ring, group)) verdicts.push_back({&ring, by_depth(ring, rings, group)});
@@ -346,18 +360,22 @@ class Crossings {
     }
     std::size_t largest = verdicts.size();
     for (std::size_t k = 0; k < verdicts.size(); ++k) {
-      if (verdicts[k].taken == Taken::Outline && (largest == verdicts.size() || verdicts[k].area > verdicts[largest].area)) largest = k;
+      if (verdicts[k].taken == Taken::Outline &&
+          (largest == verdicts.size() || verdicts[k].area > verdicts[largest].area))
+        largest = k;
     }
     if (largest == verdicts.size()) return verdicts;
     for (std::size_t k = 0; k < verdicts.size(); ++k) {
-      for (const Cell& cell : cells) verdicts[k].in_largest += cell.in[k] != 0 && cell.in[largest] != 0 ? cell.area : 0.0;
+      for (const Cell& cell : cells)
+        verdicts[k].in_largest += cell.in[k] != 0 && cell.in[largest] != 0 ? cell.area : 0.0;
       const bool other_outline = k != largest && verdicts[k].taken == Taken::Outline;
       if (other_outline && is_notch(verdicts[k], verdicts[largest], rings)) verdicts[k].taken = Taken::Notch;
     }
     return verdicts;
   }
 
-  /// Outlines count up, holes down, and what a notch holds is outside; where all are holes, what any of them holds is inside.
+  /// Outlines count up, holes down, and what a notch holds is outside; where all are holes, what any of them holds is
+  /// inside.
   static bool is_inside(const Cell& cell, const std::vector<Verdict>& verdicts) {
     int sum = 0;
     bool any_outline = false;
@@ -376,8 +394,10 @@ class Crossings {
     for (const Verdict& own : verdicts) {
       if (own.taken != taken) continue;
       const std::size_t more = own.ring->sides.size() - 1;
-      text += fmt::format("{}'{}'{} ({:.4g} m2{})", text.empty() ? "" : ", ", curves_[own.ring->sides.front().curve].name, more == 0 ? "" : fmt::format(" and {} more", more), own.area,
-                          taken == Taken::Outline ? "" : fmt::format(", {:.4g} m2 of it inside", own.in_largest));
+      text +=
+          fmt::format("{}'{}'{} ({:.4g} m2{})", text.empty() ? "" : ", ", curves_[own.ring->sides.front().curve].name,
+                      more == 0 ? "" : fmt::format(" and {} more", more), own.area,
+                      taken == Taken::Outline ? "" : fmt::format(", {:.4g} m2 of it inside", own.in_largest));
     }
     return text;
   }
@@ -393,17 +413,22 @@ class Crossings {
     for (const Cell& cell : cells) after += is_inside(cell, verdicts) ? cell.area : 0.0;
     std::string text = fmt::format("rebuilt as {} {}: ", loops, loops == 1 ? "loop" : "loops");
     if (outlines == 0) return text + fmt::format("holes {} united to {:.4g} m2", listed(verdicts, Taken::Hole), after);
-    text += fmt::format("{} {}", listed(verdicts, Taken::Outline), outlines == 1 ? "taken for the outline" : "taken for outlines and united");
+    text += fmt::format("{} {}", listed(verdicts, Taken::Outline),
+                        outlines == 1 ? "taken for the outline" : "taken for outlines and united");
     const std::string holes = listed(verdicts, Taken::Hole), notches = listed(verdicts, Taken::Notch);
     if (!holes.empty()) text += fmt::format("; {} for a hole and cut out", holes);
     if (!notches.empty()) text += fmt::format("; {} for a hole across it and cut out", notches);
-    text += fmt::format("; the area was {:.6g} m2{} and is {:.6g} m2", before, outlines > 1 ? " (of the largest)" : "", after);
-    if (!notches.empty()) text += "; if that is material, draw it and the outline as one";
-    else if (outlines > 1) text += "; if one of them is a hole, give it role = \"hole\" or draw the notch as part of the outline";
+    text += fmt::format("; the area was {:.6g} m2{} and is {:.6g} m2", before, outlines > 1 ? " (of the largest)" : "",
+                        after);
+    if (!notches.empty())
+      text += "; if that is material, draw it and the outline as one";
+    else if (outlines > 1)
+      text += "; if one of them is a hole, give it role = \"hole\" or draw the notch as part of the outline";
     return text;
   }
 
-  // --- new loops ------------------------------------------------------------------------------------------------------
+  // --- new loops
+  // ------------------------------------------------------------------------------------------------------
 
   /// A loop round the material: its points, and the curve that each side from one to the next is of.
   struct Walk {
@@ -411,7 +436,8 @@ class Crossings {
     std::vector<std::size_t> owner;
   };
 
-  static std::vector<Cell> cells_of(const Subdivision& subdivision, const Group& group, const std::vector<Ring>& rings) {
+  static std::vector<Cell> cells_of(const Subdivision& subdivision, const Group& group,
+                                    const std::vector<Ring>& rings) {
     std::vector<Cell> cells;
     for (const FaceId face : subdivision.faces()) {
       if (face == Subdivision::unbounded()) continue;
@@ -430,7 +456,8 @@ class Crossings {
   Result<std::vector<Curve>> rebuilt(const Group& group, const std::vector<Ring>& rings, std::vector<Polyline>& loops) {
     Subdivision subdivision;
     std::map<std::size_t, std::size_t> curve_of;  // by edge
-    for (const bool again : {false, true}) {  // edges were split by later curves: which of the curves each now belongs to is asked again
+    for (const bool again :
+         {false, true}) {  // edges were split by later curves: which of the curves each now belongs to is asked again
       for (const std::size_t c : group.curves) {
         const auto inserted = insert(subdivision, Polyline{chains_[c].points, false});
         if (!inserted) return inserted.error();
@@ -454,8 +481,11 @@ class Crossings {
   }
 
   /// The loops between inside, on their left, and outside; those that touch in a point come apart there.
-  static std::vector<Walk> walked(const Subdivision& subdivision, const std::map<FaceId, bool>& inside, const std::map<std::size_t, std::size_t>& curve_of) {
-    const auto divides = [&](HalfEdgeId h) { return inside.at(subdivision.face(h)) && !inside.at(subdivision.face(Subdivision::twin(h))); };
+  static std::vector<Walk> walked(const Subdivision& subdivision, const std::map<FaceId, bool>& inside,
+                                  const std::map<std::size_t, std::size_t>& curve_of) {
+    const auto divides = [&](HalfEdgeId h) {
+      return inside.at(subdivision.face(h)) && !inside.at(subdivision.face(Subdivision::twin(h)));
+    };
     std::vector<Walk> walks;
     std::set<std::size_t> done;
     for (const auto edge : subdivision.edges()) {
@@ -486,7 +516,8 @@ class Crossings {
       curve.shape = std::move(shape);
       pieces.push_back(std::move(curve));
     };
-    if (std::all_of(walk.owner.begin(), walk.owner.end(), [&](std::size_t c) { return line(c) != nullptr && line(c)->closed; })) {
+    if (std::all_of(walk.owner.begin(), walk.owner.end(),
+                    [&](std::size_t c) { return line(c) != nullptr && line(c)->closed; })) {
       add(walk.owner.front(), Polyline{walk.points, true});
       return {};
     }
@@ -494,8 +525,10 @@ class Crossings {
     while (first < n && walk.owner[first] == walk.owner[(first + n - 1) % n]) ++first;
     if (first == n) {  // all of a curve that bends, or a part of an open one that crosses itself
       const std::size_t owner = walk.owner.front();
-      if (line(owner) != nullptr) add(owner, Polyline{walk.points, true});
-      else add(owner, curves_[owner].shape);
+      if (line(owner) != nullptr)
+        add(owner, Polyline{walk.points, true});
+      else
+        add(owner, curves_[owner].shape);
       return {};
     }
     for (std::size_t i = 0; i < n;) {
@@ -524,7 +557,10 @@ class Crossings {
     std::vector<decltype(Curve::shape)> parts;
     if (const auto* arc = std::get_if<dobra::geom::Arc>(&curve.shape)) {
       const bool anticlockwise = (arc->sweep().radians() > 0.0) != backwards;
-      DOBRA_TRY(auto part, dobra::geom::Arc::from_ends(arc->centre(), run.front(), run.back(), anticlockwise ? dobra::geom::Orientation::Anticlockwise : dobra::geom::Orientation::Clockwise, 1e-6));
+      DOBRA_TRY(auto part, dobra::geom::Arc::from_ends(arc->centre(), run.front(), run.back(),
+                                                       anticlockwise ? dobra::geom::Orientation::Anticlockwise
+                                                                     : dobra::geom::Orientation::Clockwise,
+                                                       1e-6));
       parts.emplace_back(std::move(part));
       return parts;
     }
@@ -554,7 +590,8 @@ class Crossings {
   void forget_holes_cut_out(const std::vector<Polyline>& gone, const std::vector<Polyline>& made) {
     if (!sketch_.hole_points) return;
     const auto in = [](const std::vector<Polyline>& rings, Point p) {
-      return std::any_of(rings.begin(), rings.end(), [&](const Polyline& ring) { return locate(ring, p) == dobra::geom::Side::Inside; });
+      return std::any_of(rings.begin(), rings.end(),
+                         [&](const Polyline& ring) { return locate(ring, p) == dobra::geom::Side::Inside; });
     };
     std::erase_if(sketch_.hole_points->at, [&](Point p) { return in(gone, p) && !in(made, p); });
   }
@@ -572,7 +609,8 @@ class Crossings {
 
 bool any_loop_closes(const Sketch& sketch) { return !find_rings(sketch.curves).empty(); }
 
-Result<std::vector<Finding>> rebuild_crossings(Sketch& sketch, const std::set<std::string>& without_role, double same_point) {
+Result<std::vector<Finding>> rebuild_crossings(Sketch& sketch, const std::set<std::string>& without_role,
+                                               double same_point) {
   return Crossings(sketch, without_role, same_point).run();
 }
 

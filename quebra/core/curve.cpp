@@ -44,7 +44,8 @@ class SizeAlong {
       const auto& chords = smooth_->chords();
       const auto above = std::upper_bound(chords.s.begin() + 1, chords.s.end() - 1, s);
       const auto i = static_cast<std::size_t>(above - chords.s.begin()) - 1;
-      if (chords.turn[i] > 0.0) size = std::min(size, (chords.s[i + 1] - chords.s[i]) * options_.turn.radians() / chords.turn[i]);
+      if (chords.turn[i] > 0.0)
+        size = std::min(size, (chords.s[i + 1] - chords.s[i]) * options_.turn.radians() / chords.turn[i]);
     }
     return size;
   }
@@ -112,22 +113,25 @@ Integral integral_of(double from, double to, const Size& size) {
 Error too_many(const Curve& curve, double pieces, const DivideOptions& options) {
   const double size = length(curve) / pieces;
   return {ErrorCode::TooManyElements,
-          fmt::format("curve '{}', {:.6g} m long, would get about {:.3g} sides of {:.3g} m on the mean, more than the {} elements allowed; use a greater size, or raise max_elements",
+          fmt::format("curve '{}', {:.6g} m long, would get about {:.3g} sides of {:.3g} m on the mean, more than the "
+                      "{} elements allowed; use a greater size, or raise max_elements",
                       curve.name, length(curve), pieces, size, options.most)};
 }
 
 /// Nodes strictly between `from` and `to`, so that each piece has the same integral of ds / size.
-Result<void> divide_evenly(const Curve& curve, double from, double to, const SizeAlong& size, const DivideOptions& options, std::vector<double>& nodes) {
+Result<void> divide_evenly(const Curve& curve, double from, double to, const SizeAlong& size,
+                           const DivideOptions& options, std::vector<double>& nodes) {
   const auto own = [&](double s) { return size.own(s); };
   Integral integral = integral_of(from, to, size);
-  // Wishes that the curve's own pieces meet well enough, at each of its ends too, change nothing; others are met in full, and
-  // so is the own size.
+  // Wishes that the curve's own pieces meet well enough, at each of its ends too, change nothing; others are met in
+  // full, and so is the own size.
   constexpr double unnoticed = 0.5;  // pieces, of those that lead from a finer neighbour
   Integral alone = integral_of(from, to, own);
   const double more = integral.value.back() - alone.value.back();
   if (more <= std::min((near_enough - 1.0) * alone.value.back(), unnoticed)) integral = std::move(alone);
   const double total = integral.value.back();
-  if (!(static_cast<double>(nodes.size()) + total <= static_cast<double>(options.most))) return too_many(curve, static_cast<double>(nodes.size()) + total, options);
+  if (!(static_cast<double>(nodes.size()) + total <= static_cast<double>(options.most)))
+    return too_many(curve, static_cast<double>(nodes.size()) + total, options);
   const auto pieces = static_cast<std::size_t>(std::max(1.0, std::ceil(total * (1.0 - same_node))));
   for (std::size_t piece = 1; piece < pieces; ++piece) {
     const double wanted = total * static_cast<double>(piece) / static_cast<double>(pieces);
@@ -140,15 +144,17 @@ Result<void> divide_evenly(const Curve& curve, double from, double to, const Siz
 }
 
 /// The same by the discretiser of requirement SUR-2.
-Result<void> divide_by_halves(const Curve& curve, double from, double to, const SizeAlong& size, const DivideOptions& options, std::vector<double>& nodes) {
+Result<void> divide_by_halves(const Curve& curve, double from, double to, const SizeAlong& size,
+                              const DivideOptions& options, std::vector<double>& nodes) {
   const double pieces = static_cast<double>(nodes.size()) + integral_of(from, to, size).value.back();
   if (!(pieces <= static_cast<double>(options.most))) return too_many(curve, pieces, options);
   const auto at = [&](double t) { return from + t * (to - from); };
   const bool straight = std::holds_alternative<Polyline>(curve.shape);
   const dobra::geom::Vector along = straight ? direction(curve, at(0.5)) : dobra::geom::Vector{};
-  const dobra::geom::CurveFunctions functions{.point = [&](double t) { return point(curve, at(t)); },
-                                              .tangent = [&](double t) { return straight ? along : direction(curve, at(t)); },
-                                              .length = [&](double t0, double t1) { return (t1 - t0) * (to - from); }};
+  const dobra::geom::CurveFunctions functions{
+      .point = [&](double t) { return point(curve, at(t)); },
+      .tangent = [&](double t) { return straight ? along : direction(curve, at(t)); },
+      .length = [&](double t0, double t1) { return (t1 - t0) * (to - from); }};
   dobra::geom::DiscretiseOptions limits{.max_angle = options.turn, .max_length = size.own(from)};
   limits.max_length_over = [&](double t0, double t1) {
     constexpr int samples = 8;
@@ -183,11 +189,14 @@ void balance(std::vector<double>& nodes, bool closed) {
   }
 }
 
-/// `segments` pieces along a curve whose lengths grow geometrically to `ratio` times the first: distance after u of them.
+/// `segments` pieces along a curve whose lengths grow geometrically to `ratio` times the first: distance after u of
+/// them.
 class Progression {
  public:
   Progression(double length, std::size_t segments, double ratio)
-      : length_(length), n_(static_cast<double>(segments)), growth_(segments > 1 ? std::pow(ratio, 1.0 / (n_ - 1.0)) : 1.0) {
+      : length_(length),
+        n_(static_cast<double>(segments)),
+        growth_(segments > 1 ? std::pow(ratio, 1.0 / (n_ - 1.0)) : 1.0) {
     // Growth too slow to be told from none.
     if (std::abs(n_ * std::log(growth_)) < 1e-9) growth_ = 1.0;
   }
@@ -216,15 +225,19 @@ std::size_t segments_for(double length, double size, double ratio) {
 }
 
 /// Just `segments` pieces in all: each stop takes the number that is nearest to its place in the progression, one piece
-/// at least between two stops, and the pieces between two stops share what lies between them in the progression's proportions.
-Result<std::vector<double>> divide_explicitly(const Curve& curve, const std::vector<double>& stops, std::size_t segments) {
+/// at least between two stops, and the pieces between two stops share what lies between them in the progression's
+/// proportions.
+Result<std::vector<double>> divide_explicitly(const Curve& curve, const std::vector<double>& stops,
+                                              std::size_t segments) {
   const std::size_t runs = stops.size() - 1;
   if (segments < runs) {
-    return Error{ErrorCode::BadValue, fmt::format("curve '{}' has {} pieces between its corners and the nodes that others need on it; {} segments cannot follow them: give {} or more",
+    return Error{ErrorCode::BadValue, fmt::format("curve '{}' has {} pieces between its corners and the nodes that "
+                                                  "others need on it; {} segments cannot follow them: give {} or more",
                                                   curve.name, runs, segments, runs)};
   }
   if (curve.role == Role::Crack && segments < 2) {
-    return Error{ErrorCode::BadValue, fmt::format("crack '{}' of one segment could not open; give it 2 or more", curve.name)};
+    return Error{ErrorCode::BadValue,
+                 fmt::format("crack '{}' of one segment could not open; give it 2 or more", curve.name)};
   }
   const Progression progression(stops.back(), segments, curve.division.ratio);
   std::vector<double> nodes{0.0};
@@ -293,7 +306,9 @@ Point Smooth::point(double s) const {
   return path_.point(parameter(s));
 }
 
-dobra::geom::Vector Smooth::direction(double s) const { return normalised(path_.tangent(parameter(std::clamp(s, 0.0, length())))); }
+dobra::geom::Vector Smooth::direction(double s) const {
+  return normalised(path_.tangent(parameter(std::clamp(s, 0.0, length()))));
+}
 
 Result<Smooth> Smooth::part(double from, double to) const {
   const double first = from <= 0.0 ? 0.0 : parameter(from);
@@ -347,7 +362,8 @@ dobra::geom::Vector direction(const Curve& curve, double s) {
   if (const auto* smooth = std::get_if<Smooth>(&curve.shape)) return smooth->direction(s);
   const auto& line = std::get<Polyline>(curve.shape);
   const std::vector<double> at = dobra::geom::arc_lengths(line);
-  const auto above = std::upper_bound(at.begin() + 1, at.begin() + static_cast<std::ptrdiff_t>(line.segment_count()), s);
+  const auto above =
+      std::upper_bound(at.begin() + 1, at.begin() + static_cast<std::ptrdiff_t>(line.segment_count()), s);
   return normalised(line.segment(static_cast<std::size_t>(above - at.begin()) - 1).vector());
 }
 
@@ -366,7 +382,9 @@ Trace trace(const Curve& curve) {
   const Arc& arc = std::get<Arc>(curve.shape);
   // An arc turns evenly: of the halves that discretise() makes all are fine enough at once, and need not be looked at.
   double count = 1.0;
-  while (std::abs(arc.sweep().radians()) > count * (1.0 + dobra::geom::DiscretiseOptions{}.slack) * trace_turn.radians()) count *= 2.0;
+  while (std::abs(arc.sweep().radians()) >
+         count * (1.0 + dobra::geom::DiscretiseOptions{}.slack) * trace_turn.radians())
+    count *= 2.0;
   dobra::geom::Discretisation pieces;
   for (double i = 0.0; i <= count; ++i) {
     pieces.parameters.push_back(i / count);
@@ -420,7 +438,8 @@ std::vector<std::uint8_t> lone_circles(std::span<const Curve> curves, std::span<
     lone[c] = arc->closed() ? 1 : 0;
     constexpr int parts = 16;
     const double bulge = arc->radius() * (1.0 - std::cos(0.5 * arc->sweep().radians() / parts));
-    for (int i = 0; i < parts; ++i) add(dobra::geom::Segment{arc->point(1.0 * i / parts), arc->point((i + 1.0) / parts)}.box().grown(bulge), c);
+    for (int i = 0; i < parts; ++i)
+      add(dobra::geom::Segment{arc->point(1.0 * i / parts), arc->point((i + 1.0) / parts)}.box().grown(bulge), c);
   }
   for (const Point p : points) add({p, p}, curves.size());
   const dobra::geom::SpatialIndex index(boxes);
@@ -457,7 +476,8 @@ std::optional<std::array<double, 2>> meeting(const Curve& one, double s, const C
 bool explicit_division(const Curve& curve, std::span<const Stop> stops) {
   if (curve.division.segments == 0 && curve.division.ratio == 1.0) return false;
   const double total = length(curve);
-  return std::none_of(stops.begin(), stops.end(), [&](const Stop& stop) { return stop.size > 0.0 && stop.s > 0.0 && stop.s < total; });
+  return std::none_of(stops.begin(), stops.end(),
+                      [&](const Stop& stop) { return stop.size > 0.0 && stop.s > 0.0 && stop.s < total; });
 }
 
 Result<std::vector<double>> divide(const Curve& curve, std::vector<Stop> stops, const DivideOptions& options) {
@@ -477,12 +497,15 @@ Result<std::vector<double>> divide(const Curve& curve, std::vector<Stop> stops, 
   std::vector<double> cuts = corners(curve);
   for (const Stop& stop : stops) cuts.push_back(std::clamp(stop.s, 0.0, total));
   std::sort(cuts.begin(), cuts.end());
-  cuts.erase(std::unique(cuts.begin(), cuts.end(), [&](double a, double b) { return b - a <= same_node * total; }), cuts.end());
+  cuts.erase(std::unique(cuts.begin(), cuts.end(), [&](double a, double b) { return b - a <= same_node * total; }),
+             cuts.end());
   cuts.back() = total;
   if (explicitly) {
     const double least = said.segments > 0 ? said.segments : total / own;
     if (least > static_cast<double>(options.most)) return too_many(curve, least, options);
-    return divide_explicitly(curve, cuts, said.segments > 0 ? static_cast<std::size_t>(said.segments) : segments_for(total, own, said.ratio));
+    return divide_explicitly(
+        curve, cuts,
+        said.segments > 0 ? static_cast<std::size_t>(said.segments) : segments_for(total, own, said.ratio));
   }
   const SizeAlong size(curve, own, stops, options);
   std::vector<double> nodes{0.0};

@@ -1,6 +1,6 @@
 #pragma once
-// One curve of a domain: a chain of straight pieces, a circular arc or a smooth chain of cubics, measured by the distance
-// travelled along it.
+// One curve of a domain: a chain of straight pieces, a circular arc or a smooth chain of cubics, measured by the
+// distance travelled along it.
 
 #include <array>
 #include <cstdint>
@@ -73,7 +73,7 @@ struct Curve {
   std::variant<dobra::geom::Polyline, dobra::geom::Arc, Smooth> shape;
   Division division;
   std::vector<std::string> groups = {};  ///< Further sets that its sides belong to.
-  double tip_size = 0.0;  ///< Of a crack: length of the sides at its ends, m; 0: not said.
+  double tip_size = 0.0;                 ///< Of a crack: length of the sides at its ends, m; 0: not said.
 };
 
 /// m.
@@ -95,20 +95,22 @@ struct Trace {
 };
 Trace trace(const Curve& curve);
 
-/// Equal for curves that pass the same points, wherever they start and whichever way they run; exact but for splines, of
-/// which the traces count.
+/// Equal for curves that pass the same points, wherever they start and whichever way they run; exact but for splines,
+/// of which the traces count.
 using ShapeKey = std::vector<std::array<dobra::geom::Point, 2>>;
 ShapeKey shape_key(const Curve& curve);
 
 /// Of its trace, or the true box of an arc.
 dobra::geom::Box box_of(const Curve& curve);
 
-/// Marks full circles in whose box, grown by the margin, there is nothing else: neither another curve nor one of the points.
+/// Marks full circles in whose box, grown by the margin, there is nothing else: neither another curve nor one of the
+/// points.
 /// @cost O(n log n) for n pieces of polylines and splines, and sixteenths of arcs.
-std::vector<std::uint8_t> lone_circles(std::span<const Curve> curves, std::span<const dobra::geom::Point> points, double margin);
+std::vector<std::uint8_t> lone_circles(std::span<const Curve> curves, std::span<const dobra::geom::Point> points,
+                                       double margin);
 
-/// Distances along two curves where they truly meet, by Newton's method from s and t, where their traces do; nothing if they
-/// stay farther apart than the tolerance.
+/// Distances along two curves where they truly meet, by Newton's method from s and t, where their traces do; nothing if
+/// they stay farther apart than the tolerance.
 std::optional<std::array<double, 2>> meeting(const Curve& one, double s, const Curve& two, double t, double tolerance);
 
 /// A wanted node on a curve, and the size of the pieces beside it.
@@ -119,28 +121,30 @@ struct Stop {
 
 enum class DivisionRule {
   Even,     ///< As few pieces as meet the limits, alike or growing evenly.
-  Halving,  ///< SUR-2: equal pieces no longer than the size, each halved until it is short and turns little; 2:1 along the curve.
+  Halving,  ///< SUR-2: equal pieces no longer than the size, each halved until it is short and turns little; 2:1 along
+            ///< the curve.
 };
 
 struct DivideOptions {
-  double size = 0.0;                  ///< Longest piece, m, where the curve says nothing else; > 0.
+  double size = 0.0;  ///< Longest piece, m, where the curve says nothing else; > 0.
   dobra::base::Angle turn = dobra::base::Angle::from_degrees(15.0);  ///< Most that a piece of an arc may turn.
-  double growth = 1.3;                ///< Most by which sizes grow from one piece to the next away from a stop; > 1.
-  std::function<double(dobra::geom::Point)> limit = {};  ///< Size wanted at a point, such as a size field's; empty: none.
+  double growth = 1.3;  ///< Most by which sizes grow from one piece to the next away from a stop; > 1.
+  std::function<double(dobra::geom::Point)> limit =
+      {};  ///< Size wanted at a point, such as a size field's; empty: none.
   DivisionRule rule = DivisionRule::Even;
-  std::size_t most = 20'000'000;      ///< Pieces; more are refused before any is made.
+  std::size_t most = 20'000'000;  ///< Pieces; more are refused before any is made.
 };
 
 /// Distances of the nodes along a curve, ascending, from 0 to length (both included): every corner and stop is one, and
-/// the pieces between follow the sizes. No piece is longer than the size or turns by more than `turn`; `limit` is met to
-/// a twentieth. A crack has two pieces at least, or it could not open.
-/// Where the curve says `segments` or a `ratio`, that alone counts: just so many pieces over all its corners and stops,
-/// growing evenly; unless a stop inside the curve has a size of its own (explicit_division).
-/// Page: docs/algorithms/discretise.md.
+/// the pieces between follow the sizes. No piece is longer than the size or turns by more than `turn`; `limit` is met
+/// to a twentieth. A crack has two pieces at least, or it could not open. Where the curve says `segments` or a `ratio`,
+/// that alone counts: just so many pieces over all its corners and stops, growing evenly; unless a stop inside the
+/// curve has a size of its own (explicit_division). Page: docs/algorithms/discretise.md.
 /// @error BadValue: fewer segments than there are straight pieces between corners and stops; TooManyElements with the
 ///        curve's name, both before any piece is made.
 /// @cost O(number of pieces)
-dobra::base::Result<std::vector<double>> divide(const Curve& curve, std::vector<Stop> stops, const DivideOptions& options);
+dobra::base::Result<std::vector<double>> divide(const Curve& curve, std::vector<Stop> stops,
+                                                const DivideOptions& options);
 
 /// Whether `segments` and `ratio` of the curve are obeyed: they are said, and no stop inside the curve has a size.
 bool explicit_division(const Curve& curve, std::span<const Stop> stops);

@@ -37,38 +37,49 @@ std::string material_text(std::int32_t region, const fem::Material& material) {
   std::string text;
   if (material.state == fem::PlaneState::Stress) {
     text = fmt::format(
-        "** Plane stress, E = {}, nu = {}. CalculiX has no such elements (its CPS are a layer of solids, sheared where its thickness varies):\n"
-        "** in plane strain E (1 + 2 nu) / (1 + nu)^2 and nu / (1 + nu) give the same displacements, strains and stresses in the plane, exactly.\n"
-        "** Only the stress across, S33, is not that of the sheet: there it is 0. For Abaqus, CPS elements with the first pair are the same.\n",
+        "** Plane stress, E = {}, nu = {}. CalculiX has no such elements (its CPS are a layer of solids, sheared where "
+        "its thickness varies):\n"
+        "** in plane strain E (1 + 2 nu) / (1 + nu)^2 and nu / (1 + nu) give the same displacements, strains and "
+        "stresses in the plane, exactly.\n"
+        "** Only the stress across, S33, is not that of the sheet: there it is 0. For Abaqus, CPS elements with the "
+        "first pair are the same.\n",
         twenty_columns(material.young), twenty_columns(material.poisson));
   }
-  return text + fmt::format("*MATERIAL, NAME=MATERIAL_{0}\n*ELASTIC\n{1}, {2}\n*SOLID SECTION, ELSET=REGION_{0}, MATERIAL=MATERIAL_{0}\n{3}\n", region,
-                            twenty_columns(own.young), twenty_columns(own.poisson), twenty_columns(own.thickness));
+  return text + fmt::format(
+                    "*MATERIAL, NAME=MATERIAL_{0}\n*ELASTIC\n{1}, {2}\n*SOLID SECTION, ELSET=REGION_{0}, "
+                    "MATERIAL=MATERIAL_{0}\n{3}\n",
+                    region, twenty_columns(own.young), twenty_columns(own.poisson), twenty_columns(own.thickness));
 }
 
 /// Plane stress with nu <= -0.5 has no equal in plane strain.
 std::optional<Error> without_equal(const fem::Problem& problem) {
   for (const auto& [region, material] : problem.materials) {
     if (material.state == fem::PlaneState::Stress && material.poisson <= -0.5)
-      return Error{ErrorCode::InvalidOption, "a deck holds plane stress as plane strain, which cannot be done for nu <= -0.5", Place{.item = fmt::format("material of region {}", region)}};
+      return Error{ErrorCode::InvalidOption,
+                   "a deck holds plane stress as plane strain, which cannot be done for nu <= -0.5",
+                   Place{.item = fmt::format("material of region {}", region)}};
     if (fem::nearly_incompressible(material))
-      return Error{ErrorCode::InvalidOption, "CalculiX has no mixed elements, and its own lock at this Poisson's ratio in plane strain", Place{.item = fmt::format("material of region {}", region)}};
+      return Error{ErrorCode::InvalidOption,
+                   "CalculiX has no mixed elements, and its own lock at this Poisson's ratio in plane strain",
+                   Place{.item = fmt::format("material of region {}", region)}};
   }
   return std::nullopt;
 }
 
-/// Supports of one displacement by node and axis; further ones of the same displacement say the same (the solver checks).
+/// Supports of one displacement by node and axis; further ones of the same displacement say the same (the solver
+/// checks).
 using Held = std::map<std::uint32_t, double>;
 
-/// Ties and inclined supports; one with a value other than zero ends in a node of its own, after those of the mesh, that
-/// is prescribed along x.
+/// Ties and inclined supports; one with a value other than zero ends in a node of its own, after those of the mesh,
+/// that is prescribed along x.
 struct Equations {
   std::string text;
   std::vector<double> values;  ///< Of those nodes.
 };
 
 /// @param sprung  displacements with springs: CalculiX loses a spring at one that an equation eliminates.
-Result<Equations> equations_of(const std::vector<fem::DofConstraint>& constraints, const Held& held, const std::set<std::uint32_t>& sprung, std::size_t nodes) {
+Result<Equations> equations_of(const std::vector<fem::DofConstraint>& constraints, const Held& held,
+                               const std::set<std::uint32_t>& sprung, std::size_t nodes) {
   Equations equations;
   std::set<std::uint32_t> dependent;
   for (const fem::DofConstraint& constraint : constraints) {
@@ -76,11 +87,17 @@ Result<Equations> equations_of(const std::vector<fem::DofConstraint>& constraint
     auto terms = constraint.terms;
     std::erase_if(terms, [](const auto& term) { return term.second == 0.0; });
     // The first term is eliminated: it must be free and not eliminated before.
-    const auto first = std::find_if(terms.begin(), terms.end(), [&](const auto& term) { return !held.contains(term.first) && !dependent.contains(term.first); });
+    const auto first = std::find_if(terms.begin(), terms.end(), [&](const auto& term) {
+      return !held.contains(term.first) && !dependent.contains(term.first);
+    });
     if (first == terms.end()) continue;
-    const auto plain = std::find_if(first, terms.end(), [&](const auto& term) { return !held.contains(term.first) && !dependent.contains(term.first) && !sprung.contains(term.first); });
+    const auto plain = std::find_if(first, terms.end(), [&](const auto& term) {
+      return !held.contains(term.first) && !dependent.contains(term.first) && !sprung.contains(term.first);
+    });
     if (plain == terms.end())
-      return Error{ErrorCode::InvalidOption, "a deck cannot have springs at every displacement of a tie; leave one of its nodes without", Place{.item = constraint.name}};
+      return Error{ErrorCode::InvalidOption,
+                   "a deck cannot have springs at every displacement of a tie; leave one of its nodes without",
+                   Place{.item = constraint.name}};
     std::iter_swap(first, plain);
     dependent.insert(first->first);
     std::iter_swap(terms.begin(), first);
@@ -89,7 +106,8 @@ Result<Equations> equations_of(const std::vector<fem::DofConstraint>& constraint
       equations.values.push_back(constraint.value);
     }
     equations.text += fmt::format("*EQUATION\n{}\n", terms.size());
-    for (const auto& [dof, coefficient] : terms) equations.text += fmt::format("{}, {}, {}\n", dof / 2 + 1, dof % 2 + 1, twenty_columns(coefficient));
+    for (const auto& [dof, coefficient] : terms)
+      equations.text += fmt::format("{}, {}, {}\n", dof / 2 + 1, dof % 2 + 1, twenty_columns(coefficient));
   }
   return equations;
 }
@@ -113,11 +131,15 @@ Held held_by(const std::vector<fem::DofConstraint>& constraints) {
   return held;
 }
 
-Result<std::set<std::uint32_t>> sprung_by(const dobra::mesh::ElementMesh& mesh, const std::vector<fem::Spring>& springs) {
+Result<std::set<std::uint32_t>> sprung_by(const dobra::mesh::ElementMesh& mesh,
+                                          const std::vector<fem::Spring>& springs) {
   std::set<std::uint32_t> sprung;
   for (const fem::Spring& spring : springs) {
     if (spring.kind == fem::SpringKind::Foundation)
-      return Error{ErrorCode::InvalidOption, "a deck has no words for a bed of springs, which couples the nodes of a side; give springs at the nodes", Place{.item = "bed along '" + spring.where + "'"}};
+      return Error{
+          ErrorCode::InvalidOption,
+          "a deck has no words for a bed of springs, which couples the nodes of a side; give springs at the nodes",
+          Place{.item = "bed along '" + spring.where + "'"}};
     DOBRA_TRY(const auto nodes, fem::find_nodes(mesh, spring.where));
     for (const auto node : nodes) {
       if (spring.x != 0.0) sprung.insert(static_cast<std::uint32_t>(2 * node.index()));
@@ -128,7 +150,8 @@ Result<std::set<std::uint32_t>> sprung_by(const dobra::mesh::ElementMesh& mesh, 
 }
 
 /// Springs from the nodes to the ground.
-Result<std::string> springs_text(const dobra::mesh::ElementMesh& mesh, const std::vector<fem::Spring>& springs, const dobra::scenario::UnitSystem& units) {
+Result<std::string> springs_text(const dobra::mesh::ElementMesh& mesh, const std::vector<fem::Spring>& springs,
+                                 const dobra::scenario::UnitSystem& units) {
   std::string text;
   std::size_t element = mesh.element_count();
   std::size_t number = 0;
@@ -156,13 +179,15 @@ std::optional<Error> deck_gap(const dobra::mesh::ElementMesh& mesh, const fem::P
   return equations ? std::nullopt : std::optional(equations.error());
 }
 
-Result<std::string> deck_text(const dobra::mesh::ElementMesh& mesh, const fem::Problem& problem, const dobra::scenario::UnitSystem& units) {
+Result<std::string> deck_text(const dobra::mesh::ElementMesh& mesh, const fem::Problem& problem,
+                              const dobra::scenario::UnitSystem& units) {
   if (auto gap = without_equal(problem)) return *std::move(gap);
   const std::vector<fem::DofConstraint> constraints = fem::constraints_of(mesh, problem);
   const Held held = held_by(constraints);
   DOBRA_TRY(const auto sprung, sprung_by(mesh, problem.springs));
   DOBRA_TRY(const Equations equations, equations_of(constraints, held, sprung, mesh.points.size()));
-  DOBRA_TRY(std::string text, dobra::io::inp_text(in_units(mesh, units), {.element = dobra::io::InpElement::PlaneStrain}));
+  DOBRA_TRY(std::string text,
+            dobra::io::inp_text(in_units(mesh, units), {.element = dobra::io::InpElement::PlaneStrain}));
   text = "** " + note_of(units) + '\n' + text;
   const auto in = [&units](double value, const char* si) { return twenty_columns(units.from_si(value, si)); };
   const std::set<std::int32_t> regions(mesh.regions.begin(), mesh.regions.end());
@@ -177,9 +202,11 @@ Result<std::string> deck_text(const dobra::mesh::ElementMesh& mesh, const fem::P
   text += springs;
   for (const fem::LoadCase& load : problem.cases) {
     text += fmt::format("*STEP\n*STATIC\n** {}\n*BOUNDARY, OP=NEW\n", load.name);
-    for (const auto& [dof, value] : held) text += fmt::format("{0}, {1}, {1}, {2}\n", dof / 2 + 1, dof % 2 + 1, in(load.settlement * value, "m"));
+    for (const auto& [dof, value] : held)
+      text += fmt::format("{0}, {1}, {1}, {2}\n", dof / 2 + 1, dof % 2 + 1, in(load.settlement * value, "m"));
     for (std::size_t i = 0; i < equations.values.size(); ++i)
-      text += fmt::format("{0}, 1, 1, {1}\n", mesh.points.size() + i + 1, in(load.settlement * equations.values[i], "m"));
+      text +=
+          fmt::format("{0}, 1, 1, {1}\n", mesh.points.size() + i + 1, in(load.settlement * equations.values[i], "m"));
     text += "*CLOAD, OP=NEW\n";
     const auto forces = fem::load_vector(mesh, problem, load);
     for (std::size_t n = 0; n < forces.size(); ++n) {

@@ -56,13 +56,16 @@ Result<void> check_joints(const Joints& joints, const std::vector<Curve>& curves
     const std::string& name = curves[sides.front().curve].name;
     const Place place = at_point(places[sides.front().curve], at);
     if (sides.size() == 1) {
-      return Error{ErrorCode::BadDomain,
-                   fmt::format("curve '{}' ends where no other curve begins; close the loop or give it role = \"internal\"", name),
-                   place};
+      return Error{
+          ErrorCode::BadDomain,
+          fmt::format("curve '{}' ends where no other curve begins; close the loop or give it role = \"internal\"",
+                      name),
+          place};
     }
     if (sides.size() > 2) {
       return Error{ErrorCode::BadDomain,
-                   fmt::format("{} boundary curves meet in one point, '{}' among them; a loop passes a point once", sides.size(), name),
+                   fmt::format("{} boundary curves meet in one point, '{}' among them; a loop passes a point once",
+                               sides.size(), name),
                    place};
     }
   }
@@ -98,7 +101,8 @@ Result<void> check_doubles(const std::vector<Curve>& curves, const std::vector<P
     const auto [first, is_new] = known.try_emplace(shape_key(curves[i]), i);
     if (is_new) continue;
     return Error{ErrorCode::BadDomain,
-                 fmt::format("curves '{}' and '{}' are identical; remove one of them, or give --repair (repair = \"yes\"), which leaves the second out",
+                 fmt::format("curves '{}' and '{}' are identical; remove one of them, or give --repair (repair = "
+                             "\"yes\"), which leaves the second out",
                              curves[first->second].name, curves[i].name),
                  at_point(places[i], start_of(curves[i]))};
   }
@@ -114,13 +118,17 @@ Error nothing_closes(const Domain& domain, Place place, const std::optional<Repa
   for (double limit = 1e-4 * size; nearest.empty() && limit < 0.2 * size; limit *= 10.0) {
     for (const auto& [gap, a, b] : near_ends(ends, limit)) {
       if (!(gap > 0.0)) continue;
-      nearest = fmt::format("the ends nearest to each other leave {}: {}; ", gap_text(domain.curves, ends[a], ends[b]), gap_advice(gap, size, repaired));
+      nearest = fmt::format("the ends nearest to each other leave {}: {}; ", gap_text(domain.curves, ends[a], ends[b]),
+                            gap_advice(gap, size, repaired));
       place = at_point(place, ends[a].at);
       break;
     }
   }
-  return {ErrorCode::BadDomain, fmt::format("no curve closes, so nothing bounds the domain; {}{}if each line is an outline without its last side, give --closed (closed = \"yes\")", nearest,
-                                             repaired ? "" : "if sides are drawn past their corners, --repair (repair = \"yes\") cuts them; "),
+  return {ErrorCode::BadDomain,
+          fmt::format("no curve closes, so nothing bounds the domain; {}{}if each line is an outline without its last "
+                      "side, give --closed (closed = \"yes\")",
+                      nearest,
+                      repaired ? "" : "if sides are drawn past their corners, --repair (repair = \"yes\") cuts them; "),
           place};
 }
 
@@ -150,7 +158,8 @@ bool drop_between_holes(Domain& domain, Sketch& sketch, const Inside& inside) {
   return any;
 }
 
-Result<void> check_roles(const Domain& domain, const Inside& inside, const std::vector<Place>& places, const DomainOptions& options) {
+Result<void> check_roles(const Domain& domain, const Inside& inside, const std::vector<Place>& places,
+                         const DomainOptions& options) {
   for (const auto& loop : domain.loops) {
     for (const auto& side : loop.sides) {
       const Curve& curve = domain.curves[side.curve];
@@ -176,7 +185,8 @@ Result<void> check_roles(const Domain& domain, const Inside& inside, const std::
       if (auto open = open_outline(domain.curves, places, inside, options.repaired)) return *std::move(open);
       return Error{ErrorCode::OutsideDomain,
                    fmt::format("{} '{}' lies outside the domain{}; trim it at the boundary or remove it",
-                               curve.role == Role::Crack ? "crack" : "internal line", curve.name, cuts.size() > 2 ? " in part" : ""),
+                               curve.role == Role::Crack ? "crack" : "internal line", curve.name,
+                               cuts.size() > 2 ? " in part" : ""),
                    at_point(places[i], middle)};
     }
   }
@@ -232,24 +242,32 @@ bool Inside::operator()(Point p) const {
 
 std::vector<std::size_t> Inside::loops_around(Point p) const {
   std::vector<std::size_t> loops = boxes_.overlapping({p, p});
-  std::erase_if(loops, [&](std::size_t loop) { return dobra::geom::locate(contours_[loop], p) != dobra::geom::Side::Inside; });
+  std::erase_if(loops,
+                [&](std::size_t loop) { return dobra::geom::locate(contours_[loop], p) != dobra::geom::Side::Inside; });
   return loops;
 }
 
 Result<Domain> make_domain(Sketch sketch, const DomainOptions& options) {
   const std::vector<Place>& places = sketch.places;
-  if (sketch.curves.empty()) return Error{ErrorCode::BadDomain, "the domain has no curve; add [[input.curve]], a file or a specimen"};
+  if (sketch.curves.empty())
+    return Error{ErrorCode::BadDomain, "the domain has no curve; add [[input.curve]], a file or a specimen"};
   Box box;
   for (const Curve& curve : sketch.curves) box.add(box_of(curve));
   constexpr double least_size = 1e-100;  // products of three lengths stay far from underflow
   const double extent = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
-  if (extent > 0.0 && extent < least_size) return Error{ErrorCode::BadDomain, fmt::format("the domain is only {:.3g} m large; use smaller units", extent), places.front()};
+  if (extent > 0.0 && extent < least_size)
+    return Error{ErrorCode::BadDomain, fmt::format("the domain is only {:.3g} m large; use smaller units", extent),
+                 places.front()};
   const double tolerance = options.join_tolerance * box.diagonal();
   for (std::size_t i = 0; i < sketch.curves.size(); ++i) {
     const Curve& curve = sketch.curves[i];
     if (length(curve) <= tolerance) {
       const double own = length(curve);
-      const std::string what = own > 0.0 ? fmt::format("is only {:.3g} m long, and points within {:.3g} m (join_tolerance) are one; make it longer or remove it", own, tolerance) : "has no length; remove it";
+      const std::string what = own > 0.0 ? fmt::format(
+                                               "is only {:.3g} m long, and points within {:.3g} m (join_tolerance) are "
+                                               "one; make it longer or remove it",
+                                               own, tolerance)
+                                         : "has no length; remove it";
       return Error{ErrorCode::DegenerateCurve, fmt::format("curve '{}' {}", curve.name, what),
                    at_point(places[i], start_of(curve))};
     }

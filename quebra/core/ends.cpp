@@ -41,18 +41,22 @@ std::vector<NearEnds> near_ends(const std::vector<End>& ends, double tolerance) 
       if (gap <= tolerance) pairs.push_back({gap, std::min(by_x[i], by_x[j]), std::max(by_x[i], by_x[j])});
     }
   }
-  std::sort(pairs.begin(), pairs.end(), [](const NearEnds& x, const NearEnds& y) { return std::tie(x.gap, x.a, x.b) < std::tie(y.gap, y.a, y.b); });
+  std::sort(pairs.begin(), pairs.end(),
+            [](const NearEnds& x, const NearEnds& y) { return std::tie(x.gap, x.a, x.b) < std::tie(y.gap, y.a, y.b); });
   return pairs;
 }
 
 std::string gap_text(const std::vector<Curve>& curves, const End& a, const End& b) {
-  const auto text = [&](const End& end) { return fmt::format("({:.6g}, {:.6g}) of '{}'", end.at.x, end.at.y, curves[end.curve].name); };
+  const auto text = [&](const End& end) {
+    return fmt::format("({:.6g}, {:.6g}) of '{}'", end.at.x, end.at.y, curves[end.curve].name);
+  };
   return fmt::format("a gap of {:.3g} m between {} and {}", distance(a.at, b.at), text(a), text(b));
 }
 
 bool move_end(Curve& curve, bool last, Point to) {
   if (auto* arc = std::get_if<Arc>(&curve.shape)) {
-    const auto orientation = arc->sweep().radians() > 0.0 ? dobra::geom::Orientation::Anticlockwise : dobra::geom::Orientation::Clockwise;
+    const auto orientation =
+        arc->sweep().radians() > 0.0 ? dobra::geom::Orientation::Anticlockwise : dobra::geom::Orientation::Clockwise;
     const Point start = last ? point(curve, 0.0) : to;
     const Point end = last ? to : point(curve, length(curve));
     auto moved = Arc::from_ends(arc->centre(), start, end, orientation, arc_tolerance);

@@ -1,6 +1,6 @@
 #pragma once
-// Ends of open curves that should be one point: found, and moved. What make_domain joins in silence (below rounding) and what repair
-// joins and reports is the same, with another tolerance.
+// Ends of open curves that should be one point: found, and moved. What make_domain joins in silence (below rounding)
+// and what repair joins and reports is the same, with another tolerance.
 
 #include <string>
 #include <vector>
@@ -30,12 +30,12 @@ std::vector<NearEnds> near_ends(const std::vector<End>& ends, double tolerance);
 /// "a gap of 0.4 m between (0, 0) of 'a' and (0, 0.4) of 'b'"
 std::string gap_text(const std::vector<Curve>& curves, const End& a, const End& b);
 
-/// Moves an end of a curve to a point near it. @return false, and nothing is moved, where no arc about its centre, or no smooth
-/// curve, would end there.
+/// Moves an end of a curve to a point near it. @return false, and nothing is moved, where no arc about its centre, or
+/// no smooth curve, would end there.
 bool move_end(Curve& curve, bool last, dobra::geom::Point to);
 
-/// Makes ends that lie within `tolerance` of each other the same point: that of an arc, or else the first of them in the order
-/// of the curves.
+/// Makes ends that lie within `tolerance` of each other the same point: that of an arc, or else the first of them in
+/// the order of the curves.
 void join_ends(std::vector<Curve>& curves, double tolerance);
 
 }  // namespace quebra::core

@@ -108,7 +108,8 @@ Point inner_point(std::span<const Segment> sides) {
       const Point p{0.5 * (crossings[i] + crossings[i + 1]), y};
       if (0.5 * (crossings[i + 1] - crossings[i]) <= clearance) continue;
       const double half_width = 0.5 * (crossings[i + 1] - crossings[i]);
-      const auto nearest = index.nearest(p, [&](std::size_t side) { return distance(sides[side], p); }, half_width);
+      const auto nearest = index.nearest(
+          p, [&](std::size_t side) { return distance(sides[side], p); }, half_width);
       const double least = nearest ? nearest->distance : half_width;
       if (least > clearance) {
         clearance = least;
@@ -148,7 +149,8 @@ Polyline octagon_round(const Arc& circle) {
 
 }  // namespace
 
-Result<void> find_faces(Domain& domain, const Inside& inside, std::span<const RegionName> names, std::span<const Area> areas) {
+Result<void> find_faces(Domain& domain, const Inside& inside, std::span<const RegionName> names,
+                        std::span<const Area> areas) {
   Subdivision subdivision;
   // Round holes that nothing is near to may as well be octagons, but for the area between.
   const std::vector<std::uint8_t> lone = lone_holes(domain, names);
@@ -159,7 +161,8 @@ Result<void> find_faces(Domain& domain, const Inside& inside, std::span<const Re
     const auto inserted = insert(subdivision, line);
     if (!inserted) return inserted.error();
     if (lone[c] == 0) continue;
-    between.emplace_back(inserted->path.front(), signed_area(line) - std::abs(signed_area(trace(domain.curves[c]).line)));
+    between.emplace_back(inserted->path.front(),
+                         signed_area(line) - std::abs(signed_area(trace(domain.curves[c]).line)));
   }
   std::map<FaceId, Face> faces;
   for (const FaceId id : subdivision.faces()) {
@@ -179,18 +182,21 @@ Result<void> find_faces(Domain& domain, const Inside& inside, std::span<const Re
     const auto where = locate(subdivision, name.at);
     const auto face = where.where == dobra::topo::Where::Face ? faces.find(where.face) : faces.end();
     if (face == faces.end()) {
-      return bad_name(ErrorCode::OutsideDomain, name, "the point of the region does not lie inside the material; move it");
+      return bad_name(ErrorCode::OutsideDomain, name,
+                      "the point of the region does not lie inside the material; move it");
     }
     const auto [tag, is_new] = tags.try_emplace(name.name, next + 1);
     if (is_new) domain.region_names[++next] = name.name;
     if (face->second.region != 0 && face->second.region != tag->second) {
-      return bad_name(ErrorCode::BadValue, name, "another region has its point in the same part of the material; divide them by an internal line");
+      return bad_name(ErrorCode::BadValue, name,
+                      "another region has its point in the same part of the material; divide them by an internal line");
     }
     face->second.region = tag->second;
   }
   std::map<const Area*, std::vector<Face*>> within;
   for (auto& [id, face] : faces) {
-    if (const Area* const area = face.region == 0 ? smallest_round(areas, face.inside) : nullptr) within[area].push_back(&face);
+    if (const Area* const area = face.region == 0 ? smallest_round(areas, face.inside) : nullptr)
+      within[area].push_back(&face);
   }
   for (const Area& area : areas) {  // tags in the order of the areas
     const auto found = area.name.empty() ? within.end() : within.find(&area);

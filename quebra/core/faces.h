@@ -1,6 +1,6 @@
 #pragma once
-// The parts of the material that loops and internal lines enclose, recognised by the planar subdivision, with the region
-// (tag and name) of each.
+// The parts of the material that loops and internal lines enclose, recognised by the planar subdivision, with the
+// region (tag and name) of each.
 
 #include <span>
 
@@ -11,9 +11,12 @@
 
 namespace quebra::core {
 
-/// Fills domain.faces and domain.region_names. Cracks divide nothing; `inside` is of the domain. A part without a name takes that of the smallest area round it.
-/// @error OutsideDomain with the place for a name whose point is not inside the material; BadValue for two names in one part.
-dobra::base::Result<void> find_faces(Domain& domain, const Inside& inside, std::span<const RegionName> names, std::span<const Area> areas = {});
+/// Fills domain.faces and domain.region_names. Cracks divide nothing; `inside` is of the domain. A part without a name
+/// takes that of the smallest area round it.
+/// @error OutsideDomain with the place for a name whose point is not inside the material; BadValue for two names in one
+/// part.
+dobra::base::Result<void> find_faces(Domain& domain, const Inside& inside, std::span<const RegionName> names,
+                                     std::span<const Area> areas = {});
 
 /// The chords of a curve, through its junctions.
 dobra::geom::Polyline chords(const Domain& domain, std::size_t curve);

@@ -26,12 +26,14 @@ using dobra::geom::Point;
 using dobra::geom::Polyline;
 using dobra::geom::Segment;
 
-// --- gaps --------------------------------------------------------------------------------------------------------------------
+// --- gaps
+// --------------------------------------------------------------------------------------------------------------------
 
 /// Chains of internal lines that would close if their nearest free ends met.
 class NearlyClosed {
  public:
-  NearlyClosed(const Domain& domain, double limit, const std::optional<RepairOptions>& repaired) : domain_(domain), limit_(limit), repaired_(repaired), chain_(domain.curves.size()) {
+  NearlyClosed(const Domain& domain, double limit, const std::optional<RepairOptions>& repaired)
+      : domain_(domain), limit_(limit), repaired_(repaired), chain_(domain.curves.size()) {
     std::iota(chain_.begin(), chain_.end(), std::size_t{0});
   }
 
@@ -56,7 +58,8 @@ class NearlyClosed {
     for (const NearEnds& pair : pairs) {
       const std::size_t chain = root(ends[pair.a].curve);
       // A line no longer than its gap closes nothing.
-      if (closed_chains.contains(chain) && pair.gap < 0.1 * lengths[chain]) findings.push_back(finding(ends[pair.a], ends[pair.b], pair.gap));
+      if (closed_chains.contains(chain) && pair.gap < 0.1 * lengths[chain])
+        findings.push_back(finding(ends[pair.a], ends[pair.b], pair.gap));
     }
     return findings;
   }
@@ -89,10 +92,16 @@ class NearlyClosed {
     const std::string& one = domain_.curves[a.curve].name;
     const std::string names = a.curve == b.curve ? one : one + ", " + domain_.curves[b.curve].name;
     const double size = domain_.box().diagonal();
-    const std::string what = gap_text(domain_.curves, a, b) + ", so that this chain is taken for an internal line and bounds nothing";
-    if (!repaired_) return {Wrong::Gap, a.at, names, fmt::format("left as it is: {}; {}", what, gap_advice(gap, size, repaired_))};
+    const std::string what =
+        gap_text(domain_.curves, a, b) + ", so that this chain is taken for an internal line and bounds nothing";
+    if (!repaired_)
+      return {Wrong::Gap, a.at, names, fmt::format("left as it is: {}; {}", what, gap_advice(gap, size, repaired_))};
     const double closes = gap_limit(*repaired_, size);
-    const std::string why = gap > closes ? gap_advice(gap, size, repaired_) : fmt::format("--repair closes gaps up to {:.3g} m, but none between lines that the file calls internal: close it by hand", closes);
+    const std::string why = gap > closes ? gap_advice(gap, size, repaired_)
+                                         : fmt::format(
+                                               "--repair closes gaps up to {:.3g} m, but none between lines that the "
+                                               "file calls internal: close it by hand",
+                                               closes);
     return {Wrong::Gap, a.at, names, fmt::format("not repaired: {}; {}", what, why)};
   }
 
@@ -102,7 +111,8 @@ class NearlyClosed {
   std::vector<std::size_t> chain_;  ///< Union of curves, by the least.
 };
 
-// --- slivers ---------------------------------------------------------------------------------------------------------------
+// --- slivers
+// ---------------------------------------------------------------------------------------------------------------
 
 struct Piece {
   Segment segment;
@@ -118,7 +128,8 @@ struct Clearance {
 
 class Slivers {
  public:
-  Slivers(const Domain& domain, const FlawOptions& options, double size) : domain_(domain), options_(options), size_(size) {
+  Slivers(const Domain& domain, const FlawOptions& options, double size)
+      : domain_(domain), options_(options), size_(size) {
     for (const Junction& junction : domain.junctions) junctions_[junction.at].insert(junction.curve);
   }
 
@@ -152,8 +163,12 @@ class Slivers {
     Finding finding;
   };
 
-  [[nodiscard]] bool straight(std::size_t curve) const { return std::holds_alternative<Polyline>(domain_.curves[curve].shape); }
-  [[nodiscard]] double extent(const Segment& segment) const { return std::min(segment.length(), options_.side * size_); }
+  [[nodiscard]] bool straight(std::size_t curve) const {
+    return std::holds_alternative<Polyline>(domain_.curves[curve].shape);
+  }
+  [[nodiscard]] double extent(const Segment& segment) const {
+    return std::min(segment.length(), options_.side * size_);
+  }
 
   /// The point where two pieces meet by intention: a common end, or a junction.
   [[nodiscard]] std::optional<Point> meeting(const Piece& a, const Piece& b) const {
@@ -168,7 +183,8 @@ class Slivers {
   [[nodiscard]] bool joined(Point p, const Piece& piece) const {
     const auto found = junctions_.find(p);
     const double bulge = straight(piece.curve) ? 0.0 : 0.25 * trace_turn.radians() * piece.segment.length();
-    return found != junctions_.end() && found->second.contains(piece.curve) && distance(piece.segment, p) <= DomainOptions{}.join_tolerance * size_ + bulge;
+    return found != junctions_.end() && found->second.contains(piece.curve) &&
+           distance(piece.segment, p) <= DomainOptions{}.join_tolerance * size_ + bulge;
   }
 
   void judge(const Piece& a, const Piece& b) {
@@ -218,7 +234,8 @@ class Slivers {
   [[nodiscard]] Point nearest(const Piece& piece, Point p) const {
     const Curve& curve = domain_.curves[piece.curve];
     double s = piece.s_from + nearest_fraction(piece.segment, p) * (piece.s_to - piece.s_from);
-    if (straight(piece.curve)) return interpolate(piece.segment.from, piece.segment.to, nearest_fraction(piece.segment, p));
+    if (straight(piece.curve))
+      return interpolate(piece.segment.from, piece.segment.to, nearest_fraction(piece.segment, p));
     for (int step = 0; step < 8; ++step) {
       const double ahead = dot(p - point(curve, s), direction(curve, s));
       s = std::clamp(s + ahead, piece.s_from, piece.s_to);
@@ -235,15 +252,25 @@ class Slivers {
     entry->second.ratio = ratio;
     const bool same = a.curve == b.curve;
     const std::size_t apart = std::max(a.number, b.number) - std::min(a.number, b.number);
-    const bool short_side = same && !wedge && (apart == 2 || (closed(domain_.curves[a.curve]) && apart + 2 == counts_[a.curve]));
+    const bool short_side =
+        same && !wedge && (apart == 2 || (closed(domain_.curves[a.curve]) && apart + 2 == counts_[a.curve]));
     const std::string& one = domain_.curves[a.curve].name;
-    const std::string what = wedge        ? fmt::format("two sides of {:.3g} m that leave one point are no more than {:.3g} m apart", local, least.distance)
-                             : short_side ? fmt::format("two points are {:.3g} m apart between sides of {:.3g} m", least.distance, local)
-                                          : fmt::format("two sides of {:.3g} m come within {:.3g} m of each other", local, least.distance);
+    const std::string what =
+        wedge        ? fmt::format("two sides of {:.3g} m that leave one point are no more than {:.3g} m apart", local,
+                                   least.distance)
+        : short_side ? fmt::format("two points are {:.3g} m apart between sides of {:.3g} m", least.distance, local)
+                     : fmt::format("two sides of {:.3g} m come within {:.3g} m of each other", local, least.distance);
     const double merges = RepairOptions{}.same_point * size_;
-    entry->second.finding = {short_side ? Wrong::NearlyRepeatedPoint : Wrong::Sliver, least.at, same ? one : one + ", " + domain_.curves[b.curve].name,
-                             options_.repaired ? fmt::format("not repaired: {}, and elements must be as small there; move them apart or let them touch: --repair makes one only of what is nearer than {:.3g} m", what, merges)
-                                               : fmt::format("left as it is: {}, and elements must be as small there; move them apart or let them touch; --repair (repair = \"yes\") makes one of what is nearer than {:.3g} m", what, merges)};
+    entry->second.finding = {
+        short_side ? Wrong::NearlyRepeatedPoint : Wrong::Sliver, least.at,
+        same ? one : one + ", " + domain_.curves[b.curve].name,
+        options_.repaired
+            ? fmt::format("not repaired: {}, and elements must be as small there; move them apart or let them touch: "
+                          "--repair makes one only of what is nearer than {:.3g} m",
+                          what, merges)
+            : fmt::format("left as it is: {}, and elements must be as small there; move them apart or let them touch; "
+                          "--repair (repair = \"yes\") makes one of what is nearer than {:.3g} m",
+                          what, merges)};
   }
 
   const Domain& domain_;
@@ -255,7 +282,8 @@ class Slivers {
   std::map<std::pair<std::size_t, std::size_t>, Worst> worst_;
 };
 
-// --- loops outside others ------------------------------------------------------------------------------------------------
+// --- loops outside others
+// ------------------------------------------------------------------------------------------------
 
 /// What lies outside every other loop bounds material of its own, and is easily taken for a hole.
 std::vector<Finding> loops_apart(const Domain& domain) {
@@ -280,8 +308,10 @@ std::vector<Finding> loops_apart(const Domain& domain) {
   if (outer.size() > most + 1) names += fmt::format(" and {} more", outer.size() - most - 1);
   const bool one = outer.size() == 2;
   return {{Wrong::Apart, point(domain.curves[outer[1].loop->sides.front().curve], 0.0), names,
-           fmt::format("left as {}: outside '{}', {} no hole{} but material of {} own, {:.3g} m2 beside {:.3g} m2; move {} inside or remove {} if that is not meant",
-                       one ? "it is" : "they are", name_of(outer[0]), one ? "it is" : "they are", one ? "" : "s", one ? "its" : "their", area, outer[0].area, one ? "it" : "them", one ? "it" : "them")}};
+           fmt::format("left as {}: outside '{}', {} no hole{} but material of {} own, {:.3g} m2 beside {:.3g} m2; "
+                       "move {} inside or remove {} if that is not meant",
+                       one ? "it is" : "they are", name_of(outer[0]), one ? "it is" : "they are", one ? "" : "s",
+                       one ? "its" : "their", area, outer[0].area, one ? "it" : "them", one ? "it" : "them")}};
 }
 
 }  // namespace

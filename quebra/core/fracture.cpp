@@ -23,7 +23,9 @@ std::vector<Figure> figures_of(const fem::TipResult& tip) {
   const char* const k = "Pa sqrt(m)";
   const auto one = [](const std::optional<fem::Intensity>& i) { return i ? std::optional(i->one) : std::nullopt; };
   const auto two = [](const std::optional<fem::Intensity>& i) { return i ? std::optional(i->two) : std::nullopt; };
-  const auto angle = [&](fem::Kink fem::TipResult::Kinks::* kink) { return tip.kinks ? std::optional((*tip.kinks.*kink).angle.degrees()) : std::nullopt; };
+  const auto angle = [&](fem::Kink fem::TipResult::Kinks::*kink) {
+    return tip.kinks ? std::optional((*tip.kinks.*kink).angle.degrees()) : std::nullopt;
+  };
   using Kinks = fem::TipResult::Kinks;
   return {{"K_I", k, tip.domain.k.one},
           {"K_II", k, tip.domain.k.two},
@@ -44,13 +46,18 @@ std::vector<Figure> figures_of(const fem::TipResult& tip) {
 /// What the user should know of the tips; of one that no load case has figures of, once.
 void add_tip_remarks(const Analysis& analysis, std::vector<std::string>& remarks) {
   for (std::size_t c = 0; c < analysis.tips.size(); ++c) {
-    const std::string of = analysis.tips.size() == 1 ? std::string() : fmt::format("load case '{}': ", analysis.problem.cases[c].name);
+    const std::string of =
+        analysis.tips.size() == 1 ? std::string() : fmt::format("load case '{}': ", analysis.problem.cases[c].name);
     for (std::size_t t = 0; t < analysis.tips[c].size(); ++t) {
       const fem::TipResult& tip = analysis.tips[c][t];
       for (const std::string& remark : tip.remarks) remarks.push_back(of + remark);
       if (!tip.refused) continue;
-      const bool always = std::all_of(analysis.tips.begin(), analysis.tips.end(), [&](const auto& tips) { return tips[t].refused && tips[t].refused->message == tip.refused->message; });
-      if (!always || c == 0) remarks.push_back(fmt::format("{}crack tip '{}' at ({:.6g}, {:.6g}) has no K: {}", always ? "" : of, tip.name, tip.at.x, tip.at.y, tip.refused->message));
+      const bool always = std::all_of(analysis.tips.begin(), analysis.tips.end(), [&](const auto& tips) {
+        return tips[t].refused && tips[t].refused->message == tip.refused->message;
+      });
+      if (!always || c == 0)
+        remarks.push_back(fmt::format("{}crack tip '{}' at ({:.6g}, {:.6g}) has no K: {}", always ? "" : of, tip.name,
+                                      tip.at.x, tip.at.y, tip.refused->message));
     }
   }
 }
@@ -59,17 +66,24 @@ void add_tip_remarks(const Analysis& analysis, std::vector<std::string>& remarks
 
 dobra::base::Result<Model> add_tips(const Model& model, const FractureParams& params, const scenario::Context&,
                                     const dobra::base::Progress& progress) {
-  if (model.analyses.empty()) return Error{ErrorCode::BadValue, "there is no analysis: put a step 'analyse' or 'adapt' before"};
+  if (model.analyses.empty())
+    return Error{ErrorCode::BadValue, "there is no analysis: put a step 'analyse' or 'adapt' before"};
   Analysis analysis = *model.analyses.back();
   const auto& mesh = analysis.meshed->mesh;
-  if (mesh.tips.empty()) return Error{ErrorCode::BadValue, "the mesh has no crack tips; give the input a crack that ends inside the material"};
+  if (mesh.tips.empty())
+    return Error{ErrorCode::BadValue,
+                 "the mesh has no crack tips; give the input a crack that ends inside the material"};
   analysis.tips.clear();
   for (std::size_t c = 0; c < analysis.problem.cases.size(); ++c) {
     DOBRA_TRY_VOID(progress.check());
-    analysis.tips.push_back(fem::crack_tips(mesh, analysis.problem, analysis.problem.cases[c], analysis.solution.cases[c].displacements, params.contour));
+    analysis.tips.push_back(fem::crack_tips(mesh, analysis.problem, analysis.problem.cases[c],
+                                            analysis.solution.cases[c].displacements, params.contour));
   }
-  const auto all_refused = [](const auto& tips) { return std::all_of(tips.begin(), tips.end(), [](const auto& tip) { return tip.refused.has_value(); }); };
-  if (std::all_of(analysis.tips.begin(), analysis.tips.end(), all_refused)) return *analysis.tips.front().front().refused;
+  const auto all_refused = [](const auto& tips) {
+    return std::all_of(tips.begin(), tips.end(), [](const auto& tip) { return tip.refused.has_value(); });
+  };
+  if (std::all_of(analysis.tips.begin(), analysis.tips.end(), all_refused))
+    return *analysis.tips.front().front().refused;
   Model result = model;
   add_tip_remarks(analysis, result.remarks);
   result.analyses.back() = std::make_shared<const Analysis>(std::move(analysis));
@@ -78,8 +92,10 @@ dobra::base::Result<Model> add_tips(const Model& model, const FractureParams& pa
 
 std::string ask_for_rosettes(scenario::Document& document) {
   auto& steps = document.steps;
-  const auto crack = std::find_if(steps.rbegin(), steps.rend(), [](const auto& step) { return step.operation == "crack"; });
-  const auto mesh = std::find_if(crack, steps.rend(), [](const auto& step) { return step.operation == "mesh" || step.operation == "adapt"; });
+  const auto crack =
+      std::find_if(steps.rbegin(), steps.rend(), [](const auto& step) { return step.operation == "crack"; });
+  const auto mesh = std::find_if(
+      crack, steps.rend(), [](const auto& step) { return step.operation == "mesh" || step.operation == "adapt"; });
   const auto give = [](scenario::Table& params) {
     params.set("order", std::string("2"));
     params.set("rosettes", std::string("yes"));
@@ -87,7 +103,8 @@ std::string ask_for_rosettes(scenario::Document& document) {
   if (mesh == steps.rend()) {
     scenario::Step step{.operation = "mesh", .name = {}, .params = {}, .comment = {}, .place = {}};
     give(step.params);
-    const auto analyse = std::find_if(steps.begin(), steps.end(), [](const auto& s) { return s.operation == "analyse"; });
+    const auto analyse =
+        std::find_if(steps.begin(), steps.end(), [](const auto& s) { return s.operation == "analyse"; });
     steps.insert(analyse != steps.end() ? analyse : crack.base() - 1, std::move(step));
     return "the scenario has no mesh: one with rosettes of quarter-point elements at the tips is made";
   }
@@ -97,7 +114,9 @@ std::string ask_for_rosettes(scenario::Document& document) {
   };
   if (mesh->params.find("rosettes") != nullptr || says("order", "1") || says("quads", "yes")) return {};
   give(mesh->params);
-  return fmt::format("step '{}' puts rosettes of quarter-point elements at the tips; rosettes = \"no\" there leaves them out", mesh->operation);
+  return fmt::format(
+      "step '{}' puts rosettes of quarter-point elements at the tips; rosettes = \"no\" there leaves them out",
+      mesh->operation);
 }
 
 void add_tip_quantities(const Model& model, std::vector<scenario::Quantity>& quantities) {
@@ -107,7 +126,9 @@ void add_tip_quantities(const Model& model, std::vector<scenario::Quantity>& qua
     for (const auto& tip : analysis.tips[c]) {
       if (tip.refused) continue;
       for (const Figure& figure : figures_of(tip)) {
-        if (figure.value) quantities.push_back({fmt::format("tip.{}.{}.{}", analysis.solution.cases[c].name, tip.name, figure.name), *figure.value, figure.unit});
+        if (figure.value)
+          quantities.push_back({fmt::format("tip.{}.{}.{}", analysis.solution.cases[c].name, tip.name, figure.name),
+                                *figure.value, figure.unit});
       }
     }
   }
@@ -130,8 +151,10 @@ void add_tip_tables(const Model& model, std::vector<scenario::DataTable>& tables
       row.emplace_back(tip.name);
       for (const double place : {tip.at.x, tip.at.y}) row.emplace_back(place);
       for (const Figure& figure : figures) {
-        if (figure.value && !tip.refused) row.emplace_back(*figure.value);
-        else row.emplace_back(std::string());
+        if (figure.value && !tip.refused)
+          row.emplace_back(*figure.value);
+        else
+          row.emplace_back(std::string());
       }
       row.emplace_back(tip.refused ? scenario::message_in_units(tip.refused->message, model.units) : std::string());
     }
@@ -143,7 +166,8 @@ std::optional<bool> tips_reached(const Model& model) {
   std::optional<bool> reached;
   for (const auto& analysis : model.analyses) {
     for (const auto& tips : analysis->tips)
-      reached = reached.value_or(true) && std::none_of(tips.begin(), tips.end(), [](const auto& tip) { return tip.refused.has_value(); });
+      reached = reached.value_or(true) &&
+                std::none_of(tips.begin(), tips.end(), [](const auto& tip) { return tip.refused.has_value(); });
   }
   return reached;
 }

@@ -15,17 +15,22 @@ struct FractureParams {
 
   template <class D>
   static void describe(D& d) {
-    d.field("contour", &FractureParams::contour, {.title = "Contour", .help = "Outer radius of the ring of the integrals; by default the largest that fits.", .unit = "m", .above = 0});
+    d.field("contour", &FractureParams::contour,
+            {.title = "Contour",
+             .help = "Outer radius of the ring of the integrals; by default the largest that fits.",
+             .unit = "m",
+             .above = 0});
   }
 };
 
 /// A tip that cannot be analysed is listed with the reason, and a remark says it.
 /// @error BadValue: no analysis, or no tip in its mesh; no tip that can be analysed: the reason of the first.
-dobra::base::Result<Model> add_tips(const Model& model, const FractureParams& params, const dobra::scenario::Context& context,
-                                    const dobra::base::Progress& progress);
+dobra::base::Result<Model> add_tips(const Model& model, const FractureParams& params,
+                                    const dobra::scenario::Context& context, const dobra::base::Progress& progress);
 
-/// Who asks for K wants rosettes: the last `mesh` or `adapt` step before the last `crack` step gets them, and second order,
-/// unless it says otherwise itself by `rosettes`, order = "1" or quads = "yes"; a document without either gets a mesh step.
+/// Who asks for K wants rosettes: the last `mesh` or `adapt` step before the last `crack` step gets them, and second
+/// order, unless it says otherwise itself by `rosettes`, order = "1" or quads = "yes"; a document without either gets a
+/// mesh step.
 /// @return what was done, for the user; empty if nothing.
 std::string ask_for_rosettes(dobra::scenario::Document& document);
 

@@ -63,7 +63,8 @@ Result<CubicPath> ellipse(Point from, Point centre, Point on_major, Point to) {
   return ellipse_arc({.centre = centre, .u = rx * u, .v = ry * v, .start = start, .sweep = sweep}, from, to);
 }
 
-/// gmsh's spline is Catmull and Rom's: at each point the derivative is half the way from the point before to the one behind.
+/// gmsh's spline is Catmull and Rom's: at each point the derivative is half the way from the point before to the one
+/// behind.
 CubicPath catmull_rom(std::vector<Point> p) {
   const std::size_t n = p.size();
   const bool closed = n > 3 && p.front() == p.back();
@@ -106,16 +107,21 @@ Result<Curve> make_curve(const GeoFile& file, std::int64_t tag, const GeoCurve& 
     return curve;
   };
   switch (geo.kind) {
-    case GeoCurveKind::Line: break;
+    case GeoCurveKind::Line:
+      break;
     case GeoCurveKind::Circle: {
       DOBRA_TRY(Arc arc, Arc::from_ends(p[1], p[0], p[2], shorter_way(p[1], p[0], p[2]), 1e-6));
       curve.shape = std::move(arc);
       return curve;
     }
-    case GeoCurveKind::Ellipse: return smooth(ellipse(p[0], p[1], p[2], p[3]));
-    case GeoCurveKind::Spline: return p.size() > 2 ? smooth(catmull_rom(p)) : Result<Curve>(curve);
-    case GeoCurveKind::BSpline: return p.size() > 2 ? smooth(b_spline(p)) : Result<Curve>(curve);
-    case GeoCurveKind::Bezier: return smooth(bezier(p));
+    case GeoCurveKind::Ellipse:
+      return smooth(ellipse(p[0], p[1], p[2], p[3]));
+    case GeoCurveKind::Spline:
+      return p.size() > 2 ? smooth(catmull_rom(p)) : Result<Curve>(curve);
+    case GeoCurveKind::BSpline:
+      return p.size() > 2 ? smooth(b_spline(p)) : Result<Curve>(curve);
+    case GeoCurveKind::Bezier:
+      return smooth(bezier(p));
   }
   auto line = without_repeated_points(std::get<Polyline>(curve.shape));
   DOBRA_TRY_VOID(validate(line));
@@ -123,7 +129,9 @@ Result<Curve> make_curve(const GeoFile& file, std::int64_t tag, const GeoCurve& 
   return curve;
 }
 
-std::string name_of(const GeoGroup& group) { return group.name.empty() ? fmt::format("physical_{}", group.tag) : group.name; }
+std::string name_of(const GeoGroup& group) {
+  return group.name.empty() ? fmt::format("physical_{}", group.tag) : group.name;
+}
 
 /// How many surfaces each curve bounds.
 std::map<std::int64_t, int> surfaces_at(const GeoFile& file) {
@@ -147,7 +155,8 @@ Point point_inside(const std::vector<std::vector<std::int64_t>>& loops, const st
   return inner_point(sides);
 }
 
-/// The greatest size that its points want holds along a curve; the smaller ones hold at the points, from which sizes grow.
+/// The greatest size that its points want holds along a curve; the smaller ones hold at the points, from which sizes
+/// grow.
 void take_sizes(const GeoFile& file, const GeoCurve& geo, Curve& curve) {
   double largest = 0.0;
   for (const std::int64_t tag : geo.points) largest = std::max(largest, file.points.at(tag).size);
@@ -174,7 +183,8 @@ Result<Sketch> read_geo_sketch(const std::string& path, double unit) {
     const auto used = uses.find(tag);
     const bool bounds = file.surfaces.empty() || used != uses.end();
     if (!bounds && !embedded.contains(tag)) {
-      sketch.remarks.push_back(fmt::format("{}:{}: curve {} belongs to no surface and is left out", geo.place.file, geo.place.line, tag));
+      sketch.remarks.push_back(
+          fmt::format("{}:{}: curve {} belongs to no surface and is left out", geo.place.file, geo.place.line, tag));
       continue;
     }
     auto curve = make_curve(file, tag, geo);
@@ -182,7 +192,8 @@ Result<Sketch> read_geo_sketch(const std::string& path, double unit) {
     if (!bounds || (used != uses.end() && used->second > 1)) curve->role = Role::Internal;
     take_sizes(file, geo, *curve);
     for (const GeoGroup& group : file.groups) {
-      if (group.dimension == 1 && std::find(group.entities.begin(), group.entities.end(), tag) != group.entities.end()) curve->groups.push_back(name_of(group));
+      if (group.dimension == 1 && std::find(group.entities.begin(), group.entities.end(), tag) != group.entities.end())
+        curve->groups.push_back(name_of(group));
     }
     all.emplace(tag, *curve);
     sketch.curves.push_back(*std::move(curve));
@@ -191,7 +202,8 @@ Result<Sketch> read_geo_sketch(const std::string& path, double unit) {
   }
   for (const GeoGroup& group : file.groups) {
     for (const std::int64_t entity : group.entities) {
-      if (group.dimension == 0) sketch.points.push_back({name_of(group), file.points.at(entity).at, file.points.at(entity).size});
+      if (group.dimension == 0)
+        sketch.points.push_back({name_of(group), file.points.at(entity).at, file.points.at(entity).size});
       if (group.dimension == 2) sketch.regions.push_back({name_of(group), point_inside(file.surfaces.at(entity), all)});
     }
   }
@@ -200,7 +212,8 @@ Result<Sketch> read_geo_sketch(const std::string& path, double unit) {
     if (p.size > 0.0) sketch.points.push_back({"", p.at, p.size});
   }
   for (const auto& [dimension, tag] : file.embedded) {
-    if (dimension == 0) sketch.points.push_back({fmt::format("point_{}", tag), file.points.at(tag).at, file.points.at(tag).size});
+    if (dimension == 0)
+      sketch.points.push_back({fmt::format("point_{}", tag), file.points.at(tag).at, file.points.at(tag).size});
   }
   return sketch;
 }

@@ -1,6 +1,6 @@
 #pragma once
-// A gmsh geometry as a sketch: curves of one plane surface bound it, those between two divide it; physical groups become
-// sets and region names, sizes of points become sizes.
+// A gmsh geometry as a sketch: curves of one plane surface bound it, those between two divide it; physical groups
+// become sets and region names, sizes of points become sizes.
 
 #include <string>
 

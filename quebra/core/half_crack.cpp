@@ -40,15 +40,18 @@ std::optional<std::size_t> curve_ahead(const Domain& domain, std::size_t own, Po
 
 }  // namespace
 
-Result<Model> add_half_crack(const Model& model, const HalfCrackParams& params, const dobra::scenario::Context&, const dobra::base::Progress&) {
+Result<Model> add_half_crack(const Model& model, const HalfCrackParams& params, const dobra::scenario::Context&,
+                             const dobra::base::Progress&) {
   const Domain& domain = model.domain;
   std::vector<std::string> names;
   for (const Curve& curve : domain.curves) {
     if (on_boundary(curve)) names.push_back(curve.name);
   }
-  const auto lip = std::find_if(domain.curves.begin(), domain.curves.end(), [&](const Curve& curve) { return curve.name == params.lip && on_boundary(curve); });
+  const auto lip = std::find_if(domain.curves.begin(), domain.curves.end(),
+                                [&](const Curve& curve) { return curve.name == params.lip && on_boundary(curve); });
   if (lip == domain.curves.end())
-    return Error{ErrorCode::BadValue, fmt::format("there is no curve '{}' on the boundary{}", params.lip, what_there_is(params.lip, names))};
+    return Error{ErrorCode::BadValue,
+                 fmt::format("there is no curve '{}' on the boundary{}", params.lip, what_there_is(params.lip, names))};
   const auto own = static_cast<std::size_t>(lip - domain.curves.begin());
   const double all = length(*lip);
   const Inside inside(domain);
@@ -65,7 +68,9 @@ Result<Model> add_half_crack(const Model& model, const HalfCrackParams& params, 
   }
   if (result.half_tips.size() == before) {
     const Point at = point(*lip, 0.5 * all);
-    return Error{ErrorCode::BadValue, "the boundary goes straight on at neither end; draw the line of symmetry ahead of the tip as a curve of its own",
+    return Error{ErrorCode::BadValue,
+                 "the boundary goes straight on at neither end; draw the line of symmetry ahead of the tip as a curve "
+                 "of its own",
                  Place{.item = "curve '" + lip->name + "'", .x = at.x, .y = at.y}};
   }
   return result;
@@ -75,7 +80,8 @@ Result<void> name_half_tips(dobra::mesh::ElementMesh& mesh, const std::vector<Ha
   for (const HalfTip& tip : tips) {
     const auto found = std::find(mesh.points.begin(), mesh.points.end(), tip.at);
     if (found == mesh.points.end())
-      return Error{ErrorCode::BadCrack, "the mesh has no node at the tip", Place{.item = "crack tip '" + tip.name + "'", .x = tip.at.x, .y = tip.at.y}};
+      return Error{ErrorCode::BadCrack, "the mesh has no node at the tip",
+                   Place{.item = "crack tip '" + tip.name + "'", .x = tip.at.x, .y = tip.at.y}};
     const dobra::mesh::NodeId node(static_cast<std::size_t>(found - mesh.points.begin()));
     mesh.tips.push_back({tip.name, node, tip.ahead});
     mesh.node_sets[tip.name] = {node};

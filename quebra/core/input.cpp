@@ -49,7 +49,8 @@ Result<Curve> make_line(const CurveParams& params) {
 Result<Curve> make_arc(const CurveParams& params) {
   if (!params.centre) return lacking(params, "needs `centre`");
   if (params.points.size() == 2) {
-    const auto orientation = params.turning == Turning::Anticlockwise ? Orientation::Anticlockwise : Orientation::Clockwise;
+    const auto orientation =
+        params.turning == Turning::Anticlockwise ? Orientation::Anticlockwise : Orientation::Clockwise;
     DOBRA_TRY(Arc arc, Arc::from_ends(*params.centre, params.points[0], params.points[1], orientation, 1e-6));
     return Curve{params.name, params.role, std::move(arc), {}};
   }
@@ -64,7 +65,8 @@ Result<Curve> make_arc(const CurveParams& params) {
 Result<Curve> make_circle(const CurveParams& params) {
   if (!params.centre) return lacking(params, "needs `centre`");
   if (!params.radius) return lacking(params, "needs `radius`");
-  const auto orientation = params.turning == Turning::Anticlockwise ? Orientation::Anticlockwise : Orientation::Clockwise;
+  const auto orientation =
+      params.turning == Turning::Anticlockwise ? Orientation::Anticlockwise : Orientation::Clockwise;
   DOBRA_TRY(Arc arc, Arc::circle(*params.centre, *params.radius, orientation));
   return Curve{params.name, params.role, std::move(arc), {}};
 }
@@ -72,11 +74,15 @@ Result<Curve> make_circle(const CurveParams& params) {
 Result<Curve> make_curve(const CurveParams& params) {
   const auto made = [&]() -> Result<Curve> {
     switch (params.kind) {
-      case CurveKind::Arc: return make_arc(params);
-      case CurveKind::Circle: return make_circle(params);
-      case CurveKind::Spline: return make_spline(params);
+      case CurveKind::Arc:
+        return make_arc(params);
+      case CurveKind::Circle:
+        return make_circle(params);
+      case CurveKind::Spline:
+        return make_spline(params);
       case CurveKind::Line:
-      case CurveKind::Polygon: break;
+      case CurveKind::Polygon:
+        break;
     }
     return make_line(params);
   };
@@ -89,7 +95,8 @@ Result<void> check_names(const std::vector<Curve>& curves, const std::vector<Pla
   std::set<std::string> names;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     if (!names.insert(curves[i].name).second) {
-      return Error{ErrorCode::BadValue, fmt::format("two curves are called '{}'; names must differ", curves[i].name), places[i]};
+      return Error{ErrorCode::BadValue, fmt::format("two curves are called '{}'; names must differ", curves[i].name),
+                   places[i]};
     }
   }
   return {};
@@ -128,13 +135,15 @@ Result<void> add_curve(Sketch& sketch, const CurveParams& params, double tip_siz
 }
 
 std::string text_of(const Finding& finding) {
-  return fmt::format("{} at ({:.6g}, {:.6g}) of {}: {}", name_of(finding.wrong), finding.at.x, finding.at.y, finding.curve, finding.mend);
+  return fmt::format("{} at ({:.6g}, {:.6g}) of {}: {}", name_of(finding.wrong), finding.at.x, finding.at.y,
+                     finding.curve, finding.mend);
 }
 
 /// What was repaired may be why there is no domain: a domain may vanish.
 Error with_findings(Error error, const std::vector<Finding>& findings) {
   constexpr std::size_t most = 5;
-  for (std::size_t i = 0; i < std::min(most, findings.size()); ++i) error.message += fmt::format("{}{}", i == 0 ? "; repaired before: " : "; ", text_of(findings[i]));
+  for (std::size_t i = 0; i < std::min(most, findings.size()); ++i)
+    error.message += fmt::format("{}{}", i == 0 ? "; repaired before: " : "; ", text_of(findings[i]));
   if (findings.size() > most) error.message += fmt::format("; and {} more", findings.size() - most);
   return error;
 }
@@ -143,9 +152,12 @@ Error with_findings(Error error, const std::vector<Finding>& findings) {
 
 Result<Model> read_input(const InputParams& params, const dobra::scenario::Table& table,
                          const dobra::scenario::Context& context) {
-  const auto append = [](auto& to, auto& from) { to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end())); };
+  const auto append = [](auto& to, auto& from) {
+    to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+  };
   Sketch sketch;
-  const SpecimenParams specimen{params.specimen, params.width, params.height, params.radius, params.crack, params.position, params.angle};
+  const SpecimenParams specimen{params.specimen, params.width,    params.height, params.radius,
+                                params.crack,    params.position, params.angle};
   if (const auto sizes = check_sizes(specimen); !sizes) return located(sizes.error(), table.place("specimen"));
   if (params.specimen != SpecimenKind::None) {
     auto made = make_specimen(specimen);
@@ -169,18 +181,25 @@ Result<Model> read_input(const InputParams& params, const dobra::scenario::Table
   }
   DOBRA_TRY(const SketchOptions lines, sketch_options(params));
   if (params.file.empty() && lines.chosen && params.unit == FileUnit::File)
-    return Error{ErrorCode::BadValue, "`format`, `columns`, `separator`, `coordinates`, `y_axis`, `closed` and the like say how `file` is read, and there is no file; remove them"};
+    return Error{ErrorCode::BadValue,
+                 "`format`, `columns`, `separator`, `coordinates`, `y_axis`, `closed` and the like say how `file` is "
+                 "read, and there is no file; remove them"};
   if (params.file.empty() && params.unit != FileUnit::File)
-    return Error{ErrorCode::BadValue, "`unit` is of the coordinates in `file`, and there is no file; numbers of the scenario are in the units of `unit_system`", table.place("unit")};
+    return Error{ErrorCode::BadValue,
+                 "`unit` is of the coordinates in `file`, and there is no file; numbers of the scenario are in the "
+                 "units of `unit_system`",
+                 table.place("unit")};
   if (params.gap && params.repair == Repair::No)
-    return Error{ErrorCode::BadValue, "`gap` is how wide a gap repair closes: give --repair (repair = \"yes\") with it", table.place("gap")};
+    return Error{ErrorCode::BadValue, "`gap` is how wide a gap repair closes: give --repair (repair = \"yes\") with it",
+                 table.place("gap")};
   for (std::size_t i = 0; i < params.curves.size(); ++i) {
     const auto& curve = params.curves[i];
     DOBRA_TRY_VOID(add_curve(sketch, curve, 0.0, place_of(table, "curve", i, fmt::format("curve '{}'", curve.name))));
   }
   for (std::size_t i = 0; i < params.cracks.size(); ++i) {
     const auto& crack = params.cracks[i];
-    DOBRA_TRY_VOID(add_curve(sketch, as_curve(crack), crack.tip_size, place_of(table, "crack", i, fmt::format("crack '{}'", crack.name))));
+    DOBRA_TRY_VOID(add_curve(sketch, as_curve(crack), crack.tip_size,
+                             place_of(table, "crack", i, fmt::format("crack '{}'", crack.name))));
   }
   for (const RegionParams& region : params.regions) sketch.regions.push_back({region.name, region.point});
   for (const PointParams& point : params.points) sketch.points.push_back({point.name, point.point, point.size});

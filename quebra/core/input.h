@@ -1,6 +1,6 @@
 #pragma once
-// The [input] of a QUEBRA scenario: a specimen of the library, a file, and curves, cracks, regions and points written in
-// the document; any of them together.
+// The [input] of a QUEBRA scenario: a specimen of the library, a file, and curves, cracks, regions and points written
+// in the document; any of them together.
 
 #include <optional>
 #include <string>
@@ -35,21 +35,43 @@ struct CurveParams {
 
   template <class D>
   static void describe(D& d) {
-    d.field("name", &CurveParams::name, {.title = "Name", .help = "Sets of the mesh take it.",
-                                         .presence = dobra::scenario::Presence::Required});
-    d.choice("kind", &CurveParams::kind, {"line", "polygon", "arc", "circle", "spline"},
-             {.title = "Kind", .help = "line: a chain of points; polygon: closed; arc: centre and two points, or centre, radius, start, sweep; circle: centre and radius; spline: smooth through the points, closed if the last repeats the first."});
-    d.field("points", &CurveParams::points, {.title = "Points", .help = "Vertices of a line or polygon; first and last point of an arc.", .unit = "m"});
+    d.field("name", &CurveParams::name,
+            {.title = "Name", .help = "Sets of the mesh take it.", .presence = dobra::scenario::Presence::Required});
+    d.choice(
+        "kind", &CurveParams::kind, {"line", "polygon", "arc", "circle", "spline"},
+        {.title = "Kind",
+         .help =
+             "line: a chain of points; polygon: closed; arc: centre and two points, or centre, radius, start, sweep; "
+             "circle: centre and radius; spline: smooth through the points, closed if the last repeats the first."});
+    d.field("points", &CurveParams::points,
+            {.title = "Points", .help = "Vertices of a line or polygon; first and last point of an arc.", .unit = "m"});
     d.field("centre", &CurveParams::centre, {.title = "Centre", .help = "Of an arc or circle.", .unit = "m"});
-    d.field("radius", &CurveParams::radius, {.title = "Radius", .help = "Of a circle, or of an arc given by angles.", .unit = "m", .above = 0});
-    d.field("start", &CurveParams::start, {.title = "Start angle", .help = "Of an arc, anticlockwise from +x.", .unit = "deg"});
-    d.field("sweep", &CurveParams::sweep, {.title = "Sweep angle", .help = "Of an arc; negative runs clockwise.", .unit = "deg", .at_least = -360, .at_most = 360});
-    d.choice("turning", &CurveParams::turning, {"anticlockwise", "clockwise"}, {.title = "Turning", .help = "Of an arc given by its two points."});
+    d.field("radius", &CurveParams::radius,
+            {.title = "Radius", .help = "Of a circle, or of an arc given by angles.", .unit = "m", .above = 0});
+    d.field("start", &CurveParams::start,
+            {.title = "Start angle", .help = "Of an arc, anticlockwise from +x.", .unit = "deg"});
+    d.field("sweep", &CurveParams::sweep,
+            {.title = "Sweep angle",
+             .help = "Of an arc; negative runs clockwise.",
+             .unit = "deg",
+             .at_least = -360,
+             .at_most = 360});
+    d.choice("turning", &CurveParams::turning, {"anticlockwise", "clockwise"},
+             {.title = "Turning", .help = "Of an arc given by its two points."});
     d.choice("role", &CurveParams::role, {"boundary", "hole", "internal"},
              {.title = "Role", .help = "Loops inside loops are holes by themselves; role = \"hole\" insists on it."});
-    d.field("segments", &CurveParams::segments, {.title = "Segments", .help = "Number of element sides along the curve; 0 leaves it to the sizes.", .at_least = 0, .at_most = 1000000});
-    d.field("size", &CurveParams::size, {.title = "Size", .help = "Length of the element sides along the curve; 0 leaves it to the mesh step.", .unit = "m", .at_least = 0});
-    d.field("ratio", &CurveParams::ratio, {.title = "Ratio", .help = "Last side to first side, for `segments`.", .above = 0});
+    d.field("segments", &CurveParams::segments,
+            {.title = "Segments",
+             .help = "Number of element sides along the curve; 0 leaves it to the sizes.",
+             .at_least = 0,
+             .at_most = 1000000});
+    d.field("size", &CurveParams::size,
+            {.title = "Size",
+             .help = "Length of the element sides along the curve; 0 leaves it to the mesh step.",
+             .unit = "m",
+             .at_least = 0});
+    d.field("ratio", &CurveParams::ratio,
+            {.title = "Ratio", .help = "Last side to first side, for `segments`.", .above = 0});
   }
 };
 
@@ -66,16 +88,36 @@ struct CrackParams {
 
   template <class D>
   static void describe(D& d) {
-    d.field("name", &CrackParams::name, {.title = "Name", .help = "The lips are the sets NAME_left and NAME_right, the tips NAME_start and NAME_end.",
-                                         .presence = dobra::scenario::Presence::Required});
-    d.choice("kind", &CrackParams::kind, {"line", "polygon", "arc", "circle", "spline"}, {.title = "Kind", .help = "line: a chain of points; arc: centre and two points; spline: smooth through the points."});
-    d.field("points", &CrackParams::points, {.title = "Points", .help = "In order from start to end; an end on the boundary or on another crack opens there.", .unit = "m",
-                                             .presence = dobra::scenario::Presence::Required});
+    d.field("name", &CrackParams::name,
+            {.title = "Name",
+             .help = "The lips are the sets NAME_left and NAME_right, the tips NAME_start and NAME_end.",
+             .presence = dobra::scenario::Presence::Required});
+    d.choice("kind", &CrackParams::kind, {"line", "polygon", "arc", "circle", "spline"},
+             {.title = "Kind",
+              .help = "line: a chain of points; arc: centre and two points; spline: smooth through the points."});
+    d.field("points", &CrackParams::points,
+            {.title = "Points",
+             .help = "In order from start to end; an end on the boundary or on another crack opens there.",
+             .unit = "m",
+             .presence = dobra::scenario::Presence::Required});
     d.field("centre", &CrackParams::centre, {.title = "Centre", .help = "Of an arc.", .unit = "m"});
-    d.choice("turning", &CrackParams::turning, {"anticlockwise", "clockwise"}, {.title = "Turning", .help = "Of an arc."});
-    d.field("segments", &CrackParams::segments, {.title = "Segments", .help = "Number of element sides along each lip; 0 leaves it to the sizes.", .at_least = 0, .at_most = 1000000});
-    d.field("size", &CrackParams::size, {.title = "Size", .help = "Length of the element sides along the lips; 0 leaves it to the mesh step.", .unit = "m", .at_least = 0});
-    d.field("tip_size", &CrackParams::tip_size, {.title = "Size at the ends", .help = "Length of the element sides at both ends, from which they grow; 0: none of their own.", .unit = "m", .at_least = 0});
+    d.choice("turning", &CrackParams::turning, {"anticlockwise", "clockwise"},
+             {.title = "Turning", .help = "Of an arc."});
+    d.field("segments", &CrackParams::segments,
+            {.title = "Segments",
+             .help = "Number of element sides along each lip; 0 leaves it to the sizes.",
+             .at_least = 0,
+             .at_most = 1000000});
+    d.field("size", &CrackParams::size,
+            {.title = "Size",
+             .help = "Length of the element sides along the lips; 0 leaves it to the mesh step.",
+             .unit = "m",
+             .at_least = 0});
+    d.field("tip_size", &CrackParams::tip_size,
+            {.title = "Size at the ends",
+             .help = "Length of the element sides at both ends, from which they grow; 0: none of their own.",
+             .unit = "m",
+             .at_least = 0});
   }
 };
 
@@ -86,8 +128,15 @@ struct RegionParams {
 
   template <class D>
   static void describe(D& d) {
-    d.field("name", &RegionParams::name, {.title = "Name", .help = "Of the material; parts of one name are one region.", .presence = dobra::scenario::Presence::Required});
-    d.field("point", &RegionParams::point, {.title = "Point", .help = "Anywhere in the part that is meant.", .unit = "m", .presence = dobra::scenario::Presence::Required});
+    d.field("name", &RegionParams::name,
+            {.title = "Name",
+             .help = "Of the material; parts of one name are one region.",
+             .presence = dobra::scenario::Presence::Required});
+    d.field("point", &RegionParams::point,
+            {.title = "Point",
+             .help = "Anywhere in the part that is meant.",
+             .unit = "m",
+             .presence = dobra::scenario::Presence::Required});
   }
 };
 
@@ -99,9 +148,16 @@ struct PointParams {
 
   template <class D>
   static void describe(D& d) {
-    d.field("name", &PointParams::name, {.title = "Name", .help = "Of the set that holds its node.", .presence = dobra::scenario::Presence::Required});
-    d.field("point", &PointParams::point, {.title = "Point", .help = "Inside or on a curve: there is a node.", .unit = "m", .presence = dobra::scenario::Presence::Required});
-    d.field("size", &PointParams::size, {.title = "Size", .help = "Of the elements there; 0: no wish.", .unit = "m", .at_least = 0});
+    d.field(
+        "name", &PointParams::name,
+        {.title = "Name", .help = "Of the set that holds its node.", .presence = dobra::scenario::Presence::Required});
+    d.field("point", &PointParams::point,
+            {.title = "Point",
+             .help = "Inside or on a curve: there is a node.",
+             .unit = "m",
+             .presence = dobra::scenario::Presence::Required});
+    d.field("size", &PointParams::size,
+            {.title = "Size", .help = "Of the elements there; 0: no wish.", .unit = "m", .at_least = 0});
   }
 };
 
@@ -120,22 +176,52 @@ struct InputParams : LineInput {
 
   template <class D>
   static void describe(D& d) {
-    d.choice("specimen", &InputParams::specimen, specimen_names(), {.title = "Specimen", .help = "Of the library, with the six sizes below; see docs/user/specimens.md."});
+    d.choice("specimen", &InputParams::specimen, specimen_names(),
+             {.title = "Specimen", .help = "Of the library, with the six sizes below; see docs/user/specimens.md."});
     d.field("width", &InputParams::width, {.title = "Width", .help = "Of the specimen.", .unit = "m", .above = 0});
     d.field("height", &InputParams::height, {.title = "Height", .help = "Of the specimen.", .unit = "m", .above = 0});
-    d.field("radius", &InputParams::radius, {.title = "Radius", .help = "Of its hole or disc.", .unit = "m", .above = 0});
-    d.field("crack_length", &InputParams::crack, {.title = "Crack length", .help = "As its handbook formula has it: a whole edge crack, half a centre crack.", .unit = "m", .at_least = 0});
-    d.field("position", &InputParams::position, {.title = "Position", .help = "Of the notch of pmma_beam, from the middle.", .unit = "m"});
-    d.field("angle", &InputParams::angle, {.title = "Crack angle", .help = "Of a centre crack, anticlockwise from +x.", .unit = "deg", .at_least = -180, .at_most = 180});
-    d.file("file", &InputParams::file, {.title = "File", .help = "Geometry (.poly .geo .svg .geojson .dxf .wkt .txt .csv and other lines) or a mesh whose boundary is meant (.msh .inp .vtu .bdf .nf .ele)."});
+    d.field("radius", &InputParams::radius,
+            {.title = "Radius", .help = "Of its hole or disc.", .unit = "m", .above = 0});
+    d.field("crack_length", &InputParams::crack,
+            {.title = "Crack length",
+             .help = "As its handbook formula has it: a whole edge crack, half a centre crack.",
+             .unit = "m",
+             .at_least = 0});
+    d.field("position", &InputParams::position,
+            {.title = "Position", .help = "Of the notch of pmma_beam, from the middle.", .unit = "m"});
+    d.field("angle", &InputParams::angle,
+            {.title = "Crack angle",
+             .help = "Of a centre crack, anticlockwise from +x.",
+             .unit = "deg",
+             .at_least = -180,
+             .at_most = 180});
+    d.file("file", &InputParams::file,
+           {.title = "File",
+            .help = "Geometry (.poly .geo .svg .geojson .dxf .wkt .txt .csv and other lines) or a mesh whose boundary "
+                    "is meant (.msh .inp .vtu .bdf .nf .ele)."});
     LineInput::describe_in<InputParams>(d);
     d.field("join_tolerance", &InputParams::join_tolerance,
-            {.title = "Join tolerance", .help = "Ends of curves nearer than this fraction of the domain's diagonal are one point.", .at_least = 0, .at_most = 0.01});
-    d.choice("repair", &InputParams::repair, {"no", "yes"}, {.title = "Repair", .help = "Mends repeated points, spikes, doubles, gaps, slivers and crossings of boundaries, and lists each with its place."});
-    d.field("gap", &InputParams::gap, {.title = "Widest gap", .help = "That repair closes between ends of curves; 1/1000 of the drawing's diagonal by default, 1/10 at most.", .unit = "m", .above = 0});
-    d.tables("curve", &InputParams::curves, {.title = "Curves", .help = "The boundary, in any order and direction; internal lines."});
-    d.tables("crack", &InputParams::cracks, {.title = "Cracks", .help = "Their two lips come apart; they may branch, cross and reach the boundary."});
-    d.tables("region", &InputParams::regions, {.title = "Regions", .help = "Names of the parts that loops and internal lines enclose."});
+            {.title = "Join tolerance",
+             .help = "Ends of curves nearer than this fraction of the domain's diagonal are one point.",
+             .at_least = 0,
+             .at_most = 0.01});
+    d.choice("repair", &InputParams::repair, {"no", "yes"},
+             {.title = "Repair",
+              .help = "Mends repeated points, spikes, doubles, gaps, slivers and crossings of boundaries, and lists "
+                      "each with its place."});
+    d.field(
+        "gap", &InputParams::gap,
+        {.title = "Widest gap",
+         .help =
+             "That repair closes between ends of curves; 1/1000 of the drawing's diagonal by default, 1/10 at most.",
+         .unit = "m",
+         .above = 0});
+    d.tables("curve", &InputParams::curves,
+             {.title = "Curves", .help = "The boundary, in any order and direction; internal lines."});
+    d.tables("crack", &InputParams::cracks,
+             {.title = "Cracks", .help = "Their two lips come apart; they may branch, cross and reach the boundary."});
+    d.tables("region", &InputParams::regions,
+             {.title = "Regions", .help = "Names of the parts that loops and internal lines enclose."});
     d.tables("point", &InputParams::points, {.title = "Points", .help = "Nodes with a name: supports, loads, gauges."});
   }
 };

@@ -53,7 +53,8 @@ class Finder {
       const Trace along = trace(domain.curves[c]);
       counts_.push_back(along.line.segment_count());
       double sagitta = 0.0;
-      if (!straight(domain.curves[c])) sagitta = 0.25 * trace_turn.radians() * lengths_[c] / static_cast<double>(counts_[c]);
+      if (!straight(domain.curves[c]))
+        sagitta = 0.25 * trace_turn.radians() * lengths_[c] / static_cast<double>(counts_[c]);
       for (std::size_t i = 0; i < along.line.segment_count(); ++i) {
         chords_.push_back({along.line.segment(i), c, i, along.s[i], along.s[i + 1]});
         Box box = along.line.segment(i).box();
@@ -160,8 +161,9 @@ class Finder {
   Error crossing(const Chord& a, const Chord& b, Point at) const {
     const Curve& one = domain_.curves[a.curve];
     const Curve& two = domain_.curves[b.curve];
-    const std::string what = a.curve == b.curve ? fmt::format("curve '{}' crosses or touches itself", one.name)
-                                                : fmt::format("curves '{}' and '{}' cross or overlap", one.name, two.name);
+    const std::string what = a.curve == b.curve
+                                 ? fmt::format("curve '{}' crosses or touches itself", one.name)
+                                 : fmt::format("curves '{}' and '{}' cross or overlap", one.name, two.name);
     Place place = places_[std::max(a.curve, b.curve)];
     place.x = at.x;
     place.y = at.y;
@@ -197,7 +199,8 @@ class Finder {
     return {};
   }
 
-  /// Both curves pass one point where they meet: an end, junction or vertex of one of them if there is any, `at` if not.
+  /// Both curves pass one point where they meet: an end, junction or vertex of one of them if there is any, `at` if
+  /// not.
   void join(const Chord& a, const Chord& b, const std::array<double, 2>& s, Point at) {
     auto p = end_near(a.curve, s[0]);
     if (!p) p = end_near(b.curve, s[1]);
@@ -291,7 +294,8 @@ std::vector<std::size_t> cracks_through(const Domain& domain, dobra::geom::Point
       continue;
     }
     cracks.push_back(c);
-    const bool inside = std::any_of(places.begin(), places.end(), [&](double s) { return s > 0.0 && s < length(curve); });
+    const bool inside =
+        std::any_of(places.begin(), places.end(), [&](double s) { return s > 0.0 && s < length(curve); });
     ways += inside ? 2 : 1;
   }
   return ways > 1 ? cracks : std::vector<std::size_t>{};

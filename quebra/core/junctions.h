@@ -16,7 +16,8 @@ namespace quebra::core {
 /// @error SelfIntersection with the place: boundary curves that meet away from their ends, curves that overlap, a curve
 ///        that crosses itself.
 /// @cost  O(n log n + meetings) for n chords.
-dobra::base::Result<void> find_junctions(Domain& domain, const std::vector<dobra::base::Place>& places, double tolerance);
+dobra::base::Result<void> find_junctions(Domain& domain, const std::vector<dobra::base::Place>& places,
+                                         double tolerance);
 
 /// Where along a curve a point of the domain lies on it: its ends and junctions. @pre find_junctions
 std::vector<double> places_on(const Domain& domain, std::size_t curve, dobra::geom::Point p);

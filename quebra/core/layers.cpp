@@ -48,33 +48,42 @@ void add_curves(const Domain& domain, std::vector<scene::Layer>& layers) {
   const auto add = [&](const char* key, std::string title, const scene::Style& style, scene::Lines lines) {
     if (!lines.lines.empty()) layers.push_back({key, std::move(title), style, std::move(lines)});
   };
-  add("boundary", translated("Boundary"), {.line = ink, .line_width = boundary_width}, curves_of(domain, [](Role role) { return role == Role::Boundary || role == Role::Hole; }));
-  add("internal", translated("Internal lines"), {.line = ink, .line_width = 1.0}, curves_of(domain, [](Role role) { return role == Role::Internal; }));
-  add("cracks", translated("Cracks"), {.line = crack_red, .line_width = 1.8}, curves_of(domain, [](Role role) { return role == Role::Crack; }));
+  add("boundary", translated("Boundary"), {.line = ink, .line_width = boundary_width},
+      curves_of(domain, [](Role role) { return role == Role::Boundary || role == Role::Hole; }));
+  add("internal", translated("Internal lines"), {.line = ink, .line_width = 1.0},
+      curves_of(domain, [](Role role) { return role == Role::Internal; }));
+  add("cracks", translated("Cracks"), {.line = crack_red, .line_width = 1.8},
+      curves_of(domain, [](Role role) { return role == Role::Crack; }));
   scene::Markers markers;
   for (const NamedPoint& point : domain.points) {
     if (!point.name.empty()) markers.points.push_back(point.at);
   }
-  if (!markers.points.empty()) layers.push_back({"points", translated("Points"), {.line = ink, .marker_size = 5.0}, std::move(markers)});
+  if (!markers.points.empty())
+    layers.push_back({"points", translated("Points"), {.line = ink, .marker_size = 5.0}, std::move(markers)});
 }
 
 scene::Layer domain_layer(const Domain& domain) {
   scene::Region region;
   for (const auto& loop : domain.loops) region.contours.push_back(contour(domain, loop));
-  return {"domain", translated("Domain"), {.line_width = 0.0, .fill = material}, scene::Regions{{std::move(region)}, {}}};
+  return {
+      "domain", translated("Domain"), {.line_width = 0.0, .fill = material}, scene::Regions{{std::move(region)}, {}}};
 }
 
 scene::Layer constraint_layer(const std::vector<Constraint>& constraints) {
   scene::Lines lines;
   for (const Constraint& constraint : constraints) lines.lines.push_back(constraint.line);
-  return {"constraints", translated("Offset constraints"), {.line = constraint_blue, .line_width = 1.2}, std::move(lines)};
+  return {
+      "constraints", translated("Offset constraints"), {.line = constraint_blue, .line_width = 1.2}, std::move(lines)};
 }
 
 /// Outlines thin out as elements get many.
-double width_among(std::size_t elements) { return std::clamp(25.0 / std::sqrt(static_cast<double>(elements) + 1.0), 0.05, 0.5); }
+double width_among(std::size_t elements) {
+  return std::clamp(25.0 / std::sqrt(static_cast<double>(elements) + 1.0), 0.05, 0.5);
+}
 
 bool only_triangles(const mesh::ElementMesh& mesh) {
-  return std::all_of(mesh.types.begin(), mesh.types.end(), [](mesh::ElementType type) { return type == mesh::ElementType::T3; });
+  return std::all_of(mesh.types.begin(), mesh.types.end(),
+                     [](mesh::ElementType type) { return type == mesh::ElementType::T3; });
 }
 
 /// At each element: its shape, and of second order its Jacobian too.
@@ -86,7 +95,8 @@ io::MeshFields quality_fields(const mesh::ElementMesh& mesh) {
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     shape.values.push_back(mesh::shape_of(mesh, mesh::ElementId(e)));
     bent = bent || mesh::node_count(mesh.types[e]) != mesh::corner_count(mesh.types[e]);
-    jacobian.values.push_back(mesh::is_quarter_point(mesh, mesh::ElementId(e)) ? 0.0 : mesh::scaled_jacobian_bound(mesh, mesh::ElementId(e)));
+    jacobian.values.push_back(
+        mesh::is_quarter_point(mesh, mesh::ElementId(e)) ? 0.0 : mesh::scaled_jacobian_bound(mesh, mesh::ElementId(e)));
   }
   fields.at_elements.push_back(std::move(shape));
   if (bent) fields.at_elements.push_back(std::move(jacobian));
@@ -121,10 +131,13 @@ scene::Layer mesh_layer(const mesh::ElementMesh& mesh) {
     add_triangles(mesh, e, content.triangles);
     content.values.resize(content.triangles.size(), values[e]);
   }
-  content.scale = {only_triangles(mesh) ? translated("quality alpha") : translated("quality (alpha, shape of quadrilaterals)"), scene::ColorMapName::Quality, 0.5, 1.0};
+  content.scale = {
+      only_triangles(mesh) ? translated("quality alpha") : translated("quality (alpha, shape of quadrilaterals)"),
+      scene::ColorMapName::Quality, 0.5, 1.0};
   // Triangles alone are drawn with their outlines; of other elements the outlines are a layer of their own.
   const double width = only_triangles(mesh) ? outline_width(mesh) : 0.0;
-  return {"mesh", translated("Mesh"), {.line = mesh_line, .line_width = width}, std::move(content), true, scene::InLegend::No};
+  return {"mesh", translated("Mesh"), {.line = mesh_line, .line_width = width}, std::move(content),
+          true,   scene::InLegend::No};
 }
 
 scene::Layer node_layer(const mesh::ElementMesh& mesh) {
@@ -144,7 +157,12 @@ scene::Layer size_layer(const Meshed& meshed) {
   for (std::size_t e = 0; e < meshed.mesh.element_count(); ++e) add_triangles(meshed.mesh, e, content.triangles);
   const auto [least, greatest] = std::minmax_element(content.values.begin(), content.values.end());
   constexpr double many = 20.0;
-  content.scale = {.title = translated("size [m]"), .map = scene::ColorMapName::Viridis, .low = *least, .high = *greatest, .least = *least, .greatest = *greatest};
+  content.scale = {.title = translated("size [m]"),
+                   .map = scene::ColorMapName::Viridis,
+                   .low = *least,
+                   .high = *greatest,
+                   .least = *least,
+                   .greatest = *greatest};
   if (*greatest > many * *least) {
     scene::Scale& scale = content.scale;
     scale.ticks = scene::AxisScale::Log10;
@@ -164,11 +182,16 @@ scene::Layer quadtree_layer(const Domain& domain, const mesh::SizeField& sizes) 
   for (const mesh::QuadCellId leaf : tree.leaves()) {
     geom::Box box = tree.box(leaf);
     if (!box.overlaps(all)) continue;
-    box = {{std::max(box.low.x, all.low.x), std::max(box.low.y, all.low.y)}, {std::min(box.high.x, all.high.x), std::min(box.high.y, all.high.y)}};
+    box = {{std::max(box.low.x, all.low.x), std::max(box.low.y, all.low.y)},
+           {std::min(box.high.x, all.high.x), std::min(box.high.y, all.high.y)}};
     lines.lines.push_back({{box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}}, true});
   }
   const double width = std::clamp(25.0 / std::sqrt(static_cast<double>(lines.lines.size()) + 1.0), 0.05, 0.5);
-  return {"quadtree", translated("Quadtree of the sizes"), {.line = mesh_line, .line_width = width}, std::move(lines), false};
+  return {"quadtree",
+          translated("Quadtree of the sizes"),
+          {.line = mesh_line, .line_width = width},
+          std::move(lines),
+          false};
 }
 
 scene::Panel domain_panel(const Model& model) {
@@ -185,7 +208,8 @@ scene::Panel mesh_panel(const Model& model, const Meshed& meshed, std::size_t nu
   panel.layers.push_back(mesh_layer(meshed.mesh));
   if (!only_triangles(meshed.mesh)) panel.layers.push_back(outline_layer(meshed.mesh));
   if (meshed.constraints > 0) {
-    panel.layers.push_back(constraint_layer({model.constraints.begin(), model.constraints.begin() + static_cast<std::ptrdiff_t>(meshed.constraints)}));
+    panel.layers.push_back(constraint_layer(
+        {model.constraints.begin(), model.constraints.begin() + static_cast<std::ptrdiff_t>(meshed.constraints)}));
   }
   add_curves(model.domain, panel.layers);
   panel.layers.push_back(node_layer(meshed.mesh));
@@ -199,17 +223,25 @@ scene::Panel mesh_panel(const Model& model, const Meshed& meshed, std::size_t nu
 /// Triangles made so far, and the front in its own colour.
 scene::Panel work_panel(const Model& model, const MeshWork& work) {
   scene::Panel panel{.key = "work", .title = {}, .axes = {}, .layers = {}};
-  panel.title = fmt::format("{}: {} {}, {} {}", work.name, work.steps, translated("steps"), work.triangles.size(), translated("triangles"));
+  panel.title = fmt::format("{}: {} {}, {} {}", work.name, work.steps, translated("steps"), work.triangles.size(),
+                            translated("triangles"));
   panel.layers.push_back(domain_layer(model.domain));
   scene::Mesh content;
   content.points = work.points;
   content.values_at = scene::ValuesAt::Triangles;
   for (const mesh::Corners& t : work.triangles) {
-    content.triangles.push_back({static_cast<std::uint32_t>(t[0].index()), static_cast<std::uint32_t>(t[1].index()), static_cast<std::uint32_t>(t[2].index())});
-    content.values.push_back(mesh::alpha(work.points[t[0].index()], work.points[t[1].index()], work.points[t[2].index()]));
+    content.triangles.push_back({static_cast<std::uint32_t>(t[0].index()), static_cast<std::uint32_t>(t[1].index()),
+                                 static_cast<std::uint32_t>(t[2].index())});
+    content.values.push_back(
+        mesh::alpha(work.points[t[0].index()], work.points[t[1].index()], work.points[t[2].index()]));
   }
   content.scale = {translated("quality alpha"), scene::ColorMapName::Quality, 0.5, 1.0};
-  panel.layers.push_back({"mesh", translated("Mesh"), {.line = mesh_line, .line_width = width_among(work.triangles.size())}, std::move(content), true, scene::InLegend::No});
+  panel.layers.push_back({"mesh",
+                          translated("Mesh"),
+                          {.line = mesh_line, .line_width = width_among(work.triangles.size())},
+                          std::move(content),
+                          true,
+                          scene::InLegend::No});
   add_curves(model.domain, panel.layers);
   scene::Lines front;
   for (const geom::Segment& side : work.front) front.lines.push_back({{side.from, side.to}, false});
@@ -229,10 +261,13 @@ scenario::DataTable histogram(const std::string& measure, const std::array<std::
 
 void add_quality(std::vector<scenario::Quantity>& quantities, const std::string& prefix, const Meshed& meshed) {
   const auto& q = meshed.quality;
-  const auto add = [&](const char* name, double value, const char* unit = "") { quantities.push_back({prefix + name, value, unit}); };
+  const auto add = [&](const char* name, double value, const char* unit = "") {
+    quantities.push_back({prefix + name, value, unit});
+  };
   const auto& types = meshed.mesh.types;
   add("elements", static_cast<double>(types.size()));
-  add("quadrilaterals", static_cast<double>(std::count_if(types.begin(), types.end(), [](auto type) { return mesh::corner_count(type) == 4; })));
+  add("quadrilaterals", static_cast<double>(std::count_if(types.begin(), types.end(),
+                                                          [](auto type) { return mesh::corner_count(type) == 4; })));
   add("nodes", static_cast<double>(meshed.mesh.points.size()));
   add("tips", static_cast<double>(meshed.mesh.tips.size()));
   add("area", mesh::area(meshed.mesh), "m2");
@@ -243,7 +278,8 @@ void add_quality(std::vector<scenario::Quantity>& quantities, const std::string&
   add("max_angle", q.angle_max.degrees(), "deg");
   add("gradation_p95", q.gradation_p95);
   add("jacobian_min", meshed.elements.jacobian_min);
-  if (meshed.elements.quarter_points > 0) add("quarter_point_elements", static_cast<double>(meshed.elements.quarter_points));
+  if (meshed.elements.quarter_points > 0)
+    add("quarter_point_elements", static_cast<double>(meshed.elements.quarter_points));
   if (meshed.elements.quadrilaterals > 0) {
     add("quad_shape_mean", meshed.elements.shape_mean);
     add("quad_shape_min", meshed.elements.shape_min);
@@ -256,18 +292,33 @@ void add_quality(std::vector<scenario::Quantity>& quantities, const std::string&
 
 double outline_width(const mesh::ElementMesh& mesh) { return width_among(mesh.element_count()); }
 
-void add_triangles(const mesh::ElementMesh& mesh, std::size_t element, std::vector<std::array<std::uint32_t, 3>>& triangles) {
+void add_triangles(const mesh::ElementMesh& mesh, std::size_t element,
+                   std::vector<std::array<std::uint32_t, 3>>& triangles) {
   const auto nodes = mesh.nodes_of(mesh::ElementId(element));
   const auto add = [&](std::initializer_list<std::size_t> corners) {
     std::array<std::uint32_t, 3> triangle{};
-    std::transform(corners.begin(), corners.end(), triangle.begin(), [&](std::size_t i) { return static_cast<std::uint32_t>(nodes[i].index()); });
+    std::transform(corners.begin(), corners.end(), triangle.begin(),
+                   [&](std::size_t i) { return static_cast<std::uint32_t>(nodes[i].index()); });
     triangles.push_back(triangle);
   };
   switch (mesh.types[element]) {
-    case mesh::ElementType::T3: return add({0, 1, 2});
-    case mesh::ElementType::Q4: add({0, 1, 2}); return add({0, 2, 3});
-    case mesh::ElementType::T6: add({0, 3, 5}); add({3, 1, 4}); add({5, 4, 2}); return add({3, 4, 5});
-    case mesh::ElementType::Q8: add({0, 4, 7}); add({4, 1, 5}); add({5, 2, 6}); add({6, 3, 7}); add({4, 5, 7}); return add({5, 6, 7});
+    case mesh::ElementType::T3:
+      return add({0, 1, 2});
+    case mesh::ElementType::Q4:
+      add({0, 1, 2});
+      return add({0, 2, 3});
+    case mesh::ElementType::T6:
+      add({0, 3, 5});
+      add({3, 1, 4});
+      add({5, 4, 2});
+      return add({3, 4, 5});
+    case mesh::ElementType::Q8:
+      add({0, 4, 7});
+      add({4, 1, 5});
+      add({5, 2, 6});
+      add({6, 3, 7});
+      add({4, 5, 7});
+      return add({5, 6, 7});
   }
 }
 
@@ -291,15 +342,18 @@ scene::Picture names_picture(const Model& model) {
   const Domain& domain = model.domain;
   scene::Panel panel = domain_panel(model);
   scene::Labels curves, points, regions;
-  for (const Curve& curve : domain.curves) curves.labels.push_back({place_of_name(curve), curve.name, scene::Anchor::Callout});
+  for (const Curve& curve : domain.curves)
+    curves.labels.push_back({place_of_name(curve), curve.name, scene::Anchor::Callout});
   for (const NamedPoint& point : domain.points) points.labels.push_back({point.at, point.name, scene::Anchor::Right});
   for (const Face& face : domain.faces) {
     const auto name = domain.region_names.find(face.region);
-    if (name != domain.region_names.end()) regions.labels.push_back({face.inside, name->second, scene::Anchor::Callout});
+    if (name != domain.region_names.end())
+      regions.labels.push_back({face.inside, name->second, scene::Anchor::Callout});
   }
   constexpr Color region_green{46, 125, 50};
   const auto add = [&](const char* key, std::string title, Color color, scene::Labels labels) {
-    if (!labels.labels.empty()) panel.layers.push_back({key, std::move(title), {.line = color}, std::move(labels), true, scene::InLegend::No});
+    if (!labels.labels.empty())
+      panel.layers.push_back({key, std::move(title), {.line = color}, std::move(labels), true, scene::InLegend::No});
   };
   add("curve_names", translated("Boundary"), constraint_blue, std::move(curves));
   add("point_names", translated("Points"), ink, std::move(points));
@@ -314,7 +368,10 @@ scene::Picture histogram_picture(const Meshed& meshed) {
   const double all = static_cast<double>(std::accumulate(bins.begin(), bins.end(), std::size_t{0}));
   const double width = 1.0 / static_cast<double>(bins.size());
   const auto& q = meshed.quality;
-  scene::Panel panel{.key = "histogram", .title = {}, .axes = {translated("alpha"), translated("share of the elements"), scene::AxisScale::Diagram}, .layers = {}};
+  scene::Panel panel{.key = "histogram",
+                     .title = {},
+                     .axes = {translated("alpha"), translated("share of the elements"), scene::AxisScale::Diagram},
+                     .layers = {}};
   panel.title = fmt::format("{}: {} {}", meshed.name, meshed.mesh.element_count(), translated("elements"));
   double highest = 0.0;
   for (std::size_t i = 0; i < bins.size(); ++i) {
@@ -324,12 +381,18 @@ scene::Picture histogram_picture(const Meshed& meshed) {
     highest = std::max(highest, share);
     const geom::Polyline bar{{{left, 0.0}, {left + width, 0.0}, {left + width, share}, {left, share}}, true};
     const scene::Color color = scene::color_of({{}, scene::ColorMapName::Quality, 0.5, 1.0}, left + 0.5 * width);
-    scene::Layer layer{fmt::format("bin_{}", i), fmt::format("{:.2f} - {:.2f}", left, left + width), {.line = ink, .line_width = 0.5, .fill = color}, scene::Regions{{{{bar}}}}};
+    scene::Layer layer{fmt::format("bin_{}", i),
+                       fmt::format("{:.2f} - {:.2f}", left, left + width),
+                       {.line = ink, .line_width = 0.5, .fill = color},
+                       scene::Regions{{{{bar}}}}};
     layer.in_legend = scene::InLegend::No;
     panel.layers.push_back(std::move(layer));
   }
   const auto mark = [&](const char* key, const std::string& title, double alpha, scene::Dash dash) {
-    panel.layers.push_back({key, title, {.line = ink, .line_width = 1.0, .dash = dash}, scene::Lines{{{{{alpha, 0.0}, {alpha, highest}}, false}}}});
+    panel.layers.push_back({key,
+                            title,
+                            {.line = ink, .line_width = 1.0, .dash = dash},
+                            scene::Lines{{{{{alpha, 0.0}, {alpha, highest}}, false}}}});
   };
   mark("mean", fmt::format("{} {:.3f}", translated("mean"), q.alpha_mean), q.alpha_mean, scene::Dash::Dashed);
   mark("least", fmt::format("{} {:.3f}", translated("least"), q.alpha_min), q.alpha_min, scene::Dash::Dotted);
@@ -365,7 +428,8 @@ void draw(const Model& model, scene::Picture& picture) {
   if (n == 0 && !model.work) picture.panels.push_back(domain_panel(model));
   // The two last meshes side by side: before and after.
   const std::size_t shown = model.work ? 1 : 2;
-  for (std::size_t i = n > shown ? n - shown : 0; i < n; ++i) picture.panels.push_back(mesh_panel(model, *model.meshes[i], i + 1));
+  for (std::size_t i = n > shown ? n - shown : 0; i < n; ++i)
+    picture.panels.push_back(mesh_panel(model, *model.meshes[i], i + 1));
   if (model.work) picture.panels.push_back(work_panel(model, *model.work));
 }
 
@@ -373,13 +437,15 @@ void add_quantities(const Model& model, std::vector<scenario::Quantity>& quantit
   quantities.push_back({"curves", static_cast<double>(model.domain.curves.size()), ""});
   quantities.push_back({"loops", static_cast<double>(model.domain.loops.size()), ""});
   const auto& curves = model.domain.curves;
-  const auto cracks = std::count_if(curves.begin(), curves.end(), [](const Curve& curve) { return curve.role == Role::Crack; });
+  const auto cracks =
+      std::count_if(curves.begin(), curves.end(), [](const Curve& curve) { return curve.role == Role::Crack; });
   quantities.push_back({"findings", static_cast<double>(model.findings.size()), ""});
   quantities.push_back({"cracks", static_cast<double>(cracks), ""});
   quantities.push_back({"parts", static_cast<double>(model.domain.faces.size()), ""});
   quantities.push_back({"offset_constraints", static_cast<double>(model.constraints.size()), ""});
   for (std::size_t i = 0; i < model.constraints.size(); ++i) {
-    quantities.push_back({fmt::format("constraint.{}.distance", model.constraints[i].name), model.constraints[i].distance, "m"});
+    quantities.push_back(
+        {fmt::format("constraint.{}.distance", model.constraints[i].name), model.constraints[i].distance, "m"});
   }
   if (model.work) {
     quantities.push_back({"work.steps", static_cast<double>(model.work->steps), ""});
@@ -387,7 +453,8 @@ void add_quantities(const Model& model, std::vector<scenario::Quantity>& quantit
     quantities.push_back({"work.front", static_cast<double>(model.work->front.size()), ""});
   }
   if (!model.meshes.empty()) add_quality(quantities, "", *model.meshes.back());
-  for (std::size_t i = 0; i < model.meshes.size(); ++i) add_quality(quantities, fmt::format("mesh.{}.", i + 1), *model.meshes[i]);
+  for (std::size_t i = 0; i < model.meshes.size(); ++i)
+    add_quality(quantities, fmt::format("mesh.{}.", i + 1), *model.meshes[i]);
 }
 
 void add_finding_tables(const Model& model, std::vector<scenario::DataTable>& tables) {
@@ -402,14 +469,18 @@ void add_finding_tables(const Model& model, std::vector<scenario::DataTable>& ta
 
 void add_mesh_tables(const Model& model, std::vector<scenario::DataTable>& tables) {
   if (model.meshes.empty()) return;
-  scenario::DataTable table{"quality",
-                            {"mesh", "elements", "nodes", "alpha_mean", "alpha_90 [%]", "alpha_min", "min_angle [deg]", "max_angle [deg]", "gradation_p95", "constraints", "jacobian_min", "quadrilaterals", "quad_shape_min"},
-                            {}};
+  scenario::DataTable table{
+      "quality",
+      {"mesh", "elements", "nodes", "alpha_mean", "alpha_90 [%]", "alpha_min", "min_angle [deg]", "max_angle [deg]",
+       "gradation_p95", "constraints", "jacobian_min", "quadrilaterals", "quad_shape_min"},
+      {}};
   for (const auto& meshed : model.meshes) {
     const auto& q = meshed->quality;
-    table.rows.push_back({meshed->name, static_cast<double>(meshed->mesh.element_count()), static_cast<double>(meshed->mesh.points.size()), q.alpha_mean, 100.0 * q.alpha_90,
-                          q.alpha_min, q.angle_min.degrees(), q.angle_max.degrees(), q.gradation_p95, static_cast<double>(meshed->constraints),
-                          meshed->elements.jacobian_min, static_cast<double>(meshed->elements.quadrilaterals), meshed->elements.shape_min});
+    table.rows.push_back({meshed->name, static_cast<double>(meshed->mesh.element_count()),
+                          static_cast<double>(meshed->mesh.points.size()), q.alpha_mean, 100.0 * q.alpha_90,
+                          q.alpha_min, q.angle_min.degrees(), q.angle_max.degrees(), q.gradation_p95,
+                          static_cast<double>(meshed->constraints), meshed->elements.jacobian_min,
+                          static_cast<double>(meshed->elements.quadrilaterals), meshed->elements.shape_min});
   }
   tables.push_back(std::move(table));
   tables.push_back(histogram("alpha", model.meshes.back()->quality.histogram));
@@ -425,15 +496,18 @@ mesh::ElementMesh in_units(mesh::ElementMesh mesh, const scenario::UnitSystem& u
 std::string note_of(const scenario::UnitSystem& units) { return "units: " + units.text(); }
 
 io::InpElement inp_element_of(const Model& model) {
-  return model.problem && model.problem->state == Plane::Strain ? io::InpElement::PlaneStrain : io::InpElement::PlaneStress;
+  return model.problem && model.problem->state == Plane::Strain ? io::InpElement::PlaneStrain
+                                                                : io::InpElement::PlaneStress;
 }
 
-base::Result<void> write_mesh(const std::string& path, const mesh::ElementMesh& mesh, io::InpElement element, const scenario::UnitSystem& units) {
+base::Result<void> write_mesh(const std::string& path, const mesh::ElementMesh& mesh, io::InpElement element,
+                              const scenario::UnitSystem& units) {
   DOBRA_TRY_VOID(io::write_mesh(path, in_units(mesh, units), element));
   return io::add_note(path, note_of(units));
 }
 
-base::Result<void> write_vtu(const std::string& path, const mesh::ElementMesh& mesh, const io::MeshFields& fields, const scenario::UnitSystem& units) {
+base::Result<void> write_vtu(const std::string& path, const mesh::ElementMesh& mesh, const io::MeshFields& fields,
+                             const scenario::UnitSystem& units) {
   DOBRA_TRY_VOID(io::write_vtu(path, in_units(mesh, units), fields));
   return io::add_note(path, note_of(units));
 }
@@ -447,7 +521,10 @@ void add_mesh_outputs(const std::shared_ptr<const Model>& model, std::vector<sce
                      }});
   const io::InpElement element = inp_element_of(*model);
   for (const char* const name : {"mesh.msh", "mesh.inp", "mesh.bdf", "mesh.nf"}) {
-    outputs.push_back({name, [meshed, element, units](const auto& path) { return write_mesh(path.string(), meshed->mesh, element, units); }, io::losses(name, meshed->mesh)});
+    outputs.push_back(
+        {name,
+         [meshed, element, units](const auto& path) { return write_mesh(path.string(), meshed->mesh, element, units); },
+         io::losses(name, meshed->mesh)});
   }
   // These hold triangles of one order only.
   if (io::ele_file_of(meshed->mesh)) {
@@ -455,8 +532,12 @@ void add_mesh_outputs(const std::shared_ptr<const Model>& model, std::vector<sce
       DOBRA_TRY_VOID(io::write_text(path, text_of(in_units(meshed->mesh, units))));
       return io::add_note(path.string(), note_of(units));
     };
-    outputs.push_back({"mesh.node", [write](const auto& path) { return write(path, [](const auto& mesh) { return io::node_text(io::node_file_of(mesh)); }); }});
-    outputs.push_back({"mesh.ele", [write](const auto& path) { return write(path, [](const auto& mesh) { return io::ele_text(*io::ele_file_of(mesh)); }); }});
+    outputs.push_back({"mesh.node", [write](const auto& path) {
+                         return write(path, [](const auto& mesh) { return io::node_text(io::node_file_of(mesh)); });
+                       }});
+    outputs.push_back({"mesh.ele", [write](const auto& path) {
+                         return write(path, [](const auto& mesh) { return io::ele_text(*io::ele_file_of(mesh)); });
+                       }});
   }
 }
 

@@ -28,10 +28,13 @@ std::string note_of(const dobra::scenario::UnitSystem& units);
 /// The elements of an .inp file: as the problem of the model says; plane stress where there is none.
 dobra::io::InpElement inp_element_of(const Model& model);
 /// io::write_mesh and io::write_vtu of a mesh in SI, in these units and with that line.
-dobra::base::Result<void> write_mesh(const std::string& path, const dobra::mesh::ElementMesh& mesh, dobra::io::InpElement element, const dobra::scenario::UnitSystem& units);
-dobra::base::Result<void> write_vtu(const std::string& path, const dobra::mesh::ElementMesh& mesh, const dobra::io::MeshFields& fields, const dobra::scenario::UnitSystem& units);
+dobra::base::Result<void> write_mesh(const std::string& path, const dobra::mesh::ElementMesh& mesh,
+                                     dobra::io::InpElement element, const dobra::scenario::UnitSystem& units);
+dobra::base::Result<void> write_vtu(const std::string& path, const dobra::mesh::ElementMesh& mesh,
+                                    const dobra::io::MeshFields& fields, const dobra::scenario::UnitSystem& units);
 
-/// How many of the elements have which quality: bars over alpha as high as their share of all, 0 .. 1; both axes to one scale.
+/// How many of the elements have which quality: bars over alpha as high as their share of all, 0 .. 1; both axes to one
+/// scale.
 dobra::scene::Picture histogram_picture(const Meshed& meshed);
 
 /// The sizes that a mesh was to have, with the quadtree that carries them. The window and `draw` have both as hidden
@@ -39,7 +42,8 @@ dobra::scene::Picture histogram_picture(const Meshed& meshed);
 dobra::scene::Picture size_field_picture(const Model& model, const Meshed& meshed);
 
 /// The triangles that draw an element: those of its corners and, of second order, of its mid-sides too.
-void add_triangles(const dobra::mesh::ElementMesh& mesh, std::size_t element, std::vector<std::array<std::uint32_t, 3>>& triangles);
+void add_triangles(const dobra::mesh::ElementMesh& mesh, std::size_t element,
+                   std::vector<std::array<std::uint32_t, 3>>& triangles);
 /// The boundary in pictures of meshes and of results, which then share one entry of the legend; points.
 constexpr double boundary_width = 1.8;
 /// Outlines thin out as elements get many, so that they do not hide the colours; points.

@@ -38,21 +38,27 @@ Result<SketchOptions> sketch_options(const LineInput& input) {
   lines.text.separator = input.separator;
   lines.coordinates = input.coordinates;
   if (!input.trace.empty()) {
-    if (input.trace.size() != 4) return Error{ErrorCode::BadValue, "trace: give four numbers: x and y of its beginning and its end"};
+    if (input.trace.size() != 4)
+      return Error{ErrorCode::BadValue, "trace: give four numbers: x and y of its beginning and its end"};
     DOBRA_TRY(lines.trace, io::trace_between({input.trace[0], input.trace[1]}, {input.trace[2], input.trace[3]}));
   }
   if (!input.fold_axis.empty()) {
-    if (input.fold_axis.size() != 2) return Error{ErrorCode::BadValue, "fold_axis: give two numbers: trend and plunge in degrees"};
-    lines.fold_axis = io::FoldAxis{dobra::base::Angle::from_degrees(input.fold_axis[0]), dobra::base::Angle::from_degrees(input.fold_axis[1])};
+    if (input.fold_axis.size() != 2)
+      return Error{ErrorCode::BadValue, "fold_axis: give two numbers: trend and plunge in degrees"};
+    lines.fold_axis = io::FoldAxis{dobra::base::Angle::from_degrees(input.fold_axis[0]),
+                                   dobra::base::Angle::from_degrees(input.fold_axis[1])};
   }
   lines.plane_tolerance = input.plane_tolerance.value_or(lines.plane_tolerance);
-  if (input.y_axis != FileAxis::File) lines.y_direction = input.y_axis == FileAxis::Up ? io::YDirection::Up : io::YDirection::Down;
+  if (input.y_axis != FileAxis::File)
+    lines.y_direction = input.y_axis == FileAxis::Up ? io::YDirection::Up : io::YDirection::Down;
   lines.y_reference = input.reference.value_or(lines.y_reference);
   if (input.unit != FileUnit::File) lines.unit = io::file_unit_metres[static_cast<std::size_t>(input.unit) - 1];
   lines.exaggeration = input.exaggeration.value_or(lines.exaggeration);
-  options.chosen = input.closed != none.closed || !input.format.empty() || !input.columns.empty() || !input.name_columns.empty() ||
-                   input.separator != none.separator || input.coordinates != none.coordinates || !input.trace.empty() || !input.fold_axis.empty() ||
-                   input.plane_tolerance || input.reference || input.exaggeration || input.y_axis != none.y_axis || input.unit != none.unit;
+  options.chosen = input.closed != none.closed || !input.format.empty() || !input.columns.empty() ||
+                   !input.name_columns.empty() || input.separator != none.separator ||
+                   input.coordinates != none.coordinates || !input.trace.empty() || !input.fold_axis.empty() ||
+                   input.plane_tolerance || input.reference || input.exaggeration || input.y_axis != none.y_axis ||
+                   input.unit != none.unit;
   return options;
 }
 

@@ -74,7 +74,9 @@ double radius_round(const Domain& domain, Point at) {
   // Of a loop through the point only what lies across counts: a corner beside it is nothing.
   std::set<std::size_t> own_loop;
   for (const Domain::Loop& loop : domain.loops) {
-    if (std::none_of(loop.sides.begin(), loop.sides.end(), [&](const Domain::Side& side) { return !places_on(domain, side.curve, at).empty(); })) continue;
+    if (std::none_of(loop.sides.begin(), loop.sides.end(),
+                     [&](const Domain::Side& side) { return !places_on(domain, side.curve, at).empty(); }))
+      continue;
     for (const Domain::Side& side : loop.sides) own_loop.insert(side.curve);
   }
   std::vector<Vector> ways;  // along the boundary away from the point
@@ -107,15 +109,16 @@ double radius_round(const Domain& domain, Point at) {
   return share_of_room * room;
 }
 
-std::vector<LoadedPoint> loaded_points(const Domain& domain, const mesh::ElementMesh& own, const ProblemParams& params, const fem::Problem& problem,
-                                       const fem::CaseResult& result, double radius) {
+std::vector<LoadedPoint> loaded_points(const Domain& domain, const mesh::ElementMesh& own, const ProblemParams& params,
+                                       const fem::Problem& problem, const fem::CaseResult& result, double radius) {
   // 1. Points that are loaded or held, with what acts on them.
   std::map<mesh::NodeId, LoadedPoint> found;
   const auto add = [&](const std::string& where, const auto& force_on) {
     const auto nodes = nodes_at(own, where, false);
     const double share = 1.0 / static_cast<double>(nodes.size());  // as fem::find_shares
     for (const mesh::NodeId node : nodes) {
-      LoadedPoint& point = found.try_emplace(node, LoadedPoint{.name = where, .at = own.point(node), .force = {}}).first->second;
+      LoadedPoint& point =
+          found.try_emplace(node, LoadedPoint{.name = where, .at = own.point(node), .force = {}}).first->second;
       point.force = point.force + share * force_on(node);
     }
   };
@@ -131,10 +134,12 @@ std::vector<LoadedPoint> loaded_points(const Domain& domain, const mesh::Element
     });
   }
   for (const auto& row : params.loads) {
-    if (row.kind == LoadKind::Force && row.load_case == result.name) add(row.where, [&](mesh::NodeId) { return Vector{row.x, row.y}; });
+    if (row.kind == LoadKind::Force && row.load_case == result.name)
+      add(row.where, [&](mesh::NodeId) { return Vector{row.x, row.y}; });
   }
   for (auto& [node, point] : found) point.force = point.force + result.reactions[node.index()];
-  // 2. Along a direction that a curve through the point holds, the reaction is a part of what is spread along the curve.
+  // 2. Along a direction that a curve through the point holds, the reaction is a part of what is spread along the
+  // curve.
   const auto spread = [&](const std::string& where, const auto& left) {
     for (const mesh::NodeId node : nodes_at(own, where, true)) {
       const auto point = found.find(node);
@@ -142,10 +147,13 @@ std::vector<LoadedPoint> loaded_points(const Domain& domain, const mesh::Element
     }
   };
   const auto spread_along = [&](const std::string& where, bool x, bool y) {
-    spread(where, [x, y](const LoadedPoint& point) { return Vector{x ? 0.0 : point.force.x, y ? 0.0 : point.force.y}; });
+    spread(where, [x, y](const LoadedPoint& point) {
+      return Vector{x ? 0.0 : point.force.x, y ? 0.0 : point.force.y};
+    });
   };
   for (const auto& row : params.supports) {
-    if (row.normal) spread(row.where, [&](const LoadedPoint& point) { return without_normals(domain, row.where, point); });
+    if (row.normal)
+      spread(row.where, [&](const LoadedPoint& point) { return without_normals(domain, row.where, point); });
     const bool both = !row.x_formula.empty() || !row.y_formula.empty();
     spread_along(row.where, row.x || both, row.y || both);
   }

@@ -103,9 +103,12 @@ std::vector<Point> nodes_on(const Domain& domain, std::size_t curve, const std::
 EdgeKind kind_of(Role role) {
   switch (role) {
     case Role::Boundary:
-    case Role::Hole: return EdgeKind::Boundary;
-    case Role::Internal: return EdgeKind::Interface;
-    case Role::Crack: break;
+    case Role::Hole:
+      return EdgeKind::Boundary;
+    case Role::Internal:
+      return EdgeKind::Interface;
+    case Role::Crack:
+      break;
   }
   return EdgeKind::Constraint;
 }
@@ -117,8 +120,9 @@ int pieces_of(const Segment& side, const std::function<double(Point)>& wanted) {
   return std::max(1, static_cast<int>(std::lround(side.length() / size)));
 }
 
-Result<MeshInput> mesh_input(const Model& model, const std::vector<Constraint>& constraints, std::span<const dobra::mesh::SizeRequest> sizes,
-                             const std::vector<TipRosette>& rosettes, const DivideOptions& options) {
+Result<MeshInput> mesh_input(const Model& model, const std::vector<Constraint>& constraints,
+                             std::span<const dobra::mesh::SizeRequest> sizes, const std::vector<TipRosette>& rosettes,
+                             const DivideOptions& options) {
   const Domain& domain = model.domain;
   InputBuilder builder;
   for (std::size_t c = 0; c < domain.curves.size(); ++c) {
@@ -139,7 +143,12 @@ Result<MeshInput> mesh_input(const Model& model, const std::vector<Constraint>& 
       // A cycle of the adaptive loop asks for sizes below those of the constraint.
       const int pieces = sizes.empty() || !options.limit ? 1 : pieces_of({from, to}, options.limit);
       const bool swapped = to < from;  // the same points from both ends
-      const auto at = [&](int k) { return k == 0 ? from : k == pieces ? to : swapped ? interpolate(to, from, static_cast<double>(pieces - k) / pieces) : interpolate(from, to, static_cast<double>(k) / pieces); };
+      const auto at = [&](int k) {
+        return k == 0        ? from
+               : k == pieces ? to
+               : swapped     ? interpolate(to, from, static_cast<double>(pieces - k) / pieces)
+                             : interpolate(from, to, static_cast<double>(k) / pieces);
+      };
       for (int k = 0; k < pieces; ++k) builder.edge(at(k), at(k + 1), set);
     }
   }
@@ -151,7 +160,8 @@ Result<MeshInput> mesh_input(const Model& model, const std::vector<Constraint>& 
     for (const Point p : points_of(zone, domain)) builder.size(p, zone.size);
   }
   for (const auto& request : sizes) builder.size(request.at, request.size);
-  for (const TipRosette& tip : rosettes) builder.size(tip.rosette.tip, distance(tip.rosette.rings.back()[0], tip.rosette.rings.back()[1]));
+  for (const TipRosette& tip : rosettes)
+    builder.size(tip.rosette.tip, distance(tip.rosette.rings.back()[0], tip.rosette.rings.back()[1]));
   MeshInput input = builder.take();
   for (const Face& face : domain.faces) input.regions.push_back({face.inside, face.region});
   return input;
@@ -169,11 +179,14 @@ std::vector<std::uint8_t> keeping(const Domain& domain, const std::vector<Constr
 }
 
 /// Curves that cannot keep the subdivision they ask for.
-void remark_on_divisions(const Domain& domain, const std::vector<std::uint8_t>& keeps, std::vector<std::string>& remarks) {
+void remark_on_divisions(const Domain& domain, const std::vector<std::uint8_t>& keeps,
+                         std::vector<std::string>& remarks) {
   for (std::size_t c = 0; c < domain.curves.size(); ++c) {
     const Curve& curve = domain.curves[c];
     if ((curve.division.segments == 0 && curve.division.ratio == 1.0) || keeps[c] != 0) continue;
-    remarks.push_back(fmt::format("`segments` and `ratio` of curve '{}' give way to the sizes of the offset constraints or points on it", curve.name));
+    remarks.push_back(fmt::format(
+        "`segments` and `ratio` of curve '{}' give way to the sizes of the offset constraints or points on it",
+        curve.name));
   }
 }
 
@@ -184,15 +197,20 @@ std::string beside(const NarrowPlaces::Left& left, const Domain& domain) {
 }
 
 /// Curves that keep theirs though something comes nearer than their sides are long.
-void remark_on_kept(const Domain& domain, const std::vector<NarrowPlaces::Left>& all, std::vector<std::string>& remarks) {
+void remark_on_kept(const Domain& domain, const std::vector<NarrowPlaces::Left>& all,
+                    std::vector<std::string>& remarks) {
   for (const auto& kept : all) {
-    remarks.push_back(fmt::format("curve '{}' keeps its {}, with sides of {:.3g} m at ({:.6g}, {:.6g}), {:.3g} m from {}: elements between are as flat; divide it more finely or leave its subdivision to `narrow`",
-                                  domain.curves[kept.curve].name, domain.curves[kept.curve].division.segments > 0 ? "`segments`" : "`ratio`", kept.side, kept.at.x, kept.at.y, kept.width, beside(kept, domain)));
+    remarks.push_back(fmt::format(
+        "curve '{}' keeps its {}, with sides of {:.3g} m at ({:.6g}, {:.6g}), {:.3g} m from {}: elements between are "
+        "as flat; divide it more finely or leave its subdivision to `narrow`",
+        domain.curves[kept.curve].name, domain.curves[kept.curve].division.segments > 0 ? "`segments`" : "`ratio`",
+        kept.side, kept.at.x, kept.at.y, kept.width, beside(kept, domain)));
   }
 }
 
 /// Places that are too narrow to ask for sides as short: once for both of their curves, and not where a sliver is told.
-void remark_on_slight(const Model& model, const std::vector<NarrowPlaces::Left>& all, std::vector<std::string>& remarks) {
+void remark_on_slight(const Model& model, const std::vector<NarrowPlaces::Left>& all,
+                      std::vector<std::string>& remarks) {
   std::set<std::pair<std::size_t, std::size_t>> told;
   const auto& curves = model.domain.curves;
   for (const auto& slight : all) {
@@ -205,15 +223,20 @@ void remark_on_slight(const Model& model, const std::vector<NarrowPlaces::Left>&
       return finding.curve == one + ", " + two || finding.curve == two + ", " + one;
     });
     if (known || !told.insert(std::minmax({slight.curve, slight.beside})).second) continue;
-    remarks.push_back(fmt::format("curve '{}', with sides of {:.3g} m at ({:.6g}, {:.6g}), is {:.3g} m from {}: too near for `narrow`, and elements between are flat; use a smaller size there, or close the gap",
-                                  curves[slight.curve].name, slight.side, slight.at.x, slight.at.y, slight.width, beside(slight, model.domain)));
+    remarks.push_back(fmt::format(
+        "curve '{}', with sides of {:.3g} m at ({:.6g}, {:.6g}), is {:.3g} m from {}: too near for `narrow`, and "
+        "elements between are flat; use a smaller size there, or close the gap",
+        curves[slight.curve].name, slight.side, slight.at.x, slight.at.y, slight.width, beside(slight, model.domain)));
   }
 }
 
 Error too_many(double triangles, const std::string& of, const MeshParams& params) {
-  return {dobra::base::ErrorCode::TooManyElements,
-          fmt::format("{} makes about {:.3g} triangles, more than the {} allowed; use greater sizes{}, or raise max_elements", of, triangles, params.max_elements,
-                      params.size > 0.0 ? fmt::format(" (about {:.3g} times)", std::sqrt(triangles / params.max_elements)) : "")};
+  return {
+      dobra::base::ErrorCode::TooManyElements,
+      fmt::format(
+          "{} makes about {:.3g} triangles, more than the {} allowed; use greater sizes{}, or raise max_elements", of,
+          triangles, params.max_elements,
+          params.size > 0.0 ? fmt::format(" (about {:.3g} times)", std::sqrt(triangles / params.max_elements)) : "")};
 }
 
 /// What an estimate may err by: only what is surely too much is refused before it is tried.
@@ -235,7 +258,9 @@ Result<void> check_field(const dobra::mesh::SizeField& field, const Domain& doma
   const Inside inside(domain);
   const double triangles = field.estimated_triangles([&](Point p) { return inside(p); });
   if (triangles <= sure * params.max_elements) return {};
-  return too_many(triangles, "what curves, points, zones, narrow places (`narrow = 0` leaves them), formula and background ask for", params);
+  return too_many(
+      triangles, "what curves, points, zones, narrow places (`narrow = 0` leaves them), formula and background ask for",
+      params);
 }
 
 /// The middle between two neighbouring nodes of a curve that bends.
@@ -244,7 +269,9 @@ MiddleOfCurve middle_of(const Arc& arc) {
     const Point chord = midpoint(from, to);
     const auto ray = chord - arc.centre();
     const double distance = length(ray);
-    return distance > 0.0 ? arc.centre() + (0.5 * (length(from - arc.centre()) + length(to - arc.centre())) / distance) * ray : chord;
+    return distance > 0.0
+               ? arc.centre() + (0.5 * (length(from - arc.centre()) + length(to - arc.centre())) / distance) * ray
+               : chord;
   };
 }
 MiddleOfCurve middle_of(const Curve& curve, const Smooth& smooth) {
@@ -305,7 +332,9 @@ Result<ElementMesh> elements_of(const TriangleMesh& triangles, const Model& mode
   for (const auto& side : second.straightened) {
     const auto nodes = side_nodes(second.mesh, side);
     const Point at = second.mesh.point(nodes[2]);
-    remarks.push_back(fmt::format("the side at ({:.6g}, {:.6g}) stays straight: its curve would invert the element; use smaller sides there", at.x, at.y));
+    remarks.push_back(fmt::format(
+        "the side at ({:.6g}, {:.6g}) stays straight: its curve would invert the element; use smaller sides there",
+        at.x, at.y));
   }
   if (!rosettes.empty()) DOBRA_TRY_VOID(dobra::fem::set_quarter_points(second.mesh));
   return std::move(second.mesh);
@@ -335,8 +364,8 @@ const std::vector<Constraint>& obeyed(const Model& model, const MeshParams& para
   return params.constraints == UseConstraints::Yes ? model.constraints : none;
 }
 
-Result<Prepared> prepare(const Model& model, const MeshParams& params, const MeshWishes& wishes, const SizeSource& source,
-                         std::vector<std::string>& remarks) {
+Result<Prepared> prepare(const Model& model, const MeshParams& params, const MeshWishes& wishes,
+                         const SizeSource& source, std::vector<std::string>& remarks) {
   // A formula or a background mesh alone says what is wanted.
   const double size = params.size > 0.0 ? params.size : model.domain.box().diagonal() / (source.empty() ? 20.0 : 1.0);
   DOBRA_TRY_VOID(check_size(model.domain, params));
@@ -344,9 +373,12 @@ Result<Prepared> prepare(const Model& model, const MeshParams& params, const Mes
   Prepared prepared;
   if (params.rosettes == UseRosettes::Yes) {
     if (params.order != Order::Second || params.quadrilaterals == Quadrilaterals::Yes) {
-      return dobra::base::Error{dobra::base::ErrorCode::BadValue, "rosettes are made of triangles of second order: give order = \"2\" and no quadrilaterals"};
+      return dobra::base::Error{
+          dobra::base::ErrorCode::BadValue,
+          "rosettes are made of triangles of second order: give order = \"2\" and no quadrilaterals"};
     }
-    DOBRA_TRY(prepared.rosettes, tip_rosettes(model.domain, model.half_tips, {.sectors = params.sectors, .radius = params.tip_radius}, wishes.tips));
+    DOBRA_TRY(prepared.rosettes, tip_rosettes(model.domain, model.half_tips,
+                                              {.sectors = params.sectors, .radius = params.tip_radius}, wishes.tips));
   }
   dobra::mesh::MeshOptions& options = prepared.options;
   options.engine = params.engine;
@@ -355,7 +387,12 @@ Result<Prepared> prepare(const Model& model, const MeshParams& params, const Mes
   options.sizes.function = source.function();
   options.smoothing.passes = params.smoothing;
   options.points.max_triangles = static_cast<std::size_t>(params.max_elements);
-  DivideOptions divide{.size = size, .turn = params.turn, .growth = params.growth, .limit = {}, .rule = params.division, .most = static_cast<std::size_t>(params.max_elements)};
+  DivideOptions divide{.size = size,
+                       .turn = params.turn,
+                       .growth = params.growth,
+                       .limit = {},
+                       .rule = params.division,
+                       .most = static_cast<std::size_t>(params.max_elements)};
   DOBRA_TRY(MeshInput coarse, mesh_input(model, constraints, wishes.sizes, prepared.rosettes, divide));
   const std::vector<std::uint8_t> keeps = keeping(model.domain, constraints);
   remark_on_divisions(model.domain, keeps, remarks);
@@ -374,10 +411,12 @@ Result<Prepared> prepare(const Model& model, const MeshParams& params, const Mes
   remark_on_kept(model.domain, places.kept, remarks);
   constexpr double steep = 1.7;
   if (!places.sizes.empty() && params.growth > steep) {
-    remarks.push_back(fmt::format("growth = {:.3g} leads away from narrow places so fast that elements beside them are flat; use {} or less", params.growth, steep));
+    remarks.push_back(fmt::format(
+        "growth = {:.3g} leads away from narrow places so fast that elements beside them are flat; use {} or less",
+        params.growth, steep));
   }
-  // Curves that pass something finer are divided again, so that sizes grow along them as they do inside; and again while
-  // bent ones turn out to come nearer to others than their first chords did.
+  // Curves that pass something finer are divided again, so that sizes grow along them as they do inside; and again
+  // while bent ones turn out to come nearer to others than their first chords did.
   constexpr int most_divisions = 8;
   std::vector<dobra::mesh::SizeRequest> narrow_sizes;
   for (int division = 0; division < most_divisions; ++division) {
@@ -408,7 +447,8 @@ std::string name_of_next(const Model& model, const MeshParams& params) {
 }
 
 /// The engine after `params.stop_after` steps; nothing if it is done by then.
-Result<std::shared_ptr<const MeshWork>> work_on(const Model& model, const MeshParams& params, const SizeSource& source, const dobra::base::Progress& progress) {
+Result<std::shared_ptr<const MeshWork>> work_on(const Model& model, const MeshParams& params, const SizeSource& source,
+                                                const dobra::base::Progress& progress) {
   std::vector<std::string> remarks;  // of the finished mesh only
   DOBRA_TRY(const Prepared prepared, prepare(model, params, {}, source, remarks));
   DOBRA_TRY(dobra::mesh::Mesher mesher, dobra::mesh::Mesher::start(prepared.input, prepared.options, progress));
@@ -416,14 +456,16 @@ Result<std::shared_ptr<const MeshWork>> work_on(const Model& model, const MeshPa
   for (int step = 0; step < params.stop_after && !mesher.done(); ++step) DOBRA_TRY_VOID(mesher.step(1, progress));
   if (mesher.done()) return std::shared_ptr<const MeshWork>();
   dobra::mesh::Mesher::View view = mesher.view();
-  return std::make_shared<const MeshWork>(MeshWork{name_of_next(model, params), static_cast<std::size_t>(params.stop_after), std::move(view.triangles.points),
-                                                   std::move(view.triangles.triangles), std::move(view.front)});
+  return std::make_shared<const MeshWork>(
+      MeshWork{name_of_next(model, params), static_cast<std::size_t>(params.stop_after),
+               std::move(view.triangles.points), std::move(view.triangles.triangles), std::move(view.front)});
 }
 
 }  // namespace
 
 Result<Meshed> mesh_domain(const Model& model, const MeshParams& params, const MeshWishes& wishes,
-                           std::vector<std::string>& remarks, const dobra::base::Progress& progress, const SizeSource& source) {
+                           std::vector<std::string>& remarks, const dobra::base::Progress& progress,
+                           const SizeSource& source) {
   const auto& constraints = obeyed(model, params);
   Stopwatch watch;
   Meshed meshed;
@@ -445,21 +487,25 @@ Result<Meshed> mesh_domain(const Model& model, const MeshParams& params, const M
   meshed.quality = dobra::mesh::quality_of(triangles);
   meshed.elements = dobra::mesh::element_quality_of(meshed.mesh);
   done("quality");
-  for (const Constraint& constraint : constraints) meshed.constraint_edges += triangles.constraint_sets.at(constraint.name).size();
+  for (const Constraint& constraint : constraints)
+    meshed.constraint_edges += triangles.constraint_sets.at(constraint.name).size();
   meshed.name = name_of_next(model, params);
   meshed.constraints = constraints.size();
   return meshed;
 }
 
-Result<Model> add_mesh(const Model& model, const MeshParams& params, const dobra::scenario::Context& context, const dobra::base::Progress& progress) {
+Result<Model> add_mesh(const Model& model, const MeshParams& params, const dobra::scenario::Context& context,
+                       const dobra::base::Progress& progress) {
   Model result = model;
   result.work.reset();
-  DOBRA_TRY(const SizeSource source, SizeSource::make(model.domain, params.size_formula, params.background, params.background_field, context));
+  DOBRA_TRY(const SizeSource source,
+            SizeSource::make(model.domain, params.size_formula, params.background, params.background_field, context));
   if (params.stop_after > 0) {
     DOBRA_TRY(result.work, work_on(model, params, source, progress));
     if (result.work) {
-      result.remarks.push_back(fmt::format("{} was stopped after {} steps, with {} triangles and {} sides in its front; stop_after = 0 finishes it", result.work->name,
-                                           result.work->steps, result.work->triangles.size(), result.work->front.size()));
+      result.remarks.push_back(fmt::format(
+          "{} was stopped after {} steps, with {} triangles and {} sides in its front; stop_after = 0 finishes it",
+          result.work->name, result.work->steps, result.work->triangles.size(), result.work->front.size()));
       return result;
     }
   }

@@ -13,7 +13,8 @@
 
 namespace quebra::core {
 
-/// A point where a curve meets another one away from its ends, or where a point of the domain lies on it: a node of both.
+/// A point where a curve meets another one away from its ends, or where a point of the domain lies on it: a node of
+/// both.
 struct Junction {
   std::size_t curve = 0;
   double s = 0.0;
@@ -68,9 +69,9 @@ struct Domain {
 
 /// An offset curve inside the domain, along which the mesh must have edges.
 struct Constraint {
-  std::string name;        ///< "hole_1": base curve and number.
-  double distance = 0.0;   ///< From the base, m.
-  double spacing = 0.0;    ///< Wanted distance of its nodes, m.
+  std::string name;       ///< "hole_1": base curve and number.
+  double distance = 0.0;  ///< From the base, m.
+  double spacing = 0.0;   ///< Wanted distance of its nodes, m.
   dobra::geom::Polyline line;
   /// Where its ends lie on curves of the domain, if they do.
   struct Foot {
@@ -81,7 +82,20 @@ struct Constraint {
 };
 
 /// What was wrong with the drawn geometry (repair.h).
-enum class Wrong { RepeatedPoint, NearlyRepeatedPoint, NoExtent, CurveTwice, Spike, Gap, Crossing, Sliver, NearlyTouching, CutThrough, Outside, Apart };
+enum class Wrong {
+  RepeatedPoint,
+  NearlyRepeatedPoint,
+  NoExtent,
+  CurveTwice,
+  Spike,
+  Gap,
+  Crossing,
+  Sliver,
+  NearlyTouching,
+  CutThrough,
+  Outside,
+  Apart
+};
 
 struct Finding {
   Wrong wrong = Wrong::RepeatedPoint;
@@ -92,9 +106,9 @@ struct Finding {
 
 /// The tip of a crack of which the model holds one lip, on a line of symmetry (half_crack.h).
 struct HalfTip {
-  std::string name;       ///< "LIP_start" or "LIP_end".
-  std::size_t lip = 0;    ///< Curve behind the tip,
-  std::size_t line = 0;   ///< and the one ahead.
+  std::string name;      ///< "LIP_start" or "LIP_end".
+  std::size_t lip = 0;   ///< Curve behind the tip,
+  std::size_t line = 0;  ///< and the one ahead.
   dobra::geom::Point at;
   dobra::geom::Vector ahead;
   dobra::fem::RosetteHalf half = dobra::fem::RosetteHalf::Left;  ///< Where the material is.
@@ -114,14 +128,15 @@ struct ProblemParams;  // problem.h
 
 struct Model {
   Domain domain;
-  dobra::scenario::UnitSystem units;  ///< In which pictures, quantities, tables and exchange files are to be; all else is SI.
+  dobra::scenario::UnitSystem
+      units;  ///< In which pictures, quantities, tables and exchange files are to be; all else is SI.
   std::vector<std::shared_ptr<const Band>> bands;  ///< In the order given.
   std::vector<Constraint> constraints;             ///< What is left of them all.
   std::vector<Zone> zones;
   std::vector<HalfTip> half_tips;
   std::vector<std::shared_ptr<const Meshed>> meshes;  ///< In the order made; each mesh step adds one.
-  std::shared_ptr<const MeshWork> work;  ///< If the last mesh step was stopped; none when a mesh is done.
-  std::shared_ptr<const ProblemParams> problem;  ///< Materials, supports, loads; none until a step gives them.
+  std::shared_ptr<const MeshWork> work;               ///< If the last mesh step was stopped; none when a mesh is done.
+  std::shared_ptr<const ProblemParams> problem;       ///< Materials, supports, loads; none until a step gives them.
   std::vector<std::shared_ptr<const Analysis>> analyses;  ///< In the order made.
   bool short_of_target = false;  ///< An adaptive loop ended above the error asked for; a remark says why,
   std::string why_short = {};    ///< that of the last loop here too, which a loop from its last cycle takes back.

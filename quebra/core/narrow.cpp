@@ -214,7 +214,8 @@ class Finder {
          const NarrowOptions& options)
       : keeps_(keeps), options_(options), chains_(sides_), ways_(sides_) {
     make_sides(domain, divided);
-    for (const Curve& curve : domain.curves) bent_.push_back(std::holds_alternative<dobra::geom::Polyline>(curve.shape) ? 0 : 1);
+    for (const Curve& curve : domain.curves)
+      bent_.push_back(std::holds_alternative<dobra::geom::Polyline>(curve.shape) ? 0 : 1);
     std::vector<Box> boxes;
     for (const Side& side : sides_) boxes.push_back(side.segment.box());
     index_ = dobra::geom::SpatialIndex(boxes);
@@ -285,7 +286,9 @@ class Finder {
     });
     return found;
   }
-  [[nodiscard]] bool bent(std::size_t side) const { return sides_[side].curve < bent_.size() && bent_[sides_[side].curve] != 0; }
+  [[nodiscard]] bool bent(std::size_t side) const {
+    return sides_[side].curve < bent_.size() && bent_[sides_[side].curve] != 0;
+  }
 
   /// Below this distance something is too near to a part of a side of this length.
   [[nodiscard]] double reach_of(double length) const { return length * found_at() / options_.enough; }

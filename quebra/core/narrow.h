@@ -22,7 +22,7 @@ struct NarrowOptions {
   /// Sizes of the elements elsewhere, m. Points that are nearer to each other than 2/3 of it are a narrow place, and if
   /// several elements are wanted across so are sides, however short a bend has made them.
   std::function<double(dobra::geom::Point)> size;
-  bool points = true;  ///< Whether points ask; once is enough, as no division moves them.
+  bool points = true;                       ///< Whether points ask; once is enough, as no division moves them.
   std::vector<dobra::geom::Box> only = {};  ///< Sides that touch one of these are looked at; empty: all.
   /// Two sides that meet at a smaller angle are no narrow place as far as that angle makes them near each other.
   dobra::base::Angle input_angle = dobra::base::Angle::from_degrees(40.0);

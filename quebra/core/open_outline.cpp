@@ -98,16 +98,20 @@ const Polyline* held_by(const Polyline& outline, const Inside& inside) {
 
 std::string gap_advice(double gap, double size, const std::optional<RepairOptions>& repaired) {
   const double limit = gap_limit(repaired.value_or(RepairOptions{}), size);
-  std::string text = repaired ? fmt::format("--repair closes gaps up to {:.3g} m: ", limit) : fmt::format("close it, or give --repair (repair = \"yes\"), which closes gaps up to {:.3g} m", limit);
+  std::string text =
+      repaired ? fmt::format("--repair closes gaps up to {:.3g} m: ", limit)
+               : fmt::format("close it, or give --repair (repair = \"yes\"), which closes gaps up to {:.3g} m", limit);
   if (gap <= limit) return repaired ? text + "close it by hand" : text;
-  if (gap > RepairOptions::greatest_gap_fraction * size) return repaired ? text + "close it by hand" : text + " and never one as wide as this";
+  if (gap > RepairOptions::greatest_gap_fraction * size)
+    return repaired ? text + "close it by hand" : text + " and never one as wide as this";
   const double step = std::pow(10.0, std::floor(std::log10(gap)) - 1.0);
   const double enough = step * std::ceil(gap / step * (1.0 + 1e-9));
-  return text + fmt::format("{} --gap (gap in [input]) of {:.3g} m{}", repaired ? "give" : "; for this one give also", enough, repaired ? ", or close it by hand" : "");
+  return text + fmt::format("{} --gap (gap in [input]) of {:.3g} m{}", repaired ? "give" : "; for this one give also",
+                            enough, repaired ? ", or close it by hand" : "");
 }
 
-std::optional<Error> open_outline(const std::vector<Curve>& curves, const std::vector<Place>& places, const Inside& inside,
-                                  const std::optional<RepairOptions>& repaired) {
+std::optional<Error> open_outline(const std::vector<Curve>& curves, const std::vector<Place>& places,
+                                  const Inside& inside, const std::optional<RepairOptions>& repaired) {
   std::vector<End> ends = open_ends(curves);
   std::erase_if(ends, [&](const End& end) {
     const Curve& curve = curves[end.curve];
@@ -130,10 +134,13 @@ std::optional<Error> open_outline(const std::vector<Curve>& curves, const std::v
     Place place = a.curve < places.size() ? places[a.curve] : Place{};
     place.x = a.at.x;
     place.y = a.at.y;
-    return Error{ErrorCode::BadDomain,
-                 fmt::format("an outline stays open{}: {}{}; {}", holds ? ", and without it a loop that it holds would bound the material" : "", gap_text(curves, a, b),
-                             chain.count > 1 ? fmt::format(", the widest of {}", chain.count) : "", gap_advice(distance(a.at, b.at), box.diagonal(), repaired)),
-                 place};
+    return Error{
+        ErrorCode::BadDomain,
+        fmt::format("an outline stays open{}: {}{}; {}",
+                    holds ? ", and without it a loop that it holds would bound the material" : "",
+                    gap_text(curves, a, b), chain.count > 1 ? fmt::format(", the widest of {}", chain.count) : "",
+                    gap_advice(distance(a.at, b.at), box.diagonal(), repaired)),
+        place};
   }
   return std::nullopt;
 }

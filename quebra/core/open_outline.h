@@ -1,6 +1,6 @@
 #pragma once
-// An outline that does not close bounds nothing, and must not be taken for a stray line: what lies in it would be the domain then.
-// Page: docs/algorithms/domain_repair.md.
+// An outline that does not close bounds nothing, and must not be taken for a stray line: what lies in it would be the
+// domain then. Page: docs/algorithms/domain_repair.md.
 
 #include <optional>
 #include <string>
@@ -14,13 +14,14 @@ namespace quebra::core {
 /// @param size  the drawing's diagonal, m
 std::string gap_advice(double gap, double size, const std::optional<RepairOptions>& repaired);
 
-/// Chains of internal lines outside the material whose free ends nearly meet, or that hold a loop of the domain once the ends that are
-/// nearest to each other are joined.
+/// Chains of internal lines outside the material whose free ends nearly meet, or that hold a loop of the domain once
+/// the ends that are nearest to each other are joined.
 /// @param places  one a curve.
 /// @param inside  of the domain that the loops make.
 /// @return BadDomain with both ends of the widest gap of the first such chain, its width, the limit and what to change.
 /// @cost O(n log n + pairs of free ends near in x)
-std::optional<dobra::base::Error> open_outline(const std::vector<Curve>& curves, const std::vector<dobra::base::Place>& places, const Inside& inside,
+std::optional<dobra::base::Error> open_outline(const std::vector<Curve>& curves,
+                                               const std::vector<dobra::base::Place>& places, const Inside& inside,
                                                const std::optional<RepairOptions>& repaired);
 
 }  // namespace quebra::core

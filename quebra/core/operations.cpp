@@ -18,14 +18,16 @@ namespace {
 
 using namespace dobra;
 
-base::Result<scenario::State> input(const scenario::Table& table, const scenario::Context& context, const base::Progress&) {
+base::Result<scenario::State> input(const scenario::Table& table, const scenario::Context& context,
+                                    const base::Progress&) {
   DOBRA_TRY(Model model, read_input(scenario::from_table<InputParams>(table), table, context));
   return scenario::make_state(std::move(model));
 }
 
 /// The lines of supports and loads, for what only shows on a mesh: a formula that has no value somewhere.
 /// And in other units than SI it says what a thickness is that was left out.
-scenario::State with_lines(const scenario::State& state, const scenario::Table& table, const scenario::UnitSystem& units) {
+scenario::State with_lines(const scenario::State& state, const scenario::Table& table,
+                           const scenario::UnitSystem& units) {
   Model model = scenario::model_of<Model>(state);
   ProblemParams problem = *model.problem;
   const auto give_lines = [&](const char* key, auto& own) {
@@ -39,7 +41,8 @@ scenario::State with_lines(const scenario::State& state, const scenario::Table& 
   const scenario::Value* const materials = table.find("material");
   if (!units.si() && materials != nullptr) {
     const auto& rows = std::get<std::vector<scenario::Table>>(*materials);
-    if (std::any_of(rows.begin(), rows.end(), [](const scenario::Table& row) { return row.find("thickness") == nullptr; }))
+    if (std::any_of(rows.begin(), rows.end(),
+                    [](const scenario::Table& row) { return row.find("thickness") == nullptr; }))
       model.remarks.push_back("a material has no `thickness`: it is 1 m");
   }
   model.problem = std::make_shared<const ProblemParams>(std::move(problem));
@@ -49,8 +52,10 @@ scenario::State with_lines(const scenario::State& state, const scenario::Table& 
 /// set_problem, whose errors get the line of the table that they are about.
 scenario::Operation problem_operation() {
   auto operation = scenario::make_operation<Model, ProblemParams>(
-      "problem", "Materials, supports, loads", "The elastic problem, by the names of regions, curves and points.", set_problem);
-  operation.run = [run = operation.run](const scenario::State& state, const scenario::Table& table, const scenario::Context& context,
+      "problem", "Materials, supports, loads", "The elastic problem, by the names of regions, curves and points.",
+      set_problem);
+  operation.run = [run = operation.run](const scenario::State& state, const scenario::Table& table,
+                                        const scenario::Context& context,
                                         const base::Progress& progress) -> base::Result<scenario::State> {
     auto result = run(state, table, context, progress);
     if (result) return with_lines(*result, table, context.units);
@@ -66,8 +71,9 @@ bool mesher_at_work(const scenario::State& state) { return scenario::model_of<Mo
 
 scenario::Operation mesh_operation() {
   auto operation = scenario::make_operation<Model, MeshParams>(
-      "mesh", "Mesh", "Divides the boundary and fills the domain with triangles: quadtree for the sizes, Delaunay for the shapes.", add_mesh,
-      {.tables = add_mesh_tables, .outputs = add_mesh_outputs});
+      "mesh", "Mesh",
+      "Divides the boundary and fills the domain with triangles: quadtree for the sizes, Delaunay for the shapes.",
+      add_mesh, {.tables = add_mesh_tables, .outputs = add_mesh_outputs});
   operation.stop_after = "stop_after";
   operation.at_work = mesher_at_work;
   return operation;
@@ -75,10 +81,12 @@ scenario::Operation mesh_operation() {
 
 /// Nothing but another mesh may follow a mesh that is not done.
 scenario::Operation after_a_whole_mesh(scenario::Operation operation) {
-  operation.run = [run = operation.run](const scenario::State& state, const scenario::Table& table, const scenario::Context& context,
+  operation.run = [run = operation.run](const scenario::State& state, const scenario::Table& table,
+                                        const scenario::Context& context,
                                         const base::Progress& progress) -> base::Result<scenario::State> {
     if (mesher_at_work(state)) {
-      return base::Error{base::ErrorCode::CannotMesh, "the mesh before this step was stopped before it was done: set its stop_after to 0"};
+      return base::Error{base::ErrorCode::CannotMesh,
+                         "the mesh before this step was stopped before it was done: set its stop_after to 0"};
     }
     return run(state, table, context, progress);
   };
@@ -88,7 +96,8 @@ scenario::Operation after_a_whole_mesh(scenario::Operation operation) {
 scenario::UnitSystem units_of(const scenario::State& state) { return scenario::model_of<Model>(state).units; }
 
 std::optional<bool> adapted_enough(const Model& model) {
-  const bool adapted = std::any_of(model.analyses.begin(), model.analyses.end(), [](const auto& analysis) { return analysis->cycle > 0; });
+  const bool adapted = std::any_of(model.analyses.begin(), model.analyses.end(),
+                                   [](const auto& analysis) { return analysis->cycle > 0; });
   return adapted ? std::optional(!model.short_of_target) : std::nullopt;
 }
 
@@ -108,27 +117,35 @@ scenario::Program make_program() {
   });
   program.operations = {
       scenario::make_operation<Model, ConstraintParams>(
-          "constraints", "Offset constraints", "Offset curves of a boundary, as internal constraints that grade the mesh.", add_constraints),
+          "constraints", "Offset constraints",
+          "Offset curves of a boundary, as internal constraints that grade the mesh.", add_constraints),
       scenario::make_operation<Model, ZoneParams>(
-          "zone", "Zone of small elements", "Elements of a given size within a given distance of curves, cracks or points.", add_zone),
+          "zone", "Zone of small elements",
+          "Elements of a given size within a given distance of curves, cracks or points.", add_zone),
       scenario::make_operation<Model, HalfCrackParams>(
-          "half_crack", "Half of a crack", "A curve of the boundary is one lip of a crack on a line of symmetry.", add_half_crack),
+          "half_crack", "Half of a crack", "A curve of the boundary is one lip of a crack on a line of symmetry.",
+          add_half_crack),
       mesh_operation(),
       problem_operation(),
       scenario::make_operation<Model, AnalyseParams>(
           "analyse", "Analyse", "Displacements, stresses and their error on the last mesh.", add_analysis,
           {.quantities = add_analysis_quantities, .tables = add_analysis_tables, .outputs = add_analysis_outputs}),
-      scenario::make_operation<Model, AdaptParams>(
-          "adapt", "Adapt", "Meshes and analyses until the error asked for is met.", adapt, {.reached = adapted_enough}),
+      scenario::make_operation<Model, AdaptParams>("adapt", "Adapt",
+                                                   "Meshes and analyses until the error asked for is met.", adapt,
+                                                   {.reached = adapted_enough}),
       scenario::make_operation<Model, FractureParams>(
-          "crack", "Stress intensity factors", "K_I and K_II by three methods, J, T and kink angles at every crack tip.", add_tips,
+          "crack", "Stress intensity factors",
+          "K_I and K_II by three methods, J, T and kink angles at every crack tip.", add_tips,
           {.quantities = add_tip_quantities, .tables = add_tip_tables, .reached = tips_reached}),
-      scenario::make_operation<Model, LineParams>("line", "Results along a line", "Displacements and stresses along a line, as a table.", add_line,
-                                                   {.tables = add_sample_tables}),
-      scenario::make_operation<Model, ProbeParams>("probe", "Results at a point", "Displacements and stresses at a point.", add_probe,
-                                                    {.quantities = add_sample_quantities}),
-      scenario::make_operation<Model, ViewParams>("view", "Picture of a field", "A field on the deformed shape: colours, contours, mesh, extremes.", add_view,
-                                                   {.draw = add_views}),
+      scenario::make_operation<Model, LineParams>("line", "Results along a line",
+                                                  "Displacements and stresses along a line, as a table.", add_line,
+                                                  {.tables = add_sample_tables}),
+      scenario::make_operation<Model, ProbeParams>("probe", "Results at a point",
+                                                   "Displacements and stresses at a point.", add_probe,
+                                                   {.quantities = add_sample_quantities}),
+      scenario::make_operation<Model, ViewParams>("view", "Picture of a field",
+                                                  "A field on the deformed shape: colours, contours, mesh, extremes.",
+                                                  add_view, {.draw = add_views}),
   };
   for (scenario::Operation& operation : program.operations) {
     if (operation.name != "mesh") operation = after_a_whole_mesh(std::move(operation));

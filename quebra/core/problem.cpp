@@ -45,12 +45,15 @@ Result<std::function<double(Point, Vector)>> number_or(double number, const std:
   return Function([formula](Point p, Vector n) { return formula.at(std::array{p.x, p.y, n.x, n.y}); });
 }
 
-bool has_formula(const LoadParams& load) { return !load.x_formula.empty() || !load.y_formula.empty() || !load.value_formula.empty(); }
+bool has_formula(const LoadParams& load) {
+  return !load.x_formula.empty() || !load.y_formula.empty() || !load.value_formula.empty();
+}
 
 Result<void> check_linear(const LoadParams& load) {
   if (load.from.has_value() != load.to.has_value()) return bad("a linear load needs both `from` and `to`");
   if (!load.from) {
-    if (load.x_to != 0.0 || load.y_to != 0.0 || load.value_to != 0.0) return bad("x_to, y_to and value_to belong to a linear load: give `from` and `to`");
+    if (load.x_to != 0.0 || load.y_to != 0.0 || load.value_to != 0.0)
+      return bad("x_to, y_to and value_to belong to a linear load: give `from` and `to`");
     return {};
   }
   if (*load.from == *load.to) return bad("`from` and `to` of a linear load are the same point");
@@ -60,21 +63,44 @@ Result<void> check_linear(const LoadParams& load) {
 
 /// What is given but would not count.
 Result<void> check_keys(const LoadParams& load) {
-  const auto refuse = [](bool given, const char* message) -> Result<void> { return given ? Result<void>(bad(message)) : Result<void>{}; };
+  const auto refuse = [](bool given, const char* message) -> Result<void> {
+    return given ? Result<void>(bad(message)) : Result<void>{};
+  };
   const auto both = [](double number, const std::string& formula) { return number != 0.0 && !formula.empty(); };
-  DOBRA_TRY_VOID(refuse(both(load.x, load.x_formula) || both(load.y, load.y_formula) || both(load.value, load.value_formula), "a load is a number or a formula, not both: leave x, y or value out where x_formula, y_formula or value_formula stands"));
+  DOBRA_TRY_VOID(
+      refuse(both(load.x, load.x_formula) || both(load.y, load.y_formula) || both(load.value, load.value_formula),
+             "a load is a number or a formula, not both: leave x, y or value out where x_formula, y_formula or "
+             "value_formula stands"));
   const bool vector = load.x != 0.0 || load.y != 0.0, value = load.value != 0.0;
   switch (load.kind) {
     case LoadKind::Traction:
-    case LoadKind::Body: DOBRA_TRY_VOID(refuse(load.value_to != 0.0, "`value_to` is of a pressure; give x_to and y_to here")); break;
-    case LoadKind::Pressure: DOBRA_TRY_VOID(refuse(load.x_to != 0.0 || load.y_to != 0.0, "a pressure has no direction: give `value_to`, not x_to and y_to")); break;
-    case LoadKind::Force: DOBRA_TRY_VOID(refuse(value, "`value` is of a pressure; give x and y here")); break;
-    case LoadKind::Stress: DOBRA_TRY_VOID(refuse(vector || value, "a load of kind = \"stress\" is given by stress_xx, stress_yy and stress_xy alone: leave x, y and value out")); break;
-    case LoadKind::Kirsch: DOBRA_TRY_VOID(refuse(vector, "a load of kind = \"kirsch\" is given by `value` and `radius`: leave x and y out")); break;
-    case LoadKind::Corner: DOBRA_TRY_VOID(refuse(vector || value, "a load of kind = \"l_shape\" is given by `bisector` alone: leave x, y and value out")); break;
+    case LoadKind::Body:
+      DOBRA_TRY_VOID(refuse(load.value_to != 0.0, "`value_to` is of a pressure; give x_to and y_to here"));
+      break;
+    case LoadKind::Pressure:
+      DOBRA_TRY_VOID(refuse(load.x_to != 0.0 || load.y_to != 0.0,
+                            "a pressure has no direction: give `value_to`, not x_to and y_to"));
+      break;
+    case LoadKind::Force:
+      DOBRA_TRY_VOID(refuse(value, "`value` is of a pressure; give x and y here"));
+      break;
+    case LoadKind::Stress:
+      DOBRA_TRY_VOID(refuse(vector || value,
+                            "a load of kind = \"stress\" is given by stress_xx, stress_yy and stress_xy alone: leave "
+                            "x, y and value out"));
+      break;
+    case LoadKind::Kirsch:
+      DOBRA_TRY_VOID(refuse(vector, "a load of kind = \"kirsch\" is given by `value` and `radius`: leave x and y out"));
+      break;
+    case LoadKind::Corner:
+      DOBRA_TRY_VOID(refuse(vector || value,
+                            "a load of kind = \"l_shape\" is given by `bisector` alone: leave x, y and value out"));
+      break;
   }
-  DOBRA_TRY_VOID(refuse(load.kind != LoadKind::Kirsch && load.radius != LoadParams{}.radius, "`radius` is of kind = \"kirsch\""));
-  return refuse(load.kind != LoadKind::Corner && load.bisector.radians() != LoadParams{}.bisector.radians(), "`bisector` is of kind = \"l_shape\"");
+  DOBRA_TRY_VOID(
+      refuse(load.kind != LoadKind::Kirsch && load.radius != LoadParams{}.radius, "`radius` is of kind = \"kirsch\""));
+  return refuse(load.kind != LoadKind::Corner && load.bisector.radians() != LoadParams{}.bisector.radians(),
+                "`bisector` is of kind = \"l_shape\"");
 }
 
 /// x, y of a traction or body force: constant, linear or by formulas.
@@ -90,7 +116,8 @@ Result<PlaceFunction> vector_of(const LoadParams& load) {
 }
 
 Result<fem::Traction> pressure_of(const LoadParams& load) {
-  if (load.x != 0.0 || load.y != 0.0 || !load.x_formula.empty() || !load.y_formula.empty()) return bad("a pressure has no direction: give `value`, not x and y");
+  if (load.x != 0.0 || load.y != 0.0 || !load.x_formula.empty() || !load.y_formula.empty())
+    return bad("a pressure has no direction: give `value`, not x and y");
   if (load.from) {
     const auto linear = fem::linear(*load.from, {load.value, 0.0}, *load.to, {load.value_to, 0.0});
     return fem::Traction([linear](Point p, Vector n) { return -linear(p, n).x * n; });
@@ -117,9 +144,13 @@ Result<Load> load_of(const LoadParams& load) {
   DOBRA_TRY_VOID(check_linear(load));
   DOBRA_TRY_VOID(check_keys(load));
   const bool stress = !load.stress_xx.empty() || !load.stress_yy.empty() || !load.stress_xy.empty();
-  if (stress != (load.kind == LoadKind::Stress)) return bad(stress ? "stress_xx, stress_yy and stress_xy are of kind = \"stress\"" : "a load of kind = \"stress\" needs stress_xx, stress_yy or stress_xy");
-  const bool plain = load.kind == LoadKind::Force || load.kind == LoadKind::Stress || load.kind == LoadKind::Kirsch || load.kind == LoadKind::Corner;
-  if (plain && (load.from || has_formula(load))) return bad("only tractions, pressures and body forces are linear or have formulas");
+  if (stress != (load.kind == LoadKind::Stress))
+    return bad(stress ? "stress_xx, stress_yy and stress_xy are of kind = \"stress\""
+                      : "a load of kind = \"stress\" needs stress_xx, stress_yy or stress_xy");
+  const bool plain = load.kind == LoadKind::Force || load.kind == LoadKind::Stress || load.kind == LoadKind::Kirsch ||
+                     load.kind == LoadKind::Corner;
+  if (plain && (load.from || has_formula(load)))
+    return bad("only tractions, pressures and body forces are linear or have formulas");
   Load result;
   switch (load.kind) {
     case LoadKind::Traction: {
@@ -134,14 +165,20 @@ Result<Load> load_of(const LoadParams& load) {
       DOBRA_TRY(result.traction, stress_of(load));
       break;
     }
-    case LoadKind::Force: result.force = Vector{load.x, load.y}; break;
+    case LoadKind::Force:
+      result.force = Vector{load.x, load.y};
+      break;
     case LoadKind::Body: {
       DOBRA_TRY(const PlaceFunction vector, vector_of(load));
       result.body = [vector](Point p) { return vector(p, {}); };
       break;
     }
-    case LoadKind::Kirsch: result.traction = fem::traction_of([load](Point p) { return fem::kirsch_stress(p, load.radius, load.value); }); break;
-    case LoadKind::Corner: result.traction = fem::traction_of([load](Point p) { return fem::l_corner_stress(p, load.bisector); }); break;
+    case LoadKind::Kirsch:
+      result.traction = fem::traction_of([load](Point p) { return fem::kirsch_stress(p, load.radius, load.value); });
+      break;
+    case LoadKind::Corner:
+      result.traction = fem::traction_of([load](Point p) { return fem::l_corner_stress(p, load.bisector); });
+      break;
   }
   return result;
 }
@@ -153,9 +190,11 @@ Result<fem::Support> support_of(const SupportParams& params) {
     if (!params.x && !params.y && !params.normal) return bad("the support holds nothing; give x, y or normal");
     return support;
   }
-  if ((params.x && !params.x_formula.empty()) || (params.y && !params.y_formula.empty())) return bad("a displacement is a number or a formula, not both");
+  if ((params.x && !params.x_formula.empty()) || (params.y && !params.y_formula.empty()))
+    return bad("a displacement is a number or a formula, not both");
   if (params.normal) return bad("a support with a formula prescribes both displacements: leave `normal` out");
-  if ((!params.x && params.x_formula.empty()) || (!params.y && params.y_formula.empty())) return bad("a support with a formula prescribes both: give x or x_formula, and y or y_formula");
+  if ((!params.x && params.x_formula.empty()) || (!params.y && params.y_formula.empty()))
+    return bad("a support with a formula prescribes both: give x or x_formula, and y or y_formula");
   DOBRA_TRY(const auto x, number_or(params.x.value_or(0.0), params.x_formula));
   DOBRA_TRY(const auto y, number_or(params.y.value_or(0.0), params.y_formula));
   support.x = support.y = std::nullopt;
@@ -166,13 +205,16 @@ Result<fem::Support> support_of(const SupportParams& params) {
 Result<void> check_tie(const TieParams& tie) {
   if (tie.where.empty() == tie.points.empty()) return bad("a tie needs `where`, a curve, or `points`");
   if (!tie.where.empty()) {
-    if (tie.value != 0.0 || !tie.axes.empty() || !tie.coefficients.empty()) return bad("axes, coefficients and value are of a tie between `points`");
+    if (tie.value != 0.0 || !tie.axes.empty() || !tie.coefficients.empty())
+      return bad("axes, coefficients and value are of a tie between `points`");
     return {};
   }
   if (tie.axes.size() != tie.points.size() || tie.coefficients.size() != tie.points.size())
-    return bad(fmt::format("{} points need as many axes and coefficients; there are {} and {}", tie.points.size(), tie.axes.size(), tie.coefficients.size()));
+    return bad(fmt::format("{} points need as many axes and coefficients; there are {} and {}", tie.points.size(),
+                           tie.axes.size(), tie.coefficients.size()));
   for (std::size_t i = 0; i < tie.axes.size(); ++i) {
-    if (tie.axes[i] != "x" && tie.axes[i] != "y") return bad(fmt::format("'{}' is no axis; write \"x\" or \"y\"", tie.axes[i]));
+    if (tie.axes[i] != "x" && tie.axes[i] != "y")
+      return bad(fmt::format("'{}' is no axis; write \"x\" or \"y\"", tie.axes[i]));
     if (tie.coefficients[i] == 0.0) return bad("a coefficient of 0 says nothing; leave its point out");
   }
   return {};
@@ -204,7 +246,8 @@ Names names_of(const Domain& domain) {
     const auto cracks = cracks_through(domain, point.at);
     for (const std::size_t crack : cracks) {
       for (const char* const lip : {"_left", "_right"})
-        names.parted[point.name].push_back(point.name + (cracks.size() > 1 ? "_" + domain.curves[crack].name : "") + lip);
+        names.parted[point.name].push_back(point.name + (cracks.size() > 1 ? "_" + domain.curves[crack].name : "") +
+                                           lip);
     }
   }
   for (const auto& [name, lips] : names.parted) names.points.insert(names.points.end(), lips.begin(), lips.end());
@@ -214,29 +257,35 @@ Names names_of(const Domain& domain) {
 
 Result<void> known(const std::string& name, const char* what, const std::vector<std::string>& names) {
   if (std::find(names.begin(), names.end(), name) != names.end()) return {};
-  return bad(name.empty() ? fmt::format("`where` is missing: the name of a {}", what) : fmt::format("there is no {} '{}'{}", what, name, what_there_is(name, names)));
+  return bad(name.empty() ? fmt::format("`where` is missing: the name of a {}", what)
+                          : fmt::format("there is no {} '{}'{}", what, name, what_there_is(name, names)));
 }
 
 /// A curve or a lip by its name, or sides by a condition.
 Result<void> known_sides(const std::string& where, const Names& names) {
-  if (!is_condition(where) || std::find(names.curves.begin(), names.curves.end(), where) != names.curves.end()) return known(where, "curve or lip", names.curves);
+  if (!is_condition(where) || std::find(names.curves.begin(), names.curves.end(), where) != names.curves.end())
+    return known(where, "curve or lip", names.curves);
   DOBRA_TRY(const Selection selection, select(names.domain, where));
   if (!selection.parts.empty()) return {};
-  return bad(fmt::format("the condition '{}' holds for corners only, and a whole side is wanted; the boundary has {}", where, listed(names.domain)));
+  return bad(fmt::format("the condition '{}' holds for corners only, and a whole side is wanted; the boundary has {}",
+                         where, listed(names.domain)));
 }
 
 /// The same, or a point, or corners by a condition.
 Result<void> known_place(const std::string& where, const Names& names) {
   std::vector<std::string> all = names.curves;
   all.insert(all.end(), names.points.begin(), names.points.end());
-  if (!is_condition(where) || std::find(all.begin(), all.end(), where) != all.end()) return known(where, "curve, lip or point", all);
+  if (!is_condition(where) || std::find(all.begin(), all.end(), where) != all.end())
+    return known(where, "curve, lip or point", all);
   const auto selection = select(names.domain, where);
   return selection ? Result<void>{} : Result<void>(selection.error());
 }
 
 Result<void> check_row(const MaterialParams& material, const Names& names, Plane state) {
   if (!material.region.empty()) DOBRA_TRY_VOID(known(material.region, "region", names.regions));
-  return fem::check({material.young, material.poisson, material.thickness, state == Plane::Stress ? fem::PlaneState::Stress : fem::PlaneState::Strain}, "the material");
+  return fem::check({material.young, material.poisson, material.thickness,
+                     state == Plane::Stress ? fem::PlaneState::Stress : fem::PlaneState::Strain},
+                    "the material");
 }
 
 Result<void> check_row(const SupportParams& support, const Names& names) {
@@ -245,7 +294,8 @@ Result<void> check_row(const SupportParams& support, const Names& names) {
 }
 
 Result<void> check_row(const SpringParams& spring, const Names& names) {
-  return spring.kind == fem::SpringKind::Foundation ? known_sides(spring.where, names) : known_place(spring.where, names);
+  return spring.kind == fem::SpringKind::Foundation ? known_sides(spring.where, names)
+                                                    : known_place(spring.where, names);
 }
 
 Result<void> check_row(const TieParams& tie, const Names& names) {
@@ -253,7 +303,8 @@ Result<void> check_row(const TieParams& tie, const Names& names) {
   for (const std::string& point : tie.points) {
     DOBRA_TRY_VOID(known(point, "point", names.points));
     if (const auto parted = names.parted.find(point); parted != names.parted.end())
-      return bad(fmt::format("point '{}' lies on a crack and moves with each lip by itself; tie one of '{}'", point, fmt::join(parted->second, "', '")));
+      return bad(fmt::format("point '{}' lies on a crack and moves with each lip by itself; tie one of '{}'", point,
+                             fmt::join(parted->second, "', '")));
   }
   return tie.where.empty() ? Result<void>{} : known_sides(tie.where, names);
 }
@@ -261,7 +312,8 @@ Result<void> check_row(const TieParams& tie, const Names& names) {
 Result<void> check_row(const LoadParams& load, const Names& names) {
   DOBRA_TRY_VOID(load_of(load));
   if (load.kind == LoadKind::Force) return known_place(load.where, names);
-  if (load.kind == LoadKind::Body) return load.where.empty() ? Result<void>{} : known(load.where, "region", names.regions);
+  if (load.kind == LoadKind::Body)
+    return load.where.empty() ? Result<void>{} : known(load.where, "region", names.regions);
   return known_sides(load.where, names);
 }
 
@@ -272,8 +324,10 @@ std::optional<Error> missing_material(const Domain& domain, const ProblemParams&
       return own.region.empty() || (named != domain.region_names.end() && own.region == named->second);
     });
     if (has) continue;
-    const std::string name = named != domain.region_names.end() ? fmt::format("region '{}'", named->second) : std::string("the region without a name");
-    return Error{ErrorCode::BadValue, name + " has no material; give it one, or one without `region` for all", Place{.item = "material", .x = face.inside.x, .y = face.inside.y}};
+    const std::string name = named != domain.region_names.end() ? fmt::format("region '{}'", named->second)
+                                                                : std::string("the region without a name");
+    return Error{ErrorCode::BadValue, name + " has no material; give it one, or one without `region` for all",
+                 Place{.item = "material", .x = face.inside.x, .y = face.inside.y}};
   }
   return std::nullopt;
 }
@@ -291,8 +345,11 @@ std::optional<ProblemFault> material_twice(const std::vector<MaterialParams>& ma
   for (std::size_t i = 0; i < materials.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
       if (materials[k].region != materials[i].region) continue;
-      const std::string region = materials[i].region.empty() ? std::string("every region without a material of its own") : fmt::format("region '{}'", materials[i].region);
-      return ProblemFault{"material", i, bad(fmt::format("{} has a material already, number {} of the step; leave one out", region, k + 1))};
+      const std::string region = materials[i].region.empty() ? std::string("every region without a material of its own")
+                                                             : fmt::format("region '{}'", materials[i].region);
+      return ProblemFault{
+          "material", i,
+          bad(fmt::format("{} has a material already, number {} of the step; leave one out", region, k + 1))};
     }
   }
   return std::nullopt;
@@ -310,11 +367,15 @@ std::vector<std::string> loaded_cases(const ProblemParams& params) {
 Result<void> check_case(const ProblemParams& params, std::size_t row) {
   const CaseParams& own = params.cases[row];
   for (std::size_t k = 0; k < row; ++k) {
-    if (params.cases[k].name == own.name) return bad(fmt::format("load case '{}' has its settings already, in number {} of the step; leave one out", own.name, k + 1));
+    if (params.cases[k].name == own.name)
+      return bad(fmt::format("load case '{}' has its settings already, in number {} of the step; leave one out",
+                             own.name, k + 1));
   }
   const auto names = loaded_cases(params);
-  if (std::find(names.begin(), names.end(), own.name) != names.end() || (moves(params) && own.settlement != 0.0)) return {};
-  return bad(fmt::format("nothing acts in load case '{}': no load is of it{}", own.name, dobra::base::did_you_mean(own.name, names)));
+  if (std::find(names.begin(), names.end(), own.name) != names.end() || (moves(params) && own.settlement != 0.0))
+    return {};
+  return bad(fmt::format("nothing acts in load case '{}': no load is of it{}", own.name,
+                         dobra::base::did_you_mean(own.name, names)));
 }
 
 Result<fem::Materials> materials_of(const mesh::ElementMesh& mesh, const ProblemParams& params) {
@@ -333,7 +394,8 @@ Result<fem::Materials> materials_of(const mesh::ElementMesh& mesh, const Problem
 }
 
 Result<std::vector<fem::Tie>> ties_of(const mesh::ElementMesh& mesh, const TieParams& params) {
-  if (!params.where.empty()) return fem::equal_displacement(mesh, params.where, params.axis == TieAxis::X ? fem::Axis::X : fem::Axis::Y);
+  if (!params.where.empty())
+    return fem::equal_displacement(mesh, params.where, params.axis == TieAxis::X ? fem::Axis::X : fem::Axis::Y);
   fem::Tie tie{"tie of '" + params.points.front() + "'", {}, params.value};
   for (std::size_t i = 0; i < params.points.size(); ++i) {
     DOBRA_TRY(const auto nodes, fem::find_nodes(mesh, params.points[i]));
@@ -380,7 +442,11 @@ std::vector<std::string> places_of(const ProblemParams& params) {
 
 bool moves(const ProblemParams& params) {
   const auto moved = [](const std::optional<double>& value) { return value.value_or(0.0) != 0.0; };
-  return std::any_of(params.supports.begin(), params.supports.end(), [&](const SupportParams& row) { return moved(row.x) || moved(row.y) || moved(row.normal) || !row.x_formula.empty() || !row.y_formula.empty(); }) ||
+  return std::any_of(params.supports.begin(), params.supports.end(),
+                     [&](const SupportParams& row) {
+                       return moved(row.x) || moved(row.y) || moved(row.normal) || !row.x_formula.empty() ||
+                              !row.y_formula.empty();
+                     }) ||
          std::any_of(params.ties.begin(), params.ties.end(), [](const TieParams& row) { return row.value != 0.0; });
 }
 
@@ -408,7 +474,8 @@ std::optional<ProblemFault> fault_of(const Domain& domain, const ProblemParams& 
   return fault;
 }
 
-Result<Model> set_problem(const Model& model, const ProblemParams& params, const dobra::scenario::Context&, const dobra::base::Progress&) {
+Result<Model> set_problem(const Model& model, const ProblemParams& params, const dobra::scenario::Context&,
+                          const dobra::base::Progress&) {
   if (auto fault = fault_of(model.domain, params)) {
     if (fault->key.empty()) return fault->error;
     Error error = fault->error;
@@ -418,8 +485,12 @@ Result<Model> set_problem(const Model& model, const ProblemParams& params, const
   Model result = model;
   const auto names = loaded_cases(params);
   for (const CaseParams& own : params.cases) {
-    const std::string meant = std::find(names.begin(), names.end(), own.name) != names.end() ? std::string() : dobra::base::did_you_mean(own.name, names);
-    if (!meant.empty()) result.remarks.push_back(fmt::format("no load is of load case '{}', only prescribed displacements act in it{}", own.name, meant));
+    const std::string meant = std::find(names.begin(), names.end(), own.name) != names.end()
+                                  ? std::string()
+                                  : dobra::base::did_you_mean(own.name, names);
+    if (!meant.empty())
+      result.remarks.push_back(
+          fmt::format("no load is of load case '{}', only prescribed displacements act in it{}", own.name, meant));
   }
   result.problem = std::make_shared<const ProblemParams>(params);
   return result;
@@ -459,7 +530,9 @@ Result<void> check_finite(const mesh::ElementMesh& mesh, const ProblemParams& pa
       const Point at = mesh.point(node);
       const Vector u = support.field(at);
       if (!std::isfinite(u.x) || !std::isfinite(u.y))
-        return trouble(params.supports[i].place, fmt::format("support {}", i + 1), at, fmt::format("the support on '{}' prescribes a displacement that has no finite value here", support.where));
+        return trouble(
+            params.supports[i].place, fmt::format("support {}", i + 1), at,
+            fmt::format("the support on '{}' prescribes a displacement that has no finite value here", support.where));
     }
   }
   for (std::size_t i = 0; i < params.loads.size(); ++i) {
@@ -469,7 +542,9 @@ Result<void> check_finite(const mesh::ElementMesh& mesh, const ProblemParams& pa
     const auto forces = fem::load_vector(mesh, problem, alone);
     for (std::size_t n = 0; n < forces.size(); ++n) {
       if (std::isfinite(forces[n].x) && std::isfinite(forces[n].y)) continue;
-      return trouble(row.place, fmt::format("load {}", i + 1), mesh.points[n], fmt::format("the load{} of case '{}' has no finite value here", row.where.empty() ? "" : " on '" + row.where + "'", row.load_case));
+      return trouble(row.place, fmt::format("load {}", i + 1), mesh.points[n],
+                     fmt::format("the load{} of case '{}' has no finite value here",
+                                 row.where.empty() ? "" : " on '" + row.where + "'", row.load_case));
     }
   }
   return {};

@@ -16,8 +16,9 @@
 #include "quebra/core/snap.h"
 #include "quebra/core/stray_lines.h"
 
-// 1 points of each curve. 2 spikes; polygons that share sides are parted, what nearly touches is made to. 3 curves drawn twice.
-// 4 gaps; then roles, where the file tells none, crossings (crossings.h), and what lies outside (stray_lines.h).
+// 1 points of each curve. 2 spikes; polygons that share sides are parted, what nearly touches is made to. 3 curves
+// drawn twice. 4 gaps; then roles, where the file tells none, crossings (crossings.h), and what lies outside
+// (stray_lines.h).
 
 namespace quebra::core {
 namespace {
@@ -42,7 +43,9 @@ class Repairer {
     const double greatest = RepairOptions::greatest_gap_fraction * size_;
     if (options_.gap.value_or(0.0) > greatest) {
       return dobra::base::Error{dobra::base::ErrorCode::BadValue,
-                                fmt::format("`gap` is {:.6g} m, and at most {:.6g} m, 1/10 of the drawing's diagonal, is closed; close wider gaps by hand", *options_.gap, greatest)};
+                                fmt::format("`gap` is {:.6g} m, and at most {:.6g} m, 1/10 of the drawing's diagonal, "
+                                            "is closed; close wider gaps by hand",
+                                            *options_.gap, greatest)};
     }
     for (std::size_t i = 0; i < curves().size();) {
       const bool stays = clean(i);
@@ -59,10 +62,12 @@ class Repairer {
     if (!any_loop_closes(repaired_.sketch)) DOBRA_TRY_VOID(cut_at_crossings(repaired_.sketch));
     const std::set<std::string> without_role = repaired_.sketch.without_role;
     find_roles(repaired_.sketch, DomainOptions{}.join_tolerance * size_);
-    DOBRA_TRY(std::vector<Finding> crossings, rebuild_crossings(repaired_.sketch, without_role, options_.same_point * size_));
+    DOBRA_TRY(std::vector<Finding> crossings,
+              rebuild_crossings(repaired_.sketch, without_role, options_.same_point * size_));
     DOBRA_TRY(std::vector<Finding> outside, drop_outside(repaired_.sketch, without_role, {.repaired = options_}));
     for (auto* const more : {&crossings, &outside}) {
-      repaired_.findings.insert(repaired_.findings.end(), std::make_move_iterator(more->begin()), std::make_move_iterator(more->end()));
+      repaired_.findings.insert(repaired_.findings.end(), std::make_move_iterator(more->begin()),
+                                std::make_move_iterator(more->end()));
     }
     return std::move(repaired_);
   }
@@ -70,7 +75,9 @@ class Repairer {
  private:
   std::vector<Curve>& curves() { return repaired_.sketch.curves; }
   Polyline* line(std::size_t i) { return std::get_if<Polyline>(&curves()[i].shape); }
-  void found(Wrong wrong, Point at, std::string curve, std::string mend) { repaired_.findings.push_back({wrong, at, std::move(curve), std::move(mend)}); }
+  void found(Wrong wrong, Point at, std::string curve, std::string mend) {
+    repaired_.findings.push_back({wrong, at, std::move(curve), std::move(mend)});
+  }
   void drop(std::size_t i) {
     curves().erase(curves().begin() + static_cast<std::ptrdiff_t>(i));
     auto& places = repaired_.sketch.places;
@@ -89,11 +96,13 @@ class Repairer {
       if (kept.empty() || distance(kept.back(), p) > least) {
         kept.push_back(p);
       } else {
-        found(kept.back() == p ? Wrong::RepeatedPoint : Wrong::NearlyRepeatedPoint, p, name, "one of the two points is left out");
+        found(kept.back() == p ? Wrong::RepeatedPoint : Wrong::NearlyRepeatedPoint, p, name,
+              "one of the two points is left out");
       }
     }
     while (own->closed && kept.size() > 1 && distance(kept.front(), kept.back()) <= least) {
-      found(kept.front() == kept.back() ? Wrong::RepeatedPoint : Wrong::NearlyRepeatedPoint, kept.back(), name, "one of the two points is left out");
+      found(kept.front() == kept.back() ? Wrong::RepeatedPoint : Wrong::NearlyRepeatedPoint, kept.back(), name,
+            "one of the two points is left out");
       kept.pop_back();
     }
     remove_spikes(kept, own->closed, name);
@@ -106,8 +115,11 @@ class Repairer {
   /// Whether all points lie within `width` of the line from the first to the one farthest from it.
   static bool thin(const std::vector<Point>& points, double width) {
     const Point first = points.front();
-    const Point far = *std::max_element(points.begin(), points.end(), [&](Point a, Point b) { return distance(first, a) < distance(first, b); });
-    return std::all_of(points.begin(), points.end(), [&](Point p) { return distance(dobra::geom::Segment{first, far}, p) <= width; });
+    const Point far = *std::max_element(points.begin(), points.end(),
+                                        [&](Point a, Point b) { return distance(first, a) < distance(first, b); });
+    return std::all_of(points.begin(), points.end(), [&](Point p) {
+      return distance(dobra::geom::Segment{first, far}, p) <= width;
+    });
   }
 
   void remove_spikes(std::vector<Point>& points, bool closed, const std::string& name) {
@@ -190,9 +202,12 @@ class Repairer {
     const bool b_first = own != nullptr || line(a.curve) == nullptr;
     const End& first = b_first ? b : a;
     const End& second = b_first ? a : b;
-    const bool moved = move_end(curves()[first.curve], first.last, second.at) || move_end(curves()[second.curve], second.last, first.at);
+    const bool moved = move_end(curves()[first.curve], first.last, second.at) ||
+                       move_end(curves()[second.curve], second.last, first.at);
     found(Wrong::Gap, second.at, names,
-          moved ? fmt::format("{}: the ends are joined; gaps {}", what, limit) : fmt::format("left as it is: {}; gaps {}, but arcs cannot be moved so far: close it by hand", what, limit));
+          moved ? fmt::format("{}: the ends are joined; gaps {}", what, limit)
+                : fmt::format("left as it is: {}; gaps {}, but arcs cannot be moved so far: close it by hand", what,
+                              limit));
   }
 
   Repaired repaired_;
@@ -204,24 +219,40 @@ class Repairer {
 
 const char* name_of(Wrong wrong) {
   switch (wrong) {
-    case Wrong::RepeatedPoint: return "repeated point";
-    case Wrong::NearlyRepeatedPoint: return "nearly repeated point";
-    case Wrong::NoExtent: return "curve without extent";
-    case Wrong::CurveTwice: return "curve drawn twice";
-    case Wrong::Spike: return "spike";
-    case Wrong::Gap: return "gap";
-    case Wrong::Crossing: return "crossing";
-    case Wrong::Sliver: return "sliver";
-    case Wrong::NearlyTouching: return "crack nearly touching";
-    case Wrong::CutThrough: return "material cut through";
-    case Wrong::Outside: return "line outside";
-    case Wrong::Apart: return "loop outside";
+    case Wrong::RepeatedPoint:
+      return "repeated point";
+    case Wrong::NearlyRepeatedPoint:
+      return "nearly repeated point";
+    case Wrong::NoExtent:
+      return "curve without extent";
+    case Wrong::CurveTwice:
+      return "curve drawn twice";
+    case Wrong::Spike:
+      return "spike";
+    case Wrong::Gap:
+      return "gap";
+    case Wrong::Crossing:
+      return "crossing";
+    case Wrong::Sliver:
+      return "sliver";
+    case Wrong::NearlyTouching:
+      return "crack nearly touching";
+    case Wrong::CutThrough:
+      return "material cut through";
+    case Wrong::Outside:
+      return "line outside";
+    case Wrong::Apart:
+      return "loop outside";
   }
   return "";
 }
 
-double gap_limit(const RepairOptions& options, double size) { return options.gap.value_or(RepairOptions::gap_fraction * size); }
+double gap_limit(const RepairOptions& options, double size) {
+  return options.gap.value_or(RepairOptions::gap_fraction * size);
+}
 
-Result<Repaired> repair(Sketch sketch, const RepairOptions& options) { return Repairer(std::move(sketch), options).run(); }
+Result<Repaired> repair(Sketch sketch, const RepairOptions& options) {
+  return Repairer(std::move(sketch), options).run();
+}
 
 }  // namespace quebra::core

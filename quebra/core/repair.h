@@ -1,8 +1,8 @@
 #pragma once
-// Finds what is wrong with drawn geometry, says where, and mends what can be mended without a guess: repeated and nearly
-// repeated points, curves drawn twice, spikes, slivers, gaps between ends, boundaries that cross themselves or each other. Crossing
-// boundaries are rebuilt on the planar subdivision: outlines are united, holes are cut out.
-// Page: docs/algorithms/domain_repair.md.
+// Finds what is wrong with drawn geometry, says where, and mends what can be mended without a guess: repeated and
+// nearly repeated points, curves drawn twice, spikes, slivers, gaps between ends, boundaries that cross themselves or
+// each other. Crossing boundaries are rebuilt on the planar subdivision: outlines are united, holes are cut out. Page:
+// docs/algorithms/domain_repair.md.
 
 #include <string>
 #include <vector>
@@ -22,7 +22,8 @@ struct Repaired {
 };
 
 /// Arcs, splines, cracks and internal lines are left as they are, but for gaps that a straight curve can close.
-/// @error NotFinite; BadDomain for an outline that stays open (stray_lines.h).  @cost O(n log n + crossings) for n points.
+/// @error NotFinite; BadDomain for an outline that stays open (stray_lines.h).  @cost O(n log n + crossings) for n
+/// points.
 dobra::base::Result<Repaired> repair(Sketch sketch, const RepairOptions& options = {});
 
 }  // namespace quebra::core

@@ -34,16 +34,26 @@ constexpr double drawn_displacement = 0.05;
 
 std::string title_of(FieldName field) {
   switch (field) {
-    case FieldName::VonMises: return translated("von Mises stress");
-    case FieldName::StressX: return translated("Stress sigma_x");
-    case FieldName::StressY: return translated("Stress sigma_y");
-    case FieldName::StressXY: return translated("Stress tau_xy");
-    case FieldName::Principal1: return translated("Greatest principal stress");
-    case FieldName::Principal2: return translated("Least principal stress");
-    case FieldName::DisplacementX: return translated("Displacement along x");
-    case FieldName::DisplacementY: return translated("Displacement along y");
-    case FieldName::Displacement: return translated("Displacement");
-    case FieldName::Error: return translated("Error of each element");
+    case FieldName::VonMises:
+      return translated("von Mises stress");
+    case FieldName::StressX:
+      return translated("Stress sigma_x");
+    case FieldName::StressY:
+      return translated("Stress sigma_y");
+    case FieldName::StressXY:
+      return translated("Stress tau_xy");
+    case FieldName::Principal1:
+      return translated("Greatest principal stress");
+    case FieldName::Principal2:
+      return translated("Least principal stress");
+    case FieldName::DisplacementX:
+      return translated("Displacement along x");
+    case FieldName::DisplacementY:
+      return translated("Displacement along y");
+    case FieldName::Displacement:
+      return translated("Displacement");
+    case FieldName::Error:
+      return translated("Error of each element");
   }
   return {};
 }
@@ -81,7 +91,8 @@ Drawing drawing_of(const mesh::ElementMesh& mesh, const std::vector<Point>& move
     std::map<std::uint32_t, std::uint32_t> renamed;
     for (std::size_t k = mesh.first[e]; k < mesh.first[e + 1]; ++k) {
       const std::size_t node = mesh.nodes[k].index();
-      const auto [at, added] = known.try_emplace({node, mesh.regions[e]}, static_cast<std::uint32_t>(drawing.points.size()));
+      const auto [at, added] =
+          known.try_emplace({node, mesh.regions[e]}, static_cast<std::uint32_t>(drawing.points.size()));
       if (added) {
         drawing.points.push_back(moved[node]);
         drawing.values.push_back(values[k]);
@@ -191,7 +202,7 @@ std::pair<double, double> range_of(const Drawing& drawing, ColorRange range) {
   };
   const double rest = 1.0 - nearly_all;
   const double room = stands_out * (value_at(nearly_all) - value_at(rest));
-  const bool below = *least < value_at(rest) - room, above = *greatest > value_at(nearly_all) + room;
+  const bool below = *least<value_at(rest) - room, above = *greatest> value_at(nearly_all) + room;
   // What is cut off is the same part of the area, whether at one end or half of it at each.
   const double cut = below && above ? 0.5 * rest : rest;
   return {below ? value_at(cut) : *least, above ? value_at(1.0 - cut) : *greatest};
@@ -199,7 +210,12 @@ std::pair<double, double> range_of(const Drawing& drawing, ColorRange range) {
 
 scene::Scale color_scale(const ViewParams& params, const Drawing& drawing, std::pair<double, double> range) {
   const auto [least, greatest] = std::minmax_element(drawing.values.begin(), drawing.values.end());
-  scene::Scale scale{.title = fmt::format("{} [{}]", title_of(params.field), unit_of(params.field)), .map = scene::ColorMapName::Viridis, .low = range.first, .high = range.second, .least = *least, .greatest = *greatest};
+  scene::Scale scale{.title = fmt::format("{} [{}]", title_of(params.field), unit_of(params.field)),
+                     .map = scene::ColorMapName::Viridis,
+                     .low = range.first,
+                     .high = range.second,
+                     .least = *least,
+                     .greatest = *greatest};
   if (range.first < 0.0 && range.second > 0.0) {  // as much blue as red
     scale.map = scene::ColorMapName::CoolWarm;
     scale.high = std::max(-range.first, range.second);
@@ -217,7 +233,8 @@ double size_of(const Analysis& analysis, std::size_t load_case, FieldName field)
     for (const double value : field_at_element_nodes(analysis, load_case, name)) most = std::max(most, std::abs(value));
     return most;
   };
-  const bool moved = field == FieldName::DisplacementX || field == FieldName::DisplacementY || field == FieldName::Displacement;
+  const bool moved =
+      field == FieldName::DisplacementX || field == FieldName::DisplacementY || field == FieldName::Displacement;
   if (moved) return greatest(FieldName::Displacement);
   return std::max(greatest(FieldName::Principal1), greatest(FieldName::Principal2));
 }
@@ -232,27 +249,43 @@ void add_extremes(const Drawing& drawing, std::vector<scene::Layer>& layers) {
     markers.points.push_back(p);
     labels.labels.push_back({p, translated(word), scene::Anchor::Callout, *at});
   }
-  layers.push_back({"extremes", translated("Extremes"), {.line = ink, .marker_size = 6.0}, std::move(markers), true, scene::InLegend::Yes});
-  layers.push_back({"extreme_values", translated("Extreme values"), {.line = ink, .text_size = 9.0}, std::move(labels), true, scene::InLegend::No});
+  layers.push_back({"extremes",
+                    translated("Extremes"),
+                    {.line = ink, .marker_size = 6.0},
+                    std::move(markers),
+                    true,
+                    scene::InLegend::Yes});
+  layers.push_back({"extreme_values",
+                    translated("Extreme values"),
+                    {.line = ink, .text_size = 9.0},
+                    std::move(labels),
+                    true,
+                    scene::InLegend::No});
 }
 
 /// The analysis that a view shows; null: there is no such cycle.
 const Analysis* analysis_of(const Model& model, const ViewParams& params) {
   if (params.cycle == 0) return model.analyses.back().get();
-  const auto found = std::find_if(model.analyses.rbegin(), model.analyses.rend(), [&](const auto& own) { return own->cycle == params.cycle; });
+  const auto found = std::find_if(model.analyses.rbegin(), model.analyses.rend(),
+                                  [&](const auto& own) { return own->cycle == params.cycle; });
   return found == model.analyses.rend() ? nullptr : found->get();
 }
 
 }  // namespace
 
-Result<Model> add_view(const Model& model, const ViewParams& params, const dobra::scenario::Context&, const dobra::base::Progress&) {
-  if (model.analyses.empty()) return Error{ErrorCode::BadValue, "there is no analysis: put a step 'analyse' or 'adapt' before"};
+Result<Model> add_view(const Model& model, const ViewParams& params, const dobra::scenario::Context&,
+                       const dobra::base::Progress&) {
+  if (model.analyses.empty())
+    return Error{ErrorCode::BadValue, "there is no analysis: put a step 'analyse' or 'adapt' before"};
   const Analysis* const shown = analysis_of(model, params);
-  if (shown == nullptr) return Error{ErrorCode::BadValue, fmt::format("there is no cycle {}: the last is {}", params.cycle, model.analyses.back()->cycle)};
+  if (shown == nullptr)
+    return Error{ErrorCode::BadValue,
+                 fmt::format("there is no cycle {}: the last is {}", params.cycle, model.analyses.back()->cycle)};
   std::vector<std::string> names;
   for (const auto& own : shown->solution.cases) names.push_back(own.name);
   if (!params.load_case.empty() && std::find(names.begin(), names.end(), params.load_case) == names.end())
-    return Error{ErrorCode::BadValue, fmt::format("there is no load case '{}'{}", params.load_case, dobra::base::did_you_mean(params.load_case, names))};
+    return Error{ErrorCode::BadValue, fmt::format("there is no load case '{}'{}", params.load_case,
+                                                  dobra::base::did_you_mean(params.load_case, names))};
   Model result = model;
   result.views.push_back(std::make_shared<const ViewParams>(params));
   return result;
@@ -262,7 +295,8 @@ scene::Panel view_panel(const Analysis& analysis, std::size_t load_case, const V
   const mesh::ElementMesh& mesh = analysis.meshed->mesh;
   const double factor = scale_of(analysis, load_case, params);
   std::vector<Point> moved = mesh.points;
-  for (std::size_t n = 0; n < moved.size(); ++n) moved[n] = moved[n] + factor * analysis.solution.cases[load_case].displacements[n];
+  for (std::size_t n = 0; n < moved.size(); ++n)
+    moved[n] = moved[n] + factor * analysis.solution.cases[load_case].displacements[n];
   const Drawing drawing = drawing_of(mesh, moved, field_at_element_nodes(analysis, load_case, params.field));
   const auto [least, greatest] = range_of(drawing, params.range);
   const scene::Scale scale = color_scale(params, drawing, {least, greatest});
@@ -272,26 +306,40 @@ scene::Panel view_panel(const Analysis& analysis, std::size_t load_case, const V
   if (params.cycle > 0) panel.title = analysis.meshed->name + ", " + panel.title;
   if (factor > 0.0) panel.title += fmt::format(", {}\u00a0\u00d7\u00a0{:g}", translated("displacements"), factor);
   panel.title += fmt::format("; eta\u00a0{:.2g}\u00a0%", 100.0 * analysis.fields[load_case].estimate.eta);
-  const auto add = [&](const char* key, std::string title, const scene::Style& style, auto content, scene::InLegend legend) {
+  const auto add = [&](const char* key, std::string title, const scene::Style& style, auto content,
+                       scene::InLegend legend) {
     panel.layers.push_back({key, std::move(title), style, std::move(content), true, legend});
   };
-  scene::Mesh colors{.points = drawing.points, .triangles = drawing.triangles, .values_at = scene::ValuesAt::Points, .values = drawing.values, .scale = scale};
+  scene::Mesh colors{.points = drawing.points,
+                     .triangles = drawing.triangles,
+                     .values_at = scene::ValuesAt::Points,
+                     .values = drawing.values,
+                     .scale = scale};
   if (params.field == FieldName::Error) {
     colors.values_at = scene::ValuesAt::Triangles;
     colors.values.clear();
-    for (const std::size_t e : drawing.element) colors.values.push_back(analysis.fields[load_case].estimate.elements[e]);
+    for (const std::size_t e : drawing.element)
+      colors.values.push_back(analysis.fields[load_case].estimate.elements[e]);
   }
   const bool constant = scene::settle_constant(colors, size_of(analysis, load_case, params.field));
   add("field", title_of(params.field), {.line_width = 0.0}, std::move(colors), scene::InLegend::No);
-  if (params.mesh == Shown::Yes) add("elements", translated("Elements"), {.line = mesh_line, .line_width = outline_width(mesh)}, sides_of(mesh, moved), scene::InLegend::No);
+  if (params.mesh == Shown::Yes)
+    add("elements", translated("Elements"), {.line = mesh_line, .line_width = outline_width(mesh)},
+        sides_of(mesh, moved), scene::InLegend::No);
   if (params.contours > 0 && params.field != FieldName::Error && !constant) {
     scene::Lines contours;
-    for (int i = 1; i <= params.contours; ++i) add_contour(drawing, least + (greatest - least) * i / (params.contours + 1), contours.lines);
-    add("contours", translated("Contours"), {.line = contour_line, .line_width = 0.8}, std::move(contours), scene::InLegend::No);
+    for (int i = 1; i <= params.contours; ++i)
+      add_contour(drawing, least + (greatest - least) * i / (params.contours + 1), contours.lines);
+    add("contours", translated("Contours"), {.line = contour_line, .line_width = 0.8}, std::move(contours),
+        scene::InLegend::No);
   }
-  if (factor > 0.0) add("before", translated("Before"), {.line = before_grey, .line_width = 0.9, .dash = scene::Dash::Dashed}, boundary_of(mesh, mesh.points), scene::InLegend::Yes);
-  add("boundary", translated("Boundary"), {.line = ink, .line_width = boundary_width}, boundary_of(mesh, moved), scene::InLegend::Yes);
-  if (params.extremes == Shown::Yes && params.field != FieldName::Error && !constant) add_extremes(drawing, panel.layers);
+  if (factor > 0.0)
+    add("before", translated("Before"), {.line = before_grey, .line_width = 0.9, .dash = scene::Dash::Dashed},
+        boundary_of(mesh, mesh.points), scene::InLegend::Yes);
+  add("boundary", translated("Boundary"), {.line = ink, .line_width = boundary_width}, boundary_of(mesh, moved),
+      scene::InLegend::Yes);
+  if (params.extremes == Shown::Yes && params.field != FieldName::Error && !constant)
+    add_extremes(drawing, panel.layers);
   return panel;
 }
 
@@ -300,8 +348,10 @@ void add_views(const Model& model, scene::Picture& picture) {
   const auto panel_of = [&](const ViewParams& view) {
     const Analysis& analysis = *analysis_of(model, view);
     const auto& cases = analysis.solution.cases;
-    const auto found = std::find_if(cases.begin(), cases.end(), [&](const auto& own) { return own.name == view.load_case; });
-    return view_panel(analysis, found == cases.end() ? std::size_t{0} : static_cast<std::size_t>(found - cases.begin()), view);
+    const auto found =
+        std::find_if(cases.begin(), cases.end(), [&](const auto& own) { return own.name == view.load_case; });
+    return view_panel(analysis, found == cases.end() ? std::size_t{0} : static_cast<std::size_t>(found - cases.begin()),
+                      view);
   };
   if (model.views.empty()) {
     picture.panels.push_back(panel_of({}));

@@ -1,6 +1,6 @@
 #pragma once
-// A field of an analysis as a picture: colours and contours on the deformed shape, the mesh, the shape before, and where the
-// field is greatest and least.
+// A field of an analysis as a picture: colours and contours on the deformed shape, the mesh, the shape before, and
+// where the field is greatest and least.
 
 #include <optional>
 
@@ -24,20 +24,32 @@ struct ViewParams {
 
   template <class D>
   static void describe(D& d) {
-    d.choice("field", &ViewParams::field, field_names(), {.title = "Field", .help = "von Mises, stresses, principal stresses, displacements, or the error of each element."});
+    d.choice("field", &ViewParams::field, field_names(),
+             {.title = "Field",
+              .help = "von Mises, stresses, principal stresses, displacements, or the error of each element."});
     d.field("case", &ViewParams::load_case, {.title = "Load case", .help = "The first by default."});
-    d.field("cycle", &ViewParams::cycle, {.title = "Cycle", .help = "Of the adaptive loop; 0: the last analysis.", .at_least = 0});
-    d.field("deformation", &ViewParams::deformation, {.title = "Deformation", .help = "Times the displacements that are drawn: 1 true, 0 none; by default they are a twentieth of the size.", .at_least = 0});
-    d.field("contours", &ViewParams::contours, {.title = "Contours", .help = "Number of lines.", .at_least = 0, .at_most = 100});
-    d.choice("range", &ViewParams::range, {"field", "full"}, {.title = "Range of colours", .help = "field: what 99.5 % of the area has, if a peak (a crack tip) stands out of it; full: from the least to the greatest value."});
+    d.field("cycle", &ViewParams::cycle,
+            {.title = "Cycle", .help = "Of the adaptive loop; 0: the last analysis.", .at_least = 0});
+    d.field(
+        "deformation", &ViewParams::deformation,
+        {.title = "Deformation",
+         .help = "Times the displacements that are drawn: 1 true, 0 none; by default they are a twentieth of the size.",
+         .at_least = 0});
+    d.field("contours", &ViewParams::contours,
+            {.title = "Contours", .help = "Number of lines.", .at_least = 0, .at_most = 100});
+    d.choice("range", &ViewParams::range, {"field", "full"},
+             {.title = "Range of colours",
+              .help = "field: what 99.5 % of the area has, if a peak (a crack tip) stands out of it; full: from the "
+                      "least to the greatest value."});
     d.choice("mesh", &ViewParams::mesh, {"yes", "no"}, {.title = "Mesh"});
-    d.choice("extremes", &ViewParams::extremes, {"yes", "no"}, {.title = "Extremes", .help = "Marks the greatest and the least value."});
+    d.choice("extremes", &ViewParams::extremes, {"yes", "no"},
+             {.title = "Extremes", .help = "Marks the greatest and the least value."});
   }
 };
 
 /// Adds a picture of the last analysis, or of a cycle. @error BadValue: no analysis, no such case or cycle.
-dobra::base::Result<Model> add_view(const Model& model, const ViewParams& params, const dobra::scenario::Context& context,
-                                    const dobra::base::Progress& progress);
+dobra::base::Result<Model> add_view(const Model& model, const ViewParams& params,
+                                    const dobra::scenario::Context& context, const dobra::base::Progress& progress);
 
 /// @pre load_case < analysis.fields.size()
 dobra::scene::Panel view_panel(const Analysis& analysis, std::size_t load_case, const ViewParams& params);

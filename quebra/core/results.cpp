@@ -20,17 +20,24 @@ using dobra::geom::Vector;
 
 double stress_value(FieldName field, const fem::Voigt& s, const fem::Material& material) {
   switch (field) {
-    case FieldName::StressX: return s[0];
-    case FieldName::StressY: return s[1];
-    case FieldName::StressXY: return s[2];
-    case FieldName::Principal1: return fem::principal(s).greatest;
-    case FieldName::Principal2: return fem::principal(s).least;
-    default: return fem::von_mises(s, material);
+    case FieldName::StressX:
+      return s[0];
+    case FieldName::StressY:
+      return s[1];
+    case FieldName::StressXY:
+      return s[2];
+    case FieldName::Principal1:
+      return fem::principal(s).greatest;
+    case FieldName::Principal2:
+      return fem::principal(s).least;
+    default:
+      return fem::von_mises(s, material);
   }
 }
 
-constexpr std::array<FieldName, 8> sampled{FieldName::DisplacementX, FieldName::DisplacementY, FieldName::StressX, FieldName::StressY,
-                                           FieldName::StressXY, FieldName::Principal1, FieldName::Principal2, FieldName::VonMises};
+constexpr std::array<FieldName, 8> sampled{FieldName::DisplacementX, FieldName::DisplacementY, FieldName::StressX,
+                                           FieldName::StressY,       FieldName::StressXY,      FieldName::Principal1,
+                                           FieldName::Principal2,    FieldName::VonMises};
 using Row = std::array<double, sampled.size()>;
 
 /// The fields of every case at a place. Stresses are interpolated as such; what is derived of them is derived there.
@@ -55,19 +62,25 @@ std::vector<Row> rows_at(const Analysis& analysis, const fem::Located& at) {
 }
 
 Result<Model> with_samples(const Model& model, Samples samples, const std::string& what) {
-  if (model.analyses.empty()) return Error{ErrorCode::BadValue, "there is no analysis: put a step 'analyse' or 'adapt' before"};
-  if (std::any_of(model.samples.begin(), model.samples.end(), [&](const Samples& other) { return other.name == samples.name; }))
-    return Error{ErrorCode::BadValue, fmt::format("there is a line or probe '{}' already; give this one another `label`", samples.name)};
+  if (model.analyses.empty())
+    return Error{ErrorCode::BadValue, "there is no analysis: put a step 'analyse' or 'adapt' before"};
+  if (std::any_of(model.samples.begin(), model.samples.end(),
+                  [&](const Samples& other) { return other.name == samples.name; }))
+    return Error{ErrorCode::BadValue,
+                 fmt::format("there is a line or probe '{}' already; give this one another `label`", samples.name)};
   const auto& mesh = model.analyses.back()->meshed->mesh;
   const auto boxes = fem::element_boxes(mesh);
-  const auto inside = std::count_if(samples.points.begin(), samples.points.end(), [&](Point p) { return fem::locate(mesh, boxes, p).has_value(); });
+  const auto inside = std::count_if(samples.points.begin(), samples.points.end(),
+                                    [&](Point p) { return fem::locate(mesh, boxes, p).has_value(); });
   if (inside == 0) {
     const Point at = samples.points.front();
-    return Error{ErrorCode::BadValue, what + " does not lie in the material", Place{.item = "'" + samples.name + "'", .x = at.x, .y = at.y}};
+    return Error{ErrorCode::BadValue, what + " does not lie in the material",
+                 Place{.item = "'" + samples.name + "'", .x = at.x, .y = at.y}};
   }
   Model result = model;
   if (const std::size_t outside = samples.points.size() - static_cast<std::size_t>(inside); outside > 0) {
-    result.remarks.push_back(fmt::format("line '{}': {} of its {} points lie outside the material and are left out", samples.name, outside, samples.points.size()));
+    result.remarks.push_back(fmt::format("line '{}': {} of its {} points lie outside the material and are left out",
+                                         samples.name, outside, samples.points.size()));
   }
   result.samples.push_back(std::move(samples));
   return result;
@@ -76,7 +89,8 @@ Result<Model> with_samples(const Model& model, Samples samples, const std::strin
 }  // namespace
 
 const std::vector<std::string>& field_names() {
-  static const std::vector<std::string> names{"von_mises", "s_xx", "s_yy", "s_xy", "s_1", "s_2", "u_x", "u_y", "u", "error"};
+  static const std::vector<std::string> names{"von_mises", "s_xx", "s_yy", "s_xy", "s_1",
+                                              "s_2",       "u_x",  "u_y",  "u",    "error"};
   return names;
 }
 
@@ -84,9 +98,12 @@ std::string unit_of(FieldName field) {
   switch (field) {
     case FieldName::DisplacementX:
     case FieldName::DisplacementY:
-    case FieldName::Displacement: return "m";
-    case FieldName::Error: return "J^0.5";
-    default: return "Pa";
+    case FieldName::Displacement:
+      return "m";
+    case FieldName::Error:
+      return "J^0.5";
+    default:
+      return "Pa";
   }
 }
 
@@ -100,18 +117,28 @@ std::vector<double> field_at_element_nodes(const Analysis& analysis, std::size_t
     for (std::size_t k = mesh.first[e]; k < mesh.first[e + 1]; ++k) {
       const Vector own = u[mesh.nodes[k].index()];
       switch (field) {
-        case FieldName::DisplacementX: values[k] = own.x; break;
-        case FieldName::DisplacementY: values[k] = own.y; break;
-        case FieldName::Displacement: values[k] = length(own); break;
-        case FieldName::Error: values[k] = analysis.fields[load_case].estimate.elements[e]; break;
-        default: values[k] = stress_value(field, stresses[k], material);
+        case FieldName::DisplacementX:
+          values[k] = own.x;
+          break;
+        case FieldName::DisplacementY:
+          values[k] = own.y;
+          break;
+        case FieldName::Displacement:
+          values[k] = length(own);
+          break;
+        case FieldName::Error:
+          values[k] = analysis.fields[load_case].estimate.elements[e];
+          break;
+        default:
+          values[k] = stress_value(field, stresses[k], material);
       }
     }
   }
   return values;
 }
 
-Result<Model> add_line(const Model& model, const LineParams& params, const dobra::scenario::Context&, const dobra::base::Progress&) {
+Result<Model> add_line(const Model& model, const LineParams& params, const dobra::scenario::Context&,
+                       const dobra::base::Progress&) {
   if (params.from == params.to) return Error{ErrorCode::BadValue, "`from` and `to` of the line are the same point"};
   Samples samples{params.label, {}, {}};
   for (int i = 0; i < params.count; ++i) {
@@ -122,7 +149,8 @@ Result<Model> add_line(const Model& model, const LineParams& params, const dobra
   return with_samples(model, std::move(samples), "the line");
 }
 
-Result<Model> add_probe(const Model& model, const ProbeParams& params, const dobra::scenario::Context&, const dobra::base::Progress&) {
+Result<Model> add_probe(const Model& model, const ProbeParams& params, const dobra::scenario::Context&,
+                        const dobra::base::Progress&) {
   return with_samples(model, {params.label, {params.at}, {0.0}}, "the point");
 }
 
@@ -133,10 +161,12 @@ void add_sample_tables(const Model& model, std::vector<dobra::scenario::DataTabl
   for (const Samples& samples : model.samples) {
     if (samples.points.size() < 2) continue;
     dobra::scenario::DataTable table{"line_" + samples.name, {"case", "s [m]", "x [m]", "y [m]"}, {}};
-    for (const FieldName field : sampled) table.columns.push_back(fmt::format("{} [{}]", field_names()[static_cast<std::size_t>(field)], unit_of(field)));
+    for (const FieldName field : sampled)
+      table.columns.push_back(fmt::format("{} [{}]", field_names()[static_cast<std::size_t>(field)], unit_of(field)));
     std::vector<std::vector<Row>> values(samples.points.size());
     for (std::size_t i = 0; i < samples.points.size(); ++i) {
-      if (const auto at = fem::locate(analysis.meshed->mesh, boxes, samples.points[i])) values[i] = rows_at(analysis, *at);
+      if (const auto at = fem::locate(analysis.meshed->mesh, boxes, samples.points[i]))
+        values[i] = rows_at(analysis, *at);
     }
     for (std::size_t c = 0; c < analysis.fields.size(); ++c) {
       for (std::size_t i = 0; i < samples.points.size(); ++i) {
@@ -163,7 +193,9 @@ void add_sample_quantities(const Model& model, std::vector<dobra::scenario::Quan
     const auto rows = rows_at(analysis, *at);
     for (std::size_t c = 0; c < rows.size(); ++c) {
       for (std::size_t f = 0; f < sampled.size(); ++f) {
-        quantities.push_back({fmt::format("probe.{}.{}.{}", samples.name, analysis.solution.cases[c].name, field_names()[static_cast<std::size_t>(sampled[f])]), rows[c][f], unit_of(sampled[f])});
+        quantities.push_back({fmt::format("probe.{}.{}.{}", samples.name, analysis.solution.cases[c].name,
+                                          field_names()[static_cast<std::size_t>(sampled[f])]),
+                              rows[c][f], unit_of(sampled[f])});
       }
     }
   }

@@ -8,7 +8,18 @@
 
 namespace quebra::core {
 
-enum class FieldName { VonMises, StressX, StressY, StressXY, Principal1, Principal2, DisplacementX, DisplacementY, Displacement, Error };
+enum class FieldName {
+  VonMises,
+  StressX,
+  StressY,
+  StressXY,
+  Principal1,
+  Principal2,
+  DisplacementX,
+  DisplacementY,
+  Displacement,
+  Error
+};
 
 /// As in scenario files, in that order: "von_mises", "s_xx", ...
 const std::vector<std::string>& field_names();
@@ -27,7 +38,11 @@ struct LineParams {
     d.field("label", &LineParams::label, {.title = "Label", .help = "Names the table: line_LABEL.csv."});
     d.field("from", &LineParams::from, {.title = "From", .unit = "m", .presence = dobra::scenario::Presence::Required});
     d.field("to", &LineParams::to, {.title = "To", .unit = "m", .presence = dobra::scenario::Presence::Required});
-    d.field("count", &LineParams::count, {.title = "Points", .help = "Both ends included; those outside the material are left out.", .at_least = 2, .at_most = 1000000});
+    d.field("count", &LineParams::count,
+            {.title = "Points",
+             .help = "Both ends included; those outside the material are left out.",
+             .at_least = 2,
+             .at_most = 1000000});
   }
 };
 
@@ -37,17 +52,18 @@ struct ProbeParams {
 
   template <class D>
   static void describe(D& d) {
-    d.field("label", &ProbeParams::label, {.title = "Label", .help = "Names the quantities: probe.LABEL.CASE.von_mises."});
+    d.field("label", &ProbeParams::label,
+            {.title = "Label", .help = "Names the quantities: probe.LABEL.CASE.von_mises."});
     d.field("at", &ProbeParams::at, {.title = "Point", .unit = "m", .presence = dobra::scenario::Presence::Required});
   }
 };
 
 /// Reads all fields of the last analysis along a line, or at a point.
 /// @error BadValue: no analysis, the label is taken, or nothing of it lies in the material (with the place).
-dobra::base::Result<Model> add_line(const Model& model, const LineParams& params, const dobra::scenario::Context& context,
-                                    const dobra::base::Progress& progress);
-dobra::base::Result<Model> add_probe(const Model& model, const ProbeParams& params, const dobra::scenario::Context& context,
-                                     const dobra::base::Progress& progress);
+dobra::base::Result<Model> add_line(const Model& model, const LineParams& params,
+                                    const dobra::scenario::Context& context, const dobra::base::Progress& progress);
+dobra::base::Result<Model> add_probe(const Model& model, const ProbeParams& params,
+                                     const dobra::scenario::Context& context, const dobra::base::Progress& progress);
 
 void add_sample_tables(const Model& model, std::vector<dobra::scenario::DataTable>& tables);
 void add_sample_quantities(const Model& model, std::vector<dobra::scenario::Quantity>& quantities);

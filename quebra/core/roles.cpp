@@ -27,7 +27,8 @@ std::array<Point, 2> ends_of(const Curve& curve) { return {point(curve, 0.0), po
 void close_what_returns(std::vector<Curve>& curves) {
   for (Curve& curve : curves) {
     auto* const line = std::get_if<Polyline>(&curve.shape);
-    if (line == nullptr || line->closed || line->points.size() < 4 || line->points.front() != line->points.back()) continue;
+    if (line == nullptr || line->closed || line->points.size() < 4 || line->points.front() != line->points.back())
+      continue;
     line->points.pop_back();
     line->closed = true;
   }
@@ -36,7 +37,8 @@ void close_what_returns(std::vector<Curve>& curves) {
 /// The open curves that bound or may bound the domain, by their ends.
 class Ends {
  public:
-  Ends(std::vector<Curve>& curves, const std::set<std::string>& without_role) : curves_(curves), without_role_(without_role) {
+  Ends(std::vector<Curve>& curves, const std::set<std::string>& without_role)
+      : curves_(curves), without_role_(without_role) {
     for (std::size_t i = 0; i < curves.size(); ++i) {
       if (!bounds(curves[i]) || closed(curves[i])) continue;
       for (const Point end : ends_of(curves[i])) at_[end].push_back(i);
@@ -117,10 +119,12 @@ void find_roles(Sketch& sketch, double tolerance) {
 
 Result<void> apply_hole_points(Domain& domain, const Inside& inside, const HolePoints& holes) {
   const auto own = [&](const Domain::Loop& loop) {
-    return std::all_of(loop.sides.begin(), loop.sides.end(), [&](const auto& side) { return holes.curves.contains(domain.curves[side.curve].name); });
+    return std::all_of(loop.sides.begin(), loop.sides.end(),
+                       [&](const auto& side) { return holes.curves.contains(domain.curves[side.curve].name); });
   };
   std::vector<bool> is_void(domain.loops.size(), false);
-  for (std::size_t i = 0; i < domain.loops.size(); ++i) is_void[i] = !own(domain.loops[i]) && domain.loops[i].depth % 2 == 1;
+  for (std::size_t i = 0; i < domain.loops.size(); ++i)
+    is_void[i] = !own(domain.loops[i]) && domain.loops[i].depth % 2 == 1;
   for (const Point hole : holes.at) {
     const auto loop = innermost(domain, inside.loops_around(hole));
     if (!loop) {

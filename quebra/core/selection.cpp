@@ -15,8 +15,9 @@
 #include "shared/base/text.h"
 #include "shared/geom/spatial_index.h"
 
-// 1. The text: alternatives ("or") of comparisons ("and"), each of two formulas. 2. A comparison holds at a place if the
-// difference of its formulas has the sign asked for there or a tolerance beside. 3. Parts of curves are asked at samples.
+// 1. The text: alternatives ("or") of comparisons ("and"), each of two formulas. 2. A comparison holds at a place if
+// the difference of its formulas has the sign asked for there or a tolerance beside. 3. Parts of curves are asked at
+// samples.
 
 namespace quebra::core {
 namespace {
@@ -46,7 +47,9 @@ struct Comparison {
 };
 
 Error unreadable(const std::string& condition, std::size_t at, const std::string& why) {
-  return {ErrorCode::BadValue, fmt::format("the condition '{}', character {}: {}; write such as \"x = 0\" or \"y = 2 and x > 1\"", condition, dobra::base::character_number(condition, at), why)};
+  return {ErrorCode::BadValue,
+          fmt::format("the condition '{}', character {}: {}; write such as \"x = 0\" or \"y = 2 and x > 1\"", condition,
+                      dobra::base::character_number(condition, at), why)};
 }
 
 /// The parts between whole words.
@@ -67,13 +70,17 @@ std::vector<Part> split(const Part& whole, const std::string& word) {
 /// Words and signs that join comparisons in other languages, or stand where nothing is joined.
 Result<void> check_joints(const Part& part, const std::string& condition) {
   for (const char* sign : {"&&", "||", ";"}) {
-    if (const std::size_t at = part.text.find(sign); at != std::string::npos) return unreadable(condition, part.begin + at, fmt::format("'{}' joins nothing here; comparisons are joined by 'and' and 'or'", sign));
+    if (const std::size_t at = part.text.find(sign); at != std::string::npos)
+      return unreadable(condition, part.begin + at,
+                        fmt::format("'{}' joins nothing here; comparisons are joined by 'and' and 'or'", sign));
   }
   static const std::regex joint("\\b(and|or|not)\\b", std::regex::icase);
   std::smatch found;
   if (!std::regex_search(part.text, found, joint)) return {};
-  return unreadable(condition, part.begin + static_cast<std::size_t>(found.position()),
-                    fmt::format("'{}' joins nothing here; 'and' and 'or', in small letters, stand between two comparisons", found.str()));
+  return unreadable(
+      condition, part.begin + static_cast<std::size_t>(found.position()),
+      fmt::format("'{}' joins nothing here; 'and' and 'or', in small letters, stand between two comparisons",
+                  found.str()));
 }
 
 /// "0 < x <= 2": two comparisons.
@@ -86,17 +93,20 @@ Result<std::vector<Comparison>> comparisons_of(const Part& part, const std::stri
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find_first_of("=<>!", begin), text.size());
     const std::string side = text.substr(begin, end - begin);
-    if (side.find_first_not_of(' ') == std::string::npos) return unreadable(condition, part.begin + begin, "a side of a comparison is missing");
+    if (side.find_first_not_of(' ') == std::string::npos)
+      return unreadable(condition, part.begin + begin, "a side of a comparison is missing");
     DOBRA_TRY(Formula formula, Formula::make(side, names, {"the condition", condition, part.begin + begin}));
     formulas.push_back(std::move(formula));
     if (end == text.size()) break;
-    if (text[end] == '!') return unreadable(condition, part.begin + end, "'!' is not expected: a side is named by what holds for it");
+    if (text[end] == '!')
+      return unreadable(condition, part.begin + end, "'!' is not expected: a side is named by what holds for it");
     relations.push_back(text[end] == '=' ? Relation::Equal : text[end] == '<' ? Relation::Less : Relation::Greater);
     begin = end + (text.compare(end + 1, 1, "=") == 0 ? 2 : 1);
   }
   if (relations.empty()) return unreadable(condition, part.begin, fmt::format("'{}' compares nothing", text));
   std::vector<Comparison> comparisons;
-  for (std::size_t i = 0; i < relations.size(); ++i) comparisons.push_back({formulas[i], formulas[i + 1], relations[i], part});
+  for (std::size_t i = 0; i < relations.size(); ++i)
+    comparisons.push_back({formulas[i], formulas[i + 1], relations[i], part});
   return comparisons;
 }
 
@@ -148,9 +158,12 @@ class Condition {
       greatest = std::max(greatest, difference);
     }
     switch (one.relation) {
-      case Relation::Equal: return least <= 0.0 && greatest >= 0.0;
-      case Relation::Less: return least <= 0.0;
-      case Relation::Greater: return greatest >= 0.0;
+      case Relation::Equal:
+        return least <= 0.0 && greatest >= 0.0;
+      case Relation::Less:
+        return least <= 0.0;
+      case Relation::Greater:
+        return greatest >= 0.0;
     }
     return false;
   }
@@ -204,7 +217,8 @@ std::vector<Holds> how_far(const Domain& domain, std::span<const CurvePart> part
     const auto at = points(domain.curves[parts[first].curve], s);
     for (std::size_t k = 0, begin = 0; k < ends.size(); begin = ends[k++]) {
       for (std::size_t a = 0; a < condition.alternatives(); ++a) {
-        result[first + k] = std::max(result[first + k], how_far(std::span(at).subspan(begin, ends[k] - begin), condition, a));
+        result[first + k] =
+            std::max(result[first + k], how_far(std::span(at).subspan(begin, ends[k] - begin), condition, a));
       }
     }
     first = i;
@@ -214,17 +228,20 @@ std::vector<Holds> how_far(const Domain& domain, std::span<const CurvePart> part
 
 std::string text_of(const Domain& domain, const CurvePart& part) {
   const std::string& name = domain.curves[part.curve].name;
-  if (part.start == part.end) return fmt::format("'{}', closed, through ({:.6g}, {:.6g})", name, part.start.x, part.start.y);
-  return fmt::format("'{}' from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g})", name, part.start.x, part.start.y, part.end.x, part.end.y);
+  if (part.start == part.end)
+    return fmt::format("'{}', closed, through ({:.6g}, {:.6g})", name, part.start.x, part.start.y);
+  return fmt::format("'{}' from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g})", name, part.start.x, part.start.y, part.end.x,
+                     part.end.y);
 }
 
 Error only_partly(const Domain& domain, const CurvePart& part, const std::string& condition) {
   const Point middle = point(domain.curves[part.curve], 0.5 * (part.from + part.to));
-  return {ErrorCode::BadValue,
-          fmt::format("the condition '{}' holds for a stretch only of the side {}: put a point ([[input.point]]) on the "
-                      "side where the stretch ends, or select all of it",
-                      condition, text_of(domain, part)),
-          dobra::base::Place{.x = middle.x, .y = middle.y}};
+  return {
+      ErrorCode::BadValue,
+      fmt::format("the condition '{}' holds for a stretch only of the side {}: put a point ([[input.point]]) on the "
+                  "side where the stretch ends, or select all of it",
+                  condition, text_of(domain, part)),
+      dobra::base::Place{.x = middle.x, .y = middle.y}};
 }
 
 /// Of the sides of a curve those that lie along selected parts of it.
@@ -273,7 +290,8 @@ void add_sides(const Domain& domain, const Selection& selection, const std::stri
   for (const auto& [c, starts] : wanted) {
     const auto set = result.side_sets.find(domain.curves[c].name);
     if (set == result.side_sets.end()) continue;
-    const auto own = std::equal_range(all.begin(), all.end(), CurvePart{c, 0.0, 0.0, {}, {}}, [](const auto& a, const auto& b) { return a.curve < b.curve; });
+    const auto own = std::equal_range(all.begin(), all.end(), CurvePart{c, 0.0, 0.0, {}, {}},
+                                      [](const auto& a, const auto& b) { return a.curve < b.curve; });
     const PartsOfCurve parts(domain.curves[c], {own.first, own.second}, starts);
     for (const mesh::ElementSide& side : set->second) {
       const auto nodes = side_nodes(result, side);
@@ -288,7 +306,8 @@ void add_sides(const Domain& domain, const Selection& selection, const std::stri
 void add_nodes(const Selection& selection, const std::string& name, mesh::ElementMesh& result) {
   std::set<mesh::NodeId> chosen;
   for (const Point corner : selection.corners) {
-    const auto nearest = std::min_element(result.points.begin(), result.points.end(), [&](Point a, Point b) { return distance(a, corner) < distance(b, corner); });
+    const auto nearest = std::min_element(result.points.begin(), result.points.end(),
+                                          [&](Point a, Point b) { return distance(a, corner) < distance(b, corner); });
     chosen.insert(mesh::NodeId(static_cast<std::size_t>(nearest - result.points.begin())));
   }
   result.node_sets[name] = {chosen.begin(), chosen.end()};
@@ -340,8 +359,13 @@ Result<Selection> select(const Domain& domain, const std::string& condition) {
     }
   }
   if (!selection.corners.empty()) return selection;
-  if (const auto undefined = wanted.undefined_at(at)) return Error{ErrorCode::BadValue, fmt::format("the condition '{}': '{}' has no finite value at any corner of the boundary", condition, *undefined)};
-  return Error{ErrorCode::BadValue, fmt::format("the condition '{}' holds for no side and no corner of the boundary, which has {}", condition, listed(domain))};
+  if (const auto undefined = wanted.undefined_at(at))
+    return Error{ErrorCode::BadValue,
+                 fmt::format("the condition '{}': '{}' has no finite value at any corner of the boundary", condition,
+                             *undefined)};
+  return Error{ErrorCode::BadValue,
+               fmt::format("the condition '{}' holds for no side and no corner of the boundary, which has {}",
+                           condition, listed(domain))};
 }
 
 std::vector<std::size_t> curves_meant(const Domain& domain, const std::string& where) {
@@ -357,7 +381,8 @@ std::vector<std::size_t> curves_meant(const Domain& domain, const std::string& w
   return {curves.begin(), curves.end()};
 }
 
-Result<mesh::ElementMesh> with_sets(const Domain& domain, const mesh::ElementMesh& own, std::span<const std::string> words) {
+Result<mesh::ElementMesh> with_sets(const Domain& domain, const mesh::ElementMesh& own,
+                                    std::span<const std::string> words) {
   mesh::ElementMesh result = own;
   for (const std::string& where : words) {
     if (!is_condition(where) || result.side_sets.contains(where) || result.node_sets.contains(where)) continue;
@@ -376,7 +401,8 @@ std::string what_there_is(const std::string& word, const std::vector<std::string
   constexpr std::size_t most = 12;
   const std::string meant = dobra::base::did_you_mean(word, names);
   std::string text;
-  for (std::size_t i = 0; i < std::min(most, names.size()); ++i) text += fmt::format("{}'{}'", i == 0 ? "" : ", ", names[i]);
+  for (std::size_t i = 0; i < std::min(most, names.size()); ++i)
+    text += fmt::format("{}'{}'", i == 0 ? "" : ", ", names[i]);
   if (names.size() > most) text += fmt::format(" and {} more", names.size() - most);
   return (meant.empty() ? "; there is " : meant + " There is ") + text;
 }
@@ -384,7 +410,8 @@ std::string what_there_is(const std::string& word, const std::vector<std::string
 std::string listed(const Domain& domain, std::size_t most) {
   const auto parts = boundary_parts(domain);
   std::string text;
-  for (std::size_t i = 0; i < std::min(most, parts.size()); ++i) text += (i == 0 ? "" : ", ") + text_of(domain, parts[i]);
+  for (std::size_t i = 0; i < std::min(most, parts.size()); ++i)
+    text += (i == 0 ? "" : ", ") + text_of(domain, parts[i]);
   return parts.size() > most ? text + fmt::format(" and {} more", parts.size() - most) : text;
 }
 

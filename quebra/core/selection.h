@@ -18,7 +18,8 @@ struct CurvePart {
   dobra::geom::Point start, end;
 };
 
-/// All parts of the curves that bound the material, by curve and distance.  @cost O(n log n) for n corners and junctions
+/// All parts of the curves that bound the material, by curve and distance.  @cost O(n log n) for n corners and
+/// junctions
 std::vector<CurvePart> boundary_parts(const Domain& domain);
 
 /// Whether `where` is a condition and not a name: it compares something.
@@ -30,8 +31,9 @@ struct Selection {
   std::vector<dobra::geom::Point> corners;
 };
 
-/// Conditions are formulas of x and y, in units of Domain::unit, with = < <= > >= between them, joined by `and`, those by `or`. A place that is
-/// nearer than 1e-6 of the domain's diagonal to where a condition holds meets it; < and <= are therefore the same.
+/// Conditions are formulas of x and y, in units of Domain::unit, with = < <= > >= between them, joined by `and`, those
+/// by `or`. A place that is nearer than 1e-6 of the domain's diagonal to where a condition holds meets it; < and <= are
+/// therefore the same.
 /// @error BadValue: what cannot be read; a condition that holds nowhere, with what the boundary has; one that holds for
 ///        a stretch of a part only, with its place.
 dobra::base::Result<Selection> select(const Domain& domain, const std::string& condition);

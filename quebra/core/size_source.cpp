@@ -37,8 +37,18 @@ Error no_size(const std::string& whose, double value, Point at) {
   dobra::base::Place place;
   place.x = at.x;
   place.y = at.y;
-  if (!std::isfinite(value)) return {ErrorCode::BadValue, fmt::format("{} has no finite value here; sizes must be: bound it, as with min(..., 1), or leave out where it is not defined", whose), place};
-  return {ErrorCode::BadValue, fmt::format("{} gives the size {:.6g} m here; sizes must be greater than 0: bound it from below, as with max(..., 0.01)", whose, value), place};
+  if (!std::isfinite(value))
+    return {ErrorCode::BadValue,
+            fmt::format("{} has no finite value here; sizes must be: bound it, as with min(..., 1), or leave out where "
+                        "it is not defined",
+                        whose),
+            place};
+  return {
+      ErrorCode::BadValue,
+      fmt::format(
+          "{} gives the size {:.6g} m here; sizes must be greater than 0: bound it from below, as with max(..., 0.01)",
+          whose, value),
+      place};
 }
 
 /// Sizes at the corners of triangles, linear between them.
@@ -62,7 +72,8 @@ class Background {
   }
 
   [[nodiscard]] double at(Point p) const {
-    const auto nearest = index_.nearest(p, [&](std::size_t t) { return distance(foot(t, p).first, p); }, greatest_);
+    const auto nearest = index_.nearest(
+        p, [&](std::size_t t) { return distance(foot(t, p).first, p); }, greatest_);
     if (!nearest) return no_wish;
     const double size = foot(nearest->item, p).second;
     return nearest->distance <= size ? size : no_wish;
@@ -123,7 +134,10 @@ Result<Background> read_background(const std::string& path, const std::string& n
     scale(contents.mesh);
     return Background(contents.mesh, element_sizes(contents.mesh));
   }
-  if (!path.ends_with(".vtu")) return Error{ErrorCode::BadValue, fmt::format("'{}' holds no fields; give a .vtu with the field '{}', or leave background_field empty to take the sizes of the elements", path, name)};
+  if (!path.ends_with(".vtu"))
+    return Error{ErrorCode::BadValue, fmt::format("'{}' holds no fields; give a .vtu with the field '{}', or leave "
+                                                  "background_field empty to take the sizes of the elements",
+                                                  path, name)};
   DOBRA_TRY(auto contents, dobra::io::read_vtu(path));
   scale(contents.mesh);
   std::vector<std::string> names;
@@ -132,11 +146,14 @@ Result<Background> read_background(const std::string& path, const std::string& n
     if (field.name != name || field.components != 1) continue;
     for (std::size_t i = 0; i < field.values.size(); ++i) {
       field.values[i] *= unit;
-      if (!is_size(field.values[i])) return no_size(fmt::format("field '{}' of '{}'", name, path), field.values[i], contents.mesh.points[i]);
+      if (!is_size(field.values[i]))
+        return no_size(fmt::format("field '{}' of '{}'", name, path), field.values[i], contents.mesh.points[i]);
     }
     return Background(contents.mesh, std::move(field.values));
   }
-  return Error{ErrorCode::BadValue, fmt::format("'{}' has no field '{}' of one number at each point{}; it has: {}", path, name, dobra::base::did_you_mean(name, names), names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")))};
+  return Error{ErrorCode::BadValue, fmt::format("'{}' has no field '{}' of one number at each point{}; it has: {}",
+                                                path, name, dobra::base::did_you_mean(name, names),
+                                                names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")))};
 }
 
 }  // namespace
@@ -180,11 +197,13 @@ struct SizeSource::Wishes {
 Result<SizeSource> SizeSource::make(const Domain& domain, const std::string& formula, const std::string& background,
                                     const std::string& field, const dobra::scenario::Context& context) {
   SizeSource source;
-  if (background.empty() && !field.empty()) return Error{ErrorCode::BadValue, "background_field names a field of no file: give `background` too"};
+  if (background.empty() && !field.empty())
+    return Error{ErrorCode::BadValue, "background_field names a field of no file: give `background` too"};
   if (formula.empty() && background.empty()) return source;
   source.wishes_ = std::make_shared<Wishes>(domain);
   if (!background.empty()) {
-    DOBRA_TRY(source.wishes_->background, read_background((context.folder / background).string(), field, context.units.to_si(1.0, "m")));
+    DOBRA_TRY(source.wishes_->background,
+              read_background((context.folder / background).string(), field, context.units.to_si(1.0, "m")));
   }
   if (formula.empty()) return source;
   static const std::vector<std::string> names{"x", "y"};
@@ -212,7 +231,8 @@ Result<SizeSource> SizeSource::make(const Domain& domain, const std::string& for
 
 dobra::mesh::SizeFunction SizeSource::function() const {
   if (empty()) return {};
-  return {[wishes = wishes_](Point p) { return wishes->at(p); }, [wishes = wishes_](const Box& box) { return wishes->concerns(box); }};
+  return {[wishes = wishes_](Point p) { return wishes->at(p); },
+          [wishes = wishes_](const Box& box) { return wishes->concerns(box); }};
 }
 
 Result<void> SizeSource::check() const {

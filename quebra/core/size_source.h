@@ -1,6 +1,6 @@
 #pragma once
-// Sizes that the user wants everywhere: a formula of x and y, or a background mesh (the sizes of its elements, or a field
-// at its points); of both the least.
+// Sizes that the user wants everywhere: a formula of x and y, or a background mesh (the sizes of its elements, or a
+// field at its points); of both the least.
 
 #include <memory>
 #include <string>
@@ -19,8 +19,9 @@ class SizeSource {
   /// size, others none.
   /// @error BadValue: a formula that cannot be read, a size that is not greater than 0 on the boundary or in the file,
   ///        with its place; a field that the file has not, naming those it has; those of io::read_mesh.
-  static dobra::base::Result<SizeSource> make(const Domain& domain, const std::string& formula, const std::string& background,
-                                              const std::string& field, const dobra::scenario::Context& context);
+  static dobra::base::Result<SizeSource> make(const Domain& domain, const std::string& formula,
+                                              const std::string& background, const std::string& field,
+                                              const dobra::scenario::Context& context);
 
   [[nodiscard]] bool empty() const { return wishes_ == nullptr; }
   /// For SizeFieldOptions; empty if this is. Refers to what this holds together with it.

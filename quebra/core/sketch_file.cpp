@@ -102,16 +102,20 @@ Sketch sketch_of(const dobra::io::PolyFile& file, const std::string& path, bool 
   Place place;
   place.file = path;
   if (holes) sketch.hole_points = HolePoints{sketch.without_role, file.holes, place};
-  for (const auto& region : file.regions) sketch.regions.push_back({fmt::format("region_{}", dobra::base::number_text(region.attribute)), region.at});
+  for (const auto& region : file.regions)
+    sketch.regions.push_back({fmt::format("region_{}", dobra::base::number_text(region.attribute)), region.at});
   return sketch;
 }
 
-// --- curves without roles -----------------------------------------------------------------------------------------------
+// --- curves without roles
+// -----------------------------------------------------------------------------------------------
 
 /// A drawing with its arcs as they are drawn; nothing where chords must do, or no drawing.
-Result<std::optional<Sketch>> true_curves(const std::string& path, const dobra::io::Curves& read, const SketchOptions& options) {
+Result<std::optional<Sketch>> true_curves(const std::string& path, const dobra::io::Curves& read,
+                                          const SketchOptions& options) {
   const dobra::io::LineOptions& lines = options.lines;
-  if (read.format != dobra::io::LineFormat::Dxf || lines.coordinates == dobra::io::Coordinates::Map) return std::optional<Sketch>();
+  if (read.format != dobra::io::LineFormat::Dxf || lines.coordinates == dobra::io::Coordinates::Map)
+    return std::optional<Sketch>();
   DOBRA_TRY(const std::string text, dobra::io::read_text(path));
   auto paths = dobra::io::dxf_paths(text, path);
   if (!paths) return std::optional<Sketch>();
@@ -124,7 +128,15 @@ Result<std::optional<Sketch>> true_curves(const std::string& path, const dobra::
       for (Point* p : {&piece.from, &piece.to, &piece.control[0], &piece.control[1], &piece.centre}) p->y += base;
     }
     if (options.open_lines == OpenLines::Close && !outline.closed && outline.pieces.size() > 1) {
-      outline.pieces.push_back({dobra::io::SvgPieceKind::Line, outline.pieces.back().to, outline.pieces.front().from, {}, {}, {}, {}, 0.0, 0.0});
+      outline.pieces.push_back({dobra::io::SvgPieceKind::Line,
+                                outline.pieces.back().to,
+                                outline.pieces.front().from,
+                                {},
+                                {},
+                                {},
+                                {},
+                                0.0,
+                                0.0});
       outline.closed = true;
     }
   }
@@ -184,13 +196,15 @@ Result<Sketch> from_text(const std::string& path, const SketchOptions& options) 
   if (auto graph = dobra::io::counted_graph(text)) {
     scale(*graph, options.silent_unit);
     Sketch sketch = sketch_of(*graph, path, false);
-    sketch.remarks.push_back(fmt::format("{}: read as {} points and the {} segments between them", path, graph->nodes.points.size(), graph->segments.size()));
+    sketch.remarks.push_back(fmt::format("{}: read as {} points and the {} segments between them", path,
+                                         graph->nodes.points.size(), graph->segments.size()));
     return sketch;
   }
   return from_curves(path, options);
 }
 
-// --- meshes ---------------------------------------------------------------------------------------------------------------
+// --- meshes
+// ---------------------------------------------------------------------------------------------------------------
 
 /// The boundary of a mesh, its internal sets and its cracks; regions by a point of one of their elements.
 Sketch from_mesh(const dobra::mesh::ElementMesh& mesh) {
@@ -213,7 +227,8 @@ Sketch from_mesh(const dobra::mesh::ElementMesh& mesh) {
   std::set<std::int64_t> internal;
   const auto add = [&](const ElementSide& side, std::int64_t set) {
     const auto nodes = side_nodes(mesh, side);
-    file.segments.push_back({static_cast<std::uint32_t>(nodes[0].index()), static_cast<std::uint32_t>(nodes[1].index())});
+    file.segments.push_back(
+        {static_cast<std::uint32_t>(nodes[0].index()), static_cast<std::uint32_t>(nodes[1].index())});
     file.segment_markers.push_back(set);
   };
   for (const ElementSide& side : outer) {
@@ -268,12 +283,17 @@ Result<Sketch> read_by_ending(const std::string& path, const SketchOptions& opti
   place.file = path;
   const bool drawing = ending == ".poly" || ending == ".geo" || ending == ".svg" || dobra::io::is_mesh_ending(ending);
   if (drawing && options.chosen) {
-    return Error{ErrorCode::BadValue, fmt::format("units, axes, columns and closing are asked of files of lines only, not of {} files; leave these options out", ending), place};
+    return Error{ErrorCode::BadValue,
+                 fmt::format("units, axes, columns and closing are asked of files of lines only, not of {} files; "
+                             "leave these options out",
+                             ending),
+                 place};
   }
   if (drawing) return read_as_it_stands(path, ending, options.silent_unit);
   if (!options.lines.format && !dobra::io::line_format_of(path)) {
     return Error{ErrorCode::UnknownFormat,
-                 fmt::format("the ending of the name tells no format; geometry is read from .poly .geo .svg {}, the boundary of a mesh from {}",
+                 fmt::format("the ending of the name tells no format; geometry is read from .poly .geo .svg {}, the "
+                             "boundary of a mesh from {}",
                              fmt::join(dobra::io::line_endings(), " "), fmt::join(dobra::io::mesh_read_endings(), " ")),
                  place};
   }

@@ -91,6 +91,8 @@ class Snapper {
 
 }  // namespace
 
-std::vector<Snap> snap_together(std::span<Polyline* const> lines, double tolerance) { return Snapper(lines, tolerance).run(); }
+std::vector<Snap> snap_together(std::span<Polyline* const> lines, double tolerance) {
+  return Snapper(lines, tolerance).run();
+}
 
 }  // namespace quebra::core

@@ -17,8 +17,8 @@ struct Snap {
   double gap = 0.0;  ///< How far apart they were, m; 0: the vertex lay on a side.
 };
 
-/// A vertex nearer than `tolerance` to one of an earlier line moves to it; one that is nearer to a side of another line becomes a
-/// vertex of that line. Afterwards stretches that the lines share have the same vertices, bit for bit.
+/// A vertex nearer than `tolerance` to one of an earlier line moves to it; one that is nearer to a side of another line
+/// becomes a vertex of that line. Afterwards stretches that the lines share have the same vertices, bit for bit.
 /// @cost O(n log n + near pairs) for n vertices
 std::vector<Snap> snap_together(std::span<dobra::geom::Polyline* const> lines, double tolerance);
 

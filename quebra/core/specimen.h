@@ -23,9 +23,10 @@ enum class SpecimenKind {
   CentreCrack,      ///< Crack of length 2 `crack` in the middle, at `angle`.
   CompactTension,   ///< ASTM E399: W = width, a = crack, both from the load line; two pin holes.
   ThreePointBend,   ///< ASTM E399 beam: depth W = height, length width, edge crack from below in the middle.
-  PmmaBeam,         ///< Bittencourt's beam of 20 x 8 with three holes; notch of length `crack` at `position` left of the middle.
-  DoubleCantilever, ///< width x height, crack from the left at mid-height.
-  BrazilianDisc,    ///< Disc of `radius`, centre crack of length 2 `crack` at `angle`.
+  PmmaBeam,  ///< Bittencourt's beam of 20 x 8 with three holes; notch of length `crack` at `position` left of the
+             ///< middle.
+  DoubleCantilever,  ///< width x height, crack from the left at mid-height.
+  BrazilianDisc,     ///< Disc of `radius`, centre crack of length 2 `crack` at `angle`.
 };
 
 /// As in scenario files, in the order of SpecimenKind.

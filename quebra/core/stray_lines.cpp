@@ -69,7 +69,8 @@ class Rim {
         const auto met = intersect(segment, sides_[k]);
         if (met.kind == dobra::geom::IntersectionKind::None) return;
         at.emplace(nearest_fraction(segment, met.start.point), met.start.point);
-        if (met.kind == dobra::geom::IntersectionKind::Overlap) at.emplace(nearest_fraction(segment, met.end.point), met.end.point);
+        if (met.kind == dobra::geom::IntersectionKind::Overlap)
+          at.emplace(nearest_fraction(segment, met.end.point), met.end.point);
       });
       for (const auto& [fraction, p] : at) {
         if (fraction > 0.0 && fraction < 1.0 && p != result.points.back()) result.points.push_back(p);
@@ -116,12 +117,17 @@ Trimmed trim(const Polyline& line, const Rim& rim) {
 
 Result<void> cut_at_crossings(Sketch& sketch) {
   Subdivision subdivision;
-  const auto takes_part = [&](const Curve& curve) { return curve.role == Role::Boundary && sketch.without_role.contains(curve.name) && open_line(curve) != nullptr; };
+  const auto takes_part = [&](const Curve& curve) {
+    return curve.role == Role::Boundary && sketch.without_role.contains(curve.name) && open_line(curve) != nullptr;
+  };
   for (const Curve& curve : sketch.curves) {
     if (!takes_part(curve)) continue;
     if (const auto inserted = insert(subdivision, *open_line(curve)); !inserted) return inserted.error();
   }
-  const auto ends_of = [&](HalfEdgeId h) { return std::pair{subdivision.point(subdivision.origin(h)), subdivision.point(subdivision.origin(Subdivision::twin(h)))}; };
+  const auto ends_of = [&](HalfEdgeId h) {
+    return std::pair{subdivision.point(subdivision.origin(h)),
+                     subdivision.point(subdivision.origin(Subdivision::twin(h)))};
+  };
   std::map<Point, int> meeting;
   for (const auto edge : subdivision.edges()) {
     const auto [from, to] = ends_of(Subdivision::half_edge(edge));
@@ -149,8 +155,11 @@ Result<void> cut_at_crossings(Sketch& sketch) {
   return {};
 }
 
-Result<std::vector<Finding>> drop_outside(Sketch& sketch, const std::set<std::string>& lines, const DomainOptions& options) {
-  const auto asked = [&](const Curve& curve) { return curve.role == Role::Internal && !closed(curve) && lines.contains(curve.name); };
+Result<std::vector<Finding>> drop_outside(Sketch& sketch, const std::set<std::string>& lines,
+                                          const DomainOptions& options) {
+  const auto asked = [&](const Curve& curve) {
+    return curve.role == Role::Internal && !closed(curve) && lines.contains(curve.name);
+  };
   if (std::none_of(sketch.curves.begin(), sketch.curves.end(), asked)) return std::vector<Finding>{};
   Sketch rim_only;
   rim_only.hole_points = sketch.hole_points;
@@ -178,7 +187,8 @@ Result<std::vector<Finding>> drop_outside(Sketch& sketch, const std::set<std::st
     }
     findings.push_back({Wrong::Outside, parts.outside, curve.name,
                         parts.inside.empty() ? std::string("the line is left out")
-                                             : fmt::format("{:.3g} m of its {:.3g} m are left out", parts.length_outside, length(curve))});
+                                             : fmt::format("{:.3g} m of its {:.3g} m are left out",
+                                                           parts.length_outside, length(curve))});
     i += replace(sketch, i, std::move(parts.inside));
   }
   return findings;

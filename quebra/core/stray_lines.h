@@ -19,6 +19,7 @@ dobra::base::Result<void> cut_at_crossings(Sketch& sketch);
 /// @param lines  names of those whose file gave them no role; others are meant.
 /// @return one finding a line. Nothing is changed where the boundary makes no domain.
 /// @error BadDomain where the lines are an outline that stays open (open_outline.h).
-dobra::base::Result<std::vector<Finding>> drop_outside(Sketch& sketch, const std::set<std::string>& lines, const DomainOptions& options);
+dobra::base::Result<std::vector<Finding>> drop_outside(Sketch& sketch, const std::set<std::string>& lines,
+                                                       const DomainOptions& options);
 
 }  // namespace quebra::core

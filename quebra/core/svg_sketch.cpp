@@ -88,7 +88,8 @@ Result<std::vector<Shape>> shapes_of(const SvgPath& path) {
 }  // namespace
 
 void scale(SvgPiece& piece, double x, double y) {
-  for (Point* p : {&piece.from, &piece.to, &piece.control[0], &piece.control[1], &piece.centre}) *p = {p->x * x, p->y * y};
+  for (Point* p : {&piece.from, &piece.to, &piece.control[0], &piece.control[1], &piece.centre})
+    *p = {p->x * x, p->y * y};
   for (auto* v : {&piece.u, &piece.v}) *v = {v->x * x, v->y * y};
 }
 
@@ -114,7 +115,8 @@ Result<Sketch> sketch_of_paths(const std::vector<SvgPath>& paths) {
     if (!shapes) return located(shapes.error(), outline.place);
     if (shapes->size() == 1 && closed({{}, Role::Boundary, shapes->front(), {}})) {
       // Further outlines of one element are holes in it.
-      const bool further = !sketch.areas.empty() && outline.place.line > 0 && last_element.line == outline.place.line && last_element.column == outline.place.column;
+      const bool further = !sketch.areas.empty() && outline.place.line > 0 && last_element.line == outline.place.line &&
+                           last_element.column == outline.place.column;
       if (!further) sketch.areas.push_back({outline.name, {}, {}});
       sketch.areas.back().rings.push_back(outline.name);
       sketch.areas.back().outline.push_back(trace({{}, Role::Boundary, shapes->front(), {}}).line);
@@ -122,8 +124,7 @@ Result<Sketch> sketch_of_paths(const std::vector<SvgPath>& paths) {
     }
     for (std::size_t i = 0; i < shapes->size(); ++i) {
       std::string name = shapes->size() == 1 ? outline.name : fmt::format("{}_{}", outline.name, i + 1);
-      sketch.curves.push_back(
-          {std::move(name), Role::Boundary, std::move((*shapes)[i]), {}});
+      sketch.curves.push_back({std::move(name), Role::Boundary, std::move((*shapes)[i]), {}});
       sketch.without_role.insert(sketch.curves.back().name);
       sketch.places.push_back(outline.place);
     }

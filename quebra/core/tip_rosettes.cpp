@@ -20,11 +20,11 @@ using dobra::geom::Vector;
 using dobra::mesh::MeshInput;
 using dobra::mesh::NodeId;
 
-/// Of the room round the tip; with 20 sectors displacement correlation is then within 0.7 % and crack closure within 0.15 % of
-/// the integrals on every specimen of the validation book.
+/// Of the room round the tip; with 20 sectors displacement correlation is then within 0.7 % and crack closure within
+/// 0.15 % of the integrals on every specimen of the validation book.
 constexpr double automatic_radius = 1.0 / 80.0;
-/// A crack counts as straight as far as it stays in this slope from its tip: with the automatic radius, an arc then strays
-/// by a hundredth of it.
+/// A crack counts as straight as far as it stays in this slope from its tip: with the automatic radius, an arc then
+/// strays by a hundredth of it.
 constexpr double straight_slope = 0.1;
 /// A named point nearer than this share of the rest of the room is the tip, but for rounding.
 constexpr double least_room = 1e-3;
@@ -45,9 +45,11 @@ bool is_tip(const Domain& domain, std::size_t curve, Point end) {
   return true;
 }
 
-/// The greatest disc round the end s of a curve (0 or its length) with nothing in it but its straight end: no other curve,
-/// no other part of its own, no named point, where forces may act; of the ends of a curve that are both tips each has half.
-double room_at(const Domain& domain, const Curve& own, double s, Vector ahead, std::size_t tips, const std::string& line_ahead) {
+/// The greatest disc round the end s of a curve (0 or its length) with nothing in it but its straight end: no other
+/// curve, no other part of its own, no named point, where forces may act; of the ends of a curve that are both tips
+/// each has half.
+double room_at(const Domain& domain, const Curve& own, double s, Vector ahead, std::size_t tips,
+               const std::string& line_ahead) {
   const Point tip = point(own, s);
   double room = length(own) / static_cast<double>(tips);
   const auto limit = [&](const dobra::geom::Polyline& line, std::size_t first, std::size_t last) {
@@ -102,8 +104,10 @@ Result<void> check_distances(const std::vector<TipRosette>& rosettes) {
   if (first == nullptr) return {};
   const Point at = second->rosette.tip;
   return Error{ErrorCode::BadDomain,
-               fmt::format("its rosette of radius {:.4g} m overlaps that of '{}', of radius {:.4g} m: the tips are {:.4g} m apart; a tip_radius of up to {:.3g} m keeps them apart, and 0 finds one by itself", second->rosette.outer_radius(), tip_name(*first),
-                           first->rosette.outer_radius(), distance(at, first->rosette.tip), floored(fits)),
+               fmt::format("its rosette of radius {:.4g} m overlaps that of '{}', of radius {:.4g} m: the tips are "
+                           "{:.4g} m apart; a tip_radius of up to {:.3g} m keeps them apart, and 0 finds one by itself",
+                           second->rosette.outer_radius(), tip_name(*first), first->rosette.outer_radius(),
+                           distance(at, first->rosette.tip), floored(fits)),
                Place{.item = "crack tip '" + tip_name(*second) + "'", .x = at.x, .y = at.y}};
 }
 
@@ -111,21 +115,24 @@ Result<void> check_room(const Domain& domain, const std::vector<TipRosette>& ros
   for (std::size_t i = 0; i < rosettes.size(); ++i) {
     const auto& rosette = rosettes[i].rosette;
     const auto trouble = [&](const std::string& what) {
-      return Error{ErrorCode::BadDomain, fmt::format("the rosette of radius {:.4g} m {}; make it smaller", rosette.outer_radius(), what),
+      return Error{ErrorCode::BadDomain,
+                   fmt::format("the rosette of radius {:.4g} m {}; make it smaller", rosette.outer_radius(), what),
                    Place{.item = "crack '" + rosettes[i].crack + "'", .x = rosette.tip.x, .y = rosette.tip.y}};
     };
     for (const Curve& curve : domain.curves) {
       if (curve.name == rosettes[i].crack || curve.name == rosettes[i].ahead) continue;
       const auto line = trace(curve).line;
       for (std::size_t s = 0; s < line.segment_count(); ++s) {
-        if (distance(line.segment(s), rosette.tip) < rosette.outer_radius()) return trouble("reaches '" + curve.name + "'");
+        if (distance(line.segment(s), rosette.tip) < rosette.outer_radius())
+          return trouble("reaches '" + curve.name + "'");
       }
     }
   }
   return {};
 }
 
-/// Crack, and line of symmetry ahead, run straight from the tip as far as the rosette reaches, and twice as long in all.
+/// Crack, and line of symmetry ahead, run straight from the tip as far as the rosette reaches, and twice as long in
+/// all.
 Result<void> check_straight(const Domain& domain, const TipRosette& tip) {
   const auto& [at, rings] = tip.rosette;
   const double reach = tip.rosette.outer_radius(), radius = distance(at, rings.front().front());
@@ -134,21 +141,28 @@ Result<void> check_straight(const Domain& domain, const TipRosette& tip) {
     const bool from_start = curve.name == tip.crack ? tip.end == CrackEnd::Start : point(curve, 0.0) == at;
     const Point spoke = curve.name == tip.crack ? rings.back().front() : rings.back()[rings.back().size() / 2];
     const double all = length(curve);
-    if (reach < 0.5 * all && distance(spoke, point(curve, from_start ? reach : all - reach)) <= straightness * radius) continue;
+    if (reach < 0.5 * all && distance(spoke, point(curve, from_start ? reach : all - reach)) <= straightness * radius)
+      continue;
     return Error{ErrorCode::BadDomain,
-                 fmt::format("the rosette of radius {:.4g} m does not fit: the crack, and a line of symmetry ahead, must be straight in it, and twice as long; make it smaller", reach),
+                 fmt::format("the rosette of radius {:.4g} m does not fit: the crack, and a line of symmetry ahead, "
+                             "must be straight in it, and twice as long; make it smaller",
+                             reach),
                  Place{.item = "crack '" + curve.name + "'", .x = at.x, .y = at.y}};
   }
   return {};
 }
 
-Result<TipRosette> half_rosette(const Domain& domain, const std::vector<HalfTip>& tips, const HalfTip& tip, dobra::fem::RosetteOptions options) {
+Result<TipRosette> half_rosette(const Domain& domain, const std::vector<HalfTip>& tips, const HalfTip& tip,
+                                dobra::fem::RosetteOptions options) {
   const Curve& lip = domain.curves[tip.lip];
   const Curve& line = domain.curves[tip.line];
   if (!(options.radius > 0.0)) {
-    const auto with = [&](std::size_t HalfTip::* curve) { return std::count_if(tips.begin(), tips.end(), [&](const HalfTip& other) { return other.*curve == tip.*curve; }); };
+    const auto with = [&](std::size_t HalfTip::*curve) {
+      return std::count_if(tips.begin(), tips.end(), [&](const HalfTip& other) { return other.*curve == tip.*curve; });
+    };
     const double s = point(lip, 0.0) == tip.at ? 0.0 : length(lip);
-    options.radius = automatic_radius * std::min(room_at(domain, lip, s, tip.ahead, static_cast<std::size_t>(with(&HalfTip::lip)), line.name),
+    options.radius = automatic_radius * std::min(room_at(domain, lip, s, tip.ahead,
+                                                         static_cast<std::size_t>(with(&HalfTip::lip)), line.name),
                                                  length(line) / static_cast<double>(with(&HalfTip::line)));
   }
   DOBRA_TRY(auto rosette, dobra::fem::make_rosette(tip.at, tip.ahead, options));
@@ -168,10 +182,12 @@ Rim add_rim(MeshInput& input, const TipRosette& tip, std::string name) {
   const std::size_t first = input.points.size();
   const bool whole = tip.ahead.empty();
   const auto& ring = tip.rosette.rings.back();
-  const std::vector<Point> points = whole ? std::vector<Point>(ring.begin(), ring.end() - 1) : rim_of(tip.rosette, tip.half);
+  const std::vector<Point> points =
+      whole ? std::vector<Point>(ring.begin(), ring.end() - 1) : rim_of(tip.rosette, tip.half);
   input.points.insert(input.points.end(), points.begin(), points.end());
   const std::size_t count = points.size();
-  for (std::size_t i = 0; i + (whole ? 0 : 1) < count; ++i) input.edges.push_back({{NodeId(first + i), NodeId(first + (i + 1) % count)}, set});
+  for (std::size_t i = 0; i + (whole ? 0 : 1) < count; ++i)
+    input.edges.push_back({{NodeId(first + i), NodeId(first + (i + 1) % count)}, set});
   if (whole) return {NodeId(first), std::nullopt};
   const NodeId last(first + count - 1);
   return tip.half == dobra::fem::RosetteHalf::Left ? Rim{last, NodeId(first)} : Rim{NodeId(first), last};
@@ -179,11 +195,13 @@ Rim add_rim(MeshInput& input, const TipRosette& tip, std::string name) {
 
 }  // namespace
 
-Result<std::vector<TipRosette>> tip_rosettes(const Domain& domain, const std::vector<HalfTip>& half_tips, const dobra::fem::RosetteOptions& options,
+Result<std::vector<TipRosette>> tip_rosettes(const Domain& domain, const std::vector<HalfTip>& half_tips,
+                                             const dobra::fem::RosetteOptions& options,
                                              std::span<const TipRadius> radii) {
   const auto options_at = [&](Point tip) {
     dobra::fem::RosetteOptions own = options;
-    const auto found = std::find_if(radii.begin(), radii.end(), [&](const TipRadius& other) { return other.tip == tip; });
+    const auto found =
+        std::find_if(radii.begin(), radii.end(), [&](const TipRadius& other) { return other.tip == tip; });
     if (found != radii.end()) own.radius = found->radius;
     return own;
   };
@@ -220,10 +238,13 @@ Result<void> cut_out(MeshInput& input, std::vector<TipRosette>& rosettes) {
     const double reach = rosette.outer_radius();
     // A node just outside the rim would make a sliver of an edge: it goes too.
     const double step = reach / static_cast<double>(rosette.rings.size());
-    const auto inside = [&](NodeId node) { return distance(input.points[node.index()], rosette.tip) < reach + 0.3 * step; };
+    const auto inside = [&](NodeId node) {
+      return distance(input.points[node.index()], rosette.tip) < reach + 0.3 * step;
+    };
     const auto cut = [&](const std::string& curve, NodeId rim) {
       const auto set = static_cast<std::uint32_t>(
-          std::find_if(input.sets.begin(), input.sets.end(), [&](const auto& s) { return s.name == curve; }) - input.sets.begin());
+          std::find_if(input.sets.begin(), input.sets.end(), [&](const auto& s) { return s.name == curve; }) -
+          input.sets.begin());
       std::erase_if(input.edges, [&](auto& edge) {
         if (edge.set != set) return false;
         const bool first = inside(edge.nodes[0]);
@@ -251,7 +272,8 @@ Result<void> cut_out(MeshInput& input, std::vector<TipRosette>& rosettes) {
   // Points that no edge has any more would be nodes in the holes.
   const auto hole_of = [](const TipRosette& r) { return r.rosette.outer_radius() * (1.0 + 0.3); };
   const auto holding = [&](Point p) {
-    return std::find_if(rosettes.begin(), rosettes.end(), [&](const TipRosette& r) { return distance(p, r.rosette.tip) < hole_of(r); });
+    return std::find_if(rosettes.begin(), rosettes.end(),
+                        [&](const TipRosette& r) { return distance(p, r.rosette.tip) < hole_of(r); });
   };
   const auto in_a_hole = [&](Point p) { return holding(p) != rosettes.end(); };
   std::vector<bool> used(input.points.size(), false);
@@ -262,7 +284,10 @@ Result<void> cut_out(MeshInput& input, std::vector<TipRosette>& rosettes) {
       const auto own = holding(at);
       if (used[node.index()] || own == rosettes.end()) continue;
       if (own->rosette.tip != at)
-        return Error{ErrorCode::BadDomain, fmt::format("lies within {:.4g} m of the tip of '{}', where the nodes are those of its rosette; move it, or make the tip's elements smaller (tip_radius)", hole_of(*own), own->crack),
+        return Error{ErrorCode::BadDomain,
+                     fmt::format("lies within {:.4g} m of the tip of '{}', where the nodes are those of its rosette; "
+                                 "move it, or make the tip's elements smaller (tip_radius)",
+                                 hole_of(*own), own->crack),
                      Place{.item = "point '" + name + "'", .x = at.x, .y = at.y}};
       own->names.push_back(name);
     }
@@ -290,8 +315,10 @@ Result<void> fill(dobra::mesh::ElementMesh& mesh, const std::vector<TipRosette>&
     const auto rim = mesh.side_sets.extract(rim_name(r));
     const std::int32_t region = mesh.regions[rim.mapped().front().element.index()];
     const auto& [crack, end, rosette, ahead, half, names] = rosettes[r];
-    for (const std::string& name : names) mesh.node_sets[name].push_back(NodeId(mesh.points.size()));  // fill begins with the tip
-    DOBRA_TRY_VOID(ahead.empty() ? fill_rosette(mesh, rosette, crack, end, region) : fill_half_rosette(mesh, rosette, half, crack, ahead, region));
+    for (const std::string& name : names)
+      mesh.node_sets[name].push_back(NodeId(mesh.points.size()));  // fill begins with the tip
+    DOBRA_TRY_VOID(ahead.empty() ? fill_rosette(mesh, rosette, crack, end, region)
+                                 : fill_half_rosette(mesh, rosette, half, crack, ahead, region));
   }
   return {};
 }

@@ -1,6 +1,6 @@
 #pragma once
-// Rosettes of quarter-point elements at the tips of the cracks of a domain: they take the place of what the mesher would
-// put there. Page: docs/algorithms/crack.md.
+// Rosettes of quarter-point elements at the tips of the cracks of a domain: they take the place of what the mesher
+// would put there. Page: docs/algorithms/crack.md.
 
 #include <span>
 #include <string>
@@ -29,15 +29,16 @@ struct TipRadius {
 };
 
 /// One for each end of a crack that lies inside the material, then one for each tip of a half crack.
-/// @param options  a radius of 0 takes 1/80 of the room round the tip: to the nearest other curve or tip, and as far as the
-/// crack runs straight.
+/// @param options  a radius of 0 takes 1/80 of the room round the tip: to the nearest other curve or tip, and as far as
+/// the crack runs straight.
 /// @param radii    those of single tips, in place of that of the options.
 /// @error BadDomain naming the crack: two rosettes overlap, one reaches a boundary, or the crack is not straight in it.
 dobra::base::Result<std::vector<TipRosette>> tip_rosettes(const Domain& domain, const std::vector<HalfTip>& half_tips,
-                                                          const dobra::fem::RosetteOptions& options, std::span<const TipRadius> radii = {});
+                                                          const dobra::fem::RosetteOptions& options,
+                                                          std::span<const TipRadius> radii = {});
 
-/// Makes a hole of each rosette in the mesher's input, and lets the cracks end on its rim; names of the tips themselves go
-/// to the rosettes.
+/// Makes a hole of each rosette in the mesher's input, and lets the cracks end on its rim; names of the tips themselves
+/// go to the rosettes.
 /// @error BadDomain: a named point lies in a rosette, whose nodes are its own.
 dobra::base::Result<void> cut_out(dobra::mesh::MeshInput& input, std::vector<TipRosette>& rosettes);
 

@@ -23,9 +23,13 @@ constexpr double most_elements = 1e7;
 
 Result<void> add(Model& model, std::string name, Polyline line, const ZoneParams& params) {
   const double length = line.points.size() > 1 ? dobra::geom::length(line) : 0.0;
-  const double elements = 2.3 * (2.0 * params.width * length + 3.2 * params.width * params.width) / (params.size * params.size);
+  const double elements =
+      2.3 * (2.0 * params.width * length + 3.2 * params.width * params.width) / (params.size * params.size);
   if (elements > most_elements) {
-    return Error{ErrorCode::BadValue, fmt::format("the zone round '{}' would hold about {:.2g} elements; use a greater size or a smaller width", name, elements)};
+    return Error{
+        ErrorCode::BadValue,
+        fmt::format("the zone round '{}' would hold about {:.2g} elements; use a greater size or a smaller width", name,
+                    elements)};
   }
   model.zones.push_back({std::move(name), std::move(line), params.size, params.width});
   return {};
@@ -33,9 +37,11 @@ Result<void> add(Model& model, std::string name, Polyline line, const ZoneParams
 
 }  // namespace
 
-Result<Model> add_zone(const Model& model, const ZoneParams& params, const dobra::scenario::Context&, const dobra::base::Progress&) {
+Result<Model> add_zone(const Model& model, const ZoneParams& params, const dobra::scenario::Context&,
+                       const dobra::base::Progress&) {
   Model result = model;
-  if (params.curves.empty() && params.points.empty()) return Error{ErrorCode::BadValue, "the zone has no place: give `curves` or `points`"};
+  if (params.curves.empty() && params.points.empty())
+    return Error{ErrorCode::BadValue, "the zone has no place: give `curves` or `points`"};
   for (const std::string& name : params.curves) {
     std::vector<std::string> names;
     const Curve* found = nullptr;
@@ -43,10 +49,12 @@ Result<Model> add_zone(const Model& model, const ZoneParams& params, const dobra
       names.push_back(curve.name);
       if (curve.name == name) found = &curve;
     }
-    if (found == nullptr) return Error{ErrorCode::BadValue, fmt::format("there is no curve '{}'{}", name, what_there_is(name, names))};
+    if (found == nullptr)
+      return Error{ErrorCode::BadValue, fmt::format("there is no curve '{}'{}", name, what_there_is(name, names))};
     DOBRA_TRY_VOID(add(result, name, trace(*found).line, params));
   }
-  if (!params.points.empty()) DOBRA_TRY_VOID(add(result, fmt::format("zone {}", result.zones.size() + 1), {params.points, false}, params));
+  if (!params.points.empty())
+    DOBRA_TRY_VOID(add(result, fmt::format("zone {}", result.zones.size() + 1), {params.points, false}, params));
   return result;
 }
 
@@ -59,7 +67,8 @@ std::vector<Point> points_of(const Zone& zone, const Domain& domain) {
     const auto range = [&](double a, double b, double low, double high) {
       const double from = std::max(std::min(a, b) - zone.width, low);
       const double to = std::min(std::max(a, b) + zone.width, high);
-      return std::pair{static_cast<std::int64_t>(std::floor((from - low) / step)), static_cast<std::int64_t>(std::ceil((to - low) / step))};
+      return std::pair{static_cast<std::int64_t>(std::floor((from - low) / step)),
+                       static_cast<std::int64_t>(std::ceil((to - low) / step))};
     };
     const auto [x0, x1] = range(segment.from.x, segment.to.x, box.low.x, box.high.x);
     const auto [y0, y1] = range(segment.from.y, segment.to.y, box.low.y, box.high.y);
@@ -76,12 +85,14 @@ std::vector<Point> points_of(const Zone& zone, const Domain& domain) {
     const Segment whole = zone.line.segment(i);
     const int pieces = std::max(1, static_cast<int>(std::ceil(whole.length() / (4.0 * zone.width))));
     for (int k = 0; k < pieces; ++k) {
-      cover({interpolate(whole.from, whole.to, static_cast<double>(k) / pieces), interpolate(whole.from, whole.to, static_cast<double>(k + 1) / pieces)});
+      cover({interpolate(whole.from, whole.to, static_cast<double>(k) / pieces),
+             interpolate(whole.from, whole.to, static_cast<double>(k + 1) / pieces)});
     }
   }
   std::vector<Point> points;
   for (const auto& [i, j] : cells) {
-    points.push_back({std::min(box.low.x + static_cast<double>(i) * step, box.high.x), std::min(box.low.y + static_cast<double>(j) * step, box.high.y)});
+    points.push_back({std::min(box.low.x + static_cast<double>(i) * step, box.high.x),
+                      std::min(box.low.y + static_cast<double>(j) * step, box.high.y)});
   }
   return points;
 }

@@ -143,8 +143,8 @@ std::string restoration_table(const core::Model& model) {
                       "det F-1 %", "mean", "greatest");
   for (const core::UnitRow& row : core::unit_rows(model)) {
     const std::string name = row.pieces > 1 ? fmt::format("{} ({} pieces)", row.name, row.pieces) : row.name;
-    text += fmt::format("{:<28} {:>12.6g} {:>12.6g} {:>8.3f}", name, row.area_before, row.area_after,
-                        row.change_percent);
+    text +=
+        fmt::format("{:<28} {:>12.6g} {:>12.6g} {:>8.3f}", name, row.area_before, row.area_after, row.change_percent);
     if (row.dilatation) {
       text += fmt::format(" {:>10.3f} {:>10.3f} {:>10.3f}", 100.0 * row.dilatation->least, 100.0 * row.dilatation->mean,
                           100.0 * row.dilatation->greatest);

@@ -172,8 +172,8 @@ Result<void> write_out(Session& session, const std::filesystem::path& out, scena
   if (kind == OutKind::Scenario) {
     written = scenario::write_document(document, path);
   } else if (kind == OutKind::Picture) {
-    written = dobra::cli::draw(dobra::cli::picture_of(session.program, document, state), path,
-                               dobra::cli::Drawer::Cairo);
+    written =
+        dobra::cli::draw(dobra::cli::picture_of(session.program, document, state), path, dobra::cli::Drawer::Cairo);
   } else {
     io::LineWork work;
     work.features = core::restored_features(scenario::model_of<core::Model>(state).restoration->section);

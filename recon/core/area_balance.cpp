@@ -54,7 +54,8 @@ base::Result<UncertainPolygon> read_polygon(const std::string& file, double unit
     polygon.points.pop_back();
     polygon.errors.pop_back();
   }
-  if (polygon.points.size() < 3) return base::Error{base::ErrorCode::BadFormat, "a polygon needs three vertices", place};
+  if (polygon.points.size() < 3)
+    return base::Error{base::ErrorCode::BadFormat, "a polygon needs three vertices", place};
   return polygon;
 }
 

@@ -25,12 +25,14 @@ struct AreaBalanceParams {
   double width_error = 0.0;
   template <class D>
   static void describe(D& d) {
-    d.file("file", &AreaBalanceParams::file,
-           {.title = "Polygon",
-            .help = "Text with columns x, y and, for errors, dx, dy; one vertex a line. Or a polygon in any other format.",
-            .presence = dobra::scenario::Presence::Required});
-    d.field("columns", &AreaBalanceParams::columns,
-            {.title = "Columns of x, y, dx and dy", .help = "In a text file, counted from 1; two leave the errors out."});
+    d.file(
+        "file", &AreaBalanceParams::file,
+        {.title = "Polygon",
+         .help = "Text with columns x, y and, for errors, dx, dy; one vertex a line. Or a polygon in any other format.",
+         .presence = dobra::scenario::Presence::Required});
+    d.field(
+        "columns", &AreaBalanceParams::columns,
+        {.title = "Columns of x, y, dx and dy", .help = "In a text file, counted from 1; two leave the errors out."});
     d.choice("unit", &AreaBalanceParams::unit, {"m", "km", "ft"},
              {.title = "Unit of the file and of the lengths here"});
     d.field("thickness", &AreaBalanceParams::thickness,

@@ -69,9 +69,9 @@ struct LayerClass {
 struct AreaDepth {
   BalanceParams params;
   std::vector<BedBalance> beds;
-  std::vector<LayerClass> layers;      ///< Those that are folded enough to have a class.
-  std::optional<AreaDepthFit> fit;     ///< Nothing with one level.
-  Consistency consistency;             ///< Of the shortening of the beds, as `restore` has it too.
+  std::vector<LayerClass> layers;   ///< Those that are folded enough to have a class.
+  std::optional<AreaDepthFit> fit;  ///< Nothing with one level.
+  Consistency consistency;          ///< Of the shortening of the beds, as `restore` has it too.
   bool balanced = false;
   std::vector<std::string> remarks;
 };

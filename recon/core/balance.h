@@ -27,9 +27,9 @@ struct LineLength {
   double depth_min = 0.0;           ///< To the top, along its normal, negative above it.
   double depth_mean = 0.0;          ///< Weighted by length.
   double depth_max = 0.0;
-  std::string piece_of = {};        ///< See Horizon.
-  BedRole role = BedRole::Judged;   ///< Likewise.
-  BedLength before;                 ///< What length_before and width_before are of.
+  std::string piece_of = {};       ///< See Horizon.
+  BedRole role = BedRole::Judged;  ///< Likewise.
+  BedLength before;                ///< What length_before and width_before are of.
   BedLength after;
 };
 

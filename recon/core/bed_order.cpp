@@ -83,8 +83,7 @@ std::vector<Profile> profiles_of(const std::vector<NamedBed>& beds, const Column
     if (names.empty()) add_piece(0.0, 0.0, end.arc + end.length, 0.0, first, width, made);
     for (std::size_t i = 0; i < names.size(); ++i) {
       made.mean += names[i].depth / static_cast<double>(names.size());
-      if (i > 0)
-        add_piece(places[k][i - 1], names[i - 1].depth, places[k][i], names[i].depth, first, width, made);
+      if (i > 0) add_piece(places[k][i - 1], names[i - 1].depth, places[k][i], names[i].depth, first, width, made);
     }
     return made;
   });

@@ -41,9 +41,8 @@ CarriedLine carried_line(const std::vector<const Stage*>& chain, const CarriedLi
 
 /// What is not to be taken for certain of a line.
 void remark_on(const CarriedLine& line, std::vector<std::string>& remarks) {
-  const auto worst =
-      std::max_element(line.points.begin(), line.points.end(),
-                       [](const CarriedPoint& a, const CarriedPoint& b) { return a.misses < b.misses; });
+  const auto worst = std::max_element(line.points.begin(), line.points.end(),
+                                      [](const CarriedPoint& a, const CarriedPoint& b) { return a.misses < b.misses; });
   const double size = std::max(line.before.box().diagonal(), line.after.box().diagonal()) +
                       geom::distance(line.before.points.front(), {});
   if (worst->misses <= return_tolerance * size) return;
@@ -111,12 +110,13 @@ Comparison compare(const std::vector<const Stage*>& chain, std::size_t from, std
   const Restoration& first = *chain[from]->restoration;
   const Restoration& last = *chain[to - 1]->restoration;
   Comparison comparison;
-  join_rows(first.lengths, last.lengths,
-            [](const LineLength& a, const LineLength& b) { return std::pair(a.length_before, b.length_after); },
-            comparison.beds);
-  join_rows(first.ledger.units, last.ledger.units,
-            [](const UnitRow& a, const UnitRow& b) { return std::pair(a.area_before, b.area_after); },
-            comparison.units);
+  join_rows(
+      first.lengths, last.lengths,
+      [](const LineLength& a, const LineLength& b) { return std::pair(a.length_before, b.length_after); },
+      comparison.beds);
+  join_rows(
+      first.ledger.units, last.ledger.units,
+      [](const UnitRow& a, const UnitRow& b) { return std::pair(a.area_before, b.area_after); }, comparison.units);
   return comparison;
 }
 

@@ -20,7 +20,8 @@ struct CarryParams {
   std::optional<int> to;
   template <class D>
   static void describe(D& d) {
-    d.file("file", &CarryParams::file, {.title = "File of the line", .help = "In any format of lines, like a horizon's."});
+    d.file("file", &CarryParams::file,
+           {.title = "File of the line", .help = "In any format of lines, like a horizon's."});
     d.field("feature", &CarryParams::feature,
             {.title = "Feature", .help = "Name of the line in a file that holds several."});
     d.field("points", &CarryParams::points,
@@ -61,7 +62,8 @@ CarriedPoint carry(const std::vector<const Stage*>& chain, std::size_t from, std
 geom::Polyline carry(const std::vector<const Stage*>& chain, std::size_t from, std::size_t to, geom::Polyline line);
 
 /// The lines of the parameters. Vertices of which the way back misses by more than 1e-9 of the section get a remark.
-/// @error MissingKey (neither file nor points, or both), BadValue (a state that the chain has not), those of read_pieces.
+/// @error MissingKey (neither file nor points, or both), BadValue (a state that the chain has not), those of
+/// read_pieces.
 base::Result<CarriedLines> carry_lines(const std::vector<const Stage*>& chain, const CarryParams& params,
                                        const dobra::scenario::Context& context);
 

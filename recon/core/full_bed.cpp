@@ -19,7 +19,7 @@ struct Piece {
   HorizonId id;
   std::string name;
   BedPart part;
-  double first = 0.0;         ///< Places of its ends on the top, m.
+  double first = 0.0;  ///< Places of its ends on the top, m.
   double last = 0.0;
   std::optional<double> pin;  ///< Where the pin line meets it, m.
   BedRole role = BedRole::Judged;
@@ -65,8 +65,8 @@ struct Guide {
 struct Parallel {
   const Guide* guide = nullptr;
   BedPart whole;
-  double at = 0.0;     ///< Of the end, m.
-  double depth = 0.0;  ///< Below the guide, m.
+  double at = 0.0;      ///< Of the end, m.
+  double depth = 0.0;   ///< Below the guide, m.
   double beside = 0.0;  ///< How far the end lies off it, m: it has no parallel there if that is more than rounding.
 };
 
@@ -111,9 +111,9 @@ class Completer {
     piece.id = horizon.id;
     piece.name = horizon.name;
     piece.role = horizon.role;
-    piece.part = part_of(is_top                              ? source_.base
+    piece.part = part_of(is_top                             ? source_.base
                          : source_.side == LayerSide::Above ? geom::reversed(horizon.line)
-                                                             : horizon.line,
+                                                            : horizon.line,
                          horizon.id);
     const geom::Polyline& line = piece.part.line;
     piece.pin = is_top ? pin_arc_ : pin_.meets(line, piece.part.arc);
@@ -185,9 +185,10 @@ class Completer {
     if (source_.params.uncovered != Uncovered::Continue) return;
     const auto tell = [&](double metres, geom::Point end) {
       if (metres <= 1e4 * tolerance_) return;
-      remarks_.push_back(fmt::format("the top '{}' does not cover the section: it goes on straight for {:.6g} m from "
-                                     "its end at ({:.6g}, {:.6g}), to where the longest bed ends",
-                                     top_guide_.name, metres, end.x, end.y));
+      remarks_.push_back(
+          fmt::format("the top '{}' does not cover the section: it goes on straight for {:.6g} m from "
+                      "its end at ({:.6g}, {:.6g}), to where the longest bed ends",
+                      top_guide_.name, metres, end.x, end.y));
     };
     tell(-start_, source_.base.points.front());
     tell(end_ - length_, source_.base.points.back());
@@ -317,9 +318,10 @@ class Completer {
     if (bed.pin_part == bed.parts.size()) bed.pin_arc = bed.parts[--bed.pin_part].arc.back();
     bed.pin_arc = std::min(bed.pin_arc, bed.parts[bed.pin_part].arc.back());
     if (!reaches) {
-      remarks_.push_back(fmt::format("horizon '{}' does not reach the pin: it is laid out along the parallel of '{}' "
-                                     "through its end",
-                                     whole_name(*find_horizon(section_, bed.id)), laid_along_->name));
+      remarks_.push_back(
+          fmt::format("horizon '{}' does not reach the pin: it is laid out along the parallel of '{}' "
+                      "through its end",
+                      whole_name(*find_horizon(section_, bed.id)), laid_along_->name));
     }
     return bed;
   }

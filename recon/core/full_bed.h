@@ -22,10 +22,10 @@ struct BedPart {
 };
 
 struct FullBed {
-  HorizonId id;                 ///< Of the horizon; of one in pieces that of the first piece along travel.
-  std::vector<BedPart> parts;   ///< In the order of travel. Where the bed jumps one does not begin where the last ends.
-  std::size_t pin_part = 0;     ///< Where the pin line meets it: the part, and ...
-  double pin_arc = 0.0;         ///< ... the arc length along that part, m.
+  HorizonId id;                ///< Of the horizon; of one in pieces that of the first piece along travel.
+  std::vector<BedPart> parts;  ///< In the order of travel. Where the bed jumps one does not begin where the last ends.
+  std::size_t pin_part = 0;    ///< Where the pin line meets it: the part, and ...
+  double pin_arc = 0.0;        ///< ... the arc length along that part, m.
 };
 
 /// Where beds end that reach about as far as the top does.

@@ -78,8 +78,7 @@ class Importer {
     for (const auto& [item, count] : repeated_) {
       const auto& [table, name] = item;
       made_.remarks.push_back(fmt::format("{} {}s are called '{}': from the second on they are '{} (2)' and so on{}",
-                                          count, table, name, name,
-                                          table == "polygon" ? ", pieces of one unit" : ""));
+                                          count, table, name, name, table == "polygon" ? ", pieces of one unit" : ""));
     }
     return std::move(made_);
   }

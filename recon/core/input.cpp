@@ -258,9 +258,12 @@ base::Result<void> set_ends(const SectionInput& input, const ReadSettings& setti
     return {};
   }
   std::pair<std::string, std::string> ends;
-  if (settings.fold_axis) ends = dobra::io::ends_of(dobra::io::azimuth_of(*settings.fold_axis));
-  else if (settings.trace) ends = dobra::io::ends_of(dobra::io::azimuth_of(*settings.trace));
-  else if (plane) ends = dobra::io::ends_of(dobra::io::azimuth_of(*plane));
+  if (settings.fold_axis)
+    ends = dobra::io::ends_of(dobra::io::azimuth_of(*settings.fold_axis));
+  else if (settings.trace)
+    ends = dobra::io::ends_of(dobra::io::azimuth_of(*settings.trace));
+  else if (plane)
+    ends = dobra::io::ends_of(dobra::io::azimuth_of(*plane));
   std::tie(section.left_end, section.right_end) = ends;
   return {};
 }

@@ -179,8 +179,8 @@ scene::Layer fault_name(const SectionLine& line) {
   scene::Style style;
   style.line = fault_color;
   style.text_size = 8.0;
-  return {"fault_name_" + std::to_string(line.id.index()), line.name, style,
-          scene::Labels{{{top, line.name, scene::Anchor::Above}}}, true, scene::InLegend::No};
+  return {"fault_name_" + std::to_string(line.id.index()),         line.name, style,
+          scene::Labels{{{top, line.name, scene::Anchor::Above}}}, true,      scene::InLegend::No};
 }
 
 /// Faults, pin and loose lines, markers.
@@ -204,8 +204,12 @@ void add_items(scene::Panel& panel, const Section& section, const Palette& palet
   for (const Marker& marker : section.markers) {
     scene::Style style;
     style.line = pin_color;
-    scene::Layer layer{"marker_" + std::to_string(marker.id.index()), marker.name,          style,
-                       scene::Markers{marker.points, {}},             true,                 scene::InLegend::Yes};
+    scene::Layer layer{"marker_" + std::to_string(marker.id.index()),
+                       marker.name,
+                       style,
+                       scene::Markers{marker.points, {}},
+                       true,
+                       scene::InLegend::Yes};
     if (section.markers.size() > most_of_a_kind) layer.legend = translated("Markers");
     panel.layers.push_back(std::move(layer));
   }
@@ -330,9 +334,8 @@ void add_ledger(scene::Picture& picture, const Model& model) {
   for (const LineLength& row : rows) longest = std::max({longest, row.length_before, row.length_after});
   const auto metres = [&](double value) { return fixed(value, longest); };
   for (const LineLength& row : rows) {
-    beds.rows.push_back({row.name, metres(row.length_before), metres(row.length_after),
-                         change_text(row.change_percent), metres(row.shortening),
-                         change_text(row.shortening_percent)});
+    beds.rows.push_back({row.name, metres(row.length_before), metres(row.length_after), change_text(row.change_percent),
+                         metres(row.shortening), change_text(row.shortening_percent)});
   }
   scene::TextTable units{translated("Units"),
                          {translated("unit"), translated("area before [m\u00b2]"), translated("after [m\u00b2]"),
@@ -523,8 +526,8 @@ std::string stage_title(const Model& model) {
 void draw(const Model& model, scene::Picture& picture) {
   picture.paper = scene::Paper::A4Landscape;
   const Palette palette(model.section);
-  scene::Panel before = panel(
-      "deformed", model.earlier.empty() ? translated("Deformed section") : stage_title(model), model.section);
+  scene::Panel before =
+      panel("deformed", model.earlier.empty() ? translated("Deformed section") : stage_title(model), model.section);
   add_backdrops(before, model.section);
   std::vector<LedgerUnit> units;
   if (model.restoration) {
@@ -551,8 +554,8 @@ void draw(const Model& model, scene::Picture& picture) {
     const geom::Polyline source_pin = source_pin_line(model, deepest);
     add_pin(before, source_pin);
     add_names(before, model.section, palette);
-    scene::Panel after =
-        panel("restored", model.restoration ? translated("Restored section") : translated("Target grid"), model.section);
+    scene::Panel after = panel(
+        "restored", model.restoration ? translated("Restored section") : translated("Target grid"), model.section);
     if (model.restoration) {
       add_units(after, model.restoration->section, palette, units);
       add_face_units(after, model.section, palette, model.restoration->ledger, units.size(), &UnitRow::faces_after);
@@ -577,9 +580,8 @@ void draw(const Model& model, scene::Picture& picture) {
     }
     // The legend of the first panel stands for both.
     for (scene::Layer& layer : after.layers) {
-      const bool known = std::any_of(before.layers.begin(), before.layers.end(), [&](const auto& l) {
-        return scene::legend_name(l) == scene::legend_name(layer);
-      });
+      const bool known = std::any_of(before.layers.begin(), before.layers.end(),
+                                     [&](const auto& l) { return scene::legend_name(l) == scene::legend_name(layer); });
       if (known) layer.in_legend = scene::InLegend::No;
     }
     picture.panels = {std::move(before), std::move(after)};

@@ -7,8 +7,8 @@
 
 namespace recon::core {
 
-/// One panel before the step target, two from then on, arranged so that both are as large as can be on a sheet. Items of
-/// horizon layers have the horizon's id. Drawn by the section's table of colours where it has one.
+/// One panel before the step target, two from then on, arranged so that both are as large as can be on a sheet. Items
+/// of horizon layers have the horizon's id. Drawn by the section's table of colours where it has one.
 void draw(const Model& model, dobra::scene::Picture& picture);
 
 }  // namespace recon::core

@@ -48,7 +48,8 @@ void add_section_quantities(const Model& model, std::vector<scenario::Quantity>&
 
 /// Every bed and unit in every state that the chain has gone through, and what changed since the input.
 scenario::DataTable stages_table(const std::vector<const Stage*>& chain) {
-  scenario::DataTable table{"stages", {"state", "kind", "name", "before [m or m2]", "after", "change since input [%]"}, {}};
+  scenario::DataTable table{
+      "stages", {"state", "kind", "name", "before [m or m2]", "after", "change since input [%]"}, {}};
   for (std::size_t k = 1; k <= chain.size(); ++k) {
     const Comparison whole = compare(chain, 0, k);
     const auto add = [&](const char* kind, const std::vector<Compared>& rows) {
@@ -79,10 +80,8 @@ scenario::Program make_program() {
   recon.title = "RECON";
   recon.input_fields = scenario::fields_of<SectionInput>();
   recon.read_input = read_input;
-  recon.results = scenario::make_results<Model>({.quantities = add_section_quantities,
-                                                 .tables = add_chain_tables,
-                                                 .remarks = add_section_remarks,
-                                                 .draw = draw});
+  recon.results = scenario::make_results<Model>(
+      {.quantities = add_section_quantities, .tables = add_chain_tables, .remarks = add_section_remarks, .draw = draw});
   recon.operations = {grid_step(),        target_step(),  restore_step(),     carry_step(),
                       monte_carlo_step(), balance_step(), area_balance_step()};
   return recon;

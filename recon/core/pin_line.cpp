@@ -44,8 +44,7 @@ std::optional<double> PinLine::meets(const geom::Polyline& line, const std::vect
   std::optional<double> best;
   double least = std::numeric_limits<double>::infinity();
   const auto consider = [&](std::size_t i, double part) {
-    const geom::Point p =
-        part > 0.0 ? geom::interpolate(line.points[i], line.points[i + 1], part) : line.points[i];
+    const geom::Point p = part > 0.0 ? geom::interpolate(line.points[i], line.points[i + 1], part) : line.points[i];
     const double there = std::abs(depth(p));
     if (there >= least || top_->find(p, tolerance_).distance < nearest_part * there - tolerance_) return;
     least = there;

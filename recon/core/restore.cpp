@@ -59,8 +59,7 @@ std::string tears_text(const std::vector<Tear>& tears, const MapWords& words) {
 
 void remark_on(const std::string& name, const MappedLine& mapped, const MapWords& words,
                std::vector<std::string>& remarks) {
-  if (!mapped.tears.empty())
-    remarks.push_back(fmt::format("horizon '{}' {}", name, tears_text(mapped.tears, words)));
+  if (!mapped.tears.empty()) remarks.push_back(fmt::format("horizon '{}' {}", name, tears_text(mapped.tears, words)));
   if (mapped.beyond_ends > 0) {
     remarks.push_back(fmt::format(fmt::runtime(words.beyond), mapped.beyond_ends, name, at_text(*mapped.beyond_at)));
   }

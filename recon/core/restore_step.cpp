@@ -41,8 +41,7 @@ void add_restored_quantities(const Model& model, std::vector<scenario::Quantity>
   for (const UnitRow& row : units) add_cells("unit." + row.name + ".", cells_of(row), quantities);
   for (const UnitRow& row : restoration.ledger.units) {
     const auto same = [&](const UnitRow& unit) { return unit.name == row.name; };
-    if (std::none_of(units.begin(), units.end(), same))
-      add_cells("unit." + row.name + ".", cells_of(row), quantities);
+    if (std::none_of(units.begin(), units.end(), same)) add_cells("unit." + row.name + ".", cells_of(row), quantities);
   }
   quantities.push_back({"points", count_of(points), ""});
   quantities.push_back({"points_outside", count_of(outside), ""});
@@ -109,8 +108,8 @@ void add_restored_outputs(const std::shared_ptr<const Model>& model, std::vector
   outputs.push_back({"restored.geojson", [model](const Path& path) {
                        return io::write_geojson(path.string(), restored_features(model->restoration->section));
                      }});
-  outputs.push_back({"restored.csv",
-                     [model](const Path& path) { return io::write_file(path, restored_csv(*model->restoration)); }});
+  outputs.push_back(
+      {"restored.csv", [model](const Path& path) { return io::write_file(path, restored_csv(*model->restoration)); }});
 }
 
 void add_restored_remarks(const Model& model, std::vector<std::string>& remarks) {

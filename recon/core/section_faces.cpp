@@ -467,9 +467,10 @@ std::vector<std::string> remarks_of(const SectionFaces& faces, const Section& se
                                   meeting.place.y));
   }
   for (const OpenPlace& open : faces.open) {
-    remarks.push_back(fmt::format("nothing closes the section at its side under the end of horizon '{}' at ({:.6g}, "
-                                  "{:.6g}): what lies there is in no unit of the ledger; give a border",
-                                  find_horizon(section, open.under)->name, open.place.x, open.place.y));
+    remarks.push_back(
+        fmt::format("nothing closes the section at its side under the end of horizon '{}' at ({:.6g}, "
+                    "{:.6g}): what lies there is in no unit of the ledger; give a border",
+                    find_horizon(section, open.under)->name, open.place.x, open.place.y));
   }
   for (const char* what : {"gap", "overlap"}) {
     const Misfit* greatest = nullptr;

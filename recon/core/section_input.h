@@ -132,9 +132,10 @@ struct SectionInput {
     d.file("colours", &SectionInput::colors,
            {.title = "Table of colours",
             .help = "CSV or TOML: name, colour, pattern, age and lithology of units and lines."});
-    d.field("orientation", &SectionInput::orientation,
-            {.title = "Orientation",
-             .help = "What stands over the left and the right end, such as W - E; told by the plane of lines in space."});
+    d.field(
+        "orientation", &SectionInput::orientation,
+        {.title = "Orientation",
+         .help = "What stands over the left and the right end, such as W - E; told by the plane of lines in space."});
   }
 };
 

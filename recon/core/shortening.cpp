@@ -173,10 +173,11 @@ std::string consistency_text(const Consistency& consistency) {
   std::string text =
       worst.one.empty()
           ? "no two beds lie beside each other, so that their shortening is not compared"
-          : fmt::format("shortening differs by {} % between beds (over the {:.6g} m that they share '{}' is shorter by "
-                        "{:.6g} m, '{}' by {:.6g} m)",
-                        percent_text(worst.percent), worst.shared, worst.one, worst.shortening_one, worst.other,
-                        worst.shortening_other);
+          : fmt::format(
+                "shortening differs by {} % between beds (over the {:.6g} m that they share '{}' is shorter by "
+                "{:.6g} m, '{}' by {:.6g} m)",
+                percent_text(worst.percent), worst.shared, worst.one, worst.shortening_one, worst.other,
+                worst.shortening_other);
   for (std::size_t i = 0; i < consistency.not_judged.size(); ++i)
     text += fmt::format("{}'{}'", i == 0 ? "; not judged, as growth: " : ", ", consistency.not_judged[i]);
   return text;

@@ -17,8 +17,8 @@ namespace recon::core {
 
 /// Lengths in metres.
 struct BedLength {
-  double length = 0.0;            ///< l0
-  geom::Vector straight;          ///< From the first end to the last, summed up over pieces.
+  double length = 0.0;    ///< l0
+  geom::Vector straight;  ///< From the first end to the last, summed up over pieces.
   [[nodiscard]] double regional() const { return geom::length(straight); }  ///< l1
   [[nodiscard]] double shortening() const { return length - regional(); }
   BedLength& operator+=(const BedLength& piece);

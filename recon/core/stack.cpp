@@ -286,9 +286,7 @@ class StackBuilder {
   void put_at_depth(const StackLine& line, bool is_first, RuledBuilder& builder) const {
     const bool proportional = params_.method == RestoreMethod::Proportional;
     const bool stretched = proportional && !is_first;
-    const auto depth_at = [&](double arc) {
-      return proportional ? (is_first ? 0.0 : thickness_) : line.depth(arc);
-    };
+    const auto depth_at = [&](double arc) { return proportional ? (is_first ? 0.0 : thickness_) : line.depth(arc); };
     // Where the bed jumps at the pin its two sides lie at two depths.
     std::vector<double> corners;
     for (const bool behind : {false, true}) {
@@ -336,7 +334,7 @@ class StackBuilder {
   const SourceGrid& source_;
   const Target& target_;
   const MethodParams& params_;
-  ColumnMap goal_;  ///< Slip: beds of the target by their distance from the pin.
+  ColumnMap goal_;           ///< Slip: beds of the target by their distance from the pin.
   double top_before_ = 0.0;  ///< Of the top from end to end: how far it reaches before and behind the pin, m.
   double top_behind_ = 0.0;
   double thickness_ = 0.0;
@@ -386,10 +384,10 @@ base::Result<MethodMap> make_stack_map(const Section& section, const SourceGrid&
     DOBRA_TRY(taken, top_and_base(section, source, params, taken.back()));
   }
   std::vector<std::string> remarks;
-  DOBRA_TRY(std::vector<FullBed> beds,
-            full_beds(section, source, target.map.source(), target.source_arc, taken,
-                      params.method == RestoreMethod::Proportional ? BedEnds::OfTheSection : BedEnds::AsTheyAre,
-                      remarks));
+  DOBRA_TRY(
+      std::vector<FullBed> beds,
+      full_beds(section, source, target.map.source(), target.source_arc, taken,
+                params.method == RestoreMethod::Proportional ? BedEnds::OfTheSection : BedEnds::AsTheyAre, remarks));
   const PinLine pin(target.map.source(), target.source_arc);
   const bool flexural = params.method == RestoreMethod::Flexural;
   const std::vector<StackLine> lines = base::parallel_map<StackLine>(

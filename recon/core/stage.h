@@ -21,7 +21,8 @@ struct Stage {
 /// The section that a restored stage leaves, fit to be that of the next one: ids, names and roles of the stage's, no
 /// repeated points, every horizon from its left end to its right end, faces of its own.
 /// @pre   the stage has a restoration.
-/// @error BadSection: a restored horizon or unit crosses itself or has no length left, with the place; those of faces_of.
+/// @error BadSection: a restored horizon or unit crosses itself or has no length left, with the place; those of
+/// faces_of.
 base::Result<Section> section_after(const Stage& stage);
 
 }  // namespace recon::core

@@ -39,8 +39,7 @@ struct Pinned {
 };
 
 /// Where no pin is given; a remark where that is not the left end.
-base::Result<double> place_of_pin(const Section& section, const SourceGrid& source,
-                                  std::vector<std::string>& remarks) {
+base::Result<double> place_of_pin(const Section& section, const SourceGrid& source, std::vector<std::string>& remarks) {
   DOBRA_TRY(const DefaultPin pin, default_pin(section, source));
   const std::vector<double> arc = geom::arc_lengths(source.base);
   const double x = geom::point_at(source.base, arc, pin.arc).x;
@@ -48,9 +47,10 @@ base::Result<double> place_of_pin(const Section& section, const SourceGrid& sour
     std::string names;
     for (const HorizonId id : pin.off)
       names += fmt::format("{}'{}'", names.empty() ? "" : ", ", whole_name(*find_horizon(section, id)));
-    remarks.push_back(fmt::format("no place of the top has all horizons on its pin line; the pin stands at x = {:.6g}, "
-                                  "where {} of them are not: {}",
-                                  x, pin.off.size(), names));
+    remarks.push_back(
+        fmt::format("no place of the top has all horizons on its pin line; the pin stands at x = {:.6g}, "
+                    "where {} of them are not: {}",
+                    x, pin.off.size(), names));
   } else if (pin.arc != (source.side == LayerSide::Below ? 0.0 : arc.back())) {
     remarks.push_back(
         fmt::format("the pin stands at x = {:.6g}, the leftmost place of the top where all horizons are", x));
@@ -175,10 +175,11 @@ base::Result<ReadLine> datum_line(const Section& section, const TargetParams& pa
     named.datum = names.front();
     return datum_line(section, named);
   }
-  return base::Error{base::ErrorCode::BadSection,
-                     params.datum.empty()
-                         ? fmt::format("the section has {} datums; name one with datum = \"...\"", names.size())
-                         : fmt::format("there is no datum '{}'{}", params.datum, base::did_you_mean(params.datum, names))};
+  return base::Error{
+      base::ErrorCode::BadSection,
+      params.datum.empty()
+          ? fmt::format("the section has {} datums; name one with datum = \"...\"", names.size())
+          : fmt::format("there is no datum '{}'{}", params.datum, base::did_you_mean(params.datum, names))};
 }
 
 base::Result<ReadLine> given_line(const Section& section, const SourceGrid& source, const TargetParams& params,

@@ -90,9 +90,10 @@ class Maker {
                                      owners_.tolerance()));
     }
     if (stubs_ > 0) {
-      remarks_.push_back(fmt::format("{} ends of edges between units turn off by no more than {:.4g} m, where polygons "
-                                     "do not end together, and are cut, the first at ({:.6g}, {:.6g})",
-                                     stubs_, owners_.tolerance(), first_stub_.x, first_stub_.y));
+      remarks_.push_back(
+          fmt::format("{} ends of edges between units turn off by no more than {:.4g} m, where polygons "
+                      "do not end together, and are cut, the first at ({:.6g}, {:.6g})",
+                      stubs_, owners_.tolerance(), first_stub_.x, first_stub_.y));
     }
     return std::move(made_);
   }
@@ -191,9 +192,10 @@ class Maker {
 
   void tell_upright(std::size_t unit, std::size_t beyond, geom::Point place) {
     if (unit > beyond) return;  // told from the other side
-    remarks_.push_back(fmt::format("the edge between '{}' and '{}' at ({:.6g}, {:.6g}) stands upright: it is the top of "
-                                   "neither, and no horizon",
-                                   owners_.names()[unit], owners_.names()[beyond], place.x, place.y));
+    remarks_.push_back(
+        fmt::format("the edge between '{}' and '{}' at ({:.6g}, {:.6g}) stands upright: it is the top of "
+                    "neither, and no horizon",
+                    owners_.names()[unit], owners_.names()[beyond], place.x, place.y));
   }
 
   /// A bit of another edge between two tops, no longer than what is untidy.

@@ -48,12 +48,12 @@ class UnitOwners {
   double tolerance_ = 0.0;
   Arrangement arrangement_;
   std::size_t polygons_ = 0;
-  std::vector<geom::Polyline> barriers_;             ///< Lines `polygons_`, `polygons_` + 1, ... of the arrangement.
+  std::vector<geom::Polyline> barriers_;  ///< Lines `polygons_`, `polygons_` + 1, ... of the arrangement.
   std::vector<std::pair<std::size_t, std::size_t>> bridged_;  ///< Which polygons the lines behind the barriers join.
-  std::vector<double> areas_;                        ///< Of the polygons.
-  std::vector<std::vector<std::uint32_t>> holders_;  ///< Polygons that a face lies in, by face.
-  std::vector<std::vector<double>> common_;          ///< Areas that two polygons have in common.
-  std::vector<std::size_t> owner_;                   ///< Polygon, by face.
+  std::vector<double> areas_;                                 ///< Of the polygons.
+  std::vector<std::vector<std::uint32_t>> holders_;           ///< Polygons that a face lies in, by face.
+  std::vector<std::vector<double>> common_;                   ///< Areas that two polygons have in common.
+  std::vector<std::size_t> owner_;                            ///< Polygon, by face.
   std::vector<std::size_t> unit_of_polygon_;
   std::vector<std::string> names_;
   std::vector<std::string> remarks_;

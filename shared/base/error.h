@@ -1,5 +1,6 @@
 #pragma once
-// What is said when the user's data or options cannot be used: a code, one line of text and, where there is one, the place.
+// What is said when the user's data or options cannot be used: a code, one line of text and, where there is one, the
+// place.
 
 #include <cstddef>
 #include <optional>
@@ -59,10 +60,10 @@ enum class ErrorCode : int {
 
 /// Where in the user's material the trouble is. Every part is optional.
 struct Place {
-  std::string file = {};    ///< Path as the user gave it; empty if not from a file.
-  std::size_t line = 0;     ///< 1-based; 0 if unknown.
-  std::size_t column = 0;   ///< 1-based; 0 if unknown.
-  std::string item = {};    ///< Name of the entity, such as "horizon 'top'" or "step 2 (grid)".
+  std::string file = {};                   ///< Path as the user gave it; empty if not from a file.
+  std::size_t line = 0;                    ///< 1-based; 0 if unknown.
+  std::size_t column = 0;                  ///< 1-based; 0 if unknown.
+  std::string item = {};                   ///< Name of the entity, such as "horizon 'top'" or "step 2 (grid)".
   std::optional<double> x = std::nullopt;  ///< A point to zoom to, in model coordinates.
   std::optional<double> y = std::nullopt;
 };

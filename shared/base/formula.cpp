@@ -73,13 +73,17 @@ std::string unknown(const std::string& word, std::span<const std::string> names)
   std::vector<std::string> candidates(names.begin(), names.end());
   for (const auto& entry : of_one) candidates.emplace_back(entry.first);
   for (const auto& entry : of_two) candidates.emplace_back(entry.first);
-  if (std::find(candidates.begin(), candidates.end(), word) != candidates.end()) return fmt::format("the arguments of '{}' are missing", word);
+  if (std::find(candidates.begin(), candidates.end(), word) != candidates.end())
+    return fmt::format("the arguments of '{}' are missing", word);
   if (const auto value = parse_number(word); value || (std::isdigit(static_cast<unsigned char>(word.front())) != 0))
     return fmt::format("'{}' is no finite number", word);
-  if (word == "\u2264" || word == "\u2265") return fmt::format("'{}' is not known here; write '{}='", word, word == "\u2264" ? '<' : '>');
+  if (word == "\u2264" || word == "\u2265")
+    return fmt::format("'{}' is not known here; write '{}='", word, word == "\u2264" ? '<' : '>');
   candidates.emplace_back("pi");
   const std::string meant = did_you_mean(word, candidates);
-  return fmt::format("'{}' is not known here{}", word, meant.empty() ? fmt::format("; there is {}, pi, e and functions such as sin(x)", fmt::join(names, ", ")) : meant);
+  return fmt::format(
+      "'{}' is not known here{}", word,
+      meant.empty() ? fmt::format("; there is {}, pi, e and functions such as sin(x)", fmt::join(names, ", ")) : meant);
 }
 
 std::string explained(const mu::ParserError& error, std::span<const std::string> names) {
@@ -152,14 +156,18 @@ class Formula::Evaluators {
 
 std::size_t character_number(std::string_view text, std::size_t at) {
   const std::string_view before = text.substr(0, at);
-  return 1 + static_cast<std::size_t>(std::count_if(before.begin(), before.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+  return 1 + static_cast<std::size_t>(std::count_if(before.begin(), before.end(), [](char c) {
+           return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+         }));
 }
 
 Result<Formula> Formula::make(const std::string& text, std::span<const std::string> names, const FormulaPlace& within) {
   const std::string& whole = within.whole.empty() ? text : within.whole;
   const std::string shown = whole.size() > 100 ? whole.substr(0, 97) + "..." : whole;
   const auto wrong = [&](std::size_t at, const std::string& what) {
-    return Error{ErrorCode::BadValue, fmt::format("{} '{}', character {}: {}", within.called, shown, character_number(whole, within.begin + std::min(at, text.size())), what)};
+    return Error{ErrorCode::BadValue,
+                 fmt::format("{} '{}', character {}: {}", within.called, shown,
+                             character_number(whole, within.begin + std::min(at, text.size())), what)};
   };
   if (const std::size_t at = assignment_in(text); at != std::string_view::npos)
     return wrong(at, "'=' is not expected here; a comparison is '=='");

@@ -27,9 +27,11 @@ std::size_t character_number(std::string_view text, std::size_t at);
 class Formula {
  public:
   /// @param names  what stands for the values of `at`, in their order.
-  /// @error BadValue with the column (character from 1) of what cannot be read; a name that is not known comes with a suggestion, or
+  /// @error BadValue with the column (character from 1) of what cannot be read; a name that is not known comes with a
+  /// suggestion, or
   ///        with those there are.
-  static Result<Formula> make(const std::string& text, std::span<const std::string> names, const FormulaPlace& within = {});
+  static Result<Formula> make(const std::string& text, std::span<const std::string> names,
+                              const FormulaPlace& within = {});
 
   /// The value where the names have these values; not finite where the formula is not defined. Any number of threads
   /// may ask at once.

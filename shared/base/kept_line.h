@@ -1,6 +1,6 @@
 #pragma once
-// Lines of a progress that stay: what a long loop tells step by step (a cycle with its error), beside the wording of the
-// moment. They go the way of every report; a listener that shows but one line may show them as any other.
+// Lines of a progress that stay: what a long loop tells step by step (a cycle with its error), beside the wording of
+// the moment. They go the way of every report; a listener that shows but one line may show them as any other.
 
 #include <string>
 #include <string_view>

@@ -13,8 +13,8 @@
 namespace dobra::base {
 namespace {
 
-/// ThreadSanitizer cannot see how oneTBB, which Debian builds without it, orders what happens before, in and after a loop.
-/// These two say it. (This file itself is compiled without the sanitizer, because of oneTBB's templates.)
+/// ThreadSanitizer cannot see how oneTBB, which Debian builds without it, orders what happens before, in and after a
+/// loop. These two say it. (This file itself is compiled without the sanitizer, because of oneTBB's templates.)
 void publish([[maybe_unused]] char& edge) {
 #ifdef DOBRA_TSAN
   __tsan_release(&edge);

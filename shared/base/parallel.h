@@ -17,7 +17,8 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& bod
 template <class T, class Function>
 std::vector<T> parallel_map(std::size_t count, Function&& f, std::size_t grain = 1) {
   std::vector<T> values(count);
-  parallel_for(count, [&](std::size_t i) { values[i] = f(i); }, grain);
+  parallel_for(
+      count, [&](std::size_t i) { values[i] = f(i); }, grain);
   return values;
 }
 

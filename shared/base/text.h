@@ -8,12 +8,14 @@
 
 namespace dobra::base {
 
-/// Shortest decimal form that reads back to exactly `value`; independent of the locale. Always has '.', 'e', "inf" or "nan".
+/// Shortest decimal form that reads back to exactly `value`; independent of the locale. Always has '.', 'e', "inf" or
+/// "nan".
 std::string number_text(double value);
 /// The same at the end of `text`.
 void append_number(std::string& text, double value);
 
-/// The value of the whole of `text` as a decimal number, independent of the locale; nothing if any character is left over.
+/// The value of the whole of `text` as a decimal number, independent of the locale; nothing if any character is left
+/// over.
 std::optional<double> parse_number(std::string_view text);
 
 /// The candidate nearest to `word` in edit distance, if it is near enough to be meant.

@@ -57,7 +57,8 @@ base::Result<void> write_results(Session& session, const RunOptions& options, co
     DOBRA_TRY_VOID(output.write(staging.path(output.file_name)));
     for (const std::string& loss : output.losses) session.note(loss);
   }
-  if (program.results.draw) DOBRA_TRY_VOID(write_pictures(session, options, picture_of(program, document, state), staging));
+  if (program.results.draw)
+    DOBRA_TRY_VOID(write_pictures(session, options, picture_of(program, document, state), staging));
   return session.check();
 }
 
@@ -114,7 +115,8 @@ base::Result<int> render_job(Session& session, const RenderOptions& options) {
   DOBRA_TRY(const scenario::Run run, run_steps(session, document));
   const std::string name = options.out.filename().string();
   const auto width = options.width > 0.0 ? std::optional(options.width) : std::nullopt;
-  if (const auto drawn = draw(picture_of(session.program, document, run.states.back()), staging.path(name), drawer, width);
+  if (const auto drawn =
+          draw(picture_of(session.program, document, run.states.back()), staging.path(name), drawer, width);
       !drawn) {
     return staging.for_user(drawn.error());
   }

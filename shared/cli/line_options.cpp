@@ -80,7 +80,8 @@ void add_line_reading_options(CLI::App& app, LineOptionTexts& texts) {
       ->type_name("up|down");
   app.add_option("--reference", texts.reference, "With --y-axis down: the value at height 0; 0 by default")
       ->type_name("Y");
-  app.add_option("--unit", texts.unit, "m, km, ft, in, cm or mm; as the file says otherwise, else m")->type_name("NAME");
+  app.add_option("--unit", texts.unit, "m, km, ft, in, cm or mm; as the file says otherwise, else m")
+      ->type_name("NAME");
   app.add_option("--exaggeration", texts.exaggeration, "Heights are stored this many times too large; 1 by default")
       ->type_name("X");
 }

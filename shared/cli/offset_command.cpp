@@ -102,7 +102,8 @@ void add_distance_options(CLI::App& app, Options& options) {
 }
 
 void add_shape_options(CLI::App& app, Options& options) {
-  app.add_option("--side", options.side, "Side of travel: right (default; outside of polygons), left, or both as an area")
+  app.add_option("--side", options.side,
+                 "Side of travel: right (default; outside of polygons), left, or both as an area")
       ->check(one_of(side_names))
       ->type_name("NAME");
   app.add_option("--caps", options.caps, "With both sides, at the ends of lines: round (default), flat or square")
@@ -111,7 +112,8 @@ void add_shape_options(CLI::App& app, Options& options) {
   app.add_option("--pieces", options.pieces, "Of the pieces of an open curve on one side: longest (default) or all")
       ->check(one_of(piece_names))
       ->type_name("NAME");
-  app.add_flag("--dissolve", options.dissolve, "Join all areas to one; lines get both sides unless --side says otherwise");
+  app.add_flag("--dissolve", options.dissolve,
+               "Join all areas to one; lines get both sides unless --side says otherwise");
   app.add_option("--join", options.join, "At corners: mitre (default), bisector, round or bevel")
       ->check(one_of(join_names))
       ->type_name("NAME");
@@ -171,10 +173,12 @@ Result<void> check_together(const Options& options, const OffsetPlan& plan) {
     return bad_usage(
         fmt::format("--mitre-limit belongs to --join mitre, not to --join {}; leave one out", options.join));
   }
-  if (options.caps && (!areas || (plan.side && !both))) return bad_usage("--caps belongs to --side both; give both, or leave --caps out");
+  if (options.caps && (!areas || (plan.side && !both)))
+    return bad_usage("--caps belongs to --side both; give both, or leave --caps out");
   if (areas && options.ends) return bad_usage("--ends is for curves on one side; with both sides give --caps");
   if (areas && options.pieces) return bad_usage("--pieces is for curves on one side of a line; leave it out");
-  if (areas && options.untreated) return bad_usage("--untreated curves have no area; leave out --side both and --dissolve");
+  if (areas && options.untreated)
+    return bad_usage("--untreated curves have no area; leave out --side both and --dissolve");
   const bool negative = std::any_of(plan.distances.begin(), plan.distances.end(), [](double d) { return d < 0.0; });
   if (negative && plan.side) {
     return bad_usage("--distance, --distances: one below 0 says that polygons shrink; it must be above 0 with --side");
@@ -216,9 +220,10 @@ Result<void> write_out(Session& session, const std::filesystem::path& out, const
 /// Says what the verifier found, and what it was not asked about; the exit code.
 int announce(Session& session, const OffsetVerdict& verdict, const OffsetPlan& plan) {
   for (const std::string& finding : verdict.findings) session.error_line(finding);
-  session.note(
-      fmt::format("verified {} edges of {} curves, and {} places where they must be: {}", verdict.edges, verdict.curves, verdict.samples,
-                  verdict.findings.empty() ? "nothing is wrong with them" : fmt::format("{} findings", verdict.findings.size())));
+  session.note(fmt::format(
+      "verified {} edges of {} curves, and {} places where they must be: {}", verdict.edges, verdict.curves,
+      verdict.samples,
+      verdict.findings.empty() ? "nothing is wrong with them" : fmt::format("{} findings", verdict.findings.size())));
   if (const std::string rest = not_judged(verdict, plan.curves); !rest.empty()) session.note("not judged: " + rest);
   return verdict.findings.empty() ? 0 : 1;
 }
@@ -248,22 +253,23 @@ Result<int> offset_job(Session& session, const Options& options) {
 }  // namespace
 
 Command offset_command() {
-  return {
-      "offset", "Curves parallel to the curves of a file", [](CLI::App& app) -> Job {
-        const auto options = std::make_shared<Options>();
-        app.add_option("file", options->file,
-                       "Curves: .txt .csv .tsv .dat .wkt .geojson .json .dxf .asc .pl .shp .gpkg")
-            ->required()
-            ->type_name("FILE");
-        add_distance_options(app, *options);
-        add_shape_options(app, *options);
-        app.add_flag("--closed", options->closed, "Take every curve as a closed contour");
-        app.add_flag("--verify", options->verify, "Judge the curves independently; exit code 1 if anything is wrong");
-        app.add_option("--curve", options->curve, "Only the curve of this name or number; all by default")
-            ->type_name("NAME|NUMBER");
-        app.add_option("--out", options->out, "File to write: .geojson .gpkg .shp .dxf .wkt .csv .svg .pdf .png")->type_name("FILE");
-        return [options](Session& session) { return offset_job(session, *options); };
-      }};
+  return {"offset", "Curves parallel to the curves of a file", [](CLI::App& app) -> Job {
+            const auto options = std::make_shared<Options>();
+            app.add_option("file", options->file,
+                           "Curves: .txt .csv .tsv .dat .wkt .geojson .json .dxf .asc .pl .shp .gpkg")
+                ->required()
+                ->type_name("FILE");
+            add_distance_options(app, *options);
+            add_shape_options(app, *options);
+            app.add_flag("--closed", options->closed, "Take every curve as a closed contour");
+            app.add_flag("--verify", options->verify,
+                         "Judge the curves independently; exit code 1 if anything is wrong");
+            app.add_option("--curve", options->curve, "Only the curve of this name or number; all by default")
+                ->type_name("NAME|NUMBER");
+            app.add_option("--out", options->out, "File to write: .geojson .gpkg .shp .dxf .wkt .csv .svg .pdf .png")
+                ->type_name("FILE");
+            return [options](Session& session) { return offset_job(session, *options); };
+          }};
 }
 
 }  // namespace dobra::cli

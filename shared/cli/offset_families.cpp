@@ -111,10 +111,9 @@ Result<std::size_t> mend(Session& session, std::vector<OffsetBase>& bases) {
       if (parts.size() != 1 || parts.front() != polygon) {
         ++count;
         const geom::Point at = polygon[0].points[0];
-        session.note(fmt::format("{}: the polygon at ({:.10g}, {:.10g}) crosses or touches itself; taken as {} not",
-                                 base.name, at.x, at.y,
-                                 parts.size() == 1 ? "one polygon that does"
-                                                   : fmt::format("{} polygons that do", parts.size())));
+        session.note(fmt::format(
+            "{}: the polygon at ({:.10g}, {:.10g}) crosses or touches itself; taken as {} not", base.name, at.x, at.y,
+            parts.size() == 1 ? "one polygon that does" : fmt::format("{} polygons that do", parts.size())));
       }
       std::move(parts.begin(), parts.end(), std::back_inserter(sound));
     }
@@ -154,10 +153,10 @@ struct CutTips {
   }
   void note(Session& session, const std::string& name) const {
     if (count == 0) return;
-    session.note(fmt::format("{}: {} {} so sharply that the bisector point is more than {} D away, the first at ({:.10g}, {:.10g}); "
-                             "cut across at distance D",
-                             name, count, count == 1 ? "corner turns back" : "corners turn back", offset::bisector_limit,
-                             first.x, first.y));
+    session.note(fmt::format(
+        "{}: {} {} so sharply that the bisector point is more than {} D away, the first at ({:.10g}, {:.10g}); "
+        "cut across at distance D",
+        name, count, count == 1 ? "corner turns back" : "corners turn back", offset::bisector_limit, first.x, first.y));
   }
 };
 
@@ -167,10 +166,11 @@ void note_curve(Session& session, const OffsetFamily& family, const DrawnOffset&
     session.note(fmt::format("{}: nothing remains at distance {}", family.name, base::number_text(curve.distance)));
   }
   if (curve.dropped == 0) return;
-  session.note(fmt::format(
-      "{}: at distance {} the curve is in {} pieces; the longest is kept, {} of {:.6g} m {} left out (--pieces all keeps them)",
-      family.name, base::number_text(curve.distance), curve.dropped + 1, curve.dropped, curve.dropped_length,
-      curve.dropped == 1 ? "is" : "are"));
+  session.note(
+      fmt::format("{}: at distance {} the curve is in {} pieces; the longest is kept, {} of {:.6g} m {} left out "
+                  "(--pieces all keeps them)",
+                  family.name, base::number_text(curve.distance), curve.dropped + 1, curve.dropped,
+                  curve.dropped_length, curve.dropped == 1 ? "is" : "are"));
 }
 
 // --- curves
@@ -204,7 +204,8 @@ class Maker {
     return family;
   }
 
-  Result<std::vector<DrawnOffset>> curves(const std::string& name, const Polyline& line, const base::Progress& progress) {
+  Result<std::vector<DrawnOffset>> curves(const std::string& name, const Polyline& line,
+                                          const base::Progress& progress) {
     DOBRA_TRY(const std::vector<double> distances, usable(name, line));
     offset::OffsetOptions settings = plan_.curves;
     settings.side = plan_.side == OffsetSide::Left ? offset::Side::LeftOfTravel : offset::Side::RightOfTravel;
@@ -228,12 +229,15 @@ class Maker {
         continue;
       }
       if (line.closed) {
-        return Error{ErrorCode::BadUsage,
-                     fmt::format("--distance, --distances: {} must be above 0 for {}, which is untreated; choose --side left",
-                                 base::number_text(distance), name)};
+        return Error{
+            ErrorCode::BadUsage,
+            fmt::format("--distance, --distances: {} must be above 0 for {}, which is untreated; choose --side left",
+                        base::number_text(distance), name)};
       }
-      session_.note(fmt::format("{}: an open line has nothing inside that could shrink: left out at distance {}; the other side "
-                                "is --side left", name, base::number_text(distance)));
+      session_.note(
+          fmt::format("{}: an open line has nothing inside that could shrink: left out at distance {}; the other side "
+                      "is --side left",
+                      name, base::number_text(distance)));
       ++verdict_.skipped;
     }
     return distances;
@@ -245,9 +249,11 @@ class Maker {
                                 .mitre_limit = plan_.curves.mitre_limit,
                                 .cap = plan_.cap,
                                 .arc_tolerance = plan_.arc_tolerance};
-    options.judge = [&](const Polyline& ring, const offset::OffsetOptions& settings, const auto& curves) -> Result<void> {
+    options.judge = [&](const Polyline& ring, const offset::OffsetOptions& settings,
+                        const auto& curves) -> Result<void> {
       cut_.add(ring, settings);
-      return plan_.verify ? verify_offset(base.name, ring, settings, curves, verdict_, session_.progress()) : Result<void>();
+      return plan_.verify ? verify_offset(base.name, ring, settings, curves, verdict_, session_.progress())
+                          : Result<void>();
     };
     std::vector<std::vector<Area>> parts;
     const double total = static_cast<double>(base.polygons.size() + base.lines.size());
@@ -301,21 +307,25 @@ Result<void> check_signs(const std::vector<OffsetBase>& bases, const OffsetPlan&
   for (const OffsetBase& base : bases) {
     if (!base.polygons.empty()) return {};
   }
-  return Error{ErrorCode::BadUsage,
-               fmt::format("--distance, --distances: {} must be above 0 for {}, an open line; choose the other side with --side "
-                           "left or right", base::number_text(*negative), bases.front().name)};
+  return Error{
+      ErrorCode::BadUsage,
+      fmt::format("--distance, --distances: {} must be above 0 for {}, an open line; choose the other side with --side "
+                  "left or right",
+                  base::number_text(*negative), bases.front().name)};
 }
 
 Result<OffsetFamily> dissolved(const std::vector<OffsetFamily>& families, const OffsetPlan& plan,
                                const base::Progress& progress) {
   OffsetFamily all{.name = "dissolved", .content = OffsetContent::Polygons};
-  for (const OffsetFamily& family : families) all.bases.insert(all.bases.end(), family.bases.begin(), family.bases.end());
+  for (const OffsetFamily& family : families)
+    all.bases.insert(all.bases.end(), family.bases.begin(), family.bases.end());
   for (std::size_t k = 0; k < plan.distances.size(); ++k) {
     std::vector<Area> parts;
     for (const OffsetFamily& family : families) {
       if (family.content == OffsetContent::Lines) {
         return Error{ErrorCode::BadUsage,
-                     fmt::format("--dissolve joins areas, and {} is a curve on one side of a line; give --side both", family.name)};
+                     fmt::format("--dissolve joins areas, and {} is a curve on one side of a line; give --side both",
+                                 family.name)};
       }
       const DrawnOffset& curve = family.curves[k];
       parts.push_back({curve.lines, curve.area.value_or(0.0), curve.length});
@@ -338,7 +348,8 @@ Result<OffsetInput> offset_input(Session& session, const std::string& file, cons
   DOBRA_TRY(io::LineWork read, io::read_any_lines(file, options));
   for (const std::string& remark : read.remarks) session.note(remark);
   if (read.system && read.system->degrees) {
-    session.note(fmt::format("{}: its coordinates are in degrees ({}), and so are the distances", file, read.system->name));
+    session.note(
+        fmt::format("{}: its coordinates are in degrees ({}), and so are the distances", file, read.system->name));
   }
   if (read.stated_unit && *read.stated_unit != 1.0) {
     session.note(fmt::format("{}: its unit is {} m, and so is that of the distances", file, *read.stated_unit));

@@ -38,8 +38,8 @@ struct OffsetInput {
   std::size_t mended = 0;  ///< Polygons that cross or touch themselves, and are taken as others.
 };
 
-/// The bases of a file, as the plan wants them: each line that goes to one side is a base of its own. What is left out or mended is
-/// told. @error those of io::read_any_lines; BadUsage: there is no such curve.
+/// The bases of a file, as the plan wants them: each line that goes to one side is a base of its own. What is left out
+/// or mended is told. @error those of io::read_any_lines; BadUsage: there is no such curve.
 base::Result<OffsetInput> offset_input(Session& session, const std::string& file, const OffsetPlan& plan);
 
 /// Where there are polygons, open lines are left out at distances below 0, and this is told.

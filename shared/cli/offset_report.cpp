@@ -66,7 +66,8 @@ std::size_t point_count(const DrawnOffset& curve) {
   return count;
 }
 
-/// Numbers of the curve, then what the base had; a property of the base that has the name of one of ours is "source_...".
+/// Numbers of the curve, then what the base had; a property of the base that has the name of one of ours is
+/// "source_...".
 io::Feature feature_of(const OffsetFamily& family, const DrawnOffset& curve) {
   io::Feature feature;
   feature.type = family.content == OffsetContent::Polygons ? io::FeatureType::Polygons : io::FeatureType::Lines;
@@ -78,7 +79,8 @@ io::Feature feature_of(const OffsetFamily& family, const DrawnOffset& curve) {
   if (curve.dropped > 0) feature.properties.emplace_back("dropped", static_cast<std::int64_t>(curve.dropped));
   const io::Feature& source = family.source;
   const auto has = [&](const std::string& key) {
-    return std::any_of(feature.properties.begin(), feature.properties.end(), [&](const auto& p) { return p.first == key; });
+    return std::any_of(feature.properties.begin(), feature.properties.end(),
+                       [&](const auto& p) { return p.first == key; });
   };
   const auto add = [&](const std::string& key, const io::PropertyValue& value) {
     feature.properties.emplace_back(has(key) ? "source_" + key : key, value);
@@ -114,7 +116,8 @@ DrawnOffset drawn(const offset::OffsetCurve& curve, const geom::Polyline& base, 
   made.distance = curve.distance;
   made.dropped = curve.dropped;
   const auto is_closed = [](const offset::OffsetPiece& piece) { return piece.closed; };
-  const bool closed = curve.pieces.empty() ? base.closed : std::all_of(curve.pieces.begin(), curve.pieces.end(), is_closed);
+  const bool closed =
+      curve.pieces.empty() ? base.closed : std::all_of(curve.pieces.begin(), curve.pieces.end(), is_closed);
   if (closed) made.area = 0.0;
   made.dropped_length = curve.dropped_length;
   for (const offset::OffsetPiece& piece : curve.pieces) {
@@ -142,8 +145,8 @@ base::Result<void> verify_offset(const std::string& name, const geom::Polyline& 
     verdict.edges += found.edges;
     verdict.samples += found.samples;
     for (const offset::Finding& finding : found.findings) {
-      verdict.findings.push_back(
-          fmt::format("{}: distance {}: {}", name, dobra::base::number_text(curve.distance), offset::to_string(finding)));
+      verdict.findings.push_back(fmt::format("{}: distance {}: {}", name, dobra::base::number_text(curve.distance),
+                                             offset::to_string(finding)));
     }
   }
   return {};
@@ -155,7 +158,8 @@ std::string not_judged(const OffsetVerdict& verdict, const offset::OffsetOptions
     if (count > 0) all.push_back(fmt::format("{} {}", count, count == 1 ? one : more));
   };
   add(verdict.dropped, "piece left out", "pieces left out");
-  if (verdict.dropped > 0) all.back() += fmt::format(" ({:.6g} m), and whether more of those curves is missing", verdict.dropped_length);
+  if (verdict.dropped > 0)
+    all.back() += fmt::format(" ({:.6g} m), and whether more of those curves is missing", verdict.dropped_length);
   add(verdict.cut_tips, "bisector point cut across", "bisector points cut across");
   add(verdict.skipped, "open line at a distance below 0", "open lines at distances below 0");
   add(verdict.mended, "polygon that crosses or touches itself, but what it was taken as",
@@ -175,8 +179,10 @@ base::Result<void> check_numbers(const std::vector<OffsetFamily>& families) {
   for (const OffsetFamily& family : families) {
     for (const DrawnOffset& curve : family.curves) {
       if (std::isfinite(curve.length) && std::isfinite(curve.area.value_or(0.0))) continue;
-      return Error{ErrorCode::NotFinite, fmt::format("the length or the area of {} at distance {} is beyond what a number can hold; "
-                                                     "use larger units", family.name, base::number_text(curve.distance))};
+      return Error{ErrorCode::NotFinite,
+                   fmt::format("the length or the area of {} at distance {} is beyond what a number can hold; "
+                               "use larger units",
+                               family.name, base::number_text(curve.distance))};
     }
   }
   return {};
@@ -218,12 +224,14 @@ std::string offset_table(const std::vector<OffsetFamily>& families) {
     if (dropped) line.insert(line.size() - 1, fmt::format("{:>14}{:>14}", pieces, length));
     return line;
   };
-  std::string text = with_dropped(row("curve", "distance", "pieces", "points", "length", "area"), "left out", "their length");
+  std::string text =
+      with_dropped(row("curve", "distance", "pieces", "points", "length", "area"), "left out", "their length");
   for (const OffsetFamily& family : families) {
     for (const DrawnOffset& curve : family.curves) {
-      text += with_dropped(row(family.name, fmt::format("{:.7g}", curve.distance), curve.lines.size(), point_count(curve),
-                  fmt::format("{:.7g}", curve.length), curve.area ? fmt::format("{:.7g}", *curve.area) : std::string("-")),
-                           fmt::format("{}", curve.dropped), fmt::format("{:.7g}", curve.dropped_length));
+      text += with_dropped(
+          row(family.name, fmt::format("{:.7g}", curve.distance), curve.lines.size(), point_count(curve),
+              fmt::format("{:.7g}", curve.length), curve.area ? fmt::format("{:.7g}", *curve.area) : std::string("-")),
+          fmt::format("{}", curve.dropped), fmt::format("{:.7g}", curve.dropped_length));
     }
   }
   return text;
@@ -265,12 +273,12 @@ base::Result<void> check_offset_ending(const std::filesystem::path& file) {
   const std::string ending = file.extension().string();
   if (is_one_of(ending, exchange_endings) || is_one_of(ending, picture_endings)) return {};
   return Error{ErrorCode::BadUsage,
-               fmt::format("--out {}: the name must end in .geojson, .gpkg, .shp, .dxf, .wkt, .csv, .svg, .pdf or .png", file.string())};
+               fmt::format("--out {}: the name must end in .geojson, .gpkg, .shp, .dxf, .wkt, .csv, .svg, .pdf or .png",
+                           file.string())};
 }
 
-base::Result<void> write_offset(const std::vector<OffsetFamily>& families,
-                                const OffsetOrigin& origin, const std::filesystem::path& file,
-                                std::vector<std::string>& remarks) {
+base::Result<void> write_offset(const std::vector<OffsetFamily>& families, const OffsetOrigin& origin,
+                                const std::filesystem::path& file, std::vector<std::string>& remarks) {
   DOBRA_TRY_VOID(check_offset_ending(file));
   const std::string ending = file.extension().string();
   if (is_one_of(ending, picture_endings)) return draw(offset_picture(families), file, Drawer::Cairo);
@@ -279,15 +287,18 @@ base::Result<void> write_offset(const std::vector<OffsetFamily>& families,
   const auto is_polygon = [](const io::Feature& f) { return f.type == io::FeatureType::Polygons; };
   const auto polygons = static_cast<std::size_t>(std::count_if(work.features.begin(), work.features.end(), is_polygon));
   if (ending == ".shp" && polygons > 0 && polygons < work.features.size()) {
-    return Error{ErrorCode::BadUsage,
-                 "--out: a Shapefile holds either lines or polygons, and these are both; write a .gpkg, or choose with --curve"};
+    return Error{
+        ErrorCode::BadUsage,
+        "--out: a Shapefile holds either lines or polygons, and these are both; write a .gpkg, or choose with --curve"};
   }
   const auto& system = origin.system;
   const io::LineWriteOptions options{
       .coordinates = io::Coordinates::Section, .system = system ? &*system : nullptr, .unit = origin.unit};
   DOBRA_TRY_VOID(io::write_any_lines(file.string(), work, options, remarks));
-  const bool keeps_system = ending == ".gpkg" || ending == ".shp" || (ending == ".geojson" && system && !system->code.empty());
-  if (system && !keeps_system) remarks.push_back(fmt::format("the reference system ({}) is not kept in {}", system->name, ending));
+  const bool keeps_system =
+      ending == ".gpkg" || ending == ".shp" || (ending == ".geojson" && system && !system->code.empty());
+  if (system && !keeps_system)
+    remarks.push_back(fmt::format("the reference system ({}) is not kept in {}", system->name, ending));
   const auto is_unit = [&](const auto& known) { return known.second == origin.unit; };
   const bool keeps_unit = ending == ".dxf" && std::any_of(io::dxf_units.begin(), io::dxf_units.end(), is_unit);
   if (origin.unit && !keeps_unit && !system) {

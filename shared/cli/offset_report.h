@@ -16,7 +16,7 @@ namespace dobra::cli {
 /// chords instead.
 struct DrawnOffset {
   double distance = 0.0;
-  double length = 0.0;         ///< Of all pieces, m.
+  double length = 0.0;  ///< Of all pieces, m.
   /// What the pieces enclose, m2: outer contours minus holes. 0 where nothing remains of a closed base; nothing where a
   /// piece (or, without pieces, the base) is open.
   std::optional<double> area = std::nullopt;
@@ -57,8 +57,8 @@ struct OffsetVerdict {
   std::size_t cut_tips = 0;           ///< Bisector points that were cut across.
   std::size_t mended = 0;             ///< Polygons taken as others, which do not cross themselves.
   std::size_t skipped = 0;            ///< Open lines at distances below 0.
-  std::size_t coarse = 0;             ///< Curves so near that rounding hides whether they touch; see offset::Verification.
-  bool joined = false;                ///< Areas were made of several curves.
+  std::size_t coarse = 0;  ///< Curves so near that rounding hides whether they touch; see offset::Verification.
+  bool joined = false;     ///< Areas were made of several curves.
 };
 
 /// "2 pieces left out (3 m); ...": what the verdict says nothing about; empty if there is nothing.
@@ -73,8 +73,8 @@ base::Result<void> verify_offset(const std::string& name, const geom::Polyline& 
 base::Result<void> check_numbers(const std::vector<OffsetFamily>& families);
 
 /// {"curves":[{"distance":d,"length":L,"area":A,"dropped":n,"dropped_length":L,"pieces":[{"closed":b,"points":
-/// [[x,y],...]}]}],"dropped":n}, one line, every digit; "curve":name comes first in each where there are several families.
-/// Without "area" where it is not known. Of areas each contour comes before its holes.
+/// [[x,y],...]}]}],"dropped":n}, one line, every digit; "curve":name comes first in each where there are several
+/// families. Without "area" where it is not known. Of areas each contour comes before its holes.
 std::string offset_json(const std::vector<OffsetFamily>& families);
 
 /// A line a curve: (name,) distance, pieces, points, length, area, and what was left out, if anything was.
@@ -87,12 +87,12 @@ scene::Picture offset_picture(const std::vector<OffsetFamily>& families);
 base::Result<void> check_offset_ending(const std::filesystem::path& file);
 
 /// Writes the format that the ending says. Areas are polygons with holes; everything else is lines, whose last point
-/// repeats the first where they are closed. Ids, properties, and the system or unit of the file are kept where the format
-/// can.
+/// repeats the first where they are closed. Ids, properties, and the system or unit of the file are kept where the
+/// format can.
 /// @param remarks  what it cannot.
-/// @error those of check_offset_ending; BadUsage (lines and polygons in a Shapefile), NotFinite, CannotWrite, CannotDraw.
-base::Result<void> write_offset(const std::vector<OffsetFamily>& families,
-                                const OffsetOrigin& origin, const std::filesystem::path& file,
-                                std::vector<std::string>& remarks);
+/// @error those of check_offset_ending; BadUsage (lines and polygons in a Shapefile), NotFinite, CannotWrite,
+/// CannotDraw.
+base::Result<void> write_offset(const std::vector<OffsetFamily>& families, const OffsetOrigin& origin,
+                                const std::filesystem::path& file, std::vector<std::string>& remarks);
 
 }  // namespace dobra::cli

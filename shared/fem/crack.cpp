@@ -530,7 +530,8 @@ void look_for_contact(const ElementMesh& mesh, const TipFrame& frame, const std:
                     frame.tip.name,
                     overlap ? fmt::format("the lips overlap by up to {:.3g} m at ({:.6g}, {:.6g})", overlap->depth,
                                           rounded(overlap->at.x), rounded(overlap->at.y))
-                            : k.one < 0.0 ? fmt::format("K_I is {:.4g} Pa sqrt(m)", k.one) : "the lips meet at the tip",
+                    : k.one < 0.0 ? fmt::format("K_I is {:.4g} Pa sqrt(m)", k.one)
+                                  : "the lips meet at the tip",
                     closed ? ", and no kink angle is given" : ""));
   }
   if (closed || size == 0.0) return;
@@ -570,8 +571,7 @@ std::vector<TipResult> crack_tips(const ElementMesh& mesh, const Problem& proble
       results.push_back(*std::move(own));
       continue;
     }
-    results.push_back(
-        {.name = tip.name, .at = mesh.point(tip.node), .ahead = tip.direction, .refused = own.error()});
+    results.push_back({.name = tip.name, .at = mesh.point(tip.node), .ahead = tip.direction, .refused = own.error()});
   }
   return results;
 }

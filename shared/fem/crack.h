@@ -21,13 +21,14 @@ namespace dobra::fem {
 
 enum class Lips : std::uint8_t { Both, OnlyLeft, OnlyRight };
 
-/// The nearest node to a tip that something acts on by itself: a load, support or spring at a point or a tie, or those of an
-/// internal line or on the lips but for their tractions, which the integrals take in.
+/// The nearest node to a tip that something acts on by itself: a load, support or spring at a point or a tie, or those
+/// of an internal line or on the lips but for their tractions, which the integrals take in.
 struct NodeActedOn {
   geom::Point at;
   double distance = std::numeric_limits<double>::infinity();  ///< From the tip; 0: a force acts on the tip itself, m.
   double half_way = std::numeric_limits<double>::infinity();  ///< To the nearest load; supports may bear nothing, m.
-  double clear = std::numeric_limits<double>::infinity();     ///< Radius of the disc that no element at such a node reaches into, m.
+  double clear =
+      std::numeric_limits<double>::infinity();  ///< Radius of the disc that no element at such a node reaches into, m.
 };
 
 /// Where a tip and the elements of its lips are.
@@ -68,11 +69,12 @@ struct Contour {
   double outer = 0.0;
 };
 /// The node acted on that is nearest to a tip in a load case. @cost O(n)
-NodeActedOn nearest_acted_on(const mesh::ElementMesh& mesh, const Problem& problem, const LoadCase& load, const TipFrame& frame);
-/// The largest ring in the room of the tip and within half the distance to a node with a load, clear of the elements of all nodes acted on; if that
-/// is too small for the tip's elements, the smallest that they allow; or that of `outer`.
-/// @error BadCrack: the room, or `outer`, does not reach twice the size of the tip's elements; `outer` leaves the room, or
-/// holds a node acted on; a force acts on the tip itself.
+NodeActedOn nearest_acted_on(const mesh::ElementMesh& mesh, const Problem& problem, const LoadCase& load,
+                             const TipFrame& frame);
+/// The largest ring in the room of the tip and within half the distance to a node with a load, clear of the elements of
+/// all nodes acted on; if that is too small for the tip's elements, the smallest that they allow; or that of `outer`.
+/// @error BadCrack: the room, or `outer`, does not reach twice the size of the tip's elements; `outer` leaves the room,
+/// or holds a node acted on; a force acts on the tip itself.
 base::Result<Contour> contour_of(const TipFrame& frame, std::optional<double> outer = std::nullopt);
 
 struct DomainIntegrals {
@@ -90,7 +92,7 @@ struct TipResult {
   geom::Vector ahead;
   Contour contour = {};
   DomainIntegrals domain = {};
-  double inner_j = 0.0;                       ///< J of a contour of half the size: how much it depends on the path.
+  double inner_j = 0.0;  ///< J of a contour of half the size: how much it depends on the path.
   /// Why J counts for nothing: the ring cannot keep clear of a node acted on, where the energy is infinite.
   std::optional<std::string> no_j = {};
   std::optional<Intensity> correlation = {};  ///< Nothing where the elements do not allow it.

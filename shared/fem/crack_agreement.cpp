@@ -44,7 +44,8 @@ void compare_figures(const TipFrame& frame, TipResult& result) {
   if (result.correlation) add("displacement correlation", *result.correlation);
   const double room = std::min(frame.room, frame.acted.distance);
   text += fmt::format(" the tip's elements are {:.3g} m long, in a room of {:.3g} m: ", frame.length, room);
-  text += frame.quarter ? fmt::format("try tip_radius = {:.2g} m, and smaller elements round it", std::min(0.5 * frame.length, room / 80.0))
+  text += frame.quarter ? fmt::format("try tip_radius = {:.2g} m, and smaller elements round it",
+                                      std::min(0.5 * frame.length, room / 80.0))
                         : std::string("mesh with rosettes = \"yes\" and order = \"2\"");
   result.remarks.push_back(of + text);
 }

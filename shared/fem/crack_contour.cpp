@@ -31,7 +31,8 @@ base::Error bad(const TipFrame& frame, std::string message) {
 /// Of the nodes of lines those inside the material, and those on the lips: all but the boundary and a line of symmetry.
 class LineNodes {
  public:
-  LineNodes(const ElementMesh& mesh, const TipFrame& frame) : mesh_(mesh), frame_(frame), boundary_(mesh.points.size(), 0) {
+  LineNodes(const ElementMesh& mesh, const TipFrame& frame)
+      : mesh_(mesh), frame_(frame), boundary_(mesh.points.size(), 0) {
     const auto neighbours = neighbours_of(mesh);
     std::size_t at = 0;
     for (std::size_t e = 0; e < mesh.element_count(); ++e) {
@@ -56,7 +57,8 @@ class LineNodes {
 };
 
 /// Nodes of lines that something acts on and the integrals do not take in.
-std::vector<NodeId> nodes_of_lines(const ElementMesh& mesh, const Problem& problem, const LoadCase& load, const TipFrame& frame) {
+std::vector<NodeId> nodes_of_lines(const ElementMesh& mesh, const Problem& problem, const LoadCase& load,
+                                   const TipFrame& frame) {
   const LineNodes lines(mesh, frame);
   std::vector<NodeId> found;
   const auto add = [&](const std::string& where, bool lips) {
@@ -81,17 +83,20 @@ double clear_of(const ElementMesh& mesh, const TipFrame& frame, const std::vecto
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const auto own = mesh.nodes_of(mesh::ElementId(e));
     if (std::none_of(own.begin(), own.end(), [&](NodeId node) { return acted[node.index()] != 0; })) continue;
-    for (const NodeId node : own.first(mesh::corner_count(mesh.types[e]))) clear = std::min(clear, distance(mesh.point(node), frame.at));
+    for (const NodeId node : own.first(mesh::corner_count(mesh.types[e])))
+      clear = std::min(clear, distance(mesh.point(node), frame.at));
   }
   return clear;
 }
 
 }  // namespace
 
-NodeActedOn nearest_acted_on(const ElementMesh& mesh, const Problem& problem, const LoadCase& load, const TipFrame& frame) {
+NodeActedOn nearest_acted_on(const ElementMesh& mesh, const Problem& problem, const LoadCase& load,
+                             const TipFrame& frame) {
   for (const PointLoad& own : load.points) {
     const auto nodes = find_nodes(mesh, own.where).value();
-    if (length(own.force) > 0.0 && std::find(nodes.begin(), nodes.end(), frame.tip.node) != nodes.end()) return {frame.at, 0.0, 0.0, 0.0};
+    if (length(own.force) > 0.0 && std::find(nodes.begin(), nodes.end(), frame.tip.node) != nodes.end())
+      return {frame.at, 0.0, 0.0, 0.0};
   }
   std::vector<NodeId> nodes = single_nodes_acted_on(mesh, problem, load);
   for (const Tie& tie : problem.ties) {
@@ -111,7 +116,8 @@ NodeActedOn nearest_acted_on(const ElementMesh& mesh, const Problem& problem, co
   for (const PointLoad& own : load.points) {
     const auto loaded = find_nodes(mesh, own.where).value();
     for (const NodeId node : loaded) {
-      if (length(own.force) > 0.0 && std::find(nodes.begin(), nodes.end(), node) != nodes.end()) nearest.half_way = std::min(nearest.half_way, share_of_distance * distance(mesh.point(node), frame.at));
+      if (length(own.force) > 0.0 && std::find(nodes.begin(), nodes.end(), node) != nodes.end())
+        nearest.half_way = std::min(nearest.half_way, share_of_distance * distance(mesh.point(node), frame.at));
     }
   }
   return nearest;
@@ -119,7 +125,8 @@ NodeActedOn nearest_acted_on(const ElementMesh& mesh, const Problem& problem, co
 
 base::Result<Contour> contour_of(const TipFrame& frame, std::optional<double> outer) {
   const NodeActedOn& acted = frame.acted;
-  if (acted.distance == 0.0) return bad(frame, "a force acts on the tip itself, where the stress is then not that of a crack; move it");
+  if (acted.distance == 0.0)
+    return bad(frame, "a force acts on the tip itself, where the stress is then not that of a crack; move it");
   const double least = 2.0 * frame.length;
   const double room = std::min(frame.room, acted.distance);
   const std::string limit = acted.distance < frame.room
@@ -128,10 +135,15 @@ base::Result<Contour> contour_of(const TipFrame& frame, std::optional<double> ou
   const double wished = std::min({room_used * frame.room, acted.half_way, acted.clear});
   const double radius = outer.value_or(std::max(wished, std::min(least, room_used * room)));
   if (radius > room)
-    return bad(frame, fmt::format("the contour of radius {:.4g} m leaves the straight end of the crack, or meets {}: at most {:.4g} m", radius, limit, room));
+    return bad(frame,
+               fmt::format(
+                   "the contour of radius {:.4g} m leaves the straight end of the crack, or meets {}: at most {:.4g} m",
+                   radius, limit, room));
   if (radius < least)
-    return bad(frame, fmt::format("no contour fits: the room round the tip is {:.4g} m, as far as {}, and the contour {:.4g} m; the tip's elements are {:.4g} m long, and it must reach twice as far: make them smaller",
-                                  room, limit, radius, frame.length));
+    return bad(frame,
+               fmt::format("no contour fits: the room round the tip is {:.4g} m, as far as {}, and the contour {:.4g} "
+                           "m; the tip's elements are {:.4g} m long, and it must reach twice as far: make them smaller",
+                           room, limit, radius, frame.length));
   return Contour{std::max(0.4 * radius, frame.length), radius};
 }
 

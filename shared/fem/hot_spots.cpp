@@ -34,8 +34,8 @@ std::vector<char> infinite_at(const ElementMesh& mesh, const Problem& problem,
   return infinite;
 }
 
-/// How far one must descend from each node to get to a higher one; only of the tops of hills, 0 elsewhere. A top that is
-/// no higher than an infinite hill is as far from its own top is a bump on the slope of that one, and has 0 too.
+/// How far one must descend from each node to get to a higher one; only of the tops of hills, 0 elsewhere. A top that
+/// is no higher than an infinite hill is as far from its own top is a bump on the slope of that one, and has 0 too.
 class Hills {
  public:
   Hills(const ElementMesh& mesh, std::vector<double> heights)
@@ -91,13 +91,16 @@ class Hills {
   }
   /// Whether an infinite hill, as far as it is above water, reaches as far as this node is.
   [[nodiscard]] bool lies_on_slope(std::size_t n) const {
-    return std::ranges::any_of(infinite_, [&](const auto& own) { return own.first != n && distance(points_[own.first], points_[n]) <= own.second; });
+    return std::ranges::any_of(infinite_, [&](const auto& own) {
+      return own.first != n && distance(points_[own.first], points_[n]) <= own.second;
+    });
   }
   void join(std::size_t lower, std::size_t higher) {
     for (auto& [node, reach] : infinite_) {
       const std::size_t own = top(node);
       if (own != lower && own != higher) continue;
-      for (const std::size_t member : members_[own == lower ? higher : lower]) reach = std::max(reach, distance(points_[node], points_[member]));
+      for (const std::size_t member : members_[own == lower ? higher : lower])
+        reach = std::max(reach, distance(points_[node], points_[member]));
     }
     if (members_[lower].size() > members_[higher].size()) std::swap(members_[lower], members_[higher]);
     members_[higher].insert(members_[higher].end(), members_[lower].begin(), members_[lower].end());
@@ -154,7 +157,8 @@ std::vector<HotSpot> hot_spots(const ElementMesh& mesh, const Problem& problem, 
   std::vector<HotSpot> spots;
   double greatest = 0.0;
   for (std::size_t n = 0; n < count; ++n) {
-    if (infinite[n] != 0 || std::ranges::any_of(left_out, [&](const Disc& disc) { return disc.holds(mesh.points[n]); })) continue;
+    if (infinite[n] != 0 || std::ranges::any_of(left_out, [&](const Disc& disc) { return disc.holds(mesh.points[n]); }))
+      continue;
     if (!(hills.prominence(n) > least_prominence * stress[n])) continue;
     spots.push_back({NodeId(n), stress[n], std::sqrt(error[n] / (energy[n] + error[n]))});
     greatest = std::max(greatest, stress[n]);

@@ -81,7 +81,8 @@ base::Result<std::vector<double>> new_sizes(const ElementMesh& mesh, const Error
     factors = optimal_factors(estimate.elements, exponents, allowed);
   } else {
     // What is left out of the error takes no part of it.
-    const auto judged = std::count_if(estimate.elements.begin(), estimate.elements.end(), [](double e) { return e > 0.0; });
+    const auto judged =
+        std::count_if(estimate.elements.begin(), estimate.elements.end(), [](double e) { return e > 0.0; });
     const double each = allowed / std::sqrt(static_cast<double>(std::max<std::ptrdiff_t>(judged, 1)));
     for (std::size_t i = 0; i < count; ++i) factors[i] = std::pow(estimate.elements[i] / each, -1.0 / exponents[i]);
   }

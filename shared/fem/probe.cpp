@@ -10,8 +10,8 @@ namespace {
 using geom::Point;
 using geom::Vector;
 
-/// Reference coordinates may lie this far outside: points on sides belong to the elements; at a tip with quarter points it
-/// is a distance of 1e-12 sides.
+/// Reference coordinates may lie this far outside: points on sides belong to the elements; at a tip with quarter points
+/// it is a distance of 1e-12 sides.
 constexpr double on_side = 1e-6;
 
 bool inside(ElementType type, double xi, double eta) {

@@ -39,11 +39,12 @@ base::Result<void> check_materials(const ElementMesh& mesh, const Problem& probl
     if (const auto found = problem.materials.find(mesh.regions[e]); found != problem.materials.end()) {
       if (mesh::is_quadratic(mesh.types[e]) || !nearly_incompressible(found->second)) continue;
       const geom::Point at = mesh.points[mesh.nodes[mesh.first[e]].index()];
-      return Error{ErrorCode::InvalidOption,
-                   fmt::format("elements of first order lock in plane strain with Poisson's ratio {}, and their stresses "
-                               "mean nothing: mesh with order = \"2\" (above {})",
-                               base::number_text(found->second.poisson), mixed_above),
-                   Place{.item = "materials", .x = at.x, .y = at.y}};
+      return Error{
+          ErrorCode::InvalidOption,
+          fmt::format("elements of first order lock in plane strain with Poisson's ratio {}, and their stresses "
+                      "mean nothing: mesh with order = \"2\" (above {})",
+                      base::number_text(found->second.poisson), mixed_above),
+          Place{.item = "materials", .x = at.x, .y = at.y}};
     }
     const auto named = mesh.region_names.find(mesh.regions[e]);
     const geom::Point at = mesh.points[mesh.nodes[mesh.first[e]].index()];

@@ -23,8 +23,9 @@ constexpr std::size_t grain = 64;
 constexpr int most_growth = 4;
 /// A fit through barely as many samples as terms follows their errors: at least this many times the terms.
 constexpr double enough_samples = 1.4;
-/// Samples count by 1 / (this + r)^3 at a distance of r times the patch's size: a patch that grew from the boundary follows
-/// what is near its vertex, not the steep field behind it. Chosen for effectivities of Kirsch's plate and of the L.
+/// Samples count by 1 / (this + r)^3 at a distance of r times the patch's size: a patch that grew from the boundary
+/// follows what is near its vertex, not the steep field behind it. Chosen for effectivities of Kirsch's plate and of
+/// the L.
 constexpr double weight_floor = 0.2;
 
 void monomials(Basis basis, double x, double y, double* terms) {

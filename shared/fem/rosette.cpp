@@ -115,7 +115,8 @@ base::Result<void> fill_rosette(mesh::ElementMesh& mesh, const Rosette& rosette,
 std::vector<Point> rim_of(const Rosette& rosette, RosetteHalf half) {
   const auto& ring = rosette.rings.back();
   const auto middle = ring.begin() + static_cast<std::ptrdiff_t>(ring.size() / 2);  // straight ahead
-  return half == RosetteHalf::Left ? std::vector<Point>(middle, ring.end()) : std::vector<Point>(ring.begin(), middle + 1);
+  return half == RosetteHalf::Left ? std::vector<Point>(middle, ring.end())
+                                   : std::vector<Point>(ring.begin(), middle + 1);
 }
 
 base::Result<void> fill_half_rosette(mesh::ElementMesh& mesh, const Rosette& rosette, RosetteHalf half,

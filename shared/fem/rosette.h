@@ -41,8 +41,8 @@ enum class CrackEnd : std::uint8_t { Start, End };
 base::Result<void> fill_rosette(mesh::ElementMesh& mesh, const Rosette& rosette, const std::string& crack, CrackEnd end,
                                 std::int32_t region);
 
-/// Which half of a rosette lies in the material, if its tip lies on a straight boundary that is a line of symmetry: left
-/// or right of the way ahead.
+/// Which half of a rosette lies in the material, if its tip lies on a straight boundary that is a line of symmetry:
+/// left or right of the way ahead.
 enum class RosetteHalf : std::uint8_t { Left, Right };
 /// The points of the outermost ring that bound that half, from one end on the boundary to the other, anticlockwise.
 std::vector<geom::Point> rim_of(const Rosette& rosette, RosetteHalf half);

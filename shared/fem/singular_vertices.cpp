@@ -171,7 +171,9 @@ std::vector<SingularVertex> free_corners(const ElementMesh& mesh, const Problem&
   std::set<mesh::NodeId> tips;
   for (const mesh::CrackTip& tip : mesh.tips) tips.insert(tip.node);
   for (const auto& [node, corner] : corners_of(mesh, problem)) {
-    if (tips.contains(node) || corner.material == nullptr || corner.face_in != Face::Free || corner.face_out != Face::Free) continue;
+    if (tips.contains(node) || corner.material == nullptr || corner.face_in != Face::Free ||
+        corner.face_out != Face::Free)
+      continue;
     const double angle = interior_of(corner, false);
     if (angle < most_pointed) found.push_back(vertex_of(node, corner, 1.0, angle));
   }

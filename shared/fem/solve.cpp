@@ -28,7 +28,8 @@ base::Result<void> check_nodes(const mesh::ElementMesh& mesh) {
 }
 
 /// A formula may have no value somewhere.
-base::Result<void> check_finite(const mesh::ElementMesh& mesh, std::span<const Vector> values, const std::string& what) {
+base::Result<void> check_finite(const mesh::ElementMesh& mesh, std::span<const Vector> values,
+                                const std::string& what) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (std::isfinite(values[i].x) && std::isfinite(values[i].y)) continue;
     return Error{ErrorCode::InvalidOption, what + " has no finite value here",

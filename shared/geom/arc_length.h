@@ -6,8 +6,9 @@
 
 namespace dobra::geom {
 
-/// Integral of speed(t) from t0 to t1 (negative if t1 < t0): Gauss's rule with 15 points, halving a range until both halves
-/// agree with it to 1e-13 of the whole, 30 times at most (a cusp).  @cost some 45 evaluations of speed where it is smooth.
+/// Integral of speed(t) from t0 to t1 (negative if t1 < t0): Gauss's rule with 15 points, halving a range until both
+/// halves agree with it to 1e-13 of the whole, 30 times at most (a cusp).  @cost some 45 evaluations of speed where it
+/// is smooth.
 template <class Speed>
 double arc_length(const Speed& speed, double t0, double t1) {
   using Rule = boost::math::quadrature::gauss<double, 15>;

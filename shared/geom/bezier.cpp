@@ -17,7 +17,8 @@ namespace {
 
 Result<void> check_vertices(std::span<const Point> vertices) {
   if (vertices.size() < 2) {
-    return Error{ErrorCode::DegenerateCurve, fmt::format("a Bezier curve has {} vertices; give at least two", vertices.size())};
+    return Error{ErrorCode::DegenerateCurve,
+                 fmt::format("a Bezier curve has {} vertices; give at least two", vertices.size())};
   }
   for (const Point p : vertices) {
     if (!is_finite(p)) return Error{ErrorCode::NotFinite, "a vertex of a Bezier curve is not finite; correct it"};
@@ -117,12 +118,14 @@ HermiteCubic hermite_of(const Bezier& cubic) {
 Result<RationalBezier> RationalBezier::make(std::vector<Point> vertices, std::vector<double> weights) {
   DOBRA_TRY_VOID(check_vertices(vertices));
   if (weights.size() != vertices.size()) {
-    return Error{ErrorCode::InvalidOption, fmt::format("a rational Bezier curve has {} vertices and {} weights; give one weight a vertex",
-                                                       vertices.size(), weights.size())};
+    return Error{ErrorCode::InvalidOption,
+                 fmt::format("a rational Bezier curve has {} vertices and {} weights; give one weight a vertex",
+                             vertices.size(), weights.size())};
   }
   for (const double w : weights) {
     if (!(w > 0.0) || !std::isfinite(w)) {
-      return Error{ErrorCode::InvalidOption, fmt::format("a weight of a rational Bezier curve is {}; it must be above 0", w)};
+      return Error{ErrorCode::InvalidOption,
+                   fmt::format("a weight of a rational Bezier curve is {}; it must be above 0", w)};
     }
   }
   return RationalBezier(std::move(vertices), std::move(weights));

@@ -1,6 +1,7 @@
 #pragma once
-// Bezier curves of any degree, plain and rational, and the cubic in Hermite form. All are travelled from parameter 0 to 1.
-// Requirements CRV-4, CRV-8 to CRV-11, CRV-14, CRV-15. Page: docs/algorithms/curves.md. Source: [farin2002curves].
+// Bezier curves of any degree, plain and rational, and the cubic in Hermite form. All are travelled from parameter 0
+// to 1. Requirements CRV-4, CRV-8 to CRV-11, CRV-14, CRV-15. Page: docs/algorithms/curves.md. Source:
+// [farin2002curves].
 
 #include <span>
 #include <utility>
@@ -50,7 +51,8 @@ HermiteCubic hermite_of(const Bezier& cubic);
 /// Vertices with positive weights; arcs of conics exactly.
 class RationalBezier {
  public:
-  /// @error DegenerateCurve for fewer than two vertices; InvalidOption for other than one positive weight a vertex; NotFinite.
+  /// @error DegenerateCurve for fewer than two vertices; InvalidOption for other than one positive weight a vertex;
+  /// NotFinite.
   static base::Result<RationalBezier> make(std::vector<Point> vertices, std::vector<double> weights);
 
   [[nodiscard]] std::span<const Point> vertices() const { return vertices_; }

@@ -22,7 +22,8 @@ Point hermite_point(const HermiteCubic& c, double u) {
   const Vector second = c.to_tangent / 3.0;
   const double b01 = v * v * (1 + 2 * u);
   const double b23 = u * u * (1 + 2 * v);
-  return Point{b01 * c.from.x + b23 * c.to.x, b01 * c.from.y + b23 * c.to.y} + (3 * v * v * u * first - 3 * v * u * u * second);
+  return Point{b01 * c.from.x + b23 * c.to.x, b01 * c.from.y + b23 * c.to.y} +
+         (3 * v * v * u * first - 3 * v * u * u * second);
 }
 
 Vector hermite_tangent(const HermiteCubic& c, double u) {
@@ -48,7 +49,8 @@ std::vector<Vector> solve_open(std::vector<Row> rows) {
   return x;
 }
 
-/// The corner elements are rows.front().below and rows.back().above: a rank-one change of an open system (Sherman-Morrison).
+/// The corner elements are rows.front().below and rows.back().above: a rank-one change of an open system
+/// (Sherman-Morrison).
 std::vector<Vector> solve_cyclic(std::vector<Row> rows) {
   const std::size_t n = rows.size();
   const double gamma = -rows.front().middle;
@@ -69,7 +71,8 @@ std::vector<Vector> solve_cyclic(std::vector<Row> rows) {
 
 Result<void> check_points(std::span<const Point> points, std::size_t least, const char* what) {
   if (points.size() < least) {
-    return Error{ErrorCode::DegenerateCurve, fmt::format("{} has {} points; give at least {}", what, points.size(), least)};
+    return Error{ErrorCode::DegenerateCurve,
+                 fmt::format("{} has {} points; give at least {}", what, points.size(), least)};
   }
   for (const Point p : points) {
     if (!is_finite(p)) return Error{ErrorCode::NotFinite, fmt::format("a point of {} is not finite; correct it", what)};
@@ -116,14 +119,16 @@ double CubicPath::length(double t0, double t1) const {
 
 std::vector<double> uniform_knots(std::size_t points, SplineEnds ends) {
   std::vector<double> knots;
-  for (std::size_t i = 0; i < points + (ends == SplineEnds::Closed ? 1 : 0); ++i) knots.push_back(static_cast<double>(i));
+  for (std::size_t i = 0; i < points + (ends == SplineEnds::Closed ? 1 : 0); ++i)
+    knots.push_back(static_cast<double>(i));
   return knots;
 }
 
 std::vector<double> chord_length_knots(std::span<const Point> points, SplineEnds ends) {
   std::vector<double> knots{0.0};
   for (std::size_t i = 1; i < points.size(); ++i) knots.push_back(knots.back() + distance(points[i - 1], points[i]));
-  if (ends == SplineEnds::Closed && !points.empty()) knots.push_back(knots.back() + distance(points.back(), points.front()));
+  if (ends == SplineEnds::Closed && !points.empty())
+    knots.push_back(knots.back() + distance(points.back(), points.front()));
   return knots;
 }
 
@@ -152,13 +157,15 @@ Result<CubicPath> cubic_spline(std::span<const Point> points, std::span<const do
   const bool closed = ends == SplineEnds::Closed;
   DOBRA_TRY_VOID(check_points(points, closed ? 3 : 2, "a spline"));
   if (knots.size() != points.size() + (closed ? 1 : 0)) {
-    return Error{ErrorCode::InvalidOption, fmt::format("a spline through {} points has {} knots; give {}", points.size(),
-                                                       knots.size(), points.size() + (closed ? 1 : 0))};
+    return Error{ErrorCode::InvalidOption, fmt::format("a spline through {} points has {} knots; give {}",
+                                                       points.size(), knots.size(), points.size() + (closed ? 1 : 0))};
   }
   for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
     if (!(knots[i + 1] > knots[i]) || !std::isfinite(knots[i + 1] - knots[i])) {
-      return Error{ErrorCode::InvalidOption,
-                   fmt::format("knot {} of a spline is not above the one before; knots must increase (and points differ)", i + 2)};
+      return Error{
+          ErrorCode::InvalidOption,
+          fmt::format("knot {} of a spline is not above the one before; knots must increase (and points differ)",
+                      i + 2)};
     }
   }
   const std::vector<Vector> derivatives = spline_derivatives(points, knots, ends);

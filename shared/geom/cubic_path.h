@@ -1,7 +1,7 @@
 #pragma once
-// Smooth curves through or near given points, as chains of cubics: interpolating splines (natural or closed) and uniform
-// cubic B-splines. Requirements CRV-2, CRV-5 to CRV-7, CRV-12, CRV-13. Page: docs/algorithms/curves.md.
-// Source: [farin2002curves].
+// Smooth curves through or near given points, as chains of cubics: interpolating splines (natural or closed) and
+// uniform cubic B-splines. Requirements CRV-2, CRV-5 to CRV-7, CRV-12, CRV-13. Page: docs/algorithms/curves.md. Source:
+// [farin2002curves].
 
 #include <span>
 #include <vector>
@@ -13,7 +13,8 @@ namespace dobra::geom {
 /// Cubics end to end, travelled from parameter 0 to 1; the knots say which part of that each takes.
 class CubicPath {
  public:
-  /// @pre one more knot than cubics, strictly increasing; each cubic's tangents are derivatives by its own parameter 0..1.
+  /// @pre one more knot than cubics, strictly increasing; each cubic's tangents are derivatives by its own parameter
+  /// 0..1.
   CubicPath(std::vector<HermiteCubic> cubics, std::vector<double> knots);
 
   [[nodiscard]] std::span<const HermiteCubic> cubics() const { return cubics_; }
@@ -51,12 +52,13 @@ std::vector<Vector> spline_derivatives(std::span<const Point> points, std::span<
 
 /// The C2 cubic spline through `points`.
 /// @param knots  strictly increasing; as many as points, and one more if closed.
-/// @error DegenerateCurve for too few points; InvalidOption for knots that do not fit (equal neighbours have no chord-length
+/// @error DegenerateCurve for too few points; InvalidOption for knots that do not fit (equal neighbours have no
+/// chord-length
 ///        knots); NotFinite.
 base::Result<CubicPath> cubic_spline(std::span<const Point> points, std::span<const double> knots, SplineEnds ends);
 
-/// The uniform cubic B-spline of a control polygon: n - 3 cubics, near the polygon and within its hull. A vertex moves four
-/// cubics at most.
+/// The uniform cubic B-spline of a control polygon: n - 3 cubics, near the polygon and within its hull. A vertex moves
+/// four cubics at most.
 /// @error DegenerateCurve for fewer than four vertices; NotFinite.
 base::Result<CubicPath> uniform_b_spline(std::span<const Point> vertices);
 

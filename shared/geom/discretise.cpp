@@ -52,8 +52,8 @@ base::Result<std::size_t> initial_count(const CurveFunctions& curve, const Discr
   return std::max<std::size_t>(1, static_cast<std::size_t>(count));
 }
 
-/// What turns one way by no more than max_angle is no longer than chord / cos(max_angle / 2). A piece that is longer winds
-/// about, though its tangents at both ends and in the middle agree: two full turns of a spiral do.
+/// What turns one way by no more than max_angle is no longer than chord / cos(max_angle / 2). A piece that is longer
+/// winds about, though its tangents at both ends and in the middle agree: two full turns of a spiral do.
 bool winds_about(const CurveFunctions& curve, double t0, double t1, const DiscretiseOptions& options) {
   const double half = 0.5 * options.max_angle.radians();
   if (half >= 0.5 * std::numbers::pi) return false;
@@ -68,8 +68,8 @@ bool fine_enough(const CurveFunctions& curve, double t0, double t1, const Discre
   const double excess = 1.0 + options.slack;
   const double length = curve.length(t0, t1);
   if (options.max_length_over && !(length <= excess * options.max_length_over(t0, t1))) return false;
-  return length <= excess * options.max_length &&
-         tangent_turn(curve, t0, t1) <= excess * options.max_angle && !winds_about(curve, t0, t1, options);
+  return length <= excess * options.max_length && tangent_turn(curve, t0, t1) <= excess * options.max_angle &&
+         !winds_about(curve, t0, t1, options);
 }
 
 /// Steps ii to v for one initial segment: appends the parameters after t0, up to t1.

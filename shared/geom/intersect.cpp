@@ -43,8 +43,8 @@ bool round_once(long double value, long double error, double& rounded) {
   return rounded == static_cast<double>(value + error);
 }
 
-/// The crossing with longer mantissas than doubles have, where its rounding is beyond doubt: all but one in some hundreds,
-/// and where long double is no longer than double, none.
+/// The crossing with longer mantissas than doubles have, where its rounding is beyond doubt: all but one in some
+/// hundreds, and where long double is no longer than double, none.
 bool crossing_filtered(const Segment& first, const Segment& second, Point& p) {
   using Long = long double;
   constexpr Long epsilon = std::numeric_limits<Long>::epsilon();
@@ -61,8 +61,8 @@ bool crossing_filtered(const Segment& first, const Segment& second, Point& p) {
   const Long denominator = d1 - d2;
   const Long t = (n1 - n2) / denominator;
   // Each product carries three roundings, the difference one more; all bounds are taken twice as large as need be.
-  const Long t_error = 4 * epsilon *
-                       ((std::abs(n1) + std::abs(n2) + std::abs(d1) + std::abs(d2)) / std::abs(denominator) + 1);
+  const Long t_error =
+      4 * epsilon * ((std::abs(n1) + std::abs(n2) + std::abs(d1) + std::abs(d2)) / std::abs(denominator) + 1);
   const Long x = first.from.x + t * along_x;
   const Long y = first.from.y + t * along_y;
   const Long x_error = std::abs(along_x) * t_error + 2 * epsilon * (std::abs(x) + std::abs(along_x));
@@ -70,8 +70,8 @@ bool crossing_filtered(const Segment& first, const Segment& second, Point& p) {
   return round_once(x, x_error, p.x) && round_once(y, y_error, p.y);
 }
 
-/// a + (n / d)(b - a) with n = (c - a) x (d - c) and d = (b - a) x (d - c), each coordinate as one quotient of two exact
-/// numbers.
+/// a + (n / d)(b - a) with n = (c - a) x (d - c) and d = (b - a) x (d - c), each coordinate as one quotient of two
+/// exact numbers.
 Point crossing_exact(const Segment& first, const Segment& second) {
   const int exponent = scaling_exponent({first.from, first.to, second.from, second.to});
   const Point a = scaled(first.from, exponent);

@@ -13,7 +13,8 @@
 //   3. the determinant of the exact differences, exactly;
 //   3' in place of 2 and 3 where numbers are so large or small that an expansion might overflow or underflow:
 //   ProductSum.
-// Bounds A and B are those of [shewchuk1997predicates] for the same order of operations; C is a little wider than there.
+// Bounds A and B are those of [shewchuk1997predicates] for the same order of operations; C is a little wider than
+// there.
 
 namespace dobra::geom {
 namespace {
@@ -93,7 +94,8 @@ double first_order(Vector u, Vector v, Vector w, Vector u_error, Vector v_error,
   const auto part = [](Vector p, Vector q, Vector r, Vector p_error, Vector q_error, Vector r_error) {
     return length_squared(p) * (cross(q_error, r) + cross(q, r_error)) + 2.0 * dot(p, p_error) * cross(q, r);
   };
-  return part(u, v, w, u_error, v_error, w_error) + part(v, w, u, v_error, w_error, u_error) + part(w, u, v, w_error, u_error, v_error);
+  return part(u, v, w, u_error, v_error, w_error) + part(v, w, u, v_error, w_error, u_error) +
+         part(w, u, v, w_error, u_error, v_error);
 }
 
 /// Stage 3' of incircle: the 4 x 4 determinant with rows (x, y, x^2 + y^2, 1), written out over all permutations.

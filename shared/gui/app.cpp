@@ -25,7 +25,8 @@ void prepare_application() {
   format.setRenderableType(QSurfaceFormat::OpenGL);
   format.setVersion(3, 2);
   format.setProfile(QSurfaceFormat::CoreProfile);
-  // A forward-compatible context refuses lines wider than a pixel, and VTK takes the width that the driver names as given.
+  // A forward-compatible context refuses lines wider than a pixel, and VTK takes the width that the driver names as
+  // given.
   format.setOption(QSurfaceFormat::DeprecatedFunctions);
   format.setDepthBufferSize(24);
   format.setStencilBufferSize(8);

@@ -17,7 +17,8 @@ struct WindowOptions {
 
 /// Opens the window, with a document if `file` is given. A file that cannot be opened is reported in the window; with a
 /// script, on standard error.
-/// @return 0 when the window was closed; 1 if a command of the script failed; 2 or 3 for a script or a file that cannot be
+/// @return 0 when the window was closed; 1 if a command of the script failed; 2 or 3 for a script or a file that cannot
+/// be
 ///         read; 4 without a display.
 int run_window(const scenario::Program& program, const std::optional<std::filesystem::path>& file,
                const WindowOptions& options = {});

@@ -58,7 +58,8 @@ std::string moved_name(const std::string& name, const Path& from, const Path& to
   const Path path(name);
   if (name.empty() || path.is_absolute()) return name;
   const Path target = std::filesystem::absolute(from.empty() ? path : from / path).lexically_normal();
-  const Path relative = target.lexically_relative(std::filesystem::absolute(to.empty() ? Path(".") : to).lexically_normal());
+  const Path relative =
+      target.lexically_relative(std::filesystem::absolute(to.empty() ? Path(".") : to).lexically_normal());
   return (relative.empty() ? target : relative).generic_string();
 }
 
@@ -82,7 +83,9 @@ Table moved_table(Table table, const std::vector<Field>& fields, const Path& fro
 Document at_file(Document document, const Program& program, const Path& file) {
   const Path from = document.folder();
   const Path to = file.parent_path();
-  const auto same = [](const Path& a) { return std::filesystem::absolute(a.empty() ? Path(".") : a).lexically_normal(); };
+  const auto same = [](const Path& a) {
+    return std::filesystem::absolute(a.empty() ? Path(".") : a).lexically_normal();
+  };
   if (same(from) != same(to)) {
     for (std::size_t part = 0; part <= document.steps.size(); ++part) {
       Table moved = moved_table(table_of(document, part), fields_of(document, program, part), from, to);

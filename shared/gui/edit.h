@@ -1,5 +1,6 @@
 #pragma once
-// Edits of a document as pure functions: each takes a document and gives another. Part 0 is the input, part k is step k.
+// Edits of a document as pure functions: each takes a document and gives another. Part 0 is the input, part k is step
+// k.
 
 #include <filesystem>
 

@@ -83,8 +83,10 @@ class FreeSpinBox : public QAbstractSpinBox {
  protected:
   StepEnabled stepEnabled() const override { return StepUpEnabled | StepDownEnabled; }
   void wheelEvent(QWheelEvent* event) override {
-    if (hasFocus()) QAbstractSpinBox::wheelEvent(event);
-    else event->ignore();
+    if (hasFocus())
+      QAbstractSpinBox::wheelEvent(event);
+    else
+      event->ignore();
   }
 
  private:
@@ -125,8 +127,10 @@ class CalmComboBox : public QComboBox {
 
  protected:
   void wheelEvent(QWheelEvent* event) override {
-    if (hasFocus()) QComboBox::wheelEvent(event);
-    else event->ignore();
+    if (hasFocus())
+      QComboBox::wheelEvent(event);
+    else
+      event->ignore();
   }
 };
 
@@ -151,9 +155,7 @@ class LineEditor : public FieldEditor {
     line_->setText(typed);
     commit();
   }
-  void show_judgement(Judgement judgement) override {
-    show_background(*surface_, judgement);
-  }
+  void show_judgement(Judgement judgement) override { show_background(*surface_, judgement); }
 
  protected:
   void use(QLineEdit* line, QWidget* surface) {
@@ -173,8 +175,10 @@ class LineEditor : public FieldEditor {
       return;
     }
     const base::Result<Value> value = scenario::parse_value(field_, typed.trimmed().toStdString());
-    if (value) emit entered(*value);
-    else emit rejected(QString::fromStdString(value.error().message));
+    if (value)
+      emit entered(*value);
+    else
+      emit rejected(QString::fromStdString(value.error().message));
   }
 
   const Field field_;
@@ -278,7 +282,8 @@ class ChoiceEditor : public FieldEditor {
     box_->setPlaceholderText(text("not set"));
     tight_row(this)->addWidget(box_, 1);
     setFocusProxy(box_);
-    connect(box_, &QComboBox::textActivated, this, [this](const QString& chosen) { emit entered(Value(chosen.toStdString())); });
+    connect(box_, &QComboBox::textActivated, this,
+            [this](const QString& chosen) { emit entered(Value(chosen.toStdString())); });
   }
   void show_value(const Values& value, Origin origin) override {
     box_->setCurrentIndex(value ? box_->findText(QString::fromStdString(std::get<std::string>(*value))) : -1);
@@ -314,7 +319,8 @@ class PointsEditor : public FieldEditor {
     connect(&settle_, &QTimer::timeout, this, &PointsEditor::commit);
   }
   void show_value(const Values& value, Origin origin) override {
-    const QString words = value ? QString::fromStdString(text_of_points(std::get<std::vector<geom::Point>>(*value))) : QString();
+    const QString words =
+        value ? QString::fromStdString(text_of_points(std::get<std::vector<geom::Point>>(*value))) : QString();
     // The user's own layout stays while it means the same: the document comes back after each change.
     const base::Result<std::vector<geom::Point>> typed = points_from_text(edit_->toPlainText().toStdString());
     if (!value || !typed || Value(*typed) != *value) {
@@ -329,9 +335,7 @@ class PointsEditor : public FieldEditor {
     settle_.stop();
     commit();
   }
-  void show_judgement(Judgement judgement) override {
-    show_background(*edit_, judgement);
-  }
+  void show_judgement(Judgement judgement) override { show_background(*edit_, judgement); }
 
  private:
   void commit() {
@@ -342,8 +346,10 @@ class PointsEditor : public FieldEditor {
       return;
     }
     base::Result<std::vector<geom::Point>> points = points_from_text(shown_.toStdString());
-    if (points) emit entered(Value(std::move(*points)));
-    else emit rejected(QString::fromStdString(points.error().message));
+    if (points)
+      emit entered(Value(std::move(*points)));
+    else
+      emit rejected(QString::fromStdString(points.error().message));
   }
 
   QPlainTextEdit* edit_;
@@ -357,18 +363,25 @@ void FieldEditor::show_judgement(Judgement) {}
 
 FieldEditor* make_field_editor(const Field& field, const std::filesystem::path& folder, QWidget* parent) {
   switch (field.kind) {
-    case Kind::Flag: return new FlagEditor(field, parent);
+    case Kind::Flag:
+      return new FlagEditor(field, parent);
     case Kind::Integer:
     case Kind::Number:
-    case Kind::Degrees: return new NumberEditor(field, parent);
-    case Kind::Choice: return new ChoiceEditor(field, parent);
-    case Kind::File: return new FileEditor(field, folder, parent);
-    case Kind::Points: return new PointsEditor(field, parent);
+    case Kind::Degrees:
+      return new NumberEditor(field, parent);
+    case Kind::Choice:
+      return new ChoiceEditor(field, parent);
+    case Kind::File:
+      return new FileEditor(field, folder, parent);
+    case Kind::Points:
+      return new PointsEditor(field, parent);
     case Kind::Text:
     case Kind::Point:
     case Kind::Numbers:
-    case Kind::Texts: return new TextEditor(field, parent);
-    case Kind::Tables: break;
+    case Kind::Texts:
+      return new TextEditor(field, parent);
+    case Kind::Tables:
+      break;
   }
   DOBRA_CHECK(field.kind != Kind::Tables);
   return nullptr;

@@ -18,9 +18,7 @@ const QColor blue(0x15, 0x65, 0xc0);
 /// Draws on a square of 24 x 24 units; the pen is set to the colour of text, 1.8 units wide.
 using Draw = void (*)(QPainter& painter);
 
-void fill(QPainter& painter, const QColor& color, const QPainterPath& path) {
-  painter.fillPath(path, color);
-}
+void fill(QPainter& painter, const QColor& color, const QPainterPath& path) { painter.fillPath(path, color); }
 
 QPainterPath polygon(std::initializer_list<QPointF> points) {
   QPainterPath path;
@@ -132,26 +130,46 @@ void draw_step(QPainter& p) {
 
 Draw drawing_of(Symbol symbol) {
   switch (symbol) {
-    case Symbol::Open: return draw_open;
-    case Symbol::Save: return draw_save;
-    case Symbol::SavePicture: return draw_save_picture;
-    case Symbol::Undo: return draw_undo;
-    case Symbol::Redo: return draw_redo;
-    case Symbol::Fit: return draw_fit;
-    case Symbol::Run: return draw_run;
-    case Symbol::Cancel: return draw_cancel;
-    case Symbol::Add: return draw_add;
-    case Symbol::Remove: return draw_remove;
-    case Symbol::Up: return draw_up;
-    case Symbol::Down: return draw_down;
-    case Symbol::Done: return draw_done;
-    case Symbol::Failed: return draw_failed;
-    case Symbol::Running: return draw_running;
-    case Symbol::Pending: return draw_pending;
-    case Symbol::Warning: return draw_warning;
-    case Symbol::Play: return draw_play;
-    case Symbol::Pause: return draw_pause;
-    case Symbol::Step: return draw_step;
+    case Symbol::Open:
+      return draw_open;
+    case Symbol::Save:
+      return draw_save;
+    case Symbol::SavePicture:
+      return draw_save_picture;
+    case Symbol::Undo:
+      return draw_undo;
+    case Symbol::Redo:
+      return draw_redo;
+    case Symbol::Fit:
+      return draw_fit;
+    case Symbol::Run:
+      return draw_run;
+    case Symbol::Cancel:
+      return draw_cancel;
+    case Symbol::Add:
+      return draw_add;
+    case Symbol::Remove:
+      return draw_remove;
+    case Symbol::Up:
+      return draw_up;
+    case Symbol::Down:
+      return draw_down;
+    case Symbol::Done:
+      return draw_done;
+    case Symbol::Failed:
+      return draw_failed;
+    case Symbol::Running:
+      return draw_running;
+    case Symbol::Pending:
+      return draw_pending;
+    case Symbol::Warning:
+      return draw_warning;
+    case Symbol::Play:
+      return draw_play;
+    case Symbol::Pause:
+      return draw_pause;
+    case Symbol::Step:
+      return draw_step;
   }
   return draw_pending;
 }
@@ -216,7 +234,8 @@ QIcon application_icon() {
   pixmap.fill(Qt::transparent);
   QPainter painter(&pixmap);
   painter.setRenderHint(QPainter::Antialiasing);
-  for (const auto& [color, down] : {std::pair(QColor("#b5651d"), 14.0), {QColor("#e0b070"), 30.0}, {QColor("#3b6ea5"), 46.0}}) {
+  for (const auto& [color, down] :
+       {std::pair(QColor("#b5651d"), 14.0), {QColor("#e0b070"), 30.0}, {QColor("#3b6ea5"), 46.0}}) {
     QPainterPath fold(QPointF(4, down));
     fold.cubicTo(22, down - 26, 40, down + 22, 60, down - 4);
     painter.setPen(QPen(color, 10, Qt::SolidLine, Qt::RoundCap));

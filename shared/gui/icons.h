@@ -8,7 +8,26 @@
 namespace dobra::gui {
 
 enum class Symbol {
-  Open, Save, SavePicture, Undo, Redo, Fit, Run, Cancel, Add, Remove, Up, Down, Done, Failed, Running, Pending, Warning, Play, Pause, Step
+  Open,
+  Save,
+  SavePicture,
+  Undo,
+  Redo,
+  Fit,
+  Run,
+  Cancel,
+  Add,
+  Remove,
+  Up,
+  Down,
+  Done,
+  Failed,
+  Running,
+  Pending,
+  Warning,
+  Play,
+  Pause,
+  Step
 };
 
 QIcon icon(Symbol symbol);

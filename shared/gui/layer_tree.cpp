@@ -24,7 +24,8 @@ QIcon swatch_of(const scene::Layer& layer) {
   const auto* mesh = std::get_if<scene::Mesh>(&layer.content);
   if (mesh != nullptr && mesh->values_at != scene::ValuesAt::None) {
     QLinearGradient colors(0.0, 0.0, 28.0, 0.0);
-    for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) colors.setColorAt(t, to_color(scene::color_at(mesh->scale.map, t)));
+    for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0})
+      colors.setColorAt(t, to_color(scene::color_at(mesh->scale.map, t)));
     return swatch(colors, line);
   }
   return swatch(layer.style.fill ? to_color(*layer.style.fill) : QColor(Qt::transparent), line);

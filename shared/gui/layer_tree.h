@@ -1,6 +1,6 @@
 #pragma once
-// The panels and layers of the picture with a check box each. What the user hides or shows stays so, by key, however often
-// the picture is made anew.
+// The panels and layers of the picture with a check box each. What the user hides or shows stays so, by key, however
+// often the picture is made anew.
 
 #include <QTreeWidget>
 #include <map>

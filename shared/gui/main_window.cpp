@@ -49,7 +49,8 @@ namespace {
 
 QString file_filter() { return text("Scenarios (*.toml)") + ";;" + text("All files (*)"); }
 
-QDockWidget* dock(QMainWindow& window, const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area) {
+QDockWidget* dock(QMainWindow& window, const QString& title, const char* name, QWidget* content,
+                  Qt::DockWidgetArea area) {
   auto* made = new QDockWidget(title, &window);
   made->setObjectName(name);
   made->setWidget(content);
@@ -69,7 +70,11 @@ QString dragged_file(const QMimeData& data) {
 }  // namespace
 
 MainWindow::MainWindow(const scenario::Program& program, std::string about)
-    : program_(program), about_(std::move(about)), session_(program), player_(session_), actions_(std::make_unique<Actions>()) {
+    : program_(program),
+      about_(std::move(about)),
+      session_(program),
+      player_(session_),
+      actions_(std::make_unique<Actions>()) {
   setWindowIcon(application_icon());
   setAcceptDrops(true);
   resize(1280, 800);
@@ -132,7 +137,8 @@ void MainWindow::make_docks() {
     session_.edit(without_step(session_.document(), step), text("Remove step %1").arg(step));
   });
   connect(steps_, &StepList::exchange_asked, this, [this](std::size_t step, std::size_t selected) {
-    session_.edit(with_step_lowered(session_.document(), step), text("Exchange steps %1 and %2").arg(step).arg(step + 1));
+    session_.edit(with_step_lowered(session_.document(), step),
+                  text("Exchange steps %1 and %2").arg(step).arg(step + 1));
     steps_->select(selected);
   });
   connect(form_, &ParameterForm::edited, this, [this](const scenario::Table& table, const QString& key) {
@@ -158,7 +164,8 @@ void MainWindow::make_actions() {
   file->addSeparator();
   a.save = add(file, text("&Save"), QKeySequence::Save, [this] { ask_save(); });
   a.save_as = add(file, text("Save &As..."), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), [this] { ask_save_as(); });
-  a.save_picture = add(file, text("Save &Picture..."), QKeySequence(Qt::CTRL | Qt::Key_E), [this] { ask_save_picture(); });
+  a.save_picture =
+      add(file, text("Save &Picture..."), QKeySequence(Qt::CTRL | Qt::Key_E), [this] { ask_save_picture(); });
   file->addSeparator();
   a.quit = add(file, text("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), [this] { close(); });
   a.undo = add(edit, text("&Undo"), QKeySequence::Undo, [this] { session_.undo(); });
@@ -195,7 +202,9 @@ void MainWindow::make_actions() {
 /// Only in a program with something to watch.
 void MainWindow::make_player_actions() {
   const auto& operations = program_.operations;
-  if (std::all_of(operations.begin(), operations.end(), [](const auto& operation) { return operation.stop_after.empty(); })) return;
+  if (std::all_of(operations.begin(), operations.end(),
+                  [](const auto& operation) { return operation.stop_after.empty(); }))
+    return;
   Actions& a = *actions_;
   QToolBar* bar = addToolBar(text("Watch"));
   bar->setObjectName("watch_bar");
@@ -209,8 +218,10 @@ void MainWindow::make_player_actions() {
     return made;
   };
   a.play = add(text("Watch it work"), Symbol::Play, QKeySequence(Qt::Key_F6), [this] {
-    if (player_.playing()) player_.pause();
-    else player_.play(watched_part());
+    if (player_.playing())
+      player_.pause();
+    else
+      player_.play(watched_part());
   });
   a.step = add(text("One step more"), Symbol::Step, QKeySequence(Qt::Key_F7), [this] { player_.step(watched_part()); });
   a.stop = add(text("Stop watching"), Symbol::Cancel, QKeySequence(Qt::Key_F8), [this] { player_.stop(); });
@@ -291,10 +302,11 @@ base::Result<void> MainWindow::save(const std::filesystem::path& file) {
 
 base::Result<void> MainWindow::save_picture(const std::filesystem::path& file) {
   if (!session_.outcome() || !session_.outcome()->picture) {
-    return base::Error{base::ErrorCode::CannotDraw, text("there is no picture yet; run the scenario first").toStdString()};
+    return base::Error{base::ErrorCode::CannotDraw,
+                       text("there is no picture yet; run the scenario first").toStdString()};
   }
-  return render::write_picture(
-      scenario::titled(layers_->chosen(*session_.outcome()->picture), session_.document()), file);
+  return render::write_picture(scenario::titled(layers_->chosen(*session_.outcome()->picture), session_.document()),
+                               file);
 }
 
 base::Result<void> MainWindow::save_screenshot(const std::filesystem::path& file) {
@@ -321,8 +333,8 @@ void MainWindow::select(std::size_t part) { steps_->select(part); }
 
 void MainWindow::ask_open() {
   if (!may_discard()) return;
-  const QString chosen =
-      QFileDialog::getOpenFileName(this, text("Open a scenario"), from_path(session_.document().folder()), file_filter());
+  const QString chosen = QFileDialog::getOpenFileName(this, text("Open a scenario"),
+                                                      from_path(session_.document().folder()), file_filter());
   if (!chosen.isEmpty()) static_cast<void>(open(to_path(chosen)));
 }
 
@@ -346,8 +358,10 @@ void MainWindow::ask_save_picture() {
                                                       text("Pictures (*.svg *.pdf *.png)"));
   if (chosen.isEmpty()) return;
   const base::Result<void> written = save_picture(to_path(chosen));
-  if (written) said_->setText(text("Saved %1").arg(chosen));
-  else show_error(written.error());
+  if (written)
+    said_->setText(text("Saved %1").arg(chosen));
+  else
+    show_error(written.error());
 }
 
 bool MainWindow::may_discard() {
@@ -372,8 +386,10 @@ void MainWindow::about() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (may_discard()) event->accept();
-  else event->ignore();
+  if (may_discard())
+    event->accept();
+  else
+    event->ignore();
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
@@ -428,7 +444,8 @@ void MainWindow::show_form() {
                                 : text("%1 has no such operation.").arg(QString::fromStdString(program_.title));
     identity = from_path(document.file) + "#" + QString::number(part) + QString::fromStdString(step.operation);
   }
-  form_->show_part(identity, title, help, scenario::fields_in(fields_of(document, program_, part), document.units), table_of(document, part), document.folder());
+  form_->show_part(identity, title, help, scenario::fields_in(fields_of(document, program_, part), document.units),
+                   table_of(document, part), document.folder());
   mark_error();
 }
 
@@ -449,7 +466,8 @@ std::vector<PartState> MainWindow::part_states() const {
 
 void MainWindow::show_run_started() {
   const OutcomePtr& before = session_.outcome();
-  if (before && before->run.error && Session::common_parts(session_.document(), *before->document) <= before->run.failed_step) {
+  if (before && before->run.error &&
+      Session::common_parts(session_.document(), *before->document) <= before->run.failed_step) {
     // What failed has been changed; whether it fails still is for this run to say.
     error_.reset();
     error_bar_->clear();

@@ -24,8 +24,8 @@ using scenario::Value;
 
 struct TableForm::Row {
   Field field;
-  FieldEditor* editor = nullptr;     ///< Either this ...
-  TablesEditor* tables = nullptr;    ///< ... or this, for kind Tables.
+  FieldEditor* editor = nullptr;   ///< Either this ...
+  TablesEditor* tables = nullptr;  ///< ... or this, for kind Tables.
   QLabel* title = nullptr;
   QToolButton* reset = nullptr;
   QLabel* message = nullptr;
@@ -170,12 +170,15 @@ void TableForm::add_row(const Field& field, QGridLayout& grid) {
 void TableForm::connect_row(Row& row) {
   if (row.tables != nullptr) {
     connect(row.tables, &TablesEditor::wants_to_be_seen, this, &TableForm::wants_to_be_seen);
-    connect(row.tables, &TablesEditor::entered, this, [this, &row](const std::vector<Table>& tables, const QString& key) {
-      if (tables.empty()) table_.erase(row.field.key);
-      else table_.set(row.field.key, tables);
-      const QString own = QString::fromStdString(row.field.key);
-      emit edited(table_, key.isEmpty() ? own : own + "." + key);
-    });
+    connect(row.tables, &TablesEditor::entered, this,
+            [this, &row](const std::vector<Table>& tables, const QString& key) {
+              if (tables.empty())
+                table_.erase(row.field.key);
+              else
+                table_.set(row.field.key, tables);
+              const QString own = QString::fromStdString(row.field.key);
+              emit edited(table_, key.isEmpty() ? own : own + "." + key);
+            });
     return;
   }
   connect(row.editor, &FieldEditor::entered, this, [this, &row](const Value& value) { enter(row, value); });
@@ -212,8 +215,10 @@ void TableForm::show_row(Row& row) {
     // What is wrong inside a table is said inside its own form.
     if (value) wrong.clear();
   } else {
-    if (written != nullptr) row.editor->show_value(value, FieldEditor::Origin::Document);
-    else row.editor->show_value(row.field.default_value, FieldEditor::Origin::Default);
+    if (written != nullptr)
+      row.editor->show_value(value, FieldEditor::Origin::Document);
+    else
+      row.editor->show_value(row.field.default_value, FieldEditor::Origin::Default);
     row.reset->setVisible(written != nullptr);
   }
   say(row, wrong);
@@ -283,8 +288,10 @@ base::Result<void> TableForm::type(const std::string& key, const QString& typed)
     return found->tables->open(path.index - 1).type(path.tail, typed);
   }
   emit wants_to_be_seen(found->editor);
-  if (typed.isEmpty()) found->reset->click();
-  else found->editor->type(typed);
+  if (typed.isEmpty())
+    found->reset->click();
+  else
+    found->editor->type(typed);
   if (found->message->text().isEmpty()) return {};
   return base::Error{base::ErrorCode::BadValue, found->message->text().toStdString()};
 }

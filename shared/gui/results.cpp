@@ -74,8 +74,10 @@ void Results::show_outcome(const Outcome& outcome) {
   quantities_->expandAll();
   QString said;
   for (const scenario::Verdict& verdict : outcome.verdicts) {
-    if (verdict.met) said += list_item("#2e7d32", QString::fromUtf8("✓"), verdict.message);
-    else said += list_item("#c62828", QString::fromUtf8("✗"), verdict.message);
+    if (verdict.met)
+      said += list_item("#2e7d32", QString::fromUtf8("✓"), verdict.message);
+    else
+      said += list_item("#c62828", QString::fromUtf8("✗"), verdict.message);
   }
   for (const std::string& remark : outcome.remarks) said += list_item("#15659a", QString::fromUtf8("•"), remark);
   if (said.isEmpty()) said = "<i>" + text("No remarks.") + "</i>";

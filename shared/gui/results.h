@@ -1,5 +1,6 @@
 #pragma once
-// What a run found: a tree of quantities ("horizon.top" over "length_before"), the verdicts on the document's expectations, and remarks to the user.
+// What a run found: a tree of quantities ("horizon.top" over "length_before"), the verdicts on the document's
+// expectations, and remarks to the user.
 
 #include <QWidget>
 

@@ -29,10 +29,9 @@ constexpr int between_commands = 30;  ///< Milliseconds: the window paints what 
 /// Words that a command needs at least, its own name included.
 const std::map<std::string, std::size_t>& commands() {
   static const std::map<std::string, std::size_t> all{
-      {"wait", 1}, {"select", 2}, {"set", 2},     {"undo", 1},         {"redo", 1},       {"save", 1},
-      {"fit", 1},  {"hide", 2},   {"show", 2},    {"save-picture", 2}, {"screenshot", 2}, {"zoom", 4},
-      {"add", 2},  {"remove", 1}, {"quit", 1},    {"report", 2},       {"go-to-error", 1},
-      {"expect-error", 2}, {"watch", 2}};
+      {"wait", 1}, {"select", 2}, {"set", 2},          {"undo", 1},         {"redo", 1}, {"save", 1}, {"fit", 1},
+      {"hide", 2}, {"show", 2},   {"save-picture", 2}, {"screenshot", 2},   {"zoom", 4}, {"add", 2},  {"remove", 1},
+      {"quit", 1}, {"report", 2}, {"go-to-error", 1},  {"expect-error", 2}, {"watch", 2}};
   return all;
 }
 
@@ -60,7 +59,8 @@ std::string behind(const std::string& line, std::size_t count) {
 Result<std::vector<Script::Line>> Script::read(const std::filesystem::path& file) {
   std::ifstream in(file);
   if (!in || std::filesystem::is_directory(file)) {
-    return Error{ErrorCode::FileNotFound, "cannot read the script; give --script a text file", base::Place{file.string(), 0, 0, {}, {}, {}}};
+    return Error{ErrorCode::FileNotFound, "cannot read the script; give --script a text file",
+                 base::Place{file.string(), 0, 0, {}, {}, {}}};
   }
   std::vector<Line> lines;
   std::string written;
@@ -75,7 +75,8 @@ Result<std::vector<Script::Line>> Script::read(const std::filesystem::path& file
     if (command == commands().end()) {
       std::vector<std::string> names;
       for (const auto& [name, count] : commands()) names.push_back(name);
-      return Error{ErrorCode::BadSyntax, "unknown command '" + line.words[0] + "'" + base::did_you_mean(line.words[0], names), place};
+      return Error{ErrorCode::BadSyntax,
+                   "unknown command '" + line.words[0] + "'" + base::did_you_mean(line.words[0], names), place};
     }
     if (line.words.size() < command->second) {
       return Error{ErrorCode::BadSyntax, "'" + line.words[0] + "' needs more words", place};
@@ -185,11 +186,16 @@ Result<void> Script::watch(const Line& line) {
   if (part == 0) return failure(text("no step of this document can be watched"));
   const std::string& what = line.words[1];
   const std::optional<double> count = line.words.size() > 2 ? base::parse_number(line.words[2]) : 1.0;
-  if (what == "play") player.play(part);
-  else if (what == "pause") player.pause();
-  else if (what == "stop") player.stop();
-  else if (what == "step" && count && *count >= 1.0) player.step(part, static_cast<std::size_t>(*count));
-  else return failure(text("write watch play, pause, stop or step COUNT"));
+  if (what == "play")
+    player.play(part);
+  else if (what == "pause")
+    player.pause();
+  else if (what == "stop")
+    player.stop();
+  else if (what == "step" && count && *count >= 1.0)
+    player.step(part, static_cast<std::size_t>(*count));
+  else
+    return failure(text("write watch play, pause, stop or step COUNT"));
   return {};
 }
 
@@ -197,7 +203,8 @@ Result<void> Script::zoom(const Line& line) {
   const std::optional<double> factor = base::parse_number(line.words[1]);
   const std::optional<double> x = base::parse_number(line.words[2]);
   const std::optional<double> y = base::parse_number(line.words[3]);
-  if (!factor || !x || !y || !(*factor > 0)) return failure(text("write zoom FACTOR X Y with a factor above 0 and X, Y in 0..1"));
+  if (!factor || !x || !y || !(*factor > 0))
+    return failure(text("write zoom FACTOR X Y with a factor above 0 and X, Y in 0..1"));
   window_.view().zoom(*factor, {*x * window_.view().width(), *y * window_.view().height()});
   return {};
 }

@@ -4,10 +4,10 @@
 //   set KEY VALUE           types into the selected form     undo, redo, fit
 //   expect-error WORDS      the error bar says WORDS         save [PATH], save-picture PATH, screenshot PATH
 //   go-to-error             presses Show in the error bar
-//   hide LAYER, show LAYER  key, or panel/key                zoom FACTOR X Y    X, Y in 0..1 of the view from its top left
-//   add OPERATION           behind the selected part         remove             the selected step
-//   watch play|pause|stop   the operation at work             watch step COUNT  so many steps more
-//   report PATH             report.json of the last run       quit              without asking
+//   hide LAYER, show LAYER  key, or panel/key                zoom FACTOR X Y    X, Y in 0..1 of the view from its top
+//   left add OPERATION           behind the selected part         remove             the selected step watch
+//   play|pause|stop   the operation at work             watch step COUNT  so many steps more report PATH report.json of
+//   the last run       quit              without asking
 // "#" begins a comment. At the end without quit the window stays open. PATH is relative to the current folder.
 
 #include <QObject>
@@ -28,8 +28,8 @@ class Script : public QObject {
   struct Line {
     std::size_t number = 0;  ///< 1-based.
     std::vector<std::string> words;
-    std::string rest;        ///< All behind the first word.
-    std::string rest2;       ///< All behind the second word.
+    std::string rest;   ///< All behind the first word.
+    std::string rest2;  ///< All behind the second word.
   };
 
   /// @error FileNotFound; BadSyntax for an unknown command or missing words, with the line.

@@ -16,20 +16,28 @@ namespace {
 
 Symbol symbol_of(PartState state) {
   switch (state) {
-    case PartState::Pending: return Symbol::Pending;
-    case PartState::Running: return Symbol::Running;
-    case PartState::Done: return Symbol::Done;
-    case PartState::Failed: return Symbol::Failed;
+    case PartState::Pending:
+      return Symbol::Pending;
+    case PartState::Running:
+      return Symbol::Running;
+    case PartState::Done:
+      return Symbol::Done;
+    case PartState::Failed:
+      return Symbol::Failed;
   }
   return Symbol::Pending;
 }
 
 QString words_of(PartState state) {
   switch (state) {
-    case PartState::Pending: return text("not run");
-    case PartState::Running: return text("running");
-    case PartState::Done: return text("done");
-    case PartState::Failed: return text("failed");
+    case PartState::Pending:
+      return text("not run");
+    case PartState::Running:
+      return text("running");
+    case PartState::Done:
+      return text("done");
+    case PartState::Failed:
+      return text("failed");
   }
   return {};
 }

@@ -22,10 +22,10 @@ namespace dobra::gui {
 
 namespace {
 
-constexpr double pick_reach = 5.0;         ///< Pixels round the cursor.
-constexpr double zoom_a_notch = 1.2;       ///< Of the wheel: 15 degrees, 120 units.
-constexpr double place_fraction = 0.1;     ///< Of the model that is seen round a place.
-constexpr double least_fraction = 1e-9;    ///< Nearest and farthest zoom: size of a pixel over that of the model.
+constexpr double pick_reach = 5.0;       ///< Pixels round the cursor.
+constexpr double zoom_a_notch = 1.2;     ///< Of the wheel: 15 degrees, 120 units.
+constexpr double place_fraction = 0.1;   ///< Of the model that is seen round a place.
+constexpr double least_fraction = 1e-9;  ///< Nearest and farthest zoom: size of a pixel over that of the model.
 constexpr double most_fraction = 1.0;
 const scene::Color marker_color{0xd0, 0x10, 0x10};
 
@@ -121,7 +121,8 @@ void VtkWidget::resizeGL(int, int) { relayout(); }
 void VtkWidget::relayout() {
   if (!scene_) return;
   const double ratio = devicePixelRatioF();
-  scene_->scene.resize(static_cast<int>(std::lround(width() * ratio)), static_cast<int>(std::lround(height() * ratio)), ratio);
+  scene_->scene.resize(static_cast<int>(std::lround(width() * ratio)), static_cast<int>(std::lround(height() * ratio)),
+                       ratio);
 }
 
 void VtkWidget::paintGL() {
@@ -241,7 +242,8 @@ void VtkWidget::show_place(geom::Point place) {
   place_ = place;
   const auto has_place = [&](const scene::Panel& panel) { return panel.extent && panel.extent->contains(place); };
   const auto found = std::find_if(picture_.panels.begin(), picture_.panels.end(), has_place);
-  const std::size_t panel = found == picture_.panels.end() ? 0 : static_cast<std::size_t>(found - picture_.panels.begin());
+  const std::size_t panel =
+      found == picture_.panels.end() ? 0 : static_cast<std::size_t>(found - picture_.panels.begin());
   const double size = picture_.panels[panel].extent ? picture_.panels[panel].extent->diagonal() : 1.0;
   const std::vector<scene::View> views = scene_->scene.views();
   const double scale = place_fraction * size / std::max(scene_->scene.layout().panels[panel].plot.width(), 1.0);
@@ -316,8 +318,9 @@ void VtkWidget::mouseMoveEvent(QMouseEvent* event) {
   // As many decimals as a pixel can tell apart.
   const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(scale))), 0, 12);
   const auto number = [&](double value) { return QString::number(value, 'f', decimals); };
-  emit cursor_moved(QString("%1 = %2   %3 = %4")
-                        .arg(axis_name(panel.axes.x_title), number(spot->at.x), axis_name(panel.axes.y_title), number(spot->at.y)));
+  emit cursor_moved(
+      QString("%1 = %2   %3 = %4")
+          .arg(axis_name(panel.axes.x_title), number(spot->at.x), axis_name(panel.axes.y_title), number(spot->at.y)));
 }
 
 void VtkWidget::mouseReleaseEvent(QMouseEvent* event) {

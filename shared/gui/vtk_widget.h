@@ -1,6 +1,6 @@
 #pragma once
-// The picture in the window, drawn by VTK: pan with the middle button, zoom at the cursor with the wheel, fit with F or a
-// double click of the middle button, tell what is under the cursor, mark a place.
+// The picture in the window, drawn by VTK: pan with the middle button, zoom at the cursor with the wheel, fit with F or
+// a double click of the middle button, tell what is under the cursor, mark a place.
 
 #include <QOpenGLWidget>
 #include <memory>
@@ -70,10 +70,10 @@ class VtkWidget : public QOpenGLWidget {
   void relayout();
   void pick(QPointF pixel);
 
-  scene::Picture picture_;                          ///< As given.
-  std::optional<geom::Point> place_;                ///< Where the marker stands.
-  std::vector<std::optional<scene::View>> views_;   ///< One a panel; nothing: all of it.
-  std::unique_ptr<Scene> scene_;                    ///< What needs the OpenGL context.
+  scene::Picture picture_;                         ///< As given.
+  std::optional<geom::Point> place_;               ///< Where the marker stands.
+  std::vector<std::optional<scene::View>> views_;  ///< One a panel; nothing: all of it.
+  std::unique_ptr<Scene> scene_;                   ///< What needs the OpenGL context.
   QPointF drag_;
   Qt::MouseButton dragging_ = Qt::NoButton;
 };

@@ -29,10 +29,7 @@ OutcomePtr outcome_of(const DocumentPtr& document, const scenario::Program& prog
 }  // namespace
 
 Worker::Worker(const scenario::Program& program, QObject* parent)
-    : QObject(parent),
-      program_(program),
-      runner_(std::make_shared<scenario::Runner>(program)),
-      bench_(new QObject) {
+    : QObject(parent), program_(program), runner_(std::make_shared<scenario::Runner>(program)), bench_(new QObject) {
   bench_->moveToThread(&thread_);
   connect(&thread_, &QThread::finished, bench_, &QObject::deleteLater);
   thread_.setObjectName("dobra worker");
@@ -71,11 +68,13 @@ void Worker::start(DocumentPtr document) {
     if (now - *last_report < least_time_between_reports) return;
     *last_report = now;
     const QString said = QString::fromStdString(what).trimmed();
-    QMetaObject::invokeMethod(this, [this, fraction, said] { emit progress(fraction, said); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        this, [this, fraction, said] { emit progress(fraction, said); }, Qt::QueuedConnection);
   });
   QMetaObject::invokeMethod(bench_, [this, document = std::move(document), listener] {
     const OutcomePtr outcome = outcome_of(document, program_, *runner_, listener);
-    QMetaObject::invokeMethod(this, [this, outcome] { done(outcome); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        this, [this, outcome] { done(outcome); }, Qt::QueuedConnection);
   });
 }
 

@@ -156,9 +156,7 @@ Result<std::string> bdf_text(const ElementMesh& mesh) {
   return std::move(writer.text);
 }
 
-Result<void> write_bdf(const std::string& path, const ElementMesh& mesh) {
-  return write_text(path, bdf_text(mesh));
-}
+Result<void> write_bdf(const std::string& path, const ElementMesh& mesh) { return write_text(path, bdf_text(mesh)); }
 
 namespace {
 

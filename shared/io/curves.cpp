@@ -42,7 +42,8 @@ Result<Curves> read_curves(const std::string& path, const LineOptions& options) 
     std::vector<std::optional<std::size_t>> polygon_of(feature.parts.size());
     if (feature.type == FeatureType::Polygons) {
       for (const auto& [first, last] : polygons_of(feature)) {
-        std::fill(polygon_of.begin() + static_cast<std::ptrdiff_t>(first), polygon_of.begin() + static_cast<std::ptrdiff_t>(last), polygons);
+        std::fill(polygon_of.begin() + static_cast<std::ptrdiff_t>(first),
+                  polygon_of.begin() + static_cast<std::ptrdiff_t>(last), polygons);
         ++polygons;
       }
     }

@@ -95,8 +95,8 @@ void note_unit(std::string_view value, StatedConvention& stated) {
     stated.unit = unit->second;
     return;
   }
-  stated.questions.push_back({Question::About::Unit,
-                              fmt::format("the drawing gives $INSUNITS = {}, a unit that is not known here; say what "
+  stated.questions.push_back(
+      {Question::About::Unit, fmt::format("the drawing gives $INSUNITS = {}, a unit that is not known here; say what "
                                           "one unit is: unit = m, km, ft, in, cm or mm (--unit)",
                                           shown(value))});
 }

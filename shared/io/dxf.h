@@ -39,8 +39,8 @@ base::Result<Features> parse_dxf(std::string_view text, const std::string& file,
 base::Result<Features> read_dxf(const std::string& path, Heights heights = Heights::Drop);
 
 /// A drawing of release 12: each part a POLYLINE on the layer of the feature's name, closed ones with the flag; with
-/// heights, 3D polylines that repeat their first point. What is read from this text gives the same text again. Points features are POINTs; holes of
-/// polygons become contours like others.
+/// heights, 3D polylines that repeat their first point. What is read from this text gives the same text again. Points
+/// features are POINTs; holes of polygons become contours like others.
 /// @param unit  metres in one unit of the drawing: stated as $INSUNITS (of release 2000) if it is among dxf_units.
 /// @error NotFinite
 base::Result<std::string> dxf(std::span<const Feature> features, std::optional<double> unit = {});

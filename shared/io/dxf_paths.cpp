@@ -116,12 +116,14 @@ SvgPath path_through(const std::vector<Vertex>& vertices, bool closed) {
     const Vector chord = q - p;
     const Point centre = midpoint(p, q) + ((1.0 - bulge * bulge) / (4.0 * bulge)) * Vector{-chord.y, chord.x};
     const double radius = distance(centre, p);
-    SvgPiece arc = arc_piece(centre, {radius, 0.0}, {0.0, radius}, std::atan2(p.y - centre.y, p.x - centre.x), 4.0 * std::atan(bulge));
+    SvgPiece arc = arc_piece(centre, {radius, 0.0}, {0.0, radius}, std::atan2(p.y - centre.y, p.x - centre.x),
+                             4.0 * std::atan(bulge));
     arc.from = p;
     arc.to = q;
     path.pieces.push_back(arc);
   }
-  if (!closed && !path.pieces.empty()) path.closed = path.pieces.size() > 1 && path.pieces.front().from == path.pieces.back().to;
+  if (!closed && !path.pieces.empty())
+    path.closed = path.pieces.size() > 1 && path.pieces.front().from == path.pieces.back().to;
   return path;
 }
 
@@ -185,9 +187,11 @@ std::optional<Spline> spline_of(const Entity& entity) {
   const double degree = entity.number(71);
   if (degree != 1.0 && degree != 2.0 && degree != 3.0) return std::nullopt;
   spline.degree = static_cast<std::size_t>(degree);
-  const bool fits = spline.control.size() > spline.degree && spline.knots.size() == spline.control.size() + spline.degree + 1;
+  const bool fits =
+      spline.control.size() > spline.degree && spline.knots.size() == spline.control.size() + spline.degree + 1;
   const bool ascending = std::is_sorted(spline.knots.begin(), spline.knots.end());
-  const bool rational = std::any_of(weights.begin(), weights.end(), [&](double weight) { return weight != weights.front(); });
+  const bool rational =
+      std::any_of(weights.begin(), weights.end(), [&](double weight) { return weight != weights.front(); });
   if (!fits || !ascending || rational) return std::nullopt;
   return spline;
 }
@@ -247,7 +251,8 @@ std::optional<SvgPath> path_of(const Entity& entity) {
     const Vector u = entity.point(11) - Point{};
     const double start = entity.number(41);
     const double sweep = sweep_between(start, entity.number(42, full_turn));
-    path.pieces.push_back(arc_piece(entity.point(10), u, entity.number(40, 1.0) * entity.facing() * Vector{-u.y, u.x}, start, sweep));
+    path.pieces.push_back(
+        arc_piece(entity.point(10), u, entity.number(40, 1.0) * entity.facing() * Vector{-u.y, u.x}, start, sweep));
     path.closed = sweep >= full_turn;
   } else if (entity.type == "LWPOLYLINE") {
     path = path_through(vertices_of(entity), (entity.flags() & 1) != 0);
@@ -260,7 +265,8 @@ std::optional<SvgPath> path_of(const Entity& entity) {
 }
 
 bool holds_no_line(const std::string& type) {
-  return type == "POINT" || type == "TEXT" || type == "MTEXT" || type == "VIEWPORT" || type == "SEQEND" || type == "ENDSEC" || type == "EOF";
+  return type == "POINT" || type == "TEXT" || type == "MTEXT" || type == "VIEWPORT" || type == "SEQEND" ||
+         type == "ENDSEC" || type == "EOF";
 }
 
 }  // namespace
@@ -288,12 +294,16 @@ std::optional<std::vector<SvgPath>> dxf_paths(std::string_view text, const std::
       path = path_of(entity);
     }
     if (!path || path->pieces.empty()) return std::nullopt;
-    if (entity.facing() < 0 && entity.type != "LINE" && entity.type != "ELLIPSE" && entity.type != "SPLINE") mirror(*path);
-    bent = bent || std::any_of(path->pieces.begin(), path->pieces.end(), [](const SvgPiece& piece) { return piece.kind != SvgPieceKind::Line; });
+    if (entity.facing() < 0 && entity.type != "LINE" && entity.type != "ELLIPSE" && entity.type != "SPLINE")
+      mirror(*path);
+    bent = bent || std::any_of(path->pieces.begin(), path->pieces.end(),
+                               [](const SvgPiece& piece) { return piece.kind != SvgPieceKind::Line; });
     const std::string layer = entity.layer();
     const bool unnamed = layer.empty() || layer == "0";
     const std::size_t number = unnamed ? 0 : ++used[layer];
-    path->name = unnamed ? fmt::format("curve {}", paths.size() + 1) : number == 1 ? layer : fmt::format("{} {}", layer, number);
+    path->name = unnamed       ? fmt::format("curve {}", paths.size() + 1)
+                 : number == 1 ? layer
+                               : fmt::format("{} {}", layer, number);
     path->place = base::Place{.file = file, .item = {}};
     paths.push_back(*std::move(path));
   }

@@ -1,7 +1,7 @@
 #pragma once
-// The entities of a DXF drawing as true curves: LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE and POLYLINE with bulges, and SPLINE up to the third
-// degree without weights, cut into the cubic Bezier curves that it is made of. What read_dxf gives as chords stays what it was drawn as.
-// Source: [farin2002curves], blossoms.
+// The entities of a DXF drawing as true curves: LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE and POLYLINE with bulges, and
+// SPLINE up to the third degree without weights, cut into the cubic Bezier curves that it is made of. What read_dxf
+// gives as chords stays what it was drawn as. Source: [farin2002curves], blossoms.
 
 #include <optional>
 #include <string_view>
@@ -11,8 +11,9 @@
 
 namespace dobra::io {
 
-/// The paths of a drawing in drawing units, x right and y up, named as read_dxf names its features; nothing where that reader must do
-/// it all: no bent entity, or one beside those above (INSERT, HATCH, a spline of weights or of fit points ...), heights, paper space, an inclined plane.
+/// The paths of a drawing in drawing units, x right and y up, named as read_dxf names its features; nothing where that
+/// reader must do it all: no bent entity, or one beside those above (INSERT, HATCH, a spline of weights or of fit
+/// points ...), heights, paper space, an inclined plane.
 /// @pre read_dxf reads the text
 std::optional<std::vector<SvgPath>> dxf_paths(std::string_view text, const std::string& file);
 

@@ -30,9 +30,11 @@ struct Feature {
   std::string kind = {};  ///< Property "kind", such as "horizon" or "fault"; empty if there is none.
   std::vector<std::pair<std::string, PropertyValue>> properties = {};  ///< The others, in file order.
   std::vector<std::vector<double>> heights = {};  ///< Empty, or the third coordinate of every point of every part.
-  /// Empty, or for every part the extra columns of a text, point after point; of lines as they were read, without repairs.
+  /// Empty, or for every part the extra columns of a text, point after point; of lines as they were read, without
+  /// repairs.
   std::vector<std::vector<double>> extras = {};
-  std::optional<std::int64_t> id = {};  ///< Its number in the file, where that keeps one. Does not count in comparisons.
+  std::optional<std::int64_t> id =
+      {};                   ///< Its number in the file, where that keeps one. Does not count in comparisons.
   base::Place source = {};  ///< File and line, or file and item. Where it came from does not count in comparisons.
 
   friend bool operator==(const Feature& a, const Feature& b) {
@@ -97,8 +99,8 @@ enum class Faulty { Refuse, Skip };
 /// @error                  NotFinite, DegenerateCurve with the place.
 base::Result<std::size_t> normalise(Feature& feature, const std::vector<std::size_t>& ring_of_polygon);
 
-/// The same; parts that are no line or polygon are left out, a contour with its holes, with a remark each that begins with
-/// `where`. No part may be left. @error NotFinite
+/// The same; parts that are no line or polygon are left out, a contour with its holes, with a remark each that begins
+/// with `where`. No part may be left. @error NotFinite
 base::Result<std::size_t> normalise_sound(Feature& feature, const std::vector<std::size_t>& ring_of_polygon,
                                           const std::string& where, std::vector<std::string>& remarks);
 

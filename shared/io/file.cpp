@@ -117,7 +117,8 @@ base::Result<std::string> read_bytes(const std::filesystem::path& file) {
   if (in.number() < 0) return Error{ErrorCode::CannotRead, fmt::format("cannot be read: {}", reason(errno)), at(file)};
   struct stat status {};
   std::string bytes;
-  if (::fstat(in.number(), &status) == 0 && S_ISREG(status.st_mode)) bytes.reserve(static_cast<std::size_t>(status.st_size));
+  if (::fstat(in.number(), &status) == 0 && S_ISREG(status.st_mode))
+    bytes.reserve(static_cast<std::size_t>(status.st_size));
   std::string buffer(std::size_t{1} << 16, '\0');
   for (;;) {
     const ssize_t got = ::read(in.number(), buffer.data(), buffer.size());

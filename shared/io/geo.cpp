@@ -416,7 +416,8 @@ class Parser : private GeoExpressions {
     if (macro == macros_.end()) {
       std::vector<std::string> names;
       for (const auto& [own, begin] : macros_) names.push_back(own);
-      return error_at(name, fmt::format("there is no macro {}{}", shown(name.text), base::did_you_mean(name.text, names)));
+      return error_at(name,
+                      fmt::format("there is no macro {}{}", shown(name.text), base::did_you_mean(name.text, names)));
     }
     if (calls_.size() >= deepest) return error_at(name, "macros call each other too deeply");
     calls_.push_back({at_, loops_.size(), open_ifs_});

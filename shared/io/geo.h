@@ -1,6 +1,7 @@
 #pragma once
 // gmsh's geometry files (.geo), built-in kernel, plane: points, lines, circle and ellipse arcs, splines, loops, plane
-// surfaces, physical groups, sizes, divisions; variables, lists and arithmetic; For, If and macros. Source: [gmsh-manual].
+// surfaces, physical groups, sizes, divisions; variables, lists and arithmetic; For, If and macros. Source:
+// [gmsh-manual].
 
 #include <array>
 #include <cstdint>

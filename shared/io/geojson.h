@@ -22,7 +22,8 @@ base::Result<Features> parse_geojson(std::string_view text, const std::string& f
 /// @error FileNotFound, NotAFile, CannotRead, and those of parse_geojson.
 base::Result<Features> read_geojson(const std::string& path, Heights heights = Heights::Drop);
 
-/// A FeatureCollection, one feature a line, every digit and the heights kept. MULTI forms only where there is more than one part.
+/// A FeatureCollection, one feature a line, every digit and the heights kept. MULTI forms only where there is more than
+/// one part.
 /// @param system  written as the member "crs" of older GeoJSON, which QGIS reads, if it has a code.
 /// @error NotFinite
 base::Result<std::string> geojson(std::span<const Feature> features, const ReferenceSystem* system = nullptr);

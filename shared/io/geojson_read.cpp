@@ -35,7 +35,7 @@ struct SyntaxCheck : nlohmann::json_sax<nlohmann::json> {
   int arrays = 0;
   std::size_t ids = 0;         // of features
   bool states_system = false;  // else OGR takes longitudes and latitudes
-  std::size_t offset = 0;  // of the word that offends
+  std::size_t offset = 0;      // of the word that offends
   bool at_end = false;
   bool null() override { return true; }
   bool boolean(bool) override { return true; }
@@ -83,8 +83,8 @@ Result<Features> read_features(GDALDataset& data, const GdalMessages& messages, 
   for (OGRLayer* layer : data.GetLayers()) {
     if (syntax.states_system) result.stated.system = reference_system(layer->GetSpatialRef());
     // Words as ids are fields; OGR numbers what has no id.
-    const bool numbered =
-        layer->GetLayerDefn()->GetFieldIndex("id") < 0 && syntax.ids == static_cast<std::size_t>(layer->GetFeatureCount());
+    const bool numbered = layer->GetLayerDefn()->GetFieldIndex("id") < 0 &&
+                          syntax.ids == static_cast<std::size_t>(layer->GetFeatureCount());
     layer->ResetReading();
     while (const OGRFeatureUniquePtr source{layer->GetNextFeature()}) {
       ++number;

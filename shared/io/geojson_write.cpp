@@ -99,7 +99,8 @@ Result<std::string> properties_text(const Feature& feature) {
 
 Result<std::string> geojson(std::span<const Feature> features, const ReferenceSystem* system) {
   std::string text = "{\"type\":\"FeatureCollection\",";
-  if (const std::size_t colon = system == nullptr ? std::string::npos : system->code.find(':'); colon != std::string::npos) {
+  if (const std::size_t colon = system == nullptr ? std::string::npos : system->code.find(':');
+      colon != std::string::npos) {
     const std::string urn = "urn:ogc:def:crs:" + system->code.substr(0, colon) + "::" + system->code.substr(colon + 1);
     text += fmt::format(R"("crs":{{"type":"name","properties":{{"name":{}}}}},)", string_text(urn));
   }

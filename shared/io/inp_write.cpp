@@ -44,7 +44,8 @@ class Labels {
     if (label.empty() || !std::isalpha(static_cast<unsigned char>(label[0]))) label.insert(0, "S_");
     if (label.size() > longest_label) label.resize(cut_label);
     std::string unique = label;
-    for (int i = 2; !used_.insert(upper(unique)).second; ++i) unique = fmt::format("{}_{}", label.substr(0, cut_label), i);
+    for (int i = 2; !used_.insert(upper(unique)).second; ++i)
+      unique = fmt::format("{}_{}", label.substr(0, cut_label), i);
     return unique;
   }
 

@@ -52,7 +52,7 @@ struct LineOptions {
   TextPointsOptions text = {
       .columns = {}, .blank_lines = BlankLines::SplitLines, .closing = Closing::WhenFirstPointRepeats};
   Coordinates coordinates = Coordinates::Detect;
-  std::optional<Trace> trace = std::nullopt;  ///< The plane of 3D lines, m; fitted by least squares otherwise.
+  std::optional<Trace> trace = std::nullopt;         ///< The plane of 3D lines, m; fitted by least squares otherwise.
   std::optional<FoldAxis> fold_axis = std::nullopt;  ///< 3D lines are projected along it onto the profile of the fold.
   double plane_tolerance = 1e-3;  ///< Largest misfit of the plane as a part of the length of the section, > 0.
   std::optional<YDirection> y_direction = std::nullopt;  ///< As the file says, else up.
@@ -62,17 +62,17 @@ struct LineOptions {
   double exaggeration = 1.0;                             ///< Heights are stored this many times too large, > 0.
   std::vector<KindRule> kinds = {};  ///< Kinds by names; the first rule that fits goes before what the file says.
   RepairOptions repair = {};
-  Faulty faulty = Faulty::Refuse;  ///< Skip: as the readers of text, WKT, GeoJSON, DXF and OGR do it.
+  Faulty faulty = Faulty::Refuse;               ///< Skip: as the readers of text, WKT, GeoJSON, DXF and OGR do it.
   UnitWanted unit_wanted = UnitWanted::Metres;  ///< OfTheFile: `unit` and `silent_unit` are not looked at.
 };
 
 struct LineWork {
   std::vector<Feature> features;  ///< In section coordinates, m; at least one, in the order of the file.
   LineFormat format = LineFormat::Text;
-  std::optional<Trace> trace = std::nullopt;  ///< Of 3D lines that were laid into their plane.
-  YDirection y_direction = YDirection::Up;    ///< As it was taken.
-  double unit = 1.0;                          ///< As it was taken, m.
-  std::optional<double> stated_unit = std::nullopt;  ///< Metres in one unit, as the file says.
+  std::optional<Trace> trace = std::nullopt;             ///< Of 3D lines that were laid into their plane.
+  YDirection y_direction = YDirection::Up;               ///< As it was taken.
+  double unit = 1.0;                                     ///< As it was taken, m.
+  std::optional<double> stated_unit = std::nullopt;      ///< Metres in one unit, as the file says.
   std::optional<ReferenceSystem> system = std::nullopt;  ///< As the file states it; not applied.
   std::vector<Repair> repairs;
   std::vector<std::string> remarks;  ///< What was changed, left out or taken from the file, one line each.

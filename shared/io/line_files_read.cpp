@@ -52,9 +52,10 @@ Result<LineFormat> line_format_of(const std::string& path) {
   for (const LineFormatNames& names : line_formats()) {
     if (std::find(names.endings.begin(), names.endings.end(), ending) != names.endings.end()) return names.format;
   }
-  return Error{ErrorCode::UnknownFormat,
-               fmt::format("the ending of the name tells no format of lines; known are {}", fmt::join(line_endings(), " ")),
-               Place{.file = path}};
+  return Error{
+      ErrorCode::UnknownFormat,
+      fmt::format("the ending of the name tells no format of lines; known are {}", fmt::join(line_endings(), " ")),
+      Place{.file = path}};
 }
 
 namespace {
@@ -87,7 +88,8 @@ std::optional<Question> question_of_columns(const TextPoints& read, const TextPo
                               read.column_count, header)};
 }
 
-// The outlines of poly2tri's test files: a line HOLE stands before each inner one. It becomes a blank line, which parts lines.
+// The outlines of poly2tri's test files: a line HOLE stands before each inner one. It becomes a blank line, which parts
+// lines.
 std::string without_hole_words(std::string_view text, std::size_t& count) {
   std::string result(text);
   for (std::size_t begin = 0; begin < result.size();) {
@@ -115,7 +117,8 @@ Result<Features> features_of_text(std::string_view given, const std::string& fil
   }
   DOBRA_TRY(TextPoints read, parse_text_points(text, file, wanted));
   Features features{{}, std::move(read.remarks)};
-  if (holes > 0) features.remarks.push_back(fmt::format("{}: {} lines HOLE taken for the beginnings of further lines", file, holes));
+  if (holes > 0)
+    features.remarks.push_back(fmt::format("{}: {} lines HOLE taken for the beginnings of further lines", file, holes));
   if (!chosen && options.coordinates == Coordinates::Detect) {
     if (auto question = question_of_columns(read, wanted)) features.stated.questions.push_back(*std::move(question));
   }
@@ -159,8 +162,9 @@ Error unclear(std::string text, const std::string& file) {
 Result<void> check_answers(const Features& raw, const LineOptions& options, const std::string& file) {
   for (const Question& question : raw.stated.questions) {
     const bool answered = question.about == Question::About::YDirection ? options.y_direction.has_value()
-                          : question.about == Question::About::Unit     ? options.unit || options.unit_wanted == UnitWanted::OfTheFile
-                                                                        : options.coordinates != Coordinates::Detect;
+                          : question.about == Question::About::Unit
+                              ? options.unit || options.unit_wanted == UnitWanted::OfTheFile
+                              : options.coordinates != Coordinates::Detect;
     if (!answered) return unclear(question.text, file);
   }
   return {};
@@ -180,8 +184,8 @@ Result<void> check_options(const LineOptions& options) {
   }
   if (!std::isfinite(options.y_reference)) return refuse("the reference of y is not finite; give a number");
   const RepairOptions& repairs = options.repair;
-  const bool moves_points = repairs.order != PointOrder::AsGiven || repairs.duplicates || repairs.gaps || repairs.snap ||
-                            repairs.slivers || repairs.edges;
+  const bool moves_points = repairs.order != PointOrder::AsGiven || repairs.duplicates || repairs.gaps ||
+                            repairs.snap || repairs.slivers || repairs.edges;
   if (!options.text.extra_columns.empty() && moves_points)
     return refuse("extra columns belong to points as they were read; leave out the repairs");
   if (!options.text.extra_columns.empty() && options.text.closing != Closing::KeepOpen)
@@ -333,14 +337,15 @@ Result<LineWork> finish(Features raw, const std::string& file, LineFormat format
   const double height_unit = as_it_is ? 1.0 : options.unit.value_or(raw.stated.height_unit.value_or(work.unit));
   if (work.unit != 1.0 || height_unit != 1.0) DOBRA_TRY_VOID(to_metres(raw, work.unit, height_unit, file));
   if (options.unit && raw.stated.unit && *options.unit != *raw.stated.unit) {
-    work.remarks.push_back(fmt::format("{}: the file says that its unit is {} m; it is taken as {} m, as asked for", file,
-                                       *raw.stated.unit, *options.unit));
+    work.remarks.push_back(fmt::format("{}: the file says that its unit is {} m; it is taken as {} m, as asked for",
+                                       file, *raw.stated.unit, *options.unit));
   }
   if (!options.unit && raw.stated.unit && work.unit != 1.0) {
     work.remarks.push_back(fmt::format("{}: its unit is {} m, as the file says", file, work.unit));
   }
   if (map) {
-    const auto laid = options.fold_axis ? lay_along(raw, *options.fold_axis, work, file) : lay(raw, options, work, file);
+    const auto laid =
+        options.fold_axis ? lay_along(raw, *options.fold_axis, work, file) : lay(raw, options, work, file);
     if (!laid) return base::located(laid.error(), Place{.file = file});
   }
   work.features = std::move(raw.features);

@@ -58,9 +58,10 @@ const std::vector<std::pair<std::string, Write>>& writers() {
   static const std::vector<std::pair<std::string, Write>> table = {
       {".vtu", [](const std::string& path, const ElementMesh& mesh, InpElement) { return write_vtu(path, mesh); }},
       {".msh", [](const std::string& path, const ElementMesh& mesh, InpElement) { return write_msh(path, mesh); }},
-      {".msh2",
-       [](const std::string& path, const ElementMesh& mesh, InpElement) { return write_msh(path, mesh, MshVersion::V22); }},
-      {".inp", [](const std::string& path, const ElementMesh& mesh, InpElement element) { return write_inp(path, mesh, {.element = element}); }},
+      {".msh2", [](const std::string& path, const ElementMesh& mesh,
+                   InpElement) { return write_msh(path, mesh, MshVersion::V22); }},
+      {".inp", [](const std::string& path, const ElementMesh& mesh,
+                  InpElement element) { return write_inp(path, mesh, {.element = element}); }},
       {".bdf", [](const std::string& path, const ElementMesh& mesh, InpElement) { return write_bdf(path, mesh); }},
       {".nas", [](const std::string& path, const ElementMesh& mesh, InpElement) { return write_bdf(path, mesh); }},
       {".nf",
@@ -167,7 +168,8 @@ Result<MeshContents> read_mesh(const std::string& path) {
     if (known != ending) continue;
     DOBRA_TRY(MeshContents contents, read(path));
     if (const std::size_t turned = contents.elements.turned.size(); turned > 0) {
-      contents.remarks.push_back(fmt::format("{}: {} of {} elements run clockwise and are turned round", path, turned, contents.mesh.element_count()));
+      contents.remarks.push_back(fmt::format("{}: {} of {} elements run clockwise and are turned round", path, turned,
+                                             contents.mesh.element_count()));
     }
     return contents;
   }
@@ -192,12 +194,14 @@ Result<void> add_note(const std::string& path, const std::string& note) {
                             {".poly", "", "# {}\n"},
                             {".obj", "", "# {}\n"}};
   const std::string ending = ending_of(path);
-  const auto* form = std::find_if(std::begin(forms), std::end(forms), [&](const Form& own) { return ending == own.ending; });
+  const auto* form =
+      std::find_if(std::begin(forms), std::end(forms), [&](const Form& own) { return ending == own.ending; });
   if (form == std::end(forms)) return {};
   DOBRA_TRY(std::string text, read_text(path));
   const std::size_t at = text.find(form->behind);
   if (at == std::string::npos) return {};
-  return write_text(path, text.insert(at + std::string(form->behind).size(), fmt::format(fmt::runtime(form->comment), note)));
+  return write_text(path,
+                    text.insert(at + std::string(form->behind).size(), fmt::format(fmt::runtime(form->comment), note)));
 }
 
 std::vector<Error> inverted_elements(const MeshContents& contents) {
@@ -222,13 +226,17 @@ std::vector<Error> inverted_elements(const MeshContents& contents) {
     if ((clockwise[e] != 0) == most) continue;
     const auto nodes = mesh.nodes_of(ElementId(e)).first(mesh::corner_count(mesh.types[e]));
     base::Place place;
-    place.item = fmt::format("element {} of the file", contents.elements.numbers.empty() ? e + 1 : contents.elements.numbers[e]);
+    place.item =
+        fmt::format("element {} of the file", contents.elements.numbers.empty() ? e + 1 : contents.elements.numbers[e]);
     place.x = place.y = 0.0;
     for (const mesh::NodeId node : nodes) {
       *place.x += mesh.point(node).x / static_cast<double>(nodes.size());
       *place.y += mesh.point(node).y / static_cast<double>(nodes.size());
     }
-    errors.push_back({ErrorCode::CannotMesh, fmt::format("it is inverted: its corners run {}, those of most others {}", most ? "anticlockwise" : "clockwise", most ? "clockwise" : "anticlockwise"), place});
+    errors.push_back({ErrorCode::CannotMesh,
+                      fmt::format("it is inverted: its corners run {}, those of most others {}",
+                                  most ? "anticlockwise" : "clockwise", most ? "clockwise" : "anticlockwise"),
+                      place});
   }
   return errors;
 }
@@ -243,23 +251,32 @@ std::vector<std::string> losses(const std::string& path, const ElementMesh& mesh
   std::vector<std::string> remarks;
   const auto say = [&](std::string what) { remarks.push_back(fmt::format("{}: {}", path, what)); };
   const bool second = std::any_of(mesh.types.begin(), mesh.types.end(), mesh::is_quadratic);
-  const auto quads = std::count_if(mesh.types.begin(), mesh.types.end(), [](auto type) { return mesh::corner_count(type) == 4; });
+  const auto quads =
+      std::count_if(mesh.types.begin(), mesh.types.end(), [](auto type) { return mesh::corner_count(type) == 4; });
   const bool surface = ending == ".obj" || ending == ".ply" || ending == ".off" || ending == ".stl";
   if (surface && second) say(fmt::format("a {} file holds corners only; the nodes at mid-sides are left out", ending));
   if (surface) say(fmt::format("a {} file holds no names; sets and regions are left out", ending));
-  if (ending == ".stl" && quads > 0) say(fmt::format("an .stl file holds triangles only; {} quadrilaterals are cut in two", quads));
-  if (ending == ".poly") say("a .poly file holds the lines of the geometry: elements, named points and the lips of cracks are left out, side sets are marked 1, 2 ... in the order of their names");
+  if (ending == ".stl" && quads > 0)
+    say(fmt::format("an .stl file holds triangles only; {} quadrilaterals are cut in two", quads));
+  if (ending == ".poly")
+    say("a .poly file holds the lines of the geometry: elements, named points and the lips of cracks are left out, "
+        "side sets are marked 1, 2 ... in the order of their names");
   if (ending == ".msh" || ending == ".msh2") {
-    for (const auto& [name, written] : msh_renamings(mesh)) say(fmt::format("the name '{}' is written as '{}': names in a .msh stand in quotes, on one line", name, written));
+    for (const auto& [name, written] : msh_renamings(mesh))
+      say(fmt::format("the name '{}' is written as '{}': names in a .msh stand in quotes, on one line", name, written));
   }
   if (ending == ".inp") {
     for (const auto& [kind, name, label] : inp_renamings(mesh)) {
-      say(fmt::format("the {} {} is written as {}: labels are letters, digits, _ and -, begin with a letter, are no longer than 80 and differ not only by cases", kind, shown(name), label));
+      say(
+          fmt::format("the {} {} is written as {}: labels are letters, digits, _ and -, begin with a letter, are no "
+                      "longer than 80 and differ not only by cases",
+                      kind, shown(name), label));
     }
   }
   const bool named = !mesh.side_sets.empty() || !mesh.node_sets.empty() || !mesh.region_names.empty();
   if ((ending == ".node" || ending == ".ele") && named) {
-    say("a .node and .ele pair holds no names: sets of nodes and names of regions are left out, nodes of side sets are marked 1, 2 ... in the order of their names");
+    say("a .node and .ele pair holds no names: sets of nodes and names of regions are left out, nodes of side sets are "
+        "marked 1, 2 ... in the order of their names");
   }
   return remarks;
 }

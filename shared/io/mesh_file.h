@@ -38,12 +38,14 @@ const std::vector<std::string>& mesh_endings();
 base::Result<void> check_mesh_ending(const std::string& path);
 
 /// .vtu .msh (4.1) .msh2 (2.2) .inp .bdf .nas (large field) .nf; .node and .ele (both are written, whichever is named);
-/// .poly: the lines of the geometry (mesh_polygons.h); .obj .ply .off: the corners as polygons, .stl as triangles, without sets.
+/// .poly: the lines of the geometry (mesh_polygons.h); .obj .ply .off: the corners as polygons, .stl as triangles,
+/// without sets.
 /// @error BadUsage for another ending; those of the writers.
 /// @param element  of .inp, which alone says what kind of plane elements they are.
 base::Result<void> write_mesh(const std::string& path, const mesh::ElementMesh& mesh, InpElement element);
 
-/// Puts a comment at the head of a mesh file, where its format has comments (.vtu .msh .inp .bdf .node .ele .poly .obj).
+/// Puts a comment at the head of a mesh file, where its format has comments (.vtu .msh .inp .bdf .node .ele .poly
+/// .obj).
 /// @error those of read_text and write_text.
 base::Result<void> add_note(const std::string& path, const std::string& note);
 

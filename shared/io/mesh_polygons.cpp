@@ -38,13 +38,16 @@ PolygonMesh polygons_of(const ElementMesh& mesh) {
   }
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     auto& face = polygons.faces.emplace_back();
-    for (const NodeId node : mesh.nodes_of(ElementId(e)).first(corner_count(mesh.types[e]))) face.push_back(number[node.index()]);
+    for (const NodeId node : mesh.nodes_of(ElementId(e)).first(corner_count(mesh.types[e])))
+      face.push_back(number[node.index()]);
   }
   return polygons;
 }
 
 Result<ElementMesh> elements_of(const PolygonMesh& polygons, const std::string& file) {
-  const auto wrong = [&](std::string message) { return Error{ErrorCode::BadFormat, std::move(message), base::Place{.file = file}}; };
+  const auto wrong = [&](std::string message) {
+    return Error{ErrorCode::BadFormat, std::move(message), base::Place{.file = file}};
+  };
   std::vector<std::optional<NodeId>> number(polygons.points.size());
   ElementMesh mesh;
   mesh.first.push_back(0);
@@ -56,7 +59,8 @@ Result<ElementMesh> elements_of(const PolygonMesh& polygons, const std::string& 
     std::vector<NodeId> nodes;
     for (const std::uint32_t corner : face) {
       const mesh::Point3& p = polygons.points[corner];
-      if (p.z != polygons.points[polygons.faces[0][0]].z) return wrong(fmt::format("point {} lies outside the plane of the first; a mesh of elements is plane", corner));
+      if (p.z != polygons.points[polygons.faces[0][0]].z)
+        return wrong(fmt::format("point {} lies outside the plane of the first; a mesh of elements is plane", corner));
       if (!number[corner]) {
         number[corner] = NodeId(mesh.points.size());
         mesh.points.push_back({p.x, p.y});
@@ -123,7 +127,8 @@ class Graph {
 
  private:
   std::uint32_t node(NodeId id) {
-    const auto [at, is_new] = number_.try_emplace(mesh_.point(id), static_cast<std::uint32_t>(poly_.nodes.points.size()));
+    const auto [at, is_new] =
+        number_.try_emplace(mesh_.point(id), static_cast<std::uint32_t>(poly_.nodes.points.size()));
     if (is_new) poly_.nodes.points.push_back(mesh_.point(id));
     return at->second;
   }
@@ -137,7 +142,8 @@ class Graph {
     return link;
   }
 
-  /// Loops of the rim with the material outside; where loops touch, the way on is the one most to the right, round the hole.
+  /// Loops of the rim with the material outside; where loops touch, the way on is the one most to the right, round the
+  /// hole.
   void add_holes(const std::vector<Link>& rim) {
     std::set<Link> open;
     std::set<Link> both(rim.begin(), rim.end());
@@ -179,7 +185,8 @@ class Graph {
       if (!said.insert(mesh_.regions[e]).second) continue;
       const auto nodes = mesh_.nodes_of(ElementId(e));
       const Point a = mesh_.point(nodes[0]), b = mesh_.point(nodes[1]), c = mesh_.point(nodes[2]);
-      poly_.regions.push_back({{(a.x + b.x + c.x) / 3.0, (a.y + b.y + c.y) / 3.0}, static_cast<double>(mesh_.regions[e]), -1.0});
+      poly_.regions.push_back(
+          {{(a.x + b.x + c.x) / 3.0, (a.y + b.y + c.y) / 3.0}, static_cast<double>(mesh_.regions[e]), -1.0});
     }
   }
 

@@ -38,8 +38,8 @@ base::Result<void> check_names(const mesh::ElementMesh& mesh, std::string_view f
 using EdgeSets = std::map<std::string, std::vector<mesh::Edge>>;
 
 struct Finished {
-  std::size_t lost = 0;                  ///< Edges that are no side of any element.
-  std::vector<mesh::ElementId> turned;   ///< Elements that were clockwise, ascending.
+  std::size_t lost = 0;                 ///< Edges that are no side of any element.
+  std::vector<mesh::ElementId> turned;  ///< Elements that were clockwise, ascending.
 };
 
 /// For readers, last: turns clockwise elements, makes side sets of the edges (the element on the left, or else on the

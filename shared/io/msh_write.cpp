@@ -11,8 +11,8 @@
 #include <map>
 #include <numeric>
 #include <set>
-#include <utility>
 #include <span>
+#include <utility>
 
 #include "shared/base/text.h"
 #include "shared/io/file.h"

@@ -142,8 +142,9 @@ Result<void> add_ogr_feature(const OGRFeature& source, std::size_t number, const
   if (const std::string open = open_rings(feature); !open.empty())
     result.remarks.push_back(fmt::format("{}: {}: {}", file, place.item, open));
   const Result<std::size_t> repeated =
-      faulty == Faulty::Refuse ? normalise(feature, rings)
-                               : normalise_sound(feature, rings, fmt::format("{}: {}", file, place.item), result.remarks);
+      faulty == Faulty::Refuse
+          ? normalise(feature, rings)
+          : normalise_sound(feature, rings, fmt::format("{}: {}", file, place.item), result.remarks);
   if (!repeated) return base::located(repeated.error(), place);
   if (feature.parts.empty()) return {};
   if (*repeated > 0) {

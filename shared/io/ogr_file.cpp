@@ -316,7 +316,8 @@ Result<std::vector<std::string>> write_shapefile(const std::string& path, std::s
                  "them one by one (--only lines), or a GeoPackage",
                  Place{.file = path}};
   }
-  return write_with("ESRI Shapefile", path, features, types.empty() ? std::vector{FeatureType::Polygons} : types, system);
+  return write_with("ESRI Shapefile", path, features, types.empty() ? std::vector{FeatureType::Polygons} : types,
+                    system);
 }
 
 Result<std::vector<std::string>> write_geopackage(const std::string& path, std::span<const Feature> features,

@@ -140,7 +140,8 @@ std::optional<PolyFile> counted_graph(std::string_view text) {
   const auto links = rows.begin() + 1 + static_cast<std::ptrdiff_t>(points);
   graph.nodes.points.assign(rows.begin() + 1, links);
   for (auto link = links; link != rows.end(); ++link) {
-    if (!whole(link->x) || !whole(link->y) || std::max(link->x, link->y) >= rows[0].x || link->x == link->y) return std::nullopt;
+    if (!whole(link->x) || !whole(link->y) || std::max(link->x, link->y) >= rows[0].x || link->x == link->y)
+      return std::nullopt;
     graph.segments.push_back({static_cast<std::uint32_t>(link->x), static_cast<std::uint32_t>(link->y)});
   }
   return graph;
@@ -171,8 +172,6 @@ Result<std::string> poly_text(const PolyFile& poly) {
   return text;
 }
 
-Result<void> write_poly(const std::string& path, const PolyFile& poly) {
-  return write_text(path, poly_text(poly));
-}
+Result<void> write_poly(const std::string& path, const PolyFile& poly) { return write_text(path, poly_text(poly)); }
 
 }  // namespace dobra::io

@@ -39,8 +39,8 @@ base::Result<PolyFile> read_poly(const std::string& path);
 /// @param nodes  the points where the text gives none; an error if they are needed and not there.
 base::Result<PolyFile> parse_poly(std::string_view text, const std::string& file, const NodeFile* nodes = nullptr);
 
-/// The graphs of CDT's test files: "points segments", then "x y" a point, then the two indices (from 0) of each segment; two numbers
-/// a line and nothing else. Nothing where the text is anything else.
+/// The graphs of CDT's test files: "points segments", then "x y" a point, then the two indices (from 0) of each
+/// segment; two numbers a line and nothing else. Nothing where the text is anything else.
 std::optional<PolyFile> counted_graph(std::string_view text);
 
 /// Text with the points inside and every digit; parse_poly gives the same value back. @error NotFinite

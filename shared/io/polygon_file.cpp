@@ -180,12 +180,14 @@ std::string polygons_text(const PolygonMesh& mesh, PolygonFormat format) {
   std::string text;
   if (format == PolygonFormat::Off) text = fmt::format("OFF\n{} {} 0\n", mesh.points.size(), mesh.faces.size());
   if (format == PolygonFormat::Ply) {
-    text = fmt::format("ply\nformat ascii 1.0\nelement vertex {}\nproperty double x\nproperty double y\nproperty double z\n"
-                       "element face {}\nproperty list uchar int vertex_indices\nend_header\n",
-                       mesh.points.size(), mesh.faces.size());
+    text = fmt::format(
+        "ply\nformat ascii 1.0\nelement vertex {}\nproperty double x\nproperty double y\nproperty double z\n"
+        "element face {}\nproperty list uchar int vertex_indices\nend_header\n",
+        mesh.points.size(), mesh.faces.size());
   }
   for (const Point3& p : mesh.points) {
-    text += fmt::format("{}{} {} {}\n", obj ? "v " : "", base::number_text(p.x), base::number_text(p.y), base::number_text(p.z));
+    text += fmt::format("{}{} {} {}\n", obj ? "v " : "", base::number_text(p.x), base::number_text(p.y),
+                        base::number_text(p.z));
   }
   for (const auto& face : mesh.faces) {
     text += obj ? std::string("f") : fmt::format("{}", face.size());

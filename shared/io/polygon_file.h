@@ -1,6 +1,6 @@
 #pragma once
-// Polygon meshes in space: OBJ (v, f), OFF and PLY, as text. Read as they stand, without mending: polygon_mesh.h says what
-// is wrong with them.
+// Polygon meshes in space: OBJ (v, f), OFF and PLY, as text. Read as they stand, without mending: polygon_mesh.h says
+// what is wrong with them.
 
 #include <string>
 #include <string_view>
@@ -10,8 +10,8 @@
 
 namespace dobra::io {
 
-/// By the ending: .obj, .off or .ply. Of OBJ the statements v and f count (f 1, 1/2, 1//3, -1: from the last point); normals,
-/// textures, groups and materials are passed over. Corners are checked here, so that each fault has its line.
+/// By the ending: .obj, .off or .ply. Of OBJ the statements v and f count (f 1, 1/2, 1//3, -1: from the last point);
+/// normals, textures, groups and materials are passed over. Corners are checked here, so that each fault has its line.
 /// @error FileNotFound, NotAFile, CannotRead, EmptyFile; UnknownFormat: another ending; BadFormat, NotFinite with line
 ///        and column.
 base::Result<mesh::PolygonMesh> read_polygons(const std::string& path);

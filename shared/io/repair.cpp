@@ -483,9 +483,9 @@ void remove_slivers(std::vector<Feature>& features, double width, Repairs& repai
 }
 
 Result<void> check(const RepairOptions& options) {
-  for (const auto& [value, name] : {std::pair{options.duplicates, "duplicates"}, std::pair{options.gaps, "gaps"},
-                                    std::pair{options.snap, "snap"}, std::pair{options.edges, "edges"},
-                                    std::pair{options.slivers, "slivers"}}) {
+  for (const auto& [value, name] :
+       {std::pair{options.duplicates, "duplicates"}, std::pair{options.gaps, "gaps"}, std::pair{options.snap, "snap"},
+        std::pair{options.edges, "edges"}, std::pair{options.slivers, "slivers"}}) {
     if (!value || (std::isfinite(*value) && *value > 0.0)) continue;
     return Error{ErrorCode::InvalidOption,
                  fmt::format("the tolerance of the repair '{}' is {}; give a length above 0 m", name, *value)};

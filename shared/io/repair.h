@@ -19,7 +19,8 @@ struct RepairOptions {
   std::optional<double> duplicates = std::nullopt;  ///< Points nearer than this to the one before are dropped.
   std::optional<double> gaps = std::nullopt;        ///< Ends of lines of one name and kind nearer than this are joined.
   std::optional<double> snap = std::nullopt;        ///< Ends of lines nearer than this to a fault are moved onto it.
-  /// Vertices of polygons nearer than this to a line or to an earlier polygon are moved onto it, and both get the vertex.
+  /// Vertices of polygons nearer than this to a line or to an earlier polygon are moved onto it, and both get the
+  /// vertex.
   std::optional<double> edges = std::nullopt;
   std::optional<double> slivers = std::nullopt;  ///< Polygons, and spikes of polygons, thinner than this are removed.
 };

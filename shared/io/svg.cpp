@@ -280,8 +280,8 @@ class Reader {
     for (SvgPath& path : *read) {
       ++number;
       path.name = id == tag_.attributes.end() || id->second.empty() ? fmt::format("path {}", svg_.paths.size() + 1)
-                  : number == 1               ? id->second
-                                              : fmt::format("{} ({})", id->second, number);
+                  : number == 1                                     ? id->second
+                                                                    : fmt::format("{} ({})", id->second, number);
       path.place = place();
       for (SvgPiece& piece : path.pieces) {
         for (Point* p : {&piece.from, &piece.to, &piece.control[0], &piece.control[1], &piece.centre})

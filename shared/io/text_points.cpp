@@ -349,7 +349,8 @@ class Reader {
     };
     const auto misspelt = std::find_if(open_.begin(), open_.end(), unknown);
     const Line& lone = misspelt != open_.end() && !unknown(line) ? *misspelt : line;
-    Error error{ErrorCode::DegenerateCurve, {},
+    Error error{ErrorCode::DegenerateCurve,
+                {},
                 Place{.file = file_, .line = lone.begin, .x = lone.points[0].x, .y = lone.points[0].y}};
     if (unknown(lone)) {
       error.message = fmt::format("unknown kind '{}', in this row only{}", lone.kind, kind_hint(lone.kind));

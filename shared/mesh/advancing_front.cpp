@@ -560,8 +560,7 @@ Result<void> Advancer::step(std::size_t count, const Progress& progress) {
     if (side.stamp != entry.stamp || side.from == Side::free) continue;
     front_.generation = side.generation;
     generation_ = static_cast<std::uint16_t>(std::min(side.generation + 1, 0xffff));
-    if (may_close(entry.side, corner_cosine, least_alpha) ||
-        may_close(side.previous, corner_cosine, least_alpha)) {
+    if (may_close(entry.side, corner_cosine, least_alpha) || may_close(side.previous, corner_cosine, least_alpha)) {
       close_corners(entry.side);
       continue;
     }

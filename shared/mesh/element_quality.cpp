@@ -24,7 +24,8 @@ double quadrilateral_shape(Point a, Point b, Point c, Point d) {
 double shape_of(const ElementMesh& mesh, ElementId element) {
   const auto nodes = mesh.nodes_of(element);
   const auto at = [&](std::size_t i) { return mesh.point(nodes[i]); };
-  return corner_count(mesh.types[element.index()]) == 4 ? quadrilateral_shape(at(0), at(1), at(2), at(3)) : alpha(at(0), at(1), at(2));
+  return corner_count(mesh.types[element.index()]) == 4 ? quadrilateral_shape(at(0), at(1), at(2), at(3))
+                                                        : alpha(at(0), at(1), at(2));
 }
 
 ElementQuality element_quality_of(const ElementMesh& mesh) {

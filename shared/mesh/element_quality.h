@@ -1,7 +1,7 @@
 #pragma once
-// How good elements of any kind are: quadrilaterals by a measure of their own, and how far the mapping of bent elements is
-// from an even one. Page: docs/algorithms/quality.md. Source: [knupp2003algebraic] for the shape, [johnen2013curvilinear]
-// for the bound of the Jacobian.
+// How good elements of any kind are: quadrilaterals by a measure of their own, and how far the mapping of bent elements
+// is from an even one. Page: docs/algorithms/quality.md. Source: [knupp2003algebraic] for the shape,
+// [johnen2013curvilinear] for the bound of the Jacobian.
 
 #include <array>
 #include <cstddef>
@@ -10,8 +10,8 @@
 
 namespace dobra::mesh {
 
-/// Least over the corners of 2 |e1 x e2| / (|e1|^2 + |e2|^2), e1 and e2 the sides there: 1 for a square, 2 r / (1 + r^2)
-/// for a rectangle of sides 1 : r, 0 or less if a corner is flat or re-entrant (corners anticlockwise).
+/// Least over the corners of 2 |e1 x e2| / (|e1|^2 + |e2|^2), e1 and e2 the sides there: 1 for a square, 2 r / (1 +
+/// r^2) for a rectangle of sides 1 : r, 0 or less if a corner is flat or re-entrant (corners anticlockwise).
 double quadrilateral_shape(geom::Point a, geom::Point b, geom::Point c, geom::Point d);
 
 /// alpha of a triangle, quadrilateral_shape of a quadrilateral, by their corners.

@@ -61,8 +61,8 @@ class FrontEngine final : public FillEngine {
   Stage stage_ = Stage::Rows;
 };
 
-/// Mean over a triangle of 1 / h^2 for a size h that is linear on it, with these values at its corners: twice the second
-/// divided difference of -ln h (Hermite and Genocchi).
+/// Mean over a triangle of 1 / h^2 for a size h that is linear on it, with these values at its corners: twice the
+/// second divided difference of -ln h (Hermite and Genocchi).
 double mean_of_inverse_squares(std::array<double, 3> h) {
   std::sort(h.begin(), h.end());
   constexpr double alike = 1.05;
@@ -79,11 +79,12 @@ struct Sized {
 
 /// Triangles of the sizes wanted in the triangle a, b, c, if these are linear on it.
 double expected_in(const Sized& a, const Sized& b, const Sized& c) {
-  return 2.0 / std::numbers::sqrt3 * geom::cross(b.at - a.at, c.at - a.at) * mean_of_inverse_squares({a.size, b.size, c.size});
+  return 2.0 / std::numbers::sqrt3 * geom::cross(b.at - a.at, c.at - a.at) *
+         mean_of_inverse_squares({a.size, b.size, c.size});
 }
 
-/// The same for any sizes: the triangle is halved while the size in the middle of its longest side, or in its own, is not
-/// linear between those at the corners.
+/// The same for any sizes: the triangle is halved while the size in the middle of its longest side, or in its own, is
+/// not linear between those at the corners.
 double expected_in(SizeSampler& sizes, const Sized& a, const Sized& b, const Sized& c, int depth) {
   constexpr double unnoticed = 0.03;
   constexpr double few = 4.0;  // elements, between which nothing hides
@@ -98,7 +99,8 @@ double expected_in(SizeSampler& sizes, const Sized& a, const Sized& b, const Siz
   const auto linear = [&](double size, double expected) { return std::abs(size - expected) <= unnoticed * size; };
   const Point middle = geom::midpoint(a.at, b.at);
   const Sized m{middle, sizes.at(middle)};
-  if (depth == deepest || (linear(m.size, between) && linear(sizes.at(geom::interpolate(middle, c.at, 1.0 / 3.0)), (a.size + b.size + c.size) / 3.0)))
+  if (depth == deepest || (linear(m.size, between) && linear(sizes.at(geom::interpolate(middle, c.at, 1.0 / 3.0)),
+                                                             (a.size + b.size + c.size) / 3.0)))
     return expected_in(a, m, c) + expected_in(m, b, c);
   return expected_in(sizes, a, m, c, depth + 1) + expected_in(sizes, m, b, c, depth + 1);
 }
@@ -106,7 +108,8 @@ double expected_in(SizeSampler& sizes, const Sized& a, const Sized& b, const Siz
 }  // namespace
 
 std::size_t make_room(DelaunayKernel& kernel, const SizeField& field, const FrontalOptions& options) {
-  // Meshes have up to a tenth more; and sizes that spread round a hole are less than linear, by which the estimate is low.
+  // Meshes have up to a tenth more; and sizes that spread round a hole are less than linear, by which the estimate is
+  // low.
   constexpr double reserve = 1.2;
   SizeSampler sizes(field);
   double expected = 0.0;
@@ -116,7 +119,9 @@ std::size_t make_room(DelaunayKernel& kernel, const SizeField& field, const Fron
     if (cell.region < 0) {
       ++outside;
     } else {
-      const auto corner = [&](std::size_t i) { return Sized{kernel.point(cell.vertex[i]), sizes.at(kernel.point(cell.vertex[i]))}; };
+      const auto corner = [&](std::size_t i) {
+        return Sized{kernel.point(cell.vertex[i]), sizes.at(kernel.point(cell.vertex[i]))};
+      };
       expected += reserve * expected_in(sizes, corner(0), corner(1), corner(2), 0);
     }
   }

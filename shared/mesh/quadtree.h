@@ -69,7 +69,8 @@ class Quadtree {
   std::uint32_t refine_at(geom::Point p, double size, double factor);
   /// Rule 3: splits every leaf above `level`. False if more than max_cells would be needed.
   bool refine_to_level(std::uint32_t level, std::size_t max_cells);
-  /// Splits leaves, their children too, as long as `wanted` says so of one. False if more than max_cells would be needed.
+  /// Splits leaves, their children too, as long as `wanted` says so of one. False if more than max_cells would be
+  /// needed.
   bool refine_where(const std::function<bool(QuadCellId)>& wanted, std::size_t max_cells);
   /// Rule 4.
   void balance();

@@ -78,7 +78,8 @@ constexpr std::size_t none = static_cast<std::size_t>(-1);
 /// Which pair each triangle is taken in: first the best pairs, then more of them along alternating paths.
 class Matching {
  public:
-  Matching(const std::vector<Pair>& pairs, std::size_t elements) : pairs_(pairs), pair_of_(elements, none), first_(elements + 1, 0) {
+  Matching(const std::vector<Pair>& pairs, std::size_t elements)
+      : pairs_(pairs), pair_of_(elements, none), first_(elements + 1, 0) {
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const std::size_t one = pairs[i].first.element.index(), two = pairs[i].second.element.index();
       if (pair_of_[one] == none && pair_of_[two] == none) pair_of_[one] = pair_of_[two] = i;
@@ -109,8 +110,8 @@ class Matching {
     return one == element ? pairs_[pair].second.element.index() : one;
   }
 
-  /// The shortest way from a free triangle to another, over pairs by turns not taken and taken: all of them change. Ways
-  /// that pass a triangle twice, which a blossom would need, are not sought, nor is far away.
+  /// The shortest way from a free triangle to another, over pairs by turns not taken and taken: all of them change.
+  /// Ways that pass a triangle twice, which a blossom would need, are not sought, nor is far away.
   void extend(std::size_t free) {
     constexpr std::size_t most = 1000;  // triangles
     std::vector<std::size_t> open{free};
@@ -142,8 +143,8 @@ class Matching {
 
   const std::vector<Pair>& pairs_;
   std::vector<std::size_t> pair_of_;
-  std::vector<std::size_t> first_, pairs_at_;  ///< Of each triangle the pairs it may be in, the best first.
-  std::vector<std::size_t> reached_;           ///< From which free triangle last.
+  std::vector<std::size_t> first_, pairs_at_;              ///< Of each triangle the pairs it may be in, the best first.
+  std::vector<std::size_t> reached_;                       ///< From which free triangle last.
   std::vector<std::pair<std::size_t, std::size_t>> from_;  ///< The triangle before, and the pair with its neighbour.
 };
 

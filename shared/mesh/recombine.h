@@ -14,7 +14,8 @@ struct RecombineOptions {
 /// eta = max(0, 1 - 2/pi * greatest |90 degrees - angle|): 1 for a rectangle, 0 from an angle of 0 or 180 degrees on.
 double quad_quality(geom::Point a, geom::Point b, geom::Point c, geom::Point d);
 
-/// @pre  check(mesh), first order.  @cost O(n log n), and at most 1000 steps for each triangle that the best pairs leave.
+/// @pre  check(mesh), first order.  @cost O(n log n), and at most 1000 steps for each triangle that the best pairs
+/// leave.
 ElementMesh recombine(const ElementMesh& mesh, const RecombineOptions& options = {});
 
 }  // namespace dobra::mesh

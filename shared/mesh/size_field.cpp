@@ -45,7 +45,8 @@ bool follows_badly(const Quadtree& tree, QuadCellId id, const SizeFunction& func
   double least = largest;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
-      const Point p{box.low.x + 0.5 * static_cast<double>(i) * box.width(), box.low.y + 0.5 * static_cast<double>(j) * box.height()};
+      const Point p{box.low.x + 0.5 * static_cast<double>(i) * box.width(),
+                    box.low.y + 0.5 * static_cast<double>(j) * box.height()};
       size[i][j] = std::min(largest, function.at(p));
       least = std::min(least, size[i][j]);
     }
@@ -55,7 +56,8 @@ bool follows_badly(const Quadtree& tree, QuadCellId id, const SizeFunction& func
     for (std::size_t j = 0; j < 3; ++j) {
       const std::array<std::size_t, 2> left = i == 1 ? std::array<std::size_t, 2>{0, 2} : std::array{i, i};
       const std::array<std::size_t, 2> low = j == 1 ? std::array<std::size_t, 2>{0, 2} : std::array{j, j};
-      const double between = 0.25 * (size[left[0]][low[0]] + size[left[1]][low[0]] + size[left[0]][low[1]] + size[left[1]][low[1]]);
+      const double between =
+          0.25 * (size[left[0]][low[0]] + size[left[1]][low[0]] + size[left[0]][low[1]] + size[left[1]][low[1]]);
       if (std::abs(between - size[i][j]) > unnoticed * size[i][j]) return true;
     }
   }
@@ -82,8 +84,11 @@ Result<SizeField> SizeField::build(std::span<const SizedEdge> edges, std::span<c
     for (const SizedEdge& edge : edges) largest = std::max(largest, edge.segment.length());
   }
   const SizeFunction& function = options.function;
-  if (function.at && !tree.refine_where([&](QuadCellId id) { return follows_badly(tree, id, function, largest); }, tree.cell_count() + most_cells_of_function)) {
-    return Error{ErrorCode::TooManyElements, "the sizes asked for everywhere are too small, or change too fast, for a tree of half a million cells: use greater ones"};
+  if (function.at && !tree.refine_where([&](QuadCellId id) { return follows_badly(tree, id, function, largest); },
+                                        tree.cell_count() + most_cells_of_function)) {
+    return Error{ErrorCode::TooManyElements,
+                 "the sizes asked for everywhere are too small, or change too fast, for a tree of half a million "
+                 "cells: use greater ones"};
   }
   if (!requests.empty() || function.at) tree.balance();
   tree.index_leaves();
@@ -114,7 +119,9 @@ void SizeField::ask_function(const SizeFunction& function) {
     for (std::size_t k = 0; k < 4; ++k) {
       const std::uint32_t corner = corners_[leaf.index()][k];
       if (std::exchange(asked[corner], std::uint8_t{1}) != 0) continue;
-      sizes_[corner] = std::min(sizes_[corner], function.at({(k & 1U) != 0 ? box.high.x : box.low.x, (k >> 1U) != 0 ? box.high.y : box.low.y}));
+      sizes_[corner] =
+          std::min(sizes_[corner],
+                   function.at({(k & 1U) != 0 ? box.high.x : box.low.x, (k >> 1U) != 0 ? box.high.y : box.low.y}));
     }
   }
 }
@@ -225,7 +232,8 @@ double SizeField::estimated_triangles(const std::function<bool(Point)>& inside) 
     const geom::Box box = tree_.box(leaf);
     for (; (static_cast<double>(looked) + 0.5) / places * all <= passed && looked < places; ++looked) {
       const auto spread = [&](double factor) { return std::fmod(0.5 + static_cast<double>(looked) * factor, 1.0); };
-      if (inside({box.low.x + spread(0.7548776662466927) * side, box.low.y + spread(0.5698402909980532) * side})) ++found;
+      if (inside({box.low.x + spread(0.7548776662466927) * side, box.low.y + spread(0.5698402909980532) * side}))
+        ++found;
     }
   }
   return looked == 0 ? 0.0 : 4.0 / std::numbers::sqrt3 * all * static_cast<double>(found) / static_cast<double>(looked);

@@ -20,13 +20,13 @@ namespace dobra::mesh {
 
 /// Sizes wanted everywhere: by a formula, or as another mesh has them.
 struct SizeFunction {
-  std::function<double(geom::Point)> at = {};               ///< m, > 0; infinite: no wish there. Empty: no function.
-  std::function<bool(const geom::Box&)> concerns = {};      ///< False of a box in which sizes do not matter; empty: all do.
+  std::function<double(geom::Point)> at = {};           ///< m, > 0; infinite: no wish there. Empty: no function.
+  std::function<bool(const geom::Box&)> concerns = {};  ///< False of a box in which sizes do not matter; empty: all do.
 };
 
 struct SizeFieldOptions {
-  double growth = 1.3;    ///< Greatest ratio of the sizes of neighbouring elements, > 1.
-  double max_size = 0.0;  ///< Upper bound, m; 0 takes the longest input edge.
+  double growth = 1.3;         ///< Greatest ratio of the sizes of neighbouring elements, > 1.
+  double max_size = 0.0;       ///< Upper bound, m; 0 takes the longest input edge.
   SizeFunction function = {};  ///< Followed to a tenth, as far as growth allows.
   /// Of the tree that carries the sizes: interior cells are not bounded, sizes are; and where growth is slow the cells
   /// may be larger than the edges, see `build`.

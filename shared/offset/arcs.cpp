@@ -18,9 +18,7 @@ struct Arc {
   double angle;  ///< That it turns through, anticlockwise positive.
 };
 
-Point end_of(const OffsetPiece& piece, std::size_t i) {
-  return piece.points[i + 1 == piece.points.size() ? 0 : i + 1];
-}
+Point end_of(const OffsetPiece& piece, std::size_t i) { return piece.points[i + 1 == piece.points.size() ? 0 : i + 1]; }
 
 Arc arc_of(const OffsetPiece& piece, const geom::Polyline& base, std::size_t i) {
   const Point centre = base.points[(piece.edges[i].base_edge() + 1U) % base.points.size()];

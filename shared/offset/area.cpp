@@ -28,9 +28,7 @@ Result<Area> arranged(std::vector<Polyline> rings, double area, double length, c
   return made;
 }
 
-bool is_one_contour(std::span<const Polyline> rings) {
-  return rings.size() == 1 && geom::signed_area(rings[0]) > 0.0;
-}
+bool is_one_contour(std::span<const Polyline> rings) { return rings.size() == 1 && geom::signed_area(rings[0]) > 0.0; }
 
 /// Distances of one sign, given without it.
 Result<std::vector<Area>> grown_to(std::span<const Polyline> polygon, Side side, std::span<const double> distances,
@@ -114,7 +112,8 @@ Result<std::vector<Area>> around_polygon(std::span<const Polyline> polygon, std:
   for (std::size_t k = 0; k < outer.size(); ++k) {
     Area& band = outer[k];
     for (const Polyline& ring : inner[k].rings) band.rings.push_back(geom::reversed(ring));
-    DOBRA_TRY(band, arranged(std::move(band.rings), band.area - inner[k].area, band.length + inner[k].length, progress));
+    DOBRA_TRY(band,
+              arranged(std::move(band.rings), band.area - inner[k].area, band.length + inner[k].length, progress));
   }
   return outer;
 }

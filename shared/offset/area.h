@@ -56,8 +56,8 @@ base::Result<std::vector<Area>> around_polygon(std::span<const geom::Polyline> p
 /// What several areas cover together.
 base::Result<Area> joined(std::span<const Area> areas, const base::Progress& progress = {});
 
-/// The polygons of a polygon whose rings may cross or touch themselves or each other: what a way from outside enters by an
-/// odd number of crossings. One that is sound comes back as it is.
+/// The polygons of a polygon whose rings may cross or touch themselves or each other: what a way from outside enters by
+/// an odd number of crossings. One that is sound comes back as it is.
 base::Result<std::vector<std::vector<geom::Polyline>>> mended(std::span<const geom::Polyline> polygon,
                                                               const base::Progress& progress = {});
 

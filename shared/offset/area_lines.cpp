@@ -1,8 +1,8 @@
-// Both sides of an open line. Travelled there and back it is a closed contour, whose right side is the wanted curve: the
-// engine's round joins go with round caps, its bevels across U-turns with square ones. Any other cap changes the area
-// only within 2 D of an end, so that the stretch of line there is taken by itself: as the sum of the rectangles on its
-// segments, of what fills its corners, and of its cap, which is what the winding number of one walk round all of them is
-// above 0 in. The stretches and the middle of the line are then joined.
+// Both sides of an open line. Travelled there and back it is a closed contour, whose right side is the wanted curve:
+// the engine's round joins go with round caps, its bevels across U-turns with square ones. Any other cap changes the
+// area only within 2 D of an end, so that the stretch of line there is taken by itself: as the sum of the rectangles on
+// its segments, of what fills its corners, and of its cap, which is what the winding number of one walk round all of
+// them is above 0 in. The stretches and the middle of the line are then joined.
 
 #include <algorithm>
 #include <cmath>
@@ -104,7 +104,8 @@ class Walk {
   Polyline walk_{{}, true};
 };
 
-/// The first point far enough from the first one that the disc about it holds nothing beyond that end of the line; n if none is.
+/// The first point far enough from the first one that the disc about it holds nothing beyond that end of the line; n if
+/// none is.
 std::size_t beyond_end(const std::vector<Point>& points, double distance) {
   if (geom::distance(points[0], points[1]) > distance * (1 + 1e-9)) return 1;
   for (std::size_t k = 2; k < points.size(); ++k) {

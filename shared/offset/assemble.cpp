@@ -46,8 +46,8 @@ void Trimmer::remove_doubles() {
   sections_.resize(kept);
 }
 
-/// Free space lies to the right of every section, so that the way on from one that arrives is the first one that leaves,
-/// turning anticlockwise from the way back. Thus curves that touch are kept apart.
+/// Free space lies to the right of every section, so that the way on from one that arrives is the first one that
+/// leaves, turning anticlockwise from the way back. Thus curves that touch are kept apart.
 void Trimmer::link_at(std::span<const std::uint32_t> in, std::span<const std::uint32_t> out) {
   if (in.size() == 1 && out.size() == 1) {
     follower_[in[0]] = out[0];

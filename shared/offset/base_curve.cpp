@@ -41,8 +41,8 @@ double exact_origin(const std::vector<Point>& points, double Point::*axis, doubl
   return origin;
 }
 
-/// Whole steps of a grid of 2^-100 of the size: what is smaller moves no place of the curve by more than it is rounded anyway, and
-/// its products with others would not fit in the 256 bits of High.
+/// Whole steps of a grid of 2^-100 of the size: what is smaller moves no place of the curve by more than it is rounded
+/// anyway, and its products with others would not fit in the 256 bits of High.
 class Grid {
  public:
   explicit Grid(double size)
@@ -136,7 +136,8 @@ Result<BaseCurve> prepare(const geom::Polyline& curve, Side side, double extensi
   if (curve.points.empty()) return Error{ErrorCode::DegenerateCurve, "the curve has no points; give it at least two"};
   for (const Point p : curve.points) {
     if (!geom::is_finite(p)) {
-      return at_point(ErrorCode::NotFinite, "a coordinate of the curve is not a finite number; remove or correct the point", p);
+      return at_point(ErrorCode::NotFinite,
+                      "a coordinate of the curve is not a finite number; remove or correct the point", p);
     }
   }
   BaseCurve base;
@@ -177,8 +178,8 @@ Result<BaseCurve> prepare(const geom::Polyline& curve, Side side, double extensi
     const auto lengthened = [&](Vec end, Vec inner) {
       return grid.nearest(rounded(end + static_cast<Real>(extension) * unit(end - inner)));
     };
-    // The new ends are joined on, so that the old ones stay where they are; rounded, they turn the base there by 1e-16, which the
-    // curve does not show (piece_writer.h). An extension that rounding swallows is none.
+    // The new ends are joined on, so that the old ones stay where they are; rounded, they turn the base there by 1e-16,
+    // which the curve does not show (piece_writer.h). An extension that rounding swallows is none.
     const Point first = lengthened(base.point(0), base.point(1));
     const Point last = lengthened(base.point(base.points.size() - 1), base.point(base.points.size() - 2));
     if (first != base.points.front()) {
@@ -199,7 +200,8 @@ Result<BaseCurve> prepare(const geom::Polyline& curve, Side side, double extensi
   return base;
 }
 
-template <class T> T BaseCurve::half_tan_as(std::size_t corner) const {
+template <class T>
+T BaseCurve::half_tan_as(std::size_t corner) const {
   using std::abs;
   if (turn[corner] == Turn::Straight) return 0;
   if (std::isinf(half_tans[corner])) return std::numeric_limits<T>::infinity();
@@ -270,8 +272,8 @@ RawChain raw_chain(const BaseCurve& base, Real distance, const OffsetOptions& op
   } else {
     // The corner before segment 0 may have several points; the chain starts with the one where segment 0 begins, and
     // the others come last, so that every edge label stays with its edge.
-    const auto first = static_cast<std::ptrdiff_t>(
-        std::find(chain.segment.begin(), chain.segment.end(), 0U) - chain.segment.begin());
+    const auto first =
+        static_cast<std::ptrdiff_t>(std::find(chain.segment.begin(), chain.segment.end(), 0U) - chain.segment.begin());
     std::rotate(chain.points.begin(), chain.points.begin() + first, chain.points.end());
     std::rotate(chain.segment.begin(), chain.segment.begin() + first, chain.segment.end());
     std::rotate(chain.is_arc.begin(), chain.is_arc.begin() + first, chain.is_arc.end());

@@ -1,6 +1,6 @@
 #pragma once
-// The base as the engine sees it: moved to a near origin without rounding, mirrored if the left side is wanted (so that the
-// engine knows only the right side), without repeated points, with directions and corners measured once.
+// The base as the engine sees it: moved to a near origin without rounding, mirrored if the left side is wanted (so that
+// the engine knows only the right side), without repeated points, with directions and corners measured once.
 
 #include <cstdint>
 #include <vector>
@@ -30,7 +30,8 @@ struct BaseCurve {
   std::vector<double> half_tans;  ///< tan(angle / 2) of the turn, >= 0; infinity for a U-turn.
   struct Block {
     double regular_below;   ///< Below this distance the inner corners leave a length of each of the block's parallels.
-    double greatest_outer;  ///< Half tangent of the sharpest outer corner at the start of one of the block's segments, or 0.
+    double greatest_outer;  ///< Half tangent of the sharpest outer corner at the start of one of the block's segments,
+                            ///< or 0.
     std::uint32_t sites;    ///< Bit k: there is a segment first + k; bit 16 + k: its start is an outer corner.
   };
   static constexpr std::size_t block_size = 16;
@@ -38,8 +39,8 @@ struct BaseCurve {
   static constexpr std::uint32_t corner_bit(std::size_t i) { return line_bit(i) << block_size; }
   std::vector<Block> blocks;  ///< Open curves: of so many segments each.
   double least_outer = 0;     ///< Least half tangent of an outer corner; infinity if there is none.
-  double size = 0;                ///< Greatest coordinate.
-  geom::Point origin;             ///< In the user's coordinates.
+  double size = 0;            ///< Greatest coordinate.
+  geom::Point origin;         ///< In the user's coordinates.
   bool mirrored = false;
   bool renumbered = false;  ///< source[i] is not i for some i.
 
@@ -62,7 +63,8 @@ struct BaseCurve {
   [[nodiscard]] Vec normal(std::size_t i) const { return right_of(along(i)); }  ///< Unit, to the right.
   [[nodiscard]] Real span(std::size_t i) const { return length(to(i) - from(i)); }
   /// T is Real or High; its relative error is that of T times (1 + half_tan) in Real, none in High.
-  template <class T> [[nodiscard]] T half_tan_as(std::size_t corner) const;
+  template <class T>
+  [[nodiscard]] T half_tan_as(std::size_t corner) const;
 
   /// Back in the user's coordinates, rounded once.
   [[nodiscard]] geom::Point user(Vec p) const {
@@ -89,7 +91,8 @@ RawChain raw_chain(const BaseCurve& base, Real distance, const OffsetOptions& op
 enum class Fill { Mitre, Tangent, Arc };
 Fill fill_of(const BaseCurve& base, std::size_t corner, const OffsetOptions& options);
 /// tan(angle / 4) of a turn, from tan(angle / 2).
-template <class T> T quarter_tan(const T& half_tan) {
+template <class T>
+T quarter_tan(const T& half_tan) {
   if (std::isinf(static_cast<double>(half_tan))) return T(1);
   return half_tan / (1 + root(T(1 + half_tan * half_tan)));
 }

@@ -31,7 +31,8 @@ class BoxTree {
   /// node.
   template <class Holds, class Visit>
   bool any_held_from(std::size_t item, const Holds& holds, Visit&& visit) const;
-  /// Items whose box, grown by d times that of another tree over as many items, may hold q, until visit(item) returns true.
+  /// Items whose box, grown by d times that of another tree over as many items, may hold q, until visit(item) returns
+  /// true.
   template <class Visit>
   bool any_held(const BoxTree& other, Flat q, double d, Visit&& visit) const;
 

@@ -1,7 +1,7 @@
 #pragma once
-// Finds the parts of a chain that may meet. A tree of boxes over the chain in its own order; each node also knows the directions
-// that occur in it, as 64 bits of 5.6 degrees: a connected part whose directions fit in an open half-plane cannot meet itself,
-// so that smooth curves are dismissed near the root. Source: [volino1994collision] (normal cones).
+// Finds the parts of a chain that may meet. A tree of boxes over the chain in its own order; each node also knows the
+// directions that occur in it, as 64 bits of 5.6 degrees: a connected part whose directions fit in an open half-plane
+// cannot meet itself, so that smooth curves are dismissed near the root. Source: [volino1994collision] (normal cones).
 
 #include <algorithm>
 #include <cstdint>
@@ -33,8 +33,8 @@ class ChainTree {
     build(0, 0, count_, leaves);
   }
 
-  /// Calls visit(i, j), i <= j, for all leaves with items that may meet: boxes that overlap, and directions that do not rule
-  /// it out.
+  /// Calls visit(i, j), i <= j, for all leaves with items that may meet: boxes that overlap, and directions that do not
+  /// rule it out.
   template <class Visit>
   void for_each_pair(Visit&& visit) const {
     if (count_ > 0) self({0, 0, count_}, visit);
@@ -81,7 +81,8 @@ class ChainTree {
     const Node& m = nodes_[a.node];
     const Node& n = nodes_[b.node];
     if (!m.box.overlaps(n.box)) return;
-    if (a.last == b.first && n.linked && m.connected && n.connected && fits_half_plane(m.directions | n.directions)) return;
+    if (a.last == b.first && n.linked && m.connected && n.connected && fits_half_plane(m.directions | n.directions))
+      return;
     if (a.is_leaf() && b.is_leaf()) {
       visit(a.first, b.first);
     } else if (b.is_leaf() || (!a.is_leaf() && m.box.size() > n.box.size())) {

@@ -25,7 +25,8 @@ struct Hull {
 
 }  // namespace
 
-Clearance::Clearance(const BaseCurve& base, const OffsetOptions& options) : base_(base), corners_(right_corners(base, options)) {
+Clearance::Clearance(const BaseCurve& base, const OffsetOptions& options)
+    : base_(base), corners_(right_corners(base, options)) {
   const std::size_t count = base.segment_count();
   std::vector<FloatBox> boxes;
   boxes.reserve(count / leaf_size + 1);
@@ -42,7 +43,9 @@ Clearance::Clearance(const BaseCurve& base, const OffsetOptions& options) : base
   for (std::size_t i = 0; i < count; i += Block::size) add_block(i, std::min<std::size_t>(count, i + Block::size));
   bends_.reserve(blocks_.size());
   const auto bends_little = [&](std::size_t b, std::size_t many) {  // finer, where the directions do not tell
-    if (b + many > blocks_.size() || ChainTree::fits_half_plane(blocks_[b].directions | blocks_[b + many - 1].directions)) return false;
+    if (b + many > blocks_.size() ||
+        ChainTree::fits_half_plane(blocks_[b].directions | blocks_[b + many - 1].directions))
+      return false;
     return within_half_turn(b * Block::size, std::min<std::size_t>(count, (b + many) * Block::size));
   };
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
@@ -220,7 +223,8 @@ std::uint32_t Clearance::find_mitre(Flat q, const Outline& outline, double r) co
     const Flat near = q - flat(base_.end(step));
     const Flat u = flat(base_.headings[step]);
     const Flat v = flat(base_.headings[base_.after(step)]);
-    if (dot(near, u) < 0 || dot(near, v) > 0 || dot(near, right_of(u)) >= r || dot(near, right_of(v)) >= r) return false;
+    if (dot(near, u) < 0 || dot(near, v) > 0 || dot(near, right_of(u)) >= r || dot(near, right_of(v)) >= r)
+      return false;
     if (!outline.deep_inside(q, step, outline.distance() - r)) return false;  // cut across, perhaps
     found = step;
     return true;

@@ -1,8 +1,8 @@
 #pragma once
-// What all distances share about a base, besides its segments: what its corners are on the right side, boxes of blocks of 16
-// segments and of their offset directions (from which the box of a block's offset pieces at any D follows at once), and a tree of
-// boxes that tells what of the base is nearer to a point than r. Neighbours in a chain are neighbours in space, so nothing needs
-// sorting. Decisions are not taken here (validity.h).
+// What all distances share about a base, besides its segments: what its corners are on the right side, boxes of blocks
+// of 16 segments and of their offset directions (from which the box of a block's offset pieces at any D follows at
+// once), and a tree of boxes that tells what of the base is nearer to a point than r. Neighbours in a chain are
+// neighbours in space, so nothing needs sorting. Decisions are not taken here (validity.h).
 
 #include <algorithm>
 #include <span>
@@ -31,10 +31,12 @@ class Clearance {
     return corners_[corner] == Corner::Tangent || (corners_[corner] == Corner::Mitre && base_.half_tans[corner] > 0.5);
   }
   [[nodiscard]] bool has_long_mitres() const { return has_long_mitres_; }
-  /// Above what places of the outline at distance d, in doubles, are wrong by: the tips of mitres grow with their half tangents.
+  /// Above what places of the outline at distance d, in doubles, are wrong by: the tips of mitres grow with their half
+  /// tangents.
   [[nodiscard]] double margin(double d) const { return 1e-14 * (base_.size + d * (1 + greatest_mitre_)); }
 
-  /// Leaves are four segments in a row: those of a block, and a box of what the outline at distance d has on the left side of one, but caps.
+  /// Leaves are four segments in a row: those of a block, and a box of what the outline at distance d has on the left
+  /// side of one, but caps.
   static constexpr std::size_t leaf_size = 4;
   [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> leaves_of(std::uint32_t block) const {
     constexpr auto many = static_cast<std::uint32_t>(Block::size / leaf_size);
@@ -44,30 +46,37 @@ class Clearance {
     return outline_box(tree_.box(leaf), left_[leaf], d, margin);
   }
 
-  /// The directions of a block, or of it and the next one, corners at both ends included, lie within less than half a turn: what is
-  /// connected of its right side does not meet itself. Told only where Block::directions are too coarse to do so.
+  /// The directions of a block, or of it and the next one, corners at both ends included, lie within less than half a
+  /// turn: what is connected of its right side does not meet itself. Told only where Block::directions are too coarse
+  /// to do so.
   [[nodiscard]] bool bends_little(std::size_t block) const { return (bends_[block] & 1) != 0; }
   [[nodiscard]] bool bends_little_with_next(std::size_t block) const { return (bends_[block] & 2) != 0; }
 
   /// Finds out what is_alone and is_harmless tell. Worth its cost where several distances share it.
   /// @param least, greatest  distances.  @cost some 0.3 us a segment where the base keeps far from itself.
   void find_gaps(double least, double greatest);
-  /// What the outline has on either side of a block at distance d meets no such thing of other blocks but the two beside it.
+  /// What the outline has on either side of a block at distance d meets no such thing of other blocks but the two
+  /// beside it.
   [[nodiscard]] bool is_alone(std::size_t block, double d) const { return !gaps_.empty() && d < gaps_[block].alone; }
-  /// What it has on the left side of a block meets nothing on the right side of the base, nor does what it has on the right side,
-  /// as far as that is connected. Caps do not count.
-  [[nodiscard]] bool is_harmless(std::size_t block, double d) const { return !gaps_.empty() && d < gaps_[block].harmless; }
+  /// What it has on the left side of a block meets nothing on the right side of the base, nor does what it has on the
+  /// right side, as far as that is connected. Caps do not count.
+  [[nodiscard]] bool is_harmless(std::size_t block, double d) const {
+    return !gaps_.empty() && d < gaps_[block].harmless;
+  }
 
-  /// The greatest of these distances at which a straight way leads out from both ends of the base, D from all else; 0 if there is none.
-  /// Where there is one, there are such ways at all smaller distances.  @pre the base is open  @cost O(log n) a distance
+  /// The greatest of these distances at which a straight way leads out from both ends of the base, D from all else; 0
+  /// if there is none. Where there is one, there are such ways at all smaller distances.  @pre the base is open  @cost
+  /// O(log n) a distance
   [[nodiscard]] double find_ways_out(std::span<const double> distances) const;
   /// What the outline at distance d has on the left side of the base cuts nothing valid on the right, but for caps.
   [[nodiscard]] bool parts_sides(double d) const { return d <= parted_up_to_; }
-  /// @pre there are ways out at d, the base does not meet itself, and there are no mitres: if left and right met at a valid place, the disc
-  /// about it would hold none of the base and close a loop with it about one end, which has a way out.
+  /// @pre there are ways out at d, the base does not meet itself, and there are no mitres: if left and right met at a
+  /// valid place, the disc about it would hold none of the base and close a loop with it about one end, which has a way
+  /// out.
   void part_sides(double d) { parted_up_to_ = d; }
 
-  /// Doubles are near enough to places of the outline at distance d to tell on which side of a simple contour the free ones are.
+  /// Doubles are near enough to places of the outline at distance d to tell on which side of a simple contour the free
+  /// ones are.
   [[nodiscard]] bool tells_sides(double d) const { return !has_mitres() || 100 * margin(d) < d; }
 
   /// Some mitres reach so far that what is cut in doubles of their lines is not at its place.
@@ -76,8 +85,8 @@ class Clearance {
   /// A segment nearer to q than r, by doubles; none if there is none.
   [[nodiscard]] std::uint32_t find_nearer(Flat q, double r) const;
 
-  /// The step before a mitre of the outline that holds q, nearer than r to all its outer lines' own side, by doubles; none if there
-  /// is none.
+  /// The step before a mitre of the outline that holds q, nearer than r to all its outer lines' own side, by doubles;
+  /// none if there is none.
   /// @pre no segment is nearer to q than r, but for roundings
   [[nodiscard]] std::uint32_t find_mitre(Flat q, const Outline& outline, double r) const;
 
@@ -121,13 +130,13 @@ class Clearance {
   const BaseCurve& base_;
   std::vector<Corner> corners_;
   std::vector<Block> blocks_;
-  BoxTree tree_;            // of leaves
-  std::vector<FloatBox> left_;  // of the same leaves; as Block::left
-  BoxTree mitres_;          // of (mitre outside its corner's disc - corner) / D, of the same leaves, if any
+  BoxTree tree_;                     // of leaves
+  std::vector<FloatBox> left_;       // of the same leaves; as Block::left
+  BoxTree mitres_;                   // of (mitre outside its corner's disc - corner) / D, of the same leaves, if any
   std::vector<std::uint8_t> bends_;  // of blocks, by bits: see bends_little
-  std::vector<Gaps> gaps_;  // of blocks; empty where nobody asked
-  double parted_up_to_ = 0;    // a distance
-  double greatest_mitre_ = 0;  // half tangent
+  std::vector<Gaps> gaps_;           // of blocks; empty where nobody asked
+  double parted_up_to_ = 0;          // a distance
+  double greatest_mitre_ = 0;        // half tangent
   bool has_long_mitres_ = false;
 };
 
@@ -138,12 +147,13 @@ bool Clearance::any_near(Flat q, double reach, Visit&& visit) const {
 
 template <class Visit>
 void Clearance::each_in(const FloatBox& box, Visit&& visit) const {
-  tree_.any_held([&](const FloatBox& own) { return own.overlaps(box); }, [&](std::size_t leaf) {
-    return any_of_leaf(leaf, [&](std::size_t i) {
-      visit(i);
-      return false;
-    });
-  });
+  tree_.any_held([&](const FloatBox& own) { return own.overlaps(box); },
+                 [&](std::size_t leaf) {
+                   return any_of_leaf(leaf, [&](std::size_t i) {
+                     visit(i);
+                     return false;
+                   });
+                 });
 }
 
 template <class Visit>

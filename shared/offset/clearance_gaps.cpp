@@ -24,9 +24,9 @@ double box_gap(const FloatBox& a, const FloatBox& b) {
   return x * x + y * y;
 }
 
-/// Where the directions of segments lie within a quarter turn, nothing to their right at any distance meets anything to their
-/// left: what joins two places of the base runs within an eighth turn of the middle direction, the sum of two normals within an
-/// eighth of the one across it.
+/// Where the directions of segments lie within a quarter turn, nothing to their right at any distance meets anything to
+/// their left: what joins two places of the base runs within an eighth turn of the middle direction, the sum of two
+/// normals within an eighth of the one across it.
 bool within_quarter(std::uint64_t directions) {
   // Some 48 bits in a row are clear; each direction has a bit to spare on both sides.
   std::uint64_t clear = ~directions;
@@ -36,14 +36,17 @@ bool within_quarter(std::uint64_t directions) {
 
 }  // namespace
 
-/// True if from an end of the base a straight way leads out that keeps D from it: all places on it that are nearer than D have the end
-/// itself as their nearest base point. The way starts into a disc of radius D that touches the end and holds none of the base.
+/// True if from an end of the base a straight way leads out that keeps D from it: all places on it that are nearer than
+/// D have the end itself as their nearest base point. The way starts into a disc of radius D that touches the end and
+/// holds none of the base.
 bool Clearance::has_way_out(bool from_last, double d) const {
   const std::size_t own = from_last ? base_.segment_count() - 1 : 0;
   const Flat end = flat(from_last ? base_.end(own) : base_.start(own));
   const Flat ahead = flat(from_last ? base_.headings[own] : -base_.headings[own]);
-  const double reach = 1.01 * d + 1e-12 * base_.size;  // well beyond D, so that rounding tells nothing near the end either
-  constexpr int tries = 13;  // directions up to 78 degrees from straight on, the straightest first: the end's own segment lies behind
+  const double reach =
+      1.01 * d + 1e-12 * base_.size;  // well beyond D, so that rounding tells nothing near the end either
+  constexpr int tries =
+      13;  // directions up to 78 degrees from straight on, the straightest first: the end's own segment lies behind
   for (int k = 0; k < tries; ++k) {
     const double turn = (k % 2 == 0 ? 1 : -1) * 0.2269 * ((k + 1) / 2);
     const Flat way = std::cos(turn) * ahead + std::sin(turn) * left_of(ahead);
@@ -60,7 +63,9 @@ bool Clearance::has_way_out(bool from_last, double d) const {
       const Flat a = flat(base_.start(i)) - first;
       const Flat b = flat(base_.end(i)) - first;
       const double limit = reach * reach;
-      const auto near = [&](Flat p) { return dot(p, way) < 0 ? dot(p, p) < limit : cross(p, way) * cross(p, way) < limit; };
+      const auto near = [&](Flat p) {
+        return dot(p, way) < 0 ? dot(p, p) < limit : cross(p, way) * cross(p, way) < limit;
+      };
       if (near(a) || near(b) || squared_distance(i, first) < limit) return true;
       const double at_a = cross(way, a);
       const double at_b = cross(way, b);
@@ -104,7 +109,8 @@ void Clearance::find_gaps(double least, double greatest) {
   for (const geom::Vector u : base_.headings) directions.push_back(ChainTree::directions_of(flat(u), flat(u)));
   // The next block but one begins where the next one ends: where blocks are short, that tells at once.
   const auto is_short = [&](std::size_t b) {
-    const Flat along = flat(base_.end(std::min(base_.segment_count(), (b + 1) * Block::size) - 1)) - flat(base_.start(b * Block::size));
+    const Flat along = flat(base_.end(std::min(base_.segment_count(), (b + 1) * Block::size) - 1)) -
+                       flat(base_.start(b * Block::size));
     return dot(along, along) < floor * floor;
   };
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
@@ -193,7 +199,8 @@ std::pair<double, double> Clearance::gaps_about(std::size_t block, double floor,
     return far < floor * floor;
   };
   for (std::size_t leaf = first / run; leaf * run < last; ++leaf) look(leaf);
-  tree_.any_held_from(first / run, [&](const FloatBox& other) { return box_gap(own, other) < far; }, look);
+  tree_.any_held_from(
+      first / run, [&](const FloatBox& other) { return box_gap(own, other) < far; }, look);
   return {std::sqrt(far), std::sqrt(near)};
 }
 

@@ -8,12 +8,21 @@ namespace dobra::offset {
 namespace {
 
 /// -1, 1, or 0 where the error hides the sign.
-template <class T> int sign(const T& x, double error) { return x > error ? 1 : x < -error ? -1 : 0; }
+template <class T>
+int sign(const T& x, double error) {
+  return x > error ? 1 : x < -error ? -1 : 0;
+}
 
-template <class T> double narrow(const T& x) { return static_cast<double>(x); }
+template <class T>
+double narrow(const T& x) {
+  return static_cast<double>(x);
+}
 
 /// Half the chord of a circle of radius d at `away` from its centre.
-template <class T> T half_chord(const T& d, const T& away) { return away < d ? root(T((d - away) * (d + away))) : T(0); }
+template <class T>
+T half_chord(const T& d, const T& away) {
+  return away < d ? root(T((d - away) * (d + away))) : T(0);
+}
 
 }  // namespace
 

@@ -1,6 +1,6 @@
 #pragma once
-// How two pieces of the raw outline meet, in Real or in High. In Real everything within the bound of the error is in doubt, and
-// the pair is to be asked again in High; there it means that the two are one for every distance (high.h).
+// How two pieces of the raw outline meet, in Real or in High. In Real everything within the bound of the error is in
+// doubt, and the pair is to be asked again in High; there it means that the two are one for every distance (high.h).
 
 #include <array>
 
@@ -12,11 +12,11 @@ namespace dobra::offset {
 template <class T>
 struct Shape {
   bool line = true;
-  VecOf<T> a, b;       ///< Ends.
-  VecOf<T> pole;       ///< Unit direction of a line, centre of an arc.
-  T size = 0;          ///< |b - a|.
-  double error = 0;    ///< Bound for all its places, across.
-  double slide = 0;    ///< Bound for its ends, along; not below `error`.
+  VecOf<T> a, b;     ///< Ends.
+  VecOf<T> pole;     ///< Unit direction of a line, centre of an arc.
+  T size = 0;        ///< |b - a|.
+  double error = 0;  ///< Bound for all its places, across.
+  double slide = 0;  ///< Bound for its ends, along; not below `error`.
 };
 
 template <class T>

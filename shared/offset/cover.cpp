@@ -20,8 +20,11 @@ Buried::Buried(const BaseCurve& base, const Clearance& clearance, double greates
 bool Buried::for_ever(Site s) const {
   if (s.role == Role::Bevel) return false;
   if (s.role != Role::Line || s.step >= n_) return true;
-  const auto long_end = [&](std::size_t at) { return (*corners_)[at] == Corner::Mitre || (*corners_)[at] == Corner::Tangent; };
-  return !(base_->has_before(s.step) && long_end(s.step)) && !(base_->has_after(s.step) && long_end(base_->end_index(s.step)));
+  const auto long_end = [&](std::size_t at) {
+    return (*corners_)[at] == Corner::Mitre || (*corners_)[at] == Corner::Tangent;
+  };
+  return !(base_->has_before(s.step) && long_end(s.step)) &&
+         !(base_->has_after(s.step) && long_end(base_->end_index(s.step)));
 }
 
 void Buried::add(Site s, std::uint32_t killer, bool tips_stay) {

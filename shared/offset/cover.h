@@ -1,8 +1,8 @@
 #pragma once
-// Proofs that a piece of the raw outline lies in U. The proof of one segment: pill and mitres at its ends make a convex set, so
-// both ends of a line in it (for an arc, the crossing of its end tangents too) prove the whole. What buried one piece most likely
-// buries the next, and what held a place its surroundings: the last few such segments and those noted for the place's
-// cell are tried before the tree is asked. All proofs keep a margin above rounding.
+// Proofs that a piece of the raw outline lies in U. The proof of one segment: pill and mitres at its ends make a convex
+// set, so both ends of a line in it (for an arc, the crossing of its end tangents too) prove the whole. What buried one
+// piece most likely buries the next, and what held a place its surroundings: the last few such segments and those noted
+// for the place's cell are tried before the tree is asked. All proofs keep a margin above rounding.
 
 #include <array>
 #include <bit>
@@ -12,9 +12,9 @@
 
 namespace dobra::offset {
 
-/// Pieces that lie in U at some distance and so at all greater ones: p + D n nearer than D to some q means n . (q - p) >
-/// |q - p|^2 / 2D. Not so for the far ends of mitres, unless what buried them does so at the greatest distance too; else it is
-/// remembered, to be tried first.
+/// Pieces that lie in U at some distance and so at all greater ones: p + D n nearer than D to some q means n . (q - p)
+/// > |q - p|^2 / 2D. Not so for the far ends of mitres, unless what buried them does so at the greatest distance too;
+/// else it is remembered, to be tried first.
 class Buried {
  public:
   static constexpr std::uint32_t none = 0xffffffffU;
@@ -34,7 +34,8 @@ class Buried {
     if (!holds(s) && for_ever(s)) add(s, none);
   }
   [[nodiscard]] std::uint32_t hint(std::uint32_t step) const { return hints_.empty() ? none : hints_[step]; }
-  /// True if some place of a piece is likely to be free at d: then there is no use in looking for a proof that it is buried.
+  /// True if some place of a piece is likely to be free at d: then there is no use in looking for a proof that it is
+  /// buried.
   [[nodiscard]] bool likely_free(Site s, double d) const {
     return has_reach(s) && !reaches_.empty() && d < std::bit_cast<float>(std::uint32_t{reaches_[reach_place(s)]} << 16);
   }
@@ -63,14 +64,17 @@ class Buried {
   std::vector<std::uint64_t> bits_;
   std::vector<char> left_of_;  // of blocks
   std::vector<std::uint32_t> hints_;
-  std::vector<std::uint16_t> reaches_;  // upper halves of floats; of the lines and arcs of the right side; empty where nothing was looked for
+  std::vector<std::uint16_t>
+      reaches_;  // upper halves of floats; of the lines and arcs of the right side; empty where nothing was looked for
 };
 
 class Cover {
  public:
   Cover(const Outline& outline, const Clearance& clearance);
   [[nodiscard]] double margin() const { return margin_; }
-  [[nodiscard]] bool deep(Flat p, std::uint32_t step) const { return margin_ < d_ && outline_.deep_inside(p, step, margin_); }
+  [[nodiscard]] bool deep(Flat p, std::uint32_t step) const {
+    return margin_ < d_ && outline_.deep_inside(p, step, margin_);
+  }
   /// The part of a piece from a to b lies in the set of one step.
   [[nodiscard]] bool in_set(Site s, Flat a, Flat b, std::uint32_t step) const {
     if (!deep(a, step) || !deep(b, step)) return false;
@@ -80,9 +84,11 @@ class Cover {
   bool covers(Site s, Flat a, Flat b);
   /// Takes off both ends of a line what is easily seen to lie in U. False if nothing is left.
   bool shorten(Flat& a, Flat& b);
-  /// Of the piece asked for last, not covered: up to which distance some place of it stays free; by doubles. Mitres do not count.
+  /// Of the piece asked for last, not covered: up to which distance some place of it stays free; by doubles. Mitres do
+  /// not count.
   [[nodiscard]] double free_until(Site s) const;
-  /// Of a line that lies in U: what goes on from its segment to tips of mitres lies in the killer's set up to distance d.
+  /// Of a line that lies in U: what goes on from its segment to tips of mitres lies in the killer's set up to distance
+  /// d.
   [[nodiscard]] bool tips_stay(std::uint32_t step, double d) const;
   void remember(std::uint32_t step);
   /// The last one.

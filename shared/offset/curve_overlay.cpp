@@ -7,8 +7,14 @@ namespace dobra::offset {
 using geom::Point;
 using geom::Vector;
 
-CurveOverlay::CurveOverlay(Stacked& stacked, const BaseCurve& base, Vector forward, double distance, const Filling& filling)
-    : curve_(stacked), base_(base), axis_{forward}, d_(distance), filling_(filling), touching_(touching(base, distance)) {
+CurveOverlay::CurveOverlay(Stacked& stacked, const BaseCurve& base, Vector forward, double distance,
+                           const Filling& filling)
+    : curve_(stacked),
+      base_(base),
+      axis_{forward},
+      d_(distance),
+      filling_(filling),
+      touching_(touching(base, distance)) {
   const std::size_t last = base_.segment_count() - 1;
   curve_.points.push_back(curve_.tip);
   curve_.edges.push_back(OffsetEdge::arc(last));
@@ -146,7 +152,8 @@ void CurveOverlay::compare_with_arc(const Span& w, const Part& own, double x0, d
   const double off = geom::cross(over.along, c - over.on);
   if (off >= d_ - touching_) return take_kite(w, own, x0);
   const double half = std::sqrt(std::max(0.0, (d_ - off) * (d_ + off)));
-  const double margin = touching_ * std::min(d_ / half, 1e9);  // the nearer to touching, the less certain are these places
+  const double margin =
+      touching_ * std::min(d_ / half, 1e9);  // the nearer to touching, the less certain are these places
   const double ahead = geom::dot(axis_.forward, over.along);
   const double aside = geom::cross(axis_.forward, over.along);
   const double middle = axis_.x(c) + off * aside;
@@ -225,7 +232,8 @@ void CurveOverlay::lay(const std::vector<Span>& pieces) {
   apply_edits();
 }
 
-/// Moves what stays: to the left from left to right, then to the right from right to left, so that nothing is overwritten.
+/// Moves what stays: to the left from left to right, then to the right from right to left, so that nothing is
+/// overwritten.
 void CurveOverlay::apply_edits() {
   if (edits_.empty()) return;
   struct Block {
@@ -252,7 +260,8 @@ void CurveOverlay::apply_edits() {
     const auto target = static_cast<std::ptrdiff_t>(block.to);
     const auto shift = [&](auto& in) {
       if (target < first) std::move(in.begin() + first, in.begin() + last, in.begin() + target);
-      if (target > first) std::move_backward(in.begin() + first, in.begin() + last, in.begin() + target + (last - first));
+      if (target > first)
+        std::move_backward(in.begin() + first, in.begin() + last, in.begin() + target + (last - first));
     };
     shift(curve_.points);
     shift(curve_.edges);

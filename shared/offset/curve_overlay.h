@@ -1,6 +1,7 @@
 #pragma once
-// The curve of tier 0 with straight pieces laid over it: where one is lower it takes the curve's place (mitre_envelope.h).
-// Everything is a graph over the forward axis: whatever rounding does, the result cannot cross itself.
+// The curve of tier 0 with straight pieces laid over it: where one is lower it takes the curve's place
+// (mitre_envelope.h). Everything is a graph over the forward axis: whatever rounding does, the result cannot cross
+// itself.
 
 #include <limits>
 
@@ -39,8 +40,8 @@ class CurveOverlay {
   CurveOverlay(Stacked& stacked, const BaseCurve& base, geom::Vector forward, double distance, const Filling& filling);
   /// As it was, if nothing has been laid over it.
   void take_off_caps();
-  /// Lays pieces over the curve; their sites are lines and bevels. If they start before it, the arc about the first point is
-  /// put in front.
+  /// Lays pieces over the curve; their sites are lines and bevels. If they start before it, the arc about the first
+  /// point is put in front.
   /// @param pieces  in order of x, disjoint, within D of the base along the axis.
   /// @cost          O(k + m log m), k = pieces and parts below them; O(curve) moves of memory.
   void lay(const std::vector<Span>& pieces);

@@ -12,7 +12,10 @@ namespace dobra::offset {
 namespace {
 
 /// What a half tangent's error is multiplied with: the cross product that it comes from is exact in High only.
-template <class T> double growth(double half_tan) { return std::is_same_v<T, High> ? 1 + half_tan : 1 + half_tan * half_tan; }
+template <class T>
+double growth(double half_tan) {
+  return std::is_same_v<T, High> ? 1 + half_tan : 1 + half_tan * half_tan;
+}
 
 // Far below what the perturbation of D makes of coincidences, far above the error.
 constexpr double same_place = 0x1p-180;
@@ -131,10 +134,18 @@ void Trimmer::add_cuts(std::uint32_t i, std::uint32_t j, const Contacts<T>& cont
         add_cut(j, at, slide);
         break;
       }
-      case Contact<T>::Kind::StartOfFirst: add_end(j, hot_[i].node_a, hot_[i].shape.slide); break;
-      case Contact<T>::Kind::EndOfFirst: add_end(j, hot_[i].node_b, hot_[i].shape.slide); break;
-      case Contact<T>::Kind::StartOfSecond: add_end(i, hot_[j].node_a, hot_[j].shape.slide); break;
-      case Contact<T>::Kind::EndOfSecond: add_end(i, hot_[j].node_b, hot_[j].shape.slide); break;
+      case Contact<T>::Kind::StartOfFirst:
+        add_end(j, hot_[i].node_a, hot_[i].shape.slide);
+        break;
+      case Contact<T>::Kind::EndOfFirst:
+        add_end(j, hot_[i].node_b, hot_[i].shape.slide);
+        break;
+      case Contact<T>::Kind::StartOfSecond:
+        add_end(i, hot_[j].node_a, hot_[j].shape.slide);
+        break;
+      case Contact<T>::Kind::EndOfSecond:
+        add_end(i, hot_[j].node_b, hot_[j].shape.slide);
+        break;
     }
   }
 }
@@ -168,7 +179,8 @@ const VecOf<High>& Trimmer::fine(std::uint32_t node) {
   if (known.j == end_of_piece) return keep(fine_shape(known.i).b);
   VecOf<High> nearest = as<High>(known.at);
   High least = std::numeric_limits<High>::infinity();
-  for (const Contact<High>& contact : Contacts<High>(fine_shape(known.i), fine_shape(known.j), distance_as<High>(outline_.distance()))) {
+  for (const Contact<High>& contact :
+       Contacts<High>(fine_shape(known.i), fine_shape(known.j), distance_as<High>(outline_.distance()))) {
     const VecOf<High> off = contact.at - as<High>(known.at);
     if (dot(off, off) < least) {
       least = dot(off, off);
@@ -212,9 +224,11 @@ void Trimmer::merge_twins() {
   for (const Cut& cut : cuts_) {
     if (std::binary_search(twins_.begin(), twins_.end(), cut.hot)) add(cut.node, cut.error);
   }
-  std::sort(all.begin(), all.end(), [](const Known& a, const Known& b) { return a.along != b.along ? a.along < b.along : a.node < b.node; });
+  std::sort(all.begin(), all.end(),
+            [](const Known& a, const Known& b) { return a.along != b.along ? a.along < b.along : a.node < b.node; });
   for (std::size_t i = 0; i < all.size(); ++i) {
-    for (std::size_t j = i + 1; j < all.size() && all[j].along - all[i].along <= static_cast<Real>(all[i].error + all[j].error); ++j) {
+    for (std::size_t j = i + 1;
+         j < all.size() && all[j].along - all[i].along <= static_cast<Real>(all[i].error + all[j].error); ++j) {
       if (representative(all[i].node) == representative(all[j].node)) continue;
       const VecOf<High> off = fine(all[j].node) - fine(all[i].node);
       if (length(off) <= same_place * (base_.size + outline_.distance())) merge(all[i].node, all[j].node);
@@ -234,9 +248,8 @@ void Trimmer::order_in_doubt(Cut* first, Cut* last) {
     const VecOf<High> off = fine(c->node) - own.a;
     exact.push_back({own.line ? dot(off, own.pole) : length(off), *c});
   }
-  std::sort(exact.begin(), exact.end(), [](const Exact& a, const Exact& b) {
-    return a.at != b.at ? a.at < b.at : a.cut.node < b.cut.node;
-  });
+  std::sort(exact.begin(), exact.end(),
+            [](const Exact& a, const Exact& b) { return a.at != b.at ? a.at < b.at : a.cut.node < b.cut.node; });
   const double same = same_place * error_of(pieces_[hot_[first->hot].piece].site());
   for (std::size_t k = 0; k < exact.size(); ++k) {
     first[k] = exact[k].cut;
@@ -246,7 +259,8 @@ void Trimmer::order_in_doubt(Cut* first, Cut* last) {
 
 /// The cuts of one piece, its ends among them.
 void Trimmer::order_piece(std::vector<Cut>& cuts) {
-  std::sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.at != b.at ? a.at < b.at : a.node < b.node; });
+  std::sort(cuts.begin(), cuts.end(),
+            [](const Cut& a, const Cut& b) { return a.at != b.at ? a.at < b.at : a.node < b.node; });
   for (std::size_t first = 0; first < cuts.size();) {
     std::size_t last = first + 1;
     Real reach = cuts[first].at + static_cast<Real>(cuts[first].error);

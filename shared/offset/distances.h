@@ -10,9 +10,9 @@
 namespace dobra::offset {
 
 struct DistanceRule {
-  std::size_t count = 1;   ///< Number of curves, 1 to 100 000.
-  double initial = 1.0;    ///< Distance of the first curve from the base, m; above 0.
-  double factor = 1.0;     ///< On the accumulated distance; above 0. 1 gives equal gaps.
+  std::size_t count = 1;  ///< Number of curves, 1 to 100 000.
+  double initial = 1.0;   ///< Distance of the first curve from the base, m; above 0.
+  double factor = 1.0;    ///< On the accumulated distance; above 0. 1 gives equal gaps.
 };
 
 /// `count` distances, m, ascending.

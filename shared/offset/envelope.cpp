@@ -116,8 +116,8 @@ class Finisher {
   bool keeps_arcs_;  // chord bevels are the chords of what is left of their arcs
 };
 
-/// A mitre is below the arc about its corner. What is left of such an arc touches something, and is there by rounding only:
-/// the edge that it touches takes its place.
+/// A mitre is below the arc about its corner. What is left of such an arc touches something, and is there by rounding
+/// only: the edge that it touches takes its place.
 /// @param curve  with one point more than edges.
 void drop_covered_arcs(Stacked& curve, const BaseCurve& base, const Filling& filling) {
   auto& points = curve.points;
@@ -171,8 +171,8 @@ std::vector<OffsetPiece> between_caps(Stacked& curve, const BaseCurve& base, con
 
 }  // namespace
 
-std::vector<OffsetPiece> monotone_offset(const BaseCurve& base, Vector forward, double distance, const OffsetOptions& options,
-                                         PillsLeft& left) {
+std::vector<OffsetPiece> monotone_offset(const BaseCurve& base, Vector forward, double distance,
+                                         const OffsetOptions& options, PillsLeft& left) {
   const Filling filling(options);
   const Finisher finisher(base, options.join);
   Stacked curve = stack_pills(base, forward, distance, filling, left);

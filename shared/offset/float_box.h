@@ -18,7 +18,10 @@ struct FloatBox {
   /// @param margin  added on all sides.
   FloatBox() = default;
   FloatBox(Flat low, Flat high, double margin)
-      : low_x(below(low.x - margin)), low_y(below(low.y - margin)), high_x(above(high.x + margin)), high_y(above(high.y + margin)) {}
+      : low_x(below(low.x - margin)),
+        low_y(below(low.y - margin)),
+        high_x(above(high.x + margin)),
+        high_y(above(high.y + margin)) {}
   void add(const FloatBox& other) {  // by value: no branch, which nothing could predict
     low_x = other.low_x < low_x ? other.low_x : low_x;
     low_y = other.low_y < low_y ? other.low_y : low_y;

@@ -15,8 +15,8 @@ struct Span {
   [[nodiscard]] double at(double place) const { return y + slope * (place - x); }
 };
 
-/// Graphs in order of place; each may have gaps. Kept as the envelopes of 1, 2, 4, ... of them, so that a graph takes part in
-/// few merges, and only where it overlaps its neighbours.
+/// Graphs in order of place; each may have gaps. Kept as the envelopes of 1, 2, 4, ... of them, so that a graph takes
+/// part in few merges, and only where it overlaps its neighbours.
 class LowerEnvelope {
  public:
   /// @param touching  of two spans that are nowhere further apart the first stays.

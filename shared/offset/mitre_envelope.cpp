@@ -28,10 +28,10 @@ class SlidingTop {
   const double d_;
   std::vector<Top> tops_;  // from `first_` on: points in reach that no later one is above, descending
   std::size_t first_ = 0;
-  std::size_t low_ = 0;   // the part where the reach starts
-  std::size_t high_ = 0;  // the first point beyond it
-  double leaves_;  // where part low_ ends
-  double reach_ = -std::numeric_limits<double>::infinity();   // of the last point
+  std::size_t low_ = 0;                                      // the part where the reach starts
+  std::size_t high_ = 0;                                     // the first point beyond it
+  double leaves_;                                            // where part low_ ends
+  double reach_ = -std::numeric_limits<double>::infinity();  // of the last point
 };
 
 /// The highest place of the curve within D of x along the axis; infinity where it does not reach so far.
@@ -94,7 +94,8 @@ class MitreEnvelope {
   std::vector<Span> other_kites();
   void add(const Kite& kite, LowerEnvelope& envelope) const;
   static std::uint64_t bit(std::size_t corner) { return std::uint64_t{1} << (corner % 64); }
-  template <class Use> void for_each_cut(Use&& use) const {
+  template <class Use>
+  void for_each_cut(Use&& use) const {
     for (std::size_t word = 0; word < cut_.size(); ++word) {
       for (std::uint64_t bits = cut_[word]; bits != 0; bits &= bits - 1) {
         use(word * 64 + static_cast<std::size_t>(std::countr_zero(bits)));
@@ -205,8 +206,8 @@ std::vector<Span> MitreEnvelope::other_kites() {
   return envelope.finish();
 }
 
-/// False if it is not, or if it would take long to tell. The kite is convex, and so are the parts of the curve: their corners
-/// tell; and its feet are on pills.
+/// False if it is not, or if it would take long to tell. The kite is convex, and so are the parts of the curve: their
+/// corners tell; and its feet are on pills.
 bool MitreEnvelope::is_above_curve(const Kite& kite, std::size_t& hint) const {
   constexpr std::size_t patience = 64;
   hint = curve_.part_at(axis_.x(kite.at[1]), hint);

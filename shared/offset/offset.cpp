@@ -27,7 +27,7 @@ using base::Result;
 namespace {
 
 constexpr int greatest_proportion = 60;  // of a distance to the curve's extent, either way, as a power of two
-constexpr int greatest_exponent = 60;     // of the extent: beyond it the engine works on a scaled curve
+constexpr int greatest_exponent = 60;    // of the extent: beyond it the engine works on a scaled curve
 /// Of coordinates and distances, m: areas must stay in the range of doubles. The reciprocal is the least extent.
 constexpr double greatest_size = 1e150;
 
@@ -127,13 +127,13 @@ bool meets_itself(const BaseCurve& base) {
 struct Prepared {
   const geom::Polyline* curve = nullptr;  ///< As given.
   BaseCurve base{};
-  std::optional<geom::Vector> forward{};  ///< See monotone_direction.
-  bool simple = false;                  ///< Closed, and does not meet itself.
+  std::optional<geom::Vector> forward{};         ///< See monotone_direction.
+  bool simple = false;                           ///< Closed, and does not meet itself.
   std::unique_ptr<const Clearance> clearance{};  ///< Only where it is needed.
 };
 
-/// @param greatest  distance. Where it is far above the size of the base, roundings of doubles add up over nearly straight parts: then the
-/// general engine, which decides exactly, takes monotone bases too.
+/// @param greatest  distance. Where it is far above the size of the base, roundings of doubles add up over nearly
+/// straight parts: then the general engine, which decides exactly, takes monotone bases too.
 Prepared prepared(const geom::Polyline& curve, BaseCurve base, const OffsetOptions& options, double greatest) {
   Prepared made{.curve = &curve, .base = std::move(base), .forward = {}, .simple = false, .clearance = {}};
   if (options.treatment == Treatment::Untreated) return made;
@@ -153,8 +153,8 @@ struct Memory {
   Hidden* found = nullptr;
 };
 
-OffsetCurve treated(const Prepared& input, double distance, const OffsetOptions& options, const base::Progress& progress,
-                    Memory memory) {
+OffsetCurve treated(const Prepared& input, double distance, const OffsetOptions& options,
+                    const base::Progress& progress, Memory memory) {
   const BaseCurve& base = input.base;
   OffsetCurve curve;
   curve.distance = distance;
@@ -168,27 +168,29 @@ OffsetCurve treated(const Prepared& input, double distance, const OffsetOptions&
   const bool one_sided = input.simple && input.clearance->tells_sides(distance);
   const Outline::Sides sides = one_sided ? Outline::Sides::Right : Outline::Sides::Both;
   Trimmer trimmer(base, *input.clearance, sides, distance, options, progress);
-  curve.pieces = memory.known ? trimmer.run(*memory.known->pieces, memory.found ? &*memory.found->pieces : nullptr) : trimmer.run();
+  curve.pieces = memory.known ? trimmer.run(*memory.known->pieces, memory.found ? &*memory.found->pieces : nullptr)
+                              : trimmer.run();
   if (input.simple) std::erase_if(curve.pieces, [](const OffsetPiece& piece) { return !piece.closed; });
   if (!base.closed) keep_wanted(curve, *input.curve, options.keep);
   return curve;
 }
 
 /// One distance. @pre input is ready for it
-OffsetCurve curve_at(const Prepared& input, double distance, const OffsetOptions& options, const base::Progress& progress,
-                     Memory memory = {}) {
+OffsetCurve curve_at(const Prepared& input, double distance, const OffsetOptions& options,
+                     const base::Progress& progress, Memory memory = {}) {
   return options.treatment == Treatment::Untreated ? untreated(input.base, distance, options)
                                                    : treated(input, distance, options, progress, memory);
 }
 
-/// Runs body(k, memory) for all distances, ascending in rounds: what the last of a round finds hidden, those of the later rounds
-/// need not look at again.
+/// Runs body(k, memory) for all distances, ascending in rounds: what the last of a round finds hidden, those of the
+/// later rounds need not look at again.
 /// @param width  how many distances a round has, by its number.
 template <class Width, class Body>
 void ascending(std::span<const double> distances, Hidden known, const Width& width, const Body& body) {
   std::vector<std::size_t> order(distances.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return distances[a] < distances[b]; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return distances[a] < distances[b]; });
   std::size_t last = 0;
   for (std::size_t round = 0; last < order.size(); ++round) {
     const std::size_t first = last;
@@ -227,7 +229,8 @@ int extent_of(const geom::Polyline& curve) {
 /// Coordinates whose squares are no doubles are refused.
 Result<void> check_size(const geom::Polyline& curve) {
   for (const geom::Point p : curve.points) {
-    if (!geom::is_finite(p) || std::max(std::abs(p.x), std::abs(p.y)) <= greatest_size) continue;  // not finite: prepare()
+    if (!geom::is_finite(p) || std::max(std::abs(p.x), std::abs(p.y)) <= greatest_size)
+      continue;  // not finite: prepare()
     return Error{ErrorCode::InvalidOption, "a coordinate of the curve is beyond 1e150; use larger units",
                  base::Place{.x = p.x, .y = p.y}};
   }
@@ -245,7 +248,8 @@ Result<void> check_proportion(int extent, std::span<const double> distances) {
   for (const double d : distances) {
     const std::string what = "an offset distance is " + base::number_text(d);
     if (std::abs(std::ilogb(d) - extent) > greatest_proportion) {
-      return Error{ErrorCode::InvalidOption, what + ", but the curve is about " + base::number_text(std::ldexp(1.0, extent)) +
+      return Error{ErrorCode::InvalidOption, what + ", but the curve is about " +
+                                                 base::number_text(std::ldexp(1.0, extent)) +
                                                  " wide; neither may be more than 1e18 times the other"};
     }
     if (d > greatest_size || d < 1 / greatest_size) {
@@ -291,10 +295,13 @@ Result<std::vector<OffsetCurve>> offset_near_one(const geom::Polyline& curve, st
   const auto keep = [&](std::size_t k, Memory memory) { results[k] = one(k, memory); };
   if (input.clearance) {
     const double greatest = std::ranges::max(distances);
-    ascending(distances, {Buried(input.base, *input.clearance, greatest), {}}, [](std::size_t round) { return 1 + round / 3; }, keep);
+    ascending(
+        distances, {Buried(input.base, *input.clearance, greatest), {}},
+        [](std::size_t round) { return 1 + round / 3; }, keep);
   } else if (input.forward) {
     // The first hides most.
-    ascending(distances, {std::nullopt, all_pills(input.base)}, [](std::size_t round) { return 1 + round; }, keep);
+    ascending(
+        distances, {std::nullopt, all_pills(input.base)}, [](std::size_t round) { return 1 + round; }, keep);
   } else {
     base::parallel_for(distances.size(), [&](std::size_t k) { keep(k, {}); });
   }
@@ -306,22 +313,28 @@ Result<std::vector<OffsetCurve>> offset_near_one(const geom::Polyline& curve, st
   return curves;
 }
 
-/// For debug builds, two independent proofs of a curve: that no edge is too near (clearance), and that the raw outline parts inside and
-/// outside at each (winding). Of small bases whose numbers have digits left to judge, for less than a second of a process.
-[[maybe_unused]] bool proved(const geom::Polyline& curve, const OffsetOptions& options, const std::vector<OffsetCurve>& made) {
-  constexpr std::int64_t greatest = 300;       // points of a base
+/// For debug builds, two independent proofs of a curve: that no edge is too near (clearance), and that the raw outline
+/// parts inside and outside at each (winding). Of small bases whose numbers have digits left to judge, for less than a
+/// second of a process.
+[[maybe_unused]] bool proved(const geom::Polyline& curve, const OffsetOptions& options,
+                             const std::vector<OffsetCurve>& made) {
+  constexpr std::int64_t greatest = 300;        // points of a base
   static std::atomic<std::int64_t> left{4000};  // of all curves together
   const auto cost = static_cast<std::int64_t>(curve.points.size());
   return cost > greatest || options.join == Join::Bisector ||  // whose tips may be as far as they like
-          std::ranges::all_of(made, [&](const OffsetCurve& one) {
-    const auto has_digits = [&](double v) { return v == 0 || (std::abs(v) < 1e6 * one.distance && std::abs(v) > 1e-6 * one.distance); };
-    const auto judged = std::ranges::all_of(curve.points, [&](geom::Point p) { return has_digits(p.x) && has_digits(p.y); });
-    if (!judged || left.fetch_sub(cost) < cost) return true;
-    const auto verified = verify(curve, options, one);
-    return verified.ok() && std::ranges::none_of(verified->findings, [](const Finding& f) {
-      return f.kind == FindingKind::TooNear || f.kind == FindingKind::InMitre || f.kind == FindingKind::Winding;
-    });
-  });
+         std::ranges::all_of(made, [&](const OffsetCurve& one) {
+           const auto has_digits = [&](double v) {
+             return v == 0 || (std::abs(v) < 1e6 * one.distance && std::abs(v) > 1e-6 * one.distance);
+           };
+           const auto judged =
+               std::ranges::all_of(curve.points, [&](geom::Point p) { return has_digits(p.x) && has_digits(p.y); });
+           if (!judged || left.fetch_sub(cost) < cost) return true;
+           const auto verified = verify(curve, options, one);
+           return verified.ok() && std::ranges::none_of(verified->findings, [](const Finding& f) {
+                    return f.kind == FindingKind::TooNear || f.kind == FindingKind::InMitre ||
+                           f.kind == FindingKind::Winding;
+                  });
+         });
 }
 
 }  // namespace

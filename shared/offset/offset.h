@@ -2,8 +2,8 @@
 // Curves parallel to open chains and closed contours of straight segments: the library of the first paper.
 //
 // What is computed. Let U be all points nearer than D to the base, plus the corners that the joins add on the chosen
-// side. The treated curve is the part of U's boundary that belongs to the chosen side, so it keeps the distance from the
-// WHOLE base (both sides and the ends of an open one), and has no spurious region. A base that crosses itself is
+// side. The treated curve is the part of U's boundary that belongs to the chosen side, so it keeps the distance from
+// the WHOLE base (both sides and the ends of an open one), and has no spurious region. A base that crosses itself is
 // treated by the same rule. What only just touches itself counts as closed (as if D were a little greater).
 // Page: docs/algorithms/offset.md. Source: [carvalho2005offset]; validity by sections as in [held2001voronoi].
 
@@ -33,8 +33,9 @@ enum class Join {
   Bevel,     ///< The chord of that arc; comes nearer to the corner than D.
 };
 
-/// With Join::Bisector: greatest distance of a bisector point from its corner, in D. Farther tips lose digits (a tip L D away
-/// is known to about L^2 units in the last place of the turn), and lines to them cross each other in squared number.
+/// With Join::Bisector: greatest distance of a bisector point from its corner, in D. Farther tips lose digits (a tip L
+/// D away is known to about L^2 units in the last place of the turn), and lines to them cross each other in squared
+/// number.
 inline constexpr double bisector_limit = 1e3;
 
 enum class BeyondLimit {
@@ -65,7 +66,7 @@ struct OffsetOptions {
   BeyondLimit beyond_limit = BeyondLimit::TangentBevel;
   UTurn u_turn = UTurn::TangentBevel;
   Ends ends = Ends::Trimmed;
-  double extension = 1.0;       ///< For Ends::Extended, in D; above 0.
+  double extension = 1.0;  ///< For Ends::Extended, in D; above 0.
   Keep keep = Keep::LongestPiece;
 
   /// Greatest distance of a bisector point from its corner, in D.
@@ -76,12 +77,17 @@ struct OffsetOptions {
   }
 };
 
-/// An edge of a piece: straight, parallel to a base segment (or the bevel at its end); or an arc about the segment's end.
+/// An edge of a piece: straight, parallel to a base segment (or the bevel at its end); or an arc about the segment's
+/// end.
 class OffsetEdge {
  public:
   OffsetEdge() = default;
-  static constexpr OffsetEdge line(std::size_t base_edge) { return OffsetEdge(2 * static_cast<std::uint32_t>(base_edge)); }
-  static constexpr OffsetEdge arc(std::size_t base_edge) { return OffsetEdge(2 * static_cast<std::uint32_t>(base_edge) + 1); }
+  static constexpr OffsetEdge line(std::size_t base_edge) {
+    return OffsetEdge(2 * static_cast<std::uint32_t>(base_edge));
+  }
+  static constexpr OffsetEdge arc(std::size_t base_edge) {
+    return OffsetEdge(2 * static_cast<std::uint32_t>(base_edge) + 1);
+  }
   /// Index of the segment in the curve given.
   [[nodiscard]] constexpr std::uint32_t base_edge() const { return code_ / 2; }
   [[nodiscard]] constexpr bool is_arc() const { return code_ % 2 != 0; }
@@ -102,15 +108,16 @@ struct OffsetPiece {
 
 struct OffsetCurve {
   double distance = 0.0;
-  /// Open base: at most one, the longest, unless all are kept. Closed: all, in order of the first base segment in each; those round holes
-  /// between arms of the base have the opposite orientation. A closed base that crosses itself may give open ones.
-  /// None where the whole curve is nearer to the base than D.
+  /// Open base: at most one, the longest, unless all are kept. Closed: all, in order of the first base segment in each;
+  /// those round holes between arms of the base have the opposite orientation. A closed base that crosses itself may
+  /// give open ones. None where the whole curve is nearer to the base than D.
   std::vector<OffsetPiece> pieces;
   std::size_t dropped = 0;      ///< Further pieces of an open base, left out.
   double dropped_length = 0.0;  ///< Of these, m.
 };
 
-/// True if the curve crosses, touches or runs along itself. @error NotFinite, DegenerateCurve. @cost O(n) where it is smooth
+/// True if the curve crosses, touches or runs along itself. @error NotFinite, DegenerateCurve. @cost O(n) where it is
+/// smooth
 base::Result<bool> meets_itself(const geom::Polyline& curve);
 
 /// Curves parallel to `curve`.

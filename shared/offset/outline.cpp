@@ -17,7 +17,8 @@ std::vector<Corner> right_corners(const BaseCurve& base, const OffsetOptions& op
   return corners;
 }
 
-template <class T> T Outline::half_tan_as(std::uint32_t step) const {
+template <class T>
+T Outline::half_tan_as(std::uint32_t step) const {
   if constexpr (std::is_same_v<T, double>) {
     return half_tan(step);
   } else {
@@ -25,32 +26,43 @@ template <class T> T Outline::half_tan_as(std::uint32_t step) const {
   }
 }
 
-template <class T> VecOf<T> Outline::line_end(std::uint32_t step) const {
+template <class T>
+VecOf<T> Outline::line_end(std::uint32_t step) const {
   const T d = distance_as<T>(d_);
   const VecOf<T> p = to<T>(step);
   const VecOf<T> u = along<T>(step);
   const VecOf<T> foot = p + d * right_of(u);
   switch (corner(step)) {
-    case Corner::Straight: return p + d * normal<T>(after(step));
-    case Corner::Meet: return foot - T(d * half_tan_as<T>(step)) * u;
-    case Corner::Mitre: return foot + T(d * half_tan_as<T>(step)) * u;
-    case Corner::Tangent: return foot + T(d * quarter_tan(half_tan_as<T>(step))) * u;
-    default: return foot;
+    case Corner::Straight:
+      return p + d * normal<T>(after(step));
+    case Corner::Meet:
+      return foot - T(d * half_tan_as<T>(step)) * u;
+    case Corner::Mitre:
+      return foot + T(d * half_tan_as<T>(step)) * u;
+    case Corner::Tangent:
+      return foot + T(d * quarter_tan(half_tan_as<T>(step))) * u;
+    default:
+      return foot;
   }
 }
-template <class T> VecOf<T> Outline::line_start(std::uint32_t step) const {
+template <class T>
+VecOf<T> Outline::line_start(std::uint32_t step) const {
   const std::uint32_t previous = before(step);
   const T d = distance_as<T>(d_);
   const VecOf<T> u = along<T>(step);
   const VecOf<T> foot = from<T>(step) + d * right_of(u);
   switch (corner(previous)) {
     case Corner::Meet:
-    case Corner::Mitre: return line_end<T>(previous);
-    case Corner::Tangent: return foot - T(d * quarter_tan(half_tan_as<T>(previous))) * u;
-    default: return foot;
+    case Corner::Mitre:
+      return line_end<T>(previous);
+    case Corner::Tangent:
+      return foot - T(d * quarter_tan(half_tan_as<T>(previous))) * u;
+    default:
+      return foot;
   }
 }
-template <class T> VecOf<T> Outline::middle_of_turn(std::uint32_t step) const {
+template <class T>
+VecOf<T> Outline::middle_of_turn(std::uint32_t step) const {
   const VecOf<T> u = along<T>(step);
   if (std::isinf(half_tan(step))) return u;
   // Turned by a left turn's half: exact enough near a U-turn too, where the two normals cancel.
@@ -58,20 +70,28 @@ template <class T> VecOf<T> Outline::middle_of_turn(std::uint32_t step) const {
   const T c = 1 / root(T(1 + t * t));
   return c * right_of(u) + T(t * c) * u;
 }
-template <class T> VecOf<T> Outline::natural_start(Site s) const {
+template <class T>
+VecOf<T> Outline::natural_start(Site s) const {
   const T d = distance_as<T>(d_);
   switch (s.role) {
-    case Role::Line: return line_start<T>(s.step);
-    case Role::Bevel: return line_end<T>(s.step);
-    case Role::Arc: return to<T>(s.step) + d * normal<T>(s.step);
-    default: return to<T>(s.step) + d * middle_of_turn<T>(s.step);
+    case Role::Line:
+      return line_start<T>(s.step);
+    case Role::Bevel:
+      return line_end<T>(s.step);
+    case Role::Arc:
+      return to<T>(s.step) + d * normal<T>(s.step);
+    default:
+      return to<T>(s.step) + d * middle_of_turn<T>(s.step);
   }
 }
-template <class T> VecOf<T> Outline::natural_end(Site s) const {
+template <class T>
+VecOf<T> Outline::natural_end(Site s) const {
   const T d = distance_as<T>(d_);
   switch (s.role) {
-    case Role::Line: return line_end<T>(s.step);
-    case Role::Bevel: return line_start<T>(after(s.step));
+    case Role::Line:
+      return line_end<T>(s.step);
+    case Role::Bevel:
+      return line_start<T>(after(s.step));
     case Role::Arc:
       if (splits_arc(s.step)) return to<T>(s.step) + d * middle_of_turn<T>(s.step);
       [[fallthrough]];

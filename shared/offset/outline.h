@@ -1,7 +1,8 @@
 #pragma once
-// The raw outline at distance D: lines and arcs that lie to the right of the base, and to the right of the base travelled
-// backwards (its left side), which only serve to cut. Everything is symbolic: a piece knows the site (segment or corner) it is parallel
-// to, and an end whether it is natural or a crossing with another site, so that its place can be had in doubles or in Real.
+// The raw outline at distance D: lines and arcs that lie to the right of the base, and to the right of the base
+// travelled backwards (its left side), which only serve to cut. Everything is symbolic: a piece knows the site (segment
+// or corner) it is parallel to, and an end whether it is natural or a crossing with another site, so that its place can
+// be had in doubles or in Real.
 
 #include <limits>
 #include <type_traits>
@@ -33,7 +34,11 @@ class Outline {
   };
   /// @param corners  see right_corners; must outlive this.
   Outline(const BaseCurve& base, const std::vector<Corner>& corners, Sides sides, double distance)
-      : base_(base), corners_(corners), sides_(sides), d_(distance), n_(static_cast<std::uint32_t>(base.segment_count())) {}
+      : base_(base),
+        corners_(corners),
+        sides_(sides),
+        d_(distance),
+        n_(static_cast<std::uint32_t>(base.segment_count())) {}
 
   [[nodiscard]] double distance() const { return d_; }
   [[nodiscard]] const BaseCurve& base() const { return base_; }
@@ -42,7 +47,9 @@ class Outline {
   [[nodiscard]] std::uint32_t segment(std::uint32_t step) const { return step < n_ ? step : 2 * n_ - 1 - step; }
   [[nodiscard]] bool two_walks() const { return base_.closed && sides_ == Sides::Both; }
   /// True if an end of the base follows the step.
-  [[nodiscard]] bool is_cap(std::uint32_t step) const { return !base_.closed && (step == n_ - 1 || step == 2 * n_ - 1); }
+  [[nodiscard]] bool is_cap(std::uint32_t step) const {
+    return !base_.closed && (step == n_ - 1 || step == 2 * n_ - 1);
+  }
   [[nodiscard]] std::uint32_t after(std::uint32_t step) const {
     if (two_walks()) return step == n_ - 1 ? 0 : step == 2 * n_ - 1 ? n_ : step + 1;
     return step + 1 == 2 * n_ || step + 1 == step_count() ? 0 : step + 1;
@@ -63,17 +70,20 @@ class Outline {
   [[nodiscard]] Corner corner(std::uint32_t step) const;
 
   // Places, in doubles or in Real.
-  template <class T> [[nodiscard]] VecOf<T> from(std::uint32_t step) const {
+  template <class T>
+  [[nodiscard]] VecOf<T> from(std::uint32_t step) const {
     const std::size_t s = segment(step);
     const geom::Point p = step < n_ ? base_.start(s) : base_.end(s);
     return {p.x, p.y};
   }
-  template <class T> [[nodiscard]] VecOf<T> to(std::uint32_t step) const {
+  template <class T>
+  [[nodiscard]] VecOf<T> to(std::uint32_t step) const {
     const std::size_t s = segment(step);
     const geom::Point p = step < n_ ? base_.end(s) : base_.start(s);
     return {p.x, p.y};
   }
-  template <class T> [[nodiscard]] VecOf<T> along(std::uint32_t step) const {
+  template <class T>
+  [[nodiscard]] VecOf<T> along(std::uint32_t step) const {
     if constexpr (std::is_same_v<T, double>) {
       const Flat u = flat(base_.headings[segment(step)]);
       return step < n_ ? u : -u;
@@ -81,14 +91,23 @@ class Outline {
       return unit(to<T>(step) - from<T>(step));
     }
   }
-  template <class T> [[nodiscard]] VecOf<T> normal(std::uint32_t step) const { return right_of(along<T>(step)); }
-  template <class T> [[nodiscard]] T half_tan_as(std::uint32_t step) const;
+  template <class T>
+  [[nodiscard]] VecOf<T> normal(std::uint32_t step) const {
+    return right_of(along<T>(step));
+  }
+  template <class T>
+  [[nodiscard]] T half_tan_as(std::uint32_t step) const;
   /// Where the line of `step` ends, and where that of the next one begins.
-  template <class T> [[nodiscard]] VecOf<T> line_end(std::uint32_t step) const;
-  template <class T> [[nodiscard]] VecOf<T> line_start(std::uint32_t step) const;
-  template <class T> [[nodiscard]] VecOf<T> natural_start(Site s) const;
-  template <class T> [[nodiscard]] VecOf<T> natural_end(Site s) const;
-  template <class T> [[nodiscard]] VecOf<T> middle_of_turn(std::uint32_t step) const;
+  template <class T>
+  [[nodiscard]] VecOf<T> line_end(std::uint32_t step) const;
+  template <class T>
+  [[nodiscard]] VecOf<T> line_start(std::uint32_t step) const;
+  template <class T>
+  [[nodiscard]] VecOf<T> natural_start(Site s) const;
+  template <class T>
+  [[nodiscard]] VecOf<T> natural_end(Site s) const;
+  template <class T>
+  [[nodiscard]] VecOf<T> middle_of_turn(std::uint32_t step) const;
   [[nodiscard]] bool splits_arc(std::uint32_t step) const { return half_tan(step) > 1; }
 
   /// The end of a step in doubles: what happens there, where its line ends and where the next one begins.
@@ -122,8 +141,8 @@ class Outline {
 
  private:
   [[nodiscard]] bool deep_in_mitre(Flat q, std::uint32_t step, bool at_end, double margin) const;
-  /// At an inner corner: beyond the bisector each line is nearer than D to the other segment, provided that this reaches so far.
-  /// Where it only just does, the answer no is the safe one: it leaves it to the cuts.
+  /// At an inner corner: beyond the bisector each line is nearer than D to the other segment, provided that this
+  /// reaches so far. Where it only just does, the answer no is the safe one: it leaves it to the cuts.
   static bool meets(double d, double half_tan, double span, double next) {
     const double reach = d * half_tan * (1 + 1e-12);
     return reach < span && reach < next;

@@ -7,8 +7,8 @@
 
 namespace dobra::offset {
 
-/// Natural starts of lines and first arcs of the right side in doubles, for very many in a row: no detours, and all that is asked of the
-/// base at hand.
+/// Natural starts of lines and first arcs of the right side in doubles, for very many in a row: no detours, and all
+/// that is asked of the base at hand.
 class Outline::Starts {
  public:
   explicit Starts(const Outline& outline)
@@ -40,8 +40,8 @@ class Outline::Starts {
     return true;
   }
 
-  /// The same for the 16 steps of a block from `first` on, D being below its plain_below, and no mitre far: all starts in a row. What is
-  /// at the start of the first step is not known to be plain.
+  /// The same for the 16 steps of a block from `first` on, D being below its plain_below, and no mitre far: all starts
+  /// in a row. What is at the start of the first step is not known to be plain.
   /// @param arcs  four bits a step: the first one where an arc is at its end.
   bool find_block(std::uint32_t first, std::uint64_t arcs, geom::Point* start) const {
     geom::Point* const first_start = start;

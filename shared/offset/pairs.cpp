@@ -398,9 +398,8 @@ Pairing::Pairs Pairing::near_blocks(const ChainTree& tree, const Buried& known) 
     of_leaf.push_back(k);
   }
   Pairs near;
-  ChainTree(leaves).for_each_overlap(tree, [&](std::size_t leaf, std::size_t group) {
-    near.emplace_back(of_leaf[leaf], crowd_[group]);
-  });
+  ChainTree(leaves).for_each_overlap(
+      tree, [&](std::size_t leaf, std::size_t group) { near.emplace_back(of_leaf[leaf], crowd_[group]); });
   // What is alone has only neighbours.
   const auto count = static_cast<std::uint32_t>(blocks.size());
   const auto add = [&](std::uint32_t k, std::uint32_t g) {

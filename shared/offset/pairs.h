@@ -50,7 +50,8 @@ class Pairing {
     [[nodiscard]] std::size_t run_count() const { return (shapes.size() + run_size - 1) / run_size; }
     /// Some run does.
     [[nodiscard]] bool overlaps(const FloatBox& other) const {
-      return box.overlaps(other) && std::any_of(runs.begin(), runs.begin() + run_count(), [&](const FloatBox& r) { return r.overlaps(other); });
+      return box.overlaps(other) && std::any_of(runs.begin(), runs.begin() + run_count(),
+                                                [&](const FloatBox& r) { return r.overlaps(other); });
     }
   };
   struct Group {

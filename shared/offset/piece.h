@@ -24,7 +24,8 @@ inline constexpr Site no_site{std::numeric_limits<std::uint32_t>::max(), Role::L
 inline std::uint32_t packed(Site s) { return s.step * 4 + static_cast<std::uint32_t>(s.role); }
 inline Site unpacked(std::uint32_t s) { return {s / 4, static_cast<Role>(s % 4)}; }
 
-/// A piece of the raw outline, or what is left of it. Only its site and its trims are kept; natural ends are had from the site.
+/// A piece of the raw outline, or what is left of it. Only its site and its trims are kept; natural ends are had from
+/// the site.
 class Piece {
  public:
   static constexpr std::uint32_t none = 0xffffffffU;

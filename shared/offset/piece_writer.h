@@ -19,8 +19,8 @@ class PieceWriter {
   }
   /// A point, from which an edge parallel to base segment `segment` leaves.
   void add_line(geom::Point from, std::size_t segment) { add(from, OffsetEdge::line(base_.source[segment])); }
-  /// A point, from which an arc about the end of base segment `segment` leaves. Arcs of one corner become one. Where an end was
-  /// lengthened (base_curve.cpp) the base does not turn but by rounding, and there is no arc.
+  /// A point, from which an arc about the end of base segment `segment` leaves. Arcs of one corner become one. Where an
+  /// end was lengthened (base_curve.cpp) the base does not turn but by rounding, and there is no arc.
   void add_arc(geom::Point from, std::size_t segment) {
     if (lengthened_ && segment + 1 < base_.source.size() && base_.source[segment] == base_.source[segment + 1]) {
       return add_line(from, segment);
@@ -28,8 +28,8 @@ class PieceWriter {
     const OffsetEdge edge = OffsetEdge::arc(base_.source[segment]);
     if (piece_.edges.empty() || piece_.edges.back() != edge) add(from, edge);
   }
-  /// The pieces of all 16 steps from `first` on: starts(point) sets so many points or returns false, arcs as in Outline::Starts. False, and
-  /// nothing is written, where it is not so simple.
+  /// The pieces of all 16 steps from `first` on: starts(point) sets so many points or returns false, arcs as in
+  /// Outline::Starts. False, and nothing is written, where it is not so simple.
   template <class Starts>
   bool add_block(std::uint32_t first, std::uint64_t arcs, std::size_t count, const Starts& starts) {
     const std::size_t size = piece_.points.size();
@@ -54,8 +54,8 @@ class PieceWriter {
   }
   /// Ends an open curve at p.
   OffsetPiece finish_open(geom::Point p);
-  /// Closes the curve, which is at this distance. What is no wider than the rounding of its points is nothing: whether that
-  /// leaves an area would depend on where the base starts and which way it runs.
+  /// Closes the curve, which is at this distance. What is no wider than the rounding of its points is nothing: whether
+  /// that leaves an area would depend on where the base starts and which way it runs.
   OffsetPiece finish_closed(double distance);
 
  private:

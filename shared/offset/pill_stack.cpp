@@ -68,7 +68,8 @@ class PillStack {
     for (std::size_t i = first; i < last; ++i) found += base_.turn[i] == Turn::Outer;
     return found;
   }
-  template <class Inside> Tail pop_hidden(const Inside& inside, Point& end);
+  template <class Inside>
+  Tail pop_hidden(const Inside& inside, Point& end);
   [[nodiscard, gnu::always_inline]] inline Point entry(const Tail& tail, Point end, Point disc) const;
   [[nodiscard]] std::optional<Point> above_start(const Tail& tail, Point disc) const;
   [[nodiscard]] bool reaches(const Tail& tail, Point disc) const;
@@ -76,7 +77,8 @@ class PillStack {
   /// @param first  where the pill starts whose end the disc is.
   [[nodiscard]] bool in_disc_or_above(Point at, Point disc, Point first) const {
     const Vector to = at - disc;
-    return geom::length_squared(to) < d_ * (d_ + 2 * touching_) || (geom::cross(forward_, to) >= 0 && begins_before(first, at));
+    return geom::length_squared(to) < d_ * (d_ + 2 * touching_) ||
+           (geom::cross(forward_, to) >= 0 && begins_before(first, at));
   }
   [[nodiscard]] bool begins_before(Point first, Point at) const { return geom::dot(forward_, at - first) > -d_; }
   void hide_line(std::size_t i) { left_[i / BaseCurve::block_size] &= ~BaseCurve::line_bit(i); }
@@ -165,7 +167,8 @@ Stacked PillStack::run() {
 void PillStack::note_cut_before() {
   made_.cut.assign(base_.segment_count() / 64 + 1, 0);
   for (std::size_t b = 0; b < left_.size(); ++b) {
-    for (std::uint32_t bits = (base_.blocks[b].sites & ~left_[b]) >> BaseCurve::block_size; bits != 0; bits &= bits - 1) {
+    for (std::uint32_t bits = (base_.blocks[b].sites & ~left_[b]) >> BaseCurve::block_size; bits != 0;
+         bits &= bits - 1) {
       const std::size_t corner = b * BaseCurve::block_size + static_cast<std::size_t>(std::countr_zero(bits));
       note_cut_mitre(corner);
     }
@@ -198,7 +201,8 @@ void PillStack::add_regular(std::size_t first, std::size_t last) {
   while (first < last) {
     const std::size_t stop = std::min(last, (first / batch + 1) * batch);
     bool plain = true;
-    for (std::size_t b = first / BaseCurve::block_size; b * BaseCurve::block_size < stop; ++b) plain = plain && all_mitres(b);
+    for (std::size_t b = first / BaseCurve::block_size; b * BaseCurve::block_size < stop; ++b)
+      plain = plain && all_mitres(b);
     if (plain) {
       add_mitres(first, stop);
     } else if (filling_.only_arcs()) {
@@ -389,8 +393,8 @@ void PillStack::add_disc(std::size_t i) {
   next_ = i;
 }
 
-/// Where what links the tail with a disc is left out the disc may start below it: then the tail goes on to the place above that start.
-/// What is left out is hidden by pills to come, and so will that place be.
+/// Where what links the tail with a disc is left out the disc may start below it: then the tail goes on to the place
+/// above that start. What is left out is hidden by pills to come, and so will that place be.
 std::optional<Point> PillStack::above_start(const Tail& tail, Point disc) const {
   const Point start = disc - d_ * forward_;
   const double x = geom::dot(forward_, start - tail.start);

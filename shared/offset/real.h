@@ -1,6 +1,7 @@
 #pragma once
-// Vectors of the offset engine in three kinds of numbers: doubles where a margin makes a decision safe; 64-bit mantissas (11 bits
-// more than the input has) with a bound of their error where topology is decided; and High (high.h) for what they leave in doubt.
+// Vectors of the offset engine in three kinds of numbers: doubles where a margin makes a decision safe; 64-bit
+// mantissas (11 bits more than the input has) with a bound of their error where topology is decided; and High (high.h)
+// for what they leave in doubt.
 
 #include <cmath>
 
@@ -10,7 +11,10 @@ namespace dobra::offset {
 
 using Real = long double;
 
-template <class T> T root(const T& x) { return std::sqrt(x); }
+template <class T>
+T root(const T& x) {
+  return std::sqrt(x);
+}
 
 template <class T>
 struct VecOf {

@@ -50,9 +50,7 @@ std::uint32_t Trimmer::node(Vec p, std::uint32_t i, std::uint32_t j) {
 }
 
 void Trimmer::make_sections() {
-  const auto start_node = [&](std::uint32_t k) {
-    return hot_of_[k] != none ? place_[hot_[hot_of_[k]].node_a] : none;
-  };
+  const auto start_node = [&](std::uint32_t k) { return hot_of_[k] != none ? place_[hot_[hot_of_[k]].node_a] : none; };
   const auto new_node = [&](Vec p) {
     const std::uint32_t made = node(p);
     place_.push_back(made);
@@ -144,10 +142,15 @@ VecOf<T> Trimmer::place(std::uint32_t node) const {
 template <class T>
 VecOf<T> Trimmer::middle(const Section& section, std::uint32_t piece) const {
   const std::uint32_t hot = hot_of_[piece];
-  const VecOf<T> a = piece == section.first ? place<T>(section.from) : hot != none ? place<T>(hot_[hot].node_a) : as<T>(start(piece));
-  const VecOf<T> b = piece == section.last ? place<T>(section.to) : hot != none ? place<T>(hot_[hot].node_b) : as<T>(end(piece));
+  const VecOf<T> a = piece == section.first ? place<T>(section.from)
+                     : hot != none          ? place<T>(hot_[hot].node_a)
+                                            : as<T>(start(piece));
+  const VecOf<T> b = piece == section.last ? place<T>(section.to)
+                     : hot != none         ? place<T>(hot_[hot].node_b)
+                                           : as<T>(end(piece));
   const Shape<T> carrier = whole<T>(pieces_[piece].site());
-  if (!carrier.line) return carrier.pole + distance_as<T>(outline_.distance()) * unit((a - carrier.pole) + (b - carrier.pole));
+  if (!carrier.line)
+    return carrier.pole + distance_as<T>(outline_.distance()) * unit((a - carrier.pole) + (b - carrier.pole));
   return carrier.a + T(dot(carrier.pole, T(0.5) * (a + b) - carrier.a)) * carrier.pole;
 }
 

@@ -1,10 +1,11 @@
 #pragma once
 // Tier 1, second half: the treated curve at one distance, from the pieces that survive the stack pass.
-//  1 pairs      that may meet, from a tree with direction masks; only the pieces in them are looked at again. What lies on the other
+//  1 pairs      that may meet, from a tree with direction masks; only the pieces in them are looked at again. What lies
+//  on the other
 //               side of the base only serves to cut: its pieces are made where a block of them comes near the curve
-//  2 cuts       where those meet, and their order on each piece: in Real, and in High where Real leaves a doubt (contact.h)
-//  3 sections   between two cuts a section, of however many pieces, is wholly valid or wholly invalid: one query decides
-//  4 assembly   valid sections are joined at their ends; doubled ones count once
+//  2 cuts       where those meet, and their order on each piece: in Real, and in High where Real leaves a doubt
+//  (contact.h) 3 sections   between two cuts a section, of however many pieces, is wholly valid or wholly invalid: one
+//  query decides 4 assembly   valid sections are joined at their ends; doubled ones count once
 // A cut is symbolic: the pair that it comes from. Its place is rounded, decisions are not.
 
 #include <cstdint>
@@ -108,7 +109,8 @@ class Trimmer {
   [[nodiscard]] std::uint32_t segment_of(std::uint32_t piece) const { return pieces_[piece].step(); }
   [[nodiscard]] Flat start(std::uint32_t k) const { return place_of(pieces_[k], true, outline_); }
   [[nodiscard]] Flat end(std::uint32_t k) const { return place_of(pieces_[k], false, outline_); }
-  template <class Ends> [[nodiscard]] Flat place_of(const Piece& piece, bool start, Ends& ends) const {
+  template <class Ends>
+  [[nodiscard]] Flat place_of(const Piece& piece, bool start, Ends& ends) const {
     const std::uint32_t trim = start ? piece.trim_a : piece.trim_b;
     if (trim != Piece::none && clearance_.has_far_mitres()) return flat(end_of<Real>(piece, start).at);
     return start ? chain_.start(ends, piece) : chain_.end(ends, piece);
@@ -123,7 +125,7 @@ class Trimmer {
   const base::Progress& progress_;
   Survivors chain_;
   std::vector<Piece>& pieces_ = chain_.pieces;
-  std::uint32_t wanted_ = 0;          // the pieces before this one are of the right side, the others are scissors
+  std::uint32_t wanted_ = 0;  // the pieces before this one are of the right side, the others are scissors
   Pairing::Pairs pairs_;
   std::vector<std::uint32_t> hot_of_;
   std::vector<HotPiece> hot_;

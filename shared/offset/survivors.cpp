@@ -101,9 +101,9 @@ class Pass {
   Buried* const found_;
   const base::Progress& progress_;
   Survivors made_;
-  Flat tail_a_, tail_b_;                      // of the last piece, once it is placed
+  Flat tail_a_, tail_b_;  // of the last piece, once it is placed
   bool placed_ = false;
-  std::uint32_t previous_ = Piece::none;      // the raw piece before, packed, if it ends where the next one starts
+  std::uint32_t previous_ = Piece::none;  // the raw piece before, packed, if it ends where the next one starts
 };
 
 std::size_t Pass::alive_count() const {
@@ -170,8 +170,8 @@ void Pass::walk() {
   }
 }
 
-/// Where line follows line, or an arc between, and inner corners leave a length of each line, nothing needs a look: pushes all that up to
-/// `last`, without their places. The first step that is not so, or whose end is not.
+/// Where line follows line, or an arc between, and inner corners leave a length of each line, nothing needs a look:
+/// pushes all that up to `last`, without their places. The first step that is not so, or whose end is not.
 std::uint32_t Pass::glide(std::uint32_t step, std::uint32_t last, std::uint64_t dead) {
   if (!goes_on()) return step;
   const std::uint32_t first = step;
@@ -341,7 +341,8 @@ std::optional<Flat> Pass::place_of_cut(const Part& tail, const Part& head) const
   if (!holds(head, tail.b, margin_) || !holds(tail, head.a, margin_)) return std::nullopt;
   const std::optional<Flat> p = crossing(tail, head);
   if (!p) return std::nullopt;
-  // An arc may leave a convex set and come back: its middle must be in it as well. A disc of the same radius it leaves for more than half a turn.
+  // An arc may leave a convex set and come back: its middle must be in it as well. A disc of the same radius it leaves
+  // for more than half a turn.
   const auto middle_held = [&](const Part& arc, Flat a, Flat b, const Part& holder) {
     if (arc.line || !holder.line) return true;
     const Flat c = arc.centre;
@@ -433,8 +434,8 @@ void Pass::close() {
   }
 }
 
-/// Long connected parts are what the pass understood; queries are for the short ones. What lies between two free pieces near each other
-/// is likely to be free as well.
+/// Long connected parts are what the pass understood; queries are for the short ones. What lies between two free pieces
+/// near each other is likely to be free as well.
 void Pass::cull() {
   constexpr std::size_t short_fragment = 64;
   constexpr std::size_t stride = 4;

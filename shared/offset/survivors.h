@@ -1,9 +1,9 @@
 #pragma once
 // Tier 1, first half: which pieces of the raw outline on the right side may still belong to the curve.
-// One pass with a stack. A piece, or a part of one, is removed only on proof that it lies in U (cover.h); all proofs keep
-// a margin well above rounding, so nothing valid or merely touching is ever removed; what is left over too much is found
-// by the second half (sections.h). Where line follows line there is nothing to prove, and what cuts the piece before it
-// is likely to be free; each other piece is asked for at once.
+// One pass with a stack. A piece, or a part of one, is removed only on proof that it lies in U (cover.h); all proofs
+// keep a margin well above rounding, so nothing valid or merely touching is ever removed; what is left over too much is
+// found by the second half (sections.h). Where line follows line there is nothing to prove, and what cuts the piece
+// before it is likely to be free; each other piece is asked for at once.
 
 #include <vector>
 
@@ -23,10 +23,12 @@ struct Survivors {
   std::vector<Piece> pieces;
   std::vector<Trim> trims;
   /// @param ends  the outline, or Outline::Ends.
-  template <class Ends> [[nodiscard]] Flat start(Ends& ends, const Piece& p) const {
+  template <class Ends>
+  [[nodiscard]] Flat start(Ends& ends, const Piece& p) const {
     return p.trim_a != Piece::none ? trims[p.trim_a].at : ends.start_of(p.site());
   }
-  template <class Ends> [[nodiscard]] Flat end(Ends& ends, const Piece& p) const {
+  template <class Ends>
+  [[nodiscard]] Flat end(Ends& ends, const Piece& p) const {
     return p.trim_b != Piece::none ? trims[p.trim_b].at : ends.end_of(p.site());
   }
 };
@@ -39,7 +41,8 @@ struct Survivors {
 Survivors survivors(const Outline& outline, const Clearance& clearance, Cover& cover, const Buried& known,
                     Buried* found, const base::Progress& progress);
 
-/// Removes a line that is cut from both sides beyond its middle: every point of it is nearer than D to one neighbour or the other.
+/// Removes a line that is cut from both sides beyond its middle: every point of it is nearer than D to one neighbour or
+/// the other.
 /// @param size  what is left of it.
 bool is_overcut(const Outline& outline, std::uint32_t step, double size, double margin);
 

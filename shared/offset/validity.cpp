@@ -10,13 +10,15 @@ namespace dobra::offset {
 namespace {
 
 /// Of a place that is this far outside.
-template <class T> Place place_of(const T& outside, double error) {
+template <class T>
+Place place_of(const T& outside, double error) {
   if (outside < -error) return Place::Inside;
   return outside > error || std::is_same_v<T, High> ? Place::Free : Place::Doubtful;
 }
 
 /// The squared distance from the segment 0 v to q.
-template <class T> T squared_distance(const VecOf<T>& v, const VecOf<T>& q) {
+template <class T>
+T squared_distance(const VecOf<T>& v, const VecOf<T>& q) {
   const T along = dot(q, v);
   if (!(along > 0)) return dot(q, q);
   const T whole = dot(v, v);
@@ -74,7 +76,8 @@ Place Validity::in_mitre(std::uint32_t step, const VecOf<T>& q, const T& d, doub
   const Flat v = outline_.along<double>(outline_.after(step));
   const double margin = 10 * margin_ + error;
   const double limit = outline_.distance() + margin;
-  if (dot(near, u) < -margin || dot(near, v) > margin || dot(near, right_of(u)) > limit || dot(near, right_of(v)) > limit) {
+  if (dot(near, u) < -margin || dot(near, v) > margin || dot(near, right_of(u)) > limit ||
+      dot(near, right_of(v)) > limit) {
     return Place::Free;
   }
   const VecOf<T> to = q - outline_.to<T>(step);
@@ -115,8 +118,9 @@ Place Validity::of(const VecOf<T>& q, Site own, double error) {
   return worst;
 }
 
-/// What is parallel to a segment, or about a corner, is on the base's right side if nothing is nearer. So is what lies in a mitre, unless
-/// the way to it from its corner crosses the base: exact for the rounded place, which is as free as the place itself.
+/// What is parallel to a segment, or about a corner, is on the base's right side if nothing is nearer. So is what lies
+/// in a mitre, unless the way to it from its corner crosses the base: exact for the rounded place, which is as free as
+/// the place itself.
 bool Validity::pokes_through(Flat q, Site own) const {
   const BaseCurve& base = outline_.base();
   std::size_t corner = base.end_index(own.step);

@@ -1,6 +1,7 @@
 #pragma once
-// Whether a place on the raw outline belongs to the curve: whether it keeps D from all of the base and stays out of its mitres.
-// The parts of the base that the place's own piece is parallel to have nothing to say. Doubles where they are certain, then T.
+// Whether a place on the raw outline belongs to the curve: whether it keeps D from all of the base and stays out of its
+// mitres. The parts of the base that the place's own piece is parallel to have nothing to say. Doubles where they are
+// certain, then T.
 
 #include <array>
 
@@ -19,7 +20,8 @@ class Validity {
   /// @param error  bound of its error.
   template <class T>
   [[nodiscard]] Place of(const VecOf<T>& q, Site own, double error);
-  /// A free place q of the outline of a simple contour, rounded, lies on the other side: in a mitre's tip that pokes through.
+  /// A free place q of the outline of a simple contour, rounded, lies on the other side: in a mitre's tip that pokes
+  /// through.
   [[nodiscard]] bool pokes_through(Flat q, Site own) const;
   /// True if q, rounded to doubles, surely lies in what held one of the last places.
   [[nodiscard]] bool held_by_recent(Flat q) const;

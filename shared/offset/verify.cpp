@@ -127,7 +127,9 @@ class Generators {
     });
   }
   /// Being past an end along a parallel brings a place out of distance D by this.
-  [[nodiscard]] long double beyond(long double along) const { return model_.raw ? 0 : std::hypot(along, model_.d) - model_.d; }
+  [[nodiscard]] long double beyond(long double along) const {
+    return model_.raw ? 0 : std::hypot(along, model_.d) - model_.d;
+  }
   template <class Complete>
   void keep(std::size_t i, long double off, Complete&& complete) {
     if (!(off < least_)) return;
@@ -162,8 +164,8 @@ bool well_formed(const OffsetPiece& piece, std::size_t index, const OffsetOption
 
 }  // namespace
 
-std::vector<SeenEdge> see(const Model& model, const OffsetCurve& curve, const VerifyOptions& options, Verification& found,
-                          const base::Progress& progress) {
+std::vector<SeenEdge> see(const Model& model, const OffsetCurve& curve, const VerifyOptions& options,
+                          Verification& found, const base::Progress& progress) {
   std::vector<SeenEdge> edges;
   for (std::size_t p = 0; p < curve.pieces.size(); ++p) {
     const OffsetPiece& piece = curve.pieces[p];
@@ -176,12 +178,14 @@ std::vector<SeenEdge> see(const Model& model, const OffsetCurve& curve, const Ve
       edge.piece = p;
       edge.edge = i;
       const Box box = box_round(edge.a, edge.b);
-      const double greatest = std::max({std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x), std::abs(box.high.y)});
+      const double greatest =
+          std::max({std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x), std::abs(box.high.y)});
       edge.rounding = std::max<long double>(model.rounding, greatest * std::numeric_limits<double>::epsilon());
       const long double allowed = options.vertex_tolerance * model.d + 2 * edge.rounding;
       const long double off = Generators(model, edge).best();
       const auto report = [&](FindingKind kind, long double measured, long double limit) {
-        found.findings.push_back({kind, piece.points[i], static_cast<double>(measured), static_cast<double>(limit), p, i});
+        found.findings.push_back(
+            {kind, piece.points[i], static_cast<double>(measured), static_cast<double>(limit), p, i});
       };
       if (!(off <= allowed)) {
         edge.segment = Model::none;
@@ -243,7 +247,8 @@ class ClearanceCheck {
     long double least = never;
     if (edge.arc || edge.chord) {
       // Short parts, so that the boxes of what is behind them are passed over.
-      const long double angle = std::atan2(cross(edge.a - edge.centre, edge.b - edge.centre), dot(edge.a - edge.centre, edge.b - edge.centre));
+      const long double angle = std::atan2(cross(edge.a - edge.centre, edge.b - edge.centre),
+                                           dot(edge.a - edge.centre, edge.b - edge.centre));
       const long double whole = angle < -1 ? angle + 2 * 3.14159265358979323846L : std::max(angle, 0.0L);
       const int parts = 1 + static_cast<int>(whole / 0.1L);
       Wide from = edge.a;
@@ -281,7 +286,8 @@ class ClearanceCheck {
                        const geom::Point a = place(edge.segment);
                        const geom::Point b = place(model_.end_index(edge.segment));
                        if (!parallel(a, b, place(j), place(model_.end_index(j)))) return false;
-                       if (beside_line(a, b, place(j), static_cast<double>(model_.d)) == Room::None) report(FindingKind::Touching, edge, both, 4 * slack_);
+                       if (beside_line(a, b, place(j), static_cast<double>(model_.d)) == Room::None)
+                         report(FindingKind::Touching, edge, both, 4 * slack_);
                        return false;
                      });
   }
@@ -330,8 +336,8 @@ class ClearanceCheck {
       }
       (step > 0 ? to : from) = step > 0 ? std::min(to, -start / step) : std::max(from, -start / step);
     };
-    keep(right_of(first), 0);    // anticlockwise of the first normal
-    keep(-right_of(last), 0);    // clockwise of the last
+    keep(right_of(first), 0);  // anticlockwise of the first normal
+    keep(-right_of(last), 0);  // clockwise of the last
     keep(first, model_.d);
     keep(last, model_.d);
     if (model_.corners[corner].kind == CornerKind::Tangent) keep(model_.corners[corner].middle, model_.d);
@@ -348,7 +354,8 @@ class ClearanceCheck {
     return at(0.5L * (from + to));
   }
   void report(FindingKind kind, const SeenEdge& edge, long double measured, long double allowed) {
-    found_.findings.push_back({kind, model_.user(edge.middle()), static_cast<double>(measured), static_cast<double>(allowed), edge.piece, edge.edge});
+    found_.findings.push_back({kind, model_.user(edge.middle()), static_cast<double>(measured),
+                               static_cast<double>(allowed), edge.piece, edge.edge});
   }
 
   const Model& model_;
@@ -360,8 +367,8 @@ class ClearanceCheck {
 
 }  // namespace
 
-void check_clearance(const Model& model, const std::vector<SeenEdge>& edges, const VerifyOptions& options, Verification& found,
-                     const base::Progress& progress) {
+void check_clearance(const Model& model, const std::vector<SeenEdge>& edges, const VerifyOptions& options,
+                     Verification& found, const base::Progress& progress) {
   ClearanceCheck check(model, options, found);
   for (const SeenEdge& edge : edges) {
     if (progress.cancelled()) return;
@@ -392,23 +399,34 @@ Result<Verification> verify(const geom::Polyline& base, const OffsetOptions& opt
 
 const char* name_of(FindingKind kind) {
   switch (kind) {
-    case FindingKind::Malformed: return "malformed";
-    case FindingKind::OffParallel: return "off its parallel";
-    case FindingKind::WrongWay: return "against its base";
-    case FindingKind::TooNear: return "too near";
-    case FindingKind::InMitre: return "inside a mitre";
-    case FindingKind::Crossing: return "crossing";
-    case FindingKind::Touching: return "touching";
-    case FindingKind::OpenEnd: return "ends where it should go on";
-    case FindingKind::Missing: return "missing";
-    case FindingKind::Winding: return "not between inside and outside";
+    case FindingKind::Malformed:
+      return "malformed";
+    case FindingKind::OffParallel:
+      return "off its parallel";
+    case FindingKind::WrongWay:
+      return "against its base";
+    case FindingKind::TooNear:
+      return "too near";
+    case FindingKind::InMitre:
+      return "inside a mitre";
+    case FindingKind::Crossing:
+      return "crossing";
+    case FindingKind::Touching:
+      return "touching";
+    case FindingKind::OpenEnd:
+      return "ends where it should go on";
+    case FindingKind::Missing:
+      return "missing";
+    case FindingKind::Winding:
+      return "not between inside and outside";
   }
   return "";
 }
 
 std::string to_string(const Finding& f) {
   std::string text = name_of(f.kind);
-  if (f.kind != FindingKind::Malformed && f.kind != FindingKind::OpenEnd) text += fmt::format(": {:.9g} where {:.9g} is allowed", f.measured, f.allowed);
+  if (f.kind != FindingKind::Malformed && f.kind != FindingKind::OpenEnd)
+    text += fmt::format(": {:.9g} where {:.9g} is allowed", f.measured, f.allowed);
   text += fmt::format(", at ({}, {})", base::number_text(f.place.x), base::number_text(f.place.y));
   return f.kind == FindingKind::Missing ? text + fmt::format(", base segment {}", f.piece)
                                         : text + fmt::format(", piece {}, edge {}", f.piece, f.edge);

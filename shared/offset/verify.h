@@ -1,14 +1,14 @@
 #pragma once
-// Judges offset curves, whoever made them: proves that a result keeps the rule of offset.h, or names each place where it does
-// not. Shares no code with the engine: places in 64-bit mantissas, a box tree of its own, exact predicates from geom, and exact sums
-// where two parallels may have no room between them.
+// Judges offset curves, whoever made them: proves that a result keeps the rule of offset.h, or names each place where
+// it does not. Shares no code with the engine: places in 64-bit mantissas, a box tree of its own, exact predicates from
+// geom, and exact sums where two parallels may have no room between them.
 //
 //  a  vertices    each lies on the parallels (or bevels, or arcs) of both its edges, at D within `vertex_tolerance` D
 //     edges       none comes nearer to the base than D, nor into a mitre of another corner; in closed form, as a whole
 //  b  crossings   no two edges meet, but for neighbours at their common vertex
 //  c  missing     points of the raw parallels that nothing hides are on the curve; open pieces end only where they may
-//  d  winding     of the raw outline (all parallels, corners and caps): above 0 just behind every edge, 0 just beyond it
-//  e  base edges  each edge is parallel to, or an arc or bevel at the end of, the base segment that it names
+//  d  winding     of the raw outline (all parallels, corners and caps): above 0 just behind every edge, 0 just beyond
+//  it e  base edges  each edge is parallel to, or an arc or bevel at the end of, the base segment that it names
 //
 // What rounding the coordinates to doubles moves is allowed on top of each tolerance. Page: docs/algorithms/offset.md.
 
@@ -52,17 +52,18 @@ struct Verification {
   std::vector<Finding> findings;
   std::size_t edges = 0;    ///< Judged.
   std::size_t samples = 0;  ///< Free points of raw parallels that were looked for and had to be there.
-  /// D is below 64 roundings of the coordinates: neither touching nor what is missing was asked for. Ends are looked for
-  /// within 8 roundings, which must be far less than the 2 D between two sides of the base; and the engine leaves out
-  /// closed pieces up to 64 roundings wide, as those round a part of the base by itself are, being 2 D wide.
+  /// D is below 64 roundings of the coordinates: neither touching nor what is missing was asked for. Ends are looked
+  /// for within 8 roundings, which must be far less than the 2 D between two sides of the base; and the engine leaves
+  /// out closed pieces up to 64 roundings wide, as those round a part of the base by itself are, being 2 D wide.
   bool coarse = false;
   [[nodiscard]] bool ok() const { return findings.empty(); }
 };
 
 /// Judges `curve`, one result of offset(base, ..., options).
-/// The tip of a mitre that pokes through a thin part of a contour that does not meet itself is on the wrong side: not asked for.
-/// Not all rules hold everywhere: Untreated is judged by (e) and its vertices only, Ends::Paper by (b) and whether its vertices lie on
-/// the raw edges that it names, which go from corner to corner; where pieces were dropped, nothing is asked to be there (c).
+/// The tip of a mitre that pokes through a thin part of a contour that does not meet itself is on the wrong side: not
+/// asked for. Not all rules hold everywhere: Untreated is judged by (e) and its vertices only, Ends::Paper by (b) and
+/// whether its vertices lie on the raw edges that it names, which go from corner to corner; where pieces were dropped,
+/// nothing is asked to be there (c).
 /// @error those of the base: NotFinite, DegenerateCurve; InvalidOption if the distance is not above 0; Cancelled.
 /// @cost  O((n + m) log n) for n base and m result points, where what is within D of a place is not crowded.
 base::Result<Verification> verify(const geom::Polyline& base, const OffsetOptions& options, const OffsetCurve& curve,

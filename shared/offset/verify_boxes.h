@@ -37,7 +37,8 @@ class BoxTree {
   BoxTree() = default;
   explicit BoxTree(const std::vector<geom::Box>& boxes);
 
-  /// Calls visit(item) for all items whose boxes, and those of all their parents, `wants` accepts, until visit says true.
+  /// Calls visit(item) for all items whose boxes, and those of all their parents, `wants` accepts, until visit says
+  /// true.
   template <class Wants, class Visit>
   void each(Wants&& wants, Visit&& visit) const {
     if (boxes_.empty()) return;

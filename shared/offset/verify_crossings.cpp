@@ -127,7 +127,8 @@ class CrossingCheck {
     if (!model_.paper && !neighbours(e, f) && along_each_other(e, f)) return;
     const geom::Intersection meet = geom::intersect({narrow(e.a), narrow(e.b)}, {narrow(f.a), narrow(f.b)});
     if (meet.kind == geom::IntersectionKind::None) return;
-    if (meet.kind == geom::IntersectionKind::Overlap) return overlap(e, f, wide(meet.start.point), wide(meet.end.point));
+    if (meet.kind == geom::IntersectionKind::Overlap)
+      return overlap(e, f, wide(meet.start.point), wide(meet.end.point));
     if (neighbours(e, f) || !meet.start.proper()) return;
     judge(Path(e, model_.d), Path(f, model_.d), {wide(meet.start.point)}, e);
   }
@@ -148,11 +149,12 @@ class CrossingCheck {
   void overlap(const SeenEdge& e, const SeenEdge& f, Wide from, Wide to) {
     const long double long_by = size(to - from);
     if (long_by <= allowed_) return;
-    if (dot(e.b - e.a, f.b - f.a) < 0 && (room_between(e, f) || room_beyond(e, f, from) || room_beyond(e, f, to))) return;
+    if (dot(e.b - e.a, f.b - f.a) < 0 && (room_between(e, f) || room_beyond(e, f, from) || room_beyond(e, f, to)))
+      return;
     report(FindingKind::Touching, e, from, long_by);
   }
-  /// Between their two base segments, at one end of the slit at least: where it narrows by less than a rounding, the end of the free
-  /// part cannot be told from the rounded edges. True if it cannot be told at all.
+  /// Between their two base segments, at one end of the slit at least: where it narrows by less than a rounding, the
+  /// end of the free part cannot be told from the rounded edges. True if it cannot be told at all.
   [[nodiscard]] bool room_between(const SeenEdge& e, const SeenEdge& f) const {
     if (e.segment == Model::none || f.segment == Model::none) return false;
     return room_beside(e.segment, f.segment) || room_beside(f.segment, e.segment);
@@ -170,12 +172,13 @@ class CrossingCheck {
       const double d = static_cast<double>(model_.d);
       const bool at_end = size(q - model_.from(i)) == 0 || size(q - model_.to(i)) == 0;
       some = more > 1e-15L * model_.d ||
-             (at_end ? between_points(narrow(q), place(end), d) : beside_line(place(i), place(model_.end_index(i)), place(end), d)) != Room::None;
+             (at_end ? between_points(narrow(q), place(end), d)
+                     : beside_line(place(i), place(model_.end_index(i)), place(end), d)) != Room::None;
     }
     return some;
   }
-  /// At a place where both lines go on to the tips of mitres, beyond the ends of their segments: slits that are closed by less than a
-  /// rounding may open there. True if it cannot be told.
+  /// At a place where both lines go on to the tips of mitres, beyond the ends of their segments: slits that are closed
+  /// by less than a rounding may open there. True if it cannot be told.
   [[nodiscard]] bool room_beyond(const SeenEdge& e, const SeenEdge& f, Wide place) const {
     if (e.segment == Model::none || f.segment == Model::none) return false;
     const Wide from = model_.from(e.segment);
@@ -191,7 +194,8 @@ class CrossingCheck {
     if (least < -1e-15L * model_.d - 4 * allowed_) return false;
     const long double part = (at - near) / (far - near);
     const long double room = std::abs(cross(along, (1 - part) * first + part * second)) - 2 * model_.d;
-    return room > -16 * std::numeric_limits<long double>::epsilon() * (1 + std::abs(part)) * (size(first) + size(second));
+    return room >
+           -16 * std::numeric_limits<long double>::epsilon() * (1 + std::abs(part)) * (size(first) + size(second));
   }
   void one_circle(const SeenEdge& e, const SeenEdge& f) {
     const Path p(e, model_.d);
@@ -203,7 +207,8 @@ class CrossingCheck {
   }
   void report(FindingKind kind, const SeenEdge& e, Wide place, long double measured) {
     if (kind == FindingKind::Touching && model_.coarse()) return;
-    found_.findings.push_back({kind, model_.user(place), static_cast<double>(measured), static_cast<double>(allowed_), e.piece, e.edge});
+    found_.findings.push_back(
+        {kind, model_.user(place), static_cast<double>(measured), static_cast<double>(allowed_), e.piece, e.edge});
   }
 
   const Model& model_;
@@ -214,8 +219,8 @@ class CrossingCheck {
 
 }  // namespace
 
-void check_crossings(const Model& model, const OffsetCurve& curve, const std::vector<SeenEdge>& edges, Verification& found,
-                     const base::Progress& progress) {
+void check_crossings(const Model& model, const OffsetCurve& curve, const std::vector<SeenEdge>& edges,
+                     Verification& found, const base::Progress& progress) {
   std::vector<geom::Box> boxes;
   boxes.reserve(edges.size());
   for (const SeenEdge& edge : edges) {

@@ -97,6 +97,8 @@ bool parallel(geom::Point a, geom::Point b, geom::Point p, geom::Point q) {
   return first.safe() && second.safe() && cross(first, second).zero();
 }
 
-long double cross_of(geom::Point a, geom::Point b, geom::Point p, geom::Point q) { return cross(Step(a, b), Step(p, q)).value(); }
+long double cross_of(geom::Point a, geom::Point b, geom::Point p, geom::Point q) {
+  return cross(Step(a, b), Step(p, q)).value();
+}
 
 }  // namespace dobra::offset::judge

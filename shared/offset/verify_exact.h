@@ -1,7 +1,7 @@
 #pragma once
-// For the verifier: whether the base leaves room for two parallels, decided exactly. What just touches counts as closed, so two
-// places that are 2 D apart leave none; long doubles cannot tell that from an ulp more.
-// Sums of doubles that do not overlap, as in [shewchuk1997predicates].
+// For the verifier: whether the base leaves room for two parallels, decided exactly. What just touches counts as
+// closed, so two places that are 2 D apart leave none; long doubles cannot tell that from an ulp more. Sums of doubles
+// that do not overlap, as in [shewchuk1997predicates].
 
 #include "shared/geom/point.h"
 

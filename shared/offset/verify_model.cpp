@@ -113,7 +113,8 @@ Wide halfway(Wide along, long double half_tan) {
 }  // namespace
 
 Result<Model> Model::make(const geom::Polyline& base, const OffsetOptions& options, double distance) {
-  if (!(distance > 0) || !std::isfinite(distance)) return Error{ErrorCode::InvalidOption, "a distance to verify must be above 0"};
+  if (!(distance > 0) || !std::isfinite(distance))
+    return Error{ErrorCode::InvalidOption, "a distance to verify must be above 0"};
   Model made;
   made.closed = base.closed;
   made.mirrored = options.side == Side::LeftOfTravel;
@@ -124,7 +125,8 @@ Result<Model> Model::make(const geom::Polyline& base, const OffsetOptions& optio
   double greatest = 0;
   for (std::size_t i = 0; i < base.points.size(); ++i) {
     const Point p = base.points[i];
-    if (!geom::is_finite(p)) return at_point(ErrorCode::NotFinite, "a coordinate of the base is not a finite number", p);
+    if (!geom::is_finite(p))
+      return at_point(ErrorCode::NotFinite, "a coordinate of the base is not a finite number", p);
     greatest = std::max({greatest, std::abs(p.x), std::abs(p.y)});
     const Point q{p.x, made.mirrored ? -p.y : p.y};
     if (!made.places.empty() && made.places.back() == q) {
@@ -139,7 +141,8 @@ Result<Model> Model::make(const geom::Polyline& base, const OffsetOptions& optio
     made.source.pop_back();
   }
   if (made.places.size() < (made.closed ? 3U : 2U)) {
-    return at_point(ErrorCode::DegenerateCurve, "the base has too few distinct points", base.points.empty() ? Point{} : base.points[0]);
+    return at_point(ErrorCode::DegenerateCurve, "the base has too few distinct points",
+                    base.points.empty() ? Point{} : base.points[0]);
   }
   if (!made.closed) made.source.pop_back();
   if (!made.closed && options.ends == Ends::Extended) {
@@ -165,7 +168,8 @@ Result<Model> Model::make(const geom::Polyline& base, const OffsetOptions& optio
   made.measure(options);
   // A subdivision leads edges through vertices that are a few units in the last place of its greatest coordinate away.
   for (std::size_t i = 0; made.paper && i < made.count(); ++i) {
-    for (const Wide p : made.raw_edge(i)) made.rounding = std::max(made.rounding, 0x1p-49L * std::max(std::abs(p.x), std::abs(p.y)));
+    for (const Wide p : made.raw_edge(i))
+      made.rounding = std::max(made.rounding, 0x1p-49L * std::max(std::abs(p.x), std::abs(p.y)));
   }
   made.find_mitres();
   made.find_out_if_simple();
@@ -223,7 +227,8 @@ void Model::find_out_if_simple() {
                 if (j <= i) return false;
                 const auto meet = geom::intersect(segment(i), segment(j)).kind;
                 const bool neighbours = j == i + 1 || (i == 0 && j + 1 == count());
-                if (meet == geom::IntersectionKind::Overlap || (meet == geom::IntersectionKind::Point && !neighbours)) simple = false;
+                if (meet == geom::IntersectionKind::Overlap || (meet == geom::IntersectionKind::Point && !neighbours))
+                  simple = false;
                 return !simple;
               });
   }
@@ -238,7 +243,9 @@ long double Model::reach(std::size_t at) const {
 }
 
 std::array<Wide, 2> Model::raw_edge(std::size_t i) const {
-  const auto back = [&](std::size_t at) { return corners[at].kind == CornerKind::Inner ? d * corners[at].half_tan : -reach(at); };
+  const auto back = [&](std::size_t at) {
+    return corners[at].kind == CornerKind::Inner ? d * corners[at].half_tan : -reach(at);
+  };
   const Wide aside = d * normal(i);
   return {from(i) + back(i) * along[i] + aside, to(i) - back(end_index(i)) * along[i] + aside};
 }
@@ -263,7 +270,8 @@ long double Model::depth_in_mitre(std::size_t at, Wide p) const {
   const Wide q = p - wide(places[at]);
   const Wide first = normal(incoming(at));
   const Wide last = normal(at);
-  if (cross(first, q) < 0 || cross(q, last) < 0 || dot(q, corners[at].middle) < 0) return -std::numeric_limits<long double>::infinity();
+  if (cross(first, q) < 0 || cross(q, last) < 0 || dot(q, corners[at].middle) < 0)
+    return -std::numeric_limits<long double>::infinity();
   long double out = std::max(dot(first, q), dot(last, q));
   if (corners[at].kind == CornerKind::Tangent) out = std::max(out, dot(corners[at].middle, q));
   return d - out;
@@ -289,7 +297,9 @@ std::vector<std::vector<Element>> Model::outline() const {
         line(corners[at].kind == CornerKind::Tangent ? e : c, b);
         break;
       }
-      case CornerKind::Arc: arc(a, b, p); break;
+      case CornerKind::Arc:
+        arc(a, b, p);
+        break;
       default:
         line(a, p);
         line(p, b);
@@ -344,7 +354,8 @@ Winding::Winding(std::vector<Element> walk) : walk_(std::move(walk)) {
         if (in_sector(e.centre, e.a, e.b, e.centre + way)) box.add(narrow(e.centre + way));
       }
     }
-    boxes_[leaves_ + i] = box.grown(slack + 4e-16 * std::max({std::abs(box.low.x), std::abs(box.high.x), std::abs(box.low.y), std::abs(box.high.y)}));
+    boxes_[leaves_ + i] = box.grown(slack + 4e-16 * std::max({std::abs(box.low.x), std::abs(box.high.x),
+                                                              std::abs(box.low.y), std::abs(box.high.y)}));
   }
   if (!walk_.empty()) walk_.back().b = walk_.front().a;
   for (std::size_t i = leaves_ - 1; i > 0; --i) {
@@ -360,7 +371,9 @@ int Winding::part(std::size_t node, std::size_t low, std::size_t high, Wide p) c
   const Box& box = boxes_[node];
   if (box.high.y < p.y || box.low.y > p.y || box.high.x < p.x) return 0;
   // A ray to the right crosses a connected part beyond p as often as its ends say, upwards less downwards.
-  const auto crossed = [&](Wide a, Wide b) { return (a.y <= p.y && b.y > p.y ? 1 : 0) - (a.y > p.y && b.y <= p.y ? 1 : 0); };
+  const auto crossed = [&](Wide a, Wide b) {
+    return (a.y <= p.y && b.y > p.y ? 1 : 0) - (a.y > p.y && b.y <= p.y ? 1 : 0);
+  };
   const std::size_t last = std::min(high, walk_.size()) - 1;
   if (box.low.x > p.x) return crossed(walk_[low].a, walk_[last].b);
   if (high - low > 1) {
@@ -381,7 +394,8 @@ Wide SeenEdge::middle() const {
   if (line || !(arc || chord)) return 0.5L * (a + b);
   const Wide u = a - centre;
   const Wide v = b - centre;
-  // Long arcs bulge to the right of their chord, short ones along the sum of their radii: each where it keeps its digits.
+  // Long arcs bulge to the right of their chord, short ones along the sum of their radii: each where it keeps its
+  // digits.
   return centre + size(u) * unit(dot(u, v) < 0 ? right_of(b - a) : u + v);
 }
 

@@ -35,11 +35,11 @@ class Model {
   static base::Result<Model> make(const geom::Polyline& base, const OffsetOptions& options, double distance);
 
   bool closed = false;
-  bool simple = false;  ///< Closed, and does not meet itself.
+  bool simple = false;         ///< Closed, and does not meet itself.
   bool anticlockwise = false;  ///< Of a simple one.
   bool mirrored = false;
   bool round = false;  ///< Arcs of corners come out as they are, not as their chords.
-  bool raw = false;  ///< Untreated: parallels may run backwards and beyond their corners.
+  bool raw = false;    ///< Untreated: parallels may run backwards and beyond their corners.
   bool paper = false;  ///< Made of the paper's raw edges, whole or cut.
   long double d = 0;
   long double rounding = 0;             ///< Of one coordinate of the base, m.
@@ -48,8 +48,8 @@ class Model {
   std::vector<std::uint32_t> first_of;  ///< First segment with each source; `none` if there is none.
   std::vector<Wide> along;
   std::vector<long double> span;
-  std::vector<Corner> corners;  ///< For each point.
-  BoxTree tree;                 ///< Of the segments.
+  std::vector<Corner> corners;        ///< For each point.
+  BoxTree tree;                       ///< Of the segments.
   std::vector<std::uint32_t> mitres;  ///< Corners that have one.
   BoxTree mitre_tree;
   static constexpr std::uint32_t none = 0xffffffffU;
@@ -99,29 +99,30 @@ class Winding {
 /// A curve as the checks see it: mirrored if the base is.
 struct SeenEdge {
   Wide a, b, centre;
-  bool arc = false;    ///< Anticlockwise about centre.
-  bool chord = false;  ///< Straight, in place of an arc about centre.
-  bool line = false;   ///< Straight, parallel to a segment or a tangent bevel.
-  Wide outward;        ///< Unit: away from the base at the middle.
+  bool arc = false;                     ///< Anticlockwise about centre.
+  bool chord = false;                   ///< Straight, in place of an arc about centre.
+  bool line = false;                    ///< Straight, parallel to a segment or a tangent bevel.
+  Wide outward;                         ///< Unit: away from the base at the middle.
   std::uint32_t segment = Model::none;  ///< Of the model; none if the edge fits nothing.
   std::size_t piece = 0;
   std::size_t edge = 0;
-  long double rounding = 0;  ///< Of its ends, m.
+  long double rounding = 0;           ///< Of its ends, m.
   [[nodiscard]] Wide middle() const;  ///< On the arc, for arcs and chords of arcs.
 };
 
 /// The curve's edges, and all that is wrong with each alone (checks e, and a for vertices).
 /// It and the checks stop early once `progress` is cancelled.
-std::vector<SeenEdge> see(const Model& model, const OffsetCurve& curve, const VerifyOptions& options, Verification& found,
-                          const base::Progress& progress);
+std::vector<SeenEdge> see(const Model& model, const OffsetCurve& curve, const VerifyOptions& options,
+                          Verification& found, const base::Progress& progress);
 
-void check_clearance(const Model& model, const std::vector<SeenEdge>& edges, const VerifyOptions& options, Verification& found,
-                     const base::Progress& progress);
-void check_crossings(const Model& model, const OffsetCurve& curve, const std::vector<SeenEdge>& edges, Verification& found,
-                     const base::Progress& progress);
-void check_missing(const Model& model, const OffsetCurve& curve, const std::vector<SeenEdge>& edges, const VerifyOptions& options,
-                   Verification& found, const base::Progress& progress);
-void check_winding(const Model& model, const std::vector<SeenEdge>& edges, Verification& found, const base::Progress& progress);
+void check_clearance(const Model& model, const std::vector<SeenEdge>& edges, const VerifyOptions& options,
+                     Verification& found, const base::Progress& progress);
+void check_crossings(const Model& model, const OffsetCurve& curve, const std::vector<SeenEdge>& edges,
+                     Verification& found, const base::Progress& progress);
+void check_missing(const Model& model, const OffsetCurve& curve, const std::vector<SeenEdge>& edges,
+                   const VerifyOptions& options, Verification& found, const base::Progress& progress);
+void check_winding(const Model& model, const std::vector<SeenEdge>& edges, Verification& found,
+                   const base::Progress& progress);
 
 geom::Box box_of(const SeenEdge& edge);
 /// Of p from the edge as it is drawn.

@@ -1,5 +1,5 @@
-// Checks c and d: nothing of the raw outline is missing, open pieces end where they may, and the outline's winding number
-// parts inside and outside at every edge.
+// Checks c and d: nothing of the raw outline is missing, open pieces end where they may, and the outline's winding
+// number parts inside and outside at every edge.
 
 #include <algorithm>
 #include <array>
@@ -32,7 +32,8 @@ class View {
                        const Wide q = model_.nearest(i, p);
                        const long double r = size(q - p);
                        if (r < model_.d - ambiguity_) sight = Sight::Hidden;
-                       if (sight == Sight::Free && r < far && !harmless(i, p, q, foot, out, corners)) sight = Sight::Doubtful;
+                       if (sight == Sight::Free && r < far && !harmless(i, p, q, foot, out, corners))
+                         sight = Sight::Doubtful;
                        return sight == Sight::Hidden;
                      });
     if (sight == Sight::Hidden) return sight;
@@ -50,7 +51,8 @@ class View {
 
  private:
   /// Of segment i, which is nearly as near to p as p's own foot: the curve does not leave p for it.
-  [[nodiscard]] bool harmless(std::size_t i, Wide p, Wide q, Wide foot, Wide out, const std::array<std::size_t, 2>& corners) const {
+  [[nodiscard]] bool harmless(std::size_t i, Wide p, Wide q, Wide foot, Wide out,
+                              const std::array<std::size_t, 2>& corners) const {
     if (corners[0] == corners[1] && (i == corners[0] || model_.end_index(i) == corners[0])) return true;
     if (size(q - foot) > 1e-4L * model_.d) return false;
     const bool same_side = dot(model_.normal(i), out) > 0.9999L && dot(model_.normal(i), p - model_.from(i)) > 0;
@@ -63,15 +65,22 @@ class View {
 
 class MissingCheck {
  public:
-  MissingCheck(const Model& model, const std::vector<SeenEdge>& edges, const VerifyOptions& options, Verification& found)
-      : model_(model), edges_(edges), samples_(options.samples), ambiguity_(options.ambiguity * model.d + 8 * model.rounding),
-        view_(model, ambiguity_), base_(walk_of(model)), found_(found) {
+  MissingCheck(const Model& model, const std::vector<SeenEdge>& edges, const VerifyOptions& options,
+               Verification& found)
+      : model_(model),
+        edges_(edges),
+        samples_(options.samples),
+        ambiguity_(options.ambiguity * model.d + 8 * model.rounding),
+        view_(model, ambiguity_),
+        base_(walk_of(model)),
+        found_(found) {
     std::vector<geom::Box> boxes;
     for (const SeenEdge& edge : edges) {
       // Chords stand for their arcs.
       SeenEdge whole = edge;
       whole.arc = edge.arc || edge.chord;
-      boxes.push_back(edge.segment == Model::none ? geom::Box{} : box_of(whole).grown(static_cast<double>(off_by(edge))));
+      boxes.push_back(edge.segment == Model::none ? geom::Box{}
+                                                  : box_of(whole).grown(static_cast<double>(off_by(edge))));
     }
     tree_ = BoxTree(boxes);
   }
@@ -92,7 +101,9 @@ class MissingCheck {
     const Wide p = model_.to(i);
     const Corner& corner = model_.corners[at];
     if (corner.kind == CornerKind::Tangent) {
-      for (const long double t : {-0.8L, 0.0L, 0.8L}) ask(p + model_.d * corner.middle + t * model_.reach(at) * right_of(corner.middle), p, corner.middle, i, {at, at});
+      for (const long double t : {-0.8L, 0.0L, 0.8L})
+        ask(p + model_.d * corner.middle + t * model_.reach(at) * right_of(corner.middle), p, corner.middle, i,
+            {at, at});
     }
     if (corner.kind != CornerKind::Arc) return;
     const long double turn = 2 * std::atan(corner.half_tan);
@@ -107,7 +118,8 @@ class MissingCheck {
   [[nodiscard]] long double off_by(const SeenEdge& edge) const { return edge.rounding - model_.rounding; }
   static std::vector<Element> walk_of(const Model& model) {
     std::vector<Element> walk;
-    for (std::size_t i = 0; i < model.count() && model.simple; ++i) walk.push_back({model.from(i), model.to(i), {}, false});
+    for (std::size_t i = 0; i < model.count() && model.simple; ++i)
+      walk.push_back({model.from(i), model.to(i), {}, false});
     return walk;
   }
   /// A mitre may poke through a thin part of a simple contour: its tip is on the wrong side, and not asked for.
@@ -130,7 +142,8 @@ class MissingCheck {
       if (edge.segment != Model::none) least = std::min(least, distance(edge, p, model_.d) - off_by(edge));
     }
     const bool none = least > 1e299L;
-    found_.findings.push_back({FindingKind::Missing, model_.user(p), none ? std::numeric_limits<double>::infinity() : static_cast<double>(least),
+    found_.findings.push_back({FindingKind::Missing, model_.user(p),
+                               none ? std::numeric_limits<double>::infinity() : static_cast<double>(least),
                                static_cast<double>(allowed), model_.source[segment], 0});
   }
 
@@ -161,7 +174,8 @@ bool may_end(const Model& model, Wide p, long double rounding) {
                       const Wide w = p - wide(model.places[at]);
                       if (corner.kind == CornerKind::End || size(q - wide(model.places[at])) > slack) continue;
                       const Wide right = corner.kind == CornerKind::Straight ? model.normal(at) : corner.middle;
-                      if (dot(right, w) < 0 || corner.half_tan > 1e3L) may = true;  // the left begins at the tip of a U-turn
+                      if (dot(right, w) < 0 || corner.half_tan > 1e3L)
+                        may = true;  // the left begins at the tip of a U-turn
                     }
                     return may;
                   });
@@ -175,7 +189,8 @@ void check_ends(const Model& model, const OffsetCurve& curve, Verification& foun
     if (piece.closed) continue;
     for (const std::size_t i : {std::size_t{0}, piece.points.size() - 1}) {
       const double greatest = std::max(std::abs(piece.points[i].x), std::abs(piece.points[i].y));
-      const long double rounding = std::max<long double>(model.rounding, greatest * std::numeric_limits<double>::epsilon());
+      const long double rounding =
+          std::max<long double>(model.rounding, greatest * std::numeric_limits<double>::epsilon());
       if (may_end(model, model.seen(piece.points[i]), rounding)) continue;
       found.findings.push_back({FindingKind::OpenEnd, piece.points[i], 0, 0, k, i == 0 ? 0 : piece.edges.size() - 1});
     }
@@ -184,8 +199,8 @@ void check_ends(const Model& model, const OffsetCurve& curve, Verification& foun
 
 }  // namespace
 
-void check_missing(const Model& model, const OffsetCurve& curve, const std::vector<SeenEdge>& edges, const VerifyOptions& options,
-                   Verification& found, const base::Progress& progress) {
+void check_missing(const Model& model, const OffsetCurve& curve, const std::vector<SeenEdge>& edges,
+                   const VerifyOptions& options, Verification& found, const base::Progress& progress) {
   check_ends(model, curve, found);
   if (curve.dropped > 0) return;
   MissingCheck check(model, edges, options, found);
@@ -195,7 +210,8 @@ void check_missing(const Model& model, const OffsetCurve& curve, const std::vect
   }
 }
 
-void check_winding(const Model& model, const std::vector<SeenEdge>& edges, Verification& found, const base::Progress& progress) {
+void check_winding(const Model& model, const std::vector<SeenEdge>& edges, Verification& found,
+                   const base::Progress& progress) {
   std::vector<Winding> walks;
   for (auto& walk : model.outline()) walks.emplace_back(std::move(walk));
   for (const SeenEdge& edge : edges) {
@@ -217,7 +233,8 @@ void check_winding(const Model& model, const std::vector<SeenEdge>& edges, Verif
     const int behind = winds(middle - aside * edge.outward);
     const int beyond = winds(middle + aside * edge.outward);
     const auto report = [&](int measured, int allowed) {
-      found.findings.push_back({FindingKind::Winding, model.user(middle), static_cast<double>(measured), static_cast<double>(allowed), edge.piece, edge.edge});
+      found.findings.push_back({FindingKind::Winding, model.user(middle), static_cast<double>(measured),
+                                static_cast<double>(allowed), edge.piece, edge.edge});
     };
     if (behind <= 0) report(behind, 1);
     if (beyond > 0) report(beyond, 0);

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "shared/render/cairo_painter.h"
 #include "shared/io/file.h"
+#include "shared/render/cairo_painter.h"
 
 namespace dobra::render {
 namespace {
@@ -41,7 +41,8 @@ std::vector<scene::Layout> pages_of(const scene::Picture& picture, const std::op
   const scene::PageSize paper{width, width / scene::a4_landscape.width * scene::a4_landscape.height};
   std::vector<scene::Layout> pages{scene::layout(picture, paper, {}, measure, options)};
   if (!pages.front().tables_on_next_pages) return pages;
-  for (scene::Layout& further : scene::table_pages(picture, paper, measure, options)) pages.push_back(std::move(further));
+  for (scene::Layout& further : scene::table_pages(picture, paper, measure, options))
+    pages.push_back(std::move(further));
   return pages;
 }
 

@@ -18,8 +18,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shared/scene/color_map.h"
 #include "shared/geom/simplify.h"
+#include "shared/scene/color_map.h"
 #include "shared/scene/fill.h"
 #include "shared/scene/pattern.h"
 
@@ -272,13 +272,15 @@ class ActorMaker {
       joins = vtkSmartPointer<vtkPolyData>::New();
       vtkActor& discs = add(joins, style_.line);
       make_round(discs);
-      made_.on_view.emplace_back([&discs, width = style_.line_width](const scene::PanelLayout&, double pixels_per_point) {
-        discs.GetProperty()->SetPointSize(static_cast<float>(width * pixels_per_point));
-      });
+      made_.on_view.emplace_back(
+          [&discs, width = style_.line_width](const scene::PanelLayout&, double pixels_per_point) {
+            discs.GetProperty()->SetPointSize(static_cast<float>(width * pixels_per_point));
+          });
     }
     made_.on_view.emplace_back([data, joins, lines, origin = origin_, depth = depth_, drawn_for = 0.0](
                                    const scene::PanelLayout& place, double pixels_per_point) mutable {
-      const double pixels_per_unit = std::max(place.transform.points_per_x, place.transform.points_per_y) * pixels_per_point;
+      const double pixels_per_unit =
+          std::max(place.transform.points_per_x, place.transform.points_per_y) * pixels_per_point;
       if (pixels_per_unit == drawn_for) return;
       drawn_for = pixels_per_unit;
       vtkNew<vtkPoints> points;
@@ -332,9 +334,8 @@ class ActorMaker {
     if (style_.pattern == scene::Pattern::None) return;
     vtkSmartPointer<vtkPolyData> data = vtkSmartPointer<vtkPolyData>::New();
     vtkActor& actor = add(data, scene::pattern_ink);
-    made_.on_view.emplace_back([&actor, data, &regions, fill = *style_.fill, pattern = style_.pattern,
-                                origin = origin_, depth = depth_ + 0.125](const scene::PanelLayout& place,
-                                                                          double pixels_per_point) {
+    made_.on_view.emplace_back([&actor, data, &regions, fill = *style_.fill, pattern = style_.pattern, origin = origin_,
+                                depth = depth_ + 0.125](const scene::PanelLayout& place, double pixels_per_point) {
       const double pixels = scene::pattern_width(pattern) * pixels_per_point;
       set_ink(*actor.GetProperty(), fill, scene::pattern_ink, std::min(pixels, 1.0));
       actor.GetProperty()->SetLineWidth(static_cast<float>(std::max(pixels, 1.0)));

@@ -73,7 +73,8 @@ base::Result<Document> with_value(Document document, const Program& program, con
     return document;
   }
   if (path.size() == 1 && (path[0] == "unit_system" || path[0] == "result_units")) {
-    if (const auto set = set_units(document, path[0], text); !set) return Error{set.error().code, "--set " + set.error().message};
+    if (const auto set = set_units(document, path[0], text); !set)
+      return Error{set.error().code, "--set " + set.error().message};
     return document;
   }
   if (path[0] != "steps") {
@@ -93,7 +94,8 @@ base::Result<Document> with_value(Document document, const Program& program, con
                                  document.steps.size(), path.size() > 1 ? base::did_you_mean(path[1], names) : ""));
   }
   DOBRA_TRY(const Operation* operation, operation_of(document, *number, program));
-  DOBRA_TRY_VOID(assign(document.steps[*number - 1].params, fields_in(operation->fields, document.units), path, 2, text, assignment));
+  DOBRA_TRY_VOID(assign(document.steps[*number - 1].params, fields_in(operation->fields, document.units), path, 2, text,
+                        assignment));
   return document;
 }
 

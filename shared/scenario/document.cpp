@@ -202,8 +202,10 @@ base::Result<void> write_document(const Document& document, const std::filesyste
 base::Result<void> set_units(Document& document, const std::string& key, const std::string& text) {
   const auto made = UnitSystem::make(text);
   if (!made) return Error{made.error().code, key + made.error().message};
-  if (key == "unit_system") document.units = *made;
-  else document.result_units = *made;
+  if (key == "unit_system")
+    document.units = *made;
+  else
+    document.result_units = *made;
   return {};
 }
 

@@ -41,7 +41,7 @@ struct Document {
   std::string title;
   UnitSystem units;                        ///< Of every number of the document.
   std::optional<UnitSystem> result_units;  ///< Of the results, where they are to differ.
-  Table input;  ///< Nested tables ([[input.horizon]]) are values of kind Tables.
+  Table input;                             ///< Nested tables ([[input.horizon]]) are values of kind Tables.
   std::vector<Step> steps;
   std::vector<Expect> expects;
   std::string comment;  ///< Comment lines at the top of the file.

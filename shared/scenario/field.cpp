@@ -153,7 +153,9 @@ base::Result<void> check_numbers(const Value& value, const Value& written, const
   if (number) {
     const std::string trouble = number_trouble(field, *number, unit);
     if (!trouble.empty())
-      return bad_value(fmt::format("'{}' must be {}, found {}{}", field.key, trouble, found(written), std::isfinite(*number) ? unit : ""), place);
+      return bad_value(fmt::format("'{}' must be {}, found {}{}", field.key, trouble, found(written),
+                                   std::isfinite(*number) ? unit : ""),
+                       place);
   }
   return {};
 }
@@ -316,7 +318,8 @@ base::Result<Value> parse_value(const Field& field, const std::string& text) {
   const std::optional<Value> converted = value ? as_kind(*value, field.kind) : std::nullopt;
   if (!converted) {
     const bool number = field.kind == Kind::Number || field.kind == Kind::Degrees;
-    return Error{ErrorCode::BadValue, fmt::format("'{}' must be {}, found '{}'{}", field.key, wanted(field), text, number && overflows(text) ? ", which is beyond 1.8e308" : "")};
+    return Error{ErrorCode::BadValue, fmt::format("'{}' must be {}, found '{}'{}", field.key, wanted(field), text,
+                                                  number && overflows(text) ? ", which is beyond 1.8e308" : "")};
   }
   auto judged = check_value(*converted, field, si_unit(field, {}, {field}), {}, "");
   if (!judged) return Error{judged.error().code, judged.error().message};

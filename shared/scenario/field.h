@@ -35,8 +35,8 @@ enum class Presence { Optional, Required };
 
 /// What a field's value must satisfy and how it is presented.
 struct FieldOptions {
-  const char* title = "";                         ///< Short, shown in forms; English source text.
-  const char* help = "";                          ///< One sentence.
+  const char* title = "";  ///< Short, shown in forms; English source text.
+  const char* help = "";   ///< One sentence.
   /// Of the number in SI, "m", "Pa"; empty if none. One that goes by a choice is written "Pa, N if kind = force".
   std::string unit = "";
   std::optional<double> above = std::nullopt;     ///< Exclusive lower bound.

@@ -122,7 +122,12 @@ base::Result<void> check_program(const Document& document, const Program& progra
   place.file = document.file.string();
   if (document.program == program.name) {
     if (program.takes_units == TakesUnits::Any || (document.units.si() && document.shown_units().si())) return {};
-    return Error{ErrorCode::BadValue, fmt::format("unit_system and result_units are of scenarios of quebra; those of {} are in metres: leave them out", program.name), place};
+    return Error{
+        ErrorCode::BadValue,
+        fmt::format(
+            "unit_system and result_units are of scenarios of quebra; those of {} are in metres: leave them out",
+            program.name),
+        place};
   }
   return Error{ErrorCode::WrongProgram,
                fmt::format("this scenario is for '{}', not for '{}'; run it with {}", document.program, program.name,
@@ -135,7 +140,8 @@ base::Result<void> check(const Document& document, const Program& program) {
   DOBRA_TRY_VOID(check(document.input, fields_in(program.input_fields, document.units), "input"));
   for (std::size_t number = 1; number <= document.steps.size(); ++number) {
     DOBRA_TRY(const Operation* operation, operation_of(document, number, program));
-    DOBRA_TRY_VOID(check(document.steps[number - 1].params, fields_in(operation->fields, document.units), step_label(document, number)));
+    DOBRA_TRY_VOID(check(document.steps[number - 1].params, fields_in(operation->fields, document.units),
+                         step_label(document, number)));
   }
   return check_names(document);
 }

@@ -1,7 +1,7 @@
 #pragma once
-// What a program tells the shared machinery (runner, command line, window): its input and its operations, each with what
-// it adds to a state's picture, numbers, tables, remarks and files. Plain functions in a table; the state itself is
-// opaque here.
+// What a program tells the shared machinery (runner, command line, window): its input and its operations, each with
+// what it adds to a state's picture, numbers, tables, remarks and files. Plain functions in a table; the state itself
+// is opaque here.
 
 #include <filesystem>
 #include <functional>
@@ -63,7 +63,8 @@ struct Output {
 struct Results {
   std::function<void(const State&, std::vector<Quantity>&)> quantities{};
   std::function<void(const State&, std::vector<DataTable>&)> tables{};
-  std::function<void(const State&, std::vector<std::string>&)> remarks{};  ///< What the user should know: repairs, limits.
+  std::function<void(const State&, std::vector<std::string>&)>
+      remarks{};  ///< What the user should know: repairs, limits.
   /// Exchange files, without tables, report and pictures.
   std::function<void(const State&, std::vector<Output>&)> outputs{};
   std::function<void(const State&, scene::Picture&)> draw{};
@@ -117,10 +118,12 @@ struct Operation {
 /// Wraps `Result<Model> run(const Model&, const Params&, const Context&, const Progress&)`.
 template <class Model, class Params>
 Operation make_operation(std::string name, std::string title, std::string help,
-                         base::Result<Model> (*run)(const Model&, const Params&, const Context&,
-                                                    const base::Progress&),
+                         base::Result<Model> (*run)(const Model&, const Params&, const Context&, const base::Progress&),
                          const ResultsOf<Model>& results = {}) {
-  return {std::move(name), std::move(title), std::move(help), fields_of<Params>(),
+  return {std::move(name),
+          std::move(title),
+          std::move(help),
+          fields_of<Params>(),
           [run](const State& state, const Table& table, const Context& context,
                 const base::Progress& progress) -> base::Result<State> {
             DOBRA_TRY(Model model, run(model_of<Model>(state), from_table<Params>(table), context, progress));

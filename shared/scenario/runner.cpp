@@ -152,7 +152,8 @@ Run Runner::run(const Document& document, const base::Progress& progress) {
       DOBRA_TRY_VOID(check(document.input, fields_in(program_.input_fields, document.units), "input"));
     } else {
       DOBRA_TRY(operation, operation_of(document, k, program_));
-      DOBRA_TRY_VOID(check(document.steps[k - 1].params, fields_in(operation->fields, document.units), step_label(document, k)));
+      DOBRA_TRY_VOID(
+          check(document.steps[k - 1].params, fields_in(operation->fields, document.units), step_label(document, k)));
     }
     const Table& table = k == 0 ? document.input : document.steps[k - 1].params;
     const std::vector<Field>& fields = k == 0 ? program_.input_fields : operation->fields;
@@ -165,8 +166,8 @@ Run Runner::run(const Document& document, const base::Progress& progress) {
     const base::Progress part = progress.part(static_cast<double>(k) / total, static_cast<double>(k + 1) / total);
     part.report(0.0, k == 0 ? "input" : operation->title);
     const Table si = in_si(table, fields, document.units);
-    DOBRA_TRY(State state, k == 0 ? program_.read_input(si, context, part)
-                                  : operation->run(run.states.back(), si, context, part));
+    DOBRA_TRY(State state,
+              k == 0 ? program_.read_input(si, context, part) : operation->run(run.states.back(), si, context, part));
     DOBRA_TRY_VOID(check_numbers(program_, state));
     if (!progress.cancelled()) remember(key, state, before);  // what an interrupted step gave is not its result
     run.states.push_back(std::move(state));

@@ -53,8 +53,8 @@ bool cohere(const Known& length, const Known& force, const Known& stress) {
   return std::abs(made / value_of(stress.si) - 1.0) < 1e-9;
 }
 
-/// What is written in SI as `si`: its powers of length and force, and how a system writes it, with L, F and S for its units
-/// of length, force and stress.
+/// What is written in SI as `si`: its powers of length and force, and how a system writes it, with L, F and S for its
+/// units of length, force and stress.
 struct Derived {
   const char* si;
   double length;
@@ -63,14 +63,21 @@ struct Derived {
 };
 
 constexpr Derived derived_units[] = {
-    {"m", 1.0, 0.0, "L"},          {"m2", 2.0, 0.0, "L2"},        {"N", 0.0, 1.0, "F"},
-    {"Pa", -2.0, 1.0, "S"},        {"N/m", -1.0, 1.0, "F/L"},     {"N/m3", -3.0, 1.0, "F/L3"},
-    {"J", 1.0, 1.0, "F L"},        {"J/m2", -1.0, 1.0, "F/L"},    {"Pa sqrt(m)", -1.5, 1.0, "S sqrt(L)"},
+    {"m", 1.0, 0.0, "L"},
+    {"m2", 2.0, 0.0, "L2"},
+    {"N", 0.0, 1.0, "F"},
+    {"Pa", -2.0, 1.0, "S"},
+    {"N/m", -1.0, 1.0, "F/L"},
+    {"N/m3", -3.0, 1.0, "F/L3"},
+    {"J", 1.0, 1.0, "F L"},
+    {"J/m2", -1.0, 1.0, "F/L"},
+    {"Pa sqrt(m)", -1.5, 1.0, "S sqrt(L)"},
     {"J^0.5", 0.5, 0.5, "sqrt(F L)"},
 };
 
 const Derived* derived(std::string_view si) {
-  const auto found = std::find_if(std::begin(derived_units), std::end(derived_units), [&](const Derived& d) { return si == d.si; });
+  const auto found =
+      std::find_if(std::begin(derived_units), std::end(derived_units), [&](const Derived& d) { return si == d.si; });
   return found == std::end(derived_units) ? nullptr : found;
 }
 
@@ -136,8 +143,9 @@ std::string formula_in_si(const std::string& text, std::string_view si, const Un
     if (letter(text[i])) {
       while (end < text.size() && (letter(text[end]) || digit(text[end]))) ++end;
     } else if (digit(text[i]) || text[i] == '.') {  // the e of 1e6 is no name
-      while (end < text.size() && (digit(text[end]) || text[end] == '.' || text[end] == 'e' || text[end] == 'E' ||
-                                   ((text[end] == '-' || text[end] == '+') && (text[end - 1] == 'e' || text[end - 1] == 'E'))))
+      while (end < text.size() &&
+             (digit(text[end]) || text[end] == '.' || text[end] == 'e' || text[end] == 'E' ||
+              ((text[end] == '-' || text[end] == '+') && (text[end - 1] == 'e' || text[end - 1] == 'E'))))
         ++end;
     } else {
       end = i + 1;
@@ -171,7 +179,9 @@ struct Times {
 }  // namespace
 
 base::Result<UnitSystem> UnitSystem::make(const std::string& text) {
-  const auto bad = [&](const std::string& message) { return Error{ErrorCode::BadValue, fmt::format(" = \"{}\": {}", text, message)}; };
+  const auto bad = [&](const std::string& message) {
+    return Error{ErrorCode::BadValue, fmt::format(" = \"{}\": {}", text, message)};
+  };
   if (text == "SI") return UnitSystem();
   std::array<const Known*, 3> chosen{};
   std::vector<std::string> names;
@@ -179,21 +189,25 @@ base::Result<UnitSystem> UnitSystem::make(const std::string& text) {
   for (std::string word : words_of(text, ",")) {
     word.erase(0, std::min(word.find_first_not_of(' '), word.size()));
     word.erase(word.find_last_not_of(' ') + 1);
-    const auto found = std::find_if(std::begin(known_units), std::end(known_units), [&](const Known& unit) { return word == unit.name; });
+    const auto found = std::find_if(std::begin(known_units), std::end(known_units),
+                                    [&](const Known& unit) { return word == unit.name; });
     if (found == std::end(known_units)) {
       std::string hint = base::did_you_mean(word, names);
       if (hint.empty()) hint = fmt::format("; known units: {}", fmt::join(names, ", "));
       return bad(fmt::format("'{}' is no unit of length, force or stress{}", word, hint));
     }
     const Known*& place = chosen[static_cast<std::size_t>(found->kind)];
-    if (place != nullptr) return bad(fmt::format("{} and {} are of one kind; give one unit of length, one of force and one of stress", place->name, word));
+    if (place != nullptr)
+      return bad(fmt::format("{} and {} are of one kind; give one unit of length, one of force and one of stress",
+                             place->name, word));
     place = found;
   }
   if (std::find(chosen.begin(), chosen.end(), nullptr) != chosen.end())
     return bad("give a unit of length, one of force and one of stress, such as \"mm, N, MPa\"");
   const auto& [length, force, stress] = chosen;
   if (!cohere(*length, *force, *stress))
-    return bad(fmt::format("{} / {}2 is not {}, so the units do not cohere; give {}", force->name, length->name, stress->name, coherent_with(chosen)));
+    return bad(fmt::format("{} / {}2 is not {}, so the units do not cohere; give {}", force->name, length->name,
+                           stress->name, coherent_with(chosen)));
   UnitSystem made;
   made.names_ = {length->name, force->name, stress->name};
   made.text_ = fmt::format("{}, {}, {}", length->name, force->name, stress->name);
@@ -207,16 +221,21 @@ std::string UnitSystem::unit(std::string_view si) const {
   if (known == nullptr || this->si()) return std::string(si);
   std::string made;
   for (const char* c = known->pattern; *c != '\0'; ++c) {
-    if (*c == 'L') made += names_[0];
-    else if (*c == 'F') made += names_[1];
-    else if (*c == 'S') made += names_[2];
-    else made += *c;
+    if (*c == 'L')
+      made += names_[0];
+    else if (*c == 'F')
+      made += names_[1];
+    else if (*c == 'S')
+      made += names_[2];
+    else
+      made += *c;
   }
   return made;
 }
 
 std::string UnitSystem::si_of(std::string_view unit) const {
-  const auto found = std::find_if(std::begin(derived_units), std::end(derived_units), [&](const Derived& d) { return this->unit(d.si) == unit; });
+  const auto found = std::find_if(std::begin(derived_units), std::end(derived_units),
+                                  [&](const Derived& d) { return this->unit(d.si) == unit; });
   return found == std::end(derived_units) ? std::string(unit) : found->si;
 }
 
@@ -234,7 +253,8 @@ std::string si_unit(const Field& field, const Table& table, const std::vector<Fi
     const std::vector<std::string> condition = words_of(parts.back(), " = ");
     const Value* value = table.find(condition.front());
     if (value == nullptr) {
-      const auto other = std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.key == condition.front(); });
+      const auto other =
+          std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.key == condition.front(); });
       if (other != fields.end() && other->default_value) value = &*other->default_value;
     }
     if (value != nullptr && *value == Value(condition.back())) return parts.front();
@@ -256,8 +276,10 @@ Table in_si(const Table& table, const std::vector<Field>& fields, const UnitSyst
     }
     const std::string unit = si_unit(field, table, fields);
     if (derived(unit) == nullptr) continue;
-    if (field.kind == Kind::Text) made.set(field.key, formula_in_si(std::get<std::string>(*value), unit, units));
-    else made.set(field.key, std::visit(Times{units.in_si(unit)}, *value));
+    if (field.kind == Kind::Text)
+      made.set(field.key, formula_in_si(std::get<std::string>(*value), unit, units));
+    else
+      made.set(field.key, std::visit(Times{units.in_si(unit)}, *value));
   }
   return made;
 }

@@ -1,7 +1,7 @@
 #pragma once
-// The units in which a scenario states its numbers and is told its results. Memory is SI: numbers are turned on the way in
-// (in_si, by the units of the parameters' descriptions) and on the way out (in_units). A coherent system has one unit of
-// length, one of force, and their stress, so that no equation needs a factor. Page: docs/scenario_format.md.
+// The units in which a scenario states its numbers and is told its results. Memory is SI: numbers are turned on the way
+// in (in_si, by the units of the parameters' descriptions) and on the way out (in_units). A coherent system has one
+// unit of length, one of force, and their stress, so that no equation needs a factor. Page: docs/scenario_format.md.
 
 #include <array>
 #include <optional>
@@ -31,7 +31,8 @@ class UnitSystem {
   /// m, N, Pa.
   UnitSystem() = default;
   /// Units of length, force and stress with commas between, in any order: "mm, N, MPa"; or "SI".
-  /// @error BadValue, beginning with " = " behind the name of a key: a unit that is not known, or three that do not cohere, with those that would.
+  /// @error BadValue, beginning with " = " behind the name of a key: a unit that is not known, or three that do not
+  /// cohere, with those that would.
   static base::Result<UnitSystem> make(const std::string& text);
 
   [[nodiscard]] bool si() const { return text_ == "m, N, Pa"; }
@@ -68,7 +69,8 @@ std::vector<Field> fields_in(std::vector<Field> fields, const UnitSystem& units)
 std::vector<Quantity> in_units(std::vector<Quantity> quantities, const UnitSystem& units);
 /// Columns by the unit in their brackets.
 std::vector<DataTable> in_units(std::vector<DataTable> tables, const UnitSystem& units);
-/// World coordinates by "[m]" in the titles of the axes, colours and values of labels by that in the title of the scale.
+/// World coordinates by "[m]" in the titles of the axes, colours and values of labels by that in the title of the
+/// scale.
 scene::Picture in_units(scene::Picture picture, const UnitSystem& units);
 /// A message: numbers before a unit, "0.5 m", and points "(x, y)"; what stands in quotes stays.
 std::string message_in_units(const std::string& message, const UnitSystem& units);

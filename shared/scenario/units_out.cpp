@@ -53,7 +53,9 @@ class Turn {
     scene::Scale& scale = content.scale;
     values_ = retitle(scale.title, units_);
     const double shift = std::log10(values_.times(1.0));
-    const auto turned = [&](double value) { return scale.ticks == scene::AxisScale::Log10 ? value + shift : values_.times(value); };
+    const auto turned = [&](double value) {
+      return scale.ticks == scene::AxisScale::Log10 ? value + shift : values_.times(value);
+    };
     for (double& value : content.values) value = turned(value);
     scale.low = turned(scale.low);
     scale.high = turned(scale.high);
@@ -81,7 +83,9 @@ class Turn {
 
 bool begins_number(const std::string& text, std::size_t at) {
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-  const auto inside_word = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '.'; };
+  const auto inside_word = [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '.';
+  };
   if (at > 0 && inside_word(text[at - 1])) return false;
   return is_digit(text[at]) || (text[at] == '-' && at + 1 < text.size() && is_digit(text[at + 1]));
 }
@@ -102,7 +106,8 @@ std::string unit_behind(const std::string& text, std::size_t at) {
     const std::string_view behind = std::string_view(text).substr(at + 1);
     if (!behind.starts_with(unit)) continue;
     const std::size_t end = std::string_view(unit).size();
-    const bool whole = end == behind.size() || (std::isalnum(static_cast<unsigned char>(behind[end])) == 0 && behind[end] != '^');
+    const bool whole =
+        end == behind.size() || (std::isalnum(static_cast<unsigned char>(behind[end])) == 0 && behind[end] != '^');
     if (whole) return unit;
   }
   return {};
@@ -124,7 +129,8 @@ std::optional<PointText> point_at(const std::string& text, std::size_t at) {
   PointText point;
   const std::size_t comma = end_of_number(text, at + 1);
   point.x = text.substr(at + 1, comma - at - 1);
-  if (text.compare(comma, 2, ", ") != 0 || comma + 2 >= text.size() || !begins_number(text, comma + 2)) return std::nullopt;
+  if (text.compare(comma, 2, ", ") != 0 || comma + 2 >= text.size() || !begins_number(text, comma + 2))
+    return std::nullopt;
   const std::size_t close = end_of_number(text, comma + 2);
   point.y = text.substr(comma + 2, close - comma - 2);
   if (close >= text.size() || text[close] != ')') return std::nullopt;
@@ -164,7 +170,8 @@ scene::Picture in_units(scene::Picture picture, const UnitSystem& units) {
     Turn turn(x, y, units);
     for (scene::Layer& layer : panel.layers) std::visit(turn, layer.content);
     if (panel.extent) turn(*panel.extent);
-    if (picture.points_per_unit && &panel == &picture.panels.front()) picture.points_per_unit = x.inverse().times(*picture.points_per_unit);
+    if (picture.points_per_unit && &panel == &picture.panels.front())
+      picture.points_per_unit = x.inverse().times(*picture.points_per_unit);
   }
   return picture;
 }

@@ -37,7 +37,8 @@ Obstacles obstacles_of(const Panel& panel, const PanelLayout& place, const geom:
     }
     if (const auto* content = std::get_if<Markers>(&layer.content)) {
       for (const geom::Point& point : content->points) {
-        const geom::Box box = geom::box_of(std::array{place.transform.to_page(point)}).grown(0.5 * layer.style.marker_size);
+        const geom::Box box =
+            geom::box_of(std::array{place.transform.to_page(point)}).grown(0.5 * layer.style.marker_size);
         if (box.overlaps(window)) found.markers.push_back(box);
       }
     }
@@ -66,9 +67,10 @@ bool cross_each_other(const geom::Segment& a, const geom::Segment& b) {
   return side(a, b.from) != side(a, b.to) && side(b, a.from) != side(b, a.to);
 }
 
-/// How many lines the candidate would hide or cross with its leader, but for those at the point itself; nothing if it leaves the plot or meets another label.
-std::optional<std::size_t> hidden(const Candidate& own, geom::Point at, const geom::Box& plot, const Obstacles& obstacles,
-                                  const std::vector<geom::Box>& taken) {
+/// How many lines the candidate would hide or cross with its leader, but for those at the point itself; nothing if it
+/// leaves the plot or meets another label.
+std::optional<std::size_t> hidden(const Candidate& own, geom::Point at, const geom::Box& plot,
+                                  const Obstacles& obstacles, const std::vector<geom::Box>& taken) {
   const geom::Box& box = own.box;
   if (!(box.low.x >= plot.low.x && box.high.x <= plot.high.x && box.low.y >= plot.low.y && box.high.y <= plot.high.y))
     return std::nullopt;
@@ -89,8 +91,8 @@ std::optional<std::size_t> hidden(const Candidate& own, geom::Point at, const ge
   }));
 }
 
-std::optional<Candidate> best_place(geom::Point at, const TextSize& size, const geom::Box& plot, const Obstacles& obstacles,
-                                    const std::vector<geom::Box>& taken) {
+std::optional<Candidate> best_place(geom::Point at, const TextSize& size, const geom::Box& plot,
+                                    const Obstacles& obstacles, const std::vector<geom::Box>& taken) {
   std::optional<Candidate> best;
   std::size_t least = 0;
   for (const double reach : rings) {
@@ -108,8 +110,8 @@ std::optional<Candidate> best_place(geom::Point at, const TextSize& size, const 
 
 }  // namespace
 
-void add_callouts(const Panel& panel, const PanelLayout& place, const TextMeasure& measure, std::vector<geom::Box> taken,
-                  std::vector<Mark>& marks) {
+void add_callouts(const Panel& panel, const PanelLayout& place, const TextMeasure& measure,
+                  std::vector<geom::Box> taken, std::vector<Mark>& marks) {
   for (const Layer& layer : panel.layers) {
     const auto* content = std::get_if<Labels>(&layer.content);
     if (!layer.visible || content == nullptr) continue;

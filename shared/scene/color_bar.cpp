@@ -29,8 +29,7 @@ class Bar {
       : scale_(scale), box_{{0.0, top}, {bar_width, top + height}}, half_line_(half_line) {}
 
   [[nodiscard]] double y_of(double value) const {
-    const double fraction =
-        scale_.high != scale_.low ? (value - scale_.low) / (scale_.high - scale_.low) : 0.5;
+    const double fraction = scale_.high != scale_.low ? (value - scale_.low) / (scale_.high - scale_.low) : 0.5;
     return box_.high.y - fraction * box_.height();
   }
 
@@ -50,8 +49,8 @@ class Bar {
                       fmt::format("< {}, {} {}", short_number(number(scale_.low)), base::translated("min"),
                                   short_number(number(*scale_.least)))});
     } else if (scale_.least && (said.empty() || y_of(*scale_.least) - said.front().y > 2.0 * half_line_)) {
-      said.push_back({y_of(*scale_.least),
-                      fmt::format("{} {}", base::translated("min"), short_number(number(*scale_.least)))});
+      said.push_back(
+          {y_of(*scale_.least), fmt::format("{} {}", base::translated("min"), short_number(number(*scale_.least)))});
     }
     return said;
   }
@@ -95,7 +94,9 @@ void add_arrow(double base, double tip, const Color& fill, std::vector<Mark>& ma
 
 }  // namespace
 
-bool passes_high(const Scale& scale) { return scale.greatest && scale.high > scale.low && *scale.greatest > scale.high; }
+bool passes_high(const Scale& scale) {
+  return scale.greatest && scale.high > scale.low && *scale.greatest > scale.high;
+}
 
 bool passes_low(const Scale& scale) { return scale.least && scale.high > scale.low && *scale.least < scale.low; }
 
@@ -144,8 +145,8 @@ Furniture color_bar(const Scale& scale, double height, const Font& font, const T
   }
   for (const Tick& tick : bar.ticks()) {
     const double y = bar.y_of(tick.value);
-    const bool taken = std::any_of(ends.begin(), ends.end(),
-                                   [&](const Said& said) { return std::abs(said.y - y) < 2.0 * half_line; });
+    const bool taken =
+        std::any_of(ends.begin(), ends.end(), [&](const Said& said) { return std::abs(said.y - y) < 2.0 * half_line; });
     if (taken) continue;
     mark(y);
     write({y, tick.label});

@@ -145,8 +145,8 @@ class LegendTable {
       const std::vector<std::string>& lines = i < shown_ ? lines_[i] : more;
       double y = left.y - 0.5 * line_ * static_cast<double>(lines.size() - 1);
       for (const std::string& line : lines) {
-        TextMark mark = text_mark(line, {left.x + (i < shown_ ? lead_ : 0.0), y},
-                                  i < shown_ ? fonts_[i] : print_.font, measure);
+        TextMark mark =
+            text_mark(line, {left.x + (i < shown_ ? lead_ : 0.0), y}, i < shown_ ? fonts_[i] : print_.font, measure);
         mark.at.x += 0.5 * mark.size.width;
         made.marks.push_back(std::move(mark));
         y += line_;

@@ -46,8 +46,8 @@ bool same_scales(const std::vector<Scale>& a, const std::vector<Scale>& b);
 bool passes_high(const Scale& scale);
 bool passes_low(const Scale& scale);
 
-/// A vertical colour bar: its title above it, the bar `height` points high without its arrows, ticks at its right, and the
-/// least and the greatest value where the scale has them.
+/// A vertical colour bar: its title above it, the bar `height` points high without its arrows, ticks at its right, and
+/// the least and the greatest value where the scale has them.
 /// @param[out] title_height  how far below the top of the furniture the bar begins.
 Furniture color_bar(const Scale& scale, double height, const Font& font, const TextMeasure& measure,
                     double& title_height);
@@ -74,14 +74,14 @@ Furniture scale_bar(double points_per_unit, const std::string& unit, const std::
 /// "m" of "x [m]"; empty if there are no brackets.
 std::string unit_of(const std::string& axis_title);
 
-/// The labels of the visible layers of a panel that have room in its plot: none is cut off, none overlaps another. Names
-/// beside ends come first, then the labels of the topmost layer; a name that had to move has a line to its end.
+/// The labels of the visible layers of a panel that have room in its plot: none is cut off, none overlaps another.
+/// Names beside ends come first, then the labels of the topmost layer; a name that had to move has a line to its end.
 void add_labels(const Panel& panel, const PanelLayout& place, const TextMeasure& measure, std::vector<Mark>& marks);
 
 /// The labels with Anchor::Callout; they keep out of `taken` and of each other. One that has no room is left out.
 /// @cost O(labels times lines of the layers in the legend)
-void add_callouts(const Panel& panel, const PanelLayout& place, const TextMeasure& measure, std::vector<geom::Box> taken,
-                  std::vector<Mark>& marks);
+void add_callouts(const Panel& panel, const PanelLayout& place, const TextMeasure& measure,
+                  std::vector<geom::Box> taken, std::vector<Mark>& marks);
 
 /// Where the names beside the ends of lines would stand between two heights; those wider than `widest` are left out.
 std::vector<std::optional<geom::Box>> places_of_names(const Panel& panel, const Transform& transform, double widest,

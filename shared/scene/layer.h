@@ -94,8 +94,8 @@ struct Mesh {
   Scale scale{};
 };
 
-/// Where the text stands with respect to its point. Callout: in the nearest room where it hides no line of the legend, no
-/// marker and no other label, at the end of a leader.
+/// Where the text stands with respect to its point. Callout: in the nearest room where it hides no line of the legend,
+/// no marker and no other label, at the end of a leader.
 enum class Anchor { Centre, Left, Right, Above, Below, Callout };
 
 struct Label {

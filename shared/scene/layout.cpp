@@ -109,7 +109,8 @@ class Arranger {
   Font tick_font_;
   std::vector<Block> blocks_;  ///< Row by row.
   std::size_t columns_ = 1;
-  std::vector<Scale> scales_;  ///< At the right of all panels, where all have the same; else those of each are beside it.
+  std::vector<Scale>
+      scales_;  ///< At the right of all panels, where all have the same; else those of each are beside it.
   Furniture title_;
   Furniture legend_;
   Furniture scale_bar_;
@@ -183,7 +184,8 @@ void Arranger::make_tables() {
 
 double Arranger::bar_height() const {
   double height = 0.0;
-  for (std::size_t i = 0; i < std::min(columns_, blocks_.size()); ++i) height = std::max(height, blocks_[i].plot_height);
+  for (std::size_t i = 0; i < std::min(columns_, blocks_.size()); ++i)
+    height = std::max(height, blocks_[i].plot_height);
   return std::clamp(height, least_bar, most_bar);
 }
 
@@ -365,8 +367,10 @@ bool Arranger::update_room(std::size_t i) {
   double bottom = tick_length + tick_gap + line + (block.x_title.height > 0.0 ? tick_gap : 0.0) + block.x_title.height;
   const double over = std::max(block.title.height, ends > 0.0 ? measure_("W", title_font()).height() : 0.0);
   const double top = std::max({over + 6.0, 0.5 * line + 1.0, own_bars.title_height});
-  right = std::max(right, std::max(block.title.width, block.x_title.width) - left - block.plot_width) + block.bars_width;
-  if (!block.bars.empty()) bottom = std::max(bottom, own_bars.all.height - own_bars.title_height + 8.0 - block.plot_height);
+  right =
+      std::max(right, std::max(block.title.width, block.x_title.width) - left - block.plot_width) + block.bars_width;
+  if (!block.bars.empty())
+    bottom = std::max(bottom, own_bars.all.height - own_bars.title_height + 8.0 - block.plot_height);
   const Block old = block;
   block.left = std::max(block.left, left);
   block.right = std::max(block.right, right);
@@ -409,8 +413,8 @@ void Arranger::update_bottom(const PageSize& room) {
   if (common) {
     const Axes& axes = picture_.panels.front().axes;
     const double scale = 1.0 / blocks_.front().view.world_per_point;
-    scale_bar_ = scale_bar(scale * axes.unit, unit_of(axes.x_title), on_paper() ? ratio_text(scale) : "", axis_font_,
-                           measure_);
+    scale_bar_ =
+        scale_bar(scale * axes.unit, unit_of(axes.x_title), on_paper() ? ratio_text(scale) : "", axis_font_, measure_);
     if (scale_bar_.width > 0.4 * width) scale_bar_ = {};
   }
   const double beside = scale_bar_.width > 0.0 ? scale_bar_.width + 24.0 : 0.0;
@@ -420,8 +424,8 @@ void Arranger::update_bottom(const PageSize& room) {
   if (options_.plots == Plots::FillPage && crowded) legend_ = {};
 }
 
-/// As many columns as give the largest scale, on a sheet those asked for unless others are clearly better; in windows the
-/// squarest cells: what is shown there must not move the panels.
+/// As many columns as give the largest scale, on a sheet those asked for unless others are clearly better; in windows
+/// the squarest cells: what is shown there must not move the panels.
 std::size_t Arranger::best_columns() const {
   std::size_t best = columns_;
   double most = 0.0;
@@ -518,7 +522,8 @@ void Arranger::place_panel(std::size_t i, geom::Point corner, Layout& made) cons
       fixed ? corner.x : place.plot.low.x - tick_length - 2.0 * tick_gap - widest - block.y_title.width;
   put(block.y_title, {y_title_x, place.plot.centre().y - 0.5 * block.y_title.height}, made.marks);
   const ColorBars own_bars = bars(block.bars, block.plot_height);
-  put(own_bars.all, {corner.x + block.width() - block.bars_width, place.plot.low.y - own_bars.title_height}, made.marks);
+  put(own_bars.all, {corner.x + block.width() - block.bars_width, place.plot.low.y - own_bars.title_height},
+      made.marks);
 }
 
 void Arranger::place_footer(double y, Layout& made) const {

@@ -20,9 +20,7 @@ std::string ratio_text(double scale) {
   return "1:" + digits;
 }
 
-double usual_width(const Picture& picture) {
-  return picture.paper == Paper::A4Landscape ? a4_landscape.width : 720.0;
-}
+double usual_width(const Picture& picture) { return picture.paper == Paper::A4Landscape ? a4_landscape.width : 720.0; }
 
 double round_ratio(double points_per_metre_of_world) {
   const double least = points_per_metre / points_per_metre_of_world * (1.0 - 1e-9);

@@ -105,8 +105,8 @@ void add_parts(const Segment& stroke, std::span<const Segment> edges, std::vecto
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
     if (cuts[i] == cuts[i + 1]) continue;
     if (!is_inside(geom::interpolate(stroke.from, stroke.to, 0.5 * (cuts[i] + cuts[i + 1])), edges)) continue;
-    parts.push_back({geom::interpolate(stroke.from, stroke.to, cuts[i]),
-                     geom::interpolate(stroke.from, stroke.to, cuts[i + 1])});
+    parts.push_back(
+        {geom::interpolate(stroke.from, stroke.to, cuts[i]), geom::interpolate(stroke.from, stroke.to, cuts[i + 1])});
   }
 }
 

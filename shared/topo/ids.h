@@ -5,11 +5,21 @@
 
 namespace dobra::topo {
 
-struct VertexTag { static constexpr const char* prefix = "v"; };
-struct EdgeTag { static constexpr const char* prefix = "e"; };
-struct HalfEdgeTag { static constexpr const char* prefix = "h"; };
-struct LoopTag { static constexpr const char* prefix = "l"; };
-struct FaceTag { static constexpr const char* prefix = "f"; };
+struct VertexTag {
+  static constexpr const char* prefix = "v";
+};
+struct EdgeTag {
+  static constexpr const char* prefix = "e";
+};
+struct HalfEdgeTag {
+  static constexpr const char* prefix = "h";
+};
+struct LoopTag {
+  static constexpr const char* prefix = "l";
+};
+struct FaceTag {
+  static constexpr const char* prefix = "f";
+};
 
 using VertexId = base::Id<VertexTag>;
 using EdgeId = base::Id<EdgeTag>;

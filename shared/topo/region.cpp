@@ -22,7 +22,8 @@ namespace {
 class Tracer {
  public:
   /// Stops early once `progress` is cancelled.
-  Tracer(const Subdivision& sub, std::span<const std::vector<HalfEdgeId>> paths, Inside inside, const base::Progress& progress)
+  Tracer(const Subdivision& sub, std::span<const std::vector<HalfEdgeId>> paths, Inside inside,
+         const base::Progress& progress)
       : sub_(sub), inside_(inside), progress_(progress) {
     for (const auto& path : paths) {
       for (const HalfEdgeId h : path) step_[Subdivision::edge(h).index()] += forward(h) ? 1 : -1;

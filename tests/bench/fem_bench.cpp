@@ -20,7 +20,8 @@ namespace {
 using namespace dobra;
 
 mesh::ElementMesh plate(std::int64_t cells) {
-  return fem::test::mapped_grid(mesh::ElementType::T6, static_cast<int>(cells), static_cast<int>(cells), fem::test::unit_square);
+  return fem::test::mapped_grid(mesh::ElementType::T6, static_cast<int>(cells), static_cast<int>(cells),
+                                fem::test::unit_square);
 }
 
 fem::Problem pulled() {
@@ -48,7 +49,8 @@ void recover_and_estimate(benchmark::State& state) {
   const auto solution = fem::solve(mesh, problem).value();
   const auto& u = solution.cases[0].displacements;
   for (auto _ : state)
-    benchmark::DoNotOptimize(fem::estimate_error(mesh, problem.materials, u, fem::recover_stress(mesh, problem.materials, u)));
+    benchmark::DoNotOptimize(
+        fem::estimate_error(mesh, problem.materials, u, fem::recover_stress(mesh, problem.materials, u)));
 }
 BENCHMARK(recover_and_estimate)->Arg(35)->Arg(100)->Unit(benchmark::kSecond);
 
@@ -67,7 +69,8 @@ void against_calculix(benchmark::State& state) {
   bool ran = true;
   for (auto _ : state) {
     ours += seconds([&] { benchmark::DoNotOptimize(fem::solve(mesh, pulled())); });
-    theirs += seconds([&] { ran = std::system(("cd " + folder.string() + " && ccx -i deck > ccx.log 2>&1").c_str()) == 0; });
+    theirs +=
+        seconds([&] { ran = std::system(("cd " + folder.string() + " && ccx -i deck > ccx.log 2>&1").c_str()) == 0; });
   }
   std::filesystem::remove_all(folder);
   if (!ran) state.SkipWithError("ccx did not run");
@@ -120,7 +123,12 @@ target = )" + std::to_string(static_cast<double>(state.range(0)) / 100.0) +
   state.counters["eta_percent"] = eta;
   state.counters["cycles"] = cycles;
 }
-BENCHMARK(adapt_kirsch)->ArgNames({"eta_1e-4", "order"})->Args({100, 2})->Args({100, 1})->Args({1, 2})->Unit(benchmark::kSecond);
+BENCHMARK(adapt_kirsch)
+    ->ArgNames({"eta_1e-4", "order"})
+    ->Args({100, 2})
+    ->Args({100, 1})
+    ->Args({1, 2})
+    ->Unit(benchmark::kSecond);
 
 }  // namespace
 

@@ -1,6 +1,6 @@
 #pragma once
-// Counts what a benchmark allocates: replaces the global operators, so that exactly one source of a program includes it. Peers use
-// the same operators, but are timed only.
+// Counts what a benchmark allocates: replaces the global operators, so that exactly one source of a program includes
+// it. Peers use the same operators, but are timed only.
 
 #include <malloc.h>
 

@@ -1,10 +1,11 @@
-// Speed of the offset engine against two marks in the same run: "raw", writing the untrimmed offset vertices of the same
-// base (the least that any method does), and GEOS (one-sided or polygon buffer, whichever the base calls for). One thread.
-// Arguments: size; 13 distances. Counters: raw and geos are the time ratios (ours / raw, GEOS / ours); raw_ns that of raw; peak_bytes
-// is the heap above input and output, per base point, geos_runs how many runs of GEOS count. tests/bench/offset_table.py makes a table of a
-// run, with the exponents of time in n. The median of at least five runs counts, for all three (GEOS: of one where that takes more than 2 s),
-// and memory once taken stays with the process: what the system takes to hand out pages tells nothing about them.
-// Single rows: --benchmark_filter='^gear_in/1000/' (family and size; any regular expression). Figures belong in docs/algorithms/offset.md.
+// Speed of the offset engine against two marks in the same run: "raw", writing the untrimmed offset vertices of the
+// same base (the least that any method does), and GEOS (one-sided or polygon buffer, whichever the base calls for). One
+// thread. Arguments: size; 13 distances. Counters: raw and geos are the time ratios (ours / raw, GEOS / ours); raw_ns
+// that of raw; peak_bytes is the heap above input and output, per base point, geos_runs how many runs of GEOS count.
+// tests/bench/offset_table.py makes a table of a run, with the exponents of time in n. The median of at least five runs
+// counts, for all three (GEOS: of one where that takes more than 2 s), and memory once taken stays with the process:
+// what the system takes to hand out pages tells nothing about them. Single rows: --benchmark_filter='^gear_in/1000/'
+// (family and size; any regular expression). Figures belong in docs/algorithms/offset.md.
 
 #include <benchmark/benchmark.h>
 #include <geos_c.h>
@@ -35,7 +36,8 @@ Polyline smooth(std::size_t n) {
   Polyline c;
   for (std::size_t i = 0; i < n; ++i) {
     const double x = 100.0 * static_cast<double>(i) / static_cast<double>(n - 1);
-    c.points.push_back({x, 3 * std::sin(2 * pi * x / 25) + std::sin(2 * pi * x / 9.1 + 1) + 0.3 * std::sin(2 * pi * x / 4.3 + 2)});
+    c.points.push_back(
+        {x, 3 * std::sin(2 * pi * x / 25) + std::sin(2 * pi * x / 9.1 + 1) + 0.3 * std::sin(2 * pi * x / 4.3 + 2)});
   }
   return c;
 }
@@ -48,15 +50,17 @@ Polyline fractal(std::size_t n) {  // midpoint displacement, H = 0.6
   std::normal_distribution<double> normal;
   double size = 6;
   for (std::size_t step = m; step > 1; step /= 2, size *= std::pow(0.5, 0.6)) {
-    for (std::size_t i = step / 2; i < m; i += step) y[i] = 0.5 * (y[i - step / 2] + y[i + step / 2]) + size * normal(random);
+    for (std::size_t i = step / 2; i < m; i += step)
+      y[i] = 0.5 * (y[i - step / 2] + y[i + step / 2]) + size * normal(random);
   }
   Polyline c;
-  for (std::size_t i = 0; i < n; ++i) c.points.push_back({100.0 * static_cast<double>(i) / static_cast<double>(n - 1), y[i]});
+  for (std::size_t i = 0; i < n; ++i)
+    c.points.push_back({100.0 * static_cast<double>(i) / static_cast<double>(n - 1), y[i]});
   return c;
 }
 
-/// A horizon bent round 225 degrees of a circle, its heights along the radius, so that it comes back under itself as a lying fold does:
-/// open, and in no direction a graph.
+/// A horizon bent round 225 degrees of a circle, its heights along the radius, so that it comes back under itself as a
+/// lying fold does: open, and in no direction a graph.
 Polyline bent(Polyline c) {
   constexpr double angle = 1.25 * pi;
   const double radius = c.points.back().x / angle;
@@ -96,7 +100,8 @@ Polyline spiral(std::size_t n) {  // open, and both sides meet
   }
   return c;
 }
-Polyline coast(std::size_t n) {  // rough at all scales and simple: each edge gets a knee in its triangle, on alternate sides
+Polyline coast(
+    std::size_t n) {  // rough at all scales and simple: each edge gets a knee in its triangle, on alternate sides
   std::mt19937 random(9);
   std::uniform_real_distribution<double> fresh(0.2, 0.6);  // angles of the triangle, at a new point
   std::uniform_real_distribution<double> share(0.8, 1.0);  // and at an old one, of what the triangle around it leaves
@@ -129,7 +134,8 @@ Polyline random_walk(std::size_t n) {  // open, crosses itself everywhere
   Polyline c;
   Point p{0, 0};
   const double step = 30.0 / std::sqrt(static_cast<double>(n));
-  for (std::size_t i = 0; i < n; ++i) c.points.push_back(p = p + geom::Vector{step * normal(random), step * normal(random)});
+  for (std::size_t i = 0; i < n; ++i)
+    c.points.push_back(p = p + geom::Vector{step * normal(random), step * normal(random)});
   return c;
 }
 Polyline rough_arc(std::size_t n) {  // half of the coast: open, rough, and not monotone
@@ -186,7 +192,8 @@ double raw_seconds(const Polyline& base, const std::vector<double>& distances) {
   return median(std::move(runs));
 }
 
-/// All distances with GEOS at the same arc tolerance, each run; none if the first takes longer than the family's patience.
+/// All distances with GEOS at the same arc tolerance, each run; none if the first takes longer than the family's
+/// patience.
 std::vector<double> geos_runs(const Polyline& base, const Family& family, const std::vector<double>& distances) {
   const GEOSContextHandle_t geos = GEOS_init_r();
   const std::size_t count = base.points.size() + (base.closed ? 1 : 0);
@@ -195,16 +202,17 @@ std::vector<double> geos_runs(const Polyline& base, const Family& family, const 
     const Point p = base.points[i % base.points.size()];
     GEOSCoordSeq_setXY_r(geos, points, static_cast<unsigned>(i), p.x, p.y);
   }
-  GEOSGeometry* const input = base.closed
-                                  ? GEOSGeom_createPolygon_r(geos, GEOSGeom_createLinearRing_r(geos, points), nullptr, 0)
-                                  : GEOSGeom_createLineString_r(geos, points);
+  GEOSGeometry* const input =
+      base.closed ? GEOSGeom_createPolygon_r(geos, GEOSGeom_createLinearRing_r(geos, points), nullptr, 0)
+                  : GEOSGeom_createLineString_r(geos, points);
   const bool outwards = family.side == Side::RightOfTravel;
   const auto once = [&] {
     const auto start = processor_seconds();
     for (const double d : distances) {
       GEOSBufferParams* const params = GEOSBufferParams_create_r(geos);
       GEOSBufferParams_setQuadrantSegments_r(geos, params, 18);
-      GEOSBufferParams_setJoinStyle_r(geos, params, family.join == Join::Round ? GEOSBUF_JOIN_ROUND : GEOSBUF_JOIN_MITRE);
+      GEOSBufferParams_setJoinStyle_r(geos, params,
+                                      family.join == Join::Round ? GEOSBUF_JOIN_ROUND : GEOSBUF_JOIN_MITRE);
       GEOSBufferParams_setMitreLimit_r(geos, params, 4.0);
       GEOSBufferParams_setSingleSided_r(geos, params, base.closed ? 0 : 1);
       GEOSGeom_destroy_r(geos, GEOSBufferWithParams_r(geos, input, params, (base.closed == outwards) ? d : -d));
@@ -252,7 +260,8 @@ void offset_family(benchmark::State& state, const Family& family) {
   const double raw = raw_seconds(base, distances);
   state.counters["raw"] = seconds / raw;
   state.counters["raw_ns"] = raw / 13 / points * 1e9;
-  const std::vector<double> geos = n <= family.greatest_geos ? geos_runs(base, family, distances) : std::vector<double>{};
+  const std::vector<double> geos =
+      n <= family.greatest_geos ? geos_runs(base, family, distances) : std::vector<double>{};
   state.counters["geos"] = geos.empty() ? 0.0 : median(geos) / seconds;  // 0: not asked, or took too long
   state.counters["geos_runs"] = static_cast<double>(geos.size());
   state.counters["peak_bytes"] = static_cast<double>(highest - std::min(highest, output)) / points;
@@ -296,7 +305,8 @@ int main(int count, char** arguments) {
   mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
   for (const Family& family : families) {
     for (std::size_t n = 1000; n <= family.greatest; n *= 10) {
-      auto* const entry = benchmark::RegisterBenchmark(family.name, [&family](benchmark::State& state) { offset_family(state, family); });
+      auto* const entry = benchmark::RegisterBenchmark(
+          family.name, [&family](benchmark::State& state) { offset_family(state, family); });
       entry->Arg(static_cast<std::int64_t>(n))->Unit(benchmark::kMillisecond)->Iterations(runs_of(n));
     }
   }

@@ -58,10 +58,17 @@ Model start(std::size_t horizons, std::size_t points) {
 
 /// The planar subdivision of a section and its units, made once when it is read.
 void find_units(benchmark::State& state) {
-  const Section section = fold_train(static_cast<std::size_t>(state.range(0)), static_cast<std::size_t>(state.range(1)));
+  const Section section =
+      fold_train(static_cast<std::size_t>(state.range(0)), static_cast<std::size_t>(state.range(1)));
   for (auto _ : state) benchmark::DoNotOptimize(faces_of(section));
 }
-BENCHMARK(find_units)->Args({10, 1000})->Args({100, 1000})->Args({100, 10000})->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(find_units)
+    ->Args({10, 1000})
+    ->Args({100, 1000})
+    ->Args({100, 10000})
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 
 void restore_whole_section(benchmark::State& state) {
   const Model model = start(static_cast<std::size_t>(state.range(0)), static_cast<std::size_t>(state.range(1)));

@@ -180,8 +180,10 @@ base::Result<geom::Polyline> drawn(const C& curve) {
 base::Result<scene::Picture> curves() {
   using geom::SplineEnds;
   const std::vector<Point> points{{0, 0}, {1, 1.6}, {1.4, 1.5}, {1.7, 0.2}, {5, 0.4}, {6, 1.4}};
-  DOBRA_TRY(const auto uniform, geom::cubic_spline(points, geom::uniform_knots(6, SplineEnds::Natural), SplineEnds::Natural));
-  DOBRA_TRY(const auto spaced, geom::cubic_spline(points, geom::chord_length_knots(points, SplineEnds::Natural), SplineEnds::Natural));
+  DOBRA_TRY(const auto uniform,
+            geom::cubic_spline(points, geom::uniform_knots(6, SplineEnds::Natural), SplineEnds::Natural));
+  DOBRA_TRY(const auto spaced,
+            geom::cubic_spline(points, geom::chord_length_knots(points, SplineEnds::Natural), SplineEnds::Natural));
   DOBRA_TRY(geom::Polyline uniform_line, drawn(uniform));
   DOBRA_TRY(geom::Polyline spaced_line, drawn(spaced));
   const std::vector<Point> polygon{{0, 0}, {0.6, 2.2}, {2.6, 2.4}, {3.4, 0.1}, {5.2, 0.3}, {6, 2}};
@@ -189,18 +191,18 @@ base::Result<scene::Picture> curves() {
   DOBRA_TRY(const auto bezier, geom::Bezier::make(polygon));
   DOBRA_TRY(geom::Polyline spline_line, drawn(spline));
   DOBRA_TRY(geom::Polyline bezier_line, drawn(bezier));
-  return scene::Picture{{},
-                        {panel("Natural splines",
-                               {lines("uniform knots", stroke(orange, 1.4), {uniform_line}),
-                                lines("chord-length knots", stroke(ink, 1.8), {spaced_line}),
-                                markers("points, vertices", dots(red, 4.5), points)},
-                               0.3),
-                         panel("Control polygon",
-                               {lines("polygon", stroke(grey, 1.0, scene::Dash::Dashed), {chain(polygon)}),
-                                lines("uniform B-spline", stroke(blue, 1.8), {spline_line}),
-                                lines("Bezier, degree 5", stroke(green, 1.4), {bezier_line}),
-                                markers({}, dots(red, 4.5), polygon)},
-                               0.3)}};
+  return scene::Picture{
+      {},
+      {panel("Natural splines",
+             {lines("uniform knots", stroke(orange, 1.4), {uniform_line}),
+              lines("chord-length knots", stroke(ink, 1.8), {spaced_line}),
+              markers("points, vertices", dots(red, 4.5), points)},
+             0.3),
+       panel("Control polygon",
+             {lines("polygon", stroke(grey, 1.0, scene::Dash::Dashed), {chain(polygon)}),
+              lines("uniform B-spline", stroke(blue, 1.8), {spline_line}),
+              lines("Bezier, degree 5", stroke(green, 1.4), {bezier_line}), markers({}, dots(red, 4.5), polygon)},
+             0.3)}};
 }
 
 }  // namespace

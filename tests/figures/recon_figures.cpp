@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "recon/core/palette.h"
 #include "recon/core/operations.h"
+#include "recon/core/palette.h"
 #include "tests/figures/figures.h"
 
 namespace dobra::figures {
@@ -35,8 +35,8 @@ base::Result<scene::Panel> grid_panel(const std::string& title, core::Treatment 
   for (const core::GridCurve& curve : source.grid.curves)
     curves.insert(curves.end(), curve.pieces.begin(), curve.pieces.end());
   return panel(title,
-               {lines("rungs", stroke(grey, 0.6), source.grid.rungs),
-                lines("offset curves", stroke(blue, 0.8), curves), lines("top", stroke(red, 2.0), {source.base})},
+               {lines("rungs", stroke(grey, 0.6), source.grid.rungs), lines("offset curves", stroke(blue, 0.8), curves),
+                lines("top", stroke(red, 2.0), {source.base})},
                0.2, section_axes);
 }
 

@@ -1,5 +1,5 @@
-// libFuzzer target: the readers of curves. Byte 0 chooses the format, the rest is the file. Whatever the bytes: an error with a
-// message, or curves of finite points.
+// libFuzzer target: the readers of curves. Byte 0 chooses the format, the rest is the file. Whatever the bytes: an
+// error with a message, or curves of finite points.
 
 #include <unistd.h>
 
@@ -18,7 +18,8 @@ constexpr const char* endings[] = {".txt", ".csv", ".wkt", ".geojson", ".dxf", "
 
 /// One file for the whole run, in memory where the system has such a place.
 std::string file_of(const char* ending) {
-  static const std::string folder = std::filesystem::exists("/dev/shm") ? "/dev/shm" : std::filesystem::temp_directory_path().string();
+  static const std::string folder =
+      std::filesystem::exists("/dev/shm") ? "/dev/shm" : std::filesystem::temp_directory_path().string();
   return folder + "/dobra_curves_fuzz_" + std::to_string(::getpid()) + ending;
 }
 

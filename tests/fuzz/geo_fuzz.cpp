@@ -1,5 +1,5 @@
-// libFuzzer target: the reader of gmsh geometry. Whatever the bytes: an error with a message and a line, or a geometry whose
-// parts refer to what is there.
+// libFuzzer target: the reader of gmsh geometry. Whatever the bytes: an error with a message and a line, or a geometry
+// whose parts refer to what is there.
 
 #include <cmath>
 #include <cstdint>

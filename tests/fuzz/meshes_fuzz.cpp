@@ -1,5 +1,6 @@
-// libFuzzer target: the readers of meshes. Byte 0 chooses the format, the rest is the file. Whatever the bytes: an error with a
-// message, or a mesh that can be written, and read and written again to the same bytes; polygon meshes are checked.
+// libFuzzer target: the readers of meshes. Byte 0 chooses the format, the rest is the file. Whatever the bytes: an
+// error with a message, or a mesh that can be written, and read and written again to the same bytes; polygon meshes are
+// checked.
 
 #include <cstdint>
 #include <cstdlib>
@@ -49,21 +50,33 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   switch (data[0] % 5) {
     case 0:
-      go_round(text, [](const std::string& t) { return io::parse_msh(t, "f"); }, [](const mesh::ElementMesh& m) { return io::msh_text(m); });
+      go_round(
+          text, [](const std::string& t) { return io::parse_msh(t, "f"); },
+          [](const mesh::ElementMesh& m) { return io::msh_text(m); });
       break;
     case 1:
-      go_round(text, [](const std::string& t) { return io::parse_inp(t, "f"); },
-               [](const mesh::ElementMesh& m) { return io::inp_text(m, {.element = io::InpElement::PlaneStress, .numbers = io::InpNumbers::Exact}); });
+      go_round(
+          text, [](const std::string& t) { return io::parse_inp(t, "f"); },
+          [](const mesh::ElementMesh& m) {
+            return io::inp_text(m, {.element = io::InpElement::PlaneStress, .numbers = io::InpNumbers::Exact});
+          });
       break;
     case 2:
-      go_round(text, [](const std::string& t) { return io::parse_vtu(t, "f"); }, [](const mesh::ElementMesh& m) { return io::vtu_text(m); });
+      go_round(
+          text, [](const std::string& t) { return io::parse_vtu(t, "f"); },
+          [](const mesh::ElementMesh& m) { return io::vtu_text(m); });
       break;
     case 3:
-      go_round(text, [](const std::string& t) { return io::parse_bdf(t, "f"); }, [](const mesh::ElementMesh& m) { return io::bdf_text(m); });
+      go_round(
+          text, [](const std::string& t) { return io::parse_bdf(t, "f"); },
+          [](const mesh::ElementMesh& m) { return io::bdf_text(m); });
       break;
     default:
-      go_round(text, [](const std::string& t) { return io::parse_neutral(t, "f"); },
-               [](const mesh::ElementMesh& m) { return io::neutral_text({m, {}, 1.0}); });
+      go_round(
+          text, [](const std::string& t) { return io::parse_neutral(t, "f"); },
+          [](const mesh::ElementMesh& m) {
+            return io::neutral_text({m, {}, 1.0});
+          });
   }
   return 0;
 }

@@ -1,5 +1,5 @@
-// libFuzzer target: the reader of SVG outlines. Whatever the bytes: an error with a message and a place, or outlines whose pieces
-// follow each other and are finite.
+// libFuzzer target: the reader of SVG outlines. Whatever the bytes: an error with a message and a place, or outlines
+// whose pieces follow each other and are finite.
 
 #include <cmath>
 #include <cstdint>

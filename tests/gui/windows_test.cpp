@@ -17,7 +17,8 @@ class Windows : public testing::TestWithParam<const char*> {
   }
   ~Windows() override { std::filesystem::remove_all(folder); }
 
-  /// Leaks of Qt and of the drivers are judged in dobra_gui_test, which knows them; here they would only hide exit codes.
+  /// Leaks of Qt and of the drivers are judged in dobra_gui_test, which knows them; here they would only hide exit
+  /// codes.
   static int run(const std::string& command) {
     const int status = std::system(("ASAN_OPTIONS=detect_leaks=0 " + command).c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
@@ -44,16 +45,18 @@ TEST_P(Windows, GUI_b_WhatWasDoneInTheWindowTheCommandLineRepeatsToTheByte) {
   const std::string name = GetParam();
   std::filesystem::copy(example(name).parent_path(), path("example"));
   const std::string document = path("example/" + example(name).filename().string());
-  const std::string script = write("script.txt", "wait\nreport " + path("first.json") + "\nselect " + (name == "recon" ? "1" : "2") +
-                                                     "\nset factor 1.1\nwait\nundo\nwait\nreport " +
-                                                     path("undone.json") + "\nredo\nwait\nreport " + path("window.json") + "\nsave " +
-                                                     path("example/saved.toml") + "\nscreenshot " + path("shot.png") + "\nquit\n");
+  const std::string script =
+      write("script.txt", "wait\nreport " + path("first.json") + "\nselect " + (name == "recon" ? "1" : "2") +
+                              "\nset factor 1.1\nwait\nundo\nwait\nreport " + path("undone.json") +
+                              "\nredo\nwait\nreport " + path("window.json") + "\nsave " + path("example/saved.toml") +
+                              "\nscreenshot " + path("shot.png") + "\nquit\n");
   ASSERT_EQ(run("xvfb-run -a " + program(name) + " " + document + " --script " + script), 0);
   EXPECT_EQ(read("undone.json"), read("first.json"));
   EXPECT_NE(read("window.json"), read("first.json"));
   EXPECT_GT(read("shot.png").size(), 10000u);
   // An expectation about the unchanged example may fail now (exit code 1); the report is written all the same.
-  const int code = run("env -u DISPLAY " + program(name) + " run " + path("example/saved.toml") + " --quiet --out " + path("out"));
+  const int code =
+      run("env -u DISPLAY " + program(name) + " run " + path("example/saved.toml") + " --quiet --out " + path("out"));
   EXPECT_TRUE(code == 0 || code == 1) << code;
   EXPECT_EQ(read("out/report.json"), read("window.json"));
 }
@@ -63,7 +66,9 @@ TEST_P(Windows, GUI_d_SavedAndSavedAgainIsTheSame) {
   std::filesystem::copy(example(name).parent_path(), path("example"));
   const std::string once = write("once.txt", "wait\nsave " + path("example/a.toml") + "\nquit\n");
   const std::string again = write("again.txt", "wait\nsave " + path("example/b.toml") + "\nquit\n");
-  ASSERT_EQ(run("xvfb-run -a " + program(name) + " " + path("example/" + example(name).filename().string()) + " --script " + once), 0);
+  ASSERT_EQ(run("xvfb-run -a " + program(name) + " " + path("example/" + example(name).filename().string()) +
+                " --script " + once),
+            0);
   ASSERT_EQ(run("xvfb-run -a " + program(name) + " " + path("example/a.toml") + " --script " + again), 0);
   EXPECT_FALSE(read("example/a.toml").empty());
   EXPECT_EQ(read("example/a.toml"), read("example/b.toml"));
@@ -71,7 +76,9 @@ TEST_P(Windows, GUI_d_SavedAndSavedAgainIsTheSame) {
 
 TEST_P(Windows, GUI_c_MissingFileWithAScriptEndsWithThree) {
   const std::string script = write("script.txt", "wait\nquit\n");
-  EXPECT_EQ(run("xvfb-run -a " + program(GetParam()) + " " + path("missing.toml") + " --script " + script + " 2> " + path("said")), 3);
+  EXPECT_EQ(run("xvfb-run -a " + program(GetParam()) + " " + path("missing.toml") + " --script " + script + " 2> " +
+                path("said")),
+            3);
   EXPECT_NE(read("said").find("missing.toml"), std::string::npos) << read("said");
 }
 
@@ -83,11 +90,14 @@ TEST(WindowOfQuebra, TheMesherIsWatchedStepByStepAndTheDocumentStaysAsItIs) {
     std::ifstream in(path(file), std::ios::binary);
     return std::string{std::istreambuf_iterator<char>(in), {}};
   };
-  std::ofstream(path("plate.toml")) << "dobra = 1\nprogram = \"quebra\"\n\n[input]\nspecimen = \"plate_with_hole\"\n\n[[step]]\noperation = \"mesh\"\nsize = 0.5\n";
-  std::ofstream(path("script.txt")) << "wait\nreport " << path("first.json") << "\nwatch step 100\nwait\nreport " << path("work.json") << "\nscreenshot "
-                                    << path("work.png") << "\nwatch step 20\nwait\nwatch stop\nwait\nreport " << path("last.json") << "\nsave " << path("saved.toml")
-                                    << "\nquit\n";
-  const std::string command = "ASAN_OPTIONS=detect_leaks=0 xvfb-run -a " + std::string(DOBRA_BIN_DIR) + "/quebra " + path("plate.toml") + " --script " + path("script.txt");
+  std::ofstream(path("plate.toml")) << "dobra = 1\nprogram = \"quebra\"\n\n[input]\nspecimen = "
+                                       "\"plate_with_hole\"\n\n[[step]]\noperation = \"mesh\"\nsize = 0.5\n";
+  std::ofstream(path("script.txt")) << "wait\nreport " << path("first.json") << "\nwatch step 100\nwait\nreport "
+                                    << path("work.json") << "\nscreenshot " << path("work.png")
+                                    << "\nwatch step 20\nwait\nwatch stop\nwait\nreport " << path("last.json")
+                                    << "\nsave " << path("saved.toml") << "\nquit\n";
+  const std::string command = "ASAN_OPTIONS=detect_leaks=0 xvfb-run -a " + std::string(DOBRA_BIN_DIR) + "/quebra " +
+                              path("plate.toml") + " --script " + path("script.txt");
   EXPECT_EQ(std::system(command.c_str()), 0);
   EXPECT_NE(read("work.json").find("work.front"), std::string::npos);
   EXPECT_GT(read("work.png").size(), 10000u);
@@ -97,7 +107,9 @@ TEST(WindowOfQuebra, TheMesherIsWatchedStepByStepAndTheDocumentStaysAsItIs) {
 }
 
 TEST_P(Windows, WithoutADisplayTheMessageSaysWhatToDo) {
-  EXPECT_EQ(run("env -u DISPLAY -u WAYLAND_DISPLAY " + program(GetParam()) + " " + example(GetParam()).string() + " 2> " + path("said")), 4);
+  EXPECT_EQ(run("env -u DISPLAY -u WAYLAND_DISPLAY " + program(GetParam()) + " " + example(GetParam()).string() +
+                " 2> " + path("said")),
+            4);
   EXPECT_NE(read("said").find("DISPLAY"), std::string::npos) << read("said");
 }
 

@@ -1,5 +1,5 @@
-// Areas by distance against those of GEOS, which no program links: polygons with holes, grown and shrunk, and lines with
-// caps, at the same tolerance of arcs.
+// Areas by distance against those of GEOS, which no program links: polygons with holes, grown and shrunk, and lines
+// with caps, at the same tolerance of arcs.
 
 #include <geos_c.h>
 #include <gtest/gtest.h>
@@ -18,7 +18,8 @@ using geom::Polyline;
 
 constexpr double pi = std::numbers::pi;
 constexpr int quadrant_segments = 60;
-/// GEOS simplifies its input by up to D / 100, rounds differently at crossings, and its chords are a little longer or shorter.
+/// GEOS simplifies its input by up to D / 100, rounds differently at crossings, and its chords are a little longer or
+/// shorter.
 constexpr double tolerance = 1e-4;
 
 class Peer {
@@ -30,7 +31,8 @@ class Peer {
 
   double area(const std::vector<Polyline>& polygon, double distance, int join) const {
     std::vector<GEOSGeometry*> holes;
-    for (std::size_t i = 1; i < polygon.size(); ++i) holes.push_back(GEOSGeom_createLinearRing_r(geos_, points(polygon[i])));
+    for (std::size_t i = 1; i < polygon.size(); ++i)
+      holes.push_back(GEOSGeom_createLinearRing_r(geos_, points(polygon[i])));
     GEOSGeometry* const shell = GEOSGeom_createLinearRing_r(geos_, points(polygon[0]));
     return buffered(GEOSGeom_createPolygon_r(geos_, shell, holes.data(), static_cast<unsigned>(holes.size())), distance,
                     join, GEOSBUF_CAP_ROUND);
@@ -108,11 +110,13 @@ TEST(AreaPeer, OFF_c_RandomLinesHaveTheAreasOfGeosWithEveryCap) {
       const Point p = line.points.back();
       line.points.push_back({p.x + 1.5 + from(random), p.y + 1.5 * from(random)});
     }
-    for (const auto& [cap, theirs] : {std::pair{Cap::Round, GEOSBUF_CAP_ROUND}, {Cap::Flat, GEOSBUF_CAP_FLAT}, {Cap::Square, GEOSBUF_CAP_SQUARE}}) {
+    for (const auto& [cap, theirs] :
+         {std::pair{Cap::Round, GEOSBUF_CAP_ROUND}, {Cap::Flat, GEOSBUF_CAP_FLAT}, {Cap::Square, GEOSBUF_CAP_SQUARE}}) {
       const auto made = around_line(line, {{0.3}}, {.join = Join::Round, .cap = cap, .arc_tolerance = 1e-4});
       ASSERT_TRUE(made.ok());
       const double scale = 0.3 * made->front().length;
-      EXPECT_NEAR(made->front().area, peer.area(line, 0.3, GEOSBUF_JOIN_ROUND, theirs), tolerance * scale) << "seed " << seed;
+      EXPECT_NEAR(made->front().area, peer.area(line, 0.3, GEOSBUF_JOIN_ROUND, theirs), tolerance * scale)
+          << "seed " << seed;
     }
   }
 }

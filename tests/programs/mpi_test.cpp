@@ -16,7 +16,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// OpenMPI keeps memory to the end, and refuses to start as root or with more processes than cores unless told.
-const std::string two = "ASAN_OPTIONS=detect_leaks=0 OMPI_MCA_btl_vader_single_copy_mechanism=none mpirun --allow-run-as-root --oversubscribe -n 2 ";
+const std::string two =
+    "ASAN_OPTIONS=detect_leaks=0 OMPI_MCA_btl_vader_single_copy_mechanism=none mpirun --allow-run-as-root "
+    "--oversubscribe -n 2 ";
 
 struct Outcome {
   int code = -1;
@@ -52,7 +54,9 @@ TEST(Mpi, TwoProcessesFindWhatOneFinds) {
 
 TEST(Mpi, ManyFactorisationsAndErrorsEndTheGroup) {
   // An adaptive loop factorises once a cycle; a scenario without supports fails in the first process only.
-  const Outcome loop = call(two + DOBRA_BIN_DIR "/mpi/quebra adapt " DOBRA_SOURCE_DIR "/resources/examples/quebra/edge_crack.toml --target 3% --max-cycles 8 --json --quiet");
+  const Outcome loop =
+      call(two + DOBRA_BIN_DIR "/mpi/quebra adapt " DOBRA_SOURCE_DIR
+                               "/resources/examples/quebra/edge_crack.toml --target 3% --max-cycles 8 --json --quiet");
   EXPECT_EQ(loop.code, 0) << loop.out;
   const Outcome missing = call(two + DOBRA_BIN_DIR "/mpi/quebra solve none.toml");
   EXPECT_EQ(missing.code, 3) << missing.out;

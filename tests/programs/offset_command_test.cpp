@@ -103,10 +103,12 @@ std::string rough_star(std::size_t count) {
 
 TEST_F(OffsetPrograms, TheTimeOfAContourThatCrossesItselfThousandsOfTimesGrowsWithItsCrossings) {
   const auto start = std::chrono::steady_clock::now();
-  const Outcome done = call("recon offset " + write("star.csv", rough_star(8192)) + " --closed --distance 1 --join bisector --quiet");
+  const Outcome done =
+      call("recon offset " + write("star.csv", rough_star(8192)) + " --closed --distance 1 --join bisector --quiet");
   EXPECT_EQ(done.code, 0) << done.said;
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  EXPECT_LT(took.count(), 30.0);  // s; some 2 without sanitizers, and minutes where vertices draw pieces from ever farther
+  EXPECT_LT(took.count(),
+            30.0);  // s; some 2 without sanitizers, and minutes where vertices draw pieces from ever farther
 }
 
 TEST_F(OffsetPrograms, ASignalEndsEveryPhaseOfALongRunSoonWith130AndLeavesNoFile) {
@@ -125,8 +127,8 @@ TEST_F(OffsetPrograms, ASignalEndsEveryPhaseOfALongRunSoonWith130AndLeavesNoFile
       const pid_t child = fork();
       if (child == 0) {
         unsetenv("DISPLAY");
-        execl(path.c_str(), program.c_str(), "offset", file.c_str(), "--closed", "--distance", "1", "--join", "round", "--verify",
-              "--dissolve", "--quiet", "--out", out.c_str(), nullptr);
+        execl(path.c_str(), program.c_str(), "offset", file.c_str(), "--closed", "--distance", "1", "--join", "round",
+              "--verify", "--dissolve", "--quiet", "--out", out.c_str(), nullptr);
         _exit(99);
       }
       std::this_thread::sleep_for(std::chrono::milliseconds(wait));
@@ -136,7 +138,7 @@ TEST_F(OffsetPrograms, ASignalEndsEveryPhaseOfALongRunSoonWith130AndLeavesNoFile
       ASSERT_EQ(waitpid(child, &status, 0), child);
       const std::chrono::duration<double> after = std::chrono::steady_clock::now() - asked;
       EXPECT_FALSE(fs::exists(out) && WEXITSTATUS(status) != 0);
-      if (WIFSIGNALED(status)) continue;  // on a busy machine it did not listen yet
+      if (WIFSIGNALED(status)) continue;    // on a busy machine it did not listen yet
       if (WEXITSTATUS(status) == 0) break;  // it was done before
       EXPECT_EQ(WEXITSTATUS(status), 130) << program << " " << wait;
       EXPECT_LT(after.count(), allowed) << program << " after " << wait << " ms";

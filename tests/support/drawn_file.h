@@ -25,7 +25,9 @@ class DrawnFile : public testing::Test {
   }
   ~DrawnFile() override { fs::remove_all(folder_); }
 
-  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name, std::ios::binary) << text; }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+  }
   /// The model of an [input] with these lines.
   [[nodiscard]] dobra::base::Result<Model> read(const std::string& input) const {
     const dobra::scenario::Run run = run_of(input);
@@ -59,7 +61,9 @@ inline double area_of(const Model& model) {
   return area;
 }
 
-inline std::string dxf(const std::string& entities, const std::string& header = "") { return header + "0\nSECTION\n2\nENTITIES\n" + entities + "0\nENDSEC\n0\nEOF\n"; }
+inline std::string dxf(const std::string& entities, const std::string& header = "") {
+  return header + "0\nSECTION\n2\nENTITIES\n" + entities + "0\nENDSEC\n0\nEOF\n";
+}
 inline std::string dxf_line(double x0, double y0, double x1, double y1, const std::string& layer = "0") {
   std::ostringstream text;
   text.precision(17);

@@ -237,7 +237,9 @@ inline const scenario::Program& program() {
         scenario::make_operation<Model, Nothing>("fail", "Fail", "Cannot be done.", fail)};
     p.results.draw = [](const scenario::State& state, scene::Picture& drawn) { drawn = picture(state); };
     p.results.quantities = [](const scenario::State& state, auto& list) { list = quantities(state); };
-    p.results.remarks = [](const scenario::State& state, auto& list) { list = scenario::model_of<Model>(state).remarks; };
+    p.results.remarks = [](const scenario::State& state, auto& list) {
+      list = scenario::model_of<Model>(state).remarks;
+    };
     p.results.tables = [](const scenario::State& state, auto& list) { list = tables(state); };
     p.results.outputs = [](const scenario::State& state, auto& list) { list = outputs(state); };
     return p;

@@ -1,6 +1,6 @@
 #pragma once
-// Contours of gmsh geometry files, as far as the corpus needs them: assignments, Point, Line, Circle (arcs below half a turn,
-// drawn with chords) and Line Loop; every other statement is passed over. For tests only.
+// Contours of gmsh geometry files, as far as the corpus needs them: assignments, Point, Line, Circle (arcs below half a
+// turn, drawn with chords) and Line Loop; every other statement is passed over. For tests only.
 
 #include <cctype>
 #include <cmath>

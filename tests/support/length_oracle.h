@@ -1,10 +1,10 @@
 #pragma once
-// How long a treated offset curve is, all pieces together, by brute force in O(n^3): each raw parallel, mitre edge, bevel at
-// distance D and arc is cut at all crossings with all others and with the left side and the caps; each part counts if nothing
-// hides its middle, and once if several parts coincide.
+// How long a treated offset curve is, all pieces together, by brute force in O(n^3): each raw parallel, mitre edge,
+// bevel at distance D and arc is cut at all crossings with all others and with the left side and the caps; each part
+// counts if nothing hides its middle, and once if several parts coincide.
 //
-// Ties are decided, not guessed: what long doubles leave open is asked again with a hundred digits, for D (1 + 2^-100) in place of D
-// (what just touches itself counts as closed). What is still equal then is the same by construction.
+// Ties are decided, not guessed: what long doubles leave open is asked again with a hundred digits, for D (1 + 2^-100)
+// in place of D (what just touches itself counts as closed). What is still equal then is the same by construction.
 
 #include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -21,7 +21,8 @@ namespace dobra::support {
 
 namespace detail {
 
-using Digits = boost::multiprecision::number<boost::multiprecision::cpp_bin_float_100::backend_type, boost::multiprecision::et_off>;
+using Digits = boost::multiprecision::number<boost::multiprecision::cpp_bin_float_100::backend_type,
+                                             boost::multiprecision::et_off>;
 
 template <class T>
 struct Vec {
@@ -152,17 +153,21 @@ class LengthOracle {
     const Digits sine = abs(cross(u, v));
     const bool back = turn == geom::Sign::Zero && cosine < 0;
     if (turn == geom::Sign::Zero && !back) return;
-    const long double angle = back ? std::acos(-1.0L) : std::atan2(static_cast<long double>(sine), static_cast<long double>(cosine));
+    const long double angle =
+        back ? std::acos(-1.0L) : std::atan2(static_cast<long double>(sine), static_cast<long double>(cosine));
     if (turn == geom::Sign::Negative) return arc(false, p(j), Digits(-1) * right(v), Digits(-1) * right(u), angle);
     if (back) arc(false, p(j), right(u), right(v), angle);
-    const Digits half = back ? Digits(0) : cosine > 0 ? Digits(sine / (1 + cosine)) : Digits((1 - cosine) / sine);  // tan(angle / 2)
+    const Digits half = back         ? Digits(0)
+                        : cosine > 0 ? Digits(sine / (1 + cosine))
+                                     : Digits((1 - cosine) / sine);  // tan(angle / 2)
     const Digits secant = detail::root(Digits(1 + half * half));
     const bool tips = options_.join == offset::Join::Bisector || options_.join == offset::Join::Mitre;
     const bool mitre = !back && tips && secant <= Digits(options_.tip_limit()) * (1 + Digits(1e-14));
     const bool tangent = !mitre && tips && options_.beyond_tip_limit() == offset::BeyondLimit::TangentBevel;
     if (!mitre && !tangent) return arc(true, p(j), right(u), right(v), angle);
     const Exact middle = back ? u : (1 / secant) * (right(u) + half * u);
-    mitres_.push_back({tangent, {p(j), right(u), right(v), middle}, {quick(p(j)), quick(right(u)), quick(right(v)), quick(middle)}});
+    mitres_.push_back(
+        {tangent, {p(j), right(u), right(v), middle}, {quick(p(j)), quick(right(u)), quick(right(v)), quick(middle)}});
     before = behind = exact_d_ * (mitre ? half : back ? Digits(1) : Digits(half / (1 + secant)));
     if (tangent) {
       const Exact foot = p(j) + exact_d_ * middle;

@@ -19,7 +19,8 @@ namespace dobra::support {
 /// Distance of two segments that do not cross; 0 if they do.
 inline double segment_distance(const geom::Segment& a, const geom::Segment& b) {
   if (geom::intersect(a, b).kind != geom::IntersectionKind::None) return 0.0;
-  return std::min({geom::distance(a, b.from), geom::distance(a, b.to), geom::distance(b, a.from), geom::distance(b, a.to)});
+  return std::min(
+      {geom::distance(a, b.from), geom::distance(a, b.to), geom::distance(b, a.from), geom::distance(b, a.to)});
 }
 
 /// Least distance of any point of `curve` (vertices and edges) from `base`.
@@ -66,8 +67,8 @@ inline double distance_to_any(const std::vector<geom::Polyline>& curves, geom::P
   return least;
 }
 
-/// Points at distance D on the right side of the base, off its segments, from which no part of the base is nearer: each of
-/// them lies on the true offset curve.
+/// Points at distance D on the right side of the base, off its segments, from which no part of the base is nearer: each
+/// of them lies on the true offset curve.
 inline std::vector<geom::Point> true_points(const geom::Polyline& base, double distance, int per_segment) {
   std::vector<geom::Point> points;
   for (std::size_t i = 0; i < base.segment_count(); ++i) {

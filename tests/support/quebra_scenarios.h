@@ -22,7 +22,9 @@ inline dobra::scenario::Run run(const std::string& text) {
   return runner.run(*document);
 }
 
-inline const Model& last(const dobra::scenario::Run& run) { return dobra::scenario::model_of<Model>(run.states.back()); }
+inline const Model& last(const dobra::scenario::Run& run) {
+  return dobra::scenario::model_of<Model>(run.states.back());
+}
 
 /// The engineering L of the reference list: clamped below, sheared on the right; energy 60.619 J.
 inline const std::string sheared_l = R"([input]

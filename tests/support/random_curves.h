@@ -29,11 +29,15 @@ class CurveMaker {
 
   RandomCase make() {
     using Make = void (CurveMaker::*)();
-    static constexpr Make makers[random_kinds] = {
-        &CurveMaker::walk, &CurveMaker::graph, &CurveMaker::star, &CurveMaker::rectilinear, &CurveMaker::backtracks,
-        &CurveMaker::crossing, &CurveMaker::collinear, &CurveMaker::neck, &CurveMaker::comb, &CurveMaker::spiral,
-        &CurveMaker::u_turns, &CurveMaker::duplicates, &CurveMaker::extremes, &CurveMaker::closed_rectilinear,
-        &CurveMaker::grid, &CurveMaker::blob, &CurveMaker::tiny_grid};
+    static constexpr Make makers[random_kinds] = {&CurveMaker::walk,       &CurveMaker::graph,
+                                                  &CurveMaker::star,       &CurveMaker::rectilinear,
+                                                  &CurveMaker::backtracks, &CurveMaker::crossing,
+                                                  &CurveMaker::collinear,  &CurveMaker::neck,
+                                                  &CurveMaker::comb,       &CurveMaker::spiral,
+                                                  &CurveMaker::u_turns,    &CurveMaker::duplicates,
+                                                  &CurveMaker::extremes,   &CurveMaker::closed_rectilinear,
+                                                  &CurveMaker::grid,       &CurveMaker::blob,
+                                                  &CurveMaker::tiny_grid};
     count_ = 5 + random_() % 60;
     c_.distance = 0.05 + 0.8 * real();
     (this->*makers[seed_ % random_kinds])();
@@ -112,7 +116,7 @@ class CurveMaker {
     const double l = c_.distance * whole(1, 6);
     // A dumbbell with its neck along x, turned by quarter turns or by any angle.
     points() = {{-l - 2 * r, -r}, {-l, -r}, {-l, -half}, {l, -half}, {l, -r}, {l + 2 * r, -r},
-                {l + 2 * r, r}, {l, r}, {l, half}, {-l, half}, {-l, r}, {-l - 2 * r, r}};
+                {l + 2 * r, r},   {l, r},   {l, half},   {-l, half}, {-l, r}, {-l - 2 * r, r}};
     if (random_() % 2 == 0) turn(random_() % 2 == 0 ? 0.5 * std::numbers::pi : real());
     if (random_() % 2 == 0) std::reverse(points().begin(), points().end());
     if (random_() % 3 == 0) {  // a slit: the neck alone, open

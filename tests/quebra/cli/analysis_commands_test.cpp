@@ -60,10 +60,14 @@ TEST_F(AnalysisCommands, ALoopWithoutAStepOfItsOwnObeysTheMeshStep) {
   // Options win.
   const auto coarse = call({"adapt", example, "--target", "50%", "--size", "0.5", "--json"});
   const auto fine = call({"adapt", example, "--target", "50%", "--json"});
-  const auto elements = [](const auto& done) { return Json::parse(done.out)["quantities"]["elements"]["value"].template get<double>(); };
+  const auto elements = [](const auto& done) {
+    return Json::parse(done.out)["quantities"]["elements"]["value"].template get<double>();
+  };
   EXPECT_LT(elements(coarse), elements(fine));
   // A step of the loop's own says all.
-  const std::string own = put("own.toml", "dobra = 1\nprogram = \"quebra\"\n" + core::test::sheared_l + "[[step]]\noperation = \"mesh\"\nsize = 2.0\n[[step]]\noperation = \"adapt\"\ntarget = 60.0\n");
+  const std::string own = put(
+      "own.toml", "dobra = 1\nprogram = \"quebra\"\n" + core::test::sheared_l +
+                      "[[step]]\noperation = \"mesh\"\nsize = 2.0\n[[step]]\noperation = \"adapt\"\ntarget = 60.0\n");
   const auto done = call({"adapt", own, "--json"});
   EXPECT_EQ(done.err.find("the loop takes"), std::string::npos) << done.err;
   EXPECT_LT(elements(done), 500.0);
@@ -113,8 +117,13 @@ kind = "pressure"
 value = 1.0
 )");
   const std::string crack = "[[step]]\noperation = \"crack\"\n";
-  const std::string whole = put("whole.toml", text("plate.toml") + "[[step]]\noperation = \"mesh\"\norder = \"2\"\nrosettes = \"yes\"\n[[step]]\noperation = \"analyse\"\n" + crack);
-  const std::string loop = put("loop.toml", text("plate.toml") + "[[step]]\noperation = \"adapt\"\nrosettes = \"yes\"\ntarget = 50.0\n" + crack);
+  const std::string whole =
+      put("whole.toml",
+          text("plate.toml") +
+              "[[step]]\noperation = \"mesh\"\norder = \"2\"\nrosettes = \"yes\"\n[[step]]\noperation = \"analyse\"\n" +
+              crack);
+  const std::string loop = put(
+      "loop.toml", text("plate.toml") + "[[step]]\noperation = \"adapt\"\nrosettes = \"yes\"\ntarget = 50.0\n" + crack);
   for (const std::string& file : {plate, loop}) {
     const auto done = call({"crack", file, "--json"});
     EXPECT_EQ(done.code, 1) << done.err;
@@ -129,7 +138,8 @@ value = 1.0
     EXPECT_EQ(refused["x [m]"], 2.5);
     EXPECT_NE(refused["reason"].get<std::string>().find("two materials meet at the tip"), std::string::npos);
     EXPECT_EQ(refused.size(), 5u) << refused;  // case, tip, x, y, reason
-    EXPECT_NE(done.err.find("crack tip 'other_end' at (2.5, 1.5) has no K: two materials meet"), std::string::npos) << done.err;
+    EXPECT_NE(done.err.find("crack tip 'other_end' at (2.5, 1.5) has no K: two materials meet"), std::string::npos)
+        << done.err;
   }
   const auto ran = call({"run", whole, "--out", path("out"), "--pictures", "none", "--json"});
   EXPECT_EQ(ran.code, 1) << ran.err;
@@ -140,11 +150,15 @@ value = 1.0
 
 TEST_F(AnalysisCommands, RunAndSolveEndWithOneTooIfALoopMissesItsTarget) {
   const auto scenario = [&](double target) {
-    return put("loop.toml", "dobra = 1\nprogram = \"quebra\"\n" + core::test::sheared_l + "[[step]]\noperation = \"adapt\"\nmax_cycles = 1\ntarget = " + std::to_string(target) + "\n");
+    return put("loop.toml", "dobra = 1\nprogram = \"quebra\"\n" + core::test::sheared_l +
+                                "[[step]]\noperation = \"adapt\"\nmax_cycles = 1\ntarget = " + std::to_string(target) +
+                                "\n");
   };
   for (const std::string command : {"run", "solve"}) {
     const auto words = [&](const std::string& file) {
-      return command == "run" ? std::vector<std::string>{"run", file, "--out", path("out"), "--pictures", "none", "--json"} : std::vector<std::string>{"solve", file, "--json"};
+      return command == "run"
+                 ? std::vector<std::string>{"run", file, "--out", path("out"), "--pictures", "none", "--json"}
+                 : std::vector<std::string>{"solve", file, "--json"};
     };
     const auto missed = call(words(scenario(1.0)));
     EXPECT_EQ(missed.code, 1) << missed.err;
@@ -158,7 +172,10 @@ TEST_F(AnalysisCommands, RunAndSolveEndWithOneTooIfALoopMissesItsTarget) {
 TEST_F(AnalysisCommands, ALoopThatMissesIsNotForgivenByAnEasierOneButByGoingOn) {
   const auto ends_with = [&](const std::string& second) {
     const std::string loop = "[[step]]\noperation = \"adapt\"\n";
-    return call({"run", put("twice.toml", "dobra = 1\nprogram = \"quebra\"\n" + core::test::sheared_l + loop + "max_cycles = 1\ntarget = 5.0\n" + loop + second), "--out", path("out"), "--pictures", "none", "--json"});
+    return call({"run",
+                 put("twice.toml", "dobra = 1\nprogram = \"quebra\"\n" + core::test::sheared_l + loop +
+                                       "max_cycles = 1\ntarget = 5.0\n" + loop + second),
+                 "--out", path("out"), "--pictures", "none", "--json"});
   };
   EXPECT_EQ(ends_with("target = 50.0\n").code, 1);
   for (const char* const target : {"5.0", "50.0"}) {  // with more cycles, and without
@@ -188,7 +205,8 @@ TEST_F(AnalysisCommands, AKnownEnergyTellsTheEffectivityOfEveryCycle) {
 }
 
 TEST_F(AnalysisCommands, EveryLoadCaseHasItsRowsInTheTableOfCycles) {
-  const std::string two = put("two.toml", "dobra = 1\nprogram = \"quebra\"\n" + core::test::sheared_l + "[[step.load]]\nwhere = \"right\"\ny = 20.0\ncase = \"twice\"\n");
+  const std::string two = put("two.toml", "dobra = 1\nprogram = \"quebra\"\n" + core::test::sheared_l +
+                                              "[[step.load]]\nwhere = \"right\"\ny = 20.0\ncase = \"twice\"\n");
   const auto loop = [&](const std::vector<std::string>& energies) {
     std::vector<std::string> words{"adapt", two, "--target", "5%", "--json"};
     for (const std::string& energy : energies) words.insert(words.end(), {"--exact-energy", energy});
@@ -216,34 +234,40 @@ TEST_F(AnalysisCommands, EveryLoadCaseHasItsRowsInTheTableOfCycles) {
   const Json some = Json::parse(one.out);
   EXPECT_FALSE(some["analyses"][0].contains("effectivity"));
   EXPECT_EQ(some["analyses"][1]["effectivity"], rows[1]["effectivity"]);
-  EXPECT_NE(some["remarks"].dump().find("load case 'load': its exact energy is not given"), std::string::npos) << some["remarks"];
+  EXPECT_NE(some["remarks"].dump().find("load case 'load': its exact energy is not given"), std::string::npos)
+      << some["remarks"];
   EXPECT_EQ(some["remarks"].dump().find("load case 'twice'"), std::string::npos);
-  refuses({"adapt", two, "--exact-energy", "1"}, 3, {"1 values for 2 load cases", "load, twice", "0 where it is not known"});
+  refuses({"adapt", two, "--exact-energy", "1"}, 3,
+          {"1 values for 2 load cases", "load, twice", "0 where it is not known"});
   refuses({"adapt", two, "--exact-energy", "0", "--exact-energy", "0"}, 3, {"for every load case"});
   refuses({"adapt", two, "--exact-energy", "1", "--exact-energy=-1"}, 3, {"load case 'twice'", "less than 0"});
 }
 
 TEST_F(AnalysisCommands, TheCurveAndAnyCycleAreDrawn) {
-  const auto drawn = call({"adapt", l_shape(), "--target", "10%", "--curve", path("curve.svg"), "--picture", path("first.svg"), "--cycle", "1"});
+  const auto drawn = call({"adapt", l_shape(), "--target", "10%", "--curve", path("curve.svg"), "--picture",
+                           path("first.svg"), "--cycle", "1"});
   EXPECT_EQ(drawn.code, 0) << drawn.err;
   EXPECT_NE(text("curve.svg").find("</svg>"), std::string::npos);
   EXPECT_NE(text("first.svg").find("</svg>"), std::string::npos);
   refuses({"adapt", l_shape(), "--cycle", "1"}, 2, {"--cycle", "give --picture FILE"});
   refuses({"adapt", l_shape(), "--curve", path("curve.xyz")}, 2, {"curve.xyz", ".svg, .pdf or .png"});
-  refuses({"adapt", l_shape(), "--target", "20%", "--picture", path("none.svg"), "--cycle", "9"}, 3, {"there is no cycle 9"});
+  refuses({"adapt", l_shape(), "--target", "20%", "--picture", path("none.svg"), "--cycle", "9"}, 3,
+          {"there is no cycle 9"});
   EXPECT_FALSE(exists("none.svg"));
 }
 
 TEST_F(AnalysisCommands, ALineAndAProbeAreRead) {
   const std::string scenario = l_shape();
-  const auto read = call({"adapt", scenario, "--target", "20%", "--line", "10,60,40,60", "--samples", "4", "--out", path("line.csv"), "--probe", "10,60", "--json"});
+  const auto read = call({"adapt", scenario, "--target", "20%", "--line", "10,60,40,60", "--samples", "4", "--out",
+                          path("line.csv"), "--probe", "10,60", "--json"});
   ASSERT_EQ(read.code, 0) << read.err;
   const Json json = Json::parse(read.out);
   ASSERT_EQ(json["line_command"].size(), 4u);
   EXPECT_EQ(json["line_command"][0]["u_x [m]"], json["quantities"]["probe.1.load.u_x"]["value"]);
   const std::string lines = text("line.csv");
   EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 5);
-  const auto partly = call({"adapt", scenario, "--target", "20%", "--line", "-30,60,10,60", "--samples", "5", "--json"});
+  const auto partly =
+      call({"adapt", scenario, "--target", "20%", "--line", "-30,60,10,60", "--samples", "5", "--json"});
   ASSERT_EQ(partly.code, 0) << partly.err;
   const Json some = Json::parse(partly.out);
   const std::string remark = "line 'command': 3 of its 5 points lie outside the material and are left out";
@@ -287,7 +311,9 @@ y = 1.0
 where = "bottom"
 y = -1.0
 )";
-std::string step(const std::string& operation, const std::string& params = "") { return "[[step]]\noperation = \"" + operation + "\"\n" + params; }
+std::string step(const std::string& operation, const std::string& params = "") {
+  return "[[step]]\noperation = \"" + operation + "\"\n" + params;
+}
 
 TEST_F(AnalysisCommands, StepsThatACommandStandsOnAreAddedAndTold) {
   const std::string mesh = step("mesh", "size = 0.3\n"), analyse = step("analyse");
@@ -314,26 +340,33 @@ TEST_F(AnalysisCommands, StepsThatACommandStandsOnAreAddedAndTold) {
   EXPECT_EQ(whole.err.find("of the steps"), std::string::npos) << whole.err;
   // Materials and loads cannot be guessed.
   const std::string none = put("none.toml", "dobra = 1\nprogram = \"quebra\"\n[input]\nspecimen = \"l_shape\"\n");
-  for (const std::string command : {"solve", "crack", "adapt"}) refuses({command, none}, 3, {"none.toml", "no step 'problem'"});
+  for (const std::string command : {"solve", "crack", "adapt"})
+    refuses({command, none}, 3, {"none.toml", "no step 'problem'"});
 }
 
 TEST_F(AnalysisCommands, AMeshThatIsAddedHoldsWhatElementsOfTheFirstOrderDoNot) {
   for (const std::string poisson : {"0.3", "0.49", "0.4999999"}) {
-    const std::string file = put("bar.toml", "dobra = 1\nprogram = \"quebra\"\n[input]\nspecimen = \"l_shape\"\n" + step("problem", "state = \"strain\"\n[[step.material]]\nyoung = 1.0\npoisson = " + poisson +
-                                 "\n[[step.support]]\nwhere = \"bottom\"\nx = 0.0\ny = 0.0\n[[step.load]]\nwhere = \"right\"\ny = 1.0\n"));
+    const std::string file =
+        put("bar.toml", "dobra = 1\nprogram = \"quebra\"\n[input]\nspecimen = \"l_shape\"\n" +
+                            step("problem", "state = \"strain\"\n[[step.material]]\nyoung = 1.0\npoisson = " + poisson +
+                                                "\n[[step.support]]\nwhere = \"bottom\"\nx = 0.0\ny = "
+                                                "0.0\n[[step.load]]\nwhere = \"right\"\ny = 1.0\n"));
     const auto done = call({"solve", file, "--json"});
     EXPECT_EQ(done.code, 0) << poisson << done.err;
     EXPECT_EQ(done.out.find("analysis.inp"), std::string::npos) << poisson;  // that no file of this command
     // Who asks for the first order is refused as before.
-    const auto first = call({"solve", put("first.toml", *dobra::io::read_text(file) + step("mesh", "size = 20.0\norder = \"1\"\n"))});
+    const auto first =
+        call({"solve", put("first.toml", *dobra::io::read_text(file) + step("mesh", "size = 20.0\norder = \"1\"\n"))});
     EXPECT_EQ(first.code == 0, poisson == "0.3") << poisson << first.err;
   }
 }
 
 TEST_F(AnalysisCommands, ProbesAndLinesOfTheFileArePrinted) {
   const std::string mesh = step("mesh", "size = 0.3\n"), analyse = step("analyse");
-  const std::string probe = step("probe", "label = \"mine\"\nat = [0.75, 0.0]\n") + step("line", "label = \"ahead\"\nfrom = [0.5, 0.0]\nto = [1.0, 0.0]\ncount = 3\n");
-  for (const std::string& steps : {mesh + analyse + probe, mesh + probe, probe, mesh + analyse + step("view") + probe, mesh + analyse + probe + step("crack")}) {
+  const std::string probe = step("probe", "label = \"mine\"\nat = [0.75, 0.0]\n") +
+                            step("line", "label = \"ahead\"\nfrom = [0.5, 0.0]\nto = [1.0, 0.0]\ncount = 3\n");
+  for (const std::string& steps : {mesh + analyse + probe, mesh + probe, probe, mesh + analyse + step("view") + probe,
+                                   mesh + analyse + probe + step("crack")}) {
     const std::string file = put("plate.toml", cracked + steps);
     for (const std::string command : {"solve", "crack"}) {
       const auto done = call({command, file, "--json", "--probe", "0.75,0"});

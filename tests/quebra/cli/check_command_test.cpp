@@ -40,7 +40,8 @@ TEST_F(CheckCommand, AnInvertedElementIsAFaultWithItsNumberAndPlace) {
 }
 
 TEST_F(CheckCommand, AGapIsClosedUpToTheLimitGiven) {
-  const std::string open = put("open.geojson", R"({"type":"LineString","coordinates":[[0,0],[10,0],[10,8],[0,8],[0,0.5]]})");
+  const std::string open =
+      put("open.geojson", R"({"type":"LineString","coordinates":[[0,0],[10,0],[10,8],[0,8],[0,0.5]]})");
   refuses({"check", open, "--repair"}, 3, {"a gap of 0.5 m between (0, 0)", "(0, 0.5)", "--gap"});
   refuses({"check", open, "--gap", "0.6"}, 3, {"give --repair"});
   refuses({"check", open, "--repair", "--gap", "-1"}, 3, {"'gap' must be greater than 0 m, found -1.0 m"});
@@ -117,9 +118,12 @@ x = 0.0
   EXPECT_EQ(json["curves"][2]["to"], (Json{3.0, 1.0}));
   EXPECT_EQ(json["points"], Json::array({{{"name", "gauge"}, {"at", {3.5, 0.5}}}}));
   EXPECT_EQ(json["regions"][0]["name"], "steel");
-  for (const std::string name : {"outline", "hole", "slit", "gauge", "steel"}) EXPECT_NE(text("names.svg").find(name), std::string::npos) << name;
+  for (const std::string name : {"outline", "hole", "slit", "gauge", "steel"})
+    EXPECT_NE(text("names.svg").find(name), std::string::npos) << name;
   const auto plain = call({"check", file});
-  for (const std::string line : {"'outline'", "side from (4, 0) to (4, 2)", "lips slit_left, slit_right", "point     at (3.5, 0.5)"}) EXPECT_NE(plain.out.find(line), std::string::npos) << line << plain.out;
+  for (const std::string line :
+       {"'outline'", "side from (4, 0) to (4, 2)", "lips slit_left, slit_right", "point     at (3.5, 0.5)"})
+    EXPECT_NE(plain.out.find(line), std::string::npos) << line << plain.out;
 }
 
 /// Middle of a text of an SVG picture; nothing if it is not drawn.
@@ -132,17 +136,24 @@ std::optional<std::pair<double, double>> place_of(const std::string& svg, const 
 
 TEST_F(CheckCommand, EveryNameHasItsPlaceInThePicture) {
   // A region's name, a crack and a point at one place; curves whose halves of length are corners; many small ones.
-  const auto curve = [](const std::string& name, const std::string& more) { return "[[input.curve]]\nname = \"" + name + "\"\n" + more; };
+  const auto curve = [](const std::string& name, const std::string& more) {
+    return "[[input.curve]]\nname = \"" + name + "\"\n" + more;
+  };
   const std::string head = "dobra = 1\nprogram = \"quebra\"\n";
   const std::string square = curve("outline", "kind = \"polygon\"\npoints = [[0, 0], [4, 0], [4, 4], [0, 4]]\n");
-  const std::string middle = "[[input.crack]]\nname = \"slit\"\npoints = [[1.5, 2], [2.5, 2]]\n[[input.region]]\nname = \"steel\"\npoint = [2, 2.2]\n[[input.point]]\nname = \"gauge\"\npoint = [2, 2.3]\n";
+  const std::string middle =
+      "[[input.crack]]\nname = \"slit\"\npoints = [[1.5, 2], [2.5, 2]]\n[[input.region]]\nname = \"steel\"\npoint = "
+      "[2, 2.2]\n[[input.point]]\nname = \"gauge\"\npoint = [2, 2.3]\n";
   std::string holes;
   std::vector<std::string> many{"outline"};
   for (int i = 0; i < 5; ++i) {
     many.push_back("bore_" + std::to_string(i));
-    holes += curve(many.back(), fmt::format("kind = \"circle\"\nrole = \"hole\"\ncentre = [{}, 3.0]\nradius = 0.05\n", 1.0 + 0.2 * i));
+    holes += curve(many.back(), fmt::format("kind = \"circle\"\nrole = \"hole\"\ncentre = [{}, 3.0]\nradius = 0.05\n",
+                                            1.0 + 0.2 * i));
   }
-  for (const auto& [text_of, names] : {std::pair{square + middle, std::vector<std::string>{"outline", "slit", "steel", "gauge"}}, std::pair{square + holes, many}}) {
+  for (const auto& [text_of, names] :
+       {std::pair{square + middle, std::vector<std::string>{"outline", "slit", "steel", "gauge"}},
+        std::pair{square + holes, many}}) {
     ASSERT_EQ(call({"check", put("names.toml", head + text_of), "--picture", path("names.svg")}).code, 0);
     const std::string svg = text("names.svg");
     std::set<std::pair<double, double>> places;
@@ -155,19 +166,23 @@ TEST_F(CheckCommand, EveryNameHasItsPlaceInThePicture) {
 }
 
 TEST_F(CheckCommand, NamesOfDrawingsAreListedAndBadOnesRefused) {
-  const std::string lines = "<svg><line id=\"bottom\" x1=\"0\" y1=\"0\" x2=\"2\" y2=\"0\"/><line id=\"right\" x1=\"2\" y1=\"0\" x2=\"2\" y2=\"-1\"/>"
-                            "<polyline id=\"rest\" points=\"2,-1 0,-1 0,0\"/><line id=\"seam\" x1=\"1\" y1=\"0\" x2=\"1\" y2=\"-1\"/></svg>";
+  const std::string lines =
+      "<svg><line id=\"bottom\" x1=\"0\" y1=\"0\" x2=\"2\" y2=\"0\"/><line id=\"right\" x1=\"2\" y1=\"0\" x2=\"2\" "
+      "y2=\"-1\"/>"
+      "<polyline id=\"rest\" points=\"2,-1 0,-1 0,0\"/><line id=\"seam\" x1=\"1\" y1=\"0\" x2=\"1\" y2=\"-1\"/></svg>";
   const auto drawn = call({"check", put("plate.svg", lines), "--json"});
   ASSERT_EQ(drawn.code, 0) << drawn.err;
   const Json json = Json::parse(drawn.out);
   EXPECT_EQ(json["parts"], 2);
   std::map<std::string, std::string> kinds;
   for (const Json& curve : json["curves"]) kinds[curve["name"]] = curve["kind"];
-  EXPECT_EQ(kinds, (std::map<std::string, std::string>{{"bottom", "boundary"}, {"right", "boundary"}, {"rest", "boundary"}, {"seam", "internal"}}));
+  EXPECT_EQ(kinds, (std::map<std::string, std::string>{
+                       {"bottom", "boundary"}, {"right", "boundary"}, {"rest", "boundary"}, {"seam", "internal"}}));
   refuses({"check", path("none.svg")}, 3, {"none.svg"});
   refuses({"check", put("open.csv", "0,0\n1,0\n1,1\n")}, 3, {"no curve closes", "--closed"});
   EXPECT_EQ(call({"check", path("open.csv"), "--closed"}).code, 0);
-  refuses({"check", square("1, 1, 2, 5\n2, 2, 3, 5\n3, 3, 4, 5\n4, 4, 1, 5\n"), "--picture", path("m.svg")}, 2, {"--picture"});
+  refuses({"check", square("1, 1, 2, 5\n2, 2, 3, 5\n3, 3, 4, 5\n4, 4, 1, 5\n"), "--picture", path("m.svg")}, 2,
+          {"--picture"});
 }
 
 }  // namespace

@@ -299,13 +299,17 @@ x = 1.0
   ASSERT_EQ(last(stepped).analyses.size(), cycles);
   EXPECT_EQ(last(stepped).analyses.back()->eta, last(done).analyses.back()->eta);
   const auto& remarks = last(stepped).remarks;
-  EXPECT_EQ(std::count_if(remarks.begin(), remarks.end(), [](const std::string& text) { return text.find("does not settle") != std::string::npos; }), 1);
+  EXPECT_EQ(std::count_if(remarks.begin(), remarks.end(),
+                          [](const std::string& text) { return text.find("does not settle") != std::string::npos; }),
+            1);
 }
 
 TEST(Adaptivity, EveryTipHasARosetteOfItsOwn) {
   // A long crack and one of a tenth: what the short one needs is not asked of the long one.
-  const std::string plate = "[input]\nspecimen = \"single_edge_notch\"\n[[input.crack]]\nname = \"short\"\npoints = [[0, 1], [0.05, 1]]\n" + point("anchor", 1, 0) + point("guide", 1, -1.5) + problem +
-                            support("anchor", "x = 0.0\ny = 0.0") + support("guide", "x = 0.0") + load("top", "y = 1.0") + load("bottom", "y = -1.0");
+  const std::string plate =
+      "[input]\nspecimen = \"single_edge_notch\"\n[[input.crack]]\nname = \"short\"\npoints = [[0, 1], [0.05, 1]]\n" +
+      point("anchor", 1, 0) + point("guide", 1, -1.5) + problem + support("anchor", "x = 0.0\ny = 0.0") +
+      support("guide", "x = 0.0") + load("top", "y = 1.0") + load("bottom", "y = -1.0");
   const scenario::Run done = run(plate + adapt_step(0.3, "rosettes = \"yes\"\ntip_radius = 0.008\npeaks = \"no\"\n"));
   EXPECT_LE(figures(done).at("eta"), 0.3);
   const auto& mesh = last(done).analyses.back()->meshed->mesh;
@@ -315,7 +319,8 @@ TEST(Adaptivity, EveryTipHasARosetteOfItsOwn) {
     for (std::size_t e = 0; e < mesh.element_count(); ++e) {
       const auto corners = mesh.nodes_of(mesh::ElementId(e)).first(3);
       if (std::find(corners.begin(), corners.end(), tip.node) == corners.end()) continue;
-      for (const mesh::NodeId node : corners) radius = std::max(radius, distance(mesh.point(node), mesh.point(tip.node)));
+      for (const mesh::NodeId node : corners)
+        radius = std::max(radius, distance(mesh.point(node), mesh.point(tip.node)));
     }
     radii.push_back(radius);
     printf("[ figures  ] %s: tip elements of %.3g\n", tip.name.c_str(), radius);
@@ -325,15 +330,23 @@ TEST(Adaptivity, EveryTipHasARosetteOfItsOwn) {
 }
 
 TEST(Adaptivity, APeakThatComesUpOrMovesIsNoStall) {
-  const std::string disc = "[input]\nspecimen = \"brazilian_disc\"\nangle = 20.0\n[[step]]\noperation = \"problem\"\n[[step.material]]\nyoung = 1000.0\npoisson = 0.3\n"
-                           "[[step.support]]\nwhere = \"load_lower\"\nx = 0.0\ny = 0.0\n[[step.support]]\nwhere = \"load_upper\"\nx = 0.0\n[[step.load]]\nwhere = \"load_upper\"\nkind = \"force\"\ny = -1.0\n";
-  const std::string plate = "[input]\nspecimen = \"quarter_plate\"\nwidth = 4.0\nradius = 1.0\n[[step]]\noperation = \"problem\"\nstate = \"stress\"\n[[step.material]]\nyoung = 1000.0\npoisson = 0.3\n"
-                            "[[step.support]]\nwhere = \"left\"\nnormal = 0.0\n[[step.support]]\nwhere = \"bottom\"\nnormal = 0.0\n"
-                            "[[step.load]]\nwhere = \"right\"\nkind = \"kirsch\"\nvalue = 1.0\nradius = 1.0\n[[step.load]]\nwhere = \"top\"\nkind = \"kirsch\"\nvalue = 1.0\nradius = 1.0\n";
-  for (const double target : {7.0, 6.0, 5.0}) EXPECT_FALSE(last(run(disc + adapt_step(target))).short_of_target) << target;
+  const std::string disc =
+      "[input]\nspecimen = \"brazilian_disc\"\nangle = 20.0\n[[step]]\noperation = "
+      "\"problem\"\n[[step.material]]\nyoung = 1000.0\npoisson = 0.3\n"
+      "[[step.support]]\nwhere = \"load_lower\"\nx = 0.0\ny = 0.0\n[[step.support]]\nwhere = \"load_upper\"\nx = "
+      "0.0\n[[step.load]]\nwhere = \"load_upper\"\nkind = \"force\"\ny = -1.0\n";
+  const std::string plate =
+      "[input]\nspecimen = \"quarter_plate\"\nwidth = 4.0\nradius = 1.0\n[[step]]\noperation = \"problem\"\nstate = "
+      "\"stress\"\n[[step.material]]\nyoung = 1000.0\npoisson = 0.3\n"
+      "[[step.support]]\nwhere = \"left\"\nnormal = 0.0\n[[step.support]]\nwhere = \"bottom\"\nnormal = 0.0\n"
+      "[[step.load]]\nwhere = \"right\"\nkind = \"kirsch\"\nvalue = 1.0\nradius = 1.0\n[[step.load]]\nwhere = "
+      "\"top\"\nkind = \"kirsch\"\nvalue = 1.0\nradius = 1.0\n";
+  for (const double target : {7.0, 6.0, 5.0})
+    EXPECT_FALSE(last(run(disc + adapt_step(target))).short_of_target) << target;
   for (const double target : {10.0, 8.0, 5.0}) {
     for (const char* const rule : {"rule = \"equal\"\n", "rule = \"optimal\"\n"})
-      EXPECT_FALSE(last(run(plate + adapt_step(target, std::string("order = \"1\"\n") + rule))).short_of_target) << target << ' ' << rule;
+      EXPECT_FALSE(last(run(plate + adapt_step(target, std::string("order = \"1\"\n") + rule))).short_of_target)
+          << target << ' ' << rule;
   }
 }
 
@@ -357,7 +370,9 @@ TEST(Adaptivity, NoCycleHasManyMoreUnknownsThanTheLast) {
         EXPECT_FALSE(last(done).short_of_target) << name << ' ' << more << target;
         EXPECT_LE(most, 1.5 * unknowns_of(*analyses.back())) << name << ' ' << more << target;
         EXPECT_LE(analyses.size(), 8U) << name << ' ' << more << target;
-        printf("[ figures  ] %s%s to %g %%: cycles %zu, unknowns %g, at most %g, eta %.3f %%\n", name, *more != 0 ? ", rosettes" : "", target, analyses.size(), unknowns_of(*analyses.back()), most, 100.0 * analyses.back()->eta);
+        printf("[ figures  ] %s%s to %g %%: cycles %zu, unknowns %g, at most %g, eta %.3f %%\n", name,
+               *more != 0 ? ", rosettes" : "", target, analyses.size(), unknowns_of(*analyses.back()), most,
+               100.0 * analyses.back()->eta);
       }
     }
   }
@@ -371,12 +386,22 @@ struct Known {
 
 /// Problems with an energy in closed form.
 std::vector<Known> known_energies() {
-  const std::string kirsch = "[input]\nspecimen = \"quarter_plate\"\nwidth = 4.0\nradius = 1.0\n[[step]]\noperation = \"problem\"\nstate = \"strain\"\n[[step.material]]\nyoung = 1000.0\npoisson = 0.3\n" +
-                             support("left", "normal = 0.0") + support("bottom", "normal = 0.0") + load("right", "kind = \"kirsch\"\nvalue = 1.0\nradius = 1.0") + load("top", "kind = \"kirsch\"\nvalue = 1.0\nradius = 1.0");
-  const std::string corner = "[[input.curve]]\nname = \"face_1\"\npoints = [[0, 0], [1, 0]]\n[[input.curve]]\nname = \"loaded\"\npoints = [[1, 0], [1, 1], [-1, 1], [-1, -1], [0, -1]]\n"
-                             "[[input.curve]]\nname = \"face_2\"\npoints = [[0, -1], [0, 0]]\n" + point("origin", 0, 0) + point("far", 0, 1) +
-                             "[[step]]\noperation = \"problem\"\nstate = \"strain\"\n[[step.material]]\nyoung = 1.0\n" + support("origin", "x = 0.0\ny = 0.0") + support("far", "x = 0.0") + load("loaded", "kind = \"l_shape\"");
-  return {{"plate with a hole", kirsch, 0.00769365372642}, {"corner of 270 degrees", corner, 4.15454423}, {"crack tip", tip_plate, tip_plate_energy()}};
+  const std::string kirsch =
+      "[input]\nspecimen = \"quarter_plate\"\nwidth = 4.0\nradius = 1.0\n[[step]]\noperation = \"problem\"\nstate = "
+      "\"strain\"\n[[step.material]]\nyoung = 1000.0\npoisson = 0.3\n" +
+      support("left", "normal = 0.0") + support("bottom", "normal = 0.0") +
+      load("right", "kind = \"kirsch\"\nvalue = 1.0\nradius = 1.0") +
+      load("top", "kind = \"kirsch\"\nvalue = 1.0\nradius = 1.0");
+  const std::string corner =
+      "[[input.curve]]\nname = \"face_1\"\npoints = [[0, 0], [1, 0]]\n[[input.curve]]\nname = \"loaded\"\npoints = "
+      "[[1, 0], [1, 1], [-1, 1], [-1, -1], [0, -1]]\n"
+      "[[input.curve]]\nname = \"face_2\"\npoints = [[0, -1], [0, 0]]\n" +
+      point("origin", 0, 0) + point("far", 0, 1) +
+      "[[step]]\noperation = \"problem\"\nstate = \"strain\"\n[[step.material]]\nyoung = 1.0\n" +
+      support("origin", "x = 0.0\ny = 0.0") + support("far", "x = 0.0") + load("loaded", "kind = \"l_shape\"");
+  return {{"plate with a hole", kirsch, 0.00769365372642},
+          {"corner of 270 degrees", corner, 4.15454423},
+          {"crack tip", tip_plate, tip_plate_energy()}};
 }
 
 /// The true error, %.
@@ -395,7 +420,11 @@ TEST(Adaptivity, WhatIsReachedIsReachedInTruth) {
         const Analysis& analysis = *last(done).analyses.back();
         EXPECT_FALSE(last(done).short_of_target) << known.name << ' ' << more << target;
         EXPECT_LE(true_eta(analysis, known.energy), target) << known.name << ' ' << more << target;
-        printf("[ figures  ] %s, %sto %g %%: cycles %zu, unknowns %g, eta %.3f %%, true %.3f %%\n", known.name, *more == 'o' ? "T3 " : *more == 'r' ? "rosettes " : "", target, last(done).analyses.size(), unknowns_of(analysis), 100.0 * analysis.eta,
+        printf("[ figures  ] %s, %sto %g %%: cycles %zu, unknowns %g, eta %.3f %%, true %.3f %%\n", known.name,
+               *more == 'o'   ? "T3 "
+               : *more == 'r' ? "rosettes "
+                              : "",
+               target, last(done).analyses.size(), unknowns_of(analysis), 100.0 * analysis.eta,
                true_eta(analysis, known.energy));
       }
     }
@@ -404,7 +433,10 @@ TEST(Adaptivity, WhatIsReachedIsReachedInTruth) {
 
 TEST(Adaptivity, AnEstimateBelowTheTargetIsNotReachedWithoutItsMargin) {
   for (const Known& known : known_energies()) {
-    const auto once = [&](double target) { return run(known.text + "[[step]]\noperation = \"adapt\"\nmax_cycles = 1\ntarget = " + std::to_string(target) + "\n"); };
+    const auto once = [&](double target) {
+      return run(known.text + "[[step]]\noperation = \"adapt\"\nmax_cycles = 1\ntarget = " + std::to_string(target) +
+                 "\n");
+    };
     const double eta = figures(once(90.0)).at("eta");
     const scenario::Run near = once(1.05 * eta);
     EXPECT_TRUE(last(near).short_of_target) << known.name;
@@ -424,14 +456,15 @@ TEST(Adaptivity, WhatDoesNotFitIntoMemoryLeavesTheCyclesBeforeIt) {
 }
 
 TEST(Adaptivity, WhoStopsTheLoopKeepsItsCyclesAndTheyAreNotRemembered) {
-  const auto document = scenario::parse_document("dobra = 1\nprogram = \"quebra\"\n" + sheared_l + adapt_step(0.5), "test.toml").value();
+  const auto document =
+      scenario::parse_document("dobra = 1\nprogram = \"quebra\"\n" + sheared_l + adapt_step(0.5), "test.toml").value();
   scenario::Runner runner(program());
   const base::CancelToken token;
   std::vector<std::string> told;
   const scenario::Run stopped = runner.run(document, base::Progress(token, [&](double, const std::string& what) {
-    if (what.ends_with('\n')) told.push_back(what);
-    if (told.size() == 2) token.cancel();
-  }));
+                                             if (what.ends_with('\n')) told.push_back(what);
+                                             if (told.size() == 2) token.cancel();
+                                           }));
   ASSERT_EQ(last(stopped).analyses.size(), 2U);
   EXPECT_TRUE(last(stopped).short_of_target);
   EXPECT_THAT(last(stopped).remarks.back(), HasSubstr("cycle 3 could not be finished: interrupted"));
@@ -445,13 +478,17 @@ TEST(Adaptivity, WhoStopsTheLoopKeepsItsCyclesAndTheyAreNotRemembered) {
 std::string holed(double width, double height, double radius) {
   const auto number = [](double value) { return std::to_string(value); };
   const std::string x = number(-0.5 * width), y = number(0.5 * height);
-  return "[input]\nspecimen = \"plate_with_hole\"\nwidth = " + number(width) + "\nheight = " + number(height) + "\nradius = " + number(radius) + "\n[[input.point]]\nname = \"a\"\npoint = [" + x + ", -" + y +
-         "]\n[[input.point]]\nname = \"b\"\npoint = [" + x + ", " + y + "]\n[[step]]\noperation = \"problem\"\nstate = \"strain\"\n[[step.material]]\nyoung = 210e9\npoisson = 0.3\n" +
-         "[[step.support]]\nwhere = \"a\"\nx = 0.0\ny = 0.0\n[[step.support]]\nwhere = \"b\"\nx = 0.0\n[[step.load]]\nwhere = \"right\"\nx = 1e6\n[[step.load]]\nwhere = \"left\"\nx = -1e6\n";
+  return "[input]\nspecimen = \"plate_with_hole\"\nwidth = " + number(width) + "\nheight = " + number(height) +
+         "\nradius = " + number(radius) + "\n[[input.point]]\nname = \"a\"\npoint = [" + x + ", -" + y +
+         "]\n[[input.point]]\nname = \"b\"\npoint = [" + x + ", " + y +
+         "]\n[[step]]\noperation = \"problem\"\nstate = \"strain\"\n[[step.material]]\nyoung = 210e9\npoisson = 0.3\n" +
+         "[[step.support]]\nwhere = \"a\"\nx = 0.0\ny = 0.0\n[[step.support]]\nwhere = \"b\"\nx = "
+         "0.0\n[[step.load]]\nwhere = \"right\"\nx = 1e6\n[[step.load]]\nwhere = \"left\"\nx = -1e6\n";
 }
 
 TEST(Adaptivity, APeakThatMissesTheTargetByALittleIsAimedAtLower) {
-  for (const auto& [width, height, radius] : {std::tuple{6.0, 3.0, 0.3}, {8.0, 4.0, 0.2}, {12.0, 6.0, 0.6}, {10.0, 10.0, 0.5}}) {
+  for (const auto& [width, height, radius] :
+       {std::tuple{6.0, 3.0, 0.3}, {8.0, 4.0, 0.2}, {12.0, 6.0, 0.6}, {10.0, 10.0, 0.5}}) {
     const scenario::Run done = run(holed(width, height, radius) + "[[step]]\noperation = \"adapt\"\ntarget = 1.0\n");
     EXPECT_FALSE(last(done).short_of_target) << width << (last(done).remarks.empty() ? "" : last(done).remarks.back());
     EXPECT_GT(figures(done).at("peak_eta"), 0.0) << width;  // the hole's peaks are minded
@@ -460,15 +497,22 @@ TEST(Adaptivity, APeakThatMissesTheTargetByALittleIsAimedAtLower) {
 }
 
 TEST(Adaptivity, TheSlopeToACrackTipHasNoPeaksAndAHoleBesideHas) {
-  const std::string strip = "[input]\nspecimen = \"single_edge_notch\"\nwidth = 1.0\nheight = 3.0\ncrack_length = 0.5\n";
+  const std::string strip =
+      "[input]\nspecimen = \"single_edge_notch\"\nwidth = 1.0\nheight = 3.0\ncrack_length = 0.5\n";
   const std::string hole = "[[input.curve]]\nkind = \"circle\"\nname = \"hole\"\ncentre = [0.5, 0.8]\nradius = 0.05\n";
-  const std::string pulled = "[[input.point]]\nname = \"anchor\"\npoint = [1.0, 0.0]\n[[input.point]]\nname = \"guide\"\npoint = [1.0, -1.5]\n[[step]]\noperation = \"problem\"\n[[step.material]]\nyoung = 1.0\n" +
-                             std::string("[[step.support]]\nwhere = \"anchor\"\nx = 0.0\ny = 0.0\n[[step.support]]\nwhere = \"guide\"\nx = 0.0\n[[step.load]]\nwhere = \"top\"\ny = 1.0\n[[step.load]]\nwhere = \"bottom\"\ny = -1.0\n");
-  for (const auto& [rules, target] : {std::pair{"order = \"1\"\n", "5.0"}, {"", "2.0"}, {"rosettes = \"yes\"\n", "1.0"}}) {
+  const std::string pulled =
+      "[[input.point]]\nname = \"anchor\"\npoint = [1.0, 0.0]\n[[input.point]]\nname = \"guide\"\npoint = [1.0, "
+      "-1.5]\n[[step]]\noperation = \"problem\"\n[[step.material]]\nyoung = 1.0\n" +
+      std::string(
+          "[[step.support]]\nwhere = \"anchor\"\nx = 0.0\ny = 0.0\n[[step.support]]\nwhere = \"guide\"\nx = "
+          "0.0\n[[step.load]]\nwhere = \"top\"\ny = 1.0\n[[step.load]]\nwhere = \"bottom\"\ny = -1.0\n");
+  for (const auto& [rules, target] :
+       {std::pair{"order = \"1\"\n", "5.0"}, {"", "2.0"}, {"rosettes = \"yes\"\n", "1.0"}}) {
     const std::string adapt = std::string("[[step]]\noperation = \"adapt\"\ntarget = ") + target + "\n" + rules;
     const scenario::Run alone = run(strip + pulled + adapt);
     EXPECT_FALSE(last(alone).short_of_target) << rules;
-    for (const auto& analysis : last(alone).analyses) EXPECT_TRUE(analysis->fields.front().peaks.empty()) << rules << analysis->cycle;
+    for (const auto& analysis : last(alone).analyses)
+      EXPECT_TRUE(analysis->fields.front().peaks.empty()) << rules << analysis->cycle;
     const scenario::Run beside = run(strip + hole + pulled + adapt);
     const auto& peaks = last(beside).analyses.back()->fields.front().peaks;
     ASSERT_FALSE(peaks.empty()) << rules;

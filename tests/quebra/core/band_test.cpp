@@ -18,13 +18,16 @@ using geom::Polyline;
 using geom::Segment;
 
 std::string bands(const std::string& curve, int count, double distance, const std::string& more = "") {
-  return fmt::format("[[step]]\noperation = \"constraints\"\ncurves = [\"{}\"]\ncount = {}\ndistance = {}\n{}", curve, count, distance, more);
+  return fmt::format("[[step]]\noperation = \"constraints\"\ncurves = [\"{}\"]\ncount = {}\ndistance = {}\n{}", curve,
+                     count, distance, more);
 }
 const std::string mesh_step = "[[step]]\noperation = \"mesh\"\n";
 const std::string beam = "[input]\nspecimen = \"pmma_beam\"\n";
-const std::string plate = "[[input.curve]]\nname = \"plate\"\nkind = \"polygon\"\npoints = [[0, 0], [8, 0], [8, 4], [0, 4]]\n";
+const std::string plate =
+    "[[input.curve]]\nname = \"plate\"\nkind = \"polygon\"\npoints = [[0, 0], [8, 0], [8, 4], [0, 4]]\n";
 std::string hole(const std::string& name, double x, double radius) {
-  return fmt::format("[[input.curve]]\nname = \"{}\"\nkind = \"circle\"\ncentre = [{}, 2]\nradius = {}\n", name, x, radius);
+  return fmt::format("[[input.curve]]\nname = \"{}\"\nkind = \"circle\"\ncentre = [{}, 2]\nradius = {}\n", name, x,
+                     radius);
 }
 
 /// Segments of different constraints that meet anywhere but in a common end.
@@ -38,7 +41,8 @@ std::size_t bad_meetings(const std::vector<Constraint>& constraints) {
     for (std::size_t j = i + 1; j < segments.size(); ++j) {
       const auto meeting = intersect(segments[i], segments[j]);
       if (meeting.kind == geom::IntersectionKind::None) continue;
-      const bool in_ends = meeting.start.on_first != geom::At::Interior && meeting.start.on_second != geom::At::Interior;
+      const bool in_ends =
+          meeting.start.on_first != geom::At::Interior && meeting.start.on_second != geom::At::Interior;
       if (meeting.kind == geom::IntersectionKind::Overlap || !in_ends) ++bad;
     }
   }
@@ -54,7 +58,8 @@ scenario::Run meshed(const std::string& text, double least_alpha) {
   EXPECT_EQ(bad_meetings(model.constraints), 0U);
   EXPECT_TRUE(mesh::check(model.meshes.back()->mesh).ok());
   const auto triangles = triangle_mesh_of(model.meshes.back()->mesh);
-  for (const Constraint& constraint : model.constraints) EXPECT_TRUE(triangles.constraint_sets.contains(constraint.name)) << constraint.name;
+  for (const Constraint& constraint : model.constraints)
+    EXPECT_TRUE(triangles.constraint_sets.contains(constraint.name)) << constraint.name;
   EXPECT_GT(values.at("alpha_min"), least_alpha);
   EXPECT_GT(values.at("alpha_mean"), 0.9);
   return done;
@@ -83,10 +88,14 @@ TEST(Band, RingsThatJustTouchAndRingsFarTooManyAreMeshed) {
 }
 
 TEST(Band, ACrackAndTheBoundaryItStartsFromShareTheirCurves) {
-  const auto done = meshed("[input]\nspecimen = \"single_edge_notch\"\n" + bands("crack", 2, 0.06) + bands("left", 2, 0.1), 0.35);
+  const auto done =
+      meshed("[input]\nspecimen = \"single_edge_notch\"\n" + bands("crack", 2, 0.06) + bands("left", 2, 0.1), 0.35);
   if (!done.complete()) return;
   const Model& model = test::last(done);
-  const Polyline crack = trace(*std::find_if(model.domain.curves.begin(), model.domain.curves.end(), [](const Curve& c) { return c.name == "crack"; })).line;
+  const Polyline crack =
+      trace(*std::find_if(model.domain.curves.begin(), model.domain.curves.end(), [](const Curve& c) {
+        return c.name == "crack";
+      })).line;
   for (const Constraint& constraint : model.constraints) {
     const bool of_left = constraint.name.starts_with("left");
     const double rank = std::round(constraint.distance / (of_left ? 0.1 : 0.06));
@@ -98,13 +107,16 @@ TEST(Band, ACrackAndTheBoundaryItStartsFromShareTheirCurves) {
 }
 
 TEST(Band, CracksThatBranchHaveOneSetOfCurvesRoundBoth) {
-  meshed(plate + "[[input.crack]]\nname = \"crack\"\npoints = [[0, 2], [3, 2.2]]\n[[input.crack]]\nname = \"branch\"\npoints = [[1.5, 2.1], [2.3, 1.2]]\n" +
+  meshed(plate +
+             "[[input.crack]]\nname = \"crack\"\npoints = [[0, 2], [3, 2.2]]\n[[input.crack]]\nname = "
+             "\"branch\"\npoints = [[1.5, 2.1], [2.3, 1.2]]\n" +
              bands("crack", 3, 0.1) + bands("branch", 3, 0.1),
          0.25);
 }
 
 TEST(Band, AMuchFinerBandStaysWholeAndTheCoarseOneEndsAtIt) {
-  const auto done = meshed(plate + hole("fine", 3, 0.5) + hole("coarse", 5.5, 0.5) + bands("fine", 4, 0.1) + bands("coarse", 2, 0.5), 0.3);
+  const auto done = meshed(
+      plate + hole("fine", 3, 0.5) + hole("coarse", 5.5, 0.5) + bands("fine", 4, 0.1) + bands("coarse", 2, 0.5), 0.3);
   if (!done.complete()) return;
   for (const Constraint& constraint : test::last(done).constraints) {
     if (constraint.name.starts_with("fine")) {
@@ -116,10 +128,12 @@ TEST(Band, AMuchFinerBandStaysWholeAndTheCoarseOneEndsAtIt) {
 }
 
 TEST(Band, ACurveThatGivesWayEverywhereGetsARemark) {
-  const auto done = test::run(plate + hole("small", 4.5, 0.05) + hole("big", 6.2, 1.5) + bands("small", 1, 0.3) + bands("big", 1, 0.59));
+  const auto done = test::run(plate + hole("small", 4.5, 0.05) + hole("big", 6.2, 1.5) + bands("small", 1, 0.3) +
+                              bands("big", 1, 0.59));
   ASSERT_TRUE(done.complete()) << to_string(*done.error);
   const auto& remarks = test::last(done).remarks;
-  EXPECT_TRUE(std::any_of(remarks.begin(), remarks.end(), [](const std::string& text) { return text.find("small_1") != std::string::npos; }));
+  EXPECT_TRUE(std::any_of(remarks.begin(), remarks.end(),
+                          [](const std::string& text) { return text.find("small_1") != std::string::npos; }));
   const auto apart = test::run(plate + bands("plate", 3, 0.6) + bands("plate", 3, 0.6));
   EXPECT_TRUE(apart.complete()) << "the same curves twice are the user's";
 }

@@ -19,7 +19,8 @@ using testing::StartsWith;
 const std::string l_shape = sheared_l + "[[step]]\noperation = \"adapt\"\ntarget = 3.0\n";
 
 const scene::Layer& layer(const scene::Panel& panel, const std::string& key) {
-  return *std::find_if(panel.layers.begin(), panel.layers.end(), [&](const scene::Layer& own) { return own.key == key; });
+  return *std::find_if(panel.layers.begin(), panel.layers.end(),
+                       [&](const scene::Layer& own) { return own.key == key; });
 }
 
 TEST(Convergence, TheCurveHasAPointForEveryCycleAndTheBestRateItsSlope) {
@@ -48,7 +49,9 @@ TEST(Convergence, EveryCycleCanBeDrawn) {
   ASSERT_EQ(picture.panels.size(), 3u);
   EXPECT_THAT(picture.panels[0].title, StartsWith("Cycle 1, "));
   EXPECT_THAT(picture.panels[1].title, StartsWith("Cycle 2, "));
-  const auto triangles = [&](std::size_t i) { return std::get<scene::Mesh>(layer(picture.panels[i], "field").content).triangles.size(); };
+  const auto triangles = [&](std::size_t i) {
+    return std::get<scene::Mesh>(layer(picture.panels[i], "field").content).triangles.size();
+  };
   EXPECT_LT(triangles(0), triangles(1));
   EXPECT_EQ(triangles(0), 4 * last(done).meshes[0]->mesh.element_count());
   EXPECT_EQ(triangles(2), 4 * last(done).meshes.back()->mesh.element_count());

@@ -79,7 +79,8 @@ TEST(Deck, CalculixFindsTheSameDisplacementsInPlaneStrain) {
   if (std::system("command -v ccx > /dev/null") != 0) GTEST_SKIP() << "ccx is not installed (Debian: calculix-ccx)";
   for (const auto type : all_types) {
     const double off = difference(straight_plate(type, 6), kirsch(fem::PlaneState::Strain));
-    std::printf("[ figures  ] CalculiX, plane strain, %s: differs by %.1e of the greatest displacement\n", name_of(type), off);
+    std::printf("[ figures  ] CalculiX, plane strain, %s: differs by %.1e of the greatest displacement\n",
+                name_of(type), off);
     EXPECT_LT(off, 1e-6) << name_of(type);
   }
   // Curved sides too, but for T6: CalculiX integrates its wedges by three points in the plane, we a curved T6 by seven.
@@ -102,14 +103,17 @@ TEST(Deck, CalculixFindsTheSameDisplacementsInPlaneStress) {
   }
   fem::Problem problem = kirsch(fem::PlaneState::Stress);
   problem.materials.at(0).poisson = -0.6;
-  EXPECT_THAT(to_string(*deck_gap(straight_plate(mesh::ElementType::T3, 2), problem)), testing::HasSubstr("nu <= -0.5"));
+  EXPECT_THAT(to_string(*deck_gap(straight_plate(mesh::ElementType::T3, 2), problem)),
+              testing::HasSubstr("nu <= -0.5"));
 }
 
 TEST(Deck, CalculixDiffersAtRosettesByItsIntegrationOnly) {
   if (std::system("command -v ccx > /dev/null") != 0) GTEST_SKIP() << "ccx is not installed (Debian: calculix-ccx)";
   // Its wedges of 15 nodes have three integration points in the plane, our quarter-point triangles seven.
   for (const bool quarter : {false, true}) {
-    CrackedPlate plate{.outline = {{0, -1.5}, {1, -1.5}, {1, 0}, {1, 1.5}, {0, 1.5}, {0, 0}}, .cracks = {{{0, 0}, {0.5, 0}}}, .rosette = {.radius = 0.5 / 80}};
+    CrackedPlate plate{.outline = {{0, -1.5}, {1, -1.5}, {1, 0}, {1, 1.5}, {0, 1.5}, {0, 0}},
+                       .cracks = {{{0, 0}, {0.5, 0}}},
+                       .rosette = {.radius = 0.5 / 80}};
     plate.quarter = quarter;
     mesh::ElementMesh mesh = cracked_plate(plate);
     name_node(mesh, "anchor", {1, 0});
@@ -119,7 +123,8 @@ TEST(Deck, CalculixDiffersAtRosettesByItsIntegrationOnly) {
                            .supports = {{.where = "anchor", .x = 0.0, .y = 0.0}, {.where = "guide", .x = 0.0}}};
       problem.cases[0].sides = {{"side 0", fem::uniform({0, -1})}, {"side 3", fem::uniform({0, 1})}};
       const double off = difference(mesh, problem);
-      std::printf("[ figures  ] CalculiX, edge crack, %s quarter points, plane %s: %.1e\n", quarter ? "with" : "without", state == fem::PlaneState::Strain ? "strain" : "stress", off);
+      std::printf("[ figures  ] CalculiX, edge crack, %s quarter points, plane %s: %.1e\n",
+                  quarter ? "with" : "without", state == fem::PlaneState::Strain ? "strain" : "stress", off);
       EXPECT_LT(off, quarter ? 1e-4 : 1e-6);
     }
   }
@@ -133,15 +138,18 @@ TEST(Deck, SpringsAndTiesWithValuesAreWritten) {
   fem::Problem problem = kirsch(fem::PlaneState::Strain);
   problem.supports = {{.where = "left", .x = 0.0}, {.where = "bottom", .y = 0.0}};
   problem.springs = {{"right", 0.0, 300.0}, {"b", 20.0, 50.0}};
-  problem.ties = {{"tie", {{mesh.node_sets.at("a")[0], fem::Axis::X, 1.0}, {mesh.node_sets.at("b")[0], fem::Axis::X, -2.0}}, 0.003}};
+  problem.ties = {{"tie",
+                   {{mesh.node_sets.at("a")[0], fem::Axis::X, 1.0}, {mesh.node_sets.at("b")[0], fem::Axis::X, -2.0}},
+                   0.003}};
   problem.cases[0].sides = {{"right", fem::uniform({1.0, 0.5})}};
   EXPECT_LT(difference(mesh, problem), 1e-6);
 }
 
 TEST(Deck, InclinedSupportsAreEquations) {
   if (std::system("command -v ccx > /dev/null") != 0) GTEST_SKIP() << "ccx is not installed (Debian: calculix-ccx)";
-  const mesh::ElementMesh mesh =
-      mapped_grid(mesh::ElementType::Q8, 3, 2, [](double x, double y) { return Point{2 * x - 0.5 * y, x + y}; });
+  const mesh::ElementMesh mesh = mapped_grid(mesh::ElementType::Q8, 3, 2, [](double x, double y) {
+    return Point{2 * x - 0.5 * y, x + y};
+  });
   fem::Problem problem = kirsch(fem::PlaneState::Strain);
   problem.supports = {{.where = "bottom", .normal = 0.0}, {.where = "left", .normal = 0.0}};
   problem.cases[0].sides = {{"right", fem::uniform({1.0, 0.5})}};
@@ -152,11 +160,13 @@ TEST(Deck, WhatTheFormatCannotSayIsRefusedByName) {
   const mesh::ElementMesh mesh = quarter_plate(mesh::ElementType::Q8, 2);
   fem::Problem problem = kirsch(fem::PlaneState::Strain);
   problem.springs = {{"bottom", 0.0, 1.0, fem::SpringKind::Foundation}};
-  EXPECT_THAT(to_string(deck_text(mesh, problem).error()), testing::HasSubstr("bed along 'bottom': a deck has no words for a bed of springs"));
+  EXPECT_THAT(to_string(deck_text(mesh, problem).error()),
+              testing::HasSubstr("bed along 'bottom': a deck has no words for a bed of springs"));
   EXPECT_TRUE(deck_gap(mesh, problem).has_value());
   problem.springs = {{"right", 1.0, 0.0}};
   problem.ties = fem::equal_displacement(mesh, "right", fem::Axis::X).value();
-  EXPECT_THAT(to_string(deck_text(mesh, problem).error()), testing::HasSubstr("a deck cannot have springs at every displacement of a tie"));
+  EXPECT_THAT(to_string(deck_text(mesh, problem).error()),
+              testing::HasSubstr("a deck cannot have springs at every displacement of a tie"));
   problem.springs = {{"right", 0.0, 1.0}};
   EXPECT_FALSE(deck_gap(mesh, problem).has_value());
 }

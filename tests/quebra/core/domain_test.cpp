@@ -43,7 +43,8 @@ TEST(Domain, OneTooSmallForProductsOfLengthsIsRefused) {
 }
 
 TEST(Domain, CurvesInAnyOrderAndDirectionBecomeOneLoop) {
-  const auto domain = make({line("a", {{0, 0}, {1, 0}}), line("c", {{0, 1}, {1, 1}}), line("d", {{0, 1}, {0, 0}}), line("b", {{1, 0}, {1, 1}})});
+  const auto domain = make({line("a", {{0, 0}, {1, 0}}), line("c", {{0, 1}, {1, 1}}), line("d", {{0, 1}, {0, 0}}),
+                            line("b", {{1, 0}, {1, 1}})});
   ASSERT_TRUE(domain.ok()) << to_string(domain.error());
   ASSERT_EQ(domain->loops.size(), 1U);
   EXPECT_EQ(domain->loops[0].sides.size(), 4U);
@@ -104,7 +105,8 @@ TEST(Domain, ThousandsOfHolesAndIslandsInThemKeepTheirDepth) {
 }
 
 TEST(Domain, EndsWithinTheToleranceAreOnePoint) {
-  const auto arc = Arc::from_angles({0, 0}, 1.0, dobra::base::Angle::from_degrees(0), dobra::base::Angle::from_degrees(180)).value();
+  const auto arc =
+      Arc::from_angles({0, 0}, 1.0, dobra::base::Angle::from_degrees(0), dobra::base::Angle::from_degrees(180)).value();
   const auto domain = make({{"arc", Role::Boundary, arc, {}}, line("chord", {{-1, 0}, {1, 0}})});
   ASSERT_TRUE(domain.ok()) << to_string(domain.error());
   EXPECT_EQ(point(domain->curves[0], length(domain->curves[0])), point(domain->curves[1], 0.0));

@@ -1,5 +1,5 @@
-// The mesh step: the engine stopped on its way, and how good the meshes of specimens are, which no constant of the mesher
-// was chosen on.
+// The mesh step: the engine stopped on its way, and how good the meshes of specimens are, which no constant of the
+// mesher was chosen on.
 
 #include "quebra/core/meshing.h"
 
@@ -25,7 +25,8 @@ TEST(Meshing, AnEngineStoppedOnItsWayIsShownWithItsFront) {
   for (const std::string engine : {"front", "delaunay"}) {
     std::size_t before = 0;
     for (const int steps : {1, 50, 200}) {
-      const auto run = test::run(mesh_of("plate_with_hole", "size = 0.4\nengine = \"" + engine + "\"\nstop_after = " + std::to_string(steps) + "\n"));
+      const auto run = test::run(mesh_of(
+          "plate_with_hole", "size = 0.4\nengine = \"" + engine + "\"\nstop_after = " + std::to_string(steps) + "\n"));
       ASSERT_TRUE(run.complete());
       const Model& model = test::last(run);
       ASSERT_TRUE(model.work);
@@ -65,7 +66,8 @@ TEST(Meshing, SpecimensKeepTheFloorsOfQualityWithBothEngines) {
       const auto run = test::run(mesh_of(name, "engine = \"" + engine + "\"\n"));
       ASSERT_TRUE(run.complete()) << name;
       const auto& q = test::last(run).meshes.back()->quality;
-      std::printf("| %s | %s | %zu | %.4f | %.2f %% | %.3f |\n", name.c_str(), engine.c_str(), q.triangles, q.alpha_mean, 100.0 * q.alpha_90, q.alpha_min);
+      std::printf("| %s | %s | %zu | %.4f | %.2f %% | %.3f |\n", name.c_str(), engine.c_str(), q.triangles,
+                  q.alpha_mean, 100.0 * q.alpha_90, q.alpha_min);
       EXPECT_GE(q.alpha_min, 0.6) << name << " " << engine;
       EXPECT_GE(q.alpha_mean, 0.93) << name << " " << engine;
     }
@@ -80,7 +82,8 @@ TEST(Meshing, PairsAlongAlternatingPathsLeaveFewTriangles) {
       const auto& meshed = *test::last(run).meshes.back();
       ASSERT_TRUE(check(meshed.mesh).ok()) << name;
       const auto left = std::count(meshed.mesh.types.begin(), meshed.mesh.types.end(), dobra::mesh::ElementType::T3);
-      EXPECT_LE(static_cast<double>(left), 0.08 * static_cast<double>(meshed.mesh.element_count())) << name << " " << engine;  // pairs by quality alone: 0.17 to 0.26
+      EXPECT_LE(static_cast<double>(left), 0.08 * static_cast<double>(meshed.mesh.element_count()))
+          << name << " " << engine;  // pairs by quality alone: 0.17 to 0.26
       EXPECT_NEAR(area(meshed.mesh), meshed.quality.area, 1e-9 * meshed.quality.area) << name;
     }
   }
@@ -89,16 +92,21 @@ TEST(Meshing, PairsAlongAlternatingPathsLeaveFewTriangles) {
 /// Rounded apart by 1e-16 the contact would have two nodes, and flat triangles between them.
 TEST(Meshing, RoundHolesThatTouchShareANode) {
   const auto circle = [](const std::string& name, double x, double y) {
-    return "[[input.curve]]\nname = \"" + name + "\"\nkind = \"circle\"\nradius = 1.0\ncentre = [" + fmt::format("{}, {}", x, y) + "]\n";
+    return "[[input.curve]]\nname = \"" + name + "\"\nkind = \"circle\"\nradius = 1.0\ncentre = [" +
+           fmt::format("{}, {}", x, y) + "]\n";
   };
-  const std::string rim = "[input]\n[[input.curve]]\nname = \"rim\"\nkind = \"polygon\"\npoints = [[0, 0], [10, 0], [10, 10], [0, 10]]\n";
+  const std::string rim =
+      "[input]\n[[input.curve]]\nname = \"rim\"\nkind = \"polygon\"\npoints = [[0, 0], [10, 0], [10, 10], [0, 10]]\n";
   for (const double turned : {0.0, 0.25, 0.5, 1.0}) {
     const double x = 2.0 * std::cos(turned * std::numbers::pi), y = 2.0 * std::sin(turned * std::numbers::pi);
-    const auto run = test::run(rim + circle("one", 4.0, 4.0) + circle("two", 4.0 + x, 4.0 + y) + "[[step]]\noperation = \"mesh\"\n");
+    const auto run =
+        test::run(rim + circle("one", 4.0, 4.0) + circle("two", 4.0 + x, 4.0 + y) + "[[step]]\noperation = \"mesh\"\n");
     ASSERT_TRUE(run.complete()) << (run.error ? to_string(*run.error) : "");
     const auto& mesh = test::last(run).meshes.back()->mesh;
     const dobra::geom::Point contact{4.0 + 0.5 * x, 4.0 + 0.5 * y};
-    EXPECT_EQ(std::count_if(mesh.points.begin(), mesh.points.end(), [&](auto p) { return distance(p, contact) < 1e-6; }), 1) << turned;
+    EXPECT_EQ(
+        std::count_if(mesh.points.begin(), mesh.points.end(), [&](auto p) { return distance(p, contact) < 1e-6; }), 1)
+        << turned;
     EXPECT_GT(test::figures(run).at("alpha_min"), 0.2) << turned;
   }
 }

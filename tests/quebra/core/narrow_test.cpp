@@ -21,8 +21,8 @@ points = [[0, 0], [4, 0], [4, 4], [0, 4]]
 )";
 
 std::string hole(const std::string& name, double x, double radius) {
-  return "[[input.curve]]\nname = \"" + name + "\"\nkind = \"circle\"\nrole = \"hole\"\ncentre = [" + std::to_string(x) +
-         ", 2.0]\nradius = " + std::to_string(radius) + "\n";
+  return "[[input.curve]]\nname = \"" + name + "\"\nkind = \"circle\"\nrole = \"hole\"\ncentre = [" +
+         std::to_string(x) + ", 2.0]\nradius = " + std::to_string(radius) + "\n";
 }
 
 std::string line(const std::string& name, const std::string& points) {
@@ -31,9 +31,13 @@ std::string line(const std::string& name, const std::string& points) {
 
 std::string crack(const std::string& points) { return "[[input.crack]]\nname = \"crack\"\npoints = " + points + "\n"; }
 
-std::string point(const std::string& name, const std::string& at) { return "[[input.point]]\nname = \"" + name + "\"\npoint = " + at + "\n"; }
+std::string point(const std::string& name, const std::string& at) {
+  return "[[input.point]]\nname = \"" + name + "\"\npoint = " + at + "\n";
+}
 
-std::string polygon(const std::string& points) { return "[[input.curve]]\nname = \"rim\"\nkind = \"polygon\"\npoints = " + points + "\n"; }
+std::string polygon(const std::string& points) {
+  return "[[input.curve]]\nname = \"rim\"\nkind = \"polygon\"\npoints = " + points + "\n";
+}
 
 std::string meshed(const std::string& size, const std::string& more = "") {
   return "[[step]]\noperation = \"mesh\"\nsize = " + size + "\n" + more;
@@ -69,8 +73,8 @@ TEST(Narrow, NarrowPlacesGetGoodElementsWithBothEngines) {
       const Model off = model_of(input + meshed("0.5", "narrow = 0.0\nengine = \"" + engine + "\"\n"));
       ASSERT_FALSE(fine.meshes.empty());
       ASSERT_FALSE(off.meshes.empty());
-      std::printf("| %s | %s | %zu | %.3f | %zu | %.3f |\n", name.c_str(), engine.c_str(), quality(off).triangles, quality(off).alpha_min,
-                  quality(fine).triangles, quality(fine).alpha_min);
+      std::printf("| %s | %s | %zu | %.3f | %zu | %.3f |\n", name.c_str(), engine.c_str(), quality(off).triangles,
+                  quality(off).alpha_min, quality(fine).triangles, quality(fine).alpha_min);
       EXPECT_GE(quality(fine).alpha_min, 0.55) << name << " " << engine;
       EXPECT_LT(quality(off).alpha_min, quality(fine).alpha_min) << name << " " << engine;
       EXPECT_LE(quality(fine).triangles, 2500U) << name;  // growth leads away again
@@ -86,16 +90,22 @@ std::size_t mesh_count(const std::string& input, const std::string& size, const 
 TEST(Narrow, WhatIsNotNarrowIsMeshedAsWithout) {
   const std::vector<std::pair<std::string, std::string>> wide = {
       {"plate with a hole", rim + hole("a", 2.0, 0.5)},
-      {"a slot is narrow outside the material", rim + "[[input.curve]]\nname = \"slot\"\nkind = \"polygon\"\nrole = \"hole\"\npoints = [[1, 1], [3, 1], [3, 3], [1, 3]]\n"},
+      {"a slot is narrow outside the material", rim + "[[input.curve]]\nname = \"slot\"\nkind = \"polygon\"\nrole = "
+                                                      "\"hole\"\npoints = [[1, 1], [3, 1], [3, 3], [1, 3]]\n"},
       {"an edge crack's lips coincide", rim + crack("[[0, 2], [2, 2]]")},
-      {"a corner of 20 degrees is an input angle", "[[input.curve]]\nname = \"rim\"\nkind = \"polygon\"\npoints = [[0, 0], [4, 0], [4, 1.4559]]\n"},
-      {"lines that leave a point at 15 degrees", rim + line("a", "[[1, 2], [3, 2]]") + line("b", "[[1, 2], [3, 2.5359]]")},
+      {"a corner of 20 degrees is an input angle",
+       "[[input.curve]]\nname = \"rim\"\nkind = \"polygon\"\npoints = [[0, 0], [4, 0], [4, 1.4559]]\n"},
+      {"lines that leave a point at 15 degrees",
+       rim + line("a", "[[1, 2], [3, 2]]") + line("b", "[[1, 2], [3, 2.5359]]")},
   };
-  for (const auto& [name, input] : wide) EXPECT_EQ(mesh_count(input, "0.25"), mesh_count(input, "0.25", "narrow = 0.0\n")) << name;
+  for (const auto& [name, input] : wide)
+    EXPECT_EQ(mesh_count(input, "0.25"), mesh_count(input, "0.25", "narrow = 0.0\n")) << name;
 }
 
 TEST(Narrow, AcrossAHoleIsNotThroughTheMaterial) {
-  const std::string slit = rim + "[[input.curve]]\nname = \"slot\"\nkind = \"polygon\"\nrole = \"hole\"\npoints = [[1, 2], [3, 2], [3, 2.3], [1, 2.3]]\n";
+  const std::string slit = rim +
+                           "[[input.curve]]\nname = \"slot\"\nkind = \"polygon\"\nrole = \"hole\"\npoints = [[1, 2], "
+                           "[3, 2], [3, 2.3], [1, 2.3]]\n";
   // The slot's ends are 0.3 long, so that its sides are 0.3 at its corners either way.
   EXPECT_EQ(mesh_count(slit, "0.5"), mesh_count(slit, "0.5", "narrow = 0.0\n"));
 }
@@ -113,7 +123,9 @@ TEST(Narrow, WhatIsNarrowDoesNotDependOnTheElementsAskedFor) {
   const std::vector<std::pair<std::string, std::string>> wide = {
       {"square", rim},
       {"disc", "[[input.curve]]\nname = \"o\"\nkind = \"circle\"\ncentre = [0, 0]\nradius = 2\n"},
-      {"oval", "[[input.curve]]\nname = \"o\"\nkind = \"spline\"\nrole = \"boundary\"\npoints = [[4, 0], [2.8, 1.4], [0, 2], [-2.8, 1.4], [-4, 0], [-2.8, -1.4], [0, -2], [2.8, -1.4], [4, 0]]\n"},
+      {"oval",
+       "[[input.curve]]\nname = \"o\"\nkind = \"spline\"\nrole = \"boundary\"\npoints = [[4, 0], [2.8, 1.4], [0, 2], "
+       "[-2.8, 1.4], [-4, 0], [-2.8, -1.4], [0, -2], [2.8, -1.4], [4, 0]]\n"},
       {"plate with a hole", rim + hole("a", 2.0, 0.5)},
       {"cut corner", polygon("[[0, 0], [3.8, 0], [4, 0.2], [4, 4], [0, 4]]")},
       {"crack from side to side", rim + crack("[[0, 2], [4, 2]]")},
@@ -141,7 +153,8 @@ TEST(Narrow, AsManyElementsAcrossAsAskedFor) {
       EXPECT_LT(count, 1.4 * ideal) << width << " " << n;
     }
   }
-  const std::string cracks = rim + crack("[[1, 2], [3, 2]]") + "[[input.crack]]\nname = \"other\"\npoints = [[1, 2.02], [3, 2.02]]\n";
+  const std::string cracks =
+      rim + crack("[[1, 2], [3, 2]]") + "[[input.crack]]\nname = \"other\"\npoints = [[1, 2.02], [3, 2.02]]\n";
   std::size_t before = 0;
   for (const int n : {1, 2, 3, 4, 6}) {
     const Model model = model_of(cracks + meshed("0.5", across(n)));
@@ -165,9 +178,11 @@ TEST(Narrow, WhatIsTooNarrowIsTold) {
   EXPECT_LT(quality(strip).triangles, 200U);
   ASSERT_EQ(strip.remarks.size(), 1U);
   EXPECT_NE(strip.remarks[0].find("curve 'rim', with sides of 0.5 m at ("), std::string::npos) << strip.remarks[0];
-  EXPECT_NE(strip.remarks[0].find("is 0.0003 m from another part of it: too near for `narrow`"), std::string::npos) << strip.remarks[0];
+  EXPECT_NE(strip.remarks[0].find("is 0.0003 m from another part of it: too near for `narrow`"), std::string::npos)
+      << strip.remarks[0];
   // Told already as a sliver of the domain.
-  const Model film = model_of(rim + line("a", "[[0, 2], [4, 2]]") + line("b", "[[0, 2.0002], [4, 2.0002]]") + meshed("0.5"));
+  const Model film =
+      model_of(rim + line("a", "[[0, 2], [4, 2]]") + line("b", "[[0, 2.0002], [4, 2.0002]]") + meshed("0.5"));
   ASSERT_EQ(film.remarks.size(), 1U) << film.remarks[1];
   EXPECT_NE(film.remarks[0].find("sliver at (0, 2) of a, b"), std::string::npos) << film.remarks[0];
 }
@@ -182,13 +197,19 @@ TEST(Narrow, SteepGrowthIsTold) {
 }
 
 TEST(Narrow, PlacesBelowTheSmallestAreLeftAndTold) {
-  const Model model = model_of("[[input.curve]]\nname = \"rim\"\nkind = \"polygon\"\npoints = [[0, 0], [4, 0], [4, 4], [2.0001, 4], [2, 0.00001], [1.9999, 4], [0, 4]]\n" + meshed("0.5"));
+  const Model model = model_of(
+      "[[input.curve]]\nname = \"rim\"\nkind = \"polygon\"\npoints = [[0, 0], [4, 0], [4, 4], [2.0001, 4], [2, "
+      "0.00001], [1.9999, 4], [0, 4]]\n" +
+      meshed("0.5"));
   EXPECT_LT(quality(model).triangles, 2000U);
   EXPECT_FALSE(model.findings.empty());
 }
 
 TEST(Narrow, AnExplicitSubdivisionIsKeptAndTold) {
-  const std::string input = "[[input.curve]]\nname = \"rim\"\nkind = \"polygon\"\npoints = [[0, 0], [4, 0], [4, 4], [0, 4]]\nsegments = 16\n" + crack("[[2, 0.1], [2, 2]]");
+  const std::string input =
+      "[[input.curve]]\nname = \"rim\"\nkind = \"polygon\"\npoints = [[0, 0], [4, 0], [4, 4], [0, 4]]\nsegments = "
+      "16\n" +
+      crack("[[2, 0.1], [2, 2]]");
   const Model model = model_of(input + meshed("0.5"));
   EXPECT_EQ(model.meshes.back()->mesh.side_sets.at("rim").size(), 16U);
   ASSERT_EQ(model.remarks.size(), 1U);
@@ -199,11 +220,14 @@ TEST(Narrow, AnExplicitSubdivisionIsKeptAndTold) {
 TEST(Narrow, PointsThatAFormulaAlreadyMakesRoomForAskForNothing) {
   const std::string points = point("a", "[2, 2]") + point("b", "[2.2, 2]");
   const std::string formula = "[[step]]\noperation = \"mesh\"\nsize_formula = \"0.2\"\nnarrow = ";
-  EXPECT_EQ(quality(model_of(rim + points + formula + "1.0\n")).triangles, quality(model_of(rim + points + formula + "0.0\n")).triangles);
+  EXPECT_EQ(quality(model_of(rim + points + formula + "1.0\n")).triangles,
+            quality(model_of(rim + points + formula + "0.0\n")).triangles);
 }
 
 TEST(Narrow, SizesFollowTheWidthAlongAChannel) {
-  const auto run = test::run("[[input.curve]]\nname = \"rim\"\nkind = \"polygon\"\npoints = [[0, 0], [4, 0], [4, 0.02], [0, 0.02]]\n" + meshed("0.5"));
+  const auto run = test::run(
+      "[[input.curve]]\nname = \"rim\"\nkind = \"polygon\"\npoints = [[0, 0], [4, 0], [4, 0.02], [0, 0.02]]\n" +
+      meshed("0.5"));
   ASSERT_TRUE(run.complete());
   const auto& q = quality(test::last(run));
   EXPECT_GE(q.alpha_min, 0.55);
@@ -217,8 +241,10 @@ std::string coast(int count) {
   for (int i = 0; i < count; ++i) {
     const double angle = 2.0 * std::numbers::pi * i / count;
     double r = 1.0;
-    for (int k = 3, octave = 0; k < count / 4; k = k * 8 / 5 + 1, ++octave) r += 0.3 * std::pow(3.0 / k, 0.75) * std::sin(k * angle + 2.4 * octave * octave);
-    points += fmt::format("{}[{}, {}]", i == 0 ? "" : ", ", 100.0 * std::max(r, 0.1) * std::cos(angle), 100.0 * std::max(r, 0.1) * std::sin(angle));
+    for (int k = 3, octave = 0; k < count / 4; k = k * 8 / 5 + 1, ++octave)
+      r += 0.3 * std::pow(3.0 / k, 0.75) * std::sin(k * angle + 2.4 * octave * octave);
+    points += fmt::format("{}[{}, {}]", i == 0 ? "" : ", ", 100.0 * std::max(r, 0.1) * std::cos(angle),
+                          100.0 * std::max(r, 0.1) * std::sin(angle));
   }
   return polygon("[" + points + "]");
 }
@@ -228,7 +254,8 @@ TEST(Narrow, WhatStraightSidesAskForIsSettledAtOnce) {
   const Domain& domain = model.domain;
   // The curves as a mesh without narrow places divides them: every side asks, and none is to be looked at again.
   dobra::mesh::MeshInput divided;
-  dobra::mesh::add_chain(divided, std::get<dobra::geom::Polyline>(domain.curves[0].shape).points, dobra::mesh::Closure::Closed, {"rim", dobra::mesh::EdgeKind::Boundary});
+  dobra::mesh::add_chain(divided, std::get<dobra::geom::Polyline>(domain.curves[0].shape).points,
+                         dobra::mesh::Closure::Closed, {"rim", dobra::mesh::EdgeKind::Boundary});
   const std::vector<std::uint8_t> keeps(domain.curves.size(), 0);
   const NarrowPlaces places = narrow_places(domain, divided, keeps);
   EXPECT_GT(places.sizes.size(), 20U);

@@ -12,9 +12,9 @@
 #include "quebra/core/model.h"
 #include "quebra/core/operations.h"
 #include "shared/geom/predicates.h"
+#include "shared/io/bdf.h"
 #include "shared/io/inp.h"
 #include "shared/io/msh.h"
-#include "shared/io/bdf.h"
 #include "shared/io/neutral.h"
 #include "shared/io/node_ele.h"
 #include "shared/io/vtu.h"
@@ -51,13 +51,15 @@ std::map<std::string, double> quantities(const scenario::Run& run) {
   return values;
 }
 
-const std::string square = "[[input.curve]]\nname = \"plate\"\nkind = \"polygon\"\npoints = [[0, 0], [4, 0], [4, 4], [0, 4]]\n";
+const std::string square =
+    "[[input.curve]]\nname = \"plate\"\nkind = \"polygon\"\npoints = [[0, 0], [4, 0], [4, 4], [0, 4]]\n";
 
 TEST(QuebraProgram, EveryExampleMeetsItsExpectations) {
   for (const auto& entry : fs::directory_iterator(fs::path(DOBRA_SOURCE_DIR) / "resources/examples/quebra")) {
     const auto document = scenario::read_document(entry.path()).value();
     const auto done = run(document);
-    for (const auto& verdict : scenario::judge(document, program(), done)) EXPECT_TRUE(verdict.met) << entry.path() << ": " << verdict.message;
+    for (const auto& verdict : scenario::judge(document, program(), done))
+      EXPECT_TRUE(verdict.met) << entry.path() << ": " << verdict.message;
   }
 }
 
@@ -65,7 +67,8 @@ TEST(QuebraProgram, QUE_d_TheFreeMeshIsValidAndItsQualityIsReported) {
   const auto done = run(example());
   const auto& meshed = *final_model(done).meshes.front();
   EXPECT_EQ(meshed.mesh.side_sets.at("hole").size(), 24U);
-  for (const char* side : {"bottom", "right", "top", "left"}) EXPECT_EQ(meshed.mesh.side_sets.at(side).size(), 5U) << side;
+  for (const char* side : {"bottom", "right", "top", "left"})
+    EXPECT_EQ(meshed.mesh.side_sets.at(side).size(), 5U) << side;
   EXPECT_TRUE(mesh::check(meshed.mesh).ok());
   EXPECT_GE(quantities(done).at("mesh.1.alpha_mean"), 0.9);
 }
@@ -99,8 +102,10 @@ TEST(QuebraProgram, ConstraintsOfAnArcAreConcentricAndEndOnTheBoundary) {
   const auto done = run(example());
   for (const Constraint& constraint : final_model(done).constraints) {
     for (const auto p : constraint.line.points) {
-      // The arc is followed by chords of at most 2 degrees, mitred: vertices lie outside the true offset by less than this.
-      const double excess = (1.0 + constraint.distance) / std::cos(std::numbers::pi / 180.0) - (1.0 + constraint.distance);
+      // The arc is followed by chords of at most 2 degrees, mitred: vertices lie outside the true offset by less than
+      // this.
+      const double excess =
+          (1.0 + constraint.distance) / std::cos(std::numbers::pi / 180.0) - (1.0 + constraint.distance);
       EXPECT_NEAR(std::hypot(p.x, p.y), 1.0 + constraint.distance, excess + 1e-12);
     }
     ASSERT_EQ(constraint.feet.size(), 2U);
@@ -110,10 +115,10 @@ TEST(QuebraProgram, ConstraintsOfAnArcAreConcentricAndEndOnTheBoundary) {
 }
 
 TEST(QuebraProgram, ConstraintsOfAClosedHoleAreClosedRings) {
-  const auto done = run(parse(square +
-                              "[[input.curve]]\nname = \"hole\"\nkind = \"circle\"\ncentre = [2, 2]\nradius = 0.5\n"
-                              "[[step]]\noperation = \"constraints\"\ncurves = [\"hole\"]\ncount = 3\ndistance = 0.2\n"
-                              "[[step]]\noperation = \"mesh\"\nsize = 0.4\n"));
+  const auto done =
+      run(parse(square + "[[input.curve]]\nname = \"hole\"\nkind = \"circle\"\ncentre = [2, 2]\nradius = 0.5\n"
+                         "[[step]]\noperation = \"constraints\"\ncurves = [\"hole\"]\ncount = 3\ndistance = 0.2\n"
+                         "[[step]]\noperation = \"mesh\"\nsize = 0.4\n"));
   const Model& model = final_model(done);
   ASSERT_EQ(model.constraints.size(), 3U);
   for (const auto& constraint : model.constraints) {
@@ -125,10 +130,10 @@ TEST(QuebraProgram, ConstraintsOfAClosedHoleAreClosedRings) {
 
 TEST(QuebraProgram, ConstraintsAreCutWhereTheyLeaveTheDomain) {
   // Rings of the hole at 1.2 reach beyond the right side, 1 m away from its rim.
-  const auto done = run(parse(square +
-                              "[[input.curve]]\nname = \"hole\"\nkind = \"circle\"\ncentre = [2.5, 2]\nradius = 0.5\n"
-                              "[[step]]\noperation = \"constraints\"\ncurves = [\"hole\"]\ncount = 1\ndistance = 1.2\n"
-                              "[[step]]\noperation = \"mesh\"\nsize = 0.4\n"));
+  const auto done =
+      run(parse(square + "[[input.curve]]\nname = \"hole\"\nkind = \"circle\"\ncentre = [2.5, 2]\nradius = 0.5\n"
+                         "[[step]]\noperation = \"constraints\"\ncurves = [\"hole\"]\ncount = 1\ndistance = 1.2\n"
+                         "[[step]]\noperation = \"mesh\"\nsize = 0.4\n"));
   const Model& model = final_model(done);
   ASSERT_EQ(model.constraints.size(), 1U);
   const auto& ring = model.constraints.front();
@@ -141,7 +146,8 @@ TEST(QuebraProgram, ConstraintsAreCutWhereTheyLeaveTheDomain) {
 }
 
 TEST(QuebraProgram, ConstraintsFartherThanTheDomainGetARemark) {
-  const auto done = run(parse(square + "[[step]]\noperation = \"constraints\"\ncurves = [\"plate\"]\ncount = 1\ndistance = 9.0\n"));
+  const auto done =
+      run(parse(square + "[[step]]\noperation = \"constraints\"\ncurves = [\"plate\"]\ncount = 1\ndistance = 9.0\n"));
   EXPECT_TRUE(final_model(done).constraints.empty());
   ASSERT_EQ(final_model(done).remarks.size(), 1U);
   EXPECT_NE(final_model(done).remarks.front().find("left out"), std::string::npos);
@@ -152,7 +158,8 @@ TEST(QuebraProgram, QUE_i_EveryExportReadsBackWithTheSameCounts) {
   const auto& mesh = final_model(done).meshes.back()->mesh;
   const fs::path folder = fs::temp_directory_path() / "dobra_quebra_export";
   fs::create_directories(folder);
-  for (const auto& output : program().outputs_of(done.states.back())) ASSERT_TRUE(output.write(folder / output.file_name).ok()) << output.file_name;
+  for (const auto& output : program().outputs_of(done.states.back()))
+    ASSERT_TRUE(output.write(folder / output.file_name).ok()) << output.file_name;
   const auto counts = [&](const mesh::ElementMesh& read, const char* what) {
     EXPECT_EQ(read.points, mesh.points) << what;
     EXPECT_EQ(read.nodes, mesh.nodes) << what;
@@ -161,13 +168,16 @@ TEST(QuebraProgram, QUE_i_EveryExportReadsBackWithTheSameCounts) {
   counts(io::read_msh((folder / "mesh.msh").string()).value().mesh, "msh");
   counts(io::read_inp((folder / "mesh.inp").string()).value().mesh, "inp");
   counts(io::read_neutral((folder / "mesh.nf").string()).value().mesh, "nf");
-  EXPECT_EQ(io::read_bdf((folder / "mesh.bdf").string()).value().mesh.nodes, mesh.nodes) << "its coordinates are rounded";
+  EXPECT_EQ(io::read_bdf((folder / "mesh.bdf").string()).value().mesh.nodes, mesh.nodes)
+      << "its coordinates are rounded";
   counts(io::read_node_ele((folder / "mesh").string()).value(), "node, ele");
   fs::remove_all(folder);
 }
 
 TEST(QuebraProgram, ExportsThatRenameSetsTellIt) {
-  const auto done = run(parse("[[input.curve]]\nname = \"left side\"\nkind = \"polygon\"\npoints = [[0, 0], [4, 0], [4, 4]]\n[[step]]\noperation = \"mesh\"\nsize = 1.0\n"));
+  const auto done =
+      run(parse("[[input.curve]]\nname = \"left side\"\nkind = \"polygon\"\npoints = [[0, 0], [4, 0], [4, "
+                "4]]\n[[step]]\noperation = \"mesh\"\nsize = 1.0\n"));
   for (const auto& output : program().outputs_of(done.states.back())) {
     if (output.file_name != "mesh.inp") {
       EXPECT_TRUE(output.losses.empty()) << output.file_name << output.losses.front();
@@ -181,7 +191,8 @@ TEST(QuebraProgram, ExportsThatRenameSetsTellIt) {
 TEST(QuebraProgram, ADeckOfTheMeshHasTheElementsOfTheScenario) {
   const fs::path file = fs::temp_directory_path() / "dobra_quebra_plane.inp";
   const auto deck = [&](const std::string& problem, const std::string& order) {
-    const auto done = run(parse(square + problem + "[[step]]\noperation = \"mesh\"\nsize = 1.0\norder = \"" + order + "\"\n"));
+    const auto done =
+        run(parse(square + problem + "[[step]]\noperation = \"mesh\"\nsize = 1.0\norder = \"" + order + "\"\n"));
     for (const auto& output : program().outputs_of(done.states.back())) {
       if (output.file_name != "mesh.inp") continue;
       EXPECT_TRUE(output.write(file).ok());
@@ -189,7 +200,10 @@ TEST(QuebraProgram, ADeckOfTheMeshHasTheElementsOfTheScenario) {
     std::ifstream in(file);
     return std::string(std::istreambuf_iterator<char>(in), {});
   };
-  const auto state = [](const std::string& name) { return "[[step]]\noperation = \"problem\"\nstate = \"" + name + "\"\n[[step.material]]\nyoung = 1.0\npoisson = 0.3\n"; };
+  const auto state = [](const std::string& name) {
+    return "[[step]]\noperation = \"problem\"\nstate = \"" + name +
+           "\"\n[[step.material]]\nyoung = 1.0\npoisson = 0.3\n";
+  };
   for (const char* const order : {"1", "2"}) {
     const std::string nodes = order[0] == '1' ? "3" : "6";
     EXPECT_NE(deck(state("strain"), order).find("TYPE=CPE" + nodes), std::string::npos) << order;
@@ -201,9 +215,14 @@ TEST(QuebraProgram, ADeckOfTheMeshHasTheElementsOfTheScenario) {
 
 TEST(QuebraProgram, AnAnalysisThatNoDeckHoldsIsToldWhereTheDeckWouldBeWritten) {
   const auto outputs = [](const std::string& poisson) {
-    const auto done = run(parse(square + "[[step]]\noperation = \"problem\"\nstate = \"strain\"\n[[step.material]]\nyoung = 1.0\npoisson = " + poisson +
-                                "\n[[step.support]]\nwhere = \"plate\"\nx = 0.0\ny = 0.0\n[[step.load]]\nkind = \"body\"\ny = -1.0\n[[step]]\noperation = \"mesh\"\nsize = 1.0\norder = \"2\"\n[[step]]\noperation = \"analyse\"\n"));
-    for (const std::string& remark : final_model(done).remarks) EXPECT_EQ(remark.find("analysis.inp"), std::string::npos) << remark;  // no command but one that writes files says it
+    const auto done = run(parse(
+        square +
+        "[[step]]\noperation = \"problem\"\nstate = \"strain\"\n[[step.material]]\nyoung = 1.0\npoisson = " + poisson +
+        "\n[[step.support]]\nwhere = \"plate\"\nx = 0.0\ny = 0.0\n[[step.load]]\nkind = \"body\"\ny = "
+        "-1.0\n[[step]]\noperation = \"mesh\"\nsize = 1.0\norder = \"2\"\n[[step]]\noperation = \"analyse\"\n"));
+    for (const std::string& remark : final_model(done).remarks)
+      EXPECT_EQ(remark.find("analysis.inp"), std::string::npos)
+          << remark;  // no command but one that writes files says it
     std::map<std::string, std::vector<std::string>> losses;
     for (const auto& output : program().outputs_of(done.states.back())) losses[output.file_name] = output.losses;
     return losses;
@@ -220,8 +239,9 @@ TEST(QuebraProgram, AnAnalysisThatNoDeckHoldsIsToldWhereTheDeckWouldBeWritten) {
 TEST(QuebraProgram, APolyFileWithAHoleIsMeshedWithoutTheHole) {
   const fs::path folder = fs::temp_directory_path() / "dobra_quebra_poly";
   fs::create_directories(folder);
-  std::ofstream(folder / "plate.poly") << "8 2 0 0\n1 0 0\n2 4 0\n3 4 4\n4 0 4\n5 1 1\n6 2 1\n7 2 2\n8 1 2\n8 1\n1 1 2 1\n2 2 3 1\n3 3 4 1\n4 4 1 1\n"
-                                          "5 5 6 2\n6 6 7 2\n7 7 8 2\n8 8 5 2\n1\n1 1.5 1.5\n";
+  std::ofstream(folder / "plate.poly")
+      << "8 2 0 0\n1 0 0\n2 4 0\n3 4 4\n4 0 4\n5 1 1\n6 2 1\n7 2 2\n8 1 2\n8 1\n1 1 2 1\n2 2 3 1\n3 3 4 1\n4 4 1 1\n"
+         "5 5 6 2\n6 6 7 2\n7 7 8 2\n8 8 5 2\n1\n1 1.5 1.5\n";
   auto document = parse("[input]\nfile = \"plate.poly\"\n[[step]]\noperation = \"mesh\"\nsize = 0.5\n");
   document.file = folder / "test.toml";
   EXPECT_NEAR(quantities(run(document)).at("area"), 15.0, 1e-12);
@@ -231,7 +251,8 @@ TEST(QuebraProgram, APolyFileWithAHoleIsMeshedWithoutTheHole) {
 TEST(QuebraProgram, APolyFileWithoutHolePointKeepsTheInnerLoopAsInterface) {
   const fs::path folder = fs::temp_directory_path() / "dobra_quebra_poly2";
   fs::create_directories(folder);
-  std::ofstream(folder / "plate.poly") << "8 2 0 0\n1 0 0\n2 4 0\n3 4 4\n4 0 4\n5 1 1\n6 2 1\n7 2 2\n8 1 2\n8 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n5 5 6\n6 6 7\n7 7 8\n8 8 5\n0\n";
+  std::ofstream(folder / "plate.poly") << "8 2 0 0\n1 0 0\n2 4 0\n3 4 4\n4 0 4\n5 1 1\n6 2 1\n7 2 2\n8 1 2\n8 0\n1 1 "
+                                          "2\n2 2 3\n3 3 4\n4 4 1\n5 5 6\n6 6 7\n7 7 8\n8 8 5\n0\n";
   auto document = parse("[input]\nfile = \"plate.poly\"\n[[step]]\noperation = \"mesh\"\nsize = 0.5\n");
   document.file = folder / "test.toml";
   EXPECT_NEAR(quantities(run(document)).at("area"), 16.0, 1e-12);

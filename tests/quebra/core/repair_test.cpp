@@ -14,8 +14,12 @@ using dobra::geom::Arc;
 using dobra::geom::Point;
 using dobra::geom::Polyline;
 
-Curve polygon(const std::string& name, std::vector<Point> points, Role role = Role::Boundary) { return {name, role, Polyline{std::move(points), true}, {}}; }
-Curve line(const std::string& name, std::vector<Point> points) { return {name, Role::Boundary, Polyline{std::move(points), false}, {}}; }
+Curve polygon(const std::string& name, std::vector<Point> points, Role role = Role::Boundary) {
+  return {name, role, Polyline{std::move(points), true}, {}};
+}
+Curve line(const std::string& name, std::vector<Point> points) {
+  return {name, Role::Boundary, Polyline{std::move(points), false}, {}};
+}
 
 Repaired mended(std::vector<Curve> curves) {
   Sketch sketch;
@@ -42,16 +46,22 @@ double area_of(const Repaired& repaired) {
 }
 
 TEST(Repair, GoodGeometryStaysAsItIs) {
-  const auto arc = Arc::from_angles({0, 0}, 1.0, dobra::base::Angle::from_degrees(0), dobra::base::Angle::from_degrees(180)).value();
-  const Repaired same = mended({{"arc", Role::Boundary, arc, {}}, line("chord", {{-1, 0}, {1, 0}}), polygon("hole", {{-0.1, 0.2}, {0.1, 0.2}, {0, 0.5}})});
+  const auto arc =
+      Arc::from_angles({0, 0}, 1.0, dobra::base::Angle::from_degrees(0), dobra::base::Angle::from_degrees(180)).value();
+  const Repaired same = mended({{"arc", Role::Boundary, arc, {}},
+                                line("chord", {{-1, 0}, {1, 0}}),
+                                polygon("hole", {{-0.1, 0.2}, {0.1, 0.2}, {0, 0.5}})});
   EXPECT_TRUE(same.findings.empty());
   EXPECT_EQ(same.sketch.curves.size(), 3U);
 }
 
 TEST(Repair, RepeatedPointsSpikesAndDoublesGo) {
-  const Repaired repaired = mended({polygon("a", {{0, 0}, {0, 0}, {4, 0}, {4, 4}, {4, 4 + 1e-9}, {0, 4}, {0, 2}, {-3, 2}, {0, 2}, {0, 0}}),
-                                    polygon("again", {{0, 4}, {4, 4}, {4, 0}, {0, 0}, {0, 2}}), line("dot", {{1, 1}, {1, 1}})});
-  EXPECT_EQ(kinds(repaired), (std::vector{Wrong::RepeatedPoint, Wrong::NearlyRepeatedPoint, Wrong::RepeatedPoint, Wrong::Spike, Wrong::RepeatedPoint, Wrong::RepeatedPoint, Wrong::NoExtent, Wrong::CurveTwice}));
+  const Repaired repaired =
+      mended({polygon("a", {{0, 0}, {0, 0}, {4, 0}, {4, 4}, {4, 4 + 1e-9}, {0, 4}, {0, 2}, {-3, 2}, {0, 2}, {0, 0}}),
+              polygon("again", {{0, 4}, {4, 4}, {4, 0}, {0, 0}, {0, 2}}), line("dot", {{1, 1}, {1, 1}})});
+  EXPECT_EQ(kinds(repaired),
+            (std::vector{Wrong::RepeatedPoint, Wrong::NearlyRepeatedPoint, Wrong::RepeatedPoint, Wrong::Spike,
+                         Wrong::RepeatedPoint, Wrong::RepeatedPoint, Wrong::NoExtent, Wrong::CurveTwice}));
   EXPECT_EQ(repaired.findings[3].at, (Point{-3, 2}));
 }
 
@@ -61,31 +71,50 @@ TEST(Repair, GapsAreClosedAtTheirPlace) {
   EXPECT_NEAR(area_of(repaired), 16.0, 1e-12);
   const Repaired open = mended({line("c", {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0.001}})});
   EXPECT_NEAR(area_of(open), 16.0, 1e-12);
-  EXPECT_TRUE(mended({line("wide", {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 1}})}).findings.empty()) << "a gap that wide is meant, or an error";
+  EXPECT_TRUE(mended({line("wide", {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 1}})}).findings.empty())
+      << "a gap that wide is meant, or an error";
 }
 
 TEST(Repair, AGapAtASplineIsClosedAndOneAtAnArcIsNamed) {
   using dobra::geom::CubicPath;
-  const auto bow = [](Point to) { return Smooth::make(CubicPath({{{4, 0}, to, {0, 6}, {-6, 0}}}, {0.0, 1.0})).value(); };
-  const Repaired spline = mended({line("a", {{0, 0}, {4, 0}}), {"bow", Role::Boundary, bow({0.001, 4}), {}}, line("b", {{0, 4}, {0, 0}})});
+  const auto bow = [](Point to) {
+    return Smooth::make(CubicPath({{{4, 0}, to, {0, 6}, {-6, 0}}}, {0.0, 1.0})).value();
+  };
+  const Repaired spline =
+      mended({line("a", {{0, 0}, {4, 0}}), {"bow", Role::Boundary, bow({0.001, 4}), {}}, line("b", {{0, 4}, {0, 0}})});
   EXPECT_EQ(kinds(spline), (std::vector{Wrong::Gap}));
   EXPECT_GT(area_of(spline), 8.0);
-  const Repaired two = mended({{"bow", Role::Boundary, bow({0.001, 4}), {}}, {"back", Role::Boundary, Smooth::make(CubicPath({{{0, 4}, {4, 0}, {0, -4}, {4, 0}}}, {0.0, 1.0})).value(), {}}});
+  const Repaired two = mended(
+      {{"bow", Role::Boundary, bow({0.001, 4}), {}},
+       {"back", Role::Boundary, Smooth::make(CubicPath({{{0, 4}, {4, 0}, {0, -4}, {4, 0}}}, {0.0, 1.0})).value(), {}}});
   EXPECT_EQ(kinds(two), (std::vector{Wrong::Gap}));
   EXPECT_GT(area_of(two), 1.0);
-  const auto arc = [](double radius) { return Arc::from_angles({0, 0}, radius, dobra::base::Angle::from_degrees(0), dobra::base::Angle::from_degrees(180)).value(); };
-  const Repaired arcs = mended({{"arc", Role::Boundary, arc(1.0), {}}, {"lower", Role::Boundary, Arc::from_angles({0.001, 0}, 1.0, dobra::base::Angle::from_degrees(180), dobra::base::Angle::from_degrees(180)).value(), {}}});
+  const auto arc = [](double radius) {
+    return Arc::from_angles({0, 0}, radius, dobra::base::Angle::from_degrees(0), dobra::base::Angle::from_degrees(180))
+        .value();
+  };
+  const Repaired arcs = mended(
+      {{"arc", Role::Boundary, arc(1.0), {}},
+       {"lower",
+        Role::Boundary,
+        Arc::from_angles({0.001, 0}, 1.0, dobra::base::Angle::from_degrees(180), dobra::base::Angle::from_degrees(180))
+            .value(),
+        {}}});
   ASSERT_EQ(kinds(arcs), (std::vector{Wrong::Gap, Wrong::Gap}));
   EXPECT_NE(arcs.findings[0].mend.find("left as it is"), std::string::npos);
 }
 
 TEST(Repair, OverlappingOutlinesAreUnitedAndHolesCutOut) {
-  const Repaired united = mended({polygon("a", {{0, 0}, {4, 0}, {4, 4}, {0, 4}}), polygon("b", {{2, 2}, {6, 2}, {6, 6}, {2, 6}})});
+  const Repaired united =
+      mended({polygon("a", {{0, 0}, {4, 0}, {4, 4}, {0, 4}}), polygon("b", {{2, 2}, {6, 2}, {6, 6}, {2, 6}})});
   EXPECT_EQ(kinds(united), (std::vector{Wrong::Crossing}));
   EXPECT_NEAR(area_of(united), 28.0, 1e-12);
-  const Repaired cut = mended({polygon("a", {{0, 0}, {4, 0}, {4, 4}, {0, 4}}), polygon("hole", {{3, 1}, {5, 1}, {5, 2}, {3, 2}}, Role::Hole)});
+  const Repaired cut = mended(
+      {polygon("a", {{0, 0}, {4, 0}, {4, 4}, {0, 4}}), polygon("hole", {{3, 1}, {5, 1}, {5, 2}, {3, 2}}, Role::Hole)});
   EXPECT_NEAR(area_of(cut), 15.0, 1e-12);
-  const Repaired holes = mended({polygon("a", {{0, 0}, {9, 0}, {9, 9}, {0, 9}}), polygon("h", {{1, 1}, {3, 1}, {3, 3}, {1, 3}}), polygon("i", {{2, 2}, {4, 2}, {4, 4}, {2, 4}})});
+  const Repaired holes =
+      mended({polygon("a", {{0, 0}, {9, 0}, {9, 9}, {0, 9}}), polygon("h", {{1, 1}, {3, 1}, {3, 3}, {1, 3}}),
+              polygon("i", {{2, 2}, {4, 2}, {4, 4}, {2, 4}})});
   EXPECT_NEAR(area_of(holes), 81.0 - 7.0, 1e-12);
 }
 
@@ -101,7 +130,8 @@ TEST(Repair, ABowTieBecomesTwoLoopsThatTouch) {
 Curve blob(Role role) {
   const std::vector<Point> through{{3, 2}, {4, 1}, {5, 2}, {4, 3}};
   using dobra::geom::SplineEnds;
-  auto path = dobra::geom::cubic_spline(through, dobra::geom::uniform_knots(4, SplineEnds::Closed), SplineEnds::Closed).value();
+  auto path =
+      dobra::geom::cubic_spline(through, dobra::geom::uniform_knots(4, SplineEnds::Closed), SplineEnds::Closed).value();
   return {"blob", role, Smooth::make(std::move(path)).value(), {}};
 }
 
@@ -128,13 +158,16 @@ TEST(Repair, ArcsAndSplinesThatCrossStayWhatTheyAre) {
 }
 
 TEST(Repair, LoopsOfSeveralCurvesThatCrossAreRebuilt) {
-  const Repaired repaired = mended({line("low", {{0, 0}, {4, 0}, {4, 4}}), line("high", {{4, 4}, {0, 4}, {0, 0}}), {"disc", Role::Boundary, Arc::circle({0, 2}, 1.0).value(), {}}});
+  const Repaired repaired = mended({line("low", {{0, 0}, {4, 0}, {4, 4}}),
+                                    line("high", {{4, 4}, {0, 4}, {0, 0}}),
+                                    {"disc", Role::Boundary, Arc::circle({0, 2}, 1.0).value(), {}}});
   EXPECT_EQ(kinds(repaired), (std::vector{Wrong::Crossing}));
   EXPECT_NEAR(area_of(repaired), 16.0 + 1.5707963267948966, 3e-4);
 }
 
 TEST(Repair, CurvesWhoseChordsAloneCrossAreNone) {
-  // The chords of the inner circle reach over those of the outer one, turned by half a chord, by less than they stand off it.
+  // The chords of the inner circle reach over those of the outer one, turned by half a chord, by less than they stand
+  // off it.
   using dobra::base::Angle;
   const auto outer = Arc::circle({0, 0}, 1.0).value();
   const auto inner = Arc::from_angles({0, 0}, 0.99998, Angle::from_degrees(0.7), Angle::from_degrees(360)).value();
@@ -144,7 +177,8 @@ TEST(Repair, CurvesWhoseChordsAloneCrossAreNone) {
 }
 
 TEST(Repair, WhatItCannotMendIsNamedAndLeft) {
-  const Repaired repaired = mended({polygon("a", {{-1, -1}, {2, -1}, {2, 2}, {-1, 2}}), line("bar", {{-3, 0}, {3, 0}})});
+  const Repaired repaired =
+      mended({polygon("a", {{-1, -1}, {2, -1}, {2, 2}, {-1, 2}}), line("bar", {{-3, 0}, {3, 0}})});
   ASSERT_EQ(kinds(repaired), (std::vector{Wrong::Crossing}));
   EXPECT_EQ(repaired.findings[0].curve, "a, bar");
   EXPECT_NE(repaired.findings[0].mend.find("left as it is"), std::string::npos);
@@ -152,15 +186,18 @@ TEST(Repair, WhatItCannotMendIsNamedAndLeft) {
 }
 
 TEST(Repair, ADomainThatVanishesTellsWhatWasRepaired) {
-  const std::string thin = "[[input.curve]]\nname = \"thin\"\nkind = \"polygon\"\npoints = [[0, 0], [1, 0], [1, 1e-9]]\n";
+  const std::string thin =
+      "[[input.curve]]\nname = \"thin\"\nkind = \"polygon\"\npoints = [[0, 0], [1, 0], [1, 1e-9]]\n";
   const std::string message = test::trouble("[input]\nrepair = \"yes\"\n" + thin);
   EXPECT_NE(message.find("repaired before: "), std::string::npos) << message;
   EXPECT_NE(message.find("of thin: "), std::string::npos) << message;
 }
 
 TEST(Repair, WhatRepairLeavesIsNotOfferedToRepair) {
-  const std::string open = "[[input.curve]]\nname = \"rim\"\nkind = \"polygon\"\npoints = [[0, 0], [4, 0], [4, 4], [0, 4]]\n"
-                           "[[input.curve]]\nname = \"ring\"\nkind = \"line\"\nrole = \"internal\"\npoints = [[1, 1], [3, 1], [3, 3], [1, 3], [1, 1.02]]\n";
+  const std::string open =
+      "[[input.curve]]\nname = \"rim\"\nkind = \"polygon\"\npoints = [[0, 0], [4, 0], [4, 4], [0, 4]]\n"
+      "[[input.curve]]\nname = \"ring\"\nkind = \"line\"\nrole = \"internal\"\npoints = [[1, 1], [3, 1], [3, 3], [1, "
+      "3], [1, 1.02]]\n";
   for (const std::string repair : {"no", "yes"}) {
     const auto run = test::run("[input]\nrepair = \"" + repair + "\"\n" + open);
     ASSERT_TRUE(run.complete());
@@ -173,7 +210,8 @@ TEST(Repair, WhatRepairLeavesIsNotOfferedToRepair) {
 
 TEST(Repair, ACircleDrawnTwiceIsOne) {
   const std::string circle = "kind = \"circle\"\nradius = 1.0\ncentre = [0, 0]\n";
-  const auto run = test::run("[input]\nrepair = \"yes\"\n[[input.curve]]\nname = \"one\"\n" + circle + "[[input.curve]]\nname = \"two\"\n" + circle);
+  const auto run = test::run("[input]\nrepair = \"yes\"\n[[input.curve]]\nname = \"one\"\n" + circle +
+                             "[[input.curve]]\nname = \"two\"\n" + circle);
   ASSERT_TRUE(run.complete()) << (run.error ? to_string(*run.error) : "");
   EXPECT_EQ(test::last(run).domain.curves.size(), 1U);
   ASSERT_EQ(test::last(run).findings.size(), 1U);
@@ -190,7 +228,8 @@ Repaired mended_lines(std::vector<Curve> curves) {
 }
 
 TEST(Repair, SidesDrawnPastTheirCornersBoundTheDomain) {
-  const std::vector<Curve> frame{line("s", {{-1, 0}, {5, 0}}), line("e", {{4, -1}, {4, 3}}), line("n", {{5, 2}, {-1, 2}}), line("w", {{0, 3}, {0, -1}})};
+  const std::vector<Curve> frame{line("s", {{-1, 0}, {5, 0}}), line("e", {{4, -1}, {4, 3}}),
+                                 line("n", {{5, 2}, {-1, 2}}), line("w", {{0, 3}, {0, -1}})};
   const Repaired repaired = mended_lines(frame);
   EXPECT_DOUBLE_EQ(area_of(repaired), 8.0);
   EXPECT_EQ(kinds(repaired), std::vector(8, Wrong::Outside));
@@ -211,7 +250,12 @@ TEST(Repair, StrayLinesAndDanglingEdgesOutsideAreLeftOutAndTold) {
     double left;  ///< Length of what stays.
   };
   // Outside, in the hole, across the rim, from a corner outwards, right through plate and hole; inside.
-  for (const auto& [stray, left] : std::vector<Case>{{{{5, 0}, {6, 1}}, 0.0}, {{{1.2, 1.2}, {1.8, 1.8}}, 0.0}, {{{3, 3}, {3, 6}}, 1.0}, {{{4, 4}, {5, 5}}, 0.0}, {{{-1, 1.5}, {5, 1.5}}, 3.0}, {{{3, 1}, {3, 3}}, 2.0}}) {
+  for (const auto& [stray, left] : std::vector<Case>{{{{5, 0}, {6, 1}}, 0.0},
+                                                     {{{1.2, 1.2}, {1.8, 1.8}}, 0.0},
+                                                     {{{3, 3}, {3, 6}}, 1.0},
+                                                     {{{4, 4}, {5, 5}}, 0.0},
+                                                     {{{-1, 1.5}, {5, 1.5}}, 3.0},
+                                                     {{{3, 1}, {3, 3}}, 2.0}}) {
     const Repaired repaired = mended_lines({plate, hole, line("stray", stray)});
     double kept = 0.0;
     for (const Curve& curve : repaired.sketch.curves) kept += curve.name.starts_with("stray") ? length(curve) : 0.0;
@@ -233,12 +277,15 @@ TEST(Repair, StrayLinesAndDanglingEdgesOutsideAreLeftOutAndTold) {
 
 TEST(Repair, IdenticalCurvesAreCalledIdenticalAndOtherOnesAreNot) {
   const Curve plate = polygon("plate", {{0, 0}, {4, 0}, {4, 4}, {0, 4}});
-  const auto circle = [](const std::string& name, double radius, dobra::geom::Orientation way) { return Curve{name, Role::Boundary, Arc::circle({2, 2}, radius, way).value(), {}}; };
+  const auto circle = [](const std::string& name, double radius, dobra::geom::Orientation way) {
+    return Curve{name, Role::Boundary, Arc::circle({2, 2}, radius, way).value(), {}};
+  };
   using dobra::geom::Orientation;
-  const std::vector<std::vector<Curve>> doubles{{plate, polygon("again", {{0, 4}, {4, 4}, {4, 0}, {0, 0}})},
-                                                {plate, circle("c", 1.0, Orientation::Anticlockwise), circle("d", 1.0, Orientation::Clockwise)},
-                                                {line("a", {{0, 0}, {4, 0}}), line("b", {{4, 0}, {4, 4}, {0, 0}}), line("c", {{4, 0}, {0, 0}})},
-                                                {plate, line("seam", {{1, 0}, {1, 4}}), line("twin", {{1, 4}, {1, 0}})}};
+  const std::vector<std::vector<Curve>> doubles{
+      {plate, polygon("again", {{0, 4}, {4, 4}, {4, 0}, {0, 0}})},
+      {plate, circle("c", 1.0, Orientation::Anticlockwise), circle("d", 1.0, Orientation::Clockwise)},
+      {line("a", {{0, 0}, {4, 0}}), line("b", {{4, 0}, {4, 4}, {0, 0}}), line("c", {{4, 0}, {0, 0}})},
+      {plate, line("seam", {{1, 0}, {1, 4}}), line("twin", {{1, 4}, {1, 0}})}};
   for (const auto& curves : doubles) {
     Sketch sketch;
     sketch.places.resize(curves.size());
@@ -251,7 +298,14 @@ TEST(Repair, IdenticalCurvesAreCalledIdenticalAndOtherOnesAreNot) {
   }
   // The same points in another order are another curve.
   EXPECT_NE(shape_key(plate), shape_key(polygon("bow", {{0, 0}, {4, 4}, {4, 0}, {0, 4}})));
-  const auto half = [](double start) { return Curve{"h", Role::Boundary, Arc::from_angles({0, 0}, 1.0, dobra::base::Angle::from_degrees(start), dobra::base::Angle::from_degrees(180)).value(), {}}; };
+  const auto half = [](double start) {
+    return Curve{
+        "h",
+        Role::Boundary,
+        Arc::from_angles({0, 0}, 1.0, dobra::base::Angle::from_degrees(start), dobra::base::Angle::from_degrees(180))
+            .value(),
+        {}};
+  };
   EXPECT_NE(shape_key(half(0)), shape_key(half(180)));
 }
 

@@ -63,7 +63,8 @@ TEST(Selection, SidesOfADrawnOutlineAreFoundByTheirPlace) {
   EXPECT_NEAR(selected(domain, "(x - 2)^2 + (y - 1)^2 <= 0.25"), std::numbers::pi, 1e-12);
   EXPECT_NEAR(selected(domain, "y >= 0"), 12.0 + std::numbers::pi, 1e-12);
   // A slanted side too, to rounding of its own.
-  const Domain slanted = domain_of("[[input.curve]]\nname = \"t\"\nkind = \"polygon\"\npoints = [[0, 0], [3, 1], [0.1, 2.7]]\n");
+  const Domain slanted =
+      domain_of("[[input.curve]]\nname = \"t\"\nkind = \"polygon\"\npoints = [[0, 0], [3, 1], [0.1, 2.7]]\n");
   EXPECT_DOUBLE_EQ(selected(slanted, "y = x / 3"), std::sqrt(10.0));
 }
 
@@ -83,7 +84,8 @@ TEST(Selection, WhatHoldsNowhereListsWhatThereIs) {
 
 TEST(Selection, AStretchOfASideIsRefusedUntilAPointEndsIt) {
   const Domain domain = domain_of(plate);
-  for (const std::string condition : {"y = 2 and x > 1", "x = 0 and y < 0.01", "hypot(x, y) < 3"}) EXPECT_THAT(refusal(domain, condition), HasSubstr("for a stretch only")) << condition;
+  for (const std::string condition : {"y = 2 and x > 1", "x = 0 and y < 0.01", "hypot(x, y) < 3"})
+    EXPECT_THAT(refusal(domain, condition), HasSubstr("for a stretch only")) << condition;
   const Domain with_point = domain_of(plate + "[[input.point]]\nname = \"p\"\npoint = [1, 2]\n");
   EXPECT_DOUBLE_EQ(selected(with_point, "y = 2 and x > 1"), 3.0);
 }
@@ -112,11 +114,15 @@ TEST(Selection, WhatCannotBeReadIsNamedWithItsCharacterInTheWholeCondition) {
       {"x = 0 and y", "character 11: 'y' compares nothing"},
       {"x = 1/0", "'x = 1/0' has no finite value"},
       {"y = 0 or x = tn(1)", "character 14: 'tn' is not known here; did you mean 'tan'?"}};
-  for (const auto& [condition, wanted] : cases) EXPECT_THAT(refusal(domain, condition), testing::AllOf(HasSubstr("the condition '" + condition + "'"), HasSubstr(wanted)));
+  for (const auto& [condition, wanted] : cases)
+    EXPECT_THAT(refusal(domain, condition),
+                testing::AllOf(HasSubstr("the condition '" + condition + "'"), HasSubstr(wanted)));
 }
 
 // A bar of 4 x 2 under a tension of 3: u = 3 x / E, v = -nu 3 y / E exactly, at any mesh.
-const std::string bar = "[[input.curve]]\nname = \"outline\"\nkind = \"polygon\"\npoints = [[0, 0], [4, 0], [4, 2], [0, 2]]\n[[step]]\noperation = \"mesh\"\nsize = 0.7\n";
+const std::string bar =
+    "[[input.curve]]\nname = \"outline\"\nkind = \"polygon\"\npoints = [[0, 0], [4, 0], [4, 2], [0, "
+    "2]]\n[[step]]\noperation = \"mesh\"\nsize = 0.7\n";
 const std::string by_place = R"(
 [[step]]
 operation = "problem"
@@ -154,7 +160,9 @@ TEST(Selection, SupportsAndLoadsByPlaceGiveTheExactBar) {
 }
 
 TEST(Selection, ConditionsAreInTheUnitsOfTheScenario) {
-  const std::string millimetres = "unit_system = \"mm, N, MPa\"\n[[input.curve]]\nname = \"outline\"\nkind = \"polygon\"\npoints = [[0, 0], [4000, 0], [4000, 2000], [0, 2000]]\n";
+  const std::string millimetres =
+      "unit_system = \"mm, N, MPa\"\n[[input.curve]]\nname = \"outline\"\nkind = \"polygon\"\npoints = [[0, 0], [4000, "
+      "0], [4000, 2000], [0, 2000]]\n";
   const Domain domain = domain_of(millimetres);
   EXPECT_NEAR(selected(domain, "x = 4000"), 2.0, 1e-12);
   EXPECT_NEAR(selected(domain, "hypot(x, y) >= 2000 and y = 2000"), 4.0, 1e-12);
@@ -163,7 +171,9 @@ TEST(Selection, ConditionsAreInTheUnitsOfTheScenario) {
 
 TEST(Selection, OnlyTheSidesOfThePartAreInItsSet) {
   // Half of the top by a point at its middle, and an arc between two points of a hole.
-  const std::string input = plate + "[[input.point]]\nname = \"p\"\npoint = [2, 2]\n[[input.point]]\nname = \"e\"\npoint = [2.5, 1]\n[[input.point]]\nname = \"w\"\npoint = [1.5, 1]\n";
+  const std::string input = plate +
+                            "[[input.point]]\nname = \"p\"\npoint = [2, 2]\n[[input.point]]\nname = \"e\"\npoint = "
+                            "[2.5, 1]\n[[input.point]]\nname = \"w\"\npoint = [1.5, 1]\n";
   const auto run = test::run(input + "[[step]]\noperation = \"mesh\"\nsize = 0.3\n");
   ASSERT_TRUE(run.complete()) << to_string(*run.error);
   const Model model = test::last(run);
@@ -189,12 +199,19 @@ TEST(Selection, UnknownNamesComeWithThoseThatThereAre) {
     const auto run = test::run(plate + step);
     return run.error ? to_string(*run.error) : std::string();
   };
-  EXPECT_THAT(trouble("[[step]]\noperation = \"problem\"\n[[step.material]]\nyoung = 1.0\n[[step.support]]\nwhere = \"bottom\"\nx = 0.0\n"),
+  EXPECT_THAT(trouble("[[step]]\noperation = \"problem\"\n[[step.material]]\nyoung = 1.0\n[[step.support]]\nwhere = "
+                      "\"bottom\"\nx = 0.0\n"),
               HasSubstr("there is no curve, lip or point 'bottom'; there is 'outline', 'hole'"));
-  EXPECT_THAT(trouble("[[step]]\noperation = \"problem\"\n[[step.material]]\nyoung = 1.0\n[[step.load]]\nwhere = \"x = 9\"\nx = 1.0\n"), HasSubstr("'outline' from (4, 0) to (4, 2)"));
-  EXPECT_THAT(trouble("[[step]]\noperation = \"problem\"\n[[step.material]]\nyoung = 1.0\n[[step.load]]\nwhere = \"x = 0 and y = 0\"\nx = 1.0\n"), HasSubstr("corners only"));
-  EXPECT_THAT(trouble("[[step]]\noperation = \"zone\"\ncurves = [\"holes\"]\nsize = 0.1\nwidth = 0.1\n"), HasSubstr("there is no curve 'holes'; did you mean 'hole'? There is 'outline', 'hole'"));
-  EXPECT_THAT(trouble("[[step]]\noperation = \"constraints\"\ncurves = [\"bottom\"]\ncount = 1\ndistance = 0.1\n"), HasSubstr("there is no curve 'bottom'; there is 'outline', 'hole'"));
+  EXPECT_THAT(trouble("[[step]]\noperation = \"problem\"\n[[step.material]]\nyoung = 1.0\n[[step.load]]\nwhere = \"x = "
+                      "9\"\nx = 1.0\n"),
+              HasSubstr("'outline' from (4, 0) to (4, 2)"));
+  EXPECT_THAT(trouble("[[step]]\noperation = \"problem\"\n[[step.material]]\nyoung = 1.0\n[[step.load]]\nwhere = \"x = "
+                      "0 and y = 0\"\nx = 1.0\n"),
+              HasSubstr("corners only"));
+  EXPECT_THAT(trouble("[[step]]\noperation = \"zone\"\ncurves = [\"holes\"]\nsize = 0.1\nwidth = 0.1\n"),
+              HasSubstr("there is no curve 'holes'; did you mean 'hole'? There is 'outline', 'hole'"));
+  EXPECT_THAT(trouble("[[step]]\noperation = \"constraints\"\ncurves = [\"bottom\"]\ncount = 1\ndistance = 0.1\n"),
+              HasSubstr("there is no curve 'bottom'; there is 'outline', 'hole'"));
 }
 
 }  // namespace

@@ -18,7 +18,8 @@ using namespace dobra;
 using geom::Point;
 using ::testing::HasSubstr;
 
-const std::string plate = "[[input.curve]]\nname = \"p\"\nkind = \"polygon\"\npoints = [[0, 0], [4, 0], [4, 4], [0, 4]]\n";
+const std::string plate =
+    "[[input.curve]]\nname = \"p\"\nkind = \"polygon\"\npoints = [[0, 0], [4, 0], [4, 4], [0, 4]]\n";
 std::string mesh_step(const std::string& params) { return "[[step]]\noperation = \"mesh\"\n" + params; }
 
 /// Mean over the elements of side length / size wanted at the centre, and its greatest deviation from 1.
@@ -27,7 +28,8 @@ std::pair<double, double> agreement(const mesh::ElementMesh& mesh, const std::fu
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const auto nodes = mesh.nodes_of(mesh::ElementId(e));
     const Point a = mesh.point(nodes[0]), b = mesh.point(nodes[1]), c = mesh.point(nodes[2]);
-    const double ratio = (distance(a, b) + distance(b, c) + distance(c, a)) / 3.0 / wanted({(a.x + b.x + c.x) / 3.0, (a.y + b.y + c.y) / 3.0});
+    const double ratio = (distance(a, b) + distance(b, c) + distance(c, a)) / 3.0 /
+                         wanted({(a.x + b.x + c.x) / 3.0, (a.y + b.y + c.y) / 3.0});
     sum += ratio;
     worst = std::max(worst, std::abs(std::log(ratio)));
   }
@@ -37,7 +39,8 @@ std::pair<double, double> agreement(const mesh::ElementMesh& mesh, const std::fu
 TEST(SizeSource, ElementsFollowAFormulaOfThePlace) {
   const auto done = test::run(plate + mesh_step("size_formula = \"0.05 + 0.1 * hypot(x - 1, y - 2)\"\n"));
   ASSERT_TRUE(done.complete()) << to_string(*done.error);
-  const auto [mean, worst] = agreement(test::last(done).meshes.back()->mesh, [](Point p) { return 0.05 + 0.1 * std::hypot(p.x - 1, p.y - 2); });
+  const auto [mean, worst] = agreement(test::last(done).meshes.back()->mesh,
+                                       [](Point p) { return 0.05 + 0.1 * std::hypot(p.x - 1, p.y - 2); });
   EXPECT_NEAR(mean, 1.0, 0.08);
   EXPECT_LE(worst, std::log(1.9));
   EXPECT_GT(test::figures(done).at("alpha_mean"), 0.95);
@@ -55,11 +58,14 @@ TEST(SizeSource, TheLeastOfAllSizesCountsAndGrowthIsBounded) {
 }
 
 TEST(SizeSource, FormulasAreRefusedWithTheirPlace) {
-  const auto trouble = [](const std::string& formula) { return test::trouble(plate + mesh_step("size_formula = \"" + formula + "\"\n")); };
+  const auto trouble = [](const std::string& formula) {
+    return test::trouble(plate + mesh_step("size_formula = \"" + formula + "\"\n"));
+  };
   EXPECT_THAT(trouble("0.1 + 0.05 * sqr(x)"), HasSubstr("size_formula"));
   EXPECT_THAT(trouble("0.1 + 0.05 * sqr(x)"), HasSubstr("sqrt"));
   EXPECT_THAT(trouble("0.5 - x"), HasSubstr("gives the size"));
-  EXPECT_THAT(trouble("hypot(x - 2, y - 2) - 0.3"), HasSubstr("gives the size -0.0204915 m here")) << "inside, not on the boundary";
+  EXPECT_THAT(trouble("hypot(x - 2, y - 2) - 0.3"), HasSubstr("gives the size -0.0204915 m here"))
+      << "inside, not on the boundary";
   EXPECT_THAT(trouble("sqrt(x - 1)"), HasSubstr("has no finite value here"));
   EXPECT_THAT(trouble("0.5 + 1 / x"), HasSubstr("has no finite value here"));
   EXPECT_THAT(trouble("1e-7 + 0 * x"), HasSubstr("more than the 20000000 allowed"));
@@ -68,11 +74,14 @@ TEST(SizeSource, FormulasAreRefusedWithTheirPlace) {
 
 /// A sheared L, and a loop of at most `cycles` on it.
 std::string loop(int cycles, const std::string& rules) {
-  return test::sheared_l + "[[step]]\noperation = \"adapt\"\ntarget = 3\nmax_cycles = " + std::to_string(cycles) + "\n" + rules;
+  return test::sheared_l + "[[step]]\noperation = \"adapt\"\ntarget = 3\nmax_cycles = " + std::to_string(cycles) +
+         "\n" + rules;
 }
 
 TEST(SizeSource, QUE_4_ALoopBeginsWithTheMeshThatAMeshStepMakesByTheSameRules) {
-  const std::string rules = "size_formula = \"4 + 0.1 * hypot(x - 100, y - 100)\"\nengine = \"delaunay\"\nsmoothing = 1\ngrowth = 1.2\ndivision = \"halving\"\nturn = 20\norder = \"2\"\n";
+  const std::string rules =
+      "size_formula = \"4 + 0.1 * hypot(x - 100, y - 100)\"\nengine = \"delaunay\"\nsmoothing = 1\ngrowth = "
+      "1.2\ndivision = \"halving\"\nturn = 20\norder = \"2\"\n";
   const auto looped = test::run(loop(1, rules));
   const auto meshed = test::run(test::sheared_l + mesh_step(rules));
   ASSERT_FALSE(test::last(looped).meshes.empty());
@@ -91,7 +100,8 @@ TEST(SizeSource, QUE_4_NoCycleOfALoopHasGreaterSizesThanFormulaAndBackgroundMesh
   const Model& model = test::last(done);
   ASSERT_GE(model.meshes.size(), 2u);
   for (const auto& own : model.meshes) {
-    for (const Point at : {Point{10, 10}, Point{40, 80}, Point{90, 90}}) EXPECT_LE(own->sizes->size_at(at), 1.1 * wanted(at)) << own->name;
+    for (const Point at : {Point{10, 10}, Point{40, 80}, Point{90, 90}})
+      EXPECT_LE(own->sizes->size_at(at), 1.1 * wanted(at)) << own->name;
   }
   EXPECT_LT(agreement(model.meshes.back()->mesh, wanted).first, 1.08);
 
@@ -100,7 +110,8 @@ TEST(SizeSource, QUE_4_NoCycleOfALoopHasGreaterSizesThanFormulaAndBackgroundMesh
   const auto again = test::run(loop(1, "background = \"" + file.string() + "\"\n"));
   std::filesystem::remove(file);
   ASSERT_FALSE(test::last(again).meshes.empty());
-  const double ratio = static_cast<double>(test::last(again).meshes.front()->mesh.element_count()) / static_cast<double>(model.meshes.front()->mesh.element_count());
+  const double ratio = static_cast<double>(test::last(again).meshes.front()->mesh.element_count()) /
+                       static_cast<double>(model.meshes.front()->mesh.element_count());
   EXPECT_NEAR(ratio, 1.0, 0.2);
 }
 
@@ -146,9 +157,11 @@ TEST_F(BackgroundMesh, AFieldAtItsPointsGivesTheSizes) {
   const std::string background = "background = \"" + path("b.vtu") + "\"\n";
   const auto done = test::run(plate + mesh_step(background + "background_field = \"h\"\n"));
   ASSERT_TRUE(done.complete()) << to_string(*done.error);
-  EXPECT_NEAR(agreement(test::last(done).meshes.back()->mesh, [](Point p) { return 0.05 + 0.05 * p.y; }).first, 1.0, 0.08);
+  EXPECT_NEAR(agreement(test::last(done).meshes.back()->mesh, [](Point p) { return 0.05 + 0.05 * p.y; }).first, 1.0,
+              0.08);
   EXPECT_THAT(test::trouble(plate + mesh_step(background + "background_field = \"bad\"\n")), HasSubstr("field 'bad'"));
-  EXPECT_THAT(test::trouble(plate + mesh_step(background + "background_field = \"hh\"\n")), HasSubstr("it has: h, bad"));
+  EXPECT_THAT(test::trouble(plate + mesh_step(background + "background_field = \"hh\"\n")),
+              HasSubstr("it has: h, bad"));
   EXPECT_THAT(test::trouble(plate + mesh_step("background_field = \"h\"\n")), HasSubstr("give `background` too"));
 }
 

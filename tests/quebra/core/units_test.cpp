@@ -24,8 +24,8 @@ using namespace dobra;
 using scenario::UnitSystem;
 using testing::HasSubstr;
 
-/// A cracked plate of 80 x 60 mm, 5 mm thick: every kind of number that has a unit. L, F, S: metres, newtons and pascals in
-/// one unit of the system.
+/// A cracked plate of 80 x 60 mm, 5 mm thick: every kind of number that has a unit. L, F, S: metres, newtons and
+/// pascals in one unit of the system.
 std::string cracked(const std::string& system, double L, double F, double S) {
   const auto l = [&](double mm) { return fmt::format("{}", mm * 1e-3 / L); };
   const auto p = [&](double x, double y) { return fmt::format("[{}, {}]", x * 1e-3 / L, y * 1e-3 / L); };
@@ -38,17 +38,20 @@ std::string cracked(const std::string& system, double L, double F, double S) {
   text += "[[input.curve]]\nname = \"hole\"\nkind = \"circle\"\ncentre = " + p(60, 30) + "\nradius = " + l(6) + "\n";
   text += "[[input.crack]]\nname = \"crack\"\npoints = [" + p(0, 30) + ", " + p(25, 32) + "]\n";
   text += "[[input.point]]\nname = \"pin\"\npoint = " + p(70, 50) + "\nsize = " + l(2) + "\n";
-  text += "[[step]]\noperation = \"problem\"\nstate = \"strain\"\n[[step.material]]\nyoung = " + s(210000) + "\npoisson = 0.3\nthickness = " + l(5) + "\n";
+  text += "[[step]]\noperation = \"problem\"\nstate = \"strain\"\n[[step.material]]\nyoung = " + s(210000) +
+          "\npoisson = 0.3\nthickness = " + l(5) + "\n";
   text += "[[step.support]]\nwhere = \"bottom\"\nx = 0.0\ny = 0.0\n";
   text += "[[step.spring]]\nwhere = \"right\"\nkind = \"bed\"\nx = " + fmt::format("{}", 5e9 * L * L * L / F) + "\n";
   text += "[[step.load]]\nwhere = \"top\"\ny_formula = \"" + s(30) + " * (1 + x / " + l(100) + ")\"\n";
   text += "[[step.load]]\nwhere = \"hole\"\nkind = \"pressure\"\nvalue = " + s(4) + "\n";
   text += "[[step.load]]\nkind = \"body\"\ny = " + fmt::format("{}", -78000.0 * L * L * L / F) + "\n";
   text += "[[step.load]]\nwhere = \"pin\"\nkind = \"force\"\nx = " + fmt::format("{}", 120.0 / F) + "\n";
-  text += "[[step]]\noperation = \"mesh\"\nsize_formula = \"" + l(6) + " + 0.02 * hypot(x, y)\"\norder = \"2\"\nrosettes = \"yes\"\ntip_radius = " + l(0.5) + "\n";
+  text += "[[step]]\noperation = \"mesh\"\nsize_formula = \"" + l(6) +
+          " + 0.02 * hypot(x, y)\"\norder = \"2\"\nrosettes = \"yes\"\ntip_radius = " + l(0.5) + "\n";
   text += "[[step]]\noperation = \"analyse\"\n[[step]]\noperation = \"crack\"\n";
   text += "[[step]]\noperation = \"probe\"\nlabel = \"p\"\nat = " + p(40, 40) + "\n";
-  text += "[[step]]\noperation = \"line\"\nlabel = \"l\"\nfrom = " + p(30, 33) + "\nto = " + p(50, 33) + "\ncount = 3\n";
+  text +=
+      "[[step]]\noperation = \"line\"\nlabel = \"l\"\nfrom = " + p(30, 33) + "\nto = " + p(50, 33) + "\ncount = 3\n";
   return text;
 }
 
@@ -75,7 +78,9 @@ struct Stated {
 TEST(UnitsOfScenarios, TheSameProblemHasTheSameResultsInEverySystem) {
   const auto si = quantities(test::run(cracked("", 1.0, 1.0, 1.0)));
   const double pound = 4.4482216152605;
-  for (const auto& [system, length, force, stress] : {Stated{"mm, N, MPa", 1e-3, 1.0, 1e6}, {"m, kN, kPa", 1.0, 1e3, 1e3}, {"in, lbf, psi", 0.0254, pound, pound / 0.0254 / 0.0254}}) {
+  for (const auto& [system, length, force, stress] : {Stated{"mm, N, MPa", 1e-3, 1.0, 1e6},
+                                                      {"m, kN, kPa", 1.0, 1e3, 1e3},
+                                                      {"in, lbf, psi", 0.0254, pound, pound / 0.0254 / 0.0254}}) {
     const auto units = UnitSystem::make(system);
     ASSERT_TRUE(units.ok());
     const auto here = quantities(test::run(cracked(system, length, force, stress)));
@@ -84,8 +89,12 @@ TEST(UnitsOfScenarios, TheSameProblemHasTheSameResultsInEverySystem) {
       ASSERT_EQ(here[i].name, si[i].name);
       EXPECT_EQ(here[i].unit, units->unit(si[i].unit)) << si[i].name;
       // The error is a difference of large numbers, and least of all the shear of a tip of mode I.
-      const double tolerance = si[i].name.find("tip.") == 0 || si[i].name.find("eta") != std::string::npos || si[i].name.find("error") != std::string::npos ? 1e-5 : 1e-7;
-      EXPECT_NEAR(units->to_si(here[i].value, si[i].unit), si[i].value, tolerance * std::abs(si[i].value) + 1e-12) << system << ": " << si[i].name;
+      const double tolerance = si[i].name.find("tip.") == 0 || si[i].name.find("eta") != std::string::npos ||
+                                       si[i].name.find("error") != std::string::npos
+                                   ? 1e-5
+                                   : 1e-7;
+      EXPECT_NEAR(units->to_si(here[i].value, si[i].unit), si[i].value, tolerance * std::abs(si[i].value) + 1e-12)
+          << system << ": " << si[i].name;
     }
   }
 }
@@ -99,17 +108,27 @@ TEST(UnitsOfScenarios, KInMegapascalsAndMillimetresIsTheRootOfAThousandTimesThat
   EXPECT_NEAR(value(mm, "probe.p.load.s_yy", "MPa") * 1e6, value(si, "probe.p.load.s_yy", "Pa"), 1.0);
 }
 
-const std::string bar = "unit_system = \"mm, N, MPa\"\n[[input.curve]]\nname = \"bar\"\nkind = \"polygon\"\npoints = [[0, 0], [200, 0], [200, 50], [0, 50]]\n[[input.point]]\nname = \"o\"\npoint = [0, 0]\n[[input.point]]\nname = \"e\"\npoint = [200, 0]\n"
-                        "[[input.point]]\nname = \"f\"\npoint = [200, 50]\n"
-                        "[[step]]\noperation = \"problem\"\n[[step.material]]\nyoung = 200000\npoisson = 0\n[[step.support]]\nwhere = \"o\"\nx = 0\ny = 0\n[[step.support]]\nwhere = \"e\"\ny = 0\n"
-                        "[[step.load]]\nwhere = \"bar\"\nkind = \"stress\"\nstress_xx = \"100\"\n[[step]]\noperation = \"mesh\"\nsize = 25\n[[step]]\noperation = \"analyse\"\n";
+const std::string bar =
+    "unit_system = \"mm, N, MPa\"\n[[input.curve]]\nname = \"bar\"\nkind = \"polygon\"\npoints = [[0, 0], [200, 0], "
+    "[200, 50], [0, 50]]\n[[input.point]]\nname = \"o\"\npoint = [0, 0]\n[[input.point]]\nname = \"e\"\npoint = [200, "
+    "0]\n"
+    "[[input.point]]\nname = \"f\"\npoint = [200, 50]\n"
+    "[[step]]\noperation = \"problem\"\n[[step.material]]\nyoung = 200000\npoisson = 0\n[[step.support]]\nwhere = "
+    "\"o\"\nx = 0\ny = 0\n[[step.support]]\nwhere = \"e\"\ny = 0\n"
+    "[[step.load]]\nwhere = \"bar\"\nkind = \"stress\"\nstress_xx = \"100\"\n[[step]]\noperation = \"mesh\"\nsize = "
+    "25\n[[step]]\noperation = \"analyse\"\n";
 
 TEST(UnitsOfScenarios, ABarUnderTensionIsAsLongAsHookeSaysAndExpectationsAreInTheScenariosUnits) {
   // 100 MPa / 200 GPa over 200 mm: 0.1 mm. Area 10 000 mm2, energy 1/2 sigma eps A t with t = 1 m: 250 000 N mm.
-  const std::string expects = "[[expect]]\nquantity = \"case.load.point.e.u_x\"\nvalue = 0.1\nrelative_tolerance = 1e-9\n[[expect]]\nquantity = \"area\"\nvalue = 10000\ntolerance = 1e-6\n[[expect]]\nquantity = \"case.load.energy\"\nvalue = 250000\nrelative_tolerance = 1e-9\n"
-                              "[[expect]]\nquantity = \"case.load.max_von_mises\"\nat_least = 99.99\nat_most = 100.01\n[[expect]]\nquantity = \"case.load.point.e.u_x\"\nvalue = 0.0001\nrelative_tolerance = 1e-3\n";
+  const std::string expects =
+      "[[expect]]\nquantity = \"case.load.point.e.u_x\"\nvalue = 0.1\nrelative_tolerance = 1e-9\n[[expect]]\nquantity "
+      "= \"area\"\nvalue = 10000\ntolerance = 1e-6\n[[expect]]\nquantity = \"case.load.energy\"\nvalue = "
+      "250000\nrelative_tolerance = 1e-9\n"
+      "[[expect]]\nquantity = \"case.load.max_von_mises\"\nat_least = 99.99\nat_most = 100.01\n[[expect]]\nquantity = "
+      "\"case.load.point.e.u_x\"\nvalue = 0.0001\nrelative_tolerance = 1e-3\n";
   for (const std::string results : {"", "result_units = \"SI\"\n", "result_units = \"in, lbf, psi\"\n"}) {
-    const auto document = scenario::parse_document("dobra = 1\nprogram = \"quebra\"\n" + results + bar + expects, "bar.toml");
+    const auto document =
+        scenario::parse_document("dobra = 1\nprogram = \"quebra\"\n" + results + bar + expects, "bar.toml");
     ASSERT_TRUE(document.ok());
     scenario::Runner runner(program());
     const scenario::Run done = runner.run(*document);
@@ -121,7 +140,8 @@ TEST(UnitsOfScenarios, ABarUnderTensionIsAsLongAsHookeSaysAndExpectationsAreInTh
     const auto report = nlohmann::json::parse(scenario::report_json(*document, program(), done));
     EXPECT_EQ(report["unit_system"], "mm, N, MPa");
     EXPECT_EQ(report["input"]["values"]["curve"][0]["points"][1][0], 200.0);
-    EXPECT_EQ(report["steps"][0]["values"]["material"][0]["thickness"], 1000.0) << "the default in the scenario's units";
+    EXPECT_EQ(report["steps"][0]["values"]["material"][0]["thickness"], 1000.0)
+        << "the default in the scenario's units";
   }
   const auto remarks = program().remarks_of(test::run(bar).states.back());
   EXPECT_THAT(remarks, testing::Contains(HasSubstr("it is 1000 mm")));
@@ -141,7 +161,8 @@ TEST(UnitsOfScenarios, ExchangeFilesHoldThemAndSayWhich) {
       EXPECT_THAT(text.substr(0, 300), HasSubstr("units: mm, N, MPa")) << output.file_name;
     }
     if (output.file_name == "analysis.inp") {
-      EXPECT_THAT(text, HasSubstr("*SOLID SECTION, ELSET=REGION_1, MATERIAL=MATERIAL_1\n1000")) << "the thickness of a metre";
+      EXPECT_THAT(text, HasSubstr("*SOLID SECTION, ELSET=REGION_1, MATERIAL=MATERIAL_1\n1000"))
+          << "the thickness of a metre";
     }
     if (!io::is_mesh_ending(file.extension().string()) || file.extension() == ".ele") continue;
     const auto mesh = io::read_mesh(file.string());
@@ -169,7 +190,8 @@ class FilesAndUnits : public testing::Test {
   }
   /// Width of the domain of a file, m; `keys` follow in the input.
   static double width(const std::string& system, const std::string& file, const std::string& keys = "") {
-    const scenario::Run done = test::run((system.empty() ? "" : "unit_system = \"" + system + "\"\n") + "[input]\nfile = \"" + file + "\"\n" + keys);
+    const scenario::Run done = test::run((system.empty() ? "" : "unit_system = \"" + system + "\"\n") +
+                                         "[input]\nfile = \"" + file + "\"\n" + keys);
     EXPECT_TRUE(done.complete()) << to_string(*done.error);
     return done.complete() ? test::last(done).domain.box().width() : NAN;
   }
@@ -177,9 +199,15 @@ class FilesAndUnits : public testing::Test {
 };
 
 TEST_F(FilesAndUnits, AFileThatDoesNotSayIsInTheScenariosUnits) {
-  const std::string svg = put("a.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"40\" height=\"40\"><rect width=\"40\" height=\"20\"/></svg>");
-  const std::string poly = put("a.poly", "4 2 0 0\n1 0 0\n2 40 0\n3 40 20\n4 0 20\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
-  const std::string geo = put("a.geo", "Point(1)={0,0,0,5};Point(2)={40,0,0,5};Point(3)={40,20,0,5};Point(4)={0,20,0,5};Line(1)={1,2};Line(2)={2,3};Line(3)={3,4};Line(4)={4,1};Curve Loop(1)={1,2,3,4};Plane Surface(1)={1};\n");
+  const std::string svg = put(
+      "a.svg",
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"40\" height=\"40\"><rect width=\"40\" height=\"20\"/></svg>");
+  const std::string poly =
+      put("a.poly", "4 2 0 0\n1 0 0\n2 40 0\n3 40 20\n4 0 20\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
+  const std::string geo =
+      put("a.geo",
+          "Point(1)={0,0,0,5};Point(2)={40,0,0,5};Point(3)={40,20,0,5};Point(4)={0,20,0,5};Line(1)={1,2};Line(2)={2,3};"
+          "Line(3)={3,4};Line(4)={4,1};Curve Loop(1)={1,2,3,4};Plane Surface(1)={1};\n");
   const std::string wkt = put("a.wkt", "POLYGON((0 0,40 0,40 20,0 20,0 0))\n");
   const std::string csv = put("a.csv", "x,y\n0,0\n40,0\n40,20\n0,20\n0,0\n");
   const std::string inp = put("a.inp", "*NODE\n1,0,0\n2,40,0\n3,0,20\n*ELEMENT,TYPE=CPS3\n1,1,2,3\n");
@@ -194,27 +222,36 @@ TEST_F(FilesAndUnits, WhatTheFileOrTheKeySaysCountsForTheFileAlone) {
   const std::string section = "0\nSECTION\n2\n";
   const auto dxf = [&](const char* units) {
     return "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n" + std::string(units) + "\n0\nENDSEC\n" + section +
-           "ENTITIES\n0\nLWPOLYLINE\n8\nA\n90\n4\n70\n1\n10\n0\n20\n0\n10\n40\n20\n0\n10\n40\n20\n20\n10\n0\n20\n20\n0\nENDSEC\n0\nEOF\n";
+           "ENTITIES\n0\nLWPOLYLINE\n8\nA\n90\n4\n70\n1\n10\n0\n20\n0\n10\n40\n20\n0\n10\n40\n20\n20\n10\n0\n20\n20\n0"
+           "\nENDSEC\n0\nEOF\n";
   };
   const std::string metres = put("m.dxf", dxf("6")), feet = put("ft.dxf", dxf("2")), silent = put("no.dxf", dxf("0"));
   EXPECT_DOUBLE_EQ(width("mm, N, MPa", metres), 40.0);
   EXPECT_DOUBLE_EQ(width("mm, N, MPa", feet), 40.0 * 0.3048);
   EXPECT_DOUBLE_EQ(width("mm, N, MPa", silent), 0.04);
   EXPECT_DOUBLE_EQ(width("mm, N, MPa", silent, "unit = \"in\"\n"), 40.0 * 0.0254);
-  const scenario::Run both = test::run("unit_system = \"mm, N, MPa\"\n[input]\nfile = \"" + feet + "\"\nunit = \"m\"\n");
+  const scenario::Run both =
+      test::run("unit_system = \"mm, N, MPa\"\n[input]\nfile = \"" + feet + "\"\nunit = \"m\"\n");
   ASSERT_TRUE(both.complete()) << to_string(*both.error);
   EXPECT_DOUBLE_EQ(test::last(both).domain.box().width(), 40.0);
   EXPECT_THAT(program().remarks_of(both.states.back()), testing::Contains(HasSubstr("as asked for")));
 }
 
 TEST_F(FilesAndUnits, AUnitOfNoFileIsAContradiction) {
-  EXPECT_THAT(test::trouble("unit_system = \"mm, N, MPa\"\n[input]\nspecimen = \"l_shape\"\nunit = \"m\"\n"), HasSubstr("test.toml:6:1: input: `unit` is of the coordinates in `file`"));
+  EXPECT_THAT(test::trouble("unit_system = \"mm, N, MPa\"\n[input]\nspecimen = \"l_shape\"\nunit = \"m\"\n"),
+              HasSubstr("test.toml:6:1: input: `unit` is of the coordinates in `file`"));
 }
 
 TEST_F(FilesAndUnits, ABackgroundMeshIsInTheScenariosUnits) {
-  const std::string background = put("b.inp", "*NODE\n1,0,0\n2,20,0\n3,20,20\n4,0,20\n5,40,0\n6,40,20\n*ELEMENT,TYPE=CPS4\n1,1,2,3,4\n2,2,5,6,3\n");
+  const std::string background = put(
+      "b.inp", "*NODE\n1,0,0\n2,20,0\n3,20,20\n4,0,20\n5,40,0\n6,40,20\n*ELEMENT,TYPE=CPS4\n1,1,2,3,4\n2,2,5,6,3\n");
   const auto mesh = [&](const std::string& head, double scale) {
-    return test::figures(test::run(head + fmt::format("[[input.curve]]\nname = \"a\"\nkind = \"polygon\"\npoints = [[0, 0], [{0}, 0], [{0}, {1}], [0, {1}]]\n[[step]]\noperation = \"mesh\"\nbackground = \"{2}\"\n", 40 * scale, 20 * scale, background))).at("elements");
+    return test::figures(
+               test::run(head +
+                         fmt::format("[[input.curve]]\nname = \"a\"\nkind = \"polygon\"\npoints = [[0, 0], [{0}, 0], "
+                                     "[{0}, {1}], [0, {1}]]\n[[step]]\noperation = \"mesh\"\nbackground = \"{2}\"\n",
+                                     40 * scale, 20 * scale, background)))
+        .at("elements");
   };
   EXPECT_EQ(mesh("unit_system = \"mm, N, MPa\"\n", 1.0), mesh("", 1.0));
 }

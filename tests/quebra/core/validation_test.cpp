@@ -29,7 +29,8 @@ TEST_P(ValidationBook, MeetsItsTolerances) {
   const auto results = validate(cases, {});
   ASSERT_TRUE(results.ok()) << to_string(results.error());
   for (const ValidationResult& result : *results)
-    EXPECT_TRUE(result.met()) << result.what.name << ": " << result.value << " against " << result.what.reference << ", " << 100 * result.error << " %";
+    EXPECT_TRUE(result.met()) << result.what.name << ": " << result.value << " against " << result.what.reference
+                              << ", " << 100 * result.error << " %";
   const std::string csv = validation_csv(*results);
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), static_cast<std::ptrdiff_t>(cases.size() + 1));
   dobra::test::expect_numbers(validation_json(*results), "JSON of " + GetParam());
@@ -39,17 +40,22 @@ TEST_P(ValidationBook, MeetsItsTolerances) {
 
 INSTANTIATE_TEST_SUITE_P(Sections, ValidationBook, testing::ValuesIn(sections()), [](const auto& section) {
   std::string name = "section_" + section.param;
-  std::replace_if(name.begin(), name.end(), [](char c) { return c == '.' || c == ' '; }, '_');
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == '.' || c == ' '; }, '_');
   return name;
 });
 
 TEST(Validation, HasEverySectionAndAReasonForEveryWideTolerance) {
-  EXPECT_THAT(sections(), testing::ElementsAre("patch test", "rates", "effectivity", "3.1", "3.2", "3.3", "3.4", "3.5", "3.6", "3.7 compact tension", "3.7 beam", "3.8 a", "3.8 b", "3.8 c", "3.9", "section 7", "section 8"));
+  EXPECT_THAT(sections(), testing::ElementsAre("patch test", "rates", "effectivity", "3.1", "3.2", "3.3", "3.4", "3.5",
+                                               "3.6", "3.7 compact tension", "3.7 beam", "3.8 a", "3.8 b", "3.8 c",
+                                               "3.9", "section 7", "section 8"));
   std::set<std::string> names;
   for (const ValidationCase& one : validation_cases()) {
     EXPECT_TRUE(names.insert(one.name).second) << one.name << " stands twice";
     // K of the three methods; formulas have their own accuracy, in the source or the note.
-    const double own = one.name.ends_with("interaction integral") ? 1e-3 : one.name.ends_with("crack closure") ? 2e-3 : 1e-2;
+    const double own = one.name.ends_with("interaction integral") ? 1e-3
+                       : one.name.ends_with("crack closure")      ? 2e-3
+                                                                  : 1e-2;
     EXPECT_TRUE(one.tolerance <= own || !one.note.empty()) << one.name;
   }
 }

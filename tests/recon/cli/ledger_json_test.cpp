@@ -240,8 +240,8 @@ TEST_F(LedgerJson, ANameThatIsNoHorizonIsToldForWhatItIs) {
             std::string::npos)
       << fault.err;
   const auto square = [](const char* name, int z) {
-    return fmt::format("0,{1},{0},unit\n90,{1},{0},unit\n90,{2},{0},unit\n0,{2},{0},unit\n0,{1},{0},unit\n", name,
-                       z, z + 10);
+    return fmt::format("0,{1},{0},unit\n90,{1},{0},unit\n90,{2},{0},unit\n0,{2},{0},unit\n0,{1},{0},unit\n", name, z,
+                       z + 10);
   };
   const std::string units = put("u.csv", "x,z,name,kind\n" + square("U1", 0) + square("U2", -10) + square("U3", -20));
   const auto unit = call({"restore", units, "--horizons-from-units", "--top", "U1"});
@@ -254,25 +254,24 @@ TEST_F(LedgerJson, ANameThatIsNoHorizonIsToldForWhatItIs) {
 }
 
 TEST_F(LedgerJson, NamesThatRepeatAreToldOnce) {
-  const std::string square =
-      R"({"type":"Feature","properties":{"name":"R"},"geometry":)"
-      R"({"type":"Polygon","coordinates":[[[0,-9],[9,-9],[9,-5],[0,-9]]]}})";
+  const std::string square = R"({"type":"Feature","properties":{"name":"R"},"geometry":)"
+                             R"({"type":"Polygon","coordinates":[[[0,-9],[9,-9],[9,-5],[0,-9]]]}})";
   const std::string line =
       R"({"type":"Feature","properties":{"name":"R"},"geometry":{"type":"LineString","coordinates":[[0,0],[9,0]]}})";
   const std::string head = R"({"type":"FeatureCollection","features":[)";
   const std::string three = square + ',' + square + ',' + square;
   const auto told = call({"restore", put("r.geojson", head + line + ',' + three + "]}")});
   EXPECT_EQ(told.code, 0) << told.err;
-  const std::string wanted = "3 polygons are called 'R': from the second on they are 'R (2)' and so on, pieces of one unit";
+  const std::string wanted =
+      "3 polygons are called 'R': from the second on they are 'R (2)' and so on, pieces of one unit";
   EXPECT_NE(told.err.find(wanted), std::string::npos) << told.err;
   const auto once = call({"restore", put("r.geojson", head + line + ',' + square + "]}")});
   EXPECT_EQ(once.err.find("are called"), std::string::npos) << once.err;
 }
 
 TEST_F(LedgerJson, APolygonThatCrossesItselfWithEqualLobesIsToldSo) {
-  const std::string bow =
-      R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{"name":"bow"},)"
-      R"("geometry":{"type":"Polygon","coordinates":[[[0,0],[10,10],[10,0],[0,10],[0,0]]]}}]})";
+  const std::string bow = R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{"name":"bow"},)"
+                          R"("geometry":{"type":"Polygon","coordinates":[[[0,0],[10,10],[10,0],[0,10],[0,0]]]}}]})";
   const auto said = call({"restore", put("bow.geojson", bow)});
   EXPECT_EQ(said.code, 3);
   EXPECT_EQ(said.err.find("no area"), std::string::npos) << said.err;

@@ -87,8 +87,8 @@ TEST_F(SectionDocument, LinesInSpaceSayWhatStandsOverTheEnds) {
 TEST_F(SectionDocument, ATableOfColoursAndTheOrientationGoToTheSheet) {
   const std::string file = put("two.csv", "x,z,name\n0,0,A\n90,5,A\n\n0,-9,B\n90,-4,B\n");
   const std::string table = put("colours.csv", "name,colour,age\nA,#010203,Jurassic\nC,#fff,\n");
-  const auto made = call({"restore", file, "--method", "shear", "--out", path("a.svg"), "--colours", table,
-                          "--orientation", "WSW - ENE"});
+  const auto made = call(
+      {"restore", file, "--method", "shear", "--out", path("a.svg"), "--colours", table, "--orientation", "WSW - ENE"});
   EXPECT_EQ(made.code, 0) << made.err;
   EXPECT_NE(made.err.find("nothing of the name 'C'"), std::string::npos) << made.err;
   EXPECT_NE(made.err.find("does not name 'B'"), std::string::npos) << made.err;

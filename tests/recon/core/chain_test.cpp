@@ -1,5 +1,6 @@
-// The chain of stages: a second grid on the restored section, points and lines carried along it, ledgers between states.
-// Expectations are closed forms (a circle unrolled and rolled up again) or the identity of going there and back.
+// The chain of stages: a second grid on the restored section, points and lines carried along it, ledgers between
+// states. Expectations are closed forms (a circle unrolled and rolled up again) or the identity of going there and
+// back.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -25,7 +26,8 @@ base::Result<Model> turn(const Model& model, const TargetParams& target, const R
 }
 
 /// The section of the input, unrolled to z = 0 and then rolled onto the given line.
-base::Result<Model> there_and_onto(const Section& section, const geom::Polyline& line, const RestoreParams& restore = {}) {
+base::Result<Model> there_and_onto(const Section& section, const geom::Polyline& line,
+                                   const RestoreParams& restore = {}) {
   Model model;
   model.section = section;
   TargetParams flat;
@@ -245,7 +247,8 @@ TEST(Chain, TablesOfTheSecondStageTellWhatChangedSinceTheInput) {
   for (const auto& table : program().tables_of(dobra::scenario::make_state(*model))) names.push_back(table.name);
   EXPECT_THAT(names, Contains("stages"));
   std::vector<std::string> quantities;
-  for (const auto& quantity : program().quantities_of(dobra::scenario::make_state(*model))) quantities.push_back(quantity.name);
+  for (const auto& quantity : program().quantities_of(dobra::scenario::make_state(*model)))
+    quantities.push_back(quantity.name);
   EXPECT_THAT(quantities, Contains("since_input.horizon.bed1.change_percent"));
 }
 

@@ -184,8 +184,8 @@ TEST(Layers, PolygonsHaveTheColourOfTheirUnitAndPiecesShareIt) {
   Model model;
   for (const char* const name : {"K2p_1", "J3b", "K2p_2", "T1"}) {
     const double x = 10.0 * static_cast<double>(model.section.units.size());
-    model.section.units.push_back({UnitId(model.section.units.size()), name,
-                                   {{{x, 0}, {x + 9, 0}, {x + 9, 5}, {x, 5}}, true}, {}});
+    model.section.units.push_back(
+        {UnitId(model.section.units.size()), name, {{{x, 0}, {x + 9, 0}, {x + 9, 5}, {x, 5}}, true}, {}});
   }
   const scene::Panel panel = picture_of(model).panels[0];
   const auto fill = [&](int i) { return find(panel, "unit_" + std::to_string(i))->style.fill; };
@@ -246,7 +246,8 @@ TEST(Layers, FaultsAreNamedInTheSectionAndManyShareAnEntryOfTheLegend) {
     model.section = test::section_of({{{{0, 0}, {100, 0}}, false}});
     for (std::size_t i = 0; i < count; ++i) {
       const double x = 10.0 * static_cast<double>(i);
-      model.section.lines.push_back({LineId(i), LineKind::Fault, "F" + std::to_string(i), {{{x, 5}, {x, -50}}, false}, {}});
+      model.section.lines.push_back(
+          {LineId(i), LineKind::Fault, "F" + std::to_string(i), {{{x, 5}, {x, -50}}, false}, {}});
     }
     const scene::Panel panel = picture_of(model).panels[0];
     EXPECT_EQ(scene::legend_name(*find(panel, "line_1")), count > 3 ? "Faults" : "F1");

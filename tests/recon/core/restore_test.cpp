@@ -266,8 +266,10 @@ TEST(Restore, ATornUnitIsToldWithThePlaceAndTheWidth) {
   const double pi = std::numbers::pi;
   Section section = test::section_of({test::cosine()});
   const auto unit = [&](double x) {  // at a crest it lies across the medial axis, in a trough beside it
-    return Unit{UnitId(section.units.size()), "U" + std::to_string(section.units.size()),
-                {{{x - 1, -2.2}, {x + 1, -2.2}, {x + 1, -2.0}, {x - 1, -2.0}}, true}, {}};
+    return Unit{UnitId(section.units.size()),
+                "U" + std::to_string(section.units.size()),
+                {{{x - 1, -2.2}, {x + 1, -2.2}, {x + 1, -2.0}, {x - 1, -2.0}}, true},
+                {}};
   };
   section.units.push_back(unit(pi));
   section.units.push_back(unit(2.0 * pi));
@@ -294,8 +296,7 @@ TEST(Restore, BedsAreOrderedByTheirDepthWhereBothAre) {
     return geom::Polyline{{{from, -150 - 0.8 * from}, {to, -150 - 0.8 * to}}, false};
   };
   geom::Polyline dense = wedge;  // many points where it is deep
-  for (int i = 1; i < 100; ++i)
-    dense.points.insert(dense.points.end() - 1, {900.0 + i, -100 - 0.8 * (900.0 + i)});
+  for (int i = 1; i < 100; ++i) dense.points.insert(dense.points.end() - 1, {900.0 + i, -100 - 0.8 * (900.0 + i)});
   const auto names_of = [&](const std::vector<geom::Polyline>& lines) {
     const Section section = test::section_of(lines);
     const auto model = restored(section);

@@ -218,8 +218,8 @@ double area_named(const SectionFaces& made, const std::string& name) {
 
 /// Three horizons at 0, -4 and -9, from x = 0 to 10.
 Section three_flat(std::vector<SectionLine> lines = {}) {
-  Section section = test::section_of(
-      {{{{0, 0}, {10, 0}}, false}, {{{0, -4}, {10, -4}}, false}, {{{0, -9}, {10, -9}}, false}});
+  Section section =
+      test::section_of({{{{0, 0}, {10, 0}}, false}, {{{0, -4}, {10, -4}}, false}, {{{0, -9}, {10, -9}}, false}});
   section.lines = std::move(lines);
   return section;
 }
@@ -238,9 +238,15 @@ void expect_areas(const Section& section, double upper, double lower) {
 }
 
 TEST(SectionFaces, AnEndThatOnlyTouchesTheEndOfAFaultIsAnEndOfTheSection) {
-  for (const auto& course : std::vector<std::vector<Point>>{
-           {{10, 0}, {7, -2}}, {{10, 0}, {12, 3}}, {{10, 0}, {8, -4}}, {{10, 0}, {6, -9}}, {{-2, 2}, {0, 0}},
-           {{10, -4}, {7, -7}}, {{10, -4}, {13, -6}}, {{2, -2}, {0, -4}}, {{10, -9}, {11, -12}}}) {
+  for (const auto& course : std::vector<std::vector<Point>>{{{10, 0}, {7, -2}},
+                                                            {{10, 0}, {12, 3}},
+                                                            {{10, 0}, {8, -4}},
+                                                            {{10, 0}, {6, -9}},
+                                                            {{-2, 2}, {0, 0}},
+                                                            {{10, -4}, {7, -7}},
+                                                            {{10, -4}, {13, -6}},
+                                                            {{2, -2}, {0, -4}},
+                                                            {{10, -9}, {11, -12}}}) {
     SCOPED_TRACE(course.front().x);
     expect_areas(three_flat({fault(course)}), 40.0, 50.0);
   }
@@ -321,8 +327,8 @@ TEST(SectionFaces, APartUnderAFaultIsNamedByTheHorizonOverTheFault) {
 
 TEST(SectionFaces, ABedOverAFaultNamesNothingUnderItThatIsYoungerOrOpenAbove) {
   // A thrust that carries B over A: what lies on A below the thrust is above A.
-  Section section = test::section_of(
-      {{{{0, 4}, {10, 4}}, false}, {{{0, 0}, {10, 0}}, false}, {{{0, -4}, {10, -4}}, false}});
+  Section section =
+      test::section_of({{{{0, 4}, {10, 4}}, false}, {{{0, 0}, {10, 0}}, false}, {{{0, -4}, {10, -4}}, false}});
   section.horizons[0].name = "B (2)";
   section.horizons[1].name = "A";
   section.horizons[2].name = "B (1)";
@@ -341,9 +347,8 @@ TEST(SectionFaces, ABedOverAFaultNamesNothingUnderItThatIsYoungerOrOpenAbove) {
 
 TEST(SectionFaces, ManyMisfitsAreToldInOneLineWithTheGreatest) {
   Section section = test::section_of({{{{0, 0}, {10, 0}}, false}, {{{0, -4}, {10, -4}}, false}});
-  section.units = {
-      {UnitId(0), "A", {{{0, -2}, {10, -2}, {10, 0}, {0, 0}}, true}, {}},
-      {UnitId(1), "B", {{{0, -4}, {10, -4}, {10, -2}, {8, -2.5}, {6, -2}, {4, -3}, {0, -2}}, true}, {}}};
+  section.units = {{UnitId(0), "A", {{{0, -2}, {10, -2}, {10, 0}, {0, 0}}, true}, {}},
+                   {UnitId(1), "B", {{{0, -4}, {10, -4}, {10, -2}, {8, -2.5}, {6, -2}, {4, -3}, {0, -2}}, true}, {}}};
   const std::vector<std::string> told = remarks_of(faces(section), section);
   ASSERT_EQ(told.size(), 1u);
   // Triangles of bases 4 and 6, heights 0.5 and 1.

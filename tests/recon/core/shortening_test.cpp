@@ -59,8 +59,8 @@ TEST(Shortening, BedsOf1000And1050MetresOverOneWidthAreNotBalanced) {
 }
 
 TEST(Shortening, ABedThatIsTooLongIsFoundBelowTwoThatAgree) {
-  const Section section = test::section_of(
-      {{{{0, 0}, {1000, 0}}, false}, {{{0, -50}, {1000, -50}}, false}, tent(1000, 1030, -300)});
+  const Section section =
+      test::section_of({{{{0, 0}, {1000, 0}}, false}, {{{0, -50}, {1000, -50}}, false}, tent(1000, 1030, -300)});
   EXPECT_NEAR(agreed_percent(section), 100.0 * 30.0 / 1030.0, 1e-9);
 }
 

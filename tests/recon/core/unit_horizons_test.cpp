@@ -252,8 +252,8 @@ TEST(UnitHorizons, EveryUnitHasItsTopHoweverItsSidesLeanAndItsEdgesOverlap) {
       const double base = -300.0 * static_cast<double>(i + 1);
       const double top = base + 300.0 + (i == 0 ? 0.0 : run % 3 == 0 ? -overlap : overlap);
       const auto at = [&](double x, double z) { return Point{x + lean * z, z}; };
-      input.units.push_back(item(std::string(1, static_cast<char>('Q' + i)),
-                                 {at(0, base), at(width, base), at(width, top), at(0, top)}));
+      input.units.push_back(
+          item(std::string(1, static_cast<char>('Q' + i)), {at(0, base), at(width, base), at(width, top), at(0, top)}));
     }
     const ReadSection read = read_of(input);
     const std::string which = fmt::format("run {}: lean {} overlap {} width {}", run, lean, overlap, width);

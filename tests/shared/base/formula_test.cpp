@@ -97,7 +97,10 @@ TEST(Formula, WhatCannotBeReadIsNamedWithItsPlace) {
 }
 
 TEST(Formula, WordsThatNothingIsNearToGetNoSuggestion) {
-  for (const char* word : {"foo", "lft", "or", "and", "xx", "mm"}) EXPECT_THAT(trouble(word), testing::AllOf(HasSubstr("there is x, y, pi, e"), testing::Not(HasSubstr("did you mean")))) << word;
+  for (const char* word : {"foo", "lft", "or", "and", "xx", "mm"})
+    EXPECT_THAT(trouble(word),
+                testing::AllOf(HasSubstr("there is x, y, pi, e"), testing::Not(HasSubstr("did you mean"))))
+        << word;
   EXPECT_THAT(trouble("X"), HasSubstr("did you mean 'x'?"));
   EXPECT_THAT(trouble("SIN(x)"), HasSubstr("did you mean 'sin'?"));
   EXPECT_THAT(trouble("sni(x)"), HasSubstr("did you mean 'sin'?"));

@@ -53,7 +53,8 @@ TEST(Text, MisspeltNameSuggestsTheNearest) {
   EXPECT_EQ(did_you_mean("directon", names), "; did you mean 'direction'?");
   EXPECT_EQ(did_you_mean("colour", names), "");
   const std::vector<std::string> short_names{"cos", "tan", "left"};
-  for (const char* word : {"or", "x", "lt", "foo", "and"}) EXPECT_FALSE(suggestion(word, short_names).has_value()) << word;
+  for (const char* word : {"or", "x", "lt", "foo", "and"})
+    EXPECT_FALSE(suggestion(word, short_names).has_value()) << word;
   EXPECT_EQ(suggestion("LFET", short_names), "left");
   EXPECT_EQ(suggestion("TAN", short_names), "tan");
 }

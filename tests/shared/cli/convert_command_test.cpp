@@ -109,7 +109,8 @@ TEST_F(ConvertCommand, PicturesGiveEachUnitItsColourAndPiecesOneEntry) {
     return work.features.emplace_back(feature);
   };
   for (int i = 0; i < 31; ++i) {
-    for (const char* const piece : {"_1", "_2"}) add("K" + std::to_string(i) + "p" + piece, io::FeatureType::Polygons, "");
+    for (const char* const piece : {"_1", "_2"})
+      add("K" + std::to_string(i) + "p" + piece, io::FeatureType::Polygons, "");
   }
   for (int i = 0; i < 9; ++i) {
     add("bed" + std::to_string(i), io::FeatureType::Lines, i % 2 == 0 ? "horizon" : "");

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "shared/cli/offset_report.h"
-#include "shared/io/file.h"
 #include "shared/io/curves.h"
+#include "shared/io/file.h"
 #include "shared/io/geojson.h"
 #include "shared/io/wkt.h"
 #include "tests/support/command_line.h"
@@ -156,7 +156,9 @@ TEST_F(OffsetCommand, WrongUsageNamesTheOption) {
   refuses({file, "--distance", "one"}, 2, {"'one' is not a number"});
   refuses({file, "--distance", "1", "--factor", "0"}, 2, {"--factor"});
   refuses({file, "--distances", "1,,2"}, 2, {"--distances: '' is not a number"});
-  for (const char* value : {"nan", "inf", "-inf"}) refuses({file, "--distance", value}, 2, {"--distance", std::string("'") + value + "' is not a finite number; it must not be 0"});
+  for (const char* value : {"nan", "inf", "-inf"})
+    refuses({file, "--distance", value}, 2,
+            {"--distance", std::string("'") + value + "' is not a finite number; it must not be 0"});
   refuses({file, "--distance", "1e400"}, 2, {"'1e400' is not a number"});
   refuses({file, "--distances", "1,-2.0"}, 2, {"-2.0 must be above 0 for curve 1, an open line"});
   refuses({file, "--distances", ""}, 2, {"--distances"});
@@ -225,13 +227,17 @@ TEST_F(OffsetCommand, BisectorPointsThatAreCutAreTold) {
   const std::string file = put("back.csv", "0,0\n10,0\n0,1e-6\n");
   const test::Outcome outcome = call({file, "--distance", "1", "--join", "bisector"});
   EXPECT_EQ(outcome.code, 0);
-  EXPECT_NE(outcome.err.find("1 corner turns back so sharply that the bisector point is more than 1000 D away, the first at (10, 0)"),
-            std::string::npos) << outcome.err;
+  EXPECT_NE(
+      outcome.err.find(
+          "1 corner turns back so sharply that the bisector point is more than 1000 D away, the first at (10, 0)"),
+      std::string::npos)
+      << outcome.err;
   EXPECT_EQ(call({corner(), "--distance", "1", "--join", "bisector"}).err, "");
 }
 
 TEST_F(OffsetCommand, OfAnOpenLineAmongPolygonsADistanceBelowZeroIsLeftOutAndTold) {
-  const std::string file = put("mixed.wkt", "LINESTRING (20 0, 30 0)\nPOLYGON ((0 0, 10 0, 10 10, 0 10, 0 0))\nLINESTRING (40 0, 50 0)\n");
+  const std::string file =
+      put("mixed.wkt", "LINESTRING (20 0, 30 0)\nPOLYGON ((0 0, 10 0, 10 10, 0 10, 0 0))\nLINESTRING (40 0, 50 0)\n");
   const test::Outcome outcome = call({file, "--distances", "-1,2", "--json"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const Json curves = Json::parse(outcome.out)["curves"];
@@ -301,7 +307,8 @@ TEST_F(OffsetCommand, OFF_c_APolygonWithHolesStaysOnePolygonWithHoles) {
 
 TEST_F(OffsetCommand, OFF_c_PolygonsOfOneFeatureAreJoinedWhereTheyMeet) {
   const std::string file =
-      put("multi.wkt", "MULTIPOLYGON (((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 3, 3 3, 3 1, 1 1)), ((6 0, 10 0, 10 4, 6 4, 6 0)))");
+      put("multi.wkt",
+          "MULTIPOLYGON (((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 3, 3 3, 3 1, 1 1)), ((6 0, 10 0, 10 4, 6 4, 6 0)))");
   const Json curves = json({file, "--distances", "0.5,1.5,-0.25"})["curves"];
   EXPECT_NEAR(curves[0]["area"].get<double>(), 25 - 1 + 25, 1e-9);
   EXPECT_NEAR(curves[1]["area"].get<double>(), 13 * 7, 1e-9);
@@ -320,8 +327,10 @@ TEST_F(OffsetCommand, OFF_c_BothSidesOfALineHaveTheCapsThatAreAskedFor) {
 }
 
 TEST_F(OffsetCommand, OFF_c_LinesAndPolygonsOfAFileDissolveToOneArea) {
-  const std::string file = put("mixed.wkt", "LINESTRING (0 0, 10 0)\nPOLYGON ((4 -3, 6 -3, 6 3, 4 3, 4 -3))\nLINESTRING (20 0, 30 0)");
-  const test::Outcome outcome = call({file, "--distance", "1", "--dissolve", "--caps", "flat", "--join", "mitre", "--json"});
+  const std::string file =
+      put("mixed.wkt", "LINESTRING (0 0, 10 0)\nPOLYGON ((4 -3, 6 -3, 6 3, 4 3, 4 -3))\nLINESTRING (20 0, 30 0)");
+  const test::Outcome outcome =
+      call({file, "--distance", "1", "--dissolve", "--caps", "flat", "--join", "mitre", "--json"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const Json curves = Json::parse(outcome.out)["curves"];
   ASSERT_EQ(curves.size(), 1U);
@@ -372,13 +381,15 @@ TEST_F(OffsetCommand, AClosedLineStringIsTreatedLikeAClosedLineOfAText) {
   const Json text = json({put("c.csv", "0,0\n4,0\n4,4\n0,4\n0,0\n"), "--distance", "1"});
   EXPECT_NEAR(text["curves"][0]["area"].get<double>(), 36, 1e-9);
   EXPECT_EQ(json({put("c.wkt", "LINESTRING (0 0, 0 4, 4 4, 4 0, 0 0)"), "--distance", "1"})["curves"][0]["area"], 36.0);
-  EXPECT_EQ(json({put("c.geojson", R"({"type":"LineString","coordinates":[[0,0],[4,0],[4,4],[0,4],[0,0]]})"), "--distance", "1"})["curves"],
+  EXPECT_EQ(json({put("c.geojson", R"({"type":"LineString","coordinates":[[0,0],[4,0],[4,4],[0,4],[0,0]]})"),
+                  "--distance", "1"})["curves"],
             text["curves"]);
 }
 
 TEST_F(OffsetCommand, APolygonThatCrossesItselfIsToldAndTakenAsThoseThatDoNot) {
   // It crosses itself at (3, 3): right triangles with legs of 3 and 3, and of 3 and 1, all times the root of 2.
-  const test::Outcome outcome = call({put("bow.wkt", "POLYGON ((0 0, 6 6, 6 0, 2 4, 0 0))"), "--distance", "-0.25", "--json"});
+  const test::Outcome outcome =
+      call({put("bow.wkt", "POLYGON ((0 0, 6 6, 6 0, 2 4, 0 0))"), "--distance", "-0.25", "--json"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_NE(outcome.err.find("crosses or touches itself; taken as 2 polygons"), std::string::npos) << outcome.err;
   const auto shrunk = [](double a, double b) {
@@ -431,7 +442,8 @@ TEST_F(OffsetCommand, IdAttributesAndReferenceSystemAreKept) {
     EXPECT_NEAR(std::get<double>(value("area")), 36, 1e-9);
   }
   const test::Outcome lost = call({file, "--distance", "1", "--out", path("k.dxf")});
-  EXPECT_NE(lost.err.find("the reference system (SIRGAS 2000 / UTM zone 23S) is not kept in .dxf"), std::string::npos) << lost.err;
+  EXPECT_NE(lost.err.find("the reference system (SIRGAS 2000 / UTM zone 23S) is not kept in .dxf"), std::string::npos)
+      << lost.err;
   EXPECT_EQ(lost.code, 0);
   const auto drawing = io::read_any_lines(path("k.dxf"));
   ASSERT_TRUE(drawing.ok());
@@ -442,14 +454,17 @@ TEST_F(OffsetCommand, LinesAndPolygonsDoNotGoIntoOneShapefile) {
   const std::string file = put("m.wkt", "LINESTRING (0 0, 10 0)\nPOLYGON ((4 -3, 6 -3, 6 3, 4 3, 4 -3))");
   refuses({file, "--distance", "1", "--out", path("m.shp")}, 2, {"--out", ".gpkg"});
   EXPECT_EQ(call({file, "--distance", "1", "--out", path("m.gpkg")}).code, 0);
-  EXPECT_EQ(call({put("s.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))"), "--distance", "-3", "--out", path("n.shp")}).code, 0);
+  EXPECT_EQ(
+      call({put("s.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))"), "--distance", "-3", "--out", path("n.shp")}).code, 0);
   EXPECT_TRUE(std::filesystem::exists(path("n.shp")));  // nothing remains, and the file says so
 }
 
 TEST_F(OffsetCommand, OFF_b_SizesWhoseSquaresAreNoNumbersAreRefused) {
   const std::string tips = "-5 -8,2 8,2.160023e200 1.937208e200,-4 -3,-5 -4,8796093022208 281474976710653";
   const auto refused = [&](const std::string& line, const std::string& distance, const std::string& why) {
-    refuses({put("wide.wkt", "LINESTRING(" + line + ")"), "--distance", distance, "--side", "left", "--join", "round", "--json"}, 3, {why});
+    refuses({put("wide.wkt", "LINESTRING(" + line + ")"), "--distance", distance, "--side", "left", "--join", "round",
+             "--json"},
+            3, {why});
   };
   refused(tips, "5.8e197", "beyond 1e150");
   refused("0 0,1.7e308 0,1.7e308 1.7e308", "1e300", "beyond 1e150");
@@ -460,7 +475,8 @@ TEST_F(OffsetCommand, OFF_b_SizesWhoseSquaresAreNoNumbersAreRefused) {
   refused("0 0,1e150 0", "2e150", "between 1e-150 and 1e150");
   refuses({put("nan.csv", "0,0\nnan,1\n"), "--distance", "1"}, 3, {"nan.csv"});
   for (const double size : {1e150, 1e-149}) {
-    const Json made = json({put("ok.csv", fmt::format("0,0\n{0},0\n{0},{0}\n0,{0}\n0,0\n", size)), "--distance", fmt::format("{}", size / 4)});
+    const Json made = json({put("ok.csv", fmt::format("0,0\n{0},0\n{0},{0}\n0,{0}\n0,0\n", size)), "--distance",
+                            fmt::format("{}", size / 4)});
     const double expected = 2.25 * size * size;
     EXPECT_NEAR(made["curves"][0]["area"].get<double>(), expected, 1e-12 * expected);
   }
@@ -513,13 +529,16 @@ TEST_F(OffsetCommand, VerifySaysWhatItWasNotAskedAbout) {
     return at == std::string::npos ? std::string() : outcome.err.substr(at);
   };
   EXPECT_EQ(said({square()}), "");
-  EXPECT_EQ(said({put("back.csv", "0,0\n10,0\n0,1e-6\n"), "--join", "bisector"}), "not judged: 1 bisector point cut across\n");
+  EXPECT_EQ(said({put("back.csv", "0,0\n10,0\n0,1e-6\n"), "--join", "bisector"}),
+            "not judged: 1 bisector point cut across\n");
   EXPECT_EQ(said({put("bow.wkt", "POLYGON ((0 0, 6 6, 6 0, 2 4, 0 0))"), "--join", "round"}),
-            "not judged: 1 polygon that crosses or touches itself, but what it was taken as; what was joined of several curves\n");
+            "not judged: 1 polygon that crosses or touches itself, but what it was taken as; what was joined of "
+            "several curves\n");
   // A bulb with a narrow neck: the inside of it is a second piece.
   const std::string bulb = put("bulb.csv", "-10,0\n-0.5,0\n-0.5,5\n-5,5\n-5,15\n5,15\n5,5\n0.5,5\n0.5,0\n10,0\n");
   EXPECT_TRUE(said({bulb, "--side", "left"}).empty() != said({bulb, "--side", "right"}).empty());
-  EXPECT_NE((said({bulb, "--side", "left"}) + said({bulb, "--side", "right"})).find("not judged: 1 piece left out ("), std::string::npos);
+  EXPECT_NE((said({bulb, "--side", "left"}) + said({bulb, "--side", "right"})).find("not judged: 1 piece left out ("),
+            std::string::npos);
   EXPECT_EQ(said({corner(), "--untreated"}), "not judged: whether untreated curves keep their distance or cross\n");
 }
 

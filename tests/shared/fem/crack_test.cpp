@@ -61,18 +61,23 @@ TEST(Crack, TheFormulasOfTheHandbooksGiveTheValuesKnownOfThem) {
   for (std::size_t i = 0; i < edge.size(); ++i) {
     const double x = 0.1 * static_cast<double>(i + 1);
     EXPECT_NEAR(tada_edge(x), edge[i], 0.5e-4) << x;
-    EXPECT_NEAR(1.122 - 0.231 * x + 10.55 * x * x - 21.71 * std::pow(x, 3) + 30.382 * std::pow(x, 4), polynomial[i], 0.6e-3) << x;
+    EXPECT_NEAR(1.122 - 0.231 * x + 10.55 * x * x - 21.71 * std::pow(x, 3) + 30.382 * std::pow(x, 4), polynomial[i],
+                0.6e-3)
+        << x;
   }
   const std::vector<double> centre{1.00597, 1.02448, 1.05753, 1.10905, 1.18623, 1.30274, 1.48735};
-  for (std::size_t i = 0; i < centre.size(); ++i) EXPECT_NEAR(tada_centre(0.1 * static_cast<double>(i + 1)), centre[i], 0.6e-5) << i;
+  for (std::size_t i = 0; i < centre.size(); ++i)
+    EXPECT_NEAR(tada_centre(0.1 * static_cast<double>(i + 1)), centre[i], 0.6e-5) << i;
   const std::vector<double> at{0.3, 0.4, 0.45, 0.5, 0.55, 0.6, 0.7};
   const std::vector<double> compact{5.621, 7.279, 8.340, 9.659, 11.364, 13.654, 21.55};
   const std::vector<double> bending{1.521, 1.982, 2.285, 2.663, 3.142, 3.772, 5.850};
   for (std::size_t i = 0; i < at.size(); ++i) {
     const double x = at[i];
-    const double ct = (2 + x) * (0.886 + 4.64 * x - 13.32 * x * x + 14.72 * std::pow(x, 3) - 5.6 * std::pow(x, 4)) / std::pow(1 - x, 1.5);
+    const double ct = (2 + x) * (0.886 + 4.64 * x - 13.32 * x * x + 14.72 * std::pow(x, 3) - 5.6 * std::pow(x, 4)) /
+                      std::pow(1 - x, 1.5);
     EXPECT_NEAR(ct, compact[i], x < 0.65 ? 0.6e-3 : 0.6e-2) << x;
-    const double beam = 3 * std::sqrt(x) * (1.99 - x * (1 - x) * (2.15 - 3.93 * x + 2.7 * x * x)) / (2 * (1 + 2 * x) * std::pow(1 - x, 1.5));
+    const double beam = 3 * std::sqrt(x) * (1.99 - x * (1 - x) * (2.15 - 3.93 * x + 2.7 * x * x)) /
+                        (2 * (1 + 2 * x) * std::pow(1 - x, 1.5));
     EXPECT_NEAR(beam, bending[i], 0.6e-3) << x;
   }
 }
@@ -255,7 +260,8 @@ TEST(Crack, OneMethodAloneHasNoSpreadAndARemarkSaysWhy) {
   EXPECT_GT(tip.domain.k.one, 0.0);
   EXPECT_FALSE(tip.spread.has_value());
   ASSERT_EQ(tip.remarks.size(), 2U);
-  EXPECT_THAT(tip.remarks[1], testing::AllOf(HasSubstr("part by more than 2 %: J is"), HasSubstr("rosettes = \"yes\"")));
+  EXPECT_THAT(tip.remarks[1],
+              testing::AllOf(HasSubstr("part by more than 2 %: J is"), HasSubstr("rosettes = \"yes\"")));
   EXPECT_THAT(tip.remarks[0], testing::AllOf(HasSubstr("one method only"), HasSubstr("needs quadratic elements"),
                                              HasSubstr("rosettes = \"yes\"")));
 }
@@ -286,7 +292,8 @@ TEST(Crack, LipsThatOverlapAwayFromAnOpenTipAreSaidTo) {
   for (const TipResult& tip : tips) {
     EXPECT_EQ(tip.domain.k.one > 0.0, tip.at.x > 0.0);
     EXPECT_EQ(tip.kinks.has_value(), tip.at.x > 0.0);
-    EXPECT_THAT(tip.remarks, testing::ElementsAre(HasSubstr("part by more than 2 %"), HasSubstr("closed: the lips overlap by up to")));
+    EXPECT_THAT(tip.remarks, testing::ElementsAre(HasSubstr("part by more than 2 %"),
+                                                  HasSubstr("closed: the lips overlap by up to")));
   }
 }
 

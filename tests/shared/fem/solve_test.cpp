@@ -238,24 +238,29 @@ ElementMesh cylinder(ElementType type, int n) {
     return Point{t == 1.0 ? 0.0 : (1.0 + s) * std::cos(angle), t == 0.0 ? 0.0 : (1.0 + s) * std::sin(angle)};
   });
 }
-/// Greatest error of the radial stress at the bore (recovered; the pressure is 1), and of the displacement there, relative.
+/// Greatest error of the radial stress at the bore (recovered; the pressure is 1), and of the displacement there,
+/// relative.
 struct BoreErrors {
   double stress = 0.0, moved = 0.0;
 };
 BoreErrors at_the_bore(ElementType type, int n, double poisson) {
   const Cylinder exact{{.young = 1000.0, .poisson = poisson, .state = PlaneState::Strain}};
   const ElementMesh mesh = cylinder(type, n);
-  Problem problem{.materials = {{0, exact.material}}, .supports = {{.where = "bottom", .y = 0.0}, {.where = "top", .x = 0.0}}};
+  Problem problem{.materials = {{0, exact.material}},
+                  .supports = {{.where = "bottom", .y = 0.0}, {.where = "top", .x = 0.0}}};
   problem.cases[0].sides = {{"left", pressure(1.0)}};
   const Solution solution = solved(mesh, problem);
-  const auto stresses = nodal_mean(mesh, recover_stress(mesh, problem.materials, solution.cases[0].displacements).at_element_nodes);
+  const auto stresses =
+      nodal_mean(mesh, recover_stress(mesh, problem.materials, solution.cases[0].displacements).at_element_nodes);
   BoreErrors errors;
   for (std::size_t i = 0; i < mesh.points.size(); ++i) {
     const Vector e{mesh.points[i].x, mesh.points[i].y};
     if (std::abs(length(e) - 1.0) > 1e-9) continue;
     const Voigt& s = stresses[i];
-    errors.stress = std::max(errors.stress, std::abs(s[0] * e.x * e.x + s[1] * e.y * e.y + 2.0 * s[2] * e.x * e.y - Cylinder::radial(1.0)));
-    errors.moved = std::max(errors.moved, std::abs(dot(solution.cases[0].displacements[i], e) / exact.moved(1.0) - 1.0));
+    errors.stress = std::max(
+        errors.stress, std::abs(s[0] * e.x * e.x + s[1] * e.y * e.y + 2.0 * s[2] * e.x * e.y - Cylinder::radial(1.0)));
+    errors.moved =
+        std::max(errors.moved, std::abs(dot(solution.cases[0].displacements[i], e) / exact.moved(1.0) - 1.0));
   }
   return errors;
 }
@@ -264,7 +269,8 @@ TEST(Solve, ABoreUnderPressureIsRightUpToIncompressibility) {
   for (const ElementType type : {ElementType::T6, ElementType::Q8}) {
     for (const double nu : {0.3, 0.45, 0.49, 0.495, 0.4999, 0.49999, 0.4999999}) {
       const auto coarse = at_the_bore(type, 8, nu), fine = at_the_bore(type, 16, nu);
-      printf("[ figures  ] bore, %s, nu %.7g: stress off by %.2e and %.2e, displacement by %.1e and %.1e\n", name_of(type), nu, coarse.stress, fine.stress, coarse.moved, fine.moved);
+      printf("[ figures  ] bore, %s, nu %.7g: stress off by %.2e and %.2e, displacement by %.1e and %.1e\n",
+             name_of(type), nu, coarse.stress, fine.stress, coarse.moved, fine.moved);
       EXPECT_LT(coarse.stress, 0.016) << name_of(type) << nu;
       EXPECT_LT(fine.stress, 0.25 * coarse.stress) << name_of(type) << nu;
       EXPECT_LT(coarse.moved, 1e-3) << name_of(type) << nu;
@@ -298,14 +304,18 @@ TEST(Solve, ElementsOfFirstOrderAreRefusedWhereTheyLock) {
   for (const ElementType type : all_types) {
     const ElementMesh mesh = mapped_grid(type, 2, 2, unit_square);
     const auto solution = [&](double nu, PlaneState state) {
-      return solve(mesh, {.materials = {{0, {.young = 1.0, .poisson = nu, .state = state}}}, .supports = {{.where = "left", .x = 0.0, .y = 0.0}}});
+      return solve(mesh, {.materials = {{0, {.young = 1.0, .poisson = nu, .state = state}}},
+                          .supports = {{.where = "left", .x = 0.0, .y = 0.0}}});
     };
     EXPECT_TRUE(solution(0.45, PlaneState::Strain).ok());
     EXPECT_TRUE(solution(0.5, PlaneState::Stress).ok());
     const auto near = solution(0.4999999, PlaneState::Strain);
     EXPECT_EQ(near.ok(), mesh::is_quadratic(type)) << name_of(type);
     const std::string said = near ? "" : to_string(near.error());
-    EXPECT_EQ(said.find("elements of first order lock in plane strain with Poisson's ratio 0.4999999") != std::string::npos, !mesh::is_quadratic(type)) << said;
+    EXPECT_EQ(
+        said.find("elements of first order lock in plane strain with Poisson's ratio 0.4999999") != std::string::npos,
+        !mesh::is_quadratic(type))
+        << said;
   }
 }
 

@@ -16,7 +16,9 @@ void expect_near(Point p, Point q, double tolerance = 1e-14) {
   EXPECT_NEAR(p.x, q.x, tolerance);
   EXPECT_NEAR(p.y, q.y, tolerance);
 }
-void expect_near(Vector p, Vector q, double tolerance = 1e-14) { expect_near(Point{p.x, p.y}, Point{q.x, q.y}, tolerance); }
+void expect_near(Vector p, Vector q, double tolerance = 1e-14) {
+  expect_near(Point{p.x, p.y}, Point{q.x, q.y}, tolerance);
+}
 
 Bezier example() { return *Bezier::make({{0, 0}, {1, 2}, {3, 3}, {4, 0}}); }
 
@@ -52,7 +54,8 @@ TEST(Bezier, CRV_d_BothPartsFollowTheWholeAtAnyDegree) {
 
 TEST(RationalBezier, CRV_f_QuarterOfTheUnitCircleWithBothWeightings) {
   const double w = std::sqrt(0.5);
-  for (const auto& [weights, middle] : {std::pair{std::vector<double>{1, 1, 2}, Point{0.6, 0.8}}, {{1, w, 1}, Point{w, w}}}) {
+  for (const auto& [weights, middle] :
+       {std::pair{std::vector<double>{1, 1, 2}, Point{0.6, 0.8}}, {{1, w, 1}, Point{w, w}}}) {
     const RationalBezier curve = *RationalBezier::make({{1, 0}, {1, 1}, {0, 1}}, weights);
     for (int i = 0; i <= 50; ++i) {
       const Point p = curve.point(i / 50.0);

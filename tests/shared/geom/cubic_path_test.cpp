@@ -105,7 +105,8 @@ TEST(CubicPath, SplinesAreSmoothToTheSecondDerivativeWithAnyKnots) {
     for (Point& p : points) p = {normal(random), normal(random)};
     const auto knots = chord_length_knots(points, ends);
     const CubicPath path = *cubic_spline(points, knots, ends);
-    const auto curvature = [&](const HermiteCubic& c, double h, double u) {  // second derivative by the knots' parameter
+    const auto curvature = [&](const HermiteCubic& c, double h,
+                               double u) {  // second derivative by the knots' parameter
       const Vector second = (6 - 12 * u) * (c.to - c.from) + (6 * u - 4) * c.from_tangent + (6 * u - 2) * c.to_tangent;
       return second / (h * h);
     };
@@ -138,7 +139,8 @@ TEST(CubicPath, BadInputIsRefused) {
   const auto spline = [&](std::vector<double> knots) { return cubic_spline(points, knots, SplineEnds::Natural); };
   EXPECT_EQ(spline({0, 1}).error().code, base::ErrorCode::InvalidOption);
   EXPECT_EQ(spline({0, 1, 1}).error().code, base::ErrorCode::InvalidOption);
-  EXPECT_EQ(cubic_spline(graph({0}), std::vector<double>{0}, SplineEnds::Natural).error().code, base::ErrorCode::DegenerateCurve);
+  EXPECT_EQ(cubic_spline(graph({0}), std::vector<double>{0}, SplineEnds::Natural).error().code,
+            base::ErrorCode::DegenerateCurve);
   EXPECT_EQ(uniform_b_spline(points).error().code, base::ErrorCode::DegenerateCurve);
 }
 

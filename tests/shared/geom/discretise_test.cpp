@@ -162,7 +162,9 @@ TEST(Discretise, FullTurnsOfASpiralAreNotTakenForAStraightPiece) {
       return 0.5 * (r * std::sqrt(r * r + 1.0) + std::asinh(r));
     };
     CurveFunctions spiral;
-    spiral.point = [end](double t) { return Point{(1.0 + end * t) * std::cos(end * t), (1.0 + end * t) * std::sin(end * t)}; };
+    spiral.point = [end](double t) {
+      return Point{(1.0 + end * t) * std::cos(end * t), (1.0 + end * t) * std::sin(end * t)};
+    };
     spiral.tangent = [end](double t) {
       const double a = end * t;
       const double r = 1.0 + a;

@@ -49,8 +49,10 @@ struct StackParams {
   std::vector<geom::Point> datum;
   template <class D>
   static void describe(D& d) {
-    d.field("count", &StackParams::count, {.title = "Number of curves", .help = "How many curves.", .at_least = 1, .at_most = 40});
-    d.field("distance", &StackParams::distance, {.title = "Distance from one curve to the next", .unit = "m", .above = 0});
+    d.field("count", &StackParams::count,
+            {.title = "Number of curves", .help = "How many curves.", .at_least = 1, .at_most = 40});
+    d.field("distance", &StackParams::distance,
+            {.title = "Distance from one curve to the next", .unit = "m", .above = 0});
     d.field("tilt", &StackParams::tilt, {.title = "Tilt"});
     d.choice("corners", &StackParams::corners, {"mitre", "round"}, {.title = "Corners"});
     d.field("filled", &StackParams::filled, {.title = "Filled"});
@@ -83,7 +85,8 @@ struct Waves {
   bool filled = false;
 };
 
-inline base::Result<Waves> stack(const Waves& waves, const StackParams& params, const scenario::Context&, const base::Progress&) {
+inline base::Result<Waves> stack(const Waves& waves, const StackParams& params, const scenario::Context&,
+                                 const base::Progress&) {
   Waves made = waves;
   made.count = params.count;
   made.distance = params.distance;
@@ -91,7 +94,8 @@ inline base::Result<Waves> stack(const Waves& waves, const StackParams& params, 
   return made;
 }
 
-inline base::Result<Waves> sleep(const Waves& waves, const SleepParams& params, const scenario::Context&, const base::Progress& progress) {
+inline base::Result<Waves> sleep(const Waves& waves, const SleepParams& params, const scenario::Context&,
+                                 const base::Progress& progress) {
   const auto begin = std::chrono::steady_clock::now();
   double passed = 0.0;
   while (passed < params.seconds) {
@@ -103,7 +107,8 @@ inline base::Result<Waves> sleep(const Waves& waves, const SleepParams& params, 
   return waves;
 }
 
-inline base::Result<Waves> break_at(const Waves&, const BreakParams& params, const scenario::Context&, const base::Progress&) {
+inline base::Result<Waves> break_at(const Waves&, const BreakParams& params, const scenario::Context&,
+                                    const base::Progress&) {
   base::Place place;
   place.item = "wave 1";
   place.x = params.at.x;
@@ -125,12 +130,14 @@ inline scene::Panel wave_panel(const Waves& waves, const std::string& key, doubl
     const geom::Polyline top = geom::reversed(wave_line(amplitude, 0.0));
     contour.points.insert(contour.points.end(), top.points.begin(), top.points.end());
     contour.closed = true;
-    panel.layers.push_back({"bed", "bed", Style{{90, 90, 90}, 0.0, Dash::Solid, Color{236, 214, 160}}, Regions{{Region{{contour}}}, {}}});
+    panel.layers.push_back(
+        {"bed", "bed", Style{{90, 90, 90}, 0.0, Dash::Solid, Color{236, 214, 160}}, Regions{{Region{{contour}}}, {}}});
   }
   Lines stack;
   for (int k = 1; k <= waves.count; ++k) stack.lines.push_back(wave_line(amplitude, waves.distance * k));
   panel.layers.push_back({"stack", "offset curves", Style{{90, 100, 110}, 0.8, Dash::Solid}, stack});
-  panel.layers.push_back({"top", "top", Style{{20, 60, 130}, 2.0, Dash::Solid}, Lines{{wave_line(amplitude, 0.0)}, {}}});
+  panel.layers.push_back(
+      {"top", "top", Style{{20, 60, 130}, 2.0, Dash::Solid}, Lines{{wave_line(amplitude, 0.0)}, {}}});
   return panel;
 }
 
@@ -145,19 +152,21 @@ inline scenario::Program fake_program() {
     waves.amplitude = from_table<WaveInput>(table).amplitude;
     return make_state(waves);
   };
-  program.operations = {
-      make_operation<Waves, StackParams>("stack", "Stack of waves", "Repeats the wave below itself at equal distances.", stack),
-      make_operation<Waves, SleepParams>("sleep", "Sleep", "Does nothing for a while.", sleep),
-      make_operation<Waves, BreakParams>("break", "Break", "Always fails.", break_at)};
+  program.operations = {make_operation<Waves, StackParams>("stack", "Stack of waves",
+                                                           "Repeats the wave below itself at equal distances.", stack),
+                        make_operation<Waves, SleepParams>("sleep", "Sleep", "Does nothing for a while.", sleep),
+                        make_operation<Waves, BreakParams>("break", "Break", "Always fails.", break_at)};
   program.results.draw = [](const State& state, scene::Picture& picture) {
     const auto& waves = model_of<Waves>(state);
-    picture = scene::Picture{"Waves", {wave_panel(waves, "before", waves.amplitude), wave_panel(waves, "after", 0.0)}, scene::Arrangement::Column};
+    picture = scene::Picture{"Waves",
+                             {wave_panel(waves, "before", waves.amplitude), wave_panel(waves, "after", 0.0)},
+                             scene::Arrangement::Column};
   };
   program.results.quantities = [](const State& state, std::vector<Quantity>& quantities) {
     const auto& waves = model_of<Waves>(state);
     quantities = {{"wave.amplitude", waves.amplitude, "m"},
-                                 {"stack.count", static_cast<double>(waves.count), ""},
-                                 {"stack.thickness", waves.count * waves.distance, "m"}};
+                  {"stack.count", static_cast<double>(waves.count), ""},
+                  {"stack.thickness", waves.count * waves.distance, "m"}};
   };
   program.results.remarks = [](const State& state, std::vector<std::string>& remarks) {
     if (model_of<Waves>(state).count > 10) remarks.push_back("more than ten curves are hard to tell apart");
@@ -166,7 +175,8 @@ inline scenario::Program fake_program() {
 }
 
 inline const char* waves_text() {
-  return "dobra = 1\nprogram = \"waves\"\n\n[input]\namplitude = 100.0\n\n[[step]]\noperation = \"stack\"\nname = \"grid\"\n"
+  return "dobra = 1\nprogram = \"waves\"\n\n[input]\namplitude = 100.0\n\n[[step]]\noperation = \"stack\"\nname = "
+         "\"grid\"\n"
          "count = 4\ndistance = 50.0\n";
 }
 

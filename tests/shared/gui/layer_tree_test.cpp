@@ -35,11 +35,12 @@ TEST(LayerTree, ChoiceIsToldOnceAndKeptWhenThePictureIsMadeAnew) {
   LayerTree tree;
   tree.show_picture(waves());
   int told = 0;
-  QObject::connect(&tree, &LayerTree::visibility_changed, [&](const std::string& panel, const std::string& layer, bool on) {
-    ++told;
-    EXPECT_EQ(panel + "/" + layer, "after/bed");
-    EXPECT_FALSE(on);
-  });
+  QObject::connect(&tree, &LayerTree::visibility_changed,
+                   [&](const std::string& panel, const std::string& layer, bool on) {
+                     ++told;
+                     EXPECT_EQ(panel + "/" + layer, "after/bed");
+                     EXPECT_FALSE(on);
+                   });
   EXPECT_TRUE(tree.set_layer_visible("after/bed", false));
   EXPECT_EQ(told, 1);
   tree.show_picture(waves());

@@ -46,7 +46,8 @@ class MainWindowTest : public testing::Test {
     QTest::mouseRelease(&window.view(), button, {}, to.toPoint());
   }
   void turn_wheel(QPointF at, int notches) {
-    QWheelEvent wheel(at, window.view().mapToGlobal(at), {}, {0, 120 * notches}, Qt::NoButton, {}, Qt::NoScrollPhase, false);
+    QWheelEvent wheel(at, window.view().mapToGlobal(at), {}, {0, 120 * notches}, Qt::NoButton, {}, Qt::NoScrollPhase,
+                      false);
     QCoreApplication::sendEvent(&window.view(), &wheel);
   }
 
@@ -89,7 +90,8 @@ TEST_F(MainWindowTest, GUI_b_UndoOfAFormEditRestoresTheVeryDocumentAndItsResult)
 TEST_F(MainWindowTest, GUI_b_TypingInTheFormDoesWhatAssignmentDoes) {
   open_waves();
   ASSERT_TRUE(type("distance", "12.5").ok());
-  const auto assigned = scenario::with_value(*scenario::read_document(folder / "waves.toml"), program, "steps.1.distance=12.5");
+  const auto assigned =
+      scenario::with_value(*scenario::read_document(folder / "waves.toml"), program, "steps.1.distance=12.5");
   ASSERT_TRUE(assigned.ok());
   EXPECT_EQ(text(), scenario::document_text(*assigned));
 }
@@ -115,7 +117,9 @@ TEST_F(MainWindowTest, GUI_c_BadFilesAreSaidInTheErrorBarAndChangeNothing) {
   EXPECT_TRUE(window.error_bar().message().contains("missing.toml")) << window.error_bar().message().toStdString();
   const std::vector<std::pair<std::string, std::string>> bad{
       {"empty.toml", ""},
-      {"binary.toml", std::string("\x7f" "ELF\x02\x00\x01\xff\xfe", 9)},
+      {"binary.toml", std::string("\x7f"
+                                  "ELF\x02\x00\x01\xff\xfe",
+                                  9)},
       {"words.toml", "hello, world\n"},
       {"other.toml", "dobra = 1\nprogram = \"recon\"\n[input]\n"}};
   for (const auto& [name, bytes] : bad) {

@@ -62,9 +62,17 @@ TEST_F(ParameterFormTest, TypingAndReturnGivesATableWithTheValue) {
 }
 
 TEST_F(ParameterFormTest, GUI_c_BadValuesAreRefusedInPlaceAndChangeNothing) {
-  for (const auto& [key, typed] : std::vector<std::pair<std::string, const char*>>{
-           {"count", "0"}, {"count", "41"}, {"count", "2.5"}, {"count", "many"}, {"distance", "-1"}, {"distance", "0"},
-           {"distance", "nan"}, {"distance", "1e999"}, {"limit", "-3"}, {"corners", "sharp"}, {"datum", "1, 2; 3"}}) {
+  for (const auto& [key, typed] : std::vector<std::pair<std::string, const char*>>{{"count", "0"},
+                                                                                   {"count", "41"},
+                                                                                   {"count", "2.5"},
+                                                                                   {"count", "many"},
+                                                                                   {"distance", "-1"},
+                                                                                   {"distance", "0"},
+                                                                                   {"distance", "nan"},
+                                                                                   {"distance", "1e999"},
+                                                                                   {"limit", "-3"},
+                                                                                   {"corners", "sharp"},
+                                                                                   {"datum", "1, 2; 3"}}) {
     form.set_table({});
     const base::Result<void> done = form.type(key, typed);
     EXPECT_FALSE(done.ok()) << key << " " << typed;

@@ -43,7 +43,8 @@ TEST_F(ScriptTest, ChangeUndoRedoSaveLeavesTheChangedDocument) {
 }
 
 TEST_F(ScriptTest, ViewAndLayerCommandsWork) {
-  EXPECT_EQ(run("wait\nhide after/bed\nshow after/bed\nzoom 2 0.5 0.3\nfit\nsave-picture " + path("p.svg") + "\nquit\n"), 0);
+  EXPECT_EQ(
+      run("wait\nhide after/bed\nshow after/bed\nzoom 2 0.5 0.3\nfit\nsave-picture " + path("p.svg") + "\nquit\n"), 0);
   EXPECT_GT(folder.read("p.svg").size(), 500u);
 }
 
@@ -53,7 +54,8 @@ TEST_F(ScriptTest, FailingCommandEndsWithOneAndNamesTheLine) {
   const std::string said = testing::internal::GetCapturedStderr();
   EXPECT_NE(said.find("script.txt:3: "), std::string::npos) << said;
   EXPECT_NE(said.find("count"), std::string::npos) << said;
-  for (const char* bad : {"select 9\n", "hide nothing\n", "undo\n", "set nothing 3\n", "add nothing\n", "go-to-error\n", "zoom 0 0 0\n"}) {
+  for (const char* bad : {"select 9\n", "hide nothing\n", "undo\n", "set nothing 3\n", "add nothing\n", "go-to-error\n",
+                          "zoom 0 0 0\n"}) {
     EXPECT_EQ(run(bad), 1) << bad;
   }
 }

@@ -54,7 +54,8 @@ TEST_F(WorkerTest, RequestReturnsAtOnceAndReportsProgress) {
   ASSERT_TRUE(wait());
   EXPECT_GE(progress.count(), 2);
   // The runner's own reports, before and after the step, say nothing; which of all are heard depends on the clock.
-  EXPECT_TRUE(std::any_of(progress.begin(), progress.end(), [](const auto& report) { return report.at(1) == "sleeping"; }));
+  EXPECT_TRUE(
+      std::any_of(progress.begin(), progress.end(), [](const auto& report) { return report.at(1) == "sleeping"; }));
 }
 
 TEST_F(WorkerTest, LatestRequestWinsAndOnlyItIsHeardOf) {

@@ -66,7 +66,8 @@ TEST(Bdf, CardsAreInSmallFieldsWhereTheyHoldTheValueAndInLargeOnesElsewhere) {
     EXPECT_EQ(parse_bdf(text, "f")->mesh.points[2], corner);
   }
   // One digit more and the card is long, alone.
-  for (const geom::Point corner : {geom::Point{1.0 / 3.0, 1.0}, {12345.678, 1.0}, {0.5, 1.2345678}, {0.5, -1e-5 / 7.0}}) {
+  for (const geom::Point corner :
+       {geom::Point{1.0 / 3.0, 1.0}, {12345.678, 1.0}, {0.5, 1.2345678}, {0.5, -1e-5 / 7.0}}) {
     const std::string text = *bdf_text(triangle_with(corner));
     EXPECT_THAT(text, HasSubstr("\nGRID    2"));
     EXPECT_THAT(text, HasSubstr("\nGRID*   3"));

@@ -88,9 +88,10 @@ TEST(Geo, MacrosAreCarriedOutWhereTheyAreCalled) {
       "Function Hole\n  c = newp; Point(c) = {x, y, 0};\n  p = newp; Point(p) = {x + r, y, 0};\n"
       "  q = newp; Point(q) = {x - r, y, 0};\n  l = newl; Circle(l) = {p, c, q}; m = newl; Circle(m) = {q, c, p};\n"
       "  holes[t] = newll; Curve Loop(holes[t]) = {l, m};\n  If (r > 0.2)\n    big += 1;\n  EndIf\nReturn\n";
-  const GeoFile file = parse(square + "big = 0;\n" + hole +
-                             "r = 0.1;\nFor t In {0:2}\n  x = 0.2 + 0.3 * t; y = 0.5;\n  r += 0.07;\n  Call Hole;\n"
-                             "EndFor\nCurve Loop(50) = {1, 2, 3, 4};\nPlane Surface(20) = {50, holes[]};\nPoint(100) = {big, #holes[], 0};\n");
+  const GeoFile file = parse(
+      square + "big = 0;\n" + hole +
+      "r = 0.1;\nFor t In {0:2}\n  x = 0.2 + 0.3 * t; y = 0.5;\n  r += 0.07;\n  Call Hole;\n"
+      "EndFor\nCurve Loop(50) = {1, 2, 3, 4};\nPlane Surface(20) = {50, holes[]};\nPoint(100) = {big, #holes[], 0};\n");
   EXPECT_EQ(file.points.at(100).at, (geom::Point{2, 3}));
   ASSERT_EQ(file.surfaces.at(20).size(), 4U);
   EXPECT_DOUBLE_EQ(file.points.at(5).at.x, 0.2);

@@ -301,7 +301,8 @@ TEST(Inp, ASetMayHaveTheNameOfARegionAndEveryOtherRenamingIsTold) {
   EXPECT_EQ(read->mesh.node_sets.at("a_2"), mesh.node_sets.at("a"));
   EXPECT_EQ(read->mesh.node_sets.at("P"), mesh.node_sets.at("P"));
   const auto told = losses("m.inp", mesh);
-  EXPECT_THAT(told, ElementsAre(HasSubstr("m.inp: the set of sides 'my rim' is written as my_rim"), HasSubstr("the set of nodes 'a' is written as a_2")));
+  EXPECT_THAT(told, ElementsAre(HasSubstr("m.inp: the set of sides 'my rim' is written as my_rim"),
+                                HasSubstr("the set of nodes 'a' is written as a_2")));
   EXPECT_THAT(losses("m.vtu", mesh), IsEmpty());
   EXPECT_THAT(losses("m.ele", mesh), ElementsAre(HasSubstr("holds no names")));
 }

@@ -12,9 +12,9 @@
 namespace dobra::io {
 namespace {
 
+using mesh::ElementId;
 using mesh::ElementMesh;
 using mesh::ElementSide;
-using mesh::ElementId;
 using mesh::ElementType;
 using mesh::NodeId;
 using testing::HasSubstr;
@@ -34,7 +34,8 @@ ElementMesh ring(ElementType type) {
       if (i == 1 && j == 1) continue;
       std::vector<NodeId> nodes{node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)};
       if (type == ElementType::Q8) {
-        for (const NodeId mid : {node(i + 0.5, j), node(i + 1, j + 0.5), node(i + 0.5, j + 1), node(i, j + 0.5)}) nodes.push_back(mid);
+        for (const NodeId mid : {node(i + 0.5, j), node(i + 1, j + 0.5), node(i + 0.5, j + 1), node(i, j + 0.5)})
+          nodes.push_back(mid);
       }
       add_element(mesh, type, nodes, i == 0 ? 1 : 2);
     }
@@ -90,8 +91,11 @@ TEST(MeshPolygons, APolyHoldsTheLinesWithAPointInEachHole) {
 }
 
 TEST(MeshPolygons, PlyWithFaultsIsRefusedWithItsLine) {
-  EXPECT_THAT(to_string(parse_ply("ply\nformat binary_little_endian 1.0\nend_header\n", "f.ply").error()), HasSubstr("f.ply:2"));
-  const std::string head = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  EXPECT_THAT(to_string(parse_ply("ply\nformat binary_little_endian 1.0\nend_header\n", "f.ply").error()),
+              HasSubstr("f.ply:2"));
+  const std::string head =
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nelement face "
+      "1\nproperty list uchar int vertex_indices\nend_header\n";
   EXPECT_THAT(to_string(parse_ply(head + "0 0 0\n3 0 0 7\n", "f.ply").error()), HasSubstr("there is no point 7"));
   EXPECT_FALSE(parse_ply(head + "0 0 0\n", "f.ply").ok());
   EXPECT_FALSE(parse_ply(head + "0 0\n3 0 0 0\n", "f.ply").ok());

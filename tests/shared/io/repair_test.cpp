@@ -161,8 +161,10 @@ TEST(Repair, PolygonsShareTheirEdgesAndThoseOfLines) {
   EXPECT_EQ(done[0].what, "edge");
   EXPECT_EQ(done[0].item, "unit 'A'");
   EXPECT_NEAR(done[0].moved, 0.02, 1e-12);
-  EXPECT_THAT(features[1].parts[0].points, ElementsAre(Point{0, 5}, Point{6, 5}, Point{10, 5}, Point{10, 10}, Point{0, 10}));
-  EXPECT_THAT(features[2].parts[0].points, ElementsAre(Point{0, 0}, Point{10, 0}, Point{10, 5}, Point{6, 5}, Point{0, 5}));
+  EXPECT_THAT(features[1].parts[0].points,
+              ElementsAre(Point{0, 5}, Point{6, 5}, Point{10, 5}, Point{10, 10}, Point{0, 10}));
+  EXPECT_THAT(features[2].parts[0].points,
+              ElementsAre(Point{0, 0}, Point{10, 0}, Point{10, 5}, Point{6, 5}, Point{0, 5}));
   EXPECT_TRUE(repaired(features, {.edges = 0.1}).empty());
 }
 
@@ -170,7 +172,8 @@ TEST(Repair, AnEdgePassesThroughTheVerticesBesideIt) {
   std::vector<Feature> features{polygon("A", {{0, 5}, {4, 5.05}, {10, 5}, {10, 10}, {0, 10}}),
                                 polygon("B", {{0, 0}, {10, 0}, {10, 5}, {0, 5}})};
   EXPECT_TRUE(repaired(features, {.edges = 0.1}).empty());  // nothing moves
-  EXPECT_THAT(features[1].parts[0].points, ElementsAre(Point{0, 0}, Point{10, 0}, Point{10, 5}, Point{4, 5.05}, Point{0, 5}));
+  EXPECT_THAT(features[1].parts[0].points,
+              ElementsAre(Point{0, 0}, Point{10, 0}, Point{10, 5}, Point{4, 5.05}, Point{0, 5}));
 }
 
 }  // namespace

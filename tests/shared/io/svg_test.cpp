@@ -97,11 +97,18 @@ TEST(Svg, TransformsOfGroupsAreAppliedFromTheInsideOut) {
   expect_near(first("rotate(90 1 2)"), {1, -2});
   expect_near(first("matrix(1 2 3 4 5 6)"), {12, -16});
   expect_near(first("skewX(45)"), {3, -2});
-  expect_near(parsed("<g transform='scale(2)'><g transform='translate(1)'><path transform='skewY(45)' d='M1 2h1'/></g></g>").paths[0].pieces[0].from, {4, -6});
+  expect_near(
+      parsed("<g transform='scale(2)'><g transform='translate(1)'><path transform='skewY(45)' d='M1 2h1'/></g></g>")
+          .paths[0]
+          .pieces[0]
+          .from,
+      {4, -6});
 }
 
 TEST(Svg, ShapesBecomePaths) {
-  const SvgFile file = parsed("<rect id='r' x='1' y='2' width='3' height='4'/><circle cx='1' cy='1' r='.5'/><polygon points='0,0 1 0 1,1'/><line x2='3'/>");
+  const SvgFile file = parsed(
+      "<rect id='r' x='1' y='2' width='3' height='4'/><circle cx='1' cy='1' r='.5'/><polygon points='0,0 1 0 "
+      "1,1'/><line x2='3'/>");
   ASSERT_EQ(file.paths.size(), 4U);
   EXPECT_EQ(file.paths[0].name, "r");
   EXPECT_EQ(ends(file.paths[0]), (std::vector<Point>{{1, 2}, {4, 2}, {4, 6}, {1, 6}, {1, 2}}));
@@ -113,7 +120,9 @@ TEST(Svg, ShapesBecomePaths) {
 }
 
 TEST(Svg, WhatIsOnlyDefinedIsLeftOutAndSaid) {
-  const SvgFile file = parsed("<!-- <path d='x'/> --><defs><path d='M0 0h1'/><g><path d='M0 0h1'/></g></defs><path id='a' d='M0 0h1m1 1h1'/><text>M</text><use href='#a'/>");
+  const SvgFile file = parsed(
+      "<!-- <path d='x'/> --><defs><path d='M0 0h1'/><g><path d='M0 0h1'/></g></defs><path id='a' d='M0 0h1m1 "
+      "1h1'/><text>M</text><use href='#a'/>");
   ASSERT_EQ(file.paths.size(), 2U);
   EXPECT_EQ(file.paths[1].name, "a (2)");
   EXPECT_EQ(file.remarks.size(), 3U);

@@ -247,7 +247,8 @@ TEST(TextPoints, ARowWhoseKindIsMisspeltIsToldAsThat) {
     return read.ok() ? std::string() : base::to_string(read.error());
   };
   EXPECT_THAT(message("0,0,top,horizon\n5,1,top,Horizonn\n9,0,top,horizon\n"),
-              testing::AllOf(HasSubstr("f:3"), HasSubstr("unknown kind 'Horizonn', in this row only; did you mean 'horizon'?")));
+              testing::AllOf(HasSubstr("f:3"),
+                             HasSubstr("unknown kind 'Horizonn', in this row only; did you mean 'horizon'?")));
   EXPECT_THAT(message("0,0,top,horizon\n5,1,top,horizon\n5,4,F,fautl\n"), HasSubstr("did you mean 'fault'?"));
   // A kind that there is: the name and the kind are told.
   EXPECT_THAT(message("0,0,top,horizon\n5,1,top,fault\n9,0,top,horizon\n"),

@@ -14,7 +14,9 @@ TEST(ElementQuality, TheShapeOfAQuadrilateralIsOneForASquareAndFallsWithAspectAn
   EXPECT_DOUBLE_EQ(quadrilateral_shape({1, 0}, {1, 3}, {-2, 3}, {-2, 0}), 1.0) << "turned";
   EXPECT_DOUBLE_EQ(quadrilateral_shape({0, 0}, {3, 0}, {3, 1}, {0, 1}), 2.0 * 3.0 / 10.0);
   const double angle = 0.7;
-  EXPECT_NEAR(quadrilateral_shape({0, 0}, {1, 0}, {1 + std::cos(angle), std::sin(angle)}, {std::cos(angle), std::sin(angle)}), std::sin(angle), 1e-15);
+  EXPECT_NEAR(
+      quadrilateral_shape({0, 0}, {1, 0}, {1 + std::cos(angle), std::sin(angle)}, {std::cos(angle), std::sin(angle)}),
+      std::sin(angle), 1e-15);
   EXPECT_LT(quadrilateral_shape({0, 0}, {2, 0}, {0.2, 0.2}, {0, 2}), 0.0) << "a re-entrant corner";
   EXPECT_EQ(quadrilateral_shape({0, 0}, {1, 0}, {2, 0}, {1, 1}), 0.0) << "a flat one";
 }
@@ -31,7 +33,9 @@ TEST(ElementQuality, ABentTriangleIsFoundByItsJacobian) {
   EXPECT_FALSE(element_quality_of(mesh).worst_jacobian.valid());
   // The mid-side of the bottom moved up by m: the determinant is 1 - 4 m at its right end, 1 at the left.
   const double m = 0.1;
-  const auto bent = to_second_order(mesh, {{"bottom", [m](geom::Point a, geom::Point b) { return midpoint(a, b) + geom::Vector{0, m}; }}});
+  const auto bent = to_second_order(mesh, {{"bottom", [m](geom::Point a, geom::Point b) {
+                                              return midpoint(a, b) + geom::Vector{0, m};
+                                            }}});
   const ElementQuality quality = element_quality_of(bent.mesh);
   EXPECT_NEAR(quality.jacobian_min, 1.0 - 4.0 * m, 1e-12);
   EXPECT_EQ(quality.worst_jacobian, ElementId(0));

@@ -81,7 +81,8 @@ TEST(SizeField, AFunctionIsFollowedToATenthAndWhereItConcerns) {
   const SizeField field = size_field_of(test::square(1.0, 2), options).value();
   for (const geom::Point p : test::random_points(1000, 7)) EXPECT_NEAR(field.size_at(p), wanted(p), 0.15 * wanted(p));
   options.function.concerns = [](const geom::Box& box) { return box.high.x > 0.8; };
-  EXPECT_LT(size_field_of(test::square(1.0, 2), options).value().quadtree().cell_count(), field.quadtree().cell_count() / 2);
+  EXPECT_LT(size_field_of(test::square(1.0, 2), options).value().quadtree().cell_count(),
+            field.quadtree().cell_count() / 2);
 }
 
 TEST(SizeField, TheEstimateCountsWhatIsInside) {

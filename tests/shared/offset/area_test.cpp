@@ -92,8 +92,10 @@ TEST(Area, ALongLineHasTheSameAreaInPartsAndAsAWhole) {
   const double round = line_area(line, 1, with(Join::Round)).area;
   EXPECT_NEAR(line_area(line, 1, with(Join::Round, Cap::Flat)).area, round - pi, 2e-3);
   EXPECT_NEAR(line_area(line, 1, with(Join::Round, Cap::Square)).area, round - pi + 4, 2e-3);
-  EXPECT_NEAR(line_area(line, 1, with(Join::Mitre, Cap::Flat)).area + 4, line_area(line, 1, with(Join::Mitre, Cap::Square)).area, 1e-9);
-  EXPECT_NEAR(line_area(line, 1, with(Join::Mitre, Cap::Round)).area - pi, line_area(line, 1, with(Join::Mitre, Cap::Flat)).area, 2e-3);
+  EXPECT_NEAR(line_area(line, 1, with(Join::Mitre, Cap::Flat)).area + 4,
+              line_area(line, 1, with(Join::Mitre, Cap::Square)).area, 1e-9);
+  EXPECT_NEAR(line_area(line, 1, with(Join::Mitre, Cap::Round)).area - pi,
+              line_area(line, 1, with(Join::Mitre, Cap::Flat)).area, 2e-3);
 }
 
 TEST(Area, OFF_c_APolygonWithAHoleGrowsOutsideAndIntoItsHole) {
@@ -189,7 +191,6 @@ TEST(Area, SizesBeyondTheStatedOnesAreRefused) {
 
 Vector unit(Vector v) { return (1 / geom::length(v)) * v; }
 
-
 /// Whether p lies in the area round a line, its parts blown up by a little.
 bool in_line_area(const Polyline& line, double d, const AreaOptions& options, Point p, double more) {
   const std::size_t n = line.points.size();
@@ -247,10 +248,12 @@ TEST(AreaRandom, LinesWithEveryJoinAndCapHoldThePlacesThatTheyShould) {
         const geom::Box range = line.box().grown(5 * d);
         int judged = 0;
         for (int k = 0; k < 150; ++k) {
-          const Point p{range.low.x + range.width() * std::abs(from(random)), range.low.y + range.height() * std::abs(from(random))};
+          const Point p{range.low.x + range.width() * std::abs(from(random)),
+                        range.low.y + range.height() * std::abs(from(random))};
           const bool in = in_line_area(line, d, options, p, -2e-3 * d);
           if (in != in_line_area(line, d, options, p, 2e-3 * d)) continue;  // too near to tell
-          // Where an arc is cut the engine's bevel is the chord of what is left of it: between that of all of it and the arc.
+          // Where an arc is cut the engine's bevel is the chord of what is left of it: between that of all of it and
+          // the arc.
           if (join == Join::Bevel && !in && in_line_area(line, d, with(Join::Round, cap), p, 0)) continue;
           ++judged;
           ASSERT_EQ(holds(made.rings, p), in) << "seed " << seed << " join " << static_cast<int>(join) << " cap "
@@ -307,7 +310,8 @@ TEST(AreaRandom, WhatSeveralAreasCoverTogetherIsInOneOfThem) {
     std::uniform_real_distribution<double> from(-14, 14);
     std::vector<Area> areas{polygon_area(random_holed(random), 0.4, with(Join::Round))};
     for (int i = 0; i < 6; ++i) {
-      const Polyline line = open({{from(random), from(random)}, {from(random), from(random)}, {from(random), from(random)}});
+      const Polyline line =
+          open({{from(random), from(random)}, {from(random), from(random)}, {from(random), from(random)}});
       areas.push_back(line_area(line, 0.6, with(Join::Round)));
     }
     const auto all = joined(areas);

@@ -55,7 +55,8 @@ TEST(Clearance, BlocksAreAloneWhereNoOtherButTheirNeighboursIsWithinTwoDistances
       if (other + 1 < b || other > b + 1) gap = std::min(gap, least_gap(*base, b, other));
     }
     for (const double d : {0.05, 0.4, 0.9, 1.1, 1.3, 1.7, 2.0}) {
-      EXPECT_TRUE(clearance.is_alone(b, d) ? 2 * d < gap : 2 * d >= gap * (1 - 2e-3)) << "block " << b << " D " << d << " gap " << gap;
+      EXPECT_TRUE(clearance.is_alone(b, d) ? 2 * d < gap : 2 * d >= gap * (1 - 2e-3))
+          << "block " << b << " D " << d << " gap " << gap;
       (clearance.is_alone(b, d) ? alone : near) += 1;
     }
   }
@@ -99,7 +100,8 @@ TEST(Clearance, BoxesHoldTheOutlineOfTheirSegmentsOnBothSides) {
           const std::uint32_t segment = outline.segment(step);
           const bool on_left = step >= base->segment_count();
           const FloatBox place(p, p, 0);
-          EXPECT_TRUE(clearance.blocks()[segment / Block::size].box(on_left, d, 1e-9).overlaps(place)) << "step " << step;
+          EXPECT_TRUE(clearance.blocks()[segment / Block::size].box(on_left, d, 1e-9).overlaps(place))
+              << "step " << step;
           if (!on_left) return;
           const auto leaf = segment / static_cast<std::uint32_t>(Clearance::leaf_size);
           EXPECT_TRUE(clearance.left_box(leaf, d, 1e-9).overlaps(place)) << "step " << step;
@@ -110,7 +112,8 @@ TEST(Clearance, BoxesHoldTheOutlineOfTheirSegmentsOnBothSides) {
           if (outline.corner(step) != Corner::Arc || outline.is_cap(step)) continue;
           const Flat from = right_of(outline.along<double>(step));
           const Flat to = right_of(outline.along<double>(outline.after(step)));
-          const double turn = std::isinf(outline.half_tan(step)) ? std::acos(-1.0) : 2 * std::atan(outline.half_tan(step));
+          const double turn =
+              std::isinf(outline.half_tan(step)) ? std::acos(-1.0) : 2 * std::atan(outline.half_tan(step));
           EXPECT_NEAR(std::cos(turn), dot(from, to), 1e-9);
           for (int k = 0; k <= 32; ++k) {
             const double t = turn * k / 32;

@@ -43,12 +43,24 @@ Polyline random_graph(std::uint32_t seed) {
   for (std::size_t i = 0; i < count; ++i) {
     const auto step = static_cast<double>(i);
     switch (seed % 6) {
-      case 0: graph.points.push_back({0.3 * step, normal(random)}); break;
-      case 1: graph.points.push_back({x += 0.01 + std::pow(real(random), 3), normal(random)}); break;
-      case 2: graph.points.push_back({step, static_cast<double>(random() % 5)}); break;
-      case 3: graph.points.push_back({x += steep * real(random) + 1e-6, normal(random)}); break;
-      case 4: graph.points.push_back({0.1 * step, std::sin(wave * 0.1 * step + wave)}); break;
-      default: graph.points.push_back({x += 0.05 * real(random) + 1e-9, y += 0.1 * normal(random)}); break;
+      case 0:
+        graph.points.push_back({0.3 * step, normal(random)});
+        break;
+      case 1:
+        graph.points.push_back({x += 0.01 + std::pow(real(random), 3), normal(random)});
+        break;
+      case 2:
+        graph.points.push_back({step, static_cast<double>(random() % 5)});
+        break;
+      case 3:
+        graph.points.push_back({x += steep * real(random) + 1e-6, normal(random)});
+        break;
+      case 4:
+        graph.points.push_back({0.1 * step, std::sin(wave * 0.1 * step + wave)});
+        break;
+      default:
+        graph.points.push_back({x += 0.05 * real(random) + 1e-9, y += 0.1 * normal(random)});
+        break;
     }
   }
   if (random() % 2 == 1) rotate(graph, 2 * std::numbers::pi * real(random));
@@ -68,9 +80,12 @@ struct Filled {
   BeyondLimit beyond;
 };
 constexpr Filled all_joins[] = {
-    {"round", Join::Round, 4.0, BeyondLimit::TangentBevel},    {"bevel", Join::Bevel, 4.0, BeyondLimit::TangentBevel},
-    {"mitre", Join::Mitre, 4.0, BeyondLimit::TangentBevel},    {"chord", Join::Mitre, 1.5, BeyondLimit::ChordBevel},
-    {"short", Join::Mitre, 1.1, BeyondLimit::TangentBevel},    {"bisector", Join::Bisector, bisector_limit, BeyondLimit::TangentBevel},
+    {"round", Join::Round, 4.0, BeyondLimit::TangentBevel},
+    {"bevel", Join::Bevel, 4.0, BeyondLimit::TangentBevel},
+    {"mitre", Join::Mitre, 4.0, BeyondLimit::TangentBevel},
+    {"chord", Join::Mitre, 1.5, BeyondLimit::ChordBevel},
+    {"short", Join::Mitre, 1.1, BeyondLimit::TangentBevel},
+    {"bisector", Join::Bisector, bisector_limit, BeyondLimit::TangentBevel},
 };
 OffsetOptions options_of(const Filled& fill) {
   OffsetOptions options;
@@ -213,7 +228,8 @@ class Judge {
         const Vec c = exact(graph_.points[piece.edges[k].base_edge() + 1]);
         middle = c + d_ * unit((exact(a) - c) + (exact(b) - c));  // less than half a turn
       }
-      EXPECT_NEAR(static_cast<double>(region_.depth(middle)), 0.0, std::max(tolerance(a), tolerance(b))) << "between " << a << " and " << b;
+      EXPECT_NEAR(static_cast<double>(region_.depth(middle)), 0.0, std::max(tolerance(a), tolerance(b)))
+          << "between " << a << " and " << b;
     }
   }
   void columns_are_covered(const std::vector<OffsetPiece>& pieces, int count) const {
@@ -237,10 +253,12 @@ class Judge {
 
  private:
   [[nodiscard]] bool is_chord(OffsetEdge edge, Point a, Point b) const {
-    const bool may = fill_.join == Join::Bevel || (fill_.join == Join::Mitre && fill_.beyond == BeyondLimit::ChordBevel);
+    const bool may =
+        fill_.join == Join::Bevel || (fill_.join == Join::Mitre && fill_.beyond == BeyondLimit::ChordBevel);
     const Point start = graph_.points[edge.base_edge()];
     const geom::Vector n = geom::right_of(geom::normalised(graph_.points[edge.base_edge() + 1] - start));
-    return may && std::max(std::abs(geom::dot(a - start, n) - d_), std::abs(geom::dot(b - start, n) - d_)) > 1e-14 * (d_ + base_.size);
+    return may && std::max(std::abs(geom::dot(a - start, n) - d_), std::abs(geom::dot(b - start, n) - d_)) >
+                      1e-14 * (d_ + base_.size);
   }
   [[nodiscard]] Real distance_to(const OffsetPiece& piece, Vec p) const {
     Real least = std::numeric_limits<Real>::infinity();
@@ -265,7 +283,9 @@ class Judge {
 };
 
 TEST(Envelope, OnlyCurvesThatNeverTurnBackAreMonotone) {
-  const auto direction = [](const Polyline& curve) { return monotone_direction(prepare(curve, Side::RightOfTravel).value()); };
+  const auto direction = [](const Polyline& curve) {
+    return monotone_direction(prepare(curve, Side::RightOfTravel).value());
+  };
   EXPECT_TRUE(direction({{{0, 0}, {1, 5}, {2, -5}}, false}));
   EXPECT_TRUE(direction({{{0, 0}, {0, 1}, {-3, 1.5}, {1, 2}}, false}));
   EXPECT_FALSE(direction({{{0, 0}, {1, 0}, {0, 0}}, false}));
@@ -306,7 +326,9 @@ struct Ties {
 };
 Ties random_ties(std::uint32_t seed) {
   std::mt19937 random(seed);
-  const auto whole = [&](int from, int to) { return from + static_cast<int>(random() % static_cast<std::uint32_t>(to - from + 1)); };
+  const auto whole = [&](int from, int to) {
+    return from + static_cast<int>(random() % static_cast<std::uint32_t>(to - from + 1));
+  };
   Ties made;
   Point at{0, 0};
   const auto step = [&](double x, double y) { made.graph.points.push_back(at = at + geom::Vector{x, y}); };
@@ -316,12 +338,24 @@ Ties random_ties(std::uint32_t seed) {
   made.distance = 0.5 * whole(1, 12);
   for (int i = 0; i < count; ++i) {
     switch (seed % 6) {
-      case 0: i % 2 == 0 ? step(whole(0, 3), 0) : step(0, whole(0, 3)); break;  // stairs, with repeated places
-      case 1: step(1, whole(0, 4) - at.y); break;
-      case 2: step(0.5 * whole(1, 3), whole(-2, 2)), step(0.5 * whole(1, 6), 0); break;  // plateaus
-      case 3: step(width, height), step(width, -height); break;                        // teeth
-      case 4: step(whole(0, 1) == 0 ? 3 : 4, 4), step(whole(1, 3), 0), step(3, -4); break;
-      default: step(whole(0, 8) == 0 ? 1 : 0.125 * whole(1, 2), whole(-6, 6)); break;  // sharp
+      case 0:
+        i % 2 == 0 ? step(whole(0, 3), 0) : step(0, whole(0, 3));
+        break;  // stairs, with repeated places
+      case 1:
+        step(1, whole(0, 4) - at.y);
+        break;
+      case 2:
+        step(0.5 * whole(1, 3), whole(-2, 2)), step(0.5 * whole(1, 6), 0);
+        break;  // plateaus
+      case 3:
+        step(width, height), step(width, -height);
+        break;  // teeth
+      case 4:
+        step(whole(0, 1) == 0 ? 3 : 4, 4), step(whole(1, 3), 0), step(3, -4);
+        break;
+      default:
+        step(whole(0, 8) == 0 ? 1 : 0.125 * whole(1, 2), whole(-6, 6));
+        break;  // sharp
     }
   }
   return made;
@@ -347,7 +381,8 @@ TEST(Envelope, LeavesNoEdgesThatOnlyRoundingMadeWherePillsTouch) {
       const auto curve = offset(ties.graph, std::vector<double>{ties.distance}, options).value().front();
       for (const OffsetPiece& piece : curve.pieces) {
         for (std::size_t k = 0; k < piece.edges.size(); ++k) {
-          EXPECT_GT(geom::distance(piece.points[k], piece.points[k + 1]), 1e-6 * ties.distance) << "at " << piece.points[k];
+          EXPECT_GT(geom::distance(piece.points[k], piece.points[k + 1]), 1e-6 * ties.distance)
+              << "at " << piece.points[k];
         }
       }
       EXPECT_EQ(faults(ties.graph, options, curve), "");
@@ -372,10 +407,19 @@ TEST(Envelope, BasesThatAreLengthenedGoStraightOn) {
 /// A mitre too flat to be seen stands lowest in its stretch of the curve: those beside it are still looked at.
 TEST(Envelope, MitresBesideOnesWithoutWidthAreKept) {
   // The corner at 27.8 is of rounding only.
-  const Polyline graph{{{15, 8.8817841970012523e-16}, {25, 0}, {23.6, 4.8000000000000007}, {28.6, 4.8000000000000007},
-                        {32.200000000000003, 9.6000000000000014}, {28, 24}, {26.599999999999998, 28.800000000000004},
-                        {27.799999999999997, 30.400000000000006}, {31.4, 35.2}, {32.6, 36.800000000000004},
-                        {31.2, 41.6}, {27, 56}}, false};
+  const Polyline graph{{{15, 8.8817841970012523e-16},
+                        {25, 0},
+                        {23.6, 4.8000000000000007},
+                        {28.6, 4.8000000000000007},
+                        {32.200000000000003, 9.6000000000000014},
+                        {28, 24},
+                        {26.599999999999998, 28.800000000000004},
+                        {27.799999999999997, 30.400000000000006},
+                        {31.4, 35.2},
+                        {32.6, 36.800000000000004},
+                        {31.2, 41.6},
+                        {27, 56}},
+                       false};
   OffsetOptions options;
   options.side = Side::LeftOfTravel;
   const auto curve = offset(graph, std::vector<double>{4.5}, options).value().front();
@@ -418,7 +462,8 @@ TEST(Envelope, OfRoughGraphsLeavesOutOnlyMitresThatOthersHide) {
         const auto verified = verify(graph, options, curve);
         ASSERT_TRUE(verified.ok());
         for (const auto& finding : verified->findings) {
-          ADD_FAILURE() << "seed " << seed << ", " << fill.name << ", D " << curve.distance << ": " << to_string(finding);
+          ADD_FAILURE() << "seed " << seed << ", " << fill.name << ", D " << curve.distance << ": "
+                        << to_string(finding);
         }
       }
     }

@@ -1,5 +1,6 @@
-// How soon one offset curve of a long rough base gives up when it is asked to: in processor time, so that a busy machine does not
-// matter. With a bisector join far mitres cross everything, which is the longest that one distance can take.
+// How soon one offset curve of a long rough base gives up when it is asked to: in processor time, so that a busy
+// machine does not matter. With a bisector join far mitres cross everything, which is the longest that one distance can
+// take.
 
 #include <gtest/gtest.h>
 

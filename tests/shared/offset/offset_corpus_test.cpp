@@ -1,5 +1,5 @@
-// Every contour and every bed of the shared data, judged by the verifier: both sides, all joins, distances from below the spacing
-// of the points to above the size of the whole. Skips aloud where the data are not there.
+// Every contour and every bed of the shared data, judged by the verifier: both sides, all joins, distances from below
+// the spacing of the points to above the size of the whole. Skips aloud where the data are not there.
 
 #include <gtest/gtest.h>
 
@@ -116,7 +116,9 @@ TEST(OffsetCorpus, EveryBedOfTheSectionsKeepsItsDistanceAndNothingIsMissing) {
       if (line.points.size() < 2) continue;  // single points of profile.csv
       ASSERT_TRUE(geom::validate(geom::without_repeated_points(line)).ok()) << name;
       ++lines;
-      judge(line, file.parent_path().filename().string() + "/" + name + " part " + std::to_string(key.first) + "," + std::to_string(key.second),
+      judge(line,
+            file.parent_path().filename().string() + "/" + name + " part " + std::to_string(key.first) + "," +
+                std::to_string(key.second),
             judged);
     }
   }

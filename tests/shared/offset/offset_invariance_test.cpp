@@ -1,5 +1,6 @@
-// The same curve whatever the start vertex, the direction, the frame and the unit: of made curves, and of the contours of the
-// shared data. Curves are compared as cyclic sequences of points, each within a tolerance; where the frame rounds nothing, bit by bit.
+// The same curve whatever the start vertex, the direction, the frame and the unit: of made curves, and of the contours
+// of the shared data. Curves are compared as cyclic sequences of points, each within a tolerance; where the frame
+// rounds nothing, bit by bit.
 
 #include <gtest/gtest.h>
 
@@ -34,13 +35,16 @@ Polyline snapped(Polyline base) {
 
 std::vector<Case> made_cases() {
   std::vector<Case> made;
-  const auto add = [&made](std::string name, Polyline base) { made.push_back({std::move(name), std::move(base), {0.11, 0.43, 0.87}}); };
+  const auto add = [&made](std::string name, Polyline base) {
+    made.push_back({std::move(name), std::move(base), {0.11, 0.43, 0.87}});
+  };
   // Of random_curves.h: stars, closed ones that cross themselves, blobs, walks, spirals.
   for (const std::uint32_t seed : {2U, 19U, 36U, 5U, 22U, 15U, 0U, 17U, 9U}) {
     const Polyline base = support::random_case(seed).base;
     if (base.points.size() <= 150) add("seed " + std::to_string(seed), snapped(base));
   }
-  add("dumbbell", {{{0, 0}, {4, 0}, {4, 1}, {8, 1}, {8, 0}, {12, 0}, {12, 4}, {8, 4}, {8, 3}, {4, 3}, {4, 4}, {0, 4}}, true});
+  add("dumbbell",
+      {{{0, 0}, {4, 0}, {4, 1}, {8, 1}, {8, 0}, {12, 0}, {12, 4}, {8, 4}, {8, 3}, {4, 3}, {4, 4}, {0, 4}}, true});
   add("L", {{{0, 0}, {6, 0}, {6, 2}, {2, 2}, {2, 6}, {0, 6}}, true});
   return made;
 }
@@ -50,7 +54,8 @@ std::vector<Case> data_cases() {
   std::vector<Case> read;
   const auto folder = test::data_folder();
   if (!folder) return read;
-  for (const char* name : {"poly2tri_dude.dat", "poly2tri_tank.dat", "poly2tri_bird.dat", "cdt_kidney.txt", "cdt_island.txt", "cdt_guitar_no_box.txt"}) {
+  for (const char* name : {"poly2tri_dude.dat", "poly2tri_tank.dat", "poly2tri_bird.dat", "cdt_kidney.txt",
+                           "cdt_island.txt", "cdt_guitar_no_box.txt"}) {
     for (const Polyline& contour : support::read_contours((*folder / "contours" / name).string())) {
       if (contour.points.size() > 200) continue;
       const double size = contour.box().diagonal();
@@ -76,7 +81,8 @@ double apart(const std::vector<Point>& a, const std::vector<Point>& b, bool clos
   if (a.size() != b.size()) return best;
   for (std::size_t shift = 0; shift < (closed ? a.size() : 1) && best > 0; ++shift) {
     double worst = 0;
-    for (std::size_t i = 0; i < a.size() && worst < best; ++i) worst = std::max(worst, geom::distance(a[i], b[(i + shift) % a.size()]));
+    for (std::size_t i = 0; i < a.size() && worst < best; ++i)
+      worst = std::max(worst, geom::distance(a[i], b[(i + shift) % a.size()]));
     best = std::min(best, worst);
   }
   return best;
@@ -84,7 +90,8 @@ double apart(const std::vector<Point>& a, const std::vector<Point>& b, bool clos
 
 /// True if the pieces are the same but for their order; `map` takes a point of `expected` to one of `got`.
 template <class Map>
-testing::AssertionResult same(const OffsetCurve& expected, const OffsetCurve& got, double tolerance, bool reversed, Map&& map) {
+testing::AssertionResult same(const OffsetCurve& expected, const OffsetCurve& got, double tolerance, bool reversed,
+                              Map&& map) {
   if (expected.pieces.size() != got.pieces.size() || expected.dropped != got.dropped) {
     return testing::AssertionFailure() << got.pieces.size() << " pieces, not " << expected.pieces.size();
   }
@@ -101,7 +108,9 @@ testing::AssertionResult same(const OffsetCurve& expected, const OffsetCurve& go
       if (d < least) best = k;
       least = std::min(least, d);
     }
-    if (!(least <= tolerance)) return testing::AssertionFailure() << "a piece of " << points.size() << " points is off by " << least << ", allowed " << tolerance;
+    if (!(least <= tolerance))
+      return testing::AssertionFailure() << "a piece of " << points.size() << " points is off by " << least
+                                         << ", allowed " << tolerance;
     used[best] = 1;
   }
   return testing::AssertionSuccess();
@@ -117,7 +126,9 @@ struct Given {
   OffsetCurve expected;
   double size;  ///< Of base, distance and curve together, m: tolerances are in it.
 
-  [[nodiscard]] Side other_side() const { return side == Side::RightOfTravel ? Side::LeftOfTravel : Side::RightOfTravel; }
+  [[nodiscard]] Side other_side() const {
+    return side == Side::RightOfTravel ? Side::LeftOfTravel : Side::RightOfTravel;
+  }
 };
 using Check = std::function<void(const Given&)>;
 
@@ -126,7 +137,8 @@ void each(const std::vector<Case>& cases, const std::vector<Join>& joins, const 
     for (const double distance : c.distances) {
       for (const Side side : {Side::RightOfTravel, Side::LeftOfTravel}) {
         for (const Join join : joins) {
-          SCOPED_TRACE(testing::Message() << c.name << " D " << distance << " side " << int(side) << " join " << int(join));
+          SCOPED_TRACE(testing::Message()
+                       << c.name << " D " << distance << " side " << int(side) << " join " << int(join));
           const OffsetCurve curve = run(c.base, distance, side, join);
           geom::Box all = c.base.box();
           for (const OffsetPiece& piece : curve.pieces) {
@@ -141,17 +153,17 @@ void each(const std::vector<Case>& cases, const std::vector<Join>& joins, const 
 const std::vector<Join> all_joins{Join::Mitre, Join::Bisector, Join::Round, Join::Bevel};
 
 /// A check of made curves with all joins, and one of the contours of the data with mitres and arcs.
-#define INVARIANCE_TEST(name, check)                                                            \
-  TEST(OffsetInvariance, name) { each(made_cases(), all_joins, check); }                        \
-  TEST(OffsetInvarianceOfData, name) {                                                          \
-    const auto cases = data_cases();                                                            \
-    if (cases.empty()) GTEST_SKIP() << "DOBRA_TEST_DATA does not name the folder of the data";  \
-    EXPECT_GE(cases.size(), 4U);                                                                \
-    each(cases, {Join::Mitre, Join::Round}, check);                                             \
+#define INVARIANCE_TEST(name, check)                                                           \
+  TEST(OffsetInvariance, name) { each(made_cases(), all_joins, check); }                       \
+  TEST(OffsetInvarianceOfData, name) {                                                         \
+    const auto cases = data_cases();                                                           \
+    if (cases.empty()) GTEST_SKIP() << "DOBRA_TEST_DATA does not name the folder of the data"; \
+    EXPECT_GE(cases.size(), 4U);                                                               \
+    each(cases, {Join::Mitre, Join::Round}, check);                                            \
   }
 
-// Tolerances in the size of base, distance and curve: of one frame; of one in which the base is rounded anew (crossings at small
-// angles lose digits then).
+// Tolerances in the size of base, distance and curve: of one frame; of one in which the base is rounded anew (crossings
+// at small angles lose digits then).
 constexpr double same_frame = 1e-15;
 constexpr double rounded_anew = 1e-12;
 
@@ -161,7 +173,9 @@ void every_start(const Given& given) {
   for (std::size_t start = 1; start < given.base.points.size(); start += step) {
     Polyline turned = given.base;
     std::rotate(turned.points.begin(), turned.points.begin() + static_cast<std::ptrdiff_t>(start), turned.points.end());
-    ASSERT_TRUE(same(given.expected, run(turned, given.distance, given.side, given.join), same_frame * given.size, false, identity)) << "start " << start;
+    ASSERT_TRUE(same(given.expected, run(turned, given.distance, given.side, given.join), same_frame * given.size,
+                     false, identity))
+        << "start " << start;
   }
 }
 INVARIANCE_TEST(EveryStartVertexGivesTheSameCurve, every_start)
@@ -181,7 +195,9 @@ void turned_by_any_angle(const Given& given) {
     // Exact widths of 2 D do not stay exact; the bases have none at these distances.
     Polyline other = given.base;
     for (Point& p : other.points) p = turned(p);
-    EXPECT_TRUE(same(given.expected, run(other, given.distance, given.side, given.join), rounded_anew * given.size, false, turned)) << "angle " << angle;
+    EXPECT_TRUE(same(given.expected, run(other, given.distance, given.side, given.join), rounded_anew * given.size,
+                     false, turned))
+        << "angle " << angle;
   }
 }
 INVARIANCE_TEST(TurnedInputTurnsTheOutput, turned_by_any_angle)
@@ -190,7 +206,8 @@ void turned_by_quarters(const Given& given) {
   const auto quarter = [](Point p) { return Point{-p.y, p.x}; };
   Polyline other = given.base;
   for (Point& p : other.points) p = quarter(p);
-  EXPECT_TRUE(same(given.expected, run(other, given.distance, given.side, given.join), same_frame * given.size, false, quarter));
+  EXPECT_TRUE(same(given.expected, run(other, given.distance, given.side, given.join), same_frame * given.size, false,
+                   quarter));
 }
 INVARIANCE_TEST(InputTurnedByAQuarterTurnsTheOutput, turned_by_quarters)
 
@@ -198,7 +215,8 @@ void mirrored(const Given& given) {
   const auto mirror = [](Point p) { return Point{-p.x, p.y}; };
   Polyline other = given.base;
   for (Point& p : other.points) p = mirror(p);
-  EXPECT_TRUE(same(given.expected, run(other, given.distance, given.other_side(), given.join), same_frame * given.size, false, mirror));
+  EXPECT_TRUE(same(given.expected, run(other, given.distance, given.other_side(), given.join), same_frame * given.size,
+                   false, mirror));
   // The left side is the mirror image of the right one, to the last bit.
   const auto upside_down = [](Point p) { return Point{p.x, -p.y}; };
   other = given.base;
@@ -223,8 +241,11 @@ void scaled(const Given& given) {
     const auto larger = [scale](Point p) { return Point{scale * p.x, scale * p.y}; };
     Polyline other = given.base;
     for (Point& p : other.points) p = larger(p);
-    const double tolerance = std::abs(std::log2(scale)) == 20 ? 0 : rounded_anew * scale * given.size;  // powers of two round nothing
-    EXPECT_TRUE(same(given.expected, run(other, scale * given.distance, given.side, given.join), tolerance, false, larger)) << "scale " << scale;
+    const double tolerance =
+        std::abs(std::log2(scale)) == 20 ? 0 : rounded_anew * scale * given.size;  // powers of two round nothing
+    EXPECT_TRUE(
+        same(given.expected, run(other, scale * given.distance, given.side, given.join), tolerance, false, larger))
+        << "scale " << scale;
   }
 }
 INVARIANCE_TEST(ScaledInputScalesTheOutput, scaled)
@@ -239,7 +260,8 @@ Polyline slits(int count, double angle) {
   const double top = 3.0 * (2 * count + 1);
   base.points.push_back({12, top});
   base.points.push_back({0, top});
-  for (Point& p : base.points) p = {p.x * std::cos(angle) - p.y * std::sin(angle), p.x * std::sin(angle) + p.y * std::cos(angle)};
+  for (Point& p : base.points)
+    p = {p.x * std::cos(angle) - p.y * std::sin(angle), p.x * std::sin(angle) + p.y * std::cos(angle)};
   return base;
 }
 
@@ -266,14 +288,16 @@ TEST(OffsetInvariance, WhatIsNoWiderThanRoundingIsGoneFromEveryStartAndInBothDir
           };
           const auto pieces = pieces_of(base, side);
           const double whole = length_of(pieces, base);
-          const std::string said = std::to_string(count) + " slits, turn " + std::to_string(turn) + ", join " + std::to_string(int(join)) + ", side " + std::to_string(int(side));
+          const std::string said = std::to_string(count) + " slits, turn " + std::to_string(turn) + ", join " +
+                                   std::to_string(int(join)) + ", side " + std::to_string(int(side));
           const Polyline back = geom::reversed(base);
           const auto other = pieces_of(back, side == Side::RightOfTravel ? Side::LeftOfTravel : Side::RightOfTravel);
           EXPECT_EQ(other.size(), pieces.size()) << said;
           EXPECT_NEAR(length_of(other, back), whole, 1e-9) << said;
           for (std::size_t start = 1; start < base.points.size(); start += 3) {
             Polyline from = base;
-            std::rotate(from.points.begin(), from.points.begin() + static_cast<std::ptrdiff_t>(start), from.points.end());
+            std::rotate(from.points.begin(), from.points.begin() + static_cast<std::ptrdiff_t>(start),
+                        from.points.end());
             const auto same = pieces_of(from, side);
             EXPECT_EQ(same.size(), pieces.size()) << said << ", start " << start;
             EXPECT_NEAR(length_of(same, from), whole, 1e-9) << said << ", start " << start;

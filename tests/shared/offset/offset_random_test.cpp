@@ -1,5 +1,5 @@
-// Seeded random polylines of many kinds, judged by the verifier and by a brute-force length that shares nothing with it.
-// DOBRA_RANDOM_CASES=10000 runs that many; DOBRA_RANDOM_FIRST is the first seed.
+// Seeded random polylines of many kinds, judged by the verifier and by a brute-force length that shares nothing with
+// it. DOBRA_RANDOM_CASES=10000 runs that many; DOBRA_RANDOM_FIRST is the first seed.
 
 #include <gtest/gtest.h>
 
@@ -45,13 +45,16 @@ std::string judge_length(const RandomCase& c, const OffsetOptions& options, cons
   if (got > truth + slack) return said;
   const auto lacks = [&](double least) {
     if (curve.dropped == 0 && got < least - slack) return said;
-    if (!base.closed && longest * double(curve.dropped + 1) < least - slack) return said + ", more than dropped pieces can have";
+    if (!base.closed && longest * double(curve.dropped + 1) < least - slack)
+      return said + ", more than dropped pieces can have";
     return std::string();
   };
   if (lacks(truth).empty()) return {};
-  // Closed pieces that are no wider than the rounding of their points are left out: a little farther from the base there are none.
+  // Closed pieces that are no wider than the rounding of their points are left out: a little farther from the base
+  // there are none.
   const geom::Box box = base.box();
-  const double greatest = std::max({std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x), std::abs(box.high.y)}) + distance;
+  const double greatest =
+      std::max({std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x), std::abs(box.high.y)}) + distance;
   return lacks(support::LengthOracle(base, distance + 0x1p-46 * greatest, options).length());
 }
 
@@ -71,22 +74,25 @@ std::string judge(const RandomCase& c, const OffsetOptions& options, const Offse
   const auto verified = verify(c.base, options, curve);
   if (!verified.ok()) return verified.error().message;
   std::string wrong;
-  for (std::size_t i = 0; i < std::min<std::size_t>(3, verified->findings.size()); ++i) wrong += to_string(verified->findings[i]) + "; ";
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, verified->findings.size()); ++i)
+    wrong += to_string(verified->findings[i]) + "; ";
   if (verified->findings.size() > 3) wrong += "and " + std::to_string(verified->findings.size() - 3) + " more; ";
   for (const OffsetPiece& piece : curve.pieces) {
     if (!c.simple) continue;
     if (!piece.closed) wrong += "open piece of a simple contour; ";
     const bool inwards = (options.side == Side::LeftOfTravel) == (geom::signed_area(c.base) > 0);
-    if (options.join != Join::Bevel && is_inside(c.base, piece.points.front()) != inwards) wrong += "a piece on the wrong side; ";
+    if (options.join != Join::Bevel && is_inside(c.base, piece.points.front()) != inwards)
+      wrong += "a piece on the wrong side; ";
   }
   // Brute force takes its time. The paper's rule leaves tails that it knows nothing of.
-  const bool measured = options.ends != Ends::Paper && (curve.distance == c.distance || curve.distance == 2 * c.distance);
+  const bool measured =
+      options.ends != Ends::Paper && (curve.distance == c.distance || curve.distance == 2 * c.distance);
   if (measured && options.join != Join::Bevel && c.base.points.size() < 130) wrong += judge_length(c, options, curve);
   return wrong;
 }
 
-/// What one distance hides the greater ones leave out, so there are several, in any order; ties at one are ties at the others too.
-/// With other ends each has a base, or a subdivision, of its own.
+/// What one distance hides the greater ones leave out, so there are several, in any order; ties at one are ties at the
+/// others too. With other ends each has a base, or a subdivision, of its own.
 std::vector<double> distances_of(const RandomCase& c, std::uint32_t seed, Ends ends) {
   if (ends != Ends::Trimmed) return {c.distance};
   std::vector<double> distances{0.5 * c.distance, c.distance, 1.5 * c.distance, 2 * c.distance};
@@ -117,8 +123,9 @@ std::string judge_seed(std::uint32_t seed) {
           const std::string wrong = judge(c, options, curve);
           if (wrong.empty()) continue;
           failed = true;
-          ADD_FAILURE() << "seed " << seed << " (" << c.kind << ") side " << int(side) << " join " << int(join) << " ends "
-                        << int(ends) << " D " << curve.distance << " n " << c.base.points.size() << ": " << wrong;
+          ADD_FAILURE() << "seed " << seed << " (" << c.kind << ") side " << int(side) << " join " << int(join)
+                        << " ends " << int(ends) << " D " << curve.distance << " n " << c.base.points.size() << ": "
+                        << wrong;
         }
       }
     }
@@ -139,8 +146,9 @@ TEST(OffsetRandom, NoRandomPolylineFails) {
 }
 
 TEST(OffsetRandom, SeedsThatOnceFailedPass) {
-  for (const std::uint32_t seed : {197U, 299U, 344U, 381U, 469U, 996U, 1163U, 1274U, 2251U, 2286U, 2468U, 2662U, 3649U, 4210U, 4740U, 5841U, 6896U,
-                                   700172U, 700359U, 700427U, 710225U, 740281U, 742039U, 9931544U}) {
+  for (const std::uint32_t seed :
+       {197U,  299U,  344U,  381U,  469U,  996U,    1163U,   1274U,   2251U,   2286U,   2468U,   2662U,
+        3649U, 4210U, 4740U, 5841U, 6896U, 700172U, 700359U, 700427U, 710225U, 740281U, 742039U, 9931544U}) {
     judge_seed(seed);
   }
 }

@@ -62,7 +62,8 @@ std::size_t total_crossings(const OffsetCurve& curve) {
 void expect_clear(const OffsetCurve& curve, const Polyline& base, double relative) {
   EXPECT_EQ(total_crossings(curve), 0U);
   for (const auto& piece : curve.pieces) {
-    EXPECT_GE(support::least_distance(line_of(piece), base), curve.distance * (1.0 - relative)) << "D " << curve.distance;
+    EXPECT_GE(support::least_distance(line_of(piece), base), curve.distance * (1.0 - relative))
+        << "D " << curve.distance;
     EXPECT_EQ(piece.edges.size(), line_of(piece).segment_count());
     for (const OffsetEdge e : piece.edges) EXPECT_LT(e.base_edge(), base.segment_count());
   }
@@ -79,11 +80,14 @@ Polyline sampled(double (*y)(double)) {
   for (int i = 0; i <= 128; ++i) curve.points.push_back({4 * pi * i / 128, y(4 * pi * i / 128)});
   return curve;
 }
-Polyline c7() { return sampled([](double x) { return -std::cos(x); }); }
+Polyline c7() {
+  return sampled([](double x) { return -std::cos(x); });
+}
 
 Polyline e9() {
   Polyline curve{{}, true};
-  for (int i = 0; i < 128; ++i) curve.points.push_back({4 * std::cos(-2 * pi * i / 128), 2 * std::sin(-2 * pi * i / 128)});
+  for (int i = 0; i < 128; ++i)
+    curve.points.push_back({4 * std::cos(-2 * pi * i / 128), 2 * std::sin(-2 * pi * i / 128)});
   return curve;
 }
 
@@ -126,13 +130,14 @@ TEST(Offset, OFF_c_FigureSevenHasNoSpuriousRegions) {
     EXPECT_EQ(curves[k - 1].dropped, 0U);
     expect_clear(curves[k - 1], base, 1e-12);
   }
-  const std::vector<std::pair<int, double>> lengths{{1, 15.259248}, {5, 15.180771}, {6, 15.146466},
+  const std::vector<std::pair<int, double>> lengths{{1, 15.259248}, {5, 15.180771},  {6, 15.146466},
                                                     {8, 14.946349}, {10, 14.612634}, {13, 14.050437}};
   for (const auto& [k, length] : lengths) EXPECT_NEAR(total_length(curves[k - 1]), length, 1e-5) << k;
 }
 
-/// Lengths of what is left of the raw mitred chain on the right of an open base, by two rules: parts between crossings kept as a
-/// whole by their middles (the oracle of the requirement), and the same cut where the distance to the base is D.
+/// Lengths of what is left of the raw mitred chain on the right of an open base, by two rules: parts between crossings
+/// kept as a whole by their middles (the oracle of the requirement), and the same cut where the distance to the base is
+/// D.
 struct RawLengths {
   double by_middles = 0;
   double least_distance = std::numeric_limits<double>::infinity();  ///< Of what the first rule keeps.
@@ -141,7 +146,9 @@ struct RawLengths {
 RawLengths raw_lengths(const Polyline& base, double d) {
   const std::size_t n = base.points.size();
   std::vector<Point> raw;
-  const auto normal = [&](std::size_t i) { return geom::normalised(geom::right_of(base.points[i + 1] - base.points[i])); };
+  const auto normal = [&](std::size_t i) {
+    return geom::normalised(geom::right_of(base.points[i + 1] - base.points[i]));
+  };
   for (std::size_t i = 0; i < n; ++i) {
     const geom::Vector a = normal(i == 0 ? 0 : i - 1);
     const geom::Vector b = normal(i + 1 == n ? n - 2 : i);
@@ -174,7 +181,8 @@ RawLengths raw_lengths(const Polyline& base, double d) {
       const bool free_high = clear(high) >= -slack;
       if (free_low && free_high && kept) sum.cut_at_distance += (high - low) * span;
       if (free_low == free_high) continue;
-      for (int step = 0; step < 60; ++step) ((clear(0.5 * (low + high)) >= -1e-13) == free_low ? low : high) = 0.5 * (low + high);
+      for (int step = 0; step < 60; ++step)
+        ((clear(0.5 * (low + high)) >= -1e-13) == free_low ? low : high) = 0.5 * (low + high);
       sum.cut_at_distance += (free_low ? low - cuts[k] : cuts[k + 1] - high) * span;
     }
   }
@@ -190,9 +198,9 @@ TEST(Offset, OFF_d_OpenEndsAreTrimmedByDistance) {
     EXPECT_EQ(curve.pieces.size(), 1U);
   }
   EXPECT_NEAR(total_length(curves[10]), 14.639779, 1e-5);
-  // D = 2.4 and 2.6. The two lengths listed in the requirement come from a rule that keeps or drops raw edges as a whole (parts,
-  // between crossings) by the distance of their middles; its first edge starts nearer to the base than D. Ours is cut exactly
-  // where it comes within D of the base's end. Both facts:
+  // D = 2.4 and 2.6. The two lengths listed in the requirement come from a rule that keeps or drops raw edges as a
+  // whole (parts, between crossings) by the distance of their middles; its first edge starts nearer to the base than D.
+  // Ours is cut exactly where it comes within D of the base's end. Both facts:
   const double listed[] = {14.677773, 14.752139};
   const double exact[] = {14.652309197, 14.705187696};
   for (const std::size_t k : {11U, 12U}) {
@@ -259,7 +267,8 @@ TEST(Offset, OFF_f_FigureNineA) {
 
 TEST(Offset, OFF_g_FigureNineB) {
   const auto curves = run(e9(), distances({8, 0.05, 1.25}).value());
-  const std::vector<double> areas{24.161759, 22.982743, 21.543500, 19.798396, 17.701311, 15.211667, 12.305410, 8.994150};
+  const std::vector<double> areas{24.161759, 22.982743, 21.543500, 19.798396,
+                                  17.701311, 15.211667, 12.305410, 8.994150};
   for (std::size_t k = 0; k < 8; ++k) {
     EXPECT_NEAR(total_area(curves[k]), areas[k], 1e-6);
     expect_clear(curves[k], e9(), 1e-12);
@@ -286,7 +295,8 @@ TEST(Offset, OFF_i_LShape) {
 }
 
 TEST(Offset, OFF_j_DumbbellSplitsInTwo) {
-  const Polyline bell{{{0, 0}, {4, 0}, {4, 1}, {8, 1}, {8, 0}, {12, 0}, {12, 4}, {8, 4}, {8, 3}, {4, 3}, {4, 4}, {0, 4}}, true};
+  const Polyline bell{
+      {{0, 0}, {4, 0}, {4, 1}, {8, 1}, {8, 0}, {12, 0}, {12, 4}, {8, 4}, {8, 3}, {4, 3}, {4, 4}, {0, 4}}, true};
   const auto curves = run(bell, std::vector<double>{0.5, 0.9, 1.2, 1.9, 1.0, 2.0}, inside(bell));
   const std::size_t components[] = {1, 1, 2, 2, 2, 0};  // 1.0: the neck is exactly 2 D wide and counts as closed
   const double areas[] = {23, 10.84, 5.12, 0.08, 8, 0};
@@ -342,7 +352,8 @@ TEST(Offset, OFF_m_MovedTurnedAndScaledInputMovesTheOutput) {
             const auto& expected = reference[k].pieces.at(0).points;
             const auto& got = curves[k].pieces.at(0).points;
             ASSERT_EQ(got.size(), expected.size());
-            for (std::size_t i = 0; i < got.size(); ++i) EXPECT_LT(geom::distance(got[i], moved(expected[i])), 1e-9 * scale);
+            for (std::size_t i = 0; i < got.size(); ++i)
+              EXPECT_LT(geom::distance(got[i], moved(expected[i])), 1e-9 * scale);
           }
         }
       }
@@ -388,7 +399,8 @@ TEST(Offset, JoinsHaveTheirClosedForms) {
   options.join = Join::Round;
   const OffsetCurve round = run(corner, 1, options);
   EXPECT_EQ(round.pieces.at(0).points, (std::vector<Point>{{-4, -1}, {0, -1}, {1, 0}, {1, 4}}));
-  EXPECT_EQ(round.pieces.at(0).edges, (std::vector<OffsetEdge>{OffsetEdge::line(0), OffsetEdge::arc(0), OffsetEdge::line(1)}));
+  EXPECT_EQ(round.pieces.at(0).edges,
+            (std::vector<OffsetEdge>{OffsetEdge::line(0), OffsetEdge::arc(0), OffsetEdge::line(1)}));
   EXPECT_NEAR(length(round.pieces.at(0), corner), 8 + pi / 2, 1e-14);
   EXPECT_NEAR(geom::length(chords(round.pieces.at(0), corner, 1e-7).polyline), 8 + pi / 2, 1e-6);
   const Polyline spike{{{-4, 0}, {0, 0}, {-4, 0.1}}, false};  // turns by nearly 180 degrees
@@ -419,7 +431,9 @@ TEST(Offset, RepeatedPointsAndFarOriginsChangeNothing) {
 
 /// Closed, with corners of all kinds and a neck that closes.
 Polyline made_of_eighths() {
-  return {{{0, 0}, {6, 0.125}, {6.5, 4}, {3.25, 1.25}, {3.125, 3}, {5, 5.5}, {-1, 5}, {2.75, 3}, {2.5, 1.25}, {-0.5, 4.5}}, true};
+  return {
+      {{0, 0}, {6, 0.125}, {6.5, 4}, {3.25, 1.25}, {3.125, 3}, {5, 5.5}, {-1, 5}, {2.75, 3}, {2.5, 1.25}, {-0.5, 4.5}},
+      true};
 }
 
 TEST(Offset, CurvesAtTheEndsOfTheRangeOfSizesAreThoseNearOne) {
@@ -459,7 +473,8 @@ TEST(Offset, WhatIsFarBelowTheSizeMovesNothing) {
     const Polyline base = made_of_eighths();
     Polyline moved = base;
     moved.points[0] = {3e-40, -2e-200};
-    moved.points.insert(moved.points.begin() + 1, Point{1e-310, 7e-45});  // nearer than the grid: one with the point before
+    moved.points.insert(moved.points.begin() + 1,
+                        Point{1e-310, 7e-45});  // nearer than the grid: one with the point before
     const auto expected = run(base, 0.5, options);
     const auto got = run(moved, 0.5, options);
     ASSERT_EQ(got.pieces.size(), expected.pieces.size());
@@ -552,7 +567,8 @@ TEST(Stepper, FigureFiveInsertsUntilARegionClosesAndDeletesIt) {
 }
 
 TEST(Stepper, SplitsADumbbellInTwo) {
-  const Polyline bell{{{0, 0}, {4, 0}, {4, 1}, {8, 1}, {8, 0}, {12, 0}, {12, 4}, {8, 4}, {8, 3}, {4, 3}, {4, 4}, {0, 4}}, true};
+  const Polyline bell{
+      {{0, 0}, {4, 0}, {4, 1}, {8, 1}, {8, 0}, {12, 0}, {12, 4}, {8, 4}, {8, 3}, {4, 3}, {4, 4}, {0, 4}}, true};
   const auto stepped = run_stepper(bell, 1.2, inside(bell));
   ASSERT_TRUE(stepped.ok());
   EXPECT_EQ(stepped->pieces.size(), 2U);

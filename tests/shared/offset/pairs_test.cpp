@@ -56,7 +56,8 @@ std::vector<Flat> crossings(const Drawn& p, const Drawn& q, double slack) {
   return found;
 }
 
-/// True if a step's set holds a place of two pieces deep inside; not those whose arcs the pieces are: chords lie in them.
+/// True if a step's set holds a place of two pieces deep inside; not those whose arcs the pieces are: chords lie in
+/// them.
 bool in_a_set(const Outline& outline, Flat at, const Drawn& p, const Drawn& q) {
   const auto is_own = [&](std::uint32_t step, Site s) {
     return (s.role == Role::Arc || s.role == Role::SecondArc) && (step == s.step || step == outline.after(s.step));
@@ -236,8 +237,10 @@ TEST(Pairs, SidesOfAnOpenBaseAreLeftApartOnlyWhereThatChangesNoCurve) {
       for (std::size_t k = 0; k < distances.size(); ++k) {
         const auto alone = offset(bow, std::vector<double>{distances[k]}, options);
         ASSERT_TRUE(alone.ok());
-        ASSERT_EQ((*together)[k].pieces.size(), alone->front().pieces.size()) << "seed " << seed << " D " << distances[k];
-        EXPECT_EQ((*together)[k].pieces.front().edges, alone->front().pieces.front().edges) << "seed " << seed << " D " << distances[k];
+        ASSERT_EQ((*together)[k].pieces.size(), alone->front().pieces.size())
+            << "seed " << seed << " D " << distances[k];
+        EXPECT_EQ((*together)[k].pieces.front().edges, alone->front().pieces.front().edges)
+            << "seed " << seed << " D " << distances[k];
         EXPECT_EQ((*together)[k].dropped, alone->front().dropped) << "seed " << seed << " D " << distances[k];
         dropped += alone->front().dropped;
       }

@@ -1,7 +1,8 @@
-// That the verifier raises no false alarm where places are hidden, or slits closed, by next to nothing: contours with small
-// integer coordinates at the distances that occur between their sites, at their half, at the radii of circles through three
-// points, each an ulp or 1e-13 to 1e-8 of itself more or less; far from the origin too, down to distances of an ulp of the
-// coordinates. And that it still finds what is truly wrong there. DOBRA_RANDOM_CASES=100000 for a long search.
+// That the verifier raises no false alarm where places are hidden, or slits closed, by next to nothing: contours with
+// small integer coordinates at the distances that occur between their sites, at their half, at the radii of circles
+// through three points, each an ulp or 1e-13 to 1e-8 of itself more or less; far from the origin too, down to distances
+// of an ulp of the coordinates. And that it still finds what is truly wrong there. DOBRA_RANDOM_CASES=100000 for a long
+// search.
 
 #include <gtest/gtest.h>
 
@@ -69,7 +70,9 @@ class Source {
     double d = 0.0;
     while (!(d > 0.01) || !(d < 100)) {
       const int way = below(3);
-      d = way == 0 ? geom::distance(any(), any()) : way == 1 ? off_line(any(), any(), any()) : circle_through(any(), any(), any());
+      d = way == 0   ? geom::distance(any(), any())
+          : way == 1 ? off_line(any(), any(), any())
+                     : circle_through(any(), any(), any());
     }
     if (below(2) == 0) d *= 0.5;
     const int change = below(4);
@@ -88,7 +91,8 @@ std::string text_of(const Case& c) {
     std::snprintf(number, sizeof(number), " %.17g,%.17g", p.x, p.y);
     text += number;
   }
-  std::snprintf(number, sizeof(number), "; D %.17g join %d side %d", c.distance, static_cast<int>(c.options.join), static_cast<int>(c.options.side));
+  std::snprintf(number, sizeof(number), "; D %.17g join %d side %d", c.distance, static_cast<int>(c.options.join),
+                static_cast<int>(c.options.side));
   return text + number;
 }
 
@@ -106,7 +110,8 @@ TEST(VerifyAlarms, NothingIsFoundWhereSitesAreAsFarAsTheDistanceOrHiddenByNextTo
     ASSERT_TRUE(verified.ok());
     const geom::Box box = c.base.box();
     EXPECT_TRUE(!verified->coarse || c.distance < 0x1p-45 * std::max(box.high.x, box.high.y)) << text_of(c);
-    for (const Finding& finding : verified->findings) ADD_FAILURE() << "seed " << seed << ": " << to_string(finding) << "\n" << text_of(c);
+    for (const Finding& finding : verified->findings)
+      ADD_FAILURE() << "seed " << seed << ": " << to_string(finding) << "\n" << text_of(c);
   }
 }
 

@@ -18,7 +18,8 @@ using geom::Polyline;
 OffsetEdge line(std::size_t i) { return OffsetEdge::line(i); }
 OffsetEdge arc(std::size_t i) { return OffsetEdge::arc(i); }
 
-OffsetPiece piece(bool closed, std::vector<Point> points, std::vector<OffsetEdge> edges, Side side = Side::RightOfTravel) {
+OffsetPiece piece(bool closed, std::vector<Point> points, std::vector<OffsetEdge> edges,
+                  Side side = Side::RightOfTravel) {
   return {side, closed, std::move(points), std::move(edges)};
 }
 
@@ -35,7 +36,8 @@ Verification judged(const Polyline& base, const OffsetCurve& curve, const Offset
 }
 
 std::size_t count(const Verification& v, FindingKind kind) {
-  return static_cast<std::size_t>(std::count_if(v.findings.begin(), v.findings.end(), [&](const Finding& f) { return f.kind == kind; }));
+  return static_cast<std::size_t>(
+      std::count_if(v.findings.begin(), v.findings.end(), [&](const Finding& f) { return f.kind == kind; }));
 }
 
 testing::AssertionResult clean(const Verification& v) {
@@ -48,7 +50,9 @@ testing::AssertionResult clean(const Verification& v) {
 /// Curves written by hand, at distance 1.
 const Polyline corner{{{0, 0}, {4, 0}, {4, 4}}, false};  // turns left
 OffsetCurve outside() { return {1, {piece(false, {{0, -1}, {5, -1}, {5, 4}}, {line(0), line(1)})}, 0}; }
-OffsetCurve inside() { return {1, {piece(false, {{0, 1}, {3, 1}, {3, 4}}, {line(0), line(1)}, Side::LeftOfTravel)}, 0}; }
+OffsetCurve inside() {
+  return {1, {piece(false, {{0, 1}, {3, 1}, {3, 4}}, {line(0), line(1)}, Side::LeftOfTravel)}, 0};
+}
 OffsetCurve rounded() { return {1, {piece(false, {{0, -1}, {4, -1}, {5, 0}, {5, 4}}, {line(0), arc(0), line(1)})}, 0}; }
 OffsetOptions left() {
   OffsetOptions options;
@@ -57,7 +61,8 @@ OffsetOptions left() {
 }
 const Polyline square{{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, true};
 OffsetPiece inset(double d) {
-  return piece(true, {{d, d}, {10 - d, d}, {10 - d, 10 - d}, {d, 10 - d}}, {line(0), line(1), line(2), line(3)}, Side::LeftOfTravel);
+  return piece(true, {{d, d}, {10 - d, d}, {10 - d, 10 - d}, {d, 10 - d}}, {line(0), line(1), line(2), line(3)},
+               Side::LeftOfTravel);
 }
 
 TEST(Verify, RightCurvesHaveNoFindings) {
@@ -78,7 +83,8 @@ TEST(Verify, RightCurvesHaveNoFindings) {
   EXPECT_GE(v.samples, 12U);  // it did look for something
   OffsetOptions extended;
   extended.ends = Ends::Extended;
-  EXPECT_TRUE(clean(judged({{{0, 0}, {10, 0}}, false}, {1, {piece(false, {{-1, -1}, {11, -1}}, {line(0)})}, 0}, extended)));
+  EXPECT_TRUE(
+      clean(judged({{{0, 0}, {10, 0}}, false}, {1, {piece(false, {{-1, -1}, {11, -1}}, {line(0)})}, 0}, extended)));
 }
 
 TEST(Verify, EmptyCurvesAreRightOnlyWhereNothingRemains) {
@@ -148,7 +154,9 @@ TEST(Verify, EdgeThroughAnotherCornersMitreIsFound) {
   const OffsetCurve curve{1, {piece(false, {{-10, -1}, {9, -1}}, {line(0)}, Side::LeftOfTravel)}, 0};
   EXPECT_EQ(count(judged(low, curve, options), FindingKind::InMitre), 1U);
   EXPECT_EQ(count(judged(low, curve, left()), FindingKind::InMitre), 0U);  // the limit of 4 cuts it off
-  EXPECT_EQ(count(judged(base, {1, {piece(false, {{-10, 1}, {9, 1}}, {line(0)}, Side::LeftOfTravel)}, 0}, left()), FindingKind::InMitre), 0U);
+  EXPECT_EQ(count(judged(base, {1, {piece(false, {{-10, 1}, {9, 1}}, {line(0)}, Side::LeftOfTravel)}, 0}, left()),
+                  FindingKind::InMitre),
+            0U);
 }
 
 TEST(Verify, CrossingsOfLinesAndArcsAreFound) {
@@ -180,7 +188,8 @@ TEST(Verify, CrossingsOfLinesAndArcsAreFound) {
 TEST(Verify, SelfCrossingOfLinesIsFoundExactly) {
   // Closed and crossing itself; the loop that the trimming should have removed is there.
   const Polyline base{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, true};
-  OffsetCurve curve{1, {piece(true, {{1, 1}, {3, 1}, {3, 3}, {1, 3}}, {line(0), line(1), line(2), line(3)}, Side::LeftOfTravel)}, 0};
+  OffsetCurve curve{
+      1, {piece(true, {{1, 1}, {3, 1}, {3, 3}, {1, 3}}, {line(0), line(1), line(2), line(3)}, Side::LeftOfTravel)}, 0};
   EXPECT_TRUE(clean(judged(base, curve, left())));
   std::swap(curve.pieces[0].points[2], curve.pieces[0].points[3]);
   EXPECT_EQ(count(judged(base, curve, left()), FindingKind::Crossing), 1U);
@@ -194,18 +203,22 @@ TEST(Verify, SameBoundaryTwiceIsTouching) {
 }
 
 TEST(Verify, SlitExactlyTwoDistancesWideMustBeClosed) {
-  const Polyline bell{{{0, 0}, {4, 0}, {4, 1}, {8, 1}, {8, 0}, {12, 0}, {12, 4}, {8, 4}, {8, 3}, {4, 3}, {4, 4}, {0, 4}}, true};
-  const OffsetCurve open_neck{1,
-                              {piece(true, {{1, 1}, {3, 1}, {3, 2}, {9, 2}, {9, 1}, {11, 1}, {11, 3}, {9, 3}, {9, 2}, {3, 2}, {3, 3}, {1, 3}},
-                                     {line(0), line(1), line(2), line(3), line(4), line(5), line(6), line(7), line(8), line(9), line(10), line(11)},
-                                     Side::LeftOfTravel)},
-                              0};
-  EXPECT_GE(count(judged(bell, open_neck, left()), FindingKind::Touching), 1U);
-  const OffsetCurve closed_neck{
+  const Polyline bell{
+      {{0, 0}, {4, 0}, {4, 1}, {8, 1}, {8, 0}, {12, 0}, {12, 4}, {8, 4}, {8, 3}, {4, 3}, {4, 4}, {0, 4}}, true};
+  const OffsetCurve open_neck{
       1,
-      {piece(true, {{1, 1}, {3, 1}, {3, 2}, {3, 3}, {1, 3}}, {line(0), line(1), line(9), line(10), line(11)}, Side::LeftOfTravel),
-       piece(true, {{9, 1}, {11, 1}, {11, 3}, {9, 3}, {9, 2}}, {line(4), line(5), line(6), line(7), line(3)}, Side::LeftOfTravel)},
+      {piece(true, {{1, 1}, {3, 1}, {3, 2}, {9, 2}, {9, 1}, {11, 1}, {11, 3}, {9, 3}, {9, 2}, {3, 2}, {3, 3}, {1, 3}},
+             {line(0), line(1), line(2), line(3), line(4), line(5), line(6), line(7), line(8), line(9), line(10),
+              line(11)},
+             Side::LeftOfTravel)},
       0};
+  EXPECT_GE(count(judged(bell, open_neck, left()), FindingKind::Touching), 1U);
+  const OffsetCurve closed_neck{1,
+                                {piece(true, {{1, 1}, {3, 1}, {3, 2}, {3, 3}, {1, 3}},
+                                       {line(0), line(1), line(9), line(10), line(11)}, Side::LeftOfTravel),
+                                 piece(true, {{9, 1}, {11, 1}, {11, 3}, {9, 3}, {9, 2}},
+                                       {line(4), line(5), line(6), line(7), line(3)}, Side::LeftOfTravel)},
+                                0};
   EXPECT_TRUE(clean(judged(bell, closed_neck, left())));
 }
 
@@ -242,7 +255,8 @@ TEST(Verify, MissingPartsAreFoundUnlessPiecesWereDropped) {
   curve.dropped = 1;
   EXPECT_EQ(count(judged(square, curve, left()), FindingKind::Missing), 0U);
   // One of two components.
-  const Polyline bell{{{0, 0}, {4, 0}, {4, 1}, {8, 1}, {8, 0}, {12, 0}, {12, 4}, {8, 4}, {8, 3}, {4, 3}, {4, 4}, {0, 4}}, true};
+  const Polyline bell{
+      {{0, 0}, {4, 0}, {4, 1}, {8, 1}, {8, 0}, {12, 0}, {12, 4}, {8, 4}, {8, 3}, {4, 3}, {4, 4}, {0, 4}}, true};
   auto both = offset(bell, std::vector<double>{1.2}, left()).value().front();
   EXPECT_TRUE(clean(judged(bell, both, left())));
   both.pieces.pop_back();
@@ -272,7 +286,9 @@ TEST(Verify, WindingTellsAnEdgeInsideAndOneThatPartsNothing) {
 }
 
 TEST(Verify, MalformedCurvesAreNamed) {
-  const auto malformed = [](const OffsetPiece& p) { return count(judged(corner, {1, {p}, 0}), FindingKind::Malformed); };
+  const auto malformed = [](const OffsetPiece& p) {
+    return count(judged(corner, {1, {p}, 0}), FindingKind::Malformed);
+  };
   EXPECT_EQ(malformed(piece(false, {{0, -1}, {5, -1}}, {line(0), line(1)})), 1U);
   EXPECT_EQ(malformed(piece(false, {{0, -1}}, {})), 1U);
   EXPECT_EQ(malformed(piece(false, {{0, -1}, {NAN, -1}}, {line(0)})), 1U);
@@ -291,13 +307,17 @@ TEST(Verify, UntreatedCurvesAreJudgedByTheirParallelsOnly) {
   raw.pieces[0].points[1].x += 1e-6;
   EXPECT_EQ(count(judged(narrow, raw, options), FindingKind::OffParallel), 1U);
   // The raw parallel of the middle segment has no length: not malformed there, but in a treated curve.
-  const OffsetCurve nothing{0.5, {piece(false, {{0, 0.5}, {3.5, 0.5}, {3.5, 0.5}, {0, 0.5}}, {line(0), line(1), line(2)}, Side::LeftOfTravel)}, 0};
+  const OffsetCurve nothing{
+      0.5,
+      {piece(false, {{0, 0.5}, {3.5, 0.5}, {3.5, 0.5}, {0, 0.5}}, {line(0), line(1), line(2)}, Side::LeftOfTravel)},
+      0};
   EXPECT_TRUE(clean(judged(narrow, nothing, options)));
   EXPECT_EQ(count(judged(narrow, nothing, left()), FindingKind::Malformed), 1U);
 }
 
 TEST(Verify, PapersEdgesGoFromCornerToCornerEvenBeyondTheirSegments) {
-  const Polyline base{{{0, 0}, {2, -5}, {-12, 0}, {6, -5}, {8, 0}}, false};  // the third corner's bisector point lies 28 D away
+  const Polyline base{{{0, 0}, {2, -5}, {-12, 0}, {6, -5}, {8, 0}},
+                      false};  // the third corner's bisector point lies 28 D away
   for (const Join join : {Join::Mitre, Join::Bisector, Join::Round, Join::Bevel}) {
     OffsetOptions options = with(join);
     options.ends = Ends::Paper;
@@ -319,10 +339,25 @@ TEST(Verify, FarTipsAreJudgedByTheirOwnRounding) {
     double distance;
   };
   int tips = 0;
-  // On a grid of triangles, where rounding turns back corners; and between places whose digits are of very different sizes.
+  // On a grid of triangles, where rounding turns back corners; and between places whose digits are of very different
+  // sizes.
   const double h = std::sqrt(3.0) / 2;
-  const Case cases[] = {{{{{6, 2 * h}, {0, 0}, {4.5, h}, {5.5, h}, {3, 0}, {4, 2 * h}, {6.5, 2.598076211353316}, {4.5, h}, {2.5, 4.3301270189221928},
-                           {3, 4 * h}, {2, 4 * h}, {2, 0}, {2, 0}, {3, 0}}, false}, 2},
+  const Case cases[] = {{{{{6, 2 * h},
+                           {0, 0},
+                           {4.5, h},
+                           {5.5, h},
+                           {3, 0},
+                           {4, 2 * h},
+                           {6.5, 2.598076211353316},
+                           {4.5, h},
+                           {2.5, 4.3301270189221928},
+                           {3, 4 * h},
+                           {2, 4 * h},
+                           {2, 0},
+                           {2, 0},
+                           {3, 0}},
+                          false},
+                         2},
                         {{{{6, 8e-9}, {3, 0.03}, {6, 7e-9}}, true}, 0.75}};
   for (const Case& c : cases) {
     for (const Side side : {Side::RightOfTravel, Side::LeftOfTravel}) {
@@ -355,9 +390,12 @@ TEST(Verify, BadBasesAndDistancesAreRefused) {
 }
 
 TEST(Verify, FindingsReadAsASentence) {
-  EXPECT_EQ(to_string({FindingKind::TooNear, {1, 2}, 0.5, 1.0, 3, 4}), "too near: 0.5 where 1 is allowed, at (1.0, 2.0), piece 3, edge 4");
-  EXPECT_EQ(to_string({FindingKind::OpenEnd, {1, 2}, 0, 0, 0, 4}), "ends where it should go on, at (1.0, 2.0), piece 0, edge 4");
-  EXPECT_EQ(to_string({FindingKind::Missing, {1, 2}, 0.5, 1e-9, 7, 0}), "missing: 0.5 where 1e-09 is allowed, at (1.0, 2.0), base segment 7");
+  EXPECT_EQ(to_string({FindingKind::TooNear, {1, 2}, 0.5, 1.0, 3, 4}),
+            "too near: 0.5 where 1 is allowed, at (1.0, 2.0), piece 3, edge 4");
+  EXPECT_EQ(to_string({FindingKind::OpenEnd, {1, 2}, 0, 0, 0, 4}),
+            "ends where it should go on, at (1.0, 2.0), piece 0, edge 4");
+  EXPECT_EQ(to_string({FindingKind::Missing, {1, 2}, 0.5, 1e-9, 7, 0}),
+            "missing: 0.5 where 1e-09 is allowed, at (1.0, 2.0), base segment 7");
 }
 
 }  // namespace

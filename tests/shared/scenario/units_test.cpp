@@ -28,7 +28,8 @@ std::string trouble(const std::string& text) {
 }
 
 TEST(Units, SystemsThatCohereAreTakenInAnyOrder) {
-  for (const char* text : {"m, N, Pa", "mm, N, MPa", "m, kN, kPa", "in, lbf, psi", "m, MN, MPa", "mm, kN, GPa", "ft, lbf, psf", "in, kip, ksi"})
+  for (const char* text : {"m, N, Pa", "mm, N, MPa", "m, kN, kPa", "in, lbf, psi", "m, MN, MPa", "mm, kN, GPa",
+                           "ft, lbf, psf", "in, kip, ksi"})
     EXPECT_EQ(system_of(text).text(), text);
   EXPECT_EQ(system_of("MPa,mm,N").text(), "mm, N, MPa");
   EXPECT_TRUE(system_of("SI").si());
@@ -36,7 +37,8 @@ TEST(Units, SystemsThatCohereAreTakenInAnyOrder) {
 }
 
 TEST(Units, WhatDoesNotCohereIsRefusedWithWhatWould) {
-  EXPECT_THAT(trouble("mm, N, Pa"), AllOf(HasSubstr("N / mm2 is not Pa"), HasSubstr("\"mm, N, MPa\""), HasSubstr("\"m, N, Pa\"")));
+  EXPECT_THAT(trouble("mm, N, Pa"),
+              AllOf(HasSubstr("N / mm2 is not Pa"), HasSubstr("\"mm, N, MPa\""), HasSubstr("\"m, N, Pa\"")));
   EXPECT_THAT(trouble("m, kN, MPa"), AllOf(HasSubstr("\"m, kN, kPa\""), HasSubstr("\"m, MN, MPa\"")));
   EXPECT_THAT(trouble("in, lbf, ksi"), AllOf(HasSubstr("\"in, lbf, psi\""), HasSubstr("\"in, kip, ksi\"")));
   EXPECT_THAT(trouble("mm, N, Mpa"), HasSubstr("'Mpa' is no unit of length, force or stress; did you mean 'MPa'?"));
@@ -62,7 +64,8 @@ TEST(Units, FactorsAreThoseOfTheHandbooks) {
 
 TEST(Units, DecimalNumbersInMillimetresAreTheSameBitsAsInMetres) {
   const UnitSystem mm = system_of("mm, N, MPa");
-  for (const int i : {1, 3, 7, 49, 333, 1001, 123457}) EXPECT_EQ(mm.to_si(i, "m"), std::strtod((std::to_string(i) + "e-3").c_str(), nullptr));
+  for (const int i : {1, 3, 7, 49, 333, 1001, 123457})
+    EXPECT_EQ(mm.to_si(i, "m"), std::strtod((std::to_string(i) + "e-3").c_str(), nullptr));
   EXPECT_EQ(mm.to_si(210000.0, "Pa"), 2.1e11);
 }
 
@@ -73,7 +76,8 @@ TEST(Units, NamesOfDerivedUnitsAreOfTheSystemAndLeadBack) {
   EXPECT_EQ(mm.unit("J^0.5"), "sqrt(N mm)");
   EXPECT_EQ(inch.unit("N/m3"), "lbf/in3");
   EXPECT_EQ(inch.unit("%"), "%");
-  for (const char* si : {"m", "m2", "N", "Pa", "N/m3", "J", "Pa sqrt(m)", "J^0.5", "deg"}) EXPECT_EQ(mm.si_of(mm.unit(si)), si);
+  for (const char* si : {"m", "m2", "N", "Pa", "N/m3", "J", "Pa sqrt(m)", "J^0.5", "deg"})
+    EXPECT_EQ(mm.si_of(mm.unit(si)), si);
   EXPECT_EQ(UnitSystem().unit("J/m2"), "J/m2");
 }
 
@@ -105,7 +109,8 @@ TEST(Units, FormulasAreOfTheCoordinatesOfTheScenario) {
   const auto fields = fields_of<Row>();
   const UnitSystem mm = system_of("mm, N, MPa");
   static const std::vector<std::string> names{"x", "y", "nx", "ny"};
-  for (const std::string text : {"2 * x + exp(y / 1e2) * nx", "x>1.5e1?x^2:-y", "max(x, 1e-3*y)-ny", "hypot(x,y)", "5"}) {
+  for (const std::string text :
+       {"2 * x + exp(y / 1e2) * nx", "x>1.5e1?x^2:-y", "max(x, 1e-3*y)-ny", "hypot(x,y)", "5"}) {
     Table table;
     table.set("x_formula", text);
     const auto there = base::Formula::make(text, names);
@@ -117,21 +122,26 @@ TEST(Units, FormulasAreOfTheCoordinatesOfTheScenario) {
   }
   Table wrong;
   wrong.set("x_formula", std::string("2 * z"));
-  EXPECT_EQ(std::get<std::string>(*in_si(wrong, fields, mm).find("x_formula")), "2 * z") << "whose fault is told as it was written";
+  EXPECT_EQ(std::get<std::string>(*in_si(wrong, fields, mm).find("x_formula")), "2 * z")
+      << "whose fault is told as it was written";
 }
 
 TEST(Units, MessagesTellLengthsAndPlacesInTheUnitsOfTheScenario) {
   const UnitSystem mm = system_of("mm, N, MPa");
   EXPECT_EQ(message_in_units("tip 'a 5 m (1, 2)' at (0.5, -1e-05) lies 0.25 m from 'b', 3 % of 2e+06 Pa.", mm),
             "tip 'a 5 m (1, 2)' at (500, -0.01) lies 250 mm from 'b', 3 % of 2 MPa.");
-  EXPECT_EQ(message_in_units("(0, 1000) N in all; Young's modulus at (1, 2); 7 metres, step 2 (mesh), K is 1e+06 Pa sqrt(m)", mm),
+  EXPECT_EQ(message_in_units(
+                "(0, 1000) N in all; Young's modulus at (1, 2); 7 metres, step 2 (mesh), K is 1e+06 Pa sqrt(m)", mm),
             "(0, 1000) N in all; Young's modulus at (1000, 2000); 7 metres, step 2 (mesh), K is 31.6228 MPa sqrt(mm)");
   EXPECT_EQ(message_in_units("0.1 m", UnitSystem()), "0.1 m");
 }
 
 TEST(Units, PicturesHaveTheirAxesColoursAndLabelsInThem) {
   scene::Panel panel{.key = "a", .axes = {}};
-  scene::Mesh mesh{.points = {{0, 0}, {2, 0}, {0, 1}}, .triangles = {{0, 1, 2}}, .values_at = scene::ValuesAt::Points, .values = {1e6, 2e6, 3e6}};
+  scene::Mesh mesh{.points = {{0, 0}, {2, 0}, {0, 1}},
+                   .triangles = {{0, 1, 2}},
+                   .values_at = scene::ValuesAt::Points,
+                   .values = {1e6, 2e6, 3e6}};
   mesh.scale = {.title = "stress [Pa]", .low = 1e6, .high = 2e6, .least = 1e6, .greatest = 3e6};
   scene::Mesh sizes = mesh;
   sizes.values = {-2.0, -1.0, 0.0};

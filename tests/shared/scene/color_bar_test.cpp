@@ -34,7 +34,8 @@ bool says(const std::vector<Mark>& marks, const std::string& text) {
 }
 
 std::size_t arrows(const Furniture& bar) {
-  return static_cast<std::size_t>(std::count_if(bar.marks.begin(), bar.marks.end(), [](const Mark& mark) { return std::holds_alternative<TriangleMark>(mark); }));
+  return static_cast<std::size_t>(std::count_if(
+      bar.marks.begin(), bar.marks.end(), [](const Mark& mark) { return std::holds_alternative<TriangleMark>(mark); }));
 }
 
 TEST(ColorBar, AnEndThatValuesPassIsAnArrowAndSaysByHowMuch) {
@@ -59,14 +60,16 @@ TEST(ColorBar, ABarOfAllValuesHasNoArrowAndNamesItsEnds) {
 
 TEST(ColorBar, NumbersOfManyZerosAreShort) {
   for (const auto& [low, high] : {std::pair{0.0, 4.2e6}, std::pair{-1e-4, 1e-4}, std::pair{0.0, 3e11}}) {
-    for (const std::string& text : texts_of(bar_of({.title = "", .low = low, .high = high}).marks)) EXPECT_LE(text.size(), 9U) << text;
+    for (const std::string& text : texts_of(bar_of({.title = "", .low = low, .high = high}).marks))
+      EXPECT_LE(text.size(), 9U) << text;
   }
 }
 
 TEST(ColorBar, NoTextsOverlapWhateverTheRange) {
   for (const double greatest : {1.0, 1.01, 1.5, 100.0, 0.99, 0.2}) {
     for (const double least : {0.0, -0.01, -3.0, 0.01, 0.19}) {
-      const Furniture bar = bar_of({.title = "stress of this and that [Pa]", .low = 0.0, .high = 1.0, .least = least, .greatest = greatest});
+      const Furniture bar = bar_of(
+          {.title = "stress of this and that [Pa]", .low = 0.0, .high = 1.0, .least = least, .greatest = greatest});
       std::vector<geom::Box> boxes;
       for (const Mark& mark : bar.marks) {
         if (!std::holds_alternative<TextMark>(mark)) continue;
@@ -79,7 +82,8 @@ TEST(ColorBar, NoTextsOverlapWhateverTheRange) {
 }
 
 TEST(ColorBar, ALogarithmicScaleSaysTheNumbersThemselves) {
-  const Furniture bar = bar_of({.title = "size [m]", .low = -2.0, .high = 0.0, .ticks = AxisScale::Log10, .least = -2.0, .greatest = 0.0});
+  const Furniture bar = bar_of(
+      {.title = "size [m]", .low = -2.0, .high = 0.0, .ticks = AxisScale::Log10, .least = -2.0, .greatest = 0.0});
   EXPECT_TRUE(says(bar.marks, "max 1"));
   EXPECT_TRUE(says(bar.marks, "min 0.01"));
   EXPECT_TRUE(says(bar.marks, "0.1"));
@@ -105,19 +109,30 @@ bool passes(const geom::Segment& s, const geom::Box& box) {
 
 TEST(Callouts, HideNoHoleNoMarkerAndNoOtherLabel) {
   // Extremes at the edges of holes, at a corner, and two at nearly one place.
-  const std::vector<std::array<geom::Point, 2>> places{{{{2.8, 2}, {8, 2.8}}}, {{{0, 0}, {10, 4}}}, {{{5, 2}, {5.01, 2}}}, {{{1.2, 2}, {2, 1.2}}}};
+  const std::vector<std::array<geom::Point, 2>> places{
+      {{{2.8, 2}, {8, 2.8}}}, {{{0, 0}, {10, 4}}}, {{{5, 2}, {5.01, 2}}}, {{{1.2, 2}, {2, 1.2}}}};
   for (const auto& [one, other] : places) {
     Panel panel{.key = "a"};
-    const Lines edges{{{{{0, 0}, {10, 0}, {10, 4}, {0, 4}}, true}, circle({2, 2}, 0.8), circle({8, 2}, 0.8), {{{5, 1.4}, {5, 2.6}}, false}}, {}};
+    const Lines edges{{{{{0, 0}, {10, 0}, {10, 4}, {0, 4}}, true},
+                       circle({2, 2}, 0.8),
+                       circle({8, 2}, 0.8),
+                       {{{5, 1.4}, {5, 2.6}}, false}},
+                      {}};
     panel.layers.push_back({"boundary", "Boundary", {}, edges});
     panel.layers.push_back({"extremes", "Extremes", {.marker_size = 6.0}, Markers{{one, other}, {}}});
-    panel.layers.push_back({"values", "", {}, Labels{{{one, "max", Anchor::Callout, 39.44}, {other, "min", Anchor::Callout, -0.0142}}}, true, InLegend::No});
+    panel.layers.push_back({"values",
+                            "",
+                            {},
+                            Labels{{{one, "max", Anchor::Callout, 39.44}, {other, "min", Anchor::Callout, -0.0142}}},
+                            true,
+                            InLegend::No});
     const Picture picture{"", {panel}};
     const Layout made = layout(picture, suggested_page(picture, 720.0, measure), {}, measure);
     std::vector<geom::Box> labels;
     for (const Mark& mark : made.marks) {
       const auto* text = std::get_if<TextMark>(&mark);
-      if (text != nullptr && (text->text.starts_with("max ") || text->text.starts_with("min "))) labels.push_back(box_of(mark));
+      if (text != nullptr && (text->text.starts_with("max ") || text->text.starts_with("min ")))
+        labels.push_back(box_of(mark));
     }
     ASSERT_EQ(labels.size(), 2U);
     EXPECT_FALSE(labels[0].overlaps(labels[1]));

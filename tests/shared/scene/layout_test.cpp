@@ -293,8 +293,10 @@ Picture sheet(std::size_t count, double width, double height) {
   Picture picture{"", {}, Arrangement::Grid};
   for (std::size_t i = 0; i < count; ++i) {
     Panel panel{"p" + std::to_string(i), "load: Displacement along x, displacements \u00d7 5000; eta 1.2 %", {}, {}};
-    Mesh mesh{{{0, 0}, {width, 0}, {width, height}, {0, height}}, {{0, 1, 2}, {0, 2, 3}}, ValuesAt::Points, {0, 1, 2, 3}, {}};
-    mesh.scale = {.title = "field " + std::to_string(i) + " [Pa]", .low = 0.0, .high = 2.0, .least = 0.0, .greatest = 3.0};
+    Mesh mesh{
+        {{0, 0}, {width, 0}, {width, height}, {0, height}}, {{0, 1, 2}, {0, 2, 3}}, ValuesAt::Points, {0, 1, 2, 3}, {}};
+    mesh.scale = {
+        .title = "field " + std::to_string(i) + " [Pa]", .low = 0.0, .high = 2.0, .least = 0.0, .greatest = 3.0};
     panel.layers.push_back({"mesh", "", Style{}, mesh, true, InLegend::No});
     panel.layers.push_back({"edge", "Boundary", Style{}, Lines{{{mesh.points, true}}, {}}});
     picture.panels.push_back(panel);
@@ -304,7 +306,8 @@ Picture sheet(std::size_t count, double width, double height) {
 
 TEST(Layout, AGridMakesThePanelsAsLargeAsThePageAllows) {
   for (const std::size_t count : {2U, 3U, 4U, 6U}) {
-    for (const auto& [width, height] : {std::pair{10.0, 4.0}, std::pair{1.0, 3.0}, std::pair{5.0, 5.0}, std::pair{100.0, 1.0}}) {
+    for (const auto& [width, height] :
+         {std::pair{10.0, 4.0}, std::pair{1.0, 3.0}, std::pair{5.0, 5.0}, std::pair{100.0, 1.0}}) {
       Picture picture = sheet(count, width, height);
       const Layout made = laid_out(picture);
       expect_tidy(made, std::to_string(count) + " panels of " + std::to_string(width / height));
@@ -312,7 +315,8 @@ TEST(Layout, AGridMakesThePanelsAsLargeAsThePageAllows) {
         picture.arrangement = other;
         const Layout fixed = laid_out(picture);
         if (fixed.page.height > 1.4 * 720.0 + 1.0 || fixed.page.width > 720.5) continue;  // it does not fit
-        EXPECT_GE(made.panels[0].transform.points_per_x, 0.97 * fixed.panels[0].transform.points_per_x) << count << ' ' << width / height;
+        EXPECT_GE(made.panels[0].transform.points_per_x, 0.97 * fixed.panels[0].transform.points_per_x)
+            << count << ' ' << width / height;
       }
     }
   }
@@ -329,7 +333,8 @@ TEST(Layout, ABarOfOnePanelStandsBesideThatPanel) {
   for (const std::size_t count : {2U, 3U, 4U}) {
     for (const Plots plots : {Plots::ToContent, Plots::FillPage}) {
       const Picture picture = sheet(count, 10.0, 4.0);
-      const Layout made = plots == Plots::ToContent ? laid_out(picture) : layout(picture, {1600.0, 1000.0}, {}, measure, {plots});
+      const Layout made =
+          plots == Plots::ToContent ? laid_out(picture) : layout(picture, {1600.0, 1000.0}, {}, measure, {plots});
       std::size_t i = 0;
       for (const Mark& mark : made.marks) {
         const auto* bar = std::get_if<GradientMark>(&mark);

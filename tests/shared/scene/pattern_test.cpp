@@ -71,7 +71,8 @@ TEST(Pattern, PartsInsideARingAreThoseInsideItsCircles) {
 
 TEST(Pattern, StrokesEndAtLevelEdges) {
   const geom::Polyline box{{{0.0, 10.0}, {30.0, 10.0}, {30.0, 26.0}, {0.0, 26.0}}, true};
-  const std::vector<geom::Segment> strokes{{{5.0, 0.0}, {5.0, 40.0}}, {{8.0, 9.0}, {10.0, 11.0}}, {{1.0, 5.0}, {2.0, 5.0}}};
+  const std::vector<geom::Segment> strokes{
+      {{5.0, 0.0}, {5.0, 40.0}}, {{8.0, 9.0}, {10.0, 11.0}}, {{1.0, 5.0}, {2.0, 5.0}}};
   const auto parts = parts_inside(strokes, {box});
   EXPECT_NEAR(total(parts), 16.0 + std::sqrt(2.0), 1e-12);
   for (const geom::Segment& part : parts) {
