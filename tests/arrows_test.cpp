@@ -147,4 +147,115 @@ TEST(Arrows, NoFileNamesAFolderOutsideTheTree) {
   EXPECT_GT(files, 500U);
 }
 
+/// The character at a place, or a space beyond the ends.
+char at_or_space(const std::string& line, std::size_t at) { return at < line.size() ? line[at] : ' '; }
+bool is_alnum(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
+
+/// The ID of a requirement: REC-4, OFF-a, E-11.
+bool has_requirement_id(const std::string& line) {
+  for (const std::string prefix : {"HED-", "OFF-", "REC-", "QUE-", "SUR-", "CRV-", "E-"}) {
+    for (std::size_t at = line.find(prefix); at != std::string::npos; at = line.find(prefix, at + 1)) {
+      const char next = at_or_space(line, at + prefix.size());
+      const bool digit = std::isdigit(static_cast<unsigned char>(next)) != 0;
+      const bool letter = prefix != "E-" && std::islower(static_cast<unsigned char>(next)) != 0 &&
+                          !is_alnum(at_or_space(line, at + prefix.size() + 1));
+      if ((digit || letter) && !is_alnum(at_or_space(line, at - 1))) return true;
+    }
+  }
+  return false;
+}
+
+/// What a reader of the tree cannot look up: a document that is not in it, or the bare ID of a requirement. IDs stand
+/// in names of tests, and as labels in what is told of ctest.
+bool cites_what_is_elsewhere(const std::string& line) {
+  if (line.find("ctest") != std::string::npos) return false;
+  for (const char* document : {"estoration.md", "racture.md", "style.md", "equirements.md", "ocument 00"}) {
+    if (line.find(document) != std::string::npos) return true;
+  }
+  for (const std::string word : {"equirement ", "equirements "}) {
+    const std::size_t at = line.find(word);
+    const char next = at == std::string::npos ? ' ' : at_or_space(line, at + word.size());
+    if (std::isupper(static_cast<unsigned char>(next)) != 0) return true;
+  }
+  return has_requirement_id(line);
+}
+
+TEST(Arrows, NoFileCitesADocumentOutsideTheTree) {
+  const fs::path root = DOBRA_SOURCE_DIR;
+  const std::set<std::string> read{".h", ".cpp", ".md", ".toml", ".ts"};
+  std::size_t files = 0;
+  for (const char* top : {"shared", "recon", "quebra", "docs", "resources"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
+      if (!entry.is_regular_file() || !read.contains(entry.path().extension().string())) continue;
+      ++files;
+      std::ifstream stream(entry.path());
+      std::size_t number = 0;
+      for (std::string line; std::getline(stream, line);) {
+        ++number;
+        EXPECT_FALSE(cites_what_is_elsewhere(line))
+            << fs::relative(entry.path(), root).generic_string() << ':' << number << ": " << line;
+      }
+    }
+  }
+  EXPECT_GT(files, 500U);
+}
+
+TEST(Arrows, ACitationOfADocumentOutsideTheTreeIsNoticed) {
+  EXPECT_TRUE(cites_what_is_elsewhere("// Source: restoration.md 2.11."));
+  EXPECT_TRUE(cites_what_is_elsewhere("alpha of document 001, equation 9"));
+  EXPECT_TRUE(cites_what_is_elsewhere("// Method: requirements C.3"));
+  EXPECT_TRUE(cites_what_is_elsewhere("holds it (E-11), found"));
+  EXPECT_TRUE(cites_what_is_elsewhere("Requirements REC-2, REC-4."));
+  EXPECT_TRUE(cites_what_is_elsewhere("**Checked.** REC-e: mean depths"));
+  EXPECT_FALSE(cites_what_is_elsewhere("`ctest --preset dev -L HED-a` runs them"));
+  EXPECT_FALSE(cites_what_is_elsewhere("// two loops of one face, which become one. E+1 C-1."));
+  EXPECT_FALSE(cites_what_is_elsewhere("Page: docs/algorithms/unfold.md"));
+  EXPECT_FALSE(cites_what_is_elsewhere("a coordinate of 1E-9"));
+}
+
+/// What stands in square brackets on a line and may be a key of the bibliography: lower case, digits, dots and dashes.
+std::vector<std::string> keys_on(const std::string& line) {
+  std::vector<std::string> keys;
+  for (std::size_t open = line.find('['); open != std::string::npos; open = line.find('[', open + 1)) {
+    const std::size_t close = line.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789.-", open + 1);
+    if (close != std::string::npos && close > open + 1 && line[close] == ']') {
+      keys.push_back(line.substr(open + 1, close - open - 1));
+    }
+  }
+  return keys;
+}
+
+/// True of a name with a year: only a citation has that form.
+bool is_dated(const std::string& key) {
+  const std::size_t year = key.find_first_of("0123456789");
+  return year != std::string::npos && year >= 3 && key.find_first_not_of("0123456789", year) >= year + 4 &&
+         key.size() >= year + 4;
+}
+
+TEST(Arrows, EveryKeyThatIsCitedStandsInTheBibliographyAndEveryEntryIsCited) {
+  const fs::path root = DOBRA_SOURCE_DIR;
+  const std::set<std::string> read{".h", ".cpp", ".md", ".toml", ".py"};
+  std::set<std::string> entries;
+  std::ifstream bibliography(root / "docs/bibliography.md");
+  for (std::string line; std::getline(bibliography, line);) {
+    if (line.starts_with("| [")) entries.insert(keys_on(line).front());
+  }
+  EXPECT_GT(entries.size(), 50U);
+  std::set<std::string> cited;
+  for (const char* top : {"shared", "recon", "quebra", "docs", "tests", "resources"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
+      if (!read.contains(entry.path().extension().string()) || entry.path().filename() == "bibliography.md") continue;
+      std::ifstream stream(entry.path());
+      for (std::string line; std::getline(stream, line);) {
+        for (const std::string& key : keys_on(line)) {
+          cited.insert(key);
+          EXPECT_TRUE(!is_dated(key) || entries.contains(key))
+              << fs::relative(entry.path(), root).generic_string() << ": " << key << " is not in docs/bibliography.md";
+        }
+      }
+    }
+  }
+  for (const std::string& key : entries) EXPECT_TRUE(cited.contains(key)) << key << " is cited nowhere";
+}
+
 }  // namespace

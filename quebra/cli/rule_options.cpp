@@ -15,7 +15,7 @@ void add_rule_options(CLI::App& app, RuleOptions& options, const std::string& si
                  "Field at the points of the background mesh (.vtu) that holds the sizes")
       ->type_name("NAME");
   app.add_option("--division", options.division,
-                 "Of curves: even (default), as few sides as meet size and turn, or halving (SUR-2), 2:1 along a curve")
+                 "Of curves: even (default), as few sides as meet size and turn, or halving, 2:1 along a curve")
       ->check(CLI::IsMember({"even", "halving"}))
       ->type_name("even|halving");
   app.add_option("--growth", options.growth, "Most by which sizes grow from one element to the next; 1.3 by default")

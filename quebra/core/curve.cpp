@@ -143,7 +143,7 @@ Result<void> divide_evenly(const Curve& curve, double from, double to, const Siz
   return {};
 }
 
-/// The same by the discretiser of requirement SUR-2.
+/// The same by the discretiser of geom.
 Result<void> divide_by_halves(const Curve& curve, double from, double to, const SizeAlong& size,
                               const DivideOptions& options, std::vector<double>& nodes) {
   const double pieces = static_cast<double>(nodes.size()) + integral_of(from, to, size).value.back();

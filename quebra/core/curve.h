@@ -121,7 +121,7 @@ struct Stop {
 
 enum class DivisionRule {
   Even,     ///< As few pieces as meet the limits, alike or growing evenly.
-  Halving,  ///< SUR-2: equal pieces no longer than the size, each halved until it is short and turns little; 2:1 along
+  Halving,  ///< Equal pieces no longer than the size, each halved until it is short and turns little; 2:1 along
             ///< the curve.
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// "Elements of size h within w of here": the plastic zone of a requirement, as sizes asked of the mesher; no edge of
+// "Elements of size h within w of here": a plastic zone, as sizes asked of the mesher; no edge of
 // the mesh follows the zone's border. Source: [carvalho2005offset], QUEBRA 2D.
 
 #include <string>

@@ -1,8 +1,10 @@
 #pragma once
 // Shortening of a thrust belt from the area of its section, with errors: the area, taken back to the thickness that the
 // layers had, gives the initial width.
-//   A = |sum (x_i y_{i+1} - x_{i+1} y_i)| / 2,  dA^2 = sum ((y_{i+1} - y_{i-1}) / 2 dx_i)^2 + ((x_{i+1} - x_{i-1}) / 2
-//   dy_i)^2 w0 = 2 A / (t1 + t2),  S = w0 - w1,  e = S / w0;  errors independent (root of squares), and at most (sums)
+//   A    = |sum (x_i y_{i+1} - x_{i+1} y_i)| / 2
+//   dA^2 = sum ((y_{i+1} - y_{i-1}) dx_i / 2)^2 + ((x_{i+1} - x_{i-1}) dy_i / 2)^2
+//   w0   = 2 A / (t1 + t2)      S = w0 - w1      e = S / w0
+// Errors are given for independent picks (root of squares) and at most (sum of absolute values).
 // Source: [judge2011].  Page: docs/algorithms/ledger.md
 
 #include <string>

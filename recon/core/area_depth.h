@@ -2,7 +2,7 @@
 // What an unrestored section tells of its balance: excess area of every horizon over its regional, shortening of its
 // bed, depth to the detachment by each horizon alone (Chamberlin) and by all together (area-depth-strain).
 //   A_excess(h) = D (h - h_d):   slope D = displacement on the detachment, h_d = its elevation
-// Source: restoration.md 2.11, [chamberlin1910], [epard1993].  Page: docs/algorithms/ledger.md
+// Source: [chamberlin1910], [epard1993].  Page: docs/algorithms/ledger.md
 
 #include <optional>
 #include <string>

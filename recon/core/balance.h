@@ -1,7 +1,7 @@
 #pragma once
 // What restoration tells about beds: lengths before and after, shortening, depth to the top, and whether they balance.
 // Shortening is a matter of the section as it is: shortening.h.
-// Source: restoration.md 2.11. Page: docs/algorithms/ledger.md
+// Page: docs/algorithms/ledger.md
 
 #include <string>
 #include <vector>

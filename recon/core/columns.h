@@ -8,7 +8,7 @@
 //   d    depth, m: distance from the line of segment i, positive on the right-hand side of travel
 //
 // Before the first rung and after the last one lies one outer column each, without end.
-// Source: requirements C.3 (E-10, E-11); [carvalho2005offset].
+// Page: docs/algorithms/unfold.md. Source: [carvalho2005offset].
 
 #include <algorithm>
 #include <optional>

@@ -1,7 +1,7 @@
 #pragma once
 // Grids of restoration: offset curves of a base line and the rungs (bisector transversals) between them. The source
-// grid stands on the top of the deformed section. Page: docs/algorithms/grid.md. Source: [carvalho2005offset];
-// requirements OFF-1..6, REC-4.
+// grid stands on the top of the deformed section. Page: docs/algorithms/grid.md.
+// Source: [carvalho2005offset].
 
 #include <optional>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
-// The picture of a model: the deformed section with its grid and, beside it to the same scale, the restored one
-// (requirement REC-6).
+// The picture of a model: the deformed section with its grid and, beside it and to the same scale, the restored
+// section.
 
 #include "recon/core/model.h"
 #include "shared/scene/layer.h"

@@ -1,6 +1,6 @@
 #pragma once
 // The balance ledger of a restoration: what became of the length of every bed, of the area and thickness of every unit,
-// and of every piece of area (det F - 1), with a verdict. Source: restoration.md 2.11, 2.14.
+// and of every piece of area (det F - 1), with a verdict.
 // Page: docs/algorithms/ledger.md
 
 #include <array>

@@ -1,15 +1,14 @@
 #pragma once
 // Maps between the columns of two base lines, each its own law for the depth and for the place along the bed:
-//   Thickness  the same column, the same fraction of the offset edge, the same depth. Keeps the length of the top and
-//   the
-//              depth of every point; det F = (1 - k' d) / (1 - k d) with the curvatures k, k' of the two bases.
-//   Area       the same column and fraction; the depth such that as much area lies above: d + c d^2/2 is kept, where
-//              c = (widening of the two columns at a rung) / (their length), linear between the rungs of a column.
+//   Thickness  the same column, the same fraction of the offset edge, the same depth. It keeps the length of the top
+//              and the depth of every point; det F = (1 - k' d) / (1 - k d), with the curvatures k, k' of the bases.
+//   Area       the same column and fraction, and the depth that has as much area above it. It keeps d + c d^2 / 2;
+//              c = (widening of the two columns at a rung) / (their length) is linear between the rungs of a column.
 //   Slip       flexural slip: the same depth, and the same distance from the pin line along the bed at that depth.
-//   Affine
-//              in every column with det F = 1, so that every bed keeps its length and every unit its area.
-// Method: requirements C.3 (E-10, E-11, E-12), restoration.md 2.2 to 2.4.  Pages: docs/algorithms/unfold.md,
-// thickness.md, flexural_slip.md
+//              It is affine in every column with det F = 1: every bed keeps its length, every unit its area.
+//
+// Pages: docs/algorithms/unfold.md (Thickness), docs/algorithms/thickness.md (Area) and
+// docs/algorithms/flexural_slip.md (Slip). Source of the columns: [carvalho2005offset].
 
 #include <array>
 #include <vector>

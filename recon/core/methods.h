@@ -1,5 +1,5 @@
 #pragma once
-// From a method and its parameters to the map of a section. Restoration.md 2.1 to 2.5.
+// From a method and its parameters to the map of a section. Pages: docs/algorithms/unfold.md and those it names.
 // Pages: docs/algorithms/unfold.md (constant), thickness.md (variable, proportional, line length), flexural_slip.md,
 // shear.md
 

@@ -1,6 +1,6 @@
 #pragma once
 // Restoration: everything in the section carried from the source grid to the target by a method, and the ledger of what
-// that kept. Requirements REC-2..5. Page: docs/algorithms/unfold.md
+// that kept. Page: docs/algorithms/unfold.md
 
 #include <optional>
 #include <string>

@@ -4,7 +4,7 @@
 // Proportional thickness is a stack of two lines, line-length unfolding one of all horizons, each going to a line of
 // its own length. Bilinear in each strip, with an inverse in closed form; single-valued where no strip is folded over.
 // Above the first line and below the last the rulings go on straight; beyond the ends the last ruling is moved along.
-// Where a point lies: ruled_stack.h. Source: restoration.md 2.4.  Pages: docs/algorithms/ruled_map.md, thickness.md
+// Where a point lies: ruled_stack.h. Pages: docs/algorithms/ruled_map.md, docs/algorithms/thickness.md
 
 #include <array>
 #include <memory>

@@ -1,9 +1,9 @@
 #pragma once
 // Simple shear along one direction, vertical or inclined: every point slides along it by as much as the top does there.
-//   q = x cos a - z sin a,  w = x sin a + z cos a      (a: the direction of shear, from the vertical, towards +x
-//   upwards) q' = q + travel,  w' = w + w_target(q + travel) - w_top(q)
-// Affine in the strips between the corners of both lines, det F = 1: areas are kept, and thickness along the direction;
-// bed lengths are not. Source: restoration.md 2.5.  Page: docs/algorithms/shear.md
+//   q  = x cos a - z sin a      w  = x sin a + z cos a      a: from the vertical to the direction, towards +x upwards
+//   q' = q + travel             w' = w + w_target(q + travel) - w_top(q)
+// The map is affine in the strips between the corners of both lines, with det F = 1. It keeps areas, and thickness
+// along the direction; it does not keep bed lengths. Page: docs/algorithms/shear.md
 
 #include <array>
 #include <vector>

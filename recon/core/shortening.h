@@ -6,7 +6,7 @@
 //                      the other, as vectors)
 // Two beds are compared over the part that both have, between the same material lines: through both ends where these
 // lie on one border of the section, else square to the beds through the end of the one that is shorter there.
-// Source: restoration.md 2.11.  Page: docs/algorithms/ledger.md
+// Page: docs/algorithms/ledger.md
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
-// Finite strain of a map from its gradient. Source: restoration.md 2.14 (C = F^T F, polar decomposition).
-// Page: docs/algorithms/ledger.md
+// Finite strain of a map from its gradient F: stretches from C = F^T F, rotation from the polar decomposition.
+// Page: docs/algorithms/ledger.md. Source: [ramsay1967].
 
 #include "recon/core/section_map.h"
 #include "shared/base/angle.h"

@@ -1,6 +1,6 @@
 #pragma once
 // The geometry that a section is restored to, matched to the top by arc length from a pin, and its grid.
-// Requirements REC-4, E-12. Page: docs/algorithms/unfold.md
+// Page: docs/algorithms/unfold.md
 
 #include <optional>
 #include <string>

@@ -1,7 +1,6 @@
 #pragma once
 // Bezier curves of any degree, plain and rational, and the cubic in Hermite form. All are travelled from parameter 0
-// to 1. Requirements CRV-4, CRV-8 to CRV-11, CRV-14, CRV-15. Page: docs/algorithms/curves.md. Source:
-// [farin2002curves].
+// to 1. Page: docs/algorithms/curves.md. Source: [farin2002curves].
 
 #include <span>
 #include <utility>

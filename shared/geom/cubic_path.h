@@ -1,7 +1,6 @@
 #pragma once
 // Smooth curves through or near given points, as chains of cubics: interpolating splines (natural or closed) and
-// uniform cubic B-splines. Requirements CRV-2, CRV-5 to CRV-7, CRV-12, CRV-13. Page: docs/algorithms/curves.md. Source:
-// [farin2002curves].
+// uniform cubic B-splines. Page: docs/algorithms/curves.md. Source: [farin2002curves].
 
 #include <span>
 #include <vector>

@@ -37,7 +37,7 @@ base::Result<void> check_options(const DiscretiseOptions& options) {
   return {};
 }
 
-/// Step i of SUR-2: n = length / max_length, rounded up.
+/// Step 1 of the page: n = length / max_length, rounded up.
 base::Result<std::size_t> initial_count(const CurveFunctions& curve, const DiscretiseOptions& options) {
   const double length = curve.length(0.0, 1.0);
   if (!std::isfinite(length)) return Error{ErrorCode::NotFinite, "the length of the curve is not a finite number"};

@@ -1,8 +1,8 @@
 #pragma once
-// The one discretiser of curves (requirement SUR-2): equal parametric steps no longer than max_length on average, then
+// The one discretiser of curves: equal parametric steps no longer than max_length on average, then
 // every segment is bisected until it is short enough AND turns by no more than max_angle.
 //
-// Page: docs/algorithms/discretise.md.
+// Page: docs/algorithms/discretise.md. Source: [miranda2009surface].
 
 #include <concepts>
 #include <functional>

@@ -34,7 +34,7 @@ struct RegionSeed {
   std::int32_t region = 0;
 };
 
-/// A mesh size asked for at a point: the plastic zone of QUE-g, the sizes that an analysis asks for.
+/// A mesh size asked for at a point: a plastic zone, the sizes that an analysis asks for.
 struct SizeRequest {
   geom::Point at;
   double size = 0.0;  ///< m, > 0.

@@ -1,5 +1,5 @@
 #pragma once
-// The background quadtree of the mesher: it only carries sizes. Made by rules 1-4 of method 1.A of fracture.md:
+// The background quadtree of the mesher: it only carries sizes. Four rules make it:
 //   1. the root is the smallest square centred on the bounding box;
 //   2. for every input edge of length l with midpoint m, the leaf with m is split while side * f >= l (f: refinement
 //      factor); a midpoint on a cell line goes down both sides;

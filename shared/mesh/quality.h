@@ -1,6 +1,6 @@
 #pragma once
-// How good the triangles of a mesh are: the shape measure alpha of document 001, equation 9, the angles, and how gently
-// the sizes change. Page: docs/algorithms/quality.md. Source: [miranda2009surface] (SUR-6, SUR-9).
+// How good the triangles of a mesh are: the shape measure alpha, the angles, and how gently the sizes change.
+// Page: docs/algorithms/quality.md. Source: [miranda2009surface].
 
 #include <array>
 #include <cstddef>

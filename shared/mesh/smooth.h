@@ -1,10 +1,10 @@
 #pragma once
-// Better shapes without new nodes: moving nodes (document 001, equation 18) and flipping sides.
+// Better shapes without new nodes: moving nodes and flipping sides.
 //   X0 <- X0 + phi * sum_i w_i (X_i - X0) / sum_i w_i,   w = 1 in the plane, i over the neighbours of the node.
 // A move is kept only if the least alpha of the triangles round the node does not drop (halved steps are tried first),
 // so that no element can be inverted. Nodes are moved one after the other, in order: the guard is true only for what it
-// has seen, which simultaneous moves would break. Page: docs/algorithms/smooth.md. Source: [miranda2009surface]
-// (SUR-8).
+// has seen, which simultaneous moves would break.
+// Page: docs/algorithms/smooth.md. Source: [miranda2009surface].
 
 #include <cstddef>
 #include <span>
@@ -16,7 +16,7 @@
 namespace dobra::mesh {
 
 struct SmoothOptions {
-  int passes = 3;       ///< Sweeps over all nodes; document 001 finds 3 enough.
+  int passes = 3;       ///< Sweeps over all nodes; [miranda2009surface] finds 3 enough.
   double phi = 0.75;    ///< Step, 0 (nothing moves) to 1 (to the mean of the neighbours).
   double enough = 2.0;  ///< Nodes whose triangles all have at least this alpha stay; above 1 none does for that reason.
   int halvings = 2;     ///< How often a step that the guard refuses is halved before the node stays.

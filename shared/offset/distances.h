@@ -1,6 +1,6 @@
 #pragma once
 // The distances of a family of offset curves: D_1 = d0, D_k = f D_{k-1} + d0, each measured from the base.
-// Successive gaps grow by the factor. Source: [carvalho2005offset], rule A of requirements C.0.
+// Successive gaps grow by the factor. Page: docs/algorithms/offset.md. Source: [carvalho2005offset].
 
 #include <cstddef>
 #include <vector>

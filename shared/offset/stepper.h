@@ -7,9 +7,9 @@
 // Open curves follow the paper to the letter: at open ends no region closes, so tails nearer than D to the base may
 // stay. On closed contours the region's edges are deleted only if all of it is nearer than D to the base; otherwise
 // they stand as part of the result, whichever way they turn (a second component, or a pocket), and the last step
-// deletes what of them is too near (E-4, E-5). So the result does not depend on the start. Cost: O(log n) an edge and
-// O(1) an edge deleted; closed contours one more search of the base an edge. Source: [carvalho2005offset], requirements
-// E-3 to E-7.
+// deletes what of them is too near. So the result does not depend on the start. Cost: O(log n) an edge and
+// O(1) an edge deleted; closed contours one more search of the base an edge.
+// Page: docs/algorithms/offset.md. Source: [carvalho2005offset].
 
 #include <span>
 #include <vector>

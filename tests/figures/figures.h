@@ -58,7 +58,7 @@ scene::Layer quality_layer(const mesh::TriangleMesh& mesh);
 scene::Layer wires(const mesh::TriangleMesh& mesh, scene::Color line, double width);
 std::vector<std::array<std::uint32_t, 3>> corners_of(const mesh::TriangleMesh& mesh);
 
-/// C7 of requirements C.2: y = -cos x over [0, 4 pi], 129 points from left to right.
+/// A cosine, y = -cos x over [0, 4 pi], 129 points from left to right.
 geom::Polyline cosine();
 
 }  // namespace dobra::figures

@@ -71,7 +71,7 @@ base::Result<scene::Picture> delaunay() {
   return scene::Picture{{}, {std::move(left), std::move(right)}};
 }
 
-/// The plate of QUE-d: the hole in fine edges, the sides in coarse ones.
+/// The quarter plate: the hole in fine edges, the sides in coarse ones.
 std::vector<mesh::SizedEdge> sized_edges(const mesh::MeshInput& input) {
   std::vector<mesh::SizedEdge> edges;
   for (const geom::Polyline& line : segments_of(input)) edges.push_back({{line.points[0], line.points[1]}});

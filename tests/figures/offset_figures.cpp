@@ -1,4 +1,4 @@
-// Figures of offset.md: those of the paper, with the stand-ins of requirements C.2 where its curves are not known.
+// Figures of docs/algorithms/offset.md: those of [carvalho2005offset], with stand-ins where its curves are not known.
 #include <fmt/format.h>
 
 #include <cmath>

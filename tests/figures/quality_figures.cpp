@@ -15,7 +15,7 @@ namespace {
 
 using geom::Point;
 
-/// The triangles of SUR-a side by side, by the height over a base of 1 m; each with its measure.
+/// Triangles side by side, by the height over a base of 1 m; each with its measure.
 scene::Panel sample_triangles() {
   struct Sample {
     const char* name;

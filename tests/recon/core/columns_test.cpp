@@ -111,7 +111,7 @@ TEST(Columns, ALineThatTurnsBackOnItselfIsRefusedWithThePlace) {
   EXPECT_EQ(*columns.error().place->x, 4.0);
 }
 
-/// E-11 by looking at every column: of those that hold p, the one whose base segment is nearest.
+/// By looking at every column: of those that hold p, the one whose base segment is nearest.
 std::optional<ColumnId> nearest_holder(const Columns& columns, geom::Point p, double tolerance) {
   std::optional<ColumnId> best;
   double least = 0.0;

@@ -84,7 +84,7 @@ TEST(FullBed, AHalfBedStaysUnderItsHalfOfTheTop) {
 }
 
 TEST(FullBed, TheEndOfABedGoesToTheIntegralAlongTheBedAboveIt) {
-  // A kink of 40 degrees at x = 1000; the base begins behind it: X = s - 2 h tan 20 by restoration.md 2.3.
+  // A kink of 40 degrees at x = 1000; the base begins behind it: X = s - 2 h tan 20.
   const double turn = 40.0 * std::numbers::pi / 180.0;
   const geom::Vector limb{std::cos(turn), -std::sin(turn)};
   const geom::Vector down{-std::sin(turn), -std::cos(turn)};
@@ -178,7 +178,7 @@ TEST(FullBed, PiecesOnBothSidesOfAPinInTheirGapAreLaidOutEachAtItsOwnDepth) {
   section.horizons[1].name = "bed (1)";
   section.horizons[2].name = "bed (2)";
   section.horizons[1].piece_of = section.horizons[2].piece_of = "bed";
-  // X = s - 2 h tan(t/2) over each kink between the pin (the crest) and the end, restoration.md 2.3.
+  // X = s - 2 h tan(t/2) over each kink between the pin (the crest) and the end.
   const double turn = std::atan2(300, 400);
   const double limb = 500.0;
   const auto flat = restored(section, RestoreMethod::Flexural, 1400.0);

@@ -33,7 +33,7 @@ geom::Polyline hinge_arc(double radius, double depth, double half, int chords) {
   return line;
 }
 
-/// The fold of restoration.md 2.2 and 2.3: R = 1000, t = 300, half angle 40 degrees.
+/// A concentric fold: R = 1000, t = 300, half angle 40 degrees.
 Section concentric_fold(int chords = 60000) {
   const double half = 40.0 * pi / 180.0;
   return test::section_of({hinge_arc(1000.0, 0.0, half, chords), hinge_arc(1000.0, 300.0, half, chords)});
@@ -83,7 +83,7 @@ SectionMap map_of(const Model& model, const MethodParams& params) {
   return std::move(made->map);
 }
 
-// Numbers of restoration.md 2.2 and 2.3, to the digits given there.
+// Closed forms of docs/algorithms/unfold.md and flexural_slip.md for concentric_fold().
 
 TEST(Methods, ConstantThicknessOfTheConcentricFoldGainsThePublishedArea) {
   const Restoration flat = restored(with_target(concentric_fold()), by(RestoreMethod::Constant));

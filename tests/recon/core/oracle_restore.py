@@ -3,7 +3,7 @@
 
 usage: oracle_restore.py TOP LINE...     (text or CSV files of x and z)
 Prints for each line: length before and after, least, mean (over the given points) and greatest depth.
-A point belongs to the nearest segment of the top whose trapezoid between the two bisectors holds it (requirements E-11).
+A point belongs to the nearest segment of the top whose trapezoid between the two bisectors holds it.
 The lines are cut 20 times between their points; corners at the rungs between the cuts are missed, so lengths come out a little short.
 """
 import math

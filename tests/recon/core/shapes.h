@@ -10,7 +10,7 @@
 
 namespace recon::core::test {
 
-/// C7 of requirements C.2: y = -cos x over [0, 4 pi], 129 points.
+/// A cosine, y = -cos x over [0, 4 pi], 129 points.
 inline geom::Polyline cosine() {
   geom::Polyline line;
   for (int i = 0; i <= 128; ++i) {
@@ -20,7 +20,7 @@ inline geom::Polyline cosine() {
   return line;
 }
 
-/// Anticline of REC-d: radius 10 about the origin, 90 degrees in 64 chords, left to right.
+/// A concentric anticline: radius 10 about the origin, 90 degrees in 64 chords, left to right.
 inline geom::Polyline arc(double radius = 10.0) {
   geom::Polyline line;
   for (int i = 0; i <= 64; ++i) {

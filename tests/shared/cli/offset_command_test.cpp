@@ -106,7 +106,7 @@ TEST_F(OffsetCommand, JoinsEndsAndTreatmentReachTheLibrary) {
   EXPECT_NEAR(length({"--join", "round", "--arc-tolerance", "1e-6"}), 8.0 + std::acos(-1.0) / 2.0, 1e-12);
   EXPECT_LT(length({"--mitre-limit", "1"}), 9.9);
   EXPECT_NEAR(length({"--ends", "extended"}), 12.0, 1e-12);
-  // Check OFF-k of the requirements: the trench is 18 long untreated, a straight line of 10 treated.
+  // The trench is 18 long untreated, a straight line of 10 treated.
   const std::string trench = put("trench.csv", "10 0\n6 0\n6 -3\n4 -3\n4 0\n0 0\n");
   EXPECT_NEAR(json({trench, "--distance", "1.5", "--untreated"})["curves"][0]["length"].get<double>(), 18.0, 1e-9);
   EXPECT_NEAR(json({trench, "--distance", "1.5"})["curves"][0]["length"].get<double>(), 10.0, 1e-9);

@@ -55,7 +55,7 @@ double tada_centre(double x) {
 }
 
 TEST(Crack, TheFormulasOfTheHandbooksGiveTheValuesKnownOfThem) {
-  // Coefficients as docs/bibliography.md says where; values as fracture.md evaluates them, to the digits it prints.
+  // Coefficients as docs/bibliography.md says where; values worked out from them elsewhere, to the digits given.
   const std::vector<double> edge{1.1957, 1.3667, 1.6551, 2.1080, 2.8266, 4.0432};
   const std::vector<double> polynomial{1.186, 1.373, 1.662, 2.106, 2.829, 4.030};
   for (std::size_t i = 0; i < edge.size(); ++i) {

@@ -91,10 +91,10 @@ inline MeshInput quarter_plate(const std::vector<double>& axis, int hole, int ou
 /// Area of quarter_plate: the hole is a polygon.
 inline double quarter_plate_area(int hole) { return 25.0 - 0.5 * hole * std::sin(0.5 * std::numbers::pi / hole); }
 
-/// QUE-d: hole arc of 24 segments, five on each outer side and on each axis.
+/// Quarter plate: hole arc of 24 segments, five on each outer side and on each axis.
 inline MeshInput que_d() { return quarter_plate(graded(1.0, 5.0, 5, 1.0), 24, 5, {}); }
 
-/// QUE-e: with the six constraints d0 = 0.065, f = 1.3, whose nodes stand at the local ring spacing: the mean of the
+/// The same with the six constraints d0 = 0.065, f = 1.3, whose nodes stand at the local ring spacing: the mean of the
 /// gaps on both sides. Beyond the last constraint the axes have five segments.
 inline MeshInput que_e() {
   std::vector<double> axis{1.0};

@@ -136,7 +136,7 @@ TEST(Offset, OFF_c_FigureSevenHasNoSpuriousRegions) {
 }
 
 /// Lengths of what is left of the raw mitred chain on the right of an open base, by two rules: parts between crossings
-/// kept as a whole by their middles (the oracle of the requirement), and the same cut where the distance to the base is
+/// kept as a whole by their middles (a common oracle), and the same cut where the distance to the base is
 /// D.
 struct RawLengths {
   double by_middles = 0;
@@ -198,7 +198,7 @@ TEST(Offset, OFF_d_OpenEndsAreTrimmedByDistance) {
     EXPECT_EQ(curve.pieces.size(), 1U);
   }
   EXPECT_NEAR(total_length(curves[10]), 14.639779, 1e-5);
-  // D = 2.4 and 2.6. The two lengths listed in the requirement come from a rule that keeps or drops raw edges as a
+  // D = 2.4 and 2.6. The two lengths listed come from a rule that keeps or drops raw edges as a
   // whole (parts, between crossings) by the distance of their middles; its first edge starts nearer to the base than D.
   // Ours is cut exactly where it comes within D of the base's end. Both facts:
   const double listed[] = {14.677773, 14.752139};
