@@ -81,9 +81,9 @@ struct Analysis {
   std::vector<CaseFields> fields = {};  ///< One a case.
   double eta = 0.0;                     ///< Greatest of the cases.
   double peak_eta = 0.0;                ///< Greatest of the elements round a peak of stress; 0: no peak.
-  PointForces point_forces =
-      PointForces::LeaveOut;  ///< Whether the estimate leaves the loaded points' surroundings out.
-  int cycle = 0;              ///< Of an adaptive loop, from 1; 0: not of one.
+  /// Whether the estimate leaves the loaded points' surroundings out.
+  PointForces point_forces = PointForces::LeaveOut;
+  int cycle = 0;                                              ///< Of an adaptive loop, from 1; 0: not of one.
   std::vector<std::vector<dobra::fem::TipResult>> tips = {};  ///< By case; empty until the crack step.
 };
 

@@ -129,8 +129,8 @@ struct DivideOptions {
   double size = 0.0;  ///< Longest piece, m, where the curve says nothing else; > 0.
   dobra::base::Angle turn = dobra::base::Angle::from_degrees(15.0);  ///< Most that a piece of an arc may turn.
   double growth = 1.3;  ///< Most by which sizes grow from one piece to the next away from a stop; > 1.
-  std::function<double(dobra::geom::Point)> limit =
-      {};  ///< Size wanted at a point, such as a size field's; empty: none.
+  /// Size wanted at a point, such as a size field's; empty: none.
+  std::function<double(dobra::geom::Point)> limit = {};
   DivisionRule rule = DivisionRule::Even;
   std::size_t most = 20'000'000;  ///< Pieces; more are refused before any is made.
 };

@@ -41,11 +41,11 @@ struct Sketch {
   std::vector<RegionName> regions;
   std::vector<NamedPoint> points;
   std::vector<std::string> remarks;
-  std::set<std::string> without_role =
-      {};  ///< Curves, by name, whose file tells no roles: they are found once ends are joined.
+  /// Curves, by name, whose file tells no roles: they are found once ends are joined.
+  std::set<std::string> without_role = {};
   std::optional<HolePoints> hole_points = std::nullopt;
-  std::set<std::string> interfaces =
-      {};  ///< Lines, by name, that two areas share (areas.h): between two holes they divide nothing.
+  /// Lines, by name, that two areas share (areas.h): between two holes they divide nothing.
+  std::set<std::string> interfaces = {};
   std::vector<Area> areas = {};  ///< A region named by `regions` keeps that name.
 };
 
@@ -54,21 +54,20 @@ struct RepairOptions {
   static constexpr double gap_fraction = 1e-3;
   static constexpr double greatest_gap_fraction = 0.1;
   double same_point = 1e-7;  ///< Points nearer than this fraction of the drawing's diagonal are one.
-  std::optional<double> gap =
-      std::nullopt;  ///< Ends nearer than this that meet nothing are joined, m; otherwise gap_fraction of the diagonal.
+  /// Ends nearer than this that meet nothing are joined, m; otherwise gap_fraction of the diagonal.
+  std::optional<double> gap = std::nullopt;
   double spike = 0.01;  ///< Corners sharper than this are spikes, degrees.
 };
 
 struct DomainOptions {
   double join_tolerance = 1e-7;  ///< Ends nearer than this fraction of the domain's diagonal are one point.
-  std::optional<RepairOptions> repaired =
-      std::nullopt;  ///< The sketch went through repair: messages do not offer it again.
+  /// The sketch went through repair: messages do not offer it again.
+  std::optional<RepairOptions> repaired = std::nullopt;
 };
 
 /// Cracks and internal lines may cross, branch and end on other curves: every meeting becomes a junction.
 /// @error BadDomain (a loop that is not closed, a branch), SelfIntersection with the names of both curves and the
-/// point,
-///        OutsideDomain for a hole that is in no loop, and for an internal line, crack, point or region outside.
+///        point, OutsideDomain for a hole that is in no loop, and for an internal line, crack, point or region outside.
 dobra::base::Result<Domain> make_domain(Sketch sketch, const DomainOptions& options = {});
 
 /// The contour of a loop, in order, arcs followed by trace_turn.

@@ -10,8 +10,8 @@
 namespace quebra::core {
 
 struct FlawOptions {
-  double near_end =
-      0.01;              ///< Gaps of chains of internal lines that would close, as a fraction of the domain's diagonal.
+  /// Gaps of chains of internal lines that would close, as a fraction of the domain's diagonal.
+  double near_end = 0.01;
   double sliver = 1e-3;  ///< Parts of curves nearer to each other than this fraction of the sides there are slivers.
   std::optional<RepairOptions> repaired = std::nullopt;  ///< The drawing went through repair, which left them.
   double side = 0.05;  ///< Sides count as no longer than this fraction of the diagonal, as the mesher's own size is.

@@ -138,8 +138,7 @@ struct MeshWishes {
 /// itself: the least of them counts, growth bounded.
 /// @param remarks  what the user should know is added to it.
 /// @error those of divide and mesh::triangulate, with the place; BadValue for sizes of the source that are not greater
-/// than
-///        0; TooManyElements before any work if the sizes make more elements than allowed.
+///        than 0; TooManyElements before any work if the sizes make more elements than allowed.
 dobra::base::Result<Meshed> mesh_domain(const Model& model, const MeshParams& params, const MeshWishes& wishes,
                                         std::vector<std::string>& remarks, const dobra::base::Progress& progress,
                                         const SizeSource& source = {});

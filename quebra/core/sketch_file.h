@@ -12,8 +12,8 @@ namespace quebra::core {
 enum class OpenLines { AsDrawn, Close };
 
 struct SketchOptions {
-  dobra::io::LineOptions lines =
-      {};  ///< Of files of lines: units, axes, columns; what neither they nor the file tell is asked.
+  /// Of files of lines: units, axes, columns; what neither they nor the file tell is asked.
+  dobra::io::LineOptions lines = {};
   OpenLines open_lines = OpenLines::AsDrawn;  ///< Close: every line is an outline whose last side is left out.
   double silent_unit = 1.0;                   ///< Metres in one unit of a file that does not say.
   bool chosen = false;                        ///< Whether the user chose any of these.

@@ -1,13 +1,13 @@
 #pragma once
-// The columns of a grid: the strip beside a base line cut by transversals ("rungs") along the bisectors of its corners.
-// A point is named by (column, place along the offset edge at its depth, depth); that name is what restoration keeps.
+// The columns of a grid: the strip beside a base line, cut by transversals ("rungs") on the bisectors of its corners.
+// The name of a point is (column, place along the offset edge at its depth, depth). Restoration keeps that name.
 //
 //   P = P_i + d b_i + along * (L_i + d (t_i.b_{i+1} - t_i.b_i)) t_i
 //   t_i  unit direction of base segment i;  n_i = t_i turned right;  L_i its length
 //   b_j  mitre vector of corner j: (n_{j-1} + n_j) / (1 + n_{j-1}.n_j); the normal at the two ends
 //   d    depth, m: distance from the line of segment i, positive on the right-hand side of travel
 //
-// Before the first rung and after the last one lies one outer column each, without end.
+// One outer column, without end, lies before the first rung and one after the last.
 // Page: docs/algorithms/unfold.md. Source: [carvalho2005offset].
 
 #include <algorithm>

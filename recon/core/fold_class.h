@@ -25,8 +25,8 @@ const char* class_name(RamsayClass value);
 struct FoldClassOptions {
   int angles = 61;          ///< Dips that are compared.
   double tolerance = 0.25;  ///< Of the index round 0 and 1, within which a layer is parallel or similar.
-  base::Angle least_range =
-      base::Angle::from_degrees(10.0);  ///< Less common dip than this on either limb tells nothing.
+  /// Less common dip than this on either limb tells nothing.
+  base::Angle least_range = base::Angle::from_degrees(10.0);
 };
 
 struct FoldClass {

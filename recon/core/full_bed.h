@@ -1,7 +1,7 @@
 #pragma once
-// Beds from end to end of the section, for methods that lay them out by their own length. A bed seldom reaches as far
-// as the others do. What is missing of it is the parallel, at the depth of its end, of the next bed towards the top
-// that reaches the pin: so that what remains of a bed of a parallel fold is laid out as the whole bed would be.
+// Beds completed from end to end of the section, for methods that lay them out by their own length. A bed seldom
+// reaches as far as the others do. The missing part is taken as a parallel of the next bed towards the top that reaches
+// the pin, at the depth of the bed's end. So what is left of a bed in a parallel fold goes where the whole bed would.
 // Page: docs/algorithms/flexural_slip.md
 
 #include <string>

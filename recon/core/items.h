@@ -8,8 +8,7 @@ namespace recon::core {
 
 /// Adds them to `read.section`. Ids count within each kind, lines through faults, pins and loose lines in this order.
 /// @error BadSection: a polygon that does not close or that crosses itself, two things of a kind with the same name;
-/// and
-///        those of read_line, each with the item and the place.
+///        and those of read_line, each with the item and the place.
 base::Result<void> read_items(const SectionInput& input, const ReadSettings& settings,
                               const dobra::scenario::Context& context, ReadSection& read);
 

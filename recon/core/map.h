@@ -23,8 +23,8 @@ namespace recon::core {
 enum class ColumnLaw { Thickness, Area, Slip };
 
 struct MapOptions {
-  double rung_tolerance =
-      1e-12;  ///< How far beyond a rung a point still counts as inside, relative to the base line's box.
+  /// How far beyond a rung a point still counts as inside, relative to the base line's box.
+  double rung_tolerance = 1e-12;
   double tear_tolerance = 1e-9;   ///< Images farther apart than this are a tear, relative to the base line's box.
   double chord_tolerance = 1e-6;  ///< Straight pieces whose image is curved are halved until the chord is this near,
                                   ///< relative to the base line's box.

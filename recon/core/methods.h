@@ -1,7 +1,6 @@
 #pragma once
-// From a method and its parameters to the map of a section. Pages: docs/algorithms/unfold.md and those it names.
-// Pages: docs/algorithms/unfold.md (constant), thickness.md (variable, proportional, line length), flexural_slip.md,
-// shear.md
+// From a method and its parameters to the map of a section. Pages in docs/algorithms: unfold.md (constant thickness),
+// thickness.md (variable, proportional, line length), flexural_slip.md, shear.md
 
 #include <optional>
 #include <string>
@@ -68,8 +67,7 @@ std::vector<MappedLine> map_horizons(MethodMap& method, const Section& section, 
 /// States between 0 and 100 % turn every piece of the base by its part of the angle between the two lines, so that the
 /// lengths that the method keeps are kept in all of them; a shear takes its part of the displacement.
 /// @error CannotRestore with the place: an overturned top under shear, a stack that is folded over (Doubt::Refuse), a
-/// pin
-///        line that misses a horizon; BadSection: no such base, no second horizon.
+///        pin line that misses a horizon; BadSection: no such base, no second horizon.
 base::Result<MethodMap> make_method_map(const Section& section, const SourceGrid& source, const Target& target,
                                         const MethodParams& params);
 

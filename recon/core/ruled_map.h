@@ -1,9 +1,9 @@
 #pragma once
 // Maps between stacks of lines, each pair of neighbours joined by rulings that share the place u along both:
 //   P = (1 - v) T(u) + v B(u)   ->   P' = (1 - v) T'(u) + v B'(u)
-// Proportional thickness is a stack of two lines, line-length unfolding one of all horizons, each going to a line of
-// its own length. Bilinear in each strip, with an inverse in closed form; single-valued where no strip is folded over.
-// Above the first line and below the last the rulings go on straight; beyond the ends the last ruling is moved along.
+// Proportional thickness is a stack of two lines. Line length is a stack of all horizons, each of which goes to a line
+// of its own length. The map is bilinear in each strip, has an inverse in closed form, and is single-valued where no
+// strip is folded over. Above and below the stack the rulings go on straight; beyond its ends the last one moves along.
 // Where a point lies: ruled_stack.h. Pages: docs/algorithms/ruled_map.md, docs/algorithms/thickness.md
 
 #include <array>
@@ -54,8 +54,8 @@ class RuledMap {
     return from_->locate(p, near);
   }
   static constexpr std::size_t sides = 4;
-  static constexpr bool first_holds =
-      true;  ///< Of the strips that hold a point within the tolerance the first is taken.
+  /// Of the strips that hold a point within the tolerance the first is taken.
+  static constexpr bool first_holds = true;
   [[nodiscard]] double beyond(const Entered& at, std::size_t side, geom::Point p) const {
     return from_->beyond(at.cell, at.from, side, p);
   }

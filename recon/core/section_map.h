@@ -1,6 +1,6 @@
 #pragma once
-// The map of a section, whatever the method: where any point, line or polygon goes, and where it came from. One value;
-// maps are built by methods.h. What it does where it is not single-valued stands with each point.
+// The map of a section, whatever the method: where any point, line or polygon goes, and where it came from. It is one
+// value, built by methods.h. Each mapped point tells whether the map is single-valued there.
 // Page: docs/algorithms/unfold.md
 
 #include <array>
@@ -19,8 +19,8 @@ namespace recon::core {
 /// Where a point goes.
 struct MappedPoint {
   geom::Point at;
-  Foot foot =
-      Foot::InColumn;  ///< NoColumn: no part of the grid holds the point; it went with the nearest base segment.
+  /// NoColumn: no part of the grid holds the point; it went with the nearest base segment.
+  Foot foot = Foot::InColumn;
 };
 
 /// Gradient of a map, F = d(image) / d(point), row by row.

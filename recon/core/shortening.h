@@ -2,8 +2,8 @@
 // Shortening of beds, and whether it agrees between them: one definition for `balance` and `restore`. It is a matter of
 // the section as it is, whatever restores it.
 //   S = l0 - l1    l0  length of the bed
-//                  l1  along the regional: the straight line from end to end (of pieces: their straight lines one after
-//                      the other, as vectors)
+//                  l1  length along the regional, the straight line from end to end (of a bed in pieces: the sum of
+//                      the straight lines of its pieces, as vectors)
 // Two beds are compared over the part that both have, between the same material lines: through both ends where these
 // lie on one border of the section, else square to the beds through the end of the one that is shorter there.
 // Page: docs/algorithms/ledger.md

@@ -1,7 +1,7 @@
 #pragma once
 // Methods that take the horizons as beds: flexural slip along horizons, line length, proportional thickness. Each
-// horizon is laid out on the target by its own arc length from the pin; what lies between two goes along rulings
-// (ruled_map.h). Pages: docs/algorithms/flexural_slip.md, thickness.md
+// horizon is laid out on the target by its own arc length from the pin. Points between two horizons go along rulings
+// (ruled_map.h). Pages: docs/algorithms/flexural_slip.md, docs/algorithms/thickness.md
 
 #include "recon/core/methods.h"
 

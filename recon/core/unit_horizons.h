@@ -11,8 +11,7 @@ namespace recon::core {
 /// has a top and a horizon "base of" it. What was taken for what is told in remarks.
 /// @param tolerance  gaps and overlaps up to this are bridged, m; 0: a thousandth of the extent of the polygons.
 /// @error BadSection: no polygon; no edge between two of them; a horizon of the section has the name of a unit. Those
-/// of
-///        UnitOwners::make.
+///        of UnitOwners::make.
 base::Result<void> add_horizons_of_units(double tolerance, ReadSection& read);
 
 }  // namespace recon::core

@@ -27,8 +27,8 @@ struct NodeActedOn {
   geom::Point at;
   double distance = std::numeric_limits<double>::infinity();  ///< From the tip; 0: a force acts on the tip itself, m.
   double half_way = std::numeric_limits<double>::infinity();  ///< To the nearest load; supports may bear nothing, m.
-  double clear =
-      std::numeric_limits<double>::infinity();  ///< Radius of the disc that no element at such a node reaches into, m.
+  /// Radius of the disc that no element at such a node reaches into, m.
+  double clear = std::numeric_limits<double>::infinity();
 };
 
 /// Where a tip and the elements of its lips are.
@@ -38,12 +38,12 @@ struct TipFrame {
   Material material = {};
   Lips lips = Lips::Both;
   mesh::ElementSide left = {};  ///< Side of the left lip that ends in the tip; of the only lip.
-  mesh::ElementSide right =
-      {};                ///< Side of the right lip that begins in the tip; ahead of the tip if there is one lip.
+  /// Side of the right lip that begins in the tip; ahead of the tip if there is one lip.
+  mesh::ElementSide right = {};
   double length = 0.0;   ///< Of the side of the left lip, m.
   bool quarter = false;  ///< Both sides have their mid-side node at a quarter.
-  double room =
-      0.0;  ///< Radius of the greatest disc round the tip with nothing in it but the straight end of the crack, m.
+  /// Radius of the greatest disc round the tip with nothing in it but the straight end of the crack, m.
+  double room = 0.0;
   NodeActedOn acted = {};  ///< Of a load case; tip_frames leaves it out.
   /// Unit, along y of the frame.
   [[nodiscard]] geom::Vector up() const { return (lips == Lips::OnlyRight ? -1.0 : 1.0) * left_of(tip.direction); }

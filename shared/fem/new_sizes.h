@@ -1,8 +1,8 @@
 #pragma once
 // The element sizes of the next mesh from the errors of this one: so that every element bears the same error, or so
 // that the fewest elements reach the error asked. Near a corner where the stresses are infinite the error falls more
-// slowly with the size, and the rules know it. Page: docs/algorithms/estimate.md. Source: [zienkiewicz1992spr] (II),
-// [ladeveze1991].
+// slowly with the size, and the rules know it.
+// Page: docs/algorithms/estimate.md. Source: [zienkiewicz1992spr] (part II), [ladeveze1991].
 
 #include <cstdint>
 #include <vector>

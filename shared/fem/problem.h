@@ -20,8 +20,8 @@ struct Support {
   std::string where;
   std::optional<double> x = std::nullopt;  ///< m; 0 holds.
   std::optional<double> y = std::nullopt;  ///< m
-  std::optional<double> normal =
-      std::nullopt;  ///< Along the outward normal of the sides, m; 0: symmetry. Side sets only.
+  /// Along the outward normal of the sides, m; 0: symmetry. Side sets only.
+  std::optional<double> normal = std::nullopt;
   std::function<geom::Vector(geom::Point)> field = {};  ///< Both components as a function of the place, m.
 };
 

@@ -2,8 +2,8 @@
 // Superconvergent patch recovery: smooth values at the nodes of a mesh from samples inside its elements. Round each
 // vertex the samples of a patch of elements are fitted by a polynomial, weighted least squares in coordinates scaled to
 // the patch; mid-side nodes take the mean of the patches of their ends. A patch never crosses into another region or
-// through a boundary (so not through the lips of a crack), and grows where a boundary leaves it too few samples. Page:
-// docs/algorithms/recover.md. Source: [zienkiewicz1992spr].
+// through a boundary (so not through the lips of a crack), and grows where a boundary leaves it too few samples.
+// Page: docs/algorithms/recover.md. Source: [zienkiewicz1992spr].
 
 #include <cstdint>
 #include <span>

@@ -1,8 +1,8 @@
 #pragma once
 // Whether anything can move without strain: the parts of a mesh that are rigid in themselves (elements joined by
 // sides), their three rigid motions each, and what supports, springs, ties and shared corners say about those. Decided
-// before the equations are factorised, so that a floating part is named instead of a failed pivot. Page:
-// docs/algorithms/fem.md.
+// before the equations are factorised, so that a floating part is named instead of a failed pivot.
+// Page: docs/algorithms/fem.md.
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #pragma once
 // Rosettes of quarter-point triangles round crack tips: rings of points whose outermost one bounds a hole for the
-// mesher, the triangles that fill it, and the shift of the mid-side nodes once the mesh is quadratic. Page:
-// docs/algorithms/crack.md. Source: [barsoum1976], [henshell1975].
+// mesher, the triangles that fill it, and the shift of the mid-side nodes once the mesh is quadratic.
+// Page: docs/algorithms/crack.md. Source: [barsoum1976], [henshell1975].
 
 #include <cstdint>
 #include <string>

@@ -1,8 +1,8 @@
 #pragma once
 // Stresses round the vertices where they are infinite: the angular functions of Williams' field r^(lambda - 1) for
 // free, clamped and sliding faces, and their amplitudes from a solution. A recovered stress made of polynomials misses
-// what an element at such a vertex lacks; this one sees it. Page: docs/algorithms/estimate.md. Source: [williams1952],
-// [rodenas2008].
+// what an element at such a vertex lacks; this one sees it.
+// Page: docs/algorithms/estimate.md. Source: [williams1952], [rodenas2008].
 
 #include <array>
 #include <cstdint>

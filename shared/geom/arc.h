@@ -18,8 +18,7 @@ class Arc {
   /// @param start  angle of the first point as seen from the centre, anticlockwise from +x.
   /// @param sweep  signed angle travelled; at most a full turn either way.
   /// @error DegenerateCurve for a radius that is not positive or a sweep of zero; InvalidOption for more than a full
-  /// turn;
-  ///        NotFinite.
+  ///        turn; NotFinite.
   static base::Result<Arc> from_angles(Point centre, double radius, base::Angle start, base::Angle sweep);
 
   /// The arc round `centre` from one point to another, which it keeps bit for bit; from == to gives the full circle.

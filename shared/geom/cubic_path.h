@@ -52,8 +52,7 @@ std::vector<Vector> spline_derivatives(std::span<const Point> points, std::span<
 /// The C2 cubic spline through `points`.
 /// @param knots  strictly increasing; as many as points, and one more if closed.
 /// @error DegenerateCurve for too few points; InvalidOption for knots that do not fit (equal neighbours have no
-/// chord-length
-///        knots); NotFinite.
+///        chord-length knots); NotFinite.
 base::Result<CubicPath> cubic_spline(std::span<const Point> points, std::span<const double> knots, SplineEnds ends);
 
 /// The uniform cubic B-spline of a control polygon: n - 3 cubics, near the polygon and within its hull. A vertex moves

@@ -4,9 +4,9 @@
 //
 // The property number of an element is the position of its region, from 1. What Nastran has no card for stands in
 // comments:
-// "$DOBRA REGION number tag name", "$DOBRA NODESET number name" before its SET1, "$DOBRA SIDESET name" and, for each
-// side,
-// "$DOBRA SIDE element side".
+//   "$DOBRA REGION number tag name"
+//   "$DOBRA NODESET number name" before its SET1
+//   "$DOBRA SIDESET name" and, for each side, "$DOBRA SIDE element side"
 
 #include <string>
 #include <string_view>

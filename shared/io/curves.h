@@ -15,8 +15,8 @@ struct NamedCurve {
   /// As in the file; a further part of the same feature has " (2)" and so on added; "curve N" (N = its 1-based number
   /// in `Curves::curves`) where the file gives no name. Names may repeat if the file repeats them.
   std::string name;
-  geom::Polyline line =
-      {};  ///< Open in the order of the file; contours of polygons anticlockwise, their holes clockwise.
+  /// Open in the order of the file; contours of polygons anticlockwise, their holes clockwise.
+  geom::Polyline line = {};
   /// The number of the polygon that it is the contour or a hole of, from 0 on in the file, and the name of its feature.
   std::optional<std::size_t> polygon = std::nullopt;
   std::string feature = {};

@@ -33,8 +33,8 @@ struct Feature {
   /// Empty, or for every part the extra columns of a text, point after point; of lines as they were read, without
   /// repairs.
   std::vector<std::vector<double>> extras = {};
-  std::optional<std::int64_t> id =
-      {};                   ///< Its number in the file, where that keeps one. Does not count in comparisons.
+  /// Its number in the file, where that keeps one. Does not count in comparisons.
+  std::optional<std::int64_t> id = {};
   base::Place source = {};  ///< File and line, or file and item. Where it came from does not count in comparisons.
 
   friend bool operator==(const Feature& a, const Feature& b) {

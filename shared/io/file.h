@@ -25,8 +25,7 @@ base::Result<std::string> read_bytes(const std::filesystem::path& file);
 
 /// The text of a file in UTF-8, without a byte order mark; line ends stay as they are.
 /// @error those of read_bytes; EmptyFile (nothing but blanks); BadFormat with the line for binary content (NUL bytes)
-/// and for text
-///        in another encoding.
+///        and for text in another encoding.
 base::Result<std::string> read_text(const std::filesystem::path& file);
 
 /// Position of the first byte that does not belong to valid UTF-8; nothing if all do.

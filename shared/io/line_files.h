@@ -79,8 +79,7 @@ struct LineWork {
 };
 
 /// @error Unclear: what the file leaves open, with the option that answers it; InvalidOption; BadFormat: no feature, or
-/// a
-///        plane that does not fit, with the misfit; NotFinite; those of the readers and of repair.
+///        a plane that does not fit, with the misfit; NotFinite; those of the readers and of repair.
 base::Result<LineWork> read_any_lines(const std::string& path, const LineOptions& options = {});
 /// The same from text in memory, for the formats that are text. `file` is the name that errors show.
 base::Result<LineWork> parse_any_lines(std::string_view text, const std::string& file, const LineOptions& options);

@@ -34,8 +34,7 @@ struct NeutralFile {
 };
 
 /// @error NotFinite; CannotMesh: no elements; InvalidOption: a set that refers to what does not exist, a name with a
-/// quote or
-///        line end.
+///        quote or line end.
 base::Result<std::string> neutral_text(const NeutralFile& file);
 /// @error those of neutral_text, CannotWrite
 base::Result<void> write_neutral(const std::string& path, const NeutralFile& file);

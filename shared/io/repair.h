@@ -37,9 +37,8 @@ struct Repair {
 /// Faults are the lines of kind "fault"; a line of kind "unit" that ends within `gaps` of its beginning becomes a
 /// polygon.
 /// @error InvalidOption: a tolerance that is not a positive number; BadFormat with the feature and the place: points
-/// that
-///        do not lie along one curve. @cost O(n log n) in the number of points; points that stand off the curve take
-///        O(n) each.
+///        that do not lie along one curve. @cost O(n log n) in the number of points; points that stand off the curve
+///        take O(n) each.
 base::Result<std::vector<Repair>> repair(std::vector<Feature>& features, const RepairOptions& options);
 
 /// "gap: horizon 'top': ..., at (x, z), moved d m": one line.

@@ -43,8 +43,7 @@ struct SvgFile {
 };
 
 /// @error FileNotFound, NotAFile, CannotRead, EmptyFile; BadFormat with line and column: markup that does not close,
-/// path
-///        data or a transform that is wrong, no outline at all; NotFinite.  @cost linear
+///        path data or a transform that is wrong, no outline at all; NotFinite.  @cost linear
 base::Result<SvgFile> read_svg(const std::string& path);
 base::Result<SvgFile> parse_svg(std::string_view text, const std::string& file);
 

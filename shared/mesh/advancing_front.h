@@ -1,9 +1,9 @@
 #pragma once
 // The advancing front: fills a domain with triangles from its marked sides inwards, row after row, small sizes first.
-// Only what is plainly good is done: a corner of the front that is narrow enough is closed, over a side with nothing
-// near a node is put where the triangle has the size wanted. Where fronts meet or the input is crowded the sides are
-// left standing: front_gaps.h fills what is between them. No cell is removed or flipped, so that a node
-// costs a look at the buckets around it and a triangle one orientation. Page: docs/algorithms/advancing_front.md.
+// Only what is plainly good is done: a narrow corner of the front is closed; over a side with nothing near, a node is
+// put where the triangle has the size wanted. Where fronts meet or the input is crowded the sides are left standing,
+// and front_gaps.h fills what is between them. No cell is removed or flipped. So a node costs a look at the buckets
+// around it, and a triangle one orientation. Page: docs/algorithms/advancing_front.md.
 // Sources: [miranda1999mesh] (smallest first, generations), [lohner1988] (points near an ideal one).
 
 #include <cstdint>

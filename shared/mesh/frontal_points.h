@@ -1,7 +1,7 @@
 #pragma once
 // Places the interior points of a mesh so that its triangles come out nearly equilateral and of the size wanted:
-// a Delaunay triangulation is kept at all times, and points are put where an advancing front would put them - on the
-// perpendicular through the middle of a side of the front, at the distance that makes a triangle of the wanted
+// a Delaunay triangulation is kept at all times, and points are put where an advancing front would put them: on the
+// perpendicular through the middle of a side of the front, at the distance that gives the triangle the wanted
 // circumradius. The front is the border between triangles that are small enough and those that are not. Marked sides
 // are never split and points keep clear of them. Method: frontal Delaunay [rebay1993]. Used by triangulate.h.
 

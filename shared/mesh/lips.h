@@ -2,8 +2,8 @@
 // Opens cracks in a mesh that has edges along them: round each node of a crack the elements fall into fans, divided by
 // crack edges and the boundary, and each fan gets a copy of the node of its own. So any number of cracks, their
 // branches and their crossings come apart with one rule, by topology alone: no distance is measured, and lips that lie
-// on each other cannot be confused. A node with one fan stays one: it is a tip, if the crack ends there. Page:
-// docs/algorithms/lips.md.
+// on each other cannot be confused. A node with one fan stays one: it is a tip, if the crack ends there.
+// Page: docs/algorithms/lips.md.
 
 #include <span>
 #include <string>

@@ -6,8 +6,8 @@
 //   3. no cell is larger than the largest one that a boundary edge reached;
 //   4. leaves that share a side differ by at most one level.
 // Linear storage: cells in one array, the four children of a cell one after the other; integer coordinates on the grid
-// of 2^30 x 2^30 finest cells, so that neighbours are found exactly. Page: docs/algorithms/quadtree.md. Source:
-// [miranda1999mesh].
+// of 2^30 x 2^30 finest cells, so that neighbours are found exactly.
+// Page: docs/algorithms/quadtree.md. Source: [miranda1999mesh].
 
 #include <cstdint>
 #include <functional>

@@ -1,8 +1,8 @@
 #pragma once
-// The mesh size wanted at every point: the quadtree's sizes made smooth. Each corner of a leaf carries a size; in a
-// leaf the size is interpolated bilinearly. Corners of the leaves that input edges and size requests fall into start
-// with the size asked; from there sizes spread over the tree, growing by at most (growth - 1) a unit of length, up to a
-// largest size. So h(x) = min over everything asked of (size + (growth - 1) * distance), to the accuracy of the tree.
+// The mesh size wanted at every point: the quadtree's sizes made smooth. Each corner of a leaf carries a size; inside a
+// leaf the size is bilinear. Leaves that input edges and size requests fall into start with the size asked. From there
+// sizes spread over the tree, growing by at most (growth - 1) a unit of length, up to a largest size. To the accuracy
+// of the tree, h(x) is the least of size + (growth - 1) * distance over everything that asks for a size.
 // Page: docs/algorithms/size_field.md. Source: [borouchaki1998] for the growth bound, [miranda1999mesh] for the tree.
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 // Better shapes without new nodes: moving nodes and flipping sides.
 //   X0 <- X0 + phi * sum_i w_i (X_i - X0) / sum_i w_i,   w = 1 in the plane, i over the neighbours of the node.
 // A move is kept only if the least alpha of the triangles round the node does not drop (halved steps are tried first),
-// so that no element can be inverted. Nodes are moved one after the other, in order: the guard is true only for what it
-// has seen, which simultaneous moves would break.
+// so that no element can be inverted. Nodes are moved one after the other, in order, because the guard looks at the
+// neighbours where they are: two nodes moved at once could invert a triangle.
 // Page: docs/algorithms/smooth.md. Source: [miranda2009surface].
 
 #include <cstddef>

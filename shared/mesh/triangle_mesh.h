@@ -1,7 +1,7 @@
 #pragma once
 // Triangle meshes of plane domains as values: flat arrays indexed by ids, with named sets of edges and nodes, and the
 // adjacency that can be derived from them. Made by triangulate.h and delaunay.h, read by fem, io and scene.
-// Quadratic elements will add one array of mid-side nodes beside `triangles`; nothing here changes for them.
+// Elements of second order are in element_mesh.h.
 
 #include <array>
 #include <cstdint>

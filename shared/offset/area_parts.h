@@ -1,5 +1,5 @@
 #pragma once
-// What the makers of areas have in common. Internal to offset.
+// What area.cpp and area_lines.cpp share. Internal to offset.
 
 #include "shared/offset/area.h"
 

@@ -1,6 +1,6 @@
 #pragma once
-// The base as the engine sees it: moved to a near origin without rounding, mirrored if the left side is wanted (so that
-// the engine knows only the right side), without repeated points, with directions and corners measured once.
+// The base as the engine sees it: moved to a near origin without rounding, without repeated points, with directions and
+// corners measured once. It is mirrored if the left side is wanted, so that the engine knows only the right side.
 
 #include <cstdint>
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-// 16 segments of the base at a time: boxes for any distance, and up to which one nothing needs a look.
+// 16 segments of the base at a time: their boxes at any distance, and the distance below which they need no look.
 
 #include <cstdint>
 

@@ -1,8 +1,8 @@
 #pragma once
-// What all distances share about a base, besides its segments: what its corners are on the right side, boxes of blocks
-// of 16 segments and of their offset directions (from which the box of a block's offset pieces at any D follows at
-// once), and a tree of boxes that tells what of the base is nearer to a point than r. Neighbours in a chain are
-// neighbours in space, so nothing needs sorting. Decisions are not taken here (validity.h).
+// What all distances share about a base, besides its segments: the kind of each corner on the right side; boxes of
+// blocks of 16 segments and of their offset directions, which give the box of a block's offset pieces at any D; a tree
+// of boxes that finds what of the base is nearer to a point than r. Neighbours in a chain are neighbours in space, so
+// nothing needs sorting. Decisions are taken elsewhere (validity.h).
 
 #include <algorithm>
 #include <span>
@@ -65,8 +65,8 @@ class Clearance {
   }
 
   /// The greatest of these distances at which a straight way leads out from both ends of the base, D from all else; 0
-  /// if there is none. Where there is one, there are such ways at all smaller distances.  @pre the base is open  @cost
-  /// O(log n) a distance
+  /// if there is none. Where there is one, there are such ways at all smaller distances.
+  /// @pre the base is open  @cost O(log n) a distance
   [[nodiscard]] double find_ways_out(std::span<const double> distances) const;
   /// What the outline at distance d has on the left side of the base cuts nothing valid on the right, but for caps.
   [[nodiscard]] bool parts_sides(double d) const { return d <= parted_up_to_; }

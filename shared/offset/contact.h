@@ -1,6 +1,6 @@
 #pragma once
-// How two pieces of the raw outline meet, in Real or in High. In Real everything within the bound of the error is in
-// doubt, and the pair is to be asked again in High; there it means that the two are one for every distance (high.h).
+// How two pieces of the raw outline meet, in Real or in High. What Real finds within the bound of its error is in
+// doubt, and the pair is to be asked again in High. A tie in High is a tie at every distance (high.h).
 
 #include <array>
 

@@ -1,8 +1,8 @@
 #pragma once
-// Proofs that a piece of the raw outline lies in U. The proof of one segment: pill and mitres at its ends make a convex
-// set, so both ends of a line in it (for an arc, the crossing of its end tangents too) prove the whole. What buried one
-// piece most likely buries the next, and what held a place its surroundings: the last few such segments and those noted
-// for the place's cell are tried before the tree is asked. All proofs keep a margin above rounding.
+// Proofs that a piece of the raw outline lies in U. The pill of a segment and the mitres at its ends make a convex set:
+// a line lies in it if both its ends do, an arc if the crossing of its end tangents does too. A segment that hides one
+// piece most likely hides the next, so the last few and those noted for the place's cell are tried before the tree is
+// asked. All proofs keep a margin above rounding. A piece that lies in U is called buried.
 
 #include <array>
 #include <bit>
@@ -12,9 +12,9 @@
 
 namespace dobra::offset {
 
-/// Pieces that lie in U at some distance and so at all greater ones: p + D n nearer than D to some q means n . (q - p)
-/// > |q - p|^2 / 2D. Not so for the far ends of mitres, unless what buried them does so at the greatest distance too;
-/// else it is remembered, to be tried first.
+/// Pieces that lie in U at some distance, and so at all greater ones: the place p + D n is nearer than D to q where
+/// n . (q - p) > |q - p|^2 / 2D. The far ends of mitres are an exception: they count only if the segment that hides
+/// them does so at the greatest distance too; else that segment is remembered, to be tried first.
 class Buried {
  public:
   static constexpr std::uint32_t none = 0xffffffffU;

@@ -1,19 +1,18 @@
 #pragma once
 // Second step of tier 0 (envelope.h): mitres of corners whose arcs are not whole on the pills' envelope. A tip may come
-// out below a pill that hides the corner's arc, so these kites are looked at by themselves. First those of the arcs
-// that are partly on the pills' curve are laid over it, or where these are few among very many the lowest of each
-// stretch; nearly all others are then above all of the curve within D of their corner, which takes one comparison to
-// tell, or above the parts of the curve over which they stand. The lower boundaries of what is left are reduced to
-// their envelope by halving, and that is laid over the curve in its turn.
+// out below a pill that hides the corner's arc, so these kites are looked at by themselves.
+//  1  Kites of arcs that are partly on the pills' curve are laid over it; where they are few, the lowest a stretch.
+//  2  Nearly all others are then above the whole curve within D of their corner, which takes one comparison to tell,
+//     or above the parts of the curve over which they stand. They are dropped.
+//  3  The lower boundaries of what is left are merged by halves into their envelope, which is laid over the curve.
 
 #include "shared/offset/pill_stack.h"
 
 namespace dobra::offset {
 
 /// @param stacked  as stack_pills made it; on return without cut corners, and if any of their mitres may be visible,
-/// ended by
-///                 arcs: (point, arc of start_cap) may be first, (tip, arc of the last segment) is last, one point
-///                 follows it.
+///                 ended by arcs: (point, arc of start_cap) may be first, (tip, arc of the last segment) is last, one
+///                 point follows it.
 /// @param left     what stack_pills left: whose arcs may be on the curve.
 /// @return         true if so.
 /// @cost           O(n + k log k), k = corners cut whose mitres are below part of the curve.

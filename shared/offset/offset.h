@@ -1,5 +1,5 @@
 #pragma once
-// Curves parallel to open chains and closed contours of straight segments: the library of the first paper.
+// Curves parallel to open chains and closed contours of straight segments.
 //
 // What is computed. Let U be all points nearer than D to the base, plus the corners that the joins add on the chosen
 // side. The treated curve is the part of U's boundary that belongs to the chosen side, so it keeps the distance from
@@ -116,8 +116,8 @@ struct OffsetCurve {
   double dropped_length = 0.0;  ///< Of these, m.
 };
 
-/// True if the curve crosses, touches or runs along itself. @error NotFinite, DegenerateCurve. @cost O(n) where it is
-/// smooth
+/// True if the curve crosses, touches or runs along itself.
+/// @error NotFinite, DegenerateCurve.  @cost O(n) where it is smooth
 base::Result<bool> meets_itself(const geom::Polyline& curve);
 
 /// Curves parallel to `curve`.

@@ -1,8 +1,8 @@
 #pragma once
-// The raw outline at distance D: lines and arcs that lie to the right of the base, and to the right of the base
-// travelled backwards (its left side), which only serve to cut. Everything is symbolic: a piece knows the site (segment
-// or corner) it is parallel to, and an end whether it is natural or a crossing with another site, so that its place can
-// be had in doubles or in Real.
+// The raw outline at distance D: lines and arcs to the right of the base, and to the right of the base travelled
+// backwards (its left side), which only serve to cut. Everything is symbolic. A piece knows the site (segment or
+// corner) that it is parallel to. An end is natural or a crossing with another site, so its place can be computed in
+// doubles or in Real.
 
 #include <limits>
 #include <type_traits>

@@ -1,6 +1,6 @@
 #pragma once
-// What is asked of nearly every piece, inline: natural ends in doubles, for pieces in the order of the walk, of which
-// neighbours share a junction; and whether line simply follows line.
+// What is asked of nearly every piece, inline: its natural ends in doubles, and whether line simply follows line.
+// Pieces are asked for in the order of the walk, in which neighbours share a junction.
 
 #include "shared/offset/block.h"
 #include "shared/offset/outline.h"

@@ -1,9 +1,9 @@
 #pragma once
-// Which pieces may meet. Pieces of the right side are grouped by the 16 steps that they belong to; where a group is
-// nearly complete its box follows from its block (clearance.h) without looking at any piece. Where boxes of groups
-// overlap, those of runs of four pieces and of pieces are looked at, and then the pieces' convex hulls: what a margin
-// far above rounding separates does not meet. What lies on the other side of the base only serves to cut (scissors):
-// its pieces are made where a block comes near the curve.
+// Which pieces may meet. Pieces of the right side are grouped by the 16 steps that they belong to. The box of a nearly
+// complete group follows from its block (clearance.h) without a look at any piece. Where boxes of groups overlap, the
+// boxes of runs of four pieces are compared, then those of pieces, then the pieces' convex hulls: what a margin far
+// above rounding separates does not meet. Pieces on the other side of the base only serve to cut; they are called
+// scissors, and are made where a block comes near the curve.
 
 #include <array>
 #include <utility>

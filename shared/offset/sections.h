@@ -1,12 +1,11 @@
 #pragma once
 // Tier 1, second half: the treated curve at one distance, from the pieces that survive the stack pass.
-//  1 pairs      that may meet, from a tree with direction masks; only the pieces in them are looked at again. What lies
-//  on the other
-//               side of the base only serves to cut: its pieces are made where a block of them comes near the curve
-//  2 cuts       where those meet, and their order on each piece: in Real, and in High where Real leaves a doubt
-//  (contact.h) 3 sections   between two cuts a section, of however many pieces, is wholly valid or wholly invalid: one
-//  query decides 4 assembly   valid sections are joined at their ends; doubled ones count once
-// A cut is symbolic: the pair that it comes from. Its place is rounded, decisions are not.
+//  1 pairs     A tree with direction masks finds the pieces that may meet. Pieces on the other side of the base only
+//              serve to cut; they are made where a block of them comes near the curve.
+//  2 cuts      Where the pairs meet, and in which order along each piece (contact.h).
+//  3 sections  What lies between two cuts, of however many pieces, is valid or invalid as a whole: one query decides.
+//  4 assembly  Valid sections are joined at their ends. Sections that lie on each other count once.
+// A cut is symbolic: it is known by the pair that it comes from. Its place is rounded; decisions are not.
 
 #include <cstdint>
 #include <span>

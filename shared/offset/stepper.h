@@ -1,15 +1,14 @@
 #pragma once
-// The paper's construction of one offset curve, edge by edge, on the half-edge subdivision: the reference, and what the
-// window shows (figure 5). Each step inserts the raw offset edge of one base segment; where it meets the curve so far a
-// region has closed, and the edges from the earlier visit of that vertex to the later one are deleted, nearest crossing
-// first.
+// The paper's construction of one offset curve, edge by edge, on the half-edge subdivision. It is the reference for the
+// engine. Each step inserts the raw offset edge of one base segment. Where the edge meets the curve so far, a region
+// has closed: the edges between the two visits of that vertex are deleted, nearest crossing first.
 //
 // Open curves follow the paper to the letter: at open ends no region closes, so tails nearer than D to the base may
-// stay. On closed contours the region's edges are deleted only if all of it is nearer than D to the base; otherwise
-// they stand as part of the result, whichever way they turn (a second component, or a pocket), and the last step
-// deletes what of them is too near. So the result does not depend on the start. Cost: O(log n) an edge and
-// O(1) an edge deleted; closed contours one more search of the base an edge.
-// Page: docs/algorithms/offset.md. Source: [carvalho2005offset].
+// stay. On closed contours the region's edges are deleted only if all of it is nearer than D to the base. Otherwise
+// they stand as part of the result, whichever way they turn: a second component, or a pocket. The last step deletes
+// what of them is too near. So the result does not depend on the start. Cost: O(log n) an edge inserted and O(1) an
+// edge deleted; on closed contours one more search of the base an edge. Page: docs/algorithms/offset.md. Source:
+// [carvalho2005offset].
 
 #include <span>
 #include <vector>

@@ -1,9 +1,9 @@
 #pragma once
 // Tier 1, first half: which pieces of the raw outline on the right side may still belong to the curve.
-// One pass with a stack. A piece, or a part of one, is removed only on proof that it lies in U (cover.h); all proofs
-// keep a margin well above rounding, so nothing valid or merely touching is ever removed; what is left over too much is
-// found by the second half (sections.h). Where line follows line there is nothing to prove, and what cuts the piece
-// before it is likely to be free; each other piece is asked for at once.
+// One pass with a stack. A piece, or a part of one, is removed only on proof that it lies in U (cover.h). All proofs
+// keep a margin well above rounding, so nothing valid or merely touching is removed. What is left although it is not
+// valid is found by the second half (sections.h). Where line follows line there is nothing to prove. A piece that cuts
+// the one before it is likely to be free and is not asked for; every other piece is.
 
 #include <vector>
 

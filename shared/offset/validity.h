@@ -1,7 +1,7 @@
 #pragma once
-// Whether a place on the raw outline belongs to the curve: whether it keeps D from all of the base and stays out of its
-// mitres. The parts of the base that the place's own piece is parallel to have nothing to say. Doubles where they are
-// certain, then T.
+// Whether a place on the raw outline belongs to the curve: it must keep D from all of the base and stay out of its
+// mitres. The parts of the base that the place's own piece is parallel to are left out. Doubles decide where they are
+// certain, else T does.
 
 #include <array>
 

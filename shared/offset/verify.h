@@ -3,12 +3,12 @@
 // it does not. Shares no code with the engine: places in 64-bit mantissas, a box tree of its own, exact predicates from
 // geom, and exact sums where two parallels may have no room between them.
 //
-//  a  vertices    each lies on the parallels (or bevels, or arcs) of both its edges, at D within `vertex_tolerance` D
-//     edges       none comes nearer to the base than D, nor into a mitre of another corner; in closed form, as a whole
-//  b  crossings   no two edges meet, but for neighbours at their common vertex
-//  c  missing     points of the raw parallels that nothing hides are on the curve; open pieces end only where they may
-//  d  winding     of the raw outline (all parallels, corners and caps): above 0 just behind every edge, 0 just beyond
-//  it e  base edges  each edge is parallel to, or an arc or bevel at the end of, the base segment that it names
+//  a  vertices    Each lies on the parallels (or bevels, or arcs) of both its edges, at D within `vertex_tolerance` D.
+//     edges       None comes nearer to the base than D, nor into a mitre of another corner; proved for the whole edge.
+//  b  crossings   No two edges meet, but for neighbours at their common vertex.
+//  c  missing     Points of the raw parallels that nothing hides are on the curve. Open pieces end only where they may.
+//  d  winding     The raw outline (all parallels, corners and caps) winds round places just behind an edge, not beyond.
+//  e  base edges  Each edge is parallel to the base segment that it names, or an arc or bevel at its end.
 //
 // What rounding the coordinates to doubles moves is allowed on top of each tolerance. Page: docs/algorithms/offset.md.
 

@@ -53,11 +53,10 @@ struct Layout {
 };
 
 /// @param page   a request: with Plots::ToContent the page grows where the content cannot be made small enough; with
-/// FillPage
-///               it is kept, and the legend and the colour bars are left out where they would take the plots' room.
+///               FillPage it is kept, and the legend and the colour bars are left out where they would take the plots'
+///               room.
 /// @param views  empty, or one a panel; nothing means that the whole panel is shown. Without any, all panels share the
-/// largest
-///               scale at which they fit, a page length standing for one world length in every panel.
+///               largest scale at which they fit, a page length standing for one world length in every panel.
 /// @cost  O(layers + labels + marks); does not look at the geometry of layers whose panel has a view.
 Layout layout(const Picture& picture, const PageSize& page, std::span<const std::optional<View>> views,
               const TextMeasure& measure, const LayoutOptions& options = {});

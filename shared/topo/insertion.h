@@ -1,15 +1,14 @@
 #pragma once
 // The work behind insert.h: one curve on its way into a subdivision. Two ways lead there. `quick.cpp` takes a segment
 // that has room (nothing else within margin() of it but what it crosses squarely) in a single look at the tree, in
-// doubles. Everything else goes the careful way of `insertion.cpp`, by exact predicates: 1 A segment becomes a piece of
-// work between two vertices; pieces wait on a stack. 2 A piece that passes vertices is cut there (exact; nothing
-// moves). 3 A piece that crosses edges is cut at the rounded crossings. Each crossed edge is bent through its crossing:
-// in place
-//   if the triangle so swept holds nothing else, otherwise it is removed and its two parts become work.
-// 4 A piece that meets nothing is connected by an Euler operator.
-// Every piece remembers what became of it, so that the path of the curve can be read off in the end.
-// It ends: a piece and an edge are only ever replaced by parts whose boxes lie within its own and are smaller (docs
-// page).
+// doubles. Everything else goes the careful way of `insertion.cpp`, by exact predicates:
+//   1  A segment becomes a piece of work between two vertices; pieces wait on a stack.
+//   2  A piece that passes vertices is cut there (exact; nothing moves).
+//   3  A piece that crosses edges is cut at the rounded crossings. Each crossed edge is bent through its crossing: in
+//      place if the triangle so swept holds nothing else; otherwise it is removed and its two parts become work.
+//   4  A piece that meets nothing is connected by an Euler operator.
+// Every piece remembers what became of it, so that the path of the curve can be read off in the end. It ends: a piece
+// or an edge is only ever replaced by parts whose boxes lie within its own and are smaller (docs page).
 
 #include <vector>
 
