@@ -7,7 +7,7 @@
 //     edges       None comes nearer to the base than D, nor into a mitre of another corner; proved for the whole edge.
 //  b  crossings   No two edges meet, but for neighbours at their common vertex.
 //  c  missing     Points of the raw parallels that nothing hides are on the curve. Open pieces end only where they may.
-//  d  winding     The raw outline (all parallels, corners and caps) winds round places just behind an edge, not beyond.
+//  d  winding     Of the raw outline (all parallels, corners, caps): above 0 just behind every edge, 0 just beyond it.
 //  e  base edges  Each edge is parallel to the base segment that it names, or an arc or bevel at its end.
 //
 // What rounding the coordinates to doubles moves is allowed on top of each tolerance. Page: docs/algorithms/offset.md.
