@@ -1,6 +1,6 @@
 #pragma once
 // Line-work: named points, lines and polygons with their properties, as every exchange format carries them. All readers
-// of lines return it, all writers take it (lines.h chooses by the format).
+// of lines return it, all writers take it (line_files.h chooses by the format).
 
 #include <cstdint>
 #include <optional>
