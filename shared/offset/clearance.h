@@ -31,12 +31,12 @@ class Clearance {
     return corners_[corner] == Corner::Tangent || (corners_[corner] == Corner::Mitre && base_.half_tans[corner] > 0.5);
   }
   [[nodiscard]] bool has_long_mitres() const { return has_long_mitres_; }
-  /// Above what places of the outline at distance d, in doubles, are wrong by: the tips of mitres grow with their half
-  /// tangents.
+  /// An upper bound of the error of places of the outline at distance d, in doubles. The tips of mitres grow with their
+  /// half tangents.
   [[nodiscard]] double margin(double d) const { return 1e-14 * (base_.size + d * (1 + greatest_mitre_)); }
 
-  /// Leaves are four segments in a row: those of a block, and a box of what the outline at distance d has on the left
-  /// side of one, but caps.
+  /// A leaf is four segments in a row. leaves_of: the leaves of a block. left_box: a box of all that the outline at
+  /// distance d has on the left side of a leaf, but caps.
   static constexpr std::size_t leaf_size = 4;
   [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> leaves_of(std::uint32_t block) const {
     constexpr auto many = static_cast<std::uint32_t>(Block::size / leaf_size);
@@ -46,19 +46,18 @@ class Clearance {
     return outline_box(tree_.box(leaf), left_[leaf], d, margin);
   }
 
-  /// The directions of a block, or of it and the next one, corners at both ends included, lie within less than half a
-  /// turn: what is connected of its right side does not meet itself. Told only where Block::directions are too coarse
-  /// to do so.
+  /// The directions of a block (or of it and the next one), corners at both ends included, lie within less than half a
+  /// turn, so connected parts of its right side do not meet each other. Known only where Block::directions are too
+  /// coarse to tell.
   [[nodiscard]] bool bends_little(std::size_t block) const { return (bends_[block] & 1) != 0; }
   [[nodiscard]] bool bends_little_with_next(std::size_t block) const { return (bends_[block] & 2) != 0; }
 
-  /// Finds out what is_alone and is_harmless tell. Worth its cost where several distances share it.
+  /// Computes what is_alone and is_harmless answer. Worth its cost where several distances share it.
   /// @param least, greatest  distances.  @cost some 0.3 us a segment where the base keeps far from itself.
   void find_gaps(double least, double greatest);
-  /// What the outline has on either side of a block at distance d meets no such thing of other blocks but the two
-  /// beside it.
+  /// The outline of a block at distance d, on either side, meets the outline of no other block but the two beside it.
   [[nodiscard]] bool is_alone(std::size_t block, double d) const { return !gaps_.empty() && d < gaps_[block].alone; }
-  /// What it has on the left side of a block meets nothing on the right side of the base, nor does what it has on the
+  /// The outline on the left side of a block meets nothing on the right side of the base; nor does the outline on its
   /// right side, as far as that is connected. Caps do not count.
   [[nodiscard]] bool is_harmless(std::size_t block, double d) const {
     return !gaps_.empty() && d < gaps_[block].harmless;
@@ -68,25 +67,25 @@ class Clearance {
   /// if there is none. Where there is one, there are such ways at all smaller distances.
   /// @pre the base is open  @cost O(log n) a distance
   [[nodiscard]] double find_ways_out(std::span<const double> distances) const;
-  /// What the outline at distance d has on the left side of the base cuts nothing valid on the right, but for caps.
+  /// The outline at distance d on the left side of the base cuts nothing valid on the right, but for caps.
   [[nodiscard]] bool parts_sides(double d) const { return d <= parted_up_to_; }
-  /// @pre there are ways out at d, the base does not meet itself, and there are no mitres: if left and right met at a
-  /// valid place, the disc about it would hold none of the base and close a loop with it about one end, which has a way
-  /// out.
+  /// @pre there are ways out at d, the base does not meet itself, and there are no mitres. (If left and right met at a
+  /// valid place, the disc about it would hold none of the base and close a loop with it round one end, which has a way
+  /// out.)
   void part_sides(double d) { parted_up_to_ = d; }
 
-  /// Doubles are near enough to places of the outline at distance d to tell on which side of a simple contour the free
-  /// ones are.
+  /// Doubles are exact enough to tell on which side of a simple contour the free places of the outline at distance d
+  /// are.
   [[nodiscard]] bool tells_sides(double d) const { return !has_mitres() || 100 * margin(d) < d; }
 
-  /// Some mitres reach so far that what is cut in doubles of their lines is not at its place.
+  /// Some mitres reach so far that places cut from their lines in doubles are off.
   [[nodiscard]] bool has_far_mitres() const { return greatest_mitre_ > 16; }
 
   /// A segment nearer to q than r, by doubles; none if there is none.
   [[nodiscard]] std::uint32_t find_nearer(Flat q, double r) const;
 
-  /// The step before a mitre of the outline that holds q, nearer than r to all its outer lines' own side, by doubles;
-  /// none if there is none.
+  /// The step before a mitre of the outline that holds q, on the inner side of all its outer lines at distance r, by
+  /// doubles; none if there is none.
   /// @pre no segment is nearer to q than r, but for roundings
   [[nodiscard]] std::uint32_t find_mitre(Flat q, const Outline& outline, double r) const;
 
@@ -97,7 +96,7 @@ class Clearance {
   template <class Visit>
   void each_in(const FloatBox& box, Visit&& visit) const;
   /// Ends of segments whose mitre may hold q at distance d, until visit(segment) returns true.
-  /// @pre no segment is nearer to q than d, but for those that have nothing to say, and for roundings
+  /// @pre no segment is nearer to q than d, but for those that do not count there, and for roundings
   template <class Visit>
   bool any_mitre(Flat q, double d, Visit&& visit) const;
 

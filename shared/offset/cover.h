@@ -34,8 +34,8 @@ class Buried {
     if (!holds(s) && for_ever(s)) add(s, none);
   }
   [[nodiscard]] std::uint32_t hint(std::uint32_t step) const { return hints_.empty() ? none : hints_[step]; }
-  /// True if some place of a piece is likely to be free at d: then there is no use in looking for a proof that it is
-  /// buried.
+  /// True if some place of a piece is likely to be free at d. Then a proof that the piece is buried is not worth
+  /// looking for.
   [[nodiscard]] bool likely_free(Site s, double d) const {
     return has_reach(s) && !reaches_.empty() && d < std::bit_cast<float>(std::uint32_t{reaches_[reach_place(s)]} << 16);
   }
@@ -84,11 +84,11 @@ class Cover {
   bool covers(Site s, Flat a, Flat b);
   /// Takes off both ends of a line what is easily seen to lie in U. False if nothing is left.
   bool shorten(Flat& a, Flat& b);
-  /// Of the piece asked for last, not covered: up to which distance some place of it stays free; by doubles. Mitres do
-  /// not count.
+  /// For the piece asked for last, if it was not covered: the distance up to which some place of it stays free, by
+  /// doubles. Mitres do not count.
   [[nodiscard]] double free_until(Site s) const;
-  /// Of a line that lies in U: what goes on from its segment to tips of mitres lies in the killer's set up to distance
-  /// d.
+  /// For a line that lies in U: its extensions to the tips of mitres lie in the set of the segment that hides it (the
+  /// killer) up to distance d.
   [[nodiscard]] bool tips_stay(std::uint32_t step, double d) const;
   void remember(std::uint32_t step);
   /// The last one.
