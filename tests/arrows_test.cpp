@@ -180,6 +180,7 @@ bool cites_what_is_elsewhere(const std::string& line) {
   return has_requirement_id(line);
 }
 
+/// docs/source_coverage.md says what the IDs are; no other file may ask its reader to know them.
 TEST(Arrows, NoFileCitesADocumentOutsideTheTree) {
   const fs::path root = DOBRA_SOURCE_DIR;
   const std::set<std::string> read{".h", ".cpp", ".md", ".toml", ".ts"};
@@ -187,6 +188,7 @@ TEST(Arrows, NoFileCitesADocumentOutsideTheTree) {
   for (const char* top : {"shared", "recon", "quebra", "docs", "resources"}) {
     for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
       if (!entry.is_regular_file() || !read.contains(entry.path().extension().string())) continue;
+      if (entry.path().filename() == "source_coverage.md") continue;
       ++files;
       std::ifstream stream(entry.path());
       std::size_t number = 0;
