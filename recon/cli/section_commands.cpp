@@ -174,42 +174,41 @@ Result<int> balance_job(Session& session, const BalanceOptions& options) {
 }  // namespace
 
 dobra::cli::Command restore_command() {
-  return {
-      "restore", "Restore a section and draw up its balance ledger", [](CLI::App& app) -> Job {
-        const auto options = std::make_shared<RestoreOptions>();
-        add_section_options(app, options->section);
-        options->grid.add(app, scenario::fields_of<core::GridParams>(), {"top", "simplify", "uncovered"});
-        options->restore.add(app, scenario::fields_of<core::RestoreParams>());
-        app.add_option("--target", options->target_file, "flat (default), or a file with the line to restore to")
-            ->type_name("flat|FILE");
-        options->target.add(app, scenario::fields_of<core::TargetParams>(), {"pin", "elevation", "target_pin"});
-        options->errors.add(app, scenario::fields_of<core::MonteCarloParams>(),
-                            {"draws", "pick_error", "pin_error", "angle_error", "seed"});
-        app.add_flag("--geometry", options->geometry, "With --json: the restored lines too");
-        app.add_option("--colours", options->colors,
-                       "A table (.csv .toml) of name, colour, pattern, age and lithology of units and lines")
-            ->type_name("FILE");
-        app.add_option("--orientation", options->orientation,
-                       "Compass points over the ends, such as \"W - E\"; told by the plane of lines in space")
-            ->type_name("ENDS");
-        app.add_option("--out", options->out,
-                       "Picture (.svg .pdf .png), restored lines (.geojson .dxf .csv ...) or scenario (.toml) to write")
-            ->type_name("FILE");
-        return [options](Session& session) { return restore_job(session, *options); };
-      }};
+  return {"restore", "Restore a section and draw up its balance ledger", [](CLI::App& app) -> Job {
+            const auto options = std::make_shared<RestoreOptions>();
+            add_section_options(app, options->section);
+            options->grid.add(app, scenario::fields_of<core::GridParams>(), {"top", "simplify", "uncovered"});
+            options->restore.add(app, scenario::fields_of<core::RestoreParams>());
+            app.add_option("--target", options->target_file, "flat (default), or a file with the line to restore to")
+                ->type_name("flat|FILE");
+            options->target.add(app, scenario::fields_of<core::TargetParams>(), {"pin", "elevation", "target_pin"});
+            options->errors.add(app, scenario::fields_of<core::MonteCarloParams>(),
+                                {"draws", "pick_error", "pin_error", "angle_error", "seed"});
+            app.add_flag("--geometry", options->geometry, "With --json: the restored lines too");
+            app.add_option("--colours", options->colors,
+                           "A table (.csv .toml) of name, colour, pattern, age and lithology of units and lines")
+                ->type_name("FILE");
+            app.add_option("--orientation", options->orientation,
+                           "Compass points over the ends, such as \"W - E\"; told by the plane of lines in space")
+                ->type_name("ENDS");
+            app.add_option(
+                   "--out", options->out,
+                   "Picture (.svg .pdf .png), restored lines (.geojson .dxf .csv ...) or scenario (.toml) to write")
+                ->type_name("FILE");
+            return [options](Session& session) { return restore_job(session, *options); };
+          }};
 }
 
 dobra::cli::Command balance_command() {
-  return {
-      "balance", "Bed lengths, excess areas and detachment of a section; or its shortening by area",
-      [](CLI::App& app) -> Job {
-        const auto options = std::make_shared<BalanceOptions>();
-        add_section_options(app, options->section);
-        options->by_length.add(app, scenario::fields_of<core::BalanceParams>());
-        options->by_area.add(app, scenario::fields_of<core::AreaBalanceParams>(),
-                             {"thickness", "thickness_error", "width_points", "width"});
-        return [options](Session& session) { return balance_job(session, *options); };
-      }};
+  return {"balance", "Bed lengths, excess areas and detachment of a section; or its shortening by area",
+          [](CLI::App& app) -> Job {
+            const auto options = std::make_shared<BalanceOptions>();
+            add_section_options(app, options->section);
+            options->by_length.add(app, scenario::fields_of<core::BalanceParams>());
+            options->by_area.add(app, scenario::fields_of<core::AreaBalanceParams>(),
+                                 {"thickness", "thickness_error", "width_points", "width"});
+            return [options](Session& session) { return balance_job(session, *options); };
+          }};
 }
 
 }  // namespace recon::cli
