@@ -224,8 +224,8 @@ TEST(Chain, WhatIsCarriedIsListedAndDoubtIsTold) {
   carry.points = {{3.0, 0.5}, {9.0, 0.4}};
   const auto lines = run_carry(*first, carry, {}, {});
   ASSERT_TRUE(lines) << to_string(lines.error());
-  ASSERT_EQ(lines->carried->lines.size(), 1U);
-  EXPECT_TRUE(lines->carried->remarks.empty());
+  ASSERT_EQ(lines->carried.at(0).lines.size(), 1U);
+  EXPECT_TRUE(lines->carried.at(0).remarks.empty());
   carry.points = {{2.0 * std::numbers::pi, -50.0}};  // far below the centres of the synclines
   const auto point = run_carry(*first, carry, {}, {});
   ASSERT_TRUE(point) << to_string(point.error());
