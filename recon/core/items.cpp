@@ -4,8 +4,7 @@
 
 #include <algorithm>
 
-#include "shared/geom/intersect.h"
-#include "shared/geom/spatial_index.h"
+#include "recon/core/crossings.h"
 #include "shared/io/raster.h"
 
 namespace recon::core {
