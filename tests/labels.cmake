@@ -1,4 +1,4 @@
-# Read by ctest after its lists of tests: a case whose name carries the ID of a requirement (OFF_c_..., REC_REP_d_...) gets
+# Read by ctest after its lists of tests: a case whose name carries the ID of a requirement (OFF_c_..., QUE_4_...) gets
 # the label of that ID, `ctest -L OFF-c`. GoogleTest names cannot hold the dash.
 get_cmake_property(variables VARIABLES)
 foreach(variable IN LISTS variables)
@@ -6,10 +6,10 @@ foreach(variable IN LISTS variables)
     continue()
   endif()
   foreach(test IN LISTS ${variable})
-    string(REGEX MATCHALL "[A-Z][A-Z][A-Z]?_[a-m]_" found "${test}")
+    string(REGEX MATCHALL "[A-Z][A-Z][A-Z]?_[a-m0-9]_" found "${test}")
     set(ids)
     foreach(id IN LISTS found)
-      string(REGEX REPLACE "([A-Z]+)_([a-m])_" "\\1-\\2" name "${id}")
+      string(REGEX REPLACE "([A-Z]+)_([a-m0-9])_" "\\1-\\2" name "${id}")
       list(APPEND ids "${name}")
     endforeach()
     if(ids)

@@ -13,9 +13,11 @@
 
 #include "quebra/cli/input_file.h"
 #include "quebra/cli/rule_options.h"
+#include "quebra/core/adaptivity.h"
 #include "quebra/core/analysis.h"
 #include "quebra/core/convergence.h"
 #include "quebra/core/fracture.h"
+#include "quebra/core/result_picture.h"
 #include "quebra/core/results.h"
 #include "quebra/core/validation.h"
 #include "shared/base/text.h"
@@ -25,6 +27,7 @@
 #include "shared/io/file.h"
 #include "shared/scenario/runner.h"
 #include "shared/scenario/table_text.h"
+#include "shared/scenario/units.h"
 
 // 1. The document: options become parameters of its last step of the command's operation, which is added if there is
 // none (adapt: with the rules of the last mesh; crack: rosettes in the mesh), as is what that step stands on; probes
@@ -45,15 +48,10 @@ struct Options {
   dobra::cli::ScenarioOptions scenario;
   RuleOptions rules;
   std::string target;
-  std::string rule;
-  std::optional<std::int64_t> max_cycles;
-  std::vector<double> exact_energy;
-  std::optional<double> contour;
-  std::string line, field, range;
+  dobra::cli::ParameterOptions step, view;
+  std::string line;
   std::vector<std::string> probes;
   std::optional<std::int64_t> samples;
-  std::optional<double> deformation;
-  std::optional<std::int64_t> cycle;
   std::optional<std::filesystem::path> out, picture, curve;
 };
 
@@ -96,7 +94,7 @@ Result<void> add_result_steps(const Options& options, dobra::cli::OutputFormat f
     return Error{ErrorCode::BadUsage, "--line: say where it goes, --out FILE.csv, or --json"};
   if (options.samples && options.line.empty())
     return Error{ErrorCode::BadUsage, "--samples is of a line: give --line x0,y0,x1,y1"};
-  if (!options.picture && (!options.field.empty() || !options.range.empty() || options.cycle || options.deformation))
+  if (!options.picture && options.view.any())
     return Error{ErrorCode::BadUsage,
                  "--field, --range, --cycle and --deformation are of a picture: give --picture FILE"};
   if (!options.line.empty()) {
@@ -117,10 +115,7 @@ Result<void> add_result_steps(const Options& options, dobra::cli::OutputFormat f
   }
   if (options.picture) {
     scenario::Step step = step_of("view");
-    if (!options.field.empty()) step.params.set("field", options.field);
-    if (!options.range.empty()) step.params.set("range", options.range);
-    if (options.cycle) step.params.set("cycle", *options.cycle);
-    if (options.deformation) step.params.set("deformation", *options.deformation);
+    DOBRA_TRY_VOID(options.view.set(scenario::fields_of<core::ViewParams>(), step.params));
     document.steps.push_back(std::move(step));
   }
   return {};
@@ -216,11 +211,9 @@ Result<scenario::Document> document_of(dobra::cli::Session& session, const std::
     DOBRA_TRY(const double target, percent(options.target));
     params.set("target", target);
   }
-  if (!options.rule.empty()) params.set("rule", options.rule);
-  if (options.max_cycles) params.set("max_cycles", *options.max_cycles);
-  set_rules(options.rules, params);
-  if (!options.exact_energy.empty()) params.set("exact_energy", options.exact_energy);
-  if (options.contour) params.set("contour", *options.contour);
+  const auto fields = scenario::fields_in(session.program.find_operation(operation)->fields, document.units);
+  DOBRA_TRY_VOID(options.step.set(fields, params));
+  DOBRA_TRY_VOID(set_rules(options.rules, fields, params));
   if (operation == "crack") {
     if (const std::string done = core::ask_for_rosettes(document); !done.empty()) session.note(done);
   }
@@ -358,38 +351,23 @@ dobra::cli::Command command(const std::string& name, const std::string& operatio
         if (operation == "adapt") {
           app.add_option("--target", options->target, "Error asked for in the energy norm, such as 5%")
               ->type_name("PERCENT");
-          app.add_option("--rule", options->rule, "Rule of the new sizes")
-              ->check(CLI::IsMember({"optimal", "equal"}))
-              ->type_name("RULE");
-          app.add_option("--max-cycles", options->max_cycles, "Stop after so many cycles")->type_name("N");
-          add_rule_options(app, options->rules, "Target length of the first mesh, and the greatest");
+          options->step.add(app, scenario::fields_of<core::AdaptParams>(), {"rule", "max_cycles", "exact_energy"});
+          add_rule_options(app, options->rules, scenario::fields_of<core::AdaptParams>());
+          options->view.add(app, scenario::fields_of<core::ViewParams>(), {"cycle"});
           app.add_option("--curve", options->curve, "Draw the error of each cycle against the unknowns")
               ->type_name("FILE.svg|pdf|png");
-          app.add_option("--cycle", options->cycle, "Which cycle the picture shows; the last by default")
-              ->type_name("N");
+        } else if (operation == "analyse") {
+          options->step.add(app, scenario::fields_of<core::AnalyseParams>(), {"exact_energy"});
+        } else {
+          options->step.add(app, scenario::fields_of<core::FractureParams>(), {"contour"});
         }
-        if (operation != "crack")
-          app.add_option("--exact-energy", options->exact_energy,
-                         "Strain energy where it is known: tells the true error and the effectivity; again for each "
-                         "further load case, 0 for one of which it is not known")
-              ->allow_extra_args(false)
-              ->type_name("J");
-        if (operation == "crack")
-          app.add_option("--contour", options->contour, "Outer radius of the ring of the integrals")->type_name("R");
         app.add_option("--line", options->line, "Displacements and stresses along a line")->type_name("X0,Y0,X1,Y1");
         app.add_option("--samples", options->samples, "Points of the line; 101 by default")->type_name("N");
         app.add_option("--out", options->out, "Write the line as CSV")->type_name("FILE");
         app.add_option("--probe", options->probes, "The same at a point; may be given again")->type_name("X,Y");
         app.add_option("--picture", options->picture, "Draw a field on the deformed shape")
             ->type_name("FILE.svg|pdf|png");
-        app.add_option("--field", options->field, "What the picture shows; von_mises by default")
-            ->check(CLI::IsMember(core::field_names()))
-            ->type_name("NAME");
-        app.add_option("--range", options->range, "Colours for 99.5 % of the area, or for all of it")
-            ->check(CLI::IsMember({"field", "full"}))
-            ->type_name("RANGE");
-        app.add_option("--deformation", options->deformation, "Times the displacements drawn; 0 none")
-            ->type_name("FACTOR");
+        options->view.add(app, scenario::fields_of<core::ViewParams>(), {"field", "range", "deformation"});
         return [operation, options](dobra::cli::Session& session) { return job(session, operation, *options); };
       }};
 }

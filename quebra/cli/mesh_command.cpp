@@ -16,6 +16,7 @@
 #include "quebra/cli/input_file.h"
 #include "quebra/cli/rule_options.h"
 #include "quebra/core/layers.h"
+#include "quebra/core/meshing.h"
 #include "quebra/core/model.h"
 #include "shared/base/text.h"
 #include "shared/cli/pictures.h"
@@ -114,7 +115,8 @@ Result<scenario::Document> mesh_document_of(Session& session, const Options& opt
     leave_out_from(document, static_cast<std::size_t>(document.steps.rend() - last), {}, changes);
   }
   scenario::Table& params = document.steps.back().params;
-  set_rules(options.rules, params);
+  const auto fields = scenario::fields_in(session.program.find_operation("mesh")->fields, document.units);
+  DOBRA_TRY_VOID(set_rules(options.rules, fields, params));
   if (options.stop_after) params.set("stop_after", *options.stop_after);
   if (options.quads) params.set("quads", std::string("yes"));
   for (const std::string& text : options.bands) {
@@ -256,8 +258,7 @@ Command mesh_command() {
                 ->required()
                 ->type_name("FILE");
             add_input_options(app, options->input);
-            add_rule_options(app, options->rules,
-                             "Target length of element sides: on curves none is longer, inside a few are by half");
+            add_rule_options(app, options->rules, scenario::fields_of<core::MeshParams>());
             app.add_flag("--quads", options->quads,
                          "Join pairs of triangles to quadrilaterals where that gives a good shape");
             app.add_flag("--closed", options->input.closed,

@@ -27,6 +27,13 @@ constexpr double least_gain = 0.02;
 /// The estimate was never less than this part of the true error on the specimens measured
 /// (docs/algorithms/estimate.md): a few hundred unknowns, or more.
 double least_effectivity(double percent) { return percent > 2.0 ? 0.8 : 0.85; }
+/// At clamped corners the estimate of a first mesh was seen down to 0.44 of the true error; further meshes tell.
+constexpr double least_unconfirmed = 0.4;
+/// Where such an estimate would do, the next mesh is this much finer, so that its energy tells.
+constexpr double finer_to_confirm = 0.6;
+/// A mesh with so many times the unknowns says something of the one before.
+constexpr double tells_of_before = 1.2;
+
 /// The sizes aim this much lower than what counts as reached: what the mesher makes of them comes out a little above.
 constexpr double aim = 0.95;
 /// The same round a peak, where a few elements decide.
@@ -137,15 +144,46 @@ class Peaks {
   int misses_ = 0;
 };
 
+bool has_clamped_corner(const Analysis& analysis) {
+  return std::any_of(analysis.singular.begin(), analysis.singular.end(), [](const fem::SingularVertex& vertex) {
+    return vertex.first == fem::CornerFace::Clamped || vertex.last == fem::CornerFace::Clamped;
+  });
+}
+
+/// The true error of an analysis, 0..1, as one on a finer mesh tells it: their energies differ by (e^2 - e_finer^2)
+/// / 2. The greatest of the cases; nothing where the mesh is not finer or a case has surroundings left out.
+std::optional<double> error_told_by(const Analysis& coarse, const Analysis& fine) {
+  const auto unknowns = [](const Analysis& of) { return static_cast<double>(of.solution.statistics.unknowns); };
+  if (unknowns(fine) < tells_of_before * unknowns(coarse) || left_out_of(coarse) > 0.0 || left_out_of(fine) > 0.0)
+    return std::nullopt;
+  double greatest = 0.0;
+  for (std::size_t c = 0; c < fine.solution.cases.size(); ++c) {
+    const double norm = 2.0 * fine.solution.cases[c].energy;
+    const double eta = fine.fields[c].estimate.eta;
+    const double rest = norm * eta * eta / std::max(1e-300, 1.0 - eta * eta);
+    const double gained = 2.0 * std::abs(fine.solution.cases[c].energy - coarse.solution.cases[c].energy);
+    if (norm > 0.0) greatest = std::max(greatest, std::sqrt((gained + rest) / (norm + rest)));
+  }
+  return greatest;
+}
+
 /// How far a cycle got.
 struct Reached {
   double whole = 0.0;            ///< Fractions.
   std::optional<PeakSeen> peak;  ///< That of the greatest error.
   double left_out = 0.0;         ///< Of the energy, at loaded points.
   bool tried_enough = false;     ///< Lower aims did not help the peak.
-  /// Even if the estimate is as low as it was ever seen to be.
+  double effectivity = 1.0;      ///< The least that the estimate is to be trusted with, of the true error.
+  bool told = false;             ///< By the energies of this mesh and the one before.
+  /// Even if the estimate is as low as it may be.
   [[nodiscard]] bool met(double percent) const {
-    return 100.0 * std::max(whole / least_effectivity(percent), peak ? peak->eta : 0.0) <= percent;
+    return 100.0 * std::max(whole / effectivity, peak ? peak->eta : 0.0) <= percent;
+  }
+  /// It would be met if the estimate were as good as it is away from clamped corners.
+  [[nodiscard]] bool to_confirm(double percent) const {
+    Reached trusted = *this;
+    trusted.effectivity = least_effectivity(percent);
+    return !met(percent) && trusted.met(percent);
   }
   /// Of what is not met nothing got better, nothing came up, and both are judged over the same domain.
   [[nodiscard]] bool stalls(const Reached& before, double percent) const {
@@ -154,12 +192,14 @@ struct Reached {
     const auto gains = [&](double now, std::optional<double> then, double enough) {
       return 100.0 * now > enough && (!then || now <= (1.0 - least_gain) * *then);
     };
-    return !gains(whole, before.whole, least_effectivity(percent) * percent) &&
+    // An estimate that was too low is no measure of what was gained.
+    const double then = before.whole * least_effectivity(percent) / before.effectivity;
+    return !gains(whole, std::max(before.whole, then), effectivity * percent) &&
            !(peak && 100.0 * peak->eta > percent && (!tried_enough || gains(peak->eta, peak->eta_before, percent)));
   }
-  [[nodiscard]] std::string text(double percent) const {
+  [[nodiscard]] std::string text() const {
     const std::string error = fmt::format("the error is {:.3g} % (up to {:.3g} %, for the estimate may be low)",
-                                          100.0 * whole, 100.0 * whole / least_effectivity(percent));
+                                          100.0 * whole, 100.0 * whole / effectivity);
     return peak ? error + fmt::format(", {:.3g} % round the peak of stress at ({:.6g}, {:.6g})", 100.0 * peak->eta,
                                       peak->at.x, peak->at.y)
                 : error;
@@ -207,8 +247,8 @@ void add_loaded_points(const Analysis& analysis, double min_size, std::vector<do
 }
 
 /// The error that the next mesh is to have, 0..1: the last one's, or on the way there in even steps of about `gain`.
-double aimed_at(const Analysis& analysis, const AdaptParams& params) {
-  const double goal = aim * least_effectivity(params.target) * params.target / 100.0;
+double aimed_at(const Analysis& analysis, const AdaptParams& params, double effectivity) {
+  const double goal = aim * effectivity * params.target / 100.0;
   if (analysis.eta <= goal) return goal;
   constexpr double slack = 0.1;  // a little farther is no step more
   const double steps = std::max(1.0, std::ceil(std::log(goal / analysis.eta) / std::log(gain) - slack));
@@ -221,11 +261,13 @@ struct Wanted {
   double more = 1.0;  ///< As many elements as this one has, times this.
 };
 
-Result<Wanted> wishes_of(const Analysis& analysis, const AdaptParams& params, const Peaks& peaks, double first_size) {
+/// @param before  how far the analysis got: where it is to be confirmed, the next mesh is finer everywhere.
+Result<Wanted> wishes_of(const Analysis& analysis, const AdaptParams& params, const Peaks& peaks, double first_size,
+                         const Reached& before) {
   const mesh::ElementMesh& own = analysis.meshed->mesh;
   const bool rosettes = params.rosettes == UseRosettes::Yes;
   fem::NewSizeOptions options{
-      .target = aimed_at(analysis, params),
+      .target = aimed_at(analysis, params, before.told ? before.effectivity : least_effectivity(params.target)),
       .rule = params.rule == RuleOfSizes::Optimal ? fem::SizeRule::Optimal : fem::SizeRule::EqualError,
       .min_size = params.min_size,
       .max_size = std::max(first_size, params.min_size),
@@ -239,6 +281,9 @@ Result<Wanted> wishes_of(const Analysis& analysis, const AdaptParams& params, co
   }
   if (params.peaks == MindPeaks::Yes) add_peaks(analysis, peaks, params.target / 100.0, options, least);
   if (analysis.point_forces == PointForces::LeaveOut) add_loaded_points(analysis, params.min_size, least, wishes.sizes);
+  const bool confirm = before.to_confirm(params.target);
+  for (std::size_t e = 0; confirm && e < own.element_count(); ++e)
+    least[e] = std::min(least[e], std::max(params.min_size, finer_to_confirm * fem::element_size(own, e)));
   for (std::size_t e = 0; e < own.element_count(); ++e) {
     const double finer =
         std::min(fem::element_size(own, e) / least[e], 1.0 / options.least_factor);  // graded beyond that
@@ -300,7 +345,7 @@ class Loop {
     for (; i < analyses.size(); ++i) peaks_.see(*analyses[i], params_, told);
     std::erase(result_.remarks, result_.why_short);
     result_.why_short.clear();
-    before_ = {analyses.back()->eta, peaks_.worst(), left_out_of(*analyses.back()), peaks_.tried_enough()};
+    before_ = reached();
     if (before_.met(params_.target)) return true;
     done_ = analyses.back()->cycle;
     for (const std::string& told_before : remarks_on(*analyses.back())) std::erase(result_.remarks, told_before);
@@ -322,26 +367,41 @@ class Loop {
         if (own == 1) return cycled.error();
         return finish(
             fmt::format("cycle {} could not be finished: {}; {} after {} cycles, above the {:.3g} % asked for",
-                        done_ + 1, cycled.error().message, before_.text(params_.target), done_, params_.target));
+                        done_ + 1, cycled.error().message, before_.text(), done_, params_.target));
       }
-      const Reached now{result_.analyses.back()->eta, peaks_.worst(), left_out_of(*result_.analyses.back()),
-                        peaks_.tried_enough()};
+      const Reached now = reached();
       if (now.met(params_.target)) return finish("");
       if (done_ > 1 && now.stalls(before_, params_.target))
-        return finish(fmt::format("{} and stalls above the {:.3g} % asked for{}", now.text(params_.target),
-                                  params_.target, params_.min_size > 0.0 ? "; allow smaller elements" : ""));
+        return finish(fmt::format("{} and stalls above the {:.3g} % asked for{}", now.text(), params_.target,
+                                  params_.min_size > 0.0 ? "; allow smaller elements" : ""));
       if (own == params_.max_cycles)
-        return finish(fmt::format("after {} cycles {}, above the {:.3g} % asked for; allow more", own,
-                                  now.text(params_.target), params_.target));
+        return finish(fmt::format("after {} cycles {}, above the {:.3g} % asked for; allow more", own, now.text(),
+                                  params_.target));
       before_ = now;
     }
   }
 
  private:
+  /// How far the last cycle got.
+  [[nodiscard]] Reached reached() const {
+    const Analysis& last = *result_.analyses.back();
+    const double usual = least_effectivity(params_.target);
+    Reached now{last.eta, peaks_.worst(), left_out_of(last), peaks_.tried_enough(), usual};
+    if (!has_clamped_corner(last)) return now;
+    const std::size_t count = result_.analyses.size();
+    const Analysis* before = count > 1 ? result_.analyses[count - 2].get() : nullptr;
+    std::optional<double> told;
+    if (before != nullptr && before->cycle > 0 && before->cycle == last.cycle - 1) told = error_told_by(*before, last);
+    now.told = told.has_value();
+    now.effectivity =
+        told && *told > 0.0 ? std::clamp(before->eta / *told, least_unconfirmed, usual) : least_unconfirmed;
+    return now;
+  }
+
   /// The sizes of the next mesh, as small as memory allows. @return why there is none; empty: there is one
   Result<std::string> plan() {
     const Analysis& last = *result_.analyses.back();
-    DOBRA_TRY(wanted_, wishes_of(last, params_, peaks_, size_));
+    DOBRA_TRY(wanted_, wishes_of(last, params_, peaks_, size_, before_));
     const double allowed = params_.memory > 0.0 ? params_.memory : fem::machine_memory();
     const double now = last.solution.statistics.memory_estimate;
     if (!(allowed > 0.0) || now * std::pow(wanted_.more, memory_power) <= allowed) return std::string();
@@ -350,8 +410,7 @@ class Loop {
       return fmt::format(
           "{} after {} cycles, above the {:.3g} % asked for: the next mesh, of about {:.2g} unknowns, needs about "
           "{:.2g} GB, and {:.2g} GB are allowed",
-          before_.text(params_.target), done_, params_.target,
-          wanted_.more * static_cast<double>(last.solution.statistics.unknowns),
+          before_.text(), done_, params_.target, wanted_.more * static_cast<double>(last.solution.statistics.unknowns),
           now * std::pow(wanted_.more, memory_power) / 1e9, allowed / 1e9);
     }
     for (auto& request : wanted_.mesh.sizes) request.size *= std::sqrt(wanted_.more / fits);

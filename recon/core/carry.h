@@ -11,11 +11,15 @@
 
 namespace recon::core {
 
+/// What the points of a step are.
+enum class CarryAs { Line, Points };
+
 /// Parameters of the step `carry`.
 struct CarryParams {
   std::string file;
   std::string feature;
   std::vector<geom::Point> points;
+  CarryAs as = CarryAs::Line;
   int from = 0;
   std::optional<int> to;
   template <class D>
@@ -28,6 +32,8 @@ struct CarryParams {
             {.title = "Points",
              .help = "Instead of a file: one point, a line, or a polygon whose last point repeats the first.",
              .unit = "m"});
+    d.choice("as", &CarryParams::as, {"line", "points"},
+             {.title = "Taken as", .help = "line: joined in their order; points: each by itself."});
     d.field("from", &CarryParams::from,
             {.title = "From state", .help = "0 is the input, k the section after k restorations.", .at_least = 0});
     d.field("to", &CarryParams::to, {.title = "To state", .help = "By default the last.", .at_least = 0});
@@ -72,12 +78,24 @@ struct Compared {
   std::string name;
   double before = 0.0;
   double after = 0.0;
+  BedRole role = BedRole::Judged;
   [[nodiscard]] double change_percent() const { return 100.0 * (after - before) / before; }
 };
 struct Comparison {
   std::vector<Compared> beds;   ///< Lengths of horizons.
   std::vector<Compared> units;  ///< Areas.
 };
+/// What a chain as a whole kept.
+struct ChainVerdict {
+  bool balanced = false;
+  const Compared* bed = nullptr;   ///< The judged bed whose length changed most.
+  const Compared* unit = nullptr;  ///< Likewise the unit's area.
+};
+/// Balanced: no judged bed or unit changed by more than the tolerance, percent. Points into the comparison.
+ChainVerdict judge(const Comparison& comparison, double tolerance);
+/// In words, by the tolerance of the last stage; empty where the chain has one stage or none.
+std::string verdict_since_input(const std::vector<const Stage*>& chain);
+
 /// The ledger between two states: beds and units that all stages between them have.
 /// @pre from < to <= chain.size()
 Comparison compare(const std::vector<const Stage*>& chain, std::size_t from, std::size_t to);

@@ -18,60 +18,70 @@ namespace {
 constexpr scene::Color carried_color{190, 30, 140, 255};
 
 void add_carried_tables(const Model& model, std::vector<scenario::DataTable>& tables) {
-  if (!model.carried) return;
-  const CarriedLines& carried = *model.carried;
-  scenario::DataTable table{
-      "carried", {"line", "x before [m]", "z before [m]", "x after [m]", "z after [m]", "way back misses [m]"}, {}};
-  for (std::size_t l = 0; l < carried.lines.size(); ++l) {
-    const CarriedLine& line = carried.lines[l];
-    for (std::size_t i = 0; i < line.points.size(); ++i) {
-      const geom::Point before = line.before.points[i];
-      const CarriedPoint& after = line.points[i];
-      table.rows.push_back({count_of(l + 1), before.x, before.y, after.at.x, after.at.y, after.misses});
+  if (model.carried.empty()) return;
+  scenario::DataTable table{"carried",
+                            {"carry", "from state", "to state", "line", "x before [m]", "z before [m]", "x after [m]",
+                             "z after [m]", "way back misses [m]"},
+                            {}};
+  for (std::size_t c = 0; c < model.carried.size(); ++c) {
+    const CarriedLines& carried = model.carried[c];
+    for (std::size_t l = 0; l < carried.lines.size(); ++l) {
+      const CarriedLine& line = carried.lines[l];
+      for (std::size_t i = 0; i < line.points.size(); ++i) {
+        const geom::Point before = line.before.points[i];
+        const CarriedPoint& after = line.points[i];
+        table.rows.push_back({count_of(c + 1), count_of(carried.from), count_of(carried.to), count_of(l + 1), before.x,
+                              before.y, after.at.x, after.at.y, after.misses});
+      }
     }
   }
   tables.push_back(std::move(table));
 }
 
-std::vector<io::Feature> carried_features(const CarriedLines& carried) {
-  std::vector<io::Feature> features;
+void add_carried_features(const CarriedLines& carried, std::size_t number, std::vector<io::Feature>& features) {
   for (std::size_t l = 0; l < carried.lines.size(); ++l) {
     const auto add = [&](const geom::Polyline& line, const char* kind) {
       const io::FeatureType type = line.closed              ? io::FeatureType::Polygons
                                    : line.points.size() > 1 ? io::FeatureType::Lines
                                                             : io::FeatureType::Points;
-      add_feature(type, "line " + std::to_string(l + 1), kind, l, line, features);
+      const std::string name = "carry " + std::to_string(number) + ", line " + std::to_string(l + 1);
+      add_feature(type, name, kind, l, line, features);
     };
     add(carried.lines[l].before, "before");
     add(carried.lines[l].after, "after");
   }
-  return features;
 }
 
 void add_carried_outputs(const std::shared_ptr<const Model>& model, std::vector<scenario::Output>& outputs) {
-  if (!model->carried) return;
+  if (model->carried.empty()) return;
   outputs.push_back({"carried.geojson", [model](const std::filesystem::path& path) {
-                       return io::write_geojson(path.string(), carried_features(*model->carried));
+                       std::vector<io::Feature> features;
+                       for (std::size_t c = 0; c < model->carried.size(); ++c)
+                         add_carried_features(model->carried[c], c + 1, features);
+                       return io::write_geojson(path.string(), features);
                      }});
 }
 
 void add_carried_remarks(const Model& model, std::vector<std::string>& remarks) {
-  if (model.carried) append(model.carried->remarks, remarks);
+  for (const CarriedLines& carried : model.carried) append(carried.remarks, remarks);
 }
 
-/// As it is before or after, in the panel of that state.
-void draw_carried(const CarriedLines& carried, bool before, scene::Panel& panel) {
+/// What was carried from or to a state, in its panel.
+void draw_carried(const std::vector<CarriedLines>& all, std::size_t state, scene::Panel& panel) {
   scene::Style style;
   style.line = carried_color;
   style.line_width = 1.4;
   scene::Lines lines;
   std::vector<geom::Point> points;
-  for (const CarriedLine& line : carried.lines) {
-    const geom::Polyline& shown = before ? line.before : line.after;
-    if (shown.points.size() == 1) {
-      points.push_back(shown.points.front());
-    } else {
-      lines.lines.push_back(shown);
+  for (const CarriedLines& carried : all) {
+    if (state != carried.from && state != carried.to) continue;
+    for (const CarriedLine& line : carried.lines) {
+      const geom::Polyline& shown = state == carried.from ? line.before : line.after;
+      if (shown.points.size() == 1) {
+        points.push_back(shown.points.front());
+      } else {
+        lines.lines.push_back(shown);
+      }
     }
   }
   if (!lines.lines.empty()) {
@@ -86,12 +96,8 @@ void draw_carried(const CarriedLines& carried, bool before, scene::Panel& panel)
 
 /// The panels are the state of the stage in hand and, where it is restored, the one after it.
 void draw_carried(const Model& model, scene::Picture& picture) {
-  if (!model.carried) return;
-  for (std::size_t i = 0; i < picture.panels.size(); ++i) {
-    const std::size_t state = model.earlier.size() + i;
-    const bool before = state == model.carried->from;
-    if (before || state == model.carried->to) draw_carried(*model.carried, before, picture.panels[i]);
-  }
+  for (std::size_t i = 0; i < picture.panels.size(); ++i)
+    draw_carried(model.carried, model.earlier.size() + i, picture.panels[i]);
 }
 
 }  // namespace
@@ -104,7 +110,8 @@ base::Result<Model> run_carry(const Model& model, const CarryParams& params, con
                        "nothing is restored yet that could carry a line; put a step 'restore' before it"};
   }
   Model next = model;
-  DOBRA_TRY(next.carried, carry_lines(chain, params, context));
+  DOBRA_TRY(CarriedLines carried, carry_lines(chain, params, context));
+  next.carried.push_back(std::move(carried));
   return next;
 }
 

@@ -31,7 +31,7 @@ std::vector<SelfCrossing> self_crossings(const geom::Polyline& line) {
   std::vector<SelfCrossing> found;
   for (const auto& [i, j] : index.overlapping_pairs()) {
     const geom::Intersection meeting = geom::intersect(line.segment(i), line.segment(j));
-    const bool neighbours = j == i + 1;
+    const bool neighbours = j == i + 1 || (line.closed && i == 0 && j + 1 == line.segment_count());
     if (meeting.kind == geom::IntersectionKind::Overlap ||
         (meeting.kind == geom::IntersectionKind::Point && !neighbours)) {
       found.push_back({i, j, meeting.start.point});

@@ -17,7 +17,7 @@ struct SelfCrossing {
   geom::Point place;
 };
 
-/// All of them, ordered by (first, second). O(n log n + pairs of near segments).
+/// All of them, of an open or closed line, by (first, second). O(n log n + pairs of near segments).
 std::vector<SelfCrossing> self_crossings(const geom::Polyline& line);
 
 struct LoopOptions {

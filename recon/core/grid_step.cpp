@@ -23,11 +23,15 @@ base::Result<Model> next_stage(const Model& model, GridFrom from) {
     return next;
   }
   next.earlier = model.earlier;
+  next.carried = model.carried;
   if (!model.restoration) {
     next.section = model.section;
     return next;
   }
-  DOBRA_TRY(next.section, section_after(model));
+  std::vector<std::string> remarks;
+  DOBRA_TRY(next.section, section_after(model, remarks));
+  for (const std::string& remark : remarks)
+    next.remarks.push_back("after restoration " + std::to_string(model.earlier.size() + 1) + ": " + remark);
   next.earlier.push_back(std::make_shared<const Stage>(model));
   return next;
 }

@@ -4,8 +4,7 @@
 
 #include <algorithm>
 
-#include "shared/geom/intersect.h"
-#include "shared/geom/spatial_index.h"
+#include "recon/core/crossings.h"
 #include "shared/io/raster.h"
 
 namespace recon::core {
@@ -56,20 +55,6 @@ base::Result<geom::Polyline> read_polygon(const HorizonInput& input, const char*
   return error;
 }
 
-/// Where a closed contour crosses or touches itself.
-std::optional<geom::Point> self_contact(const geom::Polyline& contour) {
-  std::vector<geom::Box> boxes;
-  for (std::size_t i = 0; i < contour.segment_count(); ++i) boxes.push_back(contour.segment(i).box());
-  for (const auto& [i, j] : geom::SpatialIndex(boxes).overlapping_pairs()) {
-    const geom::Intersection meeting = geom::intersect(contour.segment(i), contour.segment(j));
-    const bool neighbours = j == i + 1 || (i == 0 && j + 1 == contour.segment_count());
-    if (meeting.kind == geom::IntersectionKind::Overlap ||
-        (meeting.kind == geom::IntersectionKind::Point && !neighbours))
-      return meeting.start.point;
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 base::Result<geom::Polyline> closed_contour(geom::Polyline line) {
@@ -91,9 +76,9 @@ base::Result<geom::Polyline> closed_contour(geom::Polyline line) {
   if (line.points.size() < 3) {
     return base::Error{base::ErrorCode::BadSection, "a polygon needs three different points", place_at(first)};
   }
-  if (const auto contact = self_contact(line)) {
+  if (const auto contacts = self_crossings(line); !contacts.empty()) {
     return base::Error{base::ErrorCode::BadSection, "the polygon crosses or touches itself here; correct it",
-                       place_at(*contact)};
+                       place_at(contacts.front().place)};
   }
   return geom::signed_area(line) < 0.0 ? geom::reversed(std::move(line)) : line;
 }

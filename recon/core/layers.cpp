@@ -358,6 +358,10 @@ void add_ledger(scene::Picture& picture, const Model& model) {
   sentence.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence.front())));
   picture.notes = {sentence + '.', fmt::format("{}{}. {}", translated("Verdict: "), restoration.remarks.back(),
                                                translated("Both states to the same scale, no vertical exaggeration."))};
+  if (std::string verdict = verdict_since_input(restored_stages(model)); !verdict.empty()) {
+    verdict.front() = 'S';
+    picture.notes.push_back(verdict + '.');
+  }
   const std::string ellipses = note_on_ellipses(restoration.ledger.strains);
   if (!ellipses.empty()) picture.notes.push_back(ellipses);
 }

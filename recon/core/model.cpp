@@ -1,5 +1,7 @@
 #include "recon/core/model.h"
 
+#include <algorithm>
+
 namespace recon::core {
 
 const Section& input_section(const Model& model) {
@@ -11,6 +13,11 @@ std::vector<const Stage*> restored_stages(const Model& model) {
   for (const auto& stage : model.earlier) stages.push_back(stage.get());
   if (model.restoration) stages.push_back(&model);
   return stages;
+}
+
+void forget_carried(Model& model) {
+  std::erase_if(model.carried,
+                [&](const CarriedLines& carried) { return std::max(carried.from, carried.to) > model.earlier.size(); });
 }
 
 }  // namespace recon::core

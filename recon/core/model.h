@@ -22,8 +22,11 @@ struct Model : Stage {
   std::optional<MonteCarlo> monte_carlo;              ///< After the step monte_carlo.
   std::optional<AreaDepth> area_depth;                ///< After the step balance.
   std::optional<AreaBalance> area_balance;            ///< After the step area_balance.
-  std::optional<CarriedLines> carried;                ///< After the step carry.
+  std::vector<CarriedLines> carried;                  ///< One for each step carry.
 };
+
+/// Forgets what was carried to or from a state that is to be restored anew.
+void forget_carried(Model& model);
 
 /// The section as it was read (with a topography as a horizon, where the first grid stands on one).
 const Section& input_section(const Model& model);

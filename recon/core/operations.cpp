@@ -44,6 +44,8 @@ void add_section_quantities(const Model& model, std::vector<scenario::Quantity>&
     quantities.push_back({"since_input.horizon." + row.name + ".change_percent", row.change_percent(), "%"});
   for (const Compared& row : whole.units)
     quantities.push_back({"since_input.unit." + row.name + ".change_percent", row.change_percent(), "%"});
+  const bool balanced = judge(whole, chain.back()->restoration->params.tolerance).balanced;
+  quantities.push_back({"since_input.balanced", balanced ? 1.0 : 0.0, ""});
 }
 
 /// Every bed and unit in every state that the chain has gone through, and what changed since the input.
@@ -72,6 +74,8 @@ void add_section_remarks(const Model& model, std::vector<std::string>& remarks) 
     for (const std::string& remark : model.earlier[k]->restoration->remarks)
       remarks.push_back("restoration " + std::to_string(k + 1) + ": " + remark);
   }
+  if (const std::string verdict = verdict_since_input(restored_stages(model)); !verdict.empty())
+    remarks.push_back(verdict);
 }
 
 scenario::Program make_program() {

@@ -128,7 +128,7 @@ base::Result<Model> run_restore(const Model& model, const RestoreParams& params,
   }
   Model next = model;
   next.monte_carlo.reset();
-  next.carried.reset();
+  forget_carried(next);
   DOBRA_TRY_VOID(check_section(next.section, params.crossings));
   DOBRA_TRY(next.restoration, restore(next.section, *model.source, *model.target, params, progress));
   return next;

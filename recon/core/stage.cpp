@@ -10,34 +10,41 @@ namespace recon::core {
 namespace {
 
 /// A line of the next section: what no operation on a section can stand on is refused here.
-base::Result<geom::Polyline> tidy(geom::Polyline line, const std::string& item) {
+base::Result<geom::Polyline> tidy(geom::Polyline line, const std::string& item, std::vector<std::string>& remarks) {
   const geom::Point start = line.points.front();
   line = geom::without_repeated_points(std::move(line));
   if (line.points.size() < (line.closed ? 3U : 2U)) {
     return base::Error{base::ErrorCode::BadSection, "nothing of it is left after the restoration; take it out before",
                        place_at(start, item)};
   }
-  if (const auto crossings = self_crossings(line); !crossings.empty()) {
-    return base::Error{base::ErrorCode::BadSection,
-                       "it crosses itself after the restoration, so that no further step can stand on it; restore with "
-                       "another pin or method, or stand the grid on the input: from = \"input\"",
-                       place_at(crossings.front().place, item)};
-  }
-  return line;
+  const auto crossings = self_crossings(line);
+  if (crossings.empty()) return line;
+  const geom::Point place = crossings.front().place;
+  const base::Error crossed{base::ErrorCode::BadSection,
+                            "it crosses itself after the restoration, so that no further step can stand on it; restore "
+                            "with another pin or method or with a simpler top (simplify), or stand the grid on the "
+                            "input: from = \"input\"",
+                            place_at(place, item)};
+  if (line.closed) return crossed;
+  auto without = without_loops(std::move(line));
+  if (!without) return crossed;
+  remarks.push_back(fmt::format("{}: {} small loops that the restoration made were cut, the first at ({:.6g}, {:.6g})",
+                                item, without->places.size(), place.x, place.y));
+  return std::move(without->line);
 }
 
 }  // namespace
 
-base::Result<Section> section_after(const Stage& stage) {
+base::Result<Section> section_after(const Stage& stage, std::vector<std::string>& remarks) {
   Section section = stage.restoration->section;
   for (Horizon& horizon : section.horizons) {
-    DOBRA_TRY(horizon.line, tidy(std::move(horizon.line), fmt::format("horizon '{}'", horizon.name)));
+    DOBRA_TRY(horizon.line, tidy(std::move(horizon.line), fmt::format("horizon '{}'", horizon.name), remarks));
     if (horizon.line.points.front().x > horizon.line.points.back().x)
       horizon.line = geom::reversed(std::move(horizon.line));
   }
   for (SectionLine& line : section.lines) line.line = geom::without_repeated_points(std::move(line.line));
   for (Unit& unit : section.units) {
-    DOBRA_TRY(unit.contour, tidy(std::move(unit.contour), fmt::format("unit '{}'", unit.name)));
+    DOBRA_TRY(unit.contour, tidy(std::move(unit.contour), fmt::format("unit '{}'", unit.name), remarks));
     if (geom::signed_area(unit.contour) < 0.0) unit.contour = geom::reversed(std::move(unit.contour));
   }
   DOBRA_TRY(SectionFaces faces, faces_of(section));

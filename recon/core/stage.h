@@ -19,10 +19,11 @@ struct Stage {
 };
 
 /// The section that a restored stage leaves, fit to be that of the next one: ids, names and roles of the stage's, no
-/// repeated points, every horizon from its left end to its right end, faces of its own.
+/// repeated points, every horizon from its left end to its right end and without small loops, faces of its own.
+/// @param remarks  gets a line for each horizon whose loops were cut.
 /// @pre   the stage has a restoration.
 /// @error BadSection: a restored horizon or unit crosses itself or has no length left, with the place; those of
-/// faces_of.
-base::Result<Section> section_after(const Stage& stage);
+///        faces_of.
+base::Result<Section> section_after(const Stage& stage, std::vector<std::string>& remarks);
 
 }  // namespace recon::core

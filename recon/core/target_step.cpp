@@ -42,7 +42,7 @@ base::Result<Model> run_target(const Model& model, const TargetParams& params, c
   Model next = model;
   next.restoration.reset();
   next.monte_carlo.reset();
-  next.carried.reset();
+  forget_carried(next);
   DOBRA_TRY(next.target, make_target(model.section, *model.source, params, context, progress));
   return next;
 }

@@ -788,6 +788,14 @@
         <translation>current: a seção como os passos anteriores a deixam; input: como foi lida, o que recomeça.</translation>
     </message>
     <message>
+        <source>Taken as</source>
+        <translation>Tomados como</translation>
+    </message>
+    <message>
+        <source>line: joined in their order; points: each by itself.</source>
+        <translation>line: ligados na sua ordem; points: cada um por si.</translation>
+    </message>
+    <message>
         <source>Simplify the top</source>
         <translation>Simplificar o topo</translation>
     </message>

@@ -224,8 +224,8 @@ TEST(Chain, WhatIsCarriedIsListedAndDoubtIsTold) {
   carry.points = {{3.0, 0.5}, {9.0, 0.4}};
   const auto lines = run_carry(*first, carry, {}, {});
   ASSERT_TRUE(lines) << to_string(lines.error());
-  ASSERT_EQ(lines->carried->lines.size(), 1U);
-  EXPECT_TRUE(lines->carried->remarks.empty());
+  ASSERT_EQ(lines->carried.at(0).lines.size(), 1U);
+  EXPECT_TRUE(lines->carried.at(0).remarks.empty());
   carry.points = {{2.0 * std::numbers::pi, -50.0}};  // far below the centres of the synclines
   const auto point = run_carry(*first, carry, {}, {});
   ASSERT_TRUE(point) << to_string(point.error());
@@ -237,6 +237,76 @@ TEST(Chain, WhatIsCarriedIsListedAndDoubtIsTold) {
   ASSERT_FALSE(beyond);
   EXPECT_THAT(beyond.error().message, HasSubstr("state from 0 to 1"));
   EXPECT_FALSE(run_carry(model, carry, {}, {}));
+}
+
+TEST(Chain, PolygonsGoAlong) {
+  Section section = fold();
+  const geom::Polyline upper = section.horizons[0].line;
+  const geom::Polyline lower = section.horizons[1].line;
+  section.units.push_back({UnitId(0), "U", contour_between(upper, lower), {}});
+  section.units.push_back({UnitId(1), "box", {{{3.0, 0.5}, {3.3, 0.5}, {3.3, 0.7}, {3.0, 0.7}}, true}, {}});
+  const double area = geom::signed_area(section.units[1].contour);
+  const auto model = there_and_onto(section, section.horizons.front().line);
+  ASSERT_TRUE(model) << to_string(model.error());
+  const Section& last = model->restoration->section;
+  ASSERT_EQ(last.units.size(), 2U);
+  for (const geom::Point p : {geom::Point{3.0, 0.5}, geom::Point{3.3, 0.7}})
+    EXPECT_LT(geom::distance(last.units[1].contour, p), 1e-9);
+  EXPECT_NEAR(geom::signed_area(last.units[1].contour), area, 1e-6);
+}
+
+TEST(Chain, EveryCarryIsKeptUntilItsStateIsRestoredAnew) {
+  Model model;
+  model.section = fold();
+  const auto first = turn(model, {});
+  ASSERT_TRUE(first) << to_string(first.error());
+  CarryParams one;
+  one.points = {{3.0, 0.5}, {9.0, 0.4}};
+  one.as = CarryAs::Points;
+  const auto once = run_carry(*first, one, {}, {});
+  ASSERT_TRUE(once) << to_string(once.error());
+  EXPECT_EQ(once->carried.at(0).lines.size(), 2U);
+  const auto twice = run_carry(*once, one, {}, {});
+  ASSERT_TRUE(twice);
+  EXPECT_EQ(twice->carried.size(), 2U);
+  const auto second = turn(*twice, {});
+  ASSERT_TRUE(second) << to_string(second.error());
+  EXPECT_EQ(second->carried.size(), 2U);
+  const auto third = run_carry(*second, one, {}, {});
+  ASSERT_TRUE(third);
+  EXPECT_EQ(third->carried.size(), 3U);
+  const auto again = run_restore(*third, {}, {}, {});
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->carried.size(), 2U);  // the third went to the state that is new now
+  EXPECT_EQ(run_restore(*once, {}, {}, {})->carried.size(), 0U);
+  one.points = {{-400.0, 0.0}};
+  EXPECT_THAT(run_carry(*first, one, {}, {})->carried.at(0).remarks, Contains(HasSubstr("outside the section")));
+}
+
+/// Each stage keeps within the tolerance what the chain as a whole does not.
+TEST(Chain, TheVerdictSinceTheInputIsNoWhereTheStagesAddUp) {
+  Model model;
+  model.section = fold();
+  RestoreParams part;  // constant thickness, which changes bed2 by 0.39 % on the whole way
+  part.tolerance = 0.3;
+  part.percent = 50.0;
+  const auto half = turn(model, {}, part);
+  ASSERT_TRUE(half) << to_string(half.error());
+  part.percent = 100.0;
+  const auto whole = turn(*half, {}, part);
+  ASSERT_TRUE(whole) << to_string(whole.error());
+  EXPECT_TRUE(half->restoration->balance.balanced);
+  const auto chain = restored_stages(*whole);
+  const Comparison all = compare(chain, 0, 2);
+  const ChainVerdict verdict = judge(all, 0.3);
+  ASSERT_NE(verdict.bed, nullptr);
+  EXPECT_EQ(verdict.bed->name, "bed2");
+  EXPECT_NEAR(std::abs(verdict.bed->change_percent()), 0.386712, 1e-3);
+  EXPECT_FALSE(verdict.balanced);
+  EXPECT_TRUE(judge(all, 5.0).balanced);
+  EXPECT_THAT(program().remarks_of(dobra::scenario::make_state(*whole)),
+              Contains(HasSubstr("since the input: not balanced")));
+  EXPECT_EQ(verdict_since_input(restored_stages(*half)), "");
 }
 
 TEST(Chain, TablesOfTheSecondStageTellWhatChangedSinceTheInput) {
