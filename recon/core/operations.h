@@ -48,8 +48,7 @@ base::Result<Model> run_monte_carlo(const Model& model, const MonteCarloParams& 
 ///   bed.NAME.* (the columns of the table area_depth), displacement, detachment; of three levels or more
 ///   displacement_error, detachment_error, r_squared                 after balance
 ///   stages (earlier ones), since_input.horizon.NAME.change_percent, since_input.unit.NAME.change_percent,
-///   since_input.balanced
-///                                                                   of the second stage on
+///   since_input.balanced                                            from the second stage on
 ///   area, initial_width, width, area_shortening, area_shortening_percent and their _error, _most   after area_balance
 const dobra::scenario::Program& program();
 
