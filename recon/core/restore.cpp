@@ -217,6 +217,7 @@ base::Result<Restoration> restore(const Section& section, const SourceGrid& sour
       restoration.remarks.push_back(fmt::format("unit '{}' {}", row.name, tears_text(row.tears, words)));
   }
   measure_faces(section, map, restoration.ledger);
+  if (auto missing = missing_area(section, restoration.ledger)) restoration.remarks.push_back(std::move(*missing));
   DOBRA_TRY_VOID(refuse_not_finite(section, restoration));
   if (params.outside == Doubt::Limited) DOBRA_TRY_VOID(refuse_beyond_limits(section, source, target, restoration));
   for (std::size_t i = 0; i < section.units.size(); ++i)
