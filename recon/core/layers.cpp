@@ -277,8 +277,7 @@ std::string note_on_ellipses(const std::vector<Strain>& strains) {
                      longest->greatest, longest->at.x, longest->at.y);
 }
 
-/// The beds as they lie on each other, each once with its mean restored thickness, beside the section to the same
-/// scale.
+/// The beds as they lie on each other, each once with its mean restored thickness, to the scale of the section.
 void add_column(scene::Panel& panel, const Section& section, const Palette& palette,
                 const std::vector<LedgerUnit>& units, const std::vector<UnitRow>& rows) {
   const geom::Box box = box_of(section);
@@ -290,8 +289,8 @@ void add_column(scene::Panel& panel, const Section& section, const Palette& pale
   double top = box.high.y;
   for (std::size_t i = 0; i < beds.size(); ++i) {
     const double bottom = top - beds[i].thickness;
-    const scene::UnitStyle style = palette.of(whole_name(section.horizons[beds[i].upper]));
-    scene::Layer bed = region_layer("column_" + std::to_string(i), beds[i].name, style,
+    const std::string& upper = whole_name(section.horizons[beds[i].upper]);
+    scene::Layer bed = region_layer("column_" + std::to_string(i), beds[i].name, palette.of(upper),
                                     {{{left, bottom}, {left + width, bottom}, {left + width, top}, {left, top}}, true});
     bed.style.line = pin_color;
     bed.style.line_width = few ? 0.5 : 0.0;
