@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
-#include <regex>
 #include <set>
 
 #include "shared/base/formula.h"
@@ -74,13 +74,22 @@ Result<void> check_joints(const Part& part, const std::string& condition) {
       return unreadable(condition, part.begin + at,
                         fmt::format("'{}' joins nothing here; comparisons are joined by 'and' and 'or'", sign));
   }
-  static const std::regex joint("\\b(and|or|not)\\b", std::regex::icase);
-  std::smatch found;
-  if (!std::regex_search(part.text, found, joint)) return {};
-  return unreadable(
-      condition, part.begin + static_cast<std::size_t>(found.position()),
-      fmt::format("'{}' joins nothing here; 'and' and 'or', in small letters, stand between two comparisons",
-                  found.str()));
+  const auto is_letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  for (std::size_t begin = 0; begin < part.text.size();) {
+    std::size_t end = begin;
+    while (end < part.text.size() && is_letter(part.text[end])) ++end;
+    const std::string word = part.text.substr(begin, end - begin);
+    std::string small = word;
+    std::transform(small.begin(), small.end(), small.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (small == "and" || small == "or" || small == "not")
+      return unreadable(
+          condition, part.begin + begin,
+          fmt::format("'{}' joins nothing here; 'and' and 'or', in small letters, stand between two comparisons",
+                      word));
+    begin = std::max(end, begin + 1);
+  }
+  return {};
 }
 
 /// "0 < x <= 2": two comparisons.

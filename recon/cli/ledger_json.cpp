@@ -57,10 +57,8 @@ Json restored_geometry(const core::Section& section) {
 }
 
 Json error_bars_json(const core::MonteCarlo& result) {
-  Json json = {{"draws", result.params.draws},
-               {"seed", result.params.seed},
-               {"failed", result.failed},
-               {"balanced_share", result.balanced_share}};
+  Json json = {{"draws", result.params.draws}, {"seed", result.params.seed}, {"failed", result.failed}};
+  if (result.balanced_share) json["balanced_share"] = *result.balanced_share;
   Json list = Json::array();
   for (const core::Spread& s : result.spreads) {
     list.push_back({{"quantity", s.name},
@@ -119,7 +117,7 @@ std::string restoration_json(const core::Model& model, Geometry geometry) {
   json["tolerance_percent"] = restoration.params.tolerance;
   json["lean_left"] = restoration.lean_left;
   json["lean_right"] = restoration.lean_right;
-  json["verdict"] = balance.balanced ? "balanced" : "not balanced";
+  json["verdict"] = core::verdict_name(balance.verdict);
   json["remarks"] = core::program().remarks_of(dobra::scenario::make_state(model));
   if (model.monte_carlo) json["error_bars"] = error_bars_json(*model.monte_carlo);
   if (geometry == Geometry::Include) json["restored"] = restored_geometry(restoration.section);
@@ -186,7 +184,7 @@ std::string balance_json(const core::Model& model) {
     json["layers"] = std::move(layers);
     json["inconsistency_percent"] = model.area_depth->consistency.worst.percent;
     json["tolerance_percent"] = model.area_depth->params.tolerance;
-    json["verdict"] = model.area_depth->balanced ? "balanced" : "not balanced";
+    json["verdict"] = core::verdict_name(model.area_depth->verdict);
   }
   if (const auto& area = model.area_balance) {
     json["area_balance"] = {{"area", with_error_json(area->area)},

@@ -36,7 +36,7 @@ struct BalanceParams {
   }
 };
 
-/// One horizon; its regional is the straight line between its ends. Lengths in metres, areas in m2.
+/// One horizon, or a piece of one; its regional is the straight line between its ends. Lengths in metres, areas in m2.
 struct BedBalance {
   HorizonId horizon;
   std::string name;
@@ -45,15 +45,17 @@ struct BedBalance {
   double level = 0.0;           ///< Mean elevation of the regional.
   double excess_area = 0.0;     ///< Above the regional less below it.
   double shortening = 0.0;      ///< length - width.
-  std::optional<double> depth;  ///< excess_area / shortening: of the detachment below the level, by this horizon alone.
+  std::string piece_of = {};    ///< See Horizon: the line between the ends of a piece is a limb's, no regional.
+  std::optional<double> depth;  ///< excess_area / shortening: of the detachment below the level, by this horizon alone;
+                                ///< nothing for a piece.
   std::optional<double> layer_strain;  ///< (shortening - D) / (width + D): parallel to the bed, negative where it got
-                                       ///< shorter; nothing without a fit.
+                                       ///< shorter; nothing without a detachment, or for a piece.
 };
 
 /// Straight line through (level, excess area) with the half-widths of the confidence intervals.
 struct AreaDepthFit {
   double displacement = 0.0;                 ///< D, m
-  double detachment = 0.0;                   ///< h_d, elevation, m
+  std::optional<double> detachment;          ///< h_d, elevation, m; nothing where D may be 0 by its interval.
   std::optional<double> displacement_error;  ///< Half-widths; nothing with two horizons, which some line always fits.
   std::optional<double> detachment_error;
   std::optional<double> r_squared;  ///< Likewise.
@@ -70,17 +72,19 @@ struct AreaDepth {
   BalanceParams params;
   std::vector<BedBalance> beds;
   std::vector<LayerClass> layers;   ///< Those that are folded enough to have a class.
-  std::optional<AreaDepthFit> fit;  ///< Nothing with one level.
+  std::optional<AreaDepthFit> fit;  ///< Of the whole horizons; nothing with one level or without displacement.
   Consistency consistency;          ///< Of the shortening of the beds, as `restore` has it too.
-  bool balanced = false;
+  BalanceVerdict verdict = BalanceVerdict::NotJudged;
   std::vector<std::string> remarks;
 };
 
 /// @error BadSection without a horizon.
 base::Result<AreaDepth> area_depth(const Section& section, const BalanceParams& params);
 
-/// Least squares with the given confidence in percent. @pre sizes equal. Nothing if all levels are the same.
+/// Least squares with the given confidence in percent. @pre sizes equal. Nothing if all levels or all areas are the
+/// same within the rounding of coordinates.
+/// @param size  of what was digitised, m: coordinates are known to a millionth of it.
 std::optional<AreaDepthFit> fit_area_depth(const std::vector<double>& levels, const std::vector<double>& areas,
-                                           double confidence_percent);
+                                           double confidence_percent, double size = 0.0);
 
 }  // namespace recon::core

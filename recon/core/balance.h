@@ -43,7 +43,7 @@ std::vector<LineLength> totals_of(const std::vector<LineLength>& rows);
 
 /// The criteria of balance, each in percent, and the verdict: all of them within the tolerance. Growth is not judged.
 struct Balance {
-  bool balanced = false;
+  BalanceVerdict verdict = BalanceVerdict::NotJudged;
   double greatest_change_percent = 0.0;       ///< The largest |change_percent| of a bed's length.
   std::string worst;                          ///< The horizon that has it.
   double greatest_area_change_percent = 0.0;  ///< Likewise of a unit's area.

@@ -1,5 +1,8 @@
 #include "recon/core/face_ledger.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -8,20 +11,6 @@
 #include "shared/base/parallel.h"
 
 namespace recon::core {
-
-namespace {
-
-bool is_between(const RockUnit& unit, std::size_t one, std::size_t other) {
-  return unit.whole && ((unit.top == one && unit.base == other) || (unit.top == other && unit.base == one));
-}
-
-}  // namespace
-
-bool is_whole_unit(const Section& section, std::size_t one, std::size_t other) {
-  if (!section.faces) return true;
-  const std::vector<RockUnit>& units = section.faces->units;
-  return std::any_of(units.begin(), units.end(), [&](const RockUnit& unit) { return is_between(unit, one, other); });
-}
 
 std::vector<RockUnit> units_by_faces(const Section& section) {
   std::vector<RockUnit> units;
@@ -73,6 +62,51 @@ void measure_faces(const Section& section, const SectionMap& map, Ledger& ledger
     }
     ledger.units.push_back(std::move(row));
   }
+}
+
+std::vector<RestoredBed> restored_beds(const Section& section, const std::vector<LedgerUnit>& units,
+                                       const std::vector<UnitRow>& rows) {
+  std::vector<RestoredBed> beds;
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    const UnitRow& row = rows[i];
+    if (!row.thickness_after || !units[i].upper) continue;
+    const RestoredBed one{fmt::format("{} - {}", whole_name(section.horizons[*units[i].upper]),
+                                      whole_name(section.horizons[*units[i].lower])),
+                          *units[i].upper, row.area_before, row.thickness_after->mean};
+    const auto same = [&](const RestoredBed& bed) { return bed.name == one.name; };
+    const auto bed = std::find_if(beds.begin(), beds.end(), same);
+    if (bed == beds.end()) {
+      beds.push_back(one);
+      continue;
+    }
+    const double area = bed->area + one.area;
+    if (area > 0.0) bed->thickness = (bed->thickness * bed->area + one.thickness * one.area) / area;
+    bed->area = area;
+  }
+  return beds;
+}
+
+std::optional<std::string> missing_area(const Section& section, const Ledger& ledger) {
+  if (!section.faces || !section.units.empty()) return std::nullopt;
+  constexpr double rounding = 1e-8;
+  double all = 0.0;
+  double in_rows = 0.0;
+  std::vector<std::string> missing;
+  for (const UnitRow& row : ledger.units) in_rows += row.area_before;
+  for (const RockUnit& unit : section.faces->units) {
+    all += unit.area;
+    const bool found = std::any_of(ledger.units.begin(), ledger.units.end(), [&](const UnitRow& row) {
+      return row.name == unit.name && std::abs(row.area_before - unit.area) <= rounding * unit.area;
+    });
+    if (found || unit.contours.empty()) continue;
+    const geom::Point at = unit.contours.front().points.front();
+    missing.push_back(fmt::format("'{}' of {:.6g} m2 at ({:.6g}, {:.6g})", unit.name, unit.area, at.x, at.y));
+  }
+  if (std::abs(all - in_rows) <= rounding * all) return std::nullopt;
+  return fmt::format(
+      "the rows of the units have {:.6g} m2, but the units of the section {:.6g} m2: the verdict on areas leaves out "
+      "{}",
+      in_rows, all, missing.empty() ? "none of them, and has some twice" : fmt::format("{}", fmt::join(missing, ", ")));
 }
 
 }  // namespace recon::core

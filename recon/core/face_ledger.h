@@ -2,18 +2,18 @@
 // Areas of units by their faces: where faults, truncated beds, topography or a border make a unit other than all that
 // lies between two horizons. Page: docs/algorithms/units.md
 
+#include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "recon/core/ledger.h"
 #include "recon/core/section_faces.h"
 
 namespace recon::core {
 
-/// Whether all that lies between two horizons (indices, in any order) is one unit, as ledger_units takes it. True where
-/// the section has no faces.
-bool is_whole_unit(const Section& section, std::size_t one, std::size_t other);
-
-/// The units that are not such; none where the section has polygons or no faces.
+/// The units that are not all that lies between two horizons, which ledger_units has; none where the section has
+/// polygons or no faces.
 std::vector<RockUnit> units_by_faces(const Section& section);
 
 /// Of the unit between two horizons (indices; one may be missing).
@@ -26,8 +26,24 @@ BedRole role_of(const Section& section, const RockUnit& unit);
 std::vector<geom::Polyline> images_of(std::span<const geom::Polyline> contours, const SectionMap& map);
 double area_of(std::span<const geom::Polyline> contours);
 
-/// Adds the units that are not such at the end of the ledger: areas of their faces and of the faces' images; without
+/// Adds units_by_faces at the end of the ledger: areas of their faces and of the faces' images; without
 /// thickness and det F.
 void measure_faces(const Section& section, const SectionMap& map, Ledger& ledger);
+
+/// What lies between two horizons, with all pieces of either.
+struct RestoredBed {
+  std::string name;        ///< "A - B", by whole_name.
+  std::size_t upper = 0;   ///< Index of the horizon, or of a piece of it.
+  double area = 0.0;       ///< Before restoration, m2.
+  double thickness = 0.0;  ///< Mean after it, by area over the pieces, m.
+};
+
+/// Of the units whose thickness is known, in their order. @pre rows begins with those of units.
+std::vector<RestoredBed> restored_beds(const Section& section, const std::vector<LedgerUnit>& units,
+                                       const std::vector<UnitRow>& rows);
+
+/// How much area of the section's units is in no row, and where; nothing if the rows add up to the units, or if the
+/// section has polygons (section_faces.h tells what they leave out) or no faces.
+std::optional<std::string> missing_area(const Section& section, const Ledger& ledger);
 
 }  // namespace recon::core

@@ -9,9 +9,9 @@
 #include <numbers>
 #include <utility>
 
+#include "recon/core/face_ledger.h"
 #include "recon/core/palette.h"
 #include "recon/core/report.h"
-#include "recon/core/section_faces.h"
 #include "shared/base/parallel.h"
 #include "shared/base/text.h"
 #include "shared/scene/color_map.h"
@@ -277,25 +277,25 @@ std::string note_on_ellipses(const std::vector<Strain>& strains) {
                      longest->greatest, longest->at.x, longest->at.y);
 }
 
-/// The units as they lie on each other, each with its mean restored thickness, beside the section to the same scale.
+/// The beds as they lie on each other, each once with its mean restored thickness, to the scale of the section.
 void add_column(scene::Panel& panel, const Section& section, const Palette& palette,
                 const std::vector<LedgerUnit>& units, const std::vector<UnitRow>& rows) {
   const geom::Box box = box_of(section);
   const double width = 0.03 * box.width();
   const double left = box.low.x - 0.03 * box.width() - width;
   scene::Labels names;
-  const bool few = units.size() <= most_names_of_column;
+  const std::vector<RestoredBed> beds = restored_beds(section, units, rows);
+  const bool few = beds.size() <= most_names_of_column;
   double top = box.high.y;
-  for (std::size_t i = 0; i < units.size(); ++i) {
-    if (!rows[i].thickness_after || !units[i].upper) continue;
-    const double bottom = top - rows[i].thickness_after->mean;
-    const scene::UnitStyle style = palette.of(whole_name(section.horizons[*units[i].upper]));
-    scene::Layer bed = region_layer("column_" + std::to_string(i), units[i].name, style,
+  for (std::size_t i = 0; i < beds.size(); ++i) {
+    const double bottom = top - beds[i].thickness;
+    const std::string& upper = whole_name(section.horizons[beds[i].upper]);
+    scene::Layer bed = region_layer("column_" + std::to_string(i), beds[i].name, palette.of(upper),
                                     {{{left, bottom}, {left + width, bottom}, {left + width, top}, {left, top}}, true});
     bed.style.line = pin_color;
     bed.style.line_width = few ? 0.5 : 0.0;
     bed.in_legend = scene::InLegend::No;
-    if (few) names.labels.push_back({{left, 0.5 * (top + bottom)}, units[i].name, scene::Anchor::Left});
+    if (few) names.labels.push_back({{left, 0.5 * (top + bottom)}, beds[i].name, scene::Anchor::Left});
     panel.layers.push_back(std::move(bed));
     top = bottom;
   }

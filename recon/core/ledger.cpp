@@ -211,7 +211,13 @@ void join(Part part, Ledger& ledger) {
 std::vector<LedgerUnit> ledger_units(const Section& section, std::vector<HorizonId> order, LayerSide side) {
   std::vector<LedgerUnit> units;
   for (const Unit& unit : section.units) units.push_back({unit.name, unit.id, {}, {}});
-  if (!units.empty()) return units;
+  if (!units.empty() || order.empty()) return units;
+  if (section.faces) {  // neighbours in depth may be two pieces of one horizon: the faces know what lies on what
+    for (const RockUnit& unit : section.faces->units) {
+      if (unit.whole) units.push_back({unit.name, {}, unit.top, unit.base});
+    }
+    return units;
+  }
   if (side == LayerSide::Above) std::reverse(order.begin(), order.end());
   const auto index_of = [&](HorizonId id) {
     const auto is = [&](const Horizon& horizon) { return horizon.id == id; };
@@ -221,7 +227,6 @@ std::vector<LedgerUnit> ledger_units(const Section& section, std::vector<Horizon
   for (std::size_t i = 0; i + 1 < order.size(); ++i) {
     const std::size_t upper = index_of(order[i]);
     const std::size_t lower = index_of(order[i + 1]);
-    if (!is_whole_unit(section, upper, lower)) continue;  // measured by its faces
     units.push_back(
         {fmt::format("{} - {}", section.horizons[upper].name, section.horizons[lower].name), {}, upper, lower});
   }

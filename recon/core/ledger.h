@@ -32,8 +32,9 @@ struct LedgerUnit {
   std::optional<std::size_t> lower;
 };
 
-/// The polygons of the section, or, if it has none, one unit between each two neighbours, from the top down.
-/// @param order  of the horizons, from the base of the grid to the side on which the layers lie.
+/// The polygons of the section, or, if it has none, one unit between each two neighbours, from the top down: where the
+/// section has faces, every unit that is all that lies between two horizons; the others are units_by_faces.
+/// @param order  of the horizons, from the base of the grid to the side on which the layers lie; none: polygons alone.
 std::vector<LedgerUnit> ledger_units(const Section& section, std::vector<HorizonId> order, LayerSide side);
 
 /// One unit. Areas in m2, thicknesses in metres, across the beds: from points of the upper horizon to the nearest point

@@ -62,8 +62,8 @@ class Draws {
 
   [[nodiscard]] const std::vector<Name>& names() const { return names_; }
 
-  /// The numbers of draw `number` (not a number where there is nothing to measure), and last whether it balances; empty
-  /// if it cannot be restored.
+  /// The numbers of draw `number` (not a number where there is nothing to measure), and last whether it balances (not a
+  /// number where that is not judged); empty if it cannot be restored.
   [[nodiscard]] std::vector<double> draw(std::uint32_t number) const {
     Section section;
     section.convention = section_.convention;
@@ -151,8 +151,13 @@ class Draws {
       const std::span of_unit = std::span(contours).subspan(unit.first, unit.count);
       add({area_of(of_unit), area_of(images_of(of_unit, method.map))}, unit.role);
     }
-    numbers[3] = consistency_of(section.horizons).worst.percent;
-    numbers.push_back(is_balanced(restore_, numbers[1], numbers[2], numbers[3]) ? 1.0 : 0.0);
+    const Consistency consistency = consistency_of(section.horizons);
+    numbers[3] = consistency.worst.percent;
+    const BalanceVerdict verdict =
+        verdict_of(consistency, std::max({numbers[1], numbers[2], numbers[3]}), restore_.tolerance);
+    numbers.push_back(verdict == BalanceVerdict::NotJudged  ? std::numeric_limits<double>::quiet_NaN()
+                      : verdict == BalanceVerdict::Balanced ? 1.0
+                                                            : 0.0);
     return numbers;
   }
 
@@ -187,6 +192,18 @@ Spread spread_of(const Name& name, std::vector<double> values) {
   spread.median = quantile(values, 0.5);
   spread.high = quantile(values, 0.975);
   return spread;
+}
+
+/// @param balanced  1 or 0 of each draw that is judged.
+/// @param restored  draws that could be restored.
+void tell_share(const std::vector<double>& balanced, std::size_t restored, MonteCarlo& result) {
+  if (balanced.size() < restored)
+    result.remarks.push_back(fmt::format("{} of {} draws have nothing to judge: no two beds lie beside each other",
+                                         restored - balanced.size(), restored));
+  if (balanced.empty()) return;
+  result.balanced_share = std::accumulate(balanced.begin(), balanced.end(), 0.0) / static_cast<double>(balanced.size());
+  result.remarks.push_back(
+      fmt::format("{:.4g} % of {} draws balance", 100.0 * *result.balanced_share, balanced.size()));
 }
 
 }  // namespace
@@ -227,13 +244,10 @@ base::Result<MonteCarlo> monte_carlo(const Section& section, const SourceGrid& s
     if (columns[k].empty()) continue;
     result.spreads.push_back(spread_of(draws.names()[k], std::move(columns[k])));
   }
-  const std::vector<double>& balanced = columns.back();
-  result.balanced_share = std::accumulate(balanced.begin(), balanced.end(), 0.0) / static_cast<double>(balanced.size());
   if (result.failed > 0)
     result.remarks.push_back(
         fmt::format("{} of {} draws could not be restored and are not counted", result.failed, count));
-  result.remarks.push_back(
-      fmt::format("{:.4g} % of {} draws balance", 100.0 * result.balanced_share, count - result.failed));
+  tell_share(columns.back(), count - result.failed, result);
   progress.report(1.0, "draws");
   return result;
 }

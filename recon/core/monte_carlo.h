@@ -53,8 +53,8 @@ struct Spread {
 struct MonteCarlo {
   MonteCarloParams params;
   std::vector<Spread> spreads;
-  double balanced_share = 0.0;  ///< Part of the draws that balance, 0 .. 1.
-  std::size_t failed = 0;       ///< Draws that could not be restored; they are not counted.
+  std::optional<double> balanced_share;  ///< Part of the judged draws that balance, 0 .. 1; nothing if none is judged.
+  std::size_t failed = 0;                ///< Draws that could not be restored; they are not counted.
   std::vector<std::string> remarks;
 };
 

@@ -20,7 +20,8 @@ void add_error_quantities(const Model& model, std::vector<scenario::Quantity>& q
     quantities.push_back({prefix + "high", spread.high, spread.unit});
   }
   quantities.push_back({"error.failed", count_of(model.monte_carlo->failed), ""});
-  quantities.push_back({"error.balanced_share", model.monte_carlo->balanced_share, ""});
+  if (model.monte_carlo->balanced_share)
+    quantities.push_back({"error.balanced_share", *model.monte_carlo->balanced_share, ""});
 }
 
 void add_error_tables(const Model& model, std::vector<scenario::DataTable>& tables) {

@@ -120,14 +120,17 @@ Balance judge(const Section& section, const Restoration& restoration) {
     balance.worst_unit = row.name;
   }
   balance.consistency = consistency_of(section.horizons);
-  balance.balanced = is_balanced(restoration.params, balance.greatest_change_percent,
-                                 balance.greatest_area_change_percent, balance.consistency.worst.percent);
+  // Methods that keep the length of every bed cannot fail by that; beds that do not agree balance by none.
+  balance.verdict = verdict_of(balance.consistency,
+                               std::max({balance.greatest_change_percent, balance.greatest_area_change_percent,
+                                         balance.consistency.worst.percent}),
+                               restoration.params.tolerance);
   return balance;
 }
 
 std::string verdict_text(const Restoration& restoration) {
   const Balance& balance = restoration.balance;
-  std::string text = balance.balanced ? "balanced" : "not balanced";
+  std::string text = verdict_words(balance.verdict);
   if (!balance.worst.empty()) {
     text += fmt::format(": the greatest change of a bed's length is {} % (horizon '{}')",
                         percent_text(balance.greatest_change_percent), balance.worst);
@@ -176,12 +179,6 @@ void measure_lean(const Section& section, Restoration& restoration) {
 
 }  // namespace
 
-bool is_balanced(const RestoreParams& params, double length_change_percent, double area_change_percent,
-                 double inconsistency_percent) {
-  return length_change_percent <= params.tolerance && area_change_percent <= params.tolerance &&
-         inconsistency_percent <= params.tolerance;
-}
-
 MethodParams method_params(const RestoreParams& params) {
   return {params.method, params.angle, params.base, params.thickness, params.percent, params.outside, params.beds};
 }
@@ -217,6 +214,7 @@ base::Result<Restoration> restore(const Section& section, const SourceGrid& sour
       restoration.remarks.push_back(fmt::format("unit '{}' {}", row.name, tears_text(row.tears, words)));
   }
   measure_faces(section, map, restoration.ledger);
+  if (auto missing = missing_area(section, restoration.ledger)) restoration.remarks.push_back(std::move(*missing));
   DOBRA_TRY_VOID(refuse_not_finite(section, restoration));
   if (params.outside == Doubt::Limited) DOBRA_TRY_VOID(refuse_beyond_limits(section, source, target, restoration));
   for (std::size_t i = 0; i < section.units.size(); ++i)

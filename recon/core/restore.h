@@ -75,11 +75,6 @@ constexpr double greatest_factor = 2.0;
 /// What make_method_map takes of them.
 MethodParams method_params(const RestoreParams& params);
 
-/// All within the tolerance. Methods that keep the length of every bed cannot fail by that; beds that do not agree with
-/// each other do not balance by any method.
-bool is_balanced(const RestoreParams& params, double length_change_percent, double area_change_percent,
-                 double inconsistency_percent);
-
 struct Restoration {
   RestoreParams params;  ///< It was made with these.
   SectionMap map;

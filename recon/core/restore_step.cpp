@@ -55,7 +55,8 @@ void add_restored_quantities(const Model& model, std::vector<scenario::Quantity>
   quantities.push_back({"greatest_change_percent", balance.greatest_change_percent, "%"});
   quantities.push_back({"greatest_area_change_percent", balance.greatest_area_change_percent, "%"});
   quantities.push_back({"inconsistency_percent", balance.consistency.worst.percent, "%"});
-  quantities.push_back({"balanced", balance.balanced ? 1.0 : 0.0, ""});
+  if (balance.verdict != BalanceVerdict::NotJudged)
+    quantities.push_back({"balanced", balance.verdict == BalanceVerdict::Balanced ? 1.0 : 0.0, ""});
 }
 
 scenario::DataTable strain_table(const std::vector<Strain>& strains) {

@@ -168,6 +168,20 @@ Consistency consistency_of(const std::vector<Horizon>& horizons) {
   return result;
 }
 
+BalanceVerdict verdict_of(const Consistency& consistency, double greatest, double tolerance) {
+  if (!(greatest <= tolerance)) return BalanceVerdict::NotBalanced;
+  return consistency.compared > 0 ? BalanceVerdict::Balanced : BalanceVerdict::NotJudged;
+}
+
+const char* verdict_name(BalanceVerdict verdict) {
+  constexpr std::array names{"balanced", "not balanced", "not judged"};
+  return names[static_cast<std::size_t>(verdict)];
+}
+
+const char* verdict_words(BalanceVerdict verdict) {
+  return verdict == BalanceVerdict::NotJudged ? "nothing to judge" : verdict_name(verdict);
+}
+
 std::string consistency_text(const Consistency& consistency) {
   const ShorteningPair& worst = consistency.worst;
   std::string text =

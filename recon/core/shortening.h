@@ -41,6 +41,22 @@ struct Consistency {
   std::vector<std::string> not_judged;  ///< Beds marked as growth.
 };
 
+/// On the balance of a section.
+enum class BalanceVerdict {
+  Balanced,
+  NotBalanced,
+  NotJudged,  ///< Nothing is beyond the tolerance, but no two beds share a part, so that nothing was compared.
+};
+
+/// @param greatest  the greatest of all changes and differences, %.
+BalanceVerdict verdict_of(const Consistency& consistency, double greatest, double tolerance);
+
+/// "balanced", "not balanced", "not judged": in results.
+const char* verdict_name(BalanceVerdict verdict);
+
+/// The same at the head of a sentence: "nothing to judge".
+const char* verdict_words(BalanceVerdict verdict);
+
 /// Horizons in pieces count as one bed, those marked as growth do not count.
 /// @cost  O(n log n) for n points, and O(log n) a pair of horizons.
 Consistency consistency_of(const std::vector<Horizon>& horizons);

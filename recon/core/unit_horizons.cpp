@@ -9,6 +9,7 @@
 #include <set>
 
 #include "recon/core/section_faces.h"
+#include "recon/core/unit_gaps.h"
 #include "recon/core/unit_owners.h"
 #include "shared/geom/simplify.h"
 
@@ -430,6 +431,7 @@ base::Result<void> add_horizons_of_units(double tolerance, ReadSection& read) {
   };
   add(owners.remarks());
   add(maker.remarks());
+  add(wide_gaps(section, bridged));
   read.remarks.push_back(fmt::format("{} horizons made of the edges of units: {}", told.size(), fmt::join(told, ", ")));
   return {};
 }

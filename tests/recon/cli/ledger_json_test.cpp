@@ -110,7 +110,7 @@ TEST_F(LedgerJson, APolygonIsAnEntryOfItsOwn) {
 
 TEST_F(LedgerJson, BalanceHasTheKeysOfTheManual) {
   const std::string lower = "0,-50,third,horizon\n50,-45,third,horizon\n100,-50,third,horizon\n";
-  const Json made = json({"balance", section(lower), "--json"});
+  const Json made = json({"balance", section(lower), "--confidence", "50", "--json"});
   EXPECT_EQ(keys_of(made), (std::vector<std::string>{"ledger", "fit", "layers", "inconsistency_percent",
                                                      "tolerance_percent", "verdict"}));
   EXPECT_EQ(keys_of(made["ledger"][0]), (std::vector<std::string>{"name", "length", "width", "shortening", "level",
@@ -128,6 +128,10 @@ TEST_F(LedgerJson, WhatCannotBeToldOfABalanceHasNoKey) {
       {"balance", put("two.csv", "x,z,name\n0,0,top\n50,10,top\n100,0,top\n0,-20,base\n50,-14,base\n100,-20,base\n"),
        "--json"});
   EXPECT_EQ(keys_of(two["fit"]), (std::vector<std::string>{"displacement", "detachment"}));
+  // One bed: nothing to compare, and that is no error.
+  const std::string one = put("one.csv", "x,z,name\n0,0,top\n50,10,top\n100,0,top\n");
+  EXPECT_EQ(json({"balance", one, "--json"})["verdict"], "not judged");
+  EXPECT_EQ(json({"restore", one, "--json"})["verdict"], "not judged");
 }
 
 TEST_F(LedgerJson, OneHorizonOrAPolygonBelowItIsEnough) {

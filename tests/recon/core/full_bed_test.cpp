@@ -78,7 +78,7 @@ TEST(FullBed, AHalfBedStaysUnderItsHalfOfTheTop) {
       // What lies between the two is not sheared.
       EXPECT_LT(geom::distance(flat->map.forward(geom::Point{1500, -100}).at, {1500, -100}), 1e-9);
       EXPECT_LT(geom::distance(flat->map.forward(geom::Point{900, -150}).at, {900, -150}), 1e-9);
-      EXPECT_TRUE(flat->balance.balanced);
+      EXPECT_EQ(flat->balance.verdict, BalanceVerdict::Balanced);
     }
   }
 }

@@ -36,7 +36,7 @@ TEST(Restore, REC_a_TheTopAsTargetLeavesTheSectionAsItIs) {
   for (const MappedLine& line : model->restoration->lines) {
     EXPECT_LT(test::greatest_distance(line.before.points, line.after.points), 1e-9);
   }
-  EXPECT_TRUE(model->restoration->balance.balanced);
+  EXPECT_EQ(model->restoration->balance.verdict, BalanceVerdict::Balanced);
 }
 
 TEST(Restore, REC_b_AMovedTopAsTargetMovesTheSection) {
@@ -91,11 +91,11 @@ TEST(Restore, REC_h_TheConcentricFoldIsNotBalancedAndAFlatSectionIs) {
   const geom::Polyline top = test::arc();
   const auto fold = restored(test::section_of({top, test::parallel(top, 1.0)}));
   ASSERT_TRUE(fold);
-  EXPECT_FALSE(fold->restoration->balance.balanced);
+  EXPECT_NE(fold->restoration->balance.verdict, BalanceVerdict::Balanced);
   EXPECT_EQ(fold->restoration->balance.worst, "bed1");
   const auto flat = restored(test::section_of({{{{0, 0}, {10, 0}}, false}, {{{0, -1}, {10, -1}}, false}}));
   ASSERT_TRUE(flat);
-  EXPECT_TRUE(flat->restoration->balance.balanced);
+  EXPECT_EQ(flat->restoration->balance.verdict, BalanceVerdict::Balanced);
 }
 
 TEST(Restore, LayersAboveTheTopAreRestoredAlike) {

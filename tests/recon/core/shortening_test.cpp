@@ -37,13 +37,13 @@ double agreed_percent(const Section& section) {
   const auto balance = area_depth(section, {});
   EXPECT_TRUE(balance);
   const double percent = balance->consistency.worst.percent;
-  EXPECT_EQ(balance->balanced, percent <= 2.0);
+  EXPECT_EQ(balance->verdict, percent <= 2.0 ? BalanceVerdict::Balanced : BalanceVerdict::NotBalanced);
   for (const RestoreMethod method : {RestoreMethod::Flexural, RestoreMethod::LineLength, RestoreMethod::Constant}) {
     const Restoration made = restored(section, method);
     EXPECT_DOUBLE_EQ(made.balance.consistency.worst.percent, percent);
     for (std::size_t i = 0; i < made.lengths.size(); ++i)
       EXPECT_DOUBLE_EQ(made.lengths[i].shortening, balance->beds[i].shortening);
-    EXPECT_TRUE(balance->balanced || !made.balance.balanced);
+    EXPECT_TRUE(balance->verdict == BalanceVerdict::Balanced || made.balance.verdict == BalanceVerdict::NotBalanced);
   }
   return percent;
 }
@@ -101,7 +101,7 @@ TEST(Shortening, ASoundFoldWithBedsOfUnequalExtentIsBalanced) {
                  geom::midpoint(limb.points[1], limb.points[2])};
   const Section section = test::section_of({top, left, right, limb});
   EXPECT_LT(agreed_percent(section), 1.0);
-  EXPECT_TRUE(restored(section, RestoreMethod::Flexural).balance.balanced);
+  EXPECT_EQ(restored(section, RestoreMethod::Flexural).balance.verdict, BalanceVerdict::Balanced);
 }
 
 TEST(Shortening, FlatBedsOfAnyExtentAgreeExactly) {
@@ -110,7 +110,7 @@ TEST(Shortening, FlatBedsOfAnyExtentAgreeExactly) {
                                             {{{0, -300}, {1000, -300}}, false},
                                             {{{1200, -400}, {1300, -400}}, false}});
   EXPECT_NEAR(agreed_percent(section), 0.0, 1e-12);
-  EXPECT_TRUE(restored(section, RestoreMethod::Flexural).balance.balanced);
+  EXPECT_EQ(restored(section, RestoreMethod::Flexural).balance.verdict, BalanceVerdict::Balanced);
 }
 
 TEST(Shortening, APieceCutOutOfABedChangesNoVerdict) {
@@ -124,6 +124,28 @@ TEST(Shortening, APieceCutOutOfABedChangesNoVerdict) {
   section.horizons[1].piece_of = section.horizons[2].piece_of = "bed";
   EXPECT_LT(agreed_percent(section), 1.0);
   EXPECT_EQ(consistency_of(section.horizons).compared, 1u);
+}
+
+TEST(Shortening, NothingIsJudgedWhereNoTwoBedsShareAPart) {
+  const geom::Polyline one = fold();
+  geom::Polyline aside = one;  // a bed after the other, no part beside it
+  for (geom::Point& p : aside.points) p = p + geom::Vector{1e5, -2e3};
+  Section grown = test::section_of({one, test::parallel(one, 150.0)});
+  grown.horizons[1].role = BedRole::Growth;
+  for (const Section& section : {test::section_of({one}), test::section_of({one, aside}), grown}) {
+    const AreaDepth balance = area_depth(section, {}).value();
+    EXPECT_EQ(balance.consistency.compared, 0u);
+    EXPECT_EQ(balance.verdict, BalanceVerdict::NotJudged);
+    EXPECT_EQ(balance.remarks.front().rfind("nothing to judge: no two beds", 0), 0u) << balance.remarks.front();
+  }
+  for (const Section& section : {test::section_of({one}), grown}) {
+    const Restoration made = restored(section, RestoreMethod::Flexural);
+    EXPECT_EQ(made.balance.verdict, BalanceVerdict::NotJudged);
+    EXPECT_EQ(made.remarks.back().rfind("nothing to judge: ", 0), 0u) << made.remarks.back();
+  }
+  // Shear takes the one bed from 1200 m to 1000 m: what is beyond the tolerance stays a no.
+  const Restoration sheared = restored(test::section_of({tent(1000, 1200, 0)}), RestoreMethod::Shear);
+  EXPECT_EQ(sheared.balance.verdict, BalanceVerdict::NotBalanced);
 }
 
 TEST(Shortening, WhatOnlyALineBetweenEndsOfBedsClosesIsNotJudged) {
@@ -142,7 +164,8 @@ TEST(Shortening, WhatOnlyALineBetweenEndsOfBedsClosesIsNotJudged) {
   const Restoration open = restored(section, RestoreMethod::Flexural);
   EXPECT_EQ(above_top(open).role, BedRole::Outside);
   EXPECT_GT(std::abs(above_top(open).change_percent), 2.0);
-  EXPECT_TRUE(open.balance.balanced) << open.balance.worst_unit << " " << open.balance.greatest_area_change_percent;
+  EXPECT_EQ(open.balance.verdict, BalanceVerdict::Balanced)
+      << open.balance.worst_unit << " " << open.balance.greatest_area_change_percent;
   // Within a border that somebody drew it is rock.
   section.border = geom::Polyline{{{0, 0}, {0, -700}, {3800, -700}, {3800, 350}, {3800, 700}, {0, 700}}, true};
   section.faces = std::make_shared<const SectionFaces>(faces_of(section).value());
