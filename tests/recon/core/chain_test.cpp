@@ -295,7 +295,7 @@ TEST(Chain, TheVerdictSinceTheInputIsNoWhereTheStagesAddUp) {
   part.percent = 100.0;
   const auto whole = turn(*half, {}, part);
   ASSERT_TRUE(whole) << to_string(whole.error());
-  EXPECT_TRUE(half->restoration->balance.balanced);
+  EXPECT_EQ(half->restoration->balance.verdict, BalanceVerdict::Balanced);
   const auto chain = restored_stages(*whole);
   const Comparison all = compare(chain, 0, 2);
   const ChainVerdict verdict = judge(all, 0.3);
