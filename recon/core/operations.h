@@ -42,7 +42,7 @@ base::Result<Model> run_monte_carlo(const Model& model, const MonteCarloParams& 
 ///   target.curves, .extended; columns                               after target
 ///   horizon.NAME.* and top.* (the columns of the table line_length), shortening, shortening_percent, points,
 ///   points_outside, points_beyond_ends, points_not_reversible, tears, torn, greatest_change_percent,
-///   greatest_area_change_percent, inconsistency_percent, lean_left, lean_right, balanced (0 or 1),
+///   greatest_area_change_percent, inconsistency_percent, lean_left, lean_right, balanced (0 or 1; not judged: none),
 ///   unit.NAME.* (the columns of the table units), of pieces too     after restore
 ///   error.QUANTITY.mean, .deviation, .low, .median, .high; error.failed, error.balanced_share   after monte_carlo
 ///   bed.NAME.* (the columns of the table area_depth), displacement, detachment; of three levels or more
