@@ -434,13 +434,13 @@ TEST(Adaptivity, WhatIsReachedIsReachedInTruth) {
 /// A beam held at one end and a strip held between two platens, on first meshes so coarse that the estimate sees half
 /// of the error at the clamped corners. Energies of meshes of size 0.05; CalculiX has them from the same decks.
 TEST(Adaptivity, WhatIsReachedAtClampedCornersIsReachedInTruth) {
-  const auto plate = [](double height, const std::string& problem) {
+  const auto plate = [](double height, const std::string& held) {
     return fmt::format(
                "[[input.curve]]\nname = \"plate\"\nkind = \"polygon\"\npoints = [[0, 0], [10, 0], [10, {0}], [0, "
                "{0}]]\n"
                "[[step]]\noperation = \"problem\"\n",
                height) +
-           problem;
+           held;
   };
   const std::string material = "[[step.material]]\nyoung = 1000.0\n";
   const Known beam{"beam",
