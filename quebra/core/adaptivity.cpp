@@ -29,8 +29,6 @@ constexpr double least_gain = 0.02;
 double least_effectivity(double percent) { return percent > 2.0 ? 0.8 : 0.85; }
 /// At clamped corners the estimate of a first mesh was seen down to 0.44 of the true error; further meshes tell.
 constexpr double least_unconfirmed = 0.4;
-/// The same of the meshes that follow.
-constexpr double least_at_clamps = 0.55;
 /// Where such an estimate would do, the next mesh is this much finer, so that its energy tells.
 constexpr double finer_to_confirm = 0.6;
 /// A mesh with so many times the unknowns says something of the one before.
@@ -161,7 +159,7 @@ std::optional<double> error_told_by(const Analysis& coarse, const Analysis& fine
   double greatest = 0.0;
   for (std::size_t c = 0; c < fine.solution.cases.size(); ++c) {
     const double norm = 2.0 * fine.solution.cases[c].energy;
-    const double eta = std::min(fine.fields[c].estimate.eta / least_at_clamps, 0.99);  // as high as it may be
+    const double eta = fine.fields[c].estimate.eta;
     const double rest = norm * eta * eta / std::max(1e-300, 1.0 - eta * eta);
     const double gained = 2.0 * std::abs(fine.solution.cases[c].energy - coarse.solution.cases[c].energy);
     if (norm > 0.0) greatest = std::max(greatest, std::sqrt((gained + rest) / (norm + rest)));
@@ -171,21 +169,21 @@ std::optional<double> error_told_by(const Analysis& coarse, const Analysis& fine
 
 /// How far a cycle got.
 struct Reached {
-  double whole = 0.0;               ///< Fractions.
-  std::optional<PeakSeen> peak;     ///< That of the greatest error.
-  double left_out = 0.0;            ///< Of the energy, at loaded points.
-  bool tried_enough = false;        ///< Lower aims did not help the peak.
-  double effectivity = 1.0;         ///< The least that the estimate is to be trusted with, of the true error.
-  std::optional<double> told = {};  ///< The error of the mesh before, by the energies of both.
+  double whole = 0.0;            ///< Fractions.
+  std::optional<PeakSeen> peak;  ///< That of the greatest error.
+  double left_out = 0.0;         ///< Of the energy, at loaded points.
+  bool tried_enough = false;     ///< Lower aims did not help the peak.
+  double effectivity = 1.0;      ///< The least that the estimate is to be trusted with, of the true error.
+  bool told = false;             ///< By the energies of this mesh and the one before.
   /// Even if the estimate is as low as it may be.
-  [[nodiscard]] bool met(double percent) const { return 100.0 * std::max(most(), peak ? peak->eta : 0.0) <= percent; }
-  /// The error is at most this: what the estimate allows, or what the mesh before had.
-  [[nodiscard]] double most() const { return std::min(whole / effectivity, told.value_or(1.0)); }
+  [[nodiscard]] bool met(double percent) const {
+    return 100.0 * std::max(whole / effectivity, peak ? peak->eta : 0.0) <= percent;
+  }
   /// It would be met if the estimate were as good as it is away from clamped corners.
   [[nodiscard]] bool to_confirm(double percent) const {
     Reached trusted = *this;
     trusted.effectivity = least_effectivity(percent);
-    return effectivity < trusted.effectivity && !met(percent) && trusted.met(percent);
+    return !met(percent) && trusted.met(percent);
   }
   /// Of what is not met nothing got better, nothing came up, and both are judged over the same domain.
   [[nodiscard]] bool stalls(const Reached& before, double percent) const {
@@ -201,7 +199,7 @@ struct Reached {
   }
   [[nodiscard]] std::string text() const {
     const std::string error = fmt::format("the error is {:.3g} % (up to {:.3g} %, for the estimate may be low)",
-                                          100.0 * whole, 100.0 * most());
+                                          100.0 * whole, 100.0 * whole / effectivity);
     return peak ? error + fmt::format(", {:.3g} % round the peak of stress at ({:.6g}, {:.6g})", 100.0 * peak->eta,
                                       peak->at.x, peak->at.y)
                 : error;
@@ -392,11 +390,11 @@ class Loop {
     if (!has_clamped_corner(last)) return now;
     const std::size_t count = result_.analyses.size();
     const Analysis* before = count > 1 ? result_.analyses[count - 2].get() : nullptr;
-    if (before != nullptr && before->cycle > 0 && before->cycle == last.cycle - 1)
-      now.told = error_told_by(*before, last);
-    now.effectivity = now.told && *now.told > 0.0
-                          ? std::clamp(before->eta / *now.told, least_unconfirmed, least_at_clamps)
-                          : least_unconfirmed;
+    std::optional<double> told;
+    if (before != nullptr && before->cycle > 0 && before->cycle == last.cycle - 1) told = error_told_by(*before, last);
+    now.told = told.has_value();
+    now.effectivity =
+        told && *told > 0.0 ? std::clamp(before->eta / *told, least_unconfirmed, usual) : least_unconfirmed;
     return now;
   }
 
