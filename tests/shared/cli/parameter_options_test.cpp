@@ -101,7 +101,7 @@ TEST(ParameterOptions, WhatIsNotTypedIsNotInTheTable) {
 }
 
 TEST(ParameterOptions, BadValuesNameTheOptionAndTheRange) {
-  EXPECT_THAT(typed({"--draws", "0"}).error, testing::AllOf(HasSubstr("--draws"), HasSubstr(">= 1")));
+  EXPECT_THAT(typed({"--draws", "0"}).error, testing::AllOf(HasSubstr("--draws"), HasSubstr("at least 1")));
   EXPECT_THAT(typed({"--draws", "1.5"}).error, HasSubstr("--draws"));
   EXPECT_THAT(typed({"--pick-error", "-1"}).error, testing::AllOf(HasSubstr("--pick-error"), HasSubstr("m")));
   EXPECT_THAT(typed({"--pick-error", "nan"}).error, HasSubstr("--pick-error"));
