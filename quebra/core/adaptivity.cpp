@@ -29,6 +29,8 @@ constexpr double least_gain = 0.02;
 double least_effectivity(double percent) { return percent > 2.0 ? 0.8 : 0.85; }
 /// At clamped corners the estimate of a first mesh was seen down to 0.44 of the true error; further meshes tell.
 constexpr double least_unconfirmed = 0.4;
+/// On further meshes it was seen down to this.
+constexpr double least_at_clamps = 0.58;
 /// Where such an estimate would do, the next mesh is this much finer, so that its energy tells.
 constexpr double finer_to_confirm = 0.6;
 /// A mesh with so many times the unknowns says something of the one before.
@@ -443,6 +445,13 @@ class Loop {
     result_.short_of_target = short_before_ || !why.empty();
     result_.why_short = why;
     if (!why.empty()) result_.remarks.push_back(why);
+    const Analysis& last = *result_.analyses.back();
+    if (why.empty() && has_clamped_corner(last) && 100.0 * last.eta / least_at_clamps > params_.target)
+      result_.remarks.push_back(
+          fmt::format("the sides that are held end in corners of infinite stress, where the estimate was seen down to "
+                      "{} of the true error: that may be up to {:.3g} %, above the {:.3g} % asked for; ask for less to "
+                      "be sure",
+                      least_at_clamps, 100.0 * last.eta / least_at_clamps, params_.target));
     return std::move(result_);
   }
 
