@@ -5,8 +5,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
+#include "shared/base/text.h"
 #include "shared/scenario/toml_text.h"
 
 namespace dobra::cli {
@@ -57,6 +59,13 @@ std::string text_of(const Field& field, const std::vector<std::string>& words) {
   return fmt::format("{}", fmt::join(quoted, ","));
 }
 
+/// Whether the text is a number of the field's kind, so that only its range can be wrong.
+bool is_number(const Field& field, const std::string& text) {
+  if (field.kind != Kind::Integer && field.kind != Kind::Number && field.kind != Kind::Degrees) return false;
+  const std::optional<double> value = base::parse_number(text);
+  return value && (field.kind != Kind::Integer || *value == std::trunc(*value));
+}
+
 const Field* find(const std::vector<Field>& fields, const std::string& key) {
   const auto found = std::find_if(fields.begin(), fields.end(), [&](const Field& field) { return field.key == key; });
   return found == fields.end() ? nullptr : &*found;
@@ -92,9 +101,10 @@ base::Result<void> ParameterOptions::set(const std::vector<Field>& fields, scena
     if (given->flag) params.set(given->key, true);
     if (given->words.empty()) continue;
     const Field& field = *find(fields, given->key);
-    auto value = scenario::parse_value(field, text_of(field, given->words));
+    const std::string text = text_of(field, given->words);
+    auto value = scenario::parse_value(field, text);
     if (!value) {
-      return base::Error{base::ErrorCode::BadUsage,
+      return base::Error{is_number(field, text) ? base::ErrorCode::BadValue : base::ErrorCode::BadUsage,
                          fmt::format("{}: {}", option_of(given->key), value.error().message)};
     }
     params.set(given->key, std::move(*value));

@@ -22,7 +22,7 @@ class ParameterOptions {
   void add(CLI::App& app, const std::vector<scenario::Field>& fields, const std::vector<std::string>& keys = {});
 
   /// What the user gave, read into a table by the fields (in the units of the scenario). Files are named from where the
-  /// user stands. @error BadUsage naming the option.
+  /// user stands. @error BadValue for a number out of range, else BadUsage; both name the option.
   [[nodiscard]] base::Result<void> set(const std::vector<scenario::Field>& fields, scenario::Table& params) const;
   [[nodiscard]] bool any() const;
 

@@ -388,7 +388,7 @@ TEST_F(Programs, MeshWritesFilesAndEndsWithTheCodesOfItsErrors) {
   EXPECT_EQ(mesh(geo.string() + " --out " + path("m.xyz").string()).code, 2);
   EXPECT_EQ(mesh(geo.string() + " --bands curve_1:2").code, 2);
   EXPECT_EQ(mesh(geo.string() + " --order 3").code, 2);
-  EXPECT_EQ(mesh(geo.string() + " --size -1").code, 2);
+  EXPECT_EQ(mesh(geo.string() + " --size -1").code, 3);
   EXPECT_EQ(mesh(path("none.geo").string()).code, 3);
   EXPECT_EQ(mesh(geo.string() + " --size 0.001 --max-elements 100").code, 4);
   const Outcome bad = mesh(write("bad.geo", "Point(1) = {0, 0, 0};\nLine(1) = {1, 2};\n").string());

@@ -44,6 +44,7 @@ struct Params {
 struct Typed {
   scenario::Table table;
   std::string error;
+  base::ErrorCode code = base::ErrorCode::Cancelled;
   std::string help;
   bool any = false;
 };
@@ -62,7 +63,7 @@ Typed typed(std::vector<std::string> words, const std::vector<std::string>& keys
   }
   const auto set = options.set(scenario::fields_of<Params>(), result.table);
   if (!set) {
-    EXPECT_EQ(set.error().code, base::ErrorCode::BadUsage);
+    result.code = set.error().code;
     result.error = set.error().message;
   }
   result.help = app.help();
@@ -108,6 +109,14 @@ TEST(ParameterOptions, BadValuesNameTheOptionAndTheRange) {
   EXPECT_THAT(typed({"--way", "bak"}).error, testing::AllOf(HasSubstr("--way"), HasSubstr("back")));
   EXPECT_THAT(typed({"--target-pin", "1"}).error, HasSubstr("--target-pin"));
   EXPECT_THAT(typed({"--thickness", "1,x"}).error, HasSubstr("--thickness"));
+}
+
+TEST(ParameterOptions, WhatIsNoValueIsWrongUsageAndANumberOutOfRangeABadOne) {
+  for (const char* const bad : {"x", "1.5", ""})
+    EXPECT_EQ(typed({"--draws", bad}).code, base::ErrorCode::BadUsage) << bad;
+  EXPECT_EQ(typed({"--way", "bak"}).code, base::ErrorCode::BadUsage);
+  EXPECT_EQ(typed({"--draws", "0"}).code, base::ErrorCode::BadValue);
+  EXPECT_EQ(typed({"--pick-error", "-1"}).code, base::ErrorCode::BadValue);
 }
 
 TEST(ParameterOptions, HelpTellsWhatTheDescriptionTellsOfTheChosenFieldsOnly) {
