@@ -46,25 +46,15 @@ constexpr int interrupted = 130;  // exit code
 
 struct Options {
   dobra::cli::ScenarioOptions scenario;
-  RuleOptions rules;
-  std::string target;
-  dobra::cli::ParameterOptions step, view;
+  dobra::cli::ParameterOptions step, rules, view, samples;
   std::string line;
   std::vector<std::string> probes;
-  std::optional<std::int64_t> samples;
   std::optional<std::filesystem::path> out, picture, curve;
 };
 
 bool has_step(const scenario::Document& document, const std::string& operation) {
   return std::any_of(document.steps.begin(), document.steps.end(),
                      [&](const auto& step) { return step.operation == operation; });
-}
-
-/// "5%" or "5" or "0.05" would be three readings; percent it is, with or without the sign.
-Result<double> percent(std::string text) {
-  if (text.ends_with('%')) text.pop_back();
-  if (const auto value = base::parse_number(text)) return *value;
-  return Error{ErrorCode::BadUsage, fmt::format("--target: '{}' is not a percentage such as 5%", text)};
 }
 
 /// "x0,y0,x1,y1" as points.
@@ -92,7 +82,7 @@ Result<void> add_result_steps(const Options& options, dobra::cli::OutputFormat f
     return Error{ErrorCode::BadUsage, "--out is the file of the line: give --line x0,y0,x1,y1"};
   if (!options.line.empty() && !options.out && format != dobra::cli::OutputFormat::Json)
     return Error{ErrorCode::BadUsage, "--line: say where it goes, --out FILE.csv, or --json"};
-  if (options.samples && options.line.empty())
+  if (options.samples.any() && options.line.empty())
     return Error{ErrorCode::BadUsage, "--samples is of a line: give --line x0,y0,x1,y1"};
   if (!options.picture && options.view.any())
     return Error{ErrorCode::BadUsage,
@@ -103,7 +93,7 @@ Result<void> add_result_steps(const Options& options, dobra::cli::OutputFormat f
     step.params.set("label", std::string("command"));
     step.params.set("from", ends[0]);
     step.params.set("to", ends[1]);
-    if (options.samples) step.params.set("count", *options.samples);
+    DOBRA_TRY_VOID(options.samples.set(scenario::fields_of<core::LineParams>(), step.params));
     document.steps.push_back(std::move(step));
   }
   for (std::size_t i = 0; i < options.probes.size(); ++i) {
@@ -207,10 +197,6 @@ Result<scenario::Document> document_of(dobra::cli::Session& session, const std::
   DOBRA_TRY(scenario::Document document, dobra::cli::load(session, options.scenario));
   DOBRA_TRY(const std::size_t at, take_steps(session, operation, document));
   scenario::Table& params = document.steps[at].params;
-  if (!options.target.empty()) {
-    DOBRA_TRY(const double target, percent(options.target));
-    params.set("target", target);
-  }
   const auto fields = scenario::fields_in(session.program.find_operation(operation)->fields, document.units);
   DOBRA_TRY_VOID(options.step.set(fields, params));
   DOBRA_TRY_VOID(set_rules(options.rules, fields, params));
@@ -303,6 +289,15 @@ Result<void> write_results(const scenario::Program& program, const scenario::Sta
   return {};
 }
 
+/// An error about the probe of an option names the option, not the number that it has got.
+Error of_option(Error error, const Options& options) {
+  for (std::size_t i = 0; error.place && i < options.probes.size(); ++i) {
+    if (error.place->item == fmt::format("'{}'", i + 1))
+      error.place->item = fmt::format("--probe {}", options.probes[i]);
+  }
+  return error;
+}
+
 /// Runs the steps. A loop that the user stopped keeps its cycles: lines, probes and views behind it are of the last.
 Result<scenario::Run> run_loop(dobra::cli::Session& session, const scenario::Document& document) {
   scenario::Runner runner(session.program);
@@ -330,17 +325,18 @@ Result<int> job(dobra::cli::Session& session, const std::string& operation, cons
     if (file) DOBRA_TRY_VOID(dobra::cli::check_writable(*file));
   }
   DOBRA_TRY(const scenario::Document document, document_of(session, operation, options));
-  DOBRA_TRY(const scenario::Run run,
-            operation == "adapt" ? run_loop(session, document) : dobra::cli::run_steps(session, document));
-  DOBRA_TRY_VOID(write_results(session.program, run.states.back(), options));
+  const auto run = operation == "adapt" ? run_loop(session, document) : dobra::cli::run_steps(session, document);
+  if (!run) return of_option(run.error(), options);
+  const scenario::State& state = run->states.back();
+  DOBRA_TRY_VOID(write_results(session.program, state, options));
   if (session.options.format == dobra::cli::OutputFormat::Json) {
-    DOBRA_TRY_VOID(dobra::cli::print(json_text(session.program, run.states.back())));
+    DOBRA_TRY_VOID(dobra::cli::print(json_text(session.program, state)));
   } else if (session.options.verbosity != dobra::cli::Verbosity::Quiet) {
-    DOBRA_TRY_VOID(dobra::cli::print(plain_text(session.program, run.states.back())));
+    DOBRA_TRY_VOID(dobra::cli::print(plain_text(session.program, state)));
   }
   if (session.cancel.cancelled()) return interrupted;
   // As an expectation that is not met; the remark that says why is told with the others.
-  return session.program.reached(run.states.back()) == false ? 1 : 0;
+  return session.program.reached(state) == false ? 1 : 0;
 }
 
 dobra::cli::Command command(const std::string& name, const std::string& operation, const std::string& help) {
@@ -349,9 +345,8 @@ dobra::cli::Command command(const std::string& name, const std::string& operatio
         const auto options = std::make_shared<Options>();
         dobra::cli::add_scenario_options(app, options->scenario);
         if (operation == "adapt") {
-          app.add_option("--target", options->target, "Error asked for in the energy norm, such as 5%")
-              ->type_name("PERCENT");
-          options->step.add(app, scenario::fields_of<core::AdaptParams>(), {"rule", "max_cycles", "exact_energy"});
+          options->step.add(app, scenario::fields_of<core::AdaptParams>(),
+                            {"target", "rule", "max_cycles", "exact_energy"});
           add_rule_options(app, options->rules, scenario::fields_of<core::AdaptParams>());
           options->view.add(app, scenario::fields_of<core::ViewParams>(), {"cycle"});
           app.add_option("--curve", options->curve, "Draw the error of each cycle against the unknowns")
@@ -362,7 +357,7 @@ dobra::cli::Command command(const std::string& name, const std::string& operatio
           options->step.add(app, scenario::fields_of<core::FractureParams>(), {"contour"});
         }
         app.add_option("--line", options->line, "Displacements and stresses along a line")->type_name("X0,Y0,X1,Y1");
-        app.add_option("--samples", options->samples, "Points of the line; 101 by default")->type_name("N");
+        options->samples.add(app, scenario::fields_of<core::LineParams>(), {{"count", "--samples"}});
         app.add_option("--out", options->out, "Write the line as CSV")->type_name("FILE");
         app.add_option("--probe", options->probes, "The same at a point; may be given again")->type_name("X,Y");
         app.add_option("--picture", options->picture, "Draw a field on the deformed shape")

@@ -52,10 +52,10 @@ struct Verdict {
   std::vector<std::string> faults;
 };
 
-Result<Verdict> of_polygons(const Options& options) {
+Result<Verdict> of_polygons(const Options& options, mesh::Closedness wanted) {
   DOBRA_TRY(const mesh::PolygonMesh polygons, io::read_polygons(options.input.scenario.file.string()));
   Verdict verdict;
-  for (auto& finding : check(polygons, options.input.closed ? mesh::Closedness::Solid : mesh::Closedness::Sheet)) {
+  for (auto& finding : check(polygons, wanted)) {
     verdict.faults.push_back(std::move(finding.message));
   }
   double furthest = 0.0;
@@ -241,7 +241,11 @@ Result<Verdict> verdict_of(Session& session, const Options& options) {
     return base::Error{base::ErrorCode::BadUsage,
                        "--picture draws the curves of a scenario or a file of geometry, and this is a mesh; `quebra "
                        "convert` and `quebra mesh` draw others"};
-  return ending == ".obj" || ending == ".off" || ending == ".ply" ? of_polygons(options) : of_elements(options);
+  if (ending != ".obj" && ending != ".off" && ending != ".ply") return of_elements(options);
+  scenario::Table said;
+  DOBRA_TRY_VOID(options.input.input.set(session.program.input_fields, said));
+  const bool solid = said.find("closed") != nullptr;
+  return of_polygons(options, solid ? mesh::Closedness::Solid : mesh::Closedness::Sheet);
 }
 
 std::string plain_text(const Verdict& verdict) {
@@ -286,7 +290,9 @@ Result<int> check_job(Session& session, const Options& options) {
 }  // namespace
 
 Command check_command() {
-  return {"check", "Say what is wrong with a mesh file; list the names of a scenario or a file of geometry",
+  return {"check",
+          "Say what is wrong with a mesh file (with --closed an open edge of a polygon mesh too); list the names of a "
+          "scenario or a file of geometry",
           [](CLI::App& app) -> Job {
             const auto options = std::make_shared<Options>();
             app.add_option("file", options->input.scenario.file,
@@ -294,9 +300,6 @@ Command check_command() {
                            "scenario (.toml) or geometry (.poly .geo .svg .geojson .dxf .wkt .txt .csv)")
                 ->required()
                 ->type_name("FILE");
-            app.add_flag("--closed", options->input.closed,
-                         "The polygon mesh is to be closed: an edge of one face is a fault; of a file of lines: every "
-                         "line is an outline");
             add_input_options(app, options->input);
             app.add_option("--picture", options->picture, "Draw the curves with their names")
                 ->type_name("FILE.svg|pdf|png");

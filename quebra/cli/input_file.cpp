@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "quebra/core/input.h"
 #include "shared/scenario/runner.h"
 
 namespace quebra::cli {
@@ -14,45 +14,20 @@ namespace {
 using namespace dobra;
 using base::Result;
 
-/// The options about files of lines as keys of the input, once they are judged as those of `convert` are.
-Result<void> set_lines(const InputFile& file, scenario::Table& input) {
-  const dobra::cli::LineOptionTexts& texts = file.lines;
-  DOBRA_TRY(const io::LineOptions lines, dobra::cli::line_options(texts));
-  const dobra::cli::LineOptionTexts none;
-  const auto set = [&](const char* key, const std::string& text, const std::string& unsaid) {
-    if (text != unsaid) input.set(key, text);
-  };
-  set("format", texts.format, "");
-  set("columns", texts.columns, "");
-  set("name_columns", texts.name_columns, "");
-  set("separator", texts.separator, none.separator);
-  set("coordinates", texts.coordinates, none.coordinates);
-  set("y_axis", texts.y_axis, "");
-  set("unit", texts.unit, "");
-  if (lines.trace) {
-    const io::Trace& t = *lines.trace;
-    input.set("trace", std::vector<double>{t.x, t.y, t.x + t.east, t.y + t.north});
-  }
-  if (lines.fold_axis)
-    input.set("fold_axis", std::vector<double>{lines.fold_axis->trend.degrees(), lines.fold_axis->plunge.degrees()});
-  if (texts.plane_tolerance) input.set("plane_tolerance", *texts.plane_tolerance);
-  if (texts.reference) input.set("reference", *texts.reference);
-  if (texts.exaggeration) input.set("exaggeration", *texts.exaggeration);
-  if (file.closed) input.set("closed", std::string("yes"));
-  return {};
+/// What options say of the input, as its keys; those about lines are judged as those of `convert` are.
+Result<void> set_input(dobra::cli::Session& session, const InputFile& file, scenario::Document& document) {
+  DOBRA_TRY(const scenario::Table lines, file.lines.table());
+  DOBRA_TRY_VOID(dobra::cli::line_options(lines));
+  for (const auto& entry : lines.entries()) document.input.set(entry.key, entry.value);
+  return file.input.set(scenario::fields_in(session.program.input_fields, document.units), document.input);
 }
 
 }  // namespace
 
 void add_input_options(CLI::App& app, InputFile& file) {
-  app.add_option("--set", file.scenario.assignments, "Change a value, such as input.width=2; may be repeated")
-      ->allow_extra_args(false)
-      ->type_name("PATH=VALUE");
-  app.add_flag("--repair", file.repair,
-               "Mend repeated points, spikes, doubles, gaps and crossings of the input, and list each");
-  app.add_option("--gap", file.gap, "Widest gap that --repair closes; 1/1000 of the drawing's diagonal by default")
-      ->type_name("W");
-  dobra::cli::add_line_reading_options(app, file.lines);
+  dobra::cli::add_assignment_option(app, file.scenario);
+  file.input.add(app, scenario::fields_of<core::InputParams>(), {"closed", "repair", "gap"});
+  file.lines.add(app, dobra::cli::LineOptions::Repairs::None);
 }
 
 Result<scenario::Document> document_of(dobra::cli::Session& session, const InputFile& file) {
@@ -66,9 +41,7 @@ Result<scenario::Document> document_of(dobra::cli::Session& session, const Input
       DOBRA_TRY(document, scenario::with_value(std::move(document), session.program, assignment));
     }
   }
-  DOBRA_TRY_VOID(set_lines(file, document.input));
-  if (file.repair) document.input.set("repair", std::string("yes"));
-  if (file.gap) document.input.set("gap", *file.gap);
+  DOBRA_TRY_VOID(set_input(session, file, document));
   return document;
 }
 

@@ -1,28 +1,25 @@
 #pragma once
 // FILE as the sub-commands take it, a scenario or geometry, and which steps of a scenario a sub-command runs.
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "shared/cli/commands.h"
-#include "shared/cli/convert_command.h"
+#include "shared/cli/line_options.h"
 
 namespace quebra::cli {
 
 struct InputFile {
   dobra::cli::ScenarioOptions scenario;
-  dobra::cli::LineOptionTexts lines;
-  bool repair = false;
-  std::optional<double> gap;
-  bool closed = false;
+  dobra::cli::LineOptions lines;
+  dobra::cli::ParameterOptions input;  ///< What else [input] says: closed, repair, gap.
 };
 
-/// The options of the input; the sub-command adds FILE and --closed, whose meanings differ.
+/// The options of the input; the sub-command adds FILE.
 void add_input_options(CLI::App& app, InputFile& file);
 
 /// The scenario with its steps, or a document without steps whose input is the file.
-/// @error those of cli::load and cli::line_options
+/// @error those of cli::load, ParameterOptions::set and cli::line_options
 dobra::base::Result<dobra::scenario::Document> document_of(dobra::cli::Session& session, const InputFile& file);
 
 /// What a sub-command makes of the steps of a scenario, told in one note.

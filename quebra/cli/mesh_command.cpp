@@ -40,9 +40,7 @@ using dobra::cli::Session;
 
 struct Options {
   InputFile input;
-  RuleOptions rules;
-  std::optional<std::int64_t> stop_after;
-  bool quads = false;
+  dobra::cli::ParameterOptions rules, step;
   std::vector<std::string> bands, zones;
   std::optional<std::filesystem::path> out, histogram, picture, size_field;
 };
@@ -117,8 +115,7 @@ Result<scenario::Document> mesh_document_of(Session& session, const Options& opt
   scenario::Table& params = document.steps.back().params;
   const auto fields = scenario::fields_in(session.program.find_operation("mesh")->fields, document.units);
   DOBRA_TRY_VOID(set_rules(options.rules, fields, params));
-  if (options.stop_after) params.set("stop_after", *options.stop_after);
-  if (options.quads) params.set("quads", std::string("yes"));
+  DOBRA_TRY_VOID(options.step.set(fields, params));
   for (const std::string& text : options.bands) {
     DOBRA_TRY(scenario::Step step, band_step(text));
     document.steps.insert(document.steps.end() - 1, std::move(step));
@@ -259,10 +256,7 @@ Command mesh_command() {
                 ->type_name("FILE");
             add_input_options(app, options->input);
             add_rule_options(app, options->rules, scenario::fields_of<core::MeshParams>());
-            app.add_flag("--quads", options->quads,
-                         "Join pairs of triangles to quadrilaterals where that gives a good shape");
-            app.add_flag("--closed", options->input.closed,
-                         "Every line of the file is an outline, whose last point need not repeat the first");
+            options->step.add(app, scenario::fields_of<core::MeshParams>(), {"quads", "stop_after"});
             app.add_option("--bands", options->bands,
                            "Offset curves as constraints: CURVE[+CURVE]:COUNT:DISTANCE[:FACTOR]; may be repeated")
                 ->allow_extra_args(false)
@@ -273,11 +267,6 @@ Command mesh_command() {
                 ->type_name("ZONE");
             app.add_option("--out", options->out, fmt::format("File to write: {}", fmt::join(io::mesh_endings(), " ")))
                 ->type_name("FILE");
-            app.add_option(
-                   "--stop-after", options->stop_after,
-                   "Stop the engine after this many steps, one side of its front or one node each; see --picture")
-                ->check(CLI::PositiveNumber)
-                ->type_name("N");
             app.add_option("--picture", options->picture,
                            "Draw the mesh; with --stop-after the triangles made so far and the front")
                 ->type_name("FILE.svg|pdf|png");

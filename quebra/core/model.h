@@ -11,6 +11,10 @@
 #include "shared/fem/rosette.h"
 #include "shared/scenario/units.h"
 
+namespace dobra::operations {
+struct Offsets;
+}
+
 namespace quebra::core {
 
 /// A point where a curve meets another one away from its ends, or where a point of the domain lies on it: a node of
@@ -142,6 +146,7 @@ struct Model {
   std::string why_short = {};    ///< that of the last loop here too, which a loop from its last cycle takes back.
   std::vector<Samples> samples;
   std::vector<std::shared_ptr<const ViewParams>> views;  ///< Pictures of results; one of the default if there are none.
+  std::vector<std::shared_ptr<const dobra::operations::Offsets>> offsets;  ///< One for each step offset.
   std::vector<std::string> remarks;
   std::vector<Finding> findings;  ///< What was repaired, and what looks wrong and was left.
 };

@@ -12,6 +12,7 @@
 #include "quebra/core/meshing.h"
 #include "quebra/core/result_picture.h"
 #include "quebra/core/zone.h"
+#include "shared/operations/offset_step.h"
 
 namespace quebra::core {
 namespace {
@@ -101,6 +102,16 @@ std::optional<bool> adapted_enough(const Model& model) {
   return adapted ? std::optional(!model.short_of_target) : std::nullopt;
 }
 
+/// The curves of the domain by their names; arcs and splines as chords.
+std::vector<io::Feature> lines_of(const Model& model) {
+  std::vector<io::Feature> features;
+  for (const Curve& curve : model.domain.curves)
+    features.push_back({.type = io::FeatureType::Lines, .parts = {trace(curve).line}, .name = curve.name});
+  return features;
+}
+
+std::size_t only_state(const Model&) { return 0; }
+
 scenario::Program make_program() {
   scenario::Program program;
   program.name = "quebra";
@@ -146,6 +157,7 @@ scenario::Program make_program() {
       scenario::make_operation<Model, ViewParams>("view", "Picture of a field",
                                                   "A field on the deformed shape: colours, contours, mesh, extremes.",
                                                   add_view, {.draw = add_views}),
+      operations::offset_operation<Model, lines_of, only_state>(),
   };
   for (scenario::Operation& operation : program.operations) {
     if (operation.name != "mesh") operation = after_a_whole_mesh(std::move(operation));

@@ -11,8 +11,10 @@
 #include "recon/cli/section_document.h"
 #include "recon/core/model.h"
 #include "recon/core/report.h"
+#include "recon/core/section_input.h"
 #include "shared/base/text.h"
 #include "shared/cli/commands.h"
+#include "shared/cli/line_options.h"
 #include "shared/cli/parameter_options.h"
 #include "shared/cli/pictures.h"
 #include "shared/cli/staging.h"
@@ -30,30 +32,46 @@ using dobra::cli::Job;
 using dobra::cli::ParameterOptions;
 using dobra::cli::Session;
 
-struct RestoreOptions {
-  SectionFile section;
-  ParameterOptions grid, target, restore, errors;
-  std::string target_file = "flat";
+/// The file, how its lines are read, and what else [input] says of the section.
+struct SectionOptions {
+  std::string file;
+  dobra::cli::LineOptions lines;
+  ParameterOptions input;
+
+  void add(CLI::App& app, const std::vector<dobra::cli::OptionOf>& input_keys) {
+    app.add_option("file", file,
+                   "The section: a scenario (.toml), or lines (.geojson .shp .gpkg .dxf .asc .pl .wkt .csv .txt ...)")
+        ->required()
+        ->type_name("FILE");
+    lines.add(app, dobra::cli::LineOptions::Repairs::Offered);
+    input.add(app, scenario::fields_of<core::SectionInput>(), input_keys);
+  }
+};
+
+/// What restore has for itself.
+struct RestoreParams {
+  std::string target = "flat";
   bool geometry = false;
+  template <class D>
+  static void describe(D& d) {
+    d.field("target", &RestoreParams::target,
+            {.title = "Target", .help = "flat, or a file with the line to restore to."});
+    d.field("geometry", &RestoreParams::geometry,
+            {.title = "Geometry", .help = "With --json: the restored lines too."});
+  }
+};
+
+struct RestoreOptions {
+  SectionOptions section;
+  ParameterOptions grid, target, restore, errors;
+  dobra::cli::OptionsOf<RestoreParams> own;
   std::optional<std::filesystem::path> out;
-  std::string colors;
-  std::string orientation;
 };
 
 struct BalanceOptions {
-  SectionFile section;
+  SectionOptions section;
   ParameterOptions by_length, by_area;
 };
-
-void add_section_options(CLI::App& app, SectionFile& options) {
-  app.add_option("file", options.file,
-                 "The section: a scenario (.toml), or lines (.geojson .shp .gpkg .dxf .asc .pl .wkt .csv .txt ...)")
-      ->required()
-      ->type_name("FILE");
-  dobra::cli::add_line_options(app, options.lines);
-  app.add_flag("--horizons-from-units", options.horizons_from_units,
-               "Edges that polygons share become horizons, named by the unit below");
-}
 
 /// A file name as the scenario will look for it, whose names start from the folder of the section's file.
 std::string as_seen_from(const scenario::Document& document, const std::string& file) {
@@ -70,20 +88,33 @@ Result<scenario::Step> step_of(const Session& session, const char* operation, co
   return step;
 }
 
-Result<scenario::Document> restore_document(Session& session, const RestoreOptions& options) {
-  DOBRA_TRY(scenario::Document document, section_document(session, options.section));
-  if (!options.colors.empty()) document.input.set("colours", as_seen_from(document, options.colors));
-  if (!options.orientation.empty()) document.input.set("orientation", options.orientation);
+/// @param lines  as the options of the section say.
+Result<scenario::Document> document_of(Session& session, const SectionOptions& options, const scenario::Table& lines) {
+  scenario::Table input;
+  DOBRA_TRY_VOID(options.input.set(session.program.input_fields, input));
+  DOBRA_TRY(scenario::Document document, section_document(session, {options.file, lines}));
+  for (const auto& entry : input.entries()) {
+    const auto* name = std::get_if<std::string>(&entry.value);
+    document.input.set(entry.key,
+                       entry.key == "colours" ? scenario::Value(as_seen_from(document, *name)) : entry.value);
+  }
+  return document;
+}
+
+Result<scenario::Document> restore_document(Session& session, const RestoreOptions& options,
+                                            const std::string& target_line) {
+  DOBRA_TRY(const scenario::Table lines, options.section.lines.table());
+  DOBRA_TRY(scenario::Document document, document_of(session, options.section, lines));
   DOBRA_TRY(scenario::Step grid, step_of(session, "grid", options.grid));
   DOBRA_TRY(scenario::Step target, step_of(session, "target", options.target));
   DOBRA_TRY(scenario::Step restore, step_of(session, "restore", options.restore));
-  if (options.target_file != "flat") {
+  if (target_line != "flat") {
     target.params.set("shape", std::string("line"));
     if (document.file.empty()) {
-      DOBRA_TRY(std::vector<dobra::geom::Point> line, only_line(options.target_file, options.section.lines));
+      DOBRA_TRY(std::vector<dobra::geom::Point> line, only_line(target_line, lines));
       target.params.set("points", std::move(line));
     } else {
-      target.params.set("file", as_seen_from(document, options.target_file));
+      target.params.set("file", as_seen_from(document, target_line));
     }
   }
   document.steps = {std::move(grid), std::move(target), std::move(restore)};
@@ -138,29 +169,30 @@ Result<int> restore_job(Session& session, const RestoreOptions& options) {
     DOBRA_TRY_VOID(out_kind(*options.out));
     DOBRA_TRY_VOID(dobra::cli::check_writable(*options.out));
   }
-  DOBRA_TRY(const scenario::Document document, restore_document(session, options));
+  DOBRA_TRY(const RestoreParams own, options.own.read());
+  DOBRA_TRY(const scenario::Document document, restore_document(session, options, own.target));
   DOBRA_TRY_VOID(scenario::check(document, session.program));
   DOBRA_TRY(const scenario::Run run, dobra::cli::run_steps(session, document));
   const auto& model = scenario::model_of<core::Model>(run.states.back());
   if (options.out) DOBRA_TRY_VOID(write_out(session, *options.out, document, run.states.back()));
   const bool as_json = session.options.format == dobra::cli::OutputFormat::Json;
-  DOBRA_TRY_VOID(dobra::cli::print(as_json
-                                       ? restoration_json(model, options.geometry ? Geometry::Include : Geometry::Leave)
-                                       : restoration_table(model)));
+  DOBRA_TRY_VOID(dobra::cli::print(as_json ? restoration_json(model, own.geometry ? Geometry::Include : Geometry::Leave)
+                                           : restoration_table(model)));
   return 0;
 }
 
 Result<int> balance_job(Session& session, const BalanceOptions& options) {
   const bool by_area = options.by_area.any();
-  SectionFile section = options.section;
+  DOBRA_TRY(scenario::Table lines, options.section.lines.table());
   // Further columns are the errors of the vertices, which the step itself reads.
-  if (by_area && section.lines.columns.empty()) section.lines.columns = "1,2";
-  DOBRA_TRY(scenario::Document document, section_document(session, section));
+  if (by_area && lines.find("columns") == nullptr) lines.set("columns", std::string("1,2"));
+  DOBRA_TRY(scenario::Document document, document_of(session, options.section, lines));
   DOBRA_TRY(scenario::Step step, by_area ? step_of(session, "area_balance", options.by_area)
                                          : step_of(session, "balance", options.by_length));
   if (by_area) {
-    step.params.set("file", as_seen_from(document, section.file));
-    if (!section.lines.unit.empty()) step.params.set("unit", section.lines.unit);
+    step.params.set("file", as_seen_from(document, options.section.file));
+    const scenario::Value* unit = lines.find("unit");
+    if (unit != nullptr && *unit != scenario::Value(std::string("file"))) step.params.set("unit", *unit);
   }
   document.steps = {std::move(step)};
   DOBRA_TRY_VOID(scenario::check(document, session.program));
@@ -176,21 +208,13 @@ Result<int> balance_job(Session& session, const BalanceOptions& options) {
 dobra::cli::Command restore_command() {
   return {"restore", "Restore a section and draw up its balance ledger", [](CLI::App& app) -> Job {
             const auto options = std::make_shared<RestoreOptions>();
-            add_section_options(app, options->section);
+            options->section.add(app, {"horizons_from_units", "colours", "orientation"});
             options->grid.add(app, scenario::fields_of<core::GridParams>(), {"top", "simplify", "uncovered"});
             options->restore.add(app, scenario::fields_of<core::RestoreParams>());
-            app.add_option("--target", options->target_file, "flat (default), or a file with the line to restore to")
-                ->type_name("flat|FILE");
             options->target.add(app, scenario::fields_of<core::TargetParams>(), {"pin", "elevation", "target_pin"});
             options->errors.add(app, scenario::fields_of<core::MonteCarloParams>(),
                                 {"draws", "pick_error", "pin_error", "angle_error", "seed"});
-            app.add_flag("--geometry", options->geometry, "With --json: the restored lines too");
-            app.add_option("--colours", options->colors,
-                           "A table (.csv .toml) of name, colour, pattern, age and lithology of units and lines")
-                ->type_name("FILE");
-            app.add_option("--orientation", options->orientation,
-                           "Compass points over the ends, such as \"W - E\"; told by the plane of lines in space")
-                ->type_name("ENDS");
+            options->own.add(app);
             app.add_option(
                    "--out", options->out,
                    "Picture (.svg .pdf .png), restored lines (.geojson .dxf .csv ...) or scenario (.toml) to write")
@@ -203,7 +227,7 @@ dobra::cli::Command balance_command() {
   return {"balance", "Bed lengths, excess areas and detachment of a section; or its shortening by area",
           [](CLI::App& app) -> Job {
             const auto options = std::make_shared<BalanceOptions>();
-            add_section_options(app, options->section);
+            options->section.add(app, {"horizons_from_units"});
             options->by_length.add(app, scenario::fields_of<core::BalanceParams>());
             options->by_area.add(app, scenario::fields_of<core::AreaBalanceParams>(),
                                  {"thickness", "thickness_error", "width_points", "width"});

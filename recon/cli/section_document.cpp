@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "recon/core/import.h"
-#include "shared/cli/session.h"
+#include "shared/cli/line_options.h"
 #include "shared/io/line_files.h"
 
 namespace recon::cli {
@@ -37,14 +37,13 @@ void write_tables(std::vector<core::ImportedLine> lines, scenario::Table& input)
 
 base::Result<scenario::Document> section_document(dobra::cli::Session& session, const SectionFile& section) {
   if (std::filesystem::path(section.file).extension() == ".toml") {
-    if (section.lines != dobra::cli::LineOptionTexts{}) {
+    if (!section.lines.empty()) {
       return base::Error{base::ErrorCode::BadUsage,
                          "options such as --unit are for files of lines; a scenario says it in its [input]"};
     }
     DOBRA_TRY(scenario::Document document, scenario::read_document(section.file));
     document.steps.clear();
     document.expects.clear();
-    if (section.horizons_from_units) document.input.set("horizons_from_units", true);
     return document;
   }
   DOBRA_TRY(const io::LineOptions options, dobra::cli::line_options(section.lines));
@@ -57,7 +56,6 @@ base::Result<scenario::Document> section_document(dobra::cli::Session& session, 
   DOBRA_TRY(core::Import import, core::import_lines(work.features));
   for (const std::string& remark : import.remarks) session.note(remark);
   write_tables(std::move(import.lines), document.input);
-  if (section.horizons_from_units) document.input.set("horizons_from_units", true);
   if (work.trace || options.fold_axis) {
     const auto [left, right] =
         io::ends_of(options.fold_axis ? io::azimuth_of(*options.fold_axis) : io::azimuth_of(*work.trace));
@@ -66,7 +64,7 @@ base::Result<scenario::Document> section_document(dobra::cli::Session& session, 
   return document;
 }
 
-base::Result<std::vector<Point>> only_line(const std::string& file, const dobra::cli::LineOptionTexts& lines) {
+base::Result<std::vector<Point>> only_line(const std::string& file, const scenario::Table& lines) {
   DOBRA_TRY(const io::LineOptions options, dobra::cli::line_options(lines));
   DOBRA_TRY(io::LineWork work, io::read_any_lines(file, options));
   std::vector<std::vector<Point>> found;

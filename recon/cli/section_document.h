@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "shared/cli/convert_command.h"
+#include "shared/cli/session.h"
 #include "shared/scenario/document.h"
 
 namespace recon::cli {
@@ -11,8 +11,7 @@ namespace recon::cli {
 /// A file that holds the section, and how its lines are to be read.
 struct SectionFile {
   std::string file;
-  dobra::cli::LineOptionTexts lines;
-  bool horizons_from_units = false;
+  dobra::scenario::Table lines;  ///< What the user gave, see shared/cli/line_options.h.
 };
 
 /// A document of RECON with an input and without steps; what was changed on reading becomes notes of the session.
@@ -24,6 +23,6 @@ dobra::base::Result<dobra::scenario::Document> section_document(dobra::cli::Sess
 
 /// The only line of a file, read with the options of the section's file. @error those of the reader; BadFormat.
 dobra::base::Result<std::vector<dobra::geom::Point>> only_line(const std::string& file,
-                                                               const dobra::cli::LineOptionTexts& lines);
+                                                               const dobra::scenario::Table& lines);
 
 }  // namespace recon::cli

@@ -69,18 +69,11 @@ base::Result<ReadSettings> read_settings(const SectionInput& input) {
   settings.curves.max_angle = input.curve_angle;
   if (input.curve_length) settings.curves.max_length = *input.curve_length;
   settings.plane_tolerance = input.plane_tolerance;
-  if (!input.trace.empty()) {
-    if (input.trace.size() != 4)
-      return bad(base::ErrorCode::BadValue, "trace needs four numbers: x0, y0, x1, y1 on the map", "input");
-    auto trace = dobra::io::trace_between({input.trace[0], input.trace[1]}, {input.trace[2], input.trace[3]});
-    if (!trace) return bad(base::ErrorCode::BadValue, trace.error().message, "input");
-    settings.trace = *trace;
-  }
-  if (!input.fold_axis.empty()) {
-    if (input.fold_axis.size() != 2 || std::abs(input.fold_axis[1]) >= 90.0)
-      return bad(base::ErrorCode::BadValue, "fold_axis needs trend and plunge in degrees, such as [261, 10]", "input");
-    settings.fold_axis = {base::Angle::from_degrees(input.fold_axis[0]), base::Angle::from_degrees(input.fold_axis[1])};
-  }
+  const auto refuse = [](const std::string& key, const std::string& what) {
+    return bad(base::ErrorCode::BadValue, fmt::format("{}: {}", key, what), "input");
+  };
+  DOBRA_TRY(settings.trace, dobra::scenario::trace_of(input.trace, refuse));
+  DOBRA_TRY(settings.fold_axis, dobra::scenario::fold_axis_of(input.fold_axis, refuse));
   return settings;
 }
 

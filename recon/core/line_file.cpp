@@ -87,11 +87,7 @@ base::Result<io::LineWork> work_of_file(const LinesInput& input, const std::stri
   io::LineOptions options = options_of(input, settings);
   if (!input.columns.empty()) options.text.columns = input.columns;
   options.text.name_columns = input.name_columns;
-  for (const std::string& text : input.kind) {
-    auto rule = io::kind_rule(text);
-    if (!rule) return base::Error{base::ErrorCode::BadValue, "kind: " + rule.error().message};
-    options.kinds.push_back(std::move(*rule));
-  }
+  DOBRA_TRY(options.kinds, dobra::scenario::kind_rules(input.kind));
   return io::read_any_lines(path, options);
 }
 

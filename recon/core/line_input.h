@@ -8,7 +8,7 @@
 #include "recon/core/section.h"
 #include "shared/geom/drawn_curve.h"
 #include "shared/io/feature.h"
-#include "shared/scenario/field.h"
+#include "shared/scenario/line_reading.h"
 
 namespace recon::core {
 
@@ -28,22 +28,13 @@ struct PlacedLine {
 
 /// The fields of how the lines of a file are read, and their points repaired.
 template <class Input, class D>
-void describe_reading(D& d) {
-  d.choice("separator", &Input::separator, {"detect", "blank", "tab", "comma", "semicolon"},
-           {.title = "Separator", .help = "Between the columns of a text file."});
-  d.choice("y_axis", &Input::y_axis, {"section", "up", "down"},
-           {.title = "Second coordinate grows", .help = "section: as for all files, or as the file itself says."});
-  d.choice("unit", &Input::unit, {"section", "m", "km", "ft"},
-           {.title = "Unit of the file", .help = "section: as for all files, or as the file itself says."});
-  d.choice("order", &Input::order, {"as_given", "along_curve"},
-           {.title = "Order of the points", .help = "along_curve: unordered points are put in order, with a remark."});
-  d.field("drop_duplicates", &Input::drop_duplicates,
-          {.title = "Drop points nearer than", .help = "0: none but equal ones.", .unit = "m", .at_least = 0.0});
-  d.field("join_gaps", &Input::join_gaps,
-          {.title = "Join gaps below",
-           .help = "Parts of the same name whose ends are nearer become one line; 0: none.",
-           .unit = "m",
-           .at_least = 0.0});
+void describe_reading(dobra::scenario::LineKeys<Input, D>& keys) {
+  keys.separator();
+  keys.y_axis("section");
+  keys.unit("section", {"m", "km", "ft"});
+  keys.order();
+  keys.drop_duplicates();
+  keys.join_gaps();
 }
 
 /// One [[input.horizon]].
@@ -84,7 +75,8 @@ struct HorizonInput {
     d.field("columns", &HorizonInput::columns,
             {.title = "Columns of x and y",
              .help = "In a text file, counted from 1; three for map coordinates with heights."});
-    describe_reading<HorizonInput>(d);
+    dobra::scenario::LineKeys<HorizonInput, D> keys(d);
+    describe_reading(keys);
     d.choice(
         "curve", &HorizonInput::curve, {"line", "hermite", "spline", "bezier", "b_spline", "rational_bezier"},
         {.title = "Drawn as",
@@ -115,15 +107,11 @@ struct LinesInput {
            {.title = "File",
             .help = "Text, CSV, GeoJSON, DXF, GOCAD, MOVE, Shapefile, GeoPackage or WKT.",
             .presence = dobra::scenario::Presence::Required});
-    d.field("kind", &LinesInput::kind,
-            {.title = "Kinds by names",
-             .help = "Such as 'F*=fault'; the first that fits a name goes before the kind that the file gives."});
-    d.field("columns", &LinesInput::columns,
-            {.title = "Columns of x and height",
-             .help = "In a text file: numbers from 1 or headers; three for x, y and height of map coordinates."});
-    d.field("name_columns", &LinesInput::name_columns,
-            {.title = "Columns of names", .help = "In a text file: a line ends where their texts change."});
-    describe_reading<LinesInput>(d);
+    dobra::scenario::LineKeys<LinesInput, D> keys(d);
+    keys.kind();
+    keys.columns();
+    keys.name_columns();
+    describe_reading(keys);
   }
 };
 

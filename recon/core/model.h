@@ -13,16 +13,21 @@
 #include "recon/core/monte_carlo.h"
 #include "recon/core/stage.h"
 
+namespace dobra::operations {
+struct Offsets;
+}
+
 namespace recon::core {
 
 /// What stands directly in it is the stage in hand.
 struct Model : Stage {
-  std::vector<std::string> remarks;                   ///< On the input.
-  std::vector<std::shared_ptr<const Stage>> earlier;  ///< Restored stages, the input's first.
-  std::optional<MonteCarlo> monte_carlo;              ///< After the step monte_carlo.
-  std::optional<AreaDepth> area_depth;                ///< After the step balance.
-  std::optional<AreaBalance> area_balance;            ///< After the step area_balance.
-  std::vector<CarriedLines> carried;                  ///< One for each step carry.
+  std::vector<std::string> remarks;                                        ///< On the input.
+  std::vector<std::shared_ptr<const Stage>> earlier;                       ///< Restored stages, the input's first.
+  std::optional<MonteCarlo> monte_carlo;                                   ///< After the step monte_carlo.
+  std::optional<AreaDepth> area_depth;                                     ///< After the step balance.
+  std::optional<AreaBalance> area_balance;                                 ///< After the step area_balance.
+  std::vector<CarriedLines> carried;                                       ///< One for each step carry.
+  std::vector<std::shared_ptr<const dobra::operations::Offsets>> offsets;  ///< One for each step offset.
 };
 
 /// Forgets what was carried to or from a state that is to be restored anew.

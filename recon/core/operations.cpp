@@ -86,8 +86,8 @@ scenario::Program make_program() {
   recon.read_input = read_input;
   recon.results = scenario::make_results<Model>(
       {.quantities = add_section_quantities, .tables = add_chain_tables, .remarks = add_section_remarks, .draw = draw});
-  recon.operations = {grid_step(),        target_step(),  restore_step(),     carry_step(),
-                      monte_carlo_step(), balance_step(), area_balance_step()};
+  recon.operations = {grid_step(),        target_step(),  restore_step(),      carry_step(),
+                      monte_carlo_step(), balance_step(), area_balance_step(), offset_step()};
   return recon;
 }
 

@@ -66,16 +66,11 @@ struct SectionInput {
   std::string orientation;
   template <class D>
   static void describe(D& d) {
-    d.choice("y_axis", &SectionInput::y_axis, {"up", "down"},
-             {.title = "Second coordinate grows", .help = "down: z = reference - y, as for depths and images."});
-    d.field(
-        "reference", &SectionInput::reference,
-        {.title = "Reference of y", .help = "Value of y at z = 0 where y grows downwards, in the unit of the files."});
-    d.choice("unit", &SectionInput::unit, {"m", "km", "ft"}, {.title = "Unit of the coordinates"});
-    d.field("exaggeration", &SectionInput::exaggeration,
-            {.title = "Exaggeration in the data",
-             .help = "The files hold z this many times too large; it is divided by this.",
-             .above = 0.0});
+    dobra::scenario::LineKeys<SectionInput, D> keys(d);
+    keys.y_axis();
+    keys.reference();
+    keys.unit(nullptr, {"m", "km", "ft"});
+    keys.exaggeration();
     d.choice("self_crossings", &SectionInput::self_crossings, {"refuse", "cut_loops"},
              {.title = "Lines that cross themselves",
               .help = "cut_loops: small loops of the pen are cut out, with a remark."});
@@ -105,30 +100,12 @@ struct SectionInput {
             {.title = "Turn of a chord of a curve", .unit = "deg", .above = 0.0, .at_most = 90.0});
     d.field("curve_length", &SectionInput::curve_length,
             {.title = "Longest chord of a curve", .unit = "m", .above = 0.0});
-    d.field("snap_to_faults", &SectionInput::snap_to_faults,
-            {.title = "Snap ends to faults",
-             .help = "Ends of horizons nearer to a fault than this are moved onto it, with a remark; 0: none.",
-             .unit = "m",
-             .at_least = 0.0});
-    d.field("share_edges", &SectionInput::share_edges,
-            {.title = "Make polygons share edges",
-             .help = "Their vertices nearer than this to a line or another polygon are moved onto it; 0: none.",
-             .unit = "m",
-             .at_least = 0.0});
-    d.field("slivers", &SectionInput::slivers,
-            {.title = "Remove slivers",
-             .help = "Polygons and spikes of polygons thinner than this are removed, with a remark; 0: none.",
-             .unit = "m",
-             .at_least = 0.0});
-    d.field("trace", &SectionInput::trace,
-            {.title = "Trace of the section",
-             .help = "Of files with lines in space: x0, y0, x1, y1 on the map, in metres; found by least squares where "
-                     "one file holds them all."});
-    d.field("fold_axis", &SectionInput::fold_axis,
-            {.title = "Fold axis",
-             .help = "Of files with lines in space: trend and plunge in degrees; they are projected down the plunge."});
-    d.field("plane_tolerance", &SectionInput::plane_tolerance,
-            {.title = "Lines in space off their plane", .help = "At most this part of the length.", .above = 0.0});
+    keys.snap_to_faults();
+    keys.share_edges();
+    keys.slivers();
+    keys.trace();
+    keys.fold_axis();
+    keys.plane_tolerance();
     d.file("colours", &SectionInput::colors,
            {.title = "Table of colours",
             .help = "CSV or TOML: name, colour, pattern, age and lithology of units and lines."});

@@ -13,5 +13,6 @@ dobra::scenario::Operation carry_step();
 dobra::scenario::Operation monte_carlo_step();
 dobra::scenario::Operation balance_step();
 dobra::scenario::Operation area_balance_step();
+dobra::scenario::Operation offset_step();
 
 }  // namespace recon::core

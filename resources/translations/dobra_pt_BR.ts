@@ -708,16 +708,8 @@
         <translation>Razão</translation>
     </message>
     <message>
-        <source>Reference of y</source>
-        <translation>Referência de y</translation>
-    </message>
-    <message>
         <source>Role</source>
         <translation>Papel</translation>
-    </message>
-    <message>
-        <source>Second coordinate grows</source>
-        <translation>A segunda coordenada cresce</translation>
     </message>
     <message>
         <source>Segments</source>
@@ -828,20 +820,12 @@
         <translation>Giro</translation>
     </message>
     <message>
-        <source>Unit of the coordinates</source>
-        <translation>Unidade das coordenadas</translation>
-    </message>
-    <message>
         <source>x of the pin</source>
         <translation>x do ponto fixo</translation>
     </message>
     <message>
         <source>A .poly file of Triangle with the boundary, in place of curves or beside them.</source>
         <translation>Um arquivo .poly do Triangle com o contorno, no lugar das curvas ou ao lado delas.</translation>
-    </message>
-    <message>
-        <source>Between the columns of a text file.</source>
-        <translation>Entre as colunas de um arquivo de texto.</translation>
     </message>
     <message>
         <source>By default such that the curves reach the deepest point.</source>
@@ -908,24 +892,8 @@
         <translation>De um arquivo de linhas (text, wkt, geojson, dxf, move, gocad, shapefile, geopackage); senão, pela terminação do nome.</translation>
     </message>
     <message>
-        <source>Of a text: numbers or headers of x and y, such as &quot;1,2&quot;; of x, y and height for lines in space.</source>
-        <translation>De um texto: números ou cabeçalhos de x e y, como &quot;1,2&quot;; de x, y e altura para linhas no espaço.</translation>
-    </message>
-    <message>
-        <source>Of a text: the columns whose words name a line.</source>
-        <translation>De um texto: as colunas cujas palavras dão nome a uma linha.</translation>
-    </message>
-    <message>
-        <source>Of the columns of a text.</source>
-        <translation>Das colunas de um texto.</translation>
-    </message>
-    <message>
         <source>section: x and y as they stand; map: lines on a vertical plane in space.</source>
         <translation>section: x e y como estão; map: linhas sobre um plano vertical no espaço.</translation>
-    </message>
-    <message>
-        <source>The plane of lines in space: x and y of its beginning and its end; found by least squares otherwise.</source>
-        <translation>O plano de linhas no espaço: x e y do seu começo e do seu fim; senão, achado por mínimos quadrados.</translation>
     </message>
     <message>
         <source>Trend and plunge of the axis along which lines in space are projected.</source>
@@ -936,16 +904,8 @@
         <translation>Maior distância de linhas no espaço ao seu plano, como parte do comprimento.</translation>
     </message>
     <message>
-        <source>As the file says, else up.</source>
-        <translation>Como diz o arquivo; senão, para cima.</translation>
-    </message>
-    <message>
         <source>With y_axis = &quot;down&quot;: the value at height 0, in units of the file.</source>
         <translation>Com y_axis = &quot;down&quot;: o valor na altura 0, nas unidades do arquivo.</translation>
-    </message>
-    <message>
-        <source>Of the coordinates in the file; as the file says, else as the scenario.</source>
-        <translation>Das coordenadas no arquivo; como diz o arquivo, senão como o cenário.</translation>
     </message>
     <message>
         <source>Heights are stored this many times too large.</source>
@@ -1064,10 +1024,6 @@
         <translation>Texto de duas colunas, CSV ou GeoJSON; em vez de pontos.</translation>
     </message>
     <message>
-        <source>Value of y at z = 0 where y grows downwards, in the unit of the files.</source>
-        <translation>Valor de y em z = 0 onde y cresce para baixo, na unidade dos arquivos.</translation>
-    </message>
-    <message>
         <source>Vertices of a line or polygon; first and last point of an arc.</source>
         <translation>Vértices de uma linha ou polígono; primeiro e último ponto de um arco.</translation>
     </message>
@@ -1102,10 +1058,6 @@
     <message>
         <source>cut_loops: small loops of the pen are cut out, with a remark.</source>
         <translation>cut_loops: pequenos laços da pena são cortados, com uma observação.</translation>
-    </message>
-    <message>
-        <source>down: z = reference - y, as for depths and images.</source>
-        <translation>down: z = referência - y, como em profundidades e imagens.</translation>
     </message>
     <message>
         <source>flat: a horizontal datum; line: the points or the file.</source>
@@ -2032,10 +1984,6 @@
         <translation>Dos intervalos do ajuste.</translation>
     </message>
     <message>
-        <source>Unit of the file</source>
-        <translation>Unidade do arquivo</translation>
-    </message>
-    <message>
         <source>Order of the points</source>
         <translation>Ordem dos pontos</translation>
     </message>
@@ -2066,10 +2014,6 @@
     <message>
         <source>Opacity</source>
         <translation>Opacidade</translation>
-    </message>
-    <message>
-        <source>Exaggeration in the data</source>
-        <translation>Exagero nos dados</translation>
     </message>
     <message>
         <source>Faults</source>
@@ -2132,18 +2076,6 @@
         <translation>Como &apos;F*=falha&apos;; o primeiro que serve a um nome vale mais que o tipo que o arquivo dá.</translation>
     </message>
     <message>
-        <source>Columns of x and height</source>
-        <translation>Colunas de x e altura</translation>
-    </message>
-    <message>
-        <source>In a text file: numbers from 1 or headers; three for x, y and height of map coordinates.</source>
-        <translation>Em um arquivo de texto: números a partir de 1 ou cabeçalhos; três para x, y e altura de coordenadas de mapa.</translation>
-    </message>
-    <message>
-        <source>In a text file: a line ends where their texts change.</source>
-        <translation>Em um arquivo de texto: uma linha termina onde seus textos mudam.</translation>
-    </message>
-    <message>
         <source>Eroded lines</source>
         <translation>Linhas erodidas</translation>
     </message>
@@ -2180,16 +2112,8 @@
         <translation>Remover lascas</translation>
     </message>
     <message>
-        <source>Trace of the section</source>
-        <translation>Traço da seção</translation>
-    </message>
-    <message>
         <source>Fold axis</source>
         <translation>Eixo da dobra</translation>
-    </message>
-    <message>
-        <source>Lines in space off their plane</source>
-        <translation>Linhas no espaço fora de seu plano</translation>
     </message>
     <message>
         <source>Text, CSV, GeoJSON, DXF, GOCAD, MOVE, Shapefile, GeoPackage or WKT; instead of points.</source>
@@ -2202,18 +2126,6 @@
     <message>
         <source>In a text file, counted from 1; three for map coordinates with heights.</source>
         <translation>Em um arquivo de texto, contadas a partir de 1; três para coordenadas de mapa com altitudes.</translation>
-    </message>
-    <message>
-        <source>section: as for all files, or as the file itself says.</source>
-        <translation>section: como em todos os arquivos, ou como o próprio arquivo diz.</translation>
-    </message>
-    <message>
-        <source>along_curve: unordered points are put in order, with a remark.</source>
-        <translation>along_curve: pontos fora de ordem são ordenados, com uma observação.</translation>
-    </message>
-    <message>
-        <source>0: none but equal ones.</source>
-        <translation>0: apenas os iguais.</translation>
     </message>
     <message>
         <source>Parts of the same name whose ends are nearer become one line; 0: none.</source>
@@ -2240,10 +2152,6 @@
         <translation>O inferior esquerdo e o superior direito, nas coordenadas dos arquivos da seção; por padrão, como diz o GeoTIFF ou seu world file.</translation>
     </message>
     <message>
-        <source>The files hold z this many times too large; it is divided by this.</source>
-        <translation>Os arquivos contêm z aumentado tantas vezes; é dividido por este valor.</translation>
-    </message>
-    <message>
         <source>One polygon round what belongs to the section; by default it reaches from the first horizon to the last, between their ends.</source>
         <translation>Um polígono em torno do que pertence à seção; por padrão, vai do primeiro horizonte ao último, entre suas extremidades.</translation>
     </message>
@@ -2266,18 +2174,6 @@
     <message>
         <source>Polygons and spikes of polygons thinner than this are removed, with a remark; 0: none.</source>
         <translation>Polígonos e pontas de polígonos mais finos que isto são removidos, com uma observação; 0: nenhum.</translation>
-    </message>
-    <message>
-        <source>Of files with lines in space: x0, y0, x1, y1 on the map, in metres; found by least squares where one file holds them all.</source>
-        <translation>De arquivos com linhas no espaço: x0, y0, x1, y1 no mapa, em metros; por mínimos quadrados quando um só arquivo contém todas.</translation>
-    </message>
-    <message>
-        <source>Of files with lines in space: trend and plunge in degrees; they are projected down the plunge.</source>
-        <translation>De arquivos com linhas no espaço: direção e caimento em graus; são projetadas segundo o caimento.</translation>
-    </message>
-    <message>
-        <source>At most this part of the length.</source>
-        <translation>No máximo esta fração do comprimento.</translation>
     </message>
     <message>
         <source>Direction of shear</source>
@@ -2582,6 +2478,182 @@
     <message>
         <source>refuse: an error with the place; allow: every point goes by the grid all the same, and the units by their faces.</source>
         <translation>refuse: um erro com o lugar; allow: ainda assim cada ponto segue a grade, e as unidades, suas faces.</translation>
+    </message>
+    <message>
+        <source>1 by default.</source>
+        <translation>1 por padrão.</translation>
+    </message>
+    <message>
+        <source>Arc tolerance</source>
+        <translation>Tolerância dos arcos</translation>
+    </message>
+    <message>
+        <source>Base segment of the step</source>
+        <translation>Segmento de base do passo</translation>
+    </message>
+    <message>
+        <source>Between the columns of a text.</source>
+        <translation>Entre as colunas de um texto.</translation>
+    </message>
+    <message>
+        <source>Caps</source>
+        <translation>Pontas</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Curva</translation>
+    </message>
+    <message>
+        <source>Curve so far</source>
+        <translation>Curva até aqui</translation>
+    </message>
+    <message>
+        <source>Curves parallel to lines of the model or of a file, or areas about them.</source>
+        <translation>Curvas paralelas a linhas do modelo ou de um arquivo, ou áreas em torno delas.</translation>
+    </message>
+    <message>
+        <source>Deleted in the step</source>
+        <translation>Removido no passo</translation>
+    </message>
+    <message>
+        <source>Dissolve</source>
+        <translation>Dissolver</translation>
+    </message>
+    <message>
+        <source>Distances</source>
+        <translation>Distâncias</translation>
+    </message>
+    <message>
+        <source>F of the distances D_k = F D_(k-1) + first distance; 1 (equal gaps) by default.</source>
+        <translation>F das distâncias D_k = F D_(k-1) + primeira distância; 1 (intervalos iguais) por padrão.</translation>
+    </message>
+    <message>
+        <source>From the base, instead of the three above.</source>
+        <translation>A partir da base, em vez dos três acima.</translation>
+    </message>
+    <message>
+        <source>Greatest distance of a chord from its arc, in D.</source>
+        <translation>Maior distância de uma corda ao seu arco, em D.</translation>
+    </message>
+    <message>
+        <source>Greatest distance of a mitre from its corner, in D; 4 by default.</source>
+        <translation>Maior distância de uma ponta aguda ao seu vértice, em D; 4 por padrão.</translation>
+    </message>
+    <message>
+        <source>Joins all areas to one; lines get both sides unless the side says otherwise.</source>
+        <translation>Une todas as áreas em uma; linhas recebem os dois lados, a menos que o lado diga outra coisa.</translation>
+    </message>
+    <message>
+        <source>Judges the curves independently; exit code 1 if anything is wrong.</source>
+        <translation>Julga as curvas de modo independente; código de saída 1 se algo estiver errado.</translation>
+    </message>
+    <message>
+        <source>Mitre limit</source>
+        <translation>Limite das pontas agudas</translation>
+    </message>
+    <message>
+        <source>Of a text: numbers from 1, or headers, of x and height, such as &quot;1,2&quot;; of x, y and height for lines in space.</source>
+        <translation>De um texto: números a partir de 1, ou cabeçalhos, de x e altura, como &quot;1,2&quot;; de x, y e altura para linhas no espaço.</translation>
+    </message>
+    <message>
+        <source>Of a text: their words name a line, which ends where they change.</source>
+        <translation>De um texto: suas palavras dão nome a uma linha, que termina onde elas mudam.</translation>
+    </message>
+    <message>
+        <source>Of an open curve on one side; the longest by default.</source>
+        <translation>De uma curva aberta de um lado; o mais longo por padrão.</translation>
+    </message>
+    <message>
+        <source>Of lines and polygons, in any format; by default those of the model.</source>
+        <translation>De linhas e polígonos, em qualquer formato; por padrão os do modelo.</translation>
+    </message>
+    <message>
+        <source>Of the coordinates in the file; as the file says otherwise, else as the scenario.</source>
+        <translation>Das coordenadas no arquivo; se não dita, como diz o arquivo, ou então o cenário.</translation>
+    </message>
+    <message>
+        <source>Of the first curve from the base; below 0 polygons shrink.</source>
+        <translation>Da primeira curva à base; abaixo de 0 os polígonos encolhem.</translation>
+    </message>
+    <message>
+        <source>Of travel: right (default; outside of polygons), left, or both as an area.</source>
+        <translation>Do percurso: direito (right, padrão; fora dos polígonos), esquerdo (left), ou ambos (both) como área.</translation>
+    </message>
+    <message>
+        <source>Only the curve of this name or number; all by default.</source>
+        <translation>Só a curva deste nome ou número; todas por padrão.</translation>
+    </message>
+    <message>
+        <source>Open ends</source>
+        <translation>Extremos abertos</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Pedaços</translation>
+    </message>
+    <message>
+        <source>Raw edge of the step</source>
+        <translation>Aresta bruta do passo</translation>
+    </message>
+    <message>
+        <source>Raw normals and bisectors: spurious regions stay.</source>
+        <translation>Normais e bissetrizes brutas: regiões espúrias ficam.</translation>
+    </message>
+    <message>
+        <source>So many steps of the construction on the subdivision, one raw edge each, for a look at the work; 0 makes the curves.</source>
+        <translation>Tantos passos da construção na subdivisão, uma aresta bruta cada, para ver o trabalho; 0 faz as curvas.</translation>
+    </message>
+    <message>
+        <source>Takes every curve as a closed contour.</source>
+        <translation>Toma cada curva como um contorno fechado.</translation>
+    </message>
+    <message>
+        <source>The plane of lines in space: x and y of its beginning and its end on the map; found by least squares otherwise.</source>
+        <translation>O plano de linhas no espaço: x e y do seu começo e do seu fim no mapa; senão, achado por mínimos quadrados.</translation>
+    </message>
+    <message>
+        <source>To the one before; 0: none but equal ones.</source>
+        <translation>Ao anterior; 0: só os iguais.</translation>
+    </message>
+    <message>
+        <source>Unordered points are put in order along their curve, with a remark.</source>
+        <translation>Pontos fora de ordem são ordenados ao longo da sua curva, com uma observação.</translation>
+    </message>
+    <message>
+        <source>Untreated</source>
+        <translation>Sem tratamento</translation>
+    </message>
+    <message>
+        <source>Verify</source>
+        <translation>Verificar</translation>
+    </message>
+    <message>
+        <source>What fills the outer side of a corner.</source>
+        <translation>O que preenche o lado externo de um vértice.</translation>
+    </message>
+    <message>
+        <source>With both sides, at the ends of lines; round by default.</source>
+        <translation>Com os dois lados, nos extremos das linhas; redondas (round) por padrão.</translation>
+    </message>
+    <message>
+        <source>base curves</source>
+        <translation>curvas de base</translation>
+    </message>
+    <message>
+        <source>down, as depths and images do: the height is the reference less the value. As the file says otherwise, else up.</source>
+        <translation>down, como em profundidades e imagens: a altura é a referência menos o valor. Se não dito, como diz o arquivo, ou então para cima.</translation>
+    </message>
+    <message>
+        <source>not %1</source>
+        <translation>diferente de %1</translation>
+    </message>
+    <message>
+        <source>nothing remains</source>
+        <translation>nada resta</translation>
+    </message>
+    <message>
+        <source>trimmed by default: what is nearer than D to any part of the base goes.</source>
+        <translation>trimmed por padrão: sai o que está a menos de D de qualquer parte da base.</translation>
     </message>
 </context>
 </TS>

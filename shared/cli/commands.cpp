@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "shared/base/text.h"
+#include "shared/cli/parameter_options.h"
 #include "shared/cli/pictures.h"
 #include "shared/cli/staging.h"
 #include "shared/io/file.h"
@@ -17,36 +18,56 @@ namespace {
 using base::Error;
 using base::ErrorCode;
 
+/// What run has for itself.
+struct RunParams {
+  std::optional<std::string> pictures;
+  template <class D>
+  static void describe(D& d) {
+    d.field("pictures", &RunParams::pictures,
+            {.title = "Pictures", .help = "Any of svg,pdf,png,vtk, or none; all by default."});
+  }
+};
+
 struct RunOptions {
   ScenarioOptions scenario;
   std::filesystem::path out;
-  std::optional<std::string> pictures;
+  OptionsOf<RunParams> own;
+};
+
+/// What render has for itself.
+struct RenderParams {
+  Drawer drawer = Drawer::Cairo;
+  std::optional<double> width;
+  template <class D>
+  static void describe(D& d) {
+    d.choice("drawer", &RenderParams::drawer, {"cairo", "vtk"}, {.title = "Drawer", .help = "vtk: PNG only."});
+    d.field("width", &RenderParams::width,
+            {.title = "Width", .help = "Of the page in points (1/72 inch).", .at_least = 72, .at_most = 14400});
+  }
 };
 
 struct RenderOptions {
   ScenarioOptions scenario;
   std::filesystem::path out;
-  std::string drawer = "cairo";
-  double width = 0.0;
+  OptionsOf<RenderParams> own{OutOfRange::BadUsage};
 };
 
 /// Draws all pictures asked for. Without --pictures, VTK's is left out with a note where there is no EGL.
-base::Result<void> write_pictures(Session& session, const RunOptions& options, const scene::Picture& picture,
+base::Result<void> write_pictures(Session& session, const RunParams& own, const scene::Picture& picture,
                                   const Staging& staging) {
-  DOBRA_TRY(const std::set<PictureKind> kinds, picture_kinds(options.pictures.value_or("svg,pdf,png,vtk")));
+  DOBRA_TRY(const std::set<PictureKind> kinds, picture_kinds(own.pictures.value_or("svg,pdf,png,vtk")));
   for (const PictureKind kind : kinds) {
     DOBRA_TRY_VOID(session.check());
     const Drawer drawer = kind == PictureKind::Vtk ? Drawer::Vtk : Drawer::Cairo;
     const auto drawn = draw(picture, staging.path(picture_file_name(kind)), drawer);
     if (drawn) continue;
-    if (kind != PictureKind::Vtk || options.pictures || drawn.error().code != ErrorCode::CannotDraw)
-      return drawn.error();
+    if (kind != PictureKind::Vtk || own.pictures || drawn.error().code != ErrorCode::CannotDraw) return drawn.error();
     session.note(fmt::format("{} is left out: {}", picture_file_name(kind), drawn.error().message));
   }
   return {};
 }
 
-base::Result<void> write_results(Session& session, const RunOptions& options, const scenario::Document& document,
+base::Result<void> write_results(Session& session, const RunParams& own, const scenario::Document& document,
                                  const scenario::State& state, const std::string& report, const Staging& staging) {
   const scenario::Program& program = session.program;
   DOBRA_TRY_VOID(io::write_file(staging.path("report.json"), report));
@@ -57,8 +78,7 @@ base::Result<void> write_results(Session& session, const RunOptions& options, co
     DOBRA_TRY_VOID(output.write(staging.path(output.file_name)));
     for (const std::string& loss : output.losses) session.note(loss);
   }
-  if (program.results.draw)
-    DOBRA_TRY_VOID(write_pictures(session, options, picture_of(program, document, state), staging));
+  if (program.results.draw) DOBRA_TRY_VOID(write_pictures(session, own, picture_of(program, document, state), staging));
   return session.check();
 }
 
@@ -86,13 +106,14 @@ std::string summary(const scenario::Document& document, const RunOptions& option
 }
 
 base::Result<int> run_job(Session& session, const RunOptions& options) {
-  if (options.pictures) DOBRA_TRY_VOID(picture_kinds(*options.pictures));
+  DOBRA_TRY(const RunParams own, options.own.read());
+  if (own.pictures) DOBRA_TRY_VOID(picture_kinds(*own.pictures));
   DOBRA_TRY(const scenario::Document document, load(session, options.scenario));
   // Opened before the work, so that a folder which cannot be written is known at once.
   DOBRA_TRY(Staging staging, Staging::open(options.out, TargetFolder::Create));
   DOBRA_TRY(const scenario::Run run, run_steps(session, document));
   const std::string report = scenario::report_json(document, session.program, run);
-  if (const auto written = write_results(session, options, document, run.states.back(), report, staging); !written) {
+  if (const auto written = write_results(session, own, document, run.states.back(), report, staging); !written) {
     return staging.for_user(written.error());
   }
   DOBRA_TRY(const std::vector<std::string> files, staging.commit());
@@ -107,16 +128,15 @@ base::Result<int> run_job(Session& session, const RunOptions& options) {
 }
 
 base::Result<int> render_job(Session& session, const RenderOptions& options) {
-  const Drawer drawer = options.drawer == "vtk" ? Drawer::Vtk : Drawer::Cairo;
-  DOBRA_TRY_VOID(check_ending(options.out, drawer));
+  DOBRA_TRY(const RenderParams own, options.own.read());
+  DOBRA_TRY_VOID(check_ending(options.out, own.drawer));
   DOBRA_TRY_VOID(check_writable(options.out));
   DOBRA_TRY(const scenario::Document document, load(session, options.scenario));
   DOBRA_TRY(Staging staging, Staging::open(options.out.parent_path(), TargetFolder::MustExist));
   DOBRA_TRY(const scenario::Run run, run_steps(session, document));
   const std::string name = options.out.filename().string();
-  const auto width = options.width > 0.0 ? std::optional(options.width) : std::nullopt;
   if (const auto drawn =
-          draw(picture_of(session.program, document, run.states.back()), staging.path(name), drawer, width);
+          draw(picture_of(session.program, document, run.states.back()), staging.path(name), own.drawer, own.width);
       !drawn) {
     return staging.for_user(drawn.error());
   }
@@ -134,10 +154,14 @@ base::Result<int> render_job(Session& session, const RenderOptions& options) {
 
 void add_scenario_options(CLI::App& app, ScenarioOptions& options) {
   app.add_option("file", options.file, "Scenario file (TOML)")->required()->type_name("FILE");
+  add_assignment_option(app, options);
+  app.add_flag("--si", options.si, "Results in m, N, Pa, whatever the units of the scenario");
+}
+
+void add_assignment_option(CLI::App& app, ScenarioOptions& options) {
   app.add_option("--set", options.assignments, "Change a value, such as steps.2.distance=0.4; may be repeated")
       ->allow_extra_args(false)
       ->type_name("PATH=VALUE");
-  app.add_flag("--si", options.si, "Results in m, N, Pa, whatever the units of the scenario");
 }
 
 base::Result<scenario::Document> load(Session& session, const ScenarioOptions& options) {
@@ -177,8 +201,7 @@ Command run_command() {
             app.add_option("--out", options->out, "Folder for the results; made if it is not there")
                 ->required()
                 ->type_name("DIR");
-            app.add_option("--pictures", options->pictures, "Any of svg,pdf,png,vtk, or none; all by default")
-                ->type_name("LIST");
+            options->own.add(app);
             return [options](Session& session) { return run_job(session, *options); };
           }};
 }
@@ -189,12 +212,7 @@ Command render_command() {
         const auto options = std::make_shared<RenderOptions>();
         add_scenario_options(app, options->scenario);
         app.add_option("--out", options->out, "Picture to write: .svg, .pdf or .png")->required()->type_name("PICTURE");
-        app.add_option("--drawer", options->drawer, "cairo or vtk (PNG only)")
-            ->check(CLI::IsMember({"cairo", "vtk"}))
-            ->type_name("NAME");
-        app.add_option("--width", options->width, "Width of the page in points (1/72 inch)")
-            ->check(CLI::Range(72.0, 14400.0))
-            ->type_name("POINTS");
+        options->own.add(app);
         return [options](Session& session) { return render_job(session, *options); };
       }};
 }

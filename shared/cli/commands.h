@@ -24,6 +24,8 @@ struct ScenarioOptions {
   std::vector<std::string> assignments;
 };
 void add_scenario_options(CLI::App& app, ScenarioOptions& options);
+/// --set alone.
+void add_assignment_option(CLI::App& app, ScenarioOptions& options);
 
 /// Reads the document, applies the assignments and judges all of it.
 base::Result<scenario::Document> load(Session& session, const ScenarioOptions& options);

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "shared/base/text.h"
+#include "shared/cli/line_options.h"
 #include "shared/cli/line_picture.h"
 #include "shared/cli/pictures.h"
 #include "shared/cli/staging.h"
@@ -23,16 +24,41 @@ using base::ErrorCode;
 using base::Result;
 using Json = nlohmann::ordered_json;
 
-struct Options {
-  std::string input;
-  std::filesystem::path output;
-  LineOptionTexts lines;
+/// What convert has for itself.
+struct ConvertParams {
   std::string to;
-  std::string to_coordinates = "detect";
-  std::string only;
+  io::Coordinates to_coordinates = io::Coordinates::Detect;
+  std::optional<io::FeatureType> only;
   std::string scale;
   std::string colors;
   std::string orientation;
+
+  template <class D>
+  static void describe(D& d) {
+    d.field("to", &ConvertParams::to,
+            {.title = "Format", .help = "Of the output, as of --from; by the ending of its name otherwise."});
+    d.choice(
+        "to_coordinates", &ConvertParams::to_coordinates, {"detect", "section", "map"},
+        {.title = "Coordinates of the output", .help = "section: x and height; map: x, y and height on the trace."});
+    d.choice("only", &ConvertParams::only, {"points", "lines", "polygons"},
+             {.title = "Only these", .help = "The others are left out."});
+    d.field("scale", &ConvertParams::scale,
+            {.title = "Scale", .help = "Pictures and DXF to a true scale such as 1:10000."});
+    d.file("colours", &ConvertParams::colors,
+           {.title = "Table of colours",
+            .help = "Pictures: CSV or TOML with name, colour, pattern, age and lithology of units and lines."});
+    d.field("orientation", &ConvertParams::orientation,
+            {.title = "Orientation",
+             .help = "Pictures: what stands over the left and the right end, such as W - E; told by the plane of lines "
+                     "in space."});
+  }
+};
+
+struct Options {
+  std::string input;
+  std::filesystem::path output;
+  LineOptions lines{OutOfRange::BadUsage};
+  OptionsOf<ConvertParams> own;
 };
 
 constexpr const char* type_names[] = {"points", "lines", "polygons"};
@@ -46,49 +72,44 @@ struct Target {
   std::optional<std::pair<std::string, std::string>> ends;
 };
 
-Result<Target> target_of(const Options& options) {
+Result<Target> target_of(const ConvertParams& params, const std::filesystem::path& output) {
   Target target;
-  const std::string ending = options.output.extension().string();
-  target.picture = options.to.empty() && (ending == ".svg" || ending == ".pdf" || ending == ".png");
-  if (!options.to.empty()) {
+  const std::string ending = output.extension().string();
+  target.picture = params.to.empty() && (ending == ".svg" || ending == ".pdf" || ending == ".png");
+  if (!params.to.empty()) {
     std::vector<std::string> names;
     for (const io::LineFormatNames& format : io::line_formats()) {
       names.emplace_back(format.name);
-      if (options.to == format.name) target.lines.format = format.format;
+      if (params.to == format.name) target.lines.format = format.format;
     }
     if (!target.lines.format) {
       return Error{ErrorCode::BadUsage,
-                   fmt::format("--to: unknown '{}'{}", options.to, base::did_you_mean(options.to, names))};
+                   fmt::format("--to: unknown '{}'{}", params.to, base::did_you_mean(params.to, names))};
     }
   } else if (!target.picture) {
-    auto format = io::line_format_of(options.output.string());
+    auto format = io::line_format_of(output.string());
     if (!format) {
-      return Error{ErrorCode::BadUsage, fmt::format("{}: {} .svg .pdf .png; or give --to NAME", options.output.string(),
-                                                    format.error().message)};
+      return Error{ErrorCode::BadUsage,
+                   fmt::format("{}: {} .svg .pdf .png; or give --to NAME", output.string(), format.error().message)};
     }
     target.lines.format = *format;
   }
-  const std::string& where = options.to_coordinates;
-  if (where == "section") target.lines.coordinates = io::Coordinates::Section;
-  if (where == "map") target.lines.coordinates = io::Coordinates::Map;
-  if (where != "detect" && where != "section" && where != "map") {
-    return Error{ErrorCode::BadUsage, fmt::format("--to-coordinates: unknown '{}'; give section or map", where)};
-  }
-  if (!options.colors.empty()) {
+  target.lines.coordinates = params.to_coordinates;
+  if (!params.colors.empty()) {
     if (!target.picture) return Error{ErrorCode::BadUsage, "--colours is for .svg, .pdf and .png"};
-    DOBRA_TRY(target.colors, scenario::read_color_table(options.colors));
+    DOBRA_TRY(target.colors, scenario::read_color_table(params.colors));
   }
-  if (!options.orientation.empty()) {
+  if (!params.orientation.empty()) {
     if (!target.picture) return Error{ErrorCode::BadUsage, "--orientation is for .svg, .pdf and .png"};
-    auto ends = io::ends_of_text(options.orientation);
+    auto ends = io::ends_of_text(params.orientation);
     if (!ends) return Error{ErrorCode::BadUsage, "--orientation: " + ends.error().message};
     target.ends = *ends;
   }
-  if (options.scale.empty()) return target;
-  const bool ratio = options.scale.starts_with("1:");
-  const auto number = base::parse_number(ratio ? options.scale.substr(2) : options.scale);
+  if (params.scale.empty()) return target;
+  const bool ratio = params.scale.starts_with("1:");
+  const auto number = base::parse_number(ratio ? params.scale.substr(2) : params.scale);
   if (!ratio || !number || !std::isfinite(*number) || *number <= 0.0) {
-    return Error{ErrorCode::BadUsage, fmt::format("--scale {}: give a scale such as 1:10000", options.scale)};
+    return Error{ErrorCode::BadUsage, fmt::format("--scale {}: give a scale such as 1:10000", params.scale)};
   }
   if (!target.picture && target.lines.format != io::LineFormat::Dxf) {
     return Error{ErrorCode::BadUsage, "--scale is for .svg, .pdf, .png and .dxf"};
@@ -97,15 +118,11 @@ Result<Target> target_of(const Options& options) {
   return target;
 }
 
-Result<void> keep_only(io::LineWork& work, const std::string& only) {
-  if (only.empty()) return {};
-  const auto type = std::find(std::begin(type_names), std::end(type_names), only);
-  if (type == std::end(type_names)) {
-    return Error{ErrorCode::BadUsage, fmt::format("--only: unknown '{}'; give lines, polygons or points", only)};
-  }
-  const auto wanted = static_cast<io::FeatureType>(type - std::begin(type_names));
+Result<void> keep_only(io::LineWork& work, std::optional<io::FeatureType> wanted) {
+  if (!wanted) return {};
+  const char* const only = type_names[static_cast<std::size_t>(*wanted)];
   const std::size_t before = work.features.size();
-  std::erase_if(work.features, [wanted](const io::Feature& f) { return f.type != wanted; });
+  std::erase_if(work.features, [wanted](const io::Feature& f) { return f.type != *wanted; });
   if (work.features.empty()) return Error{ErrorCode::BadFormat, fmt::format("the file has no {}", only)};
   work.remarks.push_back(fmt::format("{} features that are no {} left out", before - work.features.size(), only));
   return {};
@@ -196,13 +213,15 @@ Error of_usage(Error error) {
 }
 
 Result<int> convert_job(Session& session, const Options& options) {
-  DOBRA_TRY(const io::LineOptions line_settings, line_options(options.lines));
-  DOBRA_TRY(const Target target, target_of(options));
+  DOBRA_TRY(const scenario::Table lines, options.lines.table());
+  DOBRA_TRY(const io::LineOptions line_settings, line_options(lines));
+  DOBRA_TRY(const ConvertParams own, options.own.read());
+  DOBRA_TRY(const Target target, target_of(own, options.output));
   DOBRA_TRY_VOID(check_writable(options.output));
   auto read = io::read_any_lines(options.input, line_settings);
   if (!read) return of_usage(read.error());
   io::LineWork& work = *read;
-  if (auto kept = keep_only(work, options.only); !kept) return base::located(kept.error(), {.file = options.input});
+  if (auto kept = keep_only(work, own.only); !kept) return base::located(kept.error(), {.file = options.input});
   if (const auto kinds = io::check_kinds(work.features); !kinds) work.remarks.push_back(base::to_string(kinds.error()));
   if (target.colors) {
     for (std::string& remark : scene::remarks_on(*target.colors, drawn_names(work)))
@@ -223,30 +242,18 @@ Result<int> convert_job(Session& session, const Options& options) {
 }  // namespace
 
 Command convert_command() {
-  return {
-      "convert", "Lines from one format to another, with units, depths, planes and repairs", [](CLI::App& app) -> Job {
-        const auto options = std::make_shared<Options>();
-        app.add_option("in", options->input,
-                       "Lines: .csv .txt .tsv .dat .wkt .geojson .json .dxf .asc .pl .vs .gp .shp .gpkg")
-            ->required()
-            ->type_name("IN");
-        app.add_option("out", options->output, "The same, or .svg .pdf .png")->required()->type_name("OUT");
-        add_line_options(app, options->lines);
-        app.add_option("--to", options->to, "Format of the output; by the ending of its name otherwise")
-            ->type_name("NAME");
-        app.add_option("--to-coordinates", options->to_coordinates,
-                       "section: x and height; map: x, y and height on the trace")
-            ->type_name("NAME");
-        app.add_option("--only", options->only, "Only lines, polygons or points")->type_name("NAME");
-        app.add_option("--scale", options->scale, "Pictures and DXF to a true scale such as 1:10000")->type_name("1:N");
-        app.add_option("--colours", options->colors,
-                       "Pictures: a table (.csv .toml) of name, colour, pattern, age and lithology of units and lines")
-            ->type_name("FILE");
-        app.add_option("--orientation", options->orientation,
-                       "Pictures: compass points over the ends, such as \"W - E\"; told by the plane of lines in space")
-            ->type_name("ENDS");
-        return [options](Session& session) { return convert_job(session, *options); };
-      }};
+  return {"convert", "Lines from one format to another, with units, depths, planes and repairs",
+          [](CLI::App& app) -> Job {
+            const auto options = std::make_shared<Options>();
+            app.add_option("in", options->input,
+                           "Lines: .csv .txt .tsv .dat .wkt .geojson .json .dxf .asc .pl .vs .gp .shp .gpkg")
+                ->required()
+                ->type_name("IN");
+            app.add_option("out", options->output, "The same, or .svg .pdf .png")->required()->type_name("OUT");
+            options->lines.add(app, LineOptions::Repairs::Offered);
+            options->own.add(app);
+            return [options](Session& session) { return convert_job(session, *options); };
+          }};
 }
 
 }  // namespace dobra::cli

@@ -54,6 +54,7 @@ QString tool_tip_of(const Field& field) {
   if (options.above) range << text("greater than %1").arg(number(*options.above));
   if (options.at_least) range << text("at least %1").arg(number(*options.at_least));
   if (options.at_most) range << text("at most %1").arg(number(*options.at_most));
+  if (options.other_than) range << text("not %1").arg(number(*options.other_than));
   if (options.presence == scenario::Presence::Required) range << text("required");
   if (field.default_value) {
     const QString value = QString::fromStdString(scenario::value_text(*field.default_value));

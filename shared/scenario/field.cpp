@@ -98,6 +98,7 @@ std::string range_text(const Field& field) {
   if (field.options.above) parts.push_back("greater than " + plain(*field.options.above));
   if (field.options.at_least) parts.push_back("at least " + plain(*field.options.at_least));
   if (field.options.at_most) parts.push_back("at most " + plain(*field.options.at_most));
+  if (field.options.other_than) parts.push_back("other than " + plain(*field.options.other_than));
   return fmt::format("{}", fmt::join(parts, " and "));
 }
 
@@ -105,8 +106,8 @@ std::string range_text(const Field& field) {
 std::string number_trouble(const Field& field, double number, const std::string& unit) {
   if (!std::isfinite(number)) return "a finite number";
   const FieldOptions& o = field.options;
-  const bool inside =
-      (!o.above || number > *o.above) && (!o.at_least || number >= *o.at_least) && (!o.at_most || number <= *o.at_most);
+  const bool inside = (!o.above || number > *o.above) && (!o.at_least || number >= *o.at_least) &&
+                      (!o.at_most || number <= *o.at_most) && (!o.other_than || number != *o.other_than);
   return inside ? "" : range_text(field) + unit;
 }
 
@@ -331,6 +332,13 @@ std::string value_text(const Value& value) {
   return text != nullptr ? *text : value_toml(value);
 }
 
+std::string rule_of(const Field& field) {
+  const FieldOptions& o = field.options;
+  if (o.other_than && !o.above && !o.at_least && !o.at_most) return "must not be " + plain(*o.other_than);
+  const std::string range = range_text(field);
+  return range.empty() ? range : "must be " + range;
+}
+
 std::string field_summary(const Field& field) {
   static constexpr const char* names[] = {
       "true or false", "whole number", "number",          "angle in degrees", "text",          "one of",
@@ -341,6 +349,7 @@ std::string field_summary(const Field& field) {
   if (options.above) out += " > " + plain(*options.above);
   if (options.at_least) out += " >= " + plain(*options.at_least);
   if (options.at_most) out += (options.above || options.at_least ? " and <= " : " <= ") + plain(*options.at_most);
+  if (options.other_than) out += " other than " + plain(*options.other_than);
   if (!options.unit.empty()) out += fmt::format(" [{}]", options.unit);
   if (options.presence == Presence::Required) return out + ", required";
   if (field.default_value) out += ", default " + value_toml(*field.default_value);

@@ -42,6 +42,7 @@ struct FieldOptions {
   std::optional<double> above = std::nullopt;     ///< Exclusive lower bound.
   std::optional<double> at_least = std::nullopt;  ///< Inclusive lower bound.
   std::optional<double> at_most = std::nullopt;   ///< Inclusive upper bound.
+  std::optional<double> other_than = std::nullopt;
   Presence presence = Presence::Optional;
 };
 
@@ -71,6 +72,9 @@ std::string value_text(const Value& value);
 /// `value` in the one type that the kind of a field has (Number: double, Point: geom::Point, ...); nothing if it is of
 /// another kind.
 std::optional<Value> as_kind(const Value& value, Kind kind);
+
+/// "must be at least 1 and at most 5", "must not be 0"; empty if any number will do.
+std::string rule_of(const Field& field);
 
 /// "number > 0 m, default 0.2": kind, range, unit and default, for --help and tool tips.
 std::string field_summary(const Field& field);
@@ -174,6 +178,10 @@ class FieldCollector {
     Field field{key, Kind::Choice, options, std::move(names), Value(chosen), {}};
     fields.push_back(std::move(field));
   }
+  template <class E>
+  void choice(const char* key, std::optional<E> P::*, std::vector<std::string> names, const FieldOptions& options) {
+    fields.push_back({key, Kind::Choice, options, std::move(names), std::nullopt, {}});
+  }
   template <class S>
   void tables(const char* key, std::vector<S> P::*, const FieldOptions& options) {
     fields.push_back({key, Kind::Tables, options, {}, std::nullopt, fields_of<S>()});
@@ -227,11 +235,12 @@ class Loader {
   void file(const char* key, std::string P::*member, const FieldOptions& options) { field(key, member, options); }
   template <class E>
   void choice(const char* key, E P::*member, const std::vector<std::string>& names, const FieldOptions&) {
-    const Value* value = table_.find(key);
-    if (value == nullptr) return;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      if (names[i] == std::get<std::string>(*value)) result.*member = static_cast<E>(i);
-    }
+    if (const auto at = chosen(key, names)) result.*member = static_cast<E>(*at);
+  }
+  template <class E>
+  void choice(const char* key, std::optional<E> P::*member, const std::vector<std::string>& names,
+              const FieldOptions&) {
+    if (const auto at = chosen(key, names)) result.*member = static_cast<E>(*at);
   }
   template <class S>
   void tables(const char* key, std::vector<S> P::*member, const FieldOptions&) {
@@ -244,6 +253,13 @@ class Loader {
   P result{};
 
  private:
+  [[nodiscard]] std::optional<std::size_t> chosen(const char* key, const std::vector<std::string>& names) const {
+    const Value* value = table_.find(key);
+    for (std::size_t i = 0; value != nullptr && i < names.size(); ++i) {
+      if (names[i] == std::get<std::string>(*value)) return i;
+    }
+    return std::nullopt;
+  }
   const Table& table_;
 };
 

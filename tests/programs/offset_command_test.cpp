@@ -73,6 +73,47 @@ TEST_F(OffsetPrograms, OFF_a_BothProgramsPrintTheSegmentBelowAndRefuseBadInput) 
   }
 }
 
+/// The coordinates of a file of GeoJSON, as they stand there.
+std::string coordinates_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  std::string found;
+  for (std::size_t at = text.find("\"coordinates\""); at != std::string::npos;
+       at = text.find("\"coordinates\"", at + 1))
+    found += text.substr(at, text.find('}', at) - at);
+  return found;
+}
+
+TEST_F(OffsetPrograms, AStepOfAScenarioGivesTheCurvesOfTheCommandInBothPrograms) {
+  const std::string base = write("base.csv", "0,0\n4,0\n4,-3\n5,-3\n5,0\n9,0\n");
+  const std::string step =
+      "[[step]]\noperation = \"offset\"\nfile = \"base.csv\"\ndistances = [0.75, 1.0]\n"
+      "side = \"left\"\njoin = \"round\"\n";
+  const std::string head = "dobra = 1\nprogram = ";
+  const std::string recon = write("r.toml", head +
+                                                "\"recon\"\n[[input.horizon]]\nname = \"top\"\n"
+                                                "points = [[0, 0], [9, 0]]\n" +
+                                                step);
+  const std::string quebra = write("q.toml", head + "\"quebra\"\n[input]\nspecimen = \"plate_with_hole\"\n" + step);
+  const fs::path folder = fs::path(base).parent_path();
+  for (const std::string& program : {std::string("recon"), std::string("quebra")}) {
+    const std::string scenario = program == "recon" ? recon : quebra;
+    const std::string curves = (folder / "curves.geojson").string();
+    EXPECT_EQ(call(program + " offset " + base + " --distances 0.75,1 --side left --join round --out " + curves).code,
+              0);
+    const std::string out = (folder / "out").string();
+    const Outcome ran = call(program + " run " + scenario + " --out " + out + " --pictures svg");
+    ASSERT_EQ(ran.code, 0) << ran.said;
+    EXPECT_EQ(coordinates_of(fs::path(out) / "offset_1.geojson"), coordinates_of(curves));
+    EXPECT_NE(coordinates_of(curves), "");
+    const Outcome drawn =
+        call(program + " render " + scenario + " --set steps.1.stop_after=3 --out " + out + "/work.svg");
+    EXPECT_EQ(drawn.code, 0) << drawn.said;
+    EXPECT_NE(drawn.said.find("stands after 3 steps"), std::string::npos) << drawn.said;
+    EXPECT_EQ(call(program + " run " + scenario + " --set steps.1.distances=0 --out " + out + "2").code, 3);
+  }
+}
+
 /// A closed walk that crosses itself everywhere.
 std::string tangle(std::size_t count) {
   std::mt19937 random(3);

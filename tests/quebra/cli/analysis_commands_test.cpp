@@ -36,6 +36,13 @@ TEST_F(AnalysisCommands, ALoopThatMissesItsTargetEndsWithOne) {
   EXPECT_EQ(Json::parse(met.out)["reached"], true);
 }
 
+TEST_F(AnalysisCommands, AProbeThatMissesTheMaterialIsCalledByItsOption) {
+  for (const char* const command : {"solve", "adapt"})
+    refuses({command, l_shape(), "--probe", "1e3,-1e3"}, 3,
+            {"--probe 1e3,-1e3: the point does not lie in the material"});
+  refuses({"solve", l_shape(), "--probe", "1,x"}, 2, {"--probe 1,x"});
+}
+
 TEST_F(AnalysisCommands, OptionsOfMeshesAreThoseOfTheLoopToo) {
   const auto elements = [&](const std::vector<std::string>& more) {
     std::vector<std::string> words{"adapt", l_shape(), "--target", "60%", "--json"};
@@ -49,6 +56,7 @@ TEST_F(AnalysisCommands, OptionsOfMeshesAreThoseOfTheLoopToo) {
   EXPECT_GT(elements({"--size-formula", "4 + 0.1 * x"}), 2.0 * few);
   refuses({"adapt", l_shape(), "--size-formula", "x - 50"}, 3, {"size_formula", "greater than 0"});
   refuses({"adapt", l_shape(), "--engine", "magic"}, 2, {"--engine"});
+  refuses({"adapt", l_shape(), "--size", "0"}, 3, {"--size", "greater than 0"});
 }
 
 TEST_F(AnalysisCommands, ALoopWithoutAStepOfItsOwnObeysTheMeshStep) {

@@ -1,5 +1,7 @@
 #include "recon/cli/section_document.h"
 
+#include <set>
+
 #include "recon/cli/section_commands.h"
 #include "recon/core/operations.h"
 #include "tests/support/command_line.h"
@@ -11,7 +13,7 @@ class SectionDocument : public dobra::test::CommandLine {
  protected:
   SectionDocument() : CommandLine(core::program(), {restore_command(), balance_command()}) {}
   [[nodiscard]] dobra::base::Result<dobra::scenario::Document> document(const std::string& file,
-                                                                        dobra::cli::LineOptionTexts lines = {}) const {
+                                                                        dobra::scenario::Table lines = {}) const {
     dobra::cli::Session session(core::program(), {.verbosity = dobra::cli::Verbosity::Quiet}, {});
     return section_document(session, {file, std::move(lines)});
   }
@@ -55,12 +57,30 @@ TEST_F(SectionDocument, AScenarioLendsItsInputAndTakesNoLineOptions) {
   const auto made = document(file);
   ASSERT_TRUE(made) << to_string(made.error());
   EXPECT_TRUE(made->steps.empty());
-  dobra::cli::LineOptionTexts kilometres;
-  kilometres.unit = "km";
+  dobra::scenario::Table kilometres;
+  kilometres.set("unit", std::string("km"));
   const auto refused = document(file, kilometres);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, dobra::base::ErrorCode::BadUsage);
   refuses({"restore", path("none.csv")}, 3, {"none.csv"});
+}
+
+TEST_F(SectionDocument, OptionsAboutLinesSayWhatTheKeysOfTheScenarioSay) {
+  std::set<std::string> seen;
+  for (const char* const command : {"restore", "balance"}) {
+    const std::string help = call({command, "--help"}).out;
+    for (const auto& field : core::program().input_fields) {
+      for (const char* const key : {"y_axis", "reference", "unit", "exaggeration", "trace", "fold_axis",
+                                    "plane_tolerance", "snap_to_faults", "share_edges", "slivers"}) {
+        if (field.key != key) continue;
+        std::string words = field.options.help;
+        words.pop_back();
+        EXPECT_NE(help.find(words), std::string::npos) << command << " " << key << "\n" << help;
+        seen.insert(key);
+      }
+    }
+  }
+  EXPECT_EQ(seen.size(), 10U);
 }
 
 TEST_F(SectionDocument, ATargetFileHoldsOneLine) {
@@ -74,8 +94,8 @@ TEST_F(SectionDocument, ATargetFileHoldsOneLine) {
 
 TEST_F(SectionDocument, LinesInSpaceSayWhatStandsOverTheEnds) {
   const std::string file = put("space.asc", "1000\t2000\t-5\ttop\t1\n1300\t2400\t-6\ttop\t1\n1600\t2800\t-9\ttop\t1\n");
-  dobra::cli::LineOptionTexts lines;
-  lines.trace = "1000,2000,1600,2800";
+  dobra::scenario::Table lines;
+  lines.set("trace", std::vector<double>{1000, 2000, 1600, 2800});
   const auto made = document(file, lines);
   ASSERT_TRUE(made) << to_string(made.error());
   EXPECT_NE(dobra::scenario::document_text(*made).find("orientation = \"SW - NE\""), std::string::npos);

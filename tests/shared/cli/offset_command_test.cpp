@@ -18,6 +18,8 @@ namespace {
 
 using Json = nlohmann::json;
 using geom::Point;
+using operations::OffsetFamily;
+using operations::OffsetVerdict;
 
 class OffsetCommand : public test::CommandLine {
  protected:
@@ -569,6 +571,27 @@ TEST_F(OffsetCommand, ALongLegendShowsTheFirstAndTheLastDistance) {
     EXPECT_LE(shown, 13);
     EXPECT_GE(shown, 6);
   }
+}
+
+TEST_F(OffsetCommand, TheConstructionIsDrawnAndToldWhereItStands) {
+  const std::string trench = put("trench.csv", "0,0\n4,0\n4,-3\n5,-3\n5,0\n9,0\n");
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {trench, "--distance", "1", "--side", "left", "--stop-after"});
+    return call(more);
+  };
+  const test::Outcome four = with({"4", "--json"});
+  ASSERT_EQ(four.code, 0) << four.err;
+  const Json stage = Json::parse(four.out)["stage"];
+  EXPECT_EQ(stage["steps"], 4);
+  EXPECT_EQ(stage["curve"], "curve 1");
+  EXPECT_FALSE(Json::parse(with({"5", "--json"}).out).contains("stage"));
+  ASSERT_EQ(with({"4", "--out", path("stage.svg")}).code, 0);
+  const std::string svg = *io::read_bytes(path("stage.svg"));
+  for (const char* text : {"Raw edge of the step", "Curve so far"})
+    EXPECT_NE(svg.find(text), std::string::npos) << text;
+  refuses({trench, "--distance", "1", "--stop-after", "2", "--out", path("a.csv")}, 2, {"--out", "--stop-after"});
+  refuses({trench, "--distance", "1", "--stop-after", "-2"}, 2, {"--stop-after", "at least 0"});
+  refuses({trench, "--distance", "1", "--stop-after", "2", "--dissolve"}, 2, {"--stop-after", "leave out --dissolve"});
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ struct Typed {
   bool any = false;
 };
 
-Typed typed(std::vector<std::string> words, const std::vector<std::string>& keys = {}) {
+Typed typed(std::vector<std::string> words, const std::vector<OptionOf>& keys = {}) {
   CLI::App app;
   ParameterOptions options;
   options.add(app, scenario::fields_of<Params>(), keys);

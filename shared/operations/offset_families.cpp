@@ -1,4 +1,4 @@
-#include "shared/cli/offset_families.h"
+#include "shared/operations/offset_families.h"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,8 @@
 #include <cmath>
 
 #include "shared/base/text.h"
-#include "shared/io/line_files.h"
 
-namespace dobra::cli {
+namespace dobra::operations {
 
 using base::Error;
 using base::ErrorCode;
@@ -82,7 +81,8 @@ std::vector<OffsetBase> taken_apart(OffsetBase base, const OffsetPlan& plan) {
   return all;
 }
 
-Result<std::vector<OffsetBase>> chosen(std::vector<OffsetBase> all, const std::optional<std::string>& wanted) {
+Result<std::vector<OffsetBase>> chosen(std::vector<OffsetBase> all, const std::optional<std::string>& wanted,
+                                       const char* where, const OffsetCaller& caller) {
   if (!wanted) return all;
   std::vector<OffsetBase> named;
   std::vector<std::string> names;
@@ -95,23 +95,23 @@ Result<std::vector<OffsetBase>> chosen(std::vector<OffsetBase> all, const std::o
   if (number && *number >= 1.0 && *number <= static_cast<double>(all.size()) && *number == std::floor(*number)) {
     return std::vector<OffsetBase>{all[static_cast<std::size_t>(*number) - 1]};
   }
-  return Error{ErrorCode::BadUsage, fmt::format("--curve: there is no curve '{}' among the {} of the file{}", *wanted,
-                                                all.size(), base::did_you_mean(*wanted, names))};
+  return caller.refuse(fmt::format("{}: there is no curve '{}' among the {} of the {}{}", caller.name("curve"), *wanted,
+                                   all.size(), where, base::did_you_mean(*wanted, names)));
 }
 
 /// @return how many polygons were taken as others.
-Result<std::size_t> mend(Session& session, std::vector<OffsetBase>& bases) {
+Result<std::size_t> mend(const OffsetCaller& caller, std::vector<OffsetBase>& bases) {
   std::size_t count = 0;
   for (OffsetBase& base : bases) {
     std::vector<std::vector<Polyline>> sound;
     for (const auto& polygon : base.polygons) {
-      auto mended = offset::mended(polygon, session.progress());
+      auto mended = offset::mended(polygon, caller.progress);
       if (!mended) return base::located(mended.error(), {.item = base.name});
       std::vector<std::vector<Polyline>>& parts = *mended;
       if (parts.size() != 1 || parts.front() != polygon) {
         ++count;
         const geom::Point at = polygon[0].points[0];
-        session.note(fmt::format(
+        caller.note(fmt::format(
             "{}: the polygon at ({:.10g}, {:.10g}) crosses or touches itself; taken as {} not", base.name, at.x, at.y,
             parts.size() == 1 ? "one polygon that does" : fmt::format("{} polygons that do", parts.size())));
       }
@@ -151,39 +151,39 @@ struct CutTips {
     if (count == 0) first = at;
     count += more;
   }
-  void note(Session& session, const std::string& name) const {
+  void note(const OffsetCaller& caller, const std::string& name) const {
     if (count == 0) return;
-    session.note(fmt::format(
+    caller.note(fmt::format(
         "{}: {} {} so sharply that the bisector point is more than {} D away, the first at ({:.10g}, {:.10g}); "
         "cut across at distance D",
         name, count, count == 1 ? "corner turns back" : "corners turn back", offset::bisector_limit, first.x, first.y));
   }
 };
 
-void note_curve(Session& session, const OffsetFamily& family, const DrawnOffset& curve) {
+void note_curve(const OffsetCaller& caller, const OffsetFamily& family, const DrawnOffset& curve) {
   const bool left_out = family.content == OffsetContent::Lines && curve.distance < 0.0;  // told already
   if (curve.lines.empty() && !left_out) {
-    session.note(fmt::format("{}: nothing remains at distance {}", family.name, base::number_text(curve.distance)));
+    caller.note(fmt::format("{}: nothing remains at distance {}", family.name, caller.length(curve.distance)));
   }
   if (curve.dropped == 0) return;
-  session.note(
+  caller.note(
       fmt::format("{}: at distance {} the curve is in {} pieces; the longest is kept, {} of {:.6g} m {} left out "
-                  "(--pieces all keeps them)",
-                  family.name, base::number_text(curve.distance), curve.dropped + 1, curve.dropped,
-                  curve.dropped_length, curve.dropped == 1 ? "is" : "are"));
+                  "({} keeps them)",
+                  family.name, caller.length(curve.distance), curve.dropped + 1, curve.dropped, curve.dropped_length,
+                  curve.dropped == 1 ? "is" : "are", caller.set("pieces", "all")));
 }
 
 // --- curves
 
 class Maker {
  public:
-  Maker(Session& session, const OffsetPlan& plan, OffsetVerdict& verdict)
-      : session_(session), plan_(plan), verdict_(verdict) {}
+  Maker(const OffsetCaller& caller, const OffsetPlan& plan, OffsetVerdict& verdict)
+      : caller_(caller), plan_(plan), verdict_(verdict) {}
 
   Result<OffsetFamily> run(const OffsetBase& base, const base::Progress& progress) {
     cut_ = {};
     DOBRA_TRY(OffsetFamily family, made(base, progress));
-    cut_.note(session_, base.name);
+    cut_.note(caller_, base.name);
     verdict_.cut_tips += cut_.count;
     return family;
   }
@@ -211,7 +211,7 @@ class Maker {
     settings.side = plan_.side == OffsetSide::Left ? offset::Side::LeftOfTravel : offset::Side::RightOfTravel;
     cut_.add(line, settings);
     DOBRA_TRY(const auto made, offset::offset(line, distances, settings, progress));
-    if (plan_.verify) DOBRA_TRY_VOID(verify_offset(name, line, settings, made, verdict_, session_.progress()));
+    if (plan_.verify) DOBRA_TRY_VOID(verify_offset(name, line, settings, made, verdict_, caller_.progress));
     std::vector<DrawnOffset> all;
     auto next = made.begin();
     for (const double distance : plan_.distances) {
@@ -229,15 +229,14 @@ class Maker {
         continue;
       }
       if (line.closed) {
-        return Error{
-            ErrorCode::BadUsage,
-            fmt::format("--distance, --distances: {} must be above 0 for {}, which is untreated; choose --side left",
-                        base::number_text(distance), name)};
+        return caller_.refuse(fmt::format("{}, {}: {} must be above 0 for {}, which is untreated; choose {}",
+                                          caller_.name("distance"), caller_.name("distances"), caller_.length(distance),
+                                          name, caller_.set("side", "left")));
       }
-      session_.note(
+      caller_.note(
           fmt::format("{}: an open line has nothing inside that could shrink: left out at distance {}; the other side "
-                      "is --side left",
-                      name, base::number_text(distance)));
+                      "is {}",
+                      name, caller_.length(distance), caller_.set("side", "left")));
       ++verdict_.skipped;
     }
     return distances;
@@ -252,7 +251,7 @@ class Maker {
     options.judge = [&](const Polyline& ring, const offset::OffsetOptions& settings,
                         const auto& curves) -> Result<void> {
       cut_.add(ring, settings);
-      return plan_.verify ? verify_offset(base.name, ring, settings, curves, verdict_, session_.progress())
+      return plan_.verify ? verify_offset(base.name, ring, settings, curves, verdict_, caller_.progress)
                           : Result<void>();
     };
     std::vector<std::vector<Area>> parts;
@@ -294,28 +293,14 @@ class Maker {
     return all;
   }
 
-  Session& session_;
+  const OffsetCaller& caller_;
   const OffsetPlan& plan_;
   OffsetVerdict& verdict_;
   CutTips cut_;
 };
 
-/// A distance below 0 is for polygons: there must be one.
-Result<void> check_signs(const std::vector<OffsetBase>& bases, const OffsetPlan& plan) {
-  const auto negative = std::find_if(plan.distances.begin(), plan.distances.end(), [](double d) { return d < 0.0; });
-  if (negative == plan.distances.end()) return {};
-  for (const OffsetBase& base : bases) {
-    if (!base.polygons.empty()) return {};
-  }
-  return Error{
-      ErrorCode::BadUsage,
-      fmt::format("--distance, --distances: {} must be above 0 for {}, an open line; choose the other side with --side "
-                  "left or right",
-                  base::number_text(*negative), bases.front().name)};
-}
-
 Result<OffsetFamily> dissolved(const std::vector<OffsetFamily>& families, const OffsetPlan& plan,
-                               const base::Progress& progress) {
+                               const OffsetCaller& caller) {
   OffsetFamily all{.name = "dissolved", .content = OffsetContent::Polygons};
   for (const OffsetFamily& family : families)
     all.bases.insert(all.bases.end(), family.bases.begin(), family.bases.end());
@@ -323,14 +308,13 @@ Result<OffsetFamily> dissolved(const std::vector<OffsetFamily>& families, const 
     std::vector<Area> parts;
     for (const OffsetFamily& family : families) {
       if (family.content == OffsetContent::Lines) {
-        return Error{ErrorCode::BadUsage,
-                     fmt::format("--dissolve joins areas, and {} is a curve on one side of a line; give --side both",
-                                 family.name)};
+        return caller.refuse(fmt::format("{} joins areas, and {} is a curve on one side of a line; give {}",
+                                         caller.name("dissolve"), family.name, caller.set("side", "both")));
       }
       const DrawnOffset& curve = family.curves[k];
       parts.push_back({curve.lines, curve.area.value_or(0.0), curve.length});
     }
-    DOBRA_TRY(const Area made, offset::joined(parts, progress));
+    DOBRA_TRY(const Area made, offset::joined(parts, caller.progress));
     all.curves.push_back(drawn(made, plan.distances[k]));
   }
   return all;
@@ -338,23 +322,22 @@ Result<OffsetFamily> dissolved(const std::vector<OffsetFamily>& families, const 
 
 }  // namespace
 
-Result<OffsetInput> offset_input(Session& session, const std::string& file, const OffsetPlan& plan) {
-  // Curves are taken as they stand: a plane, whatever it is, and whatever its unit is.
-  io::LineOptions options;
-  options.coordinates = io::Coordinates::Section;
-  options.y_direction = io::YDirection::Up;
-  options.unit_wanted = io::UnitWanted::OfTheFile;
-  options.faulty = io::Faulty::Skip;
-  DOBRA_TRY(io::LineWork read, io::read_any_lines(file, options));
-  for (const std::string& remark : read.remarks) session.note(remark);
-  if (read.system && read.system->degrees) {
-    session.note(
-        fmt::format("{}: its coordinates are in degrees ({}), and so are the distances", file, read.system->name));
+Result<void> check_signs(const std::vector<OffsetBase>& bases, const OffsetPlan& plan, const OffsetCaller& caller) {
+  const auto negative = std::find_if(plan.distances.begin(), plan.distances.end(), [](double d) { return d < 0.0; });
+  if (negative == plan.distances.end()) return {};
+  for (const OffsetBase& base : bases) {
+    if (!base.polygons.empty()) return {};
   }
-  if (read.stated_unit && *read.stated_unit != 1.0) {
-    session.note(fmt::format("{}: its unit is {} m, and so is that of the distances", file, *read.stated_unit));
-  }
+  return caller.refuse(
+      fmt::format("{}, {}: {} must be above 0 for {}, an open line; choose the other side with {} or right",
+                  caller.name("distance"), caller.name("distances"), caller.length(*negative), bases.front().name,
+                  caller.set("side", "left")));
+}
+
+Result<OffsetInput> offset_input(const OffsetCaller& caller, io::LineWork read, const std::string& file,
+                                 const OffsetPlan& plan) {
   OffsetInput input{{}, {std::move(read.system), read.stated_unit}};
+  const char* const where = file.empty() ? "model" : "file";
   std::size_t points = 0;
   for (io::Feature& feature : read.features) {
     if (feature.type == io::FeatureType::Points) {
@@ -370,48 +353,50 @@ Result<OffsetInput> offset_input(Session& session, const std::string& file, cons
       input.bases.push_back(std::move(bases[i]));
     }
   }
-  if (points > 0) {
-    session.note(fmt::format("{}: {} {} of points left out: only lines and polygons are used", file, points,
-                             points == 1 ? "feature" : "features"));
+  if (points > 0 && !file.empty()) {
+    caller.note(fmt::format("{}: {} {} of points left out: only lines and polygons are used", file, points,
+                            points == 1 ? "feature" : "features"));
   }
   if (input.bases.empty()) {
-    return Error{ErrorCode::BadFormat, "there is no line and no polygon in the file", base::Place{.file = file}};
+    return Error{ErrorCode::BadFormat, fmt::format("there is no line and no polygon in the {}", where),
+                 base::Place{.file = file}};
   }
-  DOBRA_TRY(input.bases, chosen(std::move(input.bases), plan.curve));
+  DOBRA_TRY(input.bases, chosen(std::move(input.bases), plan.curve, where, caller));
   if (!untreated(plan)) {
-    auto mended = mend(session, input.bases);
+    auto mended = mend(caller, input.bases);
     if (!mended) return base::located(mended.error(), {.file = file});
     input.mended = *mended;
   }
   return input;
 }
 
-Result<std::vector<OffsetFamily>> offset_families(Session& session, const std::string& file, const OffsetInput& input,
-                                                  const OffsetPlan& plan, OffsetVerdict& verdict) {
-  const base::Progress progress = session.progress();
-  DOBRA_TRY_VOID(check_signs(input.bases, plan));
+Result<std::vector<OffsetFamily>> offset_families(const OffsetCaller& caller, const std::string& file,
+                                                  const OffsetInput& input, const OffsetPlan& plan,
+                                                  OffsetVerdict& verdict) {
+  const ErrorCode refused = caller.refuse({}).code;
+  DOBRA_TRY_VOID(check_signs(input.bases, plan, caller));
   verdict.mended = input.mended;
-  Maker maker(session, plan, verdict);
+  Maker maker(caller, plan, verdict);
   std::vector<OffsetFamily> families;
   const double total = static_cast<double>(input.bases.size());
   for (const OffsetBase& base : input.bases) {
-    DOBRA_TRY_VOID(session.check());
+    DOBRA_TRY_VOID(caller.progress.check());
     const double done = static_cast<double>(families.size());
-    auto family = maker.run(base, progress.part(done / total, (done + 1.0) / total));
-    if (!family && family.error().code == ErrorCode::BadUsage) return family.error();
+    auto family = maker.run(base, caller.progress.part(done / total, (done + 1.0) / total));
+    if (!family && family.error().code == refused) return family.error();
     if (!family) return base::located(family.error(), base::Place{.file = file, .item = base.name});
     families.push_back(*std::move(family));
   }
   if (plan.dissolve == Dissolve::Yes) {
-    DOBRA_TRY(OffsetFamily all, dissolved(families, plan, progress));
+    DOBRA_TRY(OffsetFamily all, dissolved(families, plan, caller));
     verdict.joined = verdict.joined || families.size() > 1;
     families.clear();
     families.push_back(std::move(all));
   }
   for (const OffsetFamily& family : families) {
-    for (const DrawnOffset& curve : family.curves) note_curve(session, family, curve);
+    for (const DrawnOffset& curve : family.curves) note_curve(caller, family, curve);
   }
   return families;
 }
 
-}  // namespace dobra::cli
+}  // namespace dobra::operations
