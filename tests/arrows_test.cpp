@@ -37,12 +37,19 @@ const std::map<std::string, std::set<std::string>>& arrows() {
       {"recon/balance", {"recon/section", "recon/maps", "shared/scenario"}},
       {"recon/unfold", {"recon/input", "recon/maps", "recon/balance", "shared/offset"}},
       {"recon/core", {"recon/unfold"}},
-      {"quebra/core", {"shared/offset", "shared/fem", "shared/scene", "shared/io", "shared/scenario"}},
+      {"quebra/sketch", {"shared/scenario"}},
+      {"quebra/domain", {"quebra/sketch"}},
+      {"quebra/repair", {"quebra/domain"}},
+      {"quebra/model", {"quebra/domain", "shared/fem"}},
+      {"quebra/meshing", {"quebra/model", "shared/offset"}},
+      {"quebra/analysis", {"quebra/meshing"}},
+      {"quebra/core", {"quebra/repair", "quebra/analysis"}},
+      {"quebra/validation", {"quebra/core"}},
       {"recon/gui", {"recon/core", "shared/gui"}},
       {"recon/cli", {"recon/core", "shared/cli"}},
       {"quebra/gui", {"quebra/core", "shared/gui"}},
       {"recon", {"recon/core", "recon/cli", "recon/gui", "shared/cli"}},
-      {"quebra/cli", {"quebra/core", "shared/cli"}},
+      {"quebra/cli", {"quebra/validation", "shared/cli"}},
       {"quebra", {"quebra/core", "quebra/cli", "quebra/gui", "shared/cli"}},
   };
   return table;
@@ -117,7 +124,7 @@ TEST(Arrows, EveryFormOfIncludeIsRead) {
 
 TEST(Arrows, AnIncludeAgainstThemIsNoticed) {
   EXPECT_FALSE(objection("shared/geom", "shared/topo/subdivision.h").empty());
-  EXPECT_FALSE(objection("recon/core", "quebra/core/domain.h").empty());
+  EXPECT_FALSE(objection("recon/core", "quebra/domain/domain.h").empty());
   EXPECT_FALSE(objection("shared/scene", "vtkActor.h").empty());
   EXPECT_FALSE(objection("shared/render", "QWidget").empty());
   EXPECT_TRUE(objection("shared/offset", "shared/geom/point.h").empty());

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "quebra/core/deck.h"
+#include "quebra/analysis/deck.h"
 #include "quebra/core/operations.h"
 #include "shared/fem/estimate.h"
 #include "shared/fem/solve.h"
@@ -59,7 +59,7 @@ void against_calculix(benchmark::State& state) {
   const mesh::ElementMesh mesh = plate(100);
   const std::filesystem::path folder = std::filesystem::temp_directory_path() / "dobra_fem_bench";
   std::filesystem::create_directories(folder);
-  if (!io::write_file(folder / "deck.inp", quebra::core::deck_text(mesh, pulled()).value())) return;
+  if (!io::write_file(folder / "deck.inp", quebra::analysis::deck_text(mesh, pulled()).value())) return;
   const auto seconds = [](auto&& work) {
     const auto start = std::chrono::steady_clock::now();
     work();

@@ -89,7 +89,7 @@ scene::Panel plate(const std::string& name, const mesh::TriangleMesh& mesh) {
 base::Result<scene::Picture> triangulate() {
   DOBRA_TRY(const mesh::TriangleMesh without, mesh::triangulate(mesh::test::que_d()));
   DOBRA_TRY(const mesh::TriangleMesh with, mesh::triangulate(mesh::test::que_e()));
-  return scene::Picture{{}, {plate("QUE-d", without), plate("QUE-e", with)}};
+  return scene::Picture{{}, {plate("Without constraints", without), plate("With constraints", with)}};
 }
 
 }  // namespace
