@@ -229,7 +229,7 @@ Result<SizeSource> SizeSource::make(const Domain& domain, const std::string& for
   return source;
 }
 
-dobra::mesh::SizeFunction SizeSource::function() const {
+dobra::mesh::sizing::SizeFunction SizeSource::function() const {
   if (empty()) return {};
   return {[wishes = wishes_](Point p) { return wishes->at(p); },
           [wishes = wishes_](const Box& box) { return wishes->concerns(box); }};
