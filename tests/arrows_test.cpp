@@ -110,6 +110,46 @@ TEST(Arrows, NoFileIncludesAgainstThem) {
   EXPECT_GT(files, 50U);
 }
 
+/// The namespace that a folder must have: shared/io/lines is dobra::io::lines.
+std::string namespace_of(const std::string& folder) {
+  std::string name;
+  for (const fs::path& part : fs::path(folder)) {
+    name += (name.empty() ? "" : "::") + (part == "shared" ? std::string("dobra") : part.string());
+  }
+  return name;
+}
+
+/// The namespaces that a file opens at the margin, without those of a library and those inside another.
+std::vector<std::string> namespaces_in(std::istream& in) {
+  std::vector<std::string> found;
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with("namespace ") && line.ends_with(" {") && line != "namespace {") {
+      found.push_back(line.substr(10, line.size() - 12));
+    }
+  }
+  return found;
+}
+
+TEST(Arrows, FolderIsNamespaceAndHoldsNoMoreThanFortyFiles) {
+  const fs::path root = DOBRA_SOURCE_DIR;
+  std::map<std::string, int> files;
+  for (const char* top : {"shared", "recon", "quebra"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
+      const std::string extension = entry.path().extension().string();
+      if (extension != ".h" && extension != ".cpp") continue;
+      const std::string folder = folder_of(fs::relative(entry.path(), root).generic_string());
+      ++files[folder];
+      std::ifstream in(entry.path());
+      const std::vector<std::string> names = namespaces_in(in);
+      const bool own = std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+        return name == namespace_of(folder) || name.starts_with(namespace_of(folder) + "::");
+      });
+      EXPECT_TRUE(own || entry.path().filename() == "main.cpp") << entry.path() << ": " << namespace_of(folder);
+    }
+  }
+  for (const auto& [folder, count] : files) EXPECT_LE(count, 40) << folder;
+}
+
 TEST(Arrows, EveryFormOfIncludeIsRead) {
   EXPECT_EQ(included_by("#include \"shared/geom/point.h\""), "shared/geom/point.h");
   EXPECT_EQ(included_by("  #  include <QWidget>  // why"), "QWidget");
