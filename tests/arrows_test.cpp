@@ -24,9 +24,14 @@ const std::map<std::string, std::set<std::string>>& arrows() {
       {"shared/topo", {"shared/geom"}},
       {"shared/offset", {"shared/topo"}},
       {"shared/mesh", {"shared/topo"}},
+      {"shared/mesh/delaunay", {"shared/mesh"}},
+      {"shared/mesh/sizing", {"shared/mesh/delaunay"}},
+      {"shared/mesh/front", {"shared/mesh/sizing"}},
       {"shared/fem", {"shared/mesh"}},
+      {"shared/fem/error", {"shared/fem"}},
+      {"shared/fem/fracture", {"shared/fem/error"}},
       {"shared/scene", {"shared/geom"}},
-      {"shared/io", {"shared/mesh", "shared/scene"}},
+      {"shared/io", {"shared/mesh/delaunay", "shared/scene"}},
       {"shared/scenario", {"shared/io"}},
       {"shared/render", {"shared/scene", "shared/io"}},
       {"shared/cli", {"shared/render", "shared/scenario", "shared/offset"}},
@@ -34,14 +39,14 @@ const std::map<std::string, std::set<std::string>>& arrows() {
       {"recon/section", {"shared/topo", "shared/scene"}},
       {"recon/input", {"recon/section", "shared/scenario"}},
       {"recon/maps", {"shared/geom"}},
-      {"recon/balance", {"recon/section", "recon/maps", "shared/scenario"}},
+      {"recon/balance", {"recon/section", "recon/maps", "shared/mesh/front", "shared/scenario"}},
       {"recon/unfold", {"recon/input", "recon/maps", "recon/balance", "shared/offset"}},
       {"recon/core", {"recon/unfold"}},
       {"quebra/sketch", {"shared/scenario"}},
       {"quebra/domain", {"quebra/sketch"}},
       {"quebra/repair", {"quebra/domain"}},
-      {"quebra/model", {"quebra/domain", "shared/fem"}},
-      {"quebra/meshing", {"quebra/model", "shared/offset"}},
+      {"quebra/model", {"quebra/domain", "shared/mesh/sizing", "shared/fem/fracture"}},
+      {"quebra/meshing", {"quebra/model", "shared/mesh/front", "shared/offset"}},
       {"quebra/analysis", {"quebra/meshing"}},
       {"quebra/core", {"quebra/repair", "quebra/analysis"}},
       {"quebra/validation", {"quebra/core"}},
@@ -114,6 +119,46 @@ TEST(Arrows, NoFileIncludesAgainstThem) {
     }
   }
   EXPECT_GT(files, 50U);
+}
+
+/// The namespace that a folder must have: shared/io/lines is dobra::io::lines.
+std::string namespace_of(const std::string& folder) {
+  std::string name;
+  for (const fs::path& part : fs::path(folder)) {
+    name += (name.empty() ? "" : "::") + (part == "shared" ? std::string("dobra") : part.string());
+  }
+  return name;
+}
+
+/// The namespaces that a file opens at the margin, without those of a library and those inside another.
+std::vector<std::string> namespaces_in(std::istream& in) {
+  std::vector<std::string> found;
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with("namespace ") && line.ends_with(" {") && line != "namespace {") {
+      found.push_back(line.substr(10, line.size() - 12));
+    }
+  }
+  return found;
+}
+
+TEST(Arrows, FolderIsNamespaceAndHoldsNoMoreThanFortyFiles) {
+  const fs::path root = DOBRA_SOURCE_DIR;
+  std::map<std::string, int> files;
+  for (const char* top : {"shared", "recon", "quebra"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
+      const std::string extension = entry.path().extension().string();
+      if (extension != ".h" && extension != ".cpp") continue;
+      const std::string folder = folder_of(fs::relative(entry.path(), root).generic_string());
+      ++files[folder];
+      std::ifstream in(entry.path());
+      const std::vector<std::string> names = namespaces_in(in);
+      const bool own = std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+        return name == namespace_of(folder) || name.starts_with(namespace_of(folder) + "::");
+      });
+      EXPECT_TRUE(own || entry.path().filename() == "main.cpp") << entry.path() << ": " << namespace_of(folder);
+    }
+  }
+  for (const auto& [folder, count] : files) EXPECT_LE(count, 40) << folder;
 }
 
 TEST(Arrows, EveryFormOfIncludeIsRead) {

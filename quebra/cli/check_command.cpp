@@ -59,7 +59,7 @@ Result<Verdict> of_polygons(const Options& options) {
     verdict.faults.push_back(std::move(finding.message));
   }
   double furthest = 0.0;
-  std::vector<mesh::Point3> corners;
+  std::vector<geom::Point3> corners;
   for (const auto& face : polygons.faces) {
     corners.clear();
     for (const std::uint32_t corner : face) corners.push_back(polygons.points[corner]);

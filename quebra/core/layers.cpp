@@ -153,7 +153,7 @@ scene::Layer size_layer(const model::Meshed& meshed) {
   scene::Mesh content;
   content.points = meshed.mesh.points;
   content.values_at = scene::ValuesAt::Points;
-  mesh::SizeSampler sampler(*meshed.sizes);
+  mesh::sizing::SizeSampler sampler(*meshed.sizes);
   for (const geom::Point p : content.points) content.values.push_back(sampler.at(p));
   for (std::size_t e = 0; e < meshed.mesh.element_count(); ++e) add_triangles(meshed.mesh, e, content.triangles);
   const auto [least, greatest] = std::minmax_element(content.values.begin(), content.values.end());
@@ -176,11 +176,11 @@ scene::Layer size_layer(const model::Meshed& meshed) {
 }
 
 /// Leaves of the tree that carries the sizes, as far as they lie in the domain's box; hidden.
-scene::Layer quadtree_layer(const domain::Domain& domain, const mesh::SizeField& sizes) {
+scene::Layer quadtree_layer(const domain::Domain& domain, const mesh::sizing::SizeField& sizes) {
   const geom::Box all = domain.box();
-  const mesh::Quadtree& tree = sizes.quadtree();
+  const mesh::sizing::Quadtree& tree = sizes.quadtree();
   scene::Lines lines;
-  for (const mesh::QuadCellId leaf : tree.leaves()) {
+  for (const mesh::sizing::QuadCellId leaf : tree.leaves()) {
     geom::Box box = tree.box(leaf);
     if (!box.overlaps(all)) continue;
     box = {{std::max(box.low.x, all.low.x), std::max(box.low.y, all.low.y)},

@@ -230,7 +230,7 @@ Result<SizeSource> SizeSource::make(const domain::Domain& domain, const std::str
   return source;
 }
 
-dobra::mesh::SizeFunction SizeSource::function() const {
+dobra::mesh::sizing::SizeFunction SizeSource::function() const {
   if (empty()) return {};
   return {[wishes = wishes_](Point p) { return wishes->at(p); },
           [wishes = wishes_](const Box& box) { return wishes->concerns(box); }};

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "quebra/domain/domain.h"
-#include "shared/mesh/size_field.h"
+#include "shared/mesh/sizing/size_field.h"
 #include "shared/scenario/program.h"
 
 namespace quebra::meshing {
@@ -25,7 +25,7 @@ class SizeSource {
 
   [[nodiscard]] bool empty() const { return wishes_ == nullptr; }
   /// For SizeFieldOptions; empty if this is. Refers to what this holds together with it.
-  [[nodiscard]] dobra::mesh::SizeFunction function() const;
+  [[nodiscard]] dobra::mesh::sizing::SizeFunction function() const;
   /// @error BadValue with the place where a size inside the domain was not greater than 0, of all asked so far.
   [[nodiscard]] dobra::base::Result<void> check() const;
 
