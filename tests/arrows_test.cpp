@@ -24,21 +24,38 @@ const std::map<std::string, std::set<std::string>>& arrows() {
       {"shared/topo", {"shared/geom"}},
       {"shared/offset", {"shared/topo"}},
       {"shared/mesh", {"shared/topo"}},
+      {"shared/mesh/delaunay", {"shared/mesh"}},
+      {"shared/mesh/sizing", {"shared/mesh/delaunay"}},
+      {"shared/mesh/front", {"shared/mesh/sizing"}},
       {"shared/fem", {"shared/mesh"}},
+      {"shared/fem/error", {"shared/fem"}},
+      {"shared/fem/fracture", {"shared/fem/error"}},
       {"shared/scene", {"shared/geom"}},
-      {"shared/io", {"shared/mesh", "shared/scene"}},
+      {"shared/io", {"shared/mesh/delaunay", "shared/scene"}},
       {"shared/scenario", {"shared/io"}},
       {"shared/render", {"shared/scene", "shared/io"}},
       {"shared/operations", {"shared/scenario", "shared/offset"}},
       {"shared/cli", {"shared/render", "shared/operations"}},
       {"shared/gui", {"shared/render", "shared/scenario"}},
-      {"recon/core", {"shared/operations", "shared/mesh"}},
-      {"quebra/core", {"shared/operations", "shared/fem"}},
+      {"recon/section", {"shared/topo", "shared/scene"}},
+      {"recon/input", {"recon/section", "shared/scenario"}},
+      {"recon/maps", {"shared/geom"}},
+      {"recon/balance", {"recon/section", "recon/maps", "shared/mesh/front", "shared/scenario"}},
+      {"recon/unfold", {"recon/input", "recon/maps", "recon/balance", "shared/offset"}},
+      {"recon/core", {"recon/unfold", "shared/operations"}},
+      {"quebra/sketch", {"shared/scenario"}},
+      {"quebra/domain", {"quebra/sketch"}},
+      {"quebra/repair", {"quebra/domain"}},
+      {"quebra/model", {"quebra/domain", "shared/mesh/sizing", "shared/fem/fracture"}},
+      {"quebra/meshing", {"quebra/model", "shared/mesh/front", "shared/offset"}},
+      {"quebra/analysis", {"quebra/meshing"}},
+      {"quebra/core", {"quebra/repair", "quebra/analysis", "shared/operations"}},
+      {"quebra/validation", {"quebra/core"}},
       {"recon/gui", {"recon/core", "shared/gui"}},
       {"recon/cli", {"recon/core", "shared/cli"}},
       {"quebra/gui", {"quebra/core", "shared/gui"}},
       {"recon", {"recon/core", "recon/cli", "recon/gui", "shared/cli"}},
-      {"quebra/cli", {"quebra/core", "shared/cli"}},
+      {"quebra/cli", {"quebra/validation", "shared/cli"}},
       {"quebra", {"quebra/core", "quebra/cli", "quebra/gui", "shared/cli"}},
   };
   return table;
@@ -105,6 +122,46 @@ TEST(Arrows, NoFileIncludesAgainstThem) {
   EXPECT_GT(files, 50U);
 }
 
+/// The namespace that a folder must have: shared/io/lines is dobra::io::lines.
+std::string namespace_of(const std::string& folder) {
+  std::string name;
+  for (const fs::path& part : fs::path(folder)) {
+    name += (name.empty() ? "" : "::") + (part == "shared" ? std::string("dobra") : part.string());
+  }
+  return name;
+}
+
+/// The namespaces that a file opens at the margin, without those of a library and those inside another.
+std::vector<std::string> namespaces_in(std::istream& in) {
+  std::vector<std::string> found;
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with("namespace ") && line.ends_with(" {") && line != "namespace {") {
+      found.push_back(line.substr(10, line.size() - 12));
+    }
+  }
+  return found;
+}
+
+TEST(Arrows, FolderIsNamespaceAndHoldsNoMoreThanFortyFiles) {
+  const fs::path root = DOBRA_SOURCE_DIR;
+  std::map<std::string, int> files;
+  for (const char* top : {"shared", "recon", "quebra"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
+      const std::string extension = entry.path().extension().string();
+      if (extension != ".h" && extension != ".cpp") continue;
+      const std::string folder = folder_of(fs::relative(entry.path(), root).generic_string());
+      ++files[folder];
+      std::ifstream in(entry.path());
+      const std::vector<std::string> names = namespaces_in(in);
+      const bool own = std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+        return name == namespace_of(folder) || name.starts_with(namespace_of(folder) + "::");
+      });
+      EXPECT_TRUE(own || entry.path().filename() == "main.cpp") << entry.path() << ": " << namespace_of(folder);
+    }
+  }
+  for (const auto& [folder, count] : files) EXPECT_LE(count, 40) << folder;
+}
+
 TEST(Arrows, EveryFormOfIncludeIsRead) {
   EXPECT_EQ(included_by("#include \"shared/geom/point.h\""), "shared/geom/point.h");
   EXPECT_EQ(included_by("  #  include <QWidget>  // why"), "QWidget");
@@ -113,7 +170,7 @@ TEST(Arrows, EveryFormOfIncludeIsRead) {
 
 TEST(Arrows, AnIncludeAgainstThemIsNoticed) {
   EXPECT_FALSE(objection("shared/geom", "shared/topo/subdivision.h").empty());
-  EXPECT_FALSE(objection("recon/core", "quebra/core/domain.h").empty());
+  EXPECT_FALSE(objection("recon/core", "quebra/domain/domain.h").empty());
   EXPECT_FALSE(objection("shared/scene", "vtkActor.h").empty());
   EXPECT_FALSE(objection("shared/render", "QWidget").empty());
   EXPECT_TRUE(objection("shared/offset", "shared/geom/point.h").empty());

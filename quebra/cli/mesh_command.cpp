@@ -16,8 +16,9 @@
 #include "quebra/cli/input_file.h"
 #include "quebra/cli/rule_options.h"
 #include "quebra/core/layers.h"
-#include "quebra/core/meshing.h"
-#include "quebra/core/model.h"
+#include "quebra/meshing/meshing.h"
+#include "quebra/model/mesh_files.h"
+#include "quebra/model/model.h"
 #include "shared/base/text.h"
 #include "shared/cli/pictures.h"
 #include "shared/cli/staging.h"
@@ -131,7 +132,7 @@ Result<scenario::Document> mesh_document_of(Session& session, const Options& opt
 
 struct Figures {
   std::vector<scenario::Quantity> values;
-  std::vector<core::PhaseTime> seconds;
+  std::vector<model::PhaseTime> seconds;
   std::size_t peak_memory = 0;  ///< Bytes.
 };
 
@@ -141,7 +142,7 @@ Figures figures_of(const scenario::Program& program, const scenario::State& stat
                               "alpha_min",       "min_angle",      "max_angle",  "gradation_p95", "jacobian_min",
                               "quad_shape_mean", "quad_shape_min"};
   Figures figures;
-  const bool at_work = scenario::model_of<core::Model>(state).work != nullptr;
+  const bool at_work = scenario::model_of<model::Model>(state).work != nullptr;
   for (const scenario::Quantity& quantity : program.quantities_of(state)) {
     if (at_work != quantity.name.starts_with("work.")) continue;
     if (std::find(wanted.begin(), wanted.end(), quantity.name) != wanted.end()) figures.values.push_back(quantity);
@@ -172,11 +173,11 @@ std::string table_text(const Figures& figures) {
 }
 
 Result<void> write_out(Session& session, const std::filesystem::path& out, const mesh::ElementMesh& mesh,
-                       const core::Model& model) {
+                       const model::Model& model) {
   DOBRA_TRY(dobra::cli::Staging staging,
             dobra::cli::Staging::open(out.parent_path(), dobra::cli::TargetFolder::MustExist));
-  if (const auto written = core::write_mesh(staging.path(out.filename().string()).string(), mesh,
-                                            core::inp_element_of(model), model.units);
+  if (const auto written = model::write_mesh(staging.path(out.filename().string()).string(), mesh,
+                                             core::inp_element_of(model), model.units);
       !written)
     return staging.for_user(written.error());
   DOBRA_TRY_VOID(session.check());
@@ -200,14 +201,14 @@ Result<int> mesh_job(Session& session, const Options& options) {
   DOBRA_TRY(const scenario::Run run, dobra::cli::run_steps(session, document));
   const double all = since(start);
   const scenario::State& state = run.states.back();
-  const core::Model& model = scenario::model_of<core::Model>(state);
+  const model::Model& model = scenario::model_of<model::Model>(state);
   if (model.work && (options.out || options.histogram)) {
     return Error{ErrorCode::CannotMesh,
                  "the mesh is not done, so there is none to write: raise --stop-after, or leave it out; --picture "
                  "draws the work"};
   }
-  const core::Meshed stopped;
-  const core::Meshed& meshed = model.work ? stopped : *model.meshes.back();
+  const model::Meshed stopped;
+  const model::Meshed& meshed = model.work ? stopped : *model.meshes.back();
 
   Figures figures = figures_of(session.program, state);
   double known = 0.0;
@@ -255,8 +256,8 @@ Command mesh_command() {
                 ->required()
                 ->type_name("FILE");
             add_input_options(app, options->input);
-            add_rule_options(app, options->rules, scenario::fields_of<core::MeshParams>());
-            options->step.add(app, scenario::fields_of<core::MeshParams>(), {"quads", "stop_after"});
+            add_rule_options(app, options->rules, scenario::fields_of<meshing::MeshParams>());
+            options->step.add(app, scenario::fields_of<meshing::MeshParams>(), {"quads", "stop_after"});
             app.add_option("--bands", options->bands,
                            "Offset curves as constraints: CURVE[+CURVE]:COUNT:DISTANCE[:FACTOR]; may be repeated")
                 ->allow_extra_args(false)

@@ -1,5 +1,5 @@
 #pragma once
-// The options of `mesh` and `adapt` that are rules of every mesh: core::MeshRules, and the size.
+// The options of `mesh` and `adapt` that are rules of every mesh: meshing::MeshRules, and the size.
 
 #include "shared/cli/parameter_options.h"
 

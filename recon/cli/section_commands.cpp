@@ -7,11 +7,14 @@
 #include <algorithm>
 #include <memory>
 
+#include "recon/balance/area_balance.h"
+#include "recon/balance/area_depth.h"
 #include "recon/cli/ledger_json.h"
 #include "recon/cli/section_document.h"
 #include "recon/core/model.h"
 #include "recon/core/report.h"
-#include "recon/core/section_input.h"
+#include "recon/input/section_input.h"
+#include "recon/unfold/monte_carlo.h"
 #include "shared/base/text.h"
 #include "shared/cli/commands.h"
 #include "shared/cli/line_options.h"
@@ -44,7 +47,7 @@ struct SectionOptions {
         ->required()
         ->type_name("FILE");
     lines.add(app, dobra::cli::LineOptions::Repairs::Offered);
-    input.add(app, scenario::fields_of<core::SectionInput>(), input_keys);
+    input.add(app, scenario::fields_of<input::SectionInput>(), input_keys);
   }
 };
 
@@ -209,10 +212,10 @@ dobra::cli::Command restore_command() {
   return {"restore", "Restore a section and draw up its balance ledger", [](CLI::App& app) -> Job {
             const auto options = std::make_shared<RestoreOptions>();
             options->section.add(app, {"horizons_from_units", "colours", "orientation"});
-            options->grid.add(app, scenario::fields_of<core::GridParams>(), {"top", "simplify", "uncovered"});
-            options->restore.add(app, scenario::fields_of<core::RestoreParams>());
-            options->target.add(app, scenario::fields_of<core::TargetParams>(), {"pin", "elevation", "target_pin"});
-            options->errors.add(app, scenario::fields_of<core::MonteCarloParams>(),
+            options->grid.add(app, scenario::fields_of<unfold::GridParams>(), {"top", "simplify", "uncovered"});
+            options->restore.add(app, scenario::fields_of<unfold::RestoreParams>());
+            options->target.add(app, scenario::fields_of<unfold::TargetParams>(), {"pin", "elevation", "target_pin"});
+            options->errors.add(app, scenario::fields_of<unfold::MonteCarloParams>(),
                                 {"draws", "pick_error", "pin_error", "angle_error", "seed"});
             options->own.add(app);
             app.add_option(
@@ -228,8 +231,8 @@ dobra::cli::Command balance_command() {
           [](CLI::App& app) -> Job {
             const auto options = std::make_shared<BalanceOptions>();
             options->section.add(app, {"horizons_from_units"});
-            options->by_length.add(app, scenario::fields_of<core::BalanceParams>());
-            options->by_area.add(app, scenario::fields_of<core::AreaBalanceParams>(),
+            options->by_length.add(app, scenario::fields_of<balance::BalanceParams>());
+            options->by_area.add(app, scenario::fields_of<balance::AreaBalanceParams>(),
                                  {"thickness", "thickness_error", "width_points", "width"});
             return [options](Session& session) { return balance_job(session, *options); };
           }};

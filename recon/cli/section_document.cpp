@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "recon/core/import.h"
+#include "recon/input/import.h"
 #include "shared/cli/line_options.h"
 #include "shared/io/line_files.h"
 
@@ -18,14 +18,14 @@ namespace scenario = dobra::scenario;
 using dobra::geom::Point;
 
 /// The lines of a file as the tables of an input, in the order of the file.
-void write_tables(std::vector<core::ImportedLine> lines, scenario::Table& input) {
+void write_tables(std::vector<input::ImportedLine> lines, scenario::Table& input) {
   std::vector<std::pair<std::string, std::vector<scenario::Table>>> tables;
-  for (core::ImportedLine& line : lines) {
+  for (input::ImportedLine& line : lines) {
     scenario::Table row;
     row.set("name", std::move(line.name));
     row.set("points", std::move(line.line.points));
     if (!line.piece_of.empty()) row.set("piece_of", std::move(line.piece_of));
-    if (line.role == core::BedRole::Growth) row.set("role", std::string("growth"));
+    if (line.role == section::BedRole::Growth) row.set("role", std::string("growth"));
     auto table = std::find_if(tables.begin(), tables.end(), [&](const auto& t) { return t.first == line.table; });
     if (table == tables.end()) table = tables.insert(table, {line.table, {}});
     table->second.push_back(std::move(row));
@@ -53,7 +53,7 @@ base::Result<scenario::Document> section_document(dobra::cli::Session& session, 
   scenario::Document document;
   document.program = "recon";
   document.title = std::filesystem::path(section.file).stem().string();
-  DOBRA_TRY(core::Import import, core::import_lines(work.features));
+  DOBRA_TRY(input::Import import, input::import_lines(work.features));
   for (const std::string& remark : import.remarks) session.note(remark);
   write_tables(std::move(import.lines), document.input);
   if (work.trace || options.fold_axis) {

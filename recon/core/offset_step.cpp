@@ -1,20 +1,27 @@
-#include "shared/operations/offset_step.h"
+#include "recon/core/offset_step.h"
 
 #include "recon/core/model.h"
 #include "recon/core/report.h"
-#include "recon/core/steps.h"
+#include "shared/operations/offset_step.h"
 
 namespace recon::core {
 
 namespace {
 
-/// Of the section in hand.
-std::vector<dobra::io::Feature> lines_of(const Model& model) { return restored_features(model.section); }
+namespace operations = dobra::operations;
 
-std::size_t state_of(const Model& model) { return model.earlier.size(); }
+struct Keeper {
+  static std::vector<dobra::io::Feature> lines_of(const Model& model) { return restored_features(model.section); }
+  static std::size_t state_of(const Model& model) { return model.earlier.size(); }
+  static operations::AllOffsets all(const Model& model) { return model.findings.all<operations::Offsets>(); }
+  static void add(Model& model, operations::Offsets made) {
+    const std::size_t state = made.state;
+    model.findings.add(std::move(made), {.state = state});
+  }
+};
 
 }  // namespace
 
-dobra::scenario::Operation offset_step() { return dobra::operations::offset_operation<Model, lines_of, state_of>(); }
+dobra::scenario::Operation offset_step() { return operations::offset_operation<Model, Keeper>(); }
 
 }  // namespace recon::core

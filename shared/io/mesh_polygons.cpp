@@ -58,7 +58,7 @@ Result<ElementMesh> elements_of(const PolygonMesh& polygons, const std::string& 
     }
     std::vector<NodeId> nodes;
     for (const std::uint32_t corner : face) {
-      const mesh::Point3& p = polygons.points[corner];
+      const geom::Point3& p = polygons.points[corner];
       if (p.z != polygons.points[polygons.faces[0][0]].z)
         return wrong(fmt::format("point {} lies outside the plane of the first; a mesh of elements is plane", corner));
       if (!number[corner]) {

@@ -11,7 +11,7 @@
 #include <limits>
 #include <numeric>
 
-#include "shared/mesh/delaunay.h"
+#include "shared/mesh/delaunay/delaunay.h"
 
 namespace dobra::io {
 
@@ -128,7 +128,7 @@ PointOrderFound straight_order(const std::vector<Point>& points) {
 }  // namespace
 
 Result<PointOrderFound> order_along_curve(const std::vector<Point>& points) {
-  const auto triangulated = mesh::delaunay(points);
+  const auto triangulated = mesh::delaunay::delaunay(points);
   if (!triangulated && triangulated.error().code == ErrorCode::CannotMesh) return straight_order(points);
   if (!triangulated) return triangulated.error();
   const mesh::TriangleMesh& mesh = triangulated->mesh;

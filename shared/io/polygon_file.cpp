@@ -15,7 +15,7 @@ namespace dobra::io {
 using base::Error;
 using base::ErrorCode;
 using base::Result;
-using mesh::Point3;
+using geom::Point3;
 using mesh::PolygonMesh;
 
 namespace {

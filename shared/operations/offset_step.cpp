@@ -115,7 +115,7 @@ Result<Offsets> offset_step(const OffsetParams& params, const std::vector<io::Fe
   return made;
 }
 
-void add_offset_quantities(const std::vector<OffsetsPtr>& all, std::vector<scenario::Quantity>& quantities) {
+void add_offset_quantities(const AllOffsets& all, std::vector<scenario::Quantity>& quantities) {
   for (std::size_t n = 0; n < all.size(); ++n) {
     const Sums sums = sums_of(*all[n]);
     const auto add = [&](const char* name, double value, const char* unit) {
@@ -134,7 +134,7 @@ void add_offset_quantities(const std::vector<OffsetsPtr>& all, std::vector<scena
   }
 }
 
-void add_offset_tables(const std::vector<OffsetsPtr>& all, std::vector<scenario::DataTable>& tables) {
+void add_offset_tables(const AllOffsets& all, std::vector<scenario::DataTable>& tables) {
   if (all.empty()) return;
   scenario::DataTable table{"offset",
                             {"offset", "curve", "distance [m]", "pieces", "points", "length [m]", "area [m2]",
@@ -154,24 +154,24 @@ void add_offset_tables(const std::vector<OffsetsPtr>& all, std::vector<scenario:
   tables.push_back(std::move(table));
 }
 
-void add_offset_remarks(const std::vector<OffsetsPtr>& all, std::vector<std::string>& remarks) {
-  for (const OffsetsPtr& one : all) remarks.insert(remarks.end(), one->remarks.begin(), one->remarks.end());
+void add_offset_remarks(const AllOffsets& all, std::vector<std::string>& remarks) {
+  for (const Offsets* one : all) remarks.insert(remarks.end(), one->remarks.begin(), one->remarks.end());
 }
 
-void add_offset_outputs(const std::vector<OffsetsPtr>& all, std::vector<scenario::Output>& outputs) {
+void add_offset_outputs(const AllOffsets& all, const scenario::State& model, std::vector<scenario::Output>& outputs) {
   for (std::size_t n = 0; n < all.size(); ++n) {
     if (all[n]->stage) continue;
-    outputs.push_back({fmt::format("offset_{}.geojson", n + 1), [one = all[n]](const std::filesystem::path& path) {
-                         io::LineWork work;
-                         work.features = features_in(*one);
-                         std::vector<std::string> losses;  // none of GeoJSON
-                         return io::write_any_lines(path.string(), work, {.coordinates = io::Coordinates::Section},
-                                                    losses);
-                       }});
+    outputs.push_back(
+        {fmt::format("offset_{}.geojson", n + 1), [one = all[n], model](const std::filesystem::path& path) {
+           io::LineWork work;
+           work.features = features_in(*one);
+           std::vector<std::string> losses;  // none of GeoJSON
+           return io::write_any_lines(path.string(), work, {.coordinates = io::Coordinates::Section}, losses);
+         }});
   }
 }
 
-void draw_offsets(const std::vector<OffsetsPtr>& all, std::size_t state, scene::Picture& picture) {
+void draw_offsets(const AllOffsets& all, std::size_t state, scene::Picture& picture) {
   if (all.empty() || picture.panels.empty()) return;
   std::vector<scene::Layer>& layers = picture.panels.front().layers;
   const auto add = [&](std::vector<scene::Layer> more) {
@@ -187,9 +187,9 @@ void draw_offsets(const std::vector<OffsetsPtr>& all, std::size_t state, scene::
   }
 }
 
-std::optional<bool> offsets_verified(const std::vector<OffsetsPtr>& all) {
+std::optional<bool> offsets_verified(const AllOffsets& all) {
   std::optional<bool> good;
-  for (const OffsetsPtr& one : all) {
+  for (const Offsets* one : all) {
     if (one->verified) good = good.value_or(true) && one->verdict.findings.empty();
   }
   return good;

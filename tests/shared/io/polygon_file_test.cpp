@@ -17,7 +17,7 @@ using ::testing::HasSubstr;
 TEST(PolygonFile, ObjCornersCountFromOneOrBackwards) {
   const auto mesh = parse_obj("# s\nv 0 0 0\nv 1 0 0.5\nvn 0 0 1\nv 1 1 0\ng part\nf 1/1 2//1 -1\n", "s.obj");
   ASSERT_TRUE(mesh.ok()) << base::to_string(mesh.error());
-  EXPECT_EQ(mesh->points[1], (mesh::Point3{1, 0, 0.5}));
+  EXPECT_EQ(mesh->points[1], (geom::Point3{1, 0, 0.5}));
   ASSERT_EQ(mesh->faces.size(), 1U);
   EXPECT_THAT(mesh->faces[0], ElementsAre(0, 1, 2));
 }

@@ -20,11 +20,21 @@ using testing::HasSubstr;
 
 struct Model {
   std::vector<io::Feature> lines;
-  std::vector<OffsetsPtr> offsets;
+  std::vector<std::shared_ptr<const Offsets>> offsets;
 };
 
-std::vector<io::Feature> lines_of(const Model& model) { return model.lines; }
-std::size_t state_of(const Model&) { return 0; }
+struct Keeper {
+  static std::vector<io::Feature> lines_of(const Model& model) { return model.lines; }
+  static std::size_t state_of(const Model&) { return 0; }
+  static AllOffsets all(const Model& model) {
+    AllOffsets all;
+    for (const auto& one : model.offsets) all.push_back(one.get());
+    return all;
+  }
+  static void add(Model& model, Offsets made) {
+    model.offsets.push_back(std::make_shared<const Offsets>(std::move(made)));
+  }
+};
 
 io::Feature line(const std::string& name, std::vector<geom::Point> points, bool closed = false) {
   return {.type = closed ? io::FeatureType::Polygons : io::FeatureType::Lines,
@@ -34,7 +44,7 @@ io::Feature line(const std::string& name, std::vector<geom::Point> points, bool 
 
 class OffsetStep : public testing::Test {
  protected:
-  OffsetStep() : operation_(offset_operation<Model, lines_of, state_of>()) {}
+  OffsetStep() : operation_(offset_operation<Model, Keeper>()) {}
 
   base::Result<scenario::State> run(const Model& model, const scenario::Table& params,
                                     const scenario::Context& context = {}) const {
