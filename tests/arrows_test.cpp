@@ -26,13 +26,18 @@ const std::map<std::string, std::set<std::string>>& arrows() {
       {"shared/mesh", {"shared/topo"}},
       {"shared/fem", {"shared/mesh"}},
       {"shared/scene", {"shared/geom"}},
-      {"shared/io", {"shared/mesh", "shared/scene"}},
-      {"shared/scenario", {"shared/io"}},
+      {"shared/io", {"shared/geom"}},
+      {"shared/io/lines", {"shared/io"}},
+      {"shared/io/gis", {"shared/io/lines", "shared/scene"}},
+      {"shared/io/drawings", {"shared/io"}},
+      {"shared/io/meshes", {"shared/io", "shared/mesh"}},
+      {"shared/io/formats", {"shared/io/gis", "shared/io/drawings", "shared/io/meshes"}},
+      {"shared/scenario", {"shared/io", "shared/scene"}},
       {"shared/render", {"shared/scene", "shared/io"}},
-      {"shared/cli", {"shared/render", "shared/scenario", "shared/offset"}},
+      {"shared/cli", {"shared/render", "shared/scenario", "shared/offset", "shared/io/formats"}},
       {"shared/gui", {"shared/render", "shared/scenario"}},
-      {"recon/core", {"shared/offset", "shared/mesh", "shared/scene", "shared/io", "shared/scenario"}},
-      {"quebra/core", {"shared/offset", "shared/fem", "shared/scene", "shared/io", "shared/scenario"}},
+      {"recon/core", {"shared/offset", "shared/mesh", "shared/scene", "shared/io/formats", "shared/scenario"}},
+      {"quebra/core", {"shared/offset", "shared/fem", "shared/scene", "shared/io/formats", "shared/scenario"}},
       {"recon/gui", {"recon/core", "shared/gui"}},
       {"recon/cli", {"recon/core", "shared/cli"}},
       {"quebra/gui", {"quebra/core", "shared/gui"}},
@@ -52,6 +57,7 @@ bool reaches(const std::string& from, const std::string& to) {
 std::string folder_of(const std::string& path) { return fs::path(path).parent_path().string(); }
 
 /// Only these may see the toolkits.
+bool may_include_gdal(const std::string& folder) { return folder == "shared/io/gis"; }
 bool may_include_vtk(const std::string& folder) { return folder == "shared/render" || folder == "shared/gui"; }
 bool may_include_qt(const std::string& folder) { return folder == "shared/gui" || folder.ends_with("/gui"); }
 
@@ -78,6 +84,8 @@ std::string objection(const std::string& folder, const std::string& included) {
   const bool is_qt =
       included.size() > 1 && included[0] == 'Q' && (std::isupper(included[1]) != 0 || included[1] == 't');
   if (is_qt && !may_include_qt(folder)) return "is Qt outside gui";
+  const bool is_gdal = included.starts_with("gdal") || included.starts_with("ogr") || included.starts_with("cpl_");
+  if (is_gdal && !may_include_gdal(folder)) return "is GDAL outside io/gis";
   return {};
 }
 
@@ -115,6 +123,8 @@ TEST(Arrows, AnIncludeAgainstThemIsNoticed) {
   EXPECT_FALSE(objection("recon/core", "quebra/core/domain.h").empty());
   EXPECT_FALSE(objection("shared/scene", "vtkActor.h").empty());
   EXPECT_FALSE(objection("shared/render", "QWidget").empty());
+  EXPECT_FALSE(objection("shared/io/lines", "ogrsf_frmts.h").empty());
+  EXPECT_FALSE(objection("shared/io/lines", "shared/mesh/element_mesh.h").empty());
   EXPECT_TRUE(objection("shared/offset", "shared/geom/point.h").empty());
   EXPECT_TRUE(objection("recon/gui", "QWidget").empty());
 }

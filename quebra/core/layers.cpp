@@ -12,9 +12,9 @@
 #include "quebra/core/repair.h"
 #include "shared/base/text.h"
 #include "shared/io/file.h"
-#include "shared/io/mesh_file.h"
-#include "shared/io/node_ele.h"
-#include "shared/io/vtu.h"
+#include "shared/io/formats/mesh_file.h"
+#include "shared/io/meshes/node_ele.h"
+#include "shared/io/meshes/vtu.h"
 #include "shared/mesh/order2.h"
 #include "shared/scene/color_map.h"
 
@@ -87,10 +87,10 @@ bool only_triangles(const mesh::ElementMesh& mesh) {
 }
 
 /// At each element: its shape, and of second order its Jacobian too.
-io::MeshFields quality_fields(const mesh::ElementMesh& mesh) {
-  io::MeshFields fields;
-  io::MeshField shape{only_triangles(mesh) ? "alpha" : "shape", 1, {}};
-  io::MeshField jacobian{"scaled_jacobian", 1, {}};
+io::meshes::MeshFields quality_fields(const mesh::ElementMesh& mesh) {
+  io::meshes::MeshFields fields;
+  io::meshes::MeshField shape{only_triangles(mesh) ? "alpha" : "shape", 1, {}};
+  io::meshes::MeshField jacobian{"scaled_jacobian", 1, {}};
   bool bent = false;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     shape.values.push_back(mesh::shape_of(mesh, mesh::ElementId(e)));
@@ -495,21 +495,21 @@ mesh::ElementMesh in_units(mesh::ElementMesh mesh, const scenario::UnitSystem& u
 
 std::string note_of(const scenario::UnitSystem& units) { return "units: " + units.text(); }
 
-io::InpElement inp_element_of(const Model& model) {
-  return model.problem && model.problem->state == Plane::Strain ? io::InpElement::PlaneStrain
-                                                                : io::InpElement::PlaneStress;
+io::meshes::InpElement inp_element_of(const Model& model) {
+  return model.problem && model.problem->state == Plane::Strain ? io::meshes::InpElement::PlaneStrain
+                                                                : io::meshes::InpElement::PlaneStress;
 }
 
-base::Result<void> write_mesh(const std::string& path, const mesh::ElementMesh& mesh, io::InpElement element,
+base::Result<void> write_mesh(const std::string& path, const mesh::ElementMesh& mesh, io::meshes::InpElement element,
                               const scenario::UnitSystem& units) {
-  DOBRA_TRY_VOID(io::write_mesh(path, in_units(mesh, units), element));
-  return io::add_note(path, note_of(units));
+  DOBRA_TRY_VOID(io::formats::write_mesh(path, in_units(mesh, units), element));
+  return io::formats::add_note(path, note_of(units));
 }
 
-base::Result<void> write_vtu(const std::string& path, const mesh::ElementMesh& mesh, const io::MeshFields& fields,
-                             const scenario::UnitSystem& units) {
-  DOBRA_TRY_VOID(io::write_vtu(path, in_units(mesh, units), fields));
-  return io::add_note(path, note_of(units));
+base::Result<void> write_vtu(const std::string& path, const mesh::ElementMesh& mesh,
+                             const io::meshes::MeshFields& fields, const scenario::UnitSystem& units) {
+  DOBRA_TRY_VOID(io::meshes::write_vtu(path, in_units(mesh, units), fields));
+  return io::formats::add_note(path, note_of(units));
 }
 
 void add_mesh_outputs(const std::shared_ptr<const Model>& model, std::vector<scenario::Output>& outputs) {
@@ -519,25 +519,27 @@ void add_mesh_outputs(const std::shared_ptr<const Model>& model, std::vector<sce
   outputs.push_back({"mesh.vtu", [meshed, units](const auto& path) {
                        return write_vtu(path.string(), meshed->mesh, quality_fields(meshed->mesh), units);
                      }});
-  const io::InpElement element = inp_element_of(*model);
+  const io::meshes::InpElement element = inp_element_of(*model);
   for (const char* const name : {"mesh.msh", "mesh.inp", "mesh.bdf", "mesh.nf"}) {
     outputs.push_back(
         {name,
          [meshed, element, units](const auto& path) { return write_mesh(path.string(), meshed->mesh, element, units); },
-         io::losses(name, meshed->mesh)});
+         io::formats::losses(name, meshed->mesh)});
   }
   // These hold triangles of one order only.
-  if (io::ele_file_of(meshed->mesh)) {
+  if (io::meshes::ele_file_of(meshed->mesh)) {
     const auto write = [meshed, units](const auto& path, const auto& text_of) -> base::Result<void> {
       DOBRA_TRY_VOID(io::write_text(path, text_of(in_units(meshed->mesh, units))));
-      return io::add_note(path.string(), note_of(units));
+      return io::formats::add_note(path.string(), note_of(units));
     };
-    outputs.push_back({"mesh.node", [write](const auto& path) {
-                         return write(path, [](const auto& mesh) { return io::node_text(io::node_file_of(mesh)); });
-                       }});
-    outputs.push_back({"mesh.ele", [write](const auto& path) {
-                         return write(path, [](const auto& mesh) { return io::ele_text(*io::ele_file_of(mesh)); });
-                       }});
+    outputs.push_back(
+        {"mesh.node", [write](const auto& path) {
+           return write(path, [](const auto& mesh) { return io::meshes::node_text(io::meshes::node_file_of(mesh)); });
+         }});
+    outputs.push_back(
+        {"mesh.ele", [write](const auto& path) {
+           return write(path, [](const auto& mesh) { return io::meshes::ele_text(*io::meshes::ele_file_of(mesh)); });
+         }});
   }
 }
 

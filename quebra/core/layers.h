@@ -4,8 +4,8 @@
 #include <array>
 
 #include "quebra/core/model.h"
-#include "shared/io/inp.h"
-#include "shared/io/vtu.h"
+#include "shared/io/meshes/inp.h"
+#include "shared/io/meshes/vtu.h"
 #include "shared/scenario/program.h"
 
 namespace quebra::core {
@@ -26,12 +26,13 @@ dobra::scene::Picture names_picture(const Model& model);
 dobra::mesh::ElementMesh in_units(dobra::mesh::ElementMesh mesh, const dobra::scenario::UnitSystem& units);
 std::string note_of(const dobra::scenario::UnitSystem& units);
 /// The elements of an .inp file: as the problem of the model says; plane stress where there is none.
-dobra::io::InpElement inp_element_of(const Model& model);
+dobra::io::meshes::InpElement inp_element_of(const Model& model);
 /// io::write_mesh and io::write_vtu of a mesh in SI, in these units and with that line.
 dobra::base::Result<void> write_mesh(const std::string& path, const dobra::mesh::ElementMesh& mesh,
-                                     dobra::io::InpElement element, const dobra::scenario::UnitSystem& units);
+                                     dobra::io::meshes::InpElement element, const dobra::scenario::UnitSystem& units);
 dobra::base::Result<void> write_vtu(const std::string& path, const dobra::mesh::ElementMesh& mesh,
-                                    const dobra::io::MeshFields& fields, const dobra::scenario::UnitSystem& units);
+                                    const dobra::io::meshes::MeshFields& fields,
+                                    const dobra::scenario::UnitSystem& units);
 
 /// How many of the elements have which quality: bars over alpha as high as their share of all, 0 .. 1; both axes to one
 /// scale.

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "quebra/core/domain.h"
-#include "shared/io/line_files.h"
+#include "shared/io/formats/line_files.h"
 
 namespace quebra::core {
 
@@ -13,7 +13,7 @@ enum class OpenLines { AsDrawn, Close };
 
 struct SketchOptions {
   /// Of files of lines: units, axes, columns; what neither they nor the file tell is asked.
-  dobra::io::LineOptions lines = {};
+  dobra::io::formats::LineOptions lines = {};
   OpenLines open_lines = OpenLines::AsDrawn;  ///< Close: every line is an outline whose last side is left out.
   double silent_unit = 1.0;                   ///< Metres in one unit of a file that does not say.
   bool chosen = false;                        ///< Whether the user chose any of these.

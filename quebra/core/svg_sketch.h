@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "quebra/core/domain.h"
-#include "shared/io/svg.h"
+#include "shared/io/drawings/svg.h"
 
 namespace quebra::core {
 
@@ -17,9 +17,9 @@ namespace quebra::core {
 dobra::base::Result<Sketch> read_svg_sketch(const std::string& path, double unit = 1.0);
 
 /// A piece whose coordinates are multiplied.
-void scale(dobra::io::SvgPiece& piece, double x, double y);
+void scale(dobra::io::drawings::SvgPiece& piece, double x, double y);
 
 /// The same of paths from another format, without remarks.
-dobra::base::Result<Sketch> sketch_of_paths(const std::vector<dobra::io::SvgPath>& paths);
+dobra::base::Result<Sketch> sketch_of_paths(const std::vector<dobra::io::drawings::SvgPath>& paths);
 
 }  // namespace quebra::core

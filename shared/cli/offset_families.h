@@ -27,7 +27,7 @@ struct OffsetPlan {
 /// Some open lines, or polygons, or both (parts of one feature).
 struct OffsetBase {
   std::string name;
-  io::Feature source;  ///< Its name, kind, id and properties; no parts.
+  io::lines::Feature source;  ///< Its name, kind, id and properties; no parts.
   std::vector<geom::Polyline> lines = {};
   std::vector<std::vector<geom::Polyline>> polygons = {};  ///< Each a contour anticlockwise and its holes clockwise.
 };
