@@ -315,7 +315,8 @@ TEST(Inp, ARegionWithTheLabelOfAnotherTagLeavesTheTagsAsTheyAre) {
   const auto read = parse_inp(*inp_text(mesh, {.element = InpElement::PlaneStress}), "f");
   ASSERT_TRUE(read.ok()) << base::to_string(read.error());
   EXPECT_EQ(read->mesh.regions, mesh.regions);
-  EXPECT_THAT(formats::losses("m.inp", mesh), testing::Contains(HasSubstr("the region 'REGION_2' is written as REGION_2_2")));
+  EXPECT_THAT(formats::losses("m.inp", mesh),
+              testing::Contains(HasSubstr("the region 'REGION_2' is written as REGION_2_2")));
 }
 
 TEST(Inp, ADeckOfAnotherProgramIsRead) {

@@ -66,7 +66,8 @@ TEST(MeshPolygons, StlIsReadBackAndTellsWhatItCut) {
   const test::TemporaryFolder folder;
   const std::string file = folder.file("m.stl");
   ASSERT_TRUE(formats::write_mesh(file, ring(ElementType::Q4), InpElement::PlaneStress).ok());
-  EXPECT_THAT(formats::losses(file, ring(ElementType::Q4)), testing::Contains(HasSubstr("8 quadrilaterals are cut in two")));
+  EXPECT_THAT(formats::losses(file, ring(ElementType::Q4)),
+              testing::Contains(HasSubstr("8 quadrilaterals are cut in two")));
   const auto read = formats::read_mesh(file);
   ASSERT_TRUE(read.ok()) << base::to_string(read.error());
   EXPECT_EQ(read->mesh.element_count(), 16U);
