@@ -31,19 +31,25 @@ const std::map<std::string, std::set<std::string>>& arrows() {
       {"shared/fem/error", {"shared/fem"}},
       {"shared/fem/fracture", {"shared/fem/error"}},
       {"shared/scene", {"shared/geom"}},
-      {"shared/io", {"shared/mesh/delaunay", "shared/scene"}},
-      {"shared/scenario", {"shared/io"}},
+      {"shared/io", {"shared/geom"}},
+      {"shared/io/lines", {"shared/io"}},
+      {"shared/io/gis", {"shared/io/lines", "shared/scene"}},
+      {"shared/io/drawings", {"shared/io"}},
+      {"shared/io/meshes", {"shared/io", "shared/mesh/delaunay"}},
+      {"shared/io/formats", {"shared/io/gis", "shared/io/drawings", "shared/io/meshes"}},
+      {"shared/scenario", {"shared/io", "shared/scene"}},
       {"shared/render", {"shared/scene", "shared/io"}},
-      {"shared/operations", {"shared/scenario", "shared/offset"}},
+      {"shared/scenario/lines", {"shared/scenario", "shared/io/formats"}},
+      {"shared/operations", {"shared/scenario/lines", "shared/offset"}},
       {"shared/cli", {"shared/render", "shared/operations"}},
       {"shared/gui", {"shared/render", "shared/scenario"}},
       {"recon/section", {"shared/topo", "shared/scene"}},
-      {"recon/input", {"recon/section", "shared/scenario"}},
+      {"recon/input", {"recon/section", "shared/scenario/lines"}},
       {"recon/maps", {"shared/geom"}},
-      {"recon/balance", {"recon/section", "recon/maps", "shared/mesh/front", "shared/scenario"}},
+      {"recon/balance", {"recon/section", "recon/maps", "shared/mesh/front", "shared/scenario", "shared/io/formats"}},
       {"recon/unfold", {"recon/input", "recon/maps", "recon/balance", "shared/offset"}},
       {"recon/core", {"recon/unfold", "shared/operations"}},
-      {"quebra/sketch", {"shared/scenario"}},
+      {"quebra/sketch", {"shared/scenario/lines"}},
       {"quebra/domain", {"quebra/sketch"}},
       {"quebra/repair", {"quebra/domain"}},
       {"quebra/model", {"quebra/domain", "shared/mesh/sizing", "shared/fem/fracture"}},
@@ -70,6 +76,7 @@ bool reaches(const std::string& from, const std::string& to) {
 std::string folder_of(const std::string& path) { return fs::path(path).parent_path().string(); }
 
 /// Only these may see the toolkits.
+bool may_include_gdal(const std::string& folder) { return folder == "shared/io/gis"; }
 bool may_include_vtk(const std::string& folder) { return folder == "shared/render" || folder == "shared/gui"; }
 bool may_include_qt(const std::string& folder) { return folder == "shared/gui" || folder.ends_with("/gui"); }
 
@@ -96,6 +103,8 @@ std::string objection(const std::string& folder, const std::string& included) {
   const bool is_qt =
       included.size() > 1 && included[0] == 'Q' && (std::isupper(included[1]) != 0 || included[1] == 't');
   if (is_qt && !may_include_qt(folder)) return "is Qt outside gui";
+  const bool is_gdal = included.starts_with("gdal") || included.starts_with("ogr") || included.starts_with("cpl_");
+  if (is_gdal && !may_include_gdal(folder)) return "is GDAL outside io/gis";
   return {};
 }
 
@@ -173,6 +182,8 @@ TEST(Arrows, AnIncludeAgainstThemIsNoticed) {
   EXPECT_FALSE(objection("recon/core", "quebra/domain/domain.h").empty());
   EXPECT_FALSE(objection("shared/scene", "vtkActor.h").empty());
   EXPECT_FALSE(objection("shared/render", "QWidget").empty());
+  EXPECT_FALSE(objection("shared/io/lines", "ogrsf_frmts.h").empty());
+  EXPECT_FALSE(objection("shared/io/lines", "shared/mesh/element_mesh.h").empty());
   EXPECT_TRUE(objection("shared/offset", "shared/geom/point.h").empty());
   EXPECT_TRUE(objection("recon/gui", "QWidget").empty());
 }

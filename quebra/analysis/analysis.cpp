@@ -86,12 +86,12 @@ std::vector<double> mean_at_nodes(const mesh::ElementMesh& m, const std::vector<
   return sums;
 }
 
-dobra::io::MeshFields fields_of(const Analysis& analysis, const dobra::scenario::UnitSystem& units) {
-  dobra::io::MeshFields fields;
+dobra::io::meshes::MeshFields fields_of(const Analysis& analysis, const dobra::scenario::UnitSystem& units) {
+  dobra::io::meshes::MeshFields fields;
   for (std::size_t c = 0; c < analysis.solution.cases.size(); ++c) {
     const auto& result = analysis.solution.cases[c];
-    dobra::io::MeshField u{result.name + " displacement", 2, {}};
-    dobra::io::MeshField s{result.name + " stress", 3, {}};
+    dobra::io::meshes::MeshField u{result.name + " displacement", 2, {}};
+    dobra::io::meshes::MeshField s{result.name + " stress", 3, {}};
     for (const Vector v : result.displacements) u.values.insert(u.values.end(), {v.x, v.y});
     for (const auto& v : fem::error::nodal_mean(analysis.meshed->mesh, analysis.fields[c].recovered.at_element_nodes))
       s.values.insert(s.values.end(), v.begin(), v.end());
@@ -104,7 +104,7 @@ dobra::io::MeshFields fields_of(const Analysis& analysis, const dobra::scenario:
   }
   if (units.si()) return fields;
   for (auto* at : {&fields.at_points, &fields.at_elements}) {
-    for (dobra::io::MeshField& field : *at) {
+    for (dobra::io::meshes::MeshField& field : *at) {
       const char* const si = field.name.ends_with(" displacement") ? "m"
                              : field.name.ends_with(" error")      ? "J^0.5"
                                                                    : "Pa";

@@ -180,11 +180,11 @@ Result<model::Model> read_input(const InputParams& params, const dobra::scenario
     sketch.areas = std::move(file.areas);
   }
   DOBRA_TRY(const sketch::SketchOptions lines, sketch_options(params));
-  if (params.file.empty() && lines.chosen && params.unit == dobra::scenario::FileUnit::File)
+  if (params.file.empty() && lines.chosen && params.unit == dobra::scenario::lines::FileUnit::File)
     return Error{ErrorCode::BadValue,
                  "`format`, `columns`, `separator`, `coordinates`, `y_axis`, `closed` and the like say how `file` is "
                  "read, and there is no file; remove them"};
-  if (params.file.empty() && params.unit != dobra::scenario::FileUnit::File)
+  if (params.file.empty() && params.unit != dobra::scenario::lines::FileUnit::File)
     return Error{ErrorCode::BadValue,
                  "`unit` is of the coordinates in `file`, and there is no file; numbers of the scenario are in the "
                  "units of `unit_system`",

@@ -105,10 +105,10 @@ std::optional<bool> adapted_enough(const model::Model& model) {
 
 struct OffsetKeeper {
   /// The curves of the domain by their names; arcs and splines as chords.
-  static std::vector<io::Feature> lines_of(const model::Model& model) {
-    std::vector<io::Feature> features;
+  static std::vector<io::lines::Feature> lines_of(const model::Model& model) {
+    std::vector<io::lines::Feature> features;
     for (const sketch::Curve& curve : model.domain.curves)
-      features.push_back({.type = io::FeatureType::Lines, .parts = {trace(curve).line}, .name = curve.name});
+      features.push_back({.type = io::lines::FeatureType::Lines, .parts = {trace(curve).line}, .name = curve.name});
     return features;
   }
   static std::size_t state_of(const model::Model&) { return 0; }

@@ -18,7 +18,7 @@ class SizeSource {
   /// Reads and checks; empty texts are no wish. Of a background mesh points up to one element outside take the nearest
   /// size, others none.
   /// @error BadValue: a formula that cannot be read, a size that is not greater than 0 on the boundary or in the file,
-  ///        with its place; a field that the file has not, naming those it has; those of io::read_mesh.
+  ///        with its place; a field that the file has not, naming those it has; those of io::formats::read_mesh.
   static dobra::base::Result<SizeSource> make(const domain::Domain& domain, const std::string& formula,
                                               const std::string& background, const std::string& field,
                                               const dobra::scenario::Context& context);

@@ -5,7 +5,7 @@ namespace quebra::sketch {
 dobra::base::Result<SketchOptions> sketch_options(const LineInput& input) {
   SketchOptions options;
   options.open_lines = input.closed;
-  DOBRA_TRY(options.lines, dobra::scenario::line_options(input));
+  DOBRA_TRY(options.lines, dobra::scenario::lines::line_options(input));
   options.chosen = input != LineInput{};
   return options;
 }

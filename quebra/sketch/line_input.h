@@ -2,12 +2,12 @@
 // What a scenario says of a file of lines, and whether lines that do not close are outlines.
 
 #include "quebra/sketch/sketch_file.h"
-#include "shared/scenario/line_reading.h"
+#include "shared/scenario/lines/line_reading.h"
 
 namespace quebra::sketch {
 
 /// A base of InputParams.
-struct LineInput : dobra::scenario::LineReading {
+struct LineInput : dobra::scenario::lines::LineReading {
   OpenLines closed = OpenLines::AsDrawn;
 
   template <class P, class D>

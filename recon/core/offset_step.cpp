@@ -11,7 +11,9 @@ namespace {
 namespace operations = dobra::operations;
 
 struct Keeper {
-  static std::vector<dobra::io::Feature> lines_of(const Model& model) { return restored_features(model.section); }
+  static std::vector<dobra::io::lines::Feature> lines_of(const Model& model) {
+    return restored_features(model.section);
+  }
   static std::size_t state_of(const Model& model) { return model.earlier.size(); }
   static operations::AllOffsets all(const Model& model) { return model.findings.all<operations::Offsets>(); }
   static void add(Model& model, operations::Offsets made) {

@@ -7,8 +7,8 @@
 
 #include "recon/section/section.h"
 #include "shared/geom/drawn_curve.h"
-#include "shared/io/feature.h"
-#include "shared/scenario/line_reading.h"
+#include "shared/io/lines/feature.h"
+#include "shared/scenario/lines/line_reading.h"
 
 namespace recon {
 namespace geom = dobra::geom;
@@ -25,12 +25,12 @@ enum class PointOrder { AsGiven, AlongCurve };
 /// A line in section coordinates, m, and the plane that it was laid into, if it was.
 struct PlacedLine {
   geom::Polyline line;
-  std::optional<dobra::io::Trace> trace = std::nullopt;
+  std::optional<dobra::io::lines::Trace> trace = std::nullopt;
 };
 
 /// The fields of how the lines of a file are read, and their points repaired.
 template <class Input, class D>
-void describe_reading(dobra::scenario::LineKeys<Input, D>& keys) {
+void describe_reading(dobra::scenario::lines::LineKeys<Input, D>& keys) {
   keys.separator();
   keys.y_axis("section");
   keys.unit("section", {"m", "km", "ft"});
@@ -77,7 +77,7 @@ struct HorizonInput {
     d.field("columns", &HorizonInput::columns,
             {.title = "Columns of x and y",
              .help = "In a text file, counted from 1; three for map coordinates with heights."});
-    dobra::scenario::LineKeys<HorizonInput, D> keys(d);
+    dobra::scenario::lines::LineKeys<HorizonInput, D> keys(d);
     describe_reading(keys);
     d.choice(
         "curve", &HorizonInput::curve, {"line", "hermite", "spline", "bezier", "b_spline", "rational_bezier"},
@@ -109,7 +109,7 @@ struct LinesInput {
            {.title = "File",
             .help = "Text, CSV, GeoJSON, DXF, GOCAD, MOVE, Shapefile, GeoPackage or WKT.",
             .presence = dobra::scenario::Presence::Required});
-    dobra::scenario::LineKeys<LinesInput, D> keys(d);
+    dobra::scenario::lines::LineKeys<LinesInput, D> keys(d);
     keys.kind();
     keys.columns();
     keys.name_columns();

@@ -66,7 +66,7 @@ struct SectionInput {
   std::string orientation;
   template <class D>
   static void describe(D& d) {
-    dobra::scenario::LineKeys<SectionInput, D> keys(d);
+    dobra::scenario::lines::LineKeys<SectionInput, D> keys(d);
     keys.y_axis();
     keys.reference();
     keys.unit(nullptr, {"m", "km", "ft"});

@@ -7,7 +7,7 @@
 namespace dobra::cli {
 namespace {
 
-struct LineParams : scenario::LineReading {
+struct LineParams : scenario::lines::LineReading {
   std::vector<std::string> kind;
   bool order = false;
   std::optional<double> drop_duplicates, join_gaps, snap_to_faults, share_edges, slivers;
@@ -15,7 +15,7 @@ struct LineParams : scenario::LineReading {
   template <class D>
   static void describe(D& d) {
     LineReading::describe_in<LineParams>(d);
-    scenario::LineKeys<LineParams, D> keys(d);
+    scenario::lines::LineKeys<LineParams, D> keys(d);
     keys.kind();
     keys.order();
     keys.drop_duplicates();
@@ -63,11 +63,11 @@ base::Result<scenario::Table> LineOptions::table() const {
   return given;
 }
 
-base::Result<io::LineOptions> line_options(const scenario::Table& given) {
+base::Result<io::formats::LineOptions> line_options(const scenario::Table& given) {
   const auto params = scenario::from_table<LineParams>(given);
-  DOBRA_TRY(io::LineOptions options, scenario::line_options(params, refuse));
-  DOBRA_TRY(options.kinds, scenario::kind_rules(params.kind, refuse));
-  if (params.order) options.repair.order = io::PointOrder::AlongTheCurve;
+  DOBRA_TRY(io::formats::LineOptions options, scenario::lines::line_options(params, refuse));
+  DOBRA_TRY(options.kinds, scenario::lines::kind_rules(params.kind, refuse));
+  if (params.order) options.repair.order = io::formats::PointOrder::AlongTheCurve;
   const auto unless_zero = [](std::optional<double> length) { return length == 0.0 ? std::nullopt : length; };
   options.repair.duplicates = unless_zero(params.drop_duplicates);
   options.repair.gaps = unless_zero(params.join_gaps);

@@ -1,9 +1,9 @@
 #pragma once
 // Options about files of lines, of every command that reads one: made of the description that scenarios have
-// (shared/scenario/line_reading.h), by the same names but for a few that are shorter.
+// (shared/scenario/lines/line_reading.h), by the same names but for a few that are shorter.
 
 #include "shared/cli/parameter_options.h"
-#include "shared/scenario/line_reading.h"
+#include "shared/scenario/lines/line_reading.h"
 
 namespace dobra::cli {
 
@@ -22,6 +22,6 @@ class LineOptions {
 };
 
 /// What such a table means. @error BadUsage naming the option.
-base::Result<io::LineOptions> line_options(const scenario::Table& given);
+base::Result<io::formats::LineOptions> line_options(const scenario::Table& given);
 
 }  // namespace dobra::cli

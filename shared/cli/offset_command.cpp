@@ -34,13 +34,13 @@ std::vector<scenario::Field> fields() {
 }
 
 /// Curves are taken as they stand: a plane, whatever it is, and whatever its unit is.
-Result<io::LineWork> read_lines(Session& session, const std::string& file) {
-  io::LineOptions options;
-  options.coordinates = io::Coordinates::Section;
-  options.y_direction = io::YDirection::Up;
-  options.unit_wanted = io::UnitWanted::OfTheFile;
-  options.faulty = io::Faulty::Skip;
-  DOBRA_TRY(io::LineWork read, io::read_any_lines(file, options));
+Result<io::formats::LineWork> read_lines(Session& session, const std::string& file) {
+  io::formats::LineOptions options;
+  options.coordinates = io::formats::Coordinates::Section;
+  options.y_direction = io::lines::YDirection::Up;
+  options.unit_wanted = io::formats::UnitWanted::OfTheFile;
+  options.faulty = io::lines::Faulty::Skip;
+  DOBRA_TRY(io::formats::LineWork read, io::formats::read_any_lines(file, options));
   for (const std::string& remark : read.remarks) session.note(remark);
   if (read.system && read.system->degrees) {
     session.note(
@@ -92,7 +92,7 @@ Result<int> offset_job(Session& session, const Options& options) {
     DOBRA_TRY_VOID(offset_file(*options.out));
     DOBRA_TRY_VOID(check_writable(*options.out));
   }
-  DOBRA_TRY(io::LineWork lines, read_lines(session, options.file));
+  DOBRA_TRY(io::formats::LineWork lines, read_lines(session, options.file));
   DOBRA_TRY(const Offsets made, offset_curves(caller, plan, std::move(lines), options.file));
   if (options.out) DOBRA_TRY_VOID(write_out(session, *options.out, made));
   if (session.options.format == OutputFormat::Json) {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "shared/base/text.h"
-#include "shared/io/dxf.h"
+#include "shared/io/gis/dxf.h"
 #include "shared/operations/offset_layers.h"
 
 namespace dobra::cli {
@@ -145,9 +145,9 @@ base::Result<OffsetFile> offset_file(const std::filesystem::path& file) {
 base::Result<void> write_offset(const std::vector<OffsetFamily>& families, const OffsetOrigin& origin,
                                 const std::filesystem::path& file, std::vector<std::string>& remarks) {
   const std::string ending = file.extension().string();
-  io::LineWork work;
+  io::formats::LineWork work;
   work.features = features_of(families);
-  const auto is_polygon = [](const io::Feature& f) { return f.type == io::FeatureType::Polygons; };
+  const auto is_polygon = [](const io::lines::Feature& f) { return f.type == io::lines::FeatureType::Polygons; };
   const auto polygons = static_cast<std::size_t>(std::count_if(work.features.begin(), work.features.end(), is_polygon));
   if (ending == ".shp" && polygons > 0 && polygons < work.features.size()) {
     return Error{
@@ -155,15 +155,16 @@ base::Result<void> write_offset(const std::vector<OffsetFamily>& families, const
         "--out: a Shapefile holds either lines or polygons, and these are both; write a .gpkg, or choose with --curve"};
   }
   const auto& system = origin.system;
-  const io::LineWriteOptions options{
-      .coordinates = io::Coordinates::Section, .system = system ? &*system : nullptr, .unit = origin.unit};
-  DOBRA_TRY_VOID(io::write_any_lines(file.string(), work, options, remarks));
+  const io::formats::LineWriteOptions options{
+      .coordinates = io::formats::Coordinates::Section, .system = system ? &*system : nullptr, .unit = origin.unit};
+  DOBRA_TRY_VOID(io::formats::write_any_lines(file.string(), work, options, remarks));
   const bool keeps_system =
       ending == ".gpkg" || ending == ".shp" || (ending == ".geojson" && system && !system->code.empty());
   if (system && !keeps_system)
     remarks.push_back(fmt::format("the reference system ({}) is not kept in {}", system->name, ending));
   const auto is_unit = [&](const auto& known) { return known.second == origin.unit; };
-  const bool keeps_unit = ending == ".dxf" && std::any_of(io::dxf_units.begin(), io::dxf_units.end(), is_unit);
+  const bool keeps_unit =
+      ending == ".dxf" && std::any_of(io::gis::dxf_units.begin(), io::gis::dxf_units.end(), is_unit);
   if (origin.unit && !keeps_unit && !system) {
     remarks.push_back(fmt::format("the unit of the file ({} m) is not kept in {}", *origin.unit, ending));
   }

@@ -9,7 +9,7 @@
 #include <filesystem>
 
 #include "shared/base/text.h"
-#include "shared/io/line_files.h"
+#include "shared/io/formats/line_files.h"
 #include "shared/scenario/toml_text.h"
 
 namespace dobra::cli {
@@ -74,7 +74,7 @@ std::string text_of(const Field& field, const std::vector<std::string>& words) {
 std::vector<std::string> number_words(const Field& field, const std::string& text) {
   if (field.kind != Kind::Number && field.kind != Kind::Degrees && field.kind != Kind::Numbers) return {};
   std::vector<std::string> words{text};
-  if (field.kind == Kind::Numbers && !text.empty()) words = io::words_between_commas(text);
+  if (field.kind == Kind::Numbers && !text.empty()) words = io::formats::words_between_commas(text);
   for (std::string& word : words) {
     word.erase(0, std::min(word.find_first_not_of(' '), word.size()));
     word.erase(word.find_last_not_of(' ') + 1);

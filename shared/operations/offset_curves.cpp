@@ -17,21 +17,22 @@ namespace {
 
 /// Numbers of the curve, then what the base had; a property of the base that has the name of one of ours is
 /// "source_...".
-io::Feature feature_of(const OffsetFamily& family, const DrawnOffset& curve) {
-  io::Feature feature;
-  feature.type = family.content == OffsetContent::Polygons ? io::FeatureType::Polygons : io::FeatureType::Lines;
+io::lines::Feature feature_of(const OffsetFamily& family, const DrawnOffset& curve) {
+  io::lines::Feature feature;
+  feature.type =
+      family.content == OffsetContent::Polygons ? io::lines::FeatureType::Polygons : io::lines::FeatureType::Lines;
   feature.parts = curve.lines;
   feature.name = fmt::format("{} at {}", family.name, base::number_text(curve.distance));
   feature.kind = "offset";
   feature.properties = {{"curve", family.name}, {"distance", curve.distance}, {"length", curve.length}};
   if (curve.area) feature.properties.emplace_back("area", *curve.area);
   if (curve.dropped > 0) feature.properties.emplace_back("dropped", static_cast<std::int64_t>(curve.dropped));
-  const io::Feature& source = family.source;
+  const io::lines::Feature& source = family.source;
   const auto has = [&](const std::string& key) {
     return std::any_of(feature.properties.begin(), feature.properties.end(),
                        [&](const auto& p) { return p.first == key; });
   };
-  const auto add = [&](const std::string& key, const io::PropertyValue& value) {
+  const auto add = [&](const std::string& key, const io::lines::PropertyValue& value) {
     feature.properties.emplace_back(has(key) ? "source_" + key : key, value);
   };
   if (!source.kind.empty()) add("source_kind", source.kind);
@@ -119,8 +120,8 @@ base::Result<void> check_numbers(const std::vector<OffsetFamily>& families) {
   return {};
 }
 
-std::vector<io::Feature> features_of(const std::vector<OffsetFamily>& families) {
-  std::vector<io::Feature> features;
+std::vector<io::lines::Feature> features_of(const std::vector<OffsetFamily>& families) {
+  std::vector<io::lines::Feature> features;
   for (const OffsetFamily& family : families) {
     for (const DrawnOffset& curve : family.curves) {
       if (!curve.lines.empty()) features.push_back(feature_of(family, curve));

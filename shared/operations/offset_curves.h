@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "shared/io/line_files.h"
+#include "shared/io/formats/line_files.h"
 #include "shared/offset/area.h"
 
 namespace dobra::operations {
@@ -28,7 +28,7 @@ enum class OffsetContent { Lines, Polygons };
 /// A base (see offset_families.h), and the curves parallel to it or the areas about it, by distance.
 struct OffsetFamily {
   std::string name;
-  io::Feature source = {};  ///< Its name, kind, id and properties.
+  io::lines::Feature source = {};  ///< Its name, kind, id and properties.
   std::vector<geom::Polyline> bases = {};
   OffsetContent content = OffsetContent::Lines;
   std::vector<DrawnOffset> curves = {};
@@ -40,7 +40,7 @@ DrawnOffset drawn(const offset::Area& area, double distance);
 
 /// What the coordinates of the file are in.
 struct OffsetOrigin {
-  std::optional<io::ReferenceSystem> system = std::nullopt;
+  std::optional<io::lines::ReferenceSystem> system = std::nullopt;
   std::optional<double> unit = std::nullopt;  ///< Metres in one unit, as the file says.
 };
 
@@ -72,7 +72,7 @@ base::Result<void> check_numbers(const std::vector<OffsetFamily>& families);
 
 /// Curves of which something remains, each with its numbers and then what its base has; a property of the base that has
 /// the name of one of ours is "source_...". Areas are polygons with holes; everything else is lines.
-std::vector<io::Feature> features_of(const std::vector<OffsetFamily>& families);
+std::vector<io::lines::Feature> features_of(const std::vector<OffsetFamily>& families);
 
 std::size_t point_count(const DrawnOffset& curve);
 

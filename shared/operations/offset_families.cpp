@@ -38,16 +38,16 @@ Polyline as_contour(Polyline line) {
 }
 
 /// The parts of a feature as lines and polygons.
-OffsetBase base_of(io::Feature feature, Closing closing) {
+OffsetBase base_of(io::lines::Feature feature, Closing closing) {
   OffsetBase made;
-  if (feature.type == io::FeatureType::Polygons) {
-    for (const auto& [first, last] : io::polygons_of(feature)) {
+  if (feature.type == io::lines::FeatureType::Polygons) {
+    for (const auto& [first, last] : io::lines::polygons_of(feature)) {
       const auto begin = feature.parts.begin();
       made.polygons.emplace_back(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(last));
     }
   }
   for (Polyline& part : feature.parts) {
-    if (feature.type == io::FeatureType::Polygons) break;
+    if (feature.type == io::lines::FeatureType::Polygons) break;
     if (closing == Closing::Closed || is_closed(part)) {
       made.polygons.push_back({as_contour(std::move(part))});
     } else {
@@ -334,13 +334,13 @@ Result<void> check_signs(const std::vector<OffsetBase>& bases, const OffsetPlan&
                   caller.set("side", "left")));
 }
 
-Result<OffsetInput> offset_input(const OffsetCaller& caller, io::LineWork read, const std::string& file,
+Result<OffsetInput> offset_input(const OffsetCaller& caller, io::formats::LineWork read, const std::string& file,
                                  const OffsetPlan& plan) {
   OffsetInput input{{}, {std::move(read.system), read.stated_unit}};
   const char* const where = file.empty() ? "model" : "file";
   std::size_t points = 0;
-  for (io::Feature& feature : read.features) {
-    if (feature.type == io::FeatureType::Points) {
+  for (io::lines::Feature& feature : read.features) {
+    if (feature.type == io::lines::FeatureType::Points) {
       ++points;
       continue;
     }

@@ -9,7 +9,7 @@ namespace dobra::operations {
 /// Some open lines, or polygons, or both (parts of one feature).
 struct OffsetBase {
   std::string name;
-  io::Feature source;  ///< Its name, kind, id and properties; no parts.
+  io::lines::Feature source;  ///< Its name, kind, id and properties; no parts.
   std::vector<geom::Polyline> lines = {};
   std::vector<std::vector<geom::Polyline>> polygons = {};  ///< Each a contour anticlockwise and its holes clockwise.
 };
@@ -24,7 +24,7 @@ struct OffsetInput {
 /// or mended is told.
 /// @param file  which errors and notes name; empty: the lines are not of a file.
 /// @error `refuse`: there is no such curve; BadFormat: there is no line.
-base::Result<OffsetInput> offset_input(const OffsetCaller& caller, io::LineWork read, const std::string& file,
+base::Result<OffsetInput> offset_input(const OffsetCaller& caller, io::formats::LineWork read, const std::string& file,
                                        const OffsetPlan& plan);
 
 /// Where there are polygons, open lines are left out at distances below 0, and this is told.

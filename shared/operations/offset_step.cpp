@@ -13,7 +13,7 @@ using base::Result;
 std::string number_of(std::size_t step, const char* what) { return fmt::format("offset.{}.{}", step + 1, what); }
 
 /// In the units of the results, as they stand in files.
-std::vector<io::Feature> features_in(const Offsets& offsets) {
+std::vector<io::lines::Feature> features_in(const Offsets& offsets) {
   std::vector<OffsetFamily> families = offsets.families;
   const scenario::UnitSystem& units = offsets.units;
   if (!units.si()) {
@@ -56,7 +56,7 @@ Sums sums_of(const Offsets& offsets) {
 
 }  // namespace
 
-Result<Offsets> offset_curves(const OffsetCaller& caller, const OffsetPlan& plan, io::LineWork lines,
+Result<Offsets> offset_curves(const OffsetCaller& caller, const OffsetPlan& plan, io::formats::LineWork lines,
                               const std::string& file) {
   DOBRA_TRY(const OffsetInput input, offset_input(caller, std::move(lines), file, plan));
   Offsets made{.origin = input.origin, .verified = plan.verify, .of_file = !file.empty()};
@@ -81,23 +81,23 @@ std::vector<std::string> verdict_text(const Offsets& offsets, const OffsetPlan& 
   return all;
 }
 
-Result<Offsets> offset_step(const OffsetParams& params, const std::vector<io::Feature>& of_model,
+Result<Offsets> offset_step(const OffsetParams& params, const std::vector<io::lines::Feature>& of_model,
                             const scenario::Context& context, const base::Progress& progress) {
   std::vector<std::string> remarks;
   const OffsetCaller caller{.note = [&](const std::string& note) { remarks.push_back("offset: " + note); },
                             .progress = progress};
   DOBRA_TRY(const OffsetPlan plan, offset_plan(params, caller));
-  io::LineWork lines;
+  io::formats::LineWork lines;
   std::string file;
   if (params.file.empty()) {
     lines.features = of_model;
   } else {
     file = (context.folder / params.file).string();
-    io::LineOptions options;
-    options.coordinates = io::Coordinates::Section;
+    io::formats::LineOptions options;
+    options.coordinates = io::formats::Coordinates::Section;
     options.silent_unit = context.units.to_si(1.0, "m");
-    options.faulty = io::Faulty::Skip;
-    DOBRA_TRY(lines, io::read_any_lines(file, options));
+    options.faulty = io::lines::Faulty::Skip;
+    DOBRA_TRY(lines, io::formats::read_any_lines(file, options));
     for (const std::string& remark : lines.remarks) remarks.push_back(remark);
   }
   DOBRA_TRY(Offsets made, offset_curves(caller, plan, std::move(lines), file));
@@ -163,10 +163,11 @@ void add_offset_outputs(const AllOffsets& all, const scenario::State& model, std
     if (all[n]->stage) continue;
     outputs.push_back(
         {fmt::format("offset_{}.geojson", n + 1), [one = all[n], model](const std::filesystem::path& path) {
-           io::LineWork work;
+           io::formats::LineWork work;
            work.features = features_in(*one);
            std::vector<std::string> losses;  // none of GeoJSON
-           return io::write_any_lines(path.string(), work, {.coordinates = io::Coordinates::Section}, losses);
+           return io::formats::write_any_lines(path.string(), work, {.coordinates = io::formats::Coordinates::Section},
+                                               losses);
          }});
   }
 }

@@ -29,15 +29,15 @@ using AllOffsets = std::vector<const Offsets*>;
 /// Curves or areas of lines, or the first steps of their construction.
 /// @param file  where the lines are from; empty: the model.
 /// @error those of offset_input, offset_families and check_numbers.
-base::Result<Offsets> offset_curves(const OffsetCaller& caller, const OffsetPlan& plan, io::LineWork lines,
+base::Result<Offsets> offset_curves(const OffsetCaller& caller, const OffsetPlan& plan, io::formats::LineWork lines,
                                     const std::string& file);
 
 /// "verified 12 edges ...", and what was not judged, if anything: a line each.
 std::vector<std::string> verdict_text(const Offsets& offsets, const OffsetPlan& plan);
 
 /// The step: the lines of its file, in metres, else those of the model.
-/// @error those of offset_plan, io::read_any_lines and offset_curves.
-base::Result<Offsets> offset_step(const OffsetParams& params, const std::vector<io::Feature>& of_model,
+/// @error those of offset_plan, io::formats::read_any_lines and offset_curves.
+base::Result<Offsets> offset_step(const OffsetParams& params, const std::vector<io::lines::Feature>& of_model,
                                   const scenario::Context& context, const base::Progress& progress);
 
 // What steps tell, each of its own: "offset.2.length", layers "offset_2_1" of the first panel, offset_2.geojson.

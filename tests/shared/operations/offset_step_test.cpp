@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "shared/io/geojson.h"
+#include "shared/io/gis/geojson.h"
 #include "shared/offset/offset.h"
 
 namespace dobra::operations {
@@ -19,12 +19,12 @@ namespace {
 using testing::HasSubstr;
 
 struct Model {
-  std::vector<io::Feature> lines;
+  std::vector<io::lines::Feature> lines;
   std::vector<std::shared_ptr<const Offsets>> offsets;
 };
 
 struct Keeper {
-  static std::vector<io::Feature> lines_of(const Model& model) { return model.lines; }
+  static std::vector<io::lines::Feature> lines_of(const Model& model) { return model.lines; }
   static std::size_t state_of(const Model&) { return 0; }
   static AllOffsets all(const Model& model) {
     AllOffsets all;
@@ -36,8 +36,8 @@ struct Keeper {
   }
 };
 
-io::Feature line(const std::string& name, std::vector<geom::Point> points, bool closed = false) {
-  return {.type = closed ? io::FeatureType::Polygons : io::FeatureType::Lines,
+io::lines::Feature line(const std::string& name, std::vector<geom::Point> points, bool closed = false) {
+  return {.type = closed ? io::lines::FeatureType::Polygons : io::lines::FeatureType::Lines,
           .parts = {{std::move(points), closed}},
           .name = name};
 }
@@ -102,7 +102,7 @@ TEST_F(OffsetStep, LinesOfTheModelGiveNumbersATableLayersAndAFile) {
   ASSERT_EQ(outputs.size(), 1U);
   const auto file = std::filesystem::path(testing::TempDir()) / "dobra_offset_step.geojson";
   ASSERT_TRUE(outputs[0].write(file));
-  const auto read = io::read_geojson(file.string());
+  const auto read = io::gis::read_geojson(file.string());
   ASSERT_TRUE(read);
   EXPECT_EQ(read->features.size(), 4U);
   EXPECT_EQ(read->features[0].parts[0].points, (std::vector<geom::Point>{{0, -1}, {5, -1}, {5, 4}}));
