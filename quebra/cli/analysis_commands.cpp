@@ -11,15 +11,15 @@
 #include <type_traits>
 #include <variant>
 
+#include "quebra/analysis/adaptivity.h"
+#include "quebra/analysis/analysis.h"
+#include "quebra/analysis/convergence.h"
+#include "quebra/analysis/fracture.h"
+#include "quebra/analysis/results.h"
 #include "quebra/cli/input_file.h"
 #include "quebra/cli/rule_options.h"
-#include "quebra/core/adaptivity.h"
-#include "quebra/core/analysis.h"
-#include "quebra/core/convergence.h"
-#include "quebra/core/fracture.h"
 #include "quebra/core/result_picture.h"
-#include "quebra/core/results.h"
-#include "quebra/core/validation.h"
+#include "quebra/validation/book.h"
 #include "shared/base/text.h"
 #include "shared/cli/commands.h"
 #include "shared/cli/pictures.h"
@@ -215,7 +215,7 @@ Result<scenario::Document> document_of(dobra::cli::Session& session, const std::
   DOBRA_TRY_VOID(options.step.set(fields, params));
   DOBRA_TRY_VOID(set_rules(options.rules, fields, params));
   if (operation == "crack") {
-    if (const std::string done = core::ask_for_rosettes(document); !done.empty()) session.note(done);
+    if (const std::string done = analysis::ask_for_rosettes(document); !done.empty()) session.note(done);
   }
   DOBRA_TRY_VOID(add_result_steps(options, session.options.format, document));
   DOBRA_TRY_VOID(scenario::check(document, session.program));
@@ -295,10 +295,10 @@ Result<void> write_results(const scenario::Program& program, const scenario::Sta
   if (options.picture)
     DOBRA_TRY_VOID(dobra::cli::draw(program.picture_of(state), *options.picture, dobra::cli::Drawer::Cairo));
   if (options.curve) {
-    const auto& model = scenario::model_of<core::Model>(state);
+    const auto& model = scenario::model_of<model::Model>(state);
     if (std::none_of(model.analyses.begin(), model.analyses.end(), [](const auto& own) { return own->eta > 0.0; }))
       return Error{ErrorCode::BadValue, "--curve: there is no error to draw: that of every cycle is 0"};
-    DOBRA_TRY_VOID(dobra::cli::draw(core::convergence_picture(model), *options.curve, dobra::cli::Drawer::Cairo));
+    DOBRA_TRY_VOID(dobra::cli::draw(analysis::convergence_picture(model), *options.curve, dobra::cli::Drawer::Cairo));
   }
   return {};
 }
@@ -351,15 +351,15 @@ dobra::cli::Command command(const std::string& name, const std::string& operatio
         if (operation == "adapt") {
           app.add_option("--target", options->target, "Error asked for in the energy norm, such as 5%")
               ->type_name("PERCENT");
-          options->step.add(app, scenario::fields_of<core::AdaptParams>(), {"rule", "max_cycles", "exact_energy"});
-          add_rule_options(app, options->rules, scenario::fields_of<core::AdaptParams>());
+          options->step.add(app, scenario::fields_of<analysis::AdaptParams>(), {"rule", "max_cycles", "exact_energy"});
+          add_rule_options(app, options->rules, scenario::fields_of<analysis::AdaptParams>());
           options->view.add(app, scenario::fields_of<core::ViewParams>(), {"cycle"});
           app.add_option("--curve", options->curve, "Draw the error of each cycle against the unknowns")
               ->type_name("FILE.svg|pdf|png");
         } else if (operation == "analyse") {
-          options->step.add(app, scenario::fields_of<core::AnalyseParams>(), {"exact_energy"});
+          options->step.add(app, scenario::fields_of<analysis::AnalyseParams>(), {"exact_energy"});
         } else {
-          options->step.add(app, scenario::fields_of<core::FractureParams>(), {"contour"});
+          options->step.add(app, scenario::fields_of<analysis::FractureParams>(), {"contour"});
         }
         app.add_option("--line", options->line, "Displacements and stresses along a line")->type_name("X0,Y0,X1,Y1");
         app.add_option("--samples", options->samples, "Points of the line; 101 by default")->type_name("N");
@@ -372,32 +372,55 @@ dobra::cli::Command command(const std::string& name, const std::string& operatio
       }};
 }
 
+struct ValidateOptions {
+  std::optional<std::filesystem::path> book, out;
+};
+
+/// The book that comes with the program: of the sources or of an installation, in a folder above it.
+Result<std::filesystem::path> bundled_book() {
+  std::error_code error;
+  for (auto folder = std::filesystem::read_symlink("/proc/self/exe", error); folder != folder.parent_path();) {
+    folder = folder.parent_path();
+    for (const char* const own : {"resources/validation", "share/dobra/validation"}) {
+      if (std::filesystem::is_directory(folder / own, error)) return folder / own;
+    }
+  }
+  return Error{ErrorCode::FileNotFound,
+               "no folder above the program holds resources/validation or share/dobra/validation; give the folder of "
+               "the book: quebra validate FOLDER"};
+}
+
 /// The validation book: a line for every case, files if asked for; exit code 1 if a value misses its tolerance.
-Result<int> validate_job(dobra::cli::Session& session, const std::optional<std::filesystem::path>& out) {
+Result<int> validate_job(dobra::cli::Session& session, const ValidateOptions& options) {
   std::optional<dobra::cli::Staging> staging;  // opened before the work, so that a bad folder is known at once
-  if (out) {
-    DOBRA_TRY(dobra::cli::Staging opened, dobra::cli::Staging::open(*out, dobra::cli::TargetFolder::Create));
+  if (options.out) {
+    DOBRA_TRY(dobra::cli::Staging opened, dobra::cli::Staging::open(*options.out, dobra::cli::TargetFolder::Create));
     staging.emplace(std::move(opened));
   }
-  DOBRA_TRY(const auto results, core::validate(core::validation_cases(), session.progress()));
+  DOBRA_TRY(const auto folder, options.book ? Result<std::filesystem::path>(*options.book) : bundled_book());
+  DOBRA_TRY(const auto book, validation::read_book(folder));
+  DOBRA_TRY(const auto rows, validation::validate(book, session.progress()));
   if (staging) {
-    DOBRA_TRY_VOID(io::write_file(staging->path("validation.csv"), core::validation_csv(results)));
-    DOBRA_TRY_VOID(io::write_file(staging->path("validation.json"), core::validation_json(results)));
-    DOBRA_TRY_VOID(io::write_file(staging->path("validation.html"), core::validation_html(results)));
+    DOBRA_TRY_VOID(io::write_file(staging->path("validation.csv"), validation::csv(rows)));
+    DOBRA_TRY_VOID(io::write_file(staging->path("validation.json"), validation::json(rows)));
+    DOBRA_TRY_VOID(io::write_file(staging->path("validation.html"), validation::html(rows)));
     DOBRA_TRY_VOID(staging->commit());
   }
   if (session.options.verbosity != dobra::cli::Verbosity::Quiet) {
     const bool json = session.options.format == dobra::cli::OutputFormat::Json;
-    DOBRA_TRY_VOID(dobra::cli::print(json ? core::validation_json(results) : core::validation_csv(results)));
+    DOBRA_TRY_VOID(dobra::cli::print(json ? validation::json(rows) : validation::csv(rows)));
   }
-  return std::all_of(results.begin(), results.end(), [](const auto& result) { return result.met(); }) ? 0 : 1;
+  return std::all_of(rows.begin(), rows.end(), [](const auto& row) { return row.met; }) ? 0 : 1;
 }
 
 dobra::cli::Command validate_command() {
   return {"validate", "Compute every value of the validation book and compare", [](CLI::App& app) -> dobra::cli::Job {
-            const auto out = std::make_shared<std::optional<std::filesystem::path>>();
-            app.add_option("--out", *out, "Folder for validation.csv, .json and .html")->type_name("DIR");
-            return [out](dobra::cli::Session& session) { return validate_job(session, *out); };
+            const auto options = std::make_shared<ValidateOptions>();
+            app.add_option("book", options->book,
+                           "Folder of scenarios; the book that comes with the program by default")
+                ->type_name("FOLDER");
+            app.add_option("--out", options->out, "Folder for validation.csv, .json and .html")->type_name("DIR");
+            return [options](dobra::cli::Session& session) { return validate_job(session, *options); };
           }};
 }
 

@@ -15,13 +15,13 @@
 
 #include "quebra/cli/input_file.h"
 #include "quebra/core/layers.h"
-#include "quebra/core/model.h"
-#include "quebra/core/selection.h"
+#include "quebra/domain/selection.h"
+#include "quebra/model/model.h"
 #include "shared/cli/pictures.h"
 #include "shared/cli/staging.h"
 #include "shared/io/file.h"
-#include "shared/io/mesh_file.h"
-#include "shared/io/polygon_file.h"
+#include "shared/io/formats/mesh_file.h"
+#include "shared/io/meshes/polygon_file.h"
 #include "shared/io/scan.h"
 #include "shared/mesh/mesh_check.h"
 #include "shared/scenario/runner.h"
@@ -53,13 +53,13 @@ struct Verdict {
 };
 
 Result<Verdict> of_polygons(const Options& options) {
-  DOBRA_TRY(const mesh::PolygonMesh polygons, io::read_polygons(options.input.scenario.file.string()));
+  DOBRA_TRY(const mesh::PolygonMesh polygons, io::meshes::read_polygons(options.input.scenario.file.string()));
   Verdict verdict;
   for (auto& finding : check(polygons, options.input.closed ? mesh::Closedness::Solid : mesh::Closedness::Sheet)) {
     verdict.faults.push_back(std::move(finding.message));
   }
   double furthest = 0.0;
-  std::vector<mesh::Point3> corners;
+  std::vector<geom::Point3> corners;
   for (const auto& face : polygons.faces) {
     corners.clear();
     for (const std::uint32_t corner : face) corners.push_back(polygons.points[corner]);
@@ -92,12 +92,12 @@ Json sets_of(const mesh::ElementMesh& mesh) {
 }
 
 Result<Verdict> of_elements(const Options& options) {
-  DOBRA_TRY(const io::MeshContents contents, io::read_mesh(options.input.scenario.file.string()));
+  DOBRA_TRY(const io::formats::MeshContents contents, io::formats::read_mesh(options.input.scenario.file.string()));
   Verdict verdict;
   verdict.counts = {{"nodes", contents.mesh.points.size()}, {"elements", contents.mesh.element_count()}};
   verdict.sets = sets_of(contents.mesh);
   verdict.remarks = contents.remarks;
-  for (const base::Error& inverted : io::inverted_elements(contents))
+  for (const base::Error& inverted : io::formats::inverted_elements(contents))
     verdict.faults.push_back(base::to_string(inverted));
   if (const auto good = mesh::check(contents.mesh); !good) {
     verdict.faults.push_back(base::to_string(good.error()));
@@ -112,12 +112,12 @@ Result<Verdict> of_elements(const Options& options) {
 
 // --- geometry -------------------------------------------------------------------------------------------------------
 
-const char* role_name(core::Role role) {
+const char* role_name(sketch::Role role) {
   constexpr std::array names{"boundary", "hole", "internal", "crack"};
   return names[static_cast<std::size_t>(role)];
 }
 
-std::string shape_name(const core::Curve& curve) {
+std::string shape_name(const sketch::Curve& curve) {
   if (const auto* line = std::get_if<geom::Polyline>(&curve.shape)) return line->closed ? "polygon" : "line";
   if (std::holds_alternative<geom::Arc>(curve.shape)) return closed(curve) ? "circle" : "arc";
   return "spline";
@@ -134,11 +134,11 @@ class InUnits {
   const scenario::UnitSystem& units_;
 };
 
-Json json_of(const core::Curve& curve, const InUnits& in_units) {
+Json json_of(const sketch::Curve& curve, const InUnits& in_units) {
   const double all = length(curve);
   Json json{{"name", curve.name},      {"kind", role_name(curve.role)},       {"shape", shape_name(curve)},
             {"length", in_units(all)}, {"from", in_units(point(curve, 0.0))}, {"to", in_units(point(curve, all))}};
-  if (curve.role == core::Role::Crack) {
+  if (curve.role == sketch::Role::Crack) {
     json["lips"] = {curve.name + "_left", curve.name + "_right"};
     json["tips"] = {curve.name + "_start", curve.name + "_end"};
   }
@@ -147,15 +147,15 @@ Json json_of(const core::Curve& curve, const InUnits& in_units) {
 }
 
 /// The names that steps may use, each with its place.
-Verdict of_domain(const core::Model& model) {
-  const core::Domain& domain = model.domain;
+Verdict of_domain(const model::Model& model) {
+  const domain::Domain& domain = model.domain;
   const InUnits in_units(model.units);
   Verdict verdict;
   verdict.counts = {{"curves", domain.curves.size()}, {"loops", domain.loops.size()}, {"parts", domain.faces.size()}};
-  for (const core::Curve& curve : domain.curves) verdict.curves.push_back(json_of(curve, in_units));
+  for (const sketch::Curve& curve : domain.curves) verdict.curves.push_back(json_of(curve, in_units));
   // Sides of an outline have no names: they are found by their place.
   constexpr std::size_t few = 12;
-  const auto parts = core::boundary_parts(domain);
+  const auto parts = domain::boundary_parts(domain);
   for (std::size_t i = 0; i < parts.size();) {
     const auto end = std::find_if(parts.begin() + static_cast<std::ptrdiff_t>(i), parts.end(),
                                   [&](const auto& part) { return part.curve != parts[i].curve; });
@@ -169,12 +169,12 @@ Verdict of_domain(const core::Model& model) {
     }
     i += count;
   }
-  for (const core::NamedPoint& point : domain.points) {
+  for (const sketch::NamedPoint& point : domain.points) {
     if (!point.name.empty()) verdict.points.push_back({{"name", point.name}, {"at", in_units(point.at)}});
   }
   for (const auto& [tag, name] : domain.region_names) {
     double area = 0.0;
-    for (const core::Face& face : domain.faces) area += face.region == tag ? face.area : 0.0;
+    for (const domain::Face& face : domain.faces) area += face.region == tag ? face.area : 0.0;
     verdict.regions.push_back({{"name", name}, {"area", in_units(area, "m2")}});
   }
   return verdict;
@@ -190,7 +190,7 @@ Result<Verdict> of_geometry(Session& session, const Options& options) {
   scenario::Runner runner(session.program);
   const scenario::Run run = runner.run(document, session.progress());
   if (run.error) return *run.error;
-  const auto& model = scenario::model_of<core::Model>(run.states.back());
+  const auto& model = scenario::model_of<model::Model>(run.states.back());
   if (options.picture)
     DOBRA_TRY_VOID(dobra::cli::draw(in_units(core::names_picture(model), model.units), *options.picture,
                                     dobra::cli::Drawer::Cairo));
@@ -231,7 +231,7 @@ std::string curves_text(const Verdict& verdict) {
 // --- either ----------------------------------------------------------------------------------------------------------
 
 bool of_mesh(const std::string& ending) {
-  return ending == ".obj" || ending == ".off" || ending == ".ply" || io::is_mesh_ending(ending);
+  return ending == ".obj" || ending == ".off" || ending == ".ply" || io::formats::is_mesh_ending(ending);
 }
 
 Result<Verdict> verdict_of(Session& session, const Options& options) {

@@ -16,12 +16,13 @@
 #include "quebra/cli/input_file.h"
 #include "quebra/cli/rule_options.h"
 #include "quebra/core/layers.h"
-#include "quebra/core/meshing.h"
-#include "quebra/core/model.h"
+#include "quebra/meshing/meshing.h"
+#include "quebra/model/mesh_files.h"
+#include "quebra/model/model.h"
 #include "shared/base/text.h"
 #include "shared/cli/pictures.h"
 #include "shared/cli/staging.h"
-#include "shared/io/mesh_file.h"
+#include "shared/io/formats/mesh_file.h"
 #include "shared/scenario/runner.h"
 
 // 1. The document: the scenario, or one made of the file; options become steps and parameters of it.
@@ -134,7 +135,7 @@ Result<scenario::Document> mesh_document_of(Session& session, const Options& opt
 
 struct Figures {
   std::vector<scenario::Quantity> values;
-  std::vector<core::PhaseTime> seconds;
+  std::vector<model::PhaseTime> seconds;
   std::size_t peak_memory = 0;  ///< Bytes.
 };
 
@@ -144,7 +145,7 @@ Figures figures_of(const scenario::Program& program, const scenario::State& stat
                               "alpha_min",       "min_angle",      "max_angle",  "gradation_p95", "jacobian_min",
                               "quad_shape_mean", "quad_shape_min"};
   Figures figures;
-  const bool at_work = scenario::model_of<core::Model>(state).work != nullptr;
+  const bool at_work = scenario::model_of<model::Model>(state).work != nullptr;
   for (const scenario::Quantity& quantity : program.quantities_of(state)) {
     if (at_work != quantity.name.starts_with("work.")) continue;
     if (std::find(wanted.begin(), wanted.end(), quantity.name) != wanted.end()) figures.values.push_back(quantity);
@@ -175,11 +176,11 @@ std::string table_text(const Figures& figures) {
 }
 
 Result<void> write_out(Session& session, const std::filesystem::path& out, const mesh::ElementMesh& mesh,
-                       const core::Model& model) {
+                       const model::Model& model) {
   DOBRA_TRY(dobra::cli::Staging staging,
             dobra::cli::Staging::open(out.parent_path(), dobra::cli::TargetFolder::MustExist));
-  if (const auto written = core::write_mesh(staging.path(out.filename().string()).string(), mesh,
-                                            core::inp_element_of(model), model.units);
+  if (const auto written = model::write_mesh(staging.path(out.filename().string()).string(), mesh,
+                                             core::inp_element_of(model), model.units);
       !written)
     return staging.for_user(written.error());
   DOBRA_TRY_VOID(session.check());
@@ -188,7 +189,7 @@ Result<void> write_out(Session& session, const std::filesystem::path& out, const
 }
 
 Result<int> mesh_job(Session& session, const Options& options) {
-  if (options.out) DOBRA_TRY_VOID(io::check_mesh_ending(options.out->string()));
+  if (options.out) DOBRA_TRY_VOID(io::formats::check_mesh_ending(options.out->string()));
   for (const auto& file : {options.histogram, options.picture, options.size_field}) {
     if (file) DOBRA_TRY_VOID(dobra::cli::check_ending(*file, dobra::cli::Drawer::Cairo));
   }
@@ -203,14 +204,14 @@ Result<int> mesh_job(Session& session, const Options& options) {
   DOBRA_TRY(const scenario::Run run, dobra::cli::run_steps(session, document));
   const double all = since(start);
   const scenario::State& state = run.states.back();
-  const core::Model& model = scenario::model_of<core::Model>(state);
+  const model::Model& model = scenario::model_of<model::Model>(state);
   if (model.work && (options.out || options.histogram)) {
     return Error{ErrorCode::CannotMesh,
                  "the mesh is not done, so there is none to write: raise --stop-after, or leave it out; --picture "
                  "draws the work"};
   }
-  const core::Meshed stopped;
-  const core::Meshed& meshed = model.work ? stopped : *model.meshes.back();
+  const model::Meshed stopped;
+  const model::Meshed& meshed = model.work ? stopped : *model.meshes.back();
 
   Figures figures = figures_of(session.program, state);
   double known = 0.0;
@@ -224,7 +225,7 @@ Result<int> mesh_job(Session& session, const Options& options) {
   }
   std::vector<std::string> remarks = session.program.remarks_of(state);
   if (options.out) {
-    for (std::string& loss : io::losses(options.out->string(), meshed.mesh)) {
+    for (std::string& loss : io::formats::losses(options.out->string(), meshed.mesh)) {
       session.note(loss);
       remarks.push_back(std::move(loss));
     }
@@ -258,7 +259,7 @@ Command mesh_command() {
                 ->required()
                 ->type_name("FILE");
             add_input_options(app, options->input);
-            add_rule_options(app, options->rules, scenario::fields_of<core::MeshParams>());
+            add_rule_options(app, options->rules, scenario::fields_of<meshing::MeshParams>());
             app.add_flag("--quads", options->quads,
                          "Join pairs of triangles to quadrilaterals where that gives a good shape");
             app.add_flag("--closed", options->input.closed,
@@ -271,7 +272,8 @@ Command mesh_command() {
                            "Small elements near curves: CURVE[+CURVE]:SIZE:WIDTH; may be repeated")
                 ->allow_extra_args(false)
                 ->type_name("ZONE");
-            app.add_option("--out", options->out, fmt::format("File to write: {}", fmt::join(io::mesh_endings(), " ")))
+            app.add_option("--out", options->out,
+                           fmt::format("File to write: {}", fmt::join(io::formats::mesh_endings(), " ")))
                 ->type_name("FILE");
             app.add_option(
                    "--stop-after", options->stop_after,

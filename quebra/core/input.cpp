@@ -6,10 +6,10 @@
 #include <iterator>
 #include <set>
 
-#include "quebra/core/crack_flaws.h"
-#include "quebra/core/flaws.h"
-#include "quebra/core/repair.h"
-#include "quebra/core/sketch_file.h"
+#include "quebra/repair/crack_flaws.h"
+#include "quebra/repair/flaws.h"
+#include "quebra/repair/repair.h"
+#include "quebra/sketch/sketch_file.h"
 #include "shared/geom/drawn_curve.h"
 
 namespace quebra::core {
@@ -28,14 +28,14 @@ Error lacking(const CurveParams& params, const char* what) {
   return {ErrorCode::BadValue, fmt::format("curve '{}' {}", params.name, what)};
 }
 
-Result<Curve> make_spline(const CurveParams& params) {
+Result<sketch::Curve> make_spline(const CurveParams& params) {
   if (params.points.size() < 2) return lacking(params, "needs two `points` or more");
   DOBRA_TRY(dobra::geom::CubicPath path, dobra::geom::spline_through(params.points));
-  DOBRA_TRY(Smooth smooth, Smooth::make(std::move(path)));
-  return Curve{params.name, params.role, std::move(smooth), {}};
+  DOBRA_TRY(sketch::Smooth smooth, sketch::Smooth::make(std::move(path)));
+  return sketch::Curve{params.name, params.role, std::move(smooth), {}};
 }
 
-Result<Curve> make_line(const CurveParams& params) {
+Result<sketch::Curve> make_line(const CurveParams& params) {
   Polyline line{params.points, params.kind == CurveKind::Polygon};
   line = without_repeated_points(std::move(line));
   DOBRA_TRY_VOID(validate(line));
@@ -43,36 +43,36 @@ Result<Curve> make_line(const CurveParams& params) {
     line.closed = true;
     line.points.pop_back();
   }
-  return Curve{params.name, params.role, std::move(line), {}};
+  return sketch::Curve{params.name, params.role, std::move(line), {}};
 }
 
-Result<Curve> make_arc(const CurveParams& params) {
+Result<sketch::Curve> make_arc(const CurveParams& params) {
   if (!params.centre) return lacking(params, "needs `centre`");
   if (params.points.size() == 2) {
     const auto orientation =
         params.turning == Turning::Anticlockwise ? Orientation::Anticlockwise : Orientation::Clockwise;
     DOBRA_TRY(Arc arc, Arc::from_ends(*params.centre, params.points[0], params.points[1], orientation, 1e-6));
-    return Curve{params.name, params.role, std::move(arc), {}};
+    return sketch::Curve{params.name, params.role, std::move(arc), {}};
   }
   if (!params.points.empty()) return lacking(params, "is an arc: give its first and last point, two in all");
   if (!params.radius || !params.start || !params.sweep) {
     return lacking(params, "needs two `points`, or `radius`, `start` and `sweep`");
   }
   DOBRA_TRY(Arc arc, Arc::from_angles(*params.centre, *params.radius, *params.start, *params.sweep));
-  return Curve{params.name, params.role, std::move(arc), {}};
+  return sketch::Curve{params.name, params.role, std::move(arc), {}};
 }
 
-Result<Curve> make_circle(const CurveParams& params) {
+Result<sketch::Curve> make_circle(const CurveParams& params) {
   if (!params.centre) return lacking(params, "needs `centre`");
   if (!params.radius) return lacking(params, "needs `radius`");
   const auto orientation =
       params.turning == Turning::Anticlockwise ? Orientation::Anticlockwise : Orientation::Clockwise;
   DOBRA_TRY(Arc arc, Arc::circle(*params.centre, *params.radius, orientation));
-  return Curve{params.name, params.role, std::move(arc), {}};
+  return sketch::Curve{params.name, params.role, std::move(arc), {}};
 }
 
-Result<Curve> make_curve(const CurveParams& params) {
-  const auto made = [&]() -> Result<Curve> {
+Result<sketch::Curve> make_curve(const CurveParams& params) {
+  const auto made = [&]() -> Result<sketch::Curve> {
     switch (params.kind) {
       case CurveKind::Arc:
         return make_arc(params);
@@ -86,12 +86,12 @@ Result<Curve> make_curve(const CurveParams& params) {
     }
     return make_line(params);
   };
-  DOBRA_TRY(Curve curve, made());
+  DOBRA_TRY(sketch::Curve curve, made());
   curve.division = {params.segments, params.size, params.ratio};
   return curve;
 }
 
-Result<void> check_names(const std::vector<Curve>& curves, const std::vector<Place>& places) {
+Result<void> check_names(const std::vector<sketch::Curve>& curves, const std::vector<Place>& places) {
   std::set<std::string> names;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     if (!names.insert(curves[i].name).second) {
@@ -109,7 +109,7 @@ CurveParams as_curve(const CrackParams& params) {
   curve.points = params.points;
   curve.centre = params.centre;
   curve.turning = params.turning;
-  curve.role = Role::Crack;
+  curve.role = sketch::Role::Crack;
   curve.segments = params.segments;
   curve.size = params.size;
   return curve;
@@ -123,7 +123,7 @@ Place place_of(const dobra::scenario::Table& table, const char* key, std::size_t
   return place;
 }
 
-Result<void> add_curve(Sketch& sketch, const CurveParams& params, double tip_size, const Place& place) {
+Result<void> add_curve(sketch::Sketch& sketch, const CurveParams& params, double tip_size, const Place& place) {
   auto curve = make_curve(params);
   if (!curve) return located(curve.error(), place);
   curve->tip_size = tip_size;
@@ -134,13 +134,13 @@ Result<void> add_curve(Sketch& sketch, const CurveParams& params, double tip_siz
   return {};
 }
 
-std::string text_of(const Finding& finding) {
+std::string text_of(const sketch::Finding& finding) {
   return fmt::format("{} at ({:.6g}, {:.6g}) of {}: {}", name_of(finding.wrong), finding.at.x, finding.at.y,
                      finding.curve, finding.mend);
 }
 
 /// What was repaired may be why there is no domain: a domain may vanish.
-Error with_findings(Error error, const std::vector<Finding>& findings) {
+Error with_findings(Error error, const std::vector<sketch::Finding>& findings) {
   constexpr std::size_t most = 5;
   for (std::size_t i = 0; i < std::min(most, findings.size()); ++i)
     error.message += fmt::format("{}{}", i == 0 ? "; repaired before: " : "; ", text_of(findings[i]));
@@ -150,16 +150,16 @@ Error with_findings(Error error, const std::vector<Finding>& findings) {
 
 }  // namespace
 
-Result<Model> read_input(const InputParams& params, const dobra::scenario::Table& table,
-                         const dobra::scenario::Context& context) {
+Result<model::Model> read_input(const InputParams& params, const dobra::scenario::Table& table,
+                                const dobra::scenario::Context& context) {
   const auto append = [](auto& to, auto& from) {
     to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
   };
-  Sketch sketch;
-  const SpecimenParams specimen{params.specimen, params.width,    params.height, params.radius,
-                                params.crack,    params.position, params.angle};
+  sketch::Sketch sketch;
+  const sketch::SpecimenParams specimen{params.specimen, params.width,    params.height, params.radius,
+                                        params.crack,    params.position, params.angle};
   if (const auto sizes = check_sizes(specimen); !sizes) return located(sizes.error(), table.place("specimen"));
-  if (params.specimen != SpecimenKind::None) {
+  if (params.specimen != sketch::SpecimenKind::None) {
     auto made = make_specimen(specimen);
     if (!made) return located(made.error(), table.place("specimen"));
     sketch = *std::move(made);
@@ -169,7 +169,7 @@ Result<Model> read_input(const InputParams& params, const dobra::scenario::Table
     auto options = sketch_options(params);
     if (!options) return located(options.error(), table.place("file"));
     options->silent_unit = options->lines.silent_unit = context.units.to_si(1.0, "m");
-    DOBRA_TRY(Sketch file, read_sketch((context.folder / params.file).string(), *options));
+    DOBRA_TRY(sketch::Sketch file, sketch::read_sketch((context.folder / params.file).string(), *options));
     append(sketch.curves, file.curves);
     append(sketch.places, file.places);
     append(sketch.regions, file.regions);
@@ -179,12 +179,12 @@ Result<Model> read_input(const InputParams& params, const dobra::scenario::Table
     sketch.hole_points = std::move(file.hole_points);
     sketch.areas = std::move(file.areas);
   }
-  DOBRA_TRY(const SketchOptions lines, sketch_options(params));
-  if (params.file.empty() && lines.chosen && params.unit == FileUnit::File)
+  DOBRA_TRY(const sketch::SketchOptions lines, sketch_options(params));
+  if (params.file.empty() && lines.chosen && params.unit == sketch::FileUnit::File)
     return Error{ErrorCode::BadValue,
                  "`format`, `columns`, `separator`, `coordinates`, `y_axis`, `closed` and the like say how `file` is "
                  "read, and there is no file; remove them"};
-  if (params.file.empty() && params.unit != FileUnit::File)
+  if (params.file.empty() && params.unit != sketch::FileUnit::File)
     return Error{ErrorCode::BadValue,
                  "`unit` is of the coordinates in `file`, and there is no file; numbers of the scenario are in the "
                  "units of `unit_system`",
@@ -204,27 +204,27 @@ Result<Model> read_input(const InputParams& params, const dobra::scenario::Table
   for (const RegionParams& region : params.regions) sketch.regions.push_back({region.name, region.point});
   for (const PointParams& point : params.points) sketch.points.push_back({point.name, point.point, point.size});
   DOBRA_TRY_VOID(check_names(sketch.curves, sketch.places));
-  Model model;
+  model::Model model;
   model.units = context.shown_units;
-  std::optional<RepairOptions> repaired_by;
+  std::optional<sketch::RepairOptions> repaired_by;
   if (params.repair == Repair::Yes) {
-    repaired_by = RepairOptions{.gap = params.gap};
-    auto repaired = repair(std::move(sketch), *repaired_by);
+    repaired_by = sketch::RepairOptions{.gap = params.gap};
+    auto repaired = repair::repair(std::move(sketch), *repaired_by);
     if (!repaired) return repaired.error();
     sketch = std::move(repaired->sketch);
     model.findings = std::move(repaired->findings);
   }
   model.remarks = std::move(sketch.remarks);
-  const CrackEnds drawn = crack_ends(sketch);
-  auto domain = make_domain(std::move(sketch), {params.join_tolerance, repaired_by});
+  const repair::CrackEnds drawn = repair::crack_ends(sketch);
+  auto domain = domain::make_domain(std::move(sketch), {params.join_tolerance, repaired_by});
   if (!domain) return with_findings(domain.error(), model.findings);
   model.domain = *std::move(domain);
   model.domain.unit = context.units.to_si(1.0, "m");
-  std::vector<Finding> flaws = flaws_of(model.domain, {.repaired = repaired_by});
+  std::vector<sketch::Finding> flaws = repair::flaws_of(model.domain, {.repaired = repaired_by});
   append(model.findings, flaws);
-  std::vector<Finding> cracks = crack_flaws(model.domain, drawn);
+  std::vector<sketch::Finding> cracks = repair::crack_flaws(model.domain, drawn);
   append(model.findings, cracks);
-  for (const Finding& finding : model.findings) {
+  for (const sketch::Finding& finding : model.findings) {
     model.remarks.push_back(text_of(finding));
   }
   return model;

@@ -6,9 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "quebra/core/domain.h"
-#include "quebra/core/line_input.h"
-#include "quebra/core/specimen.h"
+#include "quebra/domain/domain.h"
+#include "quebra/model/model.h"
+#include "quebra/sketch/line_input.h"
+#include "quebra/sketch/specimen.h"
 #include "shared/base/progress.h"
 #include "shared/scenario/program.h"
 
@@ -28,7 +29,7 @@ struct CurveParams {
   std::optional<dobra::base::Angle> start;
   std::optional<dobra::base::Angle> sweep;
   Turning turning = Turning::Anticlockwise;
-  Role role = Role::Boundary;
+  sketch::Role role = sketch::Role::Boundary;
   int segments = 0;
   double size = 0.0;
   double ratio = 1.0;
@@ -161,12 +162,12 @@ struct PointParams {
   }
 };
 
-struct InputParams : LineInput {
-  SpecimenKind specimen = SpecimenKind::None;
+struct InputParams : sketch::LineInput {
+  sketch::SpecimenKind specimen = sketch::SpecimenKind::None;
   std::optional<double> width, height, radius, crack, position;
   std::optional<dobra::base::Angle> angle;
   std::string file;
-  double join_tolerance = DomainOptions{}.join_tolerance;
+  double join_tolerance = domain::DomainOptions{}.join_tolerance;
   Repair repair = Repair::No;
   std::optional<double> gap;
   std::vector<CurveParams> curves;
@@ -176,7 +177,7 @@ struct InputParams : LineInput {
 
   template <class D>
   static void describe(D& d) {
-    d.choice("specimen", &InputParams::specimen, specimen_names(),
+    d.choice("specimen", &InputParams::specimen, sketch::specimen_names(),
              {.title = "Specimen", .help = "Of the library, with the six sizes below; see docs/user/specimens.md."});
     d.field("width", &InputParams::width, {.title = "Width", .help = "Of the specimen.", .unit = "m", .above = 0});
     d.field("height", &InputParams::height, {.title = "Height", .help = "Of the specimen.", .unit = "m", .above = 0});
@@ -199,7 +200,7 @@ struct InputParams : LineInput {
            {.title = "File",
             .help = "Geometry (.poly .geo .svg .geojson .dxf .wkt .txt .csv and other lines) or a mesh whose boundary "
                     "is meant (.msh .inp .vtu .bdf .nf .ele)."});
-    LineInput::describe_in<InputParams>(d);
+    sketch::LineInput::describe_in<InputParams>(d);
     d.field("join_tolerance", &InputParams::join_tolerance,
             {.title = "Join tolerance",
              .help = "Ends of curves nearer than this fraction of the domain's diagonal are one point.",
@@ -228,7 +229,7 @@ struct InputParams : LineInput {
 
 /// @param table  the table that `params` came from: the places of its curves stand in the errors.
 /// @error those of make_domain and of the reader of the file; BadValue for a curve that lacks what its kind needs.
-dobra::base::Result<Model> read_input(const InputParams& params, const dobra::scenario::Table& table,
-                                      const dobra::scenario::Context& context);
+dobra::base::Result<model::Model> read_input(const InputParams& params, const dobra::scenario::Table& table,
+                                             const dobra::scenario::Context& context);
 
 }  // namespace quebra::core

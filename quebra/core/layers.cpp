@@ -8,13 +8,13 @@
 #include <numbers>
 #include <numeric>
 
-#include "quebra/core/problem.h"
-#include "quebra/core/repair.h"
+#include "quebra/analysis/problem.h"
+#include "quebra/model/mesh_files.h"
 #include "shared/base/text.h"
 #include "shared/io/file.h"
-#include "shared/io/mesh_file.h"
-#include "shared/io/node_ele.h"
-#include "shared/io/vtu.h"
+#include "shared/io/formats/mesh_file.h"
+#include "shared/io/meshes/node_ele.h"
+#include "shared/io/meshes/vtu.h"
 #include "shared/mesh/order2.h"
 #include "shared/scene/color_map.h"
 
@@ -33,7 +33,7 @@ constexpr Color material{236, 239, 241};
 constexpr Color mesh_line{55, 71, 79, 150};
 
 /// The curves of some roles; empty lines if there are none.
-scene::Lines curves_of(const Domain& domain, bool (*wanted)(Role)) {
+scene::Lines curves_of(const domain::Domain& domain, bool (*wanted)(sketch::Role)) {
   scene::Lines lines;
   for (std::size_t c = 0; c < domain.curves.size(); ++c) {
     if (!wanted(domain.curves[c].role)) continue;
@@ -44,34 +44,35 @@ scene::Lines curves_of(const Domain& domain, bool (*wanted)(Role)) {
 }
 
 /// Boundary, internal lines, cracks and named points, as far as there are any.
-void add_curves(const Domain& domain, std::vector<scene::Layer>& layers) {
+void add_curves(const domain::Domain& domain, std::vector<scene::Layer>& layers) {
   const auto add = [&](const char* key, std::string title, const scene::Style& style, scene::Lines lines) {
     if (!lines.lines.empty()) layers.push_back({key, std::move(title), style, std::move(lines)});
   };
   add("boundary", translated("Boundary"), {.line = ink, .line_width = boundary_width},
-      curves_of(domain, [](Role role) { return role == Role::Boundary || role == Role::Hole; }));
+      curves_of(domain,
+                [](sketch::Role role) { return role == sketch::Role::Boundary || role == sketch::Role::Hole; }));
   add("internal", translated("Internal lines"), {.line = ink, .line_width = 1.0},
-      curves_of(domain, [](Role role) { return role == Role::Internal; }));
+      curves_of(domain, [](sketch::Role role) { return role == sketch::Role::Internal; }));
   add("cracks", translated("Cracks"), {.line = crack_red, .line_width = 1.8},
-      curves_of(domain, [](Role role) { return role == Role::Crack; }));
+      curves_of(domain, [](sketch::Role role) { return role == sketch::Role::Crack; }));
   scene::Markers markers;
-  for (const NamedPoint& point : domain.points) {
+  for (const sketch::NamedPoint& point : domain.points) {
     if (!point.name.empty()) markers.points.push_back(point.at);
   }
   if (!markers.points.empty())
     layers.push_back({"points", translated("Points"), {.line = ink, .marker_size = 5.0}, std::move(markers)});
 }
 
-scene::Layer domain_layer(const Domain& domain) {
+scene::Layer domain_layer(const domain::Domain& domain) {
   scene::Region region;
   for (const auto& loop : domain.loops) region.contours.push_back(contour(domain, loop));
   return {
       "domain", translated("Domain"), {.line_width = 0.0, .fill = material}, scene::Regions{{std::move(region)}, {}}};
 }
 
-scene::Layer constraint_layer(const std::vector<Constraint>& constraints) {
+scene::Layer constraint_layer(const std::vector<model::Constraint>& constraints) {
   scene::Lines lines;
-  for (const Constraint& constraint : constraints) lines.lines.push_back(constraint.line);
+  for (const model::Constraint& constraint : constraints) lines.lines.push_back(constraint.line);
   return {
       "constraints", translated("Offset constraints"), {.line = constraint_blue, .line_width = 1.2}, std::move(lines)};
 }
@@ -87,10 +88,10 @@ bool only_triangles(const mesh::ElementMesh& mesh) {
 }
 
 /// At each element: its shape, and of second order its Jacobian too.
-io::MeshFields quality_fields(const mesh::ElementMesh& mesh) {
-  io::MeshFields fields;
-  io::MeshField shape{only_triangles(mesh) ? "alpha" : "shape", 1, {}};
-  io::MeshField jacobian{"scaled_jacobian", 1, {}};
+io::meshes::MeshFields quality_fields(const mesh::ElementMesh& mesh) {
+  io::meshes::MeshFields fields;
+  io::meshes::MeshField shape{only_triangles(mesh) ? "alpha" : "shape", 1, {}};
+  io::meshes::MeshField jacobian{"scaled_jacobian", 1, {}};
   bool bent = false;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     shape.values.push_back(mesh::shape_of(mesh, mesh::ElementId(e)));
@@ -148,11 +149,11 @@ scene::Layer node_layer(const mesh::ElementMesh& mesh) {
 }
 
 /// Sizes wanted, over the domain; hidden.
-scene::Layer size_layer(const Meshed& meshed) {
+scene::Layer size_layer(const model::Meshed& meshed) {
   scene::Mesh content;
   content.points = meshed.mesh.points;
   content.values_at = scene::ValuesAt::Points;
-  mesh::SizeSampler sampler(*meshed.sizes);
+  mesh::sizing::SizeSampler sampler(*meshed.sizes);
   for (const geom::Point p : content.points) content.values.push_back(sampler.at(p));
   for (std::size_t e = 0; e < meshed.mesh.element_count(); ++e) add_triangles(meshed.mesh, e, content.triangles);
   const auto [least, greatest] = std::minmax_element(content.values.begin(), content.values.end());
@@ -175,11 +176,11 @@ scene::Layer size_layer(const Meshed& meshed) {
 }
 
 /// Leaves of the tree that carries the sizes, as far as they lie in the domain's box; hidden.
-scene::Layer quadtree_layer(const Domain& domain, const mesh::SizeField& sizes) {
+scene::Layer quadtree_layer(const domain::Domain& domain, const mesh::sizing::SizeField& sizes) {
   const geom::Box all = domain.box();
-  const mesh::Quadtree& tree = sizes.quadtree();
+  const mesh::sizing::Quadtree& tree = sizes.quadtree();
   scene::Lines lines;
-  for (const mesh::QuadCellId leaf : tree.leaves()) {
+  for (const mesh::sizing::QuadCellId leaf : tree.leaves()) {
     geom::Box box = tree.box(leaf);
     if (!box.overlaps(all)) continue;
     box = {{std::max(box.low.x, all.low.x), std::max(box.low.y, all.low.y)},
@@ -194,7 +195,7 @@ scene::Layer quadtree_layer(const Domain& domain, const mesh::SizeField& sizes) 
           false};
 }
 
-scene::Panel domain_panel(const Model& model) {
+scene::Panel domain_panel(const model::Model& model) {
   scene::Panel panel{.key = "domain", .title = translated("Domain"), .axes = {}, .layers = {}};
   panel.layers.push_back(domain_layer(model.domain));
   if (!model.constraints.empty()) panel.layers.push_back(constraint_layer(model.constraints));
@@ -202,7 +203,7 @@ scene::Panel domain_panel(const Model& model) {
   return panel;
 }
 
-scene::Panel mesh_panel(const Model& model, const Meshed& meshed, std::size_t number) {
+scene::Panel mesh_panel(const model::Model& model, const model::Meshed& meshed, std::size_t number) {
   scene::Panel panel{.key = fmt::format("mesh_{}", number), .title = {}, .axes = {}, .layers = {}};
   panel.title = fmt::format("{}: {} {}", meshed.name, meshed.mesh.element_count(), translated("elements"));
   panel.layers.push_back(mesh_layer(meshed.mesh));
@@ -221,7 +222,7 @@ scene::Panel mesh_panel(const Model& model, const Meshed& meshed, std::size_t nu
 }
 
 /// Triangles made so far, and the front in its own colour.
-scene::Panel work_panel(const Model& model, const MeshWork& work) {
+scene::Panel work_panel(const model::Model& model, const model::MeshWork& work) {
   scene::Panel panel{.key = "work", .title = {}, .axes = {}, .layers = {}};
   panel.title = fmt::format("{}: {} {}, {} {}", work.name, work.steps, translated("steps"), work.triangles.size(),
                             translated("triangles"));
@@ -259,7 +260,7 @@ scenario::DataTable histogram(const std::string& measure, const std::array<std::
   return table;
 }
 
-void add_quality(std::vector<scenario::Quantity>& quantities, const std::string& prefix, const Meshed& meshed) {
+void add_quality(std::vector<scenario::Quantity>& quantities, const std::string& prefix, const model::Meshed& meshed) {
   const auto& q = meshed.quality;
   const auto add = [&](const char* name, double value, const char* unit = "") {
     quantities.push_back({prefix + name, value, unit});
@@ -325,7 +326,7 @@ void add_triangles(const mesh::ElementMesh& mesh, std::size_t element,
 namespace {
 
 /// The middle of the longest side: away from corners, where curves meet.
-geom::Point place_of_name(const Curve& curve) {
+geom::Point place_of_name(const sketch::Curve& curve) {
   const auto* chain = std::get_if<geom::Polyline>(&curve.shape);
   if (chain == nullptr || chain->segment_count() == 0) return point(curve, 0.5 * length(curve));
   geom::Segment longest = chain->segment(0);
@@ -338,14 +339,15 @@ geom::Point place_of_name(const Curve& curve) {
 
 }  // namespace
 
-scene::Picture names_picture(const Model& model) {
-  const Domain& domain = model.domain;
+scene::Picture names_picture(const model::Model& model) {
+  const domain::Domain& domain = model.domain;
   scene::Panel panel = domain_panel(model);
   scene::Labels curves, points, regions;
-  for (const Curve& curve : domain.curves)
+  for (const sketch::Curve& curve : domain.curves)
     curves.labels.push_back({place_of_name(curve), curve.name, scene::Anchor::Callout});
-  for (const NamedPoint& point : domain.points) points.labels.push_back({point.at, point.name, scene::Anchor::Right});
-  for (const Face& face : domain.faces) {
+  for (const sketch::NamedPoint& point : domain.points)
+    points.labels.push_back({point.at, point.name, scene::Anchor::Right});
+  for (const domain::Face& face : domain.faces) {
     const auto name = domain.region_names.find(face.region);
     if (name != domain.region_names.end())
       regions.labels.push_back({face.inside, name->second, scene::Anchor::Callout});
@@ -363,7 +365,7 @@ scene::Picture names_picture(const Model& model) {
   return picture;
 }
 
-scene::Picture histogram_picture(const Meshed& meshed) {
+scene::Picture histogram_picture(const model::Meshed& meshed) {
   const auto& bins = meshed.quality.histogram;
   const double all = static_cast<double>(std::accumulate(bins.begin(), bins.end(), std::size_t{0}));
   const double width = 1.0 / static_cast<double>(bins.size());
@@ -407,7 +409,7 @@ scene::Picture histogram_picture(const Meshed& meshed) {
   return picture;
 }
 
-scene::Picture size_field_picture(const Model& model, const Meshed& meshed) {
+scene::Picture size_field_picture(const model::Model& model, const model::Meshed& meshed) {
   scene::Panel panel = mesh_panel(model, meshed, 1);
   panel.title = fmt::format("{}: {}", meshed.name, translated("sizes wanted"));
   // The field below, the tree and the curves above it.
@@ -422,7 +424,7 @@ scene::Picture size_field_picture(const Model& model, const Meshed& meshed) {
   return picture;
 }
 
-void draw(const Model& model, scene::Picture& picture) {
+void draw(const model::Model& model, scene::Picture& picture) {
   picture.arrangement = scene::Arrangement::Grid;
   const std::size_t n = model.meshes.size();
   if (n == 0 && !model.work) picture.panels.push_back(domain_panel(model));
@@ -433,12 +435,12 @@ void draw(const Model& model, scene::Picture& picture) {
   if (model.work) picture.panels.push_back(work_panel(model, *model.work));
 }
 
-void add_quantities(const Model& model, std::vector<scenario::Quantity>& quantities) {
+void add_quantities(const model::Model& model, std::vector<scenario::Quantity>& quantities) {
   quantities.push_back({"curves", static_cast<double>(model.domain.curves.size()), ""});
   quantities.push_back({"loops", static_cast<double>(model.domain.loops.size()), ""});
   const auto& curves = model.domain.curves;
-  const auto cracks =
-      std::count_if(curves.begin(), curves.end(), [](const Curve& curve) { return curve.role == Role::Crack; });
+  const auto cracks = std::count_if(curves.begin(), curves.end(),
+                                    [](const sketch::Curve& curve) { return curve.role == sketch::Role::Crack; });
   quantities.push_back({"findings", static_cast<double>(model.findings.size()), ""});
   quantities.push_back({"cracks", static_cast<double>(cracks), ""});
   quantities.push_back({"parts", static_cast<double>(model.domain.faces.size()), ""});
@@ -457,17 +459,17 @@ void add_quantities(const Model& model, std::vector<scenario::Quantity>& quantit
     add_quality(quantities, fmt::format("mesh.{}.", i + 1), *model.meshes[i]);
 }
 
-void add_finding_tables(const Model& model, std::vector<scenario::DataTable>& tables) {
+void add_finding_tables(const model::Model& model, std::vector<scenario::DataTable>& tables) {
   if (model.findings.empty()) return;
   scenario::DataTable findings{"findings", {"what", "x [m]", "y [m]", "curve", "mend"}, {}};
-  for (const Finding& finding : model.findings) {
+  for (const sketch::Finding& finding : model.findings) {
     findings.rows.push_back({std::string(name_of(finding.wrong)), finding.at.x, finding.at.y, finding.curve,
                              scenario::message_in_units(finding.mend, model.units)});
   }
   tables.push_back(std::move(findings));
 }
 
-void add_mesh_tables(const Model& model, std::vector<scenario::DataTable>& tables) {
+void add_mesh_tables(const model::Model& model, std::vector<scenario::DataTable>& tables) {
   if (model.meshes.empty()) return;
   scenario::DataTable table{
       "quality",
@@ -487,57 +489,40 @@ void add_mesh_tables(const Model& model, std::vector<scenario::DataTable>& table
   tables.push_back(histogram("scaled_jacobian", model.meshes.back()->elements.jacobians));
 }
 
-mesh::ElementMesh in_units(mesh::ElementMesh mesh, const scenario::UnitSystem& units) {
-  if (units.si()) return mesh;
-  for (geom::Point& p : mesh.points) p = {units.from_si(p.x, "m"), units.from_si(p.y, "m")};
-  return mesh;
+io::meshes::InpElement inp_element_of(const model::Model& model) {
+  return model.problem && model.problem->state == analysis::Plane::Strain ? io::InpElement::PlaneStrain
+                                                                          : io::InpElement::PlaneStress;
 }
 
-std::string note_of(const scenario::UnitSystem& units) { return "units: " + units.text(); }
-
-io::InpElement inp_element_of(const Model& model) {
-  return model.problem && model.problem->state == Plane::Strain ? io::InpElement::PlaneStrain
-                                                                : io::InpElement::PlaneStress;
-}
-
-base::Result<void> write_mesh(const std::string& path, const mesh::ElementMesh& mesh, io::InpElement element,
-                              const scenario::UnitSystem& units) {
-  DOBRA_TRY_VOID(io::write_mesh(path, in_units(mesh, units), element));
-  return io::add_note(path, note_of(units));
-}
-
-base::Result<void> write_vtu(const std::string& path, const mesh::ElementMesh& mesh, const io::MeshFields& fields,
-                             const scenario::UnitSystem& units) {
-  DOBRA_TRY_VOID(io::write_vtu(path, in_units(mesh, units), fields));
-  return io::add_note(path, note_of(units));
-}
-
-void add_mesh_outputs(const std::shared_ptr<const Model>& model, std::vector<scenario::Output>& outputs) {
+void add_mesh_outputs(const std::shared_ptr<const model::Model>& model, std::vector<scenario::Output>& outputs) {
   if (model->meshes.empty()) return;
-  const std::shared_ptr<const Meshed> meshed = model->meshes.back();
+  const std::shared_ptr<const model::Meshed> meshed = model->meshes.back();
   const scenario::UnitSystem units = model->units;
   outputs.push_back({"mesh.vtu", [meshed, units](const auto& path) {
-                       return write_vtu(path.string(), meshed->mesh, quality_fields(meshed->mesh), units);
+                       return model::write_vtu(path.string(), meshed->mesh, quality_fields(meshed->mesh), units);
                      }});
-  const io::InpElement element = inp_element_of(*model);
+  const io::meshes::InpElement element = inp_element_of(*model);
   for (const char* const name : {"mesh.msh", "mesh.inp", "mesh.bdf", "mesh.nf"}) {
-    outputs.push_back(
-        {name,
-         [meshed, element, units](const auto& path) { return write_mesh(path.string(), meshed->mesh, element, units); },
-         io::losses(name, meshed->mesh)});
+    outputs.push_back({name,
+                       [meshed, element, units](const auto& path) {
+                         return model::write_mesh(path.string(), meshed->mesh, element, units);
+                       },
+                       io::formats::losses(name, meshed->mesh)});
   }
   // These hold triangles of one order only.
-  if (io::ele_file_of(meshed->mesh)) {
+  if (io::meshes::ele_file_of(meshed->mesh)) {
     const auto write = [meshed, units](const auto& path, const auto& text_of) -> base::Result<void> {
-      DOBRA_TRY_VOID(io::write_text(path, text_of(in_units(meshed->mesh, units))));
-      return io::add_note(path.string(), note_of(units));
+      DOBRA_TRY_VOID(io::write_text(path, text_of(model::in_units(meshed->mesh, units))));
+      return io::formats::add_note(path.string(), model::note_of(units));
     };
-    outputs.push_back({"mesh.node", [write](const auto& path) {
-                         return write(path, [](const auto& mesh) { return io::node_text(io::node_file_of(mesh)); });
-                       }});
-    outputs.push_back({"mesh.ele", [write](const auto& path) {
-                         return write(path, [](const auto& mesh) { return io::ele_text(*io::ele_file_of(mesh)); });
-                       }});
+    outputs.push_back(
+        {"mesh.node", [write](const auto& path) {
+           return write(path, [](const auto& mesh) { return io::meshes::node_text(io::meshes::node_file_of(mesh)); });
+         }});
+    outputs.push_back(
+        {"mesh.ele", [write](const auto& path) {
+           return write(path, [](const auto& mesh) { return io::meshes::ele_text(*io::meshes::ele_file_of(mesh)); });
+         }});
   }
 }
 

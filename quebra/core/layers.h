@@ -3,43 +3,35 @@
 
 #include <array>
 
-#include "quebra/core/model.h"
-#include "shared/io/inp.h"
-#include "shared/io/vtu.h"
+#include "quebra/model/model.h"
+#include "shared/io/meshes/inp.h"
+#include "shared/io/meshes/vtu.h"
 #include "shared/scenario/program.h"
 
 namespace quebra::core {
 
 /// The domain, or the last two meshes, or the mesher at work.
-void draw(const Model& model, dobra::scene::Picture& picture);
-void add_quantities(const Model& model, std::vector<dobra::scenario::Quantity>& quantities);
+void draw(const model::Model& model, dobra::scene::Picture& picture);
+void add_quantities(const model::Model& model, std::vector<dobra::scenario::Quantity>& quantities);
 /// What was found and mended.
-void add_finding_tables(const Model& model, std::vector<dobra::scenario::DataTable>& tables);
+void add_finding_tables(const model::Model& model, std::vector<dobra::scenario::DataTable>& tables);
 /// What the step mesh has: table of quality, histograms, files of the last mesh.
-void add_mesh_tables(const Model& model, std::vector<dobra::scenario::DataTable>& tables);
-void add_mesh_outputs(const std::shared_ptr<const Model>& model, std::vector<dobra::scenario::Output>& outputs);
+void add_mesh_tables(const model::Model& model, std::vector<dobra::scenario::DataTable>& tables);
+void add_mesh_outputs(const std::shared_ptr<const model::Model>& model, std::vector<dobra::scenario::Output>& outputs);
 
 /// The domain with the names of its curves, lips, points and regions, each where it belongs.
-dobra::scene::Picture names_picture(const Model& model);
+dobra::scene::Picture names_picture(const model::Model& model);
 
-/// A mesh as a file in these units holds it, and the line that says so.
-dobra::mesh::ElementMesh in_units(dobra::mesh::ElementMesh mesh, const dobra::scenario::UnitSystem& units);
-std::string note_of(const dobra::scenario::UnitSystem& units);
 /// The elements of an .inp file: as the problem of the model says; plane stress where there is none.
-dobra::io::InpElement inp_element_of(const Model& model);
-/// io::write_mesh and io::write_vtu of a mesh in SI, in these units and with that line.
-dobra::base::Result<void> write_mesh(const std::string& path, const dobra::mesh::ElementMesh& mesh,
-                                     dobra::io::InpElement element, const dobra::scenario::UnitSystem& units);
-dobra::base::Result<void> write_vtu(const std::string& path, const dobra::mesh::ElementMesh& mesh,
-                                    const dobra::io::MeshFields& fields, const dobra::scenario::UnitSystem& units);
+dobra::io::meshes::InpElement inp_element_of(const model::Model& model);
 
 /// How many of the elements have which quality: bars over alpha as high as their share of all, 0 .. 1; both axes to one
 /// scale.
-dobra::scene::Picture histogram_picture(const Meshed& meshed);
+dobra::scene::Picture histogram_picture(const model::Meshed& meshed);
 
 /// The sizes that a mesh was to have, with the quadtree that carries them. The window and `draw` have both as hidden
 /// layers "size_field" and "quadtree".  @pre meshed.sizes
-dobra::scene::Picture size_field_picture(const Model& model, const Meshed& meshed);
+dobra::scene::Picture size_field_picture(const model::Model& model, const model::Meshed& meshed);
 
 /// The triangles that draw an element: those of its corners and, of second order, of its mid-sides too.
 void add_triangles(const dobra::mesh::ElementMesh& mesh, std::size_t element,

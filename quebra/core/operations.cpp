@@ -2,16 +2,16 @@
 
 #include <algorithm>
 
-#include "quebra/core/adaptivity.h"
-#include "quebra/core/analysis.h"
-#include "quebra/core/constraint.h"
-#include "quebra/core/fracture.h"
-#include "quebra/core/half_crack.h"
+#include "quebra/analysis/adaptivity.h"
+#include "quebra/analysis/analysis.h"
+#include "quebra/analysis/fracture.h"
 #include "quebra/core/input.h"
 #include "quebra/core/layers.h"
-#include "quebra/core/meshing.h"
 #include "quebra/core/result_picture.h"
-#include "quebra/core/zone.h"
+#include "quebra/meshing/constraint.h"
+#include "quebra/meshing/half_crack.h"
+#include "quebra/meshing/meshing.h"
+#include "quebra/meshing/zone.h"
 
 namespace quebra::core {
 namespace {
@@ -20,7 +20,7 @@ using namespace dobra;
 
 base::Result<scenario::State> input(const scenario::Table& table, const scenario::Context& context,
                                     const base::Progress&) {
-  DOBRA_TRY(Model model, read_input(scenario::from_table<InputParams>(table), table, context));
+  DOBRA_TRY(model::Model model, read_input(scenario::from_table<InputParams>(table), table, context));
   return scenario::make_state(std::move(model));
 }
 
@@ -28,8 +28,8 @@ base::Result<scenario::State> input(const scenario::Table& table, const scenario
 /// And in other units than SI it says what a thickness is that was left out.
 scenario::State with_lines(const scenario::State& state, const scenario::Table& table,
                            const scenario::UnitSystem& units) {
-  Model model = scenario::model_of<Model>(state);
-  ProblemParams problem = *model.problem;
+  model::Model model = scenario::model_of<model::Model>(state);
+  analysis::ProblemParams problem = *model.problem;
   const auto give_lines = [&](const char* key, auto& own) {
     const scenario::Value* rows = table.find(key);
     if (rows == nullptr) return;
@@ -45,21 +45,22 @@ scenario::State with_lines(const scenario::State& state, const scenario::Table& 
                     [](const scenario::Table& row) { return row.find("thickness") == nullptr; }))
       model.remarks.push_back("a material has no `thickness`: it is 1 m");
   }
-  model.problem = std::make_shared<const ProblemParams>(std::move(problem));
+  model.problem = std::make_shared<const analysis::ProblemParams>(std::move(problem));
   return scenario::make_state(std::move(model));
 }
 
 /// set_problem, whose errors get the line of the table that they are about.
 scenario::Operation problem_operation() {
-  auto operation = scenario::make_operation<Model, ProblemParams>(
+  auto operation = scenario::make_operation<model::Model, analysis::ProblemParams>(
       "problem", "Materials, supports, loads", "The elastic problem, by the names of regions, curves and points.",
-      set_problem);
+      analysis::set_problem);
   operation.run = [run = operation.run](const scenario::State& state, const scenario::Table& table,
                                         const scenario::Context& context,
                                         const base::Progress& progress) -> base::Result<scenario::State> {
     auto result = run(state, table, context, progress);
     if (result) return with_lines(*result, table, context.units);
-    const auto fault = fault_of(scenario::model_of<Model>(state).domain, scenario::from_table<ProblemParams>(table));
+    const auto fault = analysis::fault_of(scenario::model_of<model::Model>(state).domain,
+                                          scenario::from_table<analysis::ProblemParams>(table));
     const scenario::Value* rows = fault ? table.find(fault->key) : nullptr;
     if (rows == nullptr) return result;
     return base::located(result.error(), std::get<std::vector<scenario::Table>>(*rows)[fault->row].own_place);
@@ -67,13 +68,13 @@ scenario::Operation problem_operation() {
   return operation;
 }
 
-bool mesher_at_work(const scenario::State& state) { return scenario::model_of<Model>(state).work != nullptr; }
+bool mesher_at_work(const scenario::State& state) { return scenario::model_of<model::Model>(state).work != nullptr; }
 
 scenario::Operation mesh_operation() {
-  auto operation = scenario::make_operation<Model, MeshParams>(
+  auto operation = scenario::make_operation<model::Model, meshing::MeshParams>(
       "mesh", "Mesh",
       "Divides the boundary and fills the domain with triangles: quadtree for the sizes, Delaunay for the shapes.",
-      add_mesh, {.tables = add_mesh_tables, .outputs = add_mesh_outputs});
+      meshing::add_mesh, {.tables = add_mesh_tables, .outputs = add_mesh_outputs});
   operation.stop_after = "stop_after";
   operation.at_work = mesher_at_work;
   return operation;
@@ -93,9 +94,9 @@ scenario::Operation after_a_whole_mesh(scenario::Operation operation) {
   return operation;
 }
 
-scenario::UnitSystem units_of(const scenario::State& state) { return scenario::model_of<Model>(state).units; }
+scenario::UnitSystem units_of(const scenario::State& state) { return scenario::model_of<model::Model>(state).units; }
 
-std::optional<bool> adapted_enough(const Model& model) {
+std::optional<bool> adapted_enough(const model::Model& model) {
   const bool adapted = std::any_of(model.analyses.begin(), model.analyses.end(),
                                    [](const auto& analysis) { return analysis->cycle > 0; });
   return adapted ? std::optional(!model.short_of_target) : std::nullopt;
@@ -109,43 +110,47 @@ scenario::Program make_program() {
   program.input_fields = scenario::fields_of<InputParams>();
   program.read_input = input;
   program.units_of = units_of;
-  program.results = scenario::make_results<Model>({
+  program.results = scenario::make_results<model::Model>({
       .quantities = add_quantities,
       .tables = add_finding_tables,
-      .remarks = [](const Model& model, auto& remarks) { remarks = model.remarks; },
+      .remarks = [](const model::Model& model, auto& remarks) { remarks = model.remarks; },
       .draw = draw,
   });
   program.operations = {
-      scenario::make_operation<Model, ConstraintParams>(
+      scenario::make_operation<model::Model, meshing::ConstraintParams>(
           "constraints", "Offset constraints",
-          "Offset curves of a boundary, as internal constraints that grade the mesh.", add_constraints),
-      scenario::make_operation<Model, ZoneParams>(
+          "Offset curves of a boundary, as internal constraints that grade the mesh.", meshing::add_constraints),
+      scenario::make_operation<model::Model, meshing::ZoneParams>(
           "zone", "Zone of small elements",
-          "Elements of a given size within a given distance of curves, cracks or points.", add_zone),
-      scenario::make_operation<Model, HalfCrackParams>(
+          "Elements of a given size within a given distance of curves, cracks or points.", meshing::add_zone),
+      scenario::make_operation<model::Model, meshing::HalfCrackParams>(
           "half_crack", "Half of a crack", "A curve of the boundary is one lip of a crack on a line of symmetry.",
-          add_half_crack),
+          meshing::add_half_crack),
       mesh_operation(),
       problem_operation(),
-      scenario::make_operation<Model, AnalyseParams>(
-          "analyse", "Analyse", "Displacements, stresses and their error on the last mesh.", add_analysis,
-          {.quantities = add_analysis_quantities, .tables = add_analysis_tables, .outputs = add_analysis_outputs}),
-      scenario::make_operation<Model, AdaptParams>("adapt", "Adapt",
-                                                   "Meshes and analyses until the error asked for is met.", adapt,
-                                                   {.reached = adapted_enough}),
-      scenario::make_operation<Model, FractureParams>(
+      scenario::make_operation<model::Model, analysis::AnalyseParams>(
+          "analyse", "Analyse", "Displacements, stresses and their error on the last mesh.", analysis::add_analysis,
+          {.quantities = analysis::add_analysis_quantities,
+           .tables = analysis::add_analysis_tables,
+           .outputs = analysis::add_analysis_outputs}),
+      scenario::make_operation<model::Model, analysis::AdaptParams>(
+          "adapt", "Adapt", "Meshes and analyses until the error asked for is met.", analysis::adapt,
+          {.reached = adapted_enough}),
+      scenario::make_operation<model::Model, analysis::FractureParams>(
           "crack", "Stress intensity factors",
-          "K_I and K_II by three methods, J, T and kink angles at every crack tip.", add_tips,
-          {.quantities = add_tip_quantities, .tables = add_tip_tables, .reached = tips_reached}),
-      scenario::make_operation<Model, LineParams>("line", "Results along a line",
-                                                  "Displacements and stresses along a line, as a table.", add_line,
-                                                  {.tables = add_sample_tables}),
-      scenario::make_operation<Model, ProbeParams>("probe", "Results at a point",
-                                                   "Displacements and stresses at a point.", add_probe,
-                                                   {.quantities = add_sample_quantities}),
-      scenario::make_operation<Model, ViewParams>("view", "Picture of a field",
-                                                  "A field on the deformed shape: colours, contours, mesh, extremes.",
-                                                  add_view, {.draw = add_views}),
+          "K_I and K_II by three methods, J, T and kink angles at every crack tip.", analysis::add_tips,
+          {.quantities = analysis::add_tip_quantities,
+           .tables = analysis::add_tip_tables,
+           .reached = analysis::tips_reached}),
+      scenario::make_operation<model::Model, analysis::LineParams>(
+          "line", "Results along a line", "Displacements and stresses along a line, as a table.", analysis::add_line,
+          {.tables = analysis::add_sample_tables}),
+      scenario::make_operation<model::Model, analysis::ProbeParams>(
+          "probe", "Results at a point", "Displacements and stresses at a point.", analysis::add_probe,
+          {.quantities = analysis::add_sample_quantities}),
+      scenario::make_operation<model::Model, ViewParams>(
+          "view", "Picture of a field", "A field on the deformed shape: colours, contours, mesh, extremes.", add_view,
+          {.draw = add_views}),
   };
   for (scenario::Operation& operation : program.operations) {
     if (operation.name != "mesh") operation = after_a_whole_mesh(std::move(operation));

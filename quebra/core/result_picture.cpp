@@ -32,27 +32,27 @@ constexpr scene::Color contour_line{255, 255, 255, 210};
 /// Displacements are drawn this long, of the size of the model, unless asked otherwise.
 constexpr double drawn_displacement = 0.05;
 
-std::string title_of(FieldName field) {
+std::string title_of(analysis::FieldName field) {
   switch (field) {
-    case FieldName::VonMises:
+    case analysis::FieldName::VonMises:
       return translated("von Mises stress");
-    case FieldName::StressX:
+    case analysis::FieldName::StressX:
       return translated("Stress sigma_x");
-    case FieldName::StressY:
+    case analysis::FieldName::StressY:
       return translated("Stress sigma_y");
-    case FieldName::StressXY:
+    case analysis::FieldName::StressXY:
       return translated("Stress tau_xy");
-    case FieldName::Principal1:
+    case analysis::FieldName::Principal1:
       return translated("Greatest principal stress");
-    case FieldName::Principal2:
+    case analysis::FieldName::Principal2:
       return translated("Least principal stress");
-    case FieldName::DisplacementX:
+    case analysis::FieldName::DisplacementX:
       return translated("Displacement along x");
-    case FieldName::DisplacementY:
+    case analysis::FieldName::DisplacementY:
       return translated("Displacement along y");
-    case FieldName::Displacement:
+    case analysis::FieldName::Displacement:
       return translated("Displacement");
-    case FieldName::Error:
+    case analysis::FieldName::Error:
       return translated("Error of each element");
   }
   return {};
@@ -67,7 +67,7 @@ double round_number(double value) {
   return power;
 }
 
-double scale_of(const Analysis& analysis, std::size_t load_case, const ViewParams& params) {
+double scale_of(const analysis::Analysis& analysis, std::size_t load_case, const ViewParams& params) {
   if (params.deformation) return *params.deformation;
   double greatest = 0.0;
   for (const auto u : analysis.solution.cases[load_case].displacements) greatest = std::max(greatest, length(u));
@@ -226,17 +226,17 @@ scene::Scale color_scale(const ViewParams& params, const Drawing& drawing, std::
 }
 
 /// The greatest of the numbers that a field is made of.
-double size_of(const Analysis& analysis, std::size_t load_case, FieldName field) {
-  if (field == FieldName::Error) return analysis.fields[load_case].estimate.norm;
-  const auto greatest = [&](FieldName name) {
+double size_of(const analysis::Analysis& analysis, std::size_t load_case, analysis::FieldName field) {
+  if (field == analysis::FieldName::Error) return analysis.fields[load_case].estimate.norm;
+  const auto greatest = [&](analysis::FieldName name) {
     double most = 0.0;
     for (const double value : field_at_element_nodes(analysis, load_case, name)) most = std::max(most, std::abs(value));
     return most;
   };
-  const bool moved =
-      field == FieldName::DisplacementX || field == FieldName::DisplacementY || field == FieldName::Displacement;
-  if (moved) return greatest(FieldName::Displacement);
-  return std::max(greatest(FieldName::Principal1), greatest(FieldName::Principal2));
+  const bool moved = field == analysis::FieldName::DisplacementX || field == analysis::FieldName::DisplacementY ||
+                     field == analysis::FieldName::Displacement;
+  if (moved) return greatest(analysis::FieldName::Displacement);
+  return std::max(greatest(analysis::FieldName::Principal1), greatest(analysis::FieldName::Principal2));
 }
 
 /// Where the greatest and the least value are, each once.
@@ -264,7 +264,7 @@ void add_extremes(const Drawing& drawing, std::vector<scene::Layer>& layers) {
 }
 
 /// The analysis that a view shows; null: there is no such cycle.
-const Analysis* analysis_of(const Model& model, const ViewParams& params) {
+const analysis::Analysis* analysis_of(const model::Model& model, const ViewParams& params) {
   if (params.cycle == 0) return model.analyses.back().get();
   const auto found = std::find_if(model.analyses.rbegin(), model.analyses.rend(),
                                   [&](const auto& own) { return own->cycle == params.cycle; });
@@ -273,11 +273,11 @@ const Analysis* analysis_of(const Model& model, const ViewParams& params) {
 
 }  // namespace
 
-Result<Model> add_view(const Model& model, const ViewParams& params, const dobra::scenario::Context&,
-                       const dobra::base::Progress&) {
+Result<model::Model> add_view(const model::Model& model, const ViewParams& params, const dobra::scenario::Context&,
+                              const dobra::base::Progress&) {
   if (model.analyses.empty())
     return Error{ErrorCode::BadValue, "there is no analysis: put a step 'analyse' or 'adapt' before"};
-  const Analysis* const shown = analysis_of(model, params);
+  const analysis::Analysis* const shown = analysis_of(model, params);
   if (shown == nullptr)
     return Error{ErrorCode::BadValue,
                  fmt::format("there is no cycle {}: the last is {}", params.cycle, model.analyses.back()->cycle)};
@@ -286,12 +286,12 @@ Result<Model> add_view(const Model& model, const ViewParams& params, const dobra
   if (!params.load_case.empty() && std::find(names.begin(), names.end(), params.load_case) == names.end())
     return Error{ErrorCode::BadValue, fmt::format("there is no load case '{}'{}", params.load_case,
                                                   dobra::base::did_you_mean(params.load_case, names))};
-  Model result = model;
+  model::Model result = model;
   result.views.push_back(std::make_shared<const ViewParams>(params));
   return result;
 }
 
-scene::Panel view_panel(const Analysis& analysis, std::size_t load_case, const ViewParams& params) {
+scene::Panel view_panel(const analysis::Analysis& analysis, std::size_t load_case, const ViewParams& params) {
   const mesh::ElementMesh& mesh = analysis.meshed->mesh;
   const double factor = scale_of(analysis, load_case, params);
   std::vector<Point> moved = mesh.points;
@@ -315,7 +315,7 @@ scene::Panel view_panel(const Analysis& analysis, std::size_t load_case, const V
                      .values_at = scene::ValuesAt::Points,
                      .values = drawing.values,
                      .scale = scale};
-  if (params.field == FieldName::Error) {
+  if (params.field == analysis::FieldName::Error) {
     colors.values_at = scene::ValuesAt::Triangles;
     colors.values.clear();
     for (const std::size_t e : drawing.element)
@@ -326,7 +326,7 @@ scene::Panel view_panel(const Analysis& analysis, std::size_t load_case, const V
   if (params.mesh == Shown::Yes)
     add("elements", translated("Elements"), {.line = mesh_line, .line_width = outline_width(mesh)},
         sides_of(mesh, moved), scene::InLegend::No);
-  if (params.contours > 0 && params.field != FieldName::Error && !constant) {
+  if (params.contours > 0 && params.field != analysis::FieldName::Error && !constant) {
     scene::Lines contours;
     for (int i = 1; i <= params.contours; ++i)
       add_contour(drawing, least + (greatest - least) * i / (params.contours + 1), contours.lines);
@@ -338,15 +338,15 @@ scene::Panel view_panel(const Analysis& analysis, std::size_t load_case, const V
         boundary_of(mesh, mesh.points), scene::InLegend::Yes);
   add("boundary", translated("Boundary"), {.line = ink, .line_width = boundary_width}, boundary_of(mesh, moved),
       scene::InLegend::Yes);
-  if (params.extremes == Shown::Yes && params.field != FieldName::Error && !constant)
+  if (params.extremes == Shown::Yes && params.field != analysis::FieldName::Error && !constant)
     add_extremes(drawing, panel.layers);
   return panel;
 }
 
-void add_views(const Model& model, scene::Picture& picture) {
+void add_views(const model::Model& model, scene::Picture& picture) {
   if (model.analyses.empty()) return;
   const auto panel_of = [&](const ViewParams& view) {
-    const Analysis& analysis = *analysis_of(model, view);
+    const analysis::Analysis& analysis = *analysis_of(model, view);
     const auto& cases = analysis.solution.cases;
     const auto found =
         std::find_if(cases.begin(), cases.end(), [&](const auto& own) { return own.name == view.load_case; });

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "quebra/core/results.h"
+#include "quebra/analysis/results.h"
 #include "shared/scene/layer.h"
 
 namespace quebra::core {
@@ -13,7 +13,7 @@ enum class Shown { Yes, No };
 enum class ColorRange { Field, Full };
 
 struct ViewParams {
-  FieldName field = FieldName::VonMises;
+  analysis::FieldName field = analysis::FieldName::VonMises;
   std::string load_case;
   int cycle = 0;
   std::optional<double> deformation;
@@ -24,7 +24,7 @@ struct ViewParams {
 
   template <class D>
   static void describe(D& d) {
-    d.choice("field", &ViewParams::field, field_names(),
+    d.choice("field", &ViewParams::field, analysis::field_names(),
              {.title = "Field",
               .help = "von Mises, stresses, principal stresses, displacements, or the error of each element."});
     d.field("case", &ViewParams::load_case, {.title = "Load case", .help = "The first by default."});
@@ -48,13 +48,14 @@ struct ViewParams {
 };
 
 /// Adds a picture of the last analysis, or of a cycle. @error BadValue: no analysis, no such case or cycle.
-dobra::base::Result<Model> add_view(const Model& model, const ViewParams& params,
-                                    const dobra::scenario::Context& context, const dobra::base::Progress& progress);
+dobra::base::Result<model::Model> add_view(const model::Model& model, const ViewParams& params,
+                                           const dobra::scenario::Context& context,
+                                           const dobra::base::Progress& progress);
 
 /// @pre load_case < analysis.fields.size()
-dobra::scene::Panel view_panel(const Analysis& analysis, std::size_t load_case, const ViewParams& params);
+dobra::scene::Panel view_panel(const analysis::Analysis& analysis, std::size_t load_case, const ViewParams& params);
 
 /// The views of a model in place of its meshes; without views that of the default beside them.
-void add_views(const Model& model, dobra::scene::Picture& picture);
+void add_views(const model::Model& model, dobra::scene::Picture& picture);
 
 }  // namespace quebra::core

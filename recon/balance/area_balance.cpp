@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "shared/io/line_files.h"
+#include "shared/io/formats/line_files.h"
 
 namespace recon::balance {
 
@@ -26,18 +26,18 @@ class ErrorSum {
 };
 
 base::Result<UncertainPolygon> read_polygon(const std::string& file, double unit, const AreaBalanceParams& params) {
-  dobra::io::LineOptions options;
+  dobra::io::formats::LineOptions options;
   options.unit = unit;
-  options.coordinates = dobra::io::Coordinates::Section;
-  options.text.closing = dobra::io::Closing::KeepOpen;
-  options.text.blank_lines = dobra::io::BlankLines::Ignore;
+  options.coordinates = dobra::io::formats::Coordinates::Section;
+  options.text.closing = dobra::io::lines::Closing::KeepOpen;
+  options.text.blank_lines = dobra::io::lines::BlankLines::Ignore;
   for (const double column : params.columns)
     (options.text.columns.size() < 2 ? options.text.columns : options.text.extra_columns)
         .push_back(fmt::format("{}", column));
   if (params.columns.size() != 2 && params.columns.size() != 4) {
     return base::Error{base::ErrorCode::BadValue, "columns needs two numbers, x and y, or four, x, y and their errors"};
   }
-  DOBRA_TRY(const dobra::io::LineWork work, dobra::io::read_any_lines(file, options));
+  DOBRA_TRY(const dobra::io::formats::LineWork work, dobra::io::formats::read_any_lines(file, options));
   const base::Place place{.file = file};
   if (work.features.size() != 1 || work.features[0].parts.size() != 1) {
     return base::Error{base::ErrorCode::BadFormat, "the file holds more than one line; keep the polygon alone", place};

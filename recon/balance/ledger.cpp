@@ -11,7 +11,7 @@
 #include "shared/base/parallel.h"
 #include "shared/geom/contour.h"
 #include "shared/geom/segment_tree.h"
-#include "shared/mesh/triangulate.h"
+#include "shared/mesh/front/triangulate.h"
 
 namespace recon::balance {
 
@@ -180,11 +180,12 @@ Part part_of_polygon(const section::Unit& unit, const maps::SectionMap& map, con
   part.row.contour_after = std::move(mapped.after);
   part.row.tears = std::move(mapped.tears);
   part.row.area_after = std::abs(geom::signed_area(part.row.contour_after));
-  mesh::MeshInput input;
-  mesh::add_chain(input, unit.contour.points, mesh::Closure::Closed, {unit.name, mesh::EdgeKind::Boundary});
-  mesh::MeshOptions how;
+  mesh::delaunay::MeshInput input;
+  mesh::delaunay::add_chain(input, unit.contour.points, mesh::delaunay::Closure::Closed,
+                            {unit.name, mesh::delaunay::EdgeKind::Boundary});
+  mesh::front::MeshOptions how;
   how.sizes.max_size = std::sqrt(4.0 * part.row.area_before / (options.places * options.levels));
-  auto made = mesh::triangulate(input, how);
+  auto made = mesh::front::triangulate(input, how);
   if (!made) {
     part.error = base::located(made.error(), base::Place{.item = fmt::format("unit '{}'", unit.name)});
     return part;

@@ -19,7 +19,7 @@
 #include "shared/cli/parameter_options.h"
 #include "shared/cli/pictures.h"
 #include "shared/cli/staging.h"
-#include "shared/io/line_files.h"
+#include "shared/io/formats/line_files.h"
 
 namespace recon::cli {
 
@@ -103,11 +103,11 @@ enum class OutKind { Scenario, Picture, Lines };
 Result<OutKind> out_kind(const std::filesystem::path& out) {
   if (out.extension() == ".toml") return OutKind::Scenario;
   if (dobra::cli::check_ending(out, dobra::cli::Drawer::Cairo)) return OutKind::Picture;
-  if (io::line_format_of(out.string())) return OutKind::Lines;
+  if (io::formats::line_format_of(out.string())) return OutKind::Lines;
   return base::Error{base::ErrorCode::BadUsage,
                      fmt::format("--out {}: give a picture (.svg .pdf .png), a scenario (.toml), or a file of the "
                                  "restored lines ({})",
-                                 out.string(), fmt::join(io::line_endings(), " "))};
+                                 out.string(), fmt::join(io::formats::line_endings(), " "))};
 }
 
 /// A picture, the scenario itself to go on with, or the restored lines.
@@ -125,9 +125,9 @@ Result<void> write_out(Session& session, const std::filesystem::path& out, scena
     written =
         dobra::cli::draw(dobra::cli::picture_of(session.program, document, state), path, dobra::cli::Drawer::Cairo);
   } else {
-    io::LineWork work;
+    io::formats::LineWork work;
     work.features = core::restored_features(scenario::model_of<core::Model>(state).restoration->section);
-    written = io::write_any_lines(path.string(), work, {}, losses);
+    written = io::formats::write_any_lines(path.string(), work, {}, losses);
   }
   if (!written) return staging.for_user(written.error());
   for (const std::string& loss : losses) session.note(loss);

@@ -6,7 +6,7 @@
 
 #include "recon/input/import.h"
 #include "shared/cli/session.h"
-#include "shared/io/line_files.h"
+#include "shared/io/formats/line_files.h"
 
 namespace recon::cli {
 
@@ -47,10 +47,10 @@ base::Result<scenario::Document> section_document(dobra::cli::Session& session, 
     if (section.horizons_from_units) document.input.set("horizons_from_units", true);
     return document;
   }
-  DOBRA_TRY(const io::LineOptions options, dobra::cli::line_options(section.lines));
-  DOBRA_TRY(const io::LineWork work, io::read_any_lines(section.file, options));
+  DOBRA_TRY(const io::formats::LineOptions options, dobra::cli::line_options(section.lines));
+  DOBRA_TRY(const io::formats::LineWork work, io::formats::read_any_lines(section.file, options));
   for (const std::string& remark : work.remarks) session.note(remark);
-  for (const io::Repair& repair : work.repairs) session.note(io::to_string(repair));
+  for (const io::formats::Repair& repair : work.repairs) session.note(io::formats::to_string(repair));
   scenario::Document document;
   document.program = "recon";
   document.title = std::filesystem::path(section.file).stem().string();
@@ -59,19 +59,19 @@ base::Result<scenario::Document> section_document(dobra::cli::Session& session, 
   write_tables(std::move(import.lines), document.input);
   if (section.horizons_from_units) document.input.set("horizons_from_units", true);
   if (work.trace || options.fold_axis) {
-    const auto [left, right] =
-        io::ends_of(options.fold_axis ? io::azimuth_of(*options.fold_axis) : io::azimuth_of(*work.trace));
+    const auto [left, right] = io::lines::ends_of(options.fold_axis ? io::lines::azimuth_of(*options.fold_axis)
+                                                                    : io::lines::azimuth_of(*work.trace));
     document.input.set("orientation", fmt::format("{} - {}", left, right));
   }
   return document;
 }
 
 base::Result<std::vector<Point>> only_line(const std::string& file, const dobra::cli::LineOptionTexts& lines) {
-  DOBRA_TRY(const io::LineOptions options, dobra::cli::line_options(lines));
-  DOBRA_TRY(io::LineWork work, io::read_any_lines(file, options));
+  DOBRA_TRY(const io::formats::LineOptions options, dobra::cli::line_options(lines));
+  DOBRA_TRY(io::formats::LineWork work, io::formats::read_any_lines(file, options));
   std::vector<std::vector<Point>> found;
-  for (io::Feature& feature : work.features) {
-    if (feature.type != io::FeatureType::Lines) continue;
+  for (io::lines::Feature& feature : work.features) {
+    if (feature.type != io::lines::FeatureType::Lines) continue;
     for (dobra::geom::Polyline& part : feature.parts) found.push_back(std::move(part.points));
   }
   if (found.size() == 1) return std::move(found.front());

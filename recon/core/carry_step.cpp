@@ -4,7 +4,7 @@
 
 #include "recon/core/report.h"
 #include "shared/base/text.h"
-#include "shared/io/geojson.h"
+#include "shared/io/gis/geojson.h"
 
 namespace recon::core {
 
@@ -40,12 +40,12 @@ void add_carried_tables(const Model& model, std::vector<scenario::DataTable>& ta
   tables.push_back(std::move(table));
 }
 
-void add_carried_features(const CarriedLines& carried, std::size_t number, std::vector<io::Feature>& features) {
+void add_carried_features(const CarriedLines& carried, std::size_t number, std::vector<io::lines::Feature>& features) {
   for (std::size_t l = 0; l < carried.lines.size(); ++l) {
     const auto add = [&](const geom::Polyline& line, const char* kind) {
-      const io::FeatureType type = line.closed              ? io::FeatureType::Polygons
-                                   : line.points.size() > 1 ? io::FeatureType::Lines
-                                                            : io::FeatureType::Points;
+      const io::lines::FeatureType type = line.closed              ? io::lines::FeatureType::Polygons
+                                          : line.points.size() > 1 ? io::lines::FeatureType::Lines
+                                                                   : io::lines::FeatureType::Points;
       const std::string name = "carry " + std::to_string(number) + ", line " + std::to_string(l + 1);
       add_feature(type, name, kind, l, line, features);
     };
@@ -57,10 +57,10 @@ void add_carried_features(const CarriedLines& carried, std::size_t number, std::
 void add_carried_outputs(const std::shared_ptr<const Model>& model, std::vector<scenario::Output>& outputs) {
   if (model->findings.get<CarriedLines>() == nullptr) return;
   outputs.push_back({"carried.geojson", [model](const std::filesystem::path& path) {
-                       std::vector<io::Feature> features;
+                       std::vector<io::lines::Feature> features;
                        const auto all = model->findings.all<CarriedLines>();
                        for (std::size_t c = 0; c < all.size(); ++c) add_carried_features(*all[c], c + 1, features);
-                       return io::write_geojson(path.string(), features);
+                       return io::gis::write_geojson(path.string(), features);
                      }});
 }
 

@@ -3,7 +3,7 @@
 #include "recon/core/report.h"
 #include "recon/core/section_picture.h"
 #include "recon/input/topography.h"
-#include "shared/io/geojson.h"
+#include "shared/io/gis/geojson.h"
 
 namespace recon::core {
 
@@ -50,8 +50,8 @@ void add_grid_outputs(const std::shared_ptr<const Model>& model, std::vector<sce
   if (!model->source) return;
   outputs.push_back({"source_grid.geojson", [model](const std::filesystem::path& path) {
                        const auto pin = model->target ? std::optional(model->target->source_pin) : std::nullopt;
-                       return io::write_geojson(path.string(),
-                                                grid_features(model->source->base, model->source->grid, pin));
+                       return io::gis::write_geojson(path.string(),
+                                                     grid_features(model->source->base, model->source->grid, pin));
                      }});
 }
 

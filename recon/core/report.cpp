@@ -22,8 +22,8 @@ void add_cells(const std::string& prefix, const std::vector<RowCell>& cells,
 
 namespace {
 
-io::Feature line_feature(std::string name, std::string kind, std::vector<geom::Polyline> parts) {
-  io::Feature feature;
+io::lines::Feature line_feature(std::string name, std::string kind, std::vector<geom::Polyline> parts) {
+  io::lines::Feature feature;
   feature.name = std::move(name);
   feature.kind = std::move(kind);
   feature.parts = std::move(parts);
@@ -32,46 +32,49 @@ io::Feature line_feature(std::string name, std::string kind, std::vector<geom::P
 
 }  // namespace
 
-std::vector<io::Feature> grid_features(const geom::Polyline& base, const unfold::Grid& grid,
-                                       std::optional<geom::Point> pin) {
-  std::vector<io::Feature> features{line_feature("base", "base", {base})};
+std::vector<io::lines::Feature> grid_features(const geom::Polyline& base, const unfold::Grid& grid,
+                                              std::optional<geom::Point> pin) {
+  std::vector<io::lines::Feature> features{line_feature("base", "base", {base})};
   for (std::size_t i = 0; i < grid.curves.size(); ++i) {
     if (grid.curves[i].pieces.empty()) continue;
-    io::Feature curve = line_feature("curve " + std::to_string(i + 1), "offset", grid.curves[i].pieces);
+    io::lines::Feature curve = line_feature("curve " + std::to_string(i + 1), "offset", grid.curves[i].pieces);
     curve.properties = {{"distance", grid.curves[i].distance}};
     features.push_back(std::move(curve));
   }
   if (!grid.rungs.empty()) features.push_back(line_feature("rungs", "rung", grid.rungs));
   if (pin) {
-    io::Feature feature = line_feature("pin", "pin", {{{*pin}, false}});
-    feature.type = io::FeatureType::Points;
+    io::lines::Feature feature = line_feature("pin", "pin", {{{*pin}, false}});
+    feature.type = io::lines::FeatureType::Points;
     features.push_back(std::move(feature));
   }
   return features;
 }
 
-void add_feature(io::FeatureType type, const std::string& name, const char* kind, std::size_t id, geom::Polyline line,
-                 std::vector<io::Feature>& features) {
+void add_feature(io::lines::FeatureType type, const std::string& name, const char* kind, std::size_t id,
+                 geom::Polyline line, std::vector<io::lines::Feature>& features) {
   // A jump of no length at a tear, or a bed squeezed to a point, must not make the file invalid.
-  if (type != io::FeatureType::Points) line = geom::without_repeated_points(std::move(line));
-  const std::size_t least = type == io::FeatureType::Polygons ? 3 : type == io::FeatureType::Lines ? 2 : 1;
+  if (type != io::lines::FeatureType::Points) line = geom::without_repeated_points(std::move(line));
+  const std::size_t least = type == io::lines::FeatureType::Polygons ? 3
+                            : type == io::lines::FeatureType::Lines  ? 2
+                                                                     : 1;
   if (line.points.size() < least) return;
-  io::Feature feature = line_feature(name, kind, {std::move(line)});
+  io::lines::Feature feature = line_feature(name, kind, {std::move(line)});
   feature.type = type;
   feature.properties = {{"id", static_cast<std::int64_t>(id)}};
   features.push_back(std::move(feature));
 }
 
-std::vector<io::Feature> restored_features(const section::Section& section) {
-  std::vector<io::Feature> features;
+std::vector<io::lines::Feature> restored_features(const section::Section& section) {
+  std::vector<io::lines::Feature> features;
   for (const section::Horizon& horizon : section.horizons)
-    add_feature(io::FeatureType::Lines, horizon.name, "horizon", horizon.id.index(), horizon.line, features);
+    add_feature(io::lines::FeatureType::Lines, horizon.name, "horizon", horizon.id.index(), horizon.line, features);
   for (const section::SectionLine& line : section.lines)
-    add_feature(io::FeatureType::Lines, line.name, kind_name(line.kind), line.id.index(), line.line, features);
+    add_feature(io::lines::FeatureType::Lines, line.name, kind_name(line.kind), line.id.index(), line.line, features);
   for (const section::Unit& unit : section.units)
-    add_feature(io::FeatureType::Polygons, unit.name, "unit", unit.id.index(), unit.contour, features);
+    add_feature(io::lines::FeatureType::Polygons, unit.name, "unit", unit.id.index(), unit.contour, features);
   for (const section::Marker& marker : section.markers)
-    add_feature(io::FeatureType::Points, marker.name, "marker", marker.id.index(), {marker.points, false}, features);
+    add_feature(io::lines::FeatureType::Points, marker.name, "marker", marker.id.index(), {marker.points, false},
+                features);
   return features;
 }
 

@@ -7,7 +7,7 @@
 
 #include "recon/balance/area_depth.h"
 #include "recon/core/model.h"
-#include "shared/io/feature.h"
+#include "shared/io/lines/feature.h"
 #include "shared/scenario/program.h"
 
 namespace recon::core {
@@ -45,12 +45,12 @@ dobra::scenario::DataTable row_table(const char* name, const char* what, const s
 }
 
 /// A line, polygon or point for a file, but for those of no length.
-void add_feature(dobra::io::FeatureType type, const std::string& name, const char* kind, std::size_t id,
-                 geom::Polyline line, std::vector<dobra::io::Feature>& features);
+void add_feature(dobra::io::lines::FeatureType type, const std::string& name, const char* kind, std::size_t id,
+                 geom::Polyline line, std::vector<dobra::io::lines::Feature>& features);
 /// All lines, polygons and points of a section with their names, kinds and ids.
-std::vector<dobra::io::Feature> restored_features(const section::Section& section);
+std::vector<dobra::io::lines::Feature> restored_features(const section::Section& section);
 /// Base, curves, rungs and pin.
-std::vector<dobra::io::Feature> grid_features(const geom::Polyline& base, const unfold::Grid& grid,
-                                              std::optional<geom::Point> pin);
+std::vector<dobra::io::lines::Feature> grid_features(const geom::Polyline& base, const unfold::Grid& grid,
+                                                     std::optional<geom::Point> pin);
 
 }  // namespace recon::core

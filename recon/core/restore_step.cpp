@@ -5,7 +5,7 @@
 #include "recon/section/section_check.h"
 #include "shared/base/text.h"
 #include "shared/io/file.h"
-#include "shared/io/geojson.h"
+#include "shared/io/gis/geojson.h"
 
 namespace recon::core {
 
@@ -107,7 +107,7 @@ void add_restored_outputs(const std::shared_ptr<const Model>& model, std::vector
   using Path = std::filesystem::path;
   if (!model->restoration) return;
   outputs.push_back({"restored.geojson", [model](const Path& path) {
-                       return io::write_geojson(path.string(), restored_features(model->restoration->section));
+                       return io::gis::write_geojson(path.string(), restored_features(model->restoration->section));
                      }});
   outputs.push_back(
       {"restored.csv", [model](const Path& path) { return io::write_file(path, restored_csv(*model->restoration)); }});

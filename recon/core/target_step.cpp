@@ -3,7 +3,7 @@
 #include "recon/core/report.h"
 #include "recon/core/section_picture.h"
 #include "shared/base/text.h"
-#include "shared/io/geojson.h"
+#include "shared/io/gis/geojson.h"
 
 namespace recon::core {
 
@@ -24,7 +24,7 @@ void add_target_quantities(const Model& model, std::vector<scenario::Quantity>& 
 void add_target_outputs(const std::shared_ptr<const Model>& model, std::vector<scenario::Output>& outputs) {
   if (!model->target) return;
   outputs.push_back({"target_grid.geojson", [model](const std::filesystem::path& path) {
-                       return io::write_geojson(
+                       return io::gis::write_geojson(
                            path.string(), grid_features(model->target->map.target().base_line(), model->target->grid,
                                                         model->target->target_pin));
                      }});

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "recon/input/line_file.h"
-#include "shared/io/line_kinds.h"
+#include "shared/io/lines/line_kinds.h"
 #include "shared/io/scan.h"
 
 namespace recon::input {
@@ -34,16 +34,16 @@ constexpr std::array<TableOfKind, 11> tables{{{"horizon", "horizon"},
                                               {"border", "border"},
                                               {"marker", "marker"}}};
 
-base::Result<std::string> table_of(const io::Feature& feature, std::size_t number) {
-  const bool polygon = feature.type == io::FeatureType::Polygons;
-  if (feature.type == io::FeatureType::Points) return std::string("marker");
+base::Result<std::string> table_of(const io::lines::Feature& feature, std::size_t number) {
+  const bool polygon = feature.type == io::lines::FeatureType::Polygons;
+  if (feature.type == io::lines::FeatureType::Points) return std::string("marker");
   if (feature.kind.empty()) return std::string(polygon ? "polygon" : "horizon");
   const auto found = std::find_if(tables.begin(), tables.end(),
-                                  [&](const TableOfKind& t) { return io::known_kind(feature.kind) == t.kind; });
+                                  [&](const TableOfKind& t) { return io::lines::known_kind(feature.kind) == t.kind; });
   const std::string table = found->table;
   if (!polygon || table == "polygon" || table == "border") return table;
   base::Place place = feature.source;
-  place.item = io::item_of(number, feature);
+  place.item = io::lines::item_of(number, feature);
   return base::Error{
       base::ErrorCode::BadFormat,
       fmt::format("a polygon cannot be of kind '{}', which is a line; give it kind 'unit' or 'border', or "
@@ -52,7 +52,7 @@ base::Result<std::string> table_of(const io::Feature& feature, std::size_t numbe
       place};
 }
 
-std::string name_of(const io::Feature& feature, std::size_t index) {
+std::string name_of(const io::lines::Feature& feature, std::size_t index) {
   return feature.name.empty() ? fmt::format("feature {}", index + 1) : feature.name;
 }
 
@@ -64,10 +64,10 @@ struct Place {
 
 class Importer {
  public:
-  explicit Importer(const std::vector<io::Feature>& features) : features_(features) {}
+  explicit Importer(const std::vector<io::lines::Feature>& features) : features_(features) {}
 
   base::Result<Import> run() {
-    DOBRA_TRY_VOID(io::check_kinds(features_));
+    DOBRA_TRY_VOID(io::lines::check_kinds(features_));
     for (std::size_t i = 0; i < features_.size(); ++i) {
       DOBRA_TRY(tables_.emplace_back(), table_of(features_[i], i + 1));
     }
@@ -102,13 +102,13 @@ class Importer {
   }
 
   void add(std::size_t i, std::size_t part) {
-    const io::Feature& feature = features_[i];
+    const io::lines::Feature& feature = features_[i];
     const section::BedRole role =
-        io::known_kind(feature.kind) == "growth" ? section::BedRole::Growth : section::BedRole::Judged;
+        io::lines::known_kind(feature.kind) == "growth" ? section::BedRole::Growth : section::BedRole::Judged;
     ImportedLine made{tables_[i], name_of(feature, i), {}, role, feature.parts[part], feature.source};
-    if (feature.type == io::FeatureType::Points && !feature.kind.empty() && feature.kind != "marker")
+    if (feature.type == io::lines::FeatureType::Points && !feature.kind.empty() && feature.kind != "marker")
       made_.remarks.push_back(fmt::format("'{}': points of kind '{}' are taken as a marker", made.name, feature.kind));
-    if (feature.type == io::FeatureType::Polygons && geom::signed_area(made.line) < 0.0) {
+    if (feature.type == io::lines::FeatureType::Polygons && geom::signed_area(made.line) < 0.0) {
       const geom::Point at = made.line.points.front();
       made_.remarks.push_back(
           fmt::format("unit '{}': its hole at ({:.6g}, {:.6g}) is left out; what fills it is a "
@@ -129,12 +129,12 @@ class Importer {
     for (int copy = 2; !names_.insert(made.table + '\n' + made.name).second; ++copy)
       made.name = fmt::format("{} ({})", wanted, copy);
     if (made.name != wanted) ++repeated_.try_emplace({made.table, wanted}, 1).first->second;
-    if (made.table == "polygon") made.piece_of = io::stated_unit(feature);
+    if (made.table == "polygon") made.piece_of = io::lines::stated_unit(feature);
     if (made.table == "polygon" && made.piece_of.empty() && made.name != wanted) made.piece_of = wanted;
     made_.lines.push_back(std::move(made));
   }
 
-  const std::vector<io::Feature>& features_;
+  const std::vector<io::lines::Feature>& features_;
   std::vector<std::string> tables_;
   std::map<std::string, std::vector<Place>> pieces_;
   std::set<std::string> names_;
@@ -157,15 +157,16 @@ std::vector<HorizonInput>& list_of(SectionInput& input, const std::string& table
 
 }  // namespace
 
-base::Result<Import> import_lines(const std::vector<io::Feature>& features) { return Importer(features).run(); }
+base::Result<Import> import_lines(const std::vector<io::lines::Feature>& features) { return Importer(features).run(); }
 
 base::Result<SectionInput> with_lines_of_files(SectionInput input, const ReadSettings& settings,
                                                const dobra::scenario::Context& context,
                                                std::vector<std::string>& remarks) {
   for (const LinesInput& wanted : std::exchange(input.lines, {})) {
-    DOBRA_TRY(const io::LineWork work, work_of_file(wanted, (context.folder / wanted.file).string(), settings));
+    DOBRA_TRY(const io::formats::LineWork work,
+              work_of_file(wanted, (context.folder / wanted.file).string(), settings));
     remarks.insert(remarks.end(), work.remarks.begin(), work.remarks.end());
-    for (const io::Repair& repair : work.repairs) remarks.push_back(io::to_string(repair));
+    for (const io::formats::Repair& repair : work.repairs) remarks.push_back(io::formats::to_string(repair));
     DOBRA_TRY(Import import, import_lines(work.features));
     remarks.insert(remarks.end(), import.remarks.begin(), import.remarks.end());
     for (ImportedLine& line : import.lines) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "recon/input/input.h"
-#include "shared/io/feature.h"
+#include "shared/io/lines/feature.h"
 
 namespace recon::input {
 
@@ -29,7 +29,7 @@ struct Import {
 /// Lines of one name that are horizons, and the parts of one line, are pieces of a horizon. A line without a kind is a
 /// horizon, a polygon a unit, points a marker. Holes of polygons are left out, with a remark.
 /// @error BadFormat with file, line and a suggestion: an unknown kind; a polygon that says that it is a line.
-base::Result<Import> import_lines(const std::vector<dobra::io::Feature>& features);
+base::Result<Import> import_lines(const std::vector<dobra::io::lines::Feature>& features);
 
 /// The input with every [[input.lines]] replaced by the lines of its file.
 /// @error those of import_lines and of the readers; BadValue: options of the table.

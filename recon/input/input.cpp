@@ -17,7 +17,7 @@
 #include "recon/section/crossings.h"
 #include "recon/section/section_faces.h"
 #include "shared/geom/place.h"
-#include "shared/io/section_ends.h"
+#include "shared/io/lines/section_ends.h"
 #include "shared/scenario/color_table.h"
 
 namespace recon::input {
@@ -73,7 +73,7 @@ base::Result<ReadSettings> read_settings(const SectionInput& input) {
   if (!input.trace.empty()) {
     if (input.trace.size() != 4)
       return bad(base::ErrorCode::BadValue, "trace needs four numbers: x0, y0, x1, y1 on the map", "input");
-    auto trace = dobra::io::trace_between({input.trace[0], input.trace[1]}, {input.trace[2], input.trace[3]});
+    auto trace = dobra::io::lines::trace_between({input.trace[0], input.trace[1]}, {input.trace[2], input.trace[3]});
     if (!trace) return bad(base::ErrorCode::BadValue, trace.error().message, "input");
     settings.trace = *trace;
   }
@@ -176,7 +176,7 @@ namespace {
 
 /// Lines in space of several files lie in one plane only if they are told which.
 base::Result<void> check_planes(const HorizonInput& input, const ReadPieces& read, const ReadSettings& settings,
-                                std::optional<dobra::io::Trace>& plane) {
+                                std::optional<dobra::io::lines::Trace>& plane) {
   if (!read.trace || settings.trace) return {};
   const bool same = !plane || (plane->x == read.trace->x && plane->y == read.trace->y &&
                                plane->east == read.trace->east && plane->north == read.trace->north);
@@ -252,20 +252,20 @@ void tell_open_ends(const section::Section& section, std::vector<std::string>& r
 
 /// The compass points over the ends: as the scenario says, or as the plane of the lines in space runs.
 base::Result<void> set_ends(const SectionInput& input, const ReadSettings& settings,
-                            const std::optional<dobra::io::Trace>& plane, section::Section& section) {
+                            const std::optional<dobra::io::lines::Trace>& plane, section::Section& section) {
   if (!input.orientation.empty()) {
-    const auto ends = dobra::io::ends_of_text(input.orientation);
+    const auto ends = dobra::io::lines::ends_of_text(input.orientation);
     if (!ends) return bad(ends.error().code, "orientation = " + ends.error().message, "input");
     std::tie(section.left_end, section.right_end) = *ends;
     return {};
   }
   std::pair<std::string, std::string> ends;
   if (settings.fold_axis)
-    ends = dobra::io::ends_of(dobra::io::azimuth_of(*settings.fold_axis));
+    ends = dobra::io::lines::ends_of(dobra::io::lines::azimuth_of(*settings.fold_axis));
   else if (settings.trace)
-    ends = dobra::io::ends_of(dobra::io::azimuth_of(*settings.trace));
+    ends = dobra::io::lines::ends_of(dobra::io::lines::azimuth_of(*settings.trace));
   else if (plane)
-    ends = dobra::io::ends_of(dobra::io::azimuth_of(*plane));
+    ends = dobra::io::lines::ends_of(dobra::io::lines::azimuth_of(*plane));
   std::tie(section.left_end, section.right_end) = ends;
   return {};
 }
@@ -300,7 +300,7 @@ base::Result<ReadSection> read_section(const SectionInput& given, const dobra::s
   DOBRA_TRY(const SectionInput input, with_lines_of_files(given, settings, context, result.remarks));
   DOBRA_TRY_VOID(check_names(input));
   result.section.convention = settings.convention;
-  std::optional<dobra::io::Trace> plane;
+  std::optional<dobra::io::lines::Trace> plane;
   for (std::size_t i = 0; i < input.horizons.size(); ++i) {
     DOBRA_TRY_VOID(progress.check());
     const HorizonInput& wanted = input.horizons[i];

@@ -10,7 +10,7 @@
 #include "recon/input/section_input.h"
 #include "shared/base/progress.h"
 #include "shared/base/result.h"
-#include "shared/io/section_plane.h"
+#include "shared/io/lines/section_plane.h"
 #include "shared/scenario/program.h"
 
 namespace recon::input {
@@ -29,21 +29,22 @@ base::Result<ReadSection> read_section(const SectionInput& input, const dobra::s
 struct ReadLine {
   geom::Polyline line;
   std::vector<std::string> remarks;
-  std::optional<dobra::io::Trace> trace = std::nullopt;  ///< Of a line in space that was laid into its own plane.
+  std::optional<dobra::io::lines::Trace> trace =
+      std::nullopt;  ///< Of a line in space that was laid into its own plane.
 };
 /// The same of a line that the file has in one piece or in several.
 struct ReadPieces {
   std::vector<geom::Polyline> pieces;
   std::vector<std::string> remarks;
-  std::optional<dobra::io::Trace> trace = std::nullopt;
+  std::optional<dobra::io::lines::Trace> trace = std::nullopt;
 };
 
 /// How a line is read beside what its own input says.
 struct ReadSettings {
   section::Convention convention = {};
   geom::DiscretiseOptions curves = {};
-  std::optional<dobra::io::Trace> trace = std::nullopt;
-  std::optional<dobra::io::FoldAxis> fold_axis = std::nullopt;
+  std::optional<dobra::io::lines::Trace> trace = std::nullopt;
+  std::optional<dobra::io::lines::FoldAxis> fold_axis = std::nullopt;
   double plane_tolerance = 1e-3;
 };
 /// @error BadValue: a trace or fold axis that is none.

@@ -6,7 +6,7 @@
 
 #include "recon/section/crossings.h"
 #include "shared/geom/place.h"
-#include "shared/io/raster.h"
+#include "shared/io/gis/raster.h"
 
 namespace recon::input {
 
@@ -196,15 +196,15 @@ base::Result<void> read_backdrops(const SectionInput& input, const dobra::scenar
     base::Place place;
     place.file = (context.folder / wanted.file).string();
     place.item = fmt::format("backdrop '{}'", wanted.name);
-    dobra::io::RasterOptions options;
-    using Place = dobra::io::RasterOptions::Place;
+    dobra::io::gis::RasterOptions options;
+    using Place = dobra::io::gis::RasterOptions::Place;
     options.place = wanted.corners.empty() ? Place::AsTheFileSays : Place::GivenByTheCaller;
-    auto raster = dobra::io::read_raster(place.file, options);
+    auto raster = dobra::io::gis::read_raster(place.file, options);
     if (!raster) return base::located(raster.error(), place);
     std::vector<geom::Point> corners = wanted.corners;
     if (raster->box) {
       corners = {raster->box->low, raster->box->high};
-      if (section.convention.y_axis == section::VerticalAxis::Down) dobra::io::turn_upside_down(raster->pixels);
+      if (section.convention.y_axis == section::VerticalAxis::Down) dobra::io::gis::turn_upside_down(raster->pixels);
     }
     if (corners.size() != 2) {
       return base::Error{

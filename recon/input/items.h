@@ -13,7 +13,7 @@ base::Result<void> read_items(const SectionInput& input, const ReadSettings& set
                               const dobra::scenario::Context& context, ReadSection& read);
 
 /// Adds the pictures behind the section.
-/// @error BadSection: a picture without a place; those of io::read_raster; each with the file and the item.
+/// @error BadSection: a picture without a place; those of io::gis::read_raster; each with the file and the item.
 base::Result<void> read_backdrops(const SectionInput& input, const dobra::scenario::Context& context,
                                   section::Section& section);
 

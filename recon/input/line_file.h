@@ -1,10 +1,10 @@
 #pragma once
-// One line of a scenario's [input] out of a data file in any format of lines (shared/io/line_files.h).
+// One line of a scenario's [input] out of a data file in any format of lines (shared/io/formats/line_files.h).
 
 #include <string>
 
 #include "recon/input/input.h"
-#include "shared/io/line_files.h"
+#include "shared/io/formats/line_files.h"
 
 namespace recon::input {
 
@@ -17,7 +17,7 @@ base::Result<ReadPieces> lines_of_file(const HorizonInput& input, const std::str
 
 /// All lines of the file at `path`, with their kinds by the rules of `input`.
 /// @error BadValue: a rule that is none; those of read_any_lines.
-base::Result<dobra::io::LineWork> work_of_file(const LinesInput& input, const std::string& path,
-                                               const ReadSettings& settings);
+base::Result<dobra::io::formats::LineWork> work_of_file(const LinesInput& input, const std::string& path,
+                                                        const ReadSettings& settings);
 
 }  // namespace recon::input

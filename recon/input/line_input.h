@@ -7,7 +7,7 @@
 
 #include "recon/section/section.h"
 #include "shared/geom/drawn_curve.h"
-#include "shared/io/feature.h"
+#include "shared/io/lines/feature.h"
 #include "shared/scenario/field.h"
 
 namespace recon {
@@ -25,7 +25,7 @@ enum class PointOrder { AsGiven, AlongCurve };
 /// A line in section coordinates, m, and the plane that it was laid into, if it was.
 struct PlacedLine {
   geom::Polyline line;
-  std::optional<dobra::io::Trace> trace = std::nullopt;
+  std::optional<dobra::io::lines::Trace> trace = std::nullopt;
 };
 
 /// The fields of how the lines of a file are read, and their points repaired.

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "shared/io/line_files.h"
+#include "shared/io/formats/line_files.h"
 #include "shared/offset/area.h"
 #include "shared/scene/layer.h"
 
@@ -30,7 +30,7 @@ enum class OffsetContent { Lines, Polygons };
 /// A base of the file (see offset_families.h), and the curves parallel to it or the areas about it, by distance.
 struct OffsetFamily {
   std::string name;
-  io::Feature source = {};  ///< Its name, kind, id and properties.
+  io::lines::Feature source = {};  ///< Its name, kind, id and properties.
   std::vector<geom::Polyline> bases = {};
   OffsetContent content = OffsetContent::Lines;
   std::vector<DrawnOffset> curves = {};
@@ -42,7 +42,7 @@ DrawnOffset drawn(const offset::Area& area, double distance);
 
 /// What the coordinates of the file are in.
 struct OffsetOrigin {
-  std::optional<io::ReferenceSystem> system = std::nullopt;
+  std::optional<io::lines::ReferenceSystem> system = std::nullopt;
   std::optional<double> unit = std::nullopt;  ///< Metres in one unit, as the file says.
 };
 

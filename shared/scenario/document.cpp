@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "shared/base/text.h"
 #include "shared/io/file.h"
@@ -93,8 +95,17 @@ std::vector<Field> expect_fields() {
   const auto number = [](const char* key, FieldOptions options) {
     return Field{key, Kind::Number, options, {}, {}, {}};
   };
-  return {Field{"quantity", Kind::Text, {.presence = Presence::Required}, {}, {}, {}},
-          Field{"step", Kind::Text, {}, {}, {}, {}},
+  const auto text = [](const char* key, FieldOptions options = {}) {
+    return Field{key, Kind::Text, options, {}, {}, {}};
+  };
+  return {text("quantity", {.presence = Presence::Required}),
+          text("step"),
+          text("rate_from"),
+          text("name"),
+          text("section"),
+          text("source"),
+          text("note"),
+          number("factor", {}),
           number("value", {}),
           number("tolerance", {.at_least = 0}),
           number("relative_tolerance", {.at_least = 0}),
@@ -102,11 +113,18 @@ std::vector<Field> expect_fields() {
           number("at_most", {})};
 }
 
+/// What an expectation says in words, in the order of a file.
+std::array<std::pair<const char*, std::string*>, 4> texts_of(Expect& expect) {
+  return {{{"name", &expect.name}, {"section", &expect.section}, {"source", &expect.source}, {"note", &expect.note}}};
+}
+
 base::Result<Expect> read_expect(Table table, std::size_t number) {
   const std::string where = fmt::format("expectation {}", number);
   // A step is meant by its number or its name.
-  if (const Value* step = table.find("step")) {
-    if (const auto* integer = std::get_if<std::int64_t>(step)) table.set("step", fmt::format("{}", *integer));
+  for (const char* const key : {"step", "rate_from"}) {
+    const Value* step = table.find(key);
+    const auto* integer = step == nullptr ? nullptr : std::get_if<std::int64_t>(step);
+    if (integer != nullptr) table.set(key, fmt::format("{}", *integer));
   }
   DOBRA_TRY_VOID(check(table, expect_fields(), where));
   Expect expect;
@@ -118,6 +136,11 @@ base::Result<Expect> read_expect(Table table, std::size_t number) {
     return value != nullptr ? std::optional(detail::number_of(*value)) : std::nullopt;
   };
   if (const Value* step = table.find("step")) expect.step = std::get<std::string>(*step);
+  if (const Value* step = table.find("rate_from")) expect.rate_from = std::get<std::string>(*step);
+  for (const auto& [key, text] : texts_of(expect)) {
+    if (const Value* value = table.find(key)) *text = std::get<std::string>(*value);
+  }
+  expect.factor = number_at("factor").value_or(1.0);
   expect.value = number_at("value");
   expect.tolerance = number_at("tolerance").value_or(0.0);
   expect.relative_tolerance = number_at("relative_tolerance").value_or(0.0);
@@ -130,14 +153,20 @@ base::Result<Expect> read_expect(Table table, std::size_t number) {
   return expect;
 }
 
-std::string expect_toml(const Expect& expect) {
-  std::string out = '\n' + comment_toml(expect.comment) + "[[expect]]\n" + entry_toml("quantity", expect.quantity);
-  if (expect.step) {
-    const bool digits = !expect.step->empty() && expect.step->size() < 18 &&
-                        expect.step->find_first_not_of("0123456789") == std::string::npos;
-    out +=
-        entry_toml("step", digits ? Value(static_cast<std::int64_t>(std::stoll(*expect.step))) : Value(*expect.step));
+std::string step_toml(const char* key, const std::optional<std::string>& step) {
+  if (!step) return "";
+  const bool digits = !step->empty() && step->size() < 18 && step->find_first_not_of("0123456789") == std::string::npos;
+  return entry_toml(key, digits ? Value(static_cast<std::int64_t>(std::stoll(*step))) : Value(*step));
+}
+
+std::string expect_toml(Expect expect) {
+  std::string out = '\n' + comment_toml(expect.comment) + "[[expect]]\n";
+  for (const auto& [key, text] : texts_of(expect)) {
+    if (!text->empty()) out += entry_toml(key, *text);
   }
+  out += entry_toml("quantity", expect.quantity);
+  out += step_toml("step", expect.step) + step_toml("rate_from", expect.rate_from);
+  if (expect.factor != 1.0) out += entry_toml("factor", expect.factor);
   if (expect.value) out += entry_toml("value", *expect.value);
   if (expect.tolerance != 0.0) out += entry_toml("tolerance", expect.tolerance);
   if (expect.relative_tolerance != 0.0) out += entry_toml("relative_tolerance", expect.relative_tolerance);

@@ -30,6 +30,14 @@ struct Expect {
   double relative_tolerance = 0.0;  ///< or relative to `value`; the larger of the two counts.
   std::optional<double> at_least;   ///< ... or bounds.
   std::optional<double> at_most;
+  double factor = 1.0;  ///< Multiplies the quantity before it is compared: 1 / (sigma sqrt(pi a)) of a K.
+  /// Compared is then the order at which the quantity falls from this step to `step` with the size of the elements,
+  /// sizes as 1 / sqrt(unknowns).
+  std::optional<std::string> rate_from;
+  std::string name;     ///< What the claim is called, of which section, who says so, and what is to be known of it:
+  std::string section;  ///< texts for tables; all may be empty.
+  std::string source;
+  std::string note;
   std::string comment;
   base::Place place;
 };

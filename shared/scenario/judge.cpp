@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shared/base/result.h"
 #include "shared/base/text.h"
 #include "shared/scenario/runner.h"
 
@@ -20,34 +21,72 @@ std::string claim(const Expect& expect, double tolerance) {
   return fmt::format("{}", fmt::join(parts, " and "));
 }
 
-Verdict judge_one(const Expect& expect, const std::vector<Quantity>& quantities) {
+using Quantities = std::vector<Quantity>;
+
+const Quantity* find(const Quantities& quantities, const std::string& name) {
+  const auto found = std::find_if(quantities.begin(), quantities.end(), [&](const auto& q) { return q.name == name; });
+  return found == quantities.end() ? nullptr : &*found;
+}
+
+std::string unknown(const std::string& name, const Quantities& quantities) {
+  std::vector<std::string> names;
+  for (const Quantity& known : quantities) names.push_back(known.name);
+  return fmt::format("there is no quantity '{}'{}", name, base::did_you_mean(name, names));
+}
+
+/// The order at which a quantity falls from one state to another with the size of the elements, 1 / sqrt(unknowns).
+base::Result<double> rate_of(const std::string& name, const Quantities& first, const Quantities& last) {
+  for (const Quantities* const quantities : {&first, &last}) {
+    for (const std::string& wanted : {name, std::string("unknowns")}) {
+      if (find(*quantities, wanted) == nullptr)
+        return base::Error{base::ErrorCode::UnknownQuantity, unknown(wanted, *quantities)};
+    }
+  }
+  const auto ratio = [](const Quantities& above, const Quantities& below, const std::string& quantity) {
+    return find(above, quantity)->value / find(below, quantity)->value;
+  };
+  return 2.0 * std::log(ratio(first, last, name)) / std::log(ratio(last, first, "unknowns"));
+}
+
+/// @param first  of the state that a rate begins at.
+Verdict judge_one(const Expect& expect, const Quantities& last, const Quantities& first) {
   Verdict verdict;
   verdict.expect = expect;
-  const auto quantity =
-      std::find_if(quantities.begin(), quantities.end(), [&](const Quantity& q) { return q.name == expect.quantity; });
-  if (quantity == quantities.end()) {
-    std::vector<std::string> names;
-    for (const Quantity& known : quantities) names.push_back(known.name);
-    verdict.message =
-        fmt::format("there is no quantity '{}'{}", expect.quantity, base::did_you_mean(expect.quantity, names));
+  const Quantity* const quantity = find(last, expect.quantity);
+  if (quantity == nullptr) {
+    verdict.message = unknown(expect.quantity, last);
     return verdict;
   }
-  const double found = quantity->value;
+  double found = quantity->value;
+  std::string what = expect.quantity;
+  std::string unit = quantity->unit.empty() ? "" : " " + quantity->unit;
+  if (expect.rate_from) {
+    const auto rate = rate_of(expect.quantity, first, last);
+    if (!rate) {
+      verdict.message = rate.error().message;
+      return verdict;
+    }
+    found = *rate;
+    what = "the rate of " + what;
+    unit.clear();
+  }
+  if (expect.factor != 1.0) {
+    found *= expect.factor;
+    what = fmt::format("{} * {}", expect.factor, what);
+  }
   verdict.found = found;
   const double tolerance = std::max(expect.tolerance, expect.relative_tolerance * std::abs(expect.value.value_or(0.0)));
   // Every comparison is false for a quantity that is not a number.
   verdict.met = (!expect.value || std::abs(found - *expect.value) <= tolerance) &&
                 (!expect.at_least || found >= *expect.at_least) && (!expect.at_most || found <= *expect.at_most);
-  const std::string unit = quantity->unit.empty() ? "" : " " + quantity->unit;
-  verdict.message = fmt::format("{} is {}{}, expected {}", expect.quantity, found, unit, claim(expect, tolerance));
+  verdict.message = fmt::format("{} is {}{}, expected {}", what, found, unit, claim(expect, tolerance));
   return verdict;
 }
 
-/// An expectation, which is in the units of the document, in those of the results.
-Expect in_result_units(Expect expect, const std::vector<Quantity>& quantities, const Document& document) {
-  const auto quantity =
-      std::find_if(quantities.begin(), quantities.end(), [&](const Quantity& q) { return q.name == expect.quantity; });
-  if (!document.result_units || quantity == quantities.end()) return expect;
+/// An expectation, which is in the units of the document, in those of the results; a rate has none.
+Expect in_result_units(Expect expect, const Quantities& quantities, const Document& document) {
+  const Quantity* const quantity = find(quantities, expect.quantity);
+  if (!document.result_units || quantity == nullptr || expect.rate_from) return expect;
   const std::string si = document.shown_units().si_of(quantity->unit);
   const auto turned = [&](double value) { return document.shown_units().from_si(document.units.to_si(value, si), si); };
   for (std::optional<double>* value : {&expect.value, &expect.at_least, &expect.at_most}) {
@@ -61,17 +100,23 @@ Expect in_result_units(Expect expect, const std::vector<Quantity>& quantities, c
 
 std::vector<Verdict> judge(const Document& document, const Program& program, const Run& run) {
   std::vector<Verdict> verdicts;
+  const auto quantities_after = [&](const std::optional<std::string>& step) -> std::optional<Quantities> {
+    const auto number = step ? find_step(document, *step) : std::optional(document.steps.size());
+    if (!number || *number >= run.states.size()) return std::nullopt;
+    return program.quantities_of(run.states[*number]);
+  };
   for (const Expect& expect : document.expects) {
-    const auto step = expect.step ? find_step(document, *expect.step) : std::optional(document.steps.size());
-    if (!step || *step >= run.states.size()) {
-      Verdict verdict;
-      verdict.expect = expect;
-      verdict.message = fmt::format("there is no state after step '{}'", expect.step.value_or("last"));
-      verdicts.push_back(std::move(verdict));
+    const auto last = quantities_after(expect.step);
+    const auto first = expect.rate_from ? quantities_after(expect.rate_from) : last;
+    if (last && first) {
+      verdicts.push_back(judge_one(in_result_units(expect, *last, document), *last, *first));
       continue;
     }
-    const std::vector<Quantity> quantities = program.quantities_of(run.states[*step]);
-    verdicts.push_back(judge_one(in_result_units(expect, quantities, document), quantities));
+    Verdict verdict;
+    verdict.expect = expect;
+    verdict.message =
+        fmt::format("there is no state after step '{}'", (last ? expect.rate_from : expect.step).value_or("last"));
+    verdicts.push_back(std::move(verdict));
   }
   return verdicts;
 }

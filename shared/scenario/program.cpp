@@ -26,13 +26,15 @@ base::Result<void> check_names(const Document& document) {
   }
   for (std::size_t i = 0; i < document.expects.size(); ++i) {
     const Expect& expect = document.expects[i];
-    if (!expect.step || find_step(document, *expect.step)) continue;
+    const auto unknown = [&](const std::optional<std::string>& step) { return step && !find_step(document, *step); };
+    if (!unknown(expect.step) && !unknown(expect.rate_from)) continue;
+    const std::string& step = unknown(expect.step) ? *expect.step : *expect.rate_from;
     base::Place place = expect.place;
     place.item = fmt::format("expectation {}", i + 1);
     const std::vector<std::string> known(names.begin(), names.end());
     return Error{ErrorCode::BadValue,
-                 fmt::format("there is no step '{}' among the {} steps{}", *expect.step, document.steps.size(),
-                             base::did_you_mean(*expect.step, known)),
+                 fmt::format("there is no step '{}' among the {} steps{}", step, document.steps.size(),
+                             base::did_you_mean(step, known)),
                  place};
   }
   return {};

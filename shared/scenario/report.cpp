@@ -104,7 +104,10 @@ Json tables_json(const Program& program, const State& state) {
 Json verdict_json(const Verdict& verdict) {
   const Expect& expect = verdict.expect;
   Json json = {{"quantity", expect.quantity}};
+  if (!expect.name.empty()) json["name"] = expect.name;
   if (expect.step) json["step"] = *expect.step;
+  if (expect.rate_from) json["rate_from"] = *expect.rate_from;
+  if (expect.factor != 1.0) json["factor"] = expect.factor;
   if (expect.value) {
     json["value"] = *expect.value;
     json["tolerance"] = expect.tolerance;

@@ -9,11 +9,11 @@
 #include <sstream>
 #include <string>
 
-#include "quebra/core/model.h"
 #include "quebra/core/operations.h"
+#include "quebra/model/model.h"
 #include "shared/scenario/runner.h"
 
-namespace quebra::core::test {
+namespace quebra::test {
 
 namespace fs = std::filesystem;
 
@@ -29,22 +29,22 @@ class DrawnFile : public testing::Test {
     std::ofstream(folder_ / name, std::ios::binary) << text;
   }
   /// The model of an [input] with these lines.
-  [[nodiscard]] dobra::base::Result<Model> read(const std::string& input) const {
+  [[nodiscard]] dobra::base::Result<model::Model> read(const std::string& input) const {
     const dobra::scenario::Run run = run_of(input);
     if (run.error) return *run.error;
-    return dobra::scenario::model_of<Model>(run.states.back());
+    return dobra::scenario::model_of<model::Model>(run.states.back());
   }
   [[nodiscard]] dobra::scenario::Run run_of(const std::string& input) const {
     auto document = dobra::scenario::parse_document("dobra = 1\nprogram = \"quebra\"\n[input]\n" + input, "test.toml");
     EXPECT_TRUE(document.ok()) << (document ? "" : to_string(document.error()));
     document->file = folder_ / "test.toml";
-    dobra::scenario::Runner runner(program());
+    dobra::scenario::Runner runner(core::program());
     return runner.run(*document);
   }
-  [[nodiscard]] Model good(const std::string& input) const {
+  [[nodiscard]] model::Model good(const std::string& input) const {
     auto model = read(input);
     EXPECT_TRUE(model.ok()) << (model ? "" : to_string(model.error()));
-    return model ? *std::move(model) : Model{};
+    return model ? *std::move(model) : model::Model{};
   }
   [[nodiscard]] std::string refusal(const std::string& input) const {
     const auto model = read(input);
@@ -55,9 +55,9 @@ class DrawnFile : public testing::Test {
   fs::path folder_;
 };
 
-inline double area_of(const Model& model) {
+inline double area_of(const model::Model& model) {
   double area = 0.0;
-  for (const Face& face : model.domain.faces) area += face.area;
+  for (const domain::Face& face : model.domain.faces) area += face.area;
   return area;
 }
 
@@ -71,4 +71,4 @@ inline std::string dxf_line(double x0, double y0, double x1, double y1, const st
   return text.str();
 }
 
-}  // namespace quebra::core::test
+}  // namespace quebra::test

@@ -6,24 +6,24 @@
 #include <map>
 #include <string>
 
-#include "quebra/core/analysis.h"
+#include "quebra/analysis/analysis.h"
 #include "quebra/core/operations.h"
 #include "shared/scenario/runner.h"
 
-namespace quebra::core::test {
+namespace quebra::test {
 
 inline dobra::scenario::Run run(const std::string& text) {
   using namespace dobra;
   const auto document = scenario::parse_document("dobra = 1\nprogram = \"quebra\"\n" + text, "test.toml");
   EXPECT_TRUE(document.ok()) << (document ? "" : to_string(document.error()));
-  const auto checked = scenario::check(*document, program());
+  const auto checked = scenario::check(*document, core::program());
   EXPECT_TRUE(checked.ok()) << (checked ? "" : to_string(checked.error()));
-  scenario::Runner runner(program());
+  scenario::Runner runner(core::program());
   return runner.run(*document);
 }
 
-inline const Model& last(const dobra::scenario::Run& run) {
-  return dobra::scenario::model_of<Model>(run.states.back());
+inline const model::Model& last(const dobra::scenario::Run& run) {
+  return dobra::scenario::model_of<model::Model>(run.states.back());
 }
 
 /// The engineering L of the reference list: clamped below, sheared on the right; energy 60.619 J.
@@ -46,7 +46,7 @@ y = 10.0
 inline std::map<std::string, double> figures(const dobra::scenario::Run& run) {
   EXPECT_TRUE(run.complete()) << to_string(*run.error);
   std::map<std::string, double> values;
-  for (const auto& quantity : program().quantities_of(run.states.back())) values[quantity.name] = quantity.value;
+  for (const auto& quantity : core::program().quantities_of(run.states.back())) values[quantity.name] = quantity.value;
   return values;
 }
 
@@ -55,11 +55,11 @@ inline std::string trouble(const std::string& text) {
   using namespace dobra;
   const auto document = scenario::parse_document("dobra = 1\nprogram = \"quebra\"\n" + text, "test.toml");
   if (!document) return to_string(document.error());
-  if (const auto checked = scenario::check(*document, program()); !checked) return to_string(checked.error());
-  scenario::Runner runner(program());
+  if (const auto checked = scenario::check(*document, core::program()); !checked) return to_string(checked.error());
+  scenario::Runner runner(core::program());
   const scenario::Run done = runner.run(*document);
   EXPECT_TRUE(done.error.has_value()) << "no error";
   return done.error ? to_string(*done.error) : "";
 }
 
-}  // namespace quebra::core::test
+}  // namespace quebra::test

@@ -21,7 +21,7 @@ class AnalysisCommands : public dobra::test::CommandLine {
  protected:
   AnalysisCommands() : CommandLine(core::program(), analysis_commands()) {}
   [[nodiscard]] std::string l_shape() const {
-    return put("l.toml", "dobra = 1\nprogram = \"quebra\"\n" + core::test::sheared_l);
+    return put("l.toml", "dobra = 1\nprogram = \"quebra\"\n" + test::sheared_l);
   }
   [[nodiscard]] bool exists(const std::string& name) const { return std::filesystem::exists(path(name)); }
 };
@@ -66,7 +66,7 @@ TEST_F(AnalysisCommands, ALoopWithoutAStepOfItsOwnObeysTheMeshStep) {
   EXPECT_LT(elements(coarse), elements(fine));
   // A step of the loop's own says all.
   const std::string own = put(
-      "own.toml", "dobra = 1\nprogram = \"quebra\"\n" + core::test::sheared_l +
+      "own.toml", "dobra = 1\nprogram = \"quebra\"\n" + test::sheared_l +
                       "[[step]]\noperation = \"mesh\"\nsize = 2.0\n[[step]]\noperation = \"adapt\"\ntarget = 60.0\n");
   const auto done = call({"adapt", own, "--json"});
   EXPECT_EQ(done.err.find("the loop takes"), std::string::npos) << done.err;
@@ -150,7 +150,7 @@ value = 1.0
 
 TEST_F(AnalysisCommands, RunAndSolveEndWithOneTooIfALoopMissesItsTarget) {
   const auto scenario = [&](double target) {
-    return put("loop.toml", "dobra = 1\nprogram = \"quebra\"\n" + core::test::sheared_l +
+    return put("loop.toml", "dobra = 1\nprogram = \"quebra\"\n" + test::sheared_l +
                                 "[[step]]\noperation = \"adapt\"\nmax_cycles = 1\ntarget = " + std::to_string(target) +
                                 "\n");
   };
@@ -173,7 +173,7 @@ TEST_F(AnalysisCommands, ALoopThatMissesIsNotForgivenByAnEasierOneButByGoingOn) 
   const auto ends_with = [&](const std::string& second) {
     const std::string loop = "[[step]]\noperation = \"adapt\"\n";
     return call({"run",
-                 put("twice.toml", "dobra = 1\nprogram = \"quebra\"\n" + core::test::sheared_l + loop +
+                 put("twice.toml", "dobra = 1\nprogram = \"quebra\"\n" + test::sheared_l + loop +
                                        "max_cycles = 1\ntarget = 5.0\n" + loop + second),
                  "--out", path("out"), "--pictures", "none", "--json"});
   };
@@ -205,7 +205,7 @@ TEST_F(AnalysisCommands, AKnownEnergyTellsTheEffectivityOfEveryCycle) {
 }
 
 TEST_F(AnalysisCommands, EveryLoadCaseHasItsRowsInTheTableOfCycles) {
-  const std::string two = put("two.toml", "dobra = 1\nprogram = \"quebra\"\n" + core::test::sheared_l +
+  const std::string two = put("two.toml", "dobra = 1\nprogram = \"quebra\"\n" + test::sheared_l +
                                               "[[step.load]]\nwhere = \"right\"\ny = 20.0\ncase = \"twice\"\n");
   const auto loop = [&](const std::vector<std::string>& energies) {
     std::vector<std::string> words{"adapt", two, "--target", "5%", "--json"};

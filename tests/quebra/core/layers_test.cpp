@@ -8,7 +8,7 @@ namespace {
 namespace scene = dobra::scene;
 
 TEST(Layers, BarsOfTheHistogramAreAsHighAsTheirShareOfTheElements) {
-  Meshed meshed;
+  model::Meshed meshed;
   meshed.name = "Mesh 1";
   meshed.quality.histogram[12] = 1;
   meshed.quality.histogram[19] = 3;

@@ -9,15 +9,15 @@
 #include <numbers>
 #include <set>
 
-#include "quebra/core/model.h"
 #include "quebra/core/operations.h"
+#include "quebra/model/model.h"
 #include "shared/geom/predicates.h"
-#include "shared/io/bdf.h"
-#include "shared/io/inp.h"
-#include "shared/io/msh.h"
-#include "shared/io/neutral.h"
-#include "shared/io/node_ele.h"
-#include "shared/io/vtu.h"
+#include "shared/io/meshes/bdf.h"
+#include "shared/io/meshes/inp.h"
+#include "shared/io/meshes/msh.h"
+#include "shared/io/meshes/neutral.h"
+#include "shared/io/meshes/node_ele.h"
+#include "shared/io/meshes/vtu.h"
 #include "shared/scenario/runner.h"
 
 namespace quebra::core {
@@ -43,7 +43,9 @@ scenario::Document parse(const std::string& text) {
   return *document;
 }
 
-const Model& final_model(const scenario::Run& run) { return scenario::model_of<Model>(run.states.back()); }
+const model::Model& final_model(const scenario::Run& run) {
+  return scenario::model_of<model::Model>(run.states.back());
+}
 
 std::map<std::string, double> quantities(const scenario::Run& run) {
   std::map<std::string, double> values;
@@ -75,7 +77,7 @@ TEST(QuebraProgram, QUE_d_TheFreeMeshIsValidAndItsQualityIsReported) {
 
 TEST(QuebraProgram, QUE_e_ConstraintsAreEdgesAndGradeTheMesh) {
   const auto done = run(example());
-  const Model& model = final_model(done);
+  const model::Model& model = final_model(done);
   const auto& with = *model.meshes.back();
   ASSERT_EQ(model.constraints.size(), 6U);
   EXPECT_NEAR(model.constraints.back().distance, 0.065 * (std::pow(1.3, 6) - 1) / 0.3, 1e-12);
@@ -83,7 +85,7 @@ TEST(QuebraProgram, QUE_e_ConstraintsAreEdgesAndGradeTheMesh) {
   std::set<std::pair<mesh::NodeId, mesh::NodeId>> edges;
   const mesh::TriangleMesh triangles = triangle_mesh_of(with.mesh);
   for (const auto& [a, b] : mesh::all_edges(triangles)) edges.insert({a, b});
-  for (const Constraint& constraint : model.constraints) {
+  for (const model::Constraint& constraint : model.constraints) {
     double along = 0.0;
     for (const auto& [a, b] : triangles.constraint_sets.at(constraint.name)) {
       EXPECT_TRUE(edges.contains({std::min(a, b), std::max(a, b)}));
@@ -100,7 +102,7 @@ TEST(QuebraProgram, QUE_e_ConstraintsAreEdgesAndGradeTheMesh) {
 
 TEST(QuebraProgram, ConstraintsOfAnArcAreConcentricAndEndOnTheBoundary) {
   const auto done = run(example());
-  for (const Constraint& constraint : final_model(done).constraints) {
+  for (const model::Constraint& constraint : final_model(done).constraints) {
     for (const auto p : constraint.line.points) {
       // The arc is followed by chords of at most 2 degrees, mitred: vertices lie outside the true offset by less than
       // this.
@@ -119,7 +121,7 @@ TEST(QuebraProgram, ConstraintsOfAClosedHoleAreClosedRings) {
       run(parse(square + "[[input.curve]]\nname = \"hole\"\nkind = \"circle\"\ncentre = [2, 2]\nradius = 0.5\n"
                          "[[step]]\noperation = \"constraints\"\ncurves = [\"hole\"]\ncount = 3\ndistance = 0.2\n"
                          "[[step]]\noperation = \"mesh\"\nsize = 0.4\n"));
-  const Model& model = final_model(done);
+  const model::Model& model = final_model(done);
   ASSERT_EQ(model.constraints.size(), 3U);
   for (const auto& constraint : model.constraints) {
     EXPECT_TRUE(constraint.line.closed);
@@ -134,7 +136,7 @@ TEST(QuebraProgram, ConstraintsAreCutWhereTheyLeaveTheDomain) {
       run(parse(square + "[[input.curve]]\nname = \"hole\"\nkind = \"circle\"\ncentre = [2.5, 2]\nradius = 0.5\n"
                          "[[step]]\noperation = \"constraints\"\ncurves = [\"hole\"]\ncount = 1\ndistance = 1.2\n"
                          "[[step]]\noperation = \"mesh\"\nsize = 0.4\n"));
-  const Model& model = final_model(done);
+  const model::Model& model = final_model(done);
   ASSERT_EQ(model.constraints.size(), 1U);
   const auto& ring = model.constraints.front();
   EXPECT_FALSE(ring.line.closed);
@@ -164,13 +166,13 @@ TEST(QuebraProgram, QUE_i_EveryExportReadsBackWithTheSameCounts) {
     EXPECT_EQ(read.points, mesh.points) << what;
     EXPECT_EQ(read.nodes, mesh.nodes) << what;
   };
-  counts(io::read_vtu((folder / "mesh.vtu").string()).value().mesh, "vtu");
-  counts(io::read_msh((folder / "mesh.msh").string()).value().mesh, "msh");
-  counts(io::read_inp((folder / "mesh.inp").string()).value().mesh, "inp");
-  counts(io::read_neutral((folder / "mesh.nf").string()).value().mesh, "nf");
-  EXPECT_EQ(io::read_bdf((folder / "mesh.bdf").string()).value().mesh.nodes, mesh.nodes)
+  counts(io::meshes::read_vtu((folder / "mesh.vtu").string()).value().mesh, "vtu");
+  counts(io::meshes::read_msh((folder / "mesh.msh").string()).value().mesh, "msh");
+  counts(io::meshes::read_inp((folder / "mesh.inp").string()).value().mesh, "inp");
+  counts(io::meshes::read_neutral((folder / "mesh.nf").string()).value().mesh, "nf");
+  EXPECT_EQ(io::meshes::read_bdf((folder / "mesh.bdf").string()).value().mesh.nodes, mesh.nodes)
       << "its coordinates are rounded";
-  counts(io::read_node_ele((folder / "mesh").string()).value(), "node, ele");
+  counts(io::meshes::read_node_ele((folder / "mesh").string()).value(), "node, ele");
   fs::remove_all(folder);
 }
 

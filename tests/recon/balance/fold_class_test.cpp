@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "recon/core/operations.h"
-#include "shared/io/text_points.h"
+#include "shared/io/lines/text_points.h"
 #include "tests/recon/shapes.h"
 
 namespace recon::balance {
@@ -58,8 +58,8 @@ TEST(FoldClass, TheIsogonFoldHasClasses3And1BAnd2FromTheTop) {
   if (data == nullptr) GTEST_SKIP() << "DOBRA_TEST_DATA is not set";
   std::vector<geom::Polyline> surfaces;
   for (const int number : {4, 3, 2, 1}) {
-    const auto read = dobra::io::read_text_points(std::string(data) + "/sections/ragan_isogon_fold/layer" +
-                                                  std::to_string(number) + ".txt");
+    const auto read = dobra::io::lines::read_text_points(std::string(data) + "/sections/ragan_isogon_fold/layer" +
+                                                         std::to_string(number) + ".txt");
     ASSERT_TRUE(read) << to_string(read.error());
     surfaces.push_back(read->lines.front());
   }

@@ -373,6 +373,12 @@ RC_GTEST_PROP(Document, ReadWriteReadGivesTheSameBytesAndTheSameValues, ()) {
   expect.tolerance = std::abs(random_double());
   expect.at_most = random_double();
   if (*rc::gen::arbitrary<bool>()) expect.step = "0012";
+  if (*rc::gen::arbitrary<bool>()) expect.rate_from = "1";
+  expect.factor = random_double();
+  expect.name = random_text();
+  expect.section = random_text();
+  expect.source = random_text();
+  expect.note = random_text();
   document.expects.push_back(expect);
 
   const std::string text = document_text(document);
@@ -389,7 +395,10 @@ RC_GTEST_PROP(Document, ReadWriteReadGivesTheSameBytesAndTheSameValues, ()) {
     RC_ASSERT(read->steps[i].params == document.steps[i].params);
     RC_ASSERT(read->steps[i].operation == document.steps[i].operation);
   }
-  RC_ASSERT(read->expects.at(0).value == document.expects[0].value);
+  const Expect& same = read->expects.at(0);
+  RC_ASSERT(same.value == expect.value && same.factor == expect.factor && same.rate_from == expect.rate_from);
+  RC_ASSERT(same.name == expect.name && same.section == expect.section);
+  RC_ASSERT(same.source == expect.source && same.note == expect.note);
 }
 
 }  // namespace

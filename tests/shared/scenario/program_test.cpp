@@ -54,6 +54,9 @@ TEST(Program, NamesOfStepsAreUniqueAndExpectationsReferToThem) {
   EXPECT_EQ(complaint("[[step]]\noperation = \"scale\"\nname = \"grid\"\n[[expect]]\nquantity = \"sum\"\nstep = "
                       "\"gird\"\nvalue = 1\n"),
             "f.toml:6:1: expectation 1: there is no step 'gird' among the 1 steps; did you mean 'grid'?");
+  EXPECT_EQ(
+      complaint("[[step]]\noperation = \"scale\"\n[[expect]]\nquantity = \"sum\"\nrate_from = \"a\"\nvalue = 1\n"),
+      "f.toml:5:1: expectation 1: there is no step 'a' among the 1 steps");
   EXPECT_EQ(complaint("[[step]]\noperation = \"scale\"\n[[expect]]\nquantity = \"sum\"\nstep = 1\nvalue = 1\n"), "");
 }
 

@@ -219,6 +219,12 @@ TEST(Runner, ExpectationsAreJudgedByTheLargerToleranceAndByBounds) {
   const Verdict off = one("value = 10\ntolerance = 0.4\n");
   EXPECT_EQ(off.found, 10.5);
   EXPECT_EQ(off.message, "sum is 10.5 m, expected 10 +- 0.4");
+  EXPECT_TRUE(one("value = 21\nfactor = 2\n").met);
+  EXPECT_FALSE(one("value = 10.5\nfactor = 2\n").met);
+  EXPECT_EQ(one("value = 5\nfactor = -0.5\n").message, "-0.5 * sum is -5.25 m, expected 5 +- 0");
+  const Verdict rate = one("value = 1\nrate_from = 1\n");
+  EXPECT_FALSE(rate.met || rate.found);
+  EXPECT_EQ(rate.message, "there is no quantity 'unknowns'") << "what the size of the elements would follow from";
   const Verdict unknown = verdicts_of("[[expect]]\nquantity = \"summ\"\nvalue = 1\n").at(0);
   EXPECT_FALSE(unknown.met);
   EXPECT_FALSE(unknown.found);
