@@ -148,5 +148,16 @@ TEST(Svg, ErrorsNameTheLineAndWhatToDo) {
   EXPECT_NE(parse_svg("<svg></svg>", "a").error().message.find("no outline"), std::string::npos);
 }
 
+TEST(Svg, DeepFilesAndDeclaredEntitiesAreRefused) {
+  std::string deep;
+  for (int i = 0; i < 100'000; ++i) deep += "<g>";
+  deep += "<path d='M0 0h1'/>";
+  for (int i = 0; i < 100'000; ++i) deep += "</g>";
+  EXPECT_NE(error_of(deep).message.find("nested too deeply"), std::string::npos);
+  const auto bomb = parse_svg("<!DOCTYPE svg [<!ENTITY a 'M0 0'><!ENTITY b '&a;&a;'>]><svg><path d='&b;'/></svg>", "a");
+  ASSERT_FALSE(bomb.ok());
+  EXPECT_NE(bomb.error().message.find("begins with M"), std::string::npos) << bomb.error().message;
+}
+
 }  // namespace
 }  // namespace dobra::io::drawings
