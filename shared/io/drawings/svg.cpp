@@ -1,6 +1,7 @@
 #include "shared/io/drawings/svg.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -11,14 +12,15 @@
 #include <set>
 
 #include "shared/base/text.h"
+#include "shared/io/drawings/svg_display.h"
 #include "shared/io/drawings/svg_path.h"
 #include "shared/io/file.h"
 #include "shared/io/scan.h"
 #include "shared/io/xml.h"
 
 // 1. Elements one after the other, in the order of the file. 2. Groups keep their transforms on a stack; what is only
-// defined (defs, symbol, clipPath, ...) is passed over. 3. A shape becomes path data, path data becomes pieces, pieces
-// are transformed.
+// defined (defs, symbol, clipPath, ...) or not displayed is passed over. 3. A shape becomes path data, path data
+// becomes pieces, pieces are transformed.
 
 namespace dobra::io::drawings {
 
@@ -84,17 +86,25 @@ Result<Affine> transform_of(std::string_view text) {
 /// Passes over what stands at any depth without recursion.
 class Reader : private pugi::xml_tree_walker {
  public:
-  explicit Reader(const Xml& xml) : xml_(xml) {}
+  explicit Reader(const Xml& xml) : xml_(xml), display_(xml) {}
 
   Result<SvgFile> run() {
     // y down becomes y up.
-    open_.push_back({{1, 0, 0, -1, 0, 0}, false});
+    open_.push_back({{1, 0, 0, -1, 0, 0}});
     if (!xml_.root().traverse(*this)) return *failed_;
     for (const auto& [name, count] : left_out_)
       svg_.remarks.push_back(fmt::format("{}: {} <{}> left out: only outlines are read", xml_.file(), count, name));
-    if (svg_.paths.empty())
-      return Error{ErrorCode::BadFormat, "there is no outline in the file: draw paths, or turn objects into paths",
+    if (unseen_ > 0) {
+      svg_.remarks.push_back(fmt::format("{}: {} {} not displayed left out (hidden: {})", xml_.file(), unseen_,
+                                         unseen_ == 1 ? "outline that is" : "outlines that are",
+                                         fmt::join(hidden_by_, ", ")));
+    }
+    if (svg_.paths.empty()) {
+      return Error{ErrorCode::BadFormat,
+                   unseen_ > 0 ? "no outline of the file is displayed: show its layers and objects"
+                               : "there is no outline in the file: draw paths, or turn objects into paths",
                    Place{.file = xml_.file()}};
+    }
     return std::move(svg_);
   }
 
@@ -102,7 +112,10 @@ class Reader : private pugi::xml_tree_walker {
   /// What an element hands to those in it.
   struct Open {
     Affine transform;
-    bool hidden = false;
+    bool defined_only = false;
+    bool displayed = true;
+    bool visible = true;      ///< Elements in one that is not may be visible again.
+    std::string hidden_by{};  ///< The name of the outermost element that is not displayed, or of the one not visible.
   };
 
   bool for_each(pugi::xml_node& node) override {
@@ -120,18 +133,43 @@ class Reader : private pugi::xml_tree_walker {
     open_.resize(above);
     Open inner = open_.back();
     const std::string name(local_name(element_));
+    take_display(inner);
+    const bool seen = inner.displayed && inner.visible;
     if (only_defines(name)) {
-      if (!inner.hidden) ++left_out_[name];
-      inner.hidden = true;
+      if (!inner.defined_only && seen) ++left_out_[name];
+      inner.defined_only = true;
     }
-    if (const pugi::xml_attribute given = element_.attribute("transform"); given && !inner.hidden) {
+    if (const pugi::xml_attribute given = element_.attribute("transform");
+        given && !inner.defined_only && inner.displayed) {
       auto own = transform_of(given.value());
       if (!own) return located(own.error(), place());
       inner.transform = inner.transform.after(*own);
     }
-    if (!inner.hidden) DOBRA_TRY_VOID(shape(name, inner.transform));
-    open_.push_back(inner);
+    if (!inner.defined_only && seen) DOBRA_TRY_VOID(shape(name, inner.transform));
+    if (!inner.defined_only && !seen && is_outline(name)) {
+      ++unseen_;
+      hidden_by_.insert(inner.hidden_by);
+    }
+    open_.push_back(std::move(inner));
     return {};
+  }
+
+  void take_display(Open& inner) const {
+    if (!inner.displayed) return;
+    inner.displayed = display_.value(element_, "display") != "none";
+    const std::string visibility = display_.value(element_, "visibility");
+    if (!visibility.empty()) inner.visible = visibility == "visible";
+    if (inner.displayed && visibility.empty()) return;
+    for (const char* const name : {"inkscape:label", "id"}) {
+      inner.hidden_by = element_.attribute(name).value();
+      if (!inner.hidden_by.empty()) return;
+    }
+    inner.hidden_by = fmt::format("<{}>", element_.name());
+  }
+
+  static bool is_outline(const std::string& name) {
+    static const std::set<std::string> names{"path", "rect", "circle", "ellipse", "line", "polyline", "polygon"};
+    return names.contains(name);
   }
 
   [[nodiscard]] Place place() const { return xml_.place(element_); }
@@ -218,10 +256,13 @@ class Reader : private pugi::xml_tree_walker {
   }
 
   const Xml& xml_;
+  SvgDisplay display_;
   std::vector<Open> open_;  ///< The elements that the current one stands in, outermost first.
   pugi::xml_node element_;
   std::optional<Error> failed_;
   std::map<std::string, std::size_t> left_out_;
+  std::size_t unseen_ = 0;
+  std::set<std::string> hidden_by_;
   SvgFile svg_;
 };
 
