@@ -10,6 +10,18 @@
 
 namespace dobra::offset {
 
+namespace {
+
+/// Grows with the angle of a direction, from -180 to 180 degrees.
+Real rising(Vec v) {
+  using std::abs;
+  const Real part = v.y / (abs(v.x) + abs(v.y));
+  if (v.x >= 0) return part;
+  return (v.y < 0 ? -2 : 2) - part;
+}
+
+}  // namespace
+
 /// Of travel along a line.
 Vec Trimmer::direction(Site s) const {
   return s.role == Role::Line ? outline_.along<Real>(s.step) : left_of(outline_.middle_of_turn<Real>(s.step));
@@ -63,11 +75,11 @@ void Trimmer::link_at(std::span<const std::uint32_t> in, std::span<const std::ui
   std::vector<Ray> rays;
   for (const std::uint32_t s : in) {
     const Vec back = -arriving(sections_[s]);
-    rays.push_back({std::atan2(back.y, back.x), pieces_[sections_[s].last].is_line() ? 0 : -1, false, s});
+    rays.push_back({rising(back), pieces_[sections_[s].last].is_line() ? 0 : -1, false, s});
   }
   for (const std::uint32_t s : out) {
     const Vec on = leaving(sections_[s]);
-    rays.push_back({std::atan2(on.y, on.x), pieces_[sections_[s].first].is_line() ? 0 : 1, true, s});
+    rays.push_back({rising(on), pieces_[sections_[s].first].is_line() ? 0 : 1, true, s});
   }
   std::sort(rays.begin(), rays.end(), [](const Ray& a, const Ray& b) {
     return std::tuple{a.angle, a.bend, a.leaves, a.section} < std::tuple{b.angle, b.bend, b.leaves, b.section};

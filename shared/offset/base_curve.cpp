@@ -256,12 +256,13 @@ RawChain raw_chain(const BaseCurve& base, Real distance, const OffsetOptions& op
       chain.is_arc.back() = options.join == Join::Round;
       return add(second, next);
     }
-    const Real angle = 2 * std::atan(t);
-    const Real step = 2 * std::acos(1 - static_cast<Real>(default_arc_tolerance));
+    // Chords of a picture: where long double is a double, that will do.
+    const long double angle = 2 * std::atan(static_cast<long double>(t));
+    const long double step = 2 * std::acos(1 - static_cast<long double>(default_arc_tolerance));
     const auto parts = std::max<long>(1, std::lround(std::ceil(angle / step)));
     for (long k = 0; k < parts; ++k) {
-      const Real a = angle * static_cast<Real>(k) / static_cast<Real>(parts);
-      add(p + distance * (std::cos(a) * base.normal(i) + std::sin(a) * base.along(i)), i);
+      const long double a = angle * static_cast<long double>(k) / static_cast<long double>(parts);
+      add(p + distance * (Real(std::cos(a)) * base.normal(i) + Real(std::sin(a)) * base.along(i)), i);
     }
     add(second, next);
   };

@@ -172,7 +172,7 @@ const VecOf<High>& Trimmer::fine(std::uint32_t node) {
   if (const auto found = fine_.find(node); found != fine_.end()) return found->second;
   const Node known = nodes_[node];
   const auto keep = [&](const VecOf<High>& at) -> const VecOf<High>& {
-    nodes_[node].at = narrowed(at);
+    nodes_[node].at = as<Real>(at);
     return fine_.emplace(node, at).first->second;
   };
   if (known.j == start_of) return keep(fine_shape(known.i).a);

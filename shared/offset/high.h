@@ -45,10 +45,19 @@ inline High distance_as<High>(double d) {
 }
 
 template <class T, class S>
-VecOf<T> as(const VecOf<S>& a) {
-  return {T(a.x), T(a.y)};
+T as(const S& x) {
+  if constexpr (std::is_same_v<S, DoubleDouble> && std::is_same_v<T, High>) {
+    return High(x.high()) + x.low();
+  } else if constexpr (std::is_same_v<S, High> && std::is_same_v<T, DoubleDouble>) {
+    const auto high = static_cast<double>(x);
+    return {high, static_cast<double>(High(x - high))};
+  } else {
+    return static_cast<T>(x);
+  }
 }
-
-inline Vec narrowed(const VecOf<High>& a) { return {static_cast<Real>(a.x), static_cast<Real>(a.y)}; }
+template <class T, class S>
+VecOf<T> as(const VecOf<S>& a) {
+  return {as<T>(a.x), as<T>(a.y)};
+}
 
 }  // namespace dobra::offset

@@ -32,7 +32,7 @@ bool PieceWriter::is_sliver(double distance) const {
   const double rounding =
       0x1p-48 * (base_.size + distance + std::max(std::abs(base_.origin.x), std::abs(base_.origin.y)));
   double length = 0.0;
-  long double area = 0.0L;
+  Real area = 0;
   const geom::Point start = piece_.points.front();
   for (std::size_t i = 0; i < n; ++i) {
     const geom::Point p = piece_.points[i];

@@ -1,19 +1,30 @@
 #pragma once
-// Vectors of the offset engine in three kinds of numbers: doubles where a margin makes a decision safe; 64-bit
-// mantissas (11 bits more than the input has) with a bound of their error where topology is decided; and High (high.h)
-// for what they leave in doubt.
+// Vectors of the offset engine in three kinds of numbers: doubles where a margin makes a decision safe; mantissas of 64
+// bits or more (11 bits more than the input has) with a bound of their error where topology is decided; and High
+// (high.h) for what they leave in doubt.
 
 #include <cmath>
+#include <limits>
+#include <type_traits>
 
 #include "shared/geom/point.h"
+#include "shared/offset/double_double.h"
 
 namespace dobra::offset {
 
-using Real = long double;
+/// Error bounds (high.h) suppose 64 bits. Compilers that make long double a double (and builds with the CMake option
+/// DOBRA_DOUBLE_DOUBLE, to try that) take two doubles instead.
+#ifdef DOBRA_DOUBLE_DOUBLE
+using Real = DoubleDouble;
+#else
+using Real = std::conditional_t<(std::numeric_limits<long double>::digits >= 64), long double, DoubleDouble>;
+#endif
+static_assert(std::numeric_limits<Real>::digits >= 64);
 
 template <class T>
 T root(const T& x) {
-  return std::sqrt(x);
+  using std::sqrt;
+  return sqrt(x);
 }
 
 template <class T>
