@@ -8,7 +8,7 @@
 #include <limits>
 #include <tuple>
 
-#include "shared/offset/arcs.h"
+#include "shared/offset/types/arcs.h"
 
 namespace recon::core {
 

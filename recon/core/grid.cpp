@@ -10,8 +10,8 @@
 #include "shared/base/parallel.h"
 #include "shared/base/text.h"
 #include "shared/geom/simplify.h"
-#include "shared/offset/arcs.h"
-#include "shared/offset/distances.h"
+#include "shared/offset/types/arcs.h"
+#include "shared/offset/types/distances.h"
 
 namespace recon::core {
 

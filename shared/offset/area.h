@@ -5,7 +5,7 @@
 
 #include <functional>
 
-#include "shared/offset/arcs.h"
+#include "shared/offset/types/arcs.h"
 
 namespace dobra::offset {
 
