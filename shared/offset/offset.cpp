@@ -11,8 +11,8 @@
 #include "shared/base/parallel.h"
 #include "shared/base/text.h"
 #include "shared/geom/intersect.h"
-#include "shared/offset/general/chain_tree.h"
 #include "shared/offset/general/sections.h"
+#include "shared/offset/kernel/chain_tree.h"
 #include "shared/offset/monotone/envelope.h"
 #include "shared/offset/stepper/stepper.h"
 #include "shared/offset/types/arcs.h"
@@ -98,7 +98,7 @@ bool meets_itself(const BaseCurve& base) {
   }
   std::vector<FloatBox> boxes;
   boxes.reserve(count);
-  std::vector<general::ChainTree::Leaf> leaves;
+  std::vector<ChainTree::Leaf> leaves;
   leaves.reserve(count / leaf + 1);
   for (std::size_t i = 0; i < count; ++i) {
     const geom::Box b = geom::Segment{base.start(i), base.end(i)}.box();
@@ -106,10 +106,10 @@ bool meets_itself(const BaseCurve& base) {
     const Flat u = flat(base.headings[i]);
     if (i % leaf == 0) leaves.push_back({boxes[i], 0, true, i > 0});
     leaves.back().box.add(boxes[i]);
-    leaves.back().directions |= general::ChainTree::directions_of(u, u);
+    leaves.back().directions |= ChainTree::directions_of(u, u);
   }
   bool meets = false;
-  general::ChainTree(leaves).for_each_pair([&](std::size_t a, std::size_t b) {
+  ChainTree(leaves).for_each_pair([&](std::size_t a, std::size_t b) {
     if (meets) return;
     for (std::size_t i = leaf * a; i < std::min(leaf * (a + 1), count); ++i) {
       if (!boxes[i].overlaps(leaves[b].box)) continue;

@@ -96,7 +96,7 @@ DEVICES = [
     ("sides_apart", "a block that bends little parts its two sides",
      [(E + "general/pairs.cpp", "if (!apart) apart = sides_apart(block);", "if (!apart) apart = !OFF && sides_apart(block);")]),
     ("directions", "direction masks of the tree",
-     [(E + "general/chain_tree.cpp", "bool ChainTree::fits_half_plane(std::uint64_t directions) {", "bool ChainTree::fits_half_plane(std::uint64_t directions) { if (OFF) return false;")]),
+     [(E + "kernel/chain_tree.cpp", "bool ChainTree::fits_half_plane(std::uint64_t directions) {", "bool ChainTree::fits_half_plane(std::uint64_t directions) { if (OFF) return false;")]),
     ("few", "boxes and directions of what is left of a block",
      [(E + "general/pairs.cpp", "if (last - first < few || parted)", "if ((!OFF && last - first < few) || parted)")]),
     ("runs", "boxes of runs of four pieces",

@@ -4,7 +4,7 @@
 #include <bit>
 #include <limits>
 
-#include "shared/offset/general/chain_tree.h"
+#include "shared/offset/kernel/chain_tree.h"
 
 namespace dobra::offset::general {
 

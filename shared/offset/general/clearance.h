@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "shared/offset/general/block.h"
-#include "shared/offset/general/box_tree_search.h"
 #include "shared/offset/general/outline.h"
+#include "shared/offset/kernel/box_tree_search.h"
 
 namespace dobra::offset::general {
 

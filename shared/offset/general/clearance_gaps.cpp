@@ -4,8 +4,8 @@
 #include <bit>
 #include <cmath>
 
-#include "shared/offset/general/chain_tree.h"
 #include "shared/offset/general/clearance.h"
+#include "shared/offset/kernel/chain_tree.h"
 
 namespace dobra::offset::general {
 

@@ -11,8 +11,8 @@
 
 #include "shared/base/progress.h"
 #include "shared/offset/general/candidates.h"
-#include "shared/offset/general/chain_tree.h"
 #include "shared/offset/general/witness.h"
+#include "shared/offset/kernel/chain_tree.h"
 
 namespace dobra::offset::general {
 

@@ -11,8 +11,6 @@ class Piece {
  public:
   static constexpr std::uint32_t none = 0xffffffffU;
   explicit Piece(Site s) : code_(packed(s) * 4) {}
-  /// By so many steps.
-  void move_on(std::uint32_t steps) { code_ += 16 * steps; }
   static Piece linked_to(Site s) {
     Piece made(s);
     made.code_ |= 1U;

@@ -28,7 +28,6 @@ bool Buried::for_ever(Site s) const {
 }
 
 void Buried::add(Site s, std::uint32_t witness, bool tips_stay) {
-  ++count_;
   if (tips_stay || for_ever(s)) {
     bits_[place(s)] |= std::uint64_t{1} << shift(s);
   } else if (s.kind == SiteKind::Line) {

@@ -44,8 +44,6 @@ class Buried {
   void add_left_of(std::size_t block) { left_of_[block] = 1; }
   /// Once some place of it is known to be free up to d.
   void set_reach(Site s, double d);
-  /// How many were added.
-  [[nodiscard]] std::size_t count() const { return count_; }
 
  private:
   [[nodiscard]] std::size_t place(Site s) const { return s.step < n_ ? s.step / 16 : words_ + (s.step - n_) / 16; }
@@ -62,7 +60,6 @@ class Buried {
   std::uint32_t n_;
   std::size_t words_;
   double greatest_;
-  std::size_t count_ = 0;
   std::vector<std::uint64_t> bits_;
   std::vector<char> left_of_;  // of blocks
   std::vector<std::uint32_t> hints_;

@@ -2,7 +2,6 @@
 // Pieces of the raw outline by what they are parallel to.
 
 #include <cstdint>
-#include <limits>
 
 namespace dobra::offset::inline kernel {
 
@@ -20,7 +19,6 @@ struct Site {
   SiteKind kind;
   friend bool operator==(Site, Site) = default;
 };
-inline constexpr Site no_site{std::numeric_limits<std::uint32_t>::max(), SiteKind::Line};
 
 inline std::uint32_t packed(Site s) { return s.step * 4 + static_cast<std::uint32_t>(s.kind); }
 inline Site unpacked(std::uint32_t s) { return {s / 4, static_cast<SiteKind>(s % 4)}; }

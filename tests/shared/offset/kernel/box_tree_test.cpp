@@ -1,13 +1,13 @@
 // Nothing that a look at all boxes finds may be missed; what is reported beyond it may only be near.
 
-#include "shared/offset/general/box_tree_search.h"
+#include "shared/offset/kernel/box_tree_search.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 #include <set>
 
-namespace dobra::offset::general {
+namespace dobra::offset {
 namespace {
 
 /// Boxes along a walk of the given step, far from the origin for good measure.
@@ -125,4 +125,4 @@ TEST(BoxTree, HoldsAllPlacesWhereItGrowsBeyondTheRangeOfFloats) {
 }
 
 }  // namespace
-}  // namespace dobra::offset::general
+}  // namespace dobra::offset

@@ -7,7 +7,7 @@
 
 #include "shared/offset/kernel/float_box.h"
 
-namespace dobra::offset::general {
+namespace dobra::offset::inline kernel {
 
 class BoxTree {
  public:
@@ -70,4 +70,4 @@ class BoxTree {
   std::vector<Level> levels_;  // from the items up
 };
 
-}  // namespace dobra::offset::general
+}  // namespace dobra::offset::inline kernel

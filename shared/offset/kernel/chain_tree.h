@@ -10,7 +10,7 @@
 
 #include "shared/offset/kernel/float_box.h"
 
-namespace dobra::offset::general {
+namespace dobra::offset::inline kernel {
 
 class ChainTree {
  public:
@@ -125,4 +125,4 @@ class ChainTree {
   std::vector<Node> nodes_;
 };
 
-}  // namespace dobra::offset::general
+}  // namespace dobra::offset::inline kernel

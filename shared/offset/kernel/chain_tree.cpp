@@ -1,8 +1,8 @@
-#include "shared/offset/general/chain_tree.h"
+#include "shared/offset/kernel/chain_tree.h"
 
 #include <bit>
 
-namespace dobra::offset::general {
+namespace dobra::offset::inline kernel {
 
 namespace {
 
@@ -52,4 +52,4 @@ void ChainTree::build(std::size_t node, std::size_t first, std::size_t last, con
   made.connected = left.connected && right.connected && right.linked;
 }
 
-}  // namespace dobra::offset::general
+}  // namespace dobra::offset::inline kernel

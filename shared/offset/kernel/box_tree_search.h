@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "shared/offset/general/box_tree.h"
+#include "shared/offset/kernel/box_tree.h"
 
-namespace dobra::offset::general {
+namespace dobra::offset::inline kernel {
 
 template <class Holds, class Visit>
 bool BoxTree::any_held(const Holds& holds, Visit&& visit) const {
@@ -131,4 +131,4 @@ bool BoxTree::any_held(const BoxTree& other, Flat q, double d, Visit&& visit) co
   return false;
 }
 
-}  // namespace dobra::offset::general
+}  // namespace dobra::offset::inline kernel

@@ -1,6 +1,6 @@
-#include "shared/offset/general/box_tree.h"
+#include "shared/offset/kernel/box_tree.h"
 
-namespace dobra::offset::general {
+namespace dobra::offset::inline kernel {
 
 BoxTree::BoxTree(const std::vector<FloatBox>& boxes) {
   std::size_t count = 0;
@@ -30,4 +30,4 @@ BoxTree::BoxTree(const std::vector<FloatBox>& boxes) {
   }
 }
 
-}  // namespace dobra::offset::general
+}  // namespace dobra::offset::inline kernel
