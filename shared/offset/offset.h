@@ -5,6 +5,7 @@
 // side. The treated curve is the part of U's boundary that belongs to the chosen side, so it keeps the distance from
 // the WHOLE base (both sides and the ends of an open one), and has no spurious region. A base that crosses itself is
 // treated by the same rule. What only just touches itself counts as closed (as if D were a little greater).
+// Options and results are in types/, which this header includes: callers need no other.
 // Page: docs/algorithms/offset.md. Source: [carvalho2005offset]; validity by sections as in [held2001voronoi].
 
 #include <span>
@@ -12,7 +13,8 @@
 
 #include "shared/base/progress.h"
 #include "shared/base/result.h"
-#include "shared/offset/types/curve.h"
+#include "shared/offset/types/arcs.h"
+#include "shared/offset/types/distances.h"
 
 namespace dobra::offset {
 

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "shared/offset/offset.h"
 #include "shared/offset/stepper/stepper.h"
-#include "shared/offset/types/arcs.h"
-#include "shared/offset/types/distances.h"
 #include "tests/figures/figures.h"
 
 namespace dobra::figures {

@@ -8,7 +8,6 @@
 #include "shared/offset/general/pairs.h"
 #include "shared/offset/general/validity.h"
 #include "shared/offset/offset.h"
-#include "shared/offset/types/arcs.h"
 #include "tests/figures/figures.h"
 
 namespace dobra::figures {

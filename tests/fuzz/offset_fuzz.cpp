@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "shared/offset/offset.h"
 #include "shared/offset/verifier/verify.h"
 #include "tests/fuzz/bytes.h"
 

@@ -9,7 +9,6 @@
 #include <functional>
 
 #include "shared/offset/offset.h"
-#include "shared/offset/types/arcs.h"
 #include "tests/support/corpus.h"
 #include "tests/support/offset_oracle.h"
 #include "tests/support/random_curves.h"

@@ -8,7 +8,7 @@
 #include <map>
 
 #include "shared/offset/kernel/base_curve.h"
-#include "shared/offset/types/arcs.h"
+#include "shared/offset/offset.h"
 #include "shared/offset/verifier/verify.h"
 #include "tests/support/length_oracle.h"
 #include "tests/support/random_curves.h"

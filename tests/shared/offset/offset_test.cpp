@@ -11,8 +11,6 @@
 
 #include "shared/base/parallel.h"
 #include "shared/offset/stepper/stepper.h"
-#include "shared/offset/types/arcs.h"
-#include "shared/offset/types/distances.h"
 #include "tests/support/offset_oracle.h"
 
 namespace dobra::offset {

@@ -8,7 +8,7 @@
 #include <random>
 #include <set>
 
-#include "shared/offset/types/arcs.h"
+#include "shared/offset/offset.h"
 #include "tests/support/random_curves.h"
 
 namespace dobra::offset::general {

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "shared/offset/general/sections.h"
-#include "shared/offset/types/arcs.h"
+#include "shared/offset/offset.h"
 #include "shared/offset/verifier/verify.h"
 #include "tests/support/offset_oracle.h"
 

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-#include "shared/offset/types/arcs.h"
+#include "shared/offset/offset.h"
 #include "shared/offset/verifier/verify.h"
 #include "shared/topo/validate.h"
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "shared/offset/offset.h"
+
 namespace dobra::offset {
 namespace {
 

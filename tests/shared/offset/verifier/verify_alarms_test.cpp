@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <random>
 
+#include "shared/offset/offset.h"
 #include "shared/offset/verifier/verify.h"
 
 namespace dobra::offset::verifier {

@@ -9,6 +9,8 @@
 #include <numbers>
 #include <vector>
 
+#include "shared/offset/offset.h"
+
 namespace dobra::offset::verifier {
 namespace {
 
