@@ -145,7 +145,7 @@ base::Result<scene::Picture> monotone_engine() {
 
 std::vector<Figure> offset_figures() {
   return {{"offset_monotone", monotone_engine, 480.0},
-          {"offset_stages", offset_stages, 1000.0},
+          {"offset_stages", offset_stages, 760.0},
           {"offset_3_6", figures_3_and_6},
           {"offset_5", figure_5, 1000.0},
           {"offset_7", figure_7},

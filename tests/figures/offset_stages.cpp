@@ -25,10 +25,23 @@ using offset::general::Outline;
 constexpr double d = 0.6;
 constexpr scene::Color light{240, 178, 92};
 
-/// A bulb with a neck that is narrower than 2 D.
+/// A notch, a bulb with a neck that is narrower than 2 D, and an end that comes back below.
 geom::Polyline example() {
-  return chain(
-      {{0, 0}, {2, 0}, {2.2, 1}, {1.2, 2.2}, {2.4, 3.6}, {4.2, 3.4}, {4.8, 2}, {3.2, 1}, {3.4, 0}, {5.4, 0.2}});
+  return chain({{-2, 0},
+                {0.8, 0},
+                {1, 0.4},
+                {1.2, 0},
+                {2, 0},
+                {2.2, 1},
+                {1.2, 2.2},
+                {2.4, 3.6},
+                {4.2, 3.4},
+                {4.8, 2},
+                {3.2, 1},
+                {3.4, 0},
+                {5.4, 0.2},
+                {5.9, -0.7},
+                {4.2, -1.05}});
 }
 
 bool straight(Site site) { return site.kind == SiteKind::Line || site.kind == SiteKind::Bevel; }
@@ -91,7 +104,7 @@ class Stages {
   [[nodiscard]] scene::Panel pairs() const {
     std::vector<geom::Polyline> links;
     for (const auto& [i, j] : pairs_) links.push_back(chain({middle(stretches_[i]), middle(stretches_[j])}));
-    return panel_of(fmt::format("3  Pairs: {}, with {} cutters", pairs_.size(), stretches_.size() - wanted_),
+    return panel_of(fmt::format("3  Pairs: {}; cutters: {}", pairs_.size(), stretches_.size() - wanted_),
                     {lines({}, stroke(light, 4.0), drawn_from(0, wanted_)),
                      lines({}, stroke(green, 1.6), drawn_from(wanted_, stretches_.size())),
                      lines({}, stroke(grey, 1.0, scene::Dash::Dashed), std::move(links))});
@@ -235,7 +248,9 @@ base::Result<scene::Picture> offset_stages() {
   Stages stages(base, line);
   DOBRA_TRY(scene::Panel curve, stages.curve());
   return scene::Picture{
-      {}, {stages.raw(), stages.candidates(), stages.pairs(), stages.cuts(), stages.sections(), std::move(curve)}};
+      {},
+      {stages.raw(), stages.candidates(), stages.pairs(), stages.cuts(), stages.sections(), std::move(curve)},
+      scene::Arrangement::Grid};
 }
 
 }  // namespace dobra::figures

@@ -6,7 +6,6 @@
 
 #include "shared/offset/general/outline_ends.h"
 #include "shared/offset/general/sections.h"
-#include "shared/offset/kernel/piece_writer.h"
 
 namespace dobra::offset::general {
 

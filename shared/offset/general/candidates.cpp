@@ -61,7 +61,6 @@ class StackPass {
   void append_block(std::uint32_t first, std::uint64_t arcs);
   void push(Piece piece, Flat a, Flat b);
   void close();
-  void cull();
   void bury(Site site) const {
     if (found_ == nullptr) return;
     const bool tips = site.kind == SiteKind::Line && !known_.for_ever(site);
@@ -119,8 +118,6 @@ Candidates StackPass::run() {
   walk();
   if (progress_.cancelled()) return {};
   if (!made_.pieces.empty()) close();
-  cull();
-  if (progress_.cancelled()) return {};
   return std::move(made_);
 }
 
@@ -219,13 +216,9 @@ bool StackPass::kills(std::uint32_t step, Site site, Flat a, Flat b) {
 
 /// Any number of steps' sets do.
 bool StackPass::is_covered(Site site, Flat a, Flat b) {
-  if (known_.likely_free(site, d_)) return false;
-  if (witnesses_.covers(site, a, b)) {
-    bury(site);
-    return true;
-  }
-  if (found_ != nullptr) found_->set_reach(site, witnesses_.free_until(site));
-  return false;
+  if (!witnesses_.covers(site, a, b)) return false;
+  bury(site);
+  return true;
 }
 
 bool StackPass::is_dead_line(Site site, Flat a, Flat b, CornerKind before, CornerKind after) {
@@ -249,12 +242,7 @@ inline void StackPass::add_line(std::uint32_t step, const Outline::Junction& bef
   const Site line{step, SiteKind::Line};
   const Flat a = before.start;
   const Flat b = after.end;
-  // Up to the bisector a line is outside the next segment's stadium, so that there is nothing to look for.
-  if (goes_on() && after.kind != CornerKind::Apart && dot(b - a, outline_.along<double>(step)) > margin_) {
-    push(Piece::linked_to(line), a, b);
-  } else if (!is_dead_line(line, a, b, before.kind, after.kind)) {
-    add(line, a, b);
-  }
+  if (!is_dead_line(line, a, b, before.kind, after.kind)) add(line, a, b);
   previous_ = after.kind == CornerKind::Apart ? Piece::none : packed(line);
 }
 
@@ -398,7 +386,6 @@ void StackPass::add(Site site, Flat a, Flat b) {
   if (!head.linked()) {
     if (!pieces.empty() && buried_by_tail(site, a, b)) return bury(site);
     if (is_covered(site, a, b)) return;
-    head.mark_examined();
   }
   push(head, a, b);
 }
@@ -432,51 +419,6 @@ void StackPass::close() {
   } else if (whole) {
     cut(tail, part(tail), head, part(head));
   }
-}
-
-/// Long connected parts are what the pass understood; queries are for the short ones. What lies between two free pieces
-/// near each other is likely to be free as well.
-void StackPass::cull() {
-  constexpr std::size_t short_fragment = 64;
-  constexpr std::size_t stride = 4;
-  const auto cover = [&](const Piece& p) { return !p.examined() && is_covered(p.site(), start(p), end(p)); };
-  auto& pieces = made_.pieces;
-  const std::size_t count = pieces.size();
-  std::size_t last_kept = count;
-  std::size_t kept = 0;
-  bool dropped = false;
-  std::size_t asked = 0;
-  for (std::size_t first = 0; first < count;) {
-    const std::size_t last = next_gap(pieces.data(), first + 1, count);
-    const bool is_short = last - first < short_fragment && last - first < count;
-    if (!is_short && kept == first && !dropped) {
-      kept = last;
-      last_kept = last - 1;
-      first = last;
-      continue;
-    }
-    std::size_t free_to = first;
-    std::size_t covered = count;
-    for (std::size_t k = first; k < last; ++k) {
-      Piece piece = pieces[k];
-      if (is_short && ++asked % 1024 == 0 && progress_.cancelled()) return;
-      if (is_short && k >= free_to) {
-        if (k == covered || witnesses(piece)) {
-          dropped = true;
-          continue;
-        }
-        for (covered = k + stride; covered < last && !witnesses(pieces[covered]); covered += stride)
-          free_to = covered + 1;
-      }
-      piece.link(piece.linked() && !dropped);
-      dropped = false;
-      pieces[kept++] = piece;
-      last_kept = k;
-    }
-    first = last;
-  }
-  if (kept > 0 && last_kept + 1 != count) pieces[0].link(false);
-  pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(kept), pieces.end());
 }
 
 }  // namespace

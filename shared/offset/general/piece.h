@@ -25,9 +25,6 @@ class Piece {
   /// Starts where the piece before it ends (the very first: where the last one ends).
   [[nodiscard]] bool linked() const { return code_ % 2 != 0; }
   void link(bool on) { code_ = (code_ & ~1U) | (on ? 1U : 0U); }
-  /// That it does not lie in U as a whole is known.
-  [[nodiscard]] bool examined() const { return (code_ & 2U) != 0; }
-  void mark_examined() { code_ |= 2U; }
 
  private:
   std::uint32_t code_;

@@ -156,7 +156,6 @@ VecOf<T> Trimmer::middle(const Section& section, std::uint32_t piece) const {
 
 bool Trimmer::valid(const Section& section, std::uint32_t piece) {
   const Flat rough = middle<double>(section, piece);
-  if (validity_.held_by_recent(rough)) return false;
   // What cuts it most likely holds it, on one side of the cut.
   for (const std::uint32_t end : {section.from, section.to}) {
     if (nodes_[end].j >= end_of_piece) continue;

@@ -16,10 +16,9 @@
 #include "shared/offset/general/contact.h"
 #include "shared/offset/general/pairs.h"
 #include "shared/offset/general/validity.h"
+#include "shared/offset/kernel/piece_writer.h"
 
 namespace dobra::offset::general {
-
-class PieceWriter;
 
 class Trimmer {
  public:

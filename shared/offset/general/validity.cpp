@@ -30,28 +30,7 @@ T squared_distance(const VecOf<T>& v, const VecOf<T>& q) {
 }  // namespace
 
 Validity::Validity(const Outline& outline, const Clearance& clearance)
-    : outline_(outline), clearance_(clearance), margin_(clearance.margin(outline.distance())) {
-  recent_.fill(Clearance::none);
-}
-
-bool Validity::held_by_recent(Flat q) const {
-  if (!(margin_ < outline_.distance())) return false;
-  return std::any_of(recent_.begin(), recent_.end(), [&](std::uint32_t step) {
-    return step != Clearance::none && outline_.deep_inside(q, step, margin_);
-  });
-}
-
-bool Validity::held_by(std::uint32_t step, Flat q) {
-  if (!(margin_ < outline_.distance()) || !outline_.deep_inside(q, step, margin_)) return false;
-  remember(step);
-  return true;
-}
-
-void Validity::remember(std::uint32_t step) {
-  const auto known = std::find(recent_.begin(), recent_.end() - 1, step);
-  std::move_backward(recent_.begin(), known, known + 1);
-  recent_[0] = step;
-}
+    : outline_(outline), clearance_(clearance), margin_(clearance.margin(outline.distance())) {}
 
 template <class T>
 Place Validity::near_segment(std::size_t segment, const VecOf<T>& q, const T& d, double error) const {
@@ -92,7 +71,7 @@ Place Validity::in_mitre(std::uint32_t step, const VecOf<T>& q, const T& d, doub
 }
 
 template <class T>
-Place Validity::of(const VecOf<T>& q, Site own, double error) {
+Place Validity::of(const VecOf<T>& q, Site own, double error) const {
   const T d = distance_as<T>(outline_.distance());
   const Flat p{static_cast<double>(q.x), static_cast<double>(q.y)};
   const std::uint32_t behind = own.kind == SiteKind::Line ? outline_.before(own.step) : own.step;
@@ -100,19 +79,17 @@ Place Validity::of(const VecOf<T>& q, Site own, double error) {
   const std::size_t first = outline_.segment(own.step);
   const std::size_t second = own.kind == SiteKind::Line || caps ? first : outline_.segment(outline_.after(own.step));
   Place worst = Place::Free;
-  const auto settles = [&](Place place, std::size_t by) {
+  const auto settles = [&](Place place) {
     if (place != Place::Free) worst = place;
-    if (place != Place::Inside) return false;
-    remember(static_cast<std::uint32_t>(by));
-    return true;
+    return place == Place::Inside;
   };
   if (clearance_.any_near(p, outline_.distance() + margin_ + error, [&](std::size_t segment) {
-        return segment != first && segment != second && settles(near_segment(segment, q, d, error), segment);
+        return segment != first && segment != second && settles(near_segment(segment, q, d, error));
       })) {
     return Place::Inside;
   }
   if (clearance_.any_mitre(p, outline_.distance(), [&](std::uint32_t step) {
-        return step != behind && step != own.step && settles(in_mitre(step, q, d, error), step);
+        return step != behind && step != own.step && settles(in_mitre(step, q, d, error));
       })) {
     return Place::Inside;
   }
@@ -150,7 +127,7 @@ bool Validity::pokes_through(Flat q, Site own) const {
   return across;
 }
 
-template Place Validity::of<Real>(const Vec&, Site, double);
-template Place Validity::of<High>(const VecOf<High>&, Site, double);
+template Place Validity::of<Real>(const Vec&, Site, double) const;
+template Place Validity::of<High>(const VecOf<High>&, Site, double) const;
 
 }  // namespace dobra::offset::general

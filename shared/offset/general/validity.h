@@ -3,8 +3,6 @@
 // mitres. The parts of the base that the place's own piece is parallel to are left out. Doubles decide where they are
 // certain, else T does.
 
-#include <array>
-
 #include "shared/offset/general/clearance.h"
 #include "shared/offset/kernel/high.h"
 
@@ -19,17 +17,16 @@ class Validity {
   /// @param q      on the piece of `own`, not at its ends.
   /// @param error  bound of its error.
   template <class T>
-  [[nodiscard]] Place of(const VecOf<T>& q, Site own, double error);
+  [[nodiscard]] Place of(const VecOf<T>& q, Site own, double error) const;
   /// A free place q of the outline of a simple contour, rounded, lies on the other side: in a mitre's tip that pokes
   /// through.
   [[nodiscard]] bool pokes_through(Flat q, Site own) const;
-  /// True if q, rounded to doubles, surely lies in what held one of the last places.
-  [[nodiscard]] bool held_by_recent(Flat q) const;
-  /// The same of the stadium and the mitres of one step.
-  [[nodiscard]] bool held_by(std::uint32_t step, Flat q);
+  /// True if q, rounded to doubles, surely lies in the stadium or the mitre quads of a step.
+  [[nodiscard]] bool held_by(std::uint32_t step, Flat q) const {
+    return margin_ < outline_.distance() && outline_.deep_inside(q, step, margin_);
+  }
 
  private:
-  void remember(std::uint32_t step);
   template <class T>
   [[nodiscard]] Place near_segment(std::size_t segment, const VecOf<T>& q, const T& d, double error) const;
   template <class T>
@@ -38,7 +35,6 @@ class Validity {
   const Outline& outline_;
   const Clearance& clearance_;
   double margin_;
-  std::array<std::uint32_t, 4> recent_;  // steps, the last one first; neighbours often lie in the same
 };
 
 }  // namespace dobra::offset::general

@@ -35,12 +35,6 @@ void Buried::add(Site s, std::uint32_t witness, bool tips_stay) {
   }
 }
 
-void Buried::set_reach(Site s, double d) {
-  if (!has_reach(s)) return;
-  if (reaches_.empty()) reaches_.assign(2 * std::size_t{n_}, 0);
-  reaches_[reach_place(s)] = static_cast<std::uint16_t>(std::bit_cast<std::uint32_t>(static_cast<float>(d)) >> 16);
-}
-
 WitnessSearch::WitnessSearch(const Outline& outline, const Clearance& clearance)
     : outline_(outline),
       clearance_(clearance),
@@ -48,30 +42,6 @@ WitnessSearch::WitnessSearch(const Outline& outline, const Clearance& clearance)
       margin_(clearance.margin(outline.distance())),
       cells_per_length_(8 / d_) {
   recent_.fill(Clearance::none);
-}
-
-/// The place moves on with the distance r, straight out of the base or along with the tip of a mitre (not too far, as
-/// others' tips may hide that): its disc shrinks until it holds nothing.
-double WitnessSearch::free_until(Site s) const {
-  const Flat own = outline_.from<double>(s.step);
-  const Flat u = outline_.along<double>(s.step);
-  const double at = dot(free_ - own, u);
-  Flat foot = outline_.to<double>(s.step);
-  if (s.kind == SiteKind::Line && at < outline_.span(s.step)) foot = at > 0 ? free_ - d_ * right_of(u) : own;
-  const Flat w = (1 / d_) * (free_ - foot);
-  const double beyond = std::max(0.0, dot(w, w) - 1);
-  double r = (beyond > 1e-3 ? 2 : 4) * d_;
-  for (int k = 0; k < 8 && r > d_; ++k) {
-    const Flat c = foot + r * w;
-    const std::uint32_t step = clearance_.find_nearer(c, 0.97 * r);
-    if (step == Clearance::none) return 0.97 * r;
-    const Flat v = outline_.along<double>(step);
-    const Flat from = outline_.from<double>(step);
-    const Flat x = from + std::clamp(dot(c - from, v), 0.0, outline_.span(step)) * v - foot;
-    const double out = dot(x, w);
-    r = std::min(0.97 * r, dot(x, x) / (out + std::sqrt(std::max(0.0, out * out - beyond * dot(x, x)))));
-  }
-  return r;
 }
 
 /// A step's set is an intersection of half-planes m . (x - c) < D: a tip c' + D w that lies in it at two distances does
@@ -142,11 +112,7 @@ std::uint32_t WitnessSearch::find(Flat p) {
   const double r = d_ - 4 * margin_;
   std::uint32_t found = clearance_.find_nearer(p, r);
   if (found == Clearance::none) found = clearance_.find_mitre(p, outline_, r);
-  if (found == Clearance::none) {
-    free_ = p;
-  } else {
-    note(p, found);
-  }
+  if (found != Clearance::none) note(p, found);
   return found;
 }
 

@@ -5,7 +5,6 @@
 // is asked. All proofs keep a margin above rounding. A piece that lies in U is called buried.
 
 #include <array>
-#include <bit>
 #include <vector>
 
 #include "shared/offset/general/clearance.h"
@@ -34,26 +33,15 @@ class Buried {
     if (!holds(s) && for_ever(s)) add(s, none);
   }
   [[nodiscard]] std::uint32_t hint(std::uint32_t step) const { return hints_.empty() ? none : hints_[step]; }
-  /// True if some place of a piece is likely to be free at d. Then a proof that the piece is buried is not worth
-  /// looking for.
-  [[nodiscard]] bool likely_free(Site s, double d) const {
-    return has_reach(s) && !reaches_.empty() && d < std::bit_cast<float>(std::uint32_t{reaches_[reach_place(s)]} << 16);
-  }
   /// All that the left side has about a block but caps.
   [[nodiscard]] bool holds_left_of(std::size_t block) const { return left_of_[block] != 0; }
   void add_left_of(std::size_t block) { left_of_[block] = 1; }
-  /// Once some place of it is known to be free up to d.
-  void set_reach(Site s, double d);
 
  private:
   [[nodiscard]] std::size_t place(Site s) const { return s.step < n_ ? s.step / 16 : words_ + (s.step - n_) / 16; }
   [[nodiscard]] std::uint32_t shift(Site s) const {
     return 4 * ((s.step < n_ ? s.step : s.step - n_) % 16) + static_cast<std::uint32_t>(s.kind);
   }
-  [[nodiscard]] bool has_reach(Site s) const {
-    return s.step < n_ && (s.kind == SiteKind::Line || s.kind == SiteKind::Arc);
-  }
-  static std::size_t reach_place(Site s) { return 2 * std::size_t{s.step} + static_cast<std::size_t>(s.kind); }
 
   const BaseCurve* base_;
   const std::vector<CornerKind>* corners_;
@@ -63,8 +51,6 @@ class Buried {
   std::vector<std::uint64_t> bits_;
   std::vector<char> left_of_;  // of blocks
   std::vector<std::uint32_t> hints_;
-  std::vector<std::uint16_t>
-      reaches_;  // upper halves of floats; of the lines and arcs of the right side; empty where nothing was looked for
 };
 
 class WitnessSearch {
@@ -83,9 +69,6 @@ class WitnessSearch {
   bool covers(Site s, Flat a, Flat b);
   /// Takes off both ends of a line what is easily seen to lie in U. False if nothing is left.
   bool shorten(Flat& a, Flat& b);
-  /// For the piece asked for last, if it was not covered: the distance up to which some place of it stays free, by
-  /// doubles. Mitres do not count.
-  [[nodiscard]] double free_until(Site s) const;
   /// For a line that lies in U: its extensions to the tips of mitres lie in the set of the segment that hides it (the
   /// witness) up to distance d.
   [[nodiscard]] bool tips_stay(std::uint32_t step, double d) const;
@@ -119,7 +102,6 @@ class WitnessSearch {
   std::array<std::uint32_t, 4> recent_;
   double cells_per_length_;
   std::vector<Cell> cells_;  // of a square that repeats itself over the plane; empty until something is noted
-  Flat free_;                // the last place found free
 };
 
 }  // namespace dobra::offset::general

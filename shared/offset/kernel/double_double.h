@@ -38,6 +38,7 @@ class DoubleDouble {
   }
   friend DoubleDouble operator/(DoubleDouble a, DoubleDouble b) {
     const double first = a.high_ / b.high_;
+    if (!std::isfinite(first)) return first;
     const DoubleDouble rest = a - b * first;
     const double second = rest.high_ / b.high_;
     const double third = (rest - b * second).high_ / b.high_;
@@ -70,6 +71,7 @@ class DoubleDouble {
   }
   /// The same where |a| >= |b| or a is 0. What leaves the range of doubles has no lower half.
   static DoubleDouble quick_sum(double a, double b) {
+    if (!std::isfinite(a)) return a;
     const double high = a + b;
     const double low = b - (high - a);
     return {high, std::isfinite(high) ? low : 0};

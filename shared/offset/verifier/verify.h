@@ -15,6 +15,8 @@
 #include <string>
 #include <vector>
 
+#include "shared/base/progress.h"
+#include "shared/base/result.h"
 #include "shared/offset/types/curve.h"
 
 namespace dobra::offset::verifier {
