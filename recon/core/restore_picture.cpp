@@ -33,7 +33,8 @@ constexpr std::size_t most_names_of_column = 24;
 
 /// Units that are measured by their faces: the rows of the ledger after those of `units`.
 void add_face_units(const section::Section& section, const section::Palette& palette, const balance::Ledger& ledger,
-                    std::size_t first, std::vector<geom::Polyline> balance::UnitRow::*faces, std::vector<scene::Layer>& layers) {
+                    std::size_t first, std::vector<geom::Polyline> balance::UnitRow::*faces,
+                    std::vector<scene::Layer>& layers) {
   for (std::size_t i = first; i < ledger.units.size(); ++i) {
     const balance::UnitRow& row = ledger.units[i];
     scene::UnitStyle style{{226, 226, 226, 255}, {}};  // no horizon over it
@@ -285,8 +286,8 @@ scene::Panel panel_after(const Model& model, const section::Palette& palette,
   add_face_units(model.section, palette, restoration.ledger, units.size(), &balance::UnitRow::faces_after, parts.under);
   parts.grid = grid_layers(restored_grid(model), "target_grid");
   parts.pin = pin_layers(pin);
-  scene::Panel panel =
-      section_panel("restored", translated("Restored section"), restoration.section, palette, std::move(parts));
+  scene::Panel panel = section_panel(empty_panel("restored", translated("Restored section"), model.section),
+                                     restoration.section, palette, std::move(parts));
   add_column(panel, restoration.section, palette, units, restoration.ledger.units);
   return panel;
 }

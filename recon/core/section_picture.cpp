@@ -290,9 +290,8 @@ scene::Panel empty_panel(const std::string& key, const std::string& title, const
   return made;
 }
 
-scene::Panel section_panel(const std::string& key, const std::string& title, const section::Section& section,
-                           const section::Palette& palette, PanelParts parts) {
-  scene::Panel panel = empty_panel(key, title, section);
+scene::Panel section_panel(scene::Panel panel, const section::Section& section, const section::Palette& palette,
+                           PanelParts parts) {
   panel.layers = std::move(parts.under);
   append(std::move(parts.grid), panel.layers);
   add_items(panel, section, palette);
@@ -306,7 +305,7 @@ scene::Panel current_panel(const Model& model, const section::Palette& palette, 
   const std::string title = model.earlier.empty()
                                 ? translated("Deformed section")
                                 : fmt::format("{} {}", translated("Section after restoration"), model.earlier.size());
-  return section_panel("deformed", title, model.section, palette, std::move(parts));
+  return section_panel(empty_panel("deformed", title, model.section), model.section, palette, std::move(parts));
 }
 
 void show(std::vector<scene::Panel> panels, const section::Section& section, scene::Picture& picture) {

@@ -25,7 +25,8 @@ struct PanelParts {
 };
 /// A section: its faults, other lines, markers, horizons and names of horizons, with the given parts. Items of horizon
 /// layers have the horizon's id. Horizons stand in the legend unless there are many, and units that name them.
-dobra::scene::Panel section_panel(const std::string& key, const std::string& title, const section::Section& section,
+/// @param panel  an empty one.
+dobra::scene::Panel section_panel(dobra::scene::Panel panel, const section::Section& section,
                                   const section::Palette& palette, PanelParts parts);
 /// The same for the section of the stage in hand, which is called by its place in the chain.
 dobra::scene::Panel current_panel(const Model& model, const section::Palette& palette, PanelParts parts);

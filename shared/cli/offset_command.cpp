@@ -9,6 +9,7 @@
 #include "shared/cli/parameter_options.h"
 #include "shared/cli/pictures.h"
 #include "shared/cli/staging.h"
+#include "shared/offset/offset.h"
 #include "shared/operations/offset_step.h"
 
 namespace dobra::cli {

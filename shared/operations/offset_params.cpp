@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "shared/base/text.h"
-#include "shared/offset/distances.h"
+#include "shared/offset/offset.h"
 
 namespace dobra::operations {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "shared/offset/stepper.h"
+#include "shared/offset/stepper/stepper.h"
 
 namespace dobra::operations {
 namespace {
@@ -50,8 +50,8 @@ class Builder {
     offset::OffsetOptions options = plan_.curves;
     const bool left = (plan_.side == OffsetSide::Left) != (distance < 0.0);
     options.side = left ? offset::Side::LeftOfTravel : offset::Side::RightOfTravel;
-    DOBRA_TRY(offset::Stepper stepper, offset::Stepper::start(line, std::abs(distance), options));
-    std::optional<offset::Stepper::Step> last;
+    DOBRA_TRY(offset::stepper::Stepper stepper, offset::stepper::Stepper::start(line, std::abs(distance), options));
+    std::optional<offset::stepper::Stepper::Step> last;
     while (!stepper.done() && steps_ < plan_.stop_after) {
       DOBRA_TRY_VOID(caller_.progress.check());
       DOBRA_TRY(last, stepper.step());

@@ -1,7 +1,7 @@
 #pragma once
-// The construction of offset curves on the planar subdivision (shared/offset/stepper.h), stopped after some steps: for
-// a look at the work. Curve after curve, distance after distance, one raw edge a step.
-// Page: docs/algorithms/offset.md
+// The construction of offset curves on the planar subdivision (shared/offset/stepper/stepper.h), stopped after some
+// steps: for a look at the work. Curve after curve, distance after distance, one raw edge a step. Page:
+// docs/algorithms/offset.md
 
 #include "shared/operations/offset_families.h"
 

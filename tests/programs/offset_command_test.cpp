@@ -101,7 +101,7 @@ TEST_F(OffsetPrograms, AStepOfAScenarioGivesTheCurvesOfTheCommandInBothPrograms)
     const std::string curves = (folder / "curves.geojson").string();
     EXPECT_EQ(call(program + " offset " + base + " --distances 0.75,1 --side left --join round --out " + curves).code,
               0);
-    const std::string out = (folder / "out").string();
+    const std::string out = (folder / "results").string();
     const Outcome ran = call(program + " run " + scenario + " --out " + out + " --pictures svg");
     ASSERT_EQ(ran.code, 0) << ran.said;
     EXPECT_EQ(coordinates_of(fs::path(out) / "offset_1.geojson"), coordinates_of(curves));

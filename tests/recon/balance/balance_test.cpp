@@ -213,7 +213,7 @@ TEST(Balance, TheSubandeanBeltGivesThePublishedShortening) {
   if (data == nullptr) GTEST_SKIP() << "DOBRA_TEST_DATA is not set";
   AreaBalanceParams params;
   params.file = "subandean.txt";
-  params.unit = LengthUnit::Kilometre;
+  params.unit = section::LengthUnit::Kilometre;
   params.thickness = {2.9, 4.6};
   params.thickness_error = {0.29, 0.46};
   params.width_points = {3, 30};
