@@ -14,6 +14,7 @@
 #include "quebra/domain/faces.h"
 #include "quebra/sketch/enclosed.h"
 #include "quebra/sketch/ends.h"
+#include "quebra/sketch/snap.h"
 #include "shared/geom/intersect.h"
 #include "shared/geom/spatial_index.h"
 #include "shared/topo/insert.h"
@@ -94,6 +95,7 @@ class Crossings {
 
   Result<std::vector<sketch::Finding>> run() {
     std::vector<Ring> rings = find_rings(curves_);
+    settle(rings);
     const auto groups = crossing_groups(rings);
     if (groups.empty()) return std::move(findings_);
     trace_outlines(rings);
@@ -162,6 +164,24 @@ class Crossings {
     std::string names;
     for (const std::size_t c : group.curves) names += (names.empty() ? "" : ", ") + curves_[c].name;
     findings_.push_back({sketch::Wrong::Crossing, group.at, std::move(names), std::move(mend)});
+  }
+
+  /// Straight sides that run along each other up to rounding share their vertices afterwards, bit for bit.
+  void settle(const std::vector<Ring>& rings) {
+    std::vector<std::size_t> owner;
+    std::vector<Polyline> lines;
+    for (const Ring& ring : rings) {
+      for (const auto& side : ring.sides) {
+        if (line(side.curve) == nullptr) continue;
+        owner.push_back(side.curve);
+        lines.push_back(*line(side.curve));
+      }
+    }
+    std::vector<Polyline*> together;
+    for (Polyline& own : lines) together.push_back(&own);
+    const auto snaps = sketch::snap_together(together, same_point_);
+    if (std::all_of(snaps.begin(), snaps.end(), [](const sketch::Snap& snap) { return snap.gap == 0.0; })) return;
+    for (std::size_t i = 0; i < owner.size(); ++i) curves_[owner[i]].shape = std::move(lines[i]);
   }
 
   void trace_outlines(std::vector<Ring>& rings) {

@@ -58,7 +58,9 @@ class Repairer {
     merge_near();
     drop_doubles();
     close_gaps();
-    if (!any_loop_closes(repaired_.sketch)) DOBRA_TRY_VOID(cut_at_crossings(repaired_.sketch));
+    if (!any_loop_closes(repaired_.sketch)) {
+      DOBRA_TRY_VOID(cut_at_crossings(repaired_.sketch, options_.same_point * size_));
+    }
     const std::set<std::string> without_role = repaired_.sketch.without_role;
     domain::find_roles(repaired_.sketch, domain::DomainOptions{}.join_tolerance * size_);
     DOBRA_TRY(std::vector<sketch::Finding> crossings,

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "quebra/domain/open_outline.h"
+#include "quebra/sketch/snap.h"
 #include "shared/geom/intersect.h"
 #include "shared/topo/insert.h"
 
@@ -115,7 +116,7 @@ Trimmed trim(const Polyline& line, const Rim& rim) {
 
 }  // namespace
 
-Result<void> cut_at_crossings(sketch::Sketch& sketch) {
+Result<void> cut_at_crossings(sketch::Sketch& sketch, double same_point) {
   const auto takes_part = [&](const sketch::Curve& curve) {
     return curve.role == sketch::Role::Boundary && sketch.without_role.contains(curve.name) &&
            open_line(curve) != nullptr;
@@ -124,6 +125,9 @@ Result<void> cut_at_crossings(sketch::Sketch& sketch) {
   for (const sketch::Curve& curve : sketch.curves) {
     if (takes_part(curve)) lines.push_back(*open_line(curve));
   }
+  std::vector<Polyline*> together;
+  for (Polyline& line : lines) together.push_back(&line);
+  sketch::snap_together(together, same_point);
   Subdivision subdivision;
   DOBRA_TRY(const auto paths, insert(subdivision, lines));
   const auto ends_of = [&](HalfEdgeId h) {

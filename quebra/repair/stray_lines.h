@@ -11,9 +11,10 @@
 namespace quebra::repair {
 
 /// Cuts open straight lines without a role where they cross each other or themselves, so that what closes between the
-/// crossings can bound the domain. The pieces of 'a' are 'a', 'a_2' ...
+/// crossings can bound the domain. Stretches that run along each other stay once. The pieces of 'a' are 'a', 'a_2' ...
+/// @param same_point  m; lines nearer than this run along each other.
 /// @error those of topo::insert.  @cost O((n + crossings) log n)
-dobra::base::Result<void> cut_at_crossings(sketch::Sketch& sketch);
+dobra::base::Result<void> cut_at_crossings(sketch::Sketch& sketch, double same_point);
 
 /// Leaves out what lies outside the domain of internal lines: all of a line, or of a straight one the parts that do.
 /// @param lines  names of those whose file gave them no role; others are meant.

@@ -9,7 +9,7 @@
 #include <tuple>
 
 #include "shared/geom/place.h"
-#include "shared/offset/arcs.h"
+#include "shared/offset/offset.h"
 
 namespace recon::unfold {
 

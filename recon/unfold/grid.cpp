@@ -11,8 +11,7 @@
 #include "shared/base/text.h"
 #include "shared/geom/place.h"
 #include "shared/geom/simplify.h"
-#include "shared/offset/arcs.h"
-#include "shared/offset/distances.h"
+#include "shared/offset/offset.h"
 
 namespace recon::unfold {
 

@@ -4,14 +4,14 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 #include <string>
 
 #include "shared/base/text.h"
-#include "shared/io/scan.h"
+#include "shared/io/dxf_pairs.h"
 
 // 1. Group codes into entities. 2. Each entity into pieces, those of a mirrored plane mirrored. 3. Names.
 
@@ -53,16 +53,10 @@ std::vector<Entity> entities_of(std::string_view text) {
   std::vector<Entity> entities;
   std::string section;
   bool names_section = false;
-  Lines lines(text);
-  while (lines.next()) {
-    int code = 0;
-    const std::string word(lines.line());
-    const std::size_t begin = std::min(word.find_first_not_of(" \t"), word.size());
-    std::from_chars(word.data() + begin, word.data() + word.size(), code);
-    if (!lines.next()) break;
-    std::string value(lines.line());
-    value.erase(0, std::min(value.find_first_not_of(" \t"), value.size()));
-    value.erase(value.find_last_not_of(" \t\r") + 1);
+  DxfPairs pairs(text, {});
+  while (pairs.next()) {
+    const int code = pairs.code;
+    std::string value(pairs.value);
     if (code == 0) {
       names_section = value == "SECTION";
       if (value == "ENDSEC") section.clear();
@@ -273,12 +267,17 @@ bool holds_no_line(const std::string& type) {
 
 std::optional<std::vector<SvgPath>> dxf_paths(std::string_view text, const std::string& file) {
   const std::vector<Entity> entities = entities_of(text);
+  const std::set<std::string> hidden_layers = hidden_dxf_layers(text);
   std::vector<SvgPath> paths;
   std::map<std::string, std::size_t> used;
   bool bent = false;
   for (std::size_t i = 0; i < entities.size(); ++i) {
     const Entity& entity = entities[i];
     if (holds_no_line(entity.type)) continue;
+    if (hidden_layers.contains(entity.layer()) || entity.number(60) == 1.0) {
+      while (i + 1 < entities.size() && entities[i + 1].type == "VERTEX") ++i;
+      continue;
+    }
     if (entity.facing() == 0 || !is_level_zero(entity) || entity.number(67) != 0.0) return std::nullopt;
     std::optional<SvgPath> path;
     if (entity.type == "POLYLINE") {

@@ -11,7 +11,8 @@
 
 namespace dobra::io::drawings {
 
-/// The paths of a drawing in drawing units, x right and y up, named as read_dxf names its features; nothing where that
+/// The paths of a drawing in drawing units, x right and y up, named as read_dxf names its features, without
+/// what is not displayed; nothing where that
 /// reader must do it all: no bent entity, or one beside those above (INSERT, HATCH, a spline of weights or of fit
 /// points ...), heights, paper space, an inclined plane.
 /// @pre read_dxf reads the text

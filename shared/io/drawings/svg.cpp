@@ -1,21 +1,25 @@
 #include "shared/io/drawings/svg.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <set>
 
 #include "shared/base/text.h"
+#include "shared/io/drawings/svg_display.h"
 #include "shared/io/drawings/svg_path.h"
 #include "shared/io/file.h"
 #include "shared/io/scan.h"
+#include "shared/io/xml.h"
 
-// 1. Tags one after the other; comments, declarations and texts are passed over. 2. Groups keep their transforms on a
-// stack; what is only defined (defs, symbol, clipPath, ...) is passed over. 3. A shape becomes path data, path data
+// 1. Elements one after the other, in the order of the file. 2. Groups keep their transforms on a stack; what is only
+// defined (defs, symbol, clipPath, ...) or not displayed is passed over. 3. A shape becomes path data, path data
 // becomes pieces, pieces are transformed.
 
 namespace dobra::io::drawings {
@@ -79,168 +83,120 @@ Result<Affine> transform_of(std::string_view text) {
   return all;
 }
 
-struct Tag {
-  std::string name;  ///< Without a namespace.
-  std::map<std::string, std::string> attributes;
-  bool closing = false;
-  bool empty = false;
-  std::size_t at = 0;  ///< Byte of the text.
-};
-
-class Reader {
+/// Passes over what stands at any depth without recursion.
+class Reader : private pugi::xml_tree_walker {
  public:
-  Reader(std::string_view text, std::string file) : text_(text), file_(std::move(file)) {}
+  explicit Reader(const Xml& xml) : xml_(xml), display_(xml) {}
 
   Result<SvgFile> run() {
     // y down becomes y up.
-    std::vector<Open> open{{"", {1, 0, 0, -1, 0, 0}, false}};
-    constexpr std::size_t deepest = 1000;
-    while (true) {
-      DOBRA_TRY(const bool more, next());
-      if (!more) break;
-      if (tag_.closing) {
-        if (open.size() == 1 || open.back().name != tag_.name)
-          return error(fmt::format("</{}> closes nothing that is open", tag_.name));
-        open.pop_back();
-        continue;
-      }
-      Open inner = open.back();
-      inner.name = tag_.name;
-      if (only_defines()) {
-        if (!inner.hidden) ++left_out_[tag_.name];
-        inner.hidden = true;
-      }
-      if (const auto given = tag_.attributes.find("transform"); given != tag_.attributes.end() && !inner.hidden) {
-        auto own = transform_of(given->second);
-        if (!own) return located(own.error(), place());
-        inner.transform = inner.transform.after(*own);
-      }
-      if (!inner.hidden) DOBRA_TRY_VOID(shape(inner.transform));
-      if (!tag_.empty) open.push_back(std::move(inner));
-      if (open.size() > deepest) return error("elements are nested too deeply");
-    }
-    if (open.size() > 1) return error(fmt::format("<{}> is not closed", open.back().name));
+    open_.push_back({{1, 0, 0, -1, 0, 0}});
+    if (!xml_.root().traverse(*this)) return *failed_;
     for (const auto& [name, count] : left_out_)
-      svg_.remarks.push_back(fmt::format("{}: {} <{}> left out: only outlines are read", file_, count, name));
-    if (svg_.paths.empty())
-      return Error{ErrorCode::BadFormat, "there is no outline in the file: draw paths, or turn objects into paths",
-                   Place{.file = file_}};
+      svg_.remarks.push_back(fmt::format("{}: {} <{}> left out: only outlines are read", xml_.file(), count, name));
+    if (unseen_ > 0) {
+      svg_.remarks.push_back(fmt::format("{}: {} {} not displayed left out (hidden: {})", xml_.file(), unseen_,
+                                         unseen_ == 1 ? "outline that is" : "outlines that are",
+                                         fmt::join(hidden_by_, ", ")));
+    }
+    if (svg_.paths.empty()) {
+      return Error{ErrorCode::BadFormat,
+                   unseen_ > 0 ? "no outline of the file is displayed: show its layers and objects"
+                               : "there is no outline in the file: draw paths, or turn objects into paths",
+                   Place{.file = xml_.file()}};
+    }
     return std::move(svg_);
   }
 
  private:
+  /// What an element hands to those in it.
   struct Open {
-    std::string name;
     Affine transform;
-    bool hidden = false;
+    bool defined_only = false;
+    bool displayed = true;
+    bool visible = true;      ///< Elements in one that is not may be visible again.
+    std::string hidden_by{};  ///< The name of the outermost element that is not displayed, or of the one not visible.
   };
 
-  [[nodiscard]] Place place() const { return place_of_byte(text_, tag_.at, file_); }
+  bool for_each(pugi::xml_node& node) override {
+    if (node.type() != pugi::node_element) return true;
+    element_ = node;
+    const auto read = element();
+    if (!read) failed_ = read.error();
+    return read.ok();
+  }
+
+  Result<void> element() {
+    constexpr std::size_t deepest = 1000;
+    const auto above = static_cast<std::size_t>(depth()) + 1;
+    if (above >= deepest) return error("elements are nested too deeply");
+    open_.resize(above);
+    Open inner = open_.back();
+    const std::string name(local_name(element_));
+    take_display(inner);
+    const bool seen = inner.displayed && inner.visible;
+    if (only_defines(name)) {
+      if (!inner.defined_only && seen) ++left_out_[name];
+      inner.defined_only = true;
+    }
+    if (const pugi::xml_attribute given = element_.attribute("transform");
+        given && !inner.defined_only && inner.displayed) {
+      auto own = transform_of(given.value());
+      if (!own) return located(own.error(), place());
+      inner.transform = inner.transform.after(*own);
+    }
+    if (!inner.defined_only && seen) DOBRA_TRY_VOID(shape(name, inner.transform));
+    if (!inner.defined_only && !seen && is_outline(name)) {
+      ++unseen_;
+      hidden_by_.insert(inner.hidden_by);
+    }
+    open_.push_back(std::move(inner));
+    return {};
+  }
+
+  void take_display(Open& inner) const {
+    if (!inner.displayed) return;
+    inner.displayed = display_.value(element_, "display") != "none";
+    const std::string visibility = display_.value(element_, "visibility");
+    if (!visibility.empty()) inner.visible = visibility == "visible";
+    if (inner.displayed && visibility.empty()) return;
+    for (const char* const name : {"inkscape:label", "id"}) {
+      inner.hidden_by = element_.attribute(name).value();
+      if (!inner.hidden_by.empty()) return;
+    }
+    inner.hidden_by = fmt::format("<{}>", element_.name());
+  }
+
+  static bool is_outline(const std::string& name) {
+    static const std::set<std::string> names{"path", "rect", "circle", "ellipse", "line", "polyline", "polygon"};
+    return names.contains(name);
+  }
+
+  [[nodiscard]] Place place() const { return xml_.place(element_); }
   [[nodiscard]] Error error(std::string message) const { return {ErrorCode::BadFormat, std::move(message), place()}; }
 
-  [[nodiscard]] bool only_defines() const {
+  static bool only_defines(const std::string& name) {
     static const std::set<std::string> names{"defs",           "symbol", "clipPath", "mask",   "marker",
                                              "pattern",        "text",   "image",    "use",    "linearGradient",
                                              "radialGradient", "filter", "style",    "script", "foreignObject"};
-    return names.contains(tag_.name);
+    return names.contains(name);
   }
-
-  bool skip_to(std::string_view end) {
-    const std::size_t found = text_.find(end, at_);
-    at_ = found == std::string_view::npos ? text_.size() : found + end.size();
-    return found != std::string_view::npos;
-  }
-
-  /// The next tag. @return false at the end of the file.
-  Result<bool> next() {
-    while (true) {
-      at_ = text_.find('<', at_);
-      if (at_ == std::string_view::npos) return false;
-      tag_ = {};
-      tag_.at = at_;
-      const std::string_view rest = text_.substr(at_);
-      const auto pass = [&](std::string_view begin, std::string_view end) {
-        return rest.starts_with(begin) ? skip_to(end) ? 1 : -1 : 0;
-      };
-      int passed = pass("<!--", "-->");
-      if (passed == 0) passed = pass("<![CDATA[", "]]>");
-      if (passed == 0) passed = pass("<?", "?>");
-      if (passed == 0 && rest.starts_with("<!")) passed = skip_declaration() ? 1 : -1;
-      if (passed < 0) return error("this markup does not end");
-      if (passed == 0) break;
-    }
-    ++at_;
-    tag_.closing = at_ < text_.size() && text_[at_] == '/';
-    if (tag_.closing) ++at_;
-    const auto name_end = [&](std::size_t from) {
-      return std::min(text_.find_first_of(" \t\r\n/>=", from), text_.size());
-    };
-    const std::size_t end = name_end(at_);
-    tag_.name = without_namespace(text_.substr(at_, end - at_));
-    at_ = end;
-    if (tag_.name.empty()) return error("a name is due after '<'");
-    while (true) {
-      at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size());
-      if (at_ == text_.size()) return error(fmt::format("the tag <{}> does not end", tag_.name));
-      if (text_[at_] == '>') {
-        ++at_;
-        return true;
-      }
-      if (text_[at_] == '/') {
-        tag_.empty = true;
-        ++at_;
-        continue;
-      }
-      const std::size_t stop = name_end(at_);
-      const std::string name(text_.substr(at_, stop - at_));
-      at_ = std::min(text_.find_first_not_of(" \t\r\n", stop), text_.size());
-      if (name.empty() || at_ == text_.size() || text_[at_] != '=')
-        return error(fmt::format("an attribute of <{}> has no value", tag_.name));
-      at_ = std::min(text_.find_first_not_of(" \t\r\n", at_ + 1), text_.size());
-      const char quote = at_ < text_.size() ? text_[at_] : '\0';
-      const std::size_t close = quote == '"' || quote == '\'' ? text_.find(quote, at_ + 1) : std::string_view::npos;
-      if (close == std::string_view::npos)
-        return error(fmt::format("the value of {} is not between quotes", shown(name)));
-      tag_.attributes[name] = std::string(text_.substr(at_ + 1, close - at_ - 1));
-      at_ = close + 1;
-    }
-  }
-
-  /// <!DOCTYPE ... [ ... ] >
-  bool skip_declaration() {
-    int brackets = 0;
-    for (; at_ < text_.size(); ++at_) {
-      if (text_[at_] == '[') ++brackets;
-      if (text_[at_] == ']') --brackets;
-      if (text_[at_] == '>' && brackets <= 0) {
-        ++at_;
-        return true;
-      }
-    }
-    return false;
-  }
-
-  static std::string without_namespace(std::string_view name) { return std::string(name.substr(name.find(':') + 1)); }
 
   /// An attribute as a length; units other than px are refused, since what they are depends on the viewer.
   Result<double> length(const char* name) {
-    const auto found = tag_.attributes.find(name);
-    if (found == tag_.attributes.end()) return 0.0;
-    SvgScanner scan(found->second);
+    const pugi::xml_attribute found = element_.attribute(name);
+    if (!found) return 0.0;
+    SvgScanner scan(found.value());
     auto value = scan.number();
     if (!value) return located(value.error(), place());
     if (!scan.at_end() && scan.rest() != "px")
-      return error(fmt::format("{} = {}: give lengths without a unit", name, shown(found->second)));
+      return error(fmt::format("{} = {}: give lengths without a unit", name, shown(found.value())));
     return *value;
   }
 
   /// The element as path data; empty if it is no outline.
-  Result<std::string> path_data() {
-    const std::string& name = tag_.name;
-    const auto attribute = [&](const char* key) {
-      const auto found = tag_.attributes.find(key);
-      return found == tag_.attributes.end() ? std::string() : found->second;
-    };
+  Result<std::string> path_data(const std::string& name) {
+    const auto attribute = [&](const char* key) { return std::string(element_.attribute(key).value()); };
     if (name == "path") return attribute("d");
     if (name == "polyline") return "M" + attribute("points");
     if (name == "polygon") return "M" + attribute("points") + "Z";
@@ -270,18 +226,18 @@ class Reader {
                        text(rx), text(ry), text(v["cx"] - rx));
   }
 
-  Result<void> shape(const Affine& transform) {
-    DOBRA_TRY(const std::string data, path_data());
+  Result<void> shape(const std::string& element, const Affine& transform) {
+    DOBRA_TRY(const std::string data, path_data(element));
     if (data.find_first_not_of(" \t\r\n") == std::string::npos) return {};
     auto read = svg_subpaths(data);
     if (!read) return located(read.error(), place());
-    const auto id = tag_.attributes.find("id");
+    const std::string id = element_.attribute("id").value();
     std::size_t number = 0;
     for (SvgPath& path : *read) {
       ++number;
-      path.name = id == tag_.attributes.end() || id->second.empty() ? fmt::format("path {}", svg_.paths.size() + 1)
-                  : number == 1                                     ? id->second
-                                                                    : fmt::format("{} ({})", id->second, number);
+      path.name = id.empty()    ? fmt::format("path {}", svg_.paths.size() + 1)
+                  : number == 1 ? id
+                                : fmt::format("{} ({})", id, number);
       path.place = place();
       for (SvgPiece& piece : path.pieces) {
         for (Point* p : {&piece.from, &piece.to, &piece.control[0], &piece.control[1], &piece.centre})
@@ -299,19 +255,22 @@ class Reader {
     return {};
   }
 
-  std::string_view text_;
-  std::string file_;
-  std::size_t at_ = 0;
-  Tag tag_;
+  const Xml& xml_;
+  SvgDisplay display_;
+  std::vector<Open> open_;  ///< The elements that the current one stands in, outermost first.
+  pugi::xml_node element_;
+  std::optional<Error> failed_;
   std::map<std::string, std::size_t> left_out_;
+  std::size_t unseen_ = 0;
+  std::set<std::string> hidden_by_;
   SvgFile svg_;
 };
 
 }  // namespace
 
 Result<SvgFile> parse_svg(std::string_view text, const std::string& file) {
-  DOBRA_TRY_VOID(check_text(text, file));
-  return Reader(text, file).run();
+  DOBRA_TRY(const Xml xml, Xml::parse(text, file));
+  return Reader(xml).run();
 }
 
 Result<SvgFile> read_svg(const std::string& path) {

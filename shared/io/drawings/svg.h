@@ -1,7 +1,8 @@
 #pragma once
 // The outlines of SVG pictures: path elements (M L H V C S Q T A Z, absolute and relative), and rect, circle, ellipse,
 // line, polyline and polygon, with the transforms of their groups. Curves stay curves. SVG's y runs down: it is turned,
-// so that the picture stands as it is seen; one unit is 1 m. Source: [svg11].
+// so that the picture stands as it is seen; one unit is 1 m. What is not displayed (display: none, visibility: hidden,
+// layers that are hidden so) is not there. Source: [svg11].
 
 #include <array>
 #include <string>
@@ -39,7 +40,7 @@ struct SvgPath {
 
 struct SvgFile {
   std::vector<SvgPath> paths;        ///< At least one, each with pieces; in the order of the file.
-  std::vector<std::string> remarks;  ///< What was left out: definitions, texts, pictures; one line each.
+  std::vector<std::string> remarks;  ///< What was left out: definitions, texts, pictures, what is not displayed.
 };
 
 /// @error FileNotFound, NotAFile, CannotRead, EmptyFile; BadFormat with line and column: markup that does not close,

@@ -12,11 +12,13 @@
 #include <ogrsf_frmts.h>
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 #include <mutex>
 #include <optional>
+#include <set>
+#include <utility>
 
+#include "shared/io/dxf_pairs.h"
 #include "shared/io/file.h"
 #include "shared/io/gis/gdal.h"
 #include "shared/io/gis/ogr_features.h"
@@ -33,52 +35,9 @@ using geom::Polyline;
 
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
 bool is_curved(std::string_view entity) {
   return entity == "ARC" || entity == "CIRCLE" || entity == "ELLIPSE" || entity == "SPLINE";
 }
-
-// The pairs of a drawing, one after another.
-class Pairs {
- public:
-  Pairs(std::string_view text, const std::string& file) : lines_(text), file_(file) {}
-
-  int code = 0;
-  std::string_view value;
-
-  // Moves on. @error BadFormat: no group code, or the text ends where a pair should stand.
-  Result<void> next() {
-    if (!lines_.next()) return cut_short();
-    const std::string_view word = trimmed(lines_.line());
-    const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), code);
-    if (problem != std::errc{} || end != word.data() + word.size()) {
-      return error(fmt::format("{} is not a group code; a DXF file is pairs of lines, a whole number and its value",
-                               shown(word)));
-    }
-    if (!lines_.next()) return cut_short();
-    value = trimmed(lines_.line());
-    return {};
-  }
-  [[nodiscard]] bool is(int wanted_code, std::string_view wanted) const {
-    return code == wanted_code && value == wanted;
-  }
-  // At the value of the current pair.
-  [[nodiscard]] Error error(std::string message, ErrorCode error_code = ErrorCode::BadFormat) const {
-    return {error_code, std::move(message), Place{.file = file_, .line = lines_.number()}};
-  }
-
- private:
-  [[nodiscard]] Error cut_short() const {
-    return error("the drawing ends without '0 EOF'; the file may have been cut short");
-  }
-  Lines lines_;
-  std::string file_;
-};
 
 struct Survey {
   std::size_t curved = 0;  // arcs, circles, splines, bulges
@@ -101,12 +60,21 @@ void note_unit(std::string_view value, lines::StatedConvention& stated) {
                                           shown(value))});
 }
 
+// Whether the pair says that its entity is not displayed.
+bool is_hidden_by(const DxfPairs& pairs, const std::set<std::string>& hidden_layers) {
+  return (pairs.code == 8 && hidden_layers.contains(std::string(pairs.value))) ||
+         (pairs.code == 60 && pairs.value == "1");
+}
+
 // Judges the whole text.
 Result<Survey> survey(std::string_view text, const std::string& file) {
-  Pairs pairs(text, file);
+  DxfPairs pairs(text, file);
+  const std::set<std::string> hidden_layers = hidden_dxf_layers(text);
   Survey found;
+  std::size_t bends = 0;  // of the current record, which may turn out to be hidden
   std::string_view section;
   std::string_view entity;
+  bool hidden = false;
   bool entities_seen = false;
   bool first = true;
   while (true) {
@@ -129,16 +97,20 @@ Result<Survey> survey(std::string_view text, const std::string& file) {
       continue;
     }
     if (pairs.code == 0) {
+      found.curved += std::exchange(bends, 0);
+      hidden = false;
       entity = pairs.value;
       if (entity == "ENDSEC") section = {};
     }
     if (section != "ENTITIES" && section != "BLOCKS") continue;
-    if (pairs.code == 0 && is_curved(entity)) ++found.curved;
+    if (pairs.code == 0 && is_curved(entity)) ++bends;
+    hidden = hidden || is_hidden_by(pairs, hidden_layers);
+    if (hidden) bends = 0;
     if (pairs.code < 10 || pairs.code > 59) continue;
     const Result<double> number = finite_number(pairs.value, "a coordinate");
     if (!number)
       return pairs.error(fmt::format("group {}: {}", pairs.code, number.error().message), number.error().code);
-    if (pairs.code == 42 && *number != 0.0 && (entity == "LWPOLYLINE" || entity == "VERTEX")) ++found.curved;
+    if (pairs.code == 42 && *number != 0.0 && !hidden && (entity == "LWPOLYLINE" || entity == "VERTEX")) ++bends;
   }
   if (!entities_seen) return pairs.error("the drawing has no section ENTITIES; save it again with its lines");
   return found;
@@ -175,6 +147,17 @@ bool is_level_zero(const std::vector<double>& heights) {
   return std::all_of(heights.begin(), heights.end(), [](double z) { return z == 0.0; });
 }
 
+// OGR draws entities that are invisible, and those on layers that are off or frozen, in a colour without opacity; also
+// those of blocks, which take after where they are inserted.
+bool is_hidden(const OGRFeature& source) {
+  const char* const given = source.GetStyleString();
+  const std::string_view style = given == nullptr ? "" : given;
+  constexpr std::size_t opaque = 6;  // digits of red, green and blue; two more are the opacity
+  const std::size_t digits = style.find("c:#") + 3;
+  const std::size_t end = std::min(style.find_first_not_of("0123456789abcdefABCDEF", digits), style.size());
+  return digits > 2 && end - digits == opaque + 2 && style.substr(digits + opaque, 2) == "00";
+}
+
 class DrawingReader {
  public:
   DrawingReader(const std::string& file, lines::Heights heights, lines::Faulty faulty)
@@ -183,12 +166,16 @@ class DrawingReader {
   // Adds the lines of one entity.
   Result<void> add(const OGRFeature& source) {
     ++number_;
+    const int field = source.GetFieldIndex("Layer");
+    std::string layer = field >= 0 ? source.GetFieldAsString(field) : "";
+    if (is_hidden(source)) {
+      ++hidden_[layer];
+      return {};
+    }
     const OGRGeometry* geometry = source.GetGeometryRef();
     Parts parts;
     if (geometry != nullptr) add_parts(*geometry, parts);
     for (const auto& [type, count] : parts.left_out) left_out_[type] += count;
-    const int field = source.GetFieldIndex("Layer");
-    std::string layer = field >= 0 ? source.GetFieldAsString(field) : "";
     if (layer == "0") layer.clear();
     for (std::size_t i = 0; i < parts.lines.parts.size(); ++i) {
       Polyline& line = parts.lines.parts[i];
@@ -209,6 +196,8 @@ class DrawingReader {
     const auto say = [&](const std::string& remark) { features_.remarks.push_back(file_ + ": " + remark); };
     for (const auto& [type, count] : left_out_)
       say(fmt::format("{} of type {} left out: only lines are read", count, type));
+    for (const auto& [layer, count] : hidden_)
+      say(fmt::format("{} not displayed left out, of layer {}", count, shown(layer)));
     if (found.curved > 0) say(fmt::format("{} {}", found.curved, read_as_chords));
     for (const std::string& warning : messages.warnings) say(warning);
     features_.stated = found.stated;
@@ -246,6 +235,7 @@ class DrawingReader {
   std::size_t number_ = 0;
   std::map<std::string, std::size_t> used_;
   std::map<std::string, std::size_t> left_out_;
+  std::map<std::string, std::size_t> hidden_;  // by layer
   lines::Features features_;
 };
 

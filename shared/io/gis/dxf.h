@@ -27,8 +27,9 @@ inline constexpr std::string_view read_as_chords = "arcs or splines read as chor
 /// "0", which stands for none, gives neither. The kind is that of the layer where its name is one (known_kind). Closed
 /// entities, and those whose last point repeats the first, are Polygons of one anticlockwise contour; the others are
 /// Lines in the order of drawing. Heights (an elevation too) are kept where one is not 0, or dropped. A remark says
-/// what was dropped: third coordinates, repeated points, entities that are no lines (texts, points, hatches, ...).
-/// `stated` says the unit of $INSUNITS, and asks where it is none of mm, cm, dm, m, km, in, ft, yd and mi.
+/// what was dropped: entities that are not displayed (invisible, or on a layer that is off or frozen), third
+/// coordinates, repeated points, entities that are no lines (texts, points, hatches, ...). `stated` says the unit of
+/// $INSUNITS, and asks where it is none of mm, cm, dm, m, km, in, ft, yd and mi.
 /// @error EmptyFile; BadFormat with the line: binary, a group code or a coordinate that is no number, the end missing
 ///        (a file cut short), no section ENTITIES; NotFinite, DegenerateCurve: the place's item is the entity.
 /// @cost  O(file size).

@@ -1,4 +1,4 @@
-// 1. Walk the XML tags; remember in which section (Points, Cells, PointData, CellData) each DataArray stands.
+// 1. Find the sections (Points, Cells, PointData, CellData, FieldData) and the DataArrays in each of them.
 // 2. Turn each DataArray into numbers (ASCII or base64 with a length in front).
 // 3. Build the mesh from Points and Cells; what is left are fields, "region" the regions.
 
@@ -16,6 +16,7 @@
 #include "shared/io/file.h"
 #include "shared/io/meshes/vtu.h"
 #include "shared/io/scan.h"
+#include "shared/io/xml.h"
 
 namespace dobra::io::meshes {
 
@@ -24,47 +25,6 @@ using base::ErrorCode;
 using base::Result;
 
 namespace {
-
-struct Tag {
-  std::string name;  // "/Name" for an end tag
-  std::map<std::string, std::string, std::less<>> attributes;
-  bool empty = false;     // <Name/>
-  std::size_t begin = 0;  // byte of '<'
-  std::size_t end = 0;    // byte behind '>'
-};
-
-std::string unescaped(std::string_view text) {
-  constexpr std::pair<std::string_view, char> entities[] = {
-      {"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}, {"&apos;", '\''}, {"&amp;", '&'}};
-  std::string result;
-  for (std::size_t i = 0; i < text.size();) {
-    const auto* found = std::find_if(std::begin(entities), std::end(entities),
-                                     [&](const auto& entity) { return text.substr(i).starts_with(entity.first); });
-    result += found == std::end(entities) ? text[i] : found->second;
-    i += found == std::end(entities) ? 1 : found->first.size();
-  }
-  return result;
-}
-
-// Attributes `name="value"` of the inside of a tag.
-std::optional<std::map<std::string, std::string, std::less<>>> attributes_of(std::string_view text) {
-  std::map<std::string, std::string, std::less<>> attributes;
-  while (true) {
-    const std::size_t begin = text.find_first_not_of(" \t\r\n");
-    if (begin == std::string_view::npos) return attributes;
-    text.remove_prefix(begin);
-    const std::size_t equals = text.find('=');
-    if (equals == std::string_view::npos || equals + 1 >= text.size()) return std::nullopt;
-    std::string_view name = text.substr(0, equals);
-    while (!name.empty() && (name.back() == ' ' || name.back() == '\t')) name.remove_suffix(1);
-    const std::size_t open = text.find_first_not_of(" \t\r\n", equals + 1);
-    if (open == std::string_view::npos || (text[open] != '"' && text[open] != '\'')) return std::nullopt;
-    const std::size_t close = text.find(text[open], open + 1);
-    if (close == std::string_view::npos) return std::nullopt;
-    attributes[std::string(name)] = unescaped(text.substr(open + 1, close - open - 1));
-    text.remove_prefix(close + 1);
-  }
-}
 
 // Size in bytes and conversion of one binary number.
 template <class T>
@@ -95,15 +55,15 @@ constexpr std::pair<double, mesh::ElementType> element_types[] = {{5.0, mesh::El
 
 struct Array {
   MeshField field;
-  std::size_t begin = 0;  // byte of its tag, for messages
+  pugi::xml_node node;
 };
 
 class Reader {
  public:
-  Reader(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+  explicit Reader(const Xml& xml) : xml_(xml) {}
 
   Result<VtuContents> run() {
-    DOBRA_TRY_VOID(read_tags());
+    DOBRA_TRY_VOID(read_arrays());
     VtuContents contents;
     DOBRA_TRY_VOID(take_points(contents.mesh));
     DOBRA_TRY_VOID(take_elements(contents.mesh));
@@ -115,139 +75,95 @@ class Reader {
   }
 
  private:
-  Error error(std::size_t byte, std::string message, ErrorCode code = ErrorCode::BadFormat) const {
-    return Error{code, std::move(message), place_of_byte(text_, byte, file_)};
+  Error error(const pugi::xml_node& at, std::string message, ErrorCode code = ErrorCode::BadFormat) const {
+    return Error{code, std::move(message), xml_.place(at)};
   }
 
-  // The next tag from at_ on; none at the end. Comments and processing instructions are passed over.
-  Result<std::optional<Tag>> next_tag() {
-    while (true) {
-      const std::size_t begin = text_.find('<', at_);
-      if (begin == std::string_view::npos) return std::optional<Tag>{};
-      const bool comment = text_.substr(begin).starts_with("<!--");
-      const std::size_t close = text_.find(comment ? "-->" : ">", begin);
-      if (close == std::string_view::npos) return error(begin, "this tag has no end; the file may have been cut short");
-      at_ = close + (comment ? 3 : 1);
-      if (comment || text_[begin + 1] == '?' || text_[begin + 1] == '!') continue;
-      std::string_view inside = text_.substr(begin + 1, close - begin - 1);
-      Tag tag;
-      tag.empty = inside.ends_with('/');
-      if (tag.empty) inside.remove_suffix(1);
-      const std::size_t name_end = std::min(inside.find_first_of(" \t\r\n"), inside.size());
-      tag.name = std::string(inside.substr(0, name_end));
-      auto attributes = attributes_of(inside.substr(name_end));
-      if (!attributes) return error(begin, fmt::format("the attributes of {} are not valid XML", shown(tag.name)));
-      tag.attributes = std::move(*attributes);
-      tag.begin = begin;
-      tag.end = at_;
-      return std::optional<Tag>(std::move(tag));
-    }
-  }
-
-  static std::string attribute(const Tag& tag, std::string_view name, std::string otherwise = {}) {
-    const auto found = tag.attributes.find(name);
-    return found == tag.attributes.end() ? otherwise : found->second;
-  }
-
-  Result<void> read_tags() {
-    std::string section;
-    bool grid = false;
-    while (true) {
-      DOBRA_TRY(const std::optional<Tag> tag, next_tag());
-      if (!tag) break;
-      if (tag->name == "VTKFile") {
-        DOBRA_TRY_VOID(check_header(*tag));
-        grid = true;
-      } else if (tag->name == "Points" || tag->name == "Cells" || tag->name == "PointData" || tag->name == "CellData" ||
-                 tag->name == "FieldData") {
-        section = tag->empty ? "" : tag->name;
-      } else if (tag->name == "/" + section) {
-        section.clear();
-      } else if (tag->name == "Piece") {
-        if (std::exchange(in_piece_, true))
-          return error(tag->begin, "files of several pieces are not read; join them first", ErrorCode::UnknownFormat);
-      } else if (tag->name == "DataArray" && !section.empty()) {
-        if (!grid) return error(tag->begin, "this array stands outside a VTKFile");
-        DOBRA_TRY_VOID(read_array(*tag, section));
+  Result<void> read_arrays() {
+    const pugi::xml_node file = xml_.root().child("VTKFile");
+    if (!file)
+      return Error{ErrorCode::BadFormat, "not a .vtu file: there is no VTKFile tag", base::Place{.file = xml_.file()}};
+    DOBRA_TRY_VOID(check_header(file));
+    const pugi::xml_node grid = file.child("UnstructuredGrid");
+    const pugi::xml_node piece = grid.child("Piece");
+    if (const pugi::xml_node second = piece.next_sibling("Piece"))
+      return error(second, "files of several pieces are not read; join them first", ErrorCode::UnknownFormat);
+    for (const pugi::xml_node& parent : {grid, piece}) {
+      for (const char* const section : {"FieldData", "PointData", "CellData", "Points", "Cells"}) {
+        for (const pugi::xml_node& array : parent.child(section).children("DataArray"))
+          DOBRA_TRY_VOID(read_array(array, section));
       }
     }
-    if (!grid)
-      return Error{ErrorCode::BadFormat, "not a .vtu file: there is no VTKFile tag", base::Place{.file = file_}};
     return {};
   }
 
-  Result<void> check_header(const Tag& tag) {
-    const auto refuse = [&](std::string message) {
-      return error(tag.begin, std::move(message), ErrorCode::UnknownFormat);
-    };
-    const std::string type = attribute(tag, "type");
+  Result<void> check_header(const pugi::xml_node& file) {
+    const auto refuse = [&](std::string message) { return error(file, std::move(message), ErrorCode::UnknownFormat); };
+    const std::string type = file.attribute("type").value();
     if (type != "UnstructuredGrid")
       return refuse(fmt::format("VTK type {} is not read; give an UnstructuredGrid", shown(type)));
-    if (attribute(tag, "byte_order", "LittleEndian") != "LittleEndian")
+    if (std::string_view(file.attribute("byte_order").as_string("LittleEndian")) != "LittleEndian")
       return refuse("only LittleEndian files are read");
-    if (tag.attributes.contains("compressor")) return refuse("compressed files are not read; save it uncompressed");
-    const std::string header = attribute(tag, "header_type", "UInt32");
+    if (file.attribute("compressor")) return refuse("compressed files are not read; save it uncompressed");
+    const std::string header = file.attribute("header_type").as_string("UInt32");
     if (header != "UInt32" && header != "UInt64")
       return refuse(fmt::format("header type {} is not known", shown(header)));
     header_size_ = header == "UInt64" ? 8 : 4;
     return {};
   }
 
-  Result<void> read_array(const Tag& tag, const std::string& section) {
-    Array array;
-    array.begin = tag.begin;
-    array.field.name = attribute(tag, "Name");
-    const std::string components = attribute(tag, "NumberOfComponents", "1");
+  Result<void> read_array(const pugi::xml_node& node, const std::string& section) {
+    Array array{{}, node};
+    array.field.name = node.attribute("Name").value();
+    const std::string components = node.attribute("NumberOfComponents").as_string("1");
     const std::optional<double> count = base::parse_number(components);
     if (!count || !(*count >= 1.0) || *count > 1000.0 || *count != std::floor(*count)) {
-      return error(tag.begin, fmt::format("NumberOfComponents {} is not a count", shown(components)));
+      return error(node, fmt::format("NumberOfComponents {} is not a count", shown(components)));
     }
     array.field.components = static_cast<std::size_t>(*count);
-    if (!tag.empty) {
-      const std::size_t end = text_.find('<', tag.end);
-      if (end == std::string_view::npos)
-        return error(tag.begin, "this array has no end; the file may have been cut short");
-      DOBRA_TRY_VOID(read_values(tag, end, array.field.values));
-    }
+    const auto is_text = [](const pugi::xml_node& child) { return child.type() != pugi::node_element; };
+    const auto text = std::find_if(node.begin(), node.end(), is_text);
+    if (text != node.end()) DOBRA_TRY_VOID(read_values(node, *text, array.field.values));
     arrays_[section].push_back(std::move(array));
     return {};
   }
 
-  Result<void> read_values(const Tag& tag, std::size_t end, std::vector<double>& values) {
-    const std::string format = attribute(tag, "format", "ascii");
-    const std::string name = attribute(tag, "type");
+  Result<void> read_values(const pugi::xml_node& node, const pugi::xml_node& text, std::vector<double>& values) {
+    const std::string format = node.attribute("format").as_string("ascii");
+    const std::string name = node.attribute("type").value();
     const auto* type = std::find_if(std::begin(types), std::end(types), [&](const Type& t) { return t.name == name; });
-    if (type == std::end(types)) return error(tag.begin, fmt::format("number type {} is not known", shown(name)));
-    if (format == "ascii") return read_ascii(tag.end, end, values);
+    if (type == std::end(types)) return error(node, fmt::format("number type {} is not known", shown(name)));
+    if (format == "ascii") return read_ascii(text.value(), values);
     if (format != "binary") {
-      return error(tag.begin, fmt::format("format {} is not read; save it as ASCII or inline binary", shown(format)),
+      return error(node, fmt::format("format {} is not read; save it as ASCII or inline binary", shown(format)),
                    ErrorCode::UnknownFormat);
     }
-    const std::optional<std::string> bytes = from_base64(text_.substr(tag.end, end - tag.end));
-    if (!bytes || bytes->size() < header_size_) return error(tag.end, "this array is not valid base64");
+    const std::optional<std::string> bytes = from_base64(text.value());
+    if (!bytes || bytes->size() < header_size_) return error(text, "this array is not valid base64");
     std::uint64_t size = 0;
     std::memcpy(&size, bytes->data(), header_size_);
     if (size != bytes->size() - header_size_ || size % type->size != 0) {
-      return error(tag.end, fmt::format("the array says {} bytes and holds {}", size, bytes->size() - header_size_));
+      return error(text, fmt::format("the array says {} bytes and holds {}", size, bytes->size() - header_size_));
     }
     type->append(std::string_view(*bytes).substr(header_size_), values);
     for (const double value : values) {
       if (!std::isfinite(value))
-        return error(tag.end, "the array holds a number that is not finite", ErrorCode::NotFinite);
+        return error(text, "the array holds a number that is not finite", ErrorCode::NotFinite);
     }
     return {};
   }
 
-  Result<void> read_ascii(std::size_t begin, std::size_t end, std::vector<double>& values) {
+  Result<void> read_ascii(std::string_view text, std::vector<double>& values) {
     constexpr std::string_view blanks = " \t\r\n";
     while (true) {
-      begin = text_.find_first_not_of(blanks, begin);
-      if (begin == std::string_view::npos || begin >= end) return {};
-      const std::size_t stop = std::min(text_.find_first_of(blanks, begin), end);
-      const Result<double> value = finite_number(text_.substr(begin, stop - begin), "the value");
-      if (!value) return base::located(value.error(), place_of_byte(text_, begin, file_));
+      const std::size_t begin = text.find_first_not_of(blanks);
+      if (begin == std::string_view::npos) return {};
+      text.remove_prefix(begin);
+      const std::string_view word = text.substr(0, text.find_first_of(blanks));
+      const Result<double> value = finite_number(word, "the value");
+      if (!value) return base::located(value.error(), xml_.place(word.data()));
       values.push_back(*value);
-      begin = stop;
+      text.remove_prefix(word.size());
     }
   }
 
@@ -260,16 +176,16 @@ class Reader {
       return array;
     }
     return Error{ErrorCode::BadFormat, fmt::format("there is no array {} in {}", shown(name), section),
-                 base::Place{.file = file_}};
+                 base::Place{.file = xml_.file()}};
   }
 
   Result<void> take_points(mesh::ElementMesh& mesh) {
     DOBRA_TRY(const Array array, take("Points", ""));
     const std::vector<double>& values = array.field.values;
     if (array.field.components != 3 || values.size() % 3 != 0)
-      return error(array.begin, "points need three coordinates each");
+      return error(array.node, "points need three coordinates each");
     if (values.size() / 3 >= std::numeric_limits<std::uint32_t>::max())
-      return error(array.begin, "there are too many points");
+      return error(array.node, "there are too many points");
     for (std::size_t i = 0; i < values.size(); i += 3) mesh.points.push_back({values[i], values[i + 1]});
     return {};
   }
@@ -279,7 +195,7 @@ class Reader {
     DOBRA_TRY(const Array offsets, take("Cells", "offsets"));
     DOBRA_TRY(const Array kinds, take("Cells", "types"));
     const std::size_t count = kinds.field.values.size();
-    if (offsets.field.values.size() != count) return error(offsets.begin, "there is not one offset an element");
+    if (offsets.field.values.size() != count) return error(offsets.node, "there is not one offset an element");
     std::size_t at = 0;
     std::vector<mesh::NodeId> own;
     for (std::size_t e = 0; e < count; ++e) {
@@ -287,26 +203,26 @@ class Reader {
       const auto* type = std::find_if(std::begin(element_types), std::end(element_types),
                                       [&](const auto& t) { return t.first == kind; });
       if (type == std::end(element_types)) {
-        return error(kinds.begin,
+        return error(kinds.node,
                      fmt::format("cell type {} is not read; give triangles (5, 22) or quadrilaterals (9, 23)", kind),
                      ErrorCode::UnknownFormat);
       }
       own.clear();
       for (std::size_t k = 0; k < node_count(type->second); ++k, ++at) {
         if (at >= nodes.field.values.size())
-          return error(nodes.begin, fmt::format("the nodes of element {} are missing", e));
+          return error(nodes.node, fmt::format("the nodes of element {} are missing", e));
         const double node = nodes.field.values[at];
         if (!(node >= 0.0) || node >= static_cast<double>(mesh.points.size()) || node != std::floor(node)) {
-          return error(nodes.begin, fmt::format("element {}: there is no point {}", e, node));
+          return error(nodes.node, fmt::format("element {}: there is no point {}", e, node));
         }
         own.emplace_back(static_cast<std::size_t>(node));
       }
       if (offsets.field.values[e] != static_cast<double>(at)) {
-        return error(offsets.begin, fmt::format("the offset of element {} does not fit its type", e));
+        return error(offsets.node, fmt::format("the offset of element {} does not fit its type", e));
       }
       add_element(mesh, type->second, own, 0);
     }
-    if (mesh.element_count() == 0) return error(kinds.begin, "the file holds no elements");
+    if (mesh.element_count() == 0) return error(kinds.node, "the file holds no elements");
     return {};
   }
 
@@ -324,7 +240,7 @@ class Reader {
       const std::string name = blank == std::string::npos ? "" : array.field.name.substr(blank + 1);
       const std::vector<double>& values = array.field.values;
       const auto refuse = [&] {
-        return error(array.begin, fmt::format("field data {} are not valid for this mesh", shown(array.field.name)));
+        return error(array.node, fmt::format("field data {} are not valid for this mesh", shown(array.field.name)));
       };
       if (kind == "side_set") {
         auto& set = mesh.side_sets[name];
@@ -355,8 +271,8 @@ class Reader {
   Result<void> take_fields(const std::string& section, std::size_t items, std::vector<MeshField>& fields) {
     for (Array& array : arrays_[section]) {
       if (array.field.values.size() != items * array.field.components) {
-        return error(array.begin, fmt::format("field {} has {} values where {} x {} are due", shown(array.field.name),
-                                              array.field.values.size(), items, array.field.components));
+        return error(array.node, fmt::format("field {} has {} values where {} x {} are due", shown(array.field.name),
+                                             array.field.values.size(), items, array.field.components));
       }
       fields.push_back(std::move(array.field));
     }
@@ -378,19 +294,16 @@ class Reader {
     fields.erase(found);
   }
 
-  std::string_view text_;
-  std::string file_;
-  std::size_t at_ = 0;
+  const Xml& xml_;
   std::size_t header_size_ = 4;
-  bool in_piece_ = false;
   std::map<std::string, std::vector<Array>> arrays_;
 };
 
 }  // namespace
 
 Result<VtuContents> parse_vtu(std::string_view text, const std::string& file) {
-  DOBRA_TRY_VOID(check_text(text, file));
-  return Reader(text, file).run();
+  DOBRA_TRY(const Xml xml, Xml::parse(text, file));
+  return Reader(xml).run();
 }
 
 Result<VtuContents> read_vtu(const std::string& path) {

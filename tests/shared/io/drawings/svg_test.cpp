@@ -148,5 +148,59 @@ TEST(Svg, ErrorsNameTheLineAndWhatToDo) {
   EXPECT_NE(parse_svg("<svg></svg>", "a").error().message.find("no outline"), std::string::npos);
 }
 
+TEST(Svg, WhatIsNotDisplayedIsNotThereAndSaid) {
+  const std::string shown = "<path id='a' d='M0 0h9v9z'/>";
+  const std::string hole = "<circle id='h' cx='5' cy='5' r='1'";
+  const std::pair<std::string, std::string> hidden[] = {
+      {hole + " display='none'/>", "h"},
+      {hole + " style='fill:red; display : none'/>", "h"},
+      {hole + " style='display:none!important;fill:red'/>", "h"},
+      {hole + " visibility='hidden'/>", "h"},
+      {hole + " visibility='collapse'/>", "h"},
+      {"<g id='layer1' inkscape:label='Sketch' style='display:none'><g><g display='inline'>" + hole + "/></g></g></g>",
+       "Sketch"},
+      {"<g visibility='hidden'><g>" + hole + "/></g></g>", "<g>"},
+      {"<style>/* .x */ .st0{fill:none;} .st1, .b{stroke:#000;display:none}</style>" + hole + " class='st0 st1'/>",
+       "h"},
+      {"<style><![CDATA[#h{visibility:hidden}]]></style>" + hole + " visibility='visible'/>", "h"},
+      {"<style>circle{display:none} @media print{path{display:none}}</style>" + hole + "/>", "h"},
+  };
+  for (const auto& [body, by] : hidden) {
+    const SvgFile file = parsed(shown + body);
+    ASSERT_EQ(file.paths.size(), 1U) << body;
+    EXPECT_EQ(file.paths[0].name, "a");
+    ASSERT_FALSE(file.remarks.empty()) << body;
+    EXPECT_EQ(file.remarks.back(), "a.svg: 1 outline that is not displayed left out (hidden: " + by + ")") << body;
+  }
+}
+
+TEST(Svg, WhatIsDisplayedAllTheSameIsThere) {
+  const std::string hole = "<circle id='h' cx='5' cy='5' r='1'";
+  for (const std::string& body : std::vector<std::string>{
+           hole + " display='inline'/>", hole + " style='display:block;visibility:visible'/>",
+           "<g visibility='hidden'>" + hole + " visibility='visible'/></g>",
+           "<g style='visibility:hidden'><g visibility='inherit'>" + hole + " style='visibility:visible'/></g></g>",
+           "<style>circle{display:none} .c{display:inline}</style>" + hole + " class='c'/>",
+           "<style>.c{display:none}</style>" + hole + " class='c' style='display:inline'/>",
+           "<style>g circle{display:none}</style>" + hole + "/>", hole + " opacity='0' style='fill:none'/>"}) {
+    EXPECT_EQ(parsed(body).paths.size(), 1U) << body;
+  }
+  // What is wrong in what is not displayed is no fault; and a file of nothing else holds nothing.
+  EXPECT_EQ(parsed(hole + "/><g display='none'><path d='x'/><rect rx='1'/></g>").paths.size(), 1U);
+  EXPECT_NE(error_of("<g display='none'>" + hole + "/></g>").message.find("no outline of the file is displayed"),
+            std::string::npos);
+}
+
+TEST(Svg, DeepFilesAndDeclaredEntitiesAreRefused) {
+  std::string deep;
+  for (int i = 0; i < 100'000; ++i) deep += "<g>";
+  deep += "<path d='M0 0h1'/>";
+  for (int i = 0; i < 100'000; ++i) deep += "</g>";
+  EXPECT_NE(error_of(deep).message.find("nested too deeply"), std::string::npos);
+  const auto bomb = parse_svg("<!DOCTYPE svg [<!ENTITY a 'M0 0'><!ENTITY b '&a;&a;'>]><svg><path d='&b;'/></svg>", "a");
+  ASSERT_FALSE(bomb.ok());
+  EXPECT_NE(bomb.error().message.find("begins with M"), std::string::npos) << bomb.error().message;
+}
+
 }  // namespace
 }  // namespace dobra::io::drawings

@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "shared/io/drawings/dxf_paths.h"
 #include "shared/io/file.h"
 #include "tests/shared/io/io_examples.h"
 
@@ -103,6 +104,59 @@ TEST(Dxf, LayersWithAccentsKeepTheirNamesWhateverTheCodePage) {
                              pair(9, "$DWGCODEPAGE") + pair(3, "ANSI_1252") + pair(0, "ENDSEC");
   EXPECT_EQ(parsed(header + body).features.at(0).name, "Forma\xC3\xA7\xC3\xA3o");
   EXPECT_EQ(parsed(body).features.at(0).name, "Forma\xC3\xA7\xC3\xA3o");
+}
+
+/// A drawing with a table of layers: ON, OFF (a negative colour), FROZEN, NEW (frozen in new views only).
+std::string layered(const std::string& entities) {
+  std::string layers;
+  for (const auto& [name, flags, color] :
+       {std::tuple("ON", "0", "7"), {"OFF", "0", "-7"}, {"FROZEN", "65", "7"}, {"NEW", "2", "7"}})
+    layers += pair(0, "LAYER") + pair(2, name) + pair(70, flags) + pair(62, color) + pair(6, "CONTINUOUS");
+  return pair(0, "SECTION") + pair(2, "TABLES") + pair(0, "TABLE") + pair(2, "LAYER") + pair(70, "4") + layers +
+         pair(0, "ENDTAB") + pair(0, "ENDSEC") + drawing(entities);
+}
+std::string line_on(const std::string& layer, const std::string& more = "") {
+  return pair(0, "LINE") + pair(8, layer) + more + pair(10, "1") + pair(20, "2") + pair(11, "3") + pair(21, "-4");
+}
+std::string circle_on(const std::string& layer, const std::string& more = "") {
+  return pair(0, "CIRCLE") + pair(8, layer) + more + pair(10, "0") + pair(20, "0") + pair(40, "2");
+}
+
+TEST(Dxf, WhatIsNotDisplayedIsNotThereAndSaid) {
+  const lines::Features read = parsed(layered(line_on("OFF") + line_on("ON") + line_on("FROZEN") + line_on("NEW") +
+                                              line_on("ON", pair(60, "1")) + line_on("ON", pair(60, "0")) +
+                                              polyline("OFF", 1) + circle_on("FROZEN")));
+  std::vector<std::string> names;
+  for (const lines::Feature& feature : read.features) names.push_back(feature.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"ON", "NEW", "ON 2"}));
+  EXPECT_EQ(read.remarks, (std::vector<std::string>{"f: 2 not displayed left out, of layer 'FROZEN'",
+                                                    "f: 2 not displayed left out, of layer 'OFF'",
+                                                    "f: 1 not displayed left out, of layer 'ON'"}));
+  EXPECT_EQ(parsed(layered(line_on("ON") + circle_on("NEW"))).remarks,
+            (std::vector<std::string>{"f: 1 arcs or splines read as chords"}));
+}
+
+TEST(Dxf, BlocksOfAHiddenLayerAreNotThere) {
+  const std::string block = pair(0, "SECTION") + pair(2, "BLOCKS") + pair(0, "BLOCK") + pair(8, "0") + pair(2, "B") +
+                            pair(70, "0") + pair(10, "0") + pair(20, "0") + line_on("0") + pair(0, "ENDBLK") +
+                            pair(0, "ENDSEC");
+  const auto inserted = [&](const std::string& layer) {
+    std::string text = layered(pair(0, "INSERT") + pair(8, layer) + pair(2, "B") + pair(10, "0") + pair(20, "0"));
+    text.insert(text.find(pair(0, "SECTION") + pair(2, "ENTITIES")), block);
+    return parsed(text).features.size();
+  };
+  EXPECT_EQ(inserted("ON"), 1U);
+  EXPECT_EQ(inserted("OFF"), 0U);
+}
+
+TEST(Dxf, TrueCurvesAreThoseOfTheSameEntities) {
+  const std::string text = layered(circle_on("OFF") + polyline("FROZEN", 1) + circle_on("ON") +
+                                   circle_on("ON", pair(60, "1")) + circle_on("NEW"));
+  const auto paths = drawings::dxf_paths(text, "f");
+  ASSERT_TRUE(paths.has_value());
+  const lines::Features read = parsed(text);
+  ASSERT_EQ(paths->size(), read.features.size());
+  for (std::size_t i = 0; i < paths->size(); ++i) EXPECT_EQ((*paths)[i].name, read.features[i].name);
 }
 
 TEST(Dxf, WhatIsDroppedIsSaid) {
