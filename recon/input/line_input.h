@@ -10,10 +10,6 @@
 #include "shared/io/lines/feature.h"
 #include "shared/scenario/lines/line_reading.h"
 
-namespace recon {
-namespace geom = dobra::geom;
-}  // namespace recon
-
 namespace recon::input {
 
 enum class FieldSeparator { Detect, Blank, Tab, Comma, Semicolon };

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "recon/section/convention.h"
 #include "shared/base/error.h"
 #include "shared/base/id.h"
 #include "shared/geom/polyline.h"
@@ -102,18 +103,6 @@ struct Backdrop {
   base::Place source;
 };
 
-enum class VerticalAxis { Up, Down };
-enum class LengthUnit { Metre, Kilometre, Foot };
-
-/// How coordinates of the user's files become section coordinates: z = y, or reference - y where y grows downwards;
-/// times the unit, z divided by the exaggeration.
-struct Convention {
-  VerticalAxis y_axis = VerticalAxis::Up;
-  double reference = 0.0;  ///< In the unit of the file.
-  LengthUnit unit = LengthUnit::Metre;
-  double exaggeration = 1.0;  ///< Of z in the files.
-};
-
 struct SectionFaces;
 
 struct Section {
@@ -148,9 +137,5 @@ const char* kind_name(LineKind kind);
 
 /// Box round everything in the section but backdrops.
 geom::Box box_of(const Section& section);
-
-double metres_per_unit(LengthUnit unit);
-/// A point of a file in section coordinates, m.
-geom::Point to_section(geom::Point in_file, const Convention& convention);
 
 }  // namespace recon::section
