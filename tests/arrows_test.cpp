@@ -22,21 +22,43 @@ const std::map<std::string, std::set<std::string>>& arrows() {
       {"shared/base", {}},
       {"shared/geom", {"shared/base"}},
       {"shared/topo", {"shared/geom"}},
-      {"shared/offset", {"shared/topo"}},
+      {"shared/offset/types", {"shared/geom"}},
+      {"shared/offset/kernel", {"shared/offset/types"}},
+      {"shared/offset/monotone", {"shared/offset/kernel"}},
+      {"shared/offset/general", {"shared/offset/kernel"}},
+      {"shared/offset/verifier", {"shared/offset/types"}},
+      {"shared/offset/stepper", {"shared/offset/kernel", "shared/topo"}},
+      {"shared/offset",
+       {"shared/offset/monotone", "shared/offset/general", "shared/offset/verifier", "shared/offset/stepper"}},
       {"shared/mesh", {"shared/topo"}},
+      {"shared/mesh/delaunay", {"shared/mesh"}},
+      {"shared/mesh/sizing", {"shared/mesh/delaunay"}},
+      {"shared/mesh/front", {"shared/mesh/sizing"}},
       {"shared/fem", {"shared/mesh"}},
+      {"shared/fem/error", {"shared/fem"}},
+      {"shared/fem/fracture", {"shared/fem/error"}},
       {"shared/scene", {"shared/geom"}},
-      {"shared/io", {"shared/mesh", "shared/scene"}},
-      {"shared/scenario", {"shared/io"}},
+      {"shared/io", {"shared/geom"}},
+      {"shared/io/lines", {"shared/io"}},
+      {"shared/io/gis", {"shared/io/lines", "shared/scene"}},
+      {"shared/io/drawings", {"shared/io"}},
+      {"shared/io/meshes", {"shared/io", "shared/mesh/delaunay"}},
+      {"shared/io/formats", {"shared/io/gis", "shared/io/drawings", "shared/io/meshes"}},
+      {"shared/scenario", {"shared/io", "shared/scene"}},
       {"shared/render", {"shared/scene", "shared/io"}},
-      {"shared/cli", {"shared/render", "shared/scenario", "shared/offset"}},
+      {"shared/cli", {"shared/render", "shared/scenario", "shared/offset", "shared/io/formats"}},
       {"shared/gui", {"shared/render", "shared/scenario"}},
-      {"recon/core", {"shared/offset", "shared/mesh", "shared/scene", "shared/io", "shared/scenario"}},
-      {"quebra/sketch", {"shared/scenario"}},
+      {"recon/section", {"shared/topo", "shared/scene"}},
+      {"recon/input", {"recon/section", "shared/scenario", "shared/io/formats"}},
+      {"recon/maps", {"shared/geom"}},
+      {"recon/balance", {"recon/section", "recon/maps", "shared/mesh/front", "shared/scenario", "shared/io/formats"}},
+      {"recon/unfold", {"recon/input", "recon/maps", "recon/balance", "shared/offset"}},
+      {"recon/core", {"recon/unfold"}},
+      {"quebra/sketch", {"shared/scenario", "shared/io/formats"}},
       {"quebra/domain", {"quebra/sketch"}},
       {"quebra/repair", {"quebra/domain"}},
-      {"quebra/model", {"quebra/domain", "shared/fem"}},
-      {"quebra/meshing", {"quebra/model", "shared/offset"}},
+      {"quebra/model", {"quebra/domain", "shared/mesh/sizing", "shared/fem/fracture"}},
+      {"quebra/meshing", {"quebra/model", "shared/mesh/front", "shared/offset"}},
       {"quebra/analysis", {"quebra/meshing"}},
       {"quebra/core", {"quebra/repair", "quebra/analysis"}},
       {"quebra/validation", {"quebra/core"}},
@@ -59,6 +81,7 @@ bool reaches(const std::string& from, const std::string& to) {
 std::string folder_of(const std::string& path) { return fs::path(path).parent_path().string(); }
 
 /// Only these may see the toolkits.
+bool may_include_gdal(const std::string& folder) { return folder == "shared/io/gis"; }
 bool may_include_vtk(const std::string& folder) { return folder == "shared/render" || folder == "shared/gui"; }
 bool may_include_qt(const std::string& folder) { return folder == "shared/gui" || folder.ends_with("/gui"); }
 
@@ -85,6 +108,8 @@ std::string objection(const std::string& folder, const std::string& included) {
   const bool is_qt =
       included.size() > 1 && included[0] == 'Q' && (std::isupper(included[1]) != 0 || included[1] == 't');
   if (is_qt && !may_include_qt(folder)) return "is Qt outside gui";
+  const bool is_gdal = included.starts_with("gdal") || included.starts_with("ogr") || included.starts_with("cpl_");
+  if (is_gdal && !may_include_gdal(folder)) return "is GDAL outside io/gis";
   return {};
 }
 
@@ -111,6 +136,46 @@ TEST(Arrows, NoFileIncludesAgainstThem) {
   EXPECT_GT(files, 50U);
 }
 
+/// The namespace that a folder must have: shared/io/lines is dobra::io::lines.
+std::string namespace_of(const std::string& folder) {
+  std::string name;
+  for (const fs::path& part : fs::path(folder)) {
+    name += (name.empty() ? "" : "::") + (part == "shared" ? std::string("dobra") : part.string());
+  }
+  return name;
+}
+
+/// The namespaces that a file opens at the margin, without those of a library and those inside another.
+std::vector<std::string> namespaces_in(std::istream& in) {
+  std::vector<std::string> found;
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with("namespace ") && line.ends_with(" {") && line != "namespace {") {
+      found.push_back(line.substr(10, line.size() - 12));
+    }
+  }
+  return found;
+}
+
+TEST(Arrows, FolderIsNamespaceAndHoldsNoMoreThanFortyFiles) {
+  const fs::path root = DOBRA_SOURCE_DIR;
+  std::map<std::string, int> files;
+  for (const char* top : {"shared", "recon", "quebra"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
+      const std::string extension = entry.path().extension().string();
+      if (extension != ".h" && extension != ".cpp") continue;
+      const std::string folder = folder_of(fs::relative(entry.path(), root).generic_string());
+      ++files[folder];
+      std::ifstream in(entry.path());
+      const std::vector<std::string> names = namespaces_in(in);
+      const bool own = std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+        return name == namespace_of(folder) || name.starts_with(namespace_of(folder) + "::");
+      });
+      EXPECT_TRUE(own || entry.path().filename() == "main.cpp") << entry.path() << ": " << namespace_of(folder);
+    }
+  }
+  for (const auto& [folder, count] : files) EXPECT_LE(count, 40) << folder;
+}
+
 TEST(Arrows, EveryFormOfIncludeIsRead) {
   EXPECT_EQ(included_by("#include \"shared/geom/point.h\""), "shared/geom/point.h");
   EXPECT_EQ(included_by("  #  include <QWidget>  // why"), "QWidget");
@@ -122,6 +187,8 @@ TEST(Arrows, AnIncludeAgainstThemIsNoticed) {
   EXPECT_FALSE(objection("recon/core", "quebra/domain/domain.h").empty());
   EXPECT_FALSE(objection("shared/scene", "vtkActor.h").empty());
   EXPECT_FALSE(objection("shared/render", "QWidget").empty());
+  EXPECT_FALSE(objection("shared/io/lines", "ogrsf_frmts.h").empty());
+  EXPECT_FALSE(objection("shared/io/lines", "shared/mesh/element_mesh.h").empty());
   EXPECT_TRUE(objection("shared/offset", "shared/geom/point.h").empty());
   EXPECT_TRUE(objection("recon/gui", "QWidget").empty());
 }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "shared/base/kept_line.h"
-#include "shared/fem/new_sizes.h"
+#include "shared/fem/error/new_sizes.h"
 #include "shared/fem/sparse_solver.h"
 
 namespace quebra::analysis {
@@ -107,7 +107,7 @@ class Peaks {
     const bool asked = worst_ && 100.0 * worst_->eta < in_reach * params.target;
     worst_.reset();
     for (std::size_t c = 0; c < analysis.fields.size(); ++c) {
-      for (const fem::HotSpot& spot : analysis.fields[c].peaks) {
+      for (const fem::error::HotSpot& spot : analysis.fields[c].peaks) {
         PeakSeen peak{c, own.point(spot.node), tip_size(own, spot.node), spot.eta};
         if (ignored(peak.at)) continue;
         const auto before = std::find_if(seen_.begin(), seen_.end(), [&](const PeakSeen& old) {
@@ -147,8 +147,8 @@ class Peaks {
 };
 
 bool has_clamped_corner(const Analysis& analysis) {
-  return std::any_of(analysis.singular.begin(), analysis.singular.end(), [](const fem::SingularVertex& vertex) {
-    return vertex.first == fem::CornerFace::Clamped || vertex.last == fem::CornerFace::Clamped;
+  return std::any_of(analysis.singular.begin(), analysis.singular.end(), [](const fem::error::SingularVertex& vertex) {
+    return vertex.first == fem::error::CornerFace::Clamped || vertex.last == fem::error::CornerFace::Clamped;
   });
 }
 
@@ -210,12 +210,12 @@ struct Reached {
 
 /// Sizes of the elements round the peaks, not above those of `least`: those of a peak that is met too, or the next mesh
 /// would lose it again.
-void add_peaks(const Analysis& analysis, const Peaks& peaks, double target, const fem::NewSizeOptions& options,
+void add_peaks(const Analysis& analysis, const Peaks& peaks, double target, const fem::error::NewSizeOptions& options,
                std::vector<double>& least) {
   const mesh::ElementMesh& own = analysis.meshed->mesh;
   std::map<mesh::NodeId, double> etas;
   for (const CaseFields& fields : analysis.fields) {
-    for (const fem::HotSpot& spot : fields.peaks) {
+    for (const fem::error::HotSpot& spot : fields.peaks) {
       if (!peaks.ignored(own.point(spot.node))) etas[spot.node] = std::max(etas[spot.node], spot.eta);
     }
   }
@@ -227,7 +227,7 @@ void add_peaks(const Analysis& analysis, const Peaks& peaks, double target, cons
       const double order = mesh::is_quadratic(own.types[e]) ? 2.0 : 1.0;
       const double factor = std::clamp(std::pow(peaks.aim() * target / found->second, 1.0 / order),
                                        options.least_factor, options.most_factor);
-      least[e] = std::min(least[e], std::max(options.min_size, factor * fem::element_size(own, e)));
+      least[e] = std::min(least[e], std::max(options.min_size, factor * fem::error::element_size(own, e)));
     }
   }
 }
@@ -235,14 +235,14 @@ void add_peaks(const Analysis& analysis, const Peaks& peaks, double target, cons
 /// Elements in a neighbourhood that is left out have no error to go by: they stay as they are, and become small enough
 /// to tell the neighbourhood from the rest.
 void add_loaded_points(const Analysis& analysis, double min_size, std::vector<double>& least,
-                       std::vector<mesh::SizeRequest>& sizes) {
+                       std::vector<mesh::delaunay::SizeRequest>& sizes) {
   const mesh::ElementMesh& own = analysis.meshed->mesh;
   for (const CaseFields& fields : analysis.fields) {
     for (const LoadedPoint& point : fields.loaded) {
       sizes.push_back({point.at, std::max(min_size, elements_across * point.radius)});
       for (std::size_t e = 0; e < own.element_count(); ++e) {
         if (distance(centre_of(own, e), point.at) < point.radius)
-          least[e] = std::min(least[e], fem::element_size(own, e));
+          least[e] = std::min(least[e], fem::error::element_size(own, e));
       }
     }
   }
@@ -268,32 +268,32 @@ Result<Wanted> wishes_of(const Analysis& analysis, const AdaptParams& params, co
                          const Reached& before) {
   const mesh::ElementMesh& own = analysis.meshed->mesh;
   const bool rosettes = params.rosettes == meshing::UseRosettes::Yes;
-  fem::NewSizeOptions options{
+  fem::error::NewSizeOptions options{
       .target = aimed_at(analysis, params, before.told ? before.effectivity : least_effectivity(params.target)),
-      .rule = params.rule == RuleOfSizes::Optimal ? fem::SizeRule::Optimal : fem::SizeRule::EqualError,
+      .rule = params.rule == RuleOfSizes::Optimal ? fem::error::SizeRule::Optimal : fem::error::SizeRule::EqualError,
       .min_size = params.min_size,
       .max_size = std::max(first_size, params.min_size),
-      .singular_rings = rosettes ? fem::RosetteOptions{}.rings : 1};
+      .singular_rings = rosettes ? fem::fracture::RosetteOptions{}.rings : 1};
   Wanted wanted{.more = 0.0};
   meshing::MeshWishes& wishes = wanted.mesh;
   std::vector<double> least(own.element_count(), options.max_size);
   for (const CaseFields& fields : analysis.fields) {
-    DOBRA_TRY(const auto sizes, fem::new_sizes(own, fields.estimate, analysis.singular, options));
+    DOBRA_TRY(const auto sizes, fem::error::new_sizes(own, fields.estimate, analysis.singular, options));
     for (std::size_t e = 0; e < sizes.size(); ++e) least[e] = std::min(least[e], sizes[e]);
   }
   if (params.peaks == MindPeaks::Yes) add_peaks(analysis, peaks, params.target / 100.0, options, least);
   if (analysis.point_forces == PointForces::LeaveOut) add_loaded_points(analysis, params.min_size, least, wishes.sizes);
   const bool confirm = before.to_confirm(params.target);
   for (std::size_t e = 0; confirm && e < own.element_count(); ++e)
-    least[e] = std::min(least[e], std::max(params.min_size, finer_to_confirm * fem::element_size(own, e)));
+    least[e] = std::min(least[e], std::max(params.min_size, finer_to_confirm * fem::error::element_size(own, e)));
   for (std::size_t e = 0; e < own.element_count(); ++e) {
     const double finer =
-        std::min(fem::element_size(own, e) / least[e], 1.0 / options.least_factor);  // graded beyond that
+        std::min(fem::error::element_size(own, e) / least[e], 1.0 / options.least_factor);  // graded beyond that
     wanted.more += finer * finer / static_cast<double>(own.element_count());
   }
   // The elements round a singular vertex ask there, and all for the least of their sizes: the field is alike all round.
   std::map<mesh::NodeId, double> at_vertices;
-  for (const fem::SingularVertex& vertex : analysis.singular) at_vertices[vertex.node] = options.max_size;
+  for (const fem::error::SingularVertex& vertex : analysis.singular) at_vertices[vertex.node] = options.max_size;
   for (std::size_t e = 0; e < own.element_count(); ++e) {
     const auto corners = own.nodes_of(mesh::ElementId(e)).first(mesh::corner_count(own.types[e]));
     const auto touched =
@@ -313,7 +313,7 @@ Result<Wanted> wishes_of(const Analysis& analysis, const AdaptParams& params, co
     for (std::size_t e = 0; e < own.element_count(); ++e) {
       const auto corners = own.nodes_of(mesh::ElementId(e)).first(mesh::corner_count(own.types[e]));
       if (std::find(corners.begin(), corners.end(), tip.node) != corners.end())
-        now = std::max(now, fem::element_size(own, e));
+        now = std::max(now, fem::error::element_size(own, e));
     }
     wishes.tips.push_back(
         {own.point(tip.node), tip_size(own, tip.node) * std::min(1.0, at_vertices.at(tip.node) / now)});

@@ -12,9 +12,9 @@
 #include "quebra/model/mesh_files.h"
 #include "shared/base/text.h"
 #include "shared/fem/assemble.h"
+#include "shared/fem/error/new_sizes.h"
+#include "shared/fem/error/singular_vertices.h"
 #include "shared/fem/mixed.h"
-#include "shared/fem/new_sizes.h"
-#include "shared/fem/singular_vertices.h"
 #include "shared/io/file.h"
 #include "shared/mesh/element_quality.h"
 
@@ -39,7 +39,8 @@ std::size_t element_at(const mesh::ElementMesh& m, dobra::geom::Point at) {
   for (std::size_t e = 0; e < m.element_count(); ++e) {
     const auto nodes = m.nodes_of(mesh::ElementId(e));
     if (std::none_of(nodes.begin(), nodes.end(), [&](mesh::NodeId node) { return m.point(node) == at; })) continue;
-    if (largest == m.element_count() || fem::element_size(m, e) > fem::element_size(m, largest)) largest = e;
+    if (largest == m.element_count() || fem::error::element_size(m, e) > fem::error::element_size(m, largest))
+      largest = e;
   }
   return largest;
 }
@@ -85,14 +86,14 @@ std::vector<double> mean_at_nodes(const mesh::ElementMesh& m, const std::vector<
   return sums;
 }
 
-dobra::io::MeshFields fields_of(const Analysis& analysis, const dobra::scenario::UnitSystem& units) {
-  dobra::io::MeshFields fields;
+dobra::io::meshes::MeshFields fields_of(const Analysis& analysis, const dobra::scenario::UnitSystem& units) {
+  dobra::io::meshes::MeshFields fields;
   for (std::size_t c = 0; c < analysis.solution.cases.size(); ++c) {
     const auto& result = analysis.solution.cases[c];
-    dobra::io::MeshField u{result.name + " displacement", 2, {}};
-    dobra::io::MeshField s{result.name + " stress", 3, {}};
+    dobra::io::meshes::MeshField u{result.name + " displacement", 2, {}};
+    dobra::io::meshes::MeshField s{result.name + " stress", 3, {}};
     for (const Vector v : result.displacements) u.values.insert(u.values.end(), {v.x, v.y});
-    for (const auto& v : fem::nodal_mean(analysis.meshed->mesh, analysis.fields[c].recovered.at_element_nodes))
+    for (const auto& v : fem::error::nodal_mean(analysis.meshed->mesh, analysis.fields[c].recovered.at_element_nodes))
       s.values.insert(s.values.end(), v.begin(), v.end());
     fields.at_points.push_back(std::move(u));
     fields.at_points.push_back(std::move(s));
@@ -103,7 +104,7 @@ dobra::io::MeshFields fields_of(const Analysis& analysis, const dobra::scenario:
   }
   if (units.si()) return fields;
   for (auto* at : {&fields.at_points, &fields.at_elements}) {
-    for (dobra::io::MeshField& field : *at) {
+    for (dobra::io::meshes::MeshField& field : *at) {
       const char* const si = field.name.ends_with(" displacement") ? "m"
                              : field.name.ends_with(" error")      ? "J^0.5"
                                                                    : "Pa";
@@ -230,7 +231,7 @@ std::vector<std::string> left_out_of(const Analysis& analysis, std::size_t c) {
     const LoadedPoint& point = loaded[i];
     const auto same = [&](const LoadedPoint& other) { return other.at == point.at; };  // the other lip's
     if (std::any_of(loaded.begin(), loaded.begin() + static_cast<std::ptrdiff_t>(i), same)) continue;
-    const double size = fem::element_size(m, element_at(m, point.at));
+    const double size = fem::error::element_size(m, element_at(m, point.at));
     if (size > point.radius) {
       remarks.push_back(fmt::format(
           "the elements at '{}' ({:.6g}, {:.6g}) are of {:.3g} m, larger than its surroundings of {:.3g} m that are "
@@ -277,7 +278,7 @@ std::optional<std::string> flat_elements(const Analysis& analysis) {
 /// Greatest of the elements round a peak of stress of a case; 0: no peak.
 double peak_eta_of(const CaseFields& fields) {
   double most = 0.0;
-  for (const fem::HotSpot& spot : fields.peaks) most = std::max(most, spot.eta);
+  for (const fem::error::HotSpot& spot : fields.peaks) most = std::max(most, spot.eta);
   return most;
 }
 
@@ -330,26 +331,26 @@ Result<Analysis> analyse(const domain::Domain& domain, std::shared_ptr<const mod
     return solved.error();
   }
   analysis.solution = *std::move(solved);
-  analysis.singular = fem::singular_vertices(mesh, analysis.problem);
-  const auto corners = fem::free_corners(mesh, analysis.problem);
+  analysis.singular = fem::error::singular_vertices(mesh, analysis.problem);
+  const auto corners = fem::error::free_corners(mesh, analysis.problem);
   for (const auto& result : analysis.solution.cases) {
     const auto& u = result.displacements;
     const auto& materials = analysis.problem.materials;
-    CaseFields fields{fem::recover_stress(mesh, materials, u), {}};
-    auto zones = fem::singular_zones(mesh, materials, analysis.singular, u, fields.recovered);
+    CaseFields fields{fem::error::recover_stress(mesh, materials, u), {}};
+    auto zones = fem::error::singular_zones(mesh, materials, analysis.singular, u, fields.recovered);
     // Of the free corners those whose stress shows it count as singular too.
-    for (auto& zone : fem::singular_zones(mesh, materials, corners, u, fields.recovered)) {
+    for (auto& zone : fem::error::singular_zones(mesh, materials, corners, u, fields.recovered)) {
       const bool known = std::any_of(analysis.singular.begin(), analysis.singular.end(),
                                      [&](const auto& vertex) { return vertex.node == zone.vertex.node; });
       if (!known) analysis.singular.push_back(zone.vertex);
       zones.push_back(std::move(zone));
     }
     fields.loaded = loaded_points(domain, mesh, params, analysis.problem, result, judged.point_radius);
-    std::vector<fem::Disc> left_out;
+    std::vector<fem::error::Disc> left_out;
     if (judged.point_forces == PointForces::LeaveOut) {
       for (const LoadedPoint& point : fields.loaded) left_out.push_back({point.at, point.radius});
     }
-    fields.estimate = fem::estimate_error(mesh, materials, u, fields.recovered, zones, left_out);
+    fields.estimate = fem::error::estimate_error(mesh, materials, u, fields.recovered, zones, left_out);
     if (fields.estimate.left_out > most_left_out)
       return Error{ErrorCode::BadValue,
                    fmt::format("the surroundings of the points {} hold {:.3g} % of the energy, and nothing is left to "
@@ -357,8 +358,8 @@ Result<Analysis> analyse(const domain::Domain& domain, std::shared_ptr<const mod
                                names_of(fields.loaded), 100.0 * fields.estimate.left_out)};
     if (!judged.exact_energy.empty() && judged.exact_energy[analysis.fields.size()] > 0.0)
       fields.exact_energy = judged.exact_energy[analysis.fields.size()];
-    fields.peaks =
-        fem::hot_spots(mesh, analysis.problem, u, fields.recovered, fields.estimate, analysis.singular, left_out);
+    fields.peaks = fem::error::hot_spots(mesh, analysis.problem, u, fields.recovered, fields.estimate,
+                                         analysis.singular, left_out);
     analysis.eta = std::max(analysis.eta, fields.estimate.eta);
     analysis.peak_eta = std::max(analysis.peak_eta, peak_eta_of(fields));
     analysis.fields.push_back(std::move(fields));
@@ -372,7 +373,7 @@ std::optional<Truth> truth_of(const Analysis& analysis, std::size_t load_case) {
   if (!fields.exact_energy || !fields.loaded.empty()) return std::nullopt;
   const double exact = *fields.exact_energy, found = analysis.solution.cases[load_case].energy;
   if (found > (1.0 + digits) * exact) return std::nullopt;
-  Truth truth{fem::true_error(exact, found)};
+  Truth truth{fem::error::true_error(exact, found)};
   if (exact - found > digits * exact) truth.effectivity = fields.estimate.error / truth.error;
   return truth;
 }

@@ -9,9 +9,9 @@
 
 #include "quebra/analysis/loaded_points.h"
 #include "quebra/analysis/problem.h"
-#include "shared/fem/crack.h"
-#include "shared/fem/estimate.h"
-#include "shared/fem/hot_spots.h"
+#include "shared/fem/error/estimate.h"
+#include "shared/fem/error/hot_spots.h"
+#include "shared/fem/fracture/crack.h"
 #include "shared/scenario/program.h"
 
 namespace quebra::analysis {
@@ -66,25 +66,25 @@ struct AnalyseParams : EstimateParams {
 
 /// One case of an analysis with what is derived from it.
 struct CaseFields {
-  dobra::fem::RecoveredStress recovered;
-  dobra::fem::ErrorEstimate estimate;
-  std::vector<dobra::fem::HotSpot> peaks = {};        ///< Greatest stress first.
-  std::vector<LoadedPoint> loaded = {};               ///< Points with a force of their own.
-  std::optional<double> exact_energy = std::nullopt;  ///< Where it is known, J.
+  dobra::fem::error::RecoveredStress recovered;
+  dobra::fem::error::ErrorEstimate estimate;
+  std::vector<dobra::fem::error::HotSpot> peaks = {};  ///< Greatest stress first.
+  std::vector<LoadedPoint> loaded = {};                ///< Points with a force of their own.
+  std::optional<double> exact_energy = std::nullopt;   ///< Where it is known, J.
 };
 
 struct Analysis {
   std::shared_ptr<const model::Meshed> meshed;
   dobra::fem::Problem problem = {};
   dobra::fem::Solution solution = {};
-  std::vector<dobra::fem::SingularVertex> singular = {};
+  std::vector<dobra::fem::error::SingularVertex> singular = {};
   std::vector<CaseFields> fields = {};  ///< One a case.
   double eta = 0.0;                     ///< Greatest of the cases.
   double peak_eta = 0.0;                ///< Greatest of the elements round a peak of stress; 0: no peak.
   /// Whether the estimate leaves the loaded points' surroundings out.
   PointForces point_forces = PointForces::LeaveOut;
-  int cycle = 0;                                              ///< Of an adaptive loop, from 1; 0: not of one.
-  std::vector<std::vector<dobra::fem::TipResult>> tips = {};  ///< By case; empty until the crack step.
+  int cycle = 0;                                                        ///< Of an adaptive loop, from 1; 0: not of one.
+  std::vector<std::vector<dobra::fem::fracture::TipResult>> tips = {};  ///< By case; empty until the crack step.
 };
 
 /// Analyses the last mesh and adds the analysis to the model.

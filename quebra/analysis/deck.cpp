@@ -10,7 +10,7 @@
 #include "quebra/model/mesh_files.h"
 #include "shared/fem/constraints.h"
 #include "shared/fem/mixed.h"
-#include "shared/io/inp.h"
+#include "shared/io/meshes/inp.h"
 
 namespace quebra::analysis {
 namespace {
@@ -20,7 +20,7 @@ using dobra::base::Error;
 using dobra::base::ErrorCode;
 using dobra::base::Place;
 using dobra::base::Result;
-using dobra::io::twenty_columns;
+using dobra::io::meshes::twenty_columns;
 
 /// The material of plane strain whose stresses and strains in the plane are those of `material`.
 fem::Material in_plane_strain(fem::Material material) {
@@ -186,8 +186,8 @@ Result<std::string> deck_text(const dobra::mesh::ElementMesh& mesh, const fem::P
   const Held held = held_by(constraints);
   DOBRA_TRY(const auto sprung, sprung_by(mesh, problem.springs));
   DOBRA_TRY(const Equations equations, equations_of(constraints, held, sprung, mesh.points.size()));
-  DOBRA_TRY(std::string text,
-            dobra::io::inp_text(model::in_units(mesh, units), {.element = dobra::io::InpElement::PlaneStrain}));
+  DOBRA_TRY(std::string text, dobra::io::meshes::inp_text(model::in_units(mesh, units),
+                                                          {.element = dobra::io::meshes::InpElement::PlaneStrain}));
   text = "** " + model::note_of(units) + '\n' + text;
   const auto in = [&units](double value, const char* si) { return twenty_columns(units.from_si(value, si)); };
   const std::set<std::int32_t> regions(mesh.regions.begin(), mesh.regions.end());

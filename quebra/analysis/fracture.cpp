@@ -19,14 +19,18 @@ struct Figure {
   std::optional<double> value;
 };
 
-std::vector<Figure> figures_of(const fem::TipResult& tip) {
+std::vector<Figure> figures_of(const fem::fracture::TipResult& tip) {
   const char* const k = "Pa sqrt(m)";
-  const auto one = [](const std::optional<fem::Intensity>& i) { return i ? std::optional(i->one) : std::nullopt; };
-  const auto two = [](const std::optional<fem::Intensity>& i) { return i ? std::optional(i->two) : std::nullopt; };
-  const auto angle = [&](fem::Kink fem::TipResult::Kinks::*kink) {
+  const auto one = [](const std::optional<fem::fracture::Intensity>& i) {
+    return i ? std::optional(i->one) : std::nullopt;
+  };
+  const auto two = [](const std::optional<fem::fracture::Intensity>& i) {
+    return i ? std::optional(i->two) : std::nullopt;
+  };
+  const auto angle = [&](fem::fracture::Kink fem::TipResult::Kinks::*kink) {
     return tip.kinks ? std::optional((*tip.kinks.*kink).angle.degrees()) : std::nullopt;
   };
-  using Kinks = fem::TipResult::Kinks;
+  using Kinks = fem::fracture::TipResult::Kinks;
   return {{"K_I", k, tip.domain.k.one},
           {"K_II", k, tip.domain.k.two},
           {"closure.K_I", k, one(tip.closure)},
@@ -49,7 +53,7 @@ void add_tip_remarks(const Analysis& analysis, std::vector<std::string>& remarks
     const std::string of =
         analysis.tips.size() == 1 ? std::string() : fmt::format("load case '{}': ", analysis.problem.cases[c].name);
     for (std::size_t t = 0; t < analysis.tips[c].size(); ++t) {
-      const fem::TipResult& tip = analysis.tips[c][t];
+      const fem::fracture::TipResult& tip = analysis.tips[c][t];
       for (const std::string& remark : tip.remarks) remarks.push_back(of + remark);
       if (!tip.refused) continue;
       const bool always = std::all_of(analysis.tips.begin(), analysis.tips.end(), [&](const auto& tips) {
@@ -76,8 +80,8 @@ dobra::base::Result<model::Model> add_tips(const model::Model& model, const Frac
   analysis.tips.clear();
   for (std::size_t c = 0; c < analysis.problem.cases.size(); ++c) {
     DOBRA_TRY_VOID(progress.check());
-    analysis.tips.push_back(fem::crack_tips(mesh, analysis.problem, analysis.problem.cases[c],
-                                            analysis.solution.cases[c].displacements, params.contour));
+    analysis.tips.push_back(fem::fracture::crack_tips(mesh, analysis.problem, analysis.problem.cases[c],
+                                                      analysis.solution.cases[c].displacements, params.contour));
   }
   const auto all_refused = [](const auto& tips) {
     return std::all_of(tips.begin(), tips.end(), [](const auto& tip) { return tip.refused.has_value(); });

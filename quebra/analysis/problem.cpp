@@ -13,7 +13,7 @@
 #include "shared/base/formula.h"
 #include "shared/base/text.h"
 #include "shared/fem/assemble.h"
-#include "shared/fem/exact_fields.h"
+#include "shared/fem/error/exact_fields.h"
 
 // 1. Rows of the scenario become functions and values (support_of, load_of ...), which also judge them.
 // 2. fault_of runs that on the domain, for its names; problem_of on a mesh.
@@ -174,10 +174,11 @@ Result<Load> load_of(const LoadParams& load) {
       break;
     }
     case LoadKind::Kirsch:
-      result.traction = fem::traction_of([load](Point p) { return fem::kirsch_stress(p, load.radius, load.value); });
+      result.traction =
+          fem::traction_of([load](Point p) { return fem::error::kirsch_stress(p, load.radius, load.value); });
       break;
     case LoadKind::Corner:
-      result.traction = fem::traction_of([load](Point p) { return fem::l_corner_stress(p, load.bisector); });
+      result.traction = fem::traction_of([load](Point p) { return fem::error::l_corner_stress(p, load.bisector); });
       break;
   }
   return result;

@@ -20,8 +20,8 @@
 #include "shared/cli/pictures.h"
 #include "shared/cli/staging.h"
 #include "shared/io/file.h"
-#include "shared/io/mesh_file.h"
-#include "shared/io/polygon_file.h"
+#include "shared/io/formats/mesh_file.h"
+#include "shared/io/meshes/polygon_file.h"
 #include "shared/io/scan.h"
 #include "shared/mesh/mesh_check.h"
 #include "shared/scenario/runner.h"
@@ -53,13 +53,13 @@ struct Verdict {
 };
 
 Result<Verdict> of_polygons(const Options& options) {
-  DOBRA_TRY(const mesh::PolygonMesh polygons, io::read_polygons(options.input.scenario.file.string()));
+  DOBRA_TRY(const mesh::PolygonMesh polygons, io::meshes::read_polygons(options.input.scenario.file.string()));
   Verdict verdict;
   for (auto& finding : check(polygons, options.input.closed ? mesh::Closedness::Solid : mesh::Closedness::Sheet)) {
     verdict.faults.push_back(std::move(finding.message));
   }
   double furthest = 0.0;
-  std::vector<mesh::Point3> corners;
+  std::vector<geom::Point3> corners;
   for (const auto& face : polygons.faces) {
     corners.clear();
     for (const std::uint32_t corner : face) corners.push_back(polygons.points[corner]);
@@ -92,12 +92,12 @@ Json sets_of(const mesh::ElementMesh& mesh) {
 }
 
 Result<Verdict> of_elements(const Options& options) {
-  DOBRA_TRY(const io::MeshContents contents, io::read_mesh(options.input.scenario.file.string()));
+  DOBRA_TRY(const io::formats::MeshContents contents, io::formats::read_mesh(options.input.scenario.file.string()));
   Verdict verdict;
   verdict.counts = {{"nodes", contents.mesh.points.size()}, {"elements", contents.mesh.element_count()}};
   verdict.sets = sets_of(contents.mesh);
   verdict.remarks = contents.remarks;
-  for (const base::Error& inverted : io::inverted_elements(contents))
+  for (const base::Error& inverted : io::formats::inverted_elements(contents))
     verdict.faults.push_back(base::to_string(inverted));
   if (const auto good = mesh::check(contents.mesh); !good) {
     verdict.faults.push_back(base::to_string(good.error()));
@@ -231,7 +231,7 @@ std::string curves_text(const Verdict& verdict) {
 // --- either ----------------------------------------------------------------------------------------------------------
 
 bool of_mesh(const std::string& ending) {
-  return ending == ".obj" || ending == ".off" || ending == ".ply" || io::is_mesh_ending(ending);
+  return ending == ".obj" || ending == ".off" || ending == ".ply" || io::formats::is_mesh_ending(ending);
 }
 
 Result<Verdict> verdict_of(Session& session, const Options& options) {

@@ -17,7 +17,7 @@ using base::Result;
 /// The options about files of lines as keys of the input, once they are judged as those of `convert` are.
 Result<void> set_lines(const InputFile& file, scenario::Table& input) {
   const dobra::cli::LineOptionTexts& texts = file.lines;
-  DOBRA_TRY(const io::LineOptions lines, dobra::cli::line_options(texts));
+  DOBRA_TRY(const io::formats::LineOptions lines, dobra::cli::line_options(texts));
   const dobra::cli::LineOptionTexts none;
   const auto set = [&](const char* key, const std::string& text, const std::string& unsaid) {
     if (text != unsaid) input.set(key, text);
@@ -30,7 +30,7 @@ Result<void> set_lines(const InputFile& file, scenario::Table& input) {
   set("y_axis", texts.y_axis, "");
   set("unit", texts.unit, "");
   if (lines.trace) {
-    const io::Trace& t = *lines.trace;
+    const io::lines::Trace& t = *lines.trace;
     input.set("trace", std::vector<double>{t.x, t.y, t.x + t.east, t.y + t.north});
   }
   if (lines.fold_axis)

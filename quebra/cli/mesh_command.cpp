@@ -22,7 +22,7 @@
 #include "shared/base/text.h"
 #include "shared/cli/pictures.h"
 #include "shared/cli/staging.h"
-#include "shared/io/mesh_file.h"
+#include "shared/io/formats/mesh_file.h"
 #include "shared/scenario/runner.h"
 
 // 1. The document: the scenario, or one made of the file; options become steps and parameters of it.
@@ -189,7 +189,7 @@ Result<void> write_out(Session& session, const std::filesystem::path& out, const
 }
 
 Result<int> mesh_job(Session& session, const Options& options) {
-  if (options.out) DOBRA_TRY_VOID(io::check_mesh_ending(options.out->string()));
+  if (options.out) DOBRA_TRY_VOID(io::formats::check_mesh_ending(options.out->string()));
   for (const auto& file : {options.histogram, options.picture, options.size_field}) {
     if (file) DOBRA_TRY_VOID(dobra::cli::check_ending(*file, dobra::cli::Drawer::Cairo));
   }
@@ -225,7 +225,7 @@ Result<int> mesh_job(Session& session, const Options& options) {
   }
   std::vector<std::string> remarks = session.program.remarks_of(state);
   if (options.out) {
-    for (std::string& loss : io::losses(options.out->string(), meshed.mesh)) {
+    for (std::string& loss : io::formats::losses(options.out->string(), meshed.mesh)) {
       session.note(loss);
       remarks.push_back(std::move(loss));
     }
@@ -272,7 +272,8 @@ Command mesh_command() {
                            "Small elements near curves: CURVE[+CURVE]:SIZE:WIDTH; may be repeated")
                 ->allow_extra_args(false)
                 ->type_name("ZONE");
-            app.add_option("--out", options->out, fmt::format("File to write: {}", fmt::join(io::mesh_endings(), " ")))
+            app.add_option("--out", options->out,
+                           fmt::format("File to write: {}", fmt::join(io::formats::mesh_endings(), " ")))
                 ->type_name("FILE");
             app.add_option(
                    "--stop-after", options->stop_after,

@@ -12,9 +12,9 @@
 #include "quebra/model/mesh_files.h"
 #include "shared/base/text.h"
 #include "shared/io/file.h"
-#include "shared/io/mesh_file.h"
-#include "shared/io/node_ele.h"
-#include "shared/io/vtu.h"
+#include "shared/io/formats/mesh_file.h"
+#include "shared/io/meshes/node_ele.h"
+#include "shared/io/meshes/vtu.h"
 #include "shared/mesh/order2.h"
 #include "shared/scene/color_map.h"
 
@@ -88,10 +88,10 @@ bool only_triangles(const mesh::ElementMesh& mesh) {
 }
 
 /// At each element: its shape, and of second order its Jacobian too.
-io::MeshFields quality_fields(const mesh::ElementMesh& mesh) {
-  io::MeshFields fields;
-  io::MeshField shape{only_triangles(mesh) ? "alpha" : "shape", 1, {}};
-  io::MeshField jacobian{"scaled_jacobian", 1, {}};
+io::meshes::MeshFields quality_fields(const mesh::ElementMesh& mesh) {
+  io::meshes::MeshFields fields;
+  io::meshes::MeshField shape{only_triangles(mesh) ? "alpha" : "shape", 1, {}};
+  io::meshes::MeshField jacobian{"scaled_jacobian", 1, {}};
   bool bent = false;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     shape.values.push_back(mesh::shape_of(mesh, mesh::ElementId(e)));
@@ -153,7 +153,7 @@ scene::Layer size_layer(const model::Meshed& meshed) {
   scene::Mesh content;
   content.points = meshed.mesh.points;
   content.values_at = scene::ValuesAt::Points;
-  mesh::SizeSampler sampler(*meshed.sizes);
+  mesh::sizing::SizeSampler sampler(*meshed.sizes);
   for (const geom::Point p : content.points) content.values.push_back(sampler.at(p));
   for (std::size_t e = 0; e < meshed.mesh.element_count(); ++e) add_triangles(meshed.mesh, e, content.triangles);
   const auto [least, greatest] = std::minmax_element(content.values.begin(), content.values.end());
@@ -176,11 +176,11 @@ scene::Layer size_layer(const model::Meshed& meshed) {
 }
 
 /// Leaves of the tree that carries the sizes, as far as they lie in the domain's box; hidden.
-scene::Layer quadtree_layer(const domain::Domain& domain, const mesh::SizeField& sizes) {
+scene::Layer quadtree_layer(const domain::Domain& domain, const mesh::sizing::SizeField& sizes) {
   const geom::Box all = domain.box();
-  const mesh::Quadtree& tree = sizes.quadtree();
+  const mesh::sizing::Quadtree& tree = sizes.quadtree();
   scene::Lines lines;
-  for (const mesh::QuadCellId leaf : tree.leaves()) {
+  for (const mesh::sizing::QuadCellId leaf : tree.leaves()) {
     geom::Box box = tree.box(leaf);
     if (!box.overlaps(all)) continue;
     box = {{std::max(box.low.x, all.low.x), std::max(box.low.y, all.low.y)},
@@ -489,7 +489,7 @@ void add_mesh_tables(const model::Model& model, std::vector<scenario::DataTable>
   tables.push_back(histogram("scaled_jacobian", model.meshes.back()->elements.jacobians));
 }
 
-io::InpElement inp_element_of(const model::Model& model) {
+io::meshes::InpElement inp_element_of(const model::Model& model) {
   return model.problem && model.problem->state == analysis::Plane::Strain ? io::InpElement::PlaneStrain
                                                                           : io::InpElement::PlaneStress;
 }
@@ -501,26 +501,28 @@ void add_mesh_outputs(const std::shared_ptr<const model::Model>& model, std::vec
   outputs.push_back({"mesh.vtu", [meshed, units](const auto& path) {
                        return model::write_vtu(path.string(), meshed->mesh, quality_fields(meshed->mesh), units);
                      }});
-  const io::InpElement element = inp_element_of(*model);
+  const io::meshes::InpElement element = inp_element_of(*model);
   for (const char* const name : {"mesh.msh", "mesh.inp", "mesh.bdf", "mesh.nf"}) {
     outputs.push_back({name,
                        [meshed, element, units](const auto& path) {
                          return model::write_mesh(path.string(), meshed->mesh, element, units);
                        },
-                       io::losses(name, meshed->mesh)});
+                       io::formats::losses(name, meshed->mesh)});
   }
   // These hold triangles of one order only.
-  if (io::ele_file_of(meshed->mesh)) {
+  if (io::meshes::ele_file_of(meshed->mesh)) {
     const auto write = [meshed, units](const auto& path, const auto& text_of) -> base::Result<void> {
       DOBRA_TRY_VOID(io::write_text(path, text_of(model::in_units(meshed->mesh, units))));
-      return io::add_note(path.string(), model::note_of(units));
+      return io::formats::add_note(path.string(), model::note_of(units));
     };
-    outputs.push_back({"mesh.node", [write](const auto& path) {
-                         return write(path, [](const auto& mesh) { return io::node_text(io::node_file_of(mesh)); });
-                       }});
-    outputs.push_back({"mesh.ele", [write](const auto& path) {
-                         return write(path, [](const auto& mesh) { return io::ele_text(*io::ele_file_of(mesh)); });
-                       }});
+    outputs.push_back(
+        {"mesh.node", [write](const auto& path) {
+           return write(path, [](const auto& mesh) { return io::meshes::node_text(io::meshes::node_file_of(mesh)); });
+         }});
+    outputs.push_back(
+        {"mesh.ele", [write](const auto& path) {
+           return write(path, [](const auto& mesh) { return io::meshes::ele_text(*io::meshes::ele_file_of(mesh)); });
+         }});
   }
 }
 

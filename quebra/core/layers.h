@@ -4,8 +4,8 @@
 #include <array>
 
 #include "quebra/model/model.h"
-#include "shared/io/inp.h"
-#include "shared/io/vtu.h"
+#include "shared/io/meshes/inp.h"
+#include "shared/io/meshes/vtu.h"
 #include "shared/scenario/program.h"
 
 namespace quebra::core {
@@ -23,7 +23,7 @@ void add_mesh_outputs(const std::shared_ptr<const model::Model>& model, std::vec
 dobra::scene::Picture names_picture(const model::Model& model);
 
 /// The elements of an .inp file: as the problem of the model says; plane stress where there is none.
-dobra::io::InpElement inp_element_of(const model::Model& model);
+dobra::io::meshes::InpElement inp_element_of(const model::Model& model);
 
 /// How many of the elements have which quality: bars over alpha as high as their share of all, 0 .. 1; both axes to one
 /// scale.

@@ -15,7 +15,7 @@ using dobra::base::Error;
 using dobra::base::ErrorCode;
 using dobra::base::Place;
 using dobra::base::Result;
-using dobra::fem::RosetteHalf;
+using dobra::fem::fracture::RosetteHalf;
 using dobra::geom::Point;
 using dobra::geom::Vector;
 

@@ -16,10 +16,10 @@
 #include "quebra/meshing/half_crack.h"
 #include "quebra/meshing/narrow.h"
 #include "quebra/meshing/zone.h"
+#include "shared/mesh/front/triangulate.h"
 #include "shared/mesh/lips.h"
 #include "shared/mesh/order2.h"
 #include "shared/mesh/recombine.h"
-#include "shared/mesh/triangulate.h"
 
 namespace quebra::meshing {
 namespace {
@@ -29,13 +29,13 @@ using dobra::base::Result;
 using dobra::geom::Arc;
 using dobra::geom::Point;
 using dobra::geom::Segment;
-using dobra::mesh::EdgeKind;
 using dobra::mesh::ElementMesh;
-using dobra::mesh::MeshInput;
 using dobra::mesh::MiddleOfCurve;
 using dobra::mesh::NodeId;
 using dobra::mesh::SecondOrder;
 using dobra::mesh::TriangleMesh;
+using dobra::mesh::delaunay::EdgeKind;
+using dobra::mesh::delaunay::MeshInput;
 
 /// Builds the input of the mesher; equal points become one node.
 class InputBuilder {
@@ -122,8 +122,8 @@ int pieces_of(const Segment& side, const std::function<double(Point)>& wanted) {
 }
 
 Result<MeshInput> mesh_input(const model::Model& model, const std::vector<model::Constraint>& constraints,
-                             std::span<const dobra::mesh::SizeRequest> sizes, const std::vector<TipRosette>& rosettes,
-                             const sketch::DivideOptions& options) {
+                             std::span<const dobra::mesh::delaunay::SizeRequest> sizes,
+                             const std::vector<TipRosette>& rosettes, const sketch::DivideOptions& options) {
   const domain::Domain& domain = model.domain;
   InputBuilder builder;
   for (std::size_t c = 0; c < domain.curves.size(); ++c) {
@@ -254,7 +254,8 @@ Result<void> check_size(const domain::Domain& domain, const MeshParams& params) 
 }
 
 /// The same for sizes that vary.
-Result<void> check_field(const dobra::mesh::SizeField& field, const domain::Domain& domain, const MeshParams& params) {
+Result<void> check_field(const dobra::mesh::sizing::SizeField& field, const domain::Domain& domain,
+                         const MeshParams& params) {
   if (field.estimated_triangles() <= sure * params.max_elements) return {};
   const domain::Inside inside(domain);
   const double triangles = field.estimated_triangles([&](Point p) { return inside(p); });
@@ -337,7 +338,7 @@ Result<ElementMesh> elements_of(const TriangleMesh& triangles, const model::Mode
         "the side at ({:.6g}, {:.6g}) stays straight: its curve would invert the element; use smaller sides there",
         at.x, at.y));
   }
-  if (!rosettes.empty()) DOBRA_TRY_VOID(dobra::fem::set_quarter_points(second.mesh));
+  if (!rosettes.empty()) DOBRA_TRY_VOID(dobra::fem::fracture::set_quarter_points(second.mesh));
   return std::move(second.mesh);
 }
 
@@ -356,7 +357,7 @@ class Stopwatch {
 /// What the mesher is given.
 struct Prepared {
   MeshInput input;
-  dobra::mesh::MeshOptions options;
+  dobra::mesh::front::MeshOptions options;
   std::vector<TipRosette> rosettes;
 };
 
@@ -381,7 +382,7 @@ Result<Prepared> prepare(const model::Model& model, const MeshParams& params, co
     DOBRA_TRY(prepared.rosettes, tip_rosettes(model.domain, model.half_tips,
                                               {.sectors = params.sectors, .radius = params.tip_radius}, wishes.tips));
   }
-  dobra::mesh::MeshOptions& options = prepared.options;
+  dobra::mesh::front::MeshOptions& options = prepared.options;
   options.engine = params.engine;
   options.sizes.growth = params.growth;
   options.sizes.max_size = params.size;
@@ -398,10 +399,10 @@ Result<Prepared> prepare(const model::Model& model, const MeshParams& params, co
   const std::vector<std::uint8_t> keeps = keeping(model.domain, constraints);
   remark_on_divisions(model.domain, keeps, remarks);
   NarrowOptions narrow{.across = params.narrow, .size = [size](Point) { return size; }};
-  std::optional<dobra::mesh::SizeField> elsewhere;
+  std::optional<dobra::mesh::sizing::SizeField> elsewhere;
   prepared.input = coarse;
   if (!source.empty() && params.narrow > 0.0) {  // What is narrow depends on the sizes that it gives.
-    const auto built = dobra::mesh::size_field_of(coarse, options.sizes);
+    const auto built = dobra::mesh::front::size_field_of(coarse, options.sizes);
     DOBRA_TRY_VOID(source.check());
     DOBRA_TRY(elsewhere, built);
     DOBRA_TRY_VOID(check_field(*elsewhere, model.domain, params));
@@ -419,11 +420,11 @@ Result<Prepared> prepare(const model::Model& model, const MeshParams& params, co
   // Curves that pass something finer are divided again, so that sizes grow along them as they do inside; and again
   // while bent ones turn out to come nearer to others than their first chords did.
   constexpr int most_divisions = 8;
-  std::vector<dobra::mesh::SizeRequest> narrow_sizes;
+  std::vector<dobra::mesh::delaunay::SizeRequest> narrow_sizes;
   for (int division = 0; division < most_divisions; ++division) {
     coarse.sizes.insert(coarse.sizes.end(), places.sizes.begin(), places.sizes.end());
     narrow_sizes.insert(narrow_sizes.end(), places.sizes.begin(), places.sizes.end());
-    const auto built = dobra::mesh::size_field_of(coarse, options.sizes);
+    const auto built = dobra::mesh::front::size_field_of(coarse, options.sizes);
     DOBRA_TRY_VOID(source.check());
     DOBRA_TRY(const auto field, built);
     DOBRA_TRY_VOID(check_field(field, model.domain, params));
@@ -453,11 +454,12 @@ Result<std::shared_ptr<const model::MeshWork>> work_on(const model::Model& model
                                                        const dobra::base::Progress& progress) {
   std::vector<std::string> remarks;  // of the finished mesh only
   DOBRA_TRY(const Prepared prepared, prepare(model, params, {}, source, remarks));
-  DOBRA_TRY(dobra::mesh::Mesher mesher, dobra::mesh::Mesher::start(prepared.input, prepared.options, progress));
+  DOBRA_TRY(dobra::mesh::front::Mesher mesher,
+            dobra::mesh::front::Mesher::start(prepared.input, prepared.options, progress));
   DOBRA_TRY_VOID(source.check());
   for (int step = 0; step < params.stop_after && !mesher.done(); ++step) DOBRA_TRY_VOID(mesher.step(1, progress));
   if (mesher.done()) return std::shared_ptr<const model::MeshWork>();
-  dobra::mesh::Mesher::View view = mesher.view();
+  dobra::mesh::front::Mesher::View view = mesher.view();
   return std::make_shared<const model::MeshWork>(
       model::MeshWork{name_of_next(model, params), static_cast<std::size_t>(params.stop_after),
                       std::move(view.triangles.points), std::move(view.triangles.triangles), std::move(view.front)});
@@ -476,12 +478,12 @@ Result<model::Meshed> mesh_domain(const model::Model& model, const MeshParams& p
   done("divide");
   TriangleMesh triangles;
   {  // The mesher's memory is given back before the elements are made.
-    DOBRA_TRY(auto mesher, dobra::mesh::Mesher::start(prepared.input, prepared.options, progress));
+    DOBRA_TRY(auto mesher, dobra::mesh::front::Mesher::start(prepared.input, prepared.options, progress));
     DOBRA_TRY_VOID(source.check());
     constexpr std::size_t between_checks = 8192;
     while (!mesher.done()) DOBRA_TRY_VOID(mesher.step(between_checks, progress));
     triangles = mesher.mesh();
-    meshed.sizes = std::make_shared<const dobra::mesh::SizeField>(mesher.sizes());
+    meshed.sizes = std::make_shared<const dobra::mesh::sizing::SizeField>(mesher.sizes());
   }
   done("triangulate");
   DOBRA_TRY(meshed.mesh, elements_of(triangles, model, params, prepared.rosettes, remarks));

@@ -9,8 +9,8 @@
 #include "quebra/meshing/tip_rosettes.h"
 #include "quebra/model/model.h"
 #include "shared/base/progress.h"
-#include "shared/mesh/fill_engine.h"
-#include "shared/mesh/mesh_input.h"
+#include "shared/mesh/delaunay/mesh_input.h"
+#include "shared/mesh/front/fill_engine.h"
 #include "shared/scenario/program.h"
 
 namespace quebra::meshing {
@@ -27,7 +27,7 @@ struct MeshRules {
   dobra::base::Angle turn = dobra::base::Angle::from_degrees(15.0);
   double growth = 1.3;
   double narrow = 1.0;
-  dobra::mesh::Engine engine = dobra::mesh::Engine::Front;
+  dobra::mesh::front::Engine engine = dobra::mesh::front::Engine::Front;
   int smoothing = 3;
   int max_elements = 20000000;
   UseConstraints constraints = UseConstraints::Yes;
@@ -130,7 +130,7 @@ struct MeshParams : MeshRules {
 
 /// What a cycle of the adaptive loop asks of the next mesh.
 struct MeshWishes {
-  std::vector<dobra::mesh::SizeRequest> sizes = {};
+  std::vector<dobra::mesh::delaunay::SizeRequest> sizes = {};
   std::vector<TipRadius> tips = {};  ///< Rosettes; a tip that is not among them takes params.tip_radius.
 };
 

@@ -23,7 +23,7 @@ using dobra::geom::Box;
 using dobra::geom::Point;
 using dobra::geom::Segment;
 using dobra::geom::Vector;
-using dobra::mesh::MeshInput;
+using dobra::mesh::delaunay::MeshInput;
 
 struct Side {
   Segment segment;

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "quebra/domain/domain.h"
-#include "shared/mesh/mesh_input.h"
+#include "shared/mesh/delaunay/mesh_input.h"
 
 namespace quebra::meshing {
 
@@ -29,7 +29,7 @@ struct NarrowOptions {
 };
 
 struct NarrowPlaces {
-  std::vector<dobra::mesh::SizeRequest> sizes;
+  std::vector<dobra::mesh::delaunay::SizeRequest> sizes;
   /// Where another look at the curves, divided by these sizes, may find more: bent ones come nearer than their chords,
   /// and what was narrower than `smallest` stands beside shorter sides. What straight sides asked for is settled.
   std::vector<dobra::geom::Box> again;
@@ -49,7 +49,7 @@ struct NarrowPlaces {
 /// @param divided  the sets of its edges are first the curves of the domain, in their order and direction.
 /// @param keeps    one a curve: not 0 if it keeps its subdivision, and is asked for nothing.
 /// @cost O(n log n) for n sides, and O(length / width * across^2) for each narrow place
-NarrowPlaces narrow_places(const domain::Domain& domain, const dobra::mesh::MeshInput& divided,
+NarrowPlaces narrow_places(const domain::Domain& domain, const dobra::mesh::delaunay::MeshInput& divided,
                            std::span<const std::uint8_t> keeps, const NarrowOptions& options = {});
 
 }  // namespace quebra::meshing

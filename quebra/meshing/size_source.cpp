@@ -13,8 +13,8 @@
 #include "shared/base/formula.h"
 #include "shared/base/text.h"
 #include "shared/geom/spatial_index.h"
-#include "shared/io/mesh_file.h"
-#include "shared/io/vtu.h"
+#include "shared/io/formats/mesh_file.h"
+#include "shared/io/meshes/vtu.h"
 
 namespace quebra::meshing {
 namespace {
@@ -130,7 +130,7 @@ Result<Background> read_background(const std::string& path, const std::string& n
     for (Point& p : mesh.points) p = {unit * p.x, unit * p.y};
   };
   if (name.empty()) {
-    DOBRA_TRY(auto contents, dobra::io::read_mesh(path));
+    DOBRA_TRY(auto contents, dobra::io::formats::read_mesh(path));
     scale(contents.mesh);
     return Background(contents.mesh, element_sizes(contents.mesh));
   }
@@ -138,7 +138,7 @@ Result<Background> read_background(const std::string& path, const std::string& n
     return Error{ErrorCode::BadValue, fmt::format("'{}' holds no fields; give a .vtu with the field '{}', or leave "
                                                   "background_field empty to take the sizes of the elements",
                                                   path, name)};
-  DOBRA_TRY(auto contents, dobra::io::read_vtu(path));
+  DOBRA_TRY(auto contents, dobra::io::meshes::read_vtu(path));
   scale(contents.mesh);
   std::vector<std::string> names;
   for (auto& field : contents.fields.at_points) {
@@ -230,7 +230,7 @@ Result<SizeSource> SizeSource::make(const domain::Domain& domain, const std::str
   return source;
 }
 
-dobra::mesh::SizeFunction SizeSource::function() const {
+dobra::mesh::sizing::SizeFunction SizeSource::function() const {
   if (empty()) return {};
   return {[wishes = wishes_](Point p) { return wishes->at(p); },
           [wishes = wishes_](const Box& box) { return wishes->concerns(box); }};

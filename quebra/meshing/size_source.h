@@ -6,7 +6,7 @@
 #include <string>
 
 #include "quebra/domain/domain.h"
-#include "shared/mesh/size_field.h"
+#include "shared/mesh/sizing/size_field.h"
 #include "shared/scenario/program.h"
 
 namespace quebra::meshing {
@@ -18,14 +18,14 @@ class SizeSource {
   /// Reads and checks; empty texts are no wish. Of a background mesh points up to one element outside take the nearest
   /// size, others none.
   /// @error BadValue: a formula that cannot be read, a size that is not greater than 0 on the boundary or in the file,
-  ///        with its place; a field that the file has not, naming those it has; those of io::read_mesh.
+  ///        with its place; a field that the file has not, naming those it has; those of io::formats::read_mesh.
   static dobra::base::Result<SizeSource> make(const domain::Domain& domain, const std::string& formula,
                                               const std::string& background, const std::string& field,
                                               const dobra::scenario::Context& context);
 
   [[nodiscard]] bool empty() const { return wishes_ == nullptr; }
   /// For SizeFieldOptions; empty if this is. Refers to what this holds together with it.
-  [[nodiscard]] dobra::mesh::SizeFunction function() const;
+  [[nodiscard]] dobra::mesh::sizing::SizeFunction function() const;
   /// @error BadValue with the place where a size inside the domain was not greater than 0, of all asked so far.
   [[nodiscard]] dobra::base::Result<void> check() const;
 

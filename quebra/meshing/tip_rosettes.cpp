@@ -13,12 +13,12 @@ using dobra::base::Error;
 using dobra::base::ErrorCode;
 using dobra::base::Place;
 using dobra::base::Result;
-using dobra::fem::CrackEnd;
-using dobra::fem::Rosette;
+using dobra::fem::fracture::CrackEnd;
+using dobra::fem::fracture::Rosette;
 using dobra::geom::Point;
 using dobra::geom::Vector;
-using dobra::mesh::MeshInput;
 using dobra::mesh::NodeId;
+using dobra::mesh::delaunay::MeshInput;
 
 /// Of the room round the tip; with 20 sectors displacement correlation is then within 0.7 % and crack closure within
 /// 0.15 % of the integrals on every specimen of the validation book.
@@ -153,7 +153,7 @@ Result<void> check_straight(const domain::Domain& domain, const TipRosette& tip)
 }
 
 Result<TipRosette> half_rosette(const domain::Domain& domain, const std::vector<model::HalfTip>& tips,
-                                const model::HalfTip& tip, dobra::fem::RosetteOptions options) {
+                                const model::HalfTip& tip, dobra::fem::fracture::RosetteOptions options) {
   const sketch::Curve& lip = domain.curves[tip.lip];
   const sketch::Curve& line = domain.curves[tip.line];
   if (!(options.radius > 0.0)) {
@@ -167,7 +167,7 @@ Result<TipRosette> half_rosette(const domain::Domain& domain, const std::vector<
         std::min(room_at(domain, lip, s, tip.ahead, static_cast<std::size_t>(with(&model::HalfTip::lip)), line.name),
                  length(line) / static_cast<double>(with(&model::HalfTip::line)));
   }
-  DOBRA_TRY(auto rosette, dobra::fem::make_rosette(tip.at, tip.ahead, options));
+  DOBRA_TRY(auto rosette, dobra::fem::fracture::make_rosette(tip.at, tip.ahead, options));
   const CrackEnd end = point(lip, 0.0) == tip.at ? CrackEnd::Start : CrackEnd::End;
   return TipRosette{lip.name, end, std::move(rosette), line.name, tip.half};
 }
@@ -179,7 +179,7 @@ struct Rim {
 };
 
 Rim add_rim(MeshInput& input, const TipRosette& tip, std::string name) {
-  input.sets.push_back({std::move(name), dobra::mesh::EdgeKind::Boundary});
+  input.sets.push_back({std::move(name), dobra::mesh::delaunay::EdgeKind::Boundary});
   const auto set = static_cast<std::uint32_t>(input.sets.size() - 1);
   const std::size_t first = input.points.size();
   const bool whole = tip.ahead.empty();
@@ -192,16 +192,16 @@ Rim add_rim(MeshInput& input, const TipRosette& tip, std::string name) {
     input.edges.push_back({{NodeId(first + i), NodeId(first + (i + 1) % count)}, set});
   if (whole) return {NodeId(first), std::nullopt};
   const NodeId last(first + count - 1);
-  return tip.half == dobra::fem::RosetteHalf::Left ? Rim{last, NodeId(first)} : Rim{NodeId(first), last};
+  return tip.half == dobra::fem::fracture::RosetteHalf::Left ? Rim{last, NodeId(first)} : Rim{NodeId(first), last};
 }
 
 }  // namespace
 
 Result<std::vector<TipRosette>> tip_rosettes(const domain::Domain& domain, const std::vector<model::HalfTip>& half_tips,
-                                             const dobra::fem::RosetteOptions& options,
+                                             const dobra::fem::fracture::RosetteOptions& options,
                                              std::span<const TipRadius> radii) {
   const auto options_at = [&](Point tip) {
-    dobra::fem::RosetteOptions own = options;
+    dobra::fem::fracture::RosetteOptions own = options;
     const auto found =
         std::find_if(radii.begin(), radii.end(), [&](const TipRadius& other) { return other.tip == tip; });
     if (found != radii.end()) own.radius = found->radius;
@@ -218,9 +218,9 @@ Result<std::vector<TipRosette>> tip_rosettes(const domain::Domain& domain, const
     for (const CrackEnd end : ends) {
       const double s = end == CrackEnd::Start ? 0.0 : all;
       const auto ahead = end == CrackEnd::Start ? -direction(curve, s) : direction(curve, s);
-      dobra::fem::RosetteOptions own = options_at(point(curve, s));
+      dobra::fem::fracture::RosetteOptions own = options_at(point(curve, s));
       if (!(own.radius > 0.0)) own.radius = automatic_radius * room_at(domain, curve, s, ahead, ends.size(), {});
-      DOBRA_TRY(auto rosette, dobra::fem::make_rosette(point(curve, s), ahead, own));
+      DOBRA_TRY(auto rosette, dobra::fem::fracture::make_rosette(point(curve, s), ahead, own));
       rosettes.push_back({curve.name, end, std::move(rosette)});
     }
   }
@@ -266,7 +266,7 @@ Result<void> cut_out(MeshInput& input, std::vector<TipRosette>& rosettes) {
     for (const TipRosette& r : rosettes) {
       const auto& rim = r.rosette.rings.back();
       const std::size_t quarter = rim.size() / 4;
-      const bool left = !r.ahead.empty() && r.half == dobra::fem::RosetteHalf::Left;
+      const bool left = !r.ahead.empty() && r.half == dobra::fem::fracture::RosetteHalf::Left;
       if (distance(seed.at, r.rosette.tip) <= 1.01 * r.rosette.outer_radius())
         seed.at = r.rosette.tip + 1.02 * (rim[left ? rim.size() - 1 - quarter : quarter] - r.rosette.tip);
     }

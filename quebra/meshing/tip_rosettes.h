@@ -8,17 +8,17 @@
 
 #include "quebra/model/model.h"
 #include "shared/base/result.h"
-#include "shared/fem/rosette.h"
-#include "shared/mesh/mesh_input.h"
+#include "shared/fem/fracture/rosette.h"
+#include "shared/mesh/delaunay/mesh_input.h"
 
 namespace quebra::meshing {
 
 struct TipRosette {
   std::string crack;  ///< Or the only lip.
-  dobra::fem::CrackEnd end = dobra::fem::CrackEnd::End;
-  dobra::fem::Rosette rosette;
+  dobra::fem::fracture::CrackEnd end = dobra::fem::fracture::CrackEnd::End;
+  dobra::fem::fracture::Rosette rosette;
   std::string ahead = {};  ///< Curve ahead of a half crack; empty: a whole one.
-  dobra::fem::RosetteHalf half = dobra::fem::RosetteHalf::Left;
+  dobra::fem::fracture::RosetteHalf half = dobra::fem::fracture::RosetteHalf::Left;
   std::vector<std::string> names = {};  ///< Node sets that the tip is to be in.
 };
 
@@ -35,13 +35,13 @@ struct TipRadius {
 /// @error BadDomain naming the crack: two rosettes overlap, one reaches a boundary, or the crack is not straight in it.
 dobra::base::Result<std::vector<TipRosette>> tip_rosettes(const domain::Domain& domain,
                                                           const std::vector<model::HalfTip>& half_tips,
-                                                          const dobra::fem::RosetteOptions& options,
+                                                          const dobra::fem::fracture::RosetteOptions& options,
                                                           std::span<const TipRadius> radii = {});
 
 /// Makes a hole of each rosette in the mesher's input, and lets the cracks end on its rim; names of the tips themselves
 /// go to the rosettes.
 /// @error BadDomain: a named point lies in a rosette, whose nodes are its own.
-dobra::base::Result<void> cut_out(dobra::mesh::MeshInput& input, std::vector<TipRosette>& rosettes);
+dobra::base::Result<void> cut_out(dobra::mesh::delaunay::MeshInput& input, std::vector<TipRosette>& rosettes);
 
 /// Fills the holes again. @error those of fem::fill_rosette
 dobra::base::Result<void> fill(dobra::mesh::ElementMesh& mesh, const std::vector<TipRosette>& rosettes);

@@ -14,16 +14,16 @@ mesh::ElementMesh in_units(mesh::ElementMesh mesh, const scenario::UnitSystem& u
 
 std::string note_of(const scenario::UnitSystem& units) { return "units: " + units.text(); }
 
-base::Result<void> write_mesh(const std::string& path, const mesh::ElementMesh& mesh, io::InpElement element,
+base::Result<void> write_mesh(const std::string& path, const mesh::ElementMesh& mesh, io::meshes::InpElement element,
                               const scenario::UnitSystem& units) {
-  DOBRA_TRY_VOID(io::write_mesh(path, in_units(mesh, units), element));
-  return io::add_note(path, note_of(units));
+  DOBRA_TRY_VOID(io::formats::write_mesh(path, in_units(mesh, units), element));
+  return io::formats::add_note(path, note_of(units));
 }
 
-base::Result<void> write_vtu(const std::string& path, const mesh::ElementMesh& mesh, const io::MeshFields& fields,
-                             const scenario::UnitSystem& units) {
-  DOBRA_TRY_VOID(io::write_vtu(path, in_units(mesh, units), fields));
-  return io::add_note(path, note_of(units));
+base::Result<void> write_vtu(const std::string& path, const mesh::ElementMesh& mesh,
+                             const io::meshes::MeshFields& fields, const scenario::UnitSystem& units) {
+  DOBRA_TRY_VOID(io::meshes::write_vtu(path, in_units(mesh, units), fields));
+  return io::formats::add_note(path, note_of(units));
 }
 
 }  // namespace quebra::model

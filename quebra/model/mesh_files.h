@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "shared/io/mesh_file.h"
-#include "shared/io/vtu.h"
+#include "shared/io/formats/mesh_file.h"
+#include "shared/io/meshes/vtu.h"
 #include "shared/scenario/units.h"
 
 namespace quebra::model {
@@ -12,10 +12,11 @@ namespace quebra::model {
 /// A mesh as a file in these units holds it, and the line that says so.
 dobra::mesh::ElementMesh in_units(dobra::mesh::ElementMesh mesh, const dobra::scenario::UnitSystem& units);
 std::string note_of(const dobra::scenario::UnitSystem& units);
-/// io::write_mesh and io::write_vtu of a mesh in SI, in these units and with that line.
+/// io::formats::write_mesh and io::meshes::write_vtu of a mesh in SI, in these units and with that line.
 dobra::base::Result<void> write_mesh(const std::string& path, const dobra::mesh::ElementMesh& mesh,
-                                     dobra::io::InpElement element, const dobra::scenario::UnitSystem& units);
+                                     dobra::io::meshes::InpElement element, const dobra::scenario::UnitSystem& units);
 dobra::base::Result<void> write_vtu(const std::string& path, const dobra::mesh::ElementMesh& mesh,
-                                    const dobra::io::MeshFields& fields, const dobra::scenario::UnitSystem& units);
+                                    const dobra::io::meshes::MeshFields& fields,
+                                    const dobra::scenario::UnitSystem& units);
 
 }  // namespace quebra::model

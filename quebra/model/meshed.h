@@ -8,7 +8,7 @@
 #include "shared/mesh/element_mesh.h"
 #include "shared/mesh/element_quality.h"
 #include "shared/mesh/quality.h"
-#include "shared/mesh/size_field.h"
+#include "shared/mesh/sizing/size_field.h"
 
 namespace quebra::model {
 
@@ -23,10 +23,10 @@ struct Meshed {
   dobra::mesh::ElementMesh mesh;
   dobra::mesh::MeshQuality quality;      ///< Of the triangles, before they were joined to quadrilaterals or bent.
   dobra::mesh::ElementQuality elements;  ///< Of the elements as they are.
-  std::shared_ptr<const dobra::mesh::SizeField> sizes;  ///< That the mesher obeyed.
-  std::size_t constraints = 0;                          ///< How many constraints it obeys.
-  std::size_t constraint_edges = 0;                     ///< Sides along them.
-  std::vector<PhaseTime> seconds;                       ///< Not part of any report: the same run gives the same bytes.
+  std::shared_ptr<const dobra::mesh::sizing::SizeField> sizes;  ///< That the mesher obeyed.
+  std::size_t constraints = 0;                                  ///< How many constraints it obeys.
+  std::size_t constraint_edges = 0;                             ///< Sides along them.
+  std::vector<PhaseTime> seconds;  ///< Not part of any report: the same run gives the same bytes.
 };
 
 /// An engine that was stopped before its mesh was done: to be looked at.

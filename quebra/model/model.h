@@ -7,7 +7,7 @@
 
 #include "quebra/domain/domain.h"
 #include "quebra/model/meshed.h"
-#include "shared/fem/rosette.h"
+#include "shared/fem/fracture/rosette.h"
 #include "shared/scenario/units.h"
 
 // What steps add, whose rooms stand above this one.
@@ -53,7 +53,7 @@ struct HalfTip {
   std::size_t line = 0;  ///< and the one ahead.
   dobra::geom::Point at;
   dobra::geom::Vector ahead;
-  dobra::fem::RosetteHalf half = dobra::fem::RosetteHalf::Left;  ///< Where the material is.
+  dobra::fem::fracture::RosetteHalf half = dobra::fem::fracture::RosetteHalf::Left;  ///< Where the material is.
 };
 
 /// Where results are read: along a line, or at a point (results.h).

@@ -10,7 +10,7 @@
 
 #include "quebra/sketch/cubics.h"
 #include "quebra/sketch/enclosed.h"
-#include "shared/io/geo.h"
+#include "shared/io/drawings/geo.h"
 
 namespace quebra::sketch {
 namespace {
@@ -24,10 +24,10 @@ using dobra::geom::Point;
 using dobra::geom::Polyline;
 using dobra::geom::Segment;
 using dobra::geom::Vector;
-using dobra::io::GeoCurve;
-using dobra::io::GeoCurveKind;
-using dobra::io::GeoFile;
-using dobra::io::GeoGroup;
+using dobra::io::drawings::GeoCurve;
+using dobra::io::drawings::GeoCurveKind;
+using dobra::io::drawings::GeoFile;
+using dobra::io::drawings::GeoGroup;
 
 std::vector<Point> points_of(const GeoFile& file, const GeoCurve& curve) {
   std::vector<Point> points;
@@ -166,7 +166,7 @@ void take_sizes(const GeoFile& file, const GeoCurve& geo, Curve& curve) {
 }  // namespace
 
 Result<Sketch> read_geo_sketch(const std::string& path, double unit) {
-  DOBRA_TRY(GeoFile file, dobra::io::read_geo(path));
+  DOBRA_TRY(GeoFile file, dobra::io::drawings::read_geo(path));
   for (auto& [tag, point] : file.points) {
     point.at = {unit * point.at.x, unit * point.at.y};
     point.size *= unit;

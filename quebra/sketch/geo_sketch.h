@@ -11,7 +11,7 @@ namespace quebra::sketch {
 
 /// Curves are named "curve_TAG", groups by their name or "physical_TAG". Surfaces without a group have no name.
 /// @param unit  metres in one unit of the file.
-/// @error those of io::read_geo; DegenerateCurve for an arc whose points do not lie on one.
+/// @error those of io::drawings::read_geo; DegenerateCurve for an arc whose points do not lie on one.
 dobra::base::Result<Sketch> read_geo_sketch(const std::string& path, double unit = 1.0);
 
 }  // namespace quebra::sketch

@@ -14,9 +14,9 @@ using dobra::base::Error;
 using dobra::base::ErrorCode;
 using dobra::base::Result;
 
-Result<io::LineFormat> format_of(const std::string& name) {
+Result<io::formats::LineFormat> format_of(const std::string& name) {
   std::vector<std::string> names;
-  for (const io::LineFormatNames& known : io::line_formats()) {
+  for (const io::formats::LineFormatNames& known : io::formats::line_formats()) {
     if (known.name == name) return known.format;
     names.emplace_back(known.name);
   }
@@ -29,30 +29,32 @@ Result<SketchOptions> sketch_options(const LineInput& input) {
   const LineInput none;
   SketchOptions options;
   options.open_lines = input.closed;
-  io::LineOptions& lines = options.lines;
+  io::formats::LineOptions& lines = options.lines;
   if (!input.format.empty()) {
     DOBRA_TRY(lines.format, format_of(input.format));
   }
-  lines.text.columns = io::words_between_commas(input.columns);
-  lines.text.name_columns = io::words_between_commas(input.name_columns);
+  lines.text.columns = io::formats::words_between_commas(input.columns);
+  lines.text.name_columns = io::formats::words_between_commas(input.name_columns);
   lines.text.separator = input.separator;
   lines.coordinates = input.coordinates;
   if (!input.trace.empty()) {
     if (input.trace.size() != 4)
       return Error{ErrorCode::BadValue, "trace: give four numbers: x and y of its beginning and its end"};
-    DOBRA_TRY(lines.trace, io::trace_between({input.trace[0], input.trace[1]}, {input.trace[2], input.trace[3]}));
+    DOBRA_TRY(lines.trace,
+              io::lines::trace_between({input.trace[0], input.trace[1]}, {input.trace[2], input.trace[3]}));
   }
   if (!input.fold_axis.empty()) {
     if (input.fold_axis.size() != 2)
       return Error{ErrorCode::BadValue, "fold_axis: give two numbers: trend and plunge in degrees"};
-    lines.fold_axis = io::FoldAxis{dobra::base::Angle::from_degrees(input.fold_axis[0]),
-                                   dobra::base::Angle::from_degrees(input.fold_axis[1])};
+    lines.fold_axis = io::lines::FoldAxis{dobra::base::Angle::from_degrees(input.fold_axis[0]),
+                                          dobra::base::Angle::from_degrees(input.fold_axis[1])};
   }
   lines.plane_tolerance = input.plane_tolerance.value_or(lines.plane_tolerance);
   if (input.y_axis != FileAxis::File)
-    lines.y_direction = input.y_axis == FileAxis::Up ? io::YDirection::Up : io::YDirection::Down;
+    lines.y_direction = input.y_axis == FileAxis::Up ? io::lines::YDirection::Up : io::lines::YDirection::Down;
   lines.y_reference = input.reference.value_or(lines.y_reference);
-  if (input.unit != FileUnit::File) lines.unit = io::file_unit_metres[static_cast<std::size_t>(input.unit) - 1];
+  if (input.unit != FileUnit::File)
+    lines.unit = io::formats::file_unit_metres[static_cast<std::size_t>(input.unit) - 1];
   lines.exaggeration = input.exaggeration.value_or(lines.exaggeration);
   options.chosen = input.closed != none.closed || !input.format.empty() || !input.columns.empty() ||
                    !input.name_columns.empty() || input.separator != none.separator ||

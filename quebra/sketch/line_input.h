@@ -18,8 +18,8 @@ enum class FileAxis { File, Up, Down };
 struct LineInput {
   OpenLines closed = OpenLines::AsDrawn;
   std::string format, columns, name_columns;
-  dobra::io::Separator separator = dobra::io::Separator::Detect;
-  dobra::io::Coordinates coordinates = dobra::io::Coordinates::Detect;
+  dobra::io::lines::Separator separator = dobra::io::lines::Separator::Detect;
+  dobra::io::formats::Coordinates coordinates = dobra::io::formats::Coordinates::Detect;
   std::vector<double> trace, fold_axis;
   std::optional<double> plane_tolerance, reference, exaggeration;
   FileAxis y_axis = FileAxis::File;

@@ -11,12 +11,12 @@
 #include "quebra/sketch/geo_sketch.h"
 #include "quebra/sketch/svg_sketch.h"
 #include "shared/base/text.h"
-#include "shared/io/curves.h"
-#include "shared/io/dxf.h"
-#include "shared/io/dxf_paths.h"
+#include "shared/io/drawings/dxf_paths.h"
 #include "shared/io/file.h"
-#include "shared/io/mesh_file.h"
-#include "shared/io/poly.h"
+#include "shared/io/formats/curves.h"
+#include "shared/io/formats/mesh_file.h"
+#include "shared/io/gis/dxf.h"
+#include "shared/io/meshes/poly.h"
 
 namespace quebra::sketch {
 namespace {
@@ -31,7 +31,7 @@ using dobra::geom::Polyline;
 /// The segments of a file joined into chains wherever just two with the same marker meet.
 class Chains {
  public:
-  explicit Chains(const dobra::io::PolyFile& file) : file_(file), used_(file.segments.size(), false) {
+  explicit Chains(const dobra::io::meshes::PolyFile& file) : file_(file), used_(file.segments.size(), false) {
     for (std::size_t i = 0; i < file.segments.size(); ++i) {
       for (const std::uint32_t node : file.segments[i]) at_[node].push_back(i);
     }
@@ -88,14 +88,14 @@ class Chains {
     return {fmt::format("curve_{}_marker_{}", number + 1, marker(segment)), Role::Boundary, std::move(line), {}};
   }
 
-  const dobra::io::PolyFile& file_;
+  const dobra::io::meshes::PolyFile& file_;
   std::vector<std::int64_t> markers_;
   std::vector<bool> used_;
   std::map<std::uint32_t, std::vector<std::size_t>> at_;
 };
 
 /// @param holes  whether hole points, rather than nesting, tell what is a hole.
-Sketch sketch_of(const dobra::io::PolyFile& file, const std::string& path, bool holes) {
+Sketch sketch_of(const dobra::io::meshes::PolyFile& file, const std::string& path, bool holes) {
   Sketch sketch;
   sketch.curves = Chains(file).curves();
   for (const Curve& curve : sketch.curves) sketch.without_role.insert(curve.name);
@@ -111,15 +111,15 @@ Sketch sketch_of(const dobra::io::PolyFile& file, const std::string& path, bool 
 // -----------------------------------------------------------------------------------------------
 
 /// A drawing with its arcs as they are drawn; nothing where chords must do, or no drawing.
-Result<std::optional<Sketch>> true_curves(const std::string& path, const dobra::io::Curves& read,
+Result<std::optional<Sketch>> true_curves(const std::string& path, const dobra::io::formats::Curves& read,
                                           const SketchOptions& options) {
-  const dobra::io::LineOptions& lines = options.lines;
-  if (read.format != dobra::io::LineFormat::Dxf || lines.coordinates == dobra::io::Coordinates::Map)
+  const dobra::io::formats::LineOptions& lines = options.lines;
+  if (read.format != dobra::io::formats::LineFormat::Dxf || lines.coordinates == dobra::io::formats::Coordinates::Map)
     return std::optional<Sketch>();
   DOBRA_TRY(const std::string text, dobra::io::read_text(path));
-  auto paths = dobra::io::dxf_paths(text, path);
+  auto paths = dobra::io::drawings::dxf_paths(text, path);
   if (!paths) return std::optional<Sketch>();
-  const bool down = read.y_direction == dobra::io::YDirection::Down;
+  const bool down = read.y_direction == dobra::io::lines::YDirection::Down;
   const double up = (down ? -1.0 : 1.0) * read.unit / lines.exaggeration;
   const double base = down ? lines.y_reference * read.unit / lines.exaggeration : 0.0;
   for (auto& outline : *paths) {
@@ -128,7 +128,7 @@ Result<std::optional<Sketch>> true_curves(const std::string& path, const dobra::
       for (Point* p : {&piece.from, &piece.to, &piece.control[0], &piece.control[1], &piece.centre}) p->y += base;
     }
     if (options.open_lines == OpenLines::Close && !outline.closed && outline.pieces.size() > 1) {
-      outline.pieces.push_back({dobra::io::SvgPieceKind::Line,
+      outline.pieces.push_back({dobra::io::drawings::SvgPieceKind::Line,
                                 outline.pieces.back().to,
                                 outline.pieces.front().from,
                                 {},
@@ -151,12 +151,13 @@ Result<std::optional<Sketch>> true_curves(const std::string& path, const dobra::
     if (area.name.starts_with("curve ")) area.name.clear();
   }
   sketch.remarks = read.remarks;
-  std::erase_if(sketch.remarks, [](const std::string& remark) { return remark.ends_with(dobra::io::read_as_chords); });
+  std::erase_if(sketch.remarks,
+                [](const std::string& remark) { return remark.ends_with(dobra::io::gis::read_as_chords); });
   return std::optional(std::move(sketch));
 }
 
 Result<Sketch> from_curves(const std::string& path, const SketchOptions& options) {
-  DOBRA_TRY(dobra::io::Curves read, dobra::io::read_curves(path, options.lines));
+  DOBRA_TRY(dobra::io::formats::Curves read, dobra::io::formats::read_curves(path, options.lines));
   DOBRA_TRY(auto exact, true_curves(path, read, options));
   if (exact) return *std::move(exact);
   Sketch sketch;
@@ -184,7 +185,7 @@ void scale(std::vector<Point>& points, double unit) {
   for (Point& p : points) p = {unit * p.x, unit * p.y};
 }
 
-void scale(dobra::io::PolyFile& file, double unit) {
+void scale(dobra::io::meshes::PolyFile& file, double unit) {
   scale(file.nodes.points, unit);
   scale(file.holes, unit);
   for (auto& region : file.regions) region.at = {unit * region.at.x, unit * region.at.y};
@@ -193,7 +194,7 @@ void scale(dobra::io::PolyFile& file, double unit) {
 /// Text: a graph with its counts, or lines of points.
 Result<Sketch> from_text(const std::string& path, const SketchOptions& options) {
   DOBRA_TRY(const std::string text, dobra::io::read_text(path));
-  if (auto graph = dobra::io::counted_graph(text)) {
+  if (auto graph = dobra::io::meshes::counted_graph(text)) {
     scale(*graph, options.silent_unit);
     Sketch sketch = sketch_of(*graph, path, false);
     sketch.remarks.push_back(fmt::format("{}: read as {} points and the {} segments between them", path,
@@ -210,7 +211,7 @@ Result<Sketch> from_text(const std::string& path, const SketchOptions& options) 
 Sketch from_mesh(const dobra::mesh::ElementMesh& mesh) {
   using dobra::mesh::ElementSide;
   Sketch sketch;
-  dobra::io::PolyFile file;
+  dobra::io::meshes::PolyFile file;
   file.nodes.points = mesh.points;
   std::vector<std::string> names{"boundary"};
   std::map<ElementSide, std::int64_t> set_of;
@@ -264,13 +265,13 @@ Sketch from_mesh(const dobra::mesh::ElementMesh& mesh) {
 /// Files that tell their own axes and outlines. @param unit  metres in one of theirs.
 Result<Sketch> read_as_it_stands(const std::string& path, const std::string& ending, double unit) {
   if (ending == ".poly") {
-    DOBRA_TRY(dobra::io::PolyFile file, dobra::io::read_poly(path));
+    DOBRA_TRY(dobra::io::meshes::PolyFile file, dobra::io::meshes::read_poly(path));
     scale(file, unit);
     return sketch_of(file, path, true);
   }
   if (ending == ".geo") return read_geo_sketch(path, unit);
   if (ending == ".svg") return read_svg_sketch(path, unit);
-  DOBRA_TRY(auto contents, dobra::io::read_mesh(path));
+  DOBRA_TRY(auto contents, dobra::io::formats::read_mesh(path));
   scale(contents.mesh.points, unit);
   Sketch sketch = from_mesh(contents.mesh);
   sketch.remarks = std::move(contents.remarks);
@@ -281,7 +282,8 @@ Result<Sketch> read_by_ending(const std::string& path, const SketchOptions& opti
   const std::string ending = dobra::io::ending_of(path);
   Place place;
   place.file = path;
-  const bool drawing = ending == ".poly" || ending == ".geo" || ending == ".svg" || dobra::io::is_mesh_ending(ending);
+  const bool drawing =
+      ending == ".poly" || ending == ".geo" || ending == ".svg" || dobra::io::formats::is_mesh_ending(ending);
   if (drawing && options.chosen) {
     return Error{ErrorCode::BadValue,
                  fmt::format("units, axes, columns and closing are asked of files of lines only, not of {} files; "
@@ -290,11 +292,12 @@ Result<Sketch> read_by_ending(const std::string& path, const SketchOptions& opti
                  place};
   }
   if (drawing) return read_as_it_stands(path, ending, options.silent_unit);
-  if (!options.lines.format && !dobra::io::line_format_of(path)) {
+  if (!options.lines.format && !dobra::io::formats::line_format_of(path)) {
     return Error{ErrorCode::UnknownFormat,
                  fmt::format("the ending of the name tells no format; geometry is read from .poly .geo .svg {}, the "
                              "boundary of a mesh from {}",
-                             fmt::join(dobra::io::line_endings(), " "), fmt::join(dobra::io::mesh_read_endings(), " ")),
+                             fmt::join(dobra::io::formats::line_endings(), " "),
+                             fmt::join(dobra::io::formats::mesh_read_endings(), " ")),
                  place};
   }
   return ending == ".txt" && !options.lines.format ? from_text(path, options) : from_curves(path, options);

@@ -6,7 +6,7 @@
 
 #include "quebra/sketch/sketch.h"
 #include "shared/base/result.h"
-#include "shared/io/line_files.h"
+#include "shared/io/formats/line_files.h"
 
 namespace quebra::sketch {
 
@@ -14,14 +14,14 @@ enum class OpenLines { AsDrawn, Close };
 
 struct SketchOptions {
   /// Of files of lines: units, axes, columns; what neither they nor the file tell is asked.
-  dobra::io::LineOptions lines = {};
+  dobra::io::formats::LineOptions lines = {};
   OpenLines open_lines = OpenLines::AsDrawn;  ///< Close: every line is an outline whose last side is left out.
   double silent_unit = 1.0;                   ///< Metres in one unit of a file that does not say.
   bool chosen = false;                        ///< Whether the user chose any of these.
 };
 
 /// By the ending of the name: .poly, .geo, .svg, .msh, .inp, .vtu, .bdf .nas, .nf, .ele, or a format of
-/// io::read_curves; a .txt may be the graph of io::counted_graph. Curves without roles are left to make_domain: closed
+/// io::formats::read_curves; a .txt may be the graph of io::meshes::counted_graph. Curves without roles are left to make_domain: closed
 /// ones and chains that close bound the domain, the others are internal lines.
 /// @error FileNotFound, NotAFile; UnknownFormat naming what is read; BadValue for options that the format does not ask;
 /// those of the readers.

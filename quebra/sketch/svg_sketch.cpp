@@ -14,9 +14,9 @@ using dobra::geom::Arc;
 using dobra::geom::Orientation;
 using dobra::geom::Point;
 using dobra::geom::Polyline;
-using dobra::io::SvgPath;
-using dobra::io::SvgPiece;
-using dobra::io::SvgPieceKind;
+using dobra::io::drawings::SvgPath;
+using dobra::io::drawings::SvgPiece;
+using dobra::io::drawings::SvgPieceKind;
 
 using Shape = decltype(Curve::shape);
 
@@ -94,7 +94,7 @@ void scale(SvgPiece& piece, double x, double y) {
 }
 
 Result<Sketch> read_svg_sketch(const std::string& path, double unit) {
-  DOBRA_TRY(dobra::io::SvgFile file, dobra::io::read_svg(path));
+  DOBRA_TRY(dobra::io::drawings::SvgFile file, dobra::io::drawings::read_svg(path));
   for (SvgPath& outline : file.paths) {
     for (SvgPiece& piece : outline.pieces) scale(piece, unit, unit);
   }

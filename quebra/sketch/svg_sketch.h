@@ -7,20 +7,20 @@
 
 #include "quebra/sketch/sketch.h"
 #include "shared/base/result.h"
-#include "shared/io/svg.h"
+#include "shared/io/drawings/svg.h"
 
 namespace quebra::sketch {
 
 /// Straight pieces that follow each other are one curve; circular arcs stay arcs, other arcs and Bezier curves smooth
 /// curves of their own. A path of several curves calls them NAME_1, NAME_2 ...
 /// @param unit  metres in one unit of the file.
-/// @error those of io::read_svg; DegenerateCurve with the place of the element.
+/// @error those of io::drawings::read_svg; DegenerateCurve with the place of the element.
 dobra::base::Result<Sketch> read_svg_sketch(const std::string& path, double unit = 1.0);
 
 /// A piece whose coordinates are multiplied.
-void scale(dobra::io::SvgPiece& piece, double x, double y);
+void scale(dobra::io::drawings::SvgPiece& piece, double x, double y);
 
 /// The same of paths from another format, without remarks.
-dobra::base::Result<Sketch> sketch_of_paths(const std::vector<dobra::io::SvgPath>& paths);
+dobra::base::Result<Sketch> sketch_of_paths(const std::vector<dobra::io::drawings::SvgPath>& paths);
 
 }  // namespace quebra::sketch

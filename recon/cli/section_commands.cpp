@@ -7,16 +7,19 @@
 #include <algorithm>
 #include <memory>
 
+#include "recon/balance/area_balance.h"
+#include "recon/balance/area_depth.h"
 #include "recon/cli/ledger_json.h"
 #include "recon/cli/section_document.h"
 #include "recon/core/model.h"
 #include "recon/core/report.h"
+#include "recon/unfold/monte_carlo.h"
 #include "shared/base/text.h"
 #include "shared/cli/commands.h"
 #include "shared/cli/parameter_options.h"
 #include "shared/cli/pictures.h"
 #include "shared/cli/staging.h"
-#include "shared/io/line_files.h"
+#include "shared/io/formats/line_files.h"
 
 namespace recon::cli {
 
@@ -100,11 +103,11 @@ enum class OutKind { Scenario, Picture, Lines };
 Result<OutKind> out_kind(const std::filesystem::path& out) {
   if (out.extension() == ".toml") return OutKind::Scenario;
   if (dobra::cli::check_ending(out, dobra::cli::Drawer::Cairo)) return OutKind::Picture;
-  if (io::line_format_of(out.string())) return OutKind::Lines;
+  if (io::formats::line_format_of(out.string())) return OutKind::Lines;
   return base::Error{base::ErrorCode::BadUsage,
                      fmt::format("--out {}: give a picture (.svg .pdf .png), a scenario (.toml), or a file of the "
                                  "restored lines ({})",
-                                 out.string(), fmt::join(io::line_endings(), " "))};
+                                 out.string(), fmt::join(io::formats::line_endings(), " "))};
 }
 
 /// A picture, the scenario itself to go on with, or the restored lines.
@@ -122,9 +125,9 @@ Result<void> write_out(Session& session, const std::filesystem::path& out, scena
     written =
         dobra::cli::draw(dobra::cli::picture_of(session.program, document, state), path, dobra::cli::Drawer::Cairo);
   } else {
-    io::LineWork work;
+    io::formats::LineWork work;
     work.features = core::restored_features(scenario::model_of<core::Model>(state).restoration->section);
-    written = io::write_any_lines(path.string(), work, {}, losses);
+    written = io::formats::write_any_lines(path.string(), work, {}, losses);
   }
   if (!written) return staging.for_user(written.error());
   for (const std::string& loss : losses) session.note(loss);
@@ -177,12 +180,12 @@ dobra::cli::Command restore_command() {
   return {"restore", "Restore a section and draw up its balance ledger", [](CLI::App& app) -> Job {
             const auto options = std::make_shared<RestoreOptions>();
             add_section_options(app, options->section);
-            options->grid.add(app, scenario::fields_of<core::GridParams>(), {"top", "simplify", "uncovered"});
-            options->restore.add(app, scenario::fields_of<core::RestoreParams>());
+            options->grid.add(app, scenario::fields_of<unfold::GridParams>(), {"top", "simplify", "uncovered"});
+            options->restore.add(app, scenario::fields_of<unfold::RestoreParams>());
             app.add_option("--target", options->target_file, "flat (default), or a file with the line to restore to")
                 ->type_name("flat|FILE");
-            options->target.add(app, scenario::fields_of<core::TargetParams>(), {"pin", "elevation", "target_pin"});
-            options->errors.add(app, scenario::fields_of<core::MonteCarloParams>(),
+            options->target.add(app, scenario::fields_of<unfold::TargetParams>(), {"pin", "elevation", "target_pin"});
+            options->errors.add(app, scenario::fields_of<unfold::MonteCarloParams>(),
                                 {"draws", "pick_error", "pin_error", "angle_error", "seed"});
             app.add_flag("--geometry", options->geometry, "With --json: the restored lines too");
             app.add_option("--colours", options->colors,
@@ -204,8 +207,8 @@ dobra::cli::Command balance_command() {
           [](CLI::App& app) -> Job {
             const auto options = std::make_shared<BalanceOptions>();
             add_section_options(app, options->section);
-            options->by_length.add(app, scenario::fields_of<core::BalanceParams>());
-            options->by_area.add(app, scenario::fields_of<core::AreaBalanceParams>(),
+            options->by_length.add(app, scenario::fields_of<balance::BalanceParams>());
+            options->by_area.add(app, scenario::fields_of<balance::AreaBalanceParams>(),
                                  {"thickness", "thickness_error", "width_points", "width"});
             return [options](Session& session) { return balance_job(session, *options); };
           }};

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "recon/core/import.h"
+#include "recon/input/import.h"
 #include "shared/cli/session.h"
-#include "shared/io/line_files.h"
+#include "shared/io/formats/line_files.h"
 
 namespace recon::cli {
 
@@ -18,14 +18,14 @@ namespace scenario = dobra::scenario;
 using dobra::geom::Point;
 
 /// The lines of a file as the tables of an input, in the order of the file.
-void write_tables(std::vector<core::ImportedLine> lines, scenario::Table& input) {
+void write_tables(std::vector<input::ImportedLine> lines, scenario::Table& input) {
   std::vector<std::pair<std::string, std::vector<scenario::Table>>> tables;
-  for (core::ImportedLine& line : lines) {
+  for (input::ImportedLine& line : lines) {
     scenario::Table row;
     row.set("name", std::move(line.name));
     row.set("points", std::move(line.line.points));
     if (!line.piece_of.empty()) row.set("piece_of", std::move(line.piece_of));
-    if (line.role == core::BedRole::Growth) row.set("role", std::string("growth"));
+    if (line.role == section::BedRole::Growth) row.set("role", std::string("growth"));
     auto table = std::find_if(tables.begin(), tables.end(), [&](const auto& t) { return t.first == line.table; });
     if (table == tables.end()) table = tables.insert(table, {line.table, {}});
     table->second.push_back(std::move(row));
@@ -47,31 +47,31 @@ base::Result<scenario::Document> section_document(dobra::cli::Session& session, 
     if (section.horizons_from_units) document.input.set("horizons_from_units", true);
     return document;
   }
-  DOBRA_TRY(const io::LineOptions options, dobra::cli::line_options(section.lines));
-  DOBRA_TRY(const io::LineWork work, io::read_any_lines(section.file, options));
+  DOBRA_TRY(const io::formats::LineOptions options, dobra::cli::line_options(section.lines));
+  DOBRA_TRY(const io::formats::LineWork work, io::formats::read_any_lines(section.file, options));
   for (const std::string& remark : work.remarks) session.note(remark);
-  for (const io::Repair& repair : work.repairs) session.note(io::to_string(repair));
+  for (const io::formats::Repair& repair : work.repairs) session.note(io::formats::to_string(repair));
   scenario::Document document;
   document.program = "recon";
   document.title = std::filesystem::path(section.file).stem().string();
-  DOBRA_TRY(core::Import import, core::import_lines(work.features));
+  DOBRA_TRY(input::Import import, input::import_lines(work.features));
   for (const std::string& remark : import.remarks) session.note(remark);
   write_tables(std::move(import.lines), document.input);
   if (section.horizons_from_units) document.input.set("horizons_from_units", true);
   if (work.trace || options.fold_axis) {
-    const auto [left, right] =
-        io::ends_of(options.fold_axis ? io::azimuth_of(*options.fold_axis) : io::azimuth_of(*work.trace));
+    const auto [left, right] = io::lines::ends_of(options.fold_axis ? io::lines::azimuth_of(*options.fold_axis)
+                                                                    : io::lines::azimuth_of(*work.trace));
     document.input.set("orientation", fmt::format("{} - {}", left, right));
   }
   return document;
 }
 
 base::Result<std::vector<Point>> only_line(const std::string& file, const dobra::cli::LineOptionTexts& lines) {
-  DOBRA_TRY(const io::LineOptions options, dobra::cli::line_options(lines));
-  DOBRA_TRY(io::LineWork work, io::read_any_lines(file, options));
+  DOBRA_TRY(const io::formats::LineOptions options, dobra::cli::line_options(lines));
+  DOBRA_TRY(io::formats::LineWork work, io::formats::read_any_lines(file, options));
   std::vector<std::vector<Point>> found;
-  for (io::Feature& feature : work.features) {
-    if (feature.type != io::FeatureType::Lines) continue;
+  for (io::lines::Feature& feature : work.features) {
+    if (feature.type != io::lines::FeatureType::Lines) continue;
     for (dobra::geom::Polyline& part : feature.parts) found.push_back(std::move(part.points));
   }
   if (found.size() == 1) return std::move(found.front());

@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
-#include "recon/core/input.h"
-#include "recon/core/percent.h"
+#include "recon/input/input.h"
 
 namespace recon::core {
 
@@ -57,12 +55,12 @@ void remark_on(const CarriedLine& line, std::vector<std::string>& remarks) {
                   count, at.x, at.y, worst->misses));
 }
 
-const Section& section_of(const std::vector<const Stage*>& chain, std::size_t state) {
+const section::Section& section_of(const std::vector<const Stage*>& chain, std::size_t state) {
   return state < chain.size() ? chain[state]->section : chain.back()->restoration->section;
 }
 
 /// Beyond the section nothing but the straight continuation of its grid tells where a point goes.
-void remark_outside(const CarriedLine& line, const Section& section, std::vector<std::string>& remarks) {
+void remark_outside(const CarriedLine& line, const section::Section& section, std::vector<std::string>& remarks) {
   const geom::Box box = box_of(section);
   const auto outside = [&](geom::Point p) {
     return p.x < box.low.x || p.x > box.high.x || p.y < box.low.y || p.y > box.high.y;
@@ -72,18 +70,6 @@ void remark_outside(const CarriedLine& line, const Section& section, std::vector
   if (first == points.end()) return;
   remarks.push_back(fmt::format("{} points that are carried lie outside the section, the first at ({:.6g}, {:.6g})",
                                 std::count_if(points.begin(), points.end(), outside), first->x, first->y));
-}
-
-/// Rows of `first` and `last` that have the same name and are in every stage between.
-template <class Row, class Measure>
-void join_rows(const std::vector<Row>& first, const std::vector<Row>& last, Measure measure,
-               std::vector<Compared>& joined) {
-  for (const Row& row : first) {
-    const auto found = std::find_if(last.begin(), last.end(), [&](const Row& other) { return other.name == row.name; });
-    if (found == last.end()) continue;
-    const auto [before, after] = measure(row, *found);
-    if (before > 0.0) joined.push_back({row.name, before, after, row.role});
-  }
 }
 
 }  // namespace
@@ -108,16 +94,17 @@ base::Result<CarriedLines> carry_lines(const std::vector<const Stage*>& chain, c
     return base::Error{base::ErrorCode::BadValue,
                        fmt::format("from and to are both state {}; nothing lies between them", carried.from)};
   }
-  HorizonInput input;
+  input::HorizonInput input;
   input.name = "line";
   input.file = params.file;
   input.feature = params.feature;
   input.points = params.points;
-  const Convention convention = params.file.empty() ? Convention{} : chain.front()->section.convention;
+  const section::Convention convention =
+      params.file.empty() ? section::Convention{} : chain.front()->section.convention;
   if (params.file.empty() && (params.points.size() == 1 || params.as == CarryAs::Points)) {
     for (const geom::Point p : params.points) carried.lines.push_back(carried_line(chain, carried, {{p}, false}));
   } else {
-    DOBRA_TRY(ReadPieces read, read_pieces(input, {.convention = convention}, context));
+    DOBRA_TRY(input::ReadPieces read, read_pieces(input, {.convention = convention}, context));
     carried.remarks = std::move(read.remarks);
     for (geom::Polyline& piece : read.pieces) carried.lines.push_back(carried_line(chain, carried, std::move(piece)));
   }
@@ -126,54 +113,6 @@ base::Result<CarriedLines> carry_lines(const std::vector<const Stage*>& chain, c
     remark_outside(line, section_of(chain, carried.from), carried.remarks);
   }
   return carried;
-}
-
-ChainVerdict judge(const Comparison& comparison, double tolerance) {
-  const auto worst = [](const std::vector<Compared>& rows) {
-    const Compared* found = nullptr;
-    for (const Compared& row : rows) {
-      if (row.role != BedRole::Judged) continue;
-      if (found == nullptr || std::abs(row.change_percent()) > std::abs(found->change_percent())) found = &row;
-    }
-    return found;
-  };
-  ChainVerdict verdict{false, worst(comparison.beds), worst(comparison.units)};
-  const auto within = [&](const Compared* row) {
-    return row == nullptr || std::abs(row->change_percent()) <= tolerance;
-  };
-  verdict.balanced = within(verdict.bed) && within(verdict.unit);
-  return verdict;
-}
-
-Comparison compare(const std::vector<const Stage*>& chain, std::size_t from, std::size_t to) {
-  const Restoration& first = *chain[from]->restoration;
-  const Restoration& last = *chain[to - 1]->restoration;
-  Comparison comparison;
-  join_rows(
-      first.lengths, last.lengths,
-      [](const LineLength& a, const LineLength& b) { return std::pair(a.length_before, b.length_after); },
-      comparison.beds);
-  join_rows(
-      first.ledger.units, last.ledger.units,
-      [](const UnitRow& a, const UnitRow& b) { return std::pair(a.area_before, b.area_after); }, comparison.units);
-  return comparison;
-}
-
-std::string verdict_since_input(const std::vector<const Stage*>& chain) {
-  if (chain.size() < 2) return {};
-  const double tolerance = chain.back()->restoration->params.tolerance;
-  const Comparison whole = compare(chain, 0, chain.size());
-  const ChainVerdict verdict = judge(whole, tolerance);
-  std::string text = fmt::format("since the input: {}", verdict.balanced ? "balanced" : "not balanced");
-  if (verdict.bed != nullptr) {
-    text += fmt::format(": the greatest change of a bed's length is {} % (horizon '{}')",
-                        percent_text(std::abs(verdict.bed->change_percent())), verdict.bed->name);
-  }
-  if (verdict.unit != nullptr) {
-    text += fmt::format(", of a unit's area {} % ('{}')", percent_text(std::abs(verdict.unit->change_percent())),
-                        verdict.unit->name);
-  }
-  return text + fmt::format("; the tolerance is {:.4g} %", tolerance);
 }
 
 }  // namespace recon::core

@@ -73,31 +73,4 @@ geom::Polyline carry(const std::vector<const Stage*>& chain, std::size_t from, s
 base::Result<CarriedLines> carry_lines(const std::vector<const Stage*>& chain, const CarryParams& params,
                                        const dobra::scenario::Context& context);
 
-/// A length or an area in two states of the chain. m or m2.
-struct Compared {
-  std::string name;
-  double before = 0.0;
-  double after = 0.0;
-  BedRole role = BedRole::Judged;
-  [[nodiscard]] double change_percent() const { return 100.0 * (after - before) / before; }
-};
-struct Comparison {
-  std::vector<Compared> beds;   ///< Lengths of horizons.
-  std::vector<Compared> units;  ///< Areas.
-};
-/// What a chain as a whole kept.
-struct ChainVerdict {
-  bool balanced = false;
-  const Compared* bed = nullptr;   ///< The judged bed whose length changed most.
-  const Compared* unit = nullptr;  ///< Likewise the unit's area.
-};
-/// Balanced: no judged bed or unit changed by more than the tolerance, percent. Points into the comparison.
-ChainVerdict judge(const Comparison& comparison, double tolerance);
-/// In words, by the tolerance of the last stage; empty where the chain has one stage or none.
-std::string verdict_since_input(const std::vector<const Stage*>& chain);
-
-/// The ledger between two states: beds and units that all stages between them have.
-/// @pre from < to <= chain.size()
-Comparison compare(const std::vector<const Stage*>& chain, std::size_t from, std::size_t to);
-
 }  // namespace recon::core

@@ -1,9 +1,10 @@
-#include "recon/core/steps.h"
+#include "recon/core/carry_step.h"
 
-#include "recon/core/operations.h"
+#include <algorithm>
+
 #include "recon/core/report.h"
 #include "shared/base/text.h"
-#include "shared/io/geojson.h"
+#include "shared/io/gis/geojson.h"
 
 namespace recon::core {
 
@@ -18,13 +19,14 @@ namespace {
 constexpr scene::Color carried_color{190, 30, 140, 255};
 
 void add_carried_tables(const Model& model, std::vector<scenario::DataTable>& tables) {
-  if (model.carried.empty()) return;
+  const auto all = model.findings.all<CarriedLines>();
+  if (all.empty()) return;
   scenario::DataTable table{"carried",
                             {"carry", "from state", "to state", "line", "x before [m]", "z before [m]", "x after [m]",
                              "z after [m]", "way back misses [m]"},
                             {}};
-  for (std::size_t c = 0; c < model.carried.size(); ++c) {
-    const CarriedLines& carried = model.carried[c];
+  for (std::size_t c = 0; c < all.size(); ++c) {
+    const CarriedLines& carried = *all[c];
     for (std::size_t l = 0; l < carried.lines.size(); ++l) {
       const CarriedLine& line = carried.lines[l];
       for (std::size_t i = 0; i < line.points.size(); ++i) {
@@ -38,12 +40,12 @@ void add_carried_tables(const Model& model, std::vector<scenario::DataTable>& ta
   tables.push_back(std::move(table));
 }
 
-void add_carried_features(const CarriedLines& carried, std::size_t number, std::vector<io::Feature>& features) {
+void add_carried_features(const CarriedLines& carried, std::size_t number, std::vector<io::lines::Feature>& features) {
   for (std::size_t l = 0; l < carried.lines.size(); ++l) {
     const auto add = [&](const geom::Polyline& line, const char* kind) {
-      const io::FeatureType type = line.closed              ? io::FeatureType::Polygons
-                                   : line.points.size() > 1 ? io::FeatureType::Lines
-                                                            : io::FeatureType::Points;
+      const io::lines::FeatureType type = line.closed              ? io::lines::FeatureType::Polygons
+                                          : line.points.size() > 1 ? io::lines::FeatureType::Lines
+                                                                   : io::lines::FeatureType::Points;
       const std::string name = "carry " + std::to_string(number) + ", line " + std::to_string(l + 1);
       add_feature(type, name, kind, l, line, features);
     };
@@ -53,30 +55,30 @@ void add_carried_features(const CarriedLines& carried, std::size_t number, std::
 }
 
 void add_carried_outputs(const std::shared_ptr<const Model>& model, std::vector<scenario::Output>& outputs) {
-  if (model->carried.empty()) return;
+  if (model->findings.get<CarriedLines>() == nullptr) return;
   outputs.push_back({"carried.geojson", [model](const std::filesystem::path& path) {
-                       std::vector<io::Feature> features;
-                       for (std::size_t c = 0; c < model->carried.size(); ++c)
-                         add_carried_features(model->carried[c], c + 1, features);
-                       return io::write_geojson(path.string(), features);
+                       std::vector<io::lines::Feature> features;
+                       const auto all = model->findings.all<CarriedLines>();
+                       for (std::size_t c = 0; c < all.size(); ++c) add_carried_features(*all[c], c + 1, features);
+                       return io::gis::write_geojson(path.string(), features);
                      }});
 }
 
 void add_carried_remarks(const Model& model, std::vector<std::string>& remarks) {
-  for (const CarriedLines& carried : model.carried) append(carried.remarks, remarks);
+  for (const auto* carried : model.findings.all<CarriedLines>()) append(carried->remarks, remarks);
 }
 
 /// What was carried from or to a state, in its panel.
-void draw_carried(const std::vector<CarriedLines>& all, std::size_t state, scene::Panel& panel) {
+void draw_carried(const std::vector<const CarriedLines*>& all, std::size_t state, scene::Panel& panel) {
   scene::Style style;
   style.line = carried_color;
   style.line_width = 1.4;
   scene::Lines lines;
   std::vector<geom::Point> points;
-  for (const CarriedLines& carried : all) {
-    if (state != carried.from && state != carried.to) continue;
-    for (const CarriedLine& line : carried.lines) {
-      const geom::Polyline& shown = state == carried.from ? line.before : line.after;
+  for (const CarriedLines* carried : all) {
+    if (state != carried->from && state != carried->to) continue;
+    for (const CarriedLine& line : carried->lines) {
+      const geom::Polyline& shown = state == carried->from ? line.before : line.after;
       if (shown.points.size() == 1) {
         points.push_back(shown.points.front());
       } else {
@@ -97,7 +99,7 @@ void draw_carried(const std::vector<CarriedLines>& all, std::size_t state, scene
 /// The panels are the state of the stage in hand and, where it is restored, the one after it.
 void draw_carried(const Model& model, scene::Picture& picture) {
   for (std::size_t i = 0; i < picture.panels.size(); ++i)
-    draw_carried(model.carried, model.earlier.size() + i, picture.panels[i]);
+    draw_carried(model.findings.all<CarriedLines>(), model.earlier.size() + i, picture.panels[i]);
 }
 
 }  // namespace
@@ -111,7 +113,8 @@ base::Result<Model> run_carry(const Model& model, const CarryParams& params, con
   }
   Model next = model;
   DOBRA_TRY(CarriedLines carried, carry_lines(chain, params, context));
-  next.carried.push_back(std::move(carried));
+  const std::size_t last = std::max(carried.from, carried.to);
+  next.findings.add(std::move(carried), {.state = last});
   return next;
 }
 

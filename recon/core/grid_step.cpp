@@ -1,9 +1,9 @@
-#include "recon/core/steps.h"
+#include "recon/core/grid_step.h"
 
-#include "recon/core/operations.h"
 #include "recon/core/report.h"
-#include "recon/core/topography.h"
-#include "shared/io/geojson.h"
+#include "recon/core/section_picture.h"
+#include "recon/input/topography.h"
+#include "shared/io/gis/geojson.h"
 
 namespace recon::core {
 
@@ -13,17 +13,17 @@ namespace io = dobra::io;
 namespace {
 
 /// A new stage in hand with nothing but its section. What a stage gave that was not restored is forgotten.
-base::Result<Model> next_stage(const Model& model, GridFrom from) {
+base::Result<Model> next_stage(const Model& model, unfold::GridFrom from) {
   Model next;
   next.remarks = model.remarks;
-  next.area_depth = model.area_depth;
-  next.area_balance = model.area_balance;
-  if (from == GridFrom::Input) {
+  next.findings = model.findings;
+  next.findings.begin_stage();
+  if (from == unfold::GridFrom::Input) {
+    next.findings.forget_after(0);
     next.section = input_section(model);
     return next;
   }
   next.earlier = model.earlier;
-  next.carried = model.carried;
   if (!model.restoration) {
     next.section = model.section;
     return next;
@@ -38,7 +38,7 @@ base::Result<Model> next_stage(const Model& model, GridFrom from) {
 
 void add_grid_quantities(const Model& model, std::vector<scenario::Quantity>& quantities) {
   if (!model.source) return;
-  const SourceGrid& source = *model.source;
+  const unfold::SourceGrid& source = *model.source;
   quantities.push_back({"grid.curves", count_of(source.grid.curves.size()), ""});
   quantities.push_back({"grid.rungs", count_of(source.grid.rungs.size()), ""});
   quantities.push_back({"grid.vanished", count_of(source.grid.vanished), ""});
@@ -50,8 +50,8 @@ void add_grid_outputs(const std::shared_ptr<const Model>& model, std::vector<sce
   if (!model->source) return;
   outputs.push_back({"source_grid.geojson", [model](const std::filesystem::path& path) {
                        const auto pin = model->target ? std::optional(model->target->source_pin) : std::nullopt;
-                       return io::write_geojson(path.string(),
-                                                grid_features(model->source->base, model->source->grid, pin));
+                       return io::gis::write_geojson(path.string(),
+                                                     grid_features(model->source->base, model->source->grid, pin));
                      }});
 }
 
@@ -59,20 +59,30 @@ void add_grid_remarks(const Model& model, std::vector<std::string>& remarks) {
   if (model.source) append(model.source->remarks, remarks);
 }
 
+/// Until there is a target, which draws both sides.
+void draw_grid(const Model& model, dobra::scene::Picture& picture) {
+  if (!model.source || model.target) return;
+  const section::Palette palette(model.section);
+  PanelParts parts;
+  parts.under = filled_units(model.section, palette);
+  parts.grid = grid_layers(model.source->grid, "source_grid");
+  show({current_panel(model, palette, std::move(parts))}, model.section, picture);
+}
+
 }  // namespace
 
-base::Result<Model> run_grid(const Model& model, const GridParams& params, const scenario::Context&,
+base::Result<Model> run_grid(const Model& model, const unfold::GridParams& params, const scenario::Context&,
                              const base::Progress& progress) {
   DOBRA_TRY(Model next, next_stage(model, params.from));
-  DOBRA_TRY(next.section, with_topography_as_horizon(std::move(next.section), params.top));
+  DOBRA_TRY(next.section, input::with_topography_as_horizon(std::move(next.section), params.top));
   DOBRA_TRY(next.source, make_source_grid(next.section, params, progress));
   return next;
 }
 
 scenario::Operation grid_step() {
-  return scenario::make_operation<Model, GridParams>(
+  return scenario::make_operation<Model, unfold::GridParams>(
       "grid", "Source grid", "Offset curves of the top of the section and the transversals between them.", run_grid,
-      {.quantities = add_grid_quantities, .remarks = add_grid_remarks, .outputs = add_grid_outputs});
+      {.quantities = add_grid_quantities, .remarks = add_grid_remarks, .outputs = add_grid_outputs, .draw = draw_grid});
 }
 
 }  // namespace recon::core

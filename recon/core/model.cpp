@@ -1,10 +1,8 @@
 #include "recon/core/model.h"
 
-#include <algorithm>
-
 namespace recon::core {
 
-const Section& input_section(const Model& model) {
+const section::Section& input_section(const Model& model) {
   return model.earlier.empty() ? model.section : model.earlier.front()->section;
 }
 
@@ -13,11 +11,6 @@ std::vector<const Stage*> restored_stages(const Model& model) {
   for (const auto& stage : model.earlier) stages.push_back(stage.get());
   if (model.restoration) stages.push_back(&model);
   return stages;
-}
-
-void forget_carried(Model& model) {
-  std::erase_if(model.carried,
-                [&](const CarriedLines& carried) { return std::max(carried.from, carried.to) > model.earlier.size(); });
 }
 
 }  // namespace recon::core

@@ -1,6 +1,5 @@
-#include "recon/core/steps.h"
+#include "recon/core/monte_carlo_step.h"
 
-#include "recon/core/operations.h"
 #include "recon/core/report.h"
 
 namespace recon::core {
@@ -10,8 +9,9 @@ namespace scenario = dobra::scenario;
 namespace {
 
 void add_error_quantities(const Model& model, std::vector<scenario::Quantity>& quantities) {
-  if (!model.monte_carlo) return;
-  for (const Spread& spread : model.monte_carlo->spreads) {
+  const auto* bars = model.findings.get<unfold::MonteCarlo>();
+  if (bars == nullptr) return;
+  for (const unfold::Spread& spread : bars->spreads) {
     const std::string prefix = "error." + spread.name + '.';
     quantities.push_back({prefix + "mean", spread.mean, spread.unit});
     quantities.push_back({prefix + "deviation", spread.deviation, spread.unit});
@@ -19,39 +19,40 @@ void add_error_quantities(const Model& model, std::vector<scenario::Quantity>& q
     quantities.push_back({prefix + "median", spread.median, spread.unit});
     quantities.push_back({prefix + "high", spread.high, spread.unit});
   }
-  quantities.push_back({"error.failed", count_of(model.monte_carlo->failed), ""});
-  if (model.monte_carlo->balanced_share)
-    quantities.push_back({"error.balanced_share", *model.monte_carlo->balanced_share, ""});
+  quantities.push_back({"error.failed", count_of(bars->failed), ""});
+  if (bars->balanced_share) quantities.push_back({"error.balanced_share", *bars->balanced_share, ""});
 }
 
 void add_error_tables(const Model& model, std::vector<scenario::DataTable>& tables) {
-  if (!model.monte_carlo) return;
+  const auto* bars = model.findings.get<unfold::MonteCarlo>();
+  if (bars == nullptr) return;
   scenario::DataTable table{"error_bars", {"quantity", "unit", "mean", "deviation", "low", "median", "high"}, {}};
-  for (const Spread& s : model.monte_carlo->spreads)
+  for (const unfold::Spread& s : bars->spreads)
     table.rows.push_back({s.name, s.unit, s.mean, s.deviation, s.low, s.median, s.high});
   tables.push_back(std::move(table));
 }
 
 void add_error_remarks(const Model& model, std::vector<std::string>& remarks) {
-  if (model.monte_carlo) append(model.monte_carlo->remarks, remarks);
+  if (const auto* bars = model.findings.get<unfold::MonteCarlo>()) append(bars->remarks, remarks);
 }
 
 }  // namespace
 
-base::Result<Model> run_monte_carlo(const Model& model, const MonteCarloParams& params, const scenario::Context&,
-                                    const base::Progress& progress) {
+base::Result<Model> run_monte_carlo(const Model& model, const unfold::MonteCarloParams& params,
+                                    const scenario::Context&, const base::Progress& progress) {
   if (!model.restoration) {
     return base::Error{base::ErrorCode::CannotRestore,
                        "error bars need a restoration first; put a step 'restore' before it"};
   }
   Model next = model;
-  DOBRA_TRY(next.monte_carlo,
+  DOBRA_TRY(unfold::MonteCarlo bars,
             monte_carlo(model.section, *model.source, *model.target, model.restoration->params, params, progress));
+  next.findings.set(std::move(bars), {.state = model.earlier.size() + 1, .outlives = Outlives::Nothing});
   return next;
 }
 
 scenario::Operation monte_carlo_step() {
-  return scenario::make_operation<Model, MonteCarloParams>(
+  return scenario::make_operation<Model, unfold::MonteCarloParams>(
       "monte_carlo", "Error bars",
       "Restores the section again and again with picks, pin and angle drawn from their errors.", run_monte_carlo,
       {.quantities = add_error_quantities, .tables = add_error_tables, .remarks = add_error_remarks});

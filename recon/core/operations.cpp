@@ -1,10 +1,17 @@
 #include "recon/core/operations.h"
 
-#include "recon/core/input.h"
-#include "recon/core/layers.h"
+#include "recon/core/area_balance_step.h"
+#include "recon/core/balance_step.h"
+#include "recon/core/carry_step.h"
+#include "recon/core/chain.h"
+#include "recon/core/grid_step.h"
+#include "recon/core/monte_carlo_step.h"
 #include "recon/core/report.h"
-#include "recon/core/section_faces.h"
-#include "recon/core/steps.h"
+#include "recon/core/restore_step.h"
+#include "recon/core/section_picture.h"
+#include "recon/core/target_step.h"
+#include "recon/input/input.h"
+#include "recon/section/section_faces.h"
 
 namespace recon::core {
 
@@ -14,7 +21,7 @@ namespace {
 
 base::Result<scenario::State> read_input(const scenario::Table& table, const scenario::Context& context,
                                          const base::Progress& progress) {
-  DOBRA_TRY(ReadSection read, read_section(scenario::from_table<SectionInput>(table), context, progress));
+  DOBRA_TRY(input::ReadSection read, read_section(scenario::from_table<input::SectionInput>(table), context, progress));
   Model model;
   model.section = std::move(read.section);
   model.remarks = std::move(read.remarks);
@@ -25,13 +32,13 @@ base::Result<scenario::State> read_input(const scenario::Table& table, const sce
 void add_section_quantities(const Model& model, std::vector<scenario::Quantity>& quantities) {
   quantities.push_back({"horizons", count_of(model.section.horizons.size()), ""});
   if (!model.restoration) {
-    for (const Horizon& horizon : model.section.horizons) {
+    for (const section::Horizon& horizon : model.section.horizons) {
       quantities.push_back({"horizon." + horizon.name + ".length_before", geom::length(horizon.line), "m"});
     }
   }
   if (model.section.faces) {
     double units = 0.0;
-    for (const RockUnit& unit : model.section.faces->units) units += unit.area;
+    for (const section::RockUnit& unit : model.section.faces->units) units += unit.area;
     quantities.push_back({"section.area", model.section.faces->area, "m2"});
     quantities.push_back({"section.units_area", units, "m2"});
     quantities.push_back({"section.misfits", count_of(model.section.faces->misfits.size()), ""});
@@ -82,10 +89,12 @@ scenario::Program make_program() {
   scenario::Program recon;
   recon.name = "recon";
   recon.title = "RECON";
-  recon.input_fields = scenario::fields_of<SectionInput>();
+  recon.input_fields = scenario::fields_of<input::SectionInput>();
   recon.read_input = read_input;
-  recon.results = scenario::make_results<Model>(
-      {.quantities = add_section_quantities, .tables = add_chain_tables, .remarks = add_section_remarks, .draw = draw});
+  recon.results = scenario::make_results<Model>({.quantities = add_section_quantities,
+                                                 .tables = add_chain_tables,
+                                                 .remarks = add_section_remarks,
+                                                 .draw = draw_section});
   recon.operations = {grid_step(),        target_step(),  restore_step(),     carry_step(),
                       monte_carlo_step(), balance_step(), area_balance_step()};
   return recon;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "recon/core/palette.h"
+#include "recon/section/palette.h"
 
 namespace recon::core {
 
@@ -22,8 +22,8 @@ void add_cells(const std::string& prefix, const std::vector<RowCell>& cells,
 
 namespace {
 
-io::Feature line_feature(std::string name, std::string kind, std::vector<geom::Polyline> parts) {
-  io::Feature feature;
+io::lines::Feature line_feature(std::string name, std::string kind, std::vector<geom::Polyline> parts) {
+  io::lines::Feature feature;
   feature.name = std::move(name);
   feature.kind = std::move(kind);
   feature.parts = std::move(parts);
@@ -32,56 +32,60 @@ io::Feature line_feature(std::string name, std::string kind, std::vector<geom::P
 
 }  // namespace
 
-std::vector<io::Feature> grid_features(const geom::Polyline& base, const Grid& grid, std::optional<geom::Point> pin) {
-  std::vector<io::Feature> features{line_feature("base", "base", {base})};
+std::vector<io::lines::Feature> grid_features(const geom::Polyline& base, const unfold::Grid& grid,
+                                              std::optional<geom::Point> pin) {
+  std::vector<io::lines::Feature> features{line_feature("base", "base", {base})};
   for (std::size_t i = 0; i < grid.curves.size(); ++i) {
     if (grid.curves[i].pieces.empty()) continue;
-    io::Feature curve = line_feature("curve " + std::to_string(i + 1), "offset", grid.curves[i].pieces);
+    io::lines::Feature curve = line_feature("curve " + std::to_string(i + 1), "offset", grid.curves[i].pieces);
     curve.properties = {{"distance", grid.curves[i].distance}};
     features.push_back(std::move(curve));
   }
   if (!grid.rungs.empty()) features.push_back(line_feature("rungs", "rung", grid.rungs));
   if (pin) {
-    io::Feature feature = line_feature("pin", "pin", {{{*pin}, false}});
-    feature.type = io::FeatureType::Points;
+    io::lines::Feature feature = line_feature("pin", "pin", {{{*pin}, false}});
+    feature.type = io::lines::FeatureType::Points;
     features.push_back(std::move(feature));
   }
   return features;
 }
 
-void add_feature(io::FeatureType type, const std::string& name, const char* kind, std::size_t id, geom::Polyline line,
-                 std::vector<io::Feature>& features) {
+void add_feature(io::lines::FeatureType type, const std::string& name, const char* kind, std::size_t id,
+                 geom::Polyline line, std::vector<io::lines::Feature>& features) {
   // A jump of no length at a tear, or a bed squeezed to a point, must not make the file invalid.
-  if (type != io::FeatureType::Points) line = geom::without_repeated_points(std::move(line));
-  const std::size_t least = type == io::FeatureType::Polygons ? 3 : type == io::FeatureType::Lines ? 2 : 1;
+  if (type != io::lines::FeatureType::Points) line = geom::without_repeated_points(std::move(line));
+  const std::size_t least = type == io::lines::FeatureType::Polygons ? 3
+                            : type == io::lines::FeatureType::Lines  ? 2
+                                                                     : 1;
   if (line.points.size() < least) return;
-  io::Feature feature = line_feature(name, kind, {std::move(line)});
+  io::lines::Feature feature = line_feature(name, kind, {std::move(line)});
   feature.type = type;
   feature.properties = {{"id", static_cast<std::int64_t>(id)}};
   features.push_back(std::move(feature));
 }
 
-std::vector<io::Feature> restored_features(const Section& section) {
-  std::vector<io::Feature> features;
-  for (const Horizon& horizon : section.horizons)
-    add_feature(io::FeatureType::Lines, horizon.name, "horizon", horizon.id.index(), horizon.line, features);
-  for (const SectionLine& line : section.lines)
-    add_feature(io::FeatureType::Lines, line.name, kind_name(line.kind), line.id.index(), line.line, features);
-  for (const Unit& unit : section.units)
-    add_feature(io::FeatureType::Polygons, unit.name, "unit", unit.id.index(), unit.contour, features);
-  for (const Marker& marker : section.markers)
-    add_feature(io::FeatureType::Points, marker.name, "marker", marker.id.index(), {marker.points, false}, features);
+std::vector<io::lines::Feature> restored_features(const section::Section& section) {
+  std::vector<io::lines::Feature> features;
+  for (const section::Horizon& horizon : section.horizons)
+    add_feature(io::lines::FeatureType::Lines, horizon.name, "horizon", horizon.id.index(), horizon.line, features);
+  for (const section::SectionLine& line : section.lines)
+    add_feature(io::lines::FeatureType::Lines, line.name, kind_name(line.kind), line.id.index(), line.line, features);
+  for (const section::Unit& unit : section.units)
+    add_feature(io::lines::FeatureType::Polygons, unit.name, "unit", unit.id.index(), unit.contour, features);
+  for (const section::Marker& marker : section.markers)
+    add_feature(io::lines::FeatureType::Points, marker.name, "marker", marker.id.index(), {marker.points, false},
+                features);
   return features;
 }
 
 namespace {
 
 /// Adds another piece of the unit.
-void add_piece(const UnitRow& piece, UnitRow& whole) {
+void add_piece(const balance::UnitRow& piece, balance::UnitRow& whole) {
   ++whole.pieces;
   if (whole.dilatation && piece.dilatation) {
-    Range& all = *whole.dilatation;
-    const Range& more = *piece.dilatation;
+    balance::Range& all = *whole.dilatation;
+    const balance::Range& more = *piece.dilatation;
     all.mean = (all.mean * whole.area_before + more.mean * piece.area_before) / (whole.area_before + piece.area_before);
     all.least = std::min(all.least, more.least);
     all.greatest = std::max(all.greatest, more.greatest);
@@ -93,14 +97,15 @@ void add_piece(const UnitRow& piece, UnitRow& whole) {
 
 }  // namespace
 
-std::vector<UnitRow> unit_rows(const Model& model) {
-  const std::vector<UnitRow>& rows = model.restoration->ledger.units;
-  const Palette palette(model.section);
-  std::vector<UnitRow> wholes;
+std::vector<balance::UnitRow> unit_rows(const Model& model) {
+  const std::vector<balance::UnitRow>& rows = model.restoration->ledger.units;
+  const section::Palette palette(model.section);
+  std::vector<balance::UnitRow> wholes;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const bool polygon = i < model.section.units.size();
     const std::string& name = polygon ? palette.whole_of(model.section.units[i].id) : rows[i].name;
-    const auto whole = std::find_if(wholes.begin(), wholes.end(), [&](const UnitRow& w) { return w.name == name; });
+    const auto whole =
+        std::find_if(wholes.begin(), wholes.end(), [&](const balance::UnitRow& w) { return w.name == name; });
     if (polygon && whole != wholes.end()) {
       add_piece(rows[i], *whole);
       continue;
@@ -111,7 +116,7 @@ std::vector<UnitRow> unit_rows(const Model& model) {
   return wholes;
 }
 
-std::vector<RowCell> cells_of(const LineLength& row) {
+std::vector<RowCell> cells_of(const balance::LineLength& row) {
   return {{"length_before", "m", row.length_before},
           {"length_after", "m", row.length_after},
           {"change_percent", "%", row.change_percent},
@@ -125,11 +130,11 @@ std::vector<RowCell> cells_of(const LineLength& row) {
           {"depth_max", "m", row.depth_max}};
 }
 
-std::vector<RowCell> cells_of(const UnitRow& row) {
-  const auto part = [](const std::optional<Range>& range, double Range::*member) {
+std::vector<RowCell> cells_of(const balance::UnitRow& row) {
+  const auto part = [](const std::optional<balance::Range>& range, double balance::Range::*member) {
     return range ? std::optional((*range).*member) : std::nullopt;
   };
-  const auto percent = [&](double Range::*member) {
+  const auto percent = [&](double balance::Range::*member) {
     return row.dilatation ? std::optional(100.0 * (*row.dilatation).*member) : std::nullopt;
   };
   const auto pieces = row.pieces > 1 ? std::optional(count_of(row.pieces)) : std::nullopt;
@@ -137,18 +142,18 @@ std::vector<RowCell> cells_of(const UnitRow& row) {
           {"area_before", "m2", row.area_before},
           {"area_after", "m2", row.area_after},
           {"area_change_percent", "%", row.change_percent},
-          {"thickness_min_before", "m", part(row.thickness_before, &Range::least)},
-          {"thickness_mean_before", "m", part(row.thickness_before, &Range::mean)},
-          {"thickness_max_before", "m", part(row.thickness_before, &Range::greatest)},
-          {"thickness_min_after", "m", part(row.thickness_after, &Range::least)},
-          {"thickness_mean_after", "m", part(row.thickness_after, &Range::mean)},
-          {"thickness_max_after", "m", part(row.thickness_after, &Range::greatest)},
-          {"dilatation_min_percent", "%", percent(&Range::least)},
-          {"dilatation_mean_percent", "%", percent(&Range::mean)},
-          {"dilatation_max_percent", "%", percent(&Range::greatest)}};
+          {"thickness_min_before", "m", part(row.thickness_before, &balance::Range::least)},
+          {"thickness_mean_before", "m", part(row.thickness_before, &balance::Range::mean)},
+          {"thickness_max_before", "m", part(row.thickness_before, &balance::Range::greatest)},
+          {"thickness_min_after", "m", part(row.thickness_after, &balance::Range::least)},
+          {"thickness_mean_after", "m", part(row.thickness_after, &balance::Range::mean)},
+          {"thickness_max_after", "m", part(row.thickness_after, &balance::Range::greatest)},
+          {"dilatation_min_percent", "%", percent(&balance::Range::least)},
+          {"dilatation_mean_percent", "%", percent(&balance::Range::mean)},
+          {"dilatation_max_percent", "%", percent(&balance::Range::greatest)}};
 }
 
-std::vector<RowCell> cells_of(const BedBalance& row) {
+std::vector<RowCell> cells_of(const balance::BedBalance& row) {
   return {{"length", "m", row.length},
           {"width", "m", row.width},
           {"shortening", "m", row.shortening},
@@ -158,7 +163,7 @@ std::vector<RowCell> cells_of(const BedBalance& row) {
           {"layer_strain", "", row.layer_strain}};
 }
 
-std::vector<RowCell> cells_of(const AreaDepthFit& fit) {
+std::vector<RowCell> cells_of(const balance::AreaDepthFit& fit) {
   return {{"displacement", "m", fit.displacement},
           {"displacement_error", "m", fit.displacement_error},
           {"detachment", "m", fit.detachment},

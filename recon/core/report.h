@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "recon/balance/area_depth.h"
 #include "recon/core/model.h"
-#include "shared/io/feature.h"
+#include "shared/io/lines/feature.h"
 #include "shared/scenario/program.h"
 
 namespace recon::core {
@@ -15,7 +16,7 @@ inline double count_of(std::size_t count) { return static_cast<double>(count); }
 void append(const std::vector<std::string>& more, std::vector<std::string>& remarks);
 
 /// The rows of the ledger, one a unit: polygons that are pieces of one are summed.  @pre the model is restored.
-std::vector<UnitRow> unit_rows(const Model& model);
+std::vector<balance::UnitRow> unit_rows(const Model& model);
 
 /// The names, values and units of a row, in the order of its table's columns; nothing where there is no value.
 struct RowCell {
@@ -23,10 +24,10 @@ struct RowCell {
   const char* unit;
   std::optional<double> value;
 };
-std::vector<RowCell> cells_of(const UnitRow& row);
-std::vector<RowCell> cells_of(const BedBalance& row);
-std::vector<RowCell> cells_of(const LineLength& row);
-std::vector<RowCell> cells_of(const AreaDepthFit& fit);
+std::vector<RowCell> cells_of(const balance::UnitRow& row);
+std::vector<RowCell> cells_of(const balance::BedBalance& row);
+std::vector<RowCell> cells_of(const balance::LineLength& row);
+std::vector<RowCell> cells_of(const balance::AreaDepthFit& fit);
 
 /// Quantities "prefix + name" of what has a value.
 void add_cells(const std::string& prefix, const std::vector<RowCell>& cells,
@@ -44,12 +45,12 @@ dobra::scenario::DataTable row_table(const char* name, const char* what, const s
 }
 
 /// A line, polygon or point for a file, but for those of no length.
-void add_feature(dobra::io::FeatureType type, const std::string& name, const char* kind, std::size_t id,
-                 geom::Polyline line, std::vector<dobra::io::Feature>& features);
+void add_feature(dobra::io::lines::FeatureType type, const std::string& name, const char* kind, std::size_t id,
+                 geom::Polyline line, std::vector<dobra::io::lines::Feature>& features);
 /// All lines, polygons and points of a section with their names, kinds and ids.
-std::vector<dobra::io::Feature> restored_features(const Section& section);
+std::vector<dobra::io::lines::Feature> restored_features(const section::Section& section);
 /// Base, curves, rungs and pin.
-std::vector<dobra::io::Feature> grid_features(const geom::Polyline& base, const Grid& grid,
-                                              std::optional<geom::Point> pin);
+std::vector<dobra::io::lines::Feature> grid_features(const geom::Polyline& base, const unfold::Grid& grid,
+                                                     std::optional<geom::Point> pin);
 
 }  // namespace recon::core

@@ -1,11 +1,11 @@
-#include "recon/core/steps.h"
+#include "recon/core/restore_step.h"
 
-#include "recon/core/operations.h"
 #include "recon/core/report.h"
-#include "recon/core/section_check.h"
+#include "recon/core/restore_picture.h"
+#include "recon/section/section_check.h"
 #include "shared/base/text.h"
 #include "shared/io/file.h"
-#include "shared/io/geojson.h"
+#include "shared/io/gis/geojson.h"
 
 namespace recon::core {
 
@@ -16,18 +16,18 @@ namespace {
 
 void add_restored_quantities(const Model& model, std::vector<scenario::Quantity>& quantities) {
   if (!model.restoration) return;
-  const Restoration& restoration = *model.restoration;
+  const unfold::Restoration& restoration = *model.restoration;
   std::size_t points = 0, outside = 0, beyond = 0, not_reversible = 0, tears = 0;
   double torn = 0.0;
   for (std::size_t i = 0; i < restoration.lengths.size(); ++i) {
-    const LineLength& row = restoration.lengths[i];
+    const balance::LineLength& row = restoration.lengths[i];
     add_cells("horizon." + row.name + ".", cells_of(row), quantities);
     if (row.horizon == model.source->top) {
       add_cells("top.", cells_of(row), quantities);
       quantities.push_back({"shortening", row.shortening, "m"});
       quantities.push_back({"shortening_percent", row.shortening_percent, "%"});
     }
-    const MappedLine& line = restoration.lines[i];
+    const maps::MappedLine& line = restoration.lines[i];
     points += line.given.size();
     outside += line.without_column;
     beyond += line.beyond_ends;
@@ -35,12 +35,12 @@ void add_restored_quantities(const Model& model, std::vector<scenario::Quantity>
     tears += line.tears.size();
     torn += row.torn;
   }
-  for (const LineLength& row : totals_of(restoration.lengths))
+  for (const balance::LineLength& row : totals_of(restoration.lengths))
     add_cells("horizon." + row.name + ".", cells_of(row), quantities);
-  const std::vector<UnitRow> units = unit_rows(model);
-  for (const UnitRow& row : units) add_cells("unit." + row.name + ".", cells_of(row), quantities);
-  for (const UnitRow& row : restoration.ledger.units) {
-    const auto same = [&](const UnitRow& unit) { return unit.name == row.name; };
+  const std::vector<balance::UnitRow> units = unit_rows(model);
+  for (const balance::UnitRow& row : units) add_cells("unit." + row.name + ".", cells_of(row), quantities);
+  for (const balance::UnitRow& row : restoration.ledger.units) {
+    const auto same = [&](const balance::UnitRow& unit) { return unit.name == row.name; };
     if (std::none_of(units.begin(), units.end(), same)) add_cells("unit." + row.name + ".", cells_of(row), quantities);
   }
   quantities.push_back({"points", count_of(points), ""});
@@ -51,20 +51,20 @@ void add_restored_quantities(const Model& model, std::vector<scenario::Quantity>
   quantities.push_back({"torn", torn, "m"});
   quantities.push_back({"lean_left", restoration.lean_left, ""});
   quantities.push_back({"lean_right", restoration.lean_right, ""});
-  const Balance& balance = restoration.balance;
+  const balance::Balance& balance = restoration.balance;
   quantities.push_back({"greatest_change_percent", balance.greatest_change_percent, "%"});
   quantities.push_back({"greatest_area_change_percent", balance.greatest_area_change_percent, "%"});
   quantities.push_back({"inconsistency_percent", balance.consistency.worst.percent, "%"});
-  if (balance.verdict != BalanceVerdict::NotJudged)
-    quantities.push_back({"balanced", balance.verdict == BalanceVerdict::Balanced ? 1.0 : 0.0, ""});
+  if (balance.verdict != balance::BalanceVerdict::NotJudged)
+    quantities.push_back({"balanced", balance.verdict == balance::BalanceVerdict::Balanced ? 1.0 : 0.0, ""});
 }
 
-scenario::DataTable strain_table(const std::vector<Strain>& strains) {
+scenario::DataTable strain_table(const std::vector<maps::Strain>& strains) {
   scenario::DataTable table{
       "strain",
       {"x [m]", "z [m]", "dilatation [%]", "greatest stretch", "least stretch", "direction [deg]", "rotation [deg]"},
       {}};
-  for (const Strain& s : strains) {
+  for (const maps::Strain& s : strains) {
     table.rows.push_back(
         {s.at.x, s.at.y, 100.0 * s.dilatation, s.greatest, s.least, s.direction.degrees(), s.rotation.degrees()});
   }
@@ -87,10 +87,10 @@ std::string csv_field(const std::string& text) {
   return quoted + '"';
 }
 
-std::string restored_csv(const Restoration& restoration) {
+std::string restored_csv(const unfold::Restoration& restoration) {
   std::string text = "horizon,x [m],z [m],x_before [m],z_before [m],depth [m]\n";
   for (std::size_t h = 0; h < restoration.lines.size(); ++h) {
-    const MappedLine& line = restoration.lines[h];
+    const maps::MappedLine& line = restoration.lines[h];
     for (std::size_t i = 0; i < line.names.size(); ++i) {
       text += csv_field(restoration.section.horizons[h].name);
       const geom::Point after = line.after.points[i];
@@ -107,7 +107,7 @@ void add_restored_outputs(const std::shared_ptr<const Model>& model, std::vector
   using Path = std::filesystem::path;
   if (!model->restoration) return;
   outputs.push_back({"restored.geojson", [model](const Path& path) {
-                       return io::write_geojson(path.string(), restored_features(model->restoration->section));
+                       return io::gis::write_geojson(path.string(), restored_features(model->restoration->section));
                      }});
   outputs.push_back(
       {"restored.csv", [model](const Path& path) { return io::write_file(path, restored_csv(*model->restoration)); }});
@@ -119,7 +119,7 @@ void add_restored_remarks(const Model& model, std::vector<std::string>& remarks)
 
 }  // namespace
 
-base::Result<Model> run_restore(const Model& model, const RestoreParams& params, const scenario::Context&,
+base::Result<Model> run_restore(const Model& model, const unfold::RestoreParams& params, const scenario::Context&,
                                 const base::Progress& progress) {
   if (!model.source || !model.target) {
     const char* missing =
@@ -128,20 +128,20 @@ base::Result<Model> run_restore(const Model& model, const RestoreParams& params,
     return base::Error{base::ErrorCode::CannotRestore, missing};
   }
   Model next = model;
-  next.monte_carlo.reset();
-  forget_carried(next);
+  next.findings.forget_after(model.earlier.size());
   DOBRA_TRY_VOID(check_section(next.section, params.crossings));
   DOBRA_TRY(next.restoration, restore(next.section, *model.source, *model.target, params, progress));
   return next;
 }
 
 scenario::Operation restore_step() {
-  return scenario::make_operation<Model, RestoreParams>(
+  return scenario::make_operation<Model, unfold::RestoreParams>(
       "restore", "Restore", "Carries every point of the section from the source grid to the target grid.", run_restore,
       {.quantities = add_restored_quantities,
        .tables = add_restored_tables,
        .remarks = add_restored_remarks,
-       .outputs = add_restored_outputs});
+       .outputs = add_restored_outputs,
+       .draw = draw_restored});
 }
 
 }  // namespace recon::core

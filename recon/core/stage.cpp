@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "recon/core/crossings.h"
-#include "recon/core/section_faces.h"
+#include "recon/section/crossings.h"
+#include "recon/section/section_faces.h"
+#include "shared/geom/place.h"
 
 namespace recon::core {
 
@@ -17,7 +18,7 @@ base::Result<geom::Polyline> tidy(geom::Polyline line, const std::string& item, 
     return base::Error{base::ErrorCode::BadSection, "nothing of it is left after the restoration; take it out before",
                        place_at(start, item)};
   }
-  const auto crossings = self_crossings(line);
+  const auto crossings = section::self_crossings(line);
   if (crossings.empty()) return line;
   const geom::Point place = crossings.front().place;
   const base::Error crossed{base::ErrorCode::BadSection,
@@ -26,7 +27,7 @@ base::Result<geom::Polyline> tidy(geom::Polyline line, const std::string& item, 
                             "input: from = \"input\"",
                             place_at(place, item)};
   if (line.closed) return crossed;
-  auto without = without_loops(std::move(line));
+  auto without = section::without_loops(std::move(line));
   if (!without) return crossed;
   remarks.push_back(fmt::format("{}: {} small loops that the restoration made were cut, the first at ({:.6g}, {:.6g})",
                                 item, without->places.size(), place.x, place.y));
@@ -35,20 +36,20 @@ base::Result<geom::Polyline> tidy(geom::Polyline line, const std::string& item, 
 
 }  // namespace
 
-base::Result<Section> section_after(const Stage& stage, std::vector<std::string>& remarks) {
-  Section section = stage.restoration->section;
-  for (Horizon& horizon : section.horizons) {
+base::Result<section::Section> section_after(const Stage& stage, std::vector<std::string>& remarks) {
+  section::Section section = stage.restoration->section;
+  for (section::Horizon& horizon : section.horizons) {
     DOBRA_TRY(horizon.line, tidy(std::move(horizon.line), fmt::format("horizon '{}'", horizon.name), remarks));
     if (horizon.line.points.front().x > horizon.line.points.back().x)
       horizon.line = geom::reversed(std::move(horizon.line));
   }
-  for (SectionLine& line : section.lines) line.line = geom::without_repeated_points(std::move(line.line));
-  for (Unit& unit : section.units) {
+  for (section::SectionLine& line : section.lines) line.line = geom::without_repeated_points(std::move(line.line));
+  for (section::Unit& unit : section.units) {
     DOBRA_TRY(unit.contour, tidy(std::move(unit.contour), fmt::format("unit '{}'", unit.name), remarks));
     if (geom::signed_area(unit.contour) < 0.0) unit.contour = geom::reversed(std::move(unit.contour));
   }
-  DOBRA_TRY(SectionFaces faces, faces_of(section));
-  section.faces = std::make_shared<const SectionFaces>(std::move(faces));
+  DOBRA_TRY(section::SectionFaces faces, faces_of(section));
+  section.faces = std::make_shared<const section::SectionFaces>(std::move(faces));
   return section;
 }
 

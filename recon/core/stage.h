@@ -4,18 +4,18 @@
 
 #include <optional>
 
-#include "recon/core/grid.h"
-#include "recon/core/restore.h"
-#include "recon/core/section.h"
-#include "recon/core/target.h"
+#include "recon/section/section.h"
+#include "recon/unfold/grid.h"
+#include "recon/unfold/restore.h"
+#include "recon/unfold/target.h"
 
 namespace recon::core {
 
 struct Stage {
-  Section section;                         ///< As it is before the restoration.
-  std::optional<SourceGrid> source;        ///< After the step grid.
-  std::optional<Target> target;            ///< After the step target.
-  std::optional<Restoration> restoration;  ///< After the step restore.
+  section::Section section;                        ///< As it is before the restoration.
+  std::optional<unfold::SourceGrid> source;        ///< After the step grid.
+  std::optional<unfold::Target> target;            ///< After the step target.
+  std::optional<unfold::Restoration> restoration;  ///< After the step restore.
 };
 
 /// The section that a restored stage leaves, fit to be that of the next one: ids, names and roles of the stage's, no
@@ -24,6 +24,6 @@ struct Stage {
 /// @pre   the stage has a restoration.
 /// @error BadSection: a restored horizon or unit crosses itself or has no length left, with the place; those of
 ///        faces_of.
-base::Result<Section> section_after(const Stage& stage, std::vector<std::string>& remarks);
+base::Result<section::Section> section_after(const Stage& stage, std::vector<std::string>& remarks);
 
 }  // namespace recon::core

@@ -12,7 +12,7 @@
 #include "shared/cli/line_picture.h"
 #include "shared/cli/pictures.h"
 #include "shared/cli/staging.h"
-#include "shared/io/section_ends.h"
+#include "shared/io/lines/section_ends.h"
 #include "shared/scenario/color_table.h"
 
 namespace dobra::cli {
@@ -40,7 +40,7 @@ constexpr const char* type_names[] = {"points", "lines", "polygons"};
 /// What the output is.
 struct Target {
   bool picture = false;
-  io::LineWriteOptions lines;
+  io::formats::LineWriteOptions lines;
   std::optional<double> scale;  ///< 1:n, the n.
   std::optional<scene::ColorTable> colors;
   std::optional<std::pair<std::string, std::string>> ends;
@@ -52,7 +52,7 @@ Result<Target> target_of(const Options& options) {
   target.picture = options.to.empty() && (ending == ".svg" || ending == ".pdf" || ending == ".png");
   if (!options.to.empty()) {
     std::vector<std::string> names;
-    for (const io::LineFormatNames& format : io::line_formats()) {
+    for (const io::formats::LineFormatNames& format : io::formats::line_formats()) {
       names.emplace_back(format.name);
       if (options.to == format.name) target.lines.format = format.format;
     }
@@ -61,7 +61,7 @@ Result<Target> target_of(const Options& options) {
                    fmt::format("--to: unknown '{}'{}", options.to, base::did_you_mean(options.to, names))};
     }
   } else if (!target.picture) {
-    auto format = io::line_format_of(options.output.string());
+    auto format = io::formats::line_format_of(options.output.string());
     if (!format) {
       return Error{ErrorCode::BadUsage, fmt::format("{}: {} .svg .pdf .png; or give --to NAME", options.output.string(),
                                                     format.error().message)};
@@ -69,8 +69,8 @@ Result<Target> target_of(const Options& options) {
     target.lines.format = *format;
   }
   const std::string& where = options.to_coordinates;
-  if (where == "section") target.lines.coordinates = io::Coordinates::Section;
-  if (where == "map") target.lines.coordinates = io::Coordinates::Map;
+  if (where == "section") target.lines.coordinates = io::formats::Coordinates::Section;
+  if (where == "map") target.lines.coordinates = io::formats::Coordinates::Map;
   if (where != "detect" && where != "section" && where != "map") {
     return Error{ErrorCode::BadUsage, fmt::format("--to-coordinates: unknown '{}'; give section or map", where)};
   }
@@ -80,7 +80,7 @@ Result<Target> target_of(const Options& options) {
   }
   if (!options.orientation.empty()) {
     if (!target.picture) return Error{ErrorCode::BadUsage, "--orientation is for .svg, .pdf and .png"};
-    auto ends = io::ends_of_text(options.orientation);
+    auto ends = io::lines::ends_of_text(options.orientation);
     if (!ends) return Error{ErrorCode::BadUsage, "--orientation: " + ends.error().message};
     target.ends = *ends;
   }
@@ -90,30 +90,30 @@ Result<Target> target_of(const Options& options) {
   if (!ratio || !number || !std::isfinite(*number) || *number <= 0.0) {
     return Error{ErrorCode::BadUsage, fmt::format("--scale {}: give a scale such as 1:10000", options.scale)};
   }
-  if (!target.picture && target.lines.format != io::LineFormat::Dxf) {
+  if (!target.picture && target.lines.format != io::formats::LineFormat::Dxf) {
     return Error{ErrorCode::BadUsage, "--scale is for .svg, .pdf, .png and .dxf"};
   }
   target.scale = *number;
   return target;
 }
 
-Result<void> keep_only(io::LineWork& work, const std::string& only) {
+Result<void> keep_only(io::formats::LineWork& work, const std::string& only) {
   if (only.empty()) return {};
   const auto type = std::find(std::begin(type_names), std::end(type_names), only);
   if (type == std::end(type_names)) {
     return Error{ErrorCode::BadUsage, fmt::format("--only: unknown '{}'; give lines, polygons or points", only)};
   }
-  const auto wanted = static_cast<io::FeatureType>(type - std::begin(type_names));
+  const auto wanted = static_cast<io::lines::FeatureType>(type - std::begin(type_names));
   const std::size_t before = work.features.size();
-  std::erase_if(work.features, [wanted](const io::Feature& f) { return f.type != wanted; });
+  std::erase_if(work.features, [wanted](const io::lines::Feature& f) { return f.type != wanted; });
   if (work.features.empty()) return Error{ErrorCode::BadFormat, fmt::format("the file has no {}", only)};
   work.remarks.push_back(fmt::format("{} features that are no {} left out", before - work.features.size(), only));
   return {};
 }
 
 /// Millimetres on paper instead of metres.
-io::LineWork on_paper(io::LineWork work, double scale) {
-  for (io::Feature& feature : work.features) {
+io::formats::LineWork on_paper(io::formats::LineWork work, double scale) {
+  for (io::lines::Feature& feature : work.features) {
     for (geom::Polyline& part : feature.parts) {
       for (geom::Point& p : part.points) p = {1000.0 * p.x / scale, 1000.0 * p.y / scale};
     }
@@ -121,7 +121,7 @@ io::LineWork on_paper(io::LineWork work, double scale) {
   return work;
 }
 
-Result<void> write(const Options& options, const Target& target, io::LineWork& work) {
+Result<void> write(const Options& options, const Target& target, io::formats::LineWork& work) {
   DOBRA_TRY(Staging staging, Staging::open(options.output.parent_path(), TargetFolder::MustExist));
   const std::filesystem::path file = staging.path(options.output.filename().string());
   base::Result<void> written;
@@ -129,16 +129,16 @@ Result<void> write(const Options& options, const Target& target, io::LineWork& w
     const std::string title = std::filesystem::path(options.input).stem().string();
     written = draw_lines(work, file, {title, target.scale, target.colors, target.ends});
   } else if (target.scale) {
-    written = io::write_any_lines(file.string(), on_paper(work, *target.scale), target.lines, work.remarks);
+    written = io::formats::write_any_lines(file.string(), on_paper(work, *target.scale), target.lines, work.remarks);
   } else {
-    written = io::write_any_lines(file.string(), work, target.lines, work.remarks);
+    written = io::formats::write_any_lines(file.string(), work, target.lines, work.remarks);
   }
   if (!written) return staging.for_user(written.error());
   DOBRA_TRY_VOID(staging.commit());
   return {};
 }
 
-Json feature_json(const io::Feature& feature) {
+Json feature_json(const io::lines::Feature& feature) {
   std::size_t points = 0;
   for (const geom::Polyline& part : feature.parts) points += part.points.size();
   return {{"name", feature.name},
@@ -148,28 +148,28 @@ Json feature_json(const io::Feature& feature) {
           {"points", points}};
 }
 
-std::string report_json(const Options& options, const Target& target, const io::LineWork& work) {
+std::string report_json(const Options& options, const Target& target, const io::formats::LineWork& work) {
   geom::Box box;
   Json features = Json::array();
-  for (const io::Feature& feature : work.features) {
+  for (const io::lines::Feature& feature : work.features) {
     for (const geom::Polyline& part : feature.parts) box.add(part.box());
     features.push_back(feature_json(feature));
   }
   Json repairs = Json::array();
-  for (const io::Repair& repair : work.repairs) {
+  for (const io::formats::Repair& repair : work.repairs) {
     repairs.push_back({{"repair", repair.what},
                        {"item", repair.item},
                        {"done", repair.text},
                        {"at", {repair.at.x, repair.at.y}},
                        {"moved", repair.moved}});
   }
-  const auto format_name = [](io::LineFormat format) {
-    return io::line_formats()[static_cast<std::size_t>(format)].name;
+  const auto format_name = [](io::formats::LineFormat format) {
+    return io::formats::line_formats()[static_cast<std::size_t>(format)].name;
   };
   Json json = {{"read",
                 {{"file", options.input},
                  {"format", format_name(work.format)},
-                 {"y_axis", work.y_direction == io::YDirection::Down ? "down" : "up"},
+                 {"y_axis", work.y_direction == io::lines::YDirection::Down ? "down" : "up"},
                  {"unit", work.unit},
                  {"extent", {box.low.x, box.low.y, box.high.x, box.high.y}},
                  {"features", features}}},
@@ -180,7 +180,7 @@ std::string report_json(const Options& options, const Target& target, const io::
                   target.picture ? options.output.extension().string().substr(1) : format_name(*target.lines.format)}}},
                {"remarks", work.remarks}};
   if (work.trace) {
-    const io::Trace& t = *work.trace;
+    const io::lines::Trace& t = *work.trace;
     json["read"]["trace"] = {{"origin", {t.x, t.y}},
                              {"direction", {t.east, t.north}},
                              {"largest_misfit", t.largest_misfit},
@@ -196,14 +196,15 @@ Error of_usage(Error error) {
 }
 
 Result<int> convert_job(Session& session, const Options& options) {
-  DOBRA_TRY(const io::LineOptions line_settings, line_options(options.lines));
+  DOBRA_TRY(const io::formats::LineOptions line_settings, line_options(options.lines));
   DOBRA_TRY(const Target target, target_of(options));
   DOBRA_TRY_VOID(check_writable(options.output));
-  auto read = io::read_any_lines(options.input, line_settings);
+  auto read = io::formats::read_any_lines(options.input, line_settings);
   if (!read) return of_usage(read.error());
-  io::LineWork& work = *read;
+  io::formats::LineWork& work = *read;
   if (auto kept = keep_only(work, options.only); !kept) return base::located(kept.error(), {.file = options.input});
-  if (const auto kinds = io::check_kinds(work.features); !kinds) work.remarks.push_back(base::to_string(kinds.error()));
+  if (const auto kinds = io::lines::check_kinds(work.features); !kinds)
+    work.remarks.push_back(base::to_string(kinds.error()));
   if (target.colors) {
     for (std::string& remark : scene::remarks_on(*target.colors, drawn_names(work)))
       work.remarks.push_back(std::move(remark));
@@ -211,7 +212,7 @@ Result<int> convert_job(Session& session, const Options& options) {
   DOBRA_TRY_VOID(session.check());
   if (auto written = write(options, target, work); !written) return of_usage(written.error());
   for (const std::string& remark : work.remarks) session.note(remark);
-  for (const io::Repair& repair : work.repairs) session.note(io::to_string(repair));
+  for (const io::formats::Repair& repair : work.repairs) session.note(io::formats::to_string(repair));
   if (session.options.format == OutputFormat::Json) {
     DOBRA_TRY_VOID(print(report_json(options, target, work)));
   } else if (session.options.verbosity != Verbosity::Quiet) {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "shared/cli/cli.h"
-#include "shared/io/line_files.h"
+#include "shared/io/formats/line_files.h"
 
 namespace dobra::cli {
 
@@ -39,6 +39,6 @@ struct LineOptionTexts {
 void add_line_reading_options(CLI::App& app, LineOptionTexts& texts);
 void add_line_options(CLI::App& app, LineOptionTexts& texts);
 /// @error BadUsage naming the option.
-base::Result<io::LineOptions> line_options(const LineOptionTexts& texts);
+base::Result<io::formats::LineOptions> line_options(const LineOptionTexts& texts);
 
 }  // namespace dobra::cli

@@ -6,7 +6,7 @@
 
 #include "shared/base/text.h"
 #include "shared/cli/convert_command.h"
-#include "shared/io/section_plane.h"
+#include "shared/io/lines/section_plane.h"
 
 namespace dobra::cli {
 namespace {
@@ -30,7 +30,7 @@ Result<std::size_t> choice(const std::string& option, const std::string& word, c
 
 Result<std::vector<double>> numbers_of(const std::string& option, const std::string& text) {
   std::vector<double> numbers;
-  for (const std::string& word : io::words_between_commas(text)) {
+  for (const std::string& word : io::formats::words_between_commas(text)) {
     const auto value = base::parse_number(word);
     if (!value) return bad_usage(option, fmt::format("'{}' is not a number", word));
     numbers.push_back(*value);
@@ -38,21 +38,22 @@ Result<std::vector<double>> numbers_of(const std::string& option, const std::str
   return numbers;
 }
 
-Result<io::FoldAxis> fold_axis_of(const std::string& text) {
+Result<io::lines::FoldAxis> fold_axis_of(const std::string& text) {
   DOBRA_TRY(const std::vector<double> numbers, numbers_of("--fold-axis", text));
   if (numbers.size() != 2) return bad_usage("--fold-axis", "give two numbers: trend and plunge in degrees");
-  return io::FoldAxis{base::Angle::from_degrees(numbers[0]), base::Angle::from_degrees(numbers[1])};
+  return io::lines::FoldAxis{base::Angle::from_degrees(numbers[0]), base::Angle::from_degrees(numbers[1])};
 }
 
-Result<io::Trace> trace_of(const std::string& text) {
+Result<io::lines::Trace> trace_of(const std::string& text) {
   DOBRA_TRY(const std::vector<double> numbers, numbers_of("--trace", text));
   if (numbers.size() != 4) return bad_usage("--trace", "give four numbers: x and y of its beginning and its end");
-  return io::trace_between({numbers[0], numbers[1]}, {numbers[2], numbers[3]});
+  return io::lines::trace_between({numbers[0], numbers[1]}, {numbers[2], numbers[3]});
 }
 
 Result<double> unit_of(const std::string& text) {
-  DOBRA_TRY(const std::size_t unit, choice("--unit", text, {io::file_units.begin(), io::file_units.end()}));
-  return io::file_unit_metres[unit];
+  DOBRA_TRY(const std::size_t unit,
+            choice("--unit", text, {io::formats::file_units.begin(), io::formats::file_units.end()}));
+  return io::formats::file_unit_metres[unit];
 }
 
 }  // namespace
@@ -105,21 +106,21 @@ void add_line_options(CLI::App& app, LineOptionTexts& texts) {
   app.add_option("--slivers", texts.slivers, "Repair: remove polygons and spikes thinner than this")->type_name("M");
 }
 
-Result<io::LineOptions> line_options(const LineOptionTexts& texts) {
-  io::LineOptions options;
+Result<io::formats::LineOptions> line_options(const LineOptionTexts& texts) {
+  io::formats::LineOptions options;
   if (!texts.format.empty()) {
     std::vector<std::string> names;
-    for (const io::LineFormatNames& format : io::line_formats()) names.emplace_back(format.name);
+    for (const io::formats::LineFormatNames& format : io::formats::line_formats()) names.emplace_back(format.name);
     DOBRA_TRY(const std::size_t format, choice("--from", texts.format, names));
-    options.format = io::line_formats()[format].format;
+    options.format = io::formats::line_formats()[format].format;
   }
-  options.text.columns = io::words_between_commas(texts.columns);
-  options.text.name_columns = io::words_between_commas(texts.name_columns);
+  options.text.columns = io::formats::words_between_commas(texts.columns);
+  options.text.name_columns = io::formats::words_between_commas(texts.name_columns);
   DOBRA_TRY(const std::size_t separator,
             choice("--separator", texts.separator, {"detect", "blank", "tab", "comma", "semicolon"}));
-  options.text.separator = static_cast<io::Separator>(separator);
+  options.text.separator = static_cast<io::lines::Separator>(separator);
   DOBRA_TRY(const std::size_t coordinates, choice("--coordinates", texts.coordinates, {"detect", "section", "map"}));
-  options.coordinates = static_cast<io::Coordinates>(coordinates);
+  options.coordinates = static_cast<io::formats::Coordinates>(coordinates);
   if (!texts.trace.empty()) {
     DOBRA_TRY(options.trace, trace_of(texts.trace));
   }
@@ -128,20 +129,20 @@ Result<io::LineOptions> line_options(const LineOptionTexts& texts) {
   }
   if (!texts.y_axis.empty()) {
     DOBRA_TRY(const std::size_t direction, choice("--y-axis", texts.y_axis, {"up", "down"}));
-    options.y_direction = static_cast<io::YDirection>(direction);
+    options.y_direction = static_cast<io::lines::YDirection>(direction);
   }
   if (!texts.unit.empty()) {
     DOBRA_TRY(options.unit, unit_of(texts.unit));
   }
   for (const std::string& text : texts.kinds) {
-    auto rule = io::kind_rule(text);
+    auto rule = io::lines::kind_rule(text);
     if (!rule) return bad_usage("--kind", rule.error().message);
     options.kinds.push_back(std::move(*rule));
   }
   options.plane_tolerance = texts.plane_tolerance.value_or(options.plane_tolerance);
   options.y_reference = texts.reference.value_or(options.y_reference);
   options.exaggeration = texts.exaggeration.value_or(options.exaggeration);
-  if (texts.order) options.repair.order = io::PointOrder::AlongTheCurve;
+  if (texts.order) options.repair.order = io::formats::PointOrder::AlongTheCurve;
   options.repair.duplicates = texts.duplicates;
   options.repair.gaps = texts.gaps;
   options.repair.snap = texts.snap;

@@ -18,20 +18,22 @@ constexpr double largest_page = 20.0;  ///< m; beyond, PDF readers and printers 
 constexpr double long_section = 10000.0;   ///< m; from here on axes are in kilometres
 constexpr std::size_t most_of_a_kind = 3;  ///< faults, or points, with entries of their own in the legend
 
-bool is_bed(const io::Feature& feature) {
-  return feature.type == io::FeatureType::Lines && (feature.kind.empty() || feature.kind == "horizon");
+bool is_bed(const io::lines::Feature& feature) {
+  return feature.type == io::lines::FeatureType::Lines && (feature.kind.empty() || feature.kind == "horizon");
 }
 
 /// What the features of a file are drawn as: all pieces of a unit, or of a horizon, are one layer.
 class LinePicture {
  public:
-  explicit LinePicture(const io::LineWork& work) : work_(work), wholes_(work.features.size()) {
-    name([](const io::Feature& f) { return f.type == io::FeatureType::Polygons; });
+  explicit LinePicture(const io::formats::LineWork& work) : work_(work), wholes_(work.features.size()) {
+    name([](const io::lines::Feature& f) { return f.type == io::lines::FeatureType::Polygons; });
     name(is_bed);
-    const auto other = [](const io::Feature& f) { return f.type != io::FeatureType::Polygons && !is_bed(f); };
+    const auto other = [](const io::lines::Feature& f) {
+      return f.type != io::lines::FeatureType::Polygons && !is_bed(f);
+    };
     name(other);
     numbers_.resize(work.features.size());
-    number([](const io::Feature& f) { return f.type == io::FeatureType::Polygons; });
+    number([](const io::lines::Feature& f) { return f.type == io::lines::FeatureType::Polygons; });
     number(is_bed);
   }
 
@@ -39,7 +41,8 @@ class LinePicture {
     scene::Panel panel;
     panel.key = "section";
     // Areas lie beneath lines, lines beneath points.
-    for (const auto type : {io::FeatureType::Polygons, io::FeatureType::Lines, io::FeatureType::Points}) {
+    for (const auto type :
+         {io::lines::FeatureType::Polygons, io::lines::FeatureType::Lines, io::lines::FeatureType::Points}) {
       for (std::size_t i = 0; i < work_.features.size(); ++i) {
         if (work_.features[i].type == type) add(i, panel);
       }
@@ -67,10 +70,10 @@ class LinePicture {
       names.push_back(own_name(i));
       places.push_back(i);
     }
-    const bool areas = !places.empty() && work_.features[places[0]].type == io::FeatureType::Polygons;
+    const bool areas = !places.empty() && work_.features[places[0]].type == io::lines::FeatureType::Polygons;
     const std::vector<std::string> wholes = areas ? scene::whole_names(names) : names;
     for (std::size_t k = 0; k < places.size(); ++k) {
-      const std::string said = io::stated_unit(work_.features[places[k]]);
+      const std::string said = io::lines::stated_unit(work_.features[places[k]]);
       wholes_[places[k]] = said.empty() ? wholes[k] : said;
     }
   }
@@ -90,13 +93,13 @@ class LinePicture {
   }
 
   [[nodiscard]] scene::Style style_of(std::size_t i) const {
-    const io::Feature& feature = work_.features[i];
+    const io::lines::Feature& feature = work_.features[i];
     scene::Style style;
     style.line = {40, 40, 48, 255};
     style.line_width = 1.2;
     if (is_bed(feature)) style.line = scene::unit_style(numbers_[i]).line;
     if (feature.kind == "fault") style.line = {176, 44, 36, 255};
-    if (feature.type == io::FeatureType::Polygons) {
+    if (feature.type == io::lines::FeatureType::Polygons) {
       const scene::UnitStyle unit = scene::unit_style(numbers_[i]);
       style.fill = unit.fill;
       style.pattern = unit.pattern;
@@ -107,8 +110,8 @@ class LinePicture {
 
   /// To the layer of its unit, or to a new one.
   void add(std::size_t i, scene::Panel& panel) const {
-    const io::Feature& feature = work_.features[i];
-    const bool area = feature.type == io::FeatureType::Polygons;
+    const io::lines::Feature& feature = work_.features[i];
+    const bool area = feature.type == io::lines::FeatureType::Polygons;
     if (area || is_bed(feature)) {
       for (scene::Layer& layer : panel.layers) {
         if (layer.title != wholes_[i] || std::holds_alternative<scene::Regions>(layer.content) != area) continue;
@@ -125,7 +128,7 @@ class LinePicture {
                        .title = wholes_[i],
                        .style = style_of(i),
                        .content = scene::Lines{feature.parts, {}}};
-    if (feature.type == io::FeatureType::Points) layer.content = scene::Markers{feature.parts[0].points, {}};
+    if (feature.type == io::lines::FeatureType::Points) layer.content = scene::Markers{feature.parts[0].points, {}};
     if (area) {
       scene::Regions regions;
       add_regions(feature, regions);
@@ -137,16 +140,16 @@ class LinePicture {
   }
 
   /// What many faults, or points, are called together.
-  [[nodiscard]] std::string common_name(const io::Feature& feature) const {
-    const auto same = [&](const io::Feature& f) { return f.type == feature.type && f.kind == feature.kind; };
+  [[nodiscard]] std::string common_name(const io::lines::Feature& feature) const {
+    const auto same = [&](const io::lines::Feature& f) { return f.type == feature.type && f.kind == feature.kind; };
     const auto count = static_cast<std::size_t>(std::count_if(work_.features.begin(), work_.features.end(), same));
     if (count <= most_of_a_kind) return {};
-    if (feature.type == io::FeatureType::Points) return base::translated("Markers");
+    if (feature.type == io::lines::FeatureType::Points) return base::translated("Markers");
     return feature.kind == "fault" ? base::translated("Faults") : feature.kind;
   }
 
-  static void add_regions(const io::Feature& feature, scene::Regions& regions) {
-    for (const auto& [first, last] : io::polygons_of(feature)) {
+  static void add_regions(const io::lines::Feature& feature, scene::Regions& regions) {
+    for (const auto& [first, last] : io::lines::polygons_of(feature)) {
       const auto begin = feature.parts.begin();
       regions.regions.push_back(
           {{begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(last)}});
@@ -177,34 +180,36 @@ class LinePicture {
     }
   }
 
-  const io::LineWork& work_;
+  const io::formats::LineWork& work_;
   std::vector<std::string> wholes_;
   std::vector<std::size_t> numbers_;
 };
 
 }  // namespace
 
-std::vector<std::string> drawn_names(const io::LineWork& work) {
+std::vector<std::string> drawn_names(const io::formats::LineWork& work) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < work.features.size(); ++i) {
-    const io::Feature& feature = work.features[i];
-    const std::string said = io::stated_unit(feature);
+    const io::lines::Feature& feature = work.features[i];
+    const std::string said = io::lines::stated_unit(feature);
     names.push_back(!said.empty() ? said : feature.name.empty() ? fmt::format("{}", i + 1) : feature.name);
   }
   return names;
 }
 
-scene::Picture line_picture(const io::LineWork& work) {
+scene::Picture line_picture(const io::formats::LineWork& work) {
   scene::Picture picture;
   picture.paper = scene::Paper::A4Landscape;
   picture.panels.push_back(LinePicture(work).panel());
   if (work.trace) {
-    std::tie(picture.panels[0].left_end, picture.panels[0].right_end) = io::ends_of(io::azimuth_of(*work.trace));
+    std::tie(picture.panels[0].left_end, picture.panels[0].right_end) =
+        io::lines::ends_of(io::lines::azimuth_of(*work.trace));
   }
   return picture;
 }
 
-base::Result<void> draw_lines(const io::LineWork& work, const std::filesystem::path& file, const LineDrawing& drawing) {
+base::Result<void> draw_lines(const io::formats::LineWork& work, const std::filesystem::path& file,
+                              const LineDrawing& drawing) {
   scene::Picture picture = line_picture(work);
   picture.title = drawing.title;
   if (drawing.ends) std::tie(picture.panels[0].left_end, picture.panels[0].right_end) = *drawing.ends;

@@ -7,15 +7,15 @@
 #include <string>
 #include <vector>
 
-#include "shared/io/line_files.h"
+#include "shared/io/formats/line_files.h"
 #include "shared/scene/unit_colors.h"
 
 namespace dobra::cli {
 
-scene::Picture line_picture(const io::LineWork& work);
+scene::Picture line_picture(const io::formats::LineWork& work);
 
 /// What the features are called, unit by unit and line by line: for remarks on a table of colours.
-std::vector<std::string> drawn_names(const io::LineWork& work);
+std::vector<std::string> drawn_names(const io::formats::LineWork& work);
 
 struct LineDrawing {
   std::string title{};
@@ -29,6 +29,7 @@ struct LineDrawing {
 
 /// Draws with cairo in the format of the ending: .svg, .pdf or .png.
 /// @error BadUsage (ending); CannotDraw: the page would be larger than 20 m, with the scale to give; CannotWrite.
-base::Result<void> draw_lines(const io::LineWork& work, const std::filesystem::path& file, const LineDrawing& drawing);
+base::Result<void> draw_lines(const io::formats::LineWork& work, const std::filesystem::path& file,
+                              const LineDrawing& drawing);
 
 }  // namespace dobra::cli

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "shared/base/text.h"
-#include "shared/io/line_files.h"
+#include "shared/io/formats/line_files.h"
 
 namespace dobra::cli {
 
@@ -39,16 +39,16 @@ Polyline as_contour(Polyline line) {
 }
 
 /// The parts of a feature as lines and polygons.
-OffsetBase base_of(io::Feature feature, Closing closing) {
+OffsetBase base_of(io::lines::Feature feature, Closing closing) {
   OffsetBase made;
-  if (feature.type == io::FeatureType::Polygons) {
-    for (const auto& [first, last] : io::polygons_of(feature)) {
+  if (feature.type == io::lines::FeatureType::Polygons) {
+    for (const auto& [first, last] : io::lines::polygons_of(feature)) {
       const auto begin = feature.parts.begin();
       made.polygons.emplace_back(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(last));
     }
   }
   for (Polyline& part : feature.parts) {
-    if (feature.type == io::FeatureType::Polygons) break;
+    if (feature.type == io::lines::FeatureType::Polygons) break;
     if (closing == Closing::Closed || is_closed(part)) {
       made.polygons.push_back({as_contour(std::move(part))});
     } else {
@@ -340,12 +340,12 @@ Result<OffsetFamily> dissolved(const std::vector<OffsetFamily>& families, const 
 
 Result<OffsetInput> offset_input(Session& session, const std::string& file, const OffsetPlan& plan) {
   // Curves are taken as they stand: a plane, whatever it is, and whatever its unit is.
-  io::LineOptions options;
-  options.coordinates = io::Coordinates::Section;
-  options.y_direction = io::YDirection::Up;
-  options.unit_wanted = io::UnitWanted::OfTheFile;
-  options.faulty = io::Faulty::Skip;
-  DOBRA_TRY(io::LineWork read, io::read_any_lines(file, options));
+  io::formats::LineOptions options;
+  options.coordinates = io::formats::Coordinates::Section;
+  options.y_direction = io::lines::YDirection::Up;
+  options.unit_wanted = io::formats::UnitWanted::OfTheFile;
+  options.faulty = io::lines::Faulty::Skip;
+  DOBRA_TRY(io::formats::LineWork read, io::formats::read_any_lines(file, options));
   for (const std::string& remark : read.remarks) session.note(remark);
   if (read.system && read.system->degrees) {
     session.note(
@@ -356,8 +356,8 @@ Result<OffsetInput> offset_input(Session& session, const std::string& file, cons
   }
   OffsetInput input{{}, {std::move(read.system), read.stated_unit}};
   std::size_t points = 0;
-  for (io::Feature& feature : read.features) {
-    if (feature.type == io::FeatureType::Points) {
+  for (io::lines::Feature& feature : read.features) {
+    if (feature.type == io::lines::FeatureType::Points) {
       ++points;
       continue;
     }

@@ -27,7 +27,7 @@ struct OffsetPlan {
 /// Some open lines, or polygons, or both (parts of one feature).
 struct OffsetBase {
   std::string name;
-  io::Feature source;  ///< Its name, kind, id and properties; no parts.
+  io::lines::Feature source;  ///< Its name, kind, id and properties; no parts.
   std::vector<geom::Polyline> lines = {};
   std::vector<std::vector<geom::Polyline>> polygons = {};  ///< Each a contour anticlockwise and its holes clockwise.
 };
@@ -39,7 +39,7 @@ struct OffsetInput {
 };
 
 /// The bases of a file, as the plan wants them: each line that goes to one side is a base of its own. What is left out
-/// or mended is told. @error those of io::read_any_lines; BadUsage: there is no such curve.
+/// or mended is told. @error those of io::formats::read_any_lines; BadUsage: there is no such curve.
 base::Result<OffsetInput> offset_input(Session& session, const std::string& file, const OffsetPlan& plan);
 
 /// Where there are polygons, open lines are left out at distances below 0, and this is told.

@@ -9,8 +9,8 @@
 
 #include "shared/base/text.h"
 #include "shared/cli/pictures.h"
-#include "shared/io/dxf.h"
-#include "shared/offset/verify.h"
+#include "shared/io/gis/dxf.h"
+#include "shared/offset/verifier/verify.h"
 #include "shared/scene/color_map.h"
 
 namespace dobra::cli {
@@ -68,21 +68,22 @@ std::size_t point_count(const DrawnOffset& curve) {
 
 /// Numbers of the curve, then what the base had; a property of the base that has the name of one of ours is
 /// "source_...".
-io::Feature feature_of(const OffsetFamily& family, const DrawnOffset& curve) {
-  io::Feature feature;
-  feature.type = family.content == OffsetContent::Polygons ? io::FeatureType::Polygons : io::FeatureType::Lines;
+io::lines::Feature feature_of(const OffsetFamily& family, const DrawnOffset& curve) {
+  io::lines::Feature feature;
+  feature.type =
+      family.content == OffsetContent::Polygons ? io::lines::FeatureType::Polygons : io::lines::FeatureType::Lines;
   feature.parts = curve.lines;
   feature.name = fmt::format("{} at {}", family.name, base::number_text(curve.distance));
   feature.kind = "offset";
   feature.properties = {{"curve", family.name}, {"distance", curve.distance}, {"length", curve.length}};
   if (curve.area) feature.properties.emplace_back("area", *curve.area);
   if (curve.dropped > 0) feature.properties.emplace_back("dropped", static_cast<std::int64_t>(curve.dropped));
-  const io::Feature& source = family.source;
+  const io::lines::Feature& source = family.source;
   const auto has = [&](const std::string& key) {
     return std::any_of(feature.properties.begin(), feature.properties.end(),
                        [&](const auto& p) { return p.first == key; });
   };
-  const auto add = [&](const std::string& key, const io::PropertyValue& value) {
+  const auto add = [&](const std::string& key, const io::lines::PropertyValue& value) {
     feature.properties.emplace_back(has(key) ? "source_" + key : key, value);
   };
   if (!source.kind.empty()) add("source_kind", source.kind);
@@ -92,8 +93,8 @@ io::Feature feature_of(const OffsetFamily& family, const DrawnOffset& curve) {
 }
 
 /// Curves of which something remains.
-std::vector<io::Feature> features_of(const std::vector<OffsetFamily>& families) {
-  std::vector<io::Feature> features;
+std::vector<io::lines::Feature> features_of(const std::vector<OffsetFamily>& families) {
+  std::vector<io::lines::Feature> features;
   for (const OffsetFamily& family : families) {
     for (const DrawnOffset& curve : family.curves) {
       if (!curve.lines.empty()) features.push_back(feature_of(family, curve));
@@ -137,16 +138,16 @@ base::Result<void> verify_offset(const std::string& name, const geom::Polyline& 
                                  const offset::OffsetOptions& options, const std::vector<offset::OffsetCurve>& curves,
                                  OffsetVerdict& verdict, const base::Progress& progress) {
   for (const offset::OffsetCurve& curve : curves) {
-    DOBRA_TRY(const offset::Verification found, offset::verify(base, options, curve, {}, progress));
+    DOBRA_TRY(const offset::verifier::Verification found, offset::verifier::verify(base, options, curve, {}, progress));
     ++verdict.curves;
     verdict.coarse += found.coarse ? 1 : 0;
     verdict.dropped += curve.dropped;
     verdict.dropped_length += curve.dropped_length;
     verdict.edges += found.edges;
     verdict.samples += found.samples;
-    for (const offset::Finding& finding : found.findings) {
+    for (const offset::verifier::Finding& finding : found.findings) {
       verdict.findings.push_back(fmt::format("{}: distance {}: {}", name, dobra::base::number_text(curve.distance),
-                                             offset::to_string(finding)));
+                                             offset::verifier::to_string(finding)));
     }
   }
   return {};
@@ -282,9 +283,9 @@ base::Result<void> write_offset(const std::vector<OffsetFamily>& families, const
   DOBRA_TRY_VOID(check_offset_ending(file));
   const std::string ending = file.extension().string();
   if (is_one_of(ending, picture_endings)) return draw(offset_picture(families), file, Drawer::Cairo);
-  io::LineWork work;
+  io::formats::LineWork work;
   work.features = features_of(families);
-  const auto is_polygon = [](const io::Feature& f) { return f.type == io::FeatureType::Polygons; };
+  const auto is_polygon = [](const io::lines::Feature& f) { return f.type == io::lines::FeatureType::Polygons; };
   const auto polygons = static_cast<std::size_t>(std::count_if(work.features.begin(), work.features.end(), is_polygon));
   if (ending == ".shp" && polygons > 0 && polygons < work.features.size()) {
     return Error{
@@ -292,15 +293,16 @@ base::Result<void> write_offset(const std::vector<OffsetFamily>& families, const
         "--out: a Shapefile holds either lines or polygons, and these are both; write a .gpkg, or choose with --curve"};
   }
   const auto& system = origin.system;
-  const io::LineWriteOptions options{
-      .coordinates = io::Coordinates::Section, .system = system ? &*system : nullptr, .unit = origin.unit};
-  DOBRA_TRY_VOID(io::write_any_lines(file.string(), work, options, remarks));
+  const io::formats::LineWriteOptions options{
+      .coordinates = io::formats::Coordinates::Section, .system = system ? &*system : nullptr, .unit = origin.unit};
+  DOBRA_TRY_VOID(io::formats::write_any_lines(file.string(), work, options, remarks));
   const bool keeps_system =
       ending == ".gpkg" || ending == ".shp" || (ending == ".geojson" && system && !system->code.empty());
   if (system && !keeps_system)
     remarks.push_back(fmt::format("the reference system ({}) is not kept in {}", system->name, ending));
   const auto is_unit = [&](const auto& known) { return known.second == origin.unit; };
-  const bool keeps_unit = ending == ".dxf" && std::any_of(io::dxf_units.begin(), io::dxf_units.end(), is_unit);
+  const bool keeps_unit =
+      ending == ".dxf" && std::any_of(io::gis::dxf_units.begin(), io::gis::dxf_units.end(), is_unit);
   if (origin.unit && !keeps_unit && !system) {
     remarks.push_back(fmt::format("the unit of the file ({} m) is not kept in {}", *origin.unit, ending));
   }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "shared/io/line_files.h"
+#include "shared/io/formats/line_files.h"
 #include "shared/offset/area.h"
 #include "shared/scene/layer.h"
 
@@ -30,7 +30,7 @@ enum class OffsetContent { Lines, Polygons };
 /// A base of the file (see offset_families.h), and the curves parallel to it or the areas about it, by distance.
 struct OffsetFamily {
   std::string name;
-  io::Feature source = {};  ///< Its name, kind, id and properties.
+  io::lines::Feature source = {};  ///< Its name, kind, id and properties.
   std::vector<geom::Polyline> bases = {};
   OffsetContent content = OffsetContent::Lines;
   std::vector<DrawnOffset> curves = {};
@@ -42,7 +42,7 @@ DrawnOffset drawn(const offset::Area& area, double distance);
 
 /// What the coordinates of the file are in.
 struct OffsetOrigin {
-  std::optional<io::ReferenceSystem> system = std::nullopt;
+  std::optional<io::lines::ReferenceSystem> system = std::nullopt;
   std::optional<double> unit = std::nullopt;  ///< Metres in one unit, as the file says.
 };
 
@@ -57,14 +57,14 @@ struct OffsetVerdict {
   std::size_t cut_tips = 0;           ///< Bisector points that were cut across.
   std::size_t mended = 0;             ///< Polygons taken as others, which do not cross themselves.
   std::size_t skipped = 0;            ///< Open lines at distances below 0.
-  std::size_t coarse = 0;  ///< Curves so near that rounding hides whether they touch; see offset::Verification.
+  std::size_t coarse = 0;  ///< Curves so near that rounding hides whether they touch; see offset::verifier::Verification.
   bool joined = false;     ///< Areas were made of several curves.
 };
 
 /// "2 pieces left out (3 m); ...": what the verdict says nothing about; empty if there is nothing.
 std::string not_judged(const OffsetVerdict& verdict, const offset::OffsetOptions& options);
 
-/// Adds to `verdict` what offset::verify finds in the curves of one base.  @error those of offset::verify.
+/// Adds to `verdict` what offset::verifier::verify finds in the curves of one base.  @error those of offset::verifier::verify.
 base::Result<void> verify_offset(const std::string& name, const geom::Polyline& base,
                                  const offset::OffsetOptions& options, const std::vector<offset::OffsetCurve>& curves,
                                  OffsetVerdict& verdict, const base::Progress& progress = {});

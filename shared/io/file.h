@@ -1,6 +1,6 @@
 #pragma once
 // Whole files in and out: text that is really text, and writes that leave either the old file or the new one.
-// Every reader and writer of shared/io and shared/render goes through here, so that bad files get the same messages.
+// Every reader and writer goes through here, so that bad files get the same messages.
 
 #include <cstddef>
 #include <filesystem>

@@ -1,5 +1,5 @@
 #pragma once
-// Lines and words of a text file with their places, for the readers of this module: every error they give names
+// Lines and words of a text file with their places, for all readers of text: every error they give names
 // file, line, column and the text that offends.
 
 #include <cstddef>

@@ -85,7 +85,7 @@ class Check {
         if (corner >= mesh_.points.size()) {
           refuse(PolygonFault::BadCorner, {corner},
                  fmt::format("face {}: corner {} does not exist ({} points)", f, corner, mesh_.points.size()));
-        } else if (const Point3& p = mesh_.points[corner];
+        } else if (const geom::Point3& p = mesh_.points[corner];
                    !std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
           refuse(PolygonFault::BadCorner, {corner}, fmt::format("face {}: point {} is not finite", f, corner));
         }
@@ -273,10 +273,10 @@ std::vector<PolygonFinding> check(const PolygonMesh& mesh, std::span<const Polyg
   return Check(mesh, closedness).run(&edges);
 }
 
-Point3 newell_area(std::span<const Point3> points) {
-  Point3 sum;
+geom::Point3 newell_area(std::span<const geom::Point3> points) {
+  geom::Point3 sum;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Point3 &p = points[i], &q = points[(i + 1) % points.size()];
+    const geom::Point3 &p = points[i], &q = points[(i + 1) % points.size()];
     sum.x += (p.y - q.y) * (p.z + q.z);
     sum.y += (p.z - q.z) * (p.x + q.x);
     sum.z += (p.x - q.x) * (p.y + q.y);
@@ -284,15 +284,15 @@ Point3 newell_area(std::span<const Point3> points) {
   return {0.5 * sum.x, 0.5 * sum.y, 0.5 * sum.z};
 }
 
-std::vector<double> distances_from_mean_plane(std::span<const Point3> points) {
-  const Point3 area = newell_area(points);
+std::vector<double> distances_from_mean_plane(std::span<const geom::Point3> points) {
+  const geom::Point3 area = newell_area(points);
   const double size = std::hypot(area.x, area.y, area.z);
   if (size == 0.0) return {};
-  Point3 mean;
-  for (const Point3& p : points) mean = {mean.x + p.x, mean.y + p.y, mean.z + p.z};
+  geom::Point3 mean;
+  for (const geom::Point3& p : points) mean = {mean.x + p.x, mean.y + p.y, mean.z + p.z};
   const double count = static_cast<double>(points.size());
   std::vector<double> distances;
-  for (const Point3& p : points) {
+  for (const geom::Point3& p : points) {
     distances.push_back(
         (area.x * (p.x - mean.x / count) + area.y * (p.y - mean.y / count) + area.z * (p.z - mean.z / count)) / size);
   }

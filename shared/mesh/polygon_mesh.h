@@ -8,16 +8,13 @@
 #include <string>
 #include <vector>
 
-namespace dobra::mesh {
+#include "shared/geom/point3.h"
 
-struct Point3 {
-  double x = 0.0, y = 0.0, z = 0.0;
-  friend constexpr bool operator==(const Point3&, const Point3&) = default;
-};
+namespace dobra::mesh {
 
 /// Faces are cycles of corners, anticlockwise seen from outside; the first corner is not repeated.
 struct PolygonMesh {
-  std::vector<Point3> points;
+  std::vector<geom::Point3> points;
   std::vector<std::vector<std::uint32_t>> faces;
 };
 
@@ -64,9 +61,9 @@ std::vector<PolygonFinding> check(const PolygonMesh& mesh, std::span<const Polyg
 
 /// Newell's vector of a closed polygon: normal to its mean plane, as long as its area there, m2. Does not depend on
 /// which corner is reflex. @pre points.size() >= 3
-Point3 newell_area(std::span<const Point3> points);
+geom::Point3 newell_area(std::span<const geom::Point3> points);
 
 /// Signed distances of the corners from the plane through their mean with Newell's normal, m; none if the area is zero.
-std::vector<double> distances_from_mean_plane(std::span<const Point3> points);
+std::vector<double> distances_from_mean_plane(std::span<const geom::Point3> points);
 
 }  // namespace dobra::mesh

@@ -11,7 +11,7 @@
 
 namespace bench {
 
-Peer cgal_mesh_2(const dobra::mesh::MeshInput& input) {
+Peer cgal_mesh_2(const dobra::mesh::delaunay::MeshInput& input) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Structure = CGAL::Triangulation_data_structure_2<CGAL::Delaunay_mesh_vertex_base_2<Kernel>,
                                                          CGAL::Delaunay_mesh_face_base_2<Kernel>>;

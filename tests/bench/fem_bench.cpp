@@ -9,7 +9,7 @@
 
 #include "quebra/analysis/deck.h"
 #include "quebra/core/operations.h"
-#include "shared/fem/estimate.h"
+#include "shared/fem/error/estimate.h"
 #include "shared/fem/solve.h"
 #include "shared/io/file.h"
 #include "shared/scenario/runner.h"
@@ -50,7 +50,7 @@ void recover_and_estimate(benchmark::State& state) {
   const auto& u = solution.cases[0].displacements;
   for (auto _ : state)
     benchmark::DoNotOptimize(
-        fem::estimate_error(mesh, problem.materials, u, fem::recover_stress(mesh, problem.materials, u)));
+        fem::error::estimate_error(mesh, problem.materials, u, fem::error::recover_stress(mesh, problem.materials, u)));
 }
 BENCHMARK(recover_and_estimate)->Arg(35)->Arg(100)->Unit(benchmark::kSecond);
 

@@ -9,9 +9,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "shared/mesh/delaunay.h"
+#include "shared/mesh/delaunay/delaunay.h"
+#include "shared/mesh/front/triangulate.h"
 #include "shared/mesh/quality.h"
-#include "shared/mesh/triangulate.h"
 #include "tests/bench/heap.h"
 #include "tests/bench/mesh_peers.h"
 #include "tests/shared/mesh/mesh_shapes.h"
@@ -26,7 +26,7 @@ double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_
 /// Random points in a square; items are points.
 void delaunay_of_random_points(benchmark::State& state) {
   const auto points = test::random_points(static_cast<std::size_t>(state.range(0)), 1);
-  for (auto _ : state) benchmark::DoNotOptimize(delaunay(points));
+  for (auto _ : state) benchmark::DoNotOptimize(dobra::mesh::delaunay::delaunay(points));
   state.SetItemsProcessed(state.iterations() * state.range(0));
 }
 BENCHMARK(delaunay_of_random_points)->RangeMultiplier(10)->Range(1'000, 1'000'000)->Unit(benchmark::kMillisecond);
@@ -34,7 +34,7 @@ BENCHMARK(delaunay_of_random_points)->RangeMultiplier(10)->Range(1'000, 1'000'00
 using bench::Peer;
 
 /// What gmsh reports for its 2D mesh of the outline `input`; 0 seconds without gmsh.
-Peer gmsh_frontal(const MeshInput& input) {
+Peer gmsh_frontal(const dobra::mesh::delaunay::MeshInput& input) {
   const auto folder = std::filesystem::temp_directory_path();
   const std::string geo = (folder / "dobra_mesh_bench.geo").string();
   const std::string log = (folder / "dobra_mesh_bench.log").string();
@@ -68,9 +68,9 @@ Peer gmsh_frontal(const MeshInput& input) {
 
 enum class Beside { Nobody, Gmsh, Cgal };
 
-void mesh(benchmark::State& state, const MeshInput& input, double growth, Engine engine,
-          Beside beside = Beside::Nobody) {
-  MeshOptions options;
+void mesh(benchmark::State& state, const dobra::mesh::delaunay::MeshInput& input, double growth,
+          dobra::mesh::front::Engine engine, Beside beside = Beside::Nobody) {
+  dobra::mesh::front::MeshOptions options;
   options.engine = engine;
   options.sizes.growth = growth;
   options.points.max_triangles = 20'000'000;
@@ -123,33 +123,35 @@ void few_sizes(benchmark::internal::Benchmark* benchmark) {
 }
 
 /// [0,10]^2 minus r < 1, all sides equal; about `range` triangles, which are the items.
-void uniform_plate(benchmark::State& state, Engine engine) {
+void uniform_plate(benchmark::State& state, dobra::mesh::front::Engine engine) {
   const auto count = state.range(0);
   Beside beside = count == 40'000 ? Beside::Gmsh : Beside::Nobody;
-  if (count == 1'600'000 && engine == Engine::Front) beside = Beside::Cgal;
+  if (count == 1'600'000 && engine == dobra::mesh::front::Engine::Front) beside = Beside::Cgal;
   mesh(state, test::uniform_plate(static_cast<double>(count)), 1.3, engine, beside);
 }
-BENCHMARK_CAPTURE(uniform_plate, front, Engine::Front)->Apply(sizes);
-BENCHMARK_CAPTURE(uniform_plate, delaunay, Engine::Delaunay)->Apply(few_sizes);
+BENCHMARK_CAPTURE(uniform_plate, front, dobra::mesh::front::Engine::Front)->Apply(sizes);
+BENCHMARK_CAPTURE(uniform_plate, delaunay, dobra::mesh::front::Engine::Delaunay)->Apply(few_sizes);
 
 /// The same, a thousand times as large in the far corner as on the hole.
-void graded_plate(benchmark::State& state, Engine engine) {
+void graded_plate(benchmark::State& state, dobra::mesh::front::Engine engine) {
   const auto plate = test::graded_plate(static_cast<double>(state.range(0)));
   mesh(state, plate.input, plate.growth, engine, state.range(0) == 40'000 ? Beside::Gmsh : Beside::Nobody);
 }
-BENCHMARK_CAPTURE(graded_plate, front, Engine::Front)->Apply(sizes);
-BENCHMARK_CAPTURE(graded_plate, delaunay, Engine::Delaunay)->Apply(few_sizes);
+BENCHMARK_CAPTURE(graded_plate, front, dobra::mesh::front::Engine::Front)->Apply(sizes);
+BENCHMARK_CAPTURE(graded_plate, delaunay, dobra::mesh::front::Engine::Delaunay)->Apply(few_sizes);
 
 /// Sizes about 1:600 along the axes from the hole outwards, growing by a third an element: steep.
-void steep_plate(benchmark::State& state, Engine engine) {
+void steep_plate(benchmark::State& state, dobra::mesh::front::Engine engine) {
   mesh(state, test::quarter_plate(test::graded(1.0, 5.0, 88, 1.075), 1570, 10, {}), 1.3, engine);
 }
-BENCHMARK_CAPTURE(steep_plate, front, Engine::Front)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(steep_plate, delaunay, Engine::Delaunay)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(steep_plate, front, dobra::mesh::front::Engine::Front)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(steep_plate, delaunay, dobra::mesh::front::Engine::Delaunay)->Unit(benchmark::kMillisecond);
 
-void constrained_plate(benchmark::State& state, Engine engine) { mesh(state, test::que_e(), 1.3, engine); }
-BENCHMARK_CAPTURE(constrained_plate, front, Engine::Front)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(constrained_plate, delaunay, Engine::Delaunay)->Unit(benchmark::kMillisecond);
+void constrained_plate(benchmark::State& state, dobra::mesh::front::Engine engine) {
+  mesh(state, test::que_e(), 1.3, engine);
+}
+BENCHMARK_CAPTURE(constrained_plate, front, dobra::mesh::front::Engine::Front)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(constrained_plate, delaunay, dobra::mesh::front::Engine::Delaunay)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 

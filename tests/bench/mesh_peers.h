@@ -1,7 +1,7 @@
 #pragma once
 // Other meshers, for comparison in benchmarks only.
 
-#include "shared/mesh/mesh_input.h"
+#include "shared/mesh/delaunay/mesh_input.h"
 
 namespace bench {
 
@@ -12,6 +12,6 @@ struct Peer {
 
 /// CGAL's Mesh_2 on the outline `input`: angles of at least 20.7 degrees (its default), sides up to 1.5 times the mean
 /// side of the outline.
-Peer cgal_mesh_2(const dobra::mesh::MeshInput& input);
+Peer cgal_mesh_2(const dobra::mesh::delaunay::MeshInput& input);
 
 }  // namespace bench

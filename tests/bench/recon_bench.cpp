@@ -8,16 +8,19 @@
 #include <cmath>
 #include <ctime>
 
-#include "recon/core/operations.h"
-#include "recon/core/section_faces.h"
+#include "recon/core/grid_step.h"
+#include "recon/core/monte_carlo_step.h"
+#include "recon/core/restore_step.h"
+#include "recon/core/target_step.h"
+#include "recon/section/section_faces.h"
 #include "shared/geom/transform.h"
 
 namespace recon::core {
 namespace {
 
 /// A fold train of `horizons` beds, `points` each, over 10 km.
-Section fold_train(std::size_t horizons, std::size_t points) {
-  Section section;
+section::Section fold_train(std::size_t horizons, std::size_t points) {
+  section::Section section;
   for (std::size_t h = 0; h < horizons; ++h) {
     geom::Polyline line;
     const double depth = 1000.0 * static_cast<double>(h) / static_cast<double>(horizons);
@@ -25,25 +28,25 @@ Section fold_train(std::size_t horizons, std::size_t points) {
       const double x = 10000.0 * static_cast<double>(i) / static_cast<double>(points - 1);
       line.points.push_back({x, 150.0 * (1.0 - 0.3 * depth / 1000.0) * std::sin(x / 600.0) - depth});
     }
-    section.horizons.push_back({HorizonId(h), "h" + std::to_string(h), std::move(line), {}});
+    section.horizons.push_back({section::HorizonId(h), "h" + std::to_string(h), std::move(line), {}});
   }
   return section;
 }
 
-GridParams grid_of(int curves) {
-  GridParams params;
+unfold::GridParams grid_of(int curves) {
+  unfold::GridParams params;
   params.count = curves;
   return params;
 }
 
-RestoreParams by(RestoreMethod method) {
-  RestoreParams params;
+unfold::RestoreParams by(unfold::RestoreMethod method) {
+  unfold::RestoreParams params;
   params.method = method;
   return params;
 }
 
-TargetParams pinned(double x) {
-  TargetParams params;
+unfold::TargetParams pinned(double x) {
+  unfold::TargetParams params;
   params.pin = x;
   return params;
 }
@@ -52,13 +55,13 @@ TargetParams pinned(double x) {
 Model start(std::size_t horizons, std::size_t points) {
   Model model;
   model.section = fold_train(horizons, points);
-  model.section.faces = std::make_shared<const SectionFaces>(faces_of(model.section).value());
+  model.section.faces = std::make_shared<const section::SectionFaces>(faces_of(model.section).value());
   return model;
 }
 
 /// The planar subdivision of a section and its units, made once when it is read.
 void find_units(benchmark::State& state) {
-  const Section section =
+  const section::Section section =
       fold_train(static_cast<std::size_t>(state.range(0)), static_cast<std::size_t>(state.range(1)));
   for (auto _ : state) benchmark::DoNotOptimize(faces_of(section));
 }
@@ -75,7 +78,7 @@ void restore_whole_section(benchmark::State& state) {
   for (auto _ : state) {
     const Model with_grid = run_grid(model, grid_of(20), {}, {}).value();
     const Model with_target = run_target(with_grid, pinned(5000.0), {}, {}).value();
-    benchmark::DoNotOptimize(run_restore(with_target, by(RestoreMethod::Constant), {}, {}).value());
+    benchmark::DoNotOptimize(run_restore(with_target, by(unfold::RestoreMethod::Constant), {}, {}).value());
   }
   state.SetItemsProcessed(state.iterations() * state.range(0) * state.range(1));
 }
@@ -92,7 +95,7 @@ void restore_with_grid_there(benchmark::State& state) {
   const auto points = static_cast<std::size_t>(state.range(1));
   const Model model = start(horizons, points);
   const Model ready = run_target(run_grid(model, grid_of(20), {}, {}).value(), pinned(5000.0), {}, {}).value();
-  const auto method = static_cast<RestoreMethod>(state.range(2));
+  const auto method = static_cast<unfold::RestoreMethod>(state.range(2));
   state.SetLabel(method_name(method));
   for (auto _ : state) benchmark::DoNotOptimize(run_restore(ready, by(method), {}, {}).value());
   state.SetItemsProcessed(state.iterations() * state.range(0) * state.range(1));
@@ -104,9 +107,9 @@ BENCHMARK(restore_with_grid_there)
     ->MeasureProcessCPUTime()
     ->UseRealTime();
 
-std::vector<geom::Point> all_points(const Section& section) {
+std::vector<geom::Point> all_points(const section::Section& section) {
   std::vector<geom::Point> points;
-  for (const Horizon& horizon : section.horizons)
+  for (const section::Horizon& horizon : section.horizons)
     points.insert(points.end(), horizon.line.points.begin(), horizon.line.points.end());
   return points;
 }
@@ -114,10 +117,10 @@ std::vector<geom::Point> all_points(const Section& section) {
 void map_points(benchmark::State& state) {
   const Model model = start(100, 10000);
   const Model ready = run_target(run_grid(model, grid_of(1), {}, {}).value(), pinned(5000.0), {}, {}).value();
-  MethodParams params;
-  params.method = static_cast<RestoreMethod>(state.range(0));
+  unfold::MethodParams params;
+  params.method = static_cast<unfold::RestoreMethod>(state.range(0));
   state.SetLabel(method_name(params.method));
-  const SectionMap map = make_method_map(ready.section, *ready.source, *ready.target, params).value().map;
+  const maps::SectionMap map = make_method_map(ready.section, *ready.source, *ready.target, params).value().map;
   const std::vector<geom::Point> points = all_points(model.section);
   std::vector<geom::Point> images(points.size());
   for (auto _ : state) {
@@ -143,7 +146,7 @@ BENCHMARK(affine_peer)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->
 /// A drag of the pin: target and restoration of 10 x 1000 points.
 void move_the_pin(benchmark::State& state) {
   const Model with_grid = run_grid(start(10, 1000), grid_of(20), {}, {}).value();
-  const auto method = static_cast<RestoreMethod>(state.range(0));
+  const auto method = static_cast<unfold::RestoreMethod>(state.range(0));
   state.SetLabel(method_name(method));
   double x = 3000.0;
   for (auto _ : state) {
@@ -155,7 +158,7 @@ void move_the_pin(benchmark::State& state) {
 BENCHMARK(move_the_pin)->DenseRange(0, 5)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 
 /// Processor seconds of one restoration with the grid there, the least of three.
-double seconds_of(std::size_t points, RestoreMethod method) {
+double seconds_of(std::size_t points, unfold::RestoreMethod method) {
   const Model ready =
       run_target(run_grid(start(20, points), grid_of(1), {}, {}).value(), pinned(5000.0), {}, {}).value();
   double least = 1e300;
@@ -169,7 +172,7 @@ double seconds_of(std::size_t points, RestoreMethod method) {
 
 /// time = n^exponent between 20 x 2500 and 20 x 50 000 points.
 void growth(benchmark::State& state) {
-  const auto method = static_cast<RestoreMethod>(state.range(0));
+  const auto method = static_cast<unfold::RestoreMethod>(state.range(0));
   state.SetLabel(method_name(method));
   for (auto _ : state) {
     const double small = seconds_of(2500, method);
@@ -184,8 +187,8 @@ BENCHMARK(growth)->DenseRange(0, 5)->Iterations(1)->Unit(benchmark::kSecond)->Me
 void monte_carlo_draws(benchmark::State& state) {
   const Model with_target =
       run_target(run_grid(start(10, 500), grid_of(1), {}, {}).value(), pinned(5000.0), {}, {}).value();
-  const Model ready = run_restore(with_target, by(RestoreMethod::Flexural), {}, {}).value();
-  MonteCarloParams params;
+  const Model ready = run_restore(with_target, by(unfold::RestoreMethod::Flexural), {}, {}).value();
+  unfold::MonteCarloParams params;
   params.draws = static_cast<int>(state.range(0));
   params.pick_error = 5.0;
   params.pin_error = 50.0;

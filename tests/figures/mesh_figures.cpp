@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "shared/mesh/delaunay.h"
-#include "shared/mesh/size_field.h"
-#include "shared/mesh/triangulate.h"
+#include "shared/mesh/delaunay/delaunay.h"
+#include "shared/mesh/front/triangulate.h"
+#include "shared/mesh/sizing/size_field.h"
 #include "shared/scene/color_map.h"
 #include "tests/figures/figures.h"
 #include "tests/shared/mesh/mesh_shapes.h"
@@ -17,9 +17,9 @@ namespace {
 
 using geom::Point;
 
-std::vector<geom::Polyline> segments_of(const mesh::MeshInput& input) {
+std::vector<geom::Polyline> segments_of(const mesh::delaunay::MeshInput& input) {
   std::vector<geom::Polyline> all;
-  for (const mesh::InputEdge& edge : input.edges) {
+  for (const mesh::delaunay::InputEdge& edge : input.edges) {
     all.push_back(chain({input.points[edge.nodes[0].index()], input.points[edge.nodes[1].index()]}));
   }
   return all;
@@ -52,13 +52,15 @@ std::vector<geom::Polyline> some_circles(const mesh::TriangleMesh& mesh) {
 
 base::Result<scene::Picture> delaunay() {
   const std::vector<Point> points = mesh::test::random_points(50, 11);
-  DOBRA_TRY(const mesh::ExtractedMesh free, mesh::delaunay(points));
-  mesh::MeshInput input;
+  DOBRA_TRY(const mesh::delaunay::ExtractedMesh free, mesh::delaunay::delaunay(points));
+  mesh::delaunay::MeshInput input;
   input.points = points;
-  mesh::add_chain(input, {{0.12, 0.67}, {0.5, 0.55}, {0.92, 0.8}}, mesh::Closure::Open,
-                  {"a", mesh::EdgeKind::Constraint});
-  mesh::add_chain(input, {{0.12, 0.175}, {0.92, 0.185}}, mesh::Closure::Open, {"b", mesh::EdgeKind::Constraint});
-  DOBRA_TRY(const mesh::ExtractedMesh bound, mesh::constrained_delaunay(input, mesh::Outside::KeepHull));
+  mesh::delaunay::add_chain(input, {{0.12, 0.67}, {0.5, 0.55}, {0.92, 0.8}}, mesh::delaunay::Closure::Open,
+                            {"a", mesh::delaunay::EdgeKind::Constraint});
+  mesh::delaunay::add_chain(input, {{0.12, 0.175}, {0.92, 0.185}}, mesh::delaunay::Closure::Open,
+                            {"b", mesh::delaunay::EdgeKind::Constraint});
+  DOBRA_TRY(const mesh::delaunay::ExtractedMesh bound,
+            mesh::delaunay::constrained_delaunay(input, mesh::delaunay::Outside::KeepHull));
   scene::Panel left = panel("Delaunay, some of its circles",
                             {lines("circle of a triangle", stroke(orange, 0.8), some_circles(free.mesh)),
                              wires(free.mesh, ink, 0.8), markers("points", dots(ink, 4.0), points)},
@@ -72,22 +74,22 @@ base::Result<scene::Picture> delaunay() {
 }
 
 /// The quarter plate: the hole in fine edges, the sides in coarse ones.
-std::vector<mesh::SizedEdge> sized_edges(const mesh::MeshInput& input) {
-  std::vector<mesh::SizedEdge> edges;
+std::vector<mesh::sizing::SizedEdge> sized_edges(const mesh::delaunay::MeshInput& input) {
+  std::vector<mesh::sizing::SizedEdge> edges;
   for (const geom::Polyline& line : segments_of(input)) edges.push_back({{line.points[0], line.points[1]}});
   return edges;
 }
 
-std::vector<geom::Polyline> leaves_of(const mesh::Quadtree& tree) {
+std::vector<geom::Polyline> leaves_of(const mesh::sizing::Quadtree& tree) {
   std::vector<geom::Polyline> leaves;
-  for (const mesh::QuadCellId leaf : tree.leaves()) leaves.push_back(outline(tree.box(leaf)));
+  for (const mesh::sizing::QuadCellId leaf : tree.leaves()) leaves.push_back(outline(tree.box(leaf)));
   return leaves;
 }
 
 /// Two triangles a leaf, with its side as the value.
-scene::Mesh leaf_sizes(const mesh::Quadtree& tree, const scene::Scale& scale) {
+scene::Mesh leaf_sizes(const mesh::sizing::Quadtree& tree, const scene::Scale& scale) {
   scene::Mesh made{.values_at = scene::ValuesAt::Triangles, .scale = scale};
-  for (const mesh::QuadCellId leaf : tree.leaves()) {
+  for (const mesh::sizing::QuadCellId leaf : tree.leaves()) {
     const auto first = static_cast<std::uint32_t>(made.points.size());
     for (const Point p : outline(tree.box(leaf)).points) made.points.push_back(p);
     made.triangles.push_back({first, first + 1, first + 2});
@@ -98,9 +100,10 @@ scene::Mesh leaf_sizes(const mesh::Quadtree& tree, const scene::Scale& scale) {
 }
 
 base::Result<scene::Picture> quadtree() {
-  const mesh::MeshInput input = mesh::test::que_d();
-  DOBRA_TRY(const mesh::Quadtree tree, mesh::Quadtree::build(sized_edges(input)));
-  DOBRA_TRY(const mesh::Quadtree finer, mesh::Quadtree::build(sized_edges(input), {.refinement_factor = 2.0}));
+  const mesh::delaunay::MeshInput input = mesh::test::que_d();
+  DOBRA_TRY(const mesh::sizing::Quadtree tree, mesh::sizing::Quadtree::build(sized_edges(input)));
+  DOBRA_TRY(const mesh::sizing::Quadtree finer,
+            mesh::sizing::Quadtree::build(sized_edges(input), {.refinement_factor = 2.0}));
   scene::Picture picture;
   for (const auto& [title, made] : {std::pair{"f = 1", &tree}, std::pair{"f = 2", &finer}}) {
     picture.panels.push_back(panel(fmt::format("{}: {} leaves", title, made->leaves().size()),
@@ -112,7 +115,8 @@ base::Result<scene::Picture> quadtree() {
 }
 
 /// The domain in 16 bands of size, each a row of rectangles at a time.
-std::vector<scene::Layer> size_bands(const mesh::SizeField& field, const scene::Scale& scale, const geom::Box& box) {
+std::vector<scene::Layer> size_bands(const mesh::sizing::SizeField& field, const scene::Scale& scale,
+                                     const geom::Box& box) {
   constexpr int rows = 72;
   constexpr int bands = 16;
   const double step = box.width() / rows;
@@ -143,10 +147,10 @@ std::vector<scene::Layer> size_bands(const mesh::SizeField& field, const scene::
 }
 
 base::Result<scene::Picture> size_field() {
-  const mesh::MeshInput input = mesh::test::que_d();
-  DOBRA_TRY(const mesh::SizeField field, mesh::size_field_of(input));
+  const mesh::delaunay::MeshInput input = mesh::test::que_d();
+  DOBRA_TRY(const mesh::sizing::SizeField field, mesh::front::size_field_of(input));
   const scene::Scale scale{"size h [m]", scene::ColorMapName::Viridis, 0.0, 1.0};
-  const mesh::Quadtree& tree = field.quadtree();
+  const mesh::sizing::Quadtree& tree = field.quadtree();
   const geom::Box box = geom::box_of(input.points);
   const scene::Layer edges = lines("input edges", stroke(red, 1.8), segments_of(input));
   const scene::Layer borders = lines({}, stroke({255, 255, 255, 140}, 0.4), leaves_of(tree));

@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "shared/mesh/delaunay.h"
+#include "shared/mesh/delaunay/delaunay.h"
+#include "shared/mesh/front/smooth.h"
+#include "shared/mesh/front/triangulate.h"
 #include "shared/mesh/quality.h"
-#include "shared/mesh/smooth.h"
-#include "shared/mesh/triangulate.h"
 #include "tests/figures/figures.h"
 #include "tests/shared/mesh/mesh_shapes.h"
 
@@ -57,18 +57,19 @@ scene::Panel quality_panel(const std::string& name, const mesh::TriangleMesh& me
 
 /// Random points in a square: the mesh, the mesh smoothed, and smoothed again after flips.
 base::Result<scene::Picture> smooth() {
-  mesh::MeshInput input = mesh::test::square(1.0, 9);
+  mesh::delaunay::MeshInput input = mesh::test::square(1.0, 9);
   for (const Point p : mesh::test::random_points(90, 5)) {
     input.points.push_back({0.06 + 0.88 * p.x, 0.06 + 0.88 * p.y});
   }
-  DOBRA_TRY(mesh::ExtractedMesh made, mesh::constrained_delaunay(input, mesh::Outside::Remove));
+  DOBRA_TRY(mesh::delaunay::ExtractedMesh made,
+            mesh::delaunay::constrained_delaunay(input, mesh::delaunay::Outside::Remove));
   mesh::TriangleMesh& mesh = made.mesh;
   scene::Picture picture{{}, {quality_panel("Before", mesh)}};
-  mesh::smooth(mesh);
+  mesh::front::smooth(mesh);
   picture.panels.push_back(quality_panel("3 passes", mesh));
   for (int round = 0; round < 3; ++round) {
-    mesh::flip_to_delaunay(mesh);
-    mesh::smooth(mesh);
+    mesh::front::flip_to_delaunay(mesh);
+    mesh::front::smooth(mesh);
   }
   picture.panels.push_back(quality_panel("Flips too", mesh));
   return picture;
@@ -87,8 +88,8 @@ scene::Panel plate(const std::string& name, const mesh::TriangleMesh& mesh) {
 }
 
 base::Result<scene::Picture> triangulate() {
-  DOBRA_TRY(const mesh::TriangleMesh without, mesh::triangulate(mesh::test::que_d()));
-  DOBRA_TRY(const mesh::TriangleMesh with, mesh::triangulate(mesh::test::que_e()));
+  DOBRA_TRY(const mesh::TriangleMesh without, mesh::front::triangulate(mesh::test::que_d()));
+  DOBRA_TRY(const mesh::TriangleMesh with, mesh::front::triangulate(mesh::test::que_e()));
   return scene::Picture{{}, {plate("Without constraints", without), plate("With constraints", with)}};
 }
 

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "recon/core/operations.h"
-#include "recon/core/palette.h"
+#include "recon/core/grid_step.h"
+#include "recon/core/restore_step.h"
+#include "recon/core/target_step.h"
+#include "recon/section/palette.h"
 #include "tests/figures/figures.h"
 
 namespace dobra::figures {
@@ -16,23 +18,25 @@ namespace core = recon::core;
 
 const scene::Axes section_axes{"x [m]", "z [m]"};
 
-core::Section section_of(const std::vector<geom::Polyline>& beds) {
-  core::Section section;
+recon::section::Section section_of(const std::vector<geom::Polyline>& beds) {
+  recon::section::Section section;
   for (std::size_t i = 0; i < beds.size(); ++i) {
-    section.horizons.push_back({core::HorizonId(i), i == 0 ? "top" : fmt::format("bed {}", i), beds[i], {}});
+    section.horizons.push_back({recon::section::HorizonId(i), i == 0 ? "top" : fmt::format("bed {}", i), beds[i], {}});
   }
   return section;
 }
 
-base::Result<scene::Panel> grid_panel(const std::string& title, core::Treatment treatment, double distance, int count) {
-  core::GridParams params;
+base::Result<scene::Panel> grid_panel(const std::string& title, recon::unfold::Treatment treatment, double distance,
+                                      int count) {
+  recon::unfold::GridParams params;
   params.count = count;
   params.distance = distance;
   params.treatment = treatment;
-  params.side = core::LayerSide::Below;
-  DOBRA_TRY(const core::SourceGrid source, core::make_source_grid(section_of({cosine()}), params, {}));
+  params.side = recon::section::LayerSide::Below;
+  DOBRA_TRY(const recon::unfold::SourceGrid source,
+            recon::unfold::make_source_grid(section_of({cosine()}), params, {}));
   std::vector<geom::Polyline> curves;
-  for (const core::GridCurve& curve : source.grid.curves)
+  for (const recon::unfold::GridCurve& curve : source.grid.curves)
     curves.insert(curves.end(), curve.pieces.begin(), curve.pieces.end());
   return panel(title,
                {lines("rungs", stroke(grey, 0.6), source.grid.rungs), lines("offset curves", stroke(blue, 0.8), curves),
@@ -42,15 +46,15 @@ base::Result<scene::Panel> grid_panel(const std::string& title, core::Treatment 
 
 base::Result<scene::Picture> grid() {
   scene::Picture picture{{}, {}, scene::Arrangement::Column};
-  DOBRA_TRY(scene::Panel untreated, grid_panel("Untreated", core::Treatment::Untreated, 0.2, 13));
-  DOBRA_TRY(scene::Panel treated, grid_panel("Treated", core::Treatment::Treated, 0.2, 13));
+  DOBRA_TRY(scene::Panel untreated, grid_panel("Untreated", recon::unfold::Treatment::Untreated, 0.2, 13));
+  DOBRA_TRY(scene::Panel treated, grid_panel("Treated", recon::unfold::Treatment::Treated, 0.2, 13));
   treated.extent->add(*untreated.extent);
   picture.panels = {std::move(untreated), std::move(treated)};
   return picture;
 }
 
 /// The columns first .. last - 1 together, down to a depth.
-scene::Region columns_between(const core::Columns& columns, std::size_t first, std::size_t last, double depth) {
+scene::Region columns_between(const recon::maps::Columns& columns, std::size_t first, std::size_t last, double depth) {
   geom::Polyline round{{}, true};
   for (std::size_t i = first; i <= last; ++i) round.points.push_back(columns.foot(i));
   for (std::size_t i = last + 1; i-- > first;) round.points.push_back(columns.foot(i) + depth * columns.rung_vector(i));
@@ -58,24 +62,25 @@ scene::Region columns_between(const core::Columns& columns, std::size_t first, s
 }
 
 /// Every second group of eight columns, shaded.
-scene::Layer shaded_columns(const core::Columns& columns, double depth) {
+scene::Layer shaded_columns(const recon::maps::Columns& columns, double depth) {
   std::vector<scene::Region> groups;
   for (std::size_t i = 0; i + 8 < columns.rung_count(); i += 16)
     groups.push_back(columns_between(columns, i, i + 8, depth));
   return regions("every second group of 8 columns", filled({250, 236, 196}), std::move(groups));
 }
 
-scene::Panel unfold_panel(const std::string& title, const core::Section& section, const core::Columns& columns,
-                          double depth) {
+scene::Panel unfold_panel(const std::string& title, const recon::section::Section& section,
+                          const recon::maps::Columns& columns, double depth) {
   std::vector<scene::Layer> layers{shaded_columns(columns, depth)};
-  for (const core::Horizon& horizon : section.horizons) {
-    layers.push_back(lines(horizon.name, stroke(core::Palette(section).of(horizon.name).line, 1.8), {horizon.line}));
+  for (const recon::section::Horizon& horizon : section.horizons) {
+    layers.push_back(
+        lines(horizon.name, stroke(recon::section::Palette(section).of(horizon.name).line, 1.8), {horizon.line}));
   }
   return panel(title, std::move(layers), 0.25, section_axes);
 }
 
 /// A point and its name, the same in both panels; the name stands `above` the point.
-void add_point(scene::Panel& panel, Point p, const core::ColumnPoint& name, double above) {
+void add_point(scene::Panel& panel, Point p, const recon::maps::ColumnPoint& name, double above) {
   const Point at{p.x, p.y + above};
   const std::string text =
       fmt::format("column {}, depth {:.2f} m, along {:.2f}", name.column.index(), name.depth, name.along);
@@ -97,7 +102,7 @@ base::Result<core::Model> restored_fold() {
     middle.points.push_back({p.x, 0.9 * p.y - 0.35});
     low.points.push_back({p.x, 0.8 * p.y - 0.65});
   }
-  core::GridParams grid_params;
+  recon::unfold::GridParams grid_params;
   grid_params.count = 8;
   core::Model model;
   model.section = section_of({top, middle, low});
@@ -108,13 +113,13 @@ base::Result<core::Model> restored_fold() {
 
 base::Result<scene::Picture> unfold() {
   DOBRA_TRY(const core::Model model, restored_fold());
-  const core::ColumnMap& map = model.target->map;
+  const recon::maps::ColumnMap& map = model.target->map;
   constexpr double depth = 0.6;
   scene::Picture picture{{}, {}, scene::Arrangement::Column};
   picture.panels.push_back(unfold_panel("Deformed", model.section, map.source(), depth));
   picture.panels.push_back(unfold_panel("Restored", model.restoration->section, map.target(), depth));
   const Point p{6.5, -1.1};
-  const core::ColumnPoint name = map.locate(p).at;
+  const recon::maps::ColumnPoint name = map.locate(p).at;
   add_point(picture.panels[0], p, name, 1.8);
   add_point(picture.panels[1], map.image(name), name, 0.6);
   return picture;

@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <string>
 
-#include "shared/io/curves.h"
+#include "shared/io/formats/curves.h"
 
 namespace {
 
@@ -32,7 +32,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (file == nullptr) return 0;
   std::fwrite(data + 1, 1, size - 1, file);
   std::fclose(file);
-  const auto read = dobra::io::read_curves(path);
+  const auto read = dobra::io::formats::read_curves(path);
   std::remove(path.c_str());
   if (!read.ok()) {
     if (read.error().message.empty()) std::abort();

@@ -13,13 +13,13 @@
 #include <string>
 #include <string_view>
 
-#include "shared/io/line_files.h"
+#include "shared/io/formats/line_files.h"
 
 namespace {
 
-using dobra::io::LineFormat;
-using dobra::io::LineOptions;
-using dobra::io::LineWork;
+using dobra::io::formats::LineFormat;
+using dobra::io::formats::LineOptions;
+using dobra::io::formats::LineWork;
 
 /// In memory where the system has such a place.
 std::string file_of(const std::string& ending) {
@@ -37,12 +37,12 @@ void write_all(const std::string& path, std::string_view bytes) {
 
 LineOptions options_of(std::uint8_t bits) {
   LineOptions options;
-  if ((bits & 1U) != 0) options.y_direction = dobra::io::YDirection::Down;
+  if ((bits & 1U) != 0) options.y_direction = dobra::io::lines::YDirection::Down;
   if ((bits & 2U) != 0) options.text.columns = {"1", "2", "3"};
-  if ((bits & 4U) != 0) options.coordinates = dobra::io::Coordinates::Section;
+  if ((bits & 4U) != 0) options.coordinates = dobra::io::formats::Coordinates::Section;
   if ((bits & 8U) != 0) options.plane_tolerance = 1e9;
   if ((bits & 16U) != 0) options.unit = 0.3048;
-  if ((bits & 32U) != 0) options.repair.order = dobra::io::PointOrder::AlongTheCurve;
+  if ((bits & 32U) != 0) options.repair.order = dobra::io::formats::PointOrder::AlongTheCurve;
   if ((bits & 64U) != 0) options.repair.gaps = options.repair.snap = 1.0;
   if ((bits & 128U) != 0) options.repair.duplicates = options.repair.slivers = 0.5;
   return options;
@@ -52,7 +52,7 @@ dobra::base::Result<LineWork> read(LineFormat format, std::string_view bytes, co
   if (format == LineFormat::GeoPackage) {
     const std::string path = file_of(".gpkg");
     write_all(path, bytes);
-    auto made = dobra::io::read_any_lines(path, options);
+    auto made = dobra::io::formats::read_any_lines(path, options);
     std::filesystem::remove(path);
     return made;
   }
@@ -60,14 +60,14 @@ dobra::base::Result<LineWork> read(LineFormat format, std::string_view bytes, co
     const std::size_t index = bytes.empty() ? 0 : (bytes.size() - 1) * static_cast<unsigned char>(bytes[0]) / 255;
     write_all(file_of(".shx"), bytes.substr(bytes.empty() ? 0 : 1, index));
     write_all(file_of(".shp"), bytes.substr(bytes.empty() ? 0 : 1 + index));
-    auto made = dobra::io::read_any_lines(file_of(".shp"), options);
+    auto made = dobra::io::formats::read_any_lines(file_of(".shp"), options);
     std::filesystem::remove(file_of(".shp"));
     std::filesystem::remove(file_of(".shx"));
     return made;
   }
   LineOptions chosen = options;
   chosen.format = format;
-  return dobra::io::parse_any_lines(bytes, "f", chosen);
+  return dobra::io::formats::parse_any_lines(bytes, "f", chosen);
 }
 
 void check_finite(const LineWork& work) {
@@ -86,7 +86,7 @@ void check_finite(const LineWork& work) {
 std::string text_of(LineWork work, LineFormat format) {
   std::vector<std::string> remarks;
   work.trace.reset();
-  auto text = dobra::io::lines_text(work, {.format = format}, remarks);
+  auto text = dobra::io::formats::lines_text(work, {.format = format}, remarks);
   if (!text.ok()) std::abort();
   return *std::move(text);
 }
@@ -117,14 +117,14 @@ void check_round_trip(const LineWork& work, LineFormat format) {
   if (over_one_place(work) && !json) return;
   LineOptions options;
   options.format = format;
-  options.coordinates = json ? dobra::io::Coordinates::Section : dobra::io::Coordinates::Map;
+  options.coordinates = json ? dobra::io::formats::Coordinates::Section : dobra::io::formats::Coordinates::Map;
   std::string text = text_of(work, format);
-  auto again = dobra::io::parse_any_lines(text, "f", options);
+  auto again = dobra::io::formats::parse_any_lines(text, "f", options);
   const bool changed = json || (format == LineFormat::MoveAscii && has_rings(work));
   if (changed && !json && !again.ok()) return;  // a polygon without area
   if (changed && again.ok()) {
     text = text_of(*again, format);
-    again = dobra::io::parse_any_lines(text, "f", options);
+    again = dobra::io::formats::parse_any_lines(text, "f", options);
   }
   if (again.ok() && text_of(*again, format) == text) return;
   std::fprintf(stderr, "--- text\n%s--- again\n%s\n", text.c_str(),
@@ -136,7 +136,7 @@ void check_round_trip(const LineWork& work, LineFormat format) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size < 2) return 0;
-  const auto& formats = dobra::io::line_formats();
+  const auto& formats = dobra::io::formats::line_formats();
   const LineFormat format = formats[data[0] % formats.size()].format;
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 2, size - 2);
   const auto work = read(format, bytes, options_of(data[1]));

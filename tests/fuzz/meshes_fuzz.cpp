@@ -6,12 +6,12 @@
 #include <cstdlib>
 #include <string>
 
-#include "shared/io/bdf.h"
-#include "shared/io/inp.h"
-#include "shared/io/msh.h"
-#include "shared/io/neutral.h"
-#include "shared/io/polygon_file.h"
-#include "shared/io/vtu.h"
+#include "shared/io/meshes/bdf.h"
+#include "shared/io/meshes/inp.h"
+#include "shared/io/meshes/msh.h"
+#include "shared/io/meshes/neutral.h"
+#include "shared/io/meshes/polygon_file.h"
+#include "shared/io/meshes/vtu.h"
 
 namespace {
 
@@ -43,7 +43,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   const std::string text(reinterpret_cast<const char*>(data) + 1, size - 1);
   if (data[0] >= 254) {
-    const auto polygons = data[0] == 254 ? io::parse_obj(text, "f") : io::parse_off(text, "f");
+    const auto polygons = data[0] == 254 ? io::meshes::parse_obj(text, "f") : io::meshes::parse_off(text, "f");
     if (!polygons.ok() && polygons.error().message.empty()) std::abort();
     if (polygons.ok()) check(*polygons, mesh::Closedness::Solid);
     return 0;
@@ -51,31 +51,32 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   switch (data[0] % 5) {
     case 0:
       go_round(
-          text, [](const std::string& t) { return io::parse_msh(t, "f"); },
-          [](const mesh::ElementMesh& m) { return io::msh_text(m); });
+          text, [](const std::string& t) { return io::meshes::parse_msh(t, "f"); },
+          [](const mesh::ElementMesh& m) { return io::meshes::msh_text(m); });
       break;
     case 1:
       go_round(
-          text, [](const std::string& t) { return io::parse_inp(t, "f"); },
+          text, [](const std::string& t) { return io::meshes::parse_inp(t, "f"); },
           [](const mesh::ElementMesh& m) {
-            return io::inp_text(m, {.element = io::InpElement::PlaneStress, .numbers = io::InpNumbers::Exact});
+            return io::meshes::inp_text(
+                m, {.element = io::meshes::InpElement::PlaneStress, .numbers = io::meshes::InpNumbers::Exact});
           });
       break;
     case 2:
       go_round(
-          text, [](const std::string& t) { return io::parse_vtu(t, "f"); },
-          [](const mesh::ElementMesh& m) { return io::vtu_text(m); });
+          text, [](const std::string& t) { return io::meshes::parse_vtu(t, "f"); },
+          [](const mesh::ElementMesh& m) { return io::meshes::vtu_text(m); });
       break;
     case 3:
       go_round(
-          text, [](const std::string& t) { return io::parse_bdf(t, "f"); },
-          [](const mesh::ElementMesh& m) { return io::bdf_text(m); });
+          text, [](const std::string& t) { return io::meshes::parse_bdf(t, "f"); },
+          [](const mesh::ElementMesh& m) { return io::meshes::bdf_text(m); });
       break;
     default:
       go_round(
-          text, [](const std::string& t) { return io::parse_neutral(t, "f"); },
+          text, [](const std::string& t) { return io::meshes::parse_neutral(t, "f"); },
           [](const mesh::ElementMesh& m) {
-            return io::neutral_text({m, {}, 1.0});
+            return io::meshes::neutral_text({m, {}, 1.0});
           });
   }
   return 0;

@@ -6,11 +6,11 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "shared/io/svg.h"
+#include "shared/io/drawings/svg.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
-  const auto read = dobra::io::parse_svg(text, "fuzz");
+  const auto read = dobra::io::drawings::parse_svg(text, "fuzz");
   if (!read.ok()) {
     if (read.error().message.empty() || !read.error().place) std::abort();
     return 0;

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "shared/fem/rosette.h"
+#include "shared/fem/fracture/rosette.h"
+#include "shared/mesh/front/triangulate.h"
 #include "shared/mesh/lips.h"
 #include "shared/mesh/order2.h"
-#include "shared/mesh/triangulate.h"
 
 namespace dobra::fem::test {
 
@@ -25,7 +25,7 @@ struct CrackedPlate {
       outline;  ///< Anticlockwise; side i of it is the side set "side i"; corners may lie on straight lines.
   std::vector<StraightCrack> cracks;
   double size = 0.1;  ///< Of the elements far away.
-  RosetteOptions rosette = {.sectors = 16, .radius = 0.01, .rings = 3};
+  fracture::RosetteOptions rosette = {.sectors = 16, .radius = 0.01, .rings = 3};
   double growth = 1.25;
   bool quarter = true;
 };
@@ -60,9 +60,9 @@ T must(base::Result<T> result) {
 /// Cracks "crack 0", ...: lips "crack 0_left" and "crack 0_right", tips "crack 0_start" and "crack 0_end".
 inline mesh::ElementMesh cracked_plate(const CrackedPlate& plate) {
   using geom::Point;
-  using mesh::Closure;
-  using mesh::EdgeKind;
-  mesh::MeshInput input;
+  using mesh::delaunay::Closure;
+  using mesh::delaunay::EdgeKind;
+  mesh::delaunay::MeshInput input;
   for (std::size_t i = 0; i < plate.outline.size(); ++i) {
     const Point a = plate.outline[i];
     const Point b = plate.outline[(i + 1) % plate.outline.size()];
@@ -72,9 +72,9 @@ inline mesh::ElementMesh cracked_plate(const CrackedPlate& plate) {
     add_chain(input, chain, Closure::Open, {"side " + std::to_string(i), EdgeKind::Boundary});
   }
   struct Placed {
-    Rosette rosette;
+    fracture::Rosette rosette;
     std::string crack;
-    CrackEnd end;
+    fracture::CrackEnd end;
   };
   std::vector<Placed> rosettes;
   std::vector<std::string> names;
@@ -86,8 +86,8 @@ inline mesh::ElementMesh cracked_plate(const CrackedPlate& plate) {
     const double length = distance(start, end);
     const double step = plate.rosette.radius;
     // From an end with a tip to the middle, or all the way to an end without.
-    const auto half = [&](Point tip, geom::Vector ahead, double reach, CrackEnd which) {
-      Rosette rosette = make_rosette(tip, ahead, plate.rosette).value();
+    const auto half = [&](Point tip, geom::Vector ahead, double reach, fracture::CrackEnd which) {
+      fracture::Rosette rosette = make_rosette(tip, ahead, plate.rosette).value();
       std::vector<Point> points{rosette.rings.back().front()};
       const auto distances = detail::growing(rosette.outer_radius(), reach, step, plate.size, plate.growth);
       for (std::size_t i = 1; i < distances.size(); ++i) points.push_back(tip - distances[i] * ahead);
@@ -95,12 +95,12 @@ inline mesh::ElementMesh cracked_plate(const CrackedPlate& plate) {
       return points;
     };
     if (tip_at_end) {
-      chain = half(end, along, tip_at_start ? 0.5 * length : length, CrackEnd::End);
+      chain = half(end, along, tip_at_start ? 0.5 * length : length, fracture::CrackEnd::End);
       if (!tip_at_start) chain.back() = start;
       std::reverse(chain.begin(), chain.end());
     }
     if (tip_at_start) {
-      auto points = half(start, -along, tip_at_end ? 0.5 * length : length, CrackEnd::Start);
+      auto points = half(start, -along, tip_at_end ? 0.5 * length : length, fracture::CrackEnd::Start);
       if (!tip_at_end) points.back() = end;
       if (tip_at_end) chain.front() = points.back();
       points.insert(points.end(), chain.begin() + (tip_at_end ? 1 : 0), chain.end());
@@ -112,7 +112,7 @@ inline mesh::ElementMesh cracked_plate(const CrackedPlate& plate) {
     const auto& ring = placed.rosette.rings.back();
     add_chain(input, {ring.begin(), ring.end() - 1}, Closure::Closed, {"ring of " + placed.crack, EdgeKind::Boundary});
   }
-  mesh::MeshOptions options;
+  mesh::front::MeshOptions options;
   options.sizes.growth = plate.growth;
   mesh::ElementMesh mesh = element_mesh_of(detail::must(triangulate(input, options)));
   for (const Placed& placed : rosettes) {
@@ -120,7 +120,7 @@ inline mesh::ElementMesh cracked_plate(const CrackedPlate& plate) {
     DOBRA_CHECK(fill_rosette(mesh, placed.rosette, placed.crack, placed.end, 0).ok());
   }
   mesh = mesh::to_second_order(detail::must(open_lips(std::move(mesh), names))).mesh;
-  if (plate.quarter) DOBRA_CHECK(set_quarter_points(mesh).ok());
+  if (plate.quarter) DOBRA_CHECK(fracture::set_quarter_points(mesh).ok());
   return mesh;
 }
 

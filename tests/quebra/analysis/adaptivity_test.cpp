@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "shared/fem/exact_fields.h"
+#include "shared/fem/error/exact_fields.h"
 #include "tests/support/quebra_scenarios.h"
 
 namespace quebra::analysis {
@@ -76,9 +76,10 @@ double tip_plate_energy() {
     const geom::Vector normal = -1.0 * left_of(normalised(side));
     for (int k = 0; k < steps; ++k) {
       const geom::Point p = interpolate(rim[i], rim[i + 1], (k + 0.5) / steps);
-      const fem::Voigt s = fem::tip_field(p, fem::TipLoad::Opening, material).stress;
+      const fem::Voigt s = fem::error::tip_field(p, fem::error::TipLoad::Opening, material).stress;
       const geom::Vector traction{s[0] * normal.x + s[2] * normal.y, s[2] * normal.x + s[1] * normal.y};
-      work += dot(traction, fem::tip_displacement(p, fem::TipLoad::Opening, material)) * length(side) / steps;
+      work +=
+          dot(traction, fem::error::tip_displacement(p, fem::error::TipLoad::Opening, material)) * length(side) / steps;
     }
   }
   return 0.5 * work;
@@ -94,7 +95,7 @@ TEST(Adaptivity, WithRosettesTheLoopReachesTheErrorAskedForAndJudgesItWithinATen
     const auto values = figures(done);
     const Analysis& analysis = *last(done).analyses.back();
     EXPECT_LE(values.at("eta"), target);
-    const double exact = fem::true_error(energy, values.at("case.load.energy"));
+    const double exact = fem::error::true_error(energy, values.at("case.load.energy"));
     const double effectivity = values.at("case.load.error") / exact;
     EXPECT_NEAR(effectivity, 1.0, 0.1) << target;
     EXPECT_NEAR(values.at("tip.load.crack_end.K_I"), 1.0, 1e-3) << target;
@@ -182,7 +183,7 @@ TEST(Adaptivity, OnSpecimensThatNoConstantWasChosenOnTheErrorIsJudgedWell) {
         if (target == 1.0 && more.starts_with("order = \"1")) continue;
         const auto values = figures(run(specimen.text + adapt_step(target, more)));
         const double effectivity =
-            values.at("case.load.error") / fem::true_error(energy, values.at("case.load.energy"));
+            values.at("case.load.error") / fem::error::true_error(energy, values.at("case.load.energy"));
         EXPECT_LE(values.at("eta"), target) << specimen.name << ' ' << kind;
         EXPECT_GT(effectivity, target == 5.0 ? 0.7 : 0.85)
             << specimen.name << ' ' << kind << target;  // a few dozen elements, a few hundred
@@ -406,7 +407,7 @@ std::vector<Known> known_energies() {
 
 /// The true error, %.
 double true_eta(const Analysis& analysis, double energy) {
-  return 100.0 * fem::true_error(energy, analysis.solution.cases[0].energy) / std::sqrt(2.0 * energy);
+  return 100.0 * fem::error::true_error(energy, analysis.solution.cases[0].energy) / std::sqrt(2.0 * energy);
 }
 
 TEST(Adaptivity, WhatIsReachedIsReachedInTruth) {

@@ -53,7 +53,7 @@ std::string adapt_step(double target, const std::string& more = "") {
 
 double effectivity(const model::Model& model, double exact) {
   const Analysis& analysis = *model.analyses.back();
-  return analysis.fields[0].estimate.error / fem::true_error(exact, analysis.solution.cases[0].energy);
+  return analysis.fields[0].estimate.error / fem::error::true_error(exact, analysis.solution.cases[0].energy);
 }
 
 TEST(Analysis, KirschsPlateReachesTheErrorAskedForAndJudgesItWithinATenth) {
@@ -73,7 +73,7 @@ TEST(Analysis, KirschsPlateReachesTheErrorAskedForAndJudgesItWithinATenth) {
 
 /// sigma_x where the hole cuts the y axis.
 double stress_at_the_hole(const Analysis& analysis) {
-  const auto stresses = fem::nodal_mean(analysis.meshed->mesh, analysis.fields[0].recovered.at_element_nodes);
+  const auto stresses = fem::error::nodal_mean(analysis.meshed->mesh, analysis.fields[0].recovered.at_element_nodes);
   for (std::size_t n = 0; n < stresses.size(); ++n) {
     if (distance(analysis.meshed->mesh.points[n], geom::Point{0, 1}) < 1e-9) return stresses[n][0];
   }
@@ -186,7 +186,7 @@ where = "loaded"
 kind = "l_shape"
 )";
   const auto error_of = [](const Analysis& analysis) {
-    return fem::true_error(4.15454423, analysis.solution.cases[0].energy);
+    return fem::error::true_error(4.15454423, analysis.solution.cases[0].energy);
   };
   for (const int order : {1, 2}) {
     const std::string elements = "order = \"" + std::to_string(order) + "\"\n";

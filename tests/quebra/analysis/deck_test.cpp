@@ -9,7 +9,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "shared/fem/exact_fields.h"
+#include "shared/fem/error/exact_fields.h"
 #include "shared/fem/solve.h"
 #include "shared/io/file.h"
 #include "tests/support/cracked_plates.h"
@@ -59,7 +59,7 @@ double difference(const mesh::ElementMesh& mesh, const fem::Problem& problem) {
 fem::Problem kirsch(fem::PlaneState state) {
   fem::Problem problem{.materials = {{0, {.young = 1000.0, .poisson = 0.3, .thickness = 0.5, .state = state}}},
                        .supports = {{.where = "bottom", .y = 0.0}, {.where = "top", .x = 0.0}}};
-  problem.cases[0].sides = {{"right", fem::traction_of([](Point p) { return fem::kirsch_stress(p); })}};
+  problem.cases[0].sides = {{"right", fem::traction_of([](Point p) { return fem::error::kirsch_stress(p); })}};
   return problem;
 }
 

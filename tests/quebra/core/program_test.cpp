@@ -12,12 +12,12 @@
 #include "quebra/core/operations.h"
 #include "quebra/model/model.h"
 #include "shared/geom/predicates.h"
-#include "shared/io/bdf.h"
-#include "shared/io/inp.h"
-#include "shared/io/msh.h"
-#include "shared/io/neutral.h"
-#include "shared/io/node_ele.h"
-#include "shared/io/vtu.h"
+#include "shared/io/meshes/bdf.h"
+#include "shared/io/meshes/inp.h"
+#include "shared/io/meshes/msh.h"
+#include "shared/io/meshes/neutral.h"
+#include "shared/io/meshes/node_ele.h"
+#include "shared/io/meshes/vtu.h"
 #include "shared/scenario/runner.h"
 
 namespace quebra::core {
@@ -166,13 +166,13 @@ TEST(QuebraProgram, QUE_i_EveryExportReadsBackWithTheSameCounts) {
     EXPECT_EQ(read.points, mesh.points) << what;
     EXPECT_EQ(read.nodes, mesh.nodes) << what;
   };
-  counts(io::read_vtu((folder / "mesh.vtu").string()).value().mesh, "vtu");
-  counts(io::read_msh((folder / "mesh.msh").string()).value().mesh, "msh");
-  counts(io::read_inp((folder / "mesh.inp").string()).value().mesh, "inp");
-  counts(io::read_neutral((folder / "mesh.nf").string()).value().mesh, "nf");
-  EXPECT_EQ(io::read_bdf((folder / "mesh.bdf").string()).value().mesh.nodes, mesh.nodes)
+  counts(io::meshes::read_vtu((folder / "mesh.vtu").string()).value().mesh, "vtu");
+  counts(io::meshes::read_msh((folder / "mesh.msh").string()).value().mesh, "msh");
+  counts(io::meshes::read_inp((folder / "mesh.inp").string()).value().mesh, "inp");
+  counts(io::meshes::read_neutral((folder / "mesh.nf").string()).value().mesh, "nf");
+  EXPECT_EQ(io::meshes::read_bdf((folder / "mesh.bdf").string()).value().mesh.nodes, mesh.nodes)
       << "its coordinates are rounded";
-  counts(io::read_node_ele((folder / "mesh").string()).value(), "node, ele");
+  counts(io::meshes::read_node_ele((folder / "mesh").string()).value(), "node, ele");
   fs::remove_all(folder);
 }
 

@@ -14,7 +14,7 @@
 
 #include "quebra/core/layers.h"
 #include "shared/io/file.h"
-#include "shared/io/mesh_file.h"
+#include "shared/io/formats/mesh_file.h"
 #include "tests/support/quebra_scenarios.h"
 
 namespace quebra::core {
@@ -164,14 +164,14 @@ TEST(UnitsOfScenarios, ExchangeFilesHoldThemAndSayWhich) {
       EXPECT_THAT(text, HasSubstr("*SOLID SECTION, ELSET=REGION_1, MATERIAL=MATERIAL_1\n1000"))
           << "the thickness of a metre";
     }
-    if (!io::is_mesh_ending(file.extension().string()) || file.extension() == ".ele") continue;
-    const auto mesh = io::read_mesh(file.string());
+    if (!io::formats::is_mesh_ending(file.extension().string()) || file.extension() == ".ele") continue;
+    const auto mesh = io::formats::read_mesh(file.string());
     ASSERT_TRUE(mesh.ok()) << output.file_name << ": " << to_string(mesh.error());
     EXPECT_NEAR(geom::box_of(mesh->mesh.points).width(), 200.0, 1e-9) << output.file_name;
     ++read;
   }
   EXPECT_GE(read, 6U);
-  const auto pair = io::read_mesh((folder / "mesh.ele").string());
+  const auto pair = io::formats::read_mesh((folder / "mesh.ele").string());
   ASSERT_TRUE(pair.ok()) << to_string(pair.error());
   EXPECT_NEAR(geom::box_of(pair->mesh.points).width(), 200.0, 1e-9);
   std::filesystem::remove_all(folder);

@@ -253,9 +253,10 @@ TEST(Narrow, WhatStraightSidesAskForIsSettledAtOnce) {
   const model::Model model = model_of(coast(400) + meshed("5.0"));
   const domain::Domain& domain = model.domain;
   // The curves as a mesh without narrow places divides them: every side asks, and none is to be looked at again.
-  dobra::mesh::MeshInput divided;
-  dobra::mesh::add_chain(divided, std::get<dobra::geom::Polyline>(domain.curves[0].shape).points,
-                         dobra::mesh::Closure::Closed, {"rim", dobra::mesh::EdgeKind::Boundary});
+  dobra::mesh::delaunay::MeshInput divided;
+  dobra::mesh::delaunay::add_chain(divided, std::get<dobra::geom::Polyline>(domain.curves[0].shape).points,
+                                   dobra::mesh::delaunay::Closure::Closed,
+                                   {"rim", dobra::mesh::delaunay::EdgeKind::Boundary});
   const std::vector<std::uint8_t> keeps(domain.curves.size(), 0);
   const NarrowPlaces places = narrow_places(domain, divided, keeps);
   EXPECT_GT(places.sizes.size(), 20U);
@@ -269,9 +270,9 @@ TEST(Narrow, NoSideOfTheMeshIsLeftMuchLongerThanItsPlaceIsWide) {
   for (const int count : {60, 200, 700}) {
     const model::Model model = model_of(coast(count) + meshed("8.0"));
     const auto& own = model.meshes.back()->mesh;
-    dobra::mesh::MeshInput divided;
+    dobra::mesh::delaunay::MeshInput divided;
     divided.points = own.points;
-    divided.sets.push_back({"rim", dobra::mesh::EdgeKind::Boundary});
+    divided.sets.push_back({"rim", dobra::mesh::delaunay::EdgeKind::Boundary});
     for (const auto& side : own.side_sets.at("rim")) {
       const auto nodes = side_nodes(own, side);
       divided.edges.push_back({{nodes[0], nodes[1]}, 0});

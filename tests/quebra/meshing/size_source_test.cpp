@@ -7,8 +7,8 @@
 #include <filesystem>
 
 #include "quebra/core/layers.h"
-#include "shared/io/mesh_file.h"
-#include "shared/io/vtu.h"
+#include "shared/io/formats/mesh_file.h"
+#include "shared/io/meshes/vtu.h"
 #include "tests/support/quebra_scenarios.h"
 
 namespace quebra::meshing {
@@ -106,7 +106,8 @@ TEST(SizeSource, QUE_4_NoCycleOfALoopHasGreaterSizesThanFormulaAndBackgroundMesh
   EXPECT_LT(agreement(model.meshes.back()->mesh, wanted).first, 1.08);
 
   const auto file = std::filesystem::temp_directory_path() / "dobra_loop_background.msh";
-  ASSERT_TRUE(io::write_mesh(file.string(), model.meshes.front()->mesh, io::InpElement::PlaneStress).ok());
+  ASSERT_TRUE(
+      io::formats::write_mesh(file.string(), model.meshes.front()->mesh, io::meshes::InpElement::PlaneStress).ok());
   const auto again = test::run(loop(1, "background = \"" + file.string() + "\"\n"));
   std::filesystem::remove(file);
   ASSERT_FALSE(test::last(again).meshes.empty());
@@ -138,7 +139,7 @@ class BackgroundMesh : public ::testing::Test {
 };
 
 TEST_F(BackgroundMesh, TheSizesOfItsElementsAreWantedAgain) {
-  ASSERT_TRUE(io::write_mesh(path("b.msh"), mesh_, io::InpElement::PlaneStress).ok());
+  ASSERT_TRUE(io::formats::write_mesh(path("b.msh"), mesh_, io::meshes::InpElement::PlaneStress).ok());
   const auto done = test::run(plate + mesh_step("background = \"" + path("b.msh") + "\"\n"));
   ASSERT_TRUE(done.complete()) << to_string(*done.error);
   const auto& again = test::last(done).meshes.back()->mesh;
@@ -147,13 +148,13 @@ TEST_F(BackgroundMesh, TheSizesOfItsElementsAreWantedAgain) {
 }
 
 TEST_F(BackgroundMesh, AFieldAtItsPointsGivesTheSizes) {
-  io::MeshField h{"h", 1, {}};
-  io::MeshField bad{"bad", 1, {}};
+  io::meshes::MeshField h{"h", 1, {}};
+  io::meshes::MeshField bad{"bad", 1, {}};
   for (const Point p : mesh_.points) {
     h.values.push_back(0.05 + 0.05 * p.y);
     bad.values.push_back(p.y - 2.0);
   }
-  ASSERT_TRUE(io::write_vtu(path("b.vtu"), mesh_, {{h, bad}, {}}).ok());
+  ASSERT_TRUE(io::meshes::write_vtu(path("b.vtu"), mesh_, {{h, bad}, {}}).ok());
   const std::string background = "background = \"" + path("b.vtu") + "\"\n";
   const auto done = test::run(plate + mesh_step(background + "background_field = \"h\"\n"));
   ASSERT_TRUE(done.complete()) << to_string(*done.error);

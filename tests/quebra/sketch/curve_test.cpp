@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "shared/geom/discretise.h"
-#include "shared/mesh/size_field.h"
+#include "shared/mesh/sizing/size_field.h"
 #include "tests/support/quebra_scenarios.h"
 
 namespace quebra::sketch {

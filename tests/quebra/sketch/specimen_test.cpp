@@ -14,7 +14,7 @@
 
 #include "quebra/core/operations.h"
 #include "quebra/model/model.h"
-#include "shared/io/mesh_file.h"
+#include "shared/io/formats/mesh_file.h"
 #include "shared/mesh/order2.h"
 #include "shared/scenario/runner.h"
 
@@ -261,7 +261,7 @@ TEST(SketchFile, AGeoFileGivesRegionsSetsAndSizes) {
   EXPECT_EQ(mesh.node_sets.at("pin").size(), 1U);
   EXPECT_NEAR(mesh::area(mesh), 2.0, 1e-12);
   // The mesh as a domain again: the same boundary, regions and interface.
-  ASSERT_TRUE(io::write_mesh((folder / "a.msh").string(), mesh, io::InpElement::PlaneStress).ok());
+  ASSERT_TRUE(io::formats::write_mesh((folder / "a.msh").string(), mesh, io::meshes::InpElement::PlaneStress).ok());
   const auto again = run("[input]\nfile = \"a.msh\"\n[[step]]\noperation = \"mesh\"\n", folder);
   EXPECT_EQ(again->domain.faces.size(), 2U);
   EXPECT_NEAR(mesh::area(last_mesh(*again)), 2.0, 1e-12);

@@ -8,9 +8,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "recon/core/carry_step.h"
+#include "recon/core/chain.h"
+#include "recon/core/grid_step.h"
 #include "recon/core/operations.h"
 #include "recon/core/report.h"
-#include "tests/recon/core/shapes.h"
+#include "recon/core/restore_step.h"
+#include "recon/core/target_step.h"
+#include "shared/geom/contour.h"
+#include "tests/recon/shapes.h"
 
 namespace recon::core {
 namespace {
@@ -18,48 +24,49 @@ namespace {
 using testing::Contains;
 using testing::HasSubstr;
 
-base::Result<Model> turn(const Model& model, const TargetParams& target, const RestoreParams& restore = {},
-                         const GridParams& grid = {}) {
+base::Result<Model> turn(const Model& model, const unfold::TargetParams& target,
+                         const unfold::RestoreParams& restore = {}, const unfold::GridParams& grid = {}) {
   DOBRA_TRY(const Model with_grid, run_grid(model, grid, {}, {}));
   DOBRA_TRY(const Model with_target, run_target(with_grid, target, {}, {}));
   return run_restore(with_target, restore, {}, {});
 }
 
 /// The section of the input, unrolled to z = 0 and then rolled onto the given line.
-base::Result<Model> there_and_onto(const Section& section, const geom::Polyline& line,
-                                   const RestoreParams& restore = {}) {
+base::Result<Model> there_and_onto(const section::Section& section, const geom::Polyline& line,
+                                   const unfold::RestoreParams& restore = {}) {
   Model model;
   model.section = section;
-  TargetParams flat;
+  unfold::TargetParams flat;
   flat.target_pin = geom::Point{section.horizons.front().line.points.front().x, 0.0};
   flat.pin = section.horizons.front().line.points.front().x;
   DOBRA_TRY(const Model first, turn(model, flat, restore));
-  TargetParams back;
-  back.shape = TargetShape::Line;
+  unfold::TargetParams back;
+  back.shape = unfold::TargetShape::Line;
   back.points = line.points;
   back.pin = first.restoration->section.horizons.front().line.points.front().x;
   back.target_pin = line.points.front();
   return turn(first, back, restore);
 }
 
-Section fold() {
+section::Section fold() {
   const geom::Polyline top = test::cosine();
-  Section section = test::section_of({top, test::parallel(top, 0.3), test::parallel(top, 0.6)});
-  section.lines.push_back({LineId(0), LineKind::Fault, "F", {{{2.0, 0.1}, {2.6, -0.6}}, false}, {}});
-  section.markers.push_back({MarkerId(0), "pick", {{5.0, -0.6}}, {}});
+  section::Section section = test::section_of({top, test::parallel(top, 0.3), test::parallel(top, 0.6)});
+  section.lines.push_back({section::LineId(0), section::LineKind::Fault, "F", {{{2.0, 0.1}, {2.6, -0.6}}, false}, {}});
+  section.markers.push_back({section::MarkerId(0), "pick", {{5.0, -0.6}}, {}});
   return section;
 }
 
 TEST(Chain, FlattenedAndFoldedAgainEverythingIsWhereItWas) {
-  const Section section = fold();
-  for (const RestoreMethod method : {RestoreMethod::Constant, RestoreMethod::Flexural, RestoreMethod::Variable}) {
+  const section::Section section = fold();
+  for (const unfold::RestoreMethod method :
+       {unfold::RestoreMethod::Constant, unfold::RestoreMethod::Flexural, unfold::RestoreMethod::Variable}) {
     SCOPED_TRACE(static_cast<int>(method));
-    RestoreParams restore;
+    unfold::RestoreParams restore;
     restore.method = method;
     const auto model = there_and_onto(section, section.horizons.front().line, restore);
     ASSERT_TRUE(model) << to_string(model.error());
     ASSERT_EQ(model->earlier.size(), 1U);
-    const Section& last = model->restoration->section;
+    const section::Section& last = model->restoration->section;
     ASSERT_EQ(last.horizons.size(), section.horizons.size());
     for (std::size_t h = 0; h < section.horizons.size(); ++h) {
       EXPECT_EQ(last.horizons[h].name, section.horizons[h].name);
@@ -70,7 +77,7 @@ TEST(Chain, FlattenedAndFoldedAgainEverythingIsWhereItWas) {
       EXPECT_LT(geom::distance(last.horizons[h].line.points.back(), section.horizons[h].line.points.back()), 1e-9);
     }
     // Between the beds flexural slip back is another map than its inverse: each bed keeps the length that it then has.
-    const double near = method == RestoreMethod::Flexural ? 1e-4 : 1e-9;
+    const double near = method == unfold::RestoreMethod::Flexural ? 1e-4 : 1e-9;
     EXPECT_LT(geom::distance(last.markers[0].points[0], {5.0, -0.6}), near);
     EXPECT_LT(geom::distance(last.lines[0].line.points[0], {2.0, 0.1}), near);
     const auto chain = restored_stages(*model);
@@ -87,7 +94,7 @@ TEST(Chain, PointsGoThroughTwoRestorationsAsTheClosedFormSays) {
   const geom::Polyline top = test::arc(10.0);
   geom::Polyline wide;
   for (const geom::Point p : top.points) wide.points.push_back({2.0 * p.x, 2.0 * p.y});
-  const Section section = test::section_of({top, test::parallel(top, 1.0), test::parallel(top, 2.0)});
+  const section::Section section = test::section_of({top, test::parallel(top, 1.0), test::parallel(top, 2.0)});
   const auto model = there_and_onto(section, wide);
   ASSERT_TRUE(model) << to_string(model.error());
   const auto chain = restored_stages(*model);
@@ -109,7 +116,7 @@ TEST(Chain, PointsGoThroughTwoRestorationsAsTheClosedFormSays) {
 }
 
 TEST(Chain, LinesAndPolygonsComeBack) {
-  const Section section = fold();
+  const section::Section section = fold();
   const auto model = there_and_onto(section, test::arc(20.0));
   ASSERT_TRUE(model) << to_string(model.error());
   const auto chain = restored_stages(*model);
@@ -122,7 +129,7 @@ TEST(Chain, LinesAndPolygonsComeBack) {
 }
 
 TEST(Chain, TheLedgerComparesAnyTwoStates) {
-  const Section section = fold();
+  const section::Section section = fold();
   const auto model = there_and_onto(section, section.horizons.front().line);
   ASSERT_TRUE(model) << to_string(model.error());
   const auto chain = restored_stages(*model);
@@ -144,8 +151,8 @@ TEST(Chain, ATargetOrRestorationAfterARestorationDoesTheSameStageAgain) {
   model.section = fold();
   const auto first = turn(model, {});
   ASSERT_TRUE(first) << to_string(first.error());
-  RestoreParams flexural;
-  flexural.method = RestoreMethod::Flexural;
+  unfold::RestoreParams flexural;
+  flexural.method = unfold::RestoreMethod::Flexural;
   const auto again = run_restore(*first, flexural, {}, {});
   ASSERT_TRUE(again) << to_string(again.error());
   EXPECT_TRUE(again->earlier.empty());
@@ -160,8 +167,8 @@ TEST(Chain, AGridFromTheInputBeginsAnew) {
   model.section = fold();
   const auto first = turn(model, {});
   ASSERT_TRUE(first) << to_string(first.error());
-  GridParams from_input;
-  from_input.from = GridFrom::Input;
+  unfold::GridParams from_input;
+  from_input.from = unfold::GridFrom::Input;
   const auto second = turn(*first, {}, {}, from_input);
   ASSERT_TRUE(second) << to_string(second.error());
   EXPECT_TRUE(second->earlier.empty());
@@ -175,16 +182,16 @@ TEST(Chain, AGridFromTheInputBeginsAnew) {
 TEST(Chain, TheSectionOfTheNextStageHasItsBedsFromLeftToRightWhateverTheTarget) {
   Model model;
   model.section = fold();
-  TargetParams reversed;
-  reversed.shape = TargetShape::Line;
-  reversed.direction = TargetDirection::AsGiven;
+  unfold::TargetParams reversed;
+  reversed.shape = unfold::TargetShape::Line;
+  reversed.direction = unfold::TargetDirection::AsGiven;
   reversed.points = {{30.0, 5.0}, {0.0, 5.0}};
   reversed.target_pin = geom::Point{20.0, 5.0};
   const auto first = turn(model, reversed);
   ASSERT_TRUE(first) << to_string(first.error());
   const auto next = run_grid(*first, {}, {}, {});
   ASSERT_TRUE(next) << to_string(next.error());
-  for (const Horizon& horizon : next->section.horizons)
+  for (const section::Horizon& horizon : next->section.horizons)
     EXPECT_LT(horizon.line.points.front().x, horizon.line.points.back().x);
 }
 
@@ -192,8 +199,8 @@ TEST(Chain, AHorizonThatCrossesItselfAfterARestorationIsRefusedWithItsPlace) {
   Model model;
   const geom::Polyline top{{{0, 0}, {10, 0}}, false};
   model.section = test::section_of({top, {{{0, -4}, {10, -4}}, false}});
-  TargetParams cusp;  // a target whose parallel at depth 4 turns back on itself
-  cusp.shape = TargetShape::Line;
+  unfold::TargetParams cusp;  // a target whose parallel at depth 4 turns back on itself
+  cusp.shape = unfold::TargetShape::Line;
   for (int i = 0; i <= 20; ++i) {
     const double a = std::numbers::pi * (1.0 + i / 20.0);
     cusp.points.push_back({3.2 * std::cos(a), 3.2 * std::sin(a)});
@@ -210,8 +217,8 @@ TEST(Chain, AHorizonThatCrossesItselfAfterARestorationIsRefusedWithItsPlace) {
   ASSERT_FALSE(next);
   EXPECT_THAT(next.error().message, HasSubstr("crosses itself after the restoration"));
   EXPECT_THAT(to_string(next.error()), HasSubstr("bed1"));
-  GridParams from_input;
-  from_input.from = GridFrom::Input;
+  unfold::GridParams from_input;
+  from_input.from = unfold::GridFrom::Input;
   EXPECT_TRUE(run_grid(stage, from_input, {}, {}));
 }
 
@@ -224,8 +231,8 @@ TEST(Chain, WhatIsCarriedIsListedAndDoubtIsTold) {
   carry.points = {{3.0, 0.5}, {9.0, 0.4}};
   const auto lines = run_carry(*first, carry, {}, {});
   ASSERT_TRUE(lines) << to_string(lines.error());
-  ASSERT_EQ(lines->carried.at(0).lines.size(), 1U);
-  EXPECT_TRUE(lines->carried.at(0).remarks.empty());
+  ASSERT_EQ(lines->findings.all<CarriedLines>().at(0)->lines.size(), 1U);
+  EXPECT_TRUE(lines->findings.all<CarriedLines>().at(0)->remarks.empty());
   carry.points = {{2.0 * std::numbers::pi, -50.0}};  // far below the centres of the synclines
   const auto point = run_carry(*first, carry, {}, {});
   ASSERT_TRUE(point) << to_string(point.error());
@@ -240,15 +247,15 @@ TEST(Chain, WhatIsCarriedIsListedAndDoubtIsTold) {
 }
 
 TEST(Chain, PolygonsGoAlong) {
-  Section section = fold();
+  section::Section section = fold();
   const geom::Polyline upper = section.horizons[0].line;
   const geom::Polyline lower = section.horizons[1].line;
-  section.units.push_back({UnitId(0), "U", contour_between(upper, lower), {}});
-  section.units.push_back({UnitId(1), "box", {{{3.0, 0.5}, {3.3, 0.5}, {3.3, 0.7}, {3.0, 0.7}}, true}, {}});
+  section.units.push_back({section::UnitId(0), "U", contour_between(upper, lower), {}});
+  section.units.push_back({section::UnitId(1), "box", {{{3.0, 0.5}, {3.3, 0.5}, {3.3, 0.7}, {3.0, 0.7}}, true}, {}});
   const double area = geom::signed_area(section.units[1].contour);
   const auto model = there_and_onto(section, section.horizons.front().line);
   ASSERT_TRUE(model) << to_string(model.error());
-  const Section& last = model->restoration->section;
+  const section::Section& last = model->restoration->section;
   ASSERT_EQ(last.units.size(), 2U);
   for (const geom::Point p : {geom::Point{3.0, 0.5}, geom::Point{3.3, 0.7}})
     EXPECT_LT(geom::distance(last.units[1].contour, p), 1e-9);
@@ -265,29 +272,30 @@ TEST(Chain, EveryCarryIsKeptUntilItsStateIsRestoredAnew) {
   one.as = CarryAs::Points;
   const auto once = run_carry(*first, one, {}, {});
   ASSERT_TRUE(once) << to_string(once.error());
-  EXPECT_EQ(once->carried.at(0).lines.size(), 2U);
+  EXPECT_EQ(once->findings.all<CarriedLines>().at(0)->lines.size(), 2U);
   const auto twice = run_carry(*once, one, {}, {});
   ASSERT_TRUE(twice);
-  EXPECT_EQ(twice->carried.size(), 2U);
+  EXPECT_EQ(twice->findings.all<CarriedLines>().size(), 2U);
   const auto second = turn(*twice, {});
   ASSERT_TRUE(second) << to_string(second.error());
-  EXPECT_EQ(second->carried.size(), 2U);
+  EXPECT_EQ(second->findings.all<CarriedLines>().size(), 2U);
   const auto third = run_carry(*second, one, {}, {});
   ASSERT_TRUE(third);
-  EXPECT_EQ(third->carried.size(), 3U);
+  EXPECT_EQ(third->findings.all<CarriedLines>().size(), 3U);
   const auto again = run_restore(*third, {}, {}, {});
   ASSERT_TRUE(again);
-  EXPECT_EQ(again->carried.size(), 2U);  // the third went to the state that is new now
-  EXPECT_EQ(run_restore(*once, {}, {}, {})->carried.size(), 0U);
+  EXPECT_EQ(again->findings.all<CarriedLines>().size(), 2U);  // the third went to the state that is new now
+  EXPECT_EQ(run_restore(*once, {}, {}, {})->findings.all<CarriedLines>().size(), 0U);
   one.points = {{-400.0, 0.0}};
-  EXPECT_THAT(run_carry(*first, one, {}, {})->carried.at(0).remarks, Contains(HasSubstr("outside the section")));
+  EXPECT_THAT(run_carry(*first, one, {}, {})->findings.all<CarriedLines>().at(0)->remarks,
+              Contains(HasSubstr("outside the section")));
 }
 
 /// Each stage keeps within the tolerance what the chain as a whole does not.
 TEST(Chain, TheVerdictSinceTheInputIsNoWhereTheStagesAddUp) {
   Model model;
   model.section = fold();
-  RestoreParams part;  // constant thickness, which changes bed2 by 0.39 % on the whole way
+  unfold::RestoreParams part;  // constant thickness, which changes bed2 by 0.39 % on the whole way
   part.tolerance = 0.3;
   part.percent = 50.0;
   const auto half = turn(model, {}, part);
@@ -295,7 +303,7 @@ TEST(Chain, TheVerdictSinceTheInputIsNoWhereTheStagesAddUp) {
   part.percent = 100.0;
   const auto whole = turn(*half, {}, part);
   ASSERT_TRUE(whole) << to_string(whole.error());
-  EXPECT_EQ(half->restoration->balance.verdict, BalanceVerdict::Balanced);
+  EXPECT_EQ(half->restoration->balance.verdict, balance::BalanceVerdict::Balanced);
   const auto chain = restored_stages(*whole);
   const Comparison all = compare(chain, 0, 2);
   const ChainVerdict verdict = judge(all, 0.3);
@@ -310,7 +318,7 @@ TEST(Chain, TheVerdictSinceTheInputIsNoWhereTheStagesAddUp) {
 }
 
 TEST(Chain, TablesOfTheSecondStageTellWhatChangedSinceTheInput) {
-  const Section section = fold();
+  const section::Section section = fold();
   const auto model = there_and_onto(section, section.horizons.front().line);
   ASSERT_TRUE(model) << to_string(model.error());
   std::vector<std::string> names;

@@ -10,6 +10,7 @@
 #include <map>
 #include <sstream>
 
+#include "recon/core/model.h"
 #include "recon/core/operations.h"
 #include "shared/scenario/runner.h"
 
@@ -74,7 +75,7 @@ TEST(RealSections, RaganIsogonFoldIsRestoredToADatum) {
   const scenario::Run run = expect_met(*document);
   ASSERT_TRUE(run.complete());
   const auto& model = scenario::model_of<Model>(run.states.back());
-  for (const MappedLine& line : model.restoration->lines) {
+  for (const maps::MappedLine& line : model.restoration->lines) {
     for (std::size_t i = 0; i < line.names.size(); ++i) {
       EXPECT_NEAR(model.target->target_pin.y - line.after.points[i].y, line.names[i].depth, 1e-9);
     }
@@ -109,7 +110,7 @@ TEST(RealSections, ASimplifiedTopTearsTheCatskillBedsLess) {
 void expect_lengths_kept(const scenario::Run& run) {
   ASSERT_TRUE(run.complete()) << to_string(*run.error);
   const auto& model = scenario::model_of<Model>(run.states.back());
-  for (const LineLength& row : model.restoration->lengths)
+  for (const balance::LineLength& row : model.restoration->lengths)
     EXPECT_NEAR(row.length_after, row.length_before, 1e-9 * row.length_before) << row.name;
 }
 

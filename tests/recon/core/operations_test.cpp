@@ -7,7 +7,7 @@
 #include <set>
 
 #include "shared/scenario/runner.h"
-#include "tests/recon/core/shapes.h"
+#include "tests/recon/shapes.h"
 
 namespace recon::core {
 namespace {

@@ -97,26 +97,27 @@ TEST_F(ConvertCommand, ATableOfColoursIsTakenForPicturesAndItsFaultsAreTold) {
 }
 
 TEST_F(ConvertCommand, PicturesGiveEachUnitItsColourAndPiecesOneEntry) {
-  io::LineWork work;
-  const auto add = [&](const std::string& name, io::FeatureType type, const std::string& kind) -> io::Feature& {
+  io::formats::LineWork work;
+  const auto add = [&](const std::string& name, io::lines::FeatureType type,
+                       const std::string& kind) -> io::lines::Feature& {
     const double x = 100.0 * static_cast<double>(work.features.size());
-    io::Feature feature;
+    io::lines::Feature feature;
     feature.type = type;
     feature.name = name;
     feature.kind = kind;
-    const bool area = type == io::FeatureType::Polygons;
+    const bool area = type == io::lines::FeatureType::Polygons;
     feature.parts = {{{{x, 0.0}, {x + 90.0, 0.0}, {x + 90.0, 50.0}}, area}};
     return work.features.emplace_back(feature);
   };
   for (int i = 0; i < 31; ++i) {
     for (const char* const piece : {"_1", "_2"})
-      add("K" + std::to_string(i) + "p" + piece, io::FeatureType::Polygons, "");
+      add("K" + std::to_string(i) + "p" + piece, io::lines::FeatureType::Polygons, "");
   }
   for (int i = 0; i < 9; ++i) {
-    add("bed" + std::to_string(i), io::FeatureType::Lines, i % 2 == 0 ? "horizon" : "");
-    add("F" + std::to_string(i), io::FeatureType::Lines, "fault");
+    add("bed" + std::to_string(i), io::lines::FeatureType::Lines, i % 2 == 0 ? "horizon" : "");
+    add("F" + std::to_string(i), io::lines::FeatureType::Lines, "fault");
   }
-  add("anything", io::FeatureType::Polygons, "").properties = {{"unit", std::string("K3p")}};
+  add("anything", io::lines::FeatureType::Polygons, "").properties = {{"unit", std::string("K3p")}};
   const scene::Picture picture = line_picture(work);
   std::set<std::string> fills;
   std::set<std::string> beds;
@@ -139,7 +140,7 @@ TEST_F(ConvertCommand, PicturesGiveEachUnitItsColourAndPiecesOneEntry) {
   EXPECT_EQ(pieces["K3p"], 3U);  // with the one that says so itself
   EXPECT_EQ(pieces["K4p"], 2U);
   EXPECT_EQ(picture.panels[0].left_end, "");
-  work.trace = io::Trace{.x = 0.0, .y = 0.0, .east = 0.0, .north = 1.0};
+  work.trace = io::lines::Trace{.x = 0.0, .y = 0.0, .east = 0.0, .north = 1.0};
   EXPECT_EQ(line_picture(work).panels[0].left_end, "S");
   EXPECT_EQ(line_picture(work).panels[0].right_end, "N");
 }

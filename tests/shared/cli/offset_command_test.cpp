@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "shared/cli/offset_report.h"
-#include "shared/io/curves.h"
 #include "shared/io/file.h"
-#include "shared/io/geojson.h"
-#include "shared/io/wkt.h"
+#include "shared/io/formats/curves.h"
+#include "shared/io/gis/geojson.h"
+#include "shared/io/lines/wkt.h"
 #include "tests/support/command_line.h"
 #include "tests/support/fake_program.h"
 
@@ -201,14 +201,14 @@ TEST_F(OffsetCommand, ExchangeFilesReadBackAsTheSameCurves) {
   };
   for (const char* name : {"a.geojson", "a.wkt", "a.csv"}) {
     write(name);
-    const auto read = io::read_curves(path(name));
+    const auto read = io::formats::read_curves(path(name));
     ASSERT_TRUE(read.ok()) << base::to_string(read.error());
     ASSERT_EQ(read->curves.size(), 2U) << name;  // nothing remains at 7
     EXPECT_TRUE(read->curves[0].line.closed);
     EXPECT_NEAR(geom::signed_area(read->curves[0].line), 64.0, 1e-12) << name;
     EXPECT_NEAR(geom::signed_area(read->curves[1].line), 36.0, 1e-12) << name;
   }
-  const auto features = io::read_geojson(path("a.geojson"));
+  const auto features = io::gis::read_geojson(path("a.geojson"));
   EXPECT_EQ(features->features[0].name, "curve 1 at 1.0");
   EXPECT_EQ(features->features[0].kind, "offset");
 }
@@ -216,7 +216,7 @@ TEST_F(OffsetCommand, ExchangeFilesReadBackAsTheSameCurves) {
 TEST_F(OffsetCommand, OpenCurvesAreWrittenAsLinesInTheirOrder) {
   for (const char* name : {"b.geojson", "b.wkt", "b.csv"}) {
     ASSERT_EQ(call({corner(), "--distance", "1", "--out", path(name), "--quiet"}).out, "");
-    const auto read = io::read_curves(path(name));
+    const auto read = io::formats::read_curves(path(name));
     ASSERT_TRUE(read.ok()) << base::to_string(read.error());
     ASSERT_EQ(read->curves.size(), 1U) << name;
     EXPECT_EQ(read->curves[0].line.points, (std::vector<Point>{{0, -1}, {5, -1}, {5, 4}})) << name;
@@ -294,10 +294,10 @@ TEST_F(OffsetCommand, OFF_c_APolygonWithHolesStaysOnePolygonWithHoles) {
   for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(curves[k]["area"].get<double>(), areas[k], 1e-9);
   EXPECT_EQ(curves[0]["pieces"].size(), 2U);
   EXPECT_EQ(curves[2]["pieces"].size(), 1U);
-  const auto read = io::read_wkt(path("h.wkt"));
+  const auto read = io::lines::read_wkt(path("h.wkt"));
   ASSERT_TRUE(read.ok());
   ASSERT_EQ(read->features.size(), 3U);
-  EXPECT_EQ(io::polygons_of(read->features[0]), (std::vector<std::pair<std::size_t, std::size_t>>{{0, 2}}));
+  EXPECT_EQ(io::lines::polygons_of(read->features[0]), (std::vector<std::pair<std::size_t, std::size_t>>{{0, 2}}));
   // The left side is the same as a distance below 0.
   const Json left = json({holed, "--distance", "1", "--side", "left"})["curves"][0];
   EXPECT_EQ(left["pieces"], curves[1]["pieces"]);
@@ -421,10 +421,10 @@ TEST_F(OffsetCommand, IdAttributesAndReferenceSystemAreKept) {
     const test::Outcome outcome = call({file, "--distance", "1", "--out", path(name)});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.err.find("owner_surname") != std::string::npos, std::string(name) == "k.shp") << outcome.err;
-    const auto read = io::read_any_lines(path(name));
+    const auto read = io::formats::read_any_lines(path(name));
     ASSERT_TRUE(read.ok()) << base::to_string(read.error());
     ASSERT_EQ(read->features.size(), 1U);
-    const io::Feature& kept = read->features[0];
+    const io::lines::Feature& kept = read->features[0];
     EXPECT_NEAR(geom::signed_area(kept.parts[0]), 36, 1e-9);
     ASSERT_TRUE(read->system) << name;
     EXPECT_EQ(read->system->code, "EPSG:31983") << name;
@@ -434,7 +434,7 @@ TEST_F(OffsetCommand, IdAttributesAndReferenceSystemAreKept) {
         if (known == key) return kept_value;
       }
       ADD_FAILURE() << name << ": no " << key;
-      return io::PropertyValue{};
+      return io::lines::PropertyValue{};
     };
     EXPECT_EQ(std::get<std::string>(value("owner_surname")), "Reis");
     EXPECT_EQ(std::get<std::int64_t>(value("id")), 7);
@@ -445,7 +445,7 @@ TEST_F(OffsetCommand, IdAttributesAndReferenceSystemAreKept) {
   EXPECT_NE(lost.err.find("the reference system (SIRGAS 2000 / UTM zone 23S) is not kept in .dxf"), std::string::npos)
       << lost.err;
   EXPECT_EQ(lost.code, 0);
-  const auto drawing = io::read_any_lines(path("k.dxf"));
+  const auto drawing = io::formats::read_any_lines(path("k.dxf"));
   ASSERT_TRUE(drawing.ok());
   EXPECT_NEAR(std::abs(geom::signed_area(drawing->features[0].parts[0])), 36, 1e-9);
 }
@@ -492,10 +492,10 @@ TEST_F(OffsetCommand, AHoleBetweenArmsIsAHoleOfThePolygon) {
       json({ring, "--closed", "--distance", "0.6", "--join", "bisector", "--out", path("ring.wkt")})["curves"][0];
   EXPECT_EQ(curve["pieces"].size(), 2U);
   EXPECT_NEAR(curve["area"].get<double>(), outer - hole, 0.5);
-  const auto read = io::read_wkt(path("ring.wkt"));
+  const auto read = io::lines::read_wkt(path("ring.wkt"));
   ASSERT_TRUE(read.ok()) << base::to_string(read.error());
   ASSERT_EQ(read->features.size(), 1U);
-  EXPECT_EQ(io::polygons_of(read->features[0]), (std::vector<std::pair<std::size_t, std::size_t>>{{0, 2}}));
+  EXPECT_EQ(io::lines::polygons_of(read->features[0]), (std::vector<std::pair<std::size_t, std::size_t>>{{0, 2}}));
   EXPECT_NEAR(geom::signed_area(read->features[0].parts[0]) + geom::signed_area(read->features[0].parts[1]),
               curve["area"].get<double>(), 1e-9);
 }

@@ -5,8 +5,8 @@
 
 #include "shared/base/angle.h"
 #include "shared/base/parallel.h"
-#include "shared/fem/exact_fields.h"
-#include "shared/fem/recover.h"
+#include "shared/fem/error/exact_fields.h"
+#include "shared/fem/error/recover.h"
 #include "shared/fem/stress.h"
 #include "tests/support/fem_meshes.h"
 
@@ -81,7 +81,7 @@ TEST(Solve, TractionsGiveTheSameLinearFieldUpToRounding) {
 Problem kirsch_problem(const Material& material) {
   Problem problem{.materials = {{0, material}},
                   .supports = {{.where = "bottom", .normal = 0.0}, {.where = "top", .x = 0.0}}};
-  problem.cases[0].sides = {{"right", traction_of([](Point p) { return kirsch_stress(p); })}};
+  problem.cases[0].sides = {{"right", traction_of([](Point p) { return error::kirsch_stress(p); })}};
   return problem;
 }
 
@@ -109,7 +109,7 @@ Problem l_problem() {
   Problem problem{.materials = {{0, {.young = 1.0, .poisson = 0.3, .state = PlaneState::Strain}}},
                   .supports = {{.where = "origin", .x = 0.0, .y = 0.0}, {.where = "far", .x = 0.0}}};
   const base::Angle bisector = base::Angle::from_degrees(135.0);
-  problem.cases[0].sides = {{"loaded", traction_of([=](Point p) { return l_corner_stress(p, bisector); })}};
+  problem.cases[0].sides = {{"loaded", traction_of([=](Point p) { return error::l_corner_stress(p, bisector); })}};
   return problem;
 }
 
@@ -250,8 +250,8 @@ BoreErrors at_the_bore(ElementType type, int n, double poisson) {
                   .supports = {{.where = "bottom", .y = 0.0}, {.where = "top", .x = 0.0}}};
   problem.cases[0].sides = {{"left", pressure(1.0)}};
   const Solution solution = solved(mesh, problem);
-  const auto stresses =
-      nodal_mean(mesh, recover_stress(mesh, problem.materials, solution.cases[0].displacements).at_element_nodes);
+  const auto stresses = error::nodal_mean(
+      mesh, error::recover_stress(mesh, problem.materials, solution.cases[0].displacements).at_element_nodes);
   BoreErrors errors;
   for (std::size_t i = 0; i < mesh.points.size(); ++i) {
     const Vector e{mesh.points[i].x, mesh.points[i].y};

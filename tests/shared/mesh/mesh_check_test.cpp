@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "shared/mesh/delaunay.h"
+#include "shared/mesh/delaunay/delaunay.h"
 #include "tests/shared/mesh/mesh_shapes.h"
 
 namespace dobra::mesh {
@@ -28,9 +28,9 @@ TEST(MeshCheck, ATriangleHasOneLoopAndNoHole) {
 }
 
 TEST(MeshCheck, AFrameHasOneHole) {
-  MeshInput input = test::square(3.0, 3);
-  add_chain(input, {{1, 1}, {2, 1}, {2, 2}, {1, 2}}, Closure::Closed, {"hole", EdgeKind::Boundary});
-  const TriangleMesh mesh = constrained_delaunay(input, Outside::Remove).value().mesh;
+  delaunay::MeshInput input = test::square(3.0, 3);
+  add_chain(input, {{1, 1}, {2, 1}, {2, 2}, {1, 2}}, delaunay::Closure::Closed, {"hole", delaunay::EdgeKind::Boundary});
+  const TriangleMesh mesh = constrained_delaunay(input, delaunay::Outside::Remove).value().mesh;
   EXPECT_TRUE(check(mesh));
   EXPECT_EQ(topology_of(mesh).holes(), 1U);
   EXPECT_DOUBLE_EQ(area(mesh), 8.0);

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "shared/mesh/fill_engine.h"
-#include "shared/mesh/mesh_input.h"
+#include "shared/mesh/delaunay/mesh_input.h"
+#include "shared/mesh/front/fill_engine.h"
 #include "tests/support/corpus.h"
 
 namespace dobra::mesh::test {
@@ -28,15 +28,15 @@ inline std::vector<Point> random_points(std::size_t count, std::uint64_t seed) {
   return points;
 }
 
-inline MeshInput square(double side, int segments) {
+inline delaunay::MeshInput square(double side, int segments) {
   std::vector<Point> loop;
   const std::vector<Point> corner{{0, 0}, {side, 0}, {side, side}, {0, side}};
   for (std::size_t k = 0; k < 4; ++k) {
     for (int i = 0; i < segments; ++i)
       loop.push_back(geom::interpolate(corner[k], corner[(k + 1) % 4], double(i) / segments));
   }
-  MeshInput input;
-  add_chain(input, loop, Closure::Closed, {"outer", EdgeKind::Boundary});
+  delaunay::MeshInput input;
+  add_chain(input, loop, delaunay::Closure::Closed, {"outer", delaunay::EdgeKind::Boundary});
   return input;
 }
 
@@ -68,22 +68,23 @@ struct Ring {
 };
 
 /// [0,5]^2 minus the disc of radius 1; `axis`: nodes on both axes; `outer`: segments of the two outer sides.
-inline MeshInput quarter_plate(const std::vector<double>& axis, int hole, int outer, const std::vector<Ring>& rings) {
+inline delaunay::MeshInput quarter_plate(const std::vector<double>& axis, int hole, int outer,
+                                         const std::vector<Ring>& rings) {
   std::vector<Point> bottom, left, right, top;
   for (const double a : axis) bottom.push_back({a, 0.0});
   for (auto a = axis.rbegin(); a != axis.rend(); ++a) left.push_back({0.0, *a});
   for (int i = 0; i <= outer; ++i) right.push_back({5.0, 5.0 * i / outer});
   for (int i = 0; i <= outer; ++i) top.push_back({5.0 - 5.0 * i / outer, 5.0});
   std::vector<Point> arc = quarter_arc(1.0, hole);
-  MeshInput input;
-  add_chain(input, bottom, Closure::Open, {"bottom", EdgeKind::Boundary});
-  add_chain(input, right, Closure::Open, {"right", EdgeKind::Boundary});
-  add_chain(input, top, Closure::Open, {"top", EdgeKind::Boundary});
-  add_chain(input, left, Closure::Open, {"left", EdgeKind::Boundary});
-  add_chain(input, {arc.rbegin(), arc.rend()}, Closure::Open, {"hole", EdgeKind::Boundary});
+  delaunay::MeshInput input;
+  add_chain(input, bottom, delaunay::Closure::Open, {"bottom", delaunay::EdgeKind::Boundary});
+  add_chain(input, right, delaunay::Closure::Open, {"right", delaunay::EdgeKind::Boundary});
+  add_chain(input, top, delaunay::Closure::Open, {"top", delaunay::EdgeKind::Boundary});
+  add_chain(input, left, delaunay::Closure::Open, {"left", delaunay::EdgeKind::Boundary});
+  add_chain(input, {arc.rbegin(), arc.rend()}, delaunay::Closure::Open, {"hole", delaunay::EdgeKind::Boundary});
   for (std::size_t k = 0; k < rings.size(); ++k) {
-    add_chain(input, quarter_arc(rings[k].radius, rings[k].segments), Closure::Open,
-              {"constraint " + std::to_string(k + 1), EdgeKind::Constraint});
+    add_chain(input, quarter_arc(rings[k].radius, rings[k].segments), delaunay::Closure::Open,
+              {"constraint " + std::to_string(k + 1), delaunay::EdgeKind::Constraint});
   }
   return input;
 }
@@ -92,11 +93,11 @@ inline MeshInput quarter_plate(const std::vector<double>& axis, int hole, int ou
 inline double quarter_plate_area(int hole) { return 25.0 - 0.5 * hole * std::sin(0.5 * std::numbers::pi / hole); }
 
 /// Quarter plate: hole arc of 24 segments, five on each outer side and on each axis.
-inline MeshInput que_d() { return quarter_plate(graded(1.0, 5.0, 5, 1.0), 24, 5, {}); }
+inline delaunay::MeshInput que_d() { return quarter_plate(graded(1.0, 5.0, 5, 1.0), 24, 5, {}); }
 
 /// The same with the six constraints d0 = 0.065, f = 1.3, whose nodes stand at the local ring spacing: the mean of the
 /// gaps on both sides. Beyond the last constraint the axes have five segments.
-inline MeshInput que_e() {
+inline delaunay::MeshInput que_e() {
   std::vector<double> axis{1.0};
   std::vector<Ring> rings;
   double gap = 0.065;
@@ -113,9 +114,9 @@ inline MeshInput que_e() {
 /// [0,10]^2 minus the disc of radius 1, with sides as long as `size(distance from the hole)` asks: one boundary set,
 /// anticlockwise. For benchmarks: linear in the number of points.
 template <class Size>
-MeshInput large_plate(const Size& size) {
-  MeshInput input;
-  input.sets.push_back({"outline", EdgeKind::Boundary});
+delaunay::MeshInput large_plate(const Size& size) {
+  delaunay::MeshInput input;
+  input.sets.push_back({"outline", delaunay::EdgeKind::Boundary});
   // Points from `from` up to, but without, `to`, spaced by the size there, stretched to end exactly.
   const auto line = [&](Point from, Point to) {
     const double length = geom::distance(from, to);
@@ -147,14 +148,14 @@ MeshInput large_plate(const Size& size) {
 }
 
 /// About `triangles` of one size.
-inline MeshInput uniform_plate(double triangles) {
+inline delaunay::MeshInput uniform_plate(double triangles) {
   const double size = std::sqrt((100.0 - 0.25 * std::numbers::pi) * 4.0 / std::numbers::sqrt3 / triangles);
   return large_plate([size](double) { return size; });
 }
 
 /// A thousand times as large in the far corner as on the hole, linear in between; and the growth that makes it so.
 struct GradedPlate {
-  MeshInput input;
+  delaunay::MeshInput input;
   double growth = 0.0;
 };
 inline GradedPlate graded_plate(double triangles) {
@@ -181,13 +182,13 @@ inline std::filesystem::path contours_folder() {
 }
 
 /// cdt_*.txt ("points edges", points, index pairs) or a *.dat outline, as one boundary set.
-inline MeshInput read_contour(const std::filesystem::path& file) {
+inline delaunay::MeshInput read_contour(const std::filesystem::path& file) {
   std::ifstream in(file);
-  MeshInput input;
+  delaunay::MeshInput input;
   if (file.extension() == ".dat") {
     std::vector<Point> loop;
     for (Point p; in >> p.x >> p.y;) loop.push_back(p);
-    add_chain(input, loop, Closure::Closed, {"outline", EdgeKind::Boundary});
+    add_chain(input, loop, delaunay::Closure::Closed, {"outline", delaunay::EdgeKind::Boundary});
     return input;
   }
   std::size_t points = 0;
@@ -195,7 +196,7 @@ inline MeshInput read_contour(const std::filesystem::path& file) {
   in >> points >> edges;
   input.points.resize(points);
   for (Point& p : input.points) in >> p.x >> p.y;
-  input.sets.push_back({"outline", EdgeKind::Boundary});
+  input.sets.push_back({"outline", delaunay::EdgeKind::Boundary});
   for (std::size_t i = 0; i < edges; ++i) {
     std::size_t a = 0;
     std::size_t b = 0;
@@ -206,10 +207,10 @@ inline MeshInput read_contour(const std::filesystem::path& file) {
 }
 
 /// `input` with its edges cut into pieces no longer than `size`.
-inline MeshInput divided(const MeshInput& input, double size) {
-  MeshInput result = input;
+inline delaunay::MeshInput divided(const delaunay::MeshInput& input, double size) {
+  delaunay::MeshInput result = input;
   result.edges.clear();
-  for (const InputEdge& edge : input.edges) {
+  for (const delaunay::InputEdge& edge : input.edges) {
     const Point a = input.points[edge.nodes[0].index()];
     const Point b = input.points[edge.nodes[1].index()];
     const int pieces = std::max(1, static_cast<int>(std::ceil(geom::distance(a, b) / size)));
@@ -224,7 +225,7 @@ inline MeshInput divided(const MeshInput& input, double size) {
   return result;
 }
 
-inline base::Result<void> run_to_end(FillEngine& engine, const base::Progress& progress = {}) {
+inline base::Result<void> run_to_end(front::FillEngine& engine, const base::Progress& progress = {}) {
   while (!engine.done()) DOBRA_TRY_VOID(engine.step(1000, progress));
   return {};
 }

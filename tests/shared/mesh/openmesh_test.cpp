@@ -2,16 +2,16 @@
 
 #include <gtest/gtest.h>
 
-#include "shared/mesh/triangulate.h"
+#include "shared/mesh/front/triangulate.h"
 #include "tests/shared/mesh/mesh_shapes.h"
 
 namespace dobra::mesh {
 namespace {
 
 TEST(OpenMeshConversion, ThereAndBackGivesTheSamePointsTrianglesAndRegions) {
-  MeshInput input = test::que_d();
+  delaunay::MeshInput input = test::que_d();
   input.regions.push_back({{3, 3}, 7});
-  TriangleMesh mesh = triangulate(input).value();
+  TriangleMesh mesh = front::triangulate(input).value();
   const OpenMeshTriangles there = to_openmesh(mesh).value();
   EXPECT_EQ(there.n_faces(), mesh.triangles.size());
   EXPECT_EQ(there.n_vertices(), mesh.points.size());

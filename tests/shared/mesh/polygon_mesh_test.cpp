@@ -113,16 +113,16 @@ TEST(PolygonMesh, CornersThatDoNotExistFinsAndMoebiusBandsAreNamed) {
 }
 
 TEST(PolygonMesh, PM_b_NewellsNormalDoesNotDependOnTheCorner) {
-  const std::array<Point3, 4> square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}};
-  EXPECT_EQ(newell_area(square), (Point3{0, 0, 1}));
+  const std::array<geom::Point3, 4> square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}};
+  EXPECT_EQ(newell_area(square), (geom::Point3{0, 0, 1}));
 
   // At the reflex corner (1, 1) the two sides turn the other way: their cross product has z = -8.
-  const std::array<Point3, 4> arrow{{{0, 0, 1}, {4, 0, 1}, {1, 1, 1}, {0, 4, 1}}};
+  const std::array<geom::Point3, 4> arrow{{{0, 0, 1}, {4, 0, 1}, {1, 1, 1}, {0, 4, 1}}};
   EXPECT_EQ((1.0 - 4.0) * (4.0 - 1.0) - (1.0 - 0.0) * (0.0 - 1.0), -8.0);
-  EXPECT_EQ(newell_area(arrow), (Point3{0, 0, 4}));
+  EXPECT_EQ(newell_area(arrow), (geom::Point3{0, 0, 4}));
 
-  const std::array<Point3, 4> warped{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0.1}, {0, 1, 0}}};
-  const Point3 normal = newell_area(warped);
+  const std::array<geom::Point3, 4> warped{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0.1}, {0, 1, 0}}};
+  const geom::Point3 normal = newell_area(warped);
   EXPECT_NEAR(normal.x, -0.05, 1e-15);
   EXPECT_NEAR(normal.y, -0.05, 1e-15);
   EXPECT_NEAR(normal.z, 1.0, 1e-15);
@@ -132,7 +132,7 @@ TEST(PolygonMesh, PM_b_NewellsNormalDoesNotDependOnTheCorner) {
 }
 
 TEST(PolygonMesh, PolygonWithoutAreaHasNoPlane) {
-  const std::array<Point3, 3> line{{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}};
+  const std::array<geom::Point3, 3> line{{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}};
   EXPECT_THAT(distances_from_mean_plane(line), IsEmpty());
 }
 

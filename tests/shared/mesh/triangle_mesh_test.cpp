@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "shared/mesh/delaunay.h"
+#include "shared/mesh/delaunay/delaunay.h"
 #include "tests/shared/mesh/mesh_shapes.h"
 
 namespace dobra::mesh {
@@ -47,10 +47,10 @@ TEST(TriangleMesh, StarsListEachTriangleAtItsThreeNodes) {
 }
 
 TEST(TriangleMesh, NodesOfTheBoundaryAndOfSetsAreFixed) {
-  MeshInput input = test::square(1.0, 1);
+  delaunay::MeshInput input = test::square(1.0, 1);
   input.points.push_back({0.4, 0.5});
   input.points.push_back({0.6, 0.5});
-  TriangleMesh mesh = constrained_delaunay(input, Outside::Remove).value().mesh;
+  TriangleMesh mesh = constrained_delaunay(input, delaunay::Outside::Remove).value().mesh;
   EXPECT_THAT(fixed_nodes(mesh), testing::ElementsAre(1, 1, 1, 1, 0, 0));
   mesh.node_sets["kept"] = {NodeId(5)};
   EXPECT_THAT(fixed_nodes(mesh), testing::ElementsAre(1, 1, 1, 1, 0, 1));

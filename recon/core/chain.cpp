@@ -1,0 +1,79 @@
+#include "recon/core/chain.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "recon/balance/percent.h"
+
+namespace recon::core {
+
+namespace {
+
+/// Rows of `first` and `last` that have the same name and are in every stage between.
+template <class Row, class Measure>
+void join_rows(const std::vector<Row>& first, const std::vector<Row>& last, Measure measure,
+               std::vector<Compared>& joined) {
+  for (const Row& row : first) {
+    const auto found = std::find_if(last.begin(), last.end(), [&](const Row& other) { return other.name == row.name; });
+    if (found == last.end()) continue;
+    const auto [before, after] = measure(row, *found);
+    if (before > 0.0) joined.push_back({row.name, before, after, row.role});
+  }
+}
+
+}  // namespace
+
+ChainVerdict judge(const Comparison& comparison, double tolerance) {
+  const auto worst = [](const std::vector<Compared>& rows) {
+    const Compared* found = nullptr;
+    for (const Compared& row : rows) {
+      if (row.role != section::BedRole::Judged) continue;
+      if (found == nullptr || std::abs(row.change_percent()) > std::abs(found->change_percent())) found = &row;
+    }
+    return found;
+  };
+  ChainVerdict verdict{false, worst(comparison.beds), worst(comparison.units)};
+  const auto within = [&](const Compared* row) {
+    return row == nullptr || std::abs(row->change_percent()) <= tolerance;
+  };
+  verdict.balanced = within(verdict.bed) && within(verdict.unit);
+  return verdict;
+}
+
+Comparison compare(const std::vector<const Stage*>& chain, std::size_t from, std::size_t to) {
+  const unfold::Restoration& first = *chain[from]->restoration;
+  const unfold::Restoration& last = *chain[to - 1]->restoration;
+  Comparison comparison;
+  join_rows(
+      first.lengths, last.lengths,
+      [](const balance::LineLength& a, const balance::LineLength& b) {
+        return std::pair(a.length_before, b.length_after);
+      },
+      comparison.beds);
+  join_rows(
+      first.ledger.units, last.ledger.units,
+      [](const balance::UnitRow& a, const balance::UnitRow& b) { return std::pair(a.area_before, b.area_after); },
+      comparison.units);
+  return comparison;
+}
+
+std::string verdict_since_input(const std::vector<const Stage*>& chain) {
+  if (chain.size() < 2) return {};
+  const double tolerance = chain.back()->restoration->params.tolerance;
+  const Comparison whole = compare(chain, 0, chain.size());
+  const ChainVerdict verdict = judge(whole, tolerance);
+  std::string text = fmt::format("since the input: {}", verdict.balanced ? "balanced" : "not balanced");
+  if (verdict.bed != nullptr) {
+    text += fmt::format(": the greatest change of a bed's length is {} % (horizon '{}')",
+                        balance::percent_text(std::abs(verdict.bed->change_percent())), verdict.bed->name);
+  }
+  if (verdict.unit != nullptr) {
+    text += fmt::format(", of a unit's area {} % ('{}')",
+                        balance::percent_text(std::abs(verdict.unit->change_percent())), verdict.unit->name);
+  }
+  return text + fmt::format("; the tolerance is {:.4g} %", tolerance);
+}
+
+}  // namespace recon::core

@@ -1,0 +1,20 @@
+#pragma once
+// The operation `restore`.
+
+#include "recon/core/model.h"
+#include "recon/unfold/restore.h"
+#include "shared/scenario/program.h"
+
+namespace recon::core {
+
+/// Restored section and balance ledger. @error CannotRestore without grid and target.
+base::Result<Model> run_restore(const Model& model, const unfold::RestoreParams& params,
+                                const dobra::scenario::Context& context, const base::Progress& progress);
+
+/// Quantities: horizon.NAME.* and top.* (the columns of the table line_length), shortening, shortening_percent, points,
+/// points_outside, points_beyond_ends, points_not_reversible, tears, torn, greatest_change_percent,
+/// greatest_area_change_percent, inconsistency_percent, lean_left, lean_right, balanced (0 or 1; not judged: none),
+/// unit.NAME.* (the columns of the table units), of pieces too.
+dobra::scenario::Operation restore_step();
+
+}  // namespace recon::core

@@ -1,0 +1,186 @@
+#include "recon/input/import.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+#include "recon/input/line_file.h"
+#include "shared/io/lines/line_kinds.h"
+#include "shared/io/scan.h"
+
+namespace recon::input {
+
+namespace io = dobra::io;
+
+namespace {
+
+/// The lists of [input] for lines of each kind.
+struct TableOfKind {
+  const char* kind;
+  const char* table;
+};
+constexpr std::array<TableOfKind, 11> tables{{{"horizon", "horizon"},
+                                              {"growth", "horizon"},
+                                              {"fault", "fault"},
+                                              {"pin", "pin"},
+                                              {"loose", "loose"},
+                                              {"topography", "topography"},
+                                              {"datum", "datum"},
+                                              {"eroded", "eroded"},
+                                              {"unit", "polygon"},  // a line that is to close
+                                              {"border", "border"},
+                                              {"marker", "marker"}}};
+
+base::Result<std::string> table_of(const io::lines::Feature& feature, std::size_t number) {
+  const bool polygon = feature.type == io::lines::FeatureType::Polygons;
+  if (feature.type == io::lines::FeatureType::Points) return std::string("marker");
+  if (feature.kind.empty()) return std::string(polygon ? "polygon" : "horizon");
+  const auto found = std::find_if(tables.begin(), tables.end(),
+                                  [&](const TableOfKind& t) { return io::lines::known_kind(feature.kind) == t.kind; });
+  const std::string table = found->table;
+  if (!polygon || table == "polygon" || table == "border") return table;
+  base::Place place = feature.source;
+  place.item = io::lines::item_of(number, feature);
+  return base::Error{
+      base::ErrorCode::BadFormat,
+      fmt::format("a polygon cannot be of kind '{}', which is a line; give it kind 'unit' or 'border', or "
+                  "do not repeat its first point at the end",
+                  feature.kind),
+      place};
+}
+
+std::string name_of(const io::lines::Feature& feature, std::size_t index) {
+  return feature.name.empty() ? fmt::format("feature {}", index + 1) : feature.name;
+}
+
+struct Place {
+  double from_left = 0.0;
+  std::size_t feature = 0;
+  std::size_t part = 0;
+};
+
+class Importer {
+ public:
+  explicit Importer(const std::vector<io::lines::Feature>& features) : features_(features) {}
+
+  base::Result<Import> run() {
+    DOBRA_TRY_VOID(io::lines::check_kinds(features_));
+    for (std::size_t i = 0; i < features_.size(); ++i) {
+      DOBRA_TRY(tables_.emplace_back(), table_of(features_[i], i + 1));
+    }
+    find_pieces();
+    for (std::size_t i = 0; i < features_.size(); ++i) {
+      for (std::size_t part = 0; part < features_[i].parts.size(); ++part) add(i, part);
+    }
+    for (const auto& [item, count] : repeated_) {
+      const auto& [table, name] = item;
+      made_.remarks.push_back(fmt::format("{} {}s are called '{}': from the second on they are '{} (2)' and so on{}",
+                                          count, table, name, name, table == "polygon" ? ", pieces of one unit" : ""));
+    }
+    return std::move(made_);
+  }
+
+ private:
+  /// Where the pieces of each horizon stand, from the left: lines of one name, and the parts of one line.
+  void find_pieces() {
+    for (std::size_t i = 0; i < features_.size(); ++i) {
+      if (tables_[i] != "horizon") continue;
+      for (std::size_t part = 0; part < features_[i].parts.size(); ++part)
+        pieces_[name_of(features_[i], i)].push_back({features_[i].parts[part].box().centre().x, i, part});
+    }
+    for (auto& [name, places] : pieces_) {
+      std::stable_sort(places.begin(), places.end(),
+                       [](const Place& a, const Place& b) { return a.from_left < b.from_left; });
+      if (places.size() > 1) {
+        made_.remarks.push_back(fmt::format(
+            "horizon '{0}' is in {1} pieces, numbered from the left: '{0} (1)' to '{0} ({1})'", name, places.size()));
+      }
+    }
+  }
+
+  void add(std::size_t i, std::size_t part) {
+    const io::lines::Feature& feature = features_[i];
+    const section::BedRole role =
+        io::lines::known_kind(feature.kind) == "growth" ? section::BedRole::Growth : section::BedRole::Judged;
+    ImportedLine made{tables_[i], name_of(feature, i), {}, role, feature.parts[part], feature.source};
+    if (feature.type == io::lines::FeatureType::Points && !feature.kind.empty() && feature.kind != "marker")
+      made_.remarks.push_back(fmt::format("'{}': points of kind '{}' are taken as a marker", made.name, feature.kind));
+    if (feature.type == io::lines::FeatureType::Polygons && geom::signed_area(made.line) < 0.0) {
+      const geom::Point at = made.line.points.front();
+      made_.remarks.push_back(
+          fmt::format("unit '{}': its hole at ({:.6g}, {:.6g}) is left out; what fills it is a "
+                      "polygon of its own",
+                      made.name, at.x, at.y));
+      return;
+    }
+    if (made.line.closed) made.line.points.push_back(made.line.points.front());  // it says that it closes
+    made.line.closed = false;
+    if (const auto found = pieces_.find(made.name); made.table == "horizon" && found->second.size() > 1) {
+      const auto at = std::find_if(found->second.begin(), found->second.end(),
+                                   [&](const Place& p) { return p.feature == i && p.part == part; });
+      made.piece_of = made.name;
+      made.name = fmt::format("{} ({})", made.name, at - found->second.begin() + 1);
+    }
+    // Names must differ within a table; a file may repeat them.
+    const std::string wanted = made.name;
+    for (int copy = 2; !names_.insert(made.table + '\n' + made.name).second; ++copy)
+      made.name = fmt::format("{} ({})", wanted, copy);
+    if (made.name != wanted) ++repeated_.try_emplace({made.table, wanted}, 1).first->second;
+    if (made.table == "polygon") made.piece_of = io::lines::stated_unit(feature);
+    if (made.table == "polygon" && made.piece_of.empty() && made.name != wanted) made.piece_of = wanted;
+    made_.lines.push_back(std::move(made));
+  }
+
+  const std::vector<io::lines::Feature>& features_;
+  std::vector<std::string> tables_;
+  std::map<std::string, std::vector<Place>> pieces_;
+  std::set<std::string> names_;
+  std::map<std::pair<std::string, std::string>, std::size_t> repeated_;  ///< How many, by table and name.
+  Import made_;
+};
+
+std::vector<HorizonInput>& list_of(SectionInput& input, const std::string& table) {
+  if (table == "fault") return input.faults;
+  if (table == "pin") return input.pins;
+  if (table == "loose") return input.loose_lines;
+  if (table == "topography") return input.topographies;
+  if (table == "datum") return input.datums;
+  if (table == "eroded") return input.eroded;
+  if (table == "polygon") return input.units;
+  if (table == "border") return input.borders;
+  if (table == "marker") return input.markers;
+  return input.horizons;
+}
+
+}  // namespace
+
+base::Result<Import> import_lines(const std::vector<io::lines::Feature>& features) { return Importer(features).run(); }
+
+base::Result<SectionInput> with_lines_of_files(SectionInput input, const ReadSettings& settings,
+                                               const dobra::scenario::Context& context,
+                                               std::vector<std::string>& remarks) {
+  for (const LinesInput& wanted : std::exchange(input.lines, {})) {
+    DOBRA_TRY(const io::formats::LineWork work,
+              work_of_file(wanted, (context.folder / wanted.file).string(), settings));
+    remarks.insert(remarks.end(), work.remarks.begin(), work.remarks.end());
+    for (const io::formats::Repair& repair : work.repairs) remarks.push_back(io::formats::to_string(repair));
+    DOBRA_TRY(Import import, import_lines(work.features));
+    remarks.insert(remarks.end(), import.remarks.begin(), import.remarks.end());
+    for (ImportedLine& line : import.lines) {
+      HorizonInput made;
+      made.name = std::move(line.name);
+      made.file = wanted.file;
+      made.piece_of = std::move(line.piece_of);
+      made.role = line.role;
+      made.unit = wanted.unit;
+      made.placed = PlacedLine{std::move(line.line), work.trace};
+      list_of(input, line.table).push_back(std::move(made));
+    }
+  }
+  return input;
+}
+
+}  // namespace recon::input

@@ -1,0 +1,40 @@
+#pragma once
+// All lines of a file as what they are in a section: horizons in pieces or whole, faults, units, markers, ... by their
+// kinds. Page: docs/user/import.md
+
+#include <string>
+#include <vector>
+
+#include "recon/input/input.h"
+#include "shared/io/lines/feature.h"
+
+namespace recon::input {
+
+/// One line of the section, and the list of [input] that it belongs to.
+struct ImportedLine {
+  std::string
+      table;  ///< "horizon", "fault", "pin", "loose", "topography", "datum", "eroded", "polygon", "border", "marker".
+  std::string name;  ///< Unlike those before it in the table.
+  std::string piece_of;
+  section::BedRole role = section::BedRole::Judged;
+  geom::Polyline line;  ///< In section coordinates, as one draws it: polygons repeat their first point.
+  base::Place source;
+};
+
+struct Import {
+  std::vector<ImportedLine> lines;
+  std::vector<std::string> remarks;
+};
+
+/// Lines of one name that are horizons, and the parts of one line, are pieces of a horizon. A line without a kind is a
+/// horizon, a polygon a unit, points a marker. Holes of polygons are left out, with a remark.
+/// @error BadFormat with file, line and a suggestion: an unknown kind; a polygon that says that it is a line.
+base::Result<Import> import_lines(const std::vector<dobra::io::lines::Feature>& features);
+
+/// The input with every [[input.lines]] replaced by the lines of its file.
+/// @error those of import_lines and of the readers; BadValue: options of the table.
+base::Result<SectionInput> with_lines_of_files(SectionInput input, const ReadSettings& settings,
+                                               const dobra::scenario::Context& context,
+                                               std::vector<std::string>& remarks);
+
+}  // namespace recon::input

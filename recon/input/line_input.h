@@ -1,0 +1,132 @@
+#pragma once
+// What a scenario says of one line of the section: [[input.horizon]], [[input.fault]], [[input.pin]], ...
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "recon/section/section.h"
+#include "shared/geom/drawn_curve.h"
+#include "shared/io/lines/feature.h"
+#include "shared/scenario/field.h"
+
+namespace recon {
+namespace geom = dobra::geom;
+}  // namespace recon
+
+namespace recon::input {
+
+enum class FieldSeparator { Detect, Blank, Tab, Comma, Semicolon };
+/// Section: as for the whole section, or where that says nothing, as the file itself says.
+enum class LineAxis { Section, Up, Down };
+enum class LineUnit { Section, Metre, Kilometre, Foot };
+enum class PointOrder { AsGiven, AlongCurve };
+
+/// A line in section coordinates, m, and the plane that it was laid into, if it was.
+struct PlacedLine {
+  geom::Polyline line;
+  std::optional<dobra::io::lines::Trace> trace = std::nullopt;
+};
+
+/// The fields of how the lines of a file are read, and their points repaired.
+template <class Input, class D>
+void describe_reading(D& d) {
+  d.choice("separator", &Input::separator, {"detect", "blank", "tab", "comma", "semicolon"},
+           {.title = "Separator", .help = "Between the columns of a text file."});
+  d.choice("y_axis", &Input::y_axis, {"section", "up", "down"},
+           {.title = "Second coordinate grows", .help = "section: as for all files, or as the file itself says."});
+  d.choice("unit", &Input::unit, {"section", "m", "km", "ft"},
+           {.title = "Unit of the file", .help = "section: as for all files, or as the file itself says."});
+  d.choice("order", &Input::order, {"as_given", "along_curve"},
+           {.title = "Order of the points", .help = "along_curve: unordered points are put in order, with a remark."});
+  d.field("drop_duplicates", &Input::drop_duplicates,
+          {.title = "Drop points nearer than", .help = "0: none but equal ones.", .unit = "m", .at_least = 0.0});
+  d.field("join_gaps", &Input::join_gaps,
+          {.title = "Join gaps below",
+           .help = "Parts of the same name whose ends are nearer become one line; 0: none.",
+           .unit = "m",
+           .at_least = 0.0});
+}
+
+/// One [[input.horizon]].
+struct HorizonInput {
+  std::string name;
+  std::string file;
+  std::vector<geom::Point> points;
+  std::string feature;
+  std::string piece_of;
+  section::BedRole role = section::BedRole::Judged;
+  std::vector<double> columns = {1.0, 2.0};
+  FieldSeparator separator = FieldSeparator::Detect;
+  LineAxis y_axis = LineAxis::Section;
+  LineUnit unit = LineUnit::Section;
+  PointOrder order = PointOrder::AsGiven;
+  double drop_duplicates = 0.0;
+  double join_gaps = 0.0;
+  geom::DrawnAs curve = geom::DrawnAs::Line;
+  std::vector<geom::Point> tangents;
+  std::vector<double> weights;
+  std::optional<PlacedLine> placed = std::nullopt;  ///< Out of an [[input.lines]]; instead of file and points.
+  template <class D>
+  static void describe(D& d) {
+    d.field("name", &HorizonInput::name, {.title = "Name", .presence = dobra::scenario::Presence::Required});
+    d.file("file", &HorizonInput::file,
+           {.title = "File",
+            .help = "Text, CSV, GeoJSON, DXF, GOCAD, MOVE, Shapefile, GeoPackage or WKT; instead of points."});
+    d.field("points", &HorizonInput::points,
+            {.title = "Points", .help = "The line itself, [[x, y], ...]; instead of a file."});
+    d.field("feature", &HorizonInput::feature,
+            {.title = "Feature", .help = "Name of the line in a file that holds several."});
+    d.field("piece_of", &HorizonInput::piece_of,
+            {.title = "Piece of the horizon",
+             .help = "Name of the horizon that faults have cut this piece from; the pieces add up in the ledger."});
+    d.choice("role", &HorizonInput::role, {"judged", "growth"},
+             {.title = "Role in the balance",
+              .help = "growth: a horizon laid down while the section deformed; it is listed, not judged."});
+    d.field("columns", &HorizonInput::columns,
+            {.title = "Columns of x and y",
+             .help = "In a text file, counted from 1; three for map coordinates with heights."});
+    describe_reading<HorizonInput>(d);
+    d.choice(
+        "curve", &HorizonInput::curve, {"line", "hermite", "spline", "bezier", "b_spline", "rational_bezier"},
+        {.title = "Drawn as",
+         .help = "What the points mean: line, corners; hermite, points with tangents; spline, natural through the "
+                 "points (closed if the last repeats the first); bezier, rational_bezier and b_spline, vertices."});
+    d.field("tangents", &HorizonInput::tangents,
+            {.title = "Tangents", .help = "Of curve = \"hermite\", one a point: derivatives along a piece."});
+    d.field("weights", &HorizonInput::weights,
+            {.title = "Weights", .help = "Of curve = \"rational_bezier\", one a point, above 0."});
+  }
+};
+
+/// One [[input.lines]]: all lines of a file, each as what its kind says.
+struct LinesInput {
+  std::string file;
+  std::vector<std::string> kind;
+  std::vector<std::string> columns;
+  std::vector<std::string> name_columns;
+  FieldSeparator separator = FieldSeparator::Detect;
+  LineAxis y_axis = LineAxis::Section;
+  LineUnit unit = LineUnit::Section;
+  PointOrder order = PointOrder::AsGiven;
+  double drop_duplicates = 0.0;
+  double join_gaps = 0.0;
+  template <class D>
+  static void describe(D& d) {
+    d.file("file", &LinesInput::file,
+           {.title = "File",
+            .help = "Text, CSV, GeoJSON, DXF, GOCAD, MOVE, Shapefile, GeoPackage or WKT.",
+            .presence = dobra::scenario::Presence::Required});
+    d.field("kind", &LinesInput::kind,
+            {.title = "Kinds by names",
+             .help = "Such as 'F*=fault'; the first that fits a name goes before the kind that the file gives."});
+    d.field("columns", &LinesInput::columns,
+            {.title = "Columns of x and height",
+             .help = "In a text file: numbers from 1 or headers; three for x, y and height of map coordinates."});
+    d.field("name_columns", &LinesInput::name_columns,
+            {.title = "Columns of names", .help = "In a text file: a line ends where their texts change."});
+    describe_reading<LinesInput>(d);
+  }
+};
+
+}  // namespace recon::input

@@ -1,0 +1,13 @@
+#pragma once
+// Repairs that need the whole section: ends of horizons at faults, edges that polygons share, slivers. The one
+// mechanism is io::formats::repair; here is only the way there and back.
+
+#include "recon/input/input.h"
+
+namespace recon::input {
+
+/// Mends what the input asks for; what was done is added to the remarks.
+/// @error those of io::formats::repair; BadSection: a polygon that crosses itself once its vertices are moved.
+base::Result<void> mend(const SectionInput& input, ReadSection& read);
+
+}  // namespace recon::input

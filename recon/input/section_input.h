@@ -1,0 +1,142 @@
+#pragma once
+// What a scenario says of the whole section: its [input].
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "recon/input/line_input.h"
+#include "recon/section/section.h"
+#include "shared/base/angle.h"
+
+namespace recon::input {
+
+/// One [[input.backdrop]].
+struct BackdropInput {
+  std::string name;
+  std::string file;
+  std::vector<geom::Point> corners;
+  double opacity = 0.6;
+  template <class D>
+  static void describe(D& d) {
+    d.field("name", &BackdropInput::name, {.title = "Name", .presence = dobra::scenario::Presence::Required});
+    d.file("file", &BackdropInput::file,
+           {.title = "Picture", .help = "PNG, JPEG or TIFF.", .presence = dobra::scenario::Presence::Required});
+    d.field("corners", &BackdropInput::corners,
+            {.title = "Corners",
+             .help = "The lower left and the upper right one, in the coordinates of the section's files; by default as "
+                     "the GeoTIFF or its world file says."});
+    d.field("opacity", &BackdropInput::opacity, {.title = "Opacity", .at_least = 0.0, .at_most = 1.0});
+  }
+};
+
+enum class SelfCrossings { Refuse, CutLoops };
+enum class AboveTopography { Leave, Restore };
+
+/// [input]
+struct SectionInput {
+  section::VerticalAxis y_axis = section::VerticalAxis::Up;
+  double reference = 0.0;
+  section::LengthUnit unit = section::LengthUnit::Metre;
+  double exaggeration = 1.0;
+  SelfCrossings self_crossings = SelfCrossings::Refuse;
+  std::vector<HorizonInput> horizons;
+  std::vector<HorizonInput> faults;
+  std::vector<HorizonInput> pins;
+  std::vector<HorizonInput> loose_lines;
+  std::vector<HorizonInput> units;
+  std::vector<HorizonInput> markers;
+  std::vector<HorizonInput> borders;
+  std::vector<HorizonInput> topographies;
+  std::vector<HorizonInput> datums;
+  std::vector<BackdropInput> backdrops;
+  AboveTopography above_topography = AboveTopography::Leave;
+  base::Angle curve_angle = base::Angle::from_degrees(5.0);
+  std::optional<double> curve_length;
+  double snap_to_faults = 0.0;
+  double share_edges = 0.0;
+  double slivers = 0.0;
+  std::vector<double> trace;
+  std::vector<double> fold_axis;
+  double plane_tolerance = 1e-3;
+  std::vector<LinesInput> lines;
+  std::vector<HorizonInput> eroded;
+  bool horizons_from_units = false;
+  std::string colors;
+  std::string orientation;
+  template <class D>
+  static void describe(D& d) {
+    d.choice("y_axis", &SectionInput::y_axis, {"up", "down"},
+             {.title = "Second coordinate grows", .help = "down: z = reference - y, as for depths and images."});
+    d.field(
+        "reference", &SectionInput::reference,
+        {.title = "Reference of y", .help = "Value of y at z = 0 where y grows downwards, in the unit of the files."});
+    d.choice("unit", &SectionInput::unit, {"m", "km", "ft"}, {.title = "Unit of the coordinates"});
+    d.field("exaggeration", &SectionInput::exaggeration,
+            {.title = "Exaggeration in the data",
+             .help = "The files hold z this many times too large; it is divided by this.",
+             .above = 0.0});
+    d.choice("self_crossings", &SectionInput::self_crossings, {"refuse", "cut_loops"},
+             {.title = "Lines that cross themselves",
+              .help = "cut_loops: small loops of the pen are cut out, with a remark."});
+    d.tables("horizon", &SectionInput::horizons, {.title = "Horizons"});
+    d.tables("fault", &SectionInput::faults, {.title = "Faults"});
+    d.tables("pin", &SectionInput::pins, {.title = "Pin lines"});
+    d.tables("loose", &SectionInput::loose_lines, {.title = "Loose lines"});
+    d.tables("polygon", &SectionInput::units, {.title = "Unit polygons"});
+    d.tables("marker", &SectionInput::markers, {.title = "Markers"});
+    d.tables("border", &SectionInput::borders,
+             {.title = "Border",
+              .help = "One polygon round what belongs to the section; by default it reaches from the "
+                      "first horizon to the last, between their ends."});
+    d.tables("topography", &SectionInput::topographies, {.title = "Topography"});
+    d.tables("datum", &SectionInput::datums, {.title = "Datums", .help = "Lines that the step target may name."});
+    d.tables("eroded", &SectionInput::eroded, {.title = "Eroded lines", .help = "Drawn dashed and not restored."});
+    d.tables("lines", &SectionInput::lines,
+             {.title = "Files of many lines", .help = "Each line becomes what its kind says, a horizon without one."});
+    d.field("horizons_from_units", &SectionInput::horizons_from_units,
+            {.title = "Horizons from units",
+             .help = "Edges that polygons share become horizons, named by the unit below; none along faults."});
+    d.tables("backdrop", &SectionInput::backdrops, {.title = "Backdrop pictures"});
+    d.choice("above_topography", &SectionInput::above_topography, {"leave", "restore"},
+             {.title = "Horizons above the topography",
+              .help = "leave: what is eroded is drawn dashed and not restored; restore: the whole horizon is."});
+    d.field("curve_angle", &SectionInput::curve_angle,
+            {.title = "Turn of a chord of a curve", .unit = "deg", .above = 0.0, .at_most = 90.0});
+    d.field("curve_length", &SectionInput::curve_length,
+            {.title = "Longest chord of a curve", .unit = "m", .above = 0.0});
+    d.field("snap_to_faults", &SectionInput::snap_to_faults,
+            {.title = "Snap ends to faults",
+             .help = "Ends of horizons nearer to a fault than this are moved onto it, with a remark; 0: none.",
+             .unit = "m",
+             .at_least = 0.0});
+    d.field("share_edges", &SectionInput::share_edges,
+            {.title = "Make polygons share edges",
+             .help = "Their vertices nearer than this to a line or another polygon are moved onto it; 0: none.",
+             .unit = "m",
+             .at_least = 0.0});
+    d.field("slivers", &SectionInput::slivers,
+            {.title = "Remove slivers",
+             .help = "Polygons and spikes of polygons thinner than this are removed, with a remark; 0: none.",
+             .unit = "m",
+             .at_least = 0.0});
+    d.field("trace", &SectionInput::trace,
+            {.title = "Trace of the section",
+             .help = "Of files with lines in space: x0, y0, x1, y1 on the map, in metres; found by least squares where "
+                     "one file holds them all."});
+    d.field("fold_axis", &SectionInput::fold_axis,
+            {.title = "Fold axis",
+             .help = "Of files with lines in space: trend and plunge in degrees; they are projected down the plunge."});
+    d.field("plane_tolerance", &SectionInput::plane_tolerance,
+            {.title = "Lines in space off their plane", .help = "At most this part of the length.", .above = 0.0});
+    d.file("colours", &SectionInput::colors,
+           {.title = "Table of colours",
+            .help = "CSV or TOML: name, colour, pattern, age and lithology of units and lines."});
+    d.field(
+        "orientation", &SectionInput::orientation,
+        {.title = "Orientation",
+         .help = "What stands over the left and the right end, such as W - E; told by the plane of lines in space."});
+  }
+};
+
+}  // namespace recon::input

@@ -1,0 +1,495 @@
+// 1. Horizons, faults and the border become one subdivision.
+// 2. Faces within the border are found; each is named by the horizons over and under it.
+// 3. Faces under the same horizon become a unit.
+// 4. The polygons that the user gave become a second subdivision: faces that none or several of them hold are misfits.
+
+#include "recon/section/section_faces.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "shared/base/parallel.h"
+#include "shared/geom/contour.h"
+
+namespace recon::section {
+
+namespace {
+
+using topo::FaceId;
+using topo::HalfEdgeId;
+using topo::Structure;
+using topo::Subdivision;
+
+constexpr const char* border_label = "the border";
+constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+/// Twice the area that the line sweeps about the origin `about`.
+double swept(const geom::Polyline& line, geom::Point about) {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < line.points.size(); ++i)
+    sum += geom::cross(line.points[i - 1] - about, line.points[i] - about);
+  return sum;
+}
+
+/// The lines of a section as its arrangement numbers them: horizons, faults, topographies, the border.
+struct Numbered {
+  std::vector<geom::Polyline> lines;
+  std::vector<const SectionLine*> surfaces;  ///< Topographies.
+  std::size_t first_surface = 0;             ///< Their first number.
+};
+
+Numbered lines_of(const Section& section) {
+  Numbered numbered;
+  for (const Horizon& horizon : section.horizons) numbered.lines.push_back(horizon.line);
+  for (const SectionLine& line : section.lines) {
+    if (line.kind == LineKind::Fault) numbered.lines.push_back(line.line);
+  }
+  numbered.first_surface = numbered.lines.size();
+  for (const SectionLine& line : section.lines) {
+    if (line.kind != LineKind::Topography) continue;
+    numbered.surfaces.push_back(&line);
+    numbered.lines.push_back(line.line);
+  }
+  if (section.border) numbered.lines.push_back(*section.border);
+  return numbered;
+}
+
+/// What one line is drawn in: all faults, the pieces of a horizon, any other line by itself.
+std::string whole_of(const Section& section, std::uint32_t line, std::size_t first_surface) {
+  if (line < section.horizons.size()) return "horizon " + whole_name(section.horizons[line]);
+  return line < first_surface ? "fault" : std::to_string(line);
+}
+
+/// An end of a line is an end of the section unless something passes there: a line, or two parts that end there.
+bool is_free(const Section& section, const Arrangement& arrangement, std::size_t first_surface, geom::Point end,
+             std::size_t own) {
+  const Subdivision& sub = arrangement.subdivision();
+  std::map<std::string, int> ways;
+  for (const HalfEdgeId h : sub.round(*sub.vertex_at(end))) {
+    for (const std::uint32_t line : arrangement.lines_on(Structure::edge(h))) {
+      if (line != own && ++ways[whole_of(section, line, first_surface)] > 1) return false;
+    }
+  }
+  return true;
+}
+
+/// Whether a fault leads from one place to another, so that it is the border between them.
+bool fault_joins(const Section& section, geom::Point from, geom::Point to) {
+  return std::any_of(section.lines.begin(), section.lines.end(), [&](const SectionLine& line) {
+    const geom::Point first = line.line.points.front();
+    const geom::Point last = line.line.points.back();
+    return line.kind == LineKind::Fault && ((first == from && last == to) || (first == to && last == from));
+  });
+}
+
+struct HorizonEnd {
+  std::size_t horizon = 0;
+  LineEnd end = LineEnd::First;
+};
+
+/// The border's left and right sides.
+struct Sides {
+  std::vector<geom::Polyline> lines;
+  std::vector<HorizonEnd> loose;  ///< From which no line leads down.
+};
+
+/// Straight lines between the ends of horizons that follow each other, left and right, from the topography on. An end
+/// that lies on another horizon or on a fault that goes on is no end of the section, nor is one between two pieces of a
+/// horizon.
+Sides sides_of(const Section& section, const std::vector<std::size_t>& order,
+               const std::vector<const SectionLine*>& surfaces, std::size_t first_surface,
+               const Arrangement& arrangement) {
+  Sides sides;
+  for (const LineEnd side : {LineEnd::First, LineEnd::Last}) {
+    const auto end_of = [&](const geom::Polyline& line) {
+      return side == LineEnd::First ? line.points.front() : line.points.back();
+    };
+    std::optional<geom::Point> last;
+    std::optional<std::size_t> last_horizon;
+    const auto join = [&](geom::Point end, std::size_t own) {
+      if (!is_free(section, arrangement, first_surface, end, own)) return false;
+      if (last && *last != end && !fault_joins(section, *last, end)) sides.lines.push_back({{*last, end}, false});
+      last = end;
+      return true;
+    };
+    for (std::size_t i = 0; i < surfaces.size(); ++i) join(end_of(surfaces[i]->line), first_surface + i);
+    for (const std::size_t index : order) {
+      const Horizon& horizon = section.horizons[index];
+      if (!is_outermost(section, horizon, side)) continue;
+      if (join(end_of(horizon.line), index)) {
+        last_horizon = index;
+      } else {
+        sides.loose.push_back({index, side});
+      }
+    }
+    if (last_horizon) sides.loose.push_back({*last_horizon, side});
+  }
+  return sides;
+}
+
+/// The contours of a face without edges that have it on both sides (faults that end in it).
+std::vector<geom::Polyline> contours_of(const Arrangement& arrangement, FaceId f) {
+  const Subdivision& sub = arrangement.subdivision();
+  const auto inner = [&](HalfEdgeId h) { return sub.face(Structure::twin(h)) == f; };
+  std::vector<geom::Polyline> contours;
+  std::set<HalfEdgeId> used;
+  for (const topo::LoopId loop : sub.loops(f)) {
+    for (const HalfEdgeId start : sub.half_edges(loop)) {
+      if (inner(start) || used.contains(start)) continue;
+      geom::Polyline contour{{}, true};
+      HalfEdgeId h = start;
+      do {
+        used.insert(h);
+        arrangement.append(h, contour.points);
+        h = sub.next(h);
+        while (inner(h)) h = sub.next(Structure::twin(h));
+      } while (h != start);
+      contours.push_back(std::move(contour));
+    }
+  }
+  return contours;
+}
+
+/// Half-edges of each horizon over and under a face, by the horizon's rank in the stack, 0 the highest.
+struct Bounds {
+  std::map<std::size_t, std::size_t> over;
+  std::map<std::size_t, std::size_t> under;
+};
+
+class Units {
+ public:
+  /// @param faults  lines of the arrangement that are faults: first, and one behind the last.
+  Units(const Section& section, const Arrangement& arrangement, const std::vector<std::size_t>& order,
+        std::pair<std::size_t, std::size_t> faults)
+      : section_(section), arrangement_(arrangement), order_(order), faults_(faults) {
+    const Subdivision& sub = arrangement.subdivision();
+    for (std::size_t rank = 0; rank < order.size(); ++rank) {
+      const std::vector<HalfEdgeId> path = arrangement.path(static_cast<std::uint32_t>(order[rank]));
+      lengths_.push_back(path.size());
+      for (const HalfEdgeId h : path) {
+        ++bounds_[sub.face(h)].under[rank];
+        ++bounds_[sub.face(Structure::twin(h))].over[rank];
+      }
+    }
+  }
+
+  /// The units that the faces fall into, from the top down.
+  [[nodiscard]] std::vector<RockUnit> of(const std::vector<FaceId>& faces) const {
+    const std::map<FaceId, std::size_t> tops = tops_of(faces);
+    std::map<std::ptrdiff_t, std::vector<FaceId>> by_top;  // -1: no horizon over it
+    for (const FaceId f : faces) {
+      const auto top = tops.find(f);
+      by_top[top == tops.end() ? -1 : static_cast<std::ptrdiff_t>(top->second)].push_back(f);
+    }
+    const std::vector<std::pair<std::ptrdiff_t, std::vector<FaceId>>> groups(by_top.begin(), by_top.end());
+    return base::parallel_map<RockUnit>(groups.size(),
+                                        [&](std::size_t i) { return unit_of(groups[i].first, groups[i].second); });
+  }
+
+ private:
+  /// The rank of the horizon over each face. Where a fault is the roof of one, that of what lies over the fault counts,
+  /// unless it belongs below the face.
+  [[nodiscard]] std::map<FaceId, std::size_t> tops_of(const std::vector<FaceId>& faces) const {
+    std::map<FaceId, std::size_t> tops;
+    std::vector<FaceId> open;
+    for (const FaceId f : faces) {
+      const Bounds bounds = bounds_of(f);
+      if (bounds.over.empty()) {
+        open.push_back(f);
+      } else {
+        tops[f] = bounds.over.rbegin()->first;
+      }
+    }
+    for (bool found = true; found;) {  // one fault after the other
+      found = false;
+      for (const FaceId f : open) {
+        const std::optional<FaceId> over = over_fault(f);
+        const auto top = over ? tops.find(*over) : tops.end();
+        if (top == tops.end() || tops.contains(f)) continue;
+        const Bounds bounds = bounds_of(f);
+        if (!bounds.under.empty() && belongs_below(top->second, bounds.under.begin()->first)) continue;
+        tops[f] = top->second;
+        found = true;
+      }
+    }
+    return tops;
+  }
+
+  /// Whether a piece of the horizon lies no higher than the one that a face lies on.
+  [[nodiscard]] bool belongs_below(std::size_t rank, std::size_t under) const {
+    const std::string& whole = whole_name(section_.horizons[order_[rank]]);
+    for (std::size_t k = under; k < order_.size(); ++k) {
+      if (k == rank || whole_name(section_.horizons[order_[k]]) == whole) return true;
+    }
+    return false;
+  }
+
+  /// What lies beyond most of the roof of a face, its edges that have it below, if that is a fault.
+  [[nodiscard]] std::optional<FaceId> over_fault(FaceId f) const {
+    const Subdivision& sub = arrangement_.subdivision();
+    std::map<FaceId, double> widths;
+    double all = 0.0;
+    double under_faults = 0.0;
+    for (const HalfEdgeId h : sub.half_edges(sub.outer_loop(f))) {
+      const double width = sub.point(sub.origin(h)).x - sub.point(sub.target(h)).x;
+      const FaceId beyond = sub.face(Structure::twin(h));
+      if (width <= 0.0 || beyond == f) continue;
+      all += width;
+      const std::vector<std::uint32_t>& lines = arrangement_.lines_on(Structure::edge(h));
+      const bool fault = std::any_of(lines.begin(), lines.end(), [&](std::uint32_t line) {
+        return line >= faults_.first && line < faults_.second;
+      });
+      if (!fault) continue;
+      under_faults += width;
+      widths[beyond] += width;
+    }
+    if (under_faults < 0.9 * all) return std::nullopt;  // open above
+    const auto most = std::max_element(widths.begin(), widths.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    return most != widths.end() && most->second > 0.5 * all ? std::optional(most->first) : std::nullopt;
+  }
+
+  [[nodiscard]] Bounds bounds_of(FaceId f) const {
+    const auto found = bounds_.find(f);
+    return found == bounds_.end() ? Bounds{} : found->second;
+  }
+
+  [[nodiscard]] RockUnit unit_of(std::ptrdiff_t top, const std::vector<FaceId>& faces) const {
+    RockUnit unit;
+    std::size_t base = none;
+    for (const FaceId f : faces) {
+      const Bounds bounds = bounds_of(f);
+      if (!bounds.under.empty()) base = std::min(base, bounds.under.begin()->first);
+      unit.area += arrangement_.area(f);
+    }
+    unit.faces = faces.size();
+    if (top >= 0) unit.top = order_[static_cast<std::size_t>(top)];
+    if (base != none) unit.base = order_[base];
+    const auto name = [&](std::size_t horizon) { return section_.horizons[horizon].name; };
+    unit.name = unit.top && unit.base ? fmt::format("{} - {}", name(*unit.top), name(*unit.base))
+                : unit.top            ? name(*unit.top)
+                : unit.base           ? "above " + name(*unit.base)
+                                      : "without a horizon";
+    unit.whole = is_whole(unit, faces);
+    for (const FaceId f : faces) {
+      std::vector<geom::Polyline> contours = contours_of(arrangement_, f);
+      unit.contours.insert(unit.contours.end(), contours.begin(), contours.end());
+    }
+    return unit;
+  }
+
+  /// Faults may cut it: all of the top over its faces, all of the base under them, no other horizon, no face left out.
+  [[nodiscard]] bool is_whole(const RockUnit& unit, const std::vector<FaceId>& faces) const {
+    Bounds all;
+    for (const FaceId f : faces) {
+      const Bounds bounds = bounds_of(f);
+      for (const auto& [rank, count] : bounds.over) all.over[rank] += count;
+      for (const auto& [rank, count] : bounds.under) all.under[rank] += count;
+    }
+    const auto all_of = [&](const std::map<std::size_t, std::size_t>& side) {
+      return side.size() == 1 && side.begin()->second == lengths_[side.begin()->first];
+    };
+    if (!unit.top || !unit.base || !all_of(all.over) || !all_of(all.under)) return false;
+    const geom::Polyline contour =
+        contour_between(section_.horizons[*unit.top].line, section_.horizons[*unit.base].line);
+    return std::abs(geom::signed_area(contour) - unit.area) <= 1e-9 * unit.area;
+  }
+
+  const Section& section_;
+  const Arrangement& arrangement_;
+  const std::vector<std::size_t>& order_;
+  std::pair<std::size_t, std::size_t> faults_;
+  std::vector<std::size_t> lengths_;  ///< Half-edges of each horizon, by rank.
+  std::map<FaceId, Bounds> bounds_;
+};
+
+/// Loose ends with the outside below, but for those of the lowest horizon.
+std::vector<OpenPlace> open_places(const Section& section, const Arrangement& arrangement,
+                                   const std::vector<HorizonEnd>& loose, std::size_t lowest) {
+  const Subdivision& sub = arrangement.subdivision();
+  std::vector<OpenPlace> open;
+  for (const auto& [index, end] : loose) {
+    const Horizon& horizon = section.horizons[index];
+    const std::vector<HalfEdgeId> path = arrangement.path(static_cast<std::uint32_t>(index));
+    if (path.empty() || whole_name(horizon) == whole_name(section.horizons[lowest])) continue;
+    const HalfEdgeId below = Structure::twin(end == LineEnd::First ? path.front() : path.back());
+    if (sub.face(below) != Structure::unbounded()) continue;
+    open.push_back({horizon.id, sub.point(end == LineEnd::First ? sub.target(below) : sub.origin(below))});
+  }
+  return open;
+}
+
+/// Pairs of horizons with a common vertex.
+base::Result<std::vector<HorizonMeeting>> meetings_in(const Section& section, const Arrangement& arrangement) {
+  const Subdivision& sub = arrangement.subdivision();
+  const auto count = static_cast<std::uint32_t>(section.horizons.size());
+  std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    for (const HalfEdgeId h : arrangement.path(i)) {
+      for (const topo::VertexId v : {sub.origin(h), sub.target(h)}) {
+        for (const HalfEdgeId other : sub.round(v)) {
+          for (const std::uint32_t j : arrangement.lines_on(Structure::edge(other))) {
+            if (i < j && j < count) pairs.insert({i, j});
+          }
+        }
+      }
+    }
+  }
+  std::vector<HorizonMeeting> meetings;
+  for (const auto& [i, j] : pairs) {
+    const Horizon& first = section.horizons[i];
+    const Horizon& second = section.horizons[j];
+    DOBRA_TRY(LineMeeting meeting, meeting_of(first.line, second.line));
+    meetings.push_back({first.id, second.id, meeting});
+  }
+  return meetings;
+}
+
+/// Gaps between polygons (or, within a border, all that they leave out) and what several of them hold.
+base::Result<std::vector<Misfit>> misfits_of(const Section& section) {
+  std::vector<Misfit> misfits;
+  if (section.units.empty()) return misfits;
+  std::vector<geom::Polyline> rings;
+  for (const Unit& unit : section.units) rings.push_back(unit.contour);
+  std::vector<std::string> names = unit_labels(section);
+  if (section.border) {
+    rings.push_back(*section.border);
+    names.push_back(border_label);
+  }
+  DOBRA_TRY(const Arrangement arrangement, Arrangement::make(std::move(rings)));
+  const Subdivision& sub = arrangement.subdivision();
+  DOBRA_TRY(const auto within, arrangement.holders(0, names));
+  for (const FaceId f : sub.faces()) {
+    if (f == Structure::unbounded()) continue;
+    const std::vector<std::uint32_t>& rings_round = within[f.index()];
+    if (section.border && (rings_round.empty() || rings_round.back() < section.units.size())) continue;
+    std::vector<std::string> holders;
+    for (const std::uint32_t i : rings_round) {
+      if (i < section.units.size()) holders.push_back(section.units[i].name);
+    }
+    if (holders.size() == 1) continue;
+    Misfit misfit{holders.empty() ? "gap" : "overlap", fmt::format("{}", fmt::join(holders, ", ")), arrangement.area(f),
+                  sub.point(sub.origin(sub.first(sub.outer_loop(f))))};
+    if (holders.empty()) {
+      std::set<std::string> neighbours;
+      for (const HalfEdgeId h : sub.half_edges(sub.outer_loop(f))) {
+        for (const std::uint32_t line : arrangement.lines_on(Structure::edge(h)))
+          neighbours.insert(line < section.units.size() ? section.units[line].name : std::string(border_label));
+      }
+      misfit.between = fmt::format("{}", fmt::join(neighbours, ", "));
+    }
+    misfits.push_back(std::move(misfit));
+  }
+  return misfits;
+}
+
+}  // namespace
+
+std::vector<std::string> unit_labels(const Section& section) {
+  std::vector<std::string> labels;
+  for (const Unit& unit : section.units) labels.push_back("unit '" + unit.name + '\'');
+  return labels;
+}
+
+std::vector<std::size_t> stack_order(const Section& section) {
+  const std::size_t count = section.horizons.size();
+  std::vector<std::size_t> order(count);
+  if (count == 0) return order;
+  const geom::Point about = section.horizons.front().line.points.front();
+  const auto areas =
+      base::parallel_map<double>(count, [&](std::size_t i) { return swept(section.horizons[i].line, about); });
+  std::vector<std::size_t> over(count, 0);  // how many horizons lie over each
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = i + 1; j < count; ++j) {
+      const auto& a = section.horizons[i].line.points;
+      const auto& b = section.horizons[j].line.points;
+      // Along the one, back along the other: clockwise if the first is the upper one.
+      const double ring = areas[i] - areas[j] + geom::cross(a.back() - about, b.back() - about) +
+                          geom::cross(b.front() - about, a.front() - about);
+      ++over[ring > 0.0 ? i : j];
+    }
+    order[i] = i;
+  }
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return over[i] < over[j]; });
+  return order;
+}
+
+base::Result<SectionFaces> faces_of(const Section& section) {
+  const std::vector<std::size_t> order = stack_order(section);
+  Numbered numbered = lines_of(section);
+  const auto& surfaces = numbered.surfaces;
+  const std::size_t first_surface = numbered.first_surface;
+  DOBRA_TRY(Arrangement arrangement, Arrangement::make(std::move(numbered.lines)));
+  SectionFaces made;
+  if (!section.border) {
+    Sides sides = sides_of(section, order, surfaces, first_surface, arrangement);
+    DOBRA_TRY_VOID(arrangement.add(std::move(sides.lines)));
+    if (!order.empty()) made.open = open_places(section, arrangement, sides.loose, order.back());
+  }
+  const Subdivision& sub = arrangement.subdivision();
+  DOBRA_TRY(made.meetings, meetings_in(section, arrangement));
+  std::set<FaceId> air;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    for (const HalfEdgeId h : arrangement.path(static_cast<std::uint32_t>(first_surface + i))) air.insert(sub.face(h));
+  }
+  std::vector<FaceId> faces;
+  std::vector<std::vector<std::uint32_t>> within;
+  if (section.border) {
+    DOBRA_TRY(within, arrangement.holders(static_cast<std::uint32_t>(first_surface + surfaces.size()), {border_label}));
+  }
+  made.area = section.border ? geom::signed_area(*section.border) : -arrangement.area(Structure::unbounded());
+  for (const FaceId f : sub.faces()) {
+    if (f == Structure::unbounded() || (section.border && within[f.index()].empty())) continue;
+    if (air.count(f) > 0) {
+      made.area -= arrangement.area(f);
+    } else {
+      faces.push_back(f);
+    }
+  }
+  made.units = Units(section, arrangement, order, {section.horizons.size(), first_surface}).of(faces);
+  DOBRA_TRY(made.misfits, misfits_of(section));
+  return made;
+}
+
+std::vector<std::string> remarks_of(const SectionFaces& faces, const Section& section) {
+  std::vector<std::string> remarks;
+  for (const HorizonMeeting& pair : faces.meetings) {
+    const LineMeeting& meeting = pair.meeting;
+    remarks.push_back(fmt::format("horizons '{}' and '{}' {} at {} places, the first at ({:.6g}, {:.6g})",
+                                  find_horizon(section, pair.first)->name, find_horizon(section, pair.second)->name,
+                                  meeting.crossings > 0 ? "cross" : "meet",
+                                  meeting.crossings > 0 ? meeting.crossings : meeting.touches, meeting.place.x,
+                                  meeting.place.y));
+  }
+  for (const OpenPlace& open : faces.open) {
+    remarks.push_back(
+        fmt::format("nothing closes the section at its side under the end of horizon '{}' at ({:.6g}, "
+                    "{:.6g}): what lies there is in no unit of the ledger; give a border",
+                    find_horizon(section, open.under)->name, open.place.x, open.place.y));
+  }
+  for (const char* what : {"gap", "overlap"}) {
+    const Misfit* greatest = nullptr;
+    std::size_t count = 0;
+    double area = 0.0;
+    for (const Misfit& misfit : faces.misfits) {
+      if (misfit.what != what) continue;
+      ++count;
+      area += misfit.area;
+      if (greatest == nullptr || misfit.area > greatest->area) greatest = &misfit;
+    }
+    if (count == 0) continue;
+    const std::string all =
+        count == 1 ? "" : fmt::format("{} {}s of {:.4g} m2 in all; the greatest: ", count, what, area);
+    remarks.push_back(fmt::format("{}{} of {:.4g} m2 between the units {} at ({:.6g}, {:.6g})", all, what,
+                                  greatest->area, greatest->between, greatest->place.x, greatest->place.y));
+  }
+  return remarks;
+}
+
+}  // namespace recon::section

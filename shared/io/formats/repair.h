@@ -1,0 +1,47 @@
+#pragma once
+// Repairs of digitised line-work: points out of order, points twice, gaps, horizons that end short of a fault, slivers
+// of polygons. Each is asked for by name, and each tells what it did, where, and how far anything moved.
+// Page: docs/algorithms/repair.md. Source: [figueiredo1994] (order by the minimum spanning tree).
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "shared/io/lines/feature.h"
+
+namespace dobra::io::formats {
+
+enum class PointOrder { AsGiven, AlongTheCurve };
+
+/// All lengths in metres; what is not set is not done. Done in this order.
+struct RepairOptions {
+  PointOrder order = PointOrder::AsGiven;           ///< Lines and points features that are one curve each.
+  std::optional<double> duplicates = std::nullopt;  ///< Points nearer than this to the one before are dropped.
+  std::optional<double> gaps = std::nullopt;        ///< Ends of lines of one name and kind nearer than this are joined.
+  std::optional<double> snap = std::nullopt;        ///< Ends of lines nearer than this to a fault are moved onto it.
+  /// Vertices of polygons nearer than this to a line or to an earlier polygon are moved onto it, and both get the
+  /// vertex.
+  std::optional<double> edges = std::nullopt;
+  std::optional<double> slivers = std::nullopt;  ///< Polygons, and spikes of polygons, thinner than this are removed.
+};
+
+struct Repair {
+  std::string what;    ///< "order", "duplicates", "gap", "snap", "edge", "sliver" or "spike".
+  std::string item;    ///< "horizon 'top'".
+  std::string text;    ///< What was done, with numbers.
+  geom::Point at;      ///< Where.
+  double moved = 0.0;  ///< The farthest that a point moved or that was bridged, m.
+};
+
+/// Repairs features in section coordinates (without heights), in place.
+/// Faults are the lines of kind "fault"; a line of kind "unit" that ends within `gaps` of its beginning becomes a
+/// polygon.
+/// @error InvalidOption: a tolerance that is not a positive number; BadFormat with the feature and the place: points
+///        that do not lie along one curve. @cost O(n log n) in the number of points; points that stand off the curve
+///        take O(n) each.
+base::Result<std::vector<Repair>> repair(std::vector<lines::Feature>& features, const RepairOptions& options);
+
+/// "gap: horizon 'top': ..., at (x, z), moved d m": one line.
+std::string to_string(const Repair& repair);
+
+}  // namespace dobra::io::formats

@@ -1,0 +1,209 @@
+#include "shared/io/meshes/polygon_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+
+#include "shared/base/text.h"
+#include "shared/io/file.h"
+#include "shared/io/scan.h"
+
+namespace dobra::io::meshes {
+
+using base::Error;
+using base::ErrorCode;
+using base::Result;
+using geom::Point3;
+using mesh::PolygonMesh;
+
+namespace {
+
+constexpr std::size_t most_items = std::numeric_limits<std::uint32_t>::max() - 1;
+
+/// Words i, i + 1, i + 2 of the record.
+Result<Point3> point_at(const Records& records, std::size_t i) {
+  Point3 point;
+  DOBRA_TRY(point.x, records.number(i, "x"));
+  DOBRA_TRY(point.y, records.number(i + 1, "y"));
+  DOBRA_TRY(point.z, records.number(i + 2, "z"));
+  return point;
+}
+
+/// "7", "7/1", "7//2" or "-1" of an f statement as an index from 0.
+Result<std::uint32_t> obj_corner(const Records& records, std::size_t i, std::size_t points) {
+  const std::string_view word = records.word(i).substr(0, records.word(i).find('/'));
+  std::int64_t number = 0;
+  const auto parsed = std::from_chars(word.data(), word.data() + word.size(), number);
+  if (parsed.ec != std::errc() || parsed.ptr != word.data() + word.size() || number == 0) {
+    return records.error(i, fmt::format("{} is not the number of a point", shown(word)));
+  }
+  const auto count = static_cast<std::int64_t>(points);
+  if (number > count || number < -count) {
+    return records.error(i, fmt::format("there is no point {} ({} points so far)", number, points));
+  }
+  const std::int64_t index = number > 0 ? number - 1 : count + number;
+  return static_cast<std::uint32_t>(index);
+}
+
+}  // namespace
+
+Result<PolygonMesh> parse_obj(std::string_view text, const std::string& file) {
+  DOBRA_TRY_VOID(check_text(text, file));
+  PolygonMesh mesh;
+  Records records(text, file);
+  while (records.next()) {
+    if (records.word(0) == "v") {
+      DOBRA_TRY(const Point3 point, point_at(records, 1));
+      mesh.points.push_back(point);
+    } else if (records.word(0) == "f") {
+      std::vector<std::uint32_t>& face = mesh.faces.emplace_back();
+      for (std::size_t i = 1; i < records.size(); ++i) {
+        DOBRA_TRY(const std::uint32_t corner, obj_corner(records, i, mesh.points.size()));
+        face.push_back(corner);
+      }
+    }
+  }
+  if (mesh.faces.empty())
+    return base::located(Error{ErrorCode::BadFormat, "there is no face (f) in the file"}, {.file = file});
+  return mesh;
+}
+
+Result<PolygonMesh> parse_off(std::string_view text, const std::string& file) {
+  DOBRA_TRY_VOID(check_text(text, file));
+  Records records(text, file);
+  DOBRA_TRY_VOID(records.expect("OFF"));
+  if (records.word(0) != "OFF") return records.error(0, "an .off file begins with OFF");
+  std::size_t at = 1;  // The counts may stand on the first line.
+  if (records.size() == 1) {
+    DOBRA_TRY_VOID(records.expect("the numbers of points and faces"));
+    at = 0;
+  }
+  DOBRA_TRY(const std::size_t points, records.count(at, "the number of points", most_items));
+  DOBRA_TRY(const std::size_t faces, records.count(at + 1, "the number of faces", most_items));
+  PolygonMesh mesh;
+  mesh.points.reserve(plausible_count(points, text, 6));
+  for (std::size_t i = 0; i < points; ++i) {
+    DOBRA_TRY_VOID(records.expect(fmt::format("point {} of {}", i + 1, points)));
+    DOBRA_TRY(const Point3 point, point_at(records, 0));
+    mesh.points.push_back(point);
+  }
+  for (std::size_t f = 0; f < faces; ++f) {
+    DOBRA_TRY_VOID(records.expect(fmt::format("face {} of {}", f + 1, faces)));
+    DOBRA_TRY(const std::size_t corners, records.count(0, "the number of corners", records.size() - 1));
+    std::vector<std::uint32_t>& face = mesh.faces.emplace_back();
+    for (std::size_t i = 1; i <= corners; ++i) {
+      DOBRA_TRY(const std::size_t corner, records.count(i, "the corner", most_items));
+      if (corner >= mesh.points.size()) return records.error(i, fmt::format("there is no point {}", corner));
+      face.push_back(static_cast<std::uint32_t>(corner));
+    }
+  }
+  return mesh;
+}
+
+namespace {
+
+/// An element of the header of a .ply: how many records of which numbers follow.
+struct PlyElement {
+  std::string name;
+  std::size_t count = 0;
+  std::vector<std::string> properties;  ///< Names; "list" for one of a list.
+};
+
+Result<std::vector<PlyElement>> ply_header(Records& records) {
+  DOBRA_TRY_VOID(records.expect("ply"));
+  if (records.word(0) != "ply") return records.error(0, "a .ply file begins with ply");
+  std::vector<PlyElement> elements;
+  for (;;) {
+    DOBRA_TRY_VOID(records.expect("end_header"));
+    const std::string_view word = records.word(0);
+    if (word == "end_header") return elements;
+    if (word == "format" && records.size() > 1 && records.word(1) != "ascii") {
+      return records.error(1, "a binary .ply is not read; save it as ascii");
+    }
+    if (word == "element") {
+      if (records.size() < 3) return records.error(0, "an element needs a name and a number");
+      DOBRA_TRY(const std::size_t count, records.count(2, "the number of records", most_items));
+      elements.push_back({std::string(records.word(1)), count, {}});
+    } else if (word == "property") {
+      if (elements.empty() || records.size() < 3) return records.error(0, "a property belongs to an element");
+      const bool list = records.word(1) == "list";
+      elements.back().properties.emplace_back(list ? "list" : records.word(2));
+    }
+  }
+}
+
+Result<std::vector<std::uint32_t>> ply_face(const Records& records, std::size_t at, std::size_t points) {
+  if (at >= records.size()) return records.error(0, "the face has no corners");
+  DOBRA_TRY(const std::size_t corners, records.count(at, "the number of corners", records.size() - at - 1));
+  std::vector<std::uint32_t> face;
+  for (std::size_t i = at + 1; i <= at + corners; ++i) {
+    DOBRA_TRY(const std::size_t corner, records.count(i, "the corner", most_items));
+    if (corner >= points) return records.error(i, fmt::format("there is no point {}", corner));
+    face.push_back(static_cast<std::uint32_t>(corner));
+  }
+  return face;
+}
+
+}  // namespace
+
+Result<PolygonMesh> parse_ply(std::string_view text, const std::string& file) {
+  DOBRA_TRY_VOID(check_text(text, file));
+  Records records(text, file);
+  DOBRA_TRY(const std::vector<PlyElement> elements, ply_header(records));
+  PolygonMesh mesh;
+  for (const PlyElement& element : elements) {
+    const auto column = [&](std::string_view name) {
+      const auto& all = element.properties;
+      return static_cast<std::size_t>(std::find(all.begin(), all.end(), name) - all.begin());
+    };
+    for (std::size_t i = 0; i < element.count; ++i) {
+      DOBRA_TRY_VOID(records.expect(fmt::format("{} {} of {}", element.name, i + 1, element.count)));
+      if (element.name == "vertex") {
+        Point3 point;
+        DOBRA_TRY(point.x, records.number(column("x"), "x"));
+        DOBRA_TRY(point.y, records.number(column("y"), "y"));
+        DOBRA_TRY(point.z, records.number(column("z"), "z"));
+        mesh.points.push_back(point);
+      } else if (element.name == "face") {
+        DOBRA_TRY(auto face, ply_face(records, column("list"), mesh.points.size()));
+        mesh.faces.push_back(std::move(face));
+      }
+    }
+  }
+  return mesh;
+}
+
+std::string polygons_text(const PolygonMesh& mesh, PolygonFormat format) {
+  const bool obj = format == PolygonFormat::Obj;
+  std::string text;
+  if (format == PolygonFormat::Off) text = fmt::format("OFF\n{} {} 0\n", mesh.points.size(), mesh.faces.size());
+  if (format == PolygonFormat::Ply) {
+    text = fmt::format(
+        "ply\nformat ascii 1.0\nelement vertex {}\nproperty double x\nproperty double y\nproperty double z\n"
+        "element face {}\nproperty list uchar int vertex_indices\nend_header\n",
+        mesh.points.size(), mesh.faces.size());
+  }
+  for (const Point3& p : mesh.points) {
+    text += fmt::format("{}{} {} {}\n", obj ? "v " : "", base::number_text(p.x), base::number_text(p.y),
+                        base::number_text(p.z));
+  }
+  for (const auto& face : mesh.faces) {
+    text += obj ? std::string("f") : fmt::format("{}", face.size());
+    for (const std::uint32_t corner : face) text += fmt::format(" {}", corner + (obj ? 1 : 0));
+    text += '\n';
+  }
+  return text;
+}
+
+Result<PolygonMesh> read_polygons(const std::string& path) {
+  const std::string ending = ending_of(path);
+  if (ending != ".obj" && ending != ".off" && ending != ".ply") {
+    return Error{ErrorCode::UnknownFormat, fmt::format("{}: polygon meshes are read from .obj, .off and .ply", path)};
+  }
+  DOBRA_TRY(const std::string text, read_text(path));
+  return ending == ".obj" ? parse_obj(text, path) : ending == ".off" ? parse_off(text, path) : parse_ply(text, path);
+}
+
+}  // namespace dobra::io::meshes

@@ -1,0 +1,27 @@
+#pragma once
+// Polygon meshes in space: OBJ (v, f), OFF and PLY, as text. Read as they stand, without mending: polygon_mesh.h says
+// what is wrong with them.
+
+#include <string>
+#include <string_view>
+
+#include "shared/base/result.h"
+#include "shared/mesh/polygon_mesh.h"
+
+namespace dobra::io::meshes {
+
+/// By the ending: .obj, .off or .ply. Of OBJ the statements v and f count (f 1, 1/2, 1//3, -1: from the last point);
+/// normals, textures, groups and materials are passed over. Corners are checked here, so that each fault has its line.
+/// @error FileNotFound, NotAFile, CannotRead, EmptyFile; UnknownFormat: another ending; BadFormat, NotFinite with line
+///        and column.
+base::Result<mesh::PolygonMesh> read_polygons(const std::string& path);
+base::Result<mesh::PolygonMesh> parse_obj(std::string_view text, const std::string& file);
+base::Result<mesh::PolygonMesh> parse_off(std::string_view text, const std::string& file);
+/// Of the elements, vertex (x, y, z) and face (its first list) count. @error BadFormat too for a binary file.
+base::Result<mesh::PolygonMesh> parse_ply(std::string_view text, const std::string& file);
+
+enum class PolygonFormat { Obj, Off, Ply };
+/// With every digit: the parsers give the same mesh back.
+std::string polygons_text(const mesh::PolygonMesh& mesh, PolygonFormat format);
+
+}  // namespace dobra::io::meshes

@@ -1,0 +1,53 @@
+#include "shared/io/meshes/polygon_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/shared/io/io_examples.h"
+
+namespace dobra::io::meshes {
+namespace {
+
+using base::ErrorCode;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+TEST(PolygonFile, ObjCornersCountFromOneOrBackwards) {
+  const auto mesh = parse_obj("# s\nv 0 0 0\nv 1 0 0.5\nvn 0 0 1\nv 1 1 0\ng part\nf 1/1 2//1 -1\n", "s.obj");
+  ASSERT_TRUE(mesh.ok()) << base::to_string(mesh.error());
+  EXPECT_EQ(mesh->points[1], (geom::Point3{1, 0, 0.5}));
+  ASSERT_EQ(mesh->faces.size(), 1U);
+  EXPECT_THAT(mesh->faces[0], ElementsAre(0, 1, 2));
+}
+
+TEST(PolygonFile, OffCountsMayStandOnTheFirstLine) {
+  for (const char* head : {"OFF\n3 1 0\n", "OFF 3 1 0\n"}) {
+    const auto mesh = parse_off(std::string(head) + "0 0 0\n1 0 0\n0 1 2\n3 0 1 2 255 0 0\n", "s.off");
+    ASSERT_TRUE(mesh.ok()) << base::to_string(mesh.error());
+    EXPECT_EQ(mesh->points[2].z, 2.0);
+    EXPECT_THAT(mesh->faces[0], ElementsAre(0, 1, 2));
+  }
+}
+
+TEST(PolygonFile, FaultsHaveTheirLine) {
+  const auto said = [](const auto& read) { return read.ok() ? "" : base::to_string(read.error()); };
+  EXPECT_THAT(said(parse_obj("v 0 0 0\nf 1 2 3\n", "s.obj")), HasSubstr("s.obj:2:5"));
+  EXPECT_THAT(said(parse_obj("v 0 0 0\nf 1 0 1\n", "s.obj")), HasSubstr("s.obj:2:5"));
+  EXPECT_THAT(said(parse_obj("v 0 zero 0\n", "s.obj")), HasSubstr("s.obj:1:5"));
+  EXPECT_THAT(said(parse_obj("v 0 0 0\n", "s.obj")), HasSubstr("no face"));
+  EXPECT_THAT(said(parse_off("3 1 0\n", "s.off")), HasSubstr("OFF"));
+  EXPECT_THAT(said(parse_off("OFF\n1 1 0\n0 0 0\n3 0 0 7\n", "s.off")), HasSubstr("s.off:4:7"));
+  EXPECT_THAT(said(parse_off("OFF\n1 1 0\n0 0 0\n9 0 0\n", "s.off")), HasSubstr("s.off:4:1"));
+  EXPECT_THAT(said(parse_off("OFF\n2 1 0\n0 0 0\n", "s.off")), HasSubstr("point 2 of 2"));
+}
+
+TEST(PolygonFile, OtherEndingsAreRefused) {
+  const auto read = read_polygons("a.xyz");
+  ASSERT_FALSE(read.ok());
+  EXPECT_EQ(read.error().code, ErrorCode::UnknownFormat);
+}
+
+}  // namespace
+}  // namespace dobra::io::meshes
