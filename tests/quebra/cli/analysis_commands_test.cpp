@@ -381,12 +381,11 @@ TEST_F(AnalysisCommands, ProbesAndLinesOfTheFileArePrinted) {
 TEST_F(AnalysisCommands, ABookOfOnesOwnIsJudgedAndAWrongExpectationEndsWithOne) {
   std::filesystem::create_directory(path("book"));
   const auto book = [&](const std::string& value) {
-    put("book/a.toml",
-        "dobra = 1\nprogram = \"quebra\"\n" + test::sheared_l +
-            "[[expect]]\nname = \"curves of \\\"L\\\"\"\nsection = \"1\"\nsource = \"counted\"\nquantity "
-            "= \"curves\"\nvalue = " +
-            value + "\n");
-    return call({"validate", path("book"), "--json"});
+    const std::string file = put("book/a.toml", "dobra = 1\nprogram = \"quebra\"\n" + test::sheared_l +
+                                                    "[[expect]]\nname = 'curves of \"L\"'\nsource = \"counted\"\n"
+                                                    "quantity = \"curves\"\nvalue = " +
+                                                    value + "\n");
+    return call({"validate", std::filesystem::path(file).parent_path().string(), "--json"});
   };
   const auto right = book("6");
   EXPECT_EQ(right.code, 0) << right.err;
