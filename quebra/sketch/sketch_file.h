@@ -21,8 +21,8 @@ struct SketchOptions {
 };
 
 /// By the ending of the name: .poly, .geo, .svg, .msh, .inp, .vtu, .bdf .nas, .nf, .ele, or a format of
-/// io::formats::read_curves; a .txt may be the graph of io::meshes::counted_graph. Curves without roles are left to make_domain: closed
-/// ones and chains that close bound the domain, the others are internal lines.
+/// io::formats::read_curves; a .txt may be the graph of io::meshes::counted_graph. Curves without roles are left to
+/// make_domain: closed ones and chains that close bound the domain, the others are internal lines.
 /// @error FileNotFound, NotAFile; UnknownFormat naming what is read; BadValue for options that the format does not ask;
 /// those of the readers.
 dobra::base::Result<Sketch> read_sketch(const std::string& path, const SketchOptions& options = {});
