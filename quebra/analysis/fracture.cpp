@@ -27,7 +27,7 @@ std::vector<Figure> figures_of(const fem::fracture::TipResult& tip) {
   const auto two = [](const std::optional<fem::fracture::Intensity>& i) {
     return i ? std::optional(i->two) : std::nullopt;
   };
-  const auto angle = [&](fem::fracture::Kink fem::TipResult::Kinks::*kink) {
+  const auto angle = [&](fem::fracture::Kink fem::fracture::TipResult::Kinks::*kink) {
     return tip.kinks ? std::optional((*tip.kinks.*kink).angle.degrees()) : std::nullopt;
   };
   using Kinks = fem::fracture::TipResult::Kinks;

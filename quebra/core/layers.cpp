@@ -490,8 +490,8 @@ void add_mesh_tables(const model::Model& model, std::vector<scenario::DataTable>
 }
 
 io::meshes::InpElement inp_element_of(const model::Model& model) {
-  return model.problem && model.problem->state == analysis::Plane::Strain ? io::InpElement::PlaneStrain
-                                                                          : io::InpElement::PlaneStress;
+  return model.problem && model.problem->state == analysis::Plane::Strain ? io::meshes::InpElement::PlaneStrain
+                                                                          : io::meshes::InpElement::PlaneStress;
 }
 
 void add_mesh_outputs(const std::shared_ptr<const model::Model>& model, std::vector<scenario::Output>& outputs) {

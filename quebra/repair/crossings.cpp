@@ -179,8 +179,7 @@ class Crossings {
     }
     std::vector<Polyline*> together;
     for (Polyline& own : lines) together.push_back(&own);
-    const auto snaps = sketch::snap_together(together, same_point_);
-    if (std::all_of(snaps.begin(), snaps.end(), [](const sketch::Snap& snap) { return snap.gap == 0.0; })) return;
+    sketch::snap_together(together, same_point_);
     for (std::size_t i = 0; i < owner.size(); ++i) curves_[owner[i]].shape = std::move(lines[i]);
   }
 

@@ -34,8 +34,8 @@ base::Result<std::vector<scenario::Document>> read_book(const std::filesystem::p
   for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
     if (entry.path().extension() == ".toml") files.push_back(entry.path());
   }
-  if (files.empty())
-    return Error{ErrorCode::FileNotFound, "there is no scenario (.toml) in this folder",
+  if (error || files.empty())
+    return Error{ErrorCode::FileNotFound, error ? error.message() : "there is no scenario (.toml) in this folder",
                  base::Place{.file = folder.string()}};
   std::sort(files.begin(), files.end());
   std::vector<scenario::Document> book;
@@ -89,15 +89,10 @@ std::string csv(const std::vector<Row>& rows) {
 std::string json(const std::vector<Row>& rows) {
   std::string text = "[";
   for (const auto& [expect, value, error, met] : rows) {
-    const nlohmann::ordered_json row = {{"section", expect.section},
-                                        {"case", expect.name},
-                                        {"value", value},
-                                        {"reference", *expect.value},
-                                        {"error", error},
-                                        {"tolerance", expect.relative_tolerance},
-                                        {"met", met},
-                                        {"source", expect.source},
-                                        {"note", expect.note}};
+    nlohmann::ordered_json row = {{"section", expect.section}, {"case", expect.name}};
+    row.update({{"value", value}, {"reference", *expect.value}, {"error", error}});
+    row.update({{"tolerance", expect.relative_tolerance}, {"met", met}});
+    row.update({{"source", expect.source}, {"note", expect.note}});
     text += (text.size() > 1 ? ",\n  " : "\n  ") + row.dump();
   }
   return text + "\n]\n";

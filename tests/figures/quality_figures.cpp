@@ -90,7 +90,7 @@ scene::Panel plate(const std::string& name, const mesh::TriangleMesh& mesh) {
 base::Result<scene::Picture> triangulate() {
   DOBRA_TRY(const mesh::TriangleMesh without, mesh::front::triangulate(mesh::test::que_d()));
   DOBRA_TRY(const mesh::TriangleMesh with, mesh::front::triangulate(mesh::test::que_e()));
-  return scene::Picture{{}, {plate("Without constraints", without), plate("With constraints", with)}};
+  return scene::Picture{{}, {plate("Free", without), plate("Constrained", with)}};
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ struct Mesher::State {
   Result<void> improve(const Progress& progress) {
     std::vector<std::uint8_t> fixed(domain.kernel.vertex_count(), 0);
     std::fill(fixed.begin(), fixed.begin() + static_cast<std::ptrdiff_t>(given), std::uint8_t{1});
-    return improve(domain.kernel, fixed, options.smoothing, options.rounds, progress);
+    return front::improve(domain.kernel, fixed, options.smoothing, options.rounds, progress);
   }
 };
 

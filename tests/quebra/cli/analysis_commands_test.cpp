@@ -386,5 +386,24 @@ TEST_F(AnalysisCommands, ProbesAndLinesOfTheFileArePrinted) {
   }
 }
 
+TEST_F(AnalysisCommands, ABookOfOnesOwnIsJudgedAndAWrongExpectationEndsWithOne) {
+  std::filesystem::create_directory(path("book"));
+  const auto book = [&](const std::string& value) {
+    const std::string file = put("book/a.toml", "dobra = 1\nprogram = \"quebra\"\n" + test::sheared_l +
+                                                    "[[expect]]\nname = 'curves of \"L\"'\nsource = \"counted\"\n"
+                                                    "quantity = \"curves\"\nvalue = " +
+                                                    value + "\n");
+    return call({"validate", std::filesystem::path(file).parent_path().string(), "--json"});
+  };
+  const auto right = book("6");
+  EXPECT_EQ(right.code, 0) << right.err;
+  EXPECT_EQ(Json::parse(right.out)[0]["case"], "curves of \"L\"");
+  const auto wrong = book("7");
+  EXPECT_EQ(wrong.code, 1) << wrong.err;
+  EXPECT_EQ(Json::parse(wrong.out)[0]["met"], false);
+  EXPECT_EQ(Json::parse(wrong.out)[0]["value"], 6.0);
+  refuses({"validate", path("no_book")}, 3, {"no_book", "No such file"});
+}
+
 }  // namespace
 }  // namespace quebra::cli
