@@ -250,45 +250,48 @@ Result<int> mesh_job(Session& session, const Options& options) {
 }  // namespace
 
 Command mesh_command() {
-  return {"mesh", "Mesh a scenario or a file of geometry", [](CLI::App& app) -> Job {
-            const auto options = std::make_shared<Options>();
-            app.add_option("file", options->input.scenario.file,
-                           "Scenario (.toml), geometry (.poly .geo .svg .geojson .dxf .wkt .txt .csv) or a mesh whose "
-                           "boundary is meant")
-                ->required()
-                ->type_name("FILE");
-            add_input_options(app, options->input);
-            add_rule_options(app, options->rules, scenario::fields_of<core::MeshParams>());
-            app.add_flag("--quads", options->quads,
-                         "Join pairs of triangles to quadrilaterals where that gives a good shape");
-            app.add_flag("--closed", options->input.closed,
-                         "Every line of the file is an outline, whose last point need not repeat the first");
-            app.add_option("--bands", options->bands,
-                           "Offset curves as constraints: CURVE[+CURVE]:COUNT:DISTANCE[:FACTOR]; may be repeated")
-                ->allow_extra_args(false)
-                ->type_name("BANDS");
-            app.add_option("--zone", options->zones,
-                           "Small elements near curves: CURVE[+CURVE]:SIZE:WIDTH; may be repeated")
-                ->allow_extra_args(false)
-                ->type_name("ZONE");
-            app.add_option("--out", options->out,
-                           fmt::format("File to write: {}", fmt::join(io::formats::mesh_endings(), " ")))
-                ->type_name("FILE");
-            app.add_option(
-                   "--stop-after", options->stop_after,
-                   "Stop the engine after this many steps, one side of its front or one node each; see --picture")
-                ->check(CLI::PositiveNumber)
-                ->type_name("N");
-            app.add_option("--picture", options->picture,
-                           "Draw the mesh; with --stop-after the triangles made so far and the front")
-                ->type_name("FILE.svg|pdf|png");
-            app.add_option("--histogram", options->histogram, "Draw how many elements have which quality alpha")
-                ->type_name("FILE.svg|pdf|png");
-            app.add_option("--size-field", options->size_field,
-                           "Draw the sizes that the mesh was to have, and the quadtree that carries them")
-                ->type_name("FILE.svg|pdf|png");
-            return [options](Session& session) { return mesh_job(session, *options); };
-          }};
+  return {
+      "mesh", "Mesh a scenario or a file of geometry", [](CLI::App& app) -> Job {
+        const auto options = std::make_shared<Options>();
+        app.add_option("file", options->input.scenario.file,
+                       fmt::format("Scenario (.toml), geometry ({} {}) or a mesh whose boundary is meant ({})",
+                                   fmt::join(io::formats::endings_for(io::formats::Use::ReadDrawing), " "),
+                                   fmt::join(io::formats::endings_for(io::formats::Use::ReadLines), " "),
+                                   fmt::join(io::formats::endings_for(io::formats::Use::ReadMesh), " ")))
+            ->required()
+            ->type_name("FILE");
+        add_input_options(app, options->input);
+        add_rule_options(app, options->rules, scenario::fields_of<core::MeshParams>());
+        app.add_flag("--quads", options->quads,
+                     "Join pairs of triangles to quadrilaterals where that gives a good shape");
+        app.add_flag("--closed", options->input.closed,
+                     "Every line of the file is an outline, whose last point need not repeat the first");
+        app.add_option("--bands", options->bands,
+                       "Offset curves as constraints: CURVE[+CURVE]:COUNT:DISTANCE[:FACTOR]; may be repeated")
+            ->allow_extra_args(false)
+            ->type_name("BANDS");
+        app.add_option("--zone", options->zones,
+                       "Small elements near curves: CURVE[+CURVE]:SIZE:WIDTH; may be repeated")
+            ->allow_extra_args(false)
+            ->type_name("ZONE");
+        app.add_option(
+               "--out", options->out,
+               fmt::format("File to write: {}", fmt::join(io::formats::endings_for(io::formats::Use::WriteMesh), " ")))
+            ->type_name("FILE");
+        app.add_option("--stop-after", options->stop_after,
+                       "Stop the engine after this many steps, one side of its front or one node each; see --picture")
+            ->check(CLI::PositiveNumber)
+            ->type_name("N");
+        app.add_option("--picture", options->picture,
+                       "Draw the mesh; with --stop-after the triangles made so far and the front")
+            ->type_name("FILE.svg|pdf|png");
+        app.add_option("--histogram", options->histogram, "Draw how many elements have which quality alpha")
+            ->type_name("FILE.svg|pdf|png");
+        app.add_option("--size-field", options->size_field,
+                       "Draw the sizes that the mesh was to have, and the quadtree that carries them")
+            ->type_name("FILE.svg|pdf|png");
+        return [options](Session& session) { return mesh_job(session, *options); };
+      }};
 }
 
 }  // namespace quebra::cli

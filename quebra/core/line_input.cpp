@@ -14,13 +14,11 @@ using dobra::base::Error;
 using dobra::base::ErrorCode;
 using dobra::base::Result;
 
-Result<io::formats::LineFormat> format_of(const std::string& name) {
-  std::vector<std::string> names;
-  for (const io::formats::LineFormatNames& known : io::formats::line_formats()) {
-    if (known.name == name) return known.format;
-    names.emplace_back(known.name);
-  }
-  return Error{ErrorCode::BadValue, fmt::format("format: unknown '{}'; give {}", name, fmt::join(names, ", "))};
+Result<const io::formats::Format*> format_of(const std::string& name) {
+  using io::formats::Use;
+  if (const auto* format = io::formats::format_named(name, Use::ReadLines)) return format;
+  return Error{ErrorCode::BadValue, fmt::format("format: unknown '{}'; give {}", name,
+                                                fmt::join(io::formats::names_for(Use::ReadLines), ", "))};
 }
 
 }  // namespace

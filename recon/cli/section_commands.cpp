@@ -47,7 +47,8 @@ struct BalanceOptions {
 
 void add_section_options(CLI::App& app, SectionFile& options) {
   app.add_option("file", options.file,
-                 "The section: a scenario (.toml), or lines (.geojson .shp .gpkg .dxf .asc .pl .wkt .csv .txt ...)")
+                 fmt::format("The section: a scenario (.toml), or lines ({})",
+                             fmt::join(io::formats::endings_for(io::formats::Use::ReadLines), " ")))
       ->required()
       ->type_name("FILE");
   dobra::cli::add_line_options(app, options.lines);
@@ -104,7 +105,7 @@ Result<OutKind> out_kind(const std::filesystem::path& out) {
   return base::Error{base::ErrorCode::BadUsage,
                      fmt::format("--out {}: give a picture (.svg .pdf .png), a scenario (.toml), or a file of the "
                                  "restored lines ({})",
-                                 out.string(), fmt::join(io::formats::line_endings(), " "))};
+                                 out.string(), fmt::join(io::formats::endings_for(io::formats::Use::WriteLines), " "))};
 }
 
 /// A picture, the scenario itself to go on with, or the restored lines.
@@ -191,9 +192,9 @@ dobra::cli::Command restore_command() {
             app.add_option("--orientation", options->orientation,
                            "Compass points over the ends, such as \"W - E\"; told by the plane of lines in space")
                 ->type_name("ENDS");
-            app.add_option(
-                   "--out", options->out,
-                   "Picture (.svg .pdf .png), restored lines (.geojson .dxf .csv ...) or scenario (.toml) to write")
+            app.add_option("--out", options->out,
+                           fmt::format("Picture (.svg .pdf .png), restored lines ({}) or scenario (.toml) to write",
+                                       fmt::join(io::formats::endings_for(io::formats::Use::WriteLines), " ")))
                 ->type_name("FILE");
             return [options](Session& session) { return restore_job(session, *options); };
           }};

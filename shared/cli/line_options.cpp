@@ -109,10 +109,9 @@ void add_line_options(CLI::App& app, LineOptionTexts& texts) {
 Result<io::formats::LineOptions> line_options(const LineOptionTexts& texts) {
   io::formats::LineOptions options;
   if (!texts.format.empty()) {
-    std::vector<std::string> names;
-    for (const io::formats::LineFormatNames& format : io::formats::line_formats()) names.emplace_back(format.name);
-    DOBRA_TRY(const std::size_t format, choice("--from", texts.format, names));
-    options.format = io::formats::line_formats()[format].format;
+    constexpr auto use = io::formats::Use::ReadLines;
+    DOBRA_TRY_VOID(choice("--from", texts.format, io::formats::names_for(use)));
+    options.format = io::formats::format_named(texts.format, use);
   }
   options.text.columns = io::formats::words_between_commas(texts.columns);
   options.text.name_columns = io::formats::words_between_commas(texts.name_columns);

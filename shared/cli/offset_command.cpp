@@ -1,6 +1,7 @@
 #include "shared/cli/offset_command.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -253,23 +254,23 @@ Result<int> offset_job(Session& session, const Options& options) {
 }  // namespace
 
 Command offset_command() {
-  return {"offset", "Curves parallel to the curves of a file", [](CLI::App& app) -> Job {
-            const auto options = std::make_shared<Options>();
-            app.add_option("file", options->file,
-                           "Curves: .txt .csv .tsv .dat .wkt .geojson .json .dxf .asc .pl .shp .gpkg")
-                ->required()
-                ->type_name("FILE");
-            add_distance_options(app, *options);
-            add_shape_options(app, *options);
-            app.add_flag("--closed", options->closed, "Take every curve as a closed contour");
-            app.add_flag("--verify", options->verify,
-                         "Judge the curves independently; exit code 1 if anything is wrong");
-            app.add_option("--curve", options->curve, "Only the curve of this name or number; all by default")
-                ->type_name("NAME|NUMBER");
-            app.add_option("--out", options->out, "File to write: .geojson .gpkg .shp .dxf .wkt .csv .svg .pdf .png")
-                ->type_name("FILE");
-            return [options](Session& session) { return offset_job(session, *options); };
-          }};
+  return {
+      "offset", "Curves parallel to the curves of a file", [](CLI::App& app) -> Job {
+        const auto options = std::make_shared<Options>();
+        app.add_option("file", options->file,
+                       fmt::format("Curves: {}", fmt::join(io::formats::endings_for(io::formats::Use::ReadLines), " ")))
+            ->required()
+            ->type_name("FILE");
+        add_distance_options(app, *options);
+        add_shape_options(app, *options);
+        app.add_flag("--closed", options->closed, "Take every curve as a closed contour");
+        app.add_flag("--verify", options->verify, "Judge the curves independently; exit code 1 if anything is wrong");
+        app.add_option("--curve", options->curve, "Only the curve of this name or number; all by default")
+            ->type_name("NAME|NUMBER");
+        app.add_option("--out", options->out, "File to write: .geojson .gpkg .shp .dxf .wkt .csv .svg .pdf .png")
+            ->type_name("FILE");
+        return [options](Session& session) { return offset_job(session, *options); };
+      }};
 }
 
 }  // namespace dobra::cli
