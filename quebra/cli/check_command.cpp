@@ -230,13 +230,10 @@ std::string curves_text(const Verdict& verdict) {
 
 // --- either ----------------------------------------------------------------------------------------------------------
 
-bool of_mesh(const std::string& ending) {
-  return ending == ".obj" || ending == ".off" || ending == ".ply" || io::formats::is_mesh_ending(ending);
-}
-
 Result<Verdict> verdict_of(Session& session, const Options& options) {
   const std::string ending = io::ending_of(options.input.scenario.file.string());
-  if (!of_mesh(ending)) return of_geometry(session, options);
+  if (io::formats::format_of(options.input.scenario.file.string(), io::formats::Use::ReadMesh) == nullptr)
+    return of_geometry(session, options);
   if (options.picture)
     return base::Error{base::ErrorCode::BadUsage,
                        "--picture draws the curves of a scenario or a file of geometry, and this is a mesh; `quebra "
@@ -296,8 +293,10 @@ Command check_command() {
           [](CLI::App& app) -> Job {
             const auto options = std::make_shared<Options>();
             app.add_option("file", options->input.scenario.file,
-                           "Polygon mesh (.obj .off .ply), elements (.vtu .msh .msh2 .inp .bdf .nas .nf .ele .stl), a "
-                           "scenario (.toml) or geometry (.poly .geo .svg .geojson .dxf .wkt .txt .csv)")
+                           fmt::format("Mesh ({}), scenario (.toml) or geometry ({} {})",
+                                       fmt::join(io::formats::endings_for(io::formats::Use::ReadMesh), " "),
+                                       fmt::join(io::formats::endings_for(io::formats::Use::ReadDrawing), " "),
+                                       fmt::join(io::formats::endings_for(io::formats::Use::ReadLines), " ")))
                 ->required()
                 ->type_name("FILE");
             add_input_options(app, options->input);

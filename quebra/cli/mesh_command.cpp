@@ -251,8 +251,10 @@ Command mesh_command() {
   return {"mesh", "Mesh a scenario or a file of geometry", [](CLI::App& app) -> Job {
             const auto options = std::make_shared<Options>();
             app.add_option("file", options->input.scenario.file,
-                           "Scenario (.toml), geometry (.poly .geo .svg .geojson .dxf .wkt .txt .csv) or a mesh whose "
-                           "boundary is meant")
+                           fmt::format("Scenario (.toml), geometry ({} {}) or a mesh whose boundary is meant ({})",
+                                       fmt::join(io::formats::endings_for(io::formats::Use::ReadDrawing), " "),
+                                       fmt::join(io::formats::endings_for(io::formats::Use::ReadLines), " "),
+                                       fmt::join(io::formats::endings_for(io::formats::Use::ReadMesh), " ")))
                 ->required()
                 ->type_name("FILE");
             add_input_options(app, options->input);
@@ -267,7 +269,8 @@ Command mesh_command() {
                 ->allow_extra_args(false)
                 ->type_name("ZONE");
             app.add_option("--out", options->out,
-                           fmt::format("File to write: {}", fmt::join(io::formats::mesh_endings(), " ")))
+                           fmt::format("File to write: {}",
+                                       fmt::join(io::formats::endings_for(io::formats::Use::WriteMesh), " ")))
                 ->type_name("FILE");
             app.add_option("--picture", options->picture,
                            "Draw the mesh; with --stop-after the triangles made so far and the front")

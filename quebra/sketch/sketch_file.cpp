@@ -114,7 +114,7 @@ Sketch sketch_of(const dobra::io::meshes::PolyFile& file, const std::string& pat
 Result<std::optional<Sketch>> true_curves(const std::string& path, const dobra::io::formats::Curves& read,
                                           const SketchOptions& options) {
   const dobra::io::formats::LineOptions& lines = options.lines;
-  if (read.format != dobra::io::formats::LineFormat::Dxf || lines.coordinates == dobra::io::formats::Coordinates::Map)
+  if (read.format->name != "dxf" || lines.coordinates == dobra::io::formats::Coordinates::Map)
     return std::optional<Sketch>();
   DOBRA_TRY(const std::string text, dobra::io::read_text(path));
   auto paths = dobra::io::drawings::dxf_paths(text, path);
@@ -282,8 +282,9 @@ Result<Sketch> read_by_ending(const std::string& path, const SketchOptions& opti
   const std::string ending = dobra::io::ending_of(path);
   Place place;
   place.file = path;
-  const bool drawing =
-      ending == ".poly" || ending == ".geo" || ending == ".svg" || dobra::io::formats::is_mesh_ending(ending);
+  using dobra::io::formats::Use;
+  const bool drawing = dobra::io::formats::format_of(path, Use::ReadDrawing) != nullptr ||
+                       dobra::io::formats::format_of(path, Use::ReadMesh) != nullptr;
   if (drawing && options.chosen) {
     return Error{ErrorCode::BadValue,
                  fmt::format("units, axes, columns and closing are asked of files of lines only, not of {} files; "
@@ -293,12 +294,14 @@ Result<Sketch> read_by_ending(const std::string& path, const SketchOptions& opti
   }
   if (drawing) return read_as_it_stands(path, ending, options.silent_unit);
   if (!options.lines.format && !dobra::io::formats::line_format_of(path)) {
-    return Error{ErrorCode::UnknownFormat,
-                 fmt::format("the ending of the name tells no format; geometry is read from .poly .geo .svg {}, the "
-                             "boundary of a mesh from {}",
-                             fmt::join(dobra::io::formats::line_endings(), " "),
-                             fmt::join(dobra::io::formats::mesh_read_endings(), " ")),
-                 place};
+    return Error{
+        ErrorCode::UnknownFormat,
+        fmt::format("the ending of the name tells no format; geometry is read from {} {}, the boundary of a mesh "
+                    "from {}",
+                    fmt::join(dobra::io::formats::endings_for(Use::ReadDrawing), " "),
+                    fmt::join(dobra::io::formats::endings_for(Use::ReadLines), " "),
+                    fmt::join(dobra::io::formats::endings_for(Use::ReadMesh), " ")),
+        place};
   }
   return ending == ".txt" && !options.lines.format ? from_text(path, options) : from_curves(path, options);
 }

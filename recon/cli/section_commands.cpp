@@ -43,7 +43,8 @@ struct SectionOptions {
 
   void add(CLI::App& app, const std::vector<dobra::cli::OptionOf>& input_keys) {
     app.add_option("file", file,
-                   "The section: a scenario (.toml), or lines (.geojson .shp .gpkg .dxf .asc .pl .wkt .csv .txt ...)")
+                   fmt::format("The section: a scenario (.toml), or lines ({})",
+                               fmt::join(io::formats::endings_for(io::formats::Use::ReadLines), " ")))
         ->required()
         ->type_name("FILE");
     lines.add(app, dobra::cli::LineOptions::Repairs::Offered);
@@ -138,7 +139,7 @@ Result<OutKind> out_kind(const std::filesystem::path& out) {
   return base::Error{base::ErrorCode::BadUsage,
                      fmt::format("--out {}: give a picture (.svg .pdf .png), a scenario (.toml), or a file of the "
                                  "restored lines ({})",
-                                 out.string(), fmt::join(io::formats::line_endings(), " "))};
+                                 out.string(), fmt::join(io::formats::endings_for(io::formats::Use::WriteLines), " "))};
 }
 
 /// A picture, the scenario itself to go on with, or the restored lines.
@@ -218,9 +219,9 @@ dobra::cli::Command restore_command() {
             options->errors.add(app, scenario::fields_of<unfold::MonteCarloParams>(),
                                 {"draws", "pick_error", "pin_error", "angle_error", "seed"});
             options->own.add(app);
-            app.add_option(
-                   "--out", options->out,
-                   "Picture (.svg .pdf .png), restored lines (.geojson .dxf .csv ...) or scenario (.toml) to write")
+            app.add_option("--out", options->out,
+                           fmt::format("Picture (.svg .pdf .png), restored lines ({}) or scenario (.toml) to write",
+                                       fmt::join(io::formats::endings_for(io::formats::Use::WriteLines), " ")))
                 ->type_name("FILE");
             return [options](Session& session) { return restore_job(session, *options); };
           }};

@@ -101,7 +101,7 @@ base::Result<ReadPieces> lines_of_file(const HorizonInput& input, const std::str
   DOBRA_TRY(options.text.columns, columns_of(input));
   DOBRA_TRY(io::formats::LineWork work, io::formats::read_any_lines(path, options));
   const auto named = [](const io::lines::Feature& feature) { return !feature.name.empty(); };
-  if (work.format == io::formats::LineFormat::Text && std::any_of(work.features.begin(), work.features.end(), named)) {
+  if (work.format->name == "text" && std::any_of(work.features.begin(), work.features.end(), named)) {
     // Where rows have names a blank line ends a piece; elsewhere it says nothing.
     options.text.blank_lines = io::lines::BlankLines::SplitLines;
     if (auto split = io::formats::read_any_lines(path, options))

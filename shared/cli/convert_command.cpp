@@ -1,6 +1,7 @@
 #include "shared/cli/convert_command.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -77,14 +78,11 @@ Result<Target> target_of(const ConvertParams& params, const std::filesystem::pat
   const std::string ending = output.extension().string();
   target.picture = params.to.empty() && (ending == ".svg" || ending == ".pdf" || ending == ".png");
   if (!params.to.empty()) {
-    std::vector<std::string> names;
-    for (const io::formats::LineFormatNames& format : io::formats::line_formats()) {
-      names.emplace_back(format.name);
-      if (params.to == format.name) target.lines.format = format.format;
-    }
-    if (!target.lines.format) {
+    target.lines.format = io::formats::format_named(params.to, io::formats::Use::WriteLines);
+    if (target.lines.format == nullptr) {
       return Error{ErrorCode::BadUsage,
-                   fmt::format("--to: unknown '{}'{}", params.to, base::did_you_mean(params.to, names))};
+                   fmt::format("--to: unknown '{}'{}", params.to,
+                               base::did_you_mean(params.to, io::formats::names_for(io::formats::Use::WriteLines)))};
     }
   } else if (!target.picture) {
     auto format = io::formats::line_format_of(output.string());
@@ -111,7 +109,7 @@ Result<Target> target_of(const ConvertParams& params, const std::filesystem::pat
   if (!ratio || !number || !std::isfinite(*number) || *number <= 0.0) {
     return Error{ErrorCode::BadUsage, fmt::format("--scale {}: give a scale such as 1:10000", params.scale)};
   }
-  if (!target.picture && target.lines.format != io::formats::LineFormat::Dxf) {
+  if (!target.picture && target.lines.format->name != "dxf") {
     return Error{ErrorCode::BadUsage, "--scale is for .svg, .pdf, .png and .dxf"};
   }
   target.scale = *number;
@@ -180,22 +178,19 @@ std::string report_json(const Options& options, const Target& target, const io::
                        {"at", {repair.at.x, repair.at.y}},
                        {"moved", repair.moved}});
   }
-  const auto format_name = [](io::formats::LineFormat format) {
-    return io::formats::line_formats()[static_cast<std::size_t>(format)].name;
-  };
-  Json json = {{"read",
-                {{"file", options.input},
-                 {"format", format_name(work.format)},
-                 {"y_axis", work.y_direction == io::lines::YDirection::Down ? "down" : "up"},
-                 {"unit", work.unit},
-                 {"extent", {box.low.x, box.low.y, box.high.x, box.high.y}},
-                 {"features", features}}},
-               {"repairs", repairs},
-               {"written",
-                {{"file", options.output.string()},
-                 {"format",
-                  target.picture ? options.output.extension().string().substr(1) : format_name(*target.lines.format)}}},
-               {"remarks", work.remarks}};
+  Json json = {
+      {"read",
+       {{"file", options.input},
+        {"format", work.format->name},
+        {"y_axis", work.y_direction == io::lines::YDirection::Down ? "down" : "up"},
+        {"unit", work.unit},
+        {"extent", {box.low.x, box.low.y, box.high.x, box.high.y}},
+        {"features", features}}},
+      {"repairs", repairs},
+      {"written",
+       {{"file", options.output.string()},
+        {"format", target.picture ? options.output.extension().string().substr(1) : target.lines.format->name}}},
+      {"remarks", work.remarks}};
   if (work.trace) {
     const io::lines::Trace& t = *work.trace;
     json["read"]["trace"] = {{"origin", {t.x, t.y}},
@@ -243,18 +238,18 @@ Result<int> convert_job(Session& session, const Options& options) {
 }  // namespace
 
 Command convert_command() {
-  return {"convert", "Lines from one format to another, with units, depths, planes and repairs",
-          [](CLI::App& app) -> Job {
-            const auto options = std::make_shared<Options>();
-            app.add_option("in", options->input,
-                           "Lines: .csv .txt .tsv .dat .wkt .geojson .json .dxf .asc .pl .vs .gp .shp .gpkg")
-                ->required()
-                ->type_name("IN");
-            app.add_option("out", options->output, "The same, or .svg .pdf .png")->required()->type_name("OUT");
-            options->lines.add(app, LineOptions::Repairs::Offered);
-            options->own.add(app);
-            return [options](Session& session) { return convert_job(session, *options); };
-          }};
+  return {
+      "convert", "Lines from one format to another, with units, depths, planes and repairs", [](CLI::App& app) -> Job {
+        const auto options = std::make_shared<Options>();
+        app.add_option("in", options->input,
+                       fmt::format("Lines: {}", fmt::join(io::formats::endings_for(io::formats::Use::ReadLines), " ")))
+            ->required()
+            ->type_name("IN");
+        app.add_option("out", options->output, "The same, or .svg .pdf .png")->required()->type_name("OUT");
+        options->lines.add(app, LineOptions::Repairs::Offered);
+        options->own.add(app);
+        return [options](Session& session) { return convert_job(session, *options); };
+      }};
 }
 
 }  // namespace dobra::cli

@@ -1,6 +1,7 @@
 #include "shared/cli/offset_command.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -111,8 +112,9 @@ Result<int> offset_job(Session& session, const Options& options) {
 Command offset_command() {
   return {"offset", "Curves parallel to the curves of a file", [](CLI::App& app) -> Job {
             const auto options = std::make_shared<Options>();
-            app.add_option("file", options->file,
-                           "Curves: .txt .csv .tsv .dat .wkt .geojson .json .dxf .asc .pl .shp .gpkg")
+            app.add_option(
+                   "file", options->file,
+                   fmt::format("Curves: {}", fmt::join(io::formats::endings_for(io::formats::Use::ReadLines), " ")))
                 ->required()
                 ->type_name("FILE");
             options->parameters.add(app, fields());

@@ -12,14 +12,16 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "shared/io/formats/line_files.h"
 
 namespace {
 
-using dobra::io::formats::LineFormat;
+using dobra::io::formats::Format;
 using dobra::io::formats::LineOptions;
 using dobra::io::formats::LineWork;
+using dobra::io::formats::Use;
 
 /// In memory where the system has such a place.
 std::string file_of(const std::string& ending) {
@@ -48,15 +50,15 @@ LineOptions options_of(std::uint8_t bits) {
   return options;
 }
 
-dobra::base::Result<LineWork> read(LineFormat format, std::string_view bytes, const LineOptions& options) {
-  if (format == LineFormat::GeoPackage) {
+dobra::base::Result<LineWork> read(const Format& format, std::string_view bytes, const LineOptions& options) {
+  if (format.name == "geopackage") {
     const std::string path = file_of(".gpkg");
     write_all(path, bytes);
     auto made = dobra::io::formats::read_any_lines(path, options);
     std::filesystem::remove(path);
     return made;
   }
-  if (format == LineFormat::Shapefile) {
+  if (format.name == "shapefile") {
     const std::size_t index = bytes.empty() ? 0 : (bytes.size() - 1) * static_cast<unsigned char>(bytes[0]) / 255;
     write_all(file_of(".shx"), bytes.substr(bytes.empty() ? 0 : 1, index));
     write_all(file_of(".shp"), bytes.substr(bytes.empty() ? 0 : 1 + index));
@@ -66,7 +68,7 @@ dobra::base::Result<LineWork> read(LineFormat format, std::string_view bytes, co
     return made;
   }
   LineOptions chosen = options;
-  chosen.format = format;
+  chosen.format = &format;
   return dobra::io::formats::parse_any_lines(bytes, "f", chosen);
 }
 
@@ -83,10 +85,10 @@ void check_finite(const LineWork& work) {
 }
 
 /// `work` as text of the format; on the plane y = 0, where the same bits come back.
-std::string text_of(LineWork work, LineFormat format) {
+std::string text_of(LineWork work, const Format& format) {
   std::vector<std::string> remarks;
   work.trace.reset();
-  auto text = dobra::io::formats::lines_text(work, {.format = format}, remarks);
+  auto text = dobra::io::formats::lines_text(work, {.format = &format}, remarks);
   if (!text.ok()) std::abort();
   return *std::move(text);
 }
@@ -112,15 +114,15 @@ bool has_rings(const LineWork& work) {
 
 /// What is written reads back as what gives the same text. What MOVE and GOCAD cannot hold is changed on writing,
 /// aloud. A property of GeoJSON takes one type for all features when it is read, so there the second text is compared.
-void check_round_trip(const LineWork& work, LineFormat format) {
-  const bool json = format == LineFormat::GeoJson;
+void check_round_trip(const LineWork& work, const Format& format) {
+  const bool json = format.name == "geojson";
   if (over_one_place(work) && !json) return;
   LineOptions options;
-  options.format = format;
+  options.format = &format;
   options.coordinates = json ? dobra::io::formats::Coordinates::Section : dobra::io::formats::Coordinates::Map;
   std::string text = text_of(work, format);
   auto again = dobra::io::formats::parse_any_lines(text, "f", options);
-  const bool changed = json || (format == LineFormat::MoveAscii && has_rings(work));
+  const bool changed = json || (format.name == "move" && has_rings(work));
   if (changed && !json && !again.ok()) return;  // a polygon without area
   if (changed && again.ok()) {
     text = text_of(*again, format);
@@ -136,8 +138,11 @@ void check_round_trip(const LineWork& work, LineFormat format) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size < 2) return 0;
-  const auto& formats = dobra::io::formats::line_formats();
-  const LineFormat format = formats[data[0] % formats.size()].format;
+  std::vector<const Format*> of_lines;
+  for (const Format& format : dobra::io::formats::all_formats()) {
+    if (is_for(format, Use::ReadLines)) of_lines.push_back(&format);
+  }
+  const Format& format = *of_lines[data[0] % of_lines.size()];
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 2, size - 2);
   const auto work = read(format, bytes, options_of(data[1]));
   if (!work.ok()) {
@@ -146,7 +151,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   check_finite(*work);
-  for (const LineFormat own : {LineFormat::MoveAscii, LineFormat::Gocad, LineFormat::GeoJson})
-    check_round_trip(*work, own);
+  for (const char* const own : {"move", "gocad", "geojson"})
+    check_round_trip(*work, *dobra::io::formats::format_named(own, Use::WriteLines));
   return 0;
 }

@@ -1,33 +1,37 @@
-// libFuzzer target: the readers of meshes. Byte 0 chooses the format, the rest is the file. Whatever the bytes: an
-// error with a message, or a mesh that can be written, and read and written again to the same bytes; polygon meshes are
-// checked.
+// libFuzzer target: the readers of meshes. Byte 0 chooses the row of the table of formats, the rest is the file.
+// Whatever the bytes: an error with a message, or a mesh that can be written, and read and written again to the same
+// bytes; polygon meshes are checked.
 
 #include <cstdint>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
-#include "shared/io/meshes/bdf.h"
+#include "shared/io/formats/format.h"
 #include "shared/io/meshes/inp.h"
-#include "shared/io/meshes/msh.h"
-#include "shared/io/meshes/neutral.h"
 #include "shared/io/meshes/polygon_file.h"
-#include "shared/io/meshes/vtu.h"
 
 namespace {
 
 using namespace dobra;
+namespace formats = io::formats;
+
+/// The row's writer, but numbers of .inp with all their digits: those of twenty columns are rounded each time.
+base::Result<std::string> written_text(const formats::Format& format, const mesh::ElementMesh& mesh) {
+  using namespace io::meshes;
+  if (format.name == "inp") return inp_text(mesh, {.element = InpElement::PlaneStress, .numbers = InpNumbers::Exact});
+  return format.mesh->text(mesh, InpElement::PlaneStress);
+}
 
 /// The first writing may change names to what the format can hold; from then on nothing changes.
-/// @param read  from text to a mesh.  @param write  from a mesh to text.
-template <class Read, class Write>
-void go_round(std::string text, const Read& read, const Write& write) {
+void go_round(std::string text, const formats::Format& format) {
   for (int round = 0; round < 3; ++round) {
-    const auto mesh = read(text);
-    if (!mesh.ok()) {
-      if (round > 0 || mesh.error().message.empty()) std::abort();
+    const auto contents = format.mesh->parse(text, "f");
+    if (!contents.ok()) {
+      if (round > 0 || contents.error().message.empty()) std::abort();
       return;
     }
-    const auto written = write(mesh->mesh);
+    const auto written = written_text(format, contents->mesh);
     if (!written.ok()) {
       if (round > 0) std::abort();
       return;  // Such as a name that the format cannot hold.
@@ -48,36 +52,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (polygons.ok()) check(*polygons, mesh::Closedness::Solid);
     return 0;
   }
-  switch (data[0] % 5) {
-    case 0:
-      go_round(
-          text, [](const std::string& t) { return io::meshes::parse_msh(t, "f"); },
-          [](const mesh::ElementMesh& m) { return io::meshes::msh_text(m); });
-      break;
-    case 1:
-      go_round(
-          text, [](const std::string& t) { return io::meshes::parse_inp(t, "f"); },
-          [](const mesh::ElementMesh& m) {
-            return io::meshes::inp_text(
-                m, {.element = io::meshes::InpElement::PlaneStress, .numbers = io::meshes::InpNumbers::Exact});
-          });
-      break;
-    case 2:
-      go_round(
-          text, [](const std::string& t) { return io::meshes::parse_vtu(t, "f"); },
-          [](const mesh::ElementMesh& m) { return io::meshes::vtu_text(m); });
-      break;
-    case 3:
-      go_round(
-          text, [](const std::string& t) { return io::meshes::parse_bdf(t, "f"); },
-          [](const mesh::ElementMesh& m) { return io::meshes::bdf_text(m); });
-      break;
-    default:
-      go_round(
-          text, [](const std::string& t) { return io::meshes::parse_neutral(t, "f"); },
-          [](const mesh::ElementMesh& m) {
-            return io::meshes::neutral_text({m, {}, 1.0});
-          });
+  std::vector<const formats::Format*> of_meshes;
+  for (const formats::Format& format : formats::all_formats()) {
+    if (format.mesh && format.mesh->parse != nullptr && format.mesh->text != nullptr) of_meshes.push_back(&format);
+  }
+  const formats::Format& format = *of_meshes[data[0] % of_meshes.size()];
+  if (!format.mesh->surface) {
+    go_round(text, format);
+  } else if (const auto mesh = format.mesh->parse(text, "f"); !mesh.ok() && mesh.error().message.empty()) {
+    std::abort();
   }
   return 0;
 }

@@ -23,9 +23,9 @@ struct NamedCurve {
 };
 
 struct Curves {
-  std::vector<NamedCurve> curves;    ///< At least one, in file order.
-  std::vector<std::string> remarks;  ///< What was changed or left out on reading, one line each.
-  LineFormat format = LineFormat::Text;
+  std::vector<NamedCurve> curves;                         ///< At least one, in file order.
+  std::vector<std::string> remarks;                       ///< What was changed or left out on reading, one line each.
+  const Format* format = nullptr;                         ///< That it was read in.
   double unit = 1.0;                                      ///< As it was taken, m.
   lines::YDirection y_direction = lines::YDirection::Up;  ///< As it was taken.
 };

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "shared/base/result.h"
+#include "shared/io/formats/format.h"
 #include "shared/io/formats/repair.h"
 #include "shared/io/lines/line_kinds.h"
 #include "shared/io/lines/section_plane.h"
@@ -17,19 +18,8 @@
 
 namespace dobra::io::formats {
 
-enum class LineFormat { Text, Wkt, GeoJson, Dxf, MoveAscii, Gocad, Shapefile, GeoPackage };
-
-/// Names as options take them, and endings, in the order of the enumeration.
-struct LineFormatNames {
-  LineFormat format;
-  const char* name;
-  std::vector<std::string> endings;  ///< The first one is what it is written with.
-};
-const std::vector<LineFormatNames>& line_formats();
-/// All endings of all of them, each with its dot.
-std::vector<std::string> line_endings();
 /// By the ending of a name, capitals or not. @error UnknownFormat, naming the endings.
-base::Result<LineFormat> line_format_of(const std::string& path);
+base::Result<const Format*> line_format_of(const std::string& path);
 
 /// What the first two coordinates are. Section: x along the section and y up (or down), as they stand; a third one is
 /// dropped. Map: a place on the map, and the third one is the height: the section's plane is fitted, or given.
@@ -47,7 +37,7 @@ std::vector<std::string> words_between_commas(const std::string& text);
 enum class UnitWanted { Metres, OfTheFile };
 
 struct LineOptions {
-  std::optional<LineFormat> format = std::nullopt;  ///< By the ending of the name otherwise.
+  const Format* format = nullptr;  ///< Of lines; by the ending of the name where none is given.
   /// Columns are chosen by number or header; empty: the first two, asked where there is a third column of numbers.
   lines::TextPointsOptions text = {
       .columns = {}, .blank_lines = lines::BlankLines::SplitLines, .closing = lines::Closing::WhenFirstPointRepeats};
@@ -70,7 +60,7 @@ struct LineOptions {
 
 struct LineWork {
   std::vector<lines::Feature> features;  ///< In section coordinates, m; at least one, in the order of the file.
-  LineFormat format = LineFormat::Text;
+  const Format* format = nullptr;        ///< That it was read in; of work that was not read: none.
   std::optional<lines::Trace> trace = std::nullopt;             ///< Of 3D lines that were laid into their plane.
   lines::YDirection y_direction = lines::YDirection::Up;        ///< As it was taken.
   double unit = 1.0;                                            ///< As it was taken, m.
@@ -87,7 +77,7 @@ base::Result<LineWork> read_any_lines(const std::string& path, const LineOptions
 base::Result<LineWork> parse_any_lines(std::string_view text, const std::string& file, const LineOptions& options);
 
 struct LineWriteOptions {
-  std::optional<LineFormat> format = std::nullopt;  ///< By the ending of the name otherwise.
+  const Format* format = nullptr;  ///< Of lines; by the ending of the name where none is given.
   /// Section: two coordinates. Map: three, on the trace, or on the plane y = 0 without one. Detect: Map for MOVE and
   /// GOCAD, which have no other, else Section.
   Coordinates coordinates = Coordinates::Detect;
@@ -97,7 +87,8 @@ struct LineWriteOptions {
   std::optional<double> unit = std::nullopt;
 };
 
-/// The text of a format that is text. Adds a remark for what the format cannot hold.
+/// The text of a format that is text, that of `work` (else "text") where the options give none. Adds a remark for what
+/// the format cannot hold.
 /// @error InvalidOption (not a text format), NotFinite.
 base::Result<std::string> lines_text(const LineWork& work, const LineWriteOptions& options,
                                      std::vector<std::string>& remarks);

@@ -29,119 +29,15 @@ using base::Place;
 using base::Result;
 using geom::Point;
 
-const std::vector<LineFormatNames>& line_formats() {
-  static const std::vector<LineFormatNames> formats{{LineFormat::Text, "text", {".csv", ".txt", ".tsv", ".dat"}},
-                                                    {LineFormat::Wkt, "wkt", {".wkt"}},
-                                                    {LineFormat::GeoJson, "geojson", {".geojson", ".json"}},
-                                                    {LineFormat::Dxf, "dxf", {".dxf"}},
-                                                    {LineFormat::MoveAscii, "move", {".asc", ".move"}},
-                                                    {LineFormat::Gocad, "gocad", {".pl", ".vs", ".gp", ".gocad"}},
-                                                    {LineFormat::Shapefile, "shapefile", {".shp"}},
-                                                    {LineFormat::GeoPackage, "geopackage", {".gpkg"}}};
-  return formats;
-}
-
-std::vector<std::string> line_endings() {
-  std::vector<std::string> all;
-  for (const LineFormatNames& names : line_formats()) all.insert(all.end(), names.endings.begin(), names.endings.end());
-  return all;
-}
-
-Result<LineFormat> line_format_of(const std::string& path) {
-  const std::string ending = ending_of(path);
-  for (const LineFormatNames& names : line_formats()) {
-    if (std::find(names.endings.begin(), names.endings.end(), ending) != names.endings.end()) return names.format;
-  }
-  return Error{
-      ErrorCode::UnknownFormat,
-      fmt::format("the ending of the name tells no format of lines; known are {}", fmt::join(line_endings(), " ")),
-      Place{.file = path}};
+Result<const Format*> line_format_of(const std::string& path) {
+  if (const Format* format = format_of(path, Use::ReadLines)) return format;
+  return Error{ErrorCode::UnknownFormat,
+               fmt::format("the ending of the name tells no format of lines; known are {}",
+                           fmt::join(endings_for(Use::ReadLines), " ")),
+               Place{.file = path}};
 }
 
 namespace {
-
-// --- text
-
-// Whether the header says that the first two columns are x and height (as in what is written here), or that the third
-// holds names, which may be numbers.
-bool names_its_columns(const lines::TextPoints& read, const lines::TextPointsOptions& options) {
-  static constexpr std::array<std::string_view, 1> x_word{"x"};
-  static constexpr std::array<std::string_view, 1> z_word{"z"};
-  const std::vector<std::string>& names = options.name_columns;
-  const auto is_third = [&](const std::string& column) {
-    return column == "3" || (read.header.size() > 2 && column == read.header[2]);
-  };
-  if (std::any_of(names.begin(), names.end(), is_third)) return true;
-  if (read.header.size() < 3) return false;
-  return (lines::is_word(read.header[0], x_word) && lines::is_word(read.header[1], z_word)) ||
-         lines::is_word(read.header[2], lines::text_name_words) ||
-         lines::is_word(read.header[2], lines::text_kind_words);
-}
-
-// A third column of numbers may be the height of map coordinates, or anything else.
-std::optional<lines::Question> question_of_columns(const lines::TextPoints& read,
-                                                   const lines::TextPointsOptions& options) {
-  if (!read.third_is_number || names_its_columns(read, options)) return std::nullopt;
-  std::string header;
-  for (const std::string& name : read.header) header += (header.empty() ? ": " : ", ") + name;
-  return lines::Question{
-      lines::Question::About::Coordinates,
-      fmt::format("the file has {} columns{}; say which are x and height of the section (columns = [1, 2], "
-                  "--columns 1,2), or x, y and height of map coordinates (--columns 1,2,3)",
-                  read.column_count, header)};
-}
-
-// The outlines of poly2tri's test files: a line HOLE stands before each inner one. It becomes a blank line, which parts
-// lines.
-std::string without_hole_words(std::string_view text, std::size_t& count) {
-  std::string result(text);
-  for (std::size_t begin = 0; begin < result.size();) {
-    const std::size_t end = std::min(result.find('\n', begin), result.size());
-    const std::string_view line = std::string_view(result).substr(begin, end - begin);
-    const std::size_t word = line.find_first_not_of(" \t\r");
-    if (word != std::string_view::npos && line.substr(word, line.find_last_not_of(" \t\r") - word + 1) == "HOLE") {
-      result.replace(begin + word, 4, "    ");
-      ++count;
-    }
-    begin = end + 1;
-  }
-  return result;
-}
-
-Result<lines::Features> features_of_text(std::string_view given, const std::string& file, const LineOptions& options) {
-  std::size_t holes = 0;
-  const std::string text = without_hole_words(given, holes);
-  lines::TextPointsOptions wanted = options.text;
-  const bool chosen = !wanted.columns.empty();
-  if (!chosen) wanted.columns = {"1", "2"};
-  if (options.repair.order == PointOrder::AlongTheCurve) {
-    wanted.rows = lines::Rows::Gathered;  // what is out of order may be mixed, too
-    wanted.closing = lines::Closing::KeepOpen;
-  }
-  DOBRA_TRY(lines::TextPoints read, lines::parse_text_points(text, file, wanted));
-  lines::Features features{{}, std::move(read.remarks)};
-  if (holes > 0)
-    features.remarks.push_back(fmt::format("{}: {} lines HOLE taken for the beginnings of further lines", file, holes));
-  if (!chosen && options.coordinates == Coordinates::Detect) {
-    if (auto question = question_of_columns(read, wanted)) features.stated.questions.push_back(*std::move(question));
-  }
-  for (std::size_t i = 0; i < read.lines.size(); ++i) {
-    lines::Feature feature;
-    feature.type = read.lines[i].closed ? lines::FeatureType::Polygons : lines::FeatureType::Lines;
-    feature.name = read.names[i];
-    feature.kind = read.kinds[i];
-    feature.source = Place{.file = file, .line = read.begins[i]};
-    feature.parts.push_back(std::move(read.lines[i]));
-    if (!read.heights.empty()) feature.heights.push_back(std::move(read.heights[i]));
-    if (!read.extras.empty()) feature.extras.push_back(std::move(read.extras[i]));
-    const auto normal = options.faulty == lines::Faulty::Refuse
-                            ? lines::normalise(feature, {0})
-                            : lines::normalise_sound(feature, {0}, lines::where(feature.source), features.remarks);
-    if (!normal) return base::located(normal.error(), feature.source);
-    if (!feature.parts.empty()) features.features.push_back(std::move(feature));
-  }
-  return features;
-}
 
 // --- coordinates
 
@@ -302,9 +198,10 @@ Result<void> turn_up(std::vector<lines::Feature>& features, const LineOptions& o
   return {};
 }
 
-Result<LineWork> finish(lines::Features raw, const std::string& file, LineFormat format, const LineOptions& options) {
+Result<LineWork> finish(lines::Features raw, const std::string& file, const Format& format,
+                        const LineOptions& options) {
   LineWork work;
-  work.format = format;
+  work.format = &format;
   work.system = std::move(raw.stated.system);
   work.remarks = std::move(raw.remarks);
   if (raw.features.empty()) {
@@ -366,39 +263,19 @@ Result<LineWork> finish(lines::Features raw, const std::string& file, LineFormat
   return work;
 }
 
-Result<lines::Features> parse_format(LineFormat format, std::string_view text, const std::string& file,
-                                     const LineOptions& options) {
-  switch (format) {
-    case LineFormat::Text:
-      return features_of_text(text, file, options);
-    case LineFormat::Wkt:
-      return lines::parse_wkt(text, file, options.faulty);
-    case LineFormat::GeoJson:
-      return gis::parse_geojson(text, file, lines::Heights::Keep, options.faulty);
-    case LineFormat::Dxf:
-      return gis::parse_dxf(text, file, lines::Heights::Keep, options.faulty);
-    case LineFormat::MoveAscii:
-      return lines::parse_move_ascii(text, file);
-    case LineFormat::Gocad:
-      return lines::parse_gocad(text, file);
-    case LineFormat::Shapefile:
-    case LineFormat::GeoPackage:
-      break;
-  }
-  return Error{ErrorCode::InvalidOption, "this format is not text", Place{.file = file}};
-}
-
-Result<LineFormat> chosen_format(const std::string& path, const std::optional<LineFormat>& format) {
-  if (format) return *format;
+Result<const Format*> chosen_format(const std::string& path, const Format* format) {
+  if (format != nullptr) return format;
   return line_format_of(path);
 }
 
 }  // namespace
 
 Result<LineWork> parse_any_lines(std::string_view text, const std::string& file, const LineOptions& options) {
-  DOBRA_TRY(const LineFormat format, chosen_format(file, options.format));
-  DOBRA_TRY(lines::Features raw, parse_format(format, text, file, options));
-  return finish(std::move(raw), file, format, options);
+  DOBRA_TRY(const Format* const format, chosen_format(file, options.format));
+  if (format->lines->parse == nullptr)
+    return Error{ErrorCode::InvalidOption, "this format is not text", Place{.file = file}};
+  DOBRA_TRY(lines::Features raw, format->lines->parse(text, file, options));
+  return finish(std::move(raw), file, *format, options);
 }
 
 std::vector<std::string> words_between_commas(const std::string& text) {
@@ -413,10 +290,10 @@ std::vector<std::string> words_between_commas(const std::string& text) {
 
 Result<LineWork> read_any_lines(const std::string& path, const LineOptions& options) {
   DOBRA_TRY_VOID(check_readable(path));
-  DOBRA_TRY(const LineFormat format, chosen_format(path, options.format));
-  if (format == LineFormat::Shapefile || format == LineFormat::GeoPackage) {
-    DOBRA_TRY(lines::Features raw, gis::read_ogr_file(path, options.faulty));
-    return finish(std::move(raw), path, format, options);
+  DOBRA_TRY(const Format* const format, chosen_format(path, options.format));
+  if (format->lines->read != nullptr) {
+    DOBRA_TRY(lines::Features raw, format->lines->read(path, options));
+    return finish(std::move(raw), path, *format, options);
   }
   DOBRA_TRY(const std::string text, read_text(path));
   return parse_any_lines(text, path, options);

@@ -25,84 +25,7 @@ using base::Result;
 
 namespace {
 
-// --- text
-
-// A field in quotes; the format has no way to write a quote inside.
-std::string quoted(std::string text) {
-  for (char& c : text) {
-    if (c == '"') c = '\'';
-    if (c == '\n' || c == '\r') c = ' ';
-  }
-  const bool plain =
-      text.find_first_of(",#") == std::string::npos && (text.empty() || (text.front() != ' ' && text.back() != ' '));
-  return plain ? text : '"' + text + '"';
-}
-
-Result<std::string> text_of(std::span<const lines::Feature> given, bool map) {
-  const std::vector<lines::Feature> features = lines::rings_apart(given);
-  const bool named =
-      std::any_of(features.begin(), features.end(), [](const lines::Feature& f) { return !f.name.empty(); });
-  const bool sorted =
-      std::any_of(features.begin(), features.end(), [](const lines::Feature& f) { return !f.kind.empty(); });
-  std::string text = map ? "x,y,z" : "x,z";
-  text += std::string(named ? ",name" : "") + (sorted ? ",kind" : "") + '\n';
-  bool first = true;
-  for (std::size_t i = 0; i < features.size(); ++i) {
-    const lines::Feature& feature = features[i];
-    const std::string tail =
-        (named ? ',' + quoted(feature.name) : "") + (sorted ? ',' + quoted(feature.kind) : "") + '\n';
-    for (std::size_t part = 0; part < feature.parts.size(); ++part) {
-      const std::vector<geom::Point>& points = feature.parts[part].points;
-      DOBRA_TRY_VOID(check_finite(points, lines::item_of(i + 1, feature)));
-      if (!std::exchange(first, false)) text += '\n';
-      for (std::size_t k = 0; k < points.size() + (feature.parts[part].closed ? 1 : 0); ++k) {
-        const std::size_t at = k == points.size() ? 0 : k;
-        base::append_number(text, points[at].x);
-        text += ',';
-        base::append_number(text, points[at].y);
-        if (map) text += ',', base::append_number(text, feature.heights[part][at]);
-        text += tail;
-      }
-    }
-  }
-  return text;
-}
-
 // --- what a format cannot hold
-
-struct Keeps {
-  bool properties;
-  bool holes;
-  bool points;
-};
-
-Keeps keeps(LineFormat format) {
-  switch (format) {
-    case LineFormat::Text:
-      return {false, false, false};
-    case LineFormat::Wkt:
-      return {false, true, true};
-    case LineFormat::Dxf:
-      return {false, false, false};
-    case LineFormat::MoveAscii:
-    case LineFormat::Gocad:
-      return {false, false, true};
-    case LineFormat::GeoJson:
-    case LineFormat::Shapefile:
-    case LineFormat::GeoPackage:
-      break;
-  }
-  return {true, true, true};
-}
-
-/// A name as it is read back.
-std::string name_in(LineFormat format, const lines::Feature& feature) {
-  if (format == LineFormat::MoveAscii) return lines::move_name(feature.name);
-  if (format == LineFormat::Gocad) return lines::gocad_name(feature.name);
-  if (format != LineFormat::Dxf || feature.name.empty()) return feature.name;
-  const std::string layer = gis::dxf_layer(feature);
-  return feature.name.starts_with(layer + ' ') ? feature.name : layer;  // "TOP 2" is on layer TOP
-}
 
 /// The layer of a drawing that the name of its line begins with.
 bool layer_is_in_name(const lines::Feature& feature, const lines::PropertyValue& value) {
@@ -111,12 +34,13 @@ bool layer_is_in_name(const lines::Feature& feature, const lines::PropertyValue&
 }
 
 /// Features whose names or kinds are lost: "'A' (horizon)".
-std::vector<std::string> unnamed_in(LineFormat format, std::span<const lines::Feature> features) {
+std::vector<std::string> unnamed_in(const LineRow& row, std::span<const lines::Feature> features) {
   std::vector<std::string> lost;
   for (const lines::Feature& feature : features) {
-    const bool kind_kept = format != LineFormat::Wkt && lines::known_kind(gis::dxf_layer(feature)) == feature.kind;
+    const bool kind_kept = row.kinds == KindsKept::Yes || (row.kinds == KindsKept::ByName &&
+                                                           lines::known_kind(gis::dxf_layer(feature)) == feature.kind);
     const std::string kind = feature.kind.empty() || kind_kept ? "" : fmt::format("({})", feature.kind);
-    const bool name_lost = format == LineFormat::Wkt && !feature.name.empty();
+    const bool name_lost = !row.keeps_names && !feature.name.empty();
     if (!name_lost && kind.empty()) continue;
     const std::string name = feature.name.empty() ? "one without a name" : shown(feature.name);
     lost.push_back(kind.empty() ? name : name + ' ' + kind);
@@ -131,81 +55,58 @@ std::string up_to_ten(const std::vector<std::string>& all) {
   return fmt::format("{}, ... ({} in all)", fmt::join(all.begin(), all.begin() + most, ", "), all.size());
 }
 
-void remark_losses(std::span<const lines::Feature> features, LineFormat format, std::vector<std::string>& remarks) {
-  const Keeps kept = keeps(format);
+/// Names and kinds.
+void remark_names(std::span<const lines::Feature> features, const Format& format, std::vector<std::string>& remarks) {
+  const LineRow& row = *format.lines;
+  if (const auto lost = unnamed_in(row, features); !lost.empty()) {
+    remarks.push_back(row.keeps_names
+                          ? fmt::format("kinds are not kept in {}: {}; on reading, --kind 'NAME*=KIND' "
+                                        "gives them",
+                                        format.name, up_to_ten(lost))
+                          : fmt::format("names and kinds are not kept in {}: {}", format.name, up_to_ten(lost)));
+  }
+  std::vector<std::string> renamed;
+  for (const lines::Feature& feature : features) {
+    if (row.name == nullptr) break;
+    if (std::string name = row.name(feature); name != feature.name)
+      renamed.push_back(fmt::format("{} becomes {}", shown(feature.name), shown(name)));
+  }
+  if (renamed.empty()) return;
+  remarks.push_back(fmt::format("{} names hold what {} cannot, {}: {}", renamed.size(), format.name, row.not_in_names,
+                                up_to_ten(renamed)));
+}
+
+void remark_losses(std::span<const lines::Feature> features, const Format& format, std::vector<std::string>& remarks) {
+  const LineRow& row = *format.lines;
   std::size_t properties = 0;
   std::size_t holes = 0;
   std::size_t points = 0;
-  std::vector<std::string> renamed;
   for (const lines::Feature& feature : features) {
-    if (std::string name = name_in(format, feature); name != feature.name)
-      renamed.push_back(fmt::format("{} becomes {}", shown(feature.name), shown(name)));
     for (const auto& [key, value] : feature.properties) {
-      const bool own = (format == LineFormat::MoveAscii && (key == "id" || key == "attribute")) ||
-                       (format == LineFormat::Gocad && key == "geological_feature") ||
-                       (key == "layer" && layer_is_in_name(feature, value));
-      properties += own ? 0 : 1;
+      const bool own = std::find(row.own_properties.begin(), row.own_properties.end(), key) != row.own_properties.end();
+      properties += own || (key == "layer" && layer_is_in_name(feature, value)) ? 0 : 1;
     }
     for (const geom::Polyline& part : feature.parts) holes += part.closed && geom::signed_area(part) < 0.0 ? 1 : 0;
     points += feature.type == lines::FeatureType::Points ? 1 : 0;
   }
-  const char* name = line_formats()[static_cast<std::size_t>(format)].name;
-  if (format == LineFormat::Wkt || format == LineFormat::Dxf) {
-    if (const auto lost = unnamed_in(format, features); !lost.empty()) {
-      remarks.push_back(format == LineFormat::Wkt
-                            ? fmt::format("names and kinds are not kept in wkt: {}", up_to_ten(lost))
-                            : fmt::format("kinds are not kept in dxf: {}; on reading, --kind 'NAME*=KIND' gives them",
-                                          up_to_ten(lost)));
-    }
-  }
-  if (!renamed.empty()) {
-    remarks.push_back(fmt::format("{} names hold what {} cannot, {}: {}", renamed.size(), name,
-                                  format == LineFormat::Dxf
-                                      ? R"(a control character, a blank at an end or one of <>/\":;?*|=,`)"
-                                      : "a line break, a tab, a brace or a blank at an end",
-                                  up_to_ten(renamed)));
-  }
-  if (!kept.properties && properties > 0) {
-    remarks.push_back(fmt::format("{} properties are not kept in {}", properties, name));
-  }
-  if (!kept.holes && holes > 0) remarks.push_back(fmt::format("{} holes become closed lines in {}", holes, name));
-  if (!kept.points && points > 0) {
-    remarks.push_back(fmt::format("{} features of points cannot be read back from {}", points, name));
-  }
+  remark_names(features, format, remarks);
+  if (!row.keeps_properties && properties > 0)
+    remarks.push_back(fmt::format("{} properties are not kept in {}", properties, format.name));
+  if (!row.keeps_holes && holes > 0)
+    remarks.push_back(fmt::format("{} holes become closed lines in {}", holes, format.name));
+  if (!row.keeps_points && points > 0)
+    remarks.push_back(fmt::format("{} features of points cannot be read back from {}", points, format.name));
 }
-
-Result<std::string> text_in(LineFormat format, std::span<const lines::Feature> features, bool map,
-                            const LineWriteOptions& options) {
-  switch (format) {
-    case LineFormat::Text:
-      return text_of(features, map);
-    case LineFormat::Wkt:
-      return lines::wkt(features);
-    case LineFormat::GeoJson:
-      return gis::geojson(features, options.system);
-    case LineFormat::Dxf:
-      return gis::dxf(features, options.unit);
-    case LineFormat::MoveAscii:
-      return lines::move_ascii(features);
-    case LineFormat::Gocad:
-      return lines::gocad(features);
-    case LineFormat::Shapefile:
-    case LineFormat::GeoPackage:
-      break;
-  }
-  return Error{ErrorCode::InvalidOption, "this format is not text"};
-}
-
-bool needs_map(LineFormat format) { return format == LineFormat::MoveAscii || format == LineFormat::Gocad; }
 
 // The features as they are written.
-Result<std::vector<lines::Feature>> prepared(const LineWork& work, LineFormat format, const LineWriteOptions& options) {
-  const bool map =
-      options.coordinates == Coordinates::Map || (options.coordinates == Coordinates::Detect && needs_map(format));
-  if (options.coordinates == Coordinates::Section && needs_map(format)) {
+Result<std::vector<lines::Feature>> prepared(const LineWork& work, const LineRow& row,
+                                             const LineWriteOptions& options) {
+  const bool map = options.coordinates == Coordinates::Map ||
+                   (options.coordinates == Coordinates::Detect && row.written_as == WrittenAs::MapOnly);
+  if (options.coordinates == Coordinates::Section && row.written_as == WrittenAs::MapOnly) {
     return Error{ErrorCode::InvalidOption, "MOVE and GOCAD files have three coordinates; leave out --to-coordinates"};
   }
-  if (map && format == LineFormat::Wkt) {
+  if (map && row.written_as == WrittenAs::SectionOnly) {
     return Error{ErrorCode::InvalidOption, "WKT is written with section coordinates only; choose another format"};
   }
   return map ? lines::out_of_plane(work.features, work.trace.value_or(lines::Trace{})) : work.features;
@@ -215,28 +116,28 @@ Result<std::vector<lines::Feature>> prepared(const LineWork& work, LineFormat fo
 
 Result<std::string> lines_text(const LineWork& work, const LineWriteOptions& options,
                                std::vector<std::string>& remarks) {
-  const LineFormat format = options.format.value_or(work.format);
-  DOBRA_TRY(const std::vector<lines::Feature> features, prepared(work, format, options));
-  remark_losses(work.features, format, remarks);
-  return text_in(format, features, !features.empty() && !features[0].heights.empty(), options);
+  const Format* format = options.format != nullptr ? options.format : work.format;
+  if (format == nullptr) format = format_named("text", Use::WriteLines);
+  if (format->lines->text == nullptr) return Error{ErrorCode::InvalidOption, "this format is not text"};
+  DOBRA_TRY(const std::vector<lines::Feature> features, prepared(work, *format->lines, options));
+  remark_losses(work.features, *format, remarks);
+  return format->lines->text(features, options);
 }
 
 Result<void> write_any_lines(const std::string& path, const LineWork& work, const LineWriteOptions& options,
                              std::vector<std::string>& remarks) {
   LineWriteOptions chosen = options;
-  if (!chosen.format) {
+  if (chosen.format == nullptr) {
     DOBRA_TRY(chosen.format, line_format_of(path));
   }
-  const LineFormat format = *chosen.format;
-  if (format != LineFormat::Shapefile && format != LineFormat::GeoPackage) {
+  const LineRow& row = *chosen.format->lines;
+  if (row.write == nullptr) {
     auto text = lines_text(work, chosen, remarks);
     if (!text) return base::located(text.error(), Place{.file = path});
     return write_file(path, *text);
   }
-  DOBRA_TRY(const std::vector<lines::Feature> features, prepared(work, format, chosen));
-  DOBRA_TRY(const std::vector<std::string> told, format == LineFormat::Shapefile
-                                                     ? gis::write_shapefile(path, features, chosen.system)
-                                                     : gis::write_geopackage(path, features, chosen.system));
+  DOBRA_TRY(const std::vector<lines::Feature> features, prepared(work, row, chosen));
+  DOBRA_TRY(const std::vector<std::string> told, row.write(path, features, chosen));
   remarks.insert(remarks.end(), told.begin(), told.end());
   return {};
 }

@@ -12,12 +12,10 @@ namespace {
 
 using base::Result;
 
-Result<io::formats::LineFormat> format_of(const std::string& name, const RefuseKey& refuse) {
-  std::vector<std::string> names;
-  for (const io::formats::LineFormatNames& known : io::formats::line_formats()) {
-    if (known.name == name) return known.format;
-    names.emplace_back(known.name);
-  }
+Result<const io::formats::Format*> format_of(const std::string& name, const RefuseKey& refuse) {
+  constexpr auto use = io::formats::Use::ReadLines;
+  if (const io::formats::Format* known = io::formats::format_named(name, use)) return known;
+  const std::vector<std::string> names = io::formats::names_for(use);
   std::string hint = base::did_you_mean(name, names);
   if (hint.empty()) hint = fmt::format("; give {}", fmt::join(names, ", "));
   return refuse("format", fmt::format("unknown '{}'{}", name, hint));

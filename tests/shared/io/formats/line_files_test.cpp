@@ -36,26 +36,33 @@ LineWork example() {
   return work;
 }
 
-LineOptions chosen(LineFormat format) {
+const Format* named(const char* name) { return format_named(name, Use::WriteLines); }
+
+LineOptions chosen(const Format* format) {
   LineOptions options{.format = format};
-  if (format == LineFormat::Text) options.text.columns = {"1", "2"};
+  if (format == named("text")) options.text.columns = {"1", "2"};
   return options;
 }
 
-constexpr LineFormat text_formats[] = {LineFormat::Text, LineFormat::Wkt,       LineFormat::GeoJson,
-                                       LineFormat::Dxf,  LineFormat::MoveAscii, LineFormat::Gocad};
+std::vector<const Format*> text_formats() {
+  std::vector<const Format*> found;
+  for (const Format& format : all_formats()) {
+    if (format.lines && format.lines->text != nullptr) found.push_back(&format);
+  }
+  return found;
+}
 
 TEST(LineFiles, EveryFormatThatIsTextReadsBackToTheSameText) {
-  for (const LineFormat format : text_formats) {
+  for (const Format* const format : text_formats()) {
     std::vector<std::string> remarks;
     const LineWork given = example();
     const auto text = lines_text(given, {.format = format}, remarks);
     ASSERT_TRUE(text.ok()) << base::to_string(text.error());
     const auto read = parse_any_lines(*text, "f", chosen(format));
     ASSERT_TRUE(read.ok()) << base::to_string(read.error());
-    EXPECT_EQ(read->features[0].parts, given.features[0].parts) << static_cast<int>(format);
+    EXPECT_EQ(read->features[0].parts, given.features[0].parts) << format->name;
     EXPECT_EQ(*lines_text(*read, {.format = format}, remarks), *text);
-    if (format == LineFormat::Wkt) continue;
+    if (format == named("wkt")) continue;
     EXPECT_EQ(read->features[0].name, "top");
     EXPECT_EQ(read->features[0].kind, "horizon");
   }
@@ -66,44 +73,44 @@ TEST(LineFiles, NamesAndKindsThatWktAndDxfLoseAreNamedUpToTen) {
   const auto add = [&](const std::string& name, const std::string& kind) {
     work.features.push_back(lines::Feature{.parts = {{{{0, 0}, {1, 0}}, false}}, .name = name, .kind = kind});
   };
-  const auto told = [&](LineFormat format) {
+  const auto told = [&](const Format* format) {
     std::vector<std::string> remarks;
     EXPECT_TRUE(lines_text(work, {.format = format}, remarks));
     return remarks.empty() ? std::string("nothing") : remarks.front();
   };
   add("", "");
-  EXPECT_EQ(told(LineFormat::Wkt), "nothing");
+  EXPECT_EQ(told(named("wkt")), "nothing");
   add("A", "");
-  EXPECT_EQ(told(LineFormat::Dxf), "nothing");
-  EXPECT_EQ(told(LineFormat::Wkt), "names and kinds are not kept in wkt: 'A'");
+  EXPECT_EQ(told(named("dxf")), "nothing");
+  EXPECT_EQ(told(named("wkt")), "names and kinds are not kept in wkt: 'A'");
   add("B", "horizon");
   add("", "fault");
   add("falha", "fault");  // a layer that reads back as its kind
-  EXPECT_EQ(told(LineFormat::Wkt).substr(37), "'A', 'B' (horizon), one without a name (fault), 'falha' (fault)");
-  EXPECT_NE(told(LineFormat::Dxf).find("dxf: 'B' (horizon), one without a name (fault); on"), std::string::npos);
+  EXPECT_EQ(told(named("wkt")).substr(37), "'A', 'B' (horizon), one without a name (fault), 'falha' (fault)");
+  EXPECT_NE(told(named("dxf")).find("dxf: 'B' (horizon), one without a name (fault); on"), std::string::npos);
   for (int i = 0; i < 8; ++i) add("C", "pin");
-  EXPECT_EQ(told(LineFormat::Dxf).find("in all"), std::string::npos);  // ten
+  EXPECT_EQ(told(named("dxf")).find("in all"), std::string::npos);  // ten
   add("D", "pin");
-  EXPECT_NE(told(LineFormat::Dxf).find("'C' (pin), ... (11 in all)"), std::string::npos) << told(LineFormat::Dxf);
-  EXPECT_EQ(told(LineFormat::GeoJson), "nothing");
+  EXPECT_NE(told(named("dxf")).find("'C' (pin), ... (11 in all)"), std::string::npos) << told(named("dxf"));
+  EXPECT_EQ(told(named("geojson")), "nothing");
   work.features = {};
   add("a:b", "");
-  EXPECT_NE(told(LineFormat::Dxf).find("'a:b' becomes 'a_b'"), std::string::npos) << told(LineFormat::Dxf);
+  EXPECT_NE(told(named("dxf")).find("'a:b' becomes 'a_b'"), std::string::npos) << told(named("dxf"));
 }
 
 TEST(LineFiles, NamesThatAFormatCannotHoldAreTold) {
   LineWork work;
   work.features = {lines::Feature{.parts = {{{{0, 0}, {1, 0}}, false}}, .name = "Top {A}"},
                    lines::Feature{.parts = {{{{0, 1}, {1, 1}}, false}}, .name = "Top\tB"}};
-  const auto told = [&](LineFormat format) {
+  const auto told = [&](const Format* format) {
     std::vector<std::string> remarks;
     EXPECT_TRUE(lines_text(work, {.format = format}, remarks));
     return remarks;
   };
-  EXPECT_THAT(told(LineFormat::Gocad), testing::ElementsAre(testing::HasSubstr("1 names hold what gocad cannot")));
-  EXPECT_THAT(told(LineFormat::Gocad), testing::ElementsAre(testing::HasSubstr("'Top {A}' becomes 'Top  A'")));
-  EXPECT_THAT(told(LineFormat::MoveAscii), testing::ElementsAre(testing::HasSubstr("becomes 'Top B'")));
-  EXPECT_THAT(told(LineFormat::GeoJson), testing::ElementsAre());
+  EXPECT_THAT(told(named("gocad")), testing::ElementsAre(testing::HasSubstr("1 names hold what gocad cannot")));
+  EXPECT_THAT(told(named("gocad")), testing::ElementsAre(testing::HasSubstr("'Top {A}' becomes 'Top  A'")));
+  EXPECT_THAT(told(named("move")), testing::ElementsAre(testing::HasSubstr("becomes 'Top B'")));
+  EXPECT_THAT(told(named("geojson")), testing::ElementsAre());
 }
 
 TEST(LineFiles, GeoPackageAndShapefileGiveTheSameValues) {
@@ -115,7 +122,7 @@ TEST(LineFiles, GeoPackageAndShapefileGiveTheSameValues) {
   const auto read = read_any_lines(folder.file("a.gpkg"));
   ASSERT_TRUE(read.ok()) << base::to_string(read.error());
   EXPECT_EQ(read->features, given.features);
-  EXPECT_EQ(read->format, LineFormat::GeoPackage);
+  EXPECT_EQ(read->format, named("geopackage"));
 
   const auto mixed = write_any_lines(folder.file("a.shp"), given, {}, remarks);
   ASSERT_FALSE(mixed.ok());

@@ -1,0 +1,97 @@
+#pragma once
+// The table of formats: what a format is called, which endings it has, what it holds, how it is read and written, and
+// what it loses. Readers, writers, help texts, file filters, docs/user/formats.md and the fuzz targets go by it. A new
+// format is its two files (reader and writer behind a header) and a row in format_table.cpp.
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "shared/base/result.h"
+#include "shared/io/lines/feature.h"
+#include "shared/io/meshes/file_elements.h"
+#include "shared/io/meshes/inp.h"
+#include "shared/mesh/element_mesh.h"
+
+namespace dobra::io::formats {
+
+struct LineOptions;
+struct LineWriteOptions;
+
+/// The coordinates that lines are written with: x and height of the section, or x, y and height of the map.
+enum class WrittenAs { Either, SectionOnly, MapOnly };
+/// ByName: the kind comes back where the name says it.
+enum class KindsKept { Yes, ByName, No };
+
+/// Lines, polygons and points in and out. A format that is text has `parse` and `text`, another one `read` and `write`.
+struct LineRow {
+  using Features = base::Result<lines::Features>;
+  Features (*parse)(std::string_view text, const std::string& file, const LineOptions& options) = nullptr;
+  Features (*read)(const std::string& path, const LineOptions& options) = nullptr;
+  base::Result<std::string> (*text)(std::span<const lines::Feature> features,
+                                    const LineWriteOptions& options) = nullptr;
+  /// @return remarks on what was changed.
+  base::Result<std::vector<std::string>> (*write)(const std::string& path, std::span<const lines::Feature> features,
+                                                  const LineWriteOptions& options) = nullptr;
+  WrittenAs written_as = WrittenAs::Either;
+  bool keeps_names = true;
+  KindsKept kinds = KindsKept::Yes;
+  bool keeps_properties = true;
+  std::vector<std::string_view> own_properties = {};  ///< Kept all the same.
+  bool keeps_holes = true;
+  bool keeps_points = true;
+  /// A name as it is read back, and what makes it another one; nothing: it stays.
+  std::string (*name)(const lines::Feature& feature) = nullptr;
+  std::string_view not_in_names = {};
+};
+
+struct MeshContents {
+  mesh::ElementMesh mesh;
+  std::vector<std::string> remarks;  ///< What was left out, one line each.
+  meshes::FileElements elements = {};
+};
+
+/// Meshes in and out. A format that is one text has `parse` and `text`, another one `read` and `write`.
+struct MeshRow {
+  base::Result<MeshContents> (*parse)(std::string_view text, const std::string& file) = nullptr;
+  base::Result<MeshContents> (*read)(const std::string& path) = nullptr;
+  /// @param element  of .inp, which alone says what kind of plane elements they are.
+  base::Result<std::string> (*text)(const mesh::ElementMesh& mesh, meshes::InpElement element) = nullptr;
+  base::Result<void> (*write)(const std::string& path, const mesh::ElementMesh& mesh) = nullptr;
+  bool surface = false;  ///< Corners alone, as polygons: no sets, no regions, no nodes at mid-sides.
+  /// What else is left out or renamed, one line each; nothing: all is kept.
+  std::vector<std::string> (*losses)(const mesh::ElementMesh& mesh) = nullptr;
+  /// A comment at the head: behind the first `note_behind` of the file; empty: the format has none.
+  std::string_view note = {};
+  std::string_view note_behind = {};
+};
+
+struct Format {
+  std::string_view name;                 ///< As options take it.
+  std::vector<std::string> endings;      ///< Each with its dot, in small letters; the first is what it is written with.
+  std::string_view read, written, kept;  ///< For people: what is read and written, and what of it comes back.
+  std::optional<LineRow> lines = std::nullopt;
+  std::optional<MeshRow> mesh = std::nullopt;
+  bool drawing = false;  ///< Geometry of a domain: true curves and their groups, read by quebra.
+};
+
+/// Formats of lines first, then of meshes, then of drawings.
+const std::vector<Format>& all_formats();
+
+/// What a command wants to do with a file.
+enum class Use { ReadLines, WriteLines, ReadMesh, WriteMesh, ReadDrawing };
+bool is_for(const Format& format, Use use);
+/// Of all formats for the use, in the order of the table.
+std::vector<std::string> endings_for(Use use);
+std::vector<std::string> names_for(Use use);
+/// By the ending of a name, capitals or not; nothing if none is for the use.
+const Format* format_of(const std::string& path, Use use);
+/// By its name; nothing for another name.
+const Format* format_named(std::string_view name, Use use);
+
+/// The table as Markdown, one row a format: docs/user/formats.md.
+std::string formats_markdown();
+
+}  // namespace dobra::io::formats

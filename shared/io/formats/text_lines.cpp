@@ -1,0 +1,143 @@
+#include "shared/io/formats/text_lines.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "shared/base/text.h"
+#include "shared/io/scan.h"
+
+namespace dobra::io::formats {
+
+using base::Place;
+using base::Result;
+
+namespace {
+
+// Whether the header says that the first two columns are x and height (as in what is written here), or that the third
+// holds names, which may be numbers.
+bool names_its_columns(const lines::TextPoints& read, const lines::TextPointsOptions& options) {
+  static constexpr std::array<std::string_view, 1> x_word{"x"};
+  static constexpr std::array<std::string_view, 1> z_word{"z"};
+  const std::vector<std::string>& names = options.name_columns;
+  const auto is_third = [&](const std::string& column) {
+    return column == "3" || (read.header.size() > 2 && column == read.header[2]);
+  };
+  if (std::any_of(names.begin(), names.end(), is_third)) return true;
+  if (read.header.size() < 3) return false;
+  return (lines::is_word(read.header[0], x_word) && lines::is_word(read.header[1], z_word)) ||
+         lines::is_word(read.header[2], lines::text_name_words) ||
+         lines::is_word(read.header[2], lines::text_kind_words);
+}
+
+// A third column of numbers may be the height of map coordinates, or anything else.
+std::optional<lines::Question> question_of_columns(const lines::TextPoints& read,
+                                                   const lines::TextPointsOptions& options) {
+  if (!read.third_is_number || names_its_columns(read, options)) return std::nullopt;
+  std::string header;
+  for (const std::string& name : read.header) header += (header.empty() ? ": " : ", ") + name;
+  return lines::Question{
+      lines::Question::About::Coordinates,
+      fmt::format("the file has {} columns{}; say which are x and height of the section (columns = [1, 2], "
+                  "--columns 1,2), or x, y and height of map coordinates (--columns 1,2,3)",
+                  read.column_count, header)};
+}
+
+// The outlines of poly2tri's test files: a line HOLE stands before each inner one. It becomes a blank line, which parts
+// lines.
+std::string without_hole_words(std::string_view text, std::size_t& count) {
+  std::string result(text);
+  for (std::size_t begin = 0; begin < result.size();) {
+    const std::size_t end = std::min(result.find('\n', begin), result.size());
+    const std::string_view line = std::string_view(result).substr(begin, end - begin);
+    const std::size_t word = line.find_first_not_of(" \t\r");
+    if (word != std::string_view::npos && line.substr(word, line.find_last_not_of(" \t\r") - word + 1) == "HOLE") {
+      result.replace(begin + word, 4, "    ");
+      ++count;
+    }
+    begin = end + 1;
+  }
+  return result;
+}
+
+// A field in quotes; the format has no way to write a quote inside.
+std::string quoted(std::string text) {
+  for (char& c : text) {
+    if (c == '"') c = '\'';
+    if (c == '\n' || c == '\r') c = ' ';
+  }
+  const bool plain =
+      text.find_first_of(",#") == std::string::npos && (text.empty() || (text.front() != ' ' && text.back() != ' '));
+  return plain ? text : '"' + text + '"';
+}
+
+}  // namespace
+
+Result<lines::Features> features_of_text(std::string_view given, const std::string& file, const LineOptions& options) {
+  std::size_t holes = 0;
+  const std::string text = without_hole_words(given, holes);
+  lines::TextPointsOptions wanted = options.text;
+  const bool chosen = !wanted.columns.empty();
+  if (!chosen) wanted.columns = {"1", "2"};
+  if (options.repair.order == PointOrder::AlongTheCurve) {
+    wanted.rows = lines::Rows::Gathered;  // what is out of order may be mixed, too
+    wanted.closing = lines::Closing::KeepOpen;
+  }
+  DOBRA_TRY(lines::TextPoints read, lines::parse_text_points(text, file, wanted));
+  lines::Features features{{}, std::move(read.remarks)};
+  if (holes > 0)
+    features.remarks.push_back(fmt::format("{}: {} lines HOLE taken for the beginnings of further lines", file, holes));
+  if (!chosen && options.coordinates == Coordinates::Detect) {
+    if (auto question = question_of_columns(read, wanted)) features.stated.questions.push_back(*std::move(question));
+  }
+  for (std::size_t i = 0; i < read.lines.size(); ++i) {
+    lines::Feature feature;
+    feature.type = read.lines[i].closed ? lines::FeatureType::Polygons : lines::FeatureType::Lines;
+    feature.name = read.names[i];
+    feature.kind = read.kinds[i];
+    feature.source = Place{.file = file, .line = read.begins[i]};
+    feature.parts.push_back(std::move(read.lines[i]));
+    if (!read.heights.empty()) feature.heights.push_back(std::move(read.heights[i]));
+    if (!read.extras.empty()) feature.extras.push_back(std::move(read.extras[i]));
+    const auto normal = options.faulty == lines::Faulty::Refuse
+                            ? lines::normalise(feature, {0})
+                            : lines::normalise_sound(feature, {0}, lines::where(feature.source), features.remarks);
+    if (!normal) return base::located(normal.error(), feature.source);
+    if (!feature.parts.empty()) features.features.push_back(std::move(feature));
+  }
+  return features;
+}
+
+Result<std::string> text_of(std::span<const lines::Feature> given) {
+  const bool map = !given.empty() && !given[0].heights.empty();
+  const std::vector<lines::Feature> features = lines::rings_apart(given);
+  const bool named =
+      std::any_of(features.begin(), features.end(), [](const lines::Feature& f) { return !f.name.empty(); });
+  const bool sorted =
+      std::any_of(features.begin(), features.end(), [](const lines::Feature& f) { return !f.kind.empty(); });
+  std::string text = map ? "x,y,z" : "x,z";
+  text += std::string(named ? ",name" : "") + (sorted ? ",kind" : "") + '\n';
+  bool first = true;
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    const lines::Feature& feature = features[i];
+    const std::string tail =
+        (named ? ',' + quoted(feature.name) : "") + (sorted ? ',' + quoted(feature.kind) : "") + '\n';
+    for (std::size_t part = 0; part < feature.parts.size(); ++part) {
+      const std::vector<geom::Point>& points = feature.parts[part].points;
+      DOBRA_TRY_VOID(check_finite(points, lines::item_of(i + 1, feature)));
+      if (!std::exchange(first, false)) text += '\n';
+      for (std::size_t k = 0; k < points.size() + (feature.parts[part].closed ? 1 : 0); ++k) {
+        const std::size_t at = k == points.size() ? 0 : k;
+        base::append_number(text, points[at].x);
+        text += ',';
+        base::append_number(text, points[at].y);
+        if (map) text += ',', base::append_number(text, feature.heights[part][at]);
+        text += tail;
+      }
+    }
+  }
+  return text;
+}
+
+}  // namespace dobra::io::formats
