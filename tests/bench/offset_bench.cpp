@@ -5,7 +5,8 @@
 // tests/bench/offset_table.py makes a table of a run, with the exponents of time in n. The median of at least five runs
 // counts, for all three (GEOS: of one where that takes more than 2 s), and memory once taken stays with the process:
 // what the system takes to hand out pages tells nothing about them. Single rows: --benchmark_filter='^gear_in/1000/'
-// (family and size; any regular expression). Figures belong in docs/algorithms/offset.md.
+// (family and size; any regular expression). --alone leaves out raw and GEOS, for runs that are compared with each other
+// (tests/bench/offset_ablation.py). Figures belong in docs/algorithms/offset.md.
 
 #include <benchmark/benchmark.h>
 #include <geos_c.h>
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <ctime>
 #include <limits>
 #include <numbers>
@@ -229,7 +231,9 @@ std::vector<double> geos_runs(const Polyline& base, const Family& family, const 
   return runs;
 }
 
-void offset_family(benchmark::State& state, const Family& family) {
+enum class Peers { Asked, Left };
+
+void offset_family(benchmark::State& state, const Family& family, Peers peers) {
   base::set_thread_count(1);
   const auto n = static_cast<std::size_t>(state.range(0));
   const Polyline base = family.make(n);
@@ -257,6 +261,7 @@ void offset_family(benchmark::State& state, const Family& family) {
   const double points = static_cast<double>(base.points.size());
   const double seconds = median(std::move(runs));
   state.counters["ns_point_curve"] = seconds / 13 / points * 1e9;
+  if (peers == Peers::Left) return;
   const double raw = raw_seconds(base, distances);
   state.counters["raw"] = seconds / raw;
   state.counters["raw_ns"] = raw / 13 / points * 1e9;
@@ -303,10 +308,14 @@ const Family families[] = {
 int main(int count, char** arguments) {
   mallopt(M_MMAP_THRESHOLD, 1 << 30);
   mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+  char** const last =
+      std::remove_if(arguments + 1, arguments + count, [](const char* a) { return std::strcmp(a, "--alone") == 0; });
+  const Peers peers = last == arguments + count ? Peers::Asked : Peers::Left;
+  count = static_cast<int>(last - arguments);
   for (const Family& family : families) {
     for (std::size_t n = 1000; n <= family.greatest; n *= 10) {
       auto* const entry = benchmark::RegisterBenchmark(
-          family.name, [&family](benchmark::State& state) { offset_family(state, family); });
+          family.name, [&family, peers](benchmark::State& state) { offset_family(state, family, peers); });
       entry->Arg(static_cast<std::int64_t>(n))->Unit(benchmark::kMillisecond)->Iterations(runs_of(n));
     }
   }
