@@ -13,8 +13,7 @@
 #include "quebra/core/selection.h"
 #include "shared/geom/intersect.h"
 #include "shared/geom/spatial_index.h"
-#include "shared/offset/arcs.h"
-#include "shared/offset/distances.h"
+#include "shared/offset/offset.h"
 
 // Overview
 //   1 the base: the named curves as one chain, followed finely (or as they will be divided);

@@ -8,7 +8,7 @@
 #include <limits>
 #include <tuple>
 
-#include "shared/offset/arcs.h"
+#include "shared/offset/offset.h"
 
 namespace recon::core {
 

@@ -10,8 +10,7 @@
 #include "shared/base/parallel.h"
 #include "shared/base/text.h"
 #include "shared/geom/simplify.h"
-#include "shared/offset/arcs.h"
-#include "shared/offset/distances.h"
+#include "shared/offset/offset.h"
 
 namespace recon::core {
 

@@ -11,7 +11,7 @@
 #include "shared/base/text.h"
 #include "shared/cli/offset_families.h"
 #include "shared/cli/staging.h"
-#include "shared/offset/distances.h"
+#include "shared/offset/offset.h"
 
 namespace dobra::cli {
 namespace {

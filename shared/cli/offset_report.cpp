@@ -10,7 +10,7 @@
 #include "shared/base/text.h"
 #include "shared/cli/pictures.h"
 #include "shared/io/dxf.h"
-#include "shared/offset/verify.h"
+#include "shared/offset/verifier/verify.h"
 #include "shared/scene/color_map.h"
 
 namespace dobra::cli {
@@ -137,16 +137,16 @@ base::Result<void> verify_offset(const std::string& name, const geom::Polyline& 
                                  const offset::OffsetOptions& options, const std::vector<offset::OffsetCurve>& curves,
                                  OffsetVerdict& verdict, const base::Progress& progress) {
   for (const offset::OffsetCurve& curve : curves) {
-    DOBRA_TRY(const offset::Verification found, offset::verify(base, options, curve, {}, progress));
+    DOBRA_TRY(const offset::verifier::Verification found, offset::verifier::verify(base, options, curve, {}, progress));
     ++verdict.curves;
     verdict.coarse += found.coarse ? 1 : 0;
     verdict.dropped += curve.dropped;
     verdict.dropped_length += curve.dropped_length;
     verdict.edges += found.edges;
     verdict.samples += found.samples;
-    for (const offset::Finding& finding : found.findings) {
+    for (const offset::verifier::Finding& finding : found.findings) {
       verdict.findings.push_back(fmt::format("{}: distance {}: {}", name, dobra::base::number_text(curve.distance),
-                                             offset::to_string(finding)));
+                                             offset::verifier::to_string(finding)));
     }
   }
   return {};

@@ -57,14 +57,16 @@ struct OffsetVerdict {
   std::size_t cut_tips = 0;           ///< Bisector points that were cut across.
   std::size_t mended = 0;             ///< Polygons taken as others, which do not cross themselves.
   std::size_t skipped = 0;            ///< Open lines at distances below 0.
-  std::size_t coarse = 0;  ///< Curves so near that rounding hides whether they touch; see offset::Verification.
-  bool joined = false;     ///< Areas were made of several curves.
+  std::size_t coarse =
+      0;                ///< Curves so near that rounding hides whether they touch; see offset::verifier::Verification.
+  bool joined = false;  ///< Areas were made of several curves.
 };
 
 /// "2 pieces left out (3 m); ...": what the verdict says nothing about; empty if there is nothing.
 std::string not_judged(const OffsetVerdict& verdict, const offset::OffsetOptions& options);
 
-/// Adds to `verdict` what offset::verify finds in the curves of one base.  @error those of offset::verify.
+/// Adds to `verdict` what offset::verifier::verify finds in the curves of one base.  @error those of
+/// offset::verifier::verify.
 base::Result<void> verify_offset(const std::string& name, const geom::Polyline& base,
                                  const offset::OffsetOptions& options, const std::vector<offset::OffsetCurve>& curves,
                                  OffsetVerdict& verdict, const base::Progress& progress = {});

@@ -5,7 +5,7 @@
 
 #include <functional>
 
-#include "shared/offset/arcs.h"
+#include "shared/offset/offset.h"
 
 namespace dobra::offset {
 

@@ -11,12 +11,12 @@
 #include "shared/base/parallel.h"
 #include "shared/base/text.h"
 #include "shared/geom/intersect.h"
-#include "shared/offset/arcs.h"
-#include "shared/offset/chain_tree.h"
-#include "shared/offset/envelope.h"
-#include "shared/offset/sections.h"
-#include "shared/offset/stepper.h"
-#include "shared/offset/verify.h"
+#include "shared/offset/general/sections.h"
+#include "shared/offset/kernel/chain_tree.h"
+#include "shared/offset/monotone/envelope.h"
+#include "shared/offset/stepper/stepper.h"
+#include "shared/offset/types/arcs.h"
+#include "shared/offset/verifier/verify.h"
 
 namespace dobra::offset {
 
@@ -127,9 +127,9 @@ bool meets_itself(const BaseCurve& base) {
 struct Prepared {
   const geom::Polyline* curve = nullptr;  ///< As given.
   BaseCurve base{};
-  std::optional<geom::Vector> forward{};         ///< See monotone_direction.
-  bool simple = false;                           ///< Closed, and does not meet itself.
-  std::unique_ptr<const Clearance> clearance{};  ///< Only where it is needed.
+  std::optional<geom::Vector> forward{};                  ///< See monotone::monotone_direction.
+  bool simple = false;                                    ///< Closed, and does not meet itself.
+  std::unique_ptr<const general::Clearance> clearance{};  ///< Only where it is needed.
 };
 
 /// @param greatest  distance. Where it is far above the size of the base, roundings of doubles add up over nearly
@@ -137,15 +137,15 @@ struct Prepared {
 Prepared prepared(const geom::Polyline& curve, BaseCurve base, const OffsetOptions& options, double greatest) {
   Prepared made{.curve = &curve, .base = std::move(base), .forward = {}, .simple = false, .clearance = {}};
   if (options.treatment == Treatment::Untreated) return made;
-  if (greatest <= 1e3 * made.base.size) made.forward = monotone_direction(made.base);
+  if (greatest <= 1e3 * made.base.size) made.forward = monotone::monotone_direction(made.base);
   made.simple = made.base.closed && !meets_itself(made.base);
   return made;
 }
 
 /// What the engine finds out at one distance about pieces that are hidden, for greater ones.
 struct Hidden {
-  std::optional<Buried> pieces;  ///< Of a base that is not monotone.
-  PillsLeft pills;               ///< Of one that is.
+  std::optional<general::Buried> pieces;  ///< Of a base that is not monotone.
+  monotone::StadiaLeft stadia;            ///< Of one that is.
 };
 /// Null where nobody needs it.
 struct Memory {
@@ -159,15 +159,15 @@ OffsetCurve treated(const Prepared& input, double distance, const OffsetOptions&
   OffsetCurve curve;
   curve.distance = distance;
   if (!input.clearance) {
-    PillsLeft left = memory.known ? memory.known->pills : all_pills(base);
-    curve.pieces = monotone_offset(base, *input.forward, distance, options, left);
-    if (memory.found) memory.found->pills = std::move(left);
+    monotone::StadiaLeft left = memory.known ? memory.known->stadia : monotone::all_stadia(base);
+    curve.pieces = monotone::monotone_offset(base, *input.forward, distance, options, left);
+    if (memory.found) memory.found->stadia = std::move(left);
     keep_wanted(curve, *input.curve, options.keep);
     return curve;
   }
   const bool one_sided = input.simple && input.clearance->tells_sides(distance);
-  const Outline::Sides sides = one_sided ? Outline::Sides::Right : Outline::Sides::Both;
-  Trimmer trimmer(base, *input.clearance, sides, distance, options, progress);
+  const general::Outline::Sides sides = one_sided ? general::Outline::Sides::Right : general::Outline::Sides::Both;
+  general::Trimmer trimmer(base, *input.clearance, sides, distance, options, progress);
   curve.pieces = memory.known ? trimmer.run(*memory.known->pieces, memory.found ? &*memory.found->pieces : nullptr)
                               : trimmer.run();
   if (input.simple) std::erase_if(curve.pieces, [](const OffsetPiece& piece) { return !piece.closed; });
@@ -208,11 +208,11 @@ void ascending(std::span<const double> distances, Hidden known, const Width& wid
 
 void add_clearance(Prepared& input, std::span<const double> distances, const OffsetOptions& options) {
   if (options.treatment != Treatment::Treated || input.forward) return;
-  auto made = std::make_unique<Clearance>(input.base, options);
+  auto made = std::make_unique<general::Clearance>(input.base, options);
   constexpr std::size_t several = 4;
   if (!input.simple && distances.size() >= several) {
     const double greatest = std::ranges::max(distances);
-    const double free = input.base.closed || made->has_mitres() ? 0 : made->find_ways_out(distances);
+    const double free = input.base.closed || made->has_mitres() ? 0 : made->find_escape_rays(distances);
     if (free > 0 && !meets_itself(input.base)) made->part_sides(free);
     if (!made->parts_sides(greatest)) made->find_gaps(std::ranges::min(distances), greatest);
   }
@@ -277,7 +277,7 @@ Result<std::vector<OffsetCurve>> offset_near_one(const geom::Polyline& curve, st
     const double d = distances[k];
     Result<OffsetCurve> result = OffsetCurve{};
     if (stepped) {
-      result = run_stepper(curve, d, options);
+      result = stepper::run_stepper(curve, d, options);
     } else if (extended) {
       DOBRA_TRY(BaseCurve longer, prepare(curve, options.side, options.extension * d));
       Prepared own = prepared(curve, std::move(longer), options, d);
@@ -296,12 +296,12 @@ Result<std::vector<OffsetCurve>> offset_near_one(const geom::Polyline& curve, st
   if (input.clearance) {
     const double greatest = std::ranges::max(distances);
     ascending(
-        distances, {Buried(input.base, *input.clearance, greatest), {}},
+        distances, {general::Buried(input.base, *input.clearance, greatest), {}},
         [](std::size_t round) { return 1 + round / 3; }, keep);
   } else if (input.forward) {
     // The first hides most.
     ascending(
-        distances, {std::nullopt, all_pills(input.base)}, [](std::size_t round) { return 1 + round; }, keep);
+        distances, {std::nullopt, monotone::all_stadia(input.base)}, [](std::size_t round) { return 1 + round; }, keep);
   } else {
     base::parallel_for(distances.size(), [&](std::size_t k) { keep(k, {}); });
   }
@@ -329,10 +329,10 @@ Result<std::vector<OffsetCurve>> offset_near_one(const geom::Polyline& curve, st
            const auto judged =
                std::ranges::all_of(curve.points, [&](geom::Point p) { return has_digits(p.x) && has_digits(p.y); });
            if (!judged || left.fetch_sub(cost) < cost) return true;
-           const auto verified = verify(curve, options, one);
-           return verified.ok() && std::ranges::none_of(verified->findings, [](const Finding& f) {
-                    return f.kind == FindingKind::TooNear || f.kind == FindingKind::InMitre ||
-                           f.kind == FindingKind::Winding;
+           const auto verified = verifier::verify(curve, options, one);
+           return verified.ok() && std::ranges::none_of(verified->findings, [](const verifier::Finding& f) {
+                    return f.kind == verifier::FindingKind::TooNear || f.kind == verifier::FindingKind::InMitre ||
+                           f.kind == verifier::FindingKind::Winding;
                   });
          });
 }

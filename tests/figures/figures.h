@@ -25,6 +25,9 @@ std::vector<Figure> recon_figures();
 std::vector<Figure> mesh_figures();
 std::vector<Figure> quality_figures();
 
+/// What each stage of the general offset engine makes of one base (offset_stages.cpp).
+base::Result<scene::Picture> offset_stages();
+
 // One palette for all figures, that of the programs.
 constexpr scene::Color ink{38, 50, 56};
 constexpr scene::Color blue{13, 71, 161};

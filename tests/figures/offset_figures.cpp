@@ -4,11 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "shared/offset/arcs.h"
-#include "shared/offset/clearance.h"
-#include "shared/offset/distances.h"
-#include "shared/offset/stepper.h"
-#include "shared/offset/survivors.h"
+#include "shared/offset/offset.h"
+#include "shared/offset/stepper/stepper.h"
 #include "tests/figures/figures.h"
 
 namespace dobra::figures {
@@ -80,8 +77,8 @@ std::vector<geom::Polyline> chains(const std::vector<geom::Segment>& segments) {
   return all;
 }
 
-scene::Panel step_panel(std::size_t number, const geom::Polyline& base, const offset::Stepper& stepper,
-                        const offset::Stepper::Step& step) {
+scene::Panel step_panel(std::size_t number, const geom::Polyline& base, const offset::stepper::Stepper& stepper,
+                        const offset::stepper::Stepper::Step& step) {
   std::vector<geom::Segment> edges;
   for (const topo::EdgeId e : stepper.subdivision().edges()) edges.push_back(stepper.subdivision().segment(e));
   std::string title = fmt::format("step {}", number);
@@ -101,17 +98,17 @@ scene::Panel step_panel(std::size_t number, const geom::Polyline& base, const of
 
 base::Result<scene::Picture> figure_5() {
   const geom::Polyline base = chain({{0, 0}, {0.7, 0.05}, {1.0, 1.1}, {1.3, 1.4}, {1.6, 1.1}, {1.9, 0.05}, {2.6, 0}});
-  DOBRA_TRY(offset::Stepper stepper, offset::Stepper::start(base, 0.55, {}));
+  DOBRA_TRY(offset::stepper::Stepper stepper, offset::stepper::Stepper::start(base, 0.55, {}));
   scene::Picture picture;
   while (!stepper.done()) {
-    DOBRA_TRY(const offset::Stepper::Step step, stepper.step());
+    DOBRA_TRY(const offset::stepper::Stepper::Step step, stepper.step());
     picture.panels.push_back(step_panel(picture.panels.size() + 1, base, stepper, step));
   }
   return picture;
 }
 
 /// All points within d of a segment.
-geom::Polyline pill(const geom::Segment& segment, double d) {
+geom::Polyline stadium(const geom::Segment& segment, double d) {
   geom::Polyline round{{}, true};
   const geom::Vector n = geom::right_of(geom::normalised(segment.vector()));
   constexpr int steps = 24;
@@ -130,101 +127,30 @@ base::Result<geom::Polyline> round_curve(const geom::Polyline& base, double d) {
   return offset::chords(curves.front().pieces.front(), base).polyline;
 }
 
-base::Result<scene::Panel> tier_0() {
+base::Result<scene::Picture> monotone_engine() {
   const geom::Polyline base =
       chain({{0, 1.7}, {1.3, 0.5}, {2.1, 2.6}, {3.0, 3.0}, {3.5, 1.2}, {4.3, 1.5}, {5.2, 0.2}, {6.4, 1.3}});
   constexpr double d = 0.8;
   DOBRA_TRY(geom::Polyline curve, round_curve(base, d));
-  std::vector<geom::Polyline> pills;
-  for (std::size_t i = 0; i < base.segment_count(); ++i) pills.push_back(pill(base.segment(i), d));
-  return panel("Tier 0: lower envelope of pills",
-               {lines("pills", stroke(grey, 0.9), pills), lines({}, stroke(blue, 2.0), {curve}),
-                lines({}, stroke(ink, 2.2), {base})},
-               0.1, {"", ""});
-}
-
-/// A piece of the raw outline as the engine has it, back in the user's frame.
-geom::Polyline drawn(const offset::BaseCurve& base, const offset::Outline& outline, offset::Site site, offset::Flat a,
-                     offset::Flat b) {
-  geom::Polyline line;
-  constexpr int steps = 12;
-  const bool straight = site.role == offset::Role::Line || site.role == offset::Role::Bevel;
-  for (int i = 0; i <= (straight ? 1 : steps); ++i) {
-    const double t = straight ? i : static_cast<double>(i) / steps;
-    offset::Flat p = a + t * (b - a);
-    if (!straight)
-      p = outline.centre(site) + (outline.distance() / length(p - outline.centre(site))) * (p - outline.centre(site));
-    line.points.push_back(base.user(Point{p.x, p.y}));
-  }
-  return line;
-}
-
-/// Every line and arc on the right side, before anything is removed.
-std::vector<geom::Polyline> raw_pieces(const offset::BaseCurve& base, const offset::Outline& outline) {
-  using offset::Role;
-  std::vector<geom::Polyline> all;
-  for (std::uint32_t step = 0; step < base.segment_count(); ++step) {
-    std::vector<offset::Site> sites{{step, Role::Line}};
-    if (outline.corner(step) == offset::Corner::Arc && !outline.is_cap(step)) {
-      sites.push_back({step, Role::Arc});
-      if (outline.splits_arc(step)) sites.push_back({step, Role::SecondArc});
-    }
-    for (const offset::Site site : sites)
-      all.push_back(drawn(base, outline, site, outline.start_of(site), outline.end_of(site)));
-  }
-  return all;
-}
-
-base::Result<scene::Panel> tier_1() {
-  const geom::Polyline line = chain({{0, 0.2},
-                                     {0.7, 0.1},
-                                     {1.0, 0.8},
-                                     {1.3, 0.1},
-                                     {2.7, 0.5},
-                                     {3.0, 1.3},
-                                     {2.2, 1.8},
-                                     {1.9, 2.9},
-                                     {2.7, 3.9},
-                                     {3.2, 4.0},
-                                     {3.5, 4.8},
-                                     {3.8, 4.0},
-                                     {4.2, 4.1},
-                                     {5.1, 3.3},
-                                     {5.0, 2.2},
-                                     {3.9, 1.5},
-                                     {4.1, 0.5},
-                                     {5.2, 0.1},
-                                     {6.6, 0.3}});
-  constexpr double d = 0.6;
-  DOBRA_TRY(const offset::BaseCurve base, offset::prepare(line, offset::Side::RightOfTravel));
-  const offset::Clearance clearance(base, {.join = offset::Join::Round});
-  const offset::Outline outline(base, clearance.corners(), offset::Outline::Sides::Both, d);
-  offset::Cover cover(outline, clearance);
-  const offset::Buried none(base, clearance);
-  const offset::Survivors left = offset::survivors(outline, clearance, cover, none, nullptr, {});
-  std::vector<geom::Polyline> survivors;
-  for (const offset::Piece& p : left.pieces) {
-    survivors.push_back(drawn(base, outline, p.site(), left.start(outline, p), left.end(outline, p)));
-  }
-  DOBRA_TRY(geom::Polyline curve, round_curve(line, d));
-  return panel("Tier 1: what each stage leaves",
-               {lines("raw outline", stroke(red, 1.0), raw_pieces(base, outline)),
-                lines("after the stack pass", stroke({240, 178, 92}, 5.0), survivors),
-                lines("curve", stroke(blue, 2.0), {curve}), base_line(line)},
-               0.1, {"", ""});
-}
-
-base::Result<scene::Picture> engine() {
-  DOBRA_TRY(scene::Panel envelope, tier_0());
-  DOBRA_TRY(scene::Panel sections, tier_1());
-  return scene::Picture{{}, {std::move(envelope), std::move(sections)}};
+  std::vector<geom::Polyline> stadia;
+  for (std::size_t i = 0; i < base.segment_count(); ++i) stadia.push_back(stadium(base.segment(i), d));
+  return scene::Picture{
+      {},
+      {panel("Lower envelope of stadia",
+             {lines("stadia", stroke(grey, 0.9), stadia), lines("curve", stroke(blue, 2.0), {curve}), base_line(base)},
+             0.1, {"", ""})}};
 }
 
 }  // namespace
 
 std::vector<Figure> offset_figures() {
-  return {{"offset_engine", engine}, {"offset_3_6", figures_3_and_6}, {"offset_5", figure_5, 1000.0},
-          {"offset_7", figure_7},    {"offset_8", figure_8},          {"offset_9", figure_9}};
+  return {{"offset_monotone", monotone_engine, 480.0},
+          {"offset_stages", offset_stages, 760.0},
+          {"offset_3_6", figures_3_and_6},
+          {"offset_5", figure_5, 1000.0},
+          {"offset_7", figure_7},
+          {"offset_8", figure_8},
+          {"offset_9", figure_9}};
 }
 
 }  // namespace dobra::figures

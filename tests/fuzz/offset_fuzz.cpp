@@ -13,7 +13,8 @@
 #include <cstdlib>
 #include <vector>
 
-#include "shared/offset/verify.h"
+#include "shared/offset/offset.h"
+#include "shared/offset/verifier/verify.h"
 #include "tests/fuzz/bytes.h"
 
 namespace {
@@ -82,8 +83,8 @@ Case case_of(Bytes bytes) {
   return c;
 }
 
-bool grave(offset::FindingKind kind) {
-  using Kind = offset::FindingKind;
+bool grave(offset::verifier::FindingKind kind) {
+  using Kind = offset::verifier::FindingKind;
   return kind == Kind::Malformed || kind == Kind::TooNear || kind == Kind::Crossing;
 }
 
@@ -109,11 +110,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   // Mitres of any length, of turns as near to a U-turn as doubles go, have no digits left to judge.
   if (c.options.join == offset::Join::Bisector && !strict) return 0;
   for (const offset::OffsetCurve& curve : *curves) {
-    const auto verified = offset::verify(c.base, c.options, curve);
+    const auto verified = offset::verifier::verify(c.base, c.options, curve);
     if (!verified.ok()) std::abort();  // what can be offset can be judged
-    for (const offset::Finding& finding : verified->findings) {
+    for (const offset::verifier::Finding& finding : verified->findings) {
       if (!strict && !grave(finding.kind)) continue;
-      std::fprintf(stderr, "D %.17g: %s\n", curve.distance, offset::to_string(finding).c_str());
+      std::fprintf(stderr, "D %.17g: %s\n", curve.distance, offset::verifier::to_string(finding).c_str());
       print(c);
       std::abort();
     }

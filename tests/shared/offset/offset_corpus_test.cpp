@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "shared/offset/offset.h"
-#include "shared/offset/verify.h"
+#include "shared/offset/verifier/verify.h"
 #include "tests/support/corpus.h"
 #include "tests/support/geo_file.h"
 #include "tests/support/offset_oracle.h"
@@ -17,6 +17,7 @@
 namespace dobra::offset {
 namespace {
 
+using namespace verifier;
 using geom::Polyline;
 namespace fs = std::filesystem;
 

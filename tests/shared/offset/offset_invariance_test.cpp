@@ -8,7 +8,6 @@
 #include <cmath>
 #include <functional>
 
-#include "shared/offset/arcs.h"
 #include "shared/offset/offset.h"
 #include "tests/support/corpus.h"
 #include "tests/support/offset_oracle.h"

@@ -7,15 +7,16 @@
 #include <cstdlib>
 #include <map>
 
-#include "shared/offset/arcs.h"
-#include "shared/offset/base_curve.h"
-#include "shared/offset/verify.h"
+#include "shared/offset/kernel/base_curve.h"
+#include "shared/offset/offset.h"
+#include "shared/offset/verifier/verify.h"
 #include "tests/support/length_oracle.h"
 #include "tests/support/random_curves.h"
 
 namespace dobra::offset {
 namespace {
 
+using namespace verifier;
 using geom::Point;
 using geom::Polyline;
 using support::RandomCase;

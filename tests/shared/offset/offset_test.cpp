@@ -1,5 +1,5 @@
 #include "shared/offset/offset.h"
-#include "shared/offset/verify.h"
+#include "shared/offset/verifier/verify.h"
 
 #include <gtest/gtest.h>
 
@@ -10,17 +10,18 @@
 #include <numbers>
 
 #include "shared/base/parallel.h"
-#include "shared/offset/arcs.h"
-#include "shared/offset/distances.h"
-#include "shared/offset/stepper.h"
+#include "shared/offset/stepper/stepper.h"
 #include "tests/support/offset_oracle.h"
 
 namespace dobra::offset {
 namespace {
 
+using namespace verifier;
 using geom::Point;
 using geom::Polyline;
 using std::numbers::pi;
+using stepper::run_stepper;
+using stepper::Stepper;
 
 std::vector<OffsetCurve> run(const Polyline& base, const std::vector<double>& d, const OffsetOptions& options = {}) {
   auto result = offset(base, d, options);
