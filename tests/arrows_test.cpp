@@ -147,13 +147,17 @@ std::string namespace_of(const std::string& folder) {
   return name;
 }
 
-/// The namespaces that a file opens at the margin, without those of a library and those inside another.
+/// The namespaces that a file opens at the margin; an inline one with the one around it.
 std::vector<std::string> namespaces_in(std::istream& in) {
+  const std::string opens = "namespace ", opens_inline = "inline namespace ";
   std::vector<std::string> found;
   for (std::string line; std::getline(in, line);) {
-    if (line.starts_with("namespace ") && line.ends_with(" {") && line != "namespace {") {
-      found.push_back(line.substr(10, line.size() - 12));
-    }
+    if (!line.ends_with(" {") || line == "namespace {") continue;
+    const auto name = [&](const std::string& words) {
+      return line.substr(words.size(), line.size() - words.size() - 2);
+    };
+    if (line.starts_with(opens)) found.push_back(name(opens));
+    if (line.starts_with(opens_inline) && !found.empty()) found.push_back(found.back() + "::" + name(opens_inline));
   }
   return found;
 }

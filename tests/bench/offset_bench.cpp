@@ -5,8 +5,8 @@
 // tests/bench/offset_table.py makes a table of a run, with the exponents of time in n. The median of at least five runs
 // counts, for all three (GEOS: of one where that takes more than 2 s), and memory once taken stays with the process:
 // what the system takes to hand out pages tells nothing about them. Single rows: --benchmark_filter='^gear_in/1000/'
-// (family and size; any regular expression). --alone leaves out raw and GEOS, for runs that are compared with each other
-// (tests/bench/offset_ablation.py). Figures belong in docs/algorithms/offset.md.
+// (family and size; any regular expression). --alone leaves out raw and GEOS, for runs that are compared with each
+// other (tests/bench/offset_ablation.py). Figures belong in docs/algorithms/offset.md.
 
 #include <benchmark/benchmark.h>
 #include <geos_c.h>

@@ -9,7 +9,8 @@
 #include "shared/offset/kernel/high.h"
 #include "shared/offset/types/arcs.h"
 
-namespace dobra::offset::inline kernel {
+namespace dobra::offset {
+inline namespace kernel {
 
 using base::Error;
 using base::ErrorCode;
@@ -282,4 +283,5 @@ RawChain raw_chain(const BaseCurve& base, Real distance, const OffsetOptions& op
   return chain;
 }
 
-}  // namespace dobra::offset::inline kernel
+}  // namespace kernel
+}  // namespace dobra::offset

@@ -10,7 +10,8 @@
 #include "shared/offset/kernel/numbers.h"
 #include "shared/offset/types/curve.h"
 
-namespace dobra::offset::inline kernel {
+namespace dobra::offset {
+inline namespace kernel {
 
 enum class Turn : std::uint8_t {
   Straight,
@@ -106,4 +107,5 @@ T quarter_tan(const T& half_tan) {
   return half_tan / (1 + root(T(1 + half_tan * half_tan)));
 }
 
-}  // namespace dobra::offset::inline kernel
+}  // namespace kernel
+}  // namespace dobra::offset

@@ -1,6 +1,7 @@
 #include "shared/offset/kernel/box_tree.h"
 
-namespace dobra::offset::inline kernel {
+namespace dobra::offset {
+inline namespace kernel {
 
 BoxTree::BoxTree(const std::vector<FloatBox>& boxes) {
   std::size_t count = 0;
@@ -30,4 +31,5 @@ BoxTree::BoxTree(const std::vector<FloatBox>& boxes) {
   }
 }
 
-}  // namespace dobra::offset::inline kernel
+}  // namespace kernel
+}  // namespace dobra::offset

@@ -7,7 +7,8 @@
 
 #include "shared/offset/kernel/float_box.h"
 
-namespace dobra::offset::inline kernel {
+namespace dobra::offset {
+inline namespace kernel {
 
 class BoxTree {
  public:
@@ -70,4 +71,5 @@ class BoxTree {
   std::vector<Level> levels_;  // from the items up
 };
 
-}  // namespace dobra::offset::inline kernel
+}  // namespace kernel
+}  // namespace dobra::offset

@@ -6,7 +6,8 @@
 
 #include "shared/offset/kernel/box_tree.h"
 
-namespace dobra::offset::inline kernel {
+namespace dobra::offset {
+inline namespace kernel {
 
 template <class Holds, class Visit>
 bool BoxTree::any_held(const Holds& holds, Visit&& visit) const {
@@ -131,4 +132,5 @@ bool BoxTree::any_held(const BoxTree& other, Flat q, double d, Visit&& visit) co
   return false;
 }
 
-}  // namespace dobra::offset::inline kernel
+}  // namespace kernel
+}  // namespace dobra::offset

@@ -2,7 +2,8 @@
 
 #include <bit>
 
-namespace dobra::offset::inline kernel {
+namespace dobra::offset {
+inline namespace kernel {
 
 namespace {
 
@@ -52,4 +53,5 @@ void ChainTree::build(std::size_t node, std::size_t first, std::size_t last, con
   made.connected = left.connected && right.connected && right.linked;
 }
 
-}  // namespace dobra::offset::inline kernel
+}  // namespace kernel
+}  // namespace dobra::offset

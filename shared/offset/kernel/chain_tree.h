@@ -10,7 +10,8 @@
 
 #include "shared/offset/kernel/float_box.h"
 
-namespace dobra::offset::inline kernel {
+namespace dobra::offset {
+inline namespace kernel {
 
 class ChainTree {
  public:
@@ -125,4 +126,5 @@ class ChainTree {
   std::vector<Node> nodes_;
 };
 
-}  // namespace dobra::offset::inline kernel
+}  // namespace kernel
+}  // namespace dobra::offset

@@ -7,7 +7,8 @@
 #include <concepts>
 #include <limits>
 
-namespace dobra::offset::inline kernel {
+namespace dobra::offset {
+inline namespace kernel {
 
 class DoubleDouble {
  public:
@@ -80,7 +81,8 @@ class DoubleDouble {
   double low_ = 0;
 };
 
-}  // namespace dobra::offset::inline kernel
+}  // namespace kernel
+}  // namespace dobra::offset
 
 template <>
 class std::numeric_limits<dobra::offset::DoubleDouble> : public std::numeric_limits<double> {

@@ -6,7 +6,8 @@
 
 #include "shared/offset/kernel/numbers.h"
 
-namespace dobra::offset::inline kernel {
+namespace dobra::offset {
+inline namespace kernel {
 
 /// Rounded outwards.
 struct FloatBox {
@@ -40,4 +41,5 @@ struct FloatBox {
   static float above(double x) { return static_cast<float>(x + std::abs(x) * 1.2e-7 + 1e-37); }
 };
 
-}  // namespace dobra::offset::inline kernel
+}  // namespace kernel
+}  // namespace dobra::offset

@@ -8,7 +8,8 @@
 
 #include "shared/offset/kernel/numbers.h"
 
-namespace dobra::offset::inline kernel {
+namespace dobra::offset {
+inline namespace kernel {
 
 using High =
     boost::multiprecision::number<boost::multiprecision::cpp_bin_float<256, boost::multiprecision::digit_base_2>,
@@ -60,4 +61,5 @@ VecOf<T> as(const VecOf<S>& a) {
   return {as<T>(a.x), as<T>(a.y)};
 }
 
-}  // namespace dobra::offset::inline kernel
+}  // namespace kernel
+}  // namespace dobra::offset

@@ -10,7 +10,8 @@
 #include "shared/geom/point.h"
 #include "shared/offset/kernel/double_double.h"
 
-namespace dobra::offset::inline kernel {
+namespace dobra::offset {
+inline namespace kernel {
 
 /// Error bounds (high.h) suppose 64 bits. Compilers that make long double a double (and builds with the CMake option
 /// DOBRA_DOUBLE_DOUBLE, to try that) take two doubles instead.
@@ -51,4 +52,5 @@ inline Flat flat(geom::Vector v) { return {v.x, v.y}; }
 inline Flat flat(Vec a) { return {static_cast<double>(a.x), static_cast<double>(a.y)}; }
 inline Vec exact(Flat a) { return {a.x, a.y}; }
 
-}  // namespace dobra::offset::inline kernel
+}  // namespace kernel
+}  // namespace dobra::offset

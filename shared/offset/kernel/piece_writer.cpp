@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dobra::offset::inline kernel {
+namespace dobra::offset {
+inline namespace kernel {
 
 OffsetPiece PieceWriter::finish_open(geom::Point p) {
   const geom::Point q = base_.user(p);
@@ -52,4 +53,5 @@ OffsetPiece PieceWriter::finish() {
   return std::move(piece_);
 }
 
-}  // namespace dobra::offset::inline kernel
+}  // namespace kernel
+}  // namespace dobra::offset

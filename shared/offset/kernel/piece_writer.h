@@ -3,7 +3,8 @@
 
 #include "shared/offset/kernel/base_curve.h"
 
-namespace dobra::offset::inline kernel {
+namespace dobra::offset {
+inline namespace kernel {
 
 class PieceWriter {
  public:
@@ -76,4 +77,5 @@ class PieceWriter {
   OffsetPiece piece_;
 };
 
-}  // namespace dobra::offset::inline kernel
+}  // namespace kernel
+}  // namespace dobra::offset

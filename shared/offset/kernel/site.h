@@ -3,7 +3,8 @@
 
 #include <cstdint>
 
-namespace dobra::offset::inline kernel {
+namespace dobra::offset {
+inline namespace kernel {
 
 /// What a piece of the raw outline is parallel to: the line of a segment, or the corner at its end.
 enum class SiteKind : std::uint32_t {
@@ -23,4 +24,5 @@ struct Site {
 inline std::uint32_t packed(Site s) { return s.step * 4 + static_cast<std::uint32_t>(s.kind); }
 inline Site unpacked(std::uint32_t s) { return {s / 4, static_cast<SiteKind>(s % 4)}; }
 
-}  // namespace dobra::offset::inline kernel
+}  // namespace kernel
+}  // namespace dobra::offset

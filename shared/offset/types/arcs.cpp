@@ -4,7 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-namespace dobra::offset::inline types {
+namespace dobra::offset {
+inline namespace types {
 
 using geom::Point;
 using geom::Vector;
@@ -84,4 +85,5 @@ double signed_area(const OffsetPiece& piece, const geom::Polyline& base) {
   return 0.5 * twice;
 }
 
-}  // namespace dobra::offset::inline types
+}  // namespace types
+}  // namespace dobra::offset

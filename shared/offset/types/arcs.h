@@ -3,7 +3,8 @@
 
 #include "shared/offset/types/curve.h"
 
-namespace dobra::offset::inline types {
+namespace dobra::offset {
+inline namespace types {
 
 /// A piece without arcs.
 struct Chords {
@@ -23,4 +24,5 @@ double length(const OffsetPiece& piece, const geom::Polyline& base);
 /// m2, positive if anticlockwise; arcs count in full. 0 if open.
 double signed_area(const OffsetPiece& piece, const geom::Polyline& base);
 
-}  // namespace dobra::offset::inline types
+}  // namespace types
+}  // namespace dobra::offset

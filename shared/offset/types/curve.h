@@ -8,7 +8,8 @@
 
 #include "shared/geom/polyline.h"
 
-namespace dobra::offset::inline types {
+namespace dobra::offset {
+inline namespace types {
 
 /// Which side of travel the curve lies on. With y up, a base drawn from left to right has its right side below.
 enum class Side { RightOfTravel, LeftOfTravel };
@@ -109,4 +110,5 @@ struct OffsetCurve {
   double dropped_length = 0.0;  ///< Of these, m.
 };
 
-}  // namespace dobra::offset::inline types
+}  // namespace types
+}  // namespace dobra::offset

@@ -6,7 +6,8 @@
 
 #include "shared/base/text.h"
 
-namespace dobra::offset::inline types {
+namespace dobra::offset {
+inline namespace types {
 
 base::Result<std::vector<double>> distances(const DistanceRule& rule) {
   const auto invalid = [](std::string message) {
@@ -37,4 +38,5 @@ base::Result<std::vector<double>> distances(const DistanceRule& rule) {
   return all;
 }
 
-}  // namespace dobra::offset::inline types
+}  // namespace types
+}  // namespace dobra::offset

@@ -7,7 +7,8 @@
 
 #include "shared/base/result.h"
 
-namespace dobra::offset::inline types {
+namespace dobra::offset {
+inline namespace types {
 
 struct DistanceRule {
   std::size_t count = 1;  ///< Number of curves, 1 to 100 000.
@@ -20,4 +21,5 @@ struct DistanceRule {
 ///        curves no longer move apart.
 base::Result<std::vector<double>> distances(const DistanceRule& rule);
 
-}  // namespace dobra::offset::inline types
+}  // namespace types
+}  // namespace dobra::offset
