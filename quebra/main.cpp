@@ -21,7 +21,8 @@ int main(int argc, char** argv) {
   dobra::cli::WindowOptions options;
   window.add_options = [&](CLI::App& app) { dobra::cli::add_window_options(app, options); };
   window.open = [&](const std::optional<std::filesystem::path>& file) {
-    dobra::gui::WindowOptions ours{.language = options.language};
+    dobra::gui::WindowOptions ours;
+    ours.language = options.language;
     if (!options.script.empty()) ours.script = options.script;
     return quebra::gui::run_window(file, ours);
   };
