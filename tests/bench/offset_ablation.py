@@ -4,14 +4,14 @@
   tests/bench/offset_ablation.py [--rows REGEX] [--rounds N] [--only NAME,NAME+NAME] [--against PROGRAM] [--all]
 
 Copies the tree to build/ablation, puts a switch before every device listed below, builds offset_bench once there, and
-runs each row with each device off in turn (environment DOBRA_OFF), several rounds. Prints a table: the median of the
-times over that with everything on, in the rows where it is greatest. --against: a row for another offset_bench, such as
+runs each row with each device off in turn (environment DOBRA_OFF), several rounds. Prints a table: the least of the
+times (each the median of a row's runs; whatever else the machine does only adds to it) over that with everything on, in
+the rows where it is greatest. --against: a row for another offset_bench, such as
 one of an older commit. --all: every row. Times are of the processor, so other programs disturb them little.
 """
 import argparse
 import json
 import os
-import statistics
 import subprocess
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
@@ -35,8 +35,6 @@ DEVICES = [
       (E + "general/clearance.cpp", "const auto bends_little = [&](std::size_t b, std::size_t many) {", "const auto bends_little = [&](std::size_t b, std::size_t many) { if (OFF) return false;")]),
     ("tips_stay", "lines to tips that stay buried up to the greatest distance",
      [(E + "general/candidates.cpp", "tips && witnesses_.tips_stay", "!OFF && tips && witnesses_.tips_stay")]),
-    ("hints", "what hid a line at the last distance is tried first",
-     [(E + "general/candidates.cpp", "(hint != Buried::none && kills", "(!OFF && hint != Buried::none && kills")]),
     ("memory", "what is buried at one distance is at all greater ones",
      [(E + "offset.cpp", "if (more) found.emplace(known);", "if (more && !OFF) found.emplace(known);"),
       (E + "offset.cpp", "more && first + i + 1 == last ? &*found", "more && !OFF && first + i + 1 == last ? &*found"),
@@ -46,7 +44,7 @@ DEVICES = [
     ("held_by_cutter", "what cuts a section is asked whether it holds it",
      [(E + "general/sections.cpp", "for (const std::uint32_t end : {section.from, section.to}) {", "for (const std::uint32_t end : {section.from, section.to}) { if (OFF) break;")]),
     ("starts", "natural starts without detours",
-     [(E + "general/outline_ends.h", "return starts_.find(s, start) ?", "return !OFF && starts_.find(s, start) ?")]),
+     [(E + "general/outline.h", "return starts_.find(s, start) ?", "return !OFF && starts_.find(s, start) ?")]),
     ("write_block", "the points of plain blocks written at once",
      [(E + "general/assemble.cpp", "may_begin ? write_block", "may_begin && !OFF ? write_block")]),
     ("glide_blocks", "plain blocks pass the stack pass at once",
@@ -55,51 +53,46 @@ DEVICES = [
   if (OFF || !goes_on()) return step;""")]),
     ("glide", "steps where line follows line pass without their places",
      [(E + "general/candidates.cpp", """std::uint64_t dead) {
-  if (!goes_on()) return step;
-  const""", """std::uint64_t dead) {
-  if (OFF || !goes_on()) return step;
-  const""")]),
+  if (!goes_on()) return step;""", """std::uint64_t dead) {
+  if (OFF || !goes_on()) return step;""")]),
     ("tail_cuts", "tail and head of the stack cut each other",
      [(E + "general/candidates.cpp", "if (tail.site.kind == SiteKind::Bevel || head", "if (OFF || tail.site.kind == SiteKind::Bevel || head")]),
     ("buried_by_tail", "the tail of the stack is asked first whether it hides the head",
      [(E + "general/candidates.cpp", "if (!pieces.empty() && buried_by_tail", "if (!OFF && !pieces.empty() && buried_by_tail")]),
     ("cells", "what hid a place is noted for its surroundings",
      [(E + "general/witness.cpp", "if (cells_.empty()) return Clearance::none;", "if (OFF || cells_.empty()) return Clearance::none;"),
-      (E + "general/witness.cpp", "void WitnessSearch::note(Flat p, std::uint32_t step) {", "void Cover::note(Flat p, std::uint32_t step) { if (OFF) return;")]),
+      (E + "general/witness.cpp", "void WitnessSearch::note(Flat p, std::uint32_t step) {", "void WitnessSearch::note(Flat p, std::uint32_t step) { if (OFF) return;")]),
     ("shorten", "lines to far tips are shortened",
      [(E + "general/pairs.cpp", "if (clearance_.has_long_mitres()) find_parts", "if (clearance_.has_long_mitres() && !OFF) find_parts")]),
-    ("recent", "what hid the last pieces is asked first",
-     [(E + "general/witness.cpp", "for (const std::uint32_t step : recent_) {\n    if (step", "for (const std::uint32_t step : recent_) {\n    if (OFF || step")]),
+    ("recent", "what hid the last piece is asked first",
+     [(E + "general/witness.cpp", "if (witness_ != Clearance::none && in_set(", "if (!OFF && witness_ != Clearance::none && in_set(")]),
     ("halving", "pieces hidden by several segments together",
      [(E + "general/witness.cpp", "return between(s, a, held[1], places[0]", "return !OFF && between(s, a, held[1], places[0]")]),
     ("deep_halving", "more than two halvings of those",
      [(E + "general/witness.cpp", "constexpr int depth = 10;", "const int depth = OFF ? 2 : 10;")]),
-    ("judge_run", "all cutters of a run are asked for that comes near pieces thrice",
-     [(E + "general/pairs.cpp", "if (met < patience && ++met", "if (!OFF && met < patience && ++met")]),
-    ("judge", "cutters that lie in U are left out",
-     [(E + "general/pairs.cpp", "hull.piece = witnesses_.covers(hull.site", "hull.piece = !OFF && witnesses_.covers(hull.site")]),
-    ("left_of", "blocks all of whose cutters are buried",
-     [(E + "general/pairs.cpp", "if (left == 0 && found", "if (!OFF && left == 0 && found")]),
     ("left_boxes", "boxes of the left side of four segments",
      [(E + "general/pairs.cpp", "= clearance_.left_box(leaf, outline_.distance(), margin_);", "= OFF ? clearance_.blocks()[block].box(true, outline_.distance(), margin_) : clearance_.left_box(leaf, outline_.distance(), margin_);")]),
     ("sides_apart", "a block that bends little parts its two sides",
      [(E + "general/pairs.cpp", "if (!apart) apart = sides_apart(block);", "if (!apart) apart = !OFF && sides_apart(block);")]),
     ("directions", "direction masks of the tree",
      [(E + "kernel/chain_tree.cpp", "bool ChainTree::fits_half_plane(std::uint64_t directions) {", "bool ChainTree::fits_half_plane(std::uint64_t directions) { if (OFF) return false;")]),
-    ("few", "boxes and directions of what is left of a block",
-     [(E + "general/pairs.cpp", "if (last - first < few || parted)", "if ((!OFF && last - first < few) || parted)")]),
+    ("few", "boxes of what is left of a block",
+     [(E + "general/pairs.cpp", "if (last - first < few ||", "if ((!OFF && last - first < few) ||")]),
     ("runs", "boxes of runs of four pieces",
      [(E + "general/pairs.cpp", "if (!p.runs[i].overlaps(q.box)) continue;", "if (!OFF && !p.runs[i].overlaps(q.box)) continue;"),
       (E + "general/pairs.cpp", "if (!p.runs[i].overlaps(q.runs[j])) continue;", "if (!OFF && !p.runs[i].overlaps(q.runs[j])) continue;")]),
     ("hulls", "convex hulls of pieces",
-     [(E + "general/pairs.cpp", "return beyond_an_edge(p, q) || beyond", "return !OFF && (beyond_an_edge(p, q) || beyond"),
-      (E + "general/pairs.cpp", "(q.is_arc() && in_disc(q, p));", "(q.is_arc() && in_disc(q, p)));")]),
-    ("in_disc", "pieces within an arc's circle",
-     [(E + "general/pairs.cpp", "return limit > 0 && inside(q.a)", "return !OFF && limit > 0 && inside(q.a)")]),
+     [(E + "general/pairs.cpp", "return beyond_an_edge(p, q) || beyond_an_edge(q, p);", "return !OFF && (beyond_an_edge(p, q) || beyond_an_edge(q, p));")]),
     ("cache", "pieces of 128 groups are kept at hand",
      [(E + "general/pairs.cpp", "if (bunch.group == group) return;", "if (!OFF && bunch.group == group) return;")]),
-    ("junction", "plain corners without detours",
-     [(E + "general/outline.cpp", "if (step + 1 < n_ && corners_[step + 1] <= CornerKind::Meet) {", "if (!OFF && step + 1 < n_ && corners_[step + 1] <= CornerKind::Meet) {")]),
+    ("skip", "sections pass over linked pieces that nothing may cut",
+     [(E + "general/sections.cpp", "if (k > 0 && pieces_[k].linked()) k = skip(k);", "if (!OFF && k > 0 && pieces_[k].linked()) k = skip(k);")]),
+    ("likely", "gaps are measured first where they are likely to be least",
+     [(E + "general/clearance_gaps.cpp", "for (std::size_t i = first; i < last; i += run) {\n    if (i + 2", "for (std::size_t i = first; i < last; i += run) {\n    if (OFF) break;\n    if (i + 2")]),
+    ("mitre_rough", "doubles tell first that a place is out of a mitre",
+     [(E + "general/validity.cpp", """if (dot(near, u) < -margin || dot(near, v) > margin || dot(near, right_of(u)) > limit ||
+      dot(near, right_of(v)) > limit) {""", """if (!OFF && (dot(near, u) < -margin || dot(near, v) > margin || dot(near, right_of(u)) > limit ||
+      dot(near, right_of(v)) > limit)) {""")]),
     ("one_side", "a simple contour needs no cutters",
      [(E + "offset.cpp", "input.simple && input.clearance->tells_sides", "!OFF && input.simple && input.clearance->tells_sides")]),
     ("rough", "doubles decide where they are certain",
@@ -130,6 +123,11 @@ def copy_with_switches():
                 raise SystemExit(f"{device}: {found} times in {name}: {old}")
             new = new.replace("OFF", f"(dobra_off_bits >> {k} & 1)")
             text[name] = text[name].replace(old.encode(), new.encode())
+    for room, _, names in os.walk(os.path.join(COPY, "shared")):
+        for name in names:  # what the tree had before
+            path = os.path.join(room, name)
+            if os.path.relpath(path, COPY) not in text:
+                os.remove(path)
     for name, content in text.items():
         path = os.path.join(COPY, name)
         os.makedirs(os.path.dirname(path), exist_ok=True)
@@ -171,11 +169,11 @@ def main():
             bits = 0 if name in ("everything", asked.against) else sum(bit[part] for part in name.split("+"))
             for row, ns in run(asked.against if name == asked.against else program, bits, asked.rows).items():
                 times.setdefault(row, {}).setdefault(name, []).append(ns)
-    median = {row: {name: statistics.median(v) for name, v in of.items()} for row, of in times.items()}
+    least = {row: {name: min(v) for name, v in of.items()} for row, of in times.items()}
     print("| device | what it does | times as long without it, where it helps most |")
     print("|---|---|---|")
-    ratios = {name: sorted(((of[name] / of["everything"], row) for row, of in median.items()), reverse=True)
-              for name in next(iter(median.values())) if name != "everything"}
+    ratios = {name: sorted(((of[name] / of["everything"], row) for row, of in least.items()), reverse=True)
+              for name in next(iter(least.values())) if name != "everything"}
     for name in sorted(ratios, key=lambda n: -ratios[n][0][0]):
         best = ratios[name] if asked.all else ratios[name][:3]
         print(f"| {name} | {told.get(name, '')} | " + ", ".join(f"{r:.2f} {row}" for r, row in best) + " |")

@@ -1,10 +1,8 @@
 // Step 4: sections become curves.
 
 #include <algorithm>
-#include <numeric>
 #include <tuple>
 
-#include "shared/offset/general/outline_ends.h"
 #include "shared/offset/general/sections.h"
 
 namespace dobra::offset::general {
@@ -21,19 +19,11 @@ Real rising(Vec v) {
 
 }  // namespace
 
-/// Of travel along a line.
-Vec Trimmer::direction(Site s) const {
-  return s.kind == SiteKind::Line ? outline_.along<Real>(s.step) : left_of(outline_.middle_of_turn<Real>(s.step));
-}
-
-Vec Trimmer::leaving(const Section& section) const {
-  const Piece& piece = pieces_[section.first];
-  return piece.is_line() ? direction(piece.site()) : left_of(nodes_[section.from].at - centre(piece.site()));
-}
-
-Vec Trimmer::arriving(const Section& section) const {
-  const Piece& piece = pieces_[section.last];
-  return piece.is_line() ? direction(piece.site()) : left_of(nodes_[section.to].at - centre(piece.site()));
+/// The direction of travel along a piece at one of its nodes.
+Vec Trimmer::heading(std::uint32_t piece, std::uint32_t node) const {
+  const Site s = pieces_[piece].site();
+  if (s.kind == SiteKind::Line) return outline_.along<Real>(s.step);
+  return left_of(s.kind == SiteKind::Bevel ? outline_.middle_of_turn<Real>(s.step) : nodes_[node].at - centre(s));
 }
 
 /// Where parts of the base coincide, so do parts of the curve, cut at the ends of both: they are one.
@@ -50,21 +40,12 @@ void Trimmer::remove_doubles() {
   std::sort(parts.begin(), parts.end());
   std::vector<char> gone(sections_.size(), 0);
   for (std::size_t k = 1; k < parts.size(); ++k) gone[parts[k].second] = parts[k].first == parts[k - 1].first;
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < sections_.size(); ++i) {
-    if (!gone[i]) sections_[kept++] = sections_[i];
-  }
-  sections_.resize(kept);
+  std::erase_if(sections_, [&](const Section& s) { return gone[static_cast<std::size_t>(&s - sections_.data())]; });
 }
 
 /// Free space lies to the right of every section, so that the way on from one that arrives is the first one that
 /// leaves, turning anticlockwise from the way back. Thus curves that touch are kept apart.
 void Trimmer::link_at(std::span<const std::uint32_t> in, std::span<const std::uint32_t> out) {
-  if (in.size() == 1 && out.size() == 1) {
-    follower_[in[0]] = out[0];
-    has_leader_[out[0]] = 1;
-    return;
-  }
   struct Ray {
     Real angle;
     int bend;  // of two with one tangent, the arc that bends anticlockwise comes later
@@ -73,12 +54,14 @@ void Trimmer::link_at(std::span<const std::uint32_t> in, std::span<const std::ui
   };
   std::vector<Ray> rays;
   for (const std::uint32_t s : in) {
-    const Vec back = -arriving(sections_[s]);
-    rays.push_back({rising(back), pieces_[sections_[s].last].is_line() ? 0 : -1, false, s});
+    const Section& section = sections_[s];
+    const int bend = pieces_[section.last].is_line() ? 0 : -1;
+    rays.push_back({rising(-heading(section.last, section.to)), bend, false, s});
   }
   for (const std::uint32_t s : out) {
-    const Vec on = leaving(sections_[s]);
-    rays.push_back({rising(on), pieces_[sections_[s].first].is_line() ? 0 : 1, true, s});
+    const Section& section = sections_[s];
+    const int bend = pieces_[section.first].is_line() ? 0 : 1;
+    rays.push_back({rising(heading(section.first, section.from)), bend, true, s});
   }
   std::sort(rays.begin(), rays.end(), [](const Ray& a, const Ray& b) {
     return std::tuple{a.angle, a.bend, a.leaves, a.section} < std::tuple{b.angle, b.bend, b.leaves, b.section};
@@ -97,38 +80,38 @@ void Trimmer::link_at(std::span<const std::uint32_t> in, std::span<const std::ui
   }
 }
 
-namespace {
-
-/// The sections at each of so many nodes, by the node that `key` gives for a section.
-class Sorted {
- public:
-  template <class Key>
-  Sorted(std::size_t nodes, std::size_t sections, const Key& key) : first_(nodes + 1, 0), all_(sections) {
-    for (std::uint32_t i = 0; i < sections; ++i) ++first_[key(i)];
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-    for (auto i = static_cast<std::uint32_t>(sections); i-- > 0;) all_[--first_[key(i)]] = i;
+/// Joins the sections that meet at the nodes.
+void Trimmer::link() {
+  struct End {
+    std::uint32_t node;
+    bool leaves;
+    std::uint32_t section;
+    auto operator<=>(const End&) const = default;
+  };
+  std::vector<End> ends;
+  ends.reserve(2 * sections_.size());
+  for (std::uint32_t i = 0; i < sections_.size(); ++i) {
+    ends.push_back({sections_[i].to, false, i});
+    ends.push_back({sections_[i].from, true, i});
   }
-  [[nodiscard]] std::span<const std::uint32_t> at(std::size_t node) const {
-    return {all_.data() + first_[node], all_.data() + first_[node + 1]};
+  std::sort(ends.begin(), ends.end());
+  std::vector<std::uint32_t> in, out;
+  for (auto end = ends.begin(); end != ends.end();) {
+    in.clear();
+    out.clear();
+    for (const std::uint32_t at = end->node; end != ends.end() && end->node == at; ++end) {
+      (end->leaves ? out : in).push_back(end->section);
+    }
+    if (!in.empty() && !out.empty()) link_at(in, out);
   }
-
- private:
-  std::vector<std::uint32_t> first_;
-  std::vector<std::uint32_t> all_;
-};
-
-}  // namespace
+}
 
 /// Puts the sections in the order of their chains.
 std::vector<Trimmer::Chain> Trimmer::assemble() {
   const std::size_t count = sections_.size();
-  const Sorted in(nodes_.size(), count, [&](std::uint32_t i) { return sections_[i].to; });
-  const Sorted out(nodes_.size(), count, [&](std::uint32_t i) { return sections_[i].from; });
   follower_.assign(count, none);
   has_leader_.assign(count, 0);
-  for (std::size_t n = 0; n < nodes_.size(); ++n) {
-    if (!in.at(n).empty() && !out.at(n).empty()) link_at(in.at(n), out.at(n));
-  }
+  link();
   std::vector<std::pair<std::uint32_t, Chain>> chains;  // with their first segments
   std::vector<char> done(count, 0);
   std::vector<Section> ordered;

@@ -4,7 +4,6 @@
 #include <bit>
 #include <optional>
 
-#include "shared/offset/general/outline_ends.h"
 #include "shared/offset/kernel/high.h"
 
 namespace dobra::offset::general {
@@ -34,10 +33,10 @@ class StackPass {
   Candidates run();
 
  private:
-  [[nodiscard]] std::size_t alive_count() const;
   void walk();
   [[nodiscard]] std::uint32_t glide_blocks(std::uint32_t step);
-  [[nodiscard]] std::uint32_t glide(std::uint32_t step, std::uint32_t last, std::uint64_t dead);
+  [[nodiscard]] std::uint32_t glide(std::uint32_t step, std::uint64_t dead);
+  void append(std::uint32_t step, bool arc);
   void add_line(std::uint32_t step, const Outline::Junction& before, const Outline::Junction& after);
   void add_corner(std::uint32_t step, const Outline::Junction& junction, std::uint64_t dead);
   void add(Site site, Flat a, Flat b);
@@ -46,25 +45,18 @@ class StackPass {
     return previous_ != Piece::none && !made_.pieces.empty() && packed(made_.pieces.back().site()) == previous_ &&
            made_.pieces.back().trim_b == Piece::none;
   }
-  /// After pieces were appended without their places.
-  void settle() {
-    previous_ = packed(made_.pieces.back().site());
-    placed_ = false;
-  }
   void place_tail() {
     if (placed_) return;
     tail_a_ = start(made_.pieces.back());
     tail_b_ = end(made_.pieces.back());
     placed_ = true;
   }
-  void append(Site site) { made_.pieces.push_back(Piece::linked_to(site)); }
-  void append_block(std::uint32_t first, std::uint64_t arcs);
   void push(Piece piece, Flat a, Flat b);
   void close();
   void bury(Site site) const {
     if (found_ == nullptr) return;
     const bool tips = site.kind == SiteKind::Line && !known_.for_ever(site);
-    found_->add(site, witnesses_.witness(), tips && witnesses_.tips_stay(site.step, known_.greatest()));
+    found_->add(site, tips && witnesses_.tips_stay(site.step, known_.greatest()));
   }
   [[nodiscard]] bool is_covered(Site site, Flat a, Flat b);
   [[nodiscard]] bool kills(std::uint32_t step, Site site, Flat a, Flat b);
@@ -105,16 +97,10 @@ class StackPass {
   std::uint32_t previous_ = Piece::none;  // the raw piece before, packed, if it ends where the next one starts
 };
 
-std::size_t StackPass::alive_count() const {
-  std::size_t count = 0;
-  for (std::size_t i = 0; i * 16 < outline_.base().segment_count(); ++i) {
-    count += 64 - static_cast<std::size_t>(std::popcount(known_.word(i)));
-  }
-  return count;
-}
-
 Candidates StackPass::run() {
-  made_.pieces.reserve(alive_count());
+  std::size_t most = 0;
+  for (std::size_t i = 0; i < blocks_.size(); ++i) most += 64 - static_cast<std::size_t>(std::popcount(known_.word(i)));
+  made_.pieces.reserve(most);
   walk();
   if (progress_.cancelled()) return {};
   if (!made_.pieces.empty()) close();
@@ -131,24 +117,17 @@ void StackPass::walk() {
       if (step % 4096 == 0 && progress_.cancelled()) return;
       if (const std::uint32_t next = glide_blocks(step); next > step) {
         step = next - 1;
-        dead = 0;
         stale = true;
         continue;
       }
       dead = known_.word(step / 16);
-      if (dead == ~std::uint64_t{0}) {
-        step += 15;
-        previous_ = Piece::none;
-        stale = true;
-        continue;
-      }
     }
     if ((dead & 15) == 15) {
       previous_ = Piece::none;
       stale = true;
       continue;
     }
-    if (const std::uint32_t next = glide(step, std::min(count, (step / 16 + 1) * 16), dead); next > step) {
+    if (const std::uint32_t next = glide(step, dead); next > step) {
       dead >>= 4 * (next - 1 - step);
       step = next - 1;
       stale = true;
@@ -167,43 +146,37 @@ void StackPass::walk() {
   }
 }
 
-/// Where line follows line, or an arc between, and inner corners leave a length of each line, nothing needs a look:
-/// pushes all that up to `last`, without their places. The first step that is not so, or whose end is not.
-std::uint32_t StackPass::glide(std::uint32_t step, std::uint32_t last, std::uint64_t dead) {
-  if (!goes_on()) return step;
-  const std::uint32_t first = step;
-  for (; step < last && (dead & 1) == 0; ++step, dead >>= 4) {
-    const Outline::Lead after = outline_.lead(step);
-    if (!after.plain || !(after.length > margin_)) break;
-    const bool arc = after.kind == CornerKind::Arc;
-    if (arc && (dead & 2) != 0) break;
-    append(Site{step, SiteKind::Line});
-    if (arc) append(Site{step, SiteKind::Arc});
-  }
-  if (step == first) return step;
-  settle();
-  return step;
+void StackPass::append(std::uint32_t step, bool arc) {
+  made_.pieces.push_back(Piece::linked_to({step, SiteKind::Line}));
+  if (arc) made_.pieces.push_back(Piece::linked_to({step, SiteKind::Arc}));
+  placed_ = false;
 }
 
-/// The lines of 16 steps, and the arcs after those where this has bits, four a step.
-void StackPass::append_block(std::uint32_t first, std::uint64_t arcs) {
-  for (std::uint32_t step = first; step < first + Block::size; ++step, arcs >>= 4) {
-    append({step, SiteKind::Line});
-    if ((arcs & 1) != 0) append({step, SiteKind::Arc});
+/// Where line follows line, or an arc between, and inner corners leave a length of each line, nothing needs a look:
+/// pushes all that up to the end of a block, without their places. The first step that is not so, or whose end is not.
+std::uint32_t StackPass::glide(std::uint32_t step, std::uint64_t dead) {
+  if (!goes_on()) return step;
+  const std::uint32_t last = (step / Block::size + 1) * Block::size;
+  for (; step < last && (dead & 1) == 0 && outline_.plain_length(step) > margin_; ++step, dead >>= 4) {
+    const bool arc = outline_.corner(step) == CornerKind::Arc;
+    if (arc && (dead & 2) != 0) break;
+    append(step, arc);
   }
+  previous_ = packed(made_.pieces.back().site());
+  return step;
 }
 
 /// The same for whole blocks, all of whose pieces are there.
 std::uint32_t StackPass::glide_blocks(std::uint32_t step) {
   if (!goes_on()) return step;
-  const std::uint32_t first = step;
-  for (; step / Block::size < blocks_.size(); step += Block::size) {
+  for (const std::uint32_t first = step; step / Block::size < blocks_.size();) {
     const Block& block = blocks_[step / Block::size];
     if (!(d_ < block.plain_below) || known_.word(step / Block::size) != block.absent) break;
     if (step > first && step % 4096 == 0) break;  // progress is to be asked
-    append_block(step, block.arcs());
+    std::uint64_t arcs = block.arcs();
+    for (const std::uint32_t last = step + Block::size; step < last; ++step, arcs >>= 4) append(step, (arcs & 1) != 0);
   }
-  if (step > first) settle();
+  previous_ = packed(made_.pieces.back().site());
   return step;
 }
 
@@ -225,15 +198,13 @@ bool StackPass::is_dead_line(Site site, Flat a, Flat b, CornerKind before, Corne
   const std::uint32_t step = site.step;
   const double size = dot(b - a, outline_.along<double>(step));
   if (is_overcut(outline_, step, size, margin_)) {
-    if (found_ != nullptr) found_->add(site, outline_.before(step));
+    if (found_ != nullptr) found_->add(site);
     return true;
   }
-  const std::uint32_t hint = known_.hint(step);
   // The tip of a mitre is seldom in a stadium beside it.
   const bool near = before != CornerKind::Mitre && after != CornerKind::Mitre;
-  const bool dead = (near && before == CornerKind::Apart && kills(outline_.before(step), site, a, b)) ||
-                    (near && after == CornerKind::Apart && kills(outline_.after(step), site, a, b)) ||
-                    (hint != Buried::none && kills(hint, site, a, b));
+  const bool dead = near && ((before == CornerKind::Apart && kills(outline_.before(step), site, a, b)) ||
+                             (after == CornerKind::Apart && kills(outline_.after(step), site, a, b)));
   if (dead) bury(site);
   return dead;
 }
@@ -301,18 +272,14 @@ inline std::optional<Flat> StackPass::crossing(const Part& tail, const Part& hea
     const double after = cross(u, tail.b - head.a);
     if (!(before < 0 && after > 0)) return std::nullopt;
     p = tail.a + (before / (before - after)) * (tail.b - tail.a);
-  } else if (tail.line) {
-    const Flat u = unit(tail.b - tail.a);
-    const Flat to = head.centre - tail.a;
+  } else if (tail.line || head.line) {
+    const Part& line = tail.line ? tail : head;
+    const Flat u = unit(line.b - line.a);
+    const Flat to = (tail.line ? head : tail).centre - line.a;
     const double across = cross(u, to);
     if (!(std::abs(across) < d_)) return std::nullopt;
-    p = tail.a + (dot(u, to) - std::sqrt((d_ - across) * (d_ + across))) * u;
-  } else if (head.line) {
-    const Flat u = unit(head.b - head.a);
-    const Flat to = tail.centre - head.a;
-    const double across = cross(u, to);
-    if (!(std::abs(across) < d_)) return std::nullopt;
-    p = head.a + (dot(u, to) + std::sqrt((d_ - across) * (d_ + across))) * u;
+    const double half = std::sqrt((d_ - across) * (d_ + across));
+    p = line.a + (dot(u, to) + (tail.line ? -half : half)) * u;
   } else {
     const Flat to = head.centre - tail.centre;
     const double gap = length(to);

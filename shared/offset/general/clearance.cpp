@@ -4,6 +4,7 @@
 #include <bit>
 #include <limits>
 
+#include "shared/geom/box.h"
 #include "shared/offset/kernel/chain_tree.h"
 
 namespace dobra::offset::general {
@@ -13,14 +14,9 @@ namespace {
 void add(FloatBox& box, Flat p) { box.add(FloatBox(p, p, 0)); }
 
 /// Rounded to a FloatBox once, which gives the same.
-struct Hull {
-  Flat low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  Flat high{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  void add(Flat p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  [[nodiscard]] FloatBox box() const { return {low, high, 0}; }
+struct Hull : geom::Box {
+  void add(Flat p) { Box::add(geom::Point{p.x, p.y}); }
+  [[nodiscard]] FloatBox box() const { return {flat(low), flat(high), 0}; }
 };
 
 }  // namespace
@@ -108,9 +104,8 @@ void Clearance::add_block(std::size_t first, std::size_t last) {
     }
     if (kind == CornerKind::Mitre) right.add(right_of(u) + t * u);
     if (kind == CornerKind::Tangent) {
-      const double q = std::isinf(t) ? 1 : t / (1 + std::sqrt(1 + t * t));
-      right.add(right_of(u) + q * u);
-      right.add(right_of(v) - q * v);
+      right.add(right_of(u) + quarter_tan(t) * u);
+      right.add(right_of(v) - quarter_tan(t) * v);
     }
   };
   // On the left side a segment's arc is the one at its start.
@@ -173,22 +168,22 @@ double Clearance::plain_below(std::size_t first, std::size_t last) const {
 
 void Clearance::add_mitres(const OffsetOptions& options) {
   if (options.join == Join::Round || options.join == Join::Bevel) return;
-  const auto has = [](CornerKind c) { return c == CornerKind::Mitre || c == CornerKind::Tangent; };
-  if (std::none_of(corners_.begin(), corners_.end(), has)) return;
+  bool some = false;
   std::vector<FloatBox> boxes((base_.segment_count() + leaf_size - 1) / leaf_size);
   for (std::size_t i = 0; i < base_.segment_count(); ++i) {
     const std::size_t at = base_.end_index(i);
-    if (!base_.has_after(i) || !has(corners_[at])) continue;
+    if (!base_.has_after(i) || !is_mitre(at)) continue;
+    some = true;
     FloatBox& box = boxes[i / leaf_size];
     const Flat u = flat(base_.headings[i]);
     const Flat v = flat(base_.headings[base_.after(i)]);
     const double t = base_.half_tans[at];
     has_long_mitres_ = has_long_mitres_ || is_long(at);
     if (corners_[at] == CornerKind::Mitre) greatest_mitre_ = std::max(greatest_mitre_, t);
-    const double q = corners_[at] == CornerKind::Mitre ? t : std::isinf(t) ? 1 : t / (1 + std::sqrt(1 + t * t));
+    const double q = corners_[at] == CornerKind::Mitre ? t : quarter_tan(t);
     for (const Flat w : {right_of(u), right_of(v), right_of(u) + q * u, right_of(v) - q * v}) add(box, w);
   }
-  mitres_ = BoxTree(boxes);
+  if (some) mitres_ = BoxTree(boxes);
 }
 
 double Clearance::squared_distance(std::size_t i, Flat p) const {

@@ -9,11 +9,34 @@
 #include <utility>
 #include <vector>
 
-#include "shared/offset/general/block.h"
 #include "shared/offset/general/outline.h"
 #include "shared/offset/kernel/box_tree_search.h"
 
 namespace dobra::offset::general {
+
+/// Box of the raw outline at distance d, given those of the base and of (outline - base) / D.
+inline FloatBox outline_box(const FloatBox& base, const FloatBox& by, double d, double margin) {
+  return {{base.low_x + d * by.low_x, base.low_y + d * by.low_y},
+          {base.high_x + d * by.high_x, base.high_y + d * by.high_y},
+          margin};
+}
+
+/// 16 segments in a row, with the corners at both ends of each.
+struct Block {
+  static constexpr std::uint32_t size = 16;
+  FloatBox points;
+  FloatBox right, left;      ///< Of (raw outline - base) / D on either side.
+  std::uint64_t directions;  ///< Of the right side; see ChainTree.
+  std::uint64_t absent;      ///< Pieces that the right side does not have, four bits a segment, by SiteKind.
+  /// Of its first arcs, four bits a segment.
+  [[nodiscard]] std::uint64_t arcs() const { return (~absent >> 1) & 0x1111111111111111; }
+  std::uint32_t piece_count;  ///< Those that it has.
+  double plain_below;  ///< Below this distance line follows line there, or an arc of at most a right angle between.
+  /// Box of all pieces of the raw outline on one side.
+  [[nodiscard]] FloatBox box(bool on_left, double d, double margin) const {
+    return outline_box(points, on_left ? left : right, d, margin);
+  }
+};
 
 class Clearance {
  public:
@@ -26,6 +49,10 @@ class Clearance {
   [[nodiscard]] const std::vector<Block>& blocks() const { return blocks_; }
   /// True if some corner has a mitre on the right side.
   [[nodiscard]] bool has_mitres() const { return !mitres_.empty(); }
+  /// A corner has a mitre, perhaps cut across.
+  [[nodiscard]] bool is_mitre(std::size_t corner) const {
+    return corners_[corner] == CornerKind::Mitre || corners_[corner] == CornerKind::Tangent;
+  }
   /// A corner's mitre reaches far beyond the stadia beside it.
   [[nodiscard]] bool is_long(std::size_t corner) const {
     return corners_[corner] == CornerKind::Tangent ||
@@ -92,14 +119,29 @@ class Clearance {
 
   /// Segments that may be nearer to q than `reach`, until visit(segment) returns true.
   template <class Visit>
-  bool any_near(Flat q, double reach, Visit&& visit) const;
+  bool any_near(Flat q, double reach, Visit&& visit) const {
+    return tree_.any_within(q, reach, [&](std::size_t leaf) { return any_of_leaf(leaf, visit); });
+  }
   /// Segments whose boxes may overlap this one.
   template <class Visit>
-  void each_in(const FloatBox& box, Visit&& visit) const;
+  void each_in(const FloatBox& box, Visit&& visit) const {
+    const auto go_on = [&](std::size_t i) {
+      visit(i);
+      return false;
+    };
+    tree_.any_held([&](const FloatBox& own) { return own.overlaps(box); },
+                   [&](std::size_t leaf) { return any_of_leaf(leaf, go_on); });
+  }
   /// Ends of segments whose mitre may hold q at distance d, until visit(segment) returns true.
   /// @pre no segment is nearer to q than d, but for those that do not count there, and for roundings
   template <class Visit>
-  bool any_mitre(Flat q, double d, Visit&& visit) const;
+  bool any_mitre(Flat q, double d, Visit&& visit) const {
+    if (mitres_.empty()) return false;
+    const auto if_mitre = [&](std::size_t i) {
+      return base_.has_after(i) && is_mitre(base_.end_index(i)) && visit(static_cast<std::uint32_t>(i));
+    };
+    return tree_.any_held(mitres_, q, d, [&](std::size_t leaf) { return any_of_leaf(leaf, if_mitre); });
+  }
 
  private:
   void add_block(std::size_t first, std::size_t last);
@@ -139,33 +181,5 @@ class Clearance {
   double greatest_mitre_ = 0;        // half tangent
   bool has_long_mitres_ = false;
 };
-
-template <class Visit>
-bool Clearance::any_near(Flat q, double reach, Visit&& visit) const {
-  return tree_.any_within(q, reach, [&](std::size_t leaf) { return any_of_leaf(leaf, visit); });
-}
-
-template <class Visit>
-void Clearance::each_in(const FloatBox& box, Visit&& visit) const {
-  tree_.any_held([&](const FloatBox& own) { return own.overlaps(box); },
-                 [&](std::size_t leaf) {
-                   return any_of_leaf(leaf, [&](std::size_t i) {
-                     visit(i);
-                     return false;
-                   });
-                 });
-}
-
-template <class Visit>
-bool Clearance::any_mitre(Flat q, double d, Visit&& visit) const {
-  if (mitres_.empty()) return false;
-  return tree_.any_held(mitres_, q, d, [&](std::size_t leaf) {
-    return any_of_leaf(leaf, [&](std::size_t i) {
-      if (!base_.has_after(i)) return false;
-      const CornerKind kind = corners_[base_.end_index(i)];
-      return (kind == CornerKind::Mitre || kind == CornerKind::Tangent) && visit(static_cast<std::uint32_t>(i));
-    });
-  });
-}
 
 }  // namespace dobra::offset::general

@@ -11,16 +11,11 @@ namespace dobra::offset::general {
 
 namespace {
 
-constexpr std::size_t run = 4;    // segments
-constexpr double enough = 0.999;  // of a squared gap
+constexpr std::size_t run = 4;  // segments
 
 double box_gap(const FloatBox& a, const FloatBox& b) {
-  const auto greatest = [](float l, float r) {
-    const float either = l > r ? l : r;
-    return either > 0 ? either : 0;
-  };
-  const double x = greatest(a.low_x - b.high_x, b.low_x - a.high_x);
-  const double y = greatest(a.low_y - b.high_y, b.low_y - a.high_y);
+  const double x = std::max({a.low_x - b.high_x, b.low_x - a.high_x, 0.0F});
+  const double y = std::max({a.low_y - b.high_y, b.low_y - a.high_y, 0.0F});
   return x * x + y * y;
 }
 
@@ -107,14 +102,7 @@ void Clearance::find_gaps(double least, double greatest) {
   std::vector<std::uint64_t> directions;
   directions.reserve(base_.segment_count());
   for (const geom::Vector u : base_.headings) directions.push_back(ChainTree::directions_of(flat(u), flat(u)));
-  // The next block but one begins where the next one ends: where blocks are short, that tells at once.
-  const auto is_short = [&](std::size_t b) {
-    const Flat along = flat(base_.end(std::min(base_.segment_count(), (b + 1) * Block::size) - 1)) -
-                       flat(base_.start(b * Block::size));
-    return dot(along, along) < floor * floor;
-  };
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    if ((b > 1 && is_short(b - 1)) || (b + 2 < blocks_.size() && is_short(b + 1))) continue;
     const auto [far, near] = gaps_about(b, floor, ceiling);
     const double scale = (1 - 1e-6) / (2 * reach);
     const double slack = 1e-12 * base_.size;
@@ -180,13 +168,7 @@ std::pair<double, double> Clearance::gaps_about(std::size_t block, double floor,
     const std::size_t end = std::min(n, other + run);
     for (std::size_t own_run = first; own_run < last; own_run += run) {
       if (!apart(own_run, other, run)) continue;
-      // Where boxes tell nearly as much, what they tell will do.
-      const double of_boxes = box_gap(tree_.box(own_run / run), of_other);
-      if (of_boxes >= least) continue;
-      if (of_boxes >= enough * least) {
-        note(beyond, of_boxes);
-        continue;
-      }
+      if (box_gap(tree_.box(own_run / run), of_other) >= least) continue;
       FloatBox others[run];
       for (std::size_t j = other; j < end; ++j) others[j - other] = box(j);
       for (std::size_t i = own_run; i < std::min(last, own_run + run); ++i) {

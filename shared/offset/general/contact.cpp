@@ -113,6 +113,15 @@ void Contacts<T>::lines(const Shape<T>& p, const Shape<T>& q) {
   }
 }
 
+/// A place on both whole lines or circles that is inside both pieces (1), near an end (0), or outside.
+template <class T>
+void Contacts<T>::add_inside(int inside, const VecOf<T>& at, double slide, bool tangent) {
+  if (inside < 0) return;
+  if (tangent) return coincidence(at, slide);
+  if (inside > 0) return add(at, slide);
+  doubtful_ = doubtful_ || !std::is_same_v<T, High>;  // in High what is at an end was found before
+}
+
 template <class T>
 void Contacts<T>::line_and_arc(const Shape<T>& p, const Shape<T>& c) {
   using std::abs;
@@ -126,12 +135,7 @@ void Contacts<T>::line_and_arc(const Shape<T>& p, const Shape<T>& c) {
     const int in_line = std::min(sign(t, slide + p.slide), sign(T(p.size - t), slide + p.slide));
     if (in_line < 0) return;
     const VecOf<T> at = p.a + t * p.pole;
-    const int in_arc = within(c, at, slide);
-    if (in_arc < 0) return;
-    if (tangent) return coincidence(at, slide);
-    if (in_line > 0 && in_arc > 0) return add(at, slide);
-    // At an end: found before.
-    doubtful_ = doubtful_ || !std::is_same_v<T, High>;
+    add_inside(std::min(in_line, within(c, at, slide)), at, slide, tangent);
   };
   const double d = narrow(d_);
   if (secant == 0) return look(foot, std::is_same_v<T, High> ? error : 2 * std::sqrt(error * d), true);
@@ -154,11 +158,7 @@ void Contacts<T>::arcs(const Shape<T>& p, const Shape<T>& q) {
   if (secant < 0) return;
   const VecOf<T> middle = p.pole + T(0.5) * between;
   const auto look = [&](const VecOf<T>& at, double slide, bool tangent) {
-    const int in = std::min(within(p, at, slide), within(q, at, slide));
-    if (in < 0) return;
-    if (tangent) return coincidence(at, slide);
-    if (in > 0) return add(at, slide);
-    doubtful_ = doubtful_ || !std::is_same_v<T, High>;
+    add_inside(std::min(within(p, at, slide), within(q, at, slide)), at, slide, tangent);
   };
   const double d = narrow(d_);
   if (secant == 0) return look(middle, std::is_same_v<T, High> ? error : 2 * std::sqrt(error * d), true);

@@ -43,6 +43,7 @@ class Contacts {
   void add(const VecOf<T>& at, double slide, Kind kind = Kind::Crossing);
   void coincidence(const VecOf<T>& at, double slide, Kind kind = Kind::Crossing);
   void ends_on(const Shape<T>& holder, const Shape<T>& other, Kind start, Kind end);
+  void add_inside(int inside, const VecOf<T>& at, double slide, bool tangent);
   void lines(const Shape<T>& p, const Shape<T>& q);
   void line_and_arc(const Shape<T>& p, const Shape<T>& c);
   void arcs(const Shape<T>& p, const Shape<T>& q);

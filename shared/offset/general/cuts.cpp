@@ -91,15 +91,13 @@ void Trimmer::warm() {
   if (pairs_.empty()) return;
   for (const auto& [i, j] : pairs_) hot_of_[i] = hot_of_[j] = 0;
   Contact<Real> end;
-  for (auto found = hot_of_.begin();; ++found) {
-    found = std::find(found, hot_of_.end(), 0U);
-    if (found == hot_of_.end()) break;
-    const auto k = static_cast<std::uint32_t>(found - hot_of_.begin());
+  for (std::uint32_t k = 0; k < hot_of_.size(); ++k) {
+    if (hot_of_[k] == none) continue;
     const auto hot = static_cast<std::uint32_t>(hot_.size());
     const bool linked = k > 0 && pieces_[k].linked() && hot > 0 && hot_.back().piece == k - 1;
     const Contact<Real> start = linked ? end : end_of<Real>(pieces_[k], true);
     end = end_of<Real>(pieces_[k], false);
-    HotPiece made{shape(pieces_[k], start, end), k, none, none, k < wanted_};
+    HotPiece made{shape(pieces_[k], start, end), k, none, none};
     made.node_a = linked ? hot_.back().node_b : node(made.shape.a, hot, start_of);
     const bool seam = k + 1 == wanted_ && k > 0 && pieces_[0].linked() && hot_of_[0] != none;
     made.node_b = seam ? hot_[hot_of_[0]].node_a : node(made.shape.b, hot, end_of_piece);
@@ -122,43 +120,30 @@ void Trimmer::cut_pair(std::uint32_t i, std::uint32_t j) {
 template <class T>
 void Trimmer::add_cuts(std::uint32_t i, std::uint32_t j, const Contacts<T>& contacts) {
   for (const Contact<T>& contact : contacts) {
-    switch (contact.kind) {
-      case Contact<T>::Kind::Crossing: {
-        const std::uint32_t at = node(as<Real>(contact.at), i, j);
-        if constexpr (std::is_same_v<T, High>) fine_.emplace(at, contact.at);
-        double slide = contact.slide;
-        const double least = resolution<Real> * (base_.size + outline_.distance());
-        if (!(slide < 0x1p8 * least)) fine(at);  // nearly parallel, or cut far from where they are known best
-        if (fine_.contains(at)) slide = least;
-        add_cut(i, at, slide);
-        add_cut(j, at, slide);
-        break;
-      }
-      case Contact<T>::Kind::StartOfFirst:
-        add_end(j, hot_[i].node_a, hot_[i].shape.slide);
-        break;
-      case Contact<T>::Kind::EndOfFirst:
-        add_end(j, hot_[i].node_b, hot_[i].shape.slide);
-        break;
-      case Contact<T>::Kind::StartOfSecond:
-        add_end(i, hot_[j].node_a, hot_[j].shape.slide);
-        break;
-      case Contact<T>::Kind::EndOfSecond:
-        add_end(i, hot_[j].node_b, hot_[j].shape.slide);
-        break;
+    using Kind = typename Contact<T>::Kind;
+    if (contact.kind != Kind::Crossing) {  // an end of one lies on the other
+      const bool of_first = contact.kind == Kind::StartOfFirst || contact.kind == Kind::EndOfFirst;
+      const bool start = contact.kind == Kind::StartOfFirst || contact.kind == Kind::StartOfSecond;
+      const HotPiece& own = hot_[of_first ? i : j];
+      ends_.push_back(start ? own.node_a : own.node_b);  // a section ends there, whatever the other piece is for
+      add_cut(of_first ? j : i, ends_.back(), own.shape.slide);
+      continue;
     }
+    const std::uint32_t at = node(as<Real>(contact.at), i, j);
+    if constexpr (std::is_same_v<T, High>) fine_.emplace(at, contact.at);
+    double slide = contact.slide;
+    const double least = resolution<Real> * (base_.size + outline_.distance());
+    if (!(slide < 0x1p8 * least)) fine(at);  // nearly parallel, or cut far from where they are known best
+    if (fine_.contains(at)) slide = least;
+    add_cut(i, at, slide);
+    add_cut(j, at, slide);
   }
-}
-
-/// An end of one piece that lies on another.
-void Trimmer::add_end(std::uint32_t hot, std::uint32_t node, double slide) {
-  add_cut(hot, node, slide);
-  ends_.push_back(node);  // a section ends there, whatever the other piece is for
 }
 
 void Trimmer::add_cut(std::uint32_t hot, std::uint32_t node, double slide) {
   const HotPiece& piece = hot_[hot];
-  if (piece.wanted) cuts_.push_back({length(nodes_[node].at - piece.shape.a), slide + piece.shape.slide, hot, node});
+  if (piece.piece >= wanted_) return;
+  cuts_.push_back({length(nodes_[node].at - piece.shape.a), slide + piece.shape.slide, hot, node});
 }
 
 const Shape<High>& Trimmer::fine_shape(std::uint32_t hot) {

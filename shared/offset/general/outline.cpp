@@ -1,6 +1,5 @@
 #include "shared/offset/general/outline.h"
 
-#include "shared/offset/general/outline_ends.h"
 #include "shared/offset/kernel/high.h"
 
 namespace dobra::offset::general {
@@ -24,39 +23,34 @@ T Outline::half_tan_as(std::uint32_t step) const {
 }
 
 template <class T>
+T Outline::overshoot(std::uint32_t step, CornerKind kind) const {
+  switch (kind) {
+    case CornerKind::Meet:
+      return -half_tan_as<T>(step);
+    case CornerKind::Mitre:
+      return half_tan_as<T>(step);
+    case CornerKind::Tangent:
+      return quarter_tan(half_tan_as<T>(step));
+    default:
+      return 0;
+  }
+}
+template <class T>
 VecOf<T> Outline::line_end(std::uint32_t step) const {
   const T d = distance_as<T>(d_);
-  const VecOf<T> p = to<T>(step);
+  const CornerKind kind = corner(step);
+  if (kind == CornerKind::Straight) return to<T>(step) + d * normal<T>(after(step));
   const VecOf<T> u = along<T>(step);
-  const VecOf<T> foot = p + d * right_of(u);
-  switch (corner(step)) {
-    case CornerKind::Straight:
-      return p + d * normal<T>(after(step));
-    case CornerKind::Meet:
-      return foot - T(d * half_tan_as<T>(step)) * u;
-    case CornerKind::Mitre:
-      return foot + T(d * half_tan_as<T>(step)) * u;
-    case CornerKind::Tangent:
-      return foot + T(d * quarter_tan(half_tan_as<T>(step))) * u;
-    default:
-      return foot;
-  }
+  return to<T>(step) + d * right_of(u) + T(d * overshoot<T>(step, kind)) * u;
 }
 template <class T>
 VecOf<T> Outline::line_start(std::uint32_t step) const {
   const std::uint32_t previous = before(step);
+  const CornerKind kind = corner(previous);
+  if (kind == CornerKind::Meet || kind == CornerKind::Mitre) return line_end<T>(previous);
   const T d = distance_as<T>(d_);
   const VecOf<T> u = along<T>(step);
-  const VecOf<T> foot = from<T>(step) + d * right_of(u);
-  switch (corner(previous)) {
-    case CornerKind::Meet:
-    case CornerKind::Mitre:
-      return line_end<T>(previous);
-    case CornerKind::Tangent:
-      return foot - T(d * quarter_tan(half_tan_as<T>(previous))) * u;
-    default:
-      return foot;
-  }
+  return from<T>(step) + d * right_of(u) - T(d * overshoot<T>(previous, kind)) * u;
 }
 template <class T>
 VecOf<T> Outline::middle_of_turn(std::uint32_t step) const {
@@ -106,39 +100,19 @@ template VecOf<Real> Outline::middle_of_turn<Real>(std::uint32_t) const;
 template VecOf<High> Outline::middle_of_turn<High>(std::uint32_t) const;
 
 Outline::Junction Outline::junction(std::uint32_t step) const {
-  if (step + 1 < n_ && corners_[step + 1] <= CornerKind::Meet) {  // what is asked for most, without the detours
-    const std::size_t at = step + 1;
-    const Flat p = flat(base_.points[at]);
-    const Flat next = p + d_ * right_of(flat(base_.headings[at]));
-    if (corners_[at] == CornerKind::Straight) return {CornerKind::Straight, next, next};
-    const Flat u = flat(base_.headings[step]);
-    const Flat foot = p + d_ * right_of(u);
-    const double t = base_.half_tans[at];
-    if (!meets(d_, t, base_.spans[step], base_.spans[at])) return {CornerKind::Apart, foot, next};
-    const Flat meet = foot - (d_ * t) * u;
-    return {CornerKind::Meet, meet, meet};
-  }
   const CornerKind kind = corner(step);
+  if (kind == CornerKind::Mitre && half_tan(step) > 16) {  // so far that a rounded direction misses
+    const Flat tip = flat(line_end<Real>(step));
+    return {kind, tip, tip};
+  }
   const Flat p = to<double>(step);
   const Flat u = along<double>(step);
-  const Flat foot = p + d_ * right_of(u);
-  if (kind == CornerKind::Meet || kind == CornerKind::Mitre) {
-    const double t = half_tan(step);
-    if (kind == CornerKind::Mitre && t > 16) {  // so far that a rounded direction misses
-      const Flat tip = flat(line_end<Real>(step));
-      return {kind, tip, tip};
-    }
-    const double reach = d_ * t;
-    const Flat meet = foot + (kind == CornerKind::Meet ? -reach : reach) * u;
-    return {kind, meet, meet};
-  }
+  const double reach = d_ * overshoot<double>(step, kind);
+  const Flat end = p + d_ * right_of(u) + reach * u;
+  if (kind == CornerKind::Meet || kind == CornerKind::Mitre) return {kind, end, end};
   const Flat v = along<double>(after(step));
-  const Flat next = p + d_ * right_of(v);
-  if (kind == CornerKind::Straight) return {kind, next, next};
-  if (kind != CornerKind::Tangent) return {kind, foot, next};
-  const double t = half_tan(step);
-  const double q = d_ * (std::isinf(t) ? 1 : t / (1 + std::sqrt(1 + t * t)));
-  return {kind, foot + q * u, next - q * v};
+  const Flat start = p + d_ * right_of(v) - reach * v;
+  return {kind, kind == CornerKind::Straight ? start : end, start};
 }
 
 Flat Outline::start_of(Site s) const { return Ends(*this).start_of(s); }

@@ -8,8 +8,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "shared/offset/general/piece.h"
 #include "shared/offset/kernel/base_curve.h"
+#include "shared/offset/kernel/site.h"
 
 namespace dobra::offset::general {
 
@@ -63,14 +63,12 @@ class Outline {
   // Places, in doubles or in Real.
   template <class T>
   [[nodiscard]] VecOf<T> from(std::uint32_t step) const {
-    const std::size_t s = segment(step);
-    const geom::Point p = step < n_ ? base_.start(s) : base_.end(s);
+    const geom::Point p = step < n_ ? base_.start(step) : base_.end(segment(step));
     return {p.x, p.y};
   }
   template <class T>
   [[nodiscard]] VecOf<T> to(std::uint32_t step) const {
-    const std::size_t s = segment(step);
-    const geom::Point p = step < n_ ? base_.end(s) : base_.start(s);
+    const geom::Point p = base_.points[corner_point(step)];
     return {p.x, p.y};
   }
   template <class T>
@@ -88,6 +86,9 @@ class Outline {
   }
   template <class T>
   [[nodiscard]] T half_tan_as(std::uint32_t step) const;
+  /// How far, over D, the line of a step goes on beyond the normal at its end, given the corner there.
+  template <class T>
+  [[nodiscard]] T overshoot(std::uint32_t step, CornerKind kind) const;
   /// Where the line of `step` ends, and where that of the next one begins.
   template <class T>
   [[nodiscard]] VecOf<T> line_end(std::uint32_t step) const;
@@ -107,8 +108,9 @@ class Outline {
     Flat end, start;
   };
   [[nodiscard]] Junction junction(std::uint32_t step) const;
-  struct Lead;  // it, Starts and Ends are in outline_ends.h
-  [[nodiscard]] Lead lead(std::uint32_t step) const;
+  /// What inner corners at both ends leave of the line of a step of the right side, if the corner at its end is a plain
+  /// one: none, an inner one that leaves a length of both lines, a mitre, or an arc of at most a right angle; else 0.
+  [[nodiscard]] double plain_length(std::uint32_t step) const;
   /// Natural ends in doubles.
   [[nodiscard]] Flat start_of(Site s) const;
   [[nodiscard]] Flat end_of(Site s) const;
@@ -155,6 +157,102 @@ inline CornerKind Outline::corner(std::uint32_t step) const {
   if (step >= n_) kind = kind == CornerKind::Meet || std::isinf(t) ? CornerKind::Arc : CornerKind::Meet;
   if (kind != CornerKind::Meet) return kind;
   return meets(d_, t, span(step), span(after(step))) ? CornerKind::Meet : CornerKind::Apart;
+}
+
+inline double Outline::plain_length(std::uint32_t step) const {
+  const std::size_t at = step + 1;
+  if (step == 0 || at >= n_) return 0;
+  const CornerKind kind = corners_[at];
+  const double t = base_.half_tans[at];
+  const double span = base_.spans[step];
+  if (kind == CornerKind::Tangent || (kind == CornerKind::Arc && !(t <= 1))) return 0;
+  if (kind == CornerKind::Meet && !meets(d_, t, span, base_.spans[at])) return 0;
+  const double before = corners_[step] == CornerKind::Meet ? base_.half_tans[step] : 0;
+  return span - d_ * (before + (kind == CornerKind::Meet ? t : 0));
+}
+
+/// Natural starts of lines and first arcs of the right side in doubles, for very many in a row: no detours, and all
+/// that is asked of the base at hand.
+class Outline::Starts {
+ public:
+  explicit Starts(const Outline& outline)
+      : points_(outline.base_.points.data()),
+        headings_(outline.base_.headings.data()),
+        half_tans_(outline.base_.half_tans.data()),
+        spans_(outline.base_.spans.data()),
+        corners_(outline.corners_.data()),
+        d_(outline.d_),
+        inner_(outline.n_ < 2 ? 0 : outline.n_ - 2) {}
+  /// False at the ends of the walk, and where the corner is not of a usual kind.
+  bool find(Site s, geom::Point& start) const {
+    const std::uint32_t i = s.step;
+    if (i - 1 >= inner_ || s.kind > SiteKind::Arc) return false;
+    if (s.kind == SiteKind::Arc) {
+      start = points_[i + 1] + d_ * geom::right_of(headings_[i]);
+      return true;
+    }
+    const CornerKind kind = corners_[i];
+    const double t = half_tans_[i];
+    if (kind == CornerKind::Tangent || (kind == CornerKind::Mitre && t > 16)) return false;
+    if (kind == CornerKind::Mitre || (kind == CornerKind::Meet && meets(d_, t, spans_[i - 1], spans_[i]))) {
+      const geom::Vector u = headings_[i - 1];
+      const double reach = d_ * t;
+      start = points_[i] + d_ * geom::right_of(u) + (kind == CornerKind::Mitre ? reach : -reach) * u;
+    } else {
+      start = points_[i] + d_ * geom::right_of(headings_[i]);
+    }
+    return true;
+  }
+
+  /// The same for the 16 steps of a block from `first` on, D being below its plain_below, and no mitre far: all starts
+  /// in a row. What is at the start of the first step is not known to be plain.
+  /// @param arcs  four bits a step: the first one where an arc is at its end.
+  bool find_block(std::uint32_t first, std::uint64_t arcs, geom::Point* start) const {
+    geom::Point* const first_start = start;
+    static constexpr double sign[] = {0, -1, 0, 1, 0, 0};  // of a CornerKind
+    static constexpr std::uint32_t back[] = {0, 1, 0, 1, 0, 0};
+    for (std::uint32_t i = first; i < first + BaseCurve::block_size; ++i, arcs >>= 4) {
+      const auto kind = static_cast<std::size_t>(corners_[i]);
+      const geom::Vector u = headings_[i - back[kind]];
+      *start++ = points_[i] + d_ * geom::right_of(u) + (sign[kind] * (d_ * half_tans_[i])) * u;
+      if ((arcs & 1) != 0) *start++ = points_[i + 1] + d_ * geom::right_of(headings_[i]);
+    }
+    return find({first, SiteKind::Line}, *first_start);
+  }
+
+ private:
+  const geom::Point* points_;
+  const geom::Vector* headings_;
+  const double* half_tans_;
+  const double* spans_;
+  const CornerKind* corners_;
+  double d_;
+  std::uint32_t inner_;  // from 1 on so many steps
+};
+
+/// Natural ends in doubles. Pieces are asked for in the order of the walk, in which neighbours share a junction.
+class Outline::Ends {
+ public:
+  explicit Ends(const Outline& outline) : outline_(outline), starts_(outline) {}
+  [[nodiscard]] Flat start_of(Site s);
+  [[nodiscard]] Flat end_of(Site s);
+
+ private:
+  [[nodiscard]] Flat other_start_of(Site s);
+  const Junction& at(std::uint32_t step) {
+    if (step != step_) junction_ = outline_.junction(step);
+    step_ = step;
+    return junction_;
+  }
+  const Outline& outline_;
+  const Starts starts_;
+  std::uint32_t step_ = std::numeric_limits<std::uint32_t>::max();
+  Junction junction_{};
+};
+
+inline Flat Outline::Ends::start_of(Site s) {
+  geom::Point start;
+  return starts_.find(s, start) ? flat(start) : other_start_of(s);
 }
 
 }  // namespace dobra::offset::general

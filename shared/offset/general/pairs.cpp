@@ -3,15 +3,9 @@
 #include <algorithm>
 #include <optional>
 
-#include "shared/offset/general/outline_ends.h"
-
 namespace dobra::offset::general {
 
-namespace {
-constexpr std::uint32_t few = 12;              // pieces of a group whose own boxes and directions are looked at
-constexpr std::uint32_t buried = 0xfffffffeU;  // cutters that need not be made
-constexpr std::uint32_t open = 0xfffffffdU;    // cutters that are needed where they meet something
-}  // namespace
+constexpr std::uint32_t few = 12;  // pieces of a group whose own boxes are looked at
 
 Pairing::Pairing(const Outline& outline, const Clearance& clearance, Candidates& chain, WitnessSearch& witnesses,
                  const base::Progress& progress)
@@ -24,7 +18,7 @@ Pairing::Pairing(const Outline& outline, const Clearance& clearance, Candidates&
       wanted_(static_cast<std::uint32_t>(chain.pieces.size())),
       margin_(10 * clearance.margin(outline.distance())) {}
 
-Pairing::Pairs Pairing::run(const Buried& known, Buried* found) {
+Pairing::Pairs Pairing::run() {
   if (wanted_ == 0) return {};
   if (clearance_.has_long_mitres()) find_parts();
   make_groups();
@@ -32,7 +26,7 @@ Pairing::Pairs Pairing::run(const Buried& known, Buried* found) {
   const ChainTree tree = crowd_tree();
   pair_own(tree);
   pair_alone();
-  if (!progress_.cancelled()) pair_cutters(tree, known, found);
+  if (!progress_.cancelled()) pair_cutters(tree);
   return std::move(pairs_);
 }
 
@@ -42,13 +36,9 @@ Pairing::PieceHull Pairing::hull(Site site, std::uint32_t piece, Flat a, Flat b)
   Flat high{std::max(a.x, b.x), std::max(a.y, b.y)};
   if (made.is_arc()) {
     // The end tangents meet outside the arc: arcs are at most a right angle.
-    const double d = outline_.distance();
-    const Flat c = outline_.centre(site);
-    const Flat sum = (a - c) + (b - c);
-    const Flat m = c + (2 * d * d / dot(sum, sum)) * sum;
-    low = {std::min(low.x, m.x), std::min(low.y, m.y)};
-    high = {std::max(high.x, m.x), std::max(high.y, m.y)};
-    made.m = m;
+    made.m = witnesses_.tangent_corner(site, a, b);
+    low = {std::min(low.x, made.m.x), std::min(low.y, made.m.y)};
+    high = {std::max(high.x, made.m.x), std::max(high.y, made.m.y)};
   }
   made.box = FloatBox(low, high, margin_);
   return made;
@@ -96,20 +86,10 @@ void Pairing::each_hull(const Group& group, const Visit& visit) const {
   }
 }
 
-/// See ChainTree.
-std::uint64_t Pairing::directions_of(const PieceHull& p) const {
-  if (p.site.kind == SiteKind::Bevel) return ~std::uint64_t{0};
-  const Flat u = outline_.along<double>(p.site.step);
-  if (!p.is_arc()) return ChainTree::directions_of(u, u);
-  const Flat c = outline_.centre(p.site);
-  return ChainTree::directions_of(left_of(p.a - c), left_of(p.b - c));
-}
-
 void Pairing::make_groups() {
   const auto& blocks = clearance_.blocks();
   const auto& pieces = chain_.pieces;
   const double d = outline_.distance();
-  const bool places_tell = 100 * margin_ < d;  // which way an arc's ends point, far better than to a bit
   for (std::uint32_t first = 0; first < wanted_;) {
     const std::uint32_t block = pieces[first].step() / Block::size;
     std::uint32_t last = std::min(wanted_, first + blocks[block].piece_count);  // if it has all of them
@@ -120,15 +100,9 @@ void Pairing::make_groups() {
     ChainTree::Leaf leaf{blocks[block].box(false, d, margin_), blocks[block].directions, connected,
                          pieces[first].linked() && first > 0};
     const auto part = std::ranges::lower_bound(parts_, first, {}, &Part::piece);
-    const bool parted = part != parts_.end() && part->piece < last;
-    if (last - first < few || parted) {
+    if (last - first < few || (part != parts_.end() && part->piece < last)) {
       leaf.box = {};
-      std::uint64_t directions = 0;
-      each_hull({first, last}, [&](const PieceHull& p) {
-        leaf.box.add(p.box);
-        directions |= directions_of(p);
-      });
-      if (!parted && places_tell) leaf.directions &= directions;
+      each_hull({first, last}, [&](const PieceHull& p) { leaf.box.add(p.box); });
     }
     leaves_.push_back(leaf);
     alone_.push_back(clearance_.is_alone(block, d));
@@ -193,16 +167,8 @@ bool Pairing::beyond_an_edge(const PieceHull& p, const PieceHull& q) const {
   return p.is_arc() && (separates(p.a, p.m, p.b) || separates(p.m, p.b, p.a));
 }
 
-/// All of q lies within the arc's circle.
-bool Pairing::in_disc(const PieceHull& arc, const PieceHull& q) const {
-  const Flat c = outline_.centre(arc.site);
-  const double limit = outline_.distance() - margin_;
-  const auto inside = [&](Flat p) { return dot(p - c, p - c) < limit * limit; };
-  return limit > 0 && inside(q.a) && inside(q.b) && (!q.is_arc() || inside(q.m));
-}
-
 bool Pairing::apart(const PieceHull& p, const PieceHull& q) const {
-  return beyond_an_edge(p, q) || beyond_an_edge(q, p) || (p.is_arc() && in_disc(p, q)) || (q.is_arc() && in_disc(q, p));
+  return beyond_an_edge(p, q) || beyond_an_edge(q, p);
 }
 
 ChainTree Pairing::crowd_tree() {
@@ -271,76 +237,40 @@ void Pairing::pair_alone() {
   if (block_of(0) == 0 && block_of(count - 1) + 1 == blocks) pair_groups(0, count - 1);
 }
 
-/// The pieces of a step of the other side, line and what is at its end.
-void Pairing::add_cutters(std::uint32_t step, const Outline::Junction& before, const Outline::Junction& after,
-                          const Buried& known) {
-  const auto add = [&](SiteKind kind, Flat a, Flat b) {
-    const Site site{step, kind};
-    if (!known.holds(site)) cutters_.hulls.push_back(hull(site, none, a, b));
-  };
-  if (step >= base_.segment_count()) {
-    const double size = dot(after.end - before.start, outline_.along<double>(step));
-    if (!known.holds({step, SiteKind::Line}) && !is_overcut(outline_, step, size, 0.1 * margin_))
-      add(SiteKind::Line, before.start, after.end);
-  }
-  if (after.kind != CornerKind::Arc) return;
-  if (outline_.splits_arc(step)) {
-    const Flat middle = outline_.end_of({step, SiteKind::Arc});
-    add(SiteKind::Arc, after.end, middle);
-    add(SiteKind::SecondArc, middle, after.start);
-  } else {
-    add(SiteKind::Arc, after.end, after.start);
-  }
+/// What is at the end of a step of the other side, or about an end of the base.
+void Pairing::add_corner_cutters(std::uint32_t step, const Outline::Junction& junction) {
+  if (junction.kind != CornerKind::Arc) return;
+  const bool split = outline_.splits_arc(step);
+  const Flat middle = split ? outline_.end_of({step, SiteKind::Arc}) : junction.start;
+  cutters_.hulls.push_back(hull({step, SiteKind::Arc}, none, junction.end, middle));
+  if (split) cutters_.hulls.push_back(hull({step, SiteKind::SecondArc}, none, middle, junction.start));
 }
 
 /// What the other side has along four segments, but for the caps.
-void Pairing::make_cutters(std::uint32_t leaf, const Buried& known) {
-  constexpr auto size = static_cast<std::uint32_t>(Clearance::leaf_size);
+void Pairing::make_cutters(std::uint32_t leaf) {
+  constexpr auto many = static_cast<std::uint32_t>(Clearance::leaf_size);
   const auto n = static_cast<std::uint32_t>(base_.segment_count());
+  cutters_.group = leaf;
   cutters_.hulls.clear();
-  met_.fill(0);
-  const std::uint32_t low = 2 * n - std::min(n, (leaf + 1) * size);
-  const std::uint32_t high = 2 * n - leaf * size;
+  const std::uint32_t low = 2 * n - std::min(n, (leaf + 1) * many);
+  const std::uint32_t high = 2 * n - leaf * many;
   Outline::Junction before = outline_.junction(outline_.before(low));
   for (std::uint32_t step = low; step < high; ++step) {
     const Outline::Junction after = outline_.junction(step);
-    add_cutters(step, before, after, known);
+    const double size = dot(after.end - before.start, outline_.along<double>(step));
+    if (!is_overcut(outline_, step, size, 0.1 * margin_))
+      cutters_.hulls.push_back(hull({step, SiteKind::Line}, none, before.start, after.end));
+    if (!outline_.is_cap(step)) add_corner_cutters(step, after);
     before = after;
-    if (!outline_.is_cap(step)) continue;
-    std::erase_if(cutters_.hulls,
-                  [&](const PieceHull& p) { return p.site.step == step && p.site.kind != SiteKind::Line; });
   }
   add_runs(cutters_);
 }
 
-/// False of cutters that lie in U: they cut nothing valid.
-bool Pairing::judge(PieceHull& hull, Buried* found) {
-  if (hull.piece != none) return hull.piece != buried;
-  hull.piece = witnesses_.covers(hull.site, hull.a, hull.b) ? buried : open;
-  if (hull.piece == open) return true;
-  if (found != nullptr) found->add(hull.site, witnesses_.witness());
-  return false;
-}
-
-/// Of a run that comes near many pieces: what is left of it has a smaller box.
-void Pairing::judge_run(std::size_t run, Buried* found) {
-  cutters_.runs[run] = {};
-  const std::size_t last = std::min(run_size * (run + 1), cutters_.hulls.size());
-  for (std::size_t k = run_size * run; k < last; ++k) {
-    if (judge(cutters_.hulls[k], found)) cutters_.runs[run].add(cutters_.hulls[k].box);
-  }
-  cutters_.box = {};
-  for (std::size_t k = 0; k < cutters_.run_count(); ++k) cutters_.box.add(cutters_.runs[k]);
-}
-
-void Pairing::cut_with(const Bunch& near, Buried* found) {
-  constexpr std::uint8_t patience = 3;
+void Pairing::cut_with(const Bunch& near) {
   each_overlap(cutters_, near, [&](std::size_t i0, std::size_t i1, std::size_t j0, std::size_t j1) {
-    std::uint8_t& met = met_[i0 / run_size];
-    if (met < patience && ++met == patience) judge_run(i0 / run_size, found);
     for (std::size_t i = i0; i < i1; ++i) {
       PieceHull& p = cutters_.hulls[i];
-      for (std::size_t j = j0; j < j1 && p.piece != buried; ++j) {
+      for (std::size_t j = j0; j < j1; ++j) {
         const PieceHull& q = near.hulls[j];
         if (!p.box.overlaps(q.box) || apart(p, q)) continue;
         // Where an end of the base begins or ends, line and cap only touch.
@@ -348,8 +278,7 @@ void Pairing::cut_with(const Bunch& near, Buried* found) {
             (q.site.step == p.site.step || q.site.step == outline_.after(p.site.step))) {
           continue;
         }
-        if (!judge(p, found)) continue;
-        if (p.piece == open) {
+        if (p.piece == none) {
           p.piece = static_cast<std::uint32_t>(chain_.pieces.size());
           chain_.pieces.push_back(Piece(p.site));
         }
@@ -373,28 +302,26 @@ bool Pairing::sides_apart(std::uint32_t block) const {
   double low = 0;
   double high = 0;
   double cosine = 1;
+  const auto turn = [&](std::size_t i) { cosine = std::min(cosine, dot(right_of(flat(base_.headings[i])), across)); };
   for (std::uint32_t i = first; i < last; ++i) {
     const double at = dot(flat(base_.end(i)) - origin, across);
     low = std::min(low, at);
     high = std::max(high, at);
-    cosine = std::min(cosine, dot(right_of(flat(base_.headings[i])), across));
+    turn(i);
   }
-  for (const bool before : {true, false}) {
-    if (before ? !base_.has_before(first) : !base_.has_after(last - 1)) continue;
-    const Flat beyond = flat(base_.headings[before ? base_.before(first) : base_.after(last - 1)]);
-    cosine = std::min(cosine, dot(right_of(beyond), across));
-  }
+  if (base_.has_before(first)) turn(base_.before(first));
+  if (base_.has_after(last - 1)) turn(base_.after(last - 1));
   return high - low + margin_ < 2 * outline_.distance() * cosine;
 }
 
 /// Blocks whose other side comes near a group: block, group; in order.
-Pairing::Pairs Pairing::near_blocks(const ChainTree& tree, const Buried& known) const {
+Pairing::Pairs Pairing::near_blocks(const ChainTree& tree) const {
   const auto& blocks = clearance_.blocks();
   const double d = outline_.distance();
   std::vector<ChainTree::Leaf> leaves;
   std::vector<std::uint32_t> of_leaf;
   for (std::uint32_t k = 0; k < blocks.size(); ++k) {
-    if (clearance_.is_harmless(k, d) || clearance_.is_alone(k, d) || known.holds_left_of(k)) continue;
+    if (clearance_.is_harmless(k, d) || clearance_.is_alone(k, d)) continue;
     leaves.push_back({blocks[k].box(true, d, margin_), 0, false, false});
     of_leaf.push_back(k);
   }
@@ -404,45 +331,37 @@ Pairing::Pairs Pairing::near_blocks(const ChainTree& tree, const Buried& known) 
   // What is alone has only neighbours.
   const auto count = static_cast<std::uint32_t>(blocks.size());
   const auto add = [&](std::uint32_t k, std::uint32_t g) {
-    if (clearance_.is_harmless(k, d) || known.holds_left_of(k) || !(alone_[g] || clearance_.is_alone(k, d))) return;
+    if (clearance_.is_harmless(k, d) || !(alone_[g] || clearance_.is_alone(k, d))) return;
     if (blocks[k].box(true, d, margin_).overlaps(leaves_[g].box)) near.emplace_back(k, g);
   };
   for (std::uint32_t g = 0; g < groups_.size(); ++g) {
     const std::uint32_t own = block_of(g);
-    if (own > 0) add(own - 1, g);
+    const bool round = base_.closed && count > 2;
     add(own, g);
-    if (own + 1 < count) add(own + 1, g);
-    if (!base_.closed || count < 3) continue;
-    if (own == 0) add(count - 1, g);
-    if (own + 1 == count) add(0, g);
+    if (own > 0 || round) add((own + count - 1) % count, g);
+    if (own + 1 < count || round) add((own + 1) % count, g);
   }
   std::sort(near.begin(), near.end());
   return near;
 }
 
-void Pairing::cut_by_caps(const ChainTree& tree, const Buried& known, Buried* found) {
+void Pairing::cut_by_caps() {
   const auto n = static_cast<std::uint32_t>(base_.segment_count());
   for (const std::uint32_t step : {n - 1, 2 * n - 1}) {
     cutters_.hulls.clear();
-    add_cutters(step, outline_.junction(outline_.before(step)), outline_.junction(step), known);
-    std::erase_if(cutters_.hulls, [](const PieceHull& p) { return p.site.kind == SiteKind::Line; });
-    met_.fill(0);
+    add_corner_cutters(step, outline_.junction(step));
     add_runs(cutters_);
-    tree.for_each_overlap(cutters_.box, [&](std::size_t i) { cut_with(cached(crowd_[i]), found); });
-    const std::uint32_t block = outline_.segment(step) / Block::size;
-    const auto before = [&](const Group& group) { return chain_.pieces[group.first].step() / Block::size + 1 < block; };
-    const auto first = std::ranges::partition_point(groups_, before) - groups_.begin();
-    for (auto g = static_cast<std::size_t>(first); g < groups_.size() && block_of(g) <= block + 1; ++g) {
-      if (alone_[g]) cut_with(cached(g), found);
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      if (leaves_[g].box.overlaps(cutters_.box)) cut_with(cached(g));
     }
   }
 }
 
-void Pairing::pair_cutters(const ChainTree& tree, const Buried& known, Buried* found) {
+void Pairing::pair_cutters(const ChainTree& tree) {
   if (outline_.sides() == Outline::Sides::Right) return;
-  if (!base_.closed) cut_by_caps(tree, known, found);
+  if (!base_.closed) cut_by_caps();
   if (clearance_.parts_sides(outline_.distance())) return;
-  const Pairs near = near_blocks(tree, known);
+  const Pairs near = near_blocks(tree);
   std::size_t asked = 0;
   for (auto first = near.begin(); first != near.end();) {
     const std::uint32_t block = first->first;
@@ -454,27 +373,17 @@ void Pairing::pair_cutters(const ChainTree& tree, const Buried& known, Buried* f
       return *apart;
     };
     const auto [low, high] = clearance_.leaves_of(block);
-    std::uint32_t left = high - low;
     for (std::uint32_t leaf = low; leaf < high; ++leaf) {
       const FloatBox around = clearance_.left_box(leaf, outline_.distance(), margin_);
-      bool made = false;
+      cutters_.group = none;
       for (auto pair = first; pair != last; ++pair) {
         if (++asked % 1024 == 0 && progress_.cancelled()) return;
         const std::uint32_t group = pair->second;
         if (!around.overlaps(leaves_[group].box) || parted(group)) continue;
-        const Bunch& pieces = cached(group);
-        if (!made) {
-          if (!pieces.overlaps(around)) continue;
-          make_cutters(leaf, known);
-          made = true;
-        }
-        cut_with(pieces, found);
-        if (!cutters_.box.empty()) continue;
-        --left;
-        break;
+        if (cutters_.group != leaf) make_cutters(leaf);
+        cut_with(cached(group));
       }
     }
-    if (left == 0 && found != nullptr) found->add_left_of(block);
     first = last;
   }
 }

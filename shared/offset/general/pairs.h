@@ -20,15 +20,14 @@ class Pairing {
  public:
   using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
   /// @param chain  the candidates of the right side; gets the cutters.
-  /// @param cover  the one that found them.
+  /// @param witnesses  those that found them.
   Pairing(const Outline& outline, const Clearance& clearance, Candidates& chain, WitnessSearch& witnesses,
           const base::Progress& progress);
 
   /// Indices of pieces, the first one of the right side; linked neighbours are no pair. Incomplete if progress was
   /// cancelled.
-  /// @param known, found  see candidates().
   /// @cost  O(n) where the curve does not come near itself, some 10 ns a segment.
-  Pairs run(const Buried& known, Buried* found);
+  Pairs run();
 
  private:
   static constexpr std::uint32_t none = 0xffffffffU;
@@ -41,18 +40,13 @@ class Pairing {
     Flat a, b, m;
     [[nodiscard]] bool is_arc() const { return site.kind == SiteKind::Arc || site.kind == SiteKind::SecondArc; }
   };
-  /// The pieces of one group, or of a block of the other side.
+  /// The pieces of one group, or cutters of one leaf of the other side.
   struct Bunch {
-    std::size_t group = none;
+    std::size_t group = none;  ///< Or leaf.
     FloatBox box;
     std::vector<PieceHull> hulls;
     std::array<FloatBox, 3 * Block::size / run_size> runs;  ///< Of so many hulls each.
     [[nodiscard]] std::size_t run_count() const { return (hulls.size() + run_size - 1) / run_size; }
-    /// Some run does.
-    [[nodiscard]] bool overlaps(const FloatBox& other) const {
-      return box.overlaps(other) && std::any_of(runs.begin(), runs.begin() + run_count(),
-                                                [&](const FloatBox& r) { return r.overlaps(other); });
-    }
   };
   struct Group {
     std::uint32_t first, last;  ///< Pieces.
@@ -62,7 +56,6 @@ class Pairing {
   void find_parts();
   [[nodiscard]] bool is_long(const Piece& piece) const;
   [[nodiscard]] PieceHull hull(Site site, std::uint32_t piece, Flat a, Flat b) const;
-  [[nodiscard]] std::uint64_t directions_of(const PieceHull& p) const;
   template <class Visit>
   void each_hull(const Group& group, const Visit& visit) const;
   void load(std::size_t group, Bunch& bunch) const;
@@ -74,7 +67,6 @@ class Pairing {
   static void each_overlap(const Bunch& p, const Bunch& q, const Visit& visit);
   [[nodiscard]] bool apart(const PieceHull& p, const PieceHull& q) const;
   [[nodiscard]] bool beyond_an_edge(const PieceHull& p, const PieceHull& q) const;
-  [[nodiscard]] bool in_disc(const PieceHull& arc, const PieceHull& q) const;
   /// The groups that others than their neighbours may meet.
   [[nodiscard]] ChainTree crowd_tree();
   void pair_own(const ChainTree& tree);
@@ -84,16 +76,13 @@ class Pairing {
   [[nodiscard]] std::uint32_t block_of(std::size_t group) const {
     return chain_.pieces[groups_[group].first].step() / Block::size;
   }
-  [[nodiscard]] Pairs near_blocks(const ChainTree& tree, const Buried& known) const;
-  void cut_by_caps(const ChainTree& tree, const Buried& known, Buried* found);
+  [[nodiscard]] Pairs near_blocks(const ChainTree& tree) const;
+  void cut_by_caps();
   [[nodiscard]] bool sides_apart(std::uint32_t block) const;
-  void pair_cutters(const ChainTree& tree, const Buried& known, Buried* found);
-  void make_cutters(std::uint32_t leaf, const Buried& known);
-  void add_cutters(std::uint32_t step, const Outline::Junction& before, const Outline::Junction& after,
-                   const Buried& known);
-  void cut_with(const Bunch& near, Buried* found);
-  bool judge(PieceHull& hull, Buried* found);
-  void judge_run(std::size_t run, Buried* found);
+  void pair_cutters(const ChainTree& tree);
+  void make_cutters(std::uint32_t leaf);
+  void add_corner_cutters(std::uint32_t step, const Outline::Junction& junction);
+  void cut_with(const Bunch& near);
 
   const Outline& outline_;
   const Clearance& clearance_;
@@ -119,7 +108,6 @@ class Pairing {
   Bunch spare_;
   const Bunch* latest_ = nullptr;
   Bunch cutters_;
-  std::array<std::uint8_t, 3 * Block::size / run_size> met_{};  // runs that each of its runs met, until judged
   Pairs pairs_;
 };
 

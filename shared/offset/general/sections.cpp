@@ -23,7 +23,7 @@ std::vector<OffsetPiece> Trimmer::run(const Buried& known, Buried* found) {
   chain_ = candidates(outline_, clearance_, witnesses_, known, found, progress_);
   wanted_ = static_cast<std::uint32_t>(pieces_.size());
   if (wanted_ == 0) return {};
-  pairs_ = Pairing(outline_, clearance_, chain_, witnesses_, progress_).run(known, found);
+  pairs_ = Pairing(outline_, clearance_, chain_, witnesses_, progress_).run();
   if (progress_.cancelled()) return {};
   warm();
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
@@ -50,21 +50,21 @@ std::uint32_t Trimmer::node(Vec p, std::uint32_t i, std::uint32_t j) {
 }
 
 void Trimmer::make_sections() {
-  const auto start_node = [&](std::uint32_t k) { return hot_of_[k] != none ? place_[hot_[hot_of_[k]].node_a] : none; };
   const auto new_node = [&](Vec p) {
     const std::uint32_t made = node(p);
     place_.push_back(made);
     touched_.push_back(1);
     return made;
   };
+  const auto hot_node = [&](std::uint32_t k, bool start) {
+    if (hot_of_[k] == none) return none;
+    return place_[start ? hot_[hot_of_[k]].node_a : hot_[hot_of_[k]].node_b];
+  };
   Section open{none, none, none, none};
-  std::uint32_t seam = none;
-  std::size_t next = 0;
-  const auto break_at = [&](std::uint32_t k, std::uint32_t to) {
-    open.last = k;
-    open.to = to;
-    add_section(open);
-    open = {k, k, to, none};
+  // Ends the open section and begins one with piece `next`.
+  const auto end_at = [&](std::uint32_t last, std::uint32_t to, std::uint32_t next) {
+    add_section({open.first, last, open.from, to});
+    open = {next, next, to, none};
   };
   // From a linked piece to the next one that may be cut, or that the next one does not follow: amidst a section.
   std::size_t next_hot = 0;
@@ -73,46 +73,28 @@ void Trimmer::make_sections() {
     const std::uint32_t stop = std::min(wanted_ - 1, next_hot < hot_.size() ? hot_[next_hot].piece : wanted_);
     return k < stop ? static_cast<std::uint32_t>(next_gap(pieces_.data(), k + 1, stop + 1)) - 1 : k;
   };
+  std::uint32_t seam = none;
+  std::size_t next_cut = 0;
   for (std::uint32_t k = 0; k < wanted_; ++k) {
     if (k % 1024 == 0 && progress_.cancelled()) return;
     if (k > 0 && pieces_[k].linked()) k = skip(k);
-    const std::uint32_t hot = hot_of_[k];
+    const std::uint32_t start = hot_node(k, true);
     if (k == 0 || !pieces_[k].linked()) {
-      std::uint32_t from = start_node(k);
-      if (from == none) from = new_node(end_of<Real>(pieces_[k], true).at);
-      if (k == 0) seam = from;
-      open = {k, k, from, none};
-    } else if (hot != none && touched_[place_[hot_[hot].node_a]]) {
-      const std::uint32_t at = place_[hot_[hot].node_a];
-      if (open.from != at || open.first != k) {
-        open.last = k - 1;
-        open.to = at;
-        add_section(open);
-        open = {k, k, at, none};
-      }
+      open = {k, k, start != none ? start : new_node(end_of<Real>(pieces_[k], true).at), none};
+      if (k == 0) seam = open.from;
+    } else if (start != none && touched_[start] && (open.from != start || open.first != k)) {
+      end_at(k - 1, start, k);
     }
-    if (hot != none) {
-      while (next < cuts_.size() && cuts_[next].hot < hot) ++next;
-      for (; next < cuts_.size() && cuts_[next].hot == hot; ++next) {
-        const std::uint32_t at = place_[cuts_[next].node];
-        if (!(open.first == k && open.from == at)) break_at(k, at);
-      }
+    for (; next_cut < cuts_.size() && cuts_[next_cut].hot == hot_of_[k]; ++next_cut) {
+      end_at(k, place_[cuts_[next_cut].node], k);
     }
     // The end of the piece: a gap, the end of the walk, or a cut place; the next piece begins a section there.
     const bool last = k + 1 == wanted_;
     const bool joined = last ? base_.closed && pieces_[0].linked() : pieces_[k + 1].linked();
-    const bool ends_here = last || !joined || (hot != none && touched_[place_[hot_[hot].node_b]]);
-    if (!ends_here) continue;
-    std::uint32_t to = hot != none ? place_[hot_[hot].node_b] : none;
+    std::uint32_t to = hot_node(k, false);
+    if (!last && joined && (to == none || !touched_[to])) continue;
     if (last && joined) to = seam;
-    if (to == none && !last && joined) to = start_node(k + 1);
-    if (to == none) to = new_node(end_of<Real>(pieces_[k], false).at);
-    if (!(open.first == k && open.from == to && open.first != 0)) {
-      open.last = k;
-      open.to = to;
-      add_section(open);
-    }
-    if (!last) open = {k + 1, k + 1, to, none};
+    end_at(k, to != none ? to : new_node(end_of<Real>(pieces_[k], false).at), k + 1);
   }
 }
 
@@ -160,7 +142,7 @@ bool Trimmer::valid(const Section& section, std::uint32_t piece) {
   for (const std::uint32_t end : {section.from, section.to}) {
     if (nodes_[end].j >= end_of_piece) continue;
     for (const std::uint32_t hot : {nodes_[end].i, nodes_[end].j}) {
-      if (hot_[hot].piece != piece && validity_.held_by(pieces_[hot_[hot].piece].step(), rough)) return false;
+      if (hot_[hot].piece != piece && witnesses_.deep(rough, pieces_[hot_[hot].piece].step())) return false;
     }
   }
   const Site site = pieces_[piece].site();

@@ -39,7 +39,6 @@ class Trimmer {
     Shape<Real> shape;
     std::uint32_t piece;
     std::uint32_t node_a, node_b;
-    bool wanted;
   };
   /// A place; symbolic if it is an end of a hot piece (j = start_of, end_of) or the crossing of two.
   struct Node {
@@ -73,7 +72,6 @@ class Trimmer {
   void cut_pair(std::uint32_t i, std::uint32_t j);
   template <class T>
   void add_cuts(std::uint32_t i, std::uint32_t j, const Contacts<T>& contacts);
-  void add_end(std::uint32_t hot, std::uint32_t node, double slide);
   void add_cut(std::uint32_t hot, std::uint32_t node, double slide);
   void merge_twins();
   void order_cuts();
@@ -95,15 +93,14 @@ class Trimmer {
 
   void remove_doubles();
   std::vector<Chain> assemble();
+  void link();
   void link_at(std::span<const std::uint32_t> in, std::span<const std::uint32_t> out);
-  [[nodiscard]] Vec leaving(const Section& section) const;
-  [[nodiscard]] Vec arriving(const Section& section) const;
+  [[nodiscard]] Vec heading(std::uint32_t piece, std::uint32_t node) const;
   [[nodiscard]] OffsetPiece output(const Chain& chain) const;
   [[nodiscard]] bool is_whole_block(const Block& block, std::uint32_t k, std::uint32_t last) const;
   std::uint32_t write_block(PieceWriter& writer, std::uint32_t k, std::uint32_t last) const;
   [[nodiscard]] std::uint32_t node(Vec p, std::uint32_t i = none, std::uint32_t j = none);
   [[nodiscard]] Vec centre(Site s) const { return outline_.to<Real>(s.step); }
-  [[nodiscard]] Vec direction(Site s) const;
   [[nodiscard]] std::uint32_t segment_of(std::uint32_t piece) const { return pieces_[piece].step(); }
   [[nodiscard]] Flat start(std::uint32_t k) const { return place_of(pieces_[k], true, outline_); }
   [[nodiscard]] Flat end(std::uint32_t k) const { return place_of(pieces_[k], false, outline_); }

@@ -21,10 +21,6 @@ class Validity {
   /// A free place q of the outline of a simple contour, rounded, lies on the other side: in a mitre's tip that pokes
   /// through.
   [[nodiscard]] bool pokes_through(Flat q, Site own) const;
-  /// True if q, rounded to doubles, surely lies in the stadium or the mitre quads of a step.
-  [[nodiscard]] bool held_by(std::uint32_t step, Flat q) const {
-    return margin_ < outline_.distance() && outline_.deep_inside(q, step, margin_);
-  }
 
  private:
   template <class T>

@@ -6,33 +6,15 @@
 namespace dobra::offset::general {
 
 Buried::Buried(const BaseCurve& base, const Clearance& clearance, double greatest)
-    : base_(&base),
-      corners_(&clearance.corners()),
-      n_(static_cast<std::uint32_t>(base.segment_count())),
-      words_((n_ + 15) / 16),
-      greatest_(greatest),
-      bits_(2 * words_, 0),
-      left_of_(words_, 0) {
-  if (clearance.has_mitres()) hints_.assign(n_, none);
-  for (std::size_t i = 0; i < words_; ++i) bits_[i] = clearance.blocks()[i].absent;
+    : base_(&base), clearance_(&clearance), greatest_(greatest) {
+  for (const Block& block : clearance.blocks()) bits_.push_back(block.absent);
 }
 
 bool Buried::for_ever(Site s) const {
   if (s.kind == SiteKind::Bevel) return false;
-  if (s.kind != SiteKind::Line || s.step >= n_) return true;
-  const auto long_end = [&](std::size_t at) {
-    return (*corners_)[at] == CornerKind::Mitre || (*corners_)[at] == CornerKind::Tangent;
-  };
-  return !(base_->has_before(s.step) && long_end(s.step)) &&
-         !(base_->has_after(s.step) && long_end(base_->end_index(s.step)));
-}
-
-void Buried::add(Site s, std::uint32_t witness, bool tips_stay) {
-  if (tips_stay || for_ever(s)) {
-    bits_[place(s)] |= std::uint64_t{1} << shift(s);
-  } else if (s.kind == SiteKind::Line) {
-    hints_[s.step] = witness;
-  }
+  if (s.kind != SiteKind::Line) return true;
+  return !(base_->has_before(s.step) && clearance_->is_mitre(s.step)) &&
+         !(base_->has_after(s.step) && clearance_->is_mitre(base_->end_index(s.step)));
 }
 
 WitnessSearch::WitnessSearch(const Outline& outline, const Clearance& clearance)
@@ -40,14 +22,11 @@ WitnessSearch::WitnessSearch(const Outline& outline, const Clearance& clearance)
       clearance_(clearance),
       d_(outline.distance()),
       margin_(clearance.margin(outline.distance())),
-      cells_per_length_(8 / d_) {
-  recent_.fill(Clearance::none);
-}
+      cells_per_length_(8 / d_) {}
 
 /// A step's set is an intersection of half-planes m . (x - c) < D: a tip c' + D w that lies in it at two distances does
 /// so at all between, and where |w| = 1, as at the foot of the tip, at all greater ones.
 bool WitnessSearch::tips_stay(std::uint32_t step, double d) const {
-  const std::uint32_t by = witness();
   const BaseCurve& base = outline_.base();
   const Outline last(base, clearance_.corners(), outline_.sides(), d);
   const double margin = clearance_.margin(d);
@@ -59,28 +38,10 @@ bool WitnessSearch::tips_stay(std::uint32_t step, double d) const {
     if (t > 16) return false;  // a rounded direction misses
     const Flat c = flat(base.points[at]);
     const Flat w = n + t * out;
-    return last.deep_inside(c + d * w, by, margin) && deep(c + d_ * w, by) && deep(c + d_ * n, by);
+    return last.deep_inside(c + d * w, witness_, margin) && deep(c + d_ * w, witness_) && deep(c + d_ * n, witness_);
   };
-  return d >= d_ && by != Clearance::none && (!base.has_before(step) || stays(step, -u)) &&
+  return d >= d_ && witness_ != Clearance::none && (!base.has_before(step) || stays(step, -u)) &&
          (!base.has_after(step) || stays(base.end_index(step), u));
-}
-
-void WitnessSearch::remember(std::uint32_t step) {
-  std::uint32_t moved = step;
-  for (std::uint32_t& r : recent_) {
-    std::swap(r, moved);
-    if (moved == step) return;
-  }
-}
-
-bool WitnessSearch::by_recent(Site s, Flat a, Flat b) {
-  for (const std::uint32_t step : recent_) {
-    if (step == Clearance::none) return false;
-    if (!in_set(s, a, b, step)) continue;
-    remember(step);
-    return true;
-  }
-  return false;
 }
 
 std::size_t WitnessSearch::cell_of(Flat p) const {
@@ -124,7 +85,7 @@ Flat WitnessSearch::middle(Site s, Flat a, Flat b) const {
 }
 
 bool WitnessSearch::covers(Site s, Flat a, Flat b) {
-  if (by_recent(s, a, b)) return true;
+  if (witness_ != Clearance::none && in_set(s, a, b, witness_)) return true;
   const std::array<Flat, 3> places{middle(s, a, b), a, b};
   std::array<std::uint32_t, 3> held{};
   for (std::size_t k = 0; k < places.size(); ++k) {

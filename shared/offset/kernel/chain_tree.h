@@ -41,13 +41,7 @@ class ChainTree {
     if (count_ > 0) self({0, 0, count_}, visit);
   }
 
-  /// Calls visit(i) for all leaves with boxes that overlap this one.
-  template <class Visit>
-  void for_each_overlap(const FloatBox& box, Visit&& visit) const {
-    if (count_ > 0) overlaps({0, 0, count_}, box, visit);
-  }
-
-  /// The same for all pairs of a leaf here and one of another tree: visit(i, j).
+  /// Calls visit(i, j) for all pairs of a leaf here and one of another tree with boxes that overlap.
   template <class Visit>
   void for_each_overlap(const ChainTree& other, Visit&& visit) const {
     if (count_ > 0 && other.count_ > 0) across({0, 0, count_}, other, {0, 0, other.count_}, visit);
@@ -93,17 +87,6 @@ class ChainTree {
       pair(a, b.left(), visit);
       pair(a, b.right(), visit);
     }
-  }
-
-  template <class Visit>
-  void overlaps(Range a, const FloatBox& box, Visit& visit) const {
-    if (!nodes_[a.node].box.overlaps(box)) return;
-    if (a.is_leaf()) {
-      visit(a.first);
-      return;
-    }
-    overlaps(a.left(), box, visit);
-    overlaps(a.right(), box, visit);
   }
 
   template <class Visit>
