@@ -299,8 +299,8 @@ TEST(SketchFile, OutlinesOfSvgKeepTheirCurves) {
 }
 
 TEST(SketchFile, EveryGeometryOfTheCorpusMeshesAtThreeSizesWithBothEngines) {
-  const auto data = test::data_folder();
-  if (!data) GTEST_SKIP() << test::no_data;
+  const auto data = dobra::test::data_folder();
+  if (!data) GTEST_SKIP() << dobra::test::no_data;
   const fs::path folder = *data / "contours";
   const auto expect_valid = [](const mesh::ElementMesh& made, double area, double tolerance) {
     const auto valid = mesh::check(made);
