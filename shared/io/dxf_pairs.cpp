@@ -14,8 +14,6 @@ using base::ErrorCode;
 using base::Place;
 using base::Result;
 
-namespace {}  // namespace
-
 Error DxfPairs::error(std::string message, ErrorCode error_code) const {
   return {error_code, std::move(message), Place{.file = file_, .line = lines_.number()}};
 }
