@@ -70,12 +70,13 @@ base::Result<Graph> graph_of(const geom::Polyline& given, double cosine, double 
 }  // namespace
 
 base::Result<ShearMap> ShearMap::make(const geom::Polyline& top, const geom::Polyline& target, base::Angle angle,
-                                      geom::Point pin, geom::Point goal, const MapOptions& options) {
+                                      geom::Point pin, geom::Point goal, const MapOptions& options,
+                                      const char* what) {
   ShearMap map;
   map.cosine_ = std::cos(angle.radians());
   map.sine_ = std::sin(angle.radians());
   map.travel_ = map.q_of(goal) - map.q_of(pin);
-  DOBRA_TRY(const Graph from, graph_of(top, map.cosine_, map.sine_, "top"));
+  DOBRA_TRY(const Graph from, graph_of(top, map.cosine_, map.sine_, what));
   DOBRA_TRY(Graph to, graph_of(target, map.cosine_, map.sine_, "target"));
   for (double& q : to.q) q -= map.travel_;
   map.first_ = from.q.front();

@@ -23,10 +23,12 @@ class ShearMap {
   /// @param angle   of the direction of shear from the vertical, within (-90, 90) degrees.
   /// @param from, to  two points; the section moves across the direction of shear by as much as `to` lies beside
   /// `from`.
+  /// @param what  the word for the top in messages.
   /// @error CannotRestore with the place where a line turns against the direction, so that it is passed more than once
   ///        along it, and the angles at which it does not.
   static base::Result<ShearMap> make(const geom::Polyline& top, const geom::Polyline& target, base::Angle angle,
-                                     geom::Point from = {}, geom::Point to = {}, const MapOptions& options = {});
+                                     geom::Point from = {}, geom::Point to = {}, const MapOptions& options = {},
+                                     const char* what = "top");
 
   [[nodiscard]] ShearMap swapped() const;
   /// The map on the way: `part` (0 .. 1) of every displacement.

@@ -1,0 +1,287 @@
+#include "recon/kinematics/trishear.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "recon/kinematics/refuse.h"
+
+namespace recon::kinematics {
+
+namespace {
+
+/// z, ln(x / x0) and slip / x0 in the zone, with e = |y| / (m x) = |z|^k of one sign.
+using State = std::array<double, 3>;
+
+/// The field in the frame of the tip. It depends on e alone, so that distance from the tip is but a scale. With
+/// k = max(s, 1) and the variable sigma, d(slip) = x k |z|^(k-1) d(sigma), all is smooth on either side of z = 0.
+struct Zone {
+  double sense;        ///< v0
+  double propagation;  ///< P/S
+  double s;            ///< Concentration.
+  double time;         ///< +1: slip grows, -1: it goes back.
+  double side = 1.0;   ///< Sign of z.
+
+  [[nodiscard]] double power() const { return std::max(s, 1.0); }
+  static double raised(double z, double to) { return to == 1.0 ? z : std::pow(z, to); }
+
+  [[nodiscard]] State rate(const State& at) const {
+    const double k = power();
+    const double z = std::max(side * at[0], 0.0);
+    const double root = raised(z, k / s);              // e^(1/s)
+    const double e = raised(z, k);
+    const double along = sense * 0.5 * (side * root + 1.0) - propagation;
+    const double across = sense * (e * root - 1.0) / (2.0 * (1.0 + s));
+    const double pace = k == 1.0 ? 1.0 : k * raised(z, k - 1.0);
+    return {time * (across - side * e * along), time * pace * along, pace * std::exp(at[1])};
+  }
+
+  /// Gragg's modified midpoint rule, extrapolated to order 10 (Bulirsch and Stoer).
+  [[nodiscard]] State step(const State& from, double h, double& error) const {
+    constexpr std::array<int, 5> parts{2, 4, 6, 8, 10};
+    std::array<State, 5> table{};
+    const State first = rate(from);
+    State coarse{};
+    for (std::size_t row = 0; row < parts.size(); ++row) {
+      State value = midpoint(from, first, h, parts[row]);
+      for (std::size_t column = 0; column < row; ++column) {
+        const double ratio = static_cast<double>(parts[row]) / parts[row - column - 1];
+        const double weight = 1.0 / (ratio * ratio - 1.0);
+        for (std::size_t i = 0; i < 3; ++i) {
+          const double finer = value[i] + weight * (value[i] - table[column][i]);
+          table[column][i] = value[i];
+          value[i] = finer;
+        }
+      }
+      coarse = row > 0 ? table[row - 1] : value;
+      table[row] = value;
+    }
+    error = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      error = std::max(error, std::abs(table[4][i] - coarse[i]) / (1.0 + std::abs(i == 2 ? table[4][2] : 0.0)));
+    }
+    return table[4];
+  }
+
+ private:
+  [[nodiscard]] State midpoint(const State& from, const State& first, double h, int parts) const {
+    const double part = h / parts;
+    State before = from;
+    State at{};
+    for (std::size_t i = 0; i < 3; ++i) at[i] = from[i] + part * first[i];
+    for (int k = 1; k < parts; ++k) {
+      const State slope = rate(at);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double next = before[i] + 2.0 * part * slope[i];
+        before[i] = at[i];
+        at[i] = next;
+      }
+    }
+    const State slope = rate(at);
+    for (std::size_t i = 0; i < 3; ++i) at[i] = 0.5 * (at[i] + before[i] + part * slope[i]);
+    return at;
+  }
+};
+
+/// The step h' <= h after which `beyond` of the state is 0, where it is < 0 before and >= 0 behind h.
+template <class Beyond>
+State step_to(const Zone& zone, const State& from, double h, const Beyond& beyond) {
+  double low = 0.0;
+  double high = h;
+  double at_low = beyond(from);
+  double unused = 0.0;
+  State state = zone.step(from, h, unused);
+  double at_high = beyond(state);
+  for (int i = 0, stuck = 0; i < 60 && high - low > 1e-15 * h && at_high != 0.0; ++i) {
+    // Illinois: the false position, with half the weight of an end that stays.
+    const double middle = i < 50 ? (low * at_high - high * at_low) / (at_high - at_low) : 0.5 * (low + high);
+    const State there = zone.step(from, middle, unused);
+    const double value = beyond(there);
+    if (value >= 0.0) {
+      high = middle;
+      at_high = value;
+      state = there;
+      if (stuck == 1) at_low *= 0.5;
+      stuck = 1;
+    } else {
+      low = middle;
+      at_low = value;
+      if (stuck == -1) at_high *= 0.5;
+      stuck = -1;
+    }
+    if (std::abs(value) <= 1e-16) return there;
+  }
+  return state;
+}
+
+/// Goes on through the zone for `left` of slip, or to its side.
+/// @param x, e  place: x > 0 from the tip, e = y / (m x) in [-1, 1]; both become those of the end.
+void through_zone(Zone zone, double tolerance, double& x, double& e, double& left) {
+  const double k = zone.power();
+  zone.side = e < 0.0 ? -1.0 : 1.0;
+  if (e == 0.0) zone.side = -zone.sense * zone.time;  // at e = 0 it goes towards this side
+  State at{zone.side * std::pow(std::abs(e), 1.0 / k), 0.0, 0.0};
+  const double goal = left / x;
+  double h = 0.1;
+  double error = 0.0;
+  for (int steps = 0; steps < 100000; ++steps) {
+    const State next = zone.step(at, h, error);
+    if (error > tolerance && h > 1e-14) {
+      h *= std::clamp(0.9 * std::pow(tolerance / error, 1.0 / 9.0), 0.1, 0.9);
+      continue;
+    }
+    const bool past_end = next[2] >= goal;
+    const bool past_middle = zone.side * next[0] < 0.0;
+    const bool past_side = std::abs(next[0]) > 1.0;
+    if (!past_end && !past_middle && !past_side) {
+      at = next;
+      h *= std::clamp(0.9 * std::pow(tolerance / std::max(error, 1e-30), 1.0 / 9.0), 0.5, 3.0);
+      continue;
+    }
+    // The first of what the step passes.
+    const auto beyond = [&](const State& state) {
+      const double after_end = (state[2] - goal) / (1.0 + goal);
+      return std::max({after_end, -zone.side * state[0] - (past_middle ? 0.0 : 1.0), std::abs(state[0]) - 1.0});
+    };
+    at = step_to(zone, at, h, beyond);
+    const double after_end = std::abs(at[2] - goal) / (1.0 + goal);
+    if (past_middle && std::abs(at[0]) <= 1e-15 && after_end > 1e-15) {
+      zone.side = -zone.side;
+      at[0] = 0.0;
+      continue;
+    }
+    break;
+  }
+  left = std::max(0.0, left - x * at[2]);
+  if (std::abs(std::abs(at[0]) - 1.0) > 1e-14) left = 0.0;
+  x *= std::exp(at[1]);
+  e = zone.side * std::pow(std::abs(at[0]), k);
+}
+
+}  // namespace
+
+base::Result<TrishearMap> TrishearMap::make(geom::Point tip, geom::Vector direction, Side hanging, double slip,
+                                            const TrishearParams& params, const TrishearTolerances& tolerances) {
+  const double apical = params.apical.degrees();
+  if (!(apical > 0.0 && apical < 180.0)) {
+    return refused(fmt::format("the triangle of trishear has an angle of 0 to 180 degrees, not of {:.6g}; change apical",
+                               apical),
+                   tip);
+  }
+  if (!(params.propagation >= 0.0) || !(params.concentration > 0.0)) {
+    return refused(fmt::format("trishear has P/S >= 0 and a concentration > 0, not {:.6g} and {:.6g}; change propagation "
+                               "or concentration",
+                               params.propagation, params.concentration),
+                   tip);
+  }
+  TrishearMap map;
+  map.tip_ = tip;
+  map.direction_ = geom::normalised(direction);
+  map.out_ = hanging == Side::Left ? geom::left_of(map.direction_) : geom::right_of(map.direction_);
+  map.amount_ = std::abs(slip);
+  map.sense_ = slip < 0.0 ? -1.0 : 1.0;
+  map.params_ = params;
+  map.slope_ = std::tan(0.5 * params.apical.radians());
+  map.tolerances_ = tolerances;
+  map.size_ = std::max(map.amount_ * (1.0 + params.propagation), 1e-300);
+  if (map.tolerances_.chord <= 0.0) map.tolerances_.chord = 1e-6 * map.size_;
+  return map;
+}
+
+TrishearMap TrishearMap::swapped() const {
+  TrishearMap back = *this;
+  back.back_ = !back_;
+  return back;
+}
+
+Tip TrishearMap::tip() const {
+  const geom::Point far = tip_ + params_.propagation * amount_ * direction_;
+  return back_ ? Tip{far, tip_} : Tip{tip_, far};
+}
+
+geom::Point TrishearMap::operator()(geom::Point p, Wall on_fault) const {
+  const Tip tips = tip();
+  const geom::Vector v = p - tips.before;
+  double x = geom::dot(v, direction_);
+  double y = geom::dot(v, out_);
+  const double nudge = 1e-12 * size_;
+  double lift = 0.0;
+  if (x <= nudge && std::abs(y) <= 10.0 * nudge) lift = (on_fault == Wall::Hanging ? nudge : -nudge) - y;
+  y += lift;
+  const Zone zone{sense_, params_.propagation, params_.concentration, back_ ? -1.0 : 1.0};
+  double left = amount_;
+  for (int part = 0; part < 3 && left > 0.0; ++part) {
+    if (std::abs(y) < slope_ * x) {
+      double e = y / (slope_ * x);
+      through_zone(zone, tolerances_.integration, x, e, left);
+      y = e * slope_ * x;
+      if (left <= 0.0) break;
+    }
+    // Outside the zone, or on its side on the way out: straight, to the zone if it lies ahead.
+    const double speed = zone.time * ((y >= 0.0 ? sense_ : 0.0) - params_.propagation);
+    const double entry = (std::abs(y) / slope_ - x) / speed;
+    const bool enters = part == 0 && speed > 0.0 && entry > 0.0 && entry < left;
+    x = enters ? std::abs(y) / slope_ * (1.0 + 1e-15) : x + speed * left;
+    left = enters ? left - entry : 0.0;
+  }
+  y -= lift;
+  return tips.after + x * direction_ + y * out_;
+}
+
+MovedLine TrishearMap::line(const geom::Polyline& line, Wall on_fault) const {
+  MovedLine moved;
+  moved.before.closed = moved.after.closed = line.closed;
+  const auto add = [&](geom::Point p, geom::Point image) {
+    moved.before.points.push_back(p);
+    moved.after.points.push_back(image);
+  };
+  const auto image_of = [&](geom::Point p) { return (*this)(p, on_fault); };
+  // Quarters are looked at too: a piece whose middle is on the chord by chance may still bend.
+  const auto fill = [&](const auto& self, geom::Point a, geom::Point fa, geom::Point b, geom::Point fb, int depth) -> void {
+    const geom::Point middle = geom::midpoint(a, b);
+    const geom::Point image = image_of(middle);
+    if (depth == 0) return;
+    const auto off = [&](geom::Point p, double t) { return geom::distance(p, geom::interpolate(fa, fb, t)); };
+    const bool straight = off(image, 0.5) <= tolerances_.chord &&
+                          off(image_of(geom::interpolate(a, b, 0.25)), 0.25) <= tolerances_.chord &&
+                          off(image_of(geom::interpolate(a, b, 0.75)), 0.75) <= tolerances_.chord;
+    if (straight) return;
+    self(self, a, fa, middle, image, depth - 1);
+    add(middle, image);
+    self(self, middle, image, b, fb, depth - 1);
+  };
+  for (std::size_t i = 0; i < line.points.size(); ++i) {
+    moved.given.push_back(moved.before.points.size());
+    const geom::Point a = line.points[i];
+    const geom::Point image = image_of(a);
+    add(a, image);
+    if (i == line.segment_count()) break;
+    const geom::Point b = line.segment(i).to;
+    fill(fill, a, image, b, image_of(b), tolerances_.most_halvings);
+  }
+  return moved;
+}
+
+base::Result<TrishearMap> trishear(const FaultPath& path, double slip, const TrishearParams& params, DrawnTip drawn,
+                                   const TrishearTolerances& tolerances) {
+  const bool at_begin = path.tip_at_begin && !path.tip_at_end;
+  const std::vector<geom::Point>& points = path.line.points;
+  const geom::Point end = at_begin ? points.front() : points.back();
+  const geom::Point bend = at_begin ? points[1] : points[points.size() - 2];
+  const geom::Vector direction = geom::normalised(end - bend);
+  const double travel = params.propagation * std::abs(slip);
+  const double needed = std::abs(slip) + (drawn == DrawnTip::After ? travel : 0.0);
+  if (points.size() > 2 && geom::distance(bend, end) < needed) {
+    return refused(fmt::format("the fault bends here, {:.6g} m from its tip, where trishear needs it straight for {:.6g} m "
+                               "(slip {}); give less slip, or draw the last piece straighter",
+                               geom::distance(bend, end), needed, drawn == DrawnTip::After ? "and the way of the tip" : ""),
+                   bend);
+  }
+  const Side side = (path.hanging == Side::Left) != at_begin ? Side::Left : Side::Right;
+  const geom::Point tip = drawn == DrawnTip::After ? end - travel * direction : end;
+  return TrishearMap::make(tip, direction, side, at_begin ? -slip : slip, params, tolerances);
+}
+
+}  // namespace recon::kinematics
