@@ -1,5 +1,6 @@
 // recon: the window without a sub-command, or with a file alone; the command line with a sub-command.
 
+#include "recon/cli/move_commands.h"
 #include "recon/cli/section_commands.h"
 #include "recon/core/operations.h"
 #include "shared/cli/cli.h"
@@ -26,5 +27,5 @@ int main(int argc, char** argv) {
 #endif
   return dobra::cli::run_program(recon::core::program(), argc, argv, window,
                                  {dobra::cli::offset_command(), recon::cli::restore_command(),
-                                  recon::cli::balance_command(), dobra::cli::convert_command()});
+                                  recon::cli::balance_command(), recon::cli::move_command(), dobra::cli::convert_command()});
 }

@@ -21,15 +21,20 @@ void set_lengths(LineLength& row) {
 
 }  // namespace
 
-LineLength line_length(const section::Horizon& horizon, const maps::MappedLine& mapped) {
+LineLength line_length(const section::Horizon& horizon, const std::vector<geom::Polyline>& after) {
   LineLength row;
   row.horizon = horizon.id;
   row.name = horizon.name;
   row.piece_of = horizon.piece_of;
   row.role = horizon.role;
   row.before = bed_length(horizon.line);
-  row.after = bed_length(mapped.after);
+  for (const geom::Polyline& piece : after) row.after += bed_length(piece);
   set_lengths(row);
+  return row;
+}
+
+LineLength line_length(const section::Horizon& horizon, const maps::MappedLine& mapped) {
+  LineLength row = line_length(horizon, std::vector{mapped.after});
   for (const maps::Tear& tear : mapped.tears) row.torn += tear.gap;
 
   row.depth_min = row.depth_max = mapped.names.front().depth;

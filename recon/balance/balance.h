@@ -34,6 +34,8 @@ struct LineLength {
 };
 
 LineLength line_length(const section::Horizon& horizon, const maps::MappedLine& mapped);
+/// Of a horizon that has no depth to a top; `after` are the pieces that became of it.
+LineLength line_length(const section::Horizon& horizon, const std::vector<geom::Polyline>& after);
 
 /// Horizons as wholes: the rows of pieces summed up where the first of them stands (the id is that one's), others as
 /// they are.

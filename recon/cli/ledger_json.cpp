@@ -7,6 +7,7 @@
 
 #include "recon/balance/area_balance.h"
 #include "recon/balance/area_depth.h"
+#include "recon/cli/geometry_json.h"
 #include "recon/core/operations.h"
 #include "recon/core/report.h"
 #include "recon/section/section_faces.h"
@@ -25,12 +26,6 @@ void add_cells(const std::vector<core::RowCell>& cells, Json& json) {
   }
 }
 
-Json points_json(const std::vector<dobra::geom::Point>& points) {
-  Json list = Json::array();
-  for (const dobra::geom::Point p : points) list.push_back({p.x, p.y});
-  return list;
-}
-
 /// The row of the layer below a horizon, if the units are made from horizons.
 const balance::UnitRow* layer_below(const core::Model& model, std::size_t horizon) {
   const unfold::Restoration& restoration = *model.restoration;
@@ -45,19 +40,6 @@ const balance::UnitRow* layer_below(const core::Model& model, std::size_t horizo
     }
   }
   return nullptr;
-}
-
-Json restored_geometry(const section::Section& section) {
-  Json list = Json::array();
-  const auto add = [&](const std::string& name, const char* kind, const std::vector<dobra::geom::Point>& points) {
-    list.push_back({{"name", name}, {"kind", kind}, {"points", points_json(points)}});
-  };
-  for (const section::Horizon& horizon : section.horizons) add(horizon.name, "horizon", horizon.line.points);
-  for (const section::SectionLine& line : section.lines)
-    add(line.name, section::kind_name(line.kind), line.line.points);
-  for (const section::Unit& unit : section.units) add(unit.name, "unit", unit.contour.points);
-  for (const section::Marker& marker : section.markers) add(marker.name, "marker", marker.points);
-  return list;
 }
 
 Json error_bars_json(const unfold::MonteCarlo& result) {
@@ -124,7 +106,7 @@ std::string restoration_json(const core::Model& model, Geometry geometry) {
   json["verdict"] = balance::verdict_name(balance.verdict);
   json["remarks"] = core::program().remarks_of(dobra::scenario::make_state(model));
   if (const auto* bars = model.findings.get<unfold::MonteCarlo>()) json["error_bars"] = error_bars_json(*bars);
-  if (geometry == Geometry::Include) json["restored"] = restored_geometry(restoration.section);
+  if (geometry == Geometry::Include) json["restored"] = pieces_json(restoration.section);
   return json.dump(2) + '\n';
 }
 

@@ -14,15 +14,15 @@ namespace {
 constexpr double return_tolerance = 1e-9;
 
 geom::Point through(const std::vector<const Stage*>& chain, std::size_t from, std::size_t to, geom::Point p) {
-  for (; from < to; ++from) p = chain[from]->restoration->map.forward(p).at;
-  for (; from > to; --from) p = chain[from - 1]->restoration->map.inverse(p);
+  for (; from < to; ++from) p = forward(*chain[from], p);
+  for (; from > to; --from) p = inverse(*chain[from - 1], p);
   return p;
 }
 
 base::Result<std::size_t> state_of(int number, std::size_t restored, const char* key) {
   if (number >= 0 && static_cast<std::size_t>(number) <= restored) return static_cast<std::size_t>(number);
   return base::Error{base::ErrorCode::BadValue,
-                     fmt::format("{} = {}: the section has been restored {} times, so take a state from 0 to {}", key,
+                     fmt::format("{} = {}: the section has been restored or moved {} times, so take a state from 0 to {}", key,
                                  number, restored, restored)};
 }
 
@@ -56,7 +56,7 @@ void remark_on(const CarriedLine& line, std::vector<std::string>& remarks) {
 }
 
 const section::Section& section_of(const std::vector<const Stage*>& chain, std::size_t state) {
-  return state < chain.size() ? chain[state]->section : chain.back()->restoration->section;
+  return state < chain.size() ? chain[state]->section : section_made(*chain.back());
 }
 
 /// Beyond the section nothing but the straight continuation of its grid tells where a point goes.
@@ -80,8 +80,8 @@ CarriedPoint carry(const std::vector<const Stage*>& chain, std::size_t from, std
 }
 
 geom::Polyline carry(const std::vector<const Stage*>& chain, std::size_t from, std::size_t to, geom::Polyline line) {
-  for (; from < to; ++from) line = chain[from]->restoration->map.forward(line).after;
-  for (; from > to; --from) line = chain[from - 1]->restoration->map.swapped().forward(line).after;
+  for (; from < to; ++from) line = forward(*chain[from], line);
+  for (; from > to; --from) line = inverse(*chain[from - 1], line);
   return line;
 }
 

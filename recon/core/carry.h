@@ -1,6 +1,6 @@
 #pragma once
 // Points, lines and polygons carried along the chain of a model, from any of its states to any other, forward or back.
-// State 0 is the input; state k is the section after k restorations. Page: docs/algorithms/chain.md
+// State 0 is the input; state k is the section after k restorations and moves. Page: docs/algorithms/chain.md
 
 #include <optional>
 #include <string>
@@ -38,7 +38,7 @@ struct CarryParams {
     d.choice("as", &CarryParams::as, {"line", "points"},
              {.title = "Taken as", .help = "line: joined in their order; points: each by itself."});
     d.field("from", &CarryParams::from,
-            {.title = "From state", .help = "0 is the input, k the section after k restorations.", .at_least = 0});
+            {.title = "From state", .help = "0 is the input, k the section after k restorations and moves.", .at_least = 0});
     d.field("to", &CarryParams::to, {.title = "To state", .help = "By default the last.", .at_least = 0});
   }
 };
@@ -64,7 +64,7 @@ struct CarriedLines {
   std::vector<std::string> remarks;
 };
 
-/// @param chain  restored stages, in order.  @param from, to  states, 0 to chain.size().
+/// @param chain  stages that are done, in order.  @param from, to  states, 0 to chain.size().
 /// @cost  O(log n) a stage for a point.
 CarriedPoint carry(const std::vector<const Stage*>& chain, std::size_t from, std::size_t to, geom::Point p);
 /// @param line  open or closed, n >= 1 points.  @return its image, closed if it was, with the vertices of the cells.

@@ -23,6 +23,22 @@ void join_rows(const std::vector<Row>& first, const std::vector<Row>& last, Meas
   }
 }
 
+/// Beds that moves have cut meanwhile are compared as wholes.
+void join_wholes(const std::vector<balance::LineLength>& first, const std::vector<balance::LineLength>& last,
+                 std::vector<Compared>& joined) {
+  const std::vector<balance::LineLength> after = balance::whole_beds(last);
+  for (const balance::LineLength& bed : balance::whole_beds(first)) {
+    const auto known = [&](const balance::LineLength& row) {
+      const bool piece = row.name == bed.name || (!bed.piece_of.empty() && row.piece_of == bed.piece_of);
+      return piece && std::any_of(joined.begin(), joined.end(), [&](const auto& one) { return one.name == row.name; });
+    };
+    const auto same = [&](const balance::LineLength& other) { return other.name == bed.name; };
+    const auto found = std::find_if(after.begin(), after.end(), same);
+    if (found == after.end() || std::any_of(first.begin(), first.end(), known)) continue;
+    if (bed.length_before > 0.0) joined.push_back({bed.name, bed.length_before, found->length_after, bed.role});
+  }
+}
+
 }  // namespace
 
 ChainVerdict judge(const Comparison& comparison, double tolerance) {
@@ -43,25 +59,33 @@ ChainVerdict judge(const Comparison& comparison, double tolerance) {
 }
 
 Comparison compare(const std::vector<const Stage*>& chain, std::size_t from, std::size_t to) {
-  const unfold::Restoration& first = *chain[from]->restoration;
-  const unfold::Restoration& last = *chain[to - 1]->restoration;
+  const Stage& first = *chain[from];
+  const Stage& last = *chain[to - 1];
   Comparison comparison;
   join_rows(
-      first.lengths, last.lengths,
+      lengths_of(first), lengths_of(last),
       [](const balance::LineLength& a, const balance::LineLength& b) {
         return std::pair(a.length_before, b.length_after);
       },
       comparison.beds);
+  join_wholes(lengths_of(first), lengths_of(last), comparison.beds);
   join_rows(
-      first.ledger.units, last.ledger.units,
+      units_of(first), units_of(last),
       [](const balance::UnitRow& a, const balance::UnitRow& b) { return std::pair(a.area_before, b.area_after); },
       comparison.units);
   return comparison;
 }
 
+double balance_tolerance(const std::vector<const Stage*>& chain) {
+  for (auto stage = chain.rbegin(); stage != chain.rend(); ++stage) {
+    if ((*stage)->restoration) return (*stage)->restoration->params.tolerance;
+  }
+  return unfold::RestoreParams{}.tolerance;
+}
+
 std::string verdict_since_input(const std::vector<const Stage*>& chain) {
   if (chain.size() < 2) return {};
-  const double tolerance = chain.back()->restoration->params.tolerance;
+  const double tolerance = balance_tolerance(chain);
   const Comparison whole = compare(chain, 0, chain.size());
   const ChainVerdict verdict = judge(whole, tolerance);
   std::string text = fmt::format("since the input: {}", verdict.balanced ? "balanced" : "not balanced");

@@ -1,6 +1,6 @@
 #pragma once
 // The ledger of a chain of stages: what became of beds and units between any two of its states. State 0 is the input;
-// state k is the section after k restorations. Page: docs/algorithms/chain.md
+// state k is the section after k restorations and moves. Page: docs/algorithms/chain.md
 
 #include <string>
 #include <vector>
@@ -29,7 +29,9 @@ struct ChainVerdict {
 };
 /// Balanced: no judged bed or unit changed by more than the tolerance, percent. Points into the comparison.
 ChainVerdict judge(const Comparison& comparison, double tolerance);
-/// In words, by the tolerance of the last stage; empty where the chain has one stage or none.
+/// That of the last restoration; where nothing but moves was done, the one by default. Percent.
+double balance_tolerance(const std::vector<const Stage*>& chain);
+/// In words, by that tolerance; empty where the chain has one stage or none.
 std::string verdict_since_input(const std::vector<const Stage*>& chain);
 
 /// The ledger between two states: beds and units that all stages between them have.

@@ -12,27 +12,15 @@ namespace io = dobra::io;
 
 namespace {
 
-/// A new stage in hand with nothing but its section. What a stage gave that was not restored is forgotten.
-base::Result<Model> next_stage(const Model& model, unfold::GridFrom from) {
+/// The stage that the grid stands on.
+base::Result<Model> stage_from(const Model& model, unfold::GridFrom from) {
+  if (from == unfold::GridFrom::Current) return next_stage(model);
   Model next;
   next.remarks = model.remarks;
   next.findings = model.findings;
   next.findings.begin_stage();
-  if (from == unfold::GridFrom::Input) {
-    next.findings.forget_after(0);
-    next.section = input_section(model);
-    return next;
-  }
-  next.earlier = model.earlier;
-  if (!model.restoration) {
-    next.section = model.section;
-    return next;
-  }
-  std::vector<std::string> remarks;
-  DOBRA_TRY(next.section, section_after(model, remarks));
-  for (const std::string& remark : remarks)
-    next.remarks.push_back("after restoration " + std::to_string(model.earlier.size() + 1) + ": " + remark);
-  next.earlier.push_back(std::make_shared<const Stage>(model));
+  next.findings.forget_after(0);
+  next.section = input_section(model);
   return next;
 }
 
@@ -73,7 +61,7 @@ void draw_grid(const Model& model, dobra::scene::Picture& picture) {
 
 base::Result<Model> run_grid(const Model& model, const unfold::GridParams& params, const scenario::Context&,
                              const base::Progress& progress) {
-  DOBRA_TRY(Model next, next_stage(model, params.from));
+  DOBRA_TRY(Model next, stage_from(model, params.from));
   DOBRA_TRY(next.section, input::with_topography_as_horizon(std::move(next.section), params.top));
   DOBRA_TRY(next.source, make_source_grid(next.section, params, progress));
   return next;

@@ -6,6 +6,7 @@
 #include "recon/core/chain.h"
 #include "recon/core/grid_step.h"
 #include "recon/core/monte_carlo_step.h"
+#include "recon/core/move_step.h"
 #include "recon/core/offset_step.h"
 #include "recon/core/report.h"
 #include "recon/core/restore_step.h"
@@ -32,7 +33,7 @@ base::Result<scenario::State> read_input(const scenario::Table& table, const sce
 /// Of the section, and of the chain from its second stage on.
 void add_section_quantities(const Model& model, std::vector<scenario::Quantity>& quantities) {
   quantities.push_back({"horizons", count_of(model.section.horizons.size()), ""});
-  if (!model.restoration) {
+  if (!is_done(model)) {
     for (const section::Horizon& horizon : model.section.horizons) {
       quantities.push_back({"horizon." + horizon.name + ".length_before", geom::length(horizon.line), "m"});
     }
@@ -52,7 +53,7 @@ void add_section_quantities(const Model& model, std::vector<scenario::Quantity>&
     quantities.push_back({"since_input.horizon." + row.name + ".change_percent", row.change_percent(), "%"});
   for (const Compared& row : whole.units)
     quantities.push_back({"since_input.unit." + row.name + ".change_percent", row.change_percent(), "%"});
-  const bool balanced = judge(whole, chain.back()->restoration->params.tolerance).balanced;
+  const bool balanced = judge(whole, balance_tolerance(chain)).balanced;
   quantities.push_back({"since_input.balanced", balanced ? 1.0 : 0.0, ""});
 }
 
@@ -79,8 +80,9 @@ void add_chain_tables(const Model& model, std::vector<scenario::DataTable>& tabl
 void add_section_remarks(const Model& model, std::vector<std::string>& remarks) {
   append(model.remarks, remarks);
   for (std::size_t k = 0; k < model.earlier.size(); ++k) {
-    for (const std::string& remark : model.earlier[k]->restoration->remarks)
-      remarks.push_back("restoration " + std::to_string(k + 1) + ": " + remark);
+    const Stage& stage = *model.earlier[k];
+    for (const std::string& remark : remarks_of(stage))
+      remarks.push_back(std::string(what_was_done(stage)) + ' ' + std::to_string(k + 1) + ": " + remark);
   }
   if (const std::string verdict = verdict_since_input(restored_stages(model)); !verdict.empty())
     remarks.push_back(verdict);
@@ -96,7 +98,7 @@ scenario::Program make_program() {
                                                  .tables = add_chain_tables,
                                                  .remarks = add_section_remarks,
                                                  .draw = draw_section});
-  recon.operations = {grid_step(),        target_step(),  restore_step(),      carry_step(),
+  recon.operations = {grid_step(),        target_step(),  restore_step(),      move_step(), carry_step(),
                       monte_carlo_step(), balance_step(), area_balance_step(), offset_step()};
   return recon;
 }

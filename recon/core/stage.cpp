@@ -36,8 +36,44 @@ base::Result<geom::Polyline> tidy(geom::Polyline line, const std::string& item, 
 
 }  // namespace
 
+bool is_done(const Stage& stage) { return stage.restoration || stage.moved; }
+
+const section::Section& section_made(const Stage& stage) {
+  return stage.moved ? stage.moved->section : stage.restoration->section;
+}
+
+geom::Point forward(const Stage& stage, geom::Point p) {
+  return stage.moved ? stage.moved->forward(p) : stage.restoration->map.forward(p).at;
+}
+
+geom::Point inverse(const Stage& stage, geom::Point p) {
+  return stage.moved ? stage.moved->inverse(p) : stage.restoration->map.inverse(p);
+}
+
+geom::Polyline forward(const Stage& stage, const geom::Polyline& line) {
+  return stage.moved ? stage.moved->forward(line) : stage.restoration->map.forward(line).after;
+}
+
+geom::Polyline inverse(const Stage& stage, const geom::Polyline& line) {
+  return stage.moved ? stage.moved->inverse(line) : stage.restoration->map.swapped().forward(line).after;
+}
+
+const std::vector<balance::LineLength>& lengths_of(const Stage& stage) {
+  return stage.moved ? stage.moved->lengths : stage.restoration->lengths;
+}
+
+const std::vector<balance::UnitRow>& units_of(const Stage& stage) {
+  return stage.moved ? stage.moved->units : stage.restoration->ledger.units;
+}
+
+const std::vector<std::string>& remarks_of(const Stage& stage) {
+  return stage.moved ? stage.moved->remarks : stage.restoration->remarks;
+}
+
+const char* what_was_done(const Stage& stage) { return stage.moved ? "move" : "restoration"; }
+
 base::Result<section::Section> section_after(const Stage& stage, std::vector<std::string>& remarks) {
-  section::Section section = stage.restoration->section;
+  section::Section section = section_made(stage);
   for (section::Horizon& horizon : section.horizons) {
     DOBRA_TRY(horizon.line, tidy(std::move(horizon.line), fmt::format("horizon '{}'", horizon.name), remarks));
     if (horizon.line.points.front().x > horizon.line.points.back().x)

@@ -1,0 +1,132 @@
+#include "recon/core/move_step.h"
+
+#include "recon/core/report.h"
+#include "recon/core/section_picture.h"
+#include "shared/base/text.h"
+#include "shared/io/gis/geojson.h"
+
+namespace recon::core {
+
+namespace scenario = dobra::scenario;
+namespace io = dobra::io;
+namespace scene = dobra::scene;
+using base::translated;
+
+namespace {
+
+constexpr scene::Color block_color{235, 175, 60, 70};
+constexpr scene::Color moving_fault_color{150, 20, 30, 255};
+
+void add_move_quantities(const Model& model, std::vector<scenario::Quantity>& quantities) {
+  if (!model.moved) return;
+  const moving::Moved& moved = *model.moved;
+  quantities.push_back({"move.slip", moved.motion.slip, "m"});
+  for (const auto& [name, value] : moved.motion.figures) quantities.push_back({"move." + name, value, ""});
+  for (const moving::Misfit& misfit : moved.misfit) {
+    const std::string prefix = "move.misfit." + misfit.horizon + '.';
+    quantities.push_back({prefix + "along", misfit.along, "m"});
+    quantities.push_back({prefix + "gap", misfit.gap, "m"});
+    quantities.push_back({prefix + "overlap", misfit.overlap, "m"});
+  }
+  quantities.push_back({"move.gap_area", moved.opened.gap, "m2"});
+  quantities.push_back({"move.overlap_area", moved.opened.overlap, "m2"});
+  for (const balance::LineLength& row : balance::whole_beds(moved.lengths)) {
+    quantities.push_back({"horizon." + row.name + ".length_before", row.length_before, "m"});
+    quantities.push_back({"horizon." + row.name + ".length_after", row.length_after, "m"});
+  }
+  for (const balance::UnitRow& row : moved.units) {
+    quantities.push_back({"unit." + row.name + ".area_before", row.area_before, "m2"});
+    quantities.push_back({"unit." + row.name + ".area_after", row.area_after, "m2"});
+  }
+}
+
+void add_move_tables(const Model& model, std::vector<scenario::DataTable>& tables) {
+  if (!model.moved) return;
+  scenario::DataTable misfits{"misfit", {"horizon", "along the fault [m]", "gap [m]", "overlap [m]"}, {}};
+  for (const moving::Misfit& misfit : model.moved->misfit)
+    misfits.rows.push_back({misfit.horizon, misfit.along, misfit.gap, misfit.overlap});
+  tables.push_back(std::move(misfits));
+  scenario::DataTable moved{"moved", {"name", "kind", "x [m]", "z [m]"}, {}};
+  for (const moving::MovedPiece& piece : model.moved->pieces) {
+    for (const geom::Point p : piece.after.points) moved.rows.push_back({piece.name, piece.kind, p.x, p.y});
+  }
+  tables.push_back(std::move(moved));
+}
+
+void add_move_remarks(const Model& model, std::vector<std::string>& remarks) {
+  if (model.moved) append(model.moved->remarks, remarks);
+}
+
+void add_move_outputs(const std::shared_ptr<const Model>& model, std::vector<scenario::Output>& outputs) {
+  if (!model->moved) return;
+  outputs.push_back({"moved.geojson", [model](const std::filesystem::path& path) {
+                       return io::gis::write_geojson(path.string(), restored_features(model->moved->section));
+                     }});
+}
+
+/// What moves, and the fault that it moves along.
+void add_block(const moving::MovingPart& part, const section::Section& section, const std::string& fault,
+               PanelParts& parts) {
+  scene::Style style;
+  style.fill = block_color;
+  style.line_width = 0.0;
+  if (!part.contours().empty()) {
+    parts.under.push_back({"block", translated("Block that moves"), style, scene::Regions{{{part.contours()}}, {}}, true,
+                           scene::InLegend::Yes});
+  }
+  scene::Style bold;
+  bold.line = moving_fault_color;
+  bold.line_width = 3.0;
+  std::vector<geom::Polyline> lines;
+  for (const section::SectionLine& line : section.lines) {
+    if (line.kind == section::LineKind::Fault && (line.name == fault || whole_name(line) == fault))
+      lines.push_back(line.line);
+  }
+  parts.grid.push_back(lines_layer("moving_fault", translated("Fault of the move"), bold, std::move(lines)));
+}
+
+scene::Panel moved_panel(const Model& model) {
+  const moving::Moved& moved = *model.moved;
+  const section::Palette palette(moved.section);
+  PanelParts parts;
+  parts.under = filled_units(moved.section, palette);
+  add_block(moved.after, moved.section, moved.params.fault, parts);
+  return section_panel(empty_panel("moved", translated("Section after the move"), model.section), moved.section, palette,
+                       std::move(parts));
+}
+
+/// Both states to one scale.
+void draw_moved(const Model& model, scene::Picture& picture) {
+  if (!model.moved) return;
+  const section::Palette palette(model.section);
+  PanelParts parts;
+  parts.under = filled_units(model.section, palette);
+  add_block(model.moved->before, model.section, model.moved->params.fault, parts);
+  std::vector<scene::Panel> panels{current_panel(model, palette, std::move(parts)), moved_panel(model)};
+  geom::Box box = box_of(model.section);
+  box.add(box_of(model.moved->section));
+  for (scene::Panel& panel : panels) panel.extent = box.grown(0.04 * box.diagonal());
+  show(std::move(panels), model.section, picture);
+}
+
+}  // namespace
+
+base::Result<Model> run_move(const Model& model, const moving::MoveParams& params, const scenario::Context&,
+                             const base::Progress& progress) {
+  DOBRA_TRY(Model next, next_stage(model));
+  next.findings.forget_after(next.earlier.size());
+  DOBRA_TRY(next.moved, move_block(next.section, params, progress));
+  return next;
+}
+
+scenario::Operation move_step() {
+  return scenario::make_operation<Model, moving::MoveParams>(
+      "move", "Move on fault", "Moves blocks along a fault, back to an earlier state or on to a later one.", run_move,
+      {.quantities = add_move_quantities,
+       .tables = add_move_tables,
+       .remarks = add_move_remarks,
+       .outputs = add_move_outputs,
+       .draw = draw_moved});
+}
+
+}  // namespace recon::core

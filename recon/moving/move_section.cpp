@@ -1,0 +1,350 @@
+#include "recon/moving/move_section.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "recon/faults/blocks.h"
+#include "recon/faults/cutoffs.h"
+#include "recon/moving/block_area.h"
+#include "recon/moving/section_mover.h"
+#include "recon/section/section_faces.h"
+#include "shared/geom/place.h"
+#include "shared/topo/region.h"
+
+namespace recon::moving {
+
+namespace {
+
+using faults::Fault;
+using kinematics::FaultPath;
+using section::Section;
+
+base::Error bad(base::ErrorCode code, std::string message, geom::Point at, const std::string& fault) {
+  return {code, std::move(message), place_at(at, fmt::format("fault '{}'", fault))};
+}
+
+std::string at_text(geom::Point p) { return fmt::format("({:.6g}, {:.6g})", p.x, p.y); }
+
+/// What a move stands on: the fault as its slip is counted, and the horizons that it cuts.
+struct Setting {
+  Fault fault;
+  faults::FaultCutoffs cutoffs;
+  std::vector<CutHorizon> cut;  ///< On both walls, the uppermost first.
+  double size = 0.0;            ///< Of the section, m.
+  double tolerance = 0.0;       ///< Of cutoffs, m.
+};
+
+/// The path so that S > 0 goes towards its last point.
+base::Result<void> orient(Fault& fault, Towards towards) {
+  FaultPath& path = fault.path;
+  const geom::Point first = path.line.points.front();
+  if (!path.level) {
+    if (towards == Towards::Auto) return {};
+    return bad(base::ErrorCode::BadValue,
+               "'towards' is for faults with level ends; up is towards the higher end of this one, at " +
+                   at_text(path.line.points.back()),
+               first, fault.name);
+  }
+  if (towards == Towards::Auto) {
+    return bad(base::ErrorCode::BadValue,
+               fmt::format("the ends of fault '{}' are equally high, so that up is neither way; say which way the "
+                           "hanging wall goes for a slip above 0: towards = \"x\" or \"-x\" (--towards x, --towards=-x)",
+                           fault.name),
+               first, fault.name);
+  }
+  const bool to_last = (path.line.points.back().x > first.x) == (towards == Towards::PlusX);
+  if (to_last) return {};
+  const double length = geom::length(path.line);
+  path.line = geom::reversed(std::move(path.line));
+  path.hanging = path.hanging == kinematics::Side::Left ? kinematics::Side::Right : kinematics::Side::Left;
+  std::swap(path.tip_at_begin, path.tip_at_end);
+  fault.own_from = length - std::exchange(fault.own_to, length - fault.own_from);
+  return {};
+}
+
+base::Result<Setting> setting_of(const Section& section, const MoveParams& params, const std::vector<Fault>& all,
+                                 const faults::FaultOptions& options) {
+  DOBRA_TRY(const Fault* found, find_fault(all, params.fault));
+  Setting setting{*found, {}, {}, box_of(section).diagonal(), tolerance_of(section, options)};
+  if (found->undecided) return *found->undecided;
+  DOBRA_TRY_VOID(orient(setting.fault, params.towards));
+  setting.cutoffs = std::move(cutoffs_of(section, {setting.fault}, options).front());
+  for (const faults::CutoffPair& pair : setting.cutoffs.pairs) {
+    if (!pair.hanging_wall || !pair.footwall || pair.hanging_wall->passes) continue;
+    setting.cut.push_back(
+        {pair.horizon, pair.hanging_wall->at, pair.footwall->at, pair.hanging_wall->arc, pair.footwall->arc});
+  }
+  return setting;
+}
+
+/// The pair of a horizon whose cutoffs are to meet.
+base::Result<CutHorizon> cut_to_close(const Setting& setting, const std::string& horizon) {
+  std::vector<const faults::CutoffPair*> pairs;
+  std::string places;
+  for (const faults::CutoffPair& pair : setting.cutoffs.pairs) {
+    if (pair.horizon != horizon) continue;
+    pairs.push_back(&pair);
+    for (const auto& wall : {pair.hanging_wall, pair.footwall}) {
+      if (wall) places += (places.empty() ? "" : ", ") + at_text(wall->at);
+    }
+  }
+  const std::string& fault = setting.fault.name;
+  const geom::Point end = setting.fault.path.line.points.back();
+  if (pairs.size() > 1) {
+    return bad(base::ErrorCode::BadSection,
+               fmt::format("horizon '{}' has several cutoffs on a wall of fault '{}', {}, so that no pair of them is "
+                           "certain; close another horizon, or give the slip",
+                           horizon, fault, places),
+               end, fault);
+  }
+  for (const CutHorizon& cut : setting.cut) {
+    if (cut.horizon == horizon) return cut;
+  }
+  const char* missing = pairs.empty()                   ? "either wall"
+                        : pairs.front()->hanging_wall ? "the footwall"
+                                                      : "the hanging wall";
+  if (!pairs.empty() && pairs.front()->hanging_wall && pairs.front()->footwall) {
+    return bad(base::ErrorCode::BadSection,
+               fmt::format("horizon '{}' runs across fault '{}' at {} without being cut, so that there is nothing to "
+                           "close; close another horizon, or give the slip",
+                           horizon, fault, places),
+               pairs.front()->footwall->at, fault);
+  }
+  return bad(base::ErrorCode::BadSection,
+             fmt::format("horizon '{}' has no cutoff on {} of fault '{}', so that no slip closes it; extend it to the "
+                         "fault, raise the tolerance, or give the slip",
+                         horizon, missing, fault),
+             places.empty() ? end : (pairs.front()->hanging_wall ? pairs.front()->hanging_wall->at
+                                                                 : pairs.front()->footwall->at),
+             fault);
+}
+
+/// Where on the path slip is measured: at the uppermost horizon that the fault cuts, or at that of `at`.
+base::Result<double> measured_at(const Setting& setting, const MoveParams& params, std::vector<std::string>& remarks) {
+  for (const faults::CutoffPair& pair : setting.cutoffs.pairs) {
+    if (pair.hanging_wall && (params.at.empty() || pair.horizon == params.at)) return pair.hanging_wall->arc;
+  }
+  const FaultPath& path = setting.fault.path;
+  if (!params.at.empty()) {
+    return bad(base::ErrorCode::BadValue,
+               fmt::format("horizon '{}' has no cutoff in the hanging wall of fault '{}', so that slip cannot be "
+                           "measured there",
+                           params.at, setting.fault.name),
+               path.line.points.back(), setting.fault.name);
+  }
+  if (params.method == MoveMethod::Shear)
+    remarks.push_back("the fault cuts no horizon; slip is measured at its higher end");
+  return geom::length(path.line);
+}
+
+base::Result<Motion> motion_of(const Setting& setting, const MoveParams& params, std::vector<std::string>& remarks) {
+  DOBRA_TRY(const double arc, measured_at(setting, params, remarks));
+  using kinematics::Measure;
+  const FaultPath& path = setting.fault.path;
+  if (params.slip) return make_motion(path, params, {Measure::Slip, *params.slip}, arc);
+  if (params.heave) return make_motion(path, params, {Measure::Heave, *params.heave}, arc);
+  if (params.throw_) return make_motion(path, params, {Measure::Throw, *params.throw_}, arc);
+  if (params.close.empty()) return make_motion(path, params, {Measure::Slip, 0.0}, arc);  // a turn alone
+  std::vector<CutHorizon> close;
+  for (const std::string& horizon : params.close) {
+    DOBRA_TRY(CutHorizon cut, cut_to_close(setting, horizon));
+    close.push_back(std::move(cut));
+  }
+  return solve_slip(path, params, close, arc, setting.size);
+}
+
+/// What moves, with the names of its blocks.
+base::Result<void> choose_part(const Section& section, const MoveParams& params, const std::vector<Fault>& all,
+                               const Setting& setting, Moved& moved) {
+  if (has_tip(*params.method)) {
+    moved.before = MovingPart::of_walls(setting.fault.path, setting.size);
+    return {};
+  }
+  DOBRA_TRY(const faults::Blocks blocks, faults::Blocks::make(section, all));
+  DOBRA_TRY(const std::vector<faults::BlockId> chosen,
+            params.block.empty() ? blocks.hanging_wall(setting.fault) : blocks.named(params.block));
+  std::vector<geom::Point> inside;
+  for (const faults::BlockId id : chosen) {
+    const faults::Block& block = blocks.all()[id.index()];
+    moved.blocks.push_back(block.name);
+    inside.push_back(block.inside);
+  }
+  DOBRA_TRY(const std::vector<geom::Polyline> contours, area_of_blocks(section, all, setting.fault, inside));
+  DOBRA_TRY(moved.before, MovingPart::of_blocks(contours, setting.size));
+  return {};
+}
+
+/// Polygons of what moves that lie over polygons of what stays.
+base::Result<void> refuse_overlap(const Section& section, const Moved& moved) {
+  if (!section.faces) return {};
+  for (const section::Misfit& misfit : section.faces->misfits) {
+    if (misfit.what != "overlap" || misfit.area <= 1e-9 * section.faces->area) continue;
+    bool moves = false, stays = false;
+    for (const section::Unit& unit : section.units) {
+      if (geom::locate(unit.contour, misfit.place) == geom::Side::Outside) continue;
+      const std::vector<LinePart> parts = moved.before.split(unit.contour);
+      const bool any = std::any_of(parts.begin(), parts.end(), [](const auto& p) { return p.fate == Fate::Moves; });
+      (any ? moves : stays) = true;
+    }
+    if (!moves || !stays) continue;
+    return base::Error{base::ErrorCode::BadSection,
+                       fmt::format("{} lie over each other by {:.6g} m2 before the move, one in the block that moves "
+                                   "and one in the rest; correct their contours",
+                                   misfit.between, misfit.area),
+                       place_at(misfit.place, "units")};
+  }
+  return {};
+}
+
+/// One kind of the areas between a path and what its hanging wall's base became.
+void add_areas(const geom::Polyline& ring, double least, double& area, geom::Point& at) {
+  const auto regions = topo::region(std::vector{ring}, topo::Inside::Positive);
+  double greatest = 0.0;
+  for (const geom::Polyline& contour : regions ? *regions : std::vector<geom::Polyline>{}) {
+    const double part = geom::signed_area(contour);
+    if (std::abs(part) <= least) continue;
+    area += part;
+    if (part <= greatest) continue;
+    greatest = part;
+    at = contour.box().low + 0.5 * (contour.box().high - contour.box().low);
+  }
+}
+
+/// Between the fault and the base of the hanging wall that was on it.
+OpenedArea opened_along(const FaultPath& path, const kinematics::BlockMap& map, double size) {
+  const geom::Polyline base = map.forward(path.line, kinematics::Wall::Hanging).after;
+  geom::Polyline ring{path.line.points, true};
+  ring.points.insert(ring.points.end(), base.points.rbegin(), base.points.rend());
+  geom::Polyline other = geom::reversed(ring);
+  if (path.hanging == kinematics::Side::Right) std::swap(ring, other);
+  OpenedArea opened;
+  const double least = 1e-12 * size * size;
+  add_areas(ring, least, opened.gap, opened.gap_at);
+  add_areas(other, least, opened.overlap, opened.overlap_at);
+  return opened;
+}
+
+/// Cutoffs that left the fault as it was drawn.
+void remark_beyond(const Setting& setting, const Moved& moved, std::vector<std::string>& remarks) {
+  const FaultPath& path = setting.fault.path;
+  const double length = geom::length(path.line);
+  for (const CutHorizon& cut : setting.cut) {
+    const double arc = nearest(path, moved.motion.map.forward(cut.hanging_wall)).arc;
+    const double beyond = std::max(-arc, arc - length);
+    if (beyond <= 1e-9 * setting.size) continue;
+    remarks.push_back(fmt::format(
+        "horizon '{}' is carried {:.6g} m beyond the {} end of fault '{}', where the fault goes on straight",
+        cut.horizon, beyond, arc < 0.0 ? "lower" : "higher", setting.fault.name));
+  }
+}
+
+/// The fault grows with its tip, or is taken back to it.
+base::Result<void> move_tip(const Setting& setting, Moved& moved) {
+  const auto tip = moved.motion.map.tip();
+  if (!tip) return {};
+  const geom::Point after = tip->after;
+  const std::string& name = setting.fault.name;
+  const bool outside =
+      moved.section.border
+          ? geom::locate(*moved.section.border, after) == geom::Side::Outside
+          : !box_of(moved.section).overlaps({after, after});
+  if (outside) {
+    return bad(base::ErrorCode::CannotRestore,
+               fmt::format("the tip would leave the section at {}; give a smaller slip{}", at_text(after),
+                           moved.params.method == MoveMethod::Trishear ? ", or a smaller propagation (P/S)" : ""),
+               tip->before, name);
+  }
+  for (section::SectionLine& line : moved.section.lines) {
+    if (std::find(setting.fault.pieces.begin(), setting.fault.pieces.end(), line.id) == setting.fault.pieces.end())
+      continue;
+    std::vector<geom::Point>& points = line.line.points;
+    const bool at_first = geom::distance(points.front(), tip->before) < geom::distance(points.back(), tip->before);
+    if (std::min(geom::distance(points.front(), tip->before), geom::distance(points.back(), tip->before)) >
+        setting.tolerance)
+      continue;
+    if (at_first) std::reverse(points.begin(), points.end());
+    while (points.size() > 1 && dot(points.back() - after, points.back() - points[points.size() - 2]) >= 0.0)
+      points.pop_back();
+    points.push_back(after);
+    if (at_first) std::reverse(points.begin(), points.end());
+    moved.pieces.push_back({line.name, "fault", line.line});
+  }
+  return {};
+}
+
+/// Where the part that moved lies now.
+base::Result<void> set_after(const Setting& setting, Moved& moved) {
+  if (const auto tip = moved.motion.map.tip()) {
+    FaultPath path = setting.fault.path;
+    const bool last = geom::distance(path.line.points.back(), tip->before) <=
+                      geom::distance(path.line.points.front(), tip->before);
+    (last ? path.line.points.back() : path.line.points.front()) = tip->after;
+    moved.after = MovingPart::of_walls(std::move(path), setting.size);
+    return {};
+  }
+  std::vector<geom::Polyline> contours;
+  for (const geom::Polyline& contour : moved.before.contours())
+    contours.push_back(moved.motion.map.forward(contour).after);
+  DOBRA_TRY(moved.after, MovingPart::of_blocks(contours, setting.size));
+  return {};
+}
+
+void remark_on_misfit(Moved& moved) {
+  if (moved.params.close.size() > 1) {
+    std::vector<Misfit> closed;
+    for (const Misfit& misfit : moved.misfit) {
+      const auto& close = moved.params.close;
+      if (std::find(close.begin(), close.end(), misfit.horizon) != close.end()) closed.push_back(misfit);
+    }
+    moved.remarks.push_back(fmt::format("{} horizons are closed by least squares: {:.4g} m are left along the fault, "
+                                        "root mean square",
+                                        closed.size(), root_mean_square(closed)));
+  }
+  const OpenedArea& opened = moved.opened;
+  if (opened.gap > 0.0) {
+    moved.remarks.push_back(fmt::format("between the block and the fault {:.6g} m2 are left open, most at {}",
+                                        opened.gap, at_text(opened.gap_at)));
+  }
+  if (opened.overlap > 0.0) {
+    moved.remarks.push_back(fmt::format("the block lies over the other wall by {:.6g} m2, most at {}", opened.overlap,
+                                        at_text(opened.overlap_at)));
+  }
+}
+
+}  // namespace
+
+geom::Point Moved::forward(geom::Point p) const { return before.image(p, motion.map); }
+geom::Polyline Moved::forward(const geom::Polyline& line) const { return before.image(line, motion.map); }
+geom::Point Moved::inverse(geom::Point p) const { return after.image(p, motion.map.swapped()); }
+geom::Polyline Moved::inverse(const geom::Polyline& line) const { return after.image(line, motion.map.swapped()); }
+
+base::Result<Moved> move_block(const Section& section, const MoveParams& params, const base::Progress& progress) {
+  DOBRA_TRY_VOID(check_params(params));
+  DOBRA_TRY_VOID(progress.check());
+  const faults::FaultOptions options{params.tolerance.value_or(0.0)};
+  DOBRA_TRY(const std::vector<Fault> all, faults_of(section, options));
+  DOBRA_TRY(const Setting setting, setting_of(section, params, all, options));
+  Moved moved;
+  moved.params = params;
+  DOBRA_TRY_VOID(choose_part(section, params, all, setting, moved));
+  DOBRA_TRY_VOID(refuse_overlap(section, moved));
+  DOBRA_TRY(moved.motion, motion_of(setting, params, moved.remarks));
+  progress.report(0.3, "map built");
+  DOBRA_TRY_VOID(progress.check());
+  DOBRA_TRY_VOID(move_lines(section, setting.fault.pieces, setting.tolerance, moved));
+  DOBRA_TRY_VOID(move_tip(setting, moved));
+  DOBRA_TRY_VOID(set_after(setting, moved));
+  for (const CutHorizon& cut : setting.cut)
+    moved.misfit.push_back(misfit_of(cut, setting.fault.path, params, moved.motion.map));
+  moved.opened = opened_along(setting.fault.path, moved.motion.map, setting.size);
+  moved.remarks.insert(moved.remarks.end(), moved.motion.remarks.begin(), moved.motion.remarks.end());
+  remark_beyond(setting, moved, moved.remarks);
+  remark_on_misfit(moved);
+  progress.report(1.0, "moved");
+  return moved;
+}
+
+}  // namespace recon::moving
