@@ -2763,5 +2763,53 @@
         <source>Of element sides: on curves none is longer, inside they are about as long, a few by half. 0 takes 1/20 of the domain&apos;s diagonal on the boundary and the longest side inside, or the formula or background mesh alone.</source>
         <translation>Dos lados dos elementos: nas curvas nenhum é maior; no interior têm mais ou menos esse comprimento, alguns uma vez e meia. 0 toma 1/20 da diagonal do domínio no contorno e o maior lado no interior, ou só a fórmula ou a malha de fundo.</translation>
     </message>
+    <message>
+        <source>Piece of the fault</source>
+        <translation>Trecho da falha</translation>
+    </message>
+    <message>
+        <source>Name of the fault that younger ones have cut this piece from.</source>
+        <translation>Nome da falha da qual falhas mais novas separaram este trecho.</translation>
+    </message>
+    <message>
+        <source>Order of age</source>
+        <translation>Ordem de idade</translation>
+    </message>
+    <message>
+        <source>1: the youngest fault, which is restored first.</source>
+        <translation>1: a falha mais nova, que é restaurada primeiro.</translation>
+    </message>
+    <message>
+        <source>Hanging wall</source>
+        <translation>Capa</translation>
+    </message>
+    <message>
+        <source>On which side it lies; auto: above the fault.</source>
+        <translation>De que lado fica; auto: acima da falha.</translation>
+    </message>
+    <message>
+        <source>Point in the block</source>
+        <translation>Ponto no bloco</translation>
+    </message>
+    <message>
+        <source>Any place between the faults that bound it.</source>
+        <translation>Qualquer lugar entre as falhas que o limitam.</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Grupo</translation>
+    </message>
+    <message>
+        <source>Blocks of one group move together.</source>
+        <translation>Blocos de um mesmo grupo se movem juntos.</translation>
+    </message>
+    <message>
+        <source>Blocks</source>
+        <translation>Blocos</translation>
+    </message>
+    <message>
+        <source>Names for what faults part; without one, block 1, block 2, ... from the left.</source>
+        <translation>Nomes para o que as falhas separam; sem nome, block 1, block 2, ... a partir da esquerda.</translation>
+    </message>
 </context>
 </TS>
