@@ -2811,5 +2811,33 @@
         <source>Names for what faults part; without one, block 1, block 2, ... from the left.</source>
         <translation>Nomes para o que as falhas separam; sem nome, block 1, block 2, ... a partir da esquerda.</translation>
     </message>
+    <message>
+        <source>Cutoffs and displacement along the faults of the section as it is, and its blocks.</source>
+        <translation>Pontos de corte e deslocamento ao longo das falhas da seção como está, e seus blocos.</translation>
+    </message>
+    <message>
+        <source>Tolerance of cutoffs</source>
+        <translation>Tolerância dos pontos de corte</translation>
+    </message>
+    <message>
+        <source>Ends of horizons nearer to a fault than this are cut off by it; by default 0.005 of the section&apos;s diagonal.</source>
+        <translation>Fins de horizontes mais próximos de uma falha que isto são cortados por ela; por padrão 0,005 da diagonal da seção.</translation>
+    </message>
+    <message>
+        <source>Displacement along faults</source>
+        <translation>Deslocamento ao longo das falhas</translation>
+    </message>
+    <message>
+        <source>distance from the higher end [m]</source>
+        <translation>distância do fim mais alto [m]</translation>
+    </message>
+    <message>
+        <source>separation [m]</source>
+        <translation>separação [m]</translation>
+    </message>
+    <message>
+        <source>Faults and blocks</source>
+        <translation>Falhas e blocos</translation>
+    </message>
 </context>
 </TS>
