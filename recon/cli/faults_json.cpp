@@ -100,9 +100,6 @@ std::string faults_table(const core::Model& model) {
   text += fmt::format("\n{:<16} {:>15}  {}\n", "block", "area [m2]", "faults");
   for (const faults::Block& block : report.blocks)
     text += fmt::format("{:<16} {:>15.6g}  {}\n", block.name, block.area, fmt::join(block.faults, ", "));
-  text += '\n';
-  for (const std::string& remark : core::program().remarks_of(dobra::scenario::make_state(model)))
-    text += "remark: " + remark + '\n';
   return text;
 }
 

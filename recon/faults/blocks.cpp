@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "recon/faults/cutoffs.h"
 #include "recon/section/arrangement.h"
 #include "shared/base/disjoint_sets.h"
 #include "shared/base/text.h"
@@ -36,6 +37,9 @@ struct BlockDrawing {
   [[nodiscard]] BlockId left_of(HalfEdgeId h) const { return block_of[sub().face(h).index()]; }
   [[nodiscard]] bool in_rock(HalfEdgeId h) const {
     return rock[sub().face(h).index()] && rock[sub().face(Structure::twin(h)).index()];
+  }
+  [[nodiscard]] bool touches_rock(HalfEdgeId h) const {
+    return rock[sub().face(h).index()] || rock[sub().face(Structure::twin(h)).index()];
   }
   /// Numbers of the faults along an edge.
   [[nodiscard]] std::vector<std::size_t> faults_on(EdgeId e) const {
@@ -262,9 +266,10 @@ base::Result<void> name_blocks(const section::Section& section, const std::vecto
 
 }  // namespace
 
-base::Result<Blocks> Blocks::make(const section::Section& section, const std::vector<Fault>& faults) {
+base::Result<Blocks> Blocks::make(const section::Section& section, const std::vector<Fault>& faults,
+                                  const FaultOptions& options) {
   auto drawing = std::make_shared<BlockDrawing>();
-  DOBRA_TRY(drawing->outline, outline_of(section));
+  DOBRA_TRY(drawing->outline, outline_of(section, faults, options));
   geom::Box box = box_of(section);
   for (const geom::Polyline& ring : drawing->outline) box.add(ring.box());
   const double size = box.diagonal();
@@ -322,12 +327,12 @@ base::Result<std::vector<BlockId>> Blocks::hanging_wall(const Fault& fault) cons
                                                drawing_->names.begin());
   std::set<BlockId> hanging, foot;
   for (const HalfEdgeId h : drawing_->own.at(number)) {
-    if (!drawing_->rock[drawing_->sub().face(h).index()] &&
-        !drawing_->rock[drawing_->sub().face(Structure::twin(h)).index()])
-      continue;
     const bool left = fault.path.hanging == kinematics::Side::Left;
-    hanging.insert(drawing_->left_of(left ? h : Structure::twin(h)));
-    foot.insert(drawing_->left_of(left ? Structure::twin(h) : h));
+    const BlockId here = drawing_->left_of(left ? h : Structure::twin(h));
+    const BlockId there = drawing_->left_of(left ? Structure::twin(h) : h);
+    if (here == there || !drawing_->touches_rock(h)) continue;  // in one block: what leads to a tip, or over an end
+    hanging.insert(here);
+    foot.insert(there);
   }
   hanging.erase(BlockId());
   spread(fault, number, hanging);

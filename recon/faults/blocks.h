@@ -35,7 +35,8 @@ class Blocks {
   /// Faults that leave the section go on straight; those that end within the tolerance of another one end on it.
   /// @error those of Arrangement; BadSection: a block's point on a fault or outside the rock, two names in one block.
   /// @cost  O(n log n) for n points of the faults and of the section's outline.
-  static base::Result<Blocks> make(const section::Section& section, const std::vector<Fault>& faults);
+  static base::Result<Blocks> make(const section::Section& section, const std::vector<Fault>& faults,
+                                   const FaultOptions& options);
 
   [[nodiscard]] const std::vector<Block>& all() const { return blocks_; }
   /// None on a fault; exact. Beyond the rock's outline the block that reaches there between the faults as they go on.

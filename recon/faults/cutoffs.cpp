@@ -6,7 +6,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "recon/section/section_faces.h"
 #include "shared/geom/intersect.h"
+#include "shared/topo/region.h"
 
 namespace recon::faults {
 
@@ -64,10 +66,10 @@ class Cutter {
     return at != found_.end() ? at->second : found_.emplace_back(name, Walls()).second;
   }
 
-  void add(const section::Horizon& horizon, Wall wall, geom::Point at, double extended, bool passes) {
+  void add(const section::Horizon& horizon, Wall wall, geom::Point at, LineEnd end, double extended, bool passes) {
     Walls& walls = walls_of(horizon);
     const double arc = kinematics::nearest(fault_.path, at).arc;
-    (wall == Wall::Hanging ? walls.hanging : walls.foot).push_back({horizon.id, at, arc, extended, passes});
+    (wall == Wall::Hanging ? walls.hanging : walls.foot).push_back({horizon.id, end, at, arc, extended, passes});
     if (std::abs(extended) <= rounding_) return;
     made_.remarks.push_back(fmt::format("horizon '{}' is {} by {:.4g} m to fault '{}' at {}", horizon.name,
                                         extended > 0.0 ? "extended" : "trimmed", std::abs(extended), fault_.name,
@@ -144,8 +146,8 @@ class Cutter {
     const geom::Point from = line[m.first].at;
     const geom::Point to = line[m.last].at;
     const bool along = geom::distance(from, to) > rounding_;
-    add(horizon, *m.before, from, 0.0, !along);
-    add(horizon, *m.behind, to, 0.0, !along);
+    add(horizon, *m.before, from, LineEnd::Last, 0.0, !along);
+    add(horizon, *m.behind, to, LineEnd::First, 0.0, !along);
     if (along) return;
     made_.remarks.push_back(fmt::format("horizon '{}' crosses fault '{}' at {} without being cut", horizon.name,
                                         fault_.name, text_at(from)));
@@ -159,7 +161,7 @@ class Cutter {
       const std::size_t inner = first ? passed->last : passed->first;
       const auto wall = first ? passed->behind : passed->before;
       const double beyond = first ? line[inner].along : line.back().along - line[inner].along;
-      if (wall) add(horizon, *wall, line[inner].at, beyond > 0.0 ? -beyond : 0.0, false);
+      if (wall) add(horizon, *wall, line[inner].at, which, beyond > 0.0 ? -beyond : 0.0, false);
       return;
     }
     const Vertex& tip = first ? line.front() : line.back();
@@ -175,7 +177,7 @@ class Cutter {
     }
     const geom::Point before = first ? line[1].at : line[line.size() - 2].at;
     const geom::Point at = reached(before, tip.at);
-    add(horizon, *tip.wall, at, geom::distance(tip.at, at), false);
+    add(horizon, *tip.wall, at, which, geom::distance(tip.at, at), false);
   }
 
   /// Of several faults the nearest takes an end.
@@ -244,7 +246,7 @@ class Cutter {
     pair.distance = fault_.own_to - 0.5 * (hw->arc + fw->arc);
     pair.separation = fw->arc - hw->arc;
     pair.throw_ = fw->at.y - hw->at.y;
-    pair.heave = opening() * (hw->at.x - fw->at.x);
+    pair.heave = opening() * (hw->at.x - fw->at.x) + 0.0;  // no -0
     pair.gap = std::max(*pair.heave, 0.0);
     pair.overlap = std::max(-*pair.heave, 0.0);
     return pair;
@@ -288,6 +290,53 @@ std::vector<FaultCutoffs> cutoffs_of(const section::Section& section, const std:
   for (std::size_t i = 0; i < faults.size(); ++i)
     cutoffs.push_back(Cutter(section, faults, i, tolerance_of(section, options)).run());
   return cutoffs;
+}
+
+namespace {
+
+/// Lengthens or trims a line to a cutoff, and a little past the fault, whose course is rounded.
+void reach(const Cutoff& cutoff, double past, geom::Polyline& line) {
+  const bool first = cutoff.end == LineEnd::First;
+  if (first) line = geom::reversed(std::move(line));
+  std::vector<geom::Point>& points = line.points;
+  double over = -cutoff.extended;
+  while (over > 0.0 && points.size() > 2 && geom::distance(points[points.size() - 2], points.back()) <= over) {
+    over -= geom::distance(points[points.size() - 2], points.back());
+    points.pop_back();
+  }
+  const bool trimmed = cutoff.extended < 0.0;
+  const geom::Point inner = trimmed ? points[points.size() - 2] : points.back();
+  const geom::Vector way = cutoff.at - inner;
+  if (trimmed) points.pop_back();
+  points.push_back(geom::length(way) > 0.0 ? cutoff.at + past * geom::normalised(way) : cutoff.at);
+  if (first) line = geom::reversed(std::move(line));
+}
+
+}  // namespace
+
+base::Result<std::vector<geom::Polyline>> outline_of(const section::Section& section, std::vector<Fault> faults,
+                                                     const FaultOptions& options) {
+  if (section.border) return std::vector<geom::Polyline>{*section.border};
+  for (Fault& fault : faults) fault.undecided.reset();
+  section::Section tidy = section;
+  const double past = 1e-9 * box_of(section).diagonal();
+  for (const FaultCutoffs& cutoffs : cutoffs_of(section, faults, options)) {
+    for (const CutoffPair& pair : cutoffs.pairs) {
+      for (const std::optional<Cutoff>& cutoff : {pair.hanging_wall, pair.footwall}) {
+        if (!cutoff || cutoff->passes || cutoff->extended == 0.0) continue;
+        for (section::Horizon& horizon : tidy.horizons) {
+          if (horizon.id == cutoff->piece) reach(*cutoff, past, horizon.line);
+        }
+      }
+    }
+  }
+  DOBRA_TRY(const section::SectionFaces faces, faces_of(tidy));
+  std::vector<geom::Polyline> rings;
+  for (const section::RockUnit& unit : faces.units)
+    rings.insert(rings.end(), unit.contours.begin(), unit.contours.end());
+  for (const section::Unit& unit : section.units) rings.push_back(unit.contour);
+  if (rings.empty()) return rings;
+  return dobra::topo::region(rings, dobra::topo::Inside::Positive);
 }
 
 }  // namespace recon::faults

@@ -11,8 +11,9 @@ namespace recon::faults {
 
 struct Cutoff {
   section::HorizonId piece;
-  geom::Point at;         ///< On the fault.
-  double arc = 0.0;       ///< Along the fault's path, m.
+  section::LineEnd end = section::LineEnd::First;  ///< Of the piece; of no meaning where that passes.
+  geom::Point at;                                  ///< On the fault.
+  double arc = 0.0;                                ///< Along the fault's path, m.
   double extended = 0.0;  ///< What the horizon is lengthened by to reach the fault, m; < 0: trimmed by.
   bool passes = false;    ///< The horizon runs across the fault: both walls have this point.
 };
@@ -40,5 +41,11 @@ struct FaultCutoffs {
 /// @cost  O(points of a fault x points of the horizons that its box meets)
 std::vector<FaultCutoffs> cutoffs_of(const section::Section& section, const std::vector<Fault>& faults,
                                      const FaultOptions& options);
+
+/// What surrounds the rock of the section: its border, or that of its units, where horizons have been extended and
+/// trimmed to the faults; simple rings. Empty where the horizons enclose nothing.
+/// @error those of section::faces_of and topo::region.
+base::Result<std::vector<geom::Polyline>> outline_of(const section::Section& section, std::vector<Fault> faults,
+                                                     const FaultOptions& options);
 
 }  // namespace recon::faults

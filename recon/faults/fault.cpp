@@ -8,10 +8,9 @@
 #include <limits>
 #include <tuple>
 
-#include "recon/section/section_faces.h"
+#include "recon/faults/cutoffs.h"
 #include "shared/base/text.h"
 #include "shared/geom/place.h"
-#include "shared/topo/region.h"
 
 namespace recon::faults {
 
@@ -298,22 +297,10 @@ geom::Polyline own_line(const Fault& fault) {
   return own;
 }
 
-base::Result<std::vector<geom::Polyline>> outline_of(const section::Section& section) {
-  if (section.border) return std::vector<geom::Polyline>{*section.border};
-  std::vector<geom::Polyline> rings;
-  if (section.faces) {
-    for (const section::RockUnit& unit : section.faces->units)
-      rings.insert(rings.end(), unit.contours.begin(), unit.contours.end());
-  }
-  for (const section::Unit& unit : section.units) rings.push_back(unit.contour);
-  if (rings.empty()) return rings;
-  return dobra::topo::region(rings, dobra::topo::Inside::Positive);
-}
-
 base::Result<std::vector<Fault>> faults_of(const section::Section& section, const FaultOptions& options) {
   const double tolerance = tolerance_of(section, options);
   DOBRA_TRY(std::vector<Fault> faults, drawn_faults(section, tolerance));
-  DOBRA_TRY(const std::vector<geom::Polyline> outline, outline_of(section));
+  DOBRA_TRY(const std::vector<geom::Polyline> outline, outline_of(section, faults, options));
   const Ends ends(faults, outline, tolerance);
   std::vector<std::pair<FaultEnd, FaultEnd>> found;
   for (const Fault& fault : faults)

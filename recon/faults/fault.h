@@ -54,7 +54,4 @@ base::Result<std::vector<Fault>> faults_of(const section::Section& section, cons
 /// @error BadSection: no fault, or several pieces that do not meet, have this name.
 base::Result<const Fault*> find_fault(const std::vector<Fault>& faults, const std::string& name);
 
-/// What surrounds the rock of the section: its border, or that of its units; simple rings. Empty without areas.
-base::Result<std::vector<geom::Polyline>> outline_of(const section::Section& section);
-
 }  // namespace recon::faults

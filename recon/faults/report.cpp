@@ -49,8 +49,13 @@ base::Result<FaultReport> report_faults(const section::Section& section, const F
     report.profiles.push_back(profile_of(report.cutoffs[i]));
     add_remarks(report.faults[i], report.profiles[i], report.remarks);
   }
-  DOBRA_TRY(const Blocks blocks, Blocks::make(section, report.faults));
+  DOBRA_TRY(const Blocks blocks, Blocks::make(section, report.faults, options));
   report.blocks = blocks.all();
+  if (report.blocks.empty()) {
+    report.remarks.push_back(
+        "there are no blocks, since the horizons and their ends at the faults enclose no area; give a border "
+        "([[input.border]]), or a larger tolerance");
+  }
   return report;
 }
 

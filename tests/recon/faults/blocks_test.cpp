@@ -23,7 +23,7 @@ struct Made {
 Made made_of(const section::Section& section) {
   Made made;
   made.faults = faults_of(section, {}).value();
-  auto blocks = Blocks::make(section, made.faults);
+  auto blocks = Blocks::make(section, made.faults, {});
   EXPECT_TRUE(blocks) << to_string(blocks.error());
   made.blocks = std::move(blocks).value();
   return made;
@@ -68,14 +68,16 @@ TEST(Blocks, AnXOfFaultsPartsFourAndTheHangingWallHasTwo) {
   EXPECT_EQ(*hanging, std::vector<BlockId>({made.blocks.at({500, -50}), made.blocks.at({900, -100})}));
 }
 
-TEST(Blocks, AFaultThatEndsOnAnotherPartsItsHangingWall) {
+TEST(Blocks, AFaultThatEndsOnAnotherPartsAlongItAndWhatItJoins) {
   for (const double gap : {0.0, 1.0, -1.0}) {  // drawn onto it, short of it and past it
     const Made made =
         made_of(faulted(beds, {item("F", {{50, 50}, {600, -500}}), item("G", {{650, 50}, {350 + gap, -250 + gap}})}));
     ASSERT_EQ(made.blocks.all().size(), 3U) << gap;
     const auto hanging = made.blocks.hanging_wall(made.faults[1]);
     ASSERT_TRUE(hanging) << to_string(hanging.error());
-    EXPECT_EQ(*hanging, std::vector<BlockId>({made.blocks.at({400, -50})})) << gap;
+    // Above G and F below it: the wedge, and over F above the junction its footwall.
+    EXPECT_EQ(*hanging, std::vector<BlockId>({made.blocks.at({50, -200}), made.blocks.at({400, -50})})) << gap;
+    EXPECT_NE(made.blocks.at({800, -200}), made.blocks.at({400, -50}));
   }
 }
 
@@ -102,12 +104,27 @@ TEST(Blocks, NamesAndGroupsAreThoseOfTheirPoints) {
   const auto refused = [&](std::vector<input::BlockInput> names) {
     const auto section = faulted(beds, two, {}, std::move(names));
     const auto faults = faults_of(section, {}).value();
-    const auto blocks = Blocks::make(section, faults);
+    const auto blocks = Blocks::make(section, faults, {});
     return blocks ? std::string() : blocks.error().message;
   };
   EXPECT_NE(refused({{"x", {450, -200}, ""}, {"y", {460, -200}, ""}}).find("is called 'x'"), std::string::npos);
   EXPECT_NE(refused({{"x", {300, -200}, ""}}).find("on a fault or outside"), std::string::npos);
   EXPECT_NE(refused({{"x", {450, -2000}, ""}}).find("on a fault or outside"), std::string::npos);
+}
+
+TEST(Blocks, BedsThatStopShortOrRunPastWithinTheToleranceEncloseTheSameBlocks) {
+  const double exact_left = 300.0 * 0.5 * (500.0 + 800.0), exact_right = 300.0 * 0.5 * (900.0 + 600.0);
+  for (const double off : {0.0, 3.0, -3.0, 6.0}) {
+    const auto section = faulted({{"A/1", {{0, 0}, {200, 0}, {500 - off, 0}}},
+                                  {"A/2", {{600 + off, -100}, {1500, -100}}},
+                                  {"B/1", {{0, -300}, {800 + off, -300}}},
+                                  {"B/2", {{900 - off, -400}, {1500, -400}}}},
+                                 {item("F", {{400, 100}, {1200, -700}})});
+    const Made made = made_of(section);
+    ASSERT_EQ(made.blocks.all().size(), 2U) << off;
+    EXPECT_NEAR(made.blocks.all()[0].area, exact_left, 0.01) << off;
+    EXPECT_NEAR(made.blocks.all()[1].area, exact_right, 0.01) << off;
+  }
 }
 
 TEST(Blocks, BentLinesPartAsTheyRunNotAsTheirChords) {
