@@ -7,7 +7,8 @@ namespace recon::faults {
 namespace {
 
 /// Steps and reversals with their places, ends that stand off what they end on.
-void add_remarks(const Fault& fault, const std::vector<ProfilePoint>& profile, std::vector<std::string>& remarks) {
+void add_remarks(const Fault& fault, const std::vector<ProfilePoint>& profile, double tolerance,
+                 std::vector<std::string>& remarks) {
   for (std::size_t i = 1; i < profile.size(); ++i) {
     if (profile[i].mark == ProfileMark::None) continue;
     remarks.push_back(
@@ -17,7 +18,7 @@ void add_remarks(const Fault& fault, const std::vector<ProfilePoint>& profile, s
                     profile[i].horizon, profile[i].separation, profile[i - 1].distance, profile[i].distance));
   }
   for (const FaultEnd& end : {fault.lower, fault.upper}) {
-    if (end.gap <= 0.0 || end.on.empty()) continue;
+    if (end.on.empty() || end.gap <= 1e-6 * tolerance) continue;
     remarks.push_back(
         fmt::format("fault '{}' ends {:.4g} m off fault '{}' at ({:.6g}, {:.6g}) and is taken to end on "
                     "it",
@@ -47,7 +48,7 @@ base::Result<FaultReport> report_faults(const section::Section& section, const F
     const std::vector<std::string>& told = report.cutoffs[i].remarks;
     report.remarks.insert(report.remarks.end(), told.begin(), told.end());
     report.profiles.push_back(profile_of(report.cutoffs[i]));
-    add_remarks(report.faults[i], report.profiles[i], report.remarks);
+    add_remarks(report.faults[i], report.profiles[i], report.tolerance, report.remarks);
   }
   DOBRA_TRY(const Blocks blocks, Blocks::make(section, report.faults, options));
   report.blocks = blocks.all();
