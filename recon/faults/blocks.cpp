@@ -9,7 +9,7 @@
 #include <set>
 
 #include "recon/faults/cutoffs.h"
-#include "recon/section/arrangement.h"
+#include "recon/section/face_contours.h"
 #include "shared/base/disjoint_sets.h"
 #include "shared/base/text.h"
 #include "shared/geom/intersect.h"
@@ -83,33 +83,6 @@ geom::Point point_inside(const std::vector<geom::Polyline>& contours) {
   return best;
 }
 
-/// The boundary of the faces, for which and no others `within` holds.
-template <class Within>
-std::vector<geom::Polyline> contours_round(const section::Arrangement& arrangement, const std::vector<FaceId>& faces,
-                                           Within&& within) {
-  const topo::Subdivision& sub = arrangement.subdivision();
-  const auto bounds = [&](HalfEdgeId h) { return within(sub.face(h)) && !within(sub.face(Structure::twin(h))); };
-  std::vector<geom::Polyline> contours;
-  std::set<HalfEdgeId> used;
-  for (const FaceId f : faces) {
-    for (const topo::LoopId loop : sub.loops(f)) {
-      for (const HalfEdgeId start : sub.half_edges(loop)) {
-        if (!bounds(start) || used.contains(start)) continue;
-        geom::Polyline contour{{}, true};
-        HalfEdgeId h = start;
-        do {
-          used.insert(h);
-          arrangement.append(h, contour.points);
-          h = sub.next(h);
-          while (!bounds(h)) h = sub.next(Structure::twin(h));
-        } while (h != start);
-        contours.push_back(std::move(contour));
-      }
-    }
-  }
-  return contours;
-}
-
 bool inside(const std::vector<geom::Polyline>& outline, geom::Point p) {
   const auto holds = [&](const geom::Polyline& ring) { return geom::locate(ring, p) == geom::Side::Inside; };
   return std::count_if(outline.begin(), outline.end(), holds) % 2 == 1;
@@ -154,6 +127,27 @@ class Parting {
   double size_;
 };
 
+/// Why a fault parts nothing.
+base::Error unparted(const Fault& fault, const std::vector<geom::Polyline>& outline) {
+  const auto refuse = [&](geom::Point at, std::string message) {
+    return base::Error{base::ErrorCode::BadSection, std::move(message),
+                       geom::place_at(at, fmt::format("fault '{}'", fault.name))};
+  };
+  for (const FaultEnd& end : {fault.lower, fault.upper}) {
+    if (end.kind != EndKind::Tip) continue;
+    double depth = std::numeric_limits<double>::infinity();
+    for (const geom::Polyline& ring : outline) depth = std::min(depth, geom::distance(ring, end.at));
+    return refuse(end.at, fmt::format("it ends in rock, {:.4g} m from the border, so that it parts no block; extend "
+                                      "it, or take trishear or fault_propagation_fold",
+                                      depth));
+  }
+  for (const FaultEnd& end : {fault.lower, fault.upper}) {
+    if (end.kind == EndKind::Cut)
+      return refuse(end.at, fmt::format("it ends on '{}', which is younger; move on that one first", end.on));
+  }
+  return refuse(fault.path.line.points.front(), "it parts no rock of the section; correct it, or add a border");
+}
+
 /// Puts the faces of a drawing together to blocks.
 class Gatherer {
  public:
@@ -181,7 +175,7 @@ class Gatherer {
     drawing_.block_of.assign(count, BlockId());
     for (const FaceId f : faces_) {
       if (f == Structure::unbounded()) continue;
-      const auto contours = contours_round(drawing_.arrangement, {f}, [&](FaceId g) { return g == f; });
+      const auto contours = section::contours_round(drawing_.arrangement, {f}, [&](FaceId g) { return g == f; });
       drawing_.rock[f.index()] = !contours.empty() && inside(drawing_.outline, point_inside(contours));
     }
   }
@@ -203,7 +197,8 @@ class Gatherer {
       Block block;
       block.area = areas.at(set);
       const std::set<FaceId> members(faces.begin(), faces.end());
-      block.contours = contours_round(drawing_.arrangement, faces, [&](FaceId f) { return members.contains(f); });
+      block.contours =
+          section::contours_round(drawing_.arrangement, faces, [&](FaceId f) { return members.contains(f); });
       block.inside = point_inside(block.contours);
       found.emplace_back(set, std::move(block));
     }
@@ -318,10 +313,6 @@ BlockId Blocks::at(geom::Point p) const {
 }
 
 base::Result<std::vector<BlockId>> Blocks::hanging_wall(const Fault& fault) const {
-  const auto refuse = [&](geom::Point at, std::string message) {
-    return base::Error{base::ErrorCode::BadSection, std::move(message),
-                       geom::place_at(at, fmt::format("fault '{}'", fault.name))};
-  };
   if (fault.undecided) return *fault.undecided;
   const auto number = static_cast<std::size_t>(std::find(drawing_->names.begin(), drawing_->names.end(), fault.name) -
                                                drawing_->names.begin());
@@ -339,20 +330,7 @@ base::Result<std::vector<BlockId>> Blocks::hanging_wall(const Fault& fault) cons
   const auto shared = [&](BlockId id) { return hanging.contains(id); };
   if (!hanging.empty() && std::none_of(foot.begin(), foot.end(), shared))
     return std::vector<BlockId>(hanging.begin(), hanging.end());
-  for (const FaultEnd& end : {fault.lower, fault.upper}) {
-    if (end.kind == EndKind::Tip) {
-      double depth = std::numeric_limits<double>::infinity();
-      for (const geom::Polyline& ring : drawing_->outline) depth = std::min(depth, geom::distance(ring, end.at));
-      return refuse(end.at, fmt::format("it ends in rock, {:.4g} m from the border, so that it parts no block; extend "
-                                        "it, or take trishear or fault_propagation_fold",
-                                        depth));
-    }
-  }
-  for (const FaultEnd& end : {fault.lower, fault.upper}) {
-    if (end.kind == EndKind::Cut)
-      return refuse(end.at, fmt::format("it ends on '{}', which is younger; move on that one first", end.on));
-  }
-  return refuse(fault.path.line.points.front(), "it parts no rock of the section; correct it, or add a border");
+  return unparted(fault, drawing_->outline);
 }
 
 void Blocks::spread(const Fault& fault, std::size_t number, std::set<BlockId>& reached) const {
