@@ -1,5 +1,6 @@
 // recon: the window without a sub-command, or with a file alone; the command line with a sub-command.
 
+#include "recon/cli/fault_commands.h"
 #include "recon/cli/move_commands.h"
 #include "recon/cli/section_commands.h"
 #include "recon/core/operations.h"
@@ -25,7 +26,8 @@ int main(int argc, char** argv) {
     return recon::gui::run_window(file, ours);
   };
 #endif
-  return dobra::cli::run_program(recon::core::program(), argc, argv, window,
-                                 {dobra::cli::offset_command(), recon::cli::restore_command(),
-                                  recon::cli::balance_command(), recon::cli::move_command(), dobra::cli::convert_command()});
+  return dobra::cli::run_program(
+      recon::core::program(), argc, argv, window,
+      {dobra::cli::offset_command(), recon::cli::restore_command(), recon::cli::balance_command(),
+       recon::cli::faults_command(), recon::cli::move_command(), dobra::cli::convert_command()});
 }

@@ -1,56 +1,27 @@
 #include "recon/cli/section_commands.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <memory>
 
 #include "recon/balance/area_balance.h"
 #include "recon/balance/area_depth.h"
 #include "recon/cli/ledger_json.h"
 #include "recon/cli/section_document.h"
+#include "recon/cli/section_options.h"
 #include "recon/core/model.h"
-#include "recon/core/report.h"
-#include "recon/input/section_input.h"
 #include "recon/unfold/monte_carlo.h"
-#include "shared/base/text.h"
 #include "shared/cli/commands.h"
-#include "shared/cli/line_options.h"
-#include "shared/cli/parameter_options.h"
-#include "shared/cli/pictures.h"
-#include "shared/cli/staging.h"
-#include "shared/io/formats/line_files.h"
 
 namespace recon::cli {
 
 namespace {
 
 namespace base = dobra::base;
-namespace io = dobra::io;
 namespace scenario = dobra::scenario;
 using base::Result;
 using dobra::cli::Job;
 using dobra::cli::ParameterOptions;
 using dobra::cli::Session;
-
-/// The file, how its lines are read, and what else [input] says of the section.
-struct SectionOptions {
-  std::string file;
-  dobra::cli::LineOptions lines;
-  ParameterOptions input;
-
-  void add(CLI::App& app, const std::vector<dobra::cli::OptionOf>& input_keys) {
-    app.add_option("file", file,
-                   fmt::format("The section: a scenario (.toml), or lines ({})",
-                               fmt::join(io::formats::endings_for(io::formats::Use::ReadLines), " ")))
-        ->required()
-        ->type_name("FILE");
-    lines.add(app, dobra::cli::LineOptions::Repairs::Offered);
-    input.add(app, scenario::fields_of<input::SectionInput>(), input_keys);
-  }
-};
 
 /// What restore has for itself.
 struct RestoreParams {
@@ -77,34 +48,6 @@ struct BalanceOptions {
   ParameterOptions by_length, by_area;
 };
 
-/// A file name as the scenario will look for it, whose names start from the folder of the section's file.
-std::string as_seen_from(const scenario::Document& document, const std::string& file) {
-  if (document.folder().empty()) return file;
-  std::error_code ignored;
-  const auto relative = std::filesystem::proximate(file, document.folder(), ignored);
-  return ignored ? file : relative.string();
-}
-
-/// A step of the operation with what the options say.
-Result<scenario::Step> step_of(const Session& session, const char* operation, const ParameterOptions& options) {
-  scenario::Step step{operation, "", {}, "", {}};
-  DOBRA_TRY_VOID(options.set(session.program.find_operation(operation)->fields, step.params));
-  return step;
-}
-
-/// @param lines  as the options of the section say.
-Result<scenario::Document> document_of(Session& session, const SectionOptions& options, const scenario::Table& lines) {
-  scenario::Table input;
-  DOBRA_TRY_VOID(options.input.set(session.program.input_fields, input));
-  DOBRA_TRY(scenario::Document document, section_document(session, {options.file, lines}));
-  for (const auto& entry : input.entries()) {
-    const auto* name = std::get_if<std::string>(&entry.value);
-    document.input.set(entry.key,
-                       entry.key == "colours" ? scenario::Value(as_seen_from(document, *name)) : entry.value);
-  }
-  return document;
-}
-
 Result<scenario::Document> restore_document(Session& session, const RestoreOptions& options,
                                             const std::string& target_line) {
   DOBRA_TRY(const scenario::Table lines, options.section.lines.table());
@@ -129,57 +72,14 @@ Result<scenario::Document> restore_document(Session& session, const RestoreOptio
   return document;
 }
 
-/// What --out is, by its ending.
-enum class OutKind { Scenario, Picture, Lines };
-
-Result<OutKind> out_kind(const std::filesystem::path& out) {
-  if (out.extension() == ".toml") return OutKind::Scenario;
-  if (dobra::cli::check_ending(out, dobra::cli::Drawer::Cairo)) return OutKind::Picture;
-  if (io::formats::line_format_of(out.string())) return OutKind::Lines;
-  return base::Error{base::ErrorCode::BadUsage,
-                     fmt::format("--out {}: give a picture ({}), a scenario (.toml), or a file of the "
-                                 "restored lines ({})",
-                                 out.string(), dobra::cli::picture_endings(),
-                                 fmt::join(io::formats::endings_for(io::formats::Use::WriteLines), " "))};
-}
-
-/// A picture, the scenario itself to go on with, or the restored lines.
-Result<void> write_out(Session& session, const std::filesystem::path& out, scenario::Document document,
-                       const scenario::State& state) {
-  DOBRA_TRY(const OutKind kind, out_kind(out));
-  DOBRA_TRY(dobra::cli::Staging staging,
-            dobra::cli::Staging::open(out.parent_path(), dobra::cli::TargetFolder::MustExist));
-  const auto path = staging.path(out.filename().string());
-  std::vector<std::string> losses;
-  Result<void> written;
-  if (kind == OutKind::Scenario) {
-    written = scenario::write_document(document, path);
-  } else if (kind == OutKind::Picture) {
-    written =
-        dobra::cli::draw(dobra::cli::picture_of(session.program, document, state), path, dobra::cli::Drawer::Cairo);
-  } else {
-    io::formats::LineWork work;
-    work.features = core::restored_features(scenario::model_of<core::Model>(state).restoration->section);
-    written = io::formats::write_any_lines(path.string(), work, {}, losses);
-  }
-  if (!written) return staging.for_user(written.error());
-  for (const std::string& loss : losses) session.note(loss);
-  DOBRA_TRY_VOID(session.check());
-  DOBRA_TRY_VOID(staging.commit());
-  return {};
-}
-
 Result<int> restore_job(Session& session, const RestoreOptions& options) {
-  if (options.out) {
-    DOBRA_TRY_VOID(out_kind(*options.out));
-    DOBRA_TRY_VOID(dobra::cli::check_writable(*options.out));
-  }
+  DOBRA_TRY_VOID(check_out(options.out));
   DOBRA_TRY(const RestoreParams own, options.own.read());
   DOBRA_TRY(const scenario::Document document, restore_document(session, options, own.target));
   DOBRA_TRY_VOID(scenario::check(document, session.program));
   DOBRA_TRY(const scenario::Run run, dobra::cli::run_steps(session, document));
   const auto& model = scenario::model_of<core::Model>(run.states.back());
-  if (options.out) DOBRA_TRY_VOID(write_out(session, *options.out, document, run.states.back()));
+  DOBRA_TRY_VOID(write_out(session, options.out, document, run.states.back(), model.restoration->section));
   const bool as_json = session.options.format == dobra::cli::OutputFormat::Json;
   DOBRA_TRY_VOID(dobra::cli::print(as_json ? restoration_json(model, own.geometry ? Geometry::Include : Geometry::Leave)
                                            : restoration_table(model)));
@@ -220,11 +120,7 @@ dobra::cli::Command restore_command() {
             options->errors.add(app, scenario::fields_of<unfold::MonteCarloParams>(),
                                 {"draws", "pick_error", "pin_error", "angle_error", "seed"});
             options->own.add(app);
-            app.add_option("--out", options->out,
-                           fmt::format("Picture ({}), restored lines ({}) or scenario (.toml) to write",
-                                       dobra::cli::picture_endings(),
-                                       fmt::join(io::formats::endings_for(io::formats::Use::WriteLines), " ")))
-                ->type_name("FILE");
+            add_out(app, options->out, "restored lines");
             return [options](Session& session) { return restore_job(session, *options); };
           }};
 }

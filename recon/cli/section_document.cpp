@@ -26,6 +26,9 @@ void write_tables(std::vector<input::ImportedLine> lines, scenario::Table& input
     row.set("points", std::move(line.line.points));
     if (!line.piece_of.empty()) row.set("piece_of", std::move(line.piece_of));
     if (line.role == section::BedRole::Growth) row.set("role", std::string("growth"));
+    if (line.order > 0) row.set("order", static_cast<std::int64_t>(line.order));
+    if (line.hanging_wall != section::HangingWall::Auto)
+      row.set("hanging_wall", std::string(section::hanging_wall_name(line.hanging_wall)));
     auto table = std::find_if(tables.begin(), tables.end(), [&](const auto& t) { return t.first == line.table; });
     if (table == tables.end()) table = tables.insert(table, {line.table, {}});
     table->second.push_back(std::move(row));

@@ -4,6 +4,7 @@
 #include "recon/core/balance_step.h"
 #include "recon/core/carry_step.h"
 #include "recon/core/chain.h"
+#include "recon/core/faults_step.h"
 #include "recon/core/grid_step.h"
 #include "recon/core/monte_carlo_step.h"
 #include "recon/core/move_step.h"
@@ -98,8 +99,8 @@ scenario::Program make_program() {
                                                  .tables = add_chain_tables,
                                                  .remarks = add_section_remarks,
                                                  .draw = draw_section});
-  recon.operations = {grid_step(),        target_step(),  restore_step(),      move_step(), carry_step(),
-                      monte_carlo_step(), balance_step(), area_balance_step(), offset_step()};
+  recon.operations = {grid_step(),        target_step(),  restore_step(),      move_step(),   carry_step(),
+                      monte_carlo_step(), balance_step(), area_balance_step(), faults_step(), offset_step()};
   return recon;
 }
 

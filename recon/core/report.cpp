@@ -51,7 +51,7 @@ std::vector<io::lines::Feature> grid_features(const geom::Polyline& base, const 
 }
 
 void add_feature(io::lines::FeatureType type, const std::string& name, const char* kind, std::size_t id,
-                 geom::Polyline line, std::vector<io::lines::Feature>& features) {
+                 geom::Polyline line, std::vector<io::lines::Feature>& features, Properties further) {
   // A jump of no length at a tear, or a bed squeezed to a point, must not make the file invalid.
   if (type != io::lines::FeatureType::Points) line = geom::without_repeated_points(std::move(line));
   const std::size_t least = type == io::lines::FeatureType::Polygons ? 3
@@ -61,17 +61,40 @@ void add_feature(io::lines::FeatureType type, const std::string& name, const cha
   io::lines::Feature feature = line_feature(name, kind, {std::move(line)});
   feature.type = type;
   feature.properties = {{"id", static_cast<std::int64_t>(id)}};
+  feature.properties.insert(feature.properties.end(), further.begin(), further.end());
   features.push_back(std::move(feature));
 }
 
+namespace {
+
+/// What a piece of something, and a fault, says of itself beside name and kind.
+Properties piece_properties(const std::string& whole) {
+  return whole.empty() ? Properties{} : Properties{{"piece_of", whole}};
+}
+
+Properties line_properties(const section::SectionLine& line) {
+  Properties properties = piece_properties(line.piece_of);
+  if (line.order > 0) properties.emplace_back("order", static_cast<std::int64_t>(line.order));
+  if (line.hanging_wall != section::HangingWall::Auto)
+    properties.emplace_back("hanging_wall", std::string(section::hanging_wall_name(line.hanging_wall)));
+  return properties;
+}
+
+}  // namespace
+
 std::vector<io::lines::Feature> restored_features(const section::Section& section) {
   std::vector<io::lines::Feature> features;
-  for (const section::Horizon& horizon : section.horizons)
-    add_feature(io::lines::FeatureType::Lines, horizon.name, "horizon", horizon.id.index(), horizon.line, features);
+  for (const section::Horizon& horizon : section.horizons) {
+    const char* kind = horizon.role == section::BedRole::Growth ? "growth" : "horizon";
+    add_feature(io::lines::FeatureType::Lines, horizon.name, kind, horizon.id.index(), horizon.line, features,
+                piece_properties(horizon.piece_of));
+  }
   for (const section::SectionLine& line : section.lines)
-    add_feature(io::lines::FeatureType::Lines, line.name, kind_name(line.kind), line.id.index(), line.line, features);
+    add_feature(io::lines::FeatureType::Lines, line.name, kind_name(line.kind), line.id.index(), line.line, features,
+                line_properties(line));
   for (const section::Unit& unit : section.units)
-    add_feature(io::lines::FeatureType::Polygons, unit.name, "unit", unit.id.index(), unit.contour, features);
+    add_feature(io::lines::FeatureType::Polygons, unit.name, "unit", unit.id.index(), unit.contour, features,
+                piece_properties(unit.piece_of));
   for (const section::Marker& marker : section.markers)
     add_feature(io::lines::FeatureType::Points, marker.name, "marker", marker.id.index(), {marker.points, false},
                 features);

@@ -44,9 +44,10 @@ dobra::scenario::DataTable row_table(const char* name, const char* what, const s
   return table;
 }
 
+using Properties = std::vector<std::pair<std::string, dobra::io::lines::PropertyValue>>;
 /// A line, polygon or point for a file, but for those of no length.
 void add_feature(dobra::io::lines::FeatureType type, const std::string& name, const char* kind, std::size_t id,
-                 geom::Polyline line, std::vector<dobra::io::lines::Feature>& features);
+                 geom::Polyline line, std::vector<dobra::io::lines::Feature>& features, Properties further = {});
 /// All lines, polygons and points of a section with their names, kinds and ids.
 std::vector<dobra::io::lines::Feature> restored_features(const section::Section& section);
 /// Base, curves, rungs and pin.

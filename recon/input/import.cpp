@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -56,6 +57,54 @@ std::string name_of(const io::lines::Feature& feature, std::size_t index) {
   return feature.name.empty() ? fmt::format("feature {}", index + 1) : feature.name;
 }
 
+/// A property that is a text; empty without it.
+std::string text_of(const io::lines::Feature& feature, const char* key) {
+  for (const auto& [name, value] : feature.properties) {
+    const auto* text = std::get_if<std::string>(&value);
+    if (name == key && text != nullptr) return *text;
+  }
+  return {};
+}
+
+/// A property that is a whole number, written as any kind of number or as text; nothing without it.
+std::optional<std::string> number_of(const io::lines::Feature& feature, const char* key) {
+  for (const auto& [name, value] : feature.properties) {
+    if (name != key) continue;
+    if (const auto* text = std::get_if<std::string>(&value)) return *text;
+    if (const auto* number = std::get_if<double>(&value)) return fmt::format("{}", *number);
+    if (const auto* number = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *number);
+    return std::string("true or false");
+  }
+  return std::nullopt;
+}
+
+/// Of a fault: its properties order and hanging_wall.
+base::Result<void> read_fault(const io::lines::Feature& feature, std::size_t number, ImportedLine& made) {
+  const auto refuse = [&](std::string message) {
+    base::Place place = feature.source;
+    place.item = io::lines::item_of(number, feature);
+    return base::Error{base::ErrorCode::BadFormat, std::move(message), place};
+  };
+  if (const auto order = number_of(feature, "order"); order && !order->empty()) {
+    const auto value = io::finite_number(*order, "order");
+    if (!value || *value != std::floor(*value) || *value < 0.0 || *value > 1e6) {
+      return refuse(
+          fmt::format("order = {} is no age of a fault; give a whole number, 1 for the youngest, 0 where it "
+                      "is not known",
+                      *order));
+    }
+    made.order = static_cast<int>(*value);
+  }
+  const std::string side = text_of(feature, "hanging_wall");
+  if (side.empty()) return {};
+  for (const auto wall : {section::HangingWall::Auto, section::HangingWall::Left, section::HangingWall::Right,
+                          section::HangingWall::Above, section::HangingWall::Below}) {
+    made.hanging_wall = wall;
+    if (side == section::hanging_wall_name(wall)) return {};
+  }
+  return refuse(fmt::format("hanging_wall = '{}' is no side; give left, right, above, below or auto", side));
+}
+
 struct Place {
   double from_left = 0.0;
   std::size_t feature = 0;
@@ -73,7 +122,10 @@ class Importer {
     }
     find_pieces();
     for (std::size_t i = 0; i < features_.size(); ++i) {
-      for (std::size_t part = 0; part < features_[i].parts.size(); ++part) add(i, part);
+      for (std::size_t part = 0; part < features_[i].parts.size(); ++part) {
+        add(i, part);
+        if (tables_[i] == "fault") DOBRA_TRY_VOID(read_fault(features_[i], i + 1, made_.lines.back()));
+      }
     }
     for (const auto& [item, count] : repeated_) {
       const auto& [table, name] = item;
@@ -87,18 +139,24 @@ class Importer {
   /// Where the pieces of each horizon stand, from the left: lines of one name, and the parts of one line.
   void find_pieces() {
     for (std::size_t i = 0; i < features_.size(); ++i) {
-      if (tables_[i] != "horizon") continue;
+      if (!may_be_piece(i)) continue;
       for (std::size_t part = 0; part < features_[i].parts.size(); ++part)
-        pieces_[name_of(features_[i], i)].push_back({features_[i].parts[part].box().centre().x, i, part});
+        pieces_[{tables_[i], name_of(features_[i], i)}].push_back({features_[i].parts[part].box().centre().x, i, part});
     }
-    for (auto& [name, places] : pieces_) {
+    for (auto& [item, places] : pieces_) {
       std::stable_sort(places.begin(), places.end(),
                        [](const Place& a, const Place& b) { return a.from_left < b.from_left; });
       if (places.size() > 1) {
-        made_.remarks.push_back(fmt::format(
-            "horizon '{0}' is in {1} pieces, numbered from the left: '{0} (1)' to '{0} ({1})'", name, places.size()));
+        made_.remarks.push_back(
+            fmt::format("{2} '{0}' is in {1} pieces, numbered from the left: '{0} (1)' to '{0} ({1})'", item.second,
+                        places.size(), item.first));
       }
     }
+  }
+
+  /// Of the feature: a horizon or a fault that does not say itself what it is a piece of.
+  [[nodiscard]] bool may_be_piece(std::size_t i) const {
+    return (tables_[i] == "horizon" || tables_[i] == "fault") && text_of(features_[i], "piece_of").empty();
   }
 
   void add(std::size_t i, std::size_t part) {
@@ -118,7 +176,7 @@ class Importer {
     }
     if (made.line.closed) made.line.points.push_back(made.line.points.front());  // it says that it closes
     made.line.closed = false;
-    if (const auto found = pieces_.find(made.name); made.table == "horizon" && found->second.size() > 1) {
+    if (const auto found = pieces_.find({made.table, made.name}); may_be_piece(i) && found->second.size() > 1) {
       const auto at = std::find_if(found->second.begin(), found->second.end(),
                                    [&](const Place& p) { return p.feature == i && p.part == part; });
       made.piece_of = made.name;
@@ -129,6 +187,9 @@ class Importer {
     for (int copy = 2; !names_.insert(made.table + '\n' + made.name).second; ++copy)
       made.name = fmt::format("{} ({})", wanted, copy);
     if (made.name != wanted) ++repeated_.try_emplace({made.table, wanted}, 1).first->second;
+    if (made.table == "horizon" || made.table == "fault") {
+      if (const std::string whole = text_of(feature, "piece_of"); !whole.empty()) made.piece_of = whole;
+    }
     if (made.table == "polygon") made.piece_of = io::lines::stated_unit(feature);
     if (made.table == "polygon" && made.piece_of.empty() && made.name != wanted) made.piece_of = wanted;
     made_.lines.push_back(std::move(made));
@@ -136,14 +197,13 @@ class Importer {
 
   const std::vector<io::lines::Feature>& features_;
   std::vector<std::string> tables_;
-  std::map<std::string, std::vector<Place>> pieces_;
+  std::map<std::pair<std::string, std::string>, std::vector<Place>> pieces_;  ///< By table and name.
   std::set<std::string> names_;
   std::map<std::pair<std::string, std::string>, std::size_t> repeated_;  ///< How many, by table and name.
   Import made_;
 };
 
 std::vector<HorizonInput>& list_of(SectionInput& input, const std::string& table) {
-  if (table == "fault") return input.faults;
   if (table == "pin") return input.pins;
   if (table == "loose") return input.loose_lines;
   if (table == "topography") return input.topographies;
@@ -177,7 +237,13 @@ base::Result<SectionInput> with_lines_of_files(SectionInput input, const ReadSet
       made.role = line.role;
       made.unit = wanted.unit;
       made.placed = PlacedLine{std::move(line.line), work.trace};
-      list_of(input, line.table).push_back(std::move(made));
+      if (line.table == "fault") {
+        FaultInput& fault = input.faults.emplace_back(std::move(made));
+        if (line.order > 0) fault.age = line.order;
+        fault.hanging_wall = line.hanging_wall;
+      } else {
+        list_of(input, line.table).push_back(std::move(made));
+      }
     }
   }
   return input;

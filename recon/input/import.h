@@ -14,11 +14,13 @@ namespace recon::input {
 struct ImportedLine {
   std::string
       table;  ///< "horizon", "fault", "pin", "loose", "topography", "datum", "eroded", "polygon", "border", "marker".
-  std::string name;  ///< Unlike those before it in the table.
-  std::string piece_of;
+  std::string name;      ///< Unlike those before it in the table.
+  std::string piece_of;  ///< Of horizons, faults and polygons, as the file states it or by the names.
   section::BedRole role = section::BedRole::Judged;
   geom::Polyline line;  ///< In section coordinates, as one draws it: polygons repeat their first point.
   base::Place source;
+  int order = 0;  ///< Of faults, as the section has it.
+  section::HangingWall hanging_wall = section::HangingWall::Auto;
 };
 
 struct Import {
@@ -26,9 +28,10 @@ struct Import {
   std::vector<std::string> remarks;
 };
 
-/// Lines of one name that are horizons, and the parts of one line, are pieces of a horizon. A line without a kind is a
-/// horizon, a polygon a unit, points a marker. Holes of polygons are left out, with a remark.
-/// @error BadFormat with file, line and a suggestion: an unknown kind; a polygon that says that it is a line.
+/// Lines of one name that are horizons, and the parts of one line, are pieces of a horizon; faults likewise. A line
+/// without a kind is a horizon, a polygon a unit, points a marker. Holes of polygons are left out, with a remark.
+/// @error BadFormat with file, line and a suggestion: an unknown kind; a polygon that says that it is a line; an order
+///        or a hanging wall that is none.
 base::Result<Import> import_lines(const std::vector<dobra::io::lines::Feature>& features);
 
 /// The input with every [[input.lines]] replaced by the lines of its file.

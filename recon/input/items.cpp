@@ -12,7 +12,8 @@ namespace recon::input {
 
 namespace {
 
-base::Result<void> check_names(const std::vector<HorizonInput>& inputs, const char* kind) {
+template <class Input>
+base::Result<void> check_names(const std::vector<Input>& inputs, const char* kind) {
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     base::Place place;
     place.item = fmt::format("{} '{}'", kind, inputs[i].name);
@@ -54,6 +55,67 @@ base::Result<geom::Polyline> read_polygon(const HorizonInput& input, const char*
   error.place->file = input.file;
   error.place->item = fmt::format("{} '{}'", kind, input.name);
   return error;
+}
+
+/// Adds a line of each input, faults with their ages and hanging walls.
+template <class Input>
+base::Result<void> read_lines(const std::vector<Input>& inputs, section::LineKind kind, const ReadSettings& settings,
+                              const dobra::scenario::Context& context, ReadSection& read) {
+  DOBRA_TRY_VOID(check_names(inputs, kind_name(kind)));
+  for (const Input& wanted : inputs) {
+    DOBRA_TRY(ReadLine line, read_item(wanted, kind_name(kind), settings, context, read.remarks));
+    const bool runs_right = kind == section::LineKind::Topography || kind == section::LineKind::Datum;
+    if (runs_right && line.line.points.front().x > line.line.points.back().x)
+      line.line = geom::reversed(std::move(line.line));
+    section::SectionLine made{section::LineId(read.section.lines.size()), kind, wanted.name, std::move(line.line),
+                              source_of(wanted)};
+    if constexpr (std::is_same_v<Input, FaultInput>) {
+      made.piece_of = wanted.piece_of;
+      made.order = wanted.age.value_or(0);
+      made.hanging_wall = wanted.hanging_wall;
+    }
+    read.section.lines.push_back(std::move(made));
+  }
+  return {};
+}
+
+/// Pieces of one fault say the same of its age and its hanging wall, and a whole fault has no pieces.
+base::Result<void> check_pieces(const std::vector<FaultInput>& faults) {
+  for (const FaultInput& piece : faults) {
+    if (piece.piece_of.empty()) continue;
+    const auto refuse = [&](const std::string& what) {
+      return base::Error{base::ErrorCode::BadSection, what, base::Place{.item = fmt::format("fault '{}'", piece.name)}};
+    };
+    for (const FaultInput& other : faults) {
+      if (other.name == piece.piece_of) {
+        return refuse(
+            fmt::format("piece_of names '{0}', which is a fault itself; give that one another name and "
+                        "piece_of = \"{0}\" too",
+                        piece.piece_of));
+      }
+      if (other.piece_of != piece.piece_of) continue;
+      if (other.age != piece.age || other.hanging_wall != piece.hanging_wall) {
+        return refuse(
+            fmt::format("'{}' is a piece of fault '{}' too, but has another order or hanging_wall; say the "
+                        "same of both",
+                        other.name, piece.piece_of));
+      }
+    }
+  }
+  return {};
+}
+
+base::Result<void> read_blocks(const std::vector<BlockInput>& blocks, section::Section& section) {
+  for (const BlockInput& block : blocks) {
+    const auto same = [&](const section::BlockName& other) { return other.name == block.name; };
+    if (block.name.empty() || std::any_of(section.block_names.begin(), section.block_names.end(), same)) {
+      return base::Error{base::ErrorCode::BadSection,
+                         block.name.empty() ? "a block needs a name" : "two blocks have this name; change one of them",
+                         base::Place{.item = fmt::format("block '{}'", block.name)}};
+    }
+    section.block_names.push_back({block.name, to_section(block.point, section.convention), block.part_of});
+  }
+  return {};
 }
 
 }  // namespace
@@ -110,7 +172,7 @@ base::Result<void> check_units(const section::Section& section, const SectionInp
                     box.diagonal(), largest.diagonal()),
         place};
   };
-  const auto says_unit = [](const std::vector<HorizonInput>& inputs, const std::string& name) {
+  const auto says_unit = [](const auto& inputs, const std::string& name) {
     return std::any_of(inputs.begin(), inputs.end(),
                        [&](const HorizonInput& i) { return i.name == name && i.unit != LineUnit::Section; });
   };
@@ -120,14 +182,15 @@ base::Result<void> check_units(const section::Section& section, const SectionInp
     return refuse(fmt::format("horizon '{}'", horizon.name), horizon.source, box, horizon.line.points.front());
   }
   for (const section::SectionLine& line : section.lines) {
-    const auto& inputs = line.kind == section::LineKind::Fault        ? input.faults
-                         : line.kind == section::LineKind::Pin        ? input.pins
+    const auto& inputs = line.kind == section::LineKind::Pin          ? input.pins
                          : line.kind == section::LineKind::Topography ? input.topographies
                          : line.kind == section::LineKind::Datum      ? input.datums
                          : line.kind == section::LineKind::Eroded     ? input.eroded
                                                                       : input.loose_lines;
     const geom::Box box = line.line.box();
-    if (says_unit(inputs, line.name) || !seems_of_another_unit(box, largest)) continue;
+    const bool fault = line.kind == section::LineKind::Fault;
+    const bool said = fault ? says_unit(input.faults, line.name) : says_unit(inputs, line.name);
+    if (said || !seems_of_another_unit(box, largest)) continue;
     return refuse(fmt::format("{} '{}'", kind_name(line.kind), line.name), line.source, box, line.line.points.front());
   }
   for (const section::Unit& unit : section.units) {
@@ -141,25 +204,19 @@ base::Result<void> check_units(const section::Section& section, const SectionInp
 base::Result<void> read_items(const SectionInput& input, const ReadSettings& settings,
                               const dobra::scenario::Context& context, ReadSection& read) {
   section::Section& section = read.section;
+  DOBRA_TRY_VOID(check_pieces(input.faults));
+  DOBRA_TRY_VOID(read_lines(input.faults, section::LineKind::Fault, settings, context, read));
   struct Lines {
     const std::vector<HorizonInput>& inputs;
     section::LineKind kind;
   };
   for (const Lines& lines :
-       {Lines{input.faults, section::LineKind::Fault}, Lines{input.pins, section::LineKind::Pin},
-        Lines{input.loose_lines, section::LineKind::Loose}, Lines{input.topographies, section::LineKind::Topography},
-        Lines{input.datums, section::LineKind::Datum}, Lines{input.eroded, section::LineKind::Eroded}}) {
-    const char* kind = kind_name(lines.kind);
-    DOBRA_TRY_VOID(check_names(lines.inputs, kind));
-    for (const HorizonInput& wanted : lines.inputs) {
-      DOBRA_TRY(ReadLine line, read_item(wanted, kind, settings, context, read.remarks));
-      const bool runs_right = lines.kind == section::LineKind::Topography || lines.kind == section::LineKind::Datum;
-      if (runs_right && line.line.points.front().x > line.line.points.back().x)
-        line.line = geom::reversed(std::move(line.line));
-      section.lines.push_back(
-          {section::LineId(section.lines.size()), lines.kind, wanted.name, std::move(line.line), source_of(wanted)});
-    }
+       {Lines{input.pins, section::LineKind::Pin}, Lines{input.loose_lines, section::LineKind::Loose},
+        Lines{input.topographies, section::LineKind::Topography}, Lines{input.datums, section::LineKind::Datum},
+        Lines{input.eroded, section::LineKind::Eroded}}) {
+    DOBRA_TRY_VOID(read_lines(lines.inputs, lines.kind, settings, context, read));
   }
+  DOBRA_TRY_VOID(read_blocks(input.blocks, section));
   DOBRA_TRY_VOID(check_names(input.units, "unit"));
   for (const HorizonInput& wanted : input.units) {
     DOBRA_TRY(geom::Polyline contour, read_polygon(wanted, "unit", settings, context, read.remarks));

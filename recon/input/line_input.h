@@ -26,11 +26,11 @@ struct PlacedLine {
 
 /// The fields of how the lines of a file are read, and their points repaired.
 template <class Input, class D>
-void describe_reading(dobra::scenario::lines::LineKeys<Input, D>& keys) {
+void describe_reading(dobra::scenario::lines::LineKeys<Input, D>& keys, const char* order) {
   keys.separator();
   keys.y_axis("section");
   keys.unit("section", {"m", "km", "ft"});
-  keys.order();
+  keys.order(order);
   keys.drop_duplicates();
   keys.join_gaps();
 }
@@ -56,35 +56,75 @@ struct HorizonInput {
   std::optional<PlacedLine> placed = std::nullopt;  ///< Out of an [[input.lines]]; instead of file and points.
   template <class D>
   static void describe(D& d) {
-    d.field("name", &HorizonInput::name, {.title = "Name", .presence = dobra::scenario::Presence::Required});
-    d.file("file", &HorizonInput::file,
-           {.title = "File",
-            .help = "In any format of lines; instead of points.",
-            .files = dobra::scenario::lines::file_kinds({dobra::io::formats::Use::ReadLines})});
-    d.field("points", &HorizonInput::points,
-            {.title = "Points", .help = "The line itself, [[x, y], ...]; instead of a file."});
-    d.field("feature", &HorizonInput::feature,
-            {.title = "Feature", .help = "Name of the line in a file that holds several."});
+    describe_line<HorizonInput>(d, "order");
     d.field("piece_of", &HorizonInput::piece_of,
             {.title = "Piece of the horizon",
              .help = "Name of the horizon that faults have cut this piece from; the pieces add up in the ledger."});
-    d.choice("role", &HorizonInput::role, {"judged", "growth"},
+  }
+  /// What lines of all kinds have. @param order  the key of the order of the points.
+  template <class Input, class D>
+  static void describe_line(D& d, const char* order) {
+    dobra::scenario::lines::LineKeys<Input, D> keys(d);
+    d.field("name", keys.of(&Input::name), {.title = "Name", .presence = dobra::scenario::Presence::Required});
+    d.file("file", keys.of(&Input::file),
+           {.title = "File",
+            .help = "In any format of lines; instead of points.",
+            .files = dobra::scenario::lines::file_kinds({dobra::io::formats::Use::ReadLines})});
+    d.field("points", keys.of(&Input::points),
+            {.title = "Points", .help = "The line itself, [[x, y], ...]; instead of a file."});
+    d.field("feature", keys.of(&Input::feature),
+            {.title = "Feature", .help = "Name of the line in a file that holds several."});
+    d.choice("role", keys.of(&Input::role), {"judged", "growth"},
              {.title = "Role in the balance",
               .help = "growth: a horizon laid down while the section deformed; it is listed, not judged."});
-    d.field("columns", &HorizonInput::columns,
+    d.field("columns", keys.of(&Input::columns),
             {.title = "Columns of x and y",
              .help = "In a text file, counted from 1; three for map coordinates with heights."});
-    dobra::scenario::lines::LineKeys<HorizonInput, D> keys(d);
-    describe_reading(keys);
+    describe_reading(keys, order);
     d.choice(
-        "curve", &HorizonInput::curve, {"line", "hermite", "spline", "bezier", "b_spline", "rational_bezier"},
+        "curve", keys.of(&Input::curve), {"line", "hermite", "spline", "bezier", "b_spline", "rational_bezier"},
         {.title = "Drawn as",
          .help = "What the points mean: line, corners; hermite, points with tangents; spline, natural through the "
                  "points (closed if the last repeats the first); bezier, rational_bezier and b_spline, vertices."});
-    d.field("tangents", &HorizonInput::tangents,
+    d.field("tangents", keys.of(&Input::tangents),
             {.title = "Tangents", .help = "Of curve = \"hermite\", one a point: derivatives along a piece."});
-    d.field("weights", &HorizonInput::weights,
+    d.field("weights", keys.of(&Input::weights),
             {.title = "Weights", .help = "Of curve = \"rational_bezier\", one a point, above 0."});
+  }
+};
+
+/// One [[input.fault]].
+struct FaultInput : HorizonInput {
+  std::optional<int> age;  ///< Key "order".
+  section::HangingWall hanging_wall = section::HangingWall::Auto;
+  FaultInput() = default;
+  FaultInput(HorizonInput line) : HorizonInput(std::move(line)) {}
+  template <class D>
+  static void describe(D& d) {
+    describe_line<FaultInput>(d, "point_order");
+    dobra::scenario::lines::LineKeys<FaultInput, D> keys(d);
+    d.field("piece_of", keys.of(&FaultInput::piece_of),
+            {.title = "Piece of the fault", .help = "Name of the fault that younger ones have cut this piece from."});
+    d.field("order", &FaultInput::age,
+            {.title = "Order of age", .help = "1: the youngest fault, which is restored first.", .at_least = 1.0});
+    d.choice("hanging_wall", &FaultInput::hanging_wall, {"auto", "left", "right", "above", "below"},
+             {.title = "Hanging wall", .help = "On which side it lies; auto: above the fault."});
+  }
+};
+
+/// One [[input.block]].
+struct BlockInput {
+  std::string name;
+  geom::Point point;
+  std::string part_of;
+  template <class D>
+  static void describe(D& d) {
+    d.field("name", &BlockInput::name, {.title = "Name", .presence = dobra::scenario::Presence::Required});
+    d.field("point", &BlockInput::point,
+            {.title = "Point in the block",
+             .help = "Any place between the faults that bound it.",
+             .presence = dobra::scenario::Presence::Required});
+    d.field("part_of", &BlockInput::part_of, {.title = "Group", .help = "Blocks of one group move together."});
   }
 };
 
@@ -111,7 +151,7 @@ struct LinesInput {
     keys.kind();
     keys.columns();
     keys.name_columns();
-    describe_reading(keys);
+    describe_reading(keys, "order");
   }
 };
 

@@ -44,7 +44,7 @@ struct SectionInput {
   double exaggeration = 1.0;
   SelfCrossings self_crossings = SelfCrossings::Refuse;
   std::vector<HorizonInput> horizons;
-  std::vector<HorizonInput> faults;
+  std::vector<FaultInput> faults;
   std::vector<HorizonInput> pins;
   std::vector<HorizonInput> loose_lines;
   std::vector<HorizonInput> units;
@@ -53,6 +53,7 @@ struct SectionInput {
   std::vector<HorizonInput> topographies;
   std::vector<HorizonInput> datums;
   std::vector<BackdropInput> backdrops;
+  std::vector<BlockInput> blocks;
   AboveTopography above_topography = AboveTopography::Leave;
   base::Angle curve_angle = base::Angle::from_degrees(5.0);
   std::optional<double> curve_length;
@@ -79,6 +80,9 @@ struct SectionInput {
               .help = "cut_loops: small loops of the pen are cut out, with a remark."});
     d.tables("horizon", &SectionInput::horizons, {.title = "Horizons"});
     d.tables("fault", &SectionInput::faults, {.title = "Faults"});
+    d.tables(
+        "block", &SectionInput::blocks,
+        {.title = "Blocks", .help = "Names for what faults part; without one, block 1, block 2, ... from the left."});
     d.tables("pin", &SectionInput::pins, {.title = "Pin lines"});
     d.tables("loose", &SectionInput::loose_lines, {.title = "Loose lines"});
     d.tables("polygon", &SectionInput::units, {.title = "Unit polygons"});

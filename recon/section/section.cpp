@@ -1,9 +1,18 @@
 #include "recon/section/section.h"
 
+#include <array>
+
 namespace recon::section {
 
 const std::string& whole_name(const Horizon& horizon) {
   return horizon.piece_of.empty() ? horizon.name : horizon.piece_of;
+}
+
+const std::string& whole_name(const SectionLine& line) { return line.piece_of.empty() ? line.name : line.piece_of; }
+
+const char* hanging_wall_name(HangingWall side) {
+  constexpr std::array<const char*, 5> names{"auto", "left", "right", "above", "below"};
+  return names[static_cast<std::size_t>(side)];
 }
 
 const Horizon* first_piece(const Section& section, const std::string& whole) {

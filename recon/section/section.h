@@ -70,6 +70,11 @@ using MarkerId = base::Id<MarkerTag>;
 /// above the topography.
 enum class LineKind { Fault, Pin, Loose, Topography, Datum, Eroded };
 
+/// On which side of a fault its hanging wall lies. Auto: the side above it.
+enum class HangingWall { Auto, Left, Right, Above, Below };
+/// "auto", "left", "right", "above", "below".
+const char* hanging_wall_name(HangingWall side);
+
 /// A line that is no bed: it is carried with the section, but not part of the balance.
 struct SectionLine {
   LineId id;
@@ -77,7 +82,14 @@ struct SectionLine {
   std::string name;
   geom::Polyline line;  ///< Open, in the order in which it was given.
   base::Place source;
+  /// Of faults: the fault that younger ones have cut this one from, as one of several pieces; empty where it is whole.
+  std::string piece_of = {};
+  int order = 0;  ///< Of faults: 1 is the youngest; 0: not said.
+  HangingWall hanging_wall = HangingWall::Auto;
 };
+
+/// What a fault and its pieces are called together.
+const std::string& whole_name(const SectionLine& line);
 
 /// The area of a rock unit.
 struct Unit {
@@ -103,6 +115,13 @@ struct Backdrop {
   base::Place source;
 };
 
+/// What the block in which a point lies is called. Page: docs/user/faults.md
+struct BlockName {
+  std::string name;
+  geom::Point at;
+  std::string part_of = {};  ///< The group that the block moves with; empty: none.
+};
+
 struct SectionFaces;
 
 struct Section {
@@ -111,6 +130,7 @@ struct Section {
   std::vector<Unit> units;
   std::vector<Marker> markers;
   std::vector<Backdrop> backdrops;
+  std::vector<BlockName> block_names;
   std::optional<geom::Polyline> border;  ///< What belongs to the section: closed, anticlockwise.
   /// Units, meetings of horizons and misfits of polygons, made when the section was read (section_faces.h).
   std::shared_ptr<const SectionFaces> faces;

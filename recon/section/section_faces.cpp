@@ -14,6 +14,7 @@
 #include <map>
 #include <set>
 
+#include "recon/section/face_contours.h"
 #include "shared/base/parallel.h"
 #include "shared/geom/contour.h"
 
@@ -135,25 +136,7 @@ Sides sides_of(const Section& section, const std::vector<std::size_t>& order,
 
 /// The contours of a face without edges that have it on both sides (faults that end in it).
 std::vector<geom::Polyline> contours_of(const Arrangement& arrangement, FaceId f) {
-  const Subdivision& sub = arrangement.subdivision();
-  const auto inner = [&](HalfEdgeId h) { return sub.face(Structure::twin(h)) == f; };
-  std::vector<geom::Polyline> contours;
-  std::set<HalfEdgeId> used;
-  for (const topo::LoopId loop : sub.loops(f)) {
-    for (const HalfEdgeId start : sub.half_edges(loop)) {
-      if (inner(start) || used.contains(start)) continue;
-      geom::Polyline contour{{}, true};
-      HalfEdgeId h = start;
-      do {
-        used.insert(h);
-        arrangement.append(h, contour.points);
-        h = sub.next(h);
-        while (inner(h)) h = sub.next(Structure::twin(h));
-      } while (h != start);
-      contours.push_back(std::move(contour));
-    }
-  }
-  return contours;
+  return contours_round(arrangement, {f}, [&](FaceId other) { return other == f; });
 }
 
 /// Half-edges of each horizon over and under a face, by the horizon's rank in the stack, 0 the highest.

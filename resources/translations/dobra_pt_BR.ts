@@ -2763,5 +2763,81 @@
         <source>Of element sides: on curves none is longer, inside they are about as long, a few by half. 0 takes 1/20 of the domain&apos;s diagonal on the boundary and the longest side inside, or the formula or background mesh alone.</source>
         <translation>Dos lados dos elementos: nas curvas nenhum é maior; no interior têm mais ou menos esse comprimento, alguns uma vez e meia. 0 toma 1/20 da diagonal do domínio no contorno e o maior lado no interior, ou só a fórmula ou a malha de fundo.</translation>
     </message>
+    <message>
+        <source>Piece of the fault</source>
+        <translation>Trecho da falha</translation>
+    </message>
+    <message>
+        <source>Name of the fault that younger ones have cut this piece from.</source>
+        <translation>Nome da falha da qual falhas mais novas separaram este trecho.</translation>
+    </message>
+    <message>
+        <source>Order of age</source>
+        <translation>Ordem de idade</translation>
+    </message>
+    <message>
+        <source>1: the youngest fault, which is restored first.</source>
+        <translation>1: a falha mais nova, que é restaurada primeiro.</translation>
+    </message>
+    <message>
+        <source>Hanging wall</source>
+        <translation>Capa</translation>
+    </message>
+    <message>
+        <source>On which side it lies; auto: above the fault.</source>
+        <translation>De que lado fica; auto: acima da falha.</translation>
+    </message>
+    <message>
+        <source>Point in the block</source>
+        <translation>Ponto no bloco</translation>
+    </message>
+    <message>
+        <source>Any place between the faults that bound it.</source>
+        <translation>Qualquer lugar entre as falhas que o limitam.</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Grupo</translation>
+    </message>
+    <message>
+        <source>Blocks of one group move together.</source>
+        <translation>Blocos de um mesmo grupo se movem juntos.</translation>
+    </message>
+    <message>
+        <source>Blocks</source>
+        <translation>Blocos</translation>
+    </message>
+    <message>
+        <source>Names for what faults part; without one, block 1, block 2, ... from the left.</source>
+        <translation>Nomes para o que as falhas separam; sem nome, block 1, block 2, ... a partir da esquerda.</translation>
+    </message>
+    <message>
+        <source>Cutoffs and displacement along the faults of the section as it is, and its blocks.</source>
+        <translation>Pontos de corte e deslocamento ao longo das falhas da seção como está, e seus blocos.</translation>
+    </message>
+    <message>
+        <source>Tolerance of cutoffs</source>
+        <translation>Tolerância dos pontos de corte</translation>
+    </message>
+    <message>
+        <source>Ends of horizons nearer to a fault than this are cut off by it; by default 0.005 of the section&apos;s diagonal.</source>
+        <translation>Fins de horizontes mais próximos de uma falha que isto são cortados por ela; por padrão 0,005 da diagonal da seção.</translation>
+    </message>
+    <message>
+        <source>Displacement along faults</source>
+        <translation>Deslocamento ao longo das falhas</translation>
+    </message>
+    <message>
+        <source>distance from the higher end [m]</source>
+        <translation>distância do fim mais alto [m]</translation>
+    </message>
+    <message>
+        <source>separation [m]</source>
+        <translation>separação [m]</translation>
+    </message>
+    <message>
+        <source>Faults and blocks</source>
+        <translation>Falhas e blocos</translation>
+    </message>
 </context>
 </TS>

@@ -21,6 +21,12 @@ class LineKeys {
  public:
   explicit LineKeys(D& d) : d_(d) {}
 
+  /// As a member of P where it is one of a base.
+  template <class T, class B>
+  static constexpr T P::*of(T B::*member) {
+    return member;
+  }
+
   void format() {
     field("format", of(&P::format),
           {.title = "Format",
@@ -92,13 +98,13 @@ class LineKeys {
   }
 
   // Repairs.
-  void order() {
+  void order(const char* key = "order") {
     const FieldOptions options{.title = "Order of the points",
                                .help = "Unordered points are put in order along their curve, with a remark."};
     if constexpr (std::is_same_v<decltype(P::order), bool>) {
-      field("order", of(&P::order), options);
+      field(key, of(&P::order), options);
     } else {
-      choice("order", of(&P::order), {"as_given", "along_curve"}, options);
+      choice(key, of(&P::order), {"as_given", "along_curve"}, options);
     }
   }
   void drop_duplicates() {
@@ -123,11 +129,6 @@ class LineKeys {
   }
 
  private:
-  /// As a member of P where it is one of a base.
-  template <class T, class B>
-  static constexpr T P::*of(T B::*member) {
-    return member;
-  }
   static std::vector<std::string> after(const char* unsaid, std::vector<std::string> names) {
     if (unsaid != nullptr) names.insert(names.begin(), unsaid);
     return names;

@@ -1,0 +1,381 @@
+#include "recon/faults/blocks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "recon/faults/cutoffs.h"
+#include "recon/section/face_contours.h"
+#include "shared/base/disjoint_sets.h"
+#include "shared/base/text.h"
+#include "shared/geom/intersect.h"
+#include "shared/geom/place.h"
+#include "shared/topo/locate.h"
+
+namespace recon::faults {
+
+using topo::EdgeId;
+using topo::FaceId;
+using topo::HalfEdgeId;
+using topo::Structure;
+
+struct BlockDrawing {
+  section::Arrangement arrangement;
+  std::vector<geom::Polyline> outline;
+  std::vector<std::size_t> fault_of;         ///< By line: its fault, of the first lines.
+  std::vector<std::string> names;            ///< Of the faults.
+  std::vector<std::vector<HalfEdgeId>> own;  ///< Of each fault along its own line, from the lower end.
+  std::vector<BlockId> block_of;             ///< By face, also where there is no rock.
+  std::vector<bool> rock;                    ///< By face.
+  double rounding = 0.0;                     ///< m
+
+  [[nodiscard]] const topo::Subdivision& sub() const { return arrangement.subdivision(); }
+  [[nodiscard]] BlockId left_of(HalfEdgeId h) const { return block_of[sub().face(h).index()]; }
+  [[nodiscard]] bool in_rock(HalfEdgeId h) const {
+    return rock[sub().face(h).index()] && rock[sub().face(Structure::twin(h)).index()];
+  }
+  [[nodiscard]] bool touches_rock(HalfEdgeId h) const {
+    return rock[sub().face(h).index()] || rock[sub().face(Structure::twin(h)).index()];
+  }
+  /// Numbers of the faults along an edge.
+  [[nodiscard]] std::vector<std::size_t> faults_on(EdgeId e) const {
+    std::vector<std::size_t> faults;
+    for (const std::uint32_t line : arrangement.lines_on(e)) {
+      if (line < fault_of.size()) faults.push_back(fault_of[line]);
+    }
+    return faults;
+  }
+};
+
+namespace {
+
+/// A point within a region: the middle of the widest stretch of a level line between its vertices.
+geom::Point point_inside(const std::vector<geom::Polyline>& contours) {
+  std::vector<double> heights;
+  for (const geom::Polyline& contour : contours) {
+    for (const geom::Point p : contour.points) heights.push_back(p.y);
+  }
+  std::sort(heights.begin(), heights.end());
+  std::size_t widest = 0;
+  for (std::size_t i = 1; i + 1 < heights.size(); ++i) {
+    if (heights[i + 1] - heights[i] > heights[widest + 1] - heights[widest]) widest = i;
+  }
+  const double y = 0.5 * (heights[widest] + heights[widest + 1]);
+  std::vector<double> crossings;
+  for (const geom::Polyline& contour : contours) {
+    for (std::size_t i = 0; i < contour.segment_count(); ++i) {
+      const auto [a, b] = contour.segment(i);
+      if ((a.y > y) != (b.y > y)) crossings.push_back(a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y)));
+    }
+  }
+  std::sort(crossings.begin(), crossings.end());
+  geom::Point best{0.0, y};
+  double width = -1.0;
+  for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
+    if (crossings[i + 1] - crossings[i] <= width) continue;
+    width = crossings[i + 1] - crossings[i];
+    best.x = 0.5 * (crossings[i] + crossings[i + 1]);
+  }
+  return best;
+}
+
+bool inside(const std::vector<geom::Polyline>& outline, geom::Point p) {
+  const auto holds = [&](const geom::Polyline& ring) { return geom::locate(ring, p) == geom::Side::Inside; };
+  return std::count_if(outline.begin(), outline.end(), holds) % 2 == 1;
+}
+
+/// The lines that part blocks: of faults as long as they reach, with what they are lengthened by at their ends.
+class Parting {
+ public:
+  Parting(const std::vector<Fault>& faults, double size) : faults_(faults), size_(size) {}
+
+  [[nodiscard]] geom::Polyline line_of(const Fault& fault) const {
+    geom::Polyline line = own_line(fault);
+    std::vector<geom::Point>& points = line.points;
+    if (const auto more = beyond(fault, fault.upper, points[points.size() - 2], points.back())) points.push_back(*more);
+    if (const auto more = beyond(fault, fault.lower, points[1], points.front())) points.insert(points.begin(), *more);
+    return line;
+  }
+
+ private:
+  [[nodiscard]] std::optional<geom::Point> beyond(const Fault& fault, const FaultEnd& end, geom::Point inner,
+                                                  geom::Point last) const {
+    if (end.kind == EndKind::Tip) return std::nullopt;
+    const geom::Vector way = geom::normalised(last - inner);
+    if (end.kind != EndKind::Border) {  // a little past what it ends on, whose course is rounded
+      const geom::Vector to = end.at - last;
+      return end.at + 1e-9 * size_ * (geom::length(to) > 1e-9 * size_ ? geom::normalised(to) : way);
+    }
+    geom::Point far = last + 20.0 * size_ * way;
+    for (const Fault& other : faults_) {
+      if (&other == &fault) continue;
+      const geom::Polyline line = own_line(other);
+      for (std::size_t i = 0; i < line.segment_count(); ++i) {
+        const geom::Intersection hit = geom::intersect({last, far}, line.segment(i));
+        if (hit.kind != geom::IntersectionKind::None && hit.start.point != last)
+          far = hit.start.point + 1e-9 * size_ * way;
+      }
+    }
+    return far;
+  }
+
+  const std::vector<Fault>& faults_;
+  double size_;
+};
+
+/// Why a fault parts nothing.
+base::Error unparted(const Fault& fault, const std::vector<geom::Polyline>& outline) {
+  const auto refuse = [&](geom::Point at, std::string message) {
+    return base::Error{base::ErrorCode::BadSection, std::move(message),
+                       geom::place_at(at, fmt::format("fault '{}'", fault.name))};
+  };
+  for (const FaultEnd& end : {fault.lower, fault.upper}) {
+    if (end.kind != EndKind::Tip) continue;
+    double depth = std::numeric_limits<double>::infinity();
+    for (const geom::Polyline& ring : outline) depth = std::min(depth, geom::distance(ring, end.at));
+    return refuse(end.at, fmt::format("it ends in rock, {:.4g} m from the border, so that it parts no block; extend "
+                                      "it, or take trishear or fault_propagation_fold",
+                                      depth));
+  }
+  for (const FaultEnd& end : {fault.lower, fault.upper}) {
+    if (end.kind == EndKind::Cut)
+      return refuse(end.at, fmt::format("it ends on '{}', which is younger; move on that one first", end.on));
+  }
+  return refuse(fault.path.line.points.front(), "it parts no rock of the section; correct it, or add a border");
+}
+
+/// Puts the faces of a drawing together to blocks.
+class Gatherer {
+ public:
+  explicit Gatherer(BlockDrawing& drawing) : drawing_(drawing), sub_(drawing.sub()), faces_(sub_.faces()) {}
+
+  std::vector<Block> run() {
+    std::size_t highest = 0;
+    for (const FaceId f : faces_) highest = std::max(highest, f.index());
+    base::DisjointSets sets(highest + 1);
+    const auto frame = static_cast<std::uint32_t>(drawing_.fault_of.size());
+    for (const EdgeId e : sub_.edges()) {
+      if (!drawing_.faults_on(e).empty() || drawing_.arrangement.runs_along(e, frame)) continue;
+      const HalfEdgeId h = Structure::half_edge(e);
+      sets.join(sub_.face(h).index(), sub_.face(Structure::twin(h)).index());
+    }
+    find_rock(highest + 1);
+    std::vector<Block> blocks = blocks_of(sets);
+    for (Block& block : blocks) complete(block);
+    return blocks;
+  }
+
+ private:
+  void find_rock(std::size_t count) {
+    drawing_.rock.assign(count, false);
+    drawing_.block_of.assign(count, BlockId());
+    for (const FaceId f : faces_) {
+      if (f == Structure::unbounded()) continue;
+      const auto contours = section::contours_round(drawing_.arrangement, {f}, [&](FaceId g) { return g == f; });
+      drawing_.rock[f.index()] = !contours.empty() && inside(drawing_.outline, point_inside(contours));
+    }
+  }
+
+  std::vector<Block> blocks_of(base::DisjointSets& sets) {
+    std::map<std::size_t, std::vector<FaceId>> rock;  // by set
+    std::map<std::size_t, double> areas;
+    double all = 0.0;
+    for (const FaceId f : faces_) {
+      if (!drawing_.rock[f.index()]) continue;
+      const double area = drawing_.arrangement.area(f);
+      rock[sets.root(f.index())].push_back(f);
+      areas[sets.root(f.index())] += area;
+      all += area;
+    }
+    std::vector<std::pair<std::size_t, Block>> found;
+    for (const auto& [set, faces] : rock) {
+      if (areas.at(set) <= 1e-9 * all) continue;  // between a fault and an outline that are drawn along each other
+      Block block;
+      block.area = areas.at(set);
+      const std::set<FaceId> members(faces.begin(), faces.end());
+      block.contours =
+          section::contours_round(drawing_.arrangement, faces, [&](FaceId f) { return members.contains(f); });
+      block.inside = point_inside(block.contours);
+      found.emplace_back(set, std::move(block));
+    }
+    std::stable_sort(found.begin(), found.end(),
+                     [](const auto& a, const auto& b) { return a.second.inside < b.second.inside; });
+    std::vector<Block> blocks;
+    for (auto& [set, block] : found) {
+      block.id = BlockId(blocks.size());
+      for (const FaceId f : faces_) {
+        if (sets.root(f.index()) == set) drawing_.block_of[f.index()] = block.id;
+      }
+      blocks.push_back(std::move(block));
+    }
+    return blocks;
+  }
+
+  /// The faults that part it from others.
+  void complete(Block& block) const {
+    std::set<std::size_t> faults;
+    for (const EdgeId e : sub_.edges()) {
+      const HalfEdgeId h = Structure::half_edge(e);
+      const bool here = drawing_.left_of(h) == block.id;
+      if (here == (drawing_.left_of(Structure::twin(h)) == block.id)) continue;
+      if (!drawing_.rock[sub_.face(here ? h : Structure::twin(h)).index()]) continue;
+      for (const std::size_t fault : drawing_.faults_on(e)) faults.insert(fault);
+    }
+    for (const std::size_t fault : faults) block.faults.push_back(drawing_.names[fault]);
+  }
+
+  BlockDrawing& drawing_;
+  const topo::Subdivision& sub_;
+  std::vector<FaceId> faces_;
+};
+
+base::Result<void> name_blocks(const section::Section& section, const std::vector<geom::Polyline>& outline,
+                               const Blocks& places, std::vector<Block>& blocks) {
+  for (const section::BlockName& name : section.block_names) {
+    const auto refuse = [&](const std::string& what) {
+      return base::Error{base::ErrorCode::BadSection, what,
+                         geom::place_at(name.at, fmt::format("block '{}'", name.name))};
+    };
+    const BlockId id = places.at(name.at);
+    if (!id.valid() || !inside(outline, name.at))
+      return refuse("its point lies on a fault or outside the section; give one between the faults that bound it");
+    Block& block = blocks[id.index()];
+    if (!block.name.empty()) return refuse(fmt::format("its point lies in the block that is called '{}'", block.name));
+    block.name = name.name;
+    block.part_of = name.part_of;
+  }
+  int number = 0;
+  for (Block& block : blocks) {
+    const auto taken = [&](const Block& other) { return other.name == fmt::format("block {}", number); };
+    if (!block.name.empty()) continue;
+    do ++number;
+    while (std::any_of(blocks.begin(), blocks.end(), taken));
+    block.name = fmt::format("block {}", number);
+  }
+  return {};
+}
+
+}  // namespace
+
+base::Result<Blocks> Blocks::make(const section::Section& section, const std::vector<Fault>& faults,
+                                  const FaultOptions& options) {
+  auto drawing = std::make_shared<BlockDrawing>();
+  DOBRA_TRY(drawing->outline, outline_of(section, faults, options));
+  geom::Box box = box_of(section);
+  for (const geom::Polyline& ring : drawing->outline) box.add(ring.box());
+  const double size = box.diagonal();
+  drawing->rounding = 1e-9 * size;
+  const Parting parting(faults, size);
+  std::vector<geom::Polyline> lines;  // one a segment, so that each is an edge as it runs
+  for (std::size_t i = 0; i < faults.size(); ++i) {
+    const geom::Polyline line = parting.line_of(faults[i]);
+    drawing->names.push_back(faults[i].name);
+    for (std::size_t k = 0; k < line.segment_count(); ++k) {
+      lines.push_back({{line.points[k], line.points[k + 1]}, false});
+      drawing->fault_of.push_back(i);
+    }
+  }
+  const geom::Box round = box.grown(3.0 * size);
+  lines.push_back({{round.low, {round.high.x, round.low.y}, round.high, {round.low.x, round.high.y}}, true});
+  lines.insert(lines.end(), drawing->outline.begin(), drawing->outline.end());
+  DOBRA_TRY(drawing->arrangement, section::Arrangement::make(std::move(lines)));
+  drawing->own.resize(faults.size());
+  for (std::size_t line = 0; line < drawing->fault_of.size(); ++line) {
+    const auto path = drawing->arrangement.path(static_cast<std::uint32_t>(line));
+    std::vector<HalfEdgeId>& own = drawing->own[drawing->fault_of[line]];
+    own.insert(own.end(), path.begin(), path.end());
+  }
+  Blocks made;
+  made.blocks_ = Gatherer(*drawing).run();
+  made.drawing_ = std::move(drawing);
+  DOBRA_TRY_VOID(name_blocks(section, made.drawing_->outline, made, made.blocks_));
+  return made;
+}
+
+BlockId Blocks::at(geom::Point p) const {
+  const topo::Subdivision& sub = drawing_->sub();
+  const topo::Location place = topo::locate(sub, p);
+  if (place.where == topo::Where::Face) return drawing_->block_of[place.face.index()];
+  if (place.where == topo::Where::Edge) {
+    const bool fault = !drawing_->faults_on(place.edge).empty();
+    return fault ? BlockId() : drawing_->left_of(Structure::half_edge(place.edge));
+  }
+  BlockId found;
+  for (const HalfEdgeId h : sub.round(place.vertex)) {
+    if (!drawing_->faults_on(Structure::edge(h)).empty()) return {};
+    found = drawing_->left_of(h);
+  }
+  return found;
+}
+
+base::Result<std::vector<BlockId>> Blocks::hanging_wall(const Fault& fault) const {
+  if (fault.undecided) return *fault.undecided;
+  const auto number = static_cast<std::size_t>(std::find(drawing_->names.begin(), drawing_->names.end(), fault.name) -
+                                               drawing_->names.begin());
+  std::set<BlockId> hanging, foot;
+  for (const HalfEdgeId h : drawing_->own.at(number)) {
+    const bool left = fault.path.hanging == kinematics::Side::Left;
+    const BlockId here = drawing_->left_of(left ? h : Structure::twin(h));
+    const BlockId there = drawing_->left_of(left ? Structure::twin(h) : h);
+    if (here == there || !drawing_->touches_rock(h)) continue;  // in one block: what leads to a tip, or over an end
+    hanging.insert(here);
+    foot.insert(there);
+  }
+  hanging.erase(BlockId());
+  spread(fault, number, hanging);
+  const auto shared = [&](BlockId id) { return hanging.contains(id); };
+  if (!hanging.empty() && std::none_of(foot.begin(), foot.end(), shared))
+    return std::vector<BlockId>(hanging.begin(), hanging.end());
+  return unparted(fault, drawing_->outline);
+}
+
+void Blocks::spread(const Fault& fault, std::size_t number, std::set<BlockId>& reached) const {
+  const topo::Subdivision& sub = drawing_->sub();
+  const bool goes_on = fault.lower.kind == EndKind::Branch || fault.upper.kind == EndKind::Branch;
+  std::vector<std::pair<BlockId, BlockId>> neighbours;
+  for (const EdgeId e : sub.edges()) {
+    const HalfEdgeId h = Structure::half_edge(e);
+    const BlockId a = drawing_->left_of(h);
+    const BlockId b = drawing_->left_of(Structure::twin(h));
+    if (a == b || !a.valid() || !b.valid() || !drawing_->in_rock(h)) continue;
+    const std::vector<std::size_t> on = drawing_->faults_on(e);
+    if (std::find(on.begin(), on.end(), number) != on.end()) continue;
+    const geom::Point middle = geom::midpoint(sub.segment(h).from, sub.segment(h).to);
+    if (goes_on && std::abs(kinematics::nearest(fault.path, middle).distance) <= 10.0 * drawing_->rounding) continue;
+    neighbours.emplace_back(a, b);
+  }
+  for (std::size_t before = 0; before != reached.size();) {
+    before = reached.size();
+    for (const auto& [a, b] : neighbours) {
+      if (reached.contains(a)) reached.insert(b);
+      if (reached.contains(b)) reached.insert(a);
+    }
+  }
+}
+
+base::Result<std::vector<BlockId>> Blocks::named(std::span<const std::string> names) const {
+  std::set<BlockId> ids;
+  for (const std::string& name : names) {
+    std::vector<std::string> known;
+    bool found = false;
+    for (const Block& block : blocks_) {
+      known.push_back(block.name);
+      if (!block.part_of.empty()) known.push_back(block.part_of);
+      if (block.name != name && block.part_of != name) continue;
+      ids.insert(block.id);
+      found = true;
+    }
+    if (!found) {
+      return base::Error{base::ErrorCode::BadSection,
+                         fmt::format("the section has no block '{}'{}", name, base::did_you_mean(name, known)),
+                         base::Place{.item = "blocks"}};
+    }
+  }
+  return std::vector<BlockId>(ids.begin(), ids.end());
+}
+
+}  // namespace recon::faults

@@ -1,0 +1,342 @@
+#include "recon/faults/cutoffs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "recon/section/section_faces.h"
+#include "shared/geom/intersect.h"
+#include "shared/topo/region.h"
+
+namespace recon::faults {
+
+namespace {
+
+using kinematics::Wall;
+using section::LineEnd;
+
+std::string text_at(geom::Point p) { return fmt::format("({:.6g}, {:.6g})", p.x, p.y); }
+
+/// A piece of a horizon with vertices where it meets a fault.
+struct Vertex {
+  geom::Point at;
+  double along = 0.0;        ///< The piece, m.
+  std::optional<Wall> wall;  ///< Nothing on the fault.
+};
+
+/// A stretch of the piece on the fault, by its vertices; a single one where it crosses.
+struct Meeting {
+  std::size_t first = 0, last = 0;
+  std::optional<Wall> before, behind;
+};
+
+/// One fault against all horizons.
+class Cutter {
+ public:
+  Cutter(const section::Section& section, const std::vector<Fault>& faults, std::size_t fault, double tolerance)
+      : section_(section), faults_(faults), fault_(faults[fault]), own_(own_line(fault_)), tolerance_(tolerance) {
+    for (const section::Horizon& horizon : section.horizons) box_.add(horizon.line.box());
+    rounding_ = 1e-9 * box_of(section).diagonal();
+    made_.fault = fault_.name;
+  }
+
+  FaultCutoffs run() {
+    if (fault_.undecided) {
+      made_.remarks.push_back(fmt::format("fault '{}': {}", fault_.name, fault_.undecided->message));
+      return std::move(made_);
+    }
+    for (const section::Horizon& horizon : section_.horizons) cut(horizon);
+    for (auto& [name, walls] : found_) pair(name, walls);
+    std::stable_sort(made_.pairs.begin(), made_.pairs.end(),
+                     [](const CutoffPair& a, const CutoffPair& b) { return a.distance < b.distance; });
+    find_sense();
+    return std::move(made_);
+  }
+
+ private:
+  struct Walls {
+    std::vector<Cutoff> hanging, foot;
+  };
+
+  Walls& walls_of(const section::Horizon& horizon) {
+    const std::string& name = whole_name(horizon);
+    const auto at = std::find_if(found_.begin(), found_.end(), [&](const auto& f) { return f.first == name; });
+    return at != found_.end() ? at->second : found_.emplace_back(name, Walls()).second;
+  }
+
+  void add(const section::Horizon& horizon, Wall wall, geom::Point at, LineEnd end, double extended, bool passes) {
+    Walls& walls = walls_of(horizon);
+    const double arc = kinematics::nearest(fault_.path, at).arc;
+    (wall == Wall::Hanging ? walls.hanging : walls.foot).push_back({horizon.id, end, at, arc, extended, passes});
+    if (std::abs(extended) <= rounding_) return;
+    made_.remarks.push_back(fmt::format("horizon '{}' is {} by {:.4g} m to fault '{}' at {}", horizon.name,
+                                        extended > 0.0 ? "extended" : "trimmed", std::abs(extended), fault_.name,
+                                        text_at(at)));
+  }
+
+  void cut(const section::Horizon& horizon) {
+    if (!horizon.line.box().overlaps(own_.box().grown(10.0 * tolerance_))) return;
+    const std::vector<Vertex> line = refined(horizon.line);
+    const std::vector<Meeting> meetings = meetings_of(line);
+    const double length = line.back().along;
+    std::optional<Meeting> at_first, at_last;  // what is to be trimmed behind: the innermost of each end
+    for (const Meeting& m : meetings) {
+      if (line[m.last].along <= tolerance_) at_first = m;
+      if (length - line[m.first].along <= tolerance_ && !at_last && !(at_first && at_first->first == m.first))
+        at_last = m;
+    }
+    for (const Meeting& m : meetings) {
+      const bool trims = line[m.last].along <= tolerance_ || length - line[m.first].along <= tolerance_;
+      if (!trims) cross(horizon, line, m);
+    }
+    end(horizon, line, at_first, LineEnd::First);
+    end(horizon, line, at_last, LineEnd::Last);
+  }
+
+  /// The line itself, with vertices where it meets the fault and in the middle between two of these.
+  [[nodiscard]] std::vector<Vertex> refined(const geom::Polyline& line) const {
+    std::vector<geom::Point> points;
+    for (std::size_t i = 0; i < line.segment_count(); ++i) {
+      const geom::Segment segment = line.segment(i);
+      std::vector<geom::Point> hits{segment.from, segment.to};
+      const geom::Box box = geom::box_of(std::vector<geom::Point>{segment.from, segment.to});
+      for (std::size_t k = 0; k < own_.segment_count() && box.overlaps(own_.box()); ++k) {
+        const geom::Intersection hit = geom::intersect(segment, own_.segment(k));
+        if (hit.kind != geom::IntersectionKind::None) hits.push_back(hit.start.point);
+        if (hit.kind == geom::IntersectionKind::Overlap) hits.push_back(hit.end.point);
+      }
+      geom::sort_along(segment, hits);
+      for (std::size_t k = 0; k + 1 < hits.size(); ++k) {
+        points.push_back(hits[k]);
+        if (hits.size() > 2) points.push_back(geom::midpoint(hits[k], hits[k + 1]));
+      }
+    }
+    points.push_back(line.points.back());
+    std::vector<Vertex> vertices;
+    for (const geom::Point p : points) {
+      const double step = vertices.empty() ? 0.0 : geom::distance(vertices.back().at, p);
+      const double before = vertices.empty() ? 0.0 : vertices.back().along;
+      const double off = kinematics::nearest(fault_.path, p).distance;
+      const bool on = std::abs(off) <= rounding_;
+      vertices.push_back({p, before + step, on ? std::nullopt : std::optional(off > 0.0 ? Wall::Hanging : Wall::Foot)});
+    }
+    return vertices;
+  }
+
+  /// Where the line is on the own part of the fault.
+  [[nodiscard]] std::vector<Meeting> meetings_of(const std::vector<Vertex>& line) const {
+    std::vector<Meeting> meetings;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      if (line[i].wall || geom::distance(own_, line[i].at) > rounding_) continue;
+      Meeting m{i, i, {}, {}};
+      while (m.last + 1 < line.size() && !line[m.last + 1].wall) ++m.last;
+      if (m.first > 0) m.before = line[m.first - 1].wall;
+      if (m.last + 1 < line.size()) m.behind = line[m.last + 1].wall;
+      i = m.last;
+      meetings.push_back(m);
+    }
+    return meetings;
+  }
+
+  /// The line passes the fault away from its ends: uncut, or drawn along it from one wall to the other.
+  void cross(const section::Horizon& horizon, const std::vector<Vertex>& line, const Meeting& m) {
+    if (!m.before || !m.behind || *m.before == *m.behind) return;
+    const geom::Point from = line[m.first].at;
+    const geom::Point to = line[m.last].at;
+    const bool along = geom::distance(from, to) > rounding_;
+    add(horizon, *m.before, from, LineEnd::Last, 0.0, !along);
+    add(horizon, *m.behind, to, LineEnd::First, 0.0, !along);
+    if (along) return;
+    made_.remarks.push_back(fmt::format("horizon '{}' crosses fault '{}' at {} without being cut", horizon.name,
+                                        fault_.name, text_at(from)));
+  }
+
+  /// An end of the line: at the fault, past it by no more than the tolerance, or short of it.
+  void end(const section::Horizon& horizon, const std::vector<Vertex>& line, const std::optional<Meeting>& passed,
+           LineEnd which) {
+    const bool first = which == LineEnd::First;
+    if (passed) {
+      const std::size_t inner = first ? passed->last : passed->first;
+      const auto wall = first ? passed->behind : passed->before;
+      const double beyond = first ? line[inner].along : line.back().along - line[inner].along;
+      if (wall) add(horizon, *wall, line[inner].at, which, beyond > 0.0 ? -beyond : 0.0, false);
+      return;
+    }
+    const Vertex& tip = first ? line.front() : line.back();
+    const double gap = geom::distance(own_, tip.at);
+    if (!tip.wall || gap > 10.0 * tolerance_ || !is_nearest(tip.at, gap)) return;
+    if (gap > tolerance_) {
+      if (tip.at.x <= box_.low.x + tolerance_ || tip.at.x >= box_.high.x - tolerance_) return;  // the section's end
+      made_.remarks.push_back(
+          fmt::format("horizon '{0}' stops {1:.4g} m short of fault '{2}' at {3}; tolerance = "
+                      "{1:.4g} (--tolerance) takes it to the fault",
+                      horizon.name, std::ceil(gap), fault_.name, text_at(tip.at)));
+      return;
+    }
+    const geom::Point before = first ? line[1].at : line[line.size() - 2].at;
+    const geom::Point at = reached(before, tip.at);
+    add(horizon, *tip.wall, at, which, geom::distance(tip.at, at), false);
+  }
+
+  /// Of several faults the nearest takes an end.
+  [[nodiscard]] bool is_nearest(geom::Point p, double gap) const {
+    return std::all_of(faults_.begin(), faults_.end(), [&](const Fault& other) {
+      return &other == &fault_ || geom::distance(own_line(other), p) >= gap;
+    });
+  }
+
+  /// Where a line that goes on straight meets the fault, or, if not nearby, the nearest point of that.
+  [[nodiscard]] geom::Point reached(geom::Point before, geom::Point tip) const {
+    const geom::Point far = tip + 3.0 * tolerance_ * geom::normalised(tip - before);
+    std::optional<geom::Point> best;
+    for (std::size_t k = 0; k < own_.segment_count(); ++k) {
+      const geom::Intersection hit = geom::intersect({tip, far}, own_.segment(k));
+      if (hit.kind == geom::IntersectionKind::None) continue;
+      if (!best || geom::distance(tip, hit.start.point) < geom::distance(tip, *best)) best = hit.start.point;
+    }
+    if (best) return *best;
+    const double arc = kinematics::nearest(fault_.path, tip).arc;
+    return kinematics::point_at(fault_.path, std::clamp(arc, fault_.own_from, fault_.own_to));
+  }
+
+  /// The k-th from above of one wall belongs to the k-th of the other one.
+  void pair(const std::string& horizon, Walls& walls) {
+    const auto sort = [](std::vector<Cutoff>& cutoffs) {
+      std::stable_sort(cutoffs.begin(), cutoffs.end(), [](const Cutoff& a, const Cutoff& b) { return a.arc > b.arc; });
+    };
+    sort(walls.hanging);
+    sort(walls.foot);
+    const std::size_t most = std::max(walls.hanging.size(), walls.foot.size());
+    for (std::size_t k = 0; k < most; ++k)
+      made_.pairs.push_back(measured(horizon, nth(walls.hanging, k), nth(walls.foot, k)));
+    if (most > 1) tell_several(horizon, walls);
+  }
+
+  void tell_several(const std::string& horizon, const Walls& walls) {
+    for (const auto& [name, cutoffs] : {std::pair("hanging wall", &walls.hanging), {"footwall", &walls.foot}}) {
+      if (cutoffs->size() < 2) continue;
+      std::string places;
+      for (const Cutoff& c : *cutoffs) places += (places.empty() ? "" : ", ") + text_at(c.at);
+      made_.remarks.push_back(
+          fmt::format("horizon '{}' has {} cutoffs on the {} of fault '{}', paired in order from "
+                      "above: {}",
+                      horizon, cutoffs->size(), name, fault_.name, places));
+    }
+  }
+
+  static std::optional<Cutoff> nth(const std::vector<Cutoff>& cutoffs, std::size_t k) {
+    return k < cutoffs.size() ? std::optional(cutoffs[k]) : std::nullopt;
+  }
+
+  CutoffPair measured(const std::string& horizon, const std::optional<Cutoff>& hw, const std::optional<Cutoff>& fw) {
+    CutoffPair pair;
+    pair.horizon = horizon;
+    pair.hanging_wall = hw;
+    pair.footwall = fw;
+    if (!hw || !fw) {
+      const Cutoff& only = hw ? *hw : *fw;
+      pair.distance = fault_.own_to - only.arc;
+      made_.remarks.push_back(fmt::format("horizon '{}' has no cutoff on the {} of fault '{}' for the one at {}",
+                                          pair.horizon, hw ? "footwall" : "hanging wall", fault_.name,
+                                          text_at(only.at)));
+      return pair;
+    }
+    pair.distance = fault_.own_to - 0.5 * (hw->arc + fw->arc);
+    pair.separation = fw->arc - hw->arc;
+    pair.throw_ = fw->at.y - hw->at.y;
+    pair.heave = opening() * (hw->at.x - fw->at.x) + 0.0;  // no -0
+    pair.gap = std::max(*pair.heave, 0.0);
+    pair.overlap = std::max(-*pair.heave, 0.0);
+    return pair;
+  }
+
+  /// The sign of the x towards which a hanging wall goes that comes down.
+  [[nodiscard]] double opening() const {
+    const double down = own_.points.front().x - own_.points.back().x;
+    if (std::abs(down) > rounding_) return down > 0.0 ? 1.0 : -1.0;
+    return fault_.path.hanging == kinematics::Side::Right ? 1.0 : -1.0;
+  }
+
+  void find_sense() {
+    double sum = 0.0, greatest = 0.0;
+    for (const CutoffPair& pair : made_.pairs) {
+      if (!pair.separation) continue;
+      sum += *pair.separation;
+      greatest = std::max(greatest, std::abs(*pair.separation));
+      made_.sense = Sense::None;
+    }
+    if (made_.sense == Sense::Unknown || greatest <= rounding_) return;
+    made_.sense = sum > 0.0 ? Sense::Normal : Sense::Reverse;
+  }
+
+  const section::Section& section_;
+  const std::vector<Fault>& faults_;
+  const Fault& fault_;
+  geom::Polyline own_;
+  double tolerance_;
+  geom::Box box_;          ///< Of all horizons.
+  double rounding_ = 0.0;  ///< What is no farther off lies on the fault, m.
+  std::vector<std::pair<std::string, Walls>> found_;
+  FaultCutoffs made_;
+};
+
+}  // namespace
+
+std::vector<FaultCutoffs> cutoffs_of(const section::Section& section, const std::vector<Fault>& faults,
+                                     const FaultOptions& options) {
+  std::vector<FaultCutoffs> cutoffs;
+  for (std::size_t i = 0; i < faults.size(); ++i)
+    cutoffs.push_back(Cutter(section, faults, i, tolerance_of(section, options)).run());
+  return cutoffs;
+}
+
+namespace {
+
+/// Lengthens or trims a line to a cutoff, and a little past the fault, whose course is rounded.
+void reach(const Cutoff& cutoff, double past, geom::Polyline& line) {
+  const bool first = cutoff.end == LineEnd::First;
+  if (first) line = geom::reversed(std::move(line));
+  std::vector<geom::Point>& points = line.points;
+  double over = -cutoff.extended;
+  while (over > 0.0 && points.size() > 2 && geom::distance(points[points.size() - 2], points.back()) <= over) {
+    over -= geom::distance(points[points.size() - 2], points.back());
+    points.pop_back();
+  }
+  const bool trimmed = cutoff.extended < 0.0;
+  const geom::Point inner = trimmed ? points[points.size() - 2] : points.back();
+  const geom::Vector way = cutoff.at - inner;
+  if (trimmed) points.pop_back();
+  points.push_back(geom::length(way) > 0.0 ? cutoff.at + past * geom::normalised(way) : cutoff.at);
+  if (first) line = geom::reversed(std::move(line));
+}
+
+}  // namespace
+
+base::Result<std::vector<geom::Polyline>> outline_of(const section::Section& section, std::vector<Fault> faults,
+                                                     const FaultOptions& options) {
+  if (section.border) return std::vector<geom::Polyline>{*section.border};
+  for (Fault& fault : faults) fault.undecided.reset();
+  section::Section tidy = section;
+  const double past = 1e-9 * box_of(section).diagonal();
+  for (const FaultCutoffs& cutoffs : cutoffs_of(section, faults, options)) {
+    for (const CutoffPair& pair : cutoffs.pairs) {
+      for (const std::optional<Cutoff>& cutoff : {pair.hanging_wall, pair.footwall}) {
+        if (!cutoff || cutoff->passes || cutoff->extended == 0.0) continue;
+        for (section::Horizon& horizon : tidy.horizons) {
+          if (horizon.id == cutoff->piece) reach(*cutoff, past, horizon.line);
+        }
+      }
+    }
+  }
+  DOBRA_TRY(const section::SectionFaces faces, faces_of(tidy));
+  std::vector<geom::Polyline> rings;
+  for (const section::RockUnit& unit : faces.units)
+    rings.insert(rings.end(), unit.contours.begin(), unit.contours.end());
+  for (const section::Unit& unit : section.units) rings.push_back(unit.contour);
+  if (rings.empty()) return rings;
+  return dobra::topo::region(rings, dobra::topo::Inside::Positive);
+}
+
+}  // namespace recon::faults

@@ -1,0 +1,63 @@
+#include "recon/faults/report.h"
+
+#include <fmt/format.h>
+
+namespace recon::faults {
+
+namespace {
+
+/// Steps and reversals with their places, ends that stand off what they end on.
+void add_remarks(const Fault& fault, const std::vector<ProfilePoint>& profile, double tolerance,
+                 std::vector<std::string>& remarks) {
+  for (std::size_t i = 1; i < profile.size(); ++i) {
+    if (profile[i].mark == ProfileMark::None) continue;
+    remarks.push_back(
+        fmt::format("fault '{}': {} of the separation between horizons '{}' ({:.4g} m) and '{}' ({:.4g} "
+                    "m), {:.4g} to {:.4g} m from its higher end",
+                    fault.name, name_of(profile[i].mark), profile[i - 1].horizon, profile[i - 1].separation,
+                    profile[i].horizon, profile[i].separation, profile[i - 1].distance, profile[i].distance));
+  }
+  for (const FaultEnd& end : {fault.lower, fault.upper}) {
+    if (end.on.empty() || end.gap <= 1e-6 * tolerance) continue;
+    remarks.push_back(
+        fmt::format("fault '{}' ends {:.4g} m off fault '{}' at ({:.6g}, {:.6g}) and is taken to end on "
+                    "it",
+                    fault.name, end.gap, end.on, end.at.x, end.at.y));
+  }
+  if (fault.name != fault.whole) {
+    remarks.push_back(
+        fmt::format("'{}' does not meet the other pieces of fault '{}' and stands by itself", fault.name, fault.whole));
+  }
+}
+
+}  // namespace
+
+base::Result<FaultReport> report_faults(const section::Section& section, const FaultsParams& params) {
+  const FaultOptions options{params.tolerance.value_or(0.0)};
+  FaultReport report;
+  report.tolerance = tolerance_of(section, options);
+  DOBRA_TRY(report.faults, faults_of(section, options));
+  if (report.faults.empty()) {
+    return base::Error{base::ErrorCode::BadSection,
+                       "the section has no fault; add an [[input.fault]], or give lines of a file the kind fault "
+                       "(--kind 'F*=fault')",
+                       base::Place{.item = "faults"}};
+  }
+  report.cutoffs = cutoffs_of(section, report.faults, options);
+  for (std::size_t i = 0; i < report.faults.size(); ++i) {
+    const std::vector<std::string>& told = report.cutoffs[i].remarks;
+    report.remarks.insert(report.remarks.end(), told.begin(), told.end());
+    report.profiles.push_back(profile_of(report.cutoffs[i]));
+    add_remarks(report.faults[i], report.profiles[i], report.tolerance, report.remarks);
+  }
+  DOBRA_TRY(const Blocks blocks, Blocks::make(section, report.faults, options));
+  report.blocks = blocks.all();
+  if (report.blocks.empty()) {
+    report.remarks.push_back(
+        "there are no blocks, since the horizons and their ends at the faults enclose no area; give a border "
+        "([[input.border]]), or a larger tolerance");
+  }
+  return report;
+}
+
+}  // namespace recon::faults
