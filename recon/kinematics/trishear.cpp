@@ -126,6 +126,7 @@ void through_zone(Zone zone, double tolerance, double& x, double& e, double& lef
   const double goal = left / x;
   double h = 0.1;
   double error = 0.0;
+  bool ended = true;
   for (int steps = 0; steps < 100000; ++steps) {
     const State next = zone.step(at, h, error);
     if (error > tolerance && h > 1e-14) {
@@ -141,23 +142,20 @@ void through_zone(Zone zone, double tolerance, double& x, double& e, double& lef
       continue;
     }
     // The first of what the step passes.
-    const auto beyond = [&](const State& state) {
-      const double after_end = (state[2] - goal) / (1.0 + goal);
-      return std::max({after_end, -zone.side * state[0] - (past_middle ? 0.0 : 1.0), std::abs(state[0]) - 1.0});
-    };
-    at = step_to(zone, at, h, beyond);
-    const double after_end = std::abs(at[2] - goal) / (1.0 + goal);
-    if (past_middle && std::abs(at[0]) <= 1e-15 && after_end > 1e-15) {
-      zone.side = -zone.side;
-      at[0] = 0.0;
-      continue;
-    }
-    break;
+    const auto after_end = [&](const State& state) { return (state[2] - goal) / (1.0 + goal); };
+    const auto over_middle = [&](const State& state) { return past_middle ? -zone.side * state[0] : -1.0; };
+    const auto over_side = [&](const State& state) { return past_side ? std::abs(state[0]) - 1.0 : -1.0; };
+    at = step_to(zone, at, h, [&](const State& state) {
+      return std::max({after_end(state), over_middle(state), over_side(state)});
+    });
+    ended = after_end(at) >= std::max(over_middle(at), over_side(at));
+    if (ended || over_side(at) >= over_middle(at)) break;
+    zone.side = -zone.side;
+    at[0] = 0.0;
   }
-  left = std::max(0.0, left - x * at[2]);
-  if (std::abs(std::abs(at[0]) - 1.0) > 1e-14) left = 0.0;
+  left = ended ? 0.0 : std::max(0.0, left - x * at[2]);
   x *= std::exp(at[1]);
-  e = zone.side * std::pow(std::abs(at[0]), k);
+  e = zone.side * std::min(std::pow(std::abs(at[0]), k), 1.0);
 }
 
 }  // namespace
@@ -210,6 +208,7 @@ geom::Point TrishearMap::operator()(geom::Point p, Wall on_fault) const {
   double lift = 0.0;
   if (x <= nudge && std::abs(y) <= 10.0 * nudge) lift = (on_fault == Wall::Hanging ? nudge : -nudge) - y;
   y += lift;
+  const double lifted = y;
   const Zone zone{sense_, params_.propagation, params_.concentration, back_ ? -1.0 : 1.0};
   double left = amount_;
   for (int part = 0; part < 3 && left > 0.0; ++part) {
@@ -226,7 +225,7 @@ geom::Point TrishearMap::operator()(geom::Point p, Wall on_fault) const {
     x = enters ? std::abs(y) / slope_ * (1.0 + 1e-15) : x + speed * left;
     left = enters ? left - entry : 0.0;
   }
-  y -= lift;
+  if (y == lifted) y -= lift;
   return tips.after + x * direction_ + y * out_;
 }
 

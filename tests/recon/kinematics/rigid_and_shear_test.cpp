@@ -54,7 +54,7 @@ TEST(RigidMap, ATurnAndAShiftAndTheWayBack) {
 TEST(RigidMap, HeaveAndThrowAreThoseOfTheChord) {
   const FaultPath path = test::fault({{0, 0}, {10, 0}, {30, 30}});
   EXPECT_EQ(shift_along_chord(path, {Measure::Heave, 5.0}).value(), geom::Vector(5.0, 5.0));
-  EXPECT_EQ(shift_along_chord(mirrored(path), {Measure::Throw, -5.0}).value(), geom::Vector(5.0, -5.0));
+  EXPECT_EQ(shift_along_chord(test::mirrored(path), {Measure::Throw, -5.0}).value(), geom::Vector(5.0, -5.0));
   const auto none = shift_along_chord(test::fault({{0, 0}, {9, 0}}), {Measure::Throw, 5.0});
   ASSERT_FALSE(none);
   EXPECT_EQ(none.error().code, base::ErrorCode::CannotRestore);
@@ -127,10 +127,11 @@ TEST(ShearOverAFault, TheHeaveThatIsSolvedTakesTheCutoffSoFar) {
       const geom::Point to = map.forward(from);
       const OnPath end = nearest(path, to);
       EXPECT_NEAR(end.distance, 0.0, 1e-9);
-      if (amount.as == Measure::Slip) EXPECT_NEAR(end.arc - arc, amount.value, 1e-8);
-      // Up this path is towards -x, and up.
-      if (amount.as == Measure::Heave) EXPECT_NEAR(from.x - to.x, amount.value, 1e-9);
-      if (amount.as == Measure::Throw) EXPECT_NEAR(to.y - from.y, amount.value, 1e-9);
+      // Up this path is towards -x.
+      const double gone = amount.as == Measure::Slip    ? end.arc - arc
+                          : amount.as == Measure::Heave ? from.x - to.x
+                                                        : to.y - from.y;
+      EXPECT_NEAR(gone, amount.value, 1e-8);
     }
   }
 }
