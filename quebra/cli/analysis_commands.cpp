@@ -44,7 +44,7 @@ using base::Result;
 
 constexpr int interrupted = 130;  // exit code
 
-struct Options {
+struct AnalysisOptions {
   dobra::cli::ScenarioOptions scenario;
   dobra::cli::ParameterOptions step, rules, view, samples;
   std::string line;
@@ -77,7 +77,8 @@ Result<std::vector<geom::Point>> points_in(const std::string& option, const std:
 }
 
 /// Lines, probes and pictures that the options ask for, as steps.
-Result<void> add_result_steps(const Options& options, dobra::cli::OutputFormat format, scenario::Document& document) {
+Result<void> add_result_steps(const AnalysisOptions& options, dobra::cli::OutputFormat format,
+                              scenario::Document& document) {
   if (options.out && options.line.empty())
     return Error{ErrorCode::BadUsage, "--out is the file of the line: give --line x0,y0,x1,y1"};
   if (!options.line.empty() && !options.out && format != dobra::cli::OutputFormat::Json)
@@ -193,7 +194,7 @@ Result<std::size_t> take_steps(dobra::cli::Session& session, const std::string& 
 }
 
 Result<scenario::Document> document_of(dobra::cli::Session& session, const std::string& operation,
-                                       const Options& options) {
+                                       const AnalysisOptions& options) {
   DOBRA_TRY(scenario::Document document, dobra::cli::load(session, options.scenario));
   DOBRA_TRY(const std::size_t at, take_steps(session, operation, document));
   scenario::Table& params = document.steps[at].params;
@@ -273,7 +274,8 @@ std::string plain_text(const scenario::Program& program, const scenario::State& 
   return text;
 }
 
-Result<void> write_results(const scenario::Program& program, const scenario::State& state, const Options& options) {
+Result<void> write_results(const scenario::Program& program, const scenario::State& state,
+                           const AnalysisOptions& options) {
   for (const auto& table : program.tables_of(state)) {
     if (!options.out || table.name != "line_command") continue;
     DOBRA_TRY_VOID(io::write_file(options.out->string(), scenario::csv_text(table)));
@@ -290,7 +292,7 @@ Result<void> write_results(const scenario::Program& program, const scenario::Sta
 }
 
 /// An error about the probe of an option names the option, not the number that it has got.
-Error of_option(Error error, const Options& options) {
+Error of_option(Error error, const AnalysisOptions& options) {
   for (std::size_t i = 0; error.place && i < options.probes.size(); ++i) {
     if (error.place->item == fmt::format("'{}'", i + 1))
       error.place->item = fmt::format("--probe {}", options.probes[i]);
@@ -317,7 +319,7 @@ Result<scenario::Run> run_loop(dobra::cli::Session& session, const scenario::Doc
   return run;
 }
 
-Result<int> job(dobra::cli::Session& session, const std::string& operation, const Options& options) {
+Result<int> job(dobra::cli::Session& session, const std::string& operation, const AnalysisOptions& options) {
   for (const auto& file : {options.picture, options.curve}) {
     if (file) DOBRA_TRY_VOID(dobra::cli::check_ending(*file, dobra::cli::Drawer::Cairo));
   }
@@ -342,7 +344,7 @@ Result<int> job(dobra::cli::Session& session, const std::string& operation, cons
 dobra::cli::Command command(const std::string& name, const std::string& operation, const std::string& help) {
   return {
       name, help, [operation](CLI::App& app) -> dobra::cli::Job {
-        const auto options = std::make_shared<Options>();
+        const auto options = std::make_shared<AnalysisOptions>();
         dobra::cli::add_scenario_options(app, options->scenario);
         if (operation == "adapt") {
           options->step.add(app, scenario::fields_of<analysis::AdaptParams>(),

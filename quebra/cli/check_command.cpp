@@ -36,7 +36,7 @@ using dobra::cli::Job;
 using dobra::cli::Session;
 using Json = nlohmann::ordered_json;
 
-struct Options {
+struct CheckOptions {
   InputFile input;
   std::optional<std::filesystem::path> picture;
 };
@@ -52,7 +52,7 @@ struct Verdict {
   std::vector<std::string> faults;
 };
 
-Result<Verdict> of_polygons(const Options& options, mesh::Closedness wanted) {
+Result<Verdict> of_polygons(const CheckOptions& options, mesh::Closedness wanted) {
   DOBRA_TRY(const mesh::PolygonMesh polygons, io::meshes::read_polygons(options.input.scenario.file.string()));
   Verdict verdict;
   for (auto& finding : check(polygons, wanted)) {
@@ -91,7 +91,7 @@ Json sets_of(const mesh::ElementMesh& mesh) {
   return sets;
 }
 
-Result<Verdict> of_elements(const Options& options) {
+Result<Verdict> of_elements(const CheckOptions& options) {
   DOBRA_TRY(const io::formats::MeshContents contents, io::formats::read_mesh(options.input.scenario.file.string()));
   Verdict verdict;
   verdict.counts = {{"nodes", contents.mesh.points.size()}, {"elements", contents.mesh.element_count()}};
@@ -181,7 +181,7 @@ Verdict of_domain(const model::Model& model) {
 }
 
 /// A scenario's input, or a file of geometry.
-Result<Verdict> of_geometry(Session& session, const Options& options) {
+Result<Verdict> of_geometry(Session& session, const CheckOptions& options) {
   if (options.picture) DOBRA_TRY_VOID(dobra::cli::check_writable(*options.picture));
   DOBRA_TRY(scenario::Document document, document_of(session, options.input));
   document.steps.clear();
@@ -230,7 +230,7 @@ std::string curves_text(const Verdict& verdict) {
 
 // --- either ----------------------------------------------------------------------------------------------------------
 
-Result<Verdict> verdict_of(Session& session, const Options& options) {
+Result<Verdict> verdict_of(Session& session, const CheckOptions& options) {
   const std::string ending = io::ending_of(options.input.scenario.file.string());
   if (io::formats::format_of(options.input.scenario.file.string(), io::formats::Use::ReadMesh) == nullptr)
     return of_geometry(session, options);
@@ -269,7 +269,7 @@ Json json_of(const Verdict& verdict) {
   return json;
 }
 
-Result<int> check_job(Session& session, const Options& options) {
+Result<int> check_job(Session& session, const CheckOptions& options) {
   if (options.picture) DOBRA_TRY_VOID(dobra::cli::check_ending(*options.picture, dobra::cli::Drawer::Cairo));
   DOBRA_TRY(const Verdict verdict, verdict_of(session, options));
   for (const std::string& remark : verdict.remarks) session.note(remark);
@@ -291,7 +291,7 @@ Command check_command() {
           "Say what is wrong with a mesh file (with --closed an open edge of a polygon mesh too); list the names of a "
           "scenario or a file of geometry",
           [](CLI::App& app) -> Job {
-            const auto options = std::make_shared<Options>();
+            const auto options = std::make_shared<CheckOptions>();
             app.add_option("file", options->input.scenario.file,
                            fmt::format("Mesh ({}), scenario (.toml) or geometry ({} {})",
                                        fmt::join(io::formats::endings_for(io::formats::Use::ReadMesh), " "),

@@ -39,7 +39,7 @@ using dobra::cli::Command;
 using dobra::cli::Job;
 using dobra::cli::Session;
 
-struct Options {
+struct MeshOptions {
   InputFile input;
   dobra::cli::ParameterOptions rules, step;
   std::vector<std::string> bands, zones;
@@ -102,7 +102,7 @@ Result<scenario::Step> zone_step(const std::string& text) {
 }
 
 /// Its last step is the mesh that is asked for; what stands behind says nothing about it.
-Result<scenario::Document> mesh_document_of(Session& session, const Options& options) {
+Result<scenario::Document> mesh_document_of(Session& session, const MeshOptions& options) {
   DOBRA_TRY(scenario::Document document, document_of(session, options.input));
   StepChanges changes;
   const auto last = std::find_if(document.steps.rbegin(), document.steps.rend(),
@@ -185,7 +185,7 @@ Result<void> write_out(Session& session, const std::filesystem::path& out, const
   return {};
 }
 
-Result<int> mesh_job(Session& session, const Options& options) {
+Result<int> mesh_job(Session& session, const MeshOptions& options) {
   if (options.out) DOBRA_TRY_VOID(io::formats::check_mesh_ending(options.out->string()));
   for (const auto& file : {options.histogram, options.picture, options.size_field}) {
     if (file) DOBRA_TRY_VOID(dobra::cli::check_ending(*file, dobra::cli::Drawer::Cairo));
@@ -249,7 +249,7 @@ Result<int> mesh_job(Session& session, const Options& options) {
 
 Command mesh_command() {
   return {"mesh", "Mesh a scenario or a file of geometry", [](CLI::App& app) -> Job {
-            const auto options = std::make_shared<Options>();
+            const auto options = std::make_shared<MeshOptions>();
             app.add_option("file", options->input.scenario.file,
                            fmt::format("Scenario (.toml), geometry ({} {}) or a mesh whose boundary is meant ({})",
                                        fmt::join(io::formats::endings_for(io::formats::Use::ReadDrawing), " "),

@@ -25,7 +25,6 @@ using namespace dobra;
 using base::translated;
 using scene::Color;
 
-constexpr Color ink{38, 50, 56};
 constexpr Color constraint_blue{13, 71, 161};
 constexpr Color crack_red{198, 40, 40};
 constexpr Color front_orange{230, 81, 0};

@@ -10,6 +10,9 @@
 
 namespace quebra::core {
 
+/// Of outlines and of figures.
+inline constexpr dobra::scene::Color ink{38, 50, 56};
+
 /// The domain, or the last two meshes, or the mesher at work.
 void draw(const model::Model& model, dobra::scene::Picture& picture);
 void add_quantities(const model::Model& model, std::vector<dobra::scenario::Quantity>& quantities);

@@ -25,9 +25,8 @@ using dobra::base::translated;
 using dobra::geom::Point;
 using dobra::geom::Polyline;
 
-constexpr scene::Color ink{38, 50, 56};
 constexpr scene::Color before_grey{84, 110, 122};
-constexpr scene::Color mesh_line{38, 50, 56, 70};
+constexpr scene::Color faint_mesh_line{38, 50, 56, 70};
 constexpr scene::Color contour_line{255, 255, 255, 210};
 /// Displacements are drawn this long, of the size of the model, unless asked otherwise.
 constexpr double drawn_displacement = 0.05;
@@ -324,7 +323,7 @@ scene::Panel view_panel(const analysis::Analysis& analysis, std::size_t load_cas
   const bool constant = scene::settle_constant(colors, size_of(analysis, load_case, params.field));
   add("field", title_of(params.field), {.line_width = 0.0}, std::move(colors), scene::InLegend::No);
   if (params.mesh == Shown::Yes)
-    add("elements", translated("Elements"), {.line = mesh_line, .line_width = outline_width(mesh)},
+    add("elements", translated("Elements"), {.line = faint_mesh_line, .line_width = outline_width(mesh)},
         sides_of(mesh, moved), scene::InLegend::No);
   if (params.contours > 0 && params.field != analysis::FieldName::Error && !constant) {
     scene::Lines contours;

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <iterator>
 #include <map>
-#include <numeric>
 #include <optional>
 
 #include "quebra/domain/domain.h"
@@ -15,6 +14,7 @@
 #include "quebra/sketch/enclosed.h"
 #include "quebra/sketch/ends.h"
 #include "quebra/sketch/snap.h"
+#include "shared/base/disjoint_sets.h"
 #include "shared/geom/intersect.h"
 #include "shared/geom/spatial_index.h"
 #include "shared/topo/insert.h"
@@ -224,19 +224,11 @@ class Crossings {
         boxes.push_back(along.line.segment(i).box());
       }
     }
-    std::vector<std::size_t> parent(curves_.size());
-    std::iota(parent.begin(), parent.end(), std::size_t{0});
-    const auto root = [&](std::size_t c) {
-      while (parent[c] != c) c = parent[c] = parent[parent[c]];
-      return c;
-    };
-    const auto join = [&](std::size_t a, std::size_t b) {
-      parent[std::max(root(a), root(b))] = std::min(root(a), root(b));
-    };
+    dobra::base::DisjointSets parts(curves_.size());
     std::vector<std::uint8_t> on_ring(curves_.size(), 0);
     for (const Ring& ring : rings) {
       for (const auto& side : ring.sides) {
-        join(ring.sides.front().curve, side.curve);
+        parts.join(ring.sides.front().curve, side.curve);
         on_ring[side.curve] = 1;
       }
     }
@@ -256,16 +248,16 @@ class Crossings {
       if (point_only && met.start.on_first != At::Interior && met.start.on_second != At::Interior) continue;
       const Met how = cut(a, b, met.start.point, point_only);
       if (how == Met::Apart) continue;
-      join(a.curve, b.curve);
+      parts.join(a.curve, b.curve);
       meetings.push_back({a.curve, met.start.point, how == Met::Cut});
     }
     std::map<std::size_t, Group> groups;
     for (const Meeting& meeting : meetings) {
-      Group& group = groups.try_emplace(root(meeting.curve), Group{{}, meeting.at}).first->second;
+      Group& group = groups.try_emplace(parts.root(meeting.curve), Group{{}, meeting.at}).first->second;
       group.can = group.can && meeting.can;
     }
     for (std::size_t c = 0; c < curves_.size(); ++c) {
-      const auto group = groups.find(root(c));
+      const auto group = groups.find(parts.root(c));
       if (group == groups.end()) continue;
       group->second.curves.insert(c);
       group->second.can = group->second.can && on_ring[c] != 0;

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "recon/balance/percent.h"
+
 namespace recon::balance {
 
 namespace {
-
-double percent(double part, double whole) { return whole == 0.0 ? 0.0 : 100.0 * part / whole; }
 
 void set_lengths(LineLength& row) {
   row.length_before = row.before.length;

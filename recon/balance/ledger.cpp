@@ -7,6 +7,7 @@
 #include <span>
 
 #include "recon/balance/face_ledger.h"
+#include "recon/balance/percent.h"
 #include "recon/maps/area_change.h"
 #include "shared/base/parallel.h"
 #include "shared/geom/contour.h"
@@ -38,8 +39,6 @@ class RangeSum {
   double sum_ = 0.0;
   double weight_ = 0.0;
 };
-
-double percent(double part, double whole) { return whole == 0.0 ? 0.0 : 100.0 * part / whole; }
 
 /// What one unit adds to the ledger; made in parallel, joined in order.
 struct Part {

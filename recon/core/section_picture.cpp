@@ -178,7 +178,7 @@ scene::Arrangement arrangement_of(const std::vector<scene::Panel>& panels) {
   return scale(column) > clearly * scale(row) ? scene::Arrangement::Column : scene::Arrangement::Row;
 }
 
-void append(std::vector<scene::Layer> more, std::vector<scene::Layer>& layers) {
+void add_layers(std::vector<scene::Layer> more, std::vector<scene::Layer>& layers) {
   layers.insert(layers.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
@@ -293,10 +293,10 @@ scene::Panel empty_panel(const std::string& key, const std::string& title, const
 scene::Panel section_panel(scene::Panel panel, const section::Section& section, const section::Palette& palette,
                            PanelParts parts) {
   panel.layers = std::move(parts.under);
-  append(std::move(parts.grid), panel.layers);
+  add_layers(std::move(parts.grid), panel.layers);
   add_items(panel, section, palette);
   add_horizons(panel, section, palette);
-  append(std::move(parts.pin), panel.layers);
+  add_layers(std::move(parts.pin), panel.layers);
   add_names(panel, section, palette);
   return panel;
 }

@@ -10,8 +10,6 @@ namespace recon::maps {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// A corner whose mitre is longer than this many times the depth counts as turning back on itself.
 constexpr double longest_mitre = 1e6;
 

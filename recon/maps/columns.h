@@ -11,6 +11,7 @@
 // Page: docs/algorithms/unfold.md. Source: [carvalho2005offset].
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -26,6 +27,8 @@ namespace geom = dobra::geom;
 }  // namespace recon
 
 namespace recon::maps {
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct ColumnTag {
   static constexpr const char* prefix = "column";

@@ -8,8 +8,6 @@ namespace recon::maps {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 ColumnId column_of(std::uint32_t index) { return ColumnId(index); }
 std::uint32_t index_of(ColumnId column) { return static_cast<std::uint32_t>(column.index()); }
 

@@ -10,8 +10,6 @@ namespace recon::maps {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// Strips in a block: few enough to look through, enough that the boxes take little room.
 constexpr std::size_t block_size = 24;
 

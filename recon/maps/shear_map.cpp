@@ -12,8 +12,6 @@ namespace recon::maps {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// A line as a function w(q), q increasing.
 struct Graph {
   std::vector<double> q;

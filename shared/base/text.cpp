@@ -76,6 +76,11 @@ std::string did_you_mean(std::string_view word, std::span<const std::string> can
   return best ? fmt::format("; did you mean '{}'?", *best) : std::string{};
 }
 
+std::string_view trimmed(std::string_view text, std::string_view blanks) {
+  const std::size_t first = text.find_first_not_of(blanks);
+  return first == std::string_view::npos ? "" : text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
 std::string translated(const char* text) {
   const Translator translator = current_translator.load();
   return translator != nullptr ? translator(text) : std::string(text);

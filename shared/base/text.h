@@ -24,6 +24,9 @@ std::optional<std::string> suggestion(std::string_view word, std::span<const std
 /// "; did you mean 'x'?" or nothing.
 std::string did_you_mean(std::string_view word, std::span<const std::string> candidates);
 
+/// Without the blanks at both ends; a view of the same text.
+std::string_view trimmed(std::string_view text, std::string_view blanks = " \t\r\n\v\f");
+
 /// English source text marked for translation; the programs install the translator of the user's language.
 /// Returns `text` itself until then.
 std::string translated(const char* text);

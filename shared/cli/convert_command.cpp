@@ -55,7 +55,7 @@ struct ConvertParams {
   }
 };
 
-struct Options {
+struct ConvertOptions {
   std::string input;
   std::filesystem::path output;
   LineOptions lines{OutOfRange::BadUsage};
@@ -136,7 +136,7 @@ io::formats::LineWork on_paper(io::formats::LineWork work, double scale) {
   return work;
 }
 
-Result<void> write(const Options& options, const Target& target, io::formats::LineWork& work) {
+Result<void> write(const ConvertOptions& options, const Target& target, io::formats::LineWork& work) {
   DOBRA_TRY(Staging staging, Staging::open(options.output.parent_path(), TargetFolder::MustExist));
   const std::filesystem::path file = staging.path(options.output.filename().string());
   base::Result<void> written;
@@ -163,7 +163,7 @@ Json feature_json(const io::lines::Feature& feature) {
           {"points", points}};
 }
 
-std::string report_json(const Options& options, const Target& target, const io::formats::LineWork& work) {
+std::string report_json(const ConvertOptions& options, const Target& target, const io::formats::LineWork& work) {
   geom::Box box;
   Json features = Json::array();
   for (const io::lines::Feature& feature : work.features) {
@@ -207,7 +207,7 @@ Error of_usage(Error error) {
   return error;
 }
 
-Result<int> convert_job(Session& session, const Options& options) {
+Result<int> convert_job(Session& session, const ConvertOptions& options) {
   DOBRA_TRY(const scenario::Table lines, options.lines.table());
   DOBRA_TRY(const io::formats::LineOptions line_settings, line_options(lines));
   DOBRA_TRY(const ConvertParams own, options.own.read());
@@ -240,7 +240,7 @@ Result<int> convert_job(Session& session, const Options& options) {
 Command convert_command() {
   return {
       "convert", "Lines from one format to another, with units, depths, planes and repairs", [](CLI::App& app) -> Job {
-        const auto options = std::make_shared<Options>();
+        const auto options = std::make_shared<ConvertOptions>();
         app.add_option("in", options->input,
                        fmt::format("Lines: {}", fmt::join(io::formats::endings_for(io::formats::Use::ReadLines), " ")))
             ->required()

@@ -21,7 +21,7 @@ using base::ErrorCode;
 using base::Result;
 using operations::Offsets;
 
-struct Options {
+struct OffsetOptions {
   std::string file;
   ParameterOptions parameters{OutOfRange::BadUsage};
   std::optional<std::filesystem::path> out;
@@ -82,7 +82,7 @@ int announce(Session& session, const Offsets& made, const operations::OffsetPlan
   return made.verdict.findings.empty() ? 0 : 1;
 }
 
-Result<int> offset_job(Session& session, const Options& options) {
+Result<int> offset_job(Session& session, const OffsetOptions& options) {
   const operations::OffsetCaller caller{.speaks = operations::OffsetCaller::Speaks::Options,
                                         .note = [&](const std::string& note) { session.note(note); },
                                         .progress = session.progress()};
@@ -111,7 +111,7 @@ Result<int> offset_job(Session& session, const Options& options) {
 
 Command offset_command() {
   return {"offset", "Curves parallel to the curves of a file", [](CLI::App& app) -> Job {
-            const auto options = std::make_shared<Options>();
+            const auto options = std::make_shared<OffsetOptions>();
             app.add_option(
                    "file", options->file,
                    fmt::format("Curves: {}", fmt::join(io::formats::endings_for(io::formats::Use::ReadLines), " ")))

@@ -6,8 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
+
+#include "shared/base/disjoint_sets.h"
 
 namespace dobra::fem {
 namespace {
@@ -19,23 +20,6 @@ using mesh::ElementMesh;
 /// Of the unit motions, scaled by the size of the mesh: below it a motion is not hindered.
 constexpr double free_motion = 1e-9;
 
-class Groups {
- public:
-  explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-  std::size_t find(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::size_t a, std::size_t b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::size_t> parent_;
-};
-
 /// The parts, and to which of them each node belongs (corners that touch belong to several).
 struct Parts {
   std::vector<std::size_t> of_element;
@@ -46,7 +30,7 @@ struct Parts {
 
 Parts parts_of(const ElementMesh& mesh) {
   const auto neighbours = neighbours_of(mesh);
-  Groups groups(mesh.element_count());
+  base::DisjointSets groups(mesh.element_count());
   std::size_t side = 0;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     for (std::size_t i = 0; i < mesh::corner_count(mesh.types[e]); ++i, ++side) {
@@ -57,7 +41,7 @@ Parts parts_of(const ElementMesh& mesh) {
   parts.of_element.resize(mesh.element_count());
   parts.of_node.resize(mesh.points.size());
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    const std::size_t root = groups.find(e);
+    const std::size_t root = groups.root(e);
     if (root == e) {
       parts.of_element[e] = parts.elements.size();
       parts.elements.push_back(0);
@@ -105,7 +89,7 @@ class Motions {
 
   const ElementMesh& mesh_;
   const Parts& parts_;
-  Groups groups_;
+  base::DisjointSets groups_;
   std::vector<MotionRow> rows_;
   Point centre_;
   double radius_ = 1.0;
@@ -199,8 +183,8 @@ base::Result<void> Motions::judge_group(const std::vector<std::size_t>& members,
 
 base::Result<void> Motions::judge() {
   std::map<std::size_t, std::pair<std::vector<std::size_t>, std::vector<const MotionRow*>>> groups;
-  for (std::size_t part = 0; part < parts_.elements.size(); ++part) groups[groups_.find(part)].first.push_back(part);
-  for (const MotionRow& row : rows_) groups[groups_.find(row.begin()->first)].second.push_back(&row);
+  for (std::size_t part = 0; part < parts_.elements.size(); ++part) groups[groups_.root(part)].first.push_back(part);
+  for (const MotionRow& row : rows_) groups[groups_.root(row.begin()->first)].second.push_back(&row);
   for (const auto& [root, group] : groups) DOBRA_TRY_VOID(judge_group(group.first, group.second));
   return {};
 }

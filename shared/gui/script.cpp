@@ -37,19 +37,13 @@ const std::map<std::string, std::size_t>& commands() {
 
 Error failure(const QString& message) { return {ErrorCode::BadUsage, message.toStdString()}; }
 
-std::string trimmed(const std::string& words) {
-  const std::size_t begin = words.find_first_not_of(" \t\r");
-  if (begin == std::string::npos) return {};
-  return words.substr(begin, words.find_last_not_of(" \t\r") - begin + 1);
-}
-
 /// All behind the first `count` words.
 std::string behind(const std::string& line, std::size_t count) {
-  std::string rest = trimmed(line);
+  std::string rest(base::trimmed(line));
   for (; count > 0; --count) {
     const std::size_t end = rest.find_first_of(" \t");
     if (end == std::string::npos) return {};
-    rest = trimmed(rest.substr(end));
+    rest = base::trimmed(rest.substr(end));
   }
   return rest;
 }
@@ -65,7 +59,7 @@ Result<std::vector<Script::Line>> Script::read(const std::filesystem::path& file
   std::vector<Line> lines;
   std::string written;
   for (std::size_t number = 1; std::getline(in, written); ++number) {
-    written = trimmed(written);
+    written = base::trimmed(written);
     if (written.empty() || written.front() == '#') continue;
     Line line{number, {}, behind(written, 1), behind(written, 2)};
     std::istringstream words(written);

@@ -14,15 +14,7 @@ using base::ErrorCode;
 using base::Place;
 using base::Result;
 
-namespace {
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 Error DxfPairs::error(std::string message, ErrorCode error_code) const {
   return {error_code, std::move(message), Place{.file = file_, .line = lines_.number()}};
@@ -34,14 +26,14 @@ Error DxfPairs::cut_short() const {
 
 Result<void> DxfPairs::next() {
   if (!lines_.next()) return cut_short();
-  const std::string_view word = trimmed(lines_.line());
+  const std::string_view word = base::trimmed(lines_.line());
   const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), code);
   if (problem != std::errc{} || end != word.data() + word.size()) {
     return error(
         fmt::format("{} is not a group code; a DXF file is pairs of lines, a whole number and its value", shown(word)));
   }
   if (!lines_.next()) return cut_short();
-  value = trimmed(lines_.line());
+  value = base::trimmed(lines_.line());
   return {};
 }
 

@@ -19,12 +19,6 @@ namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\r'; }
 
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-  return text;
-}
-
 // Words between a separator such as ','; blanks round them are taken away, an empty last word is not a word.
 void split_at(std::string_view line, char separator, std::vector<Word>& words) {
   words.clear();
@@ -37,7 +31,7 @@ void split_at(std::string_view line, char separator, std::vector<Word>& words) {
       text.remove_prefix(1);
       ++column;
     }
-    text = trimmed(text);
+    text = base::trimmed(text);
     if (end < line.size() || !text.empty()) words.push_back({text, column});
     begin = end + 1;
   }

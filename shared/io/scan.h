@@ -56,6 +56,9 @@ class Lines {
 /// Words separated by blanks and tabs.
 void split_words(std::string_view line, std::vector<Word>& words);
 
+/// The most points or cells of a file: their numbers have 32 bits, of which the greatest is no number.
+inline constexpr std::size_t most_items = 0xFFFFFFFEU;
+
 /// Records: the lines that hold words; comments (from `comment` to the end of the line) and empty lines are skipped.
 /// `text` must outlive the reader.
 class Records {

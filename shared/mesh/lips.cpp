@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
+
+#include "shared/base/disjoint_sets.h"
 
 // 1. The sides of all cracks, on both faces. 2. Corners of elements (element, corner) that share a node of a crack and
 // a side that is no crack form the fans. 3. Every fan but the first of a node gets a copy. 4. Sets and tips.
@@ -70,23 +71,10 @@ Result<Cracks> mark_cracks(const ElementMesh& mesh, std::span<const std::string>
   return cracks;
 }
 
-std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
-
-/// Joins b's root to a's, so that the lowest corner is the root.
-void join(std::vector<std::uint32_t>& parent, std::uint32_t a, std::uint32_t b) {
-  a = root_of(parent, a);
-  b = root_of(parent, b);
-  parent[std::max(a, b)] = std::min(a, b);
-}
-
-/// parent[corner] leads to the first corner of the same fan.
-std::vector<std::uint32_t> fans_of(const ElementMesh& mesh, const Cracks& cracks, const Numbers& number,
-                                   const std::vector<ElementSide>& neighbours) {
-  std::vector<std::uint32_t> parent(number.count());
-  std::iota(parent.begin(), parent.end(), 0U);
+/// Corners by the fans that they are in.
+base::DisjointSets fans_of(const ElementMesh& mesh, const Cracks& cracks, const Numbers& number,
+                           const std::vector<ElementSide>& neighbours) {
+  base::DisjointSets fans(number.count());
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const auto corners = static_cast<std::uint32_t>(corner_count(mesh.types[e]));
     for (std::uint32_t i = 0; i < corners; ++i) {
@@ -94,16 +82,16 @@ std::vector<std::uint32_t> fans_of(const ElementMesh& mesh, const Cracks& cracks
       const ElementSide across = neighbours[number(side)];
       if (!across.element.valid() || across < side || cracks.is_crack[number(side)] != 0) continue;
       const auto there = static_cast<std::uint32_t>(corner_count(mesh.types[across.element.index()]));
-      join(parent, number(side), number({across.element, (across.side + 1) % there}));
-      join(parent, number({ElementId(e), (i + 1) % corners}), number(across));
+      fans.join(number(side), number({across.element, (across.side + 1) % there}));
+      fans.join(number({ElementId(e), (i + 1) % corners}), number(across));
     }
   }
-  return parent;
+  return fans;
 }
 
 /// Gives every fan beyond the first of a node of a crack a copy of it, and returns the nodes copied, in order.
 std::vector<std::pair<NodeId, NodeId>> split_nodes(ElementMesh& mesh, const Cracks& cracks, const Numbers& number,
-                                                   std::vector<std::uint32_t>& fans) {
+                                                   base::DisjointSets& fans) {
   std::vector<NodeId> node_of_fan(number.count());
   std::vector<std::uint8_t> taken(mesh.points.size(), 0);
   std::vector<std::pair<NodeId, NodeId>> copies;
@@ -111,7 +99,7 @@ std::vector<std::pair<NodeId, NodeId>> split_nodes(ElementMesh& mesh, const Crac
     for (std::uint32_t i = 0; i < corner_count(mesh.types[e]); ++i) {
       NodeId& node = mesh.nodes[mesh.first[e] + i];
       if (cracks.edges_at_node[node.index()] == 0) continue;
-      NodeId& own = node_of_fan[root_of(fans, number({ElementId(e), i}))];
+      NodeId& own = node_of_fan[fans.root(number({ElementId(e), i}))];
       if (!own.valid()) {
         const bool first_fan = std::exchange(taken[node.index()], std::uint8_t{1}) == 0;
         own = first_fan ? node : NodeId(mesh.points.size());
@@ -176,7 +164,7 @@ Result<ElementMesh> open_lips(ElementMesh mesh, std::span<const std::string> nam
   const Numbers number(mesh);
   const std::vector<ElementSide> neighbours = neighbours_of(mesh);
   DOBRA_TRY(const Cracks cracks, mark_cracks(mesh, names, number, neighbours));
-  std::vector<std::uint32_t> fans = fans_of(mesh, cracks, number, neighbours);
+  base::DisjointSets fans = fans_of(mesh, cracks, number, neighbours);
   const auto copies = split_nodes(mesh, cracks, number, fans);
 
   std::set<NodeId> opened;

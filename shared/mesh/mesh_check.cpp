@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 
+#include "shared/base/disjoint_sets.h"
 #include "shared/geom/predicates.h"
 
 namespace dobra::mesh {
@@ -81,24 +81,6 @@ Result<void> check_sides(const TriangleMesh& mesh) {
   return {};
 }
 
-/// Disjoint sets with path halving.
-std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
-
-std::size_t count_roots(std::vector<std::uint32_t>& parent) {
-  std::size_t roots = 0;
-  for (std::uint32_t i = 0; i < parent.size(); ++i) roots += root_of(parent, i) == i ? 1U : 0U;
-  return roots;
-}
-
-std::vector<std::uint32_t> singletons(std::size_t count) {
-  std::vector<std::uint32_t> parent(count);
-  std::iota(parent.begin(), parent.end(), 0U);
-  return parent;
-}
-
 }  // namespace
 
 // Corner 3t + i stands for the corner i of triangle t. Corners joined across a side form the umbrellas; the two
@@ -106,8 +88,8 @@ std::vector<std::uint32_t> singletons(std::size_t count) {
 TopologyCounts topology_of(const TriangleMesh& mesh) {
   const auto neighbours = neighbours_of(mesh);
   const std::size_t count = mesh.triangles.size();
-  std::vector<std::uint32_t> component = singletons(count);
-  std::vector<std::uint32_t> umbrella = singletons(3 * count);
+  base::DisjointSets component(count);
+  base::DisjointSets umbrella(3 * count);
   std::size_t inner = 0;
   std::size_t boundary = 0;
   for (std::size_t t = 0; t < count; ++t) {
@@ -116,27 +98,25 @@ TopologyCounts topology_of(const TriangleMesh& mesh) {
       if (!other.valid()) ++boundary;
       if (!other.valid() || other.index() < t) continue;
       ++inner;
-      component[root_of(component, static_cast<std::uint32_t>(t))] =
-          root_of(component, static_cast<std::uint32_t>(other.index()));
+      component.join(t, other.index());
       for (const std::size_t end : {i, (i + 1) % 3}) {
         const Corners& across = mesh.corners(other);
         const auto at =
             static_cast<std::size_t>(std::find(across.begin(), across.end(), mesh.triangles[t][end]) - across.begin());
-        umbrella[root_of(umbrella, static_cast<std::uint32_t>(3 * t + end))] =
-            root_of(umbrella, static_cast<std::uint32_t>(3 * other.index() + at));
+        umbrella.join(3 * t + end, 3 * other.index() + at);
       }
     }
   }
-  std::vector<std::uint32_t> loop = singletons(3 * count);
+  base::DisjointSets loop(3 * count);
   std::size_t loops = boundary;
   for (std::size_t t = 0; t < count; ++t) {
     for (std::size_t i = 0; i < 3; ++i) {
       if (neighbours[t][i].valid()) continue;
-      const std::uint32_t from = root_of(loop, root_of(umbrella, static_cast<std::uint32_t>(3 * t + i)));
-      const std::uint32_t to = root_of(loop, root_of(umbrella, static_cast<std::uint32_t>(3 * t + (i + 1) % 3)));
+      const std::size_t from = loop.root(umbrella.root(3 * t + i));
+      const std::size_t to = loop.root(umbrella.root(3 * t + (i + 1) % 3));
       // A side joins two umbrellas that were apart, or closes a loop.
       if (from != to) --loops;
-      loop[from] = to;
+      loop.join(from, to);
     }
   }
   std::vector<std::uint8_t> used(mesh.points.size(), 0);
@@ -144,11 +124,11 @@ TopologyCounts topology_of(const TriangleMesh& mesh) {
     for (const NodeId node : corner) used[node.index()] = 1;
   }
   TopologyCounts counts;
-  counts.umbrellas = count_roots(umbrella);
+  counts.umbrellas = umbrella.set_count();
   counts.edges = inner + boundary;
   counts.triangles = count;
   counts.boundary_edges = boundary;
-  counts.components = count_roots(component);
+  counts.components = component.set_count();
   counts.loops = loops;
   counts.unused_nodes = static_cast<std::size_t>(std::count(used.begin(), used.end(), 0));
   return counts;

@@ -100,7 +100,7 @@ double quadrilateral_bound(const Shape& shape) {
   return least;
 }
 
-Shape shape_of(const ElementMesh& mesh, ElementId element) {
+Shape shape_at(const ElementMesh& mesh, ElementId element) {
   Shape shape{mesh.types[element.index()], {}};
   const auto nodes = mesh.nodes_of(element);
   for (std::size_t i = 0; i < nodes.size(); ++i) shape.node[i] = mesh.point(nodes[i]);
@@ -143,7 +143,7 @@ ElementMesh with_midpoints(const ElementMesh& linear) {
 }  // namespace
 
 double scaled_jacobian_bound(const ElementMesh& mesh, ElementId element) {
-  const Shape shape = shape_of(mesh, element);
+  const Shape shape = shape_at(mesh, element);
   const bool triangle = corner_count(shape.type) == 3;
   double straight = 0.0;
   for (std::size_t i = 1; i + 1 < corner_count(shape.type); ++i) {

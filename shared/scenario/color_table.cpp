@@ -32,12 +32,6 @@ const std::array<std::pair<const char*, std::vector<std::string>>, 5> columns{
      {"age", {"age", "idade"}},
      {"lithology", {"lithology", "litologia"}}}};
 
-std::string trimmed(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(" \t\r");
-  if (begin == std::string::npos) return {};
-  return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
-}
-
 /// The English name of a column; empty for those that are left alone.
 std::string column_of(std::string header) {
   for (char& c : header) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -62,7 +56,7 @@ std::vector<std::string> cells_of(const std::string& line, char separator) {
       cells.back() += line[i];
     }
   }
-  for (std::string& cell : cells) cell = trimmed(cell);
+  for (std::string& cell : cells) cell = base::trimmed(cell);
   return cells;
 }
 
@@ -80,7 +74,7 @@ base::Result<std::vector<Row>> csv_rows(const std::string& text, const std::stri
   std::size_t number = 0;
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const std::string line = trimmed(text.substr(begin, end - begin));
+    const std::string line(base::trimmed(std::string_view(text).substr(begin, end - begin)));
     begin = end + 1;
     ++number;
     if (line.empty() || (line.front() == '#' && header.empty())) continue;

@@ -215,11 +215,6 @@ base::Result<void> check_all(const Table& table, const std::vector<Field>& field
   return {};
 }
 
-std::string trimmed(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(" \t\r\n");
-  return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(" \t\r\n") - begin + 1);
-}
-
 /// What the user typed, as a value of any kind; nothing if it is none that the field could take.
 std::optional<Value> typed(const Field& field, const std::string& text) {
   switch (field.kind) {
@@ -315,7 +310,7 @@ base::Result<Value> parse_value(const Field& field, const std::string& text) {
     return Error{ErrorCode::BadValue, fmt::format("the text given for '{}' is not UTF-8", field.key)};
   }
   const bool free_text = field.kind == Kind::Text || field.kind == Kind::File || field.kind == Kind::Choice;
-  const std::optional<Value> value = typed(field, free_text ? text : trimmed(text));
+  const std::optional<Value> value = typed(field, free_text ? text : std::string(base::trimmed(text)));
   const std::optional<Value> converted = value ? as_kind(*value, field.kind) : std::nullopt;
   if (!converted) {
     const bool number = field.kind == Kind::Number || field.kind == Kind::Degrees;

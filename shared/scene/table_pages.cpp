@@ -10,10 +10,10 @@
 namespace dobra::scene {
 namespace {
 
-constexpr double column_gap = 30.0;
-constexpr double block_gap = 14.0;
+constexpr double page_column_gap = 30.0;
+constexpr double page_block_gap = 14.0;
 constexpr double header_gap = 12.0;
-constexpr std::size_t least_rows = 4;  ///< A table does not begin where there is room for fewer.
+constexpr std::size_t page_least_rows = 4;  ///< A table does not begin where there is room for fewer.
 
 class Flow {
  public:
@@ -29,7 +29,7 @@ class Flow {
                      table.columns, table.rows};
       const double width = text_table(part, font_, measure_).width;
       const std::size_t room = rows_that_fit(part);
-      if (room < std::min(least_rows, table.rows.size() - first) && !(at_.y == top_ && at_.x == options_.margin)) {
+      if (room < std::min(page_least_rows, table.rows.size() - first) && !(at_.y == top_ && at_.x == options_.margin)) {
         next_column();
         continue;
       }
@@ -41,7 +41,7 @@ class Flow {
       part.rows.resize(end);
       const Furniture made = text_table(part, font_, measure_, first);
       for (const Mark& mark : made.marks) pages_.back().marks.push_back(moved(mark, at_ - geom::Point{}));
-      at_.y += made.height + block_gap;
+      at_.y += made.height + page_block_gap;
       column_ = std::max(column_, made.width);
       if (end >= table.rows.size()) return;
       first = end;
@@ -73,7 +73,7 @@ class Flow {
   }
 
   void next_column() {
-    at_ = {at_.x + column_ + column_gap, top_};
+    at_ = {at_.x + column_ + page_column_gap, top_};
     column_ = 0.0;
     if (at_.x >= page_.width - options_.margin) new_page();
   }

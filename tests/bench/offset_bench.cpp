@@ -31,7 +31,7 @@ using namespace dobra;
 using namespace dobra::offset;
 using geom::Point;
 using geom::Polyline;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // Families: the names are those of the table in issue 3.
 Polyline smooth(std::size_t n) {

@@ -16,7 +16,7 @@ namespace {
 using geom::Point;
 using geom::Polyline;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int quadrant_segments = 60;
 /// GEOS simplifies its input by up to D / 100, rounds differently at crossings, and its chords are a little longer or
 /// shorter.

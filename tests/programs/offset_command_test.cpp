@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Outcome {
+struct OffsetOutcome {
   int code = -1;
   std::string out;
   std::string said;  ///< Standard error.
@@ -39,7 +39,7 @@ class OffsetPrograms : public testing::Test {
     std::ofstream(folder_ / name, std::ios::binary) << text;
     return (folder_ / name).string();
   }
-  [[nodiscard]] Outcome call(const std::string& arguments) const {
+  [[nodiscard]] OffsetOutcome call(const std::string& arguments) const {
     const std::string command = "env -u DISPLAY " DOBRA_BIN_DIR "/" + arguments + " > " + (folder_ / "out").string() +
                                 " 2> " + (folder_ / "said").string();
     const int status = std::system(command.c_str());
@@ -58,13 +58,13 @@ TEST_F(OffsetPrograms, OFF_a_BothProgramsPrintTheSegmentBelowAndRefuseBadInput) 
   const std::string good = write("segment.csv", "0,0\n10,0\n");
   const std::string bad = write("bad.csv", "0,0\n10,ten\n");
   for (const std::string program : {"recon", "quebra"}) {
-    const Outcome done = call(program + " offset " + good + " --distance 1 --json");
+    const OffsetOutcome done = call(program + " offset " + good + " --distance 1 --json");
     EXPECT_EQ(done.code, 0) << done.said;
     EXPECT_EQ(done.said, "");
     EXPECT_EQ(done.out,
               "{\"curves\":[{\"distance\":1.0,\"length\":10.0,\"dropped\":0,\"dropped_length\":0.0,\"pieces\":"
               "[{\"closed\":false,\"points\":[[0.0,-1.0],[10.0,-1.0]]}]}],\"dropped\":0}\n");
-    const Outcome refused = call(program + " offset " + bad + " --distance 1");
+    const OffsetOutcome refused = call(program + " offset " + bad + " --distance 1");
     EXPECT_EQ(refused.code, 3);
     EXPECT_NE(refused.said.find("bad.csv:2"), std::string::npos) << refused.said;
     EXPECT_EQ(std::count(refused.said.begin(), refused.said.end(), '\n'), 1) << refused.said;
@@ -103,11 +103,11 @@ TEST_F(OffsetPrograms, AStepOfAScenarioGivesTheCurvesOfTheCommandInBothPrograms)
     EXPECT_EQ(call(program + " offset " + base + " --distances 0.75,1 --side left --join round --out " + curves).code,
               0);
     const std::string out = (folder / "results").string();
-    const Outcome ran = call(program + " run " + scenario + " --out " + out + " --pictures svg");
+    const OffsetOutcome ran = call(program + " run " + scenario + " --out " + out + " --pictures svg");
     ASSERT_EQ(ran.code, 0) << ran.said;
     EXPECT_EQ(coordinates_of(fs::path(out) / "offset_1.geojson"), coordinates_of(curves));
     EXPECT_NE(coordinates_of(curves), "");
-    const Outcome drawn =
+    const OffsetOutcome drawn =
         call(program + " render " + scenario + " --set steps.1.stop_after=3 --out " + out + "/work.svg");
     EXPECT_EQ(drawn.code, 0) << drawn.said;
     EXPECT_NE(drawn.said.find("stands after 3 steps"), std::string::npos) << drawn.said;
@@ -152,7 +152,7 @@ double processor_time_of_children() {
 
 TEST_F(OffsetPrograms, TheTimeOfAContourThatCrossesItselfThousandsOfTimesGrowsWithItsCrossings) {
   const double before = processor_time_of_children();
-  const Outcome done =
+  const OffsetOutcome done =
       call("recon offset " + write("star.csv", rough_star(8192)) + " --closed --distance 1 --join bisector --quiet");
   EXPECT_EQ(done.code, 0) << done.said;
   // Some 2 s without sanitizers, and minutes where vertices draw pieces from ever farther.

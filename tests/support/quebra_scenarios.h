@@ -50,6 +50,10 @@ inline std::map<std::string, double> figures(const dobra::scenario::Run& run) {
   return values;
 }
 
+inline double unknowns_of(const analysis::Analysis& analysis) {
+  return static_cast<double>(analysis.solution.statistics.unknowns);
+}
+
 /// The message of the error of a document, be it of its form or of a step; it must have one.
 inline std::string trouble(const std::string& text) {
   using namespace dobra;

@@ -9,7 +9,7 @@ namespace {
 
 using geom::Point;
 using geom::Vector;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// {xx, yy, xy} of axes turned by -angle: from local to global components.
 Voigt turned(const Voigt& s, double angle) {

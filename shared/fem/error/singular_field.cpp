@@ -20,16 +20,16 @@ namespace {
 using geom::Point;
 using geom::Vector;
 using mesh::ElementMesh;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A row of the conditions on (A, B, C, D) is zero to this, of the largest.
 constexpr double same_condition = 1e-6;
 /// A zone is believed if its modes leave less than this of what a plane alone leaves of the samples.
 constexpr double explained = 0.75;
 /// As in recover.cpp.
-constexpr double weight_floor = 0.2;
+constexpr double zone_weight_floor = 0.2;
 /// Samples of a fit to its unknowns.
-constexpr Eigen::Index enough_samples = 2;
+constexpr Eigen::Index samples_per_unknown = 2;
 
 struct Rows {
   Eigen::RowVector4d value, slope, radial, across;  ///< F, F', u_r, u_t
@@ -136,13 +136,13 @@ Voigt SingularZone::stress(Point p) const {
 namespace {
 
 /// Where stresses are compared: the samples of an element, and its stress there.
-struct Samples {
+struct ZoneSamples {
   std::vector<Point> points;
   std::vector<Voigt> stresses;
   std::vector<Voigt> recovered;
 };
 
-void add_samples(Samples& samples, const ElementMesh& mesh, const Material& material, std::size_t e,
+void add_samples(ZoneSamples& samples, const ElementMesh& mesh, const Material& material, std::size_t e,
                  std::span<const Vector> u, const RecoveredStress& recovered) {
   const ElementGeometry element = geometry_of(mesh, e);
   const ElementSolution solution(element, material, u);
@@ -159,13 +159,13 @@ void add_samples(Samples& samples, const ElementMesh& mesh, const Material& mate
 }
 
 /// Amplitudes and polynomial of a zone; false if the samples do not determine them, or do not show the modes.
-bool fit(SingularZone& zone, const Samples& samples, Eigen::Index terms) {
+bool fit(SingularZone& zone, const ZoneSamples& samples, Eigen::Index terms) {
   zone.scale = 0.0;
   for (const Point p : samples.points) zone.scale = std::max(zone.scale, distance(p, zone.at));
   const auto modes = static_cast<Eigen::Index>(zone.modes.size());
   const Eigen::Index columns = modes + 3 * terms;
   const auto rows = static_cast<Eigen::Index>(3 * samples.points.size());
-  if (rows < enough_samples * columns) return false;
+  if (rows < samples_per_unknown * columns) return false;
   Eigen::MatrixXd a = Eigen::MatrixXd::Zero(rows, columns);
   Eigen::VectorXd b(rows);
   const double power = std::pow(zone.scale, zone.vertex.exponent - 1.0);
@@ -174,7 +174,7 @@ bool fit(SingularZone& zone, const Samples& samples, Eigen::Index terms) {
     // As exact, in proportion, near the vertex as far from it; but what is near counts for more, as in patches of
     // nodes.
     const double r = length(from) / zone.scale;
-    const double weight = std::pow(r, 1.0 - zone.vertex.exponent) * std::pow(weight_floor + r, -1.5);
+    const double weight = std::pow(r, 1.0 - zone.vertex.exponent) * std::pow(zone_weight_floor + r, -1.5);
     const Vector local = from / zone.scale;
     const auto plane = monomials(local);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -199,7 +199,7 @@ bool fit(SingularZone& zone, const Samples& samples, Eigen::Index terms) {
 }
 
 /// Whether the zone's stress comes nearer to the samples than the recovered one.
-bool nearer(const SingularZone& zone, const Elasticity& d, const Samples& samples) {
+bool nearer(const SingularZone& zone, const Elasticity& d, const ZoneSamples& samples) {
   double own = 0.0, smooth = 0.0;
   for (std::size_t i = 0; i < samples.points.size(); ++i) {
     Voigt from_zone = zone.stress(samples.points[i]);
@@ -235,7 +235,7 @@ std::vector<SingularZone> singular_zones(const ElementMesh& mesh, const Material
     const Elasticity d = elasticity(material);
     SingularZone zone{.vertex = vertex, .at = mesh.point(vertex.node), .modes = corner_modes(vertex, material)};
     if (zone.modes.empty()) return std::nullopt;
-    Samples all;
+    ZoneSamples all;
     for (std::size_t ring = 1; ring < rings.size(); ++ring) {
       for (const std::uint32_t e : rings[ring]) {
         if (mesh.regions[e] == region) add_samples(all, mesh, material, e, u, recovered);
@@ -245,7 +245,7 @@ std::vector<SingularZone> singular_zones(const ElementMesh& mesh, const Material
     if (!fit(zone, all, quadratic ? 6 : 3)) return std::nullopt;
     zone.elements = rings[0];
     for (std::size_t ring = 1; ring < static_cast<std::size_t>(options.rings); ++ring) {
-      Samples own;
+      ZoneSamples own;
       std::vector<std::uint32_t> elements;
       for (const std::uint32_t e : rings[ring]) {
         if (mesh.regions[e] != region) continue;

@@ -14,7 +14,7 @@ namespace {
 
 using geom::Vector;
 using mesh::ElementMesh;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Interior angles above this are corners where the stresses are infinite, and not a curve followed by sides.
 constexpr double least_corner = 210.0 * pi / 180.0;

@@ -19,17 +19,12 @@ using base::ErrorCode;
 using geom::Point;
 using geom::Vector;
 using mesh::ElementMesh;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// How far a lip may stray from a straight line, and a quarter point from its place, as a fraction of the length.
 constexpr double straightness = 1e-6;
 /// Lips overlap, and K_I closes, by more than this fraction of the rest: less is noise of the mesh.
 constexpr double noise = 1e-3;
-
-Error bad(const TipFrame& frame, std::string message) {
-  return {ErrorCode::BadCrack, std::move(message),
-          base::Place{.item = "crack tip '" + frame.tip.name + "'", .x = frame.at.x, .y = frame.at.y}};
-}
 
 double distance_to(Point p, Point a, Point b) {
   const double t = std::clamp(dot(p - a, b - a) / length_squared(b - a), 0.0, 1.0);
@@ -102,12 +97,12 @@ base::Result<TipFrame> frame_of(const ElementMesh& mesh, const Materials& materi
     if (nodes[0] == tip.node) frame.right = side;
   }
   if (!frame.left.element.valid() || !frame.right.element.valid())
-    return bad(frame, "no lips end here; a tip must lie inside the material, and the crack have double nodes");
+    return bad_tip(frame, "no lips end here; a tip must lie inside the material, and the crack have double nodes");
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const auto nodes = mesh.nodes_of(mesh::ElementId(e));
     if (std::find(nodes.begin(), nodes.end(), tip.node) == nodes.end()) continue;
     if (!same_material(mesh, materials, e, frame.left.element.index()))
-      return bad(frame, "two materials meet at the tip; the intensity factors of an interface are not known here");
+      return bad_tip(frame, "two materials meet at the tip; the intensity factors of an interface are not known here");
   }
   Point left = mesh.point(side_nodes(mesh, frame.left)[0]);
   Point right = mesh.point(side_nodes(mesh, frame.right)[1]);
@@ -125,8 +120,8 @@ base::Result<TipFrame> frame_of(const ElementMesh& mesh, const Materials& materi
   frame.tip.direction = normalised((frame.at - left) + (frame.at - right));
   for (const Point p : {left, right}) {
     if (std::abs(frame.local(p - frame.at).y) > straightness * frame.length)
-      return bad(frame, frame.lips == Lips::Both ? "the lips do not end in one straight line"
-                                                 : "the line of symmetry does not go straight on ahead of the lip");
+      return bad_tip(frame, frame.lips == Lips::Both ? "the lips do not end in one straight line"
+                                                     : "the line of symmetry does not go straight on ahead of the lip");
   }
   frame.material = materials.at(mesh.regions[frame.left.element.index()]);
   frame.quarter = is_quarter(mesh, frame.left, tip.node) && is_quarter(mesh, frame.right, tip.node);
@@ -399,10 +394,15 @@ base::Result<void> check_symmetry(const ElementMesh& mesh, const TipFrame& frame
     return most;
   };
   if (across(frame.right) <= straightness * across(frame.left)) return {};
-  return bad(frame, "the line of symmetry ahead of the lip is not held across; give it a support with normal = 0");
+  return bad_tip(frame, "the line of symmetry ahead of the lip is not held across; give it a support with normal = 0");
 }
 
 }  // namespace
+
+Error bad_tip(const TipFrame& frame, std::string message) {
+  return {ErrorCode::BadCrack, std::move(message),
+          base::Place{.item = "crack tip '" + frame.tip.name + "'", .x = frame.at.x, .y = frame.at.y}};
+}
 
 std::vector<base::Result<TipFrame>> tip_frames(const ElementMesh& mesh, const Materials& materials) {
   const Surroundings around = surroundings_of(mesh, materials);
@@ -414,8 +414,8 @@ std::vector<base::Result<TipFrame>> tip_frames(const ElementMesh& mesh, const Ma
 base::Result<Intensity> displacement_correlation(const ElementMesh& mesh, const TipFrame& frame,
                                                  std::span<const Vector> u) {
   if (!frame.quarter)
-    return bad(frame,
-               "displacement correlation needs quarter-point elements at the tip; without them it is wrong by 60 %");
+    return bad_tip(
+        frame, "displacement correlation needs quarter-point elements at the tip; without them it is wrong by 60 %");
   const Openings d = openings_of(mesh, frame, u);
   const double factor =
       shear_modulus(frame.material) / (kolosov(frame.material) + 1.0) * std::sqrt(2.0 * pi / frame.length);
@@ -425,13 +425,13 @@ base::Result<Intensity> displacement_correlation(const ElementMesh& mesh, const 
 base::Result<Intensity> crack_closure(const ElementMesh& mesh, const Problem& problem, const LoadCase& load,
                                       const TipFrame& frame, std::span<const Vector> u) {
   if (!mesh::is_quadratic(mesh.types[frame.left.element.index()]))
-    return bad(frame, "crack closure needs quadratic elements at the tip");
+    return bad_tip(frame, "crack closure needs quadratic elements at the tip");
   const auto ahead = side_ahead(mesh, frame);
-  if (!ahead) return bad(frame, "crack closure needs an element side straight ahead of the tip");
+  if (!ahead) return bad_tip(frame, "crack closure needs an element side straight ahead of the tip");
   const auto nodes = side_nodes(mesh, *ahead);
   const std::size_t own = nodes[0] == frame.tip.node ? 0 : 1;  // of the side: the tip
   if (std::abs(distance(mesh.point(nodes[1 - own]), frame.at) - frame.length) > 0.01 * frame.length)
-    return bad(frame, "crack closure needs elements of the same length ahead of the tip and behind it");
+    return bad_tip(frame, "crack closure needs elements of the same length ahead of the tip and behind it");
   const std::vector<Vector> forces = forces_from_left(mesh, problem, load, frame, u);
   const double thickness = frame.material.thickness;
   Vector at_tip = -1.0 / thickness * frame.local(forces[frame.tip.node.index()]);

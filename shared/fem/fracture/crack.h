@@ -49,6 +49,8 @@ struct TipFrame {
   [[nodiscard]] geom::Vector up() const { return (lips == Lips::OnlyRight ? -1.0 : 1.0) * left_of(tip.direction); }
   [[nodiscard]] geom::Vector local(geom::Vector v) const { return {dot(v, tip.direction), dot(v, up())}; }
 };
+/// BadCrack at the tip.
+base::Error bad_tip(const TipFrame& frame, std::string message);
 /// One a tip of the mesh, in their order: a tip that has none does not cost the others theirs.
 /// @error of a tip, BadCrack with the place: no lips at it, lips (or lip and line ahead) that are not straight,
 /// elements of two materials.

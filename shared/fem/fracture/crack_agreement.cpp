@@ -11,7 +11,7 @@ namespace dobra::fem::fracture {
 namespace {
 
 /// K below this share of T sqrt(size of the elements) says nothing.
-constexpr double noise = 0.01;
+constexpr double no_k = 0.01;
 
 }  // namespace
 
@@ -30,7 +30,7 @@ void compare_figures(const TipFrame& frame, TipResult& result) {
   }
   // A crack along the tension has no K but noise.
   const Intensity& k = result.domain.k;
-  if (std::hypot(k.one, k.two) <= noise * std::abs(result.domain.t_stress) * std::sqrt(frame.length)) return;
+  if (std::hypot(k.one, k.two) <= no_k * std::abs(result.domain.t_stress) * std::sqrt(frame.length)) return;
   const double apart = result.release > 0.0 ? std::abs(result.domain.j / result.release - 1.0) : 0.0;
   const bool j_parts = !result.no_j && apart > most_apart;
   if (!j_parts && !(result.spread.value_or(0.0) > most_apart)) return;

@@ -21,12 +21,7 @@ constexpr double room_used = 0.95;
 /// Of the distance to a node with a load: beyond, its stresses, as 1 / r, spoil J.
 constexpr double share_of_distance = 0.5;
 /// How far a node of the lip may stray from the crack's line, as a fraction of its distance.
-constexpr double straightness = 1e-6;
-
-base::Error bad(const TipFrame& frame, std::string message) {
-  return {base::ErrorCode::BadCrack, std::move(message),
-          base::Place{.item = "crack tip '" + frame.tip.name + "'", .x = frame.at.x, .y = frame.at.y}};
-}
+constexpr double lip_straightness = 1e-6;
 
 /// Of the nodes of lines those inside the material, and those on the lips: all but the boundary and a line of symmetry.
 class LineNodes {
@@ -47,7 +42,7 @@ class LineNodes {
   [[nodiscard]] bool inside(NodeId node) const { return boundary_[node.index()] == 0; }
   [[nodiscard]] bool on_lip(NodeId node) const {
     const Vector v = frame_.local(mesh_.point(node) - frame_.at);
-    return !inside(node) && v.x < 0.0 && std::abs(v.y) <= -straightness * v.x;
+    return !inside(node) && v.x < 0.0 && std::abs(v.y) <= -lip_straightness * v.x;
   }
 
  private:
@@ -126,7 +121,7 @@ NodeActedOn nearest_acted_on(const ElementMesh& mesh, const Problem& problem, co
 base::Result<Contour> contour_of(const TipFrame& frame, std::optional<double> outer) {
   const NodeActedOn& acted = frame.acted;
   if (acted.distance == 0.0)
-    return bad(frame, "a force acts on the tip itself, where the stress is then not that of a crack; move it");
+    return bad_tip(frame, "a force acts on the tip itself, where the stress is then not that of a crack; move it");
   const double least = 2.0 * frame.length;
   const double room = std::min(frame.room, acted.distance);
   const std::string limit = acted.distance < frame.room
@@ -135,13 +130,13 @@ base::Result<Contour> contour_of(const TipFrame& frame, std::optional<double> ou
   const double wished = std::min({room_used * frame.room, acted.half_way, acted.clear});
   const double radius = outer.value_or(std::max(wished, std::min(least, room_used * room)));
   if (radius > room)
-    return bad(frame,
-               fmt::format(
+    return bad_tip(
+        frame, fmt::format(
                    "the contour of radius {:.4g} m leaves the straight end of the crack, or meets {}: at most {:.4g} m",
                    radius, limit, room));
   if (radius < least)
-    return bad(frame,
-               fmt::format("no contour fits: the room round the tip is {:.4g} m, as far as {}, and the contour {:.4g} "
+    return bad_tip(
+        frame, fmt::format("no contour fits: the room round the tip is {:.4g} m, as far as {}, and the contour {:.4g} "
                            "m; the tip's elements are {:.4g} m long, and it must reach twice as far: make them smaller",
                            room, limit, radius, frame.length));
   return Contour{std::max(0.4 * radius, frame.length), radius};

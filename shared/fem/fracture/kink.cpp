@@ -8,7 +8,7 @@
 namespace dobra::fem::fracture {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The slope of f, to rounding: an imaginary step takes no difference.
 template <class F>

@@ -1,4 +1,5 @@
 #include "shared/io/drawings/svg_display.h"
+#include "shared/base/text.h"
 
 #include <algorithm>
 #include <optional>
@@ -8,19 +9,12 @@
 namespace dobra::io::drawings {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r\n\f";
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
 /// The pieces of a text between separators, without blanks round them.
 std::vector<std::string_view> pieces_of(std::string_view text, char separator) {
   std::vector<std::string_view> pieces;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(separator, begin), text.size());
-    pieces.push_back(trimmed(text.substr(begin, end - begin)));
+    pieces.push_back(base::trimmed(text.substr(begin, end - begin)));
     begin = end + 1;
   }
   return pieces;
@@ -31,9 +25,9 @@ std::optional<std::string> declared(std::string_view declarations, std::string_v
   std::optional<std::string> value;
   for (const std::string_view piece : pieces_of(declarations, ';')) {
     const std::size_t colon = piece.find(':');
-    if (colon == std::string_view::npos || trimmed(piece.substr(0, colon)) != property) continue;
+    if (colon == std::string_view::npos || base::trimmed(piece.substr(0, colon)) != property) continue;
     const std::string_view said = piece.substr(colon + 1);
-    value = std::string(trimmed(said.substr(0, said.find('!'))));
+    value = std::string(base::trimmed(said.substr(0, said.find('!'))));
   }
   return value;
 }
@@ -82,7 +76,7 @@ void SvgDisplay::add_sheet(std::string_view sheet) {
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t open = text.find('{', at);
     if (open == std::string::npos) return;
-    const std::string_view selectors = trimmed(std::string_view(text).substr(at, open - at));
+    const std::string_view selectors = base::trimmed(std::string_view(text).substr(at, open - at));
     at = behind_block(text, open);
     if (selectors.starts_with('@')) continue;  // for some media only
     const std::string declarations = text.substr(open + 1, at - open - 2);
@@ -109,7 +103,7 @@ std::string SvgDisplay::value(const pugi::xml_node& element, std::string_view pr
   for (const auto& rule : by_rule) {
     if (!said) said = rule;
   }
-  if (!said) said = std::string(trimmed(element.attribute(std::string(property).c_str()).value()));
+  if (!said) said = std::string(base::trimmed(element.attribute(std::string(property).c_str()).value()));
   return *said == "inherit" ? "" : *said;
 }
 

@@ -11,6 +11,7 @@
 #include <limits>
 #include <numeric>
 
+#include "shared/base/disjoint_sets.h"
 #include "shared/mesh/delaunay/delaunay.h"
 
 namespace dobra::io::formats {
@@ -49,18 +50,11 @@ std::vector<Link> candidate_links(const mesh::TriangleMesh& mesh) {
 
 Tree spanning_tree(const mesh::TriangleMesh& mesh) {
   const std::size_t count = mesh.points.size();
-  std::vector<std::size_t> parent(count);
-  std::iota(parent.begin(), parent.end(), std::size_t{0});
-  const auto root = [&](std::size_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
+  base::DisjointSets parts(count);
   Tree tree(count);
   for (const Link& link : candidate_links(mesh)) {
-    const std::size_t a = root(link.a);
-    const std::size_t b = root(link.b);
-    if (a == b) continue;
-    parent[a] = b;
+    if (parts.root(link.a) == parts.root(link.b)) continue;
+    parts.join(link.a, link.b);
     tree[link.a].push_back(link.b);
     tree[link.b].push_back(link.a);
   }

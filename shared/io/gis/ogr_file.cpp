@@ -29,7 +29,7 @@ namespace {
 constexpr std::array<lines::FeatureType, 3> all_types{lines::FeatureType::Lines, lines::FeatureType::Polygons,
                                                       lines::FeatureType::Points};
 
-void register_drivers() {
+void register_vector_drivers() {
   static std::once_flag registered;
   std::call_once(registered, [] {
     RegisterOGRShape();
@@ -233,7 +233,7 @@ Result<std::vector<std::string>> write_with(const char* driver_name, const std::
                                             const std::vector<lines::FeatureType>& types,
                                             const lines::ReferenceSystem* system) {
   DOBRA_TRY_VOID(check_features(features));
-  register_drivers();
+  register_vector_drivers();
   const std::filesystem::path target(path);
   const Aside aside(target);
   const GdalMessages messages;
@@ -277,7 +277,7 @@ Result<lines::Features> read_ogr_file(const std::string& path, lines::Faulty fau
   if (!std::filesystem::exists(path, ignored)) {
     return Error{ErrorCode::FileNotFound, "there is no such file", Place{.file = path}};
   }
-  register_drivers();
+  register_vector_drivers();
   const GdalMessages messages;
   const auto not_read = [&] {
     return Error{ErrorCode::BadFormat,

@@ -21,7 +21,7 @@ using base::ErrorCode;
 using base::Place;
 using base::Result;
 
-void register_drivers() {
+void register_raster_drivers() {
   static std::once_flag registered;
   std::call_once(registered, [] {
     GDALRegister_GTiff();
@@ -116,7 +116,7 @@ Result<Raster> read_raster(const std::string& path, const RasterOptions& options
   if (!std::filesystem::exists(path, ignored)) {
     return Error{ErrorCode::FileNotFound, "there is no such file; check the name", Place{.file = path}};
   }
-  register_drivers();
+  register_raster_drivers();
   const GdalMessages messages;
   const Dataset data(static_cast<GDALDataset*>(
       GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr)));

@@ -34,12 +34,6 @@ std::string lower(std::string_view text) {
   return made;
 }
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\v\f");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r\v\f") - first + 1);
-}
-
 struct Vertex {
   geom::Point point;
   double height = 0.0;
@@ -119,9 +113,9 @@ Paths paths_of(const Object& object) {
   return found;
 }
 
-class Reader {
+class GocadReader {
  public:
-  Reader(std::string_view text, const std::string& file) : lines_(text), file_(file) {}
+  GocadReader(std::string_view text, const std::string& file) : lines_(text), file_(file) {}
 
   Result<Features> run() {
     while (next_words()) {
@@ -196,7 +190,7 @@ class Reader {
     if (key == "axis_unit") return axis_unit();
     if (key == "geological_type") object_->kind = lower(word(1)) == "top" ? "horizon" : std::string(word(1));
     if (key == "geological_feature")
-      object_->feature = trimmed(lines_.line().substr(words_[0].column - 1 + key.size()));
+      object_->feature = base::trimmed(lines_.line().substr(words_[0].column - 1 + key.size()));
     if (key == "property_class_header") return skip_braces();
     return {};  // what else an object can say does not concern lines
   }
@@ -224,13 +218,13 @@ class Reader {
   }
 
   void name_in(std::string_view entry, bool alone) {
-    entry = trimmed(entry);
+    entry = base::trimmed(entry);
     if (entry.starts_with('*')) entry.remove_prefix(1);
     if (!lower(entry.substr(0, 4)).starts_with("name")) return;
-    entry = trimmed(entry.substr(4));
+    entry = base::trimmed(entry.substr(4));
     if (entry.empty() || (entry[0] != ':' && entry[0] != '=')) return;
     entry.remove_prefix(1);
-    object_->name = trimmed(alone ? entry : entry.substr(0, entry.find(" *")));
+    object_->name = base::trimmed(alone ? entry : entry.substr(0, entry.find(" *")));
   }
 
   Result<void> skip_braces() {
@@ -477,12 +471,12 @@ std::string gocad_name(std::string name) {
   std::replace_if(
       name.begin(), name.end(), [](char c) { return c == '\0' || c == '\n' || c == '\r' || c == '{' || c == '}'; },
       ' ');
-  return std::string(trimmed(name));
+  return std::string(base::trimmed(name));
 }
 
 Result<Features> parse_gocad(std::string_view text, const std::string& file) {
   DOBRA_TRY_VOID(check_text(text, file));
-  return Reader(text, file).run();
+  return GocadReader(text, file).run();
 }
 
 Result<Features> read_gocad(const std::string& path) {

@@ -20,11 +20,8 @@ using base::Result;
 
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \r\v\f");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \r\v\f") - first + 1);
-}
+/// Blanks within a field: a tab parts fields.
+constexpr std::string_view no_tab = " \r\v\f";
 
 // Fields between tabs; where there are none, between blanks (an editor may have changed them).
 void split_row(std::string_view line, std::vector<Word>& fields) {
@@ -32,14 +29,14 @@ void split_row(std::string_view line, std::vector<Word>& fields) {
   fields.clear();
   for (std::size_t begin = 0; begin <= line.size();) {
     const std::size_t end = std::min(line.find('\t', begin), line.size());
-    fields.push_back({trimmed(line.substr(begin, end - begin)), begin + 1});
+    fields.push_back({base::trimmed(line.substr(begin, end - begin), no_tab), begin + 1});
     begin = end + 1;
   }
 }
 
-class Reader {
+class MoveAsciiReader {
  public:
-  Reader(std::string_view text, const std::string& file) : lines_(text), file_(file) {}
+  MoveAsciiReader(std::string_view text, const std::string& file) : lines_(text), file_(file) {}
 
   Result<Features> run() {
     while (lines_.next()) {
@@ -164,12 +161,12 @@ std::string property(const Feature& feature, std::string_view wanted) {
 std::string move_name(std::string name) {
   std::replace_if(
       name.begin(), name.end(), [](char c) { return c == '\0' || c == '\t' || c == '\n' || c == '\r'; }, ' ');
-  return std::string(trimmed(name));
+  return std::string(base::trimmed(name, no_tab));
 }
 
 Result<Features> parse_move_ascii(std::string_view text, const std::string& file) {
   DOBRA_TRY_VOID(check_text(text, file));
-  return Reader(text, file).run();
+  return MoveAsciiReader(text, file).run();
 }
 
 Result<Features> read_move_ascii(const std::string& path) {

@@ -201,9 +201,9 @@ std::string list_lines(const std::vector<std::size_t>& lines) {
 }
 
 // Collects points into lines; one object reads one file.
-class Reader {
+class TextPointsReader {
  public:
-  Reader(std::string_view text, const std::string& file, const TextPointsOptions& options)
+  TextPointsReader(std::string_view text, const std::string& file, const TextPointsOptions& options)
       : text_(text), lines_(text), file_(file), options_(options) {}
 
   Result<TextPoints> run() {
@@ -403,7 +403,7 @@ bool is_word(std::string_view text, std::span<const std::string_view> words) {
 
 Result<TextPoints> parse_text_points(std::string_view text, const std::string& file, const TextPointsOptions& options) {
   DOBRA_TRY_VOID(check_text(text, file));
-  return Reader(text, file, options).run();
+  return TextPointsReader(text, file, options).run();
 }
 
 Result<TextPoints> read_text_points(const std::string& path, const TextPointsOptions& options) {

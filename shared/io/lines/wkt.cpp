@@ -37,9 +37,9 @@ constexpr std::array<std::string_view, 9> not_read{"GEOMETRYCOLLECTION", "CIRCUL
                                                    "CURVEPOLYGON",       "MULTICURVE",        "MULTISURFACE",
                                                    "TRIANGLE",           "POLYHEDRALSURFACE", "TIN"};
 
-class Reader {
+class WktReader {
  public:
-  Reader(std::string_view text, const std::string& file, Faulty faulty) : text_(text), file_(file), faulty_(faulty) {
+  WktReader(std::string_view text, const std::string& file, Faulty faulty) : text_(text), file_(file), faulty_(faulty) {
     if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;
   }
 
@@ -267,7 +267,7 @@ std::string geometry_text(const Feature& feature) {
 
 Result<Features> parse_wkt(std::string_view text, const std::string& file, Faulty faulty) {
   DOBRA_TRY_VOID(check_text(text, file));
-  return Reader(text, file, faulty).run();
+  return WktReader(text, file, faulty).run();
 }
 
 Result<Features> read_wkt(const std::string& path) {

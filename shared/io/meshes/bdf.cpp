@@ -172,15 +172,9 @@ struct Fields {
   std::size_t line = 0;
 };
 
-std::string trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(" \t");
-  if (begin == std::string_view::npos) return {};
-  return std::string(text.substr(begin, text.find_last_not_of(" \t") - begin + 1));
-}
-
-class Reader {
+class BdfReader {
  public:
-  Reader(std::string_view text, const std::string& file)
+  BdfReader(std::string_view text, const std::string& file)
       : lines_(text), file_(file), bulk_(text.find("BEGIN BULK") == std::string_view::npos) {}
 
   Result<BdfContents> run() {
@@ -191,7 +185,7 @@ class Reader {
         DOBRA_TRY_VOID(marked(line.substr(mark.size())));
         continue;
       }
-      if (trimmed(line).empty() || line[0] == '$') continue;
+      if (base::trimmed(line).empty() || line[0] == '$') continue;
       if (!bulk_) {
         bulk_ = line.starts_with("BEGIN BULK");
         continue;
@@ -218,11 +212,11 @@ class Reader {
 
   void split(std::string_view line, bool goes_on) {
     const auto add = [&](std::string_view text, std::size_t column) {
-      card_.all.push_back({trimmed(text), lines_.number(), column + 1});
+      card_.all.push_back({std::string(base::trimmed(text)), lines_.number(), column + 1});
     };
     const std::size_t comma = line.find(',');
     if (comma != std::string_view::npos) {
-      if (!goes_on) start(trimmed(line.substr(0, comma)));
+      if (!goes_on) start(std::string(base::trimmed(line.substr(0, comma))));
       for (std::size_t begin = comma + 1; begin <= line.size();) {
         const std::size_t end = std::min(line.find(',', begin), line.size());
         add(line.substr(begin, end - begin), begin);
@@ -230,7 +224,7 @@ class Reader {
       }
       return;
     }
-    const std::string head = trimmed(line.substr(0, 8));
+    const std::string head(base::trimmed(line.substr(0, 8)));
     const bool large = head.ends_with('*') || head.starts_with('*');
     if (!goes_on) start(head);
     const std::size_t width = large ? 16 : 8;
@@ -430,7 +424,7 @@ class Reader {
 
 Result<BdfContents> parse_bdf(std::string_view text, const std::string& file) {
   DOBRA_TRY_VOID(check_text(text, file));
-  return Reader(text, file).run();
+  return BdfReader(text, file).run();
 }
 
 Result<BdfContents> read_bdf(const std::string& path) {

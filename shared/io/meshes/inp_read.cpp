@@ -54,9 +54,9 @@ std::optional<mesh::ElementType> element_type(const std::string& name) {
   return std::nullopt;
 }
 
-class Reader {
+class InpReader {
  public:
-  Reader(std::string_view text, const std::string& file) : records_(text, file, '\0', ',') {}
+  InpReader(std::string_view text, const std::string& file) : records_(text, file, '\0', ',') {}
 
   Result<InpContents> run() {
     while (records_.next()) {
@@ -246,7 +246,7 @@ class Reader {
 
 Result<InpContents> parse_inp(std::string_view text, const std::string& file) {
   DOBRA_TRY_VOID(check_text(text, file));
-  return Reader(text, file).run();
+  return InpReader(text, file).run();
 }
 
 Result<InpContents> read_inp(const std::string& path) {

@@ -20,8 +20,7 @@ using mesh::NodeId;
 
 namespace {
 
-constexpr std::size_t most_items = 0xFFFFFFFEU;
-constexpr std::string_view region_prefix = "region:";
+constexpr std::string_view region_name_prefix = "region:";
 
 using EntityKey = std::pair<std::size_t, std::int64_t>;  // dimension, tag
 
@@ -46,9 +45,9 @@ struct Element {
   std::array<std::uint32_t, 8> nodes{};
 };
 
-class Reader {
+class MshReader {
  public:
-  Reader(std::string_view text, const std::string& file) : text_(text), records_(text, file, '\0') {}
+  MshReader(std::string_view text, const std::string& file) : text_(text), records_(text, file, '\0') {}
 
   Result<MshContents> run() {
     bool version_known = false;
@@ -306,9 +305,9 @@ class Reader {
     auto tag = static_cast<std::int32_t>(group);
     if (named == names_.end()) return tag;
     std::string name = named->second;
-    if (name.starts_with(region_prefix)) {
+    if (name.starts_with(region_name_prefix)) {
       const char* const end = name.data() + name.size();
-      const auto [stop, status] = std::from_chars(name.data() + region_prefix.size(), end, tag);
+      const auto [stop, status] = std::from_chars(name.data() + region_name_prefix.size(), end, tag);
       if (status != std::errc{} || (stop != end && *stop != ':')) return static_cast<std::int32_t>(group);
       name = stop == end ? "" : std::string(stop + 1, end);
     }
@@ -330,7 +329,7 @@ class Reader {
 
 Result<MshContents> parse_msh(std::string_view text, const std::string& file) {
   DOBRA_TRY_VOID(check_text(text, file));
-  return Reader(text, file).run();
+  return MshReader(text, file).run();
 }
 
 Result<MshContents> read_msh(const std::string& path) {

@@ -9,11 +9,11 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <numeric>
 #include <set>
 #include <span>
 #include <utility>
 
+#include "shared/base/disjoint_sets.h"
 #include "shared/base/text.h"
 #include "shared/io/file.h"
 #include "shared/io/meshes/mesh_sides.h"
@@ -196,22 +196,16 @@ std::map<std::size_t, std::vector<std::size_t>> edges_at_nodes(const Model& mode
 // Steps 2 and 3.
 void cut_into_chains(Model& model) {
   const auto at_node = edges_at_nodes(model);
-  std::vector<std::size_t> parent(model.edges.size());
-  std::iota(parent.begin(), parent.end(), std::size_t{0});
-  const auto root = [&](std::size_t e) {
-    while (parent[e] != e) e = parent[e] = parent[parent[e]];
-    return e;
-  };
+  base::DisjointSets chains(model.edges.size());
   for (const auto& [node, edges] : at_node) {
     const bool passes = edges.size() == 2 && model.edges[edges[0]].group == model.edges[edges[1]].group;
     if (!passes) model.corners.try_emplace(node);
     if (model.corners.contains(node)) continue;
-    const auto [low, high] = std::minmax({root(edges[0]), root(edges[1])});
-    parent[high] = low;
+    chains.join(edges[0], edges[1]);
   }
   std::map<std::size_t, std::size_t> chain_of_root;
   for (std::size_t e = 0; e < model.edges.size(); ++e) {
-    const auto [at, is_new] = chain_of_root.try_emplace(root(e), model.chains.size());
+    const auto [at, is_new] = chain_of_root.try_emplace(chains.root(e), model.chains.size());
     if (is_new) model.chains.push_back({.group = model.edges[e].group, .edges = {}});
     model.chains[at->second].edges.push_back(e);
     model.edges[e].chain = at->second;

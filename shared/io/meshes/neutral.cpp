@@ -100,9 +100,9 @@ Result<void> write_neutral(const std::string& path, const NeutralFile& file) {
 
 namespace {
 
-class Reader {
+class NeutralReader {
  public:
-  Reader(std::string_view text, const std::string& file) : text_(text), records_(text, file, '\0') {}
+  NeutralReader(std::string_view text, const std::string& file) : text_(text), records_(text, file, '\0') {}
 
   Result<NeutralFile> run() {
     bool ended = false;
@@ -295,7 +295,7 @@ class Reader {
 
 Result<NeutralFile> parse_neutral(std::string_view text, const std::string& file) {
   DOBRA_TRY_VOID(check_text(text, file));
-  return Reader(text, file).run();
+  return NeutralReader(text, file).run();
 }
 
 Result<NeutralFile> read_neutral(const std::string& path) {

@@ -17,8 +17,6 @@ using base::Result;
 
 namespace {
 
-constexpr std::size_t most_items = std::numeric_limits<std::uint32_t>::max() - 1;
-
 Result<void> check_attributes(const std::vector<double>& attributes, std::string_view what) {
   for (std::size_t i = 0; i < attributes.size(); ++i) {
     if (!std::isfinite(attributes[i])) {

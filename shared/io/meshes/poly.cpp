@@ -22,8 +22,6 @@ using base::Result;
 
 namespace {
 
-constexpr std::size_t most_items = std::numeric_limits<std::uint32_t>::max() - 1;
-
 Result<void> read_segments(Records& records, std::string_view text, PolyFile& poly) {
   DOBRA_TRY_VOID(records.expect("the number of segments"));
   DOBRA_TRY(const std::size_t count, records.count(0, "the number of segments", most_items));

@@ -20,8 +20,6 @@ using mesh::PolygonMesh;
 
 namespace {
 
-constexpr std::size_t most_items = std::numeric_limits<std::uint32_t>::max() - 1;
-
 /// Words i, i + 1, i + 2 of the record.
 Result<Point3> point_at(const Records& records, std::size_t i) {
   Point3 point;

@@ -58,9 +58,9 @@ struct Array {
   pugi::xml_node node;
 };
 
-class Reader {
+class VtuReader {
  public:
-  explicit Reader(const Xml& xml) : xml_(xml) {}
+  explicit VtuReader(const Xml& xml) : xml_(xml) {}
 
   Result<VtuContents> run() {
     DOBRA_TRY_VOID(read_arrays());
@@ -303,7 +303,7 @@ class Reader {
 
 Result<VtuContents> parse_vtu(std::string_view text, const std::string& file) {
   DOBRA_TRY(const Xml xml, Xml::parse(text, file));
-  return Reader(xml).run();
+  return VtuReader(xml).run();
 }
 
 Result<VtuContents> read_vtu(const std::string& path) {

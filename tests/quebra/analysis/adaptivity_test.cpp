@@ -25,11 +25,9 @@ using namespace dobra;
 using namespace test;
 using testing::HasSubstr;
 
-std::string adapt_step(double target, const std::string& more = "") {
+std::string long_adapt_step(double target, const std::string& more = "") {
   return "[[step]]\noperation = \"adapt\"\ntarget = " + std::to_string(target) + "\nmax_cycles = 16\n" + more;
 }
-
-double unknowns_of(const Analysis& analysis) { return static_cast<double>(analysis.solution.statistics.unknowns); }
 
 /// Crack from the left edge to the middle of a square, loaded by the tractions of K_I = 1 alone.
 const std::string tip_plate = R"toml([[input.curve]]
@@ -91,7 +89,7 @@ TEST(Adaptivity, WithRosettesTheLoopReachesTheErrorAskedForAndJudgesItWithinATen
   for (const double target : {5.0, 2.0, 1.0, 0.5, 0.2}) {
     if (target < 0.5 && std::getenv("DOBRA_LONG_TESTS") == nullptr) continue;
     const scenario::Run done =
-        run(tip_plate + adapt_step(target, "rosettes = \"yes\"\n") + "[[step]]\noperation = \"crack\"\n");
+        run(tip_plate + long_adapt_step(target, "rosettes = \"yes\"\n") + "[[step]]\noperation = \"crack\"\n");
     const auto values = figures(done);
     const Analysis& analysis = *last(done).analyses.back();
     EXPECT_LE(values.at("eta"), target);
@@ -125,7 +123,7 @@ std::string point(const char* name, double x, double y) {
   return "[[input.point]]\nname = \"" + std::string(name) + "\"\npoint = [" + std::to_string(x) + ", " +
          std::to_string(y) + "]\n";
 }
-const std::string problem = "[[step]]\noperation = \"problem\"\n[[step.material]]\nyoung = 1.0\npoisson = 0.3\n";
+const std::string beam_problem = "[[step]]\noperation = \"problem\"\n[[step.material]]\nyoung = 1.0\npoisson = 0.3\n";
 std::string support(const char* where, const char* what) {
   return "[[step.support]]\nwhere = \"" + std::string(where) + "\"\n" + what + "\n";
 }
@@ -143,26 +141,27 @@ std::vector<Specimen> unseen_specimens() {
       support("bottom", "normal = 0.0") + support("left", "normal = 0.0") + load("right", "x = 1.0");
   return {
       {"Cook's membrane", Runs::Always,
-       "[input]\nspecimen = \"cook\"\n" + problem + support("left", "x = 0.0\ny = 0.0") + load("right", "y = 0.0625")},
+       "[input]\nspecimen = \"cook\"\n" + beam_problem + support("left", "x = 0.0\ny = 0.0") +
+           load("right", "y = 0.0625")},
       {"hole, d/W 0.3", Runs::Always,
-       "[input]\nspecimen = \"quarter_plate\"\nwidth = 4.0\nheight = 1.0\nradius = 0.3\n" + problem + quarter},
+       "[input]\nspecimen = \"quarter_plate\"\nwidth = 4.0\nheight = 1.0\nradius = 0.3\n" + beam_problem + quarter},
       {"hole, d/W 0.7", Runs::Long,
-       "[input]\nspecimen = \"quarter_plate\"\nwidth = 4.0\nheight = 1.0\nradius = 0.7\n" + problem + quarter},
+       "[input]\nspecimen = \"quarter_plate\"\nwidth = 4.0\nheight = 1.0\nradius = 0.7\n" + beam_problem + quarter},
       {"edge crack", Runs::Long,
-       "[input]\nspecimen = \"single_edge_notch\"\n" + point("anchor", 1, 0) + point("guide", 1, -1.5) + problem +
+       "[input]\nspecimen = \"single_edge_notch\"\n" + point("anchor", 1, 0) + point("guide", 1, -1.5) + beam_problem +
            held + pulled},
       {"two edge cracks", Runs::Long,
-       "[input]\nspecimen = \"double_edge_notch\"\n" + point("anchor", 1, -1.5) + point("guide", 1, 1.5) + problem +
-           held + pulled},
+       "[input]\nspecimen = \"double_edge_notch\"\n" + point("anchor", 1, -1.5) + point("guide", 1, 1.5) +
+           beam_problem + held + pulled},
       {"compact tension", Runs::Long,
        "[input]\nspecimen = \"compact_tension\"\nwidth = 1.0\n" + point("anchor", 1, 0) + point("guide", 1, 0.6) +
-           problem + held + load("pin_upper", "y = 1.0") + load("pin_lower", "y = -1.0")},
+           beam_problem + held + load("pin_upper", "y = 1.0") + load("pin_lower", "y = -1.0")},
       {"inclined crack in a disc", Runs::Long,
-       "[input]\nspecimen = \"brazilian_disc\"\nangle = 30.0\n" + problem + support("load_upper", "x = 0.0") +
+       "[input]\nspecimen = \"brazilian_disc\"\nangle = 30.0\n" + beam_problem + support("load_upper", "x = 0.0") +
            support("load_lower", "x = 0.0\ny = 0.0") + lips},
       {"double cantilever", Runs::Long,
-       "[input]\nspecimen = \"double_cantilever\"\n" + point("anchor", 100, -10) + point("guide", 100, 10) + problem +
-           held + lips},
+       "[input]\nspecimen = \"double_cantilever\"\n" + point("anchor", 100, -10) + point("guide", 100, 10) +
+           beam_problem + held + lips},
   };
 }
 
@@ -172,7 +171,7 @@ TEST(Adaptivity, OnSpecimensThatNoConstantWasChosenOnTheErrorIsJudgedWell) {
     if (specimen.in == Runs::Long && std::getenv("DOBRA_LONG_TESTS") == nullptr) continue;
     const bool crack =
         specimen.text.find("quarter_plate") == std::string::npos && specimen.text.find("cook") == std::string::npos;
-    const scenario::Run fine = run(specimen.text + adapt_step(0.3, "peaks = \"no\"\n"));
+    const scenario::Run fine = run(specimen.text + long_adapt_step(0.3, "peaks = \"no\"\n"));
     const Analysis& finest = *last(fine).analyses.back();
     // What little the fine mesh lacks is what it estimates itself.
     const double energy = finest.solution.cases[0].energy + 0.5 * std::pow(finest.fields[0].estimate.error, 2);
@@ -181,7 +180,7 @@ TEST(Adaptivity, OnSpecimensThatNoConstantWasChosenOnTheErrorIsJudgedWell) {
       if (more.starts_with("rosettes") && !crack) continue;
       for (const double target : {5.0, 1.0}) {
         if (target == 1.0 && more.starts_with("order = \"1")) continue;
-        const auto values = figures(run(specimen.text + adapt_step(target, more)));
+        const auto values = figures(run(specimen.text + long_adapt_step(target, more)));
         const double effectivity =
             values.at("case.load.error") / fem::error::true_error(energy, values.at("case.load.energy"));
         EXPECT_LE(values.at("eta"), target) << specimen.name << ' ' << kind;
@@ -203,9 +202,9 @@ TEST(Adaptivity, OnSpecimensThatNoConstantWasChosenOnTheErrorIsJudgedWell) {
 
 TEST(Adaptivity, OneCycleAtATimeIsTheSameLoopAndEveryCycleCanBeDrawn) {
   const std::string plate = "[input]\nspecimen = \"quarter_plate\"\nwidth = 4.0\nheight = 1.0\nradius = 0.3\n" +
-                            problem + support("bottom", "normal = 0.0") + support("left", "normal = 0.0") +
+                            beam_problem + support("bottom", "normal = 0.0") + support("left", "normal = 0.0") +
                             load("right", "x = 1.0");
-  const scenario::Run whole = run(plate + adapt_step(1.0));
+  const scenario::Run whole = run(plate + long_adapt_step(1.0));
   const std::size_t cycles = last(whole).analyses.size();
   ASSERT_GT(cycles, 2U);
   const std::string one = "[[step]]\noperation = \"adapt\"\ntarget = 1.0\nmax_cycles = 1\n";
@@ -226,10 +225,10 @@ TEST(Adaptivity, OneCycleAtATimeIsTheSameLoopAndEveryCycleCanBeDrawn) {
 TEST(Adaptivity, APeakIsAskedForTheSameErrorAsTheWholeUnlessTheUserSaysNo) {
   // A small hole holds little of the energy.
   const std::string plate = "[input]\nspecimen = \"quarter_plate\"\nwidth = 4.0\nheight = 1.0\nradius = 0.1\n" +
-                            problem + support("bottom", "normal = 0.0") + support("left", "normal = 0.0") +
+                            beam_problem + support("bottom", "normal = 0.0") + support("left", "normal = 0.0") +
                             load("right", "x = 1.0");
-  const auto with = figures(run(plate + adapt_step(2.0)));
-  const auto without = figures(run(plate + adapt_step(2.0, "peaks = \"no\"\n")));
+  const auto with = figures(run(plate + long_adapt_step(2.0)));
+  const auto without = figures(run(plate + long_adapt_step(2.0, "peaks = \"no\"\n")));
   EXPECT_LE(with.at("peak_eta"), 2.0);
   EXPECT_GT(without.at("peak_eta"), 2.0);
   EXPECT_NEAR(with.at("case.load.max_principal"), 3.035, 0.02 * 3.035);
@@ -285,7 +284,7 @@ normal = 0.0
 where = "right"
 x = 1.0
 )";
-  const scenario::Run done = run(plate + adapt_step(1.0));
+  const scenario::Run done = run(plate + long_adapt_step(1.0));
   const auto values = figures(done);
   EXPECT_LE(values.at("eta"), 1.0);
   EXPECT_LE(values.at("cycles"), 6.0);
@@ -309,9 +308,10 @@ TEST(Adaptivity, EveryTipHasARosetteOfItsOwn) {
   // A long crack and one of a tenth: what the short one needs is not asked of the long one.
   const std::string plate =
       "[input]\nspecimen = \"single_edge_notch\"\n[[input.crack]]\nname = \"short\"\npoints = [[0, 1], [0.05, 1]]\n" +
-      point("anchor", 1, 0) + point("guide", 1, -1.5) + problem + support("anchor", "x = 0.0\ny = 0.0") +
+      point("anchor", 1, 0) + point("guide", 1, -1.5) + beam_problem + support("anchor", "x = 0.0\ny = 0.0") +
       support("guide", "x = 0.0") + load("top", "y = 1.0") + load("bottom", "y = -1.0");
-  const scenario::Run done = run(plate + adapt_step(0.3, "rosettes = \"yes\"\ntip_radius = 0.008\npeaks = \"no\"\n"));
+  const scenario::Run done =
+      run(plate + long_adapt_step(0.3, "rosettes = \"yes\"\ntip_radius = 0.008\npeaks = \"no\"\n"));
   EXPECT_LE(figures(done).at("eta"), 0.3);
   const auto& mesh = last(done).analyses.back()->meshed->mesh;
   std::vector<double> radii;
@@ -343,10 +343,10 @@ TEST(Adaptivity, APeakThatComesUpOrMovesIsNoStall) {
       "[[step.load]]\nwhere = \"right\"\nkind = \"kirsch\"\nvalue = 1.0\nradius = 1.0\n[[step.load]]\nwhere = "
       "\"top\"\nkind = \"kirsch\"\nvalue = 1.0\nradius = 1.0\n";
   for (const double target : {7.0, 6.0, 5.0})
-    EXPECT_FALSE(last(run(disc + adapt_step(target))).short_of_target) << target;
+    EXPECT_FALSE(last(run(disc + long_adapt_step(target))).short_of_target) << target;
   for (const double target : {10.0, 8.0, 5.0}) {
     for (const char* const rule : {"rule = \"equal\"\n", "rule = \"optimal\"\n"})
-      EXPECT_FALSE(last(run(plate + adapt_step(target, std::string("order = \"1\"\n") + rule))).short_of_target)
+      EXPECT_FALSE(last(run(plate + long_adapt_step(target, std::string("order = \"1\"\n") + rule))).short_of_target)
           << target << ' ' << rule;
   }
 }
@@ -364,7 +364,7 @@ TEST(Adaptivity, NoCycleHasManyMoreUnknownsThanTheLast) {
       if (*more != 0 && std::string(name).find("crack") == std::string::npos) continue;
       for (const double target : {5.0, 1.0, 0.1}) {
         if (target < 1.0 && !long_ones) continue;
-        const scenario::Run done = run(specimen(all, name).text + adapt_step(target, more));
+        const scenario::Run done = run(specimen(all, name).text + long_adapt_step(target, more));
         const auto& analyses = last(done).analyses;
         double most = 0.0;
         for (const auto& analysis : analyses) most = std::max(most, unknowns_of(*analysis));
@@ -416,7 +416,7 @@ TEST(Adaptivity, WhatIsReachedIsReachedInTruth) {
       if (std::string(more).starts_with("rosettes") && known.text != tip_plate) continue;
       for (const double target : {10.0, 5.0, 2.0, 1.0, 0.5}) {
         if (std::string(more).starts_with("order") && target < 5.0) continue;
-        const scenario::Run done = run(known.text + adapt_step(target, more));
+        const scenario::Run done = run(known.text + long_adapt_step(target, more));
         ASSERT_TRUE(done.complete()) << known.name;
         const Analysis& analysis = *last(done).analyses.back();
         EXPECT_FALSE(last(done).short_of_target) << known.name << ' ' << more << target;
@@ -442,7 +442,7 @@ TEST(Adaptivity, WhatIsReachedAtClampedCornersIsReachedInTruth) {
       "[[step.support]]\nwhere = \"y = 3\"\nx = 0.0\ny = 0.01\n";
   const double energy = 0.210589;
   for (const double target : {10.0, 5.0, 4.0, 3.0, 2.0}) {
-    const scenario::Run done = run(text + adapt_step(target, ""));
+    const scenario::Run done = run(text + long_adapt_step(target, ""));
     ASSERT_TRUE(done.complete()) << target;
     const Analysis& analysis = *last(done).analyses.back();
     const double error = std::sqrt(std::abs(analysis.solution.cases[0].energy - energy) / energy);
@@ -461,7 +461,7 @@ TEST(Adaptivity, WhatMayNotBeReachedAtClampedCornersIsSaid) {
       "[[step.support]]\nwhere = \"x = 0\"\nx = 0.0\ny = 0.0\n[[step.load]]\nwhere = \"x = 10\"\ny = 1.0\n";
   const double energy = 1.0275206;  // of a mesh of size 0.05, and of CalculiX
   for (const double target : {10.0, 5.0, 4.0, 3.0, 2.0, 1.0}) {
-    const scenario::Run done = run(text + adapt_step(target, ""));
+    const scenario::Run done = run(text + long_adapt_step(target, ""));
     ASSERT_TRUE(done.complete()) << target;
     const std::string last_remark = last(done).remarks.empty() ? "" : last(done).remarks.back();
     const bool said = last_remark.find("corners of infinite stress") != std::string::npos;
@@ -488,7 +488,7 @@ TEST(Adaptivity, AnEstimateBelowTheTargetIsNotReachedWithoutItsMargin) {
 
 TEST(Adaptivity, WhatDoesNotFitIntoMemoryLeavesTheCyclesBeforeIt) {
   const std::string text = sheared_l;
-  const scenario::Run done = run(text + adapt_step(0.05, "memory = 6e6\n"));
+  const scenario::Run done = run(text + long_adapt_step(0.05, "memory = 6e6\n"));
   const auto values = figures(done);
   EXPECT_TRUE(last(done).short_of_target);
   EXPECT_GT(last(done).analyses.size(), 1U);
@@ -499,7 +499,8 @@ TEST(Adaptivity, WhatDoesNotFitIntoMemoryLeavesTheCyclesBeforeIt) {
 
 TEST(Adaptivity, WhoStopsTheLoopKeepsItsCyclesAndTheyAreNotRemembered) {
   const auto document =
-      scenario::parse_document("dobra = 1\nprogram = \"quebra\"\n" + sheared_l + adapt_step(0.5), "test.toml").value();
+      scenario::parse_document("dobra = 1\nprogram = \"quebra\"\n" + sheared_l + long_adapt_step(0.5), "test.toml")
+          .value();
   scenario::Runner runner(core::program());
   const base::CancelToken token;
   std::vector<std::string> told;

@@ -22,7 +22,7 @@ using namespace test;
 using testing::Contains;
 using testing::HasSubstr;
 
-const std::string kirsch = R"([input]
+const std::string kirsch_problem = R"([input]
 specimen = "quarter_plate"
 width = 4.0
 radius = 1.0
@@ -62,7 +62,7 @@ TEST(Analysis, KirschsPlateReachesTheErrorAskedForAndJudgesItWithinATenth) {
     const char* order;
   };
   for (const auto& [target, order] : {Case{5.0, "1"}, Case{5.0, "2"}, Case{1.0, "2"}, Case{0.2, "2"}}) {
-    const scenario::Run done = run(kirsch + adapt_step(target, std::string("order = \"") + order + "\"\n"));
+    const scenario::Run done = run(kirsch_problem + adapt_step(target, std::string("order = \"") + order + "\"\n"));
     const auto values = figures(done);
     EXPECT_LE(values.at("eta"), target);
     EXPECT_LE(values.at("cycles"), 6.0);
@@ -83,7 +83,7 @@ double stress_at_the_hole(const Analysis& analysis) {
 TEST(Analysis, QUE_f_TheLoopReachesFivePercentWithAndWithoutConstraintsAndTheStressAtTheHoleIsRight) {
   // The plate of Figs 12 and 13, an arc of four sides, the six constraints of Fig 13; energy in closed form.
   constexpr double energy = 0.01297541968196;
-  std::string plate = kirsch;
+  std::string plate = kirsch_problem;
   plate.replace(plate.find("width = 4.0"), 11, "width = 5.0");
   const std::string bands =
       "[[step]]\noperation = \"constraints\"\ncurves = [\"hole\"]\ncount = 6\ndistance = 0.065\nfactor = 1.3\n";
@@ -128,16 +128,14 @@ TEST(Analysis, TheReEntrantCornerReachesTheErrorAskedForWithBothRules) {
   }
 }
 
-double unknowns_of(const Analysis& analysis) { return static_cast<double>(analysis.solution.statistics.unknowns); }
-
 TEST(Analysis, TheDefaultRuleOfSizesNeedsAtMostThreeTenthsMoreUnknownsThanTheBetterOne) {
-  for (const std::string* problem : {&kirsch, &corner}) {
+  for (const std::string* problem : {&kirsch_problem, &corner}) {
     for (const double target : {5.0, 1.0}) {
       const double optimal = unknowns_of(*last(run(*problem + adapt_step(target))).analyses.back());
       const double equal = unknowns_of(*last(run(*problem + adapt_step(target, "rule = \"equal\"\n"))).analyses.back());
       EXPECT_LE(optimal, 1.3 * std::min(optimal, equal)) << target;
-      printf("[ figures  ] %s to %g %%: unknowns %g optimal, %g equal\n", problem == &kirsch ? "plate" : "corner",
-             target, optimal, equal);
+      printf("[ figures  ] %s to %g %%: unknowns %g optimal, %g equal\n",
+             problem == &kirsch_problem ? "plate" : "corner", target, optimal, equal);
     }
   }
 }
@@ -330,8 +328,8 @@ TEST(Analysis, NearIncompressibilityABoreIsRightOrRefused) {
 TEST(Analysis, BadInputIsNamed) {
   EXPECT_THAT(trouble("[input]\nspecimen = \"cook\"\n[[step]]\noperation = \"analyse\"\n"),
               HasSubstr("put a step 'problem'"));
-  EXPECT_THAT(trouble(kirsch + "[[step]]\noperation = \"analyse\"\n"), HasSubstr("put a step 'mesh' before"));
-  EXPECT_THAT(trouble(kirsch + "[[step]]\noperation = \"crack\"\n"), HasSubstr("there is no analysis"));
+  EXPECT_THAT(trouble(kirsch_problem + "[[step]]\noperation = \"analyse\"\n"), HasSubstr("put a step 'mesh' before"));
+  EXPECT_THAT(trouble(kirsch_problem + "[[step]]\noperation = \"crack\"\n"), HasSubstr("there is no analysis"));
   const std::string solve = "[[step]]\noperation = \"mesh\"\n[[step]]\noperation = \"analyse\"\n";
   std::string wrong = corner;
   wrong.replace(wrong.find("where = \"right\""), 15, "where = \"rihgt\"");

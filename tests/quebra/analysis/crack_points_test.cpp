@@ -23,27 +23,27 @@ using testing::HasSubstr;
 using testing::Not;
 
 /// A plate 4 x 4 with side "bottom" and the rest "rim".
-const std::string plate = R"([[input.curve]]
+const std::string bare_plate = R"([[input.curve]]
 name = "bottom"
 points = [[0, 0], [4, 0]]
 [[input.curve]]
 name = "rim"
 points = [[4, 0], [4, 4], [0, 4], [0, 0]]
 )";
-std::string crack(const std::string& name, const std::string& points) {
+std::string crack_input(const std::string& name, const std::string& points) {
   return "[[input.crack]]\nname = \"" + name + "\"\npoints = " + points + "\n";
 }
-std::string line(const std::string& name, const std::string& points) {
+std::string line_input(const std::string& name, const std::string& points) {
   return "[[input.curve]]\nrole = \"internal\"\nname = \"" + name + "\"\npoints = " + points + "\n";
 }
 std::string point(const std::string& at) { return "[[input.point]]\nname = \"p\"\npoint = " + at + "\n"; }
-const std::string problem = "[[step]]\noperation = \"problem\"\n[[step.material]]\nyoung = 100.0\npoisson = 0.2\n";
+const std::string soft_problem = "[[step]]\noperation = \"problem\"\n[[step.material]]\nyoung = 100.0\npoisson = 0.2\n";
 const std::string held = "[[step.support]]\nwhere = \"bottom\"\nx = 0.0\ny = 0.0\n";
 std::string force(const std::string& where, double x, double y, const std::string& load_case = "load") {
   return "[[step.load]]\nkind = \"force\"\nwhere = \"" + where + "\"\nx = " + std::to_string(x) +
          "\ny = " + std::to_string(y) + "\ncase = \"" + load_case + "\"\n";
 }
-const std::string analyse =
+const std::string analyse_step =
     "[[step]]\noperation = \"mesh\"\nsize = 0.5\norder = \"2\"\n[[step]]\noperation = \"analyse\"\n";
 
 struct Balance {
@@ -68,26 +68,27 @@ struct Place {
 std::vector<Place> places() {
   const std::vector<std::string> two{"p_left", "p_right"};
   const std::vector<std::string> four{"p_a_left", "p_a_right", "p_b_left", "p_b_right"};
-  const std::string inner = crack("a", "[[1, 2], [3, 2]]");
+  const std::string inner = crack_input("a", "[[1, 2], [3, 2]]");
   return {{"in the middle of a crack", inner + point("[2, 2]"), 2, two},
-          {"at a corner of a crack", crack("a", "[[1, 2], [2, 2.3], [3, 2]]") + point("[2, 2.3]"), 2, two},
-          {"at a mouth", crack("a", "[[0, 2], [2, 2]]") + point("[0, 2]"), 2, two},
-          {"at a crossing", inner + crack("b", "[[2, 1], [2, 3]]") + point("[2, 2]"), 4, four},
-          {"at a branch", inner + crack("b", "[[2, 2], [2, 3]]") + point("[2, 2]"), 3, four},
-          {"at two mouths", crack("a", "[[0, 2], [2, 3]]") + crack("b", "[[0, 2], [2, 1]]") + point("[0, 2]"), 3, four},
+          {"at a corner of a crack", crack_input("a", "[[1, 2], [2, 2.3], [3, 2]]") + point("[2, 2.3]"), 2, two},
+          {"at a mouth", crack_input("a", "[[0, 2], [2, 2]]") + point("[0, 2]"), 2, two},
+          {"at a crossing", inner + crack_input("b", "[[2, 1], [2, 3]]") + point("[2, 2]"), 4, four},
+          {"at a branch", inner + crack_input("b", "[[2, 2], [2, 3]]") + point("[2, 2]"), 3, four},
+          {"at two mouths",
+           crack_input("a", "[[0, 2], [2, 3]]") + crack_input("b", "[[0, 2], [2, 1]]") + point("[0, 2]"), 3, four},
           {"at a tip", inner + point("[3, 2]"), 1, {}},
           {"at a tip on an internal line",
-           crack("a", "[[1, 2], [2, 2]]") + line("b", "[[2, 1], [2, 3]]") + point("[2, 2]"),
+           crack_input("a", "[[1, 2], [2, 2]]") + line_input("b", "[[2, 1], [2, 3]]") + point("[2, 2]"),
            1,
            {}},
-          {"on an internal line", line("b", "[[1, 2], [3, 2]]") + point("[2, 2]"), 1, {}}};
+          {"on an internal line", line_input("b", "[[1, 2], [3, 2]]") + point("[2, 2]"), 1, {}}};
 }
 
 TEST(CrackPoints, AForceActsOnceWhateverNodesThePointHas) {
   for (const Place& place : places()) {
     std::string loads = force("p", 3.0, -2.0);
     for (const std::string& lip : place.lips) loads += force(lip, 1.0, 5.0, lip);
-    const scenario::Run done = run(plate + place.input + problem + held + loads + analyse);
+    const scenario::Run done = run(bare_plate + place.input + soft_problem + held + loads + analyse_step);
     ASSERT_TRUE(done.complete()) << place.name << ": " << to_string(*done.error);
     const Analysis& analysis = *last(done).analyses.back();
     EXPECT_EQ(analysis.meshed->mesh.node_sets.at("p").size(), place.nodes) << place.name;
@@ -104,7 +105,7 @@ TEST(CrackPoints, AForceActsOnceWhateverNodesThePointHas) {
       continue;
     }
     EXPECT_THAT(last(done).remarks, Not(Contains(HasSubstr("lies on a crack")))) << place.name;
-    EXPECT_THAT(trouble(plate + place.input + problem + held + force("p_left", 1, 0) + analyse),
+    EXPECT_THAT(trouble(bare_plate + place.input + soft_problem + held + force("p_left", 1, 0) + analyse_step),
                 HasSubstr("there is no curve, lip or point 'p_left'"))
         << place.name;
   }
@@ -112,7 +113,7 @@ TEST(CrackPoints, AForceActsOnceWhateverNodesThePointHas) {
 
 TEST(CrackPoints, TheNodesOfALipAreItsOwn) {
   const Place crossing = places()[3];
-  const scenario::Run done = run(plate + crossing.input + "[[step]]\noperation = \"mesh\"\nsize = 0.5\n");
+  const scenario::Run done = run(bare_plate + crossing.input + "[[step]]\noperation = \"mesh\"\nsize = 0.5\n");
   const auto& mesh = last(done).meshes.back()->mesh;
   // The copies on the left of a have all their elements above it, those on the left of b (which goes up) to its left.
   const auto middle_of = [&](const std::string& set) {
@@ -134,10 +135,10 @@ TEST(CrackPoints, TheNodesOfALipAreItsOwn) {
 }
 
 TEST(CrackPoints, ASpringCountsOnceAndASupportHoldsBothLipsOrTheOneNamed) {
-  const std::string input = plate + crack("a", "[[0, 2], [2, 2]]") + point("[0, 2]") + problem;
+  const std::string input = bare_plate + crack_input("a", "[[0, 2], [2, 2]]") + point("[0, 2]") + soft_problem;
   const std::string pulled = "[[step.load]]\nwhere = \"rim\"\nx = 0.25\n";
   const std::string roller = "[[step.support]]\nwhere = \"bottom\"\ny = 0.0\n";
-  const scenario::Run done = run(input + roller + pulled + "[[step.spring]]\nwhere = \"p\"\nx = 8.0\n" + analyse);
+  const scenario::Run done = run(input + roller + pulled + "[[step.spring]]\nwhere = \"p\"\nx = 8.0\n" + analyse_step);
   const auto sprung = figures(done);
   const geom::Vector applied = balance_of(*last(done).analyses.back(), 0).applied;  // nothing else bears it along x
   EXPECT_NEAR(4.0 * (sprung.at("case.load.point.p_left.u_x") + sprung.at("case.load.point.p_right.u_x")), applied.x,
@@ -148,25 +149,25 @@ TEST(CrackPoints, ASpringCountsOnceAndASupportHoldsBothLipsOrTheOneNamed) {
     return std::string("[[step.support]]\nwhere = \"") + where + "\"\nx = 0.0\ny = 0.0\n";
   };
   const std::string load = "[[step.load]]\nwhere = \"rim\"\ny = 1.0\n";
-  const scenario::Run both = run(input + held + support("p") + load + analyse);
+  const scenario::Run both = run(input + held + support("p") + load + analyse_step);
   EXPECT_EQ(figures(both).at("case.load.point.p_left.u_y"), 0.0);
   EXPECT_EQ(figures(both).at("case.load.point.p_right.u_y"), 0.0);
   EXPECT_THAT(last(both).remarks, Contains(HasSubstr("the support holds all of them")));
-  const auto one = figures(run(input + held + support("p_right") + load + analyse));
+  const auto one = figures(run(input + held + support("p_right") + load + analyse_step));
   EXPECT_GT(one.at("case.load.point.p_left.u_y"), 1e-3);
   EXPECT_EQ(one.at("case.load.point.p_right.u_y"), 0.0);
 }
 
 TEST(CrackPoints, ATieAsksForTheLip) {
-  const std::string input = plate + crack("a", "[[1, 2], [3, 2]]") + point("[2, 2]") + problem + held;
+  const std::string input = bare_plate + crack_input("a", "[[1, 2], [3, 2]]") + point("[2, 2]") + soft_problem + held;
   const auto tie = [](const char* a, const char* b) {
     return std::string("[[step.tie]]\npoints = [\"") + a + "\", \"" + b +
            "\"]\naxes = [\"y\", \"y\"]\ncoefficients = [1.0, -1.0]\n";
   };
-  EXPECT_THAT(trouble(input + tie("p", "a_end") + analyse),
+  EXPECT_THAT(trouble(input + tie("p", "a_end") + analyse_step),
               HasSubstr("point 'p' lies on a crack and moves with each lip by itself; tie one of 'p_left', 'p_right'"));
   const auto tied =
-      figures(run(input + tie("p_left", "p_right") + "[[step.load]]\nwhere = \"rim\"\ny = 1.0\n" + analyse));
+      figures(run(input + tie("p_left", "p_right") + "[[step.load]]\nwhere = \"rim\"\ny = 1.0\n" + analyse_step));
   EXPECT_NEAR(tied.at("case.load.point.p_left.u_y"), tied.at("case.load.point.p_right.u_y"), 1e-12);
 }
 
@@ -175,10 +176,10 @@ std::string wedged(double b, const std::string& forces, const std::string& mesh 
                    const std::string& crack_step = "") {
   return "[[input.curve]]\nname = \"rim\"\nkind = \"polygon\"\npoints = [[-40, -40], [40, -40], [40, 40], [-40, "
          "40]]\n" +
-         crack("a", "[[-1, 0], [1, 0]]") + point("[" + std::to_string(b) + ", 0]") +
+         crack_input("a", "[[-1, 0], [1, 0]]") + point("[" + std::to_string(b) + ", 0]") +
          "[[input.point]]\nname = \"anchor\"\npoint = [-40, -40]\n[[input.point]]\nname = \"guide\"\npoint = [40, "
          "-40]\n" +
-         problem +
+         soft_problem +
          "[[step.support]]\nwhere = \"anchor\"\nx = 0.0\ny = 0.0\n[[step.support]]\nwhere = \"guide\"\ny = 0.0\n" +
          forces + "[[step]]\noperation = \"mesh\"\norder = \"2\"\nrosettes = \"yes\"\n" + mesh +
          "[[step]]\noperation = \"analyse\"\n[[step]]\noperation = \"crack\"\n" + crack_step;

@@ -22,13 +22,13 @@ using testing::HasSubstr;
 std::string point(const std::string& name, double x, double y) {
   return "[[input.point]]\nname = \"" + name + "\"\npoint = [" + std::to_string(x) + ", " + std::to_string(y) + "]\n";
 }
-const std::string analyse = "[[step]]\noperation = \"analyse\"\n";
-const std::string crack = "[[step]]\noperation = \"crack\"\n";
+const std::string plain_analyse = "[[step]]\noperation = \"analyse\"\n";
+const std::string crack_step = "[[step]]\noperation = \"crack\"\n";
 std::string mesh(const std::string& params) { return "[[step]]\noperation = \"mesh\"\n" + params; }
 const std::string rosettes = mesh("order = \"2\"\nrosettes = \"yes\"\n");
 
 /// A strip 1 wide and 3 high with an edge crack, pulled (1) or pressed (-1).
-std::string strip(double a, int sign = 1) {
+std::string cracked_strip(double a, int sign = 1) {
   const std::string force = "y = " + std::to_string(sign) + "\n", against = "y = " + std::to_string(-sign) + "\n";
   return "[input]\nspecimen = \"single_edge_notch\"\nwidth = 1.0\nheight = 3.0\ncrack_length = " + std::to_string(a) +
          "\n" + point("anchor", 1, 0) + point("guide", 1, -1.5) +
@@ -66,27 +66,27 @@ dobra::scenario::Document document(const std::string& text) {
 
 TEST(Fracture, WhoAsksForKGetsRosettesUnlessTheScenarioSaysOtherwise) {
   const auto asked = [](const std::string& steps, std::size_t step) {
-    auto doc = document(strip(0.5) + steps);
+    auto doc = document(cracked_strip(0.5) + steps);
     const std::string done = ask_for_rosettes(doc);
     const auto* value = doc.steps.at(step).params.find("rosettes");
     const std::string has = value == nullptr ? "" : std::get<std::string>(*value);
     EXPECT_EQ(done.empty(), has != "yes" || steps.find("rosettes") != std::string::npos) << steps;
     return doc.steps.at(step).operation + " " + has;
   };
-  EXPECT_EQ(asked(mesh("") + analyse + crack, 1), "mesh yes");
-  EXPECT_EQ(asked(mesh("order = \"2\"\n") + analyse + crack, 1), "mesh yes");
-  EXPECT_EQ(asked("[[step]]\noperation = \"adapt\"\n" + crack, 1), "adapt yes");
-  EXPECT_EQ(asked(analyse + crack, 1), "mesh yes");  // put before the analysis
-  EXPECT_EQ(asked(crack, 1), "mesh yes");
-  EXPECT_EQ(asked(mesh("rosettes = \"no\"\n") + analyse + crack, 1), "mesh no");
-  EXPECT_EQ(asked(mesh("order = \"1\"\n") + analyse + crack, 1), "mesh ");
-  EXPECT_EQ(asked(mesh("quads = \"yes\"\n") + analyse + crack, 1), "mesh ");
-  EXPECT_EQ(asked(rosettes + analyse + crack, 1), "mesh yes");
+  EXPECT_EQ(asked(mesh("") + plain_analyse + crack_step, 1), "mesh yes");
+  EXPECT_EQ(asked(mesh("order = \"2\"\n") + plain_analyse + crack_step, 1), "mesh yes");
+  EXPECT_EQ(asked("[[step]]\noperation = \"adapt\"\n" + crack_step, 1), "adapt yes");
+  EXPECT_EQ(asked(plain_analyse + crack_step, 1), "mesh yes");  // put before the analysis
+  EXPECT_EQ(asked(crack_step, 1), "mesh yes");
+  EXPECT_EQ(asked(mesh("rosettes = \"no\"\n") + plain_analyse + crack_step, 1), "mesh no");
+  EXPECT_EQ(asked(mesh("order = \"1\"\n") + plain_analyse + crack_step, 1), "mesh ");
+  EXPECT_EQ(asked(mesh("quads = \"yes\"\n") + plain_analyse + crack_step, 1), "mesh ");
+  EXPECT_EQ(asked(rosettes + plain_analyse + crack_step, 1), "mesh yes");
 }
 
 TEST(Fracture, KOfAMeshWithoutRosettesHasNoSpreadButARemarkWithAdvice) {
   for (const std::string order : {"1", "2"}) {
-    const auto done = run(strip(0.5) + mesh("order = \"" + order + "\"\n") + analyse + crack);
+    const auto done = run(cracked_strip(0.5) + mesh("order = \"" + order + "\"\n") + plain_analyse + crack_step);
     const auto values = figures(done);
     EXPECT_TRUE(values.contains("tip.load.crack_end.K_I"));
     EXPECT_EQ(values.count("tip.load.crack_end.spread"), values.count("tip.load.crack_end.closure.K_I")) << order;
@@ -97,7 +97,7 @@ TEST(Fracture, KOfAMeshWithoutRosettesHasNoSpreadButARemarkWithAdvice) {
 }
 
 TEST(Fracture, TheTableHasEveryFigureOfATip) {
-  const auto done = run(strip(0.5) + rosettes + analyse + crack);
+  const auto done = run(cracked_strip(0.5) + rosettes + plain_analyse + crack_step);
   const auto values = figures(done);
   const auto tables = core::program().tables_of(done.states.back());
   const auto tips = std::find_if(tables.begin(), tables.end(), [](const auto& table) { return table.name == "tips"; });
@@ -116,7 +116,7 @@ TEST(Fracture, TheTableHasEveryFigureOfATip) {
 }
 
 TEST(Fracture, AClosedCrackHasARemarkAndNoKinkAngles) {
-  const auto done = run(strip(0.5, -1) + rosettes + analyse + crack);
+  const auto done = run(cracked_strip(0.5, -1) + rosettes + plain_analyse + crack_step);
   const auto values = figures(done);
   EXPECT_LT(values.at("tip.load.crack_end.K_I"), 0.0);
   EXPECT_FALSE(values.contains("tip.load.crack_end.kink.sigma_theta"));
@@ -129,13 +129,13 @@ TEST(Fracture, AClosedCrackHasARemarkAndNoKinkAngles) {
 }
 
 TEST(Fracture, OneTipWithoutKDoesNotCostTheOthersTheirs) {
-  const auto alone = figures(run(two_cracks("", 1.5) + rosettes + analyse + crack));
+  const auto alone = figures(run(two_cracks("", 1.5) + rosettes + plain_analyse + crack_step));
   // One tip on the border of two regions of one material; on an interface; one whose crack is too short for the
   // contour.
-  const auto border = figures(run(two_cracks(interface, 1.5) + rosettes + analyse + crack));
+  const auto border = figures(run(two_cracks(interface, 1.5) + rosettes + plain_analyse + crack_step));
   for (const char* const name : {"tip.load.edge_end.K_I", "tip.load.other_end.K_I"})
     EXPECT_NEAR(border.at(name) / alone.at(name), 1.0, 1e-2);
-  const auto done = run(two_cracks(interface, 1.5, stiff) + rosettes + analyse + crack);
+  const auto done = run(two_cracks(interface, 1.5, stiff) + rosettes + plain_analyse + crack_step);
   const auto values = figures(done);
   EXPECT_TRUE(values.contains("tip.load.edge_end.K_I"));
   EXPECT_FALSE(values.contains("tip.load.other_end.K_I"));
@@ -149,19 +149,19 @@ TEST(Fracture, OneTipWithoutKDoesNotCostTheOthersTheirs) {
       testing::Contains(HasSubstr("crack tip 'other_end' at (2.5, 1.5) has no K: two materials meet at the tip")));
   EXPECT_EQ(core::program().reached(done.states.back()), false);
 
-  const auto outer = run(two_cracks("", 0.3) + rosettes + analyse + crack + "contour = 0.4\n");
+  const auto outer = run(two_cracks("", 0.3) + rosettes + plain_analyse + crack_step + "contour = 0.4\n");
   EXPECT_TRUE(figures(outer).contains("tip.load.edge_end.K_I"));
   EXPECT_THAT(last(outer).analyses.back()->tips[0][1].refused->message,
               HasSubstr("leaves the straight end of the crack"));
   EXPECT_EQ(core::program().reached(outer.states.back()), false);
-  EXPECT_THAT(trouble(two_cracks("", 0.3) + rosettes + analyse + crack + "contour = 1.4\n"),
+  EXPECT_THAT(trouble(two_cracks("", 0.3) + rosettes + plain_analyse + crack_step + "contour = 1.4\n"),
               testing::AllOf(HasSubstr("edge_end"), HasSubstr("leaves the straight end")));
 }
 
 TEST(Fracture, ATipWithoutKInEveryLoadCaseHasOneRemark) {
   const auto done =
       run(two_cracks(interface, 1.5, stiff + "[[step.load]]\ncase = \"more\"\nwhere = \"top\"\ny = 2.0\n") + rosettes +
-          analyse + crack);
+          plain_analyse + crack_step);
   const auto remarks = core::program().remarks_of(done.states.back());
   EXPECT_EQ(std::count_if(remarks.begin(), remarks.end(),
                           [](const std::string& remark) { return remark.find("has no K") != std::string::npos; }),
@@ -178,7 +178,7 @@ TEST(Fracture, ATipWithoutKInEveryLoadCaseHasOneRemark) {
 }
 
 TEST(Fracture, TheVtuHasVonMisesAndPrincipalStresses) {
-  const auto done = run(strip(0.5) + rosettes + analyse);
+  const auto done = run(cracked_strip(0.5) + rosettes + plain_analyse);
   const auto file = std::filesystem::temp_directory_path() / "dobra_fracture_test.vtu";
   for (const auto& output : core::program().outputs_of(done.states.back())) {
     if (output.file_name != "results.vtu") continue;

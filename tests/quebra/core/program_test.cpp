@@ -53,7 +53,7 @@ std::map<std::string, double> quantities(const scenario::Run& run) {
   return values;
 }
 
-const std::string square =
+const std::string unit_square =
     "[[input.curve]]\nname = \"plate\"\nkind = \"polygon\"\npoints = [[0, 0], [4, 0], [4, 4], [0, 4]]\n";
 
 TEST(QuebraProgram, EveryExampleMeetsItsExpectations) {
@@ -118,9 +118,9 @@ TEST(QuebraProgram, ConstraintsOfAnArcAreConcentricAndEndOnTheBoundary) {
 
 TEST(QuebraProgram, ConstraintsOfAClosedHoleAreClosedRings) {
   const auto done =
-      run(parse(square + "[[input.curve]]\nname = \"hole\"\nkind = \"circle\"\ncentre = [2, 2]\nradius = 0.5\n"
-                         "[[step]]\noperation = \"constraints\"\ncurves = [\"hole\"]\ncount = 3\ndistance = 0.2\n"
-                         "[[step]]\noperation = \"mesh\"\nsize = 0.4\n"));
+      run(parse(unit_square + "[[input.curve]]\nname = \"hole\"\nkind = \"circle\"\ncentre = [2, 2]\nradius = 0.5\n"
+                              "[[step]]\noperation = \"constraints\"\ncurves = [\"hole\"]\ncount = 3\ndistance = 0.2\n"
+                              "[[step]]\noperation = \"mesh\"\nsize = 0.4\n"));
   const model::Model& model = final_model(done);
   ASSERT_EQ(model.constraints.size(), 3U);
   for (const auto& constraint : model.constraints) {
@@ -133,9 +133,9 @@ TEST(QuebraProgram, ConstraintsOfAClosedHoleAreClosedRings) {
 TEST(QuebraProgram, ConstraintsAreCutWhereTheyLeaveTheDomain) {
   // Rings of the hole at 1.2 reach beyond the right side, 1 m away from its rim.
   const auto done =
-      run(parse(square + "[[input.curve]]\nname = \"hole\"\nkind = \"circle\"\ncentre = [2.5, 2]\nradius = 0.5\n"
-                         "[[step]]\noperation = \"constraints\"\ncurves = [\"hole\"]\ncount = 1\ndistance = 1.2\n"
-                         "[[step]]\noperation = \"mesh\"\nsize = 0.4\n"));
+      run(parse(unit_square + "[[input.curve]]\nname = \"hole\"\nkind = \"circle\"\ncentre = [2.5, 2]\nradius = 0.5\n"
+                              "[[step]]\noperation = \"constraints\"\ncurves = [\"hole\"]\ncount = 1\ndistance = 1.2\n"
+                              "[[step]]\noperation = \"mesh\"\nsize = 0.4\n"));
   const model::Model& model = final_model(done);
   ASSERT_EQ(model.constraints.size(), 1U);
   const auto& ring = model.constraints.front();
@@ -148,8 +148,8 @@ TEST(QuebraProgram, ConstraintsAreCutWhereTheyLeaveTheDomain) {
 }
 
 TEST(QuebraProgram, ConstraintsFartherThanTheDomainGetARemark) {
-  const auto done =
-      run(parse(square + "[[step]]\noperation = \"constraints\"\ncurves = [\"plate\"]\ncount = 1\ndistance = 9.0\n"));
+  const auto done = run(
+      parse(unit_square + "[[step]]\noperation = \"constraints\"\ncurves = [\"plate\"]\ncount = 1\ndistance = 9.0\n"));
   EXPECT_TRUE(final_model(done).constraints.empty());
   ASSERT_EQ(final_model(done).remarks.size(), 1U);
   EXPECT_NE(final_model(done).remarks.front().find("left out"), std::string::npos);
@@ -194,7 +194,7 @@ TEST(QuebraProgram, ADeckOfTheMeshHasTheElementsOfTheScenario) {
   const fs::path file = fs::temp_directory_path() / "dobra_quebra_plane.inp";
   const auto deck = [&](const std::string& problem, const std::string& order) {
     const auto done =
-        run(parse(square + problem + "[[step]]\noperation = \"mesh\"\nsize = 1.0\norder = \"" + order + "\"\n"));
+        run(parse(unit_square + problem + "[[step]]\noperation = \"mesh\"\nsize = 1.0\norder = \"" + order + "\"\n"));
     for (const auto& output : program().outputs_of(done.states.back())) {
       if (output.file_name != "mesh.inp") continue;
       EXPECT_TRUE(output.write(file).ok());
@@ -218,7 +218,7 @@ TEST(QuebraProgram, ADeckOfTheMeshHasTheElementsOfTheScenario) {
 TEST(QuebraProgram, AnAnalysisThatNoDeckHoldsIsToldWhereTheDeckWouldBeWritten) {
   const auto outputs = [](const std::string& poisson) {
     const auto done = run(parse(
-        square +
+        unit_square +
         "[[step]]\noperation = \"problem\"\nstate = \"strain\"\n[[step.material]]\nyoung = 1.0\npoisson = " + poisson +
         "\n[[step.support]]\nwhere = \"plate\"\nx = 0.0\ny = 0.0\n[[step.load]]\nkind = \"body\"\ny = "
         "-1.0\n[[step]]\noperation = \"mesh\"\nsize = 1.0\norder = \"2\"\n[[step]]\noperation = \"analyse\"\n"));

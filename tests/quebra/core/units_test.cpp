@@ -55,7 +55,7 @@ std::string cracked(const std::string& system, double L, double F, double S) {
   return text;
 }
 
-std::vector<scenario::Quantity> quantities(const scenario::Run& run) {
+std::vector<scenario::Quantity> quantity_list(const scenario::Run& run) {
   EXPECT_TRUE(run.complete()) << to_string(*run.error);
   return run.complete() ? program().quantities_of(run.states.back()) : std::vector<scenario::Quantity>{};
 }
@@ -76,14 +76,14 @@ struct Stated {
 };
 
 TEST(UnitsOfScenarios, TheSameProblemHasTheSameResultsInEverySystem) {
-  const auto si = quantities(test::run(cracked("", 1.0, 1.0, 1.0)));
+  const auto si = quantity_list(test::run(cracked("", 1.0, 1.0, 1.0)));
   const double pound = 4.4482216152605;
   for (const auto& [system, length, force, stress] : {Stated{"mm, N, MPa", 1e-3, 1.0, 1e6},
                                                       {"m, kN, kPa", 1.0, 1e3, 1e3},
                                                       {"in, lbf, psi", 0.0254, pound, pound / 0.0254 / 0.0254}}) {
     const auto units = UnitSystem::make(system);
     ASSERT_TRUE(units.ok());
-    const auto here = quantities(test::run(cracked(system, length, force, stress)));
+    const auto here = quantity_list(test::run(cracked(system, length, force, stress)));
     ASSERT_EQ(here.size(), si.size()) << system;
     for (std::size_t i = 0; i < si.size(); ++i) {
       ASSERT_EQ(here[i].name, si[i].name);
@@ -100,8 +100,8 @@ TEST(UnitsOfScenarios, TheSameProblemHasTheSameResultsInEverySystem) {
 }
 
 TEST(UnitsOfScenarios, KInMegapascalsAndMillimetresIsTheRootOfAThousandTimesThatInMetres) {
-  const auto mm = quantities(test::run(cracked("mm, N, MPa", 1e-3, 1.0, 1e6)));
-  const auto si = quantities(test::run("result_units = \"SI\"\n" + cracked("mm, N, MPa", 1e-3, 1.0, 1e6)));
+  const auto mm = quantity_list(test::run(cracked("mm, N, MPa", 1e-3, 1.0, 1e6)));
+  const auto si = quantity_list(test::run("result_units = \"SI\"\n" + cracked("mm, N, MPa", 1e-3, 1.0, 1e6)));
   const double k = value(mm, "tip.load.crack_end.K_I", "MPa sqrt(mm)");
   EXPECT_NEAR(k, value(si, "tip.load.crack_end.K_I", "Pa sqrt(m)") / 1e6 * 31.6227766016838, 1e-9 * k);
   EXPECT_GT(k, 1.0);

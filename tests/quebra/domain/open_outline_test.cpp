@@ -18,8 +18,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
+using std::numbers::pi;
 using test::area_of;
-constexpr double pi = std::numbers::pi;
 
 class OpenOutline : public test::DrawnFile {
  protected:
@@ -32,7 +32,7 @@ class OpenOutline : public test::DrawnFile {
 };
 
 /// A plate of 100 x 80 whose left side stops `gap` before the corner at (0, 0).
-std::string plate(double gap) {
+std::string gaping_plate(double gap) {
   return test::dxf_line(0, 0, 100, 0) + test::dxf_line(100, 80, 100, 0) + test::dxf_line(100, 80, 0, 80) +
          test::dxf_line(0, 80, 0, gap);
 }
@@ -40,13 +40,13 @@ std::string circle(double x, double y, double radius) {
   return "0\nCIRCLE\n8\nhole\n10\n" + std::to_string(x) + "\n20\n" + std::to_string(y) + "\n40\n" +
          std::to_string(radius) + "\n";
 }
-std::string square(double low, double high) {
+std::string square_between(double low, double high) {
   return test::dxf_line(low, low, high, low) + test::dxf_line(high, low, high, high) +
          test::dxf_line(high, high, low, high) + test::dxf_line(low, high, low, low);
 }
 
 TEST_F(OpenOutline, IsNeverReplacedByAHole) {
-  const std::string drawing = test::dxf(plate(0.4) + circle(40, 40, 10));
+  const std::string drawing = test::dxf(gaping_plate(0.4) + circle(40, 40, 10));
   // The diagonal is 128.06.
   EXPECT_THAT(
       refusal(use("gap.dxf", drawing)),
@@ -60,11 +60,11 @@ TEST_F(OpenOutline, IsNeverReplacedByAHole) {
 TEST_F(OpenOutline, InTwoPartsIsToldByItsWidestGap) {
   const std::string two = test::dxf_line(0, 0.3, 0, 80) + test::dxf_line(0, 80, 100, 80) +
                           test::dxf_line(100, 79.5, 100, 0) + test::dxf_line(100, 0, 0, 0);
-  EXPECT_THAT(refusal(use("two.dxf", test::dxf(two + square(20, 40)))),
+  EXPECT_THAT(refusal(use("two.dxf", test::dxf(two + square_between(20, 40)))),
               AllOf(HasSubstr("a gap of 0.5 m"), HasSubstr("(100, 80)"), HasSubstr("(100, 79.5)"),
                     HasSubstr("the widest of 2")));
-  EXPECT_NEAR(area_of(good(use("two.dxf", test::dxf(two + square(20, 40)), "repair = \"yes\"\ngap = 0.5\n"))), 7600.0,
-              25.5);
+  EXPECT_NEAR(area_of(good(use("two.dxf", test::dxf(two + square_between(20, 40)), "repair = \"yes\"\ngap = 0.5\n"))),
+              7600.0, 25.5);
 }
 
 TEST_F(OpenOutline, ThatLacksAWholeSideIsOneToo) {
@@ -85,33 +85,33 @@ TEST_F(OpenOutline, OfAnArcThatCannotMoveIsRefusedWithItsHole) {
 TEST_F(OpenOutline, OfASecondPartIsNoStrayLine) {
   const std::string second = test::dxf_line(200, 0, 300, 0) + test::dxf_line(300, 0, 300, 80) +
                              test::dxf_line(300, 80, 200, 80) + test::dxf_line(200, 80, 200, 2);
-  EXPECT_THAT(refusal(use("parts.dxf", test::dxf(plate(0) + second))),
+  EXPECT_THAT(refusal(use("parts.dxf", test::dxf(gaping_plate(0) + second))),
               AllOf(HasSubstr("a gap of 2 m between (200, 0)"), HasSubstr("(200, 2)")));
 }
 
 TEST_F(OpenOutline, IsNoneWhereALineIsPlainlyStray) {
   const std::string bent =
       test::dxf_line(120, 0, 150, 0) + test::dxf_line(150, 0, 150, 40) + test::dxf_line(150, 40, 130, 70);
-  const model::Model model = good(use("stray.dxf", test::dxf(plate(0) + bent)));
+  const model::Model model = good(use("stray.dxf", test::dxf(gaping_plate(0) + bent)));
   EXPECT_NEAR(area_of(model), 8000.0, 1e-6);
   EXPECT_THAT(model.remarks, Contains(HasSubstr("line outside")));
-  EXPECT_EQ(good(use("whole.dxf", test::dxf(plate(0) + circle(40, 40, 10)))).findings.size(), 0U);
+  EXPECT_EQ(good(use("whole.dxf", test::dxf(gaping_plate(0) + circle(40, 40, 10)))).findings.size(), 0U);
 }
 
 TEST_F(OpenOutline, GapsAreToldWithBothEndsAndTheLimit) {
-  EXPECT_THAT(good(use("closed.dxf", test::dxf(plate(0.1)))).remarks,
+  EXPECT_THAT(good(use("closed.dxf", test::dxf(gaping_plate(0.1)))).remarks,
               Contains(AllOf(HasSubstr("a gap of 0.1 m between (0, 0)"), HasSubstr("(0, 0.1)"),
                              HasSubstr("gaps up to 0.128 m are closed"))));
-  EXPECT_THAT(refusal(use("none.dxf", test::dxf(plate(0.1)), "")),
+  EXPECT_THAT(refusal(use("none.dxf", test::dxf(gaping_plate(0.1)), "")),
               AllOf(HasSubstr("a gap of 0.1 m between (0, 0)"), HasSubstr("(0, 0.1)"), HasSubstr("up to 0.128 m")));
-  EXPECT_THAT(refusal(use("wide.dxf", test::dxf(plate(0.4)))),
+  EXPECT_THAT(refusal(use("wide.dxf", test::dxf(gaping_plate(0.4)))),
               AllOf(HasSubstr("no curve closes"), HasSubstr("a gap of 0.4 m between (0, 0)"), HasSubstr("0.128 m"),
                     Not(HasSubstr("or give --repair"))));
 }
 
 TEST_F(OpenOutline, TheLimitOfGapsIsOfRepairAndOfTheDrawing) {
-  EXPECT_THAT(refusal(use("a.dxf", test::dxf(plate(0.4)), "gap = 1.0\n")), HasSubstr("give --repair"));
-  EXPECT_THAT(refusal(use("a.dxf", test::dxf(plate(0.4)), "repair = \"yes\"\ngap = 13.0\n")),
+  EXPECT_THAT(refusal(use("a.dxf", test::dxf(gaping_plate(0.4)), "gap = 1.0\n")), HasSubstr("give --repair"));
+  EXPECT_THAT(refusal(use("a.dxf", test::dxf(gaping_plate(0.4)), "repair = \"yes\"\ngap = 13.0\n")),
               AllOf(HasSubstr("`gap` is 13 m"), HasSubstr("12.8062 m")));
 }
 
@@ -126,7 +126,7 @@ TEST_F(OpenOutline, ACircleAcrossTheEdgeBitesANotch) {
   const double r = 10.0, d = 4.0, segment = r * r * std::acos(d / r) - d * std::sqrt(r * r - d * d);
   for (const auto& [x, y, bitten] :
        {Case{96, 40, pi * r * r - segment}, Case{100, 40, 0.5 * pi * r * r}, Case{100, 80, 0.25 * pi * r * r}}) {
-    const model::Model model = good(use("notch.dxf", test::dxf(plate(0) + circle(x, y, r))));
+    const model::Model model = good(use("notch.dxf", test::dxf(gaping_plate(0) + circle(x, y, r))));
     EXPECT_NEAR(area_of(model), 8000.0 - bitten, 2e-3 * bitten) << x;
     EXPECT_THAT(model.remarks, Contains(AllOf(HasSubstr("for a hole across it and cut out"),
                                               HasSubstr("the area was 8000 m2 and is 7"))));
@@ -144,20 +144,20 @@ TEST_F(OpenOutline, ASquareAcrossTheEdgeOfASvgBitesANotch) {
 
 TEST_F(OpenOutline, TwoNotchesAndTwoHolesThatOverlapAreCutOutOnce) {
   const std::string drawing =
-      test::dxf(square(0, 100) + square(95, 103) + test::dxf_line(40, 96, 50, 96) + test::dxf_line(50, 96, 50, 103) +
-                test::dxf_line(50, 103, 40, 103) + test::dxf_line(40, 103, 40, 96));
+      test::dxf(square_between(0, 100) + square_between(95, 103) + test::dxf_line(40, 96, 50, 96) +
+                test::dxf_line(50, 96, 50, 103) + test::dxf_line(50, 103, 40, 103) + test::dxf_line(40, 103, 40, 96));
   EXPECT_NEAR(area_of(good(use("two.dxf", drawing))), 10000.0 - 25.0 - 40.0, 1e-9);
 }
 
 TEST_F(OpenOutline, WhatLooksLikeMaterialIsUnitedAndTheAreaTold) {
   // A lug: a disc on the edge with a bore. A plate beside a plate of the same size. A boss that lies mostly outside.
-  const model::Model lug = good(use("lug.dxf", test::dxf(plate(0) + circle(100, 40, 20) + circle(105, 40, 5))));
+  const model::Model lug = good(use("lug.dxf", test::dxf(gaping_plate(0) + circle(100, 40, 20) + circle(105, 40, 5))));
   EXPECT_NEAR(area_of(lug), 8000.0 + 200.0 * pi - 25.0 * pi, 1.0);
-  const model::Model two = good(use("two.dxf", test::dxf(square(0, 10) + square(6, 16))));
+  const model::Model two = good(use("two.dxf", test::dxf(square_between(0, 10) + square_between(6, 16))));
   EXPECT_NEAR(area_of(two), 200.0 - 16.0, 1e-9);
   EXPECT_THAT(two.remarks, Contains(AllOf(HasSubstr("taken for outlines and united"), HasSubstr("the area was 100 m2"),
                                           HasSubstr("is 184 m2"))));
-  const model::Model boss = good(use("boss.dxf", test::dxf(square(0, 100) + square(98, 108))));
+  const model::Model boss = good(use("boss.dxf", test::dxf(square_between(0, 100) + square_between(98, 108))));
   EXPECT_NEAR(area_of(boss), 10000.0 + 100.0 - 4.0, 1e-9);
 }
 

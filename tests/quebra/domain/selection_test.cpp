@@ -17,7 +17,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 /// A drawn rectangle is one curve; a round hole in it.
-const std::string plate = R"(
+const std::string holed_plate = R"(
 [[input.curve]]
 name = "outline"
 kind = "polygon"
@@ -54,7 +54,7 @@ std::string refusal(const Domain& domain, const std::string& condition) {
 }
 
 TEST(Selection, SidesOfADrawnOutlineAreFoundByTheirPlace) {
-  const Domain domain = domain_of(plate);
+  const Domain domain = domain_of(holed_plate);
   EXPECT_DOUBLE_EQ(selected(domain, "x = 0"), 2.0);
   EXPECT_DOUBLE_EQ(selected(domain, "y == 2"), 4.0);
   EXPECT_DOUBLE_EQ(selected(domain, "x = 0 or x = 4"), 4.0);
@@ -69,7 +69,7 @@ TEST(Selection, SidesOfADrawnOutlineAreFoundByTheirPlace) {
 }
 
 TEST(Selection, WhatHoldsNowhereListsWhatThereIs) {
-  const Domain domain = domain_of(plate);
+  const Domain domain = domain_of(holed_plate);
   const std::string told = refusal(domain, "x = 5");
   EXPECT_THAT(told, HasSubstr("'outline' from (0, 0) to (4, 0)"));
   EXPECT_THAT(told, HasSubstr("'hole', closed, through (2.5, 1)"));
@@ -83,22 +83,22 @@ TEST(Selection, WhatHoldsNowhereListsWhatThereIs) {
 }
 
 TEST(Selection, AStretchOfASideIsRefusedUntilAPointEndsIt) {
-  const Domain domain = domain_of(plate);
+  const Domain domain = domain_of(holed_plate);
   for (const std::string condition : {"y = 2 and x > 1", "x = 0 and y < 0.01", "hypot(x, y) < 3"})
     EXPECT_THAT(refusal(domain, condition), HasSubstr("for a stretch only")) << condition;
-  const Domain with_point = domain_of(plate + "[[input.point]]\nname = \"p\"\npoint = [1, 2]\n");
+  const Domain with_point = domain_of(holed_plate + "[[input.point]]\nname = \"p\"\npoint = [1, 2]\n");
   EXPECT_DOUBLE_EQ(selected(with_point, "y = 2 and x > 1"), 3.0);
 }
 
 TEST(Selection, CornersAreFoundWhereNoSideIs) {
-  const auto corner = select(domain_of(plate), "x = 0 and y = 0");
+  const auto corner = select(domain_of(holed_plate), "x = 0 and y = 0");
   ASSERT_TRUE(corner.ok());
   EXPECT_TRUE(corner->parts.empty());
   EXPECT_THAT(corner->corners, ElementsAre(Point{0, 0}));
 }
 
 TEST(Selection, WhatCannotBeReadIsNamedWithItsCharacterInTheWholeCondition) {
-  const Domain domain = domain_of(plate);
+  const Domain domain = domain_of(holed_plate);
   const std::vector<std::pair<std::string, std::string>> cases{
       {"x = foo", "character 5: 'foo' is not known here; there is x, y, pi, e"},
       {"y = 2 and yy > 1", "character 11: 'yy' is not known"},
@@ -171,7 +171,7 @@ TEST(Selection, ConditionsAreInTheUnitsOfTheScenario) {
 
 TEST(Selection, OnlyTheSidesOfThePartAreInItsSet) {
   // Half of the top by a point at its middle, and an arc between two points of a hole.
-  const std::string input = plate +
+  const std::string input = holed_plate +
                             "[[input.point]]\nname = \"p\"\npoint = [2, 2]\n[[input.point]]\nname = \"e\"\npoint = "
                             "[2.5, 1]\n[[input.point]]\nname = \"w\"\npoint = [1.5, 1]\n";
   const auto run = test::run(input + "[[step]]\noperation = \"mesh\"\nsize = 0.3\n");
@@ -196,7 +196,7 @@ TEST(Selection, OnlyTheSidesOfThePartAreInItsSet) {
 
 TEST(Selection, UnknownNamesComeWithThoseThatThereAre) {
   const auto trouble = [&](const std::string& step) {
-    const auto run = test::run(plate + step);
+    const auto run = test::run(holed_plate + step);
     return run.error ? to_string(*run.error) : std::string();
   };
   EXPECT_THAT(trouble("[[step]]\noperation = \"problem\"\n[[step.material]]\nyoung = 1.0\n[[step.support]]\nwhere = "

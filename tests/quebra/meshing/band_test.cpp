@@ -21,11 +21,11 @@ std::string bands(const std::string& curve, int count, double distance, const st
   return fmt::format("[[step]]\noperation = \"constraints\"\ncurves = [\"{}\"]\ncount = {}\ndistance = {}\n{}", curve,
                      count, distance, more);
 }
-const std::string mesh_step = "[[step]]\noperation = \"mesh\"\n";
+const std::string band_mesh_step = "[[step]]\noperation = \"mesh\"\n";
 const std::string beam = "[input]\nspecimen = \"pmma_beam\"\n";
-const std::string plate =
+const std::string band_plate =
     "[[input.curve]]\nname = \"plate\"\nkind = \"polygon\"\npoints = [[0, 0], [8, 0], [8, 4], [0, 4]]\n";
-std::string hole(const std::string& name, double x, double radius) {
+std::string band_hole(const std::string& name, double x, double radius) {
   return fmt::format("[[input.curve]]\nname = \"{}\"\nkind = \"circle\"\ncentre = [{}, 2]\nradius = {}\n", name, x,
                      radius);
 }
@@ -51,7 +51,7 @@ std::size_t bad_meetings(const std::vector<model::Constraint>& constraints) {
 
 /// Runs a mesh with bands: valid, every curve of them in it, nothing crosses.
 scenario::Run meshed(const std::string& text, double least_alpha) {
-  const scenario::Run done = test::run(text + mesh_step);
+  const scenario::Run done = test::run(text + band_mesh_step);
   const auto values = test::figures(done);
   if (!done.complete()) return done;
   const model::Model& model = test::last(done);
@@ -107,7 +107,7 @@ TEST(Band, ACrackAndTheBoundaryItStartsFromShareTheirCurves) {
 }
 
 TEST(Band, CracksThatBranchHaveOneSetOfCurvesRoundBoth) {
-  meshed(plate +
+  meshed(band_plate +
              "[[input.crack]]\nname = \"crack\"\npoints = [[0, 2], [3, 2.2]]\n[[input.crack]]\nname = "
              "\"branch\"\npoints = [[1.5, 2.1], [2.3, 1.2]]\n" +
              bands("crack", 3, 0.1) + bands("branch", 3, 0.1),
@@ -115,8 +115,9 @@ TEST(Band, CracksThatBranchHaveOneSetOfCurvesRoundBoth) {
 }
 
 TEST(Band, AMuchFinerBandStaysWholeAndTheCoarseOneEndsAtIt) {
-  const auto done = meshed(
-      plate + hole("fine", 3, 0.5) + hole("coarse", 5.5, 0.5) + bands("fine", 4, 0.1) + bands("coarse", 2, 0.5), 0.3);
+  const auto done = meshed(band_plate + band_hole("fine", 3, 0.5) + band_hole("coarse", 5.5, 0.5) +
+                               bands("fine", 4, 0.1) + bands("coarse", 2, 0.5),
+                           0.3);
   if (!done.complete()) return;
   for (const model::Constraint& constraint : test::last(done).constraints) {
     if (constraint.name.starts_with("fine")) {
@@ -128,13 +129,13 @@ TEST(Band, AMuchFinerBandStaysWholeAndTheCoarseOneEndsAtIt) {
 }
 
 TEST(Band, ACurveThatGivesWayEverywhereGetsARemark) {
-  const auto done = test::run(plate + hole("small", 4.5, 0.05) + hole("big", 6.2, 1.5) + bands("small", 1, 0.3) +
-                              bands("big", 1, 0.59));
+  const auto done = test::run(band_plate + band_hole("small", 4.5, 0.05) + band_hole("big", 6.2, 1.5) +
+                              bands("small", 1, 0.3) + bands("big", 1, 0.59));
   ASSERT_TRUE(done.complete()) << to_string(*done.error);
   const auto& remarks = test::last(done).remarks;
   EXPECT_TRUE(std::any_of(remarks.begin(), remarks.end(),
                           [](const std::string& text) { return text.find("small_1") != std::string::npos; }));
-  const auto apart = test::run(plate + bands("plate", 3, 0.6) + bands("plate", 3, 0.6));
+  const auto apart = test::run(band_plate + bands("plate", 3, 0.6) + bands("plate", 3, 0.6));
   EXPECT_TRUE(apart.complete()) << "the same curves twice are the user's";
 }
 

@@ -20,16 +20,18 @@ kind = "polygon"
 points = [[0, 0], [4, 0], [4, 4], [0, 4]]
 )";
 
-std::string hole(const std::string& name, double x, double radius) {
+std::string hole_at(const std::string& name, double x, double radius) {
   return "[[input.curve]]\nname = \"" + name + "\"\nkind = \"circle\"\nrole = \"hole\"\ncentre = [" +
          std::to_string(x) + ", 2.0]\nradius = " + std::to_string(radius) + "\n";
 }
 
-std::string line(const std::string& name, const std::string& points) {
+std::string drawn_line(const std::string& name, const std::string& points) {
   return "[[input.curve]]\nname = \"" + name + "\"\nkind = \"line\"\nrole = \"internal\"\npoints = " + points + "\n";
 }
 
-std::string crack(const std::string& points) { return "[[input.crack]]\nname = \"crack\"\npoints = " + points + "\n"; }
+std::string crack_of(const std::string& points) {
+  return "[[input.crack]]\nname = \"crack\"\npoints = " + points + "\n";
+}
 
 std::string point(const std::string& name, const std::string& at) {
   return "[[input.point]]\nname = \"" + name + "\"\npoint = " + at + "\n";
@@ -55,13 +57,14 @@ const dobra::mesh::MeshQuality& quality(const model::Model& model) { return mode
 
 /// Two holes, a tip above a side, a crack along one, near polygons, near lines, a point beside a side, a slot.
 const std::vector<std::pair<std::string, std::string>> narrow_ones = {
-    {"holes 0.05 apart", rim + hole("a", 1.475, 0.5) + hole("b", 2.525, 0.5)},
-    {"holes 0.001 apart", rim + hole("a", 1.4995, 0.5) + hole("b", 2.5005, 0.5)},
-    {"tip 0.1 above a side", rim + crack("[[2, 0.1], [2, 2]]")},
-    {"crack 0.1 above a side", rim + crack("[[1, 0.1], [3, 0.1]]")},
-    {"lines that lean on each other", rim + line("a", "[[1, 2], [3, 2]]") + line("b", "[[1.5, 2.07], [3.2, 2.3]]")},
+    {"holes 0.05 apart", rim + hole_at("a", 1.475, 0.5) + hole_at("b", 2.525, 0.5)},
+    {"holes 0.001 apart", rim + hole_at("a", 1.4995, 0.5) + hole_at("b", 2.5005, 0.5)},
+    {"tip 0.1 above a side", rim + crack_of("[[2, 0.1], [2, 2]]")},
+    {"crack 0.1 above a side", rim + crack_of("[[1, 0.1], [3, 0.1]]")},
+    {"lines that lean on each other",
+     rim + drawn_line("a", "[[1, 2], [3, 2]]") + drawn_line("b", "[[1.5, 2.07], [3.2, 2.3]]")},
     {"point beside a side", rim + "[[input.point]]\nname = \"gauge\"\npoint = [1.2, 3.95]\n"},
-    {"hole near the rim", rim + hole("a", 3.45, 0.5)},
+    {"hole near the rim", rim + hole_at("a", 3.45, 0.5)},
     {"points 0.003 apart", rim + point("a", "[2, 2]") + point("b", "[2.003, 2]")},
     {"three points 0.02 apart", rim + point("a", "[2, 2]") + point("b", "[2.02, 2]") + point("c", "[2.04, 2]")},
 };
@@ -89,14 +92,14 @@ std::size_t mesh_count(const std::string& input, const std::string& size, const 
 
 TEST(Narrow, WhatIsNotNarrowIsMeshedAsWithout) {
   const std::vector<std::pair<std::string, std::string>> wide = {
-      {"plate with a hole", rim + hole("a", 2.0, 0.5)},
+      {"plate with a hole", rim + hole_at("a", 2.0, 0.5)},
       {"a slot is narrow outside the material", rim + "[[input.curve]]\nname = \"slot\"\nkind = \"polygon\"\nrole = "
                                                       "\"hole\"\npoints = [[1, 1], [3, 1], [3, 3], [1, 3]]\n"},
-      {"an edge crack's lips coincide", rim + crack("[[0, 2], [2, 2]]")},
+      {"an edge crack's lips coincide", rim + crack_of("[[0, 2], [2, 2]]")},
       {"a corner of 20 degrees is an input angle",
        "[[input.curve]]\nname = \"rim\"\nkind = \"polygon\"\npoints = [[0, 0], [4, 0], [4, 1.4559]]\n"},
       {"lines that leave a point at 15 degrees",
-       rim + line("a", "[[1, 2], [3, 2]]") + line("b", "[[1, 2], [3, 2.5359]]")},
+       rim + drawn_line("a", "[[1, 2], [3, 2]]") + drawn_line("b", "[[1, 2], [3, 2.5359]]")},
   };
   for (const auto& [name, input] : wide)
     EXPECT_EQ(mesh_count(input, "0.25"), mesh_count(input, "0.25", "narrow = 0.0\n")) << name;
@@ -111,7 +114,7 @@ TEST(Narrow, AcrossAHoleIsNotThroughTheMaterial) {
 }
 
 TEST(Narrow, MoreElementsAcrossOnDemand) {
-  const std::string input = rim + hole("a", 1.4, 0.5) + hole("b", 2.6, 0.5);
+  const std::string input = rim + hole_at("a", 1.4, 0.5) + hole_at("b", 2.6, 0.5);
   const std::size_t one = mesh_count(input, "0.5");
   // The sides of the holes are shorter than these 0.2 m as they bend; elements elsewhere are larger.
   const std::size_t four = mesh_count(input, "0.5", across(4));
@@ -126,10 +129,10 @@ TEST(Narrow, WhatIsNarrowDoesNotDependOnTheElementsAskedFor) {
       {"oval",
        "[[input.curve]]\nname = \"o\"\nkind = \"spline\"\nrole = \"boundary\"\npoints = [[4, 0], [2.8, 1.4], [0, 2], "
        "[-2.8, 1.4], [-4, 0], [-2.8, -1.4], [0, -2], [2.8, -1.4], [4, 0]]\n"},
-      {"plate with a hole", rim + hole("a", 2.0, 0.5)},
+      {"plate with a hole", rim + hole_at("a", 2.0, 0.5)},
       {"cut corner", polygon("[[0, 0], [3.8, 0], [4, 0.2], [4, 4], [0, 4]]")},
-      {"crack from side to side", rim + crack("[[0, 2], [4, 2]]")},
-      {"crack with a short kink", rim + crack("[[1, 2], [1.8, 2], [1.8, 2.1], [2.6, 2.1]]")},
+      {"crack from side to side", rim + crack_of("[[0, 2], [4, 2]]")},
+      {"crack with a short kink", rim + crack_of("[[1, 2], [1.8, 2], [1.8, 2.1], [2.6, 2.1]]")},
   };
   for (const auto& [name, input] : wide) {
     const std::size_t one = mesh_count(input, "0.4");
@@ -137,7 +140,7 @@ TEST(Narrow, WhatIsNarrowDoesNotDependOnTheElementsAskedFor) {
   }
   // Nor on the length of sides that a formula has yet to divide.
   const std::string formula = "[[step]]\noperation = \"mesh\"\nsize_formula = \"0.4\"\n";
-  const std::string plate = rim + hole("a", 2.0, 0.5);
+  const std::string plate = rim + hole_at("a", 2.0, 0.5);
   EXPECT_EQ(quality(model_of(plate + formula + across(20))).triangles, quality(model_of(plate + formula)).triangles);
 }
 
@@ -154,7 +157,7 @@ TEST(Narrow, AsManyElementsAcrossAsAskedFor) {
     }
   }
   const std::string cracks =
-      rim + crack("[[1, 2], [3, 2]]") + "[[input.crack]]\nname = \"other\"\npoints = [[1, 2.02], [3, 2.02]]\n";
+      rim + crack_of("[[1, 2], [3, 2]]") + "[[input.crack]]\nname = \"other\"\npoints = [[1, 2.02], [3, 2.02]]\n";
   std::size_t before = 0;
   for (const int n : {1, 2, 3, 4, 6}) {
     const model::Model model = model_of(cracks + meshed("0.5", across(n)));
@@ -165,7 +168,7 @@ TEST(Narrow, AsManyElementsAcrossAsAskedFor) {
 }
 
 TEST(Narrow, BentSidesThatFirstChordsKeepApartAreSeen) {
-  const std::string input = rim + hole("a", 0.50005, 0.5);
+  const std::string input = rim + hole_at("a", 0.50005, 0.5);
   for (const std::string turn : {"15.0", "30.0", "45.0"}) {
     const model::Model model = model_of(input + meshed("0.25", "turn = " + turn + "\n"));
     EXPECT_GE(quality(model).alpha_min, 0.55) << turn;
@@ -181,14 +184,14 @@ TEST(Narrow, WhatIsTooNarrowIsTold) {
   EXPECT_NE(strip.remarks[0].find("is 0.0003 m from another part of it: too near for `narrow`"), std::string::npos)
       << strip.remarks[0];
   // Told already as a sliver of the domain.
-  const model::Model film =
-      model_of(rim + line("a", "[[0, 2], [4, 2]]") + line("b", "[[0, 2.0002], [4, 2.0002]]") + meshed("0.5"));
+  const model::Model film = model_of(rim + drawn_line("a", "[[0, 2], [4, 2]]") +
+                                     drawn_line("b", "[[0, 2.0002], [4, 2.0002]]") + meshed("0.5"));
   ASSERT_EQ(film.remarks.size(), 1U) << film.remarks[1];
   EXPECT_NE(film.remarks[0].find("sliver at (0, 2) of a, b"), std::string::npos) << film.remarks[0];
 }
 
 TEST(Narrow, SteepGrowthIsTold) {
-  const std::string input = rim + hole("a", 1.475, 0.5) + hole("b", 2.525, 0.5);
+  const std::string input = rim + hole_at("a", 1.475, 0.5) + hole_at("b", 2.525, 0.5);
   const model::Model model = model_of(input + meshed("0.5", "growth = 2.0\n"));
   ASSERT_EQ(model.remarks.size(), 1U);
   EXPECT_NE(model.remarks[0].find("growth = 2 leads away from narrow places"), std::string::npos) << model.remarks[0];
@@ -209,7 +212,7 @@ TEST(Narrow, AnExplicitSubdivisionIsKeptAndTold) {
   const std::string input =
       "[[input.curve]]\nname = \"rim\"\nkind = \"polygon\"\npoints = [[0, 0], [4, 0], [4, 4], [0, 4]]\nsegments = "
       "16\n" +
-      crack("[[2, 0.1], [2, 2]]");
+      crack_of("[[2, 0.1], [2, 2]]");
   const model::Model model = model_of(input + meshed("0.5"));
   EXPECT_EQ(model.meshes.back()->mesh.side_sets.at("rim").size(), 16U);
   ASSERT_EQ(model.remarks.size(), 1U);

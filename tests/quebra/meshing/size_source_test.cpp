@@ -18,9 +18,9 @@ using namespace dobra;
 using geom::Point;
 using ::testing::HasSubstr;
 
-const std::string plate =
+const std::string sized_plate =
     "[[input.curve]]\nname = \"p\"\nkind = \"polygon\"\npoints = [[0, 0], [4, 0], [4, 4], [0, 4]]\n";
-std::string mesh_step(const std::string& params) { return "[[step]]\noperation = \"mesh\"\n" + params; }
+std::string sized_mesh_step(const std::string& params) { return "[[step]]\noperation = \"mesh\"\n" + params; }
 
 /// Mean over the elements of side length / size wanted at the centre, and its greatest deviation from 1.
 std::pair<double, double> agreement(const mesh::ElementMesh& mesh, const std::function<double(Point)>& wanted) {
@@ -37,7 +37,7 @@ std::pair<double, double> agreement(const mesh::ElementMesh& mesh, const std::fu
 }
 
 TEST(SizeSource, ElementsFollowAFormulaOfThePlace) {
-  const auto done = test::run(plate + mesh_step("size_formula = \"0.05 + 0.1 * hypot(x - 1, y - 2)\"\n"));
+  const auto done = test::run(sized_plate + sized_mesh_step("size_formula = \"0.05 + 0.1 * hypot(x - 1, y - 2)\"\n"));
   ASSERT_TRUE(done.complete()) << to_string(*done.error);
   const auto [mean, worst] = agreement(test::last(done).meshes.back()->mesh,
                                        [](Point p) { return 0.05 + 0.1 * std::hypot(p.x - 1, p.y - 2); });
@@ -48,7 +48,7 @@ TEST(SizeSource, ElementsFollowAFormulaOfThePlace) {
 
 TEST(SizeSource, TheLeastOfAllSizesCountsAndGrowthIsBounded) {
   // A jump from 0.02 to 2, beside a greatest size of 0.3.
-  const auto done = test::run(plate + mesh_step("size = 0.3\nsize_formula = \"x < 0.5 ? 0.04 : 2\"\n"));
+  const auto done = test::run(sized_plate + sized_mesh_step("size = 0.3\nsize_formula = \"x < 0.5 ? 0.04 : 2\"\n"));
   ASSERT_TRUE(done.complete());
   const model::Meshed& meshed = *test::last(done).meshes.back();
   EXPECT_NEAR(meshed.sizes->size_at({0.2, 2}), 0.04, 0.006);
@@ -59,7 +59,7 @@ TEST(SizeSource, TheLeastOfAllSizesCountsAndGrowthIsBounded) {
 
 TEST(SizeSource, FormulasAreRefusedWithTheirPlace) {
   const auto trouble = [](const std::string& formula) {
-    return test::trouble(plate + mesh_step("size_formula = \"" + formula + "\"\n"));
+    return test::trouble(sized_plate + sized_mesh_step("size_formula = \"" + formula + "\"\n"));
   };
   EXPECT_THAT(trouble("0.1 + 0.05 * sqr(x)"), HasSubstr("size_formula"));
   EXPECT_THAT(trouble("0.1 + 0.05 * sqr(x)"), HasSubstr("sqrt"));
@@ -83,7 +83,7 @@ TEST(SizeSource, QUE_4_ALoopBeginsWithTheMeshThatAMeshStepMakesByTheSameRules) {
       "size_formula = \"4 + 0.1 * hypot(x - 100, y - 100)\"\nengine = \"delaunay\"\nsmoothing = 1\ngrowth = "
       "1.2\ndivision = \"halving\"\nturn = 20\norder = \"2\"\n";
   const auto looped = test::run(loop(1, rules));
-  const auto meshed = test::run(test::sheared_l + mesh_step(rules));
+  const auto meshed = test::run(test::sheared_l + sized_mesh_step(rules));
   ASSERT_FALSE(test::last(looped).meshes.empty());
   ASSERT_TRUE(meshed.complete()) << to_string(*meshed.error);
   const mesh::ElementMesh& first = test::last(looped).meshes.front()->mesh;
@@ -125,7 +125,7 @@ TEST(SizeSource, ALoopRefusesWhatAMeshStepRefuses) {
 class BackgroundMesh : public ::testing::Test {
  protected:
   void SetUp() override {
-    const auto done = test::run(plate + mesh_step("size_formula = \"0.1 + 0.1 * x\"\n"));
+    const auto done = test::run(sized_plate + sized_mesh_step("size_formula = \"0.1 + 0.1 * x\"\n"));
     ASSERT_TRUE(done.complete());
     mesh_ = test::last(done).meshes.back()->mesh;
     folder_ = std::filesystem::temp_directory_path() / ::testing::UnitTest::GetInstance()->current_test_info()->name();
@@ -140,7 +140,7 @@ class BackgroundMesh : public ::testing::Test {
 
 TEST_F(BackgroundMesh, TheSizesOfItsElementsAreWantedAgain) {
   ASSERT_TRUE(io::formats::write_mesh(path("b.msh"), mesh_, io::meshes::InpElement::PlaneStress).ok());
-  const auto done = test::run(plate + mesh_step("background = \"" + path("b.msh") + "\"\n"));
+  const auto done = test::run(sized_plate + sized_mesh_step("background = \"" + path("b.msh") + "\"\n"));
   ASSERT_TRUE(done.complete()) << to_string(*done.error);
   const auto& again = test::last(done).meshes.back()->mesh;
   EXPECT_NEAR(agreement(again, [](Point p) { return 0.1 + 0.1 * p.x; }).first, 1.0, 0.1);
@@ -156,18 +156,20 @@ TEST_F(BackgroundMesh, AFieldAtItsPointsGivesTheSizes) {
   }
   ASSERT_TRUE(io::meshes::write_vtu(path("b.vtu"), mesh_, {{h, bad}, {}}).ok());
   const std::string background = "background = \"" + path("b.vtu") + "\"\n";
-  const auto done = test::run(plate + mesh_step(background + "background_field = \"h\"\n"));
+  const auto done = test::run(sized_plate + sized_mesh_step(background + "background_field = \"h\"\n"));
   ASSERT_TRUE(done.complete()) << to_string(*done.error);
   EXPECT_NEAR(agreement(test::last(done).meshes.back()->mesh, [](Point p) { return 0.05 + 0.05 * p.y; }).first, 1.0,
               0.08);
-  EXPECT_THAT(test::trouble(plate + mesh_step(background + "background_field = \"bad\"\n")), HasSubstr("field 'bad'"));
-  EXPECT_THAT(test::trouble(plate + mesh_step(background + "background_field = \"hh\"\n")),
+  EXPECT_THAT(test::trouble(sized_plate + sized_mesh_step(background + "background_field = \"bad\"\n")),
+              HasSubstr("field 'bad'"));
+  EXPECT_THAT(test::trouble(sized_plate + sized_mesh_step(background + "background_field = \"hh\"\n")),
               HasSubstr("it has: h, bad"));
-  EXPECT_THAT(test::trouble(plate + mesh_step("background_field = \"h\"\n")), HasSubstr("give `background` too"));
+  EXPECT_THAT(test::trouble(sized_plate + sized_mesh_step("background_field = \"h\"\n")),
+              HasSubstr("give `background` too"));
 }
 
 TEST(SizeSource, TheSizesAreDrawnAsHiddenLayersAndAsAPicture) {
-  const auto done = test::run(plate + mesh_step("size_formula = \"0.01 + 0.2 * x\"\n"));
+  const auto done = test::run(sized_plate + sized_mesh_step("size_formula = \"0.01 + 0.2 * x\"\n"));
   ASSERT_TRUE(done.complete());
   const model::Model& model = test::last(done);
   const auto find = [](const scene::Picture& picture, const std::string& key) {

@@ -19,7 +19,7 @@ std::string mesh(const std::string& params = "") {
 }
 
 /// A crack in a plate 40 wide that is pulled up and down.
-std::string plate(const std::string& crack) {
+std::string plate_with(const std::string& crack) {
   return "[input]\n[[input.curve]]\nname = \"plate\"\nkind = \"polygon\"\npoints = [[-20, -20], [20, -20], [20, 20], "
          "[-20, 20]]\n[[input.crack]]\nname = \"crack\"\n" +
          crack +
@@ -48,13 +48,13 @@ double radius_of(const TipRosette& rosette) {
 TEST(TipRosettes, TheDefaultRadiusIsAFractionOfTheRoomRoundTheTip) {
   EXPECT_NEAR(radius_of(rosettes_of(strip(0.3)).at(0)), 0.3 / 80, 1e-12);    // the crack
   EXPECT_NEAR(radius_of(rosettes_of(strip(0.95)).at(0)), 0.05 / 80, 1e-12);  // the ligament
-  const auto kinked = rosettes_of(plate("points = [[-1, 0], [1, 0], [1.02, 0.01]]\n"));
+  const auto kinked = rosettes_of(plate_with("points = [[-1, 0], [1, 0], [1.02, 0.01]]\n"));
   ASSERT_EQ(kinked.size(), 2U);
   EXPECT_NEAR(radius_of(kinked[1]), std::hypot(0.02, 0.01) / 80, 1e-12);  // the last straight segment
   EXPECT_NEAR(radius_of(kinked[0]), 0.5 * (2 + std::hypot(0.02, 0.01)) / 80, 1e-12);
   // Of two cracks in line, the gap between their tips.
   const auto two = rosettes_of(
-      plate("points = [[-1, 0], [-0.1, 0]]\n[[input.crack]]\nname = \"other\"\npoints = [[0.1, 0], [1, 0]]\n"));
+      plate_with("points = [[-1, 0], [-0.1, 0]]\n[[input.crack]]\nname = \"other\"\npoints = [[0.1, 0], [1, 0]]\n"));
   EXPECT_NEAR(radius_of(two.at(1)), 0.2 / 80, 1e-12);
 }
 
@@ -71,7 +71,7 @@ TEST(TipRosettes, KinkedAndCurvedCracksFitByDefault) {
   // The arc of half angle 0.5 on a circle of radius 2 about (0, 0), under tension in every direction (Cotterell and
   // Rice 1980): K_I = sigma sqrt(pi R sin w) cos(w/2) / (1 + sin^2(w/2)), K_II the same with sin(w/2).
   const double w = 0.5, s = std::sin(w / 2), unit = std::sqrt(M_PI * 2 * std::sin(w)) / (1 + s * s);
-  std::string arc = plate(
+  std::string arc = plate_with(
       "kind = \"arc\"\ncentre = [0, 0]\npoints = [[0.958851077208406, 1.7551651237807455], [-0.958851077208406, "
       "1.7551651237807455]]\n");
   const std::string along = "y_formula = \"ny\"\n";
@@ -85,7 +85,7 @@ TEST(TipRosettes, KinkedAndCurvedCracksFitByDefault) {
   for (const std::string crack :
        {"kind = \"spline\"\npoints = [[-1, 0], [0, 0.3], [1, 0]]\n", "points = [[-1, 0], [1, 0], [1.02, 0.01]]\n",
         "points = [[-1, 0], [1, 0], [1.1, 0.1]]\n"}) {
-    const auto bent = figures(run(plate(crack) + mesh() + steps));
+    const auto bent = figures(run(plate_with(crack) + mesh() + steps));
     for (const std::string tip : {"tip.load.crack_start.", "tip.load.crack_end."}) {
       EXPECT_GT(bent.at(tip + "K_I"), 1.0) << crack;
       EXPECT_LT(bent.at(tip + "spread"), 1.0) << crack;
@@ -96,7 +96,7 @@ TEST(TipRosettes, KinkedAndCurvedCracksFitByDefault) {
 TEST(TipRosettes, ARadiusThatDoesNotFitIsRefusedWithItsPlace) {
   EXPECT_THAT(trouble(strip(0.95) + mesh("tip_radius = 0.02\n") + steps),
               testing::AllOf(HasSubstr("reaches 'right'"), HasSubstr("0.95")));
-  EXPECT_THAT(trouble(plate("points = [[-1, 0], [1, 0], [1.1, 0.1]]\n") + mesh("tip_radius = 0.1\n") + steps),
+  EXPECT_THAT(trouble(plate_with("points = [[-1, 0], [1, 0], [1.1, 0.1]]\n") + mesh("tip_radius = 0.1\n") + steps),
               HasSubstr("must be straight in it"));
 }
 
@@ -104,7 +104,8 @@ TEST(TipRosettes, OverlappingOnesNameTheTipsTheirDistanceAndTheGreatestRadiusTha
   // Straight cracks of 0.9 with 0.2 between: rosettes of 0.6 reach beyond the half of each too, but that is not the
   // trouble.
   const auto two = [](const std::string& radius) {
-    return plate("points = [[-1, 0], [-0.1, 0]]\n[[input.crack]]\nname = \"next\"\npoints = [[0.1, 0], [1, 0]]\n") +
+    return plate_with(
+               "points = [[-1, 0], [-0.1, 0]]\n[[input.crack]]\nname = \"next\"\npoints = [[0.1, 0], [1, 0]]\n") +
            mesh("tip_radius = " + radius + "\n") + steps;
   };
   EXPECT_THAT(
@@ -115,7 +116,7 @@ TEST(TipRosettes, OverlappingOnesNameTheTipsTheirDistanceAndTheGreatestRadiusTha
   EXPECT_TRUE(figures(run(two("0.0333"))).contains("tip.load.next_start.K_I"));
   EXPECT_THAT(trouble(two("0.0334")), HasSubstr("the tips are 0.2 m apart"));
   // The two ends of one crack.
-  EXPECT_THAT(trouble(plate("points = [[-0.1, 0], [0.1, 0]]\n") + mesh("tip_radius = 0.05\n") + steps),
+  EXPECT_THAT(trouble(plate_with("points = [[-0.1, 0], [0.1, 0]]\n") + mesh("tip_radius = 0.05\n") + steps),
               testing::AllOf(HasSubstr("'crack_end'"), HasSubstr("that of 'crack_start'"), HasSubstr("0.2 m apart")));
 }
 

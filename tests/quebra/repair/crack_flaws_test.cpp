@@ -11,9 +11,11 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const std::string square =
+const std::string cracked_square =
     "[[input.curve]]\nname = \"rim\"\nkind = \"polygon\"\npoints = [[0, 0], [4, 0], [4, 4], [0, 4]]\n";
-std::string crack(const std::string& points) { return "[[input.crack]]\nname = \"crack\"\npoints = " + points + "\n"; }
+std::string crack_along(const std::string& points) {
+  return "[[input.crack]]\nname = \"crack\"\npoints = " + points + "\n";
+}
 
 std::vector<std::string> remarks_of(const std::string& input) {
   const auto run = test::run(input);
@@ -22,14 +24,14 @@ std::vector<std::string> remarks_of(const std::string& input) {
 }
 
 TEST(CrackFlaws, AnEndThatOnlyNearlyTouchesIsToldWithItsPlaceAndDistance) {
-  const auto remarks = remarks_of(square + crack("[[2, 1e-8], [2, 2]]"));
+  const auto remarks = remarks_of(cracked_square + crack_along("[[2, 1e-8], [2, 2]]"));
   ASSERT_EQ(remarks.size(), 1U);
   EXPECT_THAT(remarks[0], HasSubstr("crack nearly touching at (2, 1e-08) of crack, rim"));
   EXPECT_THAT(remarks[0], HasSubstr("ends 1e-08 m from 'rim'"));
 }
 
 TEST(CrackFlaws, AnEndThatIsMovedToAnotherEndIsToldToo) {
-  const auto remarks = remarks_of(square + crack("[[1, 2], [2, 2]]") +
+  const auto remarks = remarks_of(cracked_square + crack_along("[[1, 2], [2, 2]]") +
                                   "[[input.crack]]\nname = \"branch\"\npoints = [[2.0000001, 2], [3, 3]]\n");
   ASSERT_FALSE(remarks.empty());
   EXPECT_THAT(remarks[0], HasSubstr("branch"));
@@ -37,17 +39,17 @@ TEST(CrackFlaws, AnEndThatIsMovedToAnotherEndIsToldToo) {
 }
 
 TEST(CrackFlaws, EndsThatTouchOrStayInsideAreNone) {
-  EXPECT_THAT(remarks_of(square + crack("[[2, 0], [2, 2]]")), ElementsAre());
-  EXPECT_THAT(remarks_of(square + crack("[[1, 2], [3, 2]]")), ElementsAre());
+  EXPECT_THAT(remarks_of(cracked_square + crack_along("[[2, 0], [2, 2]]")), ElementsAre());
+  EXPECT_THAT(remarks_of(cracked_square + crack_along("[[1, 2], [3, 2]]")), ElementsAre());
   const std::string hole =
       "[[input.curve]]\nname = \"hole\"\nkind = \"polygon\"\nrole = \"hole\"\npoints = [[1, 1], [3, 1], [3, 3], [1, "
       "3]]\n";
-  EXPECT_THAT(remarks_of(square + hole + crack("[[2, 0], [2, 1]]")), ElementsAre())
+  EXPECT_THAT(remarks_of(cracked_square + hole + crack_along("[[2, 0], [2, 1]]")), ElementsAre())
       << "from the rim to a hole parts nothing";
 }
 
 TEST(CrackFlaws, ACrackThatCutsTheMaterialThroughTellsThePartsAndTheirRegions) {
-  const auto remarks = remarks_of(square + crack("[[0, 1], [4, 1]]"));
+  const auto remarks = remarks_of(cracked_square + crack_along("[[0, 1], [4, 1]]"));
   ASSERT_EQ(remarks.size(), 1U);
   EXPECT_THAT(remarks[0], HasSubstr("material cut through at (2, 1) of crack"));
   EXPECT_THAT(remarks[0], HasSubstr("2 parts"));
@@ -62,7 +64,7 @@ TEST(CrackFlaws, TwoCracksAndAHoleCutToo) {
   const std::string lines =
       "[[input.curve]]\nname = \"joint\"\nkind = \"line\"\nrole = \"internal\"\npoints = [[0, 3.5], [4, "
       "3.5]]\n[[input.region]]\nname = \"top\"\npoint = [2, 3.7]\n";
-  const auto remarks = remarks_of(square + hole + lines + crack("[[0, 2], [1, 2]]") +
+  const auto remarks = remarks_of(cracked_square + hole + lines + crack_along("[[0, 2], [1, 2]]") +
                                   "[[input.crack]]\nname = \"other\"\npoints = [[3, 2], [4, 2]]\n");
   ASSERT_EQ(remarks.size(), 1U);
   EXPECT_THAT(remarks[0], HasSubstr("of crack, other"));
@@ -72,12 +74,12 @@ TEST(CrackFlaws, TwoCracksAndAHoleCutToo) {
 
 TEST(CrackFlaws, ACutFromTheVertexWhereTheRimClosesIsToldToo) {
   for (const char* const points : {"[[0, 0], [4, 4]]", "[[4, 4], [0, 0]]", "[[0, 0], [4, 2]]"})
-    EXPECT_THAT(remarks_of(square + crack(points)), ElementsAre(HasSubstr("2 parts")));
+    EXPECT_THAT(remarks_of(cracked_square + crack_along(points)), ElementsAre(HasSubstr("2 parts")));
 }
 
 TEST(CrackFlaws, PartsWhereTwoCracksMeetHaveTheirRegion) {
-  const auto remarks =
-      remarks_of(square + crack("[[0, 2], [2, 2]]") + "[[input.crack]]\nname = \"other\"\npoints = [[2, 2], [4, 2]]\n");
+  const auto remarks = remarks_of(cracked_square + crack_along("[[0, 2], [2, 2]]") +
+                                  "[[input.crack]]\nname = \"other\"\npoints = [[2, 2], [4, 2]]\n");
   EXPECT_THAT(remarks, ElementsAre(HasSubstr("8 m2 of region 1; 8 m2 of region 1")));
 }
 

@@ -16,7 +16,7 @@ using test::dxf;
 using test::dxf_line;
 using testing::HasSubstr;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 class UntidyDrawings : public test::DrawnFile {};
 
@@ -44,19 +44,19 @@ std::string box(double x0, double y0, double x1, double y1) {
   return dxf_line(x0, y0, x1, y0) + dxf_line(x1, y0, x1, y1) + dxf_line(x1, y1, x0, y1) + dxf_line(x0, y1, x0, y0);
 }
 
-const std::string plate = "<polygon id=\"plate\" points=\"0,0 10,0 10,8 0,8\"/>\n";  // in an SVG y points down
+const std::string plate_polygon = "<polygon id=\"plate\" points=\"0,0 10,0 10,8 0,8\"/>\n";  // in an SVG y points down
 const std::string plate_csv = "0,0\n10,0\n10,8\n0,8\n0,0\n";
 const std::string mend = "repair = \"yes\"\n";
 
 std::vector<Drawing> drawings() {
-  const std::string holes = plate +
+  const std::string holes = plate_polygon +
                             "<rect id=\"a\" x=\"2\" y=\"3\" width=\"2\" height=\"2\"/>\n<rect id=\"b\" x=\"6\" y=\"3\" "
                             "width=\"2\" height=\"2\"/>\n";
-  const std::string twice = svg(plate + "<polygon id=\"again\" points=\"10,8 0,8 0,0 10,0\"/>\n");
-  const std::string hole_twice =
-      svg(plate + "<circle id=\"a\" cx=\"5\" cy=\"4\" r=\"2\"/>\n<circle id=\"b\" cx=\"5\" cy=\"4\" r=\"2\"/>\n");
-  const std::string at_edge = svg(plate + "<rect id=\"hole\" x=\"0\" y=\"3\" width=\"2\" height=\"2\"/>\n");
-  const std::string at_point = svg(plate + "<polygon id=\"hole\" points=\"0,4 2,3 4,4 2,5\"/>\n");
+  const std::string twice = svg(plate_polygon + "<polygon id=\"again\" points=\"10,8 0,8 0,0 10,0\"/>\n");
+  const std::string hole_twice = svg(
+      plate_polygon + "<circle id=\"a\" cx=\"5\" cy=\"4\" r=\"2\"/>\n<circle id=\"b\" cx=\"5\" cy=\"4\" r=\"2\"/>\n");
+  const std::string at_edge = svg(plate_polygon + "<rect id=\"hole\" x=\"0\" y=\"3\" width=\"2\" height=\"2\"/>\n");
+  const std::string at_point = svg(plate_polygon + "<polygon id=\"hole\" points=\"0,4 2,3 4,4 2,5\"/>\n");
   const std::string bow = "0,0\n2,2\n2,0\n0,2\n0,0\n";
   const std::string bow_svg = svg("<polygon id=\"bow\" points=\"0,0 2,2 2,0 0,2\"/>\n");
   const double diamond = 4.0 * std::sqrt(5.0);
@@ -70,8 +70,8 @@ std::vector<Drawing> drawings() {
       {"hole that touches in a point", "a.svg", at_point, "", 0, 0, {"(at 0, -4)"}},
       {"hole that touches in a point, mended", "a.svg", at_point, mend, 76, 36 + diamond},
       {"holes that share a side, mended", "a.svg",
-       svg(plate + "<rect id=\"a\" x=\"2\" y=\"3\" width=\"2\" height=\"2\"/>\n<rect id=\"b\" x=\"4\" y=\"3\" "
-                   "width=\"2\" height=\"2\"/>\n"),
+       svg(plate_polygon + "<rect id=\"a\" x=\"2\" y=\"3\" width=\"2\" height=\"2\"/>\n<rect id=\"b\" x=\"4\" y=\"3\" "
+                           "width=\"2\" height=\"2\"/>\n"),
        mend, 80 - 8, 36 + 12},
       {"crack along the outline", "a.csv", plate_csv, crack("c", "[2, 0], [4, 0]"), 0, 0, {"'c'", "(at 2, 0)"}},
       {"crack on a hole's rim", "a.svg", svg(holes), crack("c", "[4, -4], [5, -4]"), 72, 52},
@@ -181,8 +181,8 @@ std::vector<Drawing> drawings() {
        {},
        1e-2},
       {"tiny", "a.csv", "0,0\n1e-6,0\n1e-6,8e-7\n0,8e-7\n0,0\n", "", 8e-13, 3.6e-6},
-      {"hole outside", "a.svg", svg(plate + "<rect id=\"h\" x=\"12\" y=\"0\" width=\"2\" height=\"2\"/>\n"), "", 84,
-       44},
+      {"hole outside", "a.svg", svg(plate_polygon + "<rect id=\"h\" x=\"12\" y=\"0\" width=\"2\" height=\"2\"/>\n"), "",
+       84, 44},
       {"outlines of lines that touch in a corner",
        "a.dxf",
        dxf(box(0, 0, 4, 4) + box(4, 4, 8, 8)),

@@ -58,7 +58,7 @@ double length_of(const mesh::ElementMesh& mesh, const std::string& set) {
   return length;
 }
 
-const std::string square =
+const std::string square_sketch =
     "[[input.curve]]\nname = \"plate\"\nkind = \"polygon\"\npoints = [[0, 0], [4, 0], [4, 4], [0, 4]]\n";
 const std::string mesh_step = "[[step]]\noperation = \"mesh\"\nsize = 0.5\n";
 
@@ -115,7 +115,7 @@ TEST(Specimen, AnInclinedCentreCrackHasItsAngleAndItsLength) {
 }
 
 TEST(Junctions, CracksBranchCrossAndReachTheBoundary) {
-  const auto model = run(square +
+  const auto model = run(square_sketch +
                          "[[input.crack]]\nname = \"stem\"\npoints = [[2, 0], [2, 2]]\n[[input.crack]]\nname = "
                          "\"arm\"\npoints = [[2, 2], [3, 3]]\n"
                          "[[input.crack]]\nname = \"other\"\npoints = [[2, 2], [1, 3]]\n[[input.crack]]\nname = "
@@ -132,7 +132,7 @@ TEST(Junctions, CracksBranchCrossAndReachTheBoundary) {
 }
 
 TEST(Junctions, ACrackFromAHoleAndACurvedOneOpen) {
-  const auto model = run(square +
+  const auto model = run(square_sketch +
                          "[[input.curve]]\nname = \"hole\"\nkind = \"circle\"\ncentre = [2, 2]\nradius = 0.5\n"
                          "[[input.crack]]\nname = \"a\"\npoints = [[2.5, 2], [3, 2.2]]\n[[input.crack]]\nname = "
                          "\"b\"\nkind = \"spline\"\npoints = [[1.5, 2], [1.2, 2.2], [0.8, 2.1], [0.5, 2.4]]\n"
@@ -150,7 +150,7 @@ TEST(Junctions, ACrackFromAHoleAndACurvedOneOpen) {
 
 TEST(Junctions, InternalLinesThatCrossGetANodeAndDivideTheMaterial) {
   const auto model =
-      run(square +
+      run(square_sketch +
           "[[input.curve]]\nname = \"h\"\npoints = [[0, 1], [4, 1.3]]\nrole = \"internal\"\n[[input.curve]]\nname = "
           "\"v\"\npoints = [[1.1, 0], [1.7, 4]]\nrole = \"internal\"\n"
           "[[input.region]]\nname = \"steel\"\npoint = [3, 3]\n[[input.region]]\nname = \"rock\"\npoint = [0.1, "
@@ -170,7 +170,7 @@ TEST(Junctions, InternalLinesThatCrossGetANodeAndDivideTheMaterial) {
 
 TEST(Junctions, WhatLiesOutsideIsRefusedWithItsPlace) {
   const auto refused = [&](const std::string& more, base::ErrorCode code, const std::string& says) {
-    const auto done = run_text(square + more);
+    const auto done = run_text(square_sketch + more);
     ASSERT_FALSE(done.complete()) << more;
     EXPECT_EQ(done.error->code, code) << to_string(*done.error);
     EXPECT_NE(done.error->message.find(says), std::string::npos) << to_string(*done.error);
@@ -186,7 +186,7 @@ TEST(Junctions, WhatLiesOutsideIsRefusedWithItsPlace) {
 
 TEST(Junctions, NamedPointsAreNodes) {
   const auto model =
-      run(square +
+      run(square_sketch +
           "[[input.point]]\nname = \"load\"\npoint = [1.3, 4]\n[[input.point]]\nname = \"corner\"\npoint = [4, "
           "0]\n[[input.point]]\nname = \"gauge\"\npoint = [2.1, 1.7]\nsize = 0.02\n" +
           mesh_step);
@@ -204,7 +204,7 @@ TEST(Junctions, NamedPointsAreNodes) {
 }
 
 TEST(Zone, QUE_g_TheSizeAskedForIsReachedInTheBand) {
-  const auto model = run(square +
+  const auto model = run(square_sketch +
                          "[[input.crack]]\nname = \"crack\"\npoints = [[1, 2], [2.5, 2.3]]\n[[step]]\noperation = "
                          "\"zone\"\ncurves = [\"crack\"]\nsize = 0.05\nwidth = 0.3\n" +
                          mesh_step);

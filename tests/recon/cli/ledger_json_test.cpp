@@ -12,7 +12,7 @@
 namespace recon::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 class LedgerJson : public dobra::test::CommandLine {
  protected:
@@ -24,12 +24,12 @@ class LedgerJson : public dobra::test::CommandLine {
                "0,-20,base,horizon\n50,-10,base,horizon\n100,-20,base,horizon\n" +
                    more);
   }
-  [[nodiscard]] Json json(const std::vector<std::string>& args) const {
+  [[nodiscard]] OrderedJson json(const std::vector<std::string>& args) const {
     const auto outcome = call(args);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    return outcome.code == 0 ? Json::parse(outcome.out) : Json();
+    return outcome.code == 0 ? OrderedJson::parse(outcome.out) : OrderedJson();
   }
-  static std::vector<std::string> keys_of(const Json& object) {
+  static std::vector<std::string> keys_of(const OrderedJson& object) {
     std::vector<std::string> keys;
     for (const auto& [key, value] : object.items()) keys.push_back(key);
     return keys;
@@ -37,7 +37,7 @@ class LedgerJson : public dobra::test::CommandLine {
 };
 
 TEST_F(LedgerJson, ARestorationHasTheKeysOfTheManual) {
-  const Json made = json({"restore", section(), "--json"});
+  const OrderedJson made = json({"restore", section(), "--json"});
   EXPECT_EQ(keys_of(made),
             (std::vector<std::string>{"method", "keeps", "percent", "ledger", "greatest_length_change_percent",
                                       "greatest_area_change_percent", "inconsistency_percent", "tolerance_percent",
@@ -82,27 +82,28 @@ TEST_F(LedgerJson, ARestorationHasTheKeysOfTheManual) {
 }
 
 TEST_F(LedgerJson, GeometryAddsEveryRestoredThingWithItsKindAndPoints) {
-  const Json made = json({"restore",
-                          section("40,20,F,fault\n60,-40,F,fault\n10,12,P,pin\n10,-30,P,pin\n"
-                                  "20,-5,U,unit\n30,-5,U,unit\n30,0,U,unit\n20,-5,U,unit\n"),
-                          "--json", "--geometry"});
+  const OrderedJson made = json({"restore",
+                                 section("40,20,F,fault\n60,-40,F,fault\n10,12,P,pin\n10,-30,P,pin\n"
+                                         "20,-5,U,unit\n30,-5,U,unit\n30,0,U,unit\n20,-5,U,unit\n"),
+                                 "--json", "--geometry"});
   ASSERT_TRUE(made.contains("restored"));
   std::vector<std::string> found;
-  for (const Json& entry : made["restored"]) {
+  for (const OrderedJson& entry : made["restored"]) {
     EXPECT_EQ(keys_of(entry), (std::vector<std::string>{"name", "kind", "points"}));
     found.push_back(entry["kind"].get<std::string>() + ' ' + entry["name"].get<std::string>());
-    for (const Json& point : entry["points"]) {
+    for (const OrderedJson& point : entry["points"]) {
       ASSERT_EQ(point.size(), 2u);
       EXPECT_TRUE(point[0].is_number() && point[1].is_number());
     }
   }
   EXPECT_EQ(found, (std::vector<std::string>{"horizon top", "horizon base", "fault F", "pin P", "unit U"}));
   // Constant thickness about the left end of the top: flat at its height.
-  for (const Json& point : made["restored"][0]["points"]) EXPECT_NEAR(point[1].get<double>(), 0.0, 1e-9);
+  for (const OrderedJson& point : made["restored"][0]["points"]) EXPECT_NEAR(point[1].get<double>(), 0.0, 1e-9);
 }
 
 TEST_F(LedgerJson, APolygonIsAnEntryOfItsOwn) {
-  const Json made = json({"restore", section("0,-10,U,unit\n100,-10,U,unit\n50,0,U,unit\n0,-10,U,unit\n"), "--json"});
+  const OrderedJson made =
+      json({"restore", section("0,-10,U,unit\n100,-10,U,unit\n50,0,U,unit\n0,-10,U,unit\n"), "--json"});
   ASSERT_EQ(made["ledger"].size(), 3u);
   EXPECT_EQ(made["ledger"][2]["kind"], "unit");
   EXPECT_NEAR(made["ledger"][2]["area_before"].get<double>(), 500.0, 1e-9);
@@ -110,7 +111,7 @@ TEST_F(LedgerJson, APolygonIsAnEntryOfItsOwn) {
 
 TEST_F(LedgerJson, BalanceHasTheKeysOfTheManual) {
   const std::string lower = "0,-50,third,horizon\n50,-45,third,horizon\n100,-50,third,horizon\n";
-  const Json made = json({"balance", section(lower), "--confidence", "50", "--json"});
+  const OrderedJson made = json({"balance", section(lower), "--confidence", "50", "--json"});
   EXPECT_EQ(keys_of(made), (std::vector<std::string>{"ledger", "fit", "layers", "inconsistency_percent",
                                                      "tolerance_percent", "verdict"}));
   EXPECT_EQ(keys_of(made["ledger"][0]), (std::vector<std::string>{"name", "length", "width", "shortening", "level",
@@ -121,10 +122,10 @@ TEST_F(LedgerJson, BalanceHasTheKeysOfTheManual) {
 
 TEST_F(LedgerJson, WhatCannotBeToldOfABalanceHasNoKey) {
   // Beds of one shape have one excess area, which tells no detachment.
-  const Json alike = json({"balance", section(), "--json"});
+  const OrderedJson alike = json({"balance", section(), "--json"});
   EXPECT_FALSE(alike.contains("fit"));
   EXPECT_FALSE(alike["ledger"][0].contains("layer_strain"));
-  const Json two = json(
+  const OrderedJson two = json(
       {"balance", put("two.csv", "x,z,name\n0,0,top\n50,10,top\n100,0,top\n0,-20,base\n50,-14,base\n100,-20,base\n"),
        "--json"});
   EXPECT_EQ(keys_of(two["fit"]), (std::vector<std::string>{"displacement", "detachment"}));
@@ -140,7 +141,7 @@ TEST_F(LedgerJson, OneHorizonOrAPolygonBelowItIsEnough) {
   const double length = 2.0 * std::hypot(50.0, 10.0);
   for (const std::string method : {"constant", "variable", "flexural"}) {
     for (const std::string& more : {std::string(), unit}) {
-      const Json made = json({"restore", put("one.csv", top + more), "--json", "--method", method});
+      const OrderedJson made = json({"restore", put("one.csv", top + more), "--json", "--method", method});
       ASSERT_EQ(made["ledger"].size(), more.empty() ? 1u : 2u);
       EXPECT_NEAR(made["ledger"][0]["width_after"].get<double>(), length, 1e-9);
     }
@@ -148,9 +149,9 @@ TEST_F(LedgerJson, OneHorizonOrAPolygonBelowItIsEnough) {
 }
 
 TEST_F(LedgerJson, AreaBalanceHasValueErrorAndMost) {
-  const Json made = json({"balance", put("polygon.txt", "0 0 1 1\n100 0 1 1\n100 20 1 1\n0 20 1 1\n"), "--json",
-                          "--thickness", "10", "--thickness-error", "0.5"});
-  const Json& area = made["area_balance"];
+  const OrderedJson made = json({"balance", put("polygon.txt", "0 0 1 1\n100 0 1 1\n100 20 1 1\n0 20 1 1\n"), "--json",
+                                 "--thickness", "10", "--thickness-error", "0.5"});
+  const OrderedJson& area = made["area_balance"];
   EXPECT_EQ(keys_of(area),
             (std::vector<std::string>{"area", "initial_width", "width", "shortening", "shortening_percent"}));
   EXPECT_EQ(area["area"]["value"], 2000.0);
@@ -164,8 +165,8 @@ TEST_F(LedgerJson, ALayerStandsWithTheHorizonAboveItWhicheverIsTheTop) {
                                "0,-50,A\n50,-40,A\n100,-50,A\n");
   for (const std::string top : {"A", "B", "C"}) {
     for (const std::string method : {"constant", "flexural"}) {
-      const Json made = json({"restore", file, "--json", "--top", top, "--method", method});
-      const Json& ledger = made["ledger"];
+      const OrderedJson made = json({"restore", file, "--json", "--top", top, "--method", method});
+      const OrderedJson& ledger = made["ledger"];
       ASSERT_EQ(ledger.size(), 3u) << top;
       EXPECT_EQ(ledger[0]["layer"], "C - B") << top;
       EXPECT_NEAR(ledger[0]["area_before"].get<double>(), 2000.0, 1e-9);
@@ -182,9 +183,9 @@ TEST_F(LedgerJson, PolygonsOfOneUnitAreOneRowWithTheirSum) {
   const std::string other = "40,-10,J,unit\n50,-10,J,unit\n50,-5,J,unit\n40,-5,J,unit\n40,-10,J,unit\n";
   const std::string file = section(first + other + second);
   for (const std::string method : {"constant", "flexural", "shear"}) {
-    const Json made = json({"restore", file, "--json", "--geometry", "--method", method});
+    const OrderedJson made = json({"restore", file, "--json", "--geometry", "--method", method});
     ASSERT_EQ(made["ledger"].size(), 4u);
-    const Json& whole = made["ledger"][2];
+    const OrderedJson& whole = made["ledger"][2];
     EXPECT_EQ(whole["name"], "K");
     EXPECT_EQ(whole["pieces"], 2);
     EXPECT_NEAR(whole["area_before"].get<double>(), 150.0, 1e-9);
@@ -192,13 +193,13 @@ TEST_F(LedgerJson, PolygonsOfOneUnitAreOneRowWithTheirSum) {
     EXPECT_FALSE(made["ledger"][3].contains("pieces"));
     // The sum of the restored polygons, by the shoelace formula.
     double after = 0.0;
-    for (const Json& thing : made["restored"]) {
+    for (const OrderedJson& thing : made["restored"]) {
       if (!thing["name"].get<std::string>().starts_with("K_")) continue;
       double area = 0.0;
-      const Json& points = thing["points"];
+      const OrderedJson& points = thing["points"];
       for (std::size_t i = 0; i < points.size(); ++i) {
-        const Json& p = points[i];
-        const Json& q = points[(i + 1) % points.size()];
+        const OrderedJson& p = points[i];
+        const OrderedJson& q = points[(i + 1) % points.size()];
         area += 0.5 * (p[0].get<double>() * q[1].get<double>() - q[0].get<double>() * p[1].get<double>());
       }
       after += std::abs(area);
@@ -212,7 +213,7 @@ TEST_F(LedgerJson, PolygonsOfOneUnitAreOneRowWithTheirSum) {
 }
 
 TEST_F(LedgerJson, ErrorBarsTellDrawsThatFailed) {
-  const Json made = json({"restore", section(), "--json", "--draws", "10", "--pick-error", "0.01"});
+  const OrderedJson made = json({"restore", section(), "--json", "--draws", "10", "--pick-error", "0.01"});
   EXPECT_EQ(made["error_bars"]["failed"], 0);
 }
 

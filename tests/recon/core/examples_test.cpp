@@ -32,7 +32,7 @@ scenario::Run expect_met(const scenario::Document& document) {
   return run;
 }
 
-double quantity(const scenario::Run& run, const std::string& name) {
+double figure(const scenario::Run& run, const std::string& name) {
   for (const scenario::Quantity& q : program().quantities_of(run.states.back())) {
     if (q.name == name) return q.value;
   }
@@ -87,7 +87,7 @@ TEST(RealSections, CatskillFoldIsRestoredToADatum) {
   if (!document) GTEST_SKIP() << "DOBRA_TEST_DATA is not set";
   const scenario::Run run = expect_met(*document);
   ASSERT_TRUE(run.complete());
-  EXPECT_EQ(quantity(run, "points_outside"), 0.0);
+  EXPECT_EQ(figure(run, "points_outside"), 0.0);
   const auto remarks = program().remarks_of(run.states.front());
   ASSERT_FALSE(remarks.empty());
   EXPECT_NE(remarks.front().find("horizon 'bed1'"), std::string::npos) << remarks.front();
@@ -101,9 +101,9 @@ TEST(RealSections, ASimplifiedTopTearsTheCatskillBedsLess) {
   const scenario::Run traced = scenario::Runner(program()).run(*document);
   const scenario::Run smooth = scenario::Runner(program()).run(*simplified);
   ASSERT_TRUE(traced.complete() && smooth.complete());
-  EXPECT_LT(quantity(smooth, "tears"), 0.5 * quantity(traced, "tears"));
-  EXPECT_LE(quantity(smooth, "top.depth_max"), 3.0);
-  EXPECT_GE(quantity(smooth, "top.depth_min"), -3.0);
+  EXPECT_LT(figure(smooth, "tears"), 0.5 * figure(traced, "tears"));
+  EXPECT_LE(figure(smooth, "top.depth_max"), 3.0);
+  EXPECT_GE(figure(smooth, "top.depth_min"), -3.0);
 }
 
 /// Length of every horizon and the area of every unit after flexural slip about a pin, against before.

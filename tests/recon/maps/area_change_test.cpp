@@ -14,7 +14,7 @@
 namespace recon::maps {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 core::Model restored(const std::vector<geom::Polyline>& lines, const unfold::RestoreParams& params,
                      const std::vector<geom::Point>& target = {}) {

@@ -13,7 +13,7 @@
 namespace recon::maps {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 geom::Polyline wave(double height, double level = 0.0) {
   geom::Polyline line;

@@ -13,7 +13,7 @@
 namespace recon::unfold {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 geom::Polyline moved(geom::Polyline line, double down) {
   for (geom::Point& p : line.points) p.y -= down;

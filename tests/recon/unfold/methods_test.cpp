@@ -15,7 +15,7 @@
 namespace recon::unfold {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 const std::vector<RestoreMethod> all_methods = {RestoreMethod::Constant,     RestoreMethod::Variable,
                                                 RestoreMethod::Proportional, RestoreMethod::Flexural,

@@ -10,7 +10,7 @@ namespace dobra::geom {
 namespace {
 
 using base::Angle;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 void expect_near(Point p, Point q, double tolerance = 1e-14) {
   EXPECT_NEAR(p.x, q.x, tolerance);

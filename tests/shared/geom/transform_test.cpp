@@ -9,7 +9,7 @@ namespace {
 
 using base::Angle;
 
-void expect_near(Point p, Point q, double tolerance) {
+void expect_within(Point p, Point q, double tolerance) {
   EXPECT_NEAR(p.x, q.x, tolerance);
   EXPECT_NEAR(p.y, q.y, tolerance);
 }
@@ -33,7 +33,7 @@ TEST(Transform, REC_i_FaultBlockTurnedByChainedMatricesKeepsItsAreaAndComesBack)
     EXPECT_NEAR(signed_area(turned), signed_area(block), 1e-12 * signed_area(block));
     const Polyline restored = Transform::rotation(Angle::from_degrees(-degrees), pivot)(turned);
     for (std::size_t i = 0; i < block.points.size(); ++i) {
-      expect_near(restored.points[i], block.points[i], 1e-12 * 2600.0);
+      expect_within(restored.points[i], block.points[i], 1e-12 * 2600.0);
       EXPECT_NEAR(distance(turned.points[i], pivot), distance(block.points[i], pivot), 1e-12 * 2600.0);
     }
   }
@@ -44,7 +44,7 @@ TEST(Transform, QuarterTurnsAreExact) {
   EXPECT_EQ(Transform::rotation(Angle::from_degrees(180))(Point{3, 5}), (Point{-3, -5}));
   EXPECT_EQ(Transform::rotation(Angle::from_degrees(-90))(Point{3, 5}), (Point{5, -3}));
   EXPECT_EQ(Transform::rotation(Angle::from_degrees(720)), Transform());
-  expect_near(Transform::rotation(Angle::from_degrees(30))(Point{2, 0}), {std::sqrt(3.0), 1}, 1e-15);
+  expect_within(Transform::rotation(Angle::from_degrees(30))(Point{2, 0}), {std::sqrt(3.0), 1}, 1e-15);
 }
 
 TEST(Transform, TranslationMovesPointsAndLeavesDisplacements) {
@@ -82,9 +82,9 @@ TEST(Transform, InverseTakesBackAndTheProductIsAssociative) {
     const Transform a = any();
     const Transform b = any();
     const Point p{number(random), number(random)};
-    expect_near((*a.inverse())(a(p)), p, 1e-12);
-    expect_near(((*b.inverse()) * (*a.inverse()))((a * b)(p)), p, 1e-11);
-    expect_near(((a * b) * a)(p), (a * (b * a))(p), 1e-10);
+    expect_within((*a.inverse())(a(p)), p, 1e-12);
+    expect_within(((*b.inverse()) * (*a.inverse()))((a * b)(p)), p, 1e-11);
+    expect_within(((a * b) * a)(p), (a * (b * a))(p), 1e-10);
     EXPECT_NEAR((a * b).determinant(), a.determinant() * b.determinant(), 1e-10);
   }
 }

@@ -16,7 +16,7 @@ using geom::Point;
 using geom::Polyline;
 using geom::Vector;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Polyline open(std::vector<Point> points) { return {std::move(points), false}; }
 Polyline ring(std::vector<Point> points) { return {std::move(points), true}; }

@@ -23,7 +23,7 @@ const Field& field_named(const std::string& key) {
   throw std::logic_error("no field " + key);
 }
 
-std::string complaint(const std::string& key, Value value) {
+std::string field_complaint(const std::string& key, Value value) {
   Table table;
   base::Place place;
   place.file = "f.toml";
@@ -49,47 +49,49 @@ TEST(Field, DescribeListsKindsDefaultsChoicesAndNestedFields) {
 }
 
 TEST(Field, AMisspeltKeyGetsASuggestionWithFileLineAndColumn) {
-  EXPECT_EQ(complaint("facctor", 1.0), "f.toml:7:3: step 2 (scale): unknown key 'facctor'; did you mean 'factor'?");
-  EXPECT_EQ(complaint("zzzzzzzz", 1.0),
+  EXPECT_EQ(field_complaint("facctor", 1.0),
+            "f.toml:7:3: step 2 (scale): unknown key 'facctor'; did you mean 'factor'?");
+  EXPECT_EQ(field_complaint("zzzzzzzz", 1.0),
             "f.toml:7:3: step 2 (scale): unknown key 'zzzzzzzz'; known keys: factor, times, limit, turn, join, "
             "reverse, pin, path");
 }
 
 TEST(Field, AWrongTypeSaysWhatIsWantedAndWhatWasFound) {
   const std::string start = "f.toml:7:3: step 2 (scale): ";
-  EXPECT_EQ(complaint("factor", std::string("two")), start + "'factor' must be a number, found the text \"two\"");
-  EXPECT_EQ(complaint("times", 2.5), start + "'times' must be a whole number, found 2.5");
-  EXPECT_EQ(complaint("reverse", std::int64_t{1}), start + "'reverse' must be true or false, found 1");
-  EXPECT_EQ(complaint("pin", std::vector<double>{1, 2, 3}),
+  EXPECT_EQ(field_complaint("factor", std::string("two")), start + "'factor' must be a number, found the text \"two\"");
+  EXPECT_EQ(field_complaint("times", 2.5), start + "'times' must be a whole number, found 2.5");
+  EXPECT_EQ(field_complaint("reverse", std::int64_t{1}), start + "'reverse' must be true or false, found 1");
+  EXPECT_EQ(field_complaint("pin", std::vector<double>{1, 2, 3}),
             start + "'pin' must be a point [x, y], found a list of 3 numbers");
-  EXPECT_EQ(complaint("path", std::vector<double>{1, 2}),
+  EXPECT_EQ(field_complaint("path", std::vector<double>{1, 2}),
             start + "'path' must be a list of points [[x, y], ...], found a list of 2 numbers");
-  EXPECT_EQ(complaint("join", true), start + "'join' must be one of 'mitre', 'bisector', 'round', found true");
-  EXPECT_EQ(complaint("join", std::string("miter")),
+  EXPECT_EQ(field_complaint("join", true), start + "'join' must be one of 'mitre', 'bisector', 'round', found true");
+  EXPECT_EQ(field_complaint("join", std::string("miter")),
             start + "'join' must be one of 'mitre', 'bisector', 'round', found 'miter'; did you mean 'mitre'?");
 }
 
 TEST(Field, RangesAreStated) {
   const std::string start = "f.toml:7:3: step 2 (scale): ";
-  EXPECT_EQ(complaint("factor", 0.0), start + "'factor' must be greater than 0 m, found 0.0 m");
-  EXPECT_EQ(complaint("times", std::int64_t{0}), start + "'times' must be at least 1 and at most 1000, found 0");
-  EXPECT_EQ(complaint("times", std::int64_t{1001}), start + "'times' must be at least 1 and at most 1000, found 1001");
-  EXPECT_EQ(complaint("times", std::int64_t{3000000000}),
+  EXPECT_EQ(field_complaint("factor", 0.0), start + "'factor' must be greater than 0 m, found 0.0 m");
+  EXPECT_EQ(field_complaint("times", std::int64_t{0}), start + "'times' must be at least 1 and at most 1000, found 0");
+  EXPECT_EQ(field_complaint("times", std::int64_t{1001}),
+            start + "'times' must be at least 1 and at most 1000, found 1001");
+  EXPECT_EQ(field_complaint("times", std::int64_t{3000000000}),
             start + "'times' must be between -2147483648 and 2147483647, found 3000000000");
-  EXPECT_EQ(complaint("times", std::int64_t{1000}), "");
-  EXPECT_EQ(complaint("turn", std::int64_t{-180}), "");
-  EXPECT_NE(complaint("turn", -180.5), "");
+  EXPECT_EQ(field_complaint("times", std::int64_t{1000}), "");
+  EXPECT_EQ(field_complaint("turn", std::int64_t{-180}), "");
+  EXPECT_NE(field_complaint("turn", -180.5), "");
 }
 
 TEST(Field, NotANumberAndInfinityAreRefusedWhereverTheyStand) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double inf = std::numeric_limits<double>::infinity();
   const std::string start = "f.toml:7:3: step 2 (scale): ";
-  EXPECT_EQ(complaint("factor", nan), start + "'factor' must be a finite number, found nan");
-  EXPECT_EQ(complaint("limit", -inf), start + "'limit' must be a finite number, found -inf");
-  EXPECT_EQ(complaint("pin", std::vector<double>{nan, 2}),
+  EXPECT_EQ(field_complaint("factor", nan), start + "'factor' must be a finite number, found nan");
+  EXPECT_EQ(field_complaint("limit", -inf), start + "'limit' must be a finite number, found -inf");
+  EXPECT_EQ(field_complaint("pin", std::vector<double>{nan, 2}),
             start + "'pin' must have finite coordinates, found [nan, 2.0]");
-  EXPECT_EQ(complaint("path", std::vector<geom::Point>{{0, 0}, {1, inf}}),
+  EXPECT_EQ(field_complaint("path", std::vector<geom::Point>{{0, 0}, {1, inf}}),
             start + "point 2 of 'path' must have finite coordinates, found [1.0, inf]");
   Table input;
   input.set("numbers", std::vector<double>{1, 2, nan});

@@ -13,11 +13,11 @@
 namespace dobra::scene {
 namespace {
 
-const TextMeasure measure = approximate_text_measure();
+const TextMeasure label_measure = approximate_text_measure();
 
 Furniture bar_of(const Scale& scale) {
   double title_height = 0.0;
-  return color_bar(scale, 200.0, {}, measure, title_height);
+  return color_bar(scale, 200.0, {}, label_measure, title_height);
 }
 
 std::vector<std::string> texts_of(const std::vector<Mark>& marks) {
@@ -89,7 +89,7 @@ TEST(ColorBar, ALogarithmicScaleSaysTheNumbersThemselves) {
   EXPECT_TRUE(says(bar.marks, "0.1"));
 }
 
-geom::Polyline circle(geom::Point centre, double radius) {
+geom::Polyline ring(geom::Point centre, double radius) {
   geom::Polyline line{{}, true};
   for (int i = 0; i < 90; ++i) {
     const double a = 2.0 * std::numbers::pi * i / 90;
@@ -114,8 +114,8 @@ TEST(Callouts, HideNoHoleNoMarkerAndNoOtherLabel) {
   for (const auto& [one, other] : places) {
     Panel panel{.key = "a"};
     const Lines edges{{{{{0, 0}, {10, 0}, {10, 4}, {0, 4}}, true},
-                       circle({2, 2}, 0.8),
-                       circle({8, 2}, 0.8),
+                       ring({2, 2}, 0.8),
+                       ring({8, 2}, 0.8),
                        {{{5, 1.4}, {5, 2.6}}, false}},
                       {}};
     panel.layers.push_back({"boundary", "Boundary", {}, edges});
@@ -127,7 +127,7 @@ TEST(Callouts, HideNoHoleNoMarkerAndNoOtherLabel) {
                             true,
                             InLegend::No});
     const Picture picture{"", {panel}};
-    const Layout made = layout(picture, suggested_page(picture, 720.0, measure), {}, measure);
+    const Layout made = layout(picture, suggested_page(picture, 720.0, label_measure), {}, label_measure);
     std::vector<geom::Box> labels;
     for (const Mark& mark : made.marks) {
       const auto* text = std::get_if<TextMark>(&mark);

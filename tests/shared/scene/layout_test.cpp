@@ -9,10 +9,10 @@
 namespace dobra::scene {
 namespace {
 
-const TextMeasure measure = approximate_text_measure();
+const TextMeasure text_measure = approximate_text_measure();
 
 Layout laid_out(const Picture& picture, double width = 720.0) {
-  return layout(picture, suggested_page(picture, width, measure), {}, measure);
+  return layout(picture, suggested_page(picture, width, text_measure), {}, text_measure);
 }
 
 std::vector<const TextMark*> texts_of(const Layout& made) {
@@ -89,10 +89,10 @@ TEST(Layout, NoTextOverlapsOnAPageOfAnySize) {
       // A window smaller than a plot and its labels cannot show all; files grow.
       if (plots == Plots::FillPage && (page.width < 300.0 || page.height < 400.0)) continue;
       const Picture picture = test::example_mesh();
-      expect_tidy(layout(picture, page, {}, measure, {plots}), "mesh");
+      expect_tidy(layout(picture, page, {}, text_measure, {plots}), "mesh");
       const Picture section = test::example_section(Arrangement::Row);
       if (plots == Plots::ToContent || page.width >= 600.0)
-        expect_tidy(layout(section, page, {}, measure, {plots}), "section");
+        expect_tidy(layout(section, page, {}, text_measure, {plots}), "section");
     }
   }
 }
@@ -100,7 +100,7 @@ TEST(Layout, NoTextOverlapsOnAPageOfAnySize) {
 TEST(Layout, AllPanelsHaveOneScale) {
   for (const Arrangement arrangement : {Arrangement::Row, Arrangement::Column}) {
     for (const Plots plots : {Plots::ToContent, Plots::FillPage}) {
-      const Layout made = layout(test::example_section(arrangement), {900.0, 700.0}, {}, measure, {plots});
+      const Layout made = layout(test::example_section(arrangement), {900.0, 700.0}, {}, text_measure, {plots});
       ASSERT_EQ(made.panels.size(), 2U);
       EXPECT_EQ(made.panels[0].transform.points_per_x, made.panels[1].transform.points_per_x);
       EXPECT_EQ(made.panels[0].transform.points_per_x, made.panels[0].transform.points_per_y);
@@ -198,10 +198,10 @@ TEST(Layout, AColourBarStandsBesideThePlotsForEveryDifferentScale) {
 TEST(Layout, TheSuggestedPageIsFilled) {
   for (const Picture& picture :
        {test::example_section(), test::example_section(Arrangement::Row), test::example_mesh()}) {
-    const PageSize page = suggested_page(picture, 720.0, measure);
+    const PageSize page = suggested_page(picture, 720.0, text_measure);
     EXPECT_LE(page.width, 720.0);
     EXPECT_LE(page.height, 1.4 * 720.0 + 1.0);
-    const Layout made = layout(picture, page, {}, measure);
+    const Layout made = layout(picture, page, {}, text_measure);
     EXPECT_EQ(made.page.width, page.width);
     EXPECT_EQ(made.page.height, page.height);
     geom::Box used;
@@ -213,7 +213,7 @@ TEST(Layout, TheSuggestedPageIsFilled) {
 TEST(Layout, AViewIsShownAsAskedAndTheTicksFollow) {
   const Picture picture = test::example_section();
   const std::vector<std::optional<View>> views{View{{250.0, 0.0}, 0.01}, std::nullopt};
-  const Layout made = layout(picture, {900.0, 700.0}, views, measure, {Plots::FillPage});
+  const Layout made = layout(picture, {900.0, 700.0}, views, text_measure, {Plots::FillPage});
   EXPECT_EQ(made.panels[0].view, *views[0]);
   EXPECT_EQ(made.panels[0].transform.to_page({250.0, 0.0}), made.panels[0].plot.centre());
   EXPECT_EQ(count(made, "250.0"), 1U);  // the step is below a metre now
@@ -223,10 +223,10 @@ TEST(Layout, AViewIsShownAsAskedAndTheTicksFollow) {
 TEST(Layout, PlotsDoNotJumpWhileTheViewPans) {
   const Picture picture = test::example_section();
   std::vector<std::optional<View>> views{View{{250.0, 0.0}, 0.5}, View{{250.0, 0.0}, 0.5}};
-  const geom::Box plot = layout(picture, {900.0, 700.0}, views, measure, {Plots::FillPage}).panels[0].plot;
+  const geom::Box plot = layout(picture, {900.0, 700.0}, views, text_measure, {Plots::FillPage}).panels[0].plot;
   for (int i = 0; i < 20; ++i) {
     views[0] = pan(*views[0], {7.0, -3.0});
-    EXPECT_EQ(layout(picture, {900.0, 700.0}, views, measure, {Plots::FillPage}).panels[0].plot, plot) << i;
+    EXPECT_EQ(layout(picture, {900.0, 700.0}, views, text_measure, {Plots::FillPage}).panels[0].plot, plot) << i;
   }
 }
 
@@ -270,7 +270,8 @@ TEST(Layout, NamesBesideTheEndsOfLinesHaveRoomAndStandBelowEachOther) {
       panel.layers.push_back({"name" + text, text, Style{}, Labels{{{{1000.0, z}, text, Anchor::Right}}}});
     }
     // On a page, and in a window whose view is the whole panel.
-    for (const Layout& made : {laid_out(picture), layout(picture, {900.0, 700.0}, {}, measure, {Plots::FillPage})}) {
+    for (const Layout& made :
+         {laid_out(picture), layout(picture, {900.0, 700.0}, {}, text_measure, {Plots::FillPage})}) {
       expect_tidy(made, name);
       std::vector<double> heights;
       const double end = made.panels[0].transform.to_page({1000.0, 0.0}).x;
@@ -334,7 +335,7 @@ TEST(Layout, ABarOfOnePanelStandsBesideThatPanel) {
     for (const Plots plots : {Plots::ToContent, Plots::FillPage}) {
       const Picture picture = sheet(count, 10.0, 4.0);
       const Layout made =
-          plots == Plots::ToContent ? laid_out(picture) : layout(picture, {1600.0, 1000.0}, {}, measure, {plots});
+          plots == Plots::ToContent ? laid_out(picture) : layout(picture, {1600.0, 1000.0}, {}, text_measure, {plots});
       std::size_t i = 0;
       for (const Mark& mark : made.marks) {
         const auto* bar = std::get_if<GradientMark>(&mark);
@@ -352,10 +353,10 @@ TEST(Layout, ABarOfOnePanelStandsBesideThatPanel) {
 
 TEST(Layout, PanelsOfAGridStayWhereTheyAreWhileAViewMoves) {
   const Picture picture = sheet(3, 10.0, 4.0);
-  const Layout whole = layout(picture, {1200.0, 800.0}, {}, measure, {Plots::FillPage});
+  const Layout whole = layout(picture, {1200.0, 800.0}, {}, text_measure, {Plots::FillPage});
   std::vector<std::optional<View>> views;
   for (const PanelLayout& panel : whole.panels) views.emplace_back(zoom_at(panel.view, {1.0, 1.0}, 37.0));
-  const Layout near = layout(picture, {1200.0, 800.0}, views, measure, {Plots::FillPage});
+  const Layout near = layout(picture, {1200.0, 800.0}, views, text_measure, {Plots::FillPage});
   for (std::size_t i = 0; i < 3; ++i) EXPECT_LT(distance(near.panels[i].plot.low, whole.panels[i].plot.low), 60.0) << i;
 }
 

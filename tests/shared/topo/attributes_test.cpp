@@ -16,10 +16,6 @@ using geom::Segment;
 
 std::any name(const char* text) { return std::string(text); }
 
-Polyline square(double x, double y, double side) {
-  return {{{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}}, true};
-}
-
 TEST(Attributes, HED_i_FaceOfASplitIsCopiedAlsoToTheFaceRoundAHole) {
   Subdivision s;
   const FaceId f = insert(s, square(0, 0, 8)).value().faces.at(0);

@@ -51,4 +51,9 @@ inline void expect_sound(const Subdivision& s) {
   for (const std::string& wrong : violations(s)) ADD_FAILURE() << wrong;
 }
 
+/// From its lower left corner anticlockwise.
+inline geom::Polyline square(double x, double y, double side) {
+  return {{{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}}, true};
+}
+
 }  // namespace dobra::topo

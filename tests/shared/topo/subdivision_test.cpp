@@ -6,9 +6,8 @@
 #include <random>
 
 #include "shared/topo/adjacency.h"
-#include "shared/topo/insert.h"
 #include "shared/topo/locate.h"
-#include "shared/topo/validate.h"
+#include "tests/shared/topo/snapshot.h"
 
 namespace dobra::topo {
 namespace {
@@ -26,14 +25,6 @@ struct Counts {
 };
 
 Counts counts(const Subdivision& s) { return {s.vertex_count(), s.edge_count(), s.face_count(), s.component_count()}; }
-
-void expect_sound(const Subdivision& s) {
-  for (const std::string& wrong : violations(s)) ADD_FAILURE() << wrong;
-}
-
-Polyline square(double x, double y, double side) {
-  return {{{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}}, true};
-}
 
 Inserted put(Subdivision& s, const Polyline& p) { return insert(s, p).value(); }
 Inserted put(Subdivision& s, Point a, Point b) { return insert(s, Segment{a, b}).value(); }

@@ -16,7 +16,7 @@ namespace {
 
 using namespace test;
 using base::Angle;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr Material block{.young = 1.0, .poisson = 0.3, .state = PlaneState::Strain};
 
 using Exact = std::function<Voigt(Point)>;

@@ -13,8 +13,8 @@ namespace dobra::fem::fracture {
 namespace {
 
 using namespace test;
+using std::numbers::pi;
 using testing::HasSubstr;
-constexpr double pi = std::numbers::pi;
 
 constexpr Material sheet{.young = 1.0, .poisson = 0.3, .thickness = 0.7};
 

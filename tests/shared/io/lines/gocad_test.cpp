@@ -12,7 +12,7 @@ using geom::Point;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-Features parsed(const std::string& text) {
+Features gocad_features(const std::string& text) {
   auto read = parse_gocad(text, "f.pl");
   EXPECT_TRUE(read.ok()) << base::to_string(read.error());
   return read.ok() ? *read : Features{};
@@ -33,7 +33,8 @@ TEST(Gocad, EverySpellingOfTheHeaderGivesTheName) {
         "HEADER: {\n*name: Top Sand\n*color: red\n}\n", "header {\nname=Top Sand\n}\n",
         "HEADER\n{\n*line*color:1 0 0 1\nname:Top Sand\n}\n", "HEADER{name:Top Sand *line*color:1 0 0 1}\n"}) {
     for (const std::string first : {"GOCAD PLine 1\n", "GOCAD PLINE 1.0\n", "GOCAD PLine 1 \r\n"}) {
-      const Features read = parsed(first + header + system_up + "ILINE\nVRTX 1 0 5 -1\nVRTX 2 3 5 -2\nSEG 1 2\nEND\n");
+      const Features read =
+          gocad_features(first + header + system_up + "ILINE\nVRTX 1 0 5 -1\nVRTX 2 3 5 -2\nSEG 1 2\nEND\n");
       ASSERT_EQ(read.features.size(), 1U) << header;
       EXPECT_EQ(read.features[0].name, "Top Sand") << header;
       EXPECT_EQ(read.features[0].type, FeatureType::Lines);
@@ -47,18 +48,18 @@ TEST(Gocad, EverySpellingOfTheHeaderGivesTheName) {
 
 TEST(Gocad, DepthsAndUnitsAreStatedAndWhatIsMissingIsAsked) {
   const std::string line = "VRTX 1 0 0 1\nVRTX 2 1 0 2\nSEG 1 2\nEND\n";
-  const Features depth = parsed(
+  const Features depth = gocad_features(
       "GOCAD PLine 1\nGOCAD_ORIGINAL_COORDINATE_SYSTEM\nAXIS_UNIT km km m\nZPOSITIVE Depth\n"
       "END_ORIGINAL_COORDINATE_SYSTEM\n" +
       line);
   EXPECT_EQ(depth.stated.y_direction, YDirection::Down);
   EXPECT_EQ(depth.stated.unit, 1000.0);
   EXPECT_EQ(depth.stated.height_unit, 1.0);
-  const Features silent = parsed("GOCAD PLine 1\nHEADER {\nname:a\n}\n" + line);
+  const Features silent = gocad_features("GOCAD PLine 1\nHEADER {\nname:a\n}\n" + line);
   ASSERT_EQ(silent.stated.questions.size(), 1U);
   EXPECT_EQ(silent.stated.questions[0].about, Question::About::YDirection);
   EXPECT_THAT(silent.stated.questions[0].text, HasSubstr("--y-axis"));
-  const Features odd = parsed(
+  const Features odd = gocad_features(
       "GOCAD PLine 1\nGOCAD_ORIGINAL_COORDINATE_SYSTEM\nAXIS_UNIT rod rod rod\nZPOSITIVE "
       "Depth\nEND_ORIGINAL_COORDINATE_SYSTEM\n" +
       line);
@@ -69,7 +70,7 @@ TEST(Gocad, DepthsAndUnitsAreStatedAndWhatIsMissingIsAsked) {
 TEST(Gocad, SegmentsInAnyOrderBecomePathsRingsAndBranches) {
   const std::string vertices = "VRTX 1 0 0 0\nPVRTX 2 1 0 0 7.5\nVRTX 3 2 0 1\nVRTX 4 3 0 0\nATOM 5 1\n";
   const auto read_with = [&](const std::string& segments) {
-    return parsed("GOCAD PLine 1\n" + system_up + vertices + segments + "END\n");
+    return gocad_features("GOCAD PLine 1\n" + system_up + vertices + segments + "END\n");
   };
   const Features path = read_with("SEG 4 3\nSEG 2 1\nSEG 2 3\n");
   ASSERT_EQ(path.features.size(), 1U);
@@ -90,7 +91,7 @@ TEST(Gocad, SegmentsInAnyOrderBecomePathsRingsAndBranches) {
 }
 
 TEST(Gocad, GroupsOtherObjectsAndPropertiesAreReadOver) {
-  const Features read = parsed(
+  const Features read = gocad_features(
       "GOCAD HomogeneousGroup 1\nHEADER {\nname:g\n}\nTYPE PLine\nBEGIN_MEMBERS\nGOCAD PLine 1\nHEADER "
       "{\nname:f1\n}\n" +
       system_up +
@@ -119,7 +120,7 @@ TEST(Gocad, WhatIsWrittenReadsBackToTheSameText) {
   Feature picks{.type = FeatureType::Points, .parts = {{{{1, 2}, {3, 4}}, false}}, .name = "w", .heights = {{5, 6}}};
   const std::vector<Feature> features{bed, unit, picks};
   const std::string text = *gocad(features);
-  const Features read = parsed(text);
+  const Features read = gocad_features(text);
   ASSERT_EQ(read.features.size(), 4U);  // the hole is a ring of its own
   EXPECT_EQ(read.features[0], bed);
   EXPECT_EQ(*gocad(read.features), text);
@@ -128,7 +129,7 @@ TEST(Gocad, WhatIsWrittenReadsBackToTheSameText) {
 TEST(Gocad, ANameWithAStarIsKeptWhereItStandsAlone) {
   Feature bed{
       .parts = {{{{0, 0}, {1, 0}}, false}}, .name = "Top *upper: {Sand}\t", .kind = "bed set", .heights = {{0, 0}}};
-  const Features read = parsed(*gocad(std::vector{bed}));
+  const Features read = gocad_features(*gocad(std::vector{bed}));
   EXPECT_EQ(read.features[0].name, "Top *upper:  Sand");
   EXPECT_EQ(read.features[0].name, gocad_name(bed.name));
   EXPECT_EQ(read.features[0].kind, "bed_set");

@@ -12,14 +12,14 @@ using geom::Point;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-Features parsed(const std::string& text) {
+Features move_features(const std::string& text) {
   auto read = parse_move_ascii(text, "f.asc");
   EXPECT_TRUE(read.ok()) << base::to_string(read.error());
   return read.ok() ? *read : Features{};
 }
 
 TEST(MoveAscii, BlankLinesAndNewNamesBeginNewLines) {
-  const Features read = parsed(
+  const Features read = move_features(
       "x\ty\tz\tname\tid\tattribute\r\n0\t1\t-5\tTop Sand\t7\thorizon\r\n1\t1\t-6\tTop Sand\t7\thorizon\r\n\r\n"
       "2\t1\t-7\tTop Sand\t7\thorizon\n3\t1\t-8\tTop Sand\t7\thorizon\n"
       "0\t1\t0\tF1\tA3\tmain\n0\t1\t-9\tF1\tA3\tmain\n\n4\t4\t4\tWell\t9\n");
@@ -39,7 +39,7 @@ TEST(MoveAscii, BlankLinesAndNewNamesBeginNewLines) {
 }
 
 TEST(MoveAscii, RepeatedPointsAndChangingAttributesAreSaid) {
-  const Features read = parsed("0 0 0 a 1 x\n0 0 0 a 1 y\n1 0 0 a 1 x\n");
+  const Features read = move_features("0 0 0 a 1 x\n0 0 0 a 1 y\n1 0 0 a 1 x\n");
   EXPECT_THAT(read.remarks, ElementsAre(HasSubstr("1 repeated points dropped"), HasSubstr("attributes of 1 lines")));
 }
 
@@ -55,7 +55,7 @@ TEST(MoveAscii, WhatIsWrittenReadsBackToTheSameText) {
        .heights = {{0, 0, 4}}},
       {.type = FeatureType::Points, .parts = {{{{1, 2}, {3, 4}}, false}}, .name = "w", .heights = {{5, 6}}}};
   const std::string text = *move_ascii(features);
-  const Features read = parsed(text);
+  const Features read = move_features(text);
   ASSERT_EQ(read.features.size(), 5U);
   EXPECT_EQ(read.features[2].type, FeatureType::Polygons);
   EXPECT_EQ(*move_ascii(read.features), text);
