@@ -416,7 +416,8 @@ dobra::cli::Command validate_command() {
             app.add_option("book", options->book,
                            "Folder of scenarios; the book that comes with the program by default")
                 ->type_name("FOLDER");
-            app.add_option("--out", options->out, "Folder for validation.csv, .json and .html")->type_name("DIR");
+            app.add_option("--out", options->out, "Folder for validation.csv, validation.json and validation.html")
+                ->type_name("DIR");
             return [options](dobra::cli::Session& session) { return validate_job(session, *options); };
           }};
 }

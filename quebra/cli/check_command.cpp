@@ -21,7 +21,6 @@
 #include "shared/cli/staging.h"
 #include "shared/io/file.h"
 #include "shared/io/formats/mesh_file.h"
-#include "shared/io/meshes/polygon_file.h"
 #include "shared/io/scan.h"
 #include "shared/mesh/mesh_check.h"
 #include "shared/scenario/runner.h"
@@ -53,7 +52,7 @@ struct Verdict {
 };
 
 Result<Verdict> of_polygons(const CheckOptions& options, mesh::Closedness wanted) {
-  DOBRA_TRY(const mesh::PolygonMesh polygons, io::meshes::read_polygons(options.input.scenario.file.string()));
+  DOBRA_TRY(const mesh::PolygonMesh polygons, io::formats::read_polygons(options.input.scenario.file.string()));
   Verdict verdict;
   for (auto& finding : check(polygons, wanted)) {
     verdict.faults.push_back(std::move(finding.message));
@@ -231,14 +230,14 @@ std::string curves_text(const Verdict& verdict) {
 // --- either ----------------------------------------------------------------------------------------------------------
 
 Result<Verdict> verdict_of(Session& session, const CheckOptions& options) {
-  const std::string ending = io::ending_of(options.input.scenario.file.string());
-  if (io::formats::format_of(options.input.scenario.file.string(), io::formats::Use::ReadMesh) == nullptr)
-    return of_geometry(session, options);
+  using io::formats::format_of, io::formats::Use;
+  const std::string file = options.input.scenario.file.string();
+  if (format_of(file, Use::ReadMesh) == nullptr) return of_geometry(session, options);
   if (options.picture)
     return base::Error{base::ErrorCode::BadUsage,
                        "--picture draws the curves of a scenario or a file of geometry, and this is a mesh; `quebra "
                        "convert` and `quebra mesh` draw others"};
-  if (ending != ".obj" && ending != ".off" && ending != ".ply") return of_elements(options);
+  if (format_of(file, Use::ReadPolygons) == nullptr) return of_elements(options);
   scenario::Table said;
   DOBRA_TRY_VOID(options.input.input.set(session.program.input_fields, said));
   const bool solid = said.find("closed") != nullptr;

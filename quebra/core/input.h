@@ -198,8 +198,10 @@ struct InputParams : sketch::LineInput {
              .at_most = 180});
     d.file("file", &InputParams::file,
            {.title = "File",
-            .help = "Geometry (.poly .geo .svg .geojson .dxf .wkt .txt .csv and other lines) or a mesh whose boundary "
-                    "is meant (.msh .inp .vtu .bdf .nf .ele)."});
+            .help = "Geometry as a drawing or as lines, or a mesh whose boundary is meant.",
+            .files = dobra::scenario::lines::file_kinds({dobra::io::formats::Use::ReadDrawing,
+                                                         dobra::io::formats::Use::ReadLines,
+                                                         dobra::io::formats::Use::ReadMesh})});
     sketch::LineInput::describe_in<InputParams>(d);
     d.field("join_tolerance", &InputParams::join_tolerance,
             {.title = "Join tolerance",

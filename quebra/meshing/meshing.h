@@ -11,6 +11,7 @@
 #include "shared/base/progress.h"
 #include "shared/mesh/delaunay/mesh_input.h"
 #include "shared/mesh/front/fill_engine.h"
+#include "shared/scenario/lines/line_keys.h"
 #include "shared/scenario/program.h"
 
 namespace quebra::meshing {
@@ -44,11 +45,12 @@ struct MeshRules {
              .unit = "m"});
     d.file("background", of<P>(&MeshRules::background),
            {.title = "Background mesh",
-            .help = "Its elements' sizes, or those of a field of it, are wanted (.vtu .msh .inp .bdf .nf .ele)."});
-    d.field(
-        "background_field", of<P>(&MeshRules::background_field),
-        {.title = "Background field",
-         .help = "Name of the field at the points of a .vtu that holds sizes in m; empty: the sizes of the elements."});
+            .help = "Its elements' sizes, or those of a field of it, are wanted.",
+            .files = dobra::scenario::lines::file_kinds({dobra::io::formats::Use::ReadMesh})});
+    d.field("background_field", of<P>(&MeshRules::background_field),
+            {.title = "Background field",
+             .help = "Name of the field at the points of a VTK mesh that holds sizes in m; empty: the sizes of the "
+                     "elements."});
     d.choice(
         "division", of<P>(&MeshRules::division), {"even", "halving"},
         {.title = "Division of curves",

@@ -14,7 +14,6 @@
 #include "shared/base/text.h"
 #include "shared/geom/spatial_index.h"
 #include "shared/io/formats/mesh_file.h"
-#include "shared/io/meshes/vtu.h"
 
 namespace quebra::meshing {
 namespace {
@@ -134,11 +133,13 @@ Result<Background> read_background(const std::string& path, const std::string& n
     scale(contents.mesh);
     return Background(contents.mesh, element_sizes(contents.mesh));
   }
-  if (!path.ends_with(".vtu"))
-    return Error{ErrorCode::BadValue, fmt::format("'{}' holds no fields; give a .vtu with the field '{}', or leave "
-                                                  "background_field empty to take the sizes of the elements",
-                                                  path, name)};
-  DOBRA_TRY(auto contents, dobra::io::meshes::read_vtu(path));
+  using dobra::io::formats::Use;
+  if (dobra::io::formats::format_of(path, Use::ReadFields) == nullptr)
+    return Error{ErrorCode::BadValue,
+                 fmt::format("'{}' holds no fields; give a {} with the field '{}', or leave "
+                             "background_field empty to take the sizes of the elements",
+                             path, fmt::join(dobra::io::formats::endings_for(Use::ReadFields), " "), name)};
+  DOBRA_TRY(auto contents, dobra::io::formats::read_fields(path));
   scale(contents.mesh);
   std::vector<std::string> names;
   for (auto& field : contents.fields.at_points) {

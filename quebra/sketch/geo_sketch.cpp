@@ -10,7 +10,6 @@
 
 #include "quebra/sketch/cubics.h"
 #include "quebra/sketch/enclosed.h"
-#include "shared/io/drawings/geo.h"
 
 namespace quebra::sketch {
 namespace {
@@ -165,8 +164,7 @@ void take_sizes(const GeoFile& file, const GeoCurve& geo, Curve& curve) {
 
 }  // namespace
 
-Result<Sketch> read_geo_sketch(const std::string& path, double unit) {
-  DOBRA_TRY(GeoFile file, dobra::io::drawings::read_geo(path));
+Result<Sketch> sketch_of(GeoFile file, double unit) {
   for (auto& [tag, point] : file.points) {
     point.at = {unit * point.at.x, unit * point.at.y};
     point.size *= unit;

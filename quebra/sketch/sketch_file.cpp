@@ -7,16 +7,16 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <type_traits>
+#include <utility>
 
 #include "quebra/sketch/geo_sketch.h"
 #include "quebra/sketch/svg_sketch.h"
 #include "shared/base/text.h"
-#include "shared/io/drawings/dxf_paths.h"
 #include "shared/io/file.h"
 #include "shared/io/formats/curves.h"
+#include "shared/io/formats/drawing.h"
 #include "shared/io/formats/mesh_file.h"
-#include "shared/io/gis/dxf.h"
-#include "shared/io/meshes/poly.h"
 
 namespace quebra::sketch {
 namespace {
@@ -95,7 +95,7 @@ class Chains {
 };
 
 /// @param holes  whether hole points, rather than nesting, tell what is a hole.
-Sketch sketch_of(const dobra::io::meshes::PolyFile& file, const std::string& path, bool holes) {
+Sketch sketch_of_graph(const dobra::io::meshes::PolyFile& file, const std::string& path, bool holes) {
   Sketch sketch;
   sketch.curves = Chains(file).curves();
   for (const Curve& curve : sketch.curves) sketch.without_role.insert(curve.name);
@@ -114,10 +114,11 @@ Sketch sketch_of(const dobra::io::meshes::PolyFile& file, const std::string& pat
 Result<std::optional<Sketch>> true_curves(const std::string& path, const dobra::io::formats::Curves& read,
                                           const SketchOptions& options) {
   const dobra::io::formats::LineOptions& lines = options.lines;
-  if (read.format->name != "dxf" || lines.coordinates == dobra::io::formats::Coordinates::Map)
+  const dobra::io::formats::LineRow& row = *read.format->lines;
+  if (row.true_curves == nullptr || lines.coordinates == dobra::io::formats::Coordinates::Map)
     return std::optional<Sketch>();
   DOBRA_TRY(const std::string text, dobra::io::read_text(path));
-  auto paths = dobra::io::drawings::dxf_paths(text, path);
+  auto paths = row.true_curves(text, path);
   if (!paths) return std::optional<Sketch>();
   const bool down = read.y_direction == dobra::io::lines::YDirection::Down;
   const double up = (down ? -1.0 : 1.0) * read.unit / lines.exaggeration;
@@ -151,8 +152,8 @@ Result<std::optional<Sketch>> true_curves(const std::string& path, const dobra::
     if (area.name.starts_with("curve ")) area.name.clear();
   }
   sketch.remarks = read.remarks;
-  std::erase_if(sketch.remarks,
-                [](const std::string& remark) { return remark.ends_with(dobra::io::gis::read_as_chords); });
+  const auto of_chords = [&](const std::string& remark) { return remark.ends_with(row.chords); };
+  if (!row.chords.empty()) std::erase_if(sketch.remarks, of_chords);
   return std::optional(std::move(sketch));
 }
 
@@ -191,17 +192,18 @@ void scale(dobra::io::meshes::PolyFile& file, double unit) {
   for (auto& region : file.regions) region.at = {unit * region.at.x, unit * region.at.y};
 }
 
-/// Text: a graph with its counts, or lines of points.
-Result<Sketch> from_text(const std::string& path, const SketchOptions& options) {
+/// Lines, or the graph that the text is instead where the user named no format.
+Result<Sketch> from_lines(const std::string& path, const SketchOptions& options) {
+  const auto* const format = dobra::io::formats::format_of(path, dobra::io::formats::Use::ReadLines);
+  if (options.lines.format != nullptr || format->lines->graph == nullptr) return from_curves(path, options);
   DOBRA_TRY(const std::string text, dobra::io::read_text(path));
-  if (auto graph = dobra::io::meshes::counted_graph(text)) {
-    scale(*graph, options.silent_unit);
-    Sketch sketch = sketch_of(*graph, path, false);
-    sketch.remarks.push_back(fmt::format("{}: read as {} points and the {} segments between them", path,
-                                         graph->nodes.points.size(), graph->segments.size()));
-    return sketch;
-  }
-  return from_curves(path, options);
+  auto graph = format->lines->graph(text, path);
+  if (!graph) return from_curves(path, options);
+  scale(*graph, options.silent_unit);
+  Sketch sketch = sketch_of_graph(*graph, path, false);
+  sketch.remarks.push_back(fmt::format("{}: read as {} points and the {} segments between them", path,
+                                       graph->nodes.points.size(), graph->segments.size()));
+  return sketch;
 }
 
 // --- meshes
@@ -262,15 +264,23 @@ Sketch from_mesh(const dobra::mesh::ElementMesh& mesh) {
   return sketch;
 }
 
-/// Files that tell their own axes and outlines. @param unit  metres in one of theirs.
-Result<Sketch> read_as_it_stands(const std::string& path, const std::string& ending, double unit) {
-  if (ending == ".poly") {
-    DOBRA_TRY(dobra::io::meshes::PolyFile file, dobra::io::meshes::read_poly(path));
-    scale(file, unit);
-    return sketch_of(file, path, true);
-  }
-  if (ending == ".geo") return read_geo_sketch(path, unit);
-  if (ending == ".svg") return read_svg_sketch(path, unit);
+/// @param unit  metres in one of the file.
+Result<Sketch> from_drawing(const std::string& path, double unit) {
+  DOBRA_TRY(dobra::io::formats::Drawing drawing, dobra::io::formats::read_drawing(path));
+  return std::visit(
+      [&](auto& file) -> Result<Sketch> {
+        if constexpr (std::is_same_v<decltype(file), dobra::io::meshes::PolyFile&>) {
+          scale(file, unit);
+          return sketch_of_graph(file, path, true);
+        } else {
+          return sketch_of(std::move(file), unit);
+        }
+      },
+      drawing.held);
+}
+
+/// @param unit  metres in one of the file.
+Result<Sketch> from_mesh_file(const std::string& path, double unit) {
   DOBRA_TRY(auto contents, dobra::io::formats::read_mesh(path));
   scale(contents.mesh.points, unit);
   Sketch sketch = from_mesh(contents.mesh);
@@ -279,20 +289,20 @@ Result<Sketch> read_as_it_stands(const std::string& path, const std::string& end
 }
 
 Result<Sketch> read_by_ending(const std::string& path, const SketchOptions& options) {
-  const std::string ending = dobra::io::ending_of(path);
   Place place;
   place.file = path;
   using dobra::io::formats::Use;
-  const bool drawing = dobra::io::formats::format_of(path, Use::ReadDrawing) != nullptr ||
-                       dobra::io::formats::format_of(path, Use::ReadMesh) != nullptr;
-  if (drawing && options.chosen) {
+  const bool drawing = dobra::io::formats::format_of(path, Use::ReadDrawing) != nullptr;
+  const bool mesh = dobra::io::formats::format_of(path, Use::ReadMesh) != nullptr;
+  if ((drawing || mesh) && options.chosen) {
     return Error{ErrorCode::BadValue,
                  fmt::format("units, axes, columns and closing are asked of files of lines only, not of {} files; "
                              "leave these options out",
-                             ending),
+                             dobra::io::ending_of(path)),
                  place};
   }
-  if (drawing) return read_as_it_stands(path, ending, options.silent_unit);
+  if (drawing) return from_drawing(path, options.silent_unit);
+  if (mesh) return from_mesh_file(path, options.silent_unit);
   if (!options.lines.format && !dobra::io::formats::line_format_of(path)) {
     return Error{
         ErrorCode::UnknownFormat,
@@ -303,7 +313,7 @@ Result<Sketch> read_by_ending(const std::string& path, const SketchOptions& opti
                     fmt::join(dobra::io::formats::endings_for(Use::ReadMesh), " ")),
         place};
   }
-  return ending == ".txt" && !options.lines.format ? from_text(path, options) : from_curves(path, options);
+  return from_lines(path, options);
 }
 
 }  // namespace

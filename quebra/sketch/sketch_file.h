@@ -1,6 +1,6 @@
 #pragma once
-// Files that hold the geometry of a domain: .poly of Triangle, .geo of gmsh, outlines of .svg, curves in the exchange
-// formats, and meshes whose boundary is meant.
+// Files that hold the geometry of a domain: drawings, lines in the exchange formats, and meshes whose boundary is
+// meant.
 
 #include <string>
 
@@ -20,8 +20,8 @@ struct SketchOptions {
   bool chosen = false;                        ///< Whether the user chose any of these.
 };
 
-/// By the ending of the name: .poly, .geo, .svg, .msh, .inp, .vtu, .bdf .nas, .nf, .ele, or a format of
-/// io::formats::read_curves; a .txt may be the graph of io::meshes::counted_graph. Curves without roles are left to
+/// By the ending of the name, as the table of formats says: drawings, meshes, lines; a text may be a graph instead.
+/// Curves without roles are left to
 /// make_domain: closed ones and chains that close bound the domain, the others are internal lines.
 /// @error FileNotFound, NotAFile; UnknownFormat naming what is read; BadValue for options that the format does not ask;
 /// those of the readers.

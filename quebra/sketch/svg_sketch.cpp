@@ -93,8 +93,7 @@ void scale(SvgPiece& piece, double x, double y) {
   for (auto* v : {&piece.u, &piece.v}) *v = {v->x * x, v->y * y};
 }
 
-Result<Sketch> read_svg_sketch(const std::string& path, double unit) {
-  DOBRA_TRY(dobra::io::drawings::SvgFile file, dobra::io::drawings::read_svg(path));
+Result<Sketch> sketch_of(dobra::io::drawings::SvgFile file, double unit) {
   for (SvgPath& outline : file.paths) {
     for (SvgPiece& piece : outline.pieces) scale(piece, unit, unit);
   }

@@ -137,9 +137,10 @@ Result<OutKind> out_kind(const std::filesystem::path& out) {
   if (dobra::cli::check_ending(out, dobra::cli::Drawer::Cairo)) return OutKind::Picture;
   if (io::formats::line_format_of(out.string())) return OutKind::Lines;
   return base::Error{base::ErrorCode::BadUsage,
-                     fmt::format("--out {}: give a picture (.svg .pdf .png), a scenario (.toml), or a file of the "
+                     fmt::format("--out {}: give a picture ({}), a scenario (.toml), or a file of the "
                                  "restored lines ({})",
-                                 out.string(), fmt::join(io::formats::endings_for(io::formats::Use::WriteLines), " "))};
+                                 out.string(), dobra::cli::picture_endings(),
+                                 fmt::join(io::formats::endings_for(io::formats::Use::WriteLines), " "))};
 }
 
 /// A picture, the scenario itself to go on with, or the restored lines.
@@ -220,7 +221,8 @@ dobra::cli::Command restore_command() {
                                 {"draws", "pick_error", "pin_error", "angle_error", "seed"});
             options->own.add(app);
             app.add_option("--out", options->out,
-                           fmt::format("Picture (.svg .pdf .png), restored lines ({}) or scenario (.toml) to write",
+                           fmt::format("Picture ({}), restored lines ({}) or scenario (.toml) to write",
+                                       dobra::cli::picture_endings(),
                                        fmt::join(io::formats::endings_for(io::formats::Use::WriteLines), " ")))
                 ->type_name("FILE");
             return [options](Session& session) { return restore_job(session, *options); };

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "recon/core/stage.h"
+#include "shared/scenario/lines/line_keys.h"
 #include "shared/scenario/program.h"
 
 namespace recon::core {
@@ -25,7 +26,9 @@ struct CarryParams {
   template <class D>
   static void describe(D& d) {
     d.file("file", &CarryParams::file,
-           {.title = "File of the line", .help = "In any format of lines, like a horizon's."});
+           {.title = "File of the line",
+            .help = "In any format of lines, like a horizon's.",
+            .files = dobra::scenario::lines::file_kinds({dobra::io::formats::Use::ReadLines})});
     d.field("feature", &CarryParams::feature,
             {.title = "Feature", .help = "Name of the line in a file that holds several."});
     d.field("points", &CarryParams::points,

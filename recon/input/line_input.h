@@ -59,7 +59,8 @@ struct HorizonInput {
     d.field("name", &HorizonInput::name, {.title = "Name", .presence = dobra::scenario::Presence::Required});
     d.file("file", &HorizonInput::file,
            {.title = "File",
-            .help = "Text, CSV, GeoJSON, DXF, GOCAD, MOVE, Shapefile, GeoPackage or WKT; instead of points."});
+            .help = "In any format of lines; instead of points.",
+            .files = dobra::scenario::lines::file_kinds({dobra::io::formats::Use::ReadLines})});
     d.field("points", &HorizonInput::points,
             {.title = "Points", .help = "The line itself, [[x, y], ...]; instead of a file."});
     d.field("feature", &HorizonInput::feature,
@@ -103,7 +104,8 @@ struct LinesInput {
   static void describe(D& d) {
     d.file("file", &LinesInput::file,
            {.title = "File",
-            .help = "Text, CSV, GeoJSON, DXF, GOCAD, MOVE, Shapefile, GeoPackage or WKT.",
+            .help = "In any format of lines.",
+            .files = dobra::scenario::lines::file_kinds({dobra::io::formats::Use::ReadLines}),
             .presence = dobra::scenario::Presence::Required});
     dobra::scenario::lines::LineKeys<LinesInput, D> keys(d);
     keys.kind();

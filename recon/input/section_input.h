@@ -21,7 +21,10 @@ struct BackdropInput {
   static void describe(D& d) {
     d.field("name", &BackdropInput::name, {.title = "Name", .presence = dobra::scenario::Presence::Required});
     d.file("file", &BackdropInput::file,
-           {.title = "Picture", .help = "PNG, JPEG or TIFF.", .presence = dobra::scenario::Presence::Required});
+           {.title = "Picture",
+            .help = "PNG, JPEG or TIFF.",
+            .files = {{"Pictures", {".png", ".jpg", ".jpeg", ".tif", ".tiff"}}},
+            .presence = dobra::scenario::Presence::Required});
     d.field("corners", &BackdropInput::corners,
             {.title = "Corners",
              .help = "The lower left and the upper right one, in the coordinates of the section's files; by default as "

@@ -9,6 +9,7 @@
 #include "recon/input/input.h"
 #include "recon/maps/map.h"
 #include "recon/unfold/grid.h"
+#include "shared/scenario/lines/line_keys.h"
 
 namespace recon::unfold {
 
@@ -46,9 +47,11 @@ struct TargetParams {
              .unit = "m"});
     d.field("points", &TargetParams::points, {.title = "Points of the line", .unit = "m"});
     d.file("file", &TargetParams::file,
-           {.title = "File of the line", .help = "Two-column text, CSV or GeoJSON, like a horizon's."});
+           {.title = "File of the line",
+            .help = "In any format of lines, like a horizon's.",
+            .files = dobra::scenario::lines::file_kinds({dobra::io::formats::Use::ReadLines})});
     d.field("feature", &TargetParams::feature,
-            {.title = "Feature", .help = "Name of the line in a GeoJSON file with several."});
+            {.title = "Feature", .help = "Name of the line in a file that holds several."});
     d.field("horizon", &TargetParams::horizon,
             {.title = "Horizon of the target", .help = "For horizon and regional; regional: by default the top."});
     d.field("datum", &TargetParams::datum, {.title = "Datum", .help = "Its name; by default the only one."});

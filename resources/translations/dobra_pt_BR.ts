@@ -52,8 +52,8 @@
         <translation>linha %1: um ponto tem dois números, x e y</translation>
     </message>
     <message>
-        <source>Scenarios (*.toml)</source>
-        <translation>Cenários (*.toml)</translation>
+        <source>Scenarios</source>
+        <translation>Cenários</translation>
     </message>
     <message>
         <source>All files (*)</source>
@@ -186,10 +186,6 @@
     <message>
         <source>Save the picture</source>
         <translation>Salvar a figura</translation>
-    </message>
-    <message>
-        <source>Pictures (*.svg *.pdf *.png)</source>
-        <translation>Figuras (*.svg *.pdf *.png)</translation>
     </message>
     <message>
         <source>The scenario has changes that are not saved.</source>
@@ -888,8 +884,8 @@
         <translation>yes: cada linha do arquivo é um contorno, cujo último ponto não precisa repetir o primeiro.</translation>
     </message>
     <message>
-        <source>Of a file of lines (text, wkt, geojson, dxf, move, gocad, shapefile, geopackage); by its ending otherwise.</source>
-        <translation>De um arquivo de linhas (text, wkt, geojson, dxf, move, gocad, shapefile, geopackage); senão, pela terminação do nome.</translation>
+        <source>Of a file of lines; by its ending otherwise.</source>
+        <translation>De um arquivo de linhas; senão, pela terminação do nome.</translation>
     </message>
     <message>
         <source>section: x and y as they stand; map: lines on a vertical plane in space.</source>
@@ -948,10 +944,6 @@
         <translation>Nome da feição em um arquivo GeoJSON com várias linhas.</translation>
     </message>
     <message>
-        <source>Name of the line in a GeoJSON file with several.</source>
-        <translation>Nome da linha em um arquivo GeoJSON com várias.</translation>
-    </message>
-    <message>
         <source>Names of one curve, or of curves that follow each other.</source>
         <translation>Nomes de uma curva, ou de curvas que se seguem.</translation>
     </message>
@@ -978,10 +970,6 @@
     <message>
         <source>Of an arc; negative runs clockwise.</source>
         <translation>De um arco; negativo vai no sentido horário.</translation>
-    </message>
-    <message>
-        <source>Of element sides; 0 takes 1/20 of the domain&apos;s diagonal on the boundary and the longest side inside.</source>
-        <translation>Dos lados dos elementos; 0 toma 1/20 da diagonal do domínio no contorno e o maior lado dentro.</translation>
     </message>
     <message>
         <source>Sets of the mesh take it.</source>
@@ -1014,14 +1002,6 @@
     <message>
         <source>The point to which the pin goes; by default the one with the same x.</source>
         <translation>O ponto para onde vai o ponto fixo; por padrão o de mesmo x.</translation>
-    </message>
-    <message>
-        <source>Two-column text, CSV or GeoJSON, like a horizon&apos;s.</source>
-        <translation>Texto de duas colunas, CSV ou GeoJSON, como o de um horizonte.</translation>
-    </message>
-    <message>
-        <source>Two-column text, CSV or GeoJSON; instead of points.</source>
-        <translation>Texto de duas colunas, CSV ou GeoJSON; em vez de pontos.</translation>
     </message>
     <message>
         <source>Vertices of a line or polygon; first and last point of an arc.</source>
@@ -1196,8 +1176,8 @@
         <translation>De uma trinca central, no sentido anti-horário a partir de +x.</translation>
     </message>
     <message>
-        <source>Geometry (.poly .geo .svg .geojson .dxf .wkt .txt .csv and other lines) or a mesh whose boundary is meant (.msh .inp .vtu .bdf .nf .ele).</source>
-        <translation>Geometria (.poly .geo .svg .geojson .dxf .wkt .txt .csv e outras linhas) ou uma malha cujo contorno se quer (.msh .inp .vtu .bdf .nf .ele).</translation>
+        <source>Geometry as a drawing or as lines, or a mesh whose boundary is meant.</source>
+        <translation>Geometria como desenho ou como linhas, ou uma malha cujo contorno se quer.</translation>
     </message>
     <message>
         <source>Mends repeated points, spikes, doubles, gaps, slivers and crossings of boundaries, and lists each with its place.</source>
@@ -2064,8 +2044,8 @@
         <translation>Maior corda de uma curva</translation>
     </message>
     <message>
-        <source>Text, CSV, GeoJSON, DXF, GOCAD, MOVE, Shapefile, GeoPackage or WKT.</source>
-        <translation>Texto, CSV, GeoJSON, DXF, GOCAD, MOVE, Shapefile, GeoPackage ou WKT.</translation>
+        <source>In any format of lines.</source>
+        <translation>Em qualquer formato de linhas.</translation>
     </message>
     <message>
         <source>Kinds by names</source>
@@ -2116,8 +2096,8 @@
         <translation>Eixo da dobra</translation>
     </message>
     <message>
-        <source>Text, CSV, GeoJSON, DXF, GOCAD, MOVE, Shapefile, GeoPackage or WKT; instead of points.</source>
-        <translation>Texto, CSV, GeoJSON, DXF, GOCAD, MOVE, Shapefile, GeoPackage ou WKT; em vez de pontos.</translation>
+        <source>In any format of lines; instead of points.</source>
+        <translation>Em qualquer formato de linhas; em vez de pontos.</translation>
     </message>
     <message>
         <source>Name of the line in a file that holds several.</source>
@@ -2654,6 +2634,134 @@
     <message>
         <source>trimmed by default: what is nearer than D to any part of the base goes.</source>
         <translation>trimmed por padrão: sai o que está a menos de D de qualquer parte da base.</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texto</translation>
+    </message>
+    <message>
+        <source>WKT</source>
+        <translation>WKT</translation>
+    </message>
+    <message>
+        <source>GeoJSON</source>
+        <translation>GeoJSON</translation>
+    </message>
+    <message>
+        <source>DXF</source>
+        <translation>DXF</translation>
+    </message>
+    <message>
+        <source>MOVE</source>
+        <translation>MOVE</translation>
+    </message>
+    <message>
+        <source>GOCAD</source>
+        <translation>GOCAD</translation>
+    </message>
+    <message>
+        <source>Shapefile</source>
+        <translation>Shapefile</translation>
+    </message>
+    <message>
+        <source>GeoPackage</source>
+        <translation>GeoPackage</translation>
+    </message>
+    <message>
+        <source>VTK</source>
+        <translation>VTK</translation>
+    </message>
+    <message>
+        <source>gmsh 4.1</source>
+        <translation>gmsh 4.1</translation>
+    </message>
+    <message>
+        <source>gmsh 2.2</source>
+        <translation>gmsh 2.2</translation>
+    </message>
+    <message>
+        <source>Abaqus, CalculiX</source>
+        <translation>Abaqus, CalculiX</translation>
+    </message>
+    <message>
+        <source>Nastran</source>
+        <translation>Nastran</translation>
+    </message>
+    <message>
+        <source>Neutral file</source>
+        <translation>Arquivo neutro</translation>
+    </message>
+    <message>
+        <source>Triangle: nodes</source>
+        <translation>Triangle: nós</translation>
+    </message>
+    <message>
+        <source>Triangle: elements</source>
+        <translation>Triangle: elementos</translation>
+    </message>
+    <message>
+        <source>Triangle: graph</source>
+        <translation>Triangle: grafo</translation>
+    </message>
+    <message>
+        <source>Wavefront OBJ</source>
+        <translation>Wavefront OBJ</translation>
+    </message>
+    <message>
+        <source>PLY</source>
+        <translation>PLY</translation>
+    </message>
+    <message>
+        <source>STL</source>
+        <translation>STL</translation>
+    </message>
+    <message>
+        <source>OFF</source>
+        <translation>OFF</translation>
+    </message>
+    <message>
+        <source>gmsh: geometry</source>
+        <translation>gmsh: geometria</translation>
+    </message>
+    <message>
+        <source>SVG</source>
+        <translation>SVG</translation>
+    </message>
+    <message>
+        <source>All that can be read</source>
+        <translation>Tudo o que pode ser lido</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Figuras</translation>
+    </message>
+    <message>
+        <source>Of x and y: &quot;0.1 + 0.05 * hypot(x, y)&quot;; the least of all sizes counts.</source>
+        <translation>De x e y: &quot;0.1 + 0.05 * hypot(x, y)&quot;; vale o menor de todos os tamanhos.</translation>
+    </message>
+    <message>
+        <source>Its elements&apos; sizes, or those of a field of it, are wanted.</source>
+        <translation>Valem os tamanhos de seus elementos, ou os de um campo seu.</translation>
+    </message>
+    <message>
+        <source>Name of the field at the points of a VTK mesh that holds sizes in m; empty: the sizes of the elements.</source>
+        <translation>Nome do campo nos pontos de uma malha VTK que guarda tamanhos em m; vazio: os tamanhos dos elementos.</translation>
+    </message>
+    <message>
+        <source>even: as few sides as meet size and turn; halving: sides halved until they do, 2:1 along a curve.</source>
+        <translation>even: tão poucos lados quanto permitem o tamanho e o giro; halving: lados divididos ao meio até respeitá-los, 2:1 ao longo de uma curva.</translation>
+    </message>
+    <message>
+        <source>Engine</source>
+        <translation>Motor</translation>
+    </message>
+    <message>
+        <source>What places the nodes inside: rows from the boundary inwards, or one by one in a Delaunay triangulation, which is slower.</source>
+        <translation>O que põe os nós no interior: fileiras do contorno para dentro, ou um a um numa triangulação de Delaunay, que é mais lenta.</translation>
+    </message>
+    <message>
+        <source>Of element sides: on curves none is longer, inside they are about as long, a few by half. 0 takes 1/20 of the domain&apos;s diagonal on the boundary and the longest side inside, or the formula or background mesh alone.</source>
+        <translation>Dos lados dos elementos: nas curvas nenhum é maior; no interior têm mais ou menos esse comprimento, alguns uma vez e meia. 0 toma 1/20 da diagonal do domínio no contorno e o maior lado no interior, ou só a fórmula ou a malha de fundo.</translation>
     </message>
 </context>
 </TS>

@@ -72,7 +72,7 @@ base::Result<void> write_results(Session& session, const RunParams& own, const s
   const scenario::Program& program = session.program;
   DOBRA_TRY_VOID(io::write_file(staging.path("report.json"), report));
   for (const scenario::DataTable& table : program.tables_of(state))
-    DOBRA_TRY_VOID(io::write_file(staging.path(table.name + ".csv"), scenario::csv_text(table)));
+    DOBRA_TRY_VOID(io::write_file(staging.path(fmt::format("{}.csv", table.name)), scenario::csv_text(table)));
   for (const scenario::Output& output : program.outputs_of(state)) {
     DOBRA_TRY_VOID(session.check());
     DOBRA_TRY_VOID(output.write(staging.path(output.file_name)));
@@ -207,14 +207,15 @@ Command run_command() {
 }
 
 Command render_command() {
-  return {
-      "render", "Run a scenario and draw its last state", [](CLI::App& app) -> Job {
-        const auto options = std::make_shared<RenderOptions>();
-        add_scenario_options(app, options->scenario);
-        app.add_option("--out", options->out, "Picture to write: .svg, .pdf or .png")->required()->type_name("PICTURE");
-        options->own.add(app);
-        return [options](Session& session) { return render_job(session, *options); };
-      }};
+  return {"render", "Run a scenario and draw its last state", [](CLI::App& app) -> Job {
+            const auto options = std::make_shared<RenderOptions>();
+            add_scenario_options(app, options->scenario);
+            app.add_option("--out", options->out, "Picture to write: " + picture_endings())
+                ->required()
+                ->type_name("PICTURE");
+            options->own.add(app);
+            return [options](Session& session) { return render_job(session, *options); };
+          }};
 }
 
 }  // namespace dobra::cli

@@ -15,6 +15,7 @@
 #include "shared/cli/pictures.h"
 #include "shared/cli/staging.h"
 #include "shared/io/lines/section_ends.h"
+#include "shared/render/cairo.h"
 #include "shared/scenario/color_table.h"
 
 namespace dobra::cli {
@@ -75,8 +76,7 @@ struct Target {
 
 Result<Target> target_of(const ConvertParams& params, const std::filesystem::path& output) {
   Target target;
-  const std::string ending = output.extension().string();
-  target.picture = params.to.empty() && (ending == ".svg" || ending == ".pdf" || ending == ".png");
+  target.picture = params.to.empty() && check_ending(output, Drawer::Cairo).ok();
   if (!params.to.empty()) {
     target.lines.format = io::formats::format_named(params.to, io::formats::Use::WriteLines);
     if (target.lines.format == nullptr) {
@@ -87,18 +87,19 @@ Result<Target> target_of(const ConvertParams& params, const std::filesystem::pat
   } else if (!target.picture) {
     auto format = io::formats::line_format_of(output.string());
     if (!format) {
-      return Error{ErrorCode::BadUsage,
-                   fmt::format("{}: {} .svg .pdf .png; or give --to NAME", output.string(), format.error().message)};
+      return Error{ErrorCode::BadUsage, fmt::format("{}: {} {}; or give --to NAME", output.string(),
+                                                    format.error().message, fmt::join(render::picture_endings, " "))};
     }
     target.lines.format = *format;
   }
   target.lines.coordinates = params.to_coordinates;
   if (!params.colors.empty()) {
-    if (!target.picture) return Error{ErrorCode::BadUsage, "--colours is for .svg, .pdf and .png"};
+    if (!target.picture) return Error{ErrorCode::BadUsage, fmt::format("--colours is for {}", picture_endings("and"))};
     DOBRA_TRY(target.colors, scenario::read_color_table(params.colors));
   }
   if (!params.orientation.empty()) {
-    if (!target.picture) return Error{ErrorCode::BadUsage, "--orientation is for .svg, .pdf and .png"};
+    if (!target.picture)
+      return Error{ErrorCode::BadUsage, fmt::format("--orientation is for {}", picture_endings("and"))};
     auto ends = io::lines::ends_of_text(params.orientation);
     if (!ends) return Error{ErrorCode::BadUsage, "--orientation: " + ends.error().message};
     target.ends = *ends;
@@ -109,8 +110,10 @@ Result<Target> target_of(const ConvertParams& params, const std::filesystem::pat
   if (!ratio || !number || !std::isfinite(*number) || *number <= 0.0) {
     return Error{ErrorCode::BadUsage, fmt::format("--scale {}: give a scale such as 1:10000", params.scale)};
   }
-  if (!target.picture && target.lines.format->name != "dxf") {
-    return Error{ErrorCode::BadUsage, "--scale is for .svg, .pdf, .png and .dxf"};
+  if (!target.picture && !target.lines.format->lines->to_scale) {
+    const auto others = io::formats::endings_for(io::formats::Use::WriteLinesToScale);
+    return Error{ErrorCode::BadUsage,
+                 fmt::format("--scale is for {} {}", fmt::join(render::picture_endings, " "), fmt::join(others, " "))};
   }
   target.scale = *number;
   return target;
@@ -245,7 +248,9 @@ Command convert_command() {
                        fmt::format("Lines: {}", fmt::join(io::formats::endings_for(io::formats::Use::ReadLines), " ")))
             ->required()
             ->type_name("IN");
-        app.add_option("out", options->output, "The same, or .svg .pdf .png")->required()->type_name("OUT");
+        app.add_option("out", options->output, fmt::format("The same, or {}", picture_endings()))
+            ->required()
+            ->type_name("OUT");
         options->lines.add(app, LineOptions::Repairs::Offered);
         options->own.add(app);
         return [options](Session& session) { return convert_job(session, *options); };

@@ -118,7 +118,10 @@ Command offset_command() {
                 ->required()
                 ->type_name("FILE");
             options->parameters.add(app, fields());
-            app.add_option("--out", options->out, "File to write: .geojson .gpkg .shp .dxf .wkt .csv .svg .pdf .png")
+            app.add_option("--out", options->out,
+                           fmt::format("File to write: {}; or a picture: {}",
+                                       fmt::join(io::formats::endings_for(io::formats::Use::WritePlaneLines), " "),
+                                       picture_endings()))
                 ->type_name("FILE");
             return [options](Session& session) { return offset_job(session, *options); };
           }};

@@ -1,19 +1,24 @@
 #include "shared/cli/offset_report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
 
 #include "shared/base/text.h"
-#include "shared/io/gis/dxf.h"
+#include "shared/cli/pictures.h"
+#include "shared/io/file.h"
+#include "shared/io/formats/line_files.h"
 #include "shared/operations/offset_layers.h"
 
 namespace dobra::cli {
 
 using base::Error;
 using base::ErrorCode;
+using io::formats::format_of;
+using io::formats::SystemKept;
+using io::formats::Use;
 using operations::DrawnOffset;
 using operations::OffsetFamily;
 using operations::OffsetOrigin;
@@ -21,14 +26,6 @@ using operations::OffsetStage;
 using operations::point_count;
 
 namespace {
-
-constexpr std::array<const char*, 6> exchange_endings = {".geojson", ".gpkg", ".shp", ".dxf", ".wkt", ".csv"};
-constexpr std::array<const char*, 3> picture_endings = {".svg", ".pdf", ".png"};
-
-template <class Endings>
-bool is_one_of(const std::string& ending, const Endings& endings) {
-  return std::find(endings.begin(), endings.end(), ending) != endings.end();
-}
 
 std::string json_text(const nlohmann::json& text) {
   return text.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
@@ -62,6 +59,22 @@ void append_curve(std::string& text, const OffsetFamily& family, const DrawnOffs
     text += '}';
   }
   text += "]}";
+}
+
+/// Of the formats that hold lines and polygons together.
+std::vector<std::string> endings_of_both() {
+  std::vector<std::string> endings;
+  for (const io::formats::Format& format : io::formats::all_formats()) {
+    if (is_for(format, Use::WritePlaneLines) && !format.lines->one_type)
+      endings.insert(endings.end(), format.endings.begin(), format.endings.end());
+  }
+  return endings;
+}
+
+Error unknown_ending(const std::filesystem::path& file) {
+  return {ErrorCode::BadUsage,
+          fmt::format("--out {}: the name must end in {}; or, for a picture, in {}", file.string(),
+                      fmt::join(io::formats::endings_for(Use::WritePlaneLines), " "), picture_endings())};
 }
 
 }  // namespace
@@ -134,37 +147,38 @@ scene::Picture offset_picture(const std::vector<OffsetFamily>& families, const s
 }
 
 base::Result<OffsetFile> offset_file(const std::filesystem::path& file) {
-  const std::string ending = file.extension().string();
-  if (is_one_of(ending, exchange_endings)) return OffsetFile::Lines;
-  if (is_one_of(ending, picture_endings)) return OffsetFile::Picture;
-  return Error{ErrorCode::BadUsage,
-               fmt::format("--out {}: the name must end in .geojson, .gpkg, .shp, .dxf, .wkt, .csv, .svg, .pdf or .png",
-                           file.string())};
+  if (format_of(file.string(), Use::WritePlaneLines) != nullptr) return OffsetFile::Lines;
+  if (check_ending(file, Drawer::Cairo)) return OffsetFile::Picture;
+  return unknown_ending(file);
 }
 
 base::Result<void> write_offset(const std::vector<OffsetFamily>& families, const OffsetOrigin& origin,
                                 const std::filesystem::path& file, std::vector<std::string>& remarks) {
-  const std::string ending = file.extension().string();
+  const io::formats::Format* const format = format_of(file.string(), Use::WritePlaneLines);
+  if (format == nullptr) return unknown_ending(file);
+  const io::formats::LineRow& row = *format->lines;
   io::formats::LineWork work;
   work.features = features_of(families);
   const auto is_polygon = [](const io::lines::Feature& f) { return f.type == io::lines::FeatureType::Polygons; };
   const auto polygons = static_cast<std::size_t>(std::count_if(work.features.begin(), work.features.end(), is_polygon));
-  if (ending == ".shp" && polygons > 0 && polygons < work.features.size()) {
-    return Error{
-        ErrorCode::BadUsage,
-        "--out: a Shapefile holds either lines or polygons, and these are both; write a .gpkg, or choose with --curve"};
+  if (row.one_type && polygons > 0 && polygons < work.features.size()) {
+    return Error{ErrorCode::BadUsage,
+                 fmt::format("--out: a {} holds either lines or polygons, and these are both; write one of {}, or "
+                             "choose with --curve",
+                             format->title, fmt::join(endings_of_both(), " "))};
   }
   const auto& system = origin.system;
-  const io::formats::LineWriteOptions options{
-      .coordinates = io::formats::Coordinates::Section, .system = system ? &*system : nullptr, .unit = origin.unit};
+  const io::formats::LineWriteOptions options{.format = format,
+                                              .coordinates = io::formats::Coordinates::Section,
+                                              .system = system ? &*system : nullptr,
+                                              .unit = origin.unit};
   DOBRA_TRY_VOID(io::formats::write_any_lines(file.string(), work, options, remarks));
+  const std::string ending = io::ending_of(file.string());
   const bool keeps_system =
-      ending == ".gpkg" || ending == ".shp" || (ending == ".geojson" && system && !system->code.empty());
+      row.system == SystemKept::Yes || (row.system == SystemKept::IfCoded && system && !system->code.empty());
   if (system && !keeps_system)
     remarks.push_back(fmt::format("the reference system ({}) is not kept in {}", system->name, ending));
-  const auto is_unit = [&](const auto& known) { return known.second == origin.unit; };
-  const bool keeps_unit =
-      ending == ".dxf" && std::any_of(io::gis::dxf_units.begin(), io::gis::dxf_units.end(), is_unit);
+  const bool keeps_unit = origin.unit && row.keeps_unit != nullptr && row.keeps_unit(*origin.unit);
   if (origin.unit && !keeps_unit && !system) {
     remarks.push_back(fmt::format("the unit of the file ({} m) is not kept in {}", *origin.unit, ending));
   }

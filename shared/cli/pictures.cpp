@@ -1,6 +1,7 @@
 #include "shared/cli/pictures.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -16,6 +17,8 @@ using base::Error;
 using base::ErrorCode;
 
 const std::array<std::string, 5> kind_names = {"svg", "pdf", "png", "vtk", "none"};
+
+constexpr const char* vtk_ending = ".png";
 
 }  // namespace
 
@@ -56,13 +59,19 @@ scene::Picture picture_of(const scenario::Program& program, const scenario::Docu
   return scenario::titled(program.picture_of(state), document);
 }
 
+std::string picture_endings(const char* last) {
+  const auto& all = render::picture_endings;
+  return fmt::format("{} {} {}", fmt::join(all.begin(), all.end() - 1, ", "), last, all.back());
+}
+
 base::Result<void> check_ending(const std::filesystem::path& file, Drawer drawer) {
   const std::string ending = file.extension().string();
-  const bool known = ending == ".png" || (drawer == Drawer::Cairo && (ending == ".svg" || ending == ".pdf"));
-  if (known) return {};
-  const char* endings = drawer == Drawer::Cairo ? ".svg, .pdf or .png" : ".png";
+  const auto& all = render::picture_endings;
+  if (ending == vtk_ending || (drawer == Drawer::Cairo && std::find(all.begin(), all.end(), ending) != all.end()))
+    return {};
+  const bool cairo = drawer == Drawer::Cairo;
   return Error{ErrorCode::BadUsage, fmt::format("{}: {} writes files that end in {}", file.string(),
-                                                drawer == Drawer::Cairo ? "cairo" : "vtk", endings)};
+                                                cairo ? "cairo" : "vtk", cairo ? picture_endings() : vtk_ending)};
 }
 
 base::Result<void> draw(const scene::Picture& picture, const std::filesystem::path& file, Drawer drawer,

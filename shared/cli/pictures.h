@@ -34,6 +34,9 @@ scene::Picture picture_of(const scenario::Program& program, const scenario::Docu
 base::Result<void> draw(const scene::Picture& picture, const std::filesystem::path& file, Drawer drawer,
                         std::optional<double> width = std::nullopt);
 
+/// ".svg, .pdf or .png", for help and errors. @param last  the word before the last one
+std::string picture_endings(const char* last = "or");
+
 /// @error BadUsage for an ending that the drawer cannot write.
 base::Result<void> check_ending(const std::filesystem::path& file, Drawer drawer);
 

@@ -16,6 +16,7 @@
 #include <sstream>
 
 #include "shared/base/text.h"
+#include "shared/gui/file_filter.h"
 #include "shared/gui/text.h"
 
 namespace dobra::gui {
@@ -238,7 +239,8 @@ class FileEditor : public LineEditor {
 
  private:
   void choose() {
-    const QString chosen = QFileDialog::getOpenFileName(this, text("Choose a file"), from_path(folder_));
+    const QString chosen = QFileDialog::getOpenFileName(this, text("Choose a file"), from_path(folder_),
+                                                        file_filter(field_.options.files));
     if (chosen.isEmpty()) return;
     const std::filesystem::path file = to_path(chosen);
     const std::filesystem::path relative =

@@ -18,6 +18,7 @@
 
 #include "shared/gui/edit.h"
 #include "shared/gui/error_bar.h"
+#include "shared/gui/file_filter.h"
 #include "shared/gui/icons.h"
 #include "shared/gui/layer_tree.h"
 #include "shared/gui/parameter_form.h"
@@ -47,7 +48,7 @@ struct MainWindow::Actions {
 
 namespace {
 
-QString file_filter() { return text("Scenarios (*.toml)") + ";;" + text("All files (*)"); }
+QString scenario_filter() { return file_filter({{"Scenarios", {".toml"}}}); }
 
 QDockWidget* dock(QMainWindow& window, const QString& title, const char* name, QWidget* content,
                   Qt::DockWidgetArea area) {
@@ -334,7 +335,7 @@ void MainWindow::select(std::size_t part) { steps_->select(part); }
 void MainWindow::ask_open() {
   if (!may_discard()) return;
   const QString chosen = QFileDialog::getOpenFileName(this, text("Open a scenario"),
-                                                      from_path(session_.document().folder()), file_filter());
+                                                      from_path(session_.document().folder()), scenario_filter());
   if (!chosen.isEmpty()) static_cast<void>(open(to_path(chosen)));
 }
 
@@ -344,8 +345,8 @@ bool MainWindow::ask_save() {
 }
 
 bool MainWindow::ask_save_as() {
-  QString chosen =
-      QFileDialog::getSaveFileName(this, text("Save the scenario"), from_path(session_.document().file), file_filter());
+  QString chosen = QFileDialog::getSaveFileName(this, text("Save the scenario"), from_path(session_.document().file),
+                                                scenario_filter());
   if (chosen.isEmpty()) return false;
   if (!chosen.endsWith(".toml", Qt::CaseInsensitive)) chosen += ".toml";
   return save(to_path(chosen)).ok();
@@ -353,9 +354,10 @@ bool MainWindow::ask_save_as() {
 
 void MainWindow::ask_save_picture() {
   std::filesystem::path proposed = session_.document().file;
-  proposed.replace_extension(".svg");
+  const auto& endings = render::picture_endings;
+  proposed.replace_extension(endings.front());
   const QString chosen = QFileDialog::getSaveFileName(this, text("Save the picture"), from_path(proposed),
-                                                      text("Pictures (*.svg *.pdf *.png)"));
+                                                      filter_of({"Pictures", {endings.begin(), endings.end()}}));
   if (chosen.isEmpty()) return;
   const base::Result<void> written = save_picture(to_path(chosen));
   if (written)

@@ -1,6 +1,6 @@
 #pragma once
-// To and from OpenMesh: for its file readers and its algorithms on surfaces. The only header that includes OpenMesh; no
-// other module needs to know of it.
+// To and from OpenMesh: for its file readers and its algorithms on surfaces. The only header that includes OpenMesh;
+// beside this module only the format that OpenMesh reads and writes (shared/io/meshes/stl.h) knows of it.
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 

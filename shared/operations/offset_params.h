@@ -10,7 +10,7 @@
 #include "shared/base/progress.h"
 #include "shared/offset/area.h"
 #include "shared/offset/offset.h"
-#include "shared/scenario/field.h"
+#include "shared/scenario/lines/line_keys.h"
 
 namespace dobra::operations {
 
@@ -41,7 +41,9 @@ struct OffsetParams {
   template <class D>
   static void describe(D& d) {
     d.file("file", &OffsetParams::file,
-           {.title = "File", .help = "Of lines and polygons, in any format; by default those of the model."});
+           {.title = "File",
+            .help = "Of lines and polygons, in any format; by default those of the model.",
+            .files = scenario::lines::file_kinds({io::formats::Use::ReadLines})});
     d.field("curve", &OffsetParams::curve,
             {.title = "Curve", .help = "Only the curve of this name or number; all by default."});
     d.field("distance", &OffsetParams::distance,

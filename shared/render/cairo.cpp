@@ -3,6 +3,7 @@
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -218,7 +219,7 @@ base::Result<void> write_picture(const scene::Picture& picture, const std::files
   if (extension == ".pdf") return write_pdf(picture, path, page);
   if (extension == ".png") return write_png(picture, path, page);
   base::Error error{base::ErrorCode::UnknownFormat,
-                    fmt::format("'{}' is not a kind of picture; use .svg, .pdf or .png", extension)};
+                    fmt::format("'{}' is not a kind of picture; use {}", extension, fmt::join(picture_endings, " "))};
   error.place = base::Place{};
   error.place->file = path.string();
   return error;

@@ -2,6 +2,7 @@
 // Pictures as files, drawn with cairo: to scale, without a display, the same bytes every time.
 // SVG keeps its text as text; PDF embeds the font (DejaVu Sans); PNG is opaque on white.
 
+#include <array>
 #include <filesystem>
 #include <optional>
 
@@ -23,7 +24,10 @@ base::Result<void> write_pdf(const scene::Picture& picture, const std::filesyste
 base::Result<void> write_png(const scene::Picture& picture, const std::filesystem::path& path,
                              const std::optional<scene::PageSize>& page = std::nullopt, double pixels_per_point = 2.0);
 
-/// As the extension of the path says: .svg, .pdf or .png.
+/// Of the files that write_picture makes.
+inline constexpr std::array<const char*, 3> picture_endings = {".svg", ".pdf", ".png"};
+
+/// As the extension of the path says: one of picture_endings.
 /// @error  UnknownFormat for any other.
 base::Result<void> write_picture(const scene::Picture& picture, const std::filesystem::path& path,
                                  const std::optional<scene::PageSize>& page = std::nullopt);

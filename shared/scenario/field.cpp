@@ -1,6 +1,7 @@
 #include "shared/scenario/field.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -341,6 +342,9 @@ std::string field_summary(const Field& field) {
   std::string out = names[static_cast<std::size_t>(field.kind)];
   if (field.kind == Kind::Choice) out += ' ' + joined_choices(field);
   const FieldOptions& options = field.options;
+  if (!options.words.empty()) out = fmt::format("one of {}", fmt::join(options.words, ", "));
+  if (!options.files.empty()) out += ':';
+  for (const FileKind& kind : options.files) out += fmt::format(" {}", fmt::join(kind.endings, " "));
   if (options.above) out += " > " + plain(*options.above);
   if (options.at_least) out += " >= " + plain(*options.at_least);
   if (options.at_most) out += (options.above || options.at_least ? " and <= " : " <= ") + plain(*options.at_most);

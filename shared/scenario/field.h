@@ -33,6 +33,12 @@ enum class Kind { Flag, Integer, Number, Degrees, Text, Choice, File, Point, Num
 
 enum class Presence { Optional, Required };
 
+/// A kind of file, for the dialog that chooses one and for help.
+struct FileKind {
+  std::string title;                 ///< English source text.
+  std::vector<std::string> endings;  ///< Each with its dot, in small letters.
+};
+
 /// What a field's value must satisfy and how it is presented.
 struct FieldOptions {
   const char* title = "";  ///< Short, shown in forms; English source text.
@@ -43,6 +49,8 @@ struct FieldOptions {
   std::optional<double> at_least = std::nullopt;  ///< Inclusive lower bound.
   std::optional<double> at_most = std::nullopt;   ///< Inclusive upper bound.
   std::optional<double> other_than = std::nullopt;
+  std::vector<FileKind> files = {};     ///< File only: what is read; empty: not said.
+  std::vector<std::string> words = {};  ///< Text only: what it may be, where that is a list; empty: not said.
   Presence presence = Presence::Optional;
 };
 

@@ -26,6 +26,9 @@ inline std::optional<std::filesystem::path> data_folder() {
   return std::filesystem::path(folder);
 }
 
+/// What a test says that needs the folder and is skipped.
+inline constexpr const char* no_data = "SKIPPED: DOBRA_TEST_DATA names no folder; set it to the folder of the data";
+
 /// Points and edges (indices of points, from 0) of a contour of artem-ogre/CDT.
 struct CdtFile {
   std::vector<geom::Point> points;

@@ -29,14 +29,22 @@ bool is_for(const Format& format, Use use) {
       return format.lines && (format.lines->parse != nullptr || format.lines->read != nullptr);
     case Use::WriteLines:
       return format.lines && (format.lines->text != nullptr || format.lines->write != nullptr);
+    case Use::WritePlaneLines:
+      return is_for(format, Use::WriteLines) && format.lines->written_as != WrittenAs::MapOnly;
+    case Use::WriteLinesToScale:
+      return is_for(format, Use::WriteLines) && format.lines->to_scale;
     case Use::ReadMesh:
       return format.mesh && (format.mesh->parse != nullptr || format.mesh->read != nullptr);
+    case Use::ReadFields:
+      return format.mesh && format.mesh->fields != nullptr;
+    case Use::ReadPolygons:
+      return format.mesh && format.mesh->polygons != nullptr;
     case Use::WriteMesh:
       return format.mesh && (format.mesh->text != nullptr || format.mesh->write != nullptr);
     case Use::ReadDrawing:
       break;
   }
-  return format.drawing;
+  return format.drawing != nullptr;
 }
 
 std::vector<std::string> endings_for(Use use) {
@@ -64,10 +72,11 @@ const Format* format_named(std::string_view name, Use use) {
 }
 
 std::string formats_markdown() {
-  std::string text = "| name | endings | holds | read | written | kept |\n|---|---|---|---|---|---|\n";
+  std::string text = "| name | format | endings | holds | read | written | kept |\n|---|---|---|---|---|---|---|\n";
   for (const Format& format : all_formats()) {
     const auto or_no = [](std::string_view what) { return what.empty() ? "no" : what; };
-    text += fmt::format("| `{}` | `{}` | {} | {} | {} | {} |\n", format.name, fmt::join(format.endings, "` `"),
+    text += fmt::format("| `{}` | {} | `{}` | {} | {} | {} | {} |\n", format.name, format.title,
+                        fmt::join(format.endings, "` `"),
                         format.lines     ? "lines"
                         : !format.mesh   ? "drawing"
                         : format.drawing ? "drawing, mesh"

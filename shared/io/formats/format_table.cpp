@@ -7,13 +7,18 @@
 #include <filesystem>
 #include <utility>
 
+#include "shared/io/drawings/dxf_paths.h"
+#include "shared/io/file.h"
+#include "shared/io/formats/drawing.h"
 #include "shared/io/formats/format.h"
 #include "shared/io/formats/line_files.h"
+#include "shared/io/formats/mesh_file.h"
 #include "shared/io/formats/text_lines.h"
 #include "shared/io/gis/dxf.h"
 #include "shared/io/gis/geojson.h"
 #include "shared/io/gis/ogr_file.h"
 #include "shared/io/lines/gocad.h"
+#include "shared/io/lines/line_kinds.h"
 #include "shared/io/lines/move_ascii.h"
 #include "shared/io/lines/wkt.h"
 #include "shared/io/meshes/bdf.h"
@@ -23,9 +28,9 @@
 #include "shared/io/meshes/neutral.h"
 #include "shared/io/meshes/node_ele.h"
 #include "shared/io/meshes/polygon_file.h"
+#include "shared/io/meshes/stl.h"
 #include "shared/io/meshes/vtu.h"
 #include "shared/io/scan.h"
-#include "shared/mesh/surface_text.h"
 
 namespace dobra::io::formats {
 
@@ -46,12 +51,18 @@ using LinesIn = const LineOptions&;
 using LinesOut = const LineWriteOptions&;
 using Features = std::span<const Feature>;
 
+/// The graphs of CDT's test files end in .txt.
+std::optional<meshes::PolyFile> graph_of_text(std::string_view text, const std::string& file) {
+  return ending_of(file) == ".txt" ? meshes::counted_graph(text) : std::nullopt;
+}
+
 LineRow text_row() {
   return {.parse = features_of_text,
           .text = [](Features features, LinesOut) { return text_of(features); },
           .keeps_properties = false,
           .keeps_holes = false,
-          .keeps_points = false};
+          .keeps_points = false,
+          .graph = graph_of_text};
 }
 
 LineRow wkt_row() {
@@ -60,14 +71,15 @@ LineRow wkt_row() {
           .text = [](Features features, LinesOut) { return lines::wkt(features); },
           .written_as = WrittenAs::SectionOnly,
           .keeps_names = false,
-          .kinds = KindsKept::No,
-          .keeps_properties = false};
+          .keeps_properties = false,
+          .kind = [](const Feature&) { return std::string(); }};
 }
 
 LineRow geojson_row() {
   return {.parse = [](std::string_view text, const std::string& file,
                       LinesIn options) { return gis::parse_geojson(text, file, Heights::Keep, options.faulty); },
-          .text = [](Features features, LinesOut options) { return gis::geojson(features, options.system); }};
+          .text = [](Features features, LinesOut options) { return gis::geojson(features, options.system); },
+          .system = SystemKept::IfCoded};
 }
 
 /// "TOP 2" is on layer TOP.
@@ -76,16 +88,26 @@ std::string name_in_dxf(const Feature& feature) {
   return feature.name.empty() || feature.name.starts_with(layer + ' ') ? feature.name : layer;
 }
 
+bool is_dxf_unit(double metres) {
+  return std::any_of(gis::dxf_units.begin(), gis::dxf_units.end(),
+                     [&](const auto& known) { return known.second == metres; });
+}
+
 LineRow dxf_row() {
-  return {.parse = [](std::string_view text, const std::string& file,
-                      LinesIn options) { return gis::parse_dxf(text, file, Heights::Keep, options.faulty); },
-          .text = [](Features features, LinesOut options) { return gis::dxf(features, options.unit); },
-          .kinds = KindsKept::ByName,
-          .keeps_properties = false,
-          .keeps_holes = false,
-          .keeps_points = false,
-          .name = name_in_dxf,
-          .not_in_names = R"(a control character, a blank at an end or one of <>/\":;?*|=,`)"};
+  return {
+      .parse = [](std::string_view text, const std::string& file,
+                  LinesIn options) { return gis::parse_dxf(text, file, Heights::Keep, options.faulty); },
+      .text = [](Features features, LinesOut options) { return gis::dxf(features, options.unit); },
+      .keeps_properties = false,
+      .keeps_holes = false,
+      .keeps_points = false,
+      .to_scale = true,
+      .name = name_in_dxf,
+      .not_in_names = R"(a control character, a blank at an end or one of <>/\":;?*|=,`)",
+      .kind = [](const Feature& feature) { return lines::known_kind(gis::dxf_layer(feature)).value_or(std::string()); },
+      .keeps_unit = is_dxf_unit,
+      .true_curves = drawings::dxf_paths,
+      .chords = gis::read_as_chords};
 }
 
 constexpr std::string_view not_in_words = "a line break, a tab, a brace or a blank at an end";
@@ -119,15 +141,18 @@ Result<lines::Features> read_ogr(const std::string& path, LinesIn options) {
 }
 
 LineRow shapefile_row() {
-  return {.read = read_ogr, .write = [](const std::string& path, Features features, LinesOut options) {
-            return gis::write_shapefile(path, features, options.system);
-          }};
+  return {.read = read_ogr,
+          .write = [](const std::string& path, Features features,
+                      LinesOut options) { return gis::write_shapefile(path, features, options.system); },
+          .system = SystemKept::Yes,
+          .one_type = true};
 }
 
 LineRow geopackage_row() {
-  return {.read = read_ogr, .write = [](const std::string& path, Features features, LinesOut options) {
-            return gis::write_geopackage(path, features, options.system);
-          }};
+  return {.read = read_ogr,
+          .write = [](const std::string& path, Features features,
+                      LinesOut options) { return gis::write_geopackage(path, features, options.system); },
+          .system = SystemKept::Yes};
 }
 
 // --- meshes
@@ -147,6 +172,10 @@ Result<MeshContents> contents_of(std::string_view text, const std::string& file)
 MeshRow vtu_row() {
   return {.parse = contents_of<meshes::parse_vtu>,
           .text = [](const ElementMesh& mesh, InpElement) { return meshes::vtu_text(mesh); },
+          .fields = [](std::string_view text, const std::string& file) -> Result<MeshAndFields> {
+            DOBRA_TRY(meshes::VtuContents contents, meshes::parse_vtu(text, file));
+            return MeshAndFields{std::move(contents.mesh), std::move(contents.fields)};
+          },
           .note = "<!-- {} -->\n",
           .note_behind = "\n"};
 }
@@ -259,19 +288,19 @@ MeshRow polygon_row(std::string_view note = {}) {
             DOBRA_TRY_VOID(meshes::check_writable(mesh));
             return meshes::polygons_text(meshes::polygons_of(mesh), format);
           },
+          .polygons = parse,
           .surface = true,
           .note = note};
 }
 
 MeshRow stl_row() {
   return {.parse = [](std::string_view text, const std::string& file) -> Result<MeshContents> {
-            const auto triangles = mesh::surface_mesh(std::string(text), mesh::SurfaceFormat::Stl);
-            if (!triangles) return base::located(triangles.error(), {.file = file});
-            return MeshContents{element_mesh_of(*triangles), {}};
+            DOBRA_TRY(const mesh::TriangleMesh triangles, meshes::parse_stl(text, file));
+            return MeshContents{element_mesh_of(triangles), {}};
           },
           .text = [](const ElementMesh& mesh, InpElement) -> Result<std::string> {
             DOBRA_TRY_VOID(meshes::check_writable(mesh));
-            return mesh::surface_text(triangle_mesh_of(mesh), mesh::SurfaceFormat::Stl);
+            return meshes::stl_text(triangle_mesh_of(mesh));
           },
           .surface = true,
           .losses = [](const ElementMesh& mesh) -> Losses {
@@ -282,6 +311,14 @@ MeshRow stl_row() {
           }};
 }
 
+// --- drawings
+
+template <auto read>
+Result<Drawing> drawing_of(const std::string& path) {
+  DOBRA_TRY(auto all, read(path));
+  return Drawing{std::move(all)};
+}
+
 }  // namespace
 
 const std::vector<Format>& all_formats() {
@@ -289,58 +326,80 @@ const std::vector<Format>& all_formats() {
   using meshes::PolygonFormat;
   static const std::vector<Format> table = {
       {"text",
+       "Text",
        {".csv", ".txt", ".tsv", ".dat"},
        "columns, any separator, with or without header",
        "`x,z[,name,kind]`",
        "names, kinds",
        text_row()},
       {"wkt",
+       "WKT",
        {".wkt"},
        "points, lines, polygons and their MULTI forms",
        "the same, in section coordinates",
        "coordinates only; names and kinds that are lost are named",
        wkt_row()},
       {"geojson",
+       "GeoJSON",
        {".geojson", ".json"},
        "every geometry of the two dimensions, with or without heights",
        "2D or with heights",
        "everything",
        geojson_row()},
       {"dxf",
+       "DXF",
        {".dxf"},
        "LINE, POLYLINE, LWPOLYLINE (with elevation, code 38), ARC, CIRCLE, ELLIPSE, SPLINE",
        "release 12, POLYLINE",
        "the layer is the name; kinds that are lost are named",
        dxf_row()},
       {"move",
+       "MOVE",
        {".asc", ".move"},
        "tabs: x y z name id attribute; a blank line between lines",
        "the same",
        "names, ids, attribute (or kind)",
        move_row()},
       {"gocad",
+       "GOCAD",
        {".pl", ".vs", ".gp", ".gocad"},
        "PLine, VSet, groups; every spelling of the header we know of",
        "PLine 1, VSet 1",
        "names, kinds",
        gocad_row()},
       {"shapefile",
+       "Shapefile",
        {".shp"},
        "with its .shx and .dbf",
        ".shp .shx .dbf",
        "everything; field names of 10 bytes",
        shapefile_row()},
-      {"geopackage", {".gpkg"}, "all layers", "layers lines, polygons, points", "everything", geopackage_row()},
+      {"geopackage",
+       "GeoPackage",
+       {".gpkg"},
+       "all layers",
+       "layers lines, polygons, points",
+       "everything",
+       geopackage_row()},
       {"vtu",
+       "VTK",
        {".vtu"},
        "VTK's unstructured grid, one piece: ASCII or inline base64, uncompressed",
        "ASCII",
        "everything",
        {},
        vtu_row()},
-      {"msh", {".msh"}, "gmsh 4.1 and 2.2, ASCII", "gmsh 4.1", "everything", {}, msh_row<MshVersion::V41>()},
-      {"msh2", {".msh2"}, "the same", "gmsh 2.2", "everything", {}, msh_row<MshVersion::V22>()},
+      {"msh",
+       "gmsh 4.1",
+       {".msh"},
+       "gmsh 4.1 and 2.2, ASCII",
+       "gmsh 4.1",
+       "everything",
+       {},
+       msh_row<MshVersion::V41>()},
+      {"msh2", "gmsh 2.2", {".msh2"}, "the same", "gmsh 2.2", "everything", {}, msh_row<MshVersion::V22>()},
       {"inp",
+       "Abaqus, CalculiX",
        {".inp"},
        "Abaqus, CalculiX: the mesh of a deck",
        "the same",
@@ -348,15 +407,24 @@ const std::vector<Format>& all_formats() {
        {},
        inp_row()},
       {"bdf",
+       "Nastran",
        {".bdf", ".nas"},
        "Nastran bulk data: small, large and free field",
        "small field where all digits fit, else large",
        "names in comments; numbers of 16 columns",
        {},
        bdf_row()},
-      {"nf", {".nf"}, "neutral file of QUEBRA", "the same", "everything", {}, neutral_row()},
-      {"node", {".node"}, "", "Triangle, with the .ele beside it", "sets as markers, without names", {}, node_row()},
+      {"nf", "Neutral file", {".nf"}, "neutral file of QUEBRA", "the same", "everything", {}, neutral_row()},
+      {"node",
+       "Triangle: nodes",
+       {".node"},
+       "",
+       "Triangle, with the .ele beside it",
+       "sets as markers, without names",
+       {},
+       node_row()},
       {"ele",
+       "Triangle: elements",
        {".ele"},
        "Triangle, with the .node beside it",
        "the same",
@@ -364,14 +432,16 @@ const std::vector<Format>& all_formats() {
        {},
        ele_row()},
       {"poly",
+       "Triangle: graph",
        {".poly"},
        "Triangle: a planar straight-line graph",
        "the boundary, internal lines and cracks",
        "sets as markers, without names",
        {},
        poly_row(),
-       true},
+       drawing_of<meshes::read_poly>},
       {"obj",
+       "Wavefront OBJ",
        {".obj"},
        "polygons",
        "the same",
@@ -379,22 +449,32 @@ const std::vector<Format>& all_formats() {
        {},
        polygon_row<meshes::parse_obj, PolygonFormat::Obj>("# {}\n")},
       {"ply",
+       "PLY",
        {".ply"},
        "polygons, ASCII",
        "the same",
        "corners only",
        {},
        polygon_row<meshes::parse_ply, PolygonFormat::Ply>()},
-      {"stl", {".stl"}, "triangles, ASCII", "the same", "corners only", {}, stl_row()},
+      {"stl", "STL", {".stl"}, "triangles, ASCII", "the same", "corners only", {}, stl_row()},
       {"off",
+       "OFF",
        {".off"},
        "polygons",
        "the same",
        "corners only",
        {},
        polygon_row<meshes::parse_off, PolygonFormat::Off>()},
-      {"geo", {".geo"}, "gmsh: a plane geometry of the built-in kernel", "", "", {}, {}, true},
-      {"svg", {".svg"}, "the outlines that are displayed", "", "", {}, {}, true},
+      {"geo",
+       "gmsh: geometry",
+       {".geo"},
+       "gmsh: a plane geometry of the built-in kernel",
+       "",
+       "",
+       {},
+       {},
+       drawing_of<drawings::read_geo>},
+      {"svg", "SVG", {".svg"}, "the outlines that are displayed", "", "", {}, {}, drawing_of<drawings::read_svg>},
   };
   return table;
 }

@@ -12,13 +12,7 @@
 
 #include "shared/io/file.h"
 #include "shared/io/formats/line_files.h"
-#include "shared/io/gis/dxf.h"
-#include "shared/io/gis/geojson.h"
-#include "shared/io/gis/ogr_file.h"
-#include "shared/io/lines/gocad.h"
-#include "shared/io/lines/move_ascii.h"
 #include "shared/io/lines/section_plane.h"
-#include "shared/io/lines/wkt.h"
 #include "shared/io/scan.h"
 
 namespace dobra::io::formats {

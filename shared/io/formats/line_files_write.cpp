@@ -6,14 +6,7 @@
 #include "shared/base/text.h"
 #include "shared/io/file.h"
 #include "shared/io/formats/line_files.h"
-#include "shared/io/gis/dxf.h"
-#include "shared/io/gis/geojson.h"
-#include "shared/io/gis/ogr_file.h"
-#include "shared/io/lines/gocad.h"
-#include "shared/io/lines/line_kinds.h"
-#include "shared/io/lines/move_ascii.h"
 #include "shared/io/lines/section_plane.h"
-#include "shared/io/lines/wkt.h"
 #include "shared/io/scan.h"
 
 namespace dobra::io::formats {
@@ -37,8 +30,7 @@ bool layer_is_in_name(const lines::Feature& feature, const lines::PropertyValue&
 std::vector<std::string> unnamed_in(const LineRow& row, std::span<const lines::Feature> features) {
   std::vector<std::string> lost;
   for (const lines::Feature& feature : features) {
-    const bool kind_kept = row.kinds == KindsKept::Yes || (row.kinds == KindsKept::ByName &&
-                                                           lines::known_kind(gis::dxf_layer(feature)) == feature.kind);
+    const bool kind_kept = row.kind == nullptr || row.kind(feature) == feature.kind;
     const std::string kind = feature.kind.empty() || kind_kept ? "" : fmt::format("({})", feature.kind);
     const bool name_lost = !row.keeps_names && !feature.name.empty();
     if (!name_lost && kind.empty()) continue;
@@ -99,15 +91,18 @@ void remark_losses(std::span<const lines::Feature> features, const Format& forma
 }
 
 // The features as they are written.
-Result<std::vector<lines::Feature>> prepared(const LineWork& work, const LineRow& row,
+Result<std::vector<lines::Feature>> prepared(const LineWork& work, const Format& format,
                                              const LineWriteOptions& options) {
+  const LineRow& row = *format.lines;
   const bool map = options.coordinates == Coordinates::Map ||
                    (options.coordinates == Coordinates::Detect && row.written_as == WrittenAs::MapOnly);
   if (options.coordinates == Coordinates::Section && row.written_as == WrittenAs::MapOnly) {
-    return Error{ErrorCode::InvalidOption, "MOVE and GOCAD files have three coordinates; leave out --to-coordinates"};
+    return Error{ErrorCode::InvalidOption,
+                 fmt::format("{} files have three coordinates; leave out --to-coordinates", format.title)};
   }
   if (map && row.written_as == WrittenAs::SectionOnly) {
-    return Error{ErrorCode::InvalidOption, "WKT is written with section coordinates only; choose another format"};
+    return Error{ErrorCode::InvalidOption,
+                 fmt::format("{} is written with section coordinates only; choose another format", format.title)};
   }
   return map ? lines::out_of_plane(work.features, work.trace.value_or(lines::Trace{})) : work.features;
 }
@@ -119,7 +114,7 @@ Result<std::string> lines_text(const LineWork& work, const LineWriteOptions& opt
   const Format* format = options.format != nullptr ? options.format : work.format;
   if (format == nullptr) format = format_named("text", Use::WriteLines);
   if (format->lines->text == nullptr) return Error{ErrorCode::InvalidOption, "this format is not text"};
-  DOBRA_TRY(const std::vector<lines::Feature> features, prepared(work, *format->lines, options));
+  DOBRA_TRY(const std::vector<lines::Feature> features, prepared(work, *format, options));
   remark_losses(work.features, *format, remarks);
   return format->lines->text(features, options);
 }
@@ -136,7 +131,7 @@ Result<void> write_any_lines(const std::string& path, const LineWork& work, cons
     if (!text) return base::located(text.error(), Place{.file = path});
     return write_file(path, *text);
   }
-  DOBRA_TRY(const std::vector<lines::Feature> features, prepared(work, row, chosen));
+  DOBRA_TRY(const std::vector<lines::Feature> features, prepared(work, *chosen.format, chosen));
   DOBRA_TRY(const std::vector<std::string> told, row.write(path, features, chosen));
   remarks.insert(remarks.end(), told.begin(), told.end());
   return {};

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "shared/io/file.h"
+#include "shared/io/formats/drawing.h"
 
 namespace dobra::io::formats {
 
@@ -22,12 +23,36 @@ Result<void> check_mesh_ending(const std::string& path) {
                                                 fmt::join(endings_for(Use::WriteMesh), " "))};
 }
 
+namespace {
+
+/// @param what  such as "polygon meshes"
+Result<const Format*> format_for(const std::string& path, Use use, std::string_view what) {
+  if (const Format* format = format_of(path, use)) return format;
+  return Error{ErrorCode::UnknownFormat,
+               fmt::format("{}: {} are read from {}", path, what, fmt::join(endings_for(use), " "))};
+}
+
+}  // namespace
+
+Result<Drawing> read_drawing(const std::string& path) {
+  DOBRA_TRY(const Format* const format, format_for(path, Use::ReadDrawing, "drawings"));
+  return format->drawing(path);
+}
+
+Result<MeshAndFields> read_fields(const std::string& path) {
+  DOBRA_TRY(const Format* const format, format_for(path, Use::ReadFields, "fields"));
+  DOBRA_TRY(const std::string text, read_text(path));
+  return format->mesh->fields(text, path);
+}
+
+Result<mesh::PolygonMesh> read_polygons(const std::string& path) {
+  DOBRA_TRY(const Format* const format, format_for(path, Use::ReadPolygons, "polygon meshes"));
+  DOBRA_TRY(const std::string text, read_text(path));
+  return format->mesh->polygons(text, path);
+}
+
 Result<MeshContents> read_mesh(const std::string& path) {
-  const Format* format = format_of(path, Use::ReadMesh);
-  if (format == nullptr) {
-    return Error{ErrorCode::UnknownFormat,
-                 fmt::format("{}: meshes are read from {}", path, fmt::join(endings_for(Use::ReadMesh), " "))};
-  }
+  DOBRA_TRY(const Format* const format, format_for(path, Use::ReadMesh, "meshes"));
   const auto read = [&]() -> Result<MeshContents> {
     if (format->mesh->read != nullptr) return format->mesh->read(path);
     DOBRA_TRY(const std::string text, read_text(path));

@@ -7,13 +7,26 @@
 #include "shared/base/result.h"
 #include "shared/io/formats/format.h"
 #include "shared/io/meshes/inp.h"
+#include "shared/io/meshes/vtu.h"
 #include "shared/mesh/element_mesh.h"
+#include "shared/mesh/polygon_mesh.h"
 
 namespace dobra::io::formats {
 
 /// By the ending. Elements come anticlockwise; a remark counts those that were turned.
 /// @error UnknownFormat naming the endings; those of the readers.
 base::Result<MeshContents> read_mesh(const std::string& path);
+
+struct MeshAndFields {
+  mesh::ElementMesh mesh;
+  meshes::MeshFields fields;
+};
+
+/// A mesh with its fields of numbers. @error UnknownFormat naming the endings; those of the readers.
+base::Result<MeshAndFields> read_fields(const std::string& path);
+
+/// Polygons in space as they stand. @error UnknownFormat naming the endings; those of the readers.
+base::Result<mesh::PolygonMesh> read_polygons(const std::string& path);
 
 /// Elements that ran against most others of their region (an only element of its region: of the mesh) in the file, each
 /// with its number there and its place. A region that is clockwise as a whole is none: other programs allow that, and a

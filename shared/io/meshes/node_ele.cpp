@@ -149,7 +149,8 @@ Result<EleFile> ele_file_of(const mesh::ElementMesh& mesh) {
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const auto nodes = mesh.nodes_of(mesh::ElementId(e));
     if (mesh::corner_count(mesh.types[e]) != 3 || nodes.size() != elements.nodes_each) {
-      return Error{ErrorCode::InvalidOption, "a .ele file holds triangles of one order only; write .vtu, .msh or .inp"};
+      return Error{ErrorCode::InvalidOption,
+                   "a .ele file holds triangles of one order only; write another format of meshes"};
     }
     const auto add = [&](std::size_t k) { elements.nodes.push_back(static_cast<std::uint32_t>(nodes[k].index())); };
     for (std::size_t k = 0; k < 3; ++k) add(k);

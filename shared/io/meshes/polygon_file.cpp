@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "shared/base/text.h"
-#include "shared/io/file.h"
 #include "shared/io/scan.h"
 
 namespace dobra::io::meshes {
@@ -193,15 +192,6 @@ std::string polygons_text(const PolygonMesh& mesh, PolygonFormat format) {
     text += '\n';
   }
   return text;
-}
-
-Result<PolygonMesh> read_polygons(const std::string& path) {
-  const std::string ending = ending_of(path);
-  if (ending != ".obj" && ending != ".off" && ending != ".ply") {
-    return Error{ErrorCode::UnknownFormat, fmt::format("{}: polygon meshes are read from .obj, .off and .ply", path)};
-  }
-  DOBRA_TRY(const std::string text, read_text(path));
-  return ending == ".obj" ? parse_obj(text, path) : ending == ".off" ? parse_off(text, path) : parse_ply(text, path);
 }
 
 }  // namespace dobra::io::meshes

@@ -10,11 +10,9 @@
 
 namespace dobra::io::meshes {
 
-/// By the ending: .obj, .off or .ply. Of OBJ the statements v and f count (f 1, 1/2, 1//3, -1: from the last point);
-/// normals, textures, groups and materials are passed over. Corners are checked here, so that each fault has its line.
-/// @error FileNotFound, NotAFile, CannotRead, EmptyFile; UnknownFormat: another ending; BadFormat, NotFinite with line
-///        and column.
-base::Result<mesh::PolygonMesh> read_polygons(const std::string& path);
+/// The statements v and f count (f 1, 1/2, 1//3, -1: from the last point); normals, textures, groups and materials are
+/// passed over. Corners are checked here and by the parsers below, so that each fault has its line.
+/// @error BadFormat, NotFinite with line and column.
 base::Result<mesh::PolygonMesh> parse_obj(std::string_view text, const std::string& file);
 base::Result<mesh::PolygonMesh> parse_off(std::string_view text, const std::string& file);
 /// Of the elements, vertex (x, y, z) and face (its first list) count. @error BadFormat too for a binary file.

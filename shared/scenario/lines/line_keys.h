@@ -7,9 +7,13 @@
 #include <type_traits>
 #include <vector>
 
+#include "shared/io/formats/format.h"
 #include "shared/scenario/field.h"
 
 namespace dobra::scenario::lines {
+
+/// The formats for any of the uses, for fields that name a file; each once, in the order of the uses.
+std::vector<FileKind> file_kinds(const std::vector<io::formats::Use>& uses);
 
 /// The descriptions of the keys. P is any struct with members of these names; an optional one has no default.
 template <class P, class D>
@@ -20,8 +24,8 @@ class LineKeys {
   void format() {
     field("format", of(&P::format),
           {.title = "Format",
-           .help = "Of a file of lines (text, wkt, geojson, dxf, move, gocad, shapefile, geopackage); by its ending "
-                   "otherwise."});
+           .help = "Of a file of lines; by its ending otherwise.",
+           .words = io::formats::names_for(io::formats::Use::ReadLines)});
   }
   void columns() {
     field("columns", of(&P::columns),

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -12,6 +13,7 @@
 #include "quebra/core/operations.h"
 #include "quebra/model/model.h"
 #include "shared/geom/predicates.h"
+#include "shared/io/formats/format.h"
 #include "shared/io/meshes/bdf.h"
 #include "shared/io/meshes/inp.h"
 #include "shared/io/meshes/msh.h"
@@ -55,6 +57,19 @@ std::map<std::string, double> quantities(const scenario::Run& run) {
 
 const std::string unit_square =
     "[[input.curve]]\nname = \"plate\"\nkind = \"polygon\"\npoints = [[0, 0], [4, 0], [4, 4], [0, 4]]\n";
+
+TEST(QuebraProgram, TheFileOfTheInputMayBeOfEveryFormatThatIsRead) {
+  const auto field = std::find_if(program().input_fields.begin(), program().input_fields.end(),
+                                  [](const scenario::Field& one) { return one.key == "file"; });
+  ASSERT_NE(field, program().input_fields.end());
+  std::set<std::string> offered;
+  for (const scenario::FileKind& kind : field->options.files) {
+    for (const std::string& ending : kind.endings) EXPECT_TRUE(offered.insert(ending).second) << ending;
+  }
+  for (const auto& format : io::formats::all_formats()) {
+    for (const std::string& ending : format.endings) EXPECT_EQ(offered.contains(ending), ending != ".node") << ending;
+  }
+}
 
 TEST(QuebraProgram, EveryExampleMeetsItsExpectations) {
   for (const auto& entry : fs::directory_iterator(fs::path(DOBRA_SOURCE_DIR) / "resources/examples/quebra")) {

@@ -13,6 +13,7 @@
 
 #include "quebra/core/operations.h"
 #include "quebra/sketch/specimen.h"
+#include "tests/support/corpus.h"
 #include "tests/support/drawn_file.h"
 
 namespace quebra::sketch {
@@ -373,10 +374,9 @@ TEST_F(DrawnFile, WhatIsNotThereOrNoFileIsSaid) {
 }
 
 TEST_F(DrawnFile, EveryContourOfTheCorpusCanBeMeshed) {
-  const char* const given = std::getenv("DOBRA_TEST_DATA");
-  const fs::path corpus = fs::path(given != nullptr ? given : "") / "contours";
-  if (given == nullptr || !fs::exists(corpus))
-    GTEST_SKIP() << "SKIPPED: no corpus; set DOBRA_TEST_DATA to the folder of data/";
+  const auto data = dobra::test::data_folder();
+  if (!data) GTEST_SKIP() << dobra::test::no_data;
+  const fs::path corpus = *data / "contours";
   int meshed = 0;
   for (const auto& file : fs::directory_iterator(corpus)) {
     const std::string ending = file.path().extension().string();

@@ -17,6 +17,7 @@
 #include "shared/io/formats/mesh_file.h"
 #include "shared/mesh/order2.h"
 #include "shared/scenario/runner.h"
+#include "tests/support/corpus.h"
 
 namespace quebra::sketch {
 namespace {
@@ -298,9 +299,9 @@ TEST(SketchFile, OutlinesOfSvgKeepTheirCurves) {
 }
 
 TEST(SketchFile, EveryGeometryOfTheCorpusMeshesAtThreeSizesWithBothEngines) {
-  const char* data = std::getenv("DOBRA_TEST_DATA");
-  if (data == nullptr) GTEST_SKIP() << "DOBRA_TEST_DATA is not set";
-  const fs::path folder = fs::path(data) / "contours";
+  const auto data = dobra::test::data_folder();
+  if (!data) GTEST_SKIP() << dobra::test::no_data;
+  const fs::path folder = *data / "contours";
   const auto expect_valid = [](const mesh::ElementMesh& made, double area, double tolerance) {
     const auto valid = mesh::check(made);
     EXPECT_TRUE(valid) << (valid ? "" : to_string(valid.error()));

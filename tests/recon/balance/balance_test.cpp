@@ -22,6 +22,7 @@
 #include "shared/base/counter_random.h"
 #include "shared/base/parallel.h"
 #include "tests/recon/shapes.h"
+#include "tests/support/corpus.h"
 
 namespace recon::balance {
 namespace {
@@ -209,8 +210,8 @@ TEST(Balance, TheAreaOfASquareWithErrorsIsAsWorkedByHand) {
 }
 
 TEST(Balance, TheSubandeanBeltGivesThePublishedShortening) {
-  const char* data = std::getenv("DOBRA_TEST_DATA");
-  if (data == nullptr) GTEST_SKIP() << "DOBRA_TEST_DATA is not set";
+  const auto data = dobra::test::data_folder();
+  if (!data) GTEST_SKIP() << dobra::test::no_data;
   AreaBalanceParams params;
   params.file = "subandean.txt";
   params.unit = section::LengthUnit::Kilometre;
@@ -218,7 +219,7 @@ TEST(Balance, TheSubandeanBeltGivesThePublishedShortening) {
   params.thickness_error = {0.29, 0.46};
   params.width_points = {3, 30};
   dobra::scenario::Context context;
-  context.folder = std::filesystem::path(data) / "sections/subandean_area_balance";
+  context.folder = *data / "sections/subandean_area_balance";
   const auto balance = balance_area(params, context);
   ASSERT_TRUE(balance) << to_string(balance.error());
   EXPECT_NEAR(balance->area.value / 1e6, 447.80, 5e-3);

@@ -7,6 +7,7 @@
 #include "recon/core/operations.h"
 #include "shared/io/lines/text_points.h"
 #include "tests/recon/shapes.h"
+#include "tests/support/corpus.h"
 
 namespace recon::balance {
 namespace {
@@ -54,11 +55,11 @@ TEST(FoldClass, StraightBedsHaveNoClass) {
 }
 
 TEST(FoldClass, TheIsogonFoldHasClasses3And1BAnd2FromTheTop) {
-  const char* data = std::getenv("DOBRA_TEST_DATA");
-  if (data == nullptr) GTEST_SKIP() << "DOBRA_TEST_DATA is not set";
+  const auto data = dobra::test::data_folder();
+  if (!data) GTEST_SKIP() << dobra::test::no_data;
   std::vector<geom::Polyline> surfaces;
   for (const int number : {4, 3, 2, 1}) {
-    const auto read = dobra::io::lines::read_text_points(std::string(data) + "/sections/ragan_isogon_fold/layer" +
+    const auto read = dobra::io::lines::read_text_points(data->string() + "/sections/ragan_isogon_fold/layer" +
                                                          std::to_string(number) + ".txt");
     ASSERT_TRUE(read) << to_string(read.error());
     surfaces.push_back(read->lines.front());

@@ -13,6 +13,7 @@
 #include "recon/core/model.h"
 #include "recon/core/operations.h"
 #include "shared/scenario/runner.h"
+#include "tests/support/corpus.h"
 
 namespace recon::core {
 namespace {
@@ -61,17 +62,17 @@ TEST(Examples, TheSameRunGivesTheSameReport) {
 /// A scenario of tests/scenarios whose file names are relative to a folder of the test data; nothing if there are no
 /// test data.
 std::optional<scenario::Document> real_section(const std::string& name, const std::string& folder) {
-  const char* data = std::getenv("DOBRA_TEST_DATA");
-  if (data == nullptr) return std::nullopt;
+  const auto data = dobra::test::data_folder();
+  if (!data) return std::nullopt;
   auto document = scenario::read_document(std::filesystem::path(DOBRA_SOURCE_DIR) / "tests/scenarios" / name);
   EXPECT_TRUE(document) << to_string(document.error());
-  document->file = std::filesystem::path(data) / "sections" / folder / name;
+  document->file = *data / "sections" / folder / name;
   return std::move(*document);
 }
 
 TEST(RealSections, RaganIsogonFoldIsRestoredToADatum) {
   const auto document = real_section("ragan.toml", "ragan_isogon_fold");
-  if (!document) GTEST_SKIP() << "DOBRA_TEST_DATA is not set";
+  if (!document) GTEST_SKIP() << dobra::test::no_data;
   const scenario::Run run = expect_met(*document);
   ASSERT_TRUE(run.complete());
   const auto& model = scenario::model_of<Model>(run.states.back());
@@ -84,7 +85,7 @@ TEST(RealSections, RaganIsogonFoldIsRestoredToADatum) {
 
 TEST(RealSections, CatskillFoldIsRestoredToADatum) {
   const auto document = real_section("catskill.toml", "catskill_fpf");
-  if (!document) GTEST_SKIP() << "DOBRA_TEST_DATA is not set";
+  if (!document) GTEST_SKIP() << dobra::test::no_data;
   const scenario::Run run = expect_met(*document);
   ASSERT_TRUE(run.complete());
   EXPECT_EQ(figure(run, "points_outside"), 0.0);
@@ -95,7 +96,7 @@ TEST(RealSections, CatskillFoldIsRestoredToADatum) {
 
 TEST(RealSections, ASimplifiedTopTearsTheCatskillBedsLess) {
   const auto document = real_section("catskill.toml", "catskill_fpf");
-  if (!document) GTEST_SKIP() << "DOBRA_TEST_DATA is not set";
+  if (!document) GTEST_SKIP() << dobra::test::no_data;
   const auto simplified = scenario::with_value(*document, program(), "steps.1.simplify=3.0");
   ASSERT_TRUE(simplified) << to_string(simplified.error());
   const scenario::Run traced = scenario::Runner(program()).run(*document);
@@ -116,7 +117,7 @@ void expect_lengths_kept(const scenario::Run& run) {
 
 TEST(RealSections, TheCatskillFoldUnfoldsByFlexuralSlipWithEveryBedItsLength) {
   auto document = real_section("catskill.toml", "catskill_fpf");
-  if (!document) GTEST_SKIP() << "DOBRA_TEST_DATA is not set";
+  if (!document) GTEST_SKIP() << dobra::test::no_data;
   auto flexural = scenario::with_value(*document, program(), "steps.3.method=flexural");
   ASSERT_TRUE(flexural) << to_string(flexural.error());
   flexural = scenario::with_value(*flexural, program(), "steps.2.pin=430");
@@ -170,9 +171,9 @@ scenario::Document broadhaven(const std::map<int, geom::Polyline>& layers, int u
 }
 
 TEST(RealSections, TheBroadhavenFoldUnfoldsByFlexuralSlipWithTopAndBaseTheirLengthsOrIsRefused) {
-  const char* data = std::getenv("DOBRA_TEST_DATA");
-  if (data == nullptr) GTEST_SKIP() << "DOBRA_TEST_DATA is not set";
-  const auto profile = std::filesystem::path(data) / "sections/broadhaven_fold/derived_profile_m/profile.csv";
+  const auto data = dobra::test::data_folder();
+  if (!data) GTEST_SKIP() << dobra::test::no_data;
+  const auto profile = *data / "sections/broadhaven_fold/derived_profile_m/profile.csv";
   const std::map<int, geom::Polyline> layers = broadhaven_layers(profile);
   ASSERT_EQ(layers.size(), 9u);
   for (int layer = 1; layer < 9; ++layer) {

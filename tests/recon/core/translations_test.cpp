@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <regex>
@@ -10,61 +9,19 @@
 
 #include "recon/core/operations.h"
 #include "shared/io/file.h"
+#include "tests/support/translations.h"
 
 namespace recon::core {
 namespace {
 
-std::string unescaped(std::string text) {
-  for (const auto& [entity, sign] :
-       {std::pair("&lt;", "<"), {"&gt;", ">"}, {"&quot;", "\""}, {"&apos;", "'"}, {"&amp;", "&"}}) {
-    const std::string wanted = entity;
-    for (std::size_t at = text.find(wanted); at != std::string::npos; at = text.find(wanted, at + 1))
-      text.replace(at, wanted.size(), sign);
-  }
-  return text;
-}
-
-/// Source texts and their translations.
-std::map<std::string, std::string> brazilian() {
-  const std::string ts =
-      dobra::io::read_text(std::filesystem::path(DOBRA_SOURCE_DIR) / "resources/translations/dobra_pt_BR.ts").value();
-  std::map<std::string, std::string> texts;
-  const auto between = [&](const std::string& open, const std::string& close, std::size_t& at) {
-    const std::size_t begin = ts.find(open, at);
-    if (begin == std::string::npos) return std::string();
-    const std::size_t end = ts.find(close, begin);
-    at = end;
-    return unescaped(ts.substr(begin + open.size(), end - begin - open.size()));
-  };
-  for (std::size_t at = 0; ts.find("<source>", at) != std::string::npos;) {
-    const std::string source = between("<source>", "</source>", at);
-    texts[source] = between("<translation>", "</translation>", at);
-  }
-  return texts;
-}
-
-void collect(const std::vector<dobra::scenario::Field>& fields, std::set<std::string>& texts) {
-  for (const dobra::scenario::Field& field : fields) {
-    texts.insert({field.options.title, field.options.help});
-    collect(field.fields, texts);
-  }
-}
-
 TEST(Translations, EveryTextOfFormsAndHelpIsInBrazilianPortuguese) {
-  std::set<std::string> texts;
-  collect(program().input_fields, texts);
-  for (const dobra::scenario::Operation& operation : program().operations) {
-    texts.insert({operation.title, operation.help});
-    collect(operation.fields, texts);
-  }
-  texts.erase("");
+  const std::set<std::string> texts = dobra::test::texts_of(program());
   EXPECT_GT(texts.size(), 150u);
-  const std::map<std::string, std::string> known = brazilian();
-  for (const std::string& text : texts) EXPECT_TRUE(known.count(text) > 0 && !known.at(text).empty()) << text;
+  EXPECT_EQ(dobra::test::untranslated(texts), std::vector<std::string>{});
 }
 
 TEST(Translations, EveryTextOfPicturesIsInBrazilianPortuguese) {
-  const std::map<std::string, std::string> known = brazilian();
+  const std::map<std::string, std::string> known = dobra::test::brazilian();
   const std::regex call(R"re(translated\(\s*"((?:[^"\\]|\\.)*)"\s*\))re");
   std::size_t seen = 0;
   for (const auto& entry :

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tests/support/corpus.h"
 #include "tests/support/tiff.h"
 
 namespace recon::input {
@@ -288,9 +289,9 @@ TEST_F(Input, LinesInSpaceOfSeveralFilesNeedTheirTrace) {
 }
 
 TEST_F(Input, APlungingFoldIsReadDownThePlunge) {
-  const char* data = std::getenv("DOBRA_TEST_DATA");
-  if (data == nullptr) GTEST_SKIP() << "DOBRA_TEST_DATA is not set";
-  const std::string folder = std::string(data) + "/sections/broadhaven_fold/";
+  const auto data = dobra::test::data_folder();
+  if (!data) GTEST_SKIP() << dobra::test::no_data;
+  const std::string folder = data->string() + "/sections/broadhaven_fold/";
   // The profile as it was published: parts of layer 1 one after the other.
   std::ifstream profile(folder + "derived_profile_m/profile.csv");
   std::vector<geom::Point> expected;

@@ -2,28 +2,17 @@
 
 #include <gtest/gtest.h>
 
-#include <QLocale>
 #include <QRegularExpression>
-#include <QTranslator>
 
 #include "shared/base/text.h"
 #include "shared/io/file.h"
+#include "tests/shared/gui/brazilian.h"
 
 namespace dobra::gui {
 namespace {
 
-class Brazilian {
- public:
-  Brazilian() {
-    if (translator.load(QLocale("pt_BR"), "dobra", "_", ":/translations"))
-      QCoreApplication::installTranslator(&translator);
-  }
-  ~Brazilian() { QCoreApplication::removeTranslator(&translator); }
-  QTranslator translator;
-};
-
 TEST(Text, EveryWordOfTheWindowIsTranslated) {
-  const Brazilian language;
+  const test::Brazilian language;
   const QRegularExpression call(R"re((?<![A-Za-z_.>])text\(\s*"((?:[^"\\]|\\.)*)")re");
   std::size_t seen = 0;
   std::size_t same = 0;
@@ -45,12 +34,12 @@ TEST(Text, EveryWordOfTheWindowIsTranslated) {
 }
 
 TEST(Text, PlaceholdersSurviveTranslation) {
-  const Brazilian language;
+  const test::Brazilian language;
   EXPECT_EQ(text("line %1: '%2' is not a number").arg(3).arg("x").toStdString(), "linha 3: 'x' não é um número");
 }
 
 TEST(Text, WordsOfTheLibraryGoThroughTheSameTranslation) {
-  const Brazilian language;
+  const test::Brazilian language;
   install_translation("en");
   EXPECT_EQ(base::translated("Layers"), "Camadas");
   EXPECT_EQ(base::translated("no such words"), "no such words");

@@ -65,7 +65,7 @@ void judge(const Polyline& base, const std::string& name, std::size_t& judged) {
 
 TEST(OffsetCorpus, EveryContourKeepsItsDistanceAndNothingIsMissing) {
   const auto folder = test::data_folder();
-  if (!folder) GTEST_SKIP() << "DOBRA_TEST_DATA does not name the folder of the data";
+  if (!folder) GTEST_SKIP() << test::no_data;
   std::map<std::string, std::size_t> contours;
   std::size_t judged = 0;
   std::size_t bases = 0;
@@ -96,7 +96,7 @@ TEST(OffsetCorpus, EveryContourKeepsItsDistanceAndNothingIsMissing) {
 
 TEST(OffsetCorpus, EveryBedOfTheSectionsKeepsItsDistanceAndNothingIsMissing) {
   const auto folder = test::data_folder();
-  if (!folder) GTEST_SKIP() << "DOBRA_TEST_DATA does not name the folder of the data";
+  if (!folder) GTEST_SKIP() << test::no_data;
   std::size_t judged = 0;
   std::size_t lines = 0;
   for (const auto& entry : fs::recursive_directory_iterator(*folder / "sections")) {

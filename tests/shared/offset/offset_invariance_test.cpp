@@ -152,13 +152,13 @@ void each(const std::vector<Case>& cases, const std::vector<Join>& joins, const 
 const std::vector<Join> all_joins{Join::Mitre, Join::Bisector, Join::Round, Join::Bevel};
 
 /// A check of made curves with all joins, and one of the contours of the data with mitres and arcs.
-#define INVARIANCE_TEST(name, check)                                                           \
-  TEST(OffsetInvariance, name) { each(made_cases(), all_joins, check); }                       \
-  TEST(OffsetInvarianceOfData, name) {                                                         \
-    const auto cases = data_cases();                                                           \
-    if (cases.empty()) GTEST_SKIP() << "DOBRA_TEST_DATA does not name the folder of the data"; \
-    EXPECT_GE(cases.size(), 4U);                                                               \
-    each(cases, {Join::Mitre, Join::Round}, check);                                            \
+#define INVARIANCE_TEST(name, check)                                     \
+  TEST(OffsetInvariance, name) { each(made_cases(), all_joins, check); } \
+  TEST(OffsetInvarianceOfData, name) {                                   \
+    const auto cases = data_cases();                                     \
+    if (cases.empty()) GTEST_SKIP() << test::no_data;                    \
+    EXPECT_GE(cases.size(), 4U);                                         \
+    each(cases, {Join::Mitre, Join::Round}, check);                      \
   }
 
 // Tolerances in the size of base, distance and curve: of one frame; of one in which the base is rounded anew (crossings

@@ -180,6 +180,11 @@ TEST(Field, SummariesNameKindRangeUnitAndDefault) {
   EXPECT_EQ(field_summary(field_named("times")), "whole number >= 1 and <= 1000, default 1");
   EXPECT_EQ(field_summary(field_named("join")), "one of 'mitre', 'bisector', 'round', default \"mitre\"");
   EXPECT_EQ(field_summary(fields_of<fake::Import>()[0]), "file name, required");
+  Field file = fields_of<fake::Import>()[0];
+  file.options.files = {{"Text", {".csv", ".txt"}}, {"Neutral file", {".nf"}}};
+  EXPECT_EQ(field_summary(file), "file name: .csv .txt .nf, required");
+  Field word{"format", Kind::Text, {.words = {"text", "dxf"}}, {}, Value(std::string()), {}};
+  EXPECT_EQ(field_summary(word), "one of text, dxf, default \"\"");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "tests/shared/io/io_examples.h"
+#include "tests/support/corpus.h"
 
 namespace dobra::io::drawings {
 namespace {
@@ -150,14 +151,14 @@ TEST(Geo, WhatIsWrongOrNotSupportedIsNamedWithLineAndColumn) {
 }
 
 TEST(Geo, EveryGeometryOfTheCorpusIsRead) {
-  const char* data = std::getenv("DOBRA_TEST_DATA");
-  if (data == nullptr) GTEST_SKIP() << "DOBRA_TEST_DATA is not set";
-  const auto beam = read_geo(std::string(data) + "/contours/xfem_pmma_3holes.geo");
+  const auto data = test::data_folder();
+  if (!data) GTEST_SKIP() << test::no_data;
+  const auto beam = read_geo(data->string() + "/contours/xfem_pmma_3holes.geo");
   ASSERT_TRUE(beam.ok()) << to_string(beam.error());
   EXPECT_EQ(beam->points.size(), 26U);
   EXPECT_EQ(beam->surfaces.size(), 3U);
   EXPECT_EQ(beam->points.at(25).size, 0.1 / 16);
-  const auto holes = read_geo(std::string(data) + "/contours/xfem_two_holes_moes1999.geo");
+  const auto holes = read_geo(data->string() + "/contours/xfem_two_holes_moes1999.geo");
   ASSERT_TRUE(holes.ok()) << to_string(holes.error());
   EXPECT_EQ(holes->surfaces.at(16).size(), 3U);
   EXPECT_THAT(holes->remarks, IsEmpty());

@@ -313,7 +313,7 @@ struct Known {
 
 TEST(LineFiles, EverySectionOfTheCorpusIsReadWithTheOptionsOfTheManual) {
   const auto folder = test::data_folder();
-  if (!folder) GTEST_SKIP() << "DOBRA_TEST_DATA is not set";
+  if (!folder) GTEST_SKIP() << test::no_data;
   const std::vector<Known> table = {
       // Counted from the files in Python, not by the readers under test.
       {"ragan_isogon_fold/layer1.txt",
@@ -540,7 +540,7 @@ TEST(LineFiles, EverySectionOfTheCorpusIsReadWithTheOptionsOfTheManual) {
 
 TEST(LineFiles, LinesOfThePlungingFoldAreRefusedAsASectionUnlessProjected) {
   const auto folder = test::data_folder();
-  if (!folder) GTEST_SKIP() << "DOBRA_TEST_DATA is not set";
+  if (!folder) GTEST_SKIP() << test::no_data;
   LineOptions options;
   EXPECT_EQ(read_any_lines((*folder / "sections/broadhaven_fold/layer1.txt").string()).error().code,
             ErrorCode::Unclear);

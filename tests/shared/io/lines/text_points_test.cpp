@@ -184,7 +184,7 @@ TEST(TextPoints, WhatIsWrittenReadsBackToTheSameBits) {
 
 TEST(TextPoints, EverySectionOfTheCorpusIsRead) {
   const auto folder = test::data_folder();
-  if (!folder) GTEST_SKIP() << "DOBRA_TEST_DATA is not set";
+  if (!folder) GTEST_SKIP() << test::no_data;
   const std::pair<const char*, std::size_t> counts[] = {{"ragan_isogon_fold/layer1.txt", 114},
                                                         {"ragan_isogon_fold/layer4.txt", 278},
                                                         {"catskill_fpf/bed1.txt", 402},
@@ -201,7 +201,7 @@ TEST(TextPoints, EverySectionOfTheCorpusIsRead) {
 
 TEST(Corpus, EveryContourOfTheCorpusIsRead) {
   const auto folder = test::data_folder();
-  if (!folder) GTEST_SKIP() << "DOBRA_TEST_DATA is not set";
+  if (!folder) GTEST_SKIP() << test::no_data;
   const std::pair<const char*, std::size_t> graphs[] = {
       {"cdt_guitar_no_box.txt", 144}, {"cdt_island.txt", 95}, {"cdt_kidney.txt", 50}};
   for (const auto& [name, points] : graphs) {

@@ -13,7 +13,7 @@
 #include "shared/io/formats/mesh_file.h"
 #include "shared/io/meshes/msh.h"
 #include "shared/io/meshes/neutral.h"
-#include "shared/mesh/surface_text.h"
+#include "shared/io/meshes/stl.h"
 #include "tests/shared/io/io_examples.h"
 
 namespace dobra::io::meshes {
@@ -184,17 +184,15 @@ TEST(MeshFile, EveryEndingIsWritten) {
   EXPECT_EQ(formats::write_mesh(folder.file("m.xyz"), mesh, InpElement::PlaneStress).error().code, ErrorCode::BadUsage);
 }
 
-TEST(SurfaceText, FacesAndPointsReadBack) {
+TEST(Stl, FacesAndPointsReadBack) {
   const mesh::TriangleMesh mesh = triangle_mesh_of(test::example_mesh(3));
-  for (const auto format : {mesh::SurfaceFormat::Obj, mesh::SurfaceFormat::Ply, mesh::SurfaceFormat::Off}) {
-    const auto text = mesh::surface_text(mesh, format);
-    ASSERT_TRUE(text.ok());
-    const auto read = mesh::surface_mesh(*text, format);
-    ASSERT_TRUE(read.ok()) << to_string(read.error());
-    EXPECT_EQ(read->triangles.size(), mesh.triangles.size());
-    EXPECT_NEAR(area(*read), area(mesh), 1e-6) << "OpenMesh reads some of them in single precision";
-  }
-  EXPECT_THAT(*mesh::surface_text(mesh, mesh::SurfaceFormat::Stl), HasSubstr("facet normal"));
+  const auto text = stl_text(mesh);
+  ASSERT_TRUE(text.ok());
+  EXPECT_THAT(*text, HasSubstr("facet normal"));
+  const auto read = parse_stl(*text, "a.stl");
+  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  EXPECT_EQ(read->triangles.size(), mesh.triangles.size());
+  EXPECT_NEAR(area(*read), area(mesh), 1e-6) << "OpenMesh reads it in single precision";
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ TEST(MeshPolygons, SurfacesHoldCornersOnlyAndKeepQuadrilaterals) {
     const std::string file = folder.file(std::string("m") + ending);
     const ElementMesh mesh = ring(ElementType::Q8);
     ASSERT_TRUE(formats::write_mesh(file, mesh, InpElement::PlaneStress).ok()) << ending;
-    const auto polygons = read_polygons(file);
+    const auto polygons = formats::read_polygons(file);
     ASSERT_TRUE(polygons.ok()) << base::to_string(polygons.error());
     EXPECT_EQ(polygons->points.size(), 16U) << ending;
     EXPECT_EQ(polygons->faces.size(), 8U) << ending;

@@ -5,6 +5,7 @@
 
 #include <fstream>
 
+#include "shared/io/formats/mesh_file.h"
 #include "tests/shared/io/io_examples.h"
 
 namespace dobra::io::meshes {
@@ -44,9 +45,12 @@ TEST(PolygonFile, FaultsHaveTheirLine) {
 }
 
 TEST(PolygonFile, OtherEndingsAreRefused) {
-  const auto read = read_polygons("a.xyz");
-  ASSERT_FALSE(read.ok());
-  EXPECT_EQ(read.error().code, ErrorCode::UnknownFormat);
+  for (const char* const file : {"a.xyz", "a.stl", "a.msh"}) {
+    const auto read = formats::read_polygons(file);
+    ASSERT_FALSE(read.ok());
+    EXPECT_EQ(read.error().code, ErrorCode::UnknownFormat);
+    EXPECT_THAT(read.error().message, HasSubstr("read from .obj .ply .off"));
+  }
 }
 
 }  // namespace

@@ -192,7 +192,7 @@ void expect_lips_open(const TriangleMesh& mesh) {
 class TriangulateContours : public testing::TestWithParam<Engine> {};
 
 TEST_P(TriangulateContours, EveryContourWithACrackAndAConstraintMeshesAtThreeSizes) {
-  if (test::contours_folder().empty()) GTEST_SKIP() << "SKIPPED: no corpus; set DOBRA_TEST_DATA to the folder of data/";
+  if (test::contours_folder().empty()) GTEST_SKIP() << dobra::test::no_data;
   std::size_t files = 0;
   for (const auto& file : std::filesystem::directory_iterator(test::contours_folder())) {
     if (file.path().extension() != ".txt" && file.path().extension() != ".dat") continue;

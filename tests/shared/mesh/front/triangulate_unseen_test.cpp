@@ -144,7 +144,7 @@ TEST(TriangulateUnseen, PlatesWithHolesOfOtherGradingsKeepTheFloors) {
 }
 
 TEST(TriangulateUnseen, ContoursOfTheCorpusKeepTheFloors) {
-  if (test::contours_folder().empty()) GTEST_SKIP() << "SKIPPED: no corpus; set DOBRA_TEST_DATA to the folder of data/";
+  if (test::contours_folder().empty()) GTEST_SKIP() << dobra::test::no_data;
   std::vector<std::filesystem::path> files;
   for (const auto& file : std::filesystem::directory_iterator(test::contours_folder())) {
     if (file.path().extension() == ".txt" || file.path().extension() == ".dat") files.push_back(file.path());

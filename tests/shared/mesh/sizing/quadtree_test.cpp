@@ -58,7 +58,7 @@ TEST(Quadtree, QUE_c_BalancedAndEachLeafNoLargerThanAskedOnTheQuarterPlates) {
 }
 
 TEST(Quadtree, QUE_c_BalancedAndEachLeafNoLargerThanAskedOnTheContours) {
-  if (test::contours_folder().empty()) GTEST_SKIP() << "SKIPPED: no corpus; set DOBRA_TEST_DATA to the folder of data/";
+  if (test::contours_folder().empty()) GTEST_SKIP() << dobra::test::no_data;
   for (const auto& file : std::filesystem::directory_iterator(test::contours_folder())) {
     if (file.path().extension() != ".txt" && file.path().extension() != ".dat") continue;
     SCOPED_TRACE(file.path().filename().string());
