@@ -211,7 +211,7 @@ std::string curves_text(const Verdict& verdict) {
     return fmt::format("from {} to {}", place_text(item["from"]), place_text(item["to"]));
   };
   for (const Json& curve : verdict.curves) {
-    text += fmt::format("{:<14}{:<9} {:<8} length {:<10.6g} {}\n", name_of(curve), curve["kind"].get<std::string>(),
+    text += fmt::format("{:<13} {:<9} {:<8} length {:<10.6g} {}\n", name_of(curve), curve["kind"].get<std::string>(),
                         curve["shape"].get<std::string>(), curve["length"].get<double>(), from_to(curve));
     for (const char* const key : {"lips", "tips", "groups"}) {
       if (curve.contains(key))
@@ -221,9 +221,9 @@ std::string curves_text(const Verdict& verdict) {
     for (const Json& side : curve["sides"]) text += fmt::format("  side {}\n", from_to(side));
   }
   for (const Json& point : verdict.points)
-    text += fmt::format("{:<14}point     at {}\n", name_of(point), place_text(point["at"]));
+    text += fmt::format("{:<13} point     at {}\n", name_of(point), place_text(point["at"]));
   for (const Json& region : verdict.regions)
-    text += fmt::format("{:<14}region    area {:.6g}\n", name_of(region), region["area"].get<double>());
+    text += fmt::format("{:<13} region    area {:.6g}\n", name_of(region), region["area"].get<double>());
   return text;
 }
 
@@ -246,12 +246,12 @@ Result<Verdict> verdict_of(Session& session, const CheckOptions& options) {
 
 std::string plain_text(const Verdict& verdict) {
   std::string text;
-  for (const auto& [name, value] : verdict.counts.items()) text += fmt::format("{:<14}{}\n", name, value.dump());
+  for (const auto& [name, value] : verdict.counts.items()) text += fmt::format("{:<13} {}\n", name, value.dump());
   for (const Json& set : verdict.sets) {
-    text += fmt::format("{:<14}{} {}\n", set["kind"].get<std::string>(), set["count"].get<std::size_t>(),
+    text += fmt::format("{:<13} {} {}\n", set["kind"].get<std::string>(), set["count"].get<std::size_t>(),
                         io::shown(set["name"].get<std::string>()));
   }
-  return text + curves_text(verdict) + fmt::format("{:<14}{}\n", "faults", verdict.faults.size());
+  return text + curves_text(verdict) + fmt::format("{:<13} {}\n", "faults", verdict.faults.size());
 }
 
 Json json_of(const Verdict& verdict) {
