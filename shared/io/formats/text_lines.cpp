@@ -6,6 +6,7 @@
 #include <array>
 
 #include "shared/base/text.h"
+#include "shared/io/lines/text_columns.h"
 #include "shared/io/scan.h"
 
 namespace dobra::io::formats {
@@ -42,6 +43,21 @@ std::optional<lines::Question> question_of_columns(const lines::TextPoints& read
       fmt::format("the file has {} columns{}; say which are x and height of the section (columns = [1, 2], "
                   "--columns 1,2), or x, y and height of map coordinates (--columns 1,2,3)",
                   read.column_count, header)};
+}
+
+/// Columns of words that no header explains: names of lines perhaps. @error Unclear with the place.
+Result<void> check_words(std::string_view text, const std::string& file, const lines::TextPointsOptions& options,
+                         lines::TextPoints& read) {
+  std::vector<std::size_t> used{1, 2};
+  for (std::size_t i = 0; i < read.header.size(); ++i) {
+    if (lines::is_word(read.header[i], lines::text_name_words)) return {};
+    if (lines::is_word(read.header[i], lines::text_kind_words)) used.push_back(i + 1);
+  }
+  if (!options.name_columns.empty()) return {};
+  const lines::WordColumn words = lines::word_column(text, read.separator, read.header, used);
+  if (words.words == lines::WordsAre::Unclear) return asked(words, file);
+  if (words.words == lines::WordsAre::LeftOut) read.remarks.push_back(told(words, file));
+  return {};
 }
 
 // The outlines of poly2tri's test files: a line HOLE stands before each inner one. It becomes a blank line, which parts
@@ -85,6 +101,7 @@ Result<lines::Features> features_of_text(std::string_view given, const std::stri
     wanted.closing = lines::Closing::KeepOpen;
   }
   DOBRA_TRY(lines::TextPoints read, lines::parse_text_points(text, file, wanted));
+  if (!chosen) DOBRA_TRY_VOID(check_words(text, file, wanted, read));
   lines::Features features{{}, std::move(read.remarks)};
   if (holes > 0)
     features.remarks.push_back(fmt::format("{}: {} lines HOLE taken for the beginnings of further lines", file, holes));
