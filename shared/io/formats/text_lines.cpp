@@ -60,6 +60,41 @@ Result<void> check_words(std::string_view text, const std::string& file, const l
   return {};
 }
 
+/// The header of the heights, or of the depths.
+std::string height_header(const lines::TextPoints& read, const lines::TextPointsOptions& options) {
+  const std::string& column = options.columns.back();
+  for (std::size_t i = 0; i < read.header.size(); ++i) {
+    if (column == read.header[i] || column == fmt::format("{}", i + 1)) return read.header[i];
+  }
+  return {};
+}
+
+/// Depths by the word of the header, if they are not all negative: then they may be heights all the same. Columns that
+/// were asked for (`chosen`) are taken as they stand, with a remark.
+void note_depths(const lines::TextPoints& read, const std::string& header, bool chosen, lines::Features& features,
+                 const std::string& file) {
+  if (!lines::says_depth(header)) return;
+  if (chosen) {
+    features.remarks.push_back(
+        fmt::format("{}: the column {} is taken as heights; --y-axis down takes it as depths", file, shown(header)));
+    return;
+  }
+  double least = 0.0;
+  double most = 0.0;
+  for (const geom::Polyline& line : read.lines) {
+    for (const geom::Point p : line.points) least = std::min(least, p.y), most = std::max(most, p.y);
+  }
+  if (least < 0.0 && most <= 0.0) {
+    features.stated.questions.push_back(
+        {lines::Question::About::YDirection,
+         fmt::format("the header {} says depth, and the values are negative; say whether they grow downwards or "
+                     "upwards: give y_axis = up or down (--y-axis)",
+                     shown(header))});
+    return;
+  }
+  features.stated.y_direction = lines::YDirection::Down;
+}
+
 // The outlines of poly2tri's test files: a line HOLE stands before each inner one. It becomes a blank line, which parts
 // lines.
 std::string without_hole_words(std::string_view text, std::size_t& count) {
@@ -103,6 +138,7 @@ Result<lines::Features> features_of_text(std::string_view given, const std::stri
   DOBRA_TRY(lines::TextPoints read, lines::parse_text_points(text, file, wanted));
   if (!chosen) DOBRA_TRY_VOID(check_words(text, file, wanted, read));
   lines::Features features{{}, std::move(read.remarks)};
+  if (!options.y_direction) note_depths(read, height_header(read, wanted), chosen, features, file);
   if (holes > 0)
     features.remarks.push_back(fmt::format("{}: {} lines HOLE taken for the beginnings of further lines", file, holes));
   if (!chosen && options.coordinates == Coordinates::Detect) {

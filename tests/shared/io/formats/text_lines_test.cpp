@@ -83,5 +83,32 @@ TEST(TextLines, WordsThatTellNoLinesApartAreLeftOutOrNoneAtAll) {
   }
 }
 
+TEST(TextLines, AHeaderThatSaysDepthTurnsTheHeights) {
+  for (const char* const word : {"depth", "Profundidade (m)", "prof", "TVD", "Depth_m", "tvdss"}) {
+    const LineWork read = read_text_lines("x," + std::string(word) + ",name\n0,100,A\n5,300,A\n");
+    ASSERT_EQ(read.features.size(), 1U);
+    EXPECT_THAT(read.features[0].parts[0].points, ElementsAre(Point{0, -100}, Point{5, -300})) << word;
+    EXPECT_THAT(read.remarks, ElementsAre(HasSubstr("depths, as the file says")));
+  }
+  const std::string text = "x,depth\n0,100\n5,300\n";
+  EXPECT_EQ(read_text_lines(text, {.y_direction = lines::YDirection::Up}).features.at(0).parts[0].points[1].y, 300.0);
+  // Columns that were asked for stay as they stand, and are told.
+  LineOptions by_name;
+  by_name.text.columns = {"x", "prof"};
+  const LineWork asked_for = read_text_lines("prof,x\n100,0\n300,5\n", by_name);
+  EXPECT_THAT(asked_for.features.at(0).parts[0].points, ElementsAre(Point{0, 100}, Point{5, 300}));
+  EXPECT_THAT(asked_for.remarks, ElementsAre(AllOf(HasSubstr("'prof'"), HasSubstr("--y-axis down"))));
+  by_name.y_direction = lines::YDirection::Down;
+  EXPECT_EQ(read_text_lines("prof,x\n100,0\n300,5\n", by_name).features.at(0).parts[0].points[1].y, -300.0);
+  // Some places stand above the datum; where all do, or depths are written as negative heights, nobody knows.
+  EXPECT_EQ(read_text_lines("x,depth\n0,-20\n5,300\n").features.at(0).parts[0].points[0].y, 20.0);
+  EXPECT_THAT(refused("x,depth\n0,-100\n5,-300\n"), AllOf(HasSubstr("'depth'"), HasSubstr("--y-axis")));
+  for (const char* const word : {"z", "profile", "elevation", "height", "cota"}) {
+    const LineWork up = read_text_lines("x," + std::string(word) + "\n0,100\n5,300\n");
+    EXPECT_EQ(up.features.at(0).parts[0].points[1].y, 300.0) << word;
+    EXPECT_THAT(up.remarks, IsEmpty());
+  }
+}
+
 }  // namespace
 }  // namespace dobra::io::formats
