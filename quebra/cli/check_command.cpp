@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -90,12 +91,25 @@ Json sets_of(const mesh::ElementMesh& mesh) {
   return sets;
 }
 
+/// Nodes that no element uses: what is left of a file that was cut short, or of an editor.
+std::vector<std::string> lone_nodes(const mesh::ElementMesh& mesh) {
+  std::vector<bool> used(mesh.points.size(), false);
+  for (const mesh::NodeId node : mesh.nodes) used[node.index()] = true;
+  const auto lone = std::count(used.begin(), used.end(), false);
+  if (lone == 0) return {};
+  const geom::Point first =
+      mesh.points[static_cast<std::size_t>(std::find(used.begin(), used.end(), false) - used.begin())];
+  return {fmt::format("{} of {} nodes belong to no element, the first at {}, {}; the file may be cut short", lone,
+                      used.size(), first.x, first.y)};
+}
+
 Result<Verdict> of_elements(const CheckOptions& options) {
   DOBRA_TRY(const io::formats::MeshContents contents, io::formats::read_mesh(options.input.scenario.file.string()));
   Verdict verdict;
   verdict.counts = {{"nodes", contents.mesh.points.size()}, {"elements", contents.mesh.element_count()}};
   verdict.sets = sets_of(contents.mesh);
   verdict.remarks = contents.remarks;
+  std::ranges::move(lone_nodes(contents.mesh), std::back_inserter(verdict.remarks));
   for (const base::Error& inverted : io::formats::inverted_elements(contents))
     verdict.faults.push_back(base::to_string(inverted));
   if (const auto good = mesh::check(contents.mesh); !good) {
