@@ -269,7 +269,7 @@ std::string cycles_text(const scenario::Program& program, const scenario::State&
 std::string plain_text(const scenario::Program& program, const scenario::State& state) {
   std::string text = cycles_text(program, state);
   for (const auto& quantity : program.quantities_of(state)) {
-    if (wanted(quantity.name)) text += fmt::format("{:<44}{:.8g} {}\n", quantity.name, quantity.value, quantity.unit);
+    if (wanted(quantity.name)) text += fmt::format("{:<43} {:.8g} {}\n", quantity.name, quantity.value, quantity.unit);
   }
   return text;
 }

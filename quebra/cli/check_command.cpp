@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -90,12 +91,25 @@ Json sets_of(const mesh::ElementMesh& mesh) {
   return sets;
 }
 
+/// Nodes that no element uses: what is left of a file that was cut short, or of an editor.
+std::vector<std::string> lone_nodes(const mesh::ElementMesh& mesh) {
+  std::vector<bool> used(mesh.points.size(), false);
+  for (const mesh::NodeId node : mesh.nodes) used[node.index()] = true;
+  const auto lone = std::count(used.begin(), used.end(), false);
+  if (lone == 0) return {};
+  const geom::Point first =
+      mesh.points[static_cast<std::size_t>(std::find(used.begin(), used.end(), false) - used.begin())];
+  return {fmt::format("{} of {} nodes belong to no element, the first at {}, {}; the file may be cut short", lone,
+                      used.size(), first.x, first.y)};
+}
+
 Result<Verdict> of_elements(const CheckOptions& options) {
   DOBRA_TRY(const io::formats::MeshContents contents, io::formats::read_mesh(options.input.scenario.file.string()));
   Verdict verdict;
   verdict.counts = {{"nodes", contents.mesh.points.size()}, {"elements", contents.mesh.element_count()}};
   verdict.sets = sets_of(contents.mesh);
   verdict.remarks = contents.remarks;
+  std::ranges::move(lone_nodes(contents.mesh), std::back_inserter(verdict.remarks));
   for (const base::Error& inverted : io::formats::inverted_elements(contents))
     verdict.faults.push_back(base::to_string(inverted));
   if (const auto good = mesh::check(contents.mesh); !good) {
@@ -211,7 +225,7 @@ std::string curves_text(const Verdict& verdict) {
     return fmt::format("from {} to {}", place_text(item["from"]), place_text(item["to"]));
   };
   for (const Json& curve : verdict.curves) {
-    text += fmt::format("{:<14}{:<9} {:<8} length {:<10.6g} {}\n", name_of(curve), curve["kind"].get<std::string>(),
+    text += fmt::format("{:<13} {:<9} {:<8} length {:<10.6g} {}\n", name_of(curve), curve["kind"].get<std::string>(),
                         curve["shape"].get<std::string>(), curve["length"].get<double>(), from_to(curve));
     for (const char* const key : {"lips", "tips", "groups"}) {
       if (curve.contains(key))
@@ -221,9 +235,9 @@ std::string curves_text(const Verdict& verdict) {
     for (const Json& side : curve["sides"]) text += fmt::format("  side {}\n", from_to(side));
   }
   for (const Json& point : verdict.points)
-    text += fmt::format("{:<14}point     at {}\n", name_of(point), place_text(point["at"]));
+    text += fmt::format("{:<13} point     at {}\n", name_of(point), place_text(point["at"]));
   for (const Json& region : verdict.regions)
-    text += fmt::format("{:<14}region    area {:.6g}\n", name_of(region), region["area"].get<double>());
+    text += fmt::format("{:<13} region    area {:.6g}\n", name_of(region), region["area"].get<double>());
   return text;
 }
 
@@ -246,12 +260,12 @@ Result<Verdict> verdict_of(Session& session, const CheckOptions& options) {
 
 std::string plain_text(const Verdict& verdict) {
   std::string text;
-  for (const auto& [name, value] : verdict.counts.items()) text += fmt::format("{:<14}{}\n", name, value.dump());
+  for (const auto& [name, value] : verdict.counts.items()) text += fmt::format("{:<13} {}\n", name, value.dump());
   for (const Json& set : verdict.sets) {
-    text += fmt::format("{:<14}{} {}\n", set["kind"].get<std::string>(), set["count"].get<std::size_t>(),
+    text += fmt::format("{:<13} {} {}\n", set["kind"].get<std::string>(), set["count"].get<std::size_t>(),
                         io::shown(set["name"].get<std::string>()));
   }
-  return text + curves_text(verdict) + fmt::format("{:<14}{}\n", "faults", verdict.faults.size());
+  return text + curves_text(verdict) + fmt::format("{:<13} {}\n", "faults", verdict.faults.size());
 }
 
 Json json_of(const Verdict& verdict) {

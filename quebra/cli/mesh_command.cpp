@@ -167,9 +167,9 @@ std::string json_text(const Figures& figures, const std::vector<std::string>& re
 std::string table_text(const Figures& figures) {
   std::string text;
   for (const auto& quantity : figures.values)
-    text += fmt::format("{:<16}{:.6g} {}\n", quantity.name, quantity.value, quantity.unit);
-  for (const auto& [phase, seconds] : figures.seconds) text += fmt::format("{:<16}{:.3f} s\n", phase, seconds);
-  return text + fmt::format("{:<16}{:.1f} MB\n", "peak memory", static_cast<double>(figures.peak_memory) / 1e6);
+    text += fmt::format("{:<15} {:.6g} {}\n", quantity.name, quantity.value, quantity.unit);
+  for (const auto& [phase, seconds] : figures.seconds) text += fmt::format("{:<15} {:.3f} s\n", phase, seconds);
+  return text + fmt::format("{:<15} {:.1f} MB\n", "peak memory", static_cast<double>(figures.peak_memory) / 1e6);
 }
 
 Result<void> write_out(Session& session, const std::filesystem::path& out, const mesh::ElementMesh& mesh,

@@ -353,12 +353,14 @@ bool MainWindow::ask_save_as() {
 }
 
 void MainWindow::ask_save_picture() {
-  std::filesystem::path proposed = session_.document().file;
   const auto& endings = render::picture_endings;
+  std::filesystem::path proposed = session_.document().file;
+  if (proposed.empty()) proposed = session_.document().folder() / "picture";
   proposed.replace_extension(endings.front());
-  const QString chosen = QFileDialog::getSaveFileName(this, text("Save the picture"), from_path(proposed),
-                                                      filter_of({"Pictures", {endings.begin(), endings.end()}}));
+  QString chosen = QFileDialog::getSaveFileName(this, text("Save the picture"), from_path(proposed),
+                                                filter_of({"Pictures", {endings.begin(), endings.end()}}));
   if (chosen.isEmpty()) return;
+  if (!to_path(chosen).has_extension()) chosen += endings.front();
   const base::Result<void> written = save_picture(to_path(chosen));
   if (written)
     said_->setText(text("Saved %1").arg(chosen));

@@ -201,7 +201,12 @@ base::Result<Document> parse_document(const std::string& text, const std::filesy
 
 base::Result<Document> read_document(const std::filesystem::path& file) {
   DOBRA_TRY(const std::string text, io::read_text(file));
-  return parse_document(text, file);
+  auto document = parse_document(text, file);
+  if (document || document.error().code != base::ErrorCode::BadSyntax || io::ending_of(file) == ".toml")
+    return document;
+  base::Error error = document.error();
+  error.message = "no scenario, which is a .toml; other files are named in its [input] (" + error.message + ")";
+  return error;
 }
 
 std::string document_text(const Document& document) {

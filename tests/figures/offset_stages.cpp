@@ -70,7 +70,7 @@ class Stages {
     }
     wanted_ = stretches_.size();
     const base::Progress progress;
-    pairs_ = offset::general::Pairing(outline_, clearance_, chain_, witnesses_, progress).run();
+    pairs_ = offset::general::Pairing(outline_, clearance_, chain_, witnesses_, progress).run(known_, nullptr);
     for (std::size_t k = wanted_; k < chain_.pieces.size(); ++k) {
       const Site site = chain_.pieces[k].site();
       stretches_.push_back({site, outline_.start_of(site), outline_.end_of(site), false, {}});

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "shared/base/text.h"
+#include "shared/io/lines/text_columns.h"
 #include "shared/io/scan.h"
 
 namespace dobra::io::formats {
@@ -42,6 +43,56 @@ std::optional<lines::Question> question_of_columns(const lines::TextPoints& read
       fmt::format("the file has {} columns{}; say which are x and height of the section (columns = [1, 2], "
                   "--columns 1,2), or x, y and height of map coordinates (--columns 1,2,3)",
                   read.column_count, header)};
+}
+
+/// Columns of words that no header explains: names of lines perhaps. @error Unclear with the place.
+Result<void> check_words(std::string_view text, const std::string& file, const lines::TextPointsOptions& options,
+                         lines::TextPoints& read) {
+  std::vector<std::size_t> used{1, 2};
+  for (std::size_t i = 0; i < read.header.size(); ++i) {
+    if (lines::is_word(read.header[i], lines::text_name_words)) return {};
+    if (lines::is_word(read.header[i], lines::text_kind_words)) used.push_back(i + 1);
+  }
+  if (!options.name_columns.empty()) return {};
+  const lines::WordColumn words = lines::word_column(text, read.separator, read.header, used);
+  if (words.words == lines::WordsAre::Unclear) return asked(words, file);
+  if (words.words == lines::WordsAre::LeftOut) read.remarks.push_back(told(words, file));
+  return {};
+}
+
+/// The header of the heights, or of the depths.
+std::string height_header(const lines::TextPoints& read, const lines::TextPointsOptions& options) {
+  const std::string& column = options.columns.back();
+  for (std::size_t i = 0; i < read.header.size(); ++i) {
+    if (column == read.header[i] || column == fmt::format("{}", i + 1)) return read.header[i];
+  }
+  return {};
+}
+
+/// Depths by the word of the header, if they are not all negative: then they may be heights all the same. Columns that
+/// were asked for (`chosen`) are taken as they stand, with a remark.
+void note_depths(const lines::TextPoints& read, const std::string& header, bool chosen, lines::Features& features,
+                 const std::string& file) {
+  if (!lines::says_depth(header)) return;
+  if (chosen) {
+    features.remarks.push_back(
+        fmt::format("{}: the column {} is taken as heights; --y-axis down takes it as depths", file, shown(header)));
+    return;
+  }
+  double least = 0.0;
+  double most = 0.0;
+  for (const geom::Polyline& line : read.lines) {
+    for (const geom::Point p : line.points) least = std::min(least, p.y), most = std::max(most, p.y);
+  }
+  if (least < 0.0 && most <= 0.0) {
+    features.stated.questions.push_back(
+        {lines::Question::About::YDirection,
+         fmt::format("the header {} says depth, and the values are negative; say whether they grow downwards or "
+                     "upwards: give y_axis = up or down (--y-axis)",
+                     shown(header))});
+    return;
+  }
+  features.stated.y_direction = lines::YDirection::Down;
 }
 
 // The outlines of poly2tri's test files: a line HOLE stands before each inner one. It becomes a blank line, which parts
@@ -85,7 +136,9 @@ Result<lines::Features> features_of_text(std::string_view given, const std::stri
     wanted.closing = lines::Closing::KeepOpen;
   }
   DOBRA_TRY(lines::TextPoints read, lines::parse_text_points(text, file, wanted));
+  if (!chosen) DOBRA_TRY_VOID(check_words(text, file, wanted, read));
   lines::Features features{{}, std::move(read.remarks)};
+  if (!options.y_direction) note_depths(read, height_header(read, wanted), chosen, features, file);
   if (holes > 0)
     features.remarks.push_back(fmt::format("{}: {} lines HOLE taken for the beginnings of further lines", file, holes));
   if (!chosen && options.coordinates == Coordinates::Detect) {

@@ -1,7 +1,7 @@
 #pragma once
 // GeoJSON lines, polygons and points with the properties name and kind; read through GDAL/OGR, written by own code so
 // that the same features give the same bytes. Coordinates are plain section or domain coordinates: no reference
-// system is read, written or applied. Source: [rfc7946], [gdal].
+// system is applied; one in degrees is a question. Source: [rfc7946], [gdal].
 
 #include <span>
 #include <string>

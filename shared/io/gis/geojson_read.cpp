@@ -8,6 +8,8 @@
 #include <ogrsf_frmts.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -34,24 +36,43 @@ struct SyntaxCheck : nlohmann::json_sax<nlohmann::json> {
   int objects = 0;  // that are open
   int arrays = 0;
   std::size_t ids = 0;         // of features
+  bool at_system = false;      // behind the key "crs" of the root
+  bool has_system = false;     // which may be null: none can be assumed
   bool states_system = false;  // else OGR takes longitudes and latitudes
-  std::size_t offset = 0;      // of the word that offends
+  bool in_system = false;
+  bool at_name = false;
+  std::string system_name;
+  std::size_t offset = 0;  // of the word that offends
   bool at_end = false;
   bool null() override { return true; }
   bool boolean(bool) override { return true; }
   bool number_integer(number_integer_t) override { return true; }
   bool number_unsigned(number_unsigned_t) override { return true; }
   bool number_float(number_float_t, const string_t&) override { return true; }
-  bool string(string_t&) override { return true; }
+  bool string(string_t& word) override {
+    if (in_system && at_name) system_name = word;
+    return true;
+  }
   bool binary(binary_t&) override { return true; }
-  bool start_object(std::size_t) override { return ++objects, true; }
+  bool start_object(std::size_t) override {
+    states_system = states_system || at_system;
+    in_system = in_system || at_system;
+    at_system = false;
+    return ++objects, true;
+  }
   bool key(string_t& word) override {
     // A feature lies in the array of the root, or is the root.
-    states_system = states_system || (objects == 1 && word == "crs");
+    at_system = objects == 1 && word == "crs";
+    has_system = has_system || at_system;
+    at_name = word == "name";
     if (word == "id" && (objects == 1 || (objects == 2 && arrays == 1))) ++ids;
     return true;
   }
-  bool end_object() override { return --objects, true; }
+  bool end_object() override {
+    --objects;
+    in_system = in_system && objects > 1;
+    return true;
+  }
   bool start_array(std::size_t) override { return ++arrays, true; }
   bool end_array() override { return --arrays, true; }
   bool parse_error(std::size_t position, const std::string& last_token, const nlohmann::detail::exception&) override {
@@ -76,12 +97,56 @@ Result<SyntaxCheck> check_syntax(std::string_view text, const std::string& file)
                place};
 }
 
+/// Where OGR does not know the name of a system, it takes longitudes and latitudes.
+bool is_known(const std::string& system) {
+  CPLPushErrorHandler(CPLQuietErrorHandler);
+  OGRSpatialReference named;
+  const bool known = system.empty() || named.SetFromUserInput(system.c_str()) == OGRERR_NONE;
+  CPLPopErrorHandler();
+  return known;
+}
+
+/// Metres are what GeoJSON is taken in anyway.
+void note_stated_system(OGRLayer& layer, const std::string& name, lines::StatedConvention& stated) {
+  stated.system = reference_system(layer.GetSpatialRef());
+  if (!is_known(name)) return;
+  lines::StatedConvention said;
+  note_system(layer.GetSpatialRef(), said);
+  if (said.unit && *said.unit != 1.0) stated.unit = said.unit;
+  std::move(said.questions.begin(), said.questions.end(), std::back_inserter(stated.questions));
+}
+
+/// Without "crs" GeoJSON is in longitudes and latitudes ([rfc7946], 4), or a plane section all the same. It looks like
+/// the former where it is small, far from both axes, and a place on the globe.
+void ask_for_degrees(lines::Features& read) {
+  constexpr double small = 0.05;  // of the distance from an axis
+  geom::Box box;
+  for (const lines::Feature& feature : read.features) {
+    for (const geom::Polyline& part : feature.parts) {
+      for (const geom::Point p : part.points) box.add(p);
+    }
+  }
+  const auto fits = [](double low, double high, double most) {
+    const double nearest = std::min(std::abs(low), std::abs(high));
+    return low * high > 0.0 && high > low && std::max(std::abs(low), std::abs(high)) <= most &&
+           high - low < small * nearest;
+  };
+  if (!fits(box.low.x, box.high.x, 180.0) || !fits(box.low.y, box.high.y, 90.0)) return;
+  read.stated.questions.push_back(
+      {lines::Question::About::Coordinates,
+       fmt::format(
+           "the file states no \"crs\", which means degrees, and its coordinates look so (x {:.6g} to {:.6g}, y "
+           "{:.6g} to {:.6g}); project the file first, or say that they are section coordinates: coordinates "
+           "= section (--coordinates section)",
+           box.low.x, box.high.x, box.low.y, box.high.y)});
+}
+
 Result<lines::Features> read_features(GDALDataset& data, const GdalMessages& messages, const std::string& file,
                                       lines::Heights heights, lines::Faulty faulty, const SyntaxCheck& syntax) {
   lines::Features result;
   std::size_t number = 0;
   for (OGRLayer* layer : data.GetLayers()) {
-    if (syntax.states_system) result.stated.system = reference_system(layer->GetSpatialRef());
+    if (syntax.states_system) note_stated_system(*layer, syntax.system_name, result.stated);
     // Words as ids are fields; OGR numbers what has no id.
     const bool numbered = layer->GetLayerDefn()->GetFieldIndex("id") < 0 &&
                           syntax.ids == static_cast<std::size_t>(layer->GetFeatureCount());
@@ -97,6 +162,7 @@ Result<lines::Features> read_features(GDALDataset& data, const GdalMessages& mes
   if (messages.failure) {
     return Error{ErrorCode::BadFormat, fmt::format("not valid GeoJSON: {}", *messages.failure), Place{.file = file}};
   }
+  if (!syntax.has_system) ask_for_degrees(result);
   for (const std::string& warning : messages.warnings) {
     if (warning.find("closed ring") == std::string::npos)  // open_rings tells those, with their names
       result.remarks.push_back(fmt::format("{}: {}", file, warning));

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <ogrsf_frmts.h>
 
+#include <cmath>
+
 #include "shared/io/scan.h"
 
 namespace dobra::io::gis {
@@ -115,6 +117,21 @@ std::optional<lines::ReferenceSystem> reference_system(const OGRSpatialReference
   if (authority != nullptr && code != nullptr) made.code = fmt::format("{}:{}", authority, code);
   made.degrees = system->IsGeographic() != 0;
   return made;
+}
+
+void note_system(const OGRSpatialReference* system, lines::StatedConvention& stated) {
+  const std::optional<lines::ReferenceSystem> named = reference_system(system);
+  if (!named) return;
+  if (named->degrees) {
+    stated.questions.push_back(
+        {lines::Question::About::Coordinates,
+         fmt::format("the coordinates are in degrees ({}); project the file first, or say that they are section "
+                     "coordinates all the same: coordinates = section (--coordinates section)",
+                     named->name)});
+    return;
+  }
+  const double unit = system->GetLinearUnits(nullptr);
+  if (std::isfinite(unit) && unit > 0.0) stated.unit = unit;
 }
 
 Result<void> add_ogr_feature(const OGRFeature& source, std::size_t number, const std::string& file,

@@ -23,6 +23,9 @@ void add_part(const OGRSimpleCurve& curve, lines::Heights heights, lines::Featur
 base::Result<void> add_ogr_feature(const OGRFeature& source, std::size_t number, const std::string& file,
                                    lines::Heights heights, lines::Faulty faulty, lines::Features& result);
 
+/// What the reference system of a layer says of units: the linear one, or a question where it is in degrees.
+void note_system(const OGRSpatialReference* system, lines::StatedConvention& stated);
+
 /// What a system of OGR is to us; nothing for none, and for GeoPackage's words for none.
 std::optional<lines::ReferenceSystem> reference_system(const OGRSpatialReference* system);
 

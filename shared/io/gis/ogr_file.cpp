@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <filesystem>
 #include <mutex>
 #include <vector>
@@ -35,24 +34,6 @@ void register_vector_drivers() {
     RegisterOGRShape();
     RegisterOGRGeoPackage();
   });
-}
-
-// What the reference system of a layer says of units.
-void note_system(OGRLayer& layer, lines::StatedConvention& stated) {
-  const OGRSpatialReference* system = layer.GetSpatialRef();
-  if (system == nullptr) return;
-  const std::optional<lines::ReferenceSystem> named = reference_system(system);
-  if (!named) return;
-  if (named->degrees) {
-    stated.questions.push_back(
-        {lines::Question::About::Coordinates,
-         fmt::format("the coordinates are in degrees ({}); project the file first, or say that they are section "
-                     "coordinates all the same: coordinates = section (--coordinates section)",
-                     named->name)});
-    return;
-  }
-  const double unit = system->GetLinearUnits(nullptr);
-  if (std::isfinite(unit) && unit > 0.0) stated.unit = unit;
 }
 
 bool is_empty(const lines::Feature& feature) { return feature.parts.empty() || feature.parts[0].points.empty(); }
@@ -293,7 +274,7 @@ Result<lines::Features> read_ogr_file(const std::string& path, lines::Faulty fau
   std::vector<std::optional<lines::ReferenceSystem>> systems;
   const bool numbered = EQUAL(data->GetDriverName(), "GPKG");  // the records of a Shapefile have places, no numbers
   for (OGRLayer* layer : data->GetLayers()) {
-    note_system(*layer, result.stated);
+    note_system(layer->GetSpatialRef(), result.stated);
     systems.push_back(reference_system(layer->GetSpatialRef()));
     layer->ResetReading();
     while (const OGRFeatureUniquePtr source{layer->GetNextFeature()}) {

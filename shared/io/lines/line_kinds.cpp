@@ -8,6 +8,7 @@
 #include <set>
 
 #include "shared/base/text.h"
+#include "shared/io/lines/text_fields.h"
 #include "shared/io/scan.h"
 
 namespace dobra::io::lines {
@@ -50,30 +51,6 @@ const std::vector<KindWords>& all_kinds() {
       {"border", {"border", "boundary", "borda", "limite", "contorno", "frame", "moldura"}},
       {"marker", {"marker", "marcador", "marco", "pick", "point", "ponto", "well pick", "well marker", "fossil"}}};
   return kinds;
-}
-
-/// Small letters, without the accents of Portuguese, blanks for '_' and '-', none at the ends.
-std::string plain(std::string_view word) {
-  static constexpr std::array<std::pair<std::string_view, char>, 26> accents{
-      {{"á", 'a'}, {"à", 'a'}, {"â", 'a'}, {"ã", 'a'}, {"é", 'e'}, {"ê", 'e'}, {"í", 'i'}, {"ó", 'o'}, {"ô", 'o'},
-       {"õ", 'o'}, {"ú", 'u'}, {"ü", 'u'}, {"ç", 'c'}, {"Á", 'a'}, {"À", 'a'}, {"Â", 'a'}, {"Ã", 'a'}, {"É", 'e'},
-       {"Ê", 'e'}, {"Í", 'i'}, {"Ó", 'o'}, {"Ô", 'o'}, {"Õ", 'o'}, {"Ú", 'u'}, {"Ü", 'u'}, {"Ç", 'c'}}};
-  std::string made;
-  for (std::size_t i = 0; i < word.size();) {
-    const auto accent = std::find_if(accents.begin(), accents.end(),
-                                     [&](const auto& a) { return word.substr(i).starts_with(a.first); });
-    if (accent != accents.end()) {
-      made += accent->second;
-      i += accent->first.size();
-      continue;
-    }
-    const char c = word[i++];
-    const bool blank = c == ' ' || c == '_' || c == '-' || c == '\t';
-    if (blank && (made.empty() || made.back() == ' ')) continue;
-    made += blank ? ' ' : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  }
-  while (!made.empty() && made.back() == ' ') made.pop_back();
-  return made;
 }
 
 std::optional<std::string> kind_of(const std::string& word) {

@@ -11,6 +11,8 @@
 #include "shared/base/text.h"
 #include "shared/io/file.h"
 #include "shared/io/lines/line_kinds.h"
+#include "shared/io/lines/text_columns.h"
+#include "shared/io/lines/text_fields.h"
 #include "shared/io/scan.h"
 
 namespace dobra::io::lines {
@@ -26,26 +28,6 @@ namespace {
 
 constexpr std::size_t detect_lines = 1000;
 
-bool is_comment(std::string_view line) {
-  const std::size_t first = line.find_first_not_of(" \t");
-  return first != std::string_view::npos && line[first] == '#';
-}
-
-bool is_empty(std::string_view line) { return line.find_first_not_of(" \t\v\f") == std::string_view::npos; }
-
-char sign_of(Separator separator) {
-  switch (separator) {
-    case Separator::Tab:
-      return '\t';
-    case Separator::Comma:
-      return ',';
-    case Separator::Semicolon:
-      return ';';
-    default:
-      return ' ';
-  }
-}
-
 std::string name_of(Separator separator) {
   switch (separator) {
     case Separator::Tab:
@@ -56,33 +38,6 @@ std::string name_of(Separator separator) {
       return "';'";
     default:
       return "blanks";
-  }
-}
-
-// Fields of a line; a field in double quotes may hold the separator.
-void split_fields(std::string_view line, Separator separator, std::vector<Word>& fields) {
-  if (separator == Separator::Blank) {
-    split_words(line, fields);
-    return;
-  }
-  fields.clear();
-  const char sign = sign_of(separator);
-  std::size_t begin = 0;
-  bool in_quotes = false;
-  for (std::size_t i = 0; i <= line.size(); ++i) {
-    if (i < line.size() && line[i] == '"') in_quotes = !in_quotes;
-    if (i < line.size() && (line[i] != sign || in_quotes)) continue;
-    std::size_t low = begin;
-    std::size_t high = i;
-    const auto strip = [&](std::string_view what) {
-      while (low < high && what.find(line[low]) != std::string_view::npos) ++low;
-      while (low < high && what.find(line[high - 1]) != std::string_view::npos) --high;
-    };
-    strip(" \t\v\f");
-    if (high - low >= 2 && line[low] == '"' && line[high - 1] == '"') ++low, --high;
-    strip(" \t\v\f");
-    fields.push_back({line.substr(low, high - low), low + 1});
-    begin = i + 1;
   }
 }
 
@@ -108,15 +63,6 @@ std::optional<std::size_t> column_number(std::string_view text) {
 
 // A number that is no column is not looked for in the header.
 bool is_name(const std::string& column) { return !base::parse_number(column).has_value(); }
-
-// The first line that is neither empty nor a comment.
-std::string_view first_row(std::string_view text) {
-  Lines lines(text);
-  while (lines.next()) {
-    if (!is_empty(lines.line()) && !is_comment(lines.line())) return lines.line();
-  }
-  return {};
-}
 
 Separator detect_separator(std::string_view text, std::size_t x, std::size_t y) {
   constexpr std::array candidates{Separator::Semicolon, Separator::Tab, Separator::Comma, Separator::Blank};
@@ -263,7 +209,18 @@ class TextPointsReader {
     if (has_header_) {
       for (const Word& field : fields_) points_.header.emplace_back(field.text);
     }
+    if (has_header_ && columns_.names.empty()) name_by_header();
     return {};
+  }
+
+  /// The column that a header calls "Camada", "horizon" or the like.
+  void name_by_header() {
+    std::vector<std::size_t> used{columns_.x, columns_.y, columns_.z, columns_.kind};
+    used.insert(used.end(), columns_.extras.begin(), columns_.extras.end());
+    const WordColumn words = word_column(text_, points_.separator, points_.header, used);
+    if (words.words != WordsAre::Names) return;
+    columns_.names = {words.column};
+    points_.remarks.push_back(told(words, file_));
   }
 
   Result<double> number(std::size_t column, std::string_view what) const {

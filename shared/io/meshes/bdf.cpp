@@ -10,6 +10,7 @@
 
 #include "shared/base/text.h"
 #include "shared/io/file.h"
+#include "shared/io/meshes/mesh_plane.h"
 #include "shared/io/meshes/mesh_sides.h"
 #include "shared/io/scan.h"
 
@@ -175,7 +176,7 @@ struct Fields {
 class BdfReader {
  public:
   BdfReader(std::string_view text, const std::string& file)
-      : lines_(text), file_(file), bulk_(text.find("BEGIN BULK") == std::string_view::npos) {}
+      : lines_(text), file_(file), begun_(text.find("BEGIN BULK") != std::string_view::npos), bulk_(!begun_) {}
 
   Result<BdfContents> run() {
     while (lines_.next()) {
@@ -192,12 +193,18 @@ class BdfReader {
       }
       const bool goes_on = line[0] == '+' || line[0] == '*' || line[0] == ' ' || line[0] == ',';
       if (!goes_on) DOBRA_TRY_VOID(flush());
-      if (line.starts_with("ENDDATA")) break;
+      if (line.starts_with("ENDDATA")) ended_ = true;
+      if (ended_) break;
       if (line.starts_with("BEGIN BULK")) continue;
       if (goes_on && card_.name.empty()) return error(lines_.number(), 1, "this continuation has no card before it");
       split(line, goes_on);
     }
     DOBRA_TRY_VOID(flush());
+    if (begun_ && !ended_) {
+      contents_.remarks.push_back(fmt::format(
+          "{}:{}: there is no ENDDATA behind BEGIN BULK; the file may be cut short: end it so if it is whole", file_,
+          lines_.number()));
+    }
     return build();
   }
 
@@ -320,7 +327,10 @@ class BdfReader {
     DOBRA_TRY(const double y, number(3));
     if (!node_.try_emplace(id, contents_.mesh.points.size()).second)
       return error(card_.line, 1, fmt::format("grid point {} is given twice", id));
+    const bool short_card = card_.all.size() <= 4;
+    DOBRA_TRY(const double z, short_card ? Result<double>(0.0) : number(4));
     contents_.mesh.points.push_back({x, y});
+    heights_.push_back(z);
     return {};
   }
 
@@ -372,6 +382,7 @@ class BdfReader {
       mesh::add_element(mesh, element.type, own,
                         tag == region_.end() ? static_cast<std::int32_t>(element.property) : tag->second);
     }
+    DOBRA_TRY_VOID(check_plane(mesh, heights_, file_));
     for (const auto& [name, nodes] : sets_) {
       for (const auto& [id, line] : nodes) {
         DOBRA_TRY(const NodeId n, node(id, line));
@@ -407,9 +418,12 @@ class BdfReader {
 
   Lines lines_;
   std::string file_;
+  bool begun_;  // the file has BEGIN BULK
   bool bulk_;
+  bool ended_ = false;
   BdfContents contents_;
   Fields card_;
+  std::vector<double> heights_;  // of the grid points
   std::map<std::size_t, std::size_t> node_;
   std::vector<Element> elements_;
   std::map<std::size_t, std::int32_t> region_;

@@ -10,6 +10,7 @@
 
 #include "shared/io/file.h"
 #include "shared/io/meshes/inp.h"
+#include "shared/io/meshes/mesh_plane.h"
 #include "shared/io/meshes/mesh_sides.h"
 #include "shared/io/scan.h"
 
@@ -56,7 +57,8 @@ std::optional<mesh::ElementType> element_type(const std::string& name) {
 
 class InpReader {
  public:
-  InpReader(std::string_view text, const std::string& file) : records_(text, file, '\0', ',') {}
+  InpReader(std::string_view text, const std::string& file)
+      : records_(text, file, '\0', ','), whole_(text.ends_with('\n') || text.ends_with('\r')) {}
 
   Result<InpContents> run() {
     while (records_.next()) {
@@ -84,6 +86,12 @@ class InpReader {
     if (contents_.mesh.element_count() == 0) {
       return Error{ErrorCode::BadFormat, "the file holds no triangles and no quadrilaterals",
                    base::Place{.file = records_.file()}};
+    }
+    DOBRA_TRY_VOID(check_plane(contents_.mesh, heights_, records_.file()));
+    if (!whole_) {
+      contents_.remarks.push_back(
+          fmt::format("{}:{}: the file ends inside a line, perhaps cut short: {}; end the last line if it is whole",
+                      records_.file(), records_.line_number(), shown(records_.line())));
     }
     build();
     return std::move(contents_);
@@ -135,7 +143,12 @@ class InpReader {
     if (!node_index_.try_emplace(number, contents_.mesh.points.size()).second) {
       return records_.error(0, fmt::format("node {} is given twice", number));
     }
+    double z = 0.0;
+    if (records_.size() > 3 && !records_.word(3).empty()) {
+      DOBRA_TRY(z, records_.number(3, "z"));
+    }
     contents_.mesh.points.push_back({x, y});
+    heights_.push_back(z);
     return {};
   }
 
@@ -228,10 +241,12 @@ class InpReader {
   }
 
   Records records_;
+  bool whole_;  // the last line has its end
   InpContents contents_;
   std::string keyword_;
   std::map<std::string, std::string> parameters_;
   std::string set_;
+  std::vector<double> heights_;                       // of the nodes
   std::map<std::size_t, std::size_t> node_index_;     // number -> position
   std::map<std::size_t, std::size_t> element_index_;  // number -> position
   std::map<std::string, std::vector<std::size_t>> node_sets_;

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "shared/io/file.h"
+#include "shared/io/meshes/mesh_plane.h"
 #include "shared/io/meshes/mesh_sides.h"
 #include "shared/io/meshes/msh.h"
 #include "shared/io/scan.h"
@@ -81,7 +82,7 @@ class MshReader {
     if (elements_[2].empty())
       return Error{ErrorCode::BadFormat, "the file holds no triangles and no quadrilaterals",
                    base::Place{.file = records_.file()}};
-    build();
+    DOBRA_TRY_VOID(build());
     return std::move(contents_);
   }
 
@@ -163,6 +164,7 @@ class MshReader {
         DOBRA_TRY_VOID(records_.expect("a node's coordinates"));
         DOBRA_TRY(const double x, records_.number(0, "x"));
         DOBRA_TRY(const double y, records_.number(1, "y"));
+        DOBRA_TRY_VOID(add_height(tag, 2));
         nodes_.emplace_back(tag, geom::Point{x, y});
         if (nodes_.size() > total)
           return records_.error(0, fmt::format("there are more than the {} nodes announced", total));
@@ -173,8 +175,18 @@ class MshReader {
     return sort_nodes();
   }
 
+  Result<void> add_height(std::size_t tag, std::size_t word) {
+    double z = 0.0;
+    if (records_.size() > word) {
+      DOBRA_TRY(z, records_.number(word, "z"));
+    }
+    heights_.emplace_back(tag, z);
+    return {};
+  }
+
   Result<void> sort_nodes() {
     std::sort(nodes_.begin(), nodes_.end());
+    std::sort(heights_.begin(), heights_.end());
     for (std::size_t i = 0; i + 1 < nodes_.size(); ++i) {
       if (nodes_[i].first == nodes_[i + 1].first)
         return records_.error(0, fmt::format("node {} is given twice", nodes_[i].first));
@@ -198,6 +210,7 @@ class MshReader {
       DOBRA_TRY(const std::size_t tag, records_.count(0, "a node's tag"));
       DOBRA_TRY(const double x, records_.number(1, "x"));
       DOBRA_TRY(const double y, records_.number(2, "y"));
+      DOBRA_TRY_VOID(add_height(tag, 3));
       nodes_.emplace_back(tag, geom::Point{x, y});
     }
     return sort_nodes();
@@ -257,7 +270,7 @@ class MshReader {
     return {};
   }
 
-  void build() {
+  Result<void> build() {
     for (auto& elements : elements_) {
       std::stable_sort(elements.begin(), elements.end(),
                        [](const Element& a, const Element& b) { return a.tag < b.tag; });
@@ -272,6 +285,9 @@ class MshReader {
       mesh::add_element(mesh, element.kind->element, own, region(element.entity));
       contents_.elements.numbers.push_back(element.tag);
     }
+    std::vector<double> heights;
+    for (const auto& [tag, z] : heights_) heights.push_back(z);
+    DOBRA_TRY_VOID(check_plane(mesh, heights, records_.file()));
     EdgeSets sets;
     for (const Element& element : elements_[1]) {
       for (const std::int64_t group : groups_[{1, element.entity}]) {
@@ -289,6 +305,7 @@ class MshReader {
       contents_.remarks.push_back(
           fmt::format("{}: {} lines that are no side of an element are left out", records_.file(), done.lost));
     }
+    return {};
   }
 
   std::string name_of(std::size_t dimension, std::int64_t group) const {
@@ -322,7 +339,8 @@ class MshReader {
   std::map<EntityKey, std::string> names_;                 // (dimension, physical tag)
   std::map<EntityKey, std::vector<std::int64_t>> groups_;  // (dimension, entity) -> physical tags
   std::vector<std::pair<std::size_t, geom::Point>> nodes_;
-  std::array<std::vector<Element>, 3> elements_;  // by dimension
+  std::vector<std::pair<std::size_t, double>> heights_;  // of the nodes
+  std::array<std::vector<Element>, 3> elements_;         // by dimension
 };
 
 }  // namespace

@@ -7,8 +7,12 @@
 
 #include "shared/io/meshes/stl.h"
 
+#include <algorithm>
+#include <cctype>
 #include <sstream>
 
+#include "shared/io/meshes/mesh_plane.h"
+#include "shared/io/scan.h"
 #include "shared/mesh/openmesh.h"
 
 namespace dobra::io::meshes {
@@ -21,6 +25,25 @@ namespace {
 
 constexpr int all_digits = 17;
 constexpr const char* as_text = ".stla";  // as OpenMesh calls it
+
+/// Capitals do not count.
+bool is_keyword(std::string_view word, std::string_view keyword) {
+  return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(),
+                    [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
+}
+
+/// Every facet is followed by an endsolid; OpenMesh takes what it finds.
+Result<void> check_end(std::string_view text, const std::string& file) {
+  Records records(text, file, '\0');
+  bool open = false;
+  while (records.next()) {
+    if (is_keyword(records.word(0), "facet")) open = true;
+    if (is_keyword(records.word(0), "endsolid")) open = false;
+  }
+  if (!open) return {};
+  return Error{ErrorCode::BadFormat, "the file ends without endsolid, as if it were cut short; write it again",
+               base::Place{.file = file, .line = records.line_number()}};
+}
 
 }  // namespace
 
@@ -35,12 +58,20 @@ Result<std::string> stl_text(const mesh::TriangleMesh& mesh) {
 }
 
 Result<mesh::TriangleMesh> parse_stl(std::string_view text, const std::string& file) {
+  DOBRA_TRY_VOID(check_end(text, file));
   std::istringstream in{std::string(text)};
   mesh::OpenMeshTriangles triangles;
   OpenMesh::IO::Options options;
   if (!OpenMesh::IO::read_mesh(triangles, in, as_text, options)) {
     return Error{ErrorCode::CannotMesh, "OpenMesh could not read the mesh", base::Place{.file = file}};
   }
+  std::vector<geom::Point> points;
+  std::vector<double> heights;
+  for (const auto vertex : triangles.all_vertices()) {
+    points.push_back({triangles.point(vertex)[0], triangles.point(vertex)[1]});
+    heights.push_back(triangles.point(vertex)[2]);
+  }
+  DOBRA_TRY_VOID(check_plane(points, heights, file));
   auto mesh = mesh::from_openmesh(triangles);
   if (!mesh) return base::located(mesh.error(), {.file = file});
   return mesh;

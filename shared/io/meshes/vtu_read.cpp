@@ -14,6 +14,7 @@
 #include "shared/base/text.h"
 #include "shared/io/base64.h"
 #include "shared/io/file.h"
+#include "shared/io/meshes/mesh_plane.h"
 #include "shared/io/meshes/vtu.h"
 #include "shared/io/scan.h"
 #include "shared/io/xml.h"
@@ -186,7 +187,10 @@ class VtuReader {
       return error(array.node, "points need three coordinates each");
     if (values.size() / 3 >= std::numeric_limits<std::uint32_t>::max())
       return error(array.node, "there are too many points");
-    for (std::size_t i = 0; i < values.size(); i += 3) mesh.points.push_back({values[i], values[i + 1]});
+    for (std::size_t i = 0; i < values.size(); i += 3) {
+      mesh.points.push_back({values[i], values[i + 1]});
+      heights_.push_back(values[i + 2]);
+    }
     return {};
   }
 
@@ -223,7 +227,7 @@ class VtuReader {
       add_element(mesh, type->second, own, 0);
     }
     if (mesh.element_count() == 0) return error(kinds.node, "the file holds no elements");
-    return {};
+    return check_plane(mesh, heights_, xml_.file());
   }
 
   /// A whole number below `limit`.
@@ -296,6 +300,7 @@ class VtuReader {
 
   const Xml& xml_;
   std::size_t header_size_ = 4;
+  std::vector<double> heights_;  // of the points
   std::map<std::string, std::vector<Array>> arrays_;
 };
 

@@ -23,7 +23,8 @@ Real rising(Vec v) {
 Vec Trimmer::heading(std::uint32_t piece, std::uint32_t node) const {
   const Site s = pieces_[piece].site();
   if (s.kind == SiteKind::Line) return outline_.along<Real>(s.step);
-  return left_of(s.kind == SiteKind::Bevel ? outline_.middle_of_turn<Real>(s.step) : nodes_[node].at - centre(s));
+  return left_of(s.kind == SiteKind::Bevel ? outline_.middle_of_turn<Real>(s.step)
+                                           : nodes_[node].at - outline_.to<Real>(s.step));
 }
 
 /// Where parts of the base coincide, so do parts of the curve, cut at the ends of both: they are one.
@@ -34,7 +35,7 @@ void Trimmer::remove_doubles() {
     const Section& s = sections_[i];
     if (s.first != s.last) continue;
     const Piece& piece = pieces_[s.first];
-    const Vec pole = piece.is_line() ? Vec{} : centre(piece.site());
+    const Vec pole = piece.is_line() ? Vec{} : outline_.to<Real>(piece.step());
     parts.push_back({{s.from, s.to, piece.is_line(), pole.x, pole.y}, i});
   }
   std::sort(parts.begin(), parts.end());

@@ -58,7 +58,6 @@ class StackPass {
     const bool tips = site.kind == SiteKind::Line && !known_.for_ever(site);
     found_->add(site, tips && witnesses_.tips_stay(site.step, known_.greatest()));
   }
-  [[nodiscard]] bool is_covered(Site site, Flat a, Flat b);
   [[nodiscard]] bool kills(std::uint32_t step, Site site, Flat a, Flat b);
   [[nodiscard]] bool is_dead_line(Site site, Flat a, Flat b, CornerKind before, CornerKind after);
   [[nodiscard]] bool buried_by_tail(Site site, Flat a, Flat b);
@@ -184,13 +183,6 @@ std::uint32_t StackPass::glide_blocks(std::uint32_t step) {
 bool StackPass::kills(std::uint32_t step, Site site, Flat a, Flat b) {
   if (!witnesses_.in_set(site, a, b, step)) return false;
   witnesses_.remember(step);
-  return true;
-}
-
-/// Any number of steps' sets do.
-bool StackPass::is_covered(Site site, Flat a, Flat b) {
-  if (!witnesses_.covers(site, a, b)) return false;
-  bury(site);
   return true;
 }
 
@@ -352,7 +344,7 @@ void StackPass::add(Site site, Flat a, Flat b) {
   }
   if (!head.linked()) {
     if (!pieces.empty() && buried_by_tail(site, a, b)) return bury(site);
-    if (is_covered(site, a, b)) return;
+    if (witnesses_.covers(site, a, b)) return bury(site);
   }
   push(head, a, b);
 }

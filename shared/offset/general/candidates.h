@@ -20,7 +20,7 @@ class Piece {
   explicit Piece(Site s) : code_(packed(s) * 4) {}
   static Piece linked_to(Site s) {
     Piece made(s);
-    made.code_ |= 1U;
+    made.link(true);
     return made;
   }
 

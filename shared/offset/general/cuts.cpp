@@ -200,7 +200,7 @@ void Trimmer::merge_twins() {
   };
   std::vector<Known> all;
   const auto add = [&](std::uint32_t node, double error) {
-    all.push_back({dot(nodes_[node].at, Vec{0.8191520442889918L, 0.5735764363510461L}), error, node});
+    all.push_back({dot(nodes_[node].at, Vec{Real(0.8191520442889918L), Real(0.5735764363510461L)}), error, node});
   };
   for (const std::uint32_t hot : twins_) {
     add(hot_[hot].node_a, hot_[hot].shape.slide);

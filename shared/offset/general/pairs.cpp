@@ -1,11 +1,14 @@
 #include "shared/offset/general/pairs.h"
 
 #include <algorithm>
-#include <optional>
 
 namespace dobra::offset::general {
 
-constexpr std::uint32_t few = 12;  // pieces of a group whose own boxes are looked at
+namespace {
+constexpr std::uint32_t few = 12;              // pieces of a group whose own boxes are looked at
+constexpr std::uint32_t buried = 0xfffffffeU;  // cutters that need not be made
+constexpr std::uint32_t open = 0xfffffffdU;    // cutters that are needed where they meet something
+}  // namespace
 
 Pairing::Pairing(const Outline& outline, const Clearance& clearance, Candidates& chain, WitnessSearch& witnesses,
                  const base::Progress& progress)
@@ -18,7 +21,9 @@ Pairing::Pairing(const Outline& outline, const Clearance& clearance, Candidates&
       wanted_(static_cast<std::uint32_t>(chain.pieces.size())),
       margin_(10 * clearance.margin(outline.distance())) {}
 
-Pairing::Pairs Pairing::run() {
+Pairing::Pairs Pairing::run(const Buried& known, Buried* found) {
+  known_ = &known;
+  found_ = found;
   if (wanted_ == 0) return {};
   if (clearance_.has_long_mitres()) find_parts();
   make_groups();
@@ -242,8 +247,8 @@ void Pairing::add_corner_cutters(std::uint32_t step, const Outline::Junction& ju
   if (junction.kind != CornerKind::Arc) return;
   const bool split = outline_.splits_arc(step);
   const Flat middle = split ? outline_.end_of({step, SiteKind::Arc}) : junction.start;
-  cutters_.hulls.push_back(hull({step, SiteKind::Arc}, none, junction.end, middle));
-  if (split) cutters_.hulls.push_back(hull({step, SiteKind::SecondArc}, none, middle, junction.start));
+  add_cutter({step, SiteKind::Arc}, junction.end, middle);
+  if (split) add_cutter({step, SiteKind::SecondArc}, middle, junction.start);
 }
 
 /// What the other side has along four segments, but for the caps.
@@ -258,19 +263,26 @@ void Pairing::make_cutters(std::uint32_t leaf) {
   for (std::uint32_t step = low; step < high; ++step) {
     const Outline::Junction after = outline_.junction(step);
     const double size = dot(after.end - before.start, outline_.along<double>(step));
-    if (!is_overcut(outline_, step, size, 0.1 * margin_))
-      cutters_.hulls.push_back(hull({step, SiteKind::Line}, none, before.start, after.end));
+    if (!is_overcut(outline_, step, size, 0.1 * margin_)) add_cutter({step, SiteKind::Line}, before.start, after.end);
     if (!outline_.is_cap(step)) add_corner_cutters(step, after);
     before = after;
   }
   add_runs(cutters_);
 }
 
+/// False of cutters that lie in U: they cut nothing valid.
+bool Pairing::is_needed(PieceHull& cutter) {
+  if (cutter.piece != none) return cutter.piece != buried;
+  cutter.piece = witnesses_.covers(cutter.site, cutter.a, cutter.b) ? buried : open;
+  if (cutter.piece == buried && found_ != nullptr) found_->add(cutter.site);
+  return cutter.piece == open;
+}
+
 void Pairing::cut_with(const Bunch& near) {
   each_overlap(cutters_, near, [&](std::size_t i0, std::size_t i1, std::size_t j0, std::size_t j1) {
     for (std::size_t i = i0; i < i1; ++i) {
       PieceHull& p = cutters_.hulls[i];
-      for (std::size_t j = j0; j < j1; ++j) {
+      for (std::size_t j = j0; j < j1 && p.piece != buried; ++j) {
         const PieceHull& q = near.hulls[j];
         if (!p.box.overlaps(q.box) || apart(p, q)) continue;
         // Where an end of the base begins or ends, line and cap only touch.
@@ -278,7 +290,8 @@ void Pairing::cut_with(const Bunch& near) {
             (q.site.step == p.site.step || q.site.step == outline_.after(p.site.step))) {
           continue;
         }
-        if (p.piece == none) {
+        if (!is_needed(p)) continue;
+        if (p.piece == open) {
           p.piece = static_cast<std::uint32_t>(chain_.pieces.size());
           chain_.pieces.push_back(Piece(p.site));
         }
@@ -286,32 +299,6 @@ void Pairing::cut_with(const Bunch& near) {
       }
     }
   });
-}
-
-/// Around a block, if it bends little, its two sides lie on two sides of a strip: what is to the right (left) of the
-/// base at distance D lies as far across the chord as some base point and D times the cosine of the greatest turn from
-/// it, or further.
-bool Pairing::sides_apart(std::uint32_t block) const {
-  const auto n = static_cast<std::uint32_t>(base_.segment_count());
-  const std::uint32_t first = block > 0 ? (block - 1) * Block::size : 0;
-  const std::uint32_t last = std::min(n, (block + 2) * Block::size);
-  const Flat chord = flat(base_.end(last - 1)) - flat(base_.start(first));
-  if (!(dot(chord, chord) > 0)) return false;
-  const Flat across = right_of(unit(chord));
-  const Flat origin = flat(base_.start(first));
-  double low = 0;
-  double high = 0;
-  double cosine = 1;
-  const auto turn = [&](std::size_t i) { cosine = std::min(cosine, dot(right_of(flat(base_.headings[i])), across)); };
-  for (std::uint32_t i = first; i < last; ++i) {
-    const double at = dot(flat(base_.end(i)) - origin, across);
-    low = std::min(low, at);
-    high = std::max(high, at);
-    turn(i);
-  }
-  if (base_.has_before(first)) turn(base_.before(first));
-  if (base_.has_after(last - 1)) turn(base_.after(last - 1));
-  return high - low + margin_ < 2 * outline_.distance() * cosine;
 }
 
 /// Blocks whose other side comes near a group: block, group; in order.
@@ -366,12 +353,6 @@ void Pairing::pair_cutters(const ChainTree& tree) {
   for (auto first = near.begin(); first != near.end();) {
     const std::uint32_t block = first->first;
     const auto last = std::find_if(first, near.end(), [&](const auto& pair) { return pair.first != block; });
-    std::optional<bool> apart;
-    const auto parted = [&](std::uint32_t group) {
-      if (block_of(group) + 1 < block || block_of(group) > block + 1) return false;
-      if (!apart) apart = sides_apart(block);
-      return *apart;
-    };
     const auto [low, high] = clearance_.leaves_of(block);
     for (std::uint32_t leaf = low; leaf < high; ++leaf) {
       const FloatBox around = clearance_.left_box(leaf, outline_.distance(), margin_);
@@ -379,7 +360,7 @@ void Pairing::pair_cutters(const ChainTree& tree) {
       for (auto pair = first; pair != last; ++pair) {
         if (++asked % 1024 == 0 && progress_.cancelled()) return;
         const std::uint32_t group = pair->second;
-        if (!around.overlaps(leaves_[group].box) || parted(group)) continue;
+        if (!around.overlaps(leaves_[group].box)) continue;
         if (cutters_.group != leaf) make_cutters(leaf);
         cut_with(cached(group));
       }

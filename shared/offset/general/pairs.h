@@ -26,8 +26,9 @@ class Pairing {
 
   /// Indices of pieces, the first one of the right side; linked neighbours are no pair. Incomplete if progress was
   /// cancelled.
+  /// @param known, found  see candidates().
   /// @cost  O(n) where the curve does not come near itself, some 10 ns a segment.
-  Pairs run();
+  Pairs run(const Buried& known, Buried* found);
 
  private:
   static constexpr std::uint32_t none = 0xffffffffU;
@@ -78,10 +79,13 @@ class Pairing {
   }
   [[nodiscard]] Pairs near_blocks(const ChainTree& tree) const;
   void cut_by_caps();
-  [[nodiscard]] bool sides_apart(std::uint32_t block) const;
   void pair_cutters(const ChainTree& tree);
   void make_cutters(std::uint32_t leaf);
+  void add_cutter(Site site, Flat a, Flat b) {
+    if (!known_->holds(site)) cutters_.hulls.push_back(hull(site, none, a, b));
+  }
   void add_corner_cutters(std::uint32_t step, const Outline::Junction& junction);
+  bool is_needed(PieceHull& cutter);
   void cut_with(const Bunch& near);
 
   const Outline& outline_;
@@ -90,6 +94,8 @@ class Pairing {
   Candidates& chain_;
   WitnessSearch& witnesses_;
   const base::Progress& progress_;
+  const Buried* known_ = nullptr;
+  Buried* found_ = nullptr;
   const std::uint32_t wanted_;  // the pieces before this one are of the right side, the others are cutters
   const double margin_;
   /// What is left of a long line when what surely lies in U is taken off its ends: what crosses that is not asked for,

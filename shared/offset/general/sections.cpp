@@ -23,7 +23,7 @@ std::vector<OffsetPiece> Trimmer::run(const Buried& known, Buried* found) {
   chain_ = candidates(outline_, clearance_, witnesses_, known, found, progress_);
   wanted_ = static_cast<std::uint32_t>(pieces_.size());
   if (wanted_ == 0) return {};
-  pairs_ = Pairing(outline_, clearance_, chain_, witnesses_, progress_).run();
+  pairs_ = Pairing(outline_, clearance_, chain_, witnesses_, progress_).run(known, found);
   if (progress_.cancelled()) return {};
   warm();
   for (std::size_t k = 0; k < pairs_.size(); ++k) {

@@ -100,7 +100,6 @@ class Trimmer {
   [[nodiscard]] bool is_whole_block(const Block& block, std::uint32_t k, std::uint32_t last) const;
   std::uint32_t write_block(PieceWriter& writer, std::uint32_t k, std::uint32_t last) const;
   [[nodiscard]] std::uint32_t node(Vec p, std::uint32_t i = none, std::uint32_t j = none);
-  [[nodiscard]] Vec centre(Site s) const { return outline_.to<Real>(s.step); }
   [[nodiscard]] std::uint32_t segment_of(std::uint32_t piece) const { return pieces_[piece].step(); }
   [[nodiscard]] Flat start(std::uint32_t k) const { return place_of(pieces_[k], true, outline_); }
   [[nodiscard]] Flat end(std::uint32_t k) const { return place_of(pieces_[k], false, outline_); }

@@ -8,11 +8,12 @@ namespace dobra::offset::general {
 Buried::Buried(const BaseCurve& base, const Clearance& clearance, double greatest)
     : base_(&base), clearance_(&clearance), greatest_(greatest) {
   for (const Block& block : clearance.blocks()) bits_.push_back(block.absent);
+  bits_.resize(2 * bits_.size(), 0);
 }
 
 bool Buried::for_ever(Site s) const {
   if (s.kind == SiteKind::Bevel) return false;
-  if (s.kind != SiteKind::Line) return true;
+  if (s.kind != SiteKind::Line || s.step >= base_->segment_count()) return true;
   return !(base_->has_before(s.step) && clearance_->is_mitre(s.step)) &&
          !(base_->has_after(s.step) && clearance_->is_mitre(base_->end_index(s.step)));
 }

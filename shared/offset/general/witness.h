@@ -22,16 +22,23 @@ class Buried {
 
   /// All four kinds of sites of 16 steps of the right side; those that no piece has count as buried.
   [[nodiscard]] std::uint64_t word(std::size_t block) const { return bits_[block]; }
+  [[nodiscard]] bool holds(Site s) const { return (bits_[bit(s) / 64] >> bit(s) % 64 & 1) != 0; }
   /// What lies in U at one distance does so at all greater ones, whatever it is hidden by.
   [[nodiscard]] bool for_ever(Site s) const;
   /// Once a piece is known to lie in U; remembered only if it does so at all greater distances.
   /// @param tips_stay  see WitnessSearch::tips_stay.
   void add(Site s, bool tips_stay = false) {
-    const std::uint32_t shift = 4 * (s.step % 16) + static_cast<std::uint32_t>(s.kind);
-    if (tips_stay || for_ever(s)) bits_[s.step / 16] |= std::uint64_t{1} << shift;
+    if (tips_stay || for_ever(s)) bits_[bit(s) / 64] |= std::uint64_t{1} << bit(s) % 64;
   }
 
  private:
+  /// Four bits a step; those of the left side begin with a new word.
+  [[nodiscard]] std::size_t bit(Site s) const {
+    const std::size_t n = base_->segment_count();
+    const std::size_t place = s.step < n ? s.step : s.step - n + 8 * bits_.size();
+    return 4 * place + static_cast<std::size_t>(s.kind);
+  }
+
   const BaseCurve* base_;
   const Clearance* clearance_;
   double greatest_;
@@ -57,7 +64,6 @@ class WitnessSearch {
   /// For a line that lies in U: its extensions to the tips of mitres lie in the set of the segment that hides it (the
   /// witness) up to distance d.
   [[nodiscard]] bool tips_stay(std::uint32_t step, double d) const;
-  /// @param step  is the witness from now on.
   void remember(std::uint32_t step) { witness_ = step; }
   /// Where the tangents at the ends of an arc, of at most a right angle, cross.
   [[nodiscard]] Flat tangent_corner(Site s, Flat a, Flat b) const {

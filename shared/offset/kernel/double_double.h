@@ -14,6 +14,9 @@ class DoubleDouble {
  public:
   constexpr DoubleDouble() = default;
   constexpr DoubleDouble(double x) : high_(x) {}  // NOLINT: a double is one
+  template <std::floating_point F>
+  explicit constexpr DoubleDouble(F x)
+      : high_(static_cast<double>(x)), low_(static_cast<double>(x - static_cast<F>(high_))) {}
   /// @pre |low| is at most half a unit in the last place of high
   constexpr DoubleDouble(double high, double low) : high_(high), low_(low) {}
   [[nodiscard]] constexpr double high() const { return high_; }
@@ -45,6 +48,9 @@ class DoubleDouble {
     const double third = (rest - b * second).high_ / b.high_;
     return quick_sum(first, second) + third;
   }
+  DoubleDouble& operator+=(DoubleDouble b) { return *this = *this + b; }
+  DoubleDouble& operator-=(DoubleDouble b) { return *this = *this - b; }
+  DoubleDouble& operator*=(DoubleDouble b) { return *this = *this * b; }
   friend DoubleDouble abs(DoubleDouble a) { return a.high_ < 0 || (a.high_ == 0 && a.low_ < 0) ? -a : a; }
   /// By one step of Newton's from the root in doubles.
   friend DoubleDouble sqrt(DoubleDouble a) {

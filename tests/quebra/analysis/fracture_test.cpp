@@ -19,7 +19,7 @@ namespace {
 using namespace test;
 using testing::HasSubstr;
 
-std::string point(const std::string& name, double x, double y) {
+std::string named_point(const std::string& name, double x, double y) {
   return "[[input.point]]\nname = \"" + name + "\"\npoint = [" + std::to_string(x) + ", " + std::to_string(y) + "]\n";
 }
 const std::string plain_analyse = "[[step]]\noperation = \"analyse\"\n";
@@ -31,7 +31,7 @@ const std::string rosettes = mesh("order = \"2\"\nrosettes = \"yes\"\n");
 std::string cracked_strip(double a, int sign = 1) {
   const std::string force = "y = " + std::to_string(sign) + "\n", against = "y = " + std::to_string(-sign) + "\n";
   return "[input]\nspecimen = \"single_edge_notch\"\nwidth = 1.0\nheight = 3.0\ncrack_length = " + std::to_string(a) +
-         "\n" + point("anchor", 1, 0) + point("guide", 1, -1.5) +
+         "\n" + named_point("anchor", 1, 0) + named_point("guide", 1, -1.5) +
          "[[step]]\noperation = \"problem\"\n[[step.material]]\nyoung = 1.0\n[[step.support]]\nwhere = \"anchor\"\nx = "
          "0.0\ny = 0.0\n[[step.support]]\nwhere = \"guide\"\nx = 0.0\n" +
          "[[step.load]]\nwhere = \"top\"\n" + force + "[[step.load]]\nwhere = \"bottom\"\n" + against;

@@ -60,6 +60,20 @@ TEST_F(CheckCommand, AClockwiseMeshIsSoundWithARemark) {
   EXPECT_NE(told.err.find("4 of 4 elements run clockwise"), std::string::npos);
 }
 
+TEST_F(CheckCommand, NodesWithoutAnElementAreARemarkWithCountAndPlace) {
+  const auto remarks = [&](const std::string& elements) {
+    const auto told = call({"check", square(elements), "--json"});
+    EXPECT_EQ(told.code, 0) << told.err;
+    return Json::parse(told.out)["remarks"].dump();
+  };
+  EXPECT_EQ(remarks("1, 1, 2, 5\n2, 2, 3, 5\n3, 3, 4, 5\n4, 4, 1, 5\n"), "[]");
+  const std::string file =
+      put("cut.inp", "*NODE\n1, 0, 0\n2, 1, 0\n3, 1, 1\n4, 0, 1\n5, 9, 7\n*ELEMENT, TYPE=CPS3\n1, 1, 2, 3\n");
+  const auto told = call({"check", file});
+  EXPECT_EQ(told.code, 0) << told.err;
+  EXPECT_NE(told.err.find("2 of 5 nodes belong to no element, the first at 0, 1"), std::string::npos) << told.err;
+}
+
 TEST_F(CheckCommand, SetsAreListedWithKindAndCount) {
   const std::string file = square("1, 1, 2, 5\n2, 2, 3, 5\n3, 3, 4, 5\n4, 4, 1, 5\n");
   const auto told = call({"check", file, "--json"});

@@ -12,6 +12,7 @@
 
 #include "recon/core/model.h"
 #include "recon/core/operations.h"
+#include "shared/io/file.h"
 #include "shared/scenario/runner.h"
 #include "tests/support/corpus.h"
 
@@ -52,6 +53,16 @@ TEST(Examples, FoldMeetsItsExpectations) { expect_met(bundled("fold.toml")); }
 TEST(Examples, REC_c_CosineMeetsItsExpectations) { expect_met(bundled("cosine.toml")); }
 
 TEST(Examples, ChainMeetsItsExpectations) { expect_met(bundled("chain.toml")); }
+
+TEST(Examples, TheFirstOneOfThePageOfScenariosMeetsItsExpectations) {
+  const std::filesystem::path page = std::filesystem::path(DOBRA_SOURCE_DIR) / "docs/scenario_format.md";
+  const std::string text = dobra::io::read_text(page.string()).value();
+  const std::string opening = "```toml\n";
+  const std::size_t begin = text.find(opening) + opening.size();
+  const auto document = scenario::parse_document(text.substr(begin, text.find("```", begin) - begin), page);
+  ASSERT_TRUE(document) << to_string(document.error());
+  expect_met(*document);
+}
 
 TEST(Examples, TheSameRunGivesTheSameReport) {
   const scenario::Document document = bundled("fold.toml");

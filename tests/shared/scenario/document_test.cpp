@@ -146,6 +146,9 @@ TEST(Document, ReadingNamesMissingEmptyAndBinaryFilesAndFolders) {
   EXPECT_EQ(read_document(put("empty.toml", "")).error().code, ErrorCode::EmptyFile);
   EXPECT_EQ(read_document(put("nul.toml", head + std::string(3, '\0'))).error().code, ErrorCode::BadFormat);
   EXPECT_EQ(read_document(put("binary.toml", "\x89PNG\r\n\x1a\n")).error().code, ErrorCode::BadFormat);
+  const auto data = read_document(put("section.CSV", "x;z\n0;1\n"));
+  EXPECT_EQ(to_string(data.error()).find((folder / "section.CSV").string() + ":1:2: no scenario, which is a .toml"), 0U)
+      << to_string(data.error());
   const auto good = read_document(put("good.toml", "\xEF\xBB\xBF" + head));
   ASSERT_TRUE(good.ok());
   EXPECT_EQ(good->folder(), folder);

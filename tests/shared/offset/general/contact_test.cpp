@@ -62,8 +62,9 @@ TEST(Contacts, LinesCrossWhereTheirInteriorsDo) {
 }
 
 TEST(Contacts, LineCrossesAnArcTwice) {
-  const Real half = std::sqrt(Real(0.5));
-  const Contacts<Real> found(line<Real>({-1, 0.8L}, {1, 0.8L}), arc<Real>({0, 0}, {half, half}, {-half, half}), 1);
+  const Real half = root(Real(0.5));
+  const Contacts<Real> found(line<Real>({-1, Real(4) / Real(5)}, {1, Real(4) / Real(5)}),
+                             arc<Real>({0, 0}, {half, half}, {-half, half}), 1);
   ASSERT_FALSE(found.doubtful());
   ASSERT_EQ(count(found), 2U);
   EXPECT_NEAR(static_cast<double>(found.begin()->at.x), -0.6, 1e-17);
@@ -90,7 +91,8 @@ TEST(Contacts, CoincidentLinesAndArcsAreTwins) {
 }
 
 TEST(Contacts, EntryIsWhereTheTailGoesIn) {
-  const Contact<Real> at = entry(line<Real>({-5, 0.6L}, {5, 0.6L}), arc<Real>({0, 0}, {-1, 0}, {0, 1}), Real(1));
+  const Contact<Real> at =
+      entry(line<Real>({-5, Real(3) / Real(5)}, {5, Real(3) / Real(5)}), arc<Real>({0, 0}, {-1, 0}, {0, 1}), Real(1));
   EXPECT_NEAR(static_cast<double>(at.at.x), -0.8, 1e-17);
   const Contact<Real> lines = entry(line<Real>({0, 0}, {1, 0}), line<Real>({3, -1}, {3, 1}), Real(1));
   EXPECT_EQ(lines.at.x, 3);

@@ -117,7 +117,7 @@ void compare(const geom::Polyline& curve, double distance, const OffsetOptions& 
   WitnessSearch witnesses(outline, clearance);
   Candidates chain = candidates(outline, clearance, witnesses, known, nullptr, progress);
   const auto wanted = static_cast<std::uint32_t>(chain.pieces.size());
-  const Pairing::Pairs pairs = Pairing(outline, clearance, chain, witnesses, progress).run();
+  const Pairing::Pairs pairs = Pairing(outline, clearance, chain, witnesses, progress).run(known, nullptr);
   const std::set<std::pair<std::uint32_t, std::uint32_t>> paired(pairs.begin(), pairs.end());
   std::set<std::pair<std::uint32_t, std::uint32_t>> sites;  // piece of the curve, site of the other side
   for (const auto& [i, j] : pairs) {

@@ -21,6 +21,8 @@
 namespace dobra::offset::monotone {
 namespace {
 
+using std::abs;  // beside that of DoubleDouble
+
 using namespace verifier;
 using namespace general;
 using geom::Point;
@@ -139,8 +141,8 @@ class Region {
     };
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const Real off = x - dot(points_[i], forward);
-      if (!(std::abs(off) < d_)) continue;
-      const Real at = dot(points_[i], up) - std::sqrt(d_ * d_ - off * off);
+      if (!(abs(off) < d_)) continue;
+      const Real at = dot(points_[i], up) - root(Real(d_ * d_ - off * off));
       const Vec to = x * forward + at * up - points_[i];
       const bool first = i == 0 && dot(to, points_[1] - points_[0]) <= 0;
       const bool last = i + 1 == points_.size() && dot(to, points_[i] - points_[i - 1]) >= 0;
@@ -177,7 +179,7 @@ class Region {
     if (1 + t * t <= fill.limit * fill.limit) {
       quads_.push_back({p, first, first + (d_ * t) * u, second});
     } else if (fill.beyond == BeyondLimit::TangentBevel) {
-      const Real q = t / (1 + std::sqrt(1 + t * t));
+      const Real q = t / (1 + root(Real(1 + t * t)));
       quads_.push_back({p, first, first + (d_ * q) * u, second - (d_ * q) * v, second});
     } else {
       chord_[i] = true;
@@ -239,7 +241,7 @@ class Judge {
     const Real low = dot(exact(graph_.points.front()), f) - d_;
     const Real high = dot(exact(graph_.points.back()), f) + d_;
     for (int k = 0; k < count; ++k) {
-      const Region::Column column = region_.lowest(f, low + (high - low) * (k + 0.5L) / count);
+      const Region::Column column = region_.lowest(f, low + (high - low) * Real(k + 0.5) / Real(count));
       if (column.owner != Region::Owner::Chosen) continue;
       Real least = std::numeric_limits<Real>::infinity();
       for (const OffsetPiece& piece : pieces) least = std::min(least, distance_to(piece, column.point));
@@ -271,7 +273,7 @@ class Judge {
       least = std::min(least, length(p - a - t * (b - a)));
       if (!piece.edges[k].is_arc()) continue;
       const Vec c = exact(graph_.points[piece.edges[k].base_edge() + 1]);
-      if (cross(a - c, p - c) >= 0 && cross(p - c, b - c) >= 0) least = std::min(least, std::abs(length(p - c) - d_));
+      if (cross(a - c, p - c) >= 0 && cross(p - c, b - c) >= 0) least = std::min(least, abs(Real(length(p - c) - d_)));
     }
     return least;
   }
