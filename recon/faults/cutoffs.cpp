@@ -304,10 +304,10 @@ void reach(const Cutoff& cutoff, double past, geom::Polyline& line) {
     over -= geom::distance(points[points.size() - 2], points.back());
     points.pop_back();
   }
-  const bool trimmed = cutoff.extended < 0.0;
-  const geom::Point inner = trimmed ? points[points.size() - 2] : points.back();
-  const geom::Vector way = cutoff.at - inner;
-  if (trimmed) points.pop_back();
+  // An end on the fault but for rounding goes on as the line does.
+  const bool there = cutoff.extended <= past && points.size() > 1;
+  if (there) points.pop_back();
+  const geom::Vector way = cutoff.at - points.back();
   points.push_back(geom::length(way) > 0.0 ? cutoff.at + past * geom::normalised(way) : cutoff.at);
   if (first) line = geom::reversed(std::move(line));
 }
@@ -323,7 +323,7 @@ base::Result<std::vector<geom::Polyline>> outline_of(const section::Section& sec
   for (const FaultCutoffs& cutoffs : cutoffs_of(section, faults, options)) {
     for (const CutoffPair& pair : cutoffs.pairs) {
       for (const std::optional<Cutoff>& cutoff : {pair.hanging_wall, pair.footwall}) {
-        if (!cutoff || cutoff->passes || cutoff->extended == 0.0) continue;
+        if (!cutoff || cutoff->passes) continue;
         for (section::Horizon& horizon : tidy.horizons) {
           if (horizon.id == cutoff->piece) reach(*cutoff, past, horizon.line);
         }

@@ -10,6 +10,7 @@
 
 #include "recon/faults/cutoffs.h"
 #include "shared/base/text.h"
+#include "shared/geom/intersect.h"
 #include "shared/geom/place.h"
 
 namespace recon::faults {
@@ -152,11 +153,12 @@ bool in_rock(const std::vector<geom::Polyline>& outline, geom::Point p, double d
 /// Finds what each end is, before any path goes on along another one.
 class Ends {
  public:
-  Ends(const std::vector<Fault>& faults, const std::vector<geom::Polyline>& outline, double tolerance)
-      : faults_(faults), outline_(outline), tolerance_(tolerance) {}
+  Ends(const section::Section& section, const std::vector<Fault>& faults, const std::vector<geom::Polyline>& outline,
+       double tolerance)
+      : section_(section), faults_(faults), outline_(outline), tolerance_(tolerance) {}
 
   [[nodiscard]] FaultEnd of(const Fault& fault, geom::Point end) const {
-    const bool rock = in_rock(outline_, end, tolerance_);
+    const bool rock = in_rock(outline_, end, tolerance_) && !at_section_end(fault, end);
     FaultEnd found{rock ? EndKind::Tip : EndKind::Border, end, {}, 0.0};
     double least = tolerance_;
     for (const Fault& other : faults_) {
@@ -187,6 +189,45 @@ class Ends {
     });
   }
 
+  /// Whether the fault leaves through the section's end that its slip has moved on one wall: without a border the rock
+  /// ends there with a straight side from one wall to the other, which leans over the fault's end.
+  [[nodiscard]] bool at_section_end(const Fault& fault, geom::Point end) const {
+    if (section_.border) return false;
+    const std::vector<geom::Point>& points = fault.path.line.points;
+    const geom::Point inner = end == points.front() ? points[1] : points[points.size() - 2];
+    const geom::Vector way = geom::normalised(end - inner);
+    const geom::Segment ahead{end, end + box_of(section_).diagonal() * way};
+    std::optional<geom::Segment> side;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const geom::Polyline& ring : outline_) {
+      for (std::size_t i = 0; i < ring.segment_count(); ++i) {
+        const geom::Intersection hit = geom::intersect(ahead, ring.segment(i));
+        if (hit.kind == geom::IntersectionKind::None || geom::distance(hit.start.point, end) >= nearest) continue;
+        nearest = geom::distance(hit.start.point, end);
+        side = ring.segment(i);
+      }
+    }
+    if (!side || !joins_ends(*side)) return false;
+    const auto wall = kinematics::wall_of(fault.path, side->from);
+    const auto other = kinematics::wall_of(fault.path, side->to);
+    const double least = std::min(geom::dot(side->from - end, way), geom::dot(side->to - end, way));
+    return wall && other && *wall != *other && least <= tolerance_;
+  }
+  /// No part of a horizon, but from the end of one to that of another.
+  [[nodiscard]] bool joins_ends(const geom::Segment& side) const {
+    const auto ends_there = [&](geom::Point p) {
+      return std::any_of(section_.horizons.begin(), section_.horizons.end(), [&](const section::Horizon& h) {
+        return std::min(geom::distance(h.line.points.front(), p), geom::distance(h.line.points.back(), p)) <= tolerance_;
+      });
+    };
+    const geom::Point middle = geom::midpoint(side.from, side.to);
+    const double near = 1e-9 * box_of(section_).diagonal();
+    return ends_there(side.from) && ends_there(side.to) &&
+           std::none_of(section_.horizons.begin(), section_.horizons.end(),
+                        [&](const section::Horizon& h) { return geom::distance(h.line, middle) <= near; });
+  }
+
+  const section::Section& section_;
   const std::vector<Fault>& faults_;
   const std::vector<geom::Polyline>& outline_;
   double tolerance_;
@@ -301,7 +342,7 @@ base::Result<std::vector<Fault>> faults_of(const section::Section& section, cons
   const double tolerance = tolerance_of(section, options);
   DOBRA_TRY(std::vector<Fault> faults, drawn_faults(section, tolerance));
   DOBRA_TRY(const std::vector<geom::Polyline> outline, outline_of(section, faults, options));
-  const Ends ends(faults, outline, tolerance);
+  const Ends ends(section, faults, outline, tolerance);
   std::vector<std::pair<FaultEnd, FaultEnd>> found;
   for (const Fault& fault : faults)
     found.emplace_back(ends.of(fault, fault.path.line.points.front()), ends.of(fault, fault.path.line.points.back()));

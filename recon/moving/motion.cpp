@@ -100,6 +100,12 @@ base::Result<Motion> bend_fold(const FaultPath& path, const MoveParams& params, 
   return motion;
 }
 
+/// Slip that has made the ramp of a fold as it is drawn, m.
+double slip_of_ramp(const FaultPath& path, const kinematics::PropagationAngles& angles) {
+  const bool drawn = path.line.points.size() > 2;
+  return drawn ? path.line.segment(path.line.segment_count() - 1).length() / angles.propagation : 0.0;
+}
+
 base::Result<Motion> propagation_fold(const FaultPath& path, const MoveParams& params, Amount amount) {
   Motion motion;
   DOBRA_TRY(motion.slip, slip_on(path.line.segment(0), amount, "the lower flat"));
@@ -107,7 +113,7 @@ base::Result<Motion> propagation_fold(const FaultPath& path, const MoveParams& p
   const kinematics::PropagationAngles& angles = still.angles();
   const bool drawn = path.line.points.size() > 2;
   const geom::Segment ramp = path.line.segment(path.line.segment_count() - 1);
-  const double had = drawn ? ramp.length() / angles.propagation : 0.0;
+  const double had = slip_of_ramp(path, angles);
   if (had + motion.slip < -1e-9 * (had + std::abs(motion.slip))) {
     return base::Error{base::ErrorCode::CannotRestore,
                        fmt::format("the ramp is {:.6g} m long, which a slip of {:.6g} m makes (P/S {:.4g}); give at "
@@ -142,8 +148,17 @@ base::Result<Motion> trishear(const FaultPath& path, const MoveParams& params, A
 
 bool has_tip(MoveMethod method) { return method == MoveMethod::FaultPropagationFold || method == MoveMethod::Trishear; }
 
+std::optional<double> slip_to_bend(const FaultPath& drawn, const MoveParams& params) {
+  if (params.method != MoveMethod::FaultPropagationFold || params.direction == Direction::Forward) return std::nullopt;
+  const FaultPath path = without_straight_vertices(drawn);
+  const auto map = kinematics::PropagationMap::make(path, params.ramp, 0.0, 0.0);
+  if (!map || path.line.points.size() < 3) return std::nullopt;
+  return -slip_of_ramp(path, map->angles());
+}
+
 base::Result<Motion> make_motion(const FaultPath& drawn, const MoveParams& params, Amount amount, double arc) {
-  const FaultPath path = straightened(drawn);
+  const bool by_bends = has_tip(*params.method) || params.method == MoveMethod::FaultBendFold;
+  const FaultPath path = by_bends ? without_straight_vertices(drawn) : drawn;
   switch (*params.method) {
     case MoveMethod::Rigid:
       return rigid(path, params, amount);

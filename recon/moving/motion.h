@@ -1,6 +1,7 @@
 #pragma once
 // The map of a method for one amount of slip. Page: docs/algorithms/move.md
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,6 +26,9 @@ struct Motion {
 /// @error CannotRestore: those of the methods, with the place.
 base::Result<Motion> make_motion(const kinematics::FaultPath& path, const MoveParams& params, kinematics::Amount amount,
                                  double arc);
+
+/// The slip that restores a whole fault-propagation fold, with its tip at the bend; nothing for all else.
+std::optional<double> slip_to_bend(const kinematics::FaultPath& path, const MoveParams& params);
 
 /// Whether the method moves a tip, so that it needs no block that faults part from the rest.
 bool has_tip(MoveMethod method);

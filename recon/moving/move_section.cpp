@@ -215,15 +215,43 @@ void add_areas(const geom::Polyline& ring, double least, double& area, geom::Poi
   }
 }
 
-/// Between the fault and the base of the hanging wall that was on it.
+/// What of a base lies beside the path, whose ends go on straight.
+geom::Polyline beside(const FaultPath& path, const geom::Polyline& base) {
+  const double length = geom::length(path.line);
+  std::vector<double> arcs;
+  for (const geom::Point p : base.points) arcs.push_back(nearest(path, p).arc);
+  geom::Polyline part;
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    for (const double end : {0.0, length}) {
+      if (i > 0 && (arcs[i - 1] - end) * (arcs[i] - end) < 0.0)
+        part.points.push_back(geom::interpolate(base.points[i - 1], base.points[i],
+                                                (end - arcs[i - 1]) / (arcs[i] - arcs[i - 1])));
+    }
+    if (arcs[i] >= 0.0 && arcs[i] <= length) part.points.push_back(base.points[i]);
+  }
+  return part;
+}
+
+/// Between the base of the hanging wall that was on the fault, and the fault, or what became of the footwall's side
+/// of it where a tip moves.
 OpenedArea opened_along(const FaultPath& path, const kinematics::BlockMap& map, double size) {
-  const geom::Polyline base = map.forward(path.line, kinematics::Wall::Hanging).after;
-  geom::Polyline ring{path.line.points, true};
+  const auto tip = map.tip();
+  const std::vector<geom::Point>& points = path.line.points;
+  const auto is_tip = [&](geom::Point p) { return tip && geom::distance(p, tip->before) <= 1e-9 * size; };
+  geom::Polyline line = path.line;
+  if (!is_tip(points.front()))
+    line.points.insert(line.points.begin(), points.front() + size * geom::normalised(points.front() - points[1]));
+  if (!is_tip(points.back()))
+    line.points.push_back(points.back() + size * geom::normalised(points.back() - points[points.size() - 2]));
+  const geom::Polyline base = beside(path, map.forward(line, kinematics::Wall::Hanging).after);
+  geom::Polyline ring = tip ? beside(path, map.forward(line, kinematics::Wall::Foot).after) : path.line;
+  ring.closed = true;
   ring.points.insert(ring.points.end(), base.points.rbegin(), base.points.rend());
   geom::Polyline other = geom::reversed(ring);
   if (path.hanging == kinematics::Side::Right) std::swap(ring, other);
   OpenedArea opened;
-  const double least = 1e-12 * size * size;
+  // Curves of trishear are true to a chord.
+  const double least = (map.piecewise_affine() ? 1e-12 : 1e-9) * size * size;
   add_areas(ring, least, opened.gap, opened.gap_at);
   add_areas(other, least, opened.overlap, opened.overlap_at);
   return opened;
@@ -241,6 +269,14 @@ void remark_beyond(const Setting& setting, const Moved& moved, std::vector<std::
         "horizon '{}' is carried {:.6g} m beyond the {} end of fault '{}', where the fault goes on straight",
         cut.horizon, beyond, arc < 0.0 ? "lower" : "higher", setting.fault.name));
   }
+}
+
+/// A line whose last point is the tip goes on to where that is now, or back.
+void take_to_tip(geom::Point after, std::vector<geom::Point>& points) {
+  while (points.size() > 1 && dot(points.back() - after, points.back() - points[points.size() - 2]) >= 0.0)
+    points.pop_back();
+  points.push_back(after);
+  points = kinematics::without_straight_vertices({{std::move(points), false}}).line.points;
 }
 
 /// The fault grows with its tip, or is taken back to it.
@@ -266,9 +302,7 @@ base::Result<void> move_tip(const Setting& setting, Moved& moved) {
         setting.tolerance)
       continue;
     if (at_first) std::reverse(points.begin(), points.end());
-    while (points.size() > 1 && dot(points.back() - after, points.back() - points[points.size() - 2]) >= 0.0)
-      points.pop_back();
-    points.push_back(after);
+    take_to_tip(after, points);
     if (at_first) std::reverse(points.begin(), points.end());
     moved.pieces.push_back({line.name, "fault", line.line});
   }
@@ -279,9 +313,12 @@ base::Result<void> move_tip(const Setting& setting, Moved& moved) {
 base::Result<void> set_after(const Setting& setting, Moved& moved) {
   if (const auto tip = moved.motion.map.tip()) {
     FaultPath path = setting.fault.path;
-    const bool last =
-        geom::distance(path.line.points.back(), tip->before) <= geom::distance(path.line.points.front(), tip->before);
-    (last ? path.line.points.back() : path.line.points.front()) = tip->after;
+    std::vector<geom::Point>& points = path.line.points;
+    const bool first = geom::distance(points.front(), tip->before) < geom::distance(points.back(), tip->before);
+    if (first) std::reverse(points.begin(), points.end());
+    take_to_tip(tip->after, points);
+    if (first) std::reverse(points.begin(), points.end());
+    if (points.size() < 2) points = setting.fault.path.line.points;
     moved.after = MovingPart::of_walls(std::move(path), setting.size);
     return {};
   }
@@ -290,6 +327,15 @@ base::Result<void> set_after(const Setting& setting, Moved& moved) {
     contours.push_back(moved.motion.map.forward(contour).after);
   DOBRA_TRY(moved.after, MovingPart::of_blocks(contours, setting.size));
   return {};
+}
+
+/// Methods with a tip take an end for one that leaves the section.
+void remark_on_tip(const Setting& setting, Moved& moved) {
+  const FaultPath& path = setting.fault.path;
+  const auto tip = moved.motion.map.tip();
+  if (!tip || path.tip_at_begin || path.tip_at_end) return;
+  moved.remarks.push_back(fmt::format("fault '{}' leaves the section at {}; that end is taken for its tip",
+                                      setting.fault.name, at_text(tip->before)));
 }
 
 void remark_on_misfit(Moved& moved) {
@@ -336,13 +382,14 @@ base::Result<Moved> move_block(const Section& section, const MoveParams& params,
   DOBRA_TRY(moved.motion, motion_of(setting, params, moved.remarks));
   progress.report(0.3, "map built");
   DOBRA_TRY_VOID(progress.check());
+  DOBRA_TRY_VOID(set_after(setting, moved));
   DOBRA_TRY_VOID(move_lines(section, setting.fault.pieces, setting.tolerance, moved));
   DOBRA_TRY_VOID(move_tip(setting, moved));
-  DOBRA_TRY_VOID(set_after(setting, moved));
   for (const CutHorizon& cut : setting.cut)
     moved.misfit.push_back(misfit_of(cut, setting.fault.path, params, moved.motion.map));
   moved.opened = opened_along(setting.fault.path, moved.motion.map, setting.size);
   moved.remarks.insert(moved.remarks.end(), moved.motion.remarks.begin(), moved.motion.remarks.end());
+  remark_on_tip(setting, moved);
   remark_beyond(setting, moved, moved.remarks);
   remark_on_misfit(moved);
   progress.report(1.0, "moved");

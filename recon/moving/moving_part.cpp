@@ -65,7 +65,27 @@ struct Range {
   std::size_t from = 0;
   std::size_t to = 0;
   Fate fate = Fate::Stays;
+  bool along = false;  ///< It runs along the boundary.
 };
+
+/// What runs along the boundary goes with its neighbours; from a part that moves to one that stays it is no part of the
+/// line but of the fault.
+void settle_along(std::vector<Range>& ranges) {
+  std::vector<Range> settled;
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    Range range = ranges[i];
+    if (range.along) {
+      const auto next = std::find_if(ranges.begin() + static_cast<std::ptrdiff_t>(i), ranges.end(),
+                                     [](const Range& r) { return !r.along; });
+      const Range* before = settled.empty() ? nullptr : &settled.back();
+      const Range* behind = next == ranges.end() ? nullptr : &*next;
+      if (before != nullptr && behind != nullptr && before->fate != behind->fate) continue;
+      if (before != nullptr || behind != nullptr) range.fate = before != nullptr ? before->fate : behind->fate;
+    }
+    settled.push_back(range);
+  }
+  ranges = std::move(settled);
+}
 
 /// Neighbours of one fate become one.
 void join(std::vector<Range>& ranges) {
@@ -198,16 +218,18 @@ std::vector<LinePart> MovingPart::split(const geom::Polyline& line, double overs
       if (met.kind == geom::IntersectionKind::Overlap) places.push_back(met.end.point);
     });
     geom::sort_along(segment, places);
-    add({segment.from, true, false}, cuts);
+    add({segment.from, true, on_boundary(segment.from)}, cuts);
     for (const geom::Point p : places) add({p, false, true}, cuts);
-    add({segment.to, true, false}, cuts);
+    add({segment.to, true, on_boundary(segment.to)}, cuts);
   }
   std::vector<Range> ranges;
   for (std::size_t from = 0, i = 1; i < cuts.size(); ++i) {
     if (!cuts[i].cut && i + 1 < cuts.size()) continue;
-    ranges.push_back({from, i, fate_of(middle_of_longest(cuts, from, i))});
+    const geom::Point middle = middle_of_longest(cuts, from, i);
+    ranges.push_back({from, i, fate_of(middle), on_boundary(middle)});
     from = i;
   }
+  if (!line.closed) settle_along(ranges);
   join(ranges);
   drop_short(cuts, near_, ranges);
   const std::pair<double, double> trimmed = trim(cuts, line.closed ? 0.0 : overshoot, ranges);

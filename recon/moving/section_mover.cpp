@@ -41,9 +41,21 @@ struct Image {
   [[nodiscard]] bool moved(std::size_t part) const { return !(after[part] == parts[part].line); }
 };
 
-Image image_of(const Moved& moved, std::vector<LinePart> parts) {
-  Image image{std::move(parts), {}};
-  for (const LinePart& part : image.parts) image.after.push_back(moved.before.image(part, moved.motion.map));
+/// Whether lines that a tip has passed are cut where the fault is now.
+enum class Cutting { None, ByTip };
+
+Image image_of(const Moved& moved, const std::vector<LinePart>& parts, Cutting cutting) {
+  Image image;
+  for (const LinePart& part : parts) {
+    geom::Polyline after = moved.before.image(part, moved.motion.map);
+    std::vector<LinePart> cut{{after, part.fate}};
+    if (cutting == Cutting::ByTip && moved.motion.map.tip() && !(after == part.line)) cut = moved.after.split(after);
+    for (LinePart& one : cut) {
+      image.parts.push_back(part);
+      if (&one != &cut.front()) image.parts.back().trimmed = 0.0;
+      image.after.push_back(std::move(one.line));
+    }
+  }
   return image;
 }
 
@@ -75,7 +87,7 @@ void remark_on_trims(const Image& image, const std::string& item, std::vector<st
 
 void move_horizons(const Section& section, double overshoot, Moved& moved) {
   const auto images = base::parallel_map<Image>(section.horizons.size(), [&](std::size_t i) {
-    return image_of(moved, moved.before.split(section.horizons[i].line, overshoot));
+    return image_of(moved, moved.before.split(section.horizons[i].line, overshoot), Cutting::ByTip);
   });
   PieceNames names(section.horizons);
   for (std::size_t i = 0; i < images.size(); ++i) {
@@ -100,7 +112,7 @@ void move_other_lines(const Section& section, const std::vector<section::LineId>
     const section::SectionLine& line = section.lines[i];
     if (line.kind == section::LineKind::Datum || std::find(fault.begin(), fault.end(), line.id) != fault.end())
       continue;
-    const Image image = image_of(moved, moved.before.split(line.line, overshoot));
+    const Image image = image_of(moved, moved.before.split(line.line, overshoot), Cutting::ByTip);
     remark_on_trims(image, fmt::format("{} '{}'", kind_name(line.kind), line.name), moved.remarks);
     put(
         image, kind_name(line.kind), i, names, moved.section.lines,
@@ -129,7 +141,7 @@ base::Result<void> move_polygons(const Section& section, Moved& moved) {
   for (std::size_t i = 0; i < section.units.size(); ++i) {
     const section::Unit& unit = section.units[i];
     DOBRA_TRY(std::vector<LinePart> parts, moved.before.split_area(unit.contour));
-    const Image image = image_of(moved, std::move(parts));
+    const Image image = image_of(moved, parts, Cutting::None);
     moved.units.push_back(unit_row(unit.name, geom::signed_area(unit.contour), area_of(image.after)));
     put(
         image, "unit", i, names, moved.section.units, [](std::size_t index) { return section::UnitId(index); },
@@ -146,7 +158,7 @@ base::Result<void> measure_rock_units(const Section& section, Moved& moved) {
     for (const geom::Polyline& contour : unit.contours) {
       const bool hole = geom::signed_area(contour) < 0.0;
       DOBRA_TRY(std::vector<LinePart> parts, moved.before.split_area(hole ? geom::reversed(contour) : contour));
-      after += (hole ? -1.0 : 1.0) * area_of(image_of(moved, std::move(parts)).after);
+      after += (hole ? -1.0 : 1.0) * area_of(image_of(moved, parts, Cutting::None).after);
     }
     moved.units.push_back(unit_row(unit.name, unit.area, after));
   }
@@ -166,7 +178,7 @@ void move_markers(Moved& moved) {
 base::Result<void> move_border(Moved& moved) {
   if (!moved.section.border) return {};
   DOBRA_TRY(std::vector<LinePart> parts, moved.before.split_area(*moved.section.border));
-  const Image image = image_of(moved, std::move(parts));
+  const Image image = image_of(moved, parts, Cutting::None);
   DOBRA_TRY(std::vector<geom::Polyline> contours, topo::region(image.after, topo::Inside::Positive));
   const auto larger = [](const auto& a, const auto& b) { return geom::signed_area(a) < geom::signed_area(b); };
   const auto outer = std::max_element(contours.begin(), contours.end(), larger);

@@ -100,7 +100,14 @@ double first_slip(const Objective& objective, const MoveParams& params, std::spa
     return i == 0 ? mean : reach * (2.0 * static_cast<double>(i) / static_cast<double>(trials) - 1.0);
   };
   base::parallel_for(trials, [&](std::size_t i) { sums[i] = objective.at(slip(i)); });
-  return slip(static_cast<std::size_t>(std::min_element(sums.begin(), sums.end()) - sums.begin()));
+  // Behind the slip at which a tip leaves a bed its cutoffs stay together: of equally good slips the least.
+  const double least = *std::min_element(sums.begin(), sums.end());
+  std::size_t best = trials;
+  for (std::size_t i = 0; i < trials; ++i) {
+    if (sums[i] > least + meets * meets * reach * reach * 1e-4) continue;
+    if (best == trials || std::abs(slip(i)) < std::abs(slip(best))) best = i;
+  }
+  return slip(best);
 }
 
 }  // namespace
@@ -108,12 +115,15 @@ double first_slip(const Objective& objective, const MoveParams& params, std::spa
 Misfit misfit_of(const CutHorizon& cut, const FaultPath& path, const MoveParams& params,
                  const kinematics::BlockMap& map) {
   const geom::Point moved = map.forward(cut.hanging_wall, kinematics::Wall::Hanging);
+  const geom::Point foot = map.tip() ? map.forward(cut.footwall, kinematics::Wall::Foot) : cut.footwall;
   Misfit misfit{cut.horizon, 0.0, 0.0, 0.0};
-  const kinematics::OnPath on = nearest(path, moved);
-  const geom::Vector chord = kinematics::chord(path);
-  misfit.along = params.method == MoveMethod::Rigid ? dot(cut.footwall - moved, chord) : cut.foot_arc - on.arc;
-  misfit.gap = std::max(on.distance, 0.0);
-  misfit.overlap = std::max(-on.distance, 0.0);
+  const kinematics::OnPath hanging = nearest(path, moved);
+  const kinematics::OnPath standing = nearest(path, foot);
+  const bool rigid = params.method == MoveMethod::Rigid;
+  misfit.along = rigid ? dot(foot - moved, kinematics::chord(path)) : standing.arc - hanging.arc;
+  const double across = hanging.distance - standing.distance;
+  misfit.gap = std::max(0.0, across);  // no -0
+  misfit.overlap = std::max(0.0, -across);
   return misfit;
 }
 
@@ -123,23 +133,49 @@ double root_mean_square(std::span<const Misfit> misfits) {
   return misfits.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(misfits.size()));
 }
 
+namespace {
+
+/// Cutoffs of one horizon that do not meet, or of several that no slip brings nearer.
+base::Result<void> refuse_apart(const FaultPath& path, const MoveParams& params, std::span<const CutHorizon> close,
+                                const Motion& motion, double size) {
+  std::vector<Misfit> before, after;
+  std::string names;
+  for (const CutHorizon& cut : close) {
+    before.push_back(misfit_of(cut, path, params, {}));
+    after.push_back(misfit_of(cut, path, params, motion.map));
+    names += fmt::format("{}'{}'", names.empty() ? "" : ", ", cut.horizon);
+  }
+  const double left = root_mean_square(after);
+  const bool meet = close.size() == 1 ? left <= meets * size : left <= std::max(meets * size, (1.0 - 1e-9) * root_mean_square(before));
+  if (meet) return {};
+  return base::Error{base::ErrorCode::CannotRestore,
+                     fmt::format("the cutoffs of horizon {} cannot meet by {}: at best, with a slip of {:.6g} m, {:.6g} "
+                                 "m are left along the fault{}; take another method, or give the slip",
+                                 names, method_name(*params.method), motion.slip,
+                                 close.size() == 1 ? after.front().along : left,
+                                 close.size() == 1 ? "" : ", root mean square"),
+                     place_at(close.front().footwall, "fault")};
+}
+
+}  // namespace
+
 base::Result<Motion> solve_slip(const FaultPath& path, const MoveParams& params, std::span<const CutHorizon> close,
                                 double arc, double size) {
   // Of one horizon slip is measured at its own cutoff: then the methods that keep points on the fault meet at once.
   const double measured = close.size() == 1 ? close.front().hanging_arc : arc;
   const Objective objective(path, params, close, measured);
-  const double slip = descend(objective, first_slip(objective, params, close, path), size);
+  double slip = descend(objective, first_slip(objective, params, close, path), size);
+  const std::optional<double> whole = slip_to_bend(path, params);
+  const bool to_bend = whole && objective.at(*whole) <= std::pow(meets * size, 2) * static_cast<double>(close.size());
+  if (to_bend) slip = *whole;
   DOBRA_TRY(Motion motion, objective.motion(slip));
+  if (to_bend) {
+    motion.remarks.push_back("the cutoffs meet as soon as the tip has left the beds; the slip taken is that of the whole "
+                             "fold, which takes the tip back to the bend");
+  }
   if (measured != arc && params.method == MoveMethod::Shear)
     motion.slip = nearest(path, motion.map.forward(point_at(path, arc))).arc - arc;
-  const Misfit left = misfit_of(close.front(), path, params, motion.map);
-  if (close.size() == 1 && std::abs(left.along) > meets * size) {
-    return base::Error{base::ErrorCode::CannotRestore,
-                       fmt::format("the cutoffs of horizon '{}' cannot meet by {}: at best, with a slip of {:.6g} m, "
-                                   "{:.6g} m are left along the fault; take another method, or give the slip",
-                                   left.horizon, method_name(*params.method), motion.slip, left.along),
-                       place_at(close.front().footwall, "fault")};
-  }
+  DOBRA_TRY_VOID(refuse_apart(path, params, close, motion, size));
   return motion;
 }
 

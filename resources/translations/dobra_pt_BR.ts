@@ -768,10 +768,6 @@
         <translation>Transportar</translation>
     </message>
     <message>
-        <source>0 is the input, k the section after k restorations.</source>
-        <translation>0 é a entrada, k a seção após k restaurações.</translation>
-    </message>
-    <message>
         <source>By default the last.</source>
         <translation>Por padrão, o último.</translation>
     </message>
@@ -2842,6 +2838,174 @@
     <message>
         <source>Faults and blocks</source>
         <translation>Falhas e blocos</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>Falha</translation>
+    </message>
+    <message>
+        <source>Along which the block moves.</source>
+        <translation>Ao longo da qual o bloco se move.</translation>
+    </message>
+    <message>
+        <source>rigid: along the straight line from end to end of the fault, or turned about a pivot; shear: inclined simple shear; fault_parallel_flow and flexural_slip: along parallels of the fault, the latter keeps bed lengths; the folds: beds keep their thickness over the bends, or in front of the tip; trishear: slip dies out in a triangle in front of the tip.</source>
+        <translation>rigid: ao longo da reta de ponta a ponta da falha, ou girado em torno de um pivô; shear: cisalhamento simples inclinado; fault_parallel_flow e flexural_slip: ao longo de paralelas à falha, este último conserva os comprimentos das camadas; as dobras: as camadas conservam sua espessura sobre as quebras da falha, ou à frente da ponta; trishear: o rejeito se extingue num triângulo à frente da ponta.</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Sentido</translation>
+    </message>
+    <message>
+        <source>restore: to an earlier state; forward: to a later one.</source>
+        <translation>restore: para um estado anterior; forward: para um posterior.</translation>
+    </message>
+    <message>
+        <source>That move, or groups of them; by default all of the hanging wall.</source>
+        <translation>Que se movem, ou grupos deles; por padrão toda a capa.</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Ângulo</translation>
+    </message>
+    <message>
+        <source>Of shear: its direction from the vertical, positive leaning to +x; rigid: anticlockwise turn.</source>
+        <translation>Do cisalhamento: sua direção a partir da vertical, positiva inclinada para +x; rigid: giro anti-horário.</translation>
+    </message>
+    <message>
+        <source>Pivot</source>
+        <translation>Pivô</translation>
+    </message>
+    <message>
+        <source>About which a rigid block turns.</source>
+        <translation>Em torno do qual um bloco rígido gira.</translation>
+    </message>
+    <message>
+        <source>Up along the fault</source>
+        <translation>Para cima ao longo da falha</translation>
+    </message>
+    <message>
+        <source>Of a fault with level ends: the way that its hanging wall goes for a slip above 0.</source>
+        <translation>De uma falha com pontas no mesmo nível: para onde vai sua capa com um rejeito acima de 0.</translation>
+    </message>
+    <message>
+        <source>How far ends of lines are taken to the fault; by default 0.005 of the section&apos;s diagonal.</source>
+        <translation>Até que distância extremidades de linhas são levadas à falha; por padrão 0,005 da diagonal da seção.</translation>
+    </message>
+    <message>
+        <source>Slip</source>
+        <translation>Rejeito</translation>
+    </message>
+    <message>
+        <source>Of the hanging wall along the fault; positive raises it.</source>
+        <translation>Da capa ao longo da falha; positivo a eleva.</translation>
+    </message>
+    <message>
+        <source>Heave</source>
+        <translation>Rejeito horizontal</translation>
+    </message>
+    <message>
+        <source>Instead: horizontally; positive raises the hanging wall.</source>
+        <translation>Em vez disso: na horizontal; positivo eleva a capa.</translation>
+    </message>
+    <message>
+        <source>Throw</source>
+        <translation>Rejeito vertical</translation>
+    </message>
+    <message>
+        <source>Instead: vertically; positive raises the hanging wall.</source>
+        <translation>Em vez disso: na vertical; positivo eleva a capa.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fechar</translation>
+    </message>
+    <message>
+        <source>Instead: horizons whose cutoffs are to meet; of several by least squares.</source>
+        <translation>Em vez disso: horizontes cujos pontos de corte devem se encontrar; vários, por mínimos quadrados.</translation>
+    </message>
+    <message>
+        <source>Measured at</source>
+        <translation>Medido em</translation>
+    </message>
+    <message>
+        <source>Horizon at whose cutoff in the hanging wall the slip is measured; by default the uppermost.</source>
+        <translation>Horizonte em cujo ponto de corte na capa o rejeito é medido; por padrão o mais alto.</translation>
+    </message>
+    <message>
+        <source>Apical angle</source>
+        <translation>Ângulo apical</translation>
+    </message>
+    <message>
+        <source>Of trishear: the full angle of the triangle.</source>
+        <translation>Do trishear: o ângulo inteiro do triângulo.</translation>
+    </message>
+    <message>
+        <source>P/S</source>
+        <translation>P/S</translation>
+    </message>
+    <message>
+        <source>Of trishear: how far the tip goes a metre of slip.</source>
+        <translation>Do trishear: quanto a ponta avança por metro de rejeito.</translation>
+    </message>
+    <message>
+        <source>Concentration</source>
+        <translation>Concentração</translation>
+    </message>
+    <message>
+        <source>Of trishear: 1 shears evenly, more gathers strain in the middle of the triangle.</source>
+        <translation>Do trishear: 1 cisalha por igual, mais concentra a deformação no meio do triângulo.</translation>
+    </message>
+    <message>
+        <source>Ramp angle</source>
+        <translation>Ângulo da rampa</translation>
+    </message>
+    <message>
+        <source>Of a fault-propagation fold whose fault has its flat alone yet.</source>
+        <translation>De uma dobra de propagação de falha cuja falha só tem ainda o patamar.</translation>
+    </message>
+    <message>
+        <source>Bedding</source>
+        <translation>Acamamento</translation>
+    </message>
+    <message>
+        <source>Of a fault-bend fold: direction of the undeformed beds; by default along the lowest segment.</source>
+        <translation>De uma dobra de flexão de falha: direção das camadas não deformadas; por padrão ao longo do segmento mais baixo.</translation>
+    </message>
+    <message>
+        <source>Slip before</source>
+        <translation>Rejeito anterior</translation>
+    </message>
+    <message>
+        <source>Of a fault-bend fold: slip that the fault had at the earlier of the two states.</source>
+        <translation>De uma dobra de flexão de falha: rejeito que a falha tinha no estado anterior dos dois.</translation>
+    </message>
+    <message>
+        <source>Move on fault</source>
+        <translation>Mover pela falha</translation>
+    </message>
+    <message>
+        <source>Moves blocks along a fault, back to an earlier state or on to a later one.</source>
+        <translation>Move blocos ao longo de uma falha, de volta a um estado anterior ou adiante a um posterior.</translation>
+    </message>
+    <message>
+        <source>Block that moves</source>
+        <translation>Bloco que se move</translation>
+    </message>
+    <message>
+        <source>Fault of the move</source>
+        <translation>Falha do movimento</translation>
+    </message>
+    <message>
+        <source>Section after the move</source>
+        <translation>Seção após o movimento</translation>
+    </message>
+    <message>
+        <source>Section after move</source>
+        <translation>Seção após o movimento</translation>
+    </message>
+    <message>
+        <source>0 is the input, k the section after k restorations and moves.</source>
+        <translation>0 é a entrada, k a seção após k restaurações e movimentos.</translation>
     </message>
 </context>
 </TS>
