@@ -3,6 +3,7 @@
 #include <set>
 
 #include "recon/section/arrangement.h"
+#include "recon/section/face_contours.h"
 #include "shared/topo/locate.h"
 
 namespace recon::moving {
@@ -37,6 +38,21 @@ geom::Polyline drawn(geom::Polyline line, const faults::FaultEnd& lower, const f
   return line;
 }
 
+/// Beyond the fault's own part its path runs along others, to where they end.
+geom::Polyline path_of(const faults::Fault& moving, double diagonal) {
+  const faults::FaultEnd border{};
+  const kinematics::FaultPath& path = moving.path;
+  const faults::FaultEnd tip{faults::EndKind::Tip, {}, {}, 0.0};
+  return drawn(path.line,
+               path.tip_at_begin       ? tip
+               : moving.own_from > 0.0 ? border
+                                       : moving.lower,
+               path.tip_at_end                                         ? tip
+               : moving.own_to < geom::length(path.line) * (1 - 1e-12) ? border
+                                                                       : moving.upper,
+               diagonal);
+}
+
 geom::Polyline frame_round(const geom::Box& box, double diagonal) {
   const geom::Box frame = box.grown(frame_at * diagonal);
   return {{frame.low, {frame.high.x, frame.low.y}, frame.high, {frame.low.x, frame.high.y}}, true};
@@ -46,22 +62,13 @@ geom::Polyline frame_round(const geom::Box& box, double diagonal) {
 
 base::Result<std::vector<geom::Polyline>> area_of_blocks(const section::Section& section,
                                                          const std::vector<faults::Fault>& faults,
-                                                         const faults::Fault& moving,
+                                                         const faults::Fault* moving,
                                                          std::span<const geom::Point> inside) {
   const geom::Box box = box_of(section);
   const double diagonal = box.diagonal();
   std::vector<geom::Polyline> lines{frame_round(box, diagonal)};
-  for (const faults::Fault& fault : faults)
-    lines.push_back(drawn(own_line(fault), fault.lower, fault.upper, diagonal));
-  // Beyond the fault's own part its path runs along others, to where they end.
-  const faults::FaultEnd border{};
-  const kinematics::FaultPath& path = moving.path;
-  const faults::FaultEnd tip{faults::EndKind::Tip, {}, {}, 0.0};
-  lines.push_back(drawn(path.line, path.tip_at_begin ? tip : moving.own_from > 0.0 ? border : moving.lower,
-                        path.tip_at_end                                       ? tip
-                        : moving.own_to < geom::length(path.line) * (1 - 1e-12) ? border
-                                                                              : moving.upper,
-                        diagonal));
+  for (const faults::Fault& fault : faults) lines.push_back(drawn(own_line(fault), fault.lower, fault.upper, diagonal));
+  if (moving != nullptr) lines.push_back(path_of(*moving, diagonal));
   DOBRA_TRY(const section::Arrangement arrangement, section::Arrangement::make(std::move(lines)));
   std::set<topo::FaceId> chosen;
   for (const geom::Point p : inside) {
@@ -70,7 +77,7 @@ base::Result<std::vector<geom::Polyline>> area_of_blocks(const section::Section&
   }
   std::vector<geom::Polyline> contours;
   for (const topo::FaceId face : chosen) {
-    for (geom::Polyline& contour : arrangement.contours(face)) contours.push_back(std::move(contour));
+    for (geom::Polyline& contour : section::contours_of(arrangement, face)) contours.push_back(std::move(contour));
   }
   return contours;
 }

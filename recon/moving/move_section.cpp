@@ -158,12 +158,12 @@ base::Result<Motion> motion_of(const Setting& setting, const MoveParams& params,
 
 /// What moves, with the names of its blocks.
 base::Result<void> choose_part(const Section& section, const MoveParams& params, const std::vector<Fault>& all,
-                               const Setting& setting, Moved& moved) {
+                               const faults::FaultOptions& options, const Setting& setting, Moved& moved) {
   if (has_tip(*params.method)) {
     moved.before = MovingPart::of_walls(setting.fault.path, setting.size);
     return {};
   }
-  DOBRA_TRY(const faults::Blocks blocks, faults::Blocks::make(section, all));
+  DOBRA_TRY(const faults::Blocks blocks, faults::Blocks::make(section, all, options));
   DOBRA_TRY(const std::vector<faults::BlockId> chosen,
             params.block.empty() ? blocks.hanging_wall(setting.fault) : blocks.named(params.block));
   std::vector<geom::Point> inside;
@@ -172,7 +172,7 @@ base::Result<void> choose_part(const Section& section, const MoveParams& params,
     moved.blocks.push_back(block.name);
     inside.push_back(block.inside);
   }
-  DOBRA_TRY(const std::vector<geom::Polyline> contours, area_of_blocks(section, all, setting.fault, inside));
+  DOBRA_TRY(const std::vector<geom::Polyline> contours, area_of_blocks(section, all, &setting.fault, inside));
   DOBRA_TRY(moved.before, MovingPart::of_blocks(contours, setting.size));
   return {};
 }
@@ -329,7 +329,7 @@ base::Result<Moved> move_block(const Section& section, const MoveParams& params,
   DOBRA_TRY(const Setting setting, setting_of(section, params, all, options));
   Moved moved;
   moved.params = params;
-  DOBRA_TRY_VOID(choose_part(section, params, all, setting, moved));
+  DOBRA_TRY_VOID(choose_part(section, params, all, options, setting, moved));
   DOBRA_TRY_VOID(refuse_overlap(section, moved));
   DOBRA_TRY(moved.motion, motion_of(setting, params, moved.remarks));
   progress.report(0.3, "map built");
