@@ -5,10 +5,12 @@
 
 #include "recon/balance/area_balance.h"
 #include "recon/balance/area_depth.h"
+#include "recon/cli/blockwise_json.h"
 #include "recon/cli/ledger_json.h"
 #include "recon/cli/section_document.h"
 #include "recon/cli/section_options.h"
 #include "recon/core/model.h"
+#include "recon/jigsaw/blockwise_params.h"
 #include "recon/unfold/monte_carlo.h"
 #include "shared/cli/commands.h"
 
@@ -38,7 +40,7 @@ struct RestoreParams {
 
 struct RestoreOptions {
   SectionOptions section;
-  ParameterOptions grid, target, restore, errors;
+  ParameterOptions grid, target, restore, blocks, errors;
   dobra::cli::OptionsOf<RestoreParams> own;
   std::optional<std::filesystem::path> out;
 };
@@ -48,10 +50,42 @@ struct BalanceOptions {
   ParameterOptions by_length, by_area;
 };
 
+/// One step, to which grid and target lend their options.
+Result<scenario::Step> blockwise_step(Session& session, const RestoreOptions& options, const std::string& target_line) {
+  DOBRA_TRY(scenario::Step restore, step_of(session, "restore", options.restore));
+  DOBRA_TRY(const scenario::Step blocks, step_of(session, "restore", options.blocks));
+  for (const auto& entry : blocks.params.entries()) restore.params.set(entry.key, entry.value);
+  const auto refuse = [](const std::string& option) {
+    return base::Error{base::ErrorCode::BadUsage,
+                       option + " does not go with --block and --jigsaw, which restore to a level datum (--elevation)"};
+  };
+  DOBRA_TRY(const scenario::Step grid, step_of(session, "grid", options.grid));
+  DOBRA_TRY(const scenario::Step target, step_of(session, "target", options.target));
+  for (const scenario::Step* step : {&grid, &target}) {
+    for (const auto& entry : step->params.entries()) {
+      if (entry.key == "uncovered") return refuse("--uncovered");
+      if (entry.key == "target_pin") return refuse("--target-pin");
+      restore.params.set(entry.key, entry.value);
+    }
+  }
+  if (target_line != "flat") return refuse("--target " + target_line);
+  if (options.errors.any()) {
+    return base::Error{base::ErrorCode::BadUsage,
+                       "error bars (--draws and what belongs to it) are drawn of a section as a whole, not with --block "
+                       "or --jigsaw"};
+  }
+  return restore;
+}
+
 Result<scenario::Document> restore_document(Session& session, const RestoreOptions& options,
                                             const std::string& target_line) {
   DOBRA_TRY(const scenario::Table lines, options.section.lines.table());
   DOBRA_TRY(scenario::Document document, document_of(session, options.section, lines));
+  if (options.blocks.any()) {
+    DOBRA_TRY(scenario::Step restore, blockwise_step(session, options, target_line));
+    document.steps = {std::move(restore)};
+    return document;
+  }
   DOBRA_TRY(scenario::Step grid, step_of(session, "grid", options.grid));
   DOBRA_TRY(scenario::Step target, step_of(session, "target", options.target));
   DOBRA_TRY(scenario::Step restore, step_of(session, "restore", options.restore));
@@ -79,10 +113,13 @@ Result<int> restore_job(Session& session, const RestoreOptions& options) {
   DOBRA_TRY_VOID(scenario::check(document, session.program));
   DOBRA_TRY(const scenario::Run run, dobra::cli::run_steps(session, document));
   const auto& model = scenario::model_of<core::Model>(run.states.back());
-  DOBRA_TRY_VOID(write_out(session, options.out, document, run.states.back(), model.restoration->section));
+  DOBRA_TRY_VOID(write_out(session, options.out, document, run.states.back(), current_section(model)));
   const bool as_json = session.options.format == dobra::cli::OutputFormat::Json;
-  DOBRA_TRY_VOID(dobra::cli::print(as_json ? restoration_json(model, own.geometry ? Geometry::Include : Geometry::Leave)
-                                           : restoration_table(model)));
+  const Geometry geometry = own.geometry ? Geometry::Include : Geometry::Leave;
+  const std::string text = model.blockwise ? (as_json ? blockwise_json(model, geometry) : blockwise_table(model))
+                           : as_json       ? restoration_json(model, geometry)
+                                           : restoration_table(model);
+  DOBRA_TRY_VOID(dobra::cli::print(text));
   return 0;
 }
 
@@ -116,6 +153,8 @@ dobra::cli::Command restore_command() {
             options->section.add(app, {"horizons_from_units", "colours", "orientation"});
             options->grid.add(app, scenario::fields_of<unfold::GridParams>(), {"top", "simplify", "uncovered"});
             options->restore.add(app, scenario::fields_of<unfold::RestoreParams>());
+            options->blocks.add(app, scenario::fields_of<jigsaw::BlockwiseParams>(),
+                                {"block", "jigsaw", "fit", "cutoff_tolerance"});
             options->target.add(app, scenario::fields_of<unfold::TargetParams>(), {"pin", "elevation", "target_pin"});
             options->errors.add(app, scenario::fields_of<unfold::MonteCarloParams>(),
                                 {"draws", "pick_error", "pin_error", "angle_error", "seed"});

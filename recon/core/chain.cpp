@@ -79,6 +79,7 @@ Comparison compare(const std::vector<const Stage*>& chain, std::size_t from, std
 double balance_tolerance(const std::vector<const Stage*>& chain) {
   for (auto stage = chain.rbegin(); stage != chain.rend(); ++stage) {
     if ((*stage)->restoration) return (*stage)->restoration->params.tolerance;
+    if ((*stage)->blockwise) return (*stage)->blockwise->params.tolerance;
   }
   return unfold::RestoreParams{}.tolerance;
 }

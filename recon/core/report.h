@@ -28,6 +28,7 @@ std::vector<RowCell> cells_of(const balance::UnitRow& row);
 std::vector<RowCell> cells_of(const balance::BedBalance& row);
 std::vector<RowCell> cells_of(const balance::LineLength& row);
 std::vector<RowCell> cells_of(const balance::AreaDepthFit& fit);
+std::vector<RowCell> cells_of(const jigsaw::RestoredFault& fault);
 
 /// Quantities "prefix + name" of what has a value.
 void add_cells(const std::string& prefix, const std::vector<RowCell>& cells,

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "recon/balance/face_ledger.h"
+#include "recon/core/blockwise_report.h"
 #include "recon/core/chain.h"
 #include "recon/core/report.h"
 #include "recon/core/section_picture.h"
@@ -295,6 +296,7 @@ scene::Panel panel_after(const Model& model, const section::Palette& palette,
 }  // namespace
 
 void draw_restored(const Model& model, scene::Picture& picture) {
+  draw_blockwise(model, picture);
   if (!model.restoration) return;
   const section::Palette palette(model.section);
   const unfold::Target& target = *model.target;

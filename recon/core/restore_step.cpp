@@ -1,5 +1,6 @@
 #include "recon/core/restore_step.h"
 
+#include "recon/core/blockwise_report.h"
 #include "recon/core/report.h"
 #include "recon/core/restore_picture.h"
 #include "recon/section/section_check.h"
@@ -15,6 +16,7 @@ namespace io = dobra::io;
 namespace {
 
 void add_restored_quantities(const Model& model, std::vector<scenario::Quantity>& quantities) {
+  add_blockwise_quantities(model, quantities);
   if (!model.restoration) return;
   const unfold::Restoration& restoration = *model.restoration;
   std::size_t points = 0, outside = 0, beyond = 0, not_reversible = 0, tears = 0;
@@ -72,6 +74,7 @@ scenario::DataTable strain_table(const std::vector<maps::Strain>& strains) {
 }
 
 void add_restored_tables(const Model& model, std::vector<scenario::DataTable>& tables) {
+  add_blockwise_tables(model, tables);
   if (!model.restoration) return;
   tables.push_back(row_table("line_length", "horizon", model.restoration->lengths));
   if (const auto totals = totals_of(model.restoration->lengths); !totals.empty())
@@ -105,16 +108,18 @@ std::string restored_csv(const unfold::Restoration& restoration) {
 
 void add_restored_outputs(const std::shared_ptr<const Model>& model, std::vector<scenario::Output>& outputs) {
   using Path = std::filesystem::path;
-  if (!model->restoration) return;
+  if (!model->restoration && !model->blockwise) return;
   outputs.push_back({"restored.geojson", [model](const Path& path) {
-                       return io::gis::write_geojson(path.string(), restored_features(model->restoration->section));
+                       return io::gis::write_geojson(path.string(), restored_features(section_made(*model)));
                      }});
+  if (!model->restoration) return;
   outputs.push_back(
       {"restored.csv", [model](const Path& path) { return io::write_file(path, restored_csv(*model->restoration)); }});
 }
 
 void add_restored_remarks(const Model& model, std::vector<std::string>& remarks) {
   if (model.restoration) append(model.restoration->remarks, remarks);
+  if (model.blockwise) append(model.blockwise->remarks, remarks);
 }
 
 }  // namespace
@@ -134,9 +139,21 @@ base::Result<Model> run_restore(const Model& model, const unfold::RestoreParams&
   return next;
 }
 
+base::Result<Model> run_restore_step(const Model& model, const RestoreStepParams& params,
+                                     const scenario::Context& context, const base::Progress& progress) {
+  DOBRA_TRY_VOID(jigsaw::check_params(params));
+  if (!is_blockwise(params)) return run_restore(model, params, context, progress);
+  DOBRA_TRY(Model next, next_stage(model));
+  next.findings.forget_after(next.earlier.size());
+  DOBRA_TRY_VOID(check_section(next.section, params.crossings));
+  DOBRA_TRY(next.blockwise, restore_blockwise(next.section, params, params, progress));
+  return next;
+}
+
 scenario::Operation restore_step() {
-  return scenario::make_operation<Model, unfold::RestoreParams>(
-      "restore", "Restore", "Carries every point of the section from the source grid to the target grid.", run_restore,
+  return scenario::make_operation<Model, RestoreStepParams>(
+      "restore", "Restore", "Carries every point of the section from the source grid to the target grid.",
+      run_restore_step,
       {.quantities = add_restored_quantities,
        .tables = add_restored_tables,
        .remarks = add_restored_remarks,

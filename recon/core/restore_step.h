@@ -2,7 +2,7 @@
 // The operation `restore`.
 
 #include "recon/core/model.h"
-#include "recon/unfold/restore.h"
+#include "recon/core/restore_params.h"
 #include "shared/scenario/program.h"
 
 namespace recon::core {
@@ -10,6 +10,10 @@ namespace recon::core {
 /// Restored section and balance ledger. @error CannotRestore without grid and target.
 base::Result<Model> run_restore(const Model& model, const unfold::RestoreParams& params,
                                 const dobra::scenario::Context& context, const base::Progress& progress);
+
+/// The same, or block by block, which needs neither grid nor target and is a stage of its own.
+base::Result<Model> run_restore_step(const Model& model, const RestoreStepParams& params,
+                                     const dobra::scenario::Context& context, const base::Progress& progress);
 
 /// Quantities: horizon.NAME.* and top.* (the columns of the table line_length), shortening, shortening_percent, points,
 /// points_outside, points_beyond_ends, points_not_reversible, tears, torn, greatest_change_percent,

@@ -36,41 +36,60 @@ base::Result<geom::Polyline> tidy(geom::Polyline line, const std::string& item, 
 
 }  // namespace
 
-bool is_done(const Stage& stage) { return stage.restoration || stage.moved; }
+namespace {
+
+/// What `of` says of what was done at a stage.
+template <class Of>
+decltype(auto) done_at(const Stage& stage, Of&& of) {
+  if (stage.moved) return of(*stage.moved);
+  if (stage.blockwise) return of(*stage.blockwise);
+  return of(*stage.restoration);
+}
+
+}  // namespace
+
+bool is_done(const Stage& stage) { return stage.restoration || stage.moved || stage.blockwise; }
 
 const section::Section& section_made(const Stage& stage) {
-  return stage.moved ? stage.moved->section : stage.restoration->section;
+  return done_at(stage, [](const auto& done) -> const section::Section& { return done.section; });
 }
 
 geom::Point forward(const Stage& stage, geom::Point p) {
-  return stage.moved ? stage.moved->forward(p) : stage.restoration->map.forward(p).at;
+  if (stage.restoration) return stage.restoration->map.forward(p).at;
+  return stage.moved ? stage.moved->forward(p) : stage.blockwise->forward(p);
 }
 
 geom::Point inverse(const Stage& stage, geom::Point p) {
-  return stage.moved ? stage.moved->inverse(p) : stage.restoration->map.inverse(p);
+  if (stage.restoration) return stage.restoration->map.inverse(p);
+  return stage.moved ? stage.moved->inverse(p) : stage.blockwise->inverse(p);
 }
 
 geom::Polyline forward(const Stage& stage, const geom::Polyline& line) {
-  return stage.moved ? stage.moved->forward(line) : stage.restoration->map.forward(line).after;
+  if (stage.restoration) return stage.restoration->map.forward(line).after;
+  return stage.moved ? stage.moved->forward(line) : stage.blockwise->forward(line);
 }
 
 geom::Polyline inverse(const Stage& stage, const geom::Polyline& line) {
-  return stage.moved ? stage.moved->inverse(line) : stage.restoration->map.swapped().forward(line).after;
+  if (stage.restoration) return stage.restoration->map.swapped().forward(line).after;
+  return stage.moved ? stage.moved->inverse(line) : stage.blockwise->inverse(line);
 }
 
 const std::vector<balance::LineLength>& lengths_of(const Stage& stage) {
-  return stage.moved ? stage.moved->lengths : stage.restoration->lengths;
+  return done_at(stage, [](const auto& done) -> const std::vector<balance::LineLength>& { return done.lengths; });
 }
 
 const std::vector<balance::UnitRow>& units_of(const Stage& stage) {
-  return stage.moved ? stage.moved->units : stage.restoration->ledger.units;
+  if (stage.restoration) return stage.restoration->ledger.units;
+  return stage.moved ? stage.moved->units : stage.blockwise->units;
 }
 
 const std::vector<std::string>& remarks_of(const Stage& stage) {
-  return stage.moved ? stage.moved->remarks : stage.restoration->remarks;
+  return done_at(stage, [](const auto& done) -> const std::vector<std::string>& { return done.remarks; });
 }
 
-const char* what_was_done(const Stage& stage) { return stage.moved ? "move" : "restoration"; }
+const char* what_was_done(const Stage& stage) {
+  return stage.moved ? "move" : stage.blockwise ? "restoration of blocks" : "restoration";
+}
 
 base::Result<section::Section> section_after(const Stage& stage, std::vector<std::string>& remarks) {
   section::Section section = section_made(stage);

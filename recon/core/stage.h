@@ -1,9 +1,10 @@
 #pragma once
 // One turn of the chain that a model is: a section, and what it became: unfolded with a grid and a target, or with
-// blocks moved along a fault. The section after it is that of the next stage. Page: docs/algorithms/chain.md
+// blocks moved along a fault, or restored block by block. The section after it is that of the next stage. Page: docs/algorithms/chain.md
 
 #include <optional>
 
+#include "recon/jigsaw/blockwise.h"
 #include "recon/moving/move_section.h"
 #include "recon/section/section.h"
 #include "recon/unfold/grid.h"
@@ -17,7 +18,8 @@ struct Stage {
   std::optional<unfold::SourceGrid> source;        ///< After the step grid.
   std::optional<unfold::Target> target;            ///< After the step target.
   std::optional<unfold::Restoration> restoration;  ///< After the step restore.
-  std::optional<moving::Moved> moved;              ///< After the step move, instead of the three above.
+  std::optional<moving::Moved> moved;              ///< After the step move, instead of the three above ...
+  std::optional<jigsaw::Blockwise> blockwise;      ///< ... or after restore with blocks or as a jigsaw.
 };
 
 /// Whether it leaves another section than it has.
@@ -36,7 +38,7 @@ geom::Polyline inverse(const Stage& stage, const geom::Polyline& line);
 const std::vector<balance::LineLength>& lengths_of(const Stage& stage);
 const std::vector<balance::UnitRow>& units_of(const Stage& stage);
 const std::vector<std::string>& remarks_of(const Stage& stage);
-/// "restoration" or "move".
+/// "restoration", "move" or "restoration of blocks".
 const char* what_was_done(const Stage& stage);
 
 /// The section that a stage leaves, fit to be that of the next one: ids, names and roles of the stage's, no

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "recon/faults/cutoffs.h"
@@ -355,6 +356,71 @@ void Blocks::spread(const Fault& fault, std::size_t number, std::set<BlockId>& r
       if (reached.contains(b)) reached.insert(a);
     }
   }
+}
+
+namespace {
+
+/// Where the nearest point of a line to p is along it, m; nothing if that is farther off than `near`.
+std::optional<double> arc_beside(const geom::Polyline& line, const std::vector<double>& arcs, geom::Point p,
+                                 double near) {
+  std::optional<double> found;
+  for (std::size_t i = 0; i < line.segment_count(); ++i) {
+    const geom::Segment segment = line.segment(i);
+    const double distance = geom::distance(segment, p);
+    if (distance > near) continue;
+    near = distance;
+    found = arcs[i] + (arcs[i + 1] - arcs[i]) * geom::nearest_fraction(segment, p);
+  }
+  return found;
+}
+
+/// The part of a line along which a block has corners; empty where these are one place.
+geom::Polyline beside(const geom::Polyline& line, const Block& block, double near) {
+  const std::vector<double> arcs = geom::arc_lengths(line);
+  double from = arcs.back(), to = 0.0;
+  for (const geom::Polyline& contour : block.contours) {
+    for (const geom::Point p : contour.points) {
+      const auto arc = arc_beside(line, arcs, p, near);
+      if (!arc) continue;
+      from = std::min(from, *arc);
+      to = std::max(to, *arc);
+    }
+  }
+  geom::Polyline part;
+  if (to - from <= near) return part;
+  part.points.push_back(geom::point_at(line, arcs, from));
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    if (arcs[i] > from + near && arcs[i] < to - near) part.points.push_back(line.points[i]);
+  }
+  part.points.push_back(geom::point_at(line, arcs, to));
+  return part;
+}
+
+}  // namespace
+
+std::vector<FaultWall> Blocks::walls() const {
+  const topo::Subdivision& sub = drawing_->sub();
+  std::vector<FaultWall> walls;
+  for (std::size_t fault = 0; fault < drawing_->own.size(); ++fault) {
+    const std::vector<HalfEdgeId>& own = drawing_->own[fault];
+    for (const kinematics::Side side : {kinematics::Side::Left, kinematics::Side::Right}) {
+      std::map<BlockId, std::pair<std::size_t, std::size_t>> reaches;  // first and last half-edge
+      for (std::size_t i = 0; i < own.size(); ++i) {
+        const HalfEdgeId here = side == kinematics::Side::Left ? own[i] : Structure::twin(own[i]);
+        const BlockId block = drawing_->left_of(here);
+        if (!block.valid() || block == drawing_->left_of(Structure::twin(here))) continue;  // what leads to a tip
+        reaches.try_emplace(block, i, i).first->second.second = i;
+      }
+      for (const auto& [block, reach] : reaches) {
+        geom::Polyline line{{sub.segment(own[reach.first]).from}, false};
+        for (std::size_t i = reach.first; i <= reach.second; ++i) line.points.push_back(sub.segment(own[i]).to);
+        // The outline and the fault may be drawn along each other, with slivers of no rock between them.
+        FaultWall wall{fault, side, block, beside(line, blocks_[block.index()], 100.0 * drawing_->rounding)};
+        if (!wall.line.points.empty()) walls.push_back(std::move(wall));
+      }
+    }
+  }
+  return walls;
 }
 
 base::Result<std::vector<BlockId>> Blocks::named(std::span<const std::string> names) const {

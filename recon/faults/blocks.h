@@ -27,6 +27,15 @@ struct Block {
   std::string part_of;                   ///< Its group; empty: none.
 };
 
+/// What a block shows of a fault that parts it from others: along the fault from its lower end, as far as the rock of the
+/// block reaches.
+struct FaultWall {
+  std::size_t fault = 0;                               ///< In the order of the faults.
+  kinematics::Side side = kinematics::Side::Left;      ///< Of travel, where the block lies.
+  BlockId block;
+  geom::Polyline line;
+};
+
 /// The faults and the outline as a subdivision (blocks.cpp).
 struct BlockDrawing;
 
@@ -45,6 +54,8 @@ class Blocks {
   /// All blocks on the hanging-wall side that are reached without crossing the fault's path; other faults are crossed.
   /// @error BadSection: nothing tells the hanging wall; the fault parts nothing, with the place where it ends in rock.
   [[nodiscard]] base::Result<std::vector<BlockId>> hanging_wall(const Fault& fault) const;
+  /// Of all faults, those of the left side first.
+  [[nodiscard]] std::vector<FaultWall> walls() const;
   /// Blocks, and all blocks of groups.  @error BadSection: no block or group is called so.
   [[nodiscard]] base::Result<std::vector<BlockId>> named(std::span<const std::string> names) const;
 

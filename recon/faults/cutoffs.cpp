@@ -314,22 +314,25 @@ void reach(const Cutoff& cutoff, double past, geom::Polyline& line) {
 
 }  // namespace
 
+void reach_faults(const std::vector<FaultCutoffs>& cutoffs, double past, section::Horizon& horizon) {
+  for (const FaultCutoffs& of_fault : cutoffs) {
+    for (const CutoffPair& pair : of_fault.pairs) {
+      for (const std::optional<Cutoff>& cutoff : {pair.hanging_wall, pair.footwall}) {
+        if (cutoff && !cutoff->passes && cutoff->piece == horizon.id)
+          reach(*cutoff, past, horizon.line);
+      }
+    }
+  }
+}
+
 base::Result<std::vector<geom::Polyline>> outline_of(const section::Section& section, std::vector<Fault> faults,
                                                      const FaultOptions& options) {
   if (section.border) return std::vector<geom::Polyline>{*section.border};
   for (Fault& fault : faults) fault.undecided.reset();
   section::Section tidy = section;
   const double past = 1e-9 * box_of(section).diagonal();
-  for (const FaultCutoffs& cutoffs : cutoffs_of(section, faults, options)) {
-    for (const CutoffPair& pair : cutoffs.pairs) {
-      for (const std::optional<Cutoff>& cutoff : {pair.hanging_wall, pair.footwall}) {
-        if (!cutoff || cutoff->passes) continue;
-        for (section::Horizon& horizon : tidy.horizons) {
-          if (horizon.id == cutoff->piece) reach(*cutoff, past, horizon.line);
-        }
-      }
-    }
-  }
+  const std::vector<FaultCutoffs> cutoffs = cutoffs_of(section, faults, options);
+  for (section::Horizon& horizon : tidy.horizons) reach_faults(cutoffs, past, horizon);
   DOBRA_TRY(const section::SectionFaces faces, faces_of(tidy));
   std::vector<geom::Polyline> rings;
   for (const section::RockUnit& unit : faces.units)

@@ -42,6 +42,9 @@ struct FaultCutoffs {
 std::vector<FaultCutoffs> cutoffs_of(const section::Section& section, const std::vector<Fault>& faults,
                                      const FaultOptions& options);
 
+/// Takes the horizon's ends to the faults that cut it off, and a little past them, whose courses are rounded.
+void reach_faults(const std::vector<FaultCutoffs>& cutoffs, double past, section::Horizon& horizon);
+
 /// What surrounds the rock of the section: its border, or that of its units, where horizons have been extended and
 /// trimmed to the faults; simple rings. Empty where the horizons enclose nothing.
 /// @error those of section::faces_of and topo::region.

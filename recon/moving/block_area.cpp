@@ -38,6 +38,21 @@ geom::Polyline drawn(geom::Polyline line, const faults::FaultEnd& lower, const f
   return line;
 }
 
+/// Beyond the fault's own part its path runs along others, to where they end.
+geom::Polyline path_of(const faults::Fault& moving, double diagonal) {
+  const faults::FaultEnd border{};
+  const kinematics::FaultPath& path = moving.path;
+  const faults::FaultEnd tip{faults::EndKind::Tip, {}, {}, 0.0};
+  return drawn(path.line,
+               path.tip_at_begin       ? tip
+               : moving.own_from > 0.0 ? border
+                                       : moving.lower,
+               path.tip_at_end                                         ? tip
+               : moving.own_to < geom::length(path.line) * (1 - 1e-12) ? border
+                                                                       : moving.upper,
+               diagonal);
+}
+
 geom::Polyline frame_round(const geom::Box& box, double diagonal) {
   const geom::Box frame = box.grown(frame_at * diagonal);
   return {{frame.low, {frame.high.x, frame.low.y}, frame.high, {frame.low.x, frame.high.y}}, true};
@@ -47,24 +62,13 @@ geom::Polyline frame_round(const geom::Box& box, double diagonal) {
 
 base::Result<std::vector<geom::Polyline>> area_of_blocks(const section::Section& section,
                                                          const std::vector<faults::Fault>& faults,
-                                                         const faults::Fault& moving,
+                                                         const faults::Fault* moving,
                                                          std::span<const geom::Point> inside) {
   const geom::Box box = box_of(section);
   const double diagonal = box.diagonal();
   std::vector<geom::Polyline> lines{frame_round(box, diagonal)};
   for (const faults::Fault& fault : faults) lines.push_back(drawn(own_line(fault), fault.lower, fault.upper, diagonal));
-  // Beyond the fault's own part its path runs along others, to where they end.
-  const faults::FaultEnd border{};
-  const kinematics::FaultPath& path = moving.path;
-  const faults::FaultEnd tip{faults::EndKind::Tip, {}, {}, 0.0};
-  lines.push_back(drawn(path.line,
-                        path.tip_at_begin       ? tip
-                        : moving.own_from > 0.0 ? border
-                                                : moving.lower,
-                        path.tip_at_end                                         ? tip
-                        : moving.own_to < geom::length(path.line) * (1 - 1e-12) ? border
-                                                                                : moving.upper,
-                        diagonal));
+  if (moving != nullptr) lines.push_back(path_of(*moving, diagonal));
   DOBRA_TRY(const section::Arrangement arrangement, section::Arrangement::make(std::move(lines)));
   std::set<topo::FaceId> chosen;
   for (const geom::Point p : inside) {

@@ -174,7 +174,7 @@ base::Result<void> choose_part(const Section& section, const MoveParams& params,
     moved.blocks.push_back(block.name);
     inside.push_back(block.inside);
   }
-  DOBRA_TRY(const std::vector<geom::Polyline> contours, area_of_blocks(section, all, setting.fault, inside));
+  DOBRA_TRY(const std::vector<geom::Polyline> contours, area_of_blocks(section, all, &setting.fault, inside));
   DOBRA_TRY(moved.before, MovingPart::of_blocks(contours, setting.size));
   return {};
 }
@@ -224,8 +224,8 @@ geom::Polyline beside(const FaultPath& path, const geom::Polyline& base) {
   for (std::size_t i = 0; i < arcs.size(); ++i) {
     for (const double end : {0.0, length}) {
       if (i > 0 && (arcs[i - 1] - end) * (arcs[i] - end) < 0.0)
-        part.points.push_back(geom::interpolate(base.points[i - 1], base.points[i],
-                                                (end - arcs[i - 1]) / (arcs[i] - arcs[i - 1])));
+        part.points.push_back(
+            geom::interpolate(base.points[i - 1], base.points[i], (end - arcs[i - 1]) / (arcs[i] - arcs[i - 1])));
     }
     if (arcs[i] >= 0.0 && arcs[i] <= length) part.points.push_back(base.points[i]);
   }

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
 #include "recon/balance/percent.h"
+#include "recon/moving/piece_names.h"
 #include "recon/section/section_faces.h"
 #include "shared/base/parallel.h"
 #include "shared/topo/region.h"
@@ -15,24 +15,6 @@ namespace recon::moving {
 namespace {
 
 using section::Section;
-
-/// "A (1)", "A (2)", ...: names for further pieces that nothing in the section has.
-class PieceNames {
- public:
-  template <class Item>
-  explicit PieceNames(const std::vector<Item>& items) {
-    for (const Item& item : items) taken_.insert(item.name);
-  }
-  std::string next(const std::string& whole) {
-    for (int number = 1;; ++number) {
-      std::string name = fmt::format("{} ({})", whole, number);
-      if (taken_.insert(name).second) return name;
-    }
-  }
-
- private:
-  std::set<std::string> taken_;
-};
 
 /// One line after the move: in its parts.
 struct Image {

@@ -17,6 +17,8 @@ enum class GridExtent { Count, Base };
 enum class Treatment { Treated, Untreated };
 enum class CornerJoin { Mitre, Bisector, Round, Bevel };
 enum class Uncovered { Refuse, Continue };
+/// AtFaults: the top ends where faults cut it, so that deeper beds reach beyond its ends by their nature.
+enum class EndsOfTop { Open, AtFaults };
 /// What a grid stands on after a restoration.
 enum class GridFrom { Current, Input };
 
@@ -110,6 +112,7 @@ struct SourceGrid {
   GridParams params;  ///< It was made with these.
   section::HorizonId top;
   section::LayerSide side = section::LayerSide::Below;  ///< As found; never Auto.
+  EndsOfTop ends = EndsOfTop::Open;
   geom::Polyline base;  ///< The top, in the travel direction that has the layers on its right-hand side.
   GridOptions options;
   double deepest = 0.0;  ///< Greatest depth of a horizon or unit, m (0 if all lie on or above the top).

@@ -58,10 +58,10 @@ std::string tears_text(const std::vector<maps::Tear>& tears, const MapWords& wor
                      fmt::format(fmt::runtime(words.torn), tears.size()), torn, at_text(widest->place), widest->gap);
 }
 
-void remark_on(const std::string& name, const maps::MappedLine& mapped, const MapWords& words,
+void remark_on(const std::string& name, const maps::MappedLine& mapped, const MapWords& words, EndsOfTop ends,
                std::vector<std::string>& remarks) {
   if (!mapped.tears.empty()) remarks.push_back(fmt::format("horizon '{}' {}", name, tears_text(mapped.tears, words)));
-  if (mapped.beyond_ends > 0) {
+  if (mapped.beyond_ends > 0 && ends == EndsOfTop::Open) {
     remarks.push_back(fmt::format(fmt::runtime(words.beyond), mapped.beyond_ends, name, at_text(*mapped.beyond_at)));
   }
   if (mapped.without_column > 0)
@@ -204,7 +204,7 @@ base::Result<Restoration> restore(const section::Section& section, const SourceG
   });
   const MapWords words = words_of(map, params.method);
   for (std::size_t i = 0; i < section.horizons.size(); ++i)
-    remark_on(section.horizons[i].name, restoration.lines[i], words, restoration.remarks);
+    remark_on(section.horizons[i].name, restoration.lines[i], words, source.ends, restoration.remarks);
   carry_the_rest(map, restoration.section);
   restoration.order = order_of(section, source.top, restoration.lines, target.map.source());
   const std::vector<balance::LedgerUnit> units = balance::ledger_units(section, restoration.order, source.side);

@@ -1,0 +1,12 @@
+#pragma once
+// What `recon restore` prints with --block and --jigsaw. Page: docs/user/recon.md
+
+#include "recon/cli/ledger_json.h"
+
+namespace recon::cli {
+
+/// @pre the model is restored block by block.
+std::string blockwise_json(const core::Model& model, Geometry geometry);
+std::string blockwise_table(const core::Model& model);
+
+}  // namespace recon::cli

@@ -1,0 +1,18 @@
+#pragma once
+// The unfolded blocks put together again to a section with its ledger. Page: docs/algorithms/jigsaw.md
+
+#include "recon/jigsaw/blockwise.h"
+
+namespace recon::jigsaw {
+
+/// Fills rows, section, lengths, units and widths from blocks and faults.
+void assemble(const CutSection& cut, const std::vector<faults::Fault>& faults, const faults::Blocks& blocks,
+              Blockwise& made);
+
+/// Fills balance and the worst fault. @pre assembled.
+void judge(const faults::Blocks& blocks, const std::vector<faults::FaultWall>& walls, Blockwise& made);
+
+/// The verdict and what it rests on, in words.
+std::string verdict_text(const Blockwise& made);
+
+}  // namespace recon::jigsaw

@@ -1,0 +1,71 @@
+#pragma once
+// Parameters of a restoration block by block. Page: docs/algorithms/jigsaw.md
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "shared/base/result.h"
+#include "shared/scenario/field.h"
+
+namespace recon {
+namespace base = dobra::base;
+namespace geom = dobra::geom;
+}  // namespace recon
+
+namespace recon::jigsaw {
+
+/// How blocks slide together. Walls: the squared distance of the walls of every fault, over z, is least. Top: the ends
+/// of the top meet.
+enum class Fit { Walls, Top };
+
+struct BlockwiseParams {
+  std::vector<std::string> block;
+  bool jigsaw = false;
+  std::optional<Fit> fit;
+  std::string top;
+  std::optional<double> pin;
+  std::optional<double> elevation;
+  std::optional<double> simplify;
+  std::optional<double> cutoff_tolerance;
+  template <class D>
+  static void describe(D& d) {
+    d.field("block", &BlockwiseParams::block,
+            {.title = "Blocks",
+             .help = "Only these, or groups of them, are restored, each with a pin of its own; the rest stays."});
+    d.field("jigsaw", &BlockwiseParams::jigsaw,
+            {.title = "Jigsaw", .help = "Every block is restored with a pin of its own, then they slide together."});
+    d.choice("fit", &BlockwiseParams::fit, {"walls", "top"},
+             {.title = "Blocks fit by",
+              .help = "Of the jigsaw. walls (the default): the walls of all faults lie as near to each other as can be; "
+                      "top: the ends of the top meet."});
+    d.field("top", &BlockwiseParams::top,
+            {.title = "Top horizon of the blocks",
+             .help = "Restored to the datum in every block; by default the first. With block or jigsaw, which need no "
+                     "steps grid and target."});
+    d.field("pin", &BlockwiseParams::pin,
+            {.title = "x of the pin",
+             .help = "Of the block that it lies in, which stays where it is; by default the leftmost block, pinned near "
+                     "its middle, as the others are.",
+             .unit = "m"});
+    d.field("elevation", &BlockwiseParams::elevation,
+            {.title = "Elevation of the datum", .help = "By default that of the top at the pin.", .unit = "m"});
+    d.field("simplify", &BlockwiseParams::simplify,
+            {.title = "Simplify the top",
+             .help = "The top of every block with fewer points, nowhere farther from it than this.",
+             .unit = "m",
+             .at_least = 0.0});
+    d.field("cutoff_tolerance", &BlockwiseParams::cutoff_tolerance,
+            {.title = "Tolerance of cutoffs",
+             .help = "How far ends of lines are taken to the faults; by default 0.005 of the section's diagonal.",
+             .unit = "m",
+             .above = 0.0});
+  }
+};
+
+/// Whether blocks are restored rather than the section as a whole.
+inline bool is_blockwise(const BlockwiseParams& params) { return params.jigsaw || !params.block.empty(); }
+/// @error BadValue: block and jigsaw together; what belongs to one of them without it.
+base::Result<void> check_params(const BlockwiseParams& params);
+
+}  // namespace recon::jigsaw

@@ -1,0 +1,54 @@
+#pragma once
+// One block of a section restored by itself. Page: docs/algorithms/jigsaw.md
+
+#include "recon/jigsaw/blockwise_params.h"
+#include "recon/jigsaw/cut_section.h"
+#include "recon/unfold/restore.h"
+
+namespace recon::jigsaw {
+
+struct UnfoldedBlock {
+  std::size_t part = 0;  ///< Among the blocks that the section is cut into.
+  faults::BlockId id;
+  std::string name;
+  std::vector<std::size_t> horizons;  ///< Of the cut section, in the order of restoration.lines.
+  section::HorizonId top;             ///< Of the cut section.
+  section::LayerSide side = section::LayerSide::Below;
+  geom::Point pin;       ///< On the top, before.
+  double datum = 0.0;    ///< z
+  double shift = 0.0;    ///< What the block slides by afterwards, m towards +x.
+  unfold::Restoration restoration;  ///< Of the block's own section, with the ids of the cut section.
+
+  /// Where a point of the block goes, and where one of it comes from.
+  [[nodiscard]] geom::Point forward(geom::Point p) const;
+  [[nodiscard]] geom::Point inverse(geom::Point p) const;
+  [[nodiscard]] geom::Polyline forward(const geom::Polyline& line) const;
+  /// The whole line through the map of the block, wherever it lies.
+  [[nodiscard]] geom::Polyline inverse(const geom::Polyline& line) const;
+};
+
+/// What the block's own section is made of.
+struct BlockSection {
+  section::Section section;
+  std::vector<std::size_t> horizons;  ///< Indices in the cut section.
+};
+BlockSection section_of(const CutSection& cut, std::size_t part);
+
+/// The piece of the top in a block; nothing where it has none.
+/// @param top  the name of the horizon as a whole, or of a piece.
+/// @error CannotRestore: it has several.
+base::Result<std::optional<std::size_t>> top_in(const CutSection& cut, const Part& part, std::size_t index,
+                                                const std::string& top);
+
+struct PlaceOfBlock {
+  std::size_t top = 0;          ///< Index in the cut section.
+  std::optional<double> pin;    ///< x; by default the place nearest to the middle of the top where all beds are.
+  std::optional<double> datum;  ///< z; by default that of the top at the pin.
+  double simplify = 0.0;
+};
+
+/// @error those of make_base(), place_target() and restore(), with the name of the block.
+base::Result<UnfoldedBlock> unfold_block(const CutSection& cut, const Part& part, std::size_t index, const PlaceOfBlock& place,
+                                         const unfold::RestoreParams& params, const base::Progress& progress);
+
+}  // namespace recon::jigsaw
