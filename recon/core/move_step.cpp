@@ -2,6 +2,7 @@
 
 #include "recon/core/report.h"
 #include "recon/core/section_picture.h"
+#include "recon/core/slip_arrows.h"
 #include "shared/base/text.h"
 #include "shared/io/gis/geojson.h"
 
@@ -71,8 +72,8 @@ void add_block(const moving::MovingPart& part, const section::Section& section, 
   style.fill = block_color;
   style.line_width = 0.0;
   if (!part.contours().empty()) {
-    parts.under.push_back({"block", translated("Block that moves"), style, scene::Regions{{{part.contours()}}, {}}, true,
-                           scene::InLegend::Yes});
+    parts.under.push_back({"block", translated("Block that moves"), style, scene::Regions{{{part.contours()}}, {}},
+                           true, scene::InLegend::Yes});
   }
   scene::Style bold;
   bold.line = moving_fault_color;
@@ -91,8 +92,8 @@ scene::Panel moved_panel(const Model& model) {
   PanelParts parts;
   parts.under = filled_units(moved.section, palette);
   add_block(moved.after, moved.section, moved.params.fault, parts);
-  return section_panel(empty_panel("moved", translated("Section after the move"), model.section), moved.section, palette,
-                       std::move(parts));
+  return section_panel(empty_panel("moved", translated("Section after the move"), model.section), moved.section,
+                       palette, std::move(parts));
 }
 
 /// Both states to one scale.
@@ -102,6 +103,10 @@ void draw_moved(const Model& model, scene::Picture& picture) {
   PanelParts parts;
   parts.under = filled_units(model.section, palette);
   add_block(model.moved->before, model.section, model.moved->params.fault, parts);
+  if (const double slip = model.moved->motion.slip; slip != 0.0) {
+    parts.pin.push_back(slip_arrows("slip", model.moved->fault, slip > 0.0 ? SlipSign::Up : SlipSign::Down,
+                                    box_of(model.section).diagonal()));
+  }
   std::vector<scene::Panel> panels{current_panel(model, palette, std::move(parts)), moved_panel(model)};
   geom::Box box = box_of(model.section);
   box.add(box_of(model.moved->section));

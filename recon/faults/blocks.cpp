@@ -175,7 +175,7 @@ class Gatherer {
     drawing_.block_of.assign(count, BlockId());
     for (const FaceId f : faces_) {
       if (f == Structure::unbounded()) continue;
-      const auto contours = section::contours_round(drawing_.arrangement, {f}, [&](FaceId g) { return g == f; });
+      const auto contours = section::contours_of(drawing_.arrangement, f);
       drawing_.rock[f.index()] = !contours.empty() && inside(drawing_.outline, point_inside(contours));
     }
   }

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "recon/section/arrangement.h"
+#include "recon/section/face_contours.h"
 #include "shared/topo/locate.h"
 
 namespace recon::moving {
@@ -51,16 +52,18 @@ base::Result<std::vector<geom::Polyline>> area_of_blocks(const section::Section&
   const geom::Box box = box_of(section);
   const double diagonal = box.diagonal();
   std::vector<geom::Polyline> lines{frame_round(box, diagonal)};
-  for (const faults::Fault& fault : faults)
-    lines.push_back(drawn(own_line(fault), fault.lower, fault.upper, diagonal));
+  for (const faults::Fault& fault : faults) lines.push_back(drawn(own_line(fault), fault.lower, fault.upper, diagonal));
   // Beyond the fault's own part its path runs along others, to where they end.
   const faults::FaultEnd border{};
   const kinematics::FaultPath& path = moving.path;
   const faults::FaultEnd tip{faults::EndKind::Tip, {}, {}, 0.0};
-  lines.push_back(drawn(path.line, path.tip_at_begin ? tip : moving.own_from > 0.0 ? border : moving.lower,
-                        path.tip_at_end                                       ? tip
+  lines.push_back(drawn(path.line,
+                        path.tip_at_begin       ? tip
+                        : moving.own_from > 0.0 ? border
+                                                : moving.lower,
+                        path.tip_at_end                                         ? tip
                         : moving.own_to < geom::length(path.line) * (1 - 1e-12) ? border
-                                                                              : moving.upper,
+                                                                                : moving.upper,
                         diagonal));
   DOBRA_TRY(const section::Arrangement arrangement, section::Arrangement::make(std::move(lines)));
   std::set<topo::FaceId> chosen;
@@ -70,7 +73,7 @@ base::Result<std::vector<geom::Polyline>> area_of_blocks(const section::Section&
   }
   std::vector<geom::Polyline> contours;
   for (const topo::FaceId face : chosen) {
-    for (geom::Polyline& contour : arrangement.contours(face)) contours.push_back(std::move(contour));
+    for (geom::Polyline& contour : section::contours_of(arrangement, face)) contours.push_back(std::move(contour));
   }
   return contours;
 }

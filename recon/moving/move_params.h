@@ -89,16 +89,17 @@ struct MoveParams {
              .unit = "m",
              .other_than = 0.0});
     d.field("heave", &MoveParams::heave,
-            {.title = "Heave", .help = "Instead: horizontally; positive raises the hanging wall.",
+            {.title = "Heave",
+             .help = "Instead: horizontally; positive raises the hanging wall.",
              .unit = "m",
              .other_than = 0.0});
     d.field("throw", &MoveParams::throw_,
-            {.title = "Throw", .help = "Instead: vertically; positive raises the hanging wall.",
+            {.title = "Throw",
+             .help = "Instead: vertically; positive raises the hanging wall.",
              .unit = "m",
              .other_than = 0.0});
     d.field("close", &MoveParams::close,
-            {.title = "Close",
-             .help = "Instead: horizons whose cutoffs are to meet; of several by least squares."});
+            {.title = "Close", .help = "Instead: horizons whose cutoffs are to meet; of several by least squares."});
     d.field("at", &MoveParams::at,
             {.title = "Measured at",
              .help = "Horizon at whose cutoff in the hanging wall the slip is measured; by default the uppermost."});

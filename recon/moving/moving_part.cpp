@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "recon/section/face_contours.h"
 #include "shared/geom/intersect.h"
 #include "shared/topo/locate.h"
 #include "shared/topo/region.h"
@@ -47,7 +48,8 @@ void add(Cut next, std::vector<Cut>& cuts) {
 geom::Point middle_of_longest(const std::vector<Cut>& cuts, std::size_t from, std::size_t to) {
   std::size_t longest = from;
   for (std::size_t i = from; i < to; ++i) {
-    if (geom::distance(cuts[i].at, cuts[i + 1].at) > geom::distance(cuts[longest].at, cuts[longest + 1].at)) longest = i;
+    if (geom::distance(cuts[i].at, cuts[i + 1].at) > geom::distance(cuts[longest].at, cuts[longest + 1].at))
+      longest = i;
   }
   return geom::interpolate(cuts[longest].at, cuts[longest + 1].at, 0.5);
 }
@@ -224,10 +226,11 @@ base::Result<std::vector<Fate>> MovingPart::fates_of_faces(const section::Arrang
   std::vector<Fate> fates;
   for (const topo::FaceId face : arrangement.subdivision().faces()) {
     geom::Segment longest;
-    for (const geom::Polyline& contour : arrangement.contours(face)) {
+    for (const geom::Polyline& contour : section::contours_of(arrangement, face)) {
       for (std::size_t i = 0; i < contour.segment_count(); ++i) {
         const geom::Segment side = contour.segment(i);
-        if (side.length() > longest.length() && !on_boundary(geom::interpolate(side.from, side.to, 0.5))) longest = side;
+        if (side.length() > longest.length() && !on_boundary(geom::interpolate(side.from, side.to, 0.5)))
+          longest = side;
       }
     }
     fates.resize(std::max(fates.size(), face.index() + 1), Fate::Stays);
@@ -248,7 +251,7 @@ base::Result<std::vector<LinePart>> MovingPart::split_area(const geom::Polyline&
   std::vector<LinePart> parts;
   for (const topo::FaceId face : arrangement.subdivision().faces()) {
     if (inside[face.index()].empty() || arrangement.area(face) <= near_ * near_) continue;
-    for (geom::Polyline& outer : arrangement.contours(face)) {
+    for (geom::Polyline& outer : section::contours_of(arrangement, face)) {
       if (geom::signed_area(outer) > 0.0) parts.push_back({std::move(outer), fates[face.index()]});
     }
   }

@@ -36,7 +36,7 @@ class PieceNames {
 
 /// One line after the move: in its parts.
 struct Image {
-  std::vector<LinePart> parts;       ///< Before.
+  std::vector<LinePart> parts;  ///< Before.
   std::vector<geom::Polyline> after;
   [[nodiscard]] bool moved(std::size_t part) const { return !(after[part] == parts[part].line); }
 };
@@ -98,7 +98,8 @@ void move_other_lines(const Section& section, const std::vector<section::LineId>
   PieceNames names(section.lines);
   for (std::size_t i = 0; i < section.lines.size(); ++i) {
     const section::SectionLine& line = section.lines[i];
-    if (line.kind == section::LineKind::Datum || std::find(fault.begin(), fault.end(), line.id) != fault.end()) continue;
+    if (line.kind == section::LineKind::Datum || std::find(fault.begin(), fault.end(), line.id) != fault.end())
+      continue;
     const Image image = image_of(moved, moved.before.split(line.line, overshoot));
     remark_on_trims(image, fmt::format("{} '{}'", kind_name(line.kind), line.name), moved.remarks);
     put(
@@ -171,9 +172,10 @@ base::Result<void> move_border(Moved& moved) {
   const auto outer = std::max_element(contours.begin(), contours.end(), larger);
   if (outer == contours.end()) return {};
   if (contours.size() > 1) {
-    moved.remarks.push_back(fmt::format("the border of the section falls into {} rings after the move; the largest is "
-                                        "taken, from ({:.6g}, {:.6g}) on",
-                                        contours.size(), outer->points.front().x, outer->points.front().y));
+    moved.remarks.push_back(
+        fmt::format("the border of the section falls into {} rings after the move; the largest is "
+                    "taken, from ({:.6g}, {:.6g}) on",
+                    contours.size(), outer->points.front().x, outer->points.front().y));
   }
   moved.section.border = std::move(*outer);
   return {};

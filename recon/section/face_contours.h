@@ -38,4 +38,9 @@ std::vector<geom::Polyline> contours_round(const Arrangement& arrangement, const
   return contours;
 }
 
+/// Of one face.
+inline std::vector<geom::Polyline> contours_of(const Arrangement& arrangement, topo::FaceId face) {
+  return contours_round(arrangement, {face}, [face](topo::FaceId other) { return other == face; });
+}
+
 }  // namespace recon::section

@@ -134,11 +134,6 @@ Sides sides_of(const Section& section, const std::vector<std::size_t>& order,
   return sides;
 }
 
-/// The contours of a face without edges that have it on both sides (faults that end in it).
-std::vector<geom::Polyline> contours_of(const Arrangement& arrangement, FaceId f) {
-  return contours_round(arrangement, {f}, [&](FaceId other) { return other == f; });
-}
-
 /// Half-edges of each horizon over and under a face, by the horizon's rank in the stack, 0 the highest.
 struct Bounds {
   std::map<std::size_t, std::size_t> over;
