@@ -6,6 +6,7 @@
 #include "recon/core/chain.h"
 #include "recon/core/faults_step.h"
 #include "recon/core/grid_step.h"
+#include "recon/core/invert_step.h"
 #include "recon/core/monte_carlo_step.h"
 #include "recon/core/move_step.h"
 #include "recon/core/offset_step.h"
@@ -100,7 +101,7 @@ scenario::Program make_program() {
                                                  .remarks = add_section_remarks,
                                                  .draw = draw_section});
   recon.operations = {grid_step(),        target_step(),  restore_step(),      move_step(),   carry_step(),
-                      monte_carlo_step(), balance_step(), area_balance_step(), faults_step(), offset_step()};
+                      monte_carlo_step(), balance_step(), area_balance_step(), faults_step(), invert_step(), offset_step()};
   return recon;
 }
 

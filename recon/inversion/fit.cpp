@@ -16,8 +16,9 @@ namespace recon::inversion {
 namespace {
 
 constexpr std::size_t search_points = 240;  ///< Of all beds together, for what is computed very many times, ...
-constexpr std::size_t limit_points = 600;   ///< ... and for what is computed many times.
+constexpr std::size_t limit_points = 300;   ///< ... and for what is computed many times.
 constexpr double known_figures = 1e-6;      ///< Of the size.
+constexpr double quick_difference = 1e-4;  ///< Of models of the precision of a search.
 
 /// The free values as the unit box.
 class Box {
@@ -147,32 +148,33 @@ Matrix covariance(const Residuals& residuals, const std::vector<double>& at, con
   return inverse_of(normal).value_or(std::move(unit));
 }
 
-/// The least sum with some coordinates held away from the best place. The others start where the valley leads.
-base::Result<Minimum> profile_at(const Residuals& residuals, const std::vector<double>& best, const Matrix& valley,
+/// Where the valley leads from `from` if some coordinates go to other places.
+std::vector<double> along_valley(const std::vector<double>& from, const Matrix& valley,
+                                 const std::vector<std::pair<std::size_t, double>>& held) {
+  Matrix part(held.size(), std::vector<double>(held.size()));
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    for (std::size_t j = 0; j < held.size(); ++j) part[i][j] = valley[held[i].first][held[j].first];
+  }
+  std::vector<double> start = from;
+  if (const std::optional<Matrix> inverse = inverse_of(part)) {
+    for (std::size_t i = 0; i < held.size(); ++i) {
+      double pull = 0.0;
+      for (std::size_t j = 0; j < held.size(); ++j) pull += (*inverse)[i][j] * (held[j].second - from[held[j].first]);
+      for (std::size_t k = 0; k < start.size(); ++k) start[k] += valley[k][held[i].first] * pull;
+    }
+  }
+  for (double& value : start) value = std::clamp(value, 0.0, 1.0);
+  for (const auto& [k, value] : held) start[k] = value;
+  return start;
+}
+
+/// The least sum with some coordinates held.
+base::Result<Minimum> profile_at(const Residuals& residuals, const std::vector<double>& from, const Matrix& valley,
                                  const std::vector<std::pair<std::size_t, double>>& held,
                                  const base::Progress& progress) {
-  DescentOptions descent{15, 1e-4, std::vector<bool>(best.size(), false)};
-  std::vector<double> pull(held.size());
-  const double shift = held[0].second - best[held[0].first];
-  if (held.size() == 1) {
-    pull[0] = shift / valley[held[0].first][held[0].first];
-  } else {
-    const std::size_t i = held[0].first, j = held[1].first;
-    const double other = held[1].second - best[j];
-    const double determinant = valley[i][i] * valley[j][j] - valley[i][j] * valley[i][j];
-    pull[0] = (valley[j][j] * shift - valley[i][j] * other) / determinant;
-    pull[1] = (valley[i][i] * other - valley[i][j] * shift) / determinant;
-  }
-  std::vector<double> start = best;
-  for (std::size_t k = 0; k < start.size(); ++k) {
-    for (std::size_t h = 0; h < held.size(); ++h) start[k] += valley[k][held[h].first] * pull[h];
-    start[k] = std::clamp(start[k], 0.0, 1.0);
-  }
-  for (const auto& [k, value] : held) {
-    start[k] = value;
-    descent.held[k] = true;
-  }
-  return descend(residuals, std::move(start), descent, progress);
+  DescentOptions descent{15, 1e-3, quick_difference, std::vector<bool>(from.size(), false)};
+  for (const auto& place : held) descent.held[place.first] = true;
+  return descend(residuals, along_valley(from, valley, held), descent, progress);
 }
 
 struct Side {
@@ -181,42 +183,71 @@ struct Side {
   std::optional<base::Error> stopped;
 };
 
-/// Where the profile of one value passes the quantile on one side of the best.
-Side limit_on(const Residuals& residuals, const Minimum& best, const Matrix& valley, const Scale& scale,
-              std::size_t k, double sign, double quantile, const base::Progress& progress) {
-  Side side;
-  const double room = sign > 0.0 ? 1.0 - best.at[k] : best.at[k];
-  double low = 0.0;
-  double high = room;
-  bool bounded = false;
-  double step = std::min(room, std::sqrt(quantile * valley[k][k]));
-  for (int turn = 0; turn < 14 && room > 0.0; ++turn) {
-    const double place = step >= room ? (sign > 0.0 ? 1.0 : 0.0) : best.at[k] + sign * step;
-    auto there = profile_at(residuals, best.at, valley, {{k, place}}, progress);
-    if (!there) {
-      side.stopped = there.error();
-      return side;
+/// The profile of one value on one side of the best.
+class Profile {
+ public:
+  Profile(const Residuals& residuals, const Minimum& best, const Matrix& valley, const Scale& scale, std::size_t k,
+          double sign, double quantile, const base::Progress& progress)
+      : residuals_(residuals), best_(best), valley_(valley), scale_(scale), k_(k), sign_(sign), quantile_(quantile),
+        progress_(progress), room_(sign > 0.0 ? 1.0 - best.at[k] : best.at[k]), last_(best), inner_(best) {}
+
+  /// Outward by doubled steps, each from the place before, to the outermost step that is within the quantile, though
+  /// there be walls on the way to it; then between that and the next.
+  Side run() {
+    if (room_ <= 0.0) return side_;
+    double step = std::clamp(0.5 * std::sqrt(quantile_ * valley_[k_][k_]), room_ / 64.0, room_);
+    double inside = 0.0;
+    double outside = 0.0;  ///< The first step beyond `inside` that is not within; 0: none.
+    for (double ratio = 0.0; !side_.stopped; step = std::min(room_, 2.0 * step)) {
+      ratio = ratio_at(step);
+      if (ratio <= 1.0) {
+        inside = step;
+        inner_ = last_;
+        outside = 0.0;
+      } else if (outside == 0.0) {
+        outside = step;
+      }
+      if (step >= room_ || ratio > 20.0) break;
     }
-    const double statistic = scale.statistic(there->sum, best.sum);
-    if (there->sum < best.sum && there->sum < side.better.sum) side.better = *there;
-    if (std::abs(statistic - quantile) <= 0.05 * quantile) {
-      side.limit = place;
-      return side;
+    for (int turn = 0; turn < 5 && outside > 0.0 && !side_.stopped; ++turn) {
+      const double middle = 0.5 * (inside + outside);
+      last_ = inner_;
+      if (ratio_at(middle) <= 1.0) {
+        inside = middle;
+        inner_ = last_;
+      } else {
+        outside = middle;
+      }
     }
-    if (statistic < quantile) {
-      if (step >= room) return side;
-      low = step;
-      const double grown = step * std::clamp(std::sqrt(quantile / std::max(statistic, 1e-6)), 1.1, 3.0);
-      step = grown < high || !bounded ? std::min(grown, room) : 0.5 * (low + high);
-    } else {
-      high = step;
-      bounded = true;
-      step = std::max(step * std::sqrt(quantile / statistic), low + 0.1 * (high - low));
-    }
+    if (outside > 0.0) side_.limit = best_.at[k_] + sign_ * 0.5 * (inside + outside);
+    return side_;
   }
-  if (bounded) side.limit = best.at[k] + sign * 0.5 * (low + high);
-  return side;
-}
+
+ private:
+  /// The statistic at a step over its quantile.
+  double ratio_at(double step) {
+    const double place = step >= room_ ? (sign_ > 0.0 ? 1.0 : 0.0) : best_.at[k_] + sign_ * step;
+    auto there = profile_at(residuals_, last_.at, valley_, {{k_, place}}, progress_);
+    if (!there) {
+      side_.stopped = there.error();
+      return 0.0;
+    }
+    last_ = *there;
+    if (there->sum < best_.sum && there->sum < side_.better.sum) side_.better = *there;
+    return scale_.statistic(there->sum, best_.sum) / quantile_;
+  }
+
+  const Residuals& residuals_;
+  const Minimum& best_;
+  const Matrix& valley_;
+  const Scale scale_;
+  std::size_t k_;
+  double sign_, quantile_;
+  const base::Progress& progress_;
+  double room_;
+  Minimum last_, inner_;
+  Side side_;
+};
 
 /// Global on some points of each bed, then local from the best of what is left.
 base::Result<Minimum> search(const std::vector<BedShape>& beds, const Box& box, const Model& model,
@@ -225,10 +256,9 @@ base::Result<Minimum> search(const std::vector<BedShape>& beds, const Box& box, 
   const Residuals quick = residuals_of(some, box, model, Precision::Search, options);
   const SearchOptions wide{options.seed, std::max<std::size_t>(8 * box.dimension(), 24), options.generations};
   DOBRA_TRY(const std::vector<Minimum> members, evolve(quick, box.dimension(), wide, progress));
-  const Residuals exact = residuals_of(some, box, model, Precision::Full, options);
   Minimum best = members.front();
   for (std::size_t i = 0; i < std::min<std::size_t>(3, members.size()) && std::isfinite(members[i].sum); ++i) {
-    DOBRA_TRY(Minimum local, descend(exact, members[i].at, {.most_steps = 30, .enough = 1e-3}, progress));
+    DOBRA_TRY(Minimum local, descend(quick, members[i].at, {30, 1e-3, quick_difference, {}}, progress));
     if (local.sum < best.sum || i == 0) best = std::move(local);
   }
   return best;
@@ -250,7 +280,7 @@ base::Result<Limits> limits_of(const Residuals& residuals, const Minimum& best, 
   const double quantile = quantile_of_f(1, scale.freedom, confidence);
   const std::size_t n = best.at.size();
   const auto found = base::parallel_map<Side>(2 * n, [&](std::size_t i) {
-    return limit_on(residuals, best, valley, scale, i / 2, i % 2 == 0 ? -1.0 : 1.0, quantile, progress);
+    return Profile(residuals, best, valley, scale, i / 2, i % 2 == 0 ? -1.0 : 1.0, quantile, progress).run();
   });
   Limits limits;
   for (std::size_t k = 0; k < n; ++k) {
@@ -353,14 +383,14 @@ base::Result<void> fit_from(const std::vector<BedShape>& beds, const Box& box, c
                             Fit& fit) {
   const Residuals all = residuals_of(beds, box, model, Precision::Full, options);
   const std::vector<BedShape> some = some_of(beds, limit_points);
-  const Residuals residuals = residuals_of(some, box, model, Precision::Full, options);
+  const Residuals residuals = residuals_of(some, box, model, Precision::Search, options);
   DOBRA_TRY(Minimum best, descend(all, std::move(start), {.most_steps = 100}, progress));
   for (int round = 0; round < 3; ++round) {
     judge(beds, box, model, best, options, fit);
     if (!(fit.freedom >= 1.0) || box.dimension() == 0) break;
     const Scale scale = scale_of(fit, options);
     progress.report(0.6 + 0.1 * round, "limits");
-    DOBRA_TRY(const Minimum about, descend(residuals, best.at, {.most_steps = 100}, progress));
+    DOBRA_TRY(const Minimum about, descend(residuals, best.at, {.enough = 1e-5, .difference = quick_difference}, progress));
     const Matrix valley = covariance(residuals, about.at, scale);
     DOBRA_TRY(const Limits limits, limits_of(residuals, about, valley, scale, options.confidence, progress));
     if (scale.statistic(limits.better.sum, about.sum) < -0.01 && round < 2) {
@@ -430,7 +460,7 @@ base::Result<MisfitMap> map_misfit(const std::vector<BedShape>& beds, const std:
                                    std::size_t count, const FitOptions& options, const base::Progress& progress) {
   const Box box(unknowns);
   const std::vector<BedShape> some = some_of(beds, search_points);
-  const Residuals residuals = residuals_of(some, box, model, Precision::Full, options);
+  const Residuals residuals = residuals_of(some, box, model, Precision::Search, options);
   std::vector<double> best;
   for (std::size_t k = 0; k < box.dimension(); ++k) best.push_back(box.place(k, fit.estimates[box.free()[k]].best));
   const Scale scale{scale_of(fit, options).least, std::max(fit.freedom, 1.0)};

@@ -11,7 +11,7 @@ namespace recon::inversion {
 
 namespace {
 
-constexpr double difference = 1e-6;  ///< Of forward differences, in the unit box.
+constexpr double coarse = 1e-3;  ///< Differences that tell a valley.
 
 double cost_at(const Residuals& residuals, std::span<const double> at) {
   std::vector<double> values;
@@ -68,7 +68,7 @@ struct Linear {
 };
 
 std::optional<Linear> linearised(const Residuals& residuals, const std::vector<double>& at,
-                                 const std::vector<bool>& held) {
+                                 const std::vector<bool>& held, double difference) {
   Linear linear;
   if (!residuals(at, linear.residuals)) return std::nullopt;
   const std::size_t n = at.size();
@@ -190,7 +190,7 @@ base::Result<Minimum> descend(const Residuals& residuals, std::vector<double> st
   int idle = 0;
   for (int step = 0; step < options.most_steps && idle < 2 && best.sum > 0.0; ++step) {
     DOBRA_TRY_VOID(progress.check());
-    const std::optional<Linear> linear = linearised(residuals, best.at, options.held);
+    const std::optional<Linear> linear = linearised(residuals, best.at, options.held, options.difference);
     if (!linear) break;
     bool better = false;
     for (int attempt = 0; attempt < 10 && !better; ++attempt) {
@@ -208,7 +208,7 @@ base::Result<Minimum> descend(const Residuals& residuals, std::vector<double> st
 }
 
 std::optional<Matrix> normal_matrix(const Residuals& residuals, const std::vector<double>& at) {
-  std::optional<Linear> linear = linearised(residuals, at, {});
+  std::optional<Linear> linear = linearised(residuals, at, {}, coarse);
   return linear ? std::optional(std::move(linear->normal)) : std::nullopt;
 }
 

@@ -40,6 +40,7 @@ base::Result<std::vector<Minimum>> evolve(const Residuals& residuals, std::size_
 struct DescentOptions {
   int most_steps = 60;
   double enough = 1e-10;            ///< Ends when the sum falls by less than this part of it, twice.
+  double difference = 1e-6;         ///< Of forward differences; well above the rounding of the residuals.
   std::vector<bool> held = {};      ///< Coordinates that stay; empty: none.
 };
 
@@ -51,6 +52,7 @@ base::Result<Minimum> descend(const Residuals& residuals, std::vector<double> st
 /// Small symmetric matrices, row by row.
 using Matrix = std::vector<std::vector<double>>;
 /// J'J of the residuals; nothing where they cannot be computed.
+/// By differences so large that a point which changes its wall over them does not count.
 std::optional<Matrix> normal_matrix(const Residuals& residuals, const std::vector<double>& at);
 /// Nothing where it is singular to rounding.
 std::optional<Matrix> inverse_of(const Matrix& matrix);

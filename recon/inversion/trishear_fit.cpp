@@ -56,7 +56,7 @@ Model trishear_model(double size) {
     const kinematics::Side above = along.x >= 0.0 ? kinematics::Side::Left : kinematics::Side::Right;
     // A tip that goes down takes the hanging wall along the other way.
     const double slip = along.y >= 0.0 ? v[Slip] : -v[Slip];
-    const kinematics::TrishearTolerances tolerances{size, precision == Precision::Full ? 1e-11 : 1e-6, 0};
+    const kinematics::TrishearTolerances tolerances{size, precision == Precision::Full ? 1e-10 : 1e-6, 0};
     const auto map = kinematics::TrishearMap::make(
         tip, along, above, slip, {base::Angle::from_degrees(v[Apical]), v[Propagation], v[Concentration]}, tolerances);
     if (!map) return std::nullopt;
@@ -68,7 +68,7 @@ base::Result<std::vector<std::vector<Unknown>>> trishear_unknowns(const section:
                                                                   const std::vector<BedShape>& beds,
                                                                   const InvertParams& params) {
   const geom::Box box = box_of_beds(beds);
-  std::vector<double> x{box.low.x, box.high.x};
+  std::vector<double> x{box.low.x - 0.25 * box.width(), box.high.x + 0.25 * box.width()};
   std::vector<double> z{box.low.y - std::max(box.height(), 0.25 * box.width()), box.high.y};
   std::vector<std::vector<double>> ramps{{5.0, 85.0}, {95.0, 175.0}};
   if (!params.fault.empty()) {

@@ -13,7 +13,7 @@ namespace recon::kinematics {
 
 namespace {
 
-/// z, ln(x / x0) and slip / x0 in the zone, with e = |y| / (m x) = |z|^k of one sign.
+/// z, x / x0 and slip / x0 in the zone, with e = |y| / (m x) = |z|^k of one sign.
 using State = std::array<double, 3>;
 
 /// The field in the frame of the tip. It depends on e alone, so that distance from the tip is but a scale. With
@@ -23,6 +23,7 @@ struct Zone {
   double propagation;  ///< P/S
   double s;            ///< Concentration.
   double time;         ///< +1: slip grows, -1: it goes back.
+  double half_over = 0.5 / (1.0 + s);
   double side = 1.0;   ///< Sign of z.
   std::size_t rows = 5;  ///< Of the extrapolation.
   std::optional<std::size_t> variable = {};  ///< Of the state, instead of sigma: steps end where it has a given value.
@@ -36,9 +37,9 @@ struct Zone {
     const double root = raised(z, k / s);              // e^(1/s)
     const double e = raised(z, k);
     const double along = sense * 0.5 * (side * root + 1.0) - propagation;
-    const double across = sense * (e * root - 1.0) / (2.0 * (1.0 + s));
+    const double across = sense * (e * root - 1.0) * half_over;
     const double pace = k == 1.0 ? 1.0 : k * raised(z, k - 1.0);
-    const State rate{time * (across - side * e * along), time * pace * along, pace * std::exp(at[1])};
+    const State rate{time * (across - side * e * along), time * pace * along * at[1], pace * at[1]};
     if (!variable) return rate;
     const double by = rate[*variable];
     return {rate[0] / by, rate[1] / by, rate[2] / by};
@@ -66,7 +67,7 @@ struct Zone {
     }
     error = 0.0;
     for (std::size_t i = 0; i < 3; ++i) {
-      const double size = 1.0 + std::abs(i == 2 ? table[rows - 1][2] : 0.0);
+      const double size = i == 0 ? 1.0 : i == 1 ? std::abs(table[rows - 1][1]) : 1.0 + std::abs(table[rows - 1][2]);
       error = std::max(error, std::abs(table[rows - 1][i] - coarse[i]) / size);
     }
     return table[rows - 1];
@@ -139,7 +140,7 @@ void through_zone(Zone zone, double tolerance, double& x, double& e, double& lef
   const double k = zone.power();
   zone.side = e < 0.0 ? -1.0 : 1.0;
   if (e == 0.0) zone.side = -zone.sense * zone.time;  // at e = 0 it goes towards this side
-  State at{zone.side * std::pow(std::abs(e), 1.0 / k), 0.0, 0.0};
+  State at{zone.side * std::pow(std::abs(e), 1.0 / k), 1.0, 0.0};
   const double goal = left / x;
   const double order = 1.0 / (2.0 * static_cast<double>(zone.rows) - 1.0);
   double h = 0.1;
@@ -176,7 +177,7 @@ void through_zone(Zone zone, double tolerance, double& x, double& e, double& lef
     at[0] = 0.0;
   }
   left = ended ? 0.0 : std::max(0.0, left - x * at[2]);
-  x *= std::exp(at[1]);
+  x *= at[1];
   e = zone.side * std::min(std::pow(std::abs(at[0]), k), 1.0);
 }
 
