@@ -15,13 +15,17 @@ namespace {
 
 base::Error bad_beds(std::string message) { return {base::ErrorCode::BadSection, std::move(message)}; }
 
-/// Adds the points of a piece, each with the half of its sides as weight.
+/// Adds the points of a piece, each with the half of its sides as weight. Its ends may lie on faults: they are taken a
+/// millionth of their sides inward, so that they are in the wall of their piece.
 void add_piece(const geom::Polyline& line, BedShape& bed) {
   for (std::size_t i = 0; i < line.points.size(); ++i) {
     double weight = 0.0;
     if (i > 0) weight += 0.5 * geom::distance(line.points[i - 1], line.points[i]);
     if (i + 1 < line.points.size()) weight += 0.5 * geom::distance(line.points[i], line.points[i + 1]);
-    bed.points.push_back(line.points[i]);
+    geom::Point p = line.points[i];
+    if (i == 0) p = geom::interpolate(p, line.points[1], 1e-6);
+    if (i + 1 == line.points.size()) p = geom::interpolate(p, line.points[i - 1], 1e-6);
+    bed.points.push_back(p);
     bed.weights.push_back(weight);
   }
 }

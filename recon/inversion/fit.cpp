@@ -358,13 +358,6 @@ void tell_doubts(const Box& box, const std::vector<BedShape>& beds, const FitOpt
 
 base::Result<void> check_beds(const std::vector<BedShape>& beds, const Box& box, const FitOptions& options, Fit& fit) {
   const std::size_t points = count_points(beds);
-  const double needed = static_cast<double>(box.dimension()) + lines_of(beds, options);
-  if (static_cast<double>(points) <= needed) {
-    return base::Error{base::ErrorCode::BadSection,
-                       fmt::format("the beds have {} points, which do not determine {} values and the lines of {} "
-                                   "beds; digitise them more closely, or fix values",
-                                   points, box.dimension(), beds.size())};
-  }
   std::vector<double> present;
   deviations(beds, [](geom::Point p) { return p; }, options.bedding, present);
   fit.before = root_mean(sum_of_squares(present), points);
@@ -373,6 +366,13 @@ base::Result<void> check_beds(const std::vector<BedShape>& beds, const Box& box,
                        fmt::format("the beds are straight as they are, to {:.3g} m, so that they tell of no fold; give "
                                    "beds that are folded",
                                    fit.before)};
+  }
+  const double needed = static_cast<double>(box.dimension()) + lines_of(beds, options);
+  if (static_cast<double>(points) <= needed) {
+    return base::Error{base::ErrorCode::BadSection,
+                       fmt::format("the beds have {} points, which do not determine {} values and the lines of {} "
+                                   "beds; digitise them more closely, or fix values",
+                                   points, box.dimension(), beds.size())};
   }
   return {};
 }
