@@ -6,6 +6,7 @@
 #include "recon/cli/inversion_json.h"
 #include "recon/cli/section_options.h"
 #include "recon/inversion/invert_params.h"
+#include "recon/inversion/predict_params.h"
 #include "shared/cli/commands.h"
 
 namespace recon::cli {
@@ -56,6 +57,12 @@ dobra::cli::Command finding_command(const char* name, const char* help, Print js
 dobra::cli::Command invert_command() {
   return finding_command<inversion::InvertParams>("invert", "Find the kinematics of a fold from the shapes of its beds",
                                                   inversion_json, inversion_table);
+}
+
+dobra::cli::Command predict_command() {
+  return finding_command<inversion::PredictParams>(
+      "predict", "Predict a fault from a rollover, a rollover over a fault, or the angles of a fold", prediction_json,
+      prediction_table);
 }
 
 }  // namespace recon::cli

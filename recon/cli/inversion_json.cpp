@@ -7,6 +7,7 @@
 
 #include "recon/core/invert_step.h"
 #include "recon/core/operations.h"
+#include "recon/core/predict_step.h"
 
 namespace recon::cli {
 
@@ -94,6 +95,37 @@ std::string inversion_table(const core::Model& model) {
   for (const inversion::BedMisfit& bed : fit.beds) {
     text += fmt::format("{:<28} {:>8} {:>14.5g} {:>14.5g} {:>14.4g}\n", bed.name, bed.points, bed.before, bed.after,
                         bed.dip.degrees());
+  }
+  return text;
+}
+
+std::string prediction_json(const core::Model& model) {
+  const inversion::Predicted& found = model.findings.get<core::FoundPrediction>()->predicted;
+  Json json = {{"what", name_of(*found.params.what)}};
+  Json solutions = Json::array();
+  for (const auto& solution : found.solutions) {
+    Json figures = Json::object();
+    for (const auto& [name, value] : solution) figures[name] = value;
+    solutions.push_back(std::move(figures));
+  }
+  json["solutions"] = std::move(solutions);
+  Json lines = Json::array();
+  for (const inversion::Predicted::Line& line : found.lines) {
+    Json points = Json::array();
+    for (const geom::Point p : line.line.points) points.push_back({p.x, p.y});
+    lines.push_back({{"kind", line.kind}, {"points", std::move(points)}});
+  }
+  json["lines"] = std::move(lines);
+  json["remarks"] = core::program().remarks_of(dobra::scenario::make_state(model));
+  return json.dump(2) + '\n';
+}
+
+std::string prediction_table(const core::Model& model) {
+  const inversion::Predicted& found = model.findings.get<core::FoundPrediction>()->predicted;
+  std::string text = fmt::format("{}\n", name_of(*found.params.what));
+  for (std::size_t i = 0; i < found.solutions.size(); ++i) {
+    if (found.solutions.size() > 1) text += fmt::format("\nsolution {}\n", i + 1);
+    for (const auto& [name, value] : found.solutions[i]) text += fmt::format("{:<32} {:>14.7g}\n", name, value);
   }
   return text;
 }

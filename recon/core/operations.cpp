@@ -10,6 +10,7 @@
 #include "recon/core/monte_carlo_step.h"
 #include "recon/core/move_step.h"
 #include "recon/core/offset_step.h"
+#include "recon/core/predict_step.h"
 #include "recon/core/report.h"
 #include "recon/core/restore_step.h"
 #include "recon/core/section_picture.h"
@@ -101,7 +102,7 @@ scenario::Program make_program() {
                                                  .remarks = add_section_remarks,
                                                  .draw = draw_section});
   recon.operations = {grid_step(),        target_step(),  restore_step(),      move_step(),   carry_step(),
-                      monte_carlo_step(), balance_step(), area_balance_step(), faults_step(), invert_step(), offset_step()};
+                      monte_carlo_step(), balance_step(), area_balance_step(), faults_step(), invert_step(), predict_step(), offset_step()};
   return recon;
 }
 

@@ -117,8 +117,8 @@ std::optional<double> misfit_of_drawn(const kinematics::FaultPath& path, double 
     const geom::Segment line{p - reach * along, p + reach * along};
     for (std::size_t k = 0; k < predicted.segment_count(); ++k) {
       const auto hit = geom::intersect(line, predicted.segment(k));
-      if (hit.kind == geom::Intersection::Kind::None) continue;
-      const double off = geom::dot(hit.first - p, along);
+      if (hit.kind == geom::IntersectionKind::None) continue;
+      const double off = geom::dot(hit.start.point - p, along);
       sum += off * off;
       ++count;
       break;
@@ -205,10 +205,7 @@ base::Result<Predicted> predict_rollover(const section::Section& section, const 
   DOBRA_TRY(const double arc, regional_arc(from, params));
   const kinematics::Amount amount{params.slip ? kinematics::Measure::Slip : kinematics::Measure::Heave,
                                   params.slip ? *params.slip : *params.heave};
-  // A heave that raises the hanging wall goes towards the higher end.
   const bool to_plus = path.line.points.back().x > path.line.points.front().x;
-  const kinematics::Amount along{amount.as, amount.as == kinematics::Measure::Heave && !to_plus ? -amount.value : amount.value};
-  static_cast<void>(along);
   DOBRA_TRY(const double h, kinematics::shear_heave(path, params.angle, arc, amount));
   DOBRA_TRY(const maps::SectionMap map, kinematics::shear_over(path, params.angle, h));
   const geom::Point start = kinematics::point_at(path, arc);
@@ -224,7 +221,7 @@ base::Result<Predicted> predict_rollover(const section::Section& section, const 
   predicted.params = params;
   const geom::Polyline bed = kinematics::BlockMap(map).forward(regional).after;
   predicted.lines = {{"bed", bed}, {"regional", regional}};
-  const auto lowest = std::min_element(bed.points.begin(), bed.points.end(), [](auto a, auto b) { return a.y < b.y; });
+  const auto lowest = std::min_element(bed.points.begin(), bed.points.end(), [](geom::Point a, geom::Point b) { return a.y < b.y; });
   predicted.solutions.push_back({{"shear_heave", h},
                                  {"regional_x", start.x},
                                  {"regional_z", start.y},
