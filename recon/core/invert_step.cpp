@@ -56,12 +56,13 @@ void add_inversion_quantities(const Model& model, std::vector<scenario::Quantity
     quantities.push_back({"invert.misfit." + bed.name, bed.after, "m"});
 }
 
+std::string axis_title(const inversion::MisfitMap& map, const inversion::Fit& fit, std::size_t axis) {
+  const inversion::Unknown& unknown = fit.estimates[map.axes[axis]].unknown;
+  return unknown.unit.empty() ? unknown.key : fmt::format("{} [{}]", unknown.key, unknown.unit);
+}
+
 scenario::DataTable map_table(const inversion::MisfitMap& map, const inversion::Fit& fit) {
-  const auto title = [&](std::size_t axis) {
-    const inversion::Unknown& unknown = fit.estimates[map.axes[axis]].unknown;
-    return unknown.unit.empty() ? unknown.key : fmt::format("{} [{}]", unknown.key, unknown.unit);
-  };
-  scenario::DataTable table{"misfit_map", {title(0), title(1), "misfit [m]"}, {}};
+  scenario::DataTable table{"misfit_map", {axis_title(map, fit, 0), axis_title(map, fit, 1), "misfit [m]"}, {}};
   for (std::size_t i = 0; i < map.rms.size(); ++i)
     table.rows.push_back({map.at[0][i % map.at[0].size()], map.at[1][i / map.at[0].size()], map.rms[i]});
   return table;
@@ -116,45 +117,76 @@ scene::Panel restored_panel(const FoundKinematics& found, const section::Palette
   return section_panel(empty_panel("restored_beds", translated("Beds restored"), restored), restored, palette, {});
 }
 
-/// The misfit over two values, each stretched so that the picture is as high as wide; with the best place.
-scene::Panel map_panel(const inversion::MisfitMap& map, const inversion::Fit& fit) {
-  scene::Panel panel;
-  panel.key = "misfit_map";
-  panel.title = translated("Misfit");
-  const auto title = [&](std::size_t axis) {
-    const inversion::Unknown& unknown = fit.estimates[map.axes[axis]].unknown;
-    return unknown.unit.empty() ? unknown.key : fmt::format("{} [{}]", unknown.key, unknown.unit);
-  };
-  panel.axes = {title(0), title(1), scene::AxisScale::Diagram};
+/// The map as a mesh, two triangles a cell. What has no map has the highest value.
+scene::Mesh map_mesh(const inversion::MisfitMap& map, double unit, double low, double high) {
   scene::Mesh mesh;
   mesh.values_at = scene::ValuesAt::Points;
   const std::size_t columns = map.at[0].size();
-  double low = fit.rms, high = fit.rms;
-  for (const double rms : map.rms) {
-    if (std::isfinite(rms)) low = std::min(low, rms), high = std::max(high, rms);
-  }
-  high = std::min(high, std::max(map.region ? 3.0 * *map.region : 0.0, 3.0 * low));
   for (std::size_t i = 0; i < map.rms.size(); ++i) {
-    mesh.points.push_back({map.at[0][i % columns], map.at[1][i / columns]});
+    mesh.points.push_back({unit * map.at[0][i % columns], unit * map.at[1][i / columns]});
     mesh.values.push_back(std::isfinite(map.rms[i]) ? map.rms[i] : high);
+    if (i % columns + 1 == columns || i / columns + 1 == map.at[1].size()) continue;
     const auto n = static_cast<std::uint32_t>(i);
     const auto w = static_cast<std::uint32_t>(columns);
-    if (i % columns + 1 == columns || i / columns + 1 == map.at[1].size()) continue;
     mesh.triangles.push_back({n, n + 1, n + w + 1});
     mesh.triangles.push_back({n, n + w + 1, n + w});
   }
   mesh.scale = {translated("misfit [m]"), scene::ColorMapName::Viridis, low, high};
-  scene::Style style;
-  style.line_width = 0.0;
-  panel.layers.push_back({"misfit", translated("Misfit"), style, std::move(mesh), true, scene::InLegend::No});
+  return mesh;
+}
+
+/// Where the values of a mesh pass a level.
+std::vector<geom::Polyline> contour_at(const scene::Mesh& mesh, double level) {
+  std::vector<geom::Polyline> lines;
+  for (const auto& triangle : mesh.triangles) {
+    geom::Polyline line;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = triangle[k];
+      const std::uint32_t b = triangle[(k + 1) % 3];
+      if ((mesh.values[a] < level) == (mesh.values[b] < level)) continue;
+      const double t = (level - mesh.values[a]) / (mesh.values[b] - mesh.values[a]);
+      line.points.push_back(geom::interpolate(mesh.points[a], mesh.points[b], t));
+    }
+    if (line.points.size() == 2) lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+/// The misfit over two values, as wide as a part of the section and nearly as high as wide; with the best place and the
+/// region of confidence.
+scene::Panel map_panel(const inversion::MisfitMap& map, const inversion::Fit& fit, double section_width) {
+  const double width = map.at[0].back() - map.at[0].front();
+  const double height = map.at[1].back() - map.at[1].front();
+  const double unit = 0.6 * section_width / width;
+  double low = fit.rms, high = fit.rms;
+  for (const double rms : map.rms) {
+    if (std::isfinite(rms)) low = std::min(low, rms), high = std::max(high, rms);
+  }
+  high = std::min(high, std::max(map.region.value_or(0.0), low) * 3.0);
+  scene::Panel panel;
+  panel.key = "misfit_map";
+  panel.title = translated("Misfit");
+  panel.axes = {axis_title(map, fit, 0), axis_title(map, fit, 1), scene::AxisScale::Diagram, unit};
+  panel.vertical_exaggeration = 0.8 * width / height;
+  scene::Mesh mesh = map_mesh(map, unit, low, high);
+  scene::Style line;
+  line.line = {255, 255, 255, 255};
+  line.line_width = 1.5;
+  std::vector<geom::Polyline> region;
+  if (map.region) region = contour_at(mesh, *map.region);
+  scene::Style filled;
+  filled.line_width = 0.0;
+  panel.layers.push_back({"misfit", translated("Misfit"), filled, std::move(mesh), true, scene::InLegend::No});
+  if (!region.empty()) {
+    panel.layers.push_back(lines_layer("region", translated("Region of confidence"), line, std::move(region)));
+    panel.layers.back().in_legend = scene::InLegend::No;
+  }
   scene::Style mark;
   mark.line = found_color;
   mark.fill = found_color;
   mark.marker_size = 7.0;
-  const geom::Point best{fit.estimates[map.axes[0]].best, fit.estimates[map.axes[1]].best};
+  const geom::Point best{unit * fit.estimates[map.axes[0]].best, unit * fit.estimates[map.axes[1]].best};
   panel.layers.push_back({"best", translated("Best"), mark, scene::Markers{{best}, {}}, true, scene::InLegend::Yes});
-  const double width = map.at[0].back() - map.at[0].front();
-  panel.vertical_exaggeration = width / (map.at[1].back() - map.at[1].front());
   return panel;
 }
 
@@ -163,7 +195,10 @@ void draw_inversion(const Model& model, scene::Picture& picture) {
   if (found == nullptr || is_done(model)) return;
   const section::Palette palette(found->section);
   std::vector<scene::Panel> panels{kinematics_panel(*found, palette), restored_panel(*found, palette)};
-  if (found->inversion.map) panels.push_back(map_panel(*found->inversion.map, found->inversion.fit));
+  if (found->inversion.map) {
+    const double width = box_of(found->section).width();
+    panels.push_back(map_panel(*found->inversion.map, found->inversion.fit, width));
+  }
   show(std::move(panels), found->section, picture);
 }
 

@@ -42,7 +42,7 @@ base::Result<std::vector<BendFold>> steps_of_ramp(base::Angle theta) {
   const double tangent = std::tan(theta.radians());
   const double under = std::sqrt(std::max(0.0, 1.0 - 3.0 * tangent * tangent));
   const double tight = std::atan((1.0 - under) / tangent);
-  if (under > 1e-9) folds.push_back(bend_of(theta.radians(), theta.radians(), tight));
+  if (under > 1e-6) folds.push_back(bend_of(theta.radians(), theta.radians(), tight));
   return folds;
 }
 
@@ -73,6 +73,12 @@ base::Result<std::vector<BendFold>> bend_folds_of(const LimbDips& dips) {
 
 base::Result<PropagationFold> propagation_fold_of(const LimbDips& dips) {
   DOBRA_TRY_VOID(check_dips(dips));
+  if (!dips.backlimb && dips.forelimb->degrees() <= 60.0) {
+    return base::Error{base::ErrorCode::CannotRestore,
+                       fmt::format("the forelimb of a parallel fault-propagation fold dips more than 60 degrees, not "
+                                   "{:.4g}; try fault_bend_fold, or trishear",
+                                   dips.forelimb->degrees())};
+  }
   const base::Angle theta = dips.backlimb ? *dips.backlimb
                                           : base::Angle::from_radians(
                                                 2.0 * std::atan(std::tan(axial(*dips.forelimb)) / 3.0));

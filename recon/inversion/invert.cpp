@@ -71,8 +71,8 @@ void draw_best(const section::Section& section, const Model& model, double size,
     inversion.restored_names.push_back(horizon.name);
   }
   if (inversion.params.method != InvertMethod::Trishear) return;
-  inversion.fault = ramp_line(values, std::max(0.3 * size, std::abs(values[Slip]) * (1.0 + values[Propagation])));
-  inversion.triangle = triangle_sides(values, 0.4 * size);
+  inversion.fault = ramp_line(values, 0.4 * size);
+  inversion.triangle = triangle_sides(values, 0.3 * size);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ base::Result<std::vector<std::vector<Unknown>>> trishear_unknowns(const section:
                                                                   const std::vector<BedShape>& beds,
                                                                   const InvertParams& params);
 
-/// The ramp up to its tip and the sides of the triangle, as long as the slip and the section ask.
+/// The last of the ramp up to its tip, and the sides of the triangle in front of it.
 geom::Polyline ramp_line(std::span<const double> values, double length);
 std::vector<geom::Polyline> triangle_sides(std::span<const double> values, double length);
 

@@ -248,7 +248,7 @@ TEST(Predict, BothDipsGiveTheBendOfTheFaultBySuppesOtherEquation) {
 }
 
 TEST(Predict, AForelimbGivesTheRampOfAPropagationFoldByTheEquationOfSuppeAndMedwedeff) {
-  for (const double forelimb : {40.0, 80.0, 120.0, 150.0}) {
+  for (const double forelimb : {61.0, 80.0, 120.0, 150.0}) {
     const auto fold = propagation_fold_of({{}, deg(forelimb)});
     ASSERT_TRUE(fold);
     const double g = (90.0 - 0.5 * forelimb) * pi / 180, t = fold->angles.theta.radians();
@@ -258,6 +258,7 @@ TEST(Predict, AForelimbGivesTheRampOfAPropagationFoldByTheEquationOfSuppeAndMedw
   EXPECT_NEAR(both.angles.propagation, 1.8459, 5e-5);
   EXPECT_NEAR(both.misfit->degrees(), 180.0 - 2.0 * 33.627 - 110.0, 2e-3);
   EXPECT_FALSE(propagation_fold_of({deg(60), {}}));
+  EXPECT_FALSE(propagation_fold_of({{}, deg(60)}));
 }
 
 }  // namespace
