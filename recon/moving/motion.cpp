@@ -142,7 +142,8 @@ base::Result<Motion> trishear(const FaultPath& path, const MoveParams& params, A
 
 bool has_tip(MoveMethod method) { return method == MoveMethod::FaultPropagationFold || method == MoveMethod::Trishear; }
 
-base::Result<Motion> make_motion(const FaultPath& path, const MoveParams& params, Amount amount, double arc) {
+base::Result<Motion> make_motion(const FaultPath& drawn, const MoveParams& params, Amount amount, double arc) {
+  const FaultPath path = straightened(drawn);
   switch (*params.method) {
     case MoveMethod::Rigid:
       return rigid(path, params, amount);
