@@ -1,6 +1,7 @@
 // recon: the window without a sub-command, or with a file alone; the command line with a sub-command.
 
 #include "recon/cli/fault_commands.h"
+#include "recon/cli/inversion_commands.h"
 #include "recon/cli/move_commands.h"
 #include "recon/cli/section_commands.h"
 #include "recon/core/operations.h"
@@ -29,5 +30,5 @@ int main(int argc, char** argv) {
   return dobra::cli::run_program(
       recon::core::program(), argc, argv, window,
       {dobra::cli::offset_command(), recon::cli::restore_command(), recon::cli::balance_command(),
-       recon::cli::faults_command(), recon::cli::move_command(), dobra::cli::convert_command()});
+       recon::cli::faults_command(), recon::cli::move_command(), recon::cli::invert_command(), recon::cli::predict_command(), dobra::cli::convert_command()});
 }

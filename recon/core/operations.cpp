@@ -6,10 +6,12 @@
 #include "recon/core/chain.h"
 #include "recon/core/faults_step.h"
 #include "recon/core/grid_step.h"
+#include "recon/core/invert_step.h"
 #include "recon/core/monte_carlo_step.h"
 #include "recon/core/move_step.h"
 #include "recon/core/names.h"
 #include "recon/core/offset_step.h"
+#include "recon/core/predict_step.h"
 #include "recon/core/report.h"
 #include "recon/core/restore_step.h"
 #include "recon/core/section_picture.h"
@@ -100,8 +102,9 @@ scenario::Program make_program() {
                                                  .tables = add_chain_tables,
                                                  .remarks = add_section_remarks,
                                                  .draw = draw_section});
-  recon.operations = {grid_step(),        target_step(),  restore_step(),      move_step(),   carry_step(),
-                      monte_carlo_step(), balance_step(), area_balance_step(), faults_step(), offset_step()};
+  recon.operations = {grid_step(),   target_step(),      restore_step(), move_step(),
+                      carry_step(),  monte_carlo_step(), balance_step(), area_balance_step(),
+                      faults_step(), invert_step(),      predict_step(), offset_step()};
   recon.names_of = [](const scenario::State& state, const std::string& what) {
     return names_of(scenario::model_of<Model>(state), what);
   };

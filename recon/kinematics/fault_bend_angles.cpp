@@ -18,12 +18,16 @@ double phi_of(double theta, double gamma) {
 }
 
 BendFold fold_of(double theta, double phi, double gamma) {
-  const double ratio = std::sin(gamma - theta) / std::sin(gamma - theta + phi);
-  return {base::Angle::from_radians(theta), base::Angle::from_radians(phi), base::Angle::from_radians(gamma),
-          base::Angle::from_radians(theta - phi + pi - 2.0 * gamma), ratio};
+  return bend_with(base::Angle::from_radians(theta), base::Angle::from_radians(phi), base::Angle::from_radians(gamma));
 }
 
 }  // namespace
+
+BendFold bend_with(base::Angle theta, base::Angle phi, base::Angle gamma) {
+  const double between = gamma.radians() - theta.radians();
+  const double ratio = std::sin(between) / std::sin(between + phi.radians());
+  return {theta, phi, gamma, base::Angle::from_radians(theta.radians() - phi.radians() + pi - 2.0 * gamma.radians()), ratio};
+}
 
 base::Result<BendFold> bend_fold(base::Angle cutoff, base::Angle turn) {
   const double theta = cutoff.radians();

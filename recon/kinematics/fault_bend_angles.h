@@ -19,6 +19,9 @@ struct BendFold {
   double slip_ratio = 1.0;  ///< Slip behind the bend a metre of slip before it.
 };
 
+/// What follows from the three angles that make a bend: beta = theta - phi + 180 degrees - 2 gamma, R.
+BendFold bend_with(base::Angle theta, base::Angle phi, base::Angle gamma);
+
 /// cot(gamma - theta + phi) = cot(gamma - theta) - 2 cot(gamma), the root with the greater gamma: the fold is open.
 /// @param theta  in [0, 90) degrees; 0: beds along the segment before the bend.
 /// @error CannotRestore: no gamma; the message says the greatest phi at this theta. Without a place.

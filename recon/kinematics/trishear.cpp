@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "recon/kinematics/refuse.h"
 
@@ -12,7 +13,7 @@ namespace recon::kinematics {
 
 namespace {
 
-/// z, ln(x / x0) and slip / x0 in the zone, with e = |y| / (m x) = |z|^k of one sign.
+/// z, x / x0 and slip / x0 in the zone, with e = |y| / (m x) = |z|^k of one sign.
 using State = std::array<double, 3>;
 
 /// The field in the frame of the tip. It depends on e alone, so that distance from the tip is but a scale. With
@@ -22,7 +23,10 @@ struct Zone {
   double propagation;  ///< P/S
   double s;            ///< Concentration.
   double time;         ///< +1: slip grows, -1: it goes back.
+  double half_over = 0.5 / (1.0 + s);
   double side = 1.0;   ///< Sign of z.
+  std::size_t rows = 5;  ///< Of the extrapolation.
+  std::optional<std::size_t> variable = {};  ///< Of the state, instead of sigma: steps end where it has a given value.
 
   [[nodiscard]] double power() const { return std::max(s, 1.0); }
   static double raised(double z, double to) { return to == 1.0 ? z : std::pow(z, to); }
@@ -33,18 +37,21 @@ struct Zone {
     const double root = raised(z, k / s);              // e^(1/s)
     const double e = raised(z, k);
     const double along = sense * 0.5 * (side * root + 1.0) - propagation;
-    const double across = sense * (e * root - 1.0) / (2.0 * (1.0 + s));
+    const double across = sense * (e * root - 1.0) * half_over;
     const double pace = k == 1.0 ? 1.0 : k * raised(z, k - 1.0);
-    return {time * (across - side * e * along), time * pace * along, pace * std::exp(at[1])};
+    const State rate{time * (across - side * e * along), time * pace * along * at[1], pace * at[1]};
+    if (!variable) return rate;
+    const double by = rate[*variable];
+    return {rate[0] / by, rate[1] / by, rate[2] / by};
   }
 
-  /// Gragg's modified midpoint rule, extrapolated to order 10 (Bulirsch and Stoer).
+  /// Gragg's modified midpoint rule, extrapolated to order 2 x rows (Bulirsch and Stoer).
   [[nodiscard]] State step(const State& from, double h, double& error) const {
     constexpr std::array<int, 5> parts{2, 4, 6, 8, 10};
     std::array<State, 5> table{};
     const State first = rate(from);
     State coarse{};
-    for (std::size_t row = 0; row < parts.size(); ++row) {
+    for (std::size_t row = 0; row < rows; ++row) {
       State value = midpoint(from, first, h, parts[row]);
       for (std::size_t column = 0; column < row; ++column) {
         const double ratio = static_cast<double>(parts[row]) / parts[row - column - 1];
@@ -60,9 +67,10 @@ struct Zone {
     }
     error = 0.0;
     for (std::size_t i = 0; i < 3; ++i) {
-      error = std::max(error, std::abs(table[4][i] - coarse[i]) / (1.0 + std::abs(i == 2 ? table[4][2] : 0.0)));
+      const double size = i == 0 ? 1.0 : i == 1 ? std::abs(table[rows - 1][1]) : 1.0 + std::abs(table[rows - 1][2]);
+      error = std::max(error, std::abs(table[rows - 1][i] - coarse[i]) / size);
     }
-    return table[4];
+    return table[rows - 1];
   }
 
  private:
@@ -116,21 +124,32 @@ State step_to(const Zone& zone, const State& from, double h, const Beyond& beyon
   return state;
 }
 
+/// The same with a value of the state as the variable, in one step (Henon). Nothing where that is not true enough.
+std::optional<State> step_onto(Zone zone, const State& from, std::size_t variable, double value, double tolerance) {
+  zone.variable = variable;
+  double error = 0.0;
+  State state = zone.step(from, value - from[variable], error);
+  if (!(error <= tolerance)) return std::nullopt;
+  state[variable] = value;
+  return state;
+}
+
 /// Goes on through the zone for `left` of slip, or to its side.
 /// @param x, e  place: x > 0 from the tip, e = y / (m x) in [-1, 1]; both become those of the end.
 void through_zone(Zone zone, double tolerance, double& x, double& e, double& left) {
   const double k = zone.power();
   zone.side = e < 0.0 ? -1.0 : 1.0;
   if (e == 0.0) zone.side = -zone.sense * zone.time;  // at e = 0 it goes towards this side
-  State at{zone.side * std::pow(std::abs(e), 1.0 / k), 0.0, 0.0};
+  State at{zone.side * std::pow(std::abs(e), 1.0 / k), 1.0, 0.0};
   const double goal = left / x;
+  const double order = 1.0 / (2.0 * static_cast<double>(zone.rows) - 1.0);
   double h = 0.1;
   double error = 0.0;
   bool ended = true;
   for (int steps = 0; steps < 100000; ++steps) {
     const State next = zone.step(at, h, error);
     if (error > tolerance && h > 1e-14) {
-      h *= std::clamp(0.9 * std::pow(tolerance / error, 1.0 / 9.0), 0.1, 0.9);
+      h *= std::clamp(0.9 * std::pow(tolerance / error, order), 0.1, 0.9);
       continue;
     }
     const bool past_end = next[2] >= goal;
@@ -138,14 +157,18 @@ void through_zone(Zone zone, double tolerance, double& x, double& e, double& lef
     const bool past_side = std::abs(next[0]) > 1.0;
     if (!past_end && !past_middle && !past_side) {
       at = next;
-      h *= std::clamp(0.9 * std::pow(tolerance / std::max(error, 1e-30), 1.0 / 9.0), 0.5, 3.0);
+      h *= std::clamp(0.9 * std::pow(tolerance / std::max(error, 1e-30), order), 0.5, 3.0);
       continue;
     }
     // The first of what the step passes.
     const auto after_end = [&](const State& state) { return (state[2] - goal) / (1.0 + goal); };
     const auto over_middle = [&](const State& state) { return past_middle ? -zone.side * state[0] : -1.0; };
     const auto over_side = [&](const State& state) { return past_side ? std::abs(state[0]) - 1.0 : -1.0; };
-    at = step_to(zone, at, h, [&](const State& state) {
+    const bool one = int{past_end} + int{past_middle} + int{past_side} == 1;
+    const std::size_t variable = past_end ? 2 : 0;
+    const double value = past_end ? goal : past_middle ? 0.0 : zone.side;
+    const std::optional<State> onto = one ? step_onto(zone, at, variable, value, tolerance) : std::nullopt;
+    at = onto ? *onto : step_to(zone, at, h, [&](const State& state) {
       return std::max({after_end(state), over_middle(state), over_side(state)});
     });
     ended = after_end(at) >= std::max(over_middle(at), over_side(at));
@@ -154,7 +177,7 @@ void through_zone(Zone zone, double tolerance, double& x, double& e, double& lef
     at[0] = 0.0;
   }
   left = ended ? 0.0 : std::max(0.0, left - x * at[2]);
-  x *= std::exp(at[1]);
+  x *= at[1];
   e = zone.side * std::min(std::pow(std::abs(at[0]), k), 1.0);
 }
 
@@ -209,7 +232,8 @@ geom::Point TrishearMap::operator()(geom::Point p, Wall on_fault) const {
   if (x <= nudge && std::abs(y) <= 10.0 * nudge) lift = (on_fault == Wall::Hanging ? nudge : -nudge) - y;
   y += lift;
   const double lifted = y;
-  const Zone zone{sense_, params_.propagation, params_.concentration, back_ ? -1.0 : 1.0};
+  Zone zone{sense_, params_.propagation, params_.concentration, back_ ? -1.0 : 1.0};
+  if (tolerances_.integration > 1e-9) zone.rows = 3;
   double left = amount_;
   for (int part = 0; part < 3 && left > 0.0; ++part) {
     if (std::abs(y) < slope_ * x) {

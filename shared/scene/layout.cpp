@@ -354,7 +354,7 @@ bool Arranger::update_room(std::size_t i) {
     right = std::max(right, x + half - block.plot_width);
   }
   std::string x_title = shares_x_axis(i) ? "" : panel.axes.x_title;
-  if (block.exaggeration != 1.0) {
+  if (block.exaggeration != 1.0 && panel.axes.scale != AxisScale::Diagram) {
     x_title += fmt::format("{}({} {:g}\u00d7)", x_title.empty() ? "" : "   ", base::translated("vertical exaggeration"),
                            block.exaggeration);
   }
