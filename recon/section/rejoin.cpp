@@ -1,5 +1,6 @@
 #include "recon/section/rejoin.h"
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -48,22 +49,26 @@ geom::Point place_on(geom::Polyline& line, std::size_t segment, geom::Point p, d
 }  // namespace
 
 void rejoin_ends(Section& section, double reach) {
-  std::vector<Line> lines;
+  std::vector<Line> lines;  // faults first: they part what ends on them
   const auto add = [&](geom::Polyline& line) { lines.push_back({&line, line.box().grown(reach)}); };
-  for (Horizon& horizon : section.horizons) add(horizon.line);
   for (SectionLine& line : section.lines) {
     if (line.kind == LineKind::Fault) add(line.line);
   }
+  for (Horizon& horizon : section.horizons) add(horizon.line);
   for (const Line& own : lines) {
     if (own.line->closed) continue;
     for (const bool first : {true, false}) {
-      const auto end = [&]() -> geom::Point& { return first ? own.line->points.front() : own.line->points.back(); };
-      const geom::Point p = end();
+      const geom::Point p = first ? own.line->points.front() : own.line->points.back();
+      std::vector<geom::Polyline*> near;
       for (const Line& other : lines) {
-        if (&other == &own || !other.box.overlaps({p, p}) || is_on(*other.line, p)) continue;
-        const auto segment = segment_near(*other.line, p, reach);
+        if (&other != &own && other.box.overlaps({p, p})) near.push_back(other.line);
+      }
+      if (std::any_of(near.begin(), near.end(), [&](const geom::Polyline* line) { return is_on(*line, p); })) continue;
+      for (geom::Polyline* line : near) {
+        const auto segment = segment_near(*line, p, reach);
         if (!segment) continue;
-        end() = place_on(*other.line, *segment, p, reach);
+        const geom::Point at = place_on(*line, *segment, p, reach);
+        (first ? own.line->points.front() : own.line->points.back()) = at;
         break;
       }
     }

@@ -64,6 +64,13 @@ TEST(SectionFaces, EndsThatRoundingPartsFromAFaultPartUnitsThere) {
     EXPECT_NEAR(std::min(made.units[0].area, made.units[1].area), left, 1e-8);
     EXPECT_NEAR(std::max(made.units[0].area, made.units[1].area), 10 - left, 1e-8);
   }
+  // Two ends that meet on a vertex of the fault but for a rounding.
+  Section met = test::section_of({{{{0, 0}, {5, 0}}, false},
+                                  {{{5, 1e-15}, {10, 0}}, false},
+                                  {{{0, -1}, {4, -1}}, false},
+                                  {{{4, -1}, {10, -1}}, false}});
+  met.lines.push_back(fault({{3, -2}, {4, -1}, {5, 0}, {6, 1}}));
+  EXPECT_EQ(faces(met).units.size(), 2u);
   // A gap that is seen is left as it is drawn: then the units run together.
   Section open = test::section_of({{{{0, 0}, {on_fault(0) - 0.01, 0}}, false}, {{{0, -1}, {10, -1}}, false}});
   open.lines.push_back(fault({{4.1, -2.7}, {5.3, 1}}));
