@@ -229,6 +229,27 @@ geom::Point TrishearMap::operator()(geom::Point p, Wall on_fault) const {
   return tips.after + x * direction_ + y * out_;
 }
 
+bool TrishearMap::parted(geom::Point image, geom::Point other) const {
+  const geom::Vector v = image - tip().after;
+  const geom::Vector w = other - tip().after;
+  return geom::dot(v, direction_) < 0.0 && geom::dot(w, direction_) < 0.0 &&
+         (geom::dot(v, out_) > 0.0) != (geom::dot(w, out_) > 0.0);
+}
+
+void TrishearMap::add_cut(geom::Point a, geom::Point b, Wall on_fault, MovedLine& moved) const {
+  const geom::Point first = (*this)(a, on_fault);
+  for (int i = 0; i < 60; ++i) {
+    const geom::Point middle = geom::midpoint(a, b);
+    if (middle == a || middle == b) break;
+    (parted(first, (*this)(middle, on_fault)) ? b : a) = middle;
+  }
+  for (const geom::Point p : {a, b}) {
+    const geom::Point image = (*this)(p, on_fault);
+    moved.before.points.push_back(p);
+    moved.after.points.push_back(image - geom::dot(image - tip().after, out_) * out_);
+  }
+}
+
 MovedLine TrishearMap::line(const geom::Polyline& line, Wall on_fault) const {
   MovedLine moved;
   moved.before.closed = moved.after.closed = line.closed;
@@ -241,7 +262,10 @@ MovedLine TrishearMap::line(const geom::Polyline& line, Wall on_fault) const {
   const auto fill = [&](const auto& self, geom::Point a, geom::Point fa, geom::Point b, geom::Point fb, int depth) -> void {
     const geom::Point middle = geom::midpoint(a, b);
     const geom::Point image = image_of(middle);
-    if (depth == 0) return;
+    if (depth == 0) {
+      if (parted(fa, fb)) add_cut(a, b, on_fault, moved);
+      return;
+    }
     const auto off = [&](geom::Point p, double t) { return geom::distance(p, geom::interpolate(fa, fb, t)); };
     const bool straight = off(image, 0.5) <= tolerances_.chord &&
                           off(image_of(geom::interpolate(a, b, 0.25)), 0.25) <= tolerances_.chord &&
