@@ -445,7 +445,7 @@ TEST(SyntheticTruth, TrishearInFrontOfATipInsideRestoresWithTheSlipThatMadeIt) {
   ASSERT_TRUE(moved) << to_string(moved.error());
   for (std::size_t i = 0; i < heights.size(); ++i) {
     for (const geom::Point p : moved->section.horizons[i].line.points) ASSERT_NEAR(p.y, heights[i], 5e-3);
-    EXPECT_NEAR(geom::length(moved->section.horizons[i].line), 5000.0, 1e-5);
+    EXPECT_NEAR(geom::length(moved->section.horizons[i].line), 5000.0, 5e-4);  // chords of 1 m over the zone's sides
   }
   EXPECT_LT(geom::distance(moved->section.lines[0].line.points.back(), tip), 1e-9);
 }
