@@ -13,7 +13,7 @@ namespace {
 struct Foot {
   std::size_t segment = 0;
   double part = 0.0;  ///< 0 .. 1 of the segment; of the first and the last one also beyond the path's ends.
-  double distance = std::numeric_limits<double>::infinity();
+  double squared = std::numeric_limits<double>::infinity();  ///< Of its distance.
 };
 
 Foot foot_on_segment(const geom::Polyline& line, std::size_t i, geom::Point p) {
@@ -22,14 +22,14 @@ Foot foot_on_segment(const geom::Polyline& line, std::size_t i, geom::Point p) {
   double part = geom::dot(p - segment.from, along) / geom::length_squared(along);
   if (i != 0) part = std::max(part, 0.0);
   if (i + 1 != line.segment_count()) part = std::min(part, 1.0);
-  return {i, part, geom::distance(geom::interpolate(segment.from, segment.to, part), p)};
+  return {i, part, geom::length_squared(geom::interpolate(segment.from, segment.to, part) - p)};
 }
 
 Foot foot_of(const geom::Polyline& line, geom::Point p) {
   Foot best;
   for (std::size_t i = 0; i < line.segment_count(); ++i) {
     const Foot foot = foot_on_segment(line, i, p);
-    if (foot.distance < best.distance) best = foot;
+    if (foot.squared < best.squared) best = foot;
   }
   return best;
 }
@@ -71,7 +71,8 @@ OnPath nearest(const FaultPath& path, geom::Point p) {
   arc += foot.part * geom::distance(segment.from, segment.to);
   const geom::Sign side = side_of(path.line, foot, p);
   if (side == geom::Sign::Zero) return {arc, 0.0};
-  return {arc, wall_on(path, side) == Wall::Hanging ? foot.distance : -foot.distance};
+  const double distance = geom::distance(geom::interpolate(segment.from, segment.to, foot.part), p);
+  return {arc, wall_on(path, side) == Wall::Hanging ? distance : -distance};
 }
 
 geom::Point point_at(const FaultPath& path, double arc) {
