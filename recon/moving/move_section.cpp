@@ -183,6 +183,15 @@ base::Result<void> choose_part(const Section& section, const MoveParams& params,
   return {};
 }
 
+/// Whether most of a polygon moves.
+base::Result<bool> moves_mostly(const geom::Polyline& contour, const MovingPart& part) {
+  DOBRA_TRY(const std::vector<LinePart> parts, part.split_area(contour));
+  double more = 0.0;
+  for (const LinePart& one : parts)
+    more += (one.fate == Fate::Moves ? 1.0 : -1.0) * std::abs(geom::signed_area(one.line));
+  return more > 0.0;
+}
+
 /// Polygons of what moves that lie over polygons of what stays.
 base::Result<void> refuse_overlap(const Section& section, const Moved& moved) {
   if (!section.faces) return {};
@@ -191,9 +200,8 @@ base::Result<void> refuse_overlap(const Section& section, const Moved& moved) {
     bool moves = false, stays = false;
     for (const section::Unit& unit : section.units) {
       if (geom::locate(unit.contour, misfit.place) == geom::Side::Outside) continue;
-      const std::vector<LinePart> parts = moved.before.split(unit.contour);
-      const bool any = std::any_of(parts.begin(), parts.end(), [](const auto& p) { return p.fate == Fate::Moves; });
-      (any ? moves : stays) = true;
+      DOBRA_TRY(const bool mostly, moves_mostly(unit.contour, moved.before));
+      (mostly ? moves : stays) = true;
     }
     if (!moves || !stays) continue;
     return base::Error{base::ErrorCode::BadSection,
