@@ -79,22 +79,23 @@ geom::Point point_at(const FaultPath& path, double arc) {
   return geom::point_at(path.line, geom::arc_lengths(path.line), arc);
 }
 
-FaultPath without_straight_vertices(FaultPath path) {
-  const double near = 1e-9 * geom::length(path.line);
-  std::vector<geom::Point> kept;
-  for (const geom::Point p : path.line.points) {
-    while (kept.size() > 1 && geom::distance(geom::Segment{kept[kept.size() - 2], p}, kept.back()) <= near)
-      kept.pop_back();
-    kept.push_back(p);
-  }
-  path.line.points = std::move(kept);
-  return path;
-}
-
 std::optional<Wall> wall_of(const FaultPath& path, geom::Point p) {
   const geom::Sign side = side_of(path.line, foot_of(path.line, p), p);
   if (side == geom::Sign::Zero) return std::nullopt;
   return wall_on(path, side);
+}
+
+FaultPath straightened(FaultPath path) {
+  constexpr double rounding = 1e-12;  // of the path's length
+  const double least = rounding * geom::length(path.line);
+  std::vector<geom::Point> kept{path.line.points.front()};
+  for (std::size_t i = 1; i + 1 < path.line.points.size(); ++i) {
+    const geom::Point p = path.line.points[i];
+    if (geom::distance(geom::Segment{kept.back(), path.line.points[i + 1]}, p) > least) kept.push_back(p);
+  }
+  kept.push_back(path.line.points.back());
+  path.line.points = std::move(kept);
+  return path;
 }
 
 }  // namespace recon::kinematics

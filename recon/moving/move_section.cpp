@@ -288,7 +288,7 @@ void take_to_tip(geom::Point after, std::vector<geom::Point>& points) {
   while (points.size() > 1 && dot(points.back() - after, points.back() - points[points.size() - 2]) >= 0.0)
     points.pop_back();
   points.push_back(after);
-  points = kinematics::without_straight_vertices({{std::move(points), false}}).line.points;
+  points = kinematics::straightened({{std::move(points), false}}).line.points;
 }
 
 /// The fault grows with its tip, or is taken back to it.
