@@ -98,11 +98,13 @@ class Cutter {
   /// The line itself, with vertices where it meets the fault and in the middle between two of these.
   [[nodiscard]] std::vector<Vertex> refined(const geom::Polyline& line) const {
     std::vector<geom::Point> points;
+    std::vector<bool> far;  // so that nobody asks for its wall
+    const geom::Box reach = own_.box().grown(rounding_);
     for (std::size_t i = 0; i < line.segment_count(); ++i) {
       const geom::Segment segment = line.segment(i);
+      const bool meets = segment.box().overlaps(reach);
       std::vector<geom::Point> hits{segment.from, segment.to};
-      const geom::Box box = geom::box_of(std::vector<geom::Point>{segment.from, segment.to});
-      for (std::size_t k = 0; k < own_.segment_count() && box.overlaps(own_.box()); ++k) {
+      for (std::size_t k = 0; k < own_.segment_count() && meets; ++k) {
         const geom::Intersection hit = geom::intersect(segment, own_.segment(k));
         if (hit.kind != geom::IntersectionKind::None) hits.push_back(hit.start.point);
         if (hit.kind == geom::IntersectionKind::Overlap) hits.push_back(hit.end.point);
@@ -110,16 +112,21 @@ class Cutter {
       geom::sort_along(segment, hits);
       for (std::size_t k = 0; k + 1 < hits.size(); ++k) {
         points.push_back(hits[k]);
-        if (hits.size() > 2) points.push_back(geom::midpoint(hits[k], hits[k + 1]));
+        far.push_back(!meets && i > 0 && !line.segment(i - 1).box().overlaps(reach));
+        if (hits.size() == 2) continue;
+        points.push_back(geom::midpoint(hits[k], hits[k + 1]));
+        far.push_back(false);
       }
     }
     points.push_back(line.points.back());
+    far.push_back(false);
     std::vector<Vertex> vertices;
-    for (const geom::Point p : points) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const geom::Point p = points[i];
       const double step = vertices.empty() ? 0.0 : geom::distance(vertices.back().at, p);
       const double before = vertices.empty() ? 0.0 : vertices.back().along;
-      const double off = kinematics::nearest(fault_.path, p).distance;
-      const bool on = std::abs(off) <= rounding_;
+      const double off = far[i] ? rounding_ : kinematics::nearest(fault_.path, p).distance;
+      const bool on = !far[i] && std::abs(off) <= rounding_;
       vertices.push_back({p, before + step, on ? std::nullopt : std::optional(off > 0.0 ? Wall::Hanging : Wall::Foot)});
     }
     return vertices;

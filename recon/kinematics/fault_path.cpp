@@ -13,7 +13,7 @@ namespace {
 struct Foot {
   std::size_t segment = 0;
   double part = 0.0;  ///< 0 .. 1 of the segment; of the first and the last one also beyond the path's ends.
-  double distance = std::numeric_limits<double>::infinity();
+  double squared = std::numeric_limits<double>::infinity();  ///< Of its distance.
 };
 
 Foot foot_on_segment(const geom::Polyline& line, std::size_t i, geom::Point p) {
@@ -22,14 +22,14 @@ Foot foot_on_segment(const geom::Polyline& line, std::size_t i, geom::Point p) {
   double part = geom::dot(p - segment.from, along) / geom::length_squared(along);
   if (i != 0) part = std::max(part, 0.0);
   if (i + 1 != line.segment_count()) part = std::min(part, 1.0);
-  return {i, part, geom::distance(geom::interpolate(segment.from, segment.to, part), p)};
+  return {i, part, geom::length_squared(geom::interpolate(segment.from, segment.to, part) - p)};
 }
 
 Foot foot_of(const geom::Polyline& line, geom::Point p) {
   Foot best;
   for (std::size_t i = 0; i < line.segment_count(); ++i) {
     const Foot foot = foot_on_segment(line, i, p);
-    if (foot.distance < best.distance) best = foot;
+    if (foot.squared < best.squared) best = foot;
   }
   return best;
 }
@@ -71,29 +71,31 @@ OnPath nearest(const FaultPath& path, geom::Point p) {
   arc += foot.part * geom::distance(segment.from, segment.to);
   const geom::Sign side = side_of(path.line, foot, p);
   if (side == geom::Sign::Zero) return {arc, 0.0};
-  return {arc, wall_on(path, side) == Wall::Hanging ? foot.distance : -foot.distance};
+  const double distance = geom::distance(geom::interpolate(segment.from, segment.to, foot.part), p);
+  return {arc, wall_on(path, side) == Wall::Hanging ? distance : -distance};
 }
 
 geom::Point point_at(const FaultPath& path, double arc) {
   return geom::point_at(path.line, geom::arc_lengths(path.line), arc);
 }
 
-FaultPath without_straight_vertices(FaultPath path) {
-  const double near = 1e-9 * geom::length(path.line);
-  std::vector<geom::Point> kept;
-  for (const geom::Point p : path.line.points) {
-    while (kept.size() > 1 && geom::distance(geom::Segment{kept[kept.size() - 2], p}, kept.back()) <= near)
-      kept.pop_back();
-    kept.push_back(p);
-  }
-  path.line.points = std::move(kept);
-  return path;
-}
-
 std::optional<Wall> wall_of(const FaultPath& path, geom::Point p) {
   const geom::Sign side = side_of(path.line, foot_of(path.line, p), p);
   if (side == geom::Sign::Zero) return std::nullopt;
   return wall_on(path, side);
+}
+
+FaultPath straightened(FaultPath path) {
+  constexpr double rounding = 1e-12;  // of the path's length
+  const double least = rounding * geom::length(path.line);
+  std::vector<geom::Point> kept{path.line.points.front()};
+  for (std::size_t i = 1; i + 1 < path.line.points.size(); ++i) {
+    const geom::Point p = path.line.points[i];
+    if (geom::distance(geom::Segment{kept.back(), path.line.points[i + 1]}, p) > least) kept.push_back(p);
+  }
+  kept.push_back(path.line.points.back());
+  path.line.points = std::move(kept);
+  return path;
 }
 
 }  // namespace recon::kinematics

@@ -39,11 +39,12 @@ struct OnPath {
 /// The nearest point of the path, of equally near ones the first.  @cost O(n)
 OnPath nearest(const FaultPath& path, geom::Point p);
 
+/// Without vertices at which it bends no more than rounding does: what ends on it, or a tip that stood there, may have left
+/// some.
+FaultPath straightened(FaultPath path);
+
 /// The point at a distance along the path, m.
 geom::Point point_at(const FaultPath& path, double arc);
-
-/// Without the vertices at which it goes on straight to 1e-9 of its length, such as places where a tip has stood.
-FaultPath without_straight_vertices(FaultPath path);
 
 /// Which wall p lies in, by exact predicates against what is nearest of the path; on the path: nothing.
 /// @pre the path, with both ends going on straight, does not meet itself.  @cost O(n)

@@ -253,6 +253,35 @@ geom::Point TrishearMap::operator()(geom::Point p, Wall on_fault) const {
   return tips.after + x * direction_ + y * out_;
 }
 
+bool TrishearMap::parted(geom::Point image, geom::Point other) const {
+  const geom::Vector v = image - tip().after;
+  const geom::Vector w = other - tip().after;
+  return geom::dot(v, direction_) < 0.0 && geom::dot(w, direction_) < 0.0 &&
+         (geom::dot(v, out_) > 0.0) != (geom::dot(w, out_) > 0.0);
+}
+
+void TrishearMap::add_cut(geom::Point a, geom::Point b, Wall on_fault, MovedLine& moved) const {
+  // By the side of the jump: beside the cut rounding leaves no sure sign of the wall.
+  const geom::Point first = (*this)(a, on_fault);
+  const geom::Point last = (*this)(b, on_fault);
+  for (int i = 0; i < 60; ++i) {
+    const geom::Point middle = geom::midpoint(a, b);
+    if (middle == a || middle == b) break;
+    const geom::Point image = (*this)(middle, on_fault);
+    (geom::distance(image, first) < geom::distance(image, last) ? a : b) = middle;
+  }
+  for (const geom::Point p : {a, b}) {
+    const geom::Point image = (*this)(p, on_fault);
+    moved.before.points.push_back(p);
+    moved.after.points.push_back(image - geom::dot(image - tip().after, out_) * out_);
+  }
+}
+
+namespace {
+/// Of a piece of a line at which a tip cuts it, beyond the halvings of others.
+constexpr int cut_halvings = 12;
+}  // namespace
+
 MovedLine TrishearMap::line(const geom::Polyline& line, Wall on_fault) const {
   MovedLine moved;
   moved.before.closed = moved.after.closed = line.closed;
@@ -262,18 +291,24 @@ MovedLine TrishearMap::line(const geom::Polyline& line, Wall on_fault) const {
   };
   const auto image_of = [&](geom::Point p) { return (*this)(p, on_fault); };
   // Quarters are looked at too: a piece whose middle is on the chord by chance may still bend.
-  const auto fill = [&](const auto& self, geom::Point a, geom::Point fa, geom::Point b, geom::Point fb, int depth) -> void {
+  const auto fill = [&](const auto& self, geom::Point a, geom::Point fa, geom::Point b, geom::Point fb, int depth,
+                        bool near_cut) -> void {
+    near_cut = near_cut || (depth <= 0 && parted(fa, fb));
     const geom::Point middle = geom::midpoint(a, b);
     const geom::Point image = image_of(middle);
-    if (depth == 0) return;
+    if (depth == -cut_halvings) {
+      if (parted(fa, fb)) add_cut(a, b, on_fault, moved);
+      return;
+    }
+    if (depth <= 0 && !near_cut) return;
     const auto off = [&](geom::Point p, double t) { return geom::distance(p, geom::interpolate(fa, fb, t)); };
     const bool straight = off(image, 0.5) <= tolerances_.chord &&
                           off(image_of(geom::interpolate(a, b, 0.25)), 0.25) <= tolerances_.chord &&
                           off(image_of(geom::interpolate(a, b, 0.75)), 0.75) <= tolerances_.chord;
     if (straight) return;
-    self(self, a, fa, middle, image, depth - 1);
+    self(self, a, fa, middle, image, depth - 1, near_cut);
     add(middle, image);
-    self(self, middle, image, b, fb, depth - 1);
+    self(self, middle, image, b, fb, depth - 1, near_cut);
   };
   for (std::size_t i = 0; i < line.points.size(); ++i) {
     moved.given.push_back(moved.before.points.size());
@@ -282,7 +317,7 @@ MovedLine TrishearMap::line(const geom::Polyline& line, Wall on_fault) const {
     add(a, image);
     if (i == line.segment_count()) break;
     const geom::Point b = line.segment(i).to;
-    fill(fill, a, image, b, image_of(b), tolerances_.most_halvings);
+    fill(fill, a, image, b, image_of(b), tolerances_.most_halvings, false);
   }
   return moved;
 }

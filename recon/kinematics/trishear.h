@@ -46,6 +46,11 @@ class TrishearMap {
   [[nodiscard]] double size() const { return size_; }
 
  private:
+  /// Whether two images lie in the two walls behind the tip.
+  [[nodiscard]] bool parted(geom::Point image, geom::Point other) const;
+  /// The vertex between a and b at which the tip has cut the line, with its images on both walls.
+  void add_cut(geom::Point a, geom::Point b, Wall on_fault, MovedLine& moved) const;
+
   geom::Point tip_;  ///< Before the forward slip.
   geom::Vector direction_{1.0, 0.0};
   geom::Vector out_{0.0, 1.0};

@@ -150,15 +150,14 @@ bool has_tip(MoveMethod method) { return method == MoveMethod::FaultPropagationF
 
 std::optional<double> slip_to_bend(const FaultPath& drawn, const MoveParams& params) {
   if (params.method != MoveMethod::FaultPropagationFold || params.direction == Direction::Forward) return std::nullopt;
-  const FaultPath path = without_straight_vertices(drawn);
+  const FaultPath path = straightened(drawn);
   const auto map = kinematics::PropagationMap::make(path, params.ramp, 0.0, 0.0);
   if (!map || path.line.points.size() < 3) return std::nullopt;
   return -slip_of_ramp(path, map->angles());
 }
 
 base::Result<Motion> make_motion(const FaultPath& drawn, const MoveParams& params, Amount amount, double arc) {
-  const bool by_bends = has_tip(*params.method) || params.method == MoveMethod::FaultBendFold;
-  const FaultPath path = by_bends ? without_straight_vertices(drawn) : drawn;
+  const FaultPath path = straightened(drawn);
   switch (*params.method) {
     case MoveMethod::Rigid:
       return rigid(path, params, amount);

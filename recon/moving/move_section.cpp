@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "recon/faults/blocks.h"
@@ -166,8 +167,11 @@ base::Result<void> choose_part(const Section& section, const MoveParams& params,
     return {};
   }
   DOBRA_TRY(const faults::Blocks blocks, faults::Blocks::make(section, all, options));
-  DOBRA_TRY(const std::vector<faults::BlockId> chosen,
-            params.block.empty() ? blocks.hanging_wall(setting.fault) : blocks.named(params.block));
+  // Also where blocks are named: a fault that parts nothing moves none.
+  DOBRA_TRY(std::vector<faults::BlockId> chosen, blocks.hanging_wall(setting.fault));
+  if (!params.block.empty()) {
+    DOBRA_TRY(chosen, blocks.named(params.block));
+  }
   std::vector<geom::Point> inside;
   for (const faults::BlockId id : chosen) {
     const faults::Block& block = blocks.all()[id.index()];
@@ -179,6 +183,15 @@ base::Result<void> choose_part(const Section& section, const MoveParams& params,
   return {};
 }
 
+/// Whether most of a polygon moves.
+base::Result<bool> moves_mostly(const geom::Polyline& contour, const MovingPart& part) {
+  DOBRA_TRY(const std::vector<LinePart> parts, part.split_area(contour));
+  double more = 0.0;
+  for (const LinePart& one : parts)
+    more += (one.fate == Fate::Moves ? 1.0 : -1.0) * std::abs(geom::signed_area(one.line));
+  return more > 0.0;
+}
+
 /// Polygons of what moves that lie over polygons of what stays.
 base::Result<void> refuse_overlap(const Section& section, const Moved& moved) {
   if (!section.faces) return {};
@@ -187,9 +200,8 @@ base::Result<void> refuse_overlap(const Section& section, const Moved& moved) {
     bool moves = false, stays = false;
     for (const section::Unit& unit : section.units) {
       if (geom::locate(unit.contour, misfit.place) == geom::Side::Outside) continue;
-      const std::vector<LinePart> parts = moved.before.split(unit.contour);
-      const bool any = std::any_of(parts.begin(), parts.end(), [](const auto& p) { return p.fate == Fate::Moves; });
-      (any ? moves : stays) = true;
+      DOBRA_TRY(const bool mostly, moves_mostly(unit.contour, moved.before));
+      (mostly ? moves : stays) = true;
     }
     if (!moves || !stays) continue;
     return base::Error{base::ErrorCode::BadSection,
@@ -215,41 +227,41 @@ void add_areas(const geom::Polyline& ring, double least, double& area, geom::Poi
   }
 }
 
-/// What of a base lies beside the path, whose ends go on straight.
-geom::Polyline beside(const FaultPath& path, const geom::Polyline& base) {
-  const double length = geom::length(path.line);
+/// What of a line lies beside the path between two arc lengths of it.
+std::vector<geom::Point> beside(const FaultPath& path, const geom::Polyline& line, double from, double to) {
   std::vector<double> arcs;
-  for (const geom::Point p : base.points) arcs.push_back(nearest(path, p).arc);
-  geom::Polyline part;
+  for (const geom::Point p : line.points) arcs.push_back(nearest(path, p).arc);
+  std::vector<geom::Point> part;
   for (std::size_t i = 0; i < arcs.size(); ++i) {
-    for (const double end : {0.0, length}) {
+    for (const double end : {from, to}) {
       if (i > 0 && (arcs[i - 1] - end) * (arcs[i] - end) < 0.0)
-        part.points.push_back(
-            geom::interpolate(base.points[i - 1], base.points[i], (end - arcs[i - 1]) / (arcs[i] - arcs[i - 1])));
+        part.push_back(
+            geom::interpolate(line.points[i - 1], line.points[i], (end - arcs[i - 1]) / (arcs[i] - arcs[i - 1])));
     }
-    if (arcs[i] >= 0.0 && arcs[i] <= length) part.points.push_back(base.points[i]);
+    if (arcs[i] >= from && arcs[i] <= to) part.push_back(line.points[i]);
   }
   return part;
 }
 
 /// Between the base of the hanging wall that was on the fault, and the fault, or what became of the footwall's side
-/// of it where a tip moves.
+/// of it where a tip moves; where both lie beside each other.
 OpenedArea opened_along(const FaultPath& path, const kinematics::BlockMap& map, double size) {
+  constexpr double everywhere = std::numeric_limits<double>::max();
   const auto tip = map.tip();
   const std::vector<geom::Point>& points = path.line.points;
   const auto is_tip = [&](geom::Point p) { return tip && geom::distance(p, tip->before) <= 1e-9 * size; };
-  geom::Polyline line = path.line;
-  if (!is_tip(points.front()))
-    line.points.insert(line.points.begin(), points.front() + size * geom::normalised(points.front() - points[1]));
-  if (!is_tip(points.back()))
-    line.points.push_back(points.back() + size * geom::normalised(points.back() - points[points.size() - 2]));
-  const geom::Polyline base = beside(path, map.forward(line, kinematics::Wall::Hanging).after);
-  geom::Polyline ring = tip ? beside(path, map.forward(line, kinematics::Wall::Foot).after) : path.line;
-  ring.closed = true;
-  ring.points.insert(ring.points.end(), base.points.rbegin(), base.points.rend());
+  const geom::Polyline base = map.forward(path.line, kinematics::Wall::Hanging).after;
+  const geom::Polyline foot = tip ? map.forward(path.line, kinematics::Wall::Foot).after : path.line;
+  const double from = is_tip(points.front()) ? -everywhere : std::max(0.0, nearest(path, base.points.front()).arc);
+  const double to =
+      is_tip(points.back()) ? everywhere : std::min(geom::length(path.line), nearest(path, base.points.back()).arc);
+  geom::Polyline ring{beside(path, foot, from, to), true};
+  const std::vector<geom::Point> above = beside(path, base, from, to);
+  ring.points.insert(ring.points.end(), above.rbegin(), above.rend());
+  OpenedArea opened;
+  if (ring.points.size() < 3) return opened;
   geom::Polyline other = geom::reversed(ring);
   if (path.hanging == kinematics::Side::Right) std::swap(ring, other);
-  OpenedArea opened;
   // Curves of trishear are true to a chord.
   const double least = (map.piecewise_affine() ? 1e-12 : 1e-9) * size * size;
   add_areas(ring, least, opened.gap, opened.gap_at);
@@ -276,7 +288,7 @@ void take_to_tip(geom::Point after, std::vector<geom::Point>& points) {
   while (points.size() > 1 && dot(points.back() - after, points.back() - points[points.size() - 2]) >= 0.0)
     points.pop_back();
   points.push_back(after);
-  points = kinematics::without_straight_vertices({{std::move(points), false}}).line.points;
+  points = kinematics::straightened({{std::move(points), false}}).line.points;
 }
 
 /// The fault grows with its tip, or is taken back to it.
@@ -329,9 +341,17 @@ base::Result<void> set_after(const Setting& setting, Moved& moved) {
   return {};
 }
 
-/// Methods with a tip take an end for one that leaves the section.
-void remark_on_tip(const Setting& setting, Moved& moved) {
+/// Ends on a younger fault, behind which the fault goes on straight; methods with a tip take an end for one that leaves
+/// the section.
+void remark_on_ends(const Setting& setting, Moved& moved) {
   const FaultPath& path = setting.fault.path;
+  for (const faults::FaultEnd& end : {setting.fault.lower, setting.fault.upper}) {
+    if (end.kind != faults::EndKind::Cut) continue;
+    moved.remarks.push_back(
+        fmt::format("fault '{}' ends at {} on '{}', which is younger; its path goes on straight "
+                    "there. If it flattens into that one, leave out their order",
+                    setting.fault.name, at_text(end.at), end.on));
+  }
   const auto tip = moved.motion.map.tip();
   if (!tip || path.tip_at_begin || path.tip_at_end) return;
   moved.remarks.push_back(fmt::format("fault '{}' leaves the section at {}; that end is taken for its tip",
@@ -389,7 +409,7 @@ base::Result<Moved> move_block(const Section& section, const MoveParams& params,
     moved.misfit.push_back(misfit_of(cut, setting.fault.path, params, moved.motion.map));
   moved.opened = opened_along(setting.fault.path, moved.motion.map, setting.size);
   moved.remarks.insert(moved.remarks.end(), moved.motion.remarks.begin(), moved.motion.remarks.end());
-  remark_on_tip(setting, moved);
+  remark_on_ends(setting, moved);
   remark_beyond(setting, moved, moved.remarks);
   remark_on_misfit(moved);
   progress.report(1.0, "moved");

@@ -45,6 +45,52 @@ void add(Cut next, std::vector<Cut>& cuts) {
   cuts.back().cut |= next.cut;
 }
 
+/// Segments of a line that are asked together whether the boundary is near.
+constexpr std::size_t run = 32;
+
+bool is_near(const geom::SpatialIndex& sides, const geom::Polyline& line, std::size_t from, std::size_t to) {
+  geom::Box box;
+  for (std::size_t i = from; i < to; ++i) box.add(line.segment(i).box());
+  bool near = false;
+  sides.for_each_overlapping(box, [&](std::size_t) {
+    near = true;
+    return geom::Visit::Stop;
+  });
+  return near;
+}
+
+/// A line with vertices where it meets the boundary.
+/// @param index  of the sides, grown by what counts as on the boundary.
+template <class OnBoundary>
+std::vector<Cut> cuts_of(const geom::Polyline& line, const std::vector<geom::Segment>& sides,
+                         const geom::SpatialIndex& index, const OnBoundary& on_boundary) {
+  std::vector<Cut> cuts;
+  bool near = false;
+  for (std::size_t i = 0; i < line.segment_count(); ++i) {
+    if (i % run == 0) near = is_near(index, line, i, std::min(i + run, line.segment_count()));
+    const geom::Segment segment = line.segment(i);
+    if (!near) {
+      add({segment.from, true, false}, cuts);
+      add({segment.to, true, false}, cuts);
+      continue;
+    }
+    std::vector<geom::Point> places;
+    bool beside = false;
+    index.for_each_overlapping(segment.box(), [&](std::size_t side) {
+      beside = true;
+      const geom::Intersection met = geom::intersect(segment, sides[side]);
+      if (met.kind == geom::IntersectionKind::None) return;
+      places.push_back(met.start.point);
+      if (met.kind == geom::IntersectionKind::Overlap) places.push_back(met.end.point);
+    });
+    geom::sort_along(segment, places);
+    add({segment.from, true, beside && on_boundary(segment.from)}, cuts);
+    for (const geom::Point p : places) add({p, false, true}, cuts);
+    add({segment.to, true, beside && on_boundary(segment.to)}, cuts);
+  }
+  return cuts;
+}
+
 geom::Point middle_of_longest(const std::vector<Cut>& cuts, std::size_t from, std::size_t to) {
   std::size_t longest = from;
   for (std::size_t i = from; i < to; ++i) {
@@ -207,21 +253,7 @@ bool MovingPart::crosses(const geom::Polyline& line) const {
 }
 
 std::vector<LinePart> MovingPart::split(const geom::Polyline& line, double overshoot) const {
-  std::vector<Cut> cuts;
-  for (std::size_t i = 0; i < line.segment_count(); ++i) {
-    const geom::Segment segment = line.segment(i);
-    std::vector<geom::Point> places;
-    index_.for_each_overlapping(segment.box(), [&](std::size_t side) {
-      const geom::Intersection met = geom::intersect(segment, sides_[side]);
-      if (met.kind == geom::IntersectionKind::None) return;
-      places.push_back(met.start.point);
-      if (met.kind == geom::IntersectionKind::Overlap) places.push_back(met.end.point);
-    });
-    geom::sort_along(segment, places);
-    add({segment.from, true, on_boundary(segment.from)}, cuts);
-    for (const geom::Point p : places) add({p, false, true}, cuts);
-    add({segment.to, true, on_boundary(segment.to)}, cuts);
-  }
+  const std::vector<Cut> cuts = cuts_of(line, sides_, index_, [&](geom::Point p) { return on_boundary(p); });
   std::vector<Range> ranges;
   for (std::size_t from = 0, i = 1; i < cuts.size(); ++i) {
     if (!cuts[i].cut && i + 1 < cuts.size()) continue;

@@ -12,6 +12,7 @@
 #include "recon/core/monte_carlo_step.h"
 #include "recon/core/restore_step.h"
 #include "recon/core/target_step.h"
+#include "recon/moving/move_section.h"
 #include "recon/section/section_faces.h"
 #include "shared/geom/transform.h"
 
@@ -195,6 +196,69 @@ void monte_carlo_draws(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(run_monte_carlo(ready, params, {}, {}).value());
 }
 BENCHMARK(monte_carlo_draws)->Arg(500)->Arg(10000)->Unit(benchmark::kSecond)->MeasureProcessCPUTime()->UseRealTime();
+
+/// Ten blocks between nine listric faults that dip to +x, 20 horizons that the first one cuts, `points` in all.
+section::Section faulted(std::size_t points) {
+  section::Section section;
+  constexpr std::size_t horizons = 20;
+  for (std::size_t h = 0; h < horizons; ++h) {
+    geom::Polyline line;
+    for (std::size_t i = 0; i < points / horizons; ++i) {
+      const double x = 22000.0 * static_cast<double>(i) / static_cast<double>(points / horizons - 1);
+      line.points.push_back({x, 20.0 * std::sin(x / 700.0) - 100.0 - 60.0 * static_cast<double>(h)});
+    }
+    section.horizons.push_back({section::HorizonId(h), "h" + std::to_string(h), std::move(line), {}});
+  }
+  for (std::size_t f = 0; f < 9; ++f) {
+    geom::Polyline fault;
+    for (int i = 0; i <= 30; ++i) {
+      const double along = 2.0 * i / 30.0;
+      fault.points.push_back({2000.0 * static_cast<double>(f + 1) + 1000.0 * along,
+                              100.0 - 1700.0 * (1.0 - std::exp(-1.5 * along)) / (1.0 - std::exp(-3.0))});
+    }
+    section.lines.push_back({section::LineId(f), section::LineKind::Fault, "f" + std::to_string(f), fault, {}});
+  }
+  section.border = geom::Polyline{{{0, -1600}, {22000, -1600}, {22000, 0}, {0, 0}}, true};
+  return section;
+}
+
+void move_blocks(benchmark::State& state) {
+  const section::Section section = faulted(static_cast<std::size_t>(state.range(0)));
+  moving::MoveParams params;
+  params.fault = "f0";
+  params.method = static_cast<moving::MoveMethod>(state.range(1));
+  params.slip = -150.0;
+  state.SetLabel(method_name(*params.method));
+  for (auto _ : state) benchmark::DoNotOptimize(moving::move_block(section, params, {}).value());
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+BENCHMARK(move_blocks)
+    ->ArgsProduct({{10000, 1000000}, {0, 1, 2, 6}})
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+
+/// 1 M points along beds through the map of a method: a fault of three segments, or of a flat and a ramp.
+void map_points_of_a_move(benchmark::State& state) {
+  kinematics::FaultPath path{{{{-9000, 0}, {0, 0}, {1400, 500}, {9000, 500}}, false}};
+  moving::MoveParams params;
+  params.method = static_cast<moving::MoveMethod>(state.range(0));
+  params.direction = moving::Direction::Forward;
+  params.apical = dobra::base::Angle::from_degrees(60.0);
+  if (has_tip(*params.method)) path.line.points.pop_back();
+  const kinematics::BlockMap map =
+      make_motion(path, params, {kinematics::Measure::Slip, 300.0}, 0.0).value().map;
+  std::vector<geom::Point> points(1000000), images(1000000);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    points[i] = {-8000.0 + 16.0 * static_cast<double>(i % 1000), 520.0 + static_cast<double>(i / 1000)};
+  state.SetLabel(method_name(*params.method));
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(map.forward(points, images));
+    benchmark::ClobberMemory();
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points.size()));
+}
+BENCHMARK(map_points_of_a_move)->DenseRange(0, 6)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 
 }  // namespace
 }  // namespace recon::core

@@ -22,6 +22,7 @@ std::vector<Figure> geom_figures();
 std::vector<Figure> topo_figures();
 std::vector<Figure> offset_figures();
 std::vector<Figure> recon_figures();
+std::vector<Figure> fault_figures();
 std::vector<Figure> mesh_figures();
 std::vector<Figure> quality_figures();
 
