@@ -304,10 +304,10 @@ void reach(const Cutoff& cutoff, double past, geom::Polyline& line) {
     over -= geom::distance(points[points.size() - 2], points.back());
     points.pop_back();
   }
-  const bool trimmed = cutoff.extended < 0.0;
-  const geom::Point inner = trimmed ? points[points.size() - 2] : points.back();
+  const bool replaced = cutoff.extended < 0.0 || points.back() == cutoff.at;
+  const geom::Point inner = replaced ? points[points.size() - 2] : points.back();
   const geom::Vector way = cutoff.at - inner;
-  if (trimmed) points.pop_back();
+  if (replaced) points.pop_back();
   points.push_back(geom::length(way) > 0.0 ? cutoff.at + past * geom::normalised(way) : cutoff.at);
   if (first) line = geom::reversed(std::move(line));
 }
@@ -318,7 +318,7 @@ void reach_faults(const std::vector<FaultCutoffs>& cutoffs, double past, section
   for (const FaultCutoffs& of_fault : cutoffs) {
     for (const CutoffPair& pair : of_fault.pairs) {
       for (const std::optional<Cutoff>& cutoff : {pair.hanging_wall, pair.footwall}) {
-        if (cutoff && !cutoff->passes && cutoff->extended != 0.0 && cutoff->piece == horizon.id)
+        if (cutoff && !cutoff->passes && cutoff->piece == horizon.id)
           reach(*cutoff, past, horizon.line);
       }
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "recon/jigsaw/blockwise.h"
+#include "shared/geom/simplify.h"
 
 namespace recon::jigsaw {
 
@@ -112,7 +113,7 @@ geom::Polyline Blockwise::inverse(const geom::Polyline& line) const {
   const geom::Point end = run.points.back();
   finish(end);
   if (line.closed) made.points.pop_back();
-  return geom::without_repeated_points(std::move(made));
+  return geom::without_near_points(std::move(made), 2.0 * on_boundary * size);
 }
 
 }  // namespace recon::jigsaw
