@@ -21,9 +21,10 @@ geom::Point through(const std::vector<const Stage*>& chain, std::size_t from, st
 
 base::Result<std::size_t> state_of(int number, std::size_t restored, const char* key) {
   if (number >= 0 && static_cast<std::size_t>(number) <= restored) return static_cast<std::size_t>(number);
-  return base::Error{base::ErrorCode::BadValue,
-                     fmt::format("{} = {}: the section has been restored or moved {} times, so take a state from 0 to {}", key,
-                                 number, restored, restored)};
+  return base::Error{
+      base::ErrorCode::BadValue,
+      fmt::format("{} = {}: the section has been restored or moved {} times, so take a state from 0 to {}", key, number,
+                  restored, restored)};
 }
 
 CarriedLine carried_line(const std::vector<const Stage*>& chain, const CarriedLines& states, geom::Polyline line) {

@@ -38,7 +38,9 @@ struct CarryParams {
     d.choice("as", &CarryParams::as, {"line", "points"},
              {.title = "Taken as", .help = "line: joined in their order; points: each by itself."});
     d.field("from", &CarryParams::from,
-            {.title = "From state", .help = "0 is the input, k the section after k restorations and moves.", .at_least = 0});
+            {.title = "From state",
+             .help = "0 is the input, k the section after k restorations and moves.",
+             .at_least = 0});
     d.field("to", &CarryParams::to, {.title = "To state", .help = "By default the last.", .at_least = 0});
   }
 };

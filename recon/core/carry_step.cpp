@@ -108,8 +108,9 @@ base::Result<Model> run_carry(const Model& model, const CarryParams& params, con
                               const base::Progress&) {
   const std::vector<const Stage*> chain = restored_stages(model);
   if (chain.empty()) {
-    return base::Error{base::ErrorCode::CannotRestore,
-                       "nothing is restored or moved yet that could carry a line; put a step 'restore' or 'move' before it"};
+    return base::Error{
+        base::ErrorCode::CannotRestore,
+        "nothing is restored or moved yet that could carry a line; put a step 'restore' or 'move' before it"};
   }
   Model next = model;
   DOBRA_TRY(CarriedLines carried, carry_lines(chain, params, context));

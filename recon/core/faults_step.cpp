@@ -8,6 +8,7 @@
 
 #include "recon/core/report.h"
 #include "recon/core/section_picture.h"
+#include "recon/core/slip_arrows.h"
 #include "shared/base/text.h"
 
 namespace recon::core {
@@ -118,6 +119,18 @@ std::vector<scene::Layer> block_layers(const std::vector<faults::Block>& blocks)
   return layers;
 }
 
+/// On every fault whose cutoffs tell its sense.
+std::vector<scene::Layer> sense_layers(const faults::FaultReport& report, double size) {
+  std::vector<scene::Layer> layers;
+  for (std::size_t i = 0; i < report.faults.size(); ++i) {
+    const faults::Sense sense = report.cutoffs[i].sense;
+    if (sense != faults::Sense::Normal && sense != faults::Sense::Reverse) continue;
+    layers.push_back(slip_arrows(fmt::format("sense_{}", i), report.faults[i],
+                                 sense == faults::Sense::Normal ? SlipSign::Down : SlipSign::Up, size));
+  }
+  return layers;
+}
+
 /// One line a fault, the horizons as points of it; of faults with both walls of two horizons at least.
 scene::Panel profile_panel(const faults::FaultReport& report) {
   scene::Panel panel;
@@ -156,10 +169,11 @@ scene::Panel profile_panel(const faults::FaultReport& report) {
 
 void draw_faults(const Model& model, scene::Picture& picture) {
   const auto* found = model.findings.get<FoundFaults>();
-  if (found == nullptr || (model.source && !model.restoration)) return;
+  if (found == nullptr || (model.source && !is_done(model))) return;
   const section::Palette palette(found->section);
   PanelParts parts;
   parts.under = over_backdrops(found->section, block_layers(found->report.blocks));
+  parts.pin = sense_layers(found->report, box_of(found->section).diagonal());
   std::vector<scene::Panel> panels{section_panel(empty_panel("faults", translated("Faults and blocks"), found->section),
                                                  found->section, palette, std::move(parts))};
   scene::Panel profile = profile_panel(found->report);
@@ -174,13 +188,13 @@ base::Result<Model> run_faults(const Model& model, const faults::FaultsParams& p
   FoundFaults found;
   found.section = model.section;
   std::vector<std::string> remarks;
-  if (model.restoration) {
+  if (is_done(model)) {
     DOBRA_TRY(found.section, section_after(model, remarks));
   }
   DOBRA_TRY(found.report, faults::report_faults(found.section, params));
   append(remarks, found.report.remarks);
   Model next = model;
-  const std::size_t state = model.earlier.size() + (model.restoration ? 1U : 0U);
+  const std::size_t state = model.earlier.size() + (is_done(model) ? 1U : 0U);
   next.findings.set(std::move(found), {.state = state, .outlives = Outlives::Nothing});
   return next;
 }

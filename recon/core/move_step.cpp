@@ -1,7 +1,11 @@
 #include "recon/core/move_step.h"
 
+#include <fmt/format.h>
+
 #include "recon/core/report.h"
 #include "recon/core/section_picture.h"
+#include "recon/core/slip_arrows.h"
+#include "recon/section/section_faces.h"
 #include "shared/base/text.h"
 #include "shared/io/gis/geojson.h"
 
@@ -64,6 +68,21 @@ void add_move_outputs(const std::shared_ptr<const Model>& model, std::vector<sce
                      }});
 }
 
+/// The polygons, or without any what lies between two horizons.
+std::vector<scene::Layer> rock(const section::Section& section, const section::Palette& palette) {
+  if (!section.units.empty()) return filled_units(section, palette);
+  std::vector<scene::Layer> layers;
+  const auto faces = section.faces ? base::Result<section::SectionFaces>(*section.faces) : faces_of(section);
+  for (const section::RockUnit& unit : faces ? faces->units : std::vector<section::RockUnit>{}) {
+    if (!unit.top || !unit.base) continue;
+    const std::string& name = whole_name(section.horizons[*unit.top]);
+    layers.push_back(region_layer(fmt::format("unit_{}", layers.size()), unit.name, palette.of(name), {}));
+    layers.back().legend = name;
+    std::get<scene::Regions>(layers.back().content).regions = {scene::Region{unit.contours}};
+  }
+  return over_backdrops(section, std::move(layers));
+}
+
 /// What moves, and the fault that it moves along.
 void add_block(const moving::MovingPart& part, const section::Section& section, const std::string& fault,
                PanelParts& parts) {
@@ -71,8 +90,8 @@ void add_block(const moving::MovingPart& part, const section::Section& section, 
   style.fill = block_color;
   style.line_width = 0.0;
   if (!part.contours().empty()) {
-    parts.under.push_back({"block", translated("Block that moves"), style, scene::Regions{{{part.contours()}}, {}}, true,
-                           scene::InLegend::Yes});
+    parts.under.push_back({"block", translated("Block that moves"), style, scene::Regions{{{part.contours()}}, {}},
+                           true, scene::InLegend::Yes});
   }
   scene::Style bold;
   bold.line = moving_fault_color;
@@ -89,10 +108,10 @@ scene::Panel moved_panel(const Model& model) {
   const moving::Moved& moved = *model.moved;
   const section::Palette palette(moved.section);
   PanelParts parts;
-  parts.under = filled_units(moved.section, palette);
+  parts.under = rock(moved.section, palette);
   add_block(moved.after, moved.section, moved.params.fault, parts);
-  return section_panel(empty_panel("moved", translated("Section after the move"), model.section), moved.section, palette,
-                       std::move(parts));
+  return section_panel(empty_panel("moved", translated("Section after the move"), model.section), moved.section,
+                       palette, std::move(parts));
 }
 
 /// Both states to one scale.
@@ -100,8 +119,12 @@ void draw_moved(const Model& model, scene::Picture& picture) {
   if (!model.moved) return;
   const section::Palette palette(model.section);
   PanelParts parts;
-  parts.under = filled_units(model.section, palette);
+  parts.under = rock(model.section, palette);
   add_block(model.moved->before, model.section, model.moved->params.fault, parts);
+  if (const double slip = model.moved->motion.slip; slip != 0.0) {
+    parts.pin.push_back(slip_arrows("slip", model.moved->fault, slip > 0.0 ? SlipSign::Up : SlipSign::Down,
+                                    box_of(model.section).diagonal()));
+  }
   std::vector<scene::Panel> panels{current_panel(model, palette, std::move(parts)), moved_panel(model)};
   geom::Box box = box_of(model.section);
   box.add(box_of(model.moved->section));

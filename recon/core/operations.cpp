@@ -8,6 +8,7 @@
 #include "recon/core/grid_step.h"
 #include "recon/core/monte_carlo_step.h"
 #include "recon/core/move_step.h"
+#include "recon/core/names.h"
 #include "recon/core/offset_step.h"
 #include "recon/core/report.h"
 #include "recon/core/restore_step.h"
@@ -101,6 +102,9 @@ scenario::Program make_program() {
                                                  .draw = draw_section});
   recon.operations = {grid_step(),        target_step(),  restore_step(),      move_step(),   carry_step(),
                       monte_carlo_step(), balance_step(), area_balance_step(), faults_step(), offset_step()};
+  recon.names_of = [](const scenario::State& state, const std::string& what) {
+    return names_of(scenario::model_of<Model>(state), what);
+  };
   return recon;
 }
 

@@ -304,10 +304,10 @@ scene::Panel section_panel(scene::Panel panel, const section::Section& section, 
 scene::Panel current_panel(const Model& model, const section::Palette& palette, PanelParts parts) {
   std::string title = translated("Deformed section");
   if (!model.earlier.empty()) {
-    title = fmt::format("{} {}",
-                        model.earlier.back()->moved ? translated("Section after move")
-                                                    : translated("Section after restoration"),
-                        model.earlier.size());
+    title = fmt::format(
+        "{} {}",
+        model.earlier.back()->moved ? translated("Section after move") : translated("Section after restoration"),
+        model.earlier.size());
   }
   return section_panel(empty_panel("deformed", title, model.section), model.section, palette, std::move(parts));
 }

@@ -84,4 +84,17 @@ std::optional<Wall> wall_of(const FaultPath& path, geom::Point p) {
   return wall_on(path, side);
 }
 
+FaultPath straightened(FaultPath path) {
+  constexpr double rounding = 1e-12;  // of the path's length
+  const double least = rounding * geom::length(path.line);
+  std::vector<geom::Point> kept{path.line.points.front()};
+  for (std::size_t i = 1; i + 1 < path.line.points.size(); ++i) {
+    const geom::Point p = path.line.points[i];
+    if (geom::distance(geom::Segment{kept.back(), path.line.points[i + 1]}, p) > least) kept.push_back(p);
+  }
+  kept.push_back(path.line.points.back());
+  path.line.points = std::move(kept);
+  return path;
+}
+
 }  // namespace recon::kinematics

@@ -40,7 +40,8 @@ base::Result<Motion> rigid(const FaultPath& path, const MoveParams& params, Amou
   DOBRA_TRY(const geom::Vector by, shift_along_chord(path, amount));
   Motion motion;
   motion.slip = dot(by, kinematics::chord(path));
-  motion.map = BlockMap(params.angle ? kinematics::RigidMap(*params.angle, *params.pivot, by) : kinematics::RigidMap(by));
+  motion.map =
+      BlockMap(params.angle ? kinematics::RigidMap(*params.angle, *params.pivot, by) : kinematics::RigidMap(by));
   return motion;
 }
 
@@ -73,8 +74,10 @@ base::Result<Motion> flexural(const FaultPath& path, Amount amount, double arc) 
 
 void report_bend(const kinematics::BendStage& stage, std::size_t number, Motion& motion) {
   const std::string prefix = fmt::format("bend_{}.", number);
-  for (const auto& [name, angle] : {std::pair{"theta", stage.fold.theta}, {"phi", stage.fold.phi},
-                                    {"gamma", stage.fold.gamma}, {"beta", stage.fold.beta}})
+  for (const auto& [name, angle] : {std::pair{"theta", stage.fold.theta},
+                                    {"phi", stage.fold.phi},
+                                    {"gamma", stage.fold.gamma},
+                                    {"beta", stage.fold.beta}})
     motion.figures.emplace_back(prefix + name, angle.degrees());
   motion.figures.emplace_back(prefix + "slip_ratio", stage.fold.slip_ratio);
   motion.remarks.push_back(fmt::format(
@@ -137,11 +140,10 @@ base::Result<Motion> trishear(const FaultPath& path, const MoveParams& params, A
 
 }  // namespace
 
-bool has_tip(MoveMethod method) {
-  return method == MoveMethod::FaultPropagationFold || method == MoveMethod::Trishear;
-}
+bool has_tip(MoveMethod method) { return method == MoveMethod::FaultPropagationFold || method == MoveMethod::Trishear; }
 
-base::Result<Motion> make_motion(const FaultPath& path, const MoveParams& params, Amount amount, double arc) {
+base::Result<Motion> make_motion(const FaultPath& drawn, const MoveParams& params, Amount amount, double arc) {
+  const FaultPath path = straightened(drawn);
   switch (*params.method) {
     case MoveMethod::Rigid:
       return rigid(path, params, amount);

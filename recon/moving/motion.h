@@ -23,8 +23,8 @@ struct Motion {
 /// @param path  as it is for the slip: its last point is what S > 0 goes towards.
 /// @param arc   where on the path the amount is measured, m.
 /// @error CannotRestore: those of the methods, with the place.
-base::Result<Motion> make_motion(const kinematics::FaultPath& path, const MoveParams& params,
-                                 kinematics::Amount amount, double arc);
+base::Result<Motion> make_motion(const kinematics::FaultPath& path, const MoveParams& params, kinematics::Amount amount,
+                                 double arc);
 
 /// Whether the method moves a tip, so that it needs no block that faults part from the rest.
 bool has_tip(MoveMethod method);

@@ -31,7 +31,8 @@ base::Result<void> check_params(const MoveParams& params) {
     return bad(fmt::format("give one of slip, heave, throw and close, not {}", given == 0 ? "none" : "several"));
   if (turns && !params.pivot) return bad("a turn by 'angle' needs the point that it is about; give 'pivot' too");
   const MoveParams unsaid;
-  const auto useless = [&](bool given_key, const char* key, std::initializer_list<MoveMethod> of) -> base::Result<void> {
+  const auto useless = [&](bool given_key, const char* key,
+                           std::initializer_list<MoveMethod> of) -> base::Result<void> {
     if (!given_key || std::find(of.begin(), of.end(), method) != of.end()) return {};
     std::string takes;
     for (const MoveMethod one : of) takes += (takes.empty() ? "" : " and ") + std::string(method_name(one));
@@ -48,7 +49,8 @@ base::Result<void> check_params(const MoveParams& params) {
   DOBRA_TRY_VOID(useless(params.ramp.has_value(), "ramp", {FaultPropagationFold}));
   DOBRA_TRY_VOID(useless(params.bedding.has_value(), "bedding", {FaultBendFold}));
   DOBRA_TRY_VOID(useless(params.slip_before != 0.0, "slip_before", {FaultBendFold}));
-  DOBRA_TRY_VOID(useless(!params.block.empty(), "block", {Rigid, Shear, FaultParallelFlow, FaultBendFold, FlexuralSlip}));
+  DOBRA_TRY_VOID(
+      useless(!params.block.empty(), "block", {Rigid, Shear, FaultParallelFlow, FaultBendFold, FlexuralSlip}));
   if (params.pivot && !turns)
     return bad("'pivot' is the point that a rigid block turns about; give the turn as 'angle' too, or leave it out");
   if (method == Trishear && !params.apical) return bad("trishear needs the full angle of its triangle; give 'apical'");

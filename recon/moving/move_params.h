@@ -46,8 +46,9 @@ struct MoveParams {
   template <class D>
   static void describe(D& d) {
     using dobra::scenario::Presence;
-    d.field("fault", &MoveParams::fault,
-            {.title = "Fault", .help = "Along which the block moves.", .presence = Presence::Required});
+    d.field(
+        "fault", &MoveParams::fault,
+        {.title = "Fault", .help = "Along which the block moves.", .names = "fault", .presence = Presence::Required});
     d.choice("method", &MoveParams::method,
              {"rigid", "shear", "fault_parallel_flow", "fault_bend_fold", "fault_propagation_fold", "trishear",
               "flexural_slip"},
@@ -61,7 +62,9 @@ struct MoveParams {
              {.title = "Direction", .help = "restore: to an earlier state; forward: to a later one."});
     describe_amount(d);
     d.field("block", &MoveParams::block,
-            {.title = "Blocks", .help = "That move, or groups of them; by default all of the hanging wall."});
+            {.title = "Blocks",
+             .help = "That move, or groups of them; by default all of the hanging wall.",
+             .names = "block"});
     d.field("angle", &MoveParams::angle,
             {.title = "Angle",
              .help = "Of shear: its direction from the vertical, positive leaning to +x; rigid: anticlockwise turn.",
@@ -89,19 +92,23 @@ struct MoveParams {
              .unit = "m",
              .other_than = 0.0});
     d.field("heave", &MoveParams::heave,
-            {.title = "Heave", .help = "Instead: horizontally; positive raises the hanging wall.",
+            {.title = "Heave",
+             .help = "Instead: horizontally; positive raises the hanging wall.",
              .unit = "m",
              .other_than = 0.0});
     d.field("throw", &MoveParams::throw_,
-            {.title = "Throw", .help = "Instead: vertically; positive raises the hanging wall.",
+            {.title = "Throw",
+             .help = "Instead: vertically; positive raises the hanging wall.",
              .unit = "m",
              .other_than = 0.0});
     d.field("close", &MoveParams::close,
             {.title = "Close",
-             .help = "Instead: horizons whose cutoffs are to meet; of several by least squares."});
+             .help = "Instead: horizons whose cutoffs are to meet; of several by least squares.",
+             .names = "horizon"});
     d.field("at", &MoveParams::at,
             {.title = "Measured at",
-             .help = "Horizon at whose cutoff in the hanging wall the slip is measured; by default the uppermost."});
+             .help = "Horizon at whose cutoff in the hanging wall the slip is measured; by default the uppermost.",
+             .names = "horizon"});
   }
   template <class D>
   static void describe_folds(D& d) {

@@ -49,11 +49,12 @@ base::Result<void> orient(Fault& fault, Towards towards) {
                first, fault.name);
   }
   if (towards == Towards::Auto) {
-    return bad(base::ErrorCode::BadValue,
-               fmt::format("the ends of fault '{}' are equally high, so that up is neither way; say which way the "
-                           "hanging wall goes for a slip above 0: towards = \"x\" or \"-x\" (--towards x, --towards=-x)",
-                           fault.name),
-               first, fault.name);
+    return bad(
+        base::ErrorCode::BadValue,
+        fmt::format("the ends of fault '{}' are equally high, so that up is neither way; say which way the "
+                    "hanging wall goes for a slip above 0: towards = \"x\" or \"-x\" (--towards x, --towards=-x)",
+                    fault.name),
+        first, fault.name);
   }
   const bool to_last = (path.line.points.back().x > first.x) == (towards == Towards::PlusX);
   if (to_last) return {};
@@ -103,7 +104,7 @@ base::Result<CutHorizon> cut_to_close(const Setting& setting, const std::string&
   for (const CutHorizon& cut : setting.cut) {
     if (cut.horizon == horizon) return cut;
   }
-  const char* missing = pairs.empty()                   ? "either wall"
+  const char* missing = pairs.empty()                 ? "either wall"
                         : pairs.front()->hanging_wall ? "the footwall"
                                                       : "the hanging wall";
   if (!pairs.empty() && pairs.front()->hanging_wall && pairs.front()->footwall) {
@@ -117,8 +118,9 @@ base::Result<CutHorizon> cut_to_close(const Setting& setting, const std::string&
              fmt::format("horizon '{}' has no cutoff on {} of fault '{}', so that no slip closes it; extend it to the "
                          "fault, raise the tolerance, or give the slip",
                          horizon, missing, fault),
-             places.empty() ? end : (pairs.front()->hanging_wall ? pairs.front()->hanging_wall->at
-                                                                 : pairs.front()->footwall->at),
+             places.empty()
+                 ? end
+                 : (pairs.front()->hanging_wall ? pairs.front()->hanging_wall->at : pairs.front()->footwall->at),
              fault);
 }
 
@@ -247,10 +249,8 @@ base::Result<void> move_tip(const Setting& setting, Moved& moved) {
   if (!tip) return {};
   const geom::Point after = tip->after;
   const std::string& name = setting.fault.name;
-  const bool outside =
-      moved.section.border
-          ? geom::locate(*moved.section.border, after) == geom::Side::Outside
-          : !box_of(moved.section).overlaps({after, after});
+  const bool outside = moved.section.border ? geom::locate(*moved.section.border, after) == geom::Side::Outside
+                                            : !box_of(moved.section).overlaps({after, after});
   if (outside) {
     return bad(base::ErrorCode::CannotRestore,
                fmt::format("the tip would leave the section at {}; give a smaller slip{}", at_text(after),
@@ -279,8 +279,8 @@ base::Result<void> move_tip(const Setting& setting, Moved& moved) {
 base::Result<void> set_after(const Setting& setting, Moved& moved) {
   if (const auto tip = moved.motion.map.tip()) {
     FaultPath path = setting.fault.path;
-    const bool last = geom::distance(path.line.points.back(), tip->before) <=
-                      geom::distance(path.line.points.front(), tip->before);
+    const bool last =
+        geom::distance(path.line.points.back(), tip->before) <= geom::distance(path.line.points.front(), tip->before);
     (last ? path.line.points.back() : path.line.points.front()) = tip->after;
     moved.after = MovingPart::of_walls(std::move(path), setting.size);
     return {};
@@ -299,9 +299,10 @@ void remark_on_misfit(Moved& moved) {
       const auto& close = moved.params.close;
       if (std::find(close.begin(), close.end(), misfit.horizon) != close.end()) closed.push_back(misfit);
     }
-    moved.remarks.push_back(fmt::format("{} horizons are closed by least squares: {:.4g} m are left along the fault, "
-                                        "root mean square",
-                                        closed.size(), root_mean_square(closed)));
+    moved.remarks.push_back(
+        fmt::format("{} horizons are closed by least squares: {:.4g} m are left along the fault, "
+                    "root mean square",
+                    closed.size(), root_mean_square(closed)));
   }
   const OpenedArea& opened = moved.opened;
   if (opened.gap > 0.0) {
@@ -329,6 +330,7 @@ base::Result<Moved> move_block(const Section& section, const MoveParams& params,
   DOBRA_TRY(const Setting setting, setting_of(section, params, all, options));
   Moved moved;
   moved.params = params;
+  moved.fault = setting.fault;
   DOBRA_TRY_VOID(choose_part(section, params, all, options, setting, moved));
   DOBRA_TRY_VOID(refuse_overlap(section, moved));
   DOBRA_TRY(moved.motion, motion_of(setting, params, moved.remarks));

@@ -7,6 +7,7 @@
 
 #include "recon/balance/balance.h"
 #include "recon/balance/ledger.h"
+#include "recon/faults/fault.h"
 #include "recon/moving/moving_part.h"
 #include "recon/moving/solve.h"
 #include "recon/section/section.h"
@@ -29,7 +30,8 @@ struct OpenedArea {
 };
 
 struct Moved {
-  MoveParams params;  ///< It was made with these.
+  MoveParams params;    ///< It was made with these.
+  faults::Fault fault;  ///< Before the move, as it runs for the slip.
   Motion motion;
   std::vector<std::string> blocks;  ///< That moved; none for methods with a tip.
   section::Section section;         ///< After the move: ids and names of the section's, new ones for further pieces.

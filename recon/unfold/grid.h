@@ -39,7 +39,9 @@ struct GridParams {
   template <class D>
   static void describe(D& d) {
     d.field("top", &GridParams::top,
-            {.title = "Top horizon", .help = "The horizon that the curves are parallel to; by default the first."});
+            {.title = "Top horizon",
+             .help = "The horizon that the curves are parallel to; by default the first.",
+             .names = "horizon"});
     d.choice(
         "extent", &GridParams::extent, {"count", "base"},
         {.title = "Extent", .help = "count: so many curves; base: as many as reach the deepest point of the section."});

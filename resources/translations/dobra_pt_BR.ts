@@ -28,6 +28,10 @@
         <translation>Escolher um arquivo</translation>
     </message>
     <message>
+        <source>Pick a name from the model</source>
+        <translation>Escolher um nome do modelo</translation>
+    </message>
+    <message>
         <source>(default)</source>
         <translation>(padrão)</translation>
     </message>

@@ -7,11 +7,13 @@
 #include <QFontDatabase>
 #include <QHBoxLayout>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPlainTextEdit>
 #include <QStyle>
 #include <QTimer>
 #include <QToolButton>
 #include <QWheelEvent>
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -214,11 +216,64 @@ class NumberEditor : public LineEditor {
 class TextEditor : public LineEditor {
  public:
   TextEditor(const Field& field, QWidget* parent) : LineEditor(field, parent) {
-    auto* line = new QLineEdit(this);
-    line->setPlaceholderText(text("not set"));
-    tight_row(this)->addWidget(line);
-    use(line, line);
+    line_ = new QLineEdit(this);
+    line_->setPlaceholderText(text("not set"));
+    pick_ = new QToolButton(this);
+    pick_->setObjectName("pick." + QString::fromStdString(field.key));
+    pick_->setArrowType(Qt::DownArrow);
+    pick_->setToolTip(text("Pick a name from the model"));
+    pick_->setPopupMode(QToolButton::InstantPopup);
+    pick_->setMenu(new QMenu(pick_));
+    pick_->hide();
+    QHBoxLayout* row = tight_row(this);
+    row->addWidget(line_, 1);
+    row->addWidget(pick_);
+    use(line_, line_);
+    connect(pick_->menu(), &QMenu::aboutToShow, this, &TextEditor::fill_menu);
   }
+  void offer(const std::vector<std::string>& names) override {
+    names_ = names;
+    pick_->setVisible(!names.empty());
+  }
+
+ private:
+  /// What is chosen now is ticked.
+  void fill_menu() {
+    pick_->menu()->clear();
+    const std::vector<std::string> now = chosen();
+    for (const std::string& name : names_) {
+      // A single & would underline a letter.
+      QAction* action = pick_->menu()->addAction(QString::fromStdString(name).replace("&", "&&"));
+      action->setCheckable(true);
+      action->setChecked(std::find(now.begin(), now.end(), name) != now.end());
+      connect(action, &QAction::triggered, this, [this, name] { pick(name); });
+    }
+  }
+  [[nodiscard]] std::vector<std::string> chosen() const {
+    const std::string typed = line_->text().trimmed().toStdString();
+    if (field_.kind == Kind::Text) return {typed};
+    const base::Result<Value> value = scenario::parse_value(field_, typed);
+    if (typed.empty() || !value) return {};
+    return std::get<std::vector<std::string>>(*value);
+  }
+  /// Of several names, adds one or takes it away.
+  void pick(const std::string& name) {
+    if (field_.kind == Kind::Text) {
+      type(QString::fromStdString(name));
+      return;
+    }
+    std::vector<std::string> names = chosen();
+    const auto at = std::find(names.begin(), names.end(), name);
+    if (at == names.end())
+      names.push_back(name);
+    else
+      names.erase(at);
+    type(names.empty() ? QString() : QString::fromStdString(scenario::value_text(names)));
+  }
+
+  QLineEdit* line_ = nullptr;
+  QToolButton* pick_ = nullptr;
+  std::vector<std::string> names_;
 };
 
 class FileEditor : public LineEditor {

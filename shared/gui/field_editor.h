@@ -5,6 +5,8 @@
 #include <QWidget>
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "shared/base/result.h"
 #include "shared/scenario/field.h"
@@ -25,6 +27,9 @@ class FieldEditor : public QWidget {
 
   /// Does what a user does who types `text` and leaves the field; emits `entered` or `rejected`.
   virtual void type(const QString& text) = 0;
+
+  /// Names that the user may pick from; an editor that writes no names ignores them.
+  virtual void offer(const std::vector<std::string>& /*names*/) {}
 
   /// Draws the editor as one whose content is wrong, or no longer.
   enum class Judgement { Good, Bad };

@@ -450,7 +450,16 @@ void MainWindow::show_form() {
   }
   form_->show_part(identity, title, help, scenario::fields_in(fields_of(document, program_, part), document.units),
                    table_of(document, part), document.folder());
+  offer_names(part);
   mark_error();
+}
+
+void MainWindow::offer_names(std::size_t part) {
+  form_->form()->offer([&](const std::string& what) -> std::vector<std::string> {
+    const OutcomePtr& outcome = session_.outcome();
+    if (part == 0 || !program_.names_of || !outcome || outcome->run.states.size() < part) return {};
+    return program_.names_of(outcome->run.states[part - 1], what);
+  });
 }
 
 std::vector<PartState> MainWindow::part_states() const {
@@ -507,6 +516,7 @@ void MainWindow::show_outcome() {
   results_->show_outcome(outcome);
   actions_->save_picture->setEnabled(outcome.picture != nullptr);
   steps_->show_document(session_.document(), part_states());
+  offer_names(std::min(steps_->selected(), session_.document().steps.size()));
   if (outcome.run.error) {
     show_error(*outcome.run.error);
     mark_error();

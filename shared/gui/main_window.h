@@ -75,6 +75,8 @@ class MainWindow : public QMainWindow {
 
   void show_document();
   void show_form();
+  /// Those of the model before the part of the document whose form is shown.
+  void offer_names(std::size_t part);
   void show_run_started();
   void show_progress(double fraction, const QString& what);
   void show_outcome();

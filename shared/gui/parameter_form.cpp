@@ -241,6 +241,13 @@ void TableForm::set_table(const Table& table) {
   add_stray_rows();
 }
 
+void TableForm::offer(const NamesOf& names) {
+  for (const std::unique_ptr<Row>& row : rows_) {
+    if (row->editor != nullptr && !row->field.options.names.empty())
+      row->editor->offer(names(row->field.options.names));
+  }
+}
+
 void TableForm::add_stray_rows() {
   while (QLayoutItem* item = strays_->takeAt(0)) {
     if (item->widget() != nullptr) item->widget()->deleteLater();

@@ -21,6 +21,9 @@ namespace dobra::gui {
 class FieldEditor;
 class TablesEditor;
 
+/// The names in the model of what a field names ("fault").
+using NamesOf = std::function<std::vector<std::string>(const std::string& what)>;
+
 /// The rows of one table; fields of kind Tables hold forms of their own.
 class TableForm : public QWidget {
   Q_OBJECT
@@ -34,6 +37,9 @@ class TableForm : public QWidget {
   void set_table(const scenario::Table& table);
   [[nodiscard]] const scenario::Table& table() const { return table_; }
   [[nodiscard]] const std::vector<scenario::Field>& fields() const { return fields_; }
+
+  /// Gives each editor of a name the names there are.
+  void offer(const NamesOf& names);
 
   /// Does what a user does who types `text` into the editor of `key`: "count", "horizon.2.name". Empty text resets.
   /// @error UnknownKey; BadValue, the message that the form shows.

@@ -51,6 +51,7 @@ struct FieldOptions {
   std::optional<double> other_than = std::nullopt;
   std::vector<FileKind> files = {};     ///< File only: what is read; empty: not said.
   std::vector<std::string> words = {};  ///< Text only: what it may be, where that is a list; empty: not said.
+  std::string names = "";  ///< Text and Texts: what of the model it names, "fault" (Program::names_of); empty: nothing.
   Presence presence = Presence::Optional;
 };
 

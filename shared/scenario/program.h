@@ -146,6 +146,8 @@ struct Program {
   Results results;  ///< What the input has made, and what all operations have in common.
   /// The units that pictures, quantities, tables and remarks are turned into; left out: SI.
   std::function<UnitSystem(const State&)> units_of{};
+  /// What of a state is called `what` (FieldOptions::names), for forms that offer it; may be left out.
+  std::function<std::vector<std::string>(const State&, const std::string& what)> names_of{};
 
   // What a state tells in all: the input's part, then that of each operation in the order of the list.
   [[nodiscard]] scene::Picture picture_of(const State& state) const;

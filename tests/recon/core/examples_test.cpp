@@ -54,6 +54,10 @@ TEST(Examples, REC_c_CosineMeetsItsExpectations) { expect_met(bundled("cosine.to
 
 TEST(Examples, ChainMeetsItsExpectations) { expect_met(bundled("chain.toml")); }
 
+TEST(Examples, ListricFaultsMeetTheirExpectations) { expect_met(bundled("listric.toml")); }
+
+TEST(Examples, ThrustMeetsItsExpectations) { expect_met(bundled("thrust.toml")); }
+
 TEST(Examples, TheFirstOneOfThePageOfScenariosMeetsItsExpectations) {
   const std::filesystem::path page = std::filesystem::path(DOBRA_SOURCE_DIR) / "docs/scenario_format.md";
   const std::string text = dobra::io::read_text(page.string()).value();

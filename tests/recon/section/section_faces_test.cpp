@@ -49,6 +49,29 @@ Section wavy(std::uint32_t seed, int count) {
   return test::section_of(lines);
 }
 
+TEST(SectionFaces, EndsThatRoundingPartsFromAFaultPartUnitsThere) {
+  // x of the fault where z is 0 and -1, to the last digits of a double off it on either side.
+  const auto on_fault = [](double z) { return 4.1 + (z + 2.7) * 1.2 / 3.7; };
+  for (const double off : {0.0, 3e-13, -3e-13, 4e-9}) {
+    Section section = test::section_of({{{{0, 0}, {on_fault(0) - off, 0}}, false},
+                                        {{{on_fault(0) + off, 0}, {10, 0}}, false},
+                                        {{{0, -1}, {on_fault(-1) - off, -1}}, false},
+                                        {{{on_fault(-1) + off, -1}, {10, -1}}, false}});
+    section.lines.push_back(fault({{4.1, -2.7}, {5.3, 1}}));
+    const SectionFaces made = faces(section);
+    ASSERT_EQ(made.units.size(), 2u) << off;
+    const double left = 0.5 * (on_fault(0) + on_fault(-1));
+    EXPECT_NEAR(std::min(made.units[0].area, made.units[1].area), left, 1e-8);
+    EXPECT_NEAR(std::max(made.units[0].area, made.units[1].area), 10 - left, 1e-8);
+  }
+  // A gap that is seen is left as it is drawn: then the units run together.
+  Section open = test::section_of({{{{0, 0}, {on_fault(0) - 0.01, 0}}, false}, {{{0, -1}, {10, -1}}, false}});
+  open.lines.push_back(fault({{4.1, -2.7}, {5.3, 1}}));
+  const auto before = open.horizons[0].line.points;
+  faces(open);
+  EXPECT_EQ(open.horizons[0].line.points, before);
+}
+
 TEST(SectionFaces, UnitsOfAStackLieBetweenNeighboursFromTheTopDown) {
   Section section = test::section_of(
       {{{{0, -2}, {10, -2}}, false}, {{{0, 0}, {5, 1}, {10, 0}}, false}, {{{0, -5}, {10, -4}}, false}});

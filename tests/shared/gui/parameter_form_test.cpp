@@ -6,6 +6,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLineEdit>
+#include <QMenu>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
@@ -162,6 +163,45 @@ TEST(TableForm, TablesInATableAreAddedEditedAndRemoved) {
   EXPECT_FALSE(form.type("bump.2.height", "0").ok());
   EXPECT_FALSE(form.message_at("bump.2.height").isEmpty());
   EXPECT_FALSE(form.type("bump.3.height", "1").ok());
+}
+
+/// Names one thing of the model, and several.
+struct Named {
+  std::string one;
+  std::vector<std::string> several;
+  template <class D>
+  static void describe(D& d) {
+    d.field("one", &Named::one, {.names = "fault"});
+    d.field("several", &Named::several, {.names = "bed"});
+  }
+};
+
+TEST(TableForm, NamesOfTheModelArePickedFromAMenu) {
+  TableForm form{scenario::fields_of<Named>(), {}};
+  form.set_table({});
+  form.show();
+  const auto pick = [&](const char* key) { return form.findChild<QToolButton*>(QString("pick.") + key); };
+  const auto trigger = [&](const char* key, int entry) {
+    emit pick(key)->menu()->aboutToShow();
+    ASSERT_GT(pick(key)->menu()->actions().size(), entry);
+    pick(key)->menu()->actions()[entry]->trigger();
+  };
+  EXPECT_FALSE(pick("one")->isVisible());  // nothing to offer yet
+  form.offer([](const std::string& what) {
+    return what == "fault" ? std::vector<std::string>{"East", "West & more"} : std::vector<std::string>{"A", "B", "C"};
+  });
+  ASSERT_TRUE(pick("one")->isVisible());
+  trigger("one", 1);
+  EXPECT_EQ(std::get<std::string>(*form.table().find("one")), "West & more");
+  trigger("several", 0);
+  trigger("several", 2);
+  EXPECT_EQ(std::get<std::vector<std::string>>(*form.table().find("several")), (std::vector<std::string>{"A", "C"}));
+  emit pick("several")->menu()->aboutToShow();
+  EXPECT_TRUE(pick("several")->menu()->actions()[0]->isChecked());
+  EXPECT_FALSE(pick("several")->menu()->actions()[1]->isChecked());
+  trigger("several", 0);
+  trigger("several", 2);
+  EXPECT_EQ(form.table().find("several"), nullptr);
 }
 
 }  // namespace

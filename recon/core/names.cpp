@@ -1,0 +1,42 @@
+#include "recon/core/names.h"
+
+#include <algorithm>
+
+#include "recon/faults/blocks.h"
+
+namespace recon::core {
+namespace {
+
+void add_once(const std::string& name, std::vector<std::string>& names) {
+  if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+}
+
+std::vector<std::string> block_names(const section::Section& section) {
+  std::vector<std::string> names;
+  const auto faults = faults::faults_of(section, {});
+  if (!faults || faults->empty()) return names;
+  const auto blocks = faults::Blocks::make(section, *faults, {});
+  if (!blocks) return names;
+  for (const faults::Block& block : blocks->all()) add_once(block.name, names);
+  for (const faults::Block& block : blocks->all()) add_once(block.part_of, names);
+  return names;
+}
+
+}  // namespace
+
+std::vector<std::string> names_of(const Model& model, const std::string& what) {
+  const section::Section& section = current_section(model);
+  if (what == "block") return block_names(section);
+  std::vector<std::string> names;
+  if (what == "horizon") {
+    for (const section::Horizon& horizon : section.horizons) add_once(whole_name(horizon), names);
+  }
+  if (what == "fault") {
+    for (const section::SectionLine& line : section.lines) {
+      if (line.kind == section::LineKind::Fault) add_once(whole_name(line), names);
+    }
+  }
+  return names;
+}
+
+}  // namespace recon::core
