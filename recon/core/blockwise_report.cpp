@@ -58,12 +58,12 @@ void add_blockwise_tables(const Model& model, std::vector<scenario::DataTable>& 
   if (const auto totals = totals_of(made.lengths); !totals.empty())
     tables.push_back(row_table("horizons_in_pieces", "horizon", totals));
   tables.push_back(row_table("units", "unit", made.units));
-  scenario::DataTable blocks{"blocks", {"block", "shift [m]"}, {}};
+  scenario::DataTable blocks{"restored_blocks", {"block", "shift [m]"}, {}};
   for (const jigsaw::BlockRow& row : made.rows) {
     if (row.shift) blocks.rows.push_back({row.name, *row.shift});
   }
   tables.push_back(std::move(blocks));
-  if (made.how.jigsaw) tables.push_back(row_table("faults", "fault", made.faults));
+  if (made.how.jigsaw) tables.push_back(row_table("restored_faults", "fault", made.faults));
 }
 
 namespace {

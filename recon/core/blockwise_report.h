@@ -11,7 +11,7 @@ namespace recon::core {
 /// shortening_by_folding, greatest_change_percent, greatest_area_change_percent, inconsistency_percent,
 /// greatest_opening_percent, balanced (0 or 1; not judged: none). Nothing of other models, as of all below.
 void add_blockwise_quantities(const Model& model, std::vector<dobra::scenario::Quantity>& quantities);
-/// line_length, units; of a jigsaw blocks and faults.
+/// line_length, units, restored_blocks; of a jigsaw restored_faults.
 void add_blockwise_tables(const Model& model, std::vector<dobra::scenario::DataTable>& tables);
 
 /// Both states to one scale, blocks in colours.

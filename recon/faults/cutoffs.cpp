@@ -311,10 +311,12 @@ void reach(const Cutoff& cutoff, double past, geom::Polyline& line) {
     over -= geom::distance(points[points.size() - 2], points.back());
     points.pop_back();
   }
-  // An end on the fault but for rounding goes on as the line does.
-  const bool there = cutoff.extended <= past && points.size() > 1;
-  if (there) points.pop_back();
-  const geom::Vector way = cutoff.at - points.back();
+  const geom::Point before = points[points.size() - 2];
+  const double end = geom::distance(points.back(), cutoff.at);  // of rounding, it gives no direction
+  const bool replaced = cutoff.extended < 0.0 || end <= 1e-6 * geom::distance(before, points.back());
+  const geom::Point inner = replaced ? before : points.back();
+  const geom::Vector way = cutoff.at - inner;
+  if (replaced) points.pop_back();
   points.push_back(geom::length(way) > 0.0 ? cutoff.at + past * geom::normalised(way) : cutoff.at);
   if (first) line = geom::reversed(std::move(line));
 }

@@ -42,7 +42,7 @@ struct FaultCutoffs {
 std::vector<FaultCutoffs> cutoffs_of(const section::Section& section, const std::vector<Fault>& faults,
                                      const FaultOptions& options);
 
-/// Takes the horizon's ends to the faults that cut it off, and a little past them, whose courses are rounded.
+/// Takes the horizon's ends to the faults that cut it off, and `past` metres farther.
 void reach_faults(const std::vector<FaultCutoffs>& cutoffs, double past, section::Horizon& horizon);
 
 /// What surrounds the rock of the section: its border, or that of its units, where horizons have been extended and

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "recon/jigsaw/blockwise.h"
+#include "shared/geom/simplify.h"
 
 namespace recon::jigsaw {
 
@@ -20,13 +21,31 @@ class Holder {
   /// @param first  is asked before all others.
   [[nodiscard]] std::optional<std::size_t> of(geom::Point p, std::optional<std::size_t> first = {}) const {
     if (first && (holds(*first, p) || touches(*first, p))) return first;
+    return beside({}, p);
+  }
+  /// Of all blocks but one.
+  [[nodiscard]] std::optional<std::size_t> beside(std::optional<std::size_t> but, geom::Point p) const {
     for (std::size_t b = 0; b < made_.blocks.size(); ++b) {
-      if (holds(b, p)) return b;
+      if (b != but && holds(b, p)) return b;
     }
     for (std::size_t b = 0; b < made_.blocks.size(); ++b) {
-      if (touches(b, p)) return b;
+      if (b != but && touches(b, p)) return b;
     }
     return std::nullopt;
+  }
+
+  /// From a place on the boundary of a block a little on, so that it lies in the block.
+  [[nodiscard]] geom::Point into(std::optional<std::size_t> block, geom::Point from, geom::Point to) const {
+    const geom::Vector step = 1e-9 * made_.size * geom::normalised(to - from);
+    for (double steps = 1.0; block && steps <= 64.0; steps *= 2.0) {
+      const geom::Point p = from + steps * step;
+      if (geom::distance(from, p) < geom::distance(from, to) && holds(*block, p)) return p;
+    }
+    return from;
+  }
+  /// Whether a place is of that block (or of none), without what only touches it.
+  [[nodiscard]] bool inside(std::optional<std::size_t> block, geom::Point p) const {
+    return block ? holds(*block, p) : !of(p);
   }
 
  private:
@@ -95,16 +114,14 @@ geom::Polyline Blockwise::inverse(const geom::Polyline& line) const {
     for (auto next = holder.of(points[i], now); next != now && turns > 0; --turns) {
       double in = 0.0, out = 1.0;  // of the way from the run's end
       const geom::Point start = run.points.back();
-      auto behind = next;
       for (int k = 0; k < most_halvings; ++k) {
         const double middle = 0.5 * (in + out);
-        const auto here = holder.of(geom::interpolate(start, points[i], middle), now);
-        (here == now ? in : out) = middle;
-        if (here != now) behind = here;
+        (holder.inside(now, geom::interpolate(start, points[i], middle)) ? in : out) = middle;
       }
       finish(geom::interpolate(start, points[i], in));
       run.points = {geom::interpolate(start, points[i], out)};
-      now = behind;
+      now = holder.beside(now, run.points.front());
+      run.points.front() = holder.into(now, run.points.front(), points[i]);
       next = holder.of(points[i], now);
     }
     run.points.push_back(points[i]);
@@ -112,7 +129,7 @@ geom::Polyline Blockwise::inverse(const geom::Polyline& line) const {
   const geom::Point end = run.points.back();
   finish(end);
   if (line.closed) made.points.pop_back();
-  return geom::without_repeated_points(std::move(made));
+  return geom::without_near_points(std::move(made), 2.0 * on_boundary * size);
 }
 
 }  // namespace recon::jigsaw

@@ -105,10 +105,10 @@ std::vector<Origin> origins_of(std::size_t count) {
 
 void cut_horizons(const Section& section, const std::vector<Part>& parts,
                   const std::vector<faults::FaultCutoffs>& cutoffs, double overshoot, CutSection& made) {
-  const double past = 1e-9 * box_of(section).diagonal();
+  const double rounding = 1e-8 * box_of(section).diagonal();
   const auto pieces = base::parallel_map<std::vector<PartOfLine>>(section.horizons.size(), [&](std::size_t i) {
     section::Horizon reached = section.horizons[i];
-    reach_faults(cutoffs, past, reached);
+    reach_faults(cutoffs, 0.0, reached);
     std::vector<PartOfLine> of_reached = split(reached.line, parts, overshoot);
     return in_all(of_reached) ? of_reached : split(section.horizons[i].line, parts, overshoot);
   });
@@ -117,7 +117,7 @@ void cut_horizons(const Section& section, const std::vector<Part>& parts,
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (!in_any(pieces[i])) continue;
     for (const PartOfLine& piece : pieces[i]) {
-      if (piece.trimmed > 10.0 * past) {
+      if (piece.trimmed > rounding) {
         made.remarks.push_back(fmt::format("horizon '{}': {:.4g} m that reached across the fault were cut off",
                                            section.horizons[i].name, piece.trimmed));
       }

@@ -26,10 +26,14 @@ std::pair<double, double> across(const std::vector<geom::Point>& points, double 
 void add_width(double low, double high, double at_low, double at_high, geom::Point place_low, geom::Point place_high,
                Opening& opening) {
   const double height = high - low;
-  const double zero = (at_low > 0.0) != (at_high > 0.0) && at_low != at_high ? at_low / (at_low - at_high) : 1.0;
   const auto add = [&](double area) { (area > 0.0 ? opening.gap : opening.overlap) += std::abs(area); };
-  add(0.5 * at_low * zero * height);
-  if (zero < 1.0) add(0.5 * at_high * (1.0 - zero) * height);
+  if (at_low * at_high < 0.0) {
+    const double zero = at_low / (at_low - at_high);
+    add(0.5 * at_low * zero * height);
+    add(0.5 * at_high * (1.0 - zero) * height);
+  } else {
+    add(0.5 * (at_low + at_high) * height);
+  }
   for (const auto& [width, place] : {std::pair(at_low, place_low), {at_high, place_high}}) {
     if (width > opening.widest_gap) {
       opening.widest_gap = width;

@@ -3006,6 +3006,48 @@
     <message>
         <source>0 is the input, k the section after k restorations and moves.</source>
         <translation>0 é a entrada, k a seção após k restaurações e movimentos.</translation>
+        <source>Only these, or groups of them, are restored, each with a pin of its own; the rest stays.</source>
+        <translation>Só estes, ou grupos deles, são restaurados, cada um com seu próprio pino; o resto fica.</translation>
+    </message>
+    <message>
+        <source>Jigsaw</source>
+        <translation>Quebra-cabeça</translation>
+    </message>
+    <message>
+        <source>Every block is restored with a pin of its own, then they slide together.</source>
+        <translation>Cada bloco é restaurado com seu próprio pino; depois eles deslizam até se juntarem.</translation>
+    </message>
+    <message>
+        <source>Blocks fit by</source>
+        <translation>Blocos ajustados por</translation>
+    </message>
+    <message>
+        <source>Of the jigsaw. walls (the default): the walls of all faults lie as near to each other as can be; top: the ends of the top meet.</source>
+        <translation>Do quebra-cabeça. walls (o padrão): as paredes de todas as falhas ficam tão próximas quanto possível; top: as pontas do topo se encontram.</translation>
+    </message>
+    <message>
+        <source>Top horizon of the blocks</source>
+        <translation>Horizonte de topo dos blocos</translation>
+    </message>
+    <message>
+        <source>Restored to the datum in every block; by default the first. With block or jigsaw, which need no steps grid and target.</source>
+        <translation>Restaurado ao datum em cada bloco; por padrão o primeiro. Com block ou jigsaw, que dispensam as etapas grid e target.</translation>
+    </message>
+    <message>
+        <source>Of the block that it lies in, which stays where it is; by default the leftmost block, pinned near its middle, as the others are.</source>
+        <translation>Do bloco em que está, que fica no lugar; por padrão o bloco mais à esquerda, com o pino perto do meio, como os outros.</translation>
+    </message>
+    <message>
+        <source>The top of every block with fewer points, nowhere farther from it than this.</source>
+        <translation>O topo de cada bloco com menos pontos, em nenhum lugar mais longe dele do que isto.</translation>
+    </message>
+    <message>
+        <source>How far ends of lines are taken to the faults; by default 0.005 of the section's diagonal.</source>
+        <translation>Até que distância as pontas de linhas são levadas às falhas; por padrão 0,005 da diagonal da seção.</translation>
+    </message>
+    <message>
+        <source>Pins</source>
+        <translation>Pinos</translation>
     </message>
 </context>
 </TS>

@@ -12,6 +12,7 @@
 #include "recon/core/monte_carlo_step.h"
 #include "recon/core/restore_step.h"
 #include "recon/core/target_step.h"
+#include "recon/jigsaw/blockwise.h"
 #include "recon/moving/move_section.h"
 #include "recon/section/section_faces.h"
 #include "shared/geom/transform.h"
@@ -107,6 +108,51 @@ BENCHMARK(restore_with_grid_there)
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime()
     ->UseRealTime();
+
+/// Ten blocks of 20 folded beds between nine normal faults, 50 points a bed in each block: 10 000 points.
+section::Section ten_blocks() {
+  constexpr int blocks = 10, beds = 20, points = 50;
+  section::Section section;
+  const auto wall = [](int block, double z) { return 1000.0 * block - 0.5 * z; };
+  for (int bed = 0; bed < beds; ++bed) {
+    for (int block = 0; block < blocks; ++block) {
+      const double z = -50.0 * bed, from = block == 0 ? 0.0 : wall(block, z);
+      const double to = block + 1 == blocks ? 11000.0 : wall(block + 1, z);
+      geom::Polyline line;
+      for (int i = 0; i < points; ++i) {
+        const double part = static_cast<double>(i) / (points - 1);
+        line.points.push_back({from + (to - from) * part + 40.0 * block,
+                               z - 80.0 * block + 20.0 * (1.0 - std::cos(6.283185307179586 * part))});
+      }
+      section.horizons.push_back({section::HorizonId(section.horizons.size()),
+                                  "h" + std::to_string(bed) + " (" + std::to_string(block + 1) + ")",
+                                  line,
+                                  {},
+                                  "h" + std::to_string(bed)});
+    }
+  }
+  for (int k = 1; k < blocks; ++k) {
+    const geom::Vector slid{40.0 * k, -80.0 * k};
+    section.lines.push_back(
+        {section::LineId(static_cast<std::size_t>(k - 1)),
+         section::LineKind::Fault,
+         "F" + std::to_string(k),
+         {{geom::Point{wall(k, -1400), -1400} + slid, geom::Point{wall(k, 400), 400} + slid}, false},
+         {}});
+  }
+  return section;
+}
+
+void whole_jigsaw(benchmark::State& state) {
+  const section::Section section = ten_blocks();
+  const unfold::RestoreParams params = by(static_cast<unfold::RestoreMethod>(state.range(0)));
+  state.SetLabel(method_name(params.method));
+  jigsaw::BlockwiseParams how;
+  how.jigsaw = true;
+  for (auto _ : state) benchmark::DoNotOptimize(restore_blockwise(section, how, params, {}).value());
+  state.SetItemsProcessed(state.iterations() * 10000);
+}
+BENCHMARK(whole_jigsaw)->DenseRange(0, 5)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 
 std::vector<geom::Point> all_points(const section::Section& section) {
   std::vector<geom::Point> points;
@@ -246,8 +292,7 @@ void map_points_of_a_move(benchmark::State& state) {
   params.direction = moving::Direction::Forward;
   params.apical = dobra::base::Angle::from_degrees(60.0);
   if (has_tip(*params.method)) path.line.points.pop_back();
-  const kinematics::BlockMap map =
-      make_motion(path, params, {kinematics::Measure::Slip, 300.0}, 0.0).value().map;
+  const kinematics::BlockMap map = make_motion(path, params, {kinematics::Measure::Slip, 300.0}, 0.0).value().map;
   std::vector<geom::Point> points(1000000), images(1000000);
   for (std::size_t i = 0; i < points.size(); ++i)
     points[i] = {-8000.0 + 16.0 * static_cast<double>(i % 1000), 520.0 + static_cast<double>(i / 1000)};
@@ -258,7 +303,11 @@ void map_points_of_a_move(benchmark::State& state) {
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points.size()));
 }
-BENCHMARK(map_points_of_a_move)->DenseRange(0, 6)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(map_points_of_a_move)
+    ->DenseRange(0, 6)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 
 }  // namespace
 }  // namespace recon::core
