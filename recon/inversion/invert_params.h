@@ -90,7 +90,7 @@ struct InvertParams {
     d.field("confidence", &InvertParams::confidence,
             {.title = "Confidence", .help = "Of the limits.", .unit = "%", .above = 0.0, .at_most = 99.9});
     d.field("map", &InvertParams::map,
-            {.title = "Map of the misfit", .help = "Two of the values that are sought, such as propagation,apical."});
+            {.title = "Map of the misfit", .help = "Two of the values that are sought, one after the other, such as propagation and apical."});
     d.field("map_points", &InvertParams::map_points,
             {.title = "Points of the map", .help = "Along each side.", .at_least = 3, .at_most = 200});
     d.field("seed", &InvertParams::seed, {.title = "Seed", .help = "Of the search.", .at_least = 0});
