@@ -1,5 +1,5 @@
 #pragma once
-// Trishear from the shapes of beds. Page: docs/algorithms/inversion.md. Source: [allmendinger1998], [cardozo2011].
+// Trishear from the shapes of beds. Page: docs/algorithms/inversion.md. Source: [allmendinger1998], [cardozo2009].
 
 #include "recon/inversion/fit.h"
 #include "recon/inversion/invert_params.h"

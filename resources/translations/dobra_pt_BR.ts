@@ -3025,7 +3025,7 @@
     </message>
     <message>
         <source>Horizon that has cutoffs on the fault; of rollover: that on the footwall.</source>
-        <translation>Horizonte que tem terminações na falha; do rollover: a do muro.</translation>
+        <translation>Horizonte que tem terminações na falha; do rollover: a da lapa.</translation>
     </message>
     <message>
         <source>Elevation</source>
