@@ -61,7 +61,8 @@ base::Result<void> check_ascends(const std::vector<geom::Point>& line, const She
 }
 
 /// All q at which the predicted fault may have a corner, ascending.
-std::vector<double> corners_of(const std::vector<geom::Point>& known, const std::vector<geom::Point>& bed, double shift) {
+std::vector<double> corners_of(const std::vector<geom::Point>& known, const std::vector<geom::Point>& bed,
+                               double shift) {
   std::vector<double> corners;
   const double last = bed.back().x;
   for (const std::vector<geom::Point>* line : {&known, &bed}) {
@@ -81,13 +82,15 @@ std::vector<double> corners_of(const std::vector<geom::Point>& known, const std:
 base::Result<PredictedFault> fault_under(const Rollover& rollover) {
   const geom::Point foot = rollover.known.points.front();
   const geom::Point hanging = rollover.known.points.back();
-  const double across = ShearAxes(rollover.shear, false).turned(hanging).x - ShearAxes(rollover.shear, false).turned(foot).x;
+  const double across =
+      ShearAxes(rollover.shear, false).turned(hanging).x - ShearAxes(rollover.shear, false).turned(foot).x;
   const ShearAxes axes(rollover.shear, across < 0.0);
   const double shift = std::abs(across);
   if (!(shift > 1e-9 * geom::distance(foot, hanging))) {
-    return cannot("both cutoffs of the bed lie on one line of shear, so that it tells no extension; take another angle, or "
-                  "a bed that is cut",
-                  foot, "fault");
+    return cannot(
+        "both cutoffs of the bed lie on one line of shear, so that it tells no extension; take another angle, or "
+        "a bed that is cut",
+        foot, "fault");
   }
   const std::vector<geom::Point> known = axes.turned(rollover.known);
   const std::vector<geom::Point> bed = axes.turned(rollover.bed);
@@ -120,7 +123,8 @@ base::Result<PredictedFault> fault_under(const Rollover& rollover) {
   const geom::Point before = axes.back({last - shift, height_on(fault, last - shift)});
   const geom::Point end = found.line.points.back();
   const geom::Vector chord = end - before;
-  found.end_dip = base::Angle::from_radians(std::abs(std::atan2(geom::cross(along, chord), std::abs(geom::dot(along, chord)))));
+  found.end_dip =
+      base::Angle::from_radians(std::abs(std::atan2(geom::cross(along, chord), std::abs(geom::dot(along, chord)))));
   found.end = geom::midpoint(before, end);
   geom::Polyline lost{rollover.known.points, true};
   lost.points.insert(lost.points.end(), rollover.bed.points.begin(), rollover.bed.points.end());

@@ -24,8 +24,8 @@ struct Zone {
   double s;            ///< Concentration.
   double time;         ///< +1: slip grows, -1: it goes back.
   double half_over = 0.5 / (1.0 + s);
-  double side = 1.0;   ///< Sign of z.
-  std::size_t rows = 5;  ///< Of the extrapolation.
+  double side = 1.0;                         ///< Sign of z.
+  std::size_t rows = 5;                      ///< Of the extrapolation.
   std::optional<std::size_t> variable = {};  ///< Of the state, instead of sigma: steps end where it has a given value.
 
   [[nodiscard]] double power() const { return std::max(s, 1.0); }
@@ -34,7 +34,7 @@ struct Zone {
   [[nodiscard]] State rate(const State& at) const {
     const double k = power();
     const double z = std::max(side * at[0], 0.0);
-    const double root = raised(z, k / s);              // e^(1/s)
+    const double root = raised(z, k / s);  // e^(1/s)
     const double e = raised(z, k);
     const double along = sense * 0.5 * (side * root + 1.0) - propagation;
     const double across = sense * (e * root - 1.0) * half_over;
@@ -187,15 +187,16 @@ base::Result<TrishearMap> TrishearMap::make(geom::Point tip, geom::Vector direct
                                             const TrishearParams& params, const TrishearTolerances& tolerances) {
   const double apical = params.apical.degrees();
   if (!(apical > 0.0 && apical < 180.0)) {
-    return refused(fmt::format("the triangle of trishear has an angle of 0 to 180 degrees, not of {:.6g}; change apical",
-                               apical),
-                   tip);
+    return refused(
+        fmt::format("the triangle of trishear has an angle of 0 to 180 degrees, not of {:.6g}; change apical", apical),
+        tip);
   }
   if (!(params.propagation >= 0.0) || !(params.concentration > 0.0)) {
-    return refused(fmt::format("trishear has P/S >= 0 and a concentration > 0, not {:.6g} and {:.6g}; change propagation "
-                               "or concentration",
-                               params.propagation, params.concentration),
-                   tip);
+    return refused(
+        fmt::format("trishear has P/S >= 0 and a concentration > 0, not {:.6g} and {:.6g}; change propagation "
+                    "or concentration",
+                    params.propagation, params.concentration),
+        tip);
   }
   TrishearMap map;
   map.tip_ = tip;
@@ -262,7 +263,8 @@ MovedLine TrishearMap::line(const geom::Polyline& line, Wall on_fault) const {
   };
   const auto image_of = [&](geom::Point p) { return (*this)(p, on_fault); };
   // Quarters are looked at too: a piece whose middle is on the chord by chance may still bend.
-  const auto fill = [&](const auto& self, geom::Point a, geom::Point fa, geom::Point b, geom::Point fb, int depth) -> void {
+  const auto fill = [&](const auto& self, geom::Point a, geom::Point fa, geom::Point b, geom::Point fb,
+                        int depth) -> void {
     const geom::Point middle = geom::midpoint(a, b);
     const geom::Point image = image_of(middle);
     if (depth == 0) return;
@@ -297,10 +299,11 @@ base::Result<TrishearMap> trishear(const FaultPath& path, double slip, const Tri
   const double travel = params.propagation * std::abs(slip);
   const double needed = std::abs(slip) + (drawn == DrawnTip::After ? travel : 0.0);
   if (points.size() > 2 && geom::distance(bend, end) < needed) {
-    return refused(fmt::format("the fault bends here, {:.6g} m from its tip, where trishear needs it straight for {:.6g} m "
-                               "(slip {}); give less slip, or draw the last piece straighter",
-                               geom::distance(bend, end), needed, drawn == DrawnTip::After ? "and the way of the tip" : ""),
-                   bend);
+    return refused(
+        fmt::format("the fault bends here, {:.6g} m from its tip, where trishear needs it straight for {:.6g} m "
+                    "(slip {}); give less slip, or draw the last piece straighter",
+                    geom::distance(bend, end), needed, drawn == DrawnTip::After ? "and the way of the tip" : ""),
+        bend);
   }
   const Side side = (path.hanging == Side::Left) != at_begin ? Side::Left : Side::Right;
   const geom::Point tip = drawn == DrawnTip::After ? end - travel * direction : end;

@@ -38,9 +38,11 @@ class InversionCommands : public dobra::test::CommandLine {
 };
 
 TEST_F(InversionCommands, InvertPrintsValuesLimitsMisfitsAndTheMap) {
-  const Found made = printed({"invert", folded(), "--unit", "m", "--tip-x", "1000", "--tip-z", "300", "--ramp", "30",
-                              "--propagation", "1,3", "--apical", "40,60", "--slip", "150,400", "--map", "propagation",
-                              "--map", "apical", "--map-points", "3", "--out", path("map.png"), "--json", "--quiet"});
+  const Found made =
+      printed({"invert", folded(),      "--unit",        "m",      "--tip-x",      "1000",  "--tip-z", "300",
+               "--ramp", "30",          "--propagation", "1,3",    "--apical",     "40,60", "--slip",  "150,400",
+               "--map",  "propagation", "--map",         "apical", "--map-points", "3",     "--out",   path("map.png"),
+               "--json", "--quiet"});
   EXPECT_EQ(made["method"], "trishear");
   ASSERT_EQ(made["values"].size(), 7U);
   EXPECT_TRUE(made["values"][0]["fixed"]);
@@ -56,9 +58,8 @@ TEST_F(InversionCommands, InvertPrintsValuesLimitsMisfitsAndTheMap) {
 }
 
 TEST_F(InversionCommands, WithAllValuesFixedInvertTellsTheirMisfit) {
-  const Found made =
-      printed({"invert", folded(), "--unit", "m", "--tip-x", "1000", "--tip-z", "300", "--ramp", "30", "--propagation",
-               "2", "--apical", "50", "--slip", "250", "--json", "--quiet"});
+  const Found made = printed({"invert", folded(), "--unit", "m", "--tip-x", "1000", "--tip-z", "300", "--ramp", "30",
+                              "--propagation", "2", "--apical", "50", "--slip", "250", "--json", "--quiet"});
   EXPECT_LE(made["misfit"], 1e-6);
   EXPECT_GT(made["misfit_before"], 10.0);
 }
