@@ -159,6 +159,24 @@ void add_depth_of_beds(const section::Section& section, const FaultAndCutoffs& f
   }
 }
 
+/// The detachment where the predicted fault is flat, and what makes it doubtful.
+void add_flat(const PredictedFault& found, Figures& figures, std::vector<std::string>& remarks) {
+  if (found.end_dip.degrees() <= flat_to) {
+    figures.emplace_back("detachment_by_fault", found.end.y);
+  } else {
+    remarks.push_back(fmt::format(
+        "the fault still dips {:.3g} degrees to the regional where the rollover ends, at ({:.6g}, {:.6g}): it flattens "
+        "below that, and the detachment lies deeper than z = {:.6g} m; follow the bed farther from the fault",
+        found.end_dip.degrees(), found.end.x, found.end.y, found.end.y));
+  }
+  if (found.steps > 20) {
+    remarks.push_back(
+        fmt::format("the shift goes {} times into the rollover: errors of the bed add up {} "
+                    "times at its end",
+                    found.steps, found.steps));
+  }
+}
+
 base::Result<Predicted> predict_fault(const section::Section& section, const PredictParams& params) {
   DOBRA_TRY(const FaultAndCutoffs from, fault_of(section, params));
   const faults::Cutoff& hanging = *from.hanging;
@@ -183,22 +201,9 @@ base::Result<Predicted> predict_fault(const section::Section& section, const Pre
                   {"lost_area", found.lost_area},
                   {"detachment_by_area", found.area_place.y},
                   {"depth_by_area", found.area_depth}};
-  if (found.end_dip.degrees() <= flat_to) {
-    figures.emplace_back("detachment_by_fault", found.end.y);
-  } else {
-    predicted.remarks.push_back(fmt::format(
-        "the fault still dips {:.3g} degrees to the regional where the rollover ends, at ({:.6g}, {:.6g}): it flattens "
-        "below that, and the detachment lies deeper than z = {:.6g} m; follow the bed farther from the fault",
-        found.end_dip.degrees(), found.end.x, found.end.y, found.end.y));
-  }
+  add_flat(found, figures, predicted.remarks);
   if (const auto misfit = misfit_of_drawn(from.fault.path, hanging.arc, found.line, params.angle))
     figures.emplace_back("drawn_fault_misfit", *misfit);
-  if (found.steps > 20) {
-    predicted.remarks.push_back(
-        fmt::format("the shift goes {} times into the rollover: errors of the bed add up {} "
-                    "times at its end",
-                    found.steps, found.steps));
-  }
   add_depth_of_beds(section, from, params, figures, predicted.remarks);
   predicted.solutions.push_back(std::move(figures));
   return predicted;

@@ -142,14 +142,16 @@ void through_zone(Zone zone, double tolerance, double& x, double& e, double& lef
   if (e == 0.0) zone.side = -zone.sense * zone.time;  // at e = 0 it goes towards this side
   State at{zone.side * std::pow(std::abs(e), 1.0 / k), 1.0, 0.0};
   const double goal = left / x;
-  const double order = 1.0 / (2.0 * static_cast<double>(zone.rows) - 1.0);
+  const auto grown = [&](double by) {
+    return 0.9 * std::pow(tolerance / by, 1.0 / (2.0 * static_cast<double>(zone.rows) - 1.0));
+  };
   double h = 0.1;
   double error = 0.0;
   bool ended = true;
   for (int steps = 0; steps < 100000; ++steps) {
     const State next = zone.step(at, h, error);
     if (error > tolerance && h > 1e-14) {
-      h *= std::clamp(0.9 * std::pow(tolerance / error, order), 0.1, 0.9);
+      h *= std::clamp(grown(error), 0.1, 0.9);
       continue;
     }
     const bool past_end = next[2] >= goal;
@@ -157,7 +159,7 @@ void through_zone(Zone zone, double tolerance, double& x, double& e, double& lef
     const bool past_side = std::abs(next[0]) > 1.0;
     if (!past_end && !past_middle && !past_side) {
       at = next;
-      h *= std::clamp(0.9 * std::pow(tolerance / std::max(error, 1e-30), order), 0.5, 3.0);
+      h *= std::clamp(grown(std::max(error, 1e-30)), 0.5, 3.0);
       continue;
     }
     // The first of what the step passes.
@@ -165,9 +167,8 @@ void through_zone(Zone zone, double tolerance, double& x, double& e, double& lef
     const auto over_middle = [&](const State& state) { return past_middle ? -zone.side * state[0] : -1.0; };
     const auto over_side = [&](const State& state) { return past_side ? std::abs(state[0]) - 1.0 : -1.0; };
     const bool one = int{past_end} + int{past_middle} + int{past_side} == 1;
-    const std::size_t variable = past_end ? 2 : 0;
     const double value = past_end ? goal : past_middle ? 0.0 : zone.side;
-    const std::optional<State> onto = one ? step_onto(zone, at, variable, value, tolerance) : std::nullopt;
+    const auto onto = one ? step_onto(zone, at, past_end ? 2 : 0, value, tolerance) : std::nullopt;
     at = onto ? *onto : step_to(zone, at, h, [&](const State& state) {
       return std::max({after_end(state), over_middle(state), over_side(state)});
     });
