@@ -5,8 +5,8 @@
 
 namespace recon::cli {
 
-/// invert FILE [--method trishear|shear] ...: values, limits of confidence and misfits as a table or --json; the picture
-/// to --out.
+/// invert FILE [--method trishear|shear] ...: values, limits of confidence and misfits as a table or --json; the
+/// picture to --out.
 dobra::cli::Command invert_command();
 
 /// predict FILE --what fault|rollover|fault_bend_fold|fault_propagation_fold ...: likewise.

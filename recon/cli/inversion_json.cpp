@@ -78,20 +78,22 @@ std::string inversion_json(const core::Model& model) {
 std::string inversion_table(const core::Model& model) {
   const inversion::Inversion& found = inversion_in(model);
   const inversion::Fit& fit = found.fit;
-  std::string text = fmt::format("{}: misfit {:.5g} m (as the beds lie {:.5g} m)", name_of(found.params.method),
-                                 fit.rms, fit.before);
+  std::string text =
+      fmt::format("{}: misfit {:.5g} m (as the beds lie {:.5g} m)", name_of(found.params.method), fit.rms, fit.before);
   if (fit.region) text += fmt::format(", {:.4g} % region to {:.5g} m", found.params.confidence, *fit.region);
   text += fmt::format("\n\n{:<16} {:>12} {:>12} {:>12}   limits of the search\n", "value", "best", "low", "high");
   const auto cell = [](const std::optional<double>& value) {
     return value ? fmt::format("{:.6g}", *value) : std::string("-");
   };
   for (const inversion::Estimate& e : fit.estimates) {
-    const std::string name = e.unknown.unit.empty() ? e.unknown.key : fmt::format("{} [{}]", e.unknown.key, e.unknown.unit);
-    text += fmt::format("{:<16} {:>12.6g} {:>12} {:>12}   {}\n", name, e.best, cell(e.low), cell(e.high),
-                        e.unknown.fixed() ? std::string("fixed")
-                                          : fmt::format("{:.6g} to {:.6g}", e.unknown.low, e.unknown.high));
+    const std::string name =
+        e.unknown.unit.empty() ? e.unknown.key : fmt::format("{} [{}]", e.unknown.key, e.unknown.unit);
+    text += fmt::format(
+        "{:<16} {:>12.6g} {:>12} {:>12}   {}\n", name, e.best, cell(e.low), cell(e.high),
+        e.unknown.fixed() ? std::string("fixed") : fmt::format("{:.6g} to {:.6g}", e.unknown.low, e.unknown.high));
   }
-  text += fmt::format("\n{:<28} {:>8} {:>14} {:>14} {:>14}\n", "bed", "points", "before [m]", "restored [m]", "dip [deg]");
+  text +=
+      fmt::format("\n{:<28} {:>8} {:>14} {:>14} {:>14}\n", "bed", "points", "before [m]", "restored [m]", "dip [deg]");
   for (const inversion::BedMisfit& bed : fit.beds) {
     text += fmt::format("{:<28} {:>8} {:>14.5g} {:>14.5g} {:>14.4g}\n", bed.name, bed.points, bed.before, bed.after,
                         bed.dip.degrees());

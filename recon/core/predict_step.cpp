@@ -14,7 +14,7 @@ using base::translated;
 
 namespace {
 
-constexpr scene::Color predicted_color{150, 20, 30, 255};
+constexpr scene::Color predicted_color{20, 80, 190, 255};
 
 const inversion::Predicted* prediction_of(const Model& model) {
   const auto* found = model.findings.get<FoundPrediction>();

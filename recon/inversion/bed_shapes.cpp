@@ -58,9 +58,10 @@ base::Result<std::vector<BedShape>> bed_shapes(const section::Section& section, 
     if (bed.points.empty())
       return bad_beds(fmt::format("the section has no horizon '{}'{}", name, base::did_you_mean(name, known)));
     if (bed.points.size() < 3)
-      return bad_beds(fmt::format("horizon '{}' has {} points, and any two lie on a straight line; digitise its shape, "
-                                  "or leave it out with 'horizon'",
-                                  name, bed.points.size()));
+      return bad_beds(
+          fmt::format("horizon '{}' has {} points, and any two lie on a straight line; digitise its shape, "
+                      "or leave it out with 'horizon'",
+                      name, bed.points.size()));
     normalise_weights(bed);
     beds.push_back(std::move(bed));
   }

@@ -38,7 +38,8 @@ struct BedLine {
 
 /// Of restored points: through their centre, along `bedding`, or where that is not said so that the sum of the weighted
 /// squared distances is least.
-BedLine straight_line(const BedShape& bed, const std::vector<geom::Point>& restored, std::optional<base::Angle> bedding);
+BedLine straight_line(const BedShape& bed, const std::vector<geom::Point>& restored,
+                      std::optional<base::Angle> bedding);
 
 /// Distances of the restored points from the line of their bed, m, each times the root of its weight; bed by bed.
 void deviations(const std::vector<BedShape>& beds, const Restore& restore, std::optional<base::Angle> bedding,

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t search_points = 240;  ///< Of all beds together, for what is computed very many times, ...
 constexpr std::size_t limit_points = 300;   ///< ... and for what is computed many times.
 constexpr double known_figures = 1e-6;      ///< Of the size.
-constexpr double quick_difference = 1e-4;  ///< Of models of the precision of a search.
+constexpr double quick_difference = 1e-4;   ///< Of models of the precision of a search.
 
 /// The free values as the unit box.
 class Box {
@@ -97,7 +97,8 @@ double root_mean(double sum, std::size_t points) { return std::sqrt(sum / static
 /// The misfits of each bed, and with them how many points count.
 void judge_beds(const std::vector<BedShape>& beds, const Restore& restore, const FitOptions& options, Fit& fit) {
   std::vector<double> as_they_lie, restored;
-  deviations(beds, [](geom::Point p) { return p; }, options.bedding, as_they_lie);
+  deviations(
+      beds, [](geom::Point p) { return p; }, options.bedding, as_they_lie);
   deviations(beds, restore, options.bedding, restored);
   fit.beds.clear();
   fit.effective = 0.0;
@@ -188,8 +189,17 @@ class Profile {
  public:
   Profile(const Residuals& residuals, const Minimum& best, const Matrix& valley, const Scale& scale, std::size_t k,
           double sign, double quantile, const base::Progress& progress)
-      : residuals_(residuals), best_(best), valley_(valley), scale_(scale), k_(k), sign_(sign), quantile_(quantile),
-        progress_(progress), room_(sign > 0.0 ? 1.0 - best.at[k] : best.at[k]), last_(best), inner_(best) {}
+      : residuals_(residuals),
+        best_(best),
+        valley_(valley),
+        scale_(scale),
+        k_(k),
+        sign_(sign),
+        quantile_(quantile),
+        progress_(progress),
+        room_(sign > 0.0 ? 1.0 - best.at[k] : best.at[k]),
+        last_(best),
+        inner_(best) {}
 
   /// Outward by doubled steps, each from the place before, to the outermost step that is within the quantile, though
   /// there be walls on the way to it; then between that and the next.
@@ -275,8 +285,8 @@ struct Limits {
   Minimum better;
 };
 
-base::Result<Limits> limits_of(const Residuals& residuals, const Minimum& best, const Matrix& valley, const Scale& scale,
-                               double confidence, const base::Progress& progress) {
+base::Result<Limits> limits_of(const Residuals& residuals, const Minimum& best, const Matrix& valley,
+                               const Scale& scale, double confidence, const base::Progress& progress) {
   const double quantile = quantile_of_f(1, scale.freedom, confidence);
   const std::size_t n = best.at.size();
   const auto found = base::parallel_map<Side>(2 * n, [&](std::size_t i) {
@@ -314,17 +324,19 @@ void tell_limits(Fit& fit, double confidence) {
     const Unknown& u = e.unknown;
     if (u.fixed()) continue;
     if (e.at_limit != AtLimit::No)
-      fit.remarks.push_back(fmt::format("the best {} lies at a limit of the search, {:.6g} {}; widen its limits", u.key,
-                                        e.best, u.unit));
+      fit.remarks.push_back(
+          fmt::format("the best {} lies at a limit of the search, {:.6g} {}; widen its limits", u.key, e.best, u.unit));
     if (!fit.region || (e.low && e.high)) continue;
     if (!e.low && !e.high) {
-      fit.remarks.push_back(fmt::format("the beds do not determine {}: with {:.4g} % confidence it may be anything from "
-                                        "{:.6g} to {:.6g} {}; fix it, or give a bed that it shapes",
-                                        u.key, confidence, u.low, u.high, u.unit));
+      fit.remarks.push_back(
+          fmt::format("the beds do not determine {}: with {:.4g} % confidence it may be anything from "
+                      "{:.6g} to {:.6g} {}; fix it, or give a bed that it shapes",
+                      u.key, confidence, u.low, u.high, u.unit));
     } else {
-      fit.remarks.push_back(fmt::format("the beds bound {} on one side only: it may go {} to the limit of the search, "
-                                        "{:.6g} {}",
-                                        u.key, e.low ? "up" : "down", e.low ? u.high : u.low, u.unit));
+      fit.remarks.push_back(
+          fmt::format("the beds bound {} on one side only: it may go {} to the limit of the search, "
+                      "{:.6g} {}",
+                      u.key, e.low ? "up" : "down", e.low ? u.high : u.low, u.unit));
     }
   }
 }
@@ -345,21 +357,24 @@ void tell_trade_offs(const Matrix& valley, const Box& box, Fit& fit) {
 /// Whether there are limits at all, and whether there is a fold at all.
 void tell_doubts(const Box& box, const std::vector<BedShape>& beds, const FitOptions& options, Fit& fit) {
   if (!fit.region) {
-    fit.remarks.push_back(fmt::format("the distances left hang together over so long stretches that {:.3g} independent "
-                                      "points remain for {} values and {:.0f} of the beds' lines: no limits of "
-                                      "confidence; fix values, or give more beds",
-                                      fit.effective, box.dimension(), lines_of(beds, options)));
+    fit.remarks.push_back(
+        fmt::format("the distances left hang together over so long stretches that {:.3g} independent "
+                    "points remain for {} values and {:.0f} of the beds' lines: no limits of "
+                    "confidence; fix values, or give more beds",
+                    fit.effective, box.dimension(), lines_of(beds, options)));
   } else if (fit.before <= *fit.region) {
-    fit.remarks.push_back(fmt::format("the beds as they lie fit straight lines as well (rms {:.4g} m, restored {:.4g} "
-                                      "m): they are not told from beds that were never folded",
-                                      fit.before, fit.rms));
+    fit.remarks.push_back(
+        fmt::format("the beds as they lie fit straight lines as well (rms {:.4g} m, restored {:.4g} "
+                    "m): they are not told from beds that were never folded",
+                    fit.before, fit.rms));
   }
 }
 
 base::Result<void> check_beds(const std::vector<BedShape>& beds, const Box& box, const FitOptions& options, Fit& fit) {
   const std::size_t points = count_points(beds);
   std::vector<double> present;
-  deviations(beds, [](geom::Point p) { return p; }, options.bedding, present);
+  deviations(
+      beds, [](geom::Point p) { return p; }, options.bedding, present);
   fit.before = root_mean(sum_of_squares(present), points);
   if (fit.before <= known_figures * options.size) {
     return base::Error{base::ErrorCode::BadSection,
@@ -390,7 +405,8 @@ base::Result<void> fit_from(const std::vector<BedShape>& beds, const Box& box, c
     if (!(fit.freedom >= 1.0) || box.dimension() == 0) break;
     const Scale scale = scale_of(fit, options);
     progress.report(0.6 + 0.1 * round, "limits");
-    DOBRA_TRY(const Minimum about, descend(residuals, best.at, {.enough = 1e-5, .difference = quick_difference}, progress));
+    DOBRA_TRY(const Minimum about,
+              descend(residuals, best.at, {.enough = 1e-5, .difference = quick_difference}, progress));
     const Matrix valley = covariance(residuals, about.at, scale);
     DOBRA_TRY(const Limits limits, limits_of(residuals, about, valley, scale, options.confidence, progress));
     if (scale.statistic(limits.better.sum, about.sum) < -0.01 && round < 2) {
@@ -399,7 +415,9 @@ base::Result<void> fit_from(const std::vector<BedShape>& beds, const Box& box, c
     }
     for (std::size_t k = 0; k < box.dimension(); ++k) {
       Estimate& estimate = fit.estimates[box.free()[k]];
-      const auto shifted = [&](double limit) { return box.value(k, std::clamp(best.at[k] + limit - about.at[k], 0.0, 1.0)); };
+      const auto shifted = [&](double limit) {
+        return box.value(k, std::clamp(best.at[k] + limit - about.at[k], 0.0, 1.0));
+      };
       if (limits.sides[k][0].limit) estimate.low = shifted(*limits.sides[k][0].limit);
       if (limits.sides[k][1].limit) estimate.high = shifted(*limits.sides[k][1].limit);
     }
@@ -440,7 +458,8 @@ base::Result<Fit> fit_beds(const std::vector<BedShape>& beds, const std::vector<
   const std::vector<Unknown>* chosen = &alternatives.front();
   const double parts = static_cast<double>(alternatives.size());
   for (std::size_t i = 0; i < alternatives.size(); ++i) {
-    const base::Progress part = progress.part(0.6 * static_cast<double>(i) / parts, 0.6 * static_cast<double>(i + 1) / parts);
+    const base::Progress part =
+        progress.part(0.6 * static_cast<double>(i) / parts, 0.6 * static_cast<double>(i + 1) / parts);
     DOBRA_TRY(Minimum found, search(beds, Box(alternatives[i]), model, options, part));
     if (!(found.sum < best.sum)) continue;
     best = std::move(found);
@@ -472,14 +491,14 @@ base::Result<MisfitMap> map_misfit(const std::vector<BedShape>& beds, const std:
     for (std::size_t i = 0; i < count; ++i)
       map.at[a].push_back(box.value(k[a], static_cast<double>(i) / static_cast<double>(count - 1)));
   }
-  const auto sums = base::parallel_map<std::optional<double>>(count * count, [&](std::size_t i) -> std::optional<double> {
-    const double step = 1.0 / static_cast<double>(count - 1);
-    const auto least = profile_at(residuals, best, valley,
-                                  {{k[0], step * static_cast<double>(i % count)},
-                                   {k[1], step * static_cast<double>(i / count)}},
-                                  progress);
-    return least ? std::optional(least->sum) : std::nullopt;
-  });
+  const auto sums =
+      base::parallel_map<std::optional<double>>(count * count, [&](std::size_t i) -> std::optional<double> {
+        const double step = 1.0 / static_cast<double>(count - 1);
+        const auto least = profile_at(
+            residuals, best, valley,
+            {{k[0], step * static_cast<double>(i % count)}, {k[1], step * static_cast<double>(i / count)}}, progress);
+        return least ? std::optional(least->sum) : std::nullopt;
+      });
   DOBRA_TRY_VOID(progress.check());
   for (const std::optional<double>& sum : sums) map.rms.push_back(root_mean(*sum, fit.points));
   if (fit.freedom >= 1.0) {

@@ -48,18 +48,18 @@ struct Estimate {
 struct BedMisfit {
   std::string name;
   std::size_t points = 0;
-  double before = 0.0;  ///< Root of the mean squared distance from its line as it lies, m.
-  double after = 0.0;   ///< Restored.
-  base::Angle dip;      ///< Of the line of the restored bed, anticlockwise from +x, in (-90, 90] degrees.
+  double before = 0.0;       ///< Root of the mean squared distance from its line as it lies, m.
+  double after = 0.0;        ///< Restored.
+  base::Angle dip;           ///< Of the line of the restored bed, anticlockwise from +x, in (-90, 90] degrees.
   double correlation = 1.0;  ///< Points over which the restored distances hang together.
 };
 
 struct Fit {
   std::vector<Estimate> estimates;  ///< In the order of the unknowns.
   std::vector<BedMisfit> beds;
-  double sum = 0.0;        ///< S, m2
-  double rms = 0.0;        ///< Root of S over the number of points, m.
-  double before = 0.0;     ///< The same of the beds as they lie.
+  double sum = 0.0;     ///< S, m2
+  double rms = 0.0;     ///< Root of S over the number of points, m.
+  double before = 0.0;  ///< The same of the beds as they lie.
   std::size_t points = 0;
   double effective = 0.0;  ///< Points that are independent of each other.
   double freedom = 0.0;    ///< Those less the free values and the lines of the beds.
@@ -81,10 +81,10 @@ base::Result<Fit> fit_beds(const std::vector<BedShape>& beds, const std::vector<
 
 /// The least misfit over two values, the others at their best for each pair.
 struct MisfitMap {
-  std::array<std::size_t, 2> axes{};       ///< Which unknowns.
-  std::array<std::vector<double>, 2> at;   ///< Their values.
-  std::vector<double> rms;                 ///< m, row by row: the second value grows slowest; not finite: no map.
-  std::optional<double> region;            ///< The rms that bounds the region of confidence of the two.
+  std::array<std::size_t, 2> axes{};      ///< Which unknowns.
+  std::array<std::vector<double>, 2> at;  ///< Their values.
+  std::vector<double> rms;                ///< m, row by row: the second value grows slowest; not finite: no map.
+  std::optional<double> region;           ///< The rms that bounds the region of confidence of the two.
 };
 /// On some 240 points of all beds.  @error Cancelled
 base::Result<MisfitMap> map_misfit(const std::vector<BedShape>& beds, const std::vector<Unknown>& unknowns,

@@ -17,8 +17,8 @@ base::Result<void> check_dips(const LimbDips& dips) {
     return base::Error{base::ErrorCode::BadValue, "give the dip of the backlimb, of the forelimb, or both"};
   }
   if (dips.backlimb && !(dips.backlimb->degrees() > 0.0 && dips.backlimb->degrees() < 90.0)) {
-    return base::Error{base::ErrorCode::BadValue, fmt::format("'backlimb' is between 0 and 90 degrees, not {:.6g}",
-                                                              dips.backlimb->degrees())};
+    return base::Error{base::ErrorCode::BadValue,
+                       fmt::format("'backlimb' is between 0 and 90 degrees, not {:.6g}", dips.backlimb->degrees())};
   }
   if (dips.forelimb && !(dips.forelimb->degrees() > 0.0 && dips.forelimb->degrees() < 180.0)) {
     return base::Error{base::ErrorCode::BadValue, fmt::format("'forelimb' is between 0 and 180 degrees (above 90: "
@@ -59,14 +59,14 @@ base::Result<std::vector<BendFold>> bend_folds_of(const LimbDips& dips) {
   const double theta = dips.backlimb->radians();
   const double between = gamma - theta;
   // cot(gamma - theta + phi) = cot(gamma - theta) - 2 cot(gamma), the angle in (0, 180) degrees.
-  const double behind =
-      between > 0.0 ? std::atan2(1.0, 1.0 / std::tan(between) - 2.0 / std::tan(gamma)) : between;
+  const double behind = between > 0.0 ? std::atan2(1.0, 1.0 / std::tan(between) - 2.0 / std::tan(gamma)) : between;
   if (!(between > 0.0) || !(behind > between)) {
-    return base::Error{base::ErrorCode::CannotRestore,
-                       fmt::format("no fault that gets flatter over a ramp of {:.4g} degrees folds a forelimb of {:.4g} "
-                                   "degrees with beds of constant thickness; try fault_propagation_fold, or measure the "
-                                   "dips anew",
-                                   dips.backlimb->degrees(), dips.forelimb->degrees())};
+    return base::Error{
+        base::ErrorCode::CannotRestore,
+        fmt::format("no fault that gets flatter over a ramp of {:.4g} degrees folds a forelimb of {:.4g} "
+                    "degrees with beds of constant thickness; try fault_propagation_fold, or measure the "
+                    "dips anew",
+                    dips.backlimb->degrees(), dips.forelimb->degrees())};
   }
   return std::vector<BendFold>{bend_of(theta, behind - between, gamma)};
 }
@@ -79,9 +79,9 @@ base::Result<PropagationFold> propagation_fold_of(const LimbDips& dips) {
                                    "{:.4g}; try fault_bend_fold, or trishear",
                                    dips.forelimb->degrees())};
   }
-  const base::Angle theta = dips.backlimb ? *dips.backlimb
-                                          : base::Angle::from_radians(
-                                                2.0 * std::atan(std::tan(axial(*dips.forelimb)) / 3.0));
+  const base::Angle theta = dips.backlimb
+                                ? *dips.backlimb
+                                : base::Angle::from_radians(2.0 * std::atan(std::tan(axial(*dips.forelimb)) / 3.0));
   PropagationFold fold;
   DOBRA_TRY(fold.angles, kinematics::propagation_angles(theta));
   if (dips.backlimb && dips.forelimb) {

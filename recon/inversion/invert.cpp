@@ -61,9 +61,8 @@ void draw_best(const section::Section& section, const Model& model, double size,
   const std::optional<Restore> restore = model(values, Precision::Full);
   for (const section::Horizon& horizon : section.horizons) {
     const auto& beds = inversion.fit.beds;
-    if (!restore || std::none_of(beds.begin(), beds.end(), [&](const BedMisfit& bed) {
-          return bed.name == whole_name(horizon);
-        }))
+    if (!restore ||
+        std::none_of(beds.begin(), beds.end(), [&](const BedMisfit& bed) { return bed.name == whole_name(horizon); }))
       continue;
     geom::Polyline line;
     for (const geom::Point p : horizon.line.points) line.points.push_back((*restore)(p));
@@ -96,8 +95,9 @@ base::Result<Inversion> invert(const section::Section& section, const InvertPara
   if (!params.map.empty()) {
     std::vector<Unknown> unknowns;
     for (const Estimate& estimate : inversion.fit.estimates) unknowns.push_back(estimate.unknown);
-    DOBRA_TRY(inversion.map, map_misfit(beds, unknowns, task.model, inversion.fit, axes,
-                                        static_cast<std::size_t>(params.map_points), options, progress.part(until, 1.0)));
+    DOBRA_TRY(inversion.map,
+              map_misfit(beds, unknowns, task.model, inversion.fit, axes, static_cast<std::size_t>(params.map_points),
+                         options, progress.part(until, 1.0)));
   }
   draw_best(section, task.model, size, inversion);
   inversion.remarks = inversion.fit.remarks;

@@ -43,10 +43,12 @@ struct InvertParams {
     d.field("fault", &InvertParams::fault,
             {.title = "Fault", .help = "Of shear: over which it goes; of trishear: whose tip and ramp are taken."});
     d.field("tip_x", &InvertParams::tip_x,
-            {.title = "Tip x", .help = "Of trishear: of the tip as it is; one number fixes it, two are limits.",
+            {.title = "Tip x",
+             .help = "Of trishear: of the tip as it is; one number fixes it, two are limits.",
              .unit = "m"});
     d.field("tip_z", &InvertParams::tip_z,
-            {.title = "Tip z", .help = "Of trishear: of the tip as it is; one number fixes it, two are limits.",
+            {.title = "Tip z",
+             .help = "Of trishear: of the tip as it is; one number fixes it, two are limits.",
              .unit = "m"});
     d.field("ramp", &InvertParams::ramp,
             {.title = "Ramp",
@@ -55,7 +57,8 @@ struct InvertParams {
              .at_least = -180.0,
              .at_most = 180.0});
     d.field("propagation", &InvertParams::propagation,
-            {.title = "P/S", .help = "Of trishear: how far the tip goes a metre of slip; one number or limits.",
+            {.title = "P/S",
+             .help = "Of trishear: how far the tip goes a metre of slip; one number or limits.",
              .at_least = 0.0});
     d.field("apical", &InvertParams::apical,
             {.title = "Apical angle",
@@ -90,7 +93,8 @@ struct InvertParams {
     d.field("confidence", &InvertParams::confidence,
             {.title = "Confidence", .help = "Of the limits.", .unit = "%", .above = 0.0, .at_most = 99.9});
     d.field("map", &InvertParams::map,
-            {.title = "Map of the misfit", .help = "Two of the values that are sought, such as propagation,apical."});
+            {.title = "Map of the misfit",
+             .help = "Two of the values that are sought, one after the other, such as propagation and apical."});
     d.field("map_points", &InvertParams::map_points,
             {.title = "Points of the map", .help = "Along each side.", .at_least = 3, .at_most = 200});
     d.field("seed", &InvertParams::seed, {.title = "Seed", .help = "Of the search.", .at_least = 0});

@@ -166,8 +166,8 @@ base::Result<std::vector<Minimum>> evolve(const Residuals& residuals, std::size_
     progress.report(static_cast<double>(generation) / options.generations);
     const auto trials = base::parallel_map<Minimum>(members.size(), [&](std::size_t i) {
       Minimum trial;
-      trial.at = trial_of(members, i,
-                          {options.seed, static_cast<std::uint32_t>(generation), static_cast<std::uint32_t>(i)});
+      trial.at =
+          trial_of(members, i, {options.seed, static_cast<std::uint32_t>(generation), static_cast<std::uint32_t>(i)});
       trial.sum = cost_at(residuals, trial.at);
       return trial;
     });

@@ -39,9 +39,9 @@ base::Result<std::vector<Minimum>> evolve(const Residuals& residuals, std::size_
 
 struct DescentOptions {
   int most_steps = 60;
-  double enough = 1e-10;            ///< Ends when the sum falls by less than this part of it, twice.
-  double difference = 1e-6;         ///< Of forward differences; well above the rounding of the residuals.
-  std::vector<bool> held = {};      ///< Coordinates that stay; empty: none.
+  double enough = 1e-10;        ///< Ends when the sum falls by less than this part of it, twice.
+  double difference = 1e-6;     ///< Of forward differences; well above the rounding of the residuals.
+  std::vector<bool> held = {};  ///< Coordinates that stay; empty: none.
 };
 
 /// Levenberg-Marquardt by forward differences, kept in the box: a coordinate on a face that the descent would leave

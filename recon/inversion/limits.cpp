@@ -25,18 +25,21 @@ base::Result<Unknown> unknown_of(const char* key, const char* unit, const std::v
 base::Result<void> check_keys(const InvertParams& params) {
   const bool trishear = params.method == InvertMethod::Trishear;
   const auto useless = [&](const char* key) {
-    return base::Error{base::ErrorCode::BadValue,
-                       fmt::format("'{}' is of {}; the method {} has no use for it, so leave it out", key,
-                                   name_of(trishear ? InvertMethod::Shear : InvertMethod::Trishear),
-                                   name_of(params.method))};
+    return base::Error{
+        base::ErrorCode::BadValue,
+        fmt::format("'{}' is of {}; the method {} has no use for it, so leave it out", key,
+                    name_of(trishear ? InvertMethod::Shear : InvertMethod::Trishear), name_of(params.method))};
   };
   if (trishear) {
     if (!params.angle.empty()) return useless("angle");
     return {};
   }
-  for (const auto& [key, given] :
-       {std::pair{"tip_x", &params.tip_x}, {"tip_z", &params.tip_z}, {"ramp", &params.ramp},
-        {"propagation", &params.propagation}, {"apical", &params.apical}, {"concentration", &params.concentration}}) {
+  for (const auto& [key, given] : {std::pair{"tip_x", &params.tip_x},
+                                   {"tip_z", &params.tip_z},
+                                   {"ramp", &params.ramp},
+                                   {"propagation", &params.propagation},
+                                   {"apical", &params.apical},
+                                   {"concentration", &params.concentration}}) {
     if (!given->empty()) return useless(key);
   }
   if (params.fault.empty())

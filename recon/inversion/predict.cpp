@@ -20,6 +20,8 @@ namespace recon::inversion {
 
 namespace {
 
+constexpr double flat_to = 2.0;  ///< Degrees from the regional.
+
 using Figures = std::vector<std::pair<std::string, double>>;
 
 base::Error bad_value(std::string message) { return {base::ErrorCode::BadValue, std::move(message)}; }
@@ -44,11 +46,11 @@ base::Result<void> check_predict(const PredictParams& params) {
   DOBRA_TRY_VOID(useless(params.forelimb.has_value(), "forelimb", fold));
   if (fold) return {};
   if (params.fault.empty()) return bad_value(fmt::format("name the 'fault' of the {}", name_of(what)));
-  if (what == Fault && params.horizon.empty())
-    return bad_value("name the 'horizon' whose rollover tells the fault");
+  if (what == Fault && params.horizon.empty()) return bad_value("name the 'horizon' whose rollover tells the fault");
   if (what == Rollover && params.horizon.empty() == !params.elevation)
-    return bad_value("a rollover takes either the 'horizon' whose footwall cutoff its regional goes through, or the "
-                     "'elevation' of that");
+    return bad_value(
+        "a rollover takes either the 'horizon' whose footwall cutoff its regional goes through, or the "
+        "'elevation' of that");
   if (what == Rollover && params.slip.has_value() == params.heave.has_value())
     return bad_value(fmt::format("give one of slip and heave, not {}", params.slip ? "both" : "none"));
   return {};
@@ -58,16 +60,18 @@ base::Result<void> check_predict(const PredictParams& params) {
 struct FaultAndCutoffs {
   faults::Fault fault;
   std::optional<faults::Cutoff> hanging, foot;
+  std::vector<faults::CutoffPair> pairs;  ///< Of all horizons.
 };
 
 base::Result<FaultAndCutoffs> fault_of(const section::Section& section, const PredictParams& params) {
   DOBRA_TRY(const std::vector<faults::Fault> all, faults::faults_of(section, {}));
   DOBRA_TRY(const faults::Fault* fault, faults::find_fault(all, params.fault));
   if (fault->undecided) return *fault->undecided;
-  FaultAndCutoffs found{*fault, {}, {}};
+  FaultAndCutoffs found{*fault, {}, {}, {}};
   if (params.horizon.empty()) return found;
   for (const faults::FaultCutoffs& cutoffs : faults::cutoffs_of(section, all, {})) {
     if (cutoffs.fault != fault->name) continue;
+    found.pairs = cutoffs.pairs;
     for (const faults::CutoffPair& pair : cutoffs.pairs) {
       if (pair.horizon != params.horizon) continue;
       if (!found.hanging) found.hanging = pair.hanging_wall;
@@ -76,8 +80,8 @@ base::Result<FaultAndCutoffs> fault_of(const section::Section& section, const Pr
   }
   if (found.foot && (found.hanging || *params.what == Prediction::Rollover)) return found;
   return base::Error{base::ErrorCode::BadSection,
-                     fmt::format("horizon '{}' has no cutoff on the {} of fault '{}'; extend it to the fault", params.horizon,
-                                 found.foot ? "hanging wall" : "footwall", params.fault),
+                     fmt::format("horizon '{}' has no cutoff on the {} of fault '{}'; extend it to the fault",
+                                 params.horizon, found.foot ? "hanging wall" : "footwall", params.fault),
                      place_at(fault->path.line.points.back(), "fault")};
 }
 
@@ -128,14 +132,48 @@ std::optional<double> misfit_of_drawn(const kinematics::FaultPath& path, double 
   return std::sqrt(sum / static_cast<double>(count));
 }
 
-/// What the ledger's area balance of all horizons says of the detachment, beside the rollover's.
-void add_ledger_depth(const section::Section& section, Figures& figures, Predicted& predicted) {
-  const auto ledger = balance::area_depth(section, {});
-  if (ledger && ledger->fit && ledger->fit->detachment) {
-    figures.emplace_back("detachment_by_area_depth_strain", *ledger->fit->detachment);
+/// Where all beds with rollovers over the fault place its detachment by the ledger's area-depth line: the area that
+/// each has lost grows with its height over the detachment. Independent of the chain of one bed.
+void add_depth_of_beds(const section::Section& section, const FaultAndCutoffs& from, const PredictParams& params,
+                       Figures& figures, std::vector<std::string>& remarks) {
+  std::vector<double> levels, areas;
+  for (const faults::CutoffPair& pair : from.pairs) {
+    if (!pair.hanging_wall || !pair.footwall || pair.hanging_wall->arc >= pair.footwall->arc) continue;
+    const auto found = fault_under({down_between(from.fault.path, *pair.footwall, *pair.hanging_wall),
+                                    bed_from(section, *pair.hanging_wall), params.bedding, params.angle});
+    if (!found || found->end_dip.degrees() > flat_to) continue;
+    levels.push_back(pair.footwall->at.y);
+    areas.push_back(found->lost_area);
+  }
+  const auto fit =
+      levels.size() < 2 ? std::nullopt : balance::fit_area_depth(levels, areas, 95.0, box_of(section).diagonal());
+  if (fit && fit->detachment) {
+    figures.emplace_back("detachment_by_area_depth", *fit->detachment);
+    figures.emplace_back("displacement_by_area_depth", fit->displacement);
+    if (fit->detachment_error) figures.emplace_back("detachment_by_area_depth_error", *fit->detachment_error);
   } else {
-    predicted.remarks.push_back("area-depth-strain of the ledger tells no detachment: it takes two whole horizons at "
-                                "different levels with different excess areas");
+    remarks.push_back(
+        fmt::format("area-depth tells no detachment: it takes two beds at different levels whose rollovers "
+                    "reach over the flat, and here are {}",
+                    levels.size()));
+  }
+}
+
+/// The detachment where the predicted fault is flat, and what makes it doubtful.
+void add_flat(const PredictedFault& found, Figures& figures, std::vector<std::string>& remarks) {
+  if (found.end_dip.degrees() <= flat_to) {
+    figures.emplace_back("detachment_by_fault", found.end.y);
+  } else {
+    remarks.push_back(fmt::format(
+        "the fault still dips {:.3g} degrees to the regional where the rollover ends, at ({:.6g}, {:.6g}): it flattens "
+        "below that, and the detachment lies deeper than z = {:.6g} m; follow the bed farther from the fault",
+        found.end_dip.degrees(), found.end.x, found.end.y, found.end.y));
+  }
+  if (found.steps > 20) {
+    remarks.push_back(
+        fmt::format("the shift goes {} times into the rollover: errors of the bed add up {} "
+                    "times at its end",
+                    found.steps, found.steps));
   }
 }
 
@@ -163,22 +201,10 @@ base::Result<Predicted> predict_fault(const section::Section& section, const Pre
                   {"lost_area", found.lost_area},
                   {"detachment_by_area", found.area_place.y},
                   {"depth_by_area", found.area_depth}};
-  if (found.end_dip.degrees() <= 2.0) {
-    figures.emplace_back("detachment_by_fault", found.end.y);
-  } else {
-    predicted.remarks.push_back(fmt::format(
-        "the fault still dips {:.3g} degrees to the regional where the rollover ends, at ({:.6g}, {:.6g}): it flattens "
-        "below that, and the detachment lies deeper than z = {:.6g} m; follow the bed farther from the fault",
-        found.end_dip.degrees(), found.end.x, found.end.y, found.end.y));
-  }
+  add_flat(found, figures, predicted.remarks);
   if (const auto misfit = misfit_of_drawn(from.fault.path, hanging.arc, found.line, params.angle))
     figures.emplace_back("drawn_fault_misfit", *misfit);
-  if (found.steps > 20) {
-    predicted.remarks.push_back(fmt::format("the shift goes {} times into the rollover: errors of the bed add up {} "
-                                            "times at its end",
-                                            found.steps, found.steps));
-  }
-  add_ledger_depth(section, figures, predicted);
+  add_depth_of_beds(section, from, params, figures, predicted.remarks);
   predicted.solutions.push_back(std::move(figures));
   return predicted;
 }
@@ -194,9 +220,10 @@ base::Result<double> regional_arc(const FaultAndCutoffs& from, const PredictPara
     if ((s.from.y - z) * (s.to.y - z) > 0.0 || s.from.y == s.to.y) continue;
     return arcs[i] + (z - s.from.y) / (s.to.y - s.from.y) * s.length();
   }
-  return base::Error{base::ErrorCode::BadValue,
-                     fmt::format("fault '{}' lies between z = {:.6g} and {:.6g} m, so that no regional at {:.6g} m meets it",
-                                 params.fault, line.box().low.y, line.box().high.y, z)};
+  return base::Error{
+      base::ErrorCode::BadValue,
+      fmt::format("fault '{}' lies between z = {:.6g} and {:.6g} m, so that no regional at {:.6g} m meets it",
+                  params.fault, line.box().low.y, line.box().high.y, z)};
 }
 
 base::Result<Predicted> predict_rollover(const section::Section& section, const PredictParams& params) {
@@ -221,7 +248,8 @@ base::Result<Predicted> predict_rollover(const section::Section& section, const 
   predicted.params = params;
   const geom::Polyline bed = kinematics::BlockMap(map).forward(regional).after;
   predicted.lines = {{"bed", bed}, {"regional", regional}};
-  const auto lowest = std::min_element(bed.points.begin(), bed.points.end(), [](geom::Point a, geom::Point b) { return a.y < b.y; });
+  const auto lowest =
+      std::min_element(bed.points.begin(), bed.points.end(), [](geom::Point a, geom::Point b) { return a.y < b.y; });
   predicted.solutions.push_back({{"shear_heave", h},
                                  {"regional_x", start.x},
                                  {"regional_z", start.y},
@@ -246,10 +274,10 @@ base::Result<Predicted> predict_bend_fold(const PredictParams& params) {
                                    {"slip_ratio", fold.slip_ratio}});
   }
   if (folds.size() == 2) {
-    predicted.remarks.push_back(fmt::format("two folds have this backlimb: an open one with a forelimb of {:.4g} degrees, "
-                                            "and a tight one of {:.4g}; the dip of the forelimb tells which",
-                                            180.0 - 2.0 * folds[0].gamma.degrees(),
-                                            180.0 - 2.0 * folds[1].gamma.degrees()));
+    predicted.remarks.push_back(
+        fmt::format("two folds have this backlimb: an open one with a forelimb of {:.4g} degrees, "
+                    "and a tight one of {:.4g}; the dip of the forelimb tells which",
+                    180.0 - 2.0 * folds[0].gamma.degrees(), 180.0 - 2.0 * folds[1].gamma.degrees()));
   }
   return predicted;
 }
@@ -268,10 +296,10 @@ base::Result<Predicted> predict_propagation_fold(const PredictParams& params) {
   if (fold.misfit) {
     predicted.solutions.back().emplace_back("forelimb_misfit", fold.misfit->degrees());
     if (std::abs(fold.misfit->degrees()) > 1.0) {
-      predicted.remarks.push_back(fmt::format("a parallel fault-propagation fold with this backlimb has a forelimb of "
-                                              "{:.4g} degrees, {:.3g} {} than the one given",
-                                              a.beta_2.degrees(), std::abs(fold.misfit->degrees()),
-                                              fold.misfit->degrees() > 0.0 ? "more" : "less"));
+      predicted.remarks.push_back(fmt::format(
+          "a parallel fault-propagation fold with this backlimb has a forelimb of "
+          "{:.4g} degrees, {:.3g} {} than the one given",
+          a.beta_2.degrees(), std::abs(fold.misfit->degrees()), fold.misfit->degrees() > 0.0 ? "more" : "less"));
     }
   }
   return predicted;

@@ -37,8 +37,9 @@ struct PredictParams {
     d.field("fault", &PredictParams::fault, {.title = "Fault", .help = "Of fault and rollover: its name."});
     d.field("horizon", &PredictParams::horizon,
             {.title = "Bed", .help = "Horizon that has cutoffs on the fault; of rollover: that on the footwall."});
-    d.field("elevation", &PredictParams::elevation,
-            {.title = "Elevation", .help = "Of rollover, instead of a bed: of the regional at the fault.", .unit = "m"});
+    d.field(
+        "elevation", &PredictParams::elevation,
+        {.title = "Elevation", .help = "Of rollover, instead of a bed: of the regional at the fault.", .unit = "m"});
     d.field("slip", &PredictParams::slip,
             {.title = "Slip",
              .help = "Of rollover: along the fault at the regional; negative lets the hanging wall down.",

@@ -61,7 +61,8 @@ base::Result<void> check_ascends(const std::vector<geom::Point>& line, const She
 }
 
 /// All q at which the predicted fault may have a corner, ascending.
-std::vector<double> corners_of(const std::vector<geom::Point>& known, const std::vector<geom::Point>& bed, double shift) {
+std::vector<double> corners_of(const std::vector<geom::Point>& known, const std::vector<geom::Point>& bed,
+                               double shift) {
   std::vector<double> corners;
   const double last = bed.back().x;
   for (const std::vector<geom::Point>* line : {&known, &bed}) {
@@ -76,59 +77,86 @@ std::vector<double> corners_of(const std::vector<geom::Point>& known, const std:
   return corners;
 }
 
-}  // namespace
+geom::Vector direction_of(base::Angle angle) { return {std::cos(angle.radians()), std::sin(angle.radians())}; }
 
-base::Result<PredictedFault> fault_under(const Rollover& rollover) {
+/// A rollover across and along the direction of shear.
+struct TurnedRollover {
+  std::vector<geom::Point> known, bed;
+  double shift = 0.0;    ///< H
+  geom::Vector bedding;  ///< Of the regional, unit.
+  [[nodiscard]] double regional(double q) const {
+    return known.front().y + bedding.y / bedding.x * (q - known.front().x);
+  }
+};
+
+base::Result<TurnedRollover> turned(const Rollover& rollover, const ShearAxes& axes) {
   const geom::Point foot = rollover.known.points.front();
-  const geom::Point hanging = rollover.known.points.back();
-  const double across = ShearAxes(rollover.shear, false).turned(hanging).x - ShearAxes(rollover.shear, false).turned(foot).x;
-  const ShearAxes axes(rollover.shear, across < 0.0);
-  const double shift = std::abs(across);
-  if (!(shift > 1e-9 * geom::distance(foot, hanging))) {
-    return cannot("both cutoffs of the bed lie on one line of shear, so that it tells no extension; take another angle, or "
-                  "a bed that is cut",
-                  foot, "fault");
+  TurnedRollover made{axes.turned(rollover.known), axes.turned(rollover.bed), 0.0, {}};
+  made.shift = made.known.back().x - made.known.front().x;
+  made.bedding = axes.turned(foot + direction_of(rollover.bedding)) - made.known.front();
+  if (std::abs(made.bedding.x) < 1e-9) {
+    return cannot("the regional lies along the direction of shear; take another angle, or another bedding", foot,
+                  "fault");
   }
-  const std::vector<geom::Point> known = axes.turned(rollover.known);
-  const std::vector<geom::Point> bed = axes.turned(rollover.bed);
-  DOBRA_TRY_VOID(check_ascends(known, axes, "fault"));
-  DOBRA_TRY_VOID(check_ascends(bed, axes, "bed"));
-  PredictedFault found;
-  found.steps = static_cast<std::size_t>((bed.back().x - known.back().x) / shift);
-  if (found.steps < 1 || found.steps > most_steps) {
-    return cannot(fmt::format("the rollover goes {} times the shift of {:.6g} m across the shear, where 1 to {} tell a "
-                              "fault; give a {} of the bed",
-                              found.steps, shift, most_steps, found.steps < 1 ? "longer part" : "shorter part"),
-                  rollover.bed.points.back(), "bed");
+  if (!(made.shift > 1e-9 * geom::distance(foot, rollover.known.points.back()))) {
+    return cannot(
+        "both cutoffs of the bed lie on one line of shear, so that it tells no extension; take another angle, or "
+        "a bed that is cut",
+        foot, "fault");
   }
-  // The regional in these axes.
-  const geom::Point at = known.front();
-  const geom::Vector along{std::cos(rollover.bedding.radians()), std::sin(rollover.bedding.radians())};
-  const geom::Vector turned = axes.turned(foot + along) - at;
-  const double slope = turned.y / turned.x;
-  const auto regional = [&](double q) { return at.y + slope * (q - at.x); };
-  // Corner by corner, on what has been found.
-  std::vector<geom::Point> fault = known;
-  for (const double q : corners_of(known, bed, shift)) {
-    if (q <= known.back().x + 1e-9 * shift) continue;
-    fault.push_back({q, height_on(fault, q - shift) + height_on(bed, q) - regional(q - shift)});
+  DOBRA_TRY_VOID(check_ascends(made.known, axes, "fault"));
+  DOBRA_TRY_VOID(check_ascends(made.bed, axes, "bed"));
+  return made;
+}
+
+/// The fault, corner by corner on what has been found.
+std::vector<geom::Point> chain_of(const TurnedRollover& rollover) {
+  std::vector<geom::Point> fault = rollover.known;
+  const double shift = rollover.shift;
+  for (const double q : corners_of(rollover.known, rollover.bed, shift)) {
+    if (q <= rollover.known.back().x + 1e-9 * shift) continue;
+    fault.push_back({q, height_on(fault, q - shift) + height_on(rollover.bed, q) - rollover.regional(q - shift)});
   }
-  for (const geom::Point p : fault) found.line.points.push_back(axes.back(p));
-  const double last = bed.back().x;
-  found.regional.points = {foot, axes.back({last, regional(last)})};
-  found.shift = shift / std::abs(turned.x);
-  const geom::Point before = axes.back({last - shift, height_on(fault, last - shift)});
-  const geom::Point end = found.line.points.back();
-  const geom::Vector chord = end - before;
-  found.end_dip = base::Angle::from_radians(std::abs(std::atan2(geom::cross(along, chord), std::abs(geom::dot(along, chord)))));
-  found.end = geom::midpoint(before, end);
+  return fault;
+}
+
+/// The area between regional, fault and bed, and the depth of a flat that it makes.
+void measure_area(const Rollover& rollover, PredictedFault& found) {
   geom::Polyline lost{rollover.known.points, true};
   lost.points.insert(lost.points.end(), rollover.bed.points.begin(), rollover.bed.points.end());
   lost.points.push_back(found.regional.points.back());
   found.lost_area = std::abs(geom::signed_area(lost));
   found.area_depth = found.lost_area / found.shift;
-  const geom::Vector down{along.y, -along.x};
-  found.area_place = found.regional.points.back() + found.area_depth * down;
+  found.area_place = found.regional.points.back() + found.area_depth * geom::right_of(direction_of(rollover.bedding));
+}
+
+}  // namespace
+
+base::Result<PredictedFault> fault_under(const Rollover& rollover) {
+  const ShearAxes plain(rollover.shear, false);
+  const bool to_minus = plain.turned(rollover.known.points.back()).x < plain.turned(rollover.known.points.front()).x;
+  const ShearAxes axes(rollover.shear, to_minus);
+  DOBRA_TRY(const TurnedRollover made, turned(rollover, axes));
+  PredictedFault found;
+  const double last = made.bed.back().x;
+  found.steps = static_cast<std::size_t>((last - made.known.back().x) / made.shift);
+  if (found.steps < 1 || found.steps > most_steps) {
+    return cannot(fmt::format("the rollover goes {} times the shift of {:.6g} m across the shear, where 1 to {} tell a "
+                              "fault; give a {} of the bed",
+                              found.steps, made.shift, most_steps, found.steps < 1 ? "longer part" : "shorter part"),
+                  rollover.bed.points.back(), "bed");
+  }
+  const std::vector<geom::Point> fault = chain_of(made);
+  for (const geom::Point p : fault) found.line.points.push_back(axes.back(p));
+  found.regional.points = {rollover.known.points.front(), axes.back({last, made.regional(last)})};
+  found.shift = made.shift / std::abs(made.bedding.x);
+  const geom::Point before = axes.back({last - made.shift, height_on(fault, last - made.shift)});
+  const geom::Vector along = direction_of(rollover.bedding);
+  const geom::Vector chord = found.line.points.back() - before;
+  found.end_dip =
+      base::Angle::from_radians(std::abs(std::atan2(geom::cross(along, chord), std::abs(geom::dot(along, chord)))));
+  found.end = geom::midpoint(before, found.line.points.back());
+  measure_area(rollover, found);
   return found;
 }
 

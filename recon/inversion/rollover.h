@@ -26,15 +26,15 @@ struct Rollover {
 };
 
 struct PredictedFault {
-  geom::Polyline line;        ///< From the footwall cutoff to the end of the rollover, down.
-  geom::Polyline regional;    ///< From the footwall cutoff to over that end.
-  double shift = 0.0;         ///< Along the regional direction, m, > 0: of what lies over a flat.
-  std::size_t steps = 0;      ///< How often the shift goes into the rollover: errors add up with each.
-  base::Angle end_dip;        ///< Over the last shift, from the bedding, >= 0.
-  geom::Point end;            ///< Middle of the last shift, on the fault.
-  double lost_area = 0.0;     ///< Between regional, fault and bed, m2.
-  double area_depth = 0.0;    ///< lost_area / shift: of the detachment under the regional, square to it, m.
-  geom::Point area_place;     ///< There, under the end of the rollover.
+  geom::Polyline line;      ///< From the footwall cutoff to the end of the rollover, down.
+  geom::Polyline regional;  ///< From the footwall cutoff to over that end.
+  double shift = 0.0;       ///< Along the regional direction, m, > 0: of what lies over a flat.
+  std::size_t steps = 0;    ///< How often the shift goes into the rollover: errors add up with each.
+  base::Angle end_dip;      ///< Over the last shift, from the bedding, >= 0.
+  geom::Point end;          ///< Middle of the last shift, on the fault.
+  double lost_area = 0.0;   ///< Between regional, fault and bed, m2.
+  double area_depth = 0.0;  ///< lost_area / shift: of the detachment under the regional, square to it, m.
+  geom::Point area_place;   ///< There, under the end of the rollover.
 };
 
 /// @error CannotRestore with the place: the bed or the fault turns back along the direction of shear, cutoffs that are

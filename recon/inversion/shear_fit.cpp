@@ -36,10 +36,10 @@ base::Result<ShearTask> shear_task(const section::Section& section, const std::v
   if (fault->undecided) return *fault->undecided;
   const kinematics::FaultPath path = fault->path;
   if (path.level) {
-    return base::Error{base::ErrorCode::BadSection,
-                       fmt::format("the ends of fault '{}' are equally high, so that up is neither way along it",
-                                   fault->name),
-                       place_at(path.line.points.front(), "fault")};
+    return base::Error{
+        base::ErrorCode::BadSection,
+        fmt::format("the ends of fault '{}' are equally high, so that up is neither way along it", fault->name),
+        place_at(path.line.points.front(), "fault")};
   }
   const double arc = measured_at(section, all, *fault);
   geom::Box box;

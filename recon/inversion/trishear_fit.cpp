@@ -36,10 +36,11 @@ base::Result<DrawnRamp> drawn_ramp(const section::Section& section, const std::s
   DOBRA_TRY(const faults::Fault* fault, faults::find_fault(all, name));
   const kinematics::FaultPath& path = fault->path;
   if (!path.tip_at_begin && !path.tip_at_end) {
-    return base::Error{base::ErrorCode::BadSection,
-                       fmt::format("fault '{}' has no tip in the section, and trishear takes place in front of one; give "
-                                   "tip_x, tip_z and ramp instead of the fault",
-                                   name)};
+    return base::Error{
+        base::ErrorCode::BadSection,
+        fmt::format("fault '{}' has no tip in the section, and trishear takes place in front of one; give "
+                    "tip_x, tip_z and ramp instead of the fault",
+                    name)};
   }
   const std::vector<geom::Point>& points = path.line.points;
   const geom::Point tip = path.tip_at_end ? points.back() : points.front();

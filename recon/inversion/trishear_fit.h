@@ -1,5 +1,5 @@
 #pragma once
-// Trishear from the shapes of beds. Page: docs/algorithms/inversion.md. Source: [allmendinger1998], [cardozo2011].
+// Trishear from the shapes of beds. Page: docs/algorithms/inversion.md. Source: [allmendinger1998], [cardozo2009].
 
 #include "recon/inversion/fit.h"
 #include "recon/inversion/invert_params.h"
@@ -9,8 +9,8 @@ namespace recon::inversion {
 /// The values in the order of the unknowns.
 enum TrishearValue : std::size_t { TipX, TipZ, Ramp, Propagation, Apical, Slip, Concentration, trishear_values };
 
-/// tip_x, tip_z [m] of the tip as it is, ramp [deg], propagation, apical [deg], slip [m], concentration. The hanging wall
-/// is the side above the ramp.
+/// tip_x, tip_z [m] of the tip as it is, ramp [deg], propagation, apical [deg], slip [m], concentration. The hanging
+/// wall is the side above the ramp.
 Model trishear_model(double size);
 
 /// Their limits: as given, those of the fault named, or made from the box of the beds.

@@ -12,10 +12,10 @@ namespace base = dobra::base;
 namespace recon::kinematics {
 
 struct BendFold {
-  base::Angle theta;        ///< Cutoff: from the segment before the bend to the beds, > 0 if the fault climbs through them.
-  base::Angle phi;          ///< How much flatter the fault is behind the bend; negative: steeper.
-  base::Angle gamma;        ///< From the beds before the bend to the axial plane.
-  base::Angle beta;         ///< Cutoff behind the bend.
+  base::Angle theta;  ///< Cutoff: from the segment before the bend to the beds, > 0 if the fault climbs through them.
+  base::Angle phi;    ///< How much flatter the fault is behind the bend; negative: steeper.
+  base::Angle gamma;  ///< From the beds before the bend to the axial plane.
+  base::Angle beta;   ///< Cutoff behind the bend.
   double slip_ratio = 1.0;  ///< Slip behind the bend a metre of slip before it.
 };
 

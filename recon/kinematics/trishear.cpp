@@ -24,8 +24,8 @@ struct Zone {
   double s;            ///< Concentration.
   double time;         ///< +1: slip grows, -1: it goes back.
   double half_over = 0.5 / (1.0 + s);
-  double side = 1.0;   ///< Sign of z.
-  std::size_t rows = 5;  ///< Of the extrapolation.
+  double side = 1.0;                         ///< Sign of z.
+  std::size_t rows = 5;                      ///< Of the extrapolation.
   std::optional<std::size_t> variable = {};  ///< Of the state, instead of sigma: steps end where it has a given value.
 
   [[nodiscard]] double power() const { return std::max(s, 1.0); }
@@ -34,7 +34,7 @@ struct Zone {
   [[nodiscard]] State rate(const State& at) const {
     const double k = power();
     const double z = std::max(side * at[0], 0.0);
-    const double root = raised(z, k / s);              // e^(1/s)
+    const double root = raised(z, k / s);  // e^(1/s)
     const double e = raised(z, k);
     const double along = sense * 0.5 * (side * root + 1.0) - propagation;
     const double across = sense * (e * root - 1.0) * half_over;
@@ -142,14 +142,16 @@ void through_zone(Zone zone, double tolerance, double& x, double& e, double& lef
   if (e == 0.0) zone.side = -zone.sense * zone.time;  // at e = 0 it goes towards this side
   State at{zone.side * std::pow(std::abs(e), 1.0 / k), 1.0, 0.0};
   const double goal = left / x;
-  const double order = 1.0 / (2.0 * static_cast<double>(zone.rows) - 1.0);
+  const auto grown = [&](double by) {
+    return 0.9 * std::pow(tolerance / by, 1.0 / (2.0 * static_cast<double>(zone.rows) - 1.0));
+  };
   double h = 0.1;
   double error = 0.0;
   bool ended = true;
   for (int steps = 0; steps < 100000; ++steps) {
     const State next = zone.step(at, h, error);
     if (error > tolerance && h > 1e-14) {
-      h *= std::clamp(0.9 * std::pow(tolerance / error, order), 0.1, 0.9);
+      h *= std::clamp(grown(error), 0.1, 0.9);
       continue;
     }
     const bool past_end = next[2] >= goal;
@@ -157,7 +159,7 @@ void through_zone(Zone zone, double tolerance, double& x, double& e, double& lef
     const bool past_side = std::abs(next[0]) > 1.0;
     if (!past_end && !past_middle && !past_side) {
       at = next;
-      h *= std::clamp(0.9 * std::pow(tolerance / std::max(error, 1e-30), order), 0.5, 3.0);
+      h *= std::clamp(grown(std::max(error, 1e-30)), 0.5, 3.0);
       continue;
     }
     // The first of what the step passes.
@@ -165,9 +167,8 @@ void through_zone(Zone zone, double tolerance, double& x, double& e, double& lef
     const auto over_middle = [&](const State& state) { return past_middle ? -zone.side * state[0] : -1.0; };
     const auto over_side = [&](const State& state) { return past_side ? std::abs(state[0]) - 1.0 : -1.0; };
     const bool one = int{past_end} + int{past_middle} + int{past_side} == 1;
-    const std::size_t variable = past_end ? 2 : 0;
     const double value = past_end ? goal : past_middle ? 0.0 : zone.side;
-    const std::optional<State> onto = one ? step_onto(zone, at, variable, value, tolerance) : std::nullopt;
+    const auto onto = one ? step_onto(zone, at, past_end ? 2 : 0, value, tolerance) : std::nullopt;
     at = onto ? *onto : step_to(zone, at, h, [&](const State& state) {
       return std::max({after_end(state), over_middle(state), over_side(state)});
     });
@@ -187,15 +188,16 @@ base::Result<TrishearMap> TrishearMap::make(geom::Point tip, geom::Vector direct
                                             const TrishearParams& params, const TrishearTolerances& tolerances) {
   const double apical = params.apical.degrees();
   if (!(apical > 0.0 && apical < 180.0)) {
-    return refused(fmt::format("the triangle of trishear has an angle of 0 to 180 degrees, not of {:.6g}; change apical",
-                               apical),
-                   tip);
+    return refused(
+        fmt::format("the triangle of trishear has an angle of 0 to 180 degrees, not of {:.6g}; change apical", apical),
+        tip);
   }
   if (!(params.propagation >= 0.0) || !(params.concentration > 0.0)) {
-    return refused(fmt::format("trishear has P/S >= 0 and a concentration > 0, not {:.6g} and {:.6g}; change propagation "
-                               "or concentration",
-                               params.propagation, params.concentration),
-                   tip);
+    return refused(
+        fmt::format("trishear has P/S >= 0 and a concentration > 0, not {:.6g} and {:.6g}; change propagation "
+                    "or concentration",
+                    params.propagation, params.concentration),
+        tip);
   }
   TrishearMap map;
   map.tip_ = tip;
@@ -332,10 +334,11 @@ base::Result<TrishearMap> trishear(const FaultPath& path, double slip, const Tri
   const double travel = params.propagation * std::abs(slip);
   const double needed = std::abs(slip) + (drawn == DrawnTip::After ? travel : 0.0);
   if (points.size() > 2 && geom::distance(bend, end) < needed) {
-    return refused(fmt::format("the fault bends here, {:.6g} m from its tip, where trishear needs it straight for {:.6g} m "
-                               "(slip {}); give less slip, or draw the last piece straighter",
-                               geom::distance(bend, end), needed, drawn == DrawnTip::After ? "and the way of the tip" : ""),
-                   bend);
+    return refused(
+        fmt::format("the fault bends here, {:.6g} m from its tip, where trishear needs it straight for {:.6g} m "
+                    "(slip {}); give less slip, or draw the last piece straighter",
+                    geom::distance(bend, end), needed, drawn == DrawnTip::After ? "and the way of the tip" : ""),
+        bend);
   }
   const Side side = (path.hanging == Side::Left) != at_begin ? Side::Left : Side::Right;
   const geom::Point tip = drawn == DrawnTip::After ? end - travel * direction : end;

@@ -2938,6 +2938,44 @@
     <message>
         <source>Of trishear: the full angle of the triangle.</source>
         <translation>Do trishear: o ângulo inteiro do triângulo.</translation>
+        <source>Kinematics from beds</source>
+        <translation>Cinemática a partir de camadas</translation>
+    </message>
+    <message>
+        <source>Finds the values of trishear, or of inclined shear, that take the beds of a fold back to straight lines best.</source>
+        <translation>Encontra os valores de trishear, ou de cisalhamento inclinado, que melhor levam as camadas de uma dobra de volta a linhas retas.</translation>
+    </message>
+    <message>
+        <source>trishear: a fold in front of the tip of a fault; shear: inclined simple shear over a known fault.</source>
+        <translation>trishear: uma dobra à frente da ponta de uma falha; shear: cisalhamento simples inclinado sobre uma falha conhecida.</translation>
+    </message>
+    <message>
+        <source>Horizons, pieces and all, that are to become straight; by default all.</source>
+        <translation>Horizontes, com todos os seus trechos, que devem ficar retos; por padrão todos.</translation>
+    </message>
+    <message>
+        <source>Of shear: over which it goes; of trishear: whose tip and ramp are taken.</source>
+        <translation>Do cisalhamento: sobre a qual ele se dá; do trishear: da qual se tomam a ponta e a rampa.</translation>
+    </message>
+    <message>
+        <source>Tip x</source>
+        <translation>x da ponta</translation>
+    </message>
+    <message>
+        <source>Of trishear: of the tip as it is; one number fixes it, two are limits.</source>
+        <translation>Do trishear: da ponta como está; um número a fixa, dois são limites.</translation>
+    </message>
+    <message>
+        <source>Tip z</source>
+        <translation>z da ponta</translation>
+    </message>
+    <message>
+        <source>Ramp</source>
+        <translation>Rampa</translation>
+    </message>
+    <message>
+        <source>Of trishear: direction in which the tip goes, anticlockwise from +x; one number or limits.</source>
+        <translation>Do trishear: direção em que a ponta avança, anti-horária a partir de +x; um número ou limites.</translation>
     </message>
     <message>
         <source>P/S</source>
@@ -2946,6 +2984,16 @@
     <message>
         <source>Of trishear: how far the tip goes a metre of slip.</source>
         <translation>Do trishear: quanto a ponta avança por metro de rejeito.</translation>
+        <source>Of trishear: how far the tip goes a metre of slip; one number or limits.</source>
+        <translation>Do trishear: quanto a ponta avança por metro de deslizamento; um número ou limites.</translation>
+    </message>
+    <message>
+        <source>Of trishear: the full angle of the triangle; one number or limits.</source>
+        <translation>Do trishear: o ângulo inteiro do triângulo; um número ou limites.</translation>
+    </message>
+    <message>
+        <source>That made the fold, along the fault; positive raised the hanging wall. One number or limits.</source>
+        <translation>O que fez a dobra, ao longo da falha; positivo ergueu a capa. Um número ou limites.</translation>
     </message>
     <message>
         <source>Concentration</source>
@@ -2962,6 +3010,12 @@
     <message>
         <source>Of a fault-propagation fold whose fault has its flat alone yet.</source>
         <translation>De uma dobra de propagação de falha cuja falha só tem ainda o patamar.</translation>
+        <source>Of trishear: one number or limits; by default 1.</source>
+        <translation>Do trishear: um número ou limites; por padrão 1.</translation>
+    </message>
+    <message>
+        <source>Of shear: its direction from the vertical, positive leaning to +x; one number or limits.</source>
+        <translation>Do cisalhamento: a sua direção a partir da vertical, positiva inclinada para +x; um número ou limites.</translation>
     </message>
     <message>
         <source>Bedding</source>
@@ -3048,6 +3102,152 @@
     <message>
         <source>Pins</source>
         <translation>Pinos</translation>
+        <source>Direction that restored beds have, anticlockwise from +x; by default each bed has its own.</source>
+        <translation>Direção que as camadas restauradas têm, anti-horária a partir de +x; por padrão cada camada tem a sua.</translation>
+    </message>
+    <message>
+        <source>Of the limits.</source>
+        <translation>Dos limites.</translation>
+    </message>
+    <message>
+        <source>Map of the misfit</source>
+        <translation>Mapa do desajuste</translation>
+    </message>
+    <message>
+        <source>Two of the values that are sought, one after the other, such as propagation and apical.</source>
+        <translation>Dois dos valores procurados, um após o outro, como propagation e apical.</translation>
+    </message>
+    <message>
+        <source>Points of the map</source>
+        <translation>Pontos do mapa</translation>
+    </message>
+    <message>
+        <source>Along each side.</source>
+        <translation>Ao longo de cada lado.</translation>
+    </message>
+    <message>
+        <source>Of the search.</source>
+        <translation>Da busca.</translation>
+    </message>
+    <message>
+        <source>Generations</source>
+        <translation>Gerações</translation>
+    </message>
+    <message>
+        <source>Of the search, at the most.</source>
+        <translation>Da busca, no máximo.</translation>
+    </message>
+    <message>
+        <source>Ramp found</source>
+        <translation>Rampa encontrada</translation>
+    </message>
+    <message>
+        <source>Trishear zone</source>
+        <translation>Zona de trishear</translation>
+    </message>
+    <message>
+        <source>Kinematics found</source>
+        <translation>Cinemática encontrada</translation>
+    </message>
+    <message>
+        <source>Beds restored</source>
+        <translation>Camadas restauradas</translation>
+    </message>
+    <message>
+        <source>misfit [m]</source>
+        <translation>desajuste [m]</translation>
+    </message>
+    <message>
+        <source>Misfit</source>
+        <translation>Desajuste</translation>
+    </message>
+    <message>
+        <source>Region of confidence</source>
+        <translation>Região de confiança</translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation>Melhor</translation>
+    </message>
+    <message>
+        <source>Prediction</source>
+        <translation>Previsão</translation>
+    </message>
+    <message>
+        <source>The deep part of a fault from a rollover, a rollover over a fault, or the angles of a fold from its dips.</source>
+        <translation>A parte profunda de uma falha a partir de um rollover, um rollover sobre uma falha, ou os ângulos de uma dobra a partir dos seus mergulhos.</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>O quê</translation>
+    </message>
+    <message>
+        <source>fault: the deep part of a normal fault from the rollover of a bed; rollover: a bed over a known fault; the folds: their angles from the dips of their limbs.</source>
+        <translation>fault: a parte profunda de uma falha normal a partir do rollover de uma camada; rollover: uma camada sobre uma falha conhecida; as dobras: os seus ângulos a partir dos mergulhos dos flancos.</translation>
+    </message>
+    <message>
+        <source>Of fault and rollover: its name.</source>
+        <translation>De fault e rollover: o seu nome.</translation>
+    </message>
+    <message>
+        <source>Bed</source>
+        <translation>Camada</translation>
+    </message>
+    <message>
+        <source>Horizon that has cutoffs on the fault; of rollover: that on the footwall.</source>
+        <translation>Horizonte que tem terminações na falha; do rollover: a da lapa.</translation>
+    </message>
+    <message>
+        <source>Elevation</source>
+        <translation>Cota</translation>
+    </message>
+    <message>
+        <source>Of rollover, instead of a bed: of the regional at the fault.</source>
+        <translation>Do rollover, em vez de uma camada: do regional na falha.</translation>
+    </message>
+    <message>
+        <source>Of rollover: along the fault at the regional; negative lets the hanging wall down.</source>
+        <translation>Do rollover: ao longo da falha no regional; negativo abaixa a capa.</translation>
+    </message>
+    <message>
+        <source>Of rollover, instead: horizontally; negative lets the hanging wall down.</source>
+        <translation>Do rollover, em vez disso: na horizontal; negativo abaixa a capa.</translation>
+    </message>
+    <message>
+        <source>Direction of shear from the vertical, positive leaning to +x.</source>
+        <translation>Direção do cisalhamento a partir da vertical, positiva inclinada para +x.</translation>
+    </message>
+    <message>
+        <source>Direction of the regional, anticlockwise from +x.</source>
+        <translation>Direção do regional, anti-horária a partir de +x.</translation>
+    </message>
+    <message>
+        <source>Dip of the backlimb</source>
+        <translation>Mergulho do flanco traseiro</translation>
+    </message>
+    <message>
+        <source>Of the folds: from the level beds.</source>
+        <translation>Das dobras: a partir das camadas horizontais.</translation>
+    </message>
+    <message>
+        <source>Dip of the forelimb</source>
+        <translation>Mergulho do flanco frontal</translation>
+    </message>
+    <message>
+        <source>Of the folds: from the level beds; above 90 it is overturned.</source>
+        <translation>Das dobras: a partir das camadas horizontais; acima de 90 está invertido.</translation>
+    </message>
+    <message>
+        <source>Regional</source>
+        <translation>Regional</translation>
+    </message>
+    <message>
+        <source>Bed predicted</source>
+        <translation>Camada prevista</translation>
+    </message>
+    <message>
+        <source>Fault predicted</source>
+        <translation>Falha prevista</translation>
     </message>
 </context>
 </TS>

@@ -63,8 +63,12 @@ TEST(Invert, TheKnownValuesOfNoisyBedsLieWithinTheLimitsOfConfidence) {
   const Fit fit = fit_of(test::folded_beds(known, {200, 350, 500}, 41, 1.5), params);
   EXPECT_NEAR(fit.rms, 1.5, 0.3);
   ASSERT_TRUE(fit.region);
-  for (const auto& [key, value] : {std::pair{"tip_x", known.tip.x}, {"tip_z", known.tip.y}, {"ramp", known.ramp},
-                                   {"propagation", known.propagation}, {"apical", known.apical}, {"slip", known.slip}}) {
+  for (const auto& [key, value] : {std::pair{"tip_x", known.tip.x},
+                                   {"tip_z", known.tip.y},
+                                   {"ramp", known.ramp},
+                                   {"propagation", known.propagation},
+                                   {"apical", known.apical},
+                                   {"slip", known.slip}}) {
     const Estimate& one = test::estimate(fit, key);
     EXPECT_LE(one.low.value_or(one.unknown.low), value) << key;
     EXPECT_GE(one.high.value_or(one.unknown.high), value) << key;
@@ -87,8 +91,41 @@ TEST(Invert, LimitsThatExcludeTheTruthAreNamed) {
   EXPECT_TRUE(test::tells(fit.remarks, "the best ramp lies at a limit of the search, 35 deg"));
 }
 
-/// Two pieces of one bed on both sides of a straight fault that dips 45 degrees to +x; the hanging wall, to the right, is
-/// down by `slip` along it.
+TEST(Invert, ADrawnFaultGivesTipAndRampAndOneWithoutATipIsRefused) {
+  const KnownTrishear known;
+  section::Section section = test::folded_beds(known, {200, 400}, 31);
+  section::SectionLine fault;
+  fault.id = section::LineId(0);
+  fault.name = "ramp";
+  const double angle = known.ramp * std::numbers::pi / 180.0;
+  fault.line.points = {known.tip - 1500.0 * geom::Vector{std::cos(angle), std::sin(angle)}, known.tip};
+  section.lines.push_back(fault);
+  InvertParams params = test::limits_about(known);
+  params.tip_x = params.tip_z = params.ramp = {};
+  params.fault = "ramp";
+  const Fit fit = fit_of(section, params);
+  EXPECT_TRUE(test::estimate(fit, "tip_x").unknown.fixed() && test::estimate(fit, "ramp").unknown.fixed());
+  expect_known(fit, known, 1e-4);
+  section.lines[0].line.points.back() = {3000, 3000 * std::tan(angle)};
+  EXPECT_NE(refusal(section, params).find("fault 'ramp' has no tip in the section"), std::string::npos);
+}
+
+TEST(Invert, BeddingHoldsTheDirectionOfTheRestoredBeds) {
+  const KnownTrishear known;
+  const section::Section section = test::folded_beds(known, {200, 400}, 31);
+  InvertParams params = test::limits_about(known);
+  params.tip_x = {known.tip.x};
+  params.tip_z = {known.tip.y};
+  params.bedding = base::Angle::from_degrees(0);
+  expect_known(fit_of(section, params), known, 1e-4);
+  params.bedding = base::Angle::from_degrees(5);
+  const Fit tilted = fit_of(section, params);
+  EXPECT_GT(tilted.rms, 1.0);
+  for (const BedMisfit& bed : tilted.beds) EXPECT_NEAR(bed.dip.degrees(), 5.0, 1e-9);
+}
+
+/// Two pieces of one bed on both sides of a straight fault that dips 45 degrees to +x; the hanging wall, to the right,
+/// is down by `slip` along it.
 section::Section cut_by_a_plane(double slip) {
   const double d = slip / std::sqrt(2.0);
   section::Section section;
@@ -184,7 +221,8 @@ TEST(Invert, WhatTheMethodHasNoUseForAndLimitsThatAreNoneAreRefused) {
   EXPECT_NE(refusal(section, params).find("the lesser one first, not [300, 100]"), std::string::npos);
   params = {};
   params.map = {"apical", "concentration"};
-  EXPECT_NE(refusal(section, params).find("'map' takes two different values of those that are sought"), std::string::npos);
+  EXPECT_NE(refusal(section, params).find("'map' takes two different values of those that are sought"),
+            std::string::npos);
   params = {};
   params.horizon = {"bed 2"};
   EXPECT_NE(refusal(section, params).find("no horizon 'bed 2'"), std::string::npos);

@@ -21,7 +21,7 @@ base::Angle deg(double value) { return base::Angle::from_degrees(value); }
 /// The fault w = W(q) of straight pieces and the bed that a level regional z = 0 becomes over it, every point moved by
 /// the closed form; mirrored: x turned round.
 struct KnownRollover {
-  double shear = 0.0;   ///< Degrees.
+  double shear = 0.0;    ///< Degrees.
   double shift = 300.0;  ///< Across the shear.
   double flat = -1000.0;
   bool mirrored = false;
@@ -157,6 +157,25 @@ TEST(Predict, AFaultFromTheRolloverOfASectionAgreesWithTheFaultDrawn) {
   }
 }
 
+TEST(Predict, TheAreasLostByTwoBedsTellTheDetachmentAndTheDisplacement) {
+  const KnownRollover known;
+  section::Section section = section_of(known, 6000);
+  // A second bed 300 m lower, by the closed form: its footwall cutoff is where the fault is at -300.
+  const double cut = 200.0 * 300.0 / 350.0;
+  test::add_horizon("B (1)", {{-2000, -300}, {cut, -300}}, section);
+  std::vector<geom::Point> bed;
+  for (int i = 0; i <= 600; ++i) bed.push_back(known.moved({cut + 10.0 * i, -300}));
+  test::add_horizon("B (2)", bed, section);
+  section.horizons[2].piece_of = section.horizons[3].piece_of = "B";
+  PredictParams params;
+  params.what = Prediction::Fault;
+  params.fault = "F";
+  params.horizon = "A";
+  auto found = figures(section, params);
+  EXPECT_NEAR(found.at("detachment_by_area_depth"), -1000.0, 0.5);  // 10 m chords at corners
+  EXPECT_NEAR(found.at("displacement_by_area_depth"), 300.0, 0.3);
+}
+
 TEST(Predict, ARolloverOverAFaultIsThatOfTheClosedForm) {
   for (const bool mirrored : {false, true}) {
     KnownRollover known;
@@ -203,8 +222,8 @@ TEST(Predict, WhatIsMissingOrOfNoUseIsRefused) {
   EXPECT_NE(refused(params).find("give the dip of the backlimb"), std::string::npos);
 }
 
-/// How far a bend is from keeping thickness on both sides of its axial plane, by projecting the unit bed: the beds before
-/// and behind the plane are its mirror images, and the flux through the plane is kept.
+/// How far a bend is from keeping thickness on both sides of its axial plane, by projecting the unit bed: the beds
+/// before and behind the plane are its mirror images, and the flux through the plane is kept.
 double flux_step(const kinematics::BendFold& fold) {
   const double theta = fold.theta.radians(), gamma = fold.gamma.radians();
   return std::sin(gamma - theta) - fold.slip_ratio * std::sin(gamma - theta + fold.phi.radians());
@@ -241,7 +260,8 @@ TEST(Predict, BothDipsGiveTheBendOfTheFaultBySuppesOtherEquation) {
     EXPECT_NEAR(folds[0].phi.degrees(), phi, 1e-6);
     const double g = folds[0].gamma.radians(), t = theta * pi / 180;
     const double bracket = std::sin(2 * g - t) - std::sin(t);
-    const double by_suppe = std::atan(-std::sin(g - t) * bracket / (std::cos(g - t) * bracket - std::sin(g))) * 180 / pi;
+    const double by_suppe =
+        std::atan(-std::sin(g - t) * bracket / (std::cos(g - t) * bracket - std::sin(g))) * 180 / pi;
     EXPECT_NEAR(by_suppe < 0 ? by_suppe + 180 : by_suppe, phi, 1e-6);
   }
   EXPECT_FALSE(bend_folds_of({deg(60), deg(100)}));
