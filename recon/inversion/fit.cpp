@@ -392,6 +392,22 @@ base::Result<void> check_beds(const std::vector<BedShape>& beds, const Box& box,
   return {};
 }
 
+/// The limits of confidence, which were found about another place than the best, and the region of all free values.
+void set_limits(const Box& box, const Limits& limits, const Minimum& about, const Minimum& best, const Scale& scale,
+                double confidence, Fit& fit) {
+  for (std::size_t k = 0; k < box.dimension(); ++k) {
+    Estimate& estimate = fit.estimates[box.free()[k]];
+    const auto shifted = [&](double limit) {
+      return box.value(k, std::clamp(best.at[k] + limit - about.at[k], 0.0, 1.0));
+    };
+    if (limits.sides[k][0].limit) estimate.low = shifted(*limits.sides[k][0].limit);
+    if (limits.sides[k][1].limit) estimate.high = shifted(*limits.sides[k][1].limit);
+  }
+  const double joint =
+      static_cast<double>(box.dimension()) * quantile_of_f(box.dimension(), fit.freedom, confidence) / fit.freedom;
+  fit.region = root_mean(fit.sum + joint * scale.least, fit.points);
+}
+
 /// Local on all points; the limits, on some of the points and about the least sum of these, are shifted to it.
 base::Result<void> fit_from(const std::vector<BedShape>& beds, const Box& box, const Model& model,
                             const FitOptions& options, std::vector<double> start, const base::Progress& progress,
@@ -410,20 +426,13 @@ base::Result<void> fit_from(const std::vector<BedShape>& beds, const Box& box, c
     const Matrix valley = covariance(residuals, about.at, scale);
     DOBRA_TRY(const Limits limits, limits_of(residuals, about, valley, scale, options.confidence, progress));
     if (scale.statistic(limits.better.sum, about.sum) < -0.01 && round < 2) {
-      DOBRA_TRY(best, descend(all, limits.better.at, {.most_steps = 100}, progress));
-      continue;
+      DOBRA_TRY(Minimum next, descend(all, limits.better.at, {.most_steps = 100}, progress));
+      if (next.sum < best.sum) {
+        best = std::move(next);
+        continue;
+      }
     }
-    for (std::size_t k = 0; k < box.dimension(); ++k) {
-      Estimate& estimate = fit.estimates[box.free()[k]];
-      const auto shifted = [&](double limit) {
-        return box.value(k, std::clamp(best.at[k] + limit - about.at[k], 0.0, 1.0));
-      };
-      if (limits.sides[k][0].limit) estimate.low = shifted(*limits.sides[k][0].limit);
-      if (limits.sides[k][1].limit) estimate.high = shifted(*limits.sides[k][1].limit);
-    }
-    const double joint = static_cast<double>(box.dimension()) *
-                         quantile_of_f(box.dimension(), fit.freedom, options.confidence) / fit.freedom;
-    fit.region = root_mean(fit.sum + joint * scale.least, fit.points);
+    set_limits(box, limits, about, best, scale, options.confidence, fit);
     tell_trade_offs(valley, box, fit);
     break;
   }

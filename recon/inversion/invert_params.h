@@ -39,9 +39,13 @@ struct InvertParams {
               .help = "trishear: a fold in front of the tip of a fault; shear: inclined simple shear over a known "
                       "fault."});
     d.field("horizon", &InvertParams::horizon,
-            {.title = "Beds", .help = "Horizons, pieces and all, that are to become straight; by default all."});
+            {.title = "Beds",
+             .help = "Horizons, pieces and all, that are to become straight; by default all.",
+             .names = "horizon"});
     d.field("fault", &InvertParams::fault,
-            {.title = "Fault", .help = "Of shear: over which it goes; of trishear: whose tip and ramp are taken."});
+            {.title = "Fault",
+             .help = "Of shear: over which it goes; of trishear: whose tip and ramp are taken.",
+             .names = "fault"});
     d.field("tip_x", &InvertParams::tip_x,
             {.title = "Tip x",
              .help = "Of trishear: of the tip as it is; one number fixes it, two are limits.",

@@ -34,9 +34,12 @@ struct PredictParams {
               .help = "fault: the deep part of a normal fault from the rollover of a bed; rollover: a bed over a known "
                       "fault; the folds: their angles from the dips of their limbs.",
               .presence = Presence::Required});
-    d.field("fault", &PredictParams::fault, {.title = "Fault", .help = "Of fault and rollover: its name."});
+    d.field("fault", &PredictParams::fault,
+            {.title = "Fault", .help = "Of fault and rollover: its name.", .names = "fault"});
     d.field("horizon", &PredictParams::horizon,
-            {.title = "Bed", .help = "Horizon that has cutoffs on the fault; of rollover: that on the footwall."});
+            {.title = "Bed",
+             .help = "Horizon that has cutoffs on the fault; of rollover: that on the footwall.",
+             .names = "horizon"});
     d.field(
         "elevation", &PredictParams::elevation,
         {.title = "Elevation", .help = "Of rollover, instead of a bed: of the regional at the fault.", .unit = "m"});
