@@ -145,12 +145,13 @@ void through_zone(Zone zone, double tolerance, double& x, double& e, double& lef
   const auto grown = [&](double by) {
     return 0.9 * std::pow(tolerance / by, 1.0 / (2.0 * static_cast<double>(zone.rows) - 1.0));
   };
+  constexpr double at_tip = 1e-15;  // of the distance from the tip at first
   double h = 0.1;
   double error = 0.0;
   bool ended = true;
   for (int steps = 0; steps < 100000; ++steps) {
     const State next = zone.step(at, h, error);
-    if (error > tolerance && h > 1e-14) {
+    if (!(error <= tolerance) && h > 1e-14) {  // nor where a trial has left what numbers can hold
       h *= std::clamp(grown(error), 0.1, 0.9);
       continue;
     }
@@ -159,6 +160,7 @@ void through_zone(Zone zone, double tolerance, double& x, double& e, double& lef
     const bool past_side = std::abs(next[0]) > 1.0;
     if (!past_end && !past_middle && !past_side) {
       at = next;
+      if (at[1] < at_tip) break;  // the tip takes it along
       h *= std::clamp(grown(std::max(error, 1e-30)), 0.5, 3.0);
       continue;
     }

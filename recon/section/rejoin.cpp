@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "shared/geom/predicates.h"
@@ -46,31 +47,42 @@ geom::Point place_on(geom::Polyline& line, std::size_t segment, geom::Point p, d
   return at;
 }
 
+/// Takes an end of `own` to the first of the others that is within reach, unless it is on one of them.
+/// @return whether it is on one now.
+bool rejoin_end(std::span<const Line> others, const Line& own, geom::Point& end, double reach) {
+  std::vector<geom::Polyline*> near;
+  for (const Line& other : others) {
+    if (&other != &own && other.box.overlaps({end, end})) near.push_back(other.line);
+  }
+  if (std::any_of(near.begin(), near.end(), [&](const geom::Polyline* line) { return is_on(*line, end); })) return true;
+  for (geom::Polyline* line : near) {
+    const auto segment = segment_near(*line, end, reach);
+    if (!segment) continue;
+    end = place_on(*line, *segment, end, reach);
+    return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 void rejoin_ends(Section& section, double reach) {
-  std::vector<Line> lines;  // faults first: they part what ends on them
+  std::vector<Line> lines;
   const auto add = [&](geom::Polyline& line) { lines.push_back({&line, line.box().grown(reach)}); };
   for (SectionLine& line : section.lines) {
     if (line.kind == LineKind::Fault) add(line.line);
   }
   for (Horizon& horizon : section.horizons) add(horizon.line);
+  const std::size_t faults = std::count_if(section.lines.begin(), section.lines.end(),
+                                           [](const SectionLine& line) { return line.kind == LineKind::Fault; });
   for (const Line& own : lines) {
     if (own.line->closed) continue;
     for (const bool first : {true, false}) {
-      const geom::Point p = first ? own.line->points.front() : own.line->points.back();
-      std::vector<geom::Polyline*> near;
-      for (const Line& other : lines) {
-        if (&other != &own && other.box.overlaps({p, p})) near.push_back(other.line);
-      }
-      if (std::any_of(near.begin(), near.end(), [&](const geom::Polyline* line) { return is_on(*line, p); })) continue;
-      for (geom::Polyline* line : near) {
-        const auto segment = segment_near(*line, p, reach);
-        if (!segment) continue;
-        const geom::Point at = place_on(*line, *segment, p, reach);
-        (first ? own.line->points.front() : own.line->points.back()) = at;
-        break;
-      }
+      geom::Point end = first ? own.line->points.front() : own.line->points.back();
+      // Faults part what ends on them, whatever else meets there.
+      if (!rejoin_end({lines.data(), faults}, own, end, reach))
+        rejoin_end({lines.data() + faults, lines.size() - faults}, own, end, reach);
+      (first ? own.line->points.front() : own.line->points.back()) = end;
     }
   }
 }
