@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "recon/cli/geometry_json.h"
-#include "recon/core/blockwise_report.h"
 #include "recon/core/operations.h"
+#include "recon/core/report.h"
 
 namespace recon::cli {
 

@@ -70,9 +70,10 @@ Result<scenario::Step> blockwise_step(Session& session, const RestoreOptions& op
   }
   if (target_line != "flat") return refuse("--target " + target_line);
   if (options.errors.any()) {
-    return base::Error{base::ErrorCode::BadUsage,
-                       "error bars (--draws and what belongs to it) are drawn of a section as a whole, not with --block "
-                       "or --jigsaw"};
+    return base::Error{
+        base::ErrorCode::BadUsage,
+        "error bars (--draws and what belongs to it) are drawn of a section as a whole, not with --block "
+        "or --jigsaw"};
   }
   return restore;
 }

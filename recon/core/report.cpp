@@ -139,6 +139,14 @@ std::vector<balance::UnitRow> unit_rows(const Model& model) {
   return wholes;
 }
 
+std::vector<RowCell> cells_of(const jigsaw::RestoredFault& fault) {
+  const auto if_measured = [&](double value) { return fault.measured ? std::optional(value) : std::nullopt; };
+  return {{"gap_area", "m2", if_measured(fault.opening.gap)},
+          {"overlap_area", "m2", if_measured(fault.opening.overlap)},
+          {"dip_restored", "deg", fault.dip},
+          {"shortening", "m", fault.shortening}};
+}
+
 std::vector<RowCell> cells_of(const balance::LineLength& row) {
   return {{"length_before", "m", row.length_before},
           {"length_after", "m", row.length_after},

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
 #include "recon/balance/face_ledger.h"
-#include "recon/core/blockwise_report.h"
 #include "recon/core/chain.h"
 #include "recon/core/report.h"
 #include "recon/core/section_picture.h"
@@ -291,6 +291,72 @@ scene::Panel panel_after(const Model& model, const section::Palette& palette,
                                      restoration.section, palette, std::move(parts));
   add_column(panel, restoration.section, palette, units, restoration.ledger.units);
   return panel;
+}
+
+/// Translucent, so that units show through.
+constexpr std::array<scene::Color, 6> block_colors{{{214, 120, 60, 90},
+                                                    {70, 130, 180, 90},
+                                                    {120, 170, 80, 90},
+                                                    {170, 110, 170, 90},
+                                                    {220, 190, 70, 90},
+                                                    {90, 170, 165, 90}}};
+
+enum class When { Before, After };
+
+/// The rock of an unfolded block: as it is, or as it becomes.
+std::vector<geom::Polyline> contours_of_block(const jigsaw::Blockwise& made, std::size_t block, When when) {
+  std::vector<geom::Polyline> contours;
+  for (const geom::Polyline& contour : made.parts[made.blocks[block].part].contours)
+    contours.push_back(when == When::After ? made.blocks[block].forward(contour) : contour);
+  return contours;
+}
+
+std::vector<scene::Layer> block_fills(const jigsaw::Blockwise& made, When when) {
+  std::vector<scene::Layer> layers;
+  for (std::size_t b = 0; b < made.blocks.size(); ++b) {
+    scene::Style style;
+    style.fill = block_colors[b % block_colors.size()];
+    style.line_width = 0.0;
+    layers.push_back({"block_" + std::to_string(b), made.blocks[b].name, style,
+                      scene::Regions{{{contours_of_block(made, b, when)}}, {}}, true, scene::InLegend::Yes});
+  }
+  return layers;
+}
+
+std::vector<scene::Layer> pins_of(const jigsaw::Blockwise& made, When when, double length) {
+  std::vector<geom::Polyline> lines;
+  for (const jigsaw::UnfoldedBlock& block : made.blocks) {
+    const geom::Point at = when == When::After ? block.forward(block.pin) : block.pin;
+    lines.push_back({{at + geom::Vector{0.0, 0.5 * length}, at - geom::Vector{0.0, 0.5 * length}}, false});
+  }
+  scene::Style style;
+  style.line = ink;
+  style.line_width = 1.2;
+  return {lines_layer("pins", translated("Pins"), style, std::move(lines))};
+}
+
+/// Both states to one scale, blocks in colours.
+void draw_blockwise(const Model& model, scene::Picture& picture) {
+  if (!model.blockwise) return;
+  const jigsaw::Blockwise& made = *model.blockwise;
+  const section::Palette palette(made.section);
+  const double pin = 0.03 * made.size;
+  const auto parts_of = [&](const section::Section& section, When when) {
+    PanelParts parts;
+    parts.under = filled_units(section, palette);
+    for (scene::Layer& layer : block_fills(made, when)) parts.under.push_back(std::move(layer));
+    parts.pin = pins_of(made, when, pin);
+    return parts;
+  };
+  std::vector<scene::Panel> panels{current_panel(model, palette, parts_of(model.section, When::Before)),
+                                   section_panel(empty_panel("restored", translated("Restored section"), model.section),
+                                                 made.section, palette, parts_of(made.section, When::After))};
+  geom::Box box = box_of(model.section);
+  box.add(box_of(made.section));
+  for (scene::Panel& panel : panels) panel.extent = box.grown(0.04 * box.diagonal());
+  picture.notes = {fmt::format("{}{}. {}", translated("Verdict: "), made.remarks.back(),
+                               translated("Both states to the same scale, no vertical exaggeration."))};
+  show(std::move(panels), model.section, picture);
 }
 
 }  // namespace

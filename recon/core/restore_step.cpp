@@ -1,6 +1,5 @@
 #include "recon/core/restore_step.h"
 
-#include "recon/core/blockwise_report.h"
 #include "recon/core/report.h"
 #include "recon/core/restore_picture.h"
 #include "recon/section/section_check.h"
@@ -14,6 +13,50 @@ namespace scenario = dobra::scenario;
 namespace io = dobra::io;
 
 namespace {
+
+void add_blockwise_quantities(const Model& model, std::vector<scenario::Quantity>& quantities) {
+  if (!model.blockwise) return;
+  const jigsaw::Blockwise& made = *model.blockwise;
+  for (const balance::LineLength& row : made.lengths) add_cells("horizon." + row.name + ".", cells_of(row), quantities);
+  for (const balance::LineLength& row : totals_of(made.lengths))
+    add_cells("horizon." + row.name + ".", cells_of(row), quantities);
+  for (const balance::UnitRow& row : made.units) add_cells("unit." + row.name + ".", cells_of(row), quantities);
+  for (const jigsaw::BlockRow& row : made.rows) {
+    if (row.shift) quantities.push_back({"block." + row.name + ".shift", *row.shift, "m"});
+  }
+  for (const jigsaw::RestoredFault& fault : made.faults)
+    add_cells("fault." + fault.name + ".", cells_of(fault), quantities);
+  if (made.how.jigsaw) {
+    const jigsaw::Widths& widths = made.widths;
+    quantities.push_back({"width_before", widths.before, "m"});
+    quantities.push_back({"width_after", widths.after, "m"});
+    quantities.push_back({"shortening", widths.shortening(), "m"});
+    quantities.push_back({"shortening_percent", 100.0 * widths.shortening() / widths.after, "%"});
+    quantities.push_back({"shortening_by_folding", widths.folding(), "m"});
+    quantities.push_back({"greatest_opening_percent", made.greatest_opening_percent, "%"});
+  }
+  const balance::Balance& balance = made.balance;
+  quantities.push_back({"greatest_change_percent", balance.greatest_change_percent, "%"});
+  quantities.push_back({"greatest_area_change_percent", balance.greatest_area_change_percent, "%"});
+  quantities.push_back({"inconsistency_percent", balance.consistency.worst.percent, "%"});
+  if (balance.verdict != balance::BalanceVerdict::NotJudged)
+    quantities.push_back({"balanced", balance.verdict == balance::BalanceVerdict::Balanced ? 1.0 : 0.0, ""});
+}
+
+void add_blockwise_tables(const Model& model, std::vector<scenario::DataTable>& tables) {
+  if (!model.blockwise) return;
+  const jigsaw::Blockwise& made = *model.blockwise;
+  tables.push_back(row_table("line_length", "horizon", made.lengths));
+  if (const auto totals = totals_of(made.lengths); !totals.empty())
+    tables.push_back(row_table("horizons_in_pieces", "horizon", totals));
+  tables.push_back(row_table("units", "unit", made.units));
+  scenario::DataTable blocks{"restored_blocks", {"block", "shift [m]"}, {}};
+  for (const jigsaw::BlockRow& row : made.rows) {
+    if (row.shift) blocks.rows.push_back({row.name, *row.shift});
+  }
+  tables.push_back(std::move(blocks));
+  if (made.how.jigsaw) tables.push_back(row_table("restored_faults", "fault", made.faults));
+}
 
 void add_restored_quantities(const Model& model, std::vector<scenario::Quantity>& quantities) {
   add_blockwise_quantities(model, quantities);
@@ -139,7 +182,7 @@ base::Result<Model> run_restore(const Model& model, const unfold::RestoreParams&
   return next;
 }
 
-base::Result<Model> run_restore_step(const Model& model, const RestoreStepParams& params,
+base::Result<Model> run_restore_step(const Model& model, const jigsaw::RestoreStepParams& params,
                                      const scenario::Context& context, const base::Progress& progress) {
   DOBRA_TRY_VOID(jigsaw::check_params(params));
   if (!is_blockwise(params)) return run_restore(model, params, context, progress);
@@ -151,7 +194,7 @@ base::Result<Model> run_restore_step(const Model& model, const RestoreStepParams
 }
 
 scenario::Operation restore_step() {
-  return scenario::make_operation<Model, RestoreStepParams>(
+  return scenario::make_operation<Model, jigsaw::RestoreStepParams>(
       "restore", "Restore", "Carries every point of the section from the source grid to the target grid.",
       run_restore_step,
       {.quantities = add_restored_quantities,

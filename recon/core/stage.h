@@ -1,6 +1,7 @@
 #pragma once
 // One turn of the chain that a model is: a section, and what it became: unfolded with a grid and a target, or with
-// blocks moved along a fault, or restored block by block. The section after it is that of the next stage. Page: docs/algorithms/chain.md
+// blocks moved along a fault, or restored block by block. The section after it is that of the next stage. Page:
+// docs/algorithms/chain.md
 
 #include <optional>
 

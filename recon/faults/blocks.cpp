@@ -390,7 +390,7 @@ geom::Polyline beside(const geom::Polyline& line, const Block& block, double nea
   if (to - from <= near) return part;
   part.points.push_back(geom::point_at(line, arcs, from));
   for (std::size_t i = 0; i < arcs.size(); ++i) {
-    if (arcs[i] > from + near && arcs[i] < to - near) part.points.push_back(line.points[i]);
+    if (arcs[i] > from + 1e-3 * near && arcs[i] < to - 1e-3 * near) part.points.push_back(line.points[i]);
   }
   part.points.push_back(geom::point_at(line, arcs, to));
   return part;

@@ -27,11 +27,11 @@ struct Block {
   std::string part_of;                   ///< Its group; empty: none.
 };
 
-/// What a block shows of a fault that parts it from others: along the fault from its lower end, as far as the rock of the
-/// block reaches.
+/// What a block shows of a fault that parts it from others: along the fault from its lower end, as far as the rock of
+/// the block reaches.
 struct FaultWall {
-  std::size_t fault = 0;                               ///< In the order of the faults.
-  kinematics::Side side = kinematics::Side::Left;      ///< Of travel, where the block lies.
+  std::size_t fault = 0;                           ///< In the order of the faults.
+  kinematics::Side side = kinematics::Side::Left;  ///< Of travel, where the block lies.
   BlockId block;
   geom::Polyline line;
 };

@@ -230,8 +230,8 @@ std::string verdict_text(const Blockwise& made) {
   add(": the greatest change of a bed's length is {} % (horizon '{}')", balance.greatest_change_percent, balance.worst);
   add(", of a unit's area {} % ('{}')", balance.greatest_area_change_percent, balance.worst_unit);
   add(", what a fault leaves open {} % of a block (fault '{}')", made.greatest_opening_percent, made.worst_fault);
-  return text + fmt::format("; {}; the tolerance is {:.4g} %", consistency_text(balance.consistency),
-                            made.params.tolerance);
+  return text +
+         fmt::format("; {}; the tolerance is {:.4g} %", consistency_text(balance.consistency), made.params.tolerance);
 }
 
 }  // namespace recon::jigsaw

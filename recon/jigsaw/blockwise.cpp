@@ -96,7 +96,8 @@ std::vector<std::string> beds_in_all(const CutSection& cut, std::size_t parts) {
     const std::vector<std::string> names = beds_in(cut, part);
     if (names.empty()) continue;
     if (std::exchange(first, false)) shared = names;
-    std::erase_if(shared, [&](const std::string& n) { return std::find(names.begin(), names.end(), n) == names.end(); });
+    std::erase_if(shared,
+                  [&](const std::string& n) { return std::find(names.begin(), names.end(), n) == names.end(); });
   }
   return shared;
 }
@@ -126,15 +127,15 @@ base::Result<void> check_tops(const Setting& setting, const std::vector<Part>& p
       continue;
     }
     const std::vector<std::string> all = beds_in_all(setting.cut, parts.size());
-    return base::Error{base::ErrorCode::CannotRestore,
-                       fmt::format("it has no piece of the top '{}', so that nothing says how deep it lies below the "
-                                   "datum; {}",
-                                   setting.top,
-                                   all.empty() ? std::string("draw the top there (eroded, say), or restore the other "
-                                                             "blocks by their names (block)")
-                                               : fmt::format("take a top that is in all blocks: {}",
-                                                             fmt::join(all, ", "))),
-                       place_at(block.inside, fmt::format("block '{}'", block.name))};
+    return base::Error{
+        base::ErrorCode::CannotRestore,
+        fmt::format("it has no piece of the top '{}', so that nothing says how deep it lies below the "
+                    "datum; {}",
+                    setting.top,
+                    all.empty() ? std::string("draw the top there (eroded, say), or restore the other "
+                                              "blocks by their names (block)")
+                                : fmt::format("take a top that is in all blocks: {}", fmt::join(all, ", "))),
+        place_at(block.inside, fmt::format("block '{}'", block.name))};
   }
   return {};
 }
@@ -152,9 +153,10 @@ base::Result<std::size_t> pinned_part(const Setting& setting, const BlockwisePar
     leftmost = i;
   }
   if (!how.pin) return *leftmost;
-  return base::Error{base::ErrorCode::BadValue,
-                     fmt::format("the pin x = {:.6g} is not on the top '{}' of any of the blocks", *how.pin, setting.top),
-                     geom::place_at({*how.pin, 0.0}, "pin")};
+  return base::Error{
+      base::ErrorCode::BadValue,
+      fmt::format("the pin x = {:.6g} is not on the top '{}' of any of the blocks", *how.pin, setting.top),
+      geom::place_at({*how.pin, 0.0}, "pin")};
 }
 
 base::Result<std::vector<UnfoldedBlock>> unfold_all(const Setting& setting, const std::vector<Part>& parts,
@@ -218,8 +220,8 @@ void remark_on_faults(const Blockwise& made, double size, std::vector<std::strin
   for (const RestoredFault& fault : made.faults) {
     const auto at = [](geom::Point p) { return fmt::format("({:.6g}, {:.6g})", p.x, p.y); };
     if (!fault.measured) {
-      remarks.push_back(fmt::format("fault '{}' has no two restored walls beside each other; it is left as it was",
-                                    fault.name));
+      remarks.push_back(
+          fmt::format("fault '{}' has no two restored walls beside each other; it is left as it was", fault.name));
     }
     if (fault.opening.widest_gap > 1e-9 * size) {
       remarks.push_back(fmt::format("fault '{}': a gap of {:.6g} m2, widest at {}", fault.name, fault.opening.gap,
@@ -230,9 +232,10 @@ void remark_on_faults(const Blockwise& made, double size, std::vector<std::strin
                                     fault.opening.overlap, at(fault.opening.overlap_at)));
     }
     if (fault.left_apart.value_or(0.0) > 1e-9 * size) {
-      remarks.push_back(fmt::format("fault '{}': the ends of the top miss each other by {:.4g} m, since the blocks "
-                                    "close a ring",
-                                    fault.name, *fault.left_apart));
+      remarks.push_back(
+          fmt::format("fault '{}': the ends of the top miss each other by {:.4g} m, since the blocks "
+                      "close a ring",
+                      fault.name, *fault.left_apart));
     }
   }
 }
@@ -246,8 +249,9 @@ base::Result<void> check_params(const BlockwiseParams& params) {
   if (params.fit && !params.jigsaw) return refuse("fit says how the blocks of a jigsaw slide together; set jigsaw");
   const bool more = !params.top.empty() || params.pin || params.elevation || params.simplify || params.cutoff_tolerance;
   if (!is_blockwise(params) && more) {
-    return refuse("top, pin, elevation, simplify and cutoff_tolerance belong to block and jigsaw; without these give "
-                  "them to the steps grid and target");
+    return refuse(
+        "top, pin, elevation, simplify and cutoff_tolerance belong to block and jigsaw; without these give "
+        "them to the steps grid and target");
   }
   if (params.block.size() > 1 && params.pin)
     return refuse("one pin for several blocks; restore them one by one, or leave out the pin");

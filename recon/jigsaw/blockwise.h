@@ -17,9 +17,9 @@ struct BlockRow {
 
 /// The section's width along the top, m.
 struct Widths {
-  double before = 0.0;   ///< From its leftmost to its rightmost end.
+  double before = 0.0;  ///< From its leftmost to its rightmost end.
   double after = 0.0;
-  double faults = 0.0;   ///< What the faults have shortened it by.
+  double faults = 0.0;  ///< What the faults have shortened it by.
   [[nodiscard]] double shortening() const { return after - before; }
   [[nodiscard]] double folding() const { return shortening() - faults; }
 };
@@ -27,11 +27,11 @@ struct Widths {
 struct Blockwise {
   unfold::RestoreParams params;  ///< It was made with these.
   BlockwiseParams how;
-  std::vector<Part> parts;            ///< The blocks that the section is cut into.
-  std::vector<UnfoldedBlock> blocks;  ///< Those of them that are unfolded.
-  std::vector<BlockRow> rows;          ///< Of all blocks of the section.
-  std::vector<RestoredFault> faults;   ///< Of a jigsaw: all faults.
-  section::Section section;            ///< After it.
+  std::vector<Part> parts;                   ///< The blocks that the section is cut into.
+  std::vector<UnfoldedBlock> blocks;         ///< Those of them that are unfolded.
+  std::vector<BlockRow> rows;                ///< Of all blocks of the section.
+  std::vector<RestoredFault> faults;         ///< Of a jigsaw: all faults.
+  section::Section section;                  ///< After it.
   std::vector<balance::LineLength> lengths;  ///< One for each horizon after it, in the same order.
   std::vector<balance::UnitRow> units;       ///< Of the unfolded blocks together.
   balance::Balance balance;

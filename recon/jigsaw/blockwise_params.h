@@ -35,19 +35,21 @@ struct BlockwiseParams {
              .help = "Only these, or groups of them, are restored, each with a pin of its own; the rest stays."});
     d.field("jigsaw", &BlockwiseParams::jigsaw,
             {.title = "Jigsaw", .help = "Every block is restored with a pin of its own, then they slide together."});
-    d.choice("fit", &BlockwiseParams::fit, {"walls", "top"},
-             {.title = "Blocks fit by",
-              .help = "Of the jigsaw. walls (the default): the walls of all faults lie as near to each other as can be; "
-                      "top: the ends of the top meet."});
+    d.choice(
+        "fit", &BlockwiseParams::fit, {"walls", "top"},
+        {.title = "Blocks fit by",
+         .help = "Of the jigsaw. walls (the default): the walls of all faults lie as near to each other as can be; "
+                 "top: the ends of the top meet."});
     d.field("top", &BlockwiseParams::top,
             {.title = "Top horizon of the blocks",
              .help = "Restored to the datum in every block; by default the first. With block or jigsaw, which need no "
                      "steps grid and target."});
-    d.field("pin", &BlockwiseParams::pin,
-            {.title = "x of the pin",
-             .help = "Of the block that it lies in, which stays where it is; by default the leftmost block, pinned near "
-                     "its middle, as the others are.",
-             .unit = "m"});
+    d.field(
+        "pin", &BlockwiseParams::pin,
+        {.title = "x of the pin",
+         .help = "Of the block that it lies in, which stays where it is; by default the leftmost block, pinned near "
+                 "its middle, as the others are.",
+         .unit = "m"});
     d.field("elevation", &BlockwiseParams::elevation,
             {.title = "Elevation of the datum", .help = "By default that of the top at the pin.", .unit = "m"});
     d.field("simplify", &BlockwiseParams::simplify,

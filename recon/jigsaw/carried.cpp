@@ -49,9 +49,7 @@ class Holder {
   }
 
  private:
-  [[nodiscard]] const moving::MovingPart& area(std::size_t b) const {
-    return made_.parts[made_.blocks[b].part].area;
-  }
+  [[nodiscard]] const moving::MovingPart& area(std::size_t b) const { return made_.parts[made_.blocks[b].part].area; }
   [[nodiscard]] bool holds(std::size_t b, geom::Point p) const {
     return area(b).fate_of(made_.blocks[b].inverse(p)) == moving::Fate::Moves;
   }

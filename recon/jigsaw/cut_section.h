@@ -18,7 +18,7 @@ struct Part {
   std::string name;
   std::vector<geom::Polyline> contours;  ///< Of its rock.
   geom::Box within;                      ///< Round all that the section can have of the block.
-  moving::MovingPart area;  ///< As far as the plane between its faults goes.
+  moving::MovingPart area;               ///< As far as the plane between its faults goes.
 };
 
 /// @error those of area_of_blocks() and MovingPart.

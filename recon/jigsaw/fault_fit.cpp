@@ -181,7 +181,8 @@ std::vector<RestoredFault> restored_faults(const FaultSetting& setting, const st
       row.opening += opening_of(f.walls, blocks[f.left].shift, blocks[f.right].shift);
       means.push_back(mean_of(f.walls, blocks[f.left].shift, blocks[f.right].shift));
     }
-    std::stable_sort(means.begin(), means.end(), [](const auto& a, const auto& b) { return a.front().y < b.front().y; });
+    std::stable_sort(means.begin(), means.end(),
+                     [](const auto& a, const auto& b) { return a.front().y < b.front().y; });
     for (std::vector<geom::Point>& mean : means) join_up(std::move(mean), row.line.points);
     if (row.line.points.size() > 1) {
       const geom::Vector chord = row.line.points.back() - row.line.points.front();

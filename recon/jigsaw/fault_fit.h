@@ -42,10 +42,10 @@ std::vector<Tie> ties_of_top(const FaultSetting& setting, const std::vector<Unfo
 /// A fault after the jigsaw.
 struct RestoredFault {
   std::string name;
-  bool measured = false;       ///< Both walls are of unfolded blocks that stand beside each other.
-  Opening opening;             ///< Between the walls.
-  geom::Polyline line;         ///< In the middle between them, from its lower end; empty if not measured.
-  std::optional<double> dip;   ///< Of the straight line between its ends, degrees in [0, 90].
+  bool measured = false;             ///< Both walls are of unfolded blocks that stand beside each other.
+  Opening opening;                   ///< Between the walls.
+  geom::Polyline line;               ///< In the middle between them, from its lower end; empty if not measured.
+  std::optional<double> dip;         ///< Of the straight line between its ends, degrees in [0, 90].
   std::optional<double> shortening;  ///< That the fault has brought the top, m: its heave; < 0: extension.
   std::optional<double> left_apart;  ///< Fit by the top: how far the ends of the top are still apart, m.
   double smaller_area = 0.0;         ///< m2, of the smallest block that it bounds.

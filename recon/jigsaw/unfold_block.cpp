@@ -67,8 +67,9 @@ base::Result<unfold::SourceGrid> base_of(const Section& section, const section::
   return source;
 }
 
-base::Result<UnfoldedBlock> unfolded(const CutSection& cut, const Part& part, std::size_t index, const PlaceOfBlock& place,
-                                     const unfold::RestoreParams& params, const base::Progress& progress) {
+base::Result<UnfoldedBlock> unfolded(const CutSection& cut, const Part& part, std::size_t index,
+                                     const PlaceOfBlock& place, const unfold::RestoreParams& params,
+                                     const base::Progress& progress) {
   UnfoldedBlock block;
   BlockSection own = section_of(cut, index);
   const section::HorizonId top_id = cut.section.horizons[place.top].id;
@@ -149,19 +150,21 @@ base::Result<std::optional<std::size_t>> top_in(const CutSection& cut, const Par
     if (cut.horizons[i].part != index || (horizon.name != top && whole_name(horizon) != top)) continue;
     if (found) {
       const geom::Point at = horizon.line.points.front();
-      return base::Error{base::ErrorCode::CannotRestore,
-                         fmt::format("the top '{}' has several pieces in it, one from ({:.6g}, {:.6g}) on, so that none "
-                                     "of them covers the block; join them, or take another top",
-                                     top, at.x, at.y),
-                         place_at(at, fmt::format("block '{}'", part.name))};
+      return base::Error{
+          base::ErrorCode::CannotRestore,
+          fmt::format("the top '{}' has several pieces in it, one from ({:.6g}, {:.6g}) on, so that none "
+                      "of them covers the block; join them, or take another top",
+                      top, at.x, at.y),
+          place_at(at, fmt::format("block '{}'", part.name))};
     }
     found = i;
   }
   return found;
 }
 
-base::Result<UnfoldedBlock> unfold_block(const CutSection& cut, const Part& part, std::size_t index, const PlaceOfBlock& place,
-                                         const unfold::RestoreParams& params, const base::Progress& progress) {
+base::Result<UnfoldedBlock> unfold_block(const CutSection& cut, const Part& part, std::size_t index,
+                                         const PlaceOfBlock& place, const unfold::RestoreParams& params,
+                                         const base::Progress& progress) {
   auto made = unfolded(cut, part, index, place, params, progress);
   if (made) return made;
   base::Error error = made.error();

@@ -14,9 +14,9 @@ struct UnfoldedBlock {
   std::vector<std::size_t> horizons;  ///< Of the cut section, in the order of restoration.lines.
   section::HorizonId top;             ///< Of the cut section.
   section::LayerSide side = section::LayerSide::Below;
-  geom::Point pin;       ///< On the top, before.
-  double datum = 0.0;    ///< z
-  double shift = 0.0;    ///< What the block slides by afterwards, m towards +x.
+  geom::Point pin;                  ///< On the top, before.
+  double datum = 0.0;               ///< z
+  double shift = 0.0;               ///< What the block slides by afterwards, m towards +x.
   unfold::Restoration restoration;  ///< Of the block's own section, with the ids of the cut section.
 
   /// Where a point of the block goes, and where one of it comes from.
@@ -48,7 +48,8 @@ struct PlaceOfBlock {
 };
 
 /// @error those of make_base(), place_target() and restore(), with the name of the block.
-base::Result<UnfoldedBlock> unfold_block(const CutSection& cut, const Part& part, std::size_t index, const PlaceOfBlock& place,
-                                         const unfold::RestoreParams& params, const base::Progress& progress);
+base::Result<UnfoldedBlock> unfold_block(const CutSection& cut, const Part& part, std::size_t index,
+                                         const PlaceOfBlock& place, const unfold::RestoreParams& params,
+                                         const base::Progress& progress);
 
 }  // namespace recon::jigsaw

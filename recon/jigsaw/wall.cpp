@@ -84,7 +84,8 @@ Branch clipped(const Branch& branch, double low, double high) {
     if (i > 0) {
       const geom::Point before = branch.points[i - 1];
       for (const double z : {low, high}) {
-        if (before.y < z && z < p.y) made.points.push_back({before.x + (p.x - before.x) * ((z - before.y) / (p.y - before.y)), z});
+        if (before.y < z && z < p.y)
+          made.points.push_back({before.x + (p.x - before.x) * ((z - before.y) / (p.y - before.y)), z});
       }
     }
     if (p.y >= low && p.y <= high) made.points.push_back(p);
@@ -149,8 +150,7 @@ Opening opening_of(const WallPair& pair, double left, double right) {
   const double slid = right - left;
   for (const WallPiece& p : pair.pieces) {
     add_width(p.low, p.high, pair.sign * (p.right_low - p.left_low + slid),
-              pair.sign * (p.right_high - p.left_high + slid),
-              {0.5 * (p.left_low + left + p.right_low + right), p.low},
+              pair.sign * (p.right_high - p.left_high + slid), {0.5 * (p.left_low + left + p.right_low + right), p.low},
               {0.5 * (p.left_high + left + p.right_high + right), p.high}, opening);
   }
   return opening;

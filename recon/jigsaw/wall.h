@@ -25,9 +25,9 @@ Branch clipped(const Branch& branch, double low, double high);
 
 /// Two walls between two heights, straight in between.
 struct WallPiece {
-  double low = 0.0, high = 0.0;                 ///< z
-  double left_low = 0.0, left_high = 0.0;       ///< x of the wall on the left of travel ...
-  double right_low = 0.0, right_high = 0.0;     ///< ... and of that on the right.
+  double low = 0.0, high = 0.0;              ///< z
+  double left_low = 0.0, left_high = 0.0;    ///< x of the wall on the left of travel ...
+  double right_low = 0.0, right_high = 0.0;  ///< ... and of that on the right.
 };
 
 /// Two walls of a fault over their common z.

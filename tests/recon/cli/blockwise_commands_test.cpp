@@ -81,9 +81,11 @@ TEST_F(BlockwiseCommands, ItsFilesGoOnAsSectionAndAsScenario) {
 TEST_F(BlockwiseCommands, AScenarioHasTheSameKeysAndGoesOnBehindIt) {
   const std::string file = put("n.csv", down_100);
   const std::string text =
-      "dobra = 1\nprogram = \"recon\"\n\n[input]\n[[input.lines]]\nfile = \"n.csv\"\n\n[[step]]\noperation = \"restore\"\njigsaw = true\nfit = "
+      "dobra = 1\nprogram = \"recon\"\n\n[input]\n[[input.lines]]\nfile = \"n.csv\"\n\n[[step]]\noperation = "
+      "\"restore\"\njigsaw = true\nfit = "
       "\"walls\"\ntop = \"A\"\n\n[[step]]\noperation = \"faults\"\n\n[[step]]\noperation = \"carry\"\npoints = [[700, "
-      "-200]]\n\n[[expect]]\nquantity = \"fault.F.A.separation\"\nvalue = 0\ntolerance = 1e-4\n\n[[expect]]\nquantity = "
+      "-200]]\n\n[[expect]]\nquantity = \"fault.F.A.separation\"\nvalue = 0\ntolerance = 1e-4\n\n[[expect]]\nquantity "
+      "= "
       "\"block.block 2.shift\"\nvalue = -100\ntolerance = 1e-6\n";
   const std::string out = std::filesystem::path(file).parent_path().string() + "/run";
   const auto outcome = call({"run", put("s.toml", text), "--out", out});

@@ -4,7 +4,7 @@
 #include "recon/jigsaw/blockwise_params.h"
 #include "recon/unfold/restore.h"
 
-namespace recon::core {
+namespace recon::jigsaw {
 
 /// Describes the fields of a base of P as fields of P.
 template <class P, class D>
@@ -21,13 +21,13 @@ struct FieldsOfBase {
   }
 };
 
-struct RestoreStepParams : unfold::RestoreParams, jigsaw::BlockwiseParams {
+struct RestoreStepParams : unfold::RestoreParams, BlockwiseParams {
   template <class D>
   static void describe(D& d) {
     FieldsOfBase<RestoreStepParams, D> fields{d};
     unfold::RestoreParams::describe(fields);
-    jigsaw::BlockwiseParams::describe(fields);
+    BlockwiseParams::describe(fields);
   }
 };
 
-}  // namespace recon::core
+}  // namespace recon::jigsaw
