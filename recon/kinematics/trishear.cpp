@@ -160,7 +160,11 @@ void through_zone(Zone zone, double tolerance, double& x, double& e, double& lef
     const bool past_side = std::abs(next[0]) > 1.0;
     if (!past_end && !past_middle && !past_side) {
       at = next;
-      if (at[1] < at_tip) break;  // the tip takes it along
+      if (at[1] < at_tip) {  // the tip passes it: it goes on in the wall of its side
+        at[0] = zone.side;
+        ended = false;
+        break;
+      }
       h *= std::clamp(grown(std::max(error, 1e-30)), 0.5, 3.0);
       continue;
     }
