@@ -142,8 +142,9 @@ base::Result<void> refuse_uncovered(const Beyond& beyond, const section::Horizon
       base::ErrorCode::BadSection,
       fmt::format("the top '{}' does not cover the section: this reaches {:.6g} m beyond its end, {:.3g} "
                   "% of its width; lengthen the top, take another one, or set uncovered = \"continue\" "
-                  "(--uncovered continue) to go on straight there",
-                  top.name, beyond.distance, percent),
+                  "(--uncovered continue) to go on straight there{}",
+                  top.name, beyond.distance, percent,
+                  top.piece_of.empty() ? "" : "; a section that faults part is restored block by block (--jigsaw)"),
       place};
 }
 
