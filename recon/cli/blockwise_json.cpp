@@ -54,7 +54,7 @@ void add_jigsaw(const jigsaw::Blockwise& made, Json& json) {
 
 }  // namespace
 
-std::string blockwise_json(const core::Model& model, Geometry geometry) {
+std::string blockwise_json(const model::Model& model, Geometry geometry) {
   const jigsaw::Blockwise& made = *model.blockwise;
   Json json = {{"method", unfold::method_name(made.params.method)},
                {"keeps", unfold::what_it_keeps(made.params.method)},
@@ -78,7 +78,7 @@ std::string blockwise_json(const core::Model& model, Geometry geometry) {
   return json.dump(2) + '\n';
 }
 
-std::string blockwise_table(const core::Model& model) {
+std::string blockwise_table(const model::Model& model) {
   const jigsaw::Blockwise& made = *model.blockwise;
   std::string text = fmt::format("{:<28} {:>14}\n", "block", "shift [m]");
   for (const jigsaw::BlockRow& row : made.rows)

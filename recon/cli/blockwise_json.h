@@ -6,7 +6,7 @@
 namespace recon::cli {
 
 /// @pre the model is restored block by block.
-std::string blockwise_json(const core::Model& model, Geometry geometry);
-std::string blockwise_table(const core::Model& model);
+std::string blockwise_json(const model::Model& model, Geometry geometry);
+std::string blockwise_table(const model::Model& model);
 
 }  // namespace recon::cli

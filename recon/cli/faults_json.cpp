@@ -72,7 +72,7 @@ std::string number_or_dash(const std::optional<double>& value) { return value ? 
 
 }  // namespace
 
-std::string faults_json(const core::Model& model) {
+std::string faults_json(const model::Model& model) {
   const faults::FaultReport& report = model.findings.get<core::FoundFaults>()->report;
   FaultJson json{{"tolerance", report.tolerance}, {"faults", FaultJson::array()}, {"blocks", FaultJson::array()}};
   for (std::size_t i = 0; i < report.faults.size(); ++i) json["faults"].push_back(fault_json(report, i));
@@ -85,7 +85,7 @@ std::string faults_json(const core::Model& model) {
   return json.dump(2) + '\n';
 }
 
-std::string faults_table(const core::Model& model) {
+std::string faults_table(const model::Model& model) {
   const faults::FaultReport& report = model.findings.get<core::FoundFaults>()->report;
   std::string text = fmt::format("{:<16} {:<16} {:>15} {:>12} {:>12} {:>12}\n", "fault", "horizon", "separation [m]",
                                  "throw [m]", "heave [m]", "distance [m]");

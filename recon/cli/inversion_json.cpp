@@ -19,7 +19,7 @@ Json number_or_null(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? Json(*value) : Json();
 }
 
-const inversion::Inversion& inversion_in(const core::Model& model) {
+const inversion::Inversion& inversion_in(const model::Model& model) {
   return model.findings.get<core::FoundKinematics>()->inversion;
 }
 
@@ -38,7 +38,7 @@ Json map_json(const inversion::MisfitMap& map, const inversion::Fit& fit) {
 
 }  // namespace
 
-std::string inversion_json(const core::Model& model) {
+std::string inversion_json(const model::Model& model) {
   const inversion::Inversion& found = inversion_in(model);
   const inversion::Fit& fit = found.fit;
   Json json = {{"method", name_of(found.params.method)}};
@@ -75,7 +75,7 @@ std::string inversion_json(const core::Model& model) {
   return json.dump(2) + '\n';
 }
 
-std::string inversion_table(const core::Model& model) {
+std::string inversion_table(const model::Model& model) {
   const inversion::Inversion& found = inversion_in(model);
   const inversion::Fit& fit = found.fit;
   std::string text =
@@ -101,7 +101,7 @@ std::string inversion_table(const core::Model& model) {
   return text;
 }
 
-std::string prediction_json(const core::Model& model) {
+std::string prediction_json(const model::Model& model) {
   const inversion::Predicted& found = model.findings.get<core::FoundPrediction>()->predicted;
   Json json = {{"what", name_of(*found.params.what)}};
   Json solutions = Json::array();
@@ -122,7 +122,7 @@ std::string prediction_json(const core::Model& model) {
   return json.dump(2) + '\n';
 }
 
-std::string prediction_table(const core::Model& model) {
+std::string prediction_table(const model::Model& model) {
   const inversion::Predicted& found = model.findings.get<core::FoundPrediction>()->predicted;
   std::string text = fmt::format("{}\n", name_of(*found.params.what));
   for (std::size_t i = 0; i < found.solutions.size(); ++i) {

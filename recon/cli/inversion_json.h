@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "recon/core/model.h"
+#include "recon/model/model.h"
 
 namespace recon::cli {
 
@@ -12,12 +12,12 @@ namespace recon::cli {
 /// "misfit_before", "misfit", "dip_restored", "correlation"}], "map": {"values", "at", "misfit", "region"}, "remarks"};
 /// null where no limit is known.
 /// @pre the model has been inverted.
-std::string inversion_json(const core::Model& model);
-std::string inversion_table(const core::Model& model);
+std::string inversion_json(const model::Model& model);
+std::string inversion_table(const model::Model& model);
 
 /// {"what", "solutions": [{figure: value}], "lines": [{"kind", "points"}], "remarks"}
 /// @pre the model has a prediction.
-std::string prediction_json(const core::Model& model);
-std::string prediction_table(const core::Model& model);
+std::string prediction_json(const model::Model& model);
+std::string prediction_table(const model::Model& model);
 
 }  // namespace recon::cli

@@ -27,7 +27,7 @@ void add_cells(const std::vector<core::RowCell>& cells, Json& json) {
 }
 
 /// The row of the layer below a horizon, if the units are made from horizons.
-const balance::UnitRow* layer_below(const core::Model& model, std::size_t horizon) {
+const balance::UnitRow* layer_below(const model::Model& model, std::size_t horizon) {
   const unfold::Restoration& restoration = *model.restoration;
   const auto units = balance::ledger_units(model.section, restoration.order, model.source->side);
   for (std::size_t i = 0; i < units.size(); ++i) {
@@ -65,7 +65,7 @@ Json with_error_json(const balance::WithError& number) {
 
 }  // namespace
 
-std::string restoration_json(const core::Model& model, Geometry geometry) {
+std::string restoration_json(const model::Model& model, Geometry geometry) {
   const unfold::Restoration& restoration = *model.restoration;
   Json json = {{"method", unfold::method_name(restoration.params.method)},
                {"keeps", unfold::what_it_keeps(restoration.params.method)},
@@ -110,7 +110,7 @@ std::string restoration_json(const core::Model& model, Geometry geometry) {
   return json.dump(2) + '\n';
 }
 
-std::string restoration_table(const core::Model& model) {
+std::string restoration_table(const model::Model& model) {
   const unfold::Restoration& restoration = *model.restoration;
   std::string text = fmt::format("{:<28} {:>12} {:>12} {:>8} {:>12} {:>8}\n", "horizon", "before [m]", "after [m]",
                                  "[%]", "shorter [m]", "[%]");
@@ -144,7 +144,7 @@ std::string restoration_table(const core::Model& model) {
   return text;
 }
 
-std::string balance_json(const core::Model& model) {
+std::string balance_json(const model::Model& model) {
   Json json = Json::object();
   if (const auto* found = model.findings.get<balance::AreaDepth>()) {
     Json ledger = Json::array();
@@ -182,7 +182,7 @@ std::string balance_json(const core::Model& model) {
   return json.dump(2) + '\n';
 }
 
-std::string balance_table(const core::Model& model) {
+std::string balance_table(const model::Model& model) {
   std::string text;
   if (const auto* found = model.findings.get<balance::AreaDepth>()) {
     text += fmt::format("{:<28} {:>12} {:>12} {:>12} {:>12} {:>14} {:>12}\n", "horizon", "length [m]", "width [m]",

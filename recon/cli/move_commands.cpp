@@ -5,7 +5,7 @@
 
 #include "recon/cli/move_json.h"
 #include "recon/cli/section_options.h"
-#include "recon/core/model.h"
+#include "recon/model/model.h"
 #include "recon/moving/move_params.h"
 #include "shared/cli/commands.h"
 
@@ -45,7 +45,7 @@ Result<int> move_job(Session& session, const MoveOptions& options) {
   document.steps = {std::move(step)};
   DOBRA_TRY_VOID(scenario::check(document, session.program));
   DOBRA_TRY(const scenario::Run run, dobra::cli::run_steps(session, document));
-  const auto& model = scenario::model_of<core::Model>(run.states.back());
+  const auto& model = scenario::model_of<model::Model>(run.states.back());
   DOBRA_TRY_VOID(write_out(session, options.out, document, run.states.back(), current_section(model)));
   const bool as_json = session.options.format == dobra::cli::OutputFormat::Json;
   DOBRA_TRY_VOID(dobra::cli::print(as_json ? move_json(model, own.geometry ? Geometry::Include : Geometry::Leave)

@@ -21,7 +21,7 @@ Json moved_json(const std::vector<moving::MovedPiece>& pieces) {
 
 }  // namespace
 
-std::string move_json(const core::Model& model, Geometry geometry) {
+std::string move_json(const model::Model& model, Geometry geometry) {
   const moving::Moved& moved = *model.moved;
   const bool forward = moved.params.direction == moving::Direction::Forward;
   Json json = {{"method", method_name(*moved.params.method)},
@@ -31,10 +31,8 @@ std::string move_json(const core::Model& model, Geometry geometry) {
                {"blocks", moved.blocks}};
   Json misfits = Json::array();
   for (const moving::Misfit& misfit : moved.misfit) {
-    misfits.push_back({{"horizon", misfit.horizon},
-                       {"along", misfit.along},
-                       {"gap", misfit.gap},
-                       {"overlap", misfit.overlap}});
+    misfits.push_back(
+        {{"horizon", misfit.horizon}, {"along", misfit.along}, {"gap", misfit.gap}, {"overlap", misfit.overlap}});
   }
   json["misfit"] = std::move(misfits);
   json["gap_area"] = moved.opened.gap;
@@ -53,10 +51,10 @@ std::string move_json(const core::Model& model, Geometry geometry) {
   return json.dump(2) + '\n';
 }
 
-std::string move_table(const core::Model& model) {
+std::string move_table(const model::Model& model) {
   const moving::Moved& moved = *model.moved;
-  std::string text = fmt::format("fault {}, {}: slip {:.6g} m\n", moved.params.fault,
-                                 method_name(*moved.params.method), moved.motion.slip);
+  std::string text = fmt::format("fault {}, {}: slip {:.6g} m\n", moved.params.fault, method_name(*moved.params.method),
+                                 moved.motion.slip);
   if (!moved.blocks.empty()) text += fmt::format("blocks moved: {}\n", fmt::join(moved.blocks, ", "));
   text += fmt::format("{} pieces moved; gap {:.6g} m2, overlap {:.6g} m2 along the fault\n", moved.pieces.size(),
                       moved.opened.gap, moved.opened.overlap);
@@ -64,8 +62,8 @@ std::string move_table(const core::Model& model) {
   if (moved.misfit.empty()) return text;
   text += fmt::format("\n{:<28} {:>14} {:>12} {:>12}\n", "horizon", "along [m]", "gap [m]", "overlap [m]");
   for (const moving::Misfit& misfit : moved.misfit) {
-    text += fmt::format("{:<28} {:>14.6g} {:>12.6g} {:>12.6g}\n", misfit.horizon, misfit.along, misfit.gap,
-                        misfit.overlap);
+    text +=
+        fmt::format("{:<28} {:>14.6g} {:>12.6g} {:>12.6g}\n", misfit.horizon, misfit.along, misfit.gap, misfit.overlap);
   }
   return text;
 }

@@ -28,7 +28,7 @@ base::Result<int> one_step_job(Session& session, const OneStepOptions& options, 
   document.steps = {std::move(step)};
   DOBRA_TRY_VOID(scenario::check(document, session.program));
   DOBRA_TRY(const scenario::Run run, dobra::cli::run_steps(session, document));
-  const auto& model = scenario::model_of<core::Model>(run.states.back());
+  const auto& model = scenario::model_of<model::Model>(run.states.back());
   DOBRA_TRY_VOID(write_out(session, options.out, document, run.states.back(), current_section(model)));
   const bool as_json = session.options.format == dobra::cli::OutputFormat::Json;
   DOBRA_TRY_VOID(dobra::cli::print(as_json ? json(model) : table(model)));

@@ -3,13 +3,13 @@
 
 #include <string>
 
-#include "recon/core/model.h"
+#include "recon/model/model.h"
 #include "shared/cli/cli.h"
 #include "shared/scenario/field.h"
 
 namespace recon::cli {
 
-using Print = std::string (*)(const core::Model& model);
+using Print = std::string (*)(const model::Model& model);
 
 /// @param name  of the sub-command and of the operation, whose fields are its options.
 /// @param json, table  what is printed with --json and without.

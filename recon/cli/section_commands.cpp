@@ -9,8 +9,8 @@
 #include "recon/cli/ledger_json.h"
 #include "recon/cli/section_document.h"
 #include "recon/cli/section_options.h"
-#include "recon/core/model.h"
 #include "recon/jigsaw/blockwise_params.h"
+#include "recon/model/model.h"
 #include "recon/unfold/monte_carlo.h"
 #include "shared/cli/commands.h"
 
@@ -113,7 +113,7 @@ Result<int> restore_job(Session& session, const RestoreOptions& options) {
   DOBRA_TRY(const scenario::Document document, restore_document(session, options, own.target));
   DOBRA_TRY_VOID(scenario::check(document, session.program));
   DOBRA_TRY(const scenario::Run run, dobra::cli::run_steps(session, document));
-  const auto& model = scenario::model_of<core::Model>(run.states.back());
+  const auto& model = scenario::model_of<model::Model>(run.states.back());
   DOBRA_TRY_VOID(write_out(session, options.out, document, run.states.back(), current_section(model)));
   const bool as_json = session.options.format == dobra::cli::OutputFormat::Json;
   const Geometry geometry = own.geometry ? Geometry::Include : Geometry::Leave;
@@ -140,7 +140,7 @@ Result<int> balance_job(Session& session, const BalanceOptions& options) {
   document.steps = {std::move(step)};
   DOBRA_TRY_VOID(scenario::check(document, session.program));
   DOBRA_TRY(const scenario::Run run, dobra::cli::run_steps(session, document));
-  const auto& model = scenario::model_of<core::Model>(run.states.back());
+  const auto& model = scenario::model_of<model::Model>(run.states.back());
   const bool as_json = session.options.format == dobra::cli::OutputFormat::Json;
   DOBRA_TRY_VOID(dobra::cli::print(as_json ? balance_json(model) : balance_table(model)));
   return 0;

@@ -6,7 +6,7 @@ namespace scenario = dobra::scenario;
 
 namespace {
 
-void add_area_quantities(const Model& model, std::vector<scenario::Quantity>& quantities) {
+void add_area_quantities(const model::Model& model, std::vector<scenario::Quantity>& quantities) {
   const auto* found = model.findings.get<balance::AreaBalance>();
   if (found == nullptr) return;
   const auto add = [&](const std::string& name, const balance::WithError& number_with, const char* unit) {
@@ -23,16 +23,16 @@ void add_area_quantities(const Model& model, std::vector<scenario::Quantity>& qu
 
 }  // namespace
 
-base::Result<Model> run_area_balance(const Model& model, const balance::AreaBalanceParams& params,
-                                     const scenario::Context& context, const base::Progress&) {
-  Model next = model;
+base::Result<model::Model> run_area_balance(const model::Model& model, const balance::AreaBalanceParams& params,
+                                            const scenario::Context& context, const base::Progress&) {
+  model::Model next = model;
   DOBRA_TRY(balance::AreaBalance found, balance_area(params, context));
   next.findings.set(std::move(found), {});
   return next;
 }
 
 scenario::Operation area_balance_step() {
-  return scenario::make_operation<Model, balance::AreaBalanceParams>(
+  return scenario::make_operation<model::Model, balance::AreaBalanceParams>(
       "area_balance", "Area balance",
       "Shortening from the area of a section and the thickness that its layers had, with errors.", run_area_balance,
       {.quantities = add_area_quantities});

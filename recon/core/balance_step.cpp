@@ -9,7 +9,7 @@ namespace scenario = dobra::scenario;
 
 namespace {
 
-void add_balance_quantities(const Model& model, std::vector<scenario::Quantity>& quantities) {
+void add_balance_quantities(const model::Model& model, std::vector<scenario::Quantity>& quantities) {
   const auto* found = model.findings.get<balance::AreaDepth>();
   if (found == nullptr) return;
   for (const balance::BedBalance& bed : found->beds) add_cells("bed." + bed.name + '.', cells_of(bed), quantities);
@@ -21,22 +21,22 @@ void add_balance_quantities(const Model& model, std::vector<scenario::Quantity>&
   quantities.push_back({"bed_inconsistency_percent", found->consistency.worst.percent, "%"});
 }
 
-void add_balance_tables(const Model& model, std::vector<scenario::DataTable>& tables) {
+void add_balance_tables(const model::Model& model, std::vector<scenario::DataTable>& tables) {
   if (const auto* found = model.findings.get<balance::AreaDepth>())
     tables.push_back(row_table("area_depth", "horizon", found->beds));
 }
 
-void add_balance_remarks(const Model& model, std::vector<std::string>& remarks) {
+void add_balance_remarks(const model::Model& model, std::vector<std::string>& remarks) {
   if (const auto* found = model.findings.get<balance::AreaDepth>()) append(found->remarks, remarks);
 }
 
 }  // namespace
 
-base::Result<Model> run_balance(const Model& model, const balance::BalanceParams& params, const scenario::Context&,
-                                const base::Progress&) {
+base::Result<model::Model> run_balance(const model::Model& model, const balance::BalanceParams& params,
+                                       const scenario::Context&, const base::Progress&) {
   section::Section section = input_section(model);
   DOBRA_TRY_VOID(check_section(section, params.crossings));
-  Model next = model;
+  model::Model next = model;
   DOBRA_TRY(balance::AreaDepth found, area_depth(section, params));
   next.findings.set(std::move(found), {});
   if (model.earlier.empty()) next.section = std::move(section);  // it may have got its faces
@@ -44,7 +44,7 @@ base::Result<Model> run_balance(const Model& model, const balance::BalanceParams
 }
 
 scenario::Operation balance_step() {
-  return scenario::make_operation<Model, balance::BalanceParams>(
+  return scenario::make_operation<model::Model, balance::BalanceParams>(
       "balance", "Balance", "Bed lengths, excess areas and the depth of the detachment of the section as it is.",
       run_balance,
       {.quantities = add_balance_quantities, .tables = add_balance_tables, .remarks = add_balance_remarks});

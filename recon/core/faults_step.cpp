@@ -19,7 +19,7 @@ using base::translated;
 
 namespace {
 
-const faults::FaultReport* fault_report(const Model& model) {
+const faults::FaultReport* fault_report(const model::Model& model) {
   const auto* found = model.findings.get<FoundFaults>();
   return found == nullptr ? nullptr : &found->report;
 }
@@ -44,7 +44,7 @@ std::vector<RowCell> cells_of(const faults::CutoffPair& pair) {
           {"distance", "m", pair.distance}};
 }
 
-void add_fault_quantities(const Model& model, std::vector<scenario::Quantity>& quantities) {
+void add_fault_quantities(const model::Model& model, std::vector<scenario::Quantity>& quantities) {
   const faults::FaultReport* report = fault_report(model);
   if (report == nullptr) return;
   for (const faults::FaultCutoffs& fault : report->cutoffs) {
@@ -66,7 +66,7 @@ std::string profile_mark(const std::vector<faults::ProfilePoint>& profile, const
   return at == profile.end() || !pair.separation ? std::string() : faults::name_of(at->mark);
 }
 
-void add_fault_tables(const Model& model, std::vector<scenario::DataTable>& tables) {
+void add_fault_tables(const model::Model& model, std::vector<scenario::DataTable>& tables) {
   const faults::FaultReport* report = fault_report(model);
   if (report == nullptr) return;
   scenario::DataTable cutoffs = table_of_cells("cutoffs", "fault", cells_of(faults::CutoffPair()));
@@ -87,7 +87,7 @@ void add_fault_tables(const Model& model, std::vector<scenario::DataTable>& tabl
   tables.push_back(std::move(blocks));
 }
 
-void add_fault_remarks(const Model& model, std::vector<std::string>& remarks) {
+void add_fault_remarks(const model::Model& model, std::vector<std::string>& remarks) {
   if (const faults::FaultReport* report = fault_report(model)) append(report->remarks, remarks);
 }
 
@@ -167,7 +167,7 @@ scene::Panel profile_panel(const faults::FaultReport& report) {
   return panel;
 }
 
-void draw_faults(const Model& model, scene::Picture& picture) {
+void draw_faults(const model::Model& model, scene::Picture& picture) {
   const auto* found = model.findings.get<FoundFaults>();
   if (found == nullptr || (model.source && !is_done(model))) return;
   const section::Palette palette(found->section);
@@ -183,8 +183,8 @@ void draw_faults(const Model& model, scene::Picture& picture) {
 
 }  // namespace
 
-base::Result<Model> run_faults(const Model& model, const faults::FaultsParams& params, const scenario::Context&,
-                               const base::Progress&) {
+base::Result<model::Model> run_faults(const model::Model& model, const faults::FaultsParams& params,
+                                      const scenario::Context&, const base::Progress&) {
   FoundFaults found;
   found.section = model.section;
   std::vector<std::string> remarks;
@@ -193,14 +193,14 @@ base::Result<Model> run_faults(const Model& model, const faults::FaultsParams& p
   }
   DOBRA_TRY(found.report, faults::report_faults(found.section, params));
   append(remarks, found.report.remarks);
-  Model next = model;
+  model::Model next = model;
   const std::size_t state = model.earlier.size() + (is_done(model) ? 1U : 0U);
-  next.findings.set(std::move(found), {.state = state, .outlives = Outlives::Nothing});
+  next.findings.set(std::move(found), {.state = state, .outlives = model::Outlives::Nothing});
   return next;
 }
 
 scenario::Operation faults_step() {
-  return scenario::make_operation<Model, faults::FaultsParams>(
+  return scenario::make_operation<model::Model, faults::FaultsParams>(
       "faults", "Faults", "Cutoffs and displacement along the faults of the section as it is, and its blocks.",
       run_faults,
       {.quantities = add_fault_quantities,

@@ -1,8 +1,8 @@
 #pragma once
 // The operation `faults`.
 
-#include "recon/core/model.h"
 #include "recon/faults/report.h"
+#include "recon/model/model.h"
 #include "shared/scenario/program.h"
 
 namespace recon::core {
@@ -14,8 +14,8 @@ struct FoundFaults {
 };
 
 /// Cutoffs, displacement and blocks of the section as it is now: restored, if it is.
-base::Result<Model> run_faults(const Model& model, const faults::FaultsParams& params,
-                               const dobra::scenario::Context& context, const base::Progress& progress);
+base::Result<model::Model> run_faults(const model::Model& model, const faults::FaultsParams& params,
+                                      const dobra::scenario::Context& context, const base::Progress& progress);
 
 /// Quantities: fault.NAME.HORIZON.separation, .throw, .heave; block.NAME.area. Tables cutoffs and blocks; in the
 /// picture the blocks, and displacement against distance.

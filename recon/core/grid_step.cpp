@@ -13,9 +13,9 @@ namespace io = dobra::io;
 namespace {
 
 /// The stage that the grid stands on.
-base::Result<Model> stage_from(const Model& model, unfold::GridFrom from) {
+base::Result<model::Model> stage_from(const model::Model& model, unfold::GridFrom from) {
   if (from == unfold::GridFrom::Current) return next_stage(model);
-  Model next;
+  model::Model next;
   next.remarks = model.remarks;
   next.findings = model.findings;
   next.findings.begin_stage();
@@ -24,7 +24,7 @@ base::Result<Model> stage_from(const Model& model, unfold::GridFrom from) {
   return next;
 }
 
-void add_grid_quantities(const Model& model, std::vector<scenario::Quantity>& quantities) {
+void add_grid_quantities(const model::Model& model, std::vector<scenario::Quantity>& quantities) {
   if (!model.source) return;
   const unfold::SourceGrid& source = *model.source;
   quantities.push_back({"grid.curves", count_of(source.grid.curves.size()), ""});
@@ -34,7 +34,7 @@ void add_grid_quantities(const Model& model, std::vector<scenario::Quantity>& qu
   quantities.push_back({"grid.last_distance", source.options.distances.back(), "m"});
 }
 
-void add_grid_outputs(const std::shared_ptr<const Model>& model, std::vector<scenario::Output>& outputs) {
+void add_grid_outputs(const std::shared_ptr<const model::Model>& model, std::vector<scenario::Output>& outputs) {
   if (!model->source) return;
   outputs.push_back({"source_grid.geojson", [model](const std::filesystem::path& path) {
                        const auto pin = model->target ? std::optional(model->target->source_pin) : std::nullopt;
@@ -43,12 +43,12 @@ void add_grid_outputs(const std::shared_ptr<const Model>& model, std::vector<sce
                      }});
 }
 
-void add_grid_remarks(const Model& model, std::vector<std::string>& remarks) {
+void add_grid_remarks(const model::Model& model, std::vector<std::string>& remarks) {
   if (model.source) append(model.source->remarks, remarks);
 }
 
 /// Until there is a target, which draws both sides.
-void draw_grid(const Model& model, dobra::scene::Picture& picture) {
+void draw_grid(const model::Model& model, dobra::scene::Picture& picture) {
   if (!model.source || model.target) return;
   const section::Palette palette(model.section);
   PanelParts parts;
@@ -59,16 +59,16 @@ void draw_grid(const Model& model, dobra::scene::Picture& picture) {
 
 }  // namespace
 
-base::Result<Model> run_grid(const Model& model, const unfold::GridParams& params, const scenario::Context&,
-                             const base::Progress& progress) {
-  DOBRA_TRY(Model next, stage_from(model, params.from));
+base::Result<model::Model> run_grid(const model::Model& model, const unfold::GridParams& params,
+                                    const scenario::Context&, const base::Progress& progress) {
+  DOBRA_TRY(model::Model next, stage_from(model, params.from));
   DOBRA_TRY(next.section, input::with_topography_as_horizon(std::move(next.section), params.top));
   DOBRA_TRY(next.source, make_source_grid(next.section, params, progress));
   return next;
 }
 
 scenario::Operation grid_step() {
-  return scenario::make_operation<Model, unfold::GridParams>(
+  return scenario::make_operation<model::Model, unfold::GridParams>(
       "grid", "Source grid", "Offset curves of the top of the section and the transversals between them.", run_grid,
       {.quantities = add_grid_quantities, .remarks = add_grid_remarks, .outputs = add_grid_outputs, .draw = draw_grid});
 }

@@ -19,7 +19,7 @@ namespace {
 
 constexpr scene::Color found_color{150, 20, 30, 255};
 
-const inversion::Inversion* inversion_of(const Model& model) {
+const inversion::Inversion* inversion_of(const model::Model& model) {
   const auto* found = model.findings.get<FoundKinematics>();
   return found == nullptr ? nullptr : &found->inversion;
 }
@@ -40,7 +40,7 @@ std::vector<RowCell> bed_cells(const inversion::BedMisfit& bed) {
           {"correlation", "", bed.correlation}};
 }
 
-void add_inversion_quantities(const Model& model, std::vector<scenario::Quantity>& quantities) {
+void add_inversion_quantities(const model::Model& model, std::vector<scenario::Quantity>& quantities) {
   const inversion::Inversion* found = inversion_of(model);
   if (found == nullptr) return;
   for (const inversion::Estimate& estimate : found->fit.estimates) {
@@ -68,7 +68,7 @@ scenario::DataTable map_table(const inversion::MisfitMap& map, const inversion::
   return table;
 }
 
-void add_inversion_tables(const Model& model, std::vector<scenario::DataTable>& tables) {
+void add_inversion_tables(const model::Model& model, std::vector<scenario::DataTable>& tables) {
   const inversion::Inversion* found = inversion_of(model);
   if (found == nullptr) return;
   scenario::DataTable values = table_of_cells("kinematics", "value", estimate_cells({}));
@@ -81,7 +81,7 @@ void add_inversion_tables(const Model& model, std::vector<scenario::DataTable>& 
   if (found->map) tables.push_back(map_table(*found->map, found->fit));
 }
 
-void add_inversion_remarks(const Model& model, std::vector<std::string>& remarks) {
+void add_inversion_remarks(const model::Model& model, std::vector<std::string>& remarks) {
   if (const inversion::Inversion* found = inversion_of(model)) append(found->remarks, remarks);
 }
 
@@ -190,7 +190,7 @@ scene::Panel map_panel(const inversion::MisfitMap& map, const inversion::Fit& fi
   return panel;
 }
 
-void draw_inversion(const Model& model, scene::Picture& picture) {
+void draw_inversion(const model::Model& model, scene::Picture& picture) {
   const auto* found = model.findings.get<FoundKinematics>();
   if (found == nullptr || is_done(model)) return;
   const section::Palette palette(found->section);
@@ -204,19 +204,19 @@ void draw_inversion(const Model& model, scene::Picture& picture) {
 
 }  // namespace
 
-base::Result<Model> run_invert(const Model& model, const inversion::InvertParams& params, const scenario::Context&,
-                               const base::Progress& progress) {
+base::Result<model::Model> run_invert(const model::Model& model, const inversion::InvertParams& params,
+                                      const scenario::Context&, const base::Progress& progress) {
   FoundKinematics found;
   found.section = current_section(model);
   DOBRA_TRY(found.inversion, inversion::invert(found.section, params, progress));
-  Model next = model;
+  model::Model next = model;
   const std::size_t state = model.earlier.size() + (is_done(model) ? 1U : 0U);
-  next.findings.set(std::move(found), {.state = state, .outlives = Outlives::Nothing});
+  next.findings.set(std::move(found), {.state = state, .outlives = model::Outlives::Nothing});
   return next;
 }
 
 scenario::Operation invert_step() {
-  return scenario::make_operation<Model, inversion::InvertParams>(
+  return scenario::make_operation<model::Model, inversion::InvertParams>(
       "invert", "Kinematics from beds",
       "Finds the values of trishear, or of inclined shear, that take the beds of a fold back to straight lines best.",
       run_invert,

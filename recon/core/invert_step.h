@@ -1,8 +1,8 @@
 #pragma once
 // The operation `invert`.
 
-#include "recon/core/model.h"
 #include "recon/inversion/invert.h"
+#include "recon/model/model.h"
 #include "shared/scenario/program.h"
 
 namespace recon::core {
@@ -15,8 +15,8 @@ struct FoundKinematics {
 
 /// The kinematics of a fold of the section as it is now; the section stays.
 /// @error those of inversion::invert().
-base::Result<Model> run_invert(const Model& model, const inversion::InvertParams& params,
-                               const dobra::scenario::Context& context, const base::Progress& progress);
+base::Result<model::Model> run_invert(const model::Model& model, const inversion::InvertParams& params,
+                                      const dobra::scenario::Context& context, const base::Progress& progress);
 
 dobra::scenario::Operation invert_step();
 

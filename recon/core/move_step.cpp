@@ -21,7 +21,7 @@ namespace {
 constexpr scene::Color block_color{235, 175, 60, 70};
 constexpr scene::Color moving_fault_color{150, 20, 30, 255};
 
-void add_move_quantities(const Model& model, std::vector<scenario::Quantity>& quantities) {
+void add_move_quantities(const model::Model& model, std::vector<scenario::Quantity>& quantities) {
   if (!model.moved) return;
   const moving::Moved& moved = *model.moved;
   quantities.push_back({"move.slip", moved.motion.slip, "m"});
@@ -44,7 +44,7 @@ void add_move_quantities(const Model& model, std::vector<scenario::Quantity>& qu
   }
 }
 
-void add_move_tables(const Model& model, std::vector<scenario::DataTable>& tables) {
+void add_move_tables(const model::Model& model, std::vector<scenario::DataTable>& tables) {
   if (!model.moved) return;
   scenario::DataTable misfits{"misfit", {"horizon", "along the fault [m]", "gap [m]", "overlap [m]"}, {}};
   for (const moving::Misfit& misfit : model.moved->misfit)
@@ -57,11 +57,11 @@ void add_move_tables(const Model& model, std::vector<scenario::DataTable>& table
   tables.push_back(std::move(moved));
 }
 
-void add_move_remarks(const Model& model, std::vector<std::string>& remarks) {
+void add_move_remarks(const model::Model& model, std::vector<std::string>& remarks) {
   if (model.moved) append(model.moved->remarks, remarks);
 }
 
-void add_move_outputs(const std::shared_ptr<const Model>& model, std::vector<scenario::Output>& outputs) {
+void add_move_outputs(const std::shared_ptr<const model::Model>& model, std::vector<scenario::Output>& outputs) {
   if (!model->moved) return;
   outputs.push_back({"moved.geojson", [model](const std::filesystem::path& path) {
                        return io::gis::write_geojson(path.string(), restored_features(model->moved->section));
@@ -104,7 +104,7 @@ void add_block(const moving::MovingPart& part, const section::Section& section, 
   parts.grid.push_back(lines_layer("moving_fault", translated("Fault of the move"), bold, std::move(lines)));
 }
 
-scene::Panel moved_panel(const Model& model) {
+scene::Panel moved_panel(const model::Model& model) {
   const moving::Moved& moved = *model.moved;
   const section::Palette palette(moved.section);
   PanelParts parts;
@@ -115,7 +115,7 @@ scene::Panel moved_panel(const Model& model) {
 }
 
 /// Both states to one scale.
-void draw_moved(const Model& model, scene::Picture& picture) {
+void draw_moved(const model::Model& model, scene::Picture& picture) {
   if (!model.moved) return;
   const section::Palette palette(model.section);
   PanelParts parts;
@@ -134,16 +134,16 @@ void draw_moved(const Model& model, scene::Picture& picture) {
 
 }  // namespace
 
-base::Result<Model> run_move(const Model& model, const moving::MoveParams& params, const scenario::Context&,
-                             const base::Progress& progress) {
-  DOBRA_TRY(Model next, next_stage(model));
+base::Result<model::Model> run_move(const model::Model& model, const moving::MoveParams& params,
+                                    const scenario::Context&, const base::Progress& progress) {
+  DOBRA_TRY(model::Model next, next_stage(model));
   next.findings.forget_after(next.earlier.size());
   DOBRA_TRY(next.moved, move_block(next.section, params, progress));
   return next;
 }
 
 scenario::Operation move_step() {
-  return scenario::make_operation<Model, moving::MoveParams>(
+  return scenario::make_operation<model::Model, moving::MoveParams>(
       "move", "Move on fault", "Moves blocks along a fault, back to an earlier state or on to a later one.", run_move,
       {.quantities = add_move_quantities,
        .tables = add_move_tables,

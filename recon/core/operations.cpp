@@ -3,13 +3,11 @@
 #include "recon/core/area_balance_step.h"
 #include "recon/core/balance_step.h"
 #include "recon/core/carry_step.h"
-#include "recon/core/chain.h"
 #include "recon/core/faults_step.h"
 #include "recon/core/grid_step.h"
 #include "recon/core/invert_step.h"
 #include "recon/core/monte_carlo_step.h"
 #include "recon/core/move_step.h"
-#include "recon/core/names.h"
 #include "recon/core/offset_step.h"
 #include "recon/core/predict_step.h"
 #include "recon/core/report.h"
@@ -17,6 +15,8 @@
 #include "recon/core/section_picture.h"
 #include "recon/core/target_step.h"
 #include "recon/input/input.h"
+#include "recon/model/chain.h"
+#include "recon/model/names.h"
 #include "recon/section/section_faces.h"
 
 namespace recon::core {
@@ -28,14 +28,14 @@ namespace {
 base::Result<scenario::State> read_input(const scenario::Table& table, const scenario::Context& context,
                                          const base::Progress& progress) {
   DOBRA_TRY(input::ReadSection read, read_section(scenario::from_table<input::SectionInput>(table), context, progress));
-  Model model;
+  model::Model model;
   model.section = std::move(read.section);
   model.remarks = std::move(read.remarks);
   return scenario::make_state(std::move(model));
 }
 
 /// Of the section, and of the chain from its second stage on.
-void add_section_quantities(const Model& model, std::vector<scenario::Quantity>& quantities) {
+void add_section_quantities(const model::Model& model, std::vector<scenario::Quantity>& quantities) {
   quantities.push_back({"horizons", count_of(model.section.horizons.size()), ""});
   if (!is_done(model)) {
     for (const section::Horizon& horizon : model.section.horizons) {
@@ -52,23 +52,23 @@ void add_section_quantities(const Model& model, std::vector<scenario::Quantity>&
   if (model.earlier.empty()) return;
   quantities.push_back({"stages", count_of(model.earlier.size()), ""});
   const auto chain = restored_stages(model);
-  const Comparison whole = compare(chain, 0, chain.size());
-  for (const Compared& row : whole.beds)
+  const model::Comparison whole = compare(chain, 0, chain.size());
+  for (const model::Compared& row : whole.beds)
     quantities.push_back({"since_input.horizon." + row.name + ".change_percent", row.change_percent(), "%"});
-  for (const Compared& row : whole.units)
+  for (const model::Compared& row : whole.units)
     quantities.push_back({"since_input.unit." + row.name + ".change_percent", row.change_percent(), "%"});
   const bool balanced = judge(whole, balance_tolerance(chain)).balanced;
   quantities.push_back({"since_input.balanced", balanced ? 1.0 : 0.0, ""});
 }
 
 /// Every bed and unit in every state that the chain has gone through, and what changed since the input.
-scenario::DataTable stages_table(const std::vector<const Stage*>& chain) {
+scenario::DataTable stages_table(const std::vector<const model::Stage*>& chain) {
   scenario::DataTable table{
       "stages", {"state", "kind", "name", "before [m or m2]", "after", "change since input [%]"}, {}};
   for (std::size_t k = 1; k <= chain.size(); ++k) {
-    const Comparison whole = compare(chain, 0, k);
-    const auto add = [&](const char* kind, const std::vector<Compared>& rows) {
-      for (const Compared& row : rows)
+    const model::Comparison whole = compare(chain, 0, k);
+    const auto add = [&](const char* kind, const std::vector<model::Compared>& rows) {
+      for (const model::Compared& row : rows)
         table.rows.push_back({count_of(k), kind, row.name, row.before, row.after, row.change_percent()});
     };
     add("horizon", whole.beds);
@@ -77,14 +77,14 @@ scenario::DataTable stages_table(const std::vector<const Stage*>& chain) {
   return table;
 }
 
-void add_chain_tables(const Model& model, std::vector<scenario::DataTable>& tables) {
+void add_chain_tables(const model::Model& model, std::vector<scenario::DataTable>& tables) {
   if (!model.earlier.empty()) tables.push_back(stages_table(restored_stages(model)));
 }
 
-void add_section_remarks(const Model& model, std::vector<std::string>& remarks) {
+void add_section_remarks(const model::Model& model, std::vector<std::string>& remarks) {
   append(model.remarks, remarks);
   for (std::size_t k = 0; k < model.earlier.size(); ++k) {
-    const Stage& stage = *model.earlier[k];
+    const model::Stage& stage = *model.earlier[k];
     for (const std::string& remark : remarks_of(stage))
       remarks.push_back(std::string(what_was_done(stage)) + ' ' + std::to_string(k + 1) + ": " + remark);
   }
@@ -98,15 +98,15 @@ scenario::Program make_program() {
   recon.title = "RECON";
   recon.input_fields = scenario::fields_of<input::SectionInput>();
   recon.read_input = read_input;
-  recon.results = scenario::make_results<Model>({.quantities = add_section_quantities,
-                                                 .tables = add_chain_tables,
-                                                 .remarks = add_section_remarks,
-                                                 .draw = draw_section});
+  recon.results = scenario::make_results<model::Model>({.quantities = add_section_quantities,
+                                                        .tables = add_chain_tables,
+                                                        .remarks = add_section_remarks,
+                                                        .draw = draw_section});
   recon.operations = {grid_step(),   target_step(),      restore_step(), move_step(),
                       carry_step(),  monte_carlo_step(), balance_step(), area_balance_step(),
                       faults_step(), invert_step(),      predict_step(), offset_step()};
   recon.names_of = [](const scenario::State& state, const std::string& what) {
-    return names_of(scenario::model_of<Model>(state), what);
+    return names_of(scenario::model_of<model::Model>(state), what);
   };
   return recon;
 }

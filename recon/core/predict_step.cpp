@@ -16,12 +16,12 @@ namespace {
 
 constexpr scene::Color predicted_color{20, 80, 190, 255};
 
-const inversion::Predicted* prediction_of(const Model& model) {
+const inversion::Predicted* prediction_of(const model::Model& model) {
   const auto* found = model.findings.get<FoundPrediction>();
   return found == nullptr ? nullptr : &found->predicted;
 }
 
-void add_prediction_quantities(const Model& model, std::vector<scenario::Quantity>& quantities) {
+void add_prediction_quantities(const model::Model& model, std::vector<scenario::Quantity>& quantities) {
   const inversion::Predicted* found = prediction_of(model);
   if (found == nullptr) return;
   for (std::size_t i = 0; i < found->solutions.size(); ++i) {
@@ -30,7 +30,7 @@ void add_prediction_quantities(const Model& model, std::vector<scenario::Quantit
   }
 }
 
-void add_prediction_tables(const Model& model, std::vector<scenario::DataTable>& tables) {
+void add_prediction_tables(const model::Model& model, std::vector<scenario::DataTable>& tables) {
   const inversion::Predicted* found = prediction_of(model);
   if (found == nullptr || found->lines.empty()) return;
   scenario::DataTable lines{"predicted", {"line", "x [m]", "z [m]"}, {}};
@@ -40,11 +40,11 @@ void add_prediction_tables(const Model& model, std::vector<scenario::DataTable>&
   tables.push_back(std::move(lines));
 }
 
-void add_prediction_remarks(const Model& model, std::vector<std::string>& remarks) {
+void add_prediction_remarks(const model::Model& model, std::vector<std::string>& remarks) {
   if (const inversion::Predicted* found = prediction_of(model)) append(found->remarks, remarks);
 }
 
-void draw_prediction(const Model& model, scene::Picture& picture) {
+void draw_prediction(const model::Model& model, scene::Picture& picture) {
   const auto* found = model.findings.get<FoundPrediction>();
   if (found == nullptr || found->predicted.lines.empty() || is_done(model)) return;
   const section::Palette palette(found->section);
@@ -68,19 +68,19 @@ void draw_prediction(const Model& model, scene::Picture& picture) {
 
 }  // namespace
 
-base::Result<Model> run_predict(const Model& model, const inversion::PredictParams& params, const scenario::Context&,
-                                const base::Progress&) {
+base::Result<model::Model> run_predict(const model::Model& model, const inversion::PredictParams& params,
+                                       const scenario::Context&, const base::Progress&) {
   FoundPrediction found;
   found.section = current_section(model);
   DOBRA_TRY(found.predicted, inversion::predict(found.section, params));
-  Model next = model;
+  model::Model next = model;
   const std::size_t state = model.earlier.size() + (is_done(model) ? 1U : 0U);
-  next.findings.set(std::move(found), {.state = state, .outlives = Outlives::Nothing});
+  next.findings.set(std::move(found), {.state = state, .outlives = model::Outlives::Nothing});
   return next;
 }
 
 scenario::Operation predict_step() {
-  return scenario::make_operation<Model, inversion::PredictParams>(
+  return scenario::make_operation<model::Model, inversion::PredictParams>(
       "predict", "Prediction",
       "The deep part of a fault from a rollover, a rollover over a fault, or the angles of a fold from its dips.",
       run_predict,

@@ -1,8 +1,8 @@
 #pragma once
 // The operation `predict`.
 
-#include "recon/core/model.h"
 #include "recon/inversion/predict.h"
+#include "recon/model/model.h"
 #include "shared/scenario/program.h"
 
 namespace recon::core {
@@ -14,8 +14,8 @@ struct FoundPrediction {
 };
 
 /// From the section as it is now; the section stays.  @error those of inversion::predict().
-base::Result<Model> run_predict(const Model& model, const inversion::PredictParams& params,
-                                const dobra::scenario::Context& context, const base::Progress& progress);
+base::Result<model::Model> run_predict(const model::Model& model, const inversion::PredictParams& params,
+                                       const dobra::scenario::Context& context, const base::Progress& progress);
 
 dobra::scenario::Operation predict_step();
 

@@ -120,7 +120,7 @@ void add_piece(const balance::UnitRow& piece, balance::UnitRow& whole) {
 
 }  // namespace
 
-std::vector<balance::UnitRow> unit_rows(const Model& model) {
+std::vector<balance::UnitRow> unit_rows(const model::Model& model) {
   const std::vector<balance::UnitRow>& rows = model.restoration->ledger.units;
   const section::Palette palette(model.section);
   std::vector<balance::UnitRow> wholes;

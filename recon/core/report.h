@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "recon/balance/area_depth.h"
-#include "recon/core/model.h"
+#include "recon/model/model.h"
 #include "shared/io/lines/feature.h"
 #include "shared/scenario/program.h"
 
@@ -16,7 +16,7 @@ inline double count_of(std::size_t count) { return static_cast<double>(count); }
 void append(const std::vector<std::string>& more, std::vector<std::string>& remarks);
 
 /// The rows of the ledger, one a unit: polygons that are pieces of one are summed.  @pre the model is restored.
-std::vector<balance::UnitRow> unit_rows(const Model& model);
+std::vector<balance::UnitRow> unit_rows(const model::Model& model);
 
 /// The names, values and units of a row, in the order of its table's columns; nothing where there is no value.
 struct RowCell {

@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "recon/balance/face_ledger.h"
-#include "recon/core/chain.h"
 #include "recon/core/report.h"
 #include "recon/core/section_picture.h"
+#include "recon/model/chain.h"
 #include "shared/base/parallel.h"
 #include "shared/base/text.h"
 #include "shared/scene/color_map.h"
@@ -151,7 +151,7 @@ std::string fixed(double value, double largest) {
 }
 
 /// The ledger as tables, and what is to be said about it.
-void add_ledger(scene::Picture& picture, const Model& model) {
+void add_ledger(scene::Picture& picture, const model::Model& model) {
   const unfold::Restoration& restoration = *model.restoration;
   scene::TextTable beds{translated("Beds"),
                         {translated("horizon"), translated("length before [m]"), translated("after [m]"),
@@ -214,14 +214,14 @@ std::vector<geom::Polyline> images_of(const std::vector<geom::Polyline>& lines, 
 }
 
 /// Is the grid of the target line what the source grid becomes?
-bool goes_to_target_grid(const Model& model) {
+bool goes_to_target_grid(const model::Model& model) {
   return model.restoration->params.method == unfold::RestoreMethod::Constant &&
          model.restoration->params.percent == 100.0;
 }
 
 /// The target grid of the method: the grid of the target line where columns go to columns, else what becomes of the
 /// source grid.
-unfold::Grid restored_grid(const Model& model) {
+unfold::Grid restored_grid(const model::Model& model) {
   if (goes_to_target_grid(model)) return model.target->grid;
   unfold::Grid grid;
   for (const unfold::GridCurve& curve : model.source->grid.curves)
@@ -231,7 +231,7 @@ unfold::Grid restored_grid(const Model& model) {
 }
 
 /// What the method holds at the pin: under shear the line along its direction, else the normal of the top.
-geom::Polyline source_pin_line(const Model& model, double deepest) {
+geom::Polyline source_pin_line(const model::Model& model, double deepest) {
   const unfold::Target& target = *model.target;
   const maps::Columns& columns = target.map.source();
   geom::Polyline line = normal_at_pin(columns, target.map.locate(target.source_pin).at, deepest);
@@ -265,7 +265,7 @@ bool keeps_areas(unfold::RestoreMethod method) {
 }
 
 /// The section with its units, what became of them in colours and ellipses, the grid and the pin.
-scene::Panel panel_before(const Model& model, const section::Palette& palette,
+scene::Panel panel_before(const model::Model& model, const section::Palette& palette,
                           const std::vector<balance::LedgerUnit>& units, const geom::Polyline& pin) {
   const unfold::Restoration& restoration = *model.restoration;
   std::vector<scene::Layer> fills = unit_layers(model.section, palette, units);
@@ -279,7 +279,7 @@ scene::Panel panel_before(const Model& model, const section::Palette& palette,
   return current_panel(model, palette, std::move(parts));
 }
 
-scene::Panel panel_after(const Model& model, const section::Palette& palette,
+scene::Panel panel_after(const model::Model& model, const section::Palette& palette,
                          const std::vector<balance::LedgerUnit>& units, const geom::Polyline& pin) {
   const unfold::Restoration& restoration = *model.restoration;
   PanelParts parts;
@@ -336,7 +336,7 @@ std::vector<scene::Layer> pins_of(const jigsaw::Blockwise& made, When when, doub
 }
 
 /// Both states to one scale, blocks in colours.
-void draw_blockwise(const Model& model, scene::Picture& picture) {
+void draw_blockwise(const model::Model& model, scene::Picture& picture) {
   if (!model.blockwise) return;
   const jigsaw::Blockwise& made = *model.blockwise;
   const section::Palette palette(made.section);
@@ -361,7 +361,7 @@ void draw_blockwise(const Model& model, scene::Picture& picture) {
 
 }  // namespace
 
-void draw_restored(const Model& model, scene::Picture& picture) {
+void draw_restored(const model::Model& model, scene::Picture& picture) {
   draw_blockwise(model, picture);
   if (!model.restoration) return;
   const section::Palette palette(model.section);

@@ -14,7 +14,7 @@ namespace io = dobra::io;
 
 namespace {
 
-void add_blockwise_quantities(const Model& model, std::vector<scenario::Quantity>& quantities) {
+void add_blockwise_quantities(const model::Model& model, std::vector<scenario::Quantity>& quantities) {
   if (!model.blockwise) return;
   const jigsaw::Blockwise& made = *model.blockwise;
   for (const balance::LineLength& row : made.lengths) add_cells("horizon." + row.name + ".", cells_of(row), quantities);
@@ -43,7 +43,7 @@ void add_blockwise_quantities(const Model& model, std::vector<scenario::Quantity
     quantities.push_back({"balanced", balance.verdict == balance::BalanceVerdict::Balanced ? 1.0 : 0.0, ""});
 }
 
-void add_blockwise_tables(const Model& model, std::vector<scenario::DataTable>& tables) {
+void add_blockwise_tables(const model::Model& model, std::vector<scenario::DataTable>& tables) {
   if (!model.blockwise) return;
   const jigsaw::Blockwise& made = *model.blockwise;
   tables.push_back(row_table("line_length", "horizon", made.lengths));
@@ -58,7 +58,7 @@ void add_blockwise_tables(const Model& model, std::vector<scenario::DataTable>& 
   if (made.how.jigsaw) tables.push_back(row_table("restored_faults", "fault", made.faults));
 }
 
-void add_restored_quantities(const Model& model, std::vector<scenario::Quantity>& quantities) {
+void add_restored_quantities(const model::Model& model, std::vector<scenario::Quantity>& quantities) {
   add_blockwise_quantities(model, quantities);
   if (!model.restoration) return;
   const unfold::Restoration& restoration = *model.restoration;
@@ -116,7 +116,7 @@ scenario::DataTable strain_table(const std::vector<maps::Strain>& strains) {
   return table;
 }
 
-void add_restored_tables(const Model& model, std::vector<scenario::DataTable>& tables) {
+void add_restored_tables(const model::Model& model, std::vector<scenario::DataTable>& tables) {
   add_blockwise_tables(model, tables);
   if (!model.restoration) return;
   tables.push_back(row_table("line_length", "horizon", model.restoration->lengths));
@@ -149,7 +149,7 @@ std::string restored_csv(const unfold::Restoration& restoration) {
   return text;
 }
 
-void add_restored_outputs(const std::shared_ptr<const Model>& model, std::vector<scenario::Output>& outputs) {
+void add_restored_outputs(const std::shared_ptr<const model::Model>& model, std::vector<scenario::Output>& outputs) {
   using Path = std::filesystem::path;
   if (!model->restoration && !model->blockwise) return;
   outputs.push_back({"restored.geojson", [model](const Path& path) {
@@ -160,33 +160,33 @@ void add_restored_outputs(const std::shared_ptr<const Model>& model, std::vector
       {"restored.csv", [model](const Path& path) { return io::write_file(path, restored_csv(*model->restoration)); }});
 }
 
-void add_restored_remarks(const Model& model, std::vector<std::string>& remarks) {
+void add_restored_remarks(const model::Model& model, std::vector<std::string>& remarks) {
   if (model.restoration) append(model.restoration->remarks, remarks);
   if (model.blockwise) append(model.blockwise->remarks, remarks);
 }
 
 }  // namespace
 
-base::Result<Model> run_restore(const Model& model, const unfold::RestoreParams& params, const scenario::Context&,
-                                const base::Progress& progress) {
+base::Result<model::Model> run_restore(const model::Model& model, const unfold::RestoreParams& params,
+                                       const scenario::Context&, const base::Progress& progress) {
   if (!model.source || !model.target) {
     const char* missing =
         model.source ? "restore needs a target first; put a step 'target' before it"
                      : "restore needs a source grid and a target first; put the steps 'grid' and 'target' before it";
     return base::Error{base::ErrorCode::CannotRestore, missing};
   }
-  Model next = model;
+  model::Model next = model;
   next.findings.forget_after(model.earlier.size());
   DOBRA_TRY_VOID(check_section(next.section, params.crossings));
   DOBRA_TRY(next.restoration, restore(next.section, *model.source, *model.target, params, progress));
   return next;
 }
 
-base::Result<Model> run_restore_step(const Model& model, const jigsaw::RestoreStepParams& params,
-                                     const scenario::Context& context, const base::Progress& progress) {
+base::Result<model::Model> run_restore_step(const model::Model& model, const jigsaw::RestoreStepParams& params,
+                                            const scenario::Context& context, const base::Progress& progress) {
   DOBRA_TRY_VOID(jigsaw::check_params(params));
   if (!is_blockwise(params)) return run_restore(model, params, context, progress);
-  DOBRA_TRY(Model next, next_stage(model));
+  DOBRA_TRY(model::Model next, next_stage(model));
   next.findings.forget_after(next.earlier.size());
   DOBRA_TRY_VOID(check_section(next.section, params.crossings));
   DOBRA_TRY(next.blockwise, restore_blockwise(next.section, params, params, progress));
@@ -194,7 +194,7 @@ base::Result<Model> run_restore_step(const Model& model, const jigsaw::RestoreSt
 }
 
 scenario::Operation restore_step() {
-  return scenario::make_operation<Model, jigsaw::RestoreStepParams>(
+  return scenario::make_operation<model::Model, jigsaw::RestoreStepParams>(
       "restore", "Restore", "Carries every point of the section from the source grid to the target grid.",
       run_restore_step,
       {.quantities = add_restored_quantities,

@@ -1,19 +1,19 @@
 #pragma once
 // The operation `restore`.
 
-#include "recon/core/model.h"
 #include "recon/jigsaw/restore_params.h"
+#include "recon/model/model.h"
 #include "shared/scenario/program.h"
 
 namespace recon::core {
 
 /// Restored section and balance ledger. @error CannotRestore without grid and target.
-base::Result<Model> run_restore(const Model& model, const unfold::RestoreParams& params,
-                                const dobra::scenario::Context& context, const base::Progress& progress);
+base::Result<model::Model> run_restore(const model::Model& model, const unfold::RestoreParams& params,
+                                       const dobra::scenario::Context& context, const base::Progress& progress);
 
 /// The same, or block by block, which needs neither grid nor target and is a stage of its own.
-base::Result<Model> run_restore_step(const Model& model, const jigsaw::RestoreStepParams& params,
-                                     const dobra::scenario::Context& context, const base::Progress& progress);
+base::Result<model::Model> run_restore_step(const model::Model& model, const jigsaw::RestoreStepParams& params,
+                                            const dobra::scenario::Context& context, const base::Progress& progress);
 
 /// Quantities: horizon.NAME.* and top.* (the columns of the table line_length), shortening, shortening_percent, points,
 /// points_outside, points_beyond_ends, points_not_reversible, tears, torn, greatest_change_percent,

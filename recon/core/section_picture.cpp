@@ -301,7 +301,7 @@ scene::Panel section_panel(scene::Panel panel, const section::Section& section, 
   return panel;
 }
 
-scene::Panel current_panel(const Model& model, const section::Palette& palette, PanelParts parts) {
+scene::Panel current_panel(const model::Model& model, const section::Palette& palette, PanelParts parts) {
   std::string title = translated("Deformed section");
   if (!model.earlier.empty()) {
     title = fmt::format(
@@ -327,7 +327,7 @@ void show(std::vector<scene::Panel> panels, const section::Section& section, sce
   if (section.colors) scene::paint(picture, *section.colors);
 }
 
-void draw_section(const Model& model, scene::Picture& picture) {
+void draw_section(const model::Model& model, scene::Picture& picture) {
   if (model.source) return;
   const section::Palette palette(model.section);
   PanelParts parts;

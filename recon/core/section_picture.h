@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "recon/balance/ledger.h"
-#include "recon/core/model.h"
 #include "recon/maps/columns.h"
+#include "recon/model/model.h"
 #include "recon/section/palette.h"
 #include "recon/unfold/grid.h"
 #include "shared/scene/layer.h"
@@ -29,7 +29,7 @@ struct PanelParts {
 dobra::scene::Panel section_panel(dobra::scene::Panel panel, const section::Section& section,
                                   const section::Palette& palette, PanelParts parts);
 /// The same for the section of the stage in hand, which is called by its place in the chain.
-dobra::scene::Panel current_panel(const Model& model, const section::Palette& palette, PanelParts parts);
+dobra::scene::Panel current_panel(const model::Model& model, const section::Palette& palette, PanelParts parts);
 /// Axes and ends of a section, and no layers.
 dobra::scene::Panel empty_panel(const std::string& key, const std::string& title, const section::Section& section);
 
@@ -56,6 +56,6 @@ std::vector<dobra::scene::Layer> pin_layers(const geom::Polyline& line);
 void show(std::vector<dobra::scene::Panel> panels, const section::Section& section, dobra::scene::Picture& picture);
 
 /// The section before it has a grid.
-void draw_section(const Model& model, dobra::scene::Picture& picture);
+void draw_section(const model::Model& model, dobra::scene::Picture& picture);
 
 }  // namespace recon::core

@@ -14,14 +14,14 @@ using base::translated;
 
 namespace {
 
-void add_target_quantities(const Model& model, std::vector<scenario::Quantity>& quantities) {
+void add_target_quantities(const model::Model& model, std::vector<scenario::Quantity>& quantities) {
   if (!model.target) return;
   quantities.push_back({"target.curves", count_of(model.target->grid.curves.size()), ""});
   quantities.push_back({"target.extended", model.target->extended, "m"});
   quantities.push_back({"columns", count_of(model.target->map.source().inner_count()), ""});
 }
 
-void add_target_outputs(const std::shared_ptr<const Model>& model, std::vector<scenario::Output>& outputs) {
+void add_target_outputs(const std::shared_ptr<const model::Model>& model, std::vector<scenario::Output>& outputs) {
   if (!model->target) return;
   outputs.push_back({"target_grid.geojson", [model](const std::filesystem::path& path) {
                        return io::gis::write_geojson(
@@ -30,11 +30,11 @@ void add_target_outputs(const std::shared_ptr<const Model>& model, std::vector<s
                      }});
 }
 
-void add_target_remarks(const Model& model, std::vector<std::string>& remarks) {
+void add_target_remarks(const model::Model& model, std::vector<std::string>& remarks) {
   if (model.target) append(model.target->remarks, remarks);
 }
 
-scene::Panel grid_panel(const Model& model, const section::Palette& palette, const geom::Polyline& pin) {
+scene::Panel grid_panel(const model::Model& model, const section::Palette& palette, const geom::Polyline& pin) {
   scene::Panel panel = empty_panel("restored", translated("Target grid"), model.section);
   panel.layers = grid_layers(model.target->grid, "target_grid");
   scene::Style style;
@@ -47,7 +47,7 @@ scene::Panel grid_panel(const Model& model, const section::Palette& palette, con
 }
 
 /// The section with its grid and the target's, until it is restored.
-void draw_target(const Model& model, scene::Picture& picture) {
+void draw_target(const model::Model& model, scene::Picture& picture) {
   if (!model.target || model.restoration) return;
   const section::Palette palette(model.section);
   const maps::ColumnMap& map = model.target->map;
@@ -64,13 +64,13 @@ void draw_target(const Model& model, scene::Picture& picture) {
 
 }  // namespace
 
-base::Result<Model> run_target(const Model& model, const unfold::TargetParams& params, const scenario::Context& context,
-                               const base::Progress& progress) {
+base::Result<model::Model> run_target(const model::Model& model, const unfold::TargetParams& params,
+                                      const scenario::Context& context, const base::Progress& progress) {
   if (!model.source) {
     return base::Error{base::ErrorCode::CannotRestore,
                        "a target needs a source grid first; put a step 'grid' before it"};
   }
-  Model next = model;
+  model::Model next = model;
   next.restoration.reset();
   next.findings.forget_after(model.earlier.size());
   DOBRA_TRY(next.target, make_target(model.section, *model.source, params, context, progress));
@@ -78,7 +78,7 @@ base::Result<Model> run_target(const Model& model, const unfold::TargetParams& p
 }
 
 scenario::Operation target_step() {
-  return scenario::make_operation<Model, unfold::TargetParams>(
+  return scenario::make_operation<model::Model, unfold::TargetParams>(
       "target", "Target", "The geometry to which the top is restored, a datum or a line, held at a pin.", run_target,
       {.quantities = add_target_quantities,
        .remarks = add_target_remarks,

@@ -54,8 +54,8 @@ unfold::TargetParams pinned(double x) {
 }
 
 /// As reading leaves it: with its units.
-Model start(std::size_t horizons, std::size_t points) {
-  Model model;
+model::Model start(std::size_t horizons, std::size_t points) {
+  model::Model model;
   model.section = fold_train(horizons, points);
   model.section.faces = std::make_shared<const section::SectionFaces>(faces_of(model.section).value());
   return model;
@@ -76,10 +76,10 @@ BENCHMARK(find_units)
     ->UseRealTime();
 
 void restore_whole_section(benchmark::State& state) {
-  const Model model = start(static_cast<std::size_t>(state.range(0)), static_cast<std::size_t>(state.range(1)));
+  const model::Model model = start(static_cast<std::size_t>(state.range(0)), static_cast<std::size_t>(state.range(1)));
   for (auto _ : state) {
-    const Model with_grid = run_grid(model, grid_of(20), {}, {}).value();
-    const Model with_target = run_target(with_grid, pinned(5000.0), {}, {}).value();
+    const model::Model with_grid = run_grid(model, grid_of(20), {}, {}).value();
+    const model::Model with_target = run_target(with_grid, pinned(5000.0), {}, {}).value();
     benchmark::DoNotOptimize(run_restore(with_target, by(unfold::RestoreMethod::Constant), {}, {}).value());
   }
   state.SetItemsProcessed(state.iterations() * state.range(0) * state.range(1));
@@ -95,8 +95,8 @@ BENCHMARK(restore_whole_section)
 void restore_with_grid_there(benchmark::State& state) {
   const auto horizons = static_cast<std::size_t>(state.range(0));
   const auto points = static_cast<std::size_t>(state.range(1));
-  const Model model = start(horizons, points);
-  const Model ready = run_target(run_grid(model, grid_of(20), {}, {}).value(), pinned(5000.0), {}, {}).value();
+  const model::Model model = start(horizons, points);
+  const model::Model ready = run_target(run_grid(model, grid_of(20), {}, {}).value(), pinned(5000.0), {}, {}).value();
   const auto method = static_cast<unfold::RestoreMethod>(state.range(2));
   state.SetLabel(method_name(method));
   for (auto _ : state) benchmark::DoNotOptimize(run_restore(ready, by(method), {}, {}).value());
@@ -169,8 +169,8 @@ std::vector<geom::Point> all_points(const section::Section& section) {
 }
 
 void map_points(benchmark::State& state) {
-  const Model model = start(100, 10000);
-  const Model ready = run_target(run_grid(model, grid_of(1), {}, {}).value(), pinned(5000.0), {}, {}).value();
+  const model::Model model = start(100, 10000);
+  const model::Model ready = run_target(run_grid(model, grid_of(1), {}, {}).value(), pinned(5000.0), {}, {}).value();
   unfold::MethodParams params;
   params.method = static_cast<unfold::RestoreMethod>(state.range(0));
   state.SetLabel(method_name(params.method));
@@ -199,13 +199,13 @@ BENCHMARK(affine_peer)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->
 
 /// A drag of the pin: target and restoration of 10 x 1000 points.
 void move_the_pin(benchmark::State& state) {
-  const Model with_grid = run_grid(start(10, 1000), grid_of(20), {}, {}).value();
+  const model::Model with_grid = run_grid(start(10, 1000), grid_of(20), {}, {}).value();
   const auto method = static_cast<unfold::RestoreMethod>(state.range(0));
   state.SetLabel(method_name(method));
   double x = 3000.0;
   for (auto _ : state) {
     x += 1.0;
-    const Model with_target = run_target(with_grid, pinned(x), {}, {}).value();
+    const model::Model with_target = run_target(with_grid, pinned(x), {}, {}).value();
     benchmark::DoNotOptimize(run_restore(with_target, by(method), {}, {}).value());
   }
 }
@@ -213,7 +213,7 @@ BENCHMARK(move_the_pin)->DenseRange(0, 5)->Unit(benchmark::kMillisecond)->Measur
 
 /// Processor seconds of one restoration with the grid there, the least of three.
 double seconds_of(std::size_t points, unfold::RestoreMethod method) {
-  const Model ready =
+  const model::Model ready =
       run_target(run_grid(start(20, points), grid_of(1), {}, {}).value(), pinned(5000.0), {}, {}).value();
   double least = 1e300;
   for (int i = 0; i < 3; ++i) {
@@ -239,9 +239,9 @@ void growth(benchmark::State& state) {
 BENCHMARK(growth)->DenseRange(0, 5)->Iterations(1)->Unit(benchmark::kSecond)->MeasureProcessCPUTime()->UseRealTime();
 
 void monte_carlo_draws(benchmark::State& state) {
-  const Model with_target =
+  const model::Model with_target =
       run_target(run_grid(start(10, 500), grid_of(1), {}, {}).value(), pinned(5000.0), {}, {}).value();
-  const Model ready = run_restore(with_target, by(unfold::RestoreMethod::Flexural), {}, {}).value();
+  const model::Model ready = run_restore(with_target, by(unfold::RestoreMethod::Flexural), {}, {}).value();
   unfold::MonteCarloParams params;
   params.draws = static_cast<int>(state.range(0));
   params.pick_error = 5.0;

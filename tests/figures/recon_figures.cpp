@@ -94,7 +94,7 @@ void add_point(scene::Panel& panel, Point p, const recon::maps::ColumnPoint& nam
   panel.extent->add(Point{at.x, at.y + 0.3});
 }
 
-base::Result<core::Model> restored_fold() {
+base::Result<recon::model::Model> restored_fold() {
   const geom::Polyline top = cosine();
   geom::Polyline middle;
   geom::Polyline low;
@@ -104,15 +104,15 @@ base::Result<core::Model> restored_fold() {
   }
   recon::unfold::GridParams grid_params;
   grid_params.count = 8;
-  core::Model model;
+  recon::model::Model model;
   model.section = section_of({top, middle, low});
-  DOBRA_TRY(core::Model with_grid, core::run_grid(model, grid_params, {}, {}));
-  DOBRA_TRY(core::Model with_target, core::run_target(with_grid, {}, {}, {}));
+  DOBRA_TRY(recon::model::Model with_grid, core::run_grid(model, grid_params, {}, {}));
+  DOBRA_TRY(recon::model::Model with_target, core::run_target(with_grid, {}, {}, {}));
   return core::run_restore(with_target, {}, {}, {});
 }
 
 base::Result<scene::Picture> unfold() {
-  DOBRA_TRY(const core::Model model, restored_fold());
+  DOBRA_TRY(const recon::model::Model model, restored_fold());
   const recon::maps::ColumnMap& map = model.target->map;
   constexpr double depth = 0.6;
   scene::Picture picture{{}, {}, scene::Arrangement::Column};

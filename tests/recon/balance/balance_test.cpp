@@ -251,8 +251,8 @@ TEST(Balance, NormalDeviatesHaveTheirMomentsAndAreIndependent) {
   EXPECT_NEAR(product / count, 0.0, 0.025);
 }
 
-core::Model restored_fold(unfold::RestoreMethod method) {
-  core::Model model;
+model::Model restored_fold(unfold::RestoreMethod method) {
+  model::Model model;
   const geom::Polyline top = test::cosine();
   model.section = test::section_of({top, test::parallel(top, 0.3), test::parallel(top, 0.6)});
   unfold::GridParams grid;
@@ -261,13 +261,13 @@ core::Model restored_fold(unfold::RestoreMethod method) {
   restore.method = method;
   unfold::TargetParams target;
   target.pin = 6.0;
-  const core::Model with_grid = core::run_grid(model, grid, {}, {}).value();
-  const core::Model with_target = core::run_target(with_grid, target, {}, {}).value();
+  const model::Model with_grid = core::run_grid(model, grid, {}, {}).value();
+  const model::Model with_target = core::run_target(with_grid, target, {}, {}).value();
   return core::run_restore(with_target, restore, {}, {}).value();
 }
 
 TEST(Balance, MonteCarloWithoutErrorsRepeatsTheRestoration) {
-  const core::Model model = restored_fold(unfold::RestoreMethod::Variable);
+  const model::Model model = restored_fold(unfold::RestoreMethod::Variable);
   unfold::MonteCarloParams params;
   params.draws = 4;
   const auto result = core::run_monte_carlo(model, params, {}, {});
@@ -294,7 +294,7 @@ TEST(Balance, MonteCarloWithoutErrorsRepeatsTheRestoration) {
 }
 
 TEST(Balance, MonteCarloTellsNoShareWhereNothingIsJudged) {
-  core::Model model;
+  model::Model model;
   model.section = test::section_of({test::cosine()});
   unfold::GridParams grid;
   grid.count = 1;
@@ -310,7 +310,7 @@ TEST(Balance, MonteCarloTellsNoShareWhereNothingIsJudged) {
 }
 
 TEST(Balance, MonteCarloIsTheSameAtAnyNumberOfThreadsAndAnotherForAnotherSeed) {
-  const core::Model model = restored_fold(unfold::RestoreMethod::Flexural);
+  const model::Model model = restored_fold(unfold::RestoreMethod::Flexural);
   unfold::MonteCarloParams params;
   params.draws = 200;
   params.pick_error = 0.01;
@@ -336,12 +336,12 @@ TEST(Balance, MonteCarloIsTheSameAtAnyNumberOfThreadsAndAnotherForAnotherSeed) {
 
 TEST(Balance, TheSpreadOfAnEndPickIsTheSpreadOfTheWidth) {
   // Two picks a horizon, far beyond the correlation length: the length of a straight bed has a deviation of sqrt(2) s.
-  core::Model model;
+  model::Model model;
   model.section = test::section_of({{{{0, 0}, {1000, 0}}, false}, {{{0, -100}, {1000, -100}}, false}});
   unfold::GridParams grid;
   grid.count = 1;
-  const core::Model with_target = core::run_target(core::run_grid(model, grid, {}, {}).value(), {}, {}, {}).value();
-  const core::Model restored = core::run_restore(with_target, {}, {}, {}).value();
+  const model::Model with_target = core::run_target(core::run_grid(model, grid, {}, {}).value(), {}, {}, {}).value();
+  const model::Model restored = core::run_restore(with_target, {}, {}, {}).value();
   unfold::MonteCarloParams params;
   params.draws = 4000;
   params.pick_error = 1.0;
@@ -356,19 +356,19 @@ TEST(Balance, TheSpreadOfAnEndPickIsTheSpreadOfTheWidth) {
 }
 
 /// Two straight beds, 10 long, at 0 and -4, with what the caller adds, restored as they are.
-core::Model flat_section(const std::function<void(section::Section&)>& add) {
-  core::Model model;
+model::Model flat_section(const std::function<void(section::Section&)>& add) {
+  model::Model model;
   model.section = test::section_of({{{{0, 0}, {10, 0}}, false}, {{{0, -4}, {10, -4}}, false}});
   add(model.section);
   unfold::GridParams grid;
   grid.count = 1;
-  const core::Model with_target = core::run_target(core::run_grid(model, grid, {}, {}).value(), {}, {}, {}).value();
+  const model::Model with_target = core::run_target(core::run_grid(model, grid, {}, {}).value(), {}, {}, {}).value();
   auto restored = core::run_restore(with_target, {}, {}, {});
   EXPECT_TRUE(restored) << to_string(restored.error());
   return *restored;
 }
 
-std::map<std::string, unfold::Spread> drawn(const core::Model& model, double pick_error, int draws = 4000) {
+std::map<std::string, unfold::Spread> drawn(const model::Model& model, double pick_error, int draws = 4000) {
   unfold::MonteCarloParams params;
   params.draws = draws;
   params.pick_error = pick_error;
@@ -383,7 +383,7 @@ std::map<std::string, unfold::Spread> drawn(const core::Model& model, double pic
 TEST(Balance, TheAreaOfARectangleOfFourPicksHasTheSpreadOfTheShoelaceFormula) {
   // dA/dx = +-b/2, dA/dz = +-a/2 at each of four corners, and four products of errors: s^2 (a^2 + b^2) + 2 s^4.
   const double a = 6.0, b = 3.0, s = 0.3;
-  const core::Model model = flat_section([&](section::Section& section) {
+  const model::Model model = flat_section([&](section::Section& section) {
     section.units.push_back(
         {section::UnitId(0), "sand", {{{2, -3.5}, {2 + a, -3.5}, {2 + a, -3.5 + b}, {2, -3.5 + b}}, true}, {}});
   });
@@ -402,7 +402,7 @@ TEST(Balance, PolygonsThatShareAnEdgeShareItInEveryDraw) {
     section.units.push_back({section::UnitId(0), "left", {{{0, -4}, {5, -4}, {5, 0}, {0, 0}}, true}, {}});
     section.units.push_back({section::UnitId(1), "right", {{{10, 0}, {5, 0}, {5, -4}, {10, -4}}, true}, {}});
   };
-  const core::Model model = flat_section(left_and_right);
+  const model::Model model = flat_section(left_and_right);
   section::Section section = model.section;
   const unfold::Picks picks(section, {section.units[0].contour, section.units[1].contour}, {0.2, 0.5, 7});
   for (std::uint32_t number = 0; number < 20; ++number) {
@@ -418,7 +418,7 @@ TEST(Balance, UnitsByFacesHaveErrorBarsToo) {
   // A border from x = 2 to 8 leaves of each bed the piece between; its mean height is that of the bed at x = 5, half of
   // each end: s^2 / 2 a bed, so 6 s for the area between the two, and 6 s / sqrt(2) for the one down to the border.
   const double s = 0.01;
-  const core::Model model = flat_section([](section::Section& section) {
+  const model::Model model = flat_section([](section::Section& section) {
     section.border = geom::Polyline{{{2, -5}, {8, -5}, {8, 1}, {2, 1}}, true};
   });
   const auto spreads = drawn(model, s);
@@ -438,7 +438,7 @@ TEST(Balance, WhereAFaultCutsABedTheDrawnLinesMeet) {
   // A vertical fault at x = 4 between two beds and a border: the piece left of it is 2 wide; the fault's two picks move
   // it by s / sqrt(2) in the mean over the height of 4, the beds by their heights at x = 3.
   const double s = 0.01;
-  const core::Model model = flat_section([](section::Section& section) {
+  const model::Model model = flat_section([](section::Section& section) {
     section.border = geom::Polyline{{{2, -5}, {8, -5}, {8, 1}, {2, 1}}, true};
     section.lines.push_back({section::LineId(0), section::LineKind::Fault, "F", {{{4, 0}, {4, -4}}, false}, {}});
   });

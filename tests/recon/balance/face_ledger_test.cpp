@@ -58,9 +58,9 @@ section::Section eroded() {
   return section;
 }
 
-core::Model restored(section::Section section) {
+model::Model restored(section::Section section) {
   section.faces = std::make_shared<const section::SectionFaces>(faces_of(section).value());
-  core::Model model;
+  model::Model model;
   model.section = std::move(section);
   unfold::GridParams grid;
   grid.top = model.section.horizons.back().name;
@@ -95,7 +95,7 @@ double filled(const dobra::scene::Panel& panel) {
 }
 
 void expect_rows(const section::Section& section, const Areas& areas, double all) {
-  const core::Model model = restored(section);
+  const model::Model model = restored(section);
   const Ledger& ledger = model.restoration->ledger;
   for (const auto& [name, area] : areas) {
     const auto row = std::find_if(ledger.units.begin(), ledger.units.end(),
@@ -153,7 +153,7 @@ TEST(FaceLedger, TheColumnHasABedInPiecesOnce) {
 }
 
 TEST(FaceLedger, AreaThatIsInNoRowIsToldWithItsPlace) {
-  const core::Model model = restored(faulted(false));
+  const model::Model model = restored(faulted(false));
   Ledger ledger = model.restoration->ledger;
   std::erase_if(ledger.units, [](const UnitRow& row) { return row.name == "B (1) - C (1)"; });
   const auto told = missing_area(model.section, ledger);

@@ -18,7 +18,7 @@ namespace recon::balance {
 namespace {
 
 unfold::Restoration restored(const section::Section& section, unfold::RestoreMethod method) {
-  core::Model model;
+  model::Model model;
   model.section = section;
   unfold::GridParams grid;
   grid.count = 1;

@@ -9,12 +9,12 @@
 #include <numbers>
 
 #include "recon/core/carry_step.h"
-#include "recon/core/chain.h"
 #include "recon/core/grid_step.h"
 #include "recon/core/operations.h"
 #include "recon/core/report.h"
 #include "recon/core/restore_step.h"
 #include "recon/core/target_step.h"
+#include "recon/model/chain.h"
 #include "shared/geom/contour.h"
 #include "tests/recon/shapes.h"
 
@@ -24,22 +24,22 @@ namespace {
 using testing::Contains;
 using testing::HasSubstr;
 
-base::Result<Model> turn(const Model& model, const unfold::TargetParams& target,
-                         const unfold::RestoreParams& restore = {}, const unfold::GridParams& grid = {}) {
-  DOBRA_TRY(const Model with_grid, run_grid(model, grid, {}, {}));
-  DOBRA_TRY(const Model with_target, run_target(with_grid, target, {}, {}));
+base::Result<model::Model> turn(const model::Model& model, const unfold::TargetParams& target,
+                                const unfold::RestoreParams& restore = {}, const unfold::GridParams& grid = {}) {
+  DOBRA_TRY(const model::Model with_grid, run_grid(model, grid, {}, {}));
+  DOBRA_TRY(const model::Model with_target, run_target(with_grid, target, {}, {}));
   return run_restore(with_target, restore, {}, {});
 }
 
 /// The section of the input, unrolled to z = 0 and then rolled onto the given line.
-base::Result<Model> there_and_onto(const section::Section& section, const geom::Polyline& line,
-                                   const unfold::RestoreParams& restore = {}) {
-  Model model;
+base::Result<model::Model> there_and_onto(const section::Section& section, const geom::Polyline& line,
+                                          const unfold::RestoreParams& restore = {}) {
+  model::Model model;
   model.section = section;
   unfold::TargetParams flat;
   flat.target_pin = geom::Point{section.horizons.front().line.points.front().x, 0.0};
   flat.pin = section.horizons.front().line.points.front().x;
-  DOBRA_TRY(const Model first, turn(model, flat, restore));
+  DOBRA_TRY(const model::Model first, turn(model, flat, restore));
   unfold::TargetParams back;
   back.shape = unfold::TargetShape::Line;
   back.points = line.points;
@@ -104,7 +104,7 @@ TEST(Chain, PointsGoThroughTwoRestorationsAsTheClosedFormSays) {
     const double b = (135.0 - 0.5 * turned) * std::numbers::pi / 180.0;
     for (const double depth : {0.2, 1.3}) {
       const geom::Point p{(10.0 - depth) * std::cos(a), (10.0 - depth) * std::sin(a)};
-      const CarriedPoint carried = carry(chain, 0, 2, p);
+      const model::CarriedPoint carried = carry(chain, 0, 2, p);
       const geom::Point expected{(20.0 - depth) * std::cos(b), (20.0 - depth) * std::sin(b)};
       EXPECT_LT(geom::distance(carried.at, expected), 5e-3);  // 64 chords of 90 degrees
       EXPECT_LT(carried.misses, 1e-9);
@@ -133,9 +133,9 @@ TEST(Chain, TheLedgerComparesAnyTwoStates) {
   const auto model = there_and_onto(section, section.horizons.front().line);
   ASSERT_TRUE(model) << to_string(model.error());
   const auto chain = restored_stages(*model);
-  const Comparison first = compare(chain, 0, 1);
-  const Comparison second = compare(chain, 1, 2);
-  const Comparison whole = compare(chain, 0, 2);
+  const model::Comparison first = compare(chain, 0, 1);
+  const model::Comparison second = compare(chain, 1, 2);
+  const model::Comparison whole = compare(chain, 0, 2);
   ASSERT_EQ(whole.beds.size(), 3U);
   ASSERT_EQ(whole.units.size(), 2U);
   EXPECT_GT(std::abs(first.beds[2].change_percent()), 0.1);  // constant thickness does not keep the length of a bed
@@ -143,11 +143,11 @@ TEST(Chain, TheLedgerComparesAnyTwoStates) {
     EXPECT_NEAR(first.beds[i].after, second.beds[i].before, 1e-9);
     EXPECT_NEAR(whole.beds[i].change_percent(), 0.0, 1e-4);
   }
-  for (const Compared& unit : whole.units) EXPECT_NEAR(unit.change_percent(), 0.0, 1e-4);
+  for (const model::Compared& unit : whole.units) EXPECT_NEAR(unit.change_percent(), 0.0, 1e-4);
 }
 
 TEST(Chain, ATargetOrRestorationAfterARestorationDoesTheSameStageAgain) {
-  Model model;
+  model::Model model;
   model.section = fold();
   const auto first = turn(model, {});
   ASSERT_TRUE(first) << to_string(first.error());
@@ -163,7 +163,7 @@ TEST(Chain, ATargetOrRestorationAfterARestorationDoesTheSameStageAgain) {
 }
 
 TEST(Chain, AGridFromTheInputBeginsAnew) {
-  Model model;
+  model::Model model;
   model.section = fold();
   const auto first = turn(model, {});
   ASSERT_TRUE(first) << to_string(first.error());
@@ -180,7 +180,7 @@ TEST(Chain, AGridFromTheInputBeginsAnew) {
 }
 
 TEST(Chain, TheSectionOfTheNextStageHasItsBedsFromLeftToRightWhateverTheTarget) {
-  Model model;
+  model::Model model;
   model.section = fold();
   unfold::TargetParams reversed;
   reversed.shape = unfold::TargetShape::Line;
@@ -196,7 +196,7 @@ TEST(Chain, TheSectionOfTheNextStageHasItsBedsFromLeftToRightWhateverTheTarget) 
 }
 
 TEST(Chain, AHorizonThatCrossesItselfAfterARestorationIsRefusedWithItsPlace) {
-  Model model;
+  model::Model model;
   const geom::Polyline top{{{0, 0}, {10, 0}}, false};
   model.section = test::section_of({top, {{{0, -4}, {10, -4}}, false}});
   unfold::TargetParams cusp;  // a target whose parallel at depth 4 turns back on itself
@@ -207,7 +207,7 @@ TEST(Chain, AHorizonThatCrossesItselfAfterARestorationIsRefusedWithItsPlace) {
   }
   cusp.target_pin = cusp.points.front();
   cusp.pin = 0.0;
-  Model stage = model;
+  model::Model stage = model;
   const auto first = turn(model, cusp);
   ASSERT_TRUE(first) << to_string(first.error());
   const geom::Polyline crossed{{{0, 0}, {4, 0}, {4, 2}, {2, -2}}, false};
@@ -223,16 +223,16 @@ TEST(Chain, AHorizonThatCrossesItselfAfterARestorationIsRefusedWithItsPlace) {
 }
 
 TEST(Chain, WhatIsCarriedIsListedAndDoubtIsTold) {
-  Model model;
+  model::Model model;
   model.section = fold();
   const auto first = turn(model, {});
   ASSERT_TRUE(first) << to_string(first.error());
-  CarryParams carry;
+  model::CarryParams carry;
   carry.points = {{3.0, 0.5}, {9.0, 0.4}};
   const auto lines = run_carry(*first, carry, {}, {});
   ASSERT_TRUE(lines) << to_string(lines.error());
-  ASSERT_EQ(lines->findings.all<CarriedLines>().at(0)->lines.size(), 1U);
-  EXPECT_TRUE(lines->findings.all<CarriedLines>().at(0)->remarks.empty());
+  ASSERT_EQ(lines->findings.all<model::CarriedLines>().at(0)->lines.size(), 1U);
+  EXPECT_TRUE(lines->findings.all<model::CarriedLines>().at(0)->remarks.empty());
   carry.points = {{2.0 * std::numbers::pi, -50.0}};  // far below the centres of the synclines
   const auto point = run_carry(*first, carry, {}, {});
   ASSERT_TRUE(point) << to_string(point.error());
@@ -263,37 +263,37 @@ TEST(Chain, PolygonsGoAlong) {
 }
 
 TEST(Chain, EveryCarryIsKeptUntilItsStateIsRestoredAnew) {
-  Model model;
+  model::Model model;
   model.section = fold();
   const auto first = turn(model, {});
   ASSERT_TRUE(first) << to_string(first.error());
-  CarryParams one;
+  model::CarryParams one;
   one.points = {{3.0, 0.5}, {9.0, 0.4}};
-  one.as = CarryAs::Points;
+  one.as = model::CarryAs::Points;
   const auto once = run_carry(*first, one, {}, {});
   ASSERT_TRUE(once) << to_string(once.error());
-  EXPECT_EQ(once->findings.all<CarriedLines>().at(0)->lines.size(), 2U);
+  EXPECT_EQ(once->findings.all<model::CarriedLines>().at(0)->lines.size(), 2U);
   const auto twice = run_carry(*once, one, {}, {});
   ASSERT_TRUE(twice);
-  EXPECT_EQ(twice->findings.all<CarriedLines>().size(), 2U);
+  EXPECT_EQ(twice->findings.all<model::CarriedLines>().size(), 2U);
   const auto second = turn(*twice, {});
   ASSERT_TRUE(second) << to_string(second.error());
-  EXPECT_EQ(second->findings.all<CarriedLines>().size(), 2U);
+  EXPECT_EQ(second->findings.all<model::CarriedLines>().size(), 2U);
   const auto third = run_carry(*second, one, {}, {});
   ASSERT_TRUE(third);
-  EXPECT_EQ(third->findings.all<CarriedLines>().size(), 3U);
+  EXPECT_EQ(third->findings.all<model::CarriedLines>().size(), 3U);
   const auto again = run_restore(*third, {}, {}, {});
   ASSERT_TRUE(again);
-  EXPECT_EQ(again->findings.all<CarriedLines>().size(), 2U);  // the third went to the state that is new now
-  EXPECT_EQ(run_restore(*once, {}, {}, {})->findings.all<CarriedLines>().size(), 0U);
+  EXPECT_EQ(again->findings.all<model::CarriedLines>().size(), 2U);  // the third went to the state that is new now
+  EXPECT_EQ(run_restore(*once, {}, {}, {})->findings.all<model::CarriedLines>().size(), 0U);
   one.points = {{-400.0, 0.0}};
-  EXPECT_THAT(run_carry(*first, one, {}, {})->findings.all<CarriedLines>().at(0)->remarks,
+  EXPECT_THAT(run_carry(*first, one, {}, {})->findings.all<model::CarriedLines>().at(0)->remarks,
               Contains(HasSubstr("outside the section")));
 }
 
 /// Each stage keeps within the tolerance what the chain as a whole does not.
 TEST(Chain, TheVerdictSinceTheInputIsNoWhereTheStagesAddUp) {
-  Model model;
+  model::Model model;
   model.section = fold();
   unfold::RestoreParams part;  // constant thickness, which changes bed2 by 0.39 % on the whole way
   part.tolerance = 0.3;
@@ -305,8 +305,8 @@ TEST(Chain, TheVerdictSinceTheInputIsNoWhereTheStagesAddUp) {
   ASSERT_TRUE(whole) << to_string(whole.error());
   EXPECT_EQ(half->restoration->balance.verdict, balance::BalanceVerdict::Balanced);
   const auto chain = restored_stages(*whole);
-  const Comparison all = compare(chain, 0, 2);
-  const ChainVerdict verdict = judge(all, 0.3);
+  const model::Comparison all = compare(chain, 0, 2);
+  const model::ChainVerdict verdict = judge(all, 0.3);
   ASSERT_NE(verdict.bed, nullptr);
   EXPECT_EQ(verdict.bed->name, "bed2");
   EXPECT_NEAR(std::abs(verdict.bed->change_percent()), 0.386712, 1e-3);

@@ -10,8 +10,8 @@
 #include <map>
 #include <sstream>
 
-#include "recon/core/model.h"
 #include "recon/core/operations.h"
+#include "recon/model/model.h"
 #include "shared/io/file.h"
 #include "shared/scenario/runner.h"
 #include "tests/support/corpus.h"
@@ -90,7 +90,7 @@ TEST(RealSections, RaganIsogonFoldIsRestoredToADatum) {
   if (!document) GTEST_SKIP() << dobra::test::no_data;
   const scenario::Run run = expect_met(*document);
   ASSERT_TRUE(run.complete());
-  const auto& model = scenario::model_of<Model>(run.states.back());
+  const auto& model = scenario::model_of<model::Model>(run.states.back());
   for (const maps::MappedLine& line : model.restoration->lines) {
     for (std::size_t i = 0; i < line.names.size(); ++i) {
       EXPECT_NEAR(model.target->target_pin.y - line.after.points[i].y, line.names[i].depth, 1e-9);
@@ -125,7 +125,7 @@ TEST(RealSections, ASimplifiedTopTearsTheCatskillBedsLess) {
 /// Length of every horizon and the area of every unit after flexural slip about a pin, against before.
 void expect_lengths_kept(const scenario::Run& run) {
   ASSERT_TRUE(run.complete()) << to_string(*run.error);
-  const auto& model = scenario::model_of<Model>(run.states.back());
+  const auto& model = scenario::model_of<model::Model>(run.states.back());
   for (const balance::LineLength& row : model.restoration->lengths)
     EXPECT_NEAR(row.length_after, row.length_before, 1e-9 * row.length_before) << row.name;
 }

@@ -20,11 +20,13 @@ namespace {
 
 namespace scene = dobra::scene;
 
-scene::Picture picture_of(const Model& model) { return program().picture_of(dobra::scenario::make_state(model)); }
+scene::Picture picture_of(const model::Model& model) {
+  return program().picture_of(dobra::scenario::make_state(model));
+}
 
-Model restored_model(double depth = 50.0) {
+model::Model restored_model(double depth = 50.0) {
   const geom::Polyline top = test::arc(1000.0);
-  Model model;
+  model::Model model;
   model.section = test::section_of({top, test::parallel(top, depth), test::parallel(top, depth + 5.0)});
   unfold::GridParams grid;
   grid.count = 4;
@@ -58,7 +60,7 @@ TEST(Layers, REC_j_TheDeformedAndTheRestoredSectionStandOnOneSheetWithTheirGrids
 }
 
 TEST(Layers, AHorizonHasTheSameColourAndIdInBothPanelsAndADifferentOneFromItsNeighbours) {
-  const Model model = restored_model();
+  const model::Model model = restored_model();
   const scene::Picture picture = picture_of(model);
   for (std::size_t h = 0; h < 3; ++h) {
     const std::string key = "horizon_" + std::to_string(h);
@@ -101,7 +103,7 @@ TEST(Layers, NamesOfNearHorizonsAreMovedApart) {
 }
 
 TEST(Layers, PiecesOfAHorizonAreOneLayerWithOneName) {
-  Model model;
+  model::Model model;
   model.section =
       test::section_of({{{{0, 0}, {10, 0}}, false}, {{{0, -2}, {4, -2}}, false}, {{{6, -3}, {10, -3}}, false}});
   model.section.horizons[1].piece_of = model.section.horizons[2].piece_of = "bed";
@@ -131,7 +133,7 @@ TEST(Layers, NumbersOfTheSheetHaveFiveFiguresAndNoExponent) {
 }
 
 TEST(Layers, ALongLowSectionStandsOverItsRestoration) {
-  Model model;
+  model::Model model;
   model.section =
       test::section_of({{{{0, 0}, {5000, 90}, {9000, 0}}, false}, {{{0, -80}, {5000, 0}, {9000, -80}}, false}});
   model = run_target(run_grid(model, {}, {}, {}).value(), {}, {}, {}).value();
@@ -144,7 +146,7 @@ TEST(Layers, AThickSectionStandsBesideItsRestoration) {
 }
 
 TEST(Layers, BeforeTheTargetThereIsOnePanel) {
-  Model model;
+  model::Model model;
   model.section = test::section_of({test::arc()});
   EXPECT_EQ(picture_of(model).panels.size(), 1u);
 }
@@ -162,7 +164,7 @@ section::Section pieces_of_beds(int count) {
 }
 
 TEST(Layers, ThirtyBedsInPiecesHaveThirtyColours) {
-  Model model;
+  model::Model model;
   model.section = pieces_of_beds(30);
   std::map<std::array<int, 3>, std::string> colors;
   const scene::Picture picture = picture_of(model);
@@ -175,7 +177,7 @@ TEST(Layers, ThirtyBedsInPiecesHaveThirtyColours) {
 }
 
 TEST(Layers, ALongSectionHasKilometresOnItsAxes) {
-  Model model;
+  model::Model model;
   model.section = pieces_of_beds(2);
   const scene::Axes axes = picture_of(model).panels[0].axes;
   EXPECT_EQ(axes.x_title, "x [km]");
@@ -184,7 +186,7 @@ TEST(Layers, ALongSectionHasKilometresOnItsAxes) {
 }
 
 TEST(Layers, PolygonsHaveTheColourOfTheirUnitAndPiecesShareIt) {
-  Model model;
+  model::Model model;
   for (const char* const name : {"K2p_1", "J3b", "K2p_2", "T1"}) {
     const double x = 10.0 * static_cast<double>(model.section.units.size());
     model.section.units.push_back(
@@ -201,7 +203,7 @@ TEST(Layers, PolygonsHaveTheColourOfTheirUnitAndPiecesShareIt) {
 }
 
 TEST(Layers, PolygonsThatSayTheirUnitAreItsPiecesWhateverTheirNames) {
-  Model model;
+  model::Model model;
   for (const char* const whole : {"J2", "J1", "J2", ""}) {
     const std::size_t i = model.section.units.size();
     const double x = 10.0 * static_cast<double>(i);
@@ -218,7 +220,7 @@ TEST(Layers, PolygonsThatSayTheirUnitAreItsPiecesWhateverTheirNames) {
 }
 
 TEST(Layers, AnEllipseBeyondMeasureIsCutOffAndTold) {
-  Model model = restored_model();
+  model::Model model = restored_model();
   maps::Strain extreme = model.restoration->ledger.strains.at(0);
   extreme.greatest = 414.0;
   extreme.at = {12.5, -3.0};
@@ -232,7 +234,7 @@ TEST(Layers, AnEllipseBeyondMeasureIsCutOffAndTold) {
 }
 
 TEST(Layers, AGridThatGoesAstrayDoesNotMakeTheSectionSmall) {
-  Model model = restored_model();
+  model::Model model = restored_model();
   const geom::Box section = box_of(model.restoration->section);
   model.source->grid.rungs.push_back({{{500, 0}, {500, -90000}}, false});
   for (const scene::Panel& panel : picture_of(model).panels) {
@@ -245,7 +247,7 @@ TEST(Layers, AGridThatGoesAstrayDoesNotMakeTheSectionSmall) {
 
 TEST(Layers, FaultsAreNamedInTheSectionAndManyShareAnEntryOfTheLegend) {
   for (const std::size_t count : {2u, 9u}) {
-    Model model;
+    model::Model model;
     model.section = test::section_of({{{{0, 0}, {100, 0}}, false}});
     for (std::size_t i = 0; i < count; ++i) {
       const double x = 10.0 * static_cast<double>(i);
@@ -271,7 +273,7 @@ TEST(Layers, TheColumnBesideTheSectionNamesItsUnits) {
 }
 
 TEST(Layers, ATableOfColoursCountsAndLettersStandOverTheEnds) {
-  Model model = restored_model();
+  model::Model model = restored_model();
   model.section.colors = std::make_shared<const scene::ColorTable>(
       scene::ColorTable{{{"bed1", scene::Color{10, 20, 30}, scene::Pattern::Dots}}});
   model.section.left_end = "SSW";
@@ -289,7 +291,7 @@ TEST(Layers, TheColumnStandsAsTheBedsLieWhenTheLowestIsTheTop) {
   const geom::Polyline low{{{0.0, 0.0}, {100.0, 0.0}}, false};
   const geom::Polyline middle{{{0.0, 20.0}, {100.0, 20.0}}, false};
   const geom::Polyline high{{{0.0, 50.0}, {100.0, 50.0}}, false};
-  Model model;
+  model::Model model;
   model.section = test::section_of({low, middle, high});
   unfold::GridParams grid;
   grid.count = 4;
@@ -309,7 +311,7 @@ TEST(Layers, TheColumnStandsAsTheBedsLieWhenTheLowestIsTheTop) {
 TEST(Layers, AreasThatNothingChangesHaveOneColour) {
   // By constant thickness flat beds stay: det F is 1 but for rounding, wherever the section lies.
   for (const double far : {0.0, 7e6, 1e-3}) {
-    Model model;
+    model::Model model;
     std::vector<geom::Polyline> beds(3);
     for (int i = 0; i <= 37; ++i) {
       for (std::size_t bed = 0; bed < beds.size(); ++bed)
@@ -333,7 +335,7 @@ TEST(Layers, ThePinLineOfAShearRunsAlongItsDirection) {
   const geom::Polyline top{{{0, 0}, {600, 60}, {1000, 20}}, false};
   for (const double sign : {1.0, -1.0}) {  // layers below and above the top
     for (const double degrees : {0.0, 20.0, -30.0}) {
-      Model model;
+      model::Model model;
       geom::Polyline bed = top;
       for (geom::Point& p : bed.points) p.y -= sign * 200.0;
       model.section = test::section_of({top, bed});

@@ -55,7 +55,7 @@ TEST(Topography, WhatLiesAboveIsErodedAndTheHorizonFallsIntoItsParts) {
 
 TEST(Topography, EveryPartAndTheirSumHaveANameOfTheirOwn) {
   SectionInput input = eroded();
-  core::Model model;
+  model::Model model;
   model.section = read_section(input, {}, {})->section;
   unfold::GridParams grid;
   grid.top = "A";
@@ -107,7 +107,7 @@ TEST(Topography, ItMayBeTheTop) {
   input.topographies = {item("today", {{0, 2}, {50, 6}, {100, 2}})};
   const auto read = read_section(input, {}, {});
   ASSERT_TRUE(read);
-  core::Model model;
+  model::Model model;
   model.section = read->section;
   unfold::GridParams grid;
   grid.top = "today";
@@ -130,7 +130,7 @@ TEST(Topography, ADatumIsATargetAndStaysWhereItIs) {
   input.datums = {item("sea level", {{-50, 20}, {200, 20}})};
   const auto read = read_section(input, {}, {});
   ASSERT_TRUE(read);
-  core::Model model;
+  model::Model model;
   model.section = read->section;
   unfold::TargetParams target;
   target.shape = unfold::TargetShape::Datum;
@@ -151,7 +151,7 @@ TEST(Topography, FacesCutByFaultsAndTruncatedBedsCountInTheLedger) {
   input.horizons = {item("A", {{0, 0}, {100, 0}}), item("B", {{0, -20}, {50, 0}}), item("C", {{0, -60}, {100, -60}})};
   const auto read = read_section(input, {}, {});
   ASSERT_TRUE(read) << to_string(read.error());
-  core::Model model;
+  model::Model model;
   model.section = read->section;
   const auto restored =
       core::run_restore(core::run_target(core::run_grid(model, {}, {}, {}).value(), {}, {}, {}).value(), {}, {}, {});

@@ -16,9 +16,9 @@ namespace {
 
 using std::numbers::pi;
 
-core::Model restored(const std::vector<geom::Polyline>& lines, const unfold::RestoreParams& params,
-                     const std::vector<geom::Point>& target = {}) {
-  core::Model model;
+model::Model restored(const std::vector<geom::Polyline>& lines, const unfold::RestoreParams& params,
+                      const std::vector<geom::Point>& target = {}) {
+  model::Model model;
   model.section = test::section_of(lines);
   unfold::GridParams grid;
   grid.uncovered = unfold::Uncovered::Continue;
@@ -44,7 +44,7 @@ TEST(AreaChange, OfConcentricBedsIsTheRatioOfTheirRadii) {
   // All chords touch a circle of radius r; a parallel at depth d touches one of r - d: det F = r / (r - d) down there.
   const double r = 10.0 * std::cos(pi / 256.0);
   for (const double depth : {0.5, 2.0, 6.0}) {
-    const core::Model model =
+    const model::Model model =
         restored({test::arc(), test::parallel(test::arc(), depth)}, by(unfold::RestoreMethod::Constant));
     const balance::Range range = *model.restoration->ledger.units[0].dilatation;
     EXPECT_NEAR(range.greatest, r / (r - depth) - 1.0, 1e-9);
@@ -59,7 +59,7 @@ TEST(AreaChange, OfAWedgeByProportionalThicknessIsThatOfItsEnds) {
   // place along and down: least at the thick end, greatest at the thin one.
   const geom::Polyline top{{{0, 0}, {1000, 0}}, false};
   const geom::Polyline base{{{0, -100}, {1000, -300}}, false};
-  const core::Model model = restored({top, base}, by(unfold::RestoreMethod::Proportional));
+  const model::Model model = restored({top, base}, by(unfold::RestoreMethod::Proportional));
   const balance::Range range = *model.restoration->ledger.units[0].dilatation;
   EXPECT_NEAR(range.greatest, 1.0, 1e-9);
   EXPECT_NEAR(range.least, -1.0 / 3.0, 1e-9);
@@ -69,7 +69,7 @@ TEST(AreaChange, OfShearAndParallelSlipIsNone) {
   unfold::RestoreParams slip = by(unfold::RestoreMethod::Flexural);
   slip.beds = unfold::SlipBeds::Parallel;
   for (const unfold::RestoreParams& params : {by(unfold::RestoreMethod::Shear), slip}) {
-    const core::Model model = restored({test::cosine(), test::parallel(test::cosine(), 0.4)}, params);
+    const model::Model model = restored({test::cosine(), test::parallel(test::cosine(), 0.4)}, params);
     EXPECT_EQ(model.restoration->ledger.units[0].dilatation->least, 0.0);
     EXPECT_EQ(model.restoration->ledger.units[0].dilatation->greatest, 0.0);
   }
@@ -139,7 +139,7 @@ TEST(AreaChange, NoSampleIsBeyondItAndItIsAttained) {
   for (const unfold::RestoreMethod method : {unfold::RestoreMethod::Constant, unfold::RestoreMethod::Variable,
                                              unfold::RestoreMethod::Flexural, unfold::RestoreMethod::LineLength}) {
     for (unsigned seed = 1; seed <= 3; ++seed) {
-      const core::Model model = restored(beds(seed), by(method));
+      const model::Model model = restored(beds(seed), by(method));
       const unfold::Restoration& made = *model.restoration;
       for (std::size_t i = 0; i + 1 < made.lines.size(); ++i) {
         const balance::UnitRow& row = made.ledger.units[i];
@@ -163,8 +163,8 @@ TEST(AreaChange, NoSampleIsBeyondItAndItIsAttained) {
 
 TEST(AreaChange, OfAPolygonIsThatOfWhatLiesInIt) {
   // The wedge above, with a polygon over its middle: 200 / thickness at its own ends.
-  core::Model model = restored({{{{0, 0}, {1000, 0}}, false}, {{{0, -100}, {1000, -300}}, false}},
-                               by(unfold::RestoreMethod::Proportional));
+  model::Model model = restored({{{{0, 0}, {1000, 0}}, false}, {{{0, -100}, {1000, -300}}, false}},
+                                by(unfold::RestoreMethod::Proportional));
   const geom::Polyline hole{{{400, -100}, {400, -60}, {500, -60}, {500, -100}}, true};  // clockwise
   const geom::Polyline outer{{{250, -120}, {750, -120}, {750, -20}, {250, -20}}, true};
   const auto change = area_change_in(std::vector{outer, hole}, model.restoration->map);
@@ -183,7 +183,7 @@ TEST(AreaChange, BetweenHorizonsIsThatAlongTheWholeContour) {
       std::vector<geom::Polyline> lines = beds(seed);
       if (seed > 2) lines[1].points.erase(lines[1].points.begin(), lines[1].points.begin() + 5);
       if (seed == 4) lines[2].points.resize(17);
-      const core::Model model = restored(lines, by(method));
+      const model::Model model = restored(lines, by(method));
       const unfold::Restoration& made = *model.restoration;
       for (std::size_t i = 0; i + 1 < made.lines.size(); ++i) {
         const geom::Polyline contour = contour_between(made.lines[i].before, made.lines[i + 1].before);
@@ -202,7 +202,7 @@ TEST(AreaChange, ItsMeanIsTheQuotientOfTheAreas) {
   // Trapezes of 64 chords, but 63 of whose corners lean, become a rectangle of their upper length.
   const double r = 10.0 * std::cos(pi / 256.0);
   for (const double depth : {0.5, 2.0, 6.0}) {
-    const core::Model model =
+    const model::Model model =
         restored({test::arc(), test::parallel(test::arc(), depth)}, by(unfold::RestoreMethod::Constant));
     const double mean = model.restoration->ledger.units[0].dilatation->mean;
     EXPECT_NEAR(mean, 1.0 / (1.0 - depth * 63.0 / 64.0 / (2.0 * r)) - 1.0, 1e-9);

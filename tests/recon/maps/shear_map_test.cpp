@@ -21,9 +21,9 @@ geom::Polyline wave(double height, double level = 0.0) {
   return line;
 }
 
-base::Result<core::Model> sheared(const std::vector<geom::Polyline>& lines, double degrees,
-                                  const unfold::TargetParams& goal = {}, double percent = 100.0) {
-  core::Model model;
+base::Result<model::Model> sheared(const std::vector<geom::Polyline>& lines, double degrees,
+                                   const unfold::TargetParams& goal = {}, double percent = 100.0) {
+  model::Model model;
   model.section = test::section_of(lines);
   unfold::GridParams grid;
   grid.uncovered = unfold::Uncovered::Continue;
@@ -47,7 +47,7 @@ bool advances(const geom::Polyline& line, double degrees) {
   return true;
 }
 
-bool says(const core::Model& model, const std::string& part) {
+bool says(const model::Model& model, const std::string& part) {
   for (const std::string& remark : model.restoration->remarks) {
     if (remark.find(part) != std::string::npos) return true;
   }

@@ -18,7 +18,7 @@ namespace {
 
 base::Result<Restoration> restored(const section::Section& section, RestoreMethod method,
                                    std::optional<double> pin = {}, double percent = 100.0) {
-  core::Model model;
+  model::Model model;
   model.section = section;
   GridParams grid;
   grid.count = 1;
@@ -228,7 +228,7 @@ TEST(FullBed, ABentTargetMovesNothingOfWhatRemainsEither) {
   double size = 0.0;
   const std::vector<geom::Polyline> lines = random_fold(random, size);
   section::Section section = test::section_of(lines);
-  core::Model model;
+  model::Model model;
   model.section = section;
   GridParams grid;
   grid.count = 1;
@@ -254,7 +254,7 @@ TEST(FullBed, ABentTargetMovesNothingOfWhatRemainsEither) {
 
 TEST(DefaultPin, StandsAtTheLeftmostPlaceWhereAllBedsAre) {
   const auto place = [](const std::vector<geom::Polyline>& lines) {
-    core::Model model;
+    model::Model model;
     model.section = test::section_of(lines);
     GridParams grid;
     grid.count = 1;

@@ -36,8 +36,8 @@ geom::Polyline hinge(double radius, double limb, double sign) {
   return line;
 }
 
-base::Result<core::Model> run(const std::vector<geom::Polyline>& lines, const RestoreParams& params) {
-  core::Model model;
+base::Result<model::Model> run(const std::vector<geom::Polyline>& lines, const RestoreParams& params) {
+  model::Model model;
   model.section = test::section_of(lines);
   GridParams grid;
   grid.uncovered = Uncovered::Continue;

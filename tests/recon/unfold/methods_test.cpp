@@ -42,8 +42,8 @@ section::Section concentric_fold(int chords = 60000) {
   return test::section_of({hinge_arc(1000.0, 0.0, half, chords), hinge_arc(1000.0, 300.0, half, chords)});
 }
 
-core::Model with_target(const section::Section& section, const TargetParams& target = {}) {
-  core::Model model;
+model::Model with_target(const section::Section& section, const TargetParams& target = {}) {
+  model::Model model;
   model.section = section;
   GridParams grid;
   grid.count = 1;
@@ -54,7 +54,7 @@ core::Model with_target(const section::Section& section, const TargetParams& tar
   return std::move(*made);
 }
 
-Restoration restored(const core::Model& model, const RestoreParams& params) {
+Restoration restored(const model::Model& model, const RestoreParams& params) {
   auto made = core::run_restore(model, params, {}, {});
   EXPECT_TRUE(made) << to_string(made.error());
   return std::move(*made->restoration);
@@ -80,7 +80,7 @@ TargetParams pinned_at(double x) {
   return target;
 }
 
-maps::SectionMap map_of(const core::Model& model, const MethodParams& params) {
+maps::SectionMap map_of(const model::Model& model, const MethodParams& params) {
   auto made = make_method_map(model.section, *model.source, *model.target, params);
   EXPECT_TRUE(made) << to_string(made.error());
   return std::move(made->map);
@@ -120,7 +120,7 @@ TEST(Methods, InterbedSlipOfAKinkIsTwiceTheTangentOfHalfItsTurn) {
   const double turn = 30.0 * pi / 180.0;
   const geom::Point end{100.0 + 100.0 * std::cos(turn), -100.0 * std::sin(turn)};
   const geom::Polyline top{{{0, 0}, {100, 0}, end}, false};
-  const core::Model model = with_target(test::section_of({top, test::parallel(top, 10.0)}));
+  const model::Model model = with_target(test::section_of({top, test::parallel(top, 10.0)}));
   const maps::SectionMap map = map_of(model, map_by(RestoreMethod::Flexural));
   const maps::Gradient beyond = map.gradient({120.0, -18.0});
   EXPECT_NEAR(beyond.determinant(), 1.0, 1e-8);
@@ -151,7 +151,7 @@ TEST(Methods, REC_e_VariableThicknessKeepsTheAreaAboveEveryBed) {
   const geom::Polyline top = test::arc();
   const section::Section section =
       test::section_of({top, test::parallel(top, 0.5), test::parallel(top, 1.0), test::parallel(top, 2.0)});
-  const core::Model model = with_target(section);
+  const model::Model model = with_target(section);
   const Restoration flat = restored(model, by(RestoreMethod::Variable));
   const std::vector<double> mean_depths = {0.0, 0.487694, 0.950778, 1.803110};
   const std::vector<double> areas = {0.0, 7.660493, 14.934404, 28.322478};
@@ -171,7 +171,7 @@ TEST(Methods, REC_a_EveryMethodLeavesTheSectionInPlaceWhereTheTopIsItsOwnTarget)
   TargetParams target;
   target.shape = TargetShape::Line;
   target.points = top.points;
-  const core::Model model = with_target(section, target);
+  const model::Model model = with_target(section, target);
   for (const RestoreMethod method :
        {RestoreMethod::Constant, RestoreMethod::Variable, RestoreMethod::Flexural, RestoreMethod::Shear}) {
     const Restoration same = restored(model, by(method));
@@ -204,7 +204,7 @@ TEST(Methods, VerticalShearOfASineKeepsAreaAndGivesBedsTheirWidth) {
 
 TEST(Methods, InclinedShearMovesPointsAlongItsDirectionOnly) {
   const section::Section section = test::section_of({test::cosine(), test::parallel(test::cosine(), 0.4)});
-  const core::Model model = with_target(section);
+  const model::Model model = with_target(section);
   for (const double degrees : {-40.0, -20.0, 25.0}) {
     const MethodParams params = map_by(RestoreMethod::Shear, 100.0, degrees);
     const maps::SectionMap map = map_of(model, params);
@@ -283,7 +283,7 @@ TEST(Methods, REC_g_ForwardThenBackwardIsTheIdentityForEveryMethod) {
     const section::Section section = random_section(seed);
     TargetParams target = seed % 2 == 0 ? bent : TargetParams{};
     target.pin = 4800.0 + 100.0 * seed;
-    const core::Model model = with_target(section, target);
+    const model::Model model = with_target(section, target);
     std::vector<geom::Point> points;
     for (const section::Horizon& horizon : section.horizons)
       points.insert(points.end(), horizon.line.points.begin(), horizon.line.points.end());
@@ -312,7 +312,7 @@ void expect_areas_kept(const Restoration& state) {
 
 TEST(Methods, StatesOnTheWayKeepWhatTheMethodKeeps) {
   const section::Section section = test::section_of({test::cosine(), test::parallel(test::cosine(), 0.3)});
-  const core::Model model = with_target(section, pinned_at(5.0));
+  const model::Model model = with_target(section, pinned_at(5.0));
   for (const SlipBeds beds : {SlipBeds::Horizons, SlipBeds::Parallel}) {
     for (const double percent : {0.0, 25.0, 50.0, 90.0, 100.0}) {
       RestoreParams params = by(RestoreMethod::Flexural);
@@ -344,7 +344,7 @@ TEST(Methods, FlexuralSlipAlongHorizonsKeepsTheUnitsAboveTheTopToo) {
   // On the way to the bent target a corner of it stands next to one of the top, and the column between closes above
   // the beds: only to the straight one.
   for (const auto& [target, percent] : {std::pair(pinned_at(5.0), 40.0), {pinned_at(5.0), 100.0}, {bent, 100.0}}) {
-    const core::Model model = with_target(with_layers_above(), target);
+    const model::Model model = with_target(with_layers_above(), target);
     RestoreParams params = by(RestoreMethod::Flexural);
     params.percent = percent;
     const Restoration state = restored(model, params);
@@ -358,7 +358,7 @@ TEST(Methods, FlexuralSlipAlongHorizonsKeepsTheUnitsAboveTheTopToo) {
 
 TEST(Methods, REC_g_FlexuralSlipAlongHorizonsComesBackAboveTheTopToo) {
   const section::Section section = with_layers_above();
-  const core::Model model = with_target(section, pinned_at(5.0));
+  const model::Model model = with_target(section, pinned_at(5.0));
   for (const double percent : {40.0, 100.0}) {
     const maps::SectionMap map = map_of(model, map_by(RestoreMethod::Flexural, percent));
     for (const section::Horizon& horizon : section.horizons) {
@@ -374,7 +374,7 @@ TEST(Methods, REC_g_FlexuralSlipAlongHorizonsComesBackAboveTheTopToo) {
 
 TEST(Methods, HorizonsGoVertexByVertexWhereTheMethodTakesThemAsBeds) {
   const section::Section section = random_section(3);
-  const core::Model model = with_target(section, pinned_at(4800.0));
+  const model::Model model = with_target(section, pinned_at(4800.0));
   for (const RestoreMethod method : {RestoreMethod::Flexural, RestoreMethod::LineLength}) {
     const Restoration flat = restored(model, by(method));
     for (std::size_t h = 0; h < section.horizons.size(); ++h) {
@@ -415,7 +415,7 @@ TEST(Methods, PolygonsFaultsAndMarkersGoWithTheSection) {
 
 TEST(Methods, DoubtIsRefusedWithThePlaceWhereTheUserWishes) {
   const geom::Polyline top = test::cosine();
-  const core::Model model = with_target(test::section_of({top, {{{0, -3.6}, {12.0, -3.6}}, false}}));
+  const model::Model model = with_target(test::section_of({top, {{{0, -3.6}, {12.0, -3.6}}, false}}));
   RestoreParams params = by(RestoreMethod::Constant);
   EXPECT_TRUE(core::run_restore(model, params, {}, {}));
   params.outside = Doubt::Refuse;
@@ -459,7 +459,7 @@ TEST(Methods, RegionalAndHorizonTargetsAreFollowed) {
 }
 
 TEST(Methods, TheSameBytesComeOutOfEveryMethodAtAnyNumberOfThreads) {
-  const core::Model model = with_target(random_section(9));
+  const model::Model model = with_target(random_section(9));
   for (const RestoreMethod method : all_methods) {
     std::vector<Restoration> runs;
     for (const std::size_t threads : {1, 3}) {

@@ -16,10 +16,10 @@ namespace recon::unfold {
 namespace {
 
 /// A ridge whose limbs dip 30 degrees to both sides, restored by shear at an angle from the vertical.
-core::Model sheared_ridge(double degrees) {
+model::Model sheared_ridge(double degrees) {
   const double rise = 1000.0 * std::tan(std::acos(-1.0) / 6.0);
   const auto ridge = [&](double z) { return geom::Polyline{{{0.0, z}, {1000.0, z + rise}, {2000.0, z}}, false}; };
-  core::Model model;
+  model::Model model;
   model.section = test::section_of({ridge(0.0), ridge(-200.0)});
   GridParams grid;
   grid.count = 1;
@@ -70,7 +70,7 @@ TEST(MonteCarlo, WhereNoDrawCanBeRestoredItIsRefusedWithTheirNumber) {
   MonteCarloParams params;
   params.draws = 1;
   params.angle_error = base::Angle::from_degrees(1e-9);
-  core::Model model = sheared_ridge(59.0);
+  model::Model model = sheared_ridge(59.0);
   model.restoration->params.angle = base::Angle::from_degrees(75.0);
   const auto run = core::run_monte_carlo(model, params, {}, {});
   ASSERT_FALSE(run);

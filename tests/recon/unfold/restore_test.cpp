@@ -17,15 +17,15 @@ namespace recon::unfold {
 namespace {
 
 /// Grid, flat target at the top's left end, restoration.
-base::Result<core::Model> restored(const section::Section& section, double distance = 0.2,
-                                   const TargetParams& target = {}) {
-  core::Model model;
+base::Result<model::Model> restored(const section::Section& section, double distance = 0.2,
+                                    const TargetParams& target = {}) {
+  model::Model model;
   model.section = section;
   GridParams grid;
   grid.count = 5;
   grid.distance = distance;
-  DOBRA_TRY(const core::Model with_grid, core::run_grid(model, grid, {}, {}));
-  DOBRA_TRY(const core::Model with_target, core::run_target(with_grid, target, {}, {}));
+  DOBRA_TRY(const model::Model with_grid, core::run_grid(model, grid, {}, {}));
+  DOBRA_TRY(const model::Model with_target, core::run_target(with_grid, target, {}, {}));
   return core::run_restore(with_target, {}, {}, {});
 }
 
@@ -169,8 +169,8 @@ section::Section faulted() {
   return section;
 }
 
-core::Model ready(const section::Section& section) {
-  core::Model model;
+model::Model ready(const section::Section& section) {
+  model::Model model;
   model.section = section;
   GridParams grid;
   grid.count = 1;
@@ -206,7 +206,7 @@ TEST(Restore, ThePiecesOfAFaultedHorizonAreRestoredEachAndAddUp) {
 }
 
 TEST(Restore, MethodsThatTakeWholeBedsGoOnOverTheGapBetweenPieces) {
-  const core::Model model = ready(faulted());
+  const model::Model model = ready(faulted());
   for (const RestoreMethod method : {RestoreMethod::Flexural, RestoreMethod::Proportional}) {
     RestoreParams params;
     params.method = method;
@@ -237,7 +237,7 @@ TEST(Restore, PiecesAboveEachOtherAreRefusedByName) {
   EXPECT_NE(refused.error().message.find("'bed (1)', a piece of the same horizon, by 1 m"), std::string::npos);
   params.beds = SlipBeds::Parallel;
   EXPECT_TRUE(core::run_restore(ready(section), params, {}, {}));
-  core::Model start;
+  model::Model start;
   start.section = faulted();
   GridParams grid;
   grid.top = "bed";

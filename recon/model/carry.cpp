@@ -1,4 +1,4 @@
-#include "recon/core/carry.h"
+#include "recon/model/carry.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 
 #include "recon/input/input.h"
 
-namespace recon::core {
+namespace recon::model {
 
 namespace {
 
@@ -116,4 +116,4 @@ base::Result<CarriedLines> carry_lines(const std::vector<const Stage*>& chain, c
   return carried;
 }
 
-}  // namespace recon::core
+}  // namespace recon::model

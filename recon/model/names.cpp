@@ -1,10 +1,10 @@
-#include "recon/core/names.h"
+#include "recon/model/names.h"
 
 #include <algorithm>
 
 #include "recon/faults/blocks.h"
 
-namespace recon::core {
+namespace recon::model {
 namespace {
 
 void add_once(const std::string& name, std::vector<std::string>& names) {
@@ -39,4 +39,4 @@ std::vector<std::string> names_of(const Model& model, const std::string& what) {
   return names;
 }
 
-}  // namespace recon::core
+}  // namespace recon::model

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "recon/core/findings.h"
-#include "recon/core/stage.h"
+#include "recon/model/findings.h"
+#include "recon/model/stage.h"
 
-namespace recon::core {
+namespace recon::model {
 
 /// What stands directly in it is the stage in hand.
 struct Model : Stage {
@@ -31,4 +31,4 @@ base::Result<Model> next_stage(const Model& model);
 /// The section as it is now: what the stage in hand made of it, or before that its own.
 const section::Section& current_section(const Model& model);
 
-}  // namespace recon::core
+}  // namespace recon::model

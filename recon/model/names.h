@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "recon/core/model.h"
+#include "recon/model/model.h"
 
-namespace recon::core {
+namespace recon::model {
 
 /// Of the section as it is now, each once, in its order. Pieces are called by their whole.
 /// @param what  "horizon", "fault", "block" (with their groups, from the left).
 std::vector<std::string> names_of(const Model& model, const std::string& what);
 
-}  // namespace recon::core
+}  // namespace recon::model

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace recon::core {
+namespace recon::model {
 
 /// Whether a finding stands when the next stage begins.
 enum class Outlives { Stage, Nothing };
@@ -67,4 +67,4 @@ class Findings {
   std::vector<Entry> entries_;
 };
 
-}  // namespace recon::core
+}  // namespace recon::model

@@ -12,7 +12,7 @@
 #include "recon/unfold/restore.h"
 #include "recon/unfold/target.h"
 
-namespace recon::core {
+namespace recon::model {
 
 struct Stage {
   section::Section section;                        ///< As it is before.
@@ -50,4 +50,4 @@ const char* what_was_done(const Stage& stage);
 ///        faces_of.
 base::Result<section::Section> section_after(const Stage& stage, std::vector<std::string>& remarks);
 
-}  // namespace recon::core
+}  // namespace recon::model

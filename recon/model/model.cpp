@@ -1,6 +1,6 @@
-#include "recon/core/model.h"
+#include "recon/model/model.h"
 
-namespace recon::core {
+namespace recon::model {
 
 const section::Section& input_section(const Model& model) {
   return model.earlier.empty() ? model.section : model.earlier.front()->section;
@@ -37,4 +37,4 @@ const section::Section& current_section(const Model& model) {
   return is_done(model) ? section_made(model) : model.section;
 }
 
-}  // namespace recon::core
+}  // namespace recon::model

@@ -1,4 +1,4 @@
-#include "recon/core/stage.h"
+#include "recon/model/stage.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include "recon/section/section_faces.h"
 #include "shared/geom/place.h"
 
-namespace recon::core {
+namespace recon::model {
 
 namespace {
 
@@ -108,4 +108,4 @@ base::Result<section::Section> section_after(const Stage& stage, std::vector<std
   return section;
 }
 
-}  // namespace recon::core
+}  // namespace recon::model

@@ -1,8 +1,8 @@
-#include "recon/core/findings.h"
+#include "recon/model/findings.h"
 
 #include <gtest/gtest.h>
 
-namespace recon::core {
+namespace recon::model {
 namespace {
 
 struct Width {
@@ -60,4 +60,4 @@ TEST(Findings, OneOfTheStageInHandEndsWithItAndACopyKeepsIt) {
 }
 
 }  // namespace
-}  // namespace recon::core
+}  // namespace recon::model

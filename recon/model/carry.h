@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "recon/core/stage.h"
+#include "recon/model/stage.h"
 #include "shared/scenario/lines/line_keys.h"
 #include "shared/scenario/program.h"
 
-namespace recon::core {
+namespace recon::model {
 
 /// What the points of a step are.
 enum class CarryAs { Line, Points };
@@ -78,4 +78,4 @@ geom::Polyline carry(const std::vector<const Stage*>& chain, std::size_t from, s
 base::Result<CarriedLines> carry_lines(const std::vector<const Stage*>& chain, const CarryParams& params,
                                        const dobra::scenario::Context& context);
 
-}  // namespace recon::core
+}  // namespace recon::model

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "recon/core/stage.h"
+#include "recon/model/stage.h"
 
-namespace recon::core {
+namespace recon::model {
 
 /// A length or an area in two states of the chain. m or m2.
 struct Compared {
@@ -38,4 +38,4 @@ std::string verdict_since_input(const std::vector<const Stage*>& chain);
 /// @pre from < to <= chain.size()
 Comparison compare(const std::vector<const Stage*>& chain, std::size_t from, std::size_t to);
 
-}  // namespace recon::core
+}  // namespace recon::model

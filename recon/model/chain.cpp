@@ -1,4 +1,4 @@
-#include "recon/core/chain.h"
+#include "recon/model/chain.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 
 #include "recon/balance/percent.h"
 
-namespace recon::core {
+namespace recon::model {
 
 namespace {
 
@@ -101,4 +101,4 @@ std::string verdict_since_input(const std::vector<const Stage*>& chain) {
   return text + fmt::format("; the tolerance is {:.4g} %", tolerance);
 }
 
-}  // namespace recon::core
+}  // namespace recon::model
