@@ -330,7 +330,8 @@ base::Result<std::vector<geom::Polyline>> outline_of(const section::Section& sec
   for (const FaultCutoffs& cutoffs : cutoffs_of(section, faults, options)) {
     for (const CutoffPair& pair : cutoffs.pairs) {
       for (const std::optional<Cutoff>& cutoff : {pair.hanging_wall, pair.footwall}) {
-        if (!cutoff || cutoff->passes) continue;
+        // What misses the fault by rounding faces_of() joins.
+        if (!cutoff || cutoff->passes || std::abs(cutoff->extended) <= past) continue;
         for (section::Horizon& horizon : tidy.horizons) {
           if (horizon.id == cutoff->piece) reach(*cutoff, past, horizon.line);
         }
