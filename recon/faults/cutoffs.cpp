@@ -327,7 +327,8 @@ void reach_faults(const std::vector<FaultCutoffs>& cutoffs, double past, section
   for (const FaultCutoffs& of_fault : cutoffs) {
     for (const CutoffPair& pair : of_fault.pairs) {
       for (const std::optional<Cutoff>& cutoff : {pair.hanging_wall, pair.footwall}) {
-        if (cutoff && !cutoff->passes && cutoff->piece == horizon.id) reach(*cutoff, past, horizon.line);
+        if (cutoff && !cutoff->passes && cutoff->extended != 0.0 && cutoff->piece == horizon.id)
+          reach(*cutoff, past, horizon.line);
       }
     }
   }

@@ -15,14 +15,14 @@ struct Line {
   geom::Box box;  ///< Grown by the reach.
 };
 
-/// Whether a point lies exactly on a line.
-bool is_on(const geom::Polyline& line, geom::Point p) {
+/// The segment of a line that a point lies on exactly; its ends too.
+std::optional<std::size_t> segment_under(const geom::Polyline& line, geom::Point p) {
   for (std::size_t i = 0; i < line.segment_count(); ++i) {
     const geom::Segment side = line.segment(i);
-    if (side.from == p || side.to == p) return true;
-    if (side.box().overlaps({p, p}) && geom::orient2d(side.from, side.to, p) == geom::Sign::Zero) return true;
+    if (side.from == p || side.to == p) return i;
+    if (side.box().overlaps({p, p}) && geom::orient2d(side.from, side.to, p) == geom::Sign::Zero) return i;
   }
-  return false;
+  return std::nullopt;
 }
 
 /// The segment of a line that is nearest to a point, if it is within reach.
@@ -37,31 +37,36 @@ std::optional<std::size_t> segment_near(const geom::Polyline& line, geom::Point 
   return nearest;
 }
 
-/// Onto a vertex that is within reach, or onto a new one.
+/// A vertex of the line where p lies on a segment, unless that has one within reach.
 geom::Point place_on(geom::Polyline& line, std::size_t segment, geom::Point p, double reach) {
   const geom::Segment side = line.segment(segment);
   if (geom::distance(side.from, p) <= reach) return side.from;
   if (geom::distance(side.to, p) <= reach) return side.to;
-  const geom::Point at = geom::interpolate(side.from, side.to, geom::nearest_fraction(side, p));
-  line.points.insert(line.points.begin() + static_cast<std::ptrdiff_t>(segment) + 1, at);
-  return at;
+  line.points.insert(line.points.begin() + static_cast<std::ptrdiff_t>(segment) + 1, p);
+  return p;
 }
 
-/// Takes an end of `own` to the first of the others that is within reach, unless it is on one of them.
-/// @return whether it is on one now.
-bool rejoin_end(std::span<const Line> others, const Line& own, geom::Point& end, double reach) {
-  std::vector<geom::Polyline*> near;
+/// An end, and the line that it lies on exactly, or else is within reach of.
+struct LineEndAt {
+  geom::Polyline* own;
+  bool first;
+  geom::Polyline* on = nullptr;
+  geom::Polyline* near = nullptr;
+  [[nodiscard]] geom::Point& point() const { return first ? own->points.front() : own->points.back(); }
+};
+
+/// Of the first of the others.  @return whether there is one.
+bool find_line(std::span<const Line> others, double reach, LineEndAt& end) {
+  const geom::Point p = end.point();
   for (const Line& other : others) {
-    if (&other != &own && other.box.overlaps({end, end})) near.push_back(other.line);
+    if (other.line == end.own || !other.box.overlaps({p, p})) continue;
+    if (segment_under(*other.line, p)) {
+      end.on = other.line;
+      return true;
+    }
+    if (end.near == nullptr && segment_near(*other.line, p, reach)) end.near = other.line;
   }
-  if (std::any_of(near.begin(), near.end(), [&](const geom::Polyline* line) { return is_on(*line, end); })) return true;
-  for (geom::Polyline* line : near) {
-    const auto segment = segment_near(*line, end, reach);
-    if (!segment) continue;
-    end = place_on(*line, *segment, end, reach);
-    return true;
-  }
-  return false;
+  return end.near != nullptr;
 }
 
 }  // namespace
@@ -72,18 +77,31 @@ void rejoin_ends(Section& section, double reach) {
   for (SectionLine& line : section.lines) {
     if (line.kind == LineKind::Fault) add(line.line);
   }
+  const std::size_t faults = lines.size();
   for (Horizon& horizon : section.horizons) add(horizon.line);
-  const std::size_t faults = std::count_if(section.lines.begin(), section.lines.end(),
-                                           [](const SectionLine& line) { return line.kind == LineKind::Fault; });
+  std::vector<LineEndAt> ends;
   for (const Line& own : lines) {
-    if (own.line->closed) continue;
     for (const bool first : {true, false}) {
-      geom::Point end = first ? own.line->points.front() : own.line->points.back();
+      if (own.line->closed) continue;
+      LineEndAt end{own.line, first};
       // Faults part what ends on them, whatever else meets there.
-      if (!rejoin_end({lines.data(), faults}, own, end, reach))
-        rejoin_end({lines.data() + faults, lines.size() - faults}, own, end, reach);
-      (first ? own.line->points.front() : own.line->points.back()) = end;
+      if (find_line({lines.data(), faults}, reach, end) ||
+          find_line({lines.data() + faults, lines.size() - faults}, reach, end))
+        ends.push_back(end);
     }
+  }
+  if (std::all_of(ends.begin(), ends.end(), [](const LineEndAt& end) { return end.on != nullptr; })) return;
+  // A line that gets a vertex no longer runs through points that it ran through, but for its vertices.
+  for (const LineEndAt& end : ends) {
+    if (end.on != nullptr) place_on(*end.on, *segment_under(*end.on, end.point()), end.point(), 0.0);
+  }
+  for (const LineEndAt& end : ends) {
+    if (end.on != nullptr) continue;
+    const auto segment = segment_near(*end.near, end.point(), reach);
+    if (!segment) continue;
+    const geom::Segment side = end.near->segment(*segment);
+    const geom::Point at = geom::interpolate(side.from, side.to, geom::nearest_fraction(side, end.point()));
+    end.point() = place_on(*end.near, *segment, at, reach);
   }
 }
 

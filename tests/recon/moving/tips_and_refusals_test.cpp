@@ -107,9 +107,10 @@ TEST(Move, ABedDrawnAlongTheFaultFromWallToWallLosesWhatIsOfTheFault) {
   section.horizons.push_back(
       {section::HorizonId(0), "A", {{{0, 0}, {500, 0}, {600, -100}, {1500, -100}}, false}, {}});
   section.horizons.push_back({section::HorizonId(1), "B", {{{0, -300}, {800, -300}}, false}, {}});
+  section.horizons.push_back({section::HorizonId(2), "C", {{{900, -400}, {1500, -400}}, false}, {}});
   const auto moved = move_block(section, move_of(MoveMethod::Rigid, 100.0 * std::sqrt(2.0)), {});
   ASSERT_TRUE(moved) << to_string(moved.error());
-  ASSERT_EQ(moved->section.horizons.size(), 3U);
+  ASSERT_EQ(moved->section.horizons.size(), 4U);
   for (const section::Horizon& piece : moved->section.horizons) EXPECT_EQ(piece.line.points.size(), 2U) << piece.name;
   EXPECT_NEAR(moved->misfit[0].along, 0.0, 1e-9);
 }

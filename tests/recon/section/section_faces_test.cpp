@@ -71,6 +71,13 @@ TEST(SectionFaces, EndsThatRoundingPartsFromAFaultPartUnitsThere) {
                                   {{{4, -1}, {10, -1}}, false}});
   met.lines.push_back(fault({{3, -2}, {4, -1}, {5, 0}, {6, 1}}));
   EXPECT_EQ(faces(met).units.size(), 2u);
+  // Beds of one wall end exactly on the fault, those of the other but for a rounding, which gives it vertices.
+  Section carried = test::section_of({{{{0, 0}, {500, 0}}, false},
+                                      {{{635.3553390593273, -135.35533905932732}, {1500, -135.35533905932732}}, false},
+                                      {{{0, -300}, {800, -300}}, false},
+                                      {{{935.3553390593274, -435.3553390593274}, {1500, -435.3553390593274}}, false}});
+  carried.lines.push_back(fault({{400, 100}, {1200, -700}}));
+  EXPECT_EQ(faces(carried).units.size(), 2u);
   // A gap that is seen is left as it is drawn: then the units run together.
   Section open = test::section_of({{{{0, 0}, {on_fault(0) - 0.01, 0}}, false}, {{{0, -1}, {10, -1}}, false}});
   open.lines.push_back(fault({{4.1, -2.7}, {5.3, 1}}));
