@@ -30,5 +30,6 @@ int main(int argc, char** argv) {
   return dobra::cli::run_program(
       recon::core::program(), argc, argv, window,
       {dobra::cli::offset_command(), recon::cli::restore_command(), recon::cli::balance_command(),
-       recon::cli::faults_command(), recon::cli::move_command(), recon::cli::invert_command(), recon::cli::predict_command(), dobra::cli::convert_command()});
+       recon::cli::faults_command(), recon::cli::move_command(), recon::cli::invert_command(),
+       recon::cli::predict_command(), dobra::cli::convert_command()});
 }

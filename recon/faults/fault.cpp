@@ -217,7 +217,8 @@ class Ends {
   [[nodiscard]] bool joins_ends(const geom::Segment& side) const {
     const auto ends_there = [&](geom::Point p) {
       return std::any_of(section_.horizons.begin(), section_.horizons.end(), [&](const section::Horizon& h) {
-        return std::min(geom::distance(h.line.points.front(), p), geom::distance(h.line.points.back(), p)) <= tolerance_;
+        return std::min(geom::distance(h.line.points.front(), p), geom::distance(h.line.points.back(), p)) <=
+               tolerance_;
       });
     };
     const geom::Point middle = geom::midpoint(side.from, side.to);

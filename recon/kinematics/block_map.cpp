@@ -10,7 +10,9 @@ namespace recon::kinematics {
 namespace {
 
 template <class Map>
-constexpr bool in_pieces = requires(const Map& map, AffinePiece& piece) { map.piece(geom::Point{}, Wall::Foot, piece); };
+constexpr bool in_pieces = requires(const Map& map, AffinePiece& piece) {
+  map.piece(geom::Point{}, Wall::Foot, piece);
+};
 
 double size_of(const RigidMap&) { return 1.0; }
 double size_of(const FlowMap& map) { return map.size(); }
@@ -95,8 +97,7 @@ MovedLine BlockMap::forward(const geom::Polyline& line, Wall on_fault) const {
       [&](const auto& map) -> MovedLine {
         using Map = std::decay_t<decltype(map)>;
         if constexpr (in_pieces<Map>) {
-          return walk(line, size_of(map),
-                      [&](geom::Point p, AffinePiece& piece) { map.piece(p, on_fault, piece); });
+          return walk(line, size_of(map), [&](geom::Point p, AffinePiece& piece) { map.piece(p, on_fault, piece); });
         } else if constexpr (std::is_same_v<Map, maps::SectionMap>) {
           return without_names(map.forward(line));
         } else {

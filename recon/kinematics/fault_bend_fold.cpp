@@ -16,8 +16,8 @@ double turn_of(const FaultPath& path, geom::Vector a, geom::Vector b) {
   return path.hanging == Side::Left ? angle : -angle;
 }
 
-/// Follows what passes the bends while the fault slips. Packet j is the rock over segment j before any slip; bend k lies
-/// between segments k and k + 1.
+/// Follows what passes the bends while the fault slips. Packet j is the rock over segment j before any slip; bend k
+/// lies between segments k and k + 1.
 class Passage {
  public:
   Passage(const FaultPath& path, std::optional<base::Angle> bedding) : path_(path) {
@@ -111,9 +111,10 @@ class Passage {
 base::Result<std::vector<Passage::Stage>> stages_of(const FaultPath& path, std::optional<base::Angle> bedding,
                                                     double from, double to) {
   if (from < 0.0 || to < 0.0) {
-    return refused("a fault-bend fold grows by slip up the fault; for extension take shear or fault_parallel_flow; to "
-                   "restore more than the fold has grown is not possible",
-                   path.line.points.front());
+    return refused(
+        "a fault-bend fold grows by slip up the fault; for extension take shear or fault_parallel_flow; to "
+        "restore more than the fold has grown is not possible",
+        path.line.points.front());
   }
   DOBRA_TRY(std::vector<Passage::Stage> stages, Passage(path, bedding).run(std::max(from, to)));
   const double least = std::min(from, to);

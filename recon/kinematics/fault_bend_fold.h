@@ -25,6 +25,7 @@ base::Result<std::vector<BendStage>> bend_stages(const FaultPath& path, std::opt
                                                  double to);
 
 /// The map from one state to the other.  @error those above and of FlowDomains::make().
-base::Result<FlowMap> fault_bend_fold(const FaultPath& path, std::optional<base::Angle> bedding, double from, double to);
+base::Result<FlowMap> fault_bend_fold(const FaultPath& path, std::optional<base::Angle> bedding, double from,
+                                      double to);
 
 }  // namespace recon::kinematics

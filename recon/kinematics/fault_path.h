@@ -39,8 +39,8 @@ struct OnPath {
 /// The nearest point of the path, of equally near ones the first.  @cost O(n)
 OnPath nearest(const FaultPath& path, geom::Point p);
 
-/// Without vertices at which it bends no more than rounding does: what ends on it, or a tip that stood there, may have left
-/// some.
+/// Without vertices at which it bends no more than rounding does: what ends on it, or a tip that stood there, may have
+/// left some.
 FaultPath straightened(FaultPath path);
 
 /// The point at a distance along the path, m.

@@ -9,7 +9,8 @@
 namespace recon::kinematics {
 
 /// @param slip  m, along the path.
-/// @return the map of the columns of the path, the hanging wall on their right-hand side (depth > 0); its pin lies where
+/// @return the map of the columns of the path, the hanging wall on their right-hand side (depth > 0); its pin lies
+/// where
 ///         the fault goes on straight behind the moving block.
 /// @error CannotRestore where the fault turns back on itself, with the place.
 base::Result<maps::ColumnMap> flexural_slip(const FaultPath& path, double slip);

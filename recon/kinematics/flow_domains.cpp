@@ -57,9 +57,10 @@ base::Result<FlowDomains> FlowDomains::make(const FaultPath& path, const std::ve
   FlowDomains flow;
   flow.domains_ = domains_of(path, speeds);
   if (const auto at = turns_back(flow.domains_)) {
-    return refused("the fault turns back here, so that no direction is one in which all of it advances; cut it there into "
-                   "two faults, draw it simpler, or take rigid or shear",
-                   *at);
+    return refused(
+        "the fault turns back here, so that no direction is one in which all of it advances; cut it there into "
+        "two faults, draw it simpler, or take rigid or shear",
+        *at);
   }
   std::vector<geom::Segment> segments;
   for (const Domain& d : flow.domains_) segments.push_back({d.foot, d.foot + d.length * d.along});
@@ -79,11 +80,12 @@ base::Result<std::uint32_t> FlowDomains::add_wall(std::size_t before, std::size_
   geom::Vector rise = ((1.0 / a.speed + 1.0 / b.speed) / geom::length_squared(sum)) * sum;
   if (std::abs(slower) > 1e-15) {
     if (geom::length(difference) <= parallel_sine) {
-      return refused(fmt::format("the rock on both sides of this place moves in one direction, by {:.6g} and {:.6g} for "
-                                 "1 of slip, so that no wall between keeps areas; draw the fault with other bends here, or "
-                                 "take fault_parallel_flow",
-                                 a.speed, b.speed),
-                     at);
+      return refused(
+          fmt::format("the rock on both sides of this place moves in one direction, by {:.6g} and {:.6g} for "
+                      "1 of slip, so that no wall between keeps areas; draw the fault with other bends here, or "
+                      "take fault_parallel_flow",
+                      a.speed, b.speed),
+          at);
     }
     rise = rise + (slower / geom::length_squared(difference)) * difference;
   }
@@ -168,7 +170,9 @@ geom::Polyline FlowDomains::flow_line(double psi, double beyond) const {
   geom::Polyline line;
   std::size_t i = 0;
   const Domain& first = domains_.front();
-  const auto on_level = [&](const Domain& d, double along) { return d.foot + along * d.along + (psi / d.speed) * d.out; };
+  const auto on_level = [&](const Domain& d, double along) {
+    return d.foot + along * d.along + (psi / d.speed) * d.out;
+  };
   if (domains_.size() == 1) {
     line.points = {on_level(first, -beyond), on_level(first, first.length + beyond)};
     return line;

@@ -21,10 +21,10 @@ using DomainId = base::Id<DomainTag>;
 
 /// What parts two domains between two levels; straight.
 struct FlowWall {
-  DomainId before, behind;        ///< Towards the lower and the higher end.
-  double from = 0.0, to = 0.0;    ///< psi, m; `to` may be infinite.
-  geom::Point at;                 ///< At psi = from.
-  geom::Vector rise;              ///< A metre of psi.
+  DomainId before, behind;      ///< Towards the lower and the higher end.
+  double from = 0.0, to = 0.0;  ///< psi, m; `to` may be infinite.
+  geom::Point at;               ///< At psi = from.
+  geom::Vector rise;            ///< A metre of psi.
   [[nodiscard]] geom::Point point(double psi) const { return at + (psi - from) * rise; }
 };
 
@@ -39,17 +39,18 @@ class FlowDomains {
  public:
   /// @param speeds  one a segment of the path, > 0: how far it slips while the first one slips 1.
   /// @error CannotRestore with the place where the path turns back, so that there is no direction in which all segments
-  ///        advance; or where domains meet that flow one way at different speeds, so that no wall between them keeps areas.
+  ///        advance; or where domains meet that flow one way at different speeds, so that no wall between them keeps
+  ///        areas.
   /// @cost  O(n log n)
   static base::Result<FlowDomains> make(const FaultPath& path, const std::vector<double>& speeds);
 
   /// One domain of a segment.
   struct Domain {
-    geom::Point foot;             ///< First point of the segment.
-    geom::Vector along;           ///< Unit.
-    geom::Vector out;             ///< Unit, into the hanging wall.
+    geom::Point foot;    ///< First point of the segment.
+    geom::Vector along;  ///< Unit.
+    geom::Vector out;    ///< Unit, into the hanging wall.
     double speed = 1.0;
-    double length = 0.0;          ///< Of the segment, m.
+    double length = 0.0;                      ///< Of the segment, m.
     std::vector<std::uint32_t> lower, upper;  ///< Walls towards both ends, upwards in psi; none at the path's ends.
   };
   [[nodiscard]] const std::vector<Domain>& domains() const { return domains_; }

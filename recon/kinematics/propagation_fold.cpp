@@ -31,18 +31,15 @@ struct FoldWall {
 
 /// The pattern of velocities: similar to itself, its size grows with the slip t since the tip was at the bend.
 struct FoldPattern {
-  explicit FoldPattern(const PropagationAngles& a)
-      : theta(a.theta.radians()), tip(a.propagation * direction(theta)) {
+  explicit FoldPattern(const PropagationAngles& a) : theta(a.theta.radians()), tip(a.propagation * direction(theta)) {
     const double kappa = pi - a.beta_2.radians() + theta;
     const double reach = a.propagation * std::sin(theta) / std::sin(2.0 * a.gamma_star.radians());
     branch = tip + reach * direction(kappa);
     const geom::Vector back = direction(pi - a.gamma_1.radians());
     const geom::Vector front = direction(a.gamma.radians());
     velocity = {geom::Vector{}, {1.0, 0.0}, direction(theta), a.r1 * front, a.r2 * front};
-    walls = {FoldWall{Part::Flat, Part::Ramp, {}, back},
-             FoldWall{Part::Ramp, Part::Limb, tip, direction(kappa), reach},
-             FoldWall{Part::Ramp, Part::Front, branch, back},
-             FoldWall{Part::Front, Part::Limb, branch, front},
+    walls = {FoldWall{Part::Flat, Part::Ramp, {}, back}, FoldWall{Part::Ramp, Part::Limb, tip, direction(kappa), reach},
+             FoldWall{Part::Ramp, Part::Front, branch, back}, FoldWall{Part::Front, Part::Limb, branch, front},
              FoldWall{Part::Limb, Part::Still, tip, front}};
   }
 
@@ -138,10 +135,11 @@ class Ride {
 base::Result<PropagationAngles> propagation_angles(base::Angle angle) {
   const double theta = angle.radians();
   if (!(theta > 0.0) || angle.degrees() >= 60.0 - 1e-9) {
-    return base::Error{base::ErrorCode::CannotRestore,
-                       fmt::format("a parallel fault-propagation fold has ramps of 0 to 60 degrees, not of {:.2f}; take "
-                                   "trishear",
-                                   angle.degrees())};
+    return base::Error{
+        base::ErrorCode::CannotRestore,
+        fmt::format("a parallel fault-propagation fold has ramps of 0 to 60 degrees, not of {:.2f}; take "
+                    "trishear",
+                    angle.degrees())};
   }
   const double t = std::tan(0.5 * theta);
   const double gamma_star = std::atan(3.0 * t);
@@ -163,9 +161,10 @@ base::Result<PropagationMap> PropagationMap::make(const FaultPath& path, std::op
   const std::size_t segments = path.line.segment_count();
   const geom::Point bend = segments == 1 ? path.line.points.back() : path.line.points[1];
   if (from < 0.0 || to < 0.0) {
-    return refused("a fault-propagation fold grows by slip up the fault, and restores no more than it has grown; for "
-                   "extension take shear, fault_parallel_flow or trishear",
-                   bend);
+    return refused(
+        "a fault-propagation fold grows by slip up the fault, and restores no more than it has grown; for "
+        "extension take shear, fault_parallel_flow or trishear",
+        bend);
   }
   if (segments > 2) {
     return refused(fmt::format("a parallel fault-propagation fold stands on one flat and one ramp; this fault has {} "

@@ -11,12 +11,12 @@
 namespace recon::kinematics {
 
 struct PropagationAngles {
-  base::Angle theta;       ///< Of the ramp against the beds.
-  base::Angle gamma_star;  ///< Axial angle of the fold's front: the forelimb dips 180 degrees - 2 gamma*.
-  base::Angle gamma_1;     ///< Axial angle of the bend.
-  base::Angle gamma;       ///< From the beds to the wall in front of the fold.
-  base::Angle beta_2;      ///< 180 degrees - 2 gamma*.
-  double propagation = 0.0;  ///< P/S: how far the tip goes a metre of slip.
+  base::Angle theta;          ///< Of the ramp against the beds.
+  base::Angle gamma_star;     ///< Axial angle of the fold's front: the forelimb dips 180 degrees - 2 gamma*.
+  base::Angle gamma_1;        ///< Axial angle of the bend.
+  base::Angle gamma;          ///< From the beds to the wall in front of the fold.
+  base::Angle beta_2;         ///< 180 degrees - 2 gamma*.
+  double propagation = 0.0;   ///< P/S: how far the tip goes a metre of slip.
   double r1 = 0.0, r2 = 0.0;  ///< Speeds over the front limb, above and below the branch of the axial planes.
 };
 
@@ -31,7 +31,8 @@ class PropagationMap {
   /// @param ramp      of a path of the flat alone: the ramp's angle to it.
   /// @param from, to  slip since the tip was at the bend, m, >= 0; to < from restores.
   /// @error CannotRestore: slip < 0; more than one bend, or none and no ramp, with the place; angles as above.
-  static base::Result<PropagationMap> make(const FaultPath& path, std::optional<base::Angle> ramp, double from, double to);
+  static base::Result<PropagationMap> make(const FaultPath& path, std::optional<base::Angle> ramp, double from,
+                                           double to);
 
   [[nodiscard]] PropagationMap swapped() const;
   void piece(geom::Point p, Wall on_fault, AffinePiece& here) const;

@@ -32,10 +32,11 @@ base::Result<geom::Vector> shift_along_chord(const FaultPath& path, Amount amoun
   if (amount.as == Measure::Slip) return amount.value * along;
   const double part = std::abs(amount.as == Measure::Heave ? along.x : along.y);
   if (part <= 1e-9) {
-    return refused(amount.as == Measure::Heave
-                       ? "the fault stands upright from end to end, so that slip along it has no heave; give slip or throw"
-                       : "the ends of the fault are level, so that slip along it has no throw; give slip or heave",
-                   path.line.points.front());
+    return refused(
+        amount.as == Measure::Heave
+            ? "the fault stands upright from end to end, so that slip along it has no heave; give slip or throw"
+            : "the ends of the fault are level, so that slip along it has no throw; give slip or heave",
+        path.line.points.front());
   }
   return (amount.value / part) * along;
 }

@@ -37,7 +37,8 @@ class TrishearMap {
 
   /// The inverse: time runs back, and the tip goes home. It is not the map of -slip.
   [[nodiscard]] TrishearMap swapped() const;
-  /// @param on_fault  of points on the fault behind the tip. With P/S < 1 and slip > 0 the hanging wall overtakes the tip:
+  /// @param on_fault  of points on the fault behind the tip. With P/S < 1 and slip > 0 the hanging wall overtakes the
+  /// tip:
   ///                  what lies on the fault is then spread in front of it, and comes out in its footwall.
   [[nodiscard]] geom::Point operator()(geom::Point p, Wall on_fault = Wall::Hanging) const;
   /// Halved until its pieces are true to the chord tolerance.

@@ -70,8 +70,7 @@ base::Result<Graph> graph_of(const geom::Polyline& given, double cosine, double 
 }  // namespace
 
 base::Result<ShearMap> ShearMap::make(const geom::Polyline& top, const geom::Polyline& target, base::Angle angle,
-                                      geom::Point pin, geom::Point goal, const MapOptions& options,
-                                      const char* what) {
+                                      geom::Point pin, geom::Point goal, const MapOptions& options, const char* what) {
   ShearMap map;
   map.cosine_ = std::cos(angle.radians());
   map.sine_ = std::sin(angle.radians());

@@ -146,15 +146,16 @@ base::Result<void> refuse_apart(const FaultPath& path, const MoveParams& params,
     names += fmt::format("{}'{}'", names.empty() ? "" : ", ", cut.horizon);
   }
   const double left = root_mean_square(after);
-  const bool meet = close.size() == 1 ? left <= meets * size : left <= std::max(meets * size, (1.0 - 1e-9) * root_mean_square(before));
+  const bool meet = close.size() == 1 ? left <= meets * size
+                                      : left <= std::max(meets * size, (1.0 - 1e-9) * root_mean_square(before));
   if (meet) return {};
-  return base::Error{base::ErrorCode::CannotRestore,
-                     fmt::format("the cutoffs of horizon {} cannot meet by {}: at best, with a slip of {:.6g} m, {:.6g} "
-                                 "m are left along the fault{}; take another method, or give the slip",
-                                 names, method_name(*params.method), motion.slip,
-                                 close.size() == 1 ? after.front().along : left,
-                                 close.size() == 1 ? "" : ", root mean square"),
-                     place_at(close.front().footwall, "fault")};
+  return base::Error{
+      base::ErrorCode::CannotRestore,
+      fmt::format("the cutoffs of horizon {} cannot meet by {}: at best, with a slip of {:.6g} m, {:.6g} "
+                  "m are left along the fault{}; take another method, or give the slip",
+                  names, method_name(*params.method), motion.slip, close.size() == 1 ? after.front().along : left,
+                  close.size() == 1 ? "" : ", root mean square"),
+      place_at(close.front().footwall, "fault")};
 }
 
 }  // namespace
@@ -170,8 +171,9 @@ base::Result<Motion> solve_slip(const FaultPath& path, const MoveParams& params,
   if (to_bend) slip = *whole;
   DOBRA_TRY(Motion motion, objective.motion(slip));
   if (to_bend) {
-    motion.remarks.push_back("the cutoffs meet as soon as the tip has left the beds; the slip taken is that of the whole "
-                             "fold, which takes the tip back to the bend");
+    motion.remarks.push_back(
+        "the cutoffs meet as soon as the tip has left the beds; the slip taken is that of the whole "
+        "fold, which takes the tip back to the bend");
   }
   if (measured != arc && params.method == MoveMethod::Shear)
     motion.slip = nearest(path, motion.map.forward(point_at(path, arc))).arc - arc;

@@ -23,10 +23,13 @@ recon::section::Section level_beds(double left, double right, double low, int co
   recon::section::Section section;
   for (int i = 0; i < count; ++i) {
     const double z = low + 200.0 * i;
-    section.horizons.push_back({recon::section::HorizonId(section.horizons.size()), fmt::format("bed {}", count - i),
-                                chain({{left, z}, {right, z}}), {}});
+    section.horizons.push_back({recon::section::HorizonId(section.horizons.size()),
+                                fmt::format("bed {}", count - i),
+                                chain({{left, z}, {right, z}}),
+                                {}});
   }
-  section.lines.push_back({recon::section::LineId(0), recon::section::LineKind::Fault, "F", chain(std::move(fault)), {}});
+  section.lines.push_back(
+      {recon::section::LineId(0), recon::section::LineKind::Fault, "F", chain(std::move(fault)), {}});
   return section;
 }
 
@@ -62,8 +65,7 @@ base::Result<scene::Picture> before_and_after(const recon::section::Section& sec
 
 std::vector<Point> listric_fault() {
   std::vector<Point> points;
-  for (int i = 0; i <= 12; ++i)
-    points.push_back({-400.0 + 350.0 * i, 400.0 - 1500.0 * (1.0 - std::exp(-0.45 * i))});
+  for (int i = 0; i <= 12; ++i) points.push_back({-400.0 + 350.0 * i, 400.0 - 1500.0 * (1.0 - std::exp(-0.45 * i))});
   return points;
 }
 

@@ -79,13 +79,14 @@ TEST_F(MoveCommands, WhatItWritesChains) {
     ASSERT_EQ(listed.code, 0) << listed.err;
     const MoveOut cutoffs = MoveOut::parse(listed.out)["faults"][0]["cutoffs"];
     EXPECT_NEAR(cutoffs[0]["separation"], 50.0 + 100.0 * std::sqrt(2.0), 1e-6) << out;
-    EXPECT_NEAR(moved(path(out), {"--method", "flexural_slip", "--close", "B"})["slip"],
-                50.0 + 100.0 * std::sqrt(2.0), 1e-6)
+    EXPECT_NEAR(moved(path(out), {"--method", "flexural_slip", "--close", "B"})["slip"], 50.0 + 100.0 * std::sqrt(2.0),
+                1e-6)
         << out;
   }
-  ASSERT_EQ(call({"move", file, "--fault", "F", "--method", "rigid", "--close", "A", "--out", path("m.toml"), "--quiet"})
-                .code,
-            0);
+  ASSERT_EQ(
+      call({"move", file, "--fault", "F", "--method", "rigid", "--close", "A", "--out", path("m.toml"), "--quiet"})
+          .code,
+      0);
   EXPECT_EQ(call({"run", path("m.toml"), "--out", path("made")}).code, 0);
 }
 

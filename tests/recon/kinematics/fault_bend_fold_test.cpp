@@ -39,11 +39,11 @@ std::vector<double> dips_of(const geom::Polyline& line) {
 }
 
 TEST(BendFold, TheStepFromARampToAFlatHasTheAnglesOfItsTable) {
-  const double table[][4] = {{5, 87.481, 5.039, .9924},        {10, 84.839, 10.322, .9691},  {15, 81.913, 16.174, .9292},
-                             {20, 78.420, 23.160, .8696},      {25, 73.651, 32.697, .7823},  {28, 69.063, 41.875, .7033},
-                             {30, 60.000, 60.000, .5774},      {7, 86.44635, 7.10731, .984978},
-                             {12, 83.71441, 12.57118, .955247}, {18, 79.91365, 20.17271, .896088},
-                             {22, 76.73887, 26.52226, .838899}};
+  const double table[][4] = {
+      {5, 87.481, 5.039, .9924},         {10, 84.839, 10.322, .9691},      {15, 81.913, 16.174, .9292},
+      {20, 78.420, 23.160, .8696},       {25, 73.651, 32.697, .7823},      {28, 69.063, 41.875, .7033},
+      {30, 60.000, 60.000, .5774},       {7, 86.44635, 7.10731, .984978},  {12, 83.71441, 12.57118, .955247},
+      {18, 79.91365, 20.17271, .896088}, {22, 76.73887, 26.52226, .838899}};
   for (const auto& row : table) {
     const double digits = row[0] == 7 || row[0] == 12 || row[0] == 18 || row[0] == 22 ? 5.1e-6 : 5.1e-4;
     const BendFold step = step_up(degrees(row[0])).value();
@@ -166,7 +166,8 @@ TEST(FaultBendFold, RestoringIsTheInverseForRandomFaultsSlipsAndPoints) {
   double worst = 0.0;
   int tried = 0;
   for (int i = 0; i < 300; ++i) {
-    const FaultPath path = i % 3 == 0 ? simple_step() : dipping({0, draws.in(5, 25), draws.in(0, 5), draws.in(6, 20)}, 800);
+    const FaultPath path =
+        i % 3 == 0 ? simple_step() : dipping({0, draws.in(5, 25), draws.in(0, 5), draws.in(6, 20)}, 800);
     const double from = draws.in(0, 900);
     const double to = draws.in(0, 3000);
     const auto forward = fault_bend_fold(path, {}, from, to);

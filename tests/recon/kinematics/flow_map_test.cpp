@@ -27,7 +27,8 @@ FaultPath random_chain(test::Draws& draws, int pieces) {
   for (int i = 0; i < pieces; ++i) {
     const double angle = draws.in(-50, 50) * pi / 180.0;
     const double length = draws.in(100, 500);
-    path.line.points.push_back(path.line.points.back() + geom::Vector{length * std::cos(angle), length * std::sin(angle)});
+    path.line.points.push_back(path.line.points.back() +
+                               geom::Vector{length * std::cos(angle), length * std::sin(angle)});
   }
   return path;
 }

@@ -118,8 +118,8 @@ TEST(ShearOverAFault, BackIsTheInverseForRandomFaultsAnglesAndPoints) {
 TEST(ShearOverAFault, TheHeaveThatIsSolvedTakesTheCutoffSoFar) {
   const FaultPath path = listric_curve(40);
   for (const double angle : {0.0, 20.0, -20.0}) {
-    for (const Amount amount : {Amount{Measure::Slip, -250.0}, Amount{Measure::Heave, -200.0}, Amount{Measure::Throw, -90.0},
-                                Amount{Measure::Slip, 400.0}}) {
+    for (const Amount amount : {Amount{Measure::Slip, -250.0}, Amount{Measure::Heave, -200.0},
+                                Amount{Measure::Throw, -90.0}, Amount{Measure::Slip, 400.0}}) {
       const double arc = 2200.0;
       const double h = shear_heave(path, degrees(angle), arc, amount).value();
       const BlockMap map{shear_over(path, degrees(angle), h).value()};

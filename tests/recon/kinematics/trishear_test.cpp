@@ -76,7 +76,11 @@ TEST(Trishear, PointsEndWhereSmallStepsOfTheRawFieldTakeThem) {
   for (int i = 0; i < 24; ++i) {
     const double concentrations[] = {0.5, 1.0, 2.0, 3.0};
     const double propagations[] = {0.0, 0.6, 1.0, 2.5};
-    const Case one{{0, 0}, draws.in(-20, 60), draws.in(20, 120), propagations[(i / 4) % 4], concentrations[i % 4],
+    const Case one{{0, 0},
+                   draws.in(-20, 60),
+                   draws.in(20, 120),
+                   propagations[(i / 4) % 4],
+                   concentrations[i % 4],
                    i % 5 == 0 ? -300.0 : 300.0};
     const geom::Point p = one.tip + draws.in(100, 1200) * direction_of(one) + geom::Vector{0.0, draws.in(-200, 400)};
     // Steps over the sides of the zone, and over its middle, where the field is not smooth, cost them digits.
@@ -118,8 +122,7 @@ TEST(Trishear, DetFIsOneAtPoints) {
         const double x = draws.in(800, 1500);
         const double e = draws.in(0.25, 0.8);
         const geom::Vector along = direction_of(one);
-        const geom::Point p =
-            one.tip + x * along + (e * x * std::tan(degrees(30).radians())) * geom::left_of(along);
+        const geom::Point p = one.tip + x * along + (e * x * std::tan(degrees(30).radians())) * geom::left_of(along);
         const double determinant = map.gradient(p).determinant();
         EXPECT_NEAR(determinant, 1.0, 1e-9) << s << ' ' << propagation << ' ' << p;
       }
@@ -166,8 +169,12 @@ TEST(Trishear, RestoringIsTheInverseForRandomParametersAndPoints) {
   double worst = 0.0;
   for (int i = 0; i < 250; ++i) {
     const double concentrations[] = {1.0, 0.5, 2.0, 1.0, 3.0};
-    const Case one{{draws.in(-500, 500), draws.in(-500, 500)}, draws.in(-60, 60), draws.in(15, 140), draws.in(0, 4),
-                   concentrations[i % 5], draws.in(-500, 500)};
+    const Case one{{draws.in(-500, 500), draws.in(-500, 500)},
+                   draws.in(-60, 60),
+                   draws.in(15, 140),
+                   draws.in(0, 4),
+                   concentrations[i % 5],
+                   draws.in(-500, 500)};
     const BlockMap map = map_of(one);
     const BlockMap back = map.swapped();
     for (int k = 0; k < 12; ++k) {
@@ -209,8 +216,8 @@ TEST(Trishear, BothCutoffsOfABedThatTheTipCutComeBackTogether) {
   test::expect_near(map.inverse(foot), bed, 2e-5);
 }
 
-/// Every fourth point of a bed of the Catskill section, restored with the parameters published for bed 6; the sum of its
-/// squared distances from its line across the fault, m2, and the slope of that against the fault, degrees.
+/// Every fourth point of a bed of the Catskill section, restored with the parameters published for bed 6; the sum of
+/// its squared distances from its line across the fault, m2, and the slope of that against the fault, degrees.
 std::array<double, 2> restored_catskill_bed(const std::filesystem::path& file) {
   const geom::Vector along = direction_of({{}, 35, 0, 0, 0, 0});
   const FaultPath path = test::fault({geom::Point{260, 185} - 2000.0 * along, {260, 185}});

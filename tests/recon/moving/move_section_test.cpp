@@ -153,7 +153,8 @@ section::Section uncut() {
   section.lines.back().order = 2;
   section.lines.front().order = 1;
   section.lines.push_back({section::LineId(2), LineKind::Datum, "sea", {{{-2000, 0}, {1000, 0}}, false}, {}});
-  section.units.push_back({section::UnitId(0), "Q", {{{-1500, -850}, {500, -850}, {500, -700}, {-1500, -700}}, true}, {}});
+  section.units.push_back(
+      {section::UnitId(0), "Q", {{{-1500, -850}, {500, -850}, {500, -700}, {-1500, -700}}, true}, {}});
   section.units.push_back({section::UnitId(1), "R", {{{0, -950}, {500, -950}, {500, -900}, {0, -900}}, true}, {}});
   section.markers.push_back({section::MarkerId(0), "picks", {{-900.5, -200.25}, {500.125, -200.5}}, {}});
   return section;
@@ -226,7 +227,7 @@ TEST(Move, PointsAndLinesAreCarriedThereAndBack) {
 
 TEST(Move, AHorizonThatReachesALittleAcrossTheFaultIsTrimmedWhereItMoves) {
   section::Section section = planar();
-  section.horizons[0].line.points.back().x += 8.0;  // of the hanging wall, into the footwall
+  section.horizons[0].line.points.back().x += 8.0;   // of the hanging wall, into the footwall
   section.horizons[3].line.points.front().x -= 8.0;  // of the footwall, into the hanging wall
   const auto moved = move_block(section, params_of(MoveMethod::Rigid, 100.0), {});
   ASSERT_TRUE(moved) << to_string(moved.error());
@@ -242,8 +243,8 @@ TEST(Move, ARigidBlockOnABentFaultTellsWhatItOpensAndWhere) {
   section.lines[0].line.points = {{0, 0}, {-500, -600}, {-1500, -1000}};
   const auto moved = move_block(section, params_of(MoveMethod::Rigid, -100.0), {});
   ASSERT_TRUE(moved) << to_string(moved.error());
-  // The chord of both legs is shifted along itself: the triangle over the chord, less itself moved, on both sides of the
-  // bend. Brute force: the area between both lines, column by column.
+  // The chord of both legs is shifted along itself: the triangle over the chord, less itself moved, on both sides of
+  // the bend. Brute force: the area between both lines, column by column.
   const geom::Vector by = (100.0 / std::hypot(1500.0, 1000.0)) * geom::Vector{-1500, -1000};
   const auto height = [](double x) { return x < -500.0 ? -600.0 + (x + 500.0) * 0.4 : x * 1.2; };
   double gap = 0.0, overlap = 0.0;

@@ -23,9 +23,7 @@ struct BreakLine {
   double a = 0.0, b = 0.0, c = 0.0;
   [[nodiscard]] double off(geom::Point p) const { return a * p.x + b * p.y - c; }
 };
-BreakLine line_through(geom::Point p, geom::Vector along) {
-  return {along.y, -along.x, along.y * p.x - along.x * p.y};
-}
+BreakLine line_through(geom::Point p, geom::Vector along) { return {along.y, -along.x, along.y * p.x - along.x * p.y}; }
 
 /// A fault as heights over x, its ends going on straight; the hanging wall lies above.
 struct FaultCourse {
@@ -91,8 +89,12 @@ struct Body {
       const geom::Point p = line[i];
       const geom::Point q = line[(i + 1) % line.size()];
       std::vector<double> parts{0.0};
-      for (const BreakLine& one : by.breaks) add_zeros(p, q, [&](geom::Point r) { return one.off(r); }, parts);
-      for (const geom::Point bend : by.fault.points) add_zeros(p, q, [&](geom::Point r) { return r.x - bend.x; }, parts);
+      for (const BreakLine& one : by.breaks)
+        add_zeros(
+            p, q, [&](geom::Point r) { return one.off(r); }, parts);
+      for (const geom::Point bend : by.fault.points)
+        add_zeros(
+            p, q, [&](geom::Point r) { return r.x - bend.x; }, parts);
       std::sort(parts.begin(), parts.end());
       const std::vector<double> straight = parts;
       for (std::size_t k = 0; k < straight.size(); ++k) {
@@ -101,7 +103,8 @@ struct Body {
         const geom::Point u = geom::interpolate(p, q, from);
         const geom::Point v = geom::interpolate(p, q, to);
         std::vector<double> met;
-        add_zeros(u, v, [&](geom::Point r) { return r.y - by.fault.height(r.x); }, met);
+        add_zeros(
+            u, v, [&](geom::Point r) { return r.y - by.fault.height(r.x); }, met);
         if (!met.empty()) parts.push_back(from + met.front() * (to - from));
       }
       std::sort(parts.begin(), parts.end());
@@ -133,7 +136,8 @@ struct Body {
       }
       put(moving);
     }
-    std::stable_sort(pieces.begin(), pieces.end(), [](const NamedLine& a, const NamedLine& b) { return a.whole < b.whole; });
+    std::stable_sort(pieces.begin(), pieces.end(),
+                     [](const NamedLine& a, const NamedLine& b) { return a.whole < b.whole; });
     for (std::size_t i = 0, number = 0; i < pieces.size(); ++i) {
       number = i > 0 && pieces[i - 1].whole == pieces[i].whole ? number + 1 : 1;
       pieces[i].name = pieces[i].whole + " (" + std::to_string(number) + ")";
@@ -145,7 +149,8 @@ struct Body {
 section::Section section_of(const Body& body, const std::vector<std::pair<std::string, Points>>& faults) {
   section::Section section;
   for (const NamedLine& bed : body.beds)
-    section.horizons.push_back({section::HorizonId(section.horizons.size()), bed.name, {bed.points, false}, {}, bed.whole});
+    section.horizons.push_back(
+        {section::HorizonId(section.horizons.size()), bed.name, {bed.points, false}, {}, bed.whole});
   const auto add = [&](const std::string& name, const std::string& whole, const Points& points, int order) {
     section.lines.push_back(
         {section::LineId(section.lines.size()), section::LineKind::Fault, name, {points, false}, {}});
@@ -300,8 +305,7 @@ TEST(SyntheticTruth, PlanarNormalFault) {
 }
 
 TEST(SyntheticTruth, ListricAndRampFlatFaultsUnderInclinedShear) {
-  const FaultCourse ramp_flat{
-      {{-200, 200}, {600, -600}, {1600, -700}, {2400, -1300}, {5000, -1350}}};
+  const FaultCourse ramp_flat{{{-200, 200}, {600, -600}, {1600, -700}, {2400, -1300}, {5000, -1350}}};
   for (const FaultCourse& fault : {listric_course(), ramp_flat}) {
     for (const double angle : {0.0, 20.0, -20.0}) {
       SCOPED_TRACE(angle);
@@ -345,7 +349,8 @@ TEST(SyntheticTruth, ThrustWithAFaultBendFold) {
   const double theta = 20.0 * to_radians;
   const double gamma = std::atan((1.0 + std::sqrt(1.0 - 3.0 * std::pow(std::tan(theta), 2))) / std::tan(theta));
   const double ratio = std::sin(gamma - theta) / std::sin(gamma);
-  const FaultCourse fault{{{-5000, 0}, {0, 0}, {1400 * std::cos(theta), 1400 * std::sin(theta)}, {9000, 1400 * std::sin(theta)}}};
+  const FaultCourse fault{
+      {{-5000, 0}, {0, 0}, {1400 * std::cos(theta), 1400 * std::sin(theta)}, {9000, 1400 * std::sin(theta)}}};
   for (const double slip : {350.0, 800.0}) {
     const Body before = flat_beds(-5000, 8000, {250, 400, 900}, box(-900, 600, 2400, 800));
     Body body = before;
@@ -359,9 +364,7 @@ TEST(SyntheticTruth, ThrustWithAFaultBendFold) {
 
 TEST(SyntheticTruth, ImbricateOfThreeThrustsOnOneDetachment) {
   const double rise = std::tan(25.0 * to_radians);
-  const auto thrust = [&](double x) {
-    return FaultCourse{{{-6000, 0}, {x, 0}, {x + 1500, 1500 * rise}}};
-  };
+  const auto thrust = [&](double x) { return FaultCourse{{{-6000, 0}, {x, 0}, {x + 1500, 1500 * rise}}}; };
   const Body before = flat_beds(-5000, 9000, {150, 300, 450}, box(-900, 200, -300, 400));
   Body body = before;
   const auto ramp = [&](double x) { return Points{{x, 0}, {x + 1500, 1500 * rise}}; };
@@ -429,13 +432,15 @@ TEST(SyntheticTruth, TrishearInFrontOfATipInsideRestoresWithTheSlipThatMadeIt) {
     geom::Polyline bed;
     for (int i = 0; i <= 5000; ++i) {
       const geom::Vector from = geom::Point{-2000.0 + 1.0 * i, z} - tip;
-      const geom::Point q = trisheared({geom::dot(from, along), geom::dot(from, out)}, 30.0 * to_radians, ps, slip, 200);
+      const geom::Point q =
+          trisheared({geom::dot(from, along), geom::dot(from, out)}, 30.0 * to_radians, ps, slip, 200);
       bed.points.push_back(tip + q.x * along + q.y * out);
     }
-    section.horizons.push_back({section::HorizonId(section.horizons.size()), "z" + std::to_string(static_cast<int>(z)), bed, {}});
+    section.horizons.push_back(
+        {section::HorizonId(section.horizons.size()), "z" + std::to_string(static_cast<int>(z)), bed, {}});
   }
-  section.lines.push_back({section::LineId(0), section::LineKind::Fault, "F",
-                           {{{-500, -300}, tip + ps * slip * along}, false}, {}});
+  section.lines.push_back(
+      {section::LineId(0), section::LineKind::Fault, "F", {{{-500, -300}, tip + ps * slip * along}, false}, {}});
   section.border = geom::Polyline{box(-2500, -300, 3500, 1500), true};
   MoveParams params = step_on("F", MoveMethod::Trishear, {});
   params.slip = -slip;

@@ -65,8 +65,8 @@ TEST(MoveWithATip, BedsThatTheTipPassesFallIntoPiecesThatMeetAgain) {
   ASSERT_EQ(fault.points.size(), 2U);  // it goes on straight, without a vertex where the tip was
   for (const section::Horizon& piece : moved->section.horizons) {
     // No piece runs along the fault.
-    const double off = std::min(geom::distance(fault, piece.line.points.front()),
-                                geom::distance(fault, piece.line.points.back()));
+    const double off =
+        std::min(geom::distance(fault, piece.line.points.front()), geom::distance(fault, piece.line.points.back()));
     EXPECT_LT(off, 1e-6) << piece.name;
     const std::vector<geom::Point>& points = piece.line.points;
     for (std::size_t i = 0; i + 1 < points.size(); ++i)
@@ -104,8 +104,7 @@ TEST(MoveWithATip, AnEndThatLeavesTheSectionIsTakenForTheTipWithARemark) {
 TEST(Move, ABedDrawnAlongTheFaultFromWallToWallLosesWhatIsOfTheFault) {
   section::Section section = test::normal_fault(100.0);
   section.horizons.clear();
-  section.horizons.push_back(
-      {section::HorizonId(0), "A", {{{0, 0}, {500, 0}, {600, -100}, {1500, -100}}, false}, {}});
+  section.horizons.push_back({section::HorizonId(0), "A", {{{0, 0}, {500, 0}, {600, -100}, {1500, -100}}, false}, {}});
   section.horizons.push_back({section::HorizonId(1), "B", {{{0, -300}, {800, -300}}, false}, {}});
   section.horizons.push_back({section::HorizonId(2), "C", {{{900, -400}, {1500, -400}}, false}, {}});
   const auto moved = move_block(section, move_of(MoveMethod::Rigid, 100.0 * std::sqrt(2.0)), {});
@@ -173,15 +172,14 @@ TEST(MoveRefusals, AFaultThatPartsNothingMovesNoBlockThatIsNamedEither) {
   for (const char* block : {"", "block 1"}) {
     MoveParams params = move_of(MoveMethod::Rigid, 50.0);
     if (*block != '\0') params.block = {block};
-    expect_refused(tip_inside(), params, base::ErrorCode::BadSection, "parts no block",
-                   geom::Point{500, 500 * rise});
+    expect_refused(tip_inside(), params, base::ErrorCode::BadSection, "parts no block", geom::Point{500, 500 * rise});
   }
 }
 
 TEST(MoveRefusals, AnUprightFaultUntilItsHangingWallIsSaid) {
-  section::Section section = test::faulted(
-      {{"A/1", {{0, 0}, {500, 0}}}, {"A/2", {{500, -40}, {900, -40}}}, {"B", {{0, -900}, {900, -900}}}},
-      {test::item("F", {{500, 100}, {500, -1000}})});
+  section::Section section =
+      test::faulted({{"A/1", {{0, 0}, {500, 0}}}, {"A/2", {{500, -40}, {900, -40}}}, {"B", {{0, -900}, {900, -900}}}},
+                    {test::item("F", {{500, 100}, {500, -1000}})});
   expect_refused(section, move_of(MoveMethod::Rigid, 40.0), base::ErrorCode::BadSection, "stands upright",
                  geom::Point{500, -450});
   section.lines[0].hanging_wall = section::HangingWall::Right;
@@ -217,17 +215,18 @@ TEST(MoveRefusals, ShearAlongTheFaultAndFaultsThatFoldBackInIt) {
 }
 
 TEST(MoveRefusals, AgesThatContradictTheCutting) {
-  section::Section section = test::faulted({{"A", {{0, 0}, {1500, 0}}}, {"B", {{0, -500}, {1500, -500}}}},
-                                           {test::item("F", {{400, 100}, {1200, -700}}),
-                                            test::item("O/1", {{100, -600}, {700, -200}}),
-                                            test::item("O/2", {{800, -300}, {1400, 100}})});
+  section::Section section =
+      test::faulted({{"A", {{0, 0}, {1500, 0}}}, {"B", {{0, -500}, {1500, -500}}}},
+                    {test::item("F", {{400, 100}, {1200, -700}}), test::item("O/1", {{100, -600}, {700, -200}}),
+                     test::item("O/2", {{800, -300}, {1400, 100}})});
   section.lines[0].order = 2;
   section.lines[1].order = section.lines[2].order = 1;
   expect_refused(section, move_of(MoveMethod::Rigid, 10.0), base::ErrorCode::BadSection, "not younger");
   section.lines[0].order = 1;
   section.lines[1].order = section.lines[2].order = 2;
   EXPECT_TRUE(move_block(section, move_of(MoveMethod::Rigid, 10.0), {}));
-  expect_refused(section, move_of(MoveMethod::Rigid, 10.0, "O/1"), base::ErrorCode::BadSection, "move on that one first");
+  expect_refused(section, move_of(MoveMethod::Rigid, 10.0, "O/1"), base::ErrorCode::BadSection,
+                 "move on that one first");
 }
 
 TEST(MoveRefusals, PolygonsOfTheBlockThatLieOverTheRest) {
