@@ -1,6 +1,6 @@
 #pragma once
 // Every point of the hanging wall flows along its flow line. Page: docs/algorithms/fault_flow.md.
-// Source: [egan1997], [kane1997].
+// Source: [egan1997].
 
 #include <memory>
 
