@@ -163,7 +163,8 @@ std::vector<std::size_t> partners_of_ends(const std::vector<Chain>& chains, doub
 
 // The chains, joined at the partners; each new one keeps the direction of its first chain in the file.
 std::vector<Chain> joined(std::vector<Chain> chains, const std::vector<std::size_t>& partners, const std::string& item,
-                          Repairs& repairs) {
+                          double tolerance, Repairs& repairs) {
+  const double same_place = 1e-6 * tolerance;  // ends that rounding has parted
   std::vector<Chain> made;
   std::vector<bool> used(chains.size(), false);
   for (std::size_t i = 0; i < chains.size(); ++i) {
@@ -178,12 +179,13 @@ std::vector<Chain> joined(std::vector<Chain> chains, const std::vector<std::size
       if (k == i) turned = end % 2 == 1;
       Polyline next = end % 2 == 1 ? geom::reversed(std::move(chains[k].line)) : std::move(chains[k].line);
       std::vector<Point>& points = whole.line.points;
+      bool same = false;
       if (!points.empty()) {
         const double gap = geom::distance(points.back(), next.points.front());
+        same = gap <= same_place;
         repairs.push_back(
             {"gap", item, fmt::format("two parts joined over a gap of {:.6g} m", gap), points.back(), gap});
       }
-      const bool same = !points.empty() && points.back() == next.points.front();
       points.insert(points.end(), next.points.begin() + (same ? 1 : 0), next.points.end());
       end = partners[end ^ 1U];
     }
@@ -222,7 +224,7 @@ void join_gaps(std::vector<lines::Feature>& features, double tolerance, Repairs&
     }
     const std::string item = label_of(feature, i + 1);
     const std::vector<std::size_t> partners = partners_of_ends(chains, tolerance);
-    for (Chain& chain : joined(std::move(chains), partners, item, repairs)) {
+    for (Chain& chain : joined(std::move(chains), partners, item, tolerance, repairs)) {
       features[chain.feature].parts.push_back(std::move(chain.line));
     }
     close_unit(feature, tolerance, item, repairs);

@@ -97,6 +97,13 @@ TEST(Repair, PartsOfOneNameAreJoinedWhicheverWayTheyWereDrawn) {
   EXPECT_EQ(done[1].moved, 0.0);
 }
 
+TEST(Repair, PartsThatRoundingHasPartedShareOnePoint) {
+  std::vector<lines::Feature> features{line("a", "horizon", {{0, 0}, {1, 1}}),
+                                       line("a", "horizon", {{1 + 1e-13, 1}, {2, 1}})};
+  repaired(features, {.gaps = 0.3});
+  EXPECT_THAT(features[0].parts[0].points, ElementsAre(Point{0, 0}, Point{1, 1}, Point{2, 1}));
+}
+
 TEST(Repair, AUnitThatEndsNearItsBeginningIsClosed) {
   std::vector<lines::Feature> features{line("u", "unit", {{0, 0}, {0, 2}, {2, 2}, {2, 0}, {0.1, 0}})};
   EXPECT_EQ(repaired(features, {.gaps = 0.3}).size(), 1U);
