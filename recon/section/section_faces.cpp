@@ -30,7 +30,7 @@ using topo::Subdivision;
 
 constexpr const char* border_label = "the border";
 constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-constexpr double rounding = 1e-9;  ///< Of the section's size.
+constexpr double near_ends = 1e-9;  ///< Of the section's size.
 
 /// Twice the area that the line sweeps about the origin `about`.
 double swept(const geom::Polyline& line, geom::Point about) {
@@ -402,7 +402,7 @@ std::vector<std::size_t> stack_order(const Section& section) {
 
 base::Result<SectionFaces> faces_of(const Section& as_given) {
   Section section = as_given;
-  rejoin_ends(section, rounding * box_of(section).diagonal());
+  rejoin_ends(section, near_ends * box_of(section).diagonal());
   const std::vector<std::size_t> order = stack_order(section);
   Numbered numbered = lines_of(section);
   const auto& surfaces = numbered.surfaces;

@@ -28,12 +28,12 @@ class MoveCommands : public dobra::test::CommandLine {
 };
 
 /// A normal fault of 45 degrees to +x, 100 m down and 100 m level.
-const std::string down_100 =
+const std::string moved_down_100 =
     "x,z,name,kind\n0,0,A,\n500,0,A,\n\n600,-100,A,\n1200,-100,A,\n\n0,-300,B,\n800,-300,B,\n\n900,-400,B,\n"
     "1200,-400,B,\n\n400,100,F,fault\n1200,-700,F,fault\n";
 
 TEST_F(MoveCommands, JsonHasTheKeysThatScriptsRelyOn) {
-  const MoveOut made = moved(put("n.csv", down_100), {"--method", "shear", "--close", "A,B"});
+  const MoveOut made = moved(put("n.csv", moved_down_100), {"--method", "shear", "--close", "A,B"});
   EXPECT_NEAR(made["slip"], 100.0 * std::sqrt(2.0), 1e-9);
   EXPECT_EQ(made["method"], "shear");
   ASSERT_EQ(made["misfit"].size(), 2U);
@@ -63,13 +63,13 @@ TEST_F(MoveCommands, AListMayHaveCommasInQuotesOrBeGivenPieceByPiece) {
               feature("\"name\": \"B\"", "[[0, -900], [1200, -900]]") + "," +
               feature("\"name\": \"F\", \"kind\": \"fault\"", "[[400, 100], [1450, -950]]") + "]}");
   EXPECT_NEAR(moved(file, {"--method", "rigid", "--close", "\"A, upper\""})["slip"], 141.4213562373095, 1e-9);
-  const std::string plain = put("n.csv", down_100);
+  const std::string plain = put("n.csv", moved_down_100);
   EXPECT_EQ(moved(plain, {"--method", "rigid", "--close", "A", "--close", "B"}).dump(),
             moved(plain, {"--method", "rigid", "--close", "A,B"}).dump());
 }
 
 TEST_F(MoveCommands, WhatItWritesChains) {
-  const std::string file = put("n.csv", down_100);
+  const std::string file = put("n.csv", moved_down_100);
   for (const char* out : {"forward.csv", "forward.geojson"}) {
     ASSERT_EQ(call({"move", file, "--fault", "F", "--method", "fault_parallel_flow", "--slip=-50", "--direction",
                     "forward", "--out", path(out), "--quiet"})
@@ -91,7 +91,7 @@ TEST_F(MoveCommands, WhatItWritesChains) {
 }
 
 TEST_F(MoveCommands, ExitCodesTellUsageInputAndWhatCannotBeDone) {
-  const std::string file = put("n.csv", down_100);
+  const std::string file = put("n.csv", moved_down_100);
   EXPECT_EQ(call({"move", file, "--fault", "F", "--method", "shear", "--slip", "0"}).code, 3);
   EXPECT_EQ(call({"move", file, "--fault", "G", "--method", "shear", "--slip", "1"}).code, 3);
   EXPECT_EQ(call({"move", file, "--fault", "F", "--method", "slide", "--slip", "1"}).code, 2);
