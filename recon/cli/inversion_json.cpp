@@ -83,14 +83,14 @@ std::string inversion_table(const model::Model& model) {
   if (fit.region) text += fmt::format(", {:.4g} % region to {:.5g} m", found.params.confidence, *fit.region);
   text += fmt::format("\n\n{:<16} {:>12} {:>12} {:>12}   limits of the search\n", "value", "best", "low", "high");
   const auto cell = [](const std::optional<double>& value) {
-    return value ? fmt::format("{:.6g}", *value) : std::string("-");
+    return value ? fmt::format("{:.9g}", *value) : std::string("-");
   };
   for (const inversion::Estimate& e : fit.estimates) {
     const std::string name =
         e.unknown.unit.empty() ? e.unknown.key : fmt::format("{} [{}]", e.unknown.key, e.unknown.unit);
     text += fmt::format(
-        "{:<16} {:>12.6g} {:>12} {:>12}   {}\n", name, e.best, cell(e.low), cell(e.high),
-        e.unknown.fixed() ? std::string("fixed") : fmt::format("{:.6g} to {:.6g}", e.unknown.low, e.unknown.high));
+        "{:<16} {:>12.9g} {:>12} {:>12}   {}\n", name, e.best, cell(e.low), cell(e.high),
+        e.unknown.fixed() ? std::string("fixed") : fmt::format("{:.9g} to {:.9g}", e.unknown.low, e.unknown.high));
   }
   text +=
       fmt::format("\n{:<28} {:>8} {:>14} {:>14} {:>14}\n", "bed", "points", "before [m]", "restored [m]", "dip [deg]");

@@ -163,6 +163,15 @@ scene::Panel profile_panel(const faults::FaultReport& report) {
         {key + "_points", report.faults[i].name, style, scene::Markers{line.points, {}}, true, scene::InLegend::No});
     panel.layers.push_back({key + "_names", report.faults[i].name, style, std::move(names), true, scene::InLegend::No});
   }
+  if (box.empty()) return panel;
+  // Equal separations, or one horizon alone, still make a diagram.
+  const double greatest = std::max(std::abs(box.low.y), std::abs(box.high.y));
+  const double least = std::max(0.1 * greatest, 1e-3 * box.width());
+  if (box.height() < least) {
+    box.low.y -= 0.5 * least;
+    box.high.y += 0.5 * least;
+    panel.extent = box;
+  }
   if (box.height() > 0.0) panel.vertical_exaggeration = std::max(1.0, 0.4 * box.width() / box.height());
   return panel;
 }

@@ -82,17 +82,25 @@ class Cutter {
     const std::vector<Meeting> meetings = meetings_of(line);
     const double length = line.back().along;
     std::optional<Meeting> at_first, at_last;  // what is to be trimmed behind: the innermost of each end
+    const double from_first = overshoot_of(line.front());
+    const double from_last = overshoot_of(line.back());
     for (const Meeting& m : meetings) {
-      if (line[m.last].along <= tolerance_) at_first = m;
-      if (length - line[m.first].along <= tolerance_ && !at_last && !(at_first && at_first->first == m.first))
+      if (line[m.last].along <= from_first) at_first = m;
+      if (length - line[m.first].along <= from_last && !at_last && !(at_first && at_first->first == m.first))
         at_last = m;
     }
     for (const Meeting& m : meetings) {
-      const bool trims = line[m.last].along <= tolerance_ || length - line[m.first].along <= tolerance_;
+      const bool trims = line[m.last].along <= from_first || length - line[m.first].along <= from_last;
       if (!trims) cross(horizon, line, m);
     }
-    end(horizon, line, at_first, LineEnd::First);
-    end(horizon, line, at_last, LineEnd::Last);
+    end(horizon, line, at_first, LineEnd::First, !meetings.empty());
+    end(horizon, line, at_last, LineEnd::Last, !meetings.empty());
+  }
+
+  /// How far from its end a line may meet the fault and still end there. An end that is as near to the fault as the
+  /// tolerance may have run past it by more, at a low angle.
+  [[nodiscard]] double overshoot_of(const Vertex& end) const {
+    return geom::distance(own_, end.at) <= tolerance_ ? 5.0 * tolerance_ : tolerance_;
   }
 
   /// The line itself, with vertices where it meets the fault and in the middle between two of these.
@@ -161,8 +169,9 @@ class Cutter {
   }
 
   /// An end of the line: at the fault, past it by no more than the tolerance, or short of it.
+  /// @param crossed  whether the line crosses the fault farther from its end than that.
   void end(const section::Horizon& horizon, const std::vector<Vertex>& line, const std::optional<Meeting>& passed,
-           LineEnd which) {
+           LineEnd which, bool crossed) {
     const bool first = which == LineEnd::First;
     if (passed) {
       const std::size_t inner = first ? passed->last : passed->first;
@@ -174,6 +183,7 @@ class Cutter {
     const Vertex& tip = first ? line.front() : line.back();
     const double gap = geom::distance(own_, tip.at);
     if (!tip.wall || gap > 10.0 * tolerance_ || !is_nearest(tip.at, gap)) return;
+    if (gap > tolerance_ && crossed) return;  // told where it crosses
     if (gap > tolerance_) {
       if (tip.at.x <= box_.low.x + tolerance_ || tip.at.x >= box_.high.x - tolerance_) return;  // the section's end
       made_.remarks.push_back(

@@ -8,6 +8,9 @@ namespace recon::faults {
 
 namespace {
 
+/// Of the distances along a fault: separations that are no greater are none.
+constexpr double rounding = 1e-9;
+
 /// Jumps are steps that are more than three times the median one and 2 % of the greatest separation.
 void mark_steps(double greatest, std::vector<ProfilePoint>& points) {
   std::vector<double> jumps;
@@ -54,7 +57,8 @@ std::vector<ProfilePoint> profile_of(const FaultCutoffs& cutoffs) {
     points.push_back({pair.horizon, pair.distance, *pair.separation});
     greatest = std::max(greatest, std::abs(*pair.separation));
   }
-  if (points.size() < 2 || greatest == 0.0) return points;
+  const double length = points.empty() ? 0.0 : points.back().distance;
+  if (points.size() < 2 || greatest <= rounding * length) return points;
   mark_steps(greatest, points);
   mark_reversals(greatest, points);
   return points;

@@ -158,7 +158,7 @@ class Ends {
       : section_(section), faults_(faults), outline_(outline), tolerance_(tolerance) {}
 
   [[nodiscard]] FaultEnd of(const Fault& fault, geom::Point end) const {
-    const bool rock = in_rock(outline_, end, tolerance_) && !at_section_end(fault, end);
+    const bool rock = in_rock(outline_, end, tolerance_) ? !at_section_end(fault, end) : leads_into_rock(fault, end);
     FaultEnd found{rock ? EndKind::Tip : EndKind::Border, end, {}, 0.0};
     double least = tolerance_;
     for (const Fault& other : faults_) {
@@ -189,6 +189,27 @@ class Ends {
     });
   }
 
+  /// Whether a fault that ends outside the rock would enter it if it went on, and has not been in it: one that ends
+  /// below the lowest bed.
+  [[nodiscard]] bool leads_into_rock(const Fault& fault, geom::Point end) const {
+    const std::vector<geom::Point>& points = fault.path.line.points;
+    const geom::Point inner = end == points.front() ? points[1] : points[points.size() - 2];
+    const geom::Segment ahead{end, end + box_of(section_).diagonal() * geom::normalised(end - inner)};
+    const auto outside = [&](const geom::Polyline& ring) { return geom::locate(ring, end) == geom::Side::Outside; };
+    if (!std::all_of(outline_.begin(), outline_.end(), outside)) return false;
+    const auto meets = [&](const geom::Segment& side) {
+      for (const geom::Polyline& ring : outline_) {
+        for (std::size_t i = 0; i < ring.segment_count(); ++i) {
+          if (geom::intersect(side, ring.segment(i)).kind != geom::IntersectionKind::None) return true;
+        }
+      }
+      return false;
+    };
+    for (std::size_t i = 0; i < fault.path.line.segment_count(); ++i) {
+      if (meets(fault.path.line.segment(i))) return false;
+    }
+    return meets(ahead);
+  }
   /// Whether the fault leaves through the section's end that its slip has moved on one wall: without a border the rock
   /// ends there with a straight side from one wall to the other, which leans over the fault's end.
   [[nodiscard]] bool at_section_end(const Fault& fault, geom::Point end) const {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "recon/faults/cutoffs.h"
 #include "recon/inversion/limits.h"
 #include "recon/inversion/shear_fit.h"
 #include "recon/inversion/trishear_fit.h"
@@ -74,12 +75,22 @@ void draw_best(const section::Section& section, const Model& model, double size,
   inversion.triangle = triangle_sides(values, 0.3 * size);
 }
 
+/// The section with beds that end where the faults cut them off: what reaches past a fault is of no block.
+section::Section ended_on_faults(section::Section section) {
+  const faults::FaultOptions options;
+  const auto all = faults::faults_of(section, options);
+  if (!all) return section;
+  const std::vector<faults::FaultCutoffs> cutoffs = faults::cutoffs_of(section, *all, options);
+  for (section::Horizon& horizon : section.horizons) faults::reach_faults(cutoffs, 0.0, horizon);
+  return section;
+}
+
 }  // namespace
 
 base::Result<Inversion> invert(const section::Section& section, const InvertParams& params,
                                const base::Progress& progress) {
   DOBRA_TRY_VOID(check_keys(params));
-  DOBRA_TRY(const std::vector<BedShape> beds, bed_shapes(section, params.horizon));
+  DOBRA_TRY(const std::vector<BedShape> beds, bed_shapes(ended_on_faults(section), params.horizon));
   const double size = box_of(section).diagonal();
   DOBRA_TRY(const Task task, task_of(section, beds, params, size));
   std::array<std::size_t, 2> axes{};

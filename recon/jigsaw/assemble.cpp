@@ -199,10 +199,46 @@ void judge_beds(Blockwise& made) {
   }
 }
 
+/// Where a cutoff stands after the restoration; nothing if its bed was not cut off there.
+std::optional<geom::Point> restored(const std::optional<faults::Cutoff>& cutoff, const Blockwise& made) {
+  if (!cutoff || cutoff->passes) return std::nullopt;
+  const section::Horizon* bed = find_horizon(made.section, cutoff->piece);
+  if (bed == nullptr || bed->role == section::BedRole::Growth) return std::nullopt;
+  return cutoff->end == section::LineEnd::First ? bed->line.points.front() : bed->line.points.back();
+}
+
+/// Beds that stand at other heights on the two walls of a restored fault.
+void judge_offsets(const std::vector<faults::FaultCutoffs>& cutoffs, Blockwise& made) {
+  geom::Box beds;
+  for (const section::Horizon& horizon : made.section.horizons) beds.add(horizon.line.box());
+  for (const faults::FaultCutoffs& fault : cutoffs) {
+    const bool jigsaw = std::any_of(made.faults.begin(), made.faults.end(),
+                                    [&](const RestoredFault& f) { return f.name == fault.fault && f.measured; });
+    for (const faults::CutoffPair& pair : fault.pairs) {
+      const auto hanging = restored(pair.hanging_wall, made);
+      const auto foot = restored(pair.footwall, made);
+      if (!jigsaw || !hanging || !foot) continue;
+      const double offset = std::abs(hanging->y - foot->y);
+      const double percent = balance::percent(offset, beds.height());
+      if (percent > made.params.tolerance) {
+        made.remarks.push_back(
+            fmt::format("horizon '{}' stands {:.4g} m higher on one wall of fault '{}' than on the "
+                        "other, at ({:.9g}, {:.9g})",
+                        pair.horizon, offset, fault.fault, foot->x, foot->y));
+      }
+      if (!made.worst_offset.empty() && percent <= made.greatest_offset_percent) continue;
+      made.greatest_offset_percent = percent;
+      made.worst_offset = pair.horizon;
+    }
+  }
+}
+
 }  // namespace
 
-void judge(const faults::Blocks& blocks, const std::vector<faults::FaultWall>& walls, Blockwise& made) {
+void judge(const faults::Blocks& blocks, const std::vector<faults::FaultWall>& walls,
+           const std::vector<faults::FaultCutoffs>& cutoffs, Blockwise& made) {
   judge_beds(made);
+  judge_offsets(cutoffs, made);
   bool measured = false;
   for (std::size_t i = 0; i < made.faults.size(); ++i) {
     const RestoredFault& fault = made.faults[i];
@@ -214,8 +250,9 @@ void judge(const faults::Blocks& blocks, const std::vector<faults::FaultWall>& w
     }
   }
   balance::Balance& balance = made.balance;
-  const double greatest = std::max({balance.greatest_change_percent, balance.greatest_area_change_percent,
-                                    balance.consistency.worst.percent, made.greatest_opening_percent});
+  const double greatest =
+      std::max({balance.greatest_change_percent, balance.greatest_area_change_percent,
+                balance.consistency.worst.percent, made.greatest_opening_percent, made.greatest_offset_percent});
   balance.verdict = verdict_of(balance.consistency, greatest, made.params.tolerance);
   if (measured && balance.verdict == balance::BalanceVerdict::NotJudged)
     balance.verdict = balance::BalanceVerdict::Balanced;  // the walls have been compared
@@ -230,6 +267,8 @@ std::string verdict_text(const Blockwise& made) {
   add(": the greatest change of a bed's length is {} % (horizon '{}')", balance.greatest_change_percent, balance.worst);
   add(", of a unit's area {} % ('{}')", balance.greatest_area_change_percent, balance.worst_unit);
   add(", what a fault leaves open {} % of a block (fault '{}')", made.greatest_opening_percent, made.worst_fault);
+  add(", the offset of a bed on a restored fault {} % of the depth (horizon '{}')", made.greatest_offset_percent,
+      made.worst_offset);
   return text +
          fmt::format("; {}; the tolerance is {:.4g} %", consistency_text(balance.consistency), made.params.tolerance);
 }

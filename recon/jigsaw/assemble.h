@@ -10,7 +10,9 @@ void assemble(const CutSection& cut, const std::vector<faults::Fault>& faults, c
               Blockwise& made);
 
 /// Fills balance and the worst fault. @pre assembled.
-void judge(const faults::Blocks& blocks, const std::vector<faults::FaultWall>& walls, Blockwise& made);
+/// @param cutoffs  before the restoration.
+void judge(const faults::Blocks& blocks, const std::vector<faults::FaultWall>& walls,
+           const std::vector<faults::FaultCutoffs>& cutoffs, Blockwise& made);
 
 /// The verdict and what it rests on, in words.
 std::string verdict_text(const Blockwise& made);

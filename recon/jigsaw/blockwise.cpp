@@ -284,7 +284,7 @@ base::Result<Blockwise> restore_blockwise(const Section& section, const Blockwis
     made.remarks.insert(made.remarks.end(), block.restoration.remarks.begin(), block.restoration.remarks.end());
   assemble(setting.cut, setting.faults, setting.blocks, made);
   remark_on_faults(made, setting.size, made.remarks);
-  judge(setting.blocks, of_faults.walls, made);
+  judge(setting.blocks, of_faults.walls, setting.cutoffs, made);
   made.remarks.push_back(what_it_keeps(params.method));
   made.remarks.push_back(verdict_text(made));
   progress.report(1.0, "restored");

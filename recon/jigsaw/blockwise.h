@@ -37,6 +37,9 @@ struct Blockwise {
   balance::Balance balance;
   double greatest_opening_percent = 0.0;  ///< Gap and overlap along a fault, of the smallest block that it bounds.
   std::string worst_fault;
+  /// Between the restored cutoffs of a bed on both walls of a fault: heights, percent of the depth of the lowest bed.
+  double greatest_offset_percent = 0.0;
+  std::string worst_offset;  ///< That bed.
   Widths widths;
   std::vector<std::string> remarks;
   double size = 0.0;  ///< Of the section, m.

@@ -23,6 +23,31 @@ void join_rows(const std::vector<Row>& first, const std::vector<Row>& last, Meas
   }
 }
 
+/// Units with all pieces that faults have cut them into: "A (1) - B (2)" is of "A - B". Moves cut them anew.
+std::vector<balance::UnitRow> whole_units(const std::vector<balance::UnitRow>& rows) {
+  std::vector<balance::UnitRow> wholes;
+  for (const balance::UnitRow& row : rows) {
+    std::string name = row.name;
+    for (std::size_t open = name.find(" ("); open != std::string::npos; open = name.find(" (", open)) {
+      const std::size_t behind = name.find_first_not_of("0123456789", open + 2);
+      if (behind == open + 2 || behind == std::string::npos || name[behind] != ')')
+        ++open;
+      else
+        name.erase(open, behind + 1 - open);
+    }
+    const auto known =
+        std::find_if(wholes.begin(), wholes.end(), [&](const auto& whole) { return whole.name == name; });
+    if (known == wholes.end()) {
+      wholes.push_back(row);
+      wholes.back().name = std::move(name);
+      continue;
+    }
+    known->area_before += row.area_before;
+    known->area_after += row.area_after;
+  }
+  return wholes;
+}
+
 /// Beds that moves have cut meanwhile are compared as wholes.
 void join_wholes(const std::vector<balance::LineLength>& first, const std::vector<balance::LineLength>& last,
                  std::vector<Compared>& joined) {
@@ -61,6 +86,9 @@ ChainVerdict judge(const Comparison& comparison, double tolerance) {
 Comparison compare(const std::vector<const Stage*>& chain, std::size_t from, std::size_t to) {
   const Stage& first = *chain[from];
   const Stage& last = *chain[to - 1];
+  const bool moved =
+      std::any_of(chain.begin() + static_cast<std::ptrdiff_t>(from), chain.begin() + static_cast<std::ptrdiff_t>(to),
+                  [](const Stage* stage) { return stage->moved.has_value(); });
   Comparison comparison;
   join_rows(
       lengths_of(first), lengths_of(last),
@@ -70,7 +98,7 @@ Comparison compare(const std::vector<const Stage*>& chain, std::size_t from, std
       comparison.beds);
   join_wholes(lengths_of(first), lengths_of(last), comparison.beds);
   join_rows(
-      units_of(first), units_of(last),
+      moved ? whole_units(units_of(first)) : units_of(first), moved ? whole_units(units_of(last)) : units_of(last),
       [](const balance::UnitRow& a, const balance::UnitRow& b) { return std::pair(a.area_before, b.area_after); },
       comparison.units);
   return comparison;

@@ -32,6 +32,7 @@ std::string at_text(geom::Point p) { return fmt::format("({:.6g}, {:.6g})", p.x,
 /// What a move stands on: the fault as its slip is counted, and the horizons that it cuts.
 struct Setting {
   Fault fault;
+  FaultPath path;  ///< Along which slip is measured: a rigid block goes along the fault's own part.
   faults::FaultCutoffs cutoffs;
   std::vector<CutHorizon> cut;  ///< On both walls, the uppermost first.
   double size = 0.0;            ///< Of the section, m.
@@ -70,9 +71,11 @@ base::Result<void> orient(Fault& fault, Towards towards) {
 base::Result<Setting> setting_of(const Section& section, const MoveParams& params, const std::vector<Fault>& all,
                                  const faults::FaultOptions& options) {
   DOBRA_TRY(const Fault* found, find_fault(all, params.fault));
-  Setting setting{*found, {}, {}, box_of(section).diagonal(), tolerance_of(section, options)};
+  Setting setting{*found, {}, {}, {}, box_of(section).diagonal(), tolerance_of(section, options)};
   if (found->undecided) return *found->undecided;
   DOBRA_TRY_VOID(orient(setting.fault, params.towards));
+  setting.path = setting.fault.path;
+  if (params.method == MoveMethod::Rigid) setting.path.line = own_line(setting.fault);
   setting.cutoffs = std::move(cutoffs_of(section, {setting.fault}, options).front());
   for (const faults::CutoffPair& pair : setting.cutoffs.pairs) {
     if (!pair.hanging_wall || !pair.footwall || pair.hanging_wall->passes) continue;
@@ -146,7 +149,7 @@ base::Result<double> measured_at(const Setting& setting, const MoveParams& param
 base::Result<Motion> motion_of(const Setting& setting, const MoveParams& params, std::vector<std::string>& remarks) {
   DOBRA_TRY(const double arc, measured_at(setting, params, remarks));
   using kinematics::Measure;
-  const FaultPath& path = setting.fault.path;
+  const FaultPath& path = setting.path;
   if (params.slip) return make_motion(path, params, {Measure::Slip, *params.slip}, arc);
   if (params.heave) return make_motion(path, params, {Measure::Heave, *params.heave}, arc);
   if (params.throw_) return make_motion(path, params, {Measure::Throw, *params.throw_}, arc);
@@ -406,7 +409,7 @@ base::Result<Moved> move_block(const Section& section, const MoveParams& params,
   DOBRA_TRY_VOID(move_lines(section, setting.fault.pieces, setting.tolerance, moved));
   DOBRA_TRY_VOID(move_tip(setting, moved));
   for (const CutHorizon& cut : setting.cut)
-    moved.misfit.push_back(misfit_of(cut, setting.fault.path, params, moved.motion.map));
+    moved.misfit.push_back(misfit_of(cut, setting.path, params, moved.motion.map));
   moved.opened = opened_along(setting.fault.path, moved.motion.map, setting.size);
   moved.remarks.insert(moved.remarks.end(), moved.motion.remarks.begin(), moved.motion.remarks.end());
   remark_on_ends(setting, moved);

@@ -92,6 +92,13 @@ TEST(Blocks, AFaultShortOfTheBorderPartsAndATipDoesNot) {
   EXPECT_EQ(refused.error().place->x, 300.0);
 }
 
+TEST(Blocks, AFaultBelowAllBedsPartsNoneOfThem) {
+  const Made blind = made_of(faulted(beds, {item("F", {{200, -700}, {400, -550}})}));
+  EXPECT_EQ(blind.faults[0].upper.kind, EndKind::Tip);
+  EXPECT_EQ(blind.blocks.all().size(), 1U);
+  EXPECT_FALSE(blind.blocks.hanging_wall(blind.faults[0]));
+}
+
 TEST(Blocks, NamesAndGroupsAreThoseOfTheirPoints) {
   const std::vector<input::FaultInput> two{item("F", {{50, 50}, {600, -500}}), item("G", {{450, 50}, {1000, -500}})};
   const Made made = made_of(faulted(beds, two, {}, {{"graben", {450, -200}, "basin"}, {"east", {900, -50}, "basin"}}));

@@ -59,6 +59,26 @@ TEST(Cutoffs, NormalFaultHasItsSlipOnBothBedsHoweverItIsTurned) {
   }
 }
 
+TEST(Cutoffs, BedsThatRunPastTheFaultAtALowAngleAreTrimmed) {
+  // A fault of 30 degrees; the ends are 4.5 m from it, but 9 m of each bed lie behind it.
+  const double slope = std::tan(3.14159265358979323846 / 6);
+  const auto on_fault = [&](double z) { return 1000 - z / slope; };
+  const Found found = found_in(faulted({{"A/1", {{0, 0}, {on_fault(0) + 9, 0}}},
+                                        {"A/2", {{on_fault(-100) - 9, -100}, {2000, -100}}},
+                                        {"B/1", {{0, -300}, {on_fault(-300) + 9, -300}}},
+                                        {"B/2", {{on_fault(-400) - 9, -400}, {2000, -400}}}},
+                                       {item("F", {{on_fault(100), 100}, {on_fault(-600), -600}})}),
+                               5.0);
+  ASSERT_EQ(found.cutoffs[0].pairs.size(), 2U);
+  for (const CutoffPair& pair : found.cutoffs[0].pairs) {
+    ASSERT_TRUE(pair.separation);
+    EXPECT_NEAR(*pair.separation, 200.0, 1e-9);
+    EXPECT_NEAR(pair.hanging_wall->extended, -9.0, 1e-9);
+    EXPECT_FALSE(pair.footwall->passes);
+  }
+  EXPECT_TRUE(tells_of(found.cutoffs[0], "trimmed by 9 m"));
+}
+
 TEST(Cutoffs, ThrustIsNegative) {
   for (const double mirror : {1.0, -1.0}) {
     const Found found = found_in(test::normal_fault(-80, mirror));

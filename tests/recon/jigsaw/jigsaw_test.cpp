@@ -319,6 +319,23 @@ TEST(Jigsaw, GapsAndOverlapsAreNotNettedAndTheVerdictIsNo) {
   EXPECT_EQ(made.worst_fault, "F1");
 }
 
+TEST(Jigsaw, ABedThatStandsLowerInOneBlockIsNotBalanced) {
+  Section section = graben();
+  const geom::Vector down = along(east, 250);
+  for (section::Horizon& horizon : section.horizons) {
+    if (horizon.name != "C (2)") continue;
+    horizon.line.points = {geom::Point{east.x(-750), -750} + down, geom::Point{west.x(-750), -750} + down};
+  }
+  const Blockwise made = restored(section, jigsaw_by(Fit::Walls));
+  EXPECT_EQ(made.balance.verdict, balance::BalanceVerdict::NotBalanced);
+  EXPECT_EQ(made.worst_offset, "C");
+  EXPECT_NEAR(made.greatest_offset_percent, 100.0 * 150.0 / 900.0, 1e-6);
+  const auto tells = [](const std::string& remark) {
+    return remark.find("horizon 'C' stands 150 m higher") != std::string::npos;
+  };
+  EXPECT_EQ(std::count_if(made.remarks.begin(), made.remarks.end(), tells), 2);
+}
+
 TEST(Jigsaw, ABlockWithoutTheTopIsRefusedAndOneWithoutTheBedsStays) {
   Section section = graben();
   std::erase_if(section.horizons, [](const section::Horizon& h) { return h.name == "A (2)"; });
