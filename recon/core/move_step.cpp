@@ -83,6 +83,31 @@ std::vector<scene::Layer> rock(const section::Section& section, const section::P
   return over_backdrops(section, std::move(layers));
 }
 
+/// The part of an area on one side of a line: where `inside` is not below 0.
+template <class Inside>
+geom::Polyline cut_off(const geom::Polyline& area, const Inside& inside) {
+  geom::Polyline kept{{}, true};
+  for (std::size_t i = 0; i < area.segment_count(); ++i) {
+    const auto [from, to] = area.segment(i);
+    const double a = inside(from), b = inside(to);
+    if (a >= 0.0) kept.points.push_back(from);
+    if ((a >= 0.0) != (b >= 0.0)) kept.points.push_back(geom::interpolate(from, to, a / (a - b)));
+  }
+  return kept;
+}
+
+/// Areas within a box, for pictures: blocks go on far beyond the rock.
+std::vector<geom::Polyline> within(const geom::Box& box, std::vector<geom::Polyline> areas) {
+  for (geom::Polyline& area : areas) {
+    area = cut_off(area, [&](geom::Point p) { return p.x - box.low.x; });
+    area = cut_off(area, [&](geom::Point p) { return box.high.x - p.x; });
+    area = cut_off(area, [&](geom::Point p) { return p.y - box.low.y; });
+    area = cut_off(area, [&](geom::Point p) { return box.high.y - p.y; });
+  }
+  std::erase_if(areas, [](const geom::Polyline& area) { return area.points.size() < 3; });
+  return areas;
+}
+
 /// What moves, and the fault that it moves along.
 void add_block(const moving::MovingPart& part, const section::Section& section, const std::string& fault,
                PanelParts& parts) {
@@ -90,8 +115,9 @@ void add_block(const moving::MovingPart& part, const section::Section& section, 
   style.fill = block_color;
   style.line_width = 0.0;
   if (!part.contours().empty()) {
-    parts.under.push_back({"block", translated("Block that moves"), style, scene::Regions{{{part.contours()}}, {}},
-                           true, scene::InLegend::Yes});
+    parts.under.push_back({"block", translated("Block that moves"), style,
+                           scene::Regions{{{within(box_of(section), part.contours())}}, {}}, true,
+                           scene::InLegend::Yes});
   }
   scene::Style bold;
   bold.line = moving_fault_color;

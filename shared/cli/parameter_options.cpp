@@ -10,6 +10,7 @@
 
 #include "shared/base/text.h"
 #include "shared/io/formats/line_files.h"
+#include "shared/scenario/list_text.h"
 #include "shared/scenario/toml_text.h"
 
 namespace dobra::cli {
@@ -59,22 +60,6 @@ std::string help_of(const Field& field) {
 
 bool is_list(const Field& field) { return field.kind == Kind::Numbers || field.kind == Kind::Texts; }
 
-/// "a,b" in its parts. Commas in double quotes belong to their part: '"a, upper",b'.
-std::vector<std::string> parts_of(const std::string& list) {
-  std::vector<std::string> parts(1);
-  bool quoted = false;
-  for (const char c : list) {
-    if (c == '"') {
-      quoted = !quoted;
-    } else if (c == ',' && !quoted) {
-      parts.emplace_back();
-    } else {
-      parts.back() += c;
-    }
-  }
-  return parts;
-}
-
 /// What the user typed as scenario::parse_value reads it.
 std::string text_of(const Field& field, const std::vector<std::string>& words) {
   if (field.kind == Kind::File) return std::filesystem::absolute(words.front()).string();
@@ -83,7 +68,7 @@ std::string text_of(const Field& field, const std::vector<std::string>& words) {
   if (field.kind != Kind::Texts) return fmt::format("{}", fmt::join(words, ","));
   std::vector<std::string> quoted;
   for (const std::string& word : words) {
-    for (const std::string& part : parts_of(word)) quoted.push_back(scenario::value_toml(part));
+    for (const std::string& part : scenario::parts_of(word)) quoted.push_back(scenario::value_toml(part));
   }
   return fmt::format("{}", fmt::join(quoted, ","));
 }

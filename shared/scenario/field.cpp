@@ -9,6 +9,7 @@
 
 #include "shared/base/text.h"
 #include "shared/io/file.h"
+#include "shared/scenario/list_text.h"
 #include "shared/scenario/toml_reader.h"
 #include "shared/scenario/toml_text.h"
 #include "shared/scenario/units.h"
@@ -312,7 +313,9 @@ base::Result<Value> parse_value(const Field& field, const std::string& text) {
   }
   const bool free_text = field.kind == Kind::Text || field.kind == Kind::File || field.kind == Kind::Choice;
   const std::optional<Value> value = typed(field, free_text ? text : std::string(base::trimmed(text)));
-  const std::optional<Value> converted = value ? as_kind(*value, field.kind) : std::nullopt;
+  std::optional<Value> converted = value ? as_kind(*value, field.kind) : std::nullopt;
+  if (!converted && field.kind == Kind::Texts && text.find_first_of("[]") == std::string::npos)
+    converted = Value(parts_of(text));
   if (!converted) {
     const bool number = field.kind == Kind::Number || field.kind == Kind::Degrees;
     return Error{ErrorCode::BadValue, fmt::format("'{}' must be {}, found '{}'{}", field.key, wanted(field), text,

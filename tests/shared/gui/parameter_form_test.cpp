@@ -193,6 +193,10 @@ TEST(TableForm, NamesOfTheModelArePickedFromAMenu) {
   ASSERT_TRUE(pick("one")->isVisible());
   trigger("one", 1);
   EXPECT_EQ(std::get<std::string>(*form.table().find("one")), "West & more");
+  ASSERT_TRUE(form.type("several", "B, C"));  // as typed, without brackets
+  EXPECT_EQ(std::get<std::vector<std::string>>(*form.table().find("several")), (std::vector<std::string>{"B", "C"}));
+  trigger("several", 1);
+  trigger("several", 2);
   trigger("several", 0);
   trigger("several", 2);
   EXPECT_EQ(std::get<std::vector<std::string>>(*form.table().find("several")), (std::vector<std::string>{"A", "C"}));
