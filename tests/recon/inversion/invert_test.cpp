@@ -198,6 +198,34 @@ TEST(Invert, TheAngleOfShearOverAListricFaultComesBack) {
   for (const BedMisfit& bed : fit.beds) EXPECT_NEAR(bed.dip.degrees(), 0.0, 1e-3);
 }
 
+TEST(Invert, BedsThatReachPastTheFaultAreTakenToIt) {
+  // The same fault, vertical shear; each bed begins 0.5 m behind the fault.
+  const auto height = [](double x) { return -1000.0 * (1.0 - std::exp(-x / 800.0)); };
+  section::Section section;
+  section::SectionLine fault;
+  fault.id = section::LineId(0);
+  fault.name = "listric";
+  for (int i = 0; i <= 400; ++i) fault.line.points.push_back({10.0 * i - 200, height(10.0 * i - 200)});
+  section.lines.push_back(fault);
+  for (const double z : {-100.0, -300.0}) {
+    const double start = -800.0 * std::log(1.0 + z / 1000.0);
+    std::vector<geom::Point> bed;
+    for (int i = 0; i <= 80; ++i) {
+      const double x = start + 30.0 * i;
+      bed.push_back({x + 300.0, z + height(x + 300.0) - height(x)});
+    }
+    bed.insert(bed.begin(), bed[0] + 0.5 * geom::normalised(bed[0] - bed[1]));
+    test::add_horizon(z == -100.0 ? "top" : "bottom", bed, section);
+  }
+  InvertParams params;
+  params.method = InvertMethod::Shear;
+  params.fault = "listric";
+  params.angle = {-40, 50};
+  params.slip = {-600, -100};
+  const Fit fit = fit_of(section, params);
+  EXPECT_NEAR(test::estimate(fit, "angle").best, 0.0, 0.1);
+}
+
 TEST(Invert, StraightBedsAndBedsTooShortAreRefused) {
   section::Section straight;
   test::add_horizon("A", {{0, 0}, {500, 50}, {1000, 100}, {2000, 200}}, straight);
