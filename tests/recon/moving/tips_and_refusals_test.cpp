@@ -176,6 +176,30 @@ TEST(MoveRefusals, AFaultThatPartsNothingMovesNoBlockThatIsNamedEither) {
   }
 }
 
+TEST(MoveWithATip, ARigidBlockGoesAlongItsOwnFaultAndNotAlongWhatThatJoins) {
+  // F dips 45 degrees; G, 60 degrees, joins it below the beds.
+  const auto on_f = [](double z) { return 200.0 - z; };
+  const auto on_g = [](double z) { return 700.0 + (100.0 - z) / std::sqrt(3.0); };
+  const double junction = -(on_g(0) - 200.0) / (1.0 - 1.0 / std::sqrt(3.0));
+  const section::Section section = test::faulted(
+      {{"A/1", {{-2000, 0}, {on_f(0), 0}}},
+       {"A/2", {{on_f(0), 0}, {on_g(0), 0}}},
+       {"A/3", {{on_g(0), 0}, {4000, 0}}},
+       {"B/1", {{-2000, -400}, {on_f(-400), -400}}},
+       {"B/2", {{on_f(-400), -400}, {on_g(-400), -400}}},
+       {"B/3", {{on_g(-400), -400}, {4000, -400}}}},
+      {test::item("F", {{on_f(100), 100}, {on_f(-2500), -2500}}),
+       test::item("G", {{on_g(100), 100}, {on_g(junction + 200.0), junction + 200.0}, {on_f(junction), junction}})});
+  const auto moved = move_block(section, move_of(MoveMethod::Rigid, 40.0, "G"), {});
+  ASSERT_TRUE(moved) << to_string(moved.error());
+  ASSERT_EQ(moved->pieces.size(), 2U);
+  for (const MovedPiece& piece : moved->pieces) {
+    const geom::Point end = std::max(piece.after.points.front(), piece.after.points.back());
+    EXPECT_NEAR(end.x, 4000.0 - 20.0, 1e-6) << piece.name;
+    EXPECT_NEAR(std::remainder(end.y, 400.0), 40.0 * std::sqrt(0.75), 1e-6) << piece.name;
+  }
+}
+
 TEST(MoveRefusals, AnUprightFaultUntilItsHangingWallIsSaid) {
   section::Section section =
       test::faulted({{"A/1", {{0, 0}, {500, 0}}}, {"A/2", {{500, -40}, {900, -40}}}, {"B", {{0, -900}, {900, -900}}}},
