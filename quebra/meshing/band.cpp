@@ -231,8 +231,8 @@ class Judge {
     for (std::size_t i = 0; i < kept.size(); ++i)
       outside.push_back(other.outside(midpoint(points_[i], points_[(i + 1) % points_.size()]), radius, near));
     for (const auto& [from, to] : runs_) {
-      const auto all = [&](auto&& judgement) {
-        for (std::size_t i = from; i < to; ++i) {
+      const auto all = [&, first = from, last = to](auto&& judgement) {
+        for (std::size_t i = first; i < last; ++i) {
           if (!judgement(outside[i % kept.size()])) return false;
         }
         return true;

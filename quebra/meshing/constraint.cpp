@@ -159,7 +159,7 @@ class Cutter {
     std::optional<model::Constraint::Foot> start;
     bool met_boundary = false;
     const auto finish = [&](std::optional<model::Constraint::Foot> end) {
-      if (run.size() > 1 && inside_(middle_of(run))) pieces.emplace_back(Polyline{run, false}, edges, start, end);
+      if (run.size() > 1 && inside_(middle_of(run))) pieces.push_back({Polyline{run, false}, edges, start, end});
       run.clear();
       edges.clear();
       start = end;

@@ -140,7 +140,7 @@ Result<MeshInput> mesh_input(const model::Model& model, const std::vector<model:
   for (const model::Constraint& constraint : constraints) {
     const auto set = builder.add_set(constraint.name, EdgeKind::Constraint);
     for (std::size_t i = 0; i < constraint.line.segment_count(); ++i) {
-      const auto [from, to] = constraint.line.segment(i);
+      const Point from = constraint.line.segment(i).from, to = constraint.line.segment(i).to;
       // A cycle of the adaptive loop asks for sizes below those of the constraint.
       const int pieces = sizes.empty() || !options.limit ? 1 : pieces_of({from, to}, options.limit);
       const bool swapped = to < from;  // the same points from both ends

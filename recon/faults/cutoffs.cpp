@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "recon/section/section_faces.h"
+#include "shared/base/parallel.h"
 #include "shared/geom/intersect.h"
 #include "shared/topo/region.h"
 
@@ -303,10 +304,9 @@ class Cutter {
 
 std::vector<FaultCutoffs> cutoffs_of(const section::Section& section, const std::vector<Fault>& faults,
                                      const FaultOptions& options) {
-  std::vector<FaultCutoffs> cutoffs;
-  for (std::size_t i = 0; i < faults.size(); ++i)
-    cutoffs.push_back(Cutter(section, faults, i, tolerance_of(section, options)).run());
-  return cutoffs;
+  const double tolerance = tolerance_of(section, options);
+  return base::parallel_map<FaultCutoffs>(
+      faults.size(), [&](std::size_t i) { return Cutter(section, faults, i, tolerance).run(); });
 }
 
 namespace {

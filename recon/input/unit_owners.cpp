@@ -221,7 +221,8 @@ void UnitOwners::unite_pieces(const section::Section& section) {
   std::map<std::string, std::vector<std::size_t>> by_name;
   for (std::size_t i = 0; i < polygons_; ++i) by_name[wholes[i]].push_back(i);
   std::vector<std::string> name(polygons_);
-  for (const auto& [stem, members] : by_name) {
+  for (const auto& named : by_name) {
+    const auto& members = named.second;
     const auto touch = std::find_if(shared.begin(), shared.end(), [&](const auto& pair) {
       const auto has = [&](std::size_t i) { return std::find(members.begin(), members.end(), i) != members.end(); };
       return pair.second > 3.0 * tolerance_ && has(pair.first.first) && has(pair.first.second);
@@ -229,11 +230,11 @@ void UnitOwners::unite_pieces(const section::Section& section) {
     const auto is_said = [&](std::size_t i) { return drawn[i] == drawn[members.front()]; };
     const bool said = std::all_of(members.begin(), members.end(), is_said);
     const bool one = members.size() > 1 && (said || touch == shared.end());
-    for (const std::size_t i : members) name[i] = one ? stem : drawn[i];
+    for (const std::size_t i : members) name[i] = one ? named.first : drawn[i];
     if (members.size() < 2) continue;
     std::vector<std::string> told;
     for (const std::size_t i : members) told.push_back('\'' + section.units[i].name + '\'');
-    if (one) remarks_.push_back(fmt::format("{} are taken as pieces of unit '{}'", fmt::join(told, ", "), stem));
+    if (one) remarks_.push_back(fmt::format("{} are taken as pieces of unit '{}'", fmt::join(told, ", "), named.first));
   }
   unit_of_polygon_.resize(polygons_);
   for (std::size_t i = 0; i < polygons_; ++i) {

@@ -175,14 +175,12 @@ base::Result<std::vector<UnfoldedBlock>> unfold_all(const Setting& setting, cons
   base::parallel_for(parts.size(), [&](std::size_t i) {
     if (setting.tops[i] && i != pinned) made[i] = unfold(i, std::nullopt, datum);
   });
+  made[pinned] = std::move(fixed);
   std::vector<UnfoldedBlock> blocks;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (i == pinned) {
-      blocks.push_back(std::move(fixed));
-    } else if (made[i]) {
-      DOBRA_TRY(UnfoldedBlock block, std::move(*made[i]));
-      blocks.push_back(std::move(block));
-    }
+  for (std::optional<base::Result<UnfoldedBlock>>& one : made) {
+    if (!one) continue;
+    DOBRA_TRY(UnfoldedBlock block, std::move(*one));
+    blocks.push_back(std::move(block));
   }
   DOBRA_TRY_VOID(progress.check());
   return blocks;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 #include "shared/base/counter_random.h"
 #include "shared/geom/segment_tree.h"
@@ -57,15 +56,17 @@ void Picks::anchor(const std::vector<geom::Polyline>& contours, std::size_t poly
   for (std::size_t line = 0; line < lines_.size() && !contours.empty(); ++line) {
     const geom::Box reach = lines_[line].box().grown(near);
     const geom::SegmentTree tree(segments_of(lines_[line]));
-    for (Vertex& vertex : contours_ | std::views::join) {
-      const bool taken = vertex.second || (vertex.first && line >= polygons);
-      // Corners of polygons are picks, whatever the border cuts off.
-      const bool ruled_out = polygons < lines_.size() && border_ == line;
-      if (taken || ruled_out || !reach.contains(vertex.at)) continue;
-      const auto found = tree.nearest(vertex.at, [](std::size_t) { return true; });
-      if (!found || found->distance() > near) continue;
-      const Anchor at{line, found->index, geom::nearest_fraction(tree.segment(found->index), vertex.at)};
-      (vertex.first ? vertex.second : vertex.first) = at;
+    for (std::vector<Vertex>& contour : contours_) {
+      for (Vertex& vertex : contour) {
+        const bool taken = vertex.second || (vertex.first && line >= polygons);
+        // Corners of polygons are picks, whatever the border cuts off.
+        const bool ruled_out = polygons < lines_.size() && border_ == line;
+        if (taken || ruled_out || !reach.contains(vertex.at)) continue;
+        const auto found = tree.nearest(vertex.at, [](std::size_t) { return true; });
+        if (!found || found->distance() > near) continue;
+        const Anchor at{line, found->index, geom::nearest_fraction(tree.segment(found->index), vertex.at)};
+        (vertex.first ? vertex.second : vertex.first) = at;
+      }
     }
   }
 }

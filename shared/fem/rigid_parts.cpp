@@ -157,7 +157,7 @@ base::Result<void> Motions::judge_group(const std::vector<std::size_t>& members,
   }
   compress();
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(stack.topRows(size), Eigen::ComputeFullV);
-  const Eigen::VectorXd values = svd.singularValues();
+  const Eigen::VectorXd& values = svd.singularValues();
   Eigen::Index rank = 0;
   while (rank < size && values(rank) > free_motion) ++rank;
   if (rank == size) return {};
