@@ -68,15 +68,17 @@ base::Result<void> orient(Fault& fault, Towards towards) {
   return {};
 }
 
-base::Result<Setting> setting_of(const Section& section, const MoveParams& params, const std::vector<Fault>& all,
+/// @param all  by value: the fault runs as its slip is counted.
+base::Result<Setting> setting_of(const Section& section, const MoveParams& params, std::vector<Fault> all,
                                  const faults::FaultOptions& options) {
   DOBRA_TRY(const Fault* found, find_fault(all, params.fault));
-  Setting setting{*found, {}, {}, {}, box_of(section).diagonal(), tolerance_of(section, options)};
   if (found->undecided) return *found->undecided;
-  DOBRA_TRY_VOID(orient(setting.fault, params.towards));
+  const auto which = static_cast<std::size_t>(found - all.data());
+  DOBRA_TRY_VOID(orient(all[which], params.towards));
+  Setting setting{all[which], {}, {}, {}, box_of(section).diagonal(), tolerance_of(section, options)};
   setting.path = setting.fault.path;
   if (params.method == MoveMethod::Rigid) setting.path.line = own_line(setting.fault);
-  setting.cutoffs = std::move(cutoffs_of(section, {setting.fault}, options).front());
+  setting.cutoffs = cutoffs_at(section, all, which, options);
   for (const faults::CutoffPair& pair : setting.cutoffs.pairs) {
     if (!pair.hanging_wall || !pair.footwall || pair.hanging_wall->passes) continue;
     setting.cut.push_back(
@@ -413,6 +415,9 @@ base::Result<Moved> move_block(const Section& section, const MoveParams& params,
   moved.opened = opened_along(setting.fault.path, moved.motion.map, setting.size);
   moved.remarks.insert(moved.remarks.end(), moved.motion.remarks.begin(), moved.motion.remarks.end());
   remark_on_ends(setting, moved);
+  for (const faults::CutoffPair& pair : setting.cutoffs.pairs) {
+    if (!pair.hanging_wall || !pair.footwall) moved.remarks.push_back(partner_missing(pair, setting.fault.name));
+  }
   remark_beyond(setting, moved, moved.remarks);
   remark_on_misfit(moved);
   progress.report(1.0, "moved");

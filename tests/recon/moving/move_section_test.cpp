@@ -8,6 +8,7 @@
 #include <cstring>
 #include <numbers>
 
+#include "recon/faults/cutoffs.h"
 #include "recon/section/section_faces.h"
 
 namespace recon::moving {
@@ -89,6 +90,56 @@ TEST(Move, AllMethodsOnAPlanarFaultCloseByTheDisplacementThatItHas) {
       EXPECT_NEAR(moved->opened.overlap, 0.0, 1e-6);
     }
   }
+}
+
+/// As planar(), with an older fault O in the hanging wall, between whose sides B is offset: its upper piece ends on O,
+/// `short_of` m along it from F, and its lower piece on F.
+section::Section planar_with_an_older_fault(double short_of) {
+  section::Section section = planar();
+  const geom::Vector along = geom::normalised(geom::Vector{-1000, -300});
+  const geom::Point on_f{-600, -600};
+  const geom::Point end = on_f + short_of * along;
+  section.horizons[2].line.points = {{-2000, end.y}, end};
+  const double low = -600 - 100.0 / std::numbers::sqrt2;
+  section.horizons.push_back(
+      {section::HorizonId(4), "B (3)", {{{on_f.x + (low - on_f.y) / 0.3, low}, {low, low}}, false}, {}, "B"});
+  section.lines[0].order = 1;
+  section.lines.push_back({section::LineId(1), LineKind::Fault, "O", {{on_f + 1400 * along, on_f}, false}, {}});
+  section.lines[1].order = 2;
+  return section;
+}
+
+TEST(Move, TellsTheSamePairsAsFaultsAndThoseThatBelongTogether) {
+  for (const double short_of : {6.0, 11.0, 100.0}) {
+    SCOPED_TRACE(short_of);
+    const section::Section section = planar_with_an_older_fault(short_of);
+    const auto moved = move_block(section, closing(MoveMethod::Rigid, {"A"}), {});
+    ASSERT_TRUE(moved) << to_string(moved.error());
+    ASSERT_EQ(moved->misfit.size(), 2U);
+    for (const Misfit& misfit : moved->misfit) EXPECT_NEAR(misfit.along, 0.0, 1e-9) << misfit.horizon;
+    const auto faults = faults::faults_of(section, {});
+    ASSERT_TRUE(faults);
+    for (const faults::CutoffPair& pair : faults::cutoffs_at(section, *faults, 0, {}).pairs) {
+      ASSERT_TRUE(pair.separation) << pair.horizon;
+      EXPECT_NEAR(*pair.separation, 100.0, 1e-9);
+    }
+  }
+}
+
+TEST(Move, APieceWithoutAPartnerIsToldAndTheOtherIsPaired) {
+  section::Section section = planar();
+  // A second sheet of B above the first, which the hanging wall alone has.
+  section.horizons.push_back({section::HorizonId(4), "B (3)", {{{-2000, -500}, {-500, -500}}, false}, {}, "B"});
+  const auto moved = move_block(section, closing(MoveMethod::Rigid, {"A"}), {});
+  ASSERT_TRUE(moved) << to_string(moved.error());
+  ASSERT_EQ(moved->misfit.size(), 2U);
+  for (const Misfit& misfit : moved->misfit) EXPECT_NEAR(misfit.along, 0.0, 1e-9) << misfit.horizon;
+  EXPECT_EQ(std::count(moved->remarks.begin(), moved->remarks.end(),
+                       "horizon 'B' has no cutoff on the footwall of fault 'F' for the one at (-500, -500)"),
+            1);
+  const auto unsure = move_block(section, closing(MoveMethod::Rigid, {"B"}), {});
+  ASSERT_FALSE(unsure);
+  EXPECT_NE(to_string(unsure.error()).find("several cutoffs"), std::string::npos);
 }
 
 TEST(Move, HeaveAndThrowAreThoseOfTheHangingWallAndOneSignRaisesIt) {
