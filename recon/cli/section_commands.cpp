@@ -155,7 +155,7 @@ dobra::cli::Command restore_command() {
             options->grid.add(app, scenario::fields_of<unfold::GridParams>(), {"top", "simplify", "uncovered"});
             options->restore.add(app, scenario::fields_of<unfold::RestoreParams>());
             options->blocks.add(app, scenario::fields_of<jigsaw::BlockwiseParams>(),
-                                {"block", "jigsaw", "fit", "cutoff_tolerance"});
+                                {"block", "jigsaw", "constraint", "fit", "cutoff_tolerance"});
             options->target.add(app, scenario::fields_of<unfold::TargetParams>(), {"pin", "elevation", "target_pin"});
             options->errors.add(app, scenario::fields_of<unfold::MonteCarloParams>(),
                                 {"draws", "pick_error", "pin_error", "angle_error", "seed"});

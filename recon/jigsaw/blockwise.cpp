@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "recon/jigsaw/assemble.h"
+#include "recon/jigsaw/join_pieces.h"
+#include "recon/jigsaw/rigid_fit.h"
 #include "shared/base/parallel.h"
 #include "shared/base/text.h"
 #include "shared/geom/place.h"
@@ -25,7 +27,8 @@ struct Setting {
   faults::Blocks blocks;
   std::string top;
   CutSection cut;
-  std::vector<std::optional<std::size_t>> tops;  ///< By part: its piece of the top, in the cut section.
+  /// By part: its piece of the top, in the cut section; of rigid blocks without it another bed.
+  std::vector<std::optional<std::size_t>> tops;
   double size = 0.0;
 };
 
@@ -52,6 +55,18 @@ std::vector<section::LineId> boundary_lines(const Setting& setting) {
   return lines;
 }
 
+/// The top in a block; of a rigid block without it another bed.
+std::optional<std::size_t> top_in(const CutSection& cut, std::size_t part, const std::string& top,
+                                  Constraint constraint) {
+  std::optional<std::size_t> other;
+  for (std::size_t i = 0; i < cut.horizons.size(); ++i) {
+    if (cut.horizons[i].part != part) continue;
+    if (whole_name(cut.section.horizons[i]) == top) return i;
+    if (!other && constraint == Constraint::Rotation) other = i;
+  }
+  return other;
+}
+
 base::Result<Setting> setting_of(const Section& section, const BlockwiseParams& how, std::vector<Part>& parts) {
   const faults::FaultOptions options{how.cutoff_tolerance.value_or(0.0)};
   Setting setting;
@@ -72,10 +87,9 @@ base::Result<Setting> setting_of(const Section& section, const BlockwiseParams& 
   }
   DOBRA_TRY(parts, parts_of(section, setting.faults, setting.blocks, chosen));
   DOBRA_TRY(setting.cut, cut(section, parts, setting.cutoffs, boundary_lines(setting), tolerance_of(section, options)));
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    DOBRA_TRY(auto top, top_in(setting.cut, parts[i], i, setting.top));
-    setting.tops.push_back(top);
-  }
+  if (!is_rigid(how)) DOBRA_TRY_VOID(join_pieces(setting.top, parts, setting.size, setting.cut, setting.cutoffs));
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    setting.tops.push_back(top_in(setting.cut, i, setting.top, how.constraint));
   return setting;
 }
 
@@ -164,6 +178,7 @@ base::Result<std::vector<UnfoldedBlock>> unfold_all(const Setting& setting, cons
                                                     const unfold::RestoreParams& params,
                                                     const base::Progress& progress) {
   const auto unfold = [&](std::size_t part, std::optional<double> pin, std::optional<double> datum) {
+    if (is_rigid(how)) return rigid_block(setting.cut, parts[part], part, *setting.tops[part], params);
     const PlaceOfBlock place{*setting.tops[part], pin, datum, how.simplify.value_or(0.0)};
     return unfold_block(setting.cut, parts[part], part, place, params, {});
   };
@@ -188,31 +203,48 @@ base::Result<std::vector<UnfoldedBlock>> unfold_all(const Setting& setting, cons
   return blocks;
 }
 
-/// Slides the blocks and measures the faults.
-base::Result<void> fit_blocks(const FaultSetting& setting, std::size_t pinned, Fit fit, Blockwise& made) {
-  auto facing = facing_walls(setting, made.blocks);
-  if (!facing && fit == Fit::Walls) return facing.error();
-  if (!facing) {
-    made.remarks.push_back(fmt::format("gaps and overlaps are not measured: {}", to_string(facing.error())));
-    facing = std::vector<FacingWalls>();
-  }
-  std::vector<std::size_t> of_ties;
-  const std::vector<Tie> ties =
-      fit == Fit::Walls ? ties_of_walls(*facing, setting.size) : ties_of_top(setting, made.blocks, of_ties);
+std::vector<std::string> names_of(const std::vector<UnfoldedBlock>& blocks) {
   std::vector<std::string> names;
-  std::size_t fixed = 0;
-  for (std::size_t b = 0; b < made.blocks.size(); ++b) {
-    names.push_back(made.blocks[b].name);
-    if (made.blocks[b].part == pinned) fixed = b;
+  for (const UnfoldedBlock& block : blocks) names.push_back(block.name);
+  return names;
+}
+
+/// As the blocks are placed; a remark where that cannot be measured.
+std::vector<FacingWalls> measured_walls(const FaultSetting& setting, Blockwise& made) {
+  auto facing = facing_walls(setting, made.blocks);
+  if (facing) return std::move(*facing);
+  made.remarks.push_back(fmt::format("gaps and overlaps are not measured: {}", to_string(facing.error())));
+  return {};
+}
+
+/// Slides the blocks along the datum.
+base::Result<void> slide_blocks(const FaultSetting& setting, std::size_t pinned, Fit fit, Blockwise& made) {
+  std::vector<std::size_t> of_ties;
+  std::vector<Tie> ties;
+  if (fit == Fit::Walls) {
+    DOBRA_TRY(const std::vector<FacingWalls> facing, facing_walls(setting, made.blocks));
+    ties = ties_of_walls(facing, made.blocks, setting.size);
+  } else {
+    ties = ties_of_top(setting, made.blocks, of_ties);
   }
-  DOBRA_TRY(const std::vector<double> shifts, slide(names, fixed, ties));
-  for (std::size_t b = 0; b < shifts.size(); ++b) made.blocks[b].shift = shifts[b];
-  made.faults = restored_faults(setting, made.blocks, *facing);
+  DOBRA_TRY(const std::vector<double> shifts, slide(names_of(made.blocks), pinned, ties));
+  for (std::size_t b = 0; b < shifts.size(); ++b) made.blocks[b].placed.by = {shifts[b], 0.0};
+  made.faults = restored_faults(setting, measured_walls(setting, made));
   for (std::size_t i = 0; i < of_ties.size(); ++i) {
     const double apart = shifts[ties[i].right] - shifts[ties[i].left] - ties[i].apart;
     std::optional<double>& left_apart = made.faults[of_ties[i]].left_apart;
     left_apart = std::max(left_apart.value_or(0.0), std::abs(apart));
   }
+  return {};
+}
+
+/// Turns and shifts the blocks as they are.
+base::Result<void> turn_blocks(const FaultSetting& setting, std::size_t pinned, Fit fit, Blockwise& made) {
+  const std::vector<Match> matches = matches_of(setting, made.blocks, fit);
+  DOBRA_TRY(const std::vector<RigidMotion> motions,
+            turn_and_shift(names_of(made.blocks), pinned, matches, setting.size));
+  for (std::size_t b = 0; b < motions.size(); ++b) made.blocks[b].placed = motions[b];
+  made.faults = restored_faults(setting, measured_walls(setting, made));
   return {};
 }
 
@@ -253,6 +285,10 @@ base::Result<void> check_params(const BlockwiseParams& params) {
         "top, pin, elevation, simplify and cutoff_tolerance belong to block and jigsaw; without these give "
         "them to the steps grid and target");
   }
+  if (is_rigid(params) && !params.jigsaw)
+    return refuse("constraint = \"rotation\" says how the blocks of a jigsaw fit together; set jigsaw");
+  if (is_rigid(params) && (params.elevation || params.simplify))
+    return refuse("constraint = \"rotation\" has no datum; leave out elevation and simplify");
   if (params.block.size() > 1 && params.pin)
     return refuse("one pin for several blocks; restore them one by one, or leave out the pin");
   return {};
@@ -266,6 +302,10 @@ base::Result<Blockwise> restore_blockwise(const Section& section, const Blockwis
     return base::Error{base::ErrorCode::BadValue,
                        "a jigsaw joins restored blocks; percent is to be 100 (or restore one block on its own)"};
   }
+  if (is_rigid(how) && params.method != unfold::RestoreMethod::Constant) {
+    return base::Error{base::ErrorCode::BadValue,
+                       "blocks of constraint = \"rotation\" stay rigid and are not unfolded; leave out the method"};
+  }
   Blockwise made;
   made.params = params;
   made.how = how;
@@ -276,7 +316,12 @@ base::Result<Blockwise> restore_blockwise(const Section& section, const Blockwis
   DOBRA_TRY(made.blocks, unfold_all(setting, made.parts, pinned, how, params, progress));
   progress.report(0.8, "blocks restored");
   const FaultSetting of_faults{setting.faults, setting.cutoffs, setting.blocks.walls(), setting.top, setting.size};
-  if (how.jigsaw) DOBRA_TRY_VOID(fit_blocks(of_faults, pinned, how.fit.value_or(Fit::Walls), made));
+  if (how.jigsaw) {
+    const auto is_pinned = [&](const UnfoldedBlock& block) { return block.part == pinned; };
+    const auto fixed =
+        static_cast<std::size_t>(std::find_if(made.blocks.begin(), made.blocks.end(), is_pinned) - made.blocks.begin());
+    DOBRA_TRY_VOID((is_rigid(how) ? turn_blocks : slide_blocks)(of_faults, fixed, how.fit.value_or(Fit::Walls), made));
+  }
   made.remarks.insert(made.remarks.end(), setting.cut.remarks.begin(), setting.cut.remarks.end());
   for (const faults::FaultCutoffs& cutoffs : setting.cutoffs)
     made.remarks.insert(made.remarks.end(), cutoffs.remarks.begin(), cutoffs.remarks.end());
@@ -285,7 +330,8 @@ base::Result<Blockwise> restore_blockwise(const Section& section, const Blockwis
   assemble(setting.cut, setting.faults, setting.blocks, made);
   remark_on_faults(made, setting.size, made.remarks);
   judge(setting.blocks, of_faults.walls, setting.cutoffs, made);
-  made.remarks.push_back(what_it_keeps(params.method));
+  made.remarks.push_back(is_rigid(how) ? "blocks stay rigid: lengths, areas and angles within them are kept"
+                                       : what_it_keeps(params.method));
   made.remarks.push_back(verdict_text(made));
   progress.report(1.0, "restored");
   return made;

@@ -18,10 +18,14 @@ namespace recon::jigsaw {
 /// How blocks slide together. Walls: the squared distance of the walls of every fault, over z, is least. Top: the ends
 /// of the top meet.
 enum class Fit { Walls, Top };
+/// What holds the blocks of a jigsaw. Datum: each is unfolded to it, then they slide along it. Rotation: without a
+/// datum, they stay rigid, turn and shift.
+enum class Constraint { Datum, Rotation };
 
 struct BlockwiseParams {
   std::vector<std::string> block;
   bool jigsaw = false;
+  Constraint constraint = Constraint::Datum;
   std::optional<Fit> fit;
   std::string top;
   std::optional<double> pin;
@@ -35,6 +39,10 @@ struct BlockwiseParams {
              .help = "Only these, or groups of them, are restored, each with a pin of its own; the rest stays."});
     d.field("jigsaw", &BlockwiseParams::jigsaw,
             {.title = "Jigsaw", .help = "Every block is restored with a pin of its own, then they slide together."});
+    d.choice("constraint", &BlockwiseParams::constraint, {"datum", "rotation"},
+             {.title = "Constraint of the blocks",
+              .help = "Of the jigsaw. datum: each block is unfolded to the datum, then they slide along it; rotation: "
+                      "without a datum, rigid blocks turn and shift."});
     d.choice(
         "fit", &BlockwiseParams::fit, {"walls", "top"},
         {.title = "Blocks fit by",
@@ -65,6 +73,7 @@ struct BlockwiseParams {
   }
 };
 
+inline bool is_rigid(const BlockwiseParams& params) { return params.constraint == Constraint::Rotation; }
 /// Whether blocks are restored rather than the section as a whole.
 inline bool is_blockwise(const BlockwiseParams& params) { return params.jigsaw || !params.block.empty(); }
 /// @error BadValue: block and jigsaw together; what belongs to one of them without it.
