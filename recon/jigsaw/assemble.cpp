@@ -149,7 +149,7 @@ void assemble(const CutSection& cut, const std::vector<faults::Fault>& faults, c
     const auto at = std::find_if(made.blocks.begin(), made.blocks.end(), is);
     BlockRow& row = made.rows.emplace_back(BlockRow{block.name, std::nullopt});
     if (at == made.blocks.end()) continue;
-    row.shift = at->placed.by.x;
+    row.shift = at->slid;
     if (!is_rigid(made.how)) continue;
     const geom::Vector moved = at->placed.forward(at->pin) - at->pin;
     row.shift = moved.x;
@@ -214,7 +214,9 @@ std::optional<geom::Point> restored(const std::optional<faults::Cutoff>& cutoff,
 }
 
 /// Beds that stand at other heights on the two walls of a restored fault.
-void judge_offsets(const std::vector<faults::FaultCutoffs>& cutoffs, Blockwise& made) {
+/// @param target  above which heights are meant; null: a level datum.
+void judge_offsets(const std::vector<faults::FaultCutoffs>& cutoffs, const TargetLine* target, Blockwise& made) {
+  const auto height = [&](geom::Point p) { return target != nullptr ? p.y - target->z(p.x) : p.y; };
   geom::Box beds;
   for (const section::Horizon& horizon : made.section.horizons) beds.add(horizon.line.box());
   for (const faults::FaultCutoffs& fault : cutoffs) {
@@ -225,7 +227,7 @@ void judge_offsets(const std::vector<faults::FaultCutoffs>& cutoffs, Blockwise& 
       const auto foot = restored(pair.footwall, made);
       if (!jigsaw || !hanging || !foot) continue;
       const bool rigid = is_rigid(made.how);
-      const double offset = rigid ? geom::distance(*hanging, *foot) : std::abs(hanging->y - foot->y);
+      const double offset = rigid ? geom::distance(*hanging, *foot) : std::abs(height(*hanging) - height(*foot));
       const double percent = balance::percent(offset, beds.height());
       if (percent > made.params.tolerance) {
         made.remarks.push_back(
@@ -245,9 +247,9 @@ void judge_offsets(const std::vector<faults::FaultCutoffs>& cutoffs, Blockwise& 
 }  // namespace
 
 void judge(const faults::Blocks& blocks, const std::vector<faults::FaultWall>& walls,
-           const std::vector<faults::FaultCutoffs>& cutoffs, Blockwise& made) {
+           const std::vector<faults::FaultCutoffs>& cutoffs, const TargetLine* target, Blockwise& made) {
   judge_beds(made);
-  judge_offsets(cutoffs, made);
+  judge_offsets(cutoffs, target, made);
   bool measured = false;
   for (std::size_t i = 0; i < made.faults.size(); ++i) {
     const RestoredFault& fault = made.faults[i];
@@ -278,8 +280,8 @@ std::string verdict_text(const Blockwise& made) {
   add(", what a fault leaves open {} % of a block (fault '{}')", made.greatest_opening_percent, made.worst_fault);
   add(", the offset of a bed on a restored fault {} % of the depth (horizon '{}')", made.greatest_offset_percent,
       made.worst_offset);
-  return text +
-         fmt::format("; {}; the tolerance is {:.4g} %", consistency_text(balance.consistency), made.params.tolerance);
+  if (!is_rigid(made.how)) text += "; " + consistency_text(balance.consistency);
+  return text + fmt::format("; the tolerance is {:.4g} %", made.params.tolerance);
 }
 
 }  // namespace recon::jigsaw

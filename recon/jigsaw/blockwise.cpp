@@ -30,6 +30,7 @@ struct Setting {
   /// By part: its piece of the top, in the cut section; of rigid blocks without it another bed.
   std::vector<std::optional<std::size_t>> tops;
   double size = 0.0;
+  std::optional<TargetLine> target;  ///< Instead of a level datum.
 };
 
 base::Result<std::string> name_of_top(const Section& section, const std::string& top) {
@@ -71,6 +72,9 @@ base::Result<Setting> setting_of(const Section& section, const BlockwiseParams& 
   const faults::FaultOptions options{how.cutoff_tolerance.value_or(0.0)};
   Setting setting;
   setting.size = box_of(section).diagonal();
+  if (!how.target.empty()) {
+    DOBRA_TRY(setting.target, TargetLine::make(how.target, 2.0 * setting.size));
+  }
   DOBRA_TRY(setting.top, name_of_top(section, how.top));
   DOBRA_TRY(setting.faults, faults_of(section, options));
   if (setting.faults.empty()) {
@@ -179,7 +183,11 @@ base::Result<std::vector<UnfoldedBlock>> unfold_all(const Setting& setting, cons
                                                     const base::Progress& progress) {
   const auto unfold = [&](std::size_t part, std::optional<double> pin, std::optional<double> datum) {
     if (is_rigid(how)) return rigid_block(setting.cut, parts[part], part, *setting.tops[part], params);
-    const PlaceOfBlock place{*setting.tops[part], pin, datum, how.simplify.value_or(0.0)};
+    PlaceOfBlock place{*setting.tops[part], pin, datum, nullptr, std::nullopt, how.simplify.value_or(0.0)};
+    if (setting.target && !how.jigsaw) {
+      place.target = &*setting.target;
+      place.target_pin = how.target_pin;
+    }
     return unfold_block(setting.cut, parts[part], part, place, params, {});
   };
   DOBRA_TRY(UnfoldedBlock fixed, unfold(pinned, how.pin, how.elevation));
@@ -218,7 +226,10 @@ std::vector<FacingWalls> measured_walls(const FaultSetting& setting, Blockwise& 
 }
 
 /// Slides the blocks along the datum.
-base::Result<void> slide_blocks(const FaultSetting& setting, std::size_t pinned, Fit fit, Blockwise& made) {
+/// @param place  puts them where they slide to, and sets what they lie on.
+template <class Place>
+base::Result<void> slide_blocks(FaultSetting setting, std::size_t pinned, Fit fit, const Place& place,
+                                Blockwise& made) {
   std::vector<std::size_t> of_ties;
   std::vector<Tie> ties;
   if (fit == Fit::Walls) {
@@ -228,12 +239,37 @@ base::Result<void> slide_blocks(const FaultSetting& setting, std::size_t pinned,
     ties = ties_of_top(setting, made.blocks, of_ties);
   }
   DOBRA_TRY(const std::vector<double> shifts, slide(names_of(made.blocks), pinned, ties));
-  for (std::size_t b = 0; b < shifts.size(); ++b) made.blocks[b].placed.by = {shifts[b], 0.0};
+  for (std::size_t b = 0; b < shifts.size(); ++b) made.blocks[b].slid = shifts[b];
+  DOBRA_TRY_VOID(place(setting));
   made.faults = restored_faults(setting, measured_walls(setting, made));
   for (std::size_t i = 0; i < of_ties.size(); ++i) {
     const double apart = shifts[ties[i].right] - shifts[ties[i].left] - ties[i].apart;
     std::optional<double>& left_apart = made.faults[of_ties[i]].left_apart;
     left_apart = std::max(left_apart.value_or(0.0), std::abs(apart));
+  }
+  return {};
+}
+
+/// Blocks that have slid along a level datum are unfolded anew, each to where it has slid to on the target.
+base::Result<void> lay_on_target(const Setting& setting, std::size_t pinned, const BlockwiseParams& how,
+                                 const unfold::RestoreParams& params, Blockwise& made) {
+  const TargetLine& target = *setting.target;
+  const geom::Point pin = made.blocks[pinned].pin;
+  geom::Point start = how.target_pin.value_or(geom::Point{pin.x, 0.0});
+  start.y = target.z(start.x);
+  std::vector<std::optional<base::Result<UnfoldedBlock>>> laid(made.blocks.size());
+  base::parallel_for(made.blocks.size(), [&](std::size_t b) {
+    const UnfoldedBlock& flat = made.blocks[b];
+    const double by = flat.pin.x + flat.slid - pin.x;  // a pin keeps its x on a level datum
+    const PlaceOfBlock place{
+        *setting.tops[flat.part],  flat.pin.x, std::nullopt, &target, target.slid(start, by, params),
+        how.simplify.value_or(0.0)};
+    laid[b] = unfold_block(setting.cut, made.parts[flat.part], flat.part, place, params, {});
+  });
+  for (std::size_t b = 0; b < laid.size(); ++b) {
+    DOBRA_TRY(UnfoldedBlock block, std::move(*laid[b]));
+    block.slid = made.blocks[b].slid;
+    made.blocks[b] = std::move(block);
   }
   return {};
 }
@@ -279,17 +315,23 @@ base::Result<void> check_params(const BlockwiseParams& params) {
   if (params.jigsaw && !params.block.empty())
     return refuse("block restores some blocks alone, jigsaw all of them together; give one of the two");
   if (params.fit && !params.jigsaw) return refuse("fit says how the blocks of a jigsaw slide together; set jigsaw");
-  const bool more = !params.top.empty() || params.pin || params.elevation || params.simplify || params.cutoff_tolerance;
+  const bool more = !params.top.empty() || params.pin || params.elevation || params.simplify ||
+                    params.cutoff_tolerance || !params.target.empty() || params.target_pin;
   if (!is_blockwise(params) && more) {
     return refuse(
-        "top, pin, elevation, simplify and cutoff_tolerance belong to block and jigsaw; without these give "
+        "top, pin, elevation, target, target_pin, simplify and cutoff_tolerance belong to block and jigsaw; without "
+        "these give "
         "them to the steps grid and target");
   }
   if (is_rigid(params) && !params.jigsaw)
     return refuse("constraint = \"rotation\" says how the blocks of a jigsaw fit together; set jigsaw");
-  if (is_rigid(params) && (params.elevation || params.simplify))
-    return refuse("constraint = \"rotation\" has no datum; leave out elevation and simplify");
-  if (params.block.size() > 1 && params.pin)
+  if (is_rigid(params) && (params.elevation || params.simplify || !params.target.empty()))
+    return refuse("constraint = \"rotation\" has no datum; leave out elevation, target and simplify");
+  if (params.elevation && !params.target.empty())
+    return refuse("elevation is that of a level datum; leave it out, or the target");
+  if (params.target_pin && params.target.empty())
+    return refuse("target_pin is a point of the target; give that too, or elevation for a level datum");
+  if (params.block.size() > 1 && (params.pin || params.target_pin))
     return refuse("one pin for several blocks; restore them one by one, or leave out the pin");
   return {};
 }
@@ -320,7 +362,17 @@ base::Result<Blockwise> restore_blockwise(const Section& section, const Blockwis
     const auto is_pinned = [&](const UnfoldedBlock& block) { return block.part == pinned; };
     const auto fixed =
         static_cast<std::size_t>(std::find_if(made.blocks.begin(), made.blocks.end(), is_pinned) - made.blocks.begin());
-    DOBRA_TRY_VOID((is_rigid(how) ? turn_blocks : slide_blocks)(of_faults, fixed, how.fit.value_or(Fit::Walls), made));
+    const Fit fit = how.fit.value_or(Fit::Walls);
+    const auto place = [&](FaultSetting& at) -> base::Result<void> {
+      if (setting.target) {
+        at.target = &*setting.target;
+        return lay_on_target(setting, fixed, how, params, made);
+      }
+      for (UnfoldedBlock& block : made.blocks) block.placed.by = {block.slid, 0.0};
+      return {};
+    };
+    DOBRA_TRY_VOID(is_rigid(how) ? turn_blocks(of_faults, fixed, fit, made)
+                                 : slide_blocks(of_faults, fixed, fit, place, made));
   }
   made.remarks.insert(made.remarks.end(), setting.cut.remarks.begin(), setting.cut.remarks.end());
   for (const faults::FaultCutoffs& cutoffs : setting.cutoffs)
@@ -329,7 +381,7 @@ base::Result<Blockwise> restore_blockwise(const Section& section, const Blockwis
     made.remarks.insert(made.remarks.end(), block.restoration.remarks.begin(), block.restoration.remarks.end());
   assemble(setting.cut, setting.faults, setting.blocks, made);
   remark_on_faults(made, setting.size, made.remarks);
-  judge(setting.blocks, of_faults.walls, setting.cutoffs, made);
+  judge(setting.blocks, of_faults.walls, setting.cutoffs, setting.target ? &*setting.target : nullptr, made);
   made.remarks.push_back(is_rigid(how) ? "blocks stay rigid: lengths, areas and angles within them are kept"
                                        : what_it_keeps(params.method));
   made.remarks.push_back(verdict_text(made));

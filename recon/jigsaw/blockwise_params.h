@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "shared/base/result.h"
+#include "shared/geom/point.h"
 #include "shared/scenario/field.h"
 
 namespace recon {
@@ -30,6 +31,8 @@ struct BlockwiseParams {
   std::string top;
   std::optional<double> pin;
   std::optional<double> elevation;
+  std::vector<geom::Point> target;
+  std::optional<geom::Point> target_pin;
   std::optional<double> simplify;
   std::optional<double> cutoff_tolerance;
   template <class D>
@@ -60,6 +63,15 @@ struct BlockwiseParams {
          .unit = "m"});
     d.field("elevation", &BlockwiseParams::elevation,
             {.title = "Elevation of the datum", .help = "By default that of the top at the pin.", .unit = "m"});
+    d.field("target", &BlockwiseParams::target,
+            {.title = "Points of the target",
+             .help = "Instead of a level datum: the line that the top of every block is restored to, such as a "
+                     "regional dip or the topography.",
+             .unit = "m"});
+    d.field("target_pin", &BlockwiseParams::target_pin,
+            {.title = "Pin on the target",
+             .help = "The point to which the pin goes; by default the one with the same x.",
+             .unit = "m"});
     d.field("simplify", &BlockwiseParams::simplify,
             {.title = "Simplify the top",
              .help = "The top of every block with fewer points, nowhere farther from it than this.",

@@ -33,11 +33,14 @@ std::vector<Wall> unfolded_walls(const FaultSetting& setting, const std::vector<
   for (const faults::FaultWall& wall : setting.walls) {
     for (std::size_t b = 0; b < blocks.size(); ++b) {
       if (blocks[b].id != wall.block) continue;
-      const geom::Polyline image = blocks[b].forward(wall.line);
+      geom::Polyline image = blocks[b].forward(wall.line);
+      if (setting.target != nullptr) image = setting.target->clipped(image, blocks[b].side);
+      if (image.points.size() < 2) continue;
       // What the noise of the picks turns is no turn.
       const double rough = 4.0 * blocks[b].noise + blocks[b].lean * image.box().height();
       walls.push_back({wall.fault, b, wall.side, branches_of(image, no_height * setting.size + rough)});
       // Rock beyond the top is younger than what is restored.
+      if (setting.target != nullptr) continue;  // done
       const double datum = blocks[b].datum;
       const double far = std::numeric_limits<double>::infinity();
       const bool below = blocks[b].side == section::LayerSide::Below;

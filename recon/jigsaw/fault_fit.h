@@ -25,7 +25,8 @@ struct FaultSetting {
   const std::vector<faults::FaultCutoffs>& cutoffs;
   std::vector<faults::FaultWall> walls;
   std::string top;
-  double size = 0.0;  ///< Of the section, m.
+  double size = 0.0;                   ///< Of the section, m.
+  const TargetLine* target = nullptr;  ///< That the blocks lie on; else they lie on their datum.
 };
 
 /// Of all faults, on the datum's side of the layers, as the blocks are placed.

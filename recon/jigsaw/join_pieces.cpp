@@ -11,7 +11,7 @@ namespace recon::jigsaw {
 namespace {
 
 /// Of the section's size: what is no farther off is one place.
-constexpr double one_place = 1e-6;
+constexpr double same_place = 1e-6;
 
 std::string text_at(geom::Point p) { return fmt::format("({:.6g}, {:.6g})", p.x, p.y); }
 
@@ -28,7 +28,7 @@ base::Result<geom::Polyline> joined(const std::string& bed, const Part& part, st
   for (std::size_t i = 1; i < pieces.size(); ++i) {
     const geom::Point from = line.points.back();
     const geom::Point to = pieces[i].points.front();
-    if (pieces[i].box().low.x < line.box().high.x - one_place * size) {
+    if (pieces[i].box().low.x < line.box().high.x - same_place * size) {
       return base::Error{base::ErrorCode::CannotRestore,
                          fmt::format("the top '{}' has pieces in it that lie over each other, one from {} on, so that "
                                      "they are not one line; draw the fault between them, or take another top",
@@ -79,7 +79,7 @@ base::Result<void> join_pieces(const std::string& bed, const std::vector<Part>& 
     }
     if (found.size() < 2) continue;
     DOBRA_TRY(horizons[found.front()].line, joined(bed, parts[part], std::move(lines), size, cut.remarks));
-    rename_cutoffs(ids, horizons[found.front()], one_place * size, cutoffs);
+    rename_cutoffs(ids, horizons[found.front()], same_place * size, cutoffs);
     for (std::size_t k = found.size(); k-- > 1;) {
       horizons.erase(horizons.begin() + static_cast<std::ptrdiff_t>(found[k]));
       cut.horizons.erase(cut.horizons.begin() + static_cast<std::ptrdiff_t>(found[k]));

@@ -95,7 +95,13 @@ base::Result<UnfoldedBlock> unfolded(const CutSection& cut, const Part& part, st
   DOBRA_TRY(const unfold::SourceGrid source, base_of(own.section, top, place.simplify));
   unfold::TargetParams target;
   DOBRA_TRY(target.pin, place.pin ? base::Result<double>(*place.pin) : middle_pin(own.section, source));
-  target.elevation = place.datum;
+  if (place.target != nullptr) {
+    target.shape = unfold::TargetShape::Line;
+    target.points = place.target->line().points;
+    target.target_pin = place.target_pin;
+  } else {
+    target.elevation = place.datum;
+  }
   DOBRA_TRY(const unfold::Target flat, place_target(own.section, source, target, {}));
   block.part = index;
   block.id = part.id;

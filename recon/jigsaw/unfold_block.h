@@ -4,6 +4,7 @@
 #include "recon/jigsaw/blockwise_params.h"
 #include "recon/jigsaw/cut_section.h"
 #include "recon/jigsaw/rigid_motion.h"
+#include "recon/jigsaw/target_line.h"
 #include "recon/unfold/restore.h"
 
 namespace recon::jigsaw {
@@ -19,6 +20,7 @@ struct UnfoldedBlock {
   double datum = 0.0;               ///< z; of a rigid block infinite, above all of it.
   double noise = 0.0;               ///< Of the picks of its top, one standard deviation, m.
   double lean = 0.0;                ///< By how much that makes its walls lean, radians.
+  double slid = 0.0;                ///< Along the datum or the target, m.
   RigidMotion placed;               ///< What the block does afterwards: it slides, or a rigid one turns and shifts.
   unfold::Restoration restoration;  ///< Of the block's own section, with the ids of the cut section.
 
@@ -38,9 +40,11 @@ struct BlockSection {
 BlockSection section_of(const CutSection& cut, std::size_t part);
 
 struct PlaceOfBlock {
-  std::size_t top = 0;          ///< Index in the cut section.
-  std::optional<double> pin;    ///< x; by default the place nearest to the middle of the top where all beds are.
-  std::optional<double> datum;  ///< z; by default that of the top at the pin.
+  std::size_t top = 0;                 ///< Index in the cut section.
+  std::optional<double> pin;           ///< x; by default the place nearest to the middle of the top where all beds are.
+  std::optional<double> datum;         ///< z; by default that of the top at the pin.
+  const TargetLine* target = nullptr;  ///< Instead of a level datum.
+  std::optional<geom::Point> target_pin;  ///< On it; by default the point above or below the pin.
   double simplify = 0.0;
 };
 

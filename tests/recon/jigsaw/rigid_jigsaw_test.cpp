@@ -6,18 +6,15 @@
 #include <numbers>
 #include <random>
 
-#include "recon/jigsaw/blockwise.h"
 #include "recon/jigsaw/rigid_fit.h"
+#include "tests/recon/jigsaw/stacks.h"
 
 namespace recon::jigsaw {
 namespace {
 
-using section::LineKind;
-using section::Section;
-
 constexpr double degree = std::numbers::pi / 180.0;
-const std::vector<double> beds{-200.0, -500.0, -800.0, -1100.0};
-constexpr double west = -4000.0, east = 7000.0, size = 1e4;
+const std::vector<double> depths{-200.0, -500.0, -800.0, -1100.0};
+constexpr double west_end = -4000.0, east_end = 7000.0, whole = 1e4;
 
 /// Anticlockwise about a point, written down anew.
 struct Turn {
@@ -66,19 +63,16 @@ struct Listric {
   }
   [[nodiscard]] Section section() const {
     Section made;
-    for (std::size_t bed = 0; bed < beds.size(); ++bed) {
+    for (std::size_t bed = 0; bed < depths.size(); ++bed) {
       for (std::size_t block = 0; block <= centres.size(); ++block) {
-        const double z = beds[bed] - (bed == 2 && block == 1 ? lower_c : 0.0);
-        const double from = block == 0 ? west : x_at(listric(centres[block - 1]), z);
-        const double to = block == centres.size() ? east : x_at(listric(centres[block]), z);
+        const double z = depths[bed] - (bed == 2 && block == 1 ? lower_c : 0.0);
+        const double from = block == 0 ? west_end : x_at(listric(centres[block - 1]), z);
+        const double to = block == centres.size() ? east_end : x_at(listric(centres[block]), z);
         geom::Polyline line;
         for (int i = 0; i <= 4; ++i) line.points.push_back(of_all(turns(block), {from + (to - from) * i / 4, z}));
-        const std::string whole(1, static_cast<char>('A' + bed));
-        made.horizons.push_back({section::HorizonId(made.horizons.size()),
-                                 whole + " (" + std::to_string(block + 1) + ")",
-                                 line,
-                                 {},
-                                 whole});
+        const std::string name(1, static_cast<char>('A' + bed));
+        made.horizons.push_back(
+            {section::HorizonId(made.horizons.size()), name + " (" + std::to_string(block + 1) + ")", line, {}, name});
       }
     }
     for (std::size_t k = 0; k < centres.size(); ++k) {
@@ -100,13 +94,6 @@ BlockwiseParams rotating(Fit fit = Fit::Walls) {
   return how;
 }
 
-Blockwise restored(const Section& section, const BlockwiseParams& how) {
-  auto made = restore_blockwise(section, how, {}, {});
-  EXPECT_TRUE(made) << to_string(made.error());
-  if (!made) throw std::runtime_error("no jigsaw");
-  return std::move(*made);
-}
-
 TEST(RigidJigsaw, ListricBlocksTurnBackByTheirAnglesAndLeaveNoGap) {
   for (const Fit fit : {Fit::Walls, Fit::Top}) {
     const Blockwise made = restored(three.section(), rotating(fit));
@@ -115,15 +102,15 @@ TEST(RigidJigsaw, ListricBlocksTurnBackByTheirAnglesAndLeaveNoGap) {
     EXPECT_NEAR(*made.rows[1].turn, -4.0, 1e-9);
     EXPECT_NEAR(*made.rows[2].turn, -10.0, 1e-9);
     for (const section::Horizon& horizon : made.section.horizons) {
-      const double z = beds[static_cast<std::size_t>(whole_name(horizon)[0] - 'A')];
-      for (const geom::Point p : horizon.line.points) EXPECT_NEAR(p.y, z, 1e-9 * size) << horizon.name;
+      const double z = depths[static_cast<std::size_t>(whole_name(horizon)[0] - 'A')];
+      for (const geom::Point p : horizon.line.points) EXPECT_NEAR(p.y, z, 1e-9 * whole) << horizon.name;
     }
-    EXPECT_NEAR(made.widths.after, east - west, 1e-9 * size);
+    EXPECT_NEAR(made.widths.after, east_end - west_end, 1e-9 * whole);
     for (const RestoredFault& fault : made.faults) {
       EXPECT_TRUE(fault.measured);
-      EXPECT_LT(fault.opening.gap + fault.opening.overlap, 1e-9 * size * size) << fault.name;
+      EXPECT_LT(fault.opening.gap + fault.opening.overlap, 1e-9 * whole * whole) << fault.name;
     }
-    for (const balance::LineLength& row : made.lengths) EXPECT_NEAR(row.length_after, row.length_before, 1e-9 * size);
+    for (const balance::LineLength& row : made.lengths) EXPECT_NEAR(row.length_after, row.length_before, 1e-9 * whole);
     EXPECT_EQ(made.balance.verdict, balance::BalanceVerdict::Balanced) << made.remarks.back();
   }
 }
@@ -138,15 +125,15 @@ TEST(RigidJigsaw, ThePinnedBlockStaysAndTheOthersTurnToIt) {
   EXPECT_NEAR(*made.rows[0].turn, 4.0, 1e-9);
   EXPECT_NEAR(*made.rows[2].turn, -6.0, 1e-9);
   for (std::size_t i = 0; i < section.horizons.size(); ++i) {
-    const double z = beds[i / 3];
+    const double z = depths[i / 3];
     for (const geom::Point p : made.section.horizons[i].line.points) {
       const geom::Point level = Turn{three.centres[0], -4.0}.of(p);  // the second block's own turn
-      EXPECT_NEAR(level.y, z, 1e-9 * size) << section.horizons[i].name;
+      EXPECT_NEAR(level.y, z, 1e-9 * whole) << section.horizons[i].name;
     }
   }
   // Points there and back.
   for (const geom::Point p : {geom::Point{-3000, -400}, {500, -600}, {6000, -300}})
-    EXPECT_LT(geom::distance(made.inverse(made.forward(p)), p), 1e-9 * size);
+    EXPECT_LT(geom::distance(made.inverse(made.forward(p)), p), 1e-9 * whole);
 }
 
 TEST(RigidJigsaw, DominoesSlideBackAlongTheirFaultsAndKeepTheirTilt) {
@@ -156,18 +143,18 @@ TEST(RigidJigsaw, DominoesSlideBackAlongTheirFaultsAndKeepTheirTilt) {
   const geom::Vector slip{150.0 * std::cos(60.0 * degree), -150.0 * std::sin(60.0 * degree)};
   const Turn tilt{{0, 0}, 20.0};
   Section section;
-  for (std::size_t bed = 0; bed < beds.size(); ++bed) {
+  for (std::size_t bed = 0; bed < depths.size(); ++bed) {
     for (int block = 0; block < 4; ++block) {
-      const double z = beds[bed];
-      const double from = block == 0 ? west : 1200.0 * block - lean * z;
-      const double to = block == 3 ? east : 1200.0 * (block + 1) - lean * z;
+      const double z = depths[bed];
+      const double from = block == 0 ? west_end : 1200.0 * block - lean * z;
+      const double to = block == 3 ? east_end : 1200.0 * (block + 1) - lean * z;
       const auto at = [&](double x) { return tilt.of(geom::Point{x, z} + static_cast<double>(block) * slip); };
-      const std::string whole(1, static_cast<char>('A' + bed));
+      const std::string name(1, static_cast<char>('A' + bed));
       section.horizons.push_back({section::HorizonId(section.horizons.size()),
-                                  whole + std::to_string(block),
+                                  name + std::to_string(block),
                                   {{at(from), at(to)}, false},
                                   {},
-                                  whole});
+                                  name});
     }
   }
   for (int k = 1; k < 4; ++k) {
@@ -182,13 +169,13 @@ TEST(RigidJigsaw, DominoesSlideBackAlongTheirFaultsAndKeepTheirTilt) {
   for (std::size_t k = 0; k < 4; ++k) {
     EXPECT_NEAR(*made.rows[k].turn, 0.0, 1e-9);
     const geom::Point back = tilt.of({-static_cast<double>(k) * slip.x, -static_cast<double>(k) * slip.y});
-    EXPECT_NEAR(*made.rows[k].shift, back.x, 1e-9 * size);
-    EXPECT_NEAR(*made.rows[k].raise, back.y, 1e-9 * size);
+    EXPECT_NEAR(*made.rows[k].shift, back.x, 1e-9 * whole);
+    EXPECT_NEAR(*made.rows[k].raise, back.y, 1e-9 * whole);
   }
   for (const section::Horizon& horizon : made.section.horizons) {
-    const double z = beds[static_cast<std::size_t>(whole_name(horizon)[0] - 'A')];
+    const double z = depths[static_cast<std::size_t>(whole_name(horizon)[0] - 'A')];
     for (const geom::Point p : horizon.line.points)
-      EXPECT_NEAR((Turn{{0, 0}, -20.0}.of(p).y), z, 1e-9 * size) << horizon.name;
+      EXPECT_NEAR((Turn{{0, 0}, -20.0}.of(p).y), z, 1e-9 * whole) << horizon.name;
   }
   EXPECT_EQ(made.balance.verdict, balance::BalanceVerdict::Balanced) << made.remarks.back();
 }
@@ -251,7 +238,7 @@ TEST(TurnAndShift, FindsKnownMotionsAndElseTheLeastSumOfSquares) {
         matches.push_back({b, next, turns[b].of(p), turns[next].of(p) + off, 1.0 + k});
       }
     }
-    const auto motions = turn_and_shift(names, 0, matches, size);
+    const auto motions = turn_and_shift(names, 0, matches, whole);
     ASSERT_TRUE(motions) << to_string(motions.error());
     const auto sum = [&](const std::vector<RigidMotion>& of) {
       double total = 0.0;
@@ -264,7 +251,7 @@ TEST(TurnAndShift, FindsKnownMotionsAndElseTheLeastSumOfSquares) {
     if (rough == 0.0) {
       for (std::size_t b = 0; b < count; ++b) {
         const geom::Point p{100.0, 200.0};
-        EXPECT_LT(geom::distance((*motions)[b].forward(turns[b].of(p)), p), 1e-9 * size);
+        EXPECT_LT(geom::distance((*motions)[b].forward(turns[b].of(p)), p), 1e-9 * whole);
       }
     }
     // No motion nearby does better.
