@@ -251,20 +251,27 @@ base::Result<void> slide_blocks(FaultSetting setting, std::size_t pinned, Fit fi
 }
 
 /// Blocks that have slid along a level datum are unfolded anew, each to where it has slid to on the target.
-base::Result<void> lay_on_target(const Setting& setting, std::size_t pinned, const BlockwiseParams& how,
-                                 const unfold::RestoreParams& params, Blockwise& made) {
+base::Result<void> lay_on_target(const Setting& setting, std::size_t pinned, Blockwise& made) {
   const TargetLine& target = *setting.target;
+  const BlockwiseParams& how = made.how;
   const geom::Point pin = made.blocks[pinned].pin;
   geom::Point start = how.target_pin.value_or(geom::Point{pin.x, 0.0});
+  const double off = how.target_pin ? std::abs(start.y - target.z(start.x)) : 0.0;
   start.y = target.z(start.x);
+  if (off > 1e-9 * setting.size) {
+    made.remarks.push_back(
+        fmt::format("target_pin lies {:.4g} m above or below the target; the point of the target at "
+                    "its x was taken",
+                    off));
+  }
   std::vector<std::optional<base::Result<UnfoldedBlock>>> laid(made.blocks.size());
   base::parallel_for(made.blocks.size(), [&](std::size_t b) {
     const UnfoldedBlock& flat = made.blocks[b];
     const double by = flat.pin.x + flat.slid - pin.x;  // a pin keeps its x on a level datum
     const PlaceOfBlock place{
-        *setting.tops[flat.part],  flat.pin.x, std::nullopt, &target, target.slid(start, by, params),
+        *setting.tops[flat.part],  flat.pin.x, std::nullopt, &target, target.slid(start, by, made.params),
         how.simplify.value_or(0.0)};
-    laid[b] = unfold_block(setting.cut, made.parts[flat.part], flat.part, place, params, {});
+    laid[b] = unfold_block(setting.cut, made.parts[flat.part], flat.part, place, made.params, {});
   });
   for (std::size_t b = 0; b < laid.size(); ++b) {
     DOBRA_TRY(UnfoldedBlock block, std::move(*laid[b]));
@@ -282,6 +289,26 @@ base::Result<void> turn_blocks(const FaultSetting& setting, std::size_t pinned, 
   for (std::size_t b = 0; b < motions.size(); ++b) made.blocks[b].placed = motions[b];
   made.faults = restored_faults(setting, measured_walls(setting, made));
   return {};
+}
+
+/// Puts the unfolded or rigid blocks of a jigsaw together.
+/// @param pinned  part.
+base::Result<void> fit_blocks(const Setting& setting, const FaultSetting& of_faults, std::size_t pinned,
+                              Blockwise& made) {
+  const auto is_pinned = [&](const UnfoldedBlock& block) { return block.part == pinned; };
+  const auto at = std::find_if(made.blocks.begin(), made.blocks.end(), is_pinned);
+  const auto fixed = static_cast<std::size_t>(at - made.blocks.begin());
+  const Fit fit = made.how.fit.value_or(Fit::Walls);
+  if (is_rigid(made.how)) return turn_blocks(of_faults, fixed, fit, made);
+  const auto place = [&](FaultSetting& on) -> base::Result<void> {
+    if (setting.target) {
+      on.target = &*setting.target;
+      return lay_on_target(setting, fixed, made);
+    }
+    for (UnfoldedBlock& block : made.blocks) block.placed.by = {block.slid, 0.0};
+    return {};
+  };
+  return slide_blocks(of_faults, fixed, fit, place, made);
 }
 
 void remark_on_faults(const Blockwise& made, double size, std::vector<std::string>& remarks) {
@@ -320,8 +347,7 @@ base::Result<void> check_params(const BlockwiseParams& params) {
   if (!is_blockwise(params) && more) {
     return refuse(
         "top, pin, elevation, target, target_pin, simplify and cutoff_tolerance belong to block and jigsaw; without "
-        "these give "
-        "them to the steps grid and target");
+        "these give them to the steps grid and target");
   }
   if (is_rigid(params) && !params.jigsaw)
     return refuse("constraint = \"rotation\" says how the blocks of a jigsaw fit together; set jigsaw");
@@ -358,22 +384,7 @@ base::Result<Blockwise> restore_blockwise(const Section& section, const Blockwis
   DOBRA_TRY(made.blocks, unfold_all(setting, made.parts, pinned, how, params, progress));
   progress.report(0.8, "blocks restored");
   const FaultSetting of_faults{setting.faults, setting.cutoffs, setting.blocks.walls(), setting.top, setting.size};
-  if (how.jigsaw) {
-    const auto is_pinned = [&](const UnfoldedBlock& block) { return block.part == pinned; };
-    const auto fixed =
-        static_cast<std::size_t>(std::find_if(made.blocks.begin(), made.blocks.end(), is_pinned) - made.blocks.begin());
-    const Fit fit = how.fit.value_or(Fit::Walls);
-    const auto place = [&](FaultSetting& at) -> base::Result<void> {
-      if (setting.target) {
-        at.target = &*setting.target;
-        return lay_on_target(setting, fixed, how, params, made);
-      }
-      for (UnfoldedBlock& block : made.blocks) block.placed.by = {block.slid, 0.0};
-      return {};
-    };
-    DOBRA_TRY_VOID(is_rigid(how) ? turn_blocks(of_faults, fixed, fit, made)
-                                 : slide_blocks(of_faults, fixed, fit, place, made));
-  }
+  if (how.jigsaw) DOBRA_TRY_VOID(fit_blocks(setting, of_faults, pinned, made));
   made.remarks.insert(made.remarks.end(), setting.cut.remarks.begin(), setting.cut.remarks.end());
   for (const faults::FaultCutoffs& cutoffs : setting.cutoffs)
     made.remarks.insert(made.remarks.end(), cutoffs.remarks.begin(), cutoffs.remarks.end());

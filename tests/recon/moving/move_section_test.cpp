@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <numbers>
+#include <set>
 
 #include "recon/faults/cutoffs.h"
 #include "recon/section/section_faces.h"
@@ -124,6 +125,17 @@ TEST(Move, TellsTheSamePairsAsFaultsAndThoseThatBelongTogether) {
       EXPECT_NEAR(*pair.separation, 100.0, 1e-9);
     }
   }
+}
+
+TEST(Move, FurtherPiecesHaveIdsThatNothingElseHas) {
+  section::Section section = planar();
+  section.horizons.push_back({section::HorizonId(5), "C", {{{-2000, -900}, {1000, -900}}, false}, {}, {}});
+  const auto moved = move_block(section, closing(MoveMethod::Rigid, {"A"}), {});
+  ASSERT_TRUE(moved) << to_string(moved.error());
+  std::set<section::HorizonId> ids;
+  for (const section::Horizon& horizon : moved->section.horizons) ids.insert(horizon.id);
+  EXPECT_EQ(moved->section.horizons.size(), 6U);
+  EXPECT_EQ(ids.size(), 6U);
 }
 
 TEST(Move, APieceWithoutAPartnerIsToldAndTheOtherIsPaired) {
