@@ -17,8 +17,8 @@ using kinematics::Side;
 
 /// Of the section's size: heights that are less are rounding.
 constexpr double no_height = 1e-9;
-/// Of the size: how well a top is picked at best.
-constexpr double exact_picks = 1e-5;
+/// Of the size: how well the place of a wall is known at best.
+constexpr double known_walls = 3e-4;
 
 /// A wall of an unfolded block.
 struct Wall {
@@ -153,8 +153,8 @@ std::vector<Tie> ties_of_walls(const std::vector<FacingWalls>& facing, const std
   for (const FacingWalls& f : facing) {
     const UnfoldedBlock& left = blocks[f.left];
     const UnfoldedBlock& right = blocks[f.right];
-    const double picked = std::hypot(left.noise, right.noise, exact_picks * size);
-    const Distance apart = distance_of(f.walls, {left.datum, std::hypot(left.lean, right.lean) / picked});
+    const double known = std::hypot(left.noise, right.noise, known_walls * size);
+    const Distance apart = distance_of(f.walls, {left.datum, std::hypot(left.lean, right.lean) / known});
     ties.push_back({f.left, f.right, apart.height / size, -apart.moment / apart.height});
   }
   return ties;

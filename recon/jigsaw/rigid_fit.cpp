@@ -20,7 +20,7 @@ using kinematics::FaultPath;
 /// Of the size: matches that lie no wider apart say nothing of a turn.
 constexpr double one_place = 1e-6;
 /// Against the walls' own weight: so that the ends of the top meet.
-constexpr double meets = 1e6;
+constexpr double top_weight = 1e6;
 constexpr int most_steps = 50;
 
 /// A place on the path that both walls had, by arc length in each. m
@@ -132,7 +132,7 @@ std::vector<Match> matches_of(const FaultSetting& setting, const std::vector<Unf
           const double near = one_place * setting.size;
           if (!hanging.holds(pair.hanging_wall->arc, near) || !foot.holds(pair.footwall->arc, near)) continue;
           matches.push_back(
-              {hanging.block, foot.block, pair.hanging_wall->at, pair.footwall->at, meets * setting.size});
+              {hanging.block, foot.block, pair.hanging_wall->at, pair.footwall->at, top_weight * setting.size});
         }
       }
     }

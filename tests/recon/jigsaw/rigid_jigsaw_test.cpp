@@ -14,7 +14,7 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
 const std::vector<double> depths{-200.0, -500.0, -800.0, -1100.0};
-constexpr double west_end = -4000.0, east_end = 7000.0, whole = 1e4;
+constexpr double west_end = -4000.0, east_end = 7000.0, rock_size = 1e4;
 
 /// Anticlockwise about a point, written down anew.
 struct Turn {
@@ -84,7 +84,7 @@ struct Listric {
   }
 };
 
-const Listric three{{{0, 200}, {3000, 200}}, {4.0, 6.0}};
+const Listric three_blocks{{{0, 200}, {3000, 200}}, {4.0, 6.0}};
 
 BlockwiseParams rotating(Fit fit = Fit::Walls) {
   BlockwiseParams how;
@@ -96,28 +96,29 @@ BlockwiseParams rotating(Fit fit = Fit::Walls) {
 
 TEST(RigidJigsaw, ListricBlocksTurnBackByTheirAnglesAndLeaveNoGap) {
   for (const Fit fit : {Fit::Walls, Fit::Top}) {
-    const Blockwise made = restored(three.section(), rotating(fit));
+    const Blockwise made = restored(three_blocks.section(), rotating(fit));
     ASSERT_EQ(made.rows.size(), 3U);
     EXPECT_EQ(*made.rows[0].turn, 0.0);
     EXPECT_NEAR(*made.rows[1].turn, -4.0, 1e-9);
     EXPECT_NEAR(*made.rows[2].turn, -10.0, 1e-9);
     for (const section::Horizon& horizon : made.section.horizons) {
       const double z = depths[static_cast<std::size_t>(whole_name(horizon)[0] - 'A')];
-      for (const geom::Point p : horizon.line.points) EXPECT_NEAR(p.y, z, 1e-9 * whole) << horizon.name;
+      for (const geom::Point p : horizon.line.points) EXPECT_NEAR(p.y, z, 1e-9 * rock_size) << horizon.name;
     }
-    EXPECT_NEAR(made.widths.after, east_end - west_end, 1e-9 * whole);
+    EXPECT_NEAR(made.widths.after, east_end - west_end, 1e-9 * rock_size);
     for (const RestoredFault& fault : made.faults) {
       EXPECT_TRUE(fault.measured);
-      EXPECT_LT(fault.opening.gap + fault.opening.overlap, 1e-9 * whole * whole) << fault.name;
+      EXPECT_LT(fault.opening.gap + fault.opening.overlap, 1e-9 * rock_size * rock_size) << fault.name;
     }
-    for (const balance::LineLength& row : made.lengths) EXPECT_NEAR(row.length_after, row.length_before, 1e-9 * whole);
+    for (const balance::LineLength& row : made.lengths)
+      EXPECT_NEAR(row.length_after, row.length_before, 1e-9 * rock_size);
     EXPECT_EQ(made.balance.verdict, balance::BalanceVerdict::Balanced) << made.remarks.back();
   }
 }
 
 TEST(RigidJigsaw, ThePinnedBlockStaysAndTheOthersTurnToIt) {
   BlockwiseParams how = rotating();
-  const Section section = three.section();
+  const Section section = three_blocks.section();
   how.pin = section.horizons[1].line.points[2].x;  // A of the second block
   const Blockwise made = restored(section, how);
   EXPECT_EQ(*made.rows[1].turn, 0.0);
@@ -127,13 +128,13 @@ TEST(RigidJigsaw, ThePinnedBlockStaysAndTheOthersTurnToIt) {
   for (std::size_t i = 0; i < section.horizons.size(); ++i) {
     const double z = depths[i / 3];
     for (const geom::Point p : made.section.horizons[i].line.points) {
-      const geom::Point level = Turn{three.centres[0], -4.0}.of(p);  // the second block's own turn
-      EXPECT_NEAR(level.y, z, 1e-9 * whole) << section.horizons[i].name;
+      const geom::Point level = Turn{three_blocks.centres[0], -4.0}.of(p);  // the second block's own turn
+      EXPECT_NEAR(level.y, z, 1e-9 * rock_size) << section.horizons[i].name;
     }
   }
   // Points there and back.
   for (const geom::Point p : {geom::Point{-3000, -400}, {500, -600}, {6000, -300}})
-    EXPECT_LT(geom::distance(made.inverse(made.forward(p)), p), 1e-9 * whole);
+    EXPECT_LT(geom::distance(made.inverse(made.forward(p)), p), 1e-9 * rock_size);
 }
 
 TEST(RigidJigsaw, DominoesSlideBackAlongTheirFaultsAndKeepTheirTilt) {
@@ -169,19 +170,19 @@ TEST(RigidJigsaw, DominoesSlideBackAlongTheirFaultsAndKeepTheirTilt) {
   for (std::size_t k = 0; k < 4; ++k) {
     EXPECT_NEAR(*made.rows[k].turn, 0.0, 1e-9);
     const geom::Point back = tilt.of({-static_cast<double>(k) * slip.x, -static_cast<double>(k) * slip.y});
-    EXPECT_NEAR(*made.rows[k].shift, back.x, 1e-9 * whole);
-    EXPECT_NEAR(*made.rows[k].raise, back.y, 1e-9 * whole);
+    EXPECT_NEAR(*made.rows[k].shift, back.x, 1e-9 * rock_size);
+    EXPECT_NEAR(*made.rows[k].raise, back.y, 1e-9 * rock_size);
   }
   for (const section::Horizon& horizon : made.section.horizons) {
     const double z = depths[static_cast<std::size_t>(whole_name(horizon)[0] - 'A')];
     for (const geom::Point p : horizon.line.points)
-      EXPECT_NEAR((Turn{{0, 0}, -20.0}.of(p).y), z, 1e-9 * whole) << horizon.name;
+      EXPECT_NEAR((Turn{{0, 0}, -20.0}.of(p).y), z, 1e-9 * rock_size) << horizon.name;
   }
   EXPECT_EQ(made.balance.verdict, balance::BalanceVerdict::Balanced) << made.remarks.back();
 }
 
 TEST(RigidJigsaw, ABedThatDoesNotFitIsNotBalancedAndToldWithItsPlace) {
-  Listric off = three;
+  Listric off = three_blocks;
   off.lower_c = 150.0;
   const Blockwise made = restored(off.section(), rotating());
   EXPECT_EQ(made.balance.verdict, balance::BalanceVerdict::NotBalanced) << made.remarks.back();
@@ -193,7 +194,7 @@ TEST(RigidJigsaw, ABedThatDoesNotFitIsNotBalancedAndToldWithItsPlace) {
 }
 
 TEST(RigidJigsaw, BlocksThatShareNoBedWithTheOthersAreNamed) {
-  Section section = three.section();
+  Section section = three_blocks.section();
   for (section::Horizon& horizon : section.horizons) {
     if (horizon.name.find("(3)") != std::string::npos) horizon.name = horizon.piece_of = "other " + horizon.piece_of;
   }
@@ -206,15 +207,15 @@ TEST(RigidJigsaw, BlocksThatShareNoBedWithTheOthersAreNamed) {
 TEST(RigidJigsaw, WhatBelongsToADatumIsRefused) {
   BlockwiseParams how = rotating();
   how.elevation = 0.0;
-  EXPECT_FALSE(restore_blockwise(three.section(), how, {}, {}));
+  EXPECT_FALSE(restore_blockwise(three_blocks.section(), how, {}, {}));
   how = rotating();
   how.jigsaw = false;
   how.block = {"block 1"};
   how.fit.reset();
-  EXPECT_FALSE(restore_blockwise(three.section(), how, {}, {}));
+  EXPECT_FALSE(restore_blockwise(three_blocks.section(), how, {}, {}));
   unfold::RestoreParams params;
   params.method = unfold::RestoreMethod::Flexural;
-  EXPECT_FALSE(restore_blockwise(three.section(), rotating(), params, {}));
+  EXPECT_FALSE(restore_blockwise(three_blocks.section(), rotating(), params, {}));
 }
 
 TEST(TurnAndShift, FindsKnownMotionsAndElseTheLeastSumOfSquares) {
@@ -238,7 +239,7 @@ TEST(TurnAndShift, FindsKnownMotionsAndElseTheLeastSumOfSquares) {
         matches.push_back({b, next, turns[b].of(p), turns[next].of(p) + off, 1.0 + k});
       }
     }
-    const auto motions = turn_and_shift(names, 0, matches, whole);
+    const auto motions = turn_and_shift(names, 0, matches, rock_size);
     ASSERT_TRUE(motions) << to_string(motions.error());
     const auto sum = [&](const std::vector<RigidMotion>& of) {
       double total = 0.0;
@@ -251,7 +252,7 @@ TEST(TurnAndShift, FindsKnownMotionsAndElseTheLeastSumOfSquares) {
     if (rough == 0.0) {
       for (std::size_t b = 0; b < count; ++b) {
         const geom::Point p{100.0, 200.0};
-        EXPECT_LT(geom::distance((*motions)[b].forward(turns[b].of(p)), p), 1e-9 * whole);
+        EXPECT_LT(geom::distance((*motions)[b].forward(turns[b].of(p)), p), 1e-9 * rock_size);
       }
     }
     // No motion nearby does better.
