@@ -42,6 +42,7 @@ Json faults_json(const std::vector<jigsaw::RestoredFault>& faults) {
 }
 
 void add_jigsaw(const jigsaw::Blockwise& made, Json& json) {
+  json["constraint"] = is_rigid(made.how) ? "rotation" : "datum";
   json["fit"] = made.how.fit.value_or(jigsaw::Fit::Walls) == jigsaw::Fit::Walls ? "walls" : "top";
   json["faults"] = faults_json(made.faults);
   json["width_before"] = made.widths.before;
@@ -56,11 +57,19 @@ void add_jigsaw(const jigsaw::Blockwise& made, Json& json) {
 
 std::string blockwise_json(const model::Model& model, Geometry geometry) {
   const jigsaw::Blockwise& made = *model.blockwise;
-  Json json = {{"method", unfold::method_name(made.params.method)},
-               {"keeps", unfold::what_it_keeps(made.params.method)},
-               {"percent", made.params.percent}};
+  Json json = Json::object();
+  if (!is_rigid(made.how)) {
+    json["method"] = unfold::method_name(made.params.method);
+    json["keeps"] = unfold::what_it_keeps(made.params.method);
+  }
+  json["percent"] = made.params.percent;
   Json blocks = Json::array();
-  for (const jigsaw::BlockRow& row : made.rows) blocks.push_back({{"name", row.name}, {"shift", or_null(row.shift)}});
+  for (const jigsaw::BlockRow& row : made.rows) {
+    Json block = {{"name", row.name}, {"shift", or_null(row.shift)}};
+    if (row.raise) block["raise"] = *row.raise;
+    if (row.turn) block["turn"] = *row.turn;
+    blocks.push_back(std::move(block));
+  }
   json["blocks"] = std::move(blocks);
   if (made.how.jigsaw) add_jigsaw(made, json);
   Json ledger = Json::array();
@@ -80,9 +89,15 @@ std::string blockwise_json(const model::Model& model, Geometry geometry) {
 
 std::string blockwise_table(const model::Model& model) {
   const jigsaw::Blockwise& made = *model.blockwise;
-  std::string text = fmt::format("{:<28} {:>14}\n", "block", "shift [m]");
-  for (const jigsaw::BlockRow& row : made.rows)
-    text += fmt::format("{:<28} {:>14}\n", row.name, row.shift ? fmt::format("{:.6g}", *row.shift) : "-");
+  const bool rigid = is_rigid(made.how);
+  std::string text = fmt::format("{:<28} {:>14}", "block", "shift [m]");
+  text += rigid ? fmt::format(" {:>14} {:>14}\n", "raise [m]", "turn [deg]") : "\n";
+  for (const jigsaw::BlockRow& row : made.rows) {
+    const auto cell = [](const std::optional<double>& value) {
+      return fmt::format(" {:>14}", value ? fmt::format("{:.6g}", *value) : "-");
+    };
+    text += fmt::format("{:<28}{}{}\n", row.name, cell(row.shift), rigid ? cell(row.raise) + cell(row.turn) : "");
+  }
   if (made.how.jigsaw) {
     text += fmt::format("\n{:<28} {:>12} {:>12} {:>10} {:>12}\n", "fault", "gap [m2]", "overlap [m2]", "dip [deg]",
                         "shorter [m]");

@@ -51,24 +51,26 @@ struct BalanceOptions {
 };
 
 /// One step, to which grid and target lend their options.
-Result<scenario::Step> blockwise_step(Session& session, const RestoreOptions& options, const std::string& target_line) {
+Result<scenario::Step> blockwise_step(Session& session, const RestoreOptions& options, const scenario::Table& lines,
+                                      const std::string& target_line) {
   DOBRA_TRY(scenario::Step restore, step_of(session, "restore", options.restore));
   DOBRA_TRY(const scenario::Step blocks, step_of(session, "restore", options.blocks));
   for (const auto& entry : blocks.params.entries()) restore.params.set(entry.key, entry.value);
   const auto refuse = [](const std::string& option) {
-    return base::Error{base::ErrorCode::BadUsage,
-                       option + " does not go with --block and --jigsaw, which restore to a level datum (--elevation)"};
+    return base::Error{base::ErrorCode::BadUsage, option + " does not go with --block and --jigsaw"};
   };
   DOBRA_TRY(const scenario::Step grid, step_of(session, "grid", options.grid));
   DOBRA_TRY(const scenario::Step target, step_of(session, "target", options.target));
   for (const scenario::Step* step : {&grid, &target}) {
     for (const auto& entry : step->params.entries()) {
       if (entry.key == "uncovered") return refuse("--uncovered");
-      if (entry.key == "target_pin") return refuse("--target-pin");
       restore.params.set(entry.key, entry.value);
     }
   }
-  if (target_line != "flat") return refuse("--target " + target_line);
+  if (target_line != "flat") {
+    DOBRA_TRY(std::vector<dobra::geom::Point> line, only_line(target_line, lines));
+    restore.params.set("target", std::move(line));
+  }
   if (options.errors.any()) {
     return base::Error{
         base::ErrorCode::BadUsage,
@@ -83,7 +85,7 @@ Result<scenario::Document> restore_document(Session& session, const RestoreOptio
   DOBRA_TRY(const scenario::Table lines, options.section.lines.table());
   DOBRA_TRY(scenario::Document document, document_of(session, options.section, lines));
   if (options.blocks.any()) {
-    DOBRA_TRY(scenario::Step restore, blockwise_step(session, options, target_line));
+    DOBRA_TRY(scenario::Step restore, blockwise_step(session, options, lines, target_line));
     document.steps = {std::move(restore)};
     return document;
   }
@@ -155,7 +157,7 @@ dobra::cli::Command restore_command() {
             options->grid.add(app, scenario::fields_of<unfold::GridParams>(), {"top", "simplify", "uncovered"});
             options->restore.add(app, scenario::fields_of<unfold::RestoreParams>());
             options->blocks.add(app, scenario::fields_of<jigsaw::BlockwiseParams>(),
-                                {"block", "jigsaw", "fit", "cutoff_tolerance"});
+                                {"block", "jigsaw", "constraint", "fit", "cutoff_tolerance"});
             options->target.add(app, scenario::fields_of<unfold::TargetParams>(), {"pin", "elevation", "target_pin"});
             options->errors.add(app, scenario::fields_of<unfold::MonteCarloParams>(),
                                 {"draws", "pick_error", "pin_error", "angle_error", "seed"});

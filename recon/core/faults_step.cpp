@@ -131,20 +131,30 @@ std::vector<scene::Layer> sense_layers(const faults::FaultReport& report, double
   return layers;
 }
 
+/// World lengths for a metre of the diagram: it is as wide as 0.6 of the section at least, to which it stands.
+double unit_of_profiles(const faults::FaultReport& report, double section_width) {
+  geom::Box box;
+  for (const auto& profile : report.profiles) {
+    for (const faults::ProfilePoint& point : profile) box.add(geom::Point{point.distance, point.separation});
+  }
+  return !box.empty() && box.width() > 0.0 ? std::max(1.0, 0.6 * section_width / box.width()) : 1.0;
+}
+
 /// One line a fault, the horizons as points of it; of faults with both walls of two horizons at least.
-scene::Panel profile_panel(const faults::FaultReport& report) {
+scene::Panel profile_panel(const faults::FaultReport& report, double section_width) {
+  const double unit = unit_of_profiles(report, section_width);
   scene::Panel panel;
   panel.key = "displacement";
   panel.title = translated("Displacement along faults");
-  panel.axes = {translated("distance from the higher end [m]"), translated("separation [m]"),
-                scene::AxisScale::Diagram};
+  panel.axes = {translated("distance from the higher end [m]"), translated("separation [m]"), scene::AxisScale::Diagram,
+                unit};
   geom::Box box;
   std::size_t drawn = 0;
   for (std::size_t i = 0; i < report.faults.size(); ++i) {
     geom::Polyline line;
     scene::Labels names;
     for (const faults::ProfilePoint& point : report.profiles[i]) {
-      line.points.push_back({point.distance, point.separation});
+      line.points.push_back({unit * point.distance, unit * point.separation});
       const std::string mark =
           point.mark == faults::ProfileMark::None ? std::string() : fmt::format(" ({})", faults::name_of(point.mark));
       names.labels.push_back({line.points.back(), point.horizon + mark, scene::Anchor::Above});
@@ -185,7 +195,7 @@ void draw_faults(const model::Model& model, scene::Picture& picture) {
   parts.pin = sense_layers(found->report, box_of(found->section).diagonal());
   std::vector<scene::Panel> panels{section_panel(empty_panel("faults", translated("Faults and blocks"), found->section),
                                                  found->section, palette, std::move(parts))};
-  scene::Panel profile = profile_panel(found->report);
+  scene::Panel profile = profile_panel(found->report, box_of(found->section).width());
   if (!profile.layers.empty()) panels.push_back(std::move(profile));
   show(std::move(panels), found->section, picture);
 }

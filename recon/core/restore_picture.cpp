@@ -327,7 +327,9 @@ std::vector<scene::Layer> pins_of(const jigsaw::Blockwise& made, When when, doub
   std::vector<geom::Polyline> lines;
   for (const jigsaw::UnfoldedBlock& block : made.blocks) {
     const geom::Point at = when == When::After ? block.forward(block.pin) : block.pin;
-    lines.push_back({{at + geom::Vector{0.0, 0.5 * length}, at - geom::Vector{0.0, 0.5 * length}}, false});
+    const geom::Vector upright{0.0, 0.5 * length};
+    const geom::Vector half = when == When::After ? block.placed.turned(upright) : upright;
+    lines.push_back({{at + half, at - half}, false});
   }
   scene::Style style;
   style.line = ink;

@@ -23,6 +23,8 @@ void add_blockwise_quantities(const model::Model& model, std::vector<scenario::Q
   for (const balance::UnitRow& row : made.units) add_cells("unit." + row.name + ".", cells_of(row), quantities);
   for (const jigsaw::BlockRow& row : made.rows) {
     if (row.shift) quantities.push_back({"block." + row.name + ".shift", *row.shift, "m"});
+    if (row.raise) quantities.push_back({"block." + row.name + ".raise", *row.raise, "m"});
+    if (row.turn) quantities.push_back({"block." + row.name + ".turn", *row.turn, "deg"});
   }
   for (const jigsaw::RestoredFault& fault : made.faults)
     add_cells("fault." + fault.name + ".", cells_of(fault), quantities);
@@ -51,8 +53,12 @@ void add_blockwise_tables(const model::Model& model, std::vector<scenario::DataT
     tables.push_back(row_table("horizons_in_pieces", "horizon", totals));
   tables.push_back(row_table("units", "unit", made.units));
   scenario::DataTable blocks{"restored_blocks", {"block", "shift [m]"}, {}};
+  if (is_rigid(made.how)) blocks.columns.insert(blocks.columns.end(), {"raise [m]", "turn [deg]"});
   for (const jigsaw::BlockRow& row : made.rows) {
-    if (row.shift) blocks.rows.push_back({row.name, *row.shift});
+    if (!row.shift) continue;
+    blocks.rows.push_back({row.name, *row.shift});
+    if (row.raise) blocks.rows.back().emplace_back(*row.raise);
+    if (row.turn) blocks.rows.back().emplace_back(*row.turn);
   }
   tables.push_back(std::move(blocks));
   if (made.how.jigsaw) tables.push_back(row_table("restored_faults", "fault", made.faults));

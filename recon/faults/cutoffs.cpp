@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "recon/faults/pairing.h"
 #include "recon/section/section_faces.h"
 #include "shared/base/parallel.h"
 #include "shared/geom/intersect.h"
@@ -40,6 +41,7 @@ class Cutter {
       : section_(section), faults_(faults), fault_(faults[fault]), own_(own_line(fault_)), tolerance_(tolerance) {
     for (const section::Horizon& horizon : section.horizons) box_.add(horizon.line.box());
     rounding_ = 1e-9 * box_of(section).diagonal();
+    told_ = 1e-6 * box_of(section).diagonal();
     made_.fault = fault_.name;
   }
 
@@ -49,7 +51,12 @@ class Cutter {
       return std::move(made_);
     }
     for (const section::Horizon& horizon : section_.horizons) cut(horizon);
-    for (auto& [name, walls] : found_) pair(name, walls);
+    ExpectedSeparation expected;
+    for (auto& [name, walls] : found_) {
+      sort(walls);
+      expected.learn_from(walls);
+    }
+    for (const auto& [name, walls] : found_) pair(name, walls, expected);
     std::stable_sort(made_.pairs.begin(), made_.pairs.end(),
                      [](const CutoffPair& a, const CutoffPair& b) { return a.distance < b.distance; });
     find_sense();
@@ -57,21 +64,17 @@ class Cutter {
   }
 
  private:
-  struct Walls {
-    std::vector<Cutoff> hanging, foot;
-  };
-
-  Walls& walls_of(const section::Horizon& horizon) {
+  WallCutoffs& walls_of(const section::Horizon& horizon) {
     const std::string& name = whole_name(horizon);
     const auto at = std::find_if(found_.begin(), found_.end(), [&](const auto& f) { return f.first == name; });
-    return at != found_.end() ? at->second : found_.emplace_back(name, Walls()).second;
+    return at != found_.end() ? at->second : found_.emplace_back(name, WallCutoffs()).second;
   }
 
   void add(const section::Horizon& horizon, Wall wall, geom::Point at, LineEnd end, double extended, bool passes) {
-    Walls& walls = walls_of(horizon);
+    WallCutoffs& walls = walls_of(horizon);
     const double arc = kinematics::nearest(fault_.path, at).arc;
     (wall == Wall::Hanging ? walls.hanging : walls.foot).push_back({horizon.id, end, at, arc, extended, passes});
-    if (std::abs(extended) <= rounding_) return;
+    if (std::abs(extended) <= told_) return;
     made_.remarks.push_back(fmt::format("horizon '{}' is {} by {:.4g} m to fault '{}' at {}", horizon.name,
                                         extended > 0.0 ? "extended" : "trimmed", std::abs(extended), fault_.name,
                                         text_at(at)));
@@ -219,20 +222,20 @@ class Cutter {
     return kinematics::point_at(fault_.path, std::clamp(arc, fault_.own_from, fault_.own_to));
   }
 
-  /// The k-th from above of one wall belongs to the k-th of the other one.
-  void pair(const std::string& horizon, Walls& walls) {
-    const auto sort = [](std::vector<Cutoff>& cutoffs) {
-      std::stable_sort(cutoffs.begin(), cutoffs.end(), [](const Cutoff& a, const Cutoff& b) { return a.arc > b.arc; });
-    };
-    sort(walls.hanging);
-    sort(walls.foot);
-    const std::size_t most = std::max(walls.hanging.size(), walls.foot.size());
-    for (std::size_t k = 0; k < most; ++k)
-      made_.pairs.push_back(measured(horizon, nth(walls.hanging, k), nth(walls.foot, k)));
-    if (most > 1) tell_several(horizon, walls);
+  /// From the higher end down.
+  static void sort(WallCutoffs& walls) {
+    for (std::vector<Cutoff>* cutoffs : {&walls.hanging, &walls.foot})
+      std::stable_sort(cutoffs->begin(), cutoffs->end(),
+                       [](const Cutoff& a, const Cutoff& b) { return a.arc > b.arc; });
   }
 
-  void tell_several(const std::string& horizon, const Walls& walls) {
+  void pair(const std::string& horizon, const WallCutoffs& walls, const ExpectedSeparation& expected) {
+    for (const auto& [hanging, foot] : partners_of(walls, expected))
+      made_.pairs.push_back(measured(horizon, hanging, foot));
+    tell_several(horizon, walls);
+  }
+
+  void tell_several(const std::string& horizon, const WallCutoffs& walls) {
     for (const auto& [name, cutoffs] : {std::pair("hanging wall", &walls.hanging), {"footwall", &walls.foot}}) {
       if (cutoffs->size() < 2) continue;
       std::string places;
@@ -244,10 +247,6 @@ class Cutter {
     }
   }
 
-  static std::optional<Cutoff> nth(const std::vector<Cutoff>& cutoffs, std::size_t k) {
-    return k < cutoffs.size() ? std::optional(cutoffs[k]) : std::nullopt;
-  }
-
   CutoffPair measured(const std::string& horizon, const std::optional<Cutoff>& hw, const std::optional<Cutoff>& fw) {
     CutoffPair pair;
     pair.horizon = horizon;
@@ -256,9 +255,7 @@ class Cutter {
     if (!hw || !fw) {
       const Cutoff& only = hw ? *hw : *fw;
       pair.distance = fault_.own_to - only.arc;
-      made_.remarks.push_back(fmt::format("horizon '{}' has no cutoff on the {} of fault '{}' for the one at {}",
-                                          pair.horizon, hw ? "footwall" : "hanging wall", fault_.name,
-                                          text_at(only.at)));
+      made_.remarks.push_back(partner_missing(pair, fault_.name));
       return pair;
     }
     pair.distance = fault_.own_to - 0.5 * (hw->arc + fw->arc);
@@ -296,17 +293,28 @@ class Cutter {
   double tolerance_;
   geom::Box box_;          ///< Of all horizons.
   double rounding_ = 0.0;  ///< What is no farther off lies on the fault, m.
-  std::vector<std::pair<std::string, Walls>> found_;
+  double told_ = 0.0;      ///< Ends that are moved by less are the rounding of files, m.
+  std::vector<std::pair<std::string, WallCutoffs>> found_;
   FaultCutoffs made_;
 };
 
 }  // namespace
 
+FaultCutoffs cutoffs_at(const section::Section& section, const std::vector<Fault>& faults, std::size_t which,
+                        const FaultOptions& options) {
+  return Cutter(section, faults, which, tolerance_of(section, options)).run();
+}
+
 std::vector<FaultCutoffs> cutoffs_of(const section::Section& section, const std::vector<Fault>& faults,
                                      const FaultOptions& options) {
-  const double tolerance = tolerance_of(section, options);
   return base::parallel_map<FaultCutoffs>(
-      faults.size(), [&](std::size_t i) { return Cutter(section, faults, i, tolerance).run(); });
+      faults.size(), [&](std::size_t i) { return cutoffs_at(section, faults, i, options); });
+}
+
+std::string partner_missing(const CutoffPair& pair, const std::string& fault) {
+  const Cutoff& only = pair.hanging_wall ? *pair.hanging_wall : *pair.footwall;
+  return fmt::format("horizon '{}' has no cutoff on the {} of fault '{}' for the one at {}", pair.horizon,
+                     pair.hanging_wall ? "footwall" : "hanging wall", fault, text_at(only.at));
 }
 
 namespace {

@@ -37,10 +37,16 @@ struct FaultCutoffs {
   std::vector<std::string> remarks;  ///< What was extended, stops short, has no partner; with places.
 };
 
-/// In the order of the faults. A fault whose hanging wall nothing tells has no pairs.
-/// @cost  O(points of a fault x points of the horizons that its box meets)
+/// At one of the faults: of several the nearest takes an end of a horizon. One whose hanging wall nothing tells has no
+/// pairs.  @cost  O(points of the fault x points of the horizons that its box meets)
+FaultCutoffs cutoffs_at(const section::Section& section, const std::vector<Fault>& faults, std::size_t which,
+                        const FaultOptions& options);
+/// In the order of the faults.
 std::vector<FaultCutoffs> cutoffs_of(const section::Section& section, const std::vector<Fault>& faults,
                                      const FaultOptions& options);
+
+/// That a pair lacks a wall, in words.
+std::string partner_missing(const CutoffPair& pair, const std::string& fault);
 
 /// Takes the horizon's ends to the faults that cut it off, and `past` metres farther.
 void reach_faults(const std::vector<FaultCutoffs>& cutoffs, double past, section::Horizon& horizon);

@@ -11,18 +11,28 @@ namespace {
 /// Of the distances along a fault: separations that are no greater are none.
 constexpr double rounding = 1e-9;
 
-/// Jumps are steps that are more than three times the median one and 2 % of the greatest separation.
+/// Jumps are steps that are more than three times the median one and 2 % of the greatest separation. Of two jumps a
+/// step is one that is more than three times the other, a metre along the fault, and 10 % of the greatest.
 void mark_steps(double greatest, std::vector<ProfilePoint>& points) {
   std::vector<double> jumps;
   for (std::size_t i = 1; i < points.size(); ++i)
     jumps.push_back(std::abs(points[i].separation - points[i - 1].separation));
-  if (jumps.size() < 3) return;
+  if (jumps.size() < 2) return;
+  const auto mark = [&](const std::vector<double>& sizes, double usual, double least) {
+    for (std::size_t i = 0; i < jumps.size(); ++i) {
+      if (sizes[i] > 3.0 * usual && jumps[i] > least * greatest) points[i + 1].mark = ProfileMark::Step;
+    }
+  };
+  if (jumps.size() == 2) {
+    std::vector<double> rates = jumps;
+    for (std::size_t i = 0; i < 2; ++i)
+      rates[i] /= std::max(points[i + 1].distance - points[i].distance, rounding * points.back().distance);
+    mark(rates, std::min(rates[0], rates[1]), 0.1);
+    return;
+  }
   std::vector<double> sorted = jumps;
   std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
-  const double median = sorted[sorted.size() / 2];
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    if (jumps[i - 1] > 3.0 * median && jumps[i - 1] > 0.02 * greatest) points[i].mark = ProfileMark::Step;
-  }
+  mark(jumps, sorted[sorted.size() / 2], 0.02);
 }
 
 /// A profile rises to one greatest value and falls from there; changes below 2 % of it are the digitiser's.

@@ -1,6 +1,7 @@
 #include "recon/faults/fault.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -390,8 +391,9 @@ base::Result<const Fault*> find_fault(const std::vector<Fault>& faults, const st
     return refusal(*piece, piece->path.line.points.front(),
                    fmt::format("the pieces of '{}' do not meet; move on the younger fault between them first", name));
   }
+  const std::string known = names.empty() ? "" : fmt::format("; its faults are '{}'", fmt::join(names, "', '"));
   return base::Error{base::ErrorCode::BadSection,
-                     fmt::format("the section has no fault '{}'{}", name, base::did_you_mean(name, names)),
+                     fmt::format("the section has no fault '{}'{}{}", name, known, base::did_you_mean(name, names)),
                      base::Place{.item = "faults"}};
 }
 

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "shared/geom/intersect.h"
+
 namespace recon::faults {
 
 namespace {
@@ -30,6 +34,41 @@ void add_remarks(const Fault& fault, const std::vector<ProfilePoint>& profile, d
   }
 }
 
+/// Where two lines cross, farther from their ends than the tolerance.
+std::optional<geom::Point> crossing_of(const geom::Polyline& a, const geom::Polyline& b, double tolerance) {
+  if (!a.box().overlaps(b.box())) return std::nullopt;
+  for (std::size_t i = 0; i < a.segment_count(); ++i) {
+    for (std::size_t k = 0; k < b.segment_count(); ++k) {
+      const geom::Intersection met = geom::intersect(a.segment(i), b.segment(k));
+      if (met.kind == geom::IntersectionKind::None) continue;
+      const geom::Point at = met.start.point;
+      const auto inner = [&](const geom::Polyline& line) {
+        return std::min(geom::distance(line.points.front(), at), geom::distance(line.points.back(), at)) > tolerance;
+      };
+      if (inner(a) && inner(b)) return at;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Of two faults that cross one is younger and offsets the other, unless its slip there is nothing.
+void remark_on_crossings(const std::vector<Fault>& faults, double tolerance, std::vector<std::string>& remarks) {
+  for (std::size_t i = 0; i < faults.size(); ++i) {
+    for (std::size_t k = i + 1; k < faults.size(); ++k) {
+      const Fault& a = faults[i];
+      const Fault& b = faults[k];
+      if (a.order > 0 && b.order > 0 && a.order != b.order) continue;
+      const auto at = crossing_of(own_line(a), own_line(b), tolerance);
+      if (!at) continue;
+      remarks.push_back(
+          fmt::format("faults '{}' and '{}' cross at ({:.6g}, {:.6g}) and neither offsets the other, so that nothing "
+                      "says which is younger: give both an order, of which 1 is the youngest, or part the older one "
+                      "there",
+                      a.name, b.name, at->x, at->y));
+    }
+  }
+}
+
 }  // namespace
 
 base::Result<FaultReport> report_faults(const section::Section& section, const FaultsParams& params) {
@@ -50,6 +89,7 @@ base::Result<FaultReport> report_faults(const section::Section& section, const F
     report.profiles.push_back(profile_of(report.cutoffs[i]));
     add_remarks(report.faults[i], report.profiles[i], report.tolerance, report.remarks);
   }
+  remark_on_crossings(report.faults, report.tolerance, report.remarks);
   DOBRA_TRY(const Blocks blocks, Blocks::make(section, report.faults, options));
   report.blocks = blocks.all();
   if (report.blocks.empty()) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "recon/balance/percent.h"
 
@@ -23,25 +24,22 @@ void put_back(const std::vector<Item>& restored, SetLine set_line, std::vector<I
   }
 }
 
-geom::Polyline slid(geom::Polyline line, double by) {
-  for (geom::Point& p : line.points) p.x += by;
-  return line;
-}
-
 void put_back_lines(const CutSection& cut, Blockwise& made) {
   Section& section = made.section;
   for (const UnfoldedBlock& block : made.blocks) {
-    const double by = block.shift;
+    const section::Section& own = block.restoration.section;
     put_back(
-        block.restoration.section.horizons,
-        [&](const section::Horizon& from, section::Horizon& to) { to.line = slid(from.line, by); }, section.horizons);
+        own.horizons,
+        [&](const section::Horizon& from, section::Horizon& to) { to.line = block.placed.forward(from.line); },
+        section.horizons);
     put_back(
-        block.restoration.section.lines,
-        [&](const section::SectionLine& from, section::SectionLine& to) { to.line = slid(from.line, by); },
+        own.lines,
+        [&](const section::SectionLine& from, section::SectionLine& to) { to.line = block.placed.forward(from.line); },
         section.lines);
     put_back(
-        block.restoration.section.units,
-        [&](const section::Unit& from, section::Unit& to) { to.contour = slid(from.contour, by); }, section.units);
+        own.units,
+        [&](const section::Unit& from, section::Unit& to) { to.contour = block.placed.forward(from.contour); },
+        section.units);
   }
   for (std::size_t i = cut.lines.size(); i-- > 0;) {  // what is eroded is not restored
     const auto unfolded = [&](const UnfoldedBlock& block) { return cut.lines[i].part == block.part; };
@@ -73,11 +71,12 @@ void put_back_faults(const std::vector<faults::Fault>& faults, Blockwise& made) 
   }
 }
 
-std::vector<balance::LineLength> lengths_of(const CutSection& cut, const std::vector<UnfoldedBlock>& blocks) {
+std::vector<balance::LineLength> lengths_of(const CutSection& cut, const Blockwise& made) {
   std::vector<balance::LineLength> rows;
-  for (const section::Horizon& horizon : cut.section.horizons)
-    rows.push_back(balance::line_length(horizon, std::vector{horizon.line}));
-  for (const UnfoldedBlock& block : blocks) {
+  for (std::size_t i = 0; i < cut.section.horizons.size(); ++i)
+    rows.push_back(balance::line_length(cut.section.horizons[i], std::vector{made.section.horizons[i].line}));
+  if (is_rigid(made.how)) return rows;  // no depth to a top
+  for (const UnfoldedBlock& block : made.blocks) {
     for (std::size_t i = 0; i < block.horizons.size(); ++i) {
       const section::Horizon& horizon = cut.section.horizons[block.horizons[i]];
       balance::LineLength& row = rows[block.horizons[i]];
@@ -148,7 +147,14 @@ void assemble(const CutSection& cut, const std::vector<faults::Fault>& faults, c
   for (const faults::Block& block : blocks.all()) {
     const auto is = [&](const UnfoldedBlock& other) { return other.id == block.id; };
     const auto at = std::find_if(made.blocks.begin(), made.blocks.end(), is);
-    made.rows.push_back({block.name, at == made.blocks.end() ? std::nullopt : std::optional(at->shift)});
+    BlockRow& row = made.rows.emplace_back(BlockRow{block.name, std::nullopt});
+    if (at == made.blocks.end()) continue;
+    row.shift = at->slid;
+    if (!is_rigid(made.how)) continue;
+    const geom::Vector moved = at->placed.forward(at->pin) - at->pin;
+    row.shift = moved.x;
+    row.raise = moved.y;
+    row.turn = at->placed.turn * 180.0 / std::numbers::pi;
   }
   made.section = cut.section;
   made.section.faces.reset();
@@ -160,7 +166,7 @@ void assemble(const CutSection& cut, const std::vector<faults::Fault>& faults, c
     for (geom::Point& p : marker.points) p = made.forward(p);
   }
   for (section::BlockName& name : made.section.block_names) name.at = made.forward(name.at);
-  made.lengths = lengths_of(cut, made.blocks);
+  made.lengths = lengths_of(cut, made);
   made.units = units_of(made.blocks);
   made.widths = widths_of(cut, made);
 }
@@ -208,7 +214,9 @@ std::optional<geom::Point> restored(const std::optional<faults::Cutoff>& cutoff,
 }
 
 /// Beds that stand at other heights on the two walls of a restored fault.
-void judge_offsets(const std::vector<faults::FaultCutoffs>& cutoffs, Blockwise& made) {
+/// @param target  above which heights are meant; null: a level datum.
+void judge_offsets(const std::vector<faults::FaultCutoffs>& cutoffs, const TargetLine* target, Blockwise& made) {
+  const auto height = [&](geom::Point p) { return target != nullptr ? p.y - target->z(p.x) : p.y; };
   geom::Box beds;
   for (const section::Horizon& horizon : made.section.horizons) beds.add(horizon.line.box());
   for (const faults::FaultCutoffs& fault : cutoffs) {
@@ -218,13 +226,16 @@ void judge_offsets(const std::vector<faults::FaultCutoffs>& cutoffs, Blockwise& 
       const auto hanging = restored(pair.hanging_wall, made);
       const auto foot = restored(pair.footwall, made);
       if (!jigsaw || !hanging || !foot) continue;
-      const double offset = std::abs(hanging->y - foot->y);
+      const bool rigid = is_rigid(made.how);
+      const double offset = rigid ? geom::distance(*hanging, *foot) : std::abs(height(*hanging) - height(*foot));
       const double percent = balance::percent(offset, beds.height());
       if (percent > made.params.tolerance) {
         made.remarks.push_back(
-            fmt::format("horizon '{}' stands {:.4g} m higher on one wall of fault '{}' than on the "
-                        "other, at ({:.9g}, {:.9g})",
-                        pair.horizon, offset, fault.fault, foot->x, foot->y));
+            rigid ? fmt::format("the cutoffs of horizon '{}' on fault '{}' stay {:.4g} m apart, at ({:.9g}, {:.9g})",
+                                pair.horizon, fault.fault, offset, foot->x, foot->y)
+                  : fmt::format("horizon '{}' stands {:.4g} m higher on one wall of fault '{}' than on the "
+                                "other, at ({:.9g}, {:.9g})",
+                                pair.horizon, offset, fault.fault, foot->x, foot->y));
       }
       if (!made.worst_offset.empty() && percent <= made.greatest_offset_percent) continue;
       made.greatest_offset_percent = percent;
@@ -236,9 +247,9 @@ void judge_offsets(const std::vector<faults::FaultCutoffs>& cutoffs, Blockwise& 
 }  // namespace
 
 void judge(const faults::Blocks& blocks, const std::vector<faults::FaultWall>& walls,
-           const std::vector<faults::FaultCutoffs>& cutoffs, Blockwise& made) {
+           const std::vector<faults::FaultCutoffs>& cutoffs, const TargetLine* target, Blockwise& made) {
   judge_beds(made);
-  judge_offsets(cutoffs, made);
+  judge_offsets(cutoffs, target, made);
   bool measured = false;
   for (std::size_t i = 0; i < made.faults.size(); ++i) {
     const RestoredFault& fault = made.faults[i];
@@ -269,8 +280,8 @@ std::string verdict_text(const Blockwise& made) {
   add(", what a fault leaves open {} % of a block (fault '{}')", made.greatest_opening_percent, made.worst_fault);
   add(", the offset of a bed on a restored fault {} % of the depth (horizon '{}')", made.greatest_offset_percent,
       made.worst_offset);
-  return text +
-         fmt::format("; {}; the tolerance is {:.4g} %", consistency_text(balance.consistency), made.params.tolerance);
+  if (!is_rigid(made.how)) text += "; " + consistency_text(balance.consistency);
+  return text + fmt::format("; the tolerance is {:.4g} %", made.params.tolerance);
 }
 
 }  // namespace recon::jigsaw

@@ -10,9 +10,9 @@ void assemble(const CutSection& cut, const std::vector<faults::Fault>& faults, c
               Blockwise& made);
 
 /// Fills balance and the worst fault. @pre assembled.
-/// @param cutoffs  before the restoration.
+/// @param cutoffs  before the restoration.  @param target  that the blocks lie on; null: a level datum.
 void judge(const faults::Blocks& blocks, const std::vector<faults::FaultWall>& walls,
-           const std::vector<faults::FaultCutoffs>& cutoffs, Blockwise& made);
+           const std::vector<faults::FaultCutoffs>& cutoffs, const TargetLine* target, Blockwise& made);
 
 /// The verdict and what it rests on, in words.
 std::string verdict_text(const Blockwise& made);

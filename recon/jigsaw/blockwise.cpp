@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "recon/jigsaw/assemble.h"
+#include "recon/jigsaw/join_pieces.h"
+#include "recon/jigsaw/rigid_fit.h"
 #include "shared/base/parallel.h"
 #include "shared/base/text.h"
 #include "shared/geom/place.h"
@@ -25,8 +27,10 @@ struct Setting {
   faults::Blocks blocks;
   std::string top;
   CutSection cut;
-  std::vector<std::optional<std::size_t>> tops;  ///< By part: its piece of the top, in the cut section.
+  /// By part: its piece of the top, in the cut section; of rigid blocks without it another bed.
+  std::vector<std::optional<std::size_t>> tops;
   double size = 0.0;
+  std::optional<TargetLine> target;  ///< Instead of a level datum.
 };
 
 base::Result<std::string> name_of_top(const Section& section, const std::string& top) {
@@ -52,10 +56,25 @@ std::vector<section::LineId> boundary_lines(const Setting& setting) {
   return lines;
 }
 
+/// The top in a block; of a rigid block without it another bed.
+std::optional<std::size_t> top_in(const CutSection& cut, std::size_t part, const std::string& top,
+                                  Constraint constraint) {
+  std::optional<std::size_t> other;
+  for (std::size_t i = 0; i < cut.horizons.size(); ++i) {
+    if (cut.horizons[i].part != part) continue;
+    if (whole_name(cut.section.horizons[i]) == top) return i;
+    if (!other && constraint == Constraint::Rotation) other = i;
+  }
+  return other;
+}
+
 base::Result<Setting> setting_of(const Section& section, const BlockwiseParams& how, std::vector<Part>& parts) {
   const faults::FaultOptions options{how.cutoff_tolerance.value_or(0.0)};
   Setting setting;
   setting.size = box_of(section).diagonal();
+  if (!how.target.empty()) {
+    DOBRA_TRY(setting.target, TargetLine::make(how.target, 2.0 * setting.size));
+  }
   DOBRA_TRY(setting.top, name_of_top(section, how.top));
   DOBRA_TRY(setting.faults, faults_of(section, options));
   if (setting.faults.empty()) {
@@ -72,10 +91,9 @@ base::Result<Setting> setting_of(const Section& section, const BlockwiseParams& 
   }
   DOBRA_TRY(parts, parts_of(section, setting.faults, setting.blocks, chosen));
   DOBRA_TRY(setting.cut, cut(section, parts, setting.cutoffs, boundary_lines(setting), tolerance_of(section, options)));
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    DOBRA_TRY(auto top, top_in(setting.cut, parts[i], i, setting.top));
-    setting.tops.push_back(top);
-  }
+  if (!is_rigid(how)) DOBRA_TRY_VOID(join_pieces(setting.top, parts, setting.size, setting.cut, setting.cutoffs));
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    setting.tops.push_back(top_in(setting.cut, i, setting.top, how.constraint));
   return setting;
 }
 
@@ -164,7 +182,12 @@ base::Result<std::vector<UnfoldedBlock>> unfold_all(const Setting& setting, cons
                                                     const unfold::RestoreParams& params,
                                                     const base::Progress& progress) {
   const auto unfold = [&](std::size_t part, std::optional<double> pin, std::optional<double> datum) {
-    const PlaceOfBlock place{*setting.tops[part], pin, datum, how.simplify.value_or(0.0)};
+    if (is_rigid(how)) return rigid_block(setting.cut, parts[part], part, *setting.tops[part], params);
+    PlaceOfBlock place{*setting.tops[part], pin, datum, nullptr, std::nullopt, how.simplify.value_or(0.0)};
+    if (setting.target && !how.jigsaw) {
+      place.target = &*setting.target;
+      place.target_pin = how.target_pin;
+    }
     return unfold_block(setting.cut, parts[part], part, place, params, {});
   };
   DOBRA_TRY(UnfoldedBlock fixed, unfold(pinned, how.pin, how.elevation));
@@ -186,32 +209,104 @@ base::Result<std::vector<UnfoldedBlock>> unfold_all(const Setting& setting, cons
   return blocks;
 }
 
-/// Slides the blocks and measures the faults.
-base::Result<void> fit_blocks(const FaultSetting& setting, std::size_t pinned, Fit fit, Blockwise& made) {
-  auto facing = facing_walls(setting, made.blocks);
-  if (!facing && fit == Fit::Walls) return facing.error();
-  if (!facing) {
-    made.remarks.push_back(fmt::format("gaps and overlaps are not measured: {}", to_string(facing.error())));
-    facing = std::vector<FacingWalls>();
-  }
-  std::vector<std::size_t> of_ties;
-  const std::vector<Tie> ties =
-      fit == Fit::Walls ? ties_of_walls(*facing, setting.size) : ties_of_top(setting, made.blocks, of_ties);
+std::vector<std::string> names_of(const std::vector<UnfoldedBlock>& blocks) {
   std::vector<std::string> names;
-  std::size_t fixed = 0;
-  for (std::size_t b = 0; b < made.blocks.size(); ++b) {
-    names.push_back(made.blocks[b].name);
-    if (made.blocks[b].part == pinned) fixed = b;
+  for (const UnfoldedBlock& block : blocks) names.push_back(block.name);
+  return names;
+}
+
+/// As the blocks are placed; a remark where that cannot be measured.
+std::vector<FacingWalls> measured_walls(const FaultSetting& setting, Blockwise& made) {
+  auto facing = facing_walls(setting, made.blocks);
+  if (facing) return std::move(*facing);
+  made.remarks.push_back(fmt::format("gaps and overlaps are not measured: {}", to_string(facing.error())));
+  return {};
+}
+
+/// Slides the blocks along the datum.
+/// @param place  puts them where they slide to, and sets what they lie on.
+template <class Place>
+base::Result<void> slide_blocks(FaultSetting setting, std::size_t pinned, Fit fit, const Place& place,
+                                Blockwise& made) {
+  std::vector<std::size_t> of_ties;
+  std::vector<Tie> ties;
+  if (fit == Fit::Walls) {
+    DOBRA_TRY(const std::vector<FacingWalls> facing, facing_walls(setting, made.blocks));
+    ties = ties_of_walls(facing, made.blocks, setting.size);
+  } else {
+    ties = ties_of_top(setting, made.blocks, of_ties);
   }
-  DOBRA_TRY(const std::vector<double> shifts, slide(names, fixed, ties));
-  for (std::size_t b = 0; b < shifts.size(); ++b) made.blocks[b].shift = shifts[b];
-  made.faults = restored_faults(setting, made.blocks, *facing);
+  DOBRA_TRY(const std::vector<double> shifts, slide(names_of(made.blocks), pinned, ties));
+  for (std::size_t b = 0; b < shifts.size(); ++b) made.blocks[b].slid = shifts[b];
+  DOBRA_TRY_VOID(place(setting));
+  made.faults = restored_faults(setting, measured_walls(setting, made));
   for (std::size_t i = 0; i < of_ties.size(); ++i) {
     const double apart = shifts[ties[i].right] - shifts[ties[i].left] - ties[i].apart;
     std::optional<double>& left_apart = made.faults[of_ties[i]].left_apart;
     left_apart = std::max(left_apart.value_or(0.0), std::abs(apart));
   }
   return {};
+}
+
+/// Blocks that have slid along a level datum are unfolded anew, each to where it has slid to on the target.
+base::Result<void> lay_on_target(const Setting& setting, std::size_t pinned, Blockwise& made) {
+  const TargetLine& target = *setting.target;
+  const BlockwiseParams& how = made.how;
+  const geom::Point pin = made.blocks[pinned].pin;
+  geom::Point start = how.target_pin.value_or(geom::Point{pin.x, 0.0});
+  const double off = how.target_pin ? std::abs(start.y - target.z(start.x)) : 0.0;
+  start.y = target.z(start.x);
+  if (off > 1e-9 * setting.size) {
+    made.remarks.push_back(
+        fmt::format("target_pin lies {:.4g} m above or below the target; the point of the target at "
+                    "its x was taken",
+                    off));
+  }
+  std::vector<std::optional<base::Result<UnfoldedBlock>>> laid(made.blocks.size());
+  base::parallel_for(made.blocks.size(), [&](std::size_t b) {
+    const UnfoldedBlock& flat = made.blocks[b];
+    const double by = flat.pin.x + flat.slid - pin.x;  // a pin keeps its x on a level datum
+    const PlaceOfBlock place{
+        *setting.tops[flat.part],  flat.pin.x, std::nullopt, &target, target.slid(start, by, made.params),
+        how.simplify.value_or(0.0)};
+    laid[b] = unfold_block(setting.cut, made.parts[flat.part], flat.part, place, made.params, {});
+  });
+  for (std::size_t b = 0; b < laid.size(); ++b) {
+    DOBRA_TRY(UnfoldedBlock block, std::move(*laid[b]));
+    block.slid = made.blocks[b].slid;
+    made.blocks[b] = std::move(block);
+  }
+  return {};
+}
+
+/// Turns and shifts the blocks as they are.
+base::Result<void> turn_blocks(const FaultSetting& setting, std::size_t pinned, Fit fit, Blockwise& made) {
+  const std::vector<Match> matches = matches_of(setting, made.blocks, fit);
+  DOBRA_TRY(const std::vector<RigidMotion> motions,
+            turn_and_shift(names_of(made.blocks), pinned, matches, setting.size));
+  for (std::size_t b = 0; b < motions.size(); ++b) made.blocks[b].placed = motions[b];
+  made.faults = restored_faults(setting, measured_walls(setting, made));
+  return {};
+}
+
+/// Puts the unfolded or rigid blocks of a jigsaw together.
+/// @param pinned  part.
+base::Result<void> fit_blocks(const Setting& setting, const FaultSetting& of_faults, std::size_t pinned,
+                              Blockwise& made) {
+  const auto is_pinned = [&](const UnfoldedBlock& block) { return block.part == pinned; };
+  const auto at = std::find_if(made.blocks.begin(), made.blocks.end(), is_pinned);
+  const auto fixed = static_cast<std::size_t>(at - made.blocks.begin());
+  const Fit fit = made.how.fit.value_or(Fit::Walls);
+  if (is_rigid(made.how)) return turn_blocks(of_faults, fixed, fit, made);
+  const auto place = [&](FaultSetting& on) -> base::Result<void> {
+    if (setting.target) {
+      on.target = &*setting.target;
+      return lay_on_target(setting, fixed, made);
+    }
+    for (UnfoldedBlock& block : made.blocks) block.placed.by = {block.slid, 0.0};
+    return {};
+  };
+  return slide_blocks(of_faults, fixed, fit, place, made);
 }
 
 void remark_on_faults(const Blockwise& made, double size, std::vector<std::string>& remarks) {
@@ -245,13 +340,22 @@ base::Result<void> check_params(const BlockwiseParams& params) {
   if (params.jigsaw && !params.block.empty())
     return refuse("block restores some blocks alone, jigsaw all of them together; give one of the two");
   if (params.fit && !params.jigsaw) return refuse("fit says how the blocks of a jigsaw slide together; set jigsaw");
-  const bool more = !params.top.empty() || params.pin || params.elevation || params.simplify || params.cutoff_tolerance;
+  const bool more = !params.top.empty() || params.pin || params.elevation || params.simplify ||
+                    params.cutoff_tolerance || !params.target.empty() || params.target_pin;
   if (!is_blockwise(params) && more) {
     return refuse(
-        "top, pin, elevation, simplify and cutoff_tolerance belong to block and jigsaw; without these give "
-        "them to the steps grid and target");
+        "top, pin, elevation, target, target_pin, simplify and cutoff_tolerance belong to block and jigsaw; without "
+        "these give them to the steps grid and target");
   }
-  if (params.block.size() > 1 && params.pin)
+  if (is_rigid(params) && !params.jigsaw)
+    return refuse("constraint = \"rotation\" says how the blocks of a jigsaw fit together; set jigsaw");
+  if (is_rigid(params) && (params.elevation || params.simplify || !params.target.empty()))
+    return refuse("constraint = \"rotation\" has no datum; leave out elevation, target and simplify");
+  if (params.elevation && !params.target.empty())
+    return refuse("elevation is that of a level datum; leave it out, or the target");
+  if (params.target_pin && params.target.empty())
+    return refuse("target_pin is a point of the target; give that too, or elevation for a level datum");
+  if (params.block.size() > 1 && (params.pin || params.target_pin))
     return refuse("one pin for several blocks; restore them one by one, or leave out the pin");
   return {};
 }
@@ -264,6 +368,10 @@ base::Result<Blockwise> restore_blockwise(const Section& section, const Blockwis
     return base::Error{base::ErrorCode::BadValue,
                        "a jigsaw joins restored blocks; percent is to be 100 (or restore one block on its own)"};
   }
+  if (is_rigid(how) && params.method != unfold::RestoreMethod::Constant) {
+    return base::Error{base::ErrorCode::BadValue,
+                       "blocks of constraint = \"rotation\" stay rigid and are not unfolded; leave out the method"};
+  }
   Blockwise made;
   made.params = params;
   made.how = how;
@@ -274,7 +382,7 @@ base::Result<Blockwise> restore_blockwise(const Section& section, const Blockwis
   DOBRA_TRY(made.blocks, unfold_all(setting, made.parts, pinned, how, params, progress));
   progress.report(0.8, "blocks restored");
   const FaultSetting of_faults{setting.faults, setting.cutoffs, setting.blocks.walls(), setting.top, setting.size};
-  if (how.jigsaw) DOBRA_TRY_VOID(fit_blocks(of_faults, pinned, how.fit.value_or(Fit::Walls), made));
+  if (how.jigsaw) DOBRA_TRY_VOID(fit_blocks(setting, of_faults, pinned, made));
   made.remarks.insert(made.remarks.end(), setting.cut.remarks.begin(), setting.cut.remarks.end());
   for (const faults::FaultCutoffs& cutoffs : setting.cutoffs)
     made.remarks.insert(made.remarks.end(), cutoffs.remarks.begin(), cutoffs.remarks.end());
@@ -282,8 +390,9 @@ base::Result<Blockwise> restore_blockwise(const Section& section, const Blockwis
     made.remarks.insert(made.remarks.end(), block.restoration.remarks.begin(), block.restoration.remarks.end());
   assemble(setting.cut, setting.faults, setting.blocks, made);
   remark_on_faults(made, setting.size, made.remarks);
-  judge(setting.blocks, of_faults.walls, setting.cutoffs, made);
-  made.remarks.push_back(what_it_keeps(params.method));
+  judge(setting.blocks, of_faults.walls, setting.cutoffs, setting.target ? &*setting.target : nullptr, made);
+  made.remarks.push_back(is_rigid(how) ? "blocks stay rigid: lengths, areas and angles within them are kept"
+                                       : what_it_keeps(params.method));
   made.remarks.push_back(verdict_text(made));
   progress.report(1.0, "restored");
   return made;

@@ -12,7 +12,9 @@ namespace recon::jigsaw {
 
 struct BlockRow {
   std::string name;
-  std::optional<double> shift;  ///< m towards +x after unfolding; nothing: the block is not unfolded.
+  std::optional<double> shift;  ///< m towards +x after unfolding; nothing: the block is not restored.
+  /// Of a rigid block, by the middle of its beds, whose shift is then that: m upwards, and degrees anticlockwise.
+  std::optional<double> raise = std::nullopt, turn = std::nullopt;
 };
 
 /// The section's width along the top, m.
@@ -54,8 +56,8 @@ struct Blockwise {
 };
 
 /// @error BadValue: those of check_params(), a pin beside the top; BadSection: no fault, no such block, those of
-///        faults_of() and Blocks; CannotRestore: those of unfold_block(), facing_walls() and slide(), no block with the
-///        top, a block with beds but without the top. With the place.
+///        faults_of() and Blocks; CannotRestore: those of unfold_block(), facing_walls(), slide() and turn_and_shift(),
+///        no block with the top, a block with beds but without the top. With the place.
 base::Result<Blockwise> restore_blockwise(const section::Section& section, const BlockwiseParams& how,
                                           const unfold::RestoreParams& params, const base::Progress& progress);
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "shared/base/result.h"
+#include "shared/geom/point.h"
 #include "shared/scenario/field.h"
 
 namespace recon {
@@ -18,14 +19,20 @@ namespace recon::jigsaw {
 /// How blocks slide together. Walls: the squared distance of the walls of every fault, over z, is least. Top: the ends
 /// of the top meet.
 enum class Fit { Walls, Top };
+/// What holds the blocks of a jigsaw. Datum: each is unfolded to it, then they slide along it. Rotation: without a
+/// datum, they stay rigid, turn and shift.
+enum class Constraint { Datum, Rotation };
 
 struct BlockwiseParams {
   std::vector<std::string> block;
   bool jigsaw = false;
+  Constraint constraint = Constraint::Datum;
   std::optional<Fit> fit;
   std::string top;
   std::optional<double> pin;
   std::optional<double> elevation;
+  std::vector<geom::Point> target;
+  std::optional<geom::Point> target_pin;
   std::optional<double> simplify;
   std::optional<double> cutoff_tolerance;
   template <class D>
@@ -35,6 +42,10 @@ struct BlockwiseParams {
              .help = "Only these, or groups of them, are restored, each with a pin of its own; the rest stays."});
     d.field("jigsaw", &BlockwiseParams::jigsaw,
             {.title = "Jigsaw", .help = "Every block is restored with a pin of its own, then they slide together."});
+    d.choice("constraint", &BlockwiseParams::constraint, {"datum", "rotation"},
+             {.title = "Constraint of the blocks",
+              .help = "Of the jigsaw. datum: each block is unfolded to the datum, then they slide along it; rotation: "
+                      "without a datum, rigid blocks turn and shift."});
     d.choice(
         "fit", &BlockwiseParams::fit, {"walls", "top"},
         {.title = "Blocks fit by",
@@ -52,6 +63,15 @@ struct BlockwiseParams {
          .unit = "m"});
     d.field("elevation", &BlockwiseParams::elevation,
             {.title = "Elevation of the datum", .help = "By default that of the top at the pin.", .unit = "m"});
+    d.field("target", &BlockwiseParams::target,
+            {.title = "Points of the target",
+             .help = "Instead of a level datum: the line that the top of every block is restored to, such as a "
+                     "regional dip or the topography.",
+             .unit = "m"});
+    d.field("target_pin", &BlockwiseParams::target_pin,
+            {.title = "Pin on the target",
+             .help = "The point to which the pin goes; by default the one with the same x.",
+             .unit = "m"});
     d.field("simplify", &BlockwiseParams::simplify,
             {.title = "Simplify the top",
              .help = "The top of every block with fewer points, nowhere farther from it than this.",
@@ -65,6 +85,7 @@ struct BlockwiseParams {
   }
 };
 
+inline bool is_rigid(const BlockwiseParams& params) { return params.constraint == Constraint::Rotation; }
 /// Whether blocks are restored rather than the section as a whole.
 inline bool is_blockwise(const BlockwiseParams& params) { return params.jigsaw || !params.block.empty(); }
 /// @error BadValue: block and jigsaw together; what belongs to one of them without it.

@@ -78,8 +78,8 @@ base::Result<std::vector<PartOfLine>> shared_out(const geom::Polyline& line, std
 }
 
 /// An item becomes its first piece; the others stand at the end, with names of their own.
-template <class Item, class Id, class SetLine>
-void distribute(std::vector<PartOfLine> pieces, Id id, SetLine set_line, moving::PieceNames& names, std::size_t index,
+template <class Item, class SetLine>
+void distribute(std::vector<PartOfLine> pieces, SetLine set_line, moving::PieceNames& names, std::size_t index,
                 std::vector<Item>& items, std::vector<Origin>& origins) {
   const bool several = pieces.size() > 1;
   const std::string whole = items[index].piece_of.empty() ? items[index].name : items[index].piece_of;
@@ -91,7 +91,7 @@ void distribute(std::vector<PartOfLine> pieces, Id id, SetLine set_line, moving:
     const std::size_t at = k == 0 ? index : items.size() - 1;
     if (several && (k > 0 || items[at].piece_of.empty())) items[at].name = names.next(whole);
     if (several) items[at].piece_of = whole;
-    if (k > 0) items[at].id = id(at);
+    if (k > 0) items[at].id = decltype(items[at].id)(names.next_id());
     set_line(items[at], std::move(pieces[k].line));
     origins[at].part = pieces[k].part;
   }
@@ -123,8 +123,7 @@ void cut_horizons(const Section& section, const std::vector<Part>& parts,
       }
     }
     distribute(
-        pieces[i], [](std::size_t at) { return section::HorizonId(at); },
-        [](section::Horizon& item, geom::Polyline line) { item.line = std::move(line); }, names, i,
+        pieces[i], [](section::Horizon& item, geom::Polyline line) { item.line = std::move(line); }, names, i,
         made.section.horizons, made.horizons);
   }
 }
@@ -140,9 +139,8 @@ void cut_lines(const Section& section, const std::vector<Part>& parts, const std
     std::vector<PartOfLine> pieces = split(line.line, parts, overshoot);
     if (!in_any(pieces)) continue;
     distribute(
-        std::move(pieces), [](std::size_t at) { return section::LineId(at); },
-        [](section::SectionLine& item, geom::Polyline piece) { item.line = std::move(piece); }, names, i,
-        made.section.lines, made.lines);
+        std::move(pieces), [](section::SectionLine& item, geom::Polyline piece) { item.line = std::move(piece); },
+        names, i, made.section.lines, made.lines);
   }
 }
 
@@ -158,9 +156,8 @@ base::Result<void> cut_units(const Section& section, const std::vector<Part>& pa
                          }));
     if (!in_any(pieces)) continue;
     distribute(
-        std::move(pieces), [](std::size_t at) { return section::UnitId(at); },
-        [](section::Unit& item, geom::Polyline contour) { item.contour = std::move(contour); }, names, i,
-        made.section.units, made.units);
+        std::move(pieces), [](section::Unit& item, geom::Polyline contour) { item.contour = std::move(contour); },
+        names, i, made.section.units, made.units);
   }
   return {};
 }

@@ -17,8 +17,10 @@ using kinematics::Side;
 
 /// Of the section's size: heights that are less are rounding.
 constexpr double no_height = 1e-9;
+/// Of the size: how well the place of a wall is known at best.
+constexpr double known_walls = 3e-4;
 
-/// A wall of an unfolded block, before the block slides.
+/// A wall of an unfolded block.
 struct Wall {
   std::size_t fault = 0;
   std::size_t block = 0;
@@ -31,9 +33,14 @@ std::vector<Wall> unfolded_walls(const FaultSetting& setting, const std::vector<
   for (const faults::FaultWall& wall : setting.walls) {
     for (std::size_t b = 0; b < blocks.size(); ++b) {
       if (blocks[b].id != wall.block) continue;
-      const geom::Polyline image = blocks[b].restoration.map.forward(wall.line).after;
-      walls.push_back({wall.fault, b, wall.side, branches_of(image, no_height * setting.size)});
+      geom::Polyline image = blocks[b].forward(wall.line);
+      if (setting.target != nullptr) image = setting.target->clipped(image, blocks[b].side);
+      if (image.points.size() < 2) continue;
+      // What the noise of the picks turns is no turn.
+      const double rough = 4.0 * blocks[b].noise + blocks[b].lean * image.box().height();
+      walls.push_back({wall.fault, b, wall.side, branches_of(image, no_height * setting.size + rough)});
       // Rock beyond the top is younger than what is restored.
+      if (setting.target != nullptr) continue;  // done
       const double datum = blocks[b].datum;
       const double far = std::numeric_limits<double>::infinity();
       const bool below = blocks[b].side == section::LayerSide::Below;
@@ -140,11 +147,15 @@ base::Result<std::vector<FacingWalls>> facing_walls(const FaultSetting& setting,
   return facing;
 }
 
-std::vector<Tie> ties_of_walls(const std::vector<FacingWalls>& facing, double size) {
+std::vector<Tie> ties_of_walls(const std::vector<FacingWalls>& facing, const std::vector<UnfoldedBlock>& blocks,
+                               double size) {
   std::vector<Tie> ties;
   for (const FacingWalls& f : facing) {
-    const double height = f.walls.height();
-    ties.push_back({f.left, f.right, height / size, -f.walls.moment() / height});
+    const UnfoldedBlock& left = blocks[f.left];
+    const UnfoldedBlock& right = blocks[f.right];
+    const double known = std::hypot(left.noise, right.noise, known_walls * size);
+    const Distance apart = distance_of(f.walls, {left.datum, std::hypot(left.lean, right.lean) / known});
+    ties.push_back({f.left, f.right, apart.height / size, -apart.moment / apart.height});
   }
   return ties;
 }
@@ -167,8 +178,7 @@ std::vector<Tie> ties_of_top(const FaultSetting& setting, const std::vector<Unfo
   return ties;
 }
 
-std::vector<RestoredFault> restored_faults(const FaultSetting& setting, const std::vector<UnfoldedBlock>& blocks,
-                                           const std::vector<FacingWalls>& facing) {
+std::vector<RestoredFault> restored_faults(const FaultSetting& setting, const std::vector<FacingWalls>& facing) {
   std::vector<RestoredFault> made;
   for (std::size_t fault = 0; fault < setting.faults.size(); ++fault) {
     RestoredFault row;
@@ -178,8 +188,8 @@ std::vector<RestoredFault> restored_faults(const FaultSetting& setting, const st
     for (const FacingWalls& f : facing) {
       if (f.fault != fault) continue;
       row.measured = true;
-      row.opening += opening_of(f.walls, blocks[f.left].shift, blocks[f.right].shift);
-      means.push_back(mean_of(f.walls, blocks[f.left].shift, blocks[f.right].shift));
+      row.opening += opening_of(f.walls);
+      means.push_back(mean_of(f.walls));
     }
     std::stable_sort(means.begin(), means.end(),
                      [](const auto& a, const auto& b) { return a.front().y < b.front().y; });

@@ -16,7 +16,7 @@ namespace recon::jigsaw {
 struct FacingWalls {
   std::size_t fault = 0;
   std::size_t left = 0, right = 0;  ///< Unfolded blocks.
-  WallPair walls;                   ///< Of both blocks before they slide.
+  WallPair walls;
 };
 
 /// What the jigsaw has to do with, besides the blocks.
@@ -25,16 +25,19 @@ struct FaultSetting {
   const std::vector<faults::FaultCutoffs>& cutoffs;
   std::vector<faults::FaultWall> walls;
   std::string top;
-  double size = 0.0;  ///< Of the section, m.
+  double size = 0.0;                   ///< Of the section, m.
+  const TargetLine* target = nullptr;  ///< That the blocks lie on; else they lie on their datum.
 };
 
-/// Of all faults, on the datum's side of the layers.
+/// Of all faults, on the datum's side of the layers, as the blocks are placed.
 /// @error CannotRestore: a wall turns up or down where the other one does not, with the place.
 base::Result<std::vector<FacingWalls>> facing_walls(const FaultSetting& setting,
                                                     const std::vector<UnfoldedBlock>& blocks);
 
-/// What the fit asks of the blocks: that walls lie near to each other, or that the ends of the top meet.
-std::vector<Tie> ties_of_walls(const std::vector<FacingWalls>& facing, double size);
+/// What the fit asks of the blocks: that walls lie near to each other, or that the ends of the top meet. Walls count
+/// the less the deeper they lie, as the noise of the picks of the top makes them lean.
+std::vector<Tie> ties_of_walls(const std::vector<FacingWalls>& facing, const std::vector<UnfoldedBlock>& blocks,
+                               double size);
 /// @param faults  gets the fault of each.
 std::vector<Tie> ties_of_top(const FaultSetting& setting, const std::vector<UnfoldedBlock>& blocks,
                              std::vector<std::size_t>& faults);
@@ -50,8 +53,8 @@ struct RestoredFault {
   std::optional<double> left_apart;  ///< Fit by the top: how far the ends of the top are still apart, m.
   double smaller_area = 0.0;         ///< m2, of the smallest block that it bounds.
 };
-/// One for each fault. @pre the blocks have slid.
-std::vector<RestoredFault> restored_faults(const FaultSetting& setting, const std::vector<UnfoldedBlock>& blocks,
-                                           const std::vector<FacingWalls>& facing);
+/// One for each fault.
+/// @param facing  of the blocks as they are placed at last.
+std::vector<RestoredFault> restored_faults(const FaultSetting& setting, const std::vector<FacingWalls>& facing);
 
 }  // namespace recon::jigsaw

@@ -28,8 +28,9 @@ base::Result<void> refuse_unreached(const std::vector<std::string>& names, std::
                      base::Place{.item = "blocks"}};
 }
 
-/// A x = b for a symmetric positive definite A, by Cholesky's L L^T.
-std::vector<double> solved(std::vector<std::vector<double>> a, std::vector<double> b) {
+}  // namespace
+
+std::vector<double> solve_positive(std::vector<std::vector<double>> a, std::vector<double> b) {
   const std::size_t n = b.size();
   for (std::size_t j = 0; j < n; ++j) {
     for (std::size_t i = j; i < n; ++i) {
@@ -49,8 +50,6 @@ std::vector<double> solved(std::vector<std::vector<double>> a, std::vector<doubl
   return b;
 }
 
-}  // namespace
-
 base::Result<std::vector<double>> slide(const std::vector<std::string>& names, std::size_t pinned,
                                         const std::vector<Tie>& ties) {
   DOBRA_TRY_VOID(refuse_unreached(names, pinned, ties));
@@ -69,7 +68,7 @@ base::Result<std::vector<double>> slide(const std::vector<std::string>& names, s
     a[row(tie.left)][row(tie.right)] -= tie.weight;
     a[row(tie.right)][row(tie.left)] -= tie.weight;
   }
-  std::vector<double> shifts = solved(std::move(a), std::move(b));
+  std::vector<double> shifts = solve_positive(std::move(a), std::move(b));
   shifts.insert(shifts.begin() + static_cast<std::ptrdiff_t>(pinned), 0.0);
   return shifts;
 }

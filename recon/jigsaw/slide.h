@@ -21,6 +21,9 @@ struct Tie {
   double apart = 0.0;   ///< m
 };
 
+/// A x = b for a symmetric positive definite A, by Cholesky's L L^T.
+std::vector<double> solve_positive(std::vector<std::vector<double>> a, std::vector<double> b);
+
 /// The X of least squares with X[pinned] = 0, by a dense weighted Laplacian.
 /// @param names  of the blocks, one each.
 /// @error CannotRestore: blocks that no chain of ties leads to from the pinned one; it names them.

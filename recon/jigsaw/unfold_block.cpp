@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "recon/unfold/pin_line.h"
 #include "shared/geom/place.h"
@@ -67,6 +69,22 @@ base::Result<unfold::SourceGrid> base_of(const Section& section, const section::
   return source;
 }
 
+/// One standard deviation of the picks of a line about a smooth curve, m: by the median change of how far each stands
+/// off the chord of its neighbours, to which bends and corners hardly add.
+double noise_of(const std::vector<geom::Point>& points) {
+  std::vector<double> off;
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    const geom::Vector chord = geom::normalised(points[i + 1] - points[i - 1]);
+    off.push_back(geom::cross(chord, points[i] - points[i - 1]));
+  }
+  std::vector<double> changes;
+  for (std::size_t i = 1; i < off.size(); ++i) changes.push_back(std::abs(off[i] - off[i - 1]));
+  if (changes.size() < 3) return 0.0;
+  const auto middle = changes.begin() + static_cast<std::ptrdiff_t>(changes.size() / 2);
+  std::nth_element(changes.begin(), middle, changes.end());
+  return *middle / (0.6745 * std::sqrt(5.0));  // of normal noise, independent from pick to pick
+}
+
 base::Result<UnfoldedBlock> unfolded(const CutSection& cut, const Part& part, std::size_t index,
                                      const PlaceOfBlock& place, const unfold::RestoreParams& params,
                                      const base::Progress& progress) {
@@ -77,7 +95,13 @@ base::Result<UnfoldedBlock> unfolded(const CutSection& cut, const Part& part, st
   DOBRA_TRY(const unfold::SourceGrid source, base_of(own.section, top, place.simplify));
   unfold::TargetParams target;
   DOBRA_TRY(target.pin, place.pin ? base::Result<double>(*place.pin) : middle_pin(own.section, source));
-  target.elevation = place.datum;
+  if (place.target != nullptr) {
+    target.shape = unfold::TargetShape::Line;
+    target.points = place.target->line().points;
+    target.target_pin = place.target_pin;
+  } else {
+    target.elevation = place.datum;
+  }
   DOBRA_TRY(const unfold::Target flat, place_target(own.section, source, target, {}));
   block.part = index;
   block.id = part.id;
@@ -87,6 +111,10 @@ base::Result<UnfoldedBlock> unfolded(const CutSection& cut, const Part& part, st
   block.side = source.side;
   block.pin = flat.source_pin;
   block.datum = flat.target_pin.y;
+  block.noise = noise_of(top.line.points);
+  // The columns at a wall are as steep as a segment of the top has them.
+  block.lean =
+      block.noise * std::numbers::sqrt2 * static_cast<double>(top.line.segment_count()) / geom::length(top.line);
   DOBRA_TRY(block.restoration, restore(own.section, source, flat, params, progress));
   std::vector<std::string>& remarks = block.restoration.remarks;
   remarks.resize(remarks.size() - 2);  // what the method keeps, and the verdict: said of all blocks together
@@ -95,27 +123,18 @@ base::Result<UnfoldedBlock> unfolded(const CutSection& cut, const Part& part, st
   return block;
 }
 
-geom::Polyline shifted(geom::Polyline line, double by) {
-  for (geom::Point& p : line.points) p.x += by;
-  return line;
-}
-
 }  // namespace
 
-geom::Point UnfoldedBlock::forward(geom::Point p) const {
-  return restoration.map.forward(p).at + geom::Vector{shift, 0.0};
-}
+geom::Point UnfoldedBlock::forward(geom::Point p) const { return placed.forward(restoration.map.forward(p).at); }
 
-geom::Point UnfoldedBlock::inverse(geom::Point p) const {
-  return restoration.map.inverse(p - geom::Vector{shift, 0.0});
-}
+geom::Point UnfoldedBlock::inverse(geom::Point p) const { return restoration.map.inverse(placed.inverse(p)); }
 
 geom::Polyline UnfoldedBlock::forward(const geom::Polyline& line) const {
-  return shifted(restoration.map.forward(line).after, shift);
+  return placed.forward(restoration.map.forward(line).after);
 }
 
 geom::Polyline UnfoldedBlock::inverse(const geom::Polyline& line) const {
-  return restoration.map.swapped().forward(shifted(line, -shift)).after;
+  return restoration.map.swapped().forward(placed.inverse(line)).after;
 }
 
 BlockSection section_of(const CutSection& cut, std::size_t part) {
@@ -142,24 +161,34 @@ BlockSection section_of(const CutSection& cut, std::size_t part) {
   return own;
 }
 
-base::Result<std::optional<std::size_t>> top_in(const CutSection& cut, const Part& part, std::size_t index,
-                                                const std::string& top) {
-  std::optional<std::size_t> found;
-  for (std::size_t i = 0; i < cut.horizons.size(); ++i) {
-    const section::Horizon& horizon = cut.section.horizons[i];
-    if (cut.horizons[i].part != index || (horizon.name != top && whole_name(horizon) != top)) continue;
-    if (found) {
-      const geom::Point at = horizon.line.points.front();
-      return base::Error{
-          base::ErrorCode::CannotRestore,
-          fmt::format("the top '{}' has several pieces in it, one from ({:.6g}, {:.6g}) on, so that none "
-                      "of them covers the block; join them, or take another top",
-                      top, at.x, at.y),
-          place_at(at, fmt::format("block '{}'", part.name))};
-    }
-    found = i;
-  }
-  return found;
+base::Result<UnfoldedBlock> rigid_block(const CutSection& cut, const Part& part, std::size_t index, std::size_t bed,
+                                        const unfold::RestoreParams& params) {
+  UnfoldedBlock block;
+  BlockSection own = section_of(cut, index);
+  const geom::Box box = box_of(own.section);
+  const double beyond = box.width() + box.height();
+  // Sheared from a level line onto itself nothing moves.
+  unfold::SourceGrid source;
+  source.top = cut.section.horizons[bed].id;
+  source.ends = unfold::EndsOfTop::AtFaults;
+  source.base = {{{box.low.x - beyond, box.high.y}, {box.high.x + beyond, box.high.y}}, false};
+  unfold::TargetParams target;
+  target.pin = box.centre().x;
+  DOBRA_TRY(const unfold::Target flat, place_target(own.section, source, target, {}));
+  unfold::RestoreParams stiff = params;
+  stiff.method = unfold::RestoreMethod::Shear;
+  stiff.angle = {};
+  DOBRA_TRY(block.restoration, restore(own.section, source, flat, stiff, {}));
+  block.restoration.remarks.clear();           // of a top and its shear
+  block.restoration.balance.consistency = {};  // nothing is unfolded
+  block.part = index;
+  block.id = part.id;
+  block.name = part.name;
+  block.horizons = std::move(own.horizons);
+  block.top = source.top;
+  block.pin = box.centre();
+  block.datum = std::numeric_limits<double>::infinity();
+  return block;
 }
 
 base::Result<UnfoldedBlock> unfold_block(const CutSection& cut, const Part& part, std::size_t index,

@@ -99,11 +99,23 @@ double WallPair::height() const {
   return height;
 }
 
-double WallPair::moment() const {
-  double moment = 0.0;
-  for (const WallPiece& p : pieces)
-    moment += 0.5 * (p.high - p.low) * ((p.right_low - p.left_low) + (p.right_high - p.left_high));
-  return moment;
+Distance distance_of(const WallPair& pair, const Trust& trust) {
+  const auto weight = [&](double z) { return std::pow(1.0 + std::pow(trust.lean * (z - trust.datum), 2), -2); };
+  Distance sum;
+  for (const WallPiece& p : pair.pieces) {
+    const double low = p.right_low - p.left_low, high = p.right_high - p.left_high;
+    // Simpson's rule on steps over which the trust hardly changes.
+    const double steps = std::clamp(std::ceil(8.0 * trust.lean * (p.high - p.low)), 1.0, 1000.0);
+    const double step = (p.high - p.low) / steps;
+    for (double k = 0.0; k < steps; k += 1.0) {
+      for (const auto& [part, share] : {std::pair(k, 1.0 / 6.0), {k + 0.5, 4.0 / 6.0}, {k + 1.0, 1.0 / 6.0}}) {
+        const double w = share * step * weight(p.low + part * step);
+        sum.height += w;
+        sum.moment += w * (low + (high - low) * (part / steps));
+      }
+    }
+  }
+  return sum;
 }
 
 WallPair pair_of(const Branch& left, const Branch& right) {
@@ -145,22 +157,20 @@ Opening& Opening::operator+=(const Opening& more) {
   return *this;
 }
 
-Opening opening_of(const WallPair& pair, double left, double right) {
+Opening opening_of(const WallPair& pair) {
   Opening opening;
-  const double slid = right - left;
   for (const WallPiece& p : pair.pieces) {
-    add_width(p.low, p.high, pair.sign * (p.right_low - p.left_low + slid),
-              pair.sign * (p.right_high - p.left_high + slid), {0.5 * (p.left_low + left + p.right_low + right), p.low},
-              {0.5 * (p.left_high + left + p.right_high + right), p.high}, opening);
+    add_width(p.low, p.high, pair.sign * (p.right_low - p.left_low), pair.sign * (p.right_high - p.left_high),
+              {0.5 * (p.left_low + p.right_low), p.low}, {0.5 * (p.left_high + p.right_high), p.high}, opening);
   }
   return opening;
 }
 
-std::vector<geom::Point> mean_of(const WallPair& pair, double left, double right) {
+std::vector<geom::Point> mean_of(const WallPair& pair) {
   std::vector<geom::Point> points;
   for (const WallPiece& p : pair.pieces) {
-    for (const geom::Point next : {geom::Point{0.5 * (p.left_low + left + p.right_low + right), p.low},
-                                   geom::Point{0.5 * (p.left_high + left + p.right_high + right), p.high}}) {
+    for (const geom::Point next : {geom::Point{0.5 * (p.left_low + p.right_low), p.low},
+                                   geom::Point{0.5 * (p.left_high + p.right_high), p.high}}) {
       if (points.empty() || !(points.back() == next)) points.push_back(next);
     }
   }

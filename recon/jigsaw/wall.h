@@ -36,9 +36,19 @@ struct WallPair {
   std::vector<WallPiece> pieces;
 
   [[nodiscard]] double height() const;
-  /// Integral of x(right) - x(left) over z, m2.
-  [[nodiscard]] double moment() const;
 };
+
+/// How much walls count at a depth: 1 / (1 + (lean * depth)^2)^2.
+struct Trust {
+  double datum = 0.0;  ///< z from which depths are counted.
+  double lean = 0.0;   ///< 1/m; 0: everywhere alike.
+};
+/// Integrals over z of the trust, m, and of the trust times x(right) - x(left), m2.
+struct Distance {
+  double height = 0.0, moment = 0.0;
+};
+Distance distance_of(const WallPair& pair, const Trust& trust);
+
 /// @pre both climb, or neither.
 WallPair pair_of(const Branch& left, const Branch& right);
 
@@ -49,9 +59,8 @@ struct Opening {
   geom::Point gap_at, overlap_at;
   Opening& operator+=(const Opening& more);
 };
-/// @param left, right  how far the blocks on both sides have slid, m.
-Opening opening_of(const WallPair& pair, double left, double right);
+Opening opening_of(const WallPair& pair);
 /// The line in the middle between both walls, upwards.
-std::vector<geom::Point> mean_of(const WallPair& pair, double left, double right);
+std::vector<geom::Point> mean_of(const WallPair& pair);
 
 }  // namespace recon::jigsaw

@@ -68,15 +68,17 @@ base::Result<void> orient(Fault& fault, Towards towards) {
   return {};
 }
 
-base::Result<Setting> setting_of(const Section& section, const MoveParams& params, const std::vector<Fault>& all,
+/// @param all  by value: the fault runs as its slip is counted.
+base::Result<Setting> setting_of(const Section& section, const MoveParams& params, std::vector<Fault> all,
                                  const faults::FaultOptions& options) {
   DOBRA_TRY(const Fault* found, find_fault(all, params.fault));
-  Setting setting{*found, {}, {}, {}, box_of(section).diagonal(), tolerance_of(section, options)};
   if (found->undecided) return *found->undecided;
-  DOBRA_TRY_VOID(orient(setting.fault, params.towards));
+  const auto which = static_cast<std::size_t>(found - all.data());
+  DOBRA_TRY_VOID(orient(all[which], params.towards));
+  Setting setting{all[which], {}, {}, {}, box_of(section).diagonal(), tolerance_of(section, options)};
   setting.path = setting.fault.path;
   if (params.method == MoveMethod::Rigid) setting.path.line = own_line(setting.fault);
-  setting.cutoffs = std::move(cutoffs_of(section, {setting.fault}, options).front());
+  setting.cutoffs = cutoffs_at(section, all, which, options);
   for (const faults::CutoffPair& pair : setting.cutoffs.pairs) {
     if (!pair.hanging_wall || !pair.footwall || pair.hanging_wall->passes) continue;
     setting.cut.push_back(
@@ -361,6 +363,27 @@ void remark_on_ends(const Setting& setting, Moved& moved) {
                                       setting.fault.name, at_text(tip->before)));
 }
 
+/// Beds that the fault cuts off in its hanging wall though no block that moves holds them, and cutoffs without a
+/// partner.
+void remark_on_cutoffs(const Section& section, const Setting& setting, Moved& moved) {
+  for (const faults::CutoffPair& pair : setting.cutoffs.pairs) {
+    if (!pair.hanging_wall || !pair.footwall) moved.remarks.push_back(partner_missing(pair, setting.fault.name));
+    if (!pair.hanging_wall || pair.hanging_wall->passes || !moved.params.block.empty()) continue;
+    const faults::Cutoff& cutoff = *pair.hanging_wall;
+    const section::Horizon& bed = *find_horizon(section, cutoff.piece);
+    const std::vector<geom::Point>& points = bed.line.points;
+    const bool first = cutoff.end == section::LineEnd::First;
+    const geom::Point end = first ? points.front() : points.back();
+    const geom::Point inner = first ? points[1] : points[points.size() - 2];
+    const bool ends_there = geom::distance(end, cutoff.at) <= 5.0 * setting.tolerance;
+    if (!ends_there || moved.before.fate_of(geom::midpoint(end, inner)) == Fate::Moves) continue;
+    moved.remarks.push_back(
+        fmt::format("horizon '{}' ends in the hanging wall of fault '{}' at {}, but lies in no block that moves, and "
+                    "stays: what surrounds it encloses no rock; give a border ([[input.border]])",
+                    bed.name, setting.fault.name, at_text(cutoff.at)));
+  }
+}
+
 void remark_on_misfit(Moved& moved) {
   if (moved.params.close.size() > 1) {
     std::vector<Misfit> closed;
@@ -413,6 +436,7 @@ base::Result<Moved> move_block(const Section& section, const MoveParams& params,
   moved.opened = opened_along(setting.fault.path, moved.motion.map, setting.size);
   moved.remarks.insert(moved.remarks.end(), moved.motion.remarks.begin(), moved.motion.remarks.end());
   remark_on_ends(setting, moved);
+  remark_on_cutoffs(section, setting, moved);
   remark_beyond(setting, moved, moved.remarks);
   remark_on_misfit(moved);
   progress.report(1.0, "moved");

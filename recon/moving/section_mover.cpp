@@ -43,8 +43,8 @@ Image image_of(const Moved& moved, const std::vector<LinePart>& parts, Cutting c
 
 /// The item becomes its first part; the others stand at the end, with names of their own.
 /// @param place  sets the line of an item.
-template <class Item, class Id, class SetLine>
-void put(const Image& image, const char* kind, std::size_t index, PieceNames& names, std::vector<Item>& items, Id id,
+template <class Item, class SetLine>
+void put(const Image& image, const char* kind, std::size_t index, PieceNames& names, std::vector<Item>& items,
          SetLine set_line, std::vector<MovedPiece>& pieces) {
   const bool cut = image.parts.size() > 1;
   const std::string whole = items[index].piece_of.empty() ? items[index].name : items[index].piece_of;
@@ -54,7 +54,7 @@ void put(const Image& image, const char* kind, std::size_t index, PieceNames& na
     Item& item = first ? items[index] : items.back();
     if (cut && (!first || item.piece_of.empty())) item.name = names.next(whole);
     if (cut) item.piece_of = whole;
-    if (!first) item.id = id(items.size() - 1);
+    if (!first) item.id = decltype(item.id)(names.next_id());
     set_line(item, image.after[k]);
     if (image.moved(k)) pieces.push_back({item.name, kind, image.after[k]});
   }
@@ -78,7 +78,6 @@ void move_horizons(const Section& section, double overshoot, Moved& moved) {
     remark_on_trims(images[i], fmt::format("horizon '{}'", horizon.name), moved.remarks);
     put(
         images[i], horizon.role == section::BedRole::Growth ? "growth" : "horizon", i, names, moved.section.horizons,
-        [](std::size_t index) { return section::HorizonId(index); },
         [](section::Horizon& item, const geom::Polyline& line) {
           item.line = line.points.front().x > line.points.back().x ? geom::reversed(line) : line;
         },
@@ -98,7 +97,6 @@ void move_other_lines(const Section& section, const std::vector<section::LineId>
     remark_on_trims(image, fmt::format("{} '{}'", kind_name(line.kind), line.name), moved.remarks);
     put(
         image, kind_name(line.kind), i, names, moved.section.lines,
-        [](std::size_t index) { return section::LineId(index); },
         [](section::SectionLine& item, const geom::Polyline& after) { item.line = after; }, moved.pieces);
   }
 }
@@ -126,7 +124,7 @@ base::Result<void> move_polygons(const Section& section, Moved& moved) {
     const Image image = image_of(moved, parts, Cutting::None);
     moved.units.push_back(unit_row(unit.name, geom::signed_area(unit.contour), area_of(image.after)));
     put(
-        image, "unit", i, names, moved.section.units, [](std::size_t index) { return section::UnitId(index); },
+        image, "unit", i, names, moved.section.units,
         [](section::Unit& item, const geom::Polyline& contour) { item.contour = contour; }, moved.pieces);
   }
   return {};

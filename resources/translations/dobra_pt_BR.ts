@@ -3072,6 +3072,22 @@
         <translation>Cada bloco é restaurado com seu próprio pino; depois eles deslizam até se juntarem.</translation>
     </message>
     <message>
+        <source>Points of the target</source>
+        <translation>Pontos do alvo</translation>
+    </message>
+    <message>
+        <source>Instead of a level datum: the line that the top of every block is restored to, such as a regional dip or the topography.</source>
+        <translation>Em vez de um datum horizontal: a linha à qual o topo de cada bloco é restaurado, como um mergulho regional ou a topografia.</translation>
+    </message>
+    <message>
+        <source>Constraint of the blocks</source>
+        <translation>Vínculo dos blocos</translation>
+    </message>
+    <message>
+        <source>Of the jigsaw. datum: each block is unfolded to the datum, then they slide along it; rotation: without a datum, rigid blocks turn and shift.</source>
+        <translation>Do quebra-cabeça. datum: cada bloco é desdobrado até o datum, depois eles deslizam ao longo dele; rotation: sem datum, blocos rígidos giram e se deslocam.</translation>
+    </message>
+    <message>
         <source>Blocks fit by</source>
         <translation>Blocos ajustados por</translation>
     </message>

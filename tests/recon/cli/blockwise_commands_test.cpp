@@ -92,6 +92,25 @@ TEST_F(BlockwiseCommands, AScenarioHasTheSameKeysAndGoesOnBehindIt) {
   EXPECT_EQ(outcome.code, 0) << outcome.err << outcome.out;
 }
 
+TEST_F(BlockwiseCommands, ATargetLineAndRigidBlocksAreOptionsToo) {
+  const std::string file = put("n.csv", down_100);
+  const std::string line = put("line.csv", "x,z\n-3000,50\n3000,50\n");
+  const auto laid =
+      call({"restore", file, "--jigsaw", "--fit", "top", "--target", line, "--json", "--geometry", "--quiet"});
+  ASSERT_EQ(laid.code, 0) << laid.err;
+  const BlockOut on_line = BlockOut::parse(laid.out);
+  EXPECT_NEAR(on_line["blocks"][1]["shift"].get<double>(), -100.0, 1e-6);
+  EXPECT_NEAR(on_line["restored"][0]["points"][0][1].get<double>(), 50.0, 1e-6);
+  const auto turned = call({"restore", file, "--jigsaw", "--constraint", "rotation", "--json", "--quiet"});
+  ASSERT_EQ(turned.code, 0) << turned.err;
+  const BlockOut rigid = BlockOut::parse(turned.out);
+  EXPECT_EQ(rigid["constraint"], "rotation");
+  EXPECT_EQ(rigid.count("method"), 0U);
+  EXPECT_NEAR(rigid["blocks"][1]["turn"].get<double>(), 0.0, 1e-9);
+  EXPECT_NEAR(rigid["blocks"][1]["raise"].get<double>(), 100.0, 1e-6);
+  EXPECT_EQ(call({"restore", file, "--constraint", "rotation", "--quiet"}).code, 3);
+}
+
 TEST_F(BlockwiseCommands, WhatDoesNotGoTogetherIsRefused) {
   const std::string file = put("n.csv", down_100);
   const auto code = [&](std::vector<std::string> more) {
@@ -100,7 +119,7 @@ TEST_F(BlockwiseCommands, WhatDoesNotGoTogetherIsRefused) {
   };
   EXPECT_EQ(code({"--jigsaw", "--block", "block 1"}), 3);
   EXPECT_EQ(code({"--jigsaw", "--draws", "10"}), 2);
-  EXPECT_EQ(code({"--jigsaw", "--target", "line.csv"}), 2);
+  EXPECT_EQ(code({"--jigsaw", "--target", "line.csv"}), 3);
   EXPECT_EQ(code({"--jigsaw", "--percent", "50"}), 3);
   EXPECT_EQ(code({"--block", "blok 2"}), 3);
   EXPECT_EQ(code({"--fit", "top"}), 3);

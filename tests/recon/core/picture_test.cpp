@@ -3,16 +3,19 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <map>
 #include <set>
 #include <string>
 
+#include "recon/core/faults_step.h"
 #include "recon/core/grid_step.h"
 #include "recon/core/operations.h"
 #include "recon/core/restore_step.h"
 #include "recon/core/target_step.h"
 #include "recon/section/palette.h"
 #include "shared/scene/layout.h"
+#include "tests/recon/faults/sections.h"
 #include "tests/recon/shapes.h"
 
 namespace recon::core {
@@ -360,6 +363,27 @@ TEST(Layers, ThePinLineOfAShearRunsAlongItsDirection) {
       }
     }
   }
+}
+
+TEST(Layers, TheDisplacementDiagramBesideALongSectionIsAsWideAsHalfOfItAndHasItsOwnTicks) {
+  // 20 km of section; the fault shows 424 m of it.
+  model::Model model;
+  model.section = test::faulted({{"A/1", {{-10000, 0}, {500, 0}}},
+                                 {"A/2", {{600, -100}, {10000, -100}}},
+                                 {"B/1", {{-10000, -300}, {800, -300}}},
+                                 {"B/2", {{880, -380}, {10000, -380}}}},
+                                {test::item("F", {{400, 100}, {1200, -700}})});
+  const auto made = run_faults(model, {}, {}, {});
+  ASSERT_TRUE(made) << to_string(made.error());
+  const scene::Picture picture = picture_of(*made);
+  ASSERT_EQ(picture.panels.size(), 2u);
+  const scene::Panel& diagram = picture.panels[1];
+  const auto& line = std::get<scene::Lines>(find(diagram, "profile_0")->content).lines[0];
+  EXPECT_GE(line.box().width(), 0.5 * 20000.0);
+  // Distances and separations are those of the ticks times their unit.
+  EXPECT_NEAR(line.points[0].x / diagram.axes.unit, 150 * std::sqrt(2.0), 1e-6);
+  EXPECT_NEAR(line.points[0].y / diagram.axes.unit, 100 * std::sqrt(2.0), 1e-6);
+  EXPECT_NEAR(line.points[1].y / diagram.axes.unit, 80 * std::sqrt(2.0), 1e-6);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "recon/faults/displacement.h"
+#include "recon/faults/report.h"
 #include "tests/recon/faults/sections.h"
 
 namespace recon::faults {
@@ -156,6 +157,37 @@ TEST(Cutoffs, SeveralOnOneWallAreListedAndPairedFromAbove) {
   EXPECT_TRUE(tells_of(found.cutoffs[0], "3 cutoffs on the footwall"));
 }
 
+TEST(Cutoffs, EndsThatMissTheFaultByTheRoundingOfAFileAreNotTold) {
+  section::Section section = test::normal_fault(100);
+  section.horizons[0].line.points.back().x -= 1e-5;
+  section.horizons[2].line.points.back().x += 1e-5;
+  EXPECT_TRUE(found_in(section).cutoffs[0].remarks.empty());
+  section.horizons[0].line.points.back().x -= 1e-2;
+  EXPECT_TRUE(tells_of(found_in(section).cutoffs[0], "extended by 0.01001 m"));
+}
+
+TEST(Faults, ThoseThatCrossWithoutOffsetAreToldUnlessTheirAgesSayWhichIsYounger) {
+  const std::vector<test::NamedPoints> beds{{"A", {{0, 0}, {3000, 0}}}, {"B", {{0, -900}, {3000, -900}}}};
+  const auto told = [&](input::FaultInput one, input::FaultInput other) {
+    const auto report = report_faults(faulted(beds, {one, other}), {});
+    EXPECT_TRUE(report) << to_string(report.error());
+    return std::count_if(report->remarks.begin(), report->remarks.end(), [](const std::string& remark) {
+      return remark.find("'F' and 'G' cross at (1500, -400)") != std::string::npos;
+    });
+  };
+  input::FaultInput one = item("F", {{1000, 100}, {2000, -900}});
+  input::FaultInput other = item("G", {{2000, 100}, {1000, -900}});
+  EXPECT_EQ(told(one, other), 1);
+  one.age = 1;
+  EXPECT_EQ(told(one, other), 1);
+  other.age = 1;
+  EXPECT_EQ(told(one, other), 1);
+  other.age = 2;
+  EXPECT_EQ(told(one, other), 0);
+  EXPECT_EQ(told(one, item("G", {{2000, 100}, {1500, -400}})), 0);  // it ends there
+  EXPECT_EQ(told(one, item("G", {{2600, 100}, {2500, -900}})), 0);
+}
+
 TEST(Faults, AnUprightFaultHasNoHangingWallUntilItIsSaid) {
   section::Section section =
       faulted({{"A/1", {{0, 0}, {500, 0}}}, {"A/2", {{500, -40}, {900, -40}}}, {"B", {{0, -900}, {900, -900}}}},
@@ -227,7 +259,8 @@ TEST(Faults, PiecesThatMeetAreOneAndOthersStandAlone) {
   EXPECT_EQ(found.faults[1].lower.kind, EndKind::Cut);
   EXPECT_EQ(found.faults[2].upper.kind, EndKind::Cut);
   EXPECT_NE(find_fault(found.faults, "F").error().message.find("do not meet"), std::string::npos);
-  EXPECT_NE(find_fault(found.faults, "H").error().message.find("no fault 'H'"), std::string::npos);
+  EXPECT_EQ(find_fault(found.faults, "H").error().message,
+            "the section has no fault 'H'; its faults are 'G', 'F/1', 'F/2'");
   // The other way round the ages contradict the cutting.
   cutter.age = 3;
   const auto refused = faults_of(faulted(beds, {upper, lower, cutter}), {});
@@ -253,6 +286,23 @@ TEST(Displacement, SmoothProfilesHaveNoMarks) {
     for (const ProfilePoint& point : profile_of(profile_with(separations)))
       EXPECT_EQ(point.mark, ProfileMark::None) << point.distance;
   }
+}
+
+TEST(Displacement, AStepOfThreeBedsIsMarkedWhereOnlyOneOfThemIsOff) {
+  const auto mark = [](const std::vector<double>& separations, std::size_t at) {
+    return profile_of(profile_with(separations))[at].mark;
+  };
+  EXPECT_EQ(mark({100, 100, 60}, 2), ProfileMark::Step);
+  EXPECT_EQ(mark({100, 98, 70}, 2), ProfileMark::Step);
+  EXPECT_EQ(mark({-100, -98, -70}, 2), ProfileMark::Step);
+  EXPECT_EQ(mark({100, 98, 70}, 1), ProfileMark::None);
+  EXPECT_EQ(mark({100, 60, 58}, 1), ProfileMark::Step);
+  // No: it falls off evenly, or by less than a tenth, or as fast over a longer way.
+  EXPECT_EQ(mark({100, 80, 60}, 2), ProfileMark::None);
+  EXPECT_EQ(mark({100, 99, 92}, 2), ProfileMark::None);
+  FaultCutoffs far = profile_with({100, 90, 50});
+  far.pairs[2].distance = 500.0;
+  EXPECT_EQ(profile_of(far)[2].mark, ProfileMark::None);
 }
 
 TEST(Displacement, StepsAndReversalsAreMarkedWhereTheyAre) {

@@ -5,105 +5,15 @@
 #include <cstring>
 #include <functional>
 #include <numbers>
+#include <random>
 
-#include "recon/jigsaw/blockwise.h"
 #include "recon/jigsaw/slide.h"
 #include "recon/jigsaw/wall.h"
 #include "shared/base/parallel.h"
+#include "tests/recon/jigsaw/stacks.h"
 
 namespace recon::jigsaw {
 namespace {
-
-using section::LineKind;
-using section::Section;
-using Motion = std::function<geom::Point(geom::Point)>;
-
-/// A plane x = at + lean * depth through a stack of level beds, in the restored state.
-struct Plane {
-  double at = 0.0;
-  double lean = 0.0;  ///< 1 / tan of the dip, > 0: dips to +x.
-  [[nodiscard]] double x(double z) const { return at - lean * z; }
-};
-
-constexpr double left_end = -5000.0;
-constexpr double right_end = 5000.0;
-const std::vector<double> levels{0.0, -300.0, -600.0, -900.0};
-
-Motion by(double dx, double dz) {
-  return [=](geom::Point p) { return geom::Point{p.x + dx, p.y + dz}; };
-}
-
-/// Level beds from -5000 to 5000 cut by the planes, each block moved. The fault runs where the wall is of the block
-/// behind it (`of_next`) or before it.
-Section stack(const std::vector<Plane>& planes, const std::vector<Motion>& motions, bool of_next, int points = 2) {
-  Section section;
-  const auto edge = [&](std::size_t block, bool right, double z) {
-    if (right) return block < planes.size() ? planes[block].x(z) : right_end;
-    return block > 0 ? planes[block - 1].x(z) : left_end;
-  };
-  for (std::size_t bed = 0; bed < levels.size(); ++bed) {
-    for (std::size_t block = 0; block < motions.size(); ++block) {
-      const double z = levels[bed];
-      const double from = edge(block, false, z), to = edge(block, true, z);
-      geom::Polyline line;
-      for (int i = 0; i < points; ++i)
-        line.points.push_back(motions[block]({from + (to - from) * i / (points - 1), z}));
-      const std::string whole(1, static_cast<char>('A' + bed));
-      section.horizons.push_back({section::HorizonId(section.horizons.size()),
-                                  whole + " (" + std::to_string(block + 1) + ")",
-                                  line,
-                                  {},
-                                  whole});
-    }
-  }
-  for (std::size_t k = 0; k < planes.size(); ++k) {
-    const Motion& wall = motions[of_next ? k + 1 : k];
-    section.lines.push_back({section::LineId(k),
-                             LineKind::Fault,
-                             "F" + std::to_string(k + 1),
-                             {{wall({planes[k].x(-1500), -1500}), wall({planes[k].x(900), 900})}, false},
-                             {}});
-  }
-  return section;
-}
-
-/// Down a plane by s metres of slip, relative to a motion.
-geom::Vector along(const Plane& plane, double s) {
-  return (s / std::hypot(1.0, plane.lean)) * geom::Vector{plane.lean, -1.0};
-}
-
-const Plane east{0.0, 1.0 / std::numbers::sqrt3};
-const Plane west{1800.0, -1.0 / std::numbers::sqrt3};
-
-/// A graben: both blocks beside it stay.
-Section graben() {
-  return stack({east, west}, {by(0, 0), by(along(east, 250).x, along(east, 250).y), by(2 * along(east, 250).x, 0)},
-               false);
-}
-
-Section imbricate(double slip = 300.0) {
-  const std::vector<Plane> planes{
-      {0.0, -std::numbers::sqrt3}, {1500.0, -std::numbers::sqrt3}, {3000.0, -std::numbers::sqrt3}};
-  std::vector<Motion> motions;
-  for (int k = 3; k >= 0; --k) {
-    const geom::Vector up = along(planes[0], -k * slip);
-    motions.push_back(by(up.x, up.y));
-  }
-  return stack(planes, motions, true);
-}
-
-Blockwise restored(const Section& section, BlockwiseParams how, unfold::RestoreParams params = {}) {
-  auto made = restore_blockwise(section, how, params, {});
-  EXPECT_TRUE(made) << to_string(made.error());
-  return made ? std::move(*made) : Blockwise();
-}
-
-BlockwiseParams jigsaw_by(Fit fit) {
-  BlockwiseParams how;
-  how.jigsaw = true;
-  how.fit = fit;
-  return how;
-}
 
 /// Every bed is level at its depth below the datum, of length l0, and no fault gapes or overlaps.
 void expect_stack(const Blockwise& made, double tolerance = 1e-9) {
@@ -273,7 +183,7 @@ TEST(Jigsaw, GapsAndOverlapsAreNotNettedAndTheVerdictIsNo) {
   // The right wall is a straight plane, the left one bulges over it below and stands back above: walls by hand.
   const Branch left{true, {{0, -1000}, {100, -500}, {-100, 0}}};
   const Branch right{true, {{0, -1000}, {0, 0}}};
-  const Opening opening = opening_of(pair_of(left, right), 0.0, 0.0);
+  const Opening opening = opening_of(pair_of(left, right));
   // Overlap: over 500 m up to 100 m, then down to nothing over 250 m; gap: from there to 100 m over 250 m.
   EXPECT_NEAR(opening.overlap, 0.5 * 100 * 750, 1e-9);
   EXPECT_NEAR(opening.gap, 0.5 * 100 * 250, 1e-9);
@@ -351,6 +261,72 @@ TEST(Jigsaw, ABlockWithoutTheTopIsRefusedAndOneWithoutTheBedsStays) {
   EXPECT_EQ(made.balance.verdict, balance::BalanceVerdict::Balanced) << made.remarks.back();
 }
 
+TEST(Jigsaw, ATopInTwoPiecesWithinABlockIsJoinedAcrossItsGap) {
+  Section section = graben();
+  const auto top = std::find_if(section.horizons.begin(), section.horizons.end(),
+                                [](const section::Horizon& h) { return h.name == "A (2)"; });
+  const geom::Point left = top->line.points.front(), right = top->line.points.back();
+  top->line.points.back() = {800.0, left.y};
+  section::Horizon rest = *top;
+  rest.id = section::HorizonId(section.horizons.size());
+  rest.name = "A (4)";
+  rest.line.points = {right, {920.0, left.y}};  // drawn the other way
+  section.horizons.push_back(rest);
+  for (const Fit fit : {Fit::Walls, Fit::Top}) {
+    const Blockwise made = restored(section, jigsaw_by(fit));
+    expect_stack(made);
+    const auto tells = [](const std::string& remark) {
+      return remark.find("joined straight across a gap of 120 m") != std::string::npos;
+    };
+    EXPECT_EQ(std::count_if(made.remarks.begin(), made.remarks.end(), tells), 1);
+    EXPECT_EQ(made.section.horizons.size(), section.horizons.size() - 1);
+  }
+  // No: a sheet that lies over the other is no continuation of it.
+  section.horizons.back().line.points = {right, {600.0, left.y - 40.0}};
+  const auto refused = restore_blockwise(section, jigsaw_by(Fit::Walls), {}, {});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, base::ErrorCode::CannotRestore);
+  EXPECT_NE(to_string(refused.error()).find("lie over each other"), std::string::npos) << to_string(refused.error());
+}
+
+TEST(Jigsaw, RoughPicksHardlyChangeTheShiftsOfTheWalls) {
+  const double heave = along(east, 250).x;
+  std::mt19937 random(3);
+  std::normal_distribution<double> noise(0.0, 1.0);
+  double worst = 0.0;
+  for (int draw = 0; draw < 10; ++draw) {
+    const geom::Vector slip = along(east, 250);
+    Section section = stack({east, west}, {by(0, 0), by(slip.x, slip.y), by(2 * slip.x, 0)}, true, 41);
+    for (section::Horizon& horizon : section.horizons) {
+      for (geom::Point& p : horizon.line.points) p.y += noise(random);
+    }
+    const Blockwise made = restored(section, jigsaw_by(Fit::Walls));
+    worst = std::max({worst, std::abs(*made.rows[1].shift + heave), std::abs(*made.rows[2].shift + 2 * heave)});
+  }
+  EXPECT_LT(worst, 5.0) << worst;
+  EXPECT_GT(worst, 0.01);
+}
+
+TEST(Walls, DistanceIsWeightedByDepthAsBruteForceHasIt) {
+  const Branch left{true, {{0, -1000}, {100, -500}, {-100, 0}}};
+  const Branch right{true, {{50, -1000}, {70, 0}}};
+  const WallPair pair = pair_of(left, right);
+  for (const double lean : {0.0, 0.001, 0.05}) {
+    double height = 0.0, moment = 0.0;
+    constexpr int steps = 400000;
+    for (int i = 0; i < steps; ++i) {
+      const double z = -1000.0 + 1000.0 * (i + 0.5) / steps;
+      const double l = z < -500 ? 100.0 * (z + 1000) / 500 : 100.0 - 200.0 * (z + 500) / 500;
+      const double d = 1.0 + lean * lean * (z - 20.0) * (z - 20.0), w = 1.0 / (d * d);
+      height += w * 1000.0 / steps;
+      moment += w * (50.0 + 20.0 * (z + 1000.0) / 1000.0 - l) * 1000.0 / steps;
+    }
+    const Distance found = distance_of(pair, {20.0, lean});
+    EXPECT_NEAR(found.height, height, 1e-4 * height) << lean;
+    EXPECT_NEAR(found.moment, moment, 1e-4 * std::abs(moment) + 1e-3) << lean;
+  }
+}
+
 TEST(Jigsaw, BasementBelowADetachmentStaysAndIsSaid) {
   Section section = stack({east}, {by(0, 0), by(along(east, 200).x, along(east, 200).y)}, false);
   section.border = geom::Polyline{{{-5000, -2000}, {5000, -2000}, {5000, 300}, {-5000, 300}}, true};
@@ -418,7 +394,7 @@ TEST(Jigsaw, ALevelPieceOfAWallIsAJumpAndATurningWallFallsIntoBranches) {
   const Branch upright{true, {{0, -100}, {0, 0}}};
   const WallPair pair = pair_of(upright, one[0]);
   EXPECT_NEAR(pair.height(), 100.0, 1e-12);
-  EXPECT_NEAR(pair.moment(), 0.5 * 50 * 50 + 0.5 * (450 + 500) * 50, 1e-9);
+  EXPECT_NEAR(distance_of(pair, {}).moment, 0.5 * 50 * 50 + 0.5 * (450 + 500) * 50, 1e-9);
   const geom::Polyline turns{{{0, -100}, {50, -20}, {80, -60}, {100, 0}}, false};
   const std::vector<Branch> three = branches_of(turns, 1e-9);
   ASSERT_EQ(three.size(), 3U);

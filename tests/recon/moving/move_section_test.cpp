@@ -7,7 +7,9 @@
 #include <cmath>
 #include <cstring>
 #include <numbers>
+#include <set>
 
+#include "recon/faults/cutoffs.h"
 #include "recon/section/section_faces.h"
 
 namespace recon::moving {
@@ -89,6 +91,113 @@ TEST(Move, AllMethodsOnAPlanarFaultCloseByTheDisplacementThatItHas) {
       EXPECT_NEAR(moved->opened.overlap, 0.0, 1e-6);
     }
   }
+}
+
+/// As planar(), with an older fault O in the hanging wall, between whose sides B is offset: its upper piece ends on O,
+/// `short_of` m along it from F, and its lower piece on F.
+section::Section planar_with_an_older_fault(double short_of) {
+  section::Section section = planar();
+  const geom::Vector along = geom::normalised(geom::Vector{-1000, -300});
+  const geom::Point on_f{-600, -600};
+  const geom::Point end = on_f + short_of * along;
+  section.horizons[2].line.points = {{-2000, end.y}, end};
+  const double low = -600 - 100.0 / std::numbers::sqrt2;
+  section.horizons.push_back(
+      {section::HorizonId(4), "B (3)", {{{on_f.x + (low - on_f.y) / 0.3, low}, {low, low}}, false}, {}, "B"});
+  section.lines[0].order = 1;
+  section.lines.push_back({section::LineId(1), LineKind::Fault, "O", {{on_f + 1400 * along, on_f}, false}, {}});
+  section.lines[1].order = 2;
+  return section;
+}
+
+TEST(Move, TellsTheSamePairsAsFaultsAndThoseThatBelongTogether) {
+  for (const double short_of : {6.0, 11.0, 100.0}) {
+    SCOPED_TRACE(short_of);
+    const section::Section section = planar_with_an_older_fault(short_of);
+    const auto moved = move_block(section, closing(MoveMethod::Rigid, {"A"}), {});
+    ASSERT_TRUE(moved) << to_string(moved.error());
+    ASSERT_EQ(moved->misfit.size(), 2U);
+    for (const Misfit& misfit : moved->misfit) EXPECT_NEAR(misfit.along, 0.0, 1e-9) << misfit.horizon;
+    const auto faults = faults::faults_of(section, {});
+    ASSERT_TRUE(faults);
+    for (const faults::CutoffPair& pair : faults::cutoffs_at(section, *faults, 0, {}).pairs) {
+      ASSERT_TRUE(pair.separation) << pair.horizon;
+      EXPECT_NEAR(*pair.separation, 100.0, 1e-9);
+    }
+  }
+}
+
+/// Three beds, C to E, offset by a thrust O and then by a normal fault F, both parted as a forward model left them: the
+/// ends lie beside F by their last bits, so that nothing encloses the upper sheet of the hanging wall.
+section::Section of_a_forward_model() {
+  section::Section section;
+  const auto bed = [&](const char* name, const char* whole, std::vector<geom::Point> points) {
+    section.horizons.push_back(
+        {section::HorizonId(section.horizons.size()), name, {std::move(points), false}, {}, whole});
+  };
+  const auto fault = [&](const char* name, const char* whole, int order, std::vector<geom::Point> points) {
+    section.lines.push_back(
+        {section::LineId(section.lines.size()), LineKind::Fault, name, {std::move(points), false}, whole});
+    section.lines.back().order = order;
+  };
+  bed("C (1)", "C", {{-1676.923076923077, -65.38461538461539}, {43.90532544378699, -65.38461538461539}});
+  bed("D (1)", "D", {{-1676.923076923077, -365.38461538461536}, {90.05917159763314, -365.38461538461536}});
+  bed("E (1)", "E", {{-1676.923076923077, -665.3846153846154}, {-396.9230769230769, -665.3846153846154}});
+  bed("C (2)", "C", {{750.4114368507883, -397.67433953012346}, {2030.4114368507883, -397.67433953012346}});
+  bed("D (2)", "D", {{0.0, -500.0}, {110.76923076923079, -500.0}});
+  bed("E (2)", "E", {{-720.0, -800.0}, {156.92307692307693, -800.0}});
+  bed("C (3)", "C", {{74.31676229457521, -263.0589549147388}, {1073.4883599277114, -263.0589549147388}});
+  bed("D (3)", "D", {{120.47060844842136, -563.0589549147388}, {353.4883599277113, -563.0589549147388}});
+  bed("D (4)", "D", {{141.180667620019, -697.6743395301235}, {2030.4114368507883, -697.6743395301235}});
+  bed("E (3)", "E", {{187.33451377386515, -997.6743395301235}, {2030.4114368507883, -997.6743395301235}});
+  fault("O (1)", "O", 2, {{-1200.0, -1000.0}, {104.09638554216869, -456.6265060240964}});
+  fault("F", "", 1, {{203.0769230769231, -1100.0}, {3.07692307692308, 200.0}});
+  fault("O (2)", "O", 2, {{134.5078223929569, -654.3008455542199}, {1230.4114368507883, -197.67433953012346}});
+  return section;
+}
+
+TEST(Move, ABedOfTheHangingWallThatNoBlockHoldsIsTold) {
+  section::Section section = of_a_forward_model();
+  const auto told = [&] {
+    MoveParams params = params_of(MoveMethod::Rigid, 200.0);
+    const auto moved = move_block(section, params, {});
+    EXPECT_TRUE(moved) << to_string(moved.error());
+    return moved && std::any_of(moved->remarks.begin(), moved->remarks.end(), [](const std::string& remark) {
+             return remark.find("horizon 'C (3)' ends in the hanging wall of fault 'F'") != std::string::npos;
+           });
+  };
+  EXPECT_TRUE(told());
+  section.border = geom::Polyline{{{-2000, -1050}, {2100, -1050}, {2100, 100}, {-2000, 100}}, true};
+  EXPECT_FALSE(told());
+  section = planar();
+  EXPECT_FALSE(told());
+}
+
+TEST(Move, FurtherPiecesHaveIdsThatNothingElseHas) {
+  section::Section section = planar();
+  section.horizons.push_back({section::HorizonId(5), "C", {{{-2000, -900}, {1000, -900}}, false}, {}, {}});
+  const auto moved = move_block(section, closing(MoveMethod::Rigid, {"A"}), {});
+  ASSERT_TRUE(moved) << to_string(moved.error());
+  std::set<section::HorizonId> ids;
+  for (const section::Horizon& horizon : moved->section.horizons) ids.insert(horizon.id);
+  EXPECT_EQ(moved->section.horizons.size(), 6U);
+  EXPECT_EQ(ids.size(), 6U);
+}
+
+TEST(Move, APieceWithoutAPartnerIsToldAndTheOtherIsPaired) {
+  section::Section section = planar();
+  // A second sheet of B above the first, which the hanging wall alone has.
+  section.horizons.push_back({section::HorizonId(4), "B (3)", {{{-2000, -500}, {-500, -500}}, false}, {}, "B"});
+  const auto moved = move_block(section, closing(MoveMethod::Rigid, {"A"}), {});
+  ASSERT_TRUE(moved) << to_string(moved.error());
+  ASSERT_EQ(moved->misfit.size(), 2U);
+  for (const Misfit& misfit : moved->misfit) EXPECT_NEAR(misfit.along, 0.0, 1e-9) << misfit.horizon;
+  EXPECT_EQ(std::count(moved->remarks.begin(), moved->remarks.end(),
+                       "horizon 'B' has no cutoff on the footwall of fault 'F' for the one at (-500, -500)"),
+            1);
+  const auto unsure = move_block(section, closing(MoveMethod::Rigid, {"B"}), {});
+  ASSERT_FALSE(unsure);
+  EXPECT_NE(to_string(unsure.error()).find("several cutoffs"), std::string::npos);
 }
 
 TEST(Move, HeaveAndThrowAreThoseOfTheHangingWallAndOneSignRaisesIt) {
