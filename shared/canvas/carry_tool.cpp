@@ -82,22 +82,19 @@ class CarryTool final : public Tool {
     return images;
   }
   [[nodiscard]] Edited edit(const Workspace& work, Stage stage) const {
-    const char* what = carrying_ == Carrying::Move     ? "Move lines"
-                       : carrying_ == Carrying::Copy   ? "Copy lines"
-                       : carrying_ == Carrying::Rotate ? "Rotate lines"
-                                                       : "Mirror lines";
+    const char* what = carrying_ == Carrying::Rotate   ? "Rotate lines"
+                       : carrying_ == Carrying::Mirror ? "Mirror lines"
+                                                       : "Move lines";
     Edited edited{{}, translated(what), stage};
-    for (auto& [pick, line] : images(work)) {
-      if (carrying_ == Carrying::Copy) {
-        edited.lines.push_back({pick, {*work.line(pick), std::move(line)}});
-      } else {
-        edited.lines.push_back({pick, {std::move(line)}});
-      }
-    }
+    for (auto& [pick, line] : images(work)) edited.lines.push_back({pick, {std::move(line)}});
     return edited;
   }
   void finish(const Workspace& work) {
-    say(edit(work, Stage::Done));
+    if (carrying_ == Carrying::Copy) {
+      for (auto& [pick, line] : images(work)) say(Drawn{line.closed ? Shape::Polygon : Shape::Line, std::move(line)});
+    } else {
+      say(edit(work, Stage::Done));
+    }
     base_.reset();
   }
 

@@ -100,12 +100,13 @@ struct SnapIndex::Near {
   double distance = 0.0;
 };
 
-SnapIndex::SnapIndex(std::shared_ptr<const scene::Picture> picture, std::size_t panel)
+SnapIndex::SnapIndex(std::shared_ptr<const scene::Picture> picture, std::size_t panel,
+                     const std::set<std::string>& hidden)
     : picture_(std::move(picture)), panel_(panel) {
   std::vector<geom::Box> boxes;
   const std::vector<scene::Layer>& layers = picture_->panels[panel].layers;
   for (std::uint32_t l = 0; l < layers.size(); ++l) {
-    if (!layers[l].visible) continue;
+    if (!layers[l].visible || hidden.contains(layers[l].key)) continue;
     if (const auto* markers = std::get_if<scene::Markers>(&layers[l].content)) {
       for (std::uint32_t i = 0; i < markers->points.size(); ++i) {
         runs_.push_back({l, i, i, 0});

@@ -42,8 +42,9 @@ struct SnapWish {
 class SnapIndex {
  public:
   SnapIndex() = default;
+  /// @param hidden  keys of layers that are left out.
   /// @cost  O(n log n) for n points.
-  SnapIndex(std::shared_ptr<const scene::Picture> picture, std::size_t panel);
+  SnapIndex(std::shared_ptr<const scene::Picture> picture, std::size_t panel, const std::set<std::string>& hidden = {});
 
   /// The kind that wins within reach, and of that kind the nearest; nothing if there is none. The foot of a
   /// perpendicular wins over other places of its line within half the reach. @cost O(log n + near segments).

@@ -7,10 +7,10 @@ namespace dobra::canvas {
 namespace {
 
 template <class Visitor>
-void for_each_line(const scene::Panel& panel, Visitor&& visit) {
+void for_each_line(const scene::Panel& panel, const std::set<std::string>& hidden, Visitor&& visit) {
   for (const scene::Layer& layer : panel.layers) {
     const auto* lines = std::get_if<scene::Lines>(&layer.content);
-    if (!layer.visible || lines == nullptr) continue;
+    if (!layer.visible || lines == nullptr || hidden.contains(layer.key)) continue;
     for (std::uint32_t i = 0; i < lines->lines.size(); ++i)
       visit(scene::Pick{layer.key, lines->ids.empty() ? i : lines->ids[i]}, lines->lines[i]);
   }
@@ -18,7 +18,8 @@ void for_each_line(const scene::Panel& panel, Visitor&& visit) {
 
 }  // namespace
 
-void Workspace::show(std::shared_ptr<const scene::Picture> picture, std::size_t panel) {
+void Workspace::show(std::shared_ptr<const scene::Picture> picture, std::size_t panel, std::set<std::string> hidden) {
+  hidden_ = std::move(hidden);
   picture_ = std::move(picture);
   panel_ = panel;
   snaps_.reset();
@@ -31,13 +32,13 @@ void Workspace::show(std::shared_ptr<const scene::Picture> picture, std::size_t 
 }
 
 const SnapIndex& Workspace::snaps() const {
-  if (!snaps_) snaps_.emplace(picture_, panel_);
+  if (!snaps_) snaps_.emplace(picture_, panel_, hidden_);
   return *snaps_;
 }
 
 const geom::Polyline* Workspace::line(const scene::Pick& pick) const {
   const geom::Polyline* found = nullptr;
-  for_each_line(panel(), [&](const scene::Pick& other, const geom::Polyline& line) {
+  for_each_line(panel(), hidden_, [&](const scene::Pick& other, const geom::Polyline& line) {
     if (other == pick) found = &line;
   });
   return found;
@@ -52,7 +53,7 @@ std::vector<std::pair<scene::Pick, const geom::Polyline*>> Workspace::lines() co
 
 std::vector<geom::Polyline> Workspace::others(const scene::Pick& pick) const {
   std::vector<geom::Polyline> all;
-  for_each_line(panel(), [&](const scene::Pick& other, const geom::Polyline& line) {
+  for_each_line(panel(), hidden_, [&](const scene::Pick& other, const geom::Polyline& line) {
     if (other != pick) all.push_back(line);
   });
   return all;
@@ -60,7 +61,7 @@ std::vector<geom::Polyline> Workspace::others(const scene::Pick& pick) const {
 
 std::vector<std::pair<scene::Pick, std::size_t>> Workspace::vertices_at(geom::Point at) const {
   std::vector<std::pair<scene::Pick, std::size_t>> found;
-  for_each_line(panel(), [&](const scene::Pick& pick, const geom::Polyline& line) {
+  for_each_line(panel(), hidden_, [&](const scene::Pick& pick, const geom::Polyline& line) {
     for (std::size_t i = 0; i < line.points.size(); ++i) {
       if (line.points[i] == at) found.emplace_back(pick, i);
     }

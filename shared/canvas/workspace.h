@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "shared/canvas/snap.h"
@@ -17,8 +18,9 @@ using Selection = std::map<scene::Pick, std::set<std::size_t>>;
 class Workspace {
  public:
   /// Another picture, or another panel of it. Of the selection stays what is still there.
+  /// @param hidden  keys of layers that are not shown, besides those whose `visible` says so.
   /// @pre panel < picture->panels.size()
-  void show(std::shared_ptr<const scene::Picture> picture, std::size_t panel);
+  void show(std::shared_ptr<const scene::Picture> picture, std::size_t panel, std::set<std::string> hidden = {});
 
   [[nodiscard]] bool empty() const { return picture_ == nullptr; }
   [[nodiscard]] const scene::Panel& panel() const { return picture_->panels[panel_]; }
@@ -38,6 +40,7 @@ class Workspace {
  private:
   std::shared_ptr<const scene::Picture> picture_;
   std::size_t panel_ = 0;
+  std::set<std::string> hidden_;
   mutable std::optional<SnapIndex> snaps_;
 };
 

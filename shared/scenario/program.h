@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "shared/scenario/document.h"
 #include "shared/scenario/field.h"
 #include "shared/scene/layer.h"
+#include "shared/scene/pick.h"
 
 namespace dobra::scenario {
 
@@ -134,6 +136,25 @@ Operation make_operation(std::string name, std::string title, std::string help,
           make_results(results)};
 }
 
+/// How lines of the picture are edited in a window: every edit is a function document -> document. Lines in SI, as the
+/// picture of the input shows them.
+struct Drawing {
+  struct Kind {
+    std::string table;  ///< Of the input: "horizon".
+    std::string title;  ///< "Horizon"
+    enum class Of { Lines, Polygons, Points } of = Of::Lines;
+  };
+  std::vector<Kind> kinds{};  ///< What a user may draw; empty: nothing.
+  /// @param input  the state that the input makes.
+  /// @error BadValue: a line that the document does not hold by itself, with what to do.
+  std::function<base::Result<Document>(const Document& document, const State& input, std::span<const scene::LineEdit>)>
+      edit{};
+  /// With one more line. @error BadValue: the name is taken.
+  std::function<base::Result<Document>(const Document& document, const std::string& table, const std::string& name,
+                                       const geom::Polyline&)>
+      add{};
+};
+
 enum class TakesUnits { SiOnly, Any };
 
 struct Program {
@@ -148,6 +169,7 @@ struct Program {
   std::function<UnitSystem(const State&)> units_of{};
   /// What of a state is called `what` (FieldOptions::names), for forms that offer it; may be left out.
   std::function<std::vector<std::string>(const State&, const std::string& what)> names_of{};
+  Drawing drawing{};
 
   // What a state tells in all: the input's part, then that of each operation in the order of the list.
   [[nodiscard]] scene::Picture picture_of(const State& state) const;

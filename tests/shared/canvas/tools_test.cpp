@@ -181,9 +181,12 @@ TEST_F(Tools, SelectedLinesAreMovedTurnedMirroredAndCopied) {
     const auto tool = make_carry_tool(carrying);
     click(*tool, {0, 0});
     click(*tool, {0, 10});
-    const auto edits = only<Edited>(tool->take());
-    EXPECT_EQ(edits.size(), 1U);
-    return edits[0].lines[0].becomes.back().points.back();
+    std::vector<Change> changes = tool->take();
+    const auto copies = only<Drawn>(changes);
+    EXPECT_EQ(copies.size(), carrying == Carrying::Copy ? 1U : 0U);
+    const auto edits = only<Edited>(std::move(changes));
+    EXPECT_EQ(edits.size(), carrying == Carrying::Copy ? 0U : 1U);
+    return (copies.empty() ? edits[0].lines[0].becomes[0] : copies[0].line).points.back();
   };
   EXPECT_EQ(image(Carrying::Move), (Point{50, 10}));
   EXPECT_EQ(image(Carrying::Copy), (Point{50, 10}));
