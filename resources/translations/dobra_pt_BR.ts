@@ -3249,5 +3249,37 @@
         <source>Fault predicted</source>
         <translation>Falha prevista</translation>
     </message>
+    <message>
+        <source>not done: %1</source>
+        <translation>não feito: %1</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1 since it was read here.</source>
+        <translation>Outro programa alterou %1 depois de ter sido lido aqui.</translation>
+    </message>
+    <message>
+        <source>Saving to it loses those changes.</source>
+        <translation>Salvar nele perde essas alterações.</translation>
+    </message>
+    <message>
+        <source>Save as another file</source>
+        <translation>Salvar em outro arquivo</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>Sobrescrever</translation>
+    </message>
+    <message>
+        <source>%1 of %2 %3</source>
+        <translation>%1 de %2 %3</translation>
+    </message>
+    <message>
+        <source>to be given</source>
+        <translation>a informar</translation>
+    </message>
+    <message>
+        <source>Still to be given: %1</source>
+        <translation>Falta informar: %1</translation>
+    </message>
 </context>
 </TS>

@@ -21,6 +21,7 @@
 #include "shared/gui/file_filter.h"
 #include "shared/gui/icons.h"
 #include "shared/gui/layer_tree.h"
+#include "shared/gui/messages.h"
 #include "shared/gui/parameter_form.h"
 #include "shared/gui/results.h"
 #include "shared/gui/text.h"
@@ -128,6 +129,7 @@ void MainWindow::make_docks() {
 
   connect(steps_, &StepList::selected_changed, this, &MainWindow::show_form);
   connect(steps_, &StepList::add_asked, this, [this](const std::string& operation) {
+    form_->form()->commit();
     const std::size_t after = steps_->selected();
     const scenario::Operation* made = program_.find_operation(operation);
     const QString title = text((made != nullptr ? made->title : operation).c_str());
@@ -135,15 +137,17 @@ void MainWindow::make_docks() {
     steps_->select(after + 1);
   });
   connect(steps_, &StepList::remove_asked, this, [this](std::size_t step) {
+    form_->form()->commit();
     session_.edit(without_step(session_.document(), step), text("Remove step %1").arg(step));
   });
   connect(steps_, &StepList::exchange_asked, this, [this](std::size_t step, std::size_t selected) {
+    form_->form()->commit();
     session_.edit(with_step_lowered(session_.document(), step),
                   text("Exchange steps %1 and %2").arg(step).arg(step + 1));
     steps_->select(selected);
   });
   connect(form_, &ParameterForm::edited, this, [this](const scenario::Table& table, const QString& key) {
-    session_.edit(with_table(session_.document(), steps_->selected(), table), text("Change '%1'").arg(key));
+    session_.edit(with_table(session_.document(), form_part_, table), text("Change '%1'").arg(key));
   });
   connect(layers_, &LayerTree::visibility_changed, view_, &VtkWidget::set_layer_visible);
 }
@@ -169,13 +173,18 @@ void MainWindow::make_actions() {
       add(file, text("Save &Picture..."), QKeySequence(Qt::CTRL | Qt::Key_E), [this] { ask_save_picture(); });
   file->addSeparator();
   a.quit = add(file, text("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), [this] { close(); });
-  a.undo = add(edit, text("&Undo"), QKeySequence::Undo, [this] { session_.undo(); });
+  a.undo = add(edit, text("&Undo"), QKeySequence::Undo, [this] {
+    form_->form()->commit();
+    session_.undo();
+  });
   a.redo = add(edit, text("&Redo"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), [this] { session_.redo(); });
   a.redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
   a.fit = add(look, text("&Fit"), QKeySequence(Qt::Key_F), [this] { view_->fit(); });
   look->addSeparator();
   for (QDockWidget* each : findChildren<QDockWidget*>()) look->addAction(each->toggleViewAction());
-  a.run = add(run, text("&Run"), QKeySequence(Qt::Key_F5), [this] { session_.run(); });
+  a.run = add(run, text("&Run"), QKeySequence(Qt::Key_F5), [this] {
+    if (settle()) session_.run();
+  });
   a.cancel = add(run, text("&Cancel"), QKeySequence(Qt::Key_Escape), [this] { session_.cancel(); });
   a.about = add(help, text("&About %1").arg(QString::fromStdString(program_.title)), {}, [this] { about(); });
 
@@ -221,10 +230,12 @@ void MainWindow::make_player_actions() {
   a.play = add(text("Watch it work"), Symbol::Play, QKeySequence(Qt::Key_F6), [this] {
     if (player_.playing())
       player_.pause();
-    else
+    else if (settle())
       player_.play(watched_part());
   });
-  a.step = add(text("One step more"), Symbol::Step, QKeySequence(Qt::Key_F7), [this] { player_.step(watched_part()); });
+  a.step = add(text("One step more"), Symbol::Step, QKeySequence(Qt::Key_F7), [this] {
+    if (settle()) player_.step(watched_part());
+  });
   a.stop = add(text("Stop watching"), Symbol::Cancel, QKeySequence(Qt::Key_F8), [this] { player_.stop(); });
   connect(&player_, &Player::changed, this, &MainWindow::show_player);
   connect(steps_, &StepList::selected_changed, this, &MainWindow::show_player);
@@ -281,6 +292,8 @@ base::Result<void> MainWindow::open(const std::filesystem::path& file) {
     show_error(opened.error());
     return opened.error();
   }
+  form_->forget();
+  show_form();
   // The run has only been asked for: its picture comes later.
   fit_next_ = true;
   error_.reset();
@@ -291,7 +304,15 @@ base::Result<void> MainWindow::open(const std::filesystem::path& file) {
   return {};
 }
 
+bool MainWindow::settle() {
+  form_->form()->commit();
+  const std::optional<QString> refused = form_->form()->unsettled();
+  if (refused) show_error({base::ErrorCode::BadValue, text("not done: %1").arg(*refused).toStdString()});
+  return !refused;
+}
+
 base::Result<void> MainWindow::save(const std::filesystem::path& file) {
+  if (!settle()) return *error_;
   const base::Result<void> saved = session_.save(file);
   if (!saved) {
     show_error(saved.error());
@@ -330,7 +351,10 @@ base::Result<void> MainWindow::save_screenshot(const std::filesystem::path& file
   return {};
 }
 
-void MainWindow::select(std::size_t part) { steps_->select(part); }
+void MainWindow::select(std::size_t part) {
+  form_->form()->commit();
+  steps_->select(part);
+}
 
 void MainWindow::ask_open() {
   if (!may_discard()) return;
@@ -341,7 +365,19 @@ void MainWindow::ask_open() {
 
 bool MainWindow::ask_save() {
   if (session_.document().file.empty()) return ask_save_as();
-  return save(session_.document().file).ok();
+  if (!session_.changed_on_disk()) return save(session_.document().file).ok();
+  QMessageBox box(
+      QMessageBox::Warning, QString::fromStdString(program_.title),
+      text("Another program has changed %1 since it was read here.").arg(from_path(session_.document().file)),
+      QMessageBox::NoButton, this);
+  box.setInformativeText(text("Saving to it loses those changes."));
+  const QPushButton* other = box.addButton(text("Save as another file"), QMessageBox::AcceptRole);
+  const QPushButton* overwrite = box.addButton(text("Overwrite"), QMessageBox::DestructiveRole);
+  box.addButton(text("Cancel"), QMessageBox::RejectRole);
+  box.exec();
+  const auto* answer = static_cast<const void*>(box.clickedButton());
+  if (answer == other) return ask_save_as();
+  return answer == overwrite && save(session_.document().file).ok();
 }
 
 bool MainWindow::ask_save_as() {
@@ -369,7 +405,8 @@ void MainWindow::ask_save_picture() {
 }
 
 bool MainWindow::may_discard() {
-  if (!session_.history().modified()) return true;
+  form_->form()->commit();
+  if (!session_.history().modified() && !form_->form()->unsettled()) return true;
   QMessageBox box(QMessageBox::Question, QString::fromStdString(program_.title),
                   text("The scenario has changes that are not saved."), QMessageBox::NoButton, this);
   box.setInformativeText(text("Save them?"));
@@ -432,11 +469,14 @@ void MainWindow::show_document() {
   }
   show_form();
   show_player();
+  const QString missing = still_to_be_given(document, program_);
+  if (!missing.isEmpty()) said_->setText(text("Still to be given: %1").arg(missing));
 }
 
 void MainWindow::show_form() {
   const scenario::Document& document = session_.document();
   const std::size_t part = std::min(steps_->selected(), document.steps.size());
+  form_part_ = part;
   QString title = text("Input");
   QString help;
   QString identity = from_path(document.file) + "#input";
@@ -531,10 +571,12 @@ void MainWindow::show_error(const base::Error& error) {
     return;
   }
   error_ = error;
-  const bool of_run = session_.outcome() && session_.outcome()->run.error;
+  const OutcomePtr& outcome = session_.outcome();
+  const bool of_run = outcome && outcome->run.error && outcome->run.error->message == error.message;
   const bool has_place = error.place && error.place->x && error.place->y;
-  error_bar_->say(QString::fromStdString(base::to_string(error)),
-                  of_run || has_place ? ErrorBar::CanShow::Yes : ErrorBar::CanShow::No);
+  const QString said = of_run ? in_words_of_the_window(error, *outcome->document, program_, outcome->run.failed_step)
+                              : QString::fromStdString(base::to_string(error));
+  error_bar_->say(said, of_run || has_place ? ErrorBar::CanShow::Yes : ErrorBar::CanShow::No);
 }
 
 void MainWindow::mark_error() {
@@ -543,7 +585,8 @@ void MainWindow::mark_error() {
   if (steps_->selected() != outcome.run.failed_step || form_->form() == nullptr) return;
   // What the user has changed since is for the next run to judge.
   if (Session::common_parts(session_.document(), *outcome.document) <= outcome.run.failed_step) return;
-  form_->form()->mark(*error_->place, QString::fromStdString(error_->message));
+  form_->form()->mark(*error_->place,
+                      in_words_of_the_form(QString::fromStdString(error_->message), form_->form()->fields()));
 }
 
 void MainWindow::go_to_error() {

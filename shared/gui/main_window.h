@@ -65,6 +65,8 @@ class MainWindow : public QMainWindow {
   void make_player_actions();
   void show_player();
 
+  /// Puts what is typed into the document. False, and the error bar says why, if some of it is refused.
+  bool settle();
   void ask_open();
   bool ask_save();
   bool ask_save_as();
@@ -102,6 +104,7 @@ class MainWindow : public QMainWindow {
   QProgressBar* progress_ = nullptr;
   QToolButton* cancel_ = nullptr;
   std::optional<base::Error> error_;  ///< What the error bar says.
+  std::size_t form_part_ = 0;         ///< Whose parameters the form shows.
   bool fit_next_ = true;              ///< The next picture is another document's: look at all of it.
 };
 

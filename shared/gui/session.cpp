@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "shared/gui/edit.h"
+#include "shared/gui/messages.h"
+#include "shared/io/file.h"
 
 namespace dobra::gui {
 
@@ -29,6 +31,7 @@ base::Result<void> Session::open(const std::filesystem::path& file) {
   DOBRA_TRY_VOID(scenario::check_program(document, program_));
   document.file = file;
   history_ = History(std::make_shared<const scenario::Document>(std::move(document)));
+  known_bytes_ = bytes_on_disk();
   outcome_ = nullptr;
   emit document_changed();
   run();
@@ -41,28 +44,45 @@ base::Result<void> Session::save(const std::filesystem::path& file) {
   const bool same_place = document().file == file;
   if (!same_place) history_.replace_all(moved);
   history_.mark_saved();
+  known_bytes_ = bytes_on_disk();
   emit document_changed();
   return {};
 }
 
+std::optional<std::string> Session::bytes_on_disk() const {
+  const base::Result<std::string> bytes = io::read_bytes(document().file);
+  return bytes ? std::optional(*bytes) : std::nullopt;
+}
+
+bool Session::changed_on_disk() const {
+  const std::optional<std::string> now = bytes_on_disk();
+  return now && now != known_bytes_;
+}
+
 void Session::edit(scenario::Document document, const QString& what) {
   history_.push(std::make_shared<const scenario::Document>(std::move(document)), what.toStdString());
-  emit document_changed();
-  pause_.start();
+  go_on();
 }
 
 void Session::undo() {
   if (!history_.can_undo()) return;
   history_.undo();
-  emit document_changed();
-  pause_.start();
+  go_on();
 }
 
 void Session::redo() {
   if (!history_.can_redo()) return;
   history_.redo();
+  go_on();
+}
+
+void Session::go_on() {
   emit document_changed();
-  pause_.start();
+  // What waits for a value would only fail.
+  if (still_to_be_given(document(), program_).isEmpty())
+    pause_.start();
+  else
+    pause_.stop();
 }
 
 void Session::run() {

@@ -4,6 +4,8 @@
 #include <QObject>
 #include <QTimer>
 #include <filesystem>
+#include <optional>
+#include <string>
 
 #include "shared/gui/history.h"
 #include "shared/gui/worker.h"
@@ -31,8 +33,11 @@ class Session : public QObject {
   /// Writes the document; from then on it lives at `file`.
   /// @error CannotWrite
   base::Result<void> save(const std::filesystem::path& file);
+  /// The document's file is there, and is not what was last read from it or written to it.
+  [[nodiscard]] bool changed_on_disk() const;
 
-  /// Makes `document` the current one and runs it after a short pause, so that typing does not start a run a key.
+  /// Makes `document` the current one and runs it after a short pause, so that typing does not start a run a key. A
+  /// document that lacks what must be given waits for it.
   /// @param what  for the Undo menu, translated.
   void edit(scenario::Document document, const QString& what);
   void undo();
@@ -53,13 +58,17 @@ class Session : public QObject {
   void run_finished();
 
  private:
+  void go_on();
   void finish(const OutcomePtr& outcome);
+  /// What the document's file holds; nothing if it cannot be read.
+  [[nodiscard]] std::optional<std::string> bytes_on_disk() const;
 
   const scenario::Program& program_;
   History history_;
   Worker worker_;
   QTimer pause_;
   OutcomePtr outcome_;
+  std::optional<std::string> known_bytes_;  ///< Of the document's file, when it was last read or written.
 };
 
 }  // namespace dobra::gui

@@ -10,8 +10,10 @@
 namespace dobra::scene {
 
 /// Triangles that cover a region under the even-odd rule, self-crossing contours included.
-/// @return  corners, three a triangle, anticlockwise. Neighbouring trapezoids share horizontal edges, so no gap shows.
-/// @cost    O(n log n + n k), k = contour edges at one height (few, for sections).
+/// @return  corners, three a triangle, anticlockwise. They are trapezoids beside each other, cut across the longer side
+/// of
+///          the region: where two of them meet, both end on one line, so no gap shows.
+/// @cost    O((n + k) log n), k = places where contours cross. At most 2 (n + k) triangles.
 std::vector<geom::Point> triangles_of(const Region& region);
 
 /// Closed loops of one colour; filled under the non-zero rule.

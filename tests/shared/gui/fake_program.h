@@ -18,7 +18,7 @@ struct Bump {
   std::vector<geom::Point> points;
   template <class D>
   static void describe(D& d) {
-    d.field("name", &Bump::name, {.title = "Name"});
+    d.field("name", &Bump::name, {.title = "Name", .presence = scenario::Presence::Required});
     d.field("height", &Bump::height, {.title = "Height", .unit = "m", .above = 0});
     d.field("points", &Bump::points, {.title = "Points"});
   }
