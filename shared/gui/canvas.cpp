@@ -16,8 +16,8 @@ namespace dobra::gui {
 
 namespace {
 
-constexpr double reach = 8.0;          ///< Pixels round the cursor.
-constexpr double handle_size = 7.0;    ///< Pixels.
+constexpr double reach = 8.0;        ///< Pixels round the cursor.
+constexpr double handle_size = 7.0;  ///< Pixels.
 const QColor drawn_color(0x0b, 0x57, 0xd0);
 const QColor chosen_color(0xd9, 0x5f, 0x02);
 const QColor snap_color(0xb0, 0x00, 0x6d);

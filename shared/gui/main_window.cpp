@@ -16,6 +16,8 @@
 #include <algorithm>
 #include <set>
 
+#include "shared/gui/canvas.h"
+#include "shared/gui/draw_bar.h"
 #include "shared/gui/edit.h"
 #include "shared/gui/error_bar.h"
 #include "shared/gui/file_filter.h"
@@ -110,6 +112,8 @@ void MainWindow::make_center() {
   connect(error_bar_, &ErrorBar::show_asked, this, &MainWindow::go_to_error);
   connect(view_, &VtkWidget::cursor_moved, this, [this](const QString& where) { cursor_->setText(where); });
   connect(view_, &VtkWidget::picked, this, [this](const QString& what) { said_->setText(what); });
+  canvas_ = new Canvas(session_, *view_, this);
+  connect(canvas_, &Canvas::told, this, [this](const QString& what) { said_->setText(what); });
 }
 
 void MainWindow::make_docks() {
@@ -150,12 +154,17 @@ void MainWindow::make_docks() {
     session_.edit(with_table(session_.document(), form_part_, table), text("Change '%1'").arg(key));
   });
   connect(layers_, &LayerTree::visibility_changed, view_, &VtkWidget::set_layer_visible);
+  connect(layers_, &LayerTree::visibility_changed, this,
+          [this](const std::string&, const std::string& layer, bool visible) {
+            canvas_->set_layer_hidden(layer, !visible);
+          });
 }
 
 void MainWindow::make_actions() {
   Actions& a = *actions_;
   QMenu* file = menuBar()->addMenu(text("&File"));
   QMenu* edit = menuBar()->addMenu(text("&Edit"));
+  QMenu* draw = menuBar()->addMenu(text("&Draw"));
   QMenu* look = menuBar()->addMenu(text("&View"));
   QMenu* run = menuBar()->addMenu(text("&Run"));
   QMenu* help = menuBar()->addMenu(text("&Help"));
@@ -207,6 +216,8 @@ void MainWindow::make_actions() {
   bar->addSeparator();
   place(a.run, Symbol::Run);
   place(a.cancel, Symbol::Cancel);
+  draw_bar_ = new DrawBar(session_, *canvas_, *draw, this);
+  addToolBar(draw_bar_);
 }
 
 /// Only in a program with something to watch.
@@ -297,7 +308,7 @@ base::Result<void> MainWindow::open(const std::filesystem::path& file) {
   // The run has only been asked for: its picture comes later.
   fit_next_ = true;
   error_.reset();
-  view_->set_picture({}, Looking::AtAll);
+  show_nothing();
   layers_->forget_choices();
   layers_->show_picture({});
   steps_->select(session_.document().steps.empty() ? 0 : 1);
@@ -553,6 +564,7 @@ void MainWindow::show_outcome() {
     view_->set_picture(layers_->chosen(*outcome.picture), fit_next_ ? Looking::AtAll : Looking::WhereItDid);
     fit_next_ = false;
   }
+  canvas_->show_outcome();
   results_->show_outcome(outcome);
   actions_->save_picture->setEnabled(outcome.picture != nullptr);
   steps_->show_document(session_.document(), part_states());
@@ -563,6 +575,13 @@ void MainWindow::show_outcome() {
   } else if (!player_.watching()) {
     said_->setText(text("Done in %1 s").arg(outcome.seconds, 0, 'f', outcome.seconds < 1 ? 2 : 1));
   }
+}
+
+void MainWindow::show_nothing() {
+  scene::Picture sheet;
+  if (program_.drawing.add)
+    sheet.panels.push_back({.key = "section", .extent = geom::Box{{0.0, -600.0}, {1000.0, 0.0}}});
+  view_->set_picture(std::move(sheet), Looking::AtAll);
 }
 
 void MainWindow::show_error(const base::Error& error) {

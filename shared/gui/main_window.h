@@ -15,6 +15,8 @@ class QToolButton;
 
 namespace dobra::gui {
 
+class Canvas;
+class DrawBar;
 class ErrorBar;
 class LayerTree;
 class ParameterForm;
@@ -45,6 +47,8 @@ class MainWindow : public QMainWindow {
   /// The step that the player would show: the one selected, else the last that can be watched; 0 if there is none.
   [[nodiscard]] std::size_t watched_part() const;
   [[nodiscard]] VtkWidget& view() { return *view_; }
+  [[nodiscard]] Canvas& canvas() { return *canvas_; }
+  [[nodiscard]] DrawBar& draw_bar() { return *draw_bar_; }
   [[nodiscard]] LayerTree& layers() { return *layers_; }
   [[nodiscard]] StepList& steps() { return *steps_; }
   [[nodiscard]] ParameterForm& form() { return *form_; }
@@ -75,6 +79,8 @@ class MainWindow : public QMainWindow {
   bool may_discard();
   void about();
 
+  /// An empty sheet to draw on.
+  void show_nothing();
   void show_document();
   void show_form();
   /// Those of the model before the part of the document whose form is shown.
@@ -93,6 +99,8 @@ class MainWindow : public QMainWindow {
   Player player_;
   std::unique_ptr<Actions> actions_;
   VtkWidget* view_ = nullptr;
+  Canvas* canvas_ = nullptr;
+  DrawBar* draw_bar_ = nullptr;
   QLabel* hint_ = nullptr;  ///< What to do where there is nothing to see yet.
   ErrorBar* error_bar_ = nullptr;
   StepList* steps_ = nullptr;

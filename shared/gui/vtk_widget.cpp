@@ -183,6 +183,7 @@ void VtkWidget::show_picture() {
   relayout();
   doneCurrent();
   update();
+  emit view_changed();
 }
 
 void VtkWidget::set_layer_visible(const std::string& panel_key, const std::string& layer_key, bool visible) {
@@ -202,6 +203,7 @@ void VtkWidget::fit() {
   scene_->scene.set_views(views_);
   doneCurrent();
   update();
+  emit view_changed();
 }
 
 void VtkWidget::zoom(double factor, QPointF at) {
@@ -222,6 +224,7 @@ void VtkWidget::zoom(double factor, QPointF at) {
   scene_->scene.set_views(views_);
   doneCurrent();
   update();
+  emit view_changed();
 }
 
 void VtkWidget::pan(QPointF from, QPointF by) {
@@ -235,6 +238,7 @@ void VtkWidget::pan(QPointF from, QPointF by) {
   scene_->scene.set_views(views_);
   doneCurrent();
   update();
+  emit view_changed();
 }
 
 void VtkWidget::show_place(geom::Point place) {
@@ -269,6 +273,12 @@ std::optional<VtkWidget::Spot> VtkWidget::spot_at(QPointF pixel) const {
   const std::optional<std::size_t> panel = scene_->scene.panel_at(page_point(pixel));
   if (!panel || *panel >= picture_.panels.size()) return std::nullopt;
   return Spot{*panel, scene_->scene.layout().panels[*panel].transform.to_world(page_point(pixel))};
+}
+
+QRectF VtkWidget::plot(std::size_t panel) const {
+  DOBRA_CHECK(scene_ && panel < picture_.panels.size());
+  const geom::Box& box = scene_->scene.layout().panels[panel].plot;
+  return {box.low.x, box.low.y, box.width(), box.height()};
 }
 
 QPointF VtkWidget::pixel_of(std::size_t panel, geom::Point at) const {

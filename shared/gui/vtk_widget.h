@@ -45,12 +45,19 @@ class VtkWidget : public QOpenGLWidget {
     geom::Point at;
   };
   [[nodiscard]] std::optional<Spot> spot_at(QPointF pixel) const;
+  /// Whether it can be drawn, so that places have pixels.
+  [[nodiscard]] bool is_ready() const { return scene_ != nullptr; }
+  /// The pixels of the widget in which a panel shows its layers. @pre is_ready(), panel < panel_count()
+  [[nodiscard]] QRectF plot(std::size_t panel) const;
+  [[nodiscard]] double exaggeration(std::size_t panel) const { return picture_.panels[panel].vertical_exaggeration; }
   /// Where a point of the model stands in the widget.
   [[nodiscard]] QPointF pixel_of(std::size_t panel, geom::Point at) const;
 
  signals:
   void cursor_moved(const QString& where);
   void picked(const QString& what);
+  /// Other places of the model stand in other pixels, or another picture is shown.
+  void view_changed();
 
  protected:
   void initializeGL() override;
