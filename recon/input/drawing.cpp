@@ -11,6 +11,7 @@
 
 #include "recon/input/import.h"
 #include "recon/input/input.h"
+#include "recon/input/line_file.h"
 #include "recon/input/section_input.h"
 #include "shared/base/text.h"
 

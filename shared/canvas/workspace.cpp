@@ -46,7 +46,7 @@ const geom::Polyline* Workspace::line(const scene::Pick& pick) const {
 
 std::vector<std::pair<scene::Pick, const geom::Polyline*>> Workspace::lines() const {
   std::vector<std::pair<scene::Pick, const geom::Polyline*>> all;
-  for_each_line(panel(),
+  for_each_line(panel(), hidden_,
                 [&](scene::Pick pick, const geom::Polyline& line) { all.emplace_back(std::move(pick), &line); });
   return all;
 }

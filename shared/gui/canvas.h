@@ -2,6 +2,7 @@
 // The tools on the picture: passes mouse and keys on to the tool in hand, draws what it shows over the picture without
 // touching that, and turns what it has done into edits of the document. Page: docs/user/canvas.md.
 
+#include <QEvent>
 #include <QObject>
 #include <QPointF>
 #include <memory>
