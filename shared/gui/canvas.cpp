@@ -135,11 +135,10 @@ Canvas::Canvas(Session& session, VtkWidget& view, QObject* parent)
   entry_->hide();
   entry_->installEventFilter(this);
   view.installEventFilter(this);
-  connect(entry_, &QLineEdit::returnPressed, this, &Canvas::enter);
   connect(&view, &VtkWidget::view_changed, sheet_, qOverload<>(&QWidget::update));
 }
 
-Canvas::~Canvas() { view_.removeEventFilter(this); }
+Canvas::~Canvas() = default;
 
 void Canvas::take_up(std::unique_ptr<canvas::Tool> tool) {
   if (previewed_) session_.run();
@@ -158,6 +157,12 @@ void Canvas::show_outcome() {
   base_ = outcome;
   previewed_ = false;
   use_panel(outcome->picture && panel_ < outcome->picture->panels.size() ? panel_ : 0);
+}
+
+void Canvas::show_sheet() {
+  base_.reset();
+  work_.selection.clear();
+  use_panel(0);
 }
 
 void Canvas::use_panel(std::size_t panel) {
@@ -252,6 +257,17 @@ void Canvas::open_entry(const QString& typed) {
   entry_->setFocus();
 }
 
+bool Canvas::entry_key(const QEvent& event) {
+  if (event.type() != QEvent::KeyPress) return false;
+  const std::optional<canvas::Key> key = key_of(static_cast<const QKeyEvent&>(event).key());
+  if (key == canvas::Key::Enter) enter();
+  if (key == canvas::Key::Escape) {
+    entry_->hide();
+    view_.setFocus();
+  }
+  return key == canvas::Key::Enter || key == canvas::Key::Escape;  // the view below is not to have them too
+}
+
 void Canvas::enter() {
   canvas::EntryContext context{.last = tool_->last()};
   if (context.last && pointer_) context.towards = pointer_->at - *context.last;
@@ -318,14 +334,7 @@ void Canvas::carry_out(const canvas::Edited& edited) {
 }
 
 bool Canvas::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == entry_) {
-    if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
-      entry_->hide();
-      view_.setFocus();
-      return true;
-    }
-    return false;
-  }
+  if (watched == entry_) return entry_key(*event);
   switch (event->type()) {
     case QEvent::Resize:
       sheet_->resize(view_.size());

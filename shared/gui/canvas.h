@@ -34,6 +34,8 @@ class Canvas : public QObject {
 
   /// The picture of the last run is shown. That of an edit under way changes nothing here.
   void show_outcome();
+  /// Nothing is there yet but a sheet to draw on.
+  void show_sheet();
   void set_layer_hidden(const std::string& layer, bool hidden);
 
   void set_snapping(bool on) { snapping_ = on; }
@@ -56,6 +58,7 @@ class Canvas : public QObject {
   bool key_press(int key, const QString& typed);
   [[nodiscard]] static std::optional<canvas::Key> key_of(int key);
   void open_entry(const QString& typed);
+  bool entry_key(const QEvent& event);
   void enter();
   void carry_out();
   void carry_out(const canvas::Edited& edited);

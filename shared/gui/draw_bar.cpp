@@ -152,6 +152,8 @@ NewLine::NewLine(std::vector<scenario::Drawing::Kind> kinds, const std::string& 
   name_ = new QLineEdit(this);
   refused_ = new QLabel(this);
   refused_->setWordWrap(true);
+  name_->setObjectName("name");
+  refused_->setObjectName("refused");
   refused_->hide();
   rows->addRow(text("Kind"), kind_);
   rows->addRow(text("Name"), name_);

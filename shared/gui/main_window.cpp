@@ -88,6 +88,7 @@ MainWindow::MainWindow(const scenario::Program& program, std::string about)
   make_player_actions();
   make_status_bar();
   connect_session();
+  show_nothing();
   show_document();
 }
 
@@ -103,7 +104,9 @@ void MainWindow::make_center() {
   column->addWidget(error_bar_);
   column->addWidget(view_, 1);
   setCentralWidget(center);
-  hint_ = new QLabel(text("Open a scenario (Ctrl+O), or drop one here."), view_);
+  hint_ = new QLabel(program_.drawing.add ? text("Open a scenario (Ctrl+O), drop one here, or draw the first line (L).")
+                                          : text("Open a scenario (Ctrl+O), or drop one here."),
+                     view_);
   hint_->setAlignment(Qt::AlignCenter);
   hint_->setAttribute(Qt::WA_TransparentForMouseEvents);
   hint_->setStyleSheet("color: #707070; font-size: 12pt;");
@@ -582,6 +585,7 @@ void MainWindow::show_nothing() {
   if (program_.drawing.add)
     sheet.panels.push_back({.key = "section", .extent = geom::Box{{0.0, -600.0}, {1000.0, 0.0}}});
   view_->set_picture(std::move(sheet), Looking::AtAll);
+  canvas_->show_sheet();
 }
 
 void MainWindow::show_error(const base::Error& error) {

@@ -3,6 +3,7 @@
 #include "shared/gui/canvas.h"
 
 #include <QAction>
+#include <QLabel>
 #include <QLineEdit>
 #include <QTimer>
 
@@ -20,7 +21,11 @@ class CanvasTest : public test::WindowFixture {
     open_waves(
         "dobra = 1\nprogram = \"waves\"\n[input]\namplitude = 100.0\n"
         "[[input.bump]]\nname = \"A\"\npoints = [[100, 300], [500, 300], [900, 350]]\n");
+    take_focus();
+  }
+  void take_focus() {
     window.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&window, 5000));
     window.view().setFocus();
   }
   std::vector<Point> bump(std::size_t i) {
@@ -41,12 +46,21 @@ class CanvasTest : public test::WindowFixture {
   void take_up(const char* tool) { ASSERT_TRUE(window.draw_bar().take_up(tool)); }
   /// Types a name into the question what was drawn, and presses Enter.
   void answer(const char* name) {
-    QTimer::singleShot(0, &window, [name] {
-      ASSERT_TRUE(QTest::qWaitFor([] { return QApplication::activeModalWidget() != nullptr; }, 5000));
-      QWidget* question = QApplication::activeModalWidget();
-      QTest::keyClicks(question->findChild<QLineEdit*>(), name);
-      QTest::keyClick(question->findChild<QLineEdit*>(), Qt::Key_Return);
+    auto* timer = new QTimer(&window);
+    QObject::connect(timer, &QTimer::timeout, timer, [timer, name] {
+      auto* question = qobject_cast<NewLine*>(QApplication::activeModalWidget());
+      if (question == nullptr) return;
+      timer->stop();
+      timer->deleteLater();
+      auto* field = question->findChild<QLineEdit*>("name");
+      QTest::keyClicks(field, name);
+      QTest::keyClick(field, Qt::Key_Return);
+      if (question->isVisible()) {
+        ADD_FAILURE() << question->findChild<QLabel*>("refused")->text().toStdString();
+        question->reject();
+      }
     });
+    timer->start(10);
   }
   double pixel_size() { return window.view().view(0).world_per_point; }
 };
@@ -83,8 +97,8 @@ TEST_F(CanvasTest, ALineIsDrawnWithClicksSnapsAndATypedPlace) {
   click({102, 298});  // drawn to the vertex (100, 300)
   move({300, 200});
   QTest::keyClicks(&window.view(), "@");
-  QTest::keyClicks(QApplication::focusWidget(), "50,-25");
-  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+  QTest::keyClicks(focus(), "50,-25");
+  QTest::keyClick(focus(), Qt::Key_Return);
   answer("B");
   QTest::keyClick(&window.view(), Qt::Key_Return);
   settle();
@@ -96,7 +110,7 @@ TEST_F(CanvasTest, AWrongPlaceIsSaidAndTheFieldStays) {
   open_bump();
   take_up("line");
   QTest::keyClicks(&window.view(), "1");
-  auto* entry = qobject_cast<QLineEdit*>(QApplication::focusWidget());
+  auto* entry = qobject_cast<QLineEdit*>(focus());
   ASSERT_NE(entry, nullptr);
   QTest::keyClicks(entry, "2,x");
   QTest::keyClick(entry, Qt::Key_Return);
@@ -138,13 +152,14 @@ TEST_F(CanvasTest, EveryToolHasAnActionWithAKeyAndAnIcon) {
 }
 
 TEST_F(CanvasTest, TheFirstLineIsDrawnInAnEmptyWindow) {
+  take_focus();
   take_up("line");
   QTest::keyClicks(&window.view(), "1");
-  QTest::keyClicks(QApplication::focusWidget(), "0;20");
-  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+  QTest::keyClicks(focus(), "0;20");
+  QTest::keyClick(focus(), Qt::Key_Return);
   QTest::keyClicks(&window.view(), "@");
-  QTest::keyClicks(QApplication::focusWidget(), "100<0");
-  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+  QTest::keyClicks(focus(), "100<0");
+  QTest::keyClick(focus(), Qt::Key_Return);
   answer("First");
   QTest::keyClick(&window.view(), Qt::Key_Return);
   settle();
