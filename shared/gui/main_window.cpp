@@ -49,6 +49,8 @@ struct MainWindow::Actions {
 
 namespace {
 
+constexpr int worth_progress = 300;  ///< Milliseconds that runs take before their progress is shown.
+
 QString scenario_filter() { return file_filter({{"Scenarios", {".toml"}}}); }
 
 QDockWidget* dock(QMainWindow& window, const QString& title, const char* name, QWidget* content,
@@ -272,6 +274,12 @@ void MainWindow::make_status_bar() {
   cancel_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   progress_->hide();
   cancel_->hide();
+  show_progress_.setSingleShot(true);
+  show_progress_.setInterval(worth_progress);
+  connect(&show_progress_, &QTimer::timeout, this, [this] {
+    progress_->show();
+    cancel_->show();
+  });
   statusBar()->addWidget(said_, 1);
   statusBar()->addPermanentWidget(progress_);
   statusBar()->addPermanentWidget(cancel_);
@@ -530,8 +538,7 @@ void MainWindow::show_run_started() {
   if (player_.watching()) return;  // Many short runs, one after the other.
   progress_->setValue(0);
   progress_->setFormat(text("running"));
-  progress_->show();
-  cancel_->show();
+  if (!show_progress_.isActive() && progress_->isHidden()) show_progress_.start();
   steps_->show_document(session_.document(), part_states());
 }
 
@@ -542,8 +549,11 @@ void MainWindow::show_progress(double fraction, const QString& what) {
 
 void MainWindow::show_outcome() {
   const Outcome& outcome = *session_.outcome();
-  progress_->hide();
-  cancel_->hide();
+  if (!session_.busy()) {
+    show_progress_.stop();
+    progress_->hide();
+    cancel_->hide();
+  }
   actions_->cancel->setEnabled(session_.busy());
   error_.reset();
   error_bar_->clear();

@@ -103,6 +103,7 @@ class MainWindow : public QMainWindow {
   QLabel* cursor_ = nullptr;
   QProgressBar* progress_ = nullptr;
   QToolButton* cancel_ = nullptr;
+  QTimer show_progress_;
   std::optional<base::Error> error_;  ///< What the error bar says.
   std::size_t form_part_ = 0;         ///< Whose parameters the form shows.
   bool fit_next_ = true;              ///< The next picture is another document's: look at all of it.

@@ -9,7 +9,7 @@
 namespace dobra::gui {
 
 namespace {
-constexpr int pause_milliseconds = 150;
+constexpr int pause_milliseconds = 15;  ///< What one action changes in several edits is run once.
 }
 
 Session::Session(const scenario::Program& program, QObject* parent)
@@ -79,10 +79,10 @@ void Session::redo() {
 void Session::go_on() {
   emit document_changed();
   // What waits for a value would only fail.
-  if (still_to_be_given(document(), program_).isEmpty())
-    pause_.start();
-  else
+  if (!still_to_be_given(document(), program_).isEmpty())
     pause_.stop();
+  else if (!pause_.isActive())  // a stream of edits does not put the run off
+    pause_.start();
 }
 
 void Session::run() {
@@ -95,9 +95,11 @@ void Session::cancel() {
   worker_.cancel();
 }
 
-void Session::look_at(scenario::Document document) {
+DocumentPtr Session::look_at(scenario::Document document) {
   pause_.stop();
-  worker_.request(std::make_shared<const scenario::Document>(std::move(document)));
+  auto looked_at = std::make_shared<const scenario::Document>(std::move(document));
+  worker_.request(looked_at);
+  return looked_at;
 }
 
 void Session::finish(const OutcomePtr& outcome) {

@@ -36,7 +36,7 @@ class Session : public QObject {
   /// The document's file is there, and is not what was last read from it or written to it.
   [[nodiscard]] bool changed_on_disk() const;
 
-  /// Makes `document` the current one and runs it after a short pause, so that typing does not start a run a key. A
+  /// Makes `document` the current one and runs it after a short pause, or behind the run in progress. A
   /// document that lacks what must be given waits for it.
   /// @param what  for the Undo menu, translated.
   void edit(scenario::Document document, const QString& what);
@@ -44,8 +44,9 @@ class Session : public QObject {
   void redo();
   void run();
   void cancel();
-  /// Runs a document that is not the one being edited, to be looked at until the next run.
-  void look_at(scenario::Document document);
+  /// Runs a document that is not the one being edited, to be looked at until the next run. @return what its outcome
+  /// names.
+  DocumentPtr look_at(scenario::Document document);
 
   /// How many parts (input included) from the first on are the same in both documents.
   static std::size_t common_parts(const scenario::Document& a, const scenario::Document& b);

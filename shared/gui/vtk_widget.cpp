@@ -166,21 +166,33 @@ void VtkWidget::set_picture(scene::Picture picture, Looking looking) {
 
 void VtkWidget::show_picture() {
   if (!scene_) return;
-  scene::Picture shown = picture_;
-  if (place_) {
-    const auto has_place = [&](const scene::Panel& panel) { return panel.extent && panel.extent->contains(*place_); };
-    auto panel = std::find_if(shown.panels.begin(), shown.panels.end(), has_place);
-    if (panel == shown.panels.end()) panel = shown.panels.begin();
-    if (panel != shown.panels.end()) {
-      panel->layers.push_back(marker_layer("gui.place.rim", *place_, marker_color, 18.0));
-      panel->layers.push_back(marker_layer("gui.place.ring", *place_, {255, 255, 255}, 12.0));
-      panel->layers.push_back(marker_layer("gui.place.point", *place_, marker_color, 5.0));
-    }
-  }
   makeCurrent();
-  scene_->scene.set_picture(std::move(shown));
+  scene_->scene.set_picture(picture_);
   scene_->scene.set_views(views_);
   relayout();
+  doneCurrent();
+  show_marker();
+}
+
+/// On the panel that can show the place, or on the first.
+std::size_t VtkWidget::panel_of(geom::Point place) const {
+  const auto has_place = [&](const scene::Panel& panel) { return panel.extent && panel.extent->contains(place); };
+  const auto found = std::find_if(picture_.panels.begin(), picture_.panels.end(), has_place);
+  return found == picture_.panels.end() ? 0 : static_cast<std::size_t>(found - picture_.panels.begin());
+}
+
+void VtkWidget::show_marker() {
+  if (!scene_) return;
+  makeCurrent();
+  for (std::size_t i = 0; i < picture_.panels.size(); ++i) {
+    std::vector<scene::Layer> layers;
+    if (place_ && i == panel_of(*place_)) {
+      layers = {marker_layer("gui.place.rim", *place_, marker_color, 18.0),
+                marker_layer("gui.place.ring", *place_, {255, 255, 255}, 12.0),
+                marker_layer("gui.place.point", *place_, marker_color, 5.0)};
+    }
+    scene_->scene.set_overlay(i, layers);
+  }
   doneCurrent();
   update();
 }
@@ -192,7 +204,11 @@ void VtkWidget::set_layer_visible(const std::string& panel_key, const std::strin
       if (layer.key == layer_key) layer.visible = visible;
     }
   }
-  show_picture();
+  if (!scene_) return;
+  makeCurrent();
+  scene_->scene.set_layer_visible(panel_key, layer_key, visible);
+  doneCurrent();
+  update();
 }
 
 void VtkWidget::fit() {
@@ -240,23 +256,23 @@ void VtkWidget::pan(QPointF from, QPointF by) {
 void VtkWidget::show_place(geom::Point place) {
   if (!scene_ || picture_.panels.empty()) return;
   place_ = place;
-  const auto has_place = [&](const scene::Panel& panel) { return panel.extent && panel.extent->contains(place); };
-  const auto found = std::find_if(picture_.panels.begin(), picture_.panels.end(), has_place);
-  const std::size_t panel =
-      found == picture_.panels.end() ? 0 : static_cast<std::size_t>(found - picture_.panels.begin());
+  const std::size_t panel = panel_of(place);
   const double size = picture_.panels[panel].extent ? picture_.panels[panel].extent->diagonal() : 1.0;
   const std::vector<scene::View> views = scene_->scene.views();
   const double scale = place_fraction * size / std::max(scene_->scene.layout().panels[panel].plot.width(), 1.0);
   for (std::size_t i = 0; i < views.size(); ++i) {
     views_[i] = scene::View{i == panel ? place : views[i].centre, scale > 0.0 ? scale : views[i].world_per_point};
   }
-  show_picture();
+  makeCurrent();
+  scene_->scene.set_views(views_);
+  doneCurrent();
+  show_marker();
 }
 
 void VtkWidget::clear_place() {
   if (!place_) return;
   place_.reset();
-  show_picture();
+  show_marker();
 }
 
 scene::View VtkWidget::view(std::size_t panel) const {

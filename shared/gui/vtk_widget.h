@@ -67,6 +67,8 @@ class VtkWidget : public QOpenGLWidget {
   struct Scene;
   void release();
   void show_picture();
+  void show_marker();
+  [[nodiscard]] std::size_t panel_of(geom::Point place) const;
   void relayout();
   void pick(QPointF pixel);
 

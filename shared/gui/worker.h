@@ -1,9 +1,11 @@
 #pragma once
-// Runs documents on a thread of its own, so that the window never waits. The latest request wins: it cancels the run in
-// progress, of which nothing more is heard.
+// Runs documents on a thread of its own, so that the window never waits. What is asked for during a run waits, and the
+// latest of that is run next. A run that is short comes to its end and is heard of, so that a gesture of many requests
+// shows its way; one that takes longer is cancelled for the request that waits, and nothing more is heard of it.
 
 #include <QObject>
 #include <QThread>
+#include <QTimer>
 #include <memory>
 
 #include "shared/base/progress.h"
@@ -55,6 +57,7 @@ class Worker : public QObject {
   QObject* bench_;  ///< Lives in the thread; work is posted to it.
   base::CancelToken token_;
   DocumentPtr waiting_;
+  QTimer patience_;  ///< Runs as long as a run counts as short.
   bool busy_ = false;
 };
 
