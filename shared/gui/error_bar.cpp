@@ -26,6 +26,7 @@ ErrorBar::ErrorBar(QWidget* parent) : QFrame(parent), words_(new QLabel(this)), 
   close->setText(QString::fromUtf8("✕"));
   close->setAutoRaise(true);
   close->setToolTip(text("Close this message"));
+  close->setAccessibleName(close->toolTip());
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(8, 4, 4, 4);
   row->addWidget(sign);

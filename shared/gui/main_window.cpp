@@ -51,8 +51,6 @@ namespace {
 
 constexpr int worth_progress = 300;  ///< Milliseconds that runs take before their progress is shown.
 
-QString scenario_filter() { return file_filter({{"Scenarios", {".toml"}}}); }
-
 QDockWidget* dock(QMainWindow& window, const QString& title, const char* name, QWidget* content,
                   Qt::DockWidgetArea area) {
   auto* made = new QDockWidget(title, &window);
@@ -61,14 +59,6 @@ QDockWidget* dock(QMainWindow& window, const QString& title, const char* name, Q
   made->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
   window.addDockWidget(area, made);
   return made;
-}
-
-/// The scenario among what is dragged over the window; empty if there is none.
-QString dragged_file(const QMimeData& data) {
-  for (const QUrl& url : data.urls()) {
-    if (url.isLocalFile() && url.toLocalFile().endsWith(".toml", Qt::CaseInsensitive)) return url.toLocalFile();
-  }
-  return {};
 }
 
 }  // namespace
@@ -168,6 +158,8 @@ void MainWindow::make_actions() {
     return made;
   };
   a.open = add(file, text("&Open..."), QKeySequence::Open, [this] { ask_open(); });
+  recent_ = file->addMenu(text("Open &Recent"));
+  connect(recent_, &QMenu::aboutToShow, this, &MainWindow::fill_recent_menu);
   file->addSeparator();
   a.save = add(file, text("&Save"), QKeySequence::Save, [this] { ask_save(); });
   a.save_as = add(file, text("Save &As..."), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), [this] { ask_save_as(); });
@@ -292,24 +284,8 @@ void MainWindow::connect_session() {
   connect(&session_, &Session::run_started, this, &MainWindow::show_run_started);
   connect(&session_, &Session::progress, this, &MainWindow::show_progress);
   connect(&session_, &Session::run_finished, this, &MainWindow::show_outcome);
-}
-
-base::Result<void> MainWindow::open(const std::filesystem::path& file) {
-  const base::Result<void> opened = session_.open(file);
-  if (!opened) {
-    show_error(opened.error());
-    return opened.error();
-  }
-  form_->forget();
-  show_form();
-  // The run has only been asked for: its picture comes later.
-  fit_next_ = true;
-  error_.reset();
-  view_->set_picture({}, Looking::AtAll);
-  layers_->forget_choices();
-  layers_->show_picture({});
-  steps_->select(session_.document().steps.empty() ? 0 : 1);
-  return {};
+  connect(&session_, &Session::journal_failed, this,
+          [this](const QString& why) { said_->setText(text("Changes are not kept for a crash: %1").arg(why)); });
 }
 
 bool MainWindow::settle() {
@@ -319,112 +295,9 @@ bool MainWindow::settle() {
   return !refused;
 }
 
-base::Result<void> MainWindow::save(const std::filesystem::path& file) {
-  if (!settle()) return *error_;
-  const base::Result<void> saved = session_.save(file);
-  if (!saved) {
-    show_error(saved.error());
-    return saved.error();
-  }
-  said_->setText(text("Saved %1").arg(from_path(file)));
-  return {};
-}
-
-base::Result<void> MainWindow::save_picture(const std::filesystem::path& file) {
-  if (!session_.outcome() || !session_.outcome()->picture) {
-    return base::Error{base::ErrorCode::CannotDraw,
-                       text("there is no picture yet; run the scenario first").toStdString()};
-  }
-  return render::write_picture(scenario::titled(layers_->chosen(*session_.outcome()->picture), session_.document()),
-                               file);
-}
-
-base::Result<void> MainWindow::save_screenshot(const std::filesystem::path& file) {
-  const QImage image = grab().toImage();
-  const double ratio = image.devicePixelRatio();
-  const QPoint corner = view_->mapTo(this, QPoint(0, 0));
-  const QRect part(corner * ratio, view_->size() * ratio);
-  std::set<QRgb> colors;
-  for (int y = part.top(); y <= part.bottom() && colors.size() < 2; y += 2) {
-    for (int x = part.left(); x <= part.right(); x += 2) colors.insert(image.pixel(x, y));
-  }
-  const bool has_picture = session_.outcome() && session_.outcome()->picture;
-  if (has_picture && colors.size() < 2) {
-    return base::Error{base::ErrorCode::CannotDraw, text("the view came out blank").toStdString()};
-  }
-  if (!image.save(from_path(file), "PNG")) {
-    return base::Error{base::ErrorCode::CannotWrite, text("cannot write the picture").toStdString(),
-                       base::Place{file.string(), 0, 0, {}, {}, {}}};
-  }
-  return {};
-}
-
 void MainWindow::select(std::size_t part) {
   form_->form()->commit();
   steps_->select(part);
-}
-
-void MainWindow::ask_open() {
-  if (!may_discard()) return;
-  const QString chosen = QFileDialog::getOpenFileName(this, text("Open a scenario"),
-                                                      from_path(session_.document().folder()), scenario_filter());
-  if (!chosen.isEmpty()) static_cast<void>(open(to_path(chosen)));
-}
-
-bool MainWindow::ask_save() {
-  if (session_.document().file.empty()) return ask_save_as();
-  if (!session_.changed_on_disk()) return save(session_.document().file).ok();
-  QMessageBox box(
-      QMessageBox::Warning, QString::fromStdString(program_.title),
-      text("Another program has changed %1 since it was read here.").arg(from_path(session_.document().file)),
-      QMessageBox::NoButton, this);
-  box.setInformativeText(text("Saving to it loses those changes."));
-  const QPushButton* other = box.addButton(text("Save as another file"), QMessageBox::AcceptRole);
-  const QPushButton* overwrite = box.addButton(text("Overwrite"), QMessageBox::DestructiveRole);
-  box.addButton(text("Cancel"), QMessageBox::RejectRole);
-  box.exec();
-  const auto* answer = static_cast<const void*>(box.clickedButton());
-  if (answer == other) return ask_save_as();
-  return answer == overwrite && save(session_.document().file).ok();
-}
-
-bool MainWindow::ask_save_as() {
-  QString chosen = QFileDialog::getSaveFileName(this, text("Save the scenario"), from_path(session_.document().file),
-                                                scenario_filter());
-  if (chosen.isEmpty()) return false;
-  if (!chosen.endsWith(".toml", Qt::CaseInsensitive)) chosen += ".toml";
-  return save(to_path(chosen)).ok();
-}
-
-void MainWindow::ask_save_picture() {
-  const auto& endings = render::picture_endings;
-  std::filesystem::path proposed = session_.document().file;
-  if (proposed.empty()) proposed = session_.document().folder() / "picture";
-  proposed.replace_extension(endings.front());
-  QString chosen = QFileDialog::getSaveFileName(this, text("Save the picture"), from_path(proposed),
-                                                filter_of({"Pictures", {endings.begin(), endings.end()}}));
-  if (chosen.isEmpty()) return;
-  if (!to_path(chosen).has_extension()) chosen += endings.front();
-  const base::Result<void> written = save_picture(to_path(chosen));
-  if (written)
-    said_->setText(text("Saved %1").arg(chosen));
-  else
-    show_error(written.error());
-}
-
-bool MainWindow::may_discard() {
-  form_->form()->commit();
-  if (!session_.history().modified() && !form_->form()->unsettled()) return true;
-  QMessageBox box(QMessageBox::Question, QString::fromStdString(program_.title),
-                  text("The scenario has changes that are not saved."), QMessageBox::NoButton, this);
-  box.setInformativeText(text("Save them?"));
-  const QPushButton* save = box.addButton(text("Save"), QMessageBox::AcceptRole);
-  const QPushButton* discard = box.addButton(text("Discard"), QMessageBox::DestructiveRole);
-  box.addButton(text("Cancel"), QMessageBox::RejectRole);
-  box.exec();
-  const auto* answer = static_cast<const void*>(box.clickedButton());
-  if (answer == save) return ask_save();
-  return answer == discard;
 }
 
 void MainWindow::about() {
@@ -432,24 +305,6 @@ void MainWindow::about() {
   QMessageBox::about(this, text("About %1").arg(title),
                      QString("<h3>%1 %2</h3><p>%3</p><p>%4</p>")
                          .arg(title, DOBRA_VERSION, text(about_.c_str()), text("Part of Dobra. Apache License 2.0.")));
-}
-
-void MainWindow::closeEvent(QCloseEvent* event) {
-  if (may_discard())
-    event->accept();
-  else
-    event->ignore();
-}
-
-void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (!dragged_file(*event->mimeData()).isEmpty()) event->acceptProposedAction();
-}
-
-void MainWindow::dropEvent(QDropEvent* event) {
-  const QString file = dragged_file(*event->mimeData());
-  if (file.isEmpty()) return;
-  event->acceptProposedAction();
-  if (may_discard()) static_cast<void>(open(to_path(file)));
 }
 
 void MainWindow::show_document() {
@@ -558,11 +413,11 @@ void MainWindow::show_outcome() {
   error_.reset();
   error_bar_->clear();
   view_->clear_place();
-  if (outcome.picture) {
-    layers_->show_picture(*outcome.picture);
-    view_->set_picture(layers_->chosen(*outcome.picture), fit_next_ ? Looking::AtAll : Looking::WhereItDid);
-    fit_next_ = false;
-  }
+  // Nothing to draw leaves nothing on the canvas: what was there is not the document's any more.
+  const scene::Picture picture = outcome.picture ? layers_->chosen(*outcome.picture) : scene::Picture{};
+  layers_->show_picture(picture);
+  view_->set_picture(picture, fit_next_ ? Looking::AtAll : Looking::WhereItDid);
+  fit_next_ = outcome.picture == nullptr;
   results_->show_outcome(outcome);
   actions_->save_picture->setEnabled(outcome.picture != nullptr);
   steps_->show_document(session_.document(), part_states());

@@ -169,8 +169,22 @@ void TableForm::add_row(const Field& field, QGridLayout& grid) {
     }
     grid.addWidget(row->message, line + 2, title_column, 1, 4);
   }
+  name_controls(*row);
   connect_row(*row);
   rows_.push_back(std::move(row));
+}
+
+/// For those who hear the form: its controls are called as the row is, its buttons by what they do to it.
+void TableForm::name_controls(const Row& row) {
+  if (row.editor == nullptr) return;
+  const QString title = row.title->text();
+  row.reset->setAccessibleName(title + ": " + row.reset->toolTip());
+  for (QWidget* control : row.editor->findChildren<QWidget*>()) {
+    const auto* button = qobject_cast<QToolButton*>(control);
+    if (control->focusPolicy() == Qt::NoFocus) continue;
+    control->setAccessibleName(button != nullptr ? title + ": " + button->toolTip() : title);
+    if (button == nullptr) control->setAccessibleDescription(text(row.field.options.help));
+  }
 }
 
 void TableForm::connect_row(Row& row) {
@@ -372,6 +386,7 @@ ParameterForm::ParameterForm(QWidget* parent)
   help_->setForegroundRole(QPalette::PlaceholderText);
   scroll_->setFrameShape(QFrame::NoFrame);
   scroll_->setWidgetResizable(true);
+  scroll_->setAccessibleName(text("Parameters"));
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   column->addWidget(title_);
   column->addWidget(help_);

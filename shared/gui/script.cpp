@@ -31,10 +31,10 @@ constexpr int between_commands = 30;  ///< Milliseconds: the window paints what 
 /// Words that a command needs at least, its own name included.
 const std::map<std::string, std::size_t>& commands() {
   static const std::map<std::string, std::size_t> all{
-      {"wait", 1},       {"select", 2},      {"set", 2},          {"undo", 1},   {"redo", 1},
-      {"save", 1},       {"fit", 1},         {"hide", 2},         {"show", 2},   {"save-picture", 2},
-      {"screenshot", 2}, {"zoom", 4},        {"add", 2},          {"remove", 1}, {"quit", 1},
-      {"report", 2},     {"go-to-error", 1}, {"expect-error", 2}, {"watch", 2},  {"longest-gap", 2}};
+      {"wait", 1},  {"select", 2},      {"set", 2},    {"undo", 1},         {"redo", 1},        {"save", 1},
+      {"fit", 1},   {"hide", 2},        {"show", 2},   {"save-picture", 2}, {"screenshot", 2},  {"zoom", 4},
+      {"add", 2},   {"remove", 1},      {"quit", 1},   {"report", 2},       {"go-to-error", 1}, {"expect-error", 2},
+      {"watch", 2}, {"longest-gap", 2}, {"recover", 1}};
   return all;
 }
 
@@ -100,6 +100,7 @@ void Script::step() {
   }
   ++next_;
   if (line.words[0] == "quit") {
+    window_.session().forget_unsaved();
     emit ended(0);
     return;
   }
@@ -136,6 +137,9 @@ Result<void> Script::execute(const Line& line) {
     return window_.save_screenshot(line.rest);
   } else if (command == "report") {
     return write_report(line.rest);
+  } else if (command == "recover") {
+    if (!session.unsaved()) return failure(text("there is nothing to recover"));
+    session.recover();
   } else if (command == "longest-gap") {
     return io::write_file(line.rest, std::to_string(std::exchange(longest_gap_, 0)) + "\n");
   } else if (command == "hide" || command == "show") {

@@ -8,9 +8,9 @@
 // - save [PATH], save-picture PATH, screenshot PATH; report PATH: report.json of the last run
 // - expect-error WORDS: the error bar says WORDS; go-to-error: presses Show in it
 // - watch play|pause|stop: the operation at work; watch step COUNT: so many steps more
-// - longest-gap PATH: milliseconds that the window was deaf for at most since the script began, or since the last of
-// these
-// - quit: without asking
+// - longest-gap PATH: milliseconds that the window was deaf for at most since the last of these, or the beginning
+// - recover: takes up the changes that a window lost
+// - quit: without asking, and without keeping what is not saved
 // "#" begins a comment. At the end without quit the window stays open. PATH is relative to the current folder.
 
 #include <QElapsedTimer>

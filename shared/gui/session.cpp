@@ -4,6 +4,7 @@
 
 #include "shared/gui/edit.h"
 #include "shared/gui/messages.h"
+#include "shared/gui/text.h"
 #include "shared/io/file.h"
 
 namespace dobra::gui {
@@ -16,7 +17,12 @@ Session::Session(const scenario::Program& program, QObject* parent)
     : QObject(parent),
       program_(program),
       history_(std::make_shared<const scenario::Document>(empty_document(program))),
-      worker_(program) {
+      worker_(program),
+      journal_([this](const base::Error& error) {
+        const QString why = QString::fromStdString(base::to_string(error));
+        QMetaObject::invokeMethod(
+            this, [this, why] { emit journal_failed(why); }, Qt::QueuedConnection);
+      }) {
   pause_.setSingleShot(true);
   pause_.setInterval(pause_milliseconds);
   connect(&pause_, &QTimer::timeout, this, [this] { worker_.request(history_.current()); });
@@ -42,8 +48,12 @@ base::Result<void> Session::save(const std::filesystem::path& file) {
   const auto moved = [&](const scenario::Document& document) { return at_file(document, program_, file); };
   DOBRA_TRY_VOID(scenario::write_document(moved(document()), file));
   const bool same_place = document().file == file;
-  if (!same_place) history_.replace_all(moved);
+  if (!same_place) {
+    forget_unsaved();
+    history_.replace_all(moved);
+  }
   history_.mark_saved();
+  forget_unsaved();
   known_bytes_ = bytes_on_disk();
   emit document_changed();
   return {};
@@ -76,7 +86,27 @@ void Session::redo() {
   go_on();
 }
 
+void Session::keep_journal() {
+  journal_.keep(Journal::file_of(document()), history_.modified() ? history_.current() : nullptr);
+}
+
+void Session::forget_unsaved() { journal_.keep(Journal::file_of(document()), nullptr); }
+
+std::optional<scenario::Document> Session::unsaved() const {
+  const base::Result<std::string> written = io::read_text(Journal::file_of(document()));
+  if (!written) return std::nullopt;
+  base::Result<scenario::Document> read = scenario::parse_document(*written, document().file);
+  if (!read || !scenario::check_program(*read, program_)) return std::nullopt;
+  if (scenario::document_text(*read) == scenario::document_text(document())) return std::nullopt;
+  return std::move(*read);
+}
+
+void Session::recover() {
+  if (std::optional<scenario::Document> found = unsaved()) edit(*std::move(found), text("Recover what was not saved"));
+}
+
 void Session::go_on() {
+  keep_journal();
   emit document_changed();
   // What waits for a value would only fail.
   if (!still_to_be_given(document(), program_).isEmpty())

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "shared/gui/history.h"
+#include "shared/gui/journal.h"
 #include "shared/gui/worker.h"
 
 namespace dobra::gui {
@@ -33,6 +34,15 @@ class Session : public QObject {
   /// Writes the document; from then on it lives at `file`.
   /// @error CannotWrite
   base::Result<void> save(const std::filesystem::path& file);
+  /// What the journal of the document holds, from a window that did not come to its end; nothing if there is none.
+  [[nodiscard]] std::optional<scenario::Document> unsaved() const;
+  /// Takes up what `unsaved` gives, as an edit.
+  void recover();
+  /// What is not saved is not wanted.
+  void forget_unsaved();
+  /// Waits until the journal is on the disk.
+  void wait_for_journal() { journal_.wait(); }
+
   /// The document's file is there, and is not what was last read from it or written to it.
   [[nodiscard]] bool changed_on_disk() const;
 
@@ -57,8 +67,11 @@ class Session : public QObject {
   void run_started();
   void progress(double fraction, const QString& what);
   void run_finished();
+  void journal_failed(const QString& why);
 
  private:
+  /// The journal holds what the file does not.
+  void keep_journal();
   void go_on();
   void finish(const OutcomePtr& outcome);
   /// What the document's file holds; nothing if it cannot be read.
@@ -69,6 +82,7 @@ class Session : public QObject {
   Worker worker_;
   QTimer pause_;
   OutcomePtr outcome_;
+  Journal journal_;
   std::optional<std::string> known_bytes_;  ///< Of the document's file, when it was last read or written.
 };
 

@@ -18,11 +18,14 @@ OutcomePtr outcome_of(const DocumentPtr& document, const scenario::Program& prog
   auto outcome = std::make_shared<Outcome>();
   outcome->document = document;
   outcome->run = runner.run(*document, progress);
-  if (!outcome->run.states.empty()) {
-    const scenario::State& state = outcome->run.states.back();
-    scene::Picture picture = program.picture_of(state);
+  scene::Picture picture = outcome->run.states.empty() ? program.picture_of_input(*document)
+                                                       : program.picture_of(outcome->run.states.back());
+  if (!picture.panels.empty()) {
     scene::fill_regions(picture);  // here, and not on the window's thread
     outcome->picture = std::make_shared<const scene::Picture>(std::move(picture));
+  }
+  if (!outcome->run.states.empty()) {
+    const scenario::State& state = outcome->run.states.back();
     outcome->quantities = program.quantities_of(state);
     outcome->remarks = program.remarks_of(state);
   }

@@ -15,7 +15,7 @@
 namespace dobra::gui {
 
 /// A run with what the window shows of it, all made on the worker's thread. Where the run failed, the rest is that of
-/// the last state it reached; without any state, `picture` is null.
+/// the last state it reached; without any state, `picture` is what the input draws, or null.
 struct Outcome {
   DocumentPtr document;
   scenario::Run run;

@@ -106,6 +106,37 @@ TEST(WindowOfQuebra, TheMesherIsWatchedStepByStepAndTheDocumentStaysAsItIs) {
   std::filesystem::remove_all(folder);
 }
 
+/// An outline that crosses itself is refused, and drawn all the same: Show has something to show.
+TEST_P(Windows, WhatIsRefusedIsDrawn) {
+  const std::string name = GetParam();
+  const std::string points = "points = [[0, 0], [4, 4], [4, 0], [0, 4]]\n";
+  const std::string recon = "[[input.horizon]]\nname = \"bow\"\n" + points;
+  const std::string quebra = "[[input.curve]]\nname = \"bow\"\nkind = \"polygon\"\n" + points;
+  const std::string document =
+      write("bow.toml", "dobra = 1\nprogram = \"" + name + "\"\n[input]\n" + (name == "recon" ? recon : quebra));
+  const std::string script = write("script.txt", "wait\nexpect-error cross\ngo-to-error\nsave-picture " +
+                                                     path("bow.svg") + "\nscreenshot " + path("bow.png") + "\nquit\n");
+  EXPECT_EQ(run("xvfb-run -a " + program(name) + " " + document + " --script " + script), 0);
+  EXPECT_NE(read("bow.svg").find("bow"), std::string::npos);
+}
+
+/// A window that is killed leaves its changes, and the next one takes them up.
+TEST_P(Windows, AKilledWindowLosesNothing) {
+  const std::string name = GetParam();
+  std::filesystem::copy(example(name).parent_path(), path("example"));
+  const std::string document = path("example/" + example(name).filename().string());
+  const std::string edit = write("edit.txt", std::string("wait\nselect ") + (name == "recon" ? "1" : "2") +
+                                                 "\nset factor 1.1\nwait\n");  // and stays open
+  const std::string recover =
+      write("recover.txt", "wait\nrecover\nwait\nsave " + path("example/saved.toml") + "\nquit\n");
+  EXPECT_EQ(run("xvfb-run -a sh -c '" + program(name) + " " + document + " --script " + edit +
+                " & for i in $(seq 200); do test -s " + document + ".unsaved && break; sleep 0.1; done; kill -9 $!'"),
+            0);
+  ASSERT_EQ(run("xvfb-run -a " + program(name) + " " + document + " --script " + recover), 0);
+  EXPECT_NE(read("example/saved.toml").find("factor = 1.1"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(document + ".unsaved"));
+}
+
 TEST_P(Windows, WithoutADisplayTheMessageSaysWhatToDo) {
   EXPECT_EQ(run("env -u DISPLAY -u WAYLAND_DISPLAY " + program(GetParam()) + " " + example(GetParam()).string() +
                 " 2> " + path("said")),
