@@ -91,7 +91,8 @@ TEST(WindowOfQuebra, TheMesherIsWatchedStepByStepAndTheDocumentStaysAsItIs) {
     return std::string{std::istreambuf_iterator<char>(in), {}};
   };
   std::ofstream(path("plate.toml")) << "dobra = 1\nprogram = \"quebra\"\n\n[input]\nspecimen = "
-                                       "\"plate_with_hole\"\n\n[[step]]\noperation = \"mesh\"\nsize = 0.5\n";
+                                       "\"plate_with_hole\"\n\n[[step]]\noperation = \"mesh\"\nsize = 0.5\n"
+                                       "[[expect]]\nquantity = \"work.front\"\nvalue = -1.0\n";
   std::ofstream(path("script.txt")) << "wait\nreport " << path("first.json") << "\nwatch step 100\nwait\nreport "
                                     << path("work.json") << "\nscreenshot " << path("work.png")
                                     << "\nwatch step 20\nwait\nwatch stop\nwait\nreport " << path("last.json")
@@ -100,6 +101,9 @@ TEST(WindowOfQuebra, TheMesherIsWatchedStepByStepAndTheDocumentStaysAsItIs) {
                               path("plate.toml") + " --script " + path("script.txt");
   EXPECT_EQ(std::system(command.c_str()), 0);
   EXPECT_NE(read("work.json").find("work.front"), std::string::npos);
+  // What is expected of the mesh is not asked of the mesher at work.
+  EXPECT_NE(read("last.json").find("\"met\""), std::string::npos);
+  EXPECT_EQ(read("work.json").find("\"met\""), std::string::npos);
   EXPECT_GT(read("work.png").size(), 10000u);
   EXPECT_EQ(read("last.json"), read("first.json"));
   EXPECT_EQ(read("saved.toml").find("stop_after"), std::string::npos);
