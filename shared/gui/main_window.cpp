@@ -16,7 +16,7 @@
 #include <algorithm>
 #include <set>
 
-#include "shared/gui/edit.h"
+#include "shared/gui/documents/edit.h"
 #include "shared/gui/error_bar.h"
 #include "shared/gui/file_filter.h"
 #include "shared/gui/icons.h"
@@ -125,21 +125,21 @@ void MainWindow::make_docks() {
     const std::size_t after = steps_->selected();
     const scenario::Operation* made = program_.find_operation(operation);
     const QString title = text((made != nullptr ? made->title : operation).c_str());
-    session_.edit(with_step(session_.document(), after, operation), text("Add '%1'").arg(title));
+    session_.edit(documents::with_step(session_.document(), after, operation), text("Add '%1'").arg(title));
     steps_->select(after + 1);
   });
   connect(steps_, &StepList::remove_asked, this, [this](std::size_t step) {
     form_->form()->commit();
-    session_.edit(without_step(session_.document(), step), text("Remove step %1").arg(step));
+    session_.edit(documents::without_step(session_.document(), step), text("Remove step %1").arg(step));
   });
   connect(steps_, &StepList::exchange_asked, this, [this](std::size_t step, std::size_t selected) {
     form_->form()->commit();
-    session_.edit(with_step_lowered(session_.document(), step),
+    session_.edit(documents::with_step_lowered(session_.document(), step),
                   text("Exchange steps %1 and %2").arg(step).arg(step + 1));
     steps_->select(selected);
   });
   connect(form_, &ParameterForm::edited, this, [this](const scenario::Table& table, const QString& key) {
-    session_.edit(with_table(session_.document(), form_part_, table), text("Change '%1'").arg(key));
+    session_.edit(documents::with_table(session_.document(), form_part_, table), text("Change '%1'").arg(key));
   });
   connect(layers_, &LayerTree::visibility_changed, view_, &VtkWidget::set_layer_visible);
 }
@@ -309,7 +309,7 @@ void MainWindow::about() {
 
 void MainWindow::show_document() {
   const scenario::Document& document = session_.document();
-  const History& history = session_.history();
+  const documents::History& history = session_.history();
   const QString name = document.file.empty() ? text("untitled") : from_path(document.file.filename());
   setWindowTitle(name + QString::fromUtf8("[*] — ") + QString::fromStdString(program_.title));
   setWindowFilePath({});
@@ -351,15 +351,16 @@ void MainWindow::show_form() {
                                 : text("%1 has no such operation.").arg(QString::fromStdString(program_.title));
     identity = from_path(document.file) + "#" + QString::number(part) + QString::fromStdString(step.operation);
   }
-  form_->show_part(identity, title, help, scenario::fields_in(fields_of(document, program_, part), document.units),
-                   table_of(document, part), document.folder());
+  form_->show_part(identity, title, help,
+                   scenario::fields_in(documents::fields_of(document, program_, part), document.units),
+                   documents::table_of(document, part), document.folder());
   offer_names(part);
   mark_error();
 }
 
 void MainWindow::offer_names(std::size_t part) {
   form_->form()->offer([&](const std::string& what) -> std::vector<std::string> {
-    const OutcomePtr& outcome = session_.outcome();
+    const documents::OutcomePtr& outcome = session_.outcome();
     if (part == 0 || !program_.names_of || !outcome || outcome->run.states.size() < part) return {};
     return program_.names_of(outcome->run.states[part - 1], what);
   });
@@ -368,7 +369,7 @@ void MainWindow::offer_names(std::size_t part) {
 std::vector<PartState> MainWindow::part_states() const {
   const scenario::Document& document = session_.document();
   std::vector<PartState> states(document.steps.size() + 1, session_.busy() ? PartState::Running : PartState::Pending);
-  const OutcomePtr& outcome = session_.outcome();
+  const documents::OutcomePtr& outcome = session_.outcome();
   if (!outcome) return states;
   const std::size_t same = Session::common_parts(document, *outcome->document);
   for (std::size_t part = 0; part < std::min(same, outcome->run.states.size()); ++part) states[part] = PartState::Done;
@@ -381,7 +382,7 @@ std::vector<PartState> MainWindow::part_states() const {
 }
 
 void MainWindow::show_run_started() {
-  const OutcomePtr& before = session_.outcome();
+  const documents::OutcomePtr& before = session_.outcome();
   if (before && before->run.error &&
       Session::common_parts(session_.document(), *before->document) <= before->run.failed_step) {
     // What failed has been changed; whether it fails still is for this run to say.
@@ -403,7 +404,7 @@ void MainWindow::show_progress(double fraction, const QString& what) {
 }
 
 void MainWindow::show_outcome() {
-  const Outcome& outcome = *session_.outcome();
+  const documents::Outcome& outcome = *session_.outcome();
   if (!session_.busy()) {
     show_progress_.stop();
     progress_->hide();
@@ -436,7 +437,7 @@ void MainWindow::show_error(const base::Error& error) {
     return;
   }
   error_ = error;
-  const OutcomePtr& outcome = session_.outcome();
+  const documents::OutcomePtr& outcome = session_.outcome();
   const bool of_run = outcome && outcome->run.error && outcome->run.error->message == error.message;
   const bool has_place = error.place && error.place->x && error.place->y;
   const QString said = of_run ? in_words_of_the_window(error, *outcome->document, program_, outcome->run.failed_step)
@@ -446,7 +447,7 @@ void MainWindow::show_error(const base::Error& error) {
 
 void MainWindow::mark_error() {
   if (!error_ || !error_->place || !session_.outcome() || !session_.outcome()->run.error) return;
-  const Outcome& outcome = *session_.outcome();
+  const documents::Outcome& outcome = *session_.outcome();
   if (steps_->selected() != outcome.run.failed_step || form_->form() == nullptr) return;
   // What the user has changed since is for the next run to judge.
   if (Session::common_parts(session_.document(), *outcome.document) <= outcome.run.failed_step) return;

@@ -63,7 +63,7 @@ void Player::show(std::size_t part, std::size_t steps) {
 }
 
 void Player::go_on() {
-  const OutcomePtr& outcome = session_.outcome();
+  const documents::OutcomePtr& outcome = session_.outcome();
   if (!watching() || outcome->document != asked_) return;
   const scenario::Step& step = session_.document().steps[part_ - 1];
   const bool failed = !outcome->run.complete();

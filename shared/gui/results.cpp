@@ -53,7 +53,7 @@ Results::Results(QWidget* parent) : QWidget(parent), quantities_(new QTreeWidget
   column->addWidget(splitter);
 }
 
-void Results::show_outcome(const Outcome& outcome) {
+void Results::show_outcome(const documents::Outcome& outcome) {
   quantities_->clear();
   QTreeWidgetItem* group = nullptr;
   QString group_name;

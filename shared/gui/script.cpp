@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "shared/base/text.h"
-#include "shared/gui/edit.h"
+#include "shared/gui/documents/edit.h"
 #include "shared/gui/error_bar.h"
 #include "shared/gui/layer_tree.h"
 #include "shared/gui/main_window.h"
@@ -218,7 +218,7 @@ Result<void> Script::zoom(const Line& line) {
 Result<void> Script::write_report(const std::filesystem::path& file) {
   const Session& session = window_.session();
   if (session.busy() || !session.outcome()) return failure(text("no run has ended yet; write wait before"));
-  const Outcome& outcome = *session.outcome();
+  const documents::Outcome& outcome = *session.outcome();
   return io::write_file(file, scenario::report_json(*outcome.document, session.program(), outcome.run));
 }
 

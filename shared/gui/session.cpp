@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "shared/gui/edit.h"
+#include "shared/gui/documents/edit.h"
 #include "shared/gui/messages.h"
 #include "shared/gui/text.h"
 #include "shared/io/file.h"
@@ -16,7 +16,7 @@ constexpr int pause_milliseconds = 15;  ///< What one action changes in several 
 Session::Session(const scenario::Program& program, QObject* parent)
     : QObject(parent),
       program_(program),
-      history_(std::make_shared<const scenario::Document>(empty_document(program))),
+      history_(std::make_shared<const scenario::Document>(documents::empty_document(program))),
       worker_(program),
       journal_([this](const base::Error& error) {
         const QString why = QString::fromStdString(base::to_string(error));
@@ -26,9 +26,9 @@ Session::Session(const scenario::Program& program, QObject* parent)
   pause_.setSingleShot(true);
   pause_.setInterval(pause_milliseconds);
   connect(&pause_, &QTimer::timeout, this, [this] { worker_.request(history_.current()); });
-  connect(&worker_, &Worker::started, this, &Session::run_started);
-  connect(&worker_, &Worker::progress, this, &Session::progress);
-  connect(&worker_, &Worker::finished, this, &Session::finish);
+  connect(&worker_, &documents::Worker::started, this, &Session::run_started);
+  connect(&worker_, &documents::Worker::progress, this, &Session::progress);
+  connect(&worker_, &documents::Worker::finished, this, &Session::finish);
 }
 
 base::Result<void> Session::open(const std::filesystem::path& file) {
@@ -36,7 +36,7 @@ base::Result<void> Session::open(const std::filesystem::path& file) {
   // Wrong parameters can be mended in the form; a document of another program cannot.
   DOBRA_TRY_VOID(scenario::check_program(document, program_));
   document.file = file;
-  history_ = History(std::make_shared<const scenario::Document>(std::move(document)));
+  history_ = documents::History(std::make_shared<const scenario::Document>(std::move(document)));
   known_bytes_ = bytes_on_disk();
   outcome_ = nullptr;
   emit document_changed();
@@ -45,7 +45,7 @@ base::Result<void> Session::open(const std::filesystem::path& file) {
 }
 
 base::Result<void> Session::save(const std::filesystem::path& file) {
-  const auto moved = [&](const scenario::Document& document) { return at_file(document, program_, file); };
+  const auto moved = [&](const scenario::Document& document) { return documents::at_file(document, program_, file); };
   DOBRA_TRY_VOID(scenario::write_document(moved(document()), file));
   const bool same_place = document().file == file;
   if (!same_place) {
@@ -87,13 +87,13 @@ void Session::redo() {
 }
 
 void Session::keep_journal() {
-  journal_.keep(Journal::file_of(document()), history_.modified() ? history_.current() : nullptr);
+  journal_.keep(documents::Journal::file_of(document()), history_.modified() ? history_.current() : nullptr);
 }
 
-void Session::forget_unsaved() { journal_.keep(Journal::file_of(document()), nullptr); }
+void Session::forget_unsaved() { journal_.keep(documents::Journal::file_of(document()), nullptr); }
 
 std::optional<scenario::Document> Session::unsaved() const {
-  const base::Result<std::string> written = io::read_text(Journal::file_of(document()));
+  const base::Result<std::string> written = io::read_text(documents::Journal::file_of(document()));
   if (!written) return std::nullopt;
   base::Result<scenario::Document> read = scenario::parse_document(*written, document().file);
   if (!read || !scenario::check_program(*read, program_)) return std::nullopt;
@@ -125,14 +125,14 @@ void Session::cancel() {
   worker_.cancel();
 }
 
-DocumentPtr Session::look_at(scenario::Document document) {
+documents::DocumentPtr Session::look_at(scenario::Document document) {
   pause_.stop();
   auto looked_at = std::make_shared<const scenario::Document>(std::move(document));
   worker_.request(looked_at);
   return looked_at;
 }
 
-void Session::finish(const OutcomePtr& outcome) {
+void Session::finish(const documents::OutcomePtr& outcome) {
   outcome_ = outcome;
   emit run_finished();
 }

@@ -7,9 +7,9 @@
 #include <optional>
 #include <string>
 
-#include "shared/gui/history.h"
-#include "shared/gui/journal.h"
-#include "shared/gui/worker.h"
+#include "shared/gui/documents/history.h"
+#include "shared/gui/documents/journal.h"
+#include "shared/gui/documents/worker.h"
 
 namespace dobra::gui {
 
@@ -22,9 +22,9 @@ class Session : public QObject {
 
   [[nodiscard]] const scenario::Program& program() const { return program_; }
   [[nodiscard]] const scenario::Document& document() const { return *history_.current(); }
-  [[nodiscard]] const History& history() const { return history_; }
+  [[nodiscard]] const documents::History& history() const { return history_; }
   /// Of the last run that came to an end; null before.
-  [[nodiscard]] const OutcomePtr& outcome() const { return outcome_; }
+  [[nodiscard]] const documents::OutcomePtr& outcome() const { return outcome_; }
   /// A run is under way or about to start.
   [[nodiscard]] bool busy() const { return pause_.isActive() || worker_.busy(); }
 
@@ -56,7 +56,7 @@ class Session : public QObject {
   void cancel();
   /// Runs a document that is not the one being edited, to be looked at until the next run. @return what its outcome
   /// names.
-  DocumentPtr look_at(scenario::Document document);
+  documents::DocumentPtr look_at(scenario::Document document);
 
   /// How many parts (input included) from the first on are the same in both documents.
   static std::size_t common_parts(const scenario::Document& a, const scenario::Document& b);
@@ -73,16 +73,16 @@ class Session : public QObject {
   /// The journal holds what the file does not.
   void keep_journal();
   void go_on();
-  void finish(const OutcomePtr& outcome);
+  void finish(const documents::OutcomePtr& outcome);
   /// What the document's file holds; nothing if it cannot be read.
   [[nodiscard]] std::optional<std::string> bytes_on_disk() const;
 
   const scenario::Program& program_;
-  History history_;
-  Worker worker_;
+  documents::History history_;
+  documents::Worker worker_;
   QTimer pause_;
-  OutcomePtr outcome_;
-  Journal journal_;
+  documents::OutcomePtr outcome_;
+  documents::Journal journal_;
   std::optional<std::string> known_bytes_;  ///< Of the document's file, when it was last read or written.
 };
 

@@ -149,7 +149,7 @@ TEST_F(Keys, ErrorsAreSaidInTheWordsOfTheForm) {
 TEST_F(Keys, AnAddedTableIsNotRedAndDoesNotRunBeforeItsNameIsGiven) {
   open_waves();
   window.select(0);
-  const OutcomePtr before = window.session().outcome();
+  const documents::OutcomePtr before = window.session().outcome();
   click(window.form().findChild<QWidget*>("add.bump"));
   settle();
   EXPECT_EQ(window.form().form()->message_at("bump.1.name"), "");

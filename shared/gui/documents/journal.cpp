@@ -1,11 +1,10 @@
-#include "shared/gui/journal.h"
+#include "shared/gui/documents/journal.h"
 
 #include <QStandardPaths>
 
-#include "shared/gui/text.h"
 #include "shared/io/file.h"
 
-namespace dobra::gui {
+namespace dobra::gui::documents {
 
 Journal::Journal(Failed failed) : failed_(std::move(failed)), thread_([this] { work(); }) {}
 
@@ -21,7 +20,8 @@ Journal::~Journal() {
 std::filesystem::path Journal::file_of(const scenario::Document& document) {
   std::filesystem::path file = document.file;
   if (file.empty()) {
-    file = to_path(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)) / (document.program + ".toml");
+    file = std::filesystem::path(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation).toStdString()) /
+           (document.program + ".toml");
   }
   return file += ".unsaved";
 }
@@ -62,4 +62,4 @@ void Journal::work() {
   }
 }
 
-}  // namespace dobra::gui
+}  // namespace dobra::gui::documents

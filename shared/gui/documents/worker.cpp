@@ -1,10 +1,10 @@
-#include "shared/gui/worker.h"
+#include "shared/gui/documents/worker.h"
 
 #include <chrono>
 
 #include "shared/scene/fill.h"
 
-namespace dobra::gui {
+namespace dobra::gui::documents {
 
 namespace {
 
@@ -101,4 +101,4 @@ void Worker::done(const OutcomePtr& outcome) {
   if (heard) emit finished(outcome);
 }
 
-}  // namespace dobra::gui
+}  // namespace dobra::gui::documents

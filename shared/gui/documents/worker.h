@@ -9,10 +9,10 @@
 #include <memory>
 
 #include "shared/base/progress.h"
-#include "shared/gui/history.h"
+#include "shared/gui/documents/history.h"
 #include "shared/scenario/runner.h"
 
-namespace dobra::gui {
+namespace dobra::gui::documents {
 
 /// A run with what the window shows of it, all made on the worker's thread. Where the run failed, the rest is that of
 /// the last state it reached; without any state, `picture` is what the input draws, or null.
@@ -45,7 +45,7 @@ class Worker : public QObject {
  signals:
   void started();
   void progress(double fraction, const QString& what);
-  void finished(const dobra::gui::OutcomePtr& outcome);
+  void finished(const dobra::gui::documents::OutcomePtr& outcome);
 
  private:
   void start(DocumentPtr document);
@@ -61,4 +61,4 @@ class Worker : public QObject {
   bool busy_ = false;
 };
 
-}  // namespace dobra::gui
+}  // namespace dobra::gui::documents

@@ -1,4 +1,4 @@
-#include "shared/gui/worker.h"
+#include "shared/gui/documents/worker.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "tests/shared/gui/fake_program.h"
 
-namespace dobra::gui {
+namespace dobra::gui::documents {
 namespace {
 
 class WorkerTest : public testing::Test {
@@ -151,4 +151,4 @@ TEST(Worker, DestroyedWhileRunningEndsPromptly) {
 }
 
 }  // namespace
-}  // namespace dobra::gui
+}  // namespace dobra::gui::documents

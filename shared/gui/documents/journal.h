@@ -9,9 +9,9 @@
 #include <mutex>
 #include <thread>
 
-#include "shared/gui/history.h"
+#include "shared/gui/documents/history.h"
 
-namespace dobra::gui {
+namespace dobra::gui::documents {
 
 class Journal {
  public:
@@ -44,4 +44,4 @@ class Journal {
   std::thread thread_;
 };
 
-}  // namespace dobra::gui
+}  // namespace dobra::gui::documents
