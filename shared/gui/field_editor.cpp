@@ -166,6 +166,7 @@ class LineEditor : public FieldEditor {
   }
   void type(const QString& typed) override {
     line_->setText(typed);
+    show_origin(*surface_, Origin::Document);
     commit();
   }
   void commit() override {
