@@ -5,6 +5,7 @@
 #include "recon/core/carry_step.h"
 #include "recon/core/faults_step.h"
 #include "recon/core/grid_step.h"
+#include "recon/core/input_picture.h"
 #include "recon/core/invert_step.h"
 #include "recon/core/monte_carlo_step.h"
 #include "recon/core/move_step.h"
@@ -120,6 +121,10 @@ scenario::Program make_program() {
   recon.title = "RECON";
   recon.input_fields = scenario::fields_of<input::SectionInput>();
   recon.read_input = read_input;
+  recon.draw_input = [](const scenario::Table& table, const scenario::Context& context,
+                        dobra::scene::Picture& picture) {
+    draw_lines(scenario::from_table<input::SectionInput>(table), context, picture);
+  };
   recon.results = scenario::make_results<model::Model>({.quantities = add_section_quantities,
                                                         .tables = add_chain_tables,
                                                         .remarks = add_section_remarks,

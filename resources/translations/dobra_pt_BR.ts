@@ -3592,6 +3592,44 @@
     <message>
         <source>Open a scenario (Ctrl+O), drop one here, or draw the first line (L).</source>
         <translation>Abra um cenário (Ctrl+O), solte um aqui, ou desenhe a primeira linha (L).</translation>
+        <source>Open &amp;Recent</source>
+        <translation>Abrir &amp;recente</translation>
+    </message>
+    <message>
+        <source>None yet</source>
+        <translation>Nenhum ainda</translation>
+    </message>
+    <message>
+        <source>Changes were not saved when the program last ended.</source>
+        <translation>Havia alterações não salvas quando o programa terminou.</translation>
+    </message>
+    <message>
+        <source>Take them up again? Undo gives back what was saved.</source>
+        <translation>Retomá-las? Desfazer devolve o que foi salvo.</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Recuperar</translation>
+    </message>
+    <message>
+        <source>Recover what was not saved</source>
+        <translation>Recuperar o que não foi salvo</translation>
+    </message>
+    <message>
+        <source>Changes are not kept for a crash: %1</source>
+        <translation>As alterações não são guardadas para uma queda: %1</translation>
+    </message>
+    <message>
+        <source>there is nothing to recover</source>
+        <translation>não há nada a recuperar</translation>
+    </message>
+    <message>
+        <source>Arrow keys pan, + and - zoom, Home shows all; with Space held the left button pans.</source>
+        <translation>As setas deslocam, + e - ampliam e reduzem, Home mostra tudo; com Espaço, o botão esquerdo desloca.</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Observações</translation>
     </message>
 </context>
 </TS>

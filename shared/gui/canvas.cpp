@@ -126,7 +126,7 @@ class Canvas::Sheet : public QWidget {
   VtkWidget& view_;
 };
 
-Canvas::Canvas(Session& session, VtkWidget& view, QObject* parent)
+Canvas::Canvas(documents::Session& session, VtkWidget& view, QObject* parent)
     : QObject(parent), session_(session), view_(view), tool_(canvas::make_select_tool()) {
   sheet_ = new Sheet(*this, view);
   entry_ = new QLineEdit(&view);
@@ -152,7 +152,7 @@ void Canvas::take_up(std::unique_ptr<canvas::Tool> tool) {
 }
 
 void Canvas::show_outcome() {
-  const OutcomePtr& outcome = session_.outcome();
+  const documents::OutcomePtr& outcome = session_.outcome();
   if (!outcome || outcome->document != session_.history().current()) return;
   base_ = outcome;
   previewed_ = false;
@@ -243,7 +243,7 @@ bool Canvas::key_press(int key, const QString& typed) {
     sheet_->update();
     return used;
   }
-  const bool starts_place = typed.size() == 1 && QString("0123456789-+@.,").contains(typed);
+  const bool starts_place = typed.size() == 1 && QString("0123456789-@.,").contains(typed);
   if (!starts_place || work_.empty() || !tool_->snaps()) return false;
   open_entry(typed);
   return true;

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "shared/canvas/tool.h"
-#include "shared/gui/session.h"
+#include "shared/gui/documents/session.h"
 
 class QLineEdit;
 class QMouseEvent;
@@ -24,7 +24,7 @@ class Canvas : public QObject {
 
  public:
   /// Works on what `view` shows. @pre both outlive the canvas
-  Canvas(Session& session, VtkWidget& view, QObject* parent = nullptr);
+  Canvas(documents::Session& session, VtkWidget& view, QObject* parent = nullptr);
   ~Canvas() override;
 
   /// What the mouse and the keys do from now on.
@@ -66,13 +66,13 @@ class Canvas : public QObject {
   [[nodiscard]] bool is_input(const canvas::Edited& edited) const;
   void use_panel(std::size_t panel);
 
-  Session& session_;
+  documents::Session& session_;
   VtkWidget& view_;
   Sheet* sheet_ = nullptr;
   QLineEdit* entry_ = nullptr;
   std::unique_ptr<canvas::Tool> tool_;
   canvas::Workspace work_;
-  OutcomePtr base_;  ///< Of the document that is edited; not of an edit under way.
+  documents::OutcomePtr base_;  ///< Of the document that is edited; not of an edit under way.
   std::size_t panel_ = 0;
   std::set<std::string> hidden_;
   std::optional<canvas::Pointer> pointer_;

@@ -5,6 +5,7 @@
 #include <QToolBar>
 
 #include "shared/canvas/tool.h"
+#include "shared/gui/documents/session.h"
 #include "shared/gui/icons.h"
 #include "shared/scenario/program.h"
 
@@ -17,14 +18,13 @@ class QMenu;
 namespace dobra::gui {
 
 class Canvas;
-class Session;
 
 /// One button a tool; the menu has the same actions.
 class DrawBar : public QToolBar {
   Q_OBJECT
 
  public:
-  DrawBar(Session& session, Canvas& canvas, QMenu& menu, QWidget* parent);
+  DrawBar(documents::Session& session, Canvas& canvas, QMenu& menu, QWidget* parent);
 
   /// As its action is called ("draw.line"); false if there is none.
   bool take_up(const QString& name);
@@ -36,7 +36,7 @@ class DrawBar : public QToolBar {
   void add_switches(QMenu& menu, Canvas& canvas);
   void ask(const canvas::Drawn& what);
 
-  Session& session_;
+  documents::Session& session_;
   Canvas& canvas_;
   QActionGroup* tools_ = nullptr;
   std::string last_kind_;

@@ -18,6 +18,7 @@
 #include <sstream>
 
 #include "shared/base/text.h"
+#include "shared/gui/colors.h"
 #include "shared/gui/file_filter.h"
 #include "shared/gui/text.h"
 
@@ -56,7 +57,7 @@ void show_background(QWidget& widget, FieldEditor::Judgement judgement) {
   QPalette palette = widget.palette();
   const bool bad = judgement == FieldEditor::Judgement::Bad;
   for (const QPalette::ColorGroup group : {QPalette::Active, QPalette::Inactive}) {
-    palette.setColor(group, QPalette::Base, bad ? QColor(0xff, 0xd9, 0xd4) : QPalette().color(group, QPalette::Base));
+    palette.setColor(group, QPalette::Base, bad ? wrong_base(QPalette()) : QPalette().color(group, QPalette::Base));
   }
   widget.setPalette(palette);
 }
@@ -165,6 +166,7 @@ class LineEditor : public FieldEditor {
   }
   void type(const QString& typed) override {
     line_->setText(typed);
+    show_origin(*surface_, Origin::Document);
     commit();
   }
   void commit() override {
@@ -175,7 +177,7 @@ class LineEditor : public FieldEditor {
       emit emptied();
       return;
     }
-    const base::Result<Value> value = scenario::parse_value(field_, typed.trimmed().toStdString());
+    const base::Result<Value> value = scenario::parse_value(field_, with_point(typed.trimmed()).toStdString());
     if (value)
       emit entered(*value);
     else
@@ -196,6 +198,12 @@ class LineEditor : public FieldEditor {
   const Field field_;
 
  private:
+  /// A single number may have a decimal comma.
+  [[nodiscard]] QString with_point(QString typed) const {
+    const bool number = field_.kind == Kind::Number || field_.kind == Kind::Degrees;
+    if (number && typed.count(',') == 1 && !typed.contains('.')) typed.replace(',', '.');
+    return typed;
+  }
   static std::string plain_text(const Value& value) {
     if (const auto* word = std::get_if<std::string>(&value)) return *word;
     return scenario::value_text(value);

@@ -10,7 +10,9 @@
 #include "shared/gui/step_list.h"
 
 class QLabel;
+class QMenu;
 class QProgressBar;
+class QSettings;
 class QToolButton;
 
 namespace dobra::gui {
@@ -39,6 +41,8 @@ class MainWindow : public QMainWindow {
   base::Result<void> save_picture(const std::filesystem::path& file);
   /// The whole window as a PNG. @error CannotDraw if the view came out blank; CannotWrite.
   base::Result<void> save_screenshot(const std::filesystem::path& file);
+  /// Asks whether what a window lost is to be taken up, if the document has any.
+  void offer_recovery();
   /// Selects the input (0) or a step, and shows its form.
   void select(std::size_t part);
 
@@ -75,6 +79,10 @@ class MainWindow : public QMainWindow {
   bool ask_save();
   bool ask_save_as();
   void ask_save_picture();
+  void open_asking(const std::filesystem::path& file);
+  [[nodiscard]] QSettings settings() const;
+  void remember_file(const std::filesystem::path& file);
+  void fill_recent_menu();
   /// False if the user wants to stay with the unsaved document.
   bool may_discard();
   void about();
@@ -107,10 +115,12 @@ class MainWindow : public QMainWindow {
   ParameterForm* form_ = nullptr;
   LayerTree* layers_ = nullptr;
   Results* results_ = nullptr;
+  QMenu* recent_ = nullptr;
   QLabel* said_ = nullptr;
   QLabel* cursor_ = nullptr;
   QProgressBar* progress_ = nullptr;
   QToolButton* cancel_ = nullptr;
+  QTimer show_progress_;
   std::optional<base::Error> error_;  ///< What the error bar says.
   std::size_t form_part_ = 0;         ///< Whose parameters the form shows.
   bool fit_next_ = true;              ///< The next picture is another document's: look at all of it.

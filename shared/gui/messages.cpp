@@ -2,7 +2,7 @@
 
 #include <QRegularExpression>
 
-#include "shared/gui/edit.h"
+#include "shared/gui/documents/edit.h"
 #include "shared/gui/text.h"
 
 namespace dobra::gui {
@@ -62,7 +62,7 @@ QString in_words_of_the_window(base::Error error, const scenario::Document& docu
   }
   if (part <= document.steps.size()) {
     const QString said =
-        in_words_of_the_form(QString::fromStdString(error.message), fields_of(document, program, part));
+        in_words_of_the_form(QString::fromStdString(error.message), documents::fields_of(document, program, part));
     error.message = said.toStdString();
   }
   return QString::fromStdString(base::to_string(error));
@@ -70,7 +70,8 @@ QString in_words_of_the_window(base::Error error, const scenario::Document& docu
 
 QString still_to_be_given(const scenario::Document& document, const scenario::Program& program) {
   for (std::size_t part = 0; part <= document.steps.size(); ++part) {
-    const QString missing = missing_in(table_of(document, part), fields_of(document, program, part));
+    const QString missing =
+        missing_in(documents::table_of(document, part), documents::fields_of(document, program, part));
     if (!missing.isEmpty()) return missing;
   }
   return {};

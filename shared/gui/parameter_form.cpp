@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "shared/base/text.h"
+#include "shared/gui/colors.h"
 #include "shared/gui/field_editor.h"
 #include "shared/gui/file_filter.h"
 #include "shared/gui/messages.h"
@@ -133,7 +134,7 @@ void TableForm::add_row(const Field& field, QGridLayout& grid) {
   row->title->setToolTip(tool_tip_of(field));
   row->message = new QLabel(this);
   row->message->setWordWrap(true);
-  row->message->setStyleSheet("color: #c62828;");
+  row->message->setStyleSheet("color: " + wrong_text(palette()).name());
   row->message->setTextInteractionFlags(Qt::TextSelectableByMouse);
   row->message->hide();
 
@@ -169,8 +170,22 @@ void TableForm::add_row(const Field& field, QGridLayout& grid) {
     }
     grid.addWidget(row->message, line + 2, title_column, 1, 4);
   }
+  name_controls(*row);
   connect_row(*row);
   rows_.push_back(std::move(row));
+}
+
+/// For those who hear the form: its controls are called as the row is, its buttons by what they do to it.
+void TableForm::name_controls(const Row& row) {
+  if (row.editor == nullptr) return;
+  const QString title = row.title->text();
+  row.reset->setAccessibleName(title + ": " + row.reset->toolTip());
+  for (QWidget* control : row.editor->findChildren<QWidget*>()) {
+    const auto* button = qobject_cast<QToolButton*>(control);
+    if (control->focusPolicy() == Qt::NoFocus) continue;
+    control->setAccessibleName(button != nullptr ? title + ": " + button->toolTip() : title);
+    if (button == nullptr) control->setAccessibleDescription(text(row.field.options.help));
+  }
 }
 
 void TableForm::connect_row(Row& row) {
@@ -285,7 +300,7 @@ void TableForm::add_stray_rows() {
     auto* layout = new QHBoxLayout(line);
     layout->setContentsMargins(0, 0, 0, 0);
     auto* words = new QLabel(text("'%1' is not a parameter here").arg(QString::fromStdString(entry.key)), line);
-    words->setStyleSheet("color: #c62828;");
+    words->setStyleSheet("color: " + wrong_text(palette()).name());
     words->setWordWrap(true);
     auto* remove = new QToolButton(line);
     remove->setText(text("Remove"));
@@ -372,6 +387,7 @@ ParameterForm::ParameterForm(QWidget* parent)
   help_->setForegroundRole(QPalette::PlaceholderText);
   scroll_->setFrameShape(QFrame::NoFrame);
   scroll_->setWidgetResizable(true);
+  scroll_->setAccessibleName(text("Parameters"));
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   column->addWidget(title_);
   column->addWidget(help_);

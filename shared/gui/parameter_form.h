@@ -68,6 +68,7 @@ class TableForm : public QWidget {
   struct Row;
   void add_row(const scenario::Field& field, QGridLayout& grid);
   void add_stray_rows();
+  static void name_controls(const Row& row);
   void connect_row(Row& row);
   void enter(Row& row, const scenario::Value& value);
   void reset(Row& row);

@@ -69,13 +69,21 @@ class VtkWidget : public QOpenGLWidget {
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void leaveEvent(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void keyReleaseEvent(QKeyEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
 
  private:
   struct Scene;
   void release();
   void show_picture();
+  void show_marker();
+  [[nodiscard]] std::size_t panel_of(geom::Point place) const;
   void relayout();
   void pick(QPointF pixel);
+  void show_cursor();
+  void pan_by_key(int right, int up);
 
   scene::Picture picture_;                         ///< As given.
   std::optional<geom::Point> place_;               ///< Where the marker stands.
@@ -83,6 +91,7 @@ class VtkWidget : public QOpenGLWidget {
   std::unique_ptr<Scene> scene_;                   ///< What needs the OpenGL context.
   QPointF drag_;
   Qt::MouseButton dragging_ = Qt::NoButton;
+  enum class Hand { Away, Ready } hand_ = Hand::Away;  ///< Ready while Space is held: the left button pans.
 };
 
 }  // namespace dobra::gui

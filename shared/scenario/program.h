@@ -163,6 +163,8 @@ struct Program {
   TakesUnits takes_units = TakesUnits::SiOnly;
   std::vector<Field> input_fields;
   std::function<base::Result<State>(const Table& input, const Context&, const base::Progress&)> read_input;
+  /// What an input draws that read_input may refuse, unjudged, as far as it can be read; may be left out.
+  std::function<void(const Table& input, const Context&, scene::Picture&)> draw_input{};
   std::vector<Operation> operations;
   Results results;  ///< What the input has made, and what all operations have in common.
   /// The units that pictures, quantities, tables and remarks are turned into; left out: SI.
@@ -173,6 +175,8 @@ struct Program {
 
   // What a state tells in all: the input's part, then that of each operation in the order of the list.
   [[nodiscard]] scene::Picture picture_of(const State& state) const;
+  /// What the input of a document draws where there is no state to draw; without panels if that is nothing.
+  [[nodiscard]] scene::Picture picture_of_input(const Document& document) const;
   [[nodiscard]] std::vector<Quantity> quantities_of(const State& state) const;
   [[nodiscard]] std::vector<DataTable> tables_of(const State& state) const;
   [[nodiscard]] std::vector<std::string> remarks_of(const State& state) const;

@@ -27,7 +27,8 @@ constexpr double names_in_height = 7.0;
 // Parts of a sheet's height that legend and tables may take.
 constexpr double legend_share = 0.16;
 constexpr double table_share = 0.22;
-constexpr int most_name_rounds = 8;  // each needs less room than the one before
+constexpr double window_legend_share = 0.12;  // of the window's; its list of layers names them all
+constexpr int most_name_rounds = 8;           // each needs less room than the one before
 constexpr double most_bar = 280.0;
 
 /// A panel on its way to the page. left, right, top, bottom: the room round its plot, points.
@@ -68,6 +69,7 @@ class Arranger {
   /// One a block.
   [[nodiscard]] std::vector<double> widths() const;
   [[nodiscard]] std::vector<double> heights() const;
+  [[nodiscard]] double size_in_window(std::size_t columns) const;
   [[nodiscard]] std::size_t best_columns() const;
   void settle();
   [[nodiscard]] ColorBars bars(const std::vector<Scale>& scales, double plot_height) const {
@@ -418,14 +420,33 @@ void Arranger::update_bottom(const PageSize& room) {
     if (scale_bar_.width > 0.4 * width) scale_bar_ = {};
   }
   const double beside = scale_bar_.width > 0.0 ? scale_bar_.width + 24.0 : 0.0;
-  const double most = on_paper() ? legend_share * paper_height(page_.width) : std::numeric_limits<double>::infinity();
-  legend_ = legend(picture_, {width - beside, most}, on_paper() ? tick_font_ : axis_font_, measure_);
+  const bool window = options_.plots == Plots::FillPage;
+  const double most = on_paper() ? legend_share * paper_height(page_.width)
+                      : window   ? window_legend_share * room.height
+                                 : std::numeric_limits<double>::infinity();
+  legend_ = legend(picture_, {width - beside, most}, on_paper() ? tick_font_ : axis_font_, measure_,
+                   window ? SmallPrint::No : SmallPrint::Yes);
   const bool crowded = room.height - legend_.height < 0.6 * room.height;
-  if (options_.plots == Plots::FillPage && crowded) legend_ = {};
+  if (window && crowded) legend_ = {};
 }
 
-/// As many columns as give the largest scale, on a sheet those asked for unless others are clearly better; in windows
-/// the squarest cells: what is shown there must not move the panels.
+/// How large the panels are drawn in so many columns of a window, by their extents alone: what else is shown there must
+/// not move the panels. Without extents, how square the cells are.
+double Arranger::size_in_window(std::size_t columns) const {
+  const double rows = std::ceil(static_cast<double>(blocks_.size()) / static_cast<double>(columns));
+  const double width = page_.width / static_cast<double>(columns);
+  const double height = page_.height / rows;
+  double scale = std::numeric_limits<double>::infinity();
+  for (const Panel& panel : picture_.panels) {
+    if (!panel.extent) return std::min(width / height, height / width);
+    scale = std::min(
+        {scale, width / panel.extent->width(), height / (panel.extent->height() * panel.vertical_exaggeration)});
+  }
+  return scale;
+}
+
+/// As many columns as give the largest scale; on a sheet and in a window those asked for unless others are clearly
+/// better.
 std::size_t Arranger::best_columns() const {
   std::size_t best = columns_;
   double most = 0.0;
@@ -433,11 +454,11 @@ std::size_t Arranger::best_columns() const {
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
     const std::size_t columns = picture_.arrangement == Arrangement::Column ? i + 1 : blocks_.size() - i;
     if (options_.plots == Plots::FillPage) {
-      const double rows = std::ceil(static_cast<double>(blocks_.size()) / static_cast<double>(columns));
-      const double aspect = page_.width / static_cast<double>(columns) / (page_.height / rows);
-      const double squareness = std::min(aspect, 1.0 / aspect);
-      if (squareness > most) best = columns;
-      most = std::max(most, squareness);
+      const double size = size_in_window(columns);
+      if (size > clearly * most) {
+        best = columns;
+        most = size;
+      }
       continue;
     }
     Arranger trial(*this);
@@ -456,7 +477,10 @@ std::size_t Arranger::best_columns() const {
 }
 
 void Arranger::arrange() {
-  const bool free = picture_.arrangement == Arrangement::Grid || on_paper();
+  const bool has_extents = std::all_of(picture_.panels.begin(), picture_.panels.end(),
+                                       [](const Panel& panel) { return panel.extent.has_value(); });
+  const bool window = options_.plots == Plots::FillPage && has_extents;
+  const bool free = picture_.arrangement == Arrangement::Grid || on_paper() || window;
   if (free && blocks_.size() > 1) columns_ = best_columns();
   settle();
 }

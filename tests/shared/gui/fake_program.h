@@ -188,7 +188,12 @@ inline scenario::Program fake_program() {
     Waves waves;
     waves.amplitude = from_table<WaveInput>(table).amplitude;
     for (const Bump& bump : from_table<WaveInput>(table).bumps) waves.bumps.push_back({bump.points, false});
+    if (waves.amplitude < 0.0) return base::Error{base::ErrorCode::BadSection, "the wave is upside down"};
     return make_state(waves);
+  };
+  program.draw_input = [](const Table& table, const Context&, scene::Picture& picture) {
+    const double amplitude = from_table<WaveInput>(table).amplitude;
+    if (amplitude > -1000.0) picture.panels.push_back(wave_panel({}, "before", amplitude));
   };
   program.operations = {make_operation<Waves, StackParams>("stack", "Stack of waves",
                                                            "Repeats the wave below itself at equal distances.", stack),

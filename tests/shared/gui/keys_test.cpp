@@ -1,6 +1,8 @@
 // What is typed reaches the document by the keys and clicks that a person uses.
 
+#include <QAccessible>
 #include <QLabel>
+#include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QStatusBar>
@@ -147,7 +149,7 @@ TEST_F(Keys, ErrorsAreSaidInTheWordsOfTheForm) {
 TEST_F(Keys, AnAddedTableIsNotRedAndDoesNotRunBeforeItsNameIsGiven) {
   open_waves();
   window.select(0);
-  const OutcomePtr before = window.session().outcome();
+  const documents::OutcomePtr before = window.session().outcome();
   click(window.form().findChild<QWidget*>("add.bump"));
   settle();
   EXPECT_EQ(window.form().form()->message_at("bump.1.name"), "");
@@ -215,6 +217,162 @@ TEST_F(Keys, SaveWritesAFileThatIsGoneWithoutAsking) {
   write("count", "7");
   press(Qt::Key_S, Qt::ControlModifier);
   EXPECT_NE(folder.read("waves.toml").find("count = 7"), std::string::npos);
+}
+
+/// What a window leaves that is killed: the journal as it was.
+class Lost : public Keys {
+ protected:
+  void lose_an_edit() {
+    open_waves();
+    write("count", "7");
+    press(Qt::Key_Return);
+    window.session().wait_for_journal();
+    const std::string left = folder.read("waves.toml.unsaved");
+    ASSERT_NE(left.find("count = 7"), std::string::npos) << left;
+    window.session().forget_unsaved();
+    ASSERT_TRUE(window.open(folder / "waves.toml").ok());
+    window.session().wait_for_journal();
+    folder.write("waves.toml.unsaved", left);
+    settle();
+    ASSERT_EQ(count(), 4);
+  }
+};
+
+TEST_F(Lost, ChangesAreOfferedAndTakenUp) {
+  lose_an_edit();
+  answer("Recover");
+  window.offer_recovery();
+  settle();
+  EXPECT_EQ(count(), 7);
+  EXPECT_TRUE(window.isWindowModified());
+  click(&window.view());
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(count(), 4);
+}
+
+TEST_F(Lost, ChangesThatAreDiscardedAreGone) {
+  lose_an_edit();
+  answer("Discard");
+  window.offer_recovery();
+  window.session().wait_for_journal();
+  EXPECT_EQ(count(), 4);
+  EXPECT_FALSE(std::filesystem::exists(folder / "waves.toml.unsaved"));
+  asked.clear();
+  window.offer_recovery();
+  EXPECT_TRUE(asked.isEmpty());
+}
+
+TEST_F(Keys, NoJournalStaysWhereNothingIsUnsaved) {
+  open_waves();
+  const auto journal = [&] {
+    window.session().wait_for_journal();
+    return std::filesystem::exists(folder / "waves.toml.unsaved");
+  };
+  write("count", "7");
+  press(Qt::Key_Return);
+  EXPECT_TRUE(journal());
+  press(Qt::Key_S, Qt::ControlModifier);
+  EXPECT_FALSE(journal());
+  write("count", "8");
+  press(Qt::Key_Return);
+  EXPECT_TRUE(journal());
+  window.session().undo();
+  EXPECT_FALSE(journal());
+  write("count", "9");
+  answer("Discard");
+  press(Qt::Key_Q, Qt::ControlModifier);
+  EXPECT_FALSE(journal());
+}
+
+TEST_F(Keys, RecentFilesAreInTheMenuAndOpen) {
+  open_waves();
+  ASSERT_TRUE(window.save(folder / "second.toml").ok());
+  QMenu* recent = nullptr;
+  for (QMenu* menu : window.findChildren<QMenu*>()) {
+    if (menu->title() == "Open &Recent") recent = menu;
+  }
+  ASSERT_NE(recent, nullptr);
+  emit recent->aboutToShow();
+  ASSERT_GE(recent->actions().size(), 2);
+  EXPECT_TRUE(recent->actions().at(0)->text().endsWith("second.toml"));
+  recent->actions().at(1)->trigger();
+  settle();
+  EXPECT_EQ(window.session().document().file.filename(), "waves.toml");
+}
+
+std::string described(const QWidget* widget) {
+  std::string path;
+  for (; widget != nullptr; widget = widget->parentWidget())
+    path += std::string(widget->metaObject()->className()) + "(" + widget->objectName().toStdString() + ") ";
+  return path;
+}
+
+TEST_F(Keys, EveryControlThatTakesTheFocusHasAName) {
+  open_waves();
+  for (const std::size_t part : {0u, 1u}) {
+    window.select(part);
+    if (part == 0) {
+      click(window.form().findChild<QWidget*>("add.bump"));
+      write("name", "hill");
+      press(Qt::Key_Return);
+    }
+    QCoreApplication::processEvents();
+    int controls = 0;
+    for (QWidget* widget : window.findChildren<QWidget*>()) {
+      if (!widget->isVisible() || widget->focusPolicy() == Qt::NoFocus || widget->focusProxy() != nullptr) continue;
+      QAccessibleInterface* heard = QAccessible::queryAccessibleInterface(widget);
+      ASSERT_NE(heard, nullptr);
+      const QString name = heard->text(QAccessible::Name);
+      EXPECT_TRUE(std::any_of(name.begin(), name.end(), [](QChar c) { return c.isLetter(); })) << described(widget);
+      ++controls;
+    }
+    EXPECT_GT(controls, 15);
+  }
+}
+
+TEST_F(Keys, SpaceAndTheLeftButtonPan) {
+  open_waves();
+  click(&window.view());
+  const scene::View before = window.view().view(0);
+  const QPointF from = QPointF(middle_of(0).toPoint());
+  const auto under = window.view().spot_at(from);
+  QTest::keyPress(focus(), Qt::Key_Space);
+  drag(Qt::LeftButton, from, from + QPointF(40, 10));
+  QTest::keyRelease(focus(), Qt::Key_Space);
+  const QPointF moved = window.view().pixel_of(0, under->at);
+  EXPECT_NEAR(moved.x(), from.x() + 40, 1e-6);
+  EXPECT_NEAR(moved.y(), from.y() + 10, 1e-6);
+  const scene::View panned = window.view().view(0);
+  EXPECT_NE(panned, before);
+  drag(Qt::LeftButton, from, from + QPointF(40, 10));  // without Space
+  EXPECT_EQ(window.view().view(0), panned);
+}
+
+TEST_F(Keys, TheCanvasIsReachedAndMovedByKeys) {
+  open_waves();
+  click(editor("count"));
+  for (int i = 0; i < 60 && !window.view().hasFocus(); ++i) press(Qt::Key_Tab);
+  ASSERT_TRUE(window.view().hasFocus());
+  const scene::View all = window.view().view(0);
+  press(Qt::Key_Right);
+  EXPECT_GT(window.view().view(0).centre.x, all.centre.x);
+  press(Qt::Key_Up);
+  EXPECT_GT(window.view().view(0).centre.y, all.centre.y);
+  press(Qt::Key_Plus);
+  EXPECT_LT(window.view().view(0).world_per_point, all.world_per_point);
+  press(Qt::Key_Home);
+  EXPECT_EQ(window.view().view(0), all);
+}
+
+TEST_F(Keys, ALayerIsHiddenByKeys) {
+  open_waves();
+  click(&window.view());
+  for (int i = 0; i < 60 && !window.layers().hasFocus(); ++i) press(Qt::Key_Tab);
+  ASSERT_TRUE(window.layers().hasFocus());
+  window.layers().setCurrentItem(window.layers().topLevelItem(0));
+  press(Qt::Key_Down);
+  press(Qt::Key_Space);
+  EXPECT_EQ(window.layers().topLevelItem(0)->child(0)->checkState(0), Qt::Unchecked);
 }
 
 TEST_F(Keys, AddingAStepKeepsWhatIsStillBeingTyped) {

@@ -113,6 +113,27 @@ TEST_F(MainWindowTest, GUI_c_FailedStepNamesItsItemAndShowZoomsToThePlace) {
   EXPECT_NEAR(window.view().view(0).centre.y, -50.0, 1e-9);
 }
 
+TEST_F(MainWindowTest, AnInputThatIsRefusedIsDrawn) {
+  open_waves();
+  window.select(0);
+  ASSERT_TRUE(type("amplitude", "-5").ok());
+  settle();
+  EXPECT_FALSE(window.error_bar().message().isEmpty());
+  EXPECT_EQ(window.view().panel_count(), 1u);
+}
+
+TEST_F(MainWindowTest, AnInputThatDrawsNothingLeavesNoOldPicture) {
+  open_waves();
+  window.select(0);
+  ASSERT_TRUE(type("amplitude", "-2000").ok());
+  settle();
+  EXPECT_EQ(window.view().panel_count(), 0u);
+  EXPECT_EQ(window.layers().topLevelItemCount(), 0);
+  ASSERT_TRUE(type("amplitude", "50").ok());
+  settle();
+  EXPECT_EQ(window.view().panel_count(), 2u);
+}
+
 TEST_F(MainWindowTest, StepsAreAddedMovedAndRemoved) {
   open_waves();
   emit window.steps().add_asked("sleep");
