@@ -126,7 +126,7 @@ class Canvas::Sheet : public QWidget {
   VtkWidget& view_;
 };
 
-Canvas::Canvas(documents::Session& session, VtkWidget& view, QObject* parent)
+Canvas::Canvas(Session& session, VtkWidget& view, QObject* parent)
     : QObject(parent), session_(session), view_(view), tool_(canvas::make_select_tool()) {
   sheet_ = new Sheet(*this, view);
   entry_ = new QLineEdit(&view);

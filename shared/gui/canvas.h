@@ -10,7 +10,7 @@
 #include <string>
 
 #include "shared/canvas/tool.h"
-#include "shared/gui/documents/session.h"
+#include "shared/gui/session.h"
 
 class QLineEdit;
 class QMouseEvent;
@@ -24,7 +24,7 @@ class Canvas : public QObject {
 
  public:
   /// Works on what `view` shows. @pre both outlive the canvas
-  Canvas(documents::Session& session, VtkWidget& view, QObject* parent = nullptr);
+  Canvas(Session& session, VtkWidget& view, QObject* parent = nullptr);
   ~Canvas() override;
 
   /// What the mouse and the keys do from now on.
@@ -66,7 +66,7 @@ class Canvas : public QObject {
   [[nodiscard]] bool is_input(const canvas::Edited& edited) const;
   void use_panel(std::size_t panel);
 
-  documents::Session& session_;
+  Session& session_;
   VtkWidget& view_;
   Sheet* sheet_ = nullptr;
   QLineEdit* entry_ = nullptr;

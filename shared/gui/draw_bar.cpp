@@ -37,7 +37,7 @@ Of kind_of(canvas::Shape shape) {
 
 }  // namespace
 
-DrawBar::DrawBar(documents::Session& session, Canvas& canvas, QMenu& menu, QWidget* parent)
+DrawBar::DrawBar(Session& session, Canvas& canvas, QMenu& menu, QWidget* parent)
     : QToolBar(text("Draw"), parent), session_(session), canvas_(canvas), tools_(new QActionGroup(this)) {
   setObjectName("draw_bar");
   setIconSize({20, 20});

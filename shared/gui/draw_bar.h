@@ -5,7 +5,7 @@
 #include <QToolBar>
 
 #include "shared/canvas/tool.h"
-#include "shared/gui/documents/session.h"
+#include "shared/gui/session.h"
 #include "shared/gui/icons.h"
 #include "shared/scenario/program.h"
 
@@ -24,7 +24,7 @@ class DrawBar : public QToolBar {
   Q_OBJECT
 
  public:
-  DrawBar(documents::Session& session, Canvas& canvas, QMenu& menu, QWidget* parent);
+  DrawBar(Session& session, Canvas& canvas, QMenu& menu, QWidget* parent);
 
   /// As its action is called ("draw.line"); false if there is none.
   bool take_up(const QString& name);
@@ -36,7 +36,7 @@ class DrawBar : public QToolBar {
   void add_switches(QMenu& menu, Canvas& canvas);
   void ask(const canvas::Drawn& what);
 
-  documents::Session& session_;
+  Session& session_;
   Canvas& canvas_;
   QActionGroup* tools_ = nullptr;
   std::string last_kind_;

@@ -302,24 +302,6 @@ void MainWindow::connect_session() {
           [this](const QString& why) { said_->setText(text("Changes are not kept for a crash: %1").arg(why)); });
 }
 
-base::Result<void> MainWindow::open(const std::filesystem::path& file) {
-  const base::Result<void> opened = session_.open(file);
-  if (!opened) {
-    show_error(opened.error());
-    return opened.error();
-  }
-  form_->forget();
-  show_form();
-  // The run has only been asked for: its picture comes later.
-  fit_next_ = true;
-  error_.reset();
-  show_nothing();
-  layers_->forget_choices();
-  layers_->show_picture({});
-  steps_->select(session_.document().steps.empty() ? 0 : 1);
-  return {};
-}
-
 bool MainWindow::settle() {
   form_->form()->commit();
   const std::optional<QString> refused = form_->form()->unsettled();

@@ -50,7 +50,7 @@ base::Result<void> MainWindow::open(const std::filesystem::path& file) {
   // The run has only been asked for: its picture comes later.
   fit_next_ = true;
   error_.reset();
-  view_->set_picture({}, Looking::AtAll);
+  show_nothing();
   layers_->forget_choices();
   layers_->show_picture({});
   steps_->select(session_.document().steps.empty() ? 0 : 1);
