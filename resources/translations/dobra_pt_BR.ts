@@ -3631,5 +3631,9 @@
         <source>Remarks</source>
         <translation>Observações</translation>
     </message>
+    <message>
+        <source>Open a scenario (Ctrl+O), drop one here, or draw the first line (L).</source>
+        <translation>Abra um cenário (Ctrl+O), solte um aqui, ou desenhe a primeira linha (L).</translation>
+    </message>
 </context>
 </TS>
