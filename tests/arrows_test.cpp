@@ -38,6 +38,7 @@ const std::map<std::string, std::set<std::string>>& arrows() {
       {"shared/fem/error", {"shared/fem"}},
       {"shared/fem/fracture", {"shared/fem/error"}},
       {"shared/scene", {"shared/geom"}},
+      {"shared/canvas", {"shared/scene"}},
       {"shared/io", {"shared/geom"}},
       {"shared/io/lines", {"shared/io"}},
       {"shared/io/gis", {"shared/io/lines", "shared/scene"}},
@@ -49,7 +50,8 @@ const std::map<std::string, std::set<std::string>>& arrows() {
       {"shared/scenario/lines", {"shared/scenario", "shared/io/formats"}},
       {"shared/operations", {"shared/scenario/lines", "shared/offset"}},
       {"shared/cli", {"shared/render", "shared/operations"}},
-      {"shared/gui", {"shared/render", "shared/scenario"}},
+      {"shared/gui/documents", {"shared/scenario"}},
+      {"shared/gui", {"shared/gui/documents", "shared/render", "shared/scenario", "shared/canvas"}},
       {"recon/section", {"shared/topo", "shared/scene"}},
       {"recon/input", {"recon/section", "shared/scenario/lines"}},
       {"recon/maps", {"shared/geom"}},
@@ -91,7 +93,7 @@ std::string folder_of(const std::string& path) { return fs::path(path).parent_pa
 /// Only these may see the toolkits.
 bool may_include_gdal(const std::string& folder) { return folder == "shared/io/gis"; }
 bool may_include_vtk(const std::string& folder) { return folder == "shared/render" || folder == "shared/gui"; }
-bool may_include_qt(const std::string& folder) { return folder == "shared/gui" || folder.ends_with("/gui"); }
+bool may_include_qt(const std::string& folder) { return folder.starts_with("shared/gui") || folder.ends_with("/gui"); }
 
 /// The name between the quotes or angle brackets of an #include line.
 std::optional<std::string> included_by(const std::string& line) {

@@ -150,8 +150,8 @@ Error with_findings(Error error, const std::vector<sketch::Finding>& findings) {
 
 }  // namespace
 
-Result<model::Model> read_input(const InputParams& params, const dobra::scenario::Table& table,
-                                const dobra::scenario::Context& context) {
+Result<sketch::Sketch> read_drawing(const InputParams& params, const dobra::scenario::Table& table,
+                                    const dobra::scenario::Context& context) {
   const auto append = [](auto& to, auto& from) {
     to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
   };
@@ -203,6 +203,15 @@ Result<model::Model> read_input(const InputParams& params, const dobra::scenario
   }
   for (const RegionParams& region : params.regions) sketch.regions.push_back({region.name, region.point});
   for (const PointParams& point : params.points) sketch.points.push_back({point.name, point.point, point.size});
+  return sketch;
+}
+
+Result<model::Model> read_input(const InputParams& params, const dobra::scenario::Table& table,
+                                const dobra::scenario::Context& context) {
+  DOBRA_TRY(sketch::Sketch sketch, read_drawing(params, table, context));
+  const auto append = [](auto& to, auto& from) {
+    to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+  };
   DOBRA_TRY_VOID(check_names(sketch.curves, sketch.places));
   model::Model model;
   model.units = context.shown_units;

@@ -229,7 +229,12 @@ struct InputParams : sketch::LineInput {
   }
 };
 
+/// What is drawn, before anything is made of it.
 /// @param table  the table that `params` came from: the places of its curves stand in the errors.
+/// @error those of the reader of the file; BadValue for a curve that lacks what its kind needs.
+dobra::base::Result<sketch::Sketch> read_drawing(const InputParams& params, const dobra::scenario::Table& table,
+                                                 const dobra::scenario::Context& context);
+
 /// @error those of make_domain and of the reader of the file; BadValue for a curve that lacks what its kind needs.
 dobra::base::Result<model::Model> read_input(const InputParams& params, const dobra::scenario::Table& table,
                                              const dobra::scenario::Context& context);

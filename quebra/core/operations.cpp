@@ -25,6 +25,21 @@ base::Result<scenario::State> input(const scenario::Table& table, const scenario
   return scenario::make_state(std::move(model));
 }
 
+/// The curves alone: whatever is wrong with them, they can be looked at.
+void draw_input(const scenario::Table& table, const scenario::Context& context, dobra::scene::Picture& picture) {
+  const auto drawn = read_drawing(scenario::from_table<InputParams>(table), table, context);
+  if (!drawn || drawn->curves.empty()) return;
+  dobra::scene::Panel panel;
+  panel.key = "domain";
+  for (const sketch::Curve& curve : drawn->curves) {
+    panel.layers.push_back({"curve." + curve.name,
+                            curve.name,
+                            {.line = ink, .line_width = 1.2},
+                            dobra::scene::Lines{{trace(curve).line}, {}}});
+  }
+  picture.panels.push_back(std::move(panel));
+}
+
 /// The lines of supports and loads, for what only shows on a mesh: a formula that has no value somewhere.
 /// And in other units than SI it says what a thickness is that was left out.
 scenario::State with_lines(const scenario::State& state, const scenario::Table& table,
@@ -129,6 +144,7 @@ scenario::Program make_program() {
   program.takes_units = scenario::TakesUnits::Any;
   program.input_fields = scenario::fields_of<InputParams>();
   program.read_input = input;
+  program.draw_input = draw_input;
   program.units_of = units_of;
   program.results = scenario::make_results<model::Model>({
       .quantities = add_quantities,

@@ -5,6 +5,7 @@
 #include "recon/core/carry_step.h"
 #include "recon/core/faults_step.h"
 #include "recon/core/grid_step.h"
+#include "recon/core/input_picture.h"
 #include "recon/core/invert_step.h"
 #include "recon/core/monte_carlo_step.h"
 #include "recon/core/move_step.h"
@@ -14,6 +15,7 @@
 #include "recon/core/restore_step.h"
 #include "recon/core/section_picture.h"
 #include "recon/core/target_step.h"
+#include "recon/input/drawing.h"
 #include "recon/input/input.h"
 #include "recon/model/chain.h"
 #include "recon/model/names.h"
@@ -22,6 +24,7 @@
 namespace recon::core {
 
 namespace scenario = dobra::scenario;
+namespace scene = dobra::scene;
 
 namespace {
 
@@ -92,12 +95,36 @@ void add_section_remarks(const model::Model& model, std::vector<std::string>& re
     remarks.push_back(verdict);
 }
 
+scenario::Drawing drawing() {
+  using Of = scenario::Drawing::Kind::Of;
+  return {
+      .kinds = {{"horizon", "Horizon"},
+                {"fault", "Fault"},
+                {"pin", "Pin line"},
+                {"loose", "Loose line"},
+                {"topography", "Topography"},
+                {"datum", "Datum"},
+                {"polygon", "Unit polygon", Of::Polygons},
+                {"border", "Border", Of::Polygons},
+                {"marker", "Marker", Of::Points}},
+      .edit =
+          [](const scenario::Document& document, const scenario::State& input, std::span<const scene::LineEdit> edits) {
+            return input::with_lines_edited(document, scenario::model_of<model::Model>(input).section, edits);
+          },
+      .add = [](const scenario::Document& document, const std::string& table, const std::string& name,
+                const geom::Polyline& line) { return input::with_line(document, table, name, line); }};
+}
+
 scenario::Program make_program() {
   scenario::Program recon;
   recon.name = "recon";
   recon.title = "RECON";
   recon.input_fields = scenario::fields_of<input::SectionInput>();
   recon.read_input = read_input;
+  recon.draw_input = [](const scenario::Table& table, const scenario::Context& context,
+                        dobra::scene::Picture& picture) {
+    draw_lines(scenario::from_table<input::SectionInput>(table), context, picture);
+  };
   recon.results = scenario::make_results<model::Model>({.quantities = add_section_quantities,
                                                         .tables = add_chain_tables,
                                                         .remarks = add_section_remarks,
@@ -108,6 +135,7 @@ scenario::Program make_program() {
   recon.names_of = [](const scenario::State& state, const std::string& what) {
     return names_of(scenario::model_of<model::Model>(state), what);
   };
+  recon.drawing = drawing();
   return recon;
 }
 

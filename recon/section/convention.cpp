@@ -20,4 +20,10 @@ geom::Point to_section(geom::Point in_file, const Convention& convention) {
   return {factor * in_file.x, factor * (z / convention.exaggeration)};
 }
 
+geom::Point from_section(geom::Point in_section, const Convention& convention) {
+  const double factor = metres_per_unit(convention.unit);
+  const double z = in_section.y / factor * convention.exaggeration;
+  return {in_section.x / factor, convention.y_axis == VerticalAxis::Up ? z : convention.reference - z};
+}
+
 }  // namespace recon::section

@@ -24,5 +24,7 @@ struct Convention {
 double metres_per_unit(LengthUnit unit);
 /// A point of a file in section coordinates, m.
 geom::Point to_section(geom::Point in_file, const Convention& convention);
+/// The other way.
+geom::Point from_section(geom::Point in_section, const Convention& convention);
 
 }  // namespace recon::section

@@ -3265,5 +3265,391 @@
         <source>Fault predicted</source>
         <translation>Falha prevista</translation>
     </message>
+    <message>
+        <source>not done: %1</source>
+        <translation>não feito: %1</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1 since it was read here.</source>
+        <translation>Outro programa alterou %1 depois de ter sido lido aqui.</translation>
+    </message>
+    <message>
+        <source>Saving to it loses those changes.</source>
+        <translation>Salvar nele perde essas alterações.</translation>
+    </message>
+    <message>
+        <source>Save as another file</source>
+        <translation>Salvar em outro arquivo</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>Sobrescrever</translation>
+    </message>
+    <message>
+        <source>%1 of %2 %3</source>
+        <translation>%1 de %2 %3</translation>
+    </message>
+    <message>
+        <source>to be given</source>
+        <translation>a informar</translation>
+    </message>
+    <message>
+        <source>Still to be given: %1</source>
+        <translation>Falta informar: %1</translation>
+    </message>
+    <message>
+        <source>Click the first point, or type x,z</source>
+        <translation>Clique no primeiro ponto, ou digite x,z</translation>
+    </message>
+    <message>
+        <source>Click the next point, or type @dx,dz; Enter ends, Backspace takes a point back</source>
+        <translation>Clique no próximo ponto, ou digite @dx,dz; Enter termina, Backspace desfaz um ponto</translation>
+    </message>
+    <message>
+        <source>Click a corner</source>
+        <translation>Clique num canto</translation>
+    </message>
+    <message>
+        <source>Click the opposite corner</source>
+        <translation>Clique no canto oposto</translation>
+    </message>
+    <message>
+        <source>Click the centre</source>
+        <translation>Clique no centro</translation>
+    </message>
+    <message>
+        <source>Click a point of the circle</source>
+        <translation>Clique num ponto da circunferência</translation>
+    </message>
+    <message>
+        <source>Click the point</source>
+        <translation>Clique no ponto</translation>
+    </message>
+    <message>
+        <source>Click points: length and dip of each way, and from the third point on the area</source>
+        <translation>Clique em pontos: comprimento e mergulho de cada trecho e, a partir do terceiro ponto, a área</translation>
+    </message>
+    <message>
+        <source>{:.6g} m in all, area {:.6g} m²</source>
+        <translation>{:.6g} m no total, área {:.6g} m²</translation>
+    </message>
+    <message>
+        <source>{:.6g} m, dip {:.1f}°</source>
+        <translation>{:.6g} m, mergulho {:.1f}°</translation>
+    </message>
+    <message>
+        <source>A closed line needs three points that do not lie in line</source>
+        <translation>Uma linha fechada precisa de três pontos não alinhados</translation>
+    </message>
+    <message>
+        <source>A line needs two points</source>
+        <translation>Uma linha precisa de dois pontos</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no place; type x,z or @dx,dz or @distance&lt;degrees or a length</source>
+        <translation>&apos;{}&apos; não é um lugar; digite x,z ou @dx,dz ou @distância&lt;graus ou um comprimento</translation>
+    </message>
+    <message>
+        <source>there is no place before to measure from; type x,z</source>
+        <translation>não há lugar anterior a partir do qual medir; digite x,z</translation>
+    </message>
+    <message>
+        <source>a length needs a direction: move the cursor to where the line is to go</source>
+        <translation>um comprimento precisa de direção: leve o cursor para onde a linha deve ir</translation>
+    </message>
+    <message>
+        <source>vertex</source>
+        <translation>vértice</translation>
+    </message>
+    <message>
+        <source>intersection</source>
+        <translation>interseção</translation>
+    </message>
+    <message>
+        <source>on line</source>
+        <translation>sobre a linha</translation>
+    </message>
+    <message>
+        <source>perpendicular</source>
+        <translation>perpendicular</translation>
+    </message>
+    <message>
+        <source>grid</source>
+        <translation>grade</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>ângulo</translation>
+    </message>
+    <message>
+        <source>Click where the direction to the right is to point</source>
+        <translation>Clique para onde deve apontar a direção da direita</translation>
+    </message>
+    <message>
+        <source>Click a second point of the mirror line</source>
+        <translation>Clique num segundo ponto da linha de espelho</translation>
+    </message>
+    <message>
+        <source>Click where it is to go, or type @dx,dz</source>
+        <translation>Clique aonde deve ir, ou digite @dx,dz</translation>
+    </message>
+    <message>
+        <source>Select lines, then click the point to turn them about</source>
+        <translation>Selecione linhas e clique no ponto em torno do qual girá-las</translation>
+    </message>
+    <message>
+        <source>Select lines, then click a point of the mirror line</source>
+        <translation>Selecione linhas e clique num ponto da linha de espelho</translation>
+    </message>
+    <message>
+        <source>Select lines, then click the point to take them by</source>
+        <translation>Selecione linhas e clique no ponto por onde pegá-las</translation>
+    </message>
+    <message>
+        <source>Nothing is selected</source>
+        <translation>Nada está selecionado</translation>
+    </message>
+    <message>
+        <source>Rotate lines</source>
+        <translation>Girar linhas</translation>
+    </message>
+    <message>
+        <source>Mirror lines</source>
+        <translation>Espelhar linhas</translation>
+    </message>
+    <message>
+        <source>Move lines</source>
+        <translation>Mover linhas</translation>
+    </message>
+    <message>
+        <source>Click a line, or drag a box round lines; drag a vertex to move it, Delete removes it</source>
+        <translation>Clique numa linha, ou arraste uma caixa em volta de linhas; arraste um vértice para movê-lo, Delete o remove</translation>
+    </message>
+    <message>
+        <source>Move vertex</source>
+        <translation>Mover vértice</translation>
+    </message>
+    <message>
+        <source>Delete vertices</source>
+        <translation>Remover vértices</translation>
+    </message>
+    <message>
+        <source>Delete lines</source>
+        <translation>Remover linhas</translation>
+    </message>
+    <message>
+        <source>Click a line where it is to have one more vertex</source>
+        <translation>Clique na linha onde ela deve ter mais um vértice</translation>
+    </message>
+    <message>
+        <source>Click a line where it is to be split</source>
+        <translation>Clique na linha onde ela deve ser dividida</translation>
+    </message>
+    <message>
+        <source>Click the line to join it with</source>
+        <translation>Clique na linha com que uni-la</translation>
+    </message>
+    <message>
+        <source>Click a line near the end to join</source>
+        <translation>Clique numa linha perto da ponta a unir</translation>
+    </message>
+    <message>
+        <source>Click a line near the end that is to go on to the next line</source>
+        <translation>Clique numa linha perto da ponta que deve seguir até a próxima linha</translation>
+    </message>
+    <message>
+        <source>Click the part of a line that is to go</source>
+        <translation>Clique na parte da linha que deve sair</translation>
+    </message>
+    <message>
+        <source>There is no line here</source>
+        <translation>Não há linha aqui</translation>
+    </message>
+    <message>
+        <source>Join lines</source>
+        <translation>Unir linhas</translation>
+    </message>
+    <message>
+        <source>too few points would be left; delete the whole line instead</source>
+        <translation>sobrariam poucos pontos; remova a linha inteira</translation>
+    </message>
+    <message>
+        <source>a line is not split at its end</source>
+        <translation>uma linha não é dividida na sua ponta</translation>
+    </message>
+    <message>
+        <source>a closed line has no end to join</source>
+        <translation>uma linha fechada não tem ponta a unir</translation>
+    </message>
+    <message>
+        <source>a closed line has no end to extend</source>
+        <translation>uma linha fechada não tem ponta a prolongar</translation>
+    </message>
+    <message>
+        <source>the line, drawn straight on, meets no other line</source>
+        <translation>a linha, prolongada em reta, não encontra nenhuma outra</translation>
+    </message>
+    <message>
+        <source>a closed line is not trimmed; split it first</source>
+        <translation>uma linha fechada não é aparada; divida-a antes</translation>
+    </message>
+    <message>
+        <source>the line meets no other line here, so there is nothing to trim it at</source>
+        <translation>a linha não encontra outra aqui, por isso não há onde apará-la</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Lugar</translation>
+    </message>
+    <message>
+        <source>A step has made this; edit the section as it was read.</source>
+        <translation>Isto foi feito por um passo; edite a seção como foi lida.</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Desenhar</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Selecionar</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Medir</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Linha</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Retângulo</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>Círculo</translation>
+    </message>
+    <message>
+        <source>Insert vertex</source>
+        <translation>Inserir vértice</translation>
+    </message>
+    <message>
+        <source>Split line</source>
+        <translation>Dividir linha</translation>
+    </message>
+    <message>
+        <source>Extend line</source>
+        <translation>Prolongar linha</translation>
+    </message>
+    <message>
+        <source>Trim line</source>
+        <translation>Aparar linha</translation>
+    </message>
+    <message>
+        <source>Copy lines</source>
+        <translation>Copiar linhas</translation>
+    </message>
+    <message>
+        <source>Snap to lines</source>
+        <translation>Atrair para linhas</translation>
+    </message>
+    <message>
+        <source>Snap to vertices, crossings and lines (F3); not while Alt is held</source>
+        <translation>Atrair para vértices, cruzamentos e linhas (F3); não enquanto Alt está pressionada</translation>
+    </message>
+    <message>
+        <source>Draw at multiples of 15°</source>
+        <translation>Desenhar em múltiplos de 15°</translation>
+    </message>
+    <message>
+        <source>Draw &apos;%1&apos;</source>
+        <translation>Desenhar &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>What was drawn?</source>
+        <translation>O que foi desenhado?</translation>
+    </message>
+    <message>
+        <source>&amp;Draw</source>
+        <translation>&amp;Desenhar</translation>
+    </message>
+    <message>
+        <source>this is drawn by the program and cannot be edited; edit horizons, faults and lines</source>
+        <translation>isto é desenhado pelo programa e não pode ser editado; edite horizontes, falhas e linhas</translation>
+    </message>
+    <message>
+        <source>reading the section has made or cut this line, so that it cannot be edited by itself; edit the line that it was made from</source>
+        <translation>a leitura da seção fez ou cortou esta linha, e ela não pode ser editada sozinha; edite a linha de que foi feita</translation>
+    </message>
+    <message>
+        <source>give it a name</source>
+        <translation>dê-lhe um nome</translation>
+    </message>
+    <message>
+        <source>another one has this name already; give another name</source>
+        <translation>outro já tem este nome; dê outro nome</translation>
+    </message>
+    <message>
+        <source>Horizon</source>
+        <translation>Horizonte</translation>
+    </message>
+    <message>
+        <source>Loose line</source>
+        <translation>Linha solta</translation>
+    </message>
+    <message>
+        <source>Unit polygon</source>
+        <translation>Polígono de unidade</translation>
+    </message>
+    <message>
+        <source>Marker</source>
+        <translation>Marcador</translation>
+    </message>
+    <message>
+        <source>Open a scenario (Ctrl+O), drop one here, or draw the first line (L).</source>
+        <translation>Abra um cenário (Ctrl+O), solte um aqui, ou desenhe a primeira linha (L).</translation>
+        <source>Open &amp;Recent</source>
+        <translation>Abrir &amp;recente</translation>
+    </message>
+    <message>
+        <source>None yet</source>
+        <translation>Nenhum ainda</translation>
+    </message>
+    <message>
+        <source>Changes were not saved when the program last ended.</source>
+        <translation>Havia alterações não salvas quando o programa terminou.</translation>
+    </message>
+    <message>
+        <source>Take them up again? Undo gives back what was saved.</source>
+        <translation>Retomá-las? Desfazer devolve o que foi salvo.</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Recuperar</translation>
+    </message>
+    <message>
+        <source>Recover what was not saved</source>
+        <translation>Recuperar o que não foi salvo</translation>
+    </message>
+    <message>
+        <source>Changes are not kept for a crash: %1</source>
+        <translation>As alterações não são guardadas para uma queda: %1</translation>
+    </message>
+    <message>
+        <source>there is nothing to recover</source>
+        <translation>não há nada a recuperar</translation>
+    </message>
+    <message>
+        <source>Arrow keys pan, + and - zoom, Home shows all; with Space held the left button pans.</source>
+        <translation>As setas deslocam, + e - ampliam e reduzem, Home mostra tudo; com Espaço, o botão esquerdo desloca.</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Observações</translation>
+    </message>
+    <message>
+        <source>Open a scenario (Ctrl+O), drop one here, or draw the first line (L).</source>
+        <translation>Abra um cenário (Ctrl+O), solte um aqui, ou desenhe a primeira linha (L).</translation>
+    </message>
 </context>
 </TS>

@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QSurfaceFormat>
+#include <QTimer>
 #include <clocale>
 #include <cstdio>
 
@@ -73,6 +74,8 @@ int run_window(const scenario::Program& program, const std::optional<std::filesy
     }
   }
   window.show();
+  // Once the event loop runs: the question needs the window behind it.
+  if (!options.script) QTimer::singleShot(0, &window, &MainWindow::offer_recovery);
   if (options.script) {
     auto* script = new Script(std::move(lines), *options.script, window);
     QObject::connect(script, &Script::ended, &application, &QCoreApplication::exit);

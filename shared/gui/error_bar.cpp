@@ -14,7 +14,7 @@ ErrorBar::ErrorBar(QWidget* parent) : QFrame(parent), words_(new QLabel(this)), 
   setStyleSheet(
       "#error_bar { background: #fdecea; border: 1px solid #e0a09a; }"
       "#error_bar QLabel { color: #5f1411; }"
-      "#error_bar QToolButton { color: #5f1411; padding: 2px 8px; }");
+      "#error_bar QToolButton { color: #5f1411; background: #f8d3ce; border: 1px solid #c98a84; padding: 2px 8px; }");
   auto* sign = new QLabel(this);
   sign->setPixmap(icon(Symbol::Warning).pixmap(20, 20));
   words_->setWordWrap(true);
@@ -26,6 +26,7 @@ ErrorBar::ErrorBar(QWidget* parent) : QFrame(parent), words_(new QLabel(this)), 
   close->setText(QString::fromUtf8("✕"));
   close->setAutoRaise(true);
   close->setToolTip(text("Close this message"));
+  close->setAccessibleName(close->toolTip());
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(8, 4, 4, 4);
   row->addWidget(sign);

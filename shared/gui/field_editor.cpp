@@ -18,6 +18,7 @@
 #include <sstream>
 
 #include "shared/base/text.h"
+#include "shared/gui/colors.h"
 #include "shared/gui/file_filter.h"
 #include "shared/gui/text.h"
 
@@ -47,12 +48,16 @@ void show_origin(QWidget& widget, FieldEditor::Origin origin) {
   widget.setPalette(palette);
 }
 
+QString words_for_nothing(const Field& field) {
+  return field.options.presence == scenario::Presence::Required ? text("to be given") : text("not set");
+}
+
 /// Pale red behind what is wrong. Not through a style sheet, which would take the arrows off a spin box.
 void show_background(QWidget& widget, FieldEditor::Judgement judgement) {
   QPalette palette = widget.palette();
   const bool bad = judgement == FieldEditor::Judgement::Bad;
   for (const QPalette::ColorGroup group : {QPalette::Active, QPalette::Inactive}) {
-    palette.setColor(group, QPalette::Base, bad ? QColor(0xff, 0xd9, 0xd4) : QPalette().color(group, QPalette::Base));
+    palette.setColor(group, QPalette::Base, bad ? wrong_base(QPalette()) : QPalette().color(group, QPalette::Base));
   }
   widget.setPalette(palette);
 }
@@ -64,7 +69,7 @@ class FreeSpinBox : public QAbstractSpinBox {
  public:
   FreeSpinBox(const Field& field, QWidget* parent) : QAbstractSpinBox(parent), field_(field) {
     setFocusPolicy(Qt::StrongFocus);
-    lineEdit()->setPlaceholderText(gui::text("not set"));
+    lineEdit()->setPlaceholderText(words_for_nothing(field));
     setMinimumWidth(70);
   }
 
@@ -148,16 +153,37 @@ QHBoxLayout* tight_row(QWidget* widget) {
 class LineEditor : public FieldEditor {
  public:
   LineEditor(const Field& field, QWidget* parent) : FieldEditor(parent), field_(field) {}
+  ~LineEditor() override {  // what loses the focus because it goes commits nothing
+    disconnect(line_, nullptr, this, nullptr);
+    disconnect(surface_, nullptr, this, nullptr);
+  }
 
   void show_value(const Values& value, Origin origin) override {
     shown_ = value ? QString::fromStdString(plain_text(*value)) : QString();
+    told_ = shown_;
     line_->setText(shown_);
     show_origin(*surface_, origin);
   }
   void type(const QString& typed) override {
     line_->setText(typed);
+    show_origin(*surface_, Origin::Document);
     commit();
   }
+  void commit() override {
+    const QString typed = line_->text();
+    if (typed == told_) return;
+    told_ = typed;
+    if (typed.trimmed().isEmpty()) {
+      emit emptied();
+      return;
+    }
+    const base::Result<Value> value = scenario::parse_value(field_, with_point(typed.trimmed()).toStdString());
+    if (value)
+      emit entered(*value);
+    else
+      emit rejected(QString::fromStdString(value.error().message));
+  }
+  [[nodiscard]] bool unsettled() const override { return line_->text() != shown_; }
   void show_judgement(Judgement judgement) override { show_background(*surface_, judgement); }
 
  protected:
@@ -169,24 +195,15 @@ class LineEditor : public FieldEditor {
     connect(line, &QLineEdit::editingFinished, this, &LineEditor::commit);
     connect(line, &QLineEdit::textEdited, this, [this] { show_origin(*surface_, Origin::Document); });
   }
-  void commit() {
-    const QString typed = line_->text();
-    if (typed == shown_) return;
-    shown_ = typed;
-    if (typed.trimmed().isEmpty()) {
-      emit emptied();
-      return;
-    }
-    const base::Result<Value> value = scenario::parse_value(field_, typed.trimmed().toStdString());
-    if (value)
-      emit entered(*value);
-    else
-      emit rejected(QString::fromStdString(value.error().message));
-  }
-
   const Field field_;
 
  private:
+  /// A single number may have a decimal comma.
+  [[nodiscard]] QString with_point(QString typed) const {
+    const bool number = field_.kind == Kind::Number || field_.kind == Kind::Degrees;
+    if (number && typed.count(',') == 1 && !typed.contains('.')) typed.replace(',', '.');
+    return typed;
+  }
   static std::string plain_text(const Value& value) {
     if (const auto* word = std::get_if<std::string>(&value)) return *word;
     return scenario::value_text(value);
@@ -194,7 +211,8 @@ class LineEditor : public FieldEditor {
 
   QLineEdit* line_ = nullptr;
   QWidget* surface_ = nullptr;
-  QString shown_;  ///< What was last shown or committed.
+  QString shown_;  ///< The value that was last shown.
+  QString told_;   ///< What was last shown or committed.
 };
 
 class NumberEditor : public LineEditor {
@@ -205,6 +223,8 @@ class NumberEditor : public LineEditor {
     use(spin->line(), spin);
     settle_.setSingleShot(true);
     settle_.setInterval(settle_milliseconds);
+    // The spin box keeps Enter to itself: its line never hears of it.
+    connect(spin, &FreeSpinBox::editingFinished, this, &NumberEditor::commit);
     connect(spin, &FreeSpinBox::stepped_to, &settle_, qOverload<>(&QTimer::start));
     connect(&settle_, &QTimer::timeout, this, &NumberEditor::commit);
   }
@@ -217,7 +237,7 @@ class TextEditor : public LineEditor {
  public:
   TextEditor(const Field& field, QWidget* parent) : LineEditor(field, parent) {
     line_ = new QLineEdit(this);
-    line_->setPlaceholderText(text("not set"));
+    line_->setPlaceholderText(words_for_nothing(field));
     pick_ = new QToolButton(this);
     pick_->setObjectName("pick." + QString::fromStdString(field.key));
     pick_->setArrowType(Qt::DownArrow);
@@ -336,7 +356,7 @@ class ChoiceEditor : public FieldEditor {
   ChoiceEditor(const Field& field, QWidget* parent) : FieldEditor(parent), box_(new CalmComboBox(this)) {
     box_->setFocusPolicy(Qt::StrongFocus);
     for (const std::string& choice : field.choices) box_->addItem(QString::fromStdString(choice));
-    box_->setPlaceholderText(text("not set"));
+    box_->setPlaceholderText(words_for_nothing(field));
     tight_row(this)->addWidget(box_, 1);
     setFocusProxy(box_);
     connect(box_, &QComboBox::textActivated, this,
@@ -360,9 +380,27 @@ class ChoiceEditor : public FieldEditor {
   QComboBox* box_;
 };
 
+/// Tells when a widget without such a signal of its own is left.
+class Leaving : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Leaving(QWidget* widget) : QObject(widget) { widget->installEventFilter(this); }
+  bool eventFilter(QObject*, QEvent* event) override {
+    // A menu of the widget's own does not end the typing.
+    if (event->type() == QEvent::FocusOut && static_cast<QFocusEvent*>(event)->reason() != Qt::PopupFocusReason)
+      emit left();
+    return false;
+  }
+
+ signals:
+  void left();
+};
+
 class PointsEditor : public FieldEditor {
  public:
-  PointsEditor(const Field&, QWidget* parent) : FieldEditor(parent), edit_(new QPlainTextEdit(this)) {
+  PointsEditor(const Field&, QWidget* parent)
+      : FieldEditor(parent), edit_(new QPlainTextEdit(this)), leaving_(new Leaving(edit_)) {
     edit_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     edit_->setPlaceholderText(text("x, y on each line"));
     edit_->setLineWrapMode(QPlainTextEdit::NoWrap);
@@ -374,7 +412,9 @@ class PointsEditor : public FieldEditor {
     settle_.setInterval(2 * settle_milliseconds);
     connect(edit_, &QPlainTextEdit::textChanged, &settle_, qOverload<>(&QTimer::start));
     connect(&settle_, &QTimer::timeout, this, &PointsEditor::commit);
+    connect(leaving_, &Leaving::left, this, &PointsEditor::commit);
   }
+  ~PointsEditor() override { disconnect(leaving_, nullptr, this, nullptr); }
   void show_value(const Values& value, Origin origin) override {
     const QString words =
         value ? QString::fromStdString(text_of_points(std::get<std::vector<geom::Point>>(*value))) : QString();
@@ -385,33 +425,36 @@ class PointsEditor : public FieldEditor {
       edit_->setPlainText(words);
     }
     shown_ = edit_->toPlainText();
+    told_ = shown_;
     show_origin(*edit_, origin);
   }
   void type(const QString& typed) override {
     edit_->setPlainText(QString(typed).replace(";", "\n"));
-    settle_.stop();
     commit();
   }
-  void show_judgement(Judgement judgement) override { show_background(*edit_, judgement); }
-
- private:
-  void commit() {
-    if (edit_->toPlainText() == shown_) return;
-    shown_ = edit_->toPlainText();
-    if (shown_.trimmed().isEmpty()) {
+  void commit() override {
+    settle_.stop();
+    if (edit_->toPlainText() == told_) return;
+    told_ = edit_->toPlainText();
+    if (told_.trimmed().isEmpty()) {
       emit emptied();
       return;
     }
-    base::Result<std::vector<geom::Point>> points = points_from_text(shown_.toStdString());
+    base::Result<std::vector<geom::Point>> points = points_from_text(told_.toStdString());
     if (points)
       emit entered(Value(std::move(*points)));
     else
       emit rejected(QString::fromStdString(points.error().message));
   }
+  [[nodiscard]] bool unsettled() const override { return edit_->toPlainText() != shown_; }
+  void show_judgement(Judgement judgement) override { show_background(*edit_, judgement); }
 
+ private:
   QPlainTextEdit* edit_;
+  Leaving* leaving_;
   QTimer settle_;
-  QString shown_;
+  QString shown_;  ///< As in LineEditor.
+  QString told_;
 };
 
 }  // namespace

@@ -25,6 +25,11 @@ class FieldEditor : public QWidget {
   /// Shows a value, or "not set" where there is none. Emits nothing; drops what was half typed.
   virtual void show_value(const std::optional<scenario::Value>& value, Origin origin) = 0;
 
+  /// Does what Enter does: what was typed and not yet told is told, by `entered`, `emptied` or `rejected`.
+  virtual void commit() {}
+  /// What stands in the editor is not the value that it was given to show: still being typed, or refused.
+  [[nodiscard]] virtual bool unsettled() const { return false; }
+
   /// Does what a user does who types `text` and leaves the field; emits `entered` or `rejected`.
   virtual void type(const QString& text) = 0;
 

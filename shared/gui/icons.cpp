@@ -128,6 +128,100 @@ void draw_step(QPainter& p) {
   fill(p, blue, polygon({{14.5, 8}, {17, 8}, {17, 16}, {14.5, 16}}));
 }
 
+/// A square vertex on a line.
+void vertex(QPainter& p, QPointF at) { p.fillRect(QRectF(at.x() - 2.6, at.y() - 2.6, 5.2, 5.2), blue); }
+void draw_select(QPainter& p) {
+  p.drawPolygon(QPolygonF({{6, 3}, {6, 19}, {10, 15.5}, {13, 21}, {15.5, 19.7}, {12.6, 14.4}, {18, 14}}));
+}
+void draw_measure(QPainter& p) {
+  p.drawPolygon(QPolygonF({{2, 16}, {16, 2}, {22, 8}, {8, 22}}));
+  for (const double k : {0.0, 1.0, 2.0, 3.0})
+    p.drawLine(QPointF(5.5 + 3.2 * k, 12.5 - 3.2 * k), QPointF(7.8 + 3.2 * k, 14.8 - 3.2 * k));
+}
+void draw_line(QPainter& p) {
+  p.drawPolyline(QPolygonF({{3, 18}, {9, 8}, {15, 15}, {21, 5}}));
+  for (const QPointF at : {QPointF(3, 18), QPointF(9, 8), QPointF(15, 15), QPointF(21, 5)}) vertex(p, at);
+}
+void draw_polygon(QPainter& p) {
+  const QPolygonF corners({{12, 3}, {21, 10}, {17, 20}, {6, 20}, {3, 9}});
+  p.drawPolygon(corners);
+  for (const QPointF at : corners) vertex(p, at);
+}
+void draw_rectangle(QPainter& p) {
+  p.drawRect(QRectF(4, 6, 16, 12));
+  vertex(p, {4, 18});
+  vertex(p, {20, 6});
+}
+void draw_circle(QPainter& p) {
+  p.drawEllipse(QPointF(12, 12), 9, 9);
+  vertex(p, {12, 12});
+}
+void draw_point(QPainter& p) {
+  p.drawLine(QPointF(12, 3), QPointF(12, 21));
+  p.drawLine(QPointF(3, 12), QPointF(21, 12));
+  vertex(p, {12, 12});
+}
+void draw_insert_vertex(QPainter& p) {
+  p.drawLine(QPointF(2, 20), QPointF(22, 12));
+  vertex(p, {12, 16});
+  p.drawLine(QPointF(12, 2), QPointF(12, 10));
+  p.drawLine(QPointF(8, 6), QPointF(16, 6));
+}
+void draw_split(QPainter& p) {
+  p.drawLine(QPointF(2, 18), QPointF(9, 14));
+  p.drawLine(QPointF(15, 10), QPointF(22, 6));
+  p.drawLine(QPointF(9, 7), QPointF(15, 17));
+}
+void draw_join(QPainter& p) {
+  p.drawPolyline(QPolygonF({{2, 18}, {12, 12}, {22, 6}}));
+  vertex(p, {12, 12});
+}
+void draw_extend(QPainter& p) {
+  p.drawLine(QPointF(20, 3), QPointF(20, 21));
+  p.drawLine(QPointF(2, 12), QPointF(9, 12));
+  p.setPen(QPen(blue, 2.0, Qt::DotLine));
+  p.drawLine(QPointF(9, 12), QPointF(20, 12));
+}
+void draw_trim(QPainter& p) {
+  p.drawLine(QPointF(12, 3), QPointF(12, 21));
+  p.drawLine(QPointF(2, 12), QPointF(12, 12));
+  p.setPen(QPen(red, 2.0, Qt::DotLine));
+  p.drawLine(QPointF(14, 12), QPointF(22, 12));
+}
+void draw_move(QPainter& p) {
+  p.drawLine(QPointF(12, 3), QPointF(12, 21));
+  p.drawLine(QPointF(3, 12), QPointF(21, 12));
+  p.drawPolyline(QPolygonF({{9, 6}, {12, 3}, {15, 6}}));
+  p.drawPolyline(QPolygonF({{9, 18}, {12, 21}, {15, 18}}));
+  p.drawPolyline(QPolygonF({{6, 9}, {3, 12}, {6, 15}}));
+  p.drawPolyline(QPolygonF({{18, 9}, {21, 12}, {18, 15}}));
+}
+void draw_rotate(QPainter& p) {
+  p.drawArc(QRectF(4, 4, 16, 16), 40 * 16, 280 * 16);
+  p.drawPolyline(QPolygonF({{18.5, 2}, {18.4, 7}, {13.5, 7}}));
+}
+void draw_mirror(QPainter& p) {
+  p.drawPolygon(QPolygonF({{9, 6}, {9, 18}, {2, 18}}));
+  p.drawPolygon(QPolygonF({{15, 6}, {15, 18}, {22, 18}}));
+  p.setPen(QPen(blue, 1.6, Qt::DashLine));
+  p.drawLine(QPointF(12, 2), QPointF(12, 22));
+}
+void draw_copy(QPainter& p) {
+  p.drawPolyline(QPolygonF({{3, 14}, {9, 5}, {17, 9}}));
+  p.setPen(QPen(blue, 1.8));
+  p.drawPolyline(QPolygonF({{7, 20}, {13, 11}, {21, 15}}));
+}
+void draw_snap(QPainter& p) {
+  QPainterPath magnet(QPointF(5, 4));
+  magnet.lineTo(5, 12);
+  magnet.arcTo(QRectF(5, 5, 14, 14), 180, 180);
+  magnet.lineTo(19, 4);
+  p.drawPath(magnet);
+  p.setPen(QPen(red, 3.2));
+  p.drawLine(QPointF(5, 4), QPointF(5, 6));
+  p.drawLine(QPointF(19, 4), QPointF(19, 6));
+}
+
 Draw drawing_of(Symbol symbol) {
   switch (symbol) {
     case Symbol::Open:
@@ -170,6 +264,40 @@ Draw drawing_of(Symbol symbol) {
       return draw_pause;
     case Symbol::Step:
       return draw_step;
+    case Symbol::Select:
+      return draw_select;
+    case Symbol::Measure:
+      return draw_measure;
+    case Symbol::Line:
+      return draw_line;
+    case Symbol::Polygon:
+      return draw_polygon;
+    case Symbol::Rectangle:
+      return draw_rectangle;
+    case Symbol::Circle:
+      return draw_circle;
+    case Symbol::Point:
+      return draw_point;
+    case Symbol::InsertVertex:
+      return draw_insert_vertex;
+    case Symbol::Split:
+      return draw_split;
+    case Symbol::Join:
+      return draw_join;
+    case Symbol::Extend:
+      return draw_extend;
+    case Symbol::Trim:
+      return draw_trim;
+    case Symbol::Move:
+      return draw_move;
+    case Symbol::Rotate:
+      return draw_rotate;
+    case Symbol::Mirror:
+      return draw_mirror;
+    case Symbol::Copy:
+      return draw_copy;
+    case Symbol::Snap:
+      return draw_snap;
   }
   return draw_pending;
 }

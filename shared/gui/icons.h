@@ -27,7 +27,24 @@ enum class Symbol {
   Warning,
   Play,
   Pause,
-  Step
+  Step,
+  Select,
+  Measure,
+  Line,
+  Polygon,
+  Rectangle,
+  Circle,
+  Point,
+  InsertVertex,
+  Split,
+  Join,
+  Extend,
+  Trim,
+  Move,
+  Rotate,
+  Mirror,
+  Copy,
+  Snap
 };
 
 QIcon icon(Symbol symbol);

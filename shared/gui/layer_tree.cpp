@@ -43,7 +43,8 @@ LayerTree::LayerTree(QWidget* parent) : QTreeWidget(parent) {
   setHeaderHidden(true);
   setColumnCount(1);
   setIndentation(14);
-  setSelectionMode(QAbstractItemView::NoSelection);
+  setSelectionMode(QAbstractItemView::SingleSelection);  // so that the keyboard's place shows
+  setAccessibleName(text("Layers"));
   connect(this, &QTreeWidget::itemChanged, this, &LayerTree::take_change);
 }
 

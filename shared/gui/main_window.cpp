@@ -16,11 +16,14 @@
 #include <algorithm>
 #include <set>
 
-#include "shared/gui/edit.h"
+#include "shared/gui/canvas.h"
+#include "shared/gui/documents/edit.h"
+#include "shared/gui/draw_bar.h"
 #include "shared/gui/error_bar.h"
 #include "shared/gui/file_filter.h"
 #include "shared/gui/icons.h"
 #include "shared/gui/layer_tree.h"
+#include "shared/gui/messages.h"
 #include "shared/gui/parameter_form.h"
 #include "shared/gui/results.h"
 #include "shared/gui/text.h"
@@ -48,7 +51,7 @@ struct MainWindow::Actions {
 
 namespace {
 
-QString scenario_filter() { return file_filter({{"Scenarios", {".toml"}}}); }
+constexpr int worth_progress = 300;  ///< Milliseconds that runs take before their progress is shown.
 
 QDockWidget* dock(QMainWindow& window, const QString& title, const char* name, QWidget* content,
                   Qt::DockWidgetArea area) {
@@ -58,14 +61,6 @@ QDockWidget* dock(QMainWindow& window, const QString& title, const char* name, Q
   made->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
   window.addDockWidget(area, made);
   return made;
-}
-
-/// The scenario among what is dragged over the window; empty if there is none.
-QString dragged_file(const QMimeData& data) {
-  for (const QUrl& url : data.urls()) {
-    if (url.isLocalFile() && url.toLocalFile().endsWith(".toml", Qt::CaseInsensitive)) return url.toLocalFile();
-  }
-  return {};
 }
 
 }  // namespace
@@ -85,6 +80,7 @@ MainWindow::MainWindow(const scenario::Program& program, std::string about)
   make_player_actions();
   make_status_bar();
   connect_session();
+  show_nothing();
   show_document();
 }
 
@@ -100,7 +96,9 @@ void MainWindow::make_center() {
   column->addWidget(error_bar_);
   column->addWidget(view_, 1);
   setCentralWidget(center);
-  hint_ = new QLabel(text("Open a scenario (Ctrl+O), or drop one here."), view_);
+  hint_ = new QLabel(program_.drawing.add ? text("Open a scenario (Ctrl+O), drop one here, or draw the first line (L).")
+                                          : text("Open a scenario (Ctrl+O), or drop one here."),
+                     view_);
   hint_->setAlignment(Qt::AlignCenter);
   hint_->setAttribute(Qt::WA_TransparentForMouseEvents);
   hint_->setStyleSheet("color: #707070; font-size: 12pt;");
@@ -109,6 +107,8 @@ void MainWindow::make_center() {
   connect(error_bar_, &ErrorBar::show_asked, this, &MainWindow::go_to_error);
   connect(view_, &VtkWidget::cursor_moved, this, [this](const QString& where) { cursor_->setText(where); });
   connect(view_, &VtkWidget::picked, this, [this](const QString& what) { said_->setText(what); });
+  canvas_ = new Canvas(session_, *view_, this);
+  connect(canvas_, &Canvas::told, this, [this](const QString& what) { said_->setText(what); });
 }
 
 void MainWindow::make_docks() {
@@ -128,30 +128,38 @@ void MainWindow::make_docks() {
 
   connect(steps_, &StepList::selected_changed, this, &MainWindow::show_form);
   connect(steps_, &StepList::add_asked, this, [this](const std::string& operation) {
+    form_->form()->commit();
     const std::size_t after = steps_->selected();
     const scenario::Operation* made = program_.find_operation(operation);
     const QString title = text((made != nullptr ? made->title : operation).c_str());
-    session_.edit(with_step(session_.document(), after, operation), text("Add '%1'").arg(title));
+    session_.edit(documents::with_step(session_.document(), after, operation), text("Add '%1'").arg(title));
     steps_->select(after + 1);
   });
   connect(steps_, &StepList::remove_asked, this, [this](std::size_t step) {
-    session_.edit(without_step(session_.document(), step), text("Remove step %1").arg(step));
+    form_->form()->commit();
+    session_.edit(documents::without_step(session_.document(), step), text("Remove step %1").arg(step));
   });
   connect(steps_, &StepList::exchange_asked, this, [this](std::size_t step, std::size_t selected) {
-    session_.edit(with_step_lowered(session_.document(), step),
+    form_->form()->commit();
+    session_.edit(documents::with_step_lowered(session_.document(), step),
                   text("Exchange steps %1 and %2").arg(step).arg(step + 1));
     steps_->select(selected);
   });
   connect(form_, &ParameterForm::edited, this, [this](const scenario::Table& table, const QString& key) {
-    session_.edit(with_table(session_.document(), steps_->selected(), table), text("Change '%1'").arg(key));
+    session_.edit(documents::with_table(session_.document(), form_part_, table), text("Change '%1'").arg(key));
   });
   connect(layers_, &LayerTree::visibility_changed, view_, &VtkWidget::set_layer_visible);
+  connect(layers_, &LayerTree::visibility_changed, this,
+          [this](const std::string&, const std::string& layer, bool visible) {
+            canvas_->set_layer_hidden(layer, !visible);
+          });
 }
 
 void MainWindow::make_actions() {
   Actions& a = *actions_;
   QMenu* file = menuBar()->addMenu(text("&File"));
   QMenu* edit = menuBar()->addMenu(text("&Edit"));
+  QMenu* draw = menuBar()->addMenu(text("&Draw"));
   QMenu* look = menuBar()->addMenu(text("&View"));
   QMenu* run = menuBar()->addMenu(text("&Run"));
   QMenu* help = menuBar()->addMenu(text("&Help"));
@@ -162,6 +170,8 @@ void MainWindow::make_actions() {
     return made;
   };
   a.open = add(file, text("&Open..."), QKeySequence::Open, [this] { ask_open(); });
+  recent_ = file->addMenu(text("Open &Recent"));
+  connect(recent_, &QMenu::aboutToShow, this, &MainWindow::fill_recent_menu);
   file->addSeparator();
   a.save = add(file, text("&Save"), QKeySequence::Save, [this] { ask_save(); });
   a.save_as = add(file, text("Save &As..."), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), [this] { ask_save_as(); });
@@ -169,13 +179,18 @@ void MainWindow::make_actions() {
       add(file, text("Save &Picture..."), QKeySequence(Qt::CTRL | Qt::Key_E), [this] { ask_save_picture(); });
   file->addSeparator();
   a.quit = add(file, text("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), [this] { close(); });
-  a.undo = add(edit, text("&Undo"), QKeySequence::Undo, [this] { session_.undo(); });
+  a.undo = add(edit, text("&Undo"), QKeySequence::Undo, [this] {
+    form_->form()->commit();
+    session_.undo();
+  });
   a.redo = add(edit, text("&Redo"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), [this] { session_.redo(); });
   a.redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
   a.fit = add(look, text("&Fit"), QKeySequence(Qt::Key_F), [this] { view_->fit(); });
   look->addSeparator();
   for (QDockWidget* each : findChildren<QDockWidget*>()) look->addAction(each->toggleViewAction());
-  a.run = add(run, text("&Run"), QKeySequence(Qt::Key_F5), [this] { session_.run(); });
+  a.run = add(run, text("&Run"), QKeySequence(Qt::Key_F5), [this] {
+    if (settle()) session_.run();
+  });
   a.cancel = add(run, text("&Cancel"), QKeySequence(Qt::Key_Escape), [this] { session_.cancel(); });
   a.about = add(help, text("&About %1").arg(QString::fromStdString(program_.title)), {}, [this] { about(); });
 
@@ -198,6 +213,8 @@ void MainWindow::make_actions() {
   bar->addSeparator();
   place(a.run, Symbol::Run);
   place(a.cancel, Symbol::Cancel);
+  draw_bar_ = new DrawBar(session_, *canvas_, *draw, this);
+  addToolBar(draw_bar_);
 }
 
 /// Only in a program with something to watch.
@@ -221,10 +238,12 @@ void MainWindow::make_player_actions() {
   a.play = add(text("Watch it work"), Symbol::Play, QKeySequence(Qt::Key_F6), [this] {
     if (player_.playing())
       player_.pause();
-    else
+    else if (settle())
       player_.play(watched_part());
   });
-  a.step = add(text("One step more"), Symbol::Step, QKeySequence(Qt::Key_F7), [this] { player_.step(watched_part()); });
+  a.step = add(text("One step more"), Symbol::Step, QKeySequence(Qt::Key_F7), [this] {
+    if (settle()) player_.step(watched_part());
+  });
   a.stop = add(text("Stop watching"), Symbol::Cancel, QKeySequence(Qt::Key_F8), [this] { player_.stop(); });
   connect(&player_, &Player::changed, this, &MainWindow::show_player);
   connect(steps_, &StepList::selected_changed, this, &MainWindow::show_player);
@@ -261,6 +280,12 @@ void MainWindow::make_status_bar() {
   cancel_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   progress_->hide();
   cancel_->hide();
+  show_progress_.setSingleShot(true);
+  show_progress_.setInterval(worth_progress);
+  connect(&show_progress_, &QTimer::timeout, this, [this] {
+    progress_->show();
+    cancel_->show();
+  });
   statusBar()->addWidget(said_, 1);
   statusBar()->addPermanentWidget(progress_);
   statusBar()->addPermanentWidget(cancel_);
@@ -273,113 +298,20 @@ void MainWindow::connect_session() {
   connect(&session_, &Session::run_started, this, &MainWindow::show_run_started);
   connect(&session_, &Session::progress, this, &MainWindow::show_progress);
   connect(&session_, &Session::run_finished, this, &MainWindow::show_outcome);
+  connect(&session_, &Session::journal_failed, this,
+          [this](const QString& why) { said_->setText(text("Changes are not kept for a crash: %1").arg(why)); });
 }
 
-base::Result<void> MainWindow::open(const std::filesystem::path& file) {
-  const base::Result<void> opened = session_.open(file);
-  if (!opened) {
-    show_error(opened.error());
-    return opened.error();
-  }
-  // The run has only been asked for: its picture comes later.
-  fit_next_ = true;
-  error_.reset();
-  view_->set_picture({}, Looking::AtAll);
-  layers_->forget_choices();
-  layers_->show_picture({});
-  steps_->select(session_.document().steps.empty() ? 0 : 1);
-  return {};
+bool MainWindow::settle() {
+  form_->form()->commit();
+  const std::optional<QString> refused = form_->form()->unsettled();
+  if (refused) show_error({base::ErrorCode::BadValue, text("not done: %1").arg(*refused).toStdString()});
+  return !refused;
 }
 
-base::Result<void> MainWindow::save(const std::filesystem::path& file) {
-  const base::Result<void> saved = session_.save(file);
-  if (!saved) {
-    show_error(saved.error());
-    return saved.error();
-  }
-  said_->setText(text("Saved %1").arg(from_path(file)));
-  return {};
-}
-
-base::Result<void> MainWindow::save_picture(const std::filesystem::path& file) {
-  if (!session_.outcome() || !session_.outcome()->picture) {
-    return base::Error{base::ErrorCode::CannotDraw,
-                       text("there is no picture yet; run the scenario first").toStdString()};
-  }
-  return render::write_picture(scenario::titled(layers_->chosen(*session_.outcome()->picture), session_.document()),
-                               file);
-}
-
-base::Result<void> MainWindow::save_screenshot(const std::filesystem::path& file) {
-  const QImage image = grab().toImage();
-  const double ratio = image.devicePixelRatio();
-  const QPoint corner = view_->mapTo(this, QPoint(0, 0));
-  const QRect part(corner * ratio, view_->size() * ratio);
-  std::set<QRgb> colors;
-  for (int y = part.top(); y <= part.bottom() && colors.size() < 2; y += 2) {
-    for (int x = part.left(); x <= part.right(); x += 2) colors.insert(image.pixel(x, y));
-  }
-  const bool has_picture = session_.outcome() && session_.outcome()->picture;
-  if (has_picture && colors.size() < 2) {
-    return base::Error{base::ErrorCode::CannotDraw, text("the view came out blank").toStdString()};
-  }
-  if (!image.save(from_path(file), "PNG")) {
-    return base::Error{base::ErrorCode::CannotWrite, text("cannot write the picture").toStdString(),
-                       base::Place{file.string(), 0, 0, {}, {}, {}}};
-  }
-  return {};
-}
-
-void MainWindow::select(std::size_t part) { steps_->select(part); }
-
-void MainWindow::ask_open() {
-  if (!may_discard()) return;
-  const QString chosen = QFileDialog::getOpenFileName(this, text("Open a scenario"),
-                                                      from_path(session_.document().folder()), scenario_filter());
-  if (!chosen.isEmpty()) static_cast<void>(open(to_path(chosen)));
-}
-
-bool MainWindow::ask_save() {
-  if (session_.document().file.empty()) return ask_save_as();
-  return save(session_.document().file).ok();
-}
-
-bool MainWindow::ask_save_as() {
-  QString chosen = QFileDialog::getSaveFileName(this, text("Save the scenario"), from_path(session_.document().file),
-                                                scenario_filter());
-  if (chosen.isEmpty()) return false;
-  if (!chosen.endsWith(".toml", Qt::CaseInsensitive)) chosen += ".toml";
-  return save(to_path(chosen)).ok();
-}
-
-void MainWindow::ask_save_picture() {
-  const auto& endings = render::picture_endings;
-  std::filesystem::path proposed = session_.document().file;
-  if (proposed.empty()) proposed = session_.document().folder() / "picture";
-  proposed.replace_extension(endings.front());
-  QString chosen = QFileDialog::getSaveFileName(this, text("Save the picture"), from_path(proposed),
-                                                filter_of({"Pictures", {endings.begin(), endings.end()}}));
-  if (chosen.isEmpty()) return;
-  if (!to_path(chosen).has_extension()) chosen += endings.front();
-  const base::Result<void> written = save_picture(to_path(chosen));
-  if (written)
-    said_->setText(text("Saved %1").arg(chosen));
-  else
-    show_error(written.error());
-}
-
-bool MainWindow::may_discard() {
-  if (!session_.history().modified()) return true;
-  QMessageBox box(QMessageBox::Question, QString::fromStdString(program_.title),
-                  text("The scenario has changes that are not saved."), QMessageBox::NoButton, this);
-  box.setInformativeText(text("Save them?"));
-  const QPushButton* save = box.addButton(text("Save"), QMessageBox::AcceptRole);
-  const QPushButton* discard = box.addButton(text("Discard"), QMessageBox::DestructiveRole);
-  box.addButton(text("Cancel"), QMessageBox::RejectRole);
-  box.exec();
-  const auto* answer = static_cast<const void*>(box.clickedButton());
-  if (answer == save) return ask_save();
-  return answer == discard;
+void MainWindow::select(std::size_t part) {
+  form_->form()->commit();
+  steps_->select(part);
 }
 
 void MainWindow::about() {
@@ -389,27 +321,9 @@ void MainWindow::about() {
                          .arg(title, DOBRA_VERSION, text(about_.c_str()), text("Part of Dobra. Apache License 2.0.")));
 }
 
-void MainWindow::closeEvent(QCloseEvent* event) {
-  if (may_discard())
-    event->accept();
-  else
-    event->ignore();
-}
-
-void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (!dragged_file(*event->mimeData()).isEmpty()) event->acceptProposedAction();
-}
-
-void MainWindow::dropEvent(QDropEvent* event) {
-  const QString file = dragged_file(*event->mimeData());
-  if (file.isEmpty()) return;
-  event->acceptProposedAction();
-  if (may_discard()) static_cast<void>(open(to_path(file)));
-}
-
 void MainWindow::show_document() {
   const scenario::Document& document = session_.document();
-  const History& history = session_.history();
+  const documents::History& history = session_.history();
   const QString name = document.file.empty() ? text("untitled") : from_path(document.file.filename());
   setWindowTitle(name + QString::fromUtf8("[*] — ") + QString::fromStdString(program_.title));
   setWindowFilePath({});
@@ -432,11 +346,14 @@ void MainWindow::show_document() {
   }
   show_form();
   show_player();
+  const QString missing = still_to_be_given(document, program_);
+  if (!missing.isEmpty()) said_->setText(text("Still to be given: %1").arg(missing));
 }
 
 void MainWindow::show_form() {
   const scenario::Document& document = session_.document();
   const std::size_t part = std::min(steps_->selected(), document.steps.size());
+  form_part_ = part;
   QString title = text("Input");
   QString help;
   QString identity = from_path(document.file) + "#input";
@@ -448,15 +365,16 @@ void MainWindow::show_form() {
                                 : text("%1 has no such operation.").arg(QString::fromStdString(program_.title));
     identity = from_path(document.file) + "#" + QString::number(part) + QString::fromStdString(step.operation);
   }
-  form_->show_part(identity, title, help, scenario::fields_in(fields_of(document, program_, part), document.units),
-                   table_of(document, part), document.folder());
+  form_->show_part(identity, title, help,
+                   scenario::fields_in(documents::fields_of(document, program_, part), document.units),
+                   documents::table_of(document, part), document.folder());
   offer_names(part);
   mark_error();
 }
 
 void MainWindow::offer_names(std::size_t part) {
   form_->form()->offer([&](const std::string& what) -> std::vector<std::string> {
-    const OutcomePtr& outcome = session_.outcome();
+    const documents::OutcomePtr& outcome = session_.outcome();
     if (part == 0 || !program_.names_of || !outcome || outcome->run.states.size() < part) return {};
     return program_.names_of(outcome->run.states[part - 1], what);
   });
@@ -465,7 +383,7 @@ void MainWindow::offer_names(std::size_t part) {
 std::vector<PartState> MainWindow::part_states() const {
   const scenario::Document& document = session_.document();
   std::vector<PartState> states(document.steps.size() + 1, session_.busy() ? PartState::Running : PartState::Pending);
-  const OutcomePtr& outcome = session_.outcome();
+  const documents::OutcomePtr& outcome = session_.outcome();
   if (!outcome) return states;
   const std::size_t same = Session::common_parts(document, *outcome->document);
   for (std::size_t part = 0; part < std::min(same, outcome->run.states.size()); ++part) states[part] = PartState::Done;
@@ -478,7 +396,7 @@ std::vector<PartState> MainWindow::part_states() const {
 }
 
 void MainWindow::show_run_started() {
-  const OutcomePtr& before = session_.outcome();
+  const documents::OutcomePtr& before = session_.outcome();
   if (before && before->run.error &&
       Session::common_parts(session_.document(), *before->document) <= before->run.failed_step) {
     // What failed has been changed; whether it fails still is for this run to say.
@@ -490,8 +408,7 @@ void MainWindow::show_run_started() {
   if (player_.watching()) return;  // Many short runs, one after the other.
   progress_->setValue(0);
   progress_->setFormat(text("running"));
-  progress_->show();
-  cancel_->show();
+  if (!show_progress_.isActive() && progress_->isHidden()) show_progress_.start();
   steps_->show_document(session_.document(), part_states());
 }
 
@@ -501,18 +418,26 @@ void MainWindow::show_progress(double fraction, const QString& what) {
 }
 
 void MainWindow::show_outcome() {
-  const Outcome& outcome = *session_.outcome();
-  progress_->hide();
-  cancel_->hide();
+  const documents::Outcome& outcome = *session_.outcome();
+  if (!session_.busy()) {
+    show_progress_.stop();
+    progress_->hide();
+    cancel_->hide();
+  }
   actions_->cancel->setEnabled(session_.busy());
   error_.reset();
   error_bar_->clear();
   view_->clear_place();
-  if (outcome.picture) {
-    layers_->show_picture(*outcome.picture);
-    view_->set_picture(layers_->chosen(*outcome.picture), fit_next_ ? Looking::AtAll : Looking::WhereItDid);
-    fit_next_ = false;
+  // Nothing to draw leaves nothing on the canvas: what was there is not the document's any more.
+  const scene::Picture picture = outcome.picture ? layers_->chosen(*outcome.picture) : scene::Picture{};
+  layers_->show_picture(picture);
+  if (picture.panels.empty()) {
+    show_nothing();
+  } else {
+    view_->set_picture(picture, fit_next_ ? Looking::AtAll : Looking::WhereItDid);
+    canvas_->show_outcome();
   }
+  fit_next_ = outcome.picture == nullptr;
   results_->show_outcome(outcome);
   actions_->save_picture->setEnabled(outcome.picture != nullptr);
   steps_->show_document(session_.document(), part_states());
@@ -525,25 +450,36 @@ void MainWindow::show_outcome() {
   }
 }
 
+void MainWindow::show_nothing() {
+  scene::Picture sheet;
+  if (program_.drawing.add && session_.document().input.empty())
+    sheet.panels.push_back({.key = "section", .extent = geom::Box{{0.0, -600.0}, {1000.0, 0.0}}});
+  view_->set_picture(std::move(sheet), Looking::AtAll);
+  canvas_->show_sheet();
+}
+
 void MainWindow::show_error(const base::Error& error) {
   if (error.code == base::ErrorCode::Cancelled) {
     said_->setText(text("Interrupted. What is shown is the last step that was done."));
     return;
   }
   error_ = error;
-  const bool of_run = session_.outcome() && session_.outcome()->run.error;
+  const documents::OutcomePtr& outcome = session_.outcome();
+  const bool of_run = outcome && outcome->run.error && outcome->run.error->message == error.message;
   const bool has_place = error.place && error.place->x && error.place->y;
-  error_bar_->say(QString::fromStdString(base::to_string(error)),
-                  of_run || has_place ? ErrorBar::CanShow::Yes : ErrorBar::CanShow::No);
+  const QString said = of_run ? in_words_of_the_window(error, *outcome->document, program_, outcome->run.failed_step)
+                              : QString::fromStdString(base::to_string(error));
+  error_bar_->say(said, of_run || has_place ? ErrorBar::CanShow::Yes : ErrorBar::CanShow::No);
 }
 
 void MainWindow::mark_error() {
   if (!error_ || !error_->place || !session_.outcome() || !session_.outcome()->run.error) return;
-  const Outcome& outcome = *session_.outcome();
+  const documents::Outcome& outcome = *session_.outcome();
   if (steps_->selected() != outcome.run.failed_step || form_->form() == nullptr) return;
   // What the user has changed since is for the next run to judge.
   if (Session::common_parts(session_.document(), *outcome.document) <= outcome.run.failed_step) return;
-  form_->form()->mark(*error_->place, QString::fromStdString(error_->message));
+  form_->form()->mark(*error_->place,
+                      in_words_of_the_form(QString::fromStdString(error_->message), form_->form()->fields()));
 }
 
 void MainWindow::go_to_error() {

@@ -10,11 +10,15 @@
 #include "shared/gui/step_list.h"
 
 class QLabel;
+class QMenu;
 class QProgressBar;
+class QSettings;
 class QToolButton;
 
 namespace dobra::gui {
 
+class Canvas;
+class DrawBar;
 class ErrorBar;
 class LayerTree;
 class ParameterForm;
@@ -37,6 +41,8 @@ class MainWindow : public QMainWindow {
   base::Result<void> save_picture(const std::filesystem::path& file);
   /// The whole window as a PNG. @error CannotDraw if the view came out blank; CannotWrite.
   base::Result<void> save_screenshot(const std::filesystem::path& file);
+  /// Asks whether what a window lost is to be taken up, if the document has any.
+  void offer_recovery();
   /// Selects the input (0) or a step, and shows its form.
   void select(std::size_t part);
 
@@ -45,6 +51,8 @@ class MainWindow : public QMainWindow {
   /// The step that the player would show: the one selected, else the last that can be watched; 0 if there is none.
   [[nodiscard]] std::size_t watched_part() const;
   [[nodiscard]] VtkWidget& view() { return *view_; }
+  [[nodiscard]] Canvas& canvas() { return *canvas_; }
+  [[nodiscard]] DrawBar& draw_bar() { return *draw_bar_; }
   [[nodiscard]] LayerTree& layers() { return *layers_; }
   [[nodiscard]] StepList& steps() { return *steps_; }
   [[nodiscard]] ParameterForm& form() { return *form_; }
@@ -65,14 +73,22 @@ class MainWindow : public QMainWindow {
   void make_player_actions();
   void show_player();
 
+  /// Puts what is typed into the document. False, and the error bar says why, if some of it is refused.
+  bool settle();
   void ask_open();
   bool ask_save();
   bool ask_save_as();
   void ask_save_picture();
+  void open_asking(const std::filesystem::path& file);
+  [[nodiscard]] QSettings settings() const;
+  void remember_file(const std::filesystem::path& file);
+  void fill_recent_menu();
   /// False if the user wants to stay with the unsaved document.
   bool may_discard();
   void about();
 
+  /// An empty sheet to draw on.
+  void show_nothing();
   void show_document();
   void show_form();
   /// Those of the model before the part of the document whose form is shown.
@@ -91,17 +107,22 @@ class MainWindow : public QMainWindow {
   Player player_;
   std::unique_ptr<Actions> actions_;
   VtkWidget* view_ = nullptr;
+  Canvas* canvas_ = nullptr;
+  DrawBar* draw_bar_ = nullptr;
   QLabel* hint_ = nullptr;  ///< What to do where there is nothing to see yet.
   ErrorBar* error_bar_ = nullptr;
   StepList* steps_ = nullptr;
   ParameterForm* form_ = nullptr;
   LayerTree* layers_ = nullptr;
   Results* results_ = nullptr;
+  QMenu* recent_ = nullptr;
   QLabel* said_ = nullptr;
   QLabel* cursor_ = nullptr;
   QProgressBar* progress_ = nullptr;
   QToolButton* cancel_ = nullptr;
+  QTimer show_progress_;
   std::optional<base::Error> error_;  ///< What the error bar says.
+  std::size_t form_part_ = 0;         ///< Whose parameters the form shows.
   bool fit_next_ = true;              ///< The next picture is another document's: look at all of it.
 };
 

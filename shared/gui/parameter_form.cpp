@@ -11,8 +11,10 @@
 #include <algorithm>
 
 #include "shared/base/text.h"
+#include "shared/gui/colors.h"
 #include "shared/gui/field_editor.h"
 #include "shared/gui/file_filter.h"
+#include "shared/gui/messages.h"
 #include "shared/gui/tables_editor.h"
 #include "shared/gui/text.h"
 
@@ -69,10 +71,11 @@ QString tool_tip_of(const Field& field) {
   return tip + "</p>";
 }
 
-/// Judges the value of one field as if the table held nothing else.
+/// Judges the value of one field as if the table held nothing else. What is still to be given is not wrong.
 QString judge(const Field& field, const Value* value) {
+  if (value == nullptr) return {};
   Table alone;
-  if (value != nullptr) alone.set(field.key, *value);
+  alone.set(field.key, *value);
   const base::Result<void> good = scenario::check(alone, {field}, {});
   return good ? QString() : QString::fromStdString(good.error().message);
 }
@@ -131,7 +134,7 @@ void TableForm::add_row(const Field& field, QGridLayout& grid) {
   row->title->setToolTip(tool_tip_of(field));
   row->message = new QLabel(this);
   row->message->setWordWrap(true);
-  row->message->setStyleSheet("color: #c62828;");
+  row->message->setStyleSheet("color: " + wrong_text(palette()).name());
   row->message->setTextInteractionFlags(Qt::TextSelectableByMouse);
   row->message->hide();
 
@@ -167,8 +170,22 @@ void TableForm::add_row(const Field& field, QGridLayout& grid) {
     }
     grid.addWidget(row->message, line + 2, title_column, 1, 4);
   }
+  name_controls(*row);
   connect_row(*row);
   rows_.push_back(std::move(row));
+}
+
+/// For those who hear the form: its controls are called as the row is, its buttons by what they do to it.
+void TableForm::name_controls(const Row& row) {
+  if (row.editor == nullptr) return;
+  const QString title = row.title->text();
+  row.reset->setAccessibleName(title + ": " + row.reset->toolTip());
+  for (QWidget* control : row.editor->findChildren<QWidget*>()) {
+    const auto* button = qobject_cast<QToolButton*>(control);
+    if (control->focusPolicy() == Qt::NoFocus) continue;
+    control->setAccessibleName(button != nullptr ? title + ": " + button->toolTip() : title);
+    if (button == nullptr) control->setAccessibleDescription(text(row.field.options.help));
+  }
 }
 
 void TableForm::connect_row(Row& row) {
@@ -196,9 +213,10 @@ void TableForm::enter(Row& row, const Value& value) {
   say(row, wrong);
   if (!wrong.isEmpty()) return;
   const Value* before = table_.find(row.field.key);
-  if (before != nullptr && *before == value) return;
-  table_.set(row.field.key, value);
+  const bool same = before != nullptr && *before == value;
+  if (!same) table_.set(row.field.key, value);
   show_row(row);
+  if (same) return;
   emit edited(table_, QString::fromStdString(row.field.key));
 }
 
@@ -229,16 +247,38 @@ void TableForm::show_row(Row& row) {
 }
 
 void TableForm::say(Row& row, const QString& message) {
-  row.message->setText(message);
+  row.message->setText(in_words_of_the_form(message, {row.field}));
   row.message->setVisible(!message.isEmpty());
   if (row.editor == nullptr) return;
   row.editor->show_judgement(message.isEmpty() ? FieldEditor::Judgement::Good : FieldEditor::Judgement::Bad);
 }
 
 void TableForm::set_table(const Table& table) {
-  table_ = table;
-  for (const std::unique_ptr<Row>& row : rows_) show_row(*row);
+  const Table before = std::exchange(table_, table);
+  for (const std::unique_ptr<Row>& row : rows_) {
+    const Value* was = before.find(row->field.key);
+    const Value* is = table_.find(row->field.key);
+    const bool same = (was == nullptr) == (is == nullptr) && (is == nullptr || *was == *is);
+    if (!same || row->editor == nullptr || !row->editor->unsettled()) show_row(*row);
+  }
   add_stray_rows();
+}
+
+void TableForm::commit() {
+  for (const std::unique_ptr<Row>& row : rows_) {
+    if (row->editor != nullptr) row->editor->commit();
+    for (std::size_t i = 0; row->tables != nullptr && i < row->tables->count(); ++i) row->tables->form(i).commit();
+  }
+}
+
+std::optional<QString> TableForm::unsettled() const {
+  for (const std::unique_ptr<Row>& row : rows_) {
+    if (row->editor != nullptr && row->editor->unsettled()) return row->message->text();
+    for (std::size_t i = 0; row->tables != nullptr && i < row->tables->count(); ++i) {
+      if (std::optional<QString> inside = row->tables->form(i).unsettled()) return inside;
+    }
+  }
+  return std::nullopt;
 }
 
 void TableForm::offer(const NamesOf& names) {
@@ -260,7 +300,7 @@ void TableForm::add_stray_rows() {
     auto* layout = new QHBoxLayout(line);
     layout->setContentsMargins(0, 0, 0, 0);
     auto* words = new QLabel(text("'%1' is not a parameter here").arg(QString::fromStdString(entry.key)), line);
-    words->setStyleSheet("color: #c62828;");
+    words->setStyleSheet("color: " + wrong_text(palette()).name());
     words->setWordWrap(true);
     auto* remove = new QToolButton(line);
     remove->setText(text("Remove"));
@@ -304,7 +344,7 @@ base::Result<void> TableForm::type(const std::string& key, const QString& typed)
   else
     found->editor->type(typed);
   if (found->message->text().isEmpty()) return {};
-  return base::Error{base::ErrorCode::BadValue, found->message->text().toStdString()};
+  return base::Error{base::ErrorCode::BadValue, key + ": " + found->message->text().toStdString()};
 }
 
 QString TableForm::message_at(const std::string& key) const {
@@ -347,6 +387,7 @@ ParameterForm::ParameterForm(QWidget* parent)
   help_->setForegroundRole(QPalette::PlaceholderText);
   scroll_->setFrameShape(QFrame::NoFrame);
   scroll_->setWidgetResizable(true);
+  scroll_->setAccessibleName(text("Parameters"));
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   column->addWidget(title_);
   column->addWidget(help_);

@@ -5,6 +5,7 @@
 #include <QWidget>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "shared/base/result.h"
@@ -33,7 +34,8 @@ class TableForm : public QWidget {
   TableForm(std::vector<scenario::Field> fields, std::filesystem::path folder, QWidget* parent = nullptr);
   ~TableForm() override;
 
-  /// Shows the values, each judged against its field; drops what was half typed.
+  /// Shows the values, each judged against its field. What is half typed, or was refused, stays where the value under
+  /// it is the same as before.
   void set_table(const scenario::Table& table);
   [[nodiscard]] const scenario::Table& table() const { return table_; }
   [[nodiscard]] const std::vector<scenario::Field>& fields() const { return fields_; }
@@ -41,8 +43,13 @@ class TableForm : public QWidget {
   /// Gives each editor of a name the names there are.
   void offer(const NamesOf& names);
 
+  /// Tells what was typed and not yet told, in all rows.
+  void commit();
+  /// What is said under the first row whose text is not in the table; nothing if all are.
+  [[nodiscard]] std::optional<QString> unsettled() const;
+
   /// Does what a user does who types `text` into the editor of `key`: "count", "horizon.2.name". Empty text resets.
-  /// @error UnknownKey; BadValue, the message that the form shows.
+  /// @error UnknownKey; BadValue, the key and the message that the form shows.
   base::Result<void> type(const std::string& key, const QString& text);
 
   /// What is said under the row of `key` ("count", "horizon.2.name"); empty if it is good or there is no such row.
@@ -61,6 +68,7 @@ class TableForm : public QWidget {
   struct Row;
   void add_row(const scenario::Field& field, QGridLayout& grid);
   void add_stray_rows();
+  static void name_controls(const Row& row);
   void connect_row(Row& row);
   void enter(Row& row, const scenario::Value& value);
   void reset(Row& row);
@@ -87,6 +95,9 @@ class ParameterForm : public QWidget {
   void show_part(const QString& identity, const QString& title, const QString& help,
                  const std::vector<scenario::Field>& fields, const scenario::Table& table,
                  const std::filesystem::path& folder);
+
+  /// The next part is another one, whatever its identity: nothing typed stays.
+  void forget() { identity_.clear(); }
 
   [[nodiscard]] TableForm* form() const { return form_; }
 

@@ -55,15 +55,16 @@ void Player::show(std::size_t part, std::size_t steps) {
   steps_ = steps;
   scenario::Document document = session_.document();
   document.steps.resize(part);
+  document.expects.clear();  // they speak of what is done
   scenario::Step& step = document.steps.back();
   step.params.set(session_.program().find_operation(step.operation)->stop_after, static_cast<std::int64_t>(steps));
-  session_.look_at(std::move(document));
+  asked_ = session_.look_at(std::move(document));
   emit changed();
 }
 
 void Player::go_on() {
-  if (!watching()) return;
-  const OutcomePtr& outcome = session_.outcome();
+  const documents::OutcomePtr& outcome = session_.outcome();
+  if (!watching() || outcome->document != asked_) return;
   const scenario::Step& step = session_.document().steps[part_ - 1];
   const bool failed = !outcome->run.complete();
   const bool at_work =

@@ -43,7 +43,8 @@ class Player : public QObject {
   Session& session_;
   QTimer pause_;
   std::size_t part_ = 0;
-  std::size_t steps_ = 0;  ///< 0: nothing is watched.
+  documents::DocumentPtr asked_;  ///< Whose outcome is waited for.
+  std::size_t steps_ = 0;         ///< 0: nothing is watched.
   bool playing_ = false;
 };
 

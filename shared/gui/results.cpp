@@ -22,6 +22,7 @@ QString list_item(const QString& color, const QString& sign, const std::string& 
 }  // namespace
 
 Results::Results(QWidget* parent) : QWidget(parent), quantities_(new QTreeWidget(this)), remarks_(new QLabel(this)) {
+  quantities_->setAccessibleName(text("Results"));
   quantities_->setHeaderLabels({text("Quantity"), text("Value")});
   quantities_->header()->setStretchLastSection(false);
   quantities_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
@@ -38,6 +39,7 @@ Results::Results(QWidget* parent) : QWidget(parent), quantities_(new QTreeWidget
   remarks_->setContentsMargins(6, 4, 6, 4);
   auto* scroll = new QScrollArea(this);
   scroll->setWidget(remarks_);
+  scroll->setAccessibleName(text("Remarks"));
   scroll->setWidgetResizable(true);
 
   auto* splitter = new QSplitter(Qt::Vertical, this);
@@ -51,7 +53,7 @@ Results::Results(QWidget* parent) : QWidget(parent), quantities_(new QTreeWidget
   column->addWidget(splitter);
 }
 
-void Results::show_outcome(const Outcome& outcome) {
+void Results::show_outcome(const documents::Outcome& outcome) {
   quantities_->clear();
   QTreeWidgetItem* group = nullptr;
   QString group_name;

@@ -4,7 +4,7 @@
 
 #include <QWidget>
 
-#include "shared/gui/worker.h"
+#include "shared/gui/documents/worker.h"
 
 class QLabel;
 class QTreeWidget;
@@ -17,7 +17,7 @@ class Results : public QWidget {
  public:
   explicit Results(QWidget* parent = nullptr);
 
-  void show_outcome(const Outcome& outcome);
+  void show_outcome(const documents::Outcome& outcome);
   void clear();
 
  private:

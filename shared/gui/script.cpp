@@ -1,13 +1,14 @@
 #include "shared/gui/script.h"
 
-#include <QTimer>
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <map>
 #include <sstream>
+#include <utility>
 
 #include "shared/base/text.h"
-#include "shared/gui/edit.h"
+#include "shared/gui/documents/edit.h"
 #include "shared/gui/error_bar.h"
 #include "shared/gui/layer_tree.h"
 #include "shared/gui/main_window.h"
@@ -24,14 +25,16 @@ using base::Result;
 
 namespace {
 
+constexpr int beat_milliseconds = 5;
 constexpr int between_commands = 30;  ///< Milliseconds: the window paints what the last command changed.
 
 /// Words that a command needs at least, its own name included.
 const std::map<std::string, std::size_t>& commands() {
   static const std::map<std::string, std::size_t> all{
-      {"wait", 1}, {"select", 2}, {"set", 2},          {"undo", 1},         {"redo", 1}, {"save", 1}, {"fit", 1},
-      {"hide", 2}, {"show", 2},   {"save-picture", 2}, {"screenshot", 2},   {"zoom", 4}, {"add", 2},  {"remove", 1},
-      {"quit", 1}, {"report", 2}, {"go-to-error", 1},  {"expect-error", 2}, {"watch", 2}};
+      {"wait", 1},  {"select", 2},      {"set", 2},    {"undo", 1},         {"redo", 1},        {"save", 1},
+      {"fit", 1},   {"hide", 2},        {"show", 2},   {"save-picture", 2}, {"screenshot", 2},  {"zoom", 4},
+      {"add", 2},   {"remove", 1},      {"quit", 1},   {"report", 2},       {"go-to-error", 1}, {"expect-error", 2},
+      {"watch", 2}, {"longest-gap", 2}, {"recover", 1}};
   return all;
 }
 
@@ -83,6 +86,9 @@ Result<std::vector<Script::Line>> Script::read(const std::filesystem::path& file
 Script::Script(std::vector<Line> lines, std::filesystem::path file, MainWindow& window)
     : QObject(&window), lines_(std::move(lines)), file_(std::move(file)), window_(window) {
   QTimer::singleShot(0, this, &Script::step);
+  connect(&beat_, &QTimer::timeout, this, [this] { longest_gap_ = std::max(longest_gap_, since_beat_.restart()); });
+  since_beat_.start();
+  beat_.start(beat_milliseconds);
 }
 
 void Script::step() {
@@ -94,6 +100,7 @@ void Script::step() {
   }
   ++next_;
   if (line.words[0] == "quit") {
+    window_.session().forget_unsaved();
     emit ended(0);
     return;
   }
@@ -130,6 +137,11 @@ Result<void> Script::execute(const Line& line) {
     return window_.save_screenshot(line.rest);
   } else if (command == "report") {
     return write_report(line.rest);
+  } else if (command == "recover") {
+    if (!session.unsaved()) return failure(text("there is nothing to recover"));
+    session.recover();
+  } else if (command == "longest-gap") {
+    return io::write_file(line.rest, std::to_string(std::exchange(longest_gap_, 0)) + "\n");
   } else if (command == "hide" || command == "show") {
     if (!window_.layers().set_layer_visible(line.rest, command == "show")) {
       return failure(text("no layer '%1'").arg(QString::fromStdString(line.rest)));
@@ -206,7 +218,7 @@ Result<void> Script::zoom(const Line& line) {
 Result<void> Script::write_report(const std::filesystem::path& file) {
   const Session& session = window_.session();
   if (session.busy() || !session.outcome()) return failure(text("no run has ended yet; write wait before"));
-  const Outcome& outcome = *session.outcome();
+  const documents::Outcome& outcome = *session.outcome();
   return io::write_file(file, scenario::report_json(*outcome.document, session.program(), outcome.run));
 }
 

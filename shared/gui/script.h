@@ -1,16 +1,21 @@
 #pragma once
 // Commands executed in the real window, one a line, so that what a user does can be replayed and tested:
-//   wait                    until no run is under way        select STEP        number, name, or 0 / input
-//   set KEY VALUE           types into the selected form     undo, redo, fit
-//   expect-error WORDS      the error bar says WORDS         save [PATH], save-picture PATH, screenshot PATH
-//   go-to-error             presses Show in the error bar
-//   hide LAYER, show LAYER  key, or panel/key                zoom FACTOR X Y    X, Y in 0..1 of the view from its top
-//   left add OPERATION           behind the selected part         remove             the selected step watch
-//   play|pause|stop   the operation at work             watch step COUNT  so many steps more report PATH report.json of
-//   the last run       quit              without asking
+// - wait: until no run is under way
+// - select STEP: number, name, or 0 / input; set KEY VALUE: types into the selected form
+// - add OPERATION: behind the selected part; remove: the selected step
+// - undo, redo, fit; zoom FACTOR X Y: X, Y in 0..1 of the view from its top left
+// - hide LAYER, show LAYER: key, or panel/key
+// - save [PATH], save-picture PATH, screenshot PATH; report PATH: report.json of the last run
+// - expect-error WORDS: the error bar says WORDS; go-to-error: presses Show in it
+// - watch play|pause|stop: the operation at work; watch step COUNT: so many steps more
+// - longest-gap PATH: milliseconds that the window was deaf for at most since the last of these, or the beginning
+// - recover: takes up the changes that a window lost
+// - quit: without asking, and without keeping what is not saved
 // "#" begins a comment. At the end without quit the window stays open. PATH is relative to the current folder.
 
+#include <QElapsedTimer>
 #include <QObject>
+#include <QTimer>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -54,6 +59,9 @@ class Script : public QObject {
   std::filesystem::path file_;
   MainWindow& window_;
   std::size_t next_ = 0;
+  QTimer beat_;  ///< Tells how long nothing else could be heard.
+  QElapsedTimer since_beat_;
+  qint64 longest_gap_ = 0;
 };
 
 }  // namespace dobra::gui

@@ -2,25 +2,33 @@
 
 #include <algorithm>
 
-#include "shared/gui/edit.h"
+#include "shared/gui/documents/edit.h"
+#include "shared/gui/messages.h"
+#include "shared/gui/text.h"
+#include "shared/io/file.h"
 
 namespace dobra::gui {
 
 namespace {
-constexpr int pause_milliseconds = 150;
+constexpr int pause_milliseconds = 15;  ///< What one action changes in several edits is run once.
 }
 
 Session::Session(const scenario::Program& program, QObject* parent)
     : QObject(parent),
       program_(program),
-      history_(std::make_shared<const scenario::Document>(empty_document(program))),
-      worker_(program) {
+      history_(std::make_shared<const scenario::Document>(documents::empty_document(program))),
+      worker_(program),
+      journal_([this](const base::Error& error) {
+        const QString why = QString::fromStdString(base::to_string(error));
+        QMetaObject::invokeMethod(
+            this, [this, why] { emit journal_failed(why); }, Qt::QueuedConnection);
+      }) {
   pause_.setSingleShot(true);
   pause_.setInterval(pause_milliseconds);
   connect(&pause_, &QTimer::timeout, this, [this] { worker_.request(history_.current()); });
-  connect(&worker_, &Worker::started, this, &Session::run_started);
-  connect(&worker_, &Worker::progress, this, &Session::progress);
-  connect(&worker_, &Worker::finished, this, &Session::finish);
+  connect(&worker_, &documents::Worker::started, this, &Session::run_started);
+  connect(&worker_, &documents::Worker::progress, this, &Session::progress);
+  connect(&worker_, &documents::Worker::finished, this, &Session::finish);
 }
 
 base::Result<void> Session::open(const std::filesystem::path& file) {
@@ -28,7 +36,8 @@ base::Result<void> Session::open(const std::filesystem::path& file) {
   // Wrong parameters can be mended in the form; a document of another program cannot.
   DOBRA_TRY_VOID(scenario::check_program(document, program_));
   document.file = file;
-  history_ = History(std::make_shared<const scenario::Document>(std::move(document)));
+  history_ = documents::History(std::make_shared<const scenario::Document>(std::move(document)));
+  known_bytes_ = bytes_on_disk();
   outcome_ = nullptr;
   emit document_changed();
   run();
@@ -36,33 +45,74 @@ base::Result<void> Session::open(const std::filesystem::path& file) {
 }
 
 base::Result<void> Session::save(const std::filesystem::path& file) {
-  const auto moved = [&](const scenario::Document& document) { return at_file(document, program_, file); };
+  const auto moved = [&](const scenario::Document& document) { return documents::at_file(document, program_, file); };
   DOBRA_TRY_VOID(scenario::write_document(moved(document()), file));
   const bool same_place = document().file == file;
-  if (!same_place) history_.replace_all(moved);
+  if (!same_place) {
+    forget_unsaved();
+    history_.replace_all(moved);
+  }
   history_.mark_saved();
+  forget_unsaved();
+  known_bytes_ = bytes_on_disk();
   emit document_changed();
   return {};
 }
 
+std::optional<std::string> Session::bytes_on_disk() const {
+  const base::Result<std::string> bytes = io::read_bytes(document().file);
+  return bytes ? std::optional(*bytes) : std::nullopt;
+}
+
+bool Session::changed_on_disk() const {
+  const std::optional<std::string> now = bytes_on_disk();
+  return now && now != known_bytes_;
+}
+
 void Session::edit(scenario::Document document, const QString& what) {
   history_.push(std::make_shared<const scenario::Document>(std::move(document)), what.toStdString());
-  emit document_changed();
-  pause_.start();
+  go_on();
 }
 
 void Session::undo() {
   if (!history_.can_undo()) return;
   history_.undo();
-  emit document_changed();
-  pause_.start();
+  go_on();
 }
 
 void Session::redo() {
   if (!history_.can_redo()) return;
   history_.redo();
+  go_on();
+}
+
+void Session::keep_journal() {
+  journal_.keep(documents::Journal::file_of(document()), history_.modified() ? history_.current() : nullptr);
+}
+
+void Session::forget_unsaved() { journal_.keep(documents::Journal::file_of(document()), nullptr); }
+
+std::optional<scenario::Document> Session::unsaved() const {
+  const base::Result<std::string> written = io::read_text(documents::Journal::file_of(document()));
+  if (!written) return std::nullopt;
+  base::Result<scenario::Document> read = scenario::parse_document(*written, document().file);
+  if (!read || !scenario::check_program(*read, program_)) return std::nullopt;
+  if (scenario::document_text(*read) == scenario::document_text(document())) return std::nullopt;
+  return std::move(*read);
+}
+
+void Session::recover() {
+  if (std::optional<scenario::Document> found = unsaved()) edit(*std::move(found), text("Recover what was not saved"));
+}
+
+void Session::go_on() {
+  keep_journal();
   emit document_changed();
-  pause_.start();
+  // What waits for a value would only fail.
+  if (!still_to_be_given(document(), program_).isEmpty())
+    pause_.stop();
+  else if (!pause_.isActive())  // a stream of edits does not put the run off
+    pause_.start();
 }
 
 void Session::run() {
@@ -75,12 +125,14 @@ void Session::cancel() {
   worker_.cancel();
 }
 
-void Session::look_at(scenario::Document document) {
+documents::DocumentPtr Session::look_at(scenario::Document document) {
   pause_.stop();
-  worker_.request(std::make_shared<const scenario::Document>(std::move(document)));
+  auto looked_at = std::make_shared<const scenario::Document>(std::move(document));
+  worker_.request(looked_at);
+  return looked_at;
 }
 
-void Session::finish(const OutcomePtr& outcome) {
+void Session::finish(const documents::OutcomePtr& outcome) {
   outcome_ = outcome;
   emit run_finished();
 }

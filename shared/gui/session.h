@@ -4,9 +4,12 @@
 #include <QObject>
 #include <QTimer>
 #include <filesystem>
+#include <optional>
+#include <string>
 
-#include "shared/gui/history.h"
-#include "shared/gui/worker.h"
+#include "shared/gui/documents/history.h"
+#include "shared/gui/documents/journal.h"
+#include "shared/gui/documents/worker.h"
 
 namespace dobra::gui {
 
@@ -19,9 +22,9 @@ class Session : public QObject {
 
   [[nodiscard]] const scenario::Program& program() const { return program_; }
   [[nodiscard]] const scenario::Document& document() const { return *history_.current(); }
-  [[nodiscard]] const History& history() const { return history_; }
+  [[nodiscard]] const documents::History& history() const { return history_; }
   /// Of the last run that came to an end; null before.
-  [[nodiscard]] const OutcomePtr& outcome() const { return outcome_; }
+  [[nodiscard]] const documents::OutcomePtr& outcome() const { return outcome_; }
   /// A run is under way or about to start.
   [[nodiscard]] bool busy() const { return pause_.isActive() || worker_.busy(); }
 
@@ -31,16 +34,29 @@ class Session : public QObject {
   /// Writes the document; from then on it lives at `file`.
   /// @error CannotWrite
   base::Result<void> save(const std::filesystem::path& file);
+  /// What the journal of the document holds, from a window that did not come to its end; nothing if there is none.
+  [[nodiscard]] std::optional<scenario::Document> unsaved() const;
+  /// Takes up what `unsaved` gives, as an edit.
+  void recover();
+  /// What is not saved is not wanted.
+  void forget_unsaved();
+  /// Waits until the journal is on the disk.
+  void wait_for_journal() { journal_.wait(); }
 
-  /// Makes `document` the current one and runs it after a short pause, so that typing does not start a run a key.
+  /// The document's file is there, and is not what was last read from it or written to it.
+  [[nodiscard]] bool changed_on_disk() const;
+
+  /// Makes `document` the current one and runs it after a short pause, or behind the run in progress. A
+  /// document that lacks what must be given waits for it.
   /// @param what  for the Undo menu, translated.
   void edit(scenario::Document document, const QString& what);
   void undo();
   void redo();
   void run();
   void cancel();
-  /// Runs a document that is not the one being edited, to be looked at until the next run.
-  void look_at(scenario::Document document);
+  /// Runs a document that is not the one being edited, to be looked at until the next run. @return what its outcome
+  /// names.
+  documents::DocumentPtr look_at(scenario::Document document);
 
   /// How many parts (input included) from the first on are the same in both documents.
   static std::size_t common_parts(const scenario::Document& a, const scenario::Document& b);
@@ -51,15 +67,23 @@ class Session : public QObject {
   void run_started();
   void progress(double fraction, const QString& what);
   void run_finished();
+  void journal_failed(const QString& why);
 
  private:
-  void finish(const OutcomePtr& outcome);
+  /// The journal holds what the file does not.
+  void keep_journal();
+  void go_on();
+  void finish(const documents::OutcomePtr& outcome);
+  /// What the document's file holds; nothing if it cannot be read.
+  [[nodiscard]] std::optional<std::string> bytes_on_disk() const;
 
   const scenario::Program& program_;
-  History history_;
-  Worker worker_;
+  documents::History history_;
+  documents::Worker worker_;
   QTimer pause_;
-  OutcomePtr outcome_;
+  documents::OutcomePtr outcome_;
+  documents::Journal journal_;
+  std::optional<std::string> known_bytes_;  ///< Of the document's file, when it was last read or written.
 };
 
 }  // namespace dobra::gui

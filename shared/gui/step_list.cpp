@@ -46,6 +46,7 @@ QToolButton* button(Symbol symbol, const QString& tip, const char* name, QWidget
   auto* made = new QToolButton(parent);
   made->setIcon(icon(symbol));
   made->setToolTip(tip);
+  made->setAccessibleName(tip);
   made->setAutoRaise(true);
   made->setObjectName(name);
   return made;
@@ -68,6 +69,7 @@ StepList::StepList(const scenario::Program& program, QWidget* parent)
     action->setToolTip(text(operation.help.c_str()));
     connect(action, &QAction::triggered, this, [this, name = operation.name] { emit add_asked(name); });
   }
+  list_->setAccessibleName(text("Steps"));
   add->setMenu(menu);
   add->setPopupMode(QToolButton::InstantPopup);
   add->setEnabled(!program_.operations.empty());

@@ -85,6 +85,7 @@ void TablesEditor::add_item() {
   remove->setText(QString::fromUtf8("✕"));
   remove->setAutoRaise(true);
   remove->setToolTip(text("Remove"));
+  remove->setAccessibleName(text("Remove"));
   auto* top = new QHBoxLayout;
   top->addWidget(header, 1);
   top->addWidget(remove);
@@ -123,7 +124,9 @@ void TablesEditor::remove_item(std::size_t index) {
 void TablesEditor::retitle(std::size_t index) {
   const QString name = name_of(items_[index].form->table());
   const QString number = QString::number(index + 1);
-  items_[index].header->setText(name.isEmpty() ? number : number + QString::fromUtf8(" · ") + name);
+  const QString title = name.isEmpty() ? number : number + QString::fromUtf8(" · ") + name;
+  items_[index].header->setText(title);
+  items_[index].header->setAccessibleName(text(field_.options.title) + " " + title);
 }
 
 std::vector<Table> TablesEditor::tables() const {

@@ -25,7 +25,7 @@ class TablesEditor : public QWidget {
   [[nodiscard]] std::size_t count() const { return items_.size(); }
   /// The form of table `index`, opened. @pre index < count()
   TableForm& open(std::size_t index);
-  [[nodiscard]] const TableForm& form(std::size_t index) const { return *items_[index].form; }
+  [[nodiscard]] TableForm& form(std::size_t index) const { return *items_[index].form; }
 
  signals:
   /// @param key  what changed: "2.name", or "" when a table was added or removed.

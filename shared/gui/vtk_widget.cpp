@@ -8,9 +8,11 @@
 #include <vtkNew.h>
 #include <vtkOpenGLState.h>
 
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
+#include <QPainter>
 #include <algorithm>
 #include <cmath>
 
@@ -24,6 +26,7 @@ namespace {
 
 constexpr double pick_reach = 5.0;       ///< Pixels round the cursor.
 constexpr double zoom_a_notch = 1.2;     ///< Of the wheel: 15 degrees, 120 units.
+constexpr double pan_a_key = 0.1;        ///< Of the plot.
 constexpr double place_fraction = 0.1;   ///< Of the model that is seen round a place.
 constexpr double least_fraction = 1e-9;  ///< Nearest and farthest zoom: size of a pixel over that of the model.
 constexpr double most_fraction = 1.0;
@@ -91,7 +94,9 @@ struct VtkWidget::Scene {
 
 VtkWidget::VtkWidget(QWidget* parent) : QOpenGLWidget(parent) {
   setMouseTracking(true);
-  setFocusPolicy(Qt::ClickFocus);
+  setFocusPolicy(Qt::StrongFocus);
+  setAccessibleName(text("Picture"));
+  setAccessibleDescription(text("Arrow keys pan, + and - zoom, Home shows all; with Space held the left button pans."));
   setMinimumSize(320, 240);
   setCursor(Qt::CrossCursor);
 }
@@ -142,6 +147,10 @@ void VtkWidget::paintGL() {
   gl->glClearColor(1.0F, 1.0F, 1.0F, 1.0F);
   gl->glClear(GL_COLOR_BUFFER_BIT);
   gl->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  if (!hasFocus()) return;
+  QPainter painter(this);
+  painter.setPen(QPen(palette().color(QPalette::Highlight), 2.0));
+  painter.drawRect(rect().adjusted(1, 1, -1, -1));
 }
 
 void VtkWidget::set_picture(scene::Picture picture, Looking looking) {
@@ -166,23 +175,36 @@ void VtkWidget::set_picture(scene::Picture picture, Looking looking) {
 
 void VtkWidget::show_picture() {
   if (!scene_) return;
-  scene::Picture shown = picture_;
-  if (place_) {
-    const auto has_place = [&](const scene::Panel& panel) { return panel.extent && panel.extent->contains(*place_); };
-    auto panel = std::find_if(shown.panels.begin(), shown.panels.end(), has_place);
-    if (panel == shown.panels.end()) panel = shown.panels.begin();
-    if (panel != shown.panels.end()) {
-      panel->layers.push_back(marker_layer("gui.place.rim", *place_, marker_color, 18.0));
-      panel->layers.push_back(marker_layer("gui.place.ring", *place_, {255, 255, 255}, 12.0));
-      panel->layers.push_back(marker_layer("gui.place.point", *place_, marker_color, 5.0));
-    }
-  }
   makeCurrent();
-  scene_->scene.set_picture(std::move(shown));
+  scene_->scene.set_picture(picture_);
   scene_->scene.set_views(views_);
   relayout();
   doneCurrent();
+  show_marker();
+}
+
+/// On the panel that can show the place, or on the first.
+std::size_t VtkWidget::panel_of(geom::Point place) const {
+  const auto has_place = [&](const scene::Panel& panel) { return panel.extent && panel.extent->contains(place); };
+  const auto found = std::find_if(picture_.panels.begin(), picture_.panels.end(), has_place);
+  return found == picture_.panels.end() ? 0 : static_cast<std::size_t>(found - picture_.panels.begin());
+}
+
+void VtkWidget::show_marker() {
+  if (!scene_) return;
+  makeCurrent();
+  for (std::size_t i = 0; i < picture_.panels.size(); ++i) {
+    std::vector<scene::Layer> layers;
+    if (place_ && i == panel_of(*place_)) {
+      layers = {marker_layer("gui.place.rim", *place_, marker_color, 18.0),
+                marker_layer("gui.place.ring", *place_, {255, 255, 255}, 12.0),
+                marker_layer("gui.place.point", *place_, marker_color, 5.0)};
+    }
+    scene_->scene.set_overlay(i, layers);
+  }
+  doneCurrent();
   update();
+  emit view_changed();
 }
 
 void VtkWidget::set_layer_visible(const std::string& panel_key, const std::string& layer_key, bool visible) {
@@ -192,7 +214,11 @@ void VtkWidget::set_layer_visible(const std::string& panel_key, const std::strin
       if (layer.key == layer_key) layer.visible = visible;
     }
   }
-  show_picture();
+  if (!scene_) return;
+  makeCurrent();
+  scene_->scene.set_layer_visible(panel_key, layer_key, visible);
+  doneCurrent();
+  update();
 }
 
 void VtkWidget::fit() {
@@ -202,6 +228,7 @@ void VtkWidget::fit() {
   scene_->scene.set_views(views_);
   doneCurrent();
   update();
+  emit view_changed();
 }
 
 void VtkWidget::zoom(double factor, QPointF at) {
@@ -222,6 +249,7 @@ void VtkWidget::zoom(double factor, QPointF at) {
   scene_->scene.set_views(views_);
   doneCurrent();
   update();
+  emit view_changed();
 }
 
 void VtkWidget::pan(QPointF from, QPointF by) {
@@ -235,28 +263,29 @@ void VtkWidget::pan(QPointF from, QPointF by) {
   scene_->scene.set_views(views_);
   doneCurrent();
   update();
+  emit view_changed();
 }
 
 void VtkWidget::show_place(geom::Point place) {
   if (!scene_ || picture_.panels.empty()) return;
   place_ = place;
-  const auto has_place = [&](const scene::Panel& panel) { return panel.extent && panel.extent->contains(place); };
-  const auto found = std::find_if(picture_.panels.begin(), picture_.panels.end(), has_place);
-  const std::size_t panel =
-      found == picture_.panels.end() ? 0 : static_cast<std::size_t>(found - picture_.panels.begin());
+  const std::size_t panel = panel_of(place);
   const double size = picture_.panels[panel].extent ? picture_.panels[panel].extent->diagonal() : 1.0;
   const std::vector<scene::View> views = scene_->scene.views();
   const double scale = place_fraction * size / std::max(scene_->scene.layout().panels[panel].plot.width(), 1.0);
   for (std::size_t i = 0; i < views.size(); ++i) {
     views_[i] = scene::View{i == panel ? place : views[i].centre, scale > 0.0 ? scale : views[i].world_per_point};
   }
-  show_picture();
+  makeCurrent();
+  scene_->scene.set_views(views_);
+  doneCurrent();
+  show_marker();
 }
 
 void VtkWidget::clear_place() {
   if (!place_) return;
   place_.reset();
-  show_picture();
+  show_marker();
 }
 
 scene::View VtkWidget::view(std::size_t panel) const {
@@ -269,6 +298,12 @@ std::optional<VtkWidget::Spot> VtkWidget::spot_at(QPointF pixel) const {
   const std::optional<std::size_t> panel = scene_->scene.panel_at(page_point(pixel));
   if (!panel || *panel >= picture_.panels.size()) return std::nullopt;
   return Spot{*panel, scene_->scene.layout().panels[*panel].transform.to_world(page_point(pixel))};
+}
+
+QRectF VtkWidget::plot(std::size_t panel) const {
+  DOBRA_CHECK(scene_ && panel < picture_.panels.size());
+  const geom::Box& box = scene_->scene.layout().panels[panel].plot;
+  return {box.low.x, box.low.y, box.width(), box.height()};
 }
 
 QPointF VtkWidget::pixel_of(std::size_t panel, geom::Point at) const {
@@ -294,10 +329,11 @@ void VtkWidget::pick(QPointF pixel) {
 }
 
 void VtkWidget::mousePressEvent(QMouseEvent* event) {
-  if (event->button() == Qt::MiddleButton && dragging_ == Qt::NoButton) {
+  const bool pans = event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && hand_ == Hand::Ready);
+  if (pans && dragging_ == Qt::NoButton) {
     dragging_ = event->button();
     drag_ = event->position();
-    setCursor(Qt::ClosedHandCursor);
+    show_cursor();
   } else if (event->button() == Qt::LeftButton) {
     pick(event->position());
   }
@@ -326,7 +362,73 @@ void VtkWidget::mouseMoveEvent(QMouseEvent* event) {
 void VtkWidget::mouseReleaseEvent(QMouseEvent* event) {
   if (event->button() != dragging_) return;
   dragging_ = Qt::NoButton;
-  setCursor(Qt::CrossCursor);
+  show_cursor();
+}
+
+void VtkWidget::show_cursor() {
+  setCursor(dragging_ != Qt::NoButton ? Qt::ClosedHandCursor
+            : hand_ == Hand::Ready    ? Qt::OpenHandCursor
+                                      : Qt::CrossCursor);
+}
+
+void VtkWidget::keyPressEvent(QKeyEvent* event) {
+  const QPointF middle(0.5 * width(), 0.5 * height());
+  switch (event->key()) {
+    case Qt::Key_Space:
+      hand_ = Hand::Ready;
+      return show_cursor();
+    case Qt::Key_Left:
+      return pan_by_key(-1, 0);
+    case Qt::Key_Right:
+      return pan_by_key(1, 0);
+    case Qt::Key_Up:
+      return pan_by_key(0, 1);
+    case Qt::Key_Down:
+      return pan_by_key(0, -1);
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+      return zoom(zoom_a_notch, middle);
+    case Qt::Key_Minus:
+      return zoom(1.0 / zoom_a_notch, middle);
+    case Qt::Key_Home:
+      return fit();
+    default:
+      QOpenGLWidget::keyPressEvent(event);
+  }
+}
+
+void VtkWidget::keyReleaseEvent(QKeyEvent* event) {
+  if (event->key() != Qt::Key_Space) return QOpenGLWidget::keyReleaseEvent(event);
+  if (event->isAutoRepeat()) return;
+  hand_ = Hand::Away;
+  show_cursor();
+}
+
+void VtkWidget::focusInEvent(QFocusEvent* event) {
+  QOpenGLWidget::focusInEvent(event);
+  update();
+}
+
+void VtkWidget::focusOutEvent(QFocusEvent* event) {
+  hand_ = Hand::Away;
+  show_cursor();
+  QOpenGLWidget::focusOutEvent(event);
+  update();
+}
+
+/// The view moves over the model, so the model moves the other way. Each panel pans by a part of its own.
+void VtkWidget::pan_by_key(int right, int up) {
+  if (!scene_) return;
+  const std::vector<scene::View> views = scene_->scene.views();
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const geom::Box& plot = scene_->scene.layout().panels[i].plot;
+    const geom::Vector by{-pan_a_key * right * plot.width(), pan_a_key * up * plot.height()};
+    views_[i] = scene::pan(views[i], by, picture_.panels[i].vertical_exaggeration);
+  }
+  makeCurrent();
+  scene_->scene.set_views(views_);
+  doneCurrent();
+  update();
 }
 
 void VtkWidget::mouseDoubleClickEvent(QMouseEvent* event) {

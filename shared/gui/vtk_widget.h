@@ -45,12 +45,19 @@ class VtkWidget : public QOpenGLWidget {
     geom::Point at;
   };
   [[nodiscard]] std::optional<Spot> spot_at(QPointF pixel) const;
+  /// Whether it can be drawn, so that places have pixels.
+  [[nodiscard]] bool is_ready() const { return scene_ != nullptr; }
+  /// The pixels of the widget in which a panel shows its layers. @pre is_ready(), panel < panel_count()
+  [[nodiscard]] QRectF plot(std::size_t panel) const;
+  [[nodiscard]] double exaggeration(std::size_t panel) const { return picture_.panels[panel].vertical_exaggeration; }
   /// Where a point of the model stands in the widget.
   [[nodiscard]] QPointF pixel_of(std::size_t panel, geom::Point at) const;
 
  signals:
   void cursor_moved(const QString& where);
   void picked(const QString& what);
+  /// Other places of the model stand in other pixels, or another picture is shown.
+  void view_changed();
 
  protected:
   void initializeGL() override;
@@ -62,13 +69,21 @@ class VtkWidget : public QOpenGLWidget {
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void leaveEvent(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void keyReleaseEvent(QKeyEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
 
  private:
   struct Scene;
   void release();
   void show_picture();
+  void show_marker();
+  [[nodiscard]] std::size_t panel_of(geom::Point place) const;
   void relayout();
   void pick(QPointF pixel);
+  void show_cursor();
+  void pan_by_key(int right, int up);
 
   scene::Picture picture_;                         ///< As given.
   std::optional<geom::Point> place_;               ///< Where the marker stands.
@@ -76,6 +91,7 @@ class VtkWidget : public QOpenGLWidget {
   std::unique_ptr<Scene> scene_;                   ///< What needs the OpenGL context.
   QPointF drag_;
   Qt::MouseButton dragging_ = Qt::NoButton;
+  enum class Hand { Away, Ready } hand_ = Hand::Away;  ///< Ready while Space is held: the left button pans.
 };
 
 }  // namespace dobra::gui

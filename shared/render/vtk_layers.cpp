@@ -78,9 +78,7 @@ class ActorMaker {
     if (style_.dash == scene::Dash::Solid) {
       add_solid(content.lines);
     } else {
-      std::vector<const geom::Polyline*> lines;
-      for (const geom::Polyline& line : content.lines) lines.push_back(&line);
-      add_dashed(std::move(lines));
+      add_dashed(content.lines);
     }
   }
 
@@ -106,12 +104,9 @@ class ActorMaker {
     if (style_.fill) {
       vtkNew<vtkPoints> points;
       Cells cells;
-      for (const scene::Region& region : content.regions) {
-        const std::vector<Point> corners = scene::triangles_of(region);
-        for (std::size_t i = 0; i < corners.size(); ++i) {
-          cells.add(insert(*points, corners[i], depth_));
-          if (i % 3 == 2) cells.end();
-        }
+      for (std::size_t i = 0; content.triangles && i < content.triangles->size(); ++i) {
+        cells.add(insert(*points, (*content.triangles)[i], depth_));
+        if (i % 3 == 2) cells.end();
       }
       vtkNew<vtkPolyData> data;
       data->SetPoints(points);
@@ -310,23 +305,23 @@ class ActorMaker {
   }
 
   /// VTK has no stipple in core OpenGL, so strokes are made for what is in sight, whenever that changes.
-  void add_dashed(std::vector<const geom::Polyline*> lines) {
+  void add_dashed(const std::vector<geom::Polyline>& lines) {
     if (style_.line_width <= 0.0) return;
     vtkSmartPointer<vtkPolyData> data = vtkSmartPointer<vtkPolyData>::New();
     follow_width(add(data, style_.line));
-    made_.on_view.emplace_back([data, lines = std::move(lines), style = style_, origin = origin_, depth = depth_](
-                                   const scene::PanelLayout& place, double) {
-      std::vector<geom::Segment> strokes;
-      const std::vector<double> pattern = scene::dash_lengths(style.dash, style.line_width);
-      for (const geom::Polyline* line : lines) {
-        // Dashes are measured on the page: they keep their length under zoom and exaggeration.
-        geom::Polyline on_page{{}, line->closed};
-        for (const Point& p : line->points) on_page.points.push_back(place.transform.to_page(p));
-        const auto more = scene::strokes_of(on_page, pattern, place.plot.grown(style.line_width));
-        strokes.insert(strokes.end(), more.begin(), more.end());
-      }
-      show_strokes(strokes, place.transform, origin, depth, *data);
-    });
+    made_.on_view.emplace_back(
+        [data, lines, style = style_, origin = origin_, depth = depth_](const scene::PanelLayout& place, double) {
+          std::vector<geom::Segment> strokes;
+          const std::vector<double> pattern = scene::dash_lengths(style.dash, style.line_width);
+          for (const geom::Polyline& line : lines) {
+            // Dashes are measured on the page: they keep their length under zoom and exaggeration.
+            geom::Polyline on_page{{}, line.closed};
+            for (const Point& p : line.points) on_page.points.push_back(place.transform.to_page(p));
+            const auto more = scene::strokes_of(on_page, pattern, place.plot.grown(style.line_width));
+            strokes.insert(strokes.end(), more.begin(), more.end());
+          }
+          show_strokes(strokes, place.transform, origin, depth, *data);
+        });
   }
 
   /// Signs stand on the page, so they are made for what is in sight, whenever that changes.
@@ -334,7 +329,7 @@ class ActorMaker {
     if (style_.pattern == scene::Pattern::None) return;
     vtkSmartPointer<vtkPolyData> data = vtkSmartPointer<vtkPolyData>::New();
     vtkActor& actor = add(data, scene::pattern_ink);
-    made_.on_view.emplace_back([&actor, data, &regions, fill = *style_.fill, pattern = style_.pattern, origin = origin_,
+    made_.on_view.emplace_back([&actor, data, regions, fill = *style_.fill, pattern = style_.pattern, origin = origin_,
                                 depth = depth_ + 0.125](const scene::PanelLayout& place, double pixels_per_point) {
       const double pixels = scene::pattern_width(pattern) * pixels_per_point;
       set_ink(*actor.GetProperty(), fill, scene::pattern_ink, std::min(pixels, 1.0));

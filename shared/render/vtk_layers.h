@@ -17,7 +17,7 @@ struct LayerActors {
   std::vector<std::function<void(const scene::PanelLayout&, double pixels_per_point)>> on_view;
 };
 
-/// @param layer   must outlive what is returned.
+/// @param layer   its filled regions have their triangles (scene::fill_regions).
 /// @param origin  taken off all coordinates, because the graphics card keeps only seven digits.
 /// @param depth   later layers have larger ones, one apart.
 LayerActors make_actors(const scene::Layer& layer, geom::Point origin, double depth);

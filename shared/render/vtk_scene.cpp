@@ -1,15 +1,18 @@
 #include "shared/render/vtk_scene.h"
 
 #include <vtkCamera.h>
+#include <vtkPropCollection.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "shared/base/check.h"
 #include "shared/render/vtk_layers.h"
 #include "shared/render/vtk_marks.h"
+#include "shared/scene/fill.h"
 
 namespace dobra::render {
 namespace {
@@ -43,26 +46,37 @@ class VtkScene::Impl {
     marks_ = std::make_unique<VtkMarks>(*front_);
   }
 
-  void build() {
-    for (const Panel& panel : panels_) window_.RemoveRenderer(panel.renderer);
-    panels_.clear();
+  /// Actors of layers that are as they were in `before`, and lie as deep, are taken over.
+  void build(const scene::Picture& before) {
+    std::vector<Panel> old = std::exchange(panels_, {});
     for (const scene::Panel& panel : picture_.panels) {
-      Panel made;
-      made.renderer = add_renderer(window_, panel_level);
-      const geom::Box box = scene::extent(panel);
-      made.origin = box.empty() ? geom::Point{} : box.centre();
-      made.exaggeration = panel.vertical_exaggeration;
-      double depth = 0.0;
-      for (const scene::Layer& layer : panel.layers) {
-        made.layers.push_back(make_actors(layer, made.origin, depth));
-        depth += 1.0;
-        for (const auto& actor : made.layers.back().actors) {
-          actor->SetScale(1.0, made.exaggeration, 1.0);
-          made.renderer->AddActor(actor);
-        }
-      }
-      panels_.push_back(std::move(made));
+      const auto same = [&](const scene::Panel& other) { return other.key == panel.key; };
+      const auto at = std::find_if(before.panels.begin(), before.panels.end(), same) - before.panels.begin();
+      const bool known = at < std::ssize(old) && old[at].renderer != nullptr;
+      panels_.push_back(rebuilt(panel, known ? std::move(old[at]) : Panel{}, known ? &before.panels[at] : nullptr));
     }
+    for (const Panel& panel : old) {
+      if (panel.renderer != nullptr) window_.RemoveRenderer(panel.renderer);
+    }
+  }
+
+  void overlay(std::size_t number, const std::vector<scene::Layer>& layers) {
+    DOBRA_CHECK(number < panels_.size());
+    Panel& panel = panels_[number];
+    take_out(panel, panel.above);
+    double depth = static_cast<double>(panel.layers.size());
+    for (const scene::Layer& layer : layers) panel.above.push_back(make_actors(layer, panel.origin, depth++));
+    put_in(panel, panel.above);
+  }
+
+  [[nodiscard]] std::vector<const vtkActor*> actors_of(std::size_t panel, std::string_view layer_key) const {
+    std::vector<const vtkActor*> actors;
+    const std::vector<scene::Layer>& layers = picture_.panels.at(panel).layers;
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+      if (layers[i].key != layer_key) continue;
+      for (const auto& actor : panels_[panel].layers[i].actors) actors.push_back(actor);
+    }
+    return actors;
   }
 
   void arrange() {
@@ -104,7 +118,54 @@ class VtkScene::Impl {
     geom::Point origin;  ///< Taken off all coordinates.
     double exaggeration = 1.0;
     std::vector<LayerActors> layers;
+    std::vector<LayerActors> above;  ///< The overlay.
   };
+
+  static void take_out(Panel& panel, std::vector<LayerActors>& layers) {
+    for (const LayerActors& layer : layers) {
+      for (const auto& actor : layer.actors) panel.renderer->RemoveViewProp(actor);
+    }
+    layers.clear();
+  }
+
+  static void put_in(Panel& panel, const std::vector<LayerActors>& layers) {
+    for (const LayerActors& layer : layers) {
+      for (const auto& actor : layer.actors) {
+        actor->SetScale(1.0, panel.exaggeration, 1.0);
+        panel.renderer->AddViewProp(actor);
+      }
+    }
+  }
+
+  /// The actors of a panel, out of what it was before where that is known.
+  Panel rebuilt(const scene::Panel& panel, Panel old, const scene::Panel* before) {
+    const geom::Box box = scene::extent(panel);
+    const geom::Point middle = box.empty() ? geom::Point{} : box.centre();
+    Panel made;
+    made.renderer = old.renderer != nullptr ? old.renderer : add_renderer(window_, panel_level);
+    // One that is not far off leaves the coordinates their digits.
+    const bool near = before != nullptr && geom::distance(old.origin, middle) <= 10.0 * box.diagonal();
+    made.origin = near ? old.origin : middle;
+    made.exaggeration = panel.vertical_exaggeration;
+    take_out(old, old.above);
+    for (std::size_t i = 0; i < panel.layers.size(); ++i) {
+      const bool same = near && i < before->layers.size() && draws_alike(panel.layers[i], before->layers[i]);
+      if (same)
+        made.layers.push_back(std::exchange(old.layers[i], {}));
+      else
+        made.layers.push_back(make_actors(panel.layers[i], made.origin, static_cast<double>(i)));
+    }
+    take_out(old, old.layers);
+    // In the order of the layers, which what is translucent is drawn in; those that stay keep what is on the card.
+    made.renderer->GetViewProps()->RemoveAllItems();
+    put_in(made, made.layers);
+    return made;
+  }
+
+  /// Apart from whether they are shown.
+  static bool draws_alike(const scene::Layer& a, const scene::Layer& b) {
+    return a.key == b.key && a.style == b.style && a.content == b.content;
+  }
 
   /// Puts a panel's viewport on its plot, in whole pixels, and its camera so that the world stands where the layout
   /// says.
@@ -124,7 +185,7 @@ class VtkScene::Impl {
     const geom::Point middle = place.transform.to_world(page_middle);
     const double x = middle.x - panel.origin.x;
     const double y = (middle.y - panel.origin.y) * panel.exaggeration;
-    const double reach = static_cast<double>(panel.layers.size()) + 10.0;
+    const double reach = static_cast<double>(panel.layers.size() + panel.above.size()) + 10.0;
     vtkCamera& camera = *panel.renderer->GetActiveCamera();
     camera.ParallelProjectionOn();
     camera.SetFocalPoint(x, y, 0.0);
@@ -137,6 +198,9 @@ class VtkScene::Impl {
       for (const auto& actor : panel.layers[i].actors) actor->SetVisibility(visible);
       if (!visible) continue;
       for (const auto& follow : panel.layers[i].on_view) follow(place, ratio_);
+    }
+    for (const LayerActors& layer : panel.above) {
+      for (const auto& follow : layer.on_view) follow(place, ratio_);
     }
   }
 
@@ -159,21 +223,32 @@ void VtkScene::set_picture(scene::Picture picture, KeepViews keep) {
         std::find_if(old.begin(), old.end(), [&](const scene::Panel& p) { return p.key == picture.panels[i].key; });
     if (same != old.end()) views[i] = impl_->views_[static_cast<std::size_t>(same - old.begin())];
   }
-  impl_->picture_ = std::move(picture);
+  const scene::Picture before = std::exchange(impl_->picture_, std::move(picture));
+  scene::fill_regions(impl_->picture_);
   impl_->views_ = std::move(views);
-  impl_->build();
+  impl_->build(before);
   impl_->arrange();
 }
 
 const scene::Picture& VtkScene::picture() const { return impl_->picture_; }
 
-void VtkScene::set_layer_visible(std::string_view key, bool visible) {
+void VtkScene::set_layer_visible(std::string_view panel_key, std::string_view layer_key, bool visible) {
   for (scene::Panel& panel : impl_->picture_.panels) {
+    if (panel.key != panel_key) continue;
     for (scene::Layer& layer : panel.layers) {
-      if (layer.key == key) layer.visible = visible;
+      if (layer.key == layer_key) layer.visible = visible;
     }
   }
   impl_->arrange();
+}
+
+void VtkScene::set_overlay(std::size_t panel, const std::vector<scene::Layer>& layers) {
+  impl_->overlay(panel, layers);
+  impl_->arrange();
+}
+
+std::vector<const vtkActor*> VtkScene::actors_of(std::size_t panel, std::string_view layer_key) const {
+  return impl_->actors_of(panel, layer_key);
 }
 
 void VtkScene::set_views(std::vector<std::optional<scene::View>> views) {

@@ -1,7 +1,8 @@
 #pragma once
 // A picture in a VTK render window: one renderer a panel for its layers, one over them for the page's marks, from the
-// same layout as the files. Panning and zooming move a camera; geometry is built once a picture. The window belongs to
-// the caller, who also calls its Render(). No Qt here; VTK's headers stay in the .cpp files.
+// same layout as the files. Panning and zooming move a camera; geometry is built once a layer, and stays through
+// pictures whose layer of that key is the same. The window belongs to the caller, who also calls its Render(). No Qt
+// here; VTK's headers stay in the .cpp files.
 
 #include <memory>
 #include <optional>
@@ -10,6 +11,7 @@
 
 #include "shared/scene/layout.h"
 
+class vtkActor;
 class vtkRenderWindow;
 
 namespace dobra::render {
@@ -30,12 +32,20 @@ class VtkScene {
   VtkScene& operator=(const VtkScene&) = delete;
 
   /// @param keep  Yes: panels that were there under the same key go on looking where they did.
-  /// @cost  O(points + triangles, sorted).
+  /// @cost  O(points) of layers that are as they were; O(points + triangles, sorted) of the others, and the filling of
+  ///        regions where the picture has none yet (scene::fill_regions).
   void set_picture(scene::Picture picture, KeepViews keep = KeepViews::No);
   [[nodiscard]] const scene::Picture& picture() const;
 
-  /// Shows or hides the layers of that key in all panels. @cost O(layout).
-  void set_layer_visible(std::string_view key, bool visible);
+  /// Shows or hides the layers of that key in the panels of that key. @cost O(layout).
+  void set_layer_visible(std::string_view panel_key, std::string_view layer_key, bool visible);
+
+  /// Draws `layers` above all of a panel, out of its legend, until the next overlay or picture. @cost that of `layers`.
+  /// @pre panel < number of panels
+  void set_overlay(std::size_t panel, const std::vector<scene::Layer>& layers);
+
+  /// What draws a layer: the same actors as long as the layer stays as it is. @pre panel < number of panels
+  [[nodiscard]] std::vector<const vtkActor*> actors_of(std::size_t panel, std::string_view layer_key) const;
 
   /// One a panel; nothing fits the whole panel. @cost O(layout + dashes in sight), not of the geometry.
   void set_views(std::vector<std::optional<scene::View>> views);

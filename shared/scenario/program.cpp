@@ -75,6 +75,14 @@ scene::Picture Program::picture_of(const State& state) const {
   return units_of ? in_units(std::move(picture), units_of(state)) : picture;
 }
 
+scene::Picture Program::picture_of_input(const Document& document) const {
+  scene::Picture picture;
+  if (!draw_input || !check(document.input, fields_in(input_fields, document.units), {})) return picture;
+  const Context context{document.folder(), document.units, document.shown_units()};
+  draw_input(in_si(document.input, input_fields, document.units), context, picture);
+  return units_of ? in_units(std::move(picture), document.shown_units()) : picture;
+}
+
 std::vector<Quantity> Program::quantities_of(const State& state) const {
   auto quantities = gathered<std::vector<Quantity>>(*this, state, &Results::quantities);
   return units_of ? in_units(std::move(quantities), units_of(state)) : quantities;

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "shared/scenario/document.h"
 #include "shared/scenario/field.h"
 #include "shared/scene/layer.h"
+#include "shared/scene/pick.h"
 
 namespace dobra::scenario {
 
@@ -134,6 +136,25 @@ Operation make_operation(std::string name, std::string title, std::string help,
           make_results(results)};
 }
 
+/// How lines of the picture are edited in a window: every edit is a function document -> document. Lines in SI, as the
+/// picture of the input shows them.
+struct Drawing {
+  struct Kind {
+    std::string table;  ///< Of the input: "horizon".
+    std::string title;  ///< "Horizon"
+    enum class Of { Lines, Polygons, Points } of = Of::Lines;
+  };
+  std::vector<Kind> kinds{};  ///< What a user may draw; empty: nothing.
+  /// @param input  the state that the input makes.
+  /// @error BadValue: a line that the document does not hold by itself, with what to do.
+  std::function<base::Result<Document>(const Document& document, const State& input, std::span<const scene::LineEdit>)>
+      edit{};
+  /// With one more line. @error BadValue: the name is taken.
+  std::function<base::Result<Document>(const Document& document, const std::string& table, const std::string& name,
+                                       const geom::Polyline&)>
+      add{};
+};
+
 enum class TakesUnits { SiOnly, Any };
 
 struct Program {
@@ -142,15 +163,20 @@ struct Program {
   TakesUnits takes_units = TakesUnits::SiOnly;
   std::vector<Field> input_fields;
   std::function<base::Result<State>(const Table& input, const Context&, const base::Progress&)> read_input;
+  /// What an input draws that read_input may refuse, unjudged, as far as it can be read; may be left out.
+  std::function<void(const Table& input, const Context&, scene::Picture&)> draw_input{};
   std::vector<Operation> operations;
   Results results;  ///< What the input has made, and what all operations have in common.
   /// The units that pictures, quantities, tables and remarks are turned into; left out: SI.
   std::function<UnitSystem(const State&)> units_of{};
   /// What of a state is called `what` (FieldOptions::names), for forms that offer it; may be left out.
   std::function<std::vector<std::string>(const State&, const std::string& what)> names_of{};
+  Drawing drawing{};
 
   // What a state tells in all: the input's part, then that of each operation in the order of the list.
   [[nodiscard]] scene::Picture picture_of(const State& state) const;
+  /// What the input of a document draws where there is no state to draw; without panels if that is nothing.
+  [[nodiscard]] scene::Picture picture_of_input(const Document& document) const;
   [[nodiscard]] std::vector<Quantity> quantities_of(const State& state) const;
   [[nodiscard]] std::vector<DataTable> tables_of(const State& state) const;
   [[nodiscard]] std::vector<std::string> remarks_of(const State& state) const;

@@ -13,64 +13,7 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-// --- Regions: cut at every height where something happens, pair the edges between two heights. ---
-
-/// An edge of a contour that is not horizontal, from its lower end to its upper one.
-struct Rise {
-  geom::Point low;
-  geom::Point high;
-  [[nodiscard]] double x_at(double y) const {
-    if (y <= low.y) return low.x;
-    if (y >= high.y) return high.x;
-    return low.x + (y - low.y) / (high.y - low.y) * (high.x - low.x);
-  }
-};
-
-std::vector<Rise> rises_of(const Region& region) {
-  std::vector<Rise> rises;
-  for (const geom::Polyline& contour : region.contours) {
-    const std::vector<geom::Point>& p = contour.points;
-    for (std::size_t i = 0, j = p.size() - 1; i < p.size(); j = i++) {
-      if (p[i].y == p[j].y) continue;
-      rises.push_back(p[j].y < p[i].y ? Rise{p[j], p[i]} : Rise{p[i], p[j]});
-    }
-  }
-  std::sort(rises.begin(), rises.end(),
-            [](const Rise& a, const Rise& b) { return std::pair(a.low.y, a.low.x) < std::pair(b.low.y, b.low.x); });
-  return rises;
-}
-
-/// Heights strictly between low and high where two of the edges cross.
-std::vector<double> crossings(const std::vector<Rise>& active, double low, double high) {
-  std::vector<double> heights;
-  for (std::size_t i = 0; i < active.size(); ++i) {
-    for (std::size_t j = i + 1; j < active.size(); ++j) {
-      const double below = active[i].x_at(low) - active[j].x_at(low);
-      const double above = active[i].x_at(high) - active[j].x_at(high);
-      if (below * above >= 0.0) continue;
-      const double y = low + below / (below - above) * (high - low);
-      if (y > low && y < high) heights.push_back(y);
-    }
-  }
-  std::sort(heights.begin(), heights.end());
-  return heights;
-}
-
-void add_slab(std::vector<Rise>& active, double low, double high, std::vector<geom::Point>& corners) {
-  const double middle = 0.5 * (low + high);
-  std::sort(active.begin(), active.end(),
-            [&](const Rise& a, const Rise& b) { return a.x_at(middle) < b.x_at(middle); });
-  for (std::size_t i = 0; i + 1 < active.size(); i += 2) {
-    const geom::Point a{active[i].x_at(low), low};
-    const geom::Point b{active[i + 1].x_at(low), low};
-    const geom::Point c{active[i + 1].x_at(high), high};
-    const geom::Point d{active[i].x_at(high), high};
-    if (b.x > a.x) corners.insert(corners.end(), {a, b, c});
-    if (c.x > d.x) corners.insert(corners.end(), {a, c, d});
-  }
-}
-
-// --- Meshes: the outline of equally coloured triangles is what is left of their edges when opposite ones cancel. ---
+// The outline of equally coloured triangles is what is left of their edges when opposite ones cancel. ---
 
 /// The outline of anticlockwise triangles, as loops whose winding number is that of the triangles together.
 class Outline {
@@ -197,29 +140,6 @@ std::vector<ColoredArea> bands_of(const Mesh& mesh, const geom::Box& window, int
 }
 
 }  // namespace
-
-std::vector<geom::Point> triangles_of(const Region& region) {
-  const std::vector<Rise> rises = rises_of(region);
-  std::vector<double> heights;
-  for (const Rise& rise : rises) heights.insert(heights.end(), {rise.low.y, rise.high.y});
-  std::sort(heights.begin(), heights.end());
-  heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
-  std::vector<geom::Point> corners;
-  std::vector<Rise> active;
-  std::size_t next = 0;
-  for (std::size_t i = 0; i + 1 < heights.size(); ++i) {
-    double low = heights[i];
-    const double high = heights[i + 1];
-    std::erase_if(active, [&](const Rise& rise) { return rise.high.y <= low; });
-    while (next < rises.size() && rises[next].low.y <= low) active.push_back(rises[next++]);
-    for (const double y : crossings(active, low, high)) {
-      add_slab(active, low, y, corners);
-      low = y;
-    }
-    add_slab(active, low, high, corners);
-  }
-  return corners;
-}
 
 std::vector<ColoredArea> areas_of(const Mesh& mesh, const std::optional<Color>& fill, const geom::Box& window,
                                   int levels) {

@@ -10,9 +10,14 @@
 namespace dobra::scene {
 
 /// Triangles that cover a region under the even-odd rule, self-crossing contours included.
-/// @return  corners, three a triangle, anticlockwise. Neighbouring trapezoids share horizontal edges, so no gap shows.
-/// @cost    O(n log n + n k), k = contour edges at one height (few, for sections).
+/// @return  corners, three a triangle, anticlockwise. They are trapezoids beside each other, cut across the longer side
+/// of
+///          the region: where two of them meet, both end on one line, so no gap shows.
+/// @cost    O((n + k) log n), k = places where contours cross. At most 2 (n + k) triangles.
 std::vector<geom::Point> triangles_of(const Region& region);
+
+/// Makes the triangles of all filled regions of a picture that have none yet. @cost  that of triangles_of.
+void fill_regions(Picture& picture);
 
 /// Closed loops of one colour; filled under the non-zero rule.
 struct ColoredArea {

@@ -315,15 +315,17 @@ Furniture turned_heading(const std::string& text, double height, Font font, cons
   return made;
 }
 
-Furniture legend(const Picture& picture, const PageSize& room, const Font& font, const TextMeasure& measure) {
+Furniture legend(const Picture& picture, const PageSize& room, const Font& font, const TextMeasure& measure,
+                 SmallPrint small_print) {
   const std::vector<Entry> entries = entries_of(picture);
   if (entries.empty()) return {};
   // Small print before anything is left out.
   const Print small{{std::min(font.size, 7.0), font.weight}};
   const Print smallest{{std::min(font.size, 6.0), font.weight}, 14.0, 0.5, 12.0};
   LegendTable table(entries, room, {font}, measure);
-  if (!table.holds_all()) table = LegendTable(entries, room, small, measure);
-  if (!table.holds_all()) table = LegendTable(entries, room, smallest, measure);
+  for (const Print& print : {small, smallest}) {
+    if (small_print == SmallPrint::Yes && !table.holds_all()) table = LegendTable(entries, room, print, measure);
+  }
   return table.furniture(measure);
 }
 

@@ -34,9 +34,12 @@ Furniture heading(const std::string& text, double width, Font font, const TextMe
 /// The same turned to read upwards, its lines from left to right, in a height of `height`.
 Furniture turned_heading(const std::string& text, double height, Font font, const TextMeasure& measure);
 
+enum class SmallPrint { No, Yes };
+
 /// Visible layers of all panels with their swatches, in columns; identical entries once. Where there is not room for
-/// all, in small print, and the last place says how many are left out. Empty if there are none.
-Furniture legend(const Picture& picture, const PageSize& room, const Font& font, const TextMeasure& measure);
+/// all, in small print if that is allowed, and the last place says how many are left out. Empty if there are none.
+Furniture legend(const Picture& picture, const PageSize& room, const Font& font, const TextMeasure& measure,
+                 SmallPrint small_print);
 
 /// The different scales of the visible meshes with values of a panel, in order of appearance.
 std::vector<Scale> scales_of(const Panel& panel);

@@ -1,6 +1,7 @@
 #include "shared/scene/grid.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace dobra::scene {
@@ -55,6 +56,22 @@ double Grid::scale_down(double room, const std::vector<Stretch>& heights) const 
 double with_gaps(const std::vector<double>& sizes) {
   const double gaps = sizes.empty() ? 0.0 : panel_gap * static_cast<double>(sizes.size() - 1);
   return std::accumulate(sizes.begin(), sizes.end(), gaps);
+}
+
+bool have_extents(const std::vector<Panel>& panels) {
+  return std::all_of(panels.begin(), panels.end(), [](const Panel& panel) { return panel.extent.has_value(); });
+}
+
+double size_in_window(const std::vector<Panel>& panels, const PageSize& page, std::size_t columns) {
+  const double width = page.width / static_cast<double>(columns);
+  const double height = page.height / static_cast<double>(Grid(panels.size(), columns).rows());
+  if (!have_extents(panels)) return std::min(width / height, height / width);
+  double scale = std::numeric_limits<double>::infinity();
+  for (const Panel& panel : panels) {
+    scale = std::min(
+        {scale, width / panel.extent->width(), height / (panel.extent->height() * panel.vertical_exaggeration)});
+  }
+  return scale;
 }
 
 }  // namespace dobra::scene

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "shared/scene/layout.h"
+
 namespace dobra::scene {
 
 constexpr double panel_gap = 16.0;
@@ -33,6 +35,12 @@ class Grid {
   std::size_t count_;
   std::size_t columns_;
 };
+
+bool have_extents(const std::vector<Panel>& panels);
+
+/// How large panels are drawn in so many columns of a window, by their extents alone: what else is shown there must not
+/// move them. Without extents, how square the cells are.
+double size_in_window(const std::vector<Panel>& panels, const PageSize& page, std::size_t columns);
 
 /// All sizes and the gaps between them.
 double with_gaps(const std::vector<double>& sizes);

@@ -38,27 +38,34 @@ struct Style {
   double marker_size = 5.0;                  ///< Diameter of markers.
   double text_size = 9.0;
   Pattern pattern = Pattern::None;  ///< Over the interior of regions.
+  friend bool operator==(const Style&, const Style&) = default;
 };
 
 /// Open or closed lines. Item i of every content has the identity `ids[i]`, or i where ids is empty.
 struct Lines {
   std::vector<geom::Polyline> lines{};
   std::vector<std::uint32_t> ids{};
+  friend bool operator==(const Lines&, const Lines&) = default;
 };
 
 struct Markers {
   std::vector<geom::Point> points{};
   std::vector<std::uint32_t> ids{};
+  friend bool operator==(const Markers&, const Markers&) = default;
 };
 
 /// One filled area: contours under the even-odd rule.
 struct Region {
   std::vector<geom::Polyline> contours{};
+  friend bool operator==(const Region&, const Region&) = default;
 };
 
 struct Regions {
   std::vector<Region> regions{};
   std::vector<std::uint32_t> ids{};
+  /// Corners of the triangles that cover all regions, for drawers that need them; null until fill_regions (fill.h).
+  std::shared_ptr<const std::vector<geom::Point>> triangles{};
+  friend bool operator==(const Regions& a, const Regions& b) { return a.regions == b.regions && a.ids == b.ids; }
 };
 
 enum class ColorMapName {
@@ -81,6 +88,7 @@ struct Scale {
   AxisScale ticks = AxisScale::Linear;
   /// Of the values, where they are to be said at the ends of the bar; an end that they pass is an arrow.
   std::optional<double> least = std::nullopt, greatest = std::nullopt;
+  friend bool operator==(const Scale&, const Scale&) = default;
 };
 
 enum class ValuesAt { None, Triangles, Points };
@@ -92,6 +100,7 @@ struct Mesh {
   ValuesAt values_at = ValuesAt::None;
   std::vector<double> values{};
   Scale scale{};
+  friend bool operator==(const Mesh&, const Mesh&) = default;
 };
 
 /// Where the text stands with respect to its point. Callout: in the nearest room where it hides no line of the legend,
@@ -103,10 +112,12 @@ struct Label {
   std::string text{};
   Anchor anchor = Anchor::Centre;
   std::optional<double> value = std::nullopt;  ///< Written behind the text, in the unit of the panel's colours.
+  friend bool operator==(const Label&, const Label&) = default;
 };
 
 struct Labels {
   std::vector<Label> labels{};
+  friend bool operator==(const Labels&, const Labels&) = default;
 };
 
 /// A picture of width * height pixels, row by row from the top, four bytes each: red, green, blue, opacity.
@@ -121,6 +132,7 @@ struct Image {
   std::shared_ptr<const Pixels> pixels{};
   geom::Box box{};
   double opacity = 1.0;  ///< 0 .. 1, times that of the pixels.
+  friend bool operator==(const Image&, const Image&) = default;
 };
 
 enum class InLegend { Yes, No };

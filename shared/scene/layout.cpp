@@ -24,7 +24,7 @@ namespace {
 constexpr double least_bar = 90.0;
 constexpr double name_margin = 2.0;  // of names within their plot, points
 constexpr double names_in_height = 7.0;
-// Parts of a sheet's height that legend and tables may take.
+// Parts of a sheet's height (of a window's) that legend and tables may take.
 constexpr double legend_share = 0.16;
 constexpr double table_share = 0.22;
 constexpr int most_name_rounds = 8;  // each needs less room than the one before
@@ -68,6 +68,7 @@ class Arranger {
   /// One a block.
   [[nodiscard]] std::vector<double> widths() const;
   [[nodiscard]] std::vector<double> heights() const;
+  [[nodiscard]] double size_to_content(std::size_t columns) const;
   [[nodiscard]] std::size_t best_columns() const;
   void settle();
   [[nodiscard]] ColorBars bars(const std::vector<Scale>& scales, double plot_height) const {
@@ -418,46 +419,45 @@ void Arranger::update_bottom(const PageSize& room) {
     if (scale_bar_.width > 0.4 * width) scale_bar_ = {};
   }
   const double beside = scale_bar_.width > 0.0 ? scale_bar_.width + 24.0 : 0.0;
-  const double most = on_paper() ? legend_share * paper_height(page_.width) : std::numeric_limits<double>::infinity();
-  legend_ = legend(picture_, {width - beside, most}, on_paper() ? tick_font_ : axis_font_, measure_);
-  const bool crowded = room.height - legend_.height < 0.6 * room.height;
-  if (options_.plots == Plots::FillPage && crowded) legend_ = {};
+  const bool window = options_.plots == Plots::FillPage;
+  const double unlimited = std::numeric_limits<double>::infinity();
+  const double most = legend_share * (on_paper() ? paper_height(page_.width) : window ? room.height : unlimited);
+  legend_ = legend(picture_, {width - beside, most}, on_paper() ? tick_font_ : axis_font_, measure_,
+                   window ? SmallPrint::No : SmallPrint::Yes);
+  if (window && legend_.height > 0.4 * room.height) legend_ = {};
 }
 
-/// As many columns as give the largest scale, on a sheet those asked for unless others are clearly better; in windows
-/// the squarest cells: what is shown there must not move the panels.
+/// The scale of the plots where so many columns take the room that they need.
+double Arranger::size_to_content(std::size_t columns) const {
+  Arranger trial(*this);
+  trial.columns_ = columns;
+  trial.settle();
+  const auto [width, height] = trial.content();
+  const bool fits = height <= page_.height + 0.5 && width <= page_.width + 0.5;
+  // What does not fit counts only among others that do not.
+  return (fits ? 1.0 : 1e-6) / trial.blocks_.front().view.world_per_point;
+}
+
+/// As many columns as give the largest scale; those asked for unless others are clearly better.
 std::size_t Arranger::best_columns() const {
   std::size_t best = columns_;
   double most = 0.0;
   const double clearly = picture_.arrangement == Arrangement::Grid ? 1.02 : 1.2;
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
     const std::size_t columns = picture_.arrangement == Arrangement::Column ? i + 1 : blocks_.size() - i;
-    if (options_.plots == Plots::FillPage) {
-      const double rows = std::ceil(static_cast<double>(blocks_.size()) / static_cast<double>(columns));
-      const double aspect = page_.width / static_cast<double>(columns) / (page_.height / rows);
-      const double squareness = std::min(aspect, 1.0 / aspect);
-      if (squareness > most) best = columns;
-      most = std::max(most, squareness);
-      continue;
-    }
-    Arranger trial(*this);
-    trial.columns_ = columns;
-    trial.settle();
-    const PageSize content = trial.content();
-    const bool fits = content.height <= page_.height + 0.5 && content.width <= page_.width + 0.5;
-    // What does not fit counts only among others that do not.
-    const double scale = (fits ? 1.0 : 1e-6) / trial.blocks_.front().view.world_per_point;
-    if (scale > clearly * most) {
-      best = columns;
-      most = scale;
-    }
+    const double size =
+        options_.plots == Plots::FillPage ? size_in_window(picture_.panels, page_, columns) : size_to_content(columns);
+    if (size <= clearly * most) continue;
+    best = columns;
+    most = size;
   }
   return best;
 }
 
 void Arranger::arrange() {
-  const bool free = picture_.arrangement == Arrangement::Grid || on_paper();
-  if (free && blocks_.size() > 1) columns_ = best_columns();
+  const bool window = options_.plots == Plots::FillPage && have_extents(picture_.panels);
+  if ((picture_.arrangement == Arrangement::Grid || on_paper() || window) && blocks_.size() > 1)
+    columns_ = best_columns();
   settle();
 }
 

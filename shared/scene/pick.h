@@ -11,7 +11,13 @@ namespace dobra::scene {
 struct Pick {
   std::string layer;     ///< Key of the layer.
   std::uint32_t id = 0;  ///< Identity of the item in it: its `ids` entry or index; of a mesh, the triangle's index.
-  friend bool operator==(const Pick&, const Pick&) = default;
+  friend auto operator<=>(const Pick&, const Pick&) = default;
+};
+
+/// What becomes of a line that was picked: others in its place, or none.
+struct LineEdit {
+  Pick pick;
+  std::vector<geom::Polyline> becomes;
 };
 
 /// The item nearest to `at` in the topmost visible layer that has one there: lines and markers within `tolerance`,

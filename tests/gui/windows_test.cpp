@@ -91,7 +91,8 @@ TEST(WindowOfQuebra, TheMesherIsWatchedStepByStepAndTheDocumentStaysAsItIs) {
     return std::string{std::istreambuf_iterator<char>(in), {}};
   };
   std::ofstream(path("plate.toml")) << "dobra = 1\nprogram = \"quebra\"\n\n[input]\nspecimen = "
-                                       "\"plate_with_hole\"\n\n[[step]]\noperation = \"mesh\"\nsize = 0.5\n";
+                                       "\"plate_with_hole\"\n\n[[step]]\noperation = \"mesh\"\nsize = 0.5\n"
+                                       "[[expect]]\nquantity = \"work.front\"\nvalue = -1.0\n";
   std::ofstream(path("script.txt")) << "wait\nreport " << path("first.json") << "\nwatch step 100\nwait\nreport "
                                     << path("work.json") << "\nscreenshot " << path("work.png")
                                     << "\nwatch step 20\nwait\nwatch stop\nwait\nreport " << path("last.json")
@@ -100,10 +101,44 @@ TEST(WindowOfQuebra, TheMesherIsWatchedStepByStepAndTheDocumentStaysAsItIs) {
                               path("plate.toml") + " --script " + path("script.txt");
   EXPECT_EQ(std::system(command.c_str()), 0);
   EXPECT_NE(read("work.json").find("work.front"), std::string::npos);
+  // What is expected of the mesh is not asked of the mesher at work.
+  EXPECT_NE(read("last.json").find("\"met\""), std::string::npos);
+  EXPECT_EQ(read("work.json").find("\"met\""), std::string::npos);
   EXPECT_GT(read("work.png").size(), 10000u);
   EXPECT_EQ(read("last.json"), read("first.json"));
   EXPECT_EQ(read("saved.toml").find("stop_after"), std::string::npos);
   std::filesystem::remove_all(folder);
+}
+
+/// An outline that crosses itself is refused, and drawn all the same: Show has something to show.
+TEST_P(Windows, WhatIsRefusedIsDrawn) {
+  const std::string name = GetParam();
+  const std::string points = "points = [[0, 0], [4, 4], [4, 0], [0, 4]]\n";
+  const std::string recon = "[[input.horizon]]\nname = \"bow\"\n" + points;
+  const std::string quebra = "[[input.curve]]\nname = \"bow\"\nkind = \"polygon\"\n" + points;
+  const std::string document =
+      write("bow.toml", "dobra = 1\nprogram = \"" + name + "\"\n[input]\n" + (name == "recon" ? recon : quebra));
+  const std::string script = write("script.txt", "wait\nexpect-error cross\ngo-to-error\nsave-picture " +
+                                                     path("bow.svg") + "\nscreenshot " + path("bow.png") + "\nquit\n");
+  EXPECT_EQ(run("xvfb-run -a " + program(name) + " " + document + " --script " + script), 0);
+  EXPECT_NE(read("bow.svg").find("bow"), std::string::npos);
+}
+
+/// A window that is killed leaves its changes, and the next one takes them up.
+TEST_P(Windows, AKilledWindowLosesNothing) {
+  const std::string name = GetParam();
+  std::filesystem::copy(example(name).parent_path(), path("example"));
+  const std::string document = path("example/" + example(name).filename().string());
+  const std::string edit = write("edit.txt", std::string("wait\nselect ") + (name == "recon" ? "1" : "2") +
+                                                 "\nset factor 1.1\nwait\n");  // and stays open
+  const std::string recover =
+      write("recover.txt", "wait\nrecover\nwait\nsave " + path("example/saved.toml") + "\nquit\n");
+  EXPECT_EQ(run("xvfb-run -a sh -c '" + program(name) + " " + document + " --script " + edit +
+                " & for i in $(seq 200); do test -s " + document + ".unsaved && break; sleep 0.1; done; kill -9 $!'"),
+            0);
+  ASSERT_EQ(run("xvfb-run -a " + program(name) + " " + document + " --script " + recover), 0);
+  EXPECT_NE(read("example/saved.toml").find("factor = 1.1"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(document + ".unsaved"));
 }
 
 TEST_P(Windows, WithoutADisplayTheMessageSaysWhatToDo) {

@@ -18,7 +18,7 @@ struct Bump {
   std::vector<geom::Point> points;
   template <class D>
   static void describe(D& d) {
-    d.field("name", &Bump::name, {.title = "Name"});
+    d.field("name", &Bump::name, {.title = "Name", .presence = scenario::Presence::Required});
     d.field("height", &Bump::height, {.title = "Height", .unit = "m", .above = 0});
     d.field("points", &Bump::points, {.title = "Points"});
   }
@@ -83,6 +83,7 @@ struct Waves {
   int count = 0;
   double distance = 0.0;
   bool filled = false;
+  std::vector<geom::Polyline> bumps{};
 };
 
 inline base::Result<Waves> stack(const Waves& waves, const StackParams& params, const scenario::Context&,
@@ -138,7 +139,43 @@ inline scene::Panel wave_panel(const Waves& waves, const std::string& key, doubl
   panel.layers.push_back({"stack", "offset curves", Style{{90, 100, 110}, 0.8, Dash::Solid}, stack});
   panel.layers.push_back(
       {"top", "top", Style{{20, 60, 130}, 2.0, Dash::Solid}, Lines{{wave_line(amplitude, 0.0)}, {}}});
+  if (!waves.bumps.empty()) panel.layers.push_back({"bumps", "bumps", Style{{130, 60, 20}}, Lines{waves.bumps, {}}});
   return panel;
+}
+
+inline std::vector<scenario::Table> bumps_of(const scenario::Document& document) {
+  const scenario::Value* bumps = document.input.find("bump");
+  return bumps == nullptr ? std::vector<scenario::Table>() : std::get<std::vector<scenario::Table>>(*bumps);
+}
+
+/// Bumps are drawn and edited by their points.
+inline scenario::Drawing drawing_of_bumps() {
+  return {.kinds = {{"bump", "Bump"}},
+          .edit = [](const scenario::Document& document, const scenario::State&,
+                     std::span<const scene::LineEdit> edits) -> base::Result<scenario::Document> {
+            scenario::Document made = document;
+            std::vector<scenario::Table> bumps = bumps_of(document);
+            for (const scene::LineEdit& edit : edits) {
+              if (edit.pick.layer != "bumps")
+                return base::Error{base::ErrorCode::BadValue, "only bumps are edited", {}};
+              if (!edit.becomes.empty()) bumps[edit.pick.id].set("points", edit.becomes.front().points);
+            }
+            for (auto edit = edits.rbegin(); edit != edits.rend(); ++edit) {
+              if (edit->becomes.empty()) bumps.erase(bumps.begin() + edit->pick.id);
+            }
+            made.input.set("bump", bumps);
+            return made;
+          },
+          .add = [](const scenario::Document& document, const std::string&, const std::string& name,
+                    const geom::Polyline& line) -> base::Result<scenario::Document> {
+            if (name.empty()) return base::Error{base::ErrorCode::BadValue, "give it a name", {}};
+            scenario::Document made = document;
+            std::vector<scenario::Table> bumps = bumps_of(document);
+            bumps.emplace_back().set("name", name);
+            bumps.back().set("points", line.points);
+            made.input.set("bump", bumps);
+            return made;
+          }};
 }
 
 inline scenario::Program fake_program() {
@@ -150,7 +187,13 @@ inline scenario::Program fake_program() {
   program.read_input = [](const Table& table, const Context&, const base::Progress&) -> base::Result<State> {
     Waves waves;
     waves.amplitude = from_table<WaveInput>(table).amplitude;
+    for (const Bump& bump : from_table<WaveInput>(table).bumps) waves.bumps.push_back({bump.points, false});
+    if (waves.amplitude < 0.0) return base::Error{base::ErrorCode::BadSection, "the wave is upside down"};
     return make_state(waves);
+  };
+  program.draw_input = [](const Table& table, const Context&, scene::Picture& picture) {
+    const double amplitude = from_table<WaveInput>(table).amplitude;
+    if (amplitude > -1000.0) picture.panels.push_back(wave_panel({}, "before", amplitude));
   };
   program.operations = {make_operation<Waves, StackParams>("stack", "Stack of waves",
                                                            "Repeats the wave below itself at equal distances.", stack),
@@ -171,6 +214,7 @@ inline scenario::Program fake_program() {
   program.results.remarks = [](const State& state, std::vector<std::string>& remarks) {
     if (model_of<Waves>(state).count > 10) remarks.push_back("more than ten curves are hard to tell apart");
   };
+  program.drawing = drawing_of_bumps();
   return program;
 }
 

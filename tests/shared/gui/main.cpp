@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QTemporaryDir>
 #include <clocale>
 #include <cstdio>
 
@@ -18,6 +21,10 @@ int main(int argc, char** argv) {
   }
   dobra::gui::prepare_application();
   QApplication application(argc, argv);
+  // Nothing of the user's own is read or written.
+  const QTemporaryDir settings;
+  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
+  QStandardPaths::setTestModeEnabled(true);
   std::setlocale(LC_NUMERIC, "C");
   dobra::gui::install_translation("en");
   return RUN_ALL_TESTS();

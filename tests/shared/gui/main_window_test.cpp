@@ -2,59 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include <QAction>
-#include <QLineEdit>
 #include <QMimeData>
-#include <QTest>
-#include <QWheelEvent>
 #include <set>
 
-#include "shared/gui/error_bar.h"
-#include "shared/gui/layer_tree.h"
-#include "shared/gui/parameter_form.h"
-#include "shared/gui/vtk_widget.h"
-#include "tests/shared/gui/fake_program.h"
+#include "tests/shared/gui/window_fixture.h"
 
 namespace dobra::gui {
 namespace {
 
-class MainWindowTest : public testing::Test {
- protected:
-  MainWindowTest() {
-    window.show();
-    EXPECT_TRUE(QTest::qWaitForWindowExposed(&window, 10000));
-  }
-  void open_waves(const std::string& text = test::waves_text()) {
-    ASSERT_TRUE(window.open(folder.write("waves.toml", text)).ok());
-    settle();
-  }
-  void settle() {
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !window.session().busy(); }, 30000));
-    QCoreApplication::processEvents();
-  }
-  base::Result<void> type(const std::string& key, const char* typed) { return window.form().form()->type(key, typed); }
-  std::string text() { return scenario::document_text(window.session().document()); }
-  QPointF middle_of(std::size_t panel) { return window.view().pixel_of(panel, window.view().view(panel).centre); }
-
-  void drag(Qt::MouseButton button, QPointF from, QPointF to) {
-    QTest::mousePress(&window.view(), button, {}, from.toPoint());
-    for (const double t : {0.5, 1.0}) {
-      const QPointF at = from + t * (to - from);
-      QMouseEvent move(QEvent::MouseMove, at, window.view().mapToGlobal(at), Qt::NoButton, button, {});
-      QCoreApplication::sendEvent(&window.view(), &move);
-    }
-    QTest::mouseRelease(&window.view(), button, {}, to.toPoint());
-  }
-  void turn_wheel(QPointF at, int notches) {
-    QWheelEvent wheel(at, window.view().mapToGlobal(at), {}, {0, 120 * notches}, Qt::NoButton, {}, Qt::NoScrollPhase,
-                      false);
-    QCoreApplication::sendEvent(&window.view(), &wheel);
-  }
-
-  test::TemporaryFolder folder;
-  const scenario::Program program = test::fake_program();
-  MainWindow window{program};
-};
+class MainWindowTest : public test::WindowFixture {};
 
 TEST_F(MainWindowTest, OpenRunsTheDocumentAndShowsItsPicture) {
   open_waves();
@@ -132,7 +88,8 @@ TEST_F(MainWindowTest, GUI_c_BadFilesAreSaidInTheErrorBarAndChangeNothing) {
 
 TEST_F(MainWindowTest, GUI_c_BadParameterInTheFileIsSaidAndMarkedInTheForm) {
   open_waves("dobra = 1\nprogram = \"waves\"\n\n[input]\n\n[[step]]\noperation = \"stack\"\ndistance = -1.0\n");
-  EXPECT_TRUE(window.error_bar().message().contains("distance")) << window.error_bar().message().toStdString();
+  EXPECT_TRUE(window.error_bar().message().contains("'Distance from one curve to the next'"))
+      << window.error_bar().message().toStdString();
   EXPECT_EQ(window.steps().state(1), PartState::Failed);
   EXPECT_FALSE(window.form().form()->message_at("distance").isEmpty());
   ASSERT_TRUE(type("distance", "20").ok());
@@ -154,6 +111,27 @@ TEST_F(MainWindowTest, GUI_c_FailedStepNamesItsItemAndShowZoomsToThePlace) {
   EXPECT_LT(window.view().view(0).world_per_point, far / 3.0);
   EXPECT_NEAR(window.view().view(0).centre.x, 500.0, 1e-9);
   EXPECT_NEAR(window.view().view(0).centre.y, -50.0, 1e-9);
+}
+
+TEST_F(MainWindowTest, AnInputThatIsRefusedIsDrawn) {
+  open_waves();
+  window.select(0);
+  ASSERT_TRUE(type("amplitude", "-5").ok());
+  settle();
+  EXPECT_FALSE(window.error_bar().message().isEmpty());
+  EXPECT_EQ(window.view().panel_count(), 1u);
+}
+
+TEST_F(MainWindowTest, AnInputThatDrawsNothingLeavesNoOldPicture) {
+  open_waves();
+  window.select(0);
+  ASSERT_TRUE(type("amplitude", "-2000").ok());
+  settle();
+  EXPECT_EQ(window.view().panel_count(), 0u);
+  EXPECT_EQ(window.layers().topLevelItemCount(), 0);
+  ASSERT_TRUE(type("amplitude", "50").ok());
+  settle();
+  EXPECT_EQ(window.view().panel_count(), 2u);
 }
 
 TEST_F(MainWindowTest, StepsAreAddedMovedAndRemoved) {

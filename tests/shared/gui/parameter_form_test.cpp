@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractSpinBox>
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLineEdit>
@@ -10,7 +11,10 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
+#include <algorithm>
+#include <cmath>
 
+#include "shared/gui/colors.h"
 #include "tests/shared/gui/fake_program.h"
 
 namespace dobra::gui {
@@ -136,6 +140,43 @@ TEST_F(ParameterFormTest, ErrorWithAPlaceInTheFileMarksItsRow) {
   EXPECT_FALSE(form.mark(base::Place{"a.toml", 11, 1, {}, {}, {}}, "no"));
   EXPECT_TRUE(form.mark(base::Place{"a.toml", 12, 12, {}, {}, {}}, "too far"));
   EXPECT_EQ(form.message_at("distance"), "too far");
+}
+
+double luminance(const QColor& color) {
+  const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
+  return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) + 0.0722 * linear(color.blueF());
+}
+
+/// Of WCAG 2.
+double contrast(const QColor& a, const QColor& b) {
+  const auto [low, high] = std::minmax({luminance(a), luminance(b)});
+  return (high + 0.05) / (low + 0.05);
+}
+
+TEST(ParameterForm, WhatIsWrongIsReadableOnLightAndOnDarkPalettes) {
+  const QPalette before = QApplication::palette();
+  for (const auto& [back, base, front] :
+       {std::tuple{"#efefef", "#ffffff", "#000000"}, {"#31363b", "#232629", "#eff0f1"}}) {
+    QPalette palette(QColor(front), QColor(back), Qt::white, Qt::black, Qt::gray, QColor(front), QColor(base));
+    QApplication::setPalette(palette);
+    TableForm form{scenario::fields_of<test::StackParams>(), {}};
+    form.set_table({});
+    EXPECT_FALSE(form.type("count", "many").ok());
+    const auto* line = form.findChild<QWidget*>("editor.count")->findChild<QLineEdit*>();
+    const QPalette shown = line->parentWidget()->palette();
+    EXPECT_NE(shown.color(QPalette::Base), QColor(base));
+    EXPECT_GE(contrast(shown.color(QPalette::Base), shown.color(QPalette::Text)), 4.5) << back;
+    EXPECT_GE(contrast(wrong_text(palette), QColor(back)), 4.5) << back;
+  }
+  QApplication::setPalette(before);
+}
+
+TEST_F(ParameterFormTest, ANumberMayHaveADecimalComma) {
+  ASSERT_TRUE(form.type("distance", "12,5").ok());
+  EXPECT_EQ(*tables.back().find("distance"), scenario::Value(12.5));
+  EXPECT_FALSE(form.type("distance", "1,234.5").ok());
+  EXPECT_FALSE(form.type("distance", "1,2,3").ok());
+  EXPECT_FALSE(form.type("count", "1,5").ok());
 }
 
 TEST_F(ParameterFormTest, UnknownKeyGetsASuggestion) {

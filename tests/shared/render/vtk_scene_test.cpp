@@ -4,6 +4,8 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 
+#include <map>
+
 #include "tests/support/example_picture.h"
 
 namespace dobra::render {
@@ -55,13 +57,57 @@ TEST_F(VtkSceneInWindow, ANewPictureKeepsTheViewsIfAsked) {
   EXPECT_NE(scene_.views()[0], wanted);
 }
 
-TEST_F(VtkSceneInWindow, HidingALayerTakesItFromTheLegendOfAllPanels) {
+void show_horizons(VtkScene& scene, bool visible) {
+  for (const scene::Panel& panel : scene::Picture(scene.picture()).panels)
+    scene.set_layer_visible(panel.key, "horizons", visible);
+}
+
+TEST_F(VtkSceneInWindow, HidingALayerInAllPanelsTakesItFromTheLegend) {
   EXPECT_EQ(texts(scene_, "horizons"), 1U);
-  scene_.set_layer_visible("horizons", false);
+  show_horizons(scene_, false);
   EXPECT_EQ(texts(scene_, "horizons"), 0U);
   EXPECT_FALSE(scene_.picture().panels[1].layers[4].visible);
-  scene_.set_layer_visible("horizons", true);
+  show_horizons(scene_, true);
   EXPECT_EQ(texts(scene_, "horizons"), 1U);
+}
+
+/// What draws each layer of the first panel.
+std::map<std::string, std::vector<const vtkActor*>> drawn(const VtkScene& scene) {
+  std::map<std::string, std::vector<const vtkActor*>> actors;
+  for (const scene::Layer& layer : scene.picture().panels[0].layers) actors[layer.key] = scene.actors_of(0, layer.key);
+  return actors;
+}
+
+TEST_F(VtkSceneInWindow, VisibilityAndOverlayRebuildNoLayer) {
+  const auto before = drawn(scene_);
+  scene_.set_layer_visible(scene_.picture().panels[0].key, "horizons", false);
+  scene::Layer mark;
+  mark.key = "mark";
+  mark.content = scene::Markers{{{100.0, 50.0}}, {}};
+  scene_.set_overlay(0, {mark, mark});
+  scene_.set_overlay(0, {});
+  EXPECT_EQ(drawn(scene_), before);
+}
+
+TEST_F(VtkSceneInWindow, ANewPictureRebuildsTheLayersThatChanged) {
+  const auto before = drawn(scene_);
+  scene::Picture next = test::example_section();
+  scene::Layer& changed = next.panels[0].layers[4];
+  ASSERT_EQ(changed.key, "horizons");
+  std::get<scene::Lines>(changed.content).lines[0].points[0].y += 1.0;
+  scene_.set_picture(next, KeepViews::Yes);
+  for (const auto& [key, actors] : drawn(scene_)) {
+    ASSERT_FALSE(actors.empty() && key == "horizons");
+    EXPECT_EQ(actors == before.at(key), key != "horizons" || actors.empty()) << key;
+  }
+}
+
+TEST_F(VtkSceneInWindow, ALayerOfAnotherColourIsRebuilt) {
+  const auto before = drawn(scene_);
+  scene::Picture next = test::example_section();
+  next.panels[0].layers[4].style.line = {1, 2, 3};
+  scene_.set_picture(next);
+  EXPECT_NE(drawn(scene_).at("horizons"), before.at("horizons"));
 }
 
 TEST_F(VtkSceneInWindow, ThePanelUnderAPagePointIsFound) {

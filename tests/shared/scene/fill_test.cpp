@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 #include <set>
 
 #include "tests/support/example_picture.h"
@@ -68,6 +69,103 @@ TEST(Fill, ThePentagramIsEmptyInTheMiddle) {
   const double half = inner * std::sin(0.2 * std::numbers::pi);
   const double tips = 5.0 * half * (1.0 - inner * std::cos(0.2 * std::numbers::pi));
   EXPECT_NEAR(area(triangles_of({{contour(star)}})), tips, 1e-12);
+}
+
+/// The top of a bed that ripples, and its base, as one contour.
+Region rippled_bed(int points, double wavelength) {
+  geom::Polyline bed{{}, true};
+  for (int i = 0; i < points; ++i) bed.points.push_back({1.0 * i, std::sin(i / wavelength)});
+  for (int i = points; i-- > 0;) bed.points.push_back({1.0 * i, -5.0 + std::sin(0.9 * i / wavelength)});
+  return {{bed}};
+}
+
+TEST(Fill, ARippledBedTakesTrianglesByItsPointsWhicheverWayItLies) {
+  Region bed = rippled_bed(5000, 7.3);
+  for (const bool upright : {false, true}) {
+    if (upright) {
+      for (geom::Point& p : bed.contours[0].points) std::swap(p.x, p.y);
+    }
+    const std::vector<geom::Point> corners = triangles_of(bed);
+    EXPECT_LE(corners.size() / 3, 2 * bed.contours[0].points.size());
+    EXPECT_NEAR(area(corners), std::abs(geom::signed_area(bed.contours[0])), 1e-8);
+  }
+}
+
+TEST(Fill, ACombWhoseTeethAreAllOpenAtOnceTakesTrianglesByItsPoints) {
+  geom::Polyline comb{{{0.0, -1000.0}}, true};
+  for (int i = 0; i < 2000; ++i) {
+    comb.points.push_back({1.0 * i, 0.5 * (i % 7)});
+    comb.points.push_back({i + 0.5, 900.0 + i % 11});
+  }
+  comb.points.push_back({2000.0, -1000.0});
+  const std::vector<geom::Point> corners = triangles_of({{comb}});
+  EXPECT_LE(corners.size() / 3, 2 * comb.points.size());
+  EXPECT_NEAR(area(corners), std::abs(geom::signed_area(comb)), 1e-6);
+}
+
+bool is_in(geom::Point p, const std::vector<geom::Point>& corners, std::size_t triangle) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const geom::Point a = corners[3 * triangle + k];
+    if (geom::cross(corners[3 * triangle + (k + 1) % 3] - a, p - a) < 0.0) return false;
+  }
+  return true;
+}
+
+/// Even-odd by counting the edges on the right of a point.
+bool is_in(geom::Point p, const Region& region) {
+  bool inside = false;
+  for (const geom::Polyline& line : region.contours) {
+    for (std::size_t i = 0, j = line.points.size() - 1; i < line.points.size(); j = i++) {
+      const auto [a, b] = std::pair(line.points[i], line.points[j]);
+      if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+    }
+  }
+  return inside;
+}
+
+/// Each place is in one triangle if it is inside, and in none if not.
+void expect_even_odd(const Region& region, const geom::Box& box, int seed) {
+  const std::vector<geom::Point> corners = triangles_of(region);
+  std::mt19937 random(static_cast<unsigned>(seed));
+  std::uniform_real_distribution<double> x(box.low.x - 0.1, box.high.x + 0.1);
+  std::uniform_real_distribution<double> y(box.low.y - 0.1, box.high.y + 0.1);
+  for (int i = 0; i < 200; ++i) {
+    const geom::Point p{x(random), y(random)};
+    int covers = 0;
+    for (std::size_t t = 0; t < corners.size() / 3; ++t) covers += is_in(p, corners, t);
+    ASSERT_EQ(covers, is_in(p, region) ? 1 : 0) << p << " of case " << seed;
+  }
+}
+
+TEST(Fill, TangledContoursAreFilledByTheEvenOddRule) {
+  for (int seed = 0; seed < 40; ++seed) {
+    std::mt19937 random(static_cast<unsigned>(seed));
+    std::uniform_real_distribution<double> anywhere(0.0, 1.0);
+    Region region;
+    for (int c = 0; c < 1 + seed % 3; ++c) {
+      geom::Polyline line{{}, true};
+      for (int i = 0; i < 3 + seed; ++i) line.points.push_back({(1 + seed % 2) * anywhere(random), anywhere(random)});
+      region.contours.push_back(line);
+    }
+    expect_even_odd(region, {{0.0, 0.0}, {2.0, 1.0}}, seed);
+  }
+}
+
+/// Corners on a coarse grid lie on each other's edges, edges lie in each other, many are level.
+TEST(Fill, ContoursThatTouchAndOverlapAreFilledByTheEvenOddRule) {
+  for (int seed = 0; seed < 60; ++seed) {
+    std::mt19937 random(static_cast<unsigned>(seed));
+    Region region;
+    for (int c = 0; c < 1 + seed % 3; ++c) {
+      geom::Polyline line{{}, true};
+      for (int i = 0; i < 4 + seed / 2; ++i) {
+        const double x = static_cast<double>(random() % 6);
+        line.points.push_back({x, static_cast<double>(random() % 5)});
+      }
+      region.contours.push_back(line);
+    }
+    expect_even_odd(region, {{0.0, 0.0}, {5.0, 4.0}}, seed);
+  }
 }
 
 TEST(Fill, NothingComesOfDegenerateContours) {

@@ -220,6 +220,45 @@ TEST(Layout, AViewIsShownAsAskedAndTheTicksFollow) {
   expect_tidy(made, "view");
 }
 
+TEST(Layout, InAWindowALongLegendLeavesThePageToThePlots) {
+  Picture picture;
+  Panel panel;
+  panel.extent = geom::Box{{0.0, 0.0}, {100.0, 80.0}};
+  for (int i = 0; i < 100; ++i) {
+    Layer line;
+    line.key = line.title = "horizon " + std::to_string(i);
+    line.content = Lines{{{{{0.0, 0.8 * i}, {100.0, 0.8 * i}}, false}}, {}};
+    panel.layers.push_back(line);
+  }
+  picture.panels.push_back(panel);
+  const Layout made = layout(picture, {660.0, 640.0}, {}, text_measure, {Plots::FillPage});
+  EXPECT_GT(made.panels[0].plot.height(), 0.7 * 640.0);
+  EXPECT_EQ(count(made, "horizon 0"), 1U);
+  EXPECT_EQ(count(made, "horizon 99"), 0U);
+  const auto says_more = [](const Mark& mark) {
+    const auto* text = std::get_if<TextMark>(&mark);
+    return text != nullptr && text->text.starts_with("... ") && text->text.ends_with(" more");
+  };
+  EXPECT_EQ(std::count_if(made.marks.begin(), made.marks.end(), says_more), 1);
+}
+
+TEST(Layout, InAWindowLongThinPanelsAreStackedAndTallOnesStandBesideEachOther) {
+  for (const Arrangement arrangement : {Arrangement::Row, Arrangement::Column, Arrangement::Grid}) {
+    const auto plots = [&](geom::Point size) {
+      Panel panel;
+      panel.extent = geom::Box{{0.0, 0.0}, size};
+      const Picture picture{"", {panel, panel}, arrangement};
+      const Layout made = layout(picture, {660.0, 640.0}, {}, text_measure, {Plots::FillPage});
+      return std::pair(made.panels[0].plot, made.panels[1].plot);
+    };
+    const auto [upper, lower] = plots({6400.0, 600.0});
+    EXPECT_GT(lower.low.y, upper.high.y);
+    EXPECT_GT(upper.width(), 0.8 * 660.0);
+    const auto [left, right] = plots({600.0, 6400.0});
+    EXPECT_GT(right.low.x, left.high.x);
+  }
+}
+
 TEST(Layout, PlotsDoNotJumpWhileTheViewPans) {
   const Picture picture = test::example_section();
   std::vector<std::optional<View>> views{View{{250.0, 0.0}, 0.5}, View{{250.0, 0.0}, 0.5}};

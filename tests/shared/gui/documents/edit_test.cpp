@@ -1,10 +1,10 @@
-#include "shared/gui/edit.h"
+#include "shared/gui/documents/edit.h"
 
 #include <gtest/gtest.h>
 
 #include "tests/shared/gui/fake_program.h"
 
-namespace dobra::gui {
+namespace dobra::gui::documents {
 namespace {
 
 scenario::Document two_steps() {
@@ -58,4 +58,4 @@ TEST(Edit, AbsoluteFileNamesAndOtherTextsStay) {
 }
 
 }  // namespace
-}  // namespace dobra::gui
+}  // namespace dobra::gui::documents

@@ -1,8 +1,8 @@
-#include "shared/gui/history.h"
+#include "shared/gui/documents/history.h"
 
 #include "shared/base/check.h"
 
-namespace dobra::gui {
+namespace dobra::gui::documents {
 
 History::History(DocumentPtr document) : saved_(document) { entries_.push_back({std::move(document), {}}); }
 
@@ -42,4 +42,4 @@ void History::replace_all(const std::function<scenario::Document(const scenario:
   }
 }
 
-}  // namespace dobra::gui
+}  // namespace dobra::gui::documents

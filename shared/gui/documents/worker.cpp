@@ -1,12 +1,15 @@
-#include "shared/gui/worker.h"
+#include "shared/gui/documents/worker.h"
 
 #include <chrono>
 
-namespace dobra::gui {
+#include "shared/scene/fill.h"
+
+namespace dobra::gui::documents {
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
+constexpr int short_run = 250;  ///< Milliseconds.
 constexpr auto least_time_between_reports = std::chrono::milliseconds(30);
 
 OutcomePtr outcome_of(const DocumentPtr& document, const scenario::Program& program, scenario::Runner& runner,
@@ -15,9 +18,14 @@ OutcomePtr outcome_of(const DocumentPtr& document, const scenario::Program& prog
   auto outcome = std::make_shared<Outcome>();
   outcome->document = document;
   outcome->run = runner.run(*document, progress);
+  scene::Picture picture = outcome->run.states.empty() ? program.picture_of_input(*document)
+                                                       : program.picture_of(outcome->run.states.back());
+  if (!picture.panels.empty()) {
+    scene::fill_regions(picture);  // here, and not on the window's thread
+    outcome->picture = std::make_shared<const scene::Picture>(std::move(picture));
+  }
   if (!outcome->run.states.empty()) {
     const scenario::State& state = outcome->run.states.back();
-    outcome->picture = std::make_shared<const scene::Picture>(program.picture_of(state));
     outcome->quantities = program.quantities_of(state);
     outcome->remarks = program.remarks_of(state);
   }
@@ -36,6 +44,11 @@ Worker::Worker(const scenario::Program& program, QObject* parent)
   // Meshers and subdivisions recurse; the default of a secondary thread is not the main thread's 8 MiB everywhere.
   thread_.setStackSize(16u << 20u);
   thread_.start();
+  patience_.setSingleShot(true);
+  patience_.setInterval(short_run);
+  connect(&patience_, &QTimer::timeout, this, [this] {
+    if (waiting_) token_.cancel();
+  });
 }
 
 Worker::~Worker() {
@@ -47,7 +60,7 @@ Worker::~Worker() {
 void Worker::request(DocumentPtr document) {
   if (busy_) {
     waiting_ = std::move(document);
-    token_.cancel();
+    if (!patience_.isActive()) token_.cancel();
   } else {
     start(std::move(document));
   }
@@ -61,6 +74,7 @@ void Worker::cancel() {
 void Worker::start(DocumentPtr document) {
   busy_ = true;
   token_ = base::CancelToken();
+  patience_.start();
   emit started();
   const auto last_report = std::make_shared<Clock::time_point>();
   const base::Progress listener(token_, [this, last_report](double fraction, const std::string& what) {
@@ -79,12 +93,12 @@ void Worker::start(DocumentPtr document) {
 }
 
 void Worker::done(const OutcomePtr& outcome) {
-  if (waiting_) {
+  const bool heard = !waiting_ || !token_.cancelled();
+  if (waiting_)
     start(std::exchange(waiting_, nullptr));
-    return;
-  }
-  busy_ = false;
-  emit finished(outcome);
+  else
+    busy_ = false;
+  if (heard) emit finished(outcome);
 }
 
-}  // namespace dobra::gui
+}  // namespace dobra::gui::documents

@@ -1,19 +1,21 @@
 #pragma once
-// Runs documents on a thread of its own, so that the window never waits. The latest request wins: it cancels the run in
-// progress, of which nothing more is heard.
+// Runs documents on a thread of its own, so that the window never waits. What is asked for during a run waits, and the
+// latest of that is run next. A run that is short comes to its end and is heard of, so that a gesture of many requests
+// shows its way; one that takes longer is cancelled for the request that waits, and nothing more is heard of it.
 
 #include <QObject>
 #include <QThread>
+#include <QTimer>
 #include <memory>
 
 #include "shared/base/progress.h"
-#include "shared/gui/history.h"
+#include "shared/gui/documents/history.h"
 #include "shared/scenario/runner.h"
 
-namespace dobra::gui {
+namespace dobra::gui::documents {
 
 /// A run with what the window shows of it, all made on the worker's thread. Where the run failed, the rest is that of
-/// the last state it reached; without any state, `picture` is null.
+/// the last state it reached; without any state, `picture` is what the input draws, or null.
 struct Outcome {
   DocumentPtr document;
   scenario::Run run;
@@ -43,7 +45,7 @@ class Worker : public QObject {
  signals:
   void started();
   void progress(double fraction, const QString& what);
-  void finished(const dobra::gui::OutcomePtr& outcome);
+  void finished(const dobra::gui::documents::OutcomePtr& outcome);
 
  private:
   void start(DocumentPtr document);
@@ -55,7 +57,8 @@ class Worker : public QObject {
   QObject* bench_;  ///< Lives in the thread; work is posted to it.
   base::CancelToken token_;
   DocumentPtr waiting_;
+  QTimer patience_;  ///< Runs as long as a run counts as short.
   bool busy_ = false;
 };
 
-}  // namespace dobra::gui
+}  // namespace dobra::gui::documents

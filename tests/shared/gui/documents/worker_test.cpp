@@ -1,4 +1,4 @@
-#include "shared/gui/worker.h"
+#include "shared/gui/documents/worker.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "tests/shared/gui/fake_program.h"
 
-namespace dobra::gui {
+namespace dobra::gui::documents {
 namespace {
 
 class WorkerTest : public testing::Test {
@@ -70,6 +70,47 @@ TEST_F(WorkerTest, LatestRequestWinsAndOnlyItIsHeardOf) {
   EXPECT_DOUBLE_EQ(outcomes[0]->quantities.at(0).value, 3.0);
 }
 
+/// A gesture: requests follow each other faster than runs, and each run is short.
+TEST_F(WorkerTest, ShortRunsOfAStreamOfRequestsAreHeardOfAndTheLastIsTheLatest) {
+  for (int i = 1; i <= 60; ++i) {
+    worker.request(sleeping(0.03, i));
+    QTest::qWait(8);
+  }
+  ASSERT_TRUE(wait());
+  EXPECT_GE(outcomes.size(), 5u);
+  double before = 0.0;
+  for (const OutcomePtr& outcome : outcomes) {
+    EXPECT_TRUE(outcome->run.complete());
+    EXPECT_GT(outcome->quantities.at(0).value, before);  // in order, none twice
+    before = outcome->quantities.at(0).value;
+  }
+  EXPECT_DOUBLE_EQ(before, 60.0);
+}
+
+TEST_F(WorkerTest, ALongRunGivesWayToARequest) {
+  worker.request(sleeping(30.0, 1.0));
+  QTest::qWait(400);
+  QElapsedTimer timer;
+  timer.start();
+  worker.request(sleeping(0.0, 2.0));
+  ASSERT_TRUE(wait());
+  EXPECT_LT(timer.elapsed(), 5000);
+  ASSERT_EQ(outcomes.size(), 1u);
+  EXPECT_DOUBLE_EQ(outcomes[0]->quantities.at(0).value, 2.0);
+}
+
+TEST_F(WorkerTest, RegionsComeFilled) {
+  DocumentPtr document = sleeping(0.0, 70.0);
+  scenario::Document stack = *document;
+  stack.steps[0].operation = "stack";
+  stack.steps[0].params = {};
+  worker.request(std::make_shared<const scenario::Document>(std::move(stack)));
+  ASSERT_TRUE(wait());
+  const scene::Layer& bed = outcomes.at(0)->picture->panels.at(0).layers.at(0);
+  ASSERT_NE(std::get<scene::Regions>(bed.content).triangles, nullptr);
+  EXPECT_GT(std::get<scene::Regions>(bed.content).triangles->size(), 300u);
+}
+
 TEST_F(WorkerTest, CancelledRunSaysSoAndKeepsTheStatesItReached) {
   worker.request(sleeping(30.0, 1.0));
   ASSERT_TRUE(QTest::qWaitFor([&] { return worker.busy(); }));
@@ -110,4 +151,4 @@ TEST(Worker, DestroyedWhileRunningEndsPromptly) {
 }
 
 }  // namespace
-}  // namespace dobra::gui
+}  // namespace dobra::gui::documents

@@ -1,10 +1,10 @@
-#include "shared/gui/edit.h"
+#include "shared/gui/documents/edit.h"
 
 #include <iterator>
 
 #include "shared/base/check.h"
 
-namespace dobra::gui {
+namespace dobra::gui::documents {
 
 using scenario::Document;
 using scenario::Field;
@@ -102,4 +102,4 @@ Document empty_document(const Program& program) {
   return document;
 }
 
-}  // namespace dobra::gui
+}  // namespace dobra::gui::documents

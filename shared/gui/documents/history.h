@@ -8,7 +8,7 @@
 
 #include "shared/scenario/document.h"
 
-namespace dobra::gui {
+namespace dobra::gui::documents {
 
 using DocumentPtr = std::shared_ptr<const scenario::Document>;
 
@@ -50,4 +50,4 @@ class History {
   DocumentPtr saved_;
 };
 
-}  // namespace dobra::gui
+}  // namespace dobra::gui::documents

@@ -6,7 +6,7 @@
 
 #include "shared/scenario/program.h"
 
-namespace dobra::gui {
+namespace dobra::gui::documents {
 
 /// The parameters of part 0 (input) or of step `part`. @pre part <= document.steps.size()
 const scenario::Table& table_of(const scenario::Document& document, std::size_t part);
@@ -34,4 +34,4 @@ scenario::Document at_file(scenario::Document document, const scenario::Program&
 /// A document of the program with nothing in it.
 scenario::Document empty_document(const scenario::Program& program);
 
-}  // namespace dobra::gui
+}  // namespace dobra::gui::documents

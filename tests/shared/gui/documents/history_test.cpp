@@ -1,8 +1,8 @@
-#include "shared/gui/history.h"
+#include "shared/gui/documents/history.h"
 
 #include <gtest/gtest.h>
 
-namespace dobra::gui {
+namespace dobra::gui::documents {
 namespace {
 
 DocumentPtr titled(const std::string& title) {
@@ -84,4 +84,4 @@ TEST(History, ReplacingAllKeepsPositionAndSavedMark) {
 }
 
 }  // namespace
-}  // namespace dobra::gui
+}  // namespace dobra::gui::documents

@@ -1,0 +1,225 @@
+#include "recon/input/drawing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "recon/input/import.h"
+#include "recon/input/input.h"
+#include "recon/input/line_file.h"
+#include "recon/input/section_input.h"
+#include "shared/base/text.h"
+
+namespace recon::input {
+
+namespace scenario = dobra::scenario;
+namespace scene = dobra::scene;
+
+namespace {
+
+using Tables = std::vector<scenario::Table>;
+
+base::Error refuse(const std::string& name, const char* why) {
+  base::Place place;
+  place.item = fmt::format("'{}'", name);
+  return {base::ErrorCode::BadValue, base::translated(why), place};
+}
+
+std::string text_of(const scenario::Table& table, std::string_view key) {
+  const scenario::Value* value = table.find(key);
+  const auto* text = value == nullptr ? nullptr : std::get_if<std::string>(value);
+  return text == nullptr ? std::string() : *text;
+}
+
+Tables tables_of(const scenario::Table& input, const std::string& key) {
+  const scenario::Value* value = input.find(key);
+  const auto* tables = value == nullptr ? nullptr : std::get_if<Tables>(value);
+  return tables == nullptr ? Tables() : *tables;
+}
+
+void set_tables(scenario::Table& input, const std::string& key, Tables tables) {
+  if (tables.empty()) {
+    input.erase(key);
+  } else {
+    input.set(key, std::move(tables));
+  }
+}
+
+/// Section coordinates and back, as [input] says.
+class Coordinates {
+ public:
+  explicit Coordinates(const scenario::Table& input) {
+    const auto read = scenario::from_table<SectionInput>(input);
+    convention_ = {read.y_axis, read.reference, read.unit, read.exaggeration};
+  }
+
+  [[nodiscard]] geom::Point in_section(geom::Point p) const { return to_section(p, convention_); }
+
+  /// Points that have not moved keep the numbers that the user wrote.
+  [[nodiscard]] std::vector<geom::Point> in_document(const geom::Polyline& line,
+                                                     const std::vector<geom::Point>& written) const {
+    std::map<geom::Point, geom::Point> known;
+    for (const geom::Point p : written) known.emplace(to_section(p, convention_), p);
+    std::vector<geom::Point> points;
+    for (const geom::Point p : line.points) {
+      const auto found = known.find(p);
+      points.push_back(found == known.end() ? section::from_section(p, convention_) : found->second);
+    }
+    if (line.closed) points.push_back(points.front());
+    return points;
+  }
+
+ private:
+  section::Convention convention_;
+};
+
+/// What says how a file is read, or what its points mean: of no use beside points.
+constexpr std::array<const char*, 14> keys_of_files{"file",  "feature",     "columns", "separator",       "y_axis",
+                                                    "unit",  "point_order", "order",   "drop_duplicates", "join_gaps",
+                                                    "curve", "tangents",    "weights", "points"};
+
+void set_points(scenario::Table& entry, const std::string& table, std::vector<geom::Point> points) {
+  for (const char* key : keys_of_files) {
+    if (table == "fault" && key == std::string_view("order")) continue;  // there it is the age
+    entry.erase(key);
+  }
+  entry.set("points", std::move(points));
+}
+
+std::vector<geom::Point> points_of(const scenario::Table& entry) {
+  const scenario::Value* value = entry.find("points");
+  const auto* points = value == nullptr ? nullptr : std::get_if<std::vector<geom::Point>>(value);
+  return points == nullptr ? std::vector<geom::Point>() : *points;
+}
+
+/// A line of the section: in which table of the input it stands, and under which name.
+struct Item {
+  std::string table;
+  std::string name;
+  std::string piece_of;
+};
+
+base::Result<Item> item_of(const section::Section& section, const scene::Pick& pick) {
+  if (pick.layer.starts_with("horizon_") && pick.id < section.horizons.size()) {
+    const section::Horizon& horizon = section.horizons[pick.id];
+    return Item{"horizon", horizon.name, horizon.piece_of};
+  }
+  if (pick.layer.starts_with("line_") && pick.id < section.lines.size()) {
+    const section::SectionLine& line = section.lines[pick.id];
+    return Item{kind_name(line.kind), line.name, line.piece_of};
+  }
+  return refuse(pick.layer, "this is drawn by the program and cannot be edited; edit horizons, faults and lines");
+}
+
+/// All lines of the files of many lines, as tables of their own.
+base::Result<scenario::Document> with_files_taken_in(scenario::Document document) {
+  auto input = scenario::from_table<SectionInput>(document.input);
+  if (input.lines.empty()) return document;
+  DOBRA_TRY(const ReadSettings settings, read_settings(input));
+  const Coordinates coordinates(document.input);
+  std::map<std::string, Tables> made;
+  for (const LinesInput& wanted : input.lines) {
+    DOBRA_TRY(const auto work, work_of_file(wanted, (document.folder() / wanted.file).string(), settings));
+    DOBRA_TRY(const Import import, import_lines(work.features));
+    for (const ImportedLine& line : import.lines) {
+      scenario::Table entry;
+      entry.set("name", line.name);
+      entry.set("points", coordinates.in_document(line.line, {}));
+      if (!line.piece_of.empty() && (line.table == "horizon" || line.table == "fault"))
+        entry.set("piece_of", line.piece_of);
+      if (line.role == section::BedRole::Growth) entry.set("role", std::string("growth"));
+      if (line.order > 0) entry.set("order", std::int64_t{line.order});
+      if (line.hanging_wall != section::HangingWall::Auto)
+        entry.set("hanging_wall", std::string(section::hanging_wall_name(line.hanging_wall)));
+      made[line.table].push_back(std::move(entry));
+    }
+  }
+  document.input.erase("lines");
+  for (auto& [table, entries] : made) {
+    Tables all = tables_of(document.input, table);
+    all.insert(all.end(), std::make_move_iterator(entries.begin()), std::make_move_iterator(entries.end()));
+    set_tables(document.input, table, std::move(all));
+  }
+  return document;
+}
+
+Tables::iterator named(Tables& tables, const std::string& name) {
+  return std::find_if(tables.begin(), tables.end(),
+                      [&](const scenario::Table& t) { return text_of(t, "name") == name; });
+}
+
+/// "A (2)", or the next number that no entry has.
+std::string free_name(Tables& tables, const std::string& whole) {
+  for (int k = 2;; ++k) {
+    std::string name = fmt::format("{} ({})", whole, k);
+    if (named(tables, name) == tables.end()) return name;
+  }
+}
+
+/// Puts the lines in the place of the entry.
+void replace(Tables& tables, const Item& item, const Coordinates& coordinates,
+             const std::vector<geom::Polyline>& becomes) {
+  const auto entry = named(tables, item.name);
+  const std::vector<geom::Point> written = points_of(*entry);
+  if (becomes.empty()) {
+    tables.erase(entry);
+    return;
+  }
+  set_points(*entry, item.table, coordinates.in_document(becomes.front(), written));
+  if (becomes.size() == 1) return;
+  scenario::Table part = *entry;
+  const std::string whole = item.piece_of.empty() ? item.name : item.piece_of;
+  const bool pieces = item.table == "horizon" || item.table == "fault";
+  if (pieces) part.set("piece_of", whole);
+  if (pieces && item.piece_of.empty()) {  // no piece is called as the whole is
+    entry->set("piece_of", whole);
+    entry->set("name", fmt::format("{} (1)", whole));
+  }
+  std::size_t at = static_cast<std::size_t>(entry - tables.begin());
+  for (std::size_t k = 1; k < becomes.size(); ++k) {
+    part.set("name", free_name(tables, whole));
+    set_points(part, item.table, coordinates.in_document(becomes[k], written));
+    tables.insert(tables.begin() + static_cast<std::ptrdiff_t>(++at), part);
+  }
+}
+
+}  // namespace
+
+base::Result<scenario::Document> with_lines_edited(scenario::Document document, const section::Section& section,
+                                                   std::span<const scene::LineEdit> edits) {
+  for (const scene::LineEdit& edit : edits) {
+    DOBRA_TRY(const Item item, item_of(section, edit.pick));
+    Tables tables = tables_of(document.input, item.table);
+    if (named(tables, item.name) == tables.end()) {
+      DOBRA_TRY(document, with_files_taken_in(std::move(document)));
+      tables = tables_of(document.input, item.table);
+    }
+    if (named(tables, item.name) == tables.end()) {
+      return refuse(item.name,
+                    "reading the section has made or cut this line, so that it cannot be edited by itself; edit the "
+                    "line that it was made from");
+    }
+    replace(tables, item, Coordinates(document.input), edit.becomes);
+    set_tables(document.input, item.table, std::move(tables));
+  }
+  return document;
+}
+
+base::Result<scenario::Document> with_line(scenario::Document document, const std::string& table,
+                                           const std::string& name, const geom::Polyline& line) {
+  Tables tables = tables_of(document.input, table);
+  if (base::trimmed(name).empty()) return refuse(name, "give it a name");
+  if (named(tables, name) != tables.end()) return refuse(name, "another one has this name already; give another name");
+  scenario::Table& entry = tables.emplace_back();
+  entry.set("name", name);
+  entry.set("points", Coordinates(document.input).in_document(line, {}));
+  set_tables(document.input, table, std::move(tables));
+  return document;
+}
+
+}  // namespace recon::input

@@ -1,0 +1,123 @@
+#pragma once
+// The tools of a canvas: what the mouse and the keys do. A tool knows nothing of a window: it is told where the cursor
+// is in the world, says what to draw over the picture, and hands out changes. Page: docs/user/canvas.md.
+
+#include <memory>
+#include <set>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "shared/canvas/workspace.h"
+
+namespace dobra::canvas {
+
+enum class Modifier { None, Add, Toggle };  ///< Add: Shift; Toggle: Ctrl.
+
+struct Pointer {
+  geom::Point at;                           ///< Under the cursor.
+  std::optional<Snap> snap = std::nullopt;  ///< Where it is drawn to.
+  Modifier modifier = Modifier::None;
+  double reach = 0.0;  ///< How far "there" reaches, m along x.
+  double exaggeration = 1.0;
+  [[nodiscard]] geom::Point place() const { return snap ? snap->at : at; }
+};
+
+enum class Key { Enter, Escape, Backspace, Delete };
+
+enum class Cursor { Arrow, Cross, Hand };
+
+/// Drawn over the picture while a tool works.
+struct Overlay {
+  std::vector<geom::Polyline> lines{};
+  std::vector<geom::Polyline> chosen{};  ///< What is selected.
+  std::vector<geom::Point> handles{};
+  std::vector<geom::Point> chosen_handles{};
+  struct Text {
+    geom::Point at;
+    std::string text;
+  };
+  std::vector<Text> texts{};
+};
+
+enum class Shape { Line, Polygon, Point };
+
+/// Something new; the program asks what it is.
+struct Drawn {
+  Shape shape = Shape::Line;
+  geom::Polyline line;
+};
+
+enum class Stage { During, Done };
+
+/// Changed lines. During a gesture only to look at; all of one gesture is one step of undo.
+struct Edited {
+  std::vector<scene::LineEdit> lines;
+  std::string what;  ///< For the Undo menu, translated.
+  Stage stage = Stage::Done;
+};
+
+/// The gesture has been given up: what was shown during it goes.
+struct Dropped {};
+
+/// Why something cannot be done, for the status bar.
+struct Told {
+  std::string message;
+};
+
+using Change = std::variant<Drawn, Edited, Dropped, Told>;
+
+class Tool {
+ public:
+  virtual ~Tool() = default;
+  /// What to do next, translated.
+  [[nodiscard]] virtual std::string hint() const = 0;
+  [[nodiscard]] virtual Cursor cursor() const { return Cursor::Cross; }
+  /// Whether the cursor is drawn to what is there.
+  [[nodiscard]] virtual bool snaps() const { return true; }
+  /// Lines that move now, to which the cursor is not drawn.
+  [[nodiscard]] virtual std::set<scene::Pick> moving() const { return {}; }
+
+  virtual void press(Workspace& work, const Pointer& pointer) = 0;
+  virtual void move(Workspace& work, const Pointer& pointer) = 0;
+  virtual void release(Workspace&, const Pointer&) {}
+  /// After press and release of the second click.
+  virtual void double_click(Workspace&, const Pointer&) {}
+  /// @return whether the tool had a use for it.
+  virtual bool key(Workspace&, Key) { return false; }
+
+  /// The last place of what is being made: perpendicular, angles and typed places need it.
+  [[nodiscard]] virtual std::optional<geom::Point> last() const { return std::nullopt; }
+  [[nodiscard]] virtual Overlay overlay(const Workspace& work) const = 0;
+
+  /// What has happened since it was asked last.
+  std::vector<Change> take() { return std::exchange(changes_, {}); }
+
+ protected:
+  void say(Change change) { changes_.push_back(std::move(change)); }
+
+ private:
+  std::vector<Change> changes_;
+};
+
+enum class Drawing { Line, Polygon, Rectangle, Circle, Point };
+
+std::unique_ptr<Tool> make_select_tool();
+std::unique_ptr<Tool> make_draw_tool(Drawing drawing);
+std::unique_ptr<Tool> make_measure_tool();
+
+enum class LineWork { InsertVertex, Split, Join, Extend, Trim };
+std::unique_ptr<Tool> make_line_tool(LineWork work);
+
+enum class Carrying { Move, Rotate, Mirror, Copy };
+/// Works on what is selected.
+std::unique_ptr<Tool> make_carry_tool(Carrying carrying);
+
+/// The outline of what is selected, with its vertices as handles.
+void show_selection(const Workspace& work, Overlay& overlay);
+
+/// Length and direction of a way: "125.3 m, 30.2°" (dip: below the horizontal, to the side where it falls).
+std::string measure_text(geom::Point from, geom::Point to);
+
+}  // namespace dobra::canvas

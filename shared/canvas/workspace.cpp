@@ -1,0 +1,72 @@
+#include "shared/canvas/workspace.h"
+
+#include <utility>
+
+namespace dobra::canvas {
+
+namespace {
+
+template <class Visitor>
+void for_each_line(const scene::Panel& panel, const std::set<std::string>& hidden, Visitor&& visit) {
+  for (const scene::Layer& layer : panel.layers) {
+    const auto* lines = std::get_if<scene::Lines>(&layer.content);
+    if (!layer.visible || lines == nullptr || hidden.contains(layer.key)) continue;
+    for (std::uint32_t i = 0; i < lines->lines.size(); ++i)
+      visit(scene::Pick{layer.key, lines->ids.empty() ? i : lines->ids[i]}, lines->lines[i]);
+  }
+}
+
+}  // namespace
+
+void Workspace::show(std::shared_ptr<const scene::Picture> picture, std::size_t panel, std::set<std::string> hidden) {
+  hidden_ = std::move(hidden);
+  picture_ = std::move(picture);
+  panel_ = panel;
+  snaps_.reset();
+  for (auto& [pick, vertices] : std::exchange(selection, {})) {
+    const geom::Polyline* there = line(pick);
+    if (there == nullptr) continue;
+    std::erase_if(vertices, [&](std::size_t i) { return i >= there->points.size(); });
+    selection.emplace(pick, vertices);
+  }
+}
+
+const SnapIndex& Workspace::snaps() const {
+  if (!snaps_) snaps_.emplace(picture_, panel_, hidden_);
+  return *snaps_;
+}
+
+const geom::Polyline* Workspace::line(const scene::Pick& pick) const {
+  const geom::Polyline* found = nullptr;
+  for_each_line(panel(), hidden_, [&](const scene::Pick& other, const geom::Polyline& line) {
+    if (other == pick) found = &line;
+  });
+  return found;
+}
+
+std::vector<std::pair<scene::Pick, const geom::Polyline*>> Workspace::lines() const {
+  std::vector<std::pair<scene::Pick, const geom::Polyline*>> all;
+  for_each_line(panel(), hidden_,
+                [&](scene::Pick pick, const geom::Polyline& line) { all.emplace_back(std::move(pick), &line); });
+  return all;
+}
+
+std::vector<geom::Polyline> Workspace::others(const scene::Pick& pick) const {
+  std::vector<geom::Polyline> all;
+  for_each_line(panel(), hidden_, [&](const scene::Pick& other, const geom::Polyline& line) {
+    if (other != pick) all.push_back(line);
+  });
+  return all;
+}
+
+std::vector<std::pair<scene::Pick, std::size_t>> Workspace::vertices_at(geom::Point at) const {
+  std::vector<std::pair<scene::Pick, std::size_t>> found;
+  for_each_line(panel(), hidden_, [&](const scene::Pick& pick, const geom::Polyline& line) {
+    for (std::size_t i = 0; i < line.points.size(); ++i) {
+      if (line.points[i] == at) found.emplace_back(pick, i);
+    }
+  });
+  return found;
+}
+
+}  // namespace dobra::canvas

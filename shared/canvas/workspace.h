@@ -1,0 +1,47 @@
+#pragma once
+// What the tools of a canvas work on: the lines of one panel of the picture, and which of them are selected.
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "shared/canvas/snap.h"
+#include "shared/scene/pick.h"
+
+namespace dobra::canvas {
+
+/// The selected vertices of a line; none: the line as a whole.
+using Selection = std::map<scene::Pick, std::set<std::size_t>>;
+
+class Workspace {
+ public:
+  /// Another picture, or another panel of it. Of the selection stays what is still there.
+  /// @param hidden  keys of layers that are not shown, besides those whose `visible` says so.
+  /// @pre panel < picture->panels.size()
+  void show(std::shared_ptr<const scene::Picture> picture, std::size_t panel, std::set<std::string> hidden = {});
+
+  [[nodiscard]] bool empty() const { return picture_ == nullptr; }
+  [[nodiscard]] const scene::Panel& panel() const { return picture_->panels[panel_]; }
+  /// Made when first asked for.
+  [[nodiscard]] const SnapIndex& snaps() const;
+  /// Of a pick; null if it is no line of a visible layer.
+  [[nodiscard]] const geom::Polyline* line(const scene::Pick& pick) const;
+  /// All lines of the visible layers.
+  [[nodiscard]] std::vector<std::pair<scene::Pick, const geom::Polyline*>> lines() const;
+  /// All lines but one.
+  [[nodiscard]] std::vector<geom::Polyline> others(const scene::Pick& pick) const;
+  /// Every vertex of a visible line that stands exactly there.
+  [[nodiscard]] std::vector<std::pair<scene::Pick, std::size_t>> vertices_at(geom::Point at) const;
+
+  Selection selection;
+
+ private:
+  std::shared_ptr<const scene::Picture> picture_;
+  std::size_t panel_ = 0;
+  std::set<std::string> hidden_;
+  mutable std::optional<SnapIndex> snaps_;
+};
+
+}  // namespace dobra::canvas

@@ -1,0 +1,366 @@
+#include "shared/gui/canvas.h"
+
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QLocale>
+#include <QMouseEvent>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "shared/canvas/entry.h"
+#include "shared/gui/text.h"
+#include "shared/gui/vtk_widget.h"
+
+namespace dobra::gui {
+
+namespace {
+
+constexpr double reach = 8.0;        ///< Pixels round the cursor.
+constexpr double handle_size = 7.0;  ///< Pixels.
+const QColor drawn_color(0x0b, 0x57, 0xd0);
+const QColor chosen_color(0xd9, 0x5f, 0x02);
+const QColor snap_color(0xb0, 0x00, 0x6d);
+const QColor text_background(255, 255, 255, 225);
+const QColor text_color(0x20, 0x20, 0x20);
+
+/// A place without a snap, to a tenth of a pixel in round decimals: what a mouse can mean.
+double rounded(double value, double pixel) {
+  const double step = std::pow(10.0, std::floor(std::log10(pixel)) - 1.0);
+  const double steps = std::round(value / step);
+  // Divided by a power of ten, the number is the nearest to what is written.
+  return step < 1.0 ? steps / std::round(1.0 / step) : steps * step;
+}
+
+QString text_of(const std::string& source) { return QString::fromStdString(source); }
+
+}  // namespace
+
+/// Lies over the view; what it draws leaves the picture as it is.
+class Canvas::Sheet : public QWidget {
+ public:
+  Sheet(Canvas& canvas, VtkWidget& view) : QWidget(&view), canvas_(canvas), view_(view) {
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setAttribute(Qt::WA_NoSystemBackground);
+    resize(view.size());
+  }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    if (canvas_.work_.empty() || canvas_.panel_ >= view_.panel_count() || !view_.is_ready()) return;
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setClipRect(view_.plot(canvas_.panel_));
+    const canvas::Overlay overlay = canvas_.tool_->overlay(canvas_.work_);
+    for (const geom::Polyline& line : overlay.chosen) draw(painter, line, QPen(chosen_color, 2.5));
+    for (const geom::Polyline& line : overlay.lines) draw(painter, line, QPen(drawn_color, 1.6, Qt::DashLine));
+    for (const geom::Point at : overlay.handles) handle(painter, at, Qt::white);
+    for (const geom::Point at : overlay.chosen_handles) handle(painter, at, chosen_color);
+    draw_snap(painter);
+    for (const canvas::Overlay::Text& label : overlay.texts) write(painter, label.at, text_of(label.text), 16.0);
+  }
+
+ private:
+  void draw(QPainter& painter, const geom::Polyline& line, const QPen& pen) {
+    QPolygonF pixels;
+    for (const geom::Point p : line.points) pixels.append(view_.pixel_of(canvas_.panel_, p));
+    painter.setPen(pen);
+    painter.setBrush(Qt::NoBrush);
+    if (line.closed) {
+      painter.drawPolygon(pixels);
+    } else {
+      painter.drawPolyline(pixels);
+    }
+  }
+  void handle(QPainter& painter, geom::Point at, const QColor& fill) {
+    const QPointF pixel = view_.pixel_of(canvas_.panel_, at);
+    painter.setPen(QPen(chosen_color, 1.2));
+    painter.setBrush(fill);
+    painter.drawRect(QRectF(pixel.x() - handle_size / 2, pixel.y() - handle_size / 2, handle_size, handle_size));
+  }
+  /// A mark of its own for each kind, and its name.
+  void draw_snap(QPainter& painter) {
+    if (!canvas_.pointer_ || !canvas_.pointer_->snap) return;
+    const canvas::Snap& snap = *canvas_.pointer_->snap;
+    const QPointF c = view_.pixel_of(canvas_.panel_, snap.at);
+    painter.setPen(QPen(snap_color, 1.8));
+    painter.setBrush(Qt::NoBrush);
+    const double r = 6.0;
+    switch (snap.kind) {
+      case canvas::SnapKind::Vertex:
+        painter.drawRect(QRectF(c.x() - r, c.y() - r, 2 * r, 2 * r));
+        break;
+      case canvas::SnapKind::Intersection:
+        painter.drawLine(c + QPointF(-r, -r), c + QPointF(r, r));
+        painter.drawLine(c + QPointF(-r, r), c + QPointF(r, -r));
+        break;
+      case canvas::SnapKind::Perpendicular:
+        painter.drawPolyline(QPolygonF({c + QPointF(-r, -r), c + QPointF(-r, r), c + QPointF(r, r)}));
+        painter.drawPolyline(QPolygonF({c + QPointF(-r, 0), c, c + QPointF(0, r)}));
+        break;
+      case canvas::SnapKind::OnLine:
+      case canvas::SnapKind::Grid:
+      case canvas::SnapKind::Angle:
+        painter.drawEllipse(c, r, r);
+        break;
+    }
+    write(painter, snap.at, text_of(canvas::snap_name(snap.kind)), -12.0);
+  }
+  /// Beside a place, above or below it, within the plot.
+  void write(QPainter& painter, geom::Point at, const QString& words, double below) {
+    const QPointF pixel = view_.pixel_of(canvas_.panel_, at);
+    const QRectF plot = view_.plot(canvas_.panel_);
+    QRectF box = QFontMetricsF(painter.font()).boundingRect(QRectF(0, 0, 400, 200), Qt::AlignLeft, words);
+    box.moveTopLeft(pixel + QPointF(14.0, below < 0.0 ? below - box.height() : below));
+    if (box.right() > plot.right() - 4.0) box.moveRight(pixel.x() - 14.0);
+    box.moveBottom(std::min(box.bottom(), plot.bottom() - 4.0));
+    box.moveTop(std::max(box.top(), plot.top() + 4.0));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(text_background);
+    painter.drawRoundedRect(box.adjusted(-4, -2, 4, 2), 3, 3);
+    painter.setPen(text_color);
+    painter.drawText(box, Qt::AlignLeft, words);
+  }
+
+  Canvas& canvas_;
+  VtkWidget& view_;
+};
+
+Canvas::Canvas(Session& session, VtkWidget& view, QObject* parent)
+    : QObject(parent), session_(session), view_(view), tool_(canvas::make_select_tool()) {
+  sheet_ = new Sheet(*this, view);
+  entry_ = new QLineEdit(&view);
+  entry_->setAccessibleName(text("Place"));
+  entry_->setFixedWidth(220);
+  entry_->hide();
+  entry_->installEventFilter(this);
+  view.installEventFilter(this);
+  connect(&view, &VtkWidget::view_changed, sheet_, qOverload<>(&QWidget::update));
+}
+
+Canvas::~Canvas() = default;
+
+void Canvas::take_up(std::unique_ptr<canvas::Tool> tool) {
+  if (previewed_) session_.run();
+  previewed_ = false;
+  tool_ = std::move(tool);
+  pointer_.reset();
+  entry_->hide();
+  view_.setCursor(tool_->cursor() == canvas::Cursor::Arrow ? Qt::ArrowCursor : Qt::CrossCursor);
+  emit told(text_of(tool_->hint()));
+  sheet_->update();
+}
+
+void Canvas::show_outcome() {
+  const documents::OutcomePtr& outcome = session_.outcome();
+  if (!outcome || outcome->document != session_.history().current()) return;
+  base_ = outcome;
+  previewed_ = false;
+  use_panel(outcome->picture && panel_ < outcome->picture->panels.size() ? panel_ : 0);
+}
+
+void Canvas::show_sheet() {
+  base_.reset();
+  work_.selection.clear();
+  use_panel(0);
+}
+
+void Canvas::use_panel(std::size_t panel) {
+  panel_ = panel;
+  if (base_ && base_->picture && panel < base_->picture->panels.size()) {
+    work_.show(base_->picture, panel, hidden_);
+  } else {  // nothing is there yet: the first line is drawn on an empty sheet
+    auto empty = std::make_shared<scene::Picture>();
+    empty->panels.resize(panel + 1);
+    work_.show(std::move(empty), panel);
+  }
+  sheet_->update();
+}
+
+void Canvas::set_layer_hidden(const std::string& layer, bool hidden) {
+  if (hidden) {
+    hidden_.insert(layer);
+  } else {
+    hidden_.erase(layer);
+  }
+  use_panel(panel_);
+}
+
+std::optional<canvas::Pointer> Canvas::pointer_at(QPointF pixel, Qt::KeyboardModifiers keys) {
+  const std::optional<VtkWidget::Spot> spot = view_.spot_at(pixel);
+  if (!spot) return std::nullopt;
+  if ((spot->panel != panel_ && !tool_->last()) || work_.empty()) use_panel(spot->panel);
+  if (spot->panel != panel_) return std::nullopt;
+  const double size = view_.view(panel_).world_per_point;
+  canvas::Pointer pointer;
+  pointer.exaggeration = view_.exaggeration(panel_);
+  pointer.at = {rounded(spot->at.x, size), rounded(spot->at.y, size / pointer.exaggeration)};
+  pointer.reach = reach * size;
+  if (keys & Qt::ShiftModifier) pointer.modifier = canvas::Modifier::Add;
+  if (keys & Qt::ControlModifier) pointer.modifier = canvas::Modifier::Toggle;
+  canvas::SnapWish wish{.reach = pointer.reach, .exaggeration = pointer.exaggeration, .from = tool_->last()};
+  wish.without = tool_->moving();
+  if (angles_ != keys.testFlag(Qt::ShiftModifier)) wish.kinds.insert(canvas::SnapKind::Angle);
+  if (snapping_ && tool_->snaps() && !keys.testFlag(Qt::AltModifier)) pointer.snap = work_.snaps().at(spot->at, wish);
+  return pointer;
+}
+
+bool Canvas::mouse(QMouseEvent& event, QEvent::Type type) {
+  const std::optional<canvas::Pointer> pointer = pointer_at(event.position(), event.modifiers());
+  const bool left = event.button() == Qt::LeftButton;
+  if (!pointer || (type != QEvent::MouseMove && !left)) return false;
+  pointer_ = pointer;
+  if (type == QEvent::MouseButtonPress) tool_->press(work_, *pointer);
+  if (type == QEvent::MouseMove) tool_->move(work_, *pointer);
+  if (type == QEvent::MouseButtonRelease) tool_->release(work_, *pointer);
+  if (type == QEvent::MouseButtonDblClick) tool_->double_click(work_, *pointer);
+  if (type != QEvent::MouseMove) emit told(text_of(tool_->hint()));
+  carry_out();
+  sheet_->update();
+  return false;
+}
+
+std::optional<canvas::Key> Canvas::key_of(int key) {
+  switch (key) {
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      return canvas::Key::Enter;
+    case Qt::Key_Escape:
+      return canvas::Key::Escape;
+    case Qt::Key_Backspace:
+      return canvas::Key::Backspace;
+    case Qt::Key_Delete:
+      return canvas::Key::Delete;
+    default:
+      return std::nullopt;
+  }
+}
+
+bool Canvas::key_press(int key, const QString& typed) {
+  if (const std::optional<canvas::Key> known = key_of(key)) {
+    const bool used = !work_.empty() && tool_->key(work_, *known);
+    carry_out();
+    sheet_->update();
+    return used;
+  }
+  const bool starts_place = typed.size() == 1 && QString("0123456789-@.,").contains(typed);
+  if (!starts_place || work_.empty() || !tool_->snaps()) return false;
+  open_entry(typed);
+  return true;
+}
+
+void Canvas::open_entry(const QString& typed) {
+  entry_->setText(typed);
+  entry_->move(12, view_.height() - entry_->height() - 12);
+  entry_->show();
+  entry_->raise();
+  entry_->setFocus();
+}
+
+bool Canvas::entry_key(const QEvent& event) {
+  if (event.type() != QEvent::KeyPress) return false;
+  const std::optional<canvas::Key> key = key_of(static_cast<const QKeyEvent&>(event).key());
+  if (key == canvas::Key::Enter) enter();
+  if (key == canvas::Key::Escape) {
+    entry_->hide();
+    view_.setFocus();
+  }
+  return key == canvas::Key::Enter || key == canvas::Key::Escape;  // the view below is not to have them too
+}
+
+void Canvas::enter() {
+  canvas::EntryContext context{.last = tool_->last()};
+  if (context.last && pointer_) context.towards = pointer_->at - *context.last;
+  if (QLocale().decimalPoint() == QLatin1String(",")) context.mark = canvas::DecimalMark::Comma;
+  const base::Result<geom::Point> place = canvas::parse_entry(entry_->text().toStdString(), context);
+  if (!place) {
+    emit told(text_of(place.error().message));
+    return;
+  }
+  entry_->hide();
+  view_.setFocus();
+  canvas::Pointer typed = pointer_.value_or(canvas::Pointer{});
+  typed.at = *place;
+  typed.snap.reset();
+  tool_->press(work_, typed);
+  tool_->release(work_, typed);
+  emit told(text_of(tool_->hint()));
+  carry_out();
+  sheet_->update();
+}
+
+void Canvas::carry_out() {
+  for (const canvas::Change& change : tool_->take()) {
+    if (const auto* edited = std::get_if<canvas::Edited>(&change)) carry_out(*edited);
+    if (const auto* what = std::get_if<canvas::Drawn>(&change)) emit drawn(*what);
+    if (const auto* message = std::get_if<canvas::Told>(&change)) emit told(text_of(message->message));
+    if (std::holds_alternative<canvas::Dropped>(change) && std::exchange(previewed_, false)) session_.run();
+  }
+}
+
+bool Canvas::is_input(const canvas::Edited& edited) const {
+  const scene::Picture input = session_.program().picture_of(base_->run.states.front());
+  canvas::Workspace of_input;
+  return std::all_of(edited.lines.begin(), edited.lines.end(), [&](const scene::LineEdit& edit) {
+    for (std::size_t i = 0; i < input.panels.size(); ++i) {
+      of_input.show(std::make_shared<const scene::Picture>(input), i);
+      const geom::Polyline* there = of_input.line(edit.pick);
+      if (there != nullptr && work_.line(edit.pick) != nullptr && *there == *work_.line(edit.pick)) return true;
+    }
+    return false;
+  });
+}
+
+void Canvas::carry_out(const canvas::Edited& edited) {
+  const auto& edit = session_.program().drawing.edit;
+  if (!edit || !base_ || base_->run.states.empty()) return;
+  if (edited.stage == canvas::Stage::Done || !previewed_) {
+    if (!is_input(edited)) {
+      emit told(text("A step has made this; edit the section as it was read."));
+      return;
+    }
+  }
+  base::Result<scenario::Document> document = edit(session_.document(), base_->run.states.front(), edited.lines);
+  if (!document) {
+    emit told(text_of(to_string(document.error())));
+    return;
+  }
+  previewed_ = edited.stage == canvas::Stage::During;
+  if (previewed_) {
+    session_.look_at(*std::move(document));
+  } else {
+    session_.edit(*std::move(document), text_of(edited.what));
+  }
+}
+
+bool Canvas::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == entry_) return entry_key(*event);
+  switch (event->type()) {
+    case QEvent::Resize:
+      sheet_->resize(view_.size());
+      return false;
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonRelease:
+    case QEvent::MouseButtonDblClick:
+    case QEvent::MouseMove:
+      return mouse(*static_cast<QMouseEvent*>(event), event->type());
+    case QEvent::ShortcutOverride:  // Escape and Delete belong to the tool before they belong to a menu
+      if (key_of(static_cast<QKeyEvent*>(event)->key())) event->accept();
+      return false;
+    case QEvent::KeyPress: {
+      const auto* key = static_cast<QKeyEvent*>(event);
+      if (key_press(key->key(), key->text())) return true;
+      // A key that the tool has no use for is the menu's again.
+      if (key->key() == Qt::Key_Escape) session_.cancel();
+      return false;
+    }
+    case QEvent::Leave:
+      pointer_.reset();
+      sheet_->update();
+      return false;
+    default:
+      return false;
+  }
+}
+
+}  // namespace dobra::gui

@@ -1,0 +1,84 @@
+#pragma once
+// The tools on the picture: passes mouse and keys on to the tool in hand, draws what it shows over the picture without
+// touching that, and turns what it has done into edits of the document. Page: docs/user/canvas.md.
+
+#include <QEvent>
+#include <QObject>
+#include <QPointF>
+#include <memory>
+#include <set>
+#include <string>
+
+#include "shared/canvas/tool.h"
+#include "shared/gui/session.h"
+
+class QLineEdit;
+class QMouseEvent;
+
+namespace dobra::gui {
+
+class VtkWidget;
+
+class Canvas : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Works on what `view` shows. @pre both outlive the canvas
+  Canvas(Session& session, VtkWidget& view, QObject* parent = nullptr);
+  ~Canvas() override;
+
+  /// What the mouse and the keys do from now on.
+  void take_up(std::unique_ptr<canvas::Tool> tool);
+  [[nodiscard]] canvas::Tool& tool() { return *tool_; }
+  [[nodiscard]] canvas::Workspace& workspace() { return work_; }
+
+  /// The picture of the last run is shown. That of an edit under way changes nothing here.
+  void show_outcome();
+  /// Nothing is there yet but a sheet to draw on.
+  void show_sheet();
+  void set_layer_hidden(const std::string& layer, bool hidden);
+
+  void set_snapping(bool on) { snapping_ = on; }
+  /// Lines are drawn in multiples of 15 degrees.
+  void set_angles(bool on) { angles_ = on; }
+
+ signals:
+  /// For the status bar.
+  void told(const QString& message);
+  /// Something was drawn that the user must say what it is.
+  void drawn(const dobra::canvas::Drawn& what);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  class Sheet;
+  [[nodiscard]] std::optional<canvas::Pointer> pointer_at(QPointF pixel, Qt::KeyboardModifiers keys);
+  bool mouse(QMouseEvent& event, QEvent::Type type);
+  bool key_press(int key, const QString& typed);
+  [[nodiscard]] static std::optional<canvas::Key> key_of(int key);
+  void open_entry(const QString& typed);
+  bool entry_key(const QEvent& event);
+  void enter();
+  void carry_out();
+  void carry_out(const canvas::Edited& edited);
+  /// Whether the lines stand in the section as it was read: only that is edited.
+  [[nodiscard]] bool is_input(const canvas::Edited& edited) const;
+  void use_panel(std::size_t panel);
+
+  Session& session_;
+  VtkWidget& view_;
+  Sheet* sheet_ = nullptr;
+  QLineEdit* entry_ = nullptr;
+  std::unique_ptr<canvas::Tool> tool_;
+  canvas::Workspace work_;
+  documents::OutcomePtr base_;  ///< Of the document that is edited; not of an edit under way.
+  std::size_t panel_ = 0;
+  std::set<std::string> hidden_;
+  std::optional<canvas::Pointer> pointer_;
+  bool snapping_ = true;
+  bool angles_ = false;
+  bool previewed_ = false;
+};
+
+}  // namespace dobra::gui

@@ -1,0 +1,67 @@
+#pragma once
+// The tools of the canvas to choose from, and the question what was drawn.
+
+#include <QDialog>
+#include <QToolBar>
+
+#include "shared/canvas/tool.h"
+#include "shared/gui/session.h"
+#include "shared/gui/icons.h"
+#include "shared/scenario/program.h"
+
+class QActionGroup;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QMenu;
+
+namespace dobra::gui {
+
+class Canvas;
+
+/// One button a tool; the menu has the same actions.
+class DrawBar : public QToolBar {
+  Q_OBJECT
+
+ public:
+  DrawBar(Session& session, Canvas& canvas, QMenu& menu, QWidget* parent);
+
+  /// As its action is called ("draw.line"); false if there is none.
+  bool take_up(const QString& name);
+
+ private:
+  using Make = std::unique_ptr<canvas::Tool> (*)();
+  void add_tool(QMenu& menu, const char* name, const QString& words, Symbol symbol, const QKeySequence& keys,
+                Make make);
+  void add_switches(QMenu& menu, Canvas& canvas);
+  void ask(const canvas::Drawn& what);
+
+  Session& session_;
+  Canvas& canvas_;
+  QActionGroup* tools_ = nullptr;
+  std::string last_kind_;
+};
+
+/// "Horizon" called "H 3": what a new line is.
+class NewLine : public QDialog {
+  Q_OBJECT
+
+ public:
+  /// @param kinds  those that may be chosen. @pre not empty
+  /// @param add    makes the document with the new line.
+  NewLine(std::vector<scenario::Drawing::Kind> kinds, const std::string& chosen,
+          std::function<base::Result<void>(const std::string& kind, const std::string& name)> add, QWidget* parent);
+
+  [[nodiscard]] std::string kind() const;
+
+ private:
+  void try_to_add();
+
+  std::vector<scenario::Drawing::Kind> kinds_;
+  std::function<base::Result<void>(const std::string&, const std::string&)> add_;
+  QComboBox* kind_ = nullptr;
+  QLineEdit* name_ = nullptr;
+  QLabel* refused_ = nullptr;
+};
+
+}  // namespace dobra::gui

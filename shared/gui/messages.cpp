@@ -1,0 +1,80 @@
+#include "shared/gui/messages.h"
+
+#include <QRegularExpression>
+
+#include "shared/gui/documents/edit.h"
+#include "shared/gui/text.h"
+
+namespace dobra::gui {
+
+using scenario::Field;
+using scenario::Table;
+
+namespace {
+
+QString title_of(const Field& field) {
+  const QString title = field.options.title[0] != '\0' ? text(field.options.title) : QString::fromStdString(field.key);
+  return "'" + title + "'";
+}
+
+/// The ways in which messages name a key.
+void name_by_title(QString& message, const Field& field) {
+  const QString key = QRegularExpression::escape(QString::fromStdString(field.key));
+  const QString title = title_of(field).replace("\\", "\\\\");
+  message.replace(QRegularExpression("^'" + key + "'"), title);
+  message.replace(QRegularExpression("(the|unknown) key '" + key + "'"), title);
+  message.replace(QRegularExpression("`" + key + "`"), title);
+  message.replace(QRegularExpression("\\b" + key + " = "), title + " = ");
+  message.replace(QRegularExpression("\\[\\[input\\." + key + "\\]\\]"), title);
+  for (const Field& inner : field.fields) name_by_title(message, inner);
+}
+
+/// Of a table, the first required field without a value.
+QString missing_in(const Table& table, const std::vector<Field>& fields) {
+  for (const Field& field : fields) {
+    const scenario::Value* value = table.find(field.key);
+    if (value == nullptr && field.options.presence == scenario::Presence::Required) return title_of(field);
+    const auto* rows = value != nullptr ? std::get_if<std::vector<Table>>(value) : nullptr;
+    for (std::size_t i = 0; rows != nullptr && i < rows->size(); ++i) {
+      const QString inner = missing_in((*rows)[i], field.fields);
+      if (!inner.isEmpty()) return text("%1 of %2 %3").arg(inner, title_of(field), QString::number(i + 1));
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+QString in_words_of_the_form(const QString& message, const std::vector<Field>& fields) {
+  QString said = message;
+  static const QRegularExpression option(R"( ?\(--[^()]*\))");
+  said.remove(option);
+  for (const Field& field : fields) name_by_title(said, field);
+  said.replace("[input]", text("Input"));
+  return said;
+}
+
+QString in_words_of_the_window(base::Error error, const scenario::Document& document, const scenario::Program& program,
+                               std::size_t part) {
+  if (error.place && error.place->file == document.file.string()) {
+    error.place->file.clear();
+    error.place->line = 0;
+  }
+  if (part <= document.steps.size()) {
+    const QString said =
+        in_words_of_the_form(QString::fromStdString(error.message), documents::fields_of(document, program, part));
+    error.message = said.toStdString();
+  }
+  return QString::fromStdString(base::to_string(error));
+}
+
+QString still_to_be_given(const scenario::Document& document, const scenario::Program& program) {
+  for (std::size_t part = 0; part <= document.steps.size(); ++part) {
+    const QString missing =
+        missing_in(documents::table_of(document, part), documents::fields_of(document, program, part));
+    if (!missing.isEmpty()) return missing;
+  }
+  return {};
+}
+
+}  // namespace dobra::gui

@@ -1,0 +1,22 @@
+#pragma once
+// Messages in the words of the window: what a scenario file calls by a key, a form calls by its title.
+
+#include <QString>
+
+#include "shared/scenario/program.h"
+
+namespace dobra::gui {
+
+/// `message` with the titles of `fields` (and of the fields of their tables) where it names their keys, and without
+/// what it says of the command line.
+QString in_words_of_the_form(const QString& message, const std::vector<scenario::Field>& fields);
+
+/// What went wrong in part `part` of a document. Lines of the document's own file are left out: those on the screen may
+/// be others by now.
+QString in_words_of_the_window(base::Error error, const scenario::Document& document, const scenario::Program& program,
+                               std::size_t part);
+
+/// What is still to be given before a document can be run: "'Name' of 'Horizons' 2"; empty if nothing is.
+QString still_to_be_given(const scenario::Document& document, const scenario::Program& program);
+
+}  // namespace dobra::gui

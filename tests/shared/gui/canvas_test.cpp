@@ -1,0 +1,171 @@
+// What the mouse and the keys do on the picture reaches the document.
+
+#include "shared/gui/canvas.h"
+
+#include <QAction>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTimer>
+
+#include "shared/gui/draw_bar.h"
+#include "tests/shared/gui/window_fixture.h"
+
+namespace dobra::gui {
+namespace {
+
+using geom::Point;
+
+class CanvasTest : public test::WindowFixture {
+ protected:
+  void open_bump() {
+    open_waves(
+        "dobra = 1\nprogram = \"waves\"\n[input]\namplitude = 100.0\n"
+        "[[input.bump]]\nname = \"A\"\npoints = [[100, 300], [500, 300], [900, 350]]\n");
+    take_focus();
+  }
+  void take_focus() {
+    window.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&window, 5000));
+    window.view().setFocus();
+  }
+  std::vector<Point> bump(std::size_t i) {
+    return std::get<std::vector<Point>>(*test::bumps_of(window.session().document()).at(i).find("points"));
+  }
+  std::size_t count() { return test::bumps_of(window.session().document()).size(); }
+  QPoint pixel(Point at) { return window.view().pixel_of(0, at).toPoint(); }
+  void click(Point at) {
+    move(at);
+    QTest::mouseClick(&window.view(), Qt::LeftButton, {}, pixel(at));
+  }
+  void move(Point at) {
+    const QPointF to = pixel(at);
+    QMouseEvent event(QEvent::MouseMove, to, window.view().mapToGlobal(to), Qt::NoButton, Qt::NoButton, {});
+    QCoreApplication::sendEvent(&window.view(), &event);
+  }
+  void key(Qt::Key key) { QTest::keyClick(&window.view(), key); }
+  void take_up(const char* tool) { ASSERT_TRUE(window.draw_bar().take_up(tool)); }
+  /// Types a name into the question what was drawn, and presses Enter.
+  void answer(const char* name) {
+    auto* timer = new QTimer(&window);
+    QObject::connect(timer, &QTimer::timeout, timer, [timer, name] {
+      auto* question = qobject_cast<NewLine*>(QApplication::activeModalWidget());
+      if (question == nullptr) return;
+      timer->stop();
+      timer->deleteLater();
+      auto* field = question->findChild<QLineEdit*>("name");
+      QTest::keyClicks(field, name);
+      QTest::keyClick(field, Qt::Key_Return);
+      if (question->isVisible()) {
+        ADD_FAILURE() << question->findChild<QLabel*>("refused")->text().toStdString();
+        question->reject();
+      }
+    });
+    timer->start(10);
+  }
+  double pixel_size() { return window.view().view(0).world_per_point; }
+};
+
+TEST_F(CanvasTest, AVertexIsDraggedAndTheEditIsOneStepOfUndo) {
+  open_bump();
+  click({300, 300});
+  drag(Qt::LeftButton, pixel({500, 300}), pixel({500, 380}));
+  settle();
+  EXPECT_NEAR(bump(0)[1].x, 500.0, pixel_size());
+  EXPECT_NEAR(bump(0)[1].y, 380.0, pixel_size());
+  EXPECT_EQ(bump(0)[0], (Point{100, 300}));
+  window.session().undo();
+  EXPECT_EQ(bump(0)[1], (Point{500, 300}));
+  EXPECT_FALSE(window.session().history().can_undo());
+}
+
+TEST_F(CanvasTest, EscapeInTheMiddleOfADragChangesNothing) {
+  open_bump();
+  click({300, 300});
+  QTest::mousePress(&window.view(), Qt::LeftButton, {}, pixel({500, 300}));
+  move({520, 360});
+  move({530, 380});
+  key(Qt::Key_Escape);
+  QTest::mouseRelease(&window.view(), Qt::LeftButton, {}, pixel({530, 380}));
+  settle();
+  EXPECT_EQ(bump(0)[1], (Point{500, 300}));
+  EXPECT_FALSE(window.session().history().modified());
+}
+
+TEST_F(CanvasTest, ALineIsDrawnWithClicksSnapsAndATypedPlace) {
+  open_bump();
+  take_up("line");
+  click({102, 298});  // drawn to the vertex (100, 300)
+  move({300, 200});
+  QTest::keyClicks(&window.view(), "@");
+  QTest::keyClicks(focus(), "50,-25");
+  QTest::keyClick(focus(), Qt::Key_Return);
+  answer("B");
+  QTest::keyClick(&window.view(), Qt::Key_Return);
+  settle();
+  ASSERT_EQ(count(), 2U);
+  EXPECT_EQ(bump(1), (std::vector<Point>{{100, 300}, {150, 275}}));
+}
+
+TEST_F(CanvasTest, AWrongPlaceIsSaidAndTheFieldStays) {
+  open_bump();
+  take_up("line");
+  QTest::keyClicks(&window.view(), "1");
+  auto* entry = qobject_cast<QLineEdit*>(focus());
+  ASSERT_NE(entry, nullptr);
+  QTest::keyClicks(entry, "2,x");
+  QTest::keyClick(entry, Qt::Key_Return);
+  EXPECT_TRUE(entry->isVisible());
+  EXPECT_EQ(entry->text(), "12,x");
+  QTest::keyClick(entry, Qt::Key_Escape);
+  EXPECT_FALSE(entry->isVisible());
+}
+
+TEST_F(CanvasTest, DeleteRemovesTheSelectedLine) {
+  open_bump();
+  click({300, 300});
+  key(Qt::Key_Delete);
+  settle();
+  EXPECT_EQ(count(), 0U);
+  window.session().undo();
+  EXPECT_EQ(count(), 1U);
+}
+
+TEST_F(CanvasTest, WhatTheProgramHasDrawnIsNotEdited) {
+  open_bump();
+  click({0, 0});
+  const std::string before = text();
+  key(Qt::Key_Delete);
+  settle();
+  EXPECT_EQ(text(), before);
+}
+
+TEST_F(CanvasTest, EveryToolHasAnActionWithAKeyAndAnIcon) {
+  std::set<QString> keys;
+  int tools = 0;
+  for (const QAction* action : window.draw_bar().actions()) {
+    if (action->isSeparator() || action->objectName() == "draw.snap") continue;
+    ++tools;
+    EXPECT_FALSE(action->icon().isNull()) << action->text().toStdString();
+    EXPECT_TRUE(keys.insert(action->shortcut().toString()).second) << action->text().toStdString();
+  }
+  EXPECT_EQ(tools, 16);
+}
+
+TEST_F(CanvasTest, TheFirstLineIsDrawnInAnEmptyWindow) {
+  take_focus();
+  take_up("line");
+  QTest::keyClicks(&window.view(), "1");
+  QTest::keyClicks(focus(), "0;20");
+  QTest::keyClick(focus(), Qt::Key_Return);
+  QTest::keyClicks(&window.view(), "@");
+  QTest::keyClicks(focus(), "100<0");
+  QTest::keyClick(focus(), Qt::Key_Return);
+  answer("First");
+  QTest::keyClick(&window.view(), Qt::Key_Return);
+  settle();
+  ASSERT_EQ(count(), 1U);
+  EXPECT_EQ(bump(0), (std::vector<Point>{{10, 20}, {110, 20}}));
+}
+
+}  // namespace
+}  // namespace dobra::gui
