@@ -346,5 +346,19 @@ TEST(Invert, CatskillFitsBetterThanByThePublishedValuesWhichLieInTheRegionOfConf
   }
 }
 
+TEST(Invert, ThePublishedValuesOfCatskillLieInTheRegionWithLimitsMadeFromTheBoxToo) {
+  const auto folder = dobra::test::data_folder();
+  if (!folder) GTEST_SKIP() << dobra::test::no_data;
+  const section::Section section = catskill(*folder, {6});
+  InvertParams params;
+  params.ramp = {5, 85};
+  params.generations = 30;
+  const Fit fit = fit_of(section, params);
+  const double theirs = misfit_of(bed_shapes(section, {}).value(), trishear_model(500.0), published, {}).value();
+  EXPECT_LE(fit.rms, 0.5 * theirs);
+  EXPECT_LE(theirs, *fit.region);
+  EXPECT_LT(*fit.region, 0.5 * fit.before);  // and yet the fold is told from none
+}
+
 }  // namespace
 }  // namespace recon::inversion
