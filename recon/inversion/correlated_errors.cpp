@@ -280,7 +280,7 @@ CorrelatedErrors::CorrelatedErrors(const std::vector<BedPoints>& beds, std::span
   for (std::size_t b = 0; b < rows.size(); ++b) effective_.push_back(effective_points(rows[b], lengths_[b]));
   const auto [mean, squares] = errors.traces();
   expected_ = mean;
-  freedom_ = mean * mean / squares;
+  freedom_ = squares > 0.0 ? std::max(mean * mean / squares, 1.0) : 1.0;
   Matrix normal = products(slopes, slopes);
   for (std::size_t i = 0; i < normal.size(); ++i) normal[i][i] = normal[i][i] * (1.0 + 1e-10) + 1e-300;
   plain_ = inverse_of(normal).value_or(zeros(normal.size()));
