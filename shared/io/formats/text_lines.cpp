@@ -56,7 +56,7 @@ Result<void> check_words(std::string_view text, const std::string& file, const l
   }
   if (!options.name_columns.empty()) return {};
   const lines::WordColumn words = lines::word_column(text, read.separator, read.header, used);
-  if (words.words == lines::WordsAre::Unclear) return asked(words, file);
+  if (words.words == lines::WordsAre::Unclear) return asked(words, file, used[0], used[1]);
   if (words.words == lines::WordsAre::LeftOut) read.remarks.push_back(told(words, file));
   return {};
 }

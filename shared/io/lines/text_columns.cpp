@@ -133,14 +133,14 @@ std::string told(const WordColumn& words, const std::string& file) {
                      words.other_line == 0 ? shown(words.first) : "another");
 }
 
-base::Error asked(const WordColumn& words, const std::string& file) {
-  return {
-      base::ErrorCode::Unclear,
-      fmt::format("{} has different texts, {} in line {} and {} here; say that it names the lines (--name-columns "
-                  "{}, name_columns = [\"{}\"], or the header 'name' in the file), or that it does not (--columns "
-                  "1,2, columns = [1, 2])",
-                  titled(words), shown(words.first), words.first_line, shown(words.other), words.column, words.column),
-      base::Place{.file = file, .line = words.other_line}};
+base::Error asked(const WordColumn& words, const std::string& file, std::size_t x, std::size_t height) {
+  return {base::ErrorCode::Unclear,
+          fmt::format("{} has different texts, {} in line {} and {} here; say that it names the lines (--name-columns "
+                      "{}, name_columns = [\"{}\"], or the header 'name' in the file), or that it does not (--columns "
+                      "{},{}, columns = [{}, {}])",
+                      titled(words), shown(words.first), words.first_line, shown(words.other), words.column,
+                      words.column, x, height, x, height),
+          base::Place{.file = file, .line = words.other_line}};
 }
 
 namespace {

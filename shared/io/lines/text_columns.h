@@ -36,8 +36,8 @@ WordColumn word_column(std::string_view text, Separator separator, std::span<con
 
 /// Names, LeftOut: what was done, in one line.
 std::string told(const WordColumn& words, const std::string& file);
-/// Unclear: what is asked, with the place.
-base::Error asked(const WordColumn& words, const std::string& file);
+/// Unclear: what is asked, with the place.  @param x, height  the columns that are taken, from 1.
+base::Error asked(const WordColumn& words, const std::string& file, std::size_t x, std::size_t height);
 
 /// Columns of x and height, from 1.
 struct PositionColumns {

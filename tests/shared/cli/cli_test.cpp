@@ -329,7 +329,9 @@ TEST_F(Cli, ARunThatFailsAtALaterStepWritesWhatTheEarlierOnesGave) {
   const Outcome outcome = call({"run", scenario, "--out", out(), "--pictures", "none"});
   EXPECT_EQ(outcome.code, 4) << outcome.err;
   EXPECT_EQ(outcome.out, "");
-  EXPECT_NE(outcome.err.find(scenario + ":8:1: step 2 (fail): the curve crosses itself; move the point (at 3, 4)"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find(scenario + ":8:1: step 2 (fail): the curve crosses itself; move the point (at 3, 4)"),
+            std::string::npos)
+      << outcome.err;
   EXPECT_NE(outcome.err.find("what step 1 gave is in " + out()), std::string::npos) << outcome.err;
   EXPECT_EQ(*io::read_bytes(fs::path(out()) / "numbers.txt"), "3.0\n6.0\n");
   const auto report = nlohmann::json::parse(*io::read_bytes(fs::path(out()) / "report.json"));

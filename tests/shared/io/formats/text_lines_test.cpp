@@ -80,6 +80,9 @@ TEST(TextLines, ColumnsOfXAndHeightAreFoundByTheirHeaders) {
 TEST(TextLines, HeadersThatDoNotTellXAndHeightAreAskedAbout) {
   EXPECT_THAT(refused("name,x,y,z\nA,0,1,5\nA,10,1,6\n"),
               AllOf(HasSubstr("f.csv"), HasSubstr("names x, y and z"), HasSubstr("--columns x,z")));
+  // Where x and height were found by their headers, the answer to another question names these.
+  EXPECT_THAT(refused("id,x,z\n1,0,5\n1,10,6\n2,0,3\n2,10,2\n"),
+              AllOf(HasSubstr("--name-columns 1"), HasSubstr("--columns 2,3")));
   const auto unknown = parse_any_lines("name,kind,east,alt\nA,bed,0,5\nA,bed,9,5\n", "f.csv", {});
   ASSERT_FALSE(unknown.ok());
   EXPECT_THAT(base::to_string(unknown.error()),
