@@ -96,6 +96,25 @@ void note_depths(const lines::TextPoints& read, const std::string& header, bool 
   features.stated.y_direction = lines::YDirection::Down;
 }
 
+/// The i-th line that was read, which is taken.
+Result<void> add_line(std::size_t i, const std::string& file, lines::Faulty faulty, lines::TextPoints& read,
+                      lines::Features& features) {
+  lines::Feature feature;
+  feature.type = read.lines[i].closed ? lines::FeatureType::Polygons : lines::FeatureType::Lines;
+  feature.name = read.names[i];
+  feature.kind = read.kinds[i];
+  feature.source = Place{.file = file, .line = read.begins[i]};
+  feature.parts.push_back(std::move(read.lines[i]));
+  if (!read.heights.empty()) feature.heights.push_back(std::move(read.heights[i]));
+  if (!read.extras.empty()) feature.extras.push_back(std::move(read.extras[i]));
+  const auto normal = faulty == lines::Faulty::Refuse
+                          ? lines::normalise(feature, {0})
+                          : lines::normalise_sound(feature, {0}, lines::where(feature.source), features.remarks);
+  if (!normal) return base::located(normal.error(), feature.source);
+  if (!feature.parts.empty()) features.features.push_back(std::move(feature));
+  return {};
+}
+
 // The outlines of poly2tri's test files: a line HOLE stands before each inner one. It becomes a blank line, which parts
 // lines.
 std::string without_hole_words(std::string_view text, std::size_t& count) {
@@ -155,21 +174,7 @@ Result<lines::Features> features_of_text(std::string_view given, const std::stri
   } else if (!chosen && options.coordinates == Coordinates::Detect) {
     if (auto question = question_of_columns(read, wanted)) features.stated.questions.push_back(*std::move(question));
   }
-  for (std::size_t i = 0; i < read.lines.size(); ++i) {
-    lines::Feature feature;
-    feature.type = read.lines[i].closed ? lines::FeatureType::Polygons : lines::FeatureType::Lines;
-    feature.name = read.names[i];
-    feature.kind = read.kinds[i];
-    feature.source = Place{.file = file, .line = read.begins[i]};
-    feature.parts.push_back(std::move(read.lines[i]));
-    if (!read.heights.empty()) feature.heights.push_back(std::move(read.heights[i]));
-    if (!read.extras.empty()) feature.extras.push_back(std::move(read.extras[i]));
-    const auto normal = options.faulty == lines::Faulty::Refuse
-                            ? lines::normalise(feature, {0})
-                            : lines::normalise_sound(feature, {0}, lines::where(feature.source), features.remarks);
-    if (!normal) return base::located(normal.error(), feature.source);
-    if (!feature.parts.empty()) features.features.push_back(std::move(feature));
-  }
+  for (std::size_t i = 0; i < read.lines.size(); ++i) DOBRA_TRY_VOID(add_line(i, file, options.faulty, read, features));
   return features;
 }
 
