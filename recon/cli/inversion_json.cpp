@@ -33,7 +33,7 @@ Json map_json(const inversion::MisfitMap& map, const inversion::Fit& fit) {
   return {{"values", {fit.estimates[map.axes[0]].unknown.key, fit.estimates[map.axes[1]].unknown.key}},
           {"at", {map.at[0], map.at[1]}},
           {"misfit", std::move(misfit)},
-          {"region", number_or_null(map.region)}};
+          {"region", map.region}};
 }
 
 }  // namespace
@@ -67,7 +67,8 @@ std::string inversion_json(const model::Model& model) {
                     {"misfit_before", bed.before},
                     {"misfit", bed.after},
                     {"dip_restored", bed.dip.degrees()},
-                    {"correlation", bed.correlation}});
+                    {"correlation", bed.correlation},
+                    {"correlation_length", bed.correlation_length}});
   }
   json["beds"] = std::move(beds);
   if (found.map) json["map"] = map_json(*found.map, fit);

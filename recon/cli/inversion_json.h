@@ -9,8 +9,8 @@ namespace recon::cli {
 
 /// {"method", "values": [{"name", "unit", "best", "fixed", "low", "high", "limits", "at_limit"}], "confidence",
 /// "misfit", "misfit_before", "misfit_region", "points", "independent_points", "beds": [{"name", "points",
-/// "misfit_before", "misfit", "dip_restored", "correlation"}], "map": {"values", "at", "misfit", "region"}, "remarks"};
-/// null where no limit is known.
+/// "misfit_before", "misfit", "dip_restored", "correlation", "correlation_length"}], "map": {"values", "at", "misfit",
+/// "region"}, "remarks"}; null where no limit is known.
 /// @pre the model has been inverted.
 std::string inversion_json(const model::Model& model);
 std::string inversion_table(const model::Model& model);

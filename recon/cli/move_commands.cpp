@@ -58,7 +58,7 @@ Result<int> move_job(Session& session, const MoveOptions& options) {
 dobra::cli::Command move_command() {
   return {"move", "Move blocks of a section along a fault, back or forward", [](CLI::App& app) -> Job {
             const auto options = std::make_shared<MoveOptions>();
-            options->section.add(app, {"horizons_from_units", "colours", "orientation"});
+            options->section.add(app, section_keys());
             options->move.add(app, scenario::fields_of<moving::MoveParams>());
             options->own.add(app);
             add_out(app, options->out, "lines of the section after the move");

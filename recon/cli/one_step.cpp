@@ -41,7 +41,7 @@ dobra::cli::Command one_step_command(const char* name, const char* help, std::ve
                                      Print json, Print table) {
   return {name, help, [=](CLI::App& app) -> dobra::cli::Job {
             const auto options = std::make_shared<OneStepOptions>();
-            options->section.add(app, {"horizons_from_units", "colours", "orientation"});
+            options->section.add(app, section_keys());
             options->step.add(app, fields);
             add_out(app, options->out, "the section's lines");
             return [=](Session& session) { return one_step_job(session, *options, name, json, table); };

@@ -153,7 +153,7 @@ Result<int> balance_job(Session& session, const BalanceOptions& options) {
 dobra::cli::Command restore_command() {
   return {"restore", "Restore a section and draw up its balance ledger", [](CLI::App& app) -> Job {
             const auto options = std::make_shared<RestoreOptions>();
-            options->section.add(app, {"horizons_from_units", "colours", "orientation"});
+            options->section.add(app, section_keys());
             options->grid.add(app, scenario::fields_of<unfold::GridParams>(), {"top", "simplify", "uncovered"});
             options->restore.add(app, scenario::fields_of<unfold::RestoreParams>());
             options->blocks.add(app, scenario::fields_of<jigsaw::BlockwiseParams>(),
@@ -171,7 +171,7 @@ dobra::cli::Command balance_command() {
   return {"balance", "Bed lengths, excess areas and detachment of a section; or its shortening by area",
           [](CLI::App& app) -> Job {
             const auto options = std::make_shared<BalanceOptions>();
-            options->section.add(app, {"horizons_from_units"});
+            options->section.add(app, {"horizons_from_units", "self_crossings"});
             options->by_length.add(app, scenario::fields_of<balance::BalanceParams>());
             options->by_area.add(app, scenario::fields_of<balance::AreaBalanceParams>(),
                                  {"thickness", "thickness_error", "width_points", "width"});

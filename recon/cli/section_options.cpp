@@ -36,7 +36,8 @@ Result<OutKind> out_kind(const std::filesystem::path& out) {
                                  fmt::join(io::formats::endings_for(io::formats::Use::WriteLines), " "))};
 }
 
-/// For formats that keep names and nothing else: pieces are called as their whole, by which they are found again.
+/// For formats that keep names and nothing else: pieces are called as their whole, by which they are found again. Where
+/// names may not come twice, they keep theirs, such as "A (1)" and "A (2)".
 void call_by_wholes(const section::Section& section, std::vector<io::lines::Feature>& features) {
   for (io::lines::Feature& feature : features) {
     for (const section::Horizon& horizon : section.horizons) {
@@ -58,6 +59,10 @@ void SectionOptions::add(CLI::App& app, const std::vector<dobra::cli::OptionOf>&
       ->type_name("FILE");
   lines.add(app, dobra::cli::LineOptions::Repairs::Offered);
   input.add(app, scenario::fields_of<input::SectionInput>(), input_keys);
+}
+
+std::vector<dobra::cli::OptionOf> section_keys() {
+  return {"horizons_from_units", "self_crossings", "colours", "orientation"};
 }
 
 /// A file name as the scenario will look for it, whose names start from the folder of the section's file.
@@ -119,7 +124,8 @@ Result<void> write_out(Session& session, const std::optional<std::filesystem::pa
   } else {
     io::formats::LineWork work;
     work.features = core::restored_features(section);
-    if (!(*io::formats::line_format_of(out->string()))->lines->keeps_properties) call_by_wholes(section, work.features);
+    const io::formats::LineRow& row = *(*io::formats::line_format_of(out->string()))->lines;
+    if (!row.keeps_properties && row.repeats_names) call_by_wholes(section, work.features);
     written = io::formats::write_any_lines(path.string(), work, {}, losses);
   }
   if (!written) return staging.for_user(written.error());

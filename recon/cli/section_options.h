@@ -24,6 +24,9 @@ struct SectionOptions {
   void add(CLI::App& app, const std::vector<dobra::cli::OptionOf>& input_keys);
 };
 
+/// What commands that draw the section offer of [input].
+std::vector<dobra::cli::OptionOf> section_keys();
+
 /// A file name as the scenario will look for it, whose names start from the folder of the section's file.
 std::string as_seen_from(const dobra::scenario::Document& document, const std::string& file);
 

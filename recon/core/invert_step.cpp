@@ -33,11 +33,9 @@ std::vector<RowCell> estimate_cells(const inversion::Estimate& estimate) {
 }
 
 std::vector<RowCell> bed_cells(const inversion::BedMisfit& bed) {
-  return {{"points", "", count_of(bed.points)},
-          {"rms_before", "m", bed.before},
-          {"rms_restored", "m", bed.after},
-          {"dip_restored", "deg", bed.dip.degrees()},
-          {"correlation", "", bed.correlation}};
+  return {{"points", "", count_of(bed.points)}, {"rms_before", "m", bed.before},
+          {"rms_restored", "m", bed.after},     {"dip_restored", "deg", bed.dip.degrees()},
+          {"correlation", "", bed.correlation}, {"correlation_length", "m", bed.correlation_length}};
 }
 
 void add_inversion_quantities(const model::Model& model, std::vector<scenario::Quantity>& quantities) {
@@ -162,7 +160,7 @@ scene::Panel map_panel(const inversion::MisfitMap& map, const inversion::Fit& fi
   for (const double rms : map.rms) {
     if (std::isfinite(rms)) low = std::min(low, rms), high = std::max(high, rms);
   }
-  high = std::min(high, std::max(map.region.value_or(0.0), low) * 3.0);
+  high = std::min(high, std::max(map.region, low) * 3.0);
   scene::Panel panel;
   panel.key = "misfit_map";
   panel.title = translated("Misfit");
@@ -172,8 +170,7 @@ scene::Panel map_panel(const inversion::MisfitMap& map, const inversion::Fit& fi
   scene::Style line;
   line.line = {255, 255, 255, 255};
   line.line_width = 1.5;
-  std::vector<geom::Polyline> region;
-  if (map.region) region = contour_at(mesh, *map.region);
+  const std::vector<geom::Polyline> region = contour_at(mesh, map.region);
   scene::Style filled;
   filled.line_width = 0.0;
   panel.layers.push_back({"misfit", translated("Misfit"), filled, std::move(mesh), true, scene::InLegend::No});

@@ -7,6 +7,7 @@
 #include "recon/core/grid_step.h"
 #include "recon/core/input_picture.h"
 #include "recon/core/invert_step.h"
+#include "recon/core/join_step.h"
 #include "recon/core/monte_carlo_step.h"
 #include "recon/core/move_step.h"
 #include "recon/core/offset_step.h"
@@ -129,9 +130,9 @@ scenario::Program make_program() {
                                                         .tables = add_chain_tables,
                                                         .remarks = add_section_remarks,
                                                         .draw = draw_section});
-  recon.operations = {grid_step(),   target_step(),      restore_step(), move_step(),
-                      carry_step(),  monte_carlo_step(), balance_step(), area_balance_step(),
-                      faults_step(), invert_step(),      predict_step(), offset_step()};
+  recon.operations = {grid_step(),   target_step(),      restore_step(), move_step(),         join_step(),
+                      carry_step(),  monte_carlo_step(), balance_step(), area_balance_step(), faults_step(),
+                      invert_step(), predict_step(),     offset_step()};
   recon.names_of = [](const scenario::State& state, const std::string& what) {
     return names_of(scenario::model_of<model::Model>(state), what);
   };

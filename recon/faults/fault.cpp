@@ -350,6 +350,12 @@ double tolerance_of(const section::Section& section, const FaultOptions& options
   return options.tolerance > 0.0 ? options.tolerance : 0.005 * box_of(section).diagonal();
 }
 
+std::optional<std::string> remark_on_taken_tip(const Fault& fault, geom::Point end) {
+  if (fault.path.tip_at_begin || fault.path.tip_at_end) return std::nullopt;
+  return fmt::format("fault '{}' leaves the section at ({:.6g}, {:.6g}); that end is taken for its tip", fault.name,
+                     end.x, end.y);
+}
+
 geom::Polyline own_line(const Fault& fault) {
   const std::vector<double> arcs = geom::arc_lengths(fault.path.line);
   const double rounding = 1e-12 * arcs.back();

@@ -38,6 +38,9 @@ struct Fault {
   std::optional<base::Error> undecided = std::nullopt;  ///< Why nothing tells the hanging wall.
 };
 
+/// That a method with a tip takes an end for one where the fault leaves the section; nothing where the fault has a tip.
+std::optional<std::string> remark_on_taken_tip(const Fault& fault, geom::Point end);
+
 /// The own part of its path.
 geom::Polyline own_line(const Fault& fault);
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <regex>
 #include <set>
 
 #include "recon/input/line_file.h"
@@ -120,6 +121,7 @@ class Importer {
     for (std::size_t i = 0; i < features_.size(); ++i) {
       DOBRA_TRY(tables_.emplace_back(), table_of(features_[i], i + 1));
     }
+    find_numbered();
     find_pieces();
     for (std::size_t i = 0; i < features_.size(); ++i) {
       for (std::size_t part = 0; part < features_[i].parts.size(); ++part) {
@@ -136,6 +138,24 @@ class Importer {
   }
 
  private:
+  /// Wholes of lines called "A (1)" to "A (n)", all of them and each once, as moves call pieces.
+  void find_numbered() {
+    std::map<std::pair<std::string, std::string>, std::map<std::size_t, std::vector<std::size_t>>> families;
+    for (std::size_t i = 0; i < features_.size(); ++i) {
+      static const std::regex numbered(R"((.+) \(([1-9][0-9]{0,5})\))");
+      std::smatch match;
+      if (may_be_piece(i) && std::regex_match(features_[i].name, match, numbered))
+        families[{tables_[i], match[1]}][std::stoul(match[2])].push_back(i);
+    }
+    for (const auto& [item, numbers] : families) {
+      const bool once = std::all_of(numbers.begin(), numbers.end(), [](const auto& n) { return n.second.size() == 1; });
+      if (!once || numbers.size() < 2 || numbers.rbegin()->first != numbers.size()) continue;
+      for (const auto& [number, features] : numbers) wholes_[features.front()] = item.second;
+      made_.remarks.push_back(fmt::format("'{0} (1)' to '{0} ({1})' are taken for the pieces of {2} '{0}'", item.second,
+                                          numbers.size(), item.first));
+    }
+  }
+
   /// Where the pieces of each horizon stand, from the left: lines of one name, and the parts of one line.
   void find_pieces() {
     for (std::size_t i = 0; i < features_.size(); ++i) {
@@ -189,6 +209,7 @@ class Importer {
     if (made.name != wanted) ++repeated_.try_emplace({made.table, wanted}, 1).first->second;
     if (made.table == "horizon" || made.table == "fault") {
       if (const std::string whole = text_of(feature, "piece_of"); !whole.empty()) made.piece_of = whole;
+      if (const auto whole = wholes_.find(i); whole != wholes_.end()) made.piece_of = whole->second;
     }
     if (made.table == "polygon") made.piece_of = io::lines::stated_unit(feature);
     if (made.table == "polygon" && made.piece_of.empty() && made.name != wanted) made.piece_of = wanted;
@@ -198,6 +219,7 @@ class Importer {
   const std::vector<io::lines::Feature>& features_;
   std::vector<std::string> tables_;
   std::map<std::pair<std::string, std::string>, std::vector<Place>> pieces_;  ///< By table and name.
+  std::map<std::size_t, std::string> wholes_;                                 ///< Of features that are numbered pieces.
   std::set<std::string> names_;
   std::map<std::pair<std::string, std::string>, std::size_t> repeated_;  ///< How many, by table and name.
   Import made_;

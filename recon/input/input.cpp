@@ -148,7 +148,8 @@ base::Result<void> treat_self_crossings(section::Horizon& horizon, SelfCrossings
     if (crossings.empty()) return {};
     const base::Error error{
         base::ErrorCode::BadSection,
-        fmt::format("the line crosses itself ({} places); correct it, or set self_crossings = \"cut_loops\"",
+        fmt::format("the line crosses itself ({} places); correct it, or cut small loops out: self_crossings = "
+                    "\"cut_loops\" (--self-crossings cut_loops)",
                     crossings.size()),
         place_at(crossings.front().place, item)};
     return base::located(error, source);

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -72,76 +71,68 @@ std::vector<BedShape> some_of(const std::vector<BedShape>& beds, std::size_t poi
   return thinned(beds, std::max<std::size_t>(points / beds.size(), 20));
 }
 
-double lines_of(const std::vector<BedShape>& beds, const FitOptions& options) {
-  return static_cast<double>(beds.size()) * (options.bedding ? 1.0 : 2.0);
-}
-
-/// Over how many neighbours the distances of a bed hang together: 1 + 2 x the sum of their autocorrelations up to the
-/// first that is no longer positive.
-double correlation_length(std::span<const double> distances) {
-  const std::size_t n = distances.size();
-  double variance = 0.0;
-  for (const double d : distances) variance += d * d;
-  double length = 1.0;
-  for (std::size_t lag = 1; lag < n && variance > 0.0; ++lag) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i + lag < n; ++i) sum += distances[i] * distances[i + lag];
-    if (sum <= 0.0) break;
-    length += 2.0 * sum / variance;
-  }
-  return std::min(length, static_cast<double>(n));
-}
-
 double root_mean(double sum, std::size_t points) { return std::sqrt(sum / static_cast<double>(points)); }
 
-/// The misfits of each bed, and with them how many points count.
-void judge_beds(const std::vector<BedShape>& beds, const Restore& restore, const FitOptions& options, Fit& fit) {
-  std::vector<double> as_they_lie, restored;
-  deviations(
-      beds, [](geom::Point p) { return p; }, options.bedding, as_they_lie);
-  deviations(beds, restore, options.bedding, restored);
+BedPoints points_of(const BedShape& bed, const std::vector<geom::Point>& restored, const BedLine& line) {
+  BedPoints points{{0.0}, {}, bed.weights};
+  const geom::Vector along{line.normal.y, -line.normal.x};
+  for (std::size_t i = 1; i < restored.size(); ++i) points.steps.push_back(distance(bed.points[i - 1], bed.points[i]));
+  for (const geom::Point p : restored) points.along.push_back(geom::dot(p - line.at, along));
+  return points;
+}
+
+/// The misfits of each bed.
+std::vector<BedPoints> judge_beds(const std::vector<BedShape>& beds, const Restore& restore, const FitOptions& options,
+                                  Fit& fit) {
+  std::vector<BedPoints> all;
   fit.beds.clear();
-  fit.effective = 0.0;
-  std::size_t first = 0;
   for (const BedShape& bed : beds) {
+    std::vector<double> as_they_lie, after;
+    deviations(
+        {bed}, [](geom::Point p) { return p; }, options.bedding, as_they_lie);
+    deviations({bed}, restore, options.bedding, after);
     const std::size_t n = bed.points.size();
-    BedMisfit row{bed.name, n, 0.0, 0.0, {}, 1.0};
-    std::vector<double> distances(restored.begin() + static_cast<std::ptrdiff_t>(first),
-                                  restored.begin() + static_cast<std::ptrdiff_t>(first + n));
-    const std::vector<double> present(as_they_lie.begin() + static_cast<std::ptrdiff_t>(first),
-                                      as_they_lie.begin() + static_cast<std::ptrdiff_t>(first + n));
-    row.before = root_mean(sum_of_squares(present), n);
-    row.after = root_mean(sum_of_squares(distances), n);
-    for (std::size_t i = 0; i < n; ++i) distances[i] /= std::sqrt(std::max(bed.weights[i], 1e-300));
-    row.correlation = correlation_length(distances);
+    BedMisfit row{bed.name, n, root_mean(sum_of_squares(as_they_lie), n), root_mean(sum_of_squares(after), n), {}};
     std::vector<geom::Point> points;
     for (const geom::Point p : bed.points) points.push_back(restore(p));
-    const geom::Vector normal = straight_line(bed, points, options.bedding).normal;
-    const double angle = std::atan2(-normal.x, normal.y) * 180.0 / std::numbers::pi;
+    const BedLine line = straight_line(bed, points, options.bedding);
+    const double angle = std::atan2(-line.normal.x, line.normal.y) * 180.0 / std::numbers::pi;
     row.dip = base::Angle::from_degrees(angle > 90.0 ? angle - 180.0 : angle <= -90.0 ? angle + 180.0 : angle);
-    fit.effective += static_cast<double>(n) / row.correlation;
     fit.beds.push_back(std::move(row));
-    first += n;
+    all.push_back(points_of(bed, points, line));
+  }
+  return all;
+}
+
+/// How the errors of each bed hang together, and how many of the points count.
+void judge_errors(const std::vector<BedPoints>& beds, const Residuals& residuals, const std::vector<double>& at,
+                  const FitOptions& options, Fit& fit) {
+  std::vector<double> values;
+  residuals(at, values);
+  Matrix slopes = slopes_of(residuals, at).value_or(Matrix(at.size(), std::vector<double>(values.size(), 0.0)));
+  fit.errors = CorrelatedErrors(beds, values, std::move(slopes), options.bedding ? LineIs::Shifted : LineIs::Turned);
+  fit.effective = 0.0;
+  for (std::size_t b = 0; b < beds.size(); ++b) {
+    fit.beds[b].correlation = static_cast<double>(fit.beds[b].points) / fit.errors.effective()[b];
+    fit.beds[b].correlation_length = fit.errors.lengths()[b];
+    fit.effective += fit.errors.effective()[b];
   }
 }
 
-/// What makes a statistic of a sum: (S - S least) / S least x freedom, to compare with a quantile of F.
+/// What takes a sum into variances of a point.
 struct Scale {
-  double least = 0.0;  ///< Not below what coordinates are known to, m2.
-  double freedom = 0.0;
-  [[nodiscard]] double statistic(double sum, double best) const { return (sum - best) / least * freedom; }
+  double least = 0.0;     ///< The least sum, not below what coordinates are known to, m2.
+  double expected = 0.0;  ///< What that sum is expected to be, in variances.
+  [[nodiscard]] double variances(double sum) const { return sum / least * expected; }
+  [[nodiscard]] double sum(double variances) const { return variances * least / expected; }
 };
-
-double quantile_of_f(std::size_t count, double freedom, double confidence) {
-  return boost::math::quantile(boost::math::fisher_f(static_cast<double>(count), freedom), 0.01 * confidence);
-}
 
 /// The valley about the best place: how far each value may go, and how the others go along with it.
 Matrix covariance(const Residuals& residuals, const std::vector<double>& at, const Scale& scale) {
   const std::size_t n = at.size();
-  Matrix normal = normal_matrix(residuals, at).value_or(Matrix(n, std::vector<double>(n, 0.0)));
+  Matrix normal = normal_matrix(slopes_of(residuals, at).value_or(Matrix(n, std::vector<double>{})));
   for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < n; ++j) normal[i][j] *= scale.freedom / scale.least;
+    for (double& entry : normal[i]) entry = scale.variances(entry);
     normal[i][i] += 1.0;  // no value is less well known than by the box
   }
   Matrix unit(n, std::vector<double>(n, 0.0));
@@ -187,25 +178,26 @@ struct Side {
 /// The profile of one value on one side of the best.
 class Profile {
  public:
+  /// @param allowance  how far the sum may lie above the best, in variances.
   Profile(const Residuals& residuals, const Minimum& best, const Matrix& valley, const Scale& scale, std::size_t k,
-          double sign, double quantile, const base::Progress& progress)
+          double sign, double allowance, const base::Progress& progress)
       : residuals_(residuals),
         best_(best),
         valley_(valley),
         scale_(scale),
         k_(k),
         sign_(sign),
-        quantile_(quantile),
+        allowance_(allowance),
         progress_(progress),
         room_(sign > 0.0 ? 1.0 - best.at[k] : best.at[k]),
         last_(best),
         inner_(best) {}
 
-  /// Outward by doubled steps, each from the place before, to the outermost step that is within the quantile, though
+  /// Outward by doubled steps, each from the place before, to the outermost step that is within the allowance, though
   /// there be walls on the way to it; then between that and the next.
   Side run() {
     if (room_ <= 0.0) return side_;
-    double step = std::clamp(0.5 * std::sqrt(quantile_ * valley_[k_][k_]), room_ / 64.0, room_);
+    double step = std::clamp(0.5 * std::sqrt(allowance_ * valley_[k_][k_]), room_ / 64.0, room_);
     double inside = 0.0;
     double outside = 0.0;  ///< The first step beyond `inside` that is not within; 0: none.
     for (double ratio = 0.0; !side_.stopped; step = std::min(room_, 2.0 * step)) {
@@ -234,7 +226,7 @@ class Profile {
   }
 
  private:
-  /// The statistic at a step over its quantile.
+  /// What the sum has risen at a step, over the allowance.
   double ratio_at(double step) {
     const double place = step >= room_ ? (sign_ > 0.0 ? 1.0 : 0.0) : best_.at[k_] + sign_ * step;
     auto there = profile_at(residuals_, last_.at, valley_, {{k_, place}}, progress_);
@@ -244,7 +236,7 @@ class Profile {
     }
     last_ = *there;
     if (there->sum < best_.sum && there->sum < side_.better.sum) side_.better = *there;
-    return scale_.statistic(there->sum, best_.sum) / quantile_;
+    return scale_.variances(there->sum - best_.sum) / allowance_;
   }
 
   const Residuals& residuals_;
@@ -252,7 +244,7 @@ class Profile {
   const Matrix& valley_;
   const Scale scale_;
   std::size_t k_;
-  double sign_, quantile_;
+  double sign_, allowance_;
   const base::Progress& progress_;
   double room_;
   Minimum last_, inner_;
@@ -276,7 +268,7 @@ base::Result<Minimum> search(const std::vector<BedShape>& beds, const Box& box, 
 
 Scale scale_of(const Fit& fit, const FitOptions& options) {
   const double floor = known_figures * options.size;
-  return {std::max(fit.sum, static_cast<double>(fit.points) * floor * floor), fit.freedom};
+  return {std::max(fit.sum, static_cast<double>(fit.points) * floor * floor), fit.errors.expected()};
 }
 
 /// What was found on both sides of every free value.
@@ -286,11 +278,12 @@ struct Limits {
 };
 
 base::Result<Limits> limits_of(const Residuals& residuals, const Minimum& best, const Matrix& valley,
-                               const Scale& scale, double confidence, const base::Progress& progress) {
-  const double quantile = quantile_of_f(1, scale.freedom, confidence);
+                               const Scale& scale, const CorrelatedErrors& errors, double confidence,
+                               const base::Progress& progress) {
   const std::size_t n = best.at.size();
   const auto found = base::parallel_map<Side>(2 * n, [&](std::size_t i) {
-    return Profile(residuals, best, valley, scale, i / 2, i % 2 == 0 ? -1.0 : 1.0, quantile, progress).run();
+    const double allowance = errors.allowance(std::array{i / 2}, confidence);
+    return Profile(residuals, best, valley, scale, i / 2, i % 2 == 0 ? -1.0 : 1.0, allowance, progress).run();
   });
   Limits limits;
   for (std::size_t k = 0; k < n; ++k) {
@@ -303,15 +296,14 @@ base::Result<Limits> limits_of(const Residuals& residuals, const Minimum& best, 
   return limits;
 }
 
-/// The sums, rms and freedom of the values at a place.
-void judge(const std::vector<BedShape>& beds, const Box& box, const Model& model, const Minimum& best,
-           const FitOptions& options, Fit& fit) {
+/// The sums, rms and errors of the values at a place.
+void judge(const std::vector<BedShape>& beds, const Box& box, const Model& model, const Residuals& residuals,
+           const Minimum& best, const FitOptions& options, Fit& fit) {
   const std::vector<double> values = box.values(best.at);
   fit.points = count_points(beds);
   fit.sum = best.sum;
   fit.rms = root_mean(best.sum, fit.points);
-  judge_beds(beds, *model(values, Precision::Full), options, fit);
-  fit.freedom = fit.effective - static_cast<double>(box.dimension()) - lines_of(beds, options);
+  judge_errors(judge_beds(beds, *model(values, Precision::Full), options, fit), residuals, best.at, options, fit);
   for (std::size_t i = 0; i < values.size(); ++i) fit.estimates[i].best = values[i];
   for (std::size_t k = 0; k < box.dimension(); ++k) {
     Estimate& estimate = fit.estimates[box.free()[k]];
@@ -326,7 +318,7 @@ void tell_limits(Fit& fit, double confidence) {
     if (e.at_limit != AtLimit::No)
       fit.remarks.push_back(
           fmt::format("the best {} lies at a limit of the search, {:.6g} {}; widen its limits", u.key, e.best, u.unit));
-    if (!fit.region || (e.low && e.high)) continue;
+    if (e.low && e.high) continue;
     if (!e.low && !e.high) {
       fit.remarks.push_back(
           fmt::format("the beds do not determine {}: with {:.4g} % confidence it may be anything from "
@@ -354,20 +346,13 @@ void tell_trade_offs(const Matrix& valley, const Box& box, Fit& fit) {
   }
 }
 
-/// Whether there are limits at all, and whether there is a fold at all.
-void tell_doubts(const Box& box, const std::vector<BedShape>& beds, const FitOptions& options, Fit& fit) {
-  if (!fit.region) {
-    fit.remarks.push_back(
-        fmt::format("the distances left hang together over so long stretches that {:.3g} independent "
-                    "points remain for {} values and {:.0f} of the beds' lines: no limits of "
-                    "confidence; fix values, or give more beds",
-                    fit.effective, box.dimension(), lines_of(beds, options)));
-  } else if (fit.before <= *fit.region) {
-    fit.remarks.push_back(
-        fmt::format("the beds as they lie fit straight lines as well (rms {:.4g} m, restored {:.4g} "
-                    "m): they are not told from beds that were never folded",
-                    fit.before, fit.rms));
-  }
+/// Whether there is a fold at all.
+void tell_doubts(Fit& fit) {
+  if (fit.before > *fit.region) return;
+  fit.remarks.push_back(
+      fmt::format("the beds as they lie fit straight lines as well (rms {:.4g} m, restored {:.4g} "
+                  "m): they are not told from beds that were never folded",
+                  fit.before, fit.rms));
 }
 
 base::Result<void> check_beds(const std::vector<BedShape>& beds, const Box& box, const FitOptions& options, Fit& fit) {
@@ -382,7 +367,8 @@ base::Result<void> check_beds(const std::vector<BedShape>& beds, const Box& box,
                                    "beds that are folded",
                                    fit.before)};
   }
-  const double needed = static_cast<double>(box.dimension()) + lines_of(beds, options);
+  const double needed =
+      static_cast<double>(box.dimension()) + static_cast<double>(beds.size()) * (options.bedding ? 1.0 : 2.0);
   if (static_cast<double>(points) <= needed) {
     return base::Error{base::ErrorCode::BadSection,
                        fmt::format("the beds have {} points, which do not determine {} values and the lines of {} "
@@ -403,9 +389,7 @@ void set_limits(const Box& box, const Limits& limits, const Minimum& about, cons
     if (limits.sides[k][0].limit) estimate.low = shifted(*limits.sides[k][0].limit);
     if (limits.sides[k][1].limit) estimate.high = shifted(*limits.sides[k][1].limit);
   }
-  const double joint =
-      static_cast<double>(box.dimension()) * quantile_of_f(box.dimension(), fit.freedom, confidence) / fit.freedom;
-  fit.region = root_mean(fit.sum + joint * scale.least, fit.points);
+  fit.region = root_mean(fit.sum + scale.sum(fit.errors.joint_allowance(confidence)), fit.points);
 }
 
 /// Local on all points; the limits, on some of the points and about the least sum of these, are shifted to it.
@@ -417,15 +401,16 @@ base::Result<void> fit_from(const std::vector<BedShape>& beds, const Box& box, c
   const Residuals residuals = residuals_of(some, box, model, Precision::Search, options);
   DOBRA_TRY(Minimum best, descend(all, std::move(start), {.most_steps = 100}, progress));
   for (int round = 0; round < 3; ++round) {
-    judge(beds, box, model, best, options, fit);
-    if (!(fit.freedom >= 1.0) || box.dimension() == 0) break;
+    judge(beds, box, model, all, best, options, fit);
+    if (box.dimension() == 0) return {};
     const Scale scale = scale_of(fit, options);
     progress.report(0.6 + 0.1 * round, "limits");
     DOBRA_TRY(const Minimum about,
               descend(residuals, best.at, {.enough = 1e-5, .difference = quick_difference}, progress));
     const Matrix valley = covariance(residuals, about.at, scale);
-    DOBRA_TRY(const Limits limits, limits_of(residuals, about, valley, scale, options.confidence, progress));
-    if (scale.statistic(limits.better.sum, about.sum) < -0.01 && round < 2) {
+    DOBRA_TRY(const Limits limits,
+              limits_of(residuals, about, valley, scale, fit.errors, options.confidence, progress));
+    if (scale.variances(limits.better.sum - about.sum) < -0.01 && round < 2) {
       DOBRA_TRY(Minimum next, descend(all, limits.better.at, {.most_steps = 100}, progress));
       if (next.sum < best.sum) {
         best = std::move(next);
@@ -436,8 +421,7 @@ base::Result<void> fit_from(const std::vector<BedShape>& beds, const Box& box, c
     tell_trade_offs(valley, box, fit);
     break;
   }
-  if (box.dimension() == 0) return {};
-  tell_doubts(box, beds, options, fit);
+  tell_doubts(fit);
   tell_limits(fit, options.confidence);
   return {};
 }
@@ -491,7 +475,7 @@ base::Result<MisfitMap> map_misfit(const std::vector<BedShape>& beds, const std:
   const Residuals residuals = residuals_of(some, box, model, Precision::Search, options);
   std::vector<double> best;
   for (std::size_t k = 0; k < box.dimension(); ++k) best.push_back(box.place(k, fit.estimates[box.free()[k]].best));
-  const Scale scale{scale_of(fit, options).least, std::max(fit.freedom, 1.0)};
+  const Scale scale = scale_of(fit, options);
   const Matrix valley = covariance(residuals, best, scale);
   MisfitMap map{axes, {}, {}, {}};
   std::array<std::size_t, 2> k{};
@@ -510,10 +494,7 @@ base::Result<MisfitMap> map_misfit(const std::vector<BedShape>& beds, const std:
       });
   DOBRA_TRY_VOID(progress.check());
   for (const std::optional<double>& sum : sums) map.rms.push_back(root_mean(*sum, fit.points));
-  if (fit.freedom >= 1.0) {
-    const double joint = 2.0 * quantile_of_f(2, fit.freedom, options.confidence) / fit.freedom;
-    map.region = root_mean(fit.sum + joint * scale.least, fit.points);
-  }
+  map.region = root_mean(fit.sum + scale.sum(fit.errors.allowance(k, options.confidence)), fit.points);
   return map;
 }
 

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "recon/inversion/bed_shapes.h"
+#include "recon/inversion/correlated_errors.h"
 #include "shared/base/progress.h"
 
 namespace recon::inversion {
@@ -40,18 +41,18 @@ struct Estimate {
   Unknown unknown;
   double best = 0.0;
   AtLimit at_limit = AtLimit::No;  ///< The best lies on a limit of the search.
-  /// Of confidence, by the profile of S; nothing: the data do not end it within the limits of the search, or have no
-  /// freedom left to tell.
+  /// Of confidence, by the profile of S; nothing: the data do not end it within the limits of the search.
   std::optional<double> low, high;
 };
 
 struct BedMisfit {
   std::string name;
   std::size_t points = 0;
-  double before = 0.0;       ///< Root of the mean squared distance from its line as it lies, m.
-  double after = 0.0;        ///< Restored.
-  base::Angle dip;           ///< Of the line of the restored bed, anticlockwise from +x, in (-90, 90] degrees.
-  double correlation = 1.0;  ///< Points over which the restored distances hang together.
+  double before = 0.0;              ///< Root of the mean squared distance from its line as it lies, m.
+  double after = 0.0;               ///< Restored.
+  base::Angle dip;                  ///< Of the line of the restored bed, anticlockwise from +x, in (-90, 90] degrees.
+  double correlation = 1.0;         ///< Points over which the errors hang together.
+  double correlation_length = 0.0;  ///< Over which their correlation falls to 1 / e, m; 0: they do not hang together.
 };
 
 struct Fit {
@@ -61,9 +62,9 @@ struct Fit {
   double rms = 0.0;     ///< Root of S over the number of points, m.
   double before = 0.0;  ///< The same of the beds as they lie.
   std::size_t points = 0;
-  double effective = 0.0;  ///< Points that are independent of each other.
-  double freedom = 0.0;    ///< Those less the free values and the lines of the beds.
-  /// The rms up to which values are in the region of confidence of all free ones together; nothing without freedom.
+  double effective = 0.0;   ///< Points that are independent of each other.
+  CorrelatedErrors errors;  ///< What that makes of the confidence.
+  /// The rms up to which values are in the region of confidence of all free ones together; nothing if none is free.
   std::optional<double> region;
   std::vector<std::string> remarks;
   [[nodiscard]] std::vector<double> values() const;
@@ -84,7 +85,7 @@ struct MisfitMap {
   std::array<std::size_t, 2> axes{};      ///< Which unknowns.
   std::array<std::vector<double>, 2> at;  ///< Their values.
   std::vector<double> rms;                ///< m, row by row: the second value grows slowest; not finite: no map.
-  std::optional<double> region;           ///< The rms that bounds the region of confidence of the two.
+  double region = 0.0;                    ///< The rms that bounds the region of confidence of the two, m.
 };
 /// On some 240 points of all beds.  @error Cancelled
 base::Result<MisfitMap> map_misfit(const std::vector<BedShape>& beds, const std::vector<Unknown>& unknowns,

@@ -41,6 +41,7 @@ base::Result<std::array<std::size_t, 2>> axes_of(const std::vector<Unknown>& unk
 struct Task {
   Model model;
   std::vector<std::vector<Unknown>> unknowns;  ///< Alternatives.
+  std::vector<std::string> remarks;
 };
 
 base::Result<Task> task_of(const section::Section& section, const std::vector<BedShape>& beds,
@@ -48,7 +49,7 @@ base::Result<Task> task_of(const section::Section& section, const std::vector<Be
   Task task;
   if (params.method == InvertMethod::Trishear) {
     task.model = trishear_model(size);
-    DOBRA_TRY(task.unknowns, trishear_unknowns(section, beds, params));
+    DOBRA_TRY(task.unknowns, trishear_unknowns(section, beds, params, task.remarks));
   } else {
     DOBRA_TRY(ShearTask shear, shear_task(section, beds, params));
     task.model = std::move(shear.model);
@@ -111,7 +112,8 @@ base::Result<Inversion> invert(const section::Section& section, const InvertPara
                          options, progress.part(until, 1.0)));
   }
   draw_best(section, task.model, size, inversion);
-  inversion.remarks = inversion.fit.remarks;
+  inversion.remarks = task.remarks;
+  inversion.remarks.insert(inversion.remarks.end(), inversion.fit.remarks.begin(), inversion.fit.remarks.end());
   return inversion;
 }
 

@@ -67,30 +67,31 @@ struct Linear {
   std::vector<double> gradient;  ///< J'r
 };
 
+/// By forward differences; zeros for what is held.
+Matrix columns_of(const Residuals& residuals, const std::vector<double>& at, const std::vector<double>& here,
+                  const std::vector<bool>& held, double difference) {
+  return base::parallel_map<std::vector<double>>(at.size(), [&](std::size_t i) {
+    std::vector<double> column;
+    if (!held.empty() && held[i]) return std::vector<double>(here.size(), 0.0);
+    std::vector<double> moved = at;
+    const double h = at[i] + difference > 1.0 ? -difference : difference;
+    moved[i] += h;
+    if (!residuals(moved, column)) return std::vector<double>(here.size(), 0.0);
+    for (std::size_t k = 0; k < column.size(); ++k) column[k] = (column[k] - here[k]) / h;
+    return column;
+  });
+}
+
 std::optional<Linear> linearised(const Residuals& residuals, const std::vector<double>& at,
                                  const std::vector<bool>& held, double difference) {
   Linear linear;
   if (!residuals(at, linear.residuals)) return std::nullopt;
-  const std::size_t n = at.size();
-  const std::vector<std::vector<double>> columns = base::parallel_map<std::vector<double>>(n, [&](std::size_t i) {
-    std::vector<double> column;
-    if (!held.empty() && held[i]) return std::vector<double>(linear.residuals.size(), 0.0);
-    std::vector<double> moved = at;
-    const double h = at[i] + difference > 1.0 ? -difference : difference;
-    moved[i] += h;
-    if (!residuals(moved, column)) return std::vector<double>(linear.residuals.size(), 0.0);
-    for (std::size_t k = 0; k < column.size(); ++k) column[k] = (column[k] - linear.residuals[k]) / h;
-    return column;
-  });
-  linear.normal.assign(n, std::vector<double>(n, 0.0));
-  linear.gradient.assign(n, 0.0);
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t k = 0; k < linear.residuals.size(); ++k) linear.gradient[i] += columns[i][k] * linear.residuals[k];
-    for (std::size_t j = 0; j <= i; ++j) {
-      double sum = 0.0;
-      for (std::size_t k = 0; k < linear.residuals.size(); ++k) sum += columns[i][k] * columns[j][k];
-      linear.normal[i][j] = linear.normal[j][i] = sum;
-    }
+  const Matrix columns = columns_of(residuals, at, linear.residuals, held, difference);
+  linear.normal = normal_matrix(columns);
+  for (const std::vector<double>& column : columns) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < linear.residuals.size(); ++k) sum += column[k] * linear.residuals[k];
+    linear.gradient.push_back(sum);
   }
   return linear;
 }
@@ -207,9 +208,23 @@ base::Result<Minimum> descend(const Residuals& residuals, std::vector<double> st
   return best;
 }
 
-std::optional<Matrix> normal_matrix(const Residuals& residuals, const std::vector<double>& at) {
-  std::optional<Linear> linear = linearised(residuals, at, {}, coarse);
-  return linear ? std::optional(std::move(linear->normal)) : std::nullopt;
+std::optional<Matrix> slopes_of(const Residuals& residuals, const std::vector<double>& at) {
+  std::vector<double> here;
+  if (!residuals(at, here)) return std::nullopt;
+  return columns_of(residuals, at, here, {}, coarse);
+}
+
+Matrix normal_matrix(const Matrix& columns) {
+  const std::size_t n = columns.size();
+  Matrix normal(n, std::vector<double>(n, 0.0));
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j <= i; ++j) {
+      double sum = 0.0;
+      for (std::size_t k = 0; k < columns[i].size(); ++k) sum += columns[i][k] * columns[j][k];
+      normal[i][j] = normal[j][i] = sum;
+    }
+  }
+  return normal;
 }
 
 std::optional<Matrix> inverse_of(const Matrix& matrix) {

@@ -51,9 +51,11 @@ base::Result<Minimum> descend(const Residuals& residuals, std::vector<double> st
 
 /// Small symmetric matrices, row by row.
 using Matrix = std::vector<std::vector<double>>;
-/// J'J of the residuals; nothing where they cannot be computed.
+/// What a coordinate does to the residuals, one column each; nothing where they cannot be computed.
 /// By differences so large that a point which changes its wall over them does not count.
-std::optional<Matrix> normal_matrix(const Residuals& residuals, const std::vector<double>& at);
+std::optional<Matrix> slopes_of(const Residuals& residuals, const std::vector<double>& at);
+/// J'J of the columns J.
+Matrix normal_matrix(const Matrix& columns);
 /// Nothing where it is singular to rounding.
 std::optional<Matrix> inverse_of(const Matrix& matrix);
 

@@ -1,7 +1,5 @@
 #include "recon/inversion/trishear_fit.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <numbers>
 
@@ -25,27 +23,19 @@ geom::Box box_of_beds(const std::vector<BedShape>& beds) {
   return box;
 }
 
-/// Of a fault with a tip: its tip and the direction that it ends in.
+/// The tip of a fault and the direction that it ends in.
 struct DrawnRamp {
   geom::Point tip;
   double ramp;  ///< Degrees.
 };
 
-base::Result<DrawnRamp> drawn_ramp(const section::Section& section, const std::string& name) {
+base::Result<DrawnRamp> drawn_ramp(const section::Section& section, const std::string& name,
+                                   std::vector<std::string>& remarks) {
   DOBRA_TRY(const std::vector<faults::Fault> all, faults::faults_of(section, {}));
   DOBRA_TRY(const faults::Fault* fault, faults::find_fault(all, name));
-  const kinematics::FaultPath& path = fault->path;
-  if (!path.tip_at_begin && !path.tip_at_end) {
-    return base::Error{
-        base::ErrorCode::BadSection,
-        fmt::format("fault '{}' has no tip in the section, and trishear takes place in front of one; give "
-                    "tip_x, tip_z and ramp instead of the fault",
-                    name)};
-  }
-  const std::vector<geom::Point>& points = path.line.points;
-  const geom::Point tip = path.tip_at_end ? points.back() : points.front();
-  const geom::Vector along = tip - (path.tip_at_end ? points[points.size() - 2] : points[1]);
-  return DrawnRamp{tip, std::atan2(along.y, along.x) / degree};
+  const kinematics::TrishearTip tip = trishear_tip(fault->path);
+  if (auto remark = faults::remark_on_taken_tip(*fault, tip.at)) remarks.push_back(*std::move(remark));
+  return DrawnRamp{tip.at, std::atan2(tip.direction.y, tip.direction.x) / degree};
 }
 
 }  // namespace
@@ -67,13 +57,14 @@ Model trishear_model(double size) {
 
 base::Result<std::vector<std::vector<Unknown>>> trishear_unknowns(const section::Section& section,
                                                                   const std::vector<BedShape>& beds,
-                                                                  const InvertParams& params) {
+                                                                  const InvertParams& params,
+                                                                  std::vector<std::string>& remarks) {
   const geom::Box box = box_of_beds(beds);
   std::vector<double> x{box.low.x - 0.25 * box.width(), box.high.x + 0.25 * box.width()};
   std::vector<double> z{box.low.y - std::max(box.height(), 0.25 * box.width()), box.high.y};
   std::vector<std::vector<double>> ramps{{5.0, 85.0}, {95.0, 175.0}};
   if (!params.fault.empty()) {
-    DOBRA_TRY(const DrawnRamp drawn, drawn_ramp(section, params.fault));
+    DOBRA_TRY(const DrawnRamp drawn, drawn_ramp(section, params.fault, remarks));
     x = {drawn.tip.x};
     z = {drawn.tip.y};
     ramps = {{drawn.ramp}};

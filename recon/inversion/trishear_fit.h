@@ -15,10 +15,12 @@ Model trishear_model(double size);
 
 /// Their limits: as given, those of the fault named, or made from the box of the beds.
 /// @return one list, or two of which the better is to be taken: a ramp that nothing is known of climbs to +x or -x.
-/// @error BadValue, BadSection: those of find_fault(), a fault without a tip.
+/// @param remarks  gets one where the end of a fault that leaves the section is taken for its tip, as `move` does.
+/// @error BadValue, BadSection: those of find_fault().
 base::Result<std::vector<std::vector<Unknown>>> trishear_unknowns(const section::Section& section,
                                                                   const std::vector<BedShape>& beds,
-                                                                  const InvertParams& params);
+                                                                  const InvertParams& params,
+                                                                  std::vector<std::string>& remarks);
 
 /// The last of the ramp up to its tip, and the sides of the triangle in front of it.
 geom::Polyline ramp_line(std::span<const double> values, double length);

@@ -330,16 +330,20 @@ MovedLine TrishearMap::line(const geom::Polyline& line, Wall on_fault) const {
   return moved;
 }
 
+TrishearTip trishear_tip(const FaultPath& path) {
+  const std::vector<geom::Point>& points = path.line.points;
+  TrishearTip tip{path.tip_at_begin && !path.tip_at_end, points.back(), points[points.size() - 2], {}};
+  if (tip.at_begin) tip.at = points.front(), tip.bend = points[1];
+  tip.direction = geom::normalised(tip.at - tip.bend);
+  return tip;
+}
+
 base::Result<TrishearMap> trishear(const FaultPath& path, double slip, const TrishearParams& params, DrawnTip drawn,
                                    const TrishearTolerances& tolerances) {
-  const bool at_begin = path.tip_at_begin && !path.tip_at_end;
-  const std::vector<geom::Point>& points = path.line.points;
-  const geom::Point end = at_begin ? points.front() : points.back();
-  const geom::Point bend = at_begin ? points[1] : points[points.size() - 2];
-  const geom::Vector direction = geom::normalised(end - bend);
+  const auto [at_begin, end, bend, direction] = trishear_tip(path);
   const double travel = params.propagation * std::abs(slip);
   const double needed = std::abs(slip) + (drawn == DrawnTip::After ? travel : 0.0);
-  if (points.size() > 2 && geom::distance(bend, end) < needed) {
+  if (path.line.points.size() > 2 && geom::distance(bend, end) < needed) {
     return refused(
         fmt::format("the fault bends here, {:.6g} m from its tip, where trishear needs it straight for {:.6g} m "
                     "(slip {}); give less slip, or draw the last piece straighter",

@@ -67,8 +67,17 @@ class TrishearMap {
 /// Whether the fault as drawn ends where the tip stood before the slip, or after it.
 enum class DrawnTip { Before, After };
 
-/// Trishear at the tip of a path: its last point, or its first one if the path has a tip there alone. The fault must be
-/// straight behind the tip for as far as slip and zone reach.
+/// The end of a path in front of which trishear takes place: its last point, or its first one if the path has a tip
+/// there alone.
+struct TrishearTip {
+  bool at_begin = false;
+  geom::Point at;
+  geom::Point bend;        ///< The vertex behind it.
+  geom::Vector direction;  ///< The way the tip goes, unit.
+};
+TrishearTip trishear_tip(const FaultPath& path);
+
+/// Trishear at that end. The fault must be straight behind it for as far as slip and zone reach.
 /// @param slip  along the path, m.
 /// @error CannotRestore: parameters, or a bend too near to the tip, with its place.
 base::Result<TrishearMap> trishear(const FaultPath& path, double slip, const TrishearParams& params, DrawnTip drawn,

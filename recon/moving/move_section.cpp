@@ -349,7 +349,6 @@ base::Result<void> set_after(const Setting& setting, Moved& moved) {
 /// Ends on a younger fault, behind which the fault goes on straight; methods with a tip take an end for one that leaves
 /// the section.
 void remark_on_ends(const Setting& setting, Moved& moved) {
-  const FaultPath& path = setting.fault.path;
   for (const faults::FaultEnd& end : {setting.fault.lower, setting.fault.upper}) {
     if (end.kind != faults::EndKind::Cut) continue;
     moved.remarks.push_back(
@@ -358,9 +357,9 @@ void remark_on_ends(const Setting& setting, Moved& moved) {
                     setting.fault.name, at_text(end.at), end.on));
   }
   const auto tip = moved.motion.map.tip();
-  if (!tip || path.tip_at_begin || path.tip_at_end) return;
-  moved.remarks.push_back(fmt::format("fault '{}' leaves the section at {}; that end is taken for its tip",
-                                      setting.fault.name, at_text(tip->before)));
+  if (!tip) return;
+  if (auto remark = faults::remark_on_taken_tip(setting.fault, tip->before))
+    moved.remarks.push_back(*std::move(remark));
 }
 
 /// Beds that the fault cuts off in its hanging wall though no block that moves holds them, and cutoffs without a

@@ -2288,6 +2288,26 @@
         <translation>Comprimentos das camadas, áreas em excesso e profundidade do descolamento da seção como está.</translation>
     </message>
     <message>
+        <source>Join beds</source>
+        <translation>Unir camadas</translation>
+    </message>
+    <message>
+        <source>Makes one line of pieces of a horizon that blocks moved back have brought together.</source>
+        <translation>Faz uma só linha dos pedaços de um horizonte que blocos movidos de volta aproximaram.</translation>
+    </message>
+    <message>
+        <source>Ends of pieces of one horizon that are nearer than this are joined; by default 0.005 of the section's diagonal.</source>
+        <translation>Extremidades de pedaços de um mesmo horizonte mais próximas que isto são unidas; por padrão 0,005 da diagonal da seção.</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolerância</translation>
+    </message>
+    <message>
+        <source>Whose pieces are joined; by default all.</source>
+        <translation>Cujos pedaços são unidos; por padrão todos.</translation>
+    </message>
+    <message>
         <source>Area balance</source>
         <translation>Balanceamento de áreas</translation>
     </message>

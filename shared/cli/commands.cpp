@@ -105,13 +105,29 @@ std::string summary(const scenario::Document& document, const RunOptions& option
   return text;
 }
 
+/// What the finished steps gave, where a later one failed; the error is that of the step all the same.
+base::Error write_finished(Session& session, const RunParams& own, const scenario::Document& document,
+                           const scenario::Run& run, const RunOptions& options, Staging& staging) {
+  if (run.failed_step < 2 || run.error->code == ErrorCode::Cancelled) return *run.error;
+  const std::string report = scenario::report_json(document, session.program, run);
+  auto written = write_results(session, own, document, run.states.back(), report, staging);
+  if (written) {
+    if (const auto files = staging.commit(); !files) written = files.error();
+  }
+  const std::string done = run.failed_step == 2 ? "step 1" : fmt::format("steps 1 to {}", run.failed_step - 1);
+  session.note(written ? fmt::format("what {} gave is in {}", done, options.out.string())
+                       : fmt::format("what {} gave cannot be written: {}", done, written.error().message));
+  return *run.error;
+}
+
 base::Result<int> run_job(Session& session, const RunOptions& options) {
   DOBRA_TRY(const RunParams own, options.own.read());
   if (own.pictures) DOBRA_TRY_VOID(picture_kinds(*own.pictures));
   DOBRA_TRY(const scenario::Document document, load(session, options.scenario));
   // Opened before the work, so that a folder which cannot be written is known at once.
   DOBRA_TRY(Staging staging, Staging::open(options.out, TargetFolder::Create));
-  DOBRA_TRY(const scenario::Run run, run_steps(session, document));
+  const scenario::Run run = run_as_far_as_it_goes(session, document);
+  if (run.error) return write_finished(session, own, document, run, options, staging);
   const std::string report = scenario::report_json(document, session.program, run);
   if (const auto written = write_results(session, own, document, run.states.back(), report, staging); !written) {
     return staging.for_user(written.error());
@@ -175,14 +191,20 @@ base::Result<scenario::Document> load(Session& session, const ScenarioOptions& o
   return document;
 }
 
-base::Result<scenario::Run> run_steps(Session& session, const scenario::Document& document) {
+scenario::Run run_as_far_as_it_goes(Session& session, const scenario::Document& document) {
   const auto start = std::chrono::steady_clock::now();
   scenario::Runner runner(session.program);
   scenario::Run run = runner.run(document, session.progress());
-  if (run.error) return *run.error;
+  if (run.error) return run;
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
   session.detail(fmt::format("{} steps in {:.2f} s", document.steps.size(), time.count()));
   tell(session, run.states.back());
+  return run;
+}
+
+base::Result<scenario::Run> run_steps(Session& session, const scenario::Document& document) {
+  scenario::Run run = run_as_far_as_it_goes(session, document);
+  if (run.error) return *run.error;
   return run;
 }
 

@@ -30,8 +30,11 @@ void add_assignment_option(CLI::App& app, ScenarioOptions& options);
 /// Reads the document, applies the assignments and judges all of it.
 base::Result<scenario::Document> load(Session& session, const ScenarioOptions& options);
 
-/// Runs all steps, with progress; notes the remarks of the last state.
-/// @error that of the step which failed.
+/// Runs the steps, with progress, up to the one that fails; notes the remarks of the last state of a run that came to
+/// its end.
+scenario::Run run_as_far_as_it_goes(Session& session, const scenario::Document& document);
+
+/// The same, where nothing less than all steps will do.  @error that of the step which failed.
 base::Result<scenario::Run> run_steps(Session& session, const scenario::Document& document);
 
 /// Notes the remarks of a state; its quantities as details.

@@ -146,8 +146,9 @@ std::string report_json(const Document& document, const Program& program, const 
     add_findings(program, run, k, json);
     report["steps"].push_back(std::move(json));
   }
+  if (!run.states.empty()) report["tables"] = tables_json(program, run.states.back());
+  if (run.error) report["error"] = {{"step", run.failed_step}, {"message", run.error->message}};
   if (run.complete()) {
-    report["tables"] = tables_json(program, run.states.back());
     report["expectations"] = Json::array();
     for (const Verdict& verdict : judge(document, program, run))
       report["expectations"].push_back(verdict_json(verdict));

@@ -80,8 +80,9 @@ base::Place step_place(const Document& document, std::size_t number) {
 /// @error CannotSolve naming the first number of a state that is none: reports and tables hold finite numbers only.
 base::Result<void> check_numbers(const Program& program, const State& state) {
   const auto refuse = [](const std::string& what, double value) {
-    return Error{ErrorCode::CannotSolve,
-                 fmt::format("{} came out as {}, which is no finite number; no result is written", what, value)};
+    return Error{
+        ErrorCode::CannotSolve,
+        fmt::format("{} came out as {}, which is no finite number; nothing of this step is written", what, value)};
   };
   for (const Quantity& quantity : program.quantities_of(state)) {
     if (!std::isfinite(quantity.value)) return refuse(fmt::format("'{}'", quantity.name), quantity.value);

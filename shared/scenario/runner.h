@@ -63,7 +63,8 @@ struct Verdict {
 std::vector<Verdict> judge(const Document& document, const Program& program, const Run& run);
 
 /// report.json: program, version, input and steps (effective values, quantities, remarks that are new with the step),
-/// tables of the last state, expectations. Same run, same bytes: no times, no paths outside the document.
+/// tables of the last state, expectations; where a step failed, "error": {"step", "message"} instead of expectations.
+/// Same run, same bytes: no times, no paths outside the document.
 std::string report_json(const Document& document, const Program& program, const Run& run);
 
 /// Changes one value: "steps.2.distance=0.4", "steps.NAME.distance=0.4", "input.depth=down", "unit_system=mm, N, MPa".

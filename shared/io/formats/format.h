@@ -50,6 +50,7 @@ struct LineRow {
                                                   const LineWriteOptions& options) = nullptr;
   WrittenAs written_as = WrittenAs::Either;
   bool keeps_names = true;
+  bool repeats_names = true;  ///< Several lines of one name come back with that name.
   bool keeps_properties = true;
   std::vector<std::string_view> own_properties = {};  ///< Kept all the same.
   bool keeps_holes = true;

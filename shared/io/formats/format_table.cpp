@@ -98,6 +98,7 @@ LineRow dxf_row() {
       .parse = [](std::string_view text, const std::string& file,
                   LinesIn options) { return gis::parse_dxf(text, file, Heights::Keep, options.faulty); },
       .text = [](Features features, LinesOut options) { return gis::dxf(features, options.unit); },
+      .repeats_names = false,
       .keeps_properties = false,
       .keeps_holes = false,
       .keeps_points = false,

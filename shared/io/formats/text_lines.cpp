@@ -48,14 +48,15 @@ std::optional<lines::Question> question_of_columns(const lines::TextPoints& read
 /// Columns of words that no header explains: names of lines perhaps. @error Unclear with the place.
 Result<void> check_words(std::string_view text, const std::string& file, const lines::TextPointsOptions& options,
                          lines::TextPoints& read) {
-  std::vector<std::size_t> used{1, 2};
+  std::vector<std::size_t> used;
+  for (const std::string& column : options.columns) used.push_back(static_cast<std::size_t>(std::stoul(column)));
   for (std::size_t i = 0; i < read.header.size(); ++i) {
     if (lines::is_word(read.header[i], lines::text_name_words)) return {};
     if (lines::is_word(read.header[i], lines::text_kind_words)) used.push_back(i + 1);
   }
   if (!options.name_columns.empty()) return {};
   const lines::WordColumn words = lines::word_column(text, read.separator, read.header, used);
-  if (words.words == lines::WordsAre::Unclear) return asked(words, file);
+  if (words.words == lines::WordsAre::Unclear) return asked(words, file, used[0], used[1]);
   if (words.words == lines::WordsAre::LeftOut) read.remarks.push_back(told(words, file));
   return {};
 }
@@ -95,6 +96,25 @@ void note_depths(const lines::TextPoints& read, const std::string& header, bool 
   features.stated.y_direction = lines::YDirection::Down;
 }
 
+/// The i-th line that was read, which is taken.
+Result<void> add_line(std::size_t i, const std::string& file, lines::Faulty faulty, lines::TextPoints& read,
+                      lines::Features& features) {
+  lines::Feature feature;
+  feature.type = read.lines[i].closed ? lines::FeatureType::Polygons : lines::FeatureType::Lines;
+  feature.name = read.names[i];
+  feature.kind = read.kinds[i];
+  feature.source = Place{.file = file, .line = read.begins[i]};
+  feature.parts.push_back(std::move(read.lines[i]));
+  if (!read.heights.empty()) feature.heights.push_back(std::move(read.heights[i]));
+  if (!read.extras.empty()) feature.extras.push_back(std::move(read.extras[i]));
+  const auto normal = faulty == lines::Faulty::Refuse
+                          ? lines::normalise(feature, {0})
+                          : lines::normalise_sound(feature, {0}, lines::where(feature.source), features.remarks);
+  if (!normal) return base::located(normal.error(), feature.source);
+  if (!feature.parts.empty()) features.features.push_back(std::move(feature));
+  return {};
+}
+
 // The outlines of poly2tri's test files: a line HOLE stands before each inner one. It becomes a blank line, which parts
 // lines.
 std::string without_hole_words(std::string_view text, std::size_t& count) {
@@ -130,7 +150,12 @@ Result<lines::Features> features_of_text(std::string_view given, const std::stri
   const std::string text = without_hole_words(given, holes);
   lines::TextPointsOptions wanted = options.text;
   const bool chosen = !wanted.columns.empty();
-  if (!chosen) wanted.columns = {"1", "2"};
+  std::optional<lines::PositionColumns> by_header;
+  if (!chosen) {
+    DOBRA_TRY(by_header, lines::position_columns(text, wanted.separator, file));
+    const lines::PositionColumns columns = by_header.value_or(lines::PositionColumns{});
+    wanted.columns = {fmt::format("{}", columns.x), fmt::format("{}", columns.height)};
+  }
   if (options.repair.order == PointOrder::AlongTheCurve) {
     wanted.rows = lines::Rows::Gathered;  // what is out of order may be mixed, too
     wanted.closing = lines::Closing::KeepOpen;
@@ -141,24 +166,15 @@ Result<lines::Features> features_of_text(std::string_view given, const std::stri
   if (!options.y_direction) note_depths(read, height_header(read, wanted), chosen, features, file);
   if (holes > 0)
     features.remarks.push_back(fmt::format("{}: {} lines HOLE taken for the beginnings of further lines", file, holes));
-  if (!chosen && options.coordinates == Coordinates::Detect) {
+  if (by_header) {
+    features.remarks.push_back(
+        fmt::format("{}: x and height are the columns {} and {} by their headers; --columns "
+                    "says others",
+                    file, shown(read.header[by_header->x - 1]), shown(read.header[by_header->height - 1])));
+  } else if (!chosen && options.coordinates == Coordinates::Detect) {
     if (auto question = question_of_columns(read, wanted)) features.stated.questions.push_back(*std::move(question));
   }
-  for (std::size_t i = 0; i < read.lines.size(); ++i) {
-    lines::Feature feature;
-    feature.type = read.lines[i].closed ? lines::FeatureType::Polygons : lines::FeatureType::Lines;
-    feature.name = read.names[i];
-    feature.kind = read.kinds[i];
-    feature.source = Place{.file = file, .line = read.begins[i]};
-    feature.parts.push_back(std::move(read.lines[i]));
-    if (!read.heights.empty()) feature.heights.push_back(std::move(read.heights[i]));
-    if (!read.extras.empty()) feature.extras.push_back(std::move(read.extras[i]));
-    const auto normal = options.faulty == lines::Faulty::Refuse
-                            ? lines::normalise(feature, {0})
-                            : lines::normalise_sound(feature, {0}, lines::where(feature.source), features.remarks);
-    if (!normal) return base::located(normal.error(), feature.source);
-    if (!feature.parts.empty()) features.features.push_back(std::move(feature));
-  }
+  for (std::size_t i = 0; i < read.lines.size(); ++i) DOBRA_TRY_VOID(add_line(i, file, options.faulty, read, features));
   return features;
 }
 

@@ -24,6 +24,10 @@ constexpr std::array<std::string_view, 32> line_words{
 constexpr std::array<std::string_view, 9> depth_words{"depth", "depths", "profundidade", "profundidades", "prof",
                                                       "tvd",   "tvdss",  "sstvd",        "tvdmsl"};
 
+constexpr std::array<std::string_view, 4> distance_words{"x", "distance", "distancia", "dist"};
+constexpr std::array<std::string_view, 9> height_words{"z",    "y",      "height",   "elevation", "elev",
+                                                       "cota", "altura", "altitude", "elevacao"};
+
 template <std::size_t Count>
 bool is_one_of(std::string_view word, const std::array<std::string_view, Count>& words) {
   return std::find(words.begin(), words.end(), word) != words.end();
@@ -129,14 +133,63 @@ std::string told(const WordColumn& words, const std::string& file) {
                      words.other_line == 0 ? shown(words.first) : "another");
 }
 
-base::Error asked(const WordColumn& words, const std::string& file) {
-  return {
-      base::ErrorCode::Unclear,
-      fmt::format("{} has different texts, {} in line {} and {} here; say that it names the lines (--name-columns "
-                  "{}, name_columns = [\"{}\"], or the header 'name' in the file), or that it does not (--columns "
-                  "1,2, columns = [1, 2])",
-                  titled(words), shown(words.first), words.first_line, shown(words.other), words.column, words.column),
-      base::Place{.file = file, .line = words.other_line}};
+base::Error asked(const WordColumn& words, const std::string& file, std::size_t x, std::size_t height) {
+  return {base::ErrorCode::Unclear,
+          fmt::format("{} has different texts, {} in line {} and {} here; say that it names the lines (--name-columns "
+                      "{}, name_columns = [\"{}\"], or the header 'name' in the file), or that it does not (--columns "
+                      "{},{}, columns = [{}, {}])",
+                      titled(words), shown(words.first), words.first_line, shown(words.other), words.column,
+                      words.column, x, height, x, height),
+          base::Place{.file = file, .line = words.other_line}};
+}
+
+namespace {
+
+/// A header without its unit: "z (m)" as z.
+std::string quantity_of(std::string_view header) {
+  const std::vector<std::string> words = words_of(header);
+  return words.empty() ? std::string() : words.front();
+}
+bool says_distance(std::string_view header) { return is_one_of(quantity_of(header), distance_words); }
+bool says_height(std::string_view header) { return is_one_of(quantity_of(header), height_words) || says_depth(header); }
+
+/// The column of that very word, else the only one that says as much; 0: none, or several.
+std::size_t column_that(std::span<const Word> header, std::string_view word, bool (*says)(std::string_view)) {
+  std::size_t found = 0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    if (quantity_of(header[i].text) == word) return i + 1;
+    if (!says(header[i].text)) continue;
+    found = i + 1;
+    ++count;
+  }
+  return count == 1 ? found : 0;
+}
+
+}  // namespace
+
+bool says_position(std::string_view header) { return says_distance(header) || says_height(header); }
+
+base::Result<std::optional<PositionColumns>> position_columns(std::string_view text, Separator separator,
+                                                              const std::string& file) {
+  const std::optional<PositionColumns> none;
+  std::vector<Word> header;
+  const std::string_view row = first_row(text);
+  split_fields(row, separator == Separator::Detect ? separator_of_header(row) : separator, header);
+  if (header.size() < 2 || (says_distance(header[0].text) && says_height(header[1].text))) return none;
+  const auto has = [&](std::string_view word) {
+    return std::any_of(header.begin(), header.end(), [&](const Word& w) { return quantity_of(w.text) == word; });
+  };
+  const std::size_t x = column_that(header, "x", says_distance);
+  const std::size_t height = column_that(header, has("z") ? "z" : "y", says_height);
+  if (x == 0 || height == 0) return none;
+  if (has("y") && has("z")) {
+    return base::Error{base::ErrorCode::Unclear,
+                       "the header names x, y and z; say which are x and height of the section (--columns x,z, columns "
+                       "= [\"x\", \"z\"]), or that all are map coordinates (--columns x,y,z)",
+                       base::Place{.file = file}};
+  }
+  return std::optional(PositionColumns{x, height});
 }
 
 bool says_depth(std::string_view header) {

@@ -3,12 +3,13 @@
 // Page: docs/user/import.md.
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "shared/base/error.h"
+#include "shared/base/result.h"
 #include "shared/io/lines/text_points.h"
 
 namespace dobra::io::lines {
@@ -35,8 +36,20 @@ WordColumn word_column(std::string_view text, Separator separator, std::span<con
 
 /// Names, LeftOut: what was done, in one line.
 std::string told(const WordColumn& words, const std::string& file);
-/// Unclear: what is asked, with the place.
-base::Error asked(const WordColumn& words, const std::string& file);
+/// Unclear: what is asked, with the place.  @param x, height  the columns that are taken, from 1.
+base::Error asked(const WordColumn& words, const std::string& file, std::size_t x, std::size_t height);
+
+/// Columns of x and height, from 1.
+struct PositionColumns {
+  std::size_t x = 1, height = 2;
+};
+/// Those that the header calls so ("x", "distance"; "z", "y", "elevation", "depth", ...), where they are not the first
+/// two; nothing where it does not tell.
+/// @error Unclear: x, y and z, not as the first three.
+base::Result<std::optional<PositionColumns>> position_columns(std::string_view text, Separator separator,
+                                                              const std::string& file);
+/// Whether a header calls its column x or height.
+bool says_position(std::string_view header);
 
 /// Whether a header says that its column grows downwards: "depth", "Profundidade (m)", "prof", "TVDSS".
 bool says_depth(std::string_view header);

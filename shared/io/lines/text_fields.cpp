@@ -52,6 +52,17 @@ void split_fields(std::string_view line, Separator separator, std::vector<Word>&
   }
 }
 
+Separator separator_of_header(std::string_view header) {
+  Separator best = Separator::Blank;
+  std::size_t most = 1;
+  std::vector<Word> fields;
+  for (const Separator candidate : {Separator::Semicolon, Separator::Tab, Separator::Comma}) {
+    split_fields(header, candidate, fields);
+    if (fields.size() > most) most = fields.size(), best = candidate;
+  }
+  return best;
+}
+
 std::string_view first_row(std::string_view text) {
   Lines lines(text);
   while (lines.next()) {

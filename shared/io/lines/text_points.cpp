@@ -88,18 +88,6 @@ Separator detect_separator(std::string_view text, std::size_t x, std::size_t y) 
   return candidates[static_cast<std::size_t>(best - fits.begin())];
 }
 
-// With columns given by name, the separator is the one under which the header has most fields.
-Separator separator_of_header(std::string_view header) {
-  Separator best = Separator::Blank;
-  std::size_t most = 1;
-  std::vector<Word> fields;
-  for (const Separator candidate : {Separator::Semicolon, Separator::Tab, Separator::Comma}) {
-    split_fields(header, candidate, fields);
-    if (fields.size() > most) most = fields.size(), best = candidate;
-  }
-  return best;
-}
-
 Result<std::size_t> column_of(const std::string& wanted, const std::vector<Word>& header, const std::string& what) {
   if (const auto number = column_number(wanted)) return *number;
   std::vector<std::string> names;
@@ -234,8 +222,51 @@ class TextPointsReader {
                    at};
     }
     Result<double> value = finite_number(fields_[column - 1].text, what);
-    if (!value) return base::located(value.error(), at);
-    return value;
+    if (value) return value;
+    Error error = value.error();
+    if (column <= points_.header.size() && !says_position(points_.header[column - 1])) {
+      error.message +=
+          fmt::format("; or say which of the columns {} are x and height (--columns 3,4, columns = [3, 4])",
+                      fmt::join(points_.header, ", "));
+    }
+    return base::located(error, at);
+  }
+
+  /// Whether fields between blanks are the words of a name that nothing stands behind.
+  [[nodiscard]] bool is_open_name(std::size_t column) const {
+    if (points_.separator != Separator::Blank || columns_.names.empty() || column != columns_.names.back())
+      return false;
+    std::size_t last = std::max({columns_.x, columns_.y, columns_.z, columns_.kind});
+    for (const std::size_t other : columns_.extras) last = std::max(last, other);
+    return column > last && (!has_header_ || column == points_.header.size());
+  }
+
+  /// The words of a name at the end of the row. Without a header a number ends it: it is of another column.
+  [[nodiscard]] std::string words_from(std::size_t column) const {
+    std::string name = text_in(column);
+    for (std::size_t i = column; i < fields_.size(); ++i) {
+      const std::string_view word = fields_[i].text;
+      if (word.starts_with('#') || (!has_header_ && base::parse_number(word))) break;
+      name += ' ' + std::string(word);
+    }
+    if (name.size() > 2 && name.front() == '"' && name.back() == '"') name = name.substr(1, name.size() - 2);
+    return name;
+  }
+
+  /// More fields between blanks than headers, and a name among them that is not the last: which words are its?
+  Result<void> check_words_of_names() const {
+    if (points_.separator != Separator::Blank || columns_.names.empty() || !has_header_) return {};
+    if (columns_.names.back() == points_.header.size()) return {};
+    const auto sign =
+        std::find_if(fields_.begin(), fields_.end(), [](const Word& word) { return word.text.starts_with('#'); });
+    const auto count = static_cast<std::size_t>(sign - fields_.begin());
+    if (count <= points_.header.size()) return {};
+    return Error{
+        ErrorCode::BadFormat,
+        fmt::format("this line has {} fields between blanks, and the header {}; put the column of names of several "
+                    "words last, or part the columns by tabs or commas",
+                    count, points_.header.size()),
+        Place{.file = file_, .line = lines_.number()}};
   }
 
   [[nodiscard]] std::string text_in(std::size_t column) const {
@@ -243,6 +274,7 @@ class TextPointsReader {
   }
 
   Result<void> add_point() {
+    DOBRA_TRY_VOID(check_words_of_names());
     DOBRA_TRY(const double x, number(columns_.x, "x"));
     DOBRA_TRY(const double y, number(columns_.y, "y"));
     double z = 0.0;
@@ -283,7 +315,8 @@ class TextPointsReader {
   // The line that the current row belongs to.
   Line& line_of_row() {
     std::string name;
-    for (const std::size_t column : columns_.names) name += (name.empty() ? "" : " ") + text_in(column);
+    for (const std::size_t column : columns_.names)
+      name += (name.empty() ? "" : " ") + (is_open_name(column) ? words_from(column) : text_in(column));
     const std::string kind = text_in(columns_.kind);
     const std::size_t first = options_.rows == Rows::Gathered || open_.empty() ? 0 : open_.size() - 1;
     for (std::size_t i = first; i < open_.size(); ++i) {

@@ -90,6 +90,37 @@ TEST_F(MoveCommands, WhatItWritesChains) {
   EXPECT_EQ(call({"run", path("m.toml"), "--out", path("made")}).code, 0);
 }
 
+TEST_F(MoveCommands, PiecesComeBackByTheirNamesFromAFormatThatNumbersLinesOfOneName) {
+  const std::string file = put("n.csv", moved_down_100);
+  ASSERT_EQ(call({"move", file, "--fault", "F", "--method", "fault_parallel_flow", "--slip=-50", "--direction",
+                  "forward", "--out", path("forward.dxf"), "--quiet"})
+                .code,
+            0);
+  const auto listed = call({"faults", path("forward.dxf"), "--kind", "F=fault", "--json"});
+  ASSERT_EQ(listed.code, 0) << listed.err;
+  EXPECT_NE(listed.err.find("'A (1)' to 'A (2)' are taken for the pieces of horizon 'A'"), std::string::npos)
+      << listed.err;
+  const MoveOut cutoffs = MoveOut::parse(listed.out)["faults"][0]["cutoffs"];
+  ASSERT_EQ(cutoffs.size(), 2U);
+  for (const auto& cutoff : cutoffs) EXPECT_NEAR(cutoff["separation"], 50.0 + 100.0 * std::sqrt(2.0), 1e-6);
+  const MoveOut back = moved(path("forward.dxf"), {"--kind", "F=fault", "--method", "rigid", "--close", "A"});
+  EXPECT_EQ(back["pieces"][0]["name"], "A (1)");
+  EXPECT_EQ(back["pieces"][0]["piece_of"], "A");
+  EXPECT_NEAR(back["slip"], 50.0 + 100.0 * std::sqrt(2.0), 1e-6);
+}
+
+TEST_F(MoveCommands, SmallLoopsOfThePenAreCutOnRequestAndElseRefusedWithTheOption) {
+  std::string looped = moved_down_100;
+  looped.insert(looped.find("500,0,A"), "200,0,A,\n203,1,A,\n203,-1,A,\n201,1,A,\n");
+  const std::string file = put("loop.csv", looped);
+  const auto refused = call({"move", file, "--fault", "F", "--method", "rigid", "--close", "A"});
+  EXPECT_EQ(refused.code, 3);
+  EXPECT_NE(refused.err.find("--self-crossings cut_loops"), std::string::npos) << refused.err;
+  const MoveOut made = moved(file, {"--self-crossings", "cut_loops", "--method", "rigid", "--close", "A"});
+  EXPECT_NEAR(made["slip"], 100.0 * std::sqrt(2.0), 1e-9);
+  EXPECT_EQ(call({"faults", file, "--self-crossings", "cut_loops"}).code, 0);
+}
+
 TEST_F(MoveCommands, ExitCodesTellUsageInputAndWhatCannotBeDone) {
   const std::string file = put("n.csv", moved_down_100);
   EXPECT_EQ(call({"move", file, "--fault", "F", "--method", "shear", "--slip", "0"}).code, 3);

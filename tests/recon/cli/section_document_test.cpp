@@ -50,6 +50,19 @@ TEST_F(SectionDocument, AHorizonWhoseNameComesTwiceIsInPiecesFromTheLeft) {
   EXPECT_NE(run.err.find("horizon 'A' is in 2 pieces, numbered from the left: 'A (1)' to 'A (2)'"), std::string::npos);
 }
 
+TEST_F(SectionDocument, LinesCalledAsPiecesAreTakenForPiecesIfNoneIsMissing) {
+  const auto made = document(put("numbered.csv",
+                                 "x,z,name\n0,0,A (2)\n5,0,A (2)\n6,1,A (1)\n9,1,A (1)\n0,-5,B (1)\n9,-5,B (1)\n"
+                                 "0,-7,C (1)\n9,-7,C (1)\n0,-8,C (3)\n9,-8,C (3)\n"));
+  ASSERT_TRUE(made) << to_string(made.error());
+  const auto text = dobra::scenario::document_text(*made);
+  // The names stay, though the first is not the left one.
+  EXPECT_NE(text.find("\"A (2)\"\npoints = [[0.0, 0.0]"), std::string::npos) << text;
+  std::size_t pieces = 0;
+  for (std::size_t at = text.find("piece_of"); at != std::string::npos; at = text.find("piece_of", at + 1)) ++pieces;
+  EXPECT_EQ(pieces, 2U) << text;
+}
+
 TEST_F(SectionDocument, AScenarioLendsItsInputAndTakesNoLineOptions) {
   const std::string file = put("s.toml",
                                "dobra = 1\nprogram = \"recon\"\n[[input.horizon]]\nname = \"A\"\n"

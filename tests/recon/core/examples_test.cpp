@@ -56,6 +56,35 @@ TEST(Examples, ChainMeetsItsExpectations) { expect_met(bundled("chain.toml")); }
 
 TEST(Examples, ListricFaultsMeetTheirExpectations) { expect_met(bundled("listric.toml")); }
 
+TEST(Examples, BlocksMovedBackAreJoinedAndUnfoldedInOneScenario) {
+  scenario::Document document = bundled("listric.toml");
+  document.expects.clear();
+  const std::string steps = R"(dobra = 1
+program = "recon"
+[[step]]
+operation = "join"
+tolerance = 3
+[[step]]
+operation = "grid"
+top = "Top"
+[[step]]
+operation = "target"
+[[step]]
+operation = "restore"
+method = "flexural"
+)";
+  const scenario::Document more = scenario::parse_document(steps, "steps.toml").value();
+  document.steps.insert(document.steps.end(), more.steps.begin(), more.steps.end());
+  const scenario::Run run = scenario::Runner(program()).run(document);
+  ASSERT_TRUE(run.complete()) << to_string(*run.error);
+  // Five beds over two faults, each joined twice; the moves leave gaps of rounded picks.
+  EXPECT_EQ(figure(run, "join.joined"), 10.0);
+  EXPECT_LT(figure(run, "join.widest_gap"), 3.0);
+  EXPECT_NEAR(figure(run, "horizon.Top.length_before"), 11320.0, 3.0);
+  EXPECT_NEAR(figure(run, "horizon.Top.length_after"), figure(run, "horizon.Top.length_before"), 1e-6);
+  EXPECT_EQ(figure(run, "balanced"), 1.0);
+}
+
 TEST(Examples, ThrustMeetsItsExpectations) { expect_met(bundled("thrust.toml")); }
 
 TEST(Examples, TheFirstOneOfThePageOfScenariosMeetsItsExpectations) {

@@ -91,7 +91,7 @@ TEST(Invert, LimitsThatExcludeTheTruthAreNamed) {
   EXPECT_TRUE(test::tells(fit.remarks, "the best ramp lies at a limit of the search, 35 deg"));
 }
 
-TEST(Invert, ADrawnFaultGivesTipAndRampAndOneWithoutATipIsRefused) {
+TEST(Invert, ADrawnFaultGivesTipAndRampAndItsUpperEndIsTakenForTheTipWhereItLeavesTheSection) {
   const KnownTrishear known;
   section::Section section = test::folded_beds(known, {200, 400}, 31);
   section::SectionLine fault;
@@ -106,8 +106,16 @@ TEST(Invert, ADrawnFaultGivesTipAndRampAndOneWithoutATipIsRefused) {
   const Fit fit = fit_of(section, params);
   EXPECT_TRUE(test::estimate(fit, "tip_x").unknown.fixed() && test::estimate(fit, "ramp").unknown.fixed());
   expect_known(fit, known, 1e-4);
-  section.lines[0].line.points.back() = {3000, 3000 * std::tan(angle)};
-  EXPECT_NE(refusal(section, params).find("fault 'ramp' has no tip in the section"), std::string::npos);
+  EXPECT_FALSE(test::tells(invert(section, params, {})->remarks, "taken for its tip"));
+  // As `move` has it, with the same remark.
+  const geom::Point far = known.tip + 1500.0 * geom::Vector{std::cos(angle), std::sin(angle)};
+  section.lines[0].line.points.back() = far;
+  params.generations = 5;
+  const auto taken = invert(section, params, {});
+  ASSERT_TRUE(taken) << taken.error().message;
+  EXPECT_NEAR(test::estimate(taken->fit, "tip_x").best, far.x, 1e-9);
+  EXPECT_NEAR(test::estimate(taken->fit, "ramp").best, known.ramp, 1e-9);
+  EXPECT_TRUE(test::tells(taken->remarks, "fault 'ramp' leaves the section at"));
 }
 
 TEST(Invert, BeddingHoldsTheDirectionOfTheRestoredBeds) {
@@ -344,6 +352,20 @@ TEST(Invert, CatskillFitsBetterThanByThePublishedValuesWhichLieInTheRegionOfConf
     EXPECT_LE(one.low.value_or(one.unknown.low), published[i]) << one.unknown.key;
     EXPECT_GE(one.high.value_or(one.unknown.high), published[i]) << one.unknown.key;
   }
+}
+
+TEST(Invert, ThePublishedValuesOfCatskillLieInTheRegionWithLimitsMadeFromTheBoxToo) {
+  const auto folder = dobra::test::data_folder();
+  if (!folder) GTEST_SKIP() << dobra::test::no_data;
+  const section::Section section = catskill(*folder, {6});
+  InvertParams params;
+  params.ramp = {5, 85};
+  params.generations = 30;
+  const Fit fit = fit_of(section, params);
+  const double theirs = misfit_of(bed_shapes(section, {}).value(), trishear_model(500.0), published, {}).value();
+  EXPECT_LE(fit.rms, 0.5 * theirs);
+  EXPECT_LE(theirs, *fit.region);
+  EXPECT_LT(*fit.region, 0.5 * fit.before);  // and yet the fold is told from none
 }
 
 }  // namespace

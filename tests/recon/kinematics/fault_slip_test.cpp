@@ -41,10 +41,13 @@ TEST(FlexuralSlipOverAFault, BedsAlongTheFaultKeepTheirLengthAndPolygonsTheirAre
   EXPECT_LE(worst, 1e-12);
 }
 
-TEST(FlexuralSlipOverAFault, BackIsTheInverse) {
+TEST(FlexuralSlipOverAFault, BackIsTheInverseForRandomStaircasesSlipsAndPoints) {
   test::Draws draws(63);
   for (int i = 0; i < 10000; ++i) {
-    static const BlockMap map{maps::SectionMap(flexural_slip(staircase(), 800.0).value())};
+    const double rise = draws.in(100, 600);
+    const double run = draws.in(800, 2000);
+    const FaultPath path = test::fault({{-4000, 0}, {0, 0}, {run, rise}, {6000, rise}});
+    const BlockMap map{maps::SectionMap(flexural_slip(path, draws.in(-900, 900)).value())};
     const geom::Point p = draws.in_box({-2500, 700}, {4000, 1600});
     test::expect_near(map.inverse(map.forward(p)), p, 1e-9);
   }

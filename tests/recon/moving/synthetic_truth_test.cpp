@@ -1,5 +1,6 @@
 // Sections that a forward model of this file deforms, by closed forms or by small steps of the velocity field, and that
-// are restored with slip solved from their cutoffs alone; where none is cut on both walls, with the slip that is known.
+// are restored with slip solved from their cutoffs alone. Where none is cut on both walls, the slip is known here and
+// found from the shapes of the beds in tests/recon/inversion/blind_truth_test.cpp.
 
 #include <gtest/gtest.h>
 
@@ -455,24 +456,84 @@ TEST(SyntheticTruth, TrishearInFrontOfATipInsideRestoresWithTheSlipThatMadeIt) {
   EXPECT_LT(geom::distance(moved->section.lines[0].line.points.back(), tip), 1e-9);
 }
 
-/// The field of a parallel fault-propagation fold has moving walls: here the forward map is the program's own, whose
-/// agreement with small steps of the field tests/recon/kinematics asks.
-TEST(SyntheticTruth, FaultPropagationFoldClosesToItsBend) {
-  const Body before = flat_beds(-3000, 3000, {200, 600, 1000}, box(-500, 650, 1500, 900));
-  section::Section flat = section_of(before, {{"F", {{-3000, 0}, {0, 0}}}});
-  MoveParams forward = step_on("F", MoveMethod::FaultPropagationFold, {});
-  forward.direction = Direction::Forward;
-  forward.slip = 400.0;
-  forward.ramp = base::Angle::from_degrees(25.0);
-  forward.towards = Towards::PlusX;
-  const auto folded = move_block(flat, forward, {});
-  ASSERT_TRUE(folded) << to_string(folded.error());
-  ASSERT_EQ(folded->section.horizons.size(), 4U);  // the tip has cut the lowest bed in two
-  EXPECT_NEAR(folded->section.lines[0].line.points.back().x, 669.178255, 1e-5);
-  expect_restored(folded->section, before, {{step_on("F", MoveMethod::FaultPropagationFold, {"z200"}), -400.0}});
-  MoveParams known = step_on("F", MoveMethod::FaultPropagationFold, {});
-  known.slip = -400.0;
-  expect_restored(folded->section, before, {{known, -400.0}});
+/// Parallel fault-propagation folds built of dip domains, of beds that were level at a height h above the flat. Its bed
+/// is level, turns up by theta at the axial plane of the bend, comes down by beta in front, and is level again from the
+/// axial plane of the tip on, or ends on the fault. Angles by the equation of [suppe1990].
+class DipDomains {
+ public:
+  DipDomains(double theta, double slip) : theta_(theta * to_radians), slip_(slip) {
+    const auto off = [&](double g) {
+      return (1.0 + 2.0 * std::cos(g) * std::cos(g)) / std::sin(2.0 * g) + (std::cos(theta_) - 2.0) / std::sin(theta_);
+    };
+    double low = 1e-3;  // of gamma*
+    double high = low;
+    while (off(high) > 0.0) high += 1e-3;  // the lesser root; the other one is trivial
+    for (int i = 0; i < 200; ++i) {
+      const double middle = 0.5 * (low + high);
+      (off(middle) > 0.0 ? low : high) = middle;
+    }
+    gamma_ = low + 0.5 * theta_;
+    beta_ = std::numbers::pi - 2.0 * gamma_;
+    // Limbs as long as takes up the slip: a (1 - cos theta) + f (1 - cos beta) = slip, a sin theta = f sin beta.
+    limb_ = slip / (std::sin(theta_) * (std::tan(0.5 * theta_) + std::tan(0.5 * beta_)));
+    front_ = limb_ * std::sin(theta_) / std::sin(beta_);
+    // The bed that the tip has just reached has no crest.
+    tip_ = (limb_ * std::cos(theta_) + front_ * std::cos(beta_)) * up();
+  }
+  [[nodiscard]] geom::Point tip() const { return {tip_.x, tip_.y}; }
+
+  /// From x = left + slip to right; two pieces where the tip has cut the bed.
+  [[nodiscard]] std::vector<Points> bed(double left, double right, double h) const {
+    const geom::Point bend{-h * std::tan(0.5 * theta_), h};
+    const geom::Point start{left + slip_, h};
+    if (h > tip_.y) {
+      const geom::Point front =
+          tip() + ((h - tip_.y) / std::sin(gamma_)) * geom::Vector{std::cos(gamma_), std::sin(gamma_)};
+      return {{start, bend, bend + limb_ * up(), front - front_ * down(), front, {right, h}}};
+    }
+    // The limbs meet on the plane that bisects them, which goes down from the bed of the tip.
+    const geom::Point branch = geom::Point{-tip_.y * std::tan(0.5 * theta_), tip_.y} + limb_ * up();
+    const geom::Vector plane = up() - down();
+    const double back = geom::cross(branch - bend, plane) / geom::cross(up(), plane);
+    const geom::Point top = bend + back * up();
+    const double fore = geom::cross(geom::Point{} - top, up()) / geom::cross(down(), up());
+    return {{start, bend, top, top + fore * down()}, {{h / std::tan(theta_), h}, {right, h}}};
+  }
+
+ private:
+  [[nodiscard]] geom::Vector up() const { return {std::cos(theta_), std::sin(theta_)}; }
+  [[nodiscard]] geom::Vector down() const { return {std::cos(beta_), -std::sin(beta_)}; }
+  double theta_, slip_, gamma_ = 0.0, beta_ = 0.0, limb_ = 0.0, front_ = 0.0;
+  geom::Vector tip_;
+};
+
+TEST(SyntheticTruth, FaultPropagationFoldBuiltOfDipDomains) {
+  const double left = -3000.0, right = 4000.0;
+  for (const auto& [theta, slip] : {std::pair{15.0, 500.0}, {25.0, 400.0}, {35.0, 300.0}}) {
+    SCOPED_TRACE(theta);
+    const DipDomains fold(theta, slip);
+    const Body before = flat_beds(left, right, {100, 600, 1000}, box(left, 600, right, 1000));
+    Body body = before;
+    body.beds.clear();
+    for (const NamedLine& bed : before.beds) {
+      const std::vector<Points> pieces = fold.bed(left, right, bed.points.front().y);
+      double length = 0.0;
+      for (const Points& piece : pieces) {
+        length += geom::length(geom::Polyline{piece, false});
+        body.beds.push_back({bed.whole + " (" + std::to_string(body.beds.size() + 1) + ")", bed.whole, piece});
+      }
+      ASSERT_NEAR(length, right - left, 1e-9 * (right - left)) << bed.whole;  // of the construction itself
+    }
+    ASSERT_EQ(body.beds.size(), 4U);  // the tip has cut the lowest one
+    body.unit = fold.bed(left, right, 600).front();
+    const Points roof = fold.bed(left, right, 1000).front();
+    body.unit.insert(body.unit.end(), roof.rbegin(), roof.rend());
+    const section::Section section = section_of(body, {{"F", {{left, 0}, {0, 0}, fold.tip()}}});
+    expect_restored(section, before, {{step_on("F", MoveMethod::FaultPropagationFold, {"z100"}), -slip}});
+    MoveParams known = step_on("F", MoveMethod::FaultPropagationFold, {});
+    known.slip = -slip;
+    expect_restored(section, before, {{known, -slip}});
+  }
 }
 
 TEST(SyntheticTruth, DetachmentGivesBackTheSlipThatItHas) {

@@ -219,8 +219,8 @@ TEST_F(Cli, BadInputFilesOfAScenarioAreNamed) {
 }
 
 TEST_F(Cli, WhatCannotBeComputedIsExitCode4WithThePlace) {
-  const std::string fails = put("fails.toml", two_steps + "[[step]]\noperation = \"fail\"\n");
-  expect_failure(fails, 4, fails + ":13:1: step 3 (fail): the curve crosses itself; move the point (at 3, 4)");
+  const std::string fails = put("fails.toml", "[input]\nnumbers = [1]\n[[step]]\noperation = \"fail\"\n");
+  expect_failure(fails, 4, fails + ":5:1: step 1 (fail): the curve crosses itself; move the point (at 3, 4)");
 }
 
 TEST_F(Cli, AFailingRunLeavesEarlierResultsAsTheyWere) {
@@ -319,6 +319,28 @@ TEST_F(Cli, AFullStandardOutputIsExitCode4) {
   });
   EXPECT_EQ(exit_code_of(child), 4);
   EXPECT_EQ(*io::read_bytes(messages), "fake: standard output: cannot be written: No space left on device\n");
+}
+
+TEST_F(Cli, ARunThatFailsAtALaterStepWritesWhatTheEarlierOnesGave) {
+  const std::string steps =
+      "[input]\nnumbers = [1, 2]\n[[step]]\noperation = \"scale\"\nfactor = 3\n[[step]]\noperation = \"fail\"\n"
+      "[[step]]\noperation = \"scale\"\nfactor = 2\n[[expect]]\nquantity = \"sum\"\nvalue = 9\n";
+  const std::string scenario = put("later.toml", steps);
+  const Outcome outcome = call({"run", scenario, "--out", out(), "--pictures", "none"});
+  EXPECT_EQ(outcome.code, 4) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_NE(outcome.err.find(scenario + ":8:1: step 2 (fail): the curve crosses itself; move the point (at 3, 4)"),
+            std::string::npos)
+      << outcome.err;
+  EXPECT_NE(outcome.err.find("what step 1 gave is in " + out()), std::string::npos) << outcome.err;
+  EXPECT_EQ(*io::read_bytes(fs::path(out()) / "numbers.txt"), "3.0\n6.0\n");
+  const auto report = nlohmann::json::parse(*io::read_bytes(fs::path(out()) / "report.json"));
+  EXPECT_EQ(report["complete"], false);
+  EXPECT_EQ(report["steps"].size(), 1U);
+  EXPECT_EQ(report["error"]["step"], 2);
+  EXPECT_FALSE(report["error"]["message"].get<std::string>().empty());
+  EXPECT_FALSE(report.contains("expectations"));
+  EXPECT_EQ(report["tables"].size(), 1U);
 }
 
 TEST_F(Cli, AnInterruptedRunIsExitCode130AndLeavesNoFile) {

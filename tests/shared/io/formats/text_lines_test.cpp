@@ -52,6 +52,64 @@ TEST(TextLines, AHeaderThatIsAWordForLinesNamesThem) {
   EXPECT_THAT(named.remarks, IsEmpty());
 }
 
+TEST(TextLines, ColumnsOfXAndHeightAreFoundByTheirHeaders) {
+  struct Case {
+    const char* header;
+    const char* rows;
+  };
+  for (const Case& one : {Case{"name,kind,x,z", "A,horizon,0,5\nA,horizon,10,6\n"},
+                          {"id;X;Y", "A;0;5\nA;10;6\n"},
+                          {"z,name,x", "5,A,0\n6,A,10\n"},
+                          {"Camada\tDist (m)\tCota (m)", "A\t0\t5\nA\t10\t6\n"},
+                          {"name x elevation", "A 0 5\nA 10 6\n"}}) {
+    const LineWork read = read_text_lines(std::string(one.header) + '\n' + one.rows);
+    ASSERT_EQ(read.features.size(), 1U) << one.header;
+    EXPECT_EQ(read.features[0].name, "A") << one.header;
+    EXPECT_THAT(read.features[0].parts[0].points, ElementsAre(Point{0, 5}, Point{10, 6})) << one.header;
+    EXPECT_THAT(read.remarks, testing::Contains(AllOf(HasSubstr("by their headers"), HasSubstr("--columns"))))
+        << one.header;
+  }
+  EXPECT_EQ(read_text_lines("name,kind,x,z\nF,fault,0,5\nF,fault,9,6\n").features[0].kind, "fault");
+  // Depths by their header go down, wherever the column stands.
+  EXPECT_THAT(read_text_lines("name,x,depth\nA,0,5\nA,10,6\n").features[0].parts[0].points,
+              ElementsAre(Point{0, -5}, Point{10, -6}));
+  // In their usual places there is nothing to tell.
+  EXPECT_THAT(read_text_lines("x,z,name\n0,5,A\n10,6,A\n").remarks, IsEmpty());
+}
+
+TEST(TextLines, HeadersThatDoNotTellXAndHeightAreAskedAbout) {
+  EXPECT_THAT(refused("name,x,y,z\nA,0,1,5\nA,10,1,6\n"),
+              AllOf(HasSubstr("f.csv"), HasSubstr("names x, y and z"), HasSubstr("--columns x,z")));
+  // Where x and height were found by their headers, the answer to another question names these.
+  EXPECT_THAT(refused("id,x,z\n1,0,5\n1,10,6\n2,0,3\n2,10,2\n"),
+              AllOf(HasSubstr("--name-columns 1"), HasSubstr("--columns 2,3")));
+  const auto unknown = parse_any_lines("name,kind,east,alt\nA,bed,0,5\nA,bed,9,5\n", "f.csv", {});
+  ASSERT_FALSE(unknown.ok());
+  EXPECT_THAT(base::to_string(unknown.error()),
+              AllOf(HasSubstr("f.csv:2:1"), HasSubstr("columns name, kind, east, alt"), HasSubstr("--columns")));
+  // A bad cell under a known header is a bad cell.
+  const auto bad = parse_any_lines("x,z\n0,5\n1O,6\n", "f.csv", {});
+  ASSERT_FALSE(bad.ok());
+  EXPECT_THAT(base::to_string(bad.error()), testing::Not(HasSubstr("--columns")));
+}
+
+TEST(TextLines, NamesOfSeveralWordsBetweenBlanksAreReadToTheEnd) {
+  const LineWork read = read_text_lines(
+      "x z name\n0 0 Red Marl\n9 0 Red Marl # base\n0 -5 Red Sand\n9 -5 \"Red Sand\"\n0 -7 Unit 3\n"
+      "9 -7 Unit 3\n");
+  EXPECT_THAT(names_of(read), ElementsAre("Red Marl", "Red Sand", "Unit 3"));
+  LineOptions third;
+  third.text.columns = {"1", "2"};
+  third.text.name_columns = {"3"};
+  EXPECT_THAT(names_of(read_text_lines("0 0 Red Marl\n9 0 Red Marl\n0 -5 Red Sand\n9 -5 Red Sand\n", third)),
+              ElementsAre("Red Marl", "Red Sand"));
+  // A number behind it is of another column.
+  EXPECT_THAT(names_of(read_text_lines("0 0 Marl 12\n9 0 Marl 13\n", third)), ElementsAre("Marl"));
+  const auto shifted = parse_any_lines("x z name kind\n0 0 Red Marl bed\n9 0 Red Marl bed\n", "f.txt", {});
+  ASSERT_FALSE(shifted.ok());
+  EXPECT_THAT(base::to_string(shifted.error()), AllOf(HasSubstr("f.txt:2"), HasSubstr("5 fields"), HasSubstr("tabs")));
+}
+
 TEST(TextLines, WordsUnderAnotherHeaderOrNoneAreAskedAbout) {
   for (const std::string header : {"", "X;Z;Foo\n", "X;Z\n", "a;b;c\n"}) {
     const std::string said = refused(header + two_lines);
