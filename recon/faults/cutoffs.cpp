@@ -307,8 +307,8 @@ FaultCutoffs cutoffs_at(const section::Section& section, const std::vector<Fault
 
 std::vector<FaultCutoffs> cutoffs_of(const section::Section& section, const std::vector<Fault>& faults,
                                      const FaultOptions& options) {
-  return base::parallel_map<FaultCutoffs>(
-      faults.size(), [&](std::size_t i) { return cutoffs_at(section, faults, i, options); });
+  return base::parallel_map<FaultCutoffs>(faults.size(),
+                                          [&](std::size_t i) { return cutoffs_at(section, faults, i, options); });
 }
 
 std::string partner_missing(const CutoffPair& pair, const std::string& fault) {

@@ -3671,5 +3671,17 @@
         <source>Open a scenario (Ctrl+O), drop one here, or draw the first line (L).</source>
         <translation>Abra um cenário (Ctrl+O), solte um aqui, ou desenhe a primeira linha (L).</translation>
     </message>
+    <message>
+        <source>no tool &apos;%1&apos;</source>
+        <translation>não há ferramenta &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>there is no picture to point at</source>
+        <translation>não há figura em que apontar</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a number</source>
+        <translation>&apos;%1&apos; não é um número</translation>
+    </message>
 </context>
 </TS>

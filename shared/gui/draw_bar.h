@@ -5,8 +5,8 @@
 #include <QToolBar>
 
 #include "shared/canvas/tool.h"
-#include "shared/gui/session.h"
 #include "shared/gui/icons.h"
+#include "shared/gui/session.h"
 #include "shared/scenario/program.h"
 
 class QActionGroup;

@@ -1,5 +1,8 @@
 #include "shared/gui/script.h"
 
+#include <QApplication>
+#include <QKeyEvent>
+#include <QMouseEvent>
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
@@ -9,6 +12,7 @@
 
 #include "shared/base/text.h"
 #include "shared/gui/documents/edit.h"
+#include "shared/gui/draw_bar.h"
 #include "shared/gui/error_bar.h"
 #include "shared/gui/layer_tree.h"
 #include "shared/gui/main_window.h"
@@ -31,10 +35,11 @@ constexpr int between_commands = 30;  ///< Milliseconds: the window paints what 
 /// Words that a command needs at least, its own name included.
 const std::map<std::string, std::size_t>& commands() {
   static const std::map<std::string, std::size_t> all{
-      {"wait", 1},  {"select", 2},      {"set", 2},    {"undo", 1},         {"redo", 1},        {"save", 1},
-      {"fit", 1},   {"hide", 2},        {"show", 2},   {"save-picture", 2}, {"screenshot", 2},  {"zoom", 4},
-      {"add", 2},   {"remove", 1},      {"quit", 1},   {"report", 2},       {"go-to-error", 1}, {"expect-error", 2},
-      {"watch", 2}, {"longest-gap", 2}, {"recover", 1}};
+      {"wait", 1},  {"select", 2},      {"set", 2},     {"undo", 1},         {"redo", 1},        {"save", 1},
+      {"fit", 1},   {"hide", 2},        {"show", 2},    {"save-picture", 2}, {"screenshot", 2},  {"zoom", 4},
+      {"add", 2},   {"remove", 1},      {"quit", 1},    {"report", 2},       {"go-to-error", 1}, {"expect-error", 2},
+      {"watch", 2}, {"longest-gap", 2}, {"recover", 1}, {"tool", 2},         {"point", 3},       {"click", 3},
+      {"drag", 5},  {"keys", 2}};
   return all;
 }
 
@@ -150,6 +155,13 @@ Result<void> Script::execute(const Line& line) {
     window_.view().fit();
   } else if (command == "zoom") {
     return zoom(line);
+  } else if (command == "tool") {
+    if (!window_.draw_bar().take_up(QString::fromStdString(line.rest)))
+      return failure(text("no tool '%1'").arg(QString::fromStdString(line.rest)));
+  } else if (command == "point" || command == "click" || command == "drag") {
+    return mouse(line);
+  } else if (command == "keys") {
+    press_keys(QString::fromStdString(line.rest));
   } else if (command == "add") {
     if (session.program().find_operation(line.words[1]) == nullptr) {
       return failure(text("no operation '%1'").arg(QString::fromStdString(line.words[1])));
@@ -213,6 +225,50 @@ Result<void> Script::zoom(const Line& line) {
     return failure(text("write zoom FACTOR X Y with a factor above 0 and X, Y in 0..1"));
   window_.view().zoom(*factor, {*x * window_.view().width(), *y * window_.view().height()});
   return {};
+}
+
+Result<void> Script::mouse(const Line& line) {
+  std::vector<double> at;
+  for (std::size_t i = 1; i < line.words.size(); ++i) {
+    const std::optional<double> number = base::parse_number(line.words[i]);
+    if (!number) return failure(text("'%1' is not a number").arg(QString::fromStdString(line.words[i])));
+    at.push_back(*number);
+  }
+  VtkWidget& view = window_.view();
+  if (!view.is_ready() || view.panel_count() == 0) return failure(text("there is no picture to point at"));
+  // Posted, as those of a person are: a question that one of them opens does not keep the script waiting.
+  const auto post = [&view](QEvent::Type type, QPointF pixel, Qt::MouseButton button, Qt::MouseButtons held) {
+    QCoreApplication::postEvent(&view, new QMouseEvent(type, pixel, view.mapToGlobal(pixel), button, held, {}));
+  };
+  const QPointF from = view.pixel_of(0, {at[0], at[1]});
+  post(QEvent::MouseMove, from, Qt::NoButton, Qt::NoButton);
+  if (line.words[0] == "point") return {};
+  post(QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::LeftButton);
+  QPointF to = from;
+  if (at.size() > 3) {
+    to = view.pixel_of(0, {at[2], at[3]});
+    for (const double part : {0.25, 0.5, 0.75, 1.0})
+      post(QEvent::MouseMove, from + part * (to - from), Qt::NoButton, Qt::LeftButton);
+  }
+  post(QEvent::MouseButtonRelease, to, Qt::LeftButton, Qt::NoButton);
+  return {};
+}
+
+/// To where the focus is, or to the picture: letters as they are, Enter, Escape, Delete and Backspace by their names.
+void Script::press_keys(const QString& typed) {
+  QWidget* focus = QApplication::activeModalWidget() != nullptr ? QApplication::activeModalWidget()->focusWidget()
+                                                                : window_.focusWidget();
+  if (focus == nullptr) focus = &window_.view();
+  const auto post = [focus](int key, const QString& letters) {
+    QCoreApplication::postEvent(focus, new QKeyEvent(QEvent::KeyPress, key, {}, letters));
+    QCoreApplication::postEvent(focus, new QKeyEvent(QEvent::KeyRelease, key, {}, letters));
+  };
+  const std::map<QString, int> names{{"Enter", Qt::Key_Return},
+                                     {"Escape", Qt::Key_Escape},
+                                     {"Delete", Qt::Key_Delete},
+                                     {"Backspace", Qt::Key_Backspace}};
+  if (const auto named = names.find(typed); named != names.end()) return post(named->second, {});
+  for (const QChar letter : typed) post(Qt::Key_unknown, letter);
 }
 
 Result<void> Script::write_report(const std::filesystem::path& file) {

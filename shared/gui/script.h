@@ -4,6 +4,8 @@
 // - select STEP: number, name, or 0 / input; set KEY VALUE: types into the selected form
 // - add OPERATION: behind the selected part; remove: the selected step
 // - undo, redo, fit; zoom FACTOR X Y: X, Y in 0..1 of the view from its top left
+// - tool NAME: of the canvas (select, line, trim ...); point X Z, click X Z, drag X Z X Z: the mouse, at places of the
+//   first panel; keys TEXT: letters to where the focus is, or Enter, Escape, Delete, Backspace
 // - hide LAYER, show LAYER: key, or panel/key
 // - save [PATH], save-picture PATH, screenshot PATH; report PATH: report.json of the last run
 // - expect-error WORDS: the error bar says WORDS; go-to-error: presses Show in it
@@ -52,6 +54,8 @@ class Script : public QObject {
   base::Result<void> execute(const Line& line);
   base::Result<void> select(const std::string& part);
   base::Result<void> zoom(const Line& line);
+  base::Result<void> mouse(const Line& line);
+  void press_keys(const QString& typed);
   base::Result<void> watch(const Line& line);
   base::Result<void> write_report(const std::filesystem::path& file);
 
