@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <map>
-#include <regex>
+#include <optional>
 #include <set>
 
 #include "recon/input/line_file.h"
@@ -112,6 +113,18 @@ struct Place {
   std::size_t part = 0;
 };
 
+/// "A" and 12 of "A (12)"; nothing where a name has no such end.
+std::optional<std::pair<std::string, std::size_t>> numbered_name(const std::string& name) {
+  const std::size_t open = name.rfind(" (");
+  if (open == std::string::npos || open == 0 || name.back() != ')') return std::nullopt;
+  std::size_t number = 0;
+  const char* begin = name.data() + open + 2;
+  const char* end = name.data() + name.size() - 1;
+  const auto [read, error] = std::from_chars(begin, end, number);
+  if (error != std::errc() || read != end || *begin == '0' || number > 999999) return std::nullopt;
+  return std::pair{name.substr(0, open), number};
+}
+
 class Importer {
  public:
   explicit Importer(const std::vector<io::lines::Feature>& features) : features_(features) {}
@@ -142,10 +155,8 @@ class Importer {
   void find_numbered() {
     std::map<std::pair<std::string, std::string>, std::map<std::size_t, std::vector<std::size_t>>> families;
     for (std::size_t i = 0; i < features_.size(); ++i) {
-      static const std::regex numbered(R"((.+) \(([1-9][0-9]{0,5})\))");
-      std::smatch match;
-      if (may_be_piece(i) && std::regex_match(features_[i].name, match, numbered))
-        families[{tables_[i], match[1]}][std::stoul(match[2])].push_back(i);
+      const auto numbered = may_be_piece(i) ? numbered_name(features_[i].name) : std::nullopt;
+      if (numbered) families[{tables_[i], numbered->first}][numbered->second].push_back(i);
     }
     for (const auto& [item, numbers] : families) {
       const bool once = std::all_of(numbers.begin(), numbers.end(), [](const auto& n) { return n.second.size() == 1; });
