@@ -38,7 +38,7 @@ scenario::Document edited(const scenario::Document& document, const std::vector<
   auto again = scenario::parse_document(scenario::document_text(*made), document.file);
   EXPECT_TRUE(again) << (again ? "" : to_string(again.error()));
   again->file = document.file;
-  EXPECT_TRUE(scenario::check(scenario::fields_of<SectionInput>(), again->input, "input"));
+  EXPECT_TRUE(scenario::check(again->input, scenario::fields_of<SectionInput>(), "input"));
   return *again;
 }
 

@@ -101,7 +101,7 @@ void expect_slip(const Fit& fit, double slip) {
   EXPECT_NEAR(test::estimate(fit, "slip").best, slip, 1e-4 * std::abs(slip));
 }
 
-Fit fit_of(const section::Section& section, const InvertParams& params) {
+Fit blind_fit_of(const section::Section& section, const InvertParams& params) {
   auto found = invert(section, params, {});
   EXPECT_TRUE(found) << to_string(found.error());
   return found ? std::move(found->fit) : Fit{};
@@ -114,7 +114,7 @@ TEST(BlindTruth, TrishearOfWhichNothingIsKnown) {
   InvertParams params;
   params.ramp = {5, 85};
   params.generations = 40;
-  const Fit fit = fit_of(section, params);
+  const Fit fit = blind_fit_of(section, params);
   expect_slip(fit, truth.slip);
   expect_flat_again(section, fit, heights);
 }
@@ -131,7 +131,7 @@ TEST(BlindTruth, TipInsideOfAFaultThatIsDrawn) {
     params.fault = "F";
     params.slip = {-600, 600};
     params.generations = 40;
-    const Fit fit = fit_of(section, params);
+    const Fit fit = blind_fit_of(section, params);
     expect_slip(fit, truth.slip);
     expect_flat_again(section, fit, heights);
   }
@@ -145,7 +145,7 @@ TEST(BlindTruth, DetachmentOfUnknownDepthAndSlip) {
   params.ramp = {0};
   params.tip_x = {-1000, 500};
   params.generations = 40;
-  const Fit fit = fit_of(section, params);
+  const Fit fit = blind_fit_of(section, params);
   expect_slip(fit, truth.slip);
   EXPECT_NEAR(test::estimate(fit, "tip_z").best, truth.tip.y, 1e-4 * truth.slip);
   expect_flat_again(section, fit, heights);
