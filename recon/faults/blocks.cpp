@@ -313,6 +313,31 @@ BlockId Blocks::at(geom::Point p) const {
   return found;
 }
 
+std::vector<std::string> Blocks::remarks_on_beds(const section::Section& section) const {
+  const double beside = 1e3 * drawing_->rounding;
+  const auto bare = [&](const geom::Segment& s) {
+    const geom::Vector off = beside * geom::normalised(geom::left_of(s.to - s.from));
+    const geom::Point middle = geom::midpoint(s.from, s.to);
+    return !inside(drawing_->outline, middle + off) && !inside(drawing_->outline, middle - off);
+  };
+  std::vector<std::string> remarks;
+  for (const section::Horizon& horizon : section.horizons) {
+    const std::size_t count = horizon.line.segment_count();
+    for (const std::size_t k : {count / 2, count / 4, 3 * count / 4}) {
+      const geom::Segment segment = horizon.line.segment(k);
+      if (!bare(segment)) continue;
+      const geom::Point at = geom::midpoint(segment.from, segment.to);
+      remarks.push_back(
+          fmt::format("horizon '{}' has rock on neither side at ({:.6g}, {:.6g}): what encloses it is open, so that a "
+                      "block lacks it or is missing, and areas there are too small; close the gap (--join-gaps, a "
+                      "larger tolerance), let faults reach below the lowest bed, or give a border ([[input.border]])",
+                      horizon.name, at.x, at.y));
+      break;
+    }
+  }
+  return remarks;
+}
+
 base::Result<std::vector<BlockId>> Blocks::hanging_wall(const Fault& fault) const {
   if (fault.undecided) return *fault.undecided;
   const auto number = static_cast<std::size_t>(std::find(drawing_->names.begin(), drawing_->names.end(), fault.name) -

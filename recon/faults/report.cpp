@@ -92,7 +92,9 @@ base::Result<FaultReport> report_faults(const section::Section& section, const F
   remark_on_crossings(report.faults, report.tolerance, report.remarks);
   DOBRA_TRY(const Blocks blocks, Blocks::make(section, report.faults, options));
   report.blocks = blocks.all();
-  if (report.blocks.empty()) {
+  if (!report.blocks.empty()) {
+    for (std::string& remark : blocks.remarks_on_beds(section)) report.remarks.push_back(std::move(remark));
+  } else {
     report.remarks.push_back(
         "there are no blocks, since the horizons and their ends at the faults enclose no area; give a border "
         "([[input.border]]), or a larger tolerance");

@@ -83,6 +83,14 @@ base::Result<Setting> setting_of(const Section& section, const BlockwiseParams& 
   }
   setting.cutoffs = cutoffs_of(section, setting.faults, options);
   DOBRA_TRY(setting.blocks, faults::Blocks::make(section, setting.faults, options));
+  if (setting.blocks.all().empty()) {
+    const faults::Fault& fault = setting.faults.front();
+    return base::Error{
+        base::ErrorCode::BadSection,
+        "the faults part no blocks, since the horizons and their ends at the faults enclose no area; give "
+        "a border ([[input.border]]), or a larger tolerance",
+        geom::place_at(fault.lower.at, fmt::format("fault '{}'", fault.name))};
+  }
   std::vector<BlockId> chosen;
   if (how.jigsaw) {
     for (const faults::Block& block : setting.blocks.all()) chosen.push_back(block.id);
@@ -91,6 +99,7 @@ base::Result<Setting> setting_of(const Section& section, const BlockwiseParams& 
   }
   DOBRA_TRY(parts, parts_of(section, setting.faults, setting.blocks, chosen));
   DOBRA_TRY(setting.cut, cut(section, parts, setting.cutoffs, boundary_lines(setting), tolerance_of(section, options)));
+  for (std::string& remark : setting.blocks.remarks_on_beds(section)) setting.cut.remarks.push_back(std::move(remark));
   if (!is_rigid(how)) DOBRA_TRY_VOID(join_pieces(setting.top, parts, setting.size, setting.cut, setting.cutoffs));
   for (std::size_t i = 0; i < parts.size(); ++i)
     setting.tops.push_back(top_in(setting.cut, i, setting.top, how.constraint));

@@ -177,6 +177,7 @@ base::Result<void> choose_part(const Section& section, const MoveParams& params,
   if (!params.block.empty()) {
     DOBRA_TRY(chosen, blocks.named(params.block));
   }
+  for (std::string& remark : blocks.remarks_on_beds(section)) moved.remarks.push_back(std::move(remark));
   std::vector<geom::Point> inside;
   for (const faults::BlockId id : chosen) {
     const faults::Block& block = blocks.all()[id.index()];

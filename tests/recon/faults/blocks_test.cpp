@@ -59,6 +59,31 @@ TEST(Blocks, TwoParallelFaultsPartThree) {
   EXPECT_EQ(*hanging, std::vector<BlockId>({blocks[1].id, blocks[2].id}));
 }
 
+TEST(Blocks, BedsBesideWhichARockIsOpenAreTold) {
+  // Of three beds in two walls the lowest of the left wall has a gap, so that nothing closes the rock above it.
+  const std::vector<test::NamedPoints> whole{{"A/1", {{0, 0}, {500, 0}}},       {"A/2", {{500, -40}, {900, -40}}},
+                                             {"B/1", {{0, -200}, {500, -200}}}, {"B/2", {{500, -240}, {900, -240}}},
+                                             {"C/1", {{0, -400}, {500, -400}}}, {"C/2", {{500, -440}, {900, -440}}}};
+  const std::vector<section::SectionLine> fault{item("F", {{500, 100}, {500, -1000}})};
+  section::Section closed = faulted(whole, fault);
+  closed.lines[0].hanging_wall = section::HangingWall::Right;
+  const Made tidy = made_of(closed);
+  EXPECT_EQ(tidy.blocks.all().size(), 2U);
+  EXPECT_TRUE(tidy.blocks.remarks_on_beds(closed).empty());
+
+  section::Section open = closed;
+  open.horizons[4].line.points = {{0, -400}, {200, -400}};
+  open.horizons.push_back(open.horizons[4]);
+  open.horizons.back().name = "C/3";
+  open.horizons.back().id = section::HorizonId(6);
+  open.horizons.back().line.points = {{230, -400}, {500, -400}};
+  const Made made = made_of(open);
+  const std::vector<std::string> remarks = made.blocks.remarks_on_beds(open);
+  ASSERT_EQ(remarks.size(), 2U);
+  EXPECT_NE(remarks[0].find("C/1"), std::string::npos);
+  EXPECT_NE(remarks[1].find("C/3"), std::string::npos);
+}
+
 TEST(Blocks, AnXOfFaultsPartsFourAndTheHangingWallHasTwo) {
   const Made made = made_of(faulted(beds, {item("F", {{250, 50}, {800, -500}}), item("G", {{750, 50}, {200, -500}})}));
   ASSERT_EQ(made.blocks.all().size(), 4U);

@@ -113,9 +113,7 @@ TEST(Drawing, AFileOfManyLinesIsTakenIntoTheDocumentAndStaysAsItIs) {
       "name,kind,x,z\nA,horizon,0,0\nA,horizon,100,1\nB,horizon,0,-50\nB,horizon,100,-50\n"
       "F,fault,40,20\nF,fault,60,-80\n";
   std::ofstream(folder / "lines.csv") << text;
-  const scenario::Document document = document_of(
-      "[[input.lines]]\nfile = \"lines.csv\"\ncolumns = [\"x\", \"z\"]\nkind = [\"kind\"]\nname_columns = [\"name\"]\n",
-      folder);
+  const scenario::Document document = document_of("[[input.lines]]\nfile = \"lines.csv\"\n", folder);
   const section::Section before = section_of(document);
   ASSERT_EQ(before.horizons.size(), 2U);
   const scenario::Document after = edited(document, {{{"horizon_1", 1}, {{{{0, -60}, {100, -50}}, false}}}});

@@ -459,5 +459,18 @@ TEST(Jigsaw, ParametersThatContradictEachOtherAreRefused) {
   EXPECT_FALSE(restore_blockwise(whole, jigsaw_by(Fit::Walls), {}, {}));
 }
 
+TEST(Jigsaw, FaultsThatPartNoBlocksAreRefused) {
+  // Two beds that stop 100 m short of the only fault enclose nothing with it.
+  Section open = graben();
+  open.horizons.resize(2);
+  open.horizons[0].line = {{{0, 0}, {100, 0}}, false};
+  open.horizons[1].line = {{{0, -300}, {40, -300}}, false};
+  open.lines.resize(1);
+  open.faces.reset();
+  const auto made = restore_blockwise(open, jigsaw_by(Fit::Walls), {}, {});
+  ASSERT_FALSE(made);
+  EXPECT_EQ(made.error().code, base::ErrorCode::BadSection);
+}
+
 }  // namespace
 }  // namespace recon::jigsaw
