@@ -82,10 +82,8 @@ class DrawTool final : public Tool {
   void finish() {
     const Polyline shape = by_two_clicks(drawing_) && points_.size() < 2 ? Polyline{points_, true} : [&] {
       const Point last = points_.back();
-      if (by_two_clicks(drawing_)) points_.pop_back();
-      return shape_with(last);
+      return by_two_clicks(drawing_) ? shape_with(last) : Polyline{points_, drawing_ == Drawing::Polygon};
     }();
-    points_.clear();
     const bool closed = drawing_ != Drawing::Line && drawing_ != Drawing::Point;
     const std::size_t least = drawing_ == Drawing::Point ? 1 : closed ? 3 : 2;
     if (shape.points.size() < least || (closed && geom::signed_area(shape) == 0.0)) {
@@ -93,6 +91,7 @@ class DrawTool final : public Tool {
           translated(closed ? "A closed line needs three points that do not lie in line" : "A line needs two points")});
       return;
     }
+    points_.clear();
     say(Drawn{drawing_ == Drawing::Point ? Shape::Point : closed ? Shape::Polygon : Shape::Line, shape});
   }
 

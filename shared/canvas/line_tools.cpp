@@ -36,7 +36,8 @@ class LineTool final : public Tool {
   void press(Workspace& work, const Pointer& pointer) override {
     const std::optional<Snap> on = under(work, pointer);
     if (!on) {
-      say(Told{translated("There is no line here")});
+      say(Told{line_at_all(work, pointer) ? translated("A step has made this; edit the section as it was read.")
+                                          : translated("There is no line here")});
       return;
     }
     const Polyline& line = *work.line(*on->on);
@@ -80,8 +81,13 @@ class LineTool final : public Tool {
   }
 
  private:
+  static bool line_at_all(const Workspace& work, const Pointer& pointer) {
+    const SnapWish wish{.reach = pointer.reach, .exaggeration = pointer.exaggeration, .kinds = {SnapKind::OnLine}};
+    return work.snaps().at(pointer.at, wish).has_value();
+  }
   static std::optional<Snap> under(const Workspace& work, const Pointer& pointer) {
     SnapWish wish{.reach = pointer.reach, .exaggeration = pointer.exaggeration, .kinds = {SnapKind::OnLine}};
+    wish.only = work.editable();
     std::optional<Snap> on = work.snaps().at(pointer.place(), wish);
     if (!on) on = work.snaps().at(pointer.at, wish);
     if (!on || !on->on || work.line(*on->on) == nullptr) return std::nullopt;

@@ -21,6 +21,7 @@ double page_distance(Point p, Point q, const Pointer& pointer) {
 /// The line under the cursor.
 std::optional<scene::Pick> line_at(const Workspace& work, const Pointer& pointer) {
   SnapWish wish{.reach = pointer.reach, .exaggeration = pointer.exaggeration, .kinds = {SnapKind::OnLine}};
+  wish.only = work.editable();
   const std::optional<Snap> found = work.snaps().at(pointer.at, wish);
   if (!found || !found->on || work.line(*found->on) == nullptr) return std::nullopt;
   return found->on;
@@ -107,7 +108,8 @@ class SelectTool final : public Tool {
     if (!band_) return;
     if (pointer.modifier == Modifier::None) work.selection.clear();
     for (const auto& [pick, line] : work.lines()) {
-      if (band_->first != band_->second && banded(*line, band_->first, band_->second)) work.selection[pick];
+      if (work.is_editable(pick) && band_->first != band_->second && banded(*line, band_->first, band_->second))
+        work.selection[pick];
     }
     band_.reset();
   }
@@ -208,7 +210,12 @@ class SelectTool final : public Tool {
       }
       edited.lines.push_back({pick, {*std::move(left)}});
     }
-    for (auto& [pick, chosen] : work.selection) chosen.clear();
+    // Of the lines that are left none is selected: ids may pass on to others.
+    if (vertices) {
+      for (auto& [pick, chosen] : work.selection) chosen.clear();
+    } else {
+      work.selection.clear();
+    }
     say(std::move(edited));
   }
 

@@ -153,6 +153,7 @@ std::vector<SnapIndex::Near> SnapIndex::near(Point cursor, const SnapWish& wish,
   index_.for_each_overlapping({cursor - margin, cursor + margin}, [&](std::size_t i) {
     const Run& run = runs_[i];
     if (!wish.without.empty() && wish.without.contains(pick_of(run))) return;
+    if (wish.only != nullptr && !wish.only->contains(pick_of(run))) return;
     if (run.count == 0) {
       const auto& content = picture_->panels[panel_].layers[run.layer].content;
       const Point at = std::get<scene::Markers>(content).points[run.first];

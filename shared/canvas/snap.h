@@ -36,6 +36,7 @@ struct SnapWish {
   double grid = 0.0;                               ///< Spacing of the grid through the origin, m; 0: none.
   double angle_step = 15.0;                        ///< Degrees; true angles, whatever the exaggeration.
   std::set<scene::Pick> without = {};              ///< Lines that are not looked at.
+  const std::set<scene::Pick>* only = nullptr;     ///< If given, no others are.
 };
 
 /// The visible lines and markers of a panel, ready to be asked.

@@ -62,7 +62,7 @@ std::vector<geom::Polyline> Workspace::others(const scene::Pick& pick) const {
 std::vector<std::pair<scene::Pick, std::size_t>> Workspace::vertices_at(geom::Point at) const {
   std::vector<std::pair<scene::Pick, std::size_t>> found;
   for_each_line(panel(), hidden_, [&](const scene::Pick& pick, const geom::Polyline& line) {
-    for (std::size_t i = 0; i < line.points.size(); ++i) {
+    for (std::size_t i = 0; i < line.points.size() && is_editable(pick); ++i) {
       if (line.points[i] == at) found.emplace_back(pick, i);
     }
   });

@@ -22,6 +22,11 @@ class Workspace {
   /// @pre panel < picture->panels.size()
   void show(std::shared_ptr<const scene::Picture> picture, std::size_t panel, std::set<std::string> hidden = {});
 
+  /// The lines that can be selected and edited; the others are only drawn to. Nothing: all.
+  void set_editable(std::optional<std::set<scene::Pick>> picks) { editable_ = std::move(picks); }
+  [[nodiscard]] const std::set<scene::Pick>* editable() const { return editable_ ? &*editable_ : nullptr; }
+  [[nodiscard]] bool is_editable(const scene::Pick& pick) const { return !editable_ || editable_->contains(pick); }
+
   [[nodiscard]] bool empty() const { return picture_ == nullptr; }
   [[nodiscard]] const scene::Panel& panel() const { return picture_->panels[panel_]; }
   /// Made when first asked for.
@@ -32,7 +37,7 @@ class Workspace {
   [[nodiscard]] std::vector<std::pair<scene::Pick, const geom::Polyline*>> lines() const;
   /// All lines but one.
   [[nodiscard]] std::vector<geom::Polyline> others(const scene::Pick& pick) const;
-  /// Every vertex of a visible line that stands exactly there.
+  /// Every vertex of a visible line that can be edited and stands exactly there.
   [[nodiscard]] std::vector<std::pair<scene::Pick, std::size_t>> vertices_at(geom::Point at) const;
 
   Selection selection;
@@ -41,6 +46,7 @@ class Workspace {
   std::shared_ptr<const scene::Picture> picture_;
   std::size_t panel_ = 0;
   std::set<std::string> hidden_;
+  std::optional<std::set<scene::Pick>> editable_;
   mutable std::optional<SnapIndex> snaps_;
 };
 

@@ -169,10 +169,12 @@ void Canvas::use_panel(std::size_t panel) {
   panel_ = panel;
   if (base_ && base_->picture && panel < base_->picture->panels.size()) {
     work_.show(base_->picture, panel, hidden_);
+    if (session_.program().drawing.edit && !base_->run.states.empty()) work_.set_editable(lines_of_input());
   } else {  // nothing is there yet: the first line is drawn on an empty sheet
     auto empty = std::make_shared<scene::Picture>();
     empty->panels.resize(panel + 1);
     work_.show(std::move(empty), panel);
+    work_.set_editable(std::nullopt);
   }
   sheet_->update();
 }
@@ -206,10 +208,14 @@ std::optional<canvas::Pointer> Canvas::pointer_at(QPointF pixel, Qt::KeyboardMod
 }
 
 bool Canvas::mouse(QMouseEvent& event, QEvent::Type type) {
-  const std::optional<canvas::Pointer> pointer = pointer_at(event.position(), event.modifiers());
+  std::optional<canvas::Pointer> pointer = pointer_at(event.position(), event.modifiers());
   const bool left = event.button() == Qt::LeftButton;
+  // A gesture that leaves the plot ends where it was last.
+  if (!pointer && left && type == QEvent::MouseButtonRelease) pointer = pointer_;
   if (!pointer || (type != QEvent::MouseMove && !left)) return false;
   pointer_ = pointer;
+  // What is shown meanwhile must not run away from under the cursor.
+  if (type == QEvent::MouseButtonPress) view_.hold();
   if (type == QEvent::MouseButtonPress) tool_->press(work_, *pointer);
   if (type == QEvent::MouseMove) tool_->move(work_, *pointer);
   if (type == QEvent::MouseButtonRelease) tool_->release(work_, *pointer);
@@ -298,27 +304,27 @@ void Canvas::carry_out() {
   }
 }
 
-bool Canvas::is_input(const canvas::Edited& edited) const {
+std::set<scene::Pick> Canvas::lines_of_input() const {
   const scene::Picture input = session_.program().picture_of(base_->run.states.front());
-  canvas::Workspace of_input;
-  return std::all_of(edited.lines.begin(), edited.lines.end(), [&](const scene::LineEdit& edit) {
-    for (std::size_t i = 0; i < input.panels.size(); ++i) {
-      of_input.show(std::make_shared<const scene::Picture>(input), i);
-      const geom::Polyline* there = of_input.line(edit.pick);
-      if (there != nullptr && work_.line(edit.pick) != nullptr && *there == *work_.line(edit.pick)) return true;
+  std::set<scene::Pick> picks;
+  for (std::size_t i = 0; i < input.panels.size(); ++i) {
+    canvas::Workspace of_input;
+    of_input.show(std::make_shared<const scene::Picture>(input), i);
+    for (const auto& [pick, line] : of_input.lines()) {
+      const geom::Polyline* shown = work_.line(pick);
+      if (shown != nullptr && *shown == *line) picks.insert(pick);
     }
-    return false;
-  });
+  }
+  return picks;
 }
 
 void Canvas::carry_out(const canvas::Edited& edited) {
   const auto& edit = session_.program().drawing.edit;
   if (!edit || !base_ || base_->run.states.empty()) return;
-  if (edited.stage == canvas::Stage::Done || !previewed_) {
-    if (!is_input(edited)) {
-      emit told(text("A step has made this; edit the section as it was read."));
-      return;
-    }
+  if (!std::all_of(edited.lines.begin(), edited.lines.end(),
+                   [&](const auto& line) { return work_.is_editable(line.pick); })) {
+    emit told(text("A step has made this; edit the section as it was read."));
+    return;
   }
   base::Result<scenario::Document> document = edit(session_.document(), base_->run.states.front(), edited.lines);
   if (!document) {

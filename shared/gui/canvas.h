@@ -62,8 +62,8 @@ class Canvas : public QObject {
   void enter();
   void carry_out();
   void carry_out(const canvas::Edited& edited);
-  /// Whether the lines stand in the section as it was read: only that is edited.
-  [[nodiscard]] bool is_input(const canvas::Edited& edited) const;
+  /// The shown lines that the input has made, and no step has changed: only those are edited.
+  [[nodiscard]] std::set<scene::Pick> lines_of_input() const;
   void use_panel(std::size_t panel);
 
   Session& session_;

@@ -452,7 +452,7 @@ void MainWindow::show_outcome() {
 
 void MainWindow::show_nothing() {
   scene::Picture sheet;
-  if (program_.drawing.add && session_.document().input.empty())
+  if (program_.drawing.add)
     sheet.panels.push_back({.key = "section", .extent = geom::Box{{0.0, -600.0}, {1000.0, 0.0}}});
   view_->set_picture(std::move(sheet), Looking::AtAll);
   canvas_->show_sheet();

@@ -300,6 +300,12 @@ std::optional<VtkWidget::Spot> VtkWidget::spot_at(QPointF pixel) const {
   return Spot{*panel, scene_->scene.layout().panels[*panel].transform.to_world(page_point(pixel))};
 }
 
+void VtkWidget::hold() {
+  if (!scene_) return;
+  const std::vector<scene::View> views = scene_->scene.views();
+  for (std::size_t i = 0; i < views.size(); ++i) views_[i] = views[i];
+}
+
 QRectF VtkWidget::plot(std::size_t panel) const {
   DOBRA_CHECK(scene_ && panel < picture_.panels.size());
   const geom::Box& box = scene_->scene.layout().panels[panel].plot;

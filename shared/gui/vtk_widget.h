@@ -45,6 +45,8 @@ class VtkWidget : public QOpenGLWidget {
     geom::Point at;
   };
   [[nodiscard]] std::optional<Spot> spot_at(QPointF pixel) const;
+  /// New pictures are looked at where this one is now, also where all of it is shown.
+  void hold();
   /// Whether it can be drawn, so that places have pixels.
   [[nodiscard]] bool is_ready() const { return scene_ != nullptr; }
   /// The pixels of the widget in which a panel shows its layers. @pre is_ready(), panel < panel_count()

@@ -56,7 +56,7 @@ class Programs : public testing::Test {
     EXPECT_TRUE(!fs::exists(path("out")) || fs::is_empty(path("out")));
   }
   void says(const std::string& program, const std::string& text, int code,
-               const std::vector<std::string>& wanted) const {
+            const std::vector<std::string>& wanted) const {
     const auto file = write("scenario.toml", text);
     const Outcome outcome = call(program + " run " + file.string() + " --quiet --out " + path("out").string());
     EXPECT_EQ(outcome.code, code) << outcome.said;
@@ -69,12 +69,13 @@ class Programs : public testing::Test {
     refuses("recon", "dobra = 1\nprogram = \"recon\"\n[[input.horizon]]\nname = \"top\"\n" + horizon + "\n" + steps,
             code, wanted);
   }
+  static std::string plate_with(const std::string& more) {
+    return "dobra = 1\nprogram = \"quebra\"\n[[input.curve]]\nname = \"plate\"\nkind = \"polygon\"\n"
+           "points = [[0, 0], [4, 0], [4, 4], [0, 4]]\n" +
+           more;
+  }
   void quebra_refuses(const std::string& more, int code, const std::vector<std::string>& wanted) const {
-    refuses("quebra",
-            "dobra = 1\nprogram = \"quebra\"\n[[input.curve]]\nname = \"plate\"\nkind = \"polygon\"\n"
-            "points = [[0, 0], [4, 0], [4, 4], [0, 4]]\n" +
-                more,
-            code, wanted);
+    refuses("quebra", plate_with(more), code, wanted);
   }
 
  private:
@@ -202,7 +203,7 @@ const std::string solve =
     "[[step]]\noperation = \"mesh\"\nsize = 1.0\norder = \"2\"\n[[step]]\noperation = \"analyse\"\n";
 
 TEST_F(Programs, APlateWithoutSupportsIsNamedWithHowItCanMove) {
-  says("quebra", plate + problem + steel + "[[step.load]]\nwhere = \"plate\"\nx = 1.0\n" + solve, 3,
+  says("quebra", plate_with(problem + steel + "[[step.load]]\nwhere = \"plate\"\nx = 1.0\n" + solve), 3,
        {"supports", "is not held", "along x, along y and turn", "support it"});
   // The mesh of the steps before is there, and the report says that the run did not come to its end.
   EXPECT_TRUE(fs::exists(path("out") / "mesh.vtu"));

@@ -64,9 +64,7 @@ TEST(Blocks, BedsBesideWhichARockIsOpenAreTold) {
   const std::vector<test::NamedPoints> whole{{"A/1", {{0, 0}, {500, 0}}},       {"A/2", {{500, -40}, {900, -40}}},
                                              {"B/1", {{0, -200}, {500, -200}}}, {"B/2", {{500, -240}, {900, -240}}},
                                              {"C/1", {{0, -400}, {500, -400}}}, {"C/2", {{500, -440}, {900, -440}}}};
-  const std::vector<section::SectionLine> fault{item("F", {{500, 100}, {500, -1000}})};
-  section::Section closed = faulted(whole, fault);
-  closed.lines[0].hanging_wall = section::HangingWall::Right;
+  const section::Section closed = faulted(whole, {item("F", {{500, 100}, {499, -1000}})});
   const Made tidy = made_of(closed);
   EXPECT_EQ(tidy.blocks.all().size(), 2U);
   EXPECT_TRUE(tidy.blocks.remarks_on_beds(closed).empty());

@@ -198,6 +198,43 @@ TEST_F(Tools, SelectedLinesAreMovedTurnedMirroredAndCopied) {
   EXPECT_EQ(only<Told>(tool->take()).size(), 1U);
 }
 
+TEST_F(Tools, WhatAStepHasMadeIsNeitherSelectedNorTakenAlong) {
+  work.set_editable(std::set<scene::Pick>{bed});
+  const auto tool = make_select_tool();
+  click(*tool, {50, 60});
+  EXPECT_TRUE(work.selection.empty());
+  click(*tool, {20, 0});
+  press(*tool, {50, 0});
+  move(*tool, {55, -6});
+  release(*tool, {55, -6});
+  const auto edits = only<Edited>(tool->take());
+  ASSERT_FALSE(edits.empty());
+  EXPECT_EQ(edits.back().lines.size(), 1U);
+  const auto split = make_line_tool(LineWork::Split);
+  click(*split, {50, 60});
+  EXPECT_EQ(only<Told>(split->take()).size(), 1U);
+}
+
+TEST_F(Tools, NothingIsSelectedAfterLinesWereDeleted) {
+  const auto tool = make_select_tool();
+  click(*tool, {20, 0});
+  EXPECT_TRUE(tool->key(work, Key::Delete));
+  EXPECT_TRUE(work.selection.empty());
+  EXPECT_FALSE(tool->key(work, Key::Delete));
+}
+
+TEST_F(Tools, APolygonOfTwoPointsWaitsForTheThird) {
+  const auto tool = make_draw_tool(Drawing::Polygon);
+  click(*tool, {0, 10});
+  click(*tool, {10, 10});
+  EXPECT_TRUE(tool->key(work, Key::Enter));
+  click(*tool, {10, 20});
+  EXPECT_TRUE(tool->key(work, Key::Enter));
+  const auto drawn = only<Drawn>(tool->take());
+  ASSERT_EQ(drawn.size(), 1U);
+  EXPECT_EQ(drawn[0].line.points.size(), 3U);
+}
+
 TEST_F(Tools, WaysAreMeasured) {
   const auto tool = make_measure_tool();
   click(*tool, {0, 0});

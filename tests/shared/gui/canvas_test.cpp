@@ -78,6 +78,25 @@ TEST_F(CanvasTest, AVertexIsDraggedAndTheEditIsOneStepOfUndo) {
   EXPECT_FALSE(window.session().history().can_undo());
 }
 
+TEST_F(CanvasTest, ThePictureStaysUnderTheCursorWhileAVertexIsDragged) {
+  open_bump();
+  click({300, 300});
+  const QPoint to = pixel({500, 380});
+  const QPoint from = pixel({500, 300});
+  QTest::mousePress(&window.view(), Qt::LeftButton, {}, from);
+  for (const double part : {0.5, 1.0}) {
+    const QPointF at = from + part * QPointF(to - from);
+    QMouseEvent event(QEvent::MouseMove, at, window.view().mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&window.view(), &event);
+    settle();
+    EXPECT_EQ(pixel({500, 380}), to);
+  }
+  QTest::mouseRelease(&window.view(), Qt::LeftButton, {}, to);
+  settle();
+  EXPECT_EQ(pixel({500, 380}), to);
+  EXPECT_NEAR(bump(0)[1].y, 380.0, pixel_size());
+}
+
 TEST_F(CanvasTest, EscapeInTheMiddleOfADragChangesNothing) {
   open_bump();
   click({300, 300});
