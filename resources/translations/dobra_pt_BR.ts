@@ -3402,8 +3402,8 @@
         <translation>ângulo</translation>
     </message>
     <message>
-        <source>Click where the direction to the right is to point</source>
-        <translation>Clique para onde deve apontar a direção da direita</translation>
+        <source>Click where the direction to the right is to point, or type degrees</source>
+        <translation>Clique para onde deve apontar a direção da direita, ou digite graus</translation>
     </message>
     <message>
         <source>Click a second point of the mirror line</source>

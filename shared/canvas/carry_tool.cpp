@@ -19,7 +19,8 @@ class CarryTool final : public Tool {
 
   [[nodiscard]] std::string hint() const override {
     if (base_) {
-      return carrying_ == Carrying::Rotate   ? translated("Click where the direction to the right is to point")
+      return carrying_ == Carrying::Rotate
+                 ? translated("Click where the direction to the right is to point, or type degrees")
              : carrying_ == Carrying::Mirror ? translated("Click a second point of the mirror line")
                                              : translated("Click where it is to go, or type @dx,dz");
     }
@@ -52,6 +53,10 @@ class CarryTool final : public Tool {
     return true;
   }
   [[nodiscard]] std::optional<Point> last() const override { return base_; }
+  [[nodiscard]] std::optional<Point> place_of_number(double number) const override {
+    if (!base_ || carrying_ != Carrying::Rotate) return std::nullopt;
+    return geom::Transform::rotation(base::Angle::from_degrees(number), *base_)(*base_ + geom::Vector{1.0, 0.0});
+  }
   [[nodiscard]] Overlay overlay(const Workspace& work) const override {
     Overlay overlay;
     show_selection(work, overlay);

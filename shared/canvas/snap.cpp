@@ -67,9 +67,7 @@ std::optional<Snap> at_angle(Point cursor, const SnapWish& wish) {
   // A right angle is one: cos(pi/2) is 6e-17.
   if (std::abs(way.x) < 1e-12) way.x = 0.0;
   if (std::abs(way.y) < 1e-12) way.y = 0.0;
-  const Point there = onto(*wish.from, way, cursor);
-  if (Page{wish.exaggeration}.distance(cursor, there) > wish.reach) return std::nullopt;
-  return Snap{SnapKind::Angle, there};
+  return Snap{SnapKind::Angle, onto(*wish.from, way, cursor)};
 }
 
 }  // namespace

@@ -89,6 +89,8 @@ class Tool {
 
   /// The last place of what is being made: perpendicular, angles and typed places need it.
   [[nodiscard]] virtual std::optional<geom::Point> last() const { return std::nullopt; }
+  /// The place that a typed number alone means, where that is no length towards the cursor.
+  [[nodiscard]] virtual std::optional<geom::Point> place_of_number(double) const { return std::nullopt; }
   [[nodiscard]] virtual Overlay overlay(const Workspace& work) const = 0;
 
   /// What has happened since it was asked last.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shared/base/text.h"
 #include "shared/canvas/entry.h"
 #include "shared/gui/text.h"
 #include "shared/gui/vtk_widget.h"
@@ -278,7 +279,11 @@ void Canvas::enter() {
   canvas::EntryContext context{.last = tool_->last()};
   if (context.last && pointer_) context.towards = pointer_->at - *context.last;
   if (QLocale().decimalPoint() == QLatin1String(",")) context.mark = canvas::DecimalMark::Comma;
-  const base::Result<geom::Point> place = canvas::parse_entry(entry_->text().toStdString(), context);
+  const std::string typed_text = entry_->text().toStdString();
+  const std::optional<double> number = base::parse_number(entry_->text().trimmed().replace(',', '.').toStdString());
+  const std::optional<geom::Point> meant = number ? tool_->place_of_number(*number) : std::nullopt;
+  const base::Result<geom::Point> place =
+      meant ? base::Result<geom::Point>(*meant) : canvas::parse_entry(entry_->text().toStdString(), context);
   if (!place) {
     emit told(text_of(place.error().message));
     return;

@@ -143,6 +143,7 @@ NewLine::NewLine(std::vector<scenario::Drawing::Kind> kinds, const std::string& 
                  std::function<base::Result<void>(const std::string&, const std::string&)> add, QWidget* parent)
     : QDialog(parent), kinds_(std::move(kinds)), add_(std::move(add)) {
   setWindowTitle(text("What was drawn?"));
+  setMinimumWidth(380);
   auto* rows = new QFormLayout(this);
   kind_ = new QComboBox(this);
   for (const scenario::Drawing::Kind& kind : kinds_) {
@@ -173,7 +174,8 @@ std::string NewLine::kind() const { return kinds_[static_cast<std::size_t>(kind_
 void NewLine::try_to_add() {
   const base::Result<void> added = add_(kind(), name_->text().toStdString());
   if (added) return accept();
-  refused_->setText(QString::fromStdString(base::to_string(added.error())));
+  refused_->setText(QString::fromStdString(added.error().message));
+  adjustSize();
   refused_->show();
   name_->setFocus();
 }

@@ -192,6 +192,10 @@ TEST_F(Tools, SelectedLinesAreMovedTurnedMirroredAndCopied) {
   EXPECT_EQ(image(Carrying::Copy), (Point{50, 10}));
   EXPECT_EQ(image(Carrying::Rotate), (Point{0, 50}));
   EXPECT_EQ(image(Carrying::Mirror), (Point{-50, 0}));
+  const auto turn = make_carry_tool(Carrying::Rotate);
+  EXPECT_FALSE(turn->place_of_number(90.0));
+  click(*turn, {10, 20});
+  EXPECT_EQ(turn->place_of_number(90.0), (Point{10, 21}));
   work.selection.clear();
   const auto tool = make_carry_tool(Carrying::Move);
   click(*tool, {0, 0});
