@@ -1,5 +1,7 @@
 #include "recon/core/operations.h"
 
+#include <algorithm>
+
 #include "recon/core/area_balance_step.h"
 #include "recon/core/balance_step.h"
 #include "recon/core/carry_step.h"
@@ -125,6 +127,12 @@ scenario::Program make_program() {
   recon.draw_input = [](const scenario::Table& table, const scenario::Context& context,
                         dobra::scene::Picture& picture) {
     draw_lines(scenario::from_table<input::SectionInput>(table), context, picture);
+  };
+  recon.nothing_yet = [](const scenario::Table& input) {
+    return std::none_of(input.entries().begin(), input.entries().end(), [](const scenario::Table::Entry& entry) {
+      const auto* rows = std::get_if<std::vector<scenario::Table>>(&entry.value);
+      return rows != nullptr && !rows->empty();
+    });
   };
   recon.results = scenario::make_results<model::Model>({.quantities = add_section_quantities,
                                                         .tables = add_chain_tables,

@@ -3683,5 +3683,49 @@
         <source>&apos;%1&apos; is not a number</source>
         <translation>&apos;%1&apos; não é um número</translation>
     </message>
+    <message>
+        <source>A step has made this; show the input to edit it (menu View, or Ctrl+1).</source>
+        <translation>Isto foi feito por uma etapa; mostre a entrada para editá-la (menu Exibir, ou Ctrl+1).</translation>
+    </message>
+    <message>
+        <source>Nothing is selected: take up Select (S) and click a line first.</source>
+        <translation>Nada está selecionado: pegue Selecionar (S) e clique antes em uma linha.</translation>
+    </message>
+    <message>
+        <source>There is no line here.</source>
+        <translation>Não há linha aqui.</translation>
+    </message>
+    <message>
+        <source>This is the line itself.</source>
+        <translation>Esta é a própria linha.</translation>
+    </message>
+    <message>
+        <source>Which of the two is the line that they become?</source>
+        <translation>Qual das duas é a linha em que elas se tornam?</translation>
+    </message>
+    <message>
+        <source>write look input, result or both</source>
+        <translation>escreva look input, result ou both</translation>
+    </message>
+    <message>
+        <source>one under %1</source>
+        <translation>um em %1</translation>
+    </message>
+    <message>
+        <source>The input</source>
+        <translation>A entrada</translation>
+    </message>
+    <message>
+        <source>The result</source>
+        <translation>O resultado</translation>
+    </message>
+    <message>
+        <source>Input and result</source>
+        <translation>Entrada e resultado</translation>
+    </message>
+    <message>
+        <source>&amp;Undo: last point</source>
+        <translation>&amp;Desfazer: último ponto</translation>
+    </message>
 </context>
 </TS>

@@ -31,7 +31,7 @@ class CarryTool final : public Tool {
 
   void press(Workspace& work, const Pointer& pointer) override {
     if (work.selection.empty()) {
-      say(Told{translated("Nothing is selected")});
+      say(Told{translated("Nothing is selected: take up Select (S) and click a line first.")});
       return;
     }
     if (!base_) {

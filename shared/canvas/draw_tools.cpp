@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "shared/base/text.h"
+#include "shared/canvas/entry.h"
 #include "shared/canvas/line_edit.h"
 #include "shared/canvas/tool.h"
 
@@ -19,7 +20,28 @@ constexpr std::size_t circle_sides = 64;
 
 bool by_two_clicks(Drawing drawing) { return drawing == Drawing::Rectangle || drawing == Drawing::Circle; }
 
-class DrawTool final : public Tool {
+/// Places one after the other.
+class PointsTool : public Tool {
+ public:
+  bool key(Workspace&, Key key) override {
+    if (points_.empty()) return false;
+    if (key == Key::Enter) end();
+    if (key == Key::Escape) points_.clear();
+    if (key == Key::Backspace) points_.pop_back();
+    return true;
+  }
+  [[nodiscard]] std::optional<Point> last() const override {
+    return points_.empty() ? std::nullopt : std::optional(points_.back());
+  }
+
+ protected:
+  virtual void end() = 0;
+
+  std::vector<Point> points_;
+  Point cursor_;
+};
+
+class DrawTool final : public PointsTool {
  public:
   explicit DrawTool(Drawing drawing) : drawing_(drawing) {}
 
@@ -43,24 +65,17 @@ class DrawTool final : public Tool {
     cursor_ = pointer.place();
     if (!points_.empty() && points_.back() == cursor_) return;
     points_.push_back(cursor_);
-    if (drawing_ == Drawing::Point || (by_two_clicks(drawing_) && points_.size() == 2)) finish();
+    if (drawing_ == Drawing::Point || (by_two_clicks(drawing_) && points_.size() == 2)) end();
   }
   void move(Workspace&, const Pointer& pointer) override { cursor_ = pointer.place(); }
   void double_click(Workspace& work, const Pointer& pointer) override {
     if (points_.empty()) return;
     press(work, pointer);
-    if (!points_.empty()) finish();
+    if (!points_.empty()) end();
   }
-  bool key(Workspace&, Key key) override {
-    if (points_.empty()) return false;
-    if (key == Key::Enter) finish();
-    if (key == Key::Escape) points_.clear();
-    if (key == Key::Backspace) points_.pop_back();
-    return true;
-  }
-
-  [[nodiscard]] std::optional<Point> last() const override {
-    return points_.empty() ? std::nullopt : std::optional(points_.back());
+  void put_down(Workspace&) override {
+    if (const auto shape = made()) say(*shape);
+    points_.clear();
   }
   [[nodiscard]] Overlay overlay(const Workspace&) const override {
     Overlay overlay;
@@ -79,28 +94,29 @@ class DrawTool final : public Tool {
     if (line.points.empty() || line.points.back() != next) line.points.push_back(next);
     return line;
   }
-  void finish() {
-    const Polyline shape = by_two_clicks(drawing_) && points_.size() < 2 ? Polyline{points_, true} : [&] {
-      const Point last = points_.back();
-      return by_two_clicks(drawing_) ? shape_with(last) : Polyline{points_, drawing_ == Drawing::Polygon};
-    }();
-    const bool closed = drawing_ != Drawing::Line && drawing_ != Drawing::Point;
-    const std::size_t least = drawing_ == Drawing::Point ? 1 : closed ? 3 : 2;
-    if (shape.points.size() < least || (closed && geom::signed_area(shape) == 0.0)) {
-      say(Told{
-          translated(closed ? "A closed line needs three points that do not lie in line" : "A line needs two points")});
-      return;
+  [[nodiscard]] bool closed() const { return drawing_ != Drawing::Line && drawing_ != Drawing::Point; }
+  /// Nothing as long as it has too few points.
+  [[nodiscard]] std::optional<Drawn> made() const {
+    const std::size_t least = drawing_ == Drawing::Polygon ? 3 : drawing_ == Drawing::Point ? 1 : 2;
+    if (points_.size() < least) return std::nullopt;
+    Polyline line = by_two_clicks(drawing_) ? shape_with(points_.back()) : Polyline{points_, closed()};
+    if (closed() && geom::signed_area(line) == 0.0) return std::nullopt;
+    return Drawn{drawing_ == Drawing::Point ? Shape::Point : closed() ? Shape::Polygon : Shape::Line, std::move(line)};
+  }
+  void end() override {
+    if (const auto shape = made()) {
+      points_.clear();
+      say(*shape);
+    } else {
+      say(Told{translated(closed() ? "A closed line needs three points that do not lie in line"
+                                   : "A line needs two points")});
     }
-    points_.clear();
-    say(Drawn{drawing_ == Drawing::Point ? Shape::Point : closed ? Shape::Polygon : Shape::Line, shape});
   }
 
   Drawing drawing_;
-  std::vector<Point> points_;
-  Point cursor_;
 };
 
-class MeasureTool final : public Tool {
+class MeasureTool final : public PointsTool {
  public:
   [[nodiscard]] std::string hint() const override {
     return translated("Click points: length and dip of each way, and from the third point on the area");
@@ -114,16 +130,7 @@ class MeasureTool final : public Tool {
     if (!ended_) cursor_ = pointer.place();
   }
   void double_click(Workspace&, const Pointer&) override { ended_ = true; }
-  bool key(Workspace&, Key key) override {
-    if (points_.empty()) return false;
-    if (key == Key::Enter) ended_ = true;
-    if (key == Key::Escape) points_.clear();
-    if (key == Key::Backspace) points_.pop_back();
-    return true;
-  }
-  [[nodiscard]] std::optional<Point> last() const override {
-    return points_.empty() ? std::nullopt : std::optional(points_.back());
-  }
+  [[nodiscard]] bool unfinished() const override { return !points_.empty() && !ended_; }
   [[nodiscard]] Overlay overlay(const Workspace&) const override {
     Overlay overlay;
     if (points_.empty()) return overlay;
@@ -137,14 +144,14 @@ class MeasureTool final : public Tool {
       told += "\n" + fmt::format(fmt::runtime(translated("{:.6g} m in all, area {:.6g} m²")), geom::length(way),
                                  std::abs(geom::signed_area(ring)));
     }
-    overlay.texts = {{way.points.back(), told}};
+    overlay.texts = {{way.points.back(), with_decimal_mark(told)}};
     overlay.lines = {std::move(way)};
     return overlay;
   }
 
  private:
-  std::vector<Point> points_;
-  Point cursor_;
+  void end() override { ended_ = true; }
+
   bool ended_ = false;
 };
 
@@ -155,7 +162,11 @@ std::string measure_text(Point from, Point to) {
   const double length = geom::length(way);
   if (length == 0.0) return fmt::format("{} m", 0);
   const double dip = std::atan2(std::abs(way.y), std::abs(way.x)) * 180.0 / std::numbers::pi;
-  return fmt::format(fmt::runtime(translated("{:.6g} m, dip {:.1f}°")), length, dip);
+  return with_decimal_mark(fmt::format(fmt::runtime(translated("{:.6g} m, dip {:.1f}°")), length, dip));
+}
+
+std::string made_by_a_step() {
+  return translated("A step has made this; show the input to edit it (menu View, or Ctrl+1).");
 }
 
 std::unique_ptr<Tool> make_draw_tool(Drawing drawing) { return std::make_unique<DrawTool>(drawing); }

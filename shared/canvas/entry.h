@@ -2,6 +2,7 @@
 // Places that a user types while drawing. Page: docs/user/canvas.md.
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "shared/base/result.h"
@@ -12,10 +13,16 @@ namespace dobra::canvas {
 /// What the user's language writes before the decimals. Both are read where the text leaves no doubt.
 enum class DecimalMark { Point, Comma };
 
+/// Of all that is shown beside the cursor from now on; Point until then.
+void set_decimal_mark(DecimalMark mark);
+DecimalMark decimal_mark();
+/// The text with the user's mark in the place of points between digits.
+std::string with_decimal_mark(std::string text);
+
 struct EntryContext {
   std::optional<geom::Point> last = std::nullopt;      ///< The place before.
   std::optional<geom::Vector> towards = std::nullopt;  ///< From there to the cursor: where a plain length goes.
-  DecimalMark mark = DecimalMark::Point;
+  DecimalMark mark = decimal_mark();
 };
 
 /// "x,z" a place; "@dx,dz" from the last place; "@d<angle" as distance and degrees anticlockwise from +x; "d" a length

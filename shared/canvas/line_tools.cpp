@@ -36,8 +36,7 @@ class LineTool final : public Tool {
   void press(Workspace& work, const Pointer& pointer) override {
     const std::optional<Snap> on = under(work, pointer);
     if (!on) {
-      say(Told{line_at_all(work, pointer) ? translated("A step has made this; edit the section as it was read.")
-                                          : translated("There is no line here")});
+      say(Told{line_at_all(work, pointer) ? made_by_a_step() : translated("There is no line here.") + " " + hint()});
       return;
     }
     const Polyline& line = *work.line(*on->on);
@@ -71,6 +70,7 @@ class LineTool final : public Tool {
     first_.reset();
     return true;
   }
+  [[nodiscard]] bool unfinished() const override { return first_.has_value(); }
   [[nodiscard]] Overlay overlay(const Workspace& work) const override {
     Overlay overlay;
     for (const std::optional<scene::Pick>& pick : {first_, hovered_}) {
@@ -106,17 +106,30 @@ class LineTool final : public Tool {
   }
 
   void join(Workspace& work, const scene::Pick& pick) {
-    if (!first_ || *first_ == pick || work.line(*first_) == nullptr) {
+    if (first_ && *first_ == pick) {
+      say(Told{translated("This is the line itself.") + " " + hint()});
+      return;
+    }
+    if (!first_ || work.line(*first_) == nullptr) {
       first_ = pick;
       return;
     }
     const scene::Pick first = *std::exchange(first_, std::nullopt);
-    base::Result<Polyline> line = joined(*work.line(first), *work.line(pick));
+    const base::Result<Polyline> line = joined(*work.line(first), *work.line(pick));
     if (!line) {
       say(Told{line.error().message});
       return;
     }
-    say(Edited{{{first, {*std::move(line)}}, {pick, {}}}, translated("Join lines"), Stage::Done});
+    const auto as = [&](const scene::Pick& kept, const scene::Pick& gone) {
+      return Edited{{{kept, {*line}}, {gone, {}}}, translated("Join lines"), Stage::Done};
+    };
+    const std::string name = work.title(first), other = work.title(pick);
+    if (name == other) {
+      say(as(first, pick));
+    } else {
+      say(Asked{translated("Which of the two is the line that they become?"),
+                {{name, as(first, pick)}, {other, as(pick, first)}}});
+    }
   }
 
   void one(const scene::Pick& pick, base::Result<Polyline> line, const char* what) {

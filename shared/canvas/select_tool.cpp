@@ -89,14 +89,13 @@ class SelectTool final : public Tool {
     band_ = {pointer.at, pointer.at};
   }
 
-  void move(Workspace& work, const Pointer& pointer) override {
+  void move(Workspace&, const Pointer& pointer) override {
     if (band_) band_->second = pointer.at;
     if (dragged_.empty()) return;
     if (!moved_ && page_distance(pointer.at, start_, pointer) <= 0.5 * pointer.reach) return;
     moved_ = true;
     to_ = pointer.place();
     say(edit(Stage::During));
-    (void)work;
   }
 
   void release(Workspace& work, const Pointer& pointer) override {

@@ -66,7 +66,13 @@ struct Told {
   std::string message;
 };
 
-using Change = std::variant<Drawn, Edited, Dropped, Told>;
+/// What only the user can decide: each answer is an edit.
+struct Asked {
+  std::string question;
+  std::vector<std::pair<std::string, Edited>> answers;
+};
+
+using Change = std::variant<Drawn, Edited, Dropped, Told, Asked>;
 
 class Tool {
  public:
@@ -86,6 +92,12 @@ class Tool {
   virtual void double_click(Workspace&, const Pointer&) {}
   /// @return whether the tool had a use for it.
   virtual bool key(Workspace&, Key) { return false; }
+  /// Another tool is taken up: what can be finished is.
+  virtual void put_down(Workspace&) {}
+  /// Undo belongs to what is being made before it belongs to the document.
+  [[nodiscard]] virtual bool unfinished() const { return last().has_value(); }
+  /// The last point, or where there is none to take, all that is unfinished. @return false if nothing is.
+  bool take_back(Workspace& work) { return unfinished() && (key(work, Key::Backspace) || key(work, Key::Escape)); }
 
   /// The last place of what is being made: perpendicular, angles and typed places need it.
   [[nodiscard]] virtual std::optional<geom::Point> last() const { return std::nullopt; }
@@ -119,7 +131,11 @@ std::unique_ptr<Tool> make_carry_tool(Carrying carrying);
 /// The outline of what is selected, with its vertices as handles.
 void show_selection(const Workspace& work, Overlay& overlay);
 
-/// Length and direction of a way: "125.3 m, 30.2°" (dip: below the horizontal, to the side where it falls).
+/// Length and direction of a way: "125.3 m, 30.2°" (dip: below the horizontal, to the side where it falls). Here and in
+/// all that is shown beside the cursor, decimals stand behind the user's mark.
 std::string measure_text(geom::Point from, geom::Point to);
+
+/// Why a line cannot be edited, and where it can.
+std::string made_by_a_step();
 
 }  // namespace dobra::canvas

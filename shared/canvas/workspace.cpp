@@ -1,5 +1,6 @@
 #include "shared/canvas/workspace.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace dobra::canvas {
@@ -42,6 +43,12 @@ const geom::Polyline* Workspace::line(const scene::Pick& pick) const {
     if (other == pick) found = &line;
   });
   return found;
+}
+
+std::string Workspace::title(const scene::Pick& pick) const {
+  const auto found = std::find_if(panel().layers.begin(), panel().layers.end(),
+                                  [&](const scene::Layer& layer) { return layer.key == pick.layer; });
+  return found == panel().layers.end() ? std::string() : found->title;
 }
 
 std::vector<std::pair<scene::Pick, const geom::Polyline*>> Workspace::lines() const {

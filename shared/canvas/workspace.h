@@ -33,6 +33,8 @@ class Workspace {
   [[nodiscard]] const SnapIndex& snaps() const;
   /// Of a pick; null if it is no line of a visible layer.
   [[nodiscard]] const geom::Polyline* line(const scene::Pick& pick) const;
+  /// What the layer of a pick is called; empty where there is none.
+  [[nodiscard]] std::string title(const scene::Pick& pick) const;
   /// All lines of the visible layers.
   [[nodiscard]] std::vector<std::pair<scene::Pick, const geom::Polyline*>> lines() const;
   /// All lines but one.

@@ -2,7 +2,6 @@
 
 #include <QKeyEvent>
 #include <QLineEdit>
-#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
 #include <algorithm>
@@ -10,6 +9,7 @@
 
 #include "shared/base/text.h"
 #include "shared/canvas/entry.h"
+#include "shared/gui/documents/shown.h"
 #include "shared/gui/text.h"
 #include "shared/gui/vtk_widget.h"
 
@@ -142,35 +142,63 @@ Canvas::Canvas(Session& session, VtkWidget& view, QObject* parent)
 Canvas::~Canvas() = default;
 
 void Canvas::take_up(std::unique_ptr<canvas::Tool> tool) {
+  if (!work_.empty()) tool_->put_down(work_);
+  carry_out();
   if (previewed_) session_.run();
   previewed_ = false;
   tool_ = std::move(tool);
   pointer_.reset();
   entry_->hide();
   view_.setCursor(tool_->cursor() == canvas::Cursor::Arrow ? Qt::ArrowCursor : Qt::CrossCursor);
-  emit told(text_of(tool_->hint()));
+  said_.clear();
+  show_hint();
+}
+
+bool Canvas::take_back() {
+  const bool taken = !work_.empty() && tool_->take_back(work_);
+  carry_out();
+  show_hint();
+  return taken;
+}
+
+void Canvas::say(const QString& message) {
+  said_ = message;
+  show_hint();
+}
+
+void Canvas::show_hint() {
+  emit told(said_.isEmpty() ? text_of(tool_->hint()) : said_);
+  if (std::exchange(was_unfinished_, unfinished()) != unfinished()) emit unfinished_changed();
   sheet_->update();
 }
 
-void Canvas::show_outcome() {
+void Canvas::tell_pick(const QString& what) {
+  if (tool_->cursor() == canvas::Cursor::Arrow && said_.isEmpty()) say(what);
+}
+
+void Canvas::show_outcome(std::shared_ptr<const scene::Picture> picture) {
   const documents::OutcomePtr& outcome = session_.outcome();
   if (!outcome || outcome->document != session_.history().current()) return;
   base_ = outcome;
+  picture_ = std::move(picture);
   previewed_ = false;
-  use_panel(outcome->picture && panel_ < outcome->picture->panels.size() ? panel_ : 0);
+  use_panel(panel_ < picture_->panels.size() ? panel_ : 0);
 }
 
 void Canvas::show_sheet() {
   base_.reset();
+  picture_.reset();
   work_.selection.clear();
   use_panel(0);
 }
 
 void Canvas::use_panel(std::size_t panel) {
   panel_ = panel;
-  if (base_ && base_->picture && panel < base_->picture->panels.size()) {
-    work_.show(base_->picture, panel, hidden_);
-    if (session_.program().drawing.edit && !base_->run.states.empty()) work_.set_editable(lines_of_input());
+  if (picture_ && panel < picture_->panels.size()) {
+    work_.show(picture_, panel, hidden_);
+    work_.set_editable(std::nullopt);
+    if (session_.program().drawing.edit && base_->input)
+      work_.set_editable(documents::lines_of_input(picture_->panels[panel], *base_));
   } else {  // nothing is there yet: the first line is drawn on an empty sheet
     auto empty = std::make_shared<scene::Picture>();
     empty->panels.resize(panel + 1);
@@ -215,14 +243,15 @@ bool Canvas::mouse(QMouseEvent& event, QEvent::Type type) {
   if (!pointer && left && type == QEvent::MouseButtonRelease) pointer = pointer_;
   if (!pointer || (type != QEvent::MouseMove && !left)) return false;
   pointer_ = pointer;
+  if (type == QEvent::MouseButtonPress) said_.clear();
   // What is shown meanwhile must not run away from under the cursor.
   if (type == QEvent::MouseButtonPress) view_.hold();
   if (type == QEvent::MouseButtonPress) tool_->press(work_, *pointer);
   if (type == QEvent::MouseMove) tool_->move(work_, *pointer);
   if (type == QEvent::MouseButtonRelease) tool_->release(work_, *pointer);
   if (type == QEvent::MouseButtonDblClick) tool_->double_click(work_, *pointer);
-  if (type != QEvent::MouseMove) emit told(text_of(tool_->hint()));
   carry_out();
+  if (type != QEvent::MouseMove) show_hint();
   sheet_->update();
   return false;
 }
@@ -245,9 +274,10 @@ std::optional<canvas::Key> Canvas::key_of(int key) {
 
 bool Canvas::key_press(int key, const QString& typed) {
   if (const std::optional<canvas::Key> known = key_of(key)) {
+    said_.clear();
     const bool used = !work_.empty() && tool_->key(work_, *known);
     carry_out();
-    sheet_->update();
+    show_hint();
     return used;
   }
   const bool starts_place = typed.size() == 1 && QString("0123456789-@.,").contains(typed);
@@ -278,16 +308,15 @@ bool Canvas::entry_key(const QEvent& event) {
 void Canvas::enter() {
   canvas::EntryContext context{.last = tool_->last()};
   if (context.last && pointer_) context.towards = pointer_->at - *context.last;
-  if (QLocale().decimalPoint() == QLatin1String(",")) context.mark = canvas::DecimalMark::Comma;
-  const std::string typed_text = entry_->text().toStdString();
   const std::optional<double> number = base::parse_number(entry_->text().trimmed().replace(',', '.').toStdString());
   const std::optional<geom::Point> meant = number ? tool_->place_of_number(*number) : std::nullopt;
   const base::Result<geom::Point> place =
       meant ? base::Result<geom::Point>(*meant) : canvas::parse_entry(entry_->text().toStdString(), context);
   if (!place) {
-    emit told(text_of(place.error().message));
+    say(text_of(place.error().message));
     return;
   }
+  said_.clear();
   entry_->hide();
   view_.setFocus();
   canvas::Pointer typed = pointer_.value_or(canvas::Pointer{});
@@ -295,32 +324,18 @@ void Canvas::enter() {
   typed.snap.reset();
   tool_->press(work_, typed);
   tool_->release(work_, typed);
-  emit told(text_of(tool_->hint()));
   carry_out();
-  sheet_->update();
+  show_hint();
 }
 
 void Canvas::carry_out() {
   for (const canvas::Change& change : tool_->take()) {
     if (const auto* edited = std::get_if<canvas::Edited>(&change)) carry_out(*edited);
     if (const auto* what = std::get_if<canvas::Drawn>(&change)) emit drawn(*what);
-    if (const auto* message = std::get_if<canvas::Told>(&change)) emit told(text_of(message->message));
+    if (const auto* message = std::get_if<canvas::Told>(&change)) say(text_of(message->message));
+    if (const auto* question = std::get_if<canvas::Asked>(&change)) emit asked(*question);
     if (std::holds_alternative<canvas::Dropped>(change) && std::exchange(previewed_, false)) session_.run();
   }
-}
-
-std::set<scene::Pick> Canvas::lines_of_input() const {
-  const scene::Picture input = session_.program().picture_of(base_->run.states.front());
-  std::set<scene::Pick> picks;
-  for (std::size_t i = 0; i < input.panels.size(); ++i) {
-    canvas::Workspace of_input;
-    of_input.show(std::make_shared<const scene::Picture>(input), i);
-    for (const auto& [pick, line] : of_input.lines()) {
-      const geom::Polyline* shown = work_.line(pick);
-      if (shown != nullptr && *shown == *line) picks.insert(pick);
-    }
-  }
-  return picks;
 }
 
 void Canvas::carry_out(const canvas::Edited& edited) {
@@ -328,12 +343,12 @@ void Canvas::carry_out(const canvas::Edited& edited) {
   if (!edit || !base_ || base_->run.states.empty()) return;
   if (!std::all_of(edited.lines.begin(), edited.lines.end(),
                    [&](const auto& line) { return work_.is_editable(line.pick); })) {
-    emit told(text("A step has made this; edit the section as it was read."));
+    say(text_of(canvas::made_by_a_step()));
     return;
   }
   base::Result<scenario::Document> document = edit(session_.document(), base_->run.states.front(), edited.lines);
   if (!document) {
-    emit told(text_of(to_string(document.error())));
+    say(text_of(to_string(document.error())));
     return;
   }
   previewed_ = edited.stage == canvas::Stage::During;

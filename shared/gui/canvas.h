@@ -27,13 +27,19 @@ class Canvas : public QObject {
   Canvas(Session& session, VtkWidget& view, QObject* parent = nullptr);
   ~Canvas() override;
 
-  /// What the mouse and the keys do from now on.
+  /// What the mouse and the keys do from now on. What the tool before has drawn so far is finished.
   void take_up(std::unique_ptr<canvas::Tool> tool);
+  /// The last point of what is being drawn, or the gesture. @return false if nothing is unfinished.
+  bool take_back();
+  [[nodiscard]] bool unfinished() const { return tool_->unfinished(); }
   [[nodiscard]] canvas::Tool& tool() { return *tool_; }
   [[nodiscard]] canvas::Workspace& workspace() { return work_; }
 
-  /// The picture of the last run is shown. That of an edit under way changes nothing here.
-  void show_outcome();
+  /// Of the last run `picture` is shown. That of an edit under way changes nothing here.
+  void show_outcome(std::shared_ptr<const scene::Picture> picture);
+  void show_hint();
+  /// What lies where the picture was clicked; of no interest to a tool that draws.
+  void tell_pick(const QString& what);
   /// Nothing is there yet but a sheet to draw on.
   void show_sheet();
   void set_layer_hidden(const std::string& layer, bool hidden);
@@ -42,9 +48,16 @@ class Canvas : public QObject {
   /// Lines are drawn in multiples of 15 degrees.
   void set_angles(bool on) { angles_ = on; }
 
+  /// As if the tool in hand had made it.
+  void carry_out(const canvas::Edited& edited);
+
  signals:
-  /// For the status bar.
+  /// What the tool waits for; until the next click or key why it has done nothing.
   void told(const QString& message);
+  /// Something is being drawn now, or is no more.
+  void unfinished_changed();
+  /// What only the user can decide.
+  void asked(const dobra::canvas::Asked& what);
   /// Something was drawn that the user must say what it is.
   void drawn(const dobra::canvas::Drawn& what);
 
@@ -61,9 +74,7 @@ class Canvas : public QObject {
   bool entry_key(const QEvent& event);
   void enter();
   void carry_out();
-  void carry_out(const canvas::Edited& edited);
-  /// The shown lines that the input has made, and no step has changed: only those are edited.
-  [[nodiscard]] std::set<scene::Pick> lines_of_input() const;
+  void say(const QString& message);
   void use_panel(std::size_t panel);
 
   Session& session_;
@@ -72,13 +83,16 @@ class Canvas : public QObject {
   QLineEdit* entry_ = nullptr;
   std::unique_ptr<canvas::Tool> tool_;
   canvas::Workspace work_;
-  documents::OutcomePtr base_;  ///< Of the document that is edited; not of an edit under way.
+  documents::OutcomePtr base_;                     ///< Of the document that is edited; not of an edit under way.
+  std::shared_ptr<const scene::Picture> picture_;  ///< What is shown of it.
+  QString said_;                                   ///< Stands in the place of the hint.
   std::size_t panel_ = 0;
   std::set<std::string> hidden_;
   std::optional<canvas::Pointer> pointer_;
   bool snapping_ = true;
   bool angles_ = false;
   bool previewed_ = false;
+  bool was_unfinished_ = false;
 };
 
 }  // namespace dobra::gui

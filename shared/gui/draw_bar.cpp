@@ -8,8 +8,10 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QMessageBox>
 #include <QPushButton>
 #include <algorithm>
+#include <map>
 
 #include "shared/gui/canvas.h"
 #include "shared/gui/text.h"
@@ -42,54 +44,56 @@ DrawBar::DrawBar(Session& session, Canvas& canvas, QMenu& menu, QWidget* parent)
   setObjectName("draw_bar");
   setIconSize({20, 20});
   setMovable(false);
-  add_tool(menu, "select", text("Select"), Symbol::Select, QKeySequence(Qt::Key_S), canvas::make_select_tool);
-  add_tool(menu, "measure", text("Measure"), Symbol::Measure, QKeySequence(Qt::Key_M), canvas::make_measure_tool);
+  add_tool(menu, "select", text("Select"), theme::Symbol::Select, QKeySequence(Qt::Key_S), canvas::make_select_tool);
+  add_tool(menu, "measure", text("Measure"), theme::Symbol::Measure, QKeySequence(Qt::Key_M),
+           canvas::make_measure_tool);
   if (session.program().drawing.add) {
     addSeparator();
     menu.addSeparator();
-    add_tool(menu, "line", text("Line"), Symbol::Line, QKeySequence(Qt::Key_L),
+    add_tool(menu, "line", text("Line"), theme::Symbol::Line, QKeySequence(Qt::Key_L),
              [] { return canvas::make_draw_tool(Drawing::Line); });
-    add_tool(menu, "polygon", text("Polygon"), Symbol::Polygon, QKeySequence(Qt::Key_P),
+    add_tool(menu, "polygon", text("Polygon"), theme::Symbol::Polygon, QKeySequence(Qt::Key_P),
              [] { return canvas::make_draw_tool(Drawing::Polygon); });
-    add_tool(menu, "rectangle", text("Rectangle"), Symbol::Rectangle, QKeySequence(Qt::Key_R),
+    add_tool(menu, "rectangle", text("Rectangle"), theme::Symbol::Rectangle, QKeySequence(Qt::Key_R),
              [] { return canvas::make_draw_tool(Drawing::Rectangle); });
-    add_tool(menu, "circle", text("Circle"), Symbol::Circle, QKeySequence(Qt::Key_C),
+    add_tool(menu, "circle", text("Circle"), theme::Symbol::Circle, QKeySequence(Qt::Key_C),
              [] { return canvas::make_draw_tool(Drawing::Circle); });
-    add_tool(menu, "point", text("Point"), Symbol::Point, QKeySequence(Qt::Key_O),
+    add_tool(menu, "point", text("Point"), theme::Symbol::Point, QKeySequence(Qt::Key_O),
              [] { return canvas::make_draw_tool(Drawing::Point); });
   }
   if (session.program().drawing.edit) {
     addSeparator();
     menu.addSeparator();
-    add_tool(menu, "insert_vertex", text("Insert vertex"), Symbol::InsertVertex, QKeySequence(Qt::Key_I),
+    add_tool(menu, "insert_vertex", text("Insert vertex"), theme::Symbol::InsertVertex, QKeySequence(Qt::Key_I),
              [] { return canvas::make_line_tool(LineWork::InsertVertex); });
-    add_tool(menu, "split", text("Split line"), Symbol::Split, QKeySequence(Qt::Key_X),
+    add_tool(menu, "split", text("Split line"), theme::Symbol::Split, QKeySequence(Qt::Key_X),
              [] { return canvas::make_line_tool(LineWork::Split); });
-    add_tool(menu, "join", text("Join lines"), Symbol::Join, QKeySequence(Qt::Key_J),
+    add_tool(menu, "join", text("Join lines"), theme::Symbol::Join, QKeySequence(Qt::Key_J),
              [] { return canvas::make_line_tool(LineWork::Join); });
-    add_tool(menu, "extend", text("Extend line"), Symbol::Extend, QKeySequence(Qt::Key_E),
+    add_tool(menu, "extend", text("Extend line"), theme::Symbol::Extend, QKeySequence(Qt::Key_E),
              [] { return canvas::make_line_tool(LineWork::Extend); });
-    add_tool(menu, "trim", text("Trim line"), Symbol::Trim, QKeySequence(Qt::Key_T),
+    add_tool(menu, "trim", text("Trim line"), theme::Symbol::Trim, QKeySequence(Qt::Key_T),
              [] { return canvas::make_line_tool(LineWork::Trim); });
     addSeparator();
     menu.addSeparator();
-    add_tool(menu, "move", text("Move lines"), Symbol::Move, QKeySequence(Qt::Key_G),
+    add_tool(menu, "move", text("Move lines"), theme::Symbol::Move, QKeySequence(Qt::Key_G),
              [] { return canvas::make_carry_tool(Carrying::Move); });
-    add_tool(menu, "rotate", text("Rotate lines"), Symbol::Rotate, QKeySequence(Qt::Key_A),
+    add_tool(menu, "rotate", text("Rotate lines"), theme::Symbol::Rotate, QKeySequence(Qt::Key_A),
              [] { return canvas::make_carry_tool(Carrying::Rotate); });
-    add_tool(menu, "mirror", text("Mirror lines"), Symbol::Mirror, QKeySequence(Qt::Key_W),
+    add_tool(menu, "mirror", text("Mirror lines"), theme::Symbol::Mirror, QKeySequence(Qt::Key_W),
              [] { return canvas::make_carry_tool(Carrying::Mirror); });
-    add_tool(menu, "copy", text("Copy lines"), Symbol::Copy, QKeySequence(Qt::Key_D),
+    add_tool(menu, "copy", text("Copy lines"), theme::Symbol::Copy, QKeySequence(Qt::Key_D),
              [] { return canvas::make_carry_tool(Carrying::Copy); });
   }
   add_switches(menu, canvas);
   tools_->actions().front()->setChecked(true);
   connect(&canvas, &Canvas::drawn, this, &DrawBar::ask);
+  connect(&canvas, &Canvas::asked, this, &DrawBar::ask_which);
 }
 
-void DrawBar::add_tool(QMenu& menu, const char* name, const QString& words, Symbol symbol, const QKeySequence& keys,
-                       Make make) {
-  QAction* made = menu.addAction(icon(symbol), words);
+void DrawBar::add_tool(QMenu& menu, const char* name, const QString& words, theme::Symbol symbol,
+                       const QKeySequence& keys, Make make) {
+  QAction* made = menu.addAction(theme::icon(symbol), words);
   made->setObjectName(QString("draw.") + name);
   made->setCheckable(true);
   made->setShortcut(keys);
@@ -102,7 +106,7 @@ void DrawBar::add_tool(QMenu& menu, const char* name, const QString& words, Symb
 void DrawBar::add_switches(QMenu& menu, Canvas& canvas) {
   addSeparator();
   menu.addSeparator();
-  QAction* snap = menu.addAction(icon(Symbol::Snap), text("Snap to lines"));
+  QAction* snap = menu.addAction(theme::icon(theme::Symbol::Snap), text("Snap to lines"));
   snap->setObjectName("draw.snap");
   snap->setCheckable(true);
   snap->setChecked(true);
@@ -137,6 +141,18 @@ void DrawBar::ask(const canvas::Drawn& what) {
   };
   NewLine question(std::move(kinds), last_kind_, add, this);
   if (question.exec() == QDialog::Accepted) last_kind_ = question.kind();
+}
+
+void DrawBar::ask_which(const canvas::Asked& what) {
+  QMessageBox box(QMessageBox::Question, QString::fromStdString(session_.program().title),
+                  QString::fromStdString(what.question), QMessageBox::NoButton, this);
+  std::map<const void*, const canvas::Edited*> answers;
+  for (const auto& [words, edited] : what.answers)
+    answers[box.addButton(QString::fromStdString(words).replace("&", "&&"), QMessageBox::AcceptRole)] = &edited;
+  box.addButton(text("Cancel"), QMessageBox::RejectRole);
+  box.exec();
+  const auto answer = answers.find(box.clickedButton());
+  if (answer != answers.end()) canvas_.carry_out(*answer->second);
 }
 
 NewLine::NewLine(std::vector<scenario::Drawing::Kind> kinds, const std::string& chosen,

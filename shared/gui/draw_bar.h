@@ -5,8 +5,8 @@
 #include <QToolBar>
 
 #include "shared/canvas/tool.h"
-#include "shared/gui/icons.h"
 #include "shared/gui/session.h"
+#include "shared/gui/theme/icons.h"
 #include "shared/scenario/program.h"
 
 class QActionGroup;
@@ -31,10 +31,11 @@ class DrawBar : public QToolBar {
 
  private:
   using Make = std::unique_ptr<canvas::Tool> (*)();
-  void add_tool(QMenu& menu, const char* name, const QString& words, Symbol symbol, const QKeySequence& keys,
+  void add_tool(QMenu& menu, const char* name, const QString& words, theme::Symbol symbol, const QKeySequence& keys,
                 Make make);
   void add_switches(QMenu& menu, Canvas& canvas);
   void ask(const canvas::Drawn& what);
+  void ask_which(const canvas::Asked& what);
 
   Session& session_;
   Canvas& canvas_;

@@ -4,8 +4,8 @@
 #include <QLabel>
 #include <QToolButton>
 
-#include "shared/gui/icons.h"
 #include "shared/gui/text.h"
+#include "shared/gui/theme/icons.h"
 
 namespace dobra::gui {
 
@@ -16,7 +16,7 @@ ErrorBar::ErrorBar(QWidget* parent) : QFrame(parent), words_(new QLabel(this)), 
       "#error_bar QLabel { color: #5f1411; }"
       "#error_bar QToolButton { color: #5f1411; background: #f8d3ce; border: 1px solid #c98a84; padding: 2px 8px; }");
   auto* sign = new QLabel(this);
-  sign->setPixmap(icon(Symbol::Warning).pixmap(20, 20));
+  sign->setPixmap(theme::icon(theme::Symbol::Warning).pixmap(20, 20));
   words_->setWordWrap(true);
   words_->setTextFormat(Qt::PlainText);
   words_->setTextInteractionFlags(Qt::TextSelectableByMouse);

@@ -18,9 +18,9 @@
 #include <sstream>
 
 #include "shared/base/text.h"
-#include "shared/gui/colors.h"
 #include "shared/gui/file_filter.h"
 #include "shared/gui/text.h"
+#include "shared/gui/theme/colors.h"
 
 namespace dobra::gui {
 
@@ -57,7 +57,8 @@ void show_background(QWidget& widget, FieldEditor::Judgement judgement) {
   QPalette palette = widget.palette();
   const bool bad = judgement == FieldEditor::Judgement::Bad;
   for (const QPalette::ColorGroup group : {QPalette::Active, QPalette::Inactive}) {
-    palette.setColor(group, QPalette::Base, bad ? wrong_base(QPalette()) : QPalette().color(group, QPalette::Base));
+    palette.setColor(group, QPalette::Base,
+                     bad ? theme::wrong_base(QPalette()) : QPalette().color(group, QPalette::Base));
   }
   widget.setPalette(palette);
 }

@@ -3,8 +3,8 @@
 #include <QHeaderView>
 #include <QSignalBlocker>
 
-#include "shared/gui/icons.h"
 #include "shared/gui/text.h"
+#include "shared/gui/theme/icons.h"
 #include "shared/scene/color_map.h"
 
 namespace dobra::gui {
@@ -17,18 +17,18 @@ QColor to_color(const scene::Color& color) { return {color.red, color.green, col
 
 QIcon swatch_of(const scene::Layer& layer) {
   const QColor line = to_color(layer.style.line);
-  if (std::holds_alternative<scene::Labels>(layer.content)) return letter_swatch(line);
+  if (std::holds_alternative<scene::Labels>(layer.content)) return theme::letter_swatch(line);
   if (std::holds_alternative<scene::Lines>(layer.content) || std::holds_alternative<scene::Markers>(layer.content)) {
-    return swatch(line, line);
+    return theme::swatch(line, line);
   }
   const auto* mesh = std::get_if<scene::Mesh>(&layer.content);
   if (mesh != nullptr && mesh->values_at != scene::ValuesAt::None) {
     QLinearGradient colors(0.0, 0.0, 28.0, 0.0);
     for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0})
       colors.setColorAt(t, to_color(scene::color_at(mesh->scale.map, t)));
-    return swatch(colors, line);
+    return theme::swatch(colors, line);
   }
-  return swatch(layer.style.fill ? to_color(*layer.style.fill) : QColor(Qt::transparent), line);
+  return theme::swatch(layer.style.fill ? to_color(*layer.style.fill) : QColor(Qt::transparent), line);
 }
 
 QString title_of(const std::string& title, const std::string& key) {

@@ -1,17 +1,17 @@
 #include "shared/gui/main_window.h"
 
 #include <QAction>
+#include <QActionGroup>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QLabel>
+#include <QLocale>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
-#include <QProgressBar>
-#include <QStatusBar>
+#include <QSettings>
 #include <QToolBar>
-#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <set>
@@ -21,12 +21,13 @@
 #include "shared/gui/draw_bar.h"
 #include "shared/gui/error_bar.h"
 #include "shared/gui/file_filter.h"
-#include "shared/gui/icons.h"
 #include "shared/gui/layer_tree.h"
 #include "shared/gui/messages.h"
 #include "shared/gui/parameter_form.h"
 #include "shared/gui/results.h"
+#include "shared/gui/status_line.h"
 #include "shared/gui/text.h"
+#include "shared/gui/theme/icons.h"
 #include "shared/gui/vtk_widget.h"
 #include "shared/render/cairo.h"
 
@@ -51,7 +52,7 @@ struct MainWindow::Actions {
 
 namespace {
 
-constexpr int worth_progress = 300;  ///< Milliseconds that runs take before their progress is shown.
+constexpr const char* shown_key = "shown";
 
 QDockWidget* dock(QMainWindow& window, const QString& title, const char* name, QWidget* content,
                   Qt::DockWidgetArea area) {
@@ -71,7 +72,7 @@ MainWindow::MainWindow(const scenario::Program& program, std::string about)
       session_(program),
       player_(session_),
       actions_(std::make_unique<Actions>()) {
-  setWindowIcon(application_icon());
+  setWindowIcon(theme::application_icon());
   setAcceptDrops(true);
   resize(1280, 800);
   make_center();
@@ -100,15 +101,18 @@ void MainWindow::make_center() {
                                           : text("Open a scenario (Ctrl+O), or drop one here."),
                      view_);
   hint_->setAlignment(Qt::AlignCenter);
+  hint_->setWordWrap(true);
+  hint_->setMargin(100);  // so that it stands between the axes
   hint_->setAttribute(Qt::WA_TransparentForMouseEvents);
   hint_->setStyleSheet("color: #707070; font-size: 12pt;");
   auto* middle = new QVBoxLayout(view_);
   middle->addWidget(hint_);
   connect(error_bar_, &ErrorBar::show_asked, this, &MainWindow::go_to_error);
-  connect(view_, &VtkWidget::cursor_moved, this, [this](const QString& where) { cursor_->setText(where); });
-  connect(view_, &VtkWidget::picked, this, [this](const QString& what) { said_->setText(what); });
+  connect(view_, &VtkWidget::cursor_moved, this, [this](const QString& where) { status_->show_place(where); });
   canvas_ = new Canvas(session_, *view_, this);
-  connect(canvas_, &Canvas::told, this, [this](const QString& what) { said_->setText(what); });
+  connect(view_, &VtkWidget::picked, canvas_, &Canvas::tell_pick);
+  connect(canvas_, &Canvas::told, this, [this](const QString& what) { status_->show_hint(what); });
+  connect(canvas_, &Canvas::unfinished_changed, this, &MainWindow::show_undo);
 }
 
 void MainWindow::make_docks() {
@@ -179,10 +183,7 @@ void MainWindow::make_actions() {
       add(file, text("Save &Picture..."), QKeySequence(Qt::CTRL | Qt::Key_E), [this] { ask_save_picture(); });
   file->addSeparator();
   a.quit = add(file, text("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), [this] { close(); });
-  a.undo = add(edit, text("&Undo"), QKeySequence::Undo, [this] {
-    form_->form()->commit();
-    session_.undo();
-  });
+  a.undo = add(edit, text("&Undo"), QKeySequence::Undo, [this] { undo(); });
   a.redo = add(edit, text("&Redo"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), [this] { session_.redo(); });
   a.redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
   a.fit = add(look, text("&Fit"), QKeySequence(Qt::Key_F), [this] { view_->fit(); });
@@ -198,23 +199,54 @@ void MainWindow::make_actions() {
   bar->setObjectName("tool_bar");
   bar->setMovable(false);
   bar->setIconSize({22, 22});
-  const auto place = [bar](QAction* action, Symbol symbol) {
-    action->setIcon(icon(symbol));
+  const auto place = [bar](QAction* action, theme::Symbol symbol) {
+    action->setIcon(theme::icon(symbol));
     bar->addAction(action);
   };
-  place(a.open, Symbol::Open);
-  place(a.save, Symbol::Save);
-  place(a.save_picture, Symbol::SavePicture);
+  place(a.open, theme::Symbol::Open);
+  place(a.save, theme::Symbol::Save);
+  place(a.save_picture, theme::Symbol::SavePicture);
   bar->addSeparator();
-  place(a.undo, Symbol::Undo);
-  place(a.redo, Symbol::Redo);
+  place(a.undo, theme::Symbol::Undo);
+  place(a.redo, theme::Symbol::Redo);
   bar->addSeparator();
-  place(a.fit, Symbol::Fit);
+  place(a.fit, theme::Symbol::Fit);
+  make_shown_actions(*look, *bar);
   bar->addSeparator();
-  place(a.run, Symbol::Run);
-  place(a.cancel, Symbol::Cancel);
+  place(a.run, theme::Symbol::Run);
+  place(a.cancel, theme::Symbol::Cancel);
   draw_bar_ = new DrawBar(session_, *canvas_, *draw, this);
   addToolBar(draw_bar_);
+}
+
+void MainWindow::make_shown_actions(QMenu& menu, QToolBar& bar) {
+  menu.addSeparator();
+  auto* group = new QActionGroup(this);
+  const auto add = [&](documents::Shown shown, const char* name, const QString& words, int key, theme::Symbol symbol) {
+    QAction* made = menu.addAction(theme::icon(symbol), words);
+    made->setObjectName(QString("look.") + name);
+    made->setCheckable(true);
+    made->setChecked(settings().value(shown_key, "result").toString() == name);
+    made->setShortcut(QKeySequence(Qt::CTRL | key));
+    made->setToolTip(QString("%1 (%2)").arg(words, made->shortcut().toString(QKeySequence::NativeText)));
+    if (made->isChecked()) shown_ = shown;
+    group->addAction(made);
+    bar.addAction(made);
+    connect(made, &QAction::triggered, this, [this, shown, name] {
+      shown_ = shown;
+      settings().setValue(shown_key, name);
+      show_picture();
+    });
+  };
+  add(documents::Shown::Input, "input", text("The input"), Qt::Key_1, theme::Symbol::ShowInput);
+  add(documents::Shown::Result, "result", text("The result"), Qt::Key_2, theme::Symbol::ShowResult);
+  add(documents::Shown::Both, "both", text("Input and result"), Qt::Key_3, theme::Symbol::ShowBoth);
+}
+
+bool MainWindow::look_at(const QString& what) {
+  auto* action = findChild<QAction*>("look." + what);
+  if (action != nullptr) action->trigger();
+  return action != nullptr;
 }
 
 /// Only in a program with something to watch.
@@ -228,23 +260,23 @@ void MainWindow::make_player_actions() {
   bar->setObjectName("watch_bar");
   bar->setMovable(false);
   bar->setIconSize({22, 22});
-  const auto add = [&](const QString& words, Symbol symbol, const QKeySequence& keys, auto&& action) {
-    QAction* made = bar->addAction(icon(symbol), words);
+  const auto add = [&](const QString& words, theme::Symbol symbol, const QKeySequence& keys, auto&& action) {
+    QAction* made = bar->addAction(theme::icon(symbol), words);
     made->setShortcut(keys);
     made->setToolTip(QString("%1 (%2)").arg(words, keys.toString(QKeySequence::NativeText)));
     connect(made, &QAction::triggered, this, action);
     return made;
   };
-  a.play = add(text("Watch it work"), Symbol::Play, QKeySequence(Qt::Key_F6), [this] {
+  a.play = add(text("Watch it work"), theme::Symbol::Play, QKeySequence(Qt::Key_F6), [this] {
     if (player_.playing())
       player_.pause();
     else if (settle())
       player_.play(watched_part());
   });
-  a.step = add(text("One step more"), Symbol::Step, QKeySequence(Qt::Key_F7), [this] {
+  a.step = add(text("One step more"), theme::Symbol::Step, QKeySequence(Qt::Key_F7), [this] {
     if (settle()) player_.step(watched_part());
   });
-  a.stop = add(text("Stop watching"), Symbol::Cancel, QKeySequence(Qt::Key_F8), [this] { player_.stop(); });
+  a.stop = add(text("Stop watching"), theme::Symbol::Cancel, QKeySequence(Qt::Key_F9), [this] { player_.stop(); });
   connect(&player_, &Player::changed, this, &MainWindow::show_player);
   connect(steps_, &StepList::selected_changed, this, &MainWindow::show_player);
 }
@@ -261,36 +293,17 @@ void MainWindow::show_player() {
   if (actions_->play == nullptr) return;
   const bool can = watched_part() > 0;
   actions_->play->setEnabled(can);
-  actions_->play->setIcon(icon(player_.playing() ? Symbol::Pause : Symbol::Play));
+  actions_->play->setIcon(theme::icon(player_.playing() ? theme::Symbol::Pause : theme::Symbol::Play));
   actions_->step->setEnabled(can && !player_.playing());
   actions_->stop->setEnabled(player_.watching());
-  if (player_.watching()) said_->setText(text("At work: after %1 steps").arg(player_.steps()));
+  if (player_.watching()) status_->show_state(text("At work: after %1 steps").arg(player_.steps()));
 }
 
 void MainWindow::make_status_bar() {
-  said_ = new QLabel(this);
-  cursor_ = new QLabel(this);
-  cursor_->setMinimumWidth(cursor_->fontMetrics().horizontalAdvance("x = -00000.000   y = -00000.000") + 12);
-  progress_ = new QProgressBar(this);
-  progress_->setFixedWidth(220);
-  progress_->setRange(0, 1000);
-  cancel_ = new QToolButton(this);
-  cancel_->setIcon(icon(Symbol::Cancel));
-  cancel_->setText(text("Cancel"));
-  cancel_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  progress_->hide();
-  cancel_->hide();
-  show_progress_.setSingleShot(true);
-  show_progress_.setInterval(worth_progress);
-  connect(&show_progress_, &QTimer::timeout, this, [this] {
-    progress_->show();
-    cancel_->show();
-  });
-  statusBar()->addWidget(said_, 1);
-  statusBar()->addPermanentWidget(progress_);
-  statusBar()->addPermanentWidget(cancel_);
-  statusBar()->addPermanentWidget(cursor_);
-  connect(cancel_, &QToolButton::clicked, this, [this] { session_.cancel(); });
+  status_ = new StatusLine(this);
+  setStatusBar(status_);
+  connect(status_, &StatusLine::cancel_asked, this, [this] { session_.cancel(); });
+  canvas_->show_hint();
 }
 
 void MainWindow::connect_session() {
@@ -299,7 +312,7 @@ void MainWindow::connect_session() {
   connect(&session_, &Session::progress, this, &MainWindow::show_progress);
   connect(&session_, &Session::run_finished, this, &MainWindow::show_outcome);
   connect(&session_, &Session::journal_failed, this,
-          [this](const QString& why) { said_->setText(text("Changes are not kept for a crash: %1").arg(why)); });
+          [this](const QString& why) { status_->show_state(text("Changes are not kept for a crash: %1").arg(why)); });
 }
 
 bool MainWindow::settle() {
@@ -321,33 +334,49 @@ void MainWindow::about() {
                          .arg(title, DOBRA_VERSION, text(about_.c_str()), text("Part of Dobra. Apache License 2.0.")));
 }
 
-void MainWindow::show_document() {
-  const scenario::Document& document = session_.document();
-  const documents::History& history = session_.history();
-  const QString name = document.file.empty() ? text("untitled") : from_path(document.file.filename());
-  setWindowTitle(name + QString::fromUtf8("[*] — ") + QString::fromStdString(program_.title));
-  setWindowFilePath({});
-  setWindowModified(history.modified());
+bool MainWindow::undo() {
+  if (canvas_->take_back()) return true;
+  form_->form()->commit();
+  const bool can = session_.history().can_undo();
+  session_.undo();
+  return can;
+}
 
+void MainWindow::show_undo() {
+  const documents::History& history = session_.history();
   const auto words = [](const QString& verb, const std::string& what) {
     return what.empty() ? verb : verb + ": " + QString::fromStdString(what);
   };
-  actions_->undo->setEnabled(history.can_undo());
-  actions_->redo->setEnabled(history.can_redo());
-  actions_->undo->setText(words(text("&Undo"), history.can_undo() ? history.undo_text() : std::string()));
+  const bool unfinished = canvas_->unfinished();
+  hint_->setVisible(!unfinished && documents::is_blank(session_.document(), program_));
+  actions_->undo->setEnabled(unfinished || history.can_undo());
+  actions_->redo->setEnabled(!unfinished && history.can_redo());
+  actions_->undo->setText(unfinished ? text("&Undo: last point")
+                                     : words(text("&Undo"), history.can_undo() ? history.undo_text() : std::string()));
   actions_->redo->setText(words(text("&Redo"), history.can_redo() ? history.redo_text() : std::string()));
+}
+
+void MainWindow::show_document() {
+  const scenario::Document& document = session_.document();
+  const QString name = document.file.empty() ? text("untitled") : from_path(document.file.filename());
+  setWindowTitle(name + QString::fromUtf8("[*] — ") + QString::fromStdString(program_.title));
+  setWindowFilePath({});
+  setWindowModified(session_.history().modified());
+  show_undo();
   actions_->save_picture->setEnabled(session_.outcome() != nullptr && session_.outcome()->picture != nullptr);
   actions_->cancel->setEnabled(session_.busy());
   steps_->show_document(document, part_states());
-  hint_->setVisible(document.file.empty() && document.input.empty() && document.steps.empty());
   if (session_.outcome() == nullptr) {
+    if (documents::is_blank(document, program_)) show_nothing();
+    layers_->show_picture({});
+    status_->show_state({});
     error_bar_->clear();
     results_->clear();
   }
   show_form();
   show_player();
   const QString missing = still_to_be_given(document, program_);
-  if (!missing.isEmpty()) said_->setText(text("Still to be given: %1").arg(missing));
+  if (!missing.isEmpty()) status_->show_state(text("Still to be given: %1").arg(missing));
 }
 
 void MainWindow::show_form() {
@@ -406,37 +435,21 @@ void MainWindow::show_run_started() {
   }
   actions_->cancel->setEnabled(true);
   if (player_.watching()) return;  // Many short runs, one after the other.
-  progress_->setValue(0);
-  progress_->setFormat(text("running"));
-  if (!show_progress_.isActive() && progress_->isHidden()) show_progress_.start();
+  status_->begin_run();
   steps_->show_document(session_.document(), part_states());
 }
 
-void MainWindow::show_progress(double fraction, const QString& what) {
-  progress_->setValue(static_cast<int>(1000.0 * fraction));
-  progress_->setFormat(what.isEmpty() ? text("running") + " %p%" : what);
-}
+void MainWindow::show_progress(double fraction, const QString& what) { status_->show_progress(fraction, what); }
 
 void MainWindow::show_outcome() {
+  if (!session_.busy()) status_->end_run();
+  if (!session_.outcome()) return;
   const documents::Outcome& outcome = *session_.outcome();
-  if (!session_.busy()) {
-    show_progress_.stop();
-    progress_->hide();
-    cancel_->hide();
-  }
   actions_->cancel->setEnabled(session_.busy());
   error_.reset();
   error_bar_->clear();
   view_->clear_place();
-  // Nothing to draw leaves nothing on the canvas: what was there is not the document's any more.
-  const scene::Picture picture = outcome.picture ? layers_->chosen(*outcome.picture) : scene::Picture{};
-  layers_->show_picture(picture);
-  if (picture.panels.empty()) {
-    show_nothing();
-  } else {
-    view_->set_picture(picture, fit_next_ ? Looking::AtAll : Looking::WhereItDid);
-    canvas_->show_outcome();
-  }
+  show_picture();
   fit_next_ = outcome.picture == nullptr;
   results_->show_outcome(outcome);
   actions_->save_picture->setEnabled(outcome.picture != nullptr);
@@ -446,8 +459,19 @@ void MainWindow::show_outcome() {
     show_error(*outcome.run.error);
     mark_error();
   } else if (!player_.watching()) {
-    said_->setText(text("Done in %1 s").arg(outcome.seconds, 0, 'f', outcome.seconds < 1 ? 2 : 1));
+    status_->show_state(
+        text("Done in %1 s").arg(QLocale().toString(outcome.seconds, 'f', outcome.seconds < 1 ? 2 : 1)));
   }
+}
+
+void MainWindow::show_picture() {
+  if (!session_.outcome()) return;
+  const auto picture = std::make_shared<const scene::Picture>(documents::picture_of(*session_.outcome(), shown_));
+  const scene::Picture wanted = layers_->chosen(*picture);
+  layers_->show_picture(wanted);
+  if (wanted.panels.empty()) return show_nothing();  // what was there is not the document's any more
+  view_->set_picture(wanted, fit_next_ ? Looking::AtAll : Looking::WhereItDid);
+  canvas_->show_outcome(picture);
 }
 
 void MainWindow::show_nothing() {
@@ -460,7 +484,7 @@ void MainWindow::show_nothing() {
 
 void MainWindow::show_error(const base::Error& error) {
   if (error.code == base::ErrorCode::Cancelled) {
-    said_->setText(text("Interrupted. What is shown is the last step that was done."));
+    status_->show_state(text("Interrupted. What is shown is the last step that was done."));
     return;
   }
   error_ = error;

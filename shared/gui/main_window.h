@@ -5,15 +5,15 @@
 #include <QMainWindow>
 #include <filesystem>
 
+#include "shared/gui/documents/shown.h"
 #include "shared/gui/player.h"
 #include "shared/gui/session.h"
 #include "shared/gui/step_list.h"
 
 class QLabel;
 class QMenu;
-class QProgressBar;
 class QSettings;
-class QToolButton;
+class QToolBar;
 
 namespace dobra::gui {
 
@@ -23,6 +23,7 @@ class ErrorBar;
 class LayerTree;
 class ParameterForm;
 class Results;
+class StatusLine;
 class VtkWidget;
 
 class MainWindow : public QMainWindow {
@@ -45,6 +46,10 @@ class MainWindow : public QMainWindow {
   void offer_recovery();
   /// Selects the input (0) or a step, and shows its form.
   void select(std::size_t part);
+  /// Takes back the last point of what is being drawn, else the last edit. @return false if there is neither.
+  bool undo();
+  /// "input", "result", "both"; remembered. @return false if it is none of them.
+  bool look_at(const QString& what);
 
   [[nodiscard]] Session& session() { return session_; }
   [[nodiscard]] Player& player() { return player_; }
@@ -70,6 +75,7 @@ class MainWindow : public QMainWindow {
   void make_actions();
   void make_status_bar();
   void connect_session();
+  void make_shown_actions(QMenu& menu, QToolBar& bar);
   void make_player_actions();
   void show_player();
 
@@ -90,6 +96,8 @@ class MainWindow : public QMainWindow {
   /// An empty sheet to draw on.
   void show_nothing();
   void show_document();
+  void show_undo();
+  void show_picture();
   void show_form();
   /// Those of the model before the part of the document whose form is shown.
   void offer_names(std::size_t part);
@@ -116,11 +124,8 @@ class MainWindow : public QMainWindow {
   LayerTree* layers_ = nullptr;
   Results* results_ = nullptr;
   QMenu* recent_ = nullptr;
-  QLabel* said_ = nullptr;
-  QLabel* cursor_ = nullptr;
-  QProgressBar* progress_ = nullptr;
-  QToolButton* cancel_ = nullptr;
-  QTimer show_progress_;
+  StatusLine* status_ = nullptr;
+  documents::Shown shown_ = documents::Shown::Result;
   std::optional<base::Error> error_;  ///< What the error bar says.
   std::size_t form_part_ = 0;         ///< Whose parameters the form shows.
   bool fit_next_ = true;              ///< The next picture is another document's: look at all of it.

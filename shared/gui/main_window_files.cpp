@@ -15,6 +15,7 @@
 #include "shared/gui/layer_tree.h"
 #include "shared/gui/main_window.h"
 #include "shared/gui/parameter_form.h"
+#include "shared/gui/status_line.h"
 #include "shared/gui/text.h"
 #include "shared/gui/vtk_widget.h"
 #include "shared/render/cairo.h"
@@ -65,7 +66,7 @@ base::Result<void> MainWindow::save(const std::filesystem::path& file) {
     return saved.error();
   }
   remember_file(file);
-  said_->setText(text("Saved %1").arg(from_path(file)));
+  status_->show_state(text("Saved %1").arg(from_path(file)));
   return {};
 }
 
@@ -74,8 +75,8 @@ base::Result<void> MainWindow::save_picture(const std::filesystem::path& file) {
     return base::Error{base::ErrorCode::CannotDraw,
                        text("there is no picture yet; run the scenario first").toStdString()};
   }
-  return render::write_picture(scenario::titled(layers_->chosen(*session_.outcome()->picture), session_.document()),
-                               file);
+  const scene::Picture shown = documents::picture_of(*session_.outcome(), shown_);
+  return render::write_picture(scenario::titled(layers_->chosen(shown), session_.document()), file);
 }
 
 base::Result<void> MainWindow::save_screenshot(const std::filesystem::path& file) {
@@ -142,7 +143,7 @@ void MainWindow::ask_save_picture() {
   if (!to_path(chosen).has_extension()) chosen += endings.front();
   const base::Result<void> written = save_picture(to_path(chosen));
   if (written)
-    said_->setText(text("Saved %1").arg(chosen));
+    status_->show_state(text("Saved %1").arg(chosen));
   else
     show_error(written.error());
 }

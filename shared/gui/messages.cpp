@@ -25,6 +25,7 @@ void name_by_title(QString& message, const Field& field) {
   message.replace(QRegularExpression("(the|unknown) key '" + key + "'"), title);
   message.replace(QRegularExpression("`" + key + "`"), title);
   message.replace(QRegularExpression("\\b" + key + " = "), title + " = ");
+  message.replace(QRegularExpression("\\ban? \\[\\[input\\." + key + "\\]\\](?! to)"), text("one under %1").arg(title));
   message.replace(QRegularExpression("\\[\\[input\\." + key + "\\]\\]"), title);
   for (const Field& inner : field.fields) name_by_title(message, inner);
 }

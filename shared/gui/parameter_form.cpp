@@ -11,12 +11,12 @@
 #include <algorithm>
 
 #include "shared/base/text.h"
-#include "shared/gui/colors.h"
 #include "shared/gui/field_editor.h"
 #include "shared/gui/file_filter.h"
 #include "shared/gui/messages.h"
 #include "shared/gui/tables_editor.h"
 #include "shared/gui/text.h"
+#include "shared/gui/theme/colors.h"
 
 namespace dobra::gui {
 
@@ -134,7 +134,7 @@ void TableForm::add_row(const Field& field, QGridLayout& grid) {
   row->title->setToolTip(tool_tip_of(field));
   row->message = new QLabel(this);
   row->message->setWordWrap(true);
-  row->message->setStyleSheet("color: " + wrong_text(palette()).name());
+  row->message->setStyleSheet("color: " + theme::wrong_text(palette()).name());
   row->message->setTextInteractionFlags(Qt::TextSelectableByMouse);
   row->message->hide();
 
@@ -300,7 +300,7 @@ void TableForm::add_stray_rows() {
     auto* layout = new QHBoxLayout(line);
     layout->setContentsMargins(0, 0, 0, 0);
     auto* words = new QLabel(text("'%1' is not a parameter here").arg(QString::fromStdString(entry.key)), line);
-    words->setStyleSheet("color: " + wrong_text(palette()).name());
+    words->setStyleSheet("color: " + theme::wrong_text(palette()).name());
     words->setWordWrap(true);
     auto* remove = new QToolButton(line);
     remove->setText(text("Remove"));

@@ -8,15 +8,17 @@
 #include <QVBoxLayout>
 
 #include "shared/base/text.h"
+#include "shared/canvas/entry.h"
 #include "shared/gui/text.h"
+#include "shared/gui/theme/colors.h"
 
 namespace dobra::gui {
 
 namespace {
 
-QString list_item(const QString& color, const QString& sign, const std::string& words) {
+QString list_item(const QColor& color, const QString& sign, const std::string& words) {
   return QString("<p style='margin:0 0 4px 0'><span style='color:%1'>%2</span> %3</p>")
-      .arg(color, sign, QString::fromStdString(words).toHtmlEscaped());
+      .arg(color.name(), sign, QString::fromStdString(words).toHtmlEscaped());
 }
 
 }  // namespace
@@ -77,11 +79,12 @@ void Results::show_outcome(const documents::Outcome& outcome) {
   QString said;
   for (const scenario::Verdict& verdict : outcome.verdicts) {
     if (verdict.met)
-      said += list_item("#2e7d32", QString::fromUtf8("✓"), verdict.message);
+      said += list_item(theme::right_text(palette()), QString::fromUtf8("✓"), verdict.message);
     else
-      said += list_item("#c62828", QString::fromUtf8("✗"), verdict.message);
+      said += list_item(theme::wrong_text(palette()), QString::fromUtf8("✗"), verdict.message);
   }
-  for (const std::string& remark : outcome.remarks) said += list_item("#15659a", QString::fromUtf8("•"), remark);
+  for (const std::string& remark : outcome.remarks)
+    said += list_item(theme::remark_text(palette()), QString::fromUtf8("•"), remark);
   if (said.isEmpty()) said = "<i>" + text("No remarks.") + "</i>";
   remarks_->setText(said);
 }
@@ -91,6 +94,8 @@ void Results::clear() {
   remarks_->clear();
 }
 
-QString readable(double value) { return QString::number(value, 'g', 6); }
+QString readable(double value) {
+  return QString::fromStdString(canvas::with_decimal_mark(QString::number(value, 'g', 6).toStdString()));
+}
 
 }  // namespace dobra::gui

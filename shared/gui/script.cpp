@@ -39,7 +39,7 @@ const std::map<std::string, std::size_t>& commands() {
       {"fit", 1},   {"hide", 2},        {"show", 2},    {"save-picture", 2}, {"screenshot", 2},  {"zoom", 4},
       {"add", 2},   {"remove", 1},      {"quit", 1},    {"report", 2},       {"go-to-error", 1}, {"expect-error", 2},
       {"watch", 2}, {"longest-gap", 2}, {"recover", 1}, {"tool", 2},         {"point", 3},       {"click", 3},
-      {"drag", 5},  {"keys", 2}};
+      {"drag", 5},  {"keys", 2},        {"look", 2}};
   return all;
 }
 
@@ -99,7 +99,7 @@ Script::Script(std::vector<Line> lines, std::filesystem::path file, MainWindow& 
 void Script::step() {
   if (next_ == lines_.size()) return;
   const Line& line = lines_[next_];
-  if (line.words[0] == "wait" && window_.session().busy()) {
+  if (!keys_.empty() || (line.words[0] == "wait" && window_.session().busy())) {
     QTimer::singleShot(between_commands, this, &Script::step);
     return;
   }
@@ -127,8 +127,7 @@ Result<void> Script::execute(const Line& line) {
     return window_.form().form()->type(line.words[1], QString::fromStdString(line.rest2));
   }
   if (command == "undo") {
-    if (!session.history().can_undo()) return failure(text("there is nothing to undo"));
-    session.undo();
+    if (!window_.undo()) return failure(text("there is nothing to undo"));
   } else if (command == "redo") {
     if (!session.history().can_redo()) return failure(text("there is nothing to do again"));
     session.redo();
@@ -162,6 +161,8 @@ Result<void> Script::execute(const Line& line) {
     return mouse(line);
   } else if (command == "keys") {
     press_keys(QString::fromStdString(line.rest));
+  } else if (command == "look") {
+    if (!window_.look_at(QString::fromStdString(line.rest))) return failure(text("write look input, result or both"));
   } else if (command == "add") {
     if (session.program().find_operation(line.words[1]) == nullptr) {
       return failure(text("no operation '%1'").arg(QString::fromStdString(line.words[1])));
@@ -254,21 +255,30 @@ Result<void> Script::mouse(const Line& line) {
   return {};
 }
 
-/// To where the focus is, or to the picture: letters as they are, Enter, Escape, Delete and Backspace by their names.
 void Script::press_keys(const QString& typed) {
-  QWidget* focus = QApplication::activeModalWidget() != nullptr ? QApplication::activeModalWidget()->focusWidget()
-                                                                : window_.focusWidget();
-  if (focus == nullptr) focus = &window_.view();
-  const auto post = [focus](int key, const QString& letters) {
-    QCoreApplication::postEvent(focus, new QKeyEvent(QEvent::KeyPress, key, {}, letters));
-    QCoreApplication::postEvent(focus, new QKeyEvent(QEvent::KeyRelease, key, {}, letters));
-  };
   const std::map<QString, int> names{{"Enter", Qt::Key_Return},
                                      {"Escape", Qt::Key_Escape},
                                      {"Delete", Qt::Key_Delete},
                                      {"Backspace", Qt::Key_Backspace}};
-  if (const auto named = names.find(typed); named != names.end()) return post(named->second, {});
-  for (const QChar letter : typed) post(Qt::Key_unknown, letter);
+  if (const auto named = names.find(typed); named != names.end()) {
+    keys_.emplace_back(named->second, QString());
+  } else {
+    for (const QChar letter : typed) keys_.emplace_back(Qt::Key_unknown, letter);
+  }
+  press_next_key();
+}
+
+/// To where the focus is, or to the picture. A key may move the focus, so that the next one waits for what it does.
+void Script::press_next_key() {
+  if (keys_.empty()) return;
+  const auto [key, letters] = keys_.front();
+  keys_.erase(keys_.begin());
+  const QWidget* top = QApplication::activeModalWidget() != nullptr ? QApplication::activeModalWidget() : &window_;
+  QWidget* focus = top->focusWidget() != nullptr ? top->focusWidget() : &window_.view();
+  // Posted: a question that the key opens does not keep the script waiting.
+  QCoreApplication::postEvent(focus, new QKeyEvent(QEvent::KeyPress, key, {}, letters));
+  QCoreApplication::postEvent(focus, new QKeyEvent(QEvent::KeyRelease, key, {}, letters));
+  QTimer::singleShot(0, this, &Script::press_next_key);
 }
 
 Result<void> Script::write_report(const std::filesystem::path& file) {

@@ -5,7 +5,9 @@
 // - add OPERATION: behind the selected part; remove: the selected step
 // - undo, redo, fit; zoom FACTOR X Y: X, Y in 0..1 of the view from its top left
 // - tool NAME: of the canvas (select, line, trim ...); point X Z, click X Z, drag X Z X Z: the mouse, at places of the
-//   first panel; keys TEXT: letters to where the focus is, or Enter, Escape, Delete, Backspace
+//   first panel; keys TEXT: letters, one after the other, to where the focus is then, or Enter, Escape, Delete,
+//   Backspace
+// - look input|result|both: which states are shown
 // - hide LAYER, show LAYER: key, or panel/key
 // - save [PATH], save-picture PATH, screenshot PATH; report PATH: report.json of the last run
 // - expect-error WORDS: the error bar says WORDS; go-to-error: presses Show in it
@@ -56,6 +58,7 @@ class Script : public QObject {
   base::Result<void> zoom(const Line& line);
   base::Result<void> mouse(const Line& line);
   void press_keys(const QString& typed);
+  void press_next_key();
   base::Result<void> watch(const Line& line);
   base::Result<void> write_report(const std::filesystem::path& file);
 
@@ -63,7 +66,8 @@ class Script : public QObject {
   std::filesystem::path file_;
   MainWindow& window_;
   std::size_t next_ = 0;
-  QTimer beat_;  ///< Tells how long nothing else could be heard.
+  std::vector<std::pair<int, QString>> keys_;  ///< Still to be pressed.
+  QTimer beat_;                                ///< Tells how long nothing else could be heard.
   QElapsedTimer since_beat_;
   qint64 longest_gap_ = 0;
 };

@@ -102,14 +102,21 @@ std::optional<scenario::Document> Session::unsaved() const {
 }
 
 void Session::recover() {
-  if (std::optional<scenario::Document> found = unsaved()) edit(*std::move(found), text("Recover what was not saved"));
+  std::optional<scenario::Document> found = unsaved();
+  if (!found) return;
+  found->source = document().source;  // the journal's own is of no interest
+  edit(*std::move(found), text("Recover what was not saved"));
 }
 
 void Session::go_on() {
   keep_journal();
+  const bool blank = documents::is_blank(document(), program_);
+  if (blank) outcome_ = nullptr;
   emit document_changed();
   // What waits for a value would only fail.
-  if (!still_to_be_given(document(), program_).isEmpty())
+  if (blank)
+    cancel();
+  else if (!still_to_be_given(document(), program_).isEmpty())
     pause_.stop();
   else if (!pause_.isActive())  // a stream of edits does not put the run off
     pause_.start();
@@ -117,6 +124,7 @@ void Session::go_on() {
 
 void Session::run() {
   pause_.stop();
+  if (documents::is_blank(document(), program_)) return;
   worker_.request(history_.current());
 }
 
@@ -133,7 +141,7 @@ documents::DocumentPtr Session::look_at(scenario::Document document) {
 }
 
 void Session::finish(const documents::OutcomePtr& outcome) {
-  outcome_ = outcome;
+  if (!documents::is_blank(document(), program_)) outcome_ = outcome;
   emit run_finished();
 }
 

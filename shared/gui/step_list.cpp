@@ -7,25 +7,25 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "shared/gui/icons.h"
 #include "shared/gui/text.h"
+#include "shared/gui/theme/icons.h"
 
 namespace dobra::gui {
 
 namespace {
 
-Symbol symbol_of(PartState state) {
+theme::Symbol symbol_of(PartState state) {
   switch (state) {
     case PartState::Pending:
-      return Symbol::Pending;
+      return theme::Symbol::Pending;
     case PartState::Running:
-      return Symbol::Running;
+      return theme::Symbol::Running;
     case PartState::Done:
-      return Symbol::Done;
+      return theme::Symbol::Done;
     case PartState::Failed:
-      return Symbol::Failed;
+      return theme::Symbol::Failed;
   }
-  return Symbol::Pending;
+  return theme::Symbol::Pending;
 }
 
 QString words_of(PartState state) {
@@ -42,9 +42,9 @@ QString words_of(PartState state) {
   return {};
 }
 
-QToolButton* button(Symbol symbol, const QString& tip, const char* name, QWidget* parent) {
+QToolButton* button(theme::Symbol symbol, const QString& tip, const char* name, QWidget* parent) {
   auto* made = new QToolButton(parent);
-  made->setIcon(icon(symbol));
+  made->setIcon(theme::icon(symbol));
   made->setToolTip(tip);
   made->setAccessibleName(tip);
   made->setAutoRaise(true);
@@ -58,10 +58,10 @@ StepList::StepList(const scenario::Program& program, QWidget* parent)
     : QWidget(parent),
       program_(program),
       list_(new QListWidget(this)),
-      remove_(button(Symbol::Remove, text("Remove the step"), "step.remove", this)),
-      up_(button(Symbol::Up, text("Move the step up"), "step.up", this)),
-      down_(button(Symbol::Down, text("Move the step down"), "step.down", this)) {
-  QToolButton* add = button(Symbol::Add, text("Add a step behind the selected one"), "step.add", this);
+      remove_(button(theme::Symbol::Remove, text("Remove the step"), "step.remove", this)),
+      up_(button(theme::Symbol::Up, text("Move the step up"), "step.up", this)),
+      down_(button(theme::Symbol::Down, text("Move the step down"), "step.down", this)) {
+  QToolButton* add = button(theme::Symbol::Add, text("Add a step behind the selected one"), "step.add", this);
   auto* menu = new QMenu(add);
   menu->setToolTipsVisible(true);
   for (const scenario::Operation& operation : program_.operations) {
@@ -107,7 +107,7 @@ void StepList::show_document(const scenario::Document& document, const std::vect
         title = QString::number(part) + "  " + text((operation != nullptr ? operation->title : step.operation).c_str());
         if (!step.name.empty()) title += QString::fromUtf8(" · ") + QString::fromStdString(step.name);
       }
-      auto* item = new QListWidgetItem(icon(symbol_of(states.at(part))), title, list_);
+      auto* item = new QListWidgetItem(theme::icon(symbol_of(states.at(part))), title, list_);
       item->setToolTip(words_of(states.at(part)));
     }
     list_->setCurrentRow(static_cast<int>(std::min(before, document.steps.size())));

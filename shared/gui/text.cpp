@@ -4,6 +4,7 @@
 #include <QTranslator>
 
 #include "shared/base/text.h"
+#include "shared/canvas/entry.h"
 
 // The compiled translations lie in this static library; the linker keeps them only if somebody names them.
 // Q_INIT_RESOURCE must stand outside any namespace.
@@ -13,8 +14,11 @@ namespace dobra::gui {
 
 void install_translation(const QString& language) {
   keep_translations();
+  if (!language.isEmpty()) QLocale::setDefault(QLocale(language));
+  canvas::set_decimal_mark(QLocale().decimalPoint() == QLatin1String(",") ? canvas::DecimalMark::Comma
+                                                                          : canvas::DecimalMark::Point);
   auto* translator = new QTranslator(QCoreApplication::instance());
-  const QLocale locale = language.isEmpty() ? QLocale() : QLocale(language);
+  const QLocale locale;
   if (translator->load(locale, "dobra", "_", ":/translations")) {
     QCoreApplication::installTranslator(translator);
   } else {

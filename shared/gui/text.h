@@ -16,7 +16,8 @@ inline QString from_path(const std::filesystem::path& path) { return QString::fr
 inline std::filesystem::path to_path(const QString& path) { return {path.toStdString()}; }
 
 /// Loads the translation of the user's language (that of the locale, or of `language` such as "pt_BR") into the
-/// application, and hooks base::translated to it. English where there is no translation.
+/// application, and hooks base::translated to it. English where there is no translation. Decimals stand behind the mark
+/// of that language.
 /// @pre a QCoreApplication exists.
 void install_translation(const QString& language = {});
 

@@ -17,6 +17,7 @@
 #include <cmath>
 
 #include "shared/base/check.h"
+#include "shared/canvas/entry.h"
 #include "shared/gui/text.h"
 #include "shared/render/vtk_scene.h"
 
@@ -24,7 +25,7 @@ namespace dobra::gui {
 
 namespace {
 
-constexpr double pick_reach = 5.0;       ///< Pixels round the cursor.
+constexpr double pick_reach = 8.0;       ///< Pixels round the cursor, as the tools reach.
 constexpr double zoom_a_notch = 1.2;     ///< Of the wheel: 15 degrees, 120 units.
 constexpr double pan_a_key = 0.1;        ///< Of the plot.
 constexpr double place_fraction = 0.1;   ///< Of the model that is seen round a place.
@@ -359,7 +360,9 @@ void VtkWidget::mouseMoveEvent(QMouseEvent* event) {
   const double scale = scene_->scene.views()[spot->panel].world_per_point;
   // As many decimals as a pixel can tell apart.
   const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(scale))), 0, 12);
-  const auto number = [&](double value) { return QString::number(value, 'f', decimals); };
+  const auto number = [&](double value) {
+    return QString::fromStdString(canvas::with_decimal_mark(QString::number(value, 'f', decimals).toStdString()));
+  };
   emit cursor_moved(
       QString("%1 = %2   %3 = %4")
           .arg(axis_name(panel.axes.x_title), number(spot->at.x), axis_name(panel.axes.y_title), number(spot->at.y)));

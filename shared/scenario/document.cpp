@@ -181,6 +181,7 @@ base::Result<Document> parse_document(const std::string& text, const std::filesy
   DOBRA_TRY(ScenarioTables tables, read_scenario_tables(text, file.string()));
   Document document;
   document.file = file;
+  document.source = std::make_shared<const std::string>(text);
   document.end_comment = tables.end_comment;
   DOBRA_TRY_VOID(read_top(tables.top, document));
   document.input.own_place.file = file.string();
@@ -230,7 +231,7 @@ std::string document_text(const Document& document) {
 }
 
 base::Result<void> write_document(const Document& document, const std::filesystem::path& file) {
-  return io::write_file(file, document_text(document));
+  return io::write_file(file, saved_text(document));
 }
 
 base::Result<void> set_units(Document& document, const std::string& key, const std::string& text) {

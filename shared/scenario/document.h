@@ -3,6 +3,7 @@
 // runs.
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -54,8 +55,9 @@ struct Document {
   std::vector<Expect> expects;
   std::string comment;  ///< Comment lines at the top of the file.
   std::string input_comment;
-  std::string end_comment;     ///< Comment lines after everything else.
-  std::filesystem::path file;  ///< Where it was read from or saved to; empty if neither.
+  std::string end_comment;                    ///< Comment lines after everything else.
+  std::filesystem::path file;                 ///< Where it was read from or saved to; empty if neither.
+  std::shared_ptr<const std::string> source;  ///< The text that it was read from; saving keeps what of it still holds.
 
   [[nodiscard]] const UnitSystem& shown_units() const { return result_units ? *result_units : units; }
   /// Relative paths in the document start here.
@@ -72,10 +74,14 @@ base::Result<Document> parse_document(const std::string& text, const std::filesy
 /// @error FileNotFound, NotAFile, CannotRead, EmptyFile, BadFormat (a binary file), and those of parse_document.
 base::Result<Document> read_document(const std::filesystem::path& file);
 
-/// Canonical text: parse_document(document_text(d)) gives d, and its text again is the same bytes.
+/// Canonical text, whatever the source: parse_document(document_text(d)) gives d, and its text again is the same bytes.
 std::string document_text(const Document& document);
 
-/// Writes aside, then renames.
+/// What is saved: the text that the document was read from, with what has changed since in its place. The layout,
+/// comments, and numbers of the rest stay to the byte. Canonical where there is no such text.
+std::string saved_text(const Document& document);
+
+/// Writes `saved_text` aside, then renames.
 /// @error CannotWrite
 base::Result<void> write_document(const Document& document, const std::filesystem::path& file);
 

@@ -165,6 +165,8 @@ struct Program {
   std::function<base::Result<State>(const Table& input, const Context&, const base::Progress&)> read_input;
   /// What an input draws that read_input may refuse, unjudged, as far as it can be read; may be left out.
   std::function<void(const Table& input, const Context&, scene::Picture&)> draw_input{};
+  /// Whether an input holds nothing yet that a run could begin with; left out: an empty one.
+  std::function<bool(const Table& input)> nothing_yet{};
   std::vector<Operation> operations;
   Results results;  ///< What the input has made, and what all operations have in common.
   /// The units that pictures, quantities, tables and remarks are turned into; left out: SI.

@@ -96,6 +96,10 @@ Document at_file(Document document, const Program& program, const Path& file) {
   return document;
 }
 
+bool is_blank(const Document& document, const Program& program) {
+  return program.nothing_yet ? program.nothing_yet(document.input) : document.input.empty() && document.steps.empty();
+}
+
 Document empty_document(const Program& program) {
   Document document;
   document.program = program.name;

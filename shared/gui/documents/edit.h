@@ -31,6 +31,9 @@ scenario::Document with_step_lowered(scenario::Document document, std::size_t st
 scenario::Document at_file(scenario::Document document, const scenario::Program& program,
                            const std::filesystem::path& file);
 
+/// Nothing to run yet, and nothing wrong either. Steps may wait for an input.
+bool is_blank(const scenario::Document& document, const scenario::Program& program);
+
 /// A document of the program with nothing in it.
 scenario::Document empty_document(const scenario::Program& program);
 

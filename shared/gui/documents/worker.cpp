@@ -9,35 +9,55 @@ namespace dobra::gui::documents {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+using PicturePtr = std::shared_ptr<const scene::Picture>;
 constexpr int short_run = 250;  ///< Milliseconds.
 constexpr auto least_time_between_reports = std::chrono::milliseconds(30);
 
-OutcomePtr outcome_of(const DocumentPtr& document, const scenario::Program& program, scenario::Runner& runner,
-                      const base::Progress& progress) {
-  const auto begin = Clock::now();
-  auto outcome = std::make_shared<Outcome>();
-  outcome->document = document;
-  outcome->run = runner.run(*document, progress);
-  scene::Picture picture = outcome->run.states.empty() ? program.picture_of_input(*document)
-                                                       : program.picture_of(outcome->run.states.back());
-  if (!picture.panels.empty()) {
-    scene::fill_regions(picture);  // here, and not on the window's thread
-    outcome->picture = std::make_shared<const scene::Picture>(std::move(picture));
-  }
-  if (!outcome->run.states.empty()) {
-    const scenario::State& state = outcome->run.states.back();
-    outcome->quantities = program.quantities_of(state);
-    outcome->remarks = program.remarks_of(state);
-  }
-  if (outcome->run.complete()) outcome->verdicts = scenario::judge(*document, program, outcome->run);
-  outcome->seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-  return outcome;
+/// Null for a picture of nothing.
+PicturePtr filled(scene::Picture picture) {
+  if (picture.panels.empty()) return nullptr;
+  scene::fill_regions(picture);  // here, and not on the window's thread
+  return std::make_shared<const scene::Picture>(std::move(picture));
 }
 
 }  // namespace
 
+/// What is used again by the next run.
+struct Worker::Kept {
+  explicit Kept(const scenario::Program& program) : runner(program) {}
+
+  scenario::Runner runner;
+  scenario::State input;  ///< What `picture` is of.
+  PicturePtr picture = nullptr;
+
+  PicturePtr picture_of_input(const scenario::Program& program, const scenario::State& state) {
+    if (input != state) picture = filled(program.picture_of(state));
+    input = state;
+    return picture;
+  }
+
+  OutcomePtr outcome_of(const DocumentPtr& document, const scenario::Program& program, const base::Progress& progress) {
+    const auto begin = Clock::now();
+    auto outcome = std::make_shared<Outcome>();
+    outcome->document = document;
+    outcome->run = runner.run(*document, progress);
+    const std::vector<scenario::State>& states = outcome->run.states;
+    if (states.empty()) {
+      outcome->picture = filled(program.picture_of_input(*document));
+    } else {
+      outcome->input = picture_of_input(program, states.front());
+      outcome->picture = states.size() == 1 ? outcome->input : filled(program.picture_of(states.back()));
+      outcome->quantities = program.quantities_of(states.back());
+      outcome->remarks = program.remarks_of(states.back());
+    }
+    if (outcome->run.complete()) outcome->verdicts = scenario::judge(*document, program, outcome->run);
+    outcome->seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    return outcome;
+  }
+};
+
 Worker::Worker(const scenario::Program& program, QObject* parent)
-    : QObject(parent), program_(program), runner_(std::make_shared<scenario::Runner>(program)), bench_(new QObject) {
+    : QObject(parent), program_(program), kept_(std::make_shared<Kept>(program)), bench_(new QObject) {
   bench_->moveToThread(&thread_);
   connect(&thread_, &QThread::finished, bench_, &QObject::deleteLater);
   thread_.setObjectName("dobra worker");
@@ -86,7 +106,7 @@ void Worker::start(DocumentPtr document) {
         this, [this, fraction, said] { emit progress(fraction, said); }, Qt::QueuedConnection);
   });
   QMetaObject::invokeMethod(bench_, [this, document = std::move(document), listener] {
-    const OutcomePtr outcome = outcome_of(document, program_, *runner_, listener);
+    const OutcomePtr outcome = kept_->outcome_of(document, program_, listener);
     QMetaObject::invokeMethod(
         this, [this, outcome] { done(outcome); }, Qt::QueuedConnection);
   });

@@ -20,6 +20,8 @@ struct Outcome {
   DocumentPtr document;
   scenario::Run run;
   std::shared_ptr<const scene::Picture> picture;
+  /// Of the state that the input has made; the same as `picture` where no step has come further. Null without a state.
+  std::shared_ptr<const scene::Picture> input;
   std::vector<scenario::Quantity> quantities;
   std::vector<std::string> remarks;
   std::vector<scenario::Verdict> verdicts;  ///< Of a complete run.
@@ -52,7 +54,9 @@ class Worker : public QObject {
   void done(const OutcomePtr& outcome);
 
   const scenario::Program& program_;
-  std::shared_ptr<scenario::Runner> runner_;  ///< Touched by the thread only.
+  /// Touched by the thread only.
+  struct Kept;
+  std::shared_ptr<Kept> kept_;
   QThread thread_;
   QObject* bench_;  ///< Lives in the thread; work is posted to it.
   base::CancelToken token_;

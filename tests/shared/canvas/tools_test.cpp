@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "shared/canvas/entry.h"
 #include "shared/canvas/tool.h"
 
 namespace dobra::canvas {
@@ -248,6 +249,93 @@ TEST_F(Tools, WaysAreMeasured) {
   ASSERT_EQ(overlay.texts.size(), 1U);
   EXPECT_EQ(overlay.texts[0].text, "40 m, dip 90.0°\n70 m in all, area 600 m²");
   EXPECT_EQ(measure_text({0, 0}, {-100, -100}), "141.421 m, dip 45.0°");
+}
+
+TEST_F(Tools, DecimalsStandBehindTheMarkOfTheUser) {
+  set_decimal_mark(DecimalMark::Comma);
+  EXPECT_EQ(measure_text({0, 0}, {-100, -100}), "141,421 m, dip 45,0°");
+  EXPECT_EQ(with_decimal_mark("1.5e-06, .5 and 3. A.1"), "1,5e-06, .5 and 3. A.1");
+  EXPECT_EQ(parse_entry("12,5", {.last = Point{0, 0}, .towards = geom::Vector{2, 0}}).value(), (Point{12.5, 0}));
+  set_decimal_mark(DecimalMark::Point);
+  EXPECT_EQ(measure_text({0, 0}, {-100, -100}), "141.421 m, dip 45.0°");
+}
+
+TEST_F(Tools, AnotherToolFinishesWhatHasPointsEnough) {
+  for (const auto& [drawing, clicks, finished] : {std::tuple{Drawing::Line, 1, false},
+                                                  {Drawing::Line, 2, true},
+                                                  {Drawing::Polygon, 2, false},
+                                                  {Drawing::Polygon, 3, true},
+                                                  {Drawing::Rectangle, 1, false}}) {
+    const auto tool = make_draw_tool(drawing);
+    const Point places[] = {{0, 10}, {20, 12}, {30, 40}};
+    for (int i = 0; i < clicks; ++i) click(*tool, places[i]);
+    tool->put_down(work);
+    EXPECT_EQ(only<Drawn>(tool->take()).size(), finished ? 1U : 0U);
+    EXPECT_FALSE(tool->unfinished());
+  }
+}
+
+TEST_F(Tools, UndoTakesBackWhatIsUnfinishedPieceByPiece) {
+  const auto line = make_draw_tool(Drawing::Line);
+  EXPECT_FALSE(line->take_back(work));
+  click(*line, {0, 10});
+  click(*line, {20, 12});
+  EXPECT_TRUE(line->take_back(work));
+  EXPECT_EQ(line->last(), (Point{0, 10}));
+  EXPECT_TRUE(line->take_back(work));
+  EXPECT_FALSE(line->take_back(work));
+  work.selection = {{bed, {}}};
+  const auto carry = make_carry_tool(Carrying::Move);
+  click(*carry, {0, 0});
+  EXPECT_TRUE(carry->take_back(work));
+  EXPECT_FALSE(carry->take_back(work));
+  const auto join = make_line_tool(LineWork::Join);
+  click(*join, {20, 0});
+  EXPECT_TRUE(join->take_back(work));
+  EXPECT_FALSE(join->unfinished());
+}
+
+TEST_F(Tools, AClickThatMissesSaysWhatWasExpected) {
+  for (const LineWork kind :
+       {LineWork::InsertVertex, LineWork::Split, LineWork::Join, LineWork::Extend, LineWork::Trim}) {
+    const auto tool = make_line_tool(kind);
+    click(*tool, {500, 500});
+    const auto told = only<Told>(tool->take());
+    ASSERT_EQ(told.size(), 1U);
+    EXPECT_NE(told[0].message.find(tool->hint()), std::string::npos) << told[0].message;
+  }
+  const auto join = make_line_tool(LineWork::Join);
+  click(*join, {20, 0});
+  EXPECT_TRUE(join->take().empty());
+  click(*join, {20, 0});
+  EXPECT_EQ(only<Told>(join->take()).size(), 1U);
+}
+
+TEST_F(Tools, JoiningLinesOfTwoNamesAsksWhichStays) {
+  scene::Picture picture;
+  picture.panels.push_back({.key = "section"});
+  const auto layer = [&](const char* key, const char* title, Point from, Point to, std::uint32_t id) {
+    picture.panels[0].layers.push_back({.key = key, .title = title, .content = scene::Lines{{{{from, to}}}, {id}}});
+  };
+  layer("horizon_0", "Top", {0, 0}, {40, 0}, 0);
+  layer("horizon_1", "Base", {60, 0}, {90, 0}, 1);
+  layer("horizon_2", "Top", {60, 30}, {90, 30}, 2);
+  work.show(std::make_shared<const scene::Picture>(std::move(picture)), 0);
+  const auto tool = make_line_tool(LineWork::Join);
+  click(*tool, {20, 0});
+  click(*tool, {70, 0});
+  const auto asked = only<Asked>(tool->take());
+  ASSERT_EQ(asked.size(), 1U);
+  ASSERT_EQ(asked[0].answers.size(), 2U);
+  EXPECT_EQ(asked[0].answers[1].first, "Base");
+  const std::vector<scene::LineEdit>& lines = asked[0].answers[1].second.lines;
+  EXPECT_EQ(lines[0].pick.layer, "horizon_1");
+  EXPECT_EQ(lines[0].becomes[0].points, (std::vector<Point>{{0, 0}, {40, 0}, {60, 0}, {90, 0}}));
+  EXPECT_EQ(lines[1].pick.layer, "horizon_0");
+  EXPECT_TRUE(lines[1].becomes.empty());
+  click(*tool, {20, 0});
+  click(*tool, {70, 30});
+  EXPECT_EQ(only<Edited>(tool->take()).size(), 1U);
 }
 
 TEST_F(Tools, TheSelectionKeepsWhatIsStillThere) {

@@ -84,6 +84,7 @@ struct Waves {
   double distance = 0.0;
   bool filled = false;
   std::vector<geom::Polyline> bumps{};
+  std::vector<std::string> names{};  ///< Of the bumps.
 };
 
 inline base::Result<Waves> stack(const Waves& waves, const StackParams& params, const scenario::Context&,
@@ -106,6 +107,24 @@ inline base::Result<Waves> sleep(const Waves& waves, const SleepParams& params, 
     passed = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   }
   return waves;
+}
+
+struct LiftParams {
+  double by = 100.0;
+  template <class D>
+  static void describe(D& d) {
+    d.field("by", &LiftParams::by, {.title = "By", .unit = "m"});
+  }
+};
+
+/// No bump stays where it was.
+inline base::Result<Waves> lift(const Waves& waves, const LiftParams& params, const scenario::Context&,
+                                const base::Progress&) {
+  Waves made = waves;
+  for (geom::Polyline& bump : made.bumps) {
+    for (geom::Point& p : bump.points) p.y += params.by;
+  }
+  return made;
 }
 
 inline base::Result<Waves> break_at(const Waves&, const BreakParams& params, const scenario::Context&,
@@ -139,7 +158,9 @@ inline scene::Panel wave_panel(const Waves& waves, const std::string& key, doubl
   panel.layers.push_back({"stack", "offset curves", Style{{90, 100, 110}, 0.8, Dash::Solid}, stack});
   panel.layers.push_back(
       {"top", "top", Style{{20, 60, 130}, 2.0, Dash::Solid}, Lines{{wave_line(amplitude, 0.0)}, {}}});
-  if (!waves.bumps.empty()) panel.layers.push_back({"bumps", "bumps", Style{{130, 60, 20}}, Lines{waves.bumps, {}}});
+  for (std::uint32_t i = 0; i < waves.bumps.size(); ++i)
+    panel.layers.push_back(
+        {"bump_" + std::to_string(i), waves.names[i], Style{{130, 60, 20}}, Lines{{waves.bumps[i]}, {i}}});
   return panel;
 }
 
@@ -156,7 +177,7 @@ inline scenario::Drawing drawing_of_bumps() {
             scenario::Document made = document;
             std::vector<scenario::Table> bumps = bumps_of(document);
             for (const scene::LineEdit& edit : edits) {
-              if (edit.pick.layer != "bumps")
+              if (!edit.pick.layer.starts_with("bump_"))
                 return base::Error{base::ErrorCode::BadValue, "only bumps are edited", {}};
               if (!edit.becomes.empty()) bumps[edit.pick.id].set("points", edit.becomes.front().points);
             }
@@ -187,7 +208,10 @@ inline scenario::Program fake_program() {
   program.read_input = [](const Table& table, const Context&, const base::Progress&) -> base::Result<State> {
     Waves waves;
     waves.amplitude = from_table<WaveInput>(table).amplitude;
-    for (const Bump& bump : from_table<WaveInput>(table).bumps) waves.bumps.push_back({bump.points, false});
+    for (const Bump& bump : from_table<WaveInput>(table).bumps) {
+      waves.bumps.push_back({bump.points, false});
+      waves.names.push_back(bump.name);
+    }
     if (waves.amplitude < 0.0) return base::Error{base::ErrorCode::BadSection, "the wave is upside down"};
     return make_state(waves);
   };
@@ -198,6 +222,7 @@ inline scenario::Program fake_program() {
   program.operations = {make_operation<Waves, StackParams>("stack", "Stack of waves",
                                                            "Repeats the wave below itself at equal distances.", stack),
                         make_operation<Waves, SleepParams>("sleep", "Sleep", "Does nothing for a while.", sleep),
+                        make_operation<Waves, LiftParams>("lift", "Lift", "Lifts all bumps.", lift),
                         make_operation<Waves, BreakParams>("break", "Break", "Always fails.", break_at)};
   program.results.draw = [](const State& state, scene::Picture& picture) {
     const auto& waves = model_of<Waves>(state);

@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shared/gui/colors.h"
+#include "shared/gui/theme/colors.h"
 #include "tests/shared/gui/fake_program.h"
 
 namespace dobra::gui {
@@ -166,7 +166,7 @@ TEST(ParameterForm, WhatIsWrongIsReadableOnLightAndOnDarkPalettes) {
     const QPalette shown = line->parentWidget()->palette();
     EXPECT_NE(shown.color(QPalette::Base), QColor(base));
     EXPECT_GE(contrast(shown.color(QPalette::Base), shown.color(QPalette::Text)), 4.5) << back;
-    EXPECT_GE(contrast(wrong_text(palette), QColor(back)), 4.5) << back;
+    EXPECT_GE(contrast(theme::wrong_text(palette), QColor(back)), 4.5) << back;
   }
   QApplication::setPalette(before);
 }

@@ -65,6 +65,16 @@ TEST_F(ScriptTest, ErrorOfARunCanBeExpected) {
   EXPECT_EQ(run("wait\nexpect-error crosses itself\nquit\n"), 1);
 }
 
+TEST_F(ScriptTest, KeysGoWhereTheOnesBeforeThemHaveMovedTheFocus) {
+  EXPECT_EQ(run("wait\ntool line\nkeys 10;20.5\nkeys Enter\nkeys @100<0\nkeys Enter\nkeys Enter\nkeys A long name\n"
+                "keys Enter\nwait\nsave " +
+                path("drawn.toml") + "\nquit\n"),
+            0);
+  const std::string drawn = folder.read("drawn.toml");
+  EXPECT_NE(drawn.find("name = \"A long name\""), std::string::npos) << drawn;
+  EXPECT_NE(drawn.find("[[10.0, 20.5], [110.0, 20.5]]"), std::string::npos) << drawn;
+}
+
 TEST(Script, UnknownCommandIsRefusedBeforeAnythingIsDone) {
   const test::TemporaryFolder folder;
   const auto lines = Script::read(folder.write("s.txt", "wait\nscreenshoot a.png\n"));

@@ -17,7 +17,7 @@ TEST(Text, EveryWordOfTheWindowIsTranslated) {
   std::size_t seen = 0;
   std::size_t same = 0;
   for (const auto& entry :
-       std::filesystem::directory_iterator(std::filesystem::path(DOBRA_SOURCE_DIR) / "shared/gui")) {
+       std::filesystem::recursive_directory_iterator(std::filesystem::path(DOBRA_SOURCE_DIR) / "shared/gui")) {
     if (entry.path().extension() != ".cpp") continue;
     auto match = call.globalMatch(QString::fromStdString(io::read_text(entry.path()).value()));
     while (match.hasNext()) {
@@ -31,6 +31,28 @@ TEST(Text, EveryWordOfTheWindowIsTranslated) {
   }
   EXPECT_GT(seen, 80u);
   EXPECT_EQ(same, 0u);
+}
+
+/// All that the tools say is a sentence or a capitalised word in their sources.
+TEST(Text, EveryWordOfTheToolsIsTranslated) {
+  const test::Brazilian language;
+  const QRegularExpression comment(R"(//[^\n]*|#include[^\n]*)");
+  const QRegularExpression literal(R"re("((?:[^"\\\n]|\\.)*)")re");
+  std::size_t seen = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::filesystem::path(DOBRA_SOURCE_DIR) / "shared/canvas")) {
+    if (entry.path().extension() != ".cpp") continue;
+    QString source = QString::fromStdString(io::read_text(entry.path()).value());
+    source.remove(comment).remove(QRegularExpression(R"("\s*\n\s*")"));
+    auto match = literal.globalMatch(source);
+    while (match.hasNext()) {
+      const QString words = match.next().captured(1);
+      if (!words.contains(QRegularExpression("[A-Za-z]{2,}.* |^[A-Z][a-z]"))) continue;
+      ++seen;
+      EXPECT_NE(text(words.toUtf8().constData()), words) << entry.path().filename() << ": " << words.toStdString();
+    }
+  }
+  EXPECT_GT(seen, 40u);
 }
 
 TEST(Text, PlaceholdersSurviveTranslation) {

@@ -5,7 +5,7 @@
 #include <QColor>
 #include <QIcon>
 
-namespace dobra::gui {
+namespace dobra::gui::theme {
 
 enum class Symbol {
   Open,
@@ -44,7 +44,10 @@ enum class Symbol {
   Rotate,
   Mirror,
   Copy,
-  Snap
+  Snap,
+  ShowInput,
+  ShowResult,
+  ShowBoth
 };
 
 QIcon icon(Symbol symbol);
@@ -58,4 +61,4 @@ QIcon letter_swatch(const QColor& color);
 /// What the programs show in the task bar: two folded layers.
 QIcon application_icon();
 
-}  // namespace dobra::gui
+}  // namespace dobra::gui::theme

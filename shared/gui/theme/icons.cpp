@@ -1,4 +1,4 @@
-#include "shared/gui/icons.h"
+#include "shared/gui/theme/icons.h"
 
 #include <QApplication>
 #include <QIconEngine>
@@ -6,7 +6,7 @@
 #include <QPainterPath>
 #include <QPalette>
 
-namespace dobra::gui {
+namespace dobra::gui::theme {
 
 namespace {
 
@@ -222,6 +222,31 @@ void draw_snap(QPainter& p) {
   p.drawLine(QPointF(19, 4), QPointF(19, 6));
 }
 
+/// A folded bed, a flat one, both.
+void draw_fold(QPainter& p, double height) {
+  QPainterPath fold(QPointF(2, height));
+  fold.cubicTo({8, height - 12}, {16, height + 12}, {22, height});
+  p.drawPath(fold);
+}
+void draw_show_input(QPainter& p) {
+  p.setPen(QPen(blue, 2.4));
+  draw_fold(p, 9);
+  p.setPen(QPen(blue, 1.2));
+  draw_fold(p, 15);
+}
+void draw_show_result(QPainter& p) {
+  p.setPen(QPen(green, 2.4));
+  p.drawLine(QPointF(2, 9), QPointF(22, 9));
+  p.setPen(QPen(green, 1.2));
+  p.drawLine(QPointF(2, 15), QPointF(22, 15));
+}
+void draw_show_both(QPainter& p) {
+  p.setPen(QPen(blue, 2.4));
+  draw_fold(p, 7);
+  p.setPen(QPen(green, 2.4));
+  p.drawLine(QPointF(2, 18), QPointF(22, 18));
+}
+
 Draw drawing_of(Symbol symbol) {
   switch (symbol) {
     case Symbol::Open:
@@ -298,6 +323,12 @@ Draw drawing_of(Symbol symbol) {
       return draw_copy;
     case Symbol::Snap:
       return draw_snap;
+    case Symbol::ShowInput:
+      return draw_show_input;
+    case Symbol::ShowResult:
+      return draw_show_result;
+    case Symbol::ShowBoth:
+      return draw_show_both;
   }
   return draw_pending;
 }
@@ -372,4 +403,4 @@ QIcon application_icon() {
   return QIcon(pixmap);
 }
 
-}  // namespace dobra::gui
+}  // namespace dobra::gui::theme

@@ -1,0 +1,92 @@
+#include "shared/gui/status_line.h"
+
+#include <QLabel>
+#include <QPainter>
+#include <QProgressBar>
+#include <QToolButton>
+#include <cmath>
+
+#include "shared/gui/text.h"
+#include "shared/gui/theme/icons.h"
+
+namespace dobra::gui {
+
+namespace {
+
+constexpr int worth_progress = 300;  ///< Milliseconds that runs take before their progress is shown.
+
+/// Takes what room there is.
+class ElidedLabel : public QLabel {
+ public:
+  using QLabel::QLabel;
+  [[nodiscard]] QSize minimumSizeHint() const override { return {0, QLabel::minimumSizeHint().height()}; }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    painter.drawText(contentsRect(), Qt::AlignVCenter | Qt::AlignLeft,
+                     fontMetrics().elidedText(text(), Qt::ElideRight, contentsRect().width()));
+  }
+};
+
+void show_text(QLabel& label, const QString& text) {
+  label.setText(text);
+  label.setToolTip(text);
+}
+
+}  // namespace
+
+StatusLine::StatusLine(QWidget* parent)
+    : QStatusBar(parent),
+      hint_(new ElidedLabel(this)),
+      state_(new ElidedLabel(this)),
+      place_(new QLabel(this)),
+      progress_(new QProgressBar(this)),
+      cancel_(new QToolButton(this)) {
+  hint_->setObjectName("status.hint");
+  state_->setObjectName("status.state");
+  state_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  place_->setMinimumWidth(place_->fontMetrics().horizontalAdvance("x = -00000.000   y = -00000.000") + 12);
+  progress_->setFixedWidth(220);
+  progress_->setRange(0, 1000);
+  cancel_->setIcon(theme::icon(theme::Symbol::Cancel));
+  cancel_->setText(text("Cancel"));
+  cancel_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  progress_->hide();
+  cancel_->hide();
+  patience_.setSingleShot(true);
+  patience_.setInterval(worth_progress);
+  connect(&patience_, &QTimer::timeout, this, [this] {
+    progress_->show();
+    cancel_->show();
+  });
+  addWidget(hint_, 3);
+  addWidget(state_, 1);
+  addPermanentWidget(progress_);
+  addPermanentWidget(cancel_);
+  addPermanentWidget(place_);
+  connect(cancel_, &QToolButton::clicked, this, &StatusLine::cancel_asked);
+}
+
+void StatusLine::show_hint(const QString& hint) { show_text(*hint_, hint); }
+void StatusLine::show_state(const QString& state) { show_text(*state_, state); }
+void StatusLine::show_place(const QString& place) { place_->setText(place); }
+
+void StatusLine::begin_run() {
+  progress_->setValue(0);
+  progress_->setFormat(text("running"));
+  if (!patience_.isActive() && progress_->isHidden()) patience_.start();
+}
+
+void StatusLine::show_progress(double fraction, const QString& what) {
+  progress_->setValue(static_cast<int>(std::lround(1000.0 * fraction)));
+  progress_->setFormat(what.isEmpty() ? text("running") + " %p%" : what);
+}
+
+void StatusLine::end_run() {
+  patience_.stop();
+  progress_->hide();
+  cancel_->hide();
+}
+
+}  // namespace dobra::gui
