@@ -45,8 +45,9 @@ class CellCloser {
       std::size_t next = i + 1;
       while (next < count && chains_[next].bed == chains_[i].bed) ++next;
       if (next < count) add_ring(i, next, rings);
-      if (i > 0 && !cut_off(i)) add_ring(0, i, rings);
-      if (i + 1 < count && next + 1 < count && !cut_off(i)) add_ring(i, count - 1, rings);
+      if (cut_off(i)) continue;
+      if (i > 1 && !cut_off(0)) add_ring(0, i, rings);
+      if (i + 2 < count && !cut_off(count - 1)) add_ring(i, count - 1, rings);
     }
     DOBRA_TRY(made_.rings, within_cell(rings));
     std::stable_sort(made_.closings.begin(), made_.closings.end(), [](const Closing& a, const Closing& b) {

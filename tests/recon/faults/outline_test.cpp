@@ -1,6 +1,7 @@
 #include "recon/faults/outline.h"
 
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -128,7 +129,7 @@ TEST(RockOutline, AirStaysAir) {
                                        none));
   ASSERT_EQ(open.areas.size(), 1U);
   EXPECT_NEAR(open.areas[0], known, 1e-6 * known);
-  EXPECT_EQ(open.remarks.size(), 1U);
+  EXPECT_THAT(open.remarks, testing::SizeIs(1));
 }
 
 TEST(RockOutline, AnOverturnedTopHasNoRockOverIt) {

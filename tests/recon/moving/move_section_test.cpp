@@ -166,7 +166,10 @@ TEST(Move, ABedOfTheHangingWallThatNoBlockHoldsIsTold) {
              return remark.find("horizon 'C (3)' ends in the hanging wall of fault 'F'") != std::string::npos;
            });
   };
-  EXPECT_TRUE(told());
+  EXPECT_FALSE(told());
+  std::erase_if(section.horizons, [](const section::Horizon& horizon) { return horizon.name == "D (3)"; });
+  section.horizons[6].line.points.back().x = 800.0;
+  EXPECT_TRUE(told());  // what C (3) lay on is gone, and the rock between them
   section.border = geom::Polyline{{{-2000, -1050}, {2100, -1050}, {2100, 100}, {-2000, 100}}, true};
   EXPECT_FALSE(told());
   section = planar();
