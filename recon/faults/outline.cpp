@@ -47,7 +47,7 @@ class MissingRocks {
 
   /// @param rings  what is rock, beside the faces between horizons.
   [[nodiscard]] std::vector<MissingRock> beneath(const std::vector<section::BareStretch>& bare,
-                                               const std::vector<geom::Polyline>& rings) const {
+                                                 const std::vector<geom::Polyline>& rings) const {
     std::vector<MissingRock> open;
     for (const section::BareStretch& stretch : bare) {
       const std::vector<double> arcs = geom::arc_lengths(stretch.line);
@@ -59,7 +59,7 @@ class MissingRocks {
         const geom::Segment segment = stretch.line.segment(i);
         const geom::Point p = geom::point_at(stretch.line, arcs, s);
         const geom::Vector up = geom::normalised(geom::left_of(segment.to - segment.from));
-        if (!in_any(rings, p + 1e-6 * size_ * up) && under_another(stretch.horizon, p, up)) {
+        if (under_another(stretch.horizon, p, up) && !in_any(rings, p + 1e-6 * size_ * up)) {
           open.push_back({stretch.horizon, p});
         }
       }
@@ -71,21 +71,29 @@ class MissingRocks {
   /// Whether the first line over a place is the underside of another horizon.
   [[nodiscard]] bool under_another(HorizonId horizon, geom::Point p, geom::Vector up) const {
     geom::Segment way{p + 1e-9 * size_ * up, p + 2.0 * size_ * up};
+    const std::string& own = whole_name(*find_horizon(section_, horizon));
+    std::vector<std::size_t> met;  // by their boxes
+    bool other = false;
+    for (std::size_t h = 0; h < boxes_.size(); ++h) {
+      if (!boxes_[h].overlaps(way.box())) continue;
+      met.push_back(h);
+      other = other || whole_name(section_.horizons[h]) != own;
+    }
+    if (!other) return false;
     bool found = false;
     const auto meet = [&](const geom::Segment& line, bool underside) {
+      if (!line.box().overlaps(way.box())) return;
       const geom::Intersection hit = geom::intersect(way, line);
       if (hit.kind == geom::IntersectionKind::None) return;
       way.to = hit.start.point;
       found = underside;
     };
-    const std::string& own = whole_name(*find_horizon(section_, horizon));
-    for (std::size_t h = 0; h < boxes_.size(); ++h) {
-      if (!boxes_[h].overlaps(way.box())) continue;
-      const bool other = whole_name(section_.horizons[h]) != own;
+    for (const std::size_t h : met) {
+      const bool is_other = whole_name(section_.horizons[h]) != own;
       const geom::Polyline& line = section_.horizons[h].line;
       for (std::size_t i = 0; i < line.segment_count(); ++i) {
         const geom::Segment segment = line.segment(i);
-        meet(segment, other && geom::cross(segment.to - segment.from, up) > 0.0);
+        meet(segment, is_other && geom::cross(segment.to - segment.from, up) > 0.0);
       }
     }
     for (const geom::Polyline& fault : faults_) {
@@ -173,24 +181,27 @@ class OpenCells {
 
 std::string remark_on(const Closing& closing) {
   const geom::Point at = geom::midpoint(closing.line.from, closing.line.to);
-  return fmt::format("horizon '{}' leaves the rock open at ({:.6g}, {:.6g}): a straight line of {:.4g} m closes it for "
-                     "the blocks and their areas; close the gap (--join-gaps, a larger tolerance), or give a border "
-                     "([[input.border]])",
-                     closing.bed, at.x, at.y, geom::distance(closing.line.from, closing.line.to));
+  return fmt::format(
+      "horizon '{}' leaves the rock open at ({:.6g}, {:.6g}): a straight line of {:.4g} m closes it for "
+      "the blocks and their areas; close the gap (--join-gaps, a larger tolerance), or give a border "
+      "([[input.border]])",
+      closing.bed, at.x, at.y, geom::distance(closing.line.from, closing.line.to));
 }
 
 std::string remark_on(const section::Section& section, const MissingRock& place) {
-  return fmt::format("rock is missing over horizon '{}' at ({:.6g}, {:.6g}), though another horizon lies above: what "
-                     "encloses it is open, so that a block lacks it or is missing, and areas there are too small; "
-                     "give a border ([[input.border]])",
-                     find_horizon(section, place.horizon)->name, place.at.x, place.at.y);
+  return fmt::format(
+      "rock is missing over horizon '{}' at ({:.6g}, {:.6g}), though another horizon lies above: what "
+      "encloses it is open, so that a block lacks it or is missing, and areas there are too small; "
+      "give a border ([[input.border]])",
+      find_horizon(section, place.horizon)->name, place.at.x, place.at.y);
 }
 
 /// Adds the rock of cells that the faces leave open.
 base::Result<void> close_cells(const section::Section& section, std::vector<Fault> faults,
                                const std::vector<MissingRock>& places, double tolerance, Outline& outline) {
   const double size = box_of(section).diagonal();
-  for (Fault& fault : faults) fault.lower.kind = fault.upper.kind = EndKind::Border;  // a tip's straight on parts no bed
+  for (Fault& fault : faults)
+    fault.lower.kind = fault.upper.kind = EndKind::Border;  // a tip's straight on parts no bed
   std::vector<geom::Polyline> lines = parting_lines(faults, size);
   const std::size_t parting = lines.size();
   const geom::Polyline frame = frame_of(box_of(section), size);

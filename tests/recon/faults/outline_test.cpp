@@ -62,7 +62,7 @@ std::vector<NamedPoints> with_gap(std::vector<NamedPoints> beds, const std::stri
   return made;
 }
 
-const std::vector<NamedPoints> whole{left_piece("A/1", 0),    right_piece("A/2", 0),   left_piece("B/1", -200),
+const std::vector<NamedPoints> whole{left_piece("A/1", 0),     right_piece("A/2", 0),   left_piece("B/1", -200),
                                      right_piece("B/2", -200), left_piece("C/1", -400), right_piece("C/2", -400)};
 
 TEST(RockOutline, GapsOfBedsLeaveTheBlocksWhole) {
@@ -124,9 +124,8 @@ TEST(RockOutline, AirStaysAir) {
   ASSERT_EQ(shown.areas.size(), 1U);
   EXPECT_NEAR(shown.areas[0], known, 1e-6 * known);
   // A gap in the lowest bed opens the rock above it: that is closed, the valley is not.
-  const Shown open = blocks_in(faulted({hills[0], hills[1], hills[2], {"C/1", {{0, -400}, {900, -400}}},
-                                        {"C/2", {{940, -400}, {2000, -400}}}},
-                                       none));
+  const Shown open = blocks_in(faulted(
+      {hills[0], hills[1], hills[2], {"C/1", {{0, -400}, {900, -400}}}, {"C/2", {{940, -400}, {2000, -400}}}}, none));
   ASSERT_EQ(open.areas.size(), 1U);
   EXPECT_NEAR(open.areas[0], known, 1e-6 * known);
   EXPECT_THAT(open.remarks, testing::SizeIs(1));
@@ -134,7 +133,8 @@ TEST(RockOutline, AirStaysAir) {
 
 TEST(RockOutline, AnOverturnedTopHasNoRockOverIt) {
   // The top leans over itself; the air under its overhang faces the same bed.
-  const std::vector<geom::Point> top{{0, 0}, {900, 0}, {900, 300}, {600, 300}, {600, 400}, {1000, 400}, {1000, 0}, {2000, 0}};
+  const std::vector<geom::Point> top{{0, 0},     {900, 0},    {900, 300}, {600, 300},
+                                     {600, 400}, {1000, 400}, {1000, 0},  {2000, 0}};
   const std::vector<NamedPoints> beds{{"A", top}, {"B", {{0, -200}, {2000, -200}}}};
   const double known = 2000.0 * 200.0 + 100.0 * 400.0 + 300.0 * 100.0;
   const Shown shown = blocks_in(faulted(beds, {item("F", {{500, -900}, {600, -800}})}));
