@@ -1,10 +1,12 @@
 #include "quebra/core/operations.h"
 
 #include <algorithm>
+#include <array>
 
 #include "quebra/analysis/adaptivity.h"
 #include "quebra/analysis/analysis.h"
 #include "quebra/analysis/fracture.h"
+#include "quebra/core/drawing.h"
 #include "quebra/core/input.h"
 #include "quebra/core/layers.h"
 #include "quebra/core/result_picture.h"
@@ -145,6 +147,11 @@ scenario::Program make_program() {
   program.input_fields = scenario::fields_of<InputParams>();
   program.read_input = input;
   program.draw_input = draw_input;
+  program.nothing_yet = [](const scenario::Table& input) {
+    constexpr std::array keys{"specimen", "file", "curve", "crack"};
+    return std::none_of(keys.begin(), keys.end(), [&](const char* key) { return input.find(key) != nullptr; });
+  };
+  program.drawing = drawing();
   program.units_of = units_of;
   program.results = scenario::make_results<model::Model>({
       .quantities = add_quantities,

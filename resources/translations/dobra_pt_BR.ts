@@ -3614,6 +3614,38 @@
         <translation>Horizonte</translation>
     </message>
     <message>
+        <source>Outline</source>
+        <translation>Contorno externo</translation>
+    </message>
+    <message>
+        <source>Hole</source>
+        <translation>Furo</translation>
+    </message>
+    <message>
+        <source>Crack</source>
+        <translation>Trinca</translation>
+    </message>
+    <message>
+        <source>Internal line</source>
+        <translation>Linha interna</translation>
+    </message>
+    <message>
+        <source>Part of the boundary</source>
+        <translation>Parte do contorno</translation>
+    </message>
+    <message>
+        <source>this is drawn by the program and cannot be edited; edit curves and cracks</source>
+        <translation>isto é desenhado pelo programa e não pode ser editado; edite curvas e trincas</translation>
+    </message>
+    <message>
+        <source>arcs, circles and splines move as a whole here; change their shape in the form</source>
+        <translation>arcos, círculos e splines se movem aqui como um todo; mude a forma deles no formulário</translation>
+    </message>
+    <message>
+        <source>a file or a specimen holds this curve, not the scenario; change it there</source>
+        <translation>um arquivo ou um corpo de prova contém esta curva, não o cenário; mude-a lá</translation>
+    </message>
+    <message>
         <source>Loose line</source>
         <translation>Linha solta</translation>
     </message>
