@@ -154,9 +154,7 @@ TEST(Drawing, ACircleMovesAsAWholeAndKeepsItsShape) {
 }
 
 TEST(Drawing, WhatTheDocumentDoesNotHoldIsRefused) {
-  const scenario::Document document = document_of("[input]
-specimen = \"single_edge_notch\"
-");
+  const scenario::Document document = document_of("[input]\nspecimen = \"single_edge_notch\"\n");
   const model::Model model = model_of(document);
   ASSERT_FALSE(model.domain.curves.empty());
   const bool crack = model.domain.curves[0].role == sketch::Role::Crack;
