@@ -10,7 +10,7 @@ namespace dobra::fem {
 namespace {
 
 TEST(Solve, TheBytesDoNotDependOnTheNumberOfThreads) {
-  const ElementMesh mesh = test::quarter_plate(ElementType::T6, 40);
+  const mesh::ElementMesh mesh = test::quarter_plate(mesh::ElementType::T6, 40);
   Problem problem{.materials = {{0, {.young = 1000.0, .poisson = 0.3, .thickness = 1.0, .state = PlaneState::Stress}}},
                   .supports = {{.where = "bottom", .normal = 0.0}, {.where = "top", .x = 0.0}}};
   problem.cases[0].sides = {{"right", linear({4, 0}, {1.0, 0.0}, {4, 4}, {1.5, 0.3})}};
